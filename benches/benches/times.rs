@@ -13,7 +13,7 @@ use estimate::{Evidence, Independent, Settings as Budget, sample_quietly};
 use pim_core::{Contact, Tangential};
 use report::{Subject, Units};
 use trajectory::{State, Steer, Target, to_rest, to_rests, to_start};
-use uncertainty::{Distribution, LANES, Lanes, Model, SamplingMethod, Settings, propagate};
+use uncertainty::{Distribution, Instructions, LANES, Lanes, Model, SamplingMethod, Settings, propagate};
 
 /// Samples of a spin-out.
 const SPIN_OUTS: u32 = 256;
@@ -150,7 +150,7 @@ impl Model for SumOfSquares {
     }
 
     #[inline(always)]
-    fn evaluate(&self, inputs: &[Lanes], outputs: &mut [Lanes], _reasons: &mut [u8; LANES]) {
+    fn evaluate(&self, _: Instructions, inputs: &[Lanes], outputs: &mut [Lanes], _reasons: &mut [u8; LANES]) {
         for output in outputs {
             *output = [0.0; LANES];
             for input in inputs {

@@ -8,8 +8,8 @@ use std::f64::consts::{PI, TAU};
 use std::ops::ControlFlow;
 
 use ::uncertainty::{
-    Distribution, FirstOrder, InvalidDistribution, InvalidRequest, LANES, Lanes, Model, Progress,
-    Propagation, Sampler, Settings, TORNADO_PROBABILITIES, Tornado, Truncation,
+    Distribution, FirstOrder, Instructions, InvalidDistribution, InvalidRequest, LANES, Lanes, Model,
+    Progress, Propagation, Sampler, Settings, TORNADO_PROBABILITIES, Tornado, Truncation,
 };
 use crash3::CrushError;
 use inputs::{
@@ -887,11 +887,19 @@ impl Model for Sample<'_> {
     }
 
     #[inline(always)]
-    fn evaluate(&self, inputs: &[Lanes], outputs: &mut [Lanes], reasons: &mut [u8; LANES]) {
+    fn evaluate(
+        &self,
+        instructions: Instructions,
+        inputs: &[Lanes],
+        outputs: &mut [Lanes],
+        reasons: &mut [u8; LANES],
+    ) {
         let shared = self.shared.as_ref().filter(|_| self.block.is_ok());
         let with_errors = shared.map(|shared| shared.columns(inputs));
         let settled = match &self.block {
-            Ok(block) => block.evaluate(with_errors.as_deref().unwrap_or(inputs), outputs, reasons),
+            Ok(block) => {
+                block.evaluate(instructions, with_errors.as_deref().unwrap_or(inputs), outputs, reasons)
+            }
             Err(_) => [false; LANES],
         };
         if !settled.iter().all(|is_settled| *is_settled) {

@@ -50,8 +50,15 @@ pub trait Model: Sync {
 
     /// Evaluates a block: `inputs` and `outputs` hold a column for each input and output. A sample without an
     /// answer gets a reason from 1 to 254 in `reasons`, which are [`SUCCEEDED`] at the start; its outputs are
-    /// then ignored.
-    fn evaluate(&self, inputs: &[Lanes], outputs: &mut [Lanes], reasons: &mut [u8; LANES]);
+    /// then ignored. The `instructions` are those that this is compiled for: parts of a large model are quicker
+    /// to compile as functions of their own, each for the instructions that it is given.
+    fn evaluate(
+        &self,
+        instructions: Instructions,
+        inputs: &[Lanes],
+        outputs: &mut [Lanes],
+        reasons: &mut [u8; LANES],
+    );
 }
 
 /// A model made of a function of one sample.
@@ -75,7 +82,13 @@ impl<F: Fn(&[f64], &mut [f64]) -> Result<(), u8> + Sync> Model for Function<F> {
     }
 
     #[inline(always)]
-    fn evaluate(&self, inputs: &[Lanes], outputs: &mut [Lanes], reasons: &mut [u8; LANES]) {
+    fn evaluate(
+        &self,
+        _instructions: Instructions,
+        inputs: &[Lanes],
+        outputs: &mut [Lanes],
+        reasons: &mut [u8; LANES],
+    ) {
         let mut sample = vec![0.0; inputs.len()];
         let mut answer = vec![0.0; outputs.len()];
         for (lane, reason) in reasons.iter_mut().enumerate() {
@@ -105,13 +118,19 @@ pub(crate) fn evaluate<M: Model>(
     outputs: &mut [Lanes],
     reasons: &mut [u8; LANES],
 ) {
-    dispatch!(instructions.level(), _simd => evaluate_with(model, inputs, outputs, reasons));
+    dispatch!(instructions.level(), _simd => evaluate_with(instructions, model, inputs, outputs, reasons));
 }
 
 #[inline(always)]
-fn evaluate_with<M: Model>(model: &M, inputs: &[Lanes], outputs: &mut [Lanes], reasons: &mut [u8; LANES]) {
+fn evaluate_with<M: Model>(
+    instructions: Instructions,
+    model: &M,
+    inputs: &[Lanes],
+    outputs: &mut [Lanes],
+    reasons: &mut [u8; LANES],
+) {
     *reasons = [SUCCEEDED; LANES];
-    model.evaluate(inputs, outputs, reasons);
+    model.evaluate(instructions, inputs, outputs, reasons);
     for column in outputs {
         for (value, reason) in column.iter().zip(reasons.iter_mut()) {
             let failed = *reason == SUCCEEDED && !value.is_finite();

@@ -28,7 +28,7 @@ impl Model for Linear {
     }
 
     #[inline(always)]
-    fn evaluate(&self, inputs: &[Lanes], outputs: &mut [Lanes], _reasons: &mut [u8; LANES]) {
+    fn evaluate(&self, _: Instructions, inputs: &[Lanes], outputs: &mut [Lanes], _reasons: &mut [u8; LANES]) {
         for lane in 0..LANES {
             outputs[0][lane] = inputs[0][lane] * 3.0 - inputs[1][lane] * 2.0 + 10.0;
             outputs[1][lane] = inputs[0][lane];
@@ -283,7 +283,7 @@ impl Model for Mixed {
     }
 
     #[inline(always)]
-    fn evaluate(&self, inputs: &[Lanes], outputs: &mut [Lanes], reasons: &mut [u8; LANES]) {
+    fn evaluate(&self, _: Instructions, inputs: &[Lanes], outputs: &mut [Lanes], reasons: &mut [u8; LANES]) {
         for lane in 0..LANES {
             let [a, b, c, d] = [0, 1, 2, 3].map(|input: usize| inputs[input][lane]);
             outputs[0][lane] = a * b + c / (d + 1.0);

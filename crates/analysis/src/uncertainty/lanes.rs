@@ -12,11 +12,12 @@
 //! What a block cannot say is left to the single case: each [`Alone`], and of an impact a sample whose damage
 //! the engine refuses.
 
-use ::uncertainty::{LANES, Lanes};
+use ::uncertainty::{Instructions, LANES, Lanes};
 use crash3::{
     CrushError, DamagedFace, EnergyBasis, ObliqueCorrection, Profile, Side, SideStiffness, Stiffness,
     VehicleClass, Zone, energy_of_equivalent_speed, equal_spacing, zone_energy,
 };
+use fearless_simd::dispatch;
 use inputs::{
     Axes, Basis, BrachTangential, Case, ContactPoint, Crush, Dimensions, Find, GivenEes, GivenImpact,
     GivenVehicle, ImpactLaw, KnownEnergy, Mass, Outline, Pdof, Quantity, Reconstruct, Restitution,
@@ -91,34 +92,29 @@ pub(super) struct Block {
     /// What is sought, if not the impact at the speeds that are given.
     sought: Option<Sought>,
     law: ImpactLaw<Number>,
-    at_once: Option<AtOnce>,
+    at_once: AtOnce,
     /// The place of each output among all that there are, and (SI) the central values of these, 0 where one
     /// is not wanted.
     places: Vec<usize>,
     central: [f64; OUTPUTS],
 }
 
-/// The law of all samples at once, where it is one of those for which that is worth a compiled loop for each
-/// instruction set.
+/// The law of all samples at once. Of the combinations that are worth a compiled loop for each instruction
+/// set there is one.
 #[derive(Debug)]
 struct AtOnce {
     restitution: Restituted,
     condition: Condition,
+    /// e_m
+    moment: Option<Number>,
 }
 
 /// What a law that is solved at once restitutes.
 #[derive(Debug)]
 enum Restituted {
     Constant(Number),
-    Curve(Curve),
-}
-
-/// A restitution that depends on the closing speed, and a moment impulse.
-#[derive(Debug)]
-struct Curve {
-    points: Vec<(Quantity<Number>, Number)>,
-    /// e_m
-    moment: Option<Number>,
+    /// By the closing speed.
+    Curve(Vec<(Quantity<Number>, Number)>),
 }
 
 /// What a law that is solved at once asks for along the crush plane.
@@ -132,15 +128,29 @@ enum Condition {
     Friction(Number),
     /// μ of Kudlich and Slibar.
     FullOrSliding(Number),
+    /// μ as it is given.
+    Ratio(Number),
+    /// U_t − u_t
+    VelocityChange(Quantity<Number>),
 }
 
 impl Condition {
-    fn number(self) -> Number {
+    /// In SI and the axes of the engine.
+    #[inline(always)]
+    fn lanes(&self, axes: Axes, inputs: &[Lanes]) -> Lanes {
         match self {
             Self::Restitution(number)
             | Self::Fraction(number)
             | Self::Friction(number)
-            | Self::FullOrSliding(number) => number,
+            | Self::FullOrSliding(number) => number.lanes(inputs),
+            Self::Ratio(number) => {
+                let mut ratios = number.lanes(inputs);
+                for ratio in &mut ratios {
+                    *ratio = axes.lateral(*ratio);
+                }
+                ratios
+            }
+            Self::VelocityChange(change) => lateral(axes, change, inputs),
         }
     }
 }
@@ -358,24 +368,22 @@ impl Block {
     #[inline(always)]
     pub(super) fn evaluate(
         &self,
+        instructions: Instructions,
         inputs: &[Lanes],
         outputs: &mut [Lanes],
         reasons: &mut [u8; LANES],
     ) -> [bool; LANES] {
         let posed = self.pose(inputs);
-        let mut settled = [false; LANES];
-        if let Some(AtOnce { restitution, condition }) = &self.at_once {
-            let numbers = condition.number().lanes(inputs);
-            match restitution {
-                Restituted::Constant(e) => {
-                    let law = (e.lanes(inputs), *condition, numbers);
-                    settled = self.all_at_once(&law, &posed, inputs, outputs);
-                }
-                Restituted::Curve(curve) => {
-                    settled = self.under_curves(curve, (*condition, &numbers), &posed, inputs, outputs);
-                }
+        let law = &self.at_once;
+        let numbers = law.condition.lanes(self.axes, inputs);
+        let mut settled = match &law.restitution {
+            Restituted::Constant(e) => {
+                self.all_at_once(instructions, &e.lanes(inputs), (law, &numbers), &posed, inputs, outputs)
             }
-        }
+            Restituted::Curve(points) => {
+                self.under_curves(instructions, points, (law, &numbers), &posed, inputs, outputs)
+            }
+        };
         if !settled.iter().all(|is_settled| *is_settled) {
             self.in_turn(&posed, inputs, outputs, reasons, &mut settled);
         }
@@ -418,23 +426,27 @@ impl Block {
     #[inline(always)]
     fn all_at_once(
         &self,
-        law: &(Lanes, Condition, Lanes),
+        instructions: Instructions,
+        e: &Lanes,
+        (law, numbers): (&AtOnce, &Lanes),
         posed: &Posed,
         inputs: &[Lanes],
         outputs: &mut [Lanes],
     ) -> [bool; LANES] {
         let crush_energy = &posed.crush_energy;
+        let moment = law.moment.map(|moment| moment.lanes(inputs));
+        let law = (law.condition, numbers, moment.as_ref());
         match self.sought {
-            None => self.under(law, &Given { crush_energy }, posed, outputs),
+            None => self.under(instructions, (e, law), &Given { crush_energy }, posed, outputs),
             Some(Sought { unknown, basis, share: None }) => {
                 let question = Speed { unknown, basis, share: NoShare, crush_energy };
-                self.under(law, &question, posed, outputs)
+                self.under(instructions, (e, law), &question, posed, outputs)
             }
             Some(Sought { unknown, basis, share: Some(share) }) => {
-                let (e, condition, numbers) = law;
-                let Condition::Restitution(_) = condition else { return [false; LANES] };
+                let (Condition::Restitution(_), numbers, None) = law else { return [false; LANES] };
                 let question = Speed { unknown, basis, share: share.lanes(inputs), crush_energy };
-                self.at_once(e, (Tangential::Restitution, numbers), &question, posed, outputs)
+                let laws = LawLanes { condition: Tangential::Restitution, numbers, moment: NoMoment };
+                self.at_once(instructions, (e, &laws), &question, posed, outputs)
             }
         }
     }
@@ -456,34 +468,68 @@ impl Block {
     #[inline(always)]
     fn under(
         &self,
-        (e, condition, numbers): &(Lanes, Condition, Lanes),
+        instructions: Instructions,
+        (e, (condition, numbers, moment)): (&Lanes, (Condition, &Lanes, Option<&Lanes>)),
         question: &impl Question,
         posed: &Posed,
         outputs: &mut [Lanes],
     ) -> [bool; LANES] {
-        match condition {
-            Condition::Restitution(_) => {
-                self.at_once(e, (Tangential::Restitution, numbers), question, posed, outputs)
+        match (condition, moment) {
+            (Condition::Restitution(_), None) => {
+                let laws = LawLanes { condition: Tangential::Restitution, numbers, moment: NoMoment };
+                self.at_once(instructions, (e, &laws), question, posed, outputs)
             }
-            Condition::Fraction(_) => {
-                self.at_once(e, (Tangential::FractionOfCritical, numbers), question, posed, outputs)
+            (Condition::Restitution(_), Some(moment)) => {
+                let laws = LawLanes { condition: Tangential::Restitution, numbers, moment };
+                self.at_once(instructions, (e, &laws), question, posed, outputs)
             }
-            Condition::Friction(_) => {
-                self.at_once(e, (Tangential::Friction, numbers), question, posed, outputs)
+            (Condition::Fraction(_), None) => {
+                let laws = LawLanes { condition: Tangential::FractionOfCritical, numbers, moment: NoMoment };
+                self.at_once(instructions, (e, &laws), question, posed, outputs)
             }
-            Condition::FullOrSliding(_) => {
-                self.at_once(e, (Tangential::FullOrSliding, numbers), question, posed, outputs)
+            (Condition::Friction(_), None) => {
+                let laws = LawLanes { condition: Tangential::Friction, numbers, moment: NoMoment };
+                self.at_once(instructions, (e, &laws), question, posed, outputs)
             }
+            (Condition::Friction(_), Some(moment)) => {
+                let laws = LawLanes { condition: Tangential::Friction, numbers, moment };
+                self.at_once(instructions, (e, &laws), question, posed, outputs)
+            }
+            (Condition::FullOrSliding(_), _) => {
+                let laws = LawLanes { condition: Tangential::FullOrSliding, numbers, moment: NoMoment };
+                self.at_once(instructions, (e, &laws), question, posed, outputs)
+            }
+            (Condition::Ratio(_), None) => {
+                let laws = LawLanes { condition: Tangential::Ratio, numbers, moment: NoMoment };
+                self.at_once(instructions, (e, &laws), question, posed, outputs)
+            }
+            (Condition::VelocityChange(_), _) => {
+                let laws = LawLanes { condition: Tangential::VelocityChange, numbers, moment: NoMoment };
+                self.at_once(instructions, (e, &laws), question, posed, outputs)
+            }
+            (Condition::Fraction(_) | Condition::Ratio(_), Some(_)) => [false; LANES],
         }
     }
 
-    // Without optimisation, all copies of it in one function need more stack than a thread has.
-    #[cfg_attr(debug_assertions, inline(never))]
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    /// A function of its own for each law and instruction set: all in one would take a compiler many times as
+    /// long.
+    #[inline(never)]
     fn at_once(
         &self,
+        instructions: Instructions,
+        (e, laws): (&Lanes, &impl Restituting),
+        question: &impl Question,
+        posed: &Posed,
+        outputs: &mut [Lanes],
+    ) -> [bool; LANES] {
+        dispatch!(instructions.level(), _simd => self.at_once_with(e, laws, question, posed, outputs))
+    }
+
+    #[inline(always)]
+    fn at_once_with(
+        &self,
         e: &Lanes,
-        (condition, numbers): (impl Fn(f64) -> Tangential, &Lanes),
+        laws: &impl Restituting,
         question: &impl Question,
         posed: &Posed,
         outputs: &mut [Lanes],
@@ -492,7 +538,7 @@ impl Block {
         let mut values = [[0.0; LANES]; OUTPUTS];
         let mut answered = [false; LANES];
         for lane in 0..LANES {
-            let (law, is_law) = Law::new_with_validity(e[lane], condition(numbers[lane]));
+            let (law, is_law) = laws.with_restitution(e[lane], lane);
             let (contact, motions, is_contact) = posed.contact(lane);
             let (speed, outcome, is_answer) = question.answer(contact, law, motions, lane);
             answered[lane] = is_law & is_contact & is_answer;
@@ -508,42 +554,60 @@ impl Block {
     #[inline(always)]
     fn under_curves(
         &self,
-        curve: &Curve,
-        (condition, numbers): (Condition, &Lanes),
+        instructions: Instructions,
+        points: &[(Quantity<Number>, Number)],
+        (law, numbers): (&AtOnce, &Lanes),
         posed: &Posed,
         inputs: &[Lanes],
         outputs: &mut [Lanes],
     ) -> [bool; LANES] {
         let Some(Sought { unknown, basis, share: None }) = self.sought else { return [false; LANES] };
         let points: Vec<[Lanes; 2]> =
-            curve.points.iter().map(|(speed, e)| [si(speed, inputs), e.lanes(inputs)]).collect();
-        let (points, asked) = (&points[..], (unknown, basis));
-        match (condition, curve.moment) {
+            points.iter().map(|(speed, e)| [si(speed, inputs), e.lanes(inputs)]).collect();
+        let (points, asked) = ((instructions, &points[..]), (unknown, basis));
+        match (law.condition, law.moment) {
             (Condition::Restitution(_), None) => {
-                let laws = CurveLaws { condition: Tangential::Restitution, numbers, moment: NoMoment };
+                let laws = LawLanes { condition: Tangential::Restitution, numbers, moment: NoMoment };
                 self.under_curves_of::<1, _>(points, &laws, asked, posed, outputs)
             }
             (Condition::Friction(_), None) => {
-                let laws = CurveLaws { condition: Tangential::Friction, numbers, moment: NoMoment };
+                let laws = LawLanes { condition: Tangential::Friction, numbers, moment: NoMoment };
                 self.under_curves_of::<3, _>(points, &laws, asked, posed, outputs)
             }
             (Condition::Friction(_), Some(moment)) => {
-                let moment = moment.lanes(inputs);
-                let laws = CurveLaws { condition: Tangential::Friction, numbers, moment };
+                let moment = &moment.lanes(inputs);
+                let laws = LawLanes { condition: Tangential::Friction, numbers, moment };
                 self.under_curves_of::<3, _>(points, &laws, asked, posed, outputs)
             }
             (Condition::FullOrSliding(_), _) => {
-                let laws = CurveLaws { condition: Tangential::FullOrSliding, numbers, moment: NoMoment };
+                let laws = LawLanes { condition: Tangential::FullOrSliding, numbers, moment: NoMoment };
                 self.under_curves_of::<3, _>(points, &laws, asked, posed, outputs)
             }
-            (Condition::Restitution(_), Some(_)) | (Condition::Fraction(_), _) => [false; LANES],
+            (Condition::Restitution(_), Some(_))
+            | (Condition::Fraction(_) | Condition::Ratio(_) | Condition::VelocityChange(_), _) => {
+                [false; LANES]
+            }
         }
     }
 
-    // As `at_once`.
-    #[cfg_attr(debug_assertions, inline(never))]
-    #[cfg_attr(not(debug_assertions), inline(always))]
-    fn under_curves_of<const BRANCHES: usize, L: CurveLaw>(
+    /// As [`at_once`](Self::at_once).
+    #[inline(never)]
+    fn under_curves_of<const BRANCHES: usize, L: Restituting + Laws>(
+        &self,
+        (instructions, points): (Instructions, &[[Lanes; 2]]),
+        laws: &L,
+        asked: (Unknown, EnergyBasis),
+        posed: &Posed,
+        outputs: &mut [Lanes],
+    ) -> [bool; LANES] {
+        dispatch!(
+            instructions.level(),
+            _simd => self.under_curves_with::<BRANCHES, L>(points, laws, asked, posed, outputs)
+        )
+    }
+
+    #[inline(always)]
+    fn under_curves_with<const BRANCHES: usize, L: Restituting + Laws>(
         &self,
         points: &[[Lanes; 2]],
         laws: &L,
@@ -695,7 +759,7 @@ impl Block {
 }
 
 impl AtOnce {
-    fn new(law: &ImpactLaw<Number>) -> Option<Self> {
+    fn new(law: &ImpactLaw<Number>) -> Self {
         let zero = Number::Known(0.0);
         let (restitution, condition, moment) = match law {
             ImpactLaw::Brach { restitution, tangential, moment_restitution } => {
@@ -703,32 +767,32 @@ impl AtOnce {
                     BrachTangential::Critical => Condition::Restitution(zero),
                     BrachTangential::Friction(limit) => Condition::Friction(*limit),
                     BrachTangential::FractionOfCritical(share) => Condition::Fraction(*share),
-                    BrachTangential::Ratio(_) => return None,
+                    BrachTangential::Ratio(mu) => Condition::Ratio(*mu),
                 };
                 (Some(restitution), condition, *moment_restitution)
             }
             ImpactLaw::Ishikawa { restitution, tangential_restitution } => {
                 (Some(restitution), Condition::Restitution(*tangential_restitution), None)
             }
-            // A common velocity.
+            // A common velocity along the normal.
             ImpactLaw::Woolley { tangential_velocity_change: None } => {
                 (None, Condition::Restitution(zero), None)
             }
-            ImpactLaw::Woolley { tangential_velocity_change: Some(_) } => return None,
+            ImpactLaw::Woolley { tangential_velocity_change: Some(change) } => {
+                (None, Condition::VelocityChange(*change), None)
+            }
             ImpactLaw::KudlichSlibar { restitution, friction } => {
                 (Some(restitution), Condition::FullOrSliding(*friction), None)
             }
         };
-        let restitution = match (restitution, moment) {
-            (Some(Restitution::OfClosingSpeed { speeds, values }), _) => {
-                let points = speeds.iter().copied().zip(values.iter().copied()).collect();
-                Restituted::Curve(Curve { points, moment })
+        let restitution = match restitution {
+            Some(Restitution::OfClosingSpeed { speeds, values }) => {
+                Restituted::Curve(speeds.iter().copied().zip(values.iter().copied()).collect())
             }
-            (Some(Restitution::Constant(_)), Some(_)) => return None,
-            (Some(Restitution::Constant(e)), None) => Restituted::Constant(*e),
-            (None, _) => Restituted::Constant(zero),
+            Some(Restitution::Constant(e)) => Restituted::Constant(*e),
+            None => Restituted::Constant(zero),
         };
-        Some(Self { restitution, condition })
+        Self { restitution, condition, moment }
     }
 }
 
@@ -764,20 +828,20 @@ fn problem(
     Problem { contact, law: law.into(), motions, unknown, crush_energy, basis, tangential_share: 0.0 }
 }
 
-/// The laws of all samples, but for the curve of restitution.
-struct CurveLaws<'a, F, M> {
+/// The laws of all samples, but for their restitution.
+struct LawLanes<'a, F, M> {
     condition: F,
     numbers: &'a Lanes,
     moment: M,
 }
 
-/// A law under a curve of restitution.
-trait CurveLaw: Laws {
-    /// With the restitution of a closing speed, and whether there is such a law.
+/// Laws that take any restitution.
+trait Restituting {
+    /// That of one sample, and whether there is such a law.
     fn with_restitution(&self, e: f64, lane: usize) -> (Law, bool);
 }
 
-impl<F: Fn(f64) -> Tangential, M: Moment> CurveLaw for CurveLaws<'_, F, M> {
+impl<F: Fn(f64) -> Tangential, M: Moment> Restituting for LawLanes<'_, F, M> {
     #[inline(always)]
     fn with_restitution(&self, e: f64, lane: usize) -> (Law, bool) {
         let (law, is_law) = Law::new_with_validity(e, (self.condition)(self.numbers[lane]));
@@ -786,7 +850,7 @@ impl<F: Fn(f64) -> Tangential, M: Moment> CurveLaw for CurveLaws<'_, F, M> {
     }
 }
 
-impl<F: Fn(f64) -> Tangential, M: Moment> Laws for CurveLaws<'_, F, M> {
+impl<F: Fn(f64) -> Tangential, M: Moment> Laws for LawLanes<'_, F, M> {
     #[inline(always)]
     fn law(&self, lane: usize) -> Law {
         self.with_restitution(0.0, lane).0
@@ -808,7 +872,7 @@ impl Moment for NoMoment {
     }
 }
 
-impl Moment for Lanes {
+impl Moment for &Lanes {
     #[inline(always)]
     fn at(&self, lane: usize) -> f64 {
         self[lane]

@@ -4,6 +4,7 @@ use super::{Chunks, Propagation, propagate, propagate_by};
 use crate::distribution::Distribution;
 use crate::model::{LANES, Lanes, Model, SUCCEEDED};
 use crate::points::SamplingMethod;
+use crate::run::Instructions;
 use crate::sampler::Settings;
 use crate::summary::{Classes, Size};
 
@@ -20,7 +21,7 @@ impl Model for Mixed {
     }
 
     #[inline(always)]
-    fn evaluate(&self, inputs: &[Lanes], outputs: &mut [Lanes], reasons: &mut [u8; LANES]) {
+    fn evaluate(&self, _: Instructions, inputs: &[Lanes], outputs: &mut [Lanes], reasons: &mut [u8; LANES]) {
         for lane in 0..LANES {
             let [a, b] = [inputs[0][lane], inputs[1][lane]];
             let values = [a + b, b / a, (b * 0.75).floor(), 7.0, a];
