@@ -41,12 +41,25 @@ pub(crate) enum Number {
     Uncertain(usize),
 }
 
+/// A number that is none of the inputs.
+static NO_NUMBERS: Lanes = [f64::NAN; LANES];
+
 impl Number {
     #[inline(always)]
     pub(crate) fn lanes(self, inputs: &[Lanes]) -> Lanes {
+        let mut known = [0.0; LANES];
+        *self.column(inputs, &mut known)
+    }
+
+    /// The same without a copy: the column of an input where it lies, or `known`, which then has the number.
+    #[inline(always)]
+    fn column<'a>(self, inputs: &'a [Lanes], known: &'a mut Lanes) -> &'a Lanes {
         match self {
-            Self::Known(number) => [number; LANES],
-            Self::Uncertain(place) => inputs.get(place).copied().unwrap_or([f64::NAN; LANES]),
+            Self::Known(number) => {
+                *known = [number; LANES];
+                known
+            }
+            Self::Uncertain(place) => inputs.get(place).unwrap_or(&NO_NUMBERS),
         }
     }
 
@@ -1257,7 +1270,8 @@ impl Mover {
         let mut yaw_inertia = [0.0; LANES];
         match self.yaw {
             Yaw::Given(YawInertia::Inertia(inertia)) => {
-                let numbers = inertia.number().lanes(inputs);
+                let mut known = [0.0; LANES];
+                let numbers = inertia.number().column(inputs, &mut known);
                 for lane in 0..LANES {
                     yaw_inertia[lane] = YawInertia::Inertia(inertia.with(numbers[lane])).kg_m2(mass[lane]);
                 }
@@ -1269,7 +1283,8 @@ impl Mover {
                 }
             }
             Yaw::Given(YawInertia::Radius(radius)) => {
-                let numbers = radius.number().lanes(inputs);
+                let mut known = [0.0; LANES];
+                let numbers = radius.number().column(inputs, &mut known);
                 for lane in 0..LANES {
                     yaw_inertia[lane] = YawInertia::Radius(radius.with(numbers[lane])).kg_m2(mass[lane]);
                 }
@@ -1295,7 +1310,11 @@ impl Mover {
                 velocity_y = lateral(axes, &y, inputs);
             }
         }
-        let yaw_rate = self.yaw_rate.map_or([0.0; LANES], |yaw_rate| lateral(axes, &yaw_rate, inputs));
+        // A closure would stay a call.
+        let mut yaw_rate = [0.0; LANES];
+        if let Some(given) = &self.yaw_rate {
+            yaw_rate = lateral(axes, given, inputs);
+        }
         VehicleLanes {
             is_fixed: false,
             mass,
@@ -1419,15 +1438,23 @@ impl Crushed {
             *width = equal_spacing(*width, stations);
         }
         let mut own = [0.0; LANES];
-        for ends in self.depths.windows(2) {
-            let [c1, c2] = ends else { continue };
-            let (c1, c2) = (si(c1, inputs), si(c2, inputs));
+        for lane in 0..LANES {
+            let (_, is_stiffness) = Stiffness::from_abg_with_validity(a[lane], b[lane], g[lane]);
+            own[lane] = if is_stiffness { 0.0 } else { f64::NAN };
+        }
+        let mut c1 = [f64::NAN; LANES];
+        if let Some(first) = self.depths.first() {
+            c1 = si(first, inputs);
+        }
+        for depth in self.depths.iter().skip(1) {
+            let c2 = si(depth, inputs);
             for lane in 0..LANES {
                 let zone = Zone { width: spacing[lane], depths: [c1[lane], c2[lane]] };
-                let (stiffness, is_stiffness) = Stiffness::from_abg_with_validity(a[lane], b[lane], g[lane]);
+                let (stiffness, _) = Stiffness::from_abg_with_validity(a[lane], b[lane], g[lane]);
                 let energy = zone_energy(zone, &stiffness);
-                own[lane] += if is_stiffness & zone.is_valid() { energy } else { f64::NAN };
+                own[lane] += if zone.is_valid() { energy } else { f64::NAN };
             }
+            c1 = c2;
         }
         for (total, own) in total.iter_mut().zip(own) {
             *total += own;
@@ -1491,7 +1518,11 @@ fn coefficients<const N: usize>(
     inputs: &[Lanes],
     line: impl Fn([Quantity; N]) -> StiffnessLine,
 ) -> [Lanes; 3] {
-    let numbers = quantities.map(|quantity| quantity.number().lanes(inputs));
+    let mut known = [[0.0; LANES]; N];
+    let mut numbers = [&NO_NUMBERS; N];
+    for ((column, known), quantity) in numbers.iter_mut().zip(&mut known).zip(quantities) {
+        *column = quantity.number().column(inputs, known);
+    }
     let [mut a, mut b, mut g] = [[0.0; LANES]; 3];
     for lane in 0..LANES {
         let line = line(std::array::from_fn(|i| quantities[i].with(numbers[i][lane])));
@@ -1512,9 +1543,11 @@ pub(crate) fn si(quantity: &Quantity<Number>, inputs: &[Lanes]) -> Lanes {
 #[inline(always)]
 fn point(axes: Axes, contact: &ContactPoint<Number>, inputs: &[Lanes]) -> [Lanes; 2] {
     let (mut forward, mut left) = ([0.0; LANES], [0.0; LANES]);
+    let [first, second] = &mut [[0.0; LANES]; 2];
     match contact {
         ContactPoint::Polar { distance, angle } => {
-            let (distances, angles) = (distance.number().lanes(inputs), angle.number().lanes(inputs));
+            let distances = distance.number().column(inputs, first);
+            let angles = angle.number().column(inputs, second);
             for lane in 0..LANES {
                 let contact = ContactPoint::Polar {
                     distance: distance.with(distances[lane]),
@@ -1524,7 +1557,7 @@ fn point(axes: Axes, contact: &ContactPoint<Number>, inputs: &[Lanes]) -> [Lanes
             }
         }
         ContactPoint::Cartesian { x, y } => {
-            let (xs, ys) = (x.number().lanes(inputs), y.number().lanes(inputs));
+            let (xs, ys) = (x.number().column(inputs, first), y.number().column(inputs, second));
             for lane in 0..LANES {
                 let contact = ContactPoint::Cartesian { x: x.with(xs[lane]), y: y.with(ys[lane]) };
                 [forward[lane], left[lane]] = contact.xy();
@@ -1545,9 +1578,10 @@ pub(crate) fn lateral(axes: Axes, quantity: &Quantity<Number>, inputs: &[Lanes])
 
 #[inline(always)]
 fn each(quantity: &Quantity<Number>, inputs: &[Lanes], value: impl Fn(Quantity) -> f64) -> Lanes {
-    let mut lanes = quantity.number().lanes(inputs);
-    for lane in &mut lanes {
-        *lane = value(quantity.with(*lane));
+    let (mut lanes, mut known) = ([0.0; LANES], [0.0; LANES]);
+    let numbers = quantity.number().column(inputs, &mut known);
+    for (lane, number) in lanes.iter_mut().zip(numbers) {
+        *lane = value(quantity.with(*number));
     }
     lanes
 }

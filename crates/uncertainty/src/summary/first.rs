@@ -62,6 +62,6 @@ impl First {
 
 #[inline(always)]
 fn add_column(cells: &Cells, counts: &mut [u32], column: &[f64]) -> f64 {
-    cells.each(column, |cell| counts[cell] += 1);
+    cells.count(column, counts);
     sum_of_span(column, |x| x)
 }

@@ -65,7 +65,7 @@ impl Order {
         }
         let first = &values[..values.len().min(TOLD_BY)];
         let cells = *self.cells.get_or_insert_with(|| Cells::of(first, self.size.cells));
-        cells.each(values, |cell| self.counts[cell] += 1);
+        cells.count(values, &mut self.counts);
     }
 
     /// The same for values that were counted by these cells.
@@ -100,11 +100,12 @@ impl Order {
     #[inline(always)]
     pub(super) fn take(&mut self, values: &[f64]) {
         let Self { cells: Some(cells), slots, windows, .. } = self else { return };
+        let mut of_each = [0; AHEAD];
         for values in values.chunks(AHEAD) {
-            let of_each = cells.of_each(values);
+            cells.of_each(values, &mut of_each);
             let mut own = [NONE; AHEAD];
             for (slot, cell) in own[..values.len()].iter_mut().zip(of_each) {
-                *slot = slots.get(cell).copied().unwrap_or(NONE);
+                *slot = slots.get(cell as usize).copied().unwrap_or(NONE);
             }
             // A bit for each value whose cell has a window, so that only these are gone through.
             let mut noted = 0_u64;
@@ -115,7 +116,7 @@ impl Order {
                 let place = noted.trailing_zeros() as usize;
                 noted &= noted - 1;
                 for window in &mut windows[usize::from(own[place])..] {
-                    if window.cell != of_each[place] {
+                    if window.cell != of_each[place] as usize {
                         break;
                     }
                     window.note(values[place]);
@@ -333,18 +334,23 @@ impl Cells {
         }
     }
 
-    /// Shows the cell of each value.
+    /// Counts the values in each cell.
     #[inline(always)]
-    pub(super) fn each(&self, values: &[f64], mut visit: impl FnMut(usize)) {
+    pub(super) fn count<N: core::ops::AddAssign + From<u8>>(&self, values: &[f64], counts: &mut [N]) {
+        let mut cells = [0; AHEAD];
         for values in values.chunks(AHEAD) {
-            self.of_each(values)[..values.len()].iter().for_each(|cell| visit(*cell));
+            self.of_each(values, &mut cells);
+            for cell in &cells[..values.len()] {
+                if let Some(count) = counts.get_mut(*cell as usize) {
+                    *count += N::from(1);
+                }
+            }
         }
     }
 
     /// The cell of each of at most [`AHEAD`] values, by a loop of its own that is vectorised.
     #[inline(always)]
-    fn of_each(&self, values: &[f64]) -> [usize; AHEAD] {
-        let mut cells = [0; AHEAD];
+    fn of_each(&self, values: &[f64], cells: &mut [u32; AHEAD]) {
         if let Ok(values) = <&[f64; AHEAD]>::try_from(values) {
             for (cell, value) in cells.iter_mut().zip(values) {
                 *cell = self.cell(*value);
@@ -354,12 +360,11 @@ impl Cells {
                 *cell = self.cell(*value);
             }
         }
-        cells
     }
 
     /// Never falls where the value rises.
     #[inline(always)]
-    fn cell(&self, value: f64) -> usize {
+    fn cell(&self, value: f64) -> u32 {
         // 2⁵²: its last bits are the rounded sum.
         const TO_INTEGER: f64 = 4_503_599_627_370_496.0;
         let place = (value - self.least) * self.per_unit;
@@ -367,7 +372,7 @@ impl Cells {
         let place = if place > 0.0 { place } else { 0.0 };
         let bits = (place + TO_INTEGER).to_bits() ^ TO_INTEGER.to_bits();
         #[expect(clippy::cast_possible_truncation, reason = "fewer than the cells")]
-        let cell = bits as usize;
+        let cell = bits as u32;
         cell
     }
 }

@@ -4,7 +4,7 @@ use fearless_simd::dispatch;
 
 use super::order::Order;
 pub(crate) use super::order::Size;
-use super::sums::{Moments, Spread, Summed};
+use super::sums::{Moments, SPAN, Spread, Summed};
 use super::{Below, Errors, PROBABILITIES, Place, QUANTILES, Summary, tail_is_populated};
 use crate::limits::REPLICATES;
 use crate::points::SamplingMethod;
@@ -89,7 +89,17 @@ impl Passes {
 
     /// The samples that follow.
     pub(crate) fn add(&mut self, chunk: Chunk<'_>) {
-        dispatch!(self.instructions.level(), _simd => self.add_with(chunk));
+        dispatch!(self.instructions.level(), _simd => self.add_in_pieces(chunk));
+    }
+
+    /// What one loop has read is still in the caches when the next one reads it.
+    #[inline(always)]
+    fn add_in_pieces(&mut self, Chunk { all, answered }: Chunk<'_>) {
+        let size = if self.is_replicated { SPAN * REPLICATES } else { SPAN };
+        let mut answered = answered.chunks(size);
+        for all in all.chunks(size) {
+            self.add_with(Chunk { all, answered: answered.next().unwrap_or_default() });
+        }
     }
 
     #[inline(always)]
