@@ -198,7 +198,10 @@ impl<T: Copy> StiffnessForm<T> {
 }
 
 impl<T> StiffnessLine<T> {
-    fn map<U>(&self, mut quantity: impl FnMut(&Quantity<T>) -> Quantity<U>) -> StiffnessLine<U> {
+    /// The same with other quantities, each asked for once.
+    #[inline(always)]
+    #[must_use]
+    pub fn map<U>(&self, mut quantity: impl FnMut(&Quantity<T>) -> Quantity<U>) -> StiffnessLine<U> {
         match self {
             Self::Crush { a, b, g, limit } => StiffnessLine::Crush {
                 a: quantity(a),

@@ -12,6 +12,8 @@
 //! What a block cannot say is left to the single case: each [`Alone`], and of an impact a sample whose damage
 //! the engine refuses.
 
+use std::slice;
+
 use ::uncertainty::{Instructions, LANES, Lanes};
 use crash3::{
     CrushError, DamagedFace, EnergyBasis, ObliqueCorrection, Profile, Side, SideStiffness, Stiffness,
@@ -25,7 +27,8 @@ use inputs::{
     scaled_stiffness,
 };
 use pim_core::{
-    Body, Contact, Law, Motion, Outcome, Participant, Tangential, VaryingLaw, Vector2, VehicleId,
+    Body, Contact, Law, Motion, Outcome, Participant, RestitutionCurve, Tangential, VaryingLaw, Vector2,
+    VehicleId,
 };
 use reconcile::{CurveBlock, Laws, Problem, Unknown, restitutions};
 
@@ -104,6 +107,7 @@ pub(super) struct Block {
     crush_plane: Quantity<Number>,
     /// What is sought, if not the impact at the speeds that are given.
     sought: Option<Sought>,
+    /// Without a curve of restitution, which the other one has.
     law: ImpactLaw<Number>,
     at_once: AtOnce,
     /// The place of each output among all that there are, and (SI) the central values of these, 0 where one
@@ -215,7 +219,7 @@ pub(crate) enum Resistance {
     Line(Line),
     /// That of a category, with the factor on A.
     Category(Stiffness, Number),
-    /// Of a barrier test, of zones, or with a limit: it is made for one sample at a time.
+    /// Of zones, with a limit, or of a barrier test: it is made for one sample at a time.
     Other(Side, StiffnessForm<Number>),
 }
 
@@ -343,7 +347,7 @@ impl Block {
             }
         };
         let vehicles = [vehicle(one, VehicleId::One)?, vehicle(two, VehicleId::Two)?];
-        let (law, at_once) = (law.clone(), AtOnce::new(law));
+        let (law, at_once) = (law.without_curve(), AtOnce::new(law));
         let (axes, crush_plane) = (*axes, *crush_plane);
         let block = Self { axes, vehicles, crush_plane, sought, law, at_once, places, central: of_all };
         let read = block.numbers().into_iter().filter(|number| number.is_uncertain()).count();
@@ -352,10 +356,14 @@ impl Block {
 
     /// Every number that it reads.
     fn numbers(&self) -> Vec<Number> {
-        // A law that is solved at once has no other numbers.
-        let Self { axes: _, vehicles, crush_plane, sought, law, at_once: _, places: _, central: _ } = self;
+        let Self { axes: _, vehicles, crush_plane, sought, law, at_once, places: _, central: _ } = self;
         let mut numbers = vec![crush_plane.number()];
         drop(law.map(|number| numbers.push(number)));
+        if let Restituted::Curve(points) = &at_once.restitution {
+            numbers.extend(points.iter().map(|(speed, _)| speed.number()));
+            // The first one is that of the law.
+            numbers.extend(points.iter().skip(1).map(|(_, e)| *e));
+        }
         if let Some(Sought { unknown: _, basis: _, share }) = sought {
             numbers.extend(*share);
         }
@@ -753,7 +761,15 @@ impl Block {
         lane: usize,
     ) -> Result<(Contact, VaryingLaw, [Motion; 2]), Reason> {
         let law = self.law.map(|number| number.at(inputs, lane));
-        let law = law.of_engine(self.axes).map_err(|_| self.fault(inputs, lane))?;
+        let mut law = law.of_engine(self.axes).map_err(|_| self.fault(inputs, lane))?;
+        if let Restituted::Curve(points) = &self.at_once.restitution {
+            let at = |(speed, e): &(Quantity<Number>, Number)| {
+                (speed.with(speed.number().at(inputs, lane)).si(), e.at(inputs, lane))
+            };
+            let curve = RestitutionCurve::new(points.iter().map(at).collect());
+            let curve = curve.map_err(|_| self.fault(inputs, lane))?;
+            law = law.nominal().with_restitution_curve(curve);
+        }
         let (contact, motions, is_contact) = posed.contact(lane);
         if is_contact { Ok((contact, law, motions)) } else { Err(self.fault(inputs, lane)) }
     }
@@ -1164,9 +1180,15 @@ impl Damage {
             Self::Crush(crushed, Resistance::Line(line)) => {
                 crushed.add_energy(inputs, line.lanes(inputs), total);
             }
-            Self::Crush(crushed, Resistance::Other(side, stiffness)) => {
-                crushed.add_energy_in_turn(inputs, *side, stiffness, total);
-            }
+            Self::Crush(crushed, Resistance::Other(side, stiffness)) => match stiffness {
+                StiffnessForm::Line(line) => {
+                    crushed.add_energy_by_zones(inputs, slice::from_ref(line), total)
+                }
+                StiffnessForm::Zones(lines) if lines.len() + 1 == crushed.depths.len() => {
+                    crushed.add_energy_by_zones(inputs, lines, total);
+                }
+                _ => crushed.add_energy_in_turn(inputs, *side, stiffness, total),
+            },
             Self::Crush(crushed, Resistance::Category(stiffness, factor)) => {
                 let factors = factor.lanes(inputs);
                 let [mut a, mut b, mut g] = [[0.0; LANES]; 3];
@@ -1426,6 +1448,25 @@ impl Crushed {
                 stiffness.structure(side)?.crush_energy(&profile)
             });
             *total += energy.unwrap_or(f64::NAN);
+        }
+    }
+
+    /// (J) adds the crush energy where each zone has one of these, or all have the one; not a number where a
+    /// sample has none.
+    #[inline(never)]
+    fn add_energy_by_zones(&self, inputs: &[Lanes], lines: &[StiffnessLine<Number>], total: &mut Lanes) {
+        for (lane, total) in total.iter_mut().enumerate() {
+            let of_lane = |quantity: &Quantity<Number>| quantity.with(quantity.number().at(inputs, lane));
+            let at = |quantity: &Quantity<Number>| of_lane(quantity).si();
+            let width = equal_spacing(at(&self.width), self.depths.len());
+            let mut energy = 0.0;
+            for (ends, line) in self.depths.windows(2).zip(lines.iter().cycle()) {
+                let [c1, c2] = ends else { continue };
+                let zone = Zone { width, depths: [at(c1), at(c2)] };
+                let stiffness = line.map(of_lane).stiffness().ok().filter(|_| zone.is_valid());
+                energy += stiffness.map_or(f64::NAN, |stiffness| zone_energy(zone, &stiffness));
+            }
+            *total += energy;
         }
     }
 

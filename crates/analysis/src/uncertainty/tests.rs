@@ -241,6 +241,17 @@ fn shapes() -> Vec<(&'static str, String)> {
                 ("tangential  = \"critical\"", "law = \"woolley\""),
             ]),
         ),
+        (
+            "Woolley's sideswipe, z down",
+            changed(&[
+                ("[vehicle1]\n", "[scene]\naxes = \"z-down\"\n\n[vehicle1]\n"),
+                ("restitution = { low = 0.2, high = 0.4 }", "law = \"woolley\""),
+                (
+                    "tangential  = \"critical\"",
+                    "tangential_velocity_change = { value = \"-5 m/s\", sd = \"4 m/s\" }",
+                ),
+            ]),
+        ),
         // Of these the spreads of the estimates are uncertain, too.
         ("categories and classes", CATEGORIES.replace("{ friction = 0.5 }", "\"critical\"")),
         ("EES and classes", EES.to_owned()),
