@@ -50,8 +50,8 @@ pub trait Model: Sync {
 
     /// Evaluates a block: `inputs` and `outputs` hold a column for each input and output. A sample without an
     /// answer gets a reason from 1 to 254 in `reasons`, which are [`SUCCEEDED`] at the start; its outputs are
-    /// then ignored. The `instructions` are those that this is compiled for: parts of a large model are quicker
-    /// to compile as functions of their own, each for the instructions that it is given.
+    /// then ignored. The `instructions` are those that this is compiled for: parts of a large model are
+    /// quicker to compile as functions of their own, each for the instructions that it is given.
     fn evaluate(
         &self,
         instructions: Instructions,

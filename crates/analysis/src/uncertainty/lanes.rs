@@ -1182,7 +1182,7 @@ impl Damage {
             }
             Self::Crush(crushed, Resistance::Other(side, stiffness)) => match stiffness {
                 StiffnessForm::Line(line) => {
-                    crushed.add_energy_by_zones(inputs, slice::from_ref(line), total)
+                    crushed.add_energy_by_zones(inputs, slice::from_ref(line), total);
                 }
                 StiffnessForm::Zones(lines) if lines.len() + 1 == crushed.depths.len() => {
                     crushed.add_energy_by_zones(inputs, lines, total);
