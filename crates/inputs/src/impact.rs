@@ -177,9 +177,7 @@ impl<T: Copy> ImpactLaw<T> {
             },
         }
     }
-}
 
-impl<T: Copy> ImpactLaw<T> {
     /// The same law with the restitution of the first point of its curve, where it has one.
     #[must_use]
     pub fn without_curve(&self) -> Self {

@@ -107,7 +107,7 @@ pub(super) struct Block {
     crush_plane: Quantity<Number>,
     /// What is sought, if not the impact at the speeds that are given.
     sought: Option<Sought>,
-    /// Without a curve of restitution, which the other one has.
+    /// The law of a single sample, but for a curve of restitution: that is in `at_once`.
     law: ImpactLaw<Number>,
     at_once: AtOnce,
     /// The place of each output among all that there are, and (SI) the central values of these, 0 where one
@@ -116,8 +116,8 @@ pub(super) struct Block {
     central: [f64; OUTPUTS],
 }
 
-/// The law of all samples at once. Of the combinations that are worth a compiled loop for each instruction
-/// set there is one.
+/// The law of all samples at once. Not every combination of its parts has a compiled loop: under the others
+/// the samples are solved one after the other.
 #[derive(Debug)]
 struct AtOnce {
     restitution: Restituted,
@@ -466,7 +466,7 @@ impl Block {
             Some(Sought { unknown, basis, share: Some(share) }) => {
                 let (Condition::Restitution(_), numbers, None) = law else { return [false; LANES] };
                 let question = Speed { unknown, basis, share: share.lanes(inputs), crush_energy };
-                let laws = LawLanes { condition: Tangential::Restitution, numbers, moment: NoMoment };
+                let laws = LawLanes::without_moment(Tangential::Restitution, numbers);
                 self.at_once(instructions, (e, &laws), &question, posed, outputs)
             }
         }
@@ -497,7 +497,7 @@ impl Block {
     ) -> [bool; LANES] {
         match (condition, moment) {
             (Condition::Restitution(_), None) => {
-                let laws = LawLanes { condition: Tangential::Restitution, numbers, moment: NoMoment };
+                let laws = LawLanes::without_moment(Tangential::Restitution, numbers);
                 self.at_once(instructions, (e, &laws), question, posed, outputs)
             }
             (Condition::Restitution(_), Some(moment)) => {
@@ -505,11 +505,11 @@ impl Block {
                 self.at_once(instructions, (e, &laws), question, posed, outputs)
             }
             (Condition::Fraction(_), None) => {
-                let laws = LawLanes { condition: Tangential::FractionOfCritical, numbers, moment: NoMoment };
+                let laws = LawLanes::without_moment(Tangential::FractionOfCritical, numbers);
                 self.at_once(instructions, (e, &laws), question, posed, outputs)
             }
             (Condition::Friction(_), None) => {
-                let laws = LawLanes { condition: Tangential::Friction, numbers, moment: NoMoment };
+                let laws = LawLanes::without_moment(Tangential::Friction, numbers);
                 self.at_once(instructions, (e, &laws), question, posed, outputs)
             }
             (Condition::Friction(_), Some(moment)) => {
@@ -517,15 +517,15 @@ impl Block {
                 self.at_once(instructions, (e, &laws), question, posed, outputs)
             }
             (Condition::FullOrSliding(_), _) => {
-                let laws = LawLanes { condition: Tangential::FullOrSliding, numbers, moment: NoMoment };
+                let laws = LawLanes::without_moment(Tangential::FullOrSliding, numbers);
                 self.at_once(instructions, (e, &laws), question, posed, outputs)
             }
             (Condition::Ratio(_), None) => {
-                let laws = LawLanes { condition: Tangential::Ratio, numbers, moment: NoMoment };
+                let laws = LawLanes::without_moment(Tangential::Ratio, numbers);
                 self.at_once(instructions, (e, &laws), question, posed, outputs)
             }
             (Condition::VelocityChange(_), _) => {
-                let laws = LawLanes { condition: Tangential::VelocityChange, numbers, moment: NoMoment };
+                let laws = LawLanes::without_moment(Tangential::VelocityChange, numbers);
                 self.at_once(instructions, (e, &laws), question, posed, outputs)
             }
             (Condition::Fraction(_) | Condition::Ratio(_), Some(_)) => [false; LANES],
@@ -588,11 +588,11 @@ impl Block {
         let (points, asked) = ((instructions, &points[..]), (unknown, basis));
         match (law.condition, law.moment) {
             (Condition::Restitution(_), None) => {
-                let laws = LawLanes { condition: Tangential::Restitution, numbers, moment: NoMoment };
+                let laws = LawLanes::without_moment(Tangential::Restitution, numbers);
                 self.under_curves_of::<1, _>(points, &laws, asked, posed, outputs)
             }
             (Condition::Friction(_), None) => {
-                let laws = LawLanes { condition: Tangential::Friction, numbers, moment: NoMoment };
+                let laws = LawLanes::without_moment(Tangential::Friction, numbers);
                 self.under_curves_of::<3, _>(points, &laws, asked, posed, outputs)
             }
             (Condition::Friction(_), Some(moment)) => {
@@ -601,7 +601,7 @@ impl Block {
                 self.under_curves_of::<3, _>(points, &laws, asked, posed, outputs)
             }
             (Condition::FullOrSliding(_), _) => {
-                let laws = LawLanes { condition: Tangential::FullOrSliding, numbers, moment: NoMoment };
+                let laws = LawLanes::without_moment(Tangential::FullOrSliding, numbers);
                 self.under_curves_of::<3, _>(points, &laws, asked, posed, outputs)
             }
             (Condition::Restitution(_), Some(_))
@@ -868,6 +868,13 @@ struct LawLanes<'a, F, M> {
 trait Restituting {
     /// That of one sample, and whether there is such a law.
     fn with_restitution(&self, e: f64, lane: usize) -> (Law, bool);
+}
+
+impl<'a, F> LawLanes<'a, F, NoMoment> {
+    #[inline(always)]
+    fn without_moment(condition: F, numbers: &'a Lanes) -> Self {
+        Self { condition, numbers, moment: NoMoment }
+    }
 }
 
 impl<F: Fn(f64) -> Tangential, M: Moment> Restituting for LawLanes<'_, F, M> {
