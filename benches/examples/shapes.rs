@@ -83,7 +83,8 @@ impl Fixture {
 }
 
 fn settings(samples: usize) -> Settings {
-    Settings::new(SamplingMethod::MonteCarlo, samples, 1)
+    // As a row of a table has it.
+    Settings { columns: 0, ..Settings::new(SamplingMethod::MonteCarlo, samples, 1) }
 }
 
 fn fixtures() -> Result<Vec<Fixture>, Failure> {

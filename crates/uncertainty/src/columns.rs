@@ -7,7 +7,6 @@ use memmap2::{Advice, MmapMut};
 #[derive(Clone, Debug)]
 pub(crate) struct Columns {
     numbers: Numbers,
-    /// How many there are.
     count: usize,
     /// From the beginning of one to that of the next.
     stride: usize,
@@ -19,6 +18,11 @@ impl Columns {
     /// So many columns of zeros.
     pub(crate) fn new(count: usize, len: usize) -> Self {
         Self { numbers: Numbers::zeros(count * len), count, stride: len, len }
+    }
+
+    /// How many columns there are.
+    pub(crate) fn count(&self) -> usize {
+        self.count
     }
 
     /// Leaves so many numbers of each column, at most.
@@ -91,7 +95,7 @@ impl Clone for Numbers {
 #[cfg(target_os = "linux")]
 fn pages(count: usize) -> Option<MmapMut> {
     /// (byte) a few large pages of 2 MiB.
-    const WORTH_IT: usize = 1 << 23;
+    const WORTH_IT: usize = 1 << 22;
     let bytes = count.checked_mul(size_of::<f64>()).filter(|bytes| *bytes >= WORTH_IT)?;
     let pages = MmapMut::map_anon(bytes).ok()?;
     // Where the system has no large pages, small ones do.

@@ -68,7 +68,7 @@ pub(crate) struct Points {
 #[derive(Clone, Debug)]
 enum Inputs {
     MonteCarlo(Vec<u64>),
-    LatinHypercube(Box<Counts>, Vec<Strata>),
+    LatinHypercube(Box<Counts>, Vec<Three>),
     Sobol(Vec<Sobol>),
 }
 
@@ -86,15 +86,19 @@ impl Points {
         if samples < MIN_SAMPLES || count > MAX_SAMPLES {
             return Err(InvalidRequest::Samples { samples });
         }
-        // The numbers 1 to 4 keep the sequences of the methods apart under one seed.
+        // The numbers 1 to 5 keep the sequences of the methods apart under one seed.
         let all = 0..inputs;
         let inputs = match method {
             SamplingMethod::MonteCarlo => {
                 Inputs::MonteCarlo(all.map(|input| key(seed, &[1, input as u64])).collect())
             }
             SamplingMethod::LatinHypercube => {
-                let strata = all.map(|input| Strata::new(key(seed, &[2, input as u64])));
-                Inputs::LatinHypercube(Box::new(Counts::of(count)), strata.collect())
+                let strata: Vec<_> = all.map(|input| Strata::new(key(seed, &[2, input as u64]))).collect();
+                let threes = (0..).zip(strata.chunks(TOGETHER)).map(|(number, inputs)| Three {
+                    inputs: inputs.to_vec(),
+                    places: key(seed, &[5, number]),
+                });
+                Inputs::LatinHypercube(Box::new(Counts::of(count)), threes.collect())
             }
             SamplingMethod::Sobol if inputs > MAX_SOBOL_INPUTS => {
                 return Err(InvalidRequest::TooManyInputs { inputs, limit: MAX_SOBOL_INPUTS });
@@ -127,9 +131,9 @@ impl Points {
                     independent(key, first, column);
                 }
             }
-            Inputs::LatinHypercube(counts, inputs) => {
-                for (strata, column) in inputs.iter().zip(columns) {
-                    strata.fill(first, counts, column);
+            Inputs::LatinHypercube(counts, threes) => {
+                for (three, columns) in threes.iter().zip(columns.chunks_mut(TOGETHER)) {
+                    three.fill(first, counts, columns);
                 }
             }
             Inputs::Sobol(inputs) => {
@@ -177,6 +181,8 @@ struct Counts {
     counts: Words,
     masks: Words,
     shifts: Words,
+    /// The width of a stratum, 1/n.
+    widths: Lanes,
 }
 
 impl Counts {
@@ -185,17 +191,55 @@ impl Counts {
         #[expect(clippy::cast_possible_truncation, reason = "a sixteenth of at most 2³²")]
         let counts = words(|replicate| (samples - replicate as u64).div_ceil(REPLICATES as u64) as u32);
         let size = counts.map(mask_and_shift);
-        Self { counts, masks: size.map(|(mask, _)| mask), shifts: size.map(|(_, shift)| shift) }
+        let (masks, shifts) = (size.map(|(mask, _)| mask), size.map(|(_, shift)| shift));
+        Self { counts, masks, shifts, widths: counts.map(|count| 1.0 / f64::from(count)) }
     }
 }
 
-/// Latin hypercube points of one input.
+/// Inputs whose places inside a stratum come from the same random bits.
+const TOGETHER: usize = 3;
+
+/// Latin hypercube points of up to three inputs.
+#[derive(Clone, Debug)]
+struct Three {
+    inputs: Vec<Strata>,
+    /// Where in their strata the points lie.
+    places: u64,
+}
+
+impl Three {
+    /// The shares of a block that begins at the sample `first`.
+    #[inline(always)]
+    fn fill(&self, first: u64, of: &Counts, columns: &mut [Lanes]) {
+        /// (bit) with a stratum's number of up to 28 bits below the 53 of an `f64`, so that their sum is
+        /// exact.
+        const PLACE_BITS: u32 = 20;
+        const PLACES: f64 = (1_u64 << PLACE_BITS) as f64;
+        #[expect(clippy::cast_possible_truncation, reason = "at most 2²⁸")]
+        let index = (first / REPLICATES as u64) as u32;
+        let mut words = [0; LANES];
+        for (lane, word) in (0..).zip(&mut words) {
+            *word = bits(self.places, first + lane);
+        }
+        for (strata, shares) in self.inputs.iter().zip(columns) {
+            let strata = strata.of_block(index, of);
+            for lane in 0..LANES {
+                let place = f64::from((words[lane] >> (64 - PLACE_BITS)) as u32);
+                // u = (π(i) + (k + ½)·2⁻²⁰)/n, in its stratum however the product is rounded
+                let inside = (f64::from(strata[lane]) + (place + 0.5) / PLACES) * of.widths[lane];
+                shares[lane] = if index + ROWS[lane] < of.counts[lane] { inside } else { 0.5 };
+                // The next input takes the next bits.
+                words[lane] <<= PLACE_BITS;
+            }
+        }
+    }
+}
+
+/// Latin hypercube points of one input, but for their places in the strata: what the rounds of the
+/// permutation of each replicate add and multiply by.
 #[derive(Clone, Copy, Debug)]
 struct Strata {
-    /// What the rounds of the permutation of each replicate add and multiply by.
     rounds: [[Words; 2]; ROUNDS],
-    /// Where in its stratum a point lies.
-    places: u64,
 }
 
 impl Strata {
@@ -205,20 +249,14 @@ impl Strata {
         let rounds = std::array::from_fn(|round| {
             [0, 1].map(|word: usize| words(|replicate| permutations[replicate][round][word]))
         });
-        Self { rounds, places: key(input, &[2]) }
+        Self { rounds }
     }
 
-    /// The shares of a block that begins at the sample `first`.
+    /// The strata of the points from `index` on.
     ///
     /// All lanes walk their permutations together, until the last has come below its count.
     #[inline(always)]
-    fn fill(&self, first: u64, of: &Counts, shares: &mut Lanes) {
-        /// (bit) with a stratum's number of up to 28 bits below the 53 of an `f64`, so that their sum is
-        /// exact.
-        const PLACE_BITS: u32 = 20;
-        const PLACES: f64 = (1_u64 << PLACE_BITS) as f64;
-        #[expect(clippy::cast_possible_truncation, reason = "at most 2²⁸")]
-        let index = (first / REPLICATES as u64) as u32;
+    fn of_block(&self, index: u32, of: &Counts) -> Words {
         // From an index that no point has, the walk might never come back.
         let mut strata = [0; LANES];
         for lane in 0..LANES {
@@ -232,21 +270,12 @@ impl Strata {
                 beyond |= u32::from(stratum >= count);
             }
             if beyond == 0 {
-                break;
+                return strata;
             }
             let next = self.permuted(&strata, of);
             for lane in 0..LANES {
                 strata[lane] = if strata[lane] >= of.counts[lane] { next[lane] } else { strata[lane] };
             }
-        }
-        // Read once: in the loop it would be gathered for each lane, as those beyond the last do not read it.
-        let places = self.places;
-        for lane in 0..LANES {
-            let place = f64::from((bits(places, first + lane as u64) >> (64 - PLACE_BITS)) as u32);
-            let count = of.counts[lane];
-            // u = (π(i) + (k + ½)·2⁻²⁰)/n
-            let inside = (f64::from(strata[lane]) + (place + 0.5) / PLACES) / f64::from(count);
-            shares[lane] = if index + ROWS[lane] < count { inside } else { 0.5 };
         }
     }
 

@@ -1,25 +1,31 @@
 //! Turns samples of the inputs into samples of the outputs.
 
 use std::ops::ControlFlow;
+use std::sync::{Mutex, PoisonError};
 
 use crate::columns::Columns;
 use crate::distribution::Distribution;
 use crate::error::InvalidRequest;
+use crate::limits::REPLICATES;
 use crate::model::{Failures, LANES, Lanes, Model, SUCCEEDED, count_failures, tally};
 use crate::points::SamplingMethod;
 use crate::run::{Progress, Span, in_order};
 use crate::sampler::{Sampler, Settings};
-use crate::summary::{Chunk, Classes, First, Histogram, Passes, SPAN, Size, Summary, without_nan};
+use crate::summary::{Caution, Classes, Histogram, Passes, Powers, SPAN, Summary, Watch, Watched, Watching};
 
 /// The result of a propagation.
 #[derive(Clone, Debug)]
 pub struct Propagation {
+    /// All samples of the first outputs, so many as are kept.
     columns: Columns,
+    /// The first samples of all outputs that are summarised.
+    first: Columns,
     reasons: Vec<u8>,
     totals: Totals,
     summaries: Vec<Option<Summary>>,
-    /// Of each output, where not all samples are kept.
+    /// Of each output of which there may be histograms, but whose samples are not kept.
     histograms: Vec<Vec<Histogram>>,
+    classes: &'static [Classes],
     requested: usize,
 }
 
@@ -71,7 +77,8 @@ impl Propagation {
     /// that are kept.
     #[must_use]
     pub fn columns(&self) -> Vec<&[f64]> {
-        self.columns.iter().collect()
+        let kept = if self.columns.count() == self.first.count() { &self.columns } else { &self.first };
+        kept.iter().collect()
     }
 
     /// Statistics of each output that is [summarised](Model::summarised); `None` where fewer than two samples
@@ -82,12 +89,13 @@ impl Propagation {
     }
 
     /// The histogram of an output, over all samples. `None` where its middle 99 % do not differ, where fewer
-    /// than two samples have an answer, and where there is no such output.
+    /// than two samples have an answer, where there is no such output, and where it is none of
+    /// [`Settings::columns`] and [`Settings::classes`].
     #[must_use]
     pub fn histogram(&self, output: usize, classes: Classes) -> Option<Histogram> {
-        if self.is_kept() {
+        if let Some(column) = self.columns.get(output).filter(|_| self.classes.contains(&classes)) {
             let summary = (*self.summaries.get(output)?)?;
-            return Histogram::of(self.columns.get(output)?, &summary, classes);
+            return Histogram::of(column, &summary, classes);
         }
         self.histograms.get(output)?.iter().find(|histogram| histogram.is_of(classes)).cloned()
     }
@@ -95,12 +103,12 @@ impl Propagation {
 
 /// Evaluates the model for samples of its inputs.
 ///
-/// Where [`Settings::keep`] leaves no place for all samples, they are drawn and evaluated again in each of
-/// three passes; the results are the same to the bit.
+/// Where [`Settings::keep`] leaves no place for all samples of [`Settings::columns`], these are drawn and
+/// evaluated a second time for their histograms; the results are the same to the bit.
 ///
 /// `progress` receives the number of finished samples and may end the run early; the result then holds the
-/// first samples of the whole run. Where there are several passes, each counts for its share, and only the
-/// first can be ended: the others then go over what it has done.
+/// first samples of the whole run. Where they are drawn twice, each time counts for a half, and only the
+/// first can be ended.
 ///
 /// # Errors
 /// If there are no inputs or too many, or if the number of samples is out of range.
@@ -110,15 +118,24 @@ pub fn propagate<M: Model>(
     settings: &Settings,
     progress: &mut Progress<'_>,
 ) -> Result<Propagation, InvalidRequest> {
-    propagate_by(model, inputs, settings, progress, &Chunks { values: 1 << 22, size: Size::IN_CHUNKS })
+    propagate_by(model, inputs, settings, progress, &Limits::USUAL)
 }
 
-/// How a run that is not kept is cut.
+/// How a run is cut, and how much is taken out of its columns.
 #[derive(Clone, Copy, Debug)]
-struct Chunks {
-    /// The values of all outputs that are in memory at once, but one span at least.
-    values: usize,
-    size: Size,
+struct Limits {
+    /// Spans after which the sums of all of them are added up.
+    group: usize,
+    /// The values of all outputs that are in memory at once where they are drawn again, but one span at
+    /// least.
+    again: usize,
+    caution: Caution,
+    /// The most values that a further pass takes out at once.
+    most: usize,
+}
+
+impl Limits {
+    const USUAL: Self = Self { group: 1 << 9, again: 1 << 22, caution: Caution::USUAL, most: 1 << 14 };
 }
 
 fn propagate_by<M: Model>(
@@ -126,16 +143,14 @@ fn propagate_by<M: Model>(
     inputs: &[Distribution],
     settings: &Settings,
     progress: &mut Progress<'_>,
-    chunks: &Chunks,
+    limits: &Limits,
 ) -> Result<Propagation, InvalidRequest> {
     let sampler = Sampler::new(inputs, settings)?;
     let outputs = model.summarised().min(model.outputs());
-    let run = Run { model, sampler, settings, outputs };
-    if settings.samples.saturating_mul(outputs) <= settings.keep {
-        Ok(run.at_once(progress))
-    } else {
-        Ok(run.in_chunks(progress, chunks))
-    }
+    let shown = settings.columns.min(outputs);
+    let is_room = settings.samples.saturating_mul(shown) <= settings.keep;
+    let kept = if is_room { shown } else { 0 };
+    Ok(Run { model, sampler, settings, limits, outputs, shown, kept }.propagation(progress))
 }
 
 /// A model with the inputs of its samples.
@@ -143,117 +158,275 @@ struct Run<'a, M> {
     model: &'a M,
     sampler: Sampler<'a>,
     settings: &'a Settings,
-    /// Those that are kept and summarised.
+    limits: &'a Limits,
+    /// Those that are summarised; of them, those of which there may be histograms, and those that are kept.
     outputs: usize,
+    shown: usize,
+    kept: usize,
+}
+
+/// What a run has before its first span, and what it finds.
+struct Begun {
+    first: Samples,
+    watches: Vec<Watch>,
+    totals: Totals,
+    powers: Vec<Powers>,
 }
 
 impl<M: Model> Run<'_, M> {
-    fn at_once(&self, progress: &mut Progress<'_>) -> Propagation {
-        let mut samples = Samples::new(self.outputs, self.settings.samples);
-        // The sums of replicates do not follow from those of spans, nor do sums from which samples are left
-        // out.
-        let is_counted = self.settings.method == SamplingMethod::MonteCarlo
-            && u32::try_from(self.settings.samples).is_ok();
-        let first = is_counted.then(|| First::new(self.settings.instructions));
-        let (totals, sums) = self.evaluate(0, &mut samples, self.settings.samples, first.as_ref(), progress);
-        samples.truncate(totals.samples);
-        let is_complete = totals.failures.is_empty();
-        let mut begun = match first {
-            Some(first) if is_complete => first.passes(self.settings, totals.samples, &sums),
-            _ => Vec::new(),
-        }
-        .into_iter();
-        let spans = samples.columns.iter().map(|column| {
-            let passes = begun.next().unwrap_or_else(|| Passes::new(self.settings, Size::AT_ONCE, &[]));
-            Span { samples: 0, work: (column, passes) }
-        });
-        let of = |(column, passes): (&[f64], Passes)| Summary::of(column, is_complete, passes);
-        let summaries = in_order(spans.collect(), of, &mut |_, _| ControlFlow::Continue(()));
-        let Samples { columns, reasons } = samples;
+    fn propagation(&self, progress: &mut Progress<'_>) -> Propagation {
         let requested = self.settings.samples;
-        Propagation { columns, reasons, totals, summaries, histograms: Vec::new(), requested }
+        let is_drawn_again = self.kept < self.shown && !self.settings.classes.is_empty();
+        // More passes than usual do not turn the count back.
+        let mut most = 0;
+        let mut told = |pass: usize, done: usize| {
+            let done = if is_drawn_again { (pass * requested + done) / 2 } else { done };
+            most = most.max(done.min(requested));
+            progress(most, requested)
+        };
+        let mut columns = Columns::new(self.kept, requested);
+        let is_kept = self.kept == self.outputs;
+        let mut reasons = vec![SUCCEEDED; if is_kept { requested } else { 0 }];
+        let Some(mut begun) = told(0, 0).is_continue().then(|| self.begin()) else { return self.nothing() };
+        for (column, begin) in columns.iter_mut().zip(begun.first.columns.iter()) {
+            column[..begin.len()].copy_from_slice(begin);
+        }
+        if is_kept {
+            reasons[..begun.first.reasons.len()].copy_from_slice(&begun.first.reasons);
+        }
+        let workers = self.go_on(&mut columns, &mut reasons, &mut begun, &mut |done| told(0, done));
+        let Begun { first, watches, totals, powers } = begun;
+        columns.truncate(totals.samples);
+        reasons.truncate(totals.samples);
+
+        let mut passes = self.passes(watches, workers, &powers);
+        for (passes, column) in passes.iter_mut().zip(columns.iter()) {
+            while !passes.are_done() {
+                passes.add(column);
+                passes.go_on();
+            }
+        }
+        let histograms = self.draw_again(&mut passes, totals.samples, &mut |done| told(1, done));
+        let summaries = passes.iter().map(Passes::summary).collect();
+        let Samples { columns: first, reasons: first_reasons } = first;
+        let reasons = if is_kept { reasons } else { first_reasons };
+        let classes = self.settings.classes;
+        Propagation { columns, first, reasons, totals, summaries, histograms, classes, requested }
     }
 
-    fn in_chunks(&self, progress: &mut Progress<'_>, chunks: &Chunks) -> Propagation {
+    fn is_replicated(&self) -> bool {
+        self.settings.method != SamplingMethod::MonteCarlo
+    }
+
+    /// Without a sample.
+    fn nothing(&self) -> Propagation {
+        Propagation {
+            columns: Columns::new(0, 0),
+            first: Columns::new(self.outputs, 0),
+            reasons: Vec::new(),
+            totals: Totals { tallies: vec![0; self.model.tallies()], ..Totals::default() },
+            summaries: vec![None; self.outputs],
+            histograms: Vec::new(),
+            classes: self.settings.classes,
+            requested: self.settings.samples,
+        }
+    }
+
+    /// The first span, which tells how its columns are watched.
+    fn begin(&self) -> Begun {
+        let planned = self.settings.samples;
+        let mut first = Samples::new(self.outputs, SPAN.min(planned));
+        let Samples { columns, reasons } = &mut first;
+        let mut outputs: Vec<&mut [f64]> = columns.iter_mut().collect();
+        let part = Part { index: 0, outputs: &mut outputs, reasons };
+        let totals = part.evaluate(self.model, &self.sampler, &mut Block::new(self.model, &self.sampler));
+        let Limits { caution, .. } = *self.limits;
+        let (instructions, is_replicated) = (self.settings.instructions, self.is_replicated());
+        let watching = Watching { planned, is_replicated, instructions, caution };
+        let mut watches: Vec<Watch> =
+            first.columns.iter().map(|column| Watch::new(column, watching)).collect();
+        let powers = self.watched(&mut watches, first.columns.iter());
+        Begun { first, watches, totals, powers }
+    }
+
+    /// What a span adds to the powers of each column.
+    fn watched<'c>(&self, watches: &mut [Watch], columns: impl Iterator<Item = &'c [f64]>) -> Vec<Powers> {
+        let mut powers = Vec::new();
+        for (watch, column) in watches.iter_mut().zip(columns) {
+            let of_replicates = watch.add(column);
+            if self.is_replicated() {
+                powers.extend(of_replicates);
+            } else {
+                powers.push(Powers::of_all(&of_replicates));
+            }
+        }
+        powers
+    }
+
+    /// All spans but the first one, and who has watched them.
+    fn go_on(
+        &self,
+        columns: &mut Columns,
+        reasons: &mut [u8],
+        Begun { watches, totals, powers, .. }: &mut Begun,
+        told: &mut (dyn FnMut(usize) -> ControlFlow<()> + Send),
+    ) -> Vec<Worker> {
         let requested = self.settings.samples;
-        let chunk = (chunks.values / self.outputs / SPAN * SPAN).max(SPAN);
-        let mut samples = Samples::new(self.outputs, chunk.min(requested));
-        let mut all: Vec<_> =
-            (0..self.outputs).map(|_| Passes::new(self.settings, chunks.size, &Classes::ALL)).collect();
-        let mut totals = Totals::default();
-        let mut kept = Samples::new(self.outputs, 0);
-        // More passes than usual do not turn the count back.
-        let mut told = 0;
-        for pass in 0_usize.. {
-            let evaluated = if pass == 0 { requested } else { totals.samples };
-            let mut begin = 0;
-            while begin < evaluated {
-                let count = chunk.min(evaluated - begin);
-                let mut tell = |done: usize, _: usize| {
-                    let of_all = pass.saturating_mul(evaluated).saturating_add(begin + done);
-                    told = told.max((of_all / Passes::USUAL).min(evaluated));
-                    let answer = progress(told, requested);
-                    if pass == 0 { answer } else { ControlFlow::Continue(()) }
-                };
-                let (done, _) = self.evaluate(begin, &mut samples, count, None, &mut tell);
-                samples.pass_on(&mut all, &done);
-                let is_ended = done.samples < count;
-                begin += done.samples;
-                if pass == 0 {
-                    if kept.reasons.is_empty() {
-                        kept = samples.first(SPAN.min(done.samples));
-                    }
-                    totals.add(done);
-                }
-                if is_ended {
-                    break;
+        let waiting = Mutex::new(Vec::<Worker>::new());
+        let mut slices: Vec<_> = columns.iter_mut().map(|column| column.chunks_mut(SPAN).skip(1)).collect();
+        let mut codes = reasons.chunks_mut(SPAN).skip(1);
+        let mut spans = (1..).zip((SPAN..requested).step_by(SPAN)).map(|(index, start)| {
+            let kept = slices.iter_mut().filter_map(Iterator::next).collect();
+            let samples = SPAN.min(requested - start);
+            Span { samples, work: (index, samples, kept, codes.next()) }
+        });
+        let work = |(index, samples, kept, codes): (u64, usize, Vec<&mut [f64]>, Option<&mut [u8]>)| {
+            let lock = || waiting.lock().unwrap_or_else(PoisonError::into_inner);
+            let own = lock().pop();
+            let mut worker = own.unwrap_or_else(|| Worker {
+                block: Block::new(self.model, &self.sampler),
+                samples: Samples::new(self.outputs - self.kept, SPAN),
+                watches: watches.iter().map(Watch::unwatched).collect(),
+            });
+            let Worker { block, samples: unkept, watches } = &mut worker;
+            let Samples { columns: unkept, reasons: own } = unkept;
+            let own = &mut own[..samples];
+            let unkept = unkept.iter_mut().map(|column| &mut column[..samples]);
+            let mut outputs: Vec<&mut [f64]> = kept.into_iter().chain(unkept).collect();
+            let part = Part { index, outputs: &mut outputs, reasons: codes.unwrap_or(own) };
+            let totals = part.evaluate(self.model, &self.sampler, block);
+            let powers = self.watched(watches, outputs.iter().map(|column| &**column));
+            lock().push(worker);
+            (totals, powers)
+        };
+        loop {
+            let group: Vec<_> = spans.by_ref().take(self.limits.group).collect();
+            let count = group.len();
+            let begin = totals.samples;
+            let done = in_order(group, work, &mut |done, _| told(begin + done));
+            let is_ended = done.len() < count || count == 0;
+            for (more, of_span) in done {
+                totals.add(more);
+                for (powers, more) in powers.iter_mut().zip(of_span) {
+                    powers.add(&more);
                 }
             }
-            let mut goes_on = false;
-            for passes in &mut all {
-                goes_on |= passes.go_on();
-            }
-            if !goes_on {
+            if is_ended {
                 break;
             }
         }
-        let summaries = all.iter().map(Passes::summary).collect();
-        let histograms = all.into_iter().map(Passes::histograms).collect();
-        let Samples { columns, reasons } = kept;
-        Propagation { columns, reasons, totals, summaries, histograms, requested }
+        waiting.into_inner().unwrap_or_else(PoisonError::into_inner)
     }
 
-    /// Evaluates `count` samples from `begin` on, which is the first of a span. Where `first` counts them,
-    /// there are the sums of each span that is complete.
-    fn evaluate(
+    /// What has been watched of each column.
+    fn passes(&self, watches: Vec<Watch>, workers: Vec<Worker>, powers: &[Powers]) -> Vec<Passes> {
+        let mut of_workers: Vec<_> = workers.into_iter().map(|worker| worker.watches.into_iter()).collect();
+        let of_each = if self.is_replicated() { REPLICATES } else { 1 };
+        let spans = watches.into_iter().zip(powers.chunks(of_each)).map(|(watch, powers)| {
+            let others = of_workers.iter_mut().filter_map(Iterator::next);
+            Span { samples: 0, work: (others.chain([watch]).collect(), powers) }
+        });
+        let passes = |(watches, powers): (Vec<Watch>, &[Powers])| {
+            Passes::new(Watched::by(watches), powers, self.limits.most)
+        };
+        in_order(spans.collect(), passes, &mut |_, _| ControlFlow::Continue(()))
+    }
+
+    /// Draws the samples again as often as the summaries of columns that are not kept take it, and for their
+    /// histograms.
+    fn draw_again(
         &self,
-        begin: usize,
-        samples: &mut Samples,
-        count: usize,
-        first: Option<&First>,
-        progress: &mut Progress<'_>,
-    ) -> (Totals, Vec<Vec<f64>>) {
+        passes: &mut [Passes],
+        evaluated: usize,
+        told: &mut (dyn FnMut(usize) -> ControlFlow<()> + Send),
+    ) -> Vec<Vec<Histogram>> {
+        let unkept = if self.kept < self.shown { self.shown } else { 0 };
+        let mut histograms: Vec<Option<Vec<Histogram>>> = vec![None; unkept];
+        loop {
+            let mut begun = Vec::new();
+            for (histograms, passes) in histograms.iter().zip(&*passes) {
+                let is_due = histograms.is_none() && passes.are_done();
+                begun.push(is_due.then(|| self.histograms_of(passes.summary())));
+            }
+            let wants_histograms = begun.iter().flatten().any(|begun| !begun.is_empty());
+            let wants_passes = passes.iter().any(|passes| !passes.are_done());
+            if wants_histograms || wants_passes {
+                self.pass(passes, &mut begun, evaluated, told);
+            }
+            for (histograms, begun) in histograms.iter_mut().zip(begun) {
+                if begun.is_some() {
+                    *histograms = begun;
+                }
+            }
+            if !wants_passes {
+                return histograms.into_iter().map(Option::unwrap_or_default).collect();
+            }
+            for passes in &mut *passes {
+                passes.go_on();
+            }
+        }
+    }
+
+    /// Of a summary, before the samples are counted.
+    fn histograms_of(&self, summary: Option<Summary>) -> Vec<Histogram> {
+        let classes = self.settings.classes.iter();
+        let of =
+            |summary: Summary| classes.filter_map(|classes| Histogram::new(&summary, *classes)).collect();
+        summary.map_or_else(Vec::new, of)
+    }
+
+    /// Shows the samples again to passes and histograms.
+    fn pass(
+        &self,
+        passes: &mut [Passes],
+        histograms: &mut [Option<Vec<Histogram>>],
+        evaluated: usize,
+        told: &mut (dyn FnMut(usize) -> ControlFlow<()> + Send),
+    ) {
+        let chunk = (self.limits.again / self.outputs / SPAN * SPAN).max(SPAN);
+        let mut samples = Samples::new(self.outputs, chunk.min(evaluated));
+        for begin in (0..evaluated).step_by(chunk) {
+            let count = chunk.min(evaluated - begin);
+            // What is begun is finished: its summary would be lost.
+            self.evaluate(begin, &mut samples, count, &mut |done, _| {
+                let _ = told(begin + done);
+                ControlFlow::Continue(())
+            });
+            let histograms = histograms.iter_mut().map(Some).chain(std::iter::repeat_with(|| None));
+            let columns = samples.columns.iter().zip(passes.iter_mut()).zip(histograms);
+            let spans = columns.map(|work| Span { samples: 0, work }).collect();
+            let add = |((column, passes), histograms): ((&[f64], &mut Passes), _)| {
+                let column = &column[..count];
+                passes.add(column);
+                let histograms: Option<&mut Option<Vec<Histogram>>> = histograms;
+                for histogram in histograms.into_iter().flatten().flatten() {
+                    histogram.add(self.settings.instructions, column);
+                }
+            };
+            in_order(spans, add, &mut |_, _| ControlFlow::Continue(()));
+        }
+    }
+
+    /// Evaluates `count` samples from `begin` on, which is the first of a span.
+    fn evaluate(&self, begin: usize, samples: &mut Samples, count: usize, progress: &mut Progress<'_>) {
         let Samples { columns, reasons } = samples;
         let mut slices: Vec<_> = columns.iter_mut().map(|column| column[..count].chunks_mut(SPAN)).collect();
         let spans = (begin / SPAN..)
             .zip(reasons[..count].chunks_mut(SPAN))
             .map(|(index, reasons)| {
-                let outputs = slices.iter_mut().flat_map(Iterator::next).collect();
-                Span { samples: reasons.len(), work: Part { index: index as u64, outputs, reasons } }
+                let outputs: Vec<_> = slices.iter_mut().flat_map(Iterator::next).collect();
+                Span { samples: reasons.len(), work: (index as u64, outputs, reasons) }
             })
             .collect();
-        let work = |part: Part<'_>| part.evaluate(self.model, &self.sampler, first);
-        let mut totals = Totals { tallies: vec![0; self.model.tallies()], ..Totals::default() };
-        let mut all_sums = Vec::new();
-        for (part, sums) in in_order(spans, work, progress) {
-            totals.add(part);
-            all_sums.push(sums);
-        }
-        (totals, all_sums)
+        let work = |(index, mut outputs, reasons): (u64, Vec<&mut [f64]>, &mut [u8])| {
+            let part = Part { index, outputs: &mut outputs, reasons };
+            part.evaluate(self.model, &self.sampler, &mut Block::new(self.model, &self.sampler));
+        };
+        in_order(spans, work, progress);
     }
 }
 
-/// The samples of all outputs that are summarised.
+/// The samples of some outputs.
 struct Samples {
     columns: Columns,
     reasons: Vec<u8>,
@@ -263,42 +436,34 @@ impl Samples {
     fn new(outputs: usize, samples: usize) -> Self {
         Self { columns: Columns::new(outputs, samples), reasons: vec![SUCCEEDED; samples] }
     }
+}
 
-    fn truncate(&mut self, samples: usize) {
-        self.columns.truncate(samples);
-        self.reasons.truncate(samples);
-    }
+/// What one thread has while it does its spans.
+struct Worker {
+    block: Block,
+    /// A span of those outputs that are not kept.
+    samples: Samples,
+    /// What it has seen of each column.
+    watches: Vec<Watch>,
+}
 
-    fn first(&self, samples: usize) -> Self {
-        let mut first = Self::new(self.columns.iter().count(), samples);
-        for (own, column) in first.columns.iter_mut().zip(self.columns.iter()) {
-            own.copy_from_slice(&column[..samples]);
-        }
-        first.reasons.copy_from_slice(&self.reasons[..samples]);
-        first
-    }
+/// A block of samples.
+struct Block {
+    inputs: Vec<Lanes>,
+    answers: Vec<Lanes>,
+}
 
-    /// To the passes of each output.
-    fn pass_on(&self, all: &mut [Passes], done: &Totals) {
-        let is_complete = done.failures.is_empty();
-        let columns = self.columns.iter().zip(all);
-        let spans = columns.map(|work| Span { samples: 0, work }).collect();
-        let add = |(column, passes): (&[f64], &mut Passes)| {
-            let all = &column[..done.samples];
-            if is_complete {
-                passes.add(Chunk { all, answered: all });
-            } else {
-                passes.add(Chunk { all, answered: &without_nan(all) });
-            }
-        };
-        in_order(spans, add, &mut |_, _| ControlFlow::Continue(()));
+impl Block {
+    fn new<M: Model>(model: &M, sampler: &Sampler<'_>) -> Self {
+        let (inputs, answers) = (sampler.inputs(), model.outputs());
+        Self { inputs: vec![[0.0; LANES]; inputs], answers: vec![[0.0; LANES]; answers] }
     }
 }
 
 /// Where the results of a span go.
-struct Part<'a> {
+struct Part<'a, 'c> {
     index: u64,
-    outputs: Vec<&'a mut [f64]>,
+    outputs: &'a mut [&'c mut [f64]],
     reasons: &'a mut [u8],
 }
 
@@ -316,31 +481,24 @@ impl Totals {
         for (reason, count) in more.failures {
             *self.failures.entry(reason).or_default() += count;
         }
-        self.tallies.resize(more.tallies.len(), 0);
         for (tally, more) in self.tallies.iter_mut().zip(more.tallies) {
             *tally += more;
         }
     }
 }
 
-impl Part<'_> {
-    fn evaluate<M: Model>(
-        self,
-        model: &M,
-        sampler: &Sampler<'_>,
-        first: Option<&First>,
-    ) -> (Totals, Vec<f64>) {
-        let Self { index, mut outputs, reasons: codes } = self;
-        let mut columns: Vec<Lanes> = vec![[0.0; LANES]; sampler.inputs()];
-        let mut answers: Vec<Lanes> = vec![[0.0; LANES]; model.outputs()];
+impl Part<'_, '_> {
+    fn evaluate<M: Model>(self, model: &M, sampler: &Sampler<'_>, block: &mut Block) -> Totals {
+        let Self { index, outputs, reasons: codes } = self;
+        let Block { inputs, answers } = block;
         let mut reasons = [SUCCEEDED; LANES];
         let mut failures = Failures::new();
         let mut tallies = vec![0; model.tallies()];
         let blocks = index * (SPAN / LANES) as u64..;
         for ((start, codes), block) in (0..).step_by(LANES).zip(codes.chunks_mut(LANES)).zip(blocks) {
-            sampler.evaluate(model, block, &mut columns, &mut answers, &mut reasons);
+            sampler.evaluate(model, block, inputs, answers, &mut reasons);
             let all_succeeded = reasons == [SUCCEEDED; LANES];
-            for (answer, output) in answers.iter().zip(&mut outputs) {
+            for (answer, output) in answers.iter().zip(outputs.iter_mut()) {
                 if all_succeeded && let Some((places, _)) = output[start..].split_first_chunk_mut() {
                     *places = *answer;
                     continue;
@@ -351,11 +509,9 @@ impl Part<'_> {
             }
             codes.copy_from_slice(&reasons[..codes.len()]);
             count_failures(&mut failures, codes);
-            tally(sampler.instructions(), model, [&columns, &answers], codes, &mut tallies);
+            tally(sampler.instructions(), model, [inputs, answers], codes, &mut tallies);
         }
-        let first = first.filter(|_| failures.is_empty());
-        let sums = first.map_or_else(Vec::new, |first| first.add(&outputs));
-        (Totals { samples: codes.len(), failures, tallies }, sums)
+        Totals { samples: codes.len(), failures, tallies }
     }
 }
 

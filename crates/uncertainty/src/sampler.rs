@@ -7,6 +7,7 @@ use crate::error::InvalidRequest;
 use crate::model::{LANES, Lanes, Model, evaluate};
 use crate::points::{Points, SamplingMethod};
 use crate::run::Instructions;
+use crate::summary::Classes;
 
 /// How to sample.
 #[derive(Clone, Copy, Debug)]
@@ -19,8 +20,13 @@ pub struct Settings {
     pub method: SamplingMethod,
     /// The instruction set, which does not change the results.
     pub instructions: Instructions,
-    /// The most numbers of [`crate::Propagation::columns`], samples × outputs, that are kept in memory. A run
-    /// that has more is drawn again in several passes, with the same results; its memory does not grow.
+    /// Of how many outputs, the first ones, samples are kept or histograms made: as many as there are, unless
+    /// their summaries are enough.
+    pub columns: usize,
+    /// The histograms that may be asked for: those of all classes, unless fewer are shown.
+    pub classes: &'static [Classes],
+    /// The most numbers, samples × columns, that are kept in memory. A run that has more keeps some thousand
+    /// samples, and is drawn a second time for the histograms; its memory does not grow.
     pub keep: usize,
 }
 
@@ -28,10 +34,18 @@ pub struct Settings {
 const KEPT: usize = 1 << 24;
 
 impl Settings {
-    /// Settings with the best instruction set of this CPU, which keep up to 2²⁴ numbers.
+    /// Settings with the best instruction set of this CPU, which keep all columns, up to 2²⁴ numbers.
     #[must_use]
     pub fn new(method: SamplingMethod, samples: usize, seed: u64) -> Self {
-        Self { samples, seed, method, instructions: Instructions::best(), keep: KEPT }
+        Self {
+            samples,
+            seed,
+            method,
+            instructions: Instructions::best(),
+            columns: usize::MAX,
+            classes: &Classes::ALL,
+            keep: KEPT,
+        }
     }
 }
 

@@ -6,20 +6,22 @@
 //! quantiles are their type 7, as in NumPy. M. G. Kendall and A. Stuart, *The Advanced Theory of Statistics*,
 //! volume 1, sections 10.5 and 14: standard errors of moments; order statistics.
 
-mod first;
+mod histogram;
 mod order;
 mod passes;
-mod sums;
+mod powers;
+mod watch;
+mod watched;
 
 use crate::limits::REPLICATES;
-use crate::model::LANES;
 use order::Order;
-use sums::Moments;
-pub(crate) use sums::SPAN;
+use powers::Moments;
 
-pub(crate) use first::First;
-pub(crate) use passes::{Chunk, Passes, Size};
-pub use passes::{Classes, Histogram};
+pub use histogram::{Classes, Histogram};
+pub(crate) use passes::Passes;
+pub(crate) use powers::{Powers, SPAN};
+pub(crate) use watch::{Caution, Watch, Watching};
+pub(crate) use watched::Watched;
 
 /// Levels of the intervals of a [`Summary`].
 pub const LEVELS: [f64; 4] = [0.5, 0.9, 0.95, 0.99];
@@ -79,23 +81,6 @@ const PROBABILITIES: [f64; QUANTILES] = [0.5, 0.25, 0.75, 0.05, 0.95, 0.025, 0.9
 const QUANTILES: usize = 1 + 2 * LEVELS.len();
 
 impl Summary {
-    /// Of a column in which NaN stands for samples that failed; `None` where fewer than two succeeded.
-    /// `is_complete` tells that there are none.
-    pub(crate) fn of(column: &[f64], is_complete: bool, mut passes: Passes) -> Option<Self> {
-        let succeeded;
-        let answered = if is_complete {
-            column
-        } else {
-            succeeded = without_nan(column);
-            &succeeded
-        };
-        while !passes.are_done() {
-            passes.add(Chunk { all: column, answered });
-            passes.go_on();
-        }
-        passes.summary()
-    }
-
     fn new(moments: &Moments, quantiles: &[f64; QUANTILES], errors: &Errors) -> Self {
         let quantile =
             |place: usize| Estimate { value: quantiles[place], standard_error: errors.quantiles[place] };
@@ -112,11 +97,6 @@ impl Summary {
             intervals: std::array::from_fn(interval),
         }
     }
-}
-
-/// The values of a column in which NaN stands for samples that failed.
-pub(crate) fn without_nan(column: &[f64]) -> Vec<f64> {
-    column.iter().copied().filter(|value| !value.is_nan()).collect()
 }
 
 /// Where a quantile stands among the ordered values.
@@ -208,51 +188,33 @@ impl Errors {
 #[derive(Debug)]
 struct Below {
     quantiles: [f64; QUANTILES],
-    /// Samples of each replicate.
-    counts: [u64; REPLICATES],
     /// Twice the number below, so that a value at the quantile itself counts by half.
     twice: [[u64; REPLICATES]; QUANTILES],
 }
 
 impl Below {
     fn new(quantiles: [f64; QUANTILES]) -> Self {
-        Self { quantiles, counts: [0; REPLICATES], twice: [[0; REPLICATES]; QUANTILES] }
+        Self { quantiles, twice: [[0; REPLICATES]; QUANTILES] }
     }
 
     /// Samples that follow, from the first replicate on. NaN is in none.
-    #[inline(always)]
     fn add(&mut self, column: &[f64]) {
-        let mut counts = [0; LANES];
-        let mut twice = [[0; LANES]; QUANTILES];
-        let (blocks, rest) = column.as_chunks::<LANES>();
-        // All quantiles of a block before the next one: a sum that was just written is not ready yet.
-        for block in blocks {
-            count(&mut counts, block, |value| u64::from(!value.is_nan()));
-            for (&quantile, twice) in self.quantiles.iter().zip(&mut twice) {
-                count(twice, block, |value| u64::from(value < quantile) + u64::from(value <= quantile));
+        for row in column.chunks(REPLICATES) {
+            for (&quantile, twice) in self.quantiles.iter().zip(&mut self.twice) {
+                for (twice, &value) in twice.iter_mut().zip(row) {
+                    *twice += u64::from(value < quantile) + u64::from(value <= quantile);
+                }
             }
-        }
-        count(&mut counts, rest, |value| u64::from(!value.is_nan()));
-        for (&quantile, twice) in self.quantiles.iter().zip(&mut twice) {
-            count(twice, rest, |value| u64::from(value < quantile) + u64::from(value <= quantile));
-        }
-        let add = |totals: &mut [u64; REPLICATES], more: &Counts| {
-            for (replicate, total) in totals.iter_mut().enumerate() {
-                *total += more.iter().skip(replicate).step_by(REPLICATES).sum::<u64>();
-            }
-        };
-        add(&mut self.counts, &counts);
-        for (totals, more) in self.twice.iter_mut().zip(&twice) {
-            add(totals, more);
         }
     }
 
-    /// How far from its place among the ordered values each quantile may be.
-    fn deviations(&self) -> [f64; QUANTILES] {
-        let all = self.counts.iter().sum::<u64>() as f64;
+    /// How far from its place among the ordered values each quantile may be, given how many samples each
+    /// replicate has.
+    fn deviations(&self, counts: &[u64; REPLICATES]) -> [f64; QUANTILES] {
+        let all = counts.iter().sum::<u64>() as f64;
         self.twice.map(|twice| {
             let share = 0.5 * twice.iter().sum::<u64>() as f64 / all;
-            let squares = twice.iter().zip(self.counts).map(|(&twice, count)| {
+            let squares = twice.iter().zip(counts).map(|(&twice, &count)| {
                 let excess = 0.5 * twice as f64 - share * count as f64;
                 excess * excess
             });
@@ -262,11 +224,12 @@ impl Below {
         })
     }
 
-    /// The places so far before and after each quantile of `count` values.
-    fn ends(&self, count: usize) -> [[Place; 2]; QUANTILES] {
+    /// The places so far before and after each quantile.
+    fn ends(&self, counts: &[u64; REPLICATES]) -> [[Place; 2]; QUANTILES] {
+        let count = usize::try_from(counts.iter().sum::<u64>()).unwrap_or(usize::MAX);
         let last = (count - 1) as f64;
         let mut ends = PROBABILITIES.map(|probability| [last * probability; 2]);
-        for ([before, after], deviation) in ends.iter_mut().zip(self.deviations()) {
+        for ([before, after], deviation) in ends.iter_mut().zip(self.deviations(counts)) {
             *before = (*before - deviation).max(0.0);
             *after = (*after + deviation).min(last);
         }
@@ -274,20 +237,15 @@ impl Below {
     }
 }
 
-/// A count for each lane, of which each replicate has several: the loop over them is vectorised as it stands.
-type Counts = [u64; LANES];
-
-/// Adds f(x) of values that begin with the first replicate.
-#[inline(always)]
-fn count(sums: &mut Counts, values: &[f64], f: impl Fn(f64) -> u64) {
-    for (sum, value) in sums.iter_mut().zip(values) {
-        *sum += f(*value);
-    }
-}
-
 /// s/√R over the replicates, where all of them have a value.
 fn error_of_mean(of_replicates: &[f64]) -> Option<f64> {
-    (of_replicates.len() == REPLICATES).then(|| Moments::of(of_replicates).sd() / (REPLICATES as f64).sqrt())
+    (of_replicates.len() == REPLICATES).then(|| {
+        let count = REPLICATES as f64;
+        let mean = of_replicates.iter().sum::<f64>() / count;
+        let squares: f64 = of_replicates.iter().map(|value| (value - mean) * (value - mean)).sum();
+        // s² = Σ(x − x̄)²/(R − 1)
+        (squares / (count - 1.0)).sqrt() / count.sqrt()
+    })
 }
 
 #[cfg(test)]

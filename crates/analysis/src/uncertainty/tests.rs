@@ -621,7 +621,7 @@ fn bits_of_the_example_are_pinned_for_every_instruction_set() {
     // The outputs that there were first, and those that came after them.
     for (method, pins) in [
         (SamplingMethod::MonteCarlo, [0xED40_4D8E_AB81_E019, 0xC7D7_BD97_403C_5778]),
-        (SamplingMethod::LatinHypercube, [0x7E78_1C5E_182A_6B2E, 0x9357_627D_F499_EAC5]),
+        (SamplingMethod::LatinHypercube, [0x63A4_DB24_AE8C_724E, 0x78B2_2F94_EAD7_40AF]),
         (SamplingMethod::Sobol, [0x1C58_9480_FF2E_EC8C, 0xB38C_8287_B732_6E95]),
     ] {
         let hashes: Vec<[u64; 2]> = Instructions::available()

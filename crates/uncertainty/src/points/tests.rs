@@ -72,15 +72,20 @@ fn latin_hypercube_has_one_point_in_each_stratum_of_each_replicate() {
 #[test]
 fn latin_hypercube_points_are_as_one_by_one() {
     for samples in [64, 65, 1000, 4096, 10_007, 66_000] {
-        let column = &columns(SamplingMethod::LatinHypercube, 5, 2, samples as usize)[1];
-        let input = key(5, &[2, 1]);
-        for (sample, share) in (0..samples).zip(column) {
-            let (replicate, index) = (sample % REPLICATES as u32, sample / REPLICATES as u32);
-            let count = (samples - replicate).div_ceil(REPLICATES as u32);
-            let stratum = permuted(index, count, key(input, &[1, u64::from(replicate)]));
-            let place = (bits(key(input, &[2]), u64::from(sample)) >> 44) as f64;
-            let expected = (f64::from(stratum) + (place + 0.5) / 1_048_576.0) / f64::from(count);
-            assert_eq!(*share, expected, "sample {sample} of {samples}");
+        let all = columns(SamplingMethod::LatinHypercube, 5, 5, samples as usize);
+        for (number, column) in (0..).zip(&all) {
+            let input = key(5, &[2, number]);
+            for (sample, share) in (0..samples).zip(column) {
+                let (replicate, index) = (sample % REPLICATES as u32, sample / REPLICATES as u32);
+                let count = (samples - replicate).div_ceil(REPLICATES as u32);
+                let stratum = permuted(index, count, key(input, &[1, u64::from(replicate)]));
+                // Twenty bits of 64 for each of three inputs, from the highest on.
+                let word = bits(key(5, &[5, number / 3]), u64::from(sample));
+                let place = ((word >> (44 - 20 * (number % 3))) & 0xF_FFFF) as f64;
+                let width = 1.0 / f64::from(count);
+                let expected = (f64::from(stratum) + (place + 0.5) / 1_048_576.0) * width;
+                assert_eq!(*share, expected, "sample {sample} of {samples}");
+            }
         }
     }
 }

@@ -1,11 +1,46 @@
-use super::{Chunk, Classes, Estimate, First, Histogram, Passes, Place, SPAN, Size, Summary, without_nan};
+use super::{
+    Caution, Classes, Estimate, Histogram, Passes, Place, Powers, SPAN, Summary, Watch, Watched, Watching,
+};
+use crate::limits::REPLICATES;
 use crate::points::SamplingMethod;
 use crate::random::{bits, unit};
-use crate::sampler::Settings;
+use crate::run::Instructions;
 
-/// At once, of no number of samples and no seed, which a summary does not read.
-fn by(method: SamplingMethod) -> Passes {
-    Passes::new(&Settings::new(method, 0, 0), Size::AT_ONCE, &[])
+/// Of a column, watched by `workers` that take its spans in turn, with as many further passes as that takes:
+/// their number, too.
+fn summed_up(
+    column: &[f64],
+    method: SamplingMethod,
+    caution: Caution,
+    (workers, most): (usize, usize),
+) -> (Option<Summary>, usize) {
+    let (planned, is_replicated) = (column.len(), method != SamplingMethod::MonteCarlo);
+    let watching = Watching { planned, is_replicated, instructions: Instructions::best(), caution };
+    let mut spans = column.chunks(SPAN);
+    let Some(first) = spans.next() else { return (None, 0) };
+    let mut watch = Watch::new(first, watching);
+    let mut others: Vec<Watch> = (0..workers).map(|_| watch.unwatched()).collect();
+    let mut powers = watch.add(first);
+    for (number, span) in spans.enumerate() {
+        for (powers, more) in powers.iter_mut().zip(others[number % workers].add(span)) {
+            powers.add(&more);
+        }
+    }
+    others.push(watch);
+    let all = [Powers::of_all(&powers)];
+    let mut passes = Passes::new(Watched::by(others), if is_replicated { &powers } else { &all }, most);
+    let mut count = 0;
+    while !passes.are_done() {
+        // Whole rows of replicates.
+        column.chunks(1000 * REPLICATES).for_each(|part| passes.add(part));
+        passes.go_on();
+        count += 1;
+    }
+    (passes.summary(), count)
+}
+
+fn of_column(column: &[f64], method: SamplingMethod) -> Option<Summary> {
+    summed_up(column, method, Caution::USUAL, (1, usize::MAX)).0
 }
 
 /// 0, 1, … 100 in disorder.
@@ -17,7 +52,7 @@ fn hundred() -> Vec<f64> {
 /// 1)/12, n = 101.
 #[test]
 fn the_statistics_of_a_hundred_numbers() {
-    let summary = Summary::of(&hundred(), false, by(SamplingMethod::MonteCarlo)).unwrap();
+    let summary = of_column(&hundred(), SamplingMethod::MonteCarlo).unwrap();
     assert_eq!(summary.samples, 101);
     assert_eq!(summary.mean.value, 50.0);
     assert!((summary.sd.value - (101.0_f64 * 102.0 / 12.0).sqrt()).abs() < 1e-13);
@@ -44,17 +79,17 @@ fn failed_samples_are_left_out() {
         column.insert(place, f64::NAN);
     }
     assert_eq!(
-        Summary::of(&column, false, by(SamplingMethod::MonteCarlo)),
-        Summary::of(&hundred(), false, by(SamplingMethod::MonteCarlo))
+        of_column(&column, SamplingMethod::MonteCarlo),
+        of_column(&hundred(), SamplingMethod::MonteCarlo)
     );
-    assert_eq!(Summary::of(&[1.0, f64::NAN], false, by(SamplingMethod::MonteCarlo)), None);
-    assert_eq!(Summary::of(&[], false, by(SamplingMethod::Sobol)), None);
+    assert_eq!(of_column(&[1.0, f64::NAN], SamplingMethod::MonteCarlo), None);
+    assert_eq!(of_column(&[], SamplingMethod::Sobol), None);
 }
 
 #[test]
 fn a_constant_has_no_uncertainty() {
     for method in [SamplingMethod::MonteCarlo, SamplingMethod::LatinHypercube] {
-        let summary = Summary::of(&vec![3.0; 16_000], true, by(method)).unwrap();
+        let summary = of_column(&vec![3.0; 16_000], method).unwrap();
         let certain = |value| Estimate { value, standard_error: Some(0.0) };
         assert_eq!((summary.mean, summary.sd, summary.median), (certain(3.0), certain(0.0), certain(3.0)));
         assert_eq!(summary.intervals[3].high, certain(3.0));
@@ -65,14 +100,14 @@ fn a_constant_has_no_uncertainty() {
 #[test]
 fn replicates_give_the_standard_error() {
     let column: Vec<f64> = (0..16_000).map(|index| f64::from(index % 16)).collect();
-    let summary = Summary::of(&column, false, by(SamplingMethod::Sobol)).unwrap();
+    let summary = of_column(&column, SamplingMethod::Sobol).unwrap();
     let expected = (16.0_f64 * 17.0 / 12.0).sqrt() / 4.0;
     assert!((summary.mean.standard_error.unwrap() - expected).abs() < 1e-13);
     assert_eq!(summary.sd.standard_error, Some(0.0));
     // No replicate but one.
     let mut lonely = vec![f64::NAN; 1600];
     lonely.iter_mut().step_by(16).for_each(|value| *value = 1.0);
-    let lonely = Summary::of(&lonely, false, by(SamplingMethod::Sobol)).unwrap();
+    let lonely = of_column(&lonely, SamplingMethod::Sobol).unwrap();
     assert_eq!((lonely.mean.standard_error, lonely.median.standard_error), (None, None));
 }
 
@@ -87,7 +122,7 @@ fn replicates_give_the_standard_error() {
 fn numbers_below_a_quantile_give_its_standard_error() {
     let column: Vec<f64> = (0..16_000).map(|index| f64::from(index % 16)).collect();
     for method in [SamplingMethod::LatinHypercube, SamplingMethod::Sobol] {
-        let summary = Summary::of(&column, true, by(method)).unwrap();
+        let summary = of_column(&column, method).unwrap();
         let found = [summary.median, summary.intervals[0].low, summary.intervals[2].low];
         let expected = [(7.5, 2.5), (3.75, 1.5), (0.0, 0.0)]
             .map(|(value, error)| Estimate { value, standard_error: Some(error) });
@@ -96,56 +131,91 @@ fn numbers_below_a_quantile_give_its_standard_error() {
     // Replicates alike, 0 … 99 in each: nothing but the one place, which is between n + 1 and n − 1 in
     // sixteen equal values each.
     let column: Vec<f64> = (0..1600).map(|index| f64::from(index / 16)).collect();
-    let summary = Summary::of(&column, true, by(SamplingMethod::Sobol)).unwrap();
+    let summary = of_column(&column, SamplingMethod::Sobol).unwrap();
     // Place 1599/2 = 799.5 between 49 and 50; 798.5 is among the 49 and 800.5 among the 50.
     assert_eq!(summary.median, Estimate { value: 49.5, standard_error: Some(0.5) });
     // Five samples beyond are enough, as for Monte Carlo.
     assert!(summary.intervals[3].low.standard_error.is_some());
-    let few = Summary::of(&column[..999], true, by(SamplingMethod::Sobol)).unwrap();
+    let few = of_column(&column[..999], SamplingMethod::Sobol).unwrap();
     assert_eq!(
         (few.intervals[3].low.standard_error, few.intervals[2].low.standard_error.is_some()),
         (None, true)
     );
 }
 
-/// Cut into chunks, with so few cells that these are cut again: the same bits, with samples that failed and
-/// without.
+/// The value that this share of the ordered values lies below, as NumPy has it.
+#[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a place among the values")]
+fn quantile(sorted: &[f64], share: f64) -> f64 {
+    let position = (sorted.len() - 1) as f64 * share;
+    let before = sorted[position.floor() as usize];
+    let after = sorted[(position.floor() as usize + 1).min(sorted.len() - 1)];
+    before + (after - before) * (position - position.floor())
+}
+
+/// Values spread evenly, with a long tail, in three clumps, half of them alike, all alike but a few, all
+/// alike, subnormal, of both zeros, and first small and then large, so that the first span misleads: beside a
+/// full sort, with samples that failed and without. However much caution there is, and whoever has watched
+/// which span, the bits are the same.
 #[test]
-fn a_summary_is_the_same_however_its_column_is_cut() {
-    let kinds: [fn(f64) -> f64; 4] = [|u| u, |u| 1.0 / u, |u| (3.0 * u).floor(), |_| 4.0];
-    let size = Size { cells: 32, most: 16 };
+fn a_summary_is_the_same_however_its_column_is_watched() {
+    let kinds: [fn(f64, u64) -> f64; 9] = [
+        |u, _| u,
+        |u, _| 1.0 / (u * u),
+        |u, _| (3.0 * u).floor(),
+        |u, _| if u < 0.6 { 0.5 } else { u },
+        |u, _| if u < 0.9999 { 1.0 } else { 1e300 },
+        |_, _| 4.0,
+        |u, _| u * 1e-310,
+        |u, _| if u < 0.5 { -0.0 } else { 0.0 },
+        |u, index| if index < 5000 { u } else { 10.0 + u },
+    ];
+    let reckless = Caution { deviations: 0.01, roots: 0.0, few: 64 };
+    let narrow = Caution { deviations: 5.0, roots: 0.0, few: 1000 };
+    let mut most_passes = 0;
     for (kind, of) in (0..).zip(kinds) {
-        for count in [2, 40, 1000, 100_000] {
+        for count in [2, 40, 1000, 5000, 100_003] {
             for failing in [0.0, 0.3] {
                 let value = |index| {
                     let fails = unit(bits(17, index)) < failing;
-                    if fails { f64::NAN } else { of(unit(bits(kind, index))) }
+                    if fails { f64::NAN } else { of(unit(bits(kind, index)), index) }
                 };
                 let column: Vec<f64> = (0..count).map(value).collect();
+                let mut sorted: Vec<f64> = column.iter().copied().filter(|value| !value.is_nan()).collect();
+                sorted.sort_unstable_by(f64::total_cmp);
                 for (_, method) in SamplingMethod::WORDS {
-                    let expected = Summary::of(&column, failing == 0.0, by(method));
-                    let mut passes = Passes::new(&Settings::new(method, 0, 0), size, &[Classes::Coarse]);
-                    loop {
-                        for all in column.chunks(2048) {
-                            passes.add(Chunk { all, answered: &without_nan(all) });
-                        }
-                        if !passes.go_on() {
-                            break;
+                    let (expected, _) = summed_up(&column, method, Caution::USUAL, (1, usize::MAX));
+                    if let Some(summary) = expected {
+                        assert_eq!(summary.samples, sorted.len());
+                        let ends = summary.intervals.map(|interval| {
+                            let below = 0.5 - 0.5 * interval.level;
+                            [(interval.low.value, below), (interval.high.value, 1.0 - below)]
+                        });
+                        for (found, share) in ends.into_iter().flatten().chain([(summary.median.value, 0.5)])
+                        {
+                            let expected = quantile(&sorted, share);
+                            let is_near = (found - expected).abs() <= 1e-12 * expected.abs();
+                            assert!(is_near, "kind {kind}, {count}, {share}: {found} {expected}");
                         }
                     }
-                    assert_eq!(passes.summary(), expected, "kind {kind}, {count} samples, {method:?}");
-                    let histogram =
-                        expected.and_then(|summary| Histogram::of(&column, &summary, Classes::Coarse));
-                    assert_eq!(passes.histograms(), Vec::from_iter(histogram));
+                    for (caution, workers) in
+                        [(reckless, (1, 100)), (narrow, (3, 16)), (Caution::USUAL, (2, 64))]
+                    {
+                        let (found, passes) = summed_up(&column, method, caution, workers);
+                        // Debug prints an f64 so that it reads back as the same, and NaN as itself.
+                        let [found, expected] = [&found, &expected].map(|summary| format!("{summary:?}"));
+                        assert_eq!(found, expected, "kind {kind}, {count} samples, {method:?}");
+                        most_passes = most_passes.max(passes);
+                    }
                 }
             }
         }
     }
+    assert!((4..=16).contains(&most_passes), "{most_passes} passes");
 }
 
 #[test]
 fn two_values_have_every_place() {
-    let summary = Summary::of(&[2.0, 1.0], true, by(SamplingMethod::MonteCarlo)).unwrap();
+    let summary = of_column(&[2.0, 1.0], SamplingMethod::MonteCarlo).unwrap();
     assert_eq!(summary.median.value, 1.5);
     assert_eq!(Place::of(0.995, 2).above, 1);
 }
@@ -154,34 +224,13 @@ fn two_values_have_every_place() {
 #[test]
 fn a_histogram_counts_every_sample() {
     let column = hundred();
-    let summary = Summary::of(&column, true, by(SamplingMethod::MonteCarlo)).unwrap();
+    let summary = of_column(&column, SamplingMethod::MonteCarlo).unwrap();
     let histogram = Histogram::of(&column, &summary, Classes::Fine).unwrap();
     assert!((histogram.low - 0.5).abs() < 1e-12 && (histogram.width - 2.475).abs() < 1e-12);
     assert_eq!(histogram.outside, [1, 1]);
     // 1 and 2 lie below 2.975.
     assert_eq!(histogram.counts[0], 2);
     assert_eq!(histogram.counts.iter().sum::<usize>(), 99);
-    let alike = Summary::of(&[3.0; 9], true, by(SamplingMethod::MonteCarlo)).unwrap();
+    let alike = of_column(&[3.0; 9], SamplingMethod::MonteCarlo).unwrap();
     assert_eq!(Histogram::of(&[3.0; 9], &alike, Classes::Fine), None);
-}
-
-/// The spans from the last to the first, as threads might do them.
-#[test]
-fn a_first_pass_by_spans_has_the_bits_of_one_over_the_column() {
-    let random = |key: u64| (0..30_000).map(move |index| 1.0 / unit(bits(key, index)));
-    let mut columns: [Vec<f64>; 2] = [random(1).collect(), random(2).collect()];
-    let settings = Settings::new(SamplingMethod::MonteCarlo, 0, 0);
-    let first = First::new(settings.instructions);
-    let spans = columns[0].len().div_ceil(SPAN);
-    let add = |span: usize| {
-        let parts = columns.iter_mut().filter_map(|column| column.chunks_mut(SPAN).nth(span));
-        first.add(&parts.collect::<Vec<_>>())
-    };
-    let mut sums: Vec<Vec<f64>> = (0..spans).rev().map(add).collect();
-    sums.reverse();
-    let begun = first.passes(&settings, columns[0].len(), &sums);
-    assert_eq!(begun.len(), 2);
-    for (column, begun) in columns.iter().zip(begun) {
-        assert_eq!(Summary::of(column, true, begun), Summary::of(column, true, by(settings.method)));
-    }
 }

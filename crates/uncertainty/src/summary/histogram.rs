@@ -1,0 +1,153 @@
+//! How many samples lie in each of some classes.
+
+use fearless_simd::dispatch;
+
+use super::Summary;
+use crate::run::Instructions;
+
+/// How many classes a [`Histogram`] has.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Classes {
+    /// 15, for a text.
+    Coarse,
+    /// 40, for a picture.
+    Fine,
+}
+
+impl Classes {
+    /// All that there are.
+    pub const ALL: [Self; 2] = [Self::Coarse, Self::Fine];
+
+    /// Their number.
+    #[must_use]
+    pub fn count(self) -> u8 {
+        match self {
+            Self::Coarse => 15,
+            Self::Fine => 40,
+        }
+    }
+}
+
+/// How many samples lie in each of some classes of the same width, which hold the middle 99 %.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Histogram {
+    /// (unit of the output) lower end of the first class.
+    pub low: f64,
+    /// (unit of the output) width of a class.
+    pub width: f64,
+    /// Samples in each class. The upper end belongs to the last one.
+    pub counts: Vec<usize>,
+    /// Samples below the first and above the last class.
+    pub outside: [usize; 2],
+    high: f64,
+    classes: Classes,
+}
+
+impl Histogram {
+    /// Of nothing yet, for the middle 99 % that a summary tells; `None` where its ends do not differ.
+    pub(crate) fn new(summary: &Summary, classes: Classes) -> Option<Self> {
+        let [.., widest] = summary.intervals;
+        Self::between([widest.low.value, widest.high.value], classes)
+    }
+
+    fn between([low, high]: [f64; 2], classes: Classes) -> Option<Self> {
+        let width = (high - low) / f64::from(classes.count());
+        let is_wide = width.is_finite() && width > 0.0;
+        let counts = || vec![0; usize::from(classes.count())];
+        is_wide.then(|| Self { low, width, counts: counts(), outside: [0; 2], high, classes })
+    }
+
+    pub(crate) fn is_of(&self, classes: Classes) -> bool {
+        self.classes == classes
+    }
+
+    /// Of a column in which NaN stands for samples that failed.
+    pub(crate) fn of(column: &[f64], summary: &Summary, classes: Classes) -> Option<Self> {
+        let mut histogram = Self::new(summary, classes)?;
+        histogram.add(Instructions::best(), column);
+        Some(histogram)
+    }
+
+    /// More of such a column.
+    pub(crate) fn add(&mut self, instructions: Instructions, values: &[f64]) {
+        dispatch!(instructions.level(), _simd => self.add_with(values));
+    }
+
+    #[inline(always)]
+    fn add_with(&mut self, values: &[f64]) {
+        /// Values whose places are found together, by a loop of its own that is vectorised.
+        const AHEAD: usize = 64;
+        // Below the first class, each class, above the last one, and what is not a number. The counts of
+        // neighbouring values stand apart, as a count that was just written is not ready yet.
+        let classes = self.classes.count();
+        let mut counts = [[0_usize; PLACES]; 4];
+        for values in values.chunks(AHEAD) {
+            let mut places = [0_u8; AHEAD];
+            for (place, value) in places.iter_mut().zip(values) {
+                *place = self.place(*value, classes);
+            }
+            for (number, place) in places[..values.len()].iter().enumerate() {
+                counts[number % 4][usize::from(*place) % PLACES] += 1;
+            }
+        }
+        let [below, of_classes @ ..] = counts
+            .into_iter()
+            .fold([0; PLACES], |sums, counts| std::array::from_fn(|place| sums[place] + counts[place]));
+        self.outside[0] += below;
+        self.outside[1] += of_classes[usize::from(classes)];
+        for (count, more) in self.counts.iter_mut().zip(of_classes) {
+            *count += more;
+        }
+    }
+
+    /// 0 below the first class, from 1 on the classes, and after them what lies above, and what is not a
+    /// number.
+    #[inline(always)]
+    fn place(&self, value: f64, classes: u8) -> u8 {
+        let class = (value - self.low) / self.width;
+        let last = f64::from(classes - 1);
+        let class = if class < last { class } else { last };
+        let class = if class > 0.0 { class } else { 0.0 };
+        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "one of the classes")]
+        let class = class as u8;
+        let place = if value < self.low { 0 } else { class + 1 };
+        let place = if value > self.high { classes + 1 } else { place };
+        if value.is_nan() { classes + 2 } else { place }
+    }
+}
+
+/// More than the classes and three.
+const PLACES: usize = 64;
+
+#[cfg(test)]
+mod tests {
+    use super::{Classes, Histogram};
+    use crate::random::{bits, unit};
+    use crate::run::Instructions;
+
+    /// Values at the ends of the classes and right beside them, beyond the ends, and not a number: beside a
+    /// search for the class one by one.
+    #[test]
+    fn every_value_is_in_its_class() {
+        for classes in Classes::ALL {
+            let ends =
+                (0..=classes.count()).map(|end| 1.0 + f64::from(end) * (2.0 / f64::from(classes.count())));
+            let mut values: Vec<f64> = ends.flat_map(|end| [end.next_down(), end, end.next_up()]).collect();
+            values.extend((0..1000).map(|index| 4.0 * unit(bits(1, index))));
+            values.extend([f64::NAN, -1e300, 1e300]);
+            let mut histogram = Histogram::between([1.0, 3.0], classes).unwrap();
+            histogram.add(Instructions::best(), &values);
+
+            let class =
+                |value: f64| ((value - 1.0) / histogram.width).floor().min(f64::from(classes.count() - 1));
+            for (number, count) in (0_u8..).zip(&histogram.counts) {
+                let is_in =
+                    |value: &&f64| (1.0..=3.0).contains(*value) && class(**value) == f64::from(number);
+                assert_eq!(values.iter().filter(is_in).count(), *count, "class {number}");
+            }
+            let below = values.iter().filter(|value| **value < 1.0).count();
+            let above = values.iter().filter(|value| **value > 3.0).count();
+            assert_eq!(histogram.outside, [below, above]);
+        }
+    }
+}

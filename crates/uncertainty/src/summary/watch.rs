@@ -1,0 +1,570 @@
+//! Some of the values of a column in their order, by one pass over it.
+//!
+//! The first span tells about where each quantile lies, and how far from there the quantile of all values
+//! may be. What lies in this window is taken out; of the rest it is only counted how much lies below. As more
+//! is known, the windows are narrowed. In the end the values at the wanted places are sought among the few
+//! that were taken out. A window that was predicted wrong, or that holds too many values, is seen by its
+//! counts: then [`Order`](super::order::Order) has to find the place by further passes.
+
+use std::ops::Range;
+
+use fearless_simd::dispatch;
+
+use super::QUANTILES;
+use super::order::{key, value_of};
+use super::powers::{Powers, of_replicates};
+use crate::limits::REPLICATES;
+use crate::model::{LANES, Lanes};
+use crate::run::Instructions;
+
+/// How a column is watched.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Watching {
+    /// How many values are to come.
+    pub(crate) planned: usize,
+    pub(crate) is_replicated: bool,
+    pub(crate) instructions: Instructions,
+    pub(crate) caution: Caution,
+}
+
+/// How surely a quantile is in its window, and what that may cost.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Caution {
+    /// (standard deviations) from a quantile of some values to that of all.
+    pub(crate) deviations: f64,
+    /// Values that may be taken out of one window: as many times the square root of their number, and `few`
+    /// at least.
+    pub(crate) roots: f64,
+    pub(crate) few: usize,
+}
+
+impl Caution {
+    /// One window in a million is missed, and its column gone over again.
+    pub(crate) const USUAL: Self = Self { deviations: 5.0, roots: 64.0, few: 1 << 15 };
+}
+
+/// Windows are narrowed when so many values have come, and again whenever they are as many times more: at
+/// first it saves more than it costs only now and then, and with many values it keeps memory small.
+const NARROWED: u64 = 1 << 14;
+const OFTEN: u64 = 1 << 20;
+
+/// The probabilities of the quantiles, in ascending order.
+const SHARES: [f64; QUANTILES] = [0.005, 0.025, 0.05, 0.25, 0.5, 0.75, 0.95, 0.975, 0.995];
+
+/// What is known of a column.
+#[derive(Clone, Debug)]
+pub(crate) struct Watch {
+    of: Watching,
+    pub(super) cells: Cells,
+    /// A value in the middle, from which deviations are counted.
+    pub(super) centre: f64,
+    /// In ascending order.
+    pub(super) windows: Vec<Window>,
+    seen: u64,
+    narrowed_at: u64,
+}
+
+/// Neighbouring cells that hold some quantiles, as far as is known.
+#[derive(Clone, Debug)]
+pub(super) struct Window {
+    /// Which of the [shares](SHARES).
+    shares: Range<usize>,
+    /// The first and the last cell.
+    pub(super) cells: [i16; 2],
+    /// Values below the first cell, of each replicate.
+    pub(super) below: [u64; REPLICATES],
+    /// Values inside, and the replicate of each, where there are replicates.
+    pub(super) taken: Vec<f64>,
+    pub(super) replicates: Vec<u8>,
+    /// And those which are all the same.
+    pub(super) clump: Option<Clump>,
+    /// Too many values were inside.
+    pub(super) is_lost: bool,
+}
+
+#[derive(Clone, Debug)]
+pub(super) struct Clump {
+    pub(super) value: f64,
+    /// Values of each replicate.
+    pub(super) counts: [u64; REPLICATES],
+}
+
+impl Watch {
+    /// Before the first span, which is `pilot`, in which NaN stands for samples that failed.
+    pub(crate) fn new(pilot: &[f64], of: Watching) -> Self {
+        let cells = Cells::of(pilot);
+        let mut before = [0_u32; BUCKETS];
+        for cell in pilot.iter().map(|value| cells.cell(*value)).filter(|cell| *cell != MISSING) {
+            before[bucket(cell)] += 1;
+        }
+        let mut seen = 0;
+        for count in &mut before {
+            seen += *count;
+            *count = seen;
+        }
+        // That in which the value at a place lies.
+        let bucket_at = |place: f64| before.partition_point(|before| f64::from(*before) <= place);
+        let middle = bucket_at(0.5 * f64::from(seen));
+        let centre = pilot.iter().copied().find(|value| bucket(cells.cell(*value)) == middle);
+        let (centre, narrowed_at) = (centre.unwrap_or(0.0), NARROWED);
+        let mut watch = Self { of, cells, centre, windows: Vec::new(), seen: u64::from(seen), narrowed_at };
+        let last = f64::from(seen) - 1.0;
+        let windows = (0..QUANTILES).map(|share| {
+            let [from, to] = watch.reach(SHARES[share]);
+            let low = if from > 0.0 { first_cell(bucket_at(from)) } else { 0 };
+            let high = if to < last { last_cell(bucket_at(to)) } else { LAST };
+            (share, [low, high])
+        });
+        watch.windows = apart(windows).map(|(shares, cells)| Window::new(shares, cells)).collect();
+        watch.seen = 0;
+        watch
+    }
+
+    /// The same before the first span, with room for about as many values as will be taken out: lists that
+    /// grow would leave much memory behind.
+    pub(crate) fn unwatched(&self) -> Self {
+        let window = |window: &Window| Window::new(window.shares.clone(), window.cells).with_room(&self.of);
+        Self { windows: self.windows.iter().map(window).collect(), seen: 0, ..*self }
+    }
+
+    /// The samples of a span, NaN where they failed, of which the first one belongs to the first replicate.
+    pub(crate) fn add(&mut self, span: &[f64]) -> [Powers; REPLICATES] {
+        dispatch!(self.of.instructions.level(), _simd => self.add_with(span))
+    }
+
+    #[inline(always)]
+    fn add_with(&mut self, span: &[f64]) -> [Powers; REPLICATES] {
+        let mut ranges = [[NOWHERE; 2]; QUANTILES];
+        for (range, window) in ranges.iter_mut().zip(&self.windows) {
+            *range = if window.is_lost { [NOWHERE; 2] } else { window.cells };
+        }
+        let windows = self.windows.len().min(QUANTILES);
+        let mut below = [[0; LANES]; QUANTILES];
+        let (blocks, rest) = span.as_chunks::<LANES>();
+        for block in blocks {
+            self.add_block(block, &ranges[..windows], &mut below);
+        }
+        if !rest.is_empty() {
+            let mut block = [f64::NAN; LANES];
+            block[..rest.len()].copy_from_slice(rest);
+            self.add_block(&block, &ranges[..windows], &mut below);
+        }
+        for (window, below) in self.windows.iter_mut().zip(&below) {
+            for (replicate, total) in window.below.iter_mut().enumerate() {
+                let own = below.iter().skip(replicate).step_by(REPLICATES);
+                *total += own.map(|count| u64::from(count.unsigned_abs())).sum::<u64>();
+            }
+        }
+        let powers = of_replicates(span, self.centre);
+        self.seen += powers.iter().map(|powers| powers.count).sum::<u64>();
+        if self.seen >= self.narrowed_at {
+            self.narrow();
+        }
+        powers
+    }
+
+    #[inline(always)]
+    fn add_block(&mut self, block: &Lanes, ranges: &[[i16; 2]], below: &mut [[i16; LANES]; QUANTILES]) {
+        let mut cells = [MISSING; LANES];
+        for (cell, value) in cells.iter_mut().zip(block) {
+            *cell = self.cells.cell(*value);
+        }
+        // The number of the window that a value is inside, counted from one.
+        let mut inside = [0_i16; LANES];
+        for (number, ([low, high], below)) in (1..).zip(ranges.iter().zip(below)) {
+            for lane in 0..LANES {
+                below[lane] += i16::from(cells[lane] < *low);
+                let is_inside = (cells[lane] >= *low) & (cells[lane] <= *high);
+                inside[lane] = if is_inside { number } else { inside[lane] };
+            }
+        }
+        // A bit for each value inside a window, so that only these are gone through.
+        let mut noted = 0_u64;
+        for (lane, number) in inside.iter().enumerate() {
+            noted |= u64::from(*number != 0) << lane;
+        }
+        while noted != 0 {
+            let lane = noted.trailing_zeros() as usize;
+            noted &= noted - 1;
+            if let Some(window) =
+                self.windows.get_mut(usize::from(inside[lane].unsigned_abs()).wrapping_sub(1))
+            {
+                window.take(block[lane], lane % REPLICATES, &self.of);
+            }
+        }
+    }
+
+    /// The first and the last place among the values seen between which this quantile of all values lies,
+    /// with the places about it that its standard error wants.
+    fn reach(&self, share: f64) -> [f64; 2] {
+        let (seen, planned) = (self.seen as f64, self.of.planned as f64);
+        let left = (1.0 - seen / planned).max(0.0);
+        // √(p(1 − p))
+        let deviation = (share * (1.0 - share)).sqrt();
+        let beside = 2.0 * deviation / planned.sqrt() + 2.0 / planned;
+        let far = self.of.caution.deviations;
+        // z √(s p(1 − p)(1 − s/n)), and some more for those that lie few beyond a quantile, whose number is
+        // not normally distributed.
+        let margin = far * deviation * (seen * left).sqrt() + 0.5 * far * far * left + 1.0;
+        [seen * (share - beside) - margin, seen * (share + beside) + margin]
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn narrow(&mut self) {
+        self.narrowed_at = self.seen * if self.seen < OFTEN { 4 } else { 2 };
+        let reaches = SHARES.map(|share| self.reach(share));
+        let mut narrowed = Vec::with_capacity(QUANTILES);
+        for window in std::mem::take(&mut self.windows) {
+            if window.is_lost {
+                narrowed.push(window);
+                continue;
+            }
+            let ends = Ends::of(&[&window], &self.cells, window.cells, 0);
+            let cells = |share: usize| (share, ends.cells_between(reaches[share]));
+            let parts: Vec<_> = apart(window.shares.clone().map(cells)).collect();
+            for part in window.parted(&parts, &self.cells) {
+                narrowed.push(part.with_room(&self.of));
+            }
+        }
+        self.windows = narrowed;
+    }
+}
+
+impl Window {
+    fn new(shares: Range<usize>, cells: [i16; 2]) -> Self {
+        let (taken, replicates) = (Vec::new(), Vec::new());
+        Self { shares, cells, below: [0; REPLICATES], taken, replicates, clump: None, is_lost: false }
+    }
+
+    /// With room for about as many values as are to be taken out: lists that grow would leave much memory
+    /// behind.
+    fn with_room(mut self, of: &Watching) -> Self {
+        // Half as many again as a window holds that was narrowed after a quarter of all values: there it is
+        // 2 z √(p(1 − p)/(n/4)) of them.
+        let deviations = self.shares.clone().map(|share| (SHARES[share] * (1.0 - SHARES[share])).sqrt());
+        let room = 6.0 * of.caution.deviations * deviations.sum::<f64>() * (of.planned as f64).sqrt();
+        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a positive number")]
+        let room = (room as usize).min(of.planned);
+        self.taken.reserve(room.saturating_sub(self.taken.len()));
+        if of.is_replicated {
+            self.replicates.reserve(room.saturating_sub(self.replicates.len()));
+        }
+        self
+    }
+
+    #[inline]
+    fn take(&mut self, value: f64, replicate: usize, of: &Watching) {
+        if let Some(clump) = &mut self.clump
+            && clump.value.to_bits() == value.to_bits()
+        {
+            clump.counts[replicate] += 1;
+            return;
+        }
+        if self.taken.len() == self.taken.capacity() && self.taken.len() >= of.caution.few {
+            self.make_room(of);
+        }
+        if !self.is_lost {
+            self.taken.push(value);
+            if of.is_replicated {
+                #[expect(clippy::cast_possible_truncation, reason = "below 16")]
+                self.replicates.push(replicate as u8);
+            }
+        }
+    }
+
+    /// Where there are many values: if half of them are the same, these are counted from now on; otherwise
+    /// the window is lost where there are too many.
+    #[cold]
+    fn make_room(&mut self, of: &Watching) {
+        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a positive number")]
+        let most = ((of.planned as f64).sqrt() * of.caution.roots) as usize;
+        if self.taken.len() < most.max(of.caution.few) {
+            return;
+        }
+        let mut sorted = self.taken.clone();
+        let (_, middle, _) = sorted.select_nth_unstable_by(self.taken.len() / 2, f64::total_cmp);
+        let value = *middle;
+        let is_alike = |other: f64| other.to_bits() == value.to_bits();
+        let alike = self.taken.iter().filter(|taken| is_alike(**taken)).count();
+        if self.clump.is_some() || alike < self.taken.len() / 2 {
+            self.lose();
+            return;
+        }
+        let mut clump = Clump { value, counts: [0; REPLICATES] };
+        self.retain(|taken, replicate| {
+            clump.counts[replicate] += u64::from(is_alike(taken));
+            !is_alike(taken)
+        });
+        self.clump = Some(clump);
+    }
+
+    fn lose(&mut self) {
+        (self.taken, self.replicates, self.clump, self.is_lost) = (Vec::new(), Vec::new(), None, true);
+    }
+
+    /// Leaves those of the values taken out that are to stay. By Monte Carlo all have one replicate.
+    fn retain(&mut self, mut stays: impl FnMut(f64, usize) -> bool) {
+        // Moved in any case, as which of them stay cannot be predicted.
+        let mut left = 0;
+        for place in 0..self.taken.len() {
+            let value = self.taken[place];
+            let replicate = self.replicates.get(place).copied().unwrap_or(0);
+            self.taken[left] = value;
+            if let Some(own) = self.replicates.get_mut(left) {
+                *own = replicate;
+            }
+            left += usize::from(stays(value, usize::from(replicate) % REPLICATES));
+        }
+        self.taken.truncate(left);
+        self.replicates.truncate(left);
+    }
+
+    /// Leaves these cells.
+    fn restrict(&mut self, cells: &Cells, [low, high]: [i16; 2]) {
+        if self.cells == [low, high] {
+            return;
+        }
+        let mut below = self.below;
+        self.retain(|value, replicate| {
+            let cell = cells.cell(value);
+            below[replicate] += u64::from(cell < low);
+            (low <= cell) & (cell <= high)
+        });
+        if let Some(clump) = self.clump.take() {
+            let cell = cells.cell(clump.value);
+            if cell < low {
+                for (below, count) in below.iter_mut().zip(clump.counts) {
+                    *below += count;
+                }
+            } else if cell <= high {
+                self.clump = Some(clump);
+            }
+        }
+        (self.below, self.cells) = (below, [low, high]);
+    }
+
+    fn restricted(&self, cells: &Cells, parts: [i16; 2]) -> Self {
+        let mut part = self.clone();
+        part.restrict(cells, parts);
+        part
+    }
+
+    /// A window for each of these parts.
+    fn parted(mut self, parts: &[(Range<usize>, [i16; 2])], cells: &Cells) -> Vec<Self> {
+        let Some(((shares, last), before)) = parts.split_last() else { return Vec::new() };
+        let part = |(shares, part): &(Range<usize>, [i16; 2])| Self {
+            shares: shares.clone(),
+            ..self.restricted(cells, *part)
+        };
+        let mut parted: Vec<Self> = before.iter().map(part).collect();
+        self.restrict(cells, *last);
+        self.shares = shares.clone();
+        parted.push(self);
+        parted
+    }
+}
+
+/// How the values inside some cells are spread over these.
+#[derive(Debug)]
+pub(super) struct Ends {
+    pub(super) cells: [i16; 2],
+    /// Two to this power of the cells are one part.
+    shift: u32,
+    /// How many values lie below the first cell.
+    pub(super) first: usize,
+    /// The place after the last value of each part.
+    pub(super) of_parts: Vec<usize>,
+}
+
+impl Ends {
+    /// Of windows that have these cells, and perhaps others.
+    pub(super) fn of(windows: &[&Window], cells: &Cells, between: [i16; 2], shift: u32) -> Self {
+        let [low, high] = between;
+        let mut ends = Self { cells: between, shift, first: 0, of_parts: Vec::new() };
+        let mut counts = vec![0; usize::from((high - low).unsigned_abs() >> shift) + 1];
+        let mut below = 0;
+        for window in windows {
+            below += window.below.iter().sum::<u64>();
+            for value in &window.taken {
+                let cell = cells.cell(*value);
+                below += u64::from(cell < low);
+                if low <= cell
+                    && cell <= high
+                    && let Some(count) = counts.get_mut(ends.part(cell))
+                {
+                    *count += 1;
+                }
+            }
+            if let Some(clump) = &window.clump {
+                let cell = cells.cell(clump.value);
+                if cell < low {
+                    below += clump.counts.iter().sum::<u64>();
+                } else if cell <= high
+                    && let Some(count) = counts.get_mut(ends.part(cell))
+                {
+                    *count += clump.count();
+                }
+            }
+        }
+        ends.first = usize::try_from(below).unwrap_or(usize::MAX);
+        let mut end = ends.first;
+        for count in &mut counts {
+            end += *count;
+            *count = end;
+        }
+        ends.of_parts = counts;
+        ends
+    }
+
+    /// The part that a cell belongs to, which is not below the first one.
+    pub(super) fn part(&self, cell: i16) -> usize {
+        usize::from((cell - self.cells[0]).unsigned_abs() >> self.shift)
+    }
+
+    /// The place after the last of the values.
+    pub(super) fn last(&self) -> usize {
+        self.of_parts.last().map_or(self.first, |end| *end)
+    }
+
+    /// The cells between the places `from` and `to`, as far as they are here, where each cell is a part.
+    fn cells_between(&self, [from, to]: [f64; 2]) -> [i16; 2] {
+        let at = |place: f64| {
+            let inside = self.of_parts.partition_point(|end| *end as f64 <= place);
+            self.cells[0] + i16::try_from(inside.min(self.of_parts.len() - 1)).unwrap_or(0)
+        };
+        let low = if from > self.first as f64 { at(from) } else { self.cells[0] };
+        let high = if to < self.last() as f64 - 1.0 { at(to) } else { self.cells[1] };
+        [low, high]
+    }
+}
+
+/// Windows that overlap become one. Shares and cells ascend.
+fn apart(windows: impl Iterator<Item = (usize, [i16; 2])>) -> impl Iterator<Item = (Range<usize>, [i16; 2])> {
+    let mut windows = windows.peekable();
+    std::iter::from_fn(move || {
+        let (share, [low, mut high]) = windows.next()?;
+        let mut shares = share..share + 1;
+        while let Some((share, [_, next])) = windows.next_if(|(_, [low, _])| *low <= high) {
+            (shares.end, high) = (share + 1, high.max(next));
+        }
+        Some((shares, [low, high]))
+    })
+}
+
+impl Clump {
+    pub(super) fn count(&self) -> usize {
+        usize::try_from(self.counts.iter().sum::<u64>()).unwrap_or(usize::MAX)
+    }
+}
+
+/// The last cell; the first one is 0.
+pub(super) const LAST: i16 = i16::MAX - 1;
+
+/// The cell of a sample that failed, beyond all windows.
+const MISSING: i16 = i16::MAX;
+
+/// Below all cells.
+const NOWHERE: i16 = i16::MIN;
+
+/// Cells that are counted together.
+const TOGETHER: u32 = 4;
+const BUCKETS: usize = 1 << (15 - TOGETHER);
+
+fn bucket(cell: i16) -> usize {
+    usize::from(cell.unsigned_abs()) >> TOGETHER
+}
+
+fn first_cell(bucket: usize) -> i16 {
+    i16::try_from(bucket << TOGETHER).unwrap_or(LAST)
+}
+
+fn last_cell(bucket: usize) -> i16 {
+    i16::try_from((bucket << TOGETHER) + (1 << TOGETHER) - 1).unwrap_or(LAST).min(LAST)
+}
+
+/// Equal parts of the range of some values. What lies beyond belongs to the outermost.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Cells {
+    least: f64,
+    per_unit: f64,
+}
+
+impl Cells {
+    fn of(values: &[f64]) -> Self {
+        let least = values.iter().copied().fold(f64::INFINITY, f64::min);
+        let greatest = values.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+        let per_unit = f64::from(LAST) / (greatest - least);
+        // One cell for values that are all the same, or too near or too far apart for the quotient.
+        if per_unit.is_finite() && per_unit > 0.0 {
+            Self { least, per_unit }
+        } else {
+            Self { least: 0.0, per_unit: 0.0 }
+        }
+    }
+
+    /// Never falls where the value rises.
+    #[inline(always)]
+    pub(super) fn cell(&self, value: f64) -> i16 {
+        // 2⁵²: its last bits are the rounded sum.
+        const TO_INTEGER: f64 = 4_503_599_627_370_496.0;
+        const GREATEST: f64 = LAST as f64;
+        let place = (value - self.least) * self.per_unit;
+        let place = if place < GREATEST { place } else { GREATEST };
+        let place = if place > 0.0 { place } else { 0.0 };
+        let bits = (place + TO_INTEGER).to_bits() ^ TO_INTEGER.to_bits();
+        #[expect(clippy::cast_possible_truncation, reason = "at most the last")]
+        let cell = bits as i16;
+        if value.is_nan() { MISSING } else { cell }
+    }
+
+    /// The [`key`] of the least value in this cell or above it.
+    pub(super) fn key_of(&self, cell: i16) -> u64 {
+        let (mut low, mut high) = (key(f64::MIN), key(f64::MAX));
+        while low < high {
+            let middle = low + (high - low) / 2;
+            if self.cell(value_of(middle)) < cell {
+                low = middle + 1;
+            } else {
+                high = middle;
+            }
+        }
+        low
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Caution, SHARES, Watch, Watching};
+    use crate::random::{bits, unit};
+    use crate::run::Instructions;
+    use crate::summary::{PROBABILITIES, SPAN};
+
+    #[test]
+    fn shares_are_the_probabilities_in_order() {
+        let mut sorted = PROBABILITIES;
+        sorted.sort_unstable_by(f64::total_cmp);
+        assert_eq!(sorted, SHARES);
+    }
+
+    /// Of a million values a few thousand are taken out of each window, whatever the first span has told.
+    #[test]
+    fn windows_are_narrowed_and_parted() {
+        let value = |index: u64| unit(bits(5, index)) + unit(bits(6, index));
+        let column: Vec<f64> = (0..1_000_000).map(value).collect();
+        let watching = Watching {
+            planned: column.len(),
+            is_replicated: false,
+            instructions: Instructions::best(),
+            caution: Caution::USUAL,
+        };
+        let mut watch = Watch::new(&column[..SPAN], watching);
+        assert!(watch.windows.len() < SHARES.len());
+        for span in column.chunks(SPAN) {
+            watch.add(span);
+        }
+        assert_eq!(watch.windows.len(), SHARES.len());
+        let taken: usize = watch.windows.iter().map(|window| window.taken.len()).sum();
+        assert!((20_000..100_000).contains(&taken), "{taken}");
+    }
+}
