@@ -243,8 +243,9 @@ impl<M: Model> Run<'_, M> {
         let Limits { caution, .. } = *self.limits;
         let (instructions, is_replicated) = (self.settings.instructions, self.is_replicated());
         let watching = Watching { planned, is_replicated, instructions, caution };
-        let mut watches: Vec<Watch> =
-            first.columns.iter().map(|column| Watch::new(column, watching)).collect();
+        let columns = first.columns.iter().map(|column| Span { samples: 0, work: column }).collect();
+        let watch = |column: &[f64]| Watch::new(column, watching);
+        let mut watches = in_order(columns, watch, &mut |_, _| ControlFlow::Continue(()));
         let powers = self.watched(&mut watches, first.columns.iter());
         Begun { first, watches, totals, powers }
     }

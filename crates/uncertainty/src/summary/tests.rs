@@ -234,3 +234,21 @@ fn a_histogram_counts_every_sample() {
     let alike = of_column(&[3.0; 9], SamplingMethod::MonteCarlo).unwrap();
     assert_eq!(Histogram::of(&[3.0; 9], &alike, Classes::Fine), None);
 }
+
+/// With samples that failed, a third of all, and without: they have no place among the ordered values.
+#[test]
+fn an_even_column_takes_one_pass() {
+    for failing in [0.0, 0.33] {
+        let value = |index| {
+            let u = unit(bits(23, index));
+            if unit(bits(24, index)) < failing { f64::NAN } else { u + 0.1 * u * u }
+        };
+        let column: Vec<f64> = (0..200_000).map(value).collect();
+        for (_, method) in SamplingMethod::WORDS {
+            for workers in 1..4 {
+                let (summary, passes) = summed_up(&column, method, Caution::USUAL, (workers, usize::MAX));
+                assert!(summary.is_some() && passes == 0, "{method:?}, {passes} further passes");
+            }
+        }
+    }
+}
