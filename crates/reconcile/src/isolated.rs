@@ -112,7 +112,7 @@ pub(crate) struct Changes {
     /// Surely once.
     pub(crate) one: bool,
     /// Whether rounding decides over none of the signs.
-    is_sure: bool,
+    pub(crate) is_sure: bool,
 }
 
 /// What a stretch has of roots.

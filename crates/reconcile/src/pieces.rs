@@ -98,6 +98,12 @@ impl Stretch {
         (e0 == 1.0) & (e1 == 1.0)
     }
 
+    /// (m/s) where a range is halved.
+    #[inline(always)]
+    pub(crate) fn middle([low, high]: [f64; 2]) -> f64 {
+        0.5 * (low + high)
+    }
+
     fn parameter(&self, x: f64) -> f64 {
         (x - self.start) / self.length
     }
@@ -163,7 +169,7 @@ struct Parts {
 
 /// A part is no shorter than this power of a half of its stretch: two roots that are nearer to each other
 /// take the polynomials of its pieces.
-const HALVINGS: usize = 5;
+pub(crate) const HALVINGS: usize = 5;
 
 impl Parts {
     fn none() -> Self {
@@ -186,7 +192,7 @@ impl Parts {
         let (Some(high), true) = (self.ends[..self.count].last(), self.count <= HALVINGS) else {
             return false;
         };
-        self.ends[self.count] = 0.5 * (self.low + high);
+        self.ends[self.count] = Stretch::middle([self.low, *high]);
         self.count += 1;
         true
     }
