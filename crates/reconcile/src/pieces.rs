@@ -246,15 +246,16 @@ impl Branch {
     }
 }
 
-/// A piece that may have roots.
+/// A part of a piece that may have roots.
 struct Part {
     stretch: Stretch,
-    /// The interval of t.
+    /// The interval of t of the piece, and that of the part.
     piece: [f64; 2],
+    part: [f64; 2],
     branch: Branch,
     /// The numerator of W_n less the value sought.
     excess: Polynomial,
-    /// Its changes of sign in the piece, if they are sure.
+    /// Its changes of sign in the part, if they are sure.
     changes: Option<usize>,
 }
 
@@ -317,7 +318,11 @@ impl<'a> Posed<'a> {
                 match signs {
                     Signs::Several if parts.halve() => continue,
                     Signs::Isolated(roots) => isolated = roots,
-                    Signs::Several | Signs::Unsure => by_pieces = Some(self.roots_by_pieces(part)),
+                    Signs::Several | Signs::Unsure => {
+                        // What signs have left open is not halved again.
+                        let halvings = if pushes.is_some() { 0 } else { HALVINGS };
+                        by_pieces = Some(self.roots_by_pieces(part, halvings));
+                    }
                 }
                 parts.finish();
             }
@@ -327,9 +332,11 @@ impl<'a> Posed<'a> {
     pub(crate) fn roots_by_pieces<S: Trail>(
         self,
         stretch: Stretch,
+        halvings: usize,
     ) -> impl Iterator<Item = Result<Root<S>, ReconcileError>> + use<'a, S> {
+        let everywhere = self.branch_everywhere().map(|branch| (branch, self.excess(&stretch, branch)));
         self.pieces(stretch)
-            .filter_map(move |piece| self.part(stretch, piece))
+            .flat_map(move |piece| self.parts(stretch, piece, everywhere, halvings))
             .flat_map(move |part| self.brackets(part))
             .filter_map(move |bracket| self.root(&bracket).transpose())
     }
@@ -446,6 +453,15 @@ impl<'a> Posed<'a> {
         }
     }
 
+    /// The law that holds in every piece, where that is one.
+    fn branch_everywhere(self) -> Option<Branch> {
+        match self.problem.law.nominal().tangential() {
+            Tangential::Friction(_) | Tangential::FullOrSliding(_) => None,
+            Tangential::FractionOfCritical(f) => Some(self.branch_of_fraction(f)),
+            _ => Some(Branch::Own),
+        }
+    }
+
     /// The law that holds in a piece, told from its middle.
     fn branch(self, x: f64) -> Branch {
         match self.problem.law.nominal().tangential() {
@@ -476,18 +492,27 @@ impl<'a> Posed<'a> {
         }
     }
 
-    /// What a search in a piece begins with; `None` where signs say that it has no root, as most pieces of a
-    /// curve have none.
-    fn part(self, stretch: Stretch, piece: [f64; 2]) -> Option<Part> {
-        let branch = self.branch(stretch.approach_speed(0.5 * (piece[0] + piece[1])));
-        let excess = self.excess(&stretch, branch);
-        let changes = excess.changes(piece);
-        (changes != Some(0)).then_some(Part { stretch, piece, branch, excess, changes })
+    /// What a search in a piece begins with: its parts in ascending order, as many as so many halvings give
+    /// where signs say that one may have several roots. Those of which they say that it has none are left
+    /// out, as most pieces of a curve have none.
+    fn parts(
+        self,
+        stretch: Stretch,
+        piece: [f64; 2],
+        everywhere: Option<(Branch, Polynomial)>,
+        halvings: usize,
+    ) -> impl Iterator<Item = Part> + use<'a> {
+        let (branch, excess) = everywhere.unwrap_or_else(|| {
+            let branch = self.branch(stretch.approach_speed(0.5 * (piece[0] + piece[1])));
+            (branch, self.excess(&stretch, branch))
+        });
+        let parts = excess.parts(piece, halvings);
+        parts.map(move |(part, changes)| Part { stretch, piece, part, branch, excess, changes })
     }
 
-    /// Where W_n passes the value sought within a piece.
+    /// Where W_n passes the value sought within a part of a piece.
     fn brackets(self, part: Part) -> impl Iterator<Item = Bracket> + use<'a> {
-        let Part { stretch, piece, branch, excess, changes } = part;
+        let Part { stretch, piece, part, branch, excess, changes } = part;
         let [mut low, mut high] = piece.map(|t| stretch.approach_speed(t));
         if let (Tangential::FractionOfCritical(_), Branch::Own) =
             (self.problem.law.nominal().tangential(), branch)
@@ -495,13 +520,13 @@ impl<'a> Posed<'a> {
             low *= 1.0 + BESIDE_A_JAM;
             high *= 1.0 - BESIDE_A_JAM;
         }
-        let isolating = if changes == Some(1) { Points::none() } else { excess.extrema(piece) };
+        let isolating = if changes == Some(1) { Points::none() } else { excess.extrema(part) };
         let speed = move |t: f64| stretch.approach_speed(t).max(low).min(high);
-        let mut from = (piece[0], low);
+        let mut from = (part[0], speed(part[0]));
         isolating
             .into_iter()
             .map(move |t| (t, speed(t)))
-            .chain([(piece[1], high)])
+            .chain([(part[1], speed(part[1]))])
             // Between two jams next to each other rounding leaves nothing.
             .take_while(move |_| low < high)
             .filter_map(move |to| {

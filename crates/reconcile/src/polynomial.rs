@@ -3,6 +3,7 @@
 use real::Real;
 
 use crate::brent::{RootError, brent_between, narrowed};
+use crate::pieces::HALVINGS;
 
 /// The highest degree that a [`Polynomial`] can have.
 pub(crate) const DEGREE: usize = 12;
@@ -87,6 +88,34 @@ impl Polynomial {
         Some(changes)
     }
 
+    /// The interval in parts, in ascending order, each with its changes of sign: halved, up to so many times
+    /// (at most [`HALVINGS`]), where there is surely more than one, and without the parts that have none.
+    pub(crate) fn parts(
+        self,
+        [mut low, high]: [f64; 2],
+        halvings: usize,
+    ) -> impl Iterator<Item = ([f64; 2], Option<usize>)> {
+        // Where each part ends, the last one first.
+        let (mut ends, mut count) = ([high; HALVINGS + 1], 1);
+        core::iter::from_fn(move || {
+            while let Some(end) = ends[..count].last().copied() {
+                let part = [low, end];
+                let changes = self.changes(part);
+                if changes.is_some_and(|changes| changes > 1) && count <= halvings.min(HALVINGS) {
+                    ends[count] = 0.5 * (low + end);
+                    count += 1;
+                    continue;
+                }
+                low = end;
+                count -= 1;
+                if changes != Some(0) {
+                    return Some((part, changes));
+                }
+            }
+            None
+        })
+    }
+
     /// The roots in the interval at which the sign changes, in ascending order.
     pub(crate) fn roots(&self, interval: [f64; 2]) -> Points {
         let mut points = Points::none();
@@ -128,14 +157,19 @@ impl Polynomial {
         if b * root > 0.0 { 2.0 * c / (-b - root) } else { (root - b) / (2.0 * a) }
     }
 
-    /// The root in an interval that has one at most; `None` where the sign does not change. It is sought from
-    /// a point by Newton's method, and in the interval if that leaves it.
+    /// The root in an interval that has one at most; `None` where the sign does not change. It is sought by
+    /// Newton's method, from a point or, where that lies outside, from where the chord is zero; and in the
+    /// interval if that leaves it.
     pub(crate) fn root_in(&self, interval: [f64; 2], from: f64) -> Option<f64> {
         let ends = interval.map(|t| (t, self.at(t)));
-        let [low, high] = interval;
-        opposite(ends[0].1, ends[1].1).then(|| match self.newton(from) {
-            Some(root) if low <= root && root <= high => root,
-            _ => self.root_between(ends),
+        let [(low, at_low), (high, at_high)] = ends;
+        let is_inside = |t: f64| low <= t && t <= high;
+        opposite(at_low, at_high).then(|| {
+            let on_chord = low + (high - low) * (at_low / (at_low - at_high));
+            match self.newton(if is_inside(from) { from } else { on_chord }) {
+                Some(root) if is_inside(root) => root,
+                _ => self.root_between(ends),
+            }
         })
     }
 

@@ -16,8 +16,8 @@ use std::slice;
 
 use ::uncertainty::{Instructions, LANES, Lanes};
 use crash3::{
-    CrushError, DamagedFace, EnergyBasis, ObliqueCorrection, Profile, Side, SideStiffness, Stiffness,
-    VehicleClass, Zone, energy_of_equivalent_speed, equal_spacing, zone_energy,
+    CrushArea, CrushError, DamagedFace, EnergyBasis, ObliqueCorrection, Profile, Side, SideStiffness,
+    Stiffness, VehicleClass, Zone, energy_of_equivalent_speed, equal_spacing, zone_energy,
 };
 use fearless_simd::dispatch;
 use inputs::{
@@ -1452,6 +1452,7 @@ impl Placed {
     #[inline(never)]
     fn point(&self, axes: Axes, inputs: &[Lanes]) -> [Lanes; 2] {
         let [mut forward, mut left] = [[f64::NAN; LANES]; 2];
+        let (areas, is_profile) = self.crushed.areas(inputs);
         for lane in 0..LANES {
             let at = |quantity: &Quantity<Number>| quantity.with(quantity.number().at(inputs, lane)).si();
             let dimensions = match &self.outline {
@@ -1461,15 +1462,21 @@ impl Placed {
             let along = |distance: f64| along_face(axes, self.side, distance);
             let [moved, inward] = self.moved.each_ref().map(|moved| moved.as_ref().map_or(0.0, at));
             let moved = [along(moved), inward];
-            let placed = self.crushed.profile(inputs, lane).and_then(|profile| {
-                placed_contact(self.side, &dimensions, along(at(&self.offset)), moved, &profile)
-            });
-            if let Ok(point) = placed {
+            let area = areas.each_ref().map(|column| column[lane]);
+            let placed =
+                placed_contact(self.side, &dimensions, along(at(&self.offset)), moved, &area_of(area));
+            if let (Ok(point), true) = (placed, is_profile[lane]) {
                 [forward[lane], left[lane]] = point;
             }
         }
         [forward, left]
     }
+}
+
+/// An area of which the numbers are columns.
+#[inline(always)]
+fn area_of([width, area, moment_along, moment_deep]: [f64; 4]) -> CrushArea {
+    CrushArea { width, area, moment_along, moment_deep }
 }
 
 impl Crushed {
@@ -1500,6 +1507,44 @@ impl Crushed {
     fn numbers(&self) -> impl Iterator<Item = Number> {
         let Self { width, depths } = self;
         [width].into_iter().chain(depths).map(Quantity::number)
+    }
+
+    /// The numbers of the [area](area_of) of each sample, and whether the sample has a profile.
+    #[inline(always)]
+    fn areas(&self, inputs: &[Lanes]) -> ([Lanes; 4], [bool; LANES]) {
+        let (mut areas, mut is_profile) = ([[0.0; LANES]; 4], [true; LANES]);
+        let spacing = self.spacing(inputs);
+        let mut c1 = self.first_depth(inputs);
+        for depth in self.depths.iter().skip(1) {
+            let c2 = si(depth, inputs);
+            for lane in 0..LANES {
+                let zone = Zone { width: spacing[lane], depths: [c1[lane], c2[lane]] };
+                let before = area_of(areas.each_ref().map(|column| column[lane]));
+                let CrushArea { width, area, moment_along, moment_deep } = before.with(zone);
+                for (column, number) in areas.iter_mut().zip([width, area, moment_along, moment_deep]) {
+                    column[lane] = number;
+                }
+                is_profile[lane] &= zone.is_valid();
+            }
+            c1 = c2;
+        }
+        (areas, is_profile)
+    }
+
+    /// (m) the width of each zone.
+    #[inline(always)]
+    fn spacing(&self, inputs: &[Lanes]) -> Lanes {
+        let mut spacing = si(&self.width, inputs);
+        for width in &mut spacing {
+            *width = equal_spacing(*width, self.depths.len());
+        }
+        spacing
+    }
+
+    /// (m) the depth at the first station.
+    #[inline(always)]
+    fn first_depth(&self, inputs: &[Lanes]) -> Lanes {
+        self.depths.first().map_or([f64::NAN; LANES], |first| si(first, inputs))
     }
 
     /// The profile of one sample.
@@ -1543,47 +1588,51 @@ impl Crushed {
         total: &mut Lanes,
         faults: &mut [u8; LANES],
     ) {
-        for (lane, (total, fault)) in total.iter_mut().zip(faults).enumerate() {
-            let of_lane = |quantity: &Quantity<Number>| quantity.with(quantity.number().at(inputs, lane));
-            let at = |quantity: &Quantity<Number>| of_lane(quantity).si();
-            let width = equal_spacing(at(&self.width), self.depths.len());
-            let (mut energy, mut is_structure) = (0.0, true);
-            for (ends, line) in self.depths.windows(2).zip(lines.iter().cycle()) {
-                let [c1, c2] = ends else { continue };
-                let zone = Zone { width, depths: [at(c1), at(c2)] };
-                energy += match line.map(of_lane).stiffness() {
-                    Ok(stiffness) if zone.is_valid() => zone_energy(zone, &stiffness),
-                    Ok(_) => f64::NAN,
+        let spacing = self.spacing(inputs);
+        let (mut own, mut is_structure) = ([0.0; LANES], [true; LANES]);
+        let mut c1 = self.first_depth(inputs);
+        for (depth, line) in self.depths.iter().skip(1).zip(lines.iter().cycle()) {
+            let c2 = si(depth, inputs);
+            let mut known = [[0.0; LANES]; 4];
+            let mut free = known.iter_mut();
+            let columns = line.map(|quantity| {
+                let column = free.next().map(|known| quantity.number().column(inputs, known));
+                quantity.with(column.unwrap_or(&NO_NUMBERS))
+            });
+            for lane in 0..LANES {
+                let zone = Zone { width: spacing[lane], depths: [c1[lane], c2[lane]] };
+                let line = columns.map(|quantity| quantity.with(quantity.number()[lane]));
+                own[lane] += match line.stiffness() {
+                    Ok(stiffness) => {
+                        let energy = zone_energy(zone, &stiffness);
+                        if zone.is_valid() { energy } else { f64::NAN }
+                    }
                     Err(refusal) => {
                         // The first refusal is that of the structure.
-                        if core::mem::replace(&mut is_structure, false) {
-                            note(fault, &refusal);
+                        if std::mem::replace(&mut is_structure[lane], false) {
+                            note(&mut faults[lane], &refusal);
                         }
                         f64::NAN
                     }
                 };
             }
-            *total += energy;
+            c1 = c2;
+        }
+        for (total, own) in total.iter_mut().zip(own) {
+            *total += own;
         }
     }
 
     /// (J) adds the crush energy with A, B and G; not a number where a sample has none.
     #[inline(always)]
     pub(crate) fn add_energy(&self, inputs: &[Lanes], [a, b, g]: [Lanes; 3], total: &mut Lanes) {
-        let stations = self.depths.len();
-        let mut spacing = si(&self.width, inputs);
-        for width in &mut spacing {
-            *width = equal_spacing(*width, stations);
-        }
+        let spacing = self.spacing(inputs);
         let mut own = [0.0; LANES];
         for lane in 0..LANES {
             let (_, is_stiffness) = Stiffness::from_abg_with_validity(a[lane], b[lane], g[lane]);
             own[lane] = if is_stiffness { 0.0 } else { f64::NAN };
         }
-        let mut c1 = [f64::NAN; LANES];
-        if let Some(first) = self.depths.first() {
-            c1 = si(first, inputs);
-        }
+        let mut c1 = self.first_depth(inputs);
         for depth in self.depths.iter().skip(1) {
             let c2 = si(depth, inputs);
             for lane in 0..LANES {

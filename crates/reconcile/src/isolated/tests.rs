@@ -71,7 +71,7 @@ fn isolated_roots_are_those_of_the_pieces() {
             };
             let roots: Vec<f64> = roots.map(|root| root.x).collect();
             let expected: Vec<f64> =
-                posed.roots_by_pieces::<()>(stretch).map(|root| root.unwrap().x).collect();
+                posed.roots_by_pieces::<()>(stretch, 0).map(|root| root.unwrap().x).collect();
             assert_eq!(roots.len(), expected.len(), "{roots:?} {expected:?} {problem:?}");
             for (x, expected) in roots.iter().zip(&expected) {
                 assert!((x - expected).abs() <= 1e-10 * x, "{x} {expected} {problem:?}");
@@ -98,7 +98,7 @@ fn halving_loses_no_root() {
         let x = |root: Result<Root<()>, _>| root.unwrap().x;
         let roots: Vec<f64> = posed.roots().map(x).collect();
         let mut expected: Vec<f64> =
-            posed.stretches().flat_map(|stretch| posed.roots_by_pieces(stretch).map(x)).collect();
+            posed.stretches().flat_map(|stretch| posed.roots_by_pieces(stretch, 0).map(x)).collect();
         expected.dedup();
         assert_eq!(roots.len(), expected.len(), "{roots:?} {expected:?} {problem:?}");
         for (x, expected) in roots.iter().zip(&expected) {
