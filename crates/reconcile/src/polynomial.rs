@@ -60,25 +60,12 @@ impl Polynomial {
     /// one of the signs.
     pub(crate) fn changes(&self, [low, high]: [f64; 2]) -> Option<usize> {
         let (n, length) = (self.degree, high - low);
-        let mut shifted = self.coefficients;
-        // c_j of (t − low)ʲ, by Horner's scheme
-        for end in 0..n {
-            for i in (end..n).rev() {
-                shifted[i] += low * shifted[i + 1];
-            }
-        }
-        let mut power = 1.0;
-        for (j, c) in shifted[..=n].iter_mut().enumerate() {
-            *c *= power / binomial(n, j);
-            power *= length;
-        }
+        let bernstein = bernstein(self.coefficients, n, [low, length]);
         // No less than the sizes of what a Bernstein coefficient is a sum of.
         let reach = low.abs() + length;
         let size = self.coefficients().iter().rev().fold(0.0, |size, c| size * reach + c.abs());
         let (mut changes, mut before) = (0, 0.0);
-        for i in 0..=n {
-            // b_i = Σ_j C(i, j)/C(n, j) c_j (high − low)ʲ
-            let b: f64 = (0..=i).map(|j| binomial(i, j) * shifted[j]).sum();
+        for &b in &bernstein[..=n] {
             if b.is_nan() || b.abs() <= size * SIGN_IS_SURE {
                 return None;
             }
@@ -208,6 +195,35 @@ impl Polynomial {
     }
 }
 
+/// The Bernstein coefficients of a polynomial of degree n with these coefficients, in the interval of that
+/// length from `low` on.
+#[inline(always)]
+pub(crate) fn bernstein<const M: usize>(
+    mut shifted: [f64; M],
+    n: usize,
+    [low, length]: [f64; 2],
+) -> [f64; M] {
+    // c_j of (t − low)ʲ, by Horner's scheme
+    for end in 0..n {
+        for i in (end..n).rev() {
+            shifted[i] += low * shifted[i + 1];
+        }
+    }
+    let mut power = 1.0;
+    for (j, c) in shifted[..=n].iter_mut().enumerate() {
+        *c *= power / binomial(n, j);
+        power *= length;
+    }
+    let mut coefficients = [0.0; M];
+    for (i, b) in coefficients[..=n].iter_mut().enumerate() {
+        // b_i = Σ_j C(i, j)/C(n, j) c_j (high − low)ʲ
+        for j in 0..=i {
+            *b += binomial(i, j) * shifted[j];
+        }
+    }
+    coefficients
+}
+
 /// More steps than Newton's method takes from a few times the root.
 const NEWTON_STEPS: usize = 12;
 
@@ -219,6 +235,7 @@ const NEWTON_CONVERGED: f64 = 1e-9;
 pub(crate) const SIGN_IS_SURE: f64 = 1e-12;
 
 /// C(n, k), up to [`DEGREE`]; zero where k > n.
+#[inline(always)]
 fn binomial(n: usize, k: usize) -> f64 {
     /// Pascal's triangle.
     const ROWS: [[f64; DEGREE + 1]; DEGREE + 1] = {
@@ -271,6 +288,18 @@ impl core::ops::Mul<Polynomial> for f64 {
 
     fn mul(self, polynomial: Polynomial) -> Polynomial {
         Polynomial { coefficients: polynomial.coefficients.map(|c| self * c), ..polynomial }
+    }
+}
+
+/// Polynomials of some kind.
+pub(crate) trait Ring: Copy + core::ops::Add<Output = Self> + core::ops::Mul<Output = Self> {
+    /// This one, multiplied by a number.
+    fn by(self, factor: f64) -> Self;
+}
+
+impl Ring for Polynomial {
+    fn by(self, factor: f64) -> Self {
+        factor * self
     }
 }
 

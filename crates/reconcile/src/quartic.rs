@@ -1,0 +1,203 @@
+//! The speeds under a fraction of μ_c with a moment impulse, as far as signs isolate them.
+//!
+//! With a constant e, W_n less the value sought has a numerator of degree 4 in the approach speed, see
+//! [`fraction_with_moment`]. Nothing is missed in looking for its roots alone: where its denominator is zero,
+//! it is not. As in [`isolated`](crate::isolated), the signs of its Bernstein coefficients tell of a part of
+//! the approach speeds whether it has no root, one, or perhaps several; then its halves are searched. The
+//! parts begin and end where the critical impulse ceases to push or the contact jams, between which most
+//! roots are, and at twice the [size](Meeting::size) of a root.
+
+use core::ops::{Add, Mul};
+
+use pim_core::{Law, Tangential};
+
+use crate::cubic::{CONVERGED, STEPS};
+use crate::isolated::{Changes, Isolated, Meeting, Roots, Signs};
+use crate::pieces::{Branch, Critical, Fraction, Stretch, fraction_with_moment, jams};
+use crate::polynomial::{Ring, SIGN_IS_SURE, bernstein};
+use crate::posed::Posed;
+
+/// A polynomial of no higher degree than 4, in columns or alone: what goes beyond is left out.
+#[derive(Clone, Copy)]
+struct Polynomial([f64; Quartic::COEFFICIENTS]);
+
+impl Polynomial {
+    #[inline(always)]
+    fn line(c: [f64; 2]) -> Self {
+        let [c_0, c_1] = c;
+        Self([c_0, c_1, 0.0, 0.0, 0.0])
+    }
+}
+
+impl Add for Polynomial {
+    type Output = Self;
+
+    #[inline(always)]
+    fn add(self, other: Self) -> Self {
+        Self(core::array::from_fn(|i| self.0[i] + other.0[i]))
+    }
+}
+
+impl Mul for Polynomial {
+    type Output = Self;
+
+    #[inline(always)]
+    fn mul(self, other: Self) -> Self {
+        let ([a_0, a_1, a_2, a_3, a_4], [b_0, b_1, b_2, b_3, b_4]) = (self.0, other.0);
+        Self([
+            a_0 * b_0,
+            a_0 * b_1 + a_1 * b_0,
+            a_0 * b_2 + a_1 * b_1 + a_2 * b_0,
+            a_0 * b_3 + a_1 * b_2 + a_2 * b_1 + a_3 * b_0,
+            a_0 * b_4 + a_1 * b_3 + a_2 * b_2 + a_3 * b_1 + a_4 * b_0,
+        ])
+    }
+}
+
+impl Ring for Polynomial {
+    #[inline(always)]
+    fn by(self, factor: f64) -> Self {
+        Self(self.0.map(|c| factor * c))
+    }
+}
+
+/// The numerator of F = ½ w x P_n − s as a polynomial of t, x = size t, and where the parts begin that are
+/// searched first.
+#[derive(Clone, Copy)]
+pub(crate) struct Quartic {
+    coefficients: [f64; Self::COEFFICIENTS],
+    /// (m/s) in no order; not a number where there is none.
+    borders: [f64; Self::BORDERS],
+}
+
+impl Quartic {
+    pub(crate) const COEFFICIENTS: usize = 5;
+    pub(crate) const BORDERS: usize = 4;
+    pub(crate) const NUMBERS: usize = Self::COEFFICIENTS + Self::BORDERS;
+
+    /// Whether the law is one that has such a numerator.
+    #[inline(always)]
+    pub(crate) fn is_of(law: &Law) -> bool {
+        let e_m = law.moment_restitution();
+        // Without a share and with the whole of μ_c the law is another one, and with a common yaw rate
+        // numerator and denominator have a common factor.
+        match law.tangential() {
+            Tangential::FractionOfCritical(f) => (f != 0.0) & (f != 1.0) & (e_m != 0.0) & (e_m != -1.0),
+            _ => false,
+        }
+    }
+
+    #[inline(always)]
+    pub(crate) fn of(meeting: &Meeting, law: &Law) -> Self {
+        let f = match law.tangential() {
+            Tangential::FractionOfCritical(f) => f,
+            _ => f64::NAN,
+        };
+        let (size, e) = (meeting.size, law.restitution());
+        let of_critical = |x: f64| meeting.impulse(&law.without_limit(), x).linear;
+        let (touch, there) = (of_critical(0.0), of_critical(size));
+        let critical = Critical {
+            normal: Polynomial::line([touch.normal, there.normal - touch.normal]),
+            tangential: Polynomial::line([touch.tangential, there.tangential - touch.tangential]),
+        };
+        let jams = jams(&meeting.inverse_mass, &critical, f);
+        let x = Polynomial::line([0.0, size]);
+        let yaw_rate = meeting.line.relative_yaw_rate;
+        let Fraction { push, divisor, .. } = fraction_with_moment(
+            &meeting.inverse_mass,
+            (&critical, f),
+            &jams,
+            x.by(1.0 + e),
+            (yaw_rate, law.moment_restitution()),
+        );
+        let numerator = (x * push).by(0.5 * meeting.factor(e)) + divisor.by(-meeting.sought(e));
+        let root = |line: Polynomial| size * (-line.0[0] / line.0[1]);
+        let borders = [root(critical.normal), root(jams.normal), root(jams.moment), 2.0 * size];
+        Self { coefficients: numerator.0, borders }
+    }
+
+    #[inline(always)]
+    pub(crate) fn numbers(&self) -> [f64; Self::NUMBERS] {
+        let ([a, b, c, d, e], [p, q, r, s]) = (self.coefficients, self.borders);
+        [a, b, c, d, e, p, q, r, s]
+    }
+
+    #[inline(always)]
+    pub(crate) fn from_numbers([a, b, c, d, e, p, q, r, s]: [f64; Self::NUMBERS]) -> Self {
+        Self { coefficients: [a, b, c, d, e], borders: [p, q, r, s] }
+    }
+
+    /// (m/s) where the parts of a range end that are searched first, the fastest first; some of them may have
+    /// no length.
+    #[inline(always)]
+    pub(crate) fn ends(&self, [low, high]: [f64; 2]) -> [f64; Self::BORDERS + 1] {
+        let [a, b, c, d] = self.borders.map(|border| border.max(low).min(high));
+        let sorted = |a: f64, b: f64| (a.min(b), a.max(b));
+        let ((a, b), (c, d)) = (sorted(a, b), sorted(c, d));
+        let ((a, c), (b, d)) = (sorted(a, c), sorted(b, d));
+        let (b, c) = sorted(b, c);
+        [high, d, c, b, a]
+    }
+
+    /// How often the Bernstein coefficients change sign in a range of approach speeds.
+    #[inline(always)]
+    pub(crate) fn changes(&self, size: f64, range: [f64; 2]) -> Changes {
+        let [low, high] = range.map(|x| x / size);
+        let [a, b, c, d, e] = self.coefficients.map(f64::abs);
+        let reach = low.abs() + (high - low);
+        let least = ((((e * reach + d) * reach + c) * reach + b) * reach + a) * SIGN_IS_SURE;
+        Changes::of(bernstein(self.coefficients, Self::COEFFICIENTS - 1, [low, high - low]), least)
+    }
+
+    /// The root in a range in which the sign changes once, and whether it is found.
+    #[inline(always)]
+    pub(crate) fn isolated(&self, size: f64, range: [f64; 2]) -> (Isolated, bool) {
+        let [low, high] = range.map(|x| x / size);
+        let ([at_low, _], [at_high, _]) = (self.at(low), self.at(high));
+        // Where the chord is zero.
+        let mut t = low + (high - low) * (at_low / (at_low - at_high));
+        let mut way = [size * t; STEPS];
+        let mut step = t;
+        for place in &mut way {
+            let [value, slope] = self.at(t);
+            step = value / slope;
+            t -= step;
+            *place = size * t;
+        }
+        let is_found = (step.abs() <= t * CONVERGED) & (low <= t) & (t <= high);
+        (Isolated { x: size * t, way }, is_found)
+    }
+
+    /// Value and slope.
+    #[inline(always)]
+    fn at(&self, t: f64) -> [f64; 2] {
+        let [a, b, c, d, e] = self.coefficients;
+        [(((e * t + d) * t + c) * t + b) * t + a, ((4.0 * e * t + 3.0 * d) * t + 2.0 * c) * t + b]
+    }
+
+    /// What a part of the approach speeds has of roots.
+    pub(crate) fn signs(&self, meeting: &Meeting, part: &Stretch, law: &Law) -> Signs {
+        let changes = self.changes(meeting.size, part.range);
+        let mut roots = Roots::none();
+        if changes.one {
+            let (root, is_found) = self.isolated(meeting.size, part.range);
+            let [_, is_sure] = meeting.acts(part, law, Branch::Own, root.x);
+            if !(is_found & is_sure) {
+                return Signs::Unsure;
+            }
+            roots.insert(root);
+        } else if !changes.none {
+            return if changes.is_sure { Signs::Several } else { Signs::Unsure };
+        }
+        Signs::Isolated(roots)
+    }
+}
+
+impl Posed<'_> {
+    /// Where the law has one.
+    pub(crate) fn quartic(self, meeting: &Meeting) -> Option<Quartic> {
+        let law = self.problem.law.nominal();
+        let is_constant = self.problem.law.curve().is_none() && self.problem.tangential_share == 0.0;
+        (is_constant && Quartic::is_of(&law)).then(|| Quartic::of(meeting, &law))
+    }
+}
