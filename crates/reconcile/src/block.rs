@@ -7,14 +7,12 @@ use crate::isolated::{Meeting, Push, against, along, full, slowest};
 use crate::pieces::{Branch, HALVINGS, Stretch};
 use crate::posed::Posed;
 use crate::problem::Problem;
-use crate::quartic::Quartic;
 
 /// Problems under curves of restitution, of which what a search takes lies in columns, so that loops over
 /// them vectorise.
 ///
 /// Their laws have one condition, and as many `BRANCHES` as laws without a limit of which one acts: three
-/// under a friction limit, one where the law has none. With none, the laws take fractions of μ_c with a moment
-/// impulse, and their curves have one point each: no restitution varies.
+/// under a friction limit, one where the law has none.
 pub struct CurveBlock<const N: usize, const BRANCHES: usize> {
     basis: EnergyBasis,
     meetings: [[f64; N]; Meeting::NUMBERS],
@@ -58,10 +56,6 @@ impl<const N: usize, const BRANCHES: usize> CurveBlock<N, BRANCHES> {
         let mut found = [0.0; N];
         let mut is_open = [true; N];
         let [Some([_, first]), Some(last)] = [points.first(), points.last()] else { return found };
-        if BRANCHES == 0 {
-            self.search_fractions(first, laws, &mut found);
-            return found;
-        }
         let pushes = self.pushes(laws);
         let before = [[0.0; N], *first];
         let after = [[f64::INFINITY; N], last[1]];
@@ -71,7 +65,7 @@ impl<const N: usize, const BRANCHES: usize> CurveBlock<N, BRANCHES> {
                 break;
             }
             let mut parts = self.parts(stretch, &is_open);
-            while any(&parts.halves.is_searched) {
+            while any(&parts.is_searched) {
                 let mut roots = [[f64::INFINITY; N]; BRANCHES];
                 let mut search =
                     Searching { laws, parts: &parts, several: [false; N], is_unsure: [false; N] };
@@ -87,13 +81,13 @@ impl<const N: usize, const BRANCHES: usize> CurveBlock<N, BRANCHES> {
                 for lane in 0..N {
                     let all: [f64; BRANCHES] = core::array::from_fn(|i| roots[i][lane]);
                     let (x, are_apart) = slowest(all);
-                    let is_told = parts.halves.is_searched[lane] & !several[lane];
+                    let is_told = parts.is_searched[lane] & !several[lane];
                     let is_sure = is_told & !is_unsure[lane] & are_apart;
                     let is_found = is_sure & (x < f64::INFINITY);
                     found[lane] = if is_found { x } else { found[lane] };
                     is_open[lane] &= !is_told | (is_sure & !is_found);
                 }
-                parts.halves.go_on(&several, &mut is_open);
+                parts.go_on(&several, &mut is_open);
             }
         }
         found
@@ -148,7 +142,7 @@ impl<const N: usize, const BRANCHES: usize> CurveBlock<N, BRANCHES> {
         let mut may_have = [false; N];
         for lane in 0..N {
             // Of the branches in their order the first one that is not sure decides.
-            let is_searched = parts.halves.is_searched[lane] & !several[lane] & !is_unsure[lane];
+            let is_searched = parts.is_searched[lane] & !several[lane] & !is_unsure[lane];
             let is_open = is_searched & !none[lane] & !one[lane];
             may_have[lane] = is_searched & one[lane];
             several[lane] |= is_open & is_sure[lane];
@@ -194,81 +188,24 @@ impl<const N: usize, const BRANCHES: usize> CurveBlock<N, BRANCHES> {
             end: to,
             restitution: [e_from, e_to],
             rise: [0.0; N],
-            halves: Halves::new(1),
+            low: [0.0; N],
+            ends: [[0.0; N]; HALVINGS + 1],
+            count: [1; N],
+            is_searched: [false; N],
         };
         for lane in 0..N {
             let stretch = Stretch::between([(from[lane], e_from[lane]), (to[lane], e_to[lane])])
                 .within([self.reach[0][lane], self.reach[1][lane]]);
             let [low, high] = stretch.range;
-            (parts.rise[lane], parts.halves.low[lane], parts.halves.ends[0][lane]) =
-                (stretch.rise, low, high);
-            parts.halves.is_searched[lane] = is_open[lane] & stretch.has_length() & !stretch.is_elastic();
+            (parts.rise[lane], parts.low[lane], parts.ends[0][lane]) = (stretch.rise, low, high);
+            parts.is_searched[lane] = is_open[lane] & stretch.has_length() & !stretch.is_elastic();
         }
         parts
     }
-
-    /// The slowest approach speeds under fractions of μ_c with a moment impulse and these restitutions, as
-    /// far as signs isolate them.
-    #[inline(always)]
-    fn search_fractions(&self, restitutions: &[f64; N], laws: &impl Laws, found: &mut [f64; N]) {
-        let mut quartics = [[0.0; N]; Quartic::NUMBERS];
-        let mut halves = Halves::<N, { Quartic::BORDERS + 1 + HALVINGS }>::new(Quartic::BORDERS + 1);
-        for lane in 0..N {
-            let law = laws.law(lane).restituting(restitutions[lane]);
-            let quartic = Quartic::of(&self.meeting(lane), &law);
-            for (column, number) in quartics.iter_mut().zip(quartic.numbers()) {
-                column[lane] = number;
-            }
-            let stretch = self.constant(lane, restitutions[lane]);
-            halves.low[lane] = stretch.range[0];
-            for (column, end) in halves.ends.iter_mut().zip(quartic.ends(stretch.range).into_iter().rev()) {
-                column[lane] = end;
-            }
-            halves.is_searched[lane] = Quartic::is_of(&law) & stretch.has_length() & !stretch.is_elastic();
-        }
-        let quartic = |lane: usize| Quartic::from_numbers(core::array::from_fn(|i| quartics[i][lane]));
-        let mut is_open = [true; N];
-        while any(&halves.is_searched) {
-            let [mut none, mut one, mut is_sure] = [[false; N]; 3];
-            for lane in 0..N {
-                let changes = quartic(lane).changes(self.meeting(lane).size, halves.slowest(lane));
-                (none[lane], one[lane], is_sure[lane]) = (changes.none, changes.one, changes.is_sure);
-            }
-            let (mut speeds, mut is_root) = ([0.0; N], [false; N]);
-            if any(&one) {
-                for lane in 0..N {
-                    let (root, is_found) =
-                        quartic(lane).isolated(self.meeting(lane).size, halves.slowest(lane));
-                    (speeds[lane], is_root[lane]) = (root.x, is_found);
-                }
-                for lane in 0..N {
-                    let law = laws.law(lane);
-                    let stretch = self.constant(lane, restitutions[lane]);
-                    let [_, is_sure] = self.meeting(lane).acts(&stretch, &law, Branch::Own, speeds[lane]);
-                    is_root[lane] &= is_sure;
-                }
-            }
-            let mut several = [false; N];
-            for lane in 0..N {
-                let is_searched = halves.is_searched[lane];
-                let is_found = is_searched & one[lane] & is_root[lane];
-                several[lane] = is_searched & !none[lane] & !one[lane] & is_sure[lane];
-                found[lane] = if is_found { speeds[lane] } else { found[lane] };
-                is_open[lane] &= !is_searched | none[lane] | several[lane];
-            }
-            halves.go_on(&several, &mut is_open);
-        }
-    }
-
-    /// All approach speeds, with one restitution.
-    #[inline(always)]
-    fn constant(&self, lane: usize, e: f64) -> Stretch {
-        let range = [self.reach[0][lane], self.reach[1][lane]];
-        Stretch::constant(e, self.meeting(lane).size, range)
-    }
 }
 
-/// A stretch of each problem, in parts.
+/// A stretch of each problem in parts, of which the slowest is searched first and halved where it may have
+/// several roots: as a search for one problem does it.
 struct Parts<'a, const N: usize> {
     /// (m/s)
     start: &'a [f64; N],
@@ -277,7 +214,14 @@ struct Parts<'a, const N: usize> {
     restitution: [&'a [f64; N]; 2],
     /// (s/m)
     rise: [f64; N],
-    halves: Halves<N, { HALVINGS + 1 }>,
+    /// (m/s) where the slowest part begins.
+    low: [f64; N],
+    /// (m/s) where each part ends, the slowest first.
+    ends: [[f64; N]; HALVINGS + 1],
+    /// How many parts there are.
+    count: [u8; N],
+    /// Whether a part is left to search.
+    is_searched: [bool; N],
 }
 
 impl<const N: usize> Parts<'_, N> {
@@ -289,37 +233,8 @@ impl<const N: usize> Parts<'_, N> {
             length: self.end[lane] - self.start[lane],
             restitution: [e_0[lane], e_1[lane]],
             rise: self.rise[lane],
-            range: self.halves.slowest(lane),
+            range: [self.low[lane], self.ends[0][lane]],
         }
-    }
-}
-
-/// A range of approach speeds of each problem in parts, no more than `MOST`, of which the slowest is searched
-/// first and halved where it may have several roots: as a search for one problem does it.
-struct Halves<const N: usize, const MOST: usize> {
-    /// (m/s) where the slowest part begins.
-    low: [f64; N],
-    /// (m/s) where each part ends, the slowest first.
-    ends: [[f64; N]; MOST],
-    /// How many parts there are.
-    count: [u8; N],
-    /// Whether a part is left to search.
-    is_searched: [bool; N],
-}
-
-impl<const N: usize, const MOST: usize> Halves<N, MOST> {
-    /// So many parts, without their ends.
-    #[inline(always)]
-    fn new(count: usize) -> Self {
-        #[expect(clippy::cast_possible_truncation, reason = "a handful")]
-        let count = [count as u8; N];
-        Self { low: [0.0; N], ends: [[0.0; N]; MOST], count, is_searched: [false; N] }
-    }
-
-    /// (m/s)
-    #[inline(always)]
-    fn slowest(&self, lane: usize) -> [f64; 2] {
-        [self.low[lane], self.ends[0][lane]]
     }
 
     /// The next part is searched of each problem that is open: the slower half of the one before where that
@@ -328,17 +243,17 @@ impl<const N: usize, const MOST: usize> Halves<N, MOST> {
     fn go_on(&mut self, several: &[bool; N], is_open: &mut [bool; N]) {
         if any(several) {
             for lane in 0..N {
-                let is_halved = usize::from(self.count[lane]) < MOST;
+                let is_halved = usize::from(self.count[lane]) <= HALVINGS;
                 is_open[lane] &= !several[lane] | is_halved;
             }
-            for i in (0..MOST - 1).rev() {
+            for i in (0..HALVINGS).rev() {
                 for lane in 0..N {
                     let end = self.ends[i][lane];
                     self.ends[i + 1][lane] = if several[lane] { end } else { self.ends[i + 1][lane] };
                 }
             }
             for lane in 0..N {
-                let middle = Stretch::middle(self.slowest(lane));
+                let middle = Stretch::middle([self.low[lane], self.ends[0][lane]]);
                 self.ends[0][lane] = if several[lane] { middle } else { self.ends[0][lane] };
             }
         }
@@ -355,7 +270,7 @@ impl<const N: usize, const MOST: usize> Halves<N, MOST> {
         if !is_left {
             return;
         }
-        for i in 0..MOST - 1 {
+        for i in 0..HALVINGS {
             for lane in 0..N {
                 let next = self.ends[i + 1][lane];
                 self.ends[i][lane] = if several[lane] { self.ends[i][lane] } else { next };

@@ -17,22 +17,25 @@ use crate::pieces::{Branch, Critical, Fraction, Stretch, fraction_with_moment, j
 use crate::polynomial::{Ring, SIGN_IS_SURE, bernstein};
 use crate::posed::Posed;
 
-/// A polynomial of no higher degree than 4, in columns or alone: what goes beyond is left out.
+/// A polynomial of no higher degree than 4: what goes beyond is left out.
 #[derive(Clone, Copy)]
 struct Polynomial([f64; Quartic::COEFFICIENTS]);
 
 impl Polynomial {
-    #[inline(always)]
     fn line(c: [f64; 2]) -> Self {
         let [c_0, c_1] = c;
         Self([c_0, c_1, 0.0, 0.0, 0.0])
+    }
+
+    fn root_of_line(self) -> f64 {
+        let [c_0, c_1, ..] = self.0;
+        -c_0 / c_1
     }
 }
 
 impl Add for Polynomial {
     type Output = Self;
 
-    #[inline(always)]
     fn add(self, other: Self) -> Self {
         Self(core::array::from_fn(|i| self.0[i] + other.0[i]))
     }
@@ -41,7 +44,6 @@ impl Add for Polynomial {
 impl Mul for Polynomial {
     type Output = Self;
 
-    #[inline(always)]
     fn mul(self, other: Self) -> Self {
         let ([a_0, a_1, a_2, a_3, a_4], [b_0, b_1, b_2, b_3, b_4]) = (self.0, other.0);
         Self([
@@ -55,7 +57,6 @@ impl Mul for Polynomial {
 }
 
 impl Ring for Polynomial {
-    #[inline(always)]
     fn by(self, factor: f64) -> Self {
         Self(self.0.map(|c| factor * c))
     }
@@ -71,13 +72,11 @@ pub(crate) struct Quartic {
 }
 
 impl Quartic {
-    pub(crate) const COEFFICIENTS: usize = 5;
+    const COEFFICIENTS: usize = 5;
     pub(crate) const BORDERS: usize = 4;
-    pub(crate) const NUMBERS: usize = Self::COEFFICIENTS + Self::BORDERS;
 
     /// Whether the law is one that has such a numerator.
-    #[inline(always)]
-    pub(crate) fn is_of(law: &Law) -> bool {
+    fn is_of(law: &Law) -> bool {
         let e_m = law.moment_restitution();
         // Without a share and with the whole of μ_c the law is another one, and with a common yaw rate
         // numerator and denominator have a common factor.
@@ -87,15 +86,15 @@ impl Quartic {
         }
     }
 
-    #[inline(always)]
-    pub(crate) fn of(meeting: &Meeting, law: &Law) -> Self {
+    fn of(meeting: &Meeting, law: &Law) -> Self {
         let f = match law.tangential() {
             Tangential::FractionOfCritical(f) => f,
             _ => f64::NAN,
         };
         let (size, e) = (meeting.size, law.restitution());
-        let of_critical = |x: f64| meeting.impulse(&law.without_limit(), x).linear;
-        let (touch, there) = (of_critical(0.0), of_critical(size));
+        let critical = law.without_limit();
+        let (touch, there) =
+            (meeting.impulse(&critical, 0.0).linear, meeting.impulse(&critical, size).linear);
         let critical = Critical {
             normal: Polynomial::line([touch.normal, there.normal - touch.normal]),
             tangential: Polynomial::line([touch.tangential, there.tangential - touch.tangential]),
@@ -111,47 +110,38 @@ impl Quartic {
             (yaw_rate, law.moment_restitution()),
         );
         let numerator = (x * push).by(0.5 * meeting.factor(e)) + divisor.by(-meeting.sought(e));
-        let root = |line: Polynomial| size * (-line.0[0] / line.0[1]);
-        let borders = [root(critical.normal), root(jams.normal), root(jams.moment), 2.0 * size];
+        let borders = [
+            size * critical.normal.root_of_line(),
+            size * jams.normal.root_of_line(),
+            size * jams.moment.root_of_line(),
+            2.0 * size,
+        ];
         Self { coefficients: numerator.0, borders }
-    }
-
-    #[inline(always)]
-    pub(crate) fn numbers(&self) -> [f64; Self::NUMBERS] {
-        let ([a, b, c, d, e], [p, q, r, s]) = (self.coefficients, self.borders);
-        [a, b, c, d, e, p, q, r, s]
-    }
-
-    #[inline(always)]
-    pub(crate) fn from_numbers([a, b, c, d, e, p, q, r, s]: [f64; Self::NUMBERS]) -> Self {
-        Self { coefficients: [a, b, c, d, e], borders: [p, q, r, s] }
     }
 
     /// (m/s) where the parts of a range end that are searched first, the fastest first; some of them may have
     /// no length.
-    #[inline(always)]
     pub(crate) fn ends(&self, [low, high]: [f64; 2]) -> [f64; Self::BORDERS + 1] {
-        let [a, b, c, d] = self.borders.map(|border| border.max(low).min(high));
-        let sorted = |a: f64, b: f64| (a.min(b), a.max(b));
-        let ((a, b), (c, d)) = (sorted(a, b), sorted(c, d));
-        let ((a, c), (b, d)) = (sorted(a, c), sorted(b, d));
-        let (b, c) = sorted(b, c);
-        [high, d, c, b, a]
+        let mut ends = [high; Self::BORDERS + 1];
+        for (end, border) in ends.iter_mut().skip(1).zip(self.borders) {
+            *end = border.max(low).min(high);
+        }
+        ends.sort_unstable_by(|a, b| b.total_cmp(a));
+        ends
     }
 
     /// How often the Bernstein coefficients change sign in a range of approach speeds.
-    #[inline(always)]
-    pub(crate) fn changes(&self, size: f64, range: [f64; 2]) -> Changes {
+    fn changes(&self, size: f64, range: [f64; 2]) -> Changes {
         let [low, high] = range.map(|x| x / size);
-        let [a, b, c, d, e] = self.coefficients.map(f64::abs);
+        // No less than the sizes of what a Bernstein coefficient is a sum of.
         let reach = low.abs() + (high - low);
-        let least = ((((e * reach + d) * reach + c) * reach + b) * reach + a) * SIGN_IS_SURE;
-        Changes::of(bernstein(self.coefficients, Self::COEFFICIENTS - 1, [low, high - low]), least)
+        let [least, _] = Self { coefficients: self.coefficients.map(f64::abs), ..*self }.at(reach);
+        let coefficients = bernstein(self.coefficients, Self::COEFFICIENTS - 1, [low, high - low]);
+        Changes::of(coefficients, least * SIGN_IS_SURE)
     }
 
     /// The root in a range in which the sign changes once, and whether it is found.
-    #[inline(always)]
-    pub(crate) fn isolated(&self, size: f64, range: [f64; 2]) -> (Isolated, bool) {
+    fn isolated(&self, size: f64, range: [f64; 2]) -> (Isolated, bool) {
         let [low, high] = range.map(|x| x / size);
         let ([at_low, _], [at_high, _]) = (self.at(low), self.at(high));
         // Where the chord is zero.
@@ -169,7 +159,6 @@ impl Quartic {
     }
 
     /// Value and slope.
-    #[inline(always)]
     fn at(&self, t: f64) -> [f64; 2] {
         let [a, b, c, d, e] = self.coefficients;
         [(((e * t + d) * t + c) * t + b) * t + a, ((4.0 * e * t + 3.0 * d) * t + 2.0 * c) * t + b]

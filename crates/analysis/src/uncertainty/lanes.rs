@@ -399,14 +399,7 @@ impl Block {
         let numbers = law.condition.lanes(self.axes, inputs);
         let told = match &law.restitution {
             Restituted::Constant(e) => {
-                let e = &e.lanes(inputs);
-                match (law.condition, law.moment) {
-                    (Condition::Fraction(_), Some(moment)) => {
-                        let moment = &moment.lanes(inputs);
-                        self.under_fractions(instructions, e, (&numbers, moment), &posed, outputs)
-                    }
-                    _ => self.all_at_once(instructions, e, (law, &numbers), &posed, inputs, outputs),
-                }
+                self.all_at_once(instructions, &e.lanes(inputs), (law, &numbers), &posed, inputs, outputs)
             }
             Restituted::Curve(points) => {
                 self.under_curves(instructions, points, (law, &numbers), &posed, inputs, outputs)
@@ -630,22 +623,6 @@ impl Block {
                 Told::nothing()
             }
         }
-    }
-
-    /// The same under a fraction of μ_c with a moment impulse, with a constant restitution.
-    #[inline(always)]
-    fn under_fractions(
-        &self,
-        instructions: Instructions,
-        e: &Lanes,
-        (fractions, moment): (&Lanes, &Lanes),
-        posed: &Posed,
-        outputs: &mut [Lanes],
-    ) -> Told {
-        let Some(Sought { unknown, basis, share: None }) = self.sought else { return Told::nothing() };
-        let laws = LawLanes { condition: Tangential::FractionOfCritical, numbers: fractions, moment };
-        let points = (instructions, &[[[0.0; LANES], *e]][..]);
-        self.under_curves_of::<0, _>(points, &laws, (unknown, basis), posed, outputs)
     }
 
     /// As [`at_once`](Self::at_once).
