@@ -240,40 +240,37 @@ impl<const N: usize> Parts<'_, N> {
     /// The next part is searched of each problem that is open: the slower half of the one before where that
     /// may have several roots. A problem of which that is no longer halved is closed.
     #[inline(always)]
-    fn go_on(&mut self, several: &[bool; N], is_open: &mut [bool; N]) {
-        if any(several) {
-            for lane in 0..N {
-                let is_halved = usize::from(self.count[lane]) <= HALVINGS;
-                is_open[lane] &= !several[lane] | is_halved;
+    fn go_on(&mut self, is_halved: &[bool; N], is_open: &mut [bool; N]) {
+        if any(is_halved) {
+            for (lane, is_halved) in is_halved.iter().enumerate() {
+                is_open[lane] &= !is_halved | (usize::from(self.count[lane]) <= HALVINGS);
             }
             for i in (0..HALVINGS).rev() {
-                for lane in 0..N {
+                for (lane, is_halved) in is_halved.iter().enumerate() {
                     let end = self.ends[i][lane];
-                    self.ends[i + 1][lane] = if several[lane] { end } else { self.ends[i + 1][lane] };
+                    self.ends[i + 1][lane] = if *is_halved { end } else { self.ends[i + 1][lane] };
                 }
             }
-            for lane in 0..N {
+            for (lane, is_halved) in is_halved.iter().enumerate() {
                 let middle = Stretch::middle([self.low[lane], self.ends[0][lane]]);
-                self.ends[0][lane] = if several[lane] { middle } else { self.ends[0][lane] };
+                self.ends[0][lane] = if *is_halved { middle } else { self.ends[0][lane] };
             }
         }
-        for lane in 0..N {
-            self.low[lane] = if several[lane] { self.low[lane] } else { self.ends[0][lane] };
+        for (lane, is_halved) in is_halved.iter().enumerate() {
+            self.low[lane] = if *is_halved { self.low[lane] } else { self.ends[0][lane] };
         }
-        let mut is_left = false;
-        for lane in 0..N {
-            let count = if several[lane] { self.count[lane] + 1 } else { self.count[lane] - 1 };
+        for (lane, is_halved) in is_halved.iter().enumerate() {
+            let count = if *is_halved { self.count[lane] + 1 } else { self.count[lane] - 1 };
             self.is_searched[lane] &= is_open[lane] & (count > 0);
             self.count[lane] = if self.is_searched[lane] { count } else { 1 };
-            is_left |= self.is_searched[lane];
         }
-        if !is_left {
+        if !any(&self.is_searched) {
             return;
         }
         for i in 0..HALVINGS {
-            for lane in 0..N {
+            for (lane, is_halved) in is_halved.iter().enumerate() {
                 let next = self.ends[i + 1][lane];
-                self.ends[i][lane] = if several[lane] { self.ends[i][lane] } else { next };
+                self.ends[i][lane] = if *is_halved { self.ends[i][lane] } else { next };
             }
         }
     }

@@ -217,9 +217,7 @@ pub(crate) fn bernstein<const M: usize>(
     let mut coefficients = [0.0; M];
     for (i, b) in coefficients[..=n].iter_mut().enumerate() {
         // b_i = Σ_j C(i, j)/C(n, j) c_j (high − low)ʲ
-        for j in 0..=i {
-            *b += binomial(i, j) * shifted[j];
-        }
+        *b = (0..=i).map(|j| binomial(i, j) * shifted[j]).sum();
     }
     coefficients
 }
