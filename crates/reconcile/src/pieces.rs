@@ -256,16 +256,15 @@ impl Branch {
     }
 }
 
-/// A part of a piece that may have roots.
+/// A piece that may have roots.
 struct Part {
     stretch: Stretch,
-    /// The interval of t of the piece, and that of the part.
+    /// The interval of t.
     piece: [f64; 2],
-    part: [f64; 2],
     branch: Branch,
     /// The numerator of W_n less the value sought.
     excess: Polynomial,
-    /// Its changes of sign in the part, if they are sure.
+    /// Its changes of sign in the piece, if they are sure.
     changes: Option<usize>,
 }
 
@@ -336,11 +335,7 @@ impl<'a> Posed<'a> {
                 match signs {
                     Signs::Several if parts.halve() => continue,
                     Signs::Isolated(roots) => isolated = roots,
-                    Signs::Several | Signs::Unsure => {
-                        // What signs have left open is not halved again.
-                        let halvings = if pushes.is_some() || quartic.is_some() { 0 } else { HALVINGS };
-                        by_pieces = Some(self.roots_by_pieces(part, halvings));
-                    }
+                    Signs::Several | Signs::Unsure => by_pieces = Some(self.roots_by_pieces(part)),
                 }
                 parts.finish();
             }
@@ -350,11 +345,10 @@ impl<'a> Posed<'a> {
     pub(crate) fn roots_by_pieces<S: Trail>(
         self,
         stretch: Stretch,
-        halvings: usize,
     ) -> impl Iterator<Item = Result<Root<S>, ReconcileError>> + use<'a, S> {
         let everywhere = self.branch_everywhere().map(|branch| (branch, self.excess(&stretch, branch)));
         self.pieces(stretch)
-            .flat_map(move |piece| self.parts(stretch, piece, everywhere, halvings))
+            .filter_map(move |piece| self.part(stretch, piece, everywhere))
             .flat_map(move |part| self.brackets(part))
             .filter_map(move |bracket| self.root(&bracket).transpose())
     }
@@ -505,27 +499,25 @@ impl<'a> Posed<'a> {
         }
     }
 
-    /// What a search in a piece begins with: its parts in ascending order, as many as so many halvings give
-    /// where signs say that one may have several roots. Those of which they say that it has none are left
-    /// out, as most pieces of a curve have none.
-    fn parts(
+    /// What a search in a piece begins with; `None` where signs say that it has no root, as most pieces of a
+    /// curve have none.
+    fn part(
         self,
         stretch: Stretch,
         piece: [f64; 2],
         everywhere: Option<(Branch, Polynomial)>,
-        halvings: usize,
-    ) -> impl Iterator<Item = Part> + use<'a> {
+    ) -> Option<Part> {
         let (branch, excess) = everywhere.unwrap_or_else(|| {
             let branch = self.branch(stretch.approach_speed(0.5 * (piece[0] + piece[1])));
             (branch, self.excess(&stretch, branch))
         });
-        let parts = excess.parts(piece, halvings);
-        parts.map(move |(part, changes)| Part { stretch, piece, part, branch, excess, changes })
+        let changes = excess.changes(piece);
+        (changes != Some(0)).then_some(Part { stretch, piece, branch, excess, changes })
     }
 
-    /// Where W_n passes the value sought within a part of a piece.
+    /// Where W_n passes the value sought within a piece.
     fn brackets(self, part: Part) -> impl Iterator<Item = Bracket> + use<'a> {
-        let Part { stretch, piece, part, branch, excess, changes } = part;
+        let Part { stretch, piece, branch, excess, changes } = part;
         let [mut low, mut high] = piece.map(|t| stretch.approach_speed(t));
         if let (Tangential::FractionOfCritical(_), Branch::Own) =
             (self.problem.law.nominal().tangential(), branch)
@@ -533,13 +525,13 @@ impl<'a> Posed<'a> {
             low *= 1.0 + BESIDE_A_JAM;
             high *= 1.0 - BESIDE_A_JAM;
         }
-        let isolating = if changes == Some(1) { Points::none() } else { excess.extrema(part) };
+        let isolating = if changes == Some(1) { Points::none() } else { excess.extrema(piece) };
         let speed = move |t: f64| stretch.approach_speed(t).max(low).min(high);
-        let mut from = (part[0], speed(part[0]));
+        let mut from = (piece[0], low);
         isolating
             .into_iter()
             .map(move |t| (t, speed(t)))
-            .chain([(part[1], speed(part[1]))])
+            .chain([(piece[1], high)])
             // Between two jams next to each other rounding leaves nothing.
             .take_while(move |_| low < high)
             .filter_map(move |to| {

@@ -3,7 +3,6 @@
 use real::Real;
 
 use crate::brent::{RootError, brent_between, narrowed};
-use crate::pieces::HALVINGS;
 
 /// The highest degree that a [`Polynomial`] can have.
 pub(crate) const DEGREE: usize = 12;
@@ -73,34 +72,6 @@ impl Polynomial {
             before = b;
         }
         Some(changes)
-    }
-
-    /// The interval in parts, in ascending order, each with its changes of sign: halved, up to so many times
-    /// (at most [`HALVINGS`]), where there is surely more than one, and without the parts that have none.
-    pub(crate) fn parts(
-        self,
-        [mut low, high]: [f64; 2],
-        halvings: usize,
-    ) -> impl Iterator<Item = ([f64; 2], Option<usize>)> {
-        // Where each part ends, the last one first.
-        let (mut ends, mut count) = ([high; HALVINGS + 1], 1);
-        core::iter::from_fn(move || {
-            while let Some(end) = ends[..count].last().copied() {
-                let part = [low, end];
-                let changes = self.changes(part);
-                if changes.is_some_and(|changes| changes > 1) && count <= halvings.min(HALVINGS) {
-                    ends[count] = 0.5 * (low + end);
-                    count += 1;
-                    continue;
-                }
-                low = end;
-                count -= 1;
-                if changes != Some(0) {
-                    return Some((part, changes));
-                }
-            }
-            None
-        })
     }
 
     /// The roots in the interval at which the sign changes, in ascending order.

@@ -5,7 +5,7 @@
 //! it is not. As in [`isolated`](crate::isolated), the signs of its Bernstein coefficients tell of a part of
 //! the approach speeds whether it has no root, one, or perhaps several; then its halves are searched. The
 //! parts begin and end where the critical impulse ceases to push or the contact jams, between which most
-//! roots are, and at twice the [size](Meeting::size) of a root.
+//! roots are, and at some multiples of the [size](Meeting::size) of a root.
 
 use core::ops::{Add, Mul};
 
@@ -14,8 +14,16 @@ use pim_core::{Law, Tangential};
 use crate::cubic::{CONVERGED, STEPS};
 use crate::isolated::{Changes, Isolated, Meeting, Roots, Signs};
 use crate::pieces::{Branch, Critical, Fraction, Stretch, fraction_with_moment, jams};
-use crate::polynomial::{Ring, SIGN_IS_SURE, bernstein};
+use crate::polynomial::{Ring, SIGN_IS_SURE, bernstein, opposite};
 use crate::posed::Posed;
+
+/// Times the [size](Meeting::size) of a root: most roots are slower, …
+const NEAR: f64 = 2.0;
+/// … and beyond rounding would hide the signs of slower approaches.
+const FAR: f64 = 32.0;
+
+/// From where the chord of such a part of a part is zero, Newton's method leads to its root.
+const HALVINGS_BEFORE_NEWTON: usize = 4;
 
 /// A polynomial of no higher degree than 4: what goes beyond is left out.
 #[derive(Clone, Copy)]
@@ -73,7 +81,7 @@ pub(crate) struct Quartic {
 
 impl Quartic {
     const COEFFICIENTS: usize = 5;
-    pub(crate) const BORDERS: usize = 4;
+    pub(crate) const BORDERS: usize = 5;
 
     /// Whether the law is one that has such a numerator.
     fn is_of(law: &Law) -> bool {
@@ -110,13 +118,8 @@ impl Quartic {
             (yaw_rate, law.moment_restitution()),
         );
         let numerator = (x * push).by(0.5 * meeting.factor(e)) + divisor.by(-meeting.sought(e));
-        let borders = [
-            size * critical.normal.root_of_line(),
-            size * jams.normal.root_of_line(),
-            size * jams.moment.root_of_line(),
-            2.0 * size,
-        ];
-        Self { coefficients: numerator.0, borders }
+        let [a, b, c] = [critical.normal, jams.normal, jams.moment].map(|line| size * line.root_of_line());
+        Self { coefficients: numerator.0, borders: [a, b, c, NEAR * size, FAR * size] }
     }
 
     /// (m/s) where the parts of a range end that are searched first, the fastest first; some of them may have
@@ -143,9 +146,19 @@ impl Quartic {
     /// The root in a range in which the sign changes once, and whether it is found.
     fn isolated(&self, size: f64, range: [f64; 2]) -> (Isolated, bool) {
         let [low, high] = range.map(|x| x / size);
-        let ([at_low, _], [at_high, _]) = (self.at(low), self.at(high));
+        let (mut left, mut right) = ([low, self.at(low)[0]], [high, self.at(high)[0]]);
+        for _ in 0..HALVINGS_BEFORE_NEWTON {
+            let t = 0.5 * (left[0] + right[0]);
+            let middle = [t, self.at(t)[0]];
+            if opposite(left[1], middle[1]) {
+                right = middle;
+            } else {
+                left = middle;
+            }
+        }
+        let ([from, at_from], [to, at_to]) = (left, right);
         // Where the chord is zero.
-        let mut t = low + (high - low) * (at_low / (at_low - at_high));
+        let mut t = from + (to - from) * (at_from / (at_from - at_to));
         let mut way = [size * t; STEPS];
         let mut step = t;
         for place in &mut way {
