@@ -170,10 +170,8 @@ struct Parts {
     /// (m/s) where the slowest part begins.
     low: f64,
     /// (m/s) where each part ends, the fastest first.
-    ends: [f64; HALVINGS + Quartic::BORDERS + 1],
+    ends: [f64; HALVINGS + 1],
     count: usize,
-    /// How many parts there are at most.
-    most: usize,
 }
 
 /// A part is no shorter than this power of a half of its stretch: two roots that are nearer to each other
@@ -182,14 +180,13 @@ pub(crate) const HALVINGS: usize = 5;
 
 impl Parts {
     fn none() -> Self {
-        Self { stretch: None, low: 0.0, ends: [0.0; HALVINGS + Quartic::BORDERS + 1], count: 0, most: 0 }
+        Self { stretch: None, low: 0.0, ends: [0.0; HALVINGS + 1], count: 0 }
     }
 
-    /// The parts of a stretch that end there, the fastest first.
-    fn begin(&mut self, stretch: Stretch, ends: &[f64]) {
-        (self.stretch, self.low, self.count) = (Some(stretch), stretch.range[0], ends.len());
-        self.ends[..ends.len()].copy_from_slice(ends);
-        self.most = ends.len() + HALVINGS;
+    fn begin(&mut self, stretch: Stretch) -> Stretch {
+        let [low, high] = stretch.range;
+        (self.stretch, self.low, self.ends[0], self.count) = (Some(stretch), low, high, 1);
+        stretch
     }
 
     fn slowest(&self) -> Option<Stretch> {
@@ -199,7 +196,7 @@ impl Parts {
 
     /// Whether the slowest part is now its slower half.
     fn halve(&mut self) -> bool {
-        let (Some(high), true) = (self.ends[..self.count].last(), self.count < self.most) else {
+        let (Some(high), true) = (self.ends[..self.count].last(), self.count <= HALVINGS) else {
             return false;
         };
         self.ends[self.count] = Stretch::middle([self.low, *high]);
@@ -256,6 +253,15 @@ impl Branch {
     }
 }
 
+/// What signs isolate the roots of a part by.
+enum Isolating {
+    Pushes(Pushes),
+    /// It gives the parts, too.
+    Quartic(Quartic),
+    /// By nothing: pieces do.
+    Nothing,
+}
+
 /// A piece that may have roots.
 struct Part {
     stretch: Stretch,
@@ -298,7 +304,7 @@ impl<'a> Posed<'a> {
     ) -> impl Iterator<Item = Result<Root<S>, ReconcileError>> + use<'a, S> {
         let mut only = self.only_root();
         let (law, meeting) = (self.problem.law.nominal(), self.meeting());
-        let (quartic, pushes) = (self.quartic(&meeting), self.pushes(&meeting));
+        let mut isolating = self.isolating(&meeting);
         let mut stretches = only.is_none().then(|| self.stretches());
         let mut parts = Parts::none();
         let mut isolated = Roots::none();
@@ -319,18 +325,15 @@ impl<'a> Posed<'a> {
                     Some(root) => return Some(root),
                     None => by_pieces = None,
                 }
-                let Some(part) = parts.slowest() else {
-                    let stretch = stretches.as_mut()?.next()?;
-                    match &quartic {
-                        Some(quartic) => parts.begin(stretch, &quartic.ends(stretch.range)),
-                        None => parts.begin(stretch, &stretch.range[1..]),
-                    }
-                    continue;
+                let part = match (parts.slowest(), &mut isolating) {
+                    (Some(part), _) => part,
+                    (None, Isolating::Quartic(quartic)) => parts.begin(quartic.next()?),
+                    (None, _) => parts.begin(stretches.as_mut()?.next()?),
                 };
-                let signs = match (&quartic, &pushes) {
-                    (Some(quartic), _) => quartic.signs(&meeting, &part, &law),
-                    (None, Some(pushes)) => meeting.signs(&part, &law, pushes),
-                    (None, None) => Signs::Unsure,
+                let signs = match &isolating {
+                    Isolating::Pushes(all) => meeting.signs(&part, &law, all),
+                    Isolating::Quartic(quartic) => quartic.signs(&meeting, &part, &law),
+                    Isolating::Nothing => Signs::Unsure,
                 };
                 match signs {
                     Signs::Several if parts.halve() => continue,
@@ -346,11 +349,19 @@ impl<'a> Posed<'a> {
         self,
         stretch: Stretch,
     ) -> impl Iterator<Item = Result<Root<S>, ReconcileError>> + use<'a, S> {
-        let everywhere = self.branch_everywhere().map(|branch| (branch, self.excess(&stretch, branch)));
         self.pieces(stretch)
-            .filter_map(move |piece| self.part(stretch, piece, everywhere))
+            .filter_map(move |piece| self.part(stretch, piece))
             .flat_map(move |part| self.brackets(part))
             .filter_map(move |bracket| self.root(&bracket).transpose())
+    }
+
+    /// What signs are taken of.
+    fn isolating(self, meeting: &Meeting) -> Isolating {
+        match (self.pushes(meeting), self.quartic(meeting)) {
+            (Some(pushes), _) => Isolating::Pushes(pushes),
+            (None, Some(quartic)) => Isolating::Quartic(quartic),
+            (None, None) => Isolating::Nothing,
+        }
     }
 
     /// P_n under the laws without a limit of which one acts in every impact; `None` where one of them is not
@@ -460,15 +471,6 @@ impl<'a> Posed<'a> {
         }
     }
 
-    /// The law that holds in every piece, where that is one.
-    fn branch_everywhere(self) -> Option<Branch> {
-        match self.problem.law.nominal().tangential() {
-            Tangential::Friction(_) | Tangential::FullOrSliding(_) => None,
-            Tangential::FractionOfCritical(f) => Some(self.branch_of_fraction(f)),
-            _ => Some(Branch::Own),
-        }
-    }
-
     /// The law that holds in a piece, told from its middle.
     fn branch(self, x: f64) -> Branch {
         match self.problem.law.nominal().tangential() {
@@ -501,16 +503,9 @@ impl<'a> Posed<'a> {
 
     /// What a search in a piece begins with; `None` where signs say that it has no root, as most pieces of a
     /// curve have none.
-    fn part(
-        self,
-        stretch: Stretch,
-        piece: [f64; 2],
-        everywhere: Option<(Branch, Polynomial)>,
-    ) -> Option<Part> {
-        let (branch, excess) = everywhere.unwrap_or_else(|| {
-            let branch = self.branch(stretch.approach_speed(0.5 * (piece[0] + piece[1])));
-            (branch, self.excess(&stretch, branch))
-        });
+    fn part(self, stretch: Stretch, piece: [f64; 2]) -> Option<Part> {
+        let branch = self.branch(stretch.approach_speed(0.5 * (piece[0] + piece[1])));
+        let excess = self.excess(&stretch, branch);
         let changes = excess.changes(piece);
         (changes != Some(0)).then_some(Part { stretch, piece, branch, excess, changes })
     }

@@ -72,16 +72,19 @@ impl Ring for Polynomial {
 
 /// The numerator of F = ½ w x P_n − s as a polynomial of t, x = size t, and where the parts begin that are
 /// searched first.
-#[derive(Clone, Copy)]
 pub(crate) struct Quartic {
     coefficients: [f64; Self::COEFFICIENTS],
-    /// (m/s) in no order; not a number where there is none.
-    borders: [f64; Self::BORDERS],
+    /// All approach speeds.
+    stretch: Stretch,
+    /// (m/s) where the parts begin and end, in ascending order; some of them may have no length.
+    ends: [f64; Self::PARTS + 1],
+    /// How many parts are given.
+    given: usize,
 }
 
 impl Quartic {
     const COEFFICIENTS: usize = 5;
-    pub(crate) const BORDERS: usize = 5;
+    const PARTS: usize = 6;
 
     /// Whether the law is one that has such a numerator.
     fn is_of(law: &Law) -> bool {
@@ -94,7 +97,7 @@ impl Quartic {
         }
     }
 
-    fn of(meeting: &Meeting, law: &Law) -> Self {
+    fn of(meeting: &Meeting, law: &Law, reach: [f64; 2]) -> Self {
         let f = match law.tangential() {
             Tangential::FractionOfCritical(f) => f,
             _ => f64::NAN,
@@ -119,18 +122,11 @@ impl Quartic {
         );
         let numerator = (x * push).by(0.5 * meeting.factor(e)) + divisor.by(-meeting.sought(e));
         let [a, b, c] = [critical.normal, jams.normal, jams.moment].map(|line| size * line.root_of_line());
-        Self { coefficients: numerator.0, borders: [a, b, c, NEAR * size, FAR * size] }
-    }
-
-    /// (m/s) where the parts of a range end that are searched first, the fastest first; some of them may have
-    /// no length.
-    pub(crate) fn ends(&self, [low, high]: [f64; 2]) -> [f64; Self::BORDERS + 1] {
-        let mut ends = [high; Self::BORDERS + 1];
-        for (end, border) in ends.iter_mut().skip(1).zip(self.borders) {
-            *end = border.max(low).min(high);
-        }
-        ends.sort_unstable_by(|a, b| b.total_cmp(a));
-        ends
+        let [low, high] = reach;
+        let mut ends = [low, a, b, c, NEAR * size, FAR * size, high].map(|end| end.max(low).min(high));
+        ends.sort_unstable_by(f64::total_cmp);
+        let stretch = Stretch::constant(e, size, reach);
+        Self { coefficients: numerator.0, stretch, ends, given: 0 }
     }
 
     /// How often the Bernstein coefficients change sign in a range of approach speeds.
@@ -138,7 +134,7 @@ impl Quartic {
         let [low, high] = range.map(|x| x / size);
         // No less than the sizes of what a Bernstein coefficient is a sum of.
         let reach = low.abs() + (high - low);
-        let [least, _] = Self { coefficients: self.coefficients.map(f64::abs), ..*self }.at(reach);
+        let [least, _] = at(self.coefficients.map(f64::abs), reach);
         let coefficients = bernstein(self.coefficients, Self::COEFFICIENTS - 1, [low, high - low]);
         Changes::of(coefficients, least * SIGN_IS_SURE)
     }
@@ -146,10 +142,11 @@ impl Quartic {
     /// The root in a range in which the sign changes once, and whether it is found.
     fn isolated(&self, size: f64, range: [f64; 2]) -> (Isolated, bool) {
         let [low, high] = range.map(|x| x / size);
-        let (mut left, mut right) = ([low, self.at(low)[0]], [high, self.at(high)[0]]);
+        let (mut left, mut right) =
+            ([low, at(self.coefficients, low)[0]], [high, at(self.coefficients, high)[0]]);
         for _ in 0..HALVINGS_BEFORE_NEWTON {
             let t = 0.5 * (left[0] + right[0]);
-            let middle = [t, self.at(t)[0]];
+            let middle = [t, at(self.coefficients, t)[0]];
             if opposite(left[1], middle[1]) {
                 right = middle;
             } else {
@@ -162,19 +159,13 @@ impl Quartic {
         let mut way = [size * t; STEPS];
         let mut step = t;
         for place in &mut way {
-            let [value, slope] = self.at(t);
+            let [value, slope] = at(self.coefficients, t);
             step = value / slope;
             t -= step;
             *place = size * t;
         }
         let is_found = (step.abs() <= t * CONVERGED) & (low <= t) & (t <= high);
         (Isolated { x: size * t, way }, is_found)
-    }
-
-    /// Value and slope.
-    fn at(&self, t: f64) -> [f64; 2] {
-        let [a, b, c, d, e] = self.coefficients;
-        [(((e * t + d) * t + c) * t + b) * t + a, ((4.0 * e * t + 3.0 * d) * t + 2.0 * c) * t + b]
     }
 
     /// What a part of the approach speeds has of roots.
@@ -195,11 +186,32 @@ impl Quartic {
     }
 }
 
+/// Its parts, in ascending order.
+impl Iterator for Quartic {
+    type Item = Stretch;
+
+    fn next(&mut self) -> Option<Stretch> {
+        loop {
+            let range = [*self.ends.get(self.given)?, *self.ends.get(self.given + 1)?];
+            self.given += 1;
+            let part = Stretch { range, ..self.stretch };
+            if part.has_length() {
+                return Some(part);
+            }
+        }
+    }
+}
+
+/// Value and slope of a quartic.
+fn at([a, b, c, d, e]: [f64; Quartic::COEFFICIENTS], t: f64) -> [f64; 2] {
+    [(((e * t + d) * t + c) * t + b) * t + a, ((4.0 * e * t + 3.0 * d) * t + 2.0 * c) * t + b]
+}
+
 impl Posed<'_> {
     /// Where the law has one.
     pub(crate) fn quartic(self, meeting: &Meeting) -> Option<Quartic> {
         let law = self.problem.law.nominal();
         let is_constant = self.problem.law.curve().is_none() && self.problem.tangential_share == 0.0;
-        (is_constant && Quartic::is_of(&law)).then(|| Quartic::of(meeting, &law))
+        (is_constant && Quartic::is_of(&law)).then(|| Quartic::of(meeting, &law, self.reach()))
     }
 }
