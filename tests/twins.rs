@@ -4,7 +4,7 @@
 use std::cell::Cell;
 
 use crash3::{Profile, Zone};
-use pim_core::{Body, Contact, Law, Motion, Participant, RestitutionCurve, Tangential};
+use pim_core::{Body, Contact, ImpactError, Law, Motion, Participant, RestitutionCurve, Tangential};
 use reconcile::{EnergyBasis, Problem, ReconcileError, Unknown};
 
 use crate::reconciliation::{Case, all_laws, case, posed, with_curve};
@@ -99,6 +99,7 @@ fn zones_of_a_profile() {
 
 fn solved(case: &Case, problem: &Problem) -> bool {
     let (speed, outcome, possible) = problem.solve_with_validity();
+    tells_that_it_pulls(problem);
     match problem.solve() {
         Ok(answer) if possible => {
             assert_eq!(speed.to_bits(), answer.speed.to_bits());
@@ -117,6 +118,44 @@ fn solved(case: &Case, problem: &Problem) -> bool {
         Err(_) => assert!(!possible, "{case:?}"),
     }
     possible
+}
+
+/// Whether it is told at once that the vehicles would have to pull; if so, the search says the same.
+fn tells_that_it_pulls(problem: &Problem) -> bool {
+    let (.., [_, pulls]) = problem.solve_with_verdict();
+    let why = problem.solve().err();
+    let is_pulling =
+        matches!(why, Some(ReconcileError::Inadmissible { reason: ImpactError::Pulling { .. }, .. }));
+    assert!(!pulls || is_pulling, "{problem:?} {why:?}");
+    pulls
+}
+
+/// Where the only speed needs a share of a critical impulse that would pull.
+#[test]
+fn a_critical_impulse_that_would_pull() {
+    let car = |heading: f64, left: f64| {
+        Participant::new(Body::new(1500.0, 3375.0).unwrap(), heading, -2.0, left).unwrap()
+    };
+    let mut told = 0;
+    for heading in 0..24 {
+        for f in [1e-9, 0.01, 0.1, 0.3, 0.6, 1.0] {
+            for energy in [1e3, 1e4, 1e5, 1e6, 1e9] {
+                let place = car(f64::from(heading) * 0.25, 0.8);
+                let Ok(contact) = Contact::new([place, Participant::barrier()], std::f64::consts::FRAC_PI_2)
+                else {
+                    continue;
+                };
+                let law = Law::new(0.1, Tangential::FractionOfCritical(f)).unwrap();
+                let motions = [Motion { yaw_rate: 1.0, ..Motion::rest() }, Motion::rest()];
+                let basis = EnergyBasis::Dissipated;
+                let Ok(problem) = posed(contact, law, motions, Unknown::Speed1, energy, basis) else {
+                    continue;
+                };
+                told += usize::from(tells_that_it_pulls(&problem));
+            }
+        }
+    }
+    assert!(told > 10, "{told}");
 }
 
 #[test]

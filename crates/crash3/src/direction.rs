@@ -5,7 +5,7 @@ use core::f64::consts::{FRAC_PI_2, PI};
 use real::{Real, principal_angle};
 
 use crate::error::{self, CrushError};
-use crate::profile::Profile;
+use crate::profile::{Profile, Zone};
 
 /// The damaged side of a vehicle.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -64,6 +64,43 @@ pub fn moment_arm<T: Real>([forward, left]: [T; 2], pdof: T) -> T {
     (forward * sin + left * cos).abs()
 }
 
+/// The area between an undamaged face and some zones of a profile, one beside the other, and its moments.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct CrushArea<T = f64> {
+    /// (m) of all zones.
+    pub width: T,
+    /// (m²) ∫ C ds.
+    pub area: T,
+    /// (m³) ∫ s C ds, with s from the beginning of the first zone.
+    pub moment_along: T,
+    /// (m³) ∫ C²/2 ds.
+    pub moment_deep: T,
+}
+
+impl<T: Real> CrushArea<T> {
+    /// Without a zone.
+    #[must_use]
+    pub fn none() -> Self {
+        Self { width: T::ZERO, area: T::ZERO, moment_along: T::ZERO, moment_deep: T::ZERO }
+    }
+
+    /// With one more zone.
+    #[inline(always)]
+    #[must_use]
+    pub fn with(self, zone: Zone<T>) -> Self {
+        let [c1, c2] = zone.depths;
+        let area = zone.area();
+        // ∫ s C ds = s₁ a + w² (C₁ + 2C₂)/6
+        let along = self.width * area + zone.width * zone.width * (c1 + c2 * 2.0) / 6.0;
+        Self {
+            width: self.width + zone.width,
+            area: self.area + area,
+            moment_along: self.moment_along + along,
+            moment_deep: self.moment_deep + zone.second_moment(),
+        }
+    }
+}
+
 /// The face of a vehicle that was damaged, and where on it the damage lies.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DamagedFace<T = f64> {
@@ -90,19 +127,15 @@ impl<T: Real> DamagedFace<T> {
     /// rear, from rear to front on the sides. Without any crush it is the middle of the damage on the face.
     #[must_use]
     pub fn centroid(&self, profile: &Profile<T>) -> [T; 2] {
-        let (mut area, mut moment_along, mut moment_deep) = (T::ZERO, T::ZERO, T::ZERO);
-        let mut start = T::ZERO;
-        for zone in profile.zones() {
-            let [c1, c2] = zone.depths;
-            let zone_area = zone.area();
-            area += zone_area;
-            // ∫ s C ds = s₁ a + w² (C₁ + 2C₂)/6
-            moment_along += start * zone_area + zone.width * zone.width * (c1 + c2 * 2.0) / 6.0;
-            // ∫ C²/2 ds
-            moment_deep += zone.second_moment();
-            start += zone.width;
-        }
-        let middle = start / 2.0;
+        self.centroid_of(&profile.zones().fold(CrushArea::none(), CrushArea::with))
+    }
+
+    /// The same of an area that is added up zone by zone.
+    #[inline(always)]
+    #[must_use]
+    pub fn centroid_of(&self, area: &CrushArea<T>) -> [T; 2] {
+        let CrushArea { width, area, moment_along, moment_deep } = *area;
+        let middle = width / 2.0;
         let (along, depth) = if area.value() > 0.0 {
             (moment_along / area - middle, moment_deep / area)
         } else {

@@ -105,6 +105,7 @@ impl<T: Real> Stiffness<T> {
     ///
     /// # Errors
     /// Where the force is below A or not finite.
+    #[inline(always)]
     pub fn with_saturation_force(self, force: T) -> Result<Self, CrushError> {
         error::finite("limit of the force per width", force.value())?;
         if force.value() < self.a.value() {

@@ -5,7 +5,8 @@ mod motion;
 use std::fmt::{self, Display};
 
 use crash3::{
-    CrushError, DamagedFace, ObliqueCorrection, Profile, Side, SideStiffness, Stiffness, VehicleClass,
+    CrushArea, CrushError, DamagedFace, ObliqueCorrection, Profile, Side, SideStiffness, Stiffness,
+    VehicleClass,
 };
 use pim_core::{Body, Contact, Motion, Participant, Real, VaryingLaw, Vector2, VehicleId};
 use reconcile::Unknown;
@@ -591,7 +592,8 @@ impl<'a, T: Real> Demand<'a, T> {
         let moved = |axis| self.case.departures.of_contact(id, axis);
         let along = along_face(self.case.axes, damage.side, moved(FaceAxis::Along));
         let moved = [along, moved(FaceAxis::Inward)];
-        let point = placed_contact(damage.side, &dimensions, offset, moved, profile);
+        let area = profile.zones().fold(CrushArea::none(), CrushArea::with);
+        let point = placed_contact(damage.side, &dimensions, offset, moved, &area);
         self.accepted(format_args!("{}.contact", table(id)), point)
     }
 
@@ -1041,10 +1043,10 @@ pub fn placed_contact<T: Real>(
     dimensions: &Dimensions<T>,
     offset: T,
     [along, inward]: [T; 2],
-    profile: &Profile<T>,
+    area: &CrushArea<T>,
 ) -> Result<[T; 2], CrushError> {
     let face = DamagedFace::new(side, dimensions.face(side) - inward, offset + along)?;
-    Ok(face.centroid(profile))
+    Ok(face.centroid_of(area))
 }
 
 fn dimensions<T: Real>(

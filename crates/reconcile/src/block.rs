@@ -4,7 +4,7 @@ use crash3::EnergyBasis;
 use pim_core::{Law, Outcome, RestitutionCurve};
 
 use crate::isolated::{Meeting, Push, against, along, full, slowest};
-use crate::pieces::{Branch, Stretch};
+use crate::pieces::{Branch, HALVINGS, Stretch};
 use crate::posed::Posed;
 use crate::problem::Problem;
 
@@ -61,26 +61,33 @@ impl<const N: usize, const BRANCHES: usize> CurveBlock<N, BRANCHES> {
         let after = [[f64::INFINITY; N], last[1]];
         let ends = points.iter().chain([&after]);
         for stretch in [&before].into_iter().chain(points).zip(ends) {
-            if !is_open.contains(&true) {
+            if !any(&is_open) {
                 break;
             }
-            let mut roots = [[f64::INFINITY; N]; BRANCHES];
-            let mut is_sure = [true; N];
-            let mut search = Searching { stretch, laws, is_open: &is_open, is_sure: &mut is_sure };
-            // Not a loop, so that each of them is compiled for one law.
-            if BRANCHES == 1 {
-                self.branch(own, &pushes[0], &mut search, &mut roots[0]);
-            } else {
-                self.branch(full, &pushes[0], &mut search, &mut roots[0]);
-                self.branch(against, &pushes[1], &mut search, &mut roots[1]);
-                self.branch(along, &pushes[2], &mut search, &mut roots[2]);
-            }
-            for lane in 0..N {
-                let all: [f64; BRANCHES] = core::array::from_fn(|i| roots[i][lane]);
-                let (x, are_apart) = slowest(all);
-                let (is_found, is_sure) = (x < f64::INFINITY, is_sure[lane] & are_apart);
-                found[lane] = if is_open[lane] & is_sure & is_found { x } else { found[lane] };
-                is_open[lane] &= is_sure & !is_found;
+            let mut parts = self.parts(stretch, &is_open);
+            while any(&parts.is_searched) {
+                let mut roots = [[f64::INFINITY; N]; BRANCHES];
+                let mut search =
+                    Searching { laws, parts: &parts, several: [false; N], is_unsure: [false; N] };
+                // Not a loop, so that each of them is compiled for one law.
+                if BRANCHES == 1 {
+                    self.branch(own, &pushes[0], &mut search, &mut roots[0]);
+                } else {
+                    self.branch(full, &pushes[0], &mut search, &mut roots[0]);
+                    self.branch(against, &pushes[1], &mut search, &mut roots[1]);
+                    self.branch(along, &pushes[2], &mut search, &mut roots[2]);
+                }
+                let Searching { several, is_unsure, .. } = search;
+                for lane in 0..N {
+                    let all: [f64; BRANCHES] = core::array::from_fn(|i| roots[i][lane]);
+                    let (x, are_apart) = slowest(all);
+                    let is_told = parts.is_searched[lane] & !several[lane];
+                    let is_sure = is_told & !is_unsure[lane] & are_apart;
+                    let is_found = is_sure & (x < f64::INFINITY);
+                    found[lane] = if is_found { x } else { found[lane] };
+                    is_open[lane] &= !is_told | (is_sure & !is_found);
+                }
+                parts.go_on(&several, &mut is_open);
             }
         }
         found
@@ -116,7 +123,7 @@ impl<const N: usize, const BRANCHES: usize> CurveBlock<N, BRANCHES> {
         }
     }
 
-    /// The roots in a stretch under one branch of the laws, infinite where there is none.
+    /// The roots in a part of a stretch under one branch of the laws, infinite where there is none.
     #[inline(always)]
     fn branch<L: Laws>(
         &self,
@@ -125,32 +132,42 @@ impl<const N: usize, const BRANCHES: usize> CurveBlock<N, BRANCHES> {
         search: &mut Searching<'_, N, L>,
         roots: &mut [f64; N],
     ) {
-        let Searching { stretch: ([from, e_from], [to, e_to]), laws, is_open, is_sure } = search;
+        let Searching { laws, parts, several, is_unsure } = search;
+        // Columns of their own, of which the compiler knows that no pointer leads to them.
+        let [mut none, mut one, mut is_sure] = [[false; N]; 3];
+        for lane in 0..N {
+            let changes = self.meeting(lane).changes(&parts.slowest(lane), &push(pushes, lane));
+            (none[lane], one[lane], is_sure[lane]) = (changes.none, changes.one, changes.is_sure);
+        }
         let mut may_have = [false; N];
         for lane in 0..N {
-            let stretch = self.stretch(lane, [(from[lane], e_from[lane]), (to[lane], e_to[lane])]);
-            let changes = self.meeting(lane).changes(&stretch, &push(pushes, lane));
-            let is_searched = is_open[lane] & stretch.has_length() & !stretch.is_elastic();
-            is_sure[lane] &= !is_searched | changes.none | changes.one;
-            may_have[lane] = is_searched & changes.one;
+            // Of the branches in their order the first one that is not sure decides.
+            let is_searched = parts.is_searched[lane] & !several[lane] & !is_unsure[lane];
+            let is_open = is_searched & !none[lane] & !one[lane];
+            may_have[lane] = is_searched & one[lane];
+            several[lane] |= is_open & is_sure[lane];
+            is_unsure[lane] |= is_open & !is_sure[lane];
         }
-        if !may_have.contains(&true) {
+        if !any(&may_have) {
             return;
         }
         let mut speeds = [0.0; N];
         let mut is_found = [false; N];
         for lane in 0..N {
-            let stretch = self.stretch(lane, [(from[lane], e_from[lane]), (to[lane], e_to[lane])]);
-            let (root, is_root) = self.meeting(lane).isolated(&stretch, &push(pushes, lane));
+            let (root, is_root) = self.meeting(lane).isolated(&parts.slowest(lane), &push(pushes, lane));
             speeds[lane] = root.x;
             is_found[lane] = is_root;
         }
+        let mut is_acting = [false; N];
         for lane in 0..N {
-            let stretch = self.stretch(lane, [(from[lane], e_from[lane]), (to[lane], e_to[lane])]);
             let law = laws.law(lane);
-            let [acts, is_root_sure] = self.meeting(lane).acts(&stretch, &law, branch(&law), speeds[lane]);
-            is_sure[lane] &= !may_have[lane] | (is_found[lane] & is_root_sure);
-            roots[lane] = if may_have[lane] & acts { speeds[lane] } else { f64::INFINITY };
+            let [acts, is_root_sure] =
+                self.meeting(lane).acts(&parts.slowest(lane), &law, branch(&law), speeds[lane]);
+            (is_acting[lane], is_sure[lane]) = (acts, is_root_sure);
+        }
+        for lane in 0..N {
+            is_unsure[lane] |= may_have[lane] & !(is_found[lane] & is_sure[lane]);
+            roots[lane] = if may_have[lane] & is_acting[lane] { speeds[lane] } else { f64::INFINITY };
         }
     }
 
@@ -159,21 +176,124 @@ impl<const N: usize, const BRANCHES: usize> CurveBlock<N, BRANCHES> {
         Meeting::of(core::array::from_fn(|i| self.meetings[i][lane]), self.basis)
     }
 
+    /// The stretches between two points each, as a part of their own.
     #[inline(always)]
-    fn stretch(&self, lane: usize, points: [(f64, f64); 2]) -> Stretch {
-        Stretch::between(points).within([self.reach[0][lane], self.reach[1][lane]])
+    fn parts<'a>(
+        &self,
+        ([from, e_from], [to, e_to]): (&'a [[f64; N]; 2], &'a [[f64; N]; 2]),
+        is_open: &[bool; N],
+    ) -> Parts<'a, N> {
+        let mut parts = Parts {
+            start: from,
+            end: to,
+            restitution: [e_from, e_to],
+            rise: [0.0; N],
+            low: [0.0; N],
+            ends: [[0.0; N]; HALVINGS + 1],
+            count: [1; N],
+            is_searched: [false; N],
+        };
+        for lane in 0..N {
+            let stretch = Stretch::between([(from[lane], e_from[lane]), (to[lane], e_to[lane])])
+                .within([self.reach[0][lane], self.reach[1][lane]]);
+            let [low, high] = stretch.range;
+            (parts.rise[lane], parts.low[lane], parts.ends[0][lane]) = (stretch.rise, low, high);
+            parts.is_searched[lane] = is_open[lane] & stretch.has_length() & !stretch.is_elastic();
+        }
+        parts
     }
 }
 
-/// What the search in one stretch takes for all problems.
+/// A stretch of each problem in parts, of which the slowest is searched first and halved where it may have
+/// several roots: as a search for one problem does it.
+struct Parts<'a, const N: usize> {
+    /// (m/s)
+    start: &'a [f64; N],
+    /// (m/s)
+    end: &'a [f64; N],
+    restitution: [&'a [f64; N]; 2],
+    /// (s/m)
+    rise: [f64; N],
+    /// (m/s) where the slowest part begins.
+    low: [f64; N],
+    /// (m/s) where each part ends, the slowest first.
+    ends: [[f64; N]; HALVINGS + 1],
+    /// How many parts there are.
+    count: [u8; N],
+    /// Whether a part is left to search.
+    is_searched: [bool; N],
+}
+
+impl<const N: usize> Parts<'_, N> {
+    #[inline(always)]
+    fn slowest(&self, lane: usize) -> Stretch {
+        let [e_0, e_1] = self.restitution;
+        Stretch {
+            start: self.start[lane],
+            length: self.end[lane] - self.start[lane],
+            restitution: [e_0[lane], e_1[lane]],
+            rise: self.rise[lane],
+            range: [self.low[lane], self.ends[0][lane]],
+        }
+    }
+
+    /// The next part is searched of each problem that is open: the slower half of the one before where that
+    /// may have several roots. A problem of which that is no longer halved is closed.
+    #[inline(always)]
+    fn go_on(&mut self, is_halved: &[bool; N], is_open: &mut [bool; N]) {
+        if any(is_halved) {
+            for (lane, is_halved) in is_halved.iter().enumerate() {
+                is_open[lane] &= !is_halved | (usize::from(self.count[lane]) <= HALVINGS);
+            }
+            for i in (0..HALVINGS).rev() {
+                for (lane, is_halved) in is_halved.iter().enumerate() {
+                    let end = self.ends[i][lane];
+                    self.ends[i + 1][lane] = if *is_halved { end } else { self.ends[i + 1][lane] };
+                }
+            }
+            for (lane, is_halved) in is_halved.iter().enumerate() {
+                let middle = Stretch::middle([self.low[lane], self.ends[0][lane]]);
+                self.ends[0][lane] = if *is_halved { middle } else { self.ends[0][lane] };
+            }
+        }
+        for (lane, is_halved) in is_halved.iter().enumerate() {
+            self.low[lane] = if *is_halved { self.low[lane] } else { self.ends[0][lane] };
+        }
+        for (lane, is_halved) in is_halved.iter().enumerate() {
+            let count = if *is_halved { self.count[lane] + 1 } else { self.count[lane] - 1 };
+            self.is_searched[lane] &= is_open[lane] & (count > 0);
+            self.count[lane] = if self.is_searched[lane] { count } else { 1 };
+        }
+        if !any(&self.is_searched) {
+            return;
+        }
+        for i in 0..HALVINGS {
+            for (lane, is_halved) in is_halved.iter().enumerate() {
+                let next = self.ends[i + 1][lane];
+                self.ends[i][lane] = if *is_halved { self.ends[i][lane] } else { next };
+            }
+        }
+    }
+}
+
+/// What the search in one part takes for all problems.
 struct Searching<'a, const N: usize, L> {
-    /// The points at its ends.
-    stretch: (&'a [[f64; N]; 2], &'a [[f64; N]; 2]),
     laws: &'a L,
-    /// Whether no root is found yet.
-    is_open: &'a [bool; N],
-    /// Whether signs isolate the roots.
-    is_sure: &'a mut [bool; N],
+    parts: &'a Parts<'a, N>,
+    /// Whether a part may have several roots under one branch: fewer in each half.
+    several: [bool; N],
+    /// Whether rounding may decide what roots it has.
+    is_unsure: [bool; N],
+}
+
+/// Whether one of these is true. `contains` would be a call, and the column one that a pointer leads to.
+#[inline(always)]
+fn any<const N: usize>(flags: &[bool; N]) -> bool {
+    let mut any = false;
+    for flag in flags {
+        any |= *flag;
+    }
+    any
 }
 
 #[inline(always)]

@@ -55,8 +55,26 @@ impl<T: Real> Problem<T> {
     #[inline(always)]
     #[must_use]
     pub fn solve_with_validity(&self) -> (T, Outcome<T>, bool) {
+        let (speed, outcome, [is_answer, _]) = self.solve_with_verdict();
+        (speed, outcome, is_answer)
+    }
+
+    /// Like [`solve_with_validity`](Self::solve_with_validity), with a second flag: whether `solve` surely
+    /// has no answer, as at the only speed that gives the crush energy no push has the critical ratio, of
+    /// which the law takes a fraction.
+    #[inline(always)]
+    #[must_use]
+    pub fn solve_with_verdict(&self) -> (T, Outcome<T>, [bool; 2]) {
         let posed = Posed { problem: self, line: self.line() };
-        posed.answer_at(posed.slowest_approach())
+        let x = posed.slowest_approach();
+        let (speed, outcome, is_answer) = posed.answer_at(x);
+        let is_considered =
+            self.makes_sense(posed.line.slope) & is_root(x) & !is_too_fast(speed) & !self.has_closed_form();
+        let pulls = (outcome.approach.normal < T::ZERO)
+            & outcome.approach.normal.is_finite()
+            & outcome.energy.before.is_finite()
+            & outcome.critical_impulse_ratio.is_none();
+        (speed, outcome, [is_answer, is_considered & pulls])
     }
 
     /// Whether W_n is quadratic in the speed, at all speeds or piece by piece.

@@ -112,7 +112,23 @@ pub(crate) struct Changes {
     /// Surely once.
     pub(crate) one: bool,
     /// Whether rounding decides over none of the signs.
-    is_sure: bool,
+    pub(crate) is_sure: bool,
+}
+
+impl Changes {
+    /// Of these coefficients, of which rounding may decide over the sign of one no greater than `least`.
+    #[inline(always)]
+    pub(crate) fn of([a, b, c, d, e]: [f64; 5], least: f64) -> Self {
+        let is_sure =
+            (a.abs() > least) & (b.abs() > least) & (c.abs() > least) & (d.abs() > least) & (e.abs() > least);
+        let [a, b, c, d, e] = [a < 0.0, b < 0.0, c < 0.0, d < 0.0, e < 0.0];
+        let (p, q, r, s) = (a != b, b != c, c != d, d != e);
+        let none = !(p | q | r | s);
+        // Of an odd number of changes one alone if neither two of the first pair nor of the second, nor one
+        // of each.
+        let one = (p ^ q ^ r ^ s) & !(p & q) & !(r & s);
+        Self { none: is_sure & none, one: is_sure & one, is_sure }
+    }
 }
 
 /// What a stretch has of roots.
@@ -137,7 +153,7 @@ impl Roots {
         Self { found: [Isolated::none(); 3], count: 0, given: 0 }
     }
 
-    fn insert(&mut self, root: Isolated) {
+    pub(crate) fn insert(&mut self, root: Isolated) {
         let place = self.found[..self.count].partition_point(|other| other.x < root.x);
         self.found[self.count] = root;
         self.found[place..=self.count].rotate_right(1);
@@ -207,7 +223,7 @@ impl Meeting {
     }
 
     #[inline(always)]
-    fn impulse(&self, law: &Law, x: f64) -> LawImpulse {
+    pub(crate) fn impulse(&self, law: &Law, x: f64) -> LawImpulse {
         law.impulse(&self.inverse_mass, self.line.at(x))
     }
 
@@ -227,7 +243,7 @@ impl Meeting {
 
     /// F = ½ w x P_n − s: the factor w at the restitution e.
     #[inline(always)]
-    fn factor(&self, e: f64) -> f64 {
+    pub(crate) fn factor(&self, e: f64) -> f64 {
         match self.basis {
             EnergyBasis::Dissipated => 1.0 - e,
             EnergyBasis::Absorbed => 1.0,
@@ -236,7 +252,7 @@ impl Meeting {
 
     /// (J) F = ½ w x P_n − s: what is sought, s.
     #[inline(always)]
-    fn sought(&self, e: f64) -> f64 {
+    pub(crate) fn sought(&self, e: f64) -> f64 {
         match self.basis {
             EnergyBasis::Dissipated => self.crush_energy,
             EnergyBasis::Absorbed => (1.0 + e) * self.crush_energy,
@@ -301,15 +317,7 @@ impl Meeting {
         let d = 0.5 * (h_1 * p_2 + h_2 * p_1) - (0.25 * s_0 + 0.75 * s_1);
         let e = h_2 * p_2 - s_1;
         let least = (0.5 * x_1 * push.size(x_1) + s_0.max(s_1)) * SIGN_IS_SURE;
-        let is_sure =
-            (a.abs() > least) & (b.abs() > least) & (c.abs() > least) & (d.abs() > least) & (e.abs() > least);
-        let [a, b, c, d, e] = [a < 0.0, b < 0.0, c < 0.0, d < 0.0, e < 0.0];
-        let (p, q, r, s) = (a != b, b != c, c != d, d != e);
-        let none = !(p | q | r | s);
-        // Of an odd number of changes one alone if neither two of the first pair nor of the second, nor one
-        // of each.
-        let one = (p ^ q ^ r ^ s) & !(p & q) & !(r & s);
-        Changes { none: is_sure & none, one: is_sure & one, is_sure }
+        Changes::of([a, b, c, d, e], least)
     }
 
     /// Of a root under a branch of the law: whether the branch acts there, so that it is one of the law, and

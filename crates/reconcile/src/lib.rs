@@ -97,6 +97,7 @@ mod pieces;
 mod polynomial;
 mod posed;
 mod problem;
+mod quartic;
 
 pub use answer::{FASTEST, Iteration, Iterations, Reconciliation, SolutionMethod};
 pub use block::{CurveBlock, Laws, restitutions};

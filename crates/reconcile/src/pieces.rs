@@ -25,14 +25,15 @@
 //! piece to the next is no change of sign within a piece, so it is never taken for a root.
 
 use crash3::EnergyBasis;
-use pim_core::{Law, LawImpulse, Regime, RestitutionCurve, Tangential};
+use pim_core::{InverseMass, Law, LawImpulse, Regime, RestitutionCurve, Tangential};
 
 use crate::answer::{FASTEST, Iteration, Trail};
 use crate::brent::{RootError, brent_between, narrowed};
 use crate::error::ReconcileError;
 use crate::isolated::{Isolated, Meeting, Pushes, Roots, Signs, against, along, full};
-use crate::polynomial::{Points, Polynomial, opposite};
+use crate::polynomial::{Points, Polynomial, Ring, opposite};
 use crate::posed::Posed;
+use crate::quartic::Quartic;
 
 /// Under a fraction of μ_c the contact may jam at the end of a piece, where W_n is infinite: its sign is
 /// taken at this relative distance, far above rounding.
@@ -78,6 +79,12 @@ impl Stretch {
         Self { start: from, length, restitution: [e0, e1], rise: (e1 - e0) / length, range: [from, to] }
     }
 
+    /// Of one restitution.
+    #[inline(always)]
+    pub(crate) fn constant(e: f64, size: f64, range: [f64; 2]) -> Self {
+        Self { start: 0.0, length: size, restitution: [e; 2], rise: 0.0, range }
+    }
+
     /// As far as the approach speeds reach.
     #[inline(always)]
     pub(crate) fn within(self, [least, most]: [f64; 2]) -> Self {
@@ -96,6 +103,12 @@ impl Stretch {
     pub(crate) fn is_elastic(&self) -> bool {
         let [e0, e1] = self.restitution;
         (e0 == 1.0) & (e1 == 1.0)
+    }
+
+    /// (m/s) where a range is halved.
+    #[inline(always)]
+    pub(crate) fn middle([low, high]: [f64; 2]) -> f64 {
+        0.5 * (low + high)
     }
 
     fn parameter(&self, x: f64) -> f64 {
@@ -163,7 +176,7 @@ struct Parts {
 
 /// A part is no shorter than this power of a half of its stretch: two roots that are nearer to each other
 /// take the polynomials of its pieces.
-const HALVINGS: usize = 5;
+pub(crate) const HALVINGS: usize = 5;
 
 impl Parts {
     fn none() -> Self {
@@ -186,7 +199,7 @@ impl Parts {
         let (Some(high), true) = (self.ends[..self.count].last(), self.count <= HALVINGS) else {
             return false;
         };
-        self.ends[self.count] = 0.5 * (self.low + high);
+        self.ends[self.count] = Stretch::middle([self.low, *high]);
         self.count += 1;
         true
     }
@@ -240,6 +253,15 @@ impl Branch {
     }
 }
 
+/// What signs isolate the roots of a part by.
+enum Isolating {
+    Pushes(Pushes),
+    /// It gives the parts, too.
+    Quartic(Quartic),
+    /// By nothing: pieces do.
+    Nothing,
+}
+
 /// A piece that may have roots.
 struct Part {
     stretch: Stretch,
@@ -282,7 +304,7 @@ impl<'a> Posed<'a> {
     ) -> impl Iterator<Item = Result<Root<S>, ReconcileError>> + use<'a, S> {
         let mut only = self.only_root();
         let (law, meeting) = (self.problem.law.nominal(), self.meeting());
-        let pushes = self.pushes(&meeting);
+        let mut isolating = self.isolating(&meeting);
         let mut stretches = only.is_none().then(|| self.stretches());
         let mut parts = Parts::none();
         let mut isolated = Roots::none();
@@ -303,11 +325,16 @@ impl<'a> Posed<'a> {
                     Some(root) => return Some(root),
                     None => by_pieces = None,
                 }
-                let part = match parts.slowest() {
-                    Some(part) => part,
-                    None => parts.begin(stretches.as_mut()?.next()?),
+                let part = match (parts.slowest(), &mut isolating) {
+                    (Some(part), _) => part,
+                    (None, Isolating::Quartic(quartic)) => parts.begin(quartic.next()?),
+                    (None, _) => parts.begin(stretches.as_mut()?.next()?),
                 };
-                let signs = pushes.as_ref().map_or(Signs::Unsure, |all| meeting.signs(&part, &law, all));
+                let signs = match &isolating {
+                    Isolating::Pushes(all) => meeting.signs(&part, &law, all),
+                    Isolating::Quartic(quartic) => quartic.signs(&meeting, &part, &law),
+                    Isolating::Nothing => Signs::Unsure,
+                };
                 match signs {
                     Signs::Several if parts.halve() => continue,
                     Signs::Isolated(roots) => isolated = roots,
@@ -326,6 +353,15 @@ impl<'a> Posed<'a> {
             .filter_map(move |piece| self.part(stretch, piece))
             .flat_map(move |part| self.brackets(part))
             .filter_map(move |bracket| self.root(&bracket).transpose())
+    }
+
+    /// What signs are taken of.
+    fn isolating(self, meeting: &Meeting) -> Isolating {
+        match (self.pushes(meeting), self.quartic(meeting)) {
+            (Some(pushes), _) => Isolating::Pushes(pushes),
+            (None, Some(quartic)) => Isolating::Quartic(quartic),
+            (None, None) => Isolating::Nothing,
+        }
     }
 
     /// P_n under the laws without a limit of which one acts in every impact; `None` where one of them is not
@@ -359,13 +395,7 @@ impl<'a> Posed<'a> {
         let reach = self.reach();
         let size = self.frictionless_approach_speed();
         // Outside of the points e is constant.
-        let constant = move |e: f64, range: [f64; 2]| Stretch {
-            start: 0.0,
-            length: size,
-            restitution: [e; 2],
-            rise: 0.0,
-            range,
-        };
+        let constant = move |e: f64, range: [f64; 2]| Stretch::constant(e, size, range);
         let first = points.first().map_or(f64::INFINITY, |&(x, _)| x);
         let before = constant(law.nominal().restitution(), [0.0, first]);
         let between = points.windows(2).filter_map(|pair| match *pair {
@@ -424,12 +454,13 @@ impl<'a> Posed<'a> {
                 let Branch::Own = self.branch_of_fraction(f) else { return Points::none() };
                 let critical = self.critical(stretch);
                 let moment = self.problem.law.nominal().moment_restitution();
+                let jams = jams(&self.problem.contact.inverse_mass(), &critical, f);
                 let mut borders = roots(critical.normal);
                 if moment != 0.0 {
-                    borders = borders.merged(roots(self.normal_jam(&critical, f)));
+                    borders = borders.merged(roots(jams.normal));
                 }
                 if moment != -1.0 {
-                    borders = borders.merged(roots(self.moment_jam(&critical, f)));
+                    borders = borders.merged(roots(jams.moment));
                 }
                 borders
             }
@@ -571,10 +602,11 @@ impl<'a> Posed<'a> {
     ///   k_mm d − k_nm n,
     /// - P_n = c_n [(1+e) x k_mm + k_nm s] / g with a common yaw rate, e_m = 0, where d cancels;
     /// - M = −(1+e_m) (s d + (1+e) x n) / g.
-    fn fraction_of_critical(self, stretch: &Stretch, f: f64) -> Fraction {
+    fn fraction_of_critical(self, stretch: &Stretch, f: f64) -> Fraction<Polynomial> {
         let k = self.problem.contact.inverse_mass();
         let critical = self.critical(stretch);
-        let d = self.normal_jam(&critical, f);
+        let jams = jams(&k, &critical, f);
+        let d = jams.normal;
         // (1+e) x = −(1+e) u_n
         let change = stretch.one_plus(1.0) * stretch.x();
         let fraction = |share: Polynomial, divisor: Polynomial, moment: Polynomial| Fraction {
@@ -586,37 +618,20 @@ impl<'a> Posed<'a> {
         if !self.problem.law.nominal().has_moment() {
             return fraction(change, d, Polynomial::new([0.0]));
         }
-        let g = self.moment_jam(&critical, f);
         let e_m = self.problem.law.nominal().moment_restitution();
-        let n = k.nm * critical.normal + (f * k.tm) * critical.tangential;
-        // s d + (1+e) x n
-        let turning = self.line.relative_yaw_rate * d + change * n;
+        let yaw_rate = self.line.relative_yaw_rate;
         if e_m == 0.0 {
-            let share = k.mm * change + Polynomial::new([k.nm * self.line.relative_yaw_rate]);
-            return fraction(share, g, -1.0 * turning);
+            let share = k.mm * change + Polynomial::new([k.nm * yaw_rate]);
+            return fraction(share, jams.moment, -1.0 * jams.turning(yaw_rate, change));
         }
-        let share = (1.0 + e_m) * k.nm;
-        fraction(change * g + share * turning, d * g, -(1.0 + e_m) * (turning * d))
+        fraction_with_moment(&k, (&critical, f), &jams, change, (yaw_rate, e_m))
     }
 
     /// The critical impulse c, up to a factor.
-    fn critical(self, stretch: &Stretch) -> Critical {
+    fn critical(self, stretch: &Stretch) -> Critical<Polynomial> {
         let c = stretch
             .corners(&self.problem.law.nominal(), |law, x| self.impulse_at(&law.without_limit(), x).linear);
         Critical { normal: c.polynomial(|c| c.normal), tangential: c.polynomial(|c| c.tangential) }
-    }
-
-    /// d = k_nn c_n + f k_nt c_t: the contact jams where it is zero.
-    fn normal_jam(self, critical: &Critical, f: f64) -> Polynomial {
-        let k = self.problem.contact.inverse_mass();
-        k.nn * critical.normal + (f * k.nt) * critical.tangential
-    }
-
-    /// g = k_mm d − k_nm n: where it is zero, no moment impulse gives a common yaw rate.
-    fn moment_jam(self, critical: &Critical, f: f64) -> Polynomial {
-        let k = self.problem.contact.inverse_mass();
-        let n = k.nm * critical.normal + (f * k.tm) * critical.tangential;
-        k.mm * self.normal_jam(critical, f) + -k.nm * n
     }
 
     /// (J) W_n + λ W_t at the approach speed x less the value sought, as a crush energy on the basis.
@@ -672,16 +687,61 @@ impl<'a> Posed<'a> {
     }
 }
 
-/// Numerators of P_n, P_t and M, and the denominator that they share.
-struct Fraction {
-    push: Polynomial,
-    slide: Polynomial,
-    moment: Polynomial,
-    divisor: Polynomial,
+/// Numerators of P_n, P_t and M, and the denominator that they share: polynomials of some kind.
+pub(crate) struct Fraction<P> {
+    pub(crate) push: P,
+    slide: P,
+    moment: P,
+    pub(crate) divisor: P,
 }
 
 /// The critical impulse of a law.
-struct Critical {
-    normal: Polynomial,
-    tangential: Polynomial,
+pub(crate) struct Critical<P> {
+    pub(crate) normal: P,
+    pub(crate) tangential: P,
+}
+
+/// Under a fraction f of μ_c.
+pub(crate) struct Jams<P> {
+    /// d = k_nn c_n + f k_nt c_t: the contact jams where it is zero.
+    pub(crate) normal: P,
+    /// n = k_nm c_n + f k_tm c_t
+    turn: P,
+    /// g = k_mm d − k_nm n: where it is zero, no moment impulse gives a common yaw rate.
+    pub(crate) moment: P,
+}
+
+impl<P: Ring> Jams<P> {
+    /// s d + (1+e) x n
+    #[inline(always)]
+    fn turning(&self, yaw_rate: f64, change: P) -> P {
+        self.normal.by(yaw_rate) + change * self.turn
+    }
+}
+
+#[inline(always)]
+pub(crate) fn jams<P: Ring>(k: &InverseMass, critical: &Critical<P>, f: f64) -> Jams<P> {
+    let normal = critical.normal.by(k.nn) + critical.tangential.by(f * k.nt);
+    let turn = critical.normal.by(k.nm) + critical.tangential.by(f * k.tm);
+    Jams { normal, turn, moment: normal.by(k.mm) + turn.by(-k.nm) }
+}
+
+/// The second case of [`Posed::fraction_of_critical`], with (1+e) x.
+#[inline(always)]
+pub(crate) fn fraction_with_moment<P: Ring>(
+    k: &InverseMass,
+    (critical, f): (&Critical<P>, f64),
+    jams: &Jams<P>,
+    change: P,
+    (yaw_rate, e_m): (f64, f64),
+) -> Fraction<P> {
+    let (d, g) = (jams.normal, jams.moment);
+    let turning = jams.turning(yaw_rate, change);
+    let share = change * g + turning.by((1.0 + e_m) * k.nm);
+    Fraction {
+        push: critical.normal * share,
+        slide: (critical.tangential * share).by(f),
+        divisor: d * g,
+        moment: (turning * d).by(-(1.0 + e_m)),
+    }
 }

@@ -59,25 +59,12 @@ impl Polynomial {
     /// one of the signs.
     pub(crate) fn changes(&self, [low, high]: [f64; 2]) -> Option<usize> {
         let (n, length) = (self.degree, high - low);
-        let mut shifted = self.coefficients;
-        // c_j of (t − low)ʲ, by Horner's scheme
-        for end in 0..n {
-            for i in (end..n).rev() {
-                shifted[i] += low * shifted[i + 1];
-            }
-        }
-        let mut power = 1.0;
-        for (j, c) in shifted[..=n].iter_mut().enumerate() {
-            *c *= power / binomial(n, j);
-            power *= length;
-        }
+        let bernstein = bernstein(self.coefficients, n, [low, length]);
         // No less than the sizes of what a Bernstein coefficient is a sum of.
         let reach = low.abs() + length;
         let size = self.coefficients().iter().rev().fold(0.0, |size, c| size * reach + c.abs());
         let (mut changes, mut before) = (0, 0.0);
-        for i in 0..=n {
-            // b_i = Σ_j C(i, j)/C(n, j) c_j (high − low)ʲ
-            let b: f64 = (0..=i).map(|j| binomial(i, j) * shifted[j]).sum();
+        for &b in &bernstein[..=n] {
             if b.is_nan() || b.abs() <= size * SIGN_IS_SURE {
                 return None;
             }
@@ -128,14 +115,19 @@ impl Polynomial {
         if b * root > 0.0 { 2.0 * c / (-b - root) } else { (root - b) / (2.0 * a) }
     }
 
-    /// The root in an interval that has one at most; `None` where the sign does not change. It is sought from
-    /// a point by Newton's method, and in the interval if that leaves it.
+    /// The root in an interval that has one at most; `None` where the sign does not change. It is sought by
+    /// Newton's method, from a point or, where that lies outside, from where the chord is zero; and in the
+    /// interval if that leaves it.
     pub(crate) fn root_in(&self, interval: [f64; 2], from: f64) -> Option<f64> {
         let ends = interval.map(|t| (t, self.at(t)));
-        let [low, high] = interval;
-        opposite(ends[0].1, ends[1].1).then(|| match self.newton(from) {
-            Some(root) if low <= root && root <= high => root,
-            _ => self.root_between(ends),
+        let [(low, at_low), (high, at_high)] = ends;
+        let is_inside = |t: f64| low <= t && t <= high;
+        opposite(at_low, at_high).then(|| {
+            let on_chord = low + (high - low) * (at_low / (at_low - at_high));
+            match self.newton(if is_inside(from) { from } else { on_chord }) {
+                Some(root) if is_inside(root) => root,
+                _ => self.root_between(ends),
+            }
         })
     }
 
@@ -174,6 +166,33 @@ impl Polynomial {
     }
 }
 
+/// The Bernstein coefficients of a polynomial of degree n with these coefficients, in the interval of that
+/// length from `low` on.
+#[inline(always)]
+pub(crate) fn bernstein<const M: usize>(
+    mut shifted: [f64; M],
+    n: usize,
+    [low, length]: [f64; 2],
+) -> [f64; M] {
+    // c_j of (t − low)ʲ, by Horner's scheme
+    for end in 0..n {
+        for i in (end..n).rev() {
+            shifted[i] += low * shifted[i + 1];
+        }
+    }
+    let mut power = 1.0;
+    for (j, c) in shifted[..=n].iter_mut().enumerate() {
+        *c *= power / binomial(n, j);
+        power *= length;
+    }
+    let mut coefficients = [0.0; M];
+    for (i, b) in coefficients[..=n].iter_mut().enumerate() {
+        // b_i = Σ_j C(i, j)/C(n, j) c_j (high − low)ʲ
+        *b = (0..=i).map(|j| binomial(i, j) * shifted[j]).sum();
+    }
+    coefficients
+}
+
 /// More steps than Newton's method takes from a few times the root.
 const NEWTON_STEPS: usize = 12;
 
@@ -185,6 +204,7 @@ const NEWTON_CONVERGED: f64 = 1e-9;
 pub(crate) const SIGN_IS_SURE: f64 = 1e-12;
 
 /// C(n, k), up to [`DEGREE`]; zero where k > n.
+#[inline(always)]
 fn binomial(n: usize, k: usize) -> f64 {
     /// Pascal's triangle.
     const ROWS: [[f64; DEGREE + 1]; DEGREE + 1] = {
@@ -237,6 +257,18 @@ impl core::ops::Mul<Polynomial> for f64 {
 
     fn mul(self, polynomial: Polynomial) -> Polynomial {
         Polynomial { coefficients: polynomial.coefficients.map(|c| self * c), ..polynomial }
+    }
+}
+
+/// Polynomials of some kind.
+pub(crate) trait Ring: Copy + core::ops::Add<Output = Self> + core::ops::Mul<Output = Self> {
+    /// This one, multiplied by a number.
+    fn by(self, factor: f64) -> Self;
+}
+
+impl Ring for Polynomial {
+    fn by(self, factor: f64) -> Self {
+        factor * self
     }
 }
 

@@ -124,7 +124,7 @@ impl Block {
     pub(super) fn pose(&self, values: &[Lanes], speeds: OpenSpeeds) -> Poses {
         let energy = |damage: &Damage, mass: &Lanes| {
             let mut energy = [0.0; LANES];
-            damage.add_energy(values, mass, &mut energy);
+            damage.add_energy(values, mass, &mut energy, &mut [0; LANES]);
             energy
         };
         let [one, two] = &self.vehicles;

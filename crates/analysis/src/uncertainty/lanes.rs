@@ -16,8 +16,8 @@ use std::slice;
 
 use ::uncertainty::{Instructions, LANES, Lanes};
 use crash3::{
-    CrushError, DamagedFace, EnergyBasis, ObliqueCorrection, Profile, Side, SideStiffness, Stiffness,
-    VehicleClass, Zone, energy_of_equivalent_speed, equal_spacing, zone_energy,
+    CrushArea, CrushError, DamagedFace, EnergyBasis, ObliqueCorrection, Profile, Side, SideStiffness,
+    Stiffness, VehicleClass, Zone, energy_of_equivalent_speed, equal_spacing, zone_energy,
 };
 use fearless_simd::dispatch;
 use inputs::{
@@ -397,7 +397,7 @@ impl Block {
         let posed = self.pose(inputs);
         let law = &self.at_once;
         let numbers = law.condition.lanes(self.axes, inputs);
-        let mut settled = match &law.restitution {
+        let told = match &law.restitution {
             Restituted::Constant(e) => {
                 self.all_at_once(instructions, &e.lanes(inputs), (law, &numbers), &posed, inputs, outputs)
             }
@@ -405,6 +405,11 @@ impl Block {
                 self.under_curves(instructions, points, (law, &numbers), &posed, inputs, outputs)
             }
         };
+        let mut settled = told.answered;
+        for lane in 0..LANES {
+            reasons[lane] = if told.answered[lane] { reasons[lane] } else { told.reasons[lane] };
+            settled[lane] |= told.reasons[lane] != NO_REASON;
+        }
         if !settled.iter().all(|is_settled| *is_settled) {
             self.in_turn(&posed, inputs, outputs, reasons, &mut settled);
         }
@@ -420,10 +425,11 @@ impl Block {
             vehicles: [one.lanes(self.axes, inputs), two.lanes(self.axes, inputs)],
             crush_plane: lateral(self.axes, &self.crush_plane, inputs),
             crush_energy: [0.0; LANES],
+            faults: [Reason::Other.code(); LANES],
         };
-        let Posed { vehicles: [v1, v2], crush_energy, .. } = &mut posed;
-        one.damage.add_energy(inputs, &v1.mass, crush_energy);
-        two.damage.add_energy(inputs, &v2.mass, crush_energy);
+        let Posed { vehicles: [v1, v2], crush_energy, faults, .. } = &mut posed;
+        one.damage.add_energy(inputs, &v1.mass, crush_energy, faults);
+        two.damage.add_energy(inputs, &v2.mass, crush_energy, faults);
         if one.face.is_some() | two.face.is_some() {
             self.refuse_faces(inputs, crush_energy);
         }
@@ -453,7 +459,7 @@ impl Block {
         posed: &Posed,
         inputs: &[Lanes],
         outputs: &mut [Lanes],
-    ) -> [bool; LANES] {
+    ) -> Told {
         let crush_energy = &posed.crush_energy;
         let moment = law.moment.map(|moment| moment.lanes(inputs));
         let law = (law.condition, numbers, moment.as_ref());
@@ -464,7 +470,7 @@ impl Block {
                 self.under(instructions, (e, law), &question, posed, outputs)
             }
             Some(Sought { unknown, basis, share: Some(share) }) => {
-                let (Condition::Restitution(_), numbers, None) = law else { return [false; LANES] };
+                let (Condition::Restitution(_), numbers, None) = law else { return Told::nothing() };
                 let question = Speed { unknown, basis, share: share.lanes(inputs), crush_energy };
                 let laws = LawLanes::without_moment(Tangential::Restitution, numbers);
                 self.at_once(instructions, (e, &laws), &question, posed, outputs)
@@ -494,7 +500,7 @@ impl Block {
         question: &impl Question,
         posed: &Posed,
         outputs: &mut [Lanes],
-    ) -> [bool; LANES] {
+    ) -> Told {
         match (condition, moment) {
             (Condition::Restitution(_), None) => {
                 let laws = LawLanes::without_moment(Tangential::Restitution, numbers);
@@ -528,7 +534,7 @@ impl Block {
                 let laws = LawLanes::without_moment(Tangential::VelocityChange, numbers);
                 self.at_once(instructions, (e, &laws), question, posed, outputs)
             }
-            (Condition::Fraction(_) | Condition::Ratio(_), Some(_)) => [false; LANES],
+            (Condition::Fraction(_) | Condition::Ratio(_), Some(_)) => Told::nothing(),
         }
     }
 
@@ -542,7 +548,7 @@ impl Block {
         question: &impl Question,
         posed: &Posed,
         outputs: &mut [Lanes],
-    ) -> [bool; LANES] {
+    ) -> Told {
         dispatch!(instructions.level(), _simd => self.at_once_with(e, laws, question, posed, outputs))
     }
 
@@ -554,21 +560,24 @@ impl Block {
         question: &impl Question,
         posed: &Posed,
         outputs: &mut [Lanes],
-    ) -> [bool; LANES] {
+    ) -> Told {
         // On the stack of this function, so that the compiler knows that no column is part of another.
         let mut values = [[0.0; LANES]; OUTPUTS];
-        let mut answered = [false; LANES];
+        let mut told = Told::nothing();
         for lane in 0..LANES {
             let (law, is_law) = laws.with_restitution(e[lane], lane);
             let (contact, motions, is_contact) = posed.contact(lane);
-            let (speed, outcome, is_answer) = question.answer(contact, law, motions, lane);
-            answered[lane] = is_law & is_contact & is_answer;
+            let (speed, outcome, [is_answer, pulls]) = question.answer(contact, law, motions, lane);
+            let is_taken = is_law & is_contact & question.takes(lane);
+            told.answered[lane] = is_taken & is_answer;
+            let reason = if pulls { Reason::Pulling.code() } else { NO_REASON };
+            told.reasons[lane] = if is_taken { reason } else { posed.faults[lane] };
             for (column, value) in values.iter_mut().zip(answer(self.axes, &self.central, speed, &outcome)) {
                 column[lane] = value;
             }
         }
         self.write(&values, outputs);
-        answered
+        told
     }
 
     /// Solves those samples of which the speed under a curve of restitution is found at once.
@@ -581,10 +590,15 @@ impl Block {
         posed: &Posed,
         inputs: &[Lanes],
         outputs: &mut [Lanes],
-    ) -> [bool; LANES] {
-        let Some(Sought { unknown, basis, share: None }) = self.sought else { return [false; LANES] };
-        let points: Vec<[Lanes; 2]> =
-            points.iter().map(|(speed, e)| [si(speed, inputs), e.lanes(inputs)]).collect();
+    ) -> Told {
+        let Some(Sought { unknown, basis, share: None }) = self.sought else { return Told::nothing() };
+        // A closure for each would be compiled for the least of the instructions.
+        let mut columns = vec![[[0.0; LANES]; 2]; points.len()];
+        for ([speeds, values], (speed, e)) in columns.iter_mut().zip(points) {
+            *speeds = si(speed, inputs);
+            *values = e.lanes(inputs);
+        }
+        let points = &columns;
         let (points, asked) = ((instructions, &points[..]), (unknown, basis));
         match (law.condition, law.moment) {
             (Condition::Restitution(_), None) => {
@@ -606,7 +620,7 @@ impl Block {
             }
             (Condition::Restitution(_), Some(_))
             | (Condition::Fraction(_) | Condition::Ratio(_) | Condition::VelocityChange(_), _) => {
-                [false; LANES]
+                Told::nothing()
             }
         }
     }
@@ -620,7 +634,7 @@ impl Block {
         asked: (Unknown, EnergyBasis),
         posed: &Posed,
         outputs: &mut [Lanes],
-    ) -> [bool; LANES] {
+    ) -> Told {
         dispatch!(
             instructions.level(),
             _simd => self.under_curves_with::<BRANCHES, L>(points, laws, asked, posed, outputs)
@@ -635,16 +649,19 @@ impl Block {
         (unknown, basis): (Unknown, EnergyBasis),
         posed: &Posed,
         outputs: &mut [Lanes],
-    ) -> [bool; LANES] {
+    ) -> Told {
         let mut block = CurveBlock::<LANES, BRANCHES>::new(basis);
+        let mut told = Told::nothing();
         for lane in 0..LANES {
-            let (law, _) = laws.with_restitution(0.0, lane);
-            let (contact, motions, _) = posed.contact(lane);
+            let (law, is_law) = laws.with_restitution(0.0, lane);
+            let (contact, motions, is_contact) = posed.contact(lane);
+            let is_taken = is_law & is_contact & !posed.crush_energy[lane].is_nan();
+            told.reasons[lane] = if is_taken { NO_REASON } else { posed.faults[lane] };
             block.set(lane, &problem(contact, law, motions, unknown, posed.crush_energy[lane], basis));
         }
         let approaches = block.slowest_approaches(points, laws);
         if !approaches.iter().any(|approach| *approach > 0.0) {
-            return [false; LANES];
+            return told;
         }
         let mut closing = [0.0; LANES];
         for lane in 0..LANES {
@@ -655,19 +672,18 @@ impl Block {
         }
         let (e, is_curve) = restitutions(points, &closing);
         let mut values = [[0.0; LANES]; OUTPUTS];
-        let mut answered = [false; LANES];
         for lane in 0..LANES {
             let (law, is_law) = laws.with_restitution(e[lane], lane);
             let (contact, motions, is_contact) = posed.contact(lane);
             let problem = problem(contact, law, motions, unknown, posed.crush_energy[lane], basis);
             let (speed, outcome, is_answer) = problem.answer_at(approaches[lane]);
-            answered[lane] = is_law & is_curve[lane] & is_contact & is_answer;
+            told.answered[lane] = is_law & is_curve[lane] & is_contact & is_answer;
             for (column, value) in values.iter_mut().zip(answer(self.axes, &self.central, speed, &outcome)) {
                 column[lane] = value;
             }
         }
         self.write(&values, outputs);
-        answered
+        told
     }
 
     /// The columns of the outputs that are wanted.
@@ -745,11 +761,11 @@ impl Block {
         inputs: &[Lanes],
         lane: usize,
     ) -> Result<Problem, Reason> {
-        let (contact, law, motions) = self.collision(posed, inputs, lane)?;
         let crush_energy = posed.crush_energy[lane];
         if crush_energy.is_nan() {
-            return Err(self.fault(inputs, lane));
+            return Err(posed.fault(lane));
         }
+        let (contact, law, motions) = self.collision(posed, inputs, lane)?;
         let tangential_share = share.map_or(0.0, |share| share.at(inputs, lane));
         Ok(Problem { contact, law, motions, unknown, crush_energy, basis, tangential_share })
     }
@@ -761,29 +777,17 @@ impl Block {
         lane: usize,
     ) -> Result<(Contact, VaryingLaw, [Motion; 2]), Reason> {
         let law = self.law.map(|number| number.at(inputs, lane));
-        let mut law = law.of_engine(self.axes).map_err(|_| self.fault(inputs, lane))?;
+        let mut law = law.of_engine(self.axes).map_err(|_| posed.fault(lane))?;
         if let Restituted::Curve(points) = &self.at_once.restitution {
             let at = |(speed, e): &(Quantity<Number>, Number)| {
                 (speed.with(speed.number().at(inputs, lane)).si(), e.at(inputs, lane))
             };
             let curve = RestitutionCurve::new(points.iter().map(at).collect());
-            let curve = curve.map_err(|_| self.fault(inputs, lane))?;
+            let curve = curve.map_err(|_| posed.fault(lane))?;
             law = law.nominal().with_restitution_curve(curve);
         }
         let (contact, motions, is_contact) = posed.contact(lane);
-        if is_contact { Ok((contact, law, motions)) } else { Err(self.fault(inputs, lane)) }
-    }
-
-    /// The reason of a sample of which the engine refuses something while it takes it in, as
-    /// [`Reason::of_case`]: a fault of the case, unless its stiffness has a reason of its own.
-    #[cold]
-    fn fault(&self, inputs: &[Lanes], lane: usize) -> Reason {
-        let mut refusals = self.vehicles.iter().filter_map(|vehicle| {
-            let Damage::Crush(_, Resistance::Other(side, stiffness)) = &vehicle.damage else { return None };
-            let stiffness = stiffness.map(|number| number.at(inputs, lane));
-            Reason::of_structure(&stiffness.structure(*side).err()?)
-        });
-        refusals.next().unwrap_or(Reason::Other)
+        if is_contact { Ok((contact, law, motions)) } else { Err(posed.fault(lane)) }
     }
 }
 
@@ -831,9 +835,16 @@ struct Posed {
     crush_plane: Lanes,
     /// Of both vehicles; not a number where a sample has none.
     crush_energy: Lanes,
+    /// [`Reason::code`] of a sample of which the engine refuses something while it takes it in, as
+    /// [`Reason::of_case`]: a fault of the case, unless a stiffness has a reason of its own.
+    faults: [u8; LANES],
 }
 
 impl Posed {
+    fn fault(&self, lane: usize) -> Reason {
+        Reason::of_code(self.faults[lane])
+    }
+
     /// The contact of one sample and the motions before it, and whether there is one.
     #[inline(always)]
     fn contact(&self, lane: usize) -> (Contact, [Motion; 2], bool) {
@@ -841,6 +852,25 @@ impl Posed {
         let ((p1, is_1), (p2, is_2)) = (v1.participant(lane), v2.participant(lane));
         let (contact, is_contact) = Contact::new_with_validity([p1, p2], self.crush_plane[lane]);
         (contact, [v1.motion(lane), v2.motion(lane)], is_1 & is_2 & is_contact)
+    }
+}
+
+/// What a loop tells of all samples at once.
+#[derive(Clone, Copy)]
+struct Told {
+    /// Whether the sample has its answer.
+    answered: [bool; LANES],
+    /// [`Reason::code`] of a sample that surely has none, [`NO_REASON`] of all others.
+    reasons: [u8; LANES],
+}
+
+/// Of a sample that has an answer, or about which nothing is told yet.
+const NO_REASON: u8 = 0;
+
+impl Told {
+    #[inline(always)]
+    fn nothing() -> Self {
+        Self { answered: [false; LANES], reasons: [NO_REASON; LANES] }
     }
 }
 
@@ -917,8 +947,18 @@ impl Moment for &Lanes {
 
 /// What is asked of the samples that are solved at once.
 trait Question {
-    /// The speed that is sought, not a number where none is, its impact, and whether that is the answer.
-    fn answer(&self, contact: Contact, law: Law, motions: [Motion; 2], lane: usize) -> (f64, Outcome, bool);
+    /// The speed that is sought, not a number where none is, its impact, whether that is the answer, and
+    /// whether there is none as the vehicles would have to pull at each other.
+    fn answer(
+        &self,
+        contact: Contact,
+        law: Law,
+        motions: [Motion; 2],
+        lane: usize,
+    ) -> (f64, Outcome, [bool; 2]);
+
+    /// Whether nothing of the damage is missing that the engine needs before it answers.
+    fn takes(&self, lane: usize) -> bool;
 }
 
 /// For a speed.
@@ -931,7 +971,13 @@ struct Speed<'a, S> {
 
 impl<S: Share> Question for Speed<'_, S> {
     #[inline(always)]
-    fn answer(&self, contact: Contact, law: Law, motions: [Motion; 2], lane: usize) -> (f64, Outcome, bool) {
+    fn answer(
+        &self,
+        contact: Contact,
+        law: Law,
+        motions: [Motion; 2],
+        lane: usize,
+    ) -> (f64, Outcome, [bool; 2]) {
         let problem = Problem {
             contact,
             law: law.into(),
@@ -941,7 +987,12 @@ impl<S: Share> Question for Speed<'_, S> {
             basis: self.basis,
             tangential_share: self.share.at(lane),
         };
-        problem.solve_with_validity()
+        problem.solve_with_verdict()
+    }
+
+    #[inline(always)]
+    fn takes(&self, lane: usize) -> bool {
+        !self.crush_energy[lane].is_nan()
     }
 }
 
@@ -952,10 +1003,21 @@ struct Given<'a> {
 
 impl Question for Given<'_> {
     #[inline(always)]
-    fn answer(&self, contact: Contact, law: Law, motions: [Motion; 2], lane: usize) -> (f64, Outcome, bool) {
+    fn answer(
+        &self,
+        contact: Contact,
+        law: Law,
+        motions: [Motion; 2],
+        lane: usize,
+    ) -> (f64, Outcome, [bool; 2]) {
         let (outcome, is_possible) = contact.impact_with_validity(motions, &law);
         // A damage of which the engine refuses something has no energy.
-        (f64::NAN, outcome, is_possible & !self.crush_energy[lane].is_nan())
+        (f64::NAN, outcome, [is_possible & !self.crush_energy[lane].is_nan(), false])
+    }
+
+    #[inline(always)]
+    fn takes(&self, _lane: usize) -> bool {
+        true
     }
 }
 
@@ -1173,9 +1235,16 @@ impl Damage {
         numbers
     }
 
-    /// (J) adds the crush energy; not a number where a sample has none.
+    /// (J) adds the crush energy; not a number where a sample has none. Where the stiffness is refused for a
+    /// reason of its own, that becomes the code of a fault that has none such yet.
     #[inline(always)]
-    pub(crate) fn add_energy(&self, inputs: &[Lanes], mass: &Lanes, total: &mut Lanes) {
+    pub(crate) fn add_energy(
+        &self,
+        inputs: &[Lanes],
+        mass: &Lanes,
+        total: &mut Lanes,
+        faults: &mut [u8; LANES],
+    ) {
         match self {
             Self::Unknown | Self::Energy(None) => {}
             Self::Energy(Some(ees)) => {
@@ -1189,12 +1258,12 @@ impl Damage {
             }
             Self::Crush(crushed, Resistance::Other(side, stiffness)) => match stiffness {
                 StiffnessForm::Line(line) => {
-                    crushed.add_energy_by_zones(inputs, slice::from_ref(line), total);
+                    crushed.add_energy_by_zones(inputs, slice::from_ref(line), total, faults);
                 }
                 StiffnessForm::Zones(lines) if lines.len() + 1 == crushed.depths.len() => {
-                    crushed.add_energy_by_zones(inputs, lines, total);
+                    crushed.add_energy_by_zones(inputs, lines, total, faults);
                 }
-                _ => crushed.add_energy_in_turn(inputs, *side, stiffness, total),
+                _ => crushed.add_energy_in_turn(inputs, *side, stiffness, total, faults),
             },
             Self::Crush(crushed, Resistance::Category(stiffness, factor)) => {
                 let factors = factor.lanes(inputs);
@@ -1383,6 +1452,7 @@ impl Placed {
     #[inline(never)]
     fn point(&self, axes: Axes, inputs: &[Lanes]) -> [Lanes; 2] {
         let [mut forward, mut left] = [[f64::NAN; LANES]; 2];
+        let (areas, is_profile) = self.crushed.areas(inputs);
         for lane in 0..LANES {
             let at = |quantity: &Quantity<Number>| quantity.with(quantity.number().at(inputs, lane)).si();
             let dimensions = match &self.outline {
@@ -1392,15 +1462,21 @@ impl Placed {
             let along = |distance: f64| along_face(axes, self.side, distance);
             let [moved, inward] = self.moved.each_ref().map(|moved| moved.as_ref().map_or(0.0, at));
             let moved = [along(moved), inward];
-            let placed = self.crushed.profile(inputs, lane).and_then(|profile| {
-                placed_contact(self.side, &dimensions, along(at(&self.offset)), moved, &profile)
-            });
-            if let Ok(point) = placed {
+            let area = areas.each_ref().map(|column| column[lane]);
+            let placed =
+                placed_contact(self.side, &dimensions, along(at(&self.offset)), moved, &area_of(area));
+            if let (Ok(point), true) = (placed, is_profile[lane]) {
                 [forward[lane], left[lane]] = point;
             }
         }
         [forward, left]
     }
+}
+
+/// An area of which the numbers are columns.
+#[inline(always)]
+fn area_of([width, area, moment_along, moment_deep]: [f64; 4]) -> CrushArea {
+    CrushArea { width, area, moment_along, moment_deep }
 }
 
 impl Crushed {
@@ -1433,6 +1509,44 @@ impl Crushed {
         [width].into_iter().chain(depths).map(Quantity::number)
     }
 
+    /// The numbers of the [area](area_of) of each sample, and whether the sample has a profile.
+    #[inline(always)]
+    fn areas(&self, inputs: &[Lanes]) -> ([Lanes; 4], [bool; LANES]) {
+        let (mut areas, mut is_profile) = ([[0.0; LANES]; 4], [true; LANES]);
+        let spacing = self.spacing(inputs);
+        let mut c1 = self.first_depth(inputs);
+        for depth in self.depths.iter().skip(1) {
+            let c2 = si(depth, inputs);
+            for lane in 0..LANES {
+                let zone = Zone { width: spacing[lane], depths: [c1[lane], c2[lane]] };
+                let before = area_of(areas.each_ref().map(|column| column[lane]));
+                let CrushArea { width, area, moment_along, moment_deep } = before.with(zone);
+                for (column, number) in areas.iter_mut().zip([width, area, moment_along, moment_deep]) {
+                    column[lane] = number;
+                }
+                is_profile[lane] &= zone.is_valid();
+            }
+            c1 = c2;
+        }
+        (areas, is_profile)
+    }
+
+    /// (m) the width of each zone.
+    #[inline(always)]
+    fn spacing(&self, inputs: &[Lanes]) -> Lanes {
+        let mut spacing = si(&self.width, inputs);
+        for width in &mut spacing {
+            *width = equal_spacing(*width, self.depths.len());
+        }
+        spacing
+    }
+
+    /// (m) the depth at the first station.
+    #[inline(always)]
+    fn first_depth(&self, inputs: &[Lanes]) -> Lanes {
+        self.depths.first().map_or([f64::NAN; LANES], |first| si(first, inputs))
+    }
+
     /// The profile of one sample.
     fn profile(&self, inputs: &[Lanes], lane: usize) -> Result<Profile, CrushError> {
         let at = |quantity: &Quantity<Number>| quantity.with(quantity.number().at(inputs, lane)).si();
@@ -1448,12 +1562,18 @@ impl Crushed {
         side: Side,
         stiffness: &StiffnessForm<Number>,
         total: &mut Lanes,
+        faults: &mut [u8; LANES],
     ) {
-        for (lane, total) in total.iter_mut().enumerate() {
-            let energy = self.profile(inputs, lane).and_then(|profile| {
-                let stiffness = stiffness.map(|number| number.at(inputs, lane));
-                stiffness.structure(side)?.crush_energy(&profile)
-            });
+        for (lane, (total, fault)) in total.iter_mut().zip(faults).enumerate() {
+            let energy = match stiffness.map(|number| number.at(inputs, lane)).structure(side) {
+                Ok(stiffness) => {
+                    self.profile(inputs, lane).and_then(|profile| stiffness.crush_energy(&profile)).ok()
+                }
+                Err(refusal) => {
+                    note(fault, &refusal);
+                    None
+                }
+            };
             *total += energy.unwrap_or(f64::NAN);
         }
     }
@@ -1461,39 +1581,58 @@ impl Crushed {
     /// (J) adds the crush energy where each zone has one of these, or all have the one; not a number where a
     /// sample has none.
     #[inline(never)]
-    fn add_energy_by_zones(&self, inputs: &[Lanes], lines: &[StiffnessLine<Number>], total: &mut Lanes) {
-        for (lane, total) in total.iter_mut().enumerate() {
-            let of_lane = |quantity: &Quantity<Number>| quantity.with(quantity.number().at(inputs, lane));
-            let at = |quantity: &Quantity<Number>| of_lane(quantity).si();
-            let width = equal_spacing(at(&self.width), self.depths.len());
-            let mut energy = 0.0;
-            for (ends, line) in self.depths.windows(2).zip(lines.iter().cycle()) {
-                let [c1, c2] = ends else { continue };
-                let zone = Zone { width, depths: [at(c1), at(c2)] };
-                let stiffness = line.map(of_lane).stiffness().ok().filter(|_| zone.is_valid());
-                energy += stiffness.map_or(f64::NAN, |stiffness| zone_energy(zone, &stiffness));
+    fn add_energy_by_zones(
+        &self,
+        inputs: &[Lanes],
+        lines: &[StiffnessLine<Number>],
+        total: &mut Lanes,
+        faults: &mut [u8; LANES],
+    ) {
+        let spacing = self.spacing(inputs);
+        let (mut own, mut is_structure) = ([0.0; LANES], [true; LANES]);
+        let mut c1 = self.first_depth(inputs);
+        for (depth, line) in self.depths.iter().skip(1).zip(lines.iter().cycle()) {
+            let c2 = si(depth, inputs);
+            let mut known = [[0.0; LANES]; 4];
+            let mut free = known.iter_mut();
+            let columns = line.map(|quantity| {
+                let column = free.next().map(|known| quantity.number().column(inputs, known));
+                quantity.with(column.unwrap_or(&NO_NUMBERS))
+            });
+            for lane in 0..LANES {
+                let zone = Zone { width: spacing[lane], depths: [c1[lane], c2[lane]] };
+                let line = columns.map(|quantity| quantity.with(quantity.number()[lane]));
+                own[lane] += match line.stiffness() {
+                    Ok(stiffness) => {
+                        let energy = zone_energy(zone, &stiffness);
+                        if zone.is_valid() { energy } else { f64::NAN }
+                    }
+                    Err(refusal) => {
+                        // The first refusal is that of the structure.
+                        if std::mem::replace(&mut is_structure[lane], false) {
+                            note(&mut faults[lane], &refusal);
+                        }
+                        f64::NAN
+                    }
+                };
             }
-            *total += energy;
+            c1 = c2;
+        }
+        for (total, own) in total.iter_mut().zip(own) {
+            *total += own;
         }
     }
 
     /// (J) adds the crush energy with A, B and G; not a number where a sample has none.
     #[inline(always)]
     pub(crate) fn add_energy(&self, inputs: &[Lanes], [a, b, g]: [Lanes; 3], total: &mut Lanes) {
-        let stations = self.depths.len();
-        let mut spacing = si(&self.width, inputs);
-        for width in &mut spacing {
-            *width = equal_spacing(*width, stations);
-        }
+        let spacing = self.spacing(inputs);
         let mut own = [0.0; LANES];
         for lane in 0..LANES {
             let (_, is_stiffness) = Stiffness::from_abg_with_validity(a[lane], b[lane], g[lane]);
             own[lane] = if is_stiffness { 0.0 } else { f64::NAN };
         }
-        let mut c1 = [f64::NAN; LANES];
-        if let Some(first) = self.depths.first() {
-            c1 = si(first, inputs);
-        }
+        let mut c1 = self.first_depth(inputs);
         for depth in self.depths.iter().skip(1) {
             let c2 = si(depth, inputs);
             for lane in 0..LANES {
@@ -1507,6 +1646,14 @@ impl Crushed {
         for (total, own) in total.iter_mut().zip(own) {
             *total += own;
         }
+    }
+}
+
+/// Notes the reason of a refused structure, if it has one of its own and none is noted yet.
+#[cold]
+fn note(fault: &mut u8, refusal: &CrushError) {
+    if *fault == Reason::Other.code() {
+        *fault = Reason::of_structure(refusal).unwrap_or(Reason::Other).code();
     }
 }
 

@@ -94,17 +94,7 @@ fn halving_loses_no_root() {
     let mut several = 0;
     for _ in 0..20_000 {
         let problem = problem(&mut draws);
-        let posed = Posed { problem: &problem, line: problem.line() };
-        let x = |root: Result<Root<()>, _>| root.unwrap().x;
-        let roots: Vec<f64> = posed.roots().map(x).collect();
-        let mut expected: Vec<f64> =
-            posed.stretches().flat_map(|stretch| posed.roots_by_pieces(stretch).map(x)).collect();
-        expected.dedup();
-        assert_eq!(roots.len(), expected.len(), "{roots:?} {expected:?} {problem:?}");
-        for (x, expected) in roots.iter().zip(&expected) {
-            assert!((x - expected).abs() <= 1e-9 * x, "{x} {expected} {problem:?}");
-        }
-        several += usize::from(roots.len() > 1);
+        several += usize::from(assert_all_roots(&problem) > 1);
     }
     assert!(several > 300, "{several}");
 }
@@ -146,4 +136,45 @@ fn sign_of_f(meeting: &Meeting, stretch: &Stretch, push: &Push, x: f64) -> bool 
         EnergyBasis::Dissipated => 0.5 * (1.0 - e) * x * push.at(x, e) < energy,
         EnergyBasis::Absorbed => 0.5 * x * push.at(x, e) < (1.0 + e) * energy,
     }
+}
+
+/// The roots of a problem, however they are found, against those of its pieces without a halving.
+fn assert_all_roots(problem: &Problem) -> usize {
+    let posed = Posed { problem, line: problem.line() };
+    let x = |root: Result<Root<()>, _>| root.unwrap().x;
+    let roots: Vec<f64> = posed.roots().map(x).collect();
+    let mut expected: Vec<f64> =
+        posed.stretches().flat_map(|stretch| posed.roots_by_pieces(stretch).map(x)).collect();
+    expected.dedup();
+    assert_eq!(roots.len(), expected.len(), "{roots:?} {expected:?} {problem:?}");
+    for (x, expected) in roots.iter().zip(&expected) {
+        assert!((x - expected).abs() <= 1e-9 * x, "{x} {expected} {problem:?}");
+    }
+    roots.len()
+}
+
+fn fraction(draws: &mut Draws) -> Problem {
+    let (e, f, e_m) = (draws.between(0.0, 0.9), draws.between(0.0, 1.0), draws.between(-1.0, 1.0));
+    let law = Law::new(e, Tangential::FractionOfCritical(f)).and_then(|law| law.with_moment_restitution(e_m));
+    Problem { law: law.unwrap().into(), ..problem(draws) }
+}
+
+/// A fraction of μ_c with a moment impulse: signs tell of nearly all parts what roots its quartic has there.
+#[test]
+fn roots_of_a_quartic_are_those_of_the_pieces() {
+    let mut draws = Draws(1987);
+    let [mut several, mut unsure, mut parts] = [0; 3];
+    for _ in 0..20_000 {
+        let problem = fraction(&mut draws);
+        several += usize::from(assert_all_roots(&problem) > 1);
+        let posed = Posed { problem: &problem, line: problem.line() };
+        let meeting = posed.meeting();
+        let mut quartic = posed.quartic(&meeting).unwrap();
+        while let Some(part) = quartic.next() {
+            parts += 1;
+            let signs = quartic.signs(&meeting, &part, &problem.law.nominal());
+            unsure += usize::from(matches!(signs, Signs::Unsure));
+        }
+    }
+    assert!(several > 200 && unsure * 10 < parts, "{several} {unsure} {parts}");
 }

@@ -1,0 +1,217 @@
+//! The speeds under a fraction of μ_c with a moment impulse, as far as signs isolate them.
+//!
+//! With a constant e, W_n less the value sought has a numerator of degree 4 in the approach speed, see
+//! [`fraction_with_moment`]. Nothing is missed in looking for its roots alone: where its denominator is zero,
+//! it is not. As in [`isolated`](crate::isolated), the signs of its Bernstein coefficients tell of a part of
+//! the approach speeds whether it has no root, one, or perhaps several; then its halves are searched. The
+//! parts begin and end where the critical impulse ceases to push or the contact jams, between which most
+//! roots are, and at some multiples of the [size](Meeting::size) of a root.
+
+use core::ops::{Add, Mul};
+
+use pim_core::{Law, Tangential};
+
+use crate::cubic::{CONVERGED, STEPS};
+use crate::isolated::{Changes, Isolated, Meeting, Roots, Signs};
+use crate::pieces::{Branch, Critical, Fraction, Stretch, fraction_with_moment, jams};
+use crate::polynomial::{Ring, SIGN_IS_SURE, bernstein, opposite};
+use crate::posed::Posed;
+
+/// Times the [size](Meeting::size) of a root: most roots are slower, …
+const NEAR: f64 = 2.0;
+/// … and beyond rounding would hide the signs of slower approaches.
+const FAR: f64 = 32.0;
+
+/// From where the chord of such a part of a part is zero, Newton's method leads to its root.
+const HALVINGS_BEFORE_NEWTON: usize = 4;
+
+/// A polynomial of no higher degree than 4: what goes beyond is left out.
+#[derive(Clone, Copy)]
+struct Polynomial([f64; Quartic::COEFFICIENTS]);
+
+impl Polynomial {
+    fn line(c: [f64; 2]) -> Self {
+        let [c_0, c_1] = c;
+        Self([c_0, c_1, 0.0, 0.0, 0.0])
+    }
+
+    fn root_of_line(self) -> f64 {
+        let [c_0, c_1, ..] = self.0;
+        -c_0 / c_1
+    }
+}
+
+impl Add for Polynomial {
+    type Output = Self;
+
+    fn add(self, other: Self) -> Self {
+        Self(core::array::from_fn(|i| self.0[i] + other.0[i]))
+    }
+}
+
+impl Mul for Polynomial {
+    type Output = Self;
+
+    fn mul(self, other: Self) -> Self {
+        let ([a_0, a_1, a_2, a_3, a_4], [b_0, b_1, b_2, b_3, b_4]) = (self.0, other.0);
+        Self([
+            a_0 * b_0,
+            a_0 * b_1 + a_1 * b_0,
+            a_0 * b_2 + a_1 * b_1 + a_2 * b_0,
+            a_0 * b_3 + a_1 * b_2 + a_2 * b_1 + a_3 * b_0,
+            a_0 * b_4 + a_1 * b_3 + a_2 * b_2 + a_3 * b_1 + a_4 * b_0,
+        ])
+    }
+}
+
+impl Ring for Polynomial {
+    fn by(self, factor: f64) -> Self {
+        Self(self.0.map(|c| factor * c))
+    }
+}
+
+/// The numerator of F = ½ w x P_n − s as a polynomial of t, x = size t, and where the parts begin that are
+/// searched first.
+pub(crate) struct Quartic {
+    coefficients: [f64; Self::COEFFICIENTS],
+    /// All approach speeds.
+    stretch: Stretch,
+    /// (m/s) where the parts begin and end, in ascending order; some of them may have no length.
+    ends: [f64; Self::PARTS + 1],
+    /// How many parts are given.
+    given: usize,
+}
+
+impl Quartic {
+    const COEFFICIENTS: usize = 5;
+    const PARTS: usize = 6;
+
+    /// Whether the law is one that has such a numerator.
+    fn is_of(law: &Law) -> bool {
+        let e_m = law.moment_restitution();
+        // Without a share and with the whole of μ_c the law is another one, and with a common yaw rate
+        // numerator and denominator have a common factor.
+        match law.tangential() {
+            Tangential::FractionOfCritical(f) => (f != 0.0) & (f != 1.0) & (e_m != 0.0) & (e_m != -1.0),
+            _ => false,
+        }
+    }
+
+    fn of(meeting: &Meeting, law: &Law, reach: [f64; 2]) -> Self {
+        let f = match law.tangential() {
+            Tangential::FractionOfCritical(f) => f,
+            _ => f64::NAN,
+        };
+        let (size, e) = (meeting.size, law.restitution());
+        let critical = law.without_limit();
+        let (touch, there) =
+            (meeting.impulse(&critical, 0.0).linear, meeting.impulse(&critical, size).linear);
+        let critical = Critical {
+            normal: Polynomial::line([touch.normal, there.normal - touch.normal]),
+            tangential: Polynomial::line([touch.tangential, there.tangential - touch.tangential]),
+        };
+        let jams = jams(&meeting.inverse_mass, &critical, f);
+        let x = Polynomial::line([0.0, size]);
+        let yaw_rate = meeting.line.relative_yaw_rate;
+        let Fraction { push, divisor, .. } = fraction_with_moment(
+            &meeting.inverse_mass,
+            (&critical, f),
+            &jams,
+            x.by(1.0 + e),
+            (yaw_rate, law.moment_restitution()),
+        );
+        let numerator = (x * push).by(0.5 * meeting.factor(e)) + divisor.by(-meeting.sought(e));
+        let [a, b, c] = [critical.normal, jams.normal, jams.moment].map(|line| size * line.root_of_line());
+        let [low, high] = reach;
+        let mut ends = [low, a, b, c, NEAR * size, FAR * size, high].map(|end| end.max(low).min(high));
+        ends.sort_unstable_by(f64::total_cmp);
+        let stretch = Stretch::constant(e, size, reach);
+        Self { coefficients: numerator.0, stretch, ends, given: 0 }
+    }
+
+    /// How often the Bernstein coefficients change sign in a range of approach speeds.
+    fn changes(&self, size: f64, range: [f64; 2]) -> Changes {
+        let [low, high] = range.map(|x| x / size);
+        // No less than the sizes of what a Bernstein coefficient is a sum of.
+        let reach = low.abs() + (high - low);
+        let [least, _] = at(self.coefficients.map(f64::abs), reach);
+        let coefficients = bernstein(self.coefficients, Self::COEFFICIENTS - 1, [low, high - low]);
+        Changes::of(coefficients, least * SIGN_IS_SURE)
+    }
+
+    /// The root in a range in which the sign changes once, and whether it is found.
+    fn isolated(&self, size: f64, range: [f64; 2]) -> (Isolated, bool) {
+        let [low, high] = range.map(|x| x / size);
+        let (mut left, mut right) =
+            ([low, at(self.coefficients, low)[0]], [high, at(self.coefficients, high)[0]]);
+        for _ in 0..HALVINGS_BEFORE_NEWTON {
+            let t = 0.5 * (left[0] + right[0]);
+            let middle = [t, at(self.coefficients, t)[0]];
+            if opposite(left[1], middle[1]) {
+                right = middle;
+            } else {
+                left = middle;
+            }
+        }
+        let ([from, at_from], [to, at_to]) = (left, right);
+        // Where the chord is zero.
+        let mut t = from + (to - from) * (at_from / (at_from - at_to));
+        let mut way = [size * t; STEPS];
+        let mut step = t;
+        for place in &mut way {
+            let [value, slope] = at(self.coefficients, t);
+            step = value / slope;
+            t -= step;
+            *place = size * t;
+        }
+        let is_found = (step.abs() <= t * CONVERGED) & (low <= t) & (t <= high);
+        (Isolated { x: size * t, way }, is_found)
+    }
+
+    /// What a part of the approach speeds has of roots.
+    pub(crate) fn signs(&self, meeting: &Meeting, part: &Stretch, law: &Law) -> Signs {
+        let changes = self.changes(meeting.size, part.range);
+        let mut roots = Roots::none();
+        if changes.one {
+            let (root, is_found) = self.isolated(meeting.size, part.range);
+            let [_, is_sure] = meeting.acts(part, law, Branch::Own, root.x);
+            if !(is_found & is_sure) {
+                return Signs::Unsure;
+            }
+            roots.insert(root);
+        } else if !changes.none {
+            return if changes.is_sure { Signs::Several } else { Signs::Unsure };
+        }
+        Signs::Isolated(roots)
+    }
+}
+
+/// Its parts, in ascending order.
+impl Iterator for Quartic {
+    type Item = Stretch;
+
+    fn next(&mut self) -> Option<Stretch> {
+        loop {
+            let range = [*self.ends.get(self.given)?, *self.ends.get(self.given + 1)?];
+            self.given += 1;
+            let part = Stretch { range, ..self.stretch };
+            if part.has_length() {
+                return Some(part);
+            }
+        }
+    }
+}
+
+/// Value and slope of a quartic.
+fn at([a, b, c, d, e]: [f64; Quartic::COEFFICIENTS], t: f64) -> [f64; 2] {
+    [(((e * t + d) * t + c) * t + b) * t + a, ((4.0 * e * t + 3.0 * d) * t + 2.0 * c) * t + b]
+}
+
+impl Posed<'_> {
+    /// Where the law has one.
+    pub(crate) fn quartic(self, meeting: &Meeting) -> Option<Quartic> {
+        let law = self.problem.law.nominal();
+        let is_constant = self.problem.law.curve().is_none() && self.problem.tangential_share == 0.0;
+        (is_constant && Quartic::is_of(&law)).then(|| Quartic::of(meeting, &law, self.reach()))
+    }
+}
