@@ -12,7 +12,7 @@ const ENGINE = join(WEB, "pkg", "deltav_web_bg.wasm");
 
 // What the engine was compiled with. `--strip-debug` and the producers are size; the rest is allowed, not asked.
 const OPTIMISE = [
-  "-O2",
+  "-Os",
   "--strip-debug",
   "--strip-producers",
   "--enable-simd",
