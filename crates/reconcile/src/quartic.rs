@@ -1,11 +1,12 @@
 //! The speeds under a fraction of μ_c with a moment impulse, as far as signs isolate them.
 //!
-//! With a constant e, W_n less the value sought has a numerator of degree 4 in the approach speed, see
-//! [`fraction_with_moment`]. Nothing is missed in looking for its roots alone: where its denominator is zero,
-//! it is not. As in [`isolated`](crate::isolated), the signs of its Bernstein coefficients tell of a part of
-//! the approach speeds whether it has no root, one, or perhaps several; then its halves are searched. The
-//! parts begin and end where the critical impulse ceases to push or the contact jams, between which most
-//! roots are, and at some multiples of the [size](Meeting::size) of a root.
+//! With a constant e, W_n less the value sought is a quotient whose numerator has degree 4 in the approach
+//! speed, see [`fraction_with_moment`]. W_n has the value sought only where the numerator is zero, so that
+//! no speed is missed. As in [`isolated`](crate::isolated), the signs of the numerator's Bernstein
+//! coefficients show whether a range of approach speeds has no root, one, or perhaps several; a range that
+//! may have several is halved. The ranges end where the critical impulse stops pushing and where the
+//! contact jams, because most roots lie between these speeds, and at some multiples of the
+//! [size](Meeting::size) of a root.
 
 use core::ops::{Add, Mul};
 

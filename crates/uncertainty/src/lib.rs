@@ -55,7 +55,7 @@
 //! - Samples without an answer are counted by reason. An output that is infinite or NaN counts as a failure.
 //! - A run that is ended early leaves the first samples of the whole run, evenly from all replicates.
 //! - Medians and intervals are exact order statistics, and no samples are kept for them: the first thousands
-//!   tell about where each lies, and only those near there are taken out. Where that was not enough, once in
+//!   tell about where each lies, and only those near there are taken out. Where these do not suffice, once in
 //!   thousands of runs or where values lie in clumps, the samples are drawn again from their numbers.
 //! - Memory does not grow beyond what [`Settings::keep`] allows: a run with more samples keeps none, and
 //!   draws them a second time for histograms, with the same bits. Inputs are not kept.

@@ -333,39 +333,31 @@ impl<M: Model> Run<'_, M> {
         in_order(spans.collect(), passes, &mut |_, _| ControlFlow::Continue(()))
     }
 
-    /// Draws the samples again as often as the summaries of columns that are not kept take it, and for their
-    /// histograms.
+    /// Draws the samples again as often as the summaries of columns that are not kept take it, and once for
+    /// their histograms.
     fn draw_again(
         &self,
         passes: &mut [Passes],
         evaluated: usize,
         told: &mut (dyn FnMut(usize) -> ControlFlow<()> + Send),
     ) -> Vec<Vec<Histogram>> {
-        let unkept = if self.kept < self.shown { self.shown } else { 0 };
-        let mut histograms: Vec<Option<Vec<Histogram>>> = vec![None; unkept];
-        loop {
-            let mut begun = Vec::new();
-            for (histograms, passes) in histograms.iter().zip(&*passes) {
-                let is_due = histograms.is_none() && passes.are_done();
-                begun.push(is_due.then(|| self.histograms_of(passes.summary())));
-            }
-            let wants_histograms = begun.iter().flatten().any(|begun| !begun.is_empty());
-            let wants_passes = passes.iter().any(|passes| !passes.are_done());
-            if wants_histograms || wants_passes {
-                self.pass(passes, &mut begun, evaluated, told);
-            }
-            for (histograms, begun) in histograms.iter_mut().zip(begun) {
-                if begun.is_some() {
-                    *histograms = begun;
-                }
-            }
-            if !wants_passes {
-                return histograms.into_iter().map(Option::unwrap_or_default).collect();
-            }
+        while passes.iter().any(|passes| !passes.are_done()) {
+            self.pass(evaluated, passes, told, |passes, column| passes.add(column));
             for passes in &mut *passes {
                 passes.go_on();
             }
         }
+        let shown = if self.kept < self.shown { self.shown } else { 0 };
+        let summaries = passes.iter().take(shown).map(Passes::summary);
+        let mut histograms: Vec<_> = summaries.map(|summary| self.histograms_of(summary)).collect();
+        if histograms.iter().any(|histograms| !histograms.is_empty()) {
+            self.pass(evaluated, &mut histograms, told, |histograms, column| {
+                for histogram in histograms {
+                    histogram.add(self.settings.instructions, column);
+                }
+            });
+        }
+        histograms
     }
 
     /// Of a summary, before the samples are counted.
@@ -376,13 +368,13 @@ impl<M: Model> Run<'_, M> {
         summary.map_or_else(Vec::new, of)
     }
 
-    /// Shows the samples again to passes and histograms.
-    fn pass(
+    /// Draws the samples again, and shows the column of each of the first outputs to what is there for it.
+    fn pass<T: Send>(
         &self,
-        passes: &mut [Passes],
-        histograms: &mut [Option<Vec<Histogram>>],
         evaluated: usize,
+        of_outputs: &mut [T],
         told: &mut (dyn FnMut(usize) -> ControlFlow<()> + Send),
+        add: impl Fn(&mut T, &[f64]) + Sync,
     ) {
         let chunk = (self.limits.again / self.outputs / SPAN * SPAN).max(SPAN);
         let mut samples = Samples::new(self.outputs, chunk.min(evaluated));
@@ -393,17 +385,9 @@ impl<M: Model> Run<'_, M> {
                 let _ = told(begin + done);
                 ControlFlow::Continue(())
             });
-            let histograms = histograms.iter_mut().map(Some).chain(std::iter::repeat_with(|| None));
-            let columns = samples.columns.iter().zip(passes.iter_mut()).zip(histograms);
+            let columns = of_outputs.iter_mut().zip(samples.columns.iter());
             let spans = columns.map(|work| Span { samples: 0, work }).collect();
-            let add = |((column, passes), histograms): ((&[f64], &mut Passes), _)| {
-                let column = &column[..count];
-                passes.add(column);
-                let histograms: Option<&mut Option<Vec<Histogram>>> = histograms;
-                for histogram in histograms.into_iter().flatten().flatten() {
-                    histogram.add(self.settings.instructions, column);
-                }
-            };
+            let add = |(of_output, column): (&mut T, &[f64])| add(of_output, &column[..count]);
             in_order(spans, add, &mut |_, _| ControlFlow::Continue(()));
         }
     }

@@ -20,8 +20,8 @@ pub struct Settings {
     pub method: SamplingMethod,
     /// The instruction set, which does not change the results.
     pub instructions: Instructions,
-    /// Of how many outputs, the first ones, samples are kept or histograms made: as many as there are, unless
-    /// their summaries are enough.
+    /// How many of the outputs, counted from the first, keep their samples or get histograms: all, unless
+    /// summaries are enough for the others.
     pub columns: usize,
     /// The histograms that may be asked for: those of all classes, unless fewer are shown.
     pub classes: &'static [Classes],

@@ -945,17 +945,14 @@ impl Moment for &Lanes {
     }
 }
 
+/// The speed that is sought, not a number where none is, its impact, and whether that is the answer, or there
+/// is none because the vehicles would have to pull at each other.
+type Answered = (f64, Outcome, [bool; 2]);
+
 /// What is asked of the samples that are solved at once.
 trait Question {
-    /// The speed that is sought, not a number where none is, its impact, whether that is the answer, and
-    /// whether there is none as the vehicles would have to pull at each other.
-    fn answer(
-        &self,
-        contact: Contact,
-        law: Law,
-        motions: [Motion; 2],
-        lane: usize,
-    ) -> (f64, Outcome, [bool; 2]);
+    /// The answer for one sample.
+    fn answer(&self, contact: Contact, law: Law, motions: [Motion; 2], lane: usize) -> Answered;
 
     /// Whether nothing of the damage is missing that the engine needs before it answers.
     fn takes(&self, lane: usize) -> bool;
@@ -971,13 +968,7 @@ struct Speed<'a, S> {
 
 impl<S: Share> Question for Speed<'_, S> {
     #[inline(always)]
-    fn answer(
-        &self,
-        contact: Contact,
-        law: Law,
-        motions: [Motion; 2],
-        lane: usize,
-    ) -> (f64, Outcome, [bool; 2]) {
+    fn answer(&self, contact: Contact, law: Law, motions: [Motion; 2], lane: usize) -> Answered {
         let problem = Problem {
             contact,
             law: law.into(),
@@ -1003,13 +994,7 @@ struct Given<'a> {
 
 impl Question for Given<'_> {
     #[inline(always)]
-    fn answer(
-        &self,
-        contact: Contact,
-        law: Law,
-        motions: [Motion; 2],
-        lane: usize,
-    ) -> (f64, Outcome, [bool; 2]) {
+    fn answer(&self, contact: Contact, law: Law, motions: [Motion; 2], lane: usize) -> Answered {
         let (outcome, is_possible) = contact.impact_with_validity(motions, &law);
         // A damage of which the engine refuses something has no energy.
         (f64::NAN, outcome, [is_possible & !self.crush_energy[lane].is_nan(), false])

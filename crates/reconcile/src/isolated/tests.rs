@@ -159,7 +159,7 @@ fn fraction(draws: &mut Draws) -> Problem {
     Problem { law: law.unwrap().into(), ..problem(draws) }
 }
 
-/// A fraction of μ_c with a moment impulse: signs tell of nearly all parts what roots its quartic has there.
+/// A fraction of μ_c with a moment impulse: the signs decide how many roots nearly every range has.
 #[test]
 fn roots_of_a_quartic_are_those_of_the_pieces() {
     let mut draws = Draws(1987);

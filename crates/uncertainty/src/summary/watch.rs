@@ -384,30 +384,22 @@ impl Ends {
         let mut ends = Self { cells: between, shift, first: 0, of_parts: Vec::new() };
         let mut counts = vec![0; usize::from((high - low).unsigned_abs() >> shift) + 1];
         let mut below = 0;
+        let mut note = |value: f64, alike: usize| {
+            let cell = cells.cell(value);
+            if cell < low {
+                below += alike;
+            } else if cell <= high
+                && let Some(count) = counts.get_mut(ends.part(cell))
+            {
+                *count += alike;
+            }
+        };
         for window in windows {
-            below += window.below.iter().sum::<u64>();
-            for value in &window.taken {
-                let cell = cells.cell(*value);
-                below += u64::from(cell < low);
-                if low <= cell
-                    && cell <= high
-                    && let Some(count) = counts.get_mut(ends.part(cell))
-                {
-                    *count += 1;
-                }
-            }
-            if let Some(clump) = &window.clump {
-                let cell = cells.cell(clump.value);
-                if cell < low {
-                    below += clump.counts.iter().sum::<u64>();
-                } else if cell <= high
-                    && let Some(count) = counts.get_mut(ends.part(cell))
-                {
-                    *count += clump.count();
-                }
-            }
+            window.taken.iter().for_each(|value| note(*value, 1));
+            window.clump.iter().for_each(|clump| note(clump.value, clump.count()));
         }
-        ends.first = usize::try_from(below).unwrap_or(usize::MAX);
+        let counted: u64 = windows.iter().flat_map(|window| window.below).sum();
+        ends.first = below + usize::try_from(counted).unwrap_or(usize::MAX);
         let mut end = ends.first;
         for count in &mut counts {
             end += *count;
