@@ -1,5 +1,7 @@
 //! What damage data cannot be.
 
+use real::Real;
+
 /// An input or a result that no damage can have.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
@@ -143,7 +145,7 @@ pub enum CrushError {
 
 #[inline(always)]
 pub(crate) fn finite(what: &'static str, value: f64) -> Result<(), CrushError> {
-    if value.is_finite() { Ok(()) } else { Err(CrushError::NotFinite { what, value }) }
+    if Real::is_finite(value) { Ok(()) } else { Err(CrushError::NotFinite { what, value }) }
 }
 
 #[inline(always)]

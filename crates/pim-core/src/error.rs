@@ -3,6 +3,8 @@
 use alloc::format;
 use alloc::string::String;
 
+use real::Real;
+
 use crate::vehicle_id::VehicleId;
 
 /// An input that no body, contact or law can have.
@@ -153,7 +155,7 @@ fn of_moment(work: f64) -> String {
 /// Refuses NaN and infinities.
 #[inline(always)]
 pub(crate) fn finite(what: &'static str, value: f64) -> Result<(), InvalidInput> {
-    if value.is_finite() { Ok(()) } else { Err(InvalidInput::NotFinite { what, value }) }
+    if Real::is_finite(value) { Ok(()) } else { Err(InvalidInput::NotFinite { what, value }) }
 }
 
 /// Refuses all but finite numbers greater than zero.

@@ -4,9 +4,9 @@ use real::elementary::exp;
 
 use crate::error::InvalidDistribution;
 use crate::model::{LANES, Lanes};
-use crate::normal::{self, Tails};
+use crate::normal::{self, NormalPair, Tails};
 use crate::points::independent;
-use crate::random::{bits, key, unit};
+use crate::random::{bits, bits_of_block, key, unit};
 
 /// The least share of a normal distribution that its bounds may leave.
 ///
@@ -74,8 +74,9 @@ pub struct Distribution {
 enum Transform {
     /// centre + scale·Φ⁻¹(start + span·u), with 1 − u for u where mirrored, held in [low, high].
     ///
-    /// Bounds above the mean are mirrored to below it, where Φ keeps its digits.
-    Normal { centre: f64, scale: f64, start: f64, span: f64, mirrored: bool, low: f64, high: f64 },
+    /// Bounds above the mean are mirrored to below it, where Φ keeps its digits. No Φ⁻¹ within ±reach leads
+    /// out of the bounds.
+    Normal { centre: f64, scale: f64, start: f64, span: f64, mirrored: bool, low: f64, high: f64, reach: f64 },
     /// median·exp(scale·Φ⁻¹(u)).
     LogNormal { median: f64, scale: f64 },
     /// low + span·u, held below high.
@@ -99,8 +100,16 @@ impl Distribution {
         // Samples lie within 8.3 standard deviations.
         finite("end of the range", mean.abs() + 10.0 * sd)?;
         let (low, high) = (f64::NEG_INFINITY, f64::INFINITY);
-        let transform =
-            Transform::Normal { centre: mean, scale: sd, start: 0.0, span: 1.0, mirrored: false, low, high };
+        let transform = Transform::Normal {
+            centre: mean,
+            scale: sd,
+            start: 0.0,
+            span: 1.0,
+            mirrored: false,
+            low,
+            high,
+            reach: f64::INFINITY,
+        };
         Ok(Self { shape: Shape::Normal { mean, sd }, truncation: None, transform })
     }
 
@@ -132,7 +141,9 @@ impl Distribution {
             return Err(InvalidDistribution::NothingKept { mean, sd, low, high, kept });
         }
         let scale = if mirrored { -sd } else { sd };
-        let transform = Transform::Normal { centre: mean, scale, start, span: kept, mirrored, low, high };
+        let reach = reach(mean, sd, low, high);
+        let transform =
+            Transform::Normal { centre: mean, scale, start, span: kept, mirrored, low, high, reach };
         Ok(Self { truncation: Some(Truncation { low, high, kept }), transform, ..whole })
     }
 
@@ -274,20 +285,14 @@ impl Distribution {
     #[inline(always)]
     pub(crate) fn draw(&self, key: u64, first: u64, lanes: &mut Lanes) {
         match self.transform {
-            Transform::Normal { centre, scale, low, high, .. } => {
-                let mut is_cut = false;
-                draw_normal(key, first, lanes, |z| {
-                    // x = μ + σ·z
-                    let x = centre + scale * z;
-                    is_cut |= (x < low) | (x > high);
-                    x
-                });
-                if is_cut {
+            Transform::Normal { centre, scale, reach, .. } => {
+                // x = μ + σ·z
+                if draw_normal(key, first, lanes, reach, |z| centre + scale * z) {
                     self.draw_again(key, first, lanes);
                 }
             }
             Transform::LogNormal { median, scale } => {
-                draw_normal(key, first, lanes, |z| median * exp(scale * z));
+                draw_normal(key, first, lanes, f64::INFINITY, |z| median * exp(scale * z));
             }
             Transform::Uniform { .. } | Transform::Triangular { .. } => {
                 independent(key, first, lanes);
@@ -296,11 +301,18 @@ impl Distribution {
         }
     }
 
-    /// Redraws the values that lie beyond a bound.
+    /// Redraws the values that lie beyond a bound, if any does.
     #[cold]
     #[inline(never)]
     fn draw_again(&self, sequence: u64, first: u64, lanes: &mut Lanes) {
         let Some(Truncation { low, high, .. }) = self.truncation else { return };
+        let mut is_cut = false;
+        for lane in lanes.iter() {
+            is_cut |= (*lane < low) | (*lane > high);
+        }
+        if !is_cut {
+            return;
+        }
         let mut shares = [0.0; LANES];
         independent(sequence, first, &mut shares);
         for (index, lane) in lanes.iter_mut().enumerate() {
@@ -398,15 +410,26 @@ impl Distribution {
 
 const HALF: usize = LANES / 2;
 
-/// What `value` makes of independent standard normal numbers, in one loop from the random bits on.
+/// What `value` makes of independent standard normal numbers, in one loop from the random bits on, and
+/// whether a pair of them lies farther out than the reach.
 #[inline(always)]
-fn draw_normal(key: u64, first: u64, lanes: &mut Lanes, mut value: impl FnMut(f64) -> f64) {
-    let (firsts, seconds) = lanes.split_at_mut(HALF);
-    for (index, (one, other)) in (first..).zip(firsts.iter_mut().zip(seconds)) {
-        let shares = [index, index + HALF as u64].map(|index| unit(bits(key, index)));
-        let (z1, z2) = normal::normal_pair(shares[0], shares[1]);
+fn draw_normal(key: u64, first: u64, lanes: &mut Lanes, reach: f64, value: impl Fn(f64) -> f64) -> bool {
+    let (ones, others) = lanes.split_at_mut(HALF);
+    let pairs = bits_of_block(key, first).zip(bits_of_block(key, first + HALF as u64));
+    let mut is_beyond = false;
+    for ((one, other), (first, second)) in ones.iter_mut().zip(others).zip(pairs) {
+        let NormalPair { numbers: [z1, z2], radius } = NormalPair::of([unit(first), unit(second)]);
         (*one, *other) = (value(z1), value(z2));
+        is_beyond |= radius > reach;
     }
+    is_beyond
+}
+
+/// Standard deviations around the mean that surely lie inside of the bounds.
+fn reach(mean: f64, sd: f64, low: f64, high: f64) -> f64 {
+    /// What rounding may take away.
+    const SURELY: f64 = 1.0 - 1e-9;
+    SURELY * (mean - low).min(high - mean) / sd
 }
 
 fn finite(name: &'static str, value: f64) -> Result<(), InvalidDistribution> {

@@ -236,17 +236,27 @@ fn polynomial(coefficients: &[f64; 8], x: f64) -> f64 {
 pub fn box_muller(lanes: &mut Lanes) {
     let (radii, turns) = lanes.split_at_mut(LANES / 2);
     for (first, second) in radii.iter_mut().zip(turns) {
-        (*first, *second) = normal_pair(*first, *second);
+        let NormalPair { numbers: [one, other], .. } = NormalPair::of([*first, *second]);
+        (*first, *second) = (one, other);
     }
 }
 
-/// Two independent shares become two independent standard normal numbers.
-#[inline(always)]
-pub(crate) fn normal_pair(first: f64, second: f64) -> (f64, f64) {
-    // z₁ = √(−2 ln u₁) cos 2πu₂,  z₂ = √(−2 ln u₁) sin 2πu₂
-    let radius = (-2.0 * ln_of_share(first)).sqrt();
-    let (sin, cos) = sin_cos_of_turn(second);
-    (radius * cos, radius * sin)
+/// Two independent standard normal numbers.
+pub(crate) struct NormalPair {
+    pub(crate) numbers: [f64; 2],
+    /// √(z₁² + z₂²), beyond which neither of them lies.
+    pub(crate) radius: f64,
+}
+
+impl NormalPair {
+    /// Of two independent shares.
+    #[inline(always)]
+    pub(crate) fn of([first, second]: [f64; 2]) -> Self {
+        // z₁ = √(−2 ln u₁) cos 2πu₂,  z₂ = √(−2 ln u₁) sin 2πu₂
+        let radius = minus_two_ln_of_share(first).sqrt();
+        let (sin, cos) = sin_cos_of_turn(second);
+        Self { numbers: [radius * cos, radius * sin], radius }
+    }
 }
 
 // The functions of `real` are good to the last digit everywhere. A random number needs neither, and these
@@ -284,9 +294,9 @@ const COS: [f64; 7] = [
     4.655_296_187_486_762_3e-7,
 ];
 
-/// ln u for a share u, 2⁻⁵³ ≤ u < 1, within 1e-15 of it, relative to it.
+/// −2 ln u for a share u, 2⁻⁵³ ≤ u < 1, within 1e-15 of it, relative to it.
 #[inline(always)]
-fn ln_of_share(u: f64) -> f64 {
+fn minus_two_ln_of_share(u: f64) -> f64 {
     const FRACTION: u64 = (1 << 52) - 1;
     /// 2⁵²: in its fraction an exponent becomes a number.
     const TO_NUMBER: f64 = 4_503_599_627_370_496.0;
@@ -294,12 +304,12 @@ fn ln_of_share(u: f64) -> f64 {
     let shifted = u.to_bits().wrapping_add(1.0_f64.to_bits() - FRAC_1_SQRT_2.to_bits());
     let k = f64::from_bits(TO_NUMBER.to_bits() | (shifted >> 52)) - (TO_NUMBER + 1023.0);
     let m = f64::from_bits((shifted & FRACTION) + FRAC_1_SQRT_2.to_bits());
-    // ln u = k ln 2 + 2 artanh s, s = (m − 1)/(m + 1)
+    // −2 ln u = −2k ln 2 − 4 artanh s, s = (m − 1)/(m + 1)
     let s = (m - 1.0) / (m + 1.0);
     let z = s * s;
-    let [l0, l1, l2, l3, l4, l5] = LN;
+    let [l0, l1, l2, l3, l4, l5] = LN.map(|coefficient| -2.0 * coefficient);
     let series = l0 + z * (l1 + z * (l2 + z * (l3 + z * (l4 + z * l5))));
-    k * LN_2 + s * (2.0 + z * series)
+    k * (-2.0 * LN_2) + s * (z * series - 4.0)
 }
 
 /// sin 2πu and cos 2πu for a share u, within 1e-15.
@@ -470,7 +480,7 @@ fn moments_by_quadrature(low: f64, high: f64) -> (f64, f64) {
 #[cfg(test)]
 #[expect(clippy::excessive_precision, reason = "constants as they were computed, with all their digits")]
 mod tests {
-    use super::{cumulative, ln_of_share, quantiles, shares, sin_cos_of_turn, truncated_moments};
+    use super::{cumulative, minus_two_ln_of_share, quantiles, shares, sin_cos_of_turn, truncated_moments};
     use crate::random::{bits, unit};
     use real::elementary::{ln, sin_cos};
     use std::f64::consts::TAU;
@@ -580,7 +590,7 @@ mod tests {
         let ends = [f64::EPSILON / 2.0, 0.5_f64.sqrt(), 0.25, 0.5, 0.75, 1.0 - f64::EPSILON / 2.0];
         let shares = ends.into_iter().chain((0..100_000).map(|index| unit(bits(5, index))));
         for u in shares.flat_map(|u| [u, u * 1e-9]).filter(|u| *u > 1e-16) {
-            assert_near(ln_of_share(u), ln(u), 1e-15);
+            assert_near(minus_two_ln_of_share(u), -2.0 * ln(u), 1e-15);
             let (sin, cos) = sin_cos_of_turn(u);
             // 2π to 107 bits: its tail times u.
             let exact = sin_cos(TAU * u);

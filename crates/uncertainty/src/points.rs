@@ -19,7 +19,7 @@ mod sobol;
 use crate::error::InvalidRequest;
 use crate::limits::{MAX_SAMPLES, MIN_SAMPLES, REPLICATES};
 use crate::model::{LANES, Lanes};
-use crate::random::{bits, key, unit};
+use crate::random::{bits, bits_of_block, key, unit};
 use sobol::Sobol;
 
 pub use sobol::MAX_INPUTS as MAX_SOBOL_INPUTS;
@@ -148,8 +148,8 @@ impl Points {
 /// Shares of a random sequence, from the sample `first` on.
 #[inline(always)]
 pub(crate) fn independent(key: u64, first: u64, shares: &mut Lanes) {
-    for (lane, share) in (0..).zip(shares) {
-        *share = unit(bits(key, first + lane));
+    for (share, bits) in shares.iter_mut().zip(bits_of_block(key, first)) {
+        *share = unit(bits);
     }
 }
 
@@ -218,8 +218,8 @@ impl Three {
         #[expect(clippy::cast_possible_truncation, reason = "at most 2²⁸")]
         let index = (first / REPLICATES as u64) as u32;
         let mut words = [0; LANES];
-        for (lane, word) in (0..).zip(&mut words) {
-            *word = bits(self.places, first + lane);
+        for (word, bits) in words.iter_mut().zip(bits_of_block(self.places, first)) {
+            *word = bits;
         }
         for (strata, shares) in self.inputs.iter().zip(columns) {
             let strata = strata.of_block(index, of);

@@ -5,6 +5,8 @@
 //! G. L. Steele, D. Lea and C. H. Flood, *Fast splittable pseudorandom number generators*, OOPSLA 2014:
 //! SplitMix64.
 
+use crate::model::LANES;
+
 /// SplitMix64's increment, 2⁶⁴ over the golden ratio.
 const GAMMA: u64 = 0x9E37_79B9_7F4A_7C15;
 
@@ -12,10 +14,40 @@ const GAMMA: u64 = 0x9E37_79B9_7F4A_7C15;
 #[inline(always)]
 #[must_use]
 pub fn bits(key: u64, index: u64) -> u64 {
-    let z = key.wrapping_add(GAMMA.wrapping_mul(index.wrapping_add(1)));
-    let z = (z ^ (z >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
+    mixed(state(key, index))
+}
+
+/// The sequence's state at `index`.
+#[inline(always)]
+fn state(key: u64, index: u64) -> u64 {
+    key.wrapping_add(GAMMA.wrapping_mul(index.wrapping_add(1)))
+}
+
+/// SplitMix64's number of a state.
+#[inline(always)]
+fn mixed(state: u64) -> u64 {
+    let z = (state ^ (state >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
     let z = (z ^ (z >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
     z ^ (z >> 31)
+}
+
+/// How far the state of each lane of a block is from that of its first: a product of 64 bits, which vectors
+/// are slow at, less for each.
+static STEPS: [u64; LANES] = {
+    let mut steps = [0; LANES];
+    let mut lane = 1;
+    while lane < LANES {
+        steps[lane] = GAMMA.wrapping_add(steps[lane - 1]);
+        lane += 1;
+    }
+    steps
+};
+
+/// The numbers at `first` and the indices that follow, one for each lane of a block.
+#[inline(always)]
+pub(crate) fn bits_of_block(key: u64, first: u64) -> impl DoubleEndedIterator<Item = u64> + ExactSizeIterator {
+    let first = state(key, first);
+    STEPS.iter().map(move |step| mixed(first.wrapping_add(*step)))
 }
 
 /// A sequence's key, from the seed and what the sequence is for.
@@ -31,10 +63,10 @@ pub fn key(seed: u64, path: &[u64]) -> u64 {
 #[inline(always)]
 #[must_use]
 pub fn unit(bits: u64) -> f64 {
-    // 2⁻⁵³
-    const HALF_CELL: f64 = f64::EPSILON / 2.0;
-    // u = k·2⁻⁵² + 2⁻⁵³; the mantissa of 1 + k·2⁻⁵² is k.
-    (f64::from_bits(1.0_f64.to_bits() | (bits >> 12)) - 1.0) + HALF_CELL
+    // 1 − 2⁻⁵³
+    const BEGIN: f64 = 1.0 - f64::EPSILON / 2.0;
+    // u = k·2⁻⁵² + 2⁻⁵³; the mantissa of 1 + k·2⁻⁵² is k. The difference is exact.
+    f64::from_bits(1.0_f64.to_bits() | (bits >> 12)) - BEGIN
 }
 
 #[cfg(test)]

@@ -406,6 +406,9 @@ impl Block {
             }
         };
         let mut settled = told.answered;
+        if settled == [true; LANES] {
+            return settled;
+        }
         for lane in 0..LANES {
             reasons[lane] = if told.answered[lane] { reasons[lane] } else { told.reasons[lane] };
             settled[lane] |= told.reasons[lane] != NO_REASON;
