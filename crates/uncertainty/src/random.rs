@@ -45,7 +45,10 @@ static STEPS: [u64; LANES] = {
 
 /// The numbers at `first` and the indices that follow, one for each lane of a block.
 #[inline(always)]
-pub(crate) fn bits_of_block(key: u64, first: u64) -> impl DoubleEndedIterator<Item = u64> + ExactSizeIterator {
+pub(crate) fn bits_of_block(
+    key: u64,
+    first: u64,
+) -> impl DoubleEndedIterator<Item = u64> + ExactSizeIterator {
     let first = state(key, first);
     STEPS.iter().map(move |step| mixed(first.wrapping_add(*step)))
 }

@@ -128,7 +128,12 @@ impl Block {
             energy
         };
         let [one, two] = &self.vehicles;
-        let vehicles = [one.mover.lanes(self.axes, values), two.mover.lanes(self.axes, values)];
+        let mut vehicles = [VehicleLanes::FIXED; 2];
+        let [v1, v2] = &mut vehicles;
+        one.mover.fill(self.axes, values, v1);
+        two.mover.fill(self.axes, values, v2);
+        let mut crush_plane = [0.0; LANES];
+        lateral(self.axes, &self.crush_plane, values, &mut crush_plane);
         let column = |place: usize| values.get(place).copied().unwrap_or([f64::NAN; LANES]);
         let speeds = match speeds {
             OpenSpeeds::None => [None, None],
@@ -166,7 +171,7 @@ impl Block {
             crush_energies: [energy(&one.damage, &vehicles[0].mass), energy(&two.damage, &vehicles[1].mass)],
             vehicles,
             speeds,
-            crush_plane: lateral(self.axes, &self.crush_plane, values),
+            crush_plane,
             restitution: self.restitution.lanes(values),
             tangential,
             basis,

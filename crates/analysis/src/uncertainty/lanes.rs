@@ -50,18 +50,14 @@ static NO_NUMBERS: Lanes = [f64::NAN; LANES];
 impl Number {
     #[inline(always)]
     pub(crate) fn lanes(self, inputs: &[Lanes]) -> Lanes {
-        let mut known = [0.0; LANES];
-        *self.column(inputs, &mut known)
+        *self.column(inputs, &mut None)
     }
 
     /// The same without a copy: the column of an input where it lies, or `known`, which then has the number.
     #[inline(always)]
-    fn column<'a>(self, inputs: &'a [Lanes], known: &'a mut Lanes) -> &'a Lanes {
+    fn column<'a>(self, inputs: &'a [Lanes], known: &'a mut Option<Lanes>) -> &'a Lanes {
         match self {
-            Self::Known(number) => {
-                *known = [number; LANES];
-                known
-            }
+            Self::Known(number) => known.insert([number; LANES]),
             Self::Uncertain(place) => inputs.get(place).unwrap_or(&NO_NUMBERS),
         }
     }
@@ -167,7 +163,11 @@ impl Condition {
                 }
                 ratios
             }
-            Self::VelocityChange(change) => lateral(axes, change, inputs),
+            Self::VelocityChange(change) => {
+                let mut changes = [0.0; LANES];
+                lateral(axes, change, inputs, &mut changes);
+                changes
+            }
         }
     }
 }
@@ -423,14 +423,17 @@ impl Block {
     #[inline(always)]
     fn pose(&self, inputs: &[Lanes]) -> Posed {
         let [one, two] = &self.vehicles;
-        // In its place from the beginning: the columns are some kilobytes.
+        // Each column is written where it stays: together they are some kilobytes.
         let mut posed = Posed {
-            vehicles: [one.lanes(self.axes, inputs), two.lanes(self.axes, inputs)],
-            crush_plane: lateral(self.axes, &self.crush_plane, inputs),
+            vehicles: [VehicleLanes::FIXED; 2],
+            crush_plane: [0.0; LANES],
             crush_energy: [0.0; LANES],
             faults: [Reason::Other.code(); LANES],
         };
-        let Posed { vehicles: [v1, v2], crush_energy, faults, .. } = &mut posed;
+        let Posed { vehicles: [v1, v2], crush_plane, crush_energy, faults } = &mut posed;
+        one.fill(self.axes, inputs, v1);
+        two.fill(self.axes, inputs, v2);
+        lateral(self.axes, &self.crush_plane, inputs, crush_plane);
         one.damage.add_energy(inputs, &v1.mass, crush_energy, faults);
         two.damage.add_energy(inputs, &v2.mass, crush_energy, faults);
         if one.face.is_some() | two.face.is_some() {
@@ -598,7 +601,7 @@ impl Block {
         // A closure for each would be compiled for the least of the instructions.
         let mut columns = vec![[[0.0; LANES]; 2]; points.len()];
         for ([speeds, values], (speed, e)) in columns.iter_mut().zip(points) {
-            *speeds = si(speed, inputs);
+            si(speed, inputs, speeds);
             *values = e.lanes(inputs);
         }
         let points = &columns;
@@ -1069,28 +1072,36 @@ pub(crate) struct VehicleLanes {
 }
 
 impl VehicleLanes {
-    /// A fixed object. One of which the case tells no point of contact is a [barrier](Participant::barrier),
-    /// with its point in its centre of gravity.
-    #[inline(always)]
-    fn of_fixed(
-        axes: Axes,
-        heading: Option<&Quantity<Number>>,
-        contact: Option<&ContactPoint<Number>>,
-        inputs: &[Lanes],
-    ) -> Self {
+    /// A fixed object, which stands in the origin.
+    pub(crate) const FIXED: Self = {
         const ZERO: Lanes = [0.0; LANES];
-        let [forward, left] = contact.map_or([ZERO; 2], |contact| point(axes, contact, inputs));
-        let heading = heading.filter(|_| contact.is_some());
         Self {
             is_fixed: true,
             mass: ZERO,
             yaw_inertia: ZERO,
-            heading: heading.map_or(ZERO, |heading| lateral(axes, heading, inputs)),
-            forward,
-            left,
+            heading: ZERO,
+            forward: ZERO,
+            left: ZERO,
             velocity_x: ZERO,
             velocity_y: ZERO,
             yaw_rate: ZERO,
+        }
+    };
+
+    /// A fixed object becomes the one of the case. One of which the case tells no point of contact is a
+    /// [barrier](Participant::barrier), with its point in its centre of gravity.
+    #[inline(always)]
+    fn place(
+        &mut self,
+        axes: Axes,
+        heading: Option<&Quantity<Number>>,
+        contact: Option<&ContactPoint<Number>>,
+        inputs: &[Lanes],
+    ) {
+        let Some(contact) = contact else { return };
+        point(axes, contact, inputs, [&mut self.forward, &mut self.left]);
+        if let Some(heading) = heading {
+            lateral(axes, heading, inputs, &mut self.heading);
         }
     }
 
@@ -1157,11 +1168,11 @@ impl Vehicle {
 
     // A closure for it would be compiled for the least of the instructions.
     #[inline(always)]
-    fn lanes(&self, axes: Axes, inputs: &[Lanes]) -> VehicleLanes {
+    fn fill(&self, axes: Axes, inputs: &[Lanes], lanes: &mut VehicleLanes) {
         match &self.body {
-            Collider::Moves(mover) => mover.lanes(axes, inputs),
+            Collider::Moves(mover) => mover.fill(axes, inputs, lanes),
             Collider::Fixed { heading, contact } => {
-                VehicleLanes::of_fixed(axes, heading.as_ref(), contact.as_ref(), inputs)
+                lanes.place(axes, heading.as_ref(), contact.as_ref(), inputs);
             }
         }
     }
@@ -1236,13 +1247,14 @@ impl Damage {
         match self {
             Self::Unknown | Self::Energy(None) => {}
             Self::Energy(Some(ees)) => {
-                let speeds = si(ees, inputs);
+                let mut speeds = [0.0; LANES];
+                si(ees, inputs, &mut speeds);
                 for lane in 0..LANES {
                     total[lane] += energy_of_equivalent_speed(speeds[lane], mass[lane]).unwrap_or(f64::NAN);
                 }
             }
             Self::Crush(crushed, Resistance::Line(line)) => {
-                crushed.add_energy(inputs, line.lanes(inputs), total);
+                crushed.add_energy(inputs, &line.lanes(inputs), total);
             }
             Self::Crush(crushed, Resistance::Other(side, stiffness)) => match stiffness {
                 StiffnessForm::Line(line) => {
@@ -1254,12 +1266,14 @@ impl Damage {
                 _ => crushed.add_energy_in_turn(inputs, *side, stiffness, total, faults),
             },
             Self::Crush(crushed, Resistance::Category(stiffness, factor)) => {
-                let factors = factor.lanes(inputs);
-                let [mut a, mut b, mut g] = [[0.0; LANES]; 3];
+                let mut known = None;
+                let factors = factor.column(inputs, &mut known);
+                let mut stiffnesses = [[0.0; LANES]; 3];
+                let [a, b, g] = &mut stiffnesses;
                 for lane in 0..LANES {
                     [a[lane], b[lane], g[lane]] = scaled_stiffness(stiffness, factors[lane]);
                 }
-                crushed.add_energy(inputs, [a, b, g], total);
+                crushed.add_energy(inputs, &stiffnesses, total);
             }
         }
     }
@@ -1347,62 +1361,11 @@ impl Mover {
         given.chain(yaw_rate).map(Quantity::number).chain([yaw])
     }
 
+    /// [Nothing](VehicleLanes::FIXED) becomes this vehicle.
     #[inline(always)]
-    pub(crate) fn lanes(&self, axes: Axes, inputs: &[Lanes]) -> VehicleLanes {
-        let mass = match self.mass {
-            Mass::Mass(mass) => each(&mass, inputs, |mass| Mass::Mass(mass).kg()),
-            Mass::Weight(weight) => each(&weight, inputs, |weight| Mass::Weight(weight).kg()),
-        };
-        let mut yaw_inertia = [0.0; LANES];
-        match self.yaw {
-            Yaw::Given(YawInertia::Inertia(inertia)) => {
-                let mut known = [0.0; LANES];
-                let numbers = inertia.number().column(inputs, &mut known);
-                for lane in 0..LANES {
-                    yaw_inertia[lane] = YawInertia::Inertia(inertia.with(numbers[lane])).kg_m2(mass[lane]);
-                }
-            }
-            Yaw::Class(class, factor) => {
-                let factors = factor.lanes(inputs);
-                for lane in 0..LANES {
-                    yaw_inertia[lane] = class_yaw_inertia(&class, mass[lane], factors[lane]);
-                }
-            }
-            Yaw::Given(YawInertia::Radius(radius)) => {
-                let mut known = [0.0; LANES];
-                let numbers = radius.number().column(inputs, &mut known);
-                for lane in 0..LANES {
-                    yaw_inertia[lane] = YawInertia::Radius(radius.with(numbers[lane])).kg_m2(mass[lane]);
-                }
-            }
-        }
-        let [forward, left] = match &self.contact {
-            Contacted::Given(contact) => point(axes, contact, inputs),
-            Contacted::Placed(placed) => placed.point(axes, inputs),
-        };
-        let heading = lateral(axes, &self.heading, inputs);
-        let (mut velocity_x, mut velocity_y) = ([0.0; LANES], [0.0; LANES]);
-        match self.motion {
-            None => {}
-            Some(Velocity::Speed(speed)) => {
-                let speed = si(&speed, inputs);
-                for lane in 0..LANES {
-                    let velocity = Motion::along(heading[lane], speed[lane]).velocity;
-                    (velocity_x[lane], velocity_y[lane]) = (velocity.x, velocity.y);
-                }
-            }
-            Some(Velocity::Vector { x, y }) => {
-                velocity_x = si(&x, inputs);
-                velocity_y = lateral(axes, &y, inputs);
-            }
-        }
-        // A closure would stay a call.
-        let mut yaw_rate = [0.0; LANES];
-        if let Some(given) = &self.yaw_rate {
-            yaw_rate = lateral(axes, given, inputs);
-        }
-        VehicleLanes {
-            is_fixed: false,
+    pub(crate) fn fill(&self, axes: Axes, inputs: &[Lanes], lanes: &mut VehicleLanes) {
+        let VehicleLanes {
+            is_fixed,
             mass,
             yaw_inertia,
             heading,
@@ -1411,6 +1374,53 @@ impl Mover {
             velocity_x,
             velocity_y,
             yaw_rate,
+        } = lanes;
+        *is_fixed = false;
+        match self.mass {
+            Mass::Mass(given) => each(&given, inputs, mass, |mass| Mass::Mass(mass).kg()),
+            Mass::Weight(given) => each(&given, inputs, mass, |weight| Mass::Weight(weight).kg()),
+        }
+        match self.yaw {
+            Yaw::Given(YawInertia::Inertia(inertia)) => {
+                si(&inertia, inputs, yaw_inertia);
+            }
+            Yaw::Class(class, factor) => {
+                let mut known = None;
+                let factors = factor.column(inputs, &mut known);
+                for lane in 0..LANES {
+                    yaw_inertia[lane] = class_yaw_inertia(&class, mass[lane], factors[lane]);
+                }
+            }
+            Yaw::Given(YawInertia::Radius(radius)) => {
+                let mut known = None;
+                let numbers = radius.number().column(inputs, &mut known);
+                for lane in 0..LANES {
+                    yaw_inertia[lane] = YawInertia::Radius(radius.with(numbers[lane])).kg_m2(mass[lane]);
+                }
+            }
+        }
+        match &self.contact {
+            Contacted::Given(contact) => point(axes, contact, inputs, [forward, left]),
+            Contacted::Placed(placed) => placed.point(axes, inputs, [forward, left]),
+        }
+        lateral(axes, &self.heading, inputs, heading);
+        match self.motion {
+            None => {}
+            Some(Velocity::Speed(speed)) => {
+                let mut known = None;
+                let numbers = speed.number().column(inputs, &mut known);
+                for lane in 0..LANES {
+                    let velocity = Motion::along(heading[lane], speed.with(numbers[lane]).si()).velocity;
+                    (velocity_x[lane], velocity_y[lane]) = (velocity.x, velocity.y);
+                }
+            }
+            Some(Velocity::Vector { x, y }) => {
+                si(&x, inputs, velocity_x);
+                lateral(axes, &y, inputs, velocity_y);
+            }
+        }
+        if let Some(given) = &self.yaw_rate {
+            lateral(axes, given, inputs, yaw_rate);
         }
     }
 }
@@ -1438,8 +1448,7 @@ impl Contacted {
 impl Placed {
     /// (m) forward and left of the centre of gravity; not a number where the engine refuses the damage.
     #[inline(never)]
-    fn point(&self, axes: Axes, inputs: &[Lanes]) -> [Lanes; 2] {
-        let [mut forward, mut left] = [[f64::NAN; LANES]; 2];
+    fn point(&self, axes: Axes, inputs: &[Lanes], [forward, left]: [&mut Lanes; 2]) {
         let (areas, is_profile) = self.crushed.areas(inputs);
         for lane in 0..LANES {
             let at = |quantity: &Quantity<Number>| quantity.with(quantity.number().at(inputs, lane)).si();
@@ -1453,11 +1462,11 @@ impl Placed {
             let area = areas.each_ref().map(|column| column[lane]);
             let placed =
                 placed_contact(self.side, &dimensions, along(at(&self.offset)), moved, &area_of(area));
-            if let (Ok(point), true) = (placed, is_profile[lane]) {
-                [forward[lane], left[lane]] = point;
-            }
+            [forward[lane], left[lane]] = match placed {
+                Ok(point) if is_profile[lane] => point,
+                _ => [f64::NAN; 2],
+            };
         }
-        [forward, left]
     }
 }
 
@@ -1502,11 +1511,11 @@ impl Crushed {
     fn areas(&self, inputs: &[Lanes]) -> ([Lanes; 4], [bool; LANES]) {
         let (mut areas, mut is_profile) = ([[0.0; LANES]; 4], [true; LANES]);
         let spacing = self.spacing(inputs);
-        let mut c1 = self.first_depth(inputs);
-        for depth in self.depths.iter().skip(1) {
-            let c2 = si(depth, inputs);
+        for ends in self.zones() {
+            let mut known = [None; 2];
+            let depths = columns(ends, inputs, &mut known);
             for lane in 0..LANES {
-                let zone = Zone { width: spacing[lane], depths: [c1[lane], c2[lane]] };
+                let zone = Zone { width: spacing[lane], depths: si_at(ends, depths, lane) };
                 let before = area_of(areas.each_ref().map(|column| column[lane]));
                 let CrushArea { width, area, moment_along, moment_deep } = before.with(zone);
                 for (column, number) in areas.iter_mut().zip([width, area, moment_along, moment_deep]) {
@@ -1514,7 +1523,6 @@ impl Crushed {
                 }
                 is_profile[lane] &= zone.is_valid();
             }
-            c1 = c2;
         }
         (areas, is_profile)
     }
@@ -1522,17 +1530,15 @@ impl Crushed {
     /// (m) the width of each zone.
     #[inline(always)]
     fn spacing(&self, inputs: &[Lanes]) -> Lanes {
-        let mut spacing = si(&self.width, inputs);
-        for width in &mut spacing {
-            *width = equal_spacing(*width, self.depths.len());
-        }
+        let mut spacing = [0.0; LANES];
+        each(&self.width, inputs, &mut spacing, |width| equal_spacing(width.si(), self.depths.len()));
         spacing
     }
 
-    /// (m) the depth at the first station.
+    /// The depths at the ends of each zone.
     #[inline(always)]
-    fn first_depth(&self, inputs: &[Lanes]) -> Lanes {
-        self.depths.first().map_or([f64::NAN; LANES], |first| si(first, inputs))
+    fn zones(&self) -> impl Iterator<Item = [&Quantity<Number>; 2]> {
+        self.depths.iter().zip(self.depths.iter().skip(1)).map(|(one, other)| [one, other])
     }
 
     /// The profile of one sample.
@@ -1578,18 +1584,18 @@ impl Crushed {
     ) {
         let spacing = self.spacing(inputs);
         let (mut own, mut is_structure) = ([0.0; LANES], [true; LANES]);
-        let mut c1 = self.first_depth(inputs);
-        for (depth, line) in self.depths.iter().skip(1).zip(lines.iter().cycle()) {
-            let c2 = si(depth, inputs);
-            let mut known = [[0.0; LANES]; 4];
+        for (ends, line) in self.zones().zip(lines.iter().cycle()) {
+            let mut known = [None; 2];
+            let depths = columns(ends, inputs, &mut known);
+            let mut known = [None; 4];
             let mut free = known.iter_mut();
-            let columns = line.map(|quantity| {
+            let numbers = line.map(|quantity| {
                 let column = free.next().map(|known| quantity.number().column(inputs, known));
                 quantity.with(column.unwrap_or(&NO_NUMBERS))
             });
             for lane in 0..LANES {
-                let zone = Zone { width: spacing[lane], depths: [c1[lane], c2[lane]] };
-                let line = columns.map(|quantity| quantity.with(quantity.number()[lane]));
+                let zone = Zone { width: spacing[lane], depths: si_at(ends, depths, lane) };
+                let line = numbers.map(|quantity| quantity.with(quantity.number()[lane]));
                 own[lane] += match line.stiffness() {
                     Ok(stiffness) => {
                         let energy = zone_energy(zone, &stiffness);
@@ -1604,7 +1610,6 @@ impl Crushed {
                     }
                 };
             }
-            c1 = c2;
         }
         for (total, own) in total.iter_mut().zip(own) {
             *total += own;
@@ -1613,23 +1618,22 @@ impl Crushed {
 
     /// (J) adds the crush energy with A, B and G; not a number where a sample has none.
     #[inline(always)]
-    pub(crate) fn add_energy(&self, inputs: &[Lanes], [a, b, g]: [Lanes; 3], total: &mut Lanes) {
+    pub(crate) fn add_energy(&self, inputs: &[Lanes], [a, b, g]: &[Lanes; 3], total: &mut Lanes) {
         let spacing = self.spacing(inputs);
         let mut own = [0.0; LANES];
         for lane in 0..LANES {
             let (_, is_stiffness) = Stiffness::from_abg_with_validity(a[lane], b[lane], g[lane]);
             own[lane] = if is_stiffness { 0.0 } else { f64::NAN };
         }
-        let mut c1 = self.first_depth(inputs);
-        for depth in self.depths.iter().skip(1) {
-            let c2 = si(depth, inputs);
+        for ends in self.zones() {
+            let mut known = [None; 2];
+            let depths = columns(ends, inputs, &mut known);
             for lane in 0..LANES {
-                let zone = Zone { width: spacing[lane], depths: [c1[lane], c2[lane]] };
+                let zone = Zone { width: spacing[lane], depths: si_at(ends, depths, lane) };
                 let (stiffness, _) = Stiffness::from_abg_with_validity(a[lane], b[lane], g[lane]);
                 let energy = zone_energy(zone, &stiffness);
                 own[lane] += if zone.is_valid() { energy } else { f64::NAN };
             }
-            c1 = c2;
         }
         for (total, own) in total.iter_mut().zip(own) {
             *total += own;
@@ -1701,12 +1705,10 @@ fn coefficients<const N: usize>(
     inputs: &[Lanes],
     line: impl Fn([Quantity; N]) -> StiffnessLine,
 ) -> [Lanes; 3] {
-    let mut known = [[0.0; LANES]; N];
-    let mut numbers = [&NO_NUMBERS; N];
-    for ((column, known), quantity) in numbers.iter_mut().zip(&mut known).zip(quantities) {
-        *column = quantity.number().column(inputs, known);
-    }
-    let [mut a, mut b, mut g] = [[0.0; LANES]; 3];
+    let mut known = [None; N];
+    let numbers = columns(quantities.each_ref(), inputs, &mut known);
+    let mut stiffnesses = [[0.0; LANES]; 3];
+    let [a, b, g] = &mut stiffnesses;
     for lane in 0..LANES {
         let line = line(std::array::from_fn(|i| quantities[i].with(numbers[i][lane])));
         [a[lane], b[lane], g[lane]] = match line.stiffness() {
@@ -1714,57 +1716,74 @@ fn coefficients<const N: usize>(
             Err(_) => [f64::NAN; 3],
         };
     }
-    [a, b, g]
+    stiffnesses
 }
 
+/// The numbers of some quantities, each as [`Number::column`].
 #[inline(always)]
-pub(crate) fn si(quantity: &Quantity<Number>, inputs: &[Lanes]) -> Lanes {
-    each(quantity, inputs, |quantity| quantity.si())
+fn columns<'a, const N: usize>(
+    quantities: [&Quantity<Number>; N],
+    inputs: &'a [Lanes],
+    known: &'a mut [Option<Lanes>; N],
+) -> [&'a Lanes; N] {
+    let mut columns = [&NO_NUMBERS; N];
+    for ((column, known), quantity) in columns.iter_mut().zip(known).zip(quantities) {
+        *column = quantity.number().column(inputs, known);
+    }
+    columns
+}
+
+/// What they are in SI in one sample.
+#[inline(always)]
+fn si_at([one, other]: [&Quantity<Number>; 2], [ones, others]: [&Lanes; 2], lane: usize) -> [f64; 2] {
+    [one.with(ones[lane]).si(), other.with(others[lane]).si()]
+}
+
+/// What a quantity is in SI, of each sample.
+#[inline(always)]
+pub(crate) fn si(quantity: &Quantity<Number>, inputs: &[Lanes], column: &mut Lanes) {
+    each(quantity, inputs, column, |quantity| quantity.si());
 }
 
 /// (m) a point forward and left of the centre of gravity.
 #[inline(always)]
-fn point(axes: Axes, contact: &ContactPoint<Number>, inputs: &[Lanes]) -> [Lanes; 2] {
-    let (mut forward, mut left) = ([0.0; LANES], [0.0; LANES]);
-    let [first, second] = &mut [[0.0; LANES]; 2];
+fn point(axes: Axes, contact: &ContactPoint<Number>, inputs: &[Lanes], [forward, left]: [&mut Lanes; 2]) {
+    let [mut first, mut second] = [None; 2];
     match contact {
         ContactPoint::Polar { distance, angle } => {
-            let distances = distance.number().column(inputs, first);
-            let angles = angle.number().column(inputs, second);
+            let distances = distance.number().column(inputs, &mut first);
+            let angles = angle.number().column(inputs, &mut second);
             for lane in 0..LANES {
                 let contact = ContactPoint::Polar {
                     distance: distance.with(distances[lane]),
                     angle: angle.with(angles[lane]),
                 };
-                [forward[lane], left[lane]] = contact.xy();
+                let [x, y] = contact.xy();
+                (forward[lane], left[lane]) = (x, axes.lateral(y));
             }
         }
         ContactPoint::Cartesian { x, y } => {
-            let (xs, ys) = (x.number().column(inputs, first), y.number().column(inputs, second));
+            let (xs, ys) = (x.number().column(inputs, &mut first), y.number().column(inputs, &mut second));
             for lane in 0..LANES {
                 let contact = ContactPoint::Cartesian { x: x.with(xs[lane]), y: y.with(ys[lane]) };
-                [forward[lane], left[lane]] = contact.xy();
+                let [x, y] = contact.xy();
+                (forward[lane], left[lane]) = (x, axes.lateral(y));
             }
         }
     }
-    for left in &mut left {
-        *left = axes.lateral(*left);
-    }
-    [forward, left]
 }
 
 /// What counts across or turns, in the axes of the engine.
 #[inline(always)]
-pub(crate) fn lateral(axes: Axes, quantity: &Quantity<Number>, inputs: &[Lanes]) -> Lanes {
-    each(quantity, inputs, |quantity| axes.lateral(quantity.si()))
+pub(crate) fn lateral(axes: Axes, quantity: &Quantity<Number>, inputs: &[Lanes], column: &mut Lanes) {
+    each(quantity, inputs, column, |quantity| axes.lateral(quantity.si()));
 }
 
 #[inline(always)]
-fn each(quantity: &Quantity<Number>, inputs: &[Lanes], value: impl Fn(Quantity) -> f64) -> Lanes {
-    let (mut lanes, mut known) = ([0.0; LANES], [0.0; LANES]);
+fn each(quantity: &Quantity<Number>, inputs: &[Lanes], column: &mut Lanes, value: impl Fn(Quantity) -> f64) {
+    let mut known = None;
     let numbers = quantity.number().column(inputs, &mut known);
-    for (lane, number) in lanes.iter_mut().zip(numbers) {
+    for (lane, number) in column.iter_mut().zip(numbers) {
         *lane = value(quantity.with(*number));
     }
-    lanes
 }
