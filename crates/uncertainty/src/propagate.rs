@@ -237,8 +237,8 @@ impl<M: Model> Run<'_, M> {
         let planned = self.settings.samples;
         let mut first = Samples::new(self.outputs, SPAN.min(planned));
         let Samples { columns, reasons } = &mut first;
-        let mut outputs: Vec<&mut [f64]> = columns.iter_mut().collect();
-        let part = Part { index: 0, outputs: &mut outputs, reasons };
+        let outputs = columns.iter_mut().collect();
+        let part = Part { index: 0, outputs, watches: &mut [], reasons };
         let totals = part.evaluate(self.model, &self.sampler, &mut Block::new(self.model, &self.sampler));
         let Limits { caution, .. } = *self.limits;
         let (instructions, is_replicated) = (self.settings.instructions, self.is_replicated());
@@ -246,15 +246,15 @@ impl<M: Model> Run<'_, M> {
         let columns = first.columns.iter().map(|column| Span { samples: 0, work: column }).collect();
         let watch = |column: &[f64]| Watch::new(column, watching);
         let mut watches = in_order(columns, watch, &mut |_, _| ControlFlow::Continue(()));
-        let powers = self.watched(&mut watches, first.columns.iter());
+        let powers = watches.iter_mut().zip(first.columns.iter()).map(|(watch, column)| watch.add(column));
+        let powers = self.powers(powers);
         Begun { first, watches, totals, powers }
     }
 
     /// What a span adds to the powers of each column.
-    fn watched<'c>(&self, watches: &mut [Watch], columns: impl Iterator<Item = &'c [f64]>) -> Vec<Powers> {
+    fn powers(&self, of_columns: impl Iterator<Item = [Powers; REPLICATES]>) -> Vec<Powers> {
         let mut powers = Vec::new();
-        for (watch, column) in watches.iter_mut().zip(columns) {
-            let of_replicates = watch.add(column);
+        for of_replicates in of_columns {
             if self.is_replicated() {
                 powers.extend(of_replicates);
             } else {
@@ -286,17 +286,14 @@ impl<M: Model> Run<'_, M> {
             let own = lock().pop();
             let mut worker = own.unwrap_or_else(|| Worker {
                 block: Block::new(self.model, &self.sampler),
-                samples: Samples::new(self.outputs - self.kept, SPAN),
+                reasons: vec![SUCCEEDED; SPAN],
                 watches: watches.iter().map(Watch::unwatched).collect(),
             });
-            let Worker { block, samples: unkept, watches } = &mut worker;
-            let Samples { columns: unkept, reasons: own } = unkept;
-            let own = &mut own[..samples];
-            let unkept = unkept.iter_mut().map(|column| &mut column[..samples]);
-            let mut outputs: Vec<&mut [f64]> = kept.into_iter().chain(unkept).collect();
-            let part = Part { index, outputs: &mut outputs, reasons: codes.unwrap_or(own) };
+            let Worker { block, reasons: own, watches } = &mut worker;
+            let reasons = codes.unwrap_or(&mut own[..samples]);
+            let part = Part { index, outputs: kept, watches, reasons };
             let totals = part.evaluate(self.model, &self.sampler, block);
-            let powers = self.watched(watches, outputs.iter().map(|column| &**column));
+            let powers = self.powers(watches.iter_mut().map(Watch::end_span));
             lock().push(worker);
             (totals, powers)
         };
@@ -403,8 +400,8 @@ impl<M: Model> Run<'_, M> {
                 Span { samples: reasons.len(), work: (index as u64, outputs, reasons) }
             })
             .collect();
-        let work = |(index, mut outputs, reasons): (u64, Vec<&mut [f64]>, &mut [u8])| {
-            let part = Part { index, outputs: &mut outputs, reasons };
+        let work = |(index, outputs, reasons): (u64, Vec<&mut [f64]>, &mut [u8])| {
+            let part = Part { index, outputs, watches: &mut [], reasons };
             part.evaluate(self.model, &self.sampler, &mut Block::new(self.model, &self.sampler));
         };
         in_order(spans, work, progress);
@@ -426,8 +423,8 @@ impl Samples {
 /// What one thread has while it does its spans.
 struct Worker {
     block: Block,
-    /// A span of those outputs that are not kept.
-    samples: Samples,
+    /// Those of a span that are not kept.
+    reasons: Vec<u8>,
     /// What it has seen of each column.
     watches: Vec<Watch>,
 }
@@ -448,7 +445,10 @@ impl Block {
 /// Where the results of a span go.
 struct Part<'a, 'c> {
     index: u64,
-    outputs: &'a mut [&'c mut [f64]],
+    /// Those that are kept.
+    outputs: Vec<&'c mut [f64]>,
+    /// Of all that are summarised, unless that is not done.
+    watches: &'a mut [Watch],
     reasons: &'a mut [u8],
 }
 
@@ -474,7 +474,7 @@ impl Totals {
 
 impl Part<'_, '_> {
     fn evaluate<M: Model>(self, model: &M, sampler: &Sampler<'_>, block: &mut Block) -> Totals {
-        let Self { index, outputs, reasons: codes } = self;
+        let Self { index, mut outputs, watches, reasons: codes } = self;
         let Block { inputs, answers } = block;
         let mut reasons = [SUCCEEDED; LANES];
         let mut failures = Failures::new();
@@ -482,17 +482,19 @@ impl Part<'_, '_> {
         let blocks = index * (SPAN / LANES) as u64..;
         for ((start, codes), block) in (0..).step_by(LANES).zip(codes.chunks_mut(LANES)).zip(blocks) {
             sampler.evaluate(model, block, inputs, answers, &mut reasons);
-            let all_succeeded = reasons == [SUCCEEDED; LANES];
-            for (answer, output) in answers.iter().zip(outputs.iter_mut()) {
-                if all_succeeded && let Some((places, _)) = output[start..].split_first_chunk_mut() {
-                    *places = *answer;
-                    continue;
-                }
-                for ((place, value), reason) in output[start..].iter_mut().zip(answer).zip(&reasons) {
-                    *place = if *reason == SUCCEEDED { *value } else { f64::NAN };
+            let count = codes.len();
+            if count < LANES || reasons != [SUCCEEDED; LANES] {
+                for answer in answers.iter_mut() {
+                    for (lane, (value, reason)) in answer.iter_mut().zip(&reasons).enumerate() {
+                        *value = if lane < count && *reason == SUCCEEDED { *value } else { f64::NAN };
+                    }
                 }
             }
-            codes.copy_from_slice(&reasons[..codes.len()]);
+            for (answer, output) in answers.iter().zip(&mut outputs) {
+                output[start..][..count].copy_from_slice(&answer[..count]);
+            }
+            Watch::add_blocks(watches, answers);
+            codes.copy_from_slice(&reasons[..count]);
             count_failures(&mut failures, codes);
             tally(sampler.instructions(), model, [inputs, answers], codes, &mut tallies);
         }

@@ -1,7 +1,7 @@
 //! Moments of a column, from sums that are made span by span.
 
 use crate::limits::REPLICATES;
-use crate::model::LANES;
+use crate::model::{LANES, Lanes};
 
 /// Samples that one thread takes at a time, and values that are added up together.
 pub(crate) const SPAN: usize = 64 * LANES;
@@ -67,46 +67,56 @@ impl Moments {
     }
 }
 
-/// The powers of a span, of each replicate: the values are dealt to them in turn. NaN is in none.
-#[inline(always)]
-pub(super) fn of_replicates(span: &[f64], centre: f64) -> [Powers; REPLICATES] {
-    let mut counts = [0_u64; REPLICATES];
-    let mut sums = [[0.0; REPLICATES]; 4];
-    let (rows, rest) = span.as_chunks::<REPLICATES>();
-    for row in rows {
-        add_row(&mut counts, &mut sums, row, centre);
-    }
-    let mut row = [f64::NAN; REPLICATES];
-    row[..rest.len()].copy_from_slice(rest);
-    add_row(&mut counts, &mut sums, &row, centre);
-    std::array::from_fn(|own| Powers { count: counts[own], sums: sums.map(|sums| sums[own]) })
+/// The powers of each replicate while its values come: they are dealt to the replicates in turn. NaN is in
+/// none.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Sums {
+    counts: [u64; REPLICATES],
+    sums: [[f64; REPLICATES]; 4],
 }
 
-#[inline(always)]
-fn add_row(
-    counts: &mut [u64; REPLICATES],
-    sums: &mut [[f64; REPLICATES]; 4],
-    row: &[f64; REPLICATES],
-    centre: f64,
-) {
-    let [first, second, third, fourth] = sums;
-    for own in 0..REPLICATES {
-        let is_missing = row[own].is_nan();
-        let deviation = if is_missing { 0.0 } else { row[own] - centre };
-        let square = deviation * deviation;
-        counts[own] += u64::from(!is_missing);
-        first[own] += deviation;
-        second[own] += square;
-        third[own] += square * deviation;
-        fourth[own] += square * square;
+impl Sums {
+    #[inline(always)]
+    pub(super) fn add(&mut self, block: &Lanes, centre: f64) {
+        // In registers, as nobody else knows of it.
+        let Self { mut counts, sums: [mut first, mut second, mut third, mut fourth] } = *self;
+        let (rows, _) = block.as_chunks::<REPLICATES>();
+        for row in rows {
+            for own in 0..REPLICATES {
+                let is_missing = row[own].is_nan();
+                let deviation = if is_missing { 0.0 } else { row[own] - centre };
+                let square = deviation * deviation;
+                counts[own] += u64::from(!is_missing);
+                first[own] += deviation;
+                second[own] += square;
+                third[own] += square * deviation;
+                fourth[own] += square * square;
+            }
+        }
+        *self = Self { counts, sums: [first, second, third, fourth] };
+    }
+
+    pub(super) fn powers(&self) -> [Powers; REPLICATES] {
+        std::array::from_fn(|own| Powers { count: self.counts[own], sums: self.sums.map(|sums| sums[own]) })
     }
 }
 
 #[cfg(test)]
 mod tests {
-    use super::{Powers, SPAN, of_replicates};
+    use super::{Powers, SPAN, Sums};
     use crate::limits::REPLICATES;
+    use crate::model::LANES;
     use crate::random::{bits, unit};
+
+    fn of_replicates(span: &[f64], centre: f64) -> [Powers; REPLICATES] {
+        let mut sums = Sums::default();
+        for part in span.chunks(LANES) {
+            let mut block = [f64::NAN; LANES];
+            block[..part.len()].copy_from_slice(part);
+            sums.add(&block, centre);
+        }
+        sums.powers()
+    }
 
     /// Beside sums of the deviations from the mean itself, with a centre beside it, values that are missing,
     /// and a length that is no multiple of anything.

@@ -7,12 +7,13 @@
 //! counts: then [`Order`](super::order::Order) has to find the place by further passes.
 
 use std::ops::Range;
+use std::slice;
 
 use fearless_simd::dispatch;
 
 use super::QUANTILES;
 use super::order::{key, value_of};
-use super::powers::{Powers, of_replicates};
+use super::powers::{Powers, Sums};
 use crate::limits::REPLICATES;
 use crate::model::{LANES, Lanes};
 use crate::run::Instructions;
@@ -60,8 +61,29 @@ pub(crate) struct Watch {
     pub(super) centre: f64,
     /// In ascending order.
     pub(super) windows: Vec<Window>,
+    open: Open,
     seen: u64,
     narrowed_at: u64,
+}
+
+/// A span while its blocks come.
+#[derive(Clone, Debug)]
+struct Open {
+    /// The cells of each window; nowhere, where it was lost before this span.
+    ranges: [[i16; 2]; QUANTILES],
+    /// How many values lie below each window, of each lane.
+    below: [[i16; LANES]; QUANTILES],
+    sums: Sums,
+}
+
+impl Open {
+    fn new(windows: &[Window]) -> Self {
+        let mut ranges = [[NOWHERE; 2]; QUANTILES];
+        for (range, window) in ranges.iter_mut().zip(windows) {
+            *range = if window.is_lost { [NOWHERE; 2] } else { window.cells };
+        }
+        Self { ranges, below: [[0; LANES]; QUANTILES], sums: Sums::default() }
+    }
 }
 
 /// Neighbouring cells that hold some quantiles, as far as is known.
@@ -106,9 +128,10 @@ impl Watch {
         let bucket_at = |place: f64| before.partition_point(|before| f64::from(*before) <= place);
         let middle = bucket_at(0.5 * f64::from(seen));
         let centre = pilot.iter().copied().find(|value| bucket(cells.cell(*value)) == middle);
-        let (centre, narrowed_at) = (centre.unwrap_or(0.0), NARROWED);
-        let mut watch = Self { of, cells, centre, windows: Vec::new(), seen: u64::from(seen), narrowed_at };
-        let last = f64::from(seen) - 1.0;
+        let (centre, seen) = (centre.unwrap_or(0.0), u64::from(seen));
+        let (windows, open) = (Vec::new(), Open::new(&[]));
+        let mut watch = Self { of, cells, centre, windows, open, seen, narrowed_at: NARROWED };
+        let last = seen as f64 - 1.0;
         let windows = (0..QUANTILES).map(|share| {
             let [from, to] = watch.reach(SHARES[share]);
             let low = if from > 0.0 { first_cell(bucket_at(from)) } else { 0 };
@@ -116,6 +139,7 @@ impl Watch {
             (share, [low, high])
         });
         watch.windows = apart(windows).map(|(shares, cells)| Window::new(shares, cells)).collect();
+        watch.open = Open::new(&watch.windows);
         watch.seen = 0;
         watch
     }
@@ -124,54 +148,68 @@ impl Watch {
     /// grow would leave much memory behind.
     pub(crate) fn unwatched(&self) -> Self {
         let window = |window: &Window| Window::new(window.shares.clone(), window.cells).with_room(&self.of);
-        Self { windows: self.windows.iter().map(window).collect(), seen: 0, ..*self }
+        let windows: Vec<_> = self.windows.iter().map(window).collect();
+        let open = Open::new(&windows);
+        Self { windows, open, seen: 0, ..*self }
     }
 
-    /// The samples of a span, NaN where they failed, of which the first one belongs to the first replicate.
+    /// The samples of a span, NaN where they failed.
     pub(crate) fn add(&mut self, span: &[f64]) -> [Powers; REPLICATES] {
-        dispatch!(self.of.instructions.level(), _simd => self.add_with(span))
-    }
-
-    #[inline(always)]
-    fn add_with(&mut self, span: &[f64]) -> [Powers; REPLICATES] {
-        let mut ranges = [[NOWHERE; 2]; QUANTILES];
-        for (range, window) in ranges.iter_mut().zip(&self.windows) {
-            *range = if window.is_lost { [NOWHERE; 2] } else { window.cells };
-        }
-        let windows = self.windows.len().min(QUANTILES);
-        let mut below = [[0; LANES]; QUANTILES];
         let (blocks, rest) = span.as_chunks::<LANES>();
         for block in blocks {
-            self.add_block(block, &ranges[..windows], &mut below);
+            Self::add_blocks(slice::from_mut(self), slice::from_ref(block));
         }
         if !rest.is_empty() {
             let mut block = [f64::NAN; LANES];
             block[..rest.len()].copy_from_slice(rest);
-            self.add_block(&block, &ranges[..windows], &mut below);
+            Self::add_blocks(slice::from_mut(self), &[block]);
         }
-        for (window, below) in self.windows.iter_mut().zip(&below) {
+        self.end_span()
+    }
+
+    /// A block of each column, NaN where a sample failed. The first sample of a block belongs to the first
+    /// replicate.
+    pub(crate) fn add_blocks(watches: &mut [Self], blocks: &[Lanes]) {
+        let Some(first) = watches.first() else { return };
+        dispatch!(first.of.instructions.level(), _simd => Self::add_blocks_with(watches, blocks));
+    }
+
+    #[inline(always)]
+    fn add_blocks_with(watches: &mut [Self], blocks: &[Lanes]) {
+        for (watch, block) in watches.iter_mut().zip(blocks) {
+            watch.add_block(block);
+        }
+    }
+
+    /// What the blocks since the last span add to the powers.
+    pub(crate) fn end_span(&mut self) -> [Powers; REPLICATES] {
+        let powers = self.open.sums.powers();
+        for (window, below) in self.windows.iter_mut().zip(&self.open.below) {
             for (replicate, total) in window.below.iter_mut().enumerate() {
                 let own = below.iter().skip(replicate).step_by(REPLICATES);
                 *total += own.map(|count| u64::from(count.unsigned_abs())).sum::<u64>();
             }
         }
-        let powers = of_replicates(span, self.centre);
         self.seen += powers.iter().map(|powers| powers.count).sum::<u64>();
         if self.seen >= self.narrowed_at {
             self.narrow();
         }
+        self.open = Open::new(&self.windows);
         powers
     }
 
     #[inline(always)]
-    fn add_block(&mut self, block: &Lanes, ranges: &[[i16; 2]], below: &mut [[i16; LANES]; QUANTILES]) {
+    fn add_block(&mut self, block: &Lanes) {
+        self.open.sums.add(block, self.centre);
         let mut cells = [MISSING; LANES];
         for (cell, value) in cells.iter_mut().zip(block) {
             *cell = self.cells.cell(*value);
         }
         // The number of the window that a value is inside, counted from one.
         let mut inside = [0_i16; LANES];
-        for (number, ([low, high], below)) in (1..).zip(ranges.iter().zip(below)) {
+        let Open { ranges, below, .. } = &mut self.open;
+        let windows = ranges.iter().zip(below).take(self.windows.len());
+        for (number, ([low, high], below)) in (1..).zip(windows) {
             for lane in 0..LANES {
                 below[lane] += i16::from(cells[lane] < *low);
                 let is_inside = (cells[lane] >= *low) & (cells[lane] <= *high);
