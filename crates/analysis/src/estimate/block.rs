@@ -128,7 +128,7 @@ impl Block {
             energy
         };
         let [one, two] = &self.vehicles;
-        let mut vehicles = [VehicleLanes::FIXED; 2];
+        let mut vehicles = [VehicleLanes::NOTHING; 2];
         let [v1, v2] = &mut vehicles;
         one.mover.fill(self.axes, values, v1);
         two.mover.fill(self.axes, values, v2);

@@ -394,7 +394,8 @@ impl Block {
         outputs: &mut [Lanes],
         reasons: &mut [u8; LANES],
     ) -> [bool; LANES] {
-        let posed = self.pose(inputs);
+        let mut posed = Posed::NOTHING;
+        self.pose(inputs, &mut posed);
         let law = &self.at_once;
         let numbers = law.condition.lanes(self.axes, inputs);
         let told = match &law.restitution {
@@ -419,34 +420,29 @@ impl Block {
         settled
     }
 
-    /// The vehicles of a block and what is known of their damage.
+    /// The vehicles of a block and what is known of their damage, in place of [nothing](Posed::NOTHING): each
+    /// column is written where it stays, as together they are some kilobytes.
     #[inline(always)]
-    fn pose(&self, inputs: &[Lanes]) -> Posed {
+    fn pose(&self, inputs: &[Lanes], posed: &mut Posed) {
         let [one, two] = &self.vehicles;
-        // Each column is written where it stays: together they are some kilobytes.
-        let mut posed = Posed {
-            vehicles: [VehicleLanes::FIXED; 2],
-            crush_plane: [0.0; LANES],
-            crush_energy: [0.0; LANES],
-            faults: [Reason::Other.code(); LANES],
-        };
-        let Posed { vehicles: [v1, v2], crush_plane, crush_energy, faults } = &mut posed;
+        let Posed { vehicles: [v1, v2], crush_plane, crush_energy, faults } = posed;
         one.fill(self.axes, inputs, v1);
         two.fill(self.axes, inputs, v2);
         lateral(self.axes, &self.crush_plane, inputs, crush_plane);
+        *faults = [Reason::Other.code(); LANES];
         one.damage.add_energy(inputs, &v1.mass, crush_energy, faults);
         two.damage.add_energy(inputs, &v2.mass, crush_energy, faults);
         if one.face.is_some() | two.face.is_some() {
             self.refuse_faces(inputs, crush_energy);
         }
-        posed
     }
 
     /// How many of these samples of a block have more than one speed that gives their crush energy.
     #[inline(never)]
     pub(super) fn several_speeds(&self, inputs: &[Lanes], lanes: impl Iterator<Item = usize>) -> usize {
         let Some(sought) = self.sought else { return 0 };
-        let posed = self.pose(inputs);
+        let mut posed = Posed::NOTHING;
+        self.pose(inputs, &mut posed);
         let has_several = |lane: &usize| {
             let problem = self.problem(&posed, sought, inputs, *lane);
             problem.is_ok_and(|problem| problem.has_several_speeds())
@@ -847,6 +843,14 @@ struct Posed {
 }
 
 impl Posed {
+    /// Zeros, which cost the least to make.
+    const NOTHING: Self = Self {
+        vehicles: [VehicleLanes::NOTHING; 2],
+        crush_plane: [0.0; LANES],
+        crush_energy: [0.0; LANES],
+        faults: [0; LANES],
+    };
+
     fn fault(&self, lane: usize) -> Reason {
         Reason::of_code(self.faults[lane])
     }
@@ -1072,11 +1076,11 @@ pub(crate) struct VehicleLanes {
 }
 
 impl VehicleLanes {
-    /// A fixed object, which stands in the origin.
-    pub(crate) const FIXED: Self = {
+    /// Before a vehicle or an object comes in its place.
+    pub(crate) const NOTHING: Self = {
         const ZERO: Lanes = [0.0; LANES];
         Self {
-            is_fixed: true,
+            is_fixed: false,
             mass: ZERO,
             yaw_inertia: ZERO,
             heading: ZERO,
@@ -1088,16 +1092,17 @@ impl VehicleLanes {
         }
     };
 
-    /// A fixed object becomes the one of the case. One of which the case tells no point of contact is a
+    /// [Nothing](Self::NOTHING) becomes a fixed object. One of which the case tells no point of contact is a
     /// [barrier](Participant::barrier), with its point in its centre of gravity.
     #[inline(always)]
-    fn place(
+    fn fix(
         &mut self,
         axes: Axes,
         heading: Option<&Quantity<Number>>,
         contact: Option<&ContactPoint<Number>>,
         inputs: &[Lanes],
     ) {
+        self.is_fixed = true;
         let Some(contact) = contact else { return };
         point(axes, contact, inputs, [&mut self.forward, &mut self.left]);
         if let Some(heading) = heading {
@@ -1172,7 +1177,7 @@ impl Vehicle {
         match &self.body {
             Collider::Moves(mover) => mover.fill(axes, inputs, lanes),
             Collider::Fixed { heading, contact } => {
-                lanes.place(axes, heading.as_ref(), contact.as_ref(), inputs);
+                lanes.fix(axes, heading.as_ref(), contact.as_ref(), inputs);
             }
         }
     }
@@ -1361,11 +1366,11 @@ impl Mover {
         given.chain(yaw_rate).map(Quantity::number).chain([yaw])
     }
 
-    /// [Nothing](VehicleLanes::FIXED) becomes this vehicle.
+    /// [Nothing](VehicleLanes::NOTHING) becomes this vehicle.
     #[inline(always)]
     pub(crate) fn fill(&self, axes: Axes, inputs: &[Lanes], lanes: &mut VehicleLanes) {
         let VehicleLanes {
-            is_fixed,
+            is_fixed: _,
             mass,
             yaw_inertia,
             heading,
@@ -1375,7 +1380,6 @@ impl Mover {
             velocity_y,
             yaw_rate,
         } = lanes;
-        *is_fixed = false;
         match self.mass {
             Mass::Mass(given) => each(&given, inputs, mass, |mass| Mass::Mass(mass).kg()),
             Mass::Weight(given) => each(&given, inputs, mass, |weight| Mass::Weight(weight).kg()),
