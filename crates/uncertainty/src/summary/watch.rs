@@ -114,10 +114,11 @@ pub(super) struct Clump {
 impl Watch {
     /// Before the first span, which is `pilot`, in which NaN stands for samples that failed.
     pub(crate) fn new(pilot: &[f64], of: Watching) -> Self {
-        let cells = Cells::of(pilot);
+        let cells = Cells::of(pilot, of.instructions);
         let mut before = [0_u32; BUCKETS];
-        for cell in pilot.iter().map(|value| cells.cell(*value)).filter(|cell| *cell != MISSING) {
-            before[bucket(cell)] += 1;
+        let of_pilot = cells.of_all(pilot);
+        for cell in of_pilot.iter().filter(|cell| **cell != MISSING) {
+            before[bucket(*cell)] += 1;
         }
         let mut seen = 0;
         for count in &mut before {
@@ -127,8 +128,8 @@ impl Watch {
         // That in which the value at a place lies.
         let bucket_at = |place: f64| before.partition_point(|before| f64::from(*before) <= place);
         let middle = bucket_at(0.5 * f64::from(seen));
-        let centre = pilot.iter().copied().find(|value| bucket(cells.cell(*value)) == middle);
-        let (centre, seen) = (centre.unwrap_or(0.0), u64::from(seen));
+        let centre = pilot.iter().zip(&of_pilot).find(|(_, cell)| bucket(**cell) == middle);
+        let (centre, seen) = (centre.map_or(0.0, |(value, _)| *value), u64::from(seen));
         let (windows, open) = (Vec::new(), Open::new(&[]));
         let mut watch = Self { of, cells, centre, windows, open, seen, narrowed_at: NARROWED };
         let last = seen as f64 - 1.0;
@@ -330,9 +331,10 @@ impl Window {
             return;
         }
         let mut clump = Clump { value, counts: [0; REPLICATES] };
-        self.retain(|taken, replicate| {
-            clump.counts[replicate] += u64::from(is_alike(taken));
-            !is_alike(taken)
+        let alike: Vec<bool> = self.taken.iter().map(|taken| is_alike(*taken)).collect();
+        self.retain(&alike, |is_alike, replicate| {
+            clump.counts[replicate] += u64::from(is_alike);
+            !is_alike
         });
         self.clump = Some(clump);
     }
@@ -341,18 +343,19 @@ impl Window {
         (self.taken, self.replicates, self.clump, self.is_lost) = (Vec::new(), Vec::new(), None, true);
     }
 
-    /// Leaves those of the values taken out that are to stay. By Monte Carlo all have one replicate.
-    fn retain(&mut self, mut stays: impl FnMut(f64, usize) -> bool) {
+    /// Leaves those of the values taken out that are to stay: of each is told what it is and its replicate.
+    /// By Monte Carlo all have one replicate.
+    fn retain<T: Copy>(&mut self, of_values: &[T], mut stays: impl FnMut(T, usize) -> bool) {
         // Moved in any case, as which of them stay cannot be predicted.
         let mut left = 0;
-        for place in 0..self.taken.len() {
+        for (place, of_value) in of_values.iter().enumerate() {
             let value = self.taken[place];
             let replicate = self.replicates.get(place).copied().unwrap_or(0);
             self.taken[left] = value;
             if let Some(own) = self.replicates.get_mut(left) {
                 *own = replicate;
             }
-            left += usize::from(stays(value, usize::from(replicate) % REPLICATES));
+            left += usize::from(stays(*of_value, usize::from(replicate) % REPLICATES));
         }
         self.taken.truncate(left);
         self.replicates.truncate(left);
@@ -364,8 +367,8 @@ impl Window {
             return;
         }
         let mut below = self.below;
-        self.retain(|value, replicate| {
-            let cell = cells.cell(value);
+        let of_taken = cells.of_all(&self.taken);
+        self.retain(&of_taken, |cell, replicate| {
             below[replicate] += u64::from(cell < low);
             (low <= cell) & (cell <= high)
         });
@@ -420,30 +423,26 @@ impl Ends {
     pub(super) fn of(windows: &[&Window], cells: &Cells, between: [i16; 2], shift: u32) -> Self {
         let [low, high] = between;
         let mut ends = Self { cells: between, shift, first: 0, of_parts: Vec::new() };
-        let mut counts = vec![0; usize::from((high - low).unsigned_abs() >> shift) + 1];
-        let mut below = 0;
-        let mut note = |value: f64, alike: usize| {
-            let cell = cells.cell(value);
-            if cell < low {
-                below += alike;
-            } else if cell <= high
-                && let Some(count) = counts.get_mut(ends.part(cell))
-            {
-                *count += alike;
-            }
+        // Below the first part, each part, and above the last one.
+        let parts = usize::from((high - low).unsigned_abs() >> shift) + 1;
+        let mut counts = vec![0; parts + 2];
+        let mut note = |cell: i16, alike: usize| {
+            let place = if cell < low { 0 } else { ends.part(cell) + 1 };
+            let place = if cell > high { parts + 1 } else { place };
+            counts[place] += alike;
         };
         for window in windows {
-            window.taken.iter().for_each(|value| note(*value, 1));
-            window.clump.iter().for_each(|clump| note(clump.value, clump.count()));
+            cells.of_all(&window.taken).iter().for_each(|cell| note(*cell, 1));
+            window.clump.iter().for_each(|clump| note(cells.cell(clump.value), clump.count()));
         }
         let counted: u64 = windows.iter().flat_map(|window| window.below).sum();
-        ends.first = below + usize::try_from(counted).unwrap_or(usize::MAX);
+        ends.first = usize::try_from(counted).unwrap_or(usize::MAX) + counts[0];
         let mut end = ends.first;
-        for count in &mut counts {
+        ends.of_parts = counts[1..=parts].to_vec();
+        for count in &mut ends.of_parts {
             end += *count;
             *count = end;
         }
-        ends.of_parts = counts;
         ends
     }
 
@@ -518,18 +517,19 @@ fn last_cell(bucket: usize) -> i16 {
 pub(super) struct Cells {
     least: f64,
     per_unit: f64,
+    instructions: Instructions,
 }
 
 impl Cells {
-    fn of(values: &[f64]) -> Self {
+    fn of(values: &[f64], instructions: Instructions) -> Self {
         let least = values.iter().copied().fold(f64::INFINITY, f64::min);
         let greatest = values.iter().copied().fold(f64::NEG_INFINITY, f64::max);
         let per_unit = f64::from(LAST) / (greatest - least);
         // One cell for values that are all the same, or too near or too far apart for the quotient.
         if per_unit.is_finite() && per_unit > 0.0 {
-            Self { least, per_unit }
+            Self { least, per_unit, instructions }
         } else {
-            Self { least: 0.0, per_unit: 0.0 }
+            Self { least: 0.0, per_unit: 0.0, instructions }
         }
     }
 
@@ -546,6 +546,20 @@ impl Cells {
         #[expect(clippy::cast_possible_truncation, reason = "at most the last")]
         let cell = bits as i16;
         if value.is_nan() { MISSING } else { cell }
+    }
+
+    /// That of each value.
+    pub(super) fn of_all(&self, values: &[f64]) -> Vec<i16> {
+        let mut cells = vec![MISSING; values.len()];
+        dispatch!(self.instructions.level(), _simd => self.note(values, &mut cells));
+        cells
+    }
+
+    #[inline(always)]
+    fn note(&self, values: &[f64], cells: &mut [i16]) {
+        for (cell, value) in cells.iter_mut().zip(values) {
+            *cell = self.cell(*value);
+        }
     }
 
     /// The [`key`] of the least value in this cell or above it.

@@ -1,7 +1,7 @@
 //! What the windows of a column tell, whoever has watched which of its spans.
 
 use super::order::Bracket;
-use super::watch::{Ends, LAST, Watch, Window};
+use super::watch::{Cells, Ends, LAST, Watch, Window};
 use crate::limits::REPLICATES;
 
 /// A column of which all spans have been watched.
@@ -45,8 +45,8 @@ impl Watched {
         Self { watches, shared, centre }
     }
 
-    fn cell(&self, value: f64) -> i16 {
-        self.watches.first().map_or(0, |watch| watch.cells.cell(value))
+    fn cells(&self) -> Option<Cells> {
+        self.watches.first().map(|watch| watch.cells)
     }
 
     /// The values at places that ascend; `None` where they are not among those that were taken out.
@@ -82,17 +82,18 @@ impl Watched {
             }
             among.push(place - ends.first - skipped);
         }
-        let holds = |value: f64| {
-            let cell = self.cell(value);
+        let Some(cells) = self.cells() else { return };
+        let holds = |cell: i16| {
             let [low, high] = ends.cells;
             low <= cell && cell <= high && is_wanted.get(ends.part(cell)).is_some_and(|is_wanted| *is_wanted)
         };
         // Each with how often it is there.
         let mut sorted: Vec<(f64, usize)> = Vec::new();
         for window in sources(&self.watches, windows) {
-            let taken = window.taken.iter().copied().filter(|value| holds(*value));
-            sorted.extend(taken.map(|value| (value, 1)));
-            let clump = window.clump.iter().filter(|clump| holds(clump.value));
+            let of_taken = cells.of_all(&window.taken);
+            let taken = window.taken.iter().zip(of_taken).filter(|(_, cell)| holds(*cell));
+            sorted.extend(taken.map(|(value, _)| (*value, 1)));
+            let clump = window.clump.iter().filter(|clump| holds(cells.cell(clump.value)));
             sorted.extend(clump.map(|clump| (clump.value, clump.count())));
         }
         sorted.sort_unstable_by(|(one, _), (other, _)| one.total_cmp(other));
@@ -138,7 +139,7 @@ impl Watched {
     /// Twice the number of values of each replicate below a value, so that one at the value itself counts by
     /// half; `None` where it lies in no window.
     pub(super) fn twice_below(&self, value: f64) -> Option<[u64; REPLICATES]> {
-        let cell = self.cell(value);
+        let cell = self.cells()?.cell(value);
         let holds = |shared: &&Shared| shared.ends.cells[0] <= cell && cell <= shared.ends.cells[1];
         let Shared { windows, .. } = self.shared.iter().find(holds)?;
         let of = |other: f64| u64::from(other < value) + u64::from(other <= value);
