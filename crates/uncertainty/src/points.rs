@@ -239,7 +239,7 @@ impl Three {
 /// permutation of each replicate add and multiply by.
 #[derive(Clone, Copy, Debug)]
 struct Strata {
-    rounds: [[Words; 2]; ROUNDS],
+    rounds: [[[u32; REPLICATES]; 2]; ROUNDS],
 }
 
 impl Strata {
@@ -247,7 +247,7 @@ impl Strata {
         let permutations: [_; REPLICATES] =
             std::array::from_fn(|replicate| rounds(key(input, &[1, replicate as u64])));
         let rounds = std::array::from_fn(|round| {
-            [0, 1].map(|word: usize| words(|replicate| permutations[replicate][round][word]))
+            [0, 1].map(|word: usize| std::array::from_fn(|replicate| permutations[replicate][round][word]))
         });
         Self { rounds }
     }
@@ -283,10 +283,16 @@ impl Strata {
     #[inline(always)]
     fn permuted(&self, places: &Words, Counts { masks, shifts, .. }: &Counts) -> Words {
         let mut places = *places;
-        for [add, multiply] in &self.rounds {
-            for lane in 0..LANES {
-                let round = [add[lane], multiply[lane]];
-                places[lane] = turned(places[lane], round, (masks[lane], shifts[lane]));
+        let (rows, _) = places.as_chunks_mut::<REPLICATES>();
+        for row in rows {
+            for own in 0..REPLICATES {
+                // All rounds inside: a compiler takes a short loop apart before it sees that it can be one of
+                // vectors.
+                let mut place = row[own];
+                for [add, multiply] in &self.rounds {
+                    place = turned(place, [add[own], multiply[own]], (masks[own], shifts[own]));
+                }
+                row[own] = place;
             }
         }
         places
@@ -314,8 +320,8 @@ fn mask_and_shift(count: u32) -> (u32, u32) {
 /// folding the high bits into the low ones can each be undone.
 #[inline(always)]
 fn turned(place: u32, [add, multiply]: [u32; 2], (mask, shift): (u32, u32)) -> u32 {
-    let place = place.wrapping_add(add) & mask;
-    let place = place.wrapping_mul(multiply) & mask;
+    // What overflows into higher bits does not come back into the lower ones.
+    let place = place.wrapping_add(add).wrapping_mul(multiply) & mask;
     place ^ (place >> shift)
 }
 
