@@ -152,7 +152,7 @@ impl Model for SumOfSquares {
     #[inline(always)]
     fn evaluate(&self, _: Instructions, inputs: &[Lanes], outputs: &mut [Lanes], _reasons: &mut [u8; LANES]) {
         for output in outputs {
-            *output = [0.0; LANES];
+            *output = Lanes::ZERO;
             for input in inputs {
                 for (sum, value) in output.iter_mut().zip(input) {
                     *sum += value * value;

@@ -299,8 +299,8 @@ impl Uncertainty {
         let Ok(sampler) = Sampler::new(&distributions, &self.settings) else { return Ok(()) };
         let sample = |case: &Case| Sample::new(case, &self.nominal, &self.inputs, &outputs, &central);
         let model = self.case.as_deref().map(sample);
-        let mut inputs: Vec<Lanes> = vec![[0.0; LANES]; self.inputs.len()];
-        let mut answers: Vec<Lanes> = vec![[0.0; LANES]; outputs.len()];
+        let mut inputs: Vec<Lanes> = vec![Lanes::ZERO; self.inputs.len()];
+        let mut answers: Vec<Lanes> = vec![Lanes::ZERO; outputs.len()];
         let mut reasons = [0; LANES];
         let (evaluated, columns) = (self.propagation.evaluated(), self.propagation.columns());
         for (block, first) in (0..).zip((0..evaluated).step_by(LANES)) {
@@ -841,7 +841,7 @@ impl Shared {
     #[inline(never)]
     fn columns(&self, inputs: &[Lanes]) -> Vec<Lanes> {
         let mut columns = inputs.to_vec();
-        columns.resize(inputs.len() + self.covered.len(), [0.0; LANES]);
+        columns.resize(inputs.len() + self.covered.len(), Lanes::ZERO);
         let mut all = Vec::new();
         for lane in 0..LANES {
             self.fill(inputs.iter().map(|column| column[lane]), &mut all);

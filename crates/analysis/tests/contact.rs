@@ -370,7 +370,7 @@ fn an_offset_is_exact_only_where_the_point_is() {
 fn a_sample_is_a_case_with_the_point_moved() {
     let result = run(&read(PLACED));
     let distributions: Vec<_> = result.inputs.iter().map(|input| input.distribution).collect();
-    let mut columns = vec![[0.0; LANES]; distributions.len()];
+    let mut columns = vec![Lanes::ZERO; distributions.len()];
     Sampler::new(&distributions, &result.settings).unwrap().fill(0, &mut columns);
     let column =
         |path: &str| columns[result.inputs.iter().position(|input| input.input.path == path).unwrap()];

@@ -244,7 +244,7 @@ fn samples_are_runs() {
     assert_eq!(propagated.propagation.succeeded(), 100);
     let distributions: Vec<_> = propagated.inputs.iter().map(|input| input.distribution).collect();
     let sampler = Sampler::new(&distributions, &propagated.settings).unwrap();
-    let mut block = vec![[0.0; LANES]; 2];
+    let mut block = vec![Lanes::ZERO; 2];
     sampler.fill(0, &mut block);
     for sample in 0..10 {
         let numbers = [block[0][sample], block[1][sample]];

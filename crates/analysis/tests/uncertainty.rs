@@ -41,7 +41,7 @@ fn place(result: &Uncertainty, output: Output) -> usize {
 /// The inputs of the first block of samples.
 fn first_block(result: &Uncertainty) -> Vec<Lanes> {
     let distributions: Vec<_> = result.inputs.iter().map(|input| input.distribution).collect();
-    let mut columns = vec![[0.0; LANES]; distributions.len()];
+    let mut columns = vec![Lanes::ZERO; distributions.len()];
     Sampler::new(&distributions, &result.settings).unwrap().fill(0, &mut columns);
     columns
 }
@@ -216,7 +216,7 @@ fn what_would_have_to_pull_at_every_speed_is_counted_so() {
     let mut expected = 0;
     let mut left = 2000;
     for block in 0.. {
-        let mut columns = vec![[0.0; LANES]; 1];
+        let mut columns = vec![Lanes::ZERO; 1];
         sampler.fill(block, &mut columns);
         expected += columns[0].iter().take(left).filter(|x| pulls(**x)).count();
         if left <= LANES {

@@ -23,7 +23,7 @@ impl Gaussian {
             .map(|coordinate| blocks.iter().map(|block| sum(&block[coordinate])).sum::<f64>() / count)
             .collect();
         let mut triangle: Vec<Vec<f64>> = (0..dimensions).map(|row| vec![0.0; row + 1]).collect();
-        let mut deviations = vec![[0.0; LANES]; dimensions];
+        let mut deviations = vec![Lanes::ZERO; dimensions];
         for block in blocks {
             for ((deviation, column), mean) in deviations.iter_mut().zip(*block).zip(&mean) {
                 for (deviation, value) in deviation.iter_mut().zip(column) {
@@ -75,7 +75,7 @@ impl Gaussian {
     #[inline(always)]
     pub(crate) fn spread(&self, y: &[Lanes], x: &mut [Lanes]) {
         for ((column, entries), mean) in x.iter_mut().zip(&self.triangle).zip(&self.mean) {
-            *column = [*mean; LANES];
+            *column = Lanes::splat(*mean);
             for (entry, number) in entries.iter().zip(y) {
                 for (value, number) in column.iter_mut().zip(number) {
                     *value += entry * number;
@@ -104,7 +104,7 @@ fn cholesky(triangle: &mut [Vec<f64>]) {
 
 /// Σ x in a fixed order over eight lanes.
 #[inline(always)]
-pub(crate) fn sum(column: &Lanes) -> f64 {
+pub(crate) fn sum(column: &[f64; LANES]) -> f64 {
     let mut sums = [0.0; 8];
     let (groups, _) = column.as_chunks::<8>();
     for group in groups {
@@ -117,7 +117,7 @@ pub(crate) fn sum(column: &Lanes) -> f64 {
 
 /// Σ x y in a fixed order over eight lanes.
 #[inline(always)]
-pub(crate) fn product(first: &Lanes, second: &Lanes) -> f64 {
+pub(crate) fn product(first: &[f64; LANES], second: &[f64; LANES]) -> f64 {
     let mut sums = [0.0; 8];
     let (groups, _) = first.as_chunks::<8>();
     let (others, _) = second.as_chunks::<8>();
@@ -149,7 +149,7 @@ mod tests {
         for (row, expected) in gaussian.triangle.iter().zip(expected) {
             assert!(row.iter().zip(expected).all(|(l, exact)| (l - exact).abs() < 1e-12), "{row:?}");
         }
-        let mut standard = vec![[0.0; LANES]; 2];
+        let mut standard = vec![Lanes::ZERO; 2];
         let mut back = standard.clone();
         gaussian.standardise(&block, &mut standard);
         gaussian.spread(&standard, &mut back);

@@ -156,7 +156,7 @@ impl Population {
 /// The particles, as block and lane, that systematic resampling takes: `count` of them at (i + share)·W/count
 /// along the weights laid end to end, W their sum.
 fn sources(weights: &[Lanes], share: f64, count: usize) -> impl Iterator<Item = (usize, usize)> {
-    let total: f64 = weights.iter().map(sum).sum();
+    let total: f64 = weights.iter().map(|weights| sum(weights)).sum();
     let mut particles = (0..weights.len()).flat_map(|block| (0..LANES).map(move |lane| (block, lane)));
     let mut current = particles.next();
     let mut reached = current.map_or(0.0, |(block, lane)| weights[block][lane]);
@@ -292,7 +292,8 @@ fn step_in_temperature(population: &Population, rest: f64) -> Step {
         size = if low > 0.0 { low } else { high };
     }
     let mean = sums(size)[0] / count;
-    let weights = population.log_likelihood.iter().map(|block| block.map(|l| exp(size * (l - best)) / mean));
+    let weight = |l: f64| exp(size * (l - best)) / mean;
+    let weights = population.log_likelihood.iter().map(|block| block.map(weight).into());
     Step { size, is_last, weights: weights.collect(), log_mean: ln(mean) + size * best }
 }
 
@@ -331,13 +332,13 @@ impl<'a, 'b, P: Prior, E: Evidence> Traveller<'a, 'b, P, E> {
         let blocks = particles / LANES;
         let mut population = Population {
             dimensions,
-            standard: vec![[0.0; LANES]; blocks * dimensions],
-            log_likelihood: vec![[0.0; LANES]; blocks],
+            standard: vec![Lanes::ZERO; blocks * dimensions],
+            log_likelihood: vec![Lanes::ZERO; blocks],
             lineage: vec![[0; LANES]; blocks],
         };
         let sequence = key(self.key, &[0]);
         let mut found = 0;
-        let mut draws = vec![[0.0; LANES]; dimensions];
+        let mut draws = vec![Lanes::ZERO; dimensions];
         for block in 0..(blocks * MOST_DRAWS) as u64 {
             if found >= particles {
                 break;
@@ -530,7 +531,7 @@ impl<'a, 'b, P: Prior, E: Evidence> Traveller<'a, 'b, P, E> {
 
 /// ln of a number between 0 and 1 for each particle from `first` on.
 fn log_shares(sequence: u64, first: u64) -> Lanes {
-    let mut shares = [0.0; LANES];
+    let mut shares = Lanes::ZERO;
     for (share, lane) in shares.iter_mut().zip(first..) {
         *share = ln(unit(bits(sequence, lane)));
     }
@@ -565,7 +566,7 @@ mod tests {
         let blocks = log_likelihood.len();
         Population {
             dimensions: 1,
-            standard: vec![[0.0; LANES]; blocks],
+            standard: vec![Lanes::ZERO; blocks],
             log_likelihood,
             lineage: vec![[0; LANES]; blocks],
         }
@@ -589,7 +590,7 @@ mod tests {
             }
         }
         // Equal weights: each once, in order.
-        let all: Vec<_> = sources(&[[1.0; LANES]; 2], 0.5, 128).collect();
+        let all: Vec<_> = sources(&[Lanes::splat(1.0); 2], 0.5, 128).collect();
         assert!(all.iter().enumerate().all(|(i, place)| *place == (i / 64, i % 64)));
     }
 
@@ -607,7 +608,7 @@ mod tests {
 
         let step = step_in_temperature(&population(vec![[-7.0; LANES]; 2]), 0.75);
         assert!(step.is_last && step.size == 0.75);
-        assert_eq!(step.weights, [[1.0; LANES]; 2]);
+        assert_eq!(step.weights, [Lanes::splat(1.0); 2]);
         assert_eq!(step.log_mean, -5.25);
     }
 }

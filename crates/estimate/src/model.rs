@@ -166,7 +166,7 @@ impl Hurdle<'_> {
 /// Sum of the terms that are used.
 #[inline(always)]
 pub(crate) fn sum_of_used(terms: &[Lanes], used: &[bool]) -> Lanes {
-    let mut sums = [0.0; LANES];
+    let mut sums = Lanes::ZERO;
     for (term, used) in terms.iter().zip(used) {
         if *used {
             for (sum, term) in sums.iter_mut().zip(term) {

@@ -107,8 +107,8 @@ pub(crate) struct Proposal {
 
 impl Proposal {
     pub(crate) fn new(dimensions: usize) -> Self {
-        let columns = || vec![[0.0; LANES]; dimensions];
-        Self { standard: columns(), log_ratio: [0.0; LANES], noise: columns(), whitened: columns() }
+        let columns = || vec![Lanes::ZERO; dimensions];
+        Self { standard: columns(), log_ratio: Lanes::ZERO, noise: columns(), whitened: columns() }
     }
 
     /// From the normal distribution N(m, L Lᵀ) of the other half.
@@ -125,7 +125,7 @@ impl Proposal {
         reference.standardise(from, &mut self.whitened);
         // y′ = √(1 − b²) y + b ξ
         let kept = ((1.0 - scale) * (1.0 + scale)).sqrt();
-        self.log_ratio = [0.0; LANES];
+        self.log_ratio = Lanes::ZERO;
         for (whitened, noise) in self.whitened.iter_mut().zip(&self.noise) {
             for ((number, noise), ratio) in whitened.iter_mut().zip(noise).zip(&mut self.log_ratio) {
                 let moved = kept * *number + scale * noise;
@@ -160,7 +160,7 @@ impl Proposal {
         let best = 2.38 / (2.0 * moved.max(1.0)).sqrt();
         let [pairs, lengths] = [0, 1].map(|purpose| key(sequence, &[u64::MAX, purpose]));
         let mut partners = [[(0, 0); 2]; LANES];
-        let mut lengths_of: Lanes = [0.0; LANES];
+        let mut lengths_of: Lanes = Lanes::ZERO;
         for ((lane, partners), length) in (first..).zip(&mut partners).zip(&mut lengths_of) {
             let [a, b] = two_of(bits(pairs, lane), count);
             let place = |index: usize| (index / LANES, index % LANES);
@@ -179,7 +179,7 @@ impl Proposal {
                 *place = if is_moved { value + length * (near - far) } else { *value };
             }
         }
-        self.log_ratio = [0.0; LANES];
+        self.log_ratio = Lanes::ZERO;
         self.add_prior(from);
     }
 

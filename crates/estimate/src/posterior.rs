@@ -244,8 +244,8 @@ fn describe<P: Prior, E: Evidence>(
     let mut described = Vec::with_capacity(population.blocks());
     for block in 0..population.blocks() {
         target.evaluate(population.block(block), &mut evaluation)?;
-        let mut outputs = vec![[0.0; LANES]; target.evidence.outputs_count()];
-        let mut residuals = vec![[f64::NAN; LANES]; target.used.len()];
+        let mut outputs = vec![Lanes::ZERO; target.evidence.outputs_count()];
+        let mut residuals = vec![Lanes::splat(f64::NAN); target.used.len()];
         target.evidence.describe(&evaluation.values, &mut outputs, &mut residuals);
         for (output, column) in outputs.iter().enumerate() {
             if let Some(lane) = column.iter().position(|value| !value.is_finite()) {

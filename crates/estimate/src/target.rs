@@ -32,10 +32,10 @@ impl<P: Prior, E: Evidence> Target<'_, P, E> {
 
     pub(crate) fn evaluation(&self) -> Evaluation {
         Evaluation {
-            values: vec![[0.0; LANES]; self.dimensions()],
-            terms: vec![[0.0; LANES]; self.used.len()],
+            values: vec![Lanes::ZERO; self.dimensions()],
+            terms: vec![Lanes::ZERO; self.used.len()],
             reasons: [0; LANES],
-            log_likelihood: [0.0; LANES],
+            log_likelihood: Lanes::ZERO,
         }
     }
 

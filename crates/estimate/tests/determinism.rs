@@ -79,7 +79,7 @@ impl Evidence for InTwoParts {
         terms: &mut [Lanes],
         reasons: &mut [u8; LANES],
     ) -> bool {
-        let mut whole = [[0.0; LANES]; 2];
+        let mut whole = [Lanes::ZERO; 2];
         self.log_likelihood(values, &mut whole, reasons);
         let most = [whole[0], [ln_normal(0.0, 0.0, 0.4); LANES]];
         let taken = hurdle.takes(&most);

@@ -214,7 +214,7 @@ fn truth(collision: &Collision, random: &mut Random) -> Impacted {
     let model = Model::new(collision);
     let severity = collision.observed.severity.unwrap();
     loop {
-        let mut standard = vec![[0.0; LANES]; model.values_count()];
+        let mut standard = vec![Lanes::ZERO; model.values_count()];
         for number in standard.iter_mut().flatten() {
             *number = random.normal();
         }

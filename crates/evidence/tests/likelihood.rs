@@ -41,7 +41,7 @@ pub(crate) fn rear_end() -> Collision {
 
 fn terms(collision: &Collision) -> Vec<(Piece, f64)> {
     let model = Model::new(collision);
-    let mut terms = vec![[0.0; LANES]; model.terms_count()];
+    let mut terms = vec![Lanes::ZERO; model.terms_count()];
     let mut reasons = [0; LANES];
     model.log_likelihood(&[], &mut terms, &mut reasons);
     assert!(reasons.iter().all(|reason| *reason == 0));
@@ -167,7 +167,7 @@ fn a_speed_before_the_skid_has_a_normal_error() {
         let skidded = Skidded { model: Model::new(&rear_end()), begins };
         let model = Model::of(skidded, observed());
         assert_eq!(model.pieces(), [Piece::SkidSpeed(Two)]);
-        let mut terms = [[0.0; LANES]; 1];
+        let mut terms = [Lanes::ZERO; 1];
         model.log_likelihood(&[], &mut terms, &mut [0; LANES]);
         if expected.is_finite() { close(terms[0][2], expected) } else { assert_eq!(terms[0][2], expected) }
     }
@@ -363,7 +363,7 @@ fn rests_and_points_have_normal_errors() {
         let followed = Followed { model: Model::new(&rear_end()), ways: [None, Some(way.clone())] };
         let model = Model::of(followed, observed);
         assert_eq!(model.pieces(), [Piece::Rest(Two), Piece::Points(Two)]);
-        let mut terms = [[0.0; LANES]; 2];
+        let mut terms = [Lanes::ZERO; 2];
         model.log_likelihood(&[], &mut terms, &mut [0; LANES]);
         let expected = [place + normal(turned / 0.3, 0.3), normal(0.4 / 0.5, 0.5) + normal(0.1 / 0.25, 0.25)];
         for (column, expected) in terms.iter().zip(expected) {
@@ -395,7 +395,7 @@ fn the_score_of_a_rest_is_that_along_the_way() {
         };
         let followed = Followed { model: Model::new(&rear_end()), ways: [Some(way), None] };
         let impacts = followed.impacts(&[]);
-        let mut scores = [[0.0; LANES]];
+        let mut scores = [Lanes::ZERO];
         Model::of(followed, observed).score(&impacts, &mut scores);
         close(scores[0][0], 1.25);
     }

@@ -262,7 +262,7 @@ impl<'a> Drawn<'a> {
         let mut draws = Vec::with_capacity(posterior.count());
         for block in 0..posterior.count() / LANES {
             let lanes = |column: &Vec<f64>| std::array::from_fn(|lane| column[block * LANES + lane]);
-            let values: Vec<Lanes> = posterior.values().iter().map(lanes).collect();
+            let values: Vec<Lanes> = posterior.values().iter().map(lanes).map(Lanes::from).collect();
             let (impacts, factors) = (model.leads().impacts(&values), model.leads().crush_factors(&values));
             for (impacted, factors) in impacts.iter().zip(factors) {
                 let mut draw = Draw {

@@ -313,7 +313,7 @@ impl Distribution {
         if !is_cut {
             return;
         }
-        let mut shares = [0.0; LANES];
+        let mut shares = Lanes::ZERO;
         independent(sequence, first, &mut shares);
         for (index, lane) in lanes.iter_mut().enumerate() {
             if *lane < low || *lane > high {
@@ -344,10 +344,10 @@ impl Distribution {
                 tails.gather(column, index * LANES);
             }
             if tails.are_many() {
-                tails.settle(columns.as_flattened_mut());
+                tails.settle(|place, quantile| put(columns, place, quantile));
             }
         }
-        tails.settle(columns.as_flattened_mut());
+        tails.settle(|place, quantile| put(columns, place, quantile));
         for (column, input) in columns.iter_mut().zip(inputs.iter().cycle()) {
             input.finish(column);
         }
@@ -405,6 +405,14 @@ impl Distribution {
                 }
             }
         }
+    }
+}
+
+/// A number comes to a place among the columns, counted from the first lane of the first one.
+#[inline(always)]
+fn put(columns: &mut [Lanes], place: usize, number: f64) {
+    if let Some(column) = columns.get_mut(place / LANES) {
+        column[place % LANES] = number;
     }
 }
 

@@ -1,6 +1,8 @@
 //! The model: any function of the inputs.
 
 use std::collections::BTreeMap;
+use std::ops::{Deref, DerefMut};
+use std::slice;
 
 use fearless_simd::dispatch;
 
@@ -9,8 +11,66 @@ use crate::run::Instructions;
 /// Number of samples that a model receives at once.
 pub const LANES: usize = 64;
 
-/// One number of each sample of a block.
-pub type Lanes = [f64; LANES];
+/// One number of each sample of a block: an array that begins at a line of the cache, so that none of its
+/// vectors lies across two.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[repr(align(64))]
+pub struct Lanes([f64; LANES]);
+
+impl Lanes {
+    /// A zero in each.
+    pub const ZERO: Self = Self::splat(0.0);
+
+    /// The same number in each.
+    #[inline(always)]
+    #[must_use]
+    pub const fn splat(number: f64) -> Self {
+        Self([number; LANES])
+    }
+}
+
+impl From<[f64; LANES]> for Lanes {
+    #[inline(always)]
+    fn from(numbers: [f64; LANES]) -> Self {
+        Self(numbers)
+    }
+}
+
+impl Deref for Lanes {
+    type Target = [f64; LANES];
+
+    #[inline(always)]
+    fn deref(&self) -> &[f64; LANES] {
+        &self.0
+    }
+}
+
+impl DerefMut for Lanes {
+    #[inline(always)]
+    fn deref_mut(&mut self) -> &mut [f64; LANES] {
+        &mut self.0
+    }
+}
+
+impl<'a> IntoIterator for &'a Lanes {
+    type Item = &'a f64;
+    type IntoIter = slice::Iter<'a, f64>;
+
+    #[inline(always)]
+    fn into_iter(self) -> Self::IntoIter {
+        self.0.iter()
+    }
+}
+
+impl<'a> IntoIterator for &'a mut Lanes {
+    type Item = &'a mut f64;
+    type IntoIter = slice::IterMut<'a, f64>;
+
+    #[inline(always)]
+    fn into_iter(self) -> Self::IntoIter {
+        self.0.iter_mut()
+    }
+}
 
 /// The reason code of a sample that has an answer.
 pub const SUCCEEDED: u8 = 0;

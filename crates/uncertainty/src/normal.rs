@@ -87,7 +87,7 @@ const F: [f64; 8] = [
 pub fn quantiles<const N: usize>(lanes: &mut [f64; N]) {
     let mut tails = Tails::new();
     tails.gather(lanes, 0);
-    tails.settle(lanes);
+    tails.settle(|lane, quantile| lanes[lane % N] = quantile);
 }
 
 /// Shares in the tails, gathered from several columns, so that the vectors of their loop are full.
@@ -145,9 +145,9 @@ impl Tails {
         }
     }
 
-    /// Puts the quantiles of those that wait into their places.
+    /// Puts the quantile of each that waits into its place.
     #[inline(always)]
-    pub(crate) fn settle(&mut self, values: &mut [f64]) {
+    pub(crate) fn settle(&mut self, mut put: impl FnMut(usize, f64)) {
         let count = self.count.min(ROOM);
         let (groups, _) = self.shares.as_chunks_mut::<GROUP>();
         for (group, places) in groups.iter_mut().zip(self.places[..count].chunks(GROUP)) {
@@ -162,9 +162,7 @@ impl Tails {
                 far_tails(group, &mut quantiles);
             }
             for (quantile, place) in quantiles.iter().zip(places) {
-                if let Some(value) = values.get_mut(*place) {
-                    *value = *quantile;
-                }
+                put(*place, *quantile);
             }
             *group = [ANY; GROUP];
         }

@@ -192,7 +192,7 @@ impl Counts {
         let counts = words(|replicate| (samples - replicate as u64).div_ceil(REPLICATES as u64) as u32);
         let size = counts.map(mask_and_shift);
         let (masks, shifts) = (size.map(|(mask, _)| mask), size.map(|(_, shift)| shift));
-        Self { counts, masks, shifts, widths: counts.map(|count| 1.0 / f64::from(count)) }
+        Self { counts, masks, shifts, widths: counts.map(|count| 1.0 / f64::from(count)).into() }
     }
 }
 

@@ -438,7 +438,7 @@ struct Block {
 impl Block {
     fn new<M: Model>(model: &M, sampler: &Sampler<'_>) -> Self {
         let (inputs, answers) = (sampler.inputs(), model.outputs());
-        Self { inputs: vec![[0.0; LANES]; inputs], answers: vec![[0.0; LANES]; answers] }
+        Self { inputs: vec![Lanes::ZERO; inputs], answers: vec![Lanes::ZERO; answers] }
     }
 }
 

@@ -165,8 +165,8 @@ pub fn sensitivity<M: Model>(
 /// The outputs with all inputs at their medians: somewhere near the middle, so that squares of what differs
 /// from them lose no digits.
 fn shifts<M: Model>(instructions: Instructions, model: &M, inputs: &[Distribution]) -> Vec<f64> {
-    let columns: Vec<Lanes> = inputs.iter().map(|input| [input.quantile(0.5); LANES]).collect();
-    let mut outputs = vec![[0.0; LANES]; model.outputs()];
+    let columns: Vec<Lanes> = inputs.iter().map(|input| Lanes::splat(input.quantile(0.5))).collect();
+    let mut outputs = vec![Lanes::ZERO; model.outputs()];
     let mut reasons = [SUCCEEDED; LANES];
     evaluate(instructions, model, &columns, &mut outputs, &mut reasons);
     outputs.iter().map(|column| if reasons[0] == SUCCEEDED { column[0] } else { 0.0 }).collect()
@@ -186,9 +186,9 @@ impl<M: Model> Design<'_, M> {
         let inputs = self.inputs.len();
         let outputs = self.model.outputs();
         let mut part = Part::new(inputs, outputs);
-        let mut columns: Vec<Lanes> = vec![[0.0; LANES]; 2 * inputs];
+        let mut columns: Vec<Lanes> = vec![Lanes::ZERO; 2 * inputs];
         // Outputs of A, of B, and of A with each input from B.
-        let mut answers: Vec<Lanes> = vec![[0.0; LANES]; (inputs + 2) * outputs];
+        let mut answers: Vec<Lanes> = vec![Lanes::ZERO; (inputs + 2) * outputs];
         let mut reasons = [SUCCEEDED; LANES];
         for start in rows.clone().step_by(LANES) {
             let count = LANES.min(rows.end - start);

@@ -89,13 +89,13 @@ pub fn tornado<M: Model>(
     }
     let mut answers = Vec::with_capacity(points.len());
     for block in points.chunks(LANES) {
-        let mut columns: Vec<Lanes> = central.iter().map(|&value| [value; LANES]).collect();
+        let mut columns: Vec<Lanes> = central.iter().map(|&value| Lanes::splat(value)).collect();
         for (lane, &(input, value)) in block.iter().enumerate() {
             if let Some(input) = input {
                 columns[input][lane] = value;
             }
         }
-        let mut outputs = vec![[0.0; LANES]; model.outputs()];
+        let mut outputs = vec![Lanes::ZERO; model.outputs()];
         let mut reasons = [SUCCEEDED; LANES];
         evaluate(Instructions::best(), model, &columns, &mut outputs, &mut reasons);
         answers.extend((0..block.len()).map(|lane| match reasons[lane] {

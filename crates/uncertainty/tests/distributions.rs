@@ -4,7 +4,8 @@
 
 use std::ops::ControlFlow;
 use uncertainty::{
-    Distribution, Function, InvalidDistribution, LANES, Sampler, SamplingMethod, Settings, Shape, propagate,
+    Distribution, Function, InvalidDistribution, LANES, Lanes, Sampler, SamplingMethod, Settings, Shape,
+    propagate,
 };
 
 fn assert_near(value: f64, exact: f64, relative: f64) {
@@ -214,7 +215,7 @@ fn normal_samples_are_independent() {
     let inputs = [Distribution::normal(0.0, 1.0).unwrap(), Distribution::normal(0.0, 1.0).unwrap()];
     let settings = Settings::new(SamplingMethod::MonteCarlo, 64_000, 11);
     let sampler = Sampler::new(&inputs, &settings).unwrap();
-    let mut columns = [[0.0; LANES]; 2];
+    let mut columns = [Lanes::ZERO; 2];
     let (mut pairs, mut neighbours, mut across) = (Vec::new(), Vec::new(), Vec::new());
     for block in 0..1000 {
         sampler.fill(block, &mut columns);

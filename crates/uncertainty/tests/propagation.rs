@@ -200,7 +200,7 @@ fn failures_are_counted_by_reason() {
 
     // The sampler makes the inputs again, and the reasons fit them.
     let sampler = Sampler::new(&inputs, &settings).unwrap();
-    let mut columns = [[0.0; LANES]];
+    let mut columns = [Lanes::ZERO];
     for (block, reasons) in result.reasons().chunks(LANES).enumerate() {
         sampler.fill(block as u64, &mut columns);
         for (lane, (x, reason)) in columns[0].iter().zip(reasons).enumerate() {

@@ -123,7 +123,7 @@ impl Block {
 
     pub(super) fn pose(&self, values: &[Lanes], speeds: OpenSpeeds) -> Poses {
         let energy = |damage: &Damage, mass: &Lanes| {
-            let mut energy = [0.0; LANES];
+            let mut energy = Lanes::ZERO;
             damage.add_energy(values, mass, &mut energy, &mut [0; LANES]);
             energy
         };
@@ -132,15 +132,15 @@ impl Block {
         let [v1, v2] = &mut vehicles;
         one.mover.fill(self.axes, values, v1);
         two.mover.fill(self.axes, values, v2);
-        let mut crush_plane = [0.0; LANES];
+        let mut crush_plane = Lanes::ZERO;
         lateral(self.axes, &self.crush_plane, values, &mut crush_plane);
-        let column = |place: usize| values.get(place).copied().unwrap_or([f64::NAN; LANES]);
+        let column = |place: usize| values.get(place).copied().unwrap_or(Lanes::splat(f64::NAN));
         let speeds = match speeds {
             OpenSpeeds::None => [None, None],
             OpenSpeeds::One(VehicleId::One, place) => [Some(column(place)), None],
             OpenSpeeds::One(VehicleId::Two, place) => [None, Some(column(place))],
             OpenSpeeds::Both(speeds) => {
-                let mut along = [[0.0; LANES]; 2];
+                let mut along = [Lanes::ZERO; 2];
                 for lane in 0..LANES {
                     let forward = vehicles.each_ref().map(|vehicle| {
                         let (sin, cos) = sin_cos(vehicle.heading[lane]);

@@ -78,10 +78,10 @@ pub(super) struct SkidNumbers {
 
 impl SkidNumbers {
     fn lanes(&self, values: &[Lanes]) -> [SkidData; LANES] {
-        let (mut length, mut friction) = ([0.0; LANES], self.friction.lanes(values));
+        let (mut length, mut friction) = (Lanes::ZERO, self.friction.lanes(values));
         si(&self.length, values, &mut length);
         if let Some(place) = self.factor {
-            for (friction, factor) in friction.iter_mut().zip(Number::Uncertain(place).lanes(values)) {
+            for (friction, factor) in friction.iter_mut().zip(&Number::Uncertain(place).lanes(values)) {
                 *friction *= factor;
             }
         }

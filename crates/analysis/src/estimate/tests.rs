@@ -271,13 +271,13 @@ fn a_tyre_mark_is_that_of_its_wheel() {
         let rest = REST
             .replace("rest = {", &format!("points = [{{ x = \"6 m\", y = \"0.75 m\"{wheel} }}]\nrest = {{"));
         let setup = of_case(&at_rest(&rest));
-        let mut values = vec![[0.0; ::uncertainty::LANES]; setup.impacts.unknown.0.len()];
+        let mut values = vec![::uncertainty::Lanes::ZERO; setup.impacts.unknown.0.len()];
         for (column, distribution) in values.iter_mut().zip(&setup.impacts.unknown.0) {
             distribution.from_standard_normals(column);
         }
         // 21 m/s of the prior's 0 to 70 m/s take it well beyond 6 m.
         let place = setup.unknown.iter().position(|unknown| unknown.key == "vehicle1.speed").unwrap();
-        values[place] = [21.0; ::uncertainty::LANES];
+        values[place] = ::uncertainty::Lanes::splat(21.0);
         let impacts = evidence::Impacts::impacts(&setup.impacts, &values);
         let way = impacts[0].ways[1].as_ref().unwrap();
         assert!(way.position.x > 7.0);
@@ -560,11 +560,10 @@ fn impacts_of(impacts: &impacts::CaseImpacts, seed: u64) -> Vec<String> {
 
 /// A block of draws of the prior.
 fn columns_of(impacts: &impacts::CaseImpacts, seed: u64) -> Vec<::uncertainty::Lanes> {
-    use ::uncertainty::LANES;
     use ::uncertainty::random::{bits, unit};
     let mut columns = Vec::new();
     for (place, distribution) in (0..).zip(&impacts.unknown.0) {
-        let mut column = [0.0; LANES];
+        let mut column = ::uncertainty::Lanes::ZERO;
         for (lane, number) in (0..).zip(&mut column) {
             // Now and then far out, where the engine refuses.
             *number = 8.0 * unit(bits(seed, 1000 * place + lane)) - 4.0;

@@ -130,7 +130,7 @@ impl Watched {
     #[inline(always)]
     pub(super) fn tally(&self, inputs: &[Lanes], outputs: &[Lanes], reasons: &[u8], tallies: &mut [usize]) {
         for (Mark { number, .. }, tally) in self.marks.iter().zip(tallies) {
-            let none = &[0.0; LANES];
+            let none = &Lanes::ZERO;
             *tally += match *number {
                 Watch::NegativeOutput(place) => {
                     count(reasons, [&outputs[place], none], |speed, _| speed < 0.0)
@@ -184,7 +184,7 @@ pub(super) fn doubtful(
         let sampler = Sampler::new(&distributions, settings)?;
         let blocks: Vec<_> = (0..).zip(propagation.reasons().chunks(LANES)).take(SEARCHED / LANES).collect();
         let counted = for_each(&blocks, |(number, reasons)| {
-            let mut block: Vec<Lanes> = vec![[0.0; LANES]; inputs.len()];
+            let mut block: Vec<Lanes> = vec![Lanes::ZERO; inputs.len()];
             sampler.fill(*number, &mut block);
             let answered = || (0..reasons.len()).filter(|lane| reasons[*lane] == SUCCEEDED);
             (sample.several_speeds(&block, answered()), answered().count())

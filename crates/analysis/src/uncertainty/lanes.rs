@@ -45,7 +45,7 @@ pub(crate) enum Number {
 }
 
 /// A number that is none of the inputs.
-static NO_NUMBERS: Lanes = [f64::NAN; LANES];
+static NO_NUMBERS: Lanes = Lanes::splat(f64::NAN);
 
 impl Number {
     #[inline(always)]
@@ -57,7 +57,7 @@ impl Number {
     #[inline(always)]
     fn column<'a>(self, inputs: &'a [Lanes], known: &'a mut Option<Lanes>) -> &'a Lanes {
         match self {
-            Self::Known(number) => known.insert([number; LANES]),
+            Self::Known(number) => known.insert(Lanes::splat(number)),
             Self::Uncertain(place) => inputs.get(place).unwrap_or(&NO_NUMBERS),
         }
     }
@@ -164,7 +164,7 @@ impl Condition {
                 ratios
             }
             Self::VelocityChange(change) => {
-                let mut changes = [0.0; LANES];
+                let mut changes = Lanes::ZERO;
                 lateral(axes, change, inputs, &mut changes);
                 changes
             }
@@ -564,7 +564,7 @@ impl Block {
         outputs: &mut [Lanes],
     ) -> Told {
         // On the stack of this function, so that the compiler knows that no column is part of another.
-        let mut values = [[0.0; LANES]; OUTPUTS];
+        let mut values = [Lanes::ZERO; OUTPUTS];
         let mut told = Told::nothing();
         for lane in 0..LANES {
             let (law, is_law) = laws.with_restitution(e[lane], lane);
@@ -597,8 +597,9 @@ impl Block {
         // A closure for each would be compiled for the least of the instructions.
         let mut columns = vec![[[0.0; LANES]; 2]; points.len()];
         for ([speeds, values], (speed, e)) in columns.iter_mut().zip(points) {
-            si(speed, inputs, speeds);
-            *values = e.lanes(inputs);
+            let mut in_si = Lanes::ZERO;
+            si(speed, inputs, &mut in_si);
+            (*speeds, *values) = (*in_si, *e.lanes(inputs));
         }
         let points = &columns;
         let (points, asked) = ((instructions, &points[..]), (unknown, basis));
@@ -631,7 +632,7 @@ impl Block {
     #[inline(never)]
     fn under_curves_of<const BRANCHES: usize, L: Restituting + Laws>(
         &self,
-        (instructions, points): (Instructions, &[[Lanes; 2]]),
+        (instructions, points): (Instructions, &[[[f64; LANES]; 2]]),
         laws: &L,
         asked: (Unknown, EnergyBasis),
         posed: &Posed,
@@ -646,7 +647,7 @@ impl Block {
     #[inline(always)]
     fn under_curves_with<const BRANCHES: usize, L: Restituting + Laws>(
         &self,
-        points: &[[Lanes; 2]],
+        points: &[[[f64; LANES]; 2]],
         laws: &L,
         (unknown, basis): (Unknown, EnergyBasis),
         posed: &Posed,
@@ -665,7 +666,7 @@ impl Block {
         if !approaches.iter().any(|approach| *approach > 0.0) {
             return told;
         }
-        let mut closing = [0.0; LANES];
+        let mut closing = Lanes::ZERO;
         for lane in 0..LANES {
             let (law, _) = laws.with_restitution(0.0, lane);
             let (contact, motions, _) = posed.contact(lane);
@@ -673,7 +674,7 @@ impl Block {
             closing[lane] = problem.closing_speed_at(approaches[lane]);
         }
         let (e, is_curve) = restitutions(points, &closing);
-        let mut values = [[0.0; LANES]; OUTPUTS];
+        let mut values = [Lanes::ZERO; OUTPUTS];
         for lane in 0..LANES {
             let (law, is_law) = laws.with_restitution(e[lane], lane);
             let (contact, motions, is_contact) = posed.contact(lane);
@@ -846,8 +847,8 @@ impl Posed {
     /// Zeros, which cost the least to make.
     const NOTHING: Self = Self {
         vehicles: [VehicleLanes::NOTHING; 2],
-        crush_plane: [0.0; LANES],
-        crush_energy: [0.0; LANES],
+        crush_plane: Lanes::ZERO,
+        crush_energy: Lanes::ZERO,
         faults: [0; LANES],
     };
 
@@ -1078,7 +1079,7 @@ pub(crate) struct VehicleLanes {
 impl VehicleLanes {
     /// Before a vehicle or an object comes in its place.
     pub(crate) const NOTHING: Self = {
-        const ZERO: Lanes = [0.0; LANES];
+        const ZERO: Lanes = Lanes::ZERO;
         Self {
             is_fixed: false,
             mass: ZERO,
@@ -1252,7 +1253,7 @@ impl Damage {
         match self {
             Self::Unknown | Self::Energy(None) => {}
             Self::Energy(Some(ees)) => {
-                let mut speeds = [0.0; LANES];
+                let mut speeds = Lanes::ZERO;
                 si(ees, inputs, &mut speeds);
                 for lane in 0..LANES {
                     total[lane] += energy_of_equivalent_speed(speeds[lane], mass[lane]).unwrap_or(f64::NAN);
@@ -1273,7 +1274,7 @@ impl Damage {
             Self::Crush(crushed, Resistance::Category(stiffness, factor)) => {
                 let mut known = None;
                 let factors = factor.column(inputs, &mut known);
-                let mut stiffnesses = [[0.0; LANES]; 3];
+                let mut stiffnesses = [Lanes::ZERO; 3];
                 let [a, b, g] = &mut stiffnesses;
                 for lane in 0..LANES {
                     [a[lane], b[lane], g[lane]] = scaled_stiffness(stiffness, factors[lane]);
@@ -1513,7 +1514,7 @@ impl Crushed {
     /// The numbers of the [area](area_of) of each sample, and whether the sample has a profile.
     #[inline(always)]
     fn areas(&self, inputs: &[Lanes]) -> ([Lanes; 4], [bool; LANES]) {
-        let (mut areas, mut is_profile) = ([[0.0; LANES]; 4], [true; LANES]);
+        let (mut areas, mut is_profile) = ([Lanes::ZERO; 4], [true; LANES]);
         let spacing = self.spacing(inputs);
         for ends in self.zones() {
             let mut known = [None; 2];
@@ -1534,7 +1535,7 @@ impl Crushed {
     /// (m) the width of each zone.
     #[inline(always)]
     fn spacing(&self, inputs: &[Lanes]) -> Lanes {
-        let mut spacing = [0.0; LANES];
+        let mut spacing = Lanes::ZERO;
         each(&self.width, inputs, &mut spacing, |width| equal_spacing(width.si(), self.depths.len()));
         spacing
     }
@@ -1587,7 +1588,7 @@ impl Crushed {
         faults: &mut [u8; LANES],
     ) {
         let spacing = self.spacing(inputs);
-        let (mut own, mut is_structure) = ([0.0; LANES], [true; LANES]);
+        let (mut own, mut is_structure) = (Lanes::ZERO, [true; LANES]);
         for (ends, line) in self.zones().zip(lines.iter().cycle()) {
             let mut known = [None; 2];
             let depths = columns(ends, inputs, &mut known);
@@ -1615,7 +1616,7 @@ impl Crushed {
                 };
             }
         }
-        for (total, own) in total.iter_mut().zip(own) {
+        for (total, own) in total.iter_mut().zip(&own) {
             *total += own;
         }
     }
@@ -1624,7 +1625,7 @@ impl Crushed {
     #[inline(always)]
     pub(crate) fn add_energy(&self, inputs: &[Lanes], [a, b, g]: &[Lanes; 3], total: &mut Lanes) {
         let spacing = self.spacing(inputs);
-        let mut own = [0.0; LANES];
+        let mut own = Lanes::ZERO;
         for lane in 0..LANES {
             let (_, is_stiffness) = Stiffness::from_abg_with_validity(a[lane], b[lane], g[lane]);
             own[lane] = if is_stiffness { 0.0 } else { f64::NAN };
@@ -1639,7 +1640,7 @@ impl Crushed {
                 own[lane] += if zone.is_valid() { energy } else { f64::NAN };
             }
         }
-        for (total, own) in total.iter_mut().zip(own) {
+        for (total, own) in total.iter_mut().zip(&own) {
             *total += own;
         }
     }
@@ -1711,7 +1712,7 @@ fn coefficients<const N: usize>(
 ) -> [Lanes; 3] {
     let mut known = [None; N];
     let numbers = columns(quantities.each_ref(), inputs, &mut known);
-    let mut stiffnesses = [[0.0; LANES]; 3];
+    let mut stiffnesses = [Lanes::ZERO; 3];
     let [a, b, g] = &mut stiffnesses;
     for lane in 0..LANES {
         let line = line(std::array::from_fn(|i| quantities[i].with(numbers[i][lane])));

@@ -57,11 +57,11 @@ fn by_the_prior(pair: &Pair, fitted: &Fitted) -> f64 {
     let samples = 1 << 18;
     let sampler =
         Sampler::new(inputs, &uncertainty::Settings::new(SamplingMethod::Sobol, samples, 1)).unwrap();
-    let mut values = vec![[0.0; LANES]; inputs.len()];
+    let mut values = vec![Lanes::ZERO; inputs.len()];
     let mut sums = [0.0; 2];
     for block in 0..(samples / LANES) as u64 {
         sampler.fill(block, &mut values);
-        let mut terms = vec![[0.0; LANES]; model.terms_count()];
+        let mut terms = vec![Lanes::ZERO; model.terms_count()];
         model.log_likelihood(&values, &mut terms, &mut [0; LANES]);
         for lane in 0..LANES {
             let sum = |is_wanted: fn(Piece) -> bool| {

@@ -1,6 +1,6 @@
 use super::{MAX_SOBOL_INPUTS, Points, REPLICATES, SamplingMethod, permuted};
 use crate::InvalidRequest;
-use crate::model::LANES;
+use crate::model::{LANES, Lanes};
 use crate::random::{bits, key};
 
 const METHODS: [SamplingMethod; 3] =
@@ -10,7 +10,7 @@ const METHODS: [SamplingMethod; 3] =
 fn columns(method: SamplingMethod, seed: u64, inputs: usize, samples: usize) -> Vec<Vec<f64>> {
     let points = Points::new(method, seed, inputs, samples).unwrap();
     let mut columns = vec![Vec::new(); inputs];
-    let mut block = vec![[0.0; LANES]; inputs];
+    let mut block = vec![Lanes::ZERO; inputs];
     for number in 0..samples.div_ceil(LANES) {
         points.fill(number as u64, &mut block);
         for (column, lanes) in columns.iter_mut().zip(&block) {

@@ -105,13 +105,13 @@ impl Sums {
 mod tests {
     use super::{Powers, SPAN, Sums};
     use crate::limits::REPLICATES;
-    use crate::model::LANES;
+    use crate::model::{LANES, Lanes};
     use crate::random::{bits, unit};
 
     fn of_replicates(span: &[f64], centre: f64) -> [Powers; REPLICATES] {
         let mut sums = Sums::default();
         for part in span.chunks(LANES) {
-            let mut block = [f64::NAN; LANES];
+            let mut block = Lanes::splat(f64::NAN);
             block[..part.len()].copy_from_slice(part);
             sums.add(&block, centre);
         }

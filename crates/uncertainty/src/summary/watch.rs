@@ -158,10 +158,10 @@ impl Watch {
     pub(crate) fn add(&mut self, span: &[f64]) -> [Powers; REPLICATES] {
         let (blocks, rest) = span.as_chunks::<LANES>();
         for block in blocks {
-            Self::add_blocks(slice::from_mut(self), slice::from_ref(block));
+            Self::add_blocks(slice::from_mut(self), &[(*block).into()]);
         }
         if !rest.is_empty() {
-            let mut block = [f64::NAN; LANES];
+            let mut block = Lanes::splat(f64::NAN);
             block[..rest.len()].copy_from_slice(rest);
             Self::add_blocks(slice::from_mut(self), &[block]);
         }

@@ -1,5 +1,5 @@
 use super::{DIRECTION_NUMBERS, DIRECTIONS, MAX_INPUTS, POINTS, SHIFTED, Sobol, directions, point, sum_of};
-use crate::model::LANES;
+use crate::model::Lanes;
 use crate::points::REPLICATES;
 use crate::random::key;
 
@@ -92,7 +92,7 @@ fn the_table_is_unchanged() {
 
 /// The point at an index, out of its block.
 fn fill(sobol: &Sobol, index: u64, shares: &mut [f64; REPLICATES]) {
-    let mut block = [0.0; LANES];
+    let mut block = Lanes::ZERO;
     let place = index % POINTS as u64;
     sobol.fill(index - place, &mut block);
     shares.copy_from_slice(block.chunks(REPLICATES).nth(place as usize).unwrap());
