@@ -18,7 +18,7 @@ use case::{CaseFile, to_toml};
 use inputs::{Case, ContactSpread, Estimate, FaceAxis, Origin};
 use pim_core::VehicleId;
 use proptest::prelude::*;
-use uncertainty::{LANES, Sampler, SamplingMethod, Settings, Shape};
+use uncertainty::{Lanes, Sampler, SamplingMethod, Settings, Shape};
 
 const PLACED: &str = include_str!("../../../fixtures/contact-placed.toml");
 

@@ -4,7 +4,7 @@
 
 use std::ops::ControlFlow;
 
-use ::uncertainty::{LANES, Sampler, SamplingMethod, Settings};
+use ::uncertainty::{Lanes, Sampler, SamplingMethod, Settings};
 use analysis::{
     Analysis, Failure, Output, Plan, Reason, Sweep, Uncertainty, WayNumber, impact, motion, reconstruct,
     sensitivity, uncertainty,

@@ -132,14 +132,14 @@ pub(crate) fn product(first: &[f64; LANES], second: &[f64; LANES]) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::Gaussian;
-    use uncertainty::{LANES, Lanes};
+    use uncertainty::Lanes;
 
     /// Points of which mean and covariance are known: (a, 2a + b) for a, b = ±1 in all combinations.
     #[test]
     fn mean_and_covariance_are_those_of_the_points() {
         let sign = |bit: usize, lane: usize| if lane >> bit & 1 == 0 { 1.0 } else { -1.0 };
-        let first: Lanes = std::array::from_fn(|lane| 3.0 + sign(0, lane));
-        let second: Lanes = std::array::from_fn(|lane| -1.0 + 2.0 * sign(0, lane) + sign(1, lane));
+        let first = Lanes::from(std::array::from_fn(|lane| 3.0 + sign(0, lane)));
+        let second = Lanes::from(std::array::from_fn(|lane| -1.0 + 2.0 * sign(0, lane) + sign(1, lane)));
         let block = [first, second];
         let gaussian = Gaussian::of(&[&block, &block], 2);
         assert_eq!(gaussian.mean, [3.0, -1.0]);
@@ -159,7 +159,7 @@ mod tests {
 
     #[test]
     fn equal_particles_have_a_triangle_too() {
-        let block = [[0.5; LANES]; 3];
+        let block = [Lanes::splat(0.5); 3];
         let gaussian = Gaussian::of(&[&block], 3);
         assert!(gaussian.triangle.iter().all(|row| row.iter().all(|l| l.is_finite())));
         assert!(gaussian.triangle.iter().all(|row| *row.last().unwrap() > 0.0));

@@ -575,10 +575,10 @@ mod tests {
     /// A particle of weight w is taken ⌊w⌋ or ⌈w⌉ times.
     #[test]
     fn systematic_resampling_takes_each_as_often_as_it_weighs() {
-        let raw: [Lanes; 2] =
-            std::array::from_fn(|block| std::array::from_fn(|lane| ((block * 64 + lane) * 37 % 11) as f64));
+        let raw = [0, 1]
+            .map(|block| Lanes::from(std::array::from_fn(|lane| ((block * 64 + lane) * 37 % 11) as f64)));
         let total: f64 = raw.iter().flatten().sum();
-        let weights = raw.map(|block| block.map(|w| w * 128.0 / total));
+        let weights = raw.map(|block| Lanes::from(block.map(|w| w * 128.0 / total)));
         for share in [1e-9, 0.25, 0.5, 1.0 - 1e-9] {
             let mut counts = [0.0; 128];
             for (block, lane) in sources(&weights, share, 128) {
@@ -597,7 +597,7 @@ mod tests {
     /// A quarter of the particles with a likelihood of 1, the others with next to none.
     #[test]
     fn a_step_keeps_half_of_the_sample_size() {
-        let halves: Lanes = std::array::from_fn(|lane| if lane % 4 == 0 { 0.0 } else { -1e6 });
+        let halves = Lanes::from(std::array::from_fn(|lane| if lane % 4 == 0 { 0.0 } else { -1e6 }));
         let step = step_in_temperature(&population(vec![halves; 2]), 1.0);
         assert!(!step.is_last);
         // w = exp(−1e6 δ): (¼ + ¾w)² = ½(¼ + ¾w²), so 3w² + 6w − 1 = 0.
@@ -606,7 +606,7 @@ mod tests {
         let mean = 0.25 + 0.75 * w;
         assert!((step.log_mean - real::elementary::ln(mean)).abs() < 2e-3);
 
-        let step = step_in_temperature(&population(vec![[-7.0; LANES]; 2]), 0.75);
+        let step = step_in_temperature(&population(vec![Lanes::splat(-7.0); 2]), 0.75);
         assert!(step.is_last && step.size == 0.75);
         assert_eq!(step.weights, [Lanes::splat(1.0); 2]);
         assert_eq!(step.log_mean, -5.25);

@@ -81,7 +81,7 @@ impl Evidence for InTwoParts {
     ) -> bool {
         let mut whole = [Lanes::ZERO; 2];
         self.log_likelihood(values, &mut whole, reasons);
-        let most = [whole[0], [ln_normal(0.0, 0.0, 0.4); LANES]];
+        let most = [whole[0], Lanes::splat(ln_normal(0.0, 0.0, 0.4))];
         let taken = hurdle.takes(&most);
         for lane in 0..LANES {
             for term in 0..2 {

@@ -15,7 +15,7 @@ use evidence::{
 };
 use pim_core::VehicleId::{self, One, Two};
 use uncertainty::random::{bits, key, unit};
-use uncertainty::{Distribution, LANES};
+use uncertainty::{Distribution, Lanes};
 
 use crate::likelihood::vehicle;
 

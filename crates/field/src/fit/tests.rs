@@ -15,7 +15,7 @@ use estimate::{Evidence, Settings, sample_quietly};
 use evidence::{FITTED, Fitted, Impacts, Model, Output, Piece, shown_delta_v};
 use pim_core::VehicleId;
 use uncertainty::random::{bits, key, unit};
-use uncertainty::{LANES, Sampler, SamplingMethod};
+use uncertainty::{LANES, Lanes, Sampler, SamplingMethod};
 
 use super::{Drawn, Figure, FitOptions, Guess, Likelihood, N, fit, point, step};
 use crate::pair::{Pair, Plane, Vehicle};
