@@ -186,9 +186,10 @@ impl Watch {
     pub(crate) fn end_span(&mut self) -> [Powers; REPLICATES] {
         let powers = self.open.sums.powers();
         for (window, below) in self.windows.iter_mut().zip(&self.open.below) {
-            for (replicate, total) in window.below.iter_mut().enumerate() {
-                let own = below.iter().skip(replicate).step_by(REPLICATES);
-                *total += own.map(|count| u64::from(count.unsigned_abs())).sum::<u64>();
+            for row in below.as_chunks::<REPLICATES>().0 {
+                for (total, count) in window.below.iter_mut().zip(row) {
+                    *total += u64::from(count.unsigned_abs());
+                }
             }
         }
         self.seen += powers.iter().map(|powers| powers.count).sum::<u64>();
