@@ -167,7 +167,8 @@ impl<F: Fn(&[f64], &mut [f64]) -> Result<(), u8> + Sync> Model for Function<F> {
     }
 }
 
-/// Evaluates a block, and marks the samples whose outputs are not all finite.
+/// Evaluates a block, and marks the samples whose outputs are not all finite. The outputs of samples that
+/// failed become NaN.
 ///
 /// All that samples comes through here: a model is compiled once for each instruction set.
 #[inline(never)]
@@ -191,10 +192,17 @@ fn evaluate_with<M: Model>(
 ) {
     *reasons = [SUCCEEDED; LANES];
     model.evaluate(instructions, inputs, outputs, reasons);
-    for column in outputs {
+    for column in outputs.iter() {
         for (value, reason) in column.iter().zip(reasons.iter_mut()) {
             let failed = *reason == SUCCEEDED && !value.is_finite();
             *reason = if failed { NOT_FINITE } else { *reason };
+        }
+    }
+    if *reasons != [SUCCEEDED; LANES] {
+        for column in outputs {
+            for (value, reason) in column.iter_mut().zip(reasons.iter()) {
+                *value = if *reason == SUCCEEDED { *value } else { f64::NAN };
+            }
         }
     }
 }

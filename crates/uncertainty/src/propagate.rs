@@ -483,12 +483,8 @@ impl Part<'_, '_> {
         for ((start, codes), block) in (0..).step_by(LANES).zip(codes.chunks_mut(LANES)).zip(blocks) {
             sampler.evaluate(model, block, inputs, answers, &mut reasons);
             let count = codes.len();
-            if count < LANES || reasons != [SUCCEEDED; LANES] {
-                for answer in answers.iter_mut() {
-                    for (lane, (value, reason)) in answer.iter_mut().zip(&reasons).enumerate() {
-                        *value = if lane < count && *reason == SUCCEEDED { *value } else { f64::NAN };
-                    }
-                }
+            for answer in answers.iter_mut() {
+                answer[count..].fill(f64::NAN);
             }
             for (answer, output) in answers.iter().zip(&mut outputs) {
                 output[start..][..count].copy_from_slice(&answer[..count]);

@@ -757,6 +757,7 @@ impl Block {
     }
 
     /// The equation for the speed of a sample.
+    #[inline(always)]
     fn problem(
         &self,
         posed: &Posed,
@@ -773,6 +774,7 @@ impl Block {
         Ok(Problem { contact, law, motions, unknown, crush_energy, basis, tangential_share })
     }
 
+    #[inline(always)]
     fn collision(
         &self,
         posed: &Posed,
