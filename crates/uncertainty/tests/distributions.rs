@@ -234,3 +234,29 @@ fn normal_samples_are_independent() {
         assert!(squares.abs() < 8.0 / count.sqrt(), "{kind}: {squares}");
     }
 }
+
+/// However near one of them is, and where the mean lies outside.
+#[test]
+fn no_independent_sample_leaves_its_bounds() {
+    let infinity = f64::INFINITY;
+    let bounds = [
+        [-1.0, infinity],
+        [-infinity, 1.0],
+        [-0.5, 4.0],
+        [-4.0, 0.5],
+        [0.5, 3.0],
+        [-3.0, -0.5],
+        [-7.0, 2.0],
+        [-2.5, 2.5],
+    ]
+    .map(|deviations| deviations.map(|deviation| 10.0 + 2.0 * deviation));
+    let inputs = bounds.map(|[low, high]| Distribution::truncated_normal(10.0, 2.0, low, high).unwrap());
+    let sampler = Sampler::new(&inputs, &Settings::new(SamplingMethod::MonteCarlo, 8192, 3)).unwrap();
+    let mut columns = [Lanes::ZERO; 8];
+    for block in 0..8192 / LANES as u64 {
+        sampler.fill(block, &mut columns);
+        for (column, [low, high]) in columns.iter().zip(bounds) {
+            assert!(column.iter().all(|value| (low..=high).contains(value)), "{low} to {high}: {column:?}");
+        }
+    }
+}
