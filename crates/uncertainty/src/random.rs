@@ -31,8 +31,8 @@ fn mixed(state: u64) -> u64 {
     z ^ (z >> 31)
 }
 
-/// How far the state of each lane of a block is from that of its first: a product of 64 bits, which vectors
-/// are slow at, less for each.
+/// How far the state of each lane of a block is from that of the first lane. A sum with it spares each lane a
+/// product of 64 bits, at which vectors are slow.
 static STEPS: [u64; LANES] = {
     let mut steps = [0; LANES];
     let mut lane = 1;
@@ -45,10 +45,7 @@ static STEPS: [u64; LANES] = {
 
 /// The numbers at `first` and the indices that follow, one for each lane of a block.
 #[inline(always)]
-pub(crate) fn bits_of_block(
-    key: u64,
-    first: u64,
-) -> impl DoubleEndedIterator<Item = u64> + ExactSizeIterator {
+pub(crate) fn bits_of_block(key: u64, first: u64) -> impl Iterator<Item = u64> {
     let first = state(key, first);
     STEPS.iter().map(move |step| mixed(first.wrapping_add(*step)))
 }
