@@ -299,8 +299,8 @@ impl Uncertainty {
         let Ok(sampler) = Sampler::new(&distributions, &self.settings) else { return Ok(()) };
         let sample = |case: &Case| Sample::new(case, &self.nominal, &self.inputs, &outputs, &central);
         let model = self.case.as_deref().map(sample);
-        let mut inputs: Vec<Lanes> = vec![Lanes::ZERO; self.inputs.len()];
-        let mut answers: Vec<Lanes> = vec![Lanes::ZERO; outputs.len()];
+        let mut inputs = vec![Lanes::ZERO; self.inputs.len()];
+        let mut answers = vec![Lanes::ZERO; outputs.len()];
         let mut reasons = [0; LANES];
         let (evaluated, columns) = (self.propagation.evaluated(), self.propagation.columns());
         for (block, first) in (0..).zip((0..evaluated).step_by(LANES)) {

@@ -160,7 +160,7 @@ impl Proposal {
         let best = 2.38 / (2.0 * moved.max(1.0)).sqrt();
         let [pairs, lengths] = [0, 1].map(|purpose| key(sequence, &[u64::MAX, purpose]));
         let mut partners = [[(0, 0); 2]; LANES];
-        let mut lengths_of: Lanes = Lanes::ZERO;
+        let mut lengths_of = Lanes::ZERO;
         for ((lane, partners), length) in (first..).zip(&mut partners).zip(&mut lengths_of) {
             let [a, b] = two_of(bits(pairs, lane), count);
             let place = |index: usize| (index / LANES, index % LANES);

@@ -306,17 +306,14 @@ impl Distribution {
     #[inline(never)]
     fn draw_again(&self, sequence: u64, first: u64, lanes: &mut Lanes) {
         let Some(Truncation { low, high, .. }) = self.truncation else { return };
-        let mut is_cut = false;
-        for lane in lanes.iter() {
-            is_cut |= (*lane < low) | (*lane > high);
-        }
-        if !is_cut {
+        let is_cut = |value: f64| value < low || value > high;
+        if !lanes.iter().any(|lane| is_cut(*lane)) {
             return;
         }
         let mut shares = Lanes::ZERO;
         independent(sequence, first, &mut shares);
         for (index, lane) in lanes.iter_mut().enumerate() {
-            if *lane < low || *lane > high {
+            if is_cut(*lane) {
                 // A share that has nothing to do with the two that led out of the bounds.
                 let pair = [shares[index % HALF], shares[index % HALF + HALF]];
                 *lane = self.quantile(unit(bits(key(pair[0].to_bits(), &[pair[1].to_bits()]), index as u64)));

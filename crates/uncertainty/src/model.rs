@@ -11,8 +11,8 @@ use crate::run::Instructions;
 /// Number of samples that a model receives at once.
 pub const LANES: usize = 64;
 
-/// One number of each sample of a block: an array that begins at a line of the cache, so that none of its
-/// vectors lies across two.
+/// One number of each sample of a block: an array aligned to a cache line, so that none of its vectors lies
+/// across two lines.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[repr(align(64))]
 pub struct Lanes([f64; LANES]);

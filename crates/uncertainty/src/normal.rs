@@ -234,8 +234,7 @@ fn polynomial(coefficients: &[f64; 8], x: f64) -> f64 {
 pub fn box_muller(lanes: &mut Lanes) {
     let (radii, turns) = lanes.split_at_mut(LANES / 2);
     for (first, second) in radii.iter_mut().zip(turns) {
-        let NormalPair { numbers: [one, other], .. } = NormalPair::of([*first, *second]);
-        (*first, *second) = (one, other);
+        [*first, *second] = NormalPair::of([*first, *second]).numbers;
     }
 }
 

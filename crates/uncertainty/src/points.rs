@@ -286,8 +286,7 @@ impl Strata {
         let (rows, _) = places.as_chunks_mut::<REPLICATES>();
         for row in rows {
             for own in 0..REPLICATES {
-                // All rounds inside: a compiler takes a short loop apart before it sees that it can be one of
-                // vectors.
+                // All rounds in one loop: a compiler would unroll a shorter one before it could vectorise it.
                 let mut place = row[own];
                 for [add, multiply] in &self.rounds {
                     place = turned(place, [add[own], multiply[own]], (masks[own], shifts[own]));

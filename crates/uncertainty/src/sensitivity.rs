@@ -186,9 +186,9 @@ impl<M: Model> Design<'_, M> {
         let inputs = self.inputs.len();
         let outputs = self.model.outputs();
         let mut part = Part::new(inputs, outputs);
-        let mut columns: Vec<Lanes> = vec![Lanes::ZERO; 2 * inputs];
+        let mut columns = vec![Lanes::ZERO; 2 * inputs];
         // Outputs of A, of B, and of A with each input from B.
-        let mut answers: Vec<Lanes> = vec![Lanes::ZERO; (inputs + 2) * outputs];
+        let mut answers = vec![Lanes::ZERO; (inputs + 2) * outputs];
         let mut reasons = [SUCCEEDED; LANES];
         for start in rows.clone().step_by(LANES) {
             let count = LANES.min(rows.end - start);

@@ -184,7 +184,7 @@ pub(super) fn doubtful(
         let sampler = Sampler::new(&distributions, settings)?;
         let blocks: Vec<_> = (0..).zip(propagation.reasons().chunks(LANES)).take(SEARCHED / LANES).collect();
         let counted = for_each(&blocks, |(number, reasons)| {
-            let mut block: Vec<Lanes> = vec![Lanes::ZERO; inputs.len()];
+            let mut block = vec![Lanes::ZERO; inputs.len()];
             sampler.fill(*number, &mut block);
             let answered = || (0..reasons.len()).filter(|lane| reasons[*lane] == SUCCEEDED);
             (sample.several_speeds(&block, answered()), answered().count())

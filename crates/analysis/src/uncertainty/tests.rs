@@ -307,7 +307,7 @@ fn a_block_has_the_bits_of_its_samples() {
         let distributions = sampled.distributions();
         let settings = Settings::new(SamplingMethod::LatinHypercube, 40 * LANES, 7);
         let sampler = Sampler::new(&distributions, &settings).unwrap();
-        let mut columns: Vec<Lanes> = vec![Lanes::ZERO; distributions.len()];
+        let mut columns = vec![Lanes::ZERO; distributions.len()];
         let mut answered = 0;
         for number in 0..40 {
             sampler.fill(number, &mut columns);
@@ -391,7 +391,7 @@ fn blocks_of_fixtures_have_the_bits_of_their_samples() {
             let distributions = sampled.distributions();
             let settings = Settings::new(SamplingMethod::LatinHypercube, 4 * LANES, 7);
             let sampler = Sampler::new(&distributions, &settings).unwrap();
-            let mut columns: Vec<Lanes> = vec![Lanes::ZERO; distributions.len()];
+            let mut columns = vec![Lanes::ZERO; distributions.len()];
             for number in 0..4 {
                 sampler.fill(number, &mut columns);
                 reasons_seen.extend(same_bits(&name, &sampled, &columns, [&in_blocks, &one_by_one]));

@@ -78,7 +78,7 @@ pub(super) struct Sums {
 impl Sums {
     #[inline(always)]
     pub(super) fn add(&mut self, block: &Lanes, centre: f64) {
-        // In registers, as nobody else knows of it.
+        // Copies, which a compiler can keep in registers.
         let Self { mut counts, sums: [mut first, mut second, mut third, mut fourth] } = *self;
         let (rows, _) = block.as_chunks::<REPLICATES>();
         for row in rows {

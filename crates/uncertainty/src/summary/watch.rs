@@ -156,13 +156,9 @@ impl Watch {
 
     /// The samples of a span, NaN where they failed.
     pub(crate) fn add(&mut self, span: &[f64]) -> [Powers; REPLICATES] {
-        let (blocks, rest) = span.as_chunks::<LANES>();
-        for block in blocks {
-            Self::add_blocks(slice::from_mut(self), &[(*block).into()]);
-        }
-        if !rest.is_empty() {
+        for part in span.chunks(LANES) {
             let mut block = Lanes::splat(f64::NAN);
-            block[..rest.len()].copy_from_slice(rest);
+            block[..part.len()].copy_from_slice(part);
             Self::add_blocks(slice::from_mut(self), &[block]);
         }
         self.end_span()
@@ -326,13 +322,13 @@ impl Window {
         let (_, middle, _) = sorted.select_nth_unstable_by(self.taken.len() / 2, f64::total_cmp);
         let value = *middle;
         let is_alike = |other: f64| other.to_bits() == value.to_bits();
-        let alike = self.taken.iter().filter(|taken| is_alike(**taken)).count();
-        if self.clump.is_some() || alike < self.taken.len() / 2 {
+        let alike: Vec<bool> = self.taken.iter().map(|taken| is_alike(*taken)).collect();
+        let count = alike.iter().filter(|is_alike| **is_alike).count();
+        if self.clump.is_some() || count < self.taken.len() / 2 {
             self.lose();
             return;
         }
         let mut clump = Clump { value, counts: [0; REPLICATES] };
-        let alike: Vec<bool> = self.taken.iter().map(|taken| is_alike(*taken)).collect();
         self.retain(&alike, |is_alike, replicate| {
             clump.counts[replicate] += u64::from(is_alike);
             !is_alike
@@ -344,8 +340,8 @@ impl Window {
         (self.taken, self.replicates, self.clump, self.is_lost) = (Vec::new(), Vec::new(), None, true);
     }
 
-    /// Leaves those of the values taken out that are to stay: of each is told what it is and its replicate.
-    /// By Monte Carlo all have one replicate.
+    /// Leaves those of the values taken out that are to stay, by what is known of each and its replicate. By
+    /// Monte Carlo all have one replicate.
     fn retain<T: Copy>(&mut self, of_values: &[T], mut stays: impl FnMut(T, usize) -> bool) {
         // Moved in any case, as which of them stay cannot be predicted.
         let mut left = 0;
