@@ -319,7 +319,8 @@ fn report_uncertainty(arguments: UncertaintyArguments) -> Result<()> {
     let Some(arguments) = of_cases(of_case, Table::Uncertainties, &answer)? else { return Ok(()) };
     let file = case_file(&arguments.case)?;
     let units = units(arguments.units, &file);
-    let propagated = propagate(&file.case, &plan(&file.case), &wanted, &pool(threads)?)?;
+    let pool = pool(threads)?;
+    let propagated = propagate(&file.case, &plan(&file.case), &wanted, &pool)?;
     let uncertainty = answered(propagated, &file, units)?;
     for name in outputs.iter().flatten() {
         if !uncertainty.outputs.iter().any(|known| known.output.path() == *name) {
@@ -347,7 +348,7 @@ fn report_uncertainty(arguments: UncertaintyArguments) -> Result<()> {
             }
         }
     }
-    let document = report::uncertainty(&file.case, &uncertainty, units);
+    let document = pool.install(|| report::uncertainty(&file.case, &uncertainty, units));
     present(&document, &arguments, || report::uncertainty_json(&file, &uncertainty))
 }
 

@@ -9,7 +9,7 @@ use crate::error::InvalidRequest;
 use crate::limits::REPLICATES;
 use crate::model::{Failures, LANES, Lanes, Model, SUCCEEDED, count_failures, tally};
 use crate::points::SamplingMethod;
-use crate::run::{Progress, Span, in_order};
+use crate::run::{Progress, Span, for_each, in_order};
 use crate::sampler::{Sampler, Settings};
 use crate::summary::{Caution, Classes, Histogram, Passes, Powers, SPAN, Summary, Watch, Watched, Watching};
 
@@ -124,7 +124,7 @@ pub fn propagate<M: Model>(
 /// How a run is cut, and how much is taken out of its columns.
 #[derive(Clone, Copy, Debug)]
 struct Limits {
-    /// Spans after which the sums of all of them are added up.
+    /// The most spans after which what was found in them is added up.
     group: usize,
     /// The values of all outputs that are in memory at once where they are drawn again, but one span at
     /// least.
@@ -224,7 +224,7 @@ impl<M: Model> Run<'_, M> {
             columns: Columns::new(0, 0),
             first: Columns::new(self.outputs, 0),
             reasons: Vec::new(),
-            totals: Totals { tallies: vec![0; self.model.tallies()], ..Totals::default() },
+            totals: Totals::of(self.model),
             summaries: vec![None; self.outputs],
             histograms: Vec::new(),
             classes: self.settings.classes,
@@ -232,22 +232,24 @@ impl<M: Model> Run<'_, M> {
         }
     }
 
-    /// The first span, which tells how its columns are watched.
+    /// The first span, which tells how its columns are watched. It is cut small, as nobody can go on before
+    /// it is done.
     fn begin(&self) -> Begun {
         let planned = self.settings.samples;
         let mut first = Samples::new(self.outputs, SPAN.min(planned));
-        let Samples { columns, reasons } = &mut first;
-        let outputs = columns.iter_mut().collect();
-        let part = Part { index: 0, outputs, watches: &mut [], reasons };
-        let totals = part.evaluate(self.model, &self.sampler, &mut Block::new(self.model, &self.sampler));
+        let count = first.reasons.len();
+        let totals = self.evaluate(0, &mut first, (count, SMALL), &mut |_, _| ControlFlow::Continue(()));
         let Limits { caution, .. } = *self.limits;
         let (instructions, is_replicated) = (self.settings.instructions, self.is_replicated());
         let watching = Watching { planned, is_replicated, instructions, caution };
-        let columns = first.columns.iter().map(|column| Span { samples: 0, work: column }).collect();
-        let watch = |column: &[f64]| Watch::new(column, watching);
-        let mut watches = in_order(columns, watch, &mut |_, _| ControlFlow::Continue(()));
-        let powers = watches.iter_mut().zip(first.columns.iter()).map(|(watch, column)| watch.add(column));
-        let powers = self.powers(powers);
+        let columns: Vec<_> = first.columns.iter().collect();
+        let watched = for_each(&columns, |column| {
+            let mut watch = Watch::new(column, watching);
+            let powers = watch.add(column);
+            (watch, powers)
+        });
+        let (watches, powers): (Vec<_>, Vec<_>) = watched.into_iter().unzip();
+        let powers = self.powers(powers.into_iter());
         Begun { first, watches, totals, powers }
     }
 
@@ -264,7 +266,8 @@ impl<M: Model> Run<'_, M> {
         powers
     }
 
-    /// All spans but the first one, and who has watched them.
+    /// All spans but the first one, in groups, and who has watched them. After each group windows are
+    /// narrowed: at first that saves more than it costs only now and then, and later it keeps memory small.
     fn go_on(
         &self,
         columns: &mut Columns,
@@ -273,61 +276,70 @@ impl<M: Model> Run<'_, M> {
         told: &mut (dyn FnMut(usize) -> ControlFlow<()> + Send),
     ) -> Vec<Worker> {
         let requested = self.settings.samples;
-        let waiting = Mutex::new(Vec::<Worker>::new());
         let mut slices: Vec<_> = columns.iter_mut().map(|column| column.chunks_mut(SPAN).skip(1)).collect();
         let mut codes = reasons.chunks_mut(SPAN).skip(1);
         let mut spans = (1..).zip((SPAN..requested).step_by(SPAN)).map(|(index, start)| {
-            let kept = slices.iter_mut().filter_map(Iterator::next).collect();
+            let outputs = slices.iter_mut().filter_map(Iterator::next).collect();
             let samples = SPAN.min(requested - start);
-            Span { samples, work: (index, samples, kept, codes.next()) }
+            Span { samples, work: Kept { index, samples, outputs, reasons: codes.next() } }
         });
-        let work = |(index, samples, kept, codes): (u64, usize, Vec<&mut [f64]>, Option<&mut [u8]>)| {
-            let lock = || waiting.lock().unwrap_or_else(PoisonError::into_inner);
-            let own = lock().pop();
-            let mut worker = own.unwrap_or_else(|| Worker {
-                block: Block::new(self.model, &self.sampler),
-                reasons: vec![SUCCEEDED; SPAN],
-                watches: watches.iter().map(Watch::unwatched).collect(),
-            });
-            let Worker { block, reasons: own, watches } = &mut worker;
-            let reasons = codes.unwrap_or(&mut own[..samples]);
-            let part = Part { index, outputs: kept, watches, reasons };
-            let totals = part.evaluate(self.model, &self.sampler, block);
-            let powers = self.powers(watches.iter_mut().map(Watch::end_span));
-            lock().push(worker);
-            (totals, powers)
-        };
+        let waiting = Mutex::new(Vec::<Worker>::new());
+        let lock = || waiting.lock().unwrap_or_else(PoisonError::into_inner);
+        let mut spans_done = 1;
         loop {
-            let group: Vec<_> = spans.by_ref().take(self.limits.group).collect();
-            let count = group.len();
-            let begin = totals.samples;
+            let group: Vec<_> = spans.by_ref().take((4 * spans_done).min(self.limits.group)).collect();
+            let (count, begin) = (group.len(), totals.samples);
+            let work = |span| {
+                let own = lock().pop();
+                let mut worker = own.unwrap_or_else(|| Worker::new(self.model, &self.sampler, watches));
+                let found = self.watch(span, &mut worker);
+                lock().push(worker);
+                found
+            };
             let done = in_order(group, work, &mut |done, _| told(begin + done));
-            let is_ended = done.len() < count || count == 0;
+            let is_ended = done.len() < count;
+            spans_done += count;
             for (more, of_span) in done {
                 totals.add(more);
                 for (powers, more) in powers.iter_mut().zip(of_span) {
                     powers.add(&more);
                 }
             }
-            if is_ended {
+            if is_ended || totals.samples == requested {
                 break;
             }
+            let mut workers = lock();
+            let mut of_workers: Vec<_> = workers.iter_mut().map(|worker| worker.watches.iter_mut()).collect();
+            let columns = watches.iter_mut().map(|watch| {
+                let others: Vec<&mut Watch> = of_workers.iter_mut().filter_map(Iterator::next).collect();
+                (watch, others)
+            });
+            for_each(columns, |(watch, others)| watch.narrow(others));
         }
         waiting.into_inner().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    /// A span, and what it adds.
+    fn watch(&self, span: Kept<'_>, worker: &mut Worker) -> (Totals, Vec<Powers>) {
+        let Kept { index, samples, outputs, reasons } = span;
+        let Worker { block, reasons: own, watches } = worker;
+        let reasons = reasons.unwrap_or(&mut own[..samples]);
+        let part = Part { first_block: index * (SPAN / LANES) as u64, outputs, watches, reasons };
+        let totals = part.evaluate(self.model, &self.sampler, block);
+        (totals, self.powers(watches.iter_mut().map(Watch::end_span)))
     }
 
     /// What has been watched of each column.
     fn passes(&self, watches: Vec<Watch>, workers: Vec<Worker>, powers: &[Powers]) -> Vec<Passes> {
         let mut of_workers: Vec<_> = workers.into_iter().map(|worker| worker.watches.into_iter()).collect();
         let of_each = if self.is_replicated() { REPLICATES } else { 1 };
-        let spans = watches.into_iter().zip(powers.chunks(of_each)).map(|(watch, powers)| {
-            let others = of_workers.iter_mut().filter_map(Iterator::next);
-            Span { samples: 0, work: (others.chain([watch]).collect(), powers) }
+        let columns = watches.into_iter().zip(powers.chunks(of_each)).map(|(watch, powers)| {
+            let others: Vec<Watch> = of_workers.iter_mut().filter_map(Iterator::next).collect();
+            (watch, others, powers)
         });
-        let passes = |(watches, powers): (Vec<Watch>, &[Powers])| {
-            Passes::new(Watched::by(watches), powers, self.limits.most)
-        };
-        in_order(spans.collect(), passes, &mut |_, _| ControlFlow::Continue(()))
+        for_each(columns, |(watch, others, powers)| {
+            Passes::new(Watched::by(watch, others), powers, self.limits.most)
+        })
     }
 
     /// Draws the samples again as often as the summaries of columns that are not kept take it, and once for
@@ -378,33 +390,41 @@ impl<M: Model> Run<'_, M> {
         for begin in (0..evaluated).step_by(chunk) {
             let count = chunk.min(evaluated - begin);
             // What is begun is finished: its summary would be lost.
-            self.evaluate(begin, &mut samples, count, &mut |done, _| {
+            self.evaluate(begin, &mut samples, (count, SPAN), &mut |done, _| {
                 let _ = told(begin + done);
                 ControlFlow::Continue(())
             });
             let columns = of_outputs.iter_mut().zip(samples.columns.iter());
-            let spans = columns.map(|work| Span { samples: 0, work }).collect();
-            let add = |(of_output, column): (&mut T, &[f64])| add(of_output, &column[..count]);
-            in_order(spans, add, &mut |_, _| ControlFlow::Continue(()));
+            for_each(columns, |(of_output, column)| add(of_output, &column[..count]));
         }
     }
 
-    /// Evaluates `count` samples from `begin` on, which is the first of a span.
-    fn evaluate(&self, begin: usize, samples: &mut Samples, count: usize, progress: &mut Progress<'_>) {
+    /// Evaluates `count` samples from `begin` on, so many at a time, which are whole blocks.
+    fn evaluate(
+        &self,
+        begin: usize,
+        samples: &mut Samples,
+        (count, at_once): (usize, usize),
+        progress: &mut Progress<'_>,
+    ) -> Totals {
         let Samples { columns, reasons } = samples;
-        let mut slices: Vec<_> = columns.iter_mut().map(|column| column[..count].chunks_mut(SPAN)).collect();
-        let spans = (begin / SPAN..)
-            .zip(reasons[..count].chunks_mut(SPAN))
-            .map(|(index, reasons)| {
-                let outputs: Vec<_> = slices.iter_mut().flat_map(Iterator::next).collect();
-                Span { samples: reasons.len(), work: (index as u64, outputs, reasons) }
-            })
-            .collect();
-        let work = |(index, outputs, reasons): (u64, Vec<&mut [f64]>, &mut [u8])| {
-            let part = Part { index, outputs, watches: &mut [], reasons };
-            part.evaluate(self.model, &self.sampler, &mut Block::new(self.model, &self.sampler));
+        let mut slices: Vec<_> =
+            columns.iter_mut().map(|column| column[..count].chunks_mut(at_once)).collect();
+        let parts = (begin / LANES..).step_by(at_once / LANES).zip(reasons[..count].chunks_mut(at_once));
+        let parts = parts.map(|(first_block, reasons)| {
+            let outputs = slices.iter_mut().flat_map(Iterator::next).collect();
+            let samples = reasons.len();
+            let part = Part { first_block: first_block as u64, outputs, watches: &mut [], reasons };
+            Span { samples, work: part }
+        });
+        let work = |part: Part<'_, '_>| {
+            part.evaluate(self.model, &self.sampler, &mut Block::new(self.model, &self.sampler))
         };
-        in_order(spans, work, progress);
+        let mut totals = Totals::of(self.model);
+        for more in in_order(parts.collect(), work, progress) {
+            totals.add(more);
+        }
+        totals
     }
 }
 
@@ -429,6 +449,9 @@ struct Worker {
     watches: Vec<Watch>,
 }
 
+/// Samples of the first span that a thread takes at a time.
+const SMALL: usize = SPAN / 8;
+
 /// A block of samples.
 struct Block {
     inputs: Vec<Lanes>,
@@ -442,9 +465,24 @@ impl Block {
     }
 }
 
-/// Where the results of a span go.
-struct Part<'a, 'c> {
+impl Worker {
+    fn new(model: &impl Model, sampler: &Sampler<'_>, watches: &[Watch]) -> Self {
+        let watches = watches.iter().map(Watch::unwatched).collect();
+        Self { block: Block::new(model, sampler), reasons: vec![SUCCEEDED; SPAN], watches }
+    }
+}
+
+/// What is kept of a span, of so many samples.
+struct Kept<'c> {
     index: u64,
+    samples: usize,
+    outputs: Vec<&'c mut [f64]>,
+    reasons: Option<&'c mut [u8]>,
+}
+
+/// Where the results of some blocks go.
+struct Part<'a, 'c> {
+    first_block: u64,
     /// Those that are kept.
     outputs: Vec<&'c mut [f64]>,
     /// Of all that are summarised, unless that is not done.
@@ -453,7 +491,7 @@ struct Part<'a, 'c> {
 }
 
 /// What is counted of samples that are done.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug)]
 struct Totals {
     samples: usize,
     failures: Failures,
@@ -461,6 +499,11 @@ struct Totals {
 }
 
 impl Totals {
+    /// Of no sample.
+    fn of(model: &impl Model) -> Self {
+        Self { samples: 0, failures: Failures::new(), tallies: vec![0; model.tallies()] }
+    }
+
     fn add(&mut self, more: Self) {
         self.samples += more.samples;
         for (reason, count) in more.failures {
@@ -474,13 +517,12 @@ impl Totals {
 
 impl Part<'_, '_> {
     fn evaluate<M: Model>(self, model: &M, sampler: &Sampler<'_>, block: &mut Block) -> Totals {
-        let Self { index, mut outputs, watches, reasons: codes } = self;
+        let Self { first_block, mut outputs, watches, reasons: codes } = self;
         let Block { inputs, answers } = block;
         let mut reasons = [SUCCEEDED; LANES];
         let mut failures = Failures::new();
         let mut tallies = vec![0; model.tallies()];
-        let blocks = index * (SPAN / LANES) as u64..;
-        for ((start, codes), block) in (0..).step_by(LANES).zip(codes.chunks_mut(LANES)).zip(blocks) {
+        for ((start, codes), block) in (0..).step_by(LANES).zip(codes.chunks_mut(LANES)).zip(first_block..) {
             sampler.evaluate(model, block, inputs, answers, &mut reasons);
             let count = codes.len();
             for answer in answers.iter_mut() {

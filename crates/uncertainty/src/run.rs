@@ -107,8 +107,11 @@ pub fn in_order<S: Send, T: Send>(
 }
 
 /// The results of `work` for each item, in order.
-pub fn for_each<S: Sync, T: Send>(items: &[S], work: impl Fn(&S) -> T + Sync) -> Vec<T> {
-    let spans = items.iter().map(|item| Span { samples: 0, work: item }).collect();
+pub fn for_each<S: Send, T: Send>(
+    items: impl IntoIterator<Item = S>,
+    work: impl Fn(S) -> T + Sync,
+) -> Vec<T> {
+    let spans = items.into_iter().map(|work| Span { samples: 0, work }).collect();
     in_order(spans, work, &mut |_, _| ControlFlow::Continue(()))
 }
 

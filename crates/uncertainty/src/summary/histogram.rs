@@ -3,7 +3,7 @@
 use fearless_simd::dispatch;
 
 use super::Summary;
-use crate::run::Instructions;
+use crate::run::{Instructions, for_each};
 
 /// How many classes a [`Histogram`] has.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -63,9 +63,26 @@ impl Histogram {
 
     /// Of a column in which NaN stands for samples that failed.
     pub(crate) fn of(column: &[f64], summary: &Summary, classes: Classes) -> Option<Self> {
+        /// Values that one thread takes at a time.
+        const AT_ONCE: usize = 1 << 16;
         let mut histogram = Self::new(summary, classes)?;
-        histogram.add(Instructions::best(), column);
+        let counted = for_each(column.chunks(AT_ONCE), |part| {
+            let mut counted = histogram.clone();
+            counted.add(Instructions::best(), part);
+            counted
+        });
+        for part in counted {
+            histogram.join(&part);
+        }
         Some(histogram)
+    }
+
+    /// What another one has counted, of the same classes.
+    fn join(&mut self, more: &Self) {
+        let own = self.counts.iter_mut().chain(&mut self.outside);
+        for (count, more) in own.zip(more.counts.iter().chain(&more.outside)) {
+            *count += more;
+        }
     }
 
     /// More of such a column.

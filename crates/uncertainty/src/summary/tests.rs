@@ -6,8 +6,8 @@ use crate::points::SamplingMethod;
 use crate::random::{bits, unit};
 use crate::run::Instructions;
 
-/// Of a column, watched by `workers` that take its spans in turn, with as many further passes as that takes:
-/// their number, too.
+/// Of a column, watched by `workers` that take its spans in turn, and of which the windows are narrowed when
+/// there are five times as many, with as many further passes as that takes: their number, too.
 fn summed_up(
     column: &[f64],
     method: SamplingMethod,
@@ -16,19 +16,26 @@ fn summed_up(
 ) -> (Option<Summary>, usize) {
     let (planned, is_replicated) = (column.len(), method != SamplingMethod::MonteCarlo);
     let watching = Watching { planned, is_replicated, instructions: Instructions::best(), caution };
-    let mut spans = column.chunks(SPAN);
+    let mut spans = column.chunks(SPAN).peekable();
     let Some(first) = spans.next() else { return (None, 0) };
     let mut watch = Watch::new(first, watching);
-    let mut others: Vec<Watch> = (0..workers).map(|_| watch.unwatched()).collect();
     let mut powers = watch.add(first);
-    for (number, span) in spans.enumerate() {
-        for (powers, more) in powers.iter_mut().zip(others[number % workers].add(span)) {
-            powers.add(&more);
+    let mut others: Vec<Watch> = (0..workers).map(|_| watch.unwatched()).collect();
+    let mut done = 1;
+    while spans.peek().is_some() {
+        for (number, span) in spans.by_ref().take(4 * done).enumerate() {
+            for (powers, more) in powers.iter_mut().zip(others[number % workers].add(span)) {
+                powers.add(&more);
+            }
+        }
+        done *= 5;
+        if spans.peek().is_some() {
+            watch.narrow(&mut others);
         }
     }
-    others.push(watch);
     let all = [Powers::of_all(&powers)];
-    let mut passes = Passes::new(Watched::by(others), if is_replicated { &powers } else { &all }, most);
+    let mut passes =
+        Passes::new(Watched::by(watch, others), if is_replicated { &powers } else { &all }, most);
     let mut count = 0;
     while !passes.are_done() {
         // Whole rows of replicates.

@@ -1,13 +1,14 @@
 //! Some of the values of a column in their order, by one pass over it.
 //!
 //! The first span tells about where each quantile lies, and how far from there the quantile of all values
-//! may be. What lies in this window is taken out; of the rest it is only counted how much lies below. As more
-//! is known, the windows are narrowed. In the end the values at the wanted places are sought among the few
-//! that were taken out. A window that was predicted wrong, or that holds too many values, is seen by its
-//! counts: then [`Order`](super::order::Order) has to find the place by further passes.
+//! may be. What lies in this window is taken out; of the rest it is only counted how much lies below. Each
+//! thread watches the spans that it does. Now and then the windows of all of them are narrowed, alike, by what
+//! they have seen together. In the end the values at the wanted places are sought among the few that were
+//! taken out. A window that was predicted wrong, or that holds too many values, is seen by its counts: then
+//! [`Order`](super::order::Order) has to find the place by further passes.
 
 use std::ops::Range;
-use std::slice;
+use std::{iter, mem, slice};
 
 use fearless_simd::dispatch;
 
@@ -44,11 +45,6 @@ impl Caution {
     pub(crate) const USUAL: Self = Self { deviations: 5.0, roots: 64.0, few: 1 << 15 };
 }
 
-/// Windows are narrowed when so many values have come, and again whenever they are as many times more: at
-/// first it saves more than it costs only now and then, and with many values it keeps memory small.
-const NARROWED: u64 = 1 << 14;
-const OFTEN: u64 = 1 << 20;
-
 /// The probabilities of the quantiles, in ascending order.
 const SHARES: [f64; QUANTILES] = [0.005, 0.025, 0.05, 0.25, 0.5, 0.75, 0.95, 0.975, 0.995];
 
@@ -63,7 +59,6 @@ pub(crate) struct Watch {
     pub(super) windows: Vec<Window>,
     open: Open,
     seen: u64,
-    narrowed_at: u64,
 }
 
 /// A span while its blocks come.
@@ -131,10 +126,10 @@ impl Watch {
         let centre = pilot.iter().zip(&of_pilot).find(|(_, cell)| bucket(**cell) == middle);
         let (centre, seen) = (centre.map_or(0.0, |(value, _)| *value), u64::from(seen));
         let (windows, open) = (Vec::new(), Open::new(&[]));
-        let mut watch = Self { of, cells, centre, windows, open, seen, narrowed_at: NARROWED };
+        let mut watch = Self { of, cells, centre, windows, open, seen };
         let last = seen as f64 - 1.0;
         let windows = (0..QUANTILES).map(|share| {
-            let [from, to] = watch.reach(SHARES[share]);
+            let [from, to] = of.reach(SHARES[share], seen);
             let low = if from > 0.0 { first_cell(bucket_at(from)) } else { 0 };
             let high = if to < last { last_cell(bucket_at(to)) } else { LAST };
             (share, [low, high])
@@ -145,8 +140,8 @@ impl Watch {
         watch
     }
 
-    /// The same before the first span, with room for about as many values as will be taken out: lists that
-    /// grow would leave much memory behind.
+    /// One with the same windows that has seen nothing yet, and has room for about as many values as will be
+    /// taken out: lists that grow would leave much memory behind.
     pub(crate) fn unwatched(&self) -> Self {
         let window = |window: &Window| Window::new(window.shares.clone(), window.cells).with_room(&self.of);
         let windows: Vec<_> = self.windows.iter().map(window).collect();
@@ -189,9 +184,6 @@ impl Watch {
             }
         }
         self.seen += powers.iter().map(|powers| powers.count).sum::<u64>();
-        if self.seen >= self.narrowed_at {
-            self.narrow();
-        }
         self.open = Open::new(&self.windows);
         powers
     }
@@ -230,40 +222,57 @@ impl Watch {
         }
     }
 
+    /// Leaves of each window what may hold a quantile of all values, by what this one and others have seen
+    /// together. They have the same windows, before and after it.
+    pub(crate) fn narrow<'a>(&'a mut self, others: impl IntoIterator<Item = &'a mut Self>) {
+        let Self { of, cells, .. } = *self;
+        let mut watches: Vec<&mut Self> = iter::once(self).chain(others).collect();
+        let seen = watches.iter().map(|watch| watch.seen).sum();
+        let reaches = SHARES.map(|share| of.reach(share, seen));
+        let mut waiting: Vec<_> =
+            watches.iter_mut().map(|watch| mem::take(&mut watch.windows).into_iter()).collect();
+        loop {
+            let windows: Vec<Window> = waiting.iter_mut().filter_map(Iterator::next).collect();
+            let Some(Window { shares, .. }) = windows.first() else { break };
+            let is_lost = windows.iter().any(|window| window.is_lost);
+            let parts = if is_lost {
+                Vec::new()
+            } else {
+                let ends = Ends::of(&windows, &cells, PARTS);
+                apart(shares.clone().map(|share| (share, ends.cells_between(reaches[share])))).collect()
+            };
+            for (number, (watch, mut window)) in watches.iter_mut().zip(windows).enumerate() {
+                if is_lost {
+                    window.lose();
+                    watch.windows.push(window);
+                    continue;
+                }
+                for part in window.parted(&parts, &cells) {
+                    // The others go on.
+                    watch.windows.push(if number == 0 { part } else { part.with_room(&of) });
+                }
+            }
+        }
+        for watch in watches {
+            watch.open = Open::new(&watch.windows);
+        }
+    }
+}
+
+impl Watching {
     /// The first and the last place among the values seen between which this quantile of all values lies,
     /// with the places about it that its standard error wants.
-    fn reach(&self, share: f64) -> [f64; 2] {
-        let (seen, planned) = (self.seen as f64, self.of.planned as f64);
+    fn reach(&self, share: f64, seen: u64) -> [f64; 2] {
+        let (seen, planned) = (seen as f64, self.planned as f64);
         let left = (1.0 - seen / planned).max(0.0);
         // √(p(1 − p))
         let deviation = (share * (1.0 - share)).sqrt();
         let beside = 2.0 * deviation / planned.sqrt() + 2.0 / planned;
-        let far = self.of.caution.deviations;
+        let far = self.caution.deviations;
         // z √(s p(1 − p)(1 − s/n)), and some more for those that lie few beyond a quantile, whose number is
         // not normally distributed.
         let margin = far * deviation * (seen * left).sqrt() + 0.5 * far * far * left + 1.0;
         [seen * (share - beside) - margin, seen * (share + beside) + margin]
-    }
-
-    #[cold]
-    #[inline(never)]
-    fn narrow(&mut self) {
-        self.narrowed_at = self.seen * if self.seen < OFTEN { 4 } else { 2 };
-        let reaches = SHARES.map(|share| self.reach(share));
-        let mut narrowed = Vec::with_capacity(QUANTILES);
-        for window in std::mem::take(&mut self.windows) {
-            if window.is_lost {
-                narrowed.push(window);
-                continue;
-            }
-            let ends = Ends::of(&[&window], &self.cells, window.cells, 0);
-            let cells = |share: usize| (share, ends.cells_between(reaches[share]));
-            let parts: Vec<_> = apart(window.shares.clone().map(cells)).collect();
-            for part in window.parted(&parts, &self.cells) {
-                narrowed.push(part.with_room(&self.of));
-            }
-        }
-        self.windows = narrowed;
     }
 }
 
@@ -416,30 +425,27 @@ pub(super) struct Ends {
 }
 
 impl Ends {
-    /// Of windows that have these cells, and perhaps others.
-    pub(super) fn of(windows: &[&Window], cells: &Cells, between: [i16; 2], shift: u32) -> Self {
-        let [low, high] = between;
-        let mut ends = Self { cells: between, shift, first: 0, of_parts: Vec::new() };
-        // Below the first part, each part, and above the last one.
-        let parts = usize::from((high - low).unsigned_abs() >> shift) + 1;
-        let mut counts = vec![0; parts + 2];
-        let mut note = |cell: i16, alike: usize| {
-            let place = if cell < low { 0 } else { ends.part(cell) + 1 };
-            let place = if cell > high { parts + 1 } else { place };
-            counts[place] += alike;
-        };
+    /// Of windows that have the same cells, in so many parts or less than twice as many, unless there are
+    /// fewer cells.
+    pub(super) fn of(windows: &[Window], cells: &Cells, parts: usize) -> Self {
+        let [low, high] = windows.first().map_or([0, LAST], |window| window.cells);
+        let width = (high - low).unsigned_abs();
+        let shift = ((usize::from(width) + 1) / parts).max(1).ilog2();
+        let mut ends = Self { cells: [low, high], shift, first: 0, of_parts: Vec::new() };
+        let mut counts = vec![0; usize::from(width >> shift) + 1];
         for window in windows {
-            cells.of_all(&window.taken).iter().for_each(|cell| note(*cell, 1));
-            window.clump.iter().for_each(|clump| note(cells.cell(clump.value), clump.count()));
+            cells.of_all(&window.taken).into_iter().for_each(|cell| counts[ends.part(cell)] += 1);
+            let clump = window.clump.iter();
+            clump.for_each(|clump| counts[ends.part(cells.cell(clump.value))] += clump.count());
         }
         let counted: u64 = windows.iter().flat_map(|window| window.below).sum();
-        ends.first = usize::try_from(counted).unwrap_or(usize::MAX) + counts[0];
+        ends.first = usize::try_from(counted).unwrap_or(usize::MAX);
         let mut end = ends.first;
-        ends.of_parts = counts[1..=parts].to_vec();
-        for count in &mut ends.of_parts {
+        for count in &mut counts {
             end += *count;
             *count = end;
         }
+        ends.of_parts = counts;
         ends
     }
 
@@ -453,14 +459,17 @@ impl Ends {
         self.of_parts.last().map_or(self.first, |end| *end)
     }
 
-    /// The cells between the places `from` and `to`, as far as they are here, where each cell is a part.
+    /// The cells of the parts between the places `from` and `to`, as far as they are here.
     fn cells_between(&self, [from, to]: [f64; 2]) -> [i16; 2] {
-        let at = |place: f64| {
-            let inside = self.of_parts.partition_point(|end| *end as f64 <= place);
-            self.cells[0] + i16::try_from(inside.min(self.of_parts.len() - 1)).unwrap_or(0)
+        let [first, last] = self.cells;
+        let at = |cell: usize| i16::try_from(cell).unwrap_or(last).min(last);
+        // The first cell of the part that holds a place, or of one after it.
+        let begin = |place: f64, after: usize| {
+            let part = self.of_parts.partition_point(|end| *end as f64 <= place) + after;
+            usize::from(first.unsigned_abs()) + (part << self.shift)
         };
-        let low = if from > self.first as f64 { at(from) } else { self.cells[0] };
-        let high = if to < self.last() as f64 - 1.0 { at(to) } else { self.cells[1] };
+        let low = if from > self.first as f64 { at(begin(from, 0)) } else { first };
+        let high = if to < self.last() as f64 - 1.0 { at(begin(to, 1) - 1) } else { last };
         [low, high]
     }
 }
@@ -468,7 +477,7 @@ impl Ends {
 /// Windows that overlap become one. Shares and cells ascend.
 fn apart(windows: impl Iterator<Item = (usize, [i16; 2])>) -> impl Iterator<Item = (Range<usize>, [i16; 2])> {
     let mut windows = windows.peekable();
-    std::iter::from_fn(move || {
+    iter::from_fn(move || {
         let (share, [low, mut high]) = windows.next()?;
         let mut shares = share..share + 1;
         while let Some((share, [_, next])) = windows.next_if(|(_, [low, _])| *low <= high) {
@@ -492,6 +501,9 @@ const MISSING: i16 = i16::MAX;
 
 /// Below all cells.
 const NOWHERE: i16 = i16::MIN;
+
+/// Parts of a window in which its values are counted before it is narrowed: a few hundred values decide.
+const PARTS: usize = 1 << 10;
 
 /// Cells that are counted together.
 const TOGETHER: u32 = 4;
@@ -601,8 +613,11 @@ mod tests {
         };
         let mut watch = Watch::new(&column[..SPAN], watching);
         assert!(watch.windows.len() < SHARES.len());
-        for span in column.chunks(SPAN) {
+        for (number, span) in (1_usize..).zip(column.chunks(SPAN)) {
             watch.add(span);
+            if number.is_power_of_two() && number.ilog2() % 2 == 0 {
+                watch.narrow([]);
+            }
         }
         assert_eq!(watch.windows.len(), SHARES.len());
         let taken: usize = watch.windows.iter().map(|window| window.taken.len()).sum();
