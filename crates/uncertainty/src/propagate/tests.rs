@@ -1,4 +1,5 @@
 use std::ops::ControlFlow;
+use std::sync::atomic::{AtomicUsize, Ordering};
 
 use super::{Limits, Propagation, propagate, propagate_by};
 use crate::distribution::Distribution;
@@ -181,4 +182,35 @@ fn nothing_but_the_first_samples_is_kept() {
     let run = again(&settings, &FEW);
     assert_eq!((run.reasons().len(), run.columns()[0].len(), run.is_kept()), (4096, 4096, false));
     assert_eq!(run.summaries()[0].unwrap().samples, run.succeeded());
+}
+
+/// One output, its input, and how many blocks were evaluated.
+struct Counted(AtomicUsize);
+
+impl Model for Counted {
+    fn outputs(&self) -> usize {
+        1
+    }
+
+    #[inline(always)]
+    fn evaluate(&self, _: Instructions, inputs: &[Lanes], outputs: &mut [Lanes], reasons: &mut [u8; LANES]) {
+        self.0.fetch_add(1, Ordering::Relaxed);
+        outputs[0] = inputs[0];
+        reasons.fill(SUCCEEDED);
+    }
+}
+
+/// By the first span alone, the window of the median of 400,000 samples would hold 8 % of them:
+/// 10 √(0.25/4096). After 25 spans, a quarter of all, it holds 10 √(0.25·0.75/102,400), 1.4 %, and few more
+/// were taken before. So 12,000 are enough for any window, and nothing is drawn again.
+#[test]
+fn windows_are_narrowed_while_a_run_goes_on() {
+    let few = Limits { caution: Caution { roots: 0.0, few: 12_000, ..Caution::USUAL }, ..Limits::USUAL };
+    let mut settings = Settings::new(SamplingMethod::MonteCarlo, 400_000, 6);
+    (settings.columns, settings.classes) = (0, &[]);
+    let model = Counted(AtomicUsize::new(0));
+    let on = &mut |_: usize, _: usize| ControlFlow::Continue(());
+    let run = propagate_by(&model, &inputs()[1..], &settings, on, &few).unwrap();
+    assert!(run.summaries()[0].is_some());
+    assert_eq!(model.0.into_inner(), 400_000 / LANES);
 }

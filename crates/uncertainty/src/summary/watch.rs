@@ -425,8 +425,8 @@ pub(super) struct Ends {
 }
 
 impl Ends {
-    /// Of windows that have the same cells, in so many parts or less than twice as many, unless there are
-    /// fewer cells.
+    /// Of windows that have the same cells, in so many parts or up to twice as many, unless there are fewer
+    /// cells.
     pub(super) fn of(windows: &[Window], cells: &Cells, parts: usize) -> Self {
         let [low, high] = windows.first().map_or([0, LAST], |window| window.cells);
         let width = (high - low).unsigned_abs();
@@ -588,7 +588,9 @@ impl Cells {
 
 #[cfg(test)]
 mod tests {
-    use super::{Caution, SHARES, Watch, Watching};
+    use std::slice;
+
+    use super::{Caution, Cells, Ends, LAST, PARTS, SHARES, Watch, Watching, Window};
     use crate::random::{bits, unit};
     use crate::run::Instructions;
     use crate::summary::{PROBABILITIES, SPAN};
@@ -622,5 +624,29 @@ mod tests {
         assert_eq!(watch.windows.len(), SHARES.len());
         let taken: usize = watch.windows.iter().map(|window| window.taken.len()).sum();
         assert!((20_000..100_000).contains(&taken), "{taken}");
+    }
+
+    /// Of a window that holds all values: from the first cell of the part with the value at one place to the
+    /// last cell of that with the value at another.
+    #[test]
+    fn cells_reach_from_place_to_place() {
+        let column: Vec<f64> = (0..3000).map(|index| unit(bits(8, index))).collect();
+        let mut sorted = column.clone();
+        sorted.sort_unstable_by(f64::total_cmp);
+        let cells = Cells::of(&column, Instructions::best());
+        let window = Window { taken: column, ..Window::new(0..SHARES.len(), [0, LAST]) };
+        for parts in [64, PARTS, 1 << 15] {
+            let ends = Ends::of(slice::from_ref(&window), &cells, parts);
+            assert!(
+                (parts.min(usize::from(LAST.unsigned_abs()) + 1)..=2 * parts).contains(&ends.of_parts.len())
+            );
+            for [from, to] in [[0, 0], [5, 9], [100, 180], [1490, 1515], [2960, 2998], [7, 2999]] {
+                let [low, high] = ends.cells_between([from, to].map(f64::from));
+                let part = |place: i32| ends.part(cells.cell(sorted[usize::try_from(place).unwrap()]));
+                assert_eq!([ends.part(low), ends.part(high)], [part(from), part(to)], "{from}, {to}");
+                assert!(low == 0 || ends.part(low - 1) < ends.part(low));
+                assert!(high == LAST || ends.part(high + 1) > ends.part(high));
+            }
+        }
     }
 }
