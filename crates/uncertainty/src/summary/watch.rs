@@ -2,10 +2,10 @@
 //!
 //! The first span tells about where each quantile lies, and how far from there the quantile of all values
 //! may be. What lies in this window is taken out; of the rest it is only counted how much lies below. Each
-//! thread watches the spans that it does. Now and then the windows of all of them are narrowed, alike, by what
-//! they have seen together. In the end the values at the wanted places are sought among the few that were
-//! taken out. A window that was predicted wrong, or that holds too many values, is seen by its counts: then
-//! [`Order`](super::order::Order) has to find the place by further passes.
+//! thread watches the spans that it does. Now and then the windows of all threads are narrowed, alike, by
+//! what they have seen together. In the end the values at the wanted places are sought among the few that
+//! were taken out. A window that was predicted wrong, or that holds too many values, is seen by its counts:
+//! then [`Order`](super::order::Order) has to find the place by further passes.
 
 use std::ops::Range;
 use std::{iter, mem, slice};
