@@ -339,7 +339,7 @@ fn report_uncertainty(arguments: UncertaintyArguments) -> Result<()> {
             let name = output.output.path();
             let plots = [
                 ("tornado", report::tornado(&file.case, &uncertainty, place, units)),
-                ("histogram", report::histogram(&file.case, &uncertainty, place, units)),
+                ("histogram", pool.install(|| report::histogram(&file.case, &uncertainty, place, units))),
             ];
             for (plot, drawing) in plots {
                 if let Some(drawing) = drawing {

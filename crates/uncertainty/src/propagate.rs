@@ -165,6 +165,9 @@ struct Run<'a, M> {
     kept: usize,
 }
 
+/// Samples of the first span that a thread takes at a time.
+const SMALL: usize = SPAN / 8;
+
 /// What a run has before its first span, and what it finds.
 struct Begun {
     first: Samples,
@@ -242,8 +245,7 @@ impl<M: Model> Run<'_, M> {
         let Limits { caution, .. } = *self.limits;
         let (instructions, is_replicated) = (self.settings.instructions, self.is_replicated());
         let watching = Watching { planned, is_replicated, instructions, caution };
-        let columns: Vec<_> = first.columns.iter().collect();
-        let watched = for_each(&columns, |column| {
+        let watched = for_each(first.columns.iter(), |column| {
             let mut watch = Watch::new(column, watching);
             let powers = watch.add(column);
             (watch, powers)
@@ -449,8 +451,12 @@ struct Worker {
     watches: Vec<Watch>,
 }
 
-/// Samples of the first span that a thread takes at a time.
-const SMALL: usize = SPAN / 8;
+impl Worker {
+    fn new(model: &impl Model, sampler: &Sampler<'_>, watches: &[Watch]) -> Self {
+        let watches = watches.iter().map(Watch::unwatched).collect();
+        Self { block: Block::new(model, sampler), reasons: vec![SUCCEEDED; SPAN], watches }
+    }
+}
 
 /// A block of samples.
 struct Block {
@@ -462,13 +468,6 @@ impl Block {
     fn new<M: Model>(model: &M, sampler: &Sampler<'_>) -> Self {
         let (inputs, answers) = (sampler.inputs(), model.outputs());
         Self { inputs: vec![Lanes::ZERO; inputs], answers: vec![Lanes::ZERO; answers] }
-    }
-}
-
-impl Worker {
-    fn new(model: &impl Model, sampler: &Sampler<'_>, watches: &[Watch]) -> Self {
-        let watches = watches.iter().map(Watch::unwatched).collect();
-        Self { block: Block::new(model, sampler), reasons: vec![SUCCEEDED; SPAN], watches }
     }
 }
 
@@ -520,8 +519,7 @@ impl Part<'_, '_> {
         let Self { first_block, mut outputs, watches, reasons: codes } = self;
         let Block { inputs, answers } = block;
         let mut reasons = [SUCCEEDED; LANES];
-        let mut failures = Failures::new();
-        let mut tallies = vec![0; model.tallies()];
+        let mut totals = Totals::of(model);
         for ((start, codes), block) in (0..).step_by(LANES).zip(codes.chunks_mut(LANES)).zip(first_block..) {
             sampler.evaluate(model, block, inputs, answers, &mut reasons);
             let count = codes.len();
@@ -533,10 +531,11 @@ impl Part<'_, '_> {
             }
             Watch::add_blocks(watches, answers);
             codes.copy_from_slice(&reasons[..count]);
-            count_failures(&mut failures, codes);
-            tally(sampler.instructions(), model, [inputs, answers], codes, &mut tallies);
+            count_failures(&mut totals.failures, codes);
+            tally(sampler.instructions(), model, [inputs, answers], codes, &mut totals.tallies);
         }
-        Totals { samples: codes.len(), failures, tallies }
+        totals.samples = codes.len();
+        totals
     }
 }
 
