@@ -6,10 +6,12 @@
 //! quantiles are their type 7, as in NumPy. M. G. Kendall and A. Stuart, *The Advanced Theory of Statistics*,
 //! volume 1, sections 10.5 and 14: standard errors of moments; order statistics.
 
+mod cells;
 mod histogram;
 mod order;
 mod passes;
 mod powers;
+mod taken;
 mod watch;
 mod watched;
 

@@ -75,13 +75,13 @@ impl Passes {
             return self.done([None; QUANTILES]);
         }
         let mut below = Below::new(self.quantiles);
-        for (twice, quantile) in below.twice.iter_mut().zip(self.quantiles) {
-            let Some(known) = self.order.watched().twice_below(quantile) else {
-                return Stage::Below(Box::new(Below::new(self.quantiles)));
-            };
-            *twice = known;
+        match self.order.watched().twice_below(&self.quantiles) {
+            Some(twice) => {
+                below.twice = twice;
+                self.after_below(&below)
+            }
+            None => Stage::Below(Box::new(below)),
         }
-        self.after_below(&below)
     }
 
     fn after_below(&mut self, below: &Below) -> Stage {

@@ -8,13 +8,14 @@
 //! then [`Order`](super::order::Order) has to find the place by further passes.
 
 use std::ops::Range;
-use std::{iter, mem, slice};
+use std::{iter, slice};
 
 use fearless_simd::dispatch;
 
 use super::QUANTILES;
-use super::order::{key, value_of};
+use super::cells::{BUCKETS, Cells, LAST, MISSING, NOWHERE, bucket, first_cell, last_cell};
 use super::powers::{Powers, Sums};
+use super::taken::{Ends, Ranges, Taken};
 use crate::limits::REPLICATES;
 use crate::model::{LANES, Lanes};
 use crate::run::Instructions;
@@ -28,6 +29,9 @@ pub(crate) struct Watching {
     pub(crate) instructions: Instructions,
     pub(crate) caution: Caution,
 }
+
+/// Two to this power of the cells are counted together where windows are narrowed: so few counts stay near.
+const COARSE: u32 = 2;
 
 /// How surely a quantile is in its window, and what that may cost.
 #[derive(Clone, Copy, Debug)]
@@ -57,6 +61,9 @@ pub(crate) struct Watch {
     pub(super) centre: f64,
     /// In ascending order.
     pub(super) windows: Vec<Window>,
+    /// The values inside them, and how many of these there may be before windows are looked at one by one.
+    pub(super) taken: Taken,
+    many: usize,
     open: Open,
     seen: u64,
 }
@@ -90,10 +97,7 @@ pub(super) struct Window {
     pub(super) cells: [i16; 2],
     /// Values below the first cell, of each replicate.
     pub(super) below: [u64; REPLICATES],
-    /// Values inside, and the replicate of each, where there are replicates.
-    pub(super) taken: Vec<f64>,
-    pub(super) replicates: Vec<u8>,
-    /// And those which are all the same.
+    /// Values inside which are all the same, and are not taken out.
     pub(super) clump: Option<Clump>,
     /// Too many values were inside.
     pub(super) is_lost: bool,
@@ -125,8 +129,6 @@ impl Watch {
         let middle = bucket_at(0.5 * f64::from(seen));
         let centre = pilot.iter().zip(&of_pilot).find(|(_, cell)| bucket(**cell) == middle);
         let (centre, seen) = (centre.map_or(0.0, |(value, _)| *value), u64::from(seen));
-        let (windows, open) = (Vec::new(), Open::new(&[]));
-        let mut watch = Self { of, cells, centre, windows, open, seen };
         let last = seen as f64 - 1.0;
         let windows = (0..QUANTILES).map(|share| {
             let [from, to] = of.reach(SHARES[share], seen);
@@ -134,19 +136,19 @@ impl Watch {
             let high = if to < last { last_cell(bucket_at(to)) } else { LAST };
             (share, [low, high])
         });
-        watch.windows = apart(windows).map(|(shares, cells)| Window::new(shares, cells)).collect();
-        watch.open = Open::new(&watch.windows);
-        watch.seen = 0;
-        watch
+        let windows: Vec<_> = apart(windows).map(|(shares, cells)| Window::new(shares, cells)).collect();
+        Self::unseen(of, cells, centre, windows)
     }
 
-    /// One with the same windows that has seen nothing yet, and has room for about as many values as will be
-    /// taken out: lists that grow would leave much memory behind.
+    /// One with the same windows that has seen nothing yet.
     pub(crate) fn unwatched(&self) -> Self {
-        let window = |window: &Window| Window::new(window.shares.clone(), window.cells).with_room(&self.of);
-        let windows: Vec<_> = self.windows.iter().map(window).collect();
-        let open = Open::new(&windows);
-        Self { windows, open, seen: 0, ..*self }
+        let window = |window: &Window| Window::new(window.shares.clone(), window.cells);
+        Self::unseen(self.of, self.cells, self.centre, self.windows.iter().map(window).collect())
+    }
+
+    fn unseen(of: Watching, cells: Cells, centre: f64, windows: Vec<Window>) -> Self {
+        let (taken, open) = (Taken::new(of.is_replicated, of.instructions), Open::new(&windows));
+        Self { of, cells, centre, windows, taken, many: of.most(), open, seen: 0 }
     }
 
     /// The samples of a span, NaN where they failed.
@@ -214,48 +216,119 @@ impl Watch {
         while noted != 0 {
             let lane = noted.trailing_zeros() as usize;
             noted &= noted - 1;
-            if let Some(window) =
-                self.windows.get_mut(usize::from(inside[lane].unsigned_abs()).wrapping_sub(1))
-            {
-                window.take(block[lane], lane % REPLICATES, &self.of);
+            let window = usize::from(inside[lane].unsigned_abs()) - 1;
+            self.take(window, block[lane], cells[lane], lane % REPLICATES);
+        }
+    }
+
+    #[inline]
+    fn take(&mut self, window: usize, value: f64, cell: i16, replicate: usize) {
+        if let Some(clump) = &mut self.windows[window].clump
+            && clump.value.to_bits() == value.to_bits()
+        {
+            clump.counts[replicate] += 1;
+            return;
+        }
+        if self.taken.is_full() {
+            self.make_place();
+        }
+        // Of a window that has just been lost, a few values may still come.
+        self.taken.push(value, cell, replicate);
+    }
+
+    #[cold]
+    fn make_place(&mut self) {
+        if self.taken.count() >= self.many {
+            self.thin_out();
+            self.many = self.many_from_here();
+        }
+        self.taken.make_place();
+    }
+
+    /// To look at all values takes time, so it waits until there are half as many again.
+    fn many_from_here(&self) -> usize {
+        let count = self.taken.count();
+        self.of.most().max(count + count / 2)
+    }
+
+    /// Where a window has too many values: if half of them are the same, these are counted from now on;
+    /// otherwise the window is lost.
+    fn thin_out(&mut self) {
+        let ranges = Ranges::of(&self.windows);
+        let mut of_windows = vec![0; self.windows.len()];
+        for window in self.taken.iter().filter_map(|(_, cell, _)| ranges.number(cell)) {
+            of_windows[window] += 1;
+        }
+        let most = self.of.most();
+        let crowded = (0..of_windows.len()).filter(|window| of_windows[*window] >= most);
+        for window in crowded.collect::<Vec<_>>() {
+            let of_window = self.taken.iter().filter(|(_, cell, _)| ranges.number(*cell) == Some(window));
+            let mut values: Vec<f64> = of_window.map(|(value, _, _)| value).collect();
+            let middle = values.len() / 2;
+            let value = *values.select_nth_unstable_by(middle, f64::total_cmp).1;
+            let is_alike = |other: f64| other.to_bits() == value.to_bits();
+            let alike = values.iter().filter(|value| is_alike(**value)).count();
+            let own = &mut self.windows[window];
+            if own.clump.is_some() || alike < middle {
+                (own.clump, own.is_lost) = (None, true);
+                self.open.ranges[window] = [NOWHERE; 2];
+                self.taken.retain(&ranges, |_, _, of| of != window);
+                continue;
             }
+            let mut counts = [0; REPLICATES];
+            self.taken.retain(&ranges, |value, replicate, of| {
+                let goes = of == window && is_alike(value);
+                counts[replicate] += u64::from(goes);
+                !goes
+            });
+            own.clump = Some(Clump { value, counts });
         }
     }
 
     /// Leaves of each window what may hold a quantile of all values, by what this one and others have seen
     /// together. They have the same windows, before and after it.
     pub(crate) fn narrow<'a>(&'a mut self, others: impl IntoIterator<Item = &'a mut Self>) {
-        let Self { of, cells, .. } = *self;
-        let mut watches: Vec<&mut Self> = iter::once(self).chain(others).collect();
+        let of = self.of;
+        let watches: Vec<&mut Self> = iter::once(self).chain(others).collect();
         let seen = watches.iter().map(|watch| watch.seen).sum();
         let reaches = SHARES.map(|share| of.reach(share, seen));
-        let mut waiting: Vec<_> =
-            watches.iter_mut().map(|watch| mem::take(&mut watch.windows).into_iter()).collect();
-        loop {
-            let windows: Vec<Window> = waiting.iter_mut().filter_map(Iterator::next).collect();
-            let Some(Window { shares, .. }) = windows.first() else { break };
-            let is_lost = windows.iter().any(|window| window.is_lost);
-            let parts = if is_lost {
-                Vec::new()
-            } else {
-                let ends = Ends::of(&windows, &cells, PARTS);
-                apart(shares.clone().map(|share| (share, ends.cells_between(reaches[share])))).collect()
-            };
-            for (number, (watch, mut window)) in watches.iter_mut().zip(windows).enumerate() {
-                if is_lost {
-                    window.lose();
-                    watch.windows.push(window);
-                    continue;
-                }
-                for part in window.parted(&parts, &cells) {
-                    // The others go on.
-                    watch.windows.push(if number == 0 { part } else { part.with_room(&of) });
-                }
+        let ends = Ends::of(watches.iter().map(|watch| &**watch), COARSE);
+        let parts_of = |window: usize| {
+            if watches.iter().any(|watch| watch.windows[window].is_lost) {
+                return Vec::new();
+            }
+            let shares = watches[0].windows[window].shares.clone();
+            apart(shares.map(|share| (share, ends.cells_between(window, reaches[share])))).collect()
+        };
+        let parts: Vec<_> = ends.windows().map(parts_of).collect();
+        for watch in watches {
+            watch.leave(&parts);
+        }
+    }
+
+    /// Leaves these parts of each window, which ascend. A window without parts is lost.
+    fn leave(&mut self, parts: &[Vec<(Range<usize>, [i16; 2])>]) {
+        let mut windows = Vec::new();
+        for (window, parts) in self.windows.iter().zip(parts) {
+            let part = |(shares, part): &(_, _)| window.part(Range::clone(shares), *part, &self.cells);
+            windows.extend(parts.iter().map(part));
+            if parts.is_empty() {
+                let lost = Window::new(window.shares.clone(), window.cells);
+                windows.push(Window { is_lost: true, ..lost });
             }
         }
-        for watch in watches {
-            watch.open = Open::new(&watch.windows);
+        let [old, new] = [&self.windows, &windows].map(Ranges::of);
+        let begun = self.taken.leave(&old, &new);
+        let mut new = windows.iter_mut().enumerate();
+        for (begun, parts) in begun.iter().skip(1).zip(parts) {
+            for (place, window) in new.by_ref().take(parts.len().max(1)) {
+                // A value lies below those that have not begun at its cell.
+                begun[..=place].iter().for_each(|counts| window.add_below(counts));
+            }
         }
+        self.open = Open::new(&windows);
+        self.windows = windows;
+        self.many = self.many_from_here();
     }
 }
 
@@ -274,203 +347,39 @@ impl Watching {
         let margin = far * deviation * (seen * left).sqrt() + 0.5 * far * far * left + 1.0;
         [seen * (share - beside) - margin, seen * (share + beside) + margin]
     }
+
+    /// Values that may be taken out of one window.
+    fn most(&self) -> usize {
+        let Caution { roots, few, .. } = self.caution;
+        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a positive number")]
+        let most = ((self.planned as f64).sqrt() * roots) as usize;
+        most.max(few)
+    }
 }
 
 impl Window {
     fn new(shares: Range<usize>, cells: [i16; 2]) -> Self {
-        let (taken, replicates) = (Vec::new(), Vec::new());
-        Self { shares, cells, below: [0; REPLICATES], taken, replicates, clump: None, is_lost: false }
+        Self { shares, cells, below: [0; REPLICATES], clump: None, is_lost: false }
     }
 
-    /// With room for about as many values as are to be taken out: lists that grow would leave much memory
-    /// behind.
-    fn with_room(mut self, of: &Watching) -> Self {
-        // Half as many again as a window holds that was narrowed after a quarter of all values: there it is
-        // 2 z √(p(1 − p)/(n/4)) of them.
-        let deviations = self.shares.clone().map(|share| (SHARES[share] * (1.0 - SHARES[share])).sqrt());
-        let room = 6.0 * of.caution.deviations * deviations.sum::<f64>() * (of.planned as f64).sqrt();
-        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a positive number")]
-        let room = (room as usize).min(of.planned);
-        self.taken.reserve(room.saturating_sub(self.taken.len()));
-        if of.is_replicated {
-            self.replicates.reserve(room.saturating_sub(self.replicates.len()));
-        }
-        self
-    }
-
-    #[inline]
-    fn take(&mut self, value: f64, replicate: usize, of: &Watching) {
-        if let Some(clump) = &mut self.clump
-            && clump.value.to_bits() == value.to_bits()
-        {
-            clump.counts[replicate] += 1;
-            return;
-        }
-        if self.taken.len() == self.taken.capacity() && self.taken.len() >= of.caution.few {
-            self.make_room(of);
-        }
-        if !self.is_lost {
-            self.taken.push(value);
-            if of.is_replicated {
-                #[expect(clippy::cast_possible_truncation, reason = "below 16")]
-                self.replicates.push(replicate as u8);
-            }
-        }
-    }
-
-    /// Where there are many values: if half of them are the same, these are counted from now on; otherwise
-    /// the window is lost where there are too many.
-    #[cold]
-    fn make_room(&mut self, of: &Watching) {
-        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a positive number")]
-        let most = ((of.planned as f64).sqrt() * of.caution.roots) as usize;
-        if self.taken.len() < most.max(of.caution.few) {
-            return;
-        }
-        let mut sorted = self.taken.clone();
-        let (_, middle, _) = sorted.select_nth_unstable_by(self.taken.len() / 2, f64::total_cmp);
-        let value = *middle;
-        let is_alike = |other: f64| other.to_bits() == value.to_bits();
-        let alike: Vec<bool> = self.taken.iter().map(|taken| is_alike(*taken)).collect();
-        let count = alike.iter().filter(|is_alike| **is_alike).count();
-        if self.clump.is_some() || count < self.taken.len() / 2 {
-            self.lose();
-            return;
-        }
-        let mut clump = Clump { value, counts: [0; REPLICATES] };
-        self.retain(&alike, |is_alike, replicate| {
-            clump.counts[replicate] += u64::from(is_alike);
-            !is_alike
-        });
-        self.clump = Some(clump);
-    }
-
-    fn lose(&mut self) {
-        (self.taken, self.replicates, self.clump, self.is_lost) = (Vec::new(), Vec::new(), None, true);
-    }
-
-    /// Leaves those of the values taken out that are to stay, by what is known of each and its replicate. By
-    /// Monte Carlo all have one replicate.
-    fn retain<T: Copy>(&mut self, of_values: &[T], mut stays: impl FnMut(T, usize) -> bool) {
-        // Moved in any case, as which of them stay cannot be predicted.
-        let mut left = 0;
-        for (place, of_value) in of_values.iter().enumerate() {
-            let value = self.taken[place];
-            let replicate = self.replicates.get(place).copied().unwrap_or(0);
-            self.taken[left] = value;
-            if let Some(own) = self.replicates.get_mut(left) {
-                *own = replicate;
-            }
-            left += usize::from(stays(*of_value, usize::from(replicate) % REPLICATES));
-        }
-        self.taken.truncate(left);
-        self.replicates.truncate(left);
-    }
-
-    /// Leaves these cells.
-    fn restrict(&mut self, cells: &Cells, [low, high]: [i16; 2]) {
-        if self.cells == [low, high] {
-            return;
-        }
-        let mut below = self.below;
-        let of_taken = cells.of_all(&self.taken);
-        self.retain(&of_taken, |cell, replicate| {
-            below[replicate] += u64::from(cell < low);
-            (low <= cell) & (cell <= high)
-        });
-        if let Some(clump) = self.clump.take() {
+    /// Some of its cells. What was taken out below is still to be counted.
+    fn part(&self, shares: Range<usize>, [low, high]: [i16; 2], cells: &Cells) -> Self {
+        let mut part = Self { below: self.below, ..Self::new(shares, [low, high]) };
+        if let Some(clump) = &self.clump {
             let cell = cells.cell(clump.value);
             if cell < low {
-                for (below, count) in below.iter_mut().zip(clump.counts) {
-                    *below += count;
-                }
+                part.add_below(&clump.counts);
             } else if cell <= high {
-                self.clump = Some(clump);
+                part.clump = Some(clump.clone());
             }
         }
-        (self.below, self.cells) = (below, [low, high]);
-    }
-
-    fn restricted(&self, cells: &Cells, parts: [i16; 2]) -> Self {
-        let mut part = self.clone();
-        part.restrict(cells, parts);
         part
     }
 
-    /// A window for each of these parts.
-    fn parted(mut self, parts: &[(Range<usize>, [i16; 2])], cells: &Cells) -> Vec<Self> {
-        let Some(((shares, last), before)) = parts.split_last() else { return Vec::new() };
-        let part = |(shares, part): &(Range<usize>, [i16; 2])| Self {
-            shares: shares.clone(),
-            ..self.restricted(cells, *part)
-        };
-        let mut parted: Vec<Self> = before.iter().map(part).collect();
-        self.restrict(cells, *last);
-        self.shares = shares.clone();
-        parted.push(self);
-        parted
-    }
-}
-
-/// How the values inside some cells are spread over these.
-#[derive(Debug)]
-pub(super) struct Ends {
-    pub(super) cells: [i16; 2],
-    /// Two to this power of the cells are one part.
-    shift: u32,
-    /// How many values lie below the first cell.
-    pub(super) first: usize,
-    /// The place after the last value of each part.
-    pub(super) of_parts: Vec<usize>,
-}
-
-impl Ends {
-    /// Of windows that have the same cells, in so many parts or up to twice as many, unless there are fewer
-    /// cells.
-    pub(super) fn of(windows: &[Window], cells: &Cells, parts: usize) -> Self {
-        let [low, high] = windows.first().map_or([0, LAST], |window| window.cells);
-        let width = (high - low).unsigned_abs();
-        let shift = ((usize::from(width) + 1) / parts).max(1).ilog2();
-        let mut ends = Self { cells: [low, high], shift, first: 0, of_parts: Vec::new() };
-        let mut counts = vec![0; usize::from(width >> shift) + 1];
-        for window in windows {
-            cells.of_all(&window.taken).into_iter().for_each(|cell| counts[ends.part(cell)] += 1);
-            let clump = window.clump.iter();
-            clump.for_each(|clump| counts[ends.part(cells.cell(clump.value))] += clump.count());
+    fn add_below(&mut self, counts: &[u64; REPLICATES]) {
+        for (below, count) in self.below.iter_mut().zip(counts) {
+            *below += count;
         }
-        let counted: u64 = windows.iter().flat_map(|window| window.below).sum();
-        ends.first = usize::try_from(counted).unwrap_or(usize::MAX);
-        let mut end = ends.first;
-        for count in &mut counts {
-            end += *count;
-            *count = end;
-        }
-        ends.of_parts = counts;
-        ends
-    }
-
-    /// The part that a cell belongs to, which is not below the first one.
-    pub(super) fn part(&self, cell: i16) -> usize {
-        usize::from((cell - self.cells[0]).unsigned_abs() >> self.shift)
-    }
-
-    /// The place after the last of the values.
-    pub(super) fn last(&self) -> usize {
-        self.of_parts.last().map_or(self.first, |end| *end)
-    }
-
-    /// The cells of the parts between the places `from` and `to`, as far as they are here.
-    fn cells_between(&self, [from, to]: [f64; 2]) -> [i16; 2] {
-        let [first, last] = self.cells;
-        let at = |cell: usize| i16::try_from(cell).unwrap_or(last).min(last);
-        // The first cell of the part that holds a place, or of one after it.
-        let begin = |place: f64, after: usize| {
-            let part = self.of_parts.partition_point(|end| *end as f64 <= place) + after;
-            usize::from(first.unsigned_abs()) + (part << self.shift)
-        };
-        let low = if from > self.first as f64 { at(begin(from, 0)) } else { first };
-        let high = if to < self.last() as f64 - 1.0 { at(begin(to, 1) - 1) } else { last };
-        [low, high]
     }
 }
 
@@ -493,104 +402,11 @@ impl Clump {
     }
 }
 
-/// The last cell; the first one is 0.
-pub(super) const LAST: i16 = i16::MAX - 1;
-
-/// The cell of a sample that failed, beyond all windows.
-const MISSING: i16 = i16::MAX;
-
-/// Below all cells.
-const NOWHERE: i16 = i16::MIN;
-
-/// Parts of a window in which its values are counted before it is narrowed: a few hundred values decide.
-const PARTS: usize = 1 << 10;
-
-/// Cells that are counted together.
-const TOGETHER: u32 = 4;
-const BUCKETS: usize = 1 << (15 - TOGETHER);
-
-fn bucket(cell: i16) -> usize {
-    usize::from(cell.unsigned_abs()) >> TOGETHER
-}
-
-fn first_cell(bucket: usize) -> i16 {
-    i16::try_from(bucket << TOGETHER).unwrap_or(LAST)
-}
-
-fn last_cell(bucket: usize) -> i16 {
-    i16::try_from((bucket << TOGETHER) + (1 << TOGETHER) - 1).unwrap_or(LAST).min(LAST)
-}
-
-/// Equal parts of the range of some values. What lies beyond belongs to the outermost.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Cells {
-    least: f64,
-    per_unit: f64,
-    instructions: Instructions,
-}
-
-impl Cells {
-    fn of(values: &[f64], instructions: Instructions) -> Self {
-        let least = values.iter().copied().fold(f64::INFINITY, f64::min);
-        let greatest = values.iter().copied().fold(f64::NEG_INFINITY, f64::max);
-        let per_unit = f64::from(LAST) / (greatest - least);
-        // One cell for values that are all the same, or too near or too far apart for the quotient.
-        if per_unit.is_finite() && per_unit > 0.0 {
-            Self { least, per_unit, instructions }
-        } else {
-            Self { least: 0.0, per_unit: 0.0, instructions }
-        }
-    }
-
-    /// Never falls where the value rises.
-    #[inline(always)]
-    pub(super) fn cell(&self, value: f64) -> i16 {
-        // 2⁵²: its last bits are the rounded sum.
-        const TO_INTEGER: f64 = 4_503_599_627_370_496.0;
-        const GREATEST: f64 = LAST as f64;
-        let place = (value - self.least) * self.per_unit;
-        let place = if place < GREATEST { place } else { GREATEST };
-        let place = if place > 0.0 { place } else { 0.0 };
-        let bits = (place + TO_INTEGER).to_bits() ^ TO_INTEGER.to_bits();
-        #[expect(clippy::cast_possible_truncation, reason = "at most the last")]
-        let cell = bits as i16;
-        if value.is_nan() { MISSING } else { cell }
-    }
-
-    /// That of each value.
-    pub(super) fn of_all(&self, values: &[f64]) -> Vec<i16> {
-        let mut cells = vec![MISSING; values.len()];
-        dispatch!(self.instructions.level(), _simd => self.note(values, &mut cells));
-        cells
-    }
-
-    #[inline(always)]
-    fn note(&self, values: &[f64], cells: &mut [i16]) {
-        for (cell, value) in cells.iter_mut().zip(values) {
-            *cell = self.cell(*value);
-        }
-    }
-
-    /// The [`key`] of the least value in this cell or above it.
-    pub(super) fn key_of(&self, cell: i16) -> u64 {
-        let (mut low, mut high) = (key(f64::MIN), key(f64::MAX));
-        while low < high {
-            let middle = low + (high - low) / 2;
-            if self.cell(value_of(middle)) < cell {
-                low = middle + 1;
-            } else {
-                high = middle;
-            }
-        }
-        low
-    }
-}
-
 #[cfg(test)]
 mod tests {
-    use std::slice;
+    use std::iter;
 
-    use super::{Caution, Cells, Ends, LAST, PARTS, SHARES, Watch, Watching, Window};
+    use super::{COARSE, Caution, Ends, LAST, Open, SHARES, Watch, Watching, Window};
     use crate::random::{bits, unit};
     use crate::run::Instructions;
     use crate::summary::{PROBABILITIES, SPAN};
@@ -622,7 +438,7 @@ mod tests {
             }
         }
         assert_eq!(watch.windows.len(), SHARES.len());
-        let taken: usize = watch.windows.iter().map(|window| window.taken.len()).sum();
+        let taken = watch.taken.count();
         assert!((20_000..100_000).contains(&taken), "{taken}");
     }
 
@@ -633,20 +449,25 @@ mod tests {
         let column: Vec<f64> = (0..3000).map(|index| unit(bits(8, index))).collect();
         let mut sorted = column.clone();
         sorted.sort_unstable_by(f64::total_cmp);
-        let cells = Cells::of(&column, Instructions::best());
-        let window = Window { taken: column, ..Window::new(0..SHARES.len(), [0, LAST]) };
-        for parts in [64, PARTS, 1 << 15] {
-            let ends = Ends::of(slice::from_ref(&window), &cells, parts);
-            assert!(
-                (parts.min(usize::from(LAST.unsigned_abs()) + 1)..=2 * parts).contains(&ends.of_parts.len())
-            );
-            for [from, to] in [[0, 0], [5, 9], [100, 180], [1490, 1515], [2960, 2998], [7, 2999]] {
-                let [low, high] = ends.cells_between([from, to].map(f64::from));
-                let part = |place: i32| ends.part(cells.cell(sorted[usize::try_from(place).unwrap()]));
-                assert_eq!([ends.part(low), ends.part(high)], [part(from), part(to)], "{from}, {to}");
-                assert!(low == 0 || ends.part(low - 1) < ends.part(low));
-                assert!(high == LAST || ends.part(high + 1) > ends.part(high));
-            }
+        let watching = Watching {
+            planned: column.len(),
+            is_replicated: false,
+            instructions: Instructions::best(),
+            caution: Caution::USUAL,
+        };
+        let mut watch = Watch::new(&column, watching);
+        watch.windows = vec![Window::new(0..SHARES.len(), [0, LAST])];
+        watch.open = Open::new(&watch.windows);
+        watch.add(&column);
+        let cells = watch.cells;
+        let ends = Ends::of(iter::once(&watch), COARSE);
+        let part = |cell: i16| ends.part(cell);
+        let part_of = |place: i32| part(cells.cell(sorted[usize::try_from(place).unwrap()]));
+        for [from, to] in [[0, 0], [5, 9], [100, 180], [1490, 1515], [2960, 2998], [7, 2999]] {
+            let [low, high] = ends.cells_between(0, [from, to].map(f64::from));
+            assert_eq!([part(low), part(high)], [part_of(from), part_of(to)], "{from}, {to}");
+            assert!(low == 0 || part(low - 1) < part(low));
+            assert!(high == LAST || part(high + 1) > part(high));
         }
     }
 }

@@ -1,105 +1,134 @@
 //! What the windows of a column tell, whoever has watched which of its spans.
 
 use std::iter;
+use std::ops::Range;
 
+use super::QUANTILES;
+use super::cells::{Cells, LAST};
 use super::order::Bracket;
-use super::watch::{Cells, Ends, LAST, Watch, Window};
+use super::taken::{Ends, Ranges, Taken};
+use super::watch::{Clump, Watch};
 use crate::limits::REPLICATES;
 
 /// A column of which all spans have been watched.
 #[derive(Debug)]
 pub(crate) struct Watched {
     cells: Cells,
-    /// In ascending order.
+    /// Of which every watch has kept the values. In ascending order.
     held: Vec<Held>,
+    ranges: Ranges,
+    ends: Ends,
+    /// The values inside them, by each watch.
+    taken: Vec<Taken>,
     /// A value in the middle, from which deviations are counted.
     pub(super) centre: f64,
 }
 
-/// Cells of which every watch has kept the values.
-#[derive(Debug)]
-struct Held {
-    /// Of each watch.
-    windows: Vec<Window>,
-    ends: Ends,
+/// Two to this power of the cells are one part where places are found: the values of a few parts are sorted.
+const FINE: u32 = 1;
+
+/// Some places inside a window.
+struct Sought {
+    /// Which of all places.
+    inside: Range<usize>,
+    /// Of each, how many values come before it in the parts that hold a place.
+    among: Vec<usize>,
+    /// The values in these parts, each with how often it is there.
+    sorted: Vec<(f64, usize)>,
 }
 
-/// Parts of a window are as many as its values, at most, or so many.
-const FEW: usize = 64;
+/// A window, whoever has watched it.
+#[derive(Debug, Default)]
+struct Held {
+    /// Values below, of each replicate.
+    below: [u64; REPLICATES],
+    clumps: Vec<Clump>,
+}
 
 impl Watched {
     /// By watches that have the same windows.
     pub(crate) fn by(watch: Watch, others: impl IntoIterator<Item = Watch>) -> Self {
-        let Watch { cells, centre, windows, .. } = watch;
-        let mut others: Vec<_> = others.into_iter().map(|other| other.windows.into_iter()).collect();
-        let held = windows.into_iter().filter_map(|window| {
-            let windows: Vec<Window> =
-                iter::once(window).chain(others.iter_mut().filter_map(Iterator::next)).collect();
-            if windows.iter().any(|window| window.is_lost) {
-                return None;
+        let (cells, centre, windows) = (watch.cells, watch.centre, watch.windows.len());
+        let mut watches: Vec<Watch> = iter::once(watch).chain(others).collect();
+        let is_lost = |window: usize| watches.iter().any(|watch| watch.windows[window].is_lost);
+        let lost: Vec<bool> = (0..windows).map(is_lost).collect();
+        let mut held = Vec::new();
+        held.resize_with(lost.iter().filter(|is_lost| !**is_lost).count(), Held::default);
+        for watch in &mut watches {
+            let mut lost = lost.iter();
+            watch.windows.retain(|_| lost.next().is_some_and(|is_lost| !is_lost));
+            for (held, window) in held.iter_mut().zip(&watch.windows) {
+                for (below, count) in held.below.iter_mut().zip(window.below) {
+                    *below += count;
+                }
+                held.clumps.extend(window.clump.clone());
             }
-            let values: usize = windows.iter().map(|window| window.taken.len()).sum();
-            let ends = Ends::of(&windows, &cells, values.max(FEW));
-            Some(Held { windows, ends })
-        });
-        Self { cells, held: held.collect(), centre }
+        }
+        let ends = Ends::of(watches.iter(), FINE);
+        let ranges = Ranges::of(watches.iter().take(1).flat_map(|watch| &watch.windows));
+        let taken = watches.into_iter().map(|watch| watch.taken).collect();
+        Self { cells, held, ranges, ends, taken, centre }
     }
 
-    /// The values at places that ascend; `None` where they are not among those that were taken out.
+    /// The values at places that ascend; `None` where they are not among those that were taken out. Only the
+    /// parts that hold a place are put in order.
     pub(super) fn find(&self, places: &[usize]) -> Vec<Option<f64>> {
+        let before = |end: usize| places.partition_point(|place| *place < end);
+        let mut is_wanted = vec![false; self.ends.parts()];
+        let sought = self.ends.windows().map(|window| {
+            let Range { start, end } = self.ends.places(window);
+            let inside = before(start)..before(end);
+            let among = self.among(window, &places[inside.clone()], &mut is_wanted);
+            Sought { inside, among, sorted: Vec::new() }
+        });
+        let mut sought: Vec<Sought> = sought.collect();
+        for (value, cell, _) in self.taken.iter().flat_map(Taken::iter) {
+            if is_wanted[self.ends.part(cell)]
+                && let Some(window) = self.ranges.number(cell)
+            {
+                sought[window].sorted.push((value, 1));
+            }
+        }
         let mut values = vec![None; places.len()];
-        for held in &self.held {
-            let before = |end: usize| places.partition_point(|place| *place < end);
-            let inside = before(held.ends.first)..before(held.ends.last());
-            if !inside.is_empty() {
-                self.find_in(held, &places[inside.clone()], &mut values[inside]);
+        for (window, Sought { inside, among, mut sorted }) in sought.into_iter().enumerate() {
+            let clumps = self.held[window].clumps.iter();
+            let wanted = clumps.filter(|clump| is_wanted[self.ends.part(self.cells.cell(clump.value))]);
+            sorted.extend(wanted.map(|clump| (clump.value, clump.count())));
+            sorted.sort_unstable_by(|(one, _), (other, _)| one.total_cmp(other));
+            let mut sorted = sorted.into_iter();
+            let (mut known, mut before) = (None, 0);
+            for (value, place) in values[inside].iter_mut().zip(among) {
+                while before <= place
+                    && let Some((next, count)) = sorted.next()
+                {
+                    known = Some(next);
+                    before += count;
+                }
+                *value = known.filter(|_| place < before);
             }
         }
         values
     }
 
-    /// Only the parts that hold a place are put in order.
-    fn find_in(&self, Held { windows, ends }: &Held, places: &[usize], values: &mut [Option<f64>]) {
-        let parts = &ends.of_parts;
-        let mut is_wanted = vec![false; parts.len()];
-        // Of each place, how many values in such parts come before.
+    /// Notes the parts of a window that hold one of the places inside it. Of each place, how many values in
+    /// such parts come before.
+    fn among(&self, window: usize, places: &[usize], is_wanted: &mut [bool]) -> Vec<usize> {
+        let (first_part, ends) = self.ends.of_window(window);
+        let first = self.ends.places(window).start;
         let mut among = Vec::with_capacity(places.len());
-        let (mut part, mut begin, mut skipped) = (0, ends.first, 0);
+        let (mut part, mut begin, mut skipped) = (0, first, 0);
         for place in places {
-            while let Some(end) = parts.get(part)
+            while let Some(end) = ends.get(part)
                 && end <= place
             {
-                skipped += if is_wanted[part] { 0 } else { end - begin };
+                skipped += if is_wanted[first_part + part] { 0 } else { end - begin };
                 begin = *end;
                 part += 1;
             }
-            if let Some(is_wanted) = is_wanted.get_mut(part) {
-                *is_wanted = true;
-            }
-            among.push(place - ends.first - skipped);
+            is_wanted[first_part + part] = true;
+            among.push(place - first - skipped);
         }
-        let holds = |cell: i16| is_wanted[ends.part(cell)];
-        // Each with how often it is there.
-        let mut sorted: Vec<(f64, usize)> = Vec::new();
-        for window in windows {
-            let of_taken = self.cells.of_all(&window.taken);
-            let taken = window.taken.iter().zip(of_taken).filter(|(_, cell)| holds(*cell));
-            sorted.extend(taken.map(|(value, _)| (*value, 1)));
-            let clump = window.clump.iter().filter(|clump| holds(self.cells.cell(clump.value)));
-            sorted.extend(clump.map(|clump| (clump.value, clump.count())));
-        }
-        sorted.sort_unstable_by(|(one, _), (other, _)| one.total_cmp(other));
-        let mut sorted = sorted.into_iter();
-        let (mut known, mut before) = (None, 0);
-        for (value, place) in values.iter_mut().zip(among) {
-            while before <= place
-                && let Some((next, count)) = sorted.next()
-            {
-                known = Some(next);
-                before += count;
-            }
-            *value = known.filter(|_| place < before);
-        }
+        among
     }
 
     /// The values between which a place lies, of `count` in all.
@@ -115,37 +144,39 @@ impl Watched {
                 bracket.count = before - bracket.first;
             }
         };
-        for Held { ends, .. } in &self.held {
-            let [low, high] = ends.cells;
+        for window in self.ends.windows() {
+            let ([low, high], Range { start, end }) = (self.ends.cells(window), self.ends.places(window));
             if low > 0 {
-                part(ends.first, low);
+                part(start, low);
             }
             if high < LAST {
-                part(ends.last(), high + 1);
+                part(end, high + 1);
             }
         }
         bracket
     }
 
-    /// Twice the number of values of each replicate below a value, so that one at the value itself counts by
-    /// half; `None` where it lies in no window.
-    pub(super) fn twice_below(&self, value: f64) -> Option<[u64; REPLICATES]> {
-        let cell = self.cells.cell(value);
-        let holds = |held: &&Held| held.ends.cells[0] <= cell && cell <= held.ends.cells[1];
-        let Held { windows, .. } = self.held.iter().find(holds)?;
-        let of = |other: f64| u64::from(other < value) + u64::from(other <= value);
-        let mut twice = [0; REPLICATES];
-        for window in windows {
-            for (twice, below) in twice.iter_mut().zip(window.below) {
-                *twice += 2 * below;
-            }
-            for (taken, replicate) in window.taken.iter().zip(&window.replicates) {
-                twice[usize::from(*replicate) % REPLICATES] += of(*taken);
-            }
-            if let Some(clump) = &window.clump {
-                for (twice, count) in twice.iter_mut().zip(clump.counts) {
-                    *twice += count * of(clump.value);
+    /// Twice the number of values of each replicate below each of these, so that one at the value itself
+    /// counts by half; `None` where one of them lies in no window.
+    pub(super) fn twice_below(&self, values: &[f64; QUANTILES]) -> Option<[[u64; REPLICATES]; QUANTILES]> {
+        let of = |other: f64, value: f64| u64::from(other < value) + u64::from(other <= value);
+        let mut twice = [[0; REPLICATES]; QUANTILES];
+        let mut inside = vec![Vec::new(); self.held.len()];
+        for (index, (twice, value)) in twice.iter_mut().zip(values).enumerate() {
+            let cell = self.cells.cell(*value);
+            let window = self.ranges.number(cell)?;
+            let Held { below, clumps } = &self.held[window];
+            *twice = below.map(|below| 2 * below);
+            for Clump { value: other, counts } in clumps {
+                for (twice, count) in twice.iter_mut().zip(counts) {
+                    *twice += count * of(*other, *value);
                 }
+            }
+            inside[window].push((index, *value));
+        }
+        for (other, cell, replicate) in self.taken.iter().flat_map(Taken::iter) {
+            for (index, value) in self.ranges.number(cell).iter().flat_map(|window| &inside[*window]) {
+                twice[*index][replicate] += of(other, *value);
             }
         }
         Some(twice)
