@@ -406,7 +406,9 @@ impl Clump {
 mod tests {
     use std::iter;
 
-    use super::{COARSE, Caution, Ends, LAST, Open, SHARES, Watch, Watching, Window};
+    use super::{
+        COARSE, Caution, Cells, Clump, Ends, LAST, Open, REPLICATES, SHARES, Watch, Watching, Window,
+    };
     use crate::random::{bits, unit};
     use crate::run::Instructions;
     use crate::summary::{PROBABILITIES, SPAN};
@@ -440,6 +442,22 @@ mod tests {
         assert_eq!(watch.windows.len(), SHARES.len());
         let taken = watch.taken.count();
         assert!((20_000..100_000).contains(&taken), "{taken}");
+    }
+
+    /// Values that are all the same are below a part of their window, in it, or beyond it.
+    #[test]
+    fn a_clump_is_counted_where_it_lies() {
+        let cells = Cells::of(&[0.0, 1.0], Instructions::best());
+        let counts = [7; REPLICATES];
+        let clump = Some(Clump { value: 0.5, counts });
+        let window = Window { below: [2; REPLICATES], clump, ..Window::new(0..3, [0, LAST]) };
+        let own = cells.cell(0.5);
+        for (part, below, is_inside) in
+            [([0, own - 1], 2, false), ([own, own], 2, true), ([own + 1, LAST], 9, false)]
+        {
+            let part = window.part(1..2, part, &cells);
+            assert_eq!((part.below, part.clump.is_some()), ([below; REPLICATES], is_inside));
+        }
     }
 
     /// Of a window that holds all values: from the first cell of the part with the value at one place to the
