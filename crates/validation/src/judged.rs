@@ -18,8 +18,8 @@
 
 use estimate::{Posterior, Quantity, Settings, Verdict, sample_quietly};
 use evidence::{
-    After, BodyNumbers, Collision, Crush, Damage, FITTED, Measured, Model, Number, Observed, ObservedVehicle,
-    Output, Speeds, Vehicle,
+    After, BodyNumbers, Collision, Crush, Damage, FITTED, Fitted, Measured, Model, Number, Observed,
+    ObservedVehicle, Output, Speeds, Vehicle,
 };
 use pim_core::{Motion, VehicleId};
 use real::Real;
@@ -32,20 +32,33 @@ use crate::published::{DEGREE, Published};
 use crate::scene::{Scene, length_and_direction, polar};
 use crate::staged::Staged;
 
-/// (–) spread of the logarithm of a published speed after the impact.
-const SPEED_LN_SD: f64 = 0.12;
-/// (rad) spread of its direction.
-const DIRECTION_SD: f64 = 8.0 * DEGREE;
 /// (rad/s) spreads of the yaw rate after the impact, of which the likeliest is taken.
 const YAW_RATE_SDS: [f64; 5] = [0.35, 0.5, 0.7, 1.0, 1.4];
-/// (rad) spread of the crush plane of a staged test.
-const CRUSH_PLANE_SD: f64 = 5.0 * DEGREE;
-/// (m) spread of its contact point, along the vehicle and across.
-const CONTACT_SD: f64 = 0.10;
 /// (m/s) a vehicle below this speed stood, which is known.
 const STOOD: f64 = 1e-9;
 /// The place of the 95 % interval in a summary.
 const NINETY_FIVE: usize = 3;
+
+/// The errors of what is known of a test.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Assumed {
+    /// (–) spread of the logarithm of a published speed after the impact.
+    pub speed_ln_sd: f64,
+    /// (rad) spread of its direction.
+    pub direction_sd: f64,
+    /// What was fitted on real crashes, but with the spreads of crush plane and contact point, along the
+    /// vehicle and across, of a staged test.
+    pub fitted: Fitted,
+}
+
+impl Assumed {
+    /// Those of the table above.
+    pub const STATED: Self = Self {
+        speed_ln_sd: 0.12,
+        direction_sd: 8.0 * DEGREE,
+        fitted: Fitted { crush_plane_sd: 5.0 * DEGREE, contact_sd: 0.10, ..FITTED },
+    };
+}
 
 /// What is known of the motion after the impact.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -146,6 +159,20 @@ pub fn judge_speeds(
     particles: usize,
     seed: u64,
 ) -> Result<Judgement, ValidationError> {
+    judge_speeds_assuming(data, after_impact, &Assumed::STATED, particles, seed)
+}
+
+/// The same with other errors, to see which of them makes the intervals wide.
+///
+/// # Errors
+/// As for [`judge_speeds`], and where a spread is not positive.
+pub fn judge_speeds_assuming(
+    data: &Data,
+    after_impact: AfterImpact,
+    assumed: &Assumed,
+    particles: usize,
+    seed: u64,
+) -> Result<Judgement, ValidationError> {
     let (published, scene) = (Published::read(data)?, Scene::read(data)?);
     let subjects = published.collision.iter().map(|printed| {
         let staged = Staged::run(data, printed)?;
@@ -156,20 +183,24 @@ pub fn judge_speeds(
     let yaw_rate_sds = match after_impact {
         AfterImpact::Velocities => vec![None; subjects.len()],
         AfterImpact::VelocitiesAndYawRates => {
-            yaw_rate_sds_of_others(&subjects, &settings)?.into_iter().map(Some).collect()
+            yaw_rate_sds_of_others(&subjects, assumed, &settings)?.into_iter().map(Some).collect()
         }
     };
-    let judged = subjects.iter().zip(yaw_rate_sds).map(|(subject, sd)| subject.judge(sd, &settings));
+    let judged = subjects.iter().zip(yaw_rate_sds).map(|(subject, sd)| subject.judge(sd, assumed, &settings));
     Ok(Judgement { tests: judged.collect::<Result<_, _>>()? })
 }
 
 /// (rad/s) for each test, the spread of the yaw rates with which the others are likeliest at their true
 /// speeds.
-fn yaw_rate_sds_of_others(subjects: &[Subject], settings: &Settings) -> Result<Vec<f64>, ValidationError> {
+fn yaw_rate_sds_of_others(
+    subjects: &[Subject],
+    assumed: &Assumed,
+    settings: &Settings,
+) -> Result<Vec<f64>, ValidationError> {
     let mut of_sds = Vec::new();
     for sd in YAW_RATE_SDS {
         let log_evidence = |subject: &Subject| {
-            let posterior = subject.posterior(&subject.collision(Some(sd), true)?, settings)?;
+            let posterior = subject.posterior(&subject.collision(Some(sd), true, assumed)?, settings)?;
             Ok::<_, ValidationError>(posterior.log_evidence().value)
         };
         let each = subjects.iter().map(log_evidence).collect::<Result<Vec<_>, _>>()?;
@@ -241,8 +272,13 @@ impl Subject {
             .map_err(|source| ValidationError::Estimate { test: self.test, source: Box::new(source) })
     }
 
-    fn judge(&self, yaw_rate_sd: Option<f64>, settings: &Settings) -> Result<JudgedTest, ValidationError> {
-        let posterior = self.posterior(&self.collision(yaw_rate_sd, false)?, settings)?;
+    fn judge(
+        &self,
+        yaw_rate_sd: Option<f64>,
+        assumed: &Assumed,
+        settings: &Settings,
+    ) -> Result<JudgedTest, ValidationError> {
+        let posterior = self.posterior(&self.collision(yaw_rate_sd, false, assumed)?, settings)?;
         let moved = VehicleId::ALL.into_iter().zip(self.true_speeds).filter(|(_, speed)| *speed > STOOD);
         let speeds = moved.map(|(vehicle, true_speed)| {
             let summary = posterior.summary(Quantity::Output(Output::Speed(vehicle).column()));
@@ -264,7 +300,12 @@ impl Subject {
 
     /// The collision with both speeds unknown but for that of a vehicle that stood, or with both known. Yaw
     /// rates after the impact are evidence where they have a spread (rad/s).
-    fn collision(&self, yaw_rate_sd: Option<f64>, are_known: bool) -> Result<Collision, ValidationError> {
+    fn collision(
+        &self,
+        yaw_rate_sd: Option<f64>,
+        are_known: bool,
+        &Assumed { speed_ln_sd, direction_sd, fitted }: &Assumed,
+    ) -> Result<Collision, ValidationError> {
         let test = self.test;
         let unknown = |distribution: Result<Distribution, InvalidDistribution>| {
             distribution.map(Number::Unknown).map_err(|source| ValidationError::Prior { test, source })
@@ -276,11 +317,11 @@ impl Subject {
             Ok::<_, ValidationError>(Vehicle {
                 body: Some(self.bodies[i]),
                 heading: self.headings[i].into(),
-                contact: [normal(ahead, CONTACT_SD)?, normal(left, CONTACT_SD)?],
+                contact: [normal(ahead, fitted.contact_sd)?, normal(left, fitted.contact_sd)?],
                 yaw_rate: 0.0.into(),
                 crush: Some(Crush {
-                    slope: factor(FITTED.slope_ln_sd)?,
-                    no_damage_speed: factor(FITTED.no_damage_speed_ln_sd)?,
+                    slope: factor(fitted.slope_ln_sd)?,
+                    no_damage_speed: factor(fitted.no_damage_speed_ln_sd)?,
                     ..self.crushes[i]
                 }),
             })
@@ -288,8 +329,8 @@ impl Subject {
         let observed = |i: usize| {
             let (speed, direction) = length_and_direction(self.after[i].velocity);
             let after = After {
-                speed: Some(Measured { value: speed, sd: SPEED_LN_SD }),
-                direction: Some(Measured { value: direction, sd: DIRECTION_SD }),
+                speed: Some(Measured { value: speed, sd: speed_ln_sd }),
+                direction: Some(Measured { value: direction, sd: direction_sd }),
                 yaw_rate: yaw_rate_sd.map(|sd| Measured { value: self.after[i].yaw_rate, sd }),
             };
             ObservedVehicle { after, ..ObservedVehicle::default() }
@@ -306,15 +347,15 @@ impl Subject {
         Ok(Collision {
             vehicles: [vehicle(0)?, vehicle(1)?],
             speeds: Speeds::Together { ln_relative, split },
-            crush_plane: normal(self.crush_plane, CRUSH_PLANE_SD)?,
-            restitution: FITTED.restitution_with(unknown(FITTED.restitution_factor())?),
-            friction: unknown(FITTED.any_friction())?,
-            tangential_share: unknown(FITTED.any_tangential_share())?,
+            crush_plane: normal(self.crush_plane, fitted.crush_plane_sd)?,
+            restitution: fitted.restitution_with(unknown(fitted.restitution_factor())?),
+            friction: unknown(fitted.any_friction())?,
+            tangential_share: unknown(fitted.any_tangential_share())?,
             other_crush: None,
             observed: Observed {
                 vehicles: [observed(0), observed(1)],
-                severity: Some(FITTED.severity_of(&self.hit)),
-                crush: Some(FITTED.crush_misfit(&self.hit)),
+                severity: Some(fitted.severity_of(&self.hit)),
+                crush: Some(fitted.crush_misfit(&self.hit)),
             },
         })
     }
@@ -326,7 +367,7 @@ mod tests {
     use evidence::Output;
     use pim_core::VehicleId;
 
-    use super::Subject;
+    use super::{Assumed, Subject};
     use crate::Data;
     use crate::published::Published;
     use crate::scene::Scene;
@@ -345,7 +386,7 @@ mod tests {
                 let sum = crush.constant + crush.linear + crush.square;
                 assert!((sum - energy).abs() < 1e-9 * energy, "test {}: {sum} is not {energy}", subject.test);
             }
-            let known = subject.collision(None, true).unwrap();
+            let known = subject.collision(None, true, &Assumed::STATED).unwrap();
             let posterior = subject.posterior(&known, &Settings::new(128, 1)).unwrap();
             for id in VehicleId::ALL {
                 let speed = posterior.summary(Quantity::Output(Output::Speed(id).column())).median.value;

@@ -48,7 +48,9 @@ pub use both_speeds::{BothSpeedErrors, BothSpeedsRow, Evidence, FromRestRow, Res
 pub use claim::{Cell, Claim, Erratum};
 pub use data::Data;
 pub use error::ValidationError;
-pub use judged::{AfterImpact, JudgedSpeed, JudgedTest, Judgement, judge_speeds};
+pub use judged::{
+    AfterImpact, Assumed, JudgedSpeed, JudgedTest, Judgement, judge_speeds, judge_speeds_assuming,
+};
 pub use motion::{FoundStart, MotionRow, ReturnRow, Simulation};
 pub use published::{DEGREE, FOOT_PER_SECOND, FOOT_POUND, Unit};
 pub use reconstruction::{Choices, Reconstruction, SpeedErrors, TurnedPdof};

@@ -35,7 +35,7 @@ pub(super) fn last_cell(bucket: usize) -> i16 {
 pub(super) struct Cells {
     least: f64,
     per_unit: f64,
-    pub(super) instructions: Instructions,
+    instructions: Instructions,
 }
 
 impl Cells {
@@ -74,7 +74,7 @@ impl Cells {
     }
 
     #[inline(always)]
-    pub(super) fn note(&self, values: &[f64], cells: &mut [i16]) {
+    fn note(&self, values: &[f64], cells: &mut [i16]) {
         for (cell, value) in cells.iter_mut().zip(values) {
             *cell = self.cell(*value);
         }

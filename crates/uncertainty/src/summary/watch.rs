@@ -30,7 +30,8 @@ pub(crate) struct Watching {
     pub(crate) caution: Caution,
 }
 
-/// Two to this power of the cells are counted together where windows are narrowed: so few counts stay near.
+/// Two to this power of the cells are counted together where windows are narrowed: the counts then fit into
+/// the nearest cache. Windows begin and end where such parts do.
 const COARSE: u32 = 2;
 
 /// How surely a quantile is in its window, and what that may cost.
