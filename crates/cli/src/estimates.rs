@@ -39,8 +39,8 @@ pub(crate) fn report(arguments: &EstimateArguments) -> Result<()> {
             .with_context(cannot)?;
     }
     let asked = Asked { plan, questions };
-    let document = report::estimate(&file.case, &estimated, &asked, units);
-    present(&document, of_case, || report::estimate_json(&file, &estimated, &asked))?;
+    let document = || Ok(report::estimate(&file.case, &estimated, &asked, units));
+    present(of_case, document, || report::estimate_json(&file, &estimated, &asked))?;
     if is_answer {
         return Ok(());
     }

@@ -183,41 +183,41 @@ fn report_analysis(arguments: &Arguments, analyse: Analyse) -> Result<()> {
     let file = case_file(&arguments.case)?;
     let units = units(arguments.units, &file);
     let analysis = answered(analyse(&file.case), &file, units)?;
-    let document = match arguments.format {
+    let document = || match arguments.format {
         // In a terminal the results; the report to hand over has all steps and the case file besides.
-        Format::Text | Format::Json => report::results(&file.case, &analysis, units),
-        Format::Html | Format::Markdown => handover(&arguments.case, &file, &analysis, units)?,
+        Format::Text | Format::Json => Ok(report::results(&file.case, &analysis, units)),
+        Format::Html | Format::Markdown => handover(&arguments.case, &file, &analysis, units),
     };
-    present(&document, arguments, || report::json(&file, &analysis))
+    present(arguments, document, || report::json(&file, &analysis))
 }
 
-/// Writes a document, or its data as JSON, to where the arguments say.
+/// Writes a document, or its data as JSON, to where the arguments say. Only what is written is made.
 fn present<E>(
-    document: &Document,
     arguments: &Arguments,
+    document: impl FnOnce() -> Result<Document>,
     json: impl FnOnce() -> Result<String, E>,
 ) -> Result<()>
 where
     anyhow::Error: From<E>,
 {
-    present_as(document, arguments.format, arguments.output.file(), json)
+    present_as(arguments.format, arguments.output.file(), document, json)
 }
 
 fn present_as<E>(
-    document: &Document,
     format: Format,
     output: Option<&Path>,
+    document: impl FnOnce() -> Result<Document>,
     json: impl FnOnce() -> Result<String, E>,
 ) -> Result<()>
 where
     anyhow::Error: From<E>,
 {
     match format {
-        Format::Text if output.is_none() => terminal::print(document),
-        Format::Text => write(output, document.text()),
+        Format::Text if output.is_none() => terminal::print(&document()?),
+        Format::Text => write(output, document()?.text()),
         Format::Json => write(output, json()?),
-        Format::Html => write(output, document.html()),
-        Format::Markdown => write(output, document.markdown()),
+        Format::Html => write(output, document()?.html()),
+        Format::Markdown => write(output, document()?.markdown()),
     }
 }
 
@@ -239,8 +239,8 @@ fn handover(path: &Path, file: &CaseFile, analysis: &Analysis, units: Units) -> 
 fn report_judgement(arguments: &Arguments) -> Result<()> {
     let file = case_file(&arguments.case)?;
     let judgement = analysis::judge(&file.case);
-    let document = report::judgement(&file, &judgement, units(arguments.units, &file));
-    present(&document, arguments, || report::judgement_json(&file, &judgement))
+    let document = || Ok(report::judgement(&file, &judgement, units(arguments.units, &file)));
+    present(arguments, document, || report::judgement_json(&file, &judgement))
 }
 
 fn explain(ExplainArguments { topic, format, output }: &ExplainArguments) -> Result<()> {
@@ -248,8 +248,8 @@ fn explain(ExplainArguments { topic, format, output }: &ExplainArguments) -> Res
         [] => None,
         words => Some(report::topic(&words.join(" "))?),
     };
-    let document = topic.map_or_else(report::list_of_topics, report::explanation);
-    present_as(&document, *format, output.file(), || {
+    let document = || Ok(topic.map_or_else(report::list_of_topics, report::explanation));
+    present_as(*format, output.file(), document, || {
         topic.map_or_else(report::topics_json, report::topic_json)
     })
 }
@@ -260,8 +260,8 @@ fn report_comparison(arguments: CasesArguments) -> Result<()> {
     let file = case_file(&arguments.case)?;
     let units = units(arguments.units, &file);
     let comparison = answered(analysis::compare(&file.case), &file, units)?;
-    let document = report::comparison(&file.case, &comparison, units);
-    present(&document, &arguments, || report::comparison_json(&file, &comparison))
+    let document = || Ok(report::comparison(&file.case, &comparison, units));
+    present(&arguments, document, || report::comparison_json(&file, &comparison))
 }
 
 fn report_sensitivity(
@@ -271,8 +271,8 @@ fn report_sensitivity(
     let sweep = Sweep { step: pdof_step.to_radians(), steps: *pdof_steps };
     let units = units(arguments.units, &file);
     let sensitivity = answered(analysis::sensitivity(&file.case, sweep), &file, units)?;
-    let document = report::sensitivity(&file.case, &sensitivity, units);
-    present(&document, arguments, || report::sensitivity_json(&file, &sensitivity))
+    let document = || Ok(report::sensitivity(&file.case, &sensitivity, units));
+    present(arguments, document, || report::sensitivity_json(&file, &sensitivity))
 }
 
 fn report_uncertainty(arguments: UncertaintyArguments) -> Result<()> {
@@ -348,8 +348,8 @@ fn report_uncertainty(arguments: UncertaintyArguments) -> Result<()> {
             }
         }
     }
-    let document = pool.install(|| report::uncertainty(&file.case, &uncertainty, units));
-    present(&document, &arguments, || report::uncertainty_json(&file, &uncertainty))
+    let document = || Ok(pool.install(|| report::uncertainty(&file.case, &uncertainty, units)));
+    present(&arguments, document, || report::uncertainty_json(&file, &uncertainty))
 }
 
 fn write_plot(folder: &Path, name: &str, plot: &Drawing, format: PlotsFormat) -> Result<()> {
@@ -492,9 +492,8 @@ fn validate_field(path: &Path, arguments: &ValidateArguments) -> Result<()> {
         })
     });
     let judged = judged.with_context(|| name.clone())?;
-    present_as(&report::field(&judged, &name), arguments.format, arguments.output.file(), || {
-        report::field_json(&judged)
-    })?;
+    let document = || Ok(report::field(&judged, &name));
+    present_as(arguments.format, arguments.output.file(), document, || report::field_json(&judged))?;
     let plots = [report::estimated_against_recorded(&judged), report::ranks_of_recorders(&judged)];
     write_plots(FIELD_PLOTS, plots, arguments)
 }
@@ -513,9 +512,8 @@ fn write_plots<const N: usize>(
 
 /// Writes everything first: what fails is to be seen in full.
 fn show(validation: &Validation, arguments: &ValidateArguments) -> Result<()> {
-    present_as(&report::validation(validation), arguments.format, arguments.output.file(), || {
-        report::validation_json(validation)
-    })?;
+    let document = || Ok(report::validation(validation));
+    present_as(arguments.format, arguments.output.file(), document, || report::validation_json(validation))?;
     let plots = [report::computed_against_measured(validation), report::reconstructed_speed(validation)];
     write_plots(VALIDATION_PLOTS, plots, arguments)?;
     let failures = validation.failures();

@@ -1,6 +1,9 @@
 //! What a command has to say, before it is decided how it looks: the parts of a document, which the sections
 //! fill and the writers write.
 
+use std::fmt;
+use std::sync::Arc;
+
 use ::drawing::Drawing;
 use case::Text;
 
@@ -62,7 +65,7 @@ pub(crate) enum Block {
     Chart {
         /// Its own among the drawings of the page, for [`Drawing::svg_named`].
         name: String,
-        drawing: Box<Drawing>,
+        drawing: Undrawn,
         instead: Option<Table>,
     },
     /// A drawing that is a file of its own beside a page of Markdown.
@@ -76,6 +79,26 @@ pub(crate) enum Block {
         language: &'static str,
         text: String,
     },
+}
+
+/// A drawing that is made where it is shown, as only HTML shows it.
+#[derive(Clone)]
+pub(crate) struct Undrawn(Arc<dyn Fn() -> Drawing + Send + Sync>);
+
+impl Undrawn {
+    pub(crate) fn new(draw: impl Fn() -> Drawing + Send + Sync + 'static) -> Self {
+        Self(Arc::new(draw))
+    }
+
+    pub(crate) fn draw(&self) -> Drawing {
+        (self.0)()
+    }
+}
+
+impl fmt::Debug for Undrawn {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Undrawn").finish_non_exhaustive()
+    }
 }
 
 /// Rows under named columns.

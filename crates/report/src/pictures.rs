@@ -15,6 +15,7 @@ pub use estimate::{density, estimate_pictures, joint_speeds, rests};
 pub use field::{estimated_against_recorded, ranks_of_recorders};
 pub use motion::place_of_impact;
 pub use spread::{histogram, tornado};
+pub(crate) use spread::{histogram_picture, tornado_picture};
 pub use staged::{computed_against_measured, reconstructed_speed};
 
 use ::drawing::Drawing;

@@ -9,6 +9,7 @@ use case::{Case, Dimensions, Kind};
 use pim_core::{Real, VehicleId};
 
 use super::{scale_unit, title};
+use crate::document::Undrawn;
 use crate::estimates::{Asked, label, measure};
 use crate::units::{Measure, Units, number};
 
@@ -48,6 +49,16 @@ pub fn density(
     output: EstimateOutput,
     units: Units,
 ) -> Option<Drawing> {
+    Some(density_picture(case, estimated, asked, output, units)?.draw())
+}
+
+fn density_picture(
+    case: &Case,
+    estimated: &Estimated,
+    asked: &Asked,
+    output: EstimateOutput,
+    units: Units,
+) -> Option<DensityPicture> {
     let found = answer(estimated, output)?;
     let draws = estimated.draws(output)?;
     let before = estimated.draws_before(output);
@@ -70,7 +81,7 @@ pub fn density(
     let per = measure.map_or_else(String::new, |measure| format!(" per {}", units.name(measure)));
     // Of the unit of the reader, in per cent.
     let share = 0.01 / unit;
-    let picture = DensityPicture {
+    Some(DensityPicture {
         name: "density",
         subtitle: format!(
             "How probable each value is, before the evidence and after it\n{}",
@@ -89,8 +100,7 @@ pub fn density(
         median: mark(summary.median.value, "median:"),
         legend: ["before the evidence", "by all evidence", "ends of the 95 % interval", "median"]
             .map(str::to_owned),
-    };
-    Some(picture.draw())
+    })
 }
 
 /// A result that varies, of a run that has converged.
@@ -150,6 +160,10 @@ fn curve(draws: &[f64], summary: &Summary, ess: f64, ends: Option<[f64; 2]>) -> 
 /// Both speeds at once. `None` where one of them is known, and where the run has not converged.
 #[must_use]
 pub fn joint_speeds(case: &Case, estimated: &Estimated, asked: &Asked, units: Units) -> Option<Drawing> {
+    Some(joint_picture(case, estimated, asked, units)?.draw())
+}
+
+fn joint_picture(case: &Case, estimated: &Estimated, asked: &Asked, units: Units) -> Option<JointPicture> {
     let outputs = VehicleId::ALL.map(|vehicle| EstimateOutput::Result(Output::Speed { vehicle }));
     let [one, two] = outputs.map(|output| answer(estimated, output));
     let summaries = [&one?.posterior, &two?.posterior];
@@ -173,7 +187,7 @@ pub fn joint_speeds(case: &Case, estimated: &Estimated, asked: &Asked, units: Un
     let draws = columns[0].iter().zip(columns[1]).step_by(step).map(|(x, y)| [*x, *y]);
     let axis = |output| Axis { title: label(output, units), unit: units.size(Measure::RoadSpeed) };
     let speed = |summary: &Summary| units.format(Measure::RoadSpeed, summary.median.value);
-    let picture = JointPicture {
+    Some(JointPicture {
         name: "joint-speeds",
         title: "Both speeds".to_owned(),
         subtitle: format!("Which speeds go together\n{}", origin(case, estimated, asked)),
@@ -190,8 +204,7 @@ pub fn joint_speeds(case: &Case, estimated: &Estimated, asked: &Asked, units: Un
         levels: [at_draws[last / 2], at_draws[last / 20]],
         density: grid.rows,
         legend: ["draws", "region that holds 50 % of them", "region that holds 95 %"].map(str::to_owned),
-    };
-    Some(picture.draw())
+    })
 }
 
 /// A density at places of equal distance.
@@ -249,6 +262,10 @@ fn place(value: f64, [low, _]: [f64; 2], step: f64) -> usize {
 /// and where the run has not converged.
 #[must_use]
 pub fn rests(case: &Case, estimated: &Estimated, asked: &Asked, units: Units) -> Option<Drawing> {
+    Some(rests_picture(case, estimated, asked, units)?.draw())
+}
+
+fn rests_picture(case: &Case, estimated: &Estimated, asked: &Asked, units: Units) -> Option<RestsPicture> {
     let subjects = case.subjects();
     let vehicles = VehicleId::ALL.into_iter().filter_map(|vehicle| {
         let axes = case.axes;
@@ -279,7 +296,7 @@ pub fn rests(case: &Case, estimated: &Estimated, asked: &Asked, units: Units) ->
     }
     let impact =
         case.scene_contact.as_ref().map_or([0.0; 2], |place| [place.x.si(), case.axes.lateral(place.y.si())]);
-    let picture = RestsPicture {
+    Some(RestsPicture {
         name: "rests",
         title: "Rest positions".to_owned(),
         subtitle: format!(
@@ -293,8 +310,7 @@ pub fn rests(case: &Case, estimated: &Estimated, asked: &Asked, units: Units) ->
         impact,
         vehicles,
         scale: scale_unit(units, Measure::Length),
-    };
-    Some(picture.draw())
+    })
 }
 
 fn footprint(dimensions: Dimensions, kind: Kind) -> Footprint {
@@ -311,18 +327,23 @@ fn footprint(dimensions: Dimensions, kind: Kind) -> Footprint {
 /// converged.
 #[must_use]
 pub fn estimate_pictures(case: &Case, estimated: &Estimated, asked: &Asked, units: Units) -> Option<Drawing> {
-    let drawings = all(case, estimated, asked, units);
+    let drawings: Vec<(String, Drawing)> = all(case, estimated, asked, units)
+        .into_iter()
+        .map(|(name, drawing)| (name, drawing.draw()))
+        .collect();
     (!drawings.is_empty()).then(|| Drawing::stacked("estimate", title(case), &drawings))
 }
 
 /// All pictures of an estimate, in the order of a report: the speeds one by one, both at once, and the rests.
-pub(crate) fn all(case: &Case, estimated: &Estimated, asked: &Asked, units: Units) -> Vec<(String, Drawing)> {
+pub(crate) fn all(case: &Case, estimated: &Estimated, asked: &Asked, units: Units) -> Vec<(String, Undrawn)> {
     let speeds = VehicleId::ALL.into_iter().filter_map(|vehicle| {
         let output = EstimateOutput::Result(Output::Speed { vehicle });
-        Some((format!("density-speed-{vehicle}"), density(case, estimated, asked, output, units)?))
+        let picture = density_picture(case, estimated, asked, output, units)?;
+        Some((format!("density-speed-{vehicle}"), Undrawn::new(move || picture.draw())))
     });
-    let both =
-        joint_speeds(case, estimated, asked, units).map(|drawing| ("joint-speeds".to_owned(), drawing));
-    let rests = rests(case, estimated, asked, units).map(|drawing| ("rests".to_owned(), drawing));
+    let both = joint_picture(case, estimated, asked, units)
+        .map(|picture| ("joint-speeds".to_owned(), Undrawn::new(move || picture.draw())));
+    let rests = rests_picture(case, estimated, asked, units)
+        .map(|picture| ("rests".to_owned(), Undrawn::new(move || picture.draw())));
     speeds.chain(both).chain(rests).collect()
 }

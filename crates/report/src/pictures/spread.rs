@@ -42,6 +42,16 @@ fn number_of(count: usize) -> String {
 /// the samples do not differ, and where there is no such output.
 #[must_use]
 pub fn histogram(case: &Case, uncertainty: &Uncertainty, place: usize, units: Units) -> Option<Drawing> {
+    Some(histogram_picture(case, uncertainty, place, units)?.draw())
+}
+
+/// The same before it is drawn.
+pub(crate) fn histogram_picture(
+    case: &Case,
+    uncertainty: &Uncertainty,
+    place: usize,
+    units: Units,
+) -> Option<HistogramPicture> {
     let (output, name) = output(uncertainty, place, units)?;
     let summary = uncertainty.propagation.summaries().get(place).copied().flatten()?;
     if !output.varies(summary.sd.value) {
@@ -56,7 +66,7 @@ pub fn histogram(case: &Case, uncertainty: &Uncertainty, place: usize, units: Un
     let most = shares.iter().copied().fold(0.0, f64::max);
     let mark = |value: f64, lead: &str| ValueMark { value, lead: lead.to_owned() };
     let [_, _, ninety_five, _] = summary.intervals;
-    let picture = HistogramPicture {
+    Some(HistogramPicture {
         subtitle: format!("Histogram: {samples}\n{}", origin(case, uncertainty)),
         description: format!(
             "{name}: {samples}, in {} classes, of which the fullest has {} % of the samples. Ends of the 95 % interval and central value:",
@@ -74,14 +84,23 @@ pub fn histogram(case: &Case, uncertainty: &Uncertainty, place: usize, units: Un
         central: mark(output.central, "central:"),
         legend: ["samples, by class", "ends of the 95 % interval", "all inputs at central values"]
             .map(str::to_owned),
-    };
-    Some(picture.draw())
+    })
 }
 
 /// What each input alone does to an output, from its 2.5 % to its 97.5 % quantile, the longest bars first.
 /// `None` where there is no such output.
 #[must_use]
 pub fn tornado(case: &Case, uncertainty: &Uncertainty, place: usize, units: Units) -> Option<Drawing> {
+    Some(tornado_picture(case, uncertainty, place, units)?.draw())
+}
+
+/// The same before it is drawn.
+pub(crate) fn tornado_picture(
+    case: &Case,
+    uncertainty: &Uncertainty,
+    place: usize,
+    units: Units,
+) -> Option<TornadoPicture> {
     let (output, name) = output(uncertainty, place, units)?;
     let value = |end: &End| {
         let outputs = end.outputs.as_ref().ok()?;
@@ -118,7 +137,7 @@ pub fn tornado(case: &Case, uncertainty: &Uncertainty, place: usize, units: Unit
     } else {
         String::new()
     };
-    let picture = TornadoPicture {
+    Some(TornadoPicture {
         subtitle: format!(
             "Tornado: what each input alone does, from its 2.5 % to its 97.5 % quantile{of_all}\n{}",
             origin(case, uncertainty)
@@ -133,8 +152,7 @@ pub fn tornado(case: &Case, uncertainty: &Uncertainty, place: usize, units: Unit
         longest,
         bars,
         legend: ["input low (2.5 %)", "input high (97.5 %)"].map(str::to_owned),
-    };
-    Some(picture.draw())
+    })
 }
 
 /// An input and its ends, in the unit of the file.

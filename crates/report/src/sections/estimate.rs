@@ -179,7 +179,7 @@ impl<'a> Page<'a> {
 
     fn pictures(&mut self, case: &Case) {
         for (name, drawing) in pictures::estimate::all(case, self.estimated, self.asked, self.units) {
-            self.document.push(Block::Chart { name, drawing: Box::new(drawing), instead: None });
+            self.document.push(Block::Chart { name, drawing, instead: None });
         }
     }
 

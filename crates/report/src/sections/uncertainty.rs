@@ -14,7 +14,7 @@ use case::{
 };
 use crash3::principal_angle;
 
-use crate::document::{Block, Column, Document, NONE, Table, Width};
+use crate::document::{Block, Column, Document, NONE, Table, Undrawn, Width};
 use crate::outputs::{estimate_name, estimate_source, input_name, output_name, output_quantity};
 use crate::pictures;
 use crate::units::{Measure, Units, number, significant};
@@ -349,8 +349,8 @@ impl<'a> Page<'a> {
         }
         let [below, above] = histogram.outside.map(|count| share(count, summary.samples));
         table.notes.push(format!("{below} % lie below and {above} % above."));
-        match pictures::histogram(self.case, self.uncertainty, 0, self.units) {
-            Some(drawing) => self.chart(0, drawing, Some(table)),
+        match pictures::histogram_picture(self.case, self.uncertainty, 0, self.units) {
+            Some(picture) => self.chart("histogram-0", move || picture.draw(), Some(table)),
             None => self.document.push(table),
         }
     }
@@ -367,22 +367,28 @@ impl<'a> Page<'a> {
     fn more_histograms(&mut self) {
         for (place, (output, _)) in self.rows().into_iter().enumerate().skip(1) {
             if matches!(output.output, Output::Speed { .. } | Output::DeltaV { .. })
-                && let Some(drawing) = pictures::histogram(self.case, self.uncertainty, place, self.units)
+                && let Some(picture) =
+                    pictures::histogram_picture(self.case, self.uncertainty, place, self.units)
             {
-                self.chart(place, drawing, None);
+                self.chart(&format!("histogram-{place}"), move || picture.draw(), None);
             }
         }
     }
 
-    fn chart(&mut self, place: usize, drawing: Drawing, instead: Option<Table>) {
-        let name = format!("{}-{place}", drawing.name());
-        self.document.push(Block::Chart { name, drawing: Box::new(drawing), instead });
+    fn chart(
+        &mut self,
+        name: &str,
+        draw: impl Fn() -> Drawing + Send + Sync + 'static,
+        instead: Option<Table>,
+    ) {
+        let (name, drawing) = (name.to_owned(), Undrawn::new(draw));
+        self.document.push(Block::Chart { name, drawing, instead });
     }
 
     fn tornado(&mut self, place: usize) {
         let Some(&(output, _)) = self.rows().get(place) else { return };
-        if let Some(drawing) = pictures::tornado(self.case, self.uncertainty, place, self.units) {
-            self.chart(place, drawing, None);
+        if let Some(picture) = pictures::tornado_picture(self.case, self.uncertainty, place, self.units) {
+            self.chart(&format!("tornado-{place}"), move || picture.draw(), None);
         }
         let title = format!("Main drivers: {}", output_name(output.output));
         let alone = quantity(output.output);

@@ -151,7 +151,7 @@ fn block(block: &Block) -> Markup {
         Block::Table(table) => self::table(table),
         Block::Steps(group) => steps(group),
         Block::Drawing(drawing) | Block::Picture { drawing, .. } => figure(drawing, drawing.name()),
-        Block::Chart { name, drawing, .. } => figure(drawing, name),
+        Block::Chart { name, drawing, .. } => figure(&drawing.draw(), name),
         Block::Listing { text, .. } => html! { pre { code { (text) } } },
     }
 }
