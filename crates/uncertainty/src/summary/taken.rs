@@ -110,6 +110,16 @@ impl Taken {
         })
     }
 
+    /// The values in some of the cells, each with its own.
+    pub(super) fn in_cells(&self, are_wanted: impl Fn(i16) -> bool) -> Vec<(f64, i16)> {
+        let mut found = Vec::new();
+        for Piece { values, cells, .. } in &self.pieces {
+            let wanted = cells.iter().zip(values).filter(|(cell, _)| are_wanted(**cell));
+            found.extend(wanted.map(|(cell, value)| (*value, *cell)));
+        }
+        found
+    }
+
     /// Leaves the values inside the `new` ranges. Of those inside each old one it is counted how many new
     /// ones begin at their cells or below, and for each replicate.
     pub(super) fn leave(&mut self, old: &Ranges, new: &Ranges) -> Box<Begun> {

@@ -18,7 +18,7 @@ use super::powers::{Powers, Sums};
 use super::taken::{Ends, Ranges, Taken};
 use crate::limits::REPLICATES;
 use crate::model::{LANES, Lanes};
-use crate::run::Instructions;
+use crate::run::{Instructions, for_each};
 
 /// How a column is watched.
 #[derive(Clone, Copy, Debug)]
@@ -302,9 +302,7 @@ impl Watch {
             apart(shares.map(|share| (share, ends.cells_between(window, reaches[share])))).collect()
         };
         let parts: Vec<_> = ends.windows().map(parts_of).collect();
-        for watch in watches {
-            watch.leave(&parts);
-        }
+        for_each(watches, |watch| watch.leave(&parts));
     }
 
     /// Leaves these parts of each window, which ascend. A window without parts is lost.

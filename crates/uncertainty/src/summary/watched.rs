@@ -9,6 +9,7 @@ use super::order::Bracket;
 use super::taken::{Ends, Ranges, Taken};
 use super::watch::{Clump, Watch};
 use crate::limits::REPLICATES;
+use crate::run::for_each;
 
 /// A column of which all spans have been watched.
 #[derive(Debug)]
@@ -82,17 +83,16 @@ impl Watched {
             Sought { inside, among, sorted: Vec::new() }
         });
         let mut sought: Vec<Sought> = sought.collect();
-        for (value, cell, _) in self.taken.iter().flat_map(Taken::iter) {
-            if is_wanted[self.ends.part(cell)]
-                && let Some(window) = self.ranges.number(cell)
-            {
+        let is_wanted = |cell: i16| is_wanted[self.ends.part(cell)];
+        for (value, cell) in for_each(&self.taken, |taken| taken.in_cells(is_wanted)).into_iter().flatten() {
+            if let Some(window) = self.ranges.number(cell) {
                 sought[window].sorted.push((value, 1));
             }
         }
         let mut values = vec![None; places.len()];
         for (window, Sought { inside, among, mut sorted }) in sought.into_iter().enumerate() {
             let clumps = self.held[window].clumps.iter();
-            let wanted = clumps.filter(|clump| is_wanted[self.ends.part(self.cells.cell(clump.value))]);
+            let wanted = clumps.filter(|clump| is_wanted(self.cells.cell(clump.value)));
             sorted.extend(wanted.map(|clump| (clump.value, clump.count())));
             sorted.sort_unstable_by(|(one, _), (other, _)| one.total_cmp(other));
             let mut sorted = sorted.into_iter();
