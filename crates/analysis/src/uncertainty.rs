@@ -768,10 +768,15 @@ impl<'a> Sample<'a> {
 
     /// How many of these samples of a block have speeds that are not the only ones that agree with their
     /// crush energy.
-    fn several_speeds(&self, inputs: &[Lanes], lanes: impl Iterator<Item = usize>) -> usize {
+    fn several_speeds(
+        &self,
+        instructions: Instructions,
+        inputs: &[Lanes],
+        lanes: impl Iterator<Item = usize>,
+    ) -> usize {
         if let (Goal::Speed, Ok(block)) = (self.goal, &self.block) {
             let with_errors = self.shared.as_ref().map(|shared| shared.columns(inputs));
-            return block.several_speeds(with_errors.as_deref().unwrap_or(inputs), lanes);
+            return block.several_speeds(instructions, with_errors.as_deref().unwrap_or(inputs), lanes);
         }
         let mut numbers = vec![0.0; inputs.len()];
         let has_several = |lane: &usize| {

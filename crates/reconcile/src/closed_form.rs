@@ -345,6 +345,10 @@ impl<T: Real> Approaches<T> {
         approaches
     }
 
+    pub(crate) fn are_several(&self) -> bool {
+        self.count > 1
+    }
+
     /// One more, unless there is one no farther from it than that relative distance: of those the slower
     /// stays.
     fn insert(&mut self, x: T, apart: f64) {

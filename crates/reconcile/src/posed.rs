@@ -42,7 +42,8 @@ impl<'a> Posed<'a> {
     /// Whether there is more than one of these: a search, which is large, is not moved where there is none.
     fn has_several_speeds(self) -> bool {
         if self.problem.has_closed_form() {
-            self.admissible(self.approaches().into_iter()).nth(1).is_some()
+            let approaches = self.approaches();
+            approaches.are_several() && self.admissible(approaches.into_iter()).nth(1).is_some()
         } else {
             self.admissible(self.searched()).nth(1).is_some()
         }

@@ -187,7 +187,7 @@ pub(super) fn doubtful(
             let mut block = vec![Lanes::ZERO; inputs.len()];
             sampler.fill(*number, &mut block);
             let answered = || (0..reasons.len()).filter(|lane| reasons[*lane] == SUCCEEDED);
-            (sample.several_speeds(&block, answered()), answered().count())
+            (sample.several_speeds(settings.instructions, &block, answered()), answered().count())
         });
         let several = counted.iter().map(|(several, _)| several).sum();
         let searched = counted.iter().map(|(_, searched)| searched).sum();

@@ -439,10 +439,15 @@ impl Block {
 
     /// How many of these samples of a block have more than one speed that gives their crush energy.
     #[inline(never)]
-    pub(super) fn several_speeds(&self, inputs: &[Lanes], lanes: impl Iterator<Item = usize>) -> usize {
+    pub(super) fn several_speeds(
+        &self,
+        instructions: Instructions,
+        inputs: &[Lanes],
+        lanes: impl Iterator<Item = usize>,
+    ) -> usize {
         let Some(sought) = self.sought else { return 0 };
         let mut posed = Posed::NOTHING;
-        self.pose(inputs, &mut posed);
+        dispatch!(instructions.level(), _simd => self.pose(inputs, &mut posed));
         let has_several = |lane: &usize| {
             let problem = self.problem(&posed, sought, inputs, *lane);
             problem.is_ok_and(|problem| problem.has_several_speeds())
