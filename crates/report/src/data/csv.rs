@@ -392,7 +392,7 @@ impl Csv {
     /// # Errors
     /// [`RowError`], which no answer causes.
     pub fn row(self, row: Row<'_>) -> Result<String, RowError> {
-        let value = document(row)?;
+        let value = document(row, Detail::Results)?;
         let rows = match self.table {
             Table::Comparisons => value.pointer("/rows").and_then(Value::as_array).map_or(1, Vec::len),
             Table::Analyses | Table::Uncertainties => 1,
@@ -478,7 +478,7 @@ fn codes(value: &Value) -> String {
 /// # Errors
 /// [`RowError`], which no answer causes.
 pub fn jsonl_row(row: Row<'_>) -> Result<String, RowError> {
-    Ok(on_one_line(&document(row)?)?)
+    Ok(on_one_line(&document(row, Detail::All)?)?)
 }
 
 #[derive(Serialize)]
@@ -492,7 +492,15 @@ struct RefusedFile<'a> {
     case: Option<CaseBlock>,
 }
 
-fn document(Row { file: name, answer }: Row<'_>) -> Result<Value, serde_json::Error> {
+/// How much of an answer a row has room for.
+#[derive(Clone, Copy, Debug)]
+enum Detail {
+    All,
+    /// What columns are made from.
+    Results,
+}
+
+fn document(Row { file: name, answer }: Row<'_>, detail: Detail) -> Result<Value, serde_json::Error> {
     let (file, answer) = match answer {
         Ok(answer) => answer,
         Err(Refused { error, help, bytes }) => {
@@ -513,7 +521,10 @@ fn document(Row { file: name, answer }: Row<'_>) -> Result<Value, serde_json::Er
     match answer {
         Answer::Analysis(analysis) => of_file(name, file, json::document(case, analysis)),
         Answer::Comparison(comparison) => of_file(name, file, comparison::document(case, comparison)),
-        Answer::Uncertainty(uncertainty) => of_file(name, file, uncertainty::document(case, uncertainty)),
+        Answer::Uncertainty(found) => match detail {
+            Detail::All => of_file(name, file, uncertainty::document(case, found)),
+            Detail::Results => of_file(name, file, uncertainty::results(case, found)),
+        },
     }
 }
 

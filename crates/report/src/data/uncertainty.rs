@@ -185,10 +185,26 @@ pub fn uncertainty_json(file: &CaseFile, uncertainty: &Uncertainty) -> Result<St
 
 /// What the JSON says.
 pub(crate) fn document<'a>(case: &'a Case, uncertainty: &'a Uncertainty) -> impl Serialize + use<'a> {
+    let Uncertainty { inputs, taken_as_exact, tornado, .. } = uncertainty;
+    of_inputs(case, uncertainty, inputs, taken_as_exact, &tornado.bars)
+}
+
+/// What a table of results has room for: nothing of what each input is and does.
+pub(crate) fn results<'a>(case: &'a Case, uncertainty: &'a Uncertainty) -> impl Serialize + use<'a> {
+    of_inputs(case, uncertainty, &[], &[], &[])
+}
+
+fn of_inputs<'a>(
+    case: &'a Case,
+    uncertainty: &'a Uncertainty,
+    inputs: &'a [UncertainInput],
+    taken_as_exact: &'a [TakenAsExact],
+    bars: &'a [Bar],
+) -> Document<'a> {
     let propagation = &uncertainty.propagation;
     let outputs = (0..uncertainty.outputs.len()).map(|place| {
         let output = &uncertainty.outputs[place];
-        (output.output.path(), output_block(uncertainty, place))
+        (output.output.path(), output_block(uncertainty, place, bars))
     });
     Document {
         title: title(case),
@@ -201,8 +217,8 @@ pub(crate) fn document<'a>(case: &'a Case, uncertainty: &'a Uncertainty) -> impl
         succeeded: propagation.succeeded(),
         failed: REASONS.map(|reason| (reason_name(reason), uncertainty.failed(reason))).into(),
         doubtful: uncertainty.doubtful.iter().map(doubtful_block).collect(),
-        inputs: uncertainty.inputs.iter().map(input_block).collect(),
-        taken_as_exact: uncertainty.taken_as_exact.iter().map(exact_block).collect(),
+        inputs: inputs.iter().map(input_block).collect(),
+        taken_as_exact: taken_as_exact.iter().map(exact_block).collect(),
         outputs: InOrder(outputs.collect()),
         sensitivity: indices(uncertainty, 0),
         index_rows: uncertainty.indices.as_ref().map(|indices| RowsBlock {
@@ -269,7 +285,7 @@ fn input_block(input: &UncertainInput) -> InputBlock<'_> {
     }
 }
 
-fn output_block(uncertainty: &Uncertainty, place: usize) -> OutputBlock<'_> {
+fn output_block<'a>(uncertainty: &'a Uncertainty, place: usize, bars: &'a [Bar]) -> OutputBlock<'a> {
     let output = &uncertainty.outputs[place];
     let summary = uncertainty.propagation.summaries()[place].as_ref();
     let interval = |level: usize| {
@@ -287,9 +303,7 @@ fn output_block(uncertainty: &Uncertainty, place: usize) -> OutputBlock<'_> {
         standard_error: summary.map(errors),
         first_order_sd: output.first_order.sd,
         first_order_differs: summary.map(|summary| output.differs(summary.sd.value)),
-        tornado: uncertainty
-            .tornado
-            .bars
+        tornado: bars
             .iter()
             .map(|bar| bar_block(uncertainty, bar, place, output.first_order.shares[bar.input]))
             .collect(),
