@@ -14,8 +14,9 @@ pub(super) const MISSING: i16 = i16::MAX;
 /// Below all cells.
 pub(super) const NOWHERE: i16 = i16::MIN;
 
-/// Cells that are counted together.
-const TOGETHER: u32 = 4;
+/// Two to this power of the cells are counted together in the first span: its windows begin and end where
+/// such parts do.
+pub(super) const TOGETHER: u32 = 4;
 pub(super) const BUCKETS: usize = 1 << (15 - TOGETHER);
 
 pub(super) fn bucket(cell: i16) -> usize {

@@ -67,6 +67,7 @@ pub(crate) struct Watch {
     many: usize,
     open: Open,
     seen: u64,
+    pub(super) is_narrowed: bool,
 }
 
 /// A span while its blocks come.
@@ -149,7 +150,7 @@ impl Watch {
 
     fn unseen(of: Watching, cells: Cells, centre: f64, windows: Vec<Window>) -> Self {
         let (taken, open) = (Taken::new(of.is_replicated, of.instructions), Open::new(&windows));
-        Self { of, cells, centre, windows, taken, many: of.most(), open, seen: 0 }
+        Self { of, cells, centre, windows, taken, many: of.most(), open, seen: 0, is_narrowed: false }
     }
 
     /// The samples of a span, NaN where they failed.
@@ -328,6 +329,7 @@ impl Watch {
         self.open = Open::new(&windows);
         self.windows = windows;
         self.many = self.many_from_here();
+        self.is_narrowed = true;
     }
 }
 

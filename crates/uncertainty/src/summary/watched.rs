@@ -4,7 +4,7 @@ use std::iter;
 use std::ops::Range;
 
 use super::QUANTILES;
-use super::cells::{Cells, LAST};
+use super::cells::{Cells, LAST, TOGETHER};
 use super::order::Bracket;
 use super::taken::{Ends, Ranges, Taken};
 use super::watch::{Clump, Watch};
@@ -26,6 +26,7 @@ pub(crate) struct Watched {
 }
 
 /// Two to this power of the cells are one part where places are found: the values of a few parts are sorted.
+/// Before windows are narrowed there are so few values that to count them in such parts takes longer.
 const FINE: u32 = 1;
 
 /// Some places inside a window.
@@ -65,7 +66,8 @@ impl Watched {
                 held.clumps.extend(window.clump.clone());
             }
         }
-        let ends = Ends::of(watches.iter(), FINE);
+        let shift = if watches.iter().any(|watch| watch.is_narrowed) { FINE } else { TOGETHER };
+        let ends = Ends::of(watches.iter(), shift);
         let ranges = Ranges::of(watches.iter().take(1).flat_map(|watch| &watch.windows));
         let taken = watches.into_iter().map(|watch| watch.taken).collect();
         Self { cells, held, ranges, ends, taken, centre }
