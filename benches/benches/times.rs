@@ -27,7 +27,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     motion(&mut criterion)?;
     case_file(&mut criterion)?;
     picture(&mut criterion)?;
-    before_the_first_sample(&mut criterion)?;
+    row_of_a_table(&mut criterion)?;
     sampling(&mut criterion)?;
     estimate(&mut criterion)?;
     all_evidence(&mut criterion)?;
@@ -122,20 +122,26 @@ fn picture(criterion: &mut Criterion) -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// The paper's example with ranges, of which a table pays this in each row: all but the samples, as the run
-/// is ended before the first one.
-fn before_the_first_sample(criterion: &mut Criterion) -> Result<(), Box<dyn Error>> {
+/// What a table pays for the paper's example with ranges in each row: for all but the samples, where the run
+/// is ended before the first one, and for a thousand of them.
+fn row_of_a_table(criterion: &mut Criterion) -> Result<(), Box<dyn Error>> {
     let text = include_str!("../../fixtures/sae-980025-uncertain.toml");
     let case = CaseFile::parse("sae-980025-uncertain.toml", text)?.case;
     let settings = Settings::new(SamplingMethod::MonteCarlo, 1000, 1);
-    let mut group = criterion.benchmark_group("before the first sample");
+    let mut group = criterion.benchmark_group("a row of a table");
     let samples = || analysis::samples(black_box(&case), &settings, &mut |_, _| ControlFlow::Break(()));
     samples().map_err(|failure| failure.to_string())?.ok_or("nothing is uncertain")?;
-    group.bench_function("samples alone", |b| b.iter(samples));
+    group.bench_function("samples alone, before the first", |b| b.iter(samples));
     let plan = Plan { settings, index_rows: None };
-    let all = || analysis::uncertainty(black_box(&case), &plan, &mut |_, _, _| ControlFlow::Break(()));
-    all().map_err(|failure| failure.to_string())?;
-    group.bench_function("with first order and tornado", |b| b.iter(all));
+    let all =
+        |flow: ControlFlow<()>| analysis::uncertainty(black_box(&case), &plan, &mut move |_, _, _| flow);
+    all(ControlFlow::Continue(())).map_err(|failure| failure.to_string())?;
+    let none = || all(ControlFlow::Break(()));
+    group.bench_function("with first order and tornado, before the first", |b| b.iter(none));
+    // One thread, as the others have rows of their own.
+    let one = rayon::ThreadPoolBuilder::new().num_threads(1).build()?;
+    let thousand = || one.install(|| all(ControlFlow::Continue(())));
+    group.bench_function("with a thousand samples, one thread", |b| b.iter(thousand));
     group.finish();
     Ok(())
 }
