@@ -12,7 +12,7 @@ use clap::builder::{
 use clap::{Arg, Args, Parser, ValueEnum};
 use clap_complete::Shell;
 use estimate::{MOST_PARTICLES, PARTICLES_STEP, Settings};
-use uncertainty::MIN_SAMPLES;
+use uncertainty::{MAX_SAMPLES, MIN_SAMPLES};
 
 /// Reconstructs a two-vehicle collision from its damage.
 ///
@@ -623,11 +623,11 @@ pub(crate) struct UncertaintyArguments {
 
     /// Number of samples; four times as many halve the standard errors [default: 100000, or 1000 where the
     /// vehicles are searched back from their rests]
-    #[arg(long, value_name = "N", value_parser = count)]
+    #[arg(long, value_name = "N", value_parser = samples)]
     pub(crate) samples: Option<usize>,
 
     /// Random seed
-    #[arg(long, value_name = "SEED", default_value_t = 1)]
+    #[arg(long, value_name = "SEED", default_value_t = 1, value_parser = seed)]
     pub(crate) seed: u64,
 
     /// Sampling method
@@ -702,12 +702,24 @@ fn output_name(text: &str) -> Result<String, String> {
 }
 
 /// Before the samples are drawn, which may take minutes.
+fn samples(text: &str) -> Result<usize, String> {
+    enough(text, "samples")
+}
+
 fn rows(text: &str) -> Result<usize, String> {
-    let rows = count(text)?;
-    if rows < MIN_SAMPLES {
-        return Err(format!("the number of rows must be at least {MIN_SAMPLES}"));
+    enough(text, "rows")
+}
+
+fn enough(text: &str, what: &str) -> Result<usize, String> {
+    let number = count(text)?;
+    if number < MIN_SAMPLES || u64::try_from(number).is_ok_and(|number| number > MAX_SAMPLES) {
+        return Err(format!("the number of {what} must be between {MIN_SAMPLES} and {MAX_SAMPLES}"));
     }
-    Ok(rows)
+    Ok(number)
+}
+
+fn seed(text: &str) -> Result<u64, String> {
+    text.parse().map_err(|_| format!("give a whole number from 0 to {}, such as 1", u64::MAX))
 }
 
 fn degrees(text: &str) -> Result<f64, String> {
@@ -723,7 +735,7 @@ pub(crate) struct EstimateArguments {
     pub(crate) arguments: Arguments,
 
     /// Random seed
-    #[arg(long, value_name = "SEED", default_value_t = 1)]
+    #[arg(long, value_name = "SEED", default_value_t = 1, value_parser = seed)]
     pub(crate) seed: u64,
 
     /// Number of particles of each of 16 islands, a multiple of 128; it is doubled up to twice where the run
@@ -802,11 +814,11 @@ pub(crate) struct TableArguments {
     pub(crate) job: TableJob,
 
     /// Number of samples of each row, for intervals; for the jobs reconstruct and impact
-    #[arg(long, value_name = "N", value_parser = count)]
+    #[arg(long, value_name = "N", value_parser = samples)]
     pub(crate) samples: Option<usize>,
 
     /// Random seed of every row, unless the table has a column `seed`
-    #[arg(long, value_name = "SEED", default_value_t = 1)]
+    #[arg(long, value_name = "SEED", default_value_t = 1, value_parser = seed)]
     pub(crate) seed: u64,
 
     /// Number of particles of each of 16 islands, a multiple of 128; for the job estimate
@@ -872,7 +884,7 @@ pub(crate) struct ValidateArguments {
     pub(crate) other: bool,
 
     /// Seed of the random numbers: the same seed gives the same results
-    #[arg(long, value_name = "N", default_value_t = 1, requires = "field")]
+    #[arg(long, value_name = "SEED", default_value_t = 1, value_parser = seed, requires = "field")]
     pub(crate) seed: u64,
 
     /// Number of threads; the default is one for each processor

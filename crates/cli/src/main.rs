@@ -287,6 +287,12 @@ fn report_uncertainty(arguments: UncertaintyArguments) -> Result<()> {
         plots,
         plots_format,
     } = arguments;
+    if sobol.is_some()
+        && let Some(rows) = of_case.cases.iter().find(|case| is_number(case) && !case.exists())
+    {
+        let rows = named(rows);
+        anyhow::bail!("--sobol {rows}: write --sobol={rows}, as --sobol may also stand without a number");
+    }
     let wanted = |output: Output| outputs.as_ref().is_none_or(|names| names.contains(&output.path()));
     let method = match method {
         arguments::Method::MonteCarlo => SamplingMethod::MonteCarlo,
@@ -350,6 +356,10 @@ fn report_uncertainty(arguments: UncertaintyArguments) -> Result<()> {
     }
     let document = || Ok(pool.install(|| report::uncertainty(&file.case, &uncertainty, units)));
     present(&arguments, document, || report::uncertainty_json(&file, &uncertainty))
+}
+
+fn is_number(path: &Path) -> bool {
+    path.to_str().is_some_and(|name| name.parse::<f64>().is_ok())
 }
 
 fn write_plot(folder: &Path, name: &str, plot: &Drawing, format: PlotsFormat) -> Result<()> {
