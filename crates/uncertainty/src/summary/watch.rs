@@ -378,9 +378,14 @@ impl Window {
     }
 
     fn add_below(&mut self, counts: &[u64; REPLICATES]) {
-        for (below, count) in self.below.iter_mut().zip(counts) {
-            *below += count;
-        }
+        add_counts(&mut self.below, counts);
+    }
+}
+
+/// Adds what was counted of each replicate.
+pub(super) fn add_counts(counts: &mut [u64; REPLICATES], more: &[u64; REPLICATES]) {
+    for (count, more) in counts.iter_mut().zip(more) {
+        *count += more;
     }
 }
 

@@ -7,7 +7,7 @@ use super::QUANTILES;
 use super::cells::{Cells, LAST, TOGETHER};
 use super::order::Bracket;
 use super::taken::{Ends, Ranges, Taken};
-use super::watch::{Clump, Watch};
+use super::watch::{Clump, Watch, add_counts};
 use crate::limits::REPLICATES;
 use crate::run::for_each;
 
@@ -60,9 +60,7 @@ impl Watched {
             let mut lost = lost.iter();
             watch.windows.retain(|_| lost.next().is_some_and(|is_lost| !is_lost));
             for (held, window) in held.iter_mut().zip(&watch.windows) {
-                for (below, count) in held.below.iter_mut().zip(window.below) {
-                    *below += count;
-                }
+                add_counts(&mut held.below, &window.below);
                 held.clumps.extend(window.clump.clone());
             }
         }
