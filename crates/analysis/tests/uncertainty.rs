@@ -583,6 +583,18 @@ fn samples_with_several_speeds_are_counted_among_the_first() {
     assert_eq!((several.samples, several.of), (4096, 4096));
 }
 
+/// The same where a quadratic has two of them, and where one.
+#[test]
+fn samples_with_two_speeds_in_closed_form_are_counted() {
+    let counted = |across: f64| {
+        let narrow = "yaw_rate = { value = \"5 rad/s\", sd = \"1e-9 rad/s\" }";
+        let result = run(&crate::warnings::spinning(across).replace("yaw_rate = \"5 rad/s\"", narrow), 5000);
+        doubt(&result, Doubt::SeveralSpeeds).map(|several| (several.samples, several.of))
+    };
+    assert_eq!(counted(3.0), Some((4096, 4096)));
+    assert_eq!(counted(1.9), None);
+}
+
 /// All depths of both vehicles, but for the tape.
 const TAPE: &str = include_str!("../../../fixtures/depths-shared.toml");
 const INDEPENDENT: &str = include_str!("../../../fixtures/depths-independent.toml");

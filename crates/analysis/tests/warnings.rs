@@ -363,7 +363,7 @@ fn delta_v_without_restitution_and_with_sliding() {
 /// Mass 1 kg and radius of gyration 1 m, C at (−1, −1) m of the CG in the scene, a wall below, e = 0, a yaw
 /// rate ω of 5 rad/s, and a heading of `across` for 1 down. The crush, 1 m deep and wide with A = 0 and B = 3
 /// N/m², took 1.5 J.
-fn spinning(across: f64) -> String {
+pub(crate) fn spinning(across: f64) -> String {
     let heading = f64::atan2(-1.0, across);
     format!(
         "[vehicle1]\nmass = \"1 kg\"\nyaw_radius = \"1 m\"\nyaw_rate = \"5 rad/s\"\nheading = \"{heading} rad\"\n\
