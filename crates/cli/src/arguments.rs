@@ -701,7 +701,6 @@ fn output_name(text: &str) -> Result<String, String> {
     })
 }
 
-/// Before the samples are drawn, which may take minutes.
 fn samples(text: &str) -> Result<usize, String> {
     enough(text, "samples")
 }
@@ -710,6 +709,7 @@ fn rows(text: &str) -> Result<usize, String> {
     enough(text, "rows")
 }
 
+/// Judged before anything is drawn, which may take minutes.
 fn enough(text: &str, what: &str) -> Result<usize, String> {
     let number = count(text)?;
     if number < MIN_SAMPLES || u64::try_from(number).is_ok_and(|number| number > MAX_SAMPLES) {

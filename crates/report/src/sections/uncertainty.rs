@@ -350,7 +350,7 @@ impl<'a> Page<'a> {
         let [below, above] = histogram.outside.map(|count| share(count, summary.samples));
         table.notes.push(format!("{below} % lie below and {above} % above."));
         match pictures::histogram_picture(self.case, self.uncertainty, 0, self.units) {
-            Some(picture) => self.chart("histogram-0", move || picture.draw(), Some(table)),
+            Some(picture) => self.chart("histogram-0".to_owned(), move || picture.draw(), Some(table)),
             None => self.document.push(table),
         }
     }
@@ -370,25 +370,24 @@ impl<'a> Page<'a> {
                 && let Some(picture) =
                     pictures::histogram_picture(self.case, self.uncertainty, place, self.units)
             {
-                self.chart(&format!("histogram-{place}"), move || picture.draw(), None);
+                self.chart(format!("histogram-{place}"), move || picture.draw(), None);
             }
         }
     }
 
     fn chart(
         &mut self,
-        name: &str,
+        name: String,
         draw: impl Fn() -> Drawing + Send + Sync + 'static,
         instead: Option<Table>,
     ) {
-        let (name, drawing) = (name.to_owned(), Undrawn::new(draw));
-        self.document.push(Block::Chart { name, drawing, instead });
+        self.document.push(Block::Chart { name, drawing: Undrawn::new(draw), instead });
     }
 
     fn tornado(&mut self, place: usize) {
         let Some(&(output, _)) = self.rows().get(place) else { return };
         if let Some(picture) = pictures::tornado_picture(self.case, self.uncertainty, place, self.units) {
-            self.chart(&format!("tornado-{place}"), move || picture.draw(), None);
+            self.chart(format!("tornado-{place}"), move || picture.draw(), None);
         }
         let title = format!("Main drivers: {}", output_name(output.output));
         let alone = quantity(output.output);

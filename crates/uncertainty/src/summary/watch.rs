@@ -67,6 +67,7 @@ pub(crate) struct Watch {
     many: usize,
     open: Open,
     seen: u64,
+    /// Its windows then begin and end between the parts of the first span.
     pub(super) is_narrowed: bool,
 }
 
