@@ -9,7 +9,7 @@ use std::ops::ControlFlow;
 
 use ::uncertainty::{
     Distribution, FirstOrder, Instructions, InvalidDistribution, InvalidRequest, LANES, Lanes, Model,
-    Progress, Propagation, Sampler, Settings, TORNADO_PROBABILITIES, Tornado, Truncation,
+    Progress, Propagation, Sampler, Settings, TORNADO_PROBABILITIES, Tornado, Truncation, join,
 };
 use crash3::CrushError;
 use inputs::{
@@ -379,17 +379,22 @@ pub fn uncertainty_of(
     // What is doubtful is seen by these, whoever asks.
     outputs.extend(others.into_iter().filter(|output| doubts::reads(*output)));
     let central = central(&nominal, &outputs);
-    let gradients = gradients(case, &nominal, &outputs)?;
-    let first_order = first_order(&gradients, &inputs)?;
-    let taken_as_exact = exact::taken_as_exact(case, &inputs, &gradients);
-
     let watched = Watched::new(case, &inputs, &outputs, &central);
     let model = Sample { asked, watched, ..Sample::new(case, &nominal, &inputs, &outputs, &central) };
     let distributions: Vec<Distribution> = inputs.iter().map(|input| input.distribution).collect();
     let numbers: Vec<f64> = inputs.iter().map(|input| input.input.number).collect();
-    let tornado = ::uncertainty::tornado(&model, &distributions, &numbers, TORNADO_PROBABILITIES)?;
+
+    let without_samples = || {
+        let gradients = gradients(case, &nominal, &outputs)?;
+        let first_order = first_order(&gradients, &inputs)?;
+        let taken_as_exact = exact::taken_as_exact(case, &inputs, &gradients);
+        let tornado = ::uncertainty::tornado(&model, &distributions, &numbers, TORNADO_PROBABILITIES)?;
+        Ok::<_, Failure>((first_order, taken_as_exact, tornado))
+    };
     let of_samples: &mut Progress<'_> = &mut |done, total| progress(Stage::Samples, done, total);
-    let propagation = ::uncertainty::propagate(&model, &distributions, &plan.settings, of_samples)?;
+    let propagate = || ::uncertainty::propagate(&model, &distributions, &plan.settings, of_samples);
+    let (found, propagation) = join(without_samples, propagate);
+    let ((first_order, taken_as_exact, tornado), propagation) = (found?, propagation?);
     let is_ended = propagation.evaluated() < propagation.requested();
     let again = (!propagation.is_kept()).then(|| Box::new(case.clone()));
     let doubtful = doubts::doubtful(&model, &inputs, &plan.settings, &propagation)?;

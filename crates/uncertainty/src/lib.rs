@@ -97,7 +97,7 @@ pub use limits::{MAX_SAMPLES, MIN_SAMPLES, REPLICATES};
 pub use model::{Failures, Function, LANES, Lanes, Model, NOT_FINITE, SUCCEEDED};
 pub use points::{MAX_SOBOL_INPUTS, SamplingMethod};
 pub use propagate::{Propagation, propagate};
-pub use run::{Instructions, Progress, Span, for_each, in_order};
+pub use run::{Instructions, Progress, Span, for_each, in_order, join};
 pub use sampler::{Sampler, Settings};
 pub use sensitivity::{Index, Indices, SobolIndices, sensitivity};
 pub use summary::{Classes, Estimate, Histogram, Interval, LEVELS, Summary};

@@ -115,6 +115,15 @@ pub fn for_each<S: Send, T: Send>(
     in_order(spans, work, &mut |_, _| ControlFlow::Continue(()))
 }
 
+/// The results of both: the second one begins after the first, or beside it on another thread.
+pub fn join<A: Send, B: Send>(first: impl FnOnce() -> A + Send, second: impl FnOnce() -> B + Send) -> (A, B) {
+    #[cfg(feature = "parallel")]
+    if workers() > 1 {
+        return rayon::join(first, second);
+    }
+    (first(), second())
+}
+
 #[cfg(feature = "parallel")]
 fn workers() -> usize {
     rayon::current_num_threads()
@@ -147,7 +156,7 @@ fn on_threads(_workers: usize, worker: &(impl Fn() + Sync)) {
 
 #[cfg(test)]
 mod tests {
-    use super::{Span, in_order};
+    use super::{Span, in_order, join};
     use std::ops::ControlFlow;
 
     fn spans(count: u64) -> Vec<Span<u64>> {
@@ -165,6 +174,12 @@ mod tests {
         assert_eq!(seen.len(), 100);
         assert_eq!(seen[0], (0, 1000));
         assert!(seen.is_sorted() && seen.iter().all(|&(done, total)| done < 1000 && total == 1000));
+    }
+
+    #[test]
+    fn both_are_done_beside_others() {
+        let nested = || join(|| 1, || in_order(spans(9), |work| work, &mut |_, _| ControlFlow::Continue(())));
+        assert_eq!(join(nested, || "two"), ((1, (0..9).collect()), "two"));
     }
 
     #[test]
