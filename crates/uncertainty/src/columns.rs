@@ -90,14 +90,14 @@ impl Clone for Numbers {
     }
 }
 
-/// Memory of its own for so many numbers; `None` where they would not fill some large pages, or there is
-/// none.
+/// Memory of its own for so many numbers, and for more where these do not fill the last large page; `None`
+/// where they would not fill one, or there is none.
 #[cfg(target_os = "linux")]
 fn pages(count: usize) -> Option<MmapMut> {
-    /// (byte) a few large pages of 2 MiB.
-    const WORTH_IT: usize = 1 << 22;
-    let bytes = count.checked_mul(size_of::<f64>()).filter(|bytes| *bytes >= WORTH_IT)?;
-    let pages = MmapMut::map_anon(bytes).ok()?;
+    /// (byte)
+    const LARGE: usize = 1 << 21;
+    let bytes = count.checked_mul(size_of::<f64>()).filter(|bytes| *bytes >= LARGE)?;
+    let pages = MmapMut::map_anon(bytes.checked_next_multiple_of(LARGE)?).ok()?;
     // Where the system has no large pages, small ones do.
     let _ = pages.advise(Advice::HugePage);
     Some(pages)
