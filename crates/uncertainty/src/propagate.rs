@@ -1,7 +1,7 @@
 //! Turns samples of the inputs into samples of the outputs.
 
 use std::ops::ControlFlow;
-use std::sync::{Mutex, PoisonError};
+use std::sync::{Arc, Mutex, PoisonError};
 
 use crate::columns::Columns;
 use crate::distribution::Distribution;
@@ -11,7 +11,9 @@ use crate::model::{Failures, LANES, Lanes, Model, SUCCEEDED, count_failures, tal
 use crate::points::SamplingMethod;
 use crate::run::{Progress, Span, for_each, in_order};
 use crate::sampler::{Sampler, Settings};
-use crate::summary::{Caution, Classes, Histogram, Passes, Powers, SPAN, Summary, Watch, Watched, Watching};
+use crate::summary::{
+    Caution, Classes, Histogram, Passes, Powers, Room, SPAN, Summary, Watch, Watched, Watching,
+};
 
 /// The result of a propagation.
 #[derive(Clone, Debug)]
@@ -169,9 +171,9 @@ struct Run<'a, M> {
 const SMALL: usize = SPAN / 8;
 
 /// What a run has before its first span, and what it finds.
-struct Begun {
+struct Begun<'m> {
     first: Samples,
-    watches: Vec<Watch>,
+    watches: Vec<Watch<'m>>,
     totals: Totals,
     powers: Vec<Powers>,
 }
@@ -190,7 +192,11 @@ impl<M: Model> Run<'_, M> {
         let mut columns = Columns::new(self.kept, requested);
         let is_kept = self.kept == self.outputs;
         let mut reasons = vec![SUCCEEDED; if is_kept { requested } else { 0 }];
-        let Some(mut begun) = told(0, 0).is_continue().then(|| self.begin()) else { return self.nothing() };
+        let mut memory = Room::memory(self.outputs, requested);
+        let room = Arc::new(Room::new(&mut memory, requested));
+        let Some(mut begun) = told(0, 0).is_continue().then(|| self.begin(room)) else {
+            return self.nothing();
+        };
         for (column, begin) in columns.iter_mut().zip(begun.first.columns.iter()) {
             column[..begin.len()].copy_from_slice(begin);
         }
@@ -237,16 +243,16 @@ impl<M: Model> Run<'_, M> {
 
     /// The first span, which tells how its columns are watched. It is cut small, as nobody can go on before
     /// it is done.
-    fn begin(&self) -> Begun {
+    fn begin<'m>(&self, room: Arc<Room<'m>>) -> Begun<'m> {
         let planned = self.settings.samples;
         let mut first = Samples::new(self.outputs, SPAN.min(planned));
         let count = first.reasons.len();
         let totals = self.evaluate(0, &mut first, (count, SMALL), &mut |_, _| ControlFlow::Continue(()));
         let Limits { caution, .. } = *self.limits;
         let (instructions, is_replicated) = (self.settings.instructions, self.is_replicated());
-        let watching = Watching { planned, is_replicated, instructions, caution };
+        let watching = Watching { planned, is_replicated, instructions, caution, room };
         let watched = for_each(first.columns.iter(), |column| {
-            let mut watch = Watch::new(column, watching);
+            let mut watch = Watch::new(column, watching.clone());
             let powers = watch.add(column);
             (watch, powers)
         });
@@ -270,13 +276,13 @@ impl<M: Model> Run<'_, M> {
 
     /// All spans but the first one, in groups, and who has watched them. After each group windows are
     /// narrowed: at first that saves more than it costs only now and then, and later it keeps memory small.
-    fn go_on(
+    fn go_on<'m>(
         &self,
         columns: &mut Columns,
         reasons: &mut [u8],
-        Begun { watches, totals, powers, .. }: &mut Begun,
+        Begun { watches, totals, powers, .. }: &mut Begun<'m>,
         told: &mut (dyn FnMut(usize) -> ControlFlow<()> + Send),
-    ) -> Vec<Worker> {
+    ) -> Vec<Worker<'m>> {
         let requested = self.settings.samples;
         let mut slices: Vec<_> = columns.iter_mut().map(|column| column.chunks_mut(SPAN).skip(1)).collect();
         let mut codes = reasons.chunks_mut(SPAN).skip(1);
@@ -285,7 +291,7 @@ impl<M: Model> Run<'_, M> {
             let samples = SPAN.min(requested - start);
             Span { samples, work: Kept { index, samples, outputs, reasons: codes.next() } }
         });
-        let waiting = Mutex::new(Vec::<Worker>::new());
+        let waiting = Mutex::new(Vec::<Worker<'_>>::new());
         let lock = || waiting.lock().unwrap_or_else(PoisonError::into_inner);
         let mut spans_done = 1;
         loop {
@@ -313,7 +319,7 @@ impl<M: Model> Run<'_, M> {
             let mut workers = lock();
             let mut of_workers: Vec<_> = workers.iter_mut().map(|worker| worker.watches.iter_mut()).collect();
             let columns = watches.iter_mut().map(|watch| {
-                let others: Vec<&mut Watch> = of_workers.iter_mut().filter_map(Iterator::next).collect();
+                let others: Vec<&mut Watch<'_>> = of_workers.iter_mut().filter_map(Iterator::next).collect();
                 (watch, others)
             });
             for_each(columns, |(watch, others)| watch.narrow(others));
@@ -322,7 +328,7 @@ impl<M: Model> Run<'_, M> {
     }
 
     /// A span, and what it adds.
-    fn watch(&self, span: Kept<'_>, worker: &mut Worker) -> (Totals, Vec<Powers>) {
+    fn watch(&self, span: Kept<'_>, worker: &mut Worker<'_>) -> (Totals, Vec<Powers>) {
         let Kept { index, samples, outputs, reasons } = span;
         let Worker { block, reasons: own, watches } = worker;
         let reasons = reasons.unwrap_or(&mut own[..samples]);
@@ -332,11 +338,16 @@ impl<M: Model> Run<'_, M> {
     }
 
     /// What has been watched of each column.
-    fn passes(&self, watches: Vec<Watch>, workers: Vec<Worker>, powers: &[Powers]) -> Vec<Passes> {
+    fn passes<'m>(
+        &self,
+        watches: Vec<Watch<'m>>,
+        workers: Vec<Worker<'m>>,
+        powers: &[Powers],
+    ) -> Vec<Passes<'m>> {
         let mut of_workers: Vec<_> = workers.into_iter().map(|worker| worker.watches.into_iter()).collect();
         let of_each = if self.is_replicated() { REPLICATES } else { 1 };
         let columns = watches.into_iter().zip(powers.chunks(of_each)).map(|(watch, powers)| {
-            let others: Vec<Watch> = of_workers.iter_mut().filter_map(Iterator::next).collect();
+            let others: Vec<Watch<'_>> = of_workers.iter_mut().filter_map(Iterator::next).collect();
             (watch, others, powers)
         });
         for_each(columns, |(watch, others, powers)| {
@@ -348,7 +359,7 @@ impl<M: Model> Run<'_, M> {
     /// their histograms.
     fn draw_again(
         &self,
-        passes: &mut [Passes],
+        passes: &mut [Passes<'_>],
         evaluated: usize,
         told: &mut (dyn FnMut(usize) -> ControlFlow<()> + Send),
     ) -> Vec<Vec<Histogram>> {
@@ -419,7 +430,7 @@ impl<M: Model> Run<'_, M> {
             let part = Part { first_block: first_block as u64, outputs, watches: &mut [], reasons };
             Span { samples, work: part }
         });
-        let work = |part: Part<'_, '_>| {
+        let work = |part: Part<'_, '_, '_>| {
             part.evaluate(self.model, &self.sampler, &mut Block::new(self.model, &self.sampler))
         };
         let mut totals = Totals::of(self.model);
@@ -443,16 +454,16 @@ impl Samples {
 }
 
 /// What one thread has while it does its spans.
-struct Worker {
+struct Worker<'m> {
     block: Block,
     /// Those of a span that are not kept.
     reasons: Vec<u8>,
     /// What it has seen of each column.
-    watches: Vec<Watch>,
+    watches: Vec<Watch<'m>>,
 }
 
-impl Worker {
-    fn new(model: &impl Model, sampler: &Sampler<'_>, watches: &[Watch]) -> Self {
+impl<'m> Worker<'m> {
+    fn new(model: &impl Model, sampler: &Sampler<'_>, watches: &[Watch<'m>]) -> Self {
         let watches = watches.iter().map(Watch::unwatched).collect();
         Self { block: Block::new(model, sampler), reasons: vec![SUCCEEDED; SPAN], watches }
     }
@@ -480,12 +491,12 @@ struct Kept<'c> {
 }
 
 /// Where the results of some blocks go.
-struct Part<'a, 'c> {
+struct Part<'a, 'c, 'm> {
     first_block: u64,
     /// Those that are kept.
     outputs: Vec<&'c mut [f64]>,
     /// Of all that are summarised, unless that is not done.
-    watches: &'a mut [Watch],
+    watches: &'a mut [Watch<'m>],
     reasons: &'a mut [u8],
 }
 
@@ -514,7 +525,7 @@ impl Totals {
     }
 }
 
-impl Part<'_, '_> {
+impl Part<'_, '_, '_> {
     fn evaluate<M: Model>(self, model: &M, sampler: &Sampler<'_>, block: &mut Block) -> Totals {
         let Self { first_block, mut outputs, watches, reasons: codes } = self;
         let Block { inputs, answers } = block;

@@ -11,6 +11,7 @@ mod histogram;
 mod order;
 mod passes;
 mod powers;
+mod room;
 mod taken;
 mod watch;
 mod watched;
@@ -22,6 +23,7 @@ use powers::Moments;
 pub use histogram::{Classes, Histogram};
 pub(crate) use passes::Passes;
 pub(crate) use powers::{Powers, SPAN};
+pub(crate) use room::Room;
 pub(crate) use watch::{Caution, Watch, Watching};
 pub(crate) use watched::Watched;
 

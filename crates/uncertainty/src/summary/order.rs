@@ -11,8 +11,8 @@ use super::watched::Watched;
 /// passes cut the range into parts until it is known to hold one value only, or few. However the values lie,
 /// this is right; where most lie close together, it takes longer.
 #[derive(Debug)]
-pub(super) struct Order {
-    watched: Watched,
+pub(super) struct Order<'m> {
+    watched: Watched<'m>,
     /// The most values that are taken out at once.
     most: usize,
     windows: Vec<Window>,
@@ -30,12 +30,12 @@ pub(super) struct Bracket {
     pub(super) greatest: u64,
 }
 
-impl Order {
-    pub(super) fn new(watched: Watched, most: usize) -> Self {
+impl<'m> Order<'m> {
+    pub(super) fn new(watched: Watched<'m>, most: usize) -> Self {
         Self { watched, most, windows: Vec::new(), places: Vec::new(), values: Vec::new() }
     }
 
-    pub(super) fn watched(&self) -> &Watched {
+    pub(super) fn watched(&self) -> &Watched<'m> {
         &self.watched
     }
 

@@ -9,11 +9,11 @@ use crate::limits::REPLICATES;
 /// What a [`Summary`] follows from: nearly always what a first pass has found, and otherwise more passes, in
 /// each of which the column has to come whole. Whichever it takes, the summary has the same bits.
 #[derive(Debug)]
-pub(crate) struct Passes {
+pub(crate) struct Passes<'m> {
     /// Of all samples, and of those of each replicate, where there are replicates.
     moments: Moments,
     replicates: Vec<Powers>,
-    order: Order,
+    order: Order<'m>,
     stage: Stage,
     quantiles: [f64; QUANTILES],
     summary: Option<Summary>,
@@ -29,10 +29,10 @@ enum Stage {
     Done,
 }
 
-impl Passes {
+impl<'m> Passes<'m> {
     /// After the first pass over a column, which was watched; `powers` are those of each replicate, or by
     /// Monte Carlo of all samples. `most` is how many values may be taken out at once.
-    pub(crate) fn new(watched: Watched, powers: &[Powers], most: usize) -> Self {
+    pub(crate) fn new(watched: Watched<'m>, powers: &[Powers], most: usize) -> Self {
         let moments = Powers::of_all(powers).moments(watched.centre);
         let replicates = if powers.len() == REPLICATES { powers.to_vec() } else { Vec::new() };
         let order = Order::new(watched, most);

@@ -6,74 +6,29 @@ use fearless_simd::dispatch;
 
 use super::QUANTILES;
 use super::cells::{LAST, MISSING, NOWHERE};
+use super::room::{PIECE, Piece, Room};
 use super::watch::{Watch, Window};
 use crate::limits::REPLICATES;
 use crate::run::Instructions;
 
 /// Values that were taken out, of all windows, in no order. Where windows are narrowed, their places are used
-/// again: memory that is touched for the first time costs more than what is done with it.
-#[derive(Clone, Debug)]
-pub(super) struct Taken {
-    pieces: Vec<Piece>,
+/// again.
+#[derive(Debug)]
+pub(super) struct Taken<'m> {
+    pieces: Vec<Piece<'m>>,
     /// The one to which values are added.
     current: usize,
     is_replicated: bool,
     instructions: Instructions,
 }
 
-/// Some of the values.
-#[derive(Clone, Debug)]
-struct Piece {
-    values: Vec<f64>,
-    /// That of each value.
-    cells: Vec<i16>,
-    /// That of each value, where there are replicates: by Monte Carlo all have one.
-    replicates: Vec<u8>,
-}
-
-/// The most values of a piece: so few that an allocator finds them room in what it has.
-const PIECE: usize = 1 << 12;
-
-impl Piece {
-    fn new(is_replicated: bool) -> Self {
-        let replicates = Vec::with_capacity(if is_replicated { PIECE } else { 0 });
-        Self { values: Vec::with_capacity(PIECE), cells: Vec::with_capacity(PIECE), replicates }
-    }
-
-    fn is_full(&self) -> bool {
-        self.values.len() == PIECE
-    }
-
-    fn replicate(&self, place: usize) -> usize {
-        self.replicates.get(place).map_or(0, |replicate| usize::from(*replicate) % REPLICATES)
-    }
-
-    /// Leaves those values of which it is told that they stay.
-    fn retain(&mut self, mut stays: impl FnMut(usize, &Self) -> bool) {
-        let mut left = 0;
-        for place in 0..self.values.len() {
-            // Moved in any case, as which of them stay cannot be predicted.
-            let stay = stays(place, self);
-            self.values[left] = self.values[place];
-            self.cells[left] = self.cells[place];
-            if let Some(replicate) = self.replicates.get(place).copied() {
-                self.replicates[left] = replicate;
-            }
-            left += usize::from(stay);
-        }
-        self.values.truncate(left);
-        self.cells.truncate(left);
-        self.replicates.truncate(left);
-    }
-}
-
-impl Taken {
-    pub(super) fn new(is_replicated: bool, instructions: Instructions) -> Self {
-        Self { pieces: vec![Piece::new(is_replicated)], current: 0, is_replicated, instructions }
+impl<'m> Taken<'m> {
+    pub(super) fn new(room: &Room<'m>, is_replicated: bool, instructions: Instructions) -> Self {
+        Self { pieces: vec![Piece::new(room, is_replicated)], current: 0, is_replicated, instructions }
     }
 
     pub(super) fn count(&self) -> usize {
-        self.pieces.iter().map(|piece| piece.values.len()).sum()
+        self.pieces.iter().map(Piece::len).sum()
     }
 
     /// Whether there is no place for another value before [`make_place`](Self::make_place).
@@ -82,30 +37,24 @@ impl Taken {
         self.pieces[self.current].is_full()
     }
 
-    pub(super) fn make_place(&mut self) {
+    pub(super) fn make_place(&mut self, room: &Room<'m>) {
         let with_room = self.pieces.iter().position(|piece| !piece.is_full());
         self.current = with_room.unwrap_or(self.pieces.len());
         if with_room.is_none() {
-            self.pieces.push(Piece::new(self.is_replicated));
+            self.pieces.push(Piece::new(room, self.is_replicated));
         }
     }
 
     #[inline]
     pub(super) fn push(&mut self, value: f64, cell: i16, replicate: usize) {
-        let piece = &mut self.pieces[self.current];
-        piece.values.push(value);
-        piece.cells.push(cell);
-        if self.is_replicated {
-            #[expect(clippy::cast_possible_truncation, reason = "below 16")]
-            piece.replicates.push(replicate as u8);
-        }
+        self.pieces[self.current].push(value, cell, self.is_replicated.then_some(replicate));
     }
 
     /// Each value with its cell and replicate.
     #[inline]
     pub(super) fn iter(&self) -> impl Iterator<Item = (f64, i16, usize)> {
         self.pieces.iter().flat_map(|piece| {
-            let noted = piece.values.iter().zip(&piece.cells).enumerate();
+            let noted = piece.values().iter().zip(piece.cells()).enumerate();
             noted.map(|(place, (value, cell))| (*value, *cell, piece.replicate(place)))
         })
     }
@@ -113,8 +62,8 @@ impl Taken {
     /// The values in some of the cells, each with its own.
     pub(super) fn in_cells(&self, are_wanted: impl Fn(i16) -> bool) -> Vec<(f64, i16)> {
         let mut found = Vec::new();
-        for Piece { values, cells, .. } in &self.pieces {
-            let wanted = cells.iter().zip(values).filter(|(cell, _)| are_wanted(**cell));
+        for piece in &self.pieces {
+            let wanted = piece.cells().iter().zip(piece.values()).filter(|(cell, _)| are_wanted(**cell));
             found.extend(wanted.map(|(cell, value)| (*value, *cell)));
         }
         found
@@ -126,13 +75,13 @@ impl Taken {
         let mut counts = Box::new([[[0; REPLICATES]; QUANTILES + 1]; QUANTILES + 1]);
         let [mut begun_old, mut begun_new] = [[0; PIECE]; 2];
         for piece in &mut self.pieces {
-            old.count_begun(self.instructions, &piece.cells, &mut begun_old);
-            new.count_begun(self.instructions, &piece.cells, &mut begun_new);
-            piece.retain(|place, piece| {
+            old.count_begun(self.instructions, piece.cells(), &mut begun_old);
+            new.count_begun(self.instructions, piece.cells(), &mut begun_new);
+            piece.retain(|place, (_, cell, replicate)| {
                 let [from, to] = [begun_old[place], begun_new[place]];
                 let [from_old, from_new] = [from, to].map(|begun| usize::from(begun.unsigned_abs()));
-                counts[from_old][from_new][piece.replicate(place)] += 1;
-                new.is_inside(piece.cells[place], to)
+                counts[from_old][from_new][replicate] += 1;
+                new.is_inside(cell, to)
             });
         }
         counts
@@ -141,9 +90,8 @@ impl Taken {
     /// Leaves those that are to stay, by their values, replicates and ranges. Those in no range go.
     pub(super) fn retain(&mut self, ranges: &Ranges, mut stays: impl FnMut(f64, usize, usize) -> bool) {
         for piece in &mut self.pieces {
-            piece.retain(|place, piece| {
-                let range = ranges.number(piece.cells[place]);
-                range.is_some_and(|range| stays(piece.values[place], piece.replicate(place), range))
+            piece.retain(|_, (value, cell, replicate)| {
+                ranges.number(cell).is_some_and(|range| stays(value, replicate, range))
             });
         }
     }
@@ -222,12 +170,12 @@ struct Spread {
 impl Ends {
     /// Of the windows of watches that have the same ones. Two to the power of `shift` of the cells are one
     /// part.
-    pub(super) fn of<'a>(watches: impl Iterator<Item = &'a Watch> + Clone, shift: u32) -> Self {
+    pub(super) fn of<'a, 'm: 'a>(watches: impl Iterator<Item = &'a Watch<'m>> + Clone, shift: u32) -> Self {
         let mut ends = Self { shift, windows: Vec::new() };
         let part = |cell: i16| ends.part(cell);
         let mut counts = vec![0_u32; ends.parts()];
         for watch in watches.clone() {
-            for cell in watch.taken.pieces.iter().flat_map(|piece| &piece.cells) {
+            for cell in watch.taken.pieces.iter().flat_map(Piece::cells) {
                 counts[part(*cell)] += 1;
             }
         }

@@ -1,5 +1,8 @@
+use std::sync::Arc;
+
 use super::{
-    Caution, Classes, Estimate, Histogram, Passes, Place, Powers, SPAN, Summary, Watch, Watched, Watching,
+    Caution, Classes, Estimate, Histogram, Passes, Place, Powers, Room, SPAN, Summary, Watch, Watched,
+    Watching,
 };
 use crate::limits::REPLICATES;
 use crate::points::SamplingMethod;
@@ -15,12 +18,14 @@ fn summed_up(
     (workers, most): (usize, usize),
 ) -> (Option<Summary>, usize) {
     let (planned, is_replicated) = (column.len(), method != SamplingMethod::MonteCarlo);
-    let watching = Watching { planned, is_replicated, instructions: Instructions::best(), caution };
+    let mut memory = Room::memory(1, planned);
+    let room = Arc::new(Room::new(&mut memory, planned));
+    let watching = Watching { planned, is_replicated, instructions: Instructions::best(), caution, room };
     let mut spans = column.chunks(SPAN).peekable();
     let Some(first) = spans.next() else { return (None, 0) };
     let mut watch = Watch::new(first, watching);
     let mut powers = watch.add(first);
-    let mut others: Vec<Watch> = (0..workers).map(|_| watch.unwatched()).collect();
+    let mut others: Vec<Watch<'_>> = (0..workers).map(|_| watch.unwatched()).collect();
     let mut done = 1;
     while spans.peek().is_some() {
         for (number, span) in spans.by_ref().take(4 * done).enumerate() {

@@ -8,6 +8,7 @@
 //! then [`Order`](super::order::Order) has to find the place by further passes.
 
 use std::ops::Range;
+use std::sync::Arc;
 use std::{iter, slice};
 
 use fearless_simd::dispatch;
@@ -15,19 +16,22 @@ use fearless_simd::dispatch;
 use super::QUANTILES;
 use super::cells::{BUCKETS, Cells, LAST, MISSING, NOWHERE, bucket, first_cell, last_cell};
 use super::powers::{Powers, Sums};
+use super::room::Room;
 use super::taken::{Ends, Ranges, Taken};
 use crate::limits::REPLICATES;
 use crate::model::{LANES, Lanes};
 use crate::run::{Instructions, for_each};
 
 /// How a column is watched.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Watching {
+#[derive(Clone, Debug)]
+pub(crate) struct Watching<'m> {
     /// How many values are to come.
     pub(crate) planned: usize,
     pub(crate) is_replicated: bool,
     pub(crate) instructions: Instructions,
     pub(crate) caution: Caution,
+    /// Where values are that are taken out.
+    pub(crate) room: Arc<Room<'m>>,
 }
 
 /// Two to this power of the cells are counted together where windows are narrowed: the counts then fit into
@@ -54,16 +58,16 @@ impl Caution {
 const SHARES: [f64; QUANTILES] = [0.005, 0.025, 0.05, 0.25, 0.5, 0.75, 0.95, 0.975, 0.995];
 
 /// What is known of a column.
-#[derive(Clone, Debug)]
-pub(crate) struct Watch {
-    of: Watching,
+#[derive(Debug)]
+pub(crate) struct Watch<'m> {
+    of: Watching<'m>,
     pub(super) cells: Cells,
     /// A value in the middle, from which deviations are counted.
     pub(super) centre: f64,
     /// In ascending order.
     pub(super) windows: Vec<Window>,
     /// The values inside them, and how many of these there may be before windows are looked at one by one.
-    pub(super) taken: Taken,
+    pub(super) taken: Taken<'m>,
     many: usize,
     open: Open,
     seen: u64,
@@ -113,9 +117,9 @@ pub(super) struct Clump {
     pub(super) counts: [u64; REPLICATES],
 }
 
-impl Watch {
+impl<'m> Watch<'m> {
     /// Before the first span, which is `pilot`, in which NaN stands for samples that failed.
-    pub(crate) fn new(pilot: &[f64], of: Watching) -> Self {
+    pub(crate) fn new(pilot: &[f64], of: Watching<'m>) -> Self {
         let cells = Cells::of(pilot, of.instructions);
         let mut before = [0_u32; BUCKETS];
         let of_pilot = cells.of_all(pilot);
@@ -146,12 +150,13 @@ impl Watch {
     /// One with the same windows that has seen nothing yet.
     pub(crate) fn unwatched(&self) -> Self {
         let window = |window: &Window| Window::new(window.shares.clone(), window.cells);
-        Self::unseen(self.of, self.cells, self.centre, self.windows.iter().map(window).collect())
+        Self::unseen(self.of.clone(), self.cells, self.centre, self.windows.iter().map(window).collect())
     }
 
-    fn unseen(of: Watching, cells: Cells, centre: f64, windows: Vec<Window>) -> Self {
-        let (taken, open) = (Taken::new(of.is_replicated, of.instructions), Open::new(&windows));
-        Self { of, cells, centre, windows, taken, many: of.most(), open, seen: 0, is_narrowed: false }
+    fn unseen(of: Watching<'m>, cells: Cells, centre: f64, windows: Vec<Window>) -> Self {
+        let taken = Taken::new(&of.room, of.is_replicated, of.instructions);
+        let (many, open) = (of.most(), Open::new(&windows));
+        Self { of, cells, centre, windows, taken, many, open, seen: 0, is_narrowed: false }
     }
 
     /// The samples of a span, NaN where they failed.
@@ -245,7 +250,7 @@ impl Watch {
             self.thin_out();
             self.many = self.many_from_here();
         }
-        self.taken.make_place();
+        self.taken.make_place(&self.of.room);
     }
 
     /// To look at all values takes time, so it waits until there are half as many again.
@@ -290,8 +295,11 @@ impl Watch {
 
     /// Leaves of each window what may hold a quantile of all values, by what this one and others have seen
     /// together. They have the same windows, before and after it.
-    pub(crate) fn narrow<'a>(&'a mut self, others: impl IntoIterator<Item = &'a mut Self>) {
-        let of = self.of;
+    pub(crate) fn narrow<'a>(&'a mut self, others: impl IntoIterator<Item = &'a mut Self>)
+    where
+        'm: 'a,
+    {
+        let of = self.of.clone();
         let watches: Vec<&mut Self> = iter::once(self).chain(others).collect();
         let seen = watches.iter().map(|watch| watch.seen).sum();
         let reaches = SHARES.map(|share| of.reach(share, seen));
@@ -334,7 +342,7 @@ impl Watch {
     }
 }
 
-impl Watching {
+impl Watching<'_> {
     /// The first and the last place among the values seen between which this quantile of all values lies,
     /// with the places about it that its standard error wants.
     fn reach(&self, share: f64, seen: u64) -> [f64; 2] {
@@ -412,13 +420,25 @@ impl Clump {
 #[cfg(test)]
 mod tests {
     use std::iter;
+    use std::sync::Arc;
 
     use super::{
-        COARSE, Caution, Cells, Clump, Ends, LAST, Open, REPLICATES, SHARES, Watch, Watching, Window,
+        COARSE, Caution, Cells, Clump, Ends, LAST, Open, REPLICATES, Room, SHARES, Watch, Watching, Window,
     };
+    use crate::columns::Columns;
     use crate::random::{bits, unit};
     use crate::run::Instructions;
     use crate::summary::{PROBABILITIES, SPAN};
+
+    fn watching(planned: usize, memory: &mut Columns) -> Watching<'_> {
+        Watching {
+            planned,
+            is_replicated: false,
+            instructions: Instructions::best(),
+            caution: Caution::USUAL,
+            room: Arc::new(Room::new(memory, planned)),
+        }
+    }
 
     #[test]
     fn shares_are_the_probabilities_in_order() {
@@ -432,12 +452,8 @@ mod tests {
     fn windows_are_narrowed_and_parted() {
         let value = |index: u64| unit(bits(5, index)) + unit(bits(6, index));
         let column: Vec<f64> = (0..1_000_000).map(value).collect();
-        let watching = Watching {
-            planned: column.len(),
-            is_replicated: false,
-            instructions: Instructions::best(),
-            caution: Caution::USUAL,
-        };
+        let mut memory = Room::memory(1, column.len());
+        let watching = watching(column.len(), &mut memory);
         let mut watch = Watch::new(&column[..SPAN], watching);
         assert!(watch.windows.len() < SHARES.len());
         for (number, span) in (1_usize..).zip(column.chunks(SPAN)) {
@@ -474,12 +490,8 @@ mod tests {
         let column: Vec<f64> = (0..3000).map(|index| unit(bits(8, index))).collect();
         let mut sorted = column.clone();
         sorted.sort_unstable_by(f64::total_cmp);
-        let watching = Watching {
-            planned: column.len(),
-            is_replicated: false,
-            instructions: Instructions::best(),
-            caution: Caution::USUAL,
-        };
+        let mut memory = Room::memory(1, column.len());
+        let watching = watching(column.len(), &mut memory);
         let mut watch = Watch::new(&column, watching);
         watch.windows = vec![Window::new(0..SHARES.len(), [0, LAST])];
         watch.open = Open::new(&watch.windows);

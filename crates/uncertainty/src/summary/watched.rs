@@ -13,14 +13,14 @@ use crate::run::for_each;
 
 /// A column of which all spans have been watched.
 #[derive(Debug)]
-pub(crate) struct Watched {
+pub(crate) struct Watched<'m> {
     cells: Cells,
     /// Of which every watch has kept the values. In ascending order.
     held: Vec<Held>,
     ranges: Ranges,
     ends: Ends,
     /// The values inside them, by each watch.
-    taken: Vec<Taken>,
+    taken: Vec<Taken<'m>>,
     /// A value in the middle, from which deviations are counted.
     pub(super) centre: f64,
 }
@@ -47,11 +47,11 @@ struct Held {
     clumps: Vec<Clump>,
 }
 
-impl Watched {
+impl<'m> Watched<'m> {
     /// By watches that have the same windows.
-    pub(crate) fn by(watch: Watch, others: impl IntoIterator<Item = Watch>) -> Self {
+    pub(crate) fn by(watch: Watch<'m>, others: impl IntoIterator<Item = Watch<'m>>) -> Self {
         let (cells, centre, windows) = (watch.cells, watch.centre, watch.windows.len());
-        let mut watches: Vec<Watch> = iter::once(watch).chain(others).collect();
+        let mut watches: Vec<Watch<'_>> = iter::once(watch).chain(others).collect();
         let is_lost = |window: usize| watches.iter().any(|watch| watch.windows[window].is_lost);
         let lost: Vec<bool> = (0..windows).map(is_lost).collect();
         let mut held = Vec::new();
