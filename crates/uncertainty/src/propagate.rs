@@ -192,8 +192,9 @@ impl<M: Model> Run<'_, M> {
         let mut columns = Columns::new(self.kept, requested);
         let is_kept = self.kept == self.outputs;
         let mut reasons = vec![SUCCEEDED; if is_kept { requested } else { 0 }];
-        let mut memory = Room::memory(self.outputs, requested);
-        let room = Arc::new(Room::new(&mut memory, requested));
+        let is_replicated = self.is_replicated();
+        let mut memory = Room::memory(self.outputs, requested, is_replicated);
+        let room = Arc::new(Room::new(&mut memory, requested, is_replicated));
         let Some(mut begun) = told(0, 0).is_continue().then(|| self.begin(room)) else {
             return self.nothing();
         };
@@ -249,8 +250,7 @@ impl<M: Model> Run<'_, M> {
         let count = first.reasons.len();
         let totals = self.evaluate(0, &mut first, (count, SMALL), &mut |_, _| ControlFlow::Continue(()));
         let Limits { caution, .. } = *self.limits;
-        let (instructions, is_replicated) = (self.settings.instructions, self.is_replicated());
-        let watching = Watching { planned, is_replicated, instructions, caution, room };
+        let watching = Watching { planned, instructions: self.settings.instructions, caution, room };
         let watched = for_each(first.columns.iter(), |column| {
             let mut watch = Watch::new(column, watching.clone());
             let powers = watch.add(column);
@@ -261,9 +261,14 @@ impl<M: Model> Run<'_, M> {
         Begun { first, watches, totals, powers }
     }
 
+    /// How many a column has: one of all samples, or one of each replicate.
+    fn powers_of_column(&self) -> usize {
+        if self.is_replicated() { REPLICATES } else { 1 }
+    }
+
     /// What a span adds to the powers of each column.
     fn powers(&self, of_columns: impl Iterator<Item = [Powers; REPLICATES]>) -> Vec<Powers> {
-        let mut powers = Vec::new();
+        let mut powers = Vec::with_capacity(self.powers_of_column() * self.outputs);
         for of_replicates in of_columns {
             if self.is_replicated() {
                 powers.extend(of_replicates);
@@ -345,8 +350,8 @@ impl<M: Model> Run<'_, M> {
         powers: &[Powers],
     ) -> Vec<Passes<'m>> {
         let mut of_workers: Vec<_> = workers.into_iter().map(|worker| worker.watches.into_iter()).collect();
-        let of_each = if self.is_replicated() { REPLICATES } else { 1 };
-        let columns = watches.into_iter().zip(powers.chunks(of_each)).map(|(watch, powers)| {
+        let of_each = powers.chunks(self.powers_of_column());
+        let columns = watches.into_iter().zip(of_each).map(|(watch, powers)| {
             let others: Vec<Watch<'_>> = of_workers.iter_mut().filter_map(Iterator::next).collect();
             (watch, others, powers)
         });

@@ -10,8 +10,7 @@ use crate::limits::REPLICATES;
 /// than what is done with it, so all pieces lie together, in large pages where the system has some.
 #[derive(Debug)]
 pub(crate) struct Room<'m> {
-    /// Values that a piece holds.
-    values: usize,
+    size: Size,
     free: Mutex<ChunksExactMut<'m, f64>>,
 }
 
@@ -21,39 +20,49 @@ pub(super) const PIECE: usize = 1 << 12;
 impl<'m> Room<'m> {
     /// Memory for what is usually taken out of so many columns, each of so many values. Where it does not
     /// suffice, pieces have their own.
-    pub(crate) fn memory(columns: usize, planned: usize) -> Columns {
+    pub(crate) fn memory(columns: usize, planned: usize, is_replicated: bool) -> Columns {
         /// 16 MiB.
         const MOST: usize = 1 << 21;
-        let of_piece = values_of_piece(planned);
+        let of_piece = Size::of(planned, is_replicated);
         #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a positive number")]
         let usual = (64.0 * (planned as f64).sqrt()) as usize;
-        let pieces = usual.min(planned).div_ceil(of_piece).saturating_mul(columns);
-        Columns::new(1, pieces.saturating_mul(numbers(of_piece)).min(MOST))
+        let pieces = usual.min(planned).div_ceil(of_piece.values).saturating_mul(columns);
+        Columns::new(1, pieces.saturating_mul(of_piece.numbers()).min(MOST))
     }
 
-    pub(crate) fn new(memory: &'m mut Columns, planned: usize) -> Self {
-        let values = values_of_piece(planned);
+    pub(crate) fn new(memory: &'m mut Columns, planned: usize, is_replicated: bool) -> Self {
+        let size = Size::of(planned, is_replicated);
         let memory = memory.iter_mut().next().unwrap_or_default();
-        Self { values, free: Mutex::new(memory.chunks_exact_mut(numbers(values))) }
+        Self { size, free: Mutex::new(memory.chunks_exact_mut(size.numbers())) }
     }
 
     fn take(&self) -> Memory<'m> {
         let next = self.free.lock().unwrap_or_else(PoisonError::into_inner).next();
-        next.map_or_else(|| Memory::Own(vec![0.0; numbers(self.values)]), Memory::Lent)
+        next.map_or_else(|| Memory::Own(vec![0.0; self.size.numbers()]), Memory::Lent)
     }
 }
 
-/// Few where few are to come.
-fn values_of_piece(planned: usize) -> usize {
-    planned.clamp(1, PIECE).next_multiple_of(CELLS)
+/// What a piece holds.
+#[derive(Clone, Copy, Debug)]
+struct Size {
+    values: usize,
+    /// Numbers that take as much memory as the cells of these values, and as their replicates where there
+    /// are some.
+    beside: [usize; 2],
 }
 
-/// Cells that take as much memory as a value.
-const CELLS: usize = size_of::<f64>() / size_of::<i16>();
+impl Size {
+    /// Few values where few are to come.
+    fn of(planned: usize, is_replicated: bool) -> Self {
+        const BYTES: usize = size_of::<f64>();
+        let values = planned.clamp(1, PIECE).next_multiple_of(BYTES);
+        let replicates = if is_replicated { values / BYTES } else { 0 };
+        Self { values, beside: [values * size_of::<i16>() / BYTES, replicates] }
+    }
 
-/// As many as so many values and their cells take, a multiple of [`CELLS`].
-fn numbers(values: usize) -> usize {
-    values + values / CELLS
+    fn numbers(&self) -> usize {
+        self.values + self.beside[0] + self.beside[1]
+    }
 }
 
 #[derive(Debug)]
@@ -62,43 +71,17 @@ enum Memory<'m> {
     Own(Vec<f64>),
 }
 
-impl Memory<'_> {
-    /// The first numbers are values, and the others their cells.
-    #[inline]
-    fn split(&self, values: usize) -> (&[f64], &[i16]) {
-        let numbers: &[f64] = match self {
-            Self::Lent(numbers) => numbers,
-            Self::Own(numbers) => numbers,
-        };
-        let (values, cells) = numbers.split_at(values);
-        (values, bytemuck::cast_slice(cells))
-    }
-
-    #[inline]
-    fn split_mut(&mut self, values: usize) -> (&mut [f64], &mut [i16]) {
-        let numbers: &mut [f64] = match self {
-            Self::Lent(numbers) => numbers,
-            Self::Own(numbers) => numbers,
-        };
-        let (values, cells) = numbers.split_at_mut(values);
-        (values, bytemuck::cast_slice_mut(cells))
-    }
-}
-
-/// Some values with their cells.
+/// Some values, each with its cell and its replicate: by Monte Carlo all have one, of which nothing is noted.
 #[derive(Debug)]
 pub(super) struct Piece<'m> {
     memory: Memory<'m>,
-    most: usize,
+    size: Size,
     len: usize,
-    /// That of each value, where there are replicates: by Monte Carlo all have one.
-    replicates: Vec<u8>,
 }
 
 impl<'m> Piece<'m> {
-    pub(super) fn new(room: &Room<'m>, is_replicated: bool) -> Self {
-        let replicates = Vec::with_capacity(if is_replicated { room.values } else { 0 });
-        Self { memory: room.take(), most: room.values, len: 0, replicates }
+    pub(super) fn new(room: &Room<'m>) -> Self {
+        Self { memory: room.take(), size: room.size, len: 0 }
     }
 
     pub(super) fn len(&self) -> usize {
@@ -106,53 +89,82 @@ impl<'m> Piece<'m> {
     }
 
     pub(super) fn is_full(&self) -> bool {
-        self.len == self.most
+        self.len == self.size.values
+    }
+
+    #[inline]
+    fn parts(&self) -> (&[f64], &[i16], &[u8]) {
+        let numbers: &[f64] = match &self.memory {
+            Memory::Lent(numbers) => numbers,
+            Memory::Own(numbers) => numbers,
+        };
+        let (values, beside) = numbers.split_at(self.size.values);
+        let (cells, replicates) = beside.split_at(self.size.beside[0]);
+        (values, bytemuck::cast_slice(cells), bytemuck::cast_slice(replicates))
+    }
+
+    #[inline]
+    fn parts_mut(&mut self) -> (&mut [f64], &mut [i16], &mut [u8]) {
+        let numbers: &mut [f64] = match &mut self.memory {
+            Memory::Lent(numbers) => numbers,
+            Memory::Own(numbers) => numbers,
+        };
+        let (values, beside) = numbers.split_at_mut(self.size.values);
+        let (cells, replicates) = beside.split_at_mut(self.size.beside[0]);
+        (values, bytemuck::cast_slice_mut(cells), bytemuck::cast_slice_mut(replicates))
     }
 
     pub(super) fn values(&self) -> &[f64] {
-        &self.memory.split(self.most).0[..self.len]
+        &self.parts().0[..self.len]
     }
 
     /// That of each value.
     pub(super) fn cells(&self) -> &[i16] {
-        &self.memory.split(self.most).1[..self.len]
+        &self.parts().1[..self.len]
     }
 
-    pub(super) fn replicate(&self, place: usize) -> usize {
-        replicate(&self.replicates, place)
+    /// Each value with its cell and replicate.
+    #[inline]
+    pub(super) fn iter(&self) -> impl Iterator<Item = (f64, i16, usize)> {
+        let (values, cells, replicates) = self.parts();
+        let noted = values.iter().zip(cells).take(self.len).enumerate();
+        noted.map(|(place, (value, cell))| (*value, *cell, replicate(replicates, place)))
     }
 
     /// There must be a place.
     #[inline]
-    pub(super) fn push(&mut self, value: f64, cell: i16, of_replicate: Option<usize>) {
+    pub(super) fn push(&mut self, value: f64, cell: i16, of_replicate: usize) {
         let place = self.len;
-        let (values, cells) = self.memory.split_mut(self.most);
+        let (values, cells, replicates) = self.parts_mut();
         (values[place], cells[place]) = (value, cell);
-        #[expect(clippy::cast_possible_truncation, reason = "below 16")]
-        self.replicates.extend(of_replicate.map(|replicate| replicate as u8));
+        if let Some(replicate) = replicates.get_mut(place) {
+            #[expect(clippy::cast_possible_truncation, reason = "below 16")]
+            let of_replicate = of_replicate as u8;
+            *replicate = of_replicate;
+        }
         self.len += 1;
     }
 
     /// Leaves those values of which it is told that they stay, by their place, cell and replicate.
     #[inline]
     pub(super) fn retain(&mut self, mut stays: impl FnMut(usize, (f64, i16, usize)) -> bool) {
-        let (values, cells) = self.memory.split_mut(self.most);
+        let len = self.len;
+        let (values, cells, replicates) = self.parts_mut();
         let mut left = 0;
-        for place in 0..self.len {
-            let (value, cell) = (values[place], cells[place]);
-            let of_replicate = replicate(&self.replicates, place);
+        for place in 0..len {
+            let noted = (values[place], cells[place], replicate(replicates, place));
             // Moved in any case, as which of them stay cannot be predicted.
-            (values[left], cells[left]) = (value, cell);
-            if let Some(of_value) = self.replicates.get(place).copied() {
-                self.replicates[left] = of_value;
+            (values[left], cells[left]) = (noted.0, noted.1);
+            if let Some(of_value) = replicates.get(place).copied() {
+                replicates[left] = of_value;
             }
-            left += usize::from(stays(place, (value, cell, of_replicate)));
+            left += usize::from(stays(place, noted));
         }
         self.len = left;
-        self.replicates.truncate(left);
     }
 }
 
+#[inline]
 fn replicate(replicates: &[u8], place: usize) -> usize {
     replicates.get(place).map_or(0, |replicate| usize::from(*replicate) % REPLICATES)
 }
@@ -166,26 +178,26 @@ mod tests {
     fn pieces_lie_apart_wherever_they_are() {
         for planned in [1, 70, PIECE, 10 * PIECE] {
             for is_replicated in [false, true] {
-                let mut memory = Room::memory(2, planned);
-                let room = Room::new(&mut memory, planned);
+                let mut memory = Room::memory(2, planned, is_replicated);
+                let room = Room::new(&mut memory, planned, is_replicated);
                 let mut pieces: Vec<Piece<'_>> =
-                    (0..3 * planned.div_ceil(PIECE)).map(|_| Piece::new(&room, is_replicated)).collect();
-                let marks = || (0_i16..).map(|mark| (f64::from(mark), mark, usize::from(is_replicated) * 5));
+                    (0..3 * planned.div_ceil(PIECE)).map(|_| Piece::new(&room)).collect();
+                let replicate = if is_replicated { 5 } else { 0 };
+                let marks = || (0_i16..).map(|mark| (f64::from(mark), mark, replicate));
                 for (piece, first) in pieces.iter_mut().zip(marks()) {
                     while !piece.is_full() {
                         let (value, cell, replicate) = first;
-                        piece.push(value + piece.len() as f64, cell, is_replicated.then_some(replicate));
+                        piece.push(value + piece.len() as f64, cell, replicate);
                     }
                     assert!(piece.len() >= planned.min(PIECE));
                 }
                 for (piece, (value, cell, replicate)) in pieces.iter_mut().zip(marks()) {
-                    assert!((0_u16..).zip(piece.values()).all(|(n, other)| value + f64::from(n) == *other));
-                    assert!(piece.cells().iter().all(|other| *other == cell));
-                    assert_eq!(piece.replicate(0), replicate);
+                    let noted = (0_u16..).map(|number| (value + f64::from(number), cell, replicate));
+                    assert!(piece.iter().eq(noted.take(piece.len())));
                     piece.retain(|place, noted| {
                         place % 2 == 1 && noted == (value + place as f64, cell, replicate)
                     });
-                    assert_eq!(piece.len(), piece.most / 2);
+                    assert_eq!(piece.len(), piece.size.values / 2);
                     assert_eq!(piece.values()[0], value + 1.0);
                 }
             }

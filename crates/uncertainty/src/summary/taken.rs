@@ -18,13 +18,12 @@ pub(super) struct Taken<'m> {
     pieces: Vec<Piece<'m>>,
     /// The one to which values are added.
     current: usize,
-    is_replicated: bool,
     instructions: Instructions,
 }
 
 impl<'m> Taken<'m> {
-    pub(super) fn new(room: &Room<'m>, is_replicated: bool, instructions: Instructions) -> Self {
-        Self { pieces: vec![Piece::new(room, is_replicated)], current: 0, is_replicated, instructions }
+    pub(super) fn new(room: &Room<'m>, instructions: Instructions) -> Self {
+        Self { pieces: vec![Piece::new(room)], current: 0, instructions }
     }
 
     pub(super) fn count(&self) -> usize {
@@ -41,22 +40,19 @@ impl<'m> Taken<'m> {
         let with_room = self.pieces.iter().position(|piece| !piece.is_full());
         self.current = with_room.unwrap_or(self.pieces.len());
         if with_room.is_none() {
-            self.pieces.push(Piece::new(room, self.is_replicated));
+            self.pieces.push(Piece::new(room));
         }
     }
 
     #[inline]
     pub(super) fn push(&mut self, value: f64, cell: i16, replicate: usize) {
-        self.pieces[self.current].push(value, cell, self.is_replicated.then_some(replicate));
+        self.pieces[self.current].push(value, cell, replicate);
     }
 
     /// Each value with its cell and replicate.
     #[inline]
     pub(super) fn iter(&self) -> impl Iterator<Item = (f64, i16, usize)> {
-        self.pieces.iter().flat_map(|piece| {
-            let noted = piece.values().iter().zip(piece.cells()).enumerate();
-            noted.map(|(place, (value, cell))| (*value, *cell, piece.replicate(place)))
-        })
+        self.pieces.iter().flat_map(Piece::iter)
     }
 
     /// The values in some of the cells, each with its own.
@@ -67,6 +63,19 @@ impl<'m> Taken<'m> {
             found.extend(wanted.map(|(cell, value)| (*value, *cell)));
         }
         found
+    }
+
+    /// Shows the values inside ranges: the number of the range, the value and its replicate.
+    pub(super) fn in_ranges(&self, ranges: &Ranges, mut show: impl FnMut(usize, f64, usize)) {
+        let mut begun = [0; PIECE];
+        for piece in &self.pieces {
+            ranges.count_begun(self.instructions, piece.cells(), &mut begun);
+            for ((value, cell, replicate), begun) in piece.iter().zip(begun) {
+                if ranges.is_inside(cell, begun) {
+                    show(usize::from(begun.unsigned_abs()) - 1, value, replicate);
+                }
+            }
+        }
     }
 
     /// Leaves the values inside the `new` ranges. Of those inside each old one it is counted how many new

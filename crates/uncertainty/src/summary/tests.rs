@@ -18,9 +18,9 @@ fn summed_up(
     (workers, most): (usize, usize),
 ) -> (Option<Summary>, usize) {
     let (planned, is_replicated) = (column.len(), method != SamplingMethod::MonteCarlo);
-    let mut memory = Room::memory(1, planned);
-    let room = Arc::new(Room::new(&mut memory, planned));
-    let watching = Watching { planned, is_replicated, instructions: Instructions::best(), caution, room };
+    let mut memory = Room::memory(1, planned, is_replicated);
+    let room = Arc::new(Room::new(&mut memory, planned, is_replicated));
+    let watching = Watching { planned, instructions: Instructions::best(), caution, room };
     let mut spans = column.chunks(SPAN).peekable();
     let Some(first) = spans.next() else { return (None, 0) };
     let mut watch = Watch::new(first, watching);

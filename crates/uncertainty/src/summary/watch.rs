@@ -27,7 +27,6 @@ use crate::run::{Instructions, for_each};
 pub(crate) struct Watching<'m> {
     /// How many values are to come.
     pub(crate) planned: usize,
-    pub(crate) is_replicated: bool,
     pub(crate) instructions: Instructions,
     pub(crate) caution: Caution,
     /// Where values are that are taken out.
@@ -154,7 +153,7 @@ impl<'m> Watch<'m> {
     }
 
     fn unseen(of: Watching<'m>, cells: Cells, centre: f64, windows: Vec<Window>) -> Self {
-        let taken = Taken::new(&of.room, of.is_replicated, of.instructions);
+        let taken = Taken::new(&of.room, of.instructions);
         let (many, open) = (of.most(), Open::new(&windows));
         Self { of, cells, centre, windows, taken, many, open, seen: 0, is_narrowed: false }
     }
@@ -433,10 +432,9 @@ mod tests {
     fn watching(planned: usize, memory: &mut Columns) -> Watching<'_> {
         Watching {
             planned,
-            is_replicated: false,
             instructions: Instructions::best(),
             caution: Caution::USUAL,
-            room: Arc::new(Room::new(memory, planned)),
+            room: Arc::new(Room::new(memory, planned, false)),
         }
     }
 
@@ -452,7 +450,7 @@ mod tests {
     fn windows_are_narrowed_and_parted() {
         let value = |index: u64| unit(bits(5, index)) + unit(bits(6, index));
         let column: Vec<f64> = (0..1_000_000).map(value).collect();
-        let mut memory = Room::memory(1, column.len());
+        let mut memory = Room::memory(1, column.len(), false);
         let watching = watching(column.len(), &mut memory);
         let mut watch = Watch::new(&column[..SPAN], watching);
         assert!(watch.windows.len() < SHARES.len());
@@ -490,7 +488,7 @@ mod tests {
         let column: Vec<f64> = (0..3000).map(|index| unit(bits(8, index))).collect();
         let mut sorted = column.clone();
         sorted.sort_unstable_by(f64::total_cmp);
-        let mut memory = Room::memory(1, column.len());
+        let mut memory = Room::memory(1, column.len(), false);
         let watching = watching(column.len(), &mut memory);
         let mut watch = Watch::new(&column, watching);
         watch.windows = vec![Window::new(0..SHARES.len(), [0, LAST])];

@@ -174,10 +174,12 @@ impl<'m> Watched<'m> {
             }
             inside[window].push((index, *value));
         }
-        for (other, cell, replicate) in self.taken.iter().flat_map(Taken::iter) {
-            for (index, value) in self.ranges.number(cell).iter().flat_map(|window| &inside[*window]) {
-                twice[*index][replicate] += of(other, *value);
-            }
+        for taken in &self.taken {
+            taken.in_ranges(&self.ranges, |window, other, replicate| {
+                for (index, value) in &inside[window] {
+                    twice[*index][replicate] += of(other, *value);
+                }
+            });
         }
         Some(twice)
     }
