@@ -5,6 +5,7 @@ use std::sync::{Mutex, PoisonError};
 
 use crate::columns::Columns;
 use crate::limits::REPLICATES;
+use crate::model::{LANES, Lanes};
 
 /// Memory of which the watches of all threads take pieces. To touch memory for the first time costs more
 /// than what is done with it, so all pieces lie together, in large pages where the system has some.
@@ -131,18 +132,27 @@ impl<'m> Piece<'m> {
         noted.map(|(place, (value, cell))| (*value, *cell, replicate(replicates, place)))
     }
 
-    /// There must be a place.
+    /// Adds the values of a block for which there is a bit, with their cells, as many as there is place for.
+    /// Leaves the bits of the others.
     #[inline]
-    pub(super) fn push(&mut self, value: f64, cell: i16, of_replicate: usize) {
-        let place = self.len;
+    pub(super) fn take(&mut self, noted: &mut u64, block: &Lanes, of_block: &[i16; LANES]) {
+        let mut len = self.len;
         let (values, cells, replicates) = self.parts_mut();
-        (values[place], cells[place]) = (value, cell);
-        if let Some(replicate) = replicates.get_mut(place) {
-            #[expect(clippy::cast_possible_truncation, reason = "below 16")]
-            let of_replicate = of_replicate as u8;
-            *replicate = of_replicate;
+        for (value, cell) in values.iter_mut().zip(cells).skip(len) {
+            if *noted == 0 {
+                break;
+            }
+            let lane = noted.trailing_zeros() as usize % LANES;
+            *noted &= *noted - 1;
+            (*value, *cell) = (block[lane], of_block[lane]);
+            if let Some(replicate) = replicates.get_mut(len) {
+                #[expect(clippy::cast_possible_truncation, reason = "below 16")]
+                let of_lane = (lane % REPLICATES) as u8;
+                *replicate = of_lane;
+            }
+            len += 1;
         }
-        self.len += 1;
+        self.len = len;
     }
 
     /// Leaves those values of which it is told that they stay, by their place, cell and replicate.
@@ -171,7 +181,7 @@ fn replicate(replicates: &[u8], place: usize) -> usize {
 
 #[cfg(test)]
 mod tests {
-    use super::{PIECE, Piece, Room};
+    use super::{LANES, Lanes, PIECE, Piece, Room};
 
     /// More pieces than there is memory for.
     #[test]
@@ -184,10 +194,12 @@ mod tests {
                     (0..3 * planned.div_ceil(PIECE)).map(|_| Piece::new(&room)).collect();
                 let replicate = if is_replicated { 5 } else { 0 };
                 let marks = || (0_i16..).map(|mark| (f64::from(mark), mark, replicate));
-                for (piece, first) in pieces.iter_mut().zip(marks()) {
+                for (piece, (value, cell, replicate)) in pieces.iter_mut().zip(marks()) {
                     while !piece.is_full() {
-                        let (value, cell, replicate) = first;
-                        piece.push(value + piece.len() as f64, cell, replicate);
+                        let mut block = Lanes::splat(f64::NAN);
+                        let lane = 32 + replicate;
+                        block[lane] = value + piece.len() as f64;
+                        piece.take(&mut (1 << lane), &block, &[cell; LANES]);
                     }
                     assert!(piece.len() >= planned.min(PIECE));
                 }

@@ -82,6 +82,7 @@ struct Open {
     /// How many values lie below each window, of each lane.
     below: [[i16; LANES]; QUANTILES],
     sums: Sums,
+    has_clumps: bool,
 }
 
 impl Open {
@@ -90,7 +91,8 @@ impl Open {
         for (range, window) in ranges.iter_mut().zip(windows) {
             *range = if window.is_lost { [NOWHERE; 2] } else { window.cells };
         }
-        Self { ranges, below: [[0; LANES]; QUANTILES], sums: Sums::default() }
+        let has_clumps = windows.iter().any(|window| window.clump.is_some());
+        Self { ranges, below: [[0; LANES]; QUANTILES], sums: Sums::default(), has_clumps }
     }
 }
 
@@ -220,27 +222,35 @@ impl<'m> Watch<'m> {
         for (lane, number) in inside.iter().enumerate() {
             noted |= u64::from(*number != 0) << lane;
         }
+        if self.open.has_clumps {
+            noted &= !self.count_clumps(noted, &inside, block);
+        }
+        // Of a window that has just been lost or found to have a clump, a few values may still come.
+        while noted != 0 {
+            if self.taken.is_full() {
+                self.make_place();
+            }
+            self.taken.take(&mut noted, block, &cells);
+        }
+    }
+
+    /// Counts those values of a block for which there is a bit that are the clump of their window: the bits
+    /// of these.
+    #[cold]
+    fn count_clumps(&mut self, mut noted: u64, inside: &[i16; LANES], block: &Lanes) -> u64 {
+        let mut counted = 0;
         while noted != 0 {
             let lane = noted.trailing_zeros() as usize;
             noted &= noted - 1;
             let window = usize::from(inside[lane].unsigned_abs()) - 1;
-            self.take(window, block[lane], cells[lane], lane % REPLICATES);
+            if let Some(clump) = &mut self.windows[window].clump
+                && clump.value.to_bits() == block[lane].to_bits()
+            {
+                clump.counts[lane % REPLICATES] += 1;
+                counted |= 1 << lane;
+            }
         }
-    }
-
-    #[inline]
-    fn take(&mut self, window: usize, value: f64, cell: i16, replicate: usize) {
-        if let Some(clump) = &mut self.windows[window].clump
-            && clump.value.to_bits() == value.to_bits()
-        {
-            clump.counts[replicate] += 1;
-            return;
-        }
-        if self.taken.is_full() {
-            self.make_place();
-        }
-        // Of a window that has just been lost, a few values may still come.
-        self.taken.push(value, cell, replicate);
+        counted
     }
 
     #[cold]
@@ -289,6 +299,7 @@ impl<'m> Watch<'m> {
                 !goes
             });
             own.clump = Some(Clump { value, counts });
+            self.open.has_clumps = true;
         }
     }
 
