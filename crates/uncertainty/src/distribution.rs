@@ -341,7 +341,7 @@ impl Distribution {
                 tails.gather(column, index * LANES);
             }
             if tails.are_many() {
-                tails.settle(|place, quantile| put(columns, place, quantile));
+                tails.settle_groups(|place, quantile| put(columns, place, quantile));
             }
         }
         tails.settle(|place, quantile| put(columns, place, quantile));

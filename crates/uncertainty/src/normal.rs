@@ -104,7 +104,7 @@ const ROOM: usize = 2 * LANES;
 /// Shares in the tails that are done in one loop.
 const GROUP: usize = 16;
 
-/// A share in a tail, where none is left for a lane.
+/// A share in a tail, for a lane that none has reached yet.
 const ANY: f64 = 0.05;
 
 impl Tails {
@@ -145,12 +145,29 @@ impl Tails {
         }
     }
 
+    /// Puts the quantiles of those that fill groups into their places. The others wait.
+    #[inline(always)]
+    pub(crate) fn settle_groups(&mut self, put: impl FnMut(usize, f64)) {
+        let count = self.count.min(ROOM);
+        let settled = count - count % GROUP;
+        self.settle_first(settled, put);
+        self.shares.copy_within(settled..count, 0);
+        self.places.copy_within(settled..count, 0);
+        self.count = count - settled;
+    }
+
     /// Puts the quantile of each that waits into its place.
     #[inline(always)]
-    pub(crate) fn settle(&mut self, mut put: impl FnMut(usize, f64)) {
-        let count = self.count.min(ROOM);
-        let (groups, _) = self.shares.as_chunks_mut::<GROUP>();
-        for (group, places) in groups.iter_mut().zip(self.places[..count].chunks(GROUP)) {
+    pub(crate) fn settle(&mut self, put: impl FnMut(usize, f64)) {
+        self.settle_first(self.count.min(ROOM), put);
+        self.count = 0;
+    }
+
+    /// The last group may be filled up with others, which are put nowhere.
+    #[inline(always)]
+    fn settle_first(&self, count: usize, mut put: impl FnMut(usize, f64)) {
+        let (groups, _) = self.shares.as_chunks::<GROUP>();
+        for (group, places) in groups.iter().zip(self.places[..count].chunks(GROUP)) {
             let mut is_far = false;
             let mut quantiles = [0.0; GROUP];
             for (quantile, share) in quantiles.iter_mut().zip(group.iter()) {
@@ -164,9 +181,7 @@ impl Tails {
             for (quantile, place) in quantiles.iter().zip(places) {
                 put(*place, *quantile);
             }
-            *group = [ANY; GROUP];
         }
-        self.count = 0;
     }
 }
 
