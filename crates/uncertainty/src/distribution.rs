@@ -451,3 +451,33 @@ fn bounds(low: f64, high: f64) -> Result<(), InvalidDistribution> {
     }
     ordered(low, high)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::Distribution;
+    use crate::model::{LANES, Lanes};
+    use crate::random::{bits, unit};
+
+    /// So many normal numbers that those in the tails fill the room for them several times over, with other
+    /// distributions in between.
+    #[test]
+    fn columns_together_have_the_bits_of_each_alone() {
+        let of = |number: u8| match number % 5 {
+            0 => Distribution::uniform(1.0, 2.0),
+            1 => Distribution::truncated_normal(3.0, 0.5, 2.5, 4.0),
+            2 => Distribution::log_normal(2.0, 0.3),
+            _ => Distribution::normal(5.0, f64::from(number)),
+        };
+        let inputs: Vec<Distribution> = (1..40).map(|number| of(number).unwrap()).collect();
+        let share = |index: usize| unit(bits(31, index as u64));
+        let shares = |column: usize| Lanes::from(std::array::from_fn(|lane| share(column * LANES + lane)));
+        let mut columns: Vec<Lanes> = (0..2 * inputs.len()).map(shares).collect();
+        Distribution::transform_all(&inputs, &mut columns);
+        for (number, (column, input)) in columns.iter().zip(inputs.iter().cycle()).enumerate() {
+            for (lane, value) in column.iter().enumerate() {
+                let alone = input.quantile(share(number * LANES + lane));
+                assert_eq!(value.to_bits(), alone.to_bits(), "column {number}, lane {lane}");
+            }
+        }
+    }
+}

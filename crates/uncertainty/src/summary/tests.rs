@@ -247,13 +247,14 @@ fn a_histogram_counts_every_sample() {
     assert_eq!(Histogram::of(&[3.0; 9], &alike, Classes::Fine), None);
 }
 
-/// With samples that failed, a third of all, and without: they have no place among the ordered values.
+/// Spread evenly, or more than half of them alike; with samples that failed, a third of all, and without:
+/// they have no place among the ordered values.
 #[test]
-fn an_even_column_takes_one_pass() {
-    for failing in [0.0, 0.33] {
+fn a_usual_column_takes_one_pass() {
+    let kinds: [fn(f64) -> f64; 2] = [|u| u + 0.1 * u * u, |u| if u < 0.6 { 0.5 } else { u }];
+    for (of, failing) in kinds.into_iter().flat_map(|of| [(of, 0.0), (of, 0.33)]) {
         let value = |index| {
-            let u = unit(bits(23, index));
-            if unit(bits(24, index)) < failing { f64::NAN } else { u + 0.1 * u * u }
+            if unit(bits(24, index)) < failing { f64::NAN } else { of(unit(bits(23, index))) }
         };
         let column: Vec<f64> = (0..200_000).map(value).collect();
         for (_, method) in SamplingMethod::WORDS {
