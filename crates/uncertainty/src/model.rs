@@ -17,6 +17,11 @@ pub const LANES: usize = 64;
 #[repr(align(64))]
 pub struct Lanes([f64; LANES]);
 
+/// The same for numbers of other types.
+#[derive(Clone, Copy, Debug)]
+#[repr(align(64))]
+pub(crate) struct Aligned<T>(pub(crate) [T; LANES]);
+
 impl Lanes {
     /// A zero in each.
     pub const ZERO: Self = Self::splat(0.0);

@@ -18,7 +18,7 @@ mod sobol;
 
 use crate::error::InvalidRequest;
 use crate::limits::{MAX_SAMPLES, MIN_SAMPLES, REPLICATES};
-use crate::model::{LANES, Lanes};
+use crate::model::{Aligned, LANES, Lanes};
 use crate::random::{bits, bits_of_block, key, unit};
 use sobol::Sobol;
 
@@ -217,27 +217,28 @@ impl Three {
         const PLACES: f64 = (1_u64 << PLACE_BITS) as f64;
         #[expect(clippy::cast_possible_truncation, reason = "at most 2²⁸")]
         let index = (first / REPLICATES as u64) as u32;
-        let mut words = [0; LANES];
-        for (word, bits) in words.iter_mut().zip(bits_of_block(self.places, first)) {
+        let mut words = Aligned([0; LANES]);
+        for (word, bits) in words.0.iter_mut().zip(bits_of_block(self.places, first)) {
             *word = bits;
         }
         for (strata, shares) in self.inputs.iter().zip(columns) {
             let strata = strata.of_block(index, of);
             for lane in 0..LANES {
-                let place = f64::from((words[lane] >> (64 - PLACE_BITS)) as u32);
+                let place = f64::from((words.0[lane] >> (64 - PLACE_BITS)) as u32);
                 // u = (π(i) + (k + ½)·2⁻²⁰)/n, in its stratum however the product is rounded
-                let inside = (f64::from(strata[lane]) + (place + 0.5) / PLACES) * of.widths[lane];
+                let inside = (f64::from(strata.0[lane]) + (place + 0.5) / PLACES) * of.widths[lane];
                 shares[lane] = if index + ROWS[lane] < of.counts[lane] { inside } else { 0.5 };
                 // The next input takes the next bits.
-                words[lane] <<= PLACE_BITS;
+                words.0[lane] <<= PLACE_BITS;
             }
         }
     }
 }
 
 /// Latin hypercube points of one input, but for their places in the strata: what the rounds of the
-/// permutation of each replicate add and multiply by.
+/// permutation of each replicate add and multiply by, each of which fills a cache line.
 #[derive(Clone, Copy, Debug)]
+#[repr(align(64))]
 struct Strata {
     rounds: [[[u32; REPLICATES]; 2]; ROUNDS],
 }
@@ -256,17 +257,17 @@ impl Strata {
     ///
     /// All lanes walk their permutations together, until the last has come below its count.
     #[inline(always)]
-    fn of_block(&self, index: u32, of: &Counts) -> Words {
+    fn of_block(&self, index: u32, of: &Counts) -> Aligned<u32> {
         // From an index that no point has, the walk might never come back.
-        let mut strata = [0; LANES];
+        let mut strata = Aligned([0; LANES]);
         for lane in 0..LANES {
             let row = index + ROWS[lane];
-            strata[lane] = if row < of.counts[lane] { row } else { 0 };
+            strata.0[lane] = if row < of.counts[lane] { row } else { 0 };
         }
         strata = self.permuted(&strata, of);
         loop {
             let mut beyond = 0;
-            for (stratum, count) in strata.iter().zip(&of.counts) {
+            for (stratum, count) in strata.0.iter().zip(&of.counts) {
                 beyond |= u32::from(stratum >= count);
             }
             if beyond == 0 {
@@ -274,16 +275,17 @@ impl Strata {
             }
             let next = self.permuted(&strata, of);
             for lane in 0..LANES {
-                strata[lane] = if strata[lane] >= of.counts[lane] { next[lane] } else { strata[lane] };
+                let is_beyond = strata.0[lane] >= of.counts[lane];
+                strata.0[lane] = if is_beyond { next.0[lane] } else { strata.0[lane] };
             }
         }
     }
 
     /// One step of the permutation of each lane.
     #[inline(always)]
-    fn permuted(&self, places: &Words, Counts { masks, shifts, .. }: &Counts) -> Words {
+    fn permuted(&self, places: &Aligned<u32>, Counts { masks, shifts, .. }: &Counts) -> Aligned<u32> {
         let mut places = *places;
-        let (rows, _) = places.as_chunks_mut::<REPLICATES>();
+        let (rows, _) = places.0.as_chunks_mut::<REPLICATES>();
         for row in rows {
             for own in 0..REPLICATES {
                 // All rounds in one loop: a compiler would unroll a shorter one before it could vectorise it.

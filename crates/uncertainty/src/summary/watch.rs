@@ -19,7 +19,7 @@ use super::powers::{Powers, Sums};
 use super::room::Room;
 use super::taken::{Ends, Ranges, Taken};
 use crate::limits::REPLICATES;
-use crate::model::{LANES, Lanes};
+use crate::model::{Aligned, LANES, Lanes};
 use crate::run::{Instructions, for_each};
 
 /// How a column is watched.
@@ -80,7 +80,7 @@ struct Open {
     /// The cells of each window; nowhere, where it was lost before this span.
     ranges: [[i16; 2]; QUANTILES],
     /// How many values lie below each window, of each lane.
-    below: [[i16; LANES]; QUANTILES],
+    below: [Aligned<i16>; QUANTILES],
     sums: Sums,
     has_clumps: bool,
 }
@@ -92,7 +92,7 @@ impl Open {
             *range = if window.is_lost { [NOWHERE; 2] } else { window.cells };
         }
         let has_clumps = windows.iter().any(|window| window.clump.is_some());
-        Self { ranges, below: [[0; LANES]; QUANTILES], sums: Sums::default(), has_clumps }
+        Self { ranges, below: [Aligned([0; LANES]); QUANTILES], sums: Sums::default(), has_clumps }
     }
 }
 
@@ -188,7 +188,7 @@ impl<'m> Watch<'m> {
     pub(crate) fn end_span(&mut self) -> [Powers; REPLICATES] {
         let powers = self.open.sums.powers();
         for (window, below) in self.windows.iter_mut().zip(&self.open.below) {
-            for row in below.as_chunks::<REPLICATES>().0 {
+            for row in below.0.as_chunks::<REPLICATES>().0 {
                 for (total, count) in window.below.iter_mut().zip(row) {
                     *total += u64::from(count.unsigned_abs());
                 }
@@ -202,35 +202,36 @@ impl<'m> Watch<'m> {
     #[inline(always)]
     fn add_block(&mut self, block: &Lanes) {
         self.open.sums.add(block, self.centre);
-        let mut cells = [MISSING; LANES];
+        let mut aligned = Aligned([MISSING; LANES]);
+        let cells = &mut aligned.0;
         for (cell, value) in cells.iter_mut().zip(block) {
             *cell = self.cells.cell(*value);
         }
         // The number of the window that a value is inside, counted from one.
-        let mut inside = [0_i16; LANES];
+        let mut inside = Aligned([0_i16; LANES]);
         let Open { ranges, below, .. } = &mut self.open;
         let windows = ranges.iter().zip(below).take(self.windows.len());
         for (number, ([low, high], below)) in (1..).zip(windows) {
             for lane in 0..LANES {
-                below[lane] += i16::from(cells[lane] < *low);
+                below.0[lane] += i16::from(cells[lane] < *low);
                 let is_inside = (cells[lane] >= *low) & (cells[lane] <= *high);
-                inside[lane] = if is_inside { number } else { inside[lane] };
+                inside.0[lane] = if is_inside { number } else { inside.0[lane] };
             }
         }
         // A bit for each value inside a window, so that only these are gone through.
         let mut noted = 0_u64;
-        for (lane, number) in inside.iter().enumerate() {
+        for (lane, number) in inside.0.iter().enumerate() {
             noted |= u64::from(*number != 0) << lane;
         }
         if self.open.has_clumps {
-            noted &= !self.count_clumps(noted, &inside, block);
+            noted &= !self.count_clumps(noted, &inside.0, block);
         }
         // Of a window that has just been lost or found to have a clump, a few values may still come.
         while noted != 0 {
             if self.taken.is_full() {
                 self.make_place();
             }
-            self.taken.take(&mut noted, block, &cells);
+            self.taken.take(&mut noted, block, cells);
         }
     }
 
