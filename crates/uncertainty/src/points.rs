@@ -260,9 +260,9 @@ impl Strata {
     fn of_block(&self, index: u32, of: &Counts) -> Aligned<u32> {
         // From an index that no point has, the walk might never come back.
         let mut strata = Aligned([0; LANES]);
-        for lane in 0..LANES {
-            let row = index + ROWS[lane];
-            strata.0[lane] = if row < of.counts[lane] { row } else { 0 };
+        for (stratum, (row, count)) in strata.0.iter_mut().zip(ROWS.iter().zip(&of.counts)) {
+            let row = index + row;
+            *stratum = if row < *count { row } else { 0 };
         }
         strata = self.permuted(&strata, of);
         loop {
