@@ -202,29 +202,28 @@ impl<'m> Watch<'m> {
     #[inline(always)]
     fn add_block(&mut self, block: &Lanes) {
         self.open.sums.add(block, self.centre);
-        let mut aligned = Aligned([MISSING; LANES]);
-        let cells = &mut aligned.0;
+        let Aligned(cells) = &mut Aligned([MISSING; LANES]);
         for (cell, value) in cells.iter_mut().zip(block) {
             *cell = self.cells.cell(*value);
         }
         // The number of the window that a value is inside, counted from one.
-        let mut inside = Aligned([0_i16; LANES]);
+        let Aligned(inside) = &mut Aligned([0_i16; LANES]);
         let Open { ranges, below, .. } = &mut self.open;
         let windows = ranges.iter().zip(below).take(self.windows.len());
-        for (number, ([low, high], below)) in (1..).zip(windows) {
+        for (number, ([low, high], Aligned(below))) in (1..).zip(windows) {
             for lane in 0..LANES {
-                below.0[lane] += i16::from(cells[lane] < *low);
+                below[lane] += i16::from(cells[lane] < *low);
                 let is_inside = (cells[lane] >= *low) & (cells[lane] <= *high);
-                inside.0[lane] = if is_inside { number } else { inside.0[lane] };
+                inside[lane] = if is_inside { number } else { inside[lane] };
             }
         }
         // A bit for each value inside a window, so that only these are gone through.
         let mut noted = 0_u64;
-        for (lane, number) in inside.0.iter().enumerate() {
+        for (lane, number) in inside.iter().enumerate() {
             noted |= u64::from(*number != 0) << lane;
         }
         if self.open.has_clumps {
-            noted &= !self.count_clumps(noted, &inside.0, block);
+            noted &= !self.count_clumps(noted, inside, block);
         }
         // Of a window that has just been lost or found to have a clump, a few values may still come.
         while noted != 0 {
