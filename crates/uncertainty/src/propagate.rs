@@ -12,7 +12,7 @@ use crate::points::SamplingMethod;
 use crate::run::{Progress, Span, for_each, in_order};
 use crate::sampler::{Sampler, Settings};
 use crate::summary::{
-    Caution, Classes, Histogram, Passes, Powers, Room, SPAN, Summary, Watch, Watched, Watching,
+    Caution, Classes, Histogram, Passes, Powers, Room, SPAN, Store, Summary, Watch, Watched, Watching,
 };
 
 /// The result of a propagation.
@@ -192,9 +192,8 @@ impl<M: Model> Run<'_, M> {
         let mut columns = Columns::new(self.kept, requested);
         let is_kept = self.kept == self.outputs;
         let mut reasons = vec![SUCCEEDED; if is_kept { requested } else { 0 }];
-        let is_replicated = self.is_replicated();
-        let mut memory = Room::memory(self.outputs, requested, is_replicated);
-        let room = Arc::new(Room::new(&mut memory, requested, is_replicated));
+        let mut store = Store::new(self.outputs, requested, self.is_replicated());
+        let room = Arc::new(store.room());
         let Some(mut begun) = told(0, 0).is_continue().then(|| self.begin(room)) else {
             return self.nothing();
         };

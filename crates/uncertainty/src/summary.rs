@@ -23,7 +23,7 @@ use powers::Moments;
 pub use histogram::{Classes, Histogram};
 pub(crate) use passes::Passes;
 pub(crate) use powers::{Powers, SPAN};
-pub(crate) use room::Room;
+pub(crate) use room::{Room, Store};
 pub(crate) use watch::{Caution, Watch, Watching};
 pub(crate) use watched::Watched;
 

@@ -7,8 +7,36 @@ use crate::columns::Columns;
 use crate::limits::REPLICATES;
 use crate::model::{LANES, Lanes};
 
-/// Memory of which the watches of all threads take pieces. To touch memory for the first time costs more
-/// than what is done with it, so all pieces lie together, in large pages where the system has some.
+/// What a [`Room`] is made of. To touch memory for the first time costs more than what is done with it, so
+/// all of it lies together, in large pages where the system has some.
+#[derive(Debug)]
+pub(crate) struct Store {
+    numbers: Columns,
+    size: Size,
+}
+
+impl Store {
+    /// For what is usually taken out of so many columns, each of so many values. Where it does not suffice,
+    /// pieces have memory of their own.
+    pub(crate) fn new(columns: usize, planned: usize, is_replicated: bool) -> Self {
+        /// 16 MiB.
+        const MOST: usize = 1 << 21;
+        let size = Size::of(planned, is_replicated);
+        // Of a million values about forty times the root are out at once.
+        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a positive number")]
+        let usual = (64.0 * (planned as f64).sqrt()) as usize;
+        let pieces = usual.min(planned).div_ceil(size.values).saturating_mul(columns);
+        let numbers = pieces.saturating_mul(size.numbers()).min(MOST);
+        Self { numbers: Columns::new(1, numbers), size }
+    }
+
+    pub(crate) fn room(&mut self) -> Room<'_> {
+        let numbers = self.numbers.iter_mut().next().unwrap_or_default();
+        Room { size: self.size, free: Mutex::new(numbers.chunks_exact_mut(self.size.numbers())) }
+    }
+}
+
+/// Of which the watches of all threads take pieces.
 #[derive(Debug)]
 pub(crate) struct Room<'m> {
     size: Size,
@@ -19,24 +47,6 @@ pub(crate) struct Room<'m> {
 pub(super) const PIECE: usize = 1 << 12;
 
 impl<'m> Room<'m> {
-    /// Memory for what is usually taken out of so many columns, each of so many values. Where it does not
-    /// suffice, pieces have their own.
-    pub(crate) fn memory(columns: usize, planned: usize, is_replicated: bool) -> Columns {
-        /// 16 MiB.
-        const MOST: usize = 1 << 21;
-        let of_piece = Size::of(planned, is_replicated);
-        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a positive number")]
-        let usual = (64.0 * (planned as f64).sqrt()) as usize;
-        let pieces = usual.min(planned).div_ceil(of_piece.values).saturating_mul(columns);
-        Columns::new(1, pieces.saturating_mul(of_piece.numbers()).min(MOST))
-    }
-
-    pub(crate) fn new(memory: &'m mut Columns, planned: usize, is_replicated: bool) -> Self {
-        let size = Size::of(planned, is_replicated);
-        let memory = memory.iter_mut().next().unwrap_or_default();
-        Self { size, free: Mutex::new(memory.chunks_exact_mut(size.numbers())) }
-    }
-
     fn take(&self) -> Memory<'m> {
         let next = self.free.lock().unwrap_or_else(PoisonError::into_inner).next();
         next.map_or_else(|| Memory::Own(vec![0.0; self.size.numbers()]), Memory::Lent)
@@ -181,15 +191,15 @@ fn replicate(replicates: &[u8], place: usize) -> usize {
 
 #[cfg(test)]
 mod tests {
-    use super::{LANES, Lanes, PIECE, Piece, Room};
+    use super::{LANES, Lanes, PIECE, Piece, Store};
 
     /// More pieces than there is memory for.
     #[test]
     fn pieces_lie_apart_wherever_they_are() {
         for planned in [1, 70, PIECE, 10 * PIECE] {
             for is_replicated in [false, true] {
-                let mut memory = Room::memory(2, planned, is_replicated);
-                let room = Room::new(&mut memory, planned, is_replicated);
+                let mut store = Store::new(2, planned, is_replicated);
+                let room = store.room();
                 let mut pieces: Vec<Piece<'_>> =
                     (0..3 * planned.div_ceil(PIECE)).map(|_| Piece::new(&room)).collect();
                 let replicate = if is_replicated { 5 } else { 0 };

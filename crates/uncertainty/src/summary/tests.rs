@@ -1,7 +1,7 @@
 use std::sync::Arc;
 
 use super::{
-    Caution, Classes, Estimate, Histogram, Passes, Place, Powers, Room, SPAN, Summary, Watch, Watched,
+    Caution, Classes, Estimate, Histogram, Passes, Place, Powers, SPAN, Store, Summary, Watch, Watched,
     Watching,
 };
 use crate::limits::REPLICATES;
@@ -18,8 +18,8 @@ fn summed_up(
     (workers, most): (usize, usize),
 ) -> (Option<Summary>, usize) {
     let (planned, is_replicated) = (column.len(), method != SamplingMethod::MonteCarlo);
-    let mut memory = Room::memory(1, planned, is_replicated);
-    let room = Arc::new(Room::new(&mut memory, planned, is_replicated));
+    let mut store = Store::new(1, planned, is_replicated);
+    let room = Arc::new(store.room());
     let watching = Watching { planned, instructions: Instructions::best(), caution, room };
     let mut spans = column.chunks(SPAN).peekable();
     let Some(first) = spans.next() else { return (None, 0) };

@@ -309,10 +309,9 @@ impl<'m> Watch<'m> {
     where
         'm: 'a,
     {
-        let of = self.of.clone();
         let watches: Vec<&mut Self> = iter::once(self).chain(others).collect();
         let seen = watches.iter().map(|watch| watch.seen).sum();
-        let reaches = SHARES.map(|share| of.reach(share, seen));
+        let reaches = SHARES.map(|share| watches[0].of.reach(share, seen));
         let ends = Ends::of(watches.iter().map(|watch| &**watch), COARSE);
         let parts_of = |window: usize| {
             if watches.iter().any(|watch| watch.windows[window].is_lost) {
@@ -433,19 +432,18 @@ mod tests {
     use std::sync::Arc;
 
     use super::{
-        COARSE, Caution, Cells, Clump, Ends, LAST, Open, REPLICATES, Room, SHARES, Watch, Watching, Window,
+        COARSE, Caution, Cells, Clump, Ends, LAST, Open, REPLICATES, SHARES, Watch, Watching, Window,
     };
-    use crate::columns::Columns;
     use crate::random::{bits, unit};
     use crate::run::Instructions;
-    use crate::summary::{PROBABILITIES, SPAN};
+    use crate::summary::{PROBABILITIES, SPAN, Store};
 
-    fn watching(planned: usize, memory: &mut Columns) -> Watching<'_> {
+    fn watching(planned: usize, store: &mut Store) -> Watching<'_> {
         Watching {
             planned,
             instructions: Instructions::best(),
             caution: Caution::USUAL,
-            room: Arc::new(Room::new(memory, planned, false)),
+            room: Arc::new(store.room()),
         }
     }
 
@@ -461,8 +459,8 @@ mod tests {
     fn windows_are_narrowed_and_parted() {
         let value = |index: u64| unit(bits(5, index)) + unit(bits(6, index));
         let column: Vec<f64> = (0..1_000_000).map(value).collect();
-        let mut memory = Room::memory(1, column.len(), false);
-        let watching = watching(column.len(), &mut memory);
+        let mut store = Store::new(1, column.len(), false);
+        let watching = watching(column.len(), &mut store);
         let mut watch = Watch::new(&column[..SPAN], watching);
         assert!(watch.windows.len() < SHARES.len());
         for (number, span) in (1_usize..).zip(column.chunks(SPAN)) {
@@ -499,8 +497,8 @@ mod tests {
         let column: Vec<f64> = (0..3000).map(|index| unit(bits(8, index))).collect();
         let mut sorted = column.clone();
         sorted.sort_unstable_by(f64::total_cmp);
-        let mut memory = Room::memory(1, column.len(), false);
-        let watching = watching(column.len(), &mut memory);
+        let mut store = Store::new(1, column.len(), false);
+        let watching = watching(column.len(), &mut store);
         let mut watch = Watch::new(&column, watching);
         watch.windows = vec![Window::new(0..SHARES.len(), [0, LAST])];
         watch.open = Open::new(&watch.windows);
