@@ -291,7 +291,7 @@ fn report_uncertainty(arguments: UncertaintyArguments) -> Result<()> {
         && let Some(rows) = of_case.cases.iter().find(|case| is_number(case) && !case.exists())
     {
         let rows = named(rows);
-        anyhow::bail!("--sobol {rows}: write --sobol={rows}; a number after a blank is read as a case file");
+        anyhow::bail!("--sobol {rows}: write --sobol={rows}; a number after a space is read as a case file");
     }
     let wanted = |output: Output| outputs.as_ref().is_none_or(|names| names.contains(&output.path()));
     let method = match method {

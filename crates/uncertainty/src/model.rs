@@ -15,51 +15,48 @@ pub const LANES: usize = 64;
 /// across two lines.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[repr(align(64))]
-pub struct Lanes([f64; LANES]);
-
-/// The same for numbers of other types.
-#[derive(Clone, Copy, Debug)]
-#[repr(align(64))]
-pub(crate) struct Aligned<T>(pub(crate) [T; LANES]);
+pub struct Lanes<T = f64>([T; LANES]);
 
 impl Lanes {
     /// A zero in each.
     pub const ZERO: Self = Self::splat(0.0);
+}
 
+impl<T: Copy> Lanes<T> {
     /// The same number in each.
     #[inline(always)]
     #[must_use]
-    pub const fn splat(number: f64) -> Self {
+    pub const fn splat(number: T) -> Self {
         Self([number; LANES])
     }
 }
 
-impl From<[f64; LANES]> for Lanes {
+impl<T> From<[T; LANES]> for Lanes<T> {
     #[inline(always)]
-    fn from(numbers: [f64; LANES]) -> Self {
+    fn from(numbers: [T; LANES]) -> Self {
         Self(numbers)
     }
 }
 
-impl Deref for Lanes {
-    type Target = [f64; LANES];
+impl<T> Deref for Lanes<T> {
+    type Target = [T; LANES];
 
     #[inline(always)]
-    fn deref(&self) -> &[f64; LANES] {
+    fn deref(&self) -> &[T; LANES] {
         &self.0
     }
 }
 
-impl DerefMut for Lanes {
+impl<T> DerefMut for Lanes<T> {
     #[inline(always)]
-    fn deref_mut(&mut self) -> &mut [f64; LANES] {
+    fn deref_mut(&mut self) -> &mut [T; LANES] {
         &mut self.0
     }
 }
 
-impl<'a> IntoIterator for &'a Lanes {
-    type Item = &'a f64;
-    type IntoIter = slice::Iter<'a, f64>;
+impl<'a, T> IntoIterator for &'a Lanes<T> {
+    type Item = &'a T;
+    type IntoIter = slice::Iter<'a, T>;
 
     #[inline(always)]
     fn into_iter(self) -> Self::IntoIter {
@@ -67,9 +64,9 @@ impl<'a> IntoIterator for &'a Lanes {
     }
 }
 
-impl<'a> IntoIterator for &'a mut Lanes {
-    type Item = &'a mut f64;
-    type IntoIter = slice::IterMut<'a, f64>;
+impl<'a, T> IntoIterator for &'a mut Lanes<T> {
+    type Item = &'a mut T;
+    type IntoIter = slice::IterMut<'a, T>;
 
     #[inline(always)]
     fn into_iter(self) -> Self::IntoIter {

@@ -18,7 +18,7 @@ mod sobol;
 
 use crate::error::InvalidRequest;
 use crate::limits::{MAX_SAMPLES, MIN_SAMPLES, REPLICATES};
-use crate::model::{Aligned, LANES, Lanes};
+use crate::model::{LANES, Lanes};
 use crate::random::{bits, bits_of_block, key, unit};
 use sobol::Sobol;
 
@@ -158,10 +158,10 @@ const POINTS: usize = LANES / REPLICATES;
 
 /// A number for each lane of a block, the same for all lanes of a replicate: flat, so that each loop over
 /// lanes is vectorised as it stands.
-type Words = [u32; LANES];
+type Words = Lanes<u32>;
 
 /// Which point of its replicate a lane has, of those in the block.
-const ROWS: Words = {
+const ROWS: [u32; LANES] = {
     let mut rows = [0; LANES];
     let mut lane = REPLICATES;
     while lane < LANES {
@@ -171,7 +171,7 @@ const ROWS: Words = {
     rows
 };
 
-fn words(of_replicate: impl Fn(usize) -> u32) -> Words {
+fn words(of_replicate: impl Fn(usize) -> u32) -> [u32; LANES] {
     std::array::from_fn(|lane| of_replicate(lane % REPLICATES))
 }
 
@@ -192,7 +192,8 @@ impl Counts {
         let counts = words(|replicate| (samples - replicate as u64).div_ceil(REPLICATES as u64) as u32);
         let size = counts.map(mask_and_shift);
         let (masks, shifts) = (size.map(|(mask, _)| mask), size.map(|(_, shift)| shift));
-        Self { counts, masks, shifts, widths: counts.map(|count| 1.0 / f64::from(count)).into() }
+        let widths = counts.map(|count| 1.0 / f64::from(count)).into();
+        Self { counts: counts.into(), masks: masks.into(), shifts: shifts.into(), widths }
     }
 }
 
@@ -217,19 +218,19 @@ impl Three {
         const PLACES: f64 = (1_u64 << PLACE_BITS) as f64;
         #[expect(clippy::cast_possible_truncation, reason = "at most 2²⁸")]
         let index = (first / REPLICATES as u64) as u32;
-        let mut words = Aligned([0; LANES]);
-        for (word, bits) in words.0.iter_mut().zip(bits_of_block(self.places, first)) {
+        let mut words = Lanes::splat(0);
+        for (word, bits) in words.iter_mut().zip(bits_of_block(self.places, first)) {
             *word = bits;
         }
         for (strata, shares) in self.inputs.iter().zip(columns) {
             let strata = strata.of_block(index, of);
             for lane in 0..LANES {
-                let place = f64::from((words.0[lane] >> (64 - PLACE_BITS)) as u32);
+                let place = f64::from((words[lane] >> (64 - PLACE_BITS)) as u32);
                 // u = (π(i) + (k + ½)·2⁻²⁰)/n, in its stratum however the product is rounded
-                let inside = (f64::from(strata.0[lane]) + (place + 0.5) / PLACES) * of.widths[lane];
+                let inside = (f64::from(strata[lane]) + (place + 0.5) / PLACES) * of.widths[lane];
                 shares[lane] = if index + ROWS[lane] < of.counts[lane] { inside } else { 0.5 };
                 // The next input takes the next bits.
-                words.0[lane] <<= PLACE_BITS;
+                words[lane] <<= PLACE_BITS;
             }
         }
     }
@@ -257,17 +258,17 @@ impl Strata {
     ///
     /// All lanes walk their permutations together, until the last has come below its count.
     #[inline(always)]
-    fn of_block(&self, index: u32, of: &Counts) -> Aligned<u32> {
+    fn of_block(&self, index: u32, of: &Counts) -> Words {
         // From an index that no point has, the walk might never come back.
-        let mut strata = Aligned([0; LANES]);
-        for (stratum, (row, count)) in strata.0.iter_mut().zip(ROWS.iter().zip(&of.counts)) {
-            let row = index + row;
-            *stratum = if row < *count { row } else { 0 };
+        let mut strata = Lanes::splat(0);
+        for lane in 0..LANES {
+            let row = index + ROWS[lane];
+            strata[lane] = if row < of.counts[lane] { row } else { 0 };
         }
         strata = self.permuted(&strata, of);
         loop {
             let mut beyond = 0;
-            for (stratum, count) in strata.0.iter().zip(&of.counts) {
+            for (stratum, count) in strata.iter().zip(&of.counts) {
                 beyond |= u32::from(stratum >= count);
             }
             if beyond == 0 {
@@ -275,17 +276,16 @@ impl Strata {
             }
             let next = self.permuted(&strata, of);
             for lane in 0..LANES {
-                let is_beyond = strata.0[lane] >= of.counts[lane];
-                strata.0[lane] = if is_beyond { next.0[lane] } else { strata.0[lane] };
+                strata[lane] = if strata[lane] >= of.counts[lane] { next[lane] } else { strata[lane] };
             }
         }
     }
 
     /// One step of the permutation of each lane.
     #[inline(always)]
-    fn permuted(&self, places: &Aligned<u32>, Counts { masks, shifts, .. }: &Counts) -> Aligned<u32> {
+    fn permuted(&self, places: &Words, Counts { masks, shifts, .. }: &Counts) -> Words {
         let mut places = *places;
-        let (rows, _) = places.0.as_chunks_mut::<REPLICATES>();
+        let (rows, _) = places.as_chunks_mut::<REPLICATES>();
         for row in rows {
             for own in 0..REPLICATES {
                 // All rounds in one loop: a compiler would unroll a shorter one before it could vectorise it.

@@ -145,7 +145,7 @@ impl<'m> Piece<'m> {
     /// Adds the values of a block for which there is a bit, with their cells, as many as there is place for.
     /// Leaves the bits of the others.
     #[inline]
-    pub(super) fn take(&mut self, noted: &mut u64, block: &Lanes, of_block: &[i16; LANES]) {
+    pub(super) fn take(&mut self, noted: &mut u64, block: &Lanes, of_block: &Lanes<i16>) {
         let mut len = self.len;
         let (values, cells, replicates) = self.parts_mut();
         for (value, cell) in values.iter_mut().zip(cells).skip(len) {
@@ -191,7 +191,7 @@ fn replicate(replicates: &[u8], place: usize) -> usize {
 
 #[cfg(test)]
 mod tests {
-    use super::{LANES, Lanes, PIECE, Piece, Store};
+    use super::{Lanes, PIECE, Piece, Store};
 
     /// More pieces than there is memory for.
     #[test]
@@ -209,7 +209,7 @@ mod tests {
                         let mut block = Lanes::splat(f64::NAN);
                         let lane = 32 + replicate;
                         block[lane] = value + piece.len() as f64;
-                        piece.take(&mut (1 << lane), &block, &[cell; LANES]);
+                        piece.take(&mut (1 << lane), &block, &Lanes::splat(cell));
                     }
                     assert_eq!(piece.len(), planned.min(PIECE));
                 }

@@ -9,7 +9,7 @@ use super::cells::{LAST, MISSING, NOWHERE};
 use super::room::{PIECE, Piece, Room};
 use super::watch::{Watch, Window};
 use crate::limits::REPLICATES;
-use crate::model::{LANES, Lanes};
+use crate::model::Lanes;
 use crate::run::Instructions;
 
 /// Values that were taken out, of all windows, in no order. Where windows are narrowed, their places are used
@@ -48,7 +48,7 @@ impl<'m> Taken<'m> {
     /// Adds the values of a block for which there is a bit, as many as there is place for. Leaves the bits of
     /// the others.
     #[inline]
-    pub(super) fn take(&mut self, noted: &mut u64, block: &Lanes, cells: &[i16; LANES]) {
+    pub(super) fn take(&mut self, noted: &mut u64, block: &Lanes, cells: &Lanes<i16>) {
         self.pieces[self.current].take(noted, block, cells);
     }
 

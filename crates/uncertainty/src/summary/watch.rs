@@ -19,7 +19,7 @@ use super::powers::{Powers, Sums};
 use super::room::Room;
 use super::taken::{Ends, Ranges, Taken};
 use crate::limits::REPLICATES;
-use crate::model::{Aligned, LANES, Lanes};
+use crate::model::{LANES, Lanes};
 use crate::run::{Instructions, for_each};
 
 /// How a column is watched.
@@ -80,7 +80,7 @@ struct Open {
     /// The cells of each window; nowhere, where it was lost before this span.
     ranges: [[i16; 2]; QUANTILES],
     /// How many values lie below each window, of each lane.
-    below: [Aligned<i16>; QUANTILES],
+    below: [Lanes<i16>; QUANTILES],
     sums: Sums,
     has_clumps: bool,
 }
@@ -92,7 +92,7 @@ impl Open {
             *range = if window.is_lost { [NOWHERE; 2] } else { window.cells };
         }
         let has_clumps = windows.iter().any(|window| window.clump.is_some());
-        Self { ranges, below: [Aligned([0; LANES]); QUANTILES], sums: Sums::default(), has_clumps }
+        Self { ranges, below: [Lanes::splat(0); QUANTILES], sums: Sums::default(), has_clumps }
     }
 }
 
@@ -188,7 +188,7 @@ impl<'m> Watch<'m> {
     pub(crate) fn end_span(&mut self) -> [Powers; REPLICATES] {
         let powers = self.open.sums.powers();
         for (window, below) in self.windows.iter_mut().zip(&self.open.below) {
-            for row in below.0.as_chunks::<REPLICATES>().0 {
+            for row in below.as_chunks::<REPLICATES>().0 {
                 for (total, count) in window.below.iter_mut().zip(row) {
                     *total += u64::from(count.unsigned_abs());
                 }
@@ -202,15 +202,15 @@ impl<'m> Watch<'m> {
     #[inline(always)]
     fn add_block(&mut self, block: &Lanes) {
         self.open.sums.add(block, self.centre);
-        let Aligned(cells) = &mut Aligned([MISSING; LANES]);
+        let mut cells = Lanes::splat(MISSING);
         for (cell, value) in cells.iter_mut().zip(block) {
             *cell = self.cells.cell(*value);
         }
         // The number of the window that a value is inside, counted from one.
-        let Aligned(inside) = &mut Aligned([0_i16; LANES]);
+        let mut inside = Lanes::splat(0_i16);
         let Open { ranges, below, .. } = &mut self.open;
         let windows = ranges.iter().zip(below).take(self.windows.len());
-        for (number, ([low, high], Aligned(below))) in (1..).zip(windows) {
+        for (number, ([low, high], below)) in (1..).zip(windows) {
             for lane in 0..LANES {
                 below[lane] += i16::from(cells[lane] < *low);
                 let is_inside = (cells[lane] >= *low) & (cells[lane] <= *high);
@@ -223,21 +223,21 @@ impl<'m> Watch<'m> {
             noted |= u64::from(*number != 0) << lane;
         }
         if self.open.has_clumps {
-            noted &= !self.count_clumps(noted, inside, block);
+            noted &= !self.count_clumps(noted, &inside, block);
         }
         // Of a window that has just been lost or found to have a clump, a few values may still come.
         while noted != 0 {
             if self.taken.is_full() {
                 self.make_place();
             }
-            self.taken.take(&mut noted, block, cells);
+            self.taken.take(&mut noted, block, &cells);
         }
     }
 
     /// Counts those values of a block for which there is a bit that are the clump of their window: the bits
     /// of these.
     #[cold]
-    fn count_clumps(&mut self, mut noted: u64, inside: &[i16; LANES], block: &Lanes) -> u64 {
+    fn count_clumps(&mut self, mut noted: u64, inside: &Lanes<i16>, block: &Lanes) -> u64 {
         let mut counted = 0;
         while noted != 0 {
             let lane = noted.trailing_zeros() as usize;
