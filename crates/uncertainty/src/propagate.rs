@@ -192,11 +192,11 @@ impl<M: Model> Run<'_, M> {
         let mut columns = Columns::new(self.kept, requested);
         let is_kept = self.kept == self.outputs;
         let mut reasons = vec![SUCCEEDED; if is_kept { requested } else { 0 }];
-        let mut store = Store::new(self.outputs, requested, self.is_replicated());
-        let room = Arc::new(store.room());
-        let Some(mut begun) = told(0, 0).is_continue().then(|| self.begin(room)) else {
+        if told(0, 0).is_break() {
             return self.nothing();
-        };
+        }
+        let mut store = Store::new(self.outputs, requested, self.is_replicated());
+        let mut begun = self.begin(Arc::new(store.room()));
         for (column, begin) in columns.iter_mut().zip(begun.first.columns.iter()) {
             column[..begin.len()].copy_from_slice(begin);
         }

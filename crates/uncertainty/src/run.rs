@@ -115,10 +115,11 @@ pub fn for_each<S: Send, T: Send>(
     in_order(spans, work, &mut |_, _| ControlFlow::Continue(()))
 }
 
-/// The results of both: the second one begins after the first, or beside it on another thread.
+/// The results of both: the second one begins after the first, or beside it on another thread where this one
+/// is of rayon's. To hand both to rayon's threads from elsewhere, and to wait, may take longer than they do.
 pub fn join<A: Send, B: Send>(first: impl FnOnce() -> A + Send, second: impl FnOnce() -> B + Send) -> (A, B) {
     #[cfg(feature = "parallel")]
-    if workers() > 1 {
+    if rayon::current_thread_index().is_some() {
         return rayon::join(first, second);
     }
     (first(), second())
@@ -177,9 +178,13 @@ mod tests {
     }
 
     #[test]
-    fn both_are_done_beside_others() {
-        let nested = || join(|| 1, || in_order(spans(9), |work| work, &mut |_, _| ControlFlow::Continue(())));
-        assert_eq!(join(nested, || "two"), ((1, (0..9).collect()), "two"));
+    fn both_are_done_wherever_they_are() {
+        let spans = || in_order(spans(9), |work| work, &mut |_, _| ControlFlow::Continue(()));
+        let both = || join(|| join(|| 1, spans), || "two");
+        let expected = ((1, (0..9).collect()), "two");
+        assert_eq!(both(), expected);
+        #[cfg(feature = "parallel")]
+        rayon::scope(|_| assert_eq!(both(), expected));
     }
 
     #[test]
