@@ -94,6 +94,18 @@ pub struct EstimatedOutput {
     pub posterior: Summary,
 }
 
+impl EstimatedOutput {
+    /// Whether its draws differ by more than rounding: a known speed, even of an uncertain heading, does not.
+    #[must_use]
+    pub fn varies(&self) -> bool {
+        // (–)
+        const ROUNDING: f64 = 1e-9;
+        let Summary { median, intervals, .. } = &self.posterior;
+        let [.., widest] = intervals;
+        widest.high.value - widest.low.value > ROUNDING * median.value.abs()
+    }
+}
+
 /// The results that [`estimate()`] gives of a case.
 ///
 /// # Errors

@@ -186,6 +186,20 @@ fn the_number_of_threads_changes_no_byte() {
     assert_eq!(fs::read_to_string(draws).unwrap(), RUN.1);
 }
 
+#[test]
+fn a_known_speed_stays_as_given() {
+    let case = CASE.replace("name = \"Golf\"", "speed = \"30 km/h\"");
+    assert_ne!(case, CASE);
+    let case = written("known.toml", &case);
+    let output = estimate(&case, &FAST);
+    assert_eq!(output.status.code(), Some(0), "{}", said(&output));
+    let text = String::from_utf8(output.stdout).unwrap();
+    assert!(text.contains("\nSpeed of vehicle 2: 30.0 km/h, as given\n"), "{text}");
+    let rows = text.lines().filter_map(|line| line.strip_prefix("Speed of vehicle 2, km/h "));
+    let rows: Vec<Vec<&str>> = rows.map(|row| row.split_whitespace().collect()).collect();
+    assert_eq!(rows, [["30.0"; 6], ["30.0"; 6]], "{text}");
+}
+
 /// A recorder that stored five times the ΔV that all else says.
 #[test]
 fn evidence_that_contradicts_the_rest_is_warned_of() {

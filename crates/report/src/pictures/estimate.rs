@@ -18,8 +18,6 @@ const POINTS: usize = 240;
 const PLACES: usize = 96;
 /// The most draws that a picture shows.
 const SHOWN: usize = 1200;
-/// (–) a result that varies by less than this share of itself is known, such as a speed whose heading is not.
-const ROUNDING: f64 = 1e-9;
 /// Bandwidth of a biweight kernel by that of a normal one that smooths as much.
 const BIWEIGHT: f64 = 2.62;
 
@@ -106,9 +104,7 @@ fn density_picture(
 /// A result that varies, of a run that has converged.
 fn answer(estimated: &Estimated, output: EstimateOutput) -> Option<&EstimatedOutput> {
     let found = estimated.outputs.iter().find(|found| found.output == output)?;
-    let Summary { median, intervals, .. } = &found.posterior;
-    let varies = intervals[3].high.value - intervals[3].low.value > ROUNDING * median.value.abs();
-    (estimated.doubts().is_empty() && varies).then_some(found)
+    (estimated.doubts().is_empty() && found.varies()).then_some(found)
 }
 
 /// (unit of the draws) how far a kernel reaches that smooths draws worth so many independent ones.

@@ -68,9 +68,13 @@ impl<'a> Page<'a> {
         self.estimated.outputs.iter().find(|output| output.output == wanted)
     }
 
-    /// With enough decimals for so large a standard deviation (SI).
-    fn figure(&self, measure: Option<Measure>, si: f64, sd: f64) -> String {
-        let decimals = decimals_of(value(measure, self.units, sd)).min(MOST_DECIMALS);
+    /// (SI) with enough decimals for the standard deviation of the result.
+    fn figure(&self, of: &EstimatedOutput, si: f64) -> String {
+        let measure = measure(of.output);
+        let decimals = match measure {
+            Some(measure) if !of.varies() => self.units.decimals(measure),
+            _ => decimals_of(value(measure, self.units, of.posterior.sd.value)).min(MOST_DECIMALS),
+        };
         number(value(measure, self.units, si), decimals)
     }
 
@@ -87,7 +91,7 @@ impl<'a> Page<'a> {
             let found = self.find(output)?;
             let [median, interval] = self.speed(&found.posterior);
             let name = name(found.output);
-            Some(if found.posterior.sd.value > 0.0 {
+            Some(if found.varies() {
                 format!("{name}: {median} {unit} (95 %: {interval} {unit})")
             } else {
                 format!("{name}: {median} {unit}, as given")
@@ -224,11 +228,9 @@ impl<'a> Page<'a> {
         }
         let mut table = Table::new("Results", columns);
         for output in &self.estimated.outputs {
-            let measure = measure(output.output);
-            let sd = output.posterior.sd.value;
             let of = |summary: &Summary| {
                 let [low, high] = ends(summary, WIDEST);
-                [summary.median.value, low, high].map(|si| short(self.figure(measure, si, sd)))
+                [summary.median.value, low, high].map(|si| short(self.figure(output, si)))
             };
             let before = output.prior.as_ref().map_or([NONE; 3].map(str::to_owned), of);
             let after = of(&output.posterior);
@@ -253,10 +255,8 @@ impl<'a> Page<'a> {
         }
         let mut table = Table::new("Narrower intervals", columns);
         for output in &self.estimated.outputs {
-            let summary = &output.posterior;
-            let cells = [HALF, EIGHTY, NINETY].map(|place| ends(summary, place)).concat();
-            let cells =
-                cells.into_iter().map(|si| short(self.figure(measure(output.output), si, summary.sd.value)));
+            let cells = [HALF, EIGHTY, NINETY].map(|place| ends(&output.posterior, place)).concat();
+            let cells = cells.into_iter().map(|si| short(self.figure(output, si)));
             table.cells(std::iter::once(label(output.output, self.units)).chain(cells));
         }
         self.document.push(table);
@@ -277,7 +277,7 @@ impl<'a> Page<'a> {
             .into_iter()
             .filter(|vehicle| {
                 let found = self.find(Output::Speed { vehicle: *vehicle });
-                found.is_some_and(|found| found.posterior.sd.value > 0.0)
+                found.is_some_and(EstimatedOutput::varies)
             })
             .collect();
         let is_judged = pieces.iter().any(|piece| piece.alone.is_some() || piece.without.is_some());
