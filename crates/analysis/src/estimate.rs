@@ -18,6 +18,7 @@ use inputs::{Case, Unit};
 use pim_core::VehicleId;
 
 use crate::Failure;
+use crate::uncertainty::NOISE;
 pub use outputs::EstimateOutput;
 use outputs::Told;
 pub use pieces::{PieceFound, SameTwice};
@@ -98,11 +99,9 @@ impl EstimatedOutput {
     /// Whether its draws differ by more than rounding: a known speed, even of an uncertain heading, does not.
     #[must_use]
     pub fn varies(&self) -> bool {
-        // (–)
-        const ROUNDING: f64 = 1e-9;
         let Summary { median, intervals, .. } = &self.posterior;
         let [.., widest] = intervals;
-        widest.high.value - widest.low.value > ROUNDING * median.value.abs()
+        widest.high.value - widest.low.value > NOISE * median.value.abs()
     }
 }
 

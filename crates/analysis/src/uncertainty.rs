@@ -105,7 +105,7 @@ pub struct UncertainOutput {
 }
 
 /// (–) far above the rounding of any output, and far below any spread that matters.
-const NOISE: f64 = 1e-9;
+pub(crate) const NOISE: f64 = 1e-9;
 
 impl UncertainOutput {
     /// Whether the result varies with the inputs at all, by the derivatives or by the samples' standard

@@ -7,8 +7,8 @@ use crate::columns::Columns;
 use crate::limits::REPLICATES;
 use crate::model::{LANES, Lanes};
 
-/// What a [`Room`] is made of. To touch memory for the first time costs more than what is done with it, so
-/// all of it lies together, in large pages where the system has some.
+/// The memory of a [`Room`]. To touch memory for the first time costs more than what is done with it, so all
+/// of it lies together, in large pages where the system has some.
 #[derive(Debug)]
 pub(crate) struct Store {
     numbers: Columns,
@@ -36,7 +36,7 @@ impl Store {
     }
 }
 
-/// Of which the watches of all threads take pieces.
+/// Memory from which the watches of all threads take pieces.
 #[derive(Debug)]
 pub(crate) struct Room<'m> {
     size: Size,
