@@ -219,7 +219,7 @@ impl<'a> Page<'a> {
             Column::numbers("median", Width::Fixed(END + 1)),
             Column::numbers("95 %", Width::Fixed(END)),
             Column::numbers("", Width::Fixed(END)),
-            Column::numbers("before:", Width::Fixed(END + 3)),
+            Column::numbers("before", Width::Fixed(END + 3)),
             Column::numbers("95 %", Width::Fixed(END)),
             Column::numbers("", Width::Fixed(END)),
         ];
