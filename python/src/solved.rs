@@ -89,6 +89,7 @@ impl Solved {
             sensitivity: beside.sensitivity.as_ref(),
             validation: Some(&validation),
             site_plan: site_plan.as_ref(),
+            weighed: None,
         };
         let page = py.detach(|| report::handover(file, analysis, supplements, units));
         page.map_err(|error| not_drawn(py, error, file))

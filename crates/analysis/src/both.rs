@@ -133,7 +133,7 @@ pub(crate) fn reconstruct(case: &Case) -> Result<Analysis, Failure> {
         analysis.checks.extend(checks);
     }
     analysis.both = Some(both);
-    Ok(analysis.with_travel(record.travel, surface))
+    Ok(analysis.with_travel(record.travel, surface).beside_the_rest(case))
 }
 
 impl BothFound {

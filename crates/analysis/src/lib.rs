@@ -36,6 +36,7 @@
 //! It adds no equation: those are in `pim-core`, `crash3` and `reconcile`. It reads no file (`case` does) and
 //! writes no text (`report` does), so a case can also be built in code from the types of `inputs`.
 
+mod aside;
 mod beside;
 mod both;
 mod checks;
@@ -45,6 +46,7 @@ mod damage;
 mod estimate;
 mod evidence;
 mod goal;
+mod headline;
 mod judgement;
 mod quantities;
 mod seen;
@@ -60,12 +62,15 @@ pub use self::estimate::{
     SameTwice, UnknownNumber, Unused, UnusedReason, estimate, estimate_evidence, estimate_outputs,
 };
 pub use self::evidence::{ByEvidence, EvidenceAnswer, EvidenceMethod, NoEvidence};
+pub use aside::Evident;
+use aside::Used;
 pub use beside::{BACKWARD_SAMPLES, Beside, SAMPLES, beside, usual_samples};
 pub use both::{BothFound, BothMethod};
 pub use checks::{Check, CheckedQuantity};
 pub use compare::{Comparison, LawRow, compare};
 pub use curve::{WorkPoint, first_push, work_curve};
 pub use damage::{Correction, Crash3, Damage, EnergyAlone, Inferred, Oblique};
+pub use headline::{Overdetermined, Solution, Weighed, weigh};
 pub use judgement::{Ability, Assumption, AxleMeasure, Judgement, assumptions, judge, nearest_class};
 pub use quantities::{Kind, Of, OutputQuantity, QUANTITIES, Values, quantity};
 pub use seen::{Seen, SeenWarning};
@@ -113,6 +118,9 @@ pub struct Analysis {
     pub vehicles: [Vehicle; 2],
     /// CRASH3's answer, where the damage of all vehicles is known.
     pub crash3: Option<Crash3>,
+    /// The keys of the evidence that the case has and this answer does not use. What is over-determined has
+    /// no exact solution that takes account of all.
+    pub left_aside: Vec<String>,
     /// The consistency checks, passed or not.
     pub checks: Vec<Check>,
     /// What a careful reader should know.
@@ -131,6 +139,24 @@ impl Analysis {
     #[must_use]
     pub fn speed(&self, vehicle: VehicleId) -> f64 {
         self.impact.as_ref().map_or(0.0, |impact| impact.speed(vehicle))
+    }
+
+    /// (m/s) ΔV of both vehicles: those that go with the speeds of a reconstruction, or of the impact; zero
+    /// where there is no impact.
+    #[must_use]
+    pub fn delta_v(&self) -> [f64; 2] {
+        let of_impact = || self.impact.as_ref().map(|impact| impact.outcome.delta_v_magnitude());
+        self.both.as_ref().map(|both| both.delta_v).or_else(of_impact).unwrap_or_default()
+    }
+
+    /// With what the answer leaves aside of the evidence, and where that contradicts it.
+    fn beside_the_rest(mut self, case: &Case) -> Self {
+        let used = Used::of(self.found.as_ref(), self.both.as_ref().map(|both| &both.method));
+        self.left_aside = aside::left_aside(case, used);
+        if let Some(impact) = &self.impact {
+            self.warnings.extend(aside::contradictions(case, impact, &self.skids, used));
+        }
+        self
     }
 
     /// With the ways to rest, and the checks and warnings about them.
@@ -396,7 +422,7 @@ pub fn reconstruct(case: &Case) -> Result<Analysis, Failure> {
     let (travel, surface) = run_out(case, impact.outcome.after)?;
     let restitution = Some(impact.law.restitution());
     let analysis = judged(case, vehicles, input.basis, restitution, (Some(found), Some(impact)), warnings)?;
-    Ok(analysis.with_travel(travel, surface))
+    Ok(analysis.with_travel(travel, surface).beside_the_rest(case))
 }
 
 /// Why a problem has no answer, with the impact that comes nearest to one.
@@ -424,7 +450,7 @@ pub fn impact(case: &Case) -> Result<Analysis, Failure> {
     let (travel, surface) = run_out(case, impact.outcome.after)?;
     let restitution = Some(impact.law.restitution());
     let analysis = judged(case, vehicles, input.basis, restitution, (None, Some(impact)), Vec::new())?;
-    Ok(analysis.with_travel(travel, surface))
+    Ok(analysis.with_travel(travel, surface).beside_the_rest(case))
 }
 
 /// The impact of a fully known collision, and the law at its closing speed.
@@ -467,6 +493,7 @@ pub fn motion(case: &Case) -> Result<Analysis, Failure> {
         surface: None,
         vehicles,
         crash3: None,
+        left_aside: Vec::new(),
         checks: Vec::new(),
         warnings: Vec::new(),
     };
@@ -489,7 +516,8 @@ fn run_out(case: &Case, after: [Motion; 2]) -> Result<([Option<Travel>; 2], Opti
 pub fn crush(case: &Case) -> Result<Analysis, Failure> {
     let input = case.damage()?;
     let vehicles = damage::assess(input.vehicles, [None, None])?;
-    judged(case, vehicles, input.basis, input.restitution, (None, None), Vec::new())
+    let analysis = judged(case, vehicles, input.basis, input.restitution, (None, None), Vec::new())?;
+    Ok(analysis.beside_the_rest(case))
 }
 
 /// The most complete analysis that a case allows: [`reconstruct`] if it has a `[reconstruct]` table, else
@@ -561,6 +589,7 @@ fn judged(
         surface: None,
         vehicles,
         crash3,
+        left_aside: Vec::new(),
         checks,
         warnings,
     })

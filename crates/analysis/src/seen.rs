@@ -34,6 +34,8 @@ pub struct Seen {
     pub vehicles: [Vehicle; 2],
     /// As [`Analysis::crash3`].
     pub crash3: Option<Crash3>,
+    /// As [`Analysis::left_aside`].
+    pub left_aside: Vec<String>,
     /// As [`Analysis::checks`].
     pub checks: Vec<Check>,
     /// As [`Analysis::warnings`].
@@ -91,6 +93,7 @@ impl Analysis {
             surface,
             mut vehicles,
             crash3,
+            left_aside,
             checks,
             warnings,
         } = self.clone();
@@ -111,7 +114,21 @@ impl Analysis {
                 }
             }
         }
-        Seen { axes, basis, found, both, impact, travel, skids, surface, vehicles, crash3, checks, warnings }
+        Seen {
+            axes,
+            basis,
+            found,
+            both,
+            impact,
+            travel,
+            skids,
+            surface,
+            vehicles,
+            crash3,
+            left_aside,
+            checks,
+            warnings,
+        }
     }
 }
 
@@ -135,6 +152,11 @@ impl Warning {
             for [_, yaw_rate] in std::iter::once(used).chain(others) {
                 *yaw_rate = axes.lateral(*yaw_rate);
             }
+        }
+        if let Self::EvidenceDiffers { evidence, given, found, .. } = &mut seen
+            && evidence.is_lateral()
+        {
+            (*given, *found) = (axes.lateral(*given), axes.lateral(*found));
         }
         if let Self::PointMissed { pass, .. } = &mut seen {
             *pass = pass.in_axes(axes);

@@ -37,3 +37,7 @@ pub(crate) const SPEED_AFTER_ERROR: f64 = 0.12;
 /// (rad) standard deviation of the direction after the impact: 8°. With these two, 18 of 19 speeds of the
 /// RICSAC collisions lay in their intervals of 95 %.
 pub(crate) const DIRECTION_AFTER_ERROR: f64 = 8.0 * PI / 180.0;
+/// (–) usual error of a recorder's ΔV, of its logarithm.
+pub(crate) const RECORDER_DELTA_V_ERROR: f64 = 0.08;
+/// (–) usual error of a recorder's speed, and of one where a skid begins: a standard deviation.
+pub(crate) const RECORDER_SPEED_ERROR: f64 = 0.04;

@@ -9,6 +9,7 @@ use inputs::{
 };
 use pim_core::{Contact, Motion, Outcome, Regime, Switch, Tangential, VehicleId};
 
+use crate::aside::Evident;
 use crate::checks::{Check, CheckedQuantity};
 use crate::damage::Crash3;
 use crate::thresholds::{FAST_CLOSING, FORCE_RATIO, HIGH_RESTITUTION, PDOF_DIFFERENCE};
@@ -94,6 +95,17 @@ pub enum Warning {
     MomentumDiffers {
         /// The checks that are not passed.
         checks: Vec<Check>,
+    },
+    /// Evidence that the answer does not use contradicts it.
+    EvidenceDiffers {
+        /// Which vehicle.
+        vehicle: VehicleId,
+        /// Which evidence.
+        evidence: Evident,
+        /// (SI) as the case gives it.
+        given: f64,
+        /// (SI) by the answer.
+        found: f64,
     },
     /// Several motions after the impact lead to the rest of a vehicle.
     SeveralStarts {
@@ -439,13 +451,14 @@ pub enum Magnitude {
 
 impl Warning {
     /// Every warning code.
-    pub const CODES: [&'static str; 36] = [
+    pub const CODES: [&'static str; 37] = [
         "crush-plane",
         "contact-outside",
         "high-restitution",
         "force-balance",
         "pdof-differs",
         "momentum-differs",
+        "evidence-differs",
         "several-starts",
         "point-missed",
         "angle-capped",
@@ -488,6 +501,7 @@ impl Warning {
             Self::ForceBalance { .. } => "force-balance",
             Self::PdofDiffers { .. } => "pdof-differs",
             Self::MomentumDiffers { .. } => "momentum-differs",
+            Self::EvidenceDiffers { .. } => "evidence-differs",
             Self::SeveralStarts { .. } => "several-starts",
             Self::PointMissed { .. } => "point-missed",
             Self::AngleCapped { .. } => "angle-capped",
@@ -527,6 +541,7 @@ impl Warning {
         match self {
             Self::ContactOutside { vehicle, .. }
             | Self::PdofDiffers { vehicle, .. }
+            | Self::EvidenceDiffers { vehicle, .. }
             | Self::SeveralStarts { vehicle, .. }
             | Self::PointMissed { vehicle, .. }
             | Self::AngleCapped { vehicle, .. }
@@ -562,6 +577,24 @@ impl Warning {
             | Self::UnusualFriction { .. }
             | Self::LargeAngle { .. } => None,
         }
+    }
+
+    /// Whether it speaks against an exact solution, and not against the data of the case: where all the
+    /// evidence is weighed, it says nothing of the answer.
+    #[must_use]
+    pub fn is_of_exact_solution(&self) -> bool {
+        matches!(
+            self,
+            Self::MomentumDiffers { .. }
+                | Self::EvidenceDiffers { .. }
+                | Self::SeveralStarts { .. }
+                | Self::DamageEnergyDiffers { .. }
+                | Self::DeltaVDiffers { .. }
+                | Self::PdofDiffers { .. }
+                | Self::SeveralSpeeds { .. }
+                | Self::MovesBackward { found: true, .. }
+                | Self::GivenSpeedUnused { .. }
+        )
     }
 
     /// Whether the warning only says that the yaw inertia was estimated, which is common.

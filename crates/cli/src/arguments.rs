@@ -72,7 +72,7 @@ pub(crate) enum Command {
             deltav reconstruct fixtures/ricsac/*.toml --format csv -o results.csv\n\n\
             Exit status: 0 done; 1 no answer, or in csv and jsonl any file with an error; 2 the case file or the command line is wrong."
     )]
-    Reconstruct(ReportArguments),
+    Reconstruct(ReconstructArguments),
     /// Compute an impact from two known speeds
     #[command(
         long_about = "Compute an impact from two known speeds.\n\n\
@@ -401,6 +401,17 @@ pub(crate) struct CasesArguments {
     /// Write to FILE instead of standard output; a case file, or any other .toml file, is not overwritten
     #[arg(short, long, value_name = "FILE", default_value = "-", hide_default_value = true)]
     pub(crate) output: Destination,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct ReconstructArguments {
+    #[command(flatten)]
+    pub(crate) report: ReportArguments,
+
+    /// Print the exact solution alone, even where the case has more evidence than that uses. Rows (csv and
+    /// jsonl) always are the exact solutions
+    #[arg(long)]
+    pub(crate) exact: bool,
 }
 
 #[derive(Debug, Args)]

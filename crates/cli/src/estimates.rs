@@ -1,6 +1,7 @@
 //! `deltav estimate`.
 
 use std::io::{self, BufWriter};
+use std::ops::ControlFlow;
 
 use analysis::{EstimatePlan, EstimateStage, Estimated, Failure, estimate_outputs};
 use anyhow::{Context as _, Result};
@@ -64,9 +65,17 @@ pub(crate) fn pictures(file: &CaseFile, units: Units) -> Result<Drawing> {
 }
 
 fn run(case: &Case, plan: &EstimatePlan, pool: &ThreadPool) -> Result<Result<Estimated, Failure>> {
+    with_progress(pool, |progress| analysis::estimate(case, plan, progress))
+}
+
+/// Runs an estimate in the pool, with a bar on the terminal.
+pub(crate) fn with_progress<T: Send>(
+    pool: &ThreadPool,
+    run: impl FnOnce(&mut Reported<'_>) -> T + Send,
+) -> Result<T> {
     let mut progress = progress::Progress::new()?;
     Ok(pool.install(|| {
-        analysis::estimate(case, plan, &mut |stage, done, total| {
+        run(&mut |stage, done, total| {
             let counted = match stage {
                 EstimateStage::All => "particles",
                 EstimateStage::Prior => "particles before the evidence",
@@ -76,3 +85,6 @@ fn run(case: &Case, plan: &EstimatePlan, pool: &ThreadPool) -> Result<Result<Est
         })
     }))
 }
+
+/// What hears of the progress of an estimate, and may end it.
+type Reported<'a> = dyn FnMut(EstimateStage, usize, usize) -> ControlFlow<()> + Send + 'a;

@@ -4,7 +4,10 @@ use std::env;
 use std::fs;
 use std::path::{Path, PathBuf};
 
+use analysis::{Analysis, Weighed};
 use anyhow::{Context as _, Result, bail};
+use case::CaseFile;
+use report::Units;
 use same_file::is_same_file;
 
 use crate::arguments::{CasesArguments, CasesFormat};
@@ -13,7 +16,15 @@ use crate::{Analyse, answered, case_file, handover, named, units, write};
 /// What the page is called beside the program.
 const PAGE: &str = "deltav.html";
 
-pub(crate) fn report(arguments: CasesArguments, page: Option<&Path>, analyse: Analyse) -> Result<()> {
+/// What may lead the report in place of the analysis.
+pub(crate) type Weigh<'a> = dyn Fn(&CaseFile, &Analysis, Units) -> Result<Option<Weighed>> + 'a;
+
+pub(crate) fn report(
+    arguments: CasesArguments,
+    page: Option<&Path>,
+    analyse: Analyse,
+    weigh: &Weigh<'_>,
+) -> Result<()> {
     if arguments.format != CasesFormat::Html {
         bail!("--live puts the program into a report as HTML: add --format html, or leave out --live");
     }
@@ -37,7 +48,8 @@ pub(crate) fn report(arguments: CasesArguments, page: Option<&Path>, analyse: An
     let file = case_file(case)?;
     let units = units(arguments.units, &file);
     let analysis = answered(analyse(&file.case), &file, units)?;
-    let document = handover(case, &file, &analysis, units)?;
+    let weighed = weigh(&file, &analysis, units)?;
+    let document = handover(case, &file, &analysis, weighed.as_ref(), units)?;
     let live = report::live(&text, &document.html(), &file);
     write(output, live.with_context(|| named(&path).to_string())?)
 }

@@ -9,6 +9,7 @@ mod new;
 mod outputs;
 mod pages;
 mod progress;
+mod reconstruction;
 mod sink;
 mod table;
 mod terminal;
@@ -19,7 +20,7 @@ use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
-use analysis::{Analysis, Beside, Failure, Output, Plan, Stage, Sweep, Uncertainty};
+use analysis::{Analysis, Beside, Failure, Output, Plan, Stage, Sweep, Uncertainty, Weighed};
 use anyhow::{Context as _, Result};
 use arguments::{
     Arguments, CasesArguments, Command, ExplainArguments, Format, PlotsFormat, ReportArguments,
@@ -88,7 +89,7 @@ fn not_a_command(error: &clap::Error) -> ExitCode {
 fn run(command: Command) -> Result<()> {
     match command {
         Command::New(arguments) => new::new(&arguments),
-        Command::Reconstruct(arguments) => report_or_rows(arguments, analysis::reconstruct),
+        Command::Reconstruct(arguments) => reconstruction::report(arguments),
         Command::Impact(arguments) => report_or_rows(arguments, analysis::impact),
         Command::Motion(arguments) => report_or_rows(arguments, analysis::motion),
         Command::Crush(arguments) => report_or_rows(arguments, analysis::crush),
@@ -120,7 +121,7 @@ fn lead_and_status(error: &anyhow::Error) -> (&'static str, u8) {
 
 fn report_or_rows(ReportArguments { cases, live, page }: ReportArguments, analyse: Analyse) -> Result<()> {
     if live {
-        return live::report(cases, page.as_deref(), analyse);
+        return live::report(cases, page.as_deref(), analyse, &|_, _, _| Ok(None));
     }
     let answer = |case: &Case| analyse(case).map(|analysis| Answer::Analysis(Box::new(analysis)));
     match of_cases(cases, Table::Analyses, &answer)? {
@@ -186,7 +187,7 @@ fn report_analysis(arguments: &Arguments, analyse: Analyse) -> Result<()> {
     let document = || match arguments.format {
         // In a terminal the results; the report to hand over has all steps and the case file besides.
         Format::Text | Format::Json => Ok(report::results(&file.case, &analysis, units)),
-        Format::Html | Format::Markdown => handover(&arguments.case, &file, &analysis, units),
+        Format::Html | Format::Markdown => handover(&arguments.case, &file, &analysis, None, units),
     };
     present(arguments, document, || report::json(&file, &analysis))
 }
@@ -222,7 +223,13 @@ where
 }
 
 /// The report to hand over, with what the uncertain inputs make of the answer.
-fn handover(path: &Path, file: &CaseFile, analysis: &Analysis, units: Units) -> Result<Document> {
+fn handover(
+    path: &Path,
+    file: &CaseFile,
+    analysis: &Analysis,
+    weighed: Option<&Weighed>,
+    units: Units,
+) -> Result<Document> {
     let Beside { uncertainty, sensitivity } = answered(analysis::beside(&file.case, analysis), file, units)?;
     let is_followed = analysis.travel.iter().any(Option::is_some);
     let site_plan = if is_followed { draw::plan_of_case(path, file)? } else { None };
@@ -232,6 +239,7 @@ fn handover(path: &Path, file: &CaseFile, analysis: &Analysis, units: Units) -> 
         sensitivity: sensitivity.as_ref(),
         validation: Some(&validation),
         site_plan: site_plan.as_ref(),
+        weighed,
     };
     Ok(report::handover(file, analysis, supplements, units)?)
 }

@@ -129,8 +129,8 @@ fn files(command: &Command) -> Files<'_> {
     match command {
         // It refuses whatever exists when it writes.
         Command::New(_) => Files::default(),
-        Command::Reconstruct(arguments)
-        | Command::Impact(arguments)
+        Command::Reconstruct(arguments) => of_cases(&arguments.report.cases),
+        Command::Impact(arguments)
         | Command::Motion(arguments)
         | Command::Crush(arguments) => of_cases(&arguments.cases),
         Command::Compare(arguments) => of_cases(arguments),

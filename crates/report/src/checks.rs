@@ -1,6 +1,6 @@
 //! The consistency checks in words, for the text and for the page.
 
-use analysis::{CheckedQuantity, FAST_CLOSING, Seen};
+use analysis::{Check, CheckedQuantity, FAST_CLOSING, Seen};
 use case::Basis;
 
 use crate::document::Table;
@@ -10,81 +10,87 @@ use crate::{basis, words};
 /// All checks of the analysis, where it has any. Where one is not passed, a warning below them says more.
 pub(crate) fn table(analysis: &Seen, units: Units) -> Option<Table> {
     let mut table = Table::of_two("Consistency checks", ["found", "limit", "verdict"]);
-    let percent = |share: f64| format!("{} %", number(100.0 * share, 1));
-    let angle = |si: f64| units.format(Measure::Angle, si);
-    let energy = |si: f64| units.format(Measure::Energy, si);
     for check in &analysis.checks {
-        let (label, found, limit) = match check.quantity {
-            CheckedQuantity::ForceBalance => {
-                ("ratio of the peak forces".to_owned(), number(check.value, 2), number(check.limit, 1))
-            }
-            CheckedQuantity::PdofsOpposite => {
-                ("PDOFs from opposite".to_owned(), angle(check.value), angle(check.limit))
-            }
-            CheckedQuantity::DamageEnergy { .. } => {
-                // As much of the crush energy as W_n should be.
-                let label = match analysis.basis {
-                    Basis::Dissipated => "normal work and crush energy".to_owned(),
-                    Basis::Absorbed => "normal work and (1 − e²) E".to_owned(),
-                    Basis::TangentialShare(_) => {
-                        format!("{} and crush energy", basis::symbol(analysis.basis, ["W_n", "W_t"]))
-                    }
-                };
-                (label, percent(check.value), percent(check.limit))
-            }
-            CheckedQuantity::Restitution => {
-                // Where they close slowly there is no limit, and no check.
-                let closing = analysis.impact.as_ref().map_or(0.0, |i| -i.outcome.approach.normal);
-                let [closing, fast] = [closing, FAST_CLOSING].map(|si| units.road_speed(si));
-                (
-                    "restitution at closing speed".to_owned(),
-                    format!("{} at {closing}", number(check.value, 2)),
-                    format!("{} above {fast}", number(check.limit, 1)),
-                )
-            }
-            CheckedQuantity::Rotation { vehicle } => {
-                let found = if check.passed() { "with the moment" } else { "against the moment" };
-                let is_given = analysis.vehicles[vehicle.index()].subject.pdof().is_some();
-                let of = if is_given { "of the PDOF as given" } else { "of the impulse at C" };
-                (format!("rotation of vehicle {vehicle}"), found.to_owned(), of.to_owned())
-            }
-            CheckedQuantity::MomentumEnergy { normal_work, crush_energy, tangential_share: _ } => (
-                format!("momentum: {} and crush energy", basis::symbol(analysis.basis, ["W_n", "W_t"])),
-                format!("{} and {}: {}", energy(normal_work), energy(crush_energy), percent(check.value)),
-                percent(check.limit),
-            ),
-            CheckedQuantity::MomentumRestitution { implied, given } => (
-                "momentum: restitution".to_owned(),
-                format!("{}, the case has {}", number(implied, 2), number(given, 2)),
-                format!("{} apart", number(check.limit, 1)),
-            ),
-            CheckedQuantity::MomentumRatio { implied, critical } => (
-                "momentum: impulse ratio".to_owned(),
-                number(implied, 2),
-                format!("0 to {}, ±{}", number(critical, 2), number(check.limit, 1)),
-            ),
-            CheckedQuantity::MomentumYawRate { vehicle, implied, told } => {
-                let degrees = |si: f64| units.format(Measure::YawRateDegrees, si);
-                let plain = |si: f64| units.plain(Measure::YawRateDegrees, si);
-                (
-                    format!("momentum: Ω of vehicle {vehicle}"),
-                    format!("{}, and {} as told", plain(implied), degrees(told)),
-                    format!("{} apart", degrees(check.limit)),
-                )
-            }
-            CheckedQuantity::MomentumPdof { vehicle, implied, given } => (
-                format!("momentum: PDOF of vehicle {vehicle}"),
-                format!("{}, the case has {}", angle(implied), angle(given)),
-                format!("{} apart", angle(check.limit)),
-            ),
-            CheckedQuantity::PointMissed { vehicle, point, pass } => (
-                format!("way past point {point} of vehicle {vehicle}"),
-                format!("{}: {}", words::pass(&pass, units), percent(check.value)),
-                format!("{} of the way", percent(check.limit)),
-            ),
-        };
+        let [label, found, limit] = said(check, analysis, units);
         let verdict = if check.passed() { "passed" } else { "see below" };
         table.row([label, found, limit, verdict.to_owned()]);
     }
     (!table.rows.is_empty()).then_some(table)
+}
+
+/// What a check of this analysis compares, what it found, and its limit.
+pub(crate) fn said(check: &Check, analysis: &Seen, units: Units) -> [String; 3] {
+    let percent = |share: f64| format!("{} %", number(100.0 * share, 1));
+    let angle = |si: f64| units.format(Measure::Angle, si);
+    let energy = |si: f64| units.format(Measure::Energy, si);
+    let (label, found, limit) = match check.quantity {
+        CheckedQuantity::ForceBalance => {
+            ("ratio of the peak forces".to_owned(), number(check.value, 2), number(check.limit, 1))
+        }
+        CheckedQuantity::PdofsOpposite => {
+            ("PDOFs from opposite".to_owned(), angle(check.value), angle(check.limit))
+        }
+        CheckedQuantity::DamageEnergy { .. } => {
+            // As much of the crush energy as W_n should be.
+            let label = match analysis.basis {
+                Basis::Dissipated => "normal work and crush energy".to_owned(),
+                Basis::Absorbed => "normal work and (1 − e²) E".to_owned(),
+                Basis::TangentialShare(_) => {
+                    format!("{} and crush energy", basis::symbol(analysis.basis, ["W_n", "W_t"]))
+                }
+            };
+            (label, percent(check.value), percent(check.limit))
+        }
+        CheckedQuantity::Restitution => {
+            // Where they close slowly there is no limit, and no check.
+            let closing = analysis.impact.as_ref().map_or(0.0, |i| -i.outcome.approach.normal);
+            let [closing, fast] = [closing, FAST_CLOSING].map(|si| units.road_speed(si));
+            (
+                "restitution at closing speed".to_owned(),
+                format!("{} at {closing}", number(check.value, 2)),
+                format!("{} above {fast}", number(check.limit, 1)),
+            )
+        }
+        CheckedQuantity::Rotation { vehicle } => {
+            let found = if check.passed() { "with the moment" } else { "against the moment" };
+            let is_given = analysis.vehicles[vehicle.index()].subject.pdof().is_some();
+            let of = if is_given { "of the PDOF as given" } else { "of the impulse at C" };
+            (format!("rotation of vehicle {vehicle}"), found.to_owned(), of.to_owned())
+        }
+        CheckedQuantity::MomentumEnergy { normal_work, crush_energy, tangential_share: _ } => (
+            format!("momentum: {} and crush energy", basis::symbol(analysis.basis, ["W_n", "W_t"])),
+            format!("{} and {}: {}", energy(normal_work), energy(crush_energy), percent(check.value)),
+            percent(check.limit),
+        ),
+        CheckedQuantity::MomentumRestitution { implied, given } => (
+            "momentum: restitution".to_owned(),
+            format!("{}, the case has {}", number(implied, 2), number(given, 2)),
+            format!("{} apart", number(check.limit, 1)),
+        ),
+        CheckedQuantity::MomentumRatio { implied, critical } => (
+            "momentum: impulse ratio".to_owned(),
+            number(implied, 2),
+            format!("0 to {}, ±{}", number(critical, 2), number(check.limit, 1)),
+        ),
+        CheckedQuantity::MomentumYawRate { vehicle, implied, told } => {
+            let degrees = |si: f64| units.format(Measure::YawRateDegrees, si);
+            let plain = |si: f64| units.plain(Measure::YawRateDegrees, si);
+            (
+                format!("momentum: Ω of vehicle {vehicle}"),
+                format!("{}, and {} as told", plain(implied), degrees(told)),
+                format!("{} apart", degrees(check.limit)),
+            )
+        }
+        CheckedQuantity::MomentumPdof { vehicle, implied, given } => (
+            format!("momentum: PDOF of vehicle {vehicle}"),
+            format!("{}, the case has {}", angle(implied), angle(given)),
+            format!("{} apart", angle(check.limit)),
+        ),
+        CheckedQuantity::PointMissed { vehicle, point, pass } => (
+            format!("way past point {point} of vehicle {vehicle}"),
+            format!("{}: {}", words::pass(&pass, units), percent(check.value)),
+            format!("{} of the way", percent(check.limit)),
+        ),
+    };
+    [label, found, limit]
 }

@@ -5,6 +5,7 @@ pub(crate) mod comparison;
 pub(crate) mod csv;
 pub(crate) mod estimate;
 pub(crate) mod field;
+pub(crate) mod headline;
 pub(crate) mod json;
 pub(crate) mod judgement;
 pub(crate) mod samples;

@@ -5,6 +5,7 @@ pub(crate) mod comparison;
 pub(crate) mod estimate;
 pub(crate) mod field;
 pub(crate) mod handover;
+pub(crate) mod headline;
 pub(crate) mod judgement;
 pub(crate) mod motion;
 pub(crate) mod results;

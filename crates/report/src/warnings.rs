@@ -1,6 +1,6 @@
 //! The sentence of each warning.
 
-use analysis::{Analysis, Check, CheckedQuantity, Drive, JumpSide, Magnitude, SeenWarning, Warning};
+use analysis::{Analysis, Check, CheckedQuantity, Drive, Evident, JumpSide, Magnitude, SeenWarning, Warning};
 use case::{Basis, Case, ContactSpread, Kind, StiffnessSource};
 use crash3::Side;
 use pim_core::{Switch, VehicleId};
@@ -153,6 +153,18 @@ pub fn message(seen: &SeenWarning, units: Units) -> String {
                  check the rest positions, the drag and the friction, and then the damage, the contact \
                  points and the crush plane",
                 said.join("; ")
+            )
+        }
+        Warning::EvidenceDiffers { vehicle, evidence, given, found } => {
+            let said = |si: f64| match evidence {
+                Evident::DirectionAfter => angle(si),
+                _ => speed(si),
+            };
+            format!(
+                "{} of vehicle {vehicle}, {}, contradicts this answer, which has {} and does not use it; check                  both, and let `deltav estimate` weigh them",
+                words::evident(*evidence),
+                said(*given),
+                said(*found)
             )
         }
         Warning::SeveralStarts { vehicle, used, others } => {

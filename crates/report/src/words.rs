@@ -4,7 +4,7 @@
 use std::ffi::OsStr;
 use std::path::Path;
 
-use analysis::{Pass, Vehicle};
+use analysis::{EvidenceMethod, Evident, Pass, Vehicle};
 use case::{Case, Find, Fit, Kind, Program, SIDES, StiffnessSource, Text, UNKNOWNS, word};
 use crash3::Side;
 use pim_core::Regime;
@@ -108,5 +108,33 @@ pub(crate) fn regime_name(regime: Regime) -> &'static str {
     match regime {
         Regime::Full => "full",
         Regime::Sliding => "sliding",
+    }
+}
+
+/// What evidence is called that an answer does not use.
+pub(crate) fn evident(evidence: Evident) -> &'static str {
+    match evidence {
+        Evident::RecordedSpeed => "the recorder's speed",
+        Evident::RecordedLongitudinal => "the recorder's longitudinal ΔV",
+        Evident::RecordedLateral => "the recorder's lateral ΔV",
+        Evident::SkidSpeed => "the speed where the skid begins",
+        Evident::SpeedAfter => "the speed after the impact",
+        Evident::DirectionAfter => "the direction after the impact",
+        Evident::AtLeast => "the lowest speed that is possible",
+        Evident::AtMost => "the highest speed that is possible",
+        _ => "a piece of evidence",
+    }
+}
+
+/// What an exact solution was found by.
+pub(crate) fn solution(by: EvidenceMethod) -> &'static str {
+    match by {
+        EvidenceMethod::DamageAndSpeed { .. } => "damage and the given speed",
+        EvidenceMethod::DamageAlongLine => "damage, along one line",
+        EvidenceMethod::Crash3 { .. } => "damage, by CRASH3",
+        EvidenceMethod::Momentum => "momentum",
+        EvidenceMethod::MomentumAndSpeed { .. } => "momentum and the given speed",
+        EvidenceMethod::MomentumAndDamage => "momentum and damage",
+        EvidenceMethod::Weighed { .. } => "momentum and damage, weighed",
     }
 }

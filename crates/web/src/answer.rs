@@ -162,6 +162,7 @@ fn handover(given: &Given, command: &str, plan: Option<Vec<u8>>) -> Result<Docum
         sensitivity: sensitivity.as_ref(),
         validation: Some(&validation),
         site_plan: site_plan.as_ref(),
+        weighed: None,
     };
     let document = report::handover(file, &analysis, supplements, *units);
     document.map_err(|error| Refused::message(error.to_string()))

@@ -34,6 +34,7 @@ pub(crate) fn keys(warning: &Warning) -> Vec<String> {
         Warning::ClassValues { .. } => "class",
         Warning::BurgInertia { .. } => "yaw_inertia",
         Warning::MomentumDiffers { .. } => "after",
+        Warning::EvidenceDiffers { evidence, .. } => evidence.key(),
         Warning::SeveralStarts { .. } | Warning::RotationOpposes { .. } => "after.rest",
         Warning::PointMissed { .. } => "after.points",
         Warning::Implausible { magnitude, .. } => match magnitude {

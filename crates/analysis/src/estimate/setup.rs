@@ -105,8 +105,8 @@ const REST_LEAST: f64 = 0.5;
 const REST_HEADING: [f64; 2] = [5.0 * DEGREE, 15.0 * DEGREE];
 const REST_TURN_SHARE: f64 = 0.25;
 /// (–) error of a recorder's ΔV, of its logarithm, and of its speed.
-const RECORDER_DELTA_V: f64 = 0.08;
-const RECORDER_SPEED: f64 = 0.04;
+const RECORDER_DELTA_V: f64 = crate::thresholds::RECORDER_DELTA_V_ERROR;
+const RECORDER_SPEED: f64 = crate::thresholds::RECORDER_SPEED_ERROR;
 /// (–) standard error of the mean of the crush misfit, which is part of the error of a single case.
 const CRUSH_BIAS_ERROR: f64 = 0.15;
 /// (rad) half of the hour of a clock as a standard deviation, 30°/√12.

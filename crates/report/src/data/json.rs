@@ -1,12 +1,15 @@
 //! A finished analysis as JSON, in SI units and radians.
 
-use analysis::{Analysis, BothFound, BothMethod, Impact, Pass, Seen, SeenWarning, Travel, TravelOrigin};
+use analysis::{
+    Analysis, BothFound, BothMethod, Impact, Pass, Seen, SeenWarning, Travel, TravelOrigin, Weighed,
+};
 use case::{Basis, Case, CaseFile, MarkedWheel, PointData};
 use pim_core::VehicleId;
 use reconcile::Unknown;
 use serde::{Serialize, Serializer};
 use trajectory::Sample;
 
+use super::headline::{HeadlineBlock, SolutionBlock};
 use super::{identified, pretty, title};
 use crate::Units;
 use crate::law;
@@ -18,11 +21,23 @@ struct Document<'a> {
     title: &'a str,
     /// Those of all signed values: `z-up` or `z-down`.
     axes: &'static str,
+    /// The answer of a reconstruction, and what it is by.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    headline: Option<HeadlineBlock>,
+    /// Where all the evidence was weighed: what its parts say, each taken as exact.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    solutions: Vec<SolutionBlock>,
+    /// Keys of evidence that the numbers below do not use.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    left_aside: Vec<String>,
     energy_basis: &'static str,
     /// Where the basis is one.
     #[serde(skip_serializing_if = "Option::is_none")]
     tangential_share: Option<f64>,
     warnings: Vec<WarningBlock>,
+    /// What speaks against the exact solution, where all the evidence was weighed.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    solution_warnings: Vec<WarningBlock>,
     checks: Vec<CheckBlock>,
     #[serde(skip_serializing_if = "Option::is_none")]
     found: Option<Found>,
@@ -297,8 +312,26 @@ pub fn json(file: &CaseFile, analysis: &Analysis) -> Result<String, serde_json::
     pretty(&identified(file, document(&file.case, analysis)))
 }
 
+/// The same of a case with more evidence than its exact solution uses: its headline is by all of it.
+///
+/// # Errors
+/// As [`json`].
+pub fn weighed_json(
+    file: &CaseFile,
+    analysis: &Analysis,
+    weighed: &Weighed,
+) -> Result<String, serde_json::Error> {
+    pretty(&identified(file, headed(&file.case, analysis, Some(weighed))))
+}
+
 /// What the JSON says.
 pub(crate) fn document<'a>(case: &'a Case, analysis: &Analysis) -> impl Serialize + use<'a> {
+    headed(case, analysis, None)
+}
+
+fn headed<'a>(case: &'a Case, analysis: &Analysis, weighed: Option<&Weighed>) -> Document<'a> {
+    let headline = HeadlineBlock::of(analysis, weighed);
+    let is_exact = weighed.is_none();
     let analysis = &analysis.seen(case.axes);
     let [vehicle1, vehicle2] = VehicleId::ALL.map(|id| vehicle(case, analysis, id));
     let share = match analysis.basis {
@@ -308,9 +341,23 @@ pub(crate) fn document<'a>(case: &'a Case, analysis: &Analysis) -> impl Serializ
     Document {
         title: title(case),
         axes: case.axes.name(),
+        headline,
+        solutions: SolutionBlock::all(weighed),
+        left_aside: analysis.left_aside.clone(),
         energy_basis: analysis.basis.name(),
         tangential_share: share,
-        warnings: analysis.warnings.iter().map(WarningBlock::new).collect(),
+        warnings: analysis
+            .warnings
+            .iter()
+            .filter(|seen| is_exact || !seen.warning().is_of_exact_solution())
+            .map(WarningBlock::new)
+            .collect(),
+        solution_warnings: analysis
+            .warnings
+            .iter()
+            .filter(|seen| !is_exact && seen.warning().is_of_exact_solution())
+            .map(WarningBlock::new)
+            .collect(),
         checks: analysis
             .checks
             .iter()

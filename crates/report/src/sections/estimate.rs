@@ -2,7 +2,9 @@
 
 use ::estimate::Summary;
 use ::uncertainty::{Distribution, Shape};
-use analysis::{Assumed, EstimateOutput, Estimated, EstimatedOutput, Output, PieceFound, UnknownNumber};
+use analysis::{
+    Assumed, EstimateOutput, Estimated, EstimatedOutput, Output, PieceFound, UnknownNumber, Weighed,
+};
 use case::{Case, Prior};
 use pim_core::VehicleId;
 
@@ -31,12 +33,7 @@ const HIDDEN: [&str; 2] = ["ln_relative_speed", "speed_split"];
 pub fn estimate(case: &Case, estimated: &Estimated, asked: &Asked, units: Units) -> Document {
     let mut page = Page { estimated, asked, units, document: Document::new() };
     page.document.title(case);
-    if estimated.doubts().is_empty() {
-        page.answer();
-    } else {
-        page.doubts();
-    }
-    page.warnings();
+    page.lead();
     page.run();
     if estimated.doubts().is_empty() {
         page.pictures(case);
@@ -53,6 +50,26 @@ pub fn estimate(case: &Case, estimated: &Estimated, asked: &Asked, units: Units)
     }
     page.limits();
     page.document
+}
+
+/// What leads the estimate: the speeds with their intervals, or why there are none; and the evidence that the
+/// rest contradicts.
+pub(crate) fn headline(estimated: &Estimated, asked: &Asked, units: Units) -> Vec<Block> {
+    let mut page = Page { estimated, asked, units, document: Document::new() };
+    page.lead();
+    page.document.blocks
+}
+
+/// How probable each speed is, as pictures.
+pub(crate) fn pictures(case: &Case, weighed: &Weighed, units: Units) -> Vec<Block> {
+    if !weighed.is_answer() {
+        return Vec::new();
+    }
+    let asked = Asked { plan: weighed.plan, questions: Vec::new() };
+    let estimated = &weighed.estimated;
+    let mut page = Page { estimated, asked: &asked, units, document: Document::new() };
+    page.pictures(case);
+    page.document.blocks
 }
 
 struct Page<'a> {
@@ -83,6 +100,15 @@ impl<'a> Page<'a> {
         let of = |si: f64| number(self.units.value(Measure::RoadSpeed, si), 1);
         let [low, high] = ends(summary, WIDEST);
         [of(summary.median.value), format!("{} to {}", of(low), of(high))]
+    }
+
+    fn lead(&mut self) {
+        if self.estimated.doubts().is_empty() {
+            self.answer();
+        } else {
+            self.doubts();
+        }
+        self.warnings();
     }
 
     fn answer(&mut self) {

@@ -3,12 +3,15 @@
 mod inputs;
 
 use ::drawing::{Drawing, SitePlan};
-use analysis::{Analysis, Impact, Output, Seen, Sensitivity, UncertainInput, UncertainOutput, Uncertainty};
+use analysis::{
+    Analysis, Impact, Output, Seen, SeenWarning, Sensitivity, UncertainInput, UncertainOutput, Uncertainty, Weighed,
+};
 use case::{Axes, Basis, CaseFile, Estimate, Origin, ReportHead};
 use pim_core::VehicleId;
 use validation::Validation;
 
 use super::chosen::Chosen;
+use super::headline::{DETAIL, Headline};
 use super::motion;
 use super::results::search;
 use crate::data::sha256;
@@ -29,6 +32,8 @@ pub struct Supplements<'a> {
     pub validation: Option<&'a Validation>,
     /// What the motion is drawn on.
     pub site_plan: Option<&'a SitePlan>,
+    /// All the evidence weighed, where the case has more than its exact solution uses.
+    pub weighed: Option<&'a Weighed>,
 }
 
 /// Over the warnings and what the analysis rests on.
@@ -53,12 +58,37 @@ pub fn handover(
     let is_collision = analysis.impact.is_some() || analysis.crash3.is_some();
     let supplements =
         Supplements { validation: supplements.validation.filter(|_| is_collision), ..supplements };
-    let Supplements { uncertainty, sensitivity, validation, site_plan } = supplements;
+    let Supplements { uncertainty, sensitivity, validation, site_plan, weighed } = supplements;
+    let why = analysis.overdetermined();
+    let headline = match (weighed, &why) {
+        (Some(weighed), _) => Headline::Weighed(weighed),
+        (None, Some(why)) => Headline::Unweighed(why),
+        (None, None) => Headline::Exact,
+    };
+    let (of_solution, of_case): (Vec<SeenWarning>, Vec<SeenWarning>) = seen
+        .warnings
+        .iter()
+        .cloned()
+        .partition(|seen| !headline.is_exact() && seen.warning().is_of_exact_solution());
     let mut page = Document::new();
     page.title(case);
-    page.push(answer(analysis, supplements, units));
-    page.blocks.extend(warnings::notice(&seen.warnings, Some(WARNINGS)));
-    page.push(Block::Facts { title: "Identification", facts: identification(file, analysis) });
+    page.blocks.extend(headline.lead(seen, units));
+    let own = answer(analysis, supplements, units);
+    if headline.is_exact() {
+        page.push(own);
+        page.blocks.extend(warnings::notice(&of_case, Some(WARNINGS)));
+        page.push(Block::Facts { title: "Identification", facts: identification(file, analysis) });
+    } else {
+        page.blocks.extend(warnings::notice(&of_case, Some(WARNINGS)));
+        page.push(Block::Facts { title: "Identification", facts: identification(file, analysis) });
+        if let Some(weighed) = weighed {
+            page.blocks.extend(super::estimate::pictures(case, weighed, units));
+        }
+        page.heading(DETAIL);
+        if let Block::Answer { found, how } = own {
+            page.paragraph(format!("{} {how}", found.join(" ")));
+        }
+    }
     page.push(results(seen, units));
     if let Some(both) = &seen.both {
         for table in motion::momentum(seen, both, units) {
@@ -113,8 +143,12 @@ pub fn handover(
     if let Some(sensitivity) = sensitivity {
         page.part("Sensitivity", super::sensitivity::sensitivity(case, sensitivity, units));
     }
+    if !of_solution.is_empty() {
+        page.heading("What speaks against the exact solution");
+        page.push(warnings::block(&of_solution, units));
+    }
     page.heading(WARNINGS);
-    page.push(warnings::block(&seen.warnings, units));
+    page.push(warnings::block(&of_case, units));
     page.push(Block::List(assumptions(file, analysis, units)));
     if let Some(table) = crash3(seen, units) {
         page.heading("Appendix: ΔV by CRASH3's formulas");

@@ -1,11 +1,12 @@
 //! A finished analysis as text for the terminal and the file.
 
-use analysis::{Analysis, BothFound, BothMethod, Crash3, Damage, Found, Impact, Seen};
+use analysis::{Analysis, BothFound, BothMethod, Crash3, Damage, Found, Impact, Seen, SeenWarning, Weighed};
 use case::{Axes, Basis, Case, Pdof, Text, Velocity, YawSource};
 use crash3::{SideStiffness, Stiffness};
 use pim_core::{Outcome, Regime, VehicleId};
 
 use super::chosen::{Chosen, label};
+use super::headline::{DETAIL, Headline};
 use super::motion;
 use crate::document::{Block, Document, Table};
 use crate::units::{Measure, Units};
@@ -15,10 +16,34 @@ use crate::{axes, basis, checks, energy, law, warnings, words};
 /// and the warnings.
 #[must_use]
 pub fn results(case: &Case, analysis: &Analysis, units: Units) -> Document {
+    match analysis.overdetermined() {
+        Some(why) => headed(case, analysis, Headline::Unweighed(&why), units),
+        None => headed(case, analysis, Headline::Exact, units),
+    }
+}
+
+/// The same of a case with more evidence than its exact solution uses: led by what all of it says, with what
+/// speaks against each exact solution.
+#[must_use]
+pub fn weighed(case: &Case, analysis: &Analysis, weighed: &Weighed, units: Units) -> Document {
+    headed(case, analysis, Headline::Weighed(weighed), units)
+}
+
+fn headed(case: &Case, analysis: &Analysis, headline: Headline<'_>, units: Units) -> Document {
     let analysis = &analysis.seen(case.axes);
     // Values need 88 columns, and the eye follows no more than 120.
-    let mut page = Page { units, axes: case.axes, document: Document::new().with_columns([88, 120]) };
+    let mut page = Page { units, axes: case.axes, headline, document: Document::new().with_columns([88, 120]) };
     page.document.title(case);
+    page.document.blocks.extend(headline.lead(analysis, units));
+    let (of_solution, of_case): (Vec<SeenWarning>, Vec<SeenWarning>) = analysis
+        .warnings
+        .iter()
+        .cloned()
+        .partition(|seen| !headline.is_exact() && seen.warning().is_of_exact_solution());
+    if !headline.is_exact() {
+        page.document.blocks.extend(warnings::notice(&of_case, None));
+        page.document.heading(DETAIL);
+    }
     if let Some(found) = &analysis.found {
         page.found(found, analysis);
     }
@@ -29,7 +54,10 @@ pub fn results(case: &Case, analysis: &Analysis, units: Units) -> Document {
         page.rests(analysis);
     }
     // Many read no further than the first screen.
-    page.document.blocks.extend(warnings::notice(&analysis.warnings, None));
+    if headline.is_exact() {
+        page.document.blocks.extend(warnings::notice(&of_case, None));
+    }
+    page.left_aside(analysis);
     page.inputs(case, analysis);
     if let Some(both) = &analysis.both {
         page.momentum(analysis, both);
@@ -45,14 +73,21 @@ pub fn results(case: &Case, analysis: &Analysis, units: Units) -> Document {
         page.crash3(case, analysis, crash3);
     }
     page.checks(analysis);
-    page.document.push(warnings::block(&analysis.warnings, units));
+    if !of_solution.is_empty() {
+        page.document.heading("What speaks against the exact solution");
+        page.document.push(warnings::block(&of_solution, units));
+    }
+    if headline.is_exact() || !of_case.is_empty() {
+        page.document.push(warnings::block(&of_case, units));
+    }
     page.sources();
     page.document
 }
 
-struct Page {
+struct Page<'a> {
     units: Units,
     axes: Axes,
+    headline: Headline<'a>,
     document: Document,
 }
 
@@ -61,7 +96,27 @@ const VEHICLES: [&str; 3] = ["vehicle 1", "vehicle 2", ""];
 /// The same, where each row has a source.
 const SOURCED: [&str; 3] = ["vehicle 1", "vehicle 2", "source"];
 
-impl Page {
+impl Page<'_> {
+    /// What the exact solution says: the answer, or a paragraph where it is not.
+    fn answer(&mut self, found: Vec<String>, how: String) {
+        if self.headline.is_exact() {
+            self.document.push(Block::Answer { found, how });
+        } else {
+            self.document.paragraph(format!("{}. {how}", found.join("; ")));
+        }
+    }
+
+    /// The evidence that a forward analysis does not use. Of a reconstruction the headline says it.
+    fn left_aside(&mut self, analysis: &Seen) {
+        if self.headline.is_exact() && !analysis.left_aside.is_empty() {
+            let keys: Vec<String> = analysis.left_aside.iter().map(|key| format!("`{key}`")).collect();
+            self.document.paragraph(format!(
+                "Evidence in the case that this analysis does not use: {}. `deltav estimate` weighs it.",
+                keys.join(", ")
+            ));
+        }
+    }
+
     fn found(&mut self, found: &Found, analysis: &Seen) {
         let vehicle = found.unknown.vehicle();
         let units = self.units;
@@ -89,15 +144,14 @@ impl Page {
             let of = |id: &VehicleId| format!("ΔV of vehicle {id}: {}", units.speed(magnitudes[id.index()]));
             VehicleId::ALL.iter().filter(|id| analysis.moves(**id)).map(of).collect::<Vec<_>>()
         });
-        self.document.push(Block::Answer {
-            found: std::iter::once(format!("Speed of vehicle {vehicle}: {}", units.speed(found.speed)))
-                .chain(delta_v)
-                .collect(),
-            how: format!(
-                "At this speed {} {work}. {roots}, found {method} (theory 6).",
-                basis::work(analysis.basis)
-            ),
-        });
+        let said = std::iter::once(format!("Speed of vehicle {vehicle}: {}", units.speed(found.speed)))
+            .chain(delta_v)
+            .collect();
+        let how = format!(
+            "At this speed {} {work}. {roots}, found {method} (theory 6).",
+            basis::work(analysis.basis)
+        );
+        self.answer(said, how);
     }
 
     /// Both speeds, and how they were found.
@@ -106,7 +160,7 @@ impl Page {
         let of = |id: VehicleId| format!("Speed of vehicle {id}: {}", units.speed(both.speeds[id.index()]));
         let change = |id: VehicleId| format!("ΔV of vehicle {id}: {}", units.speed(both.delta_v[id.index()]));
         let found = VehicleId::ALL.into_iter().map(of).chain(VehicleId::ALL.into_iter().map(change));
-        self.document.push(Block::Answer { found: found.collect(), how: motion::how(both, analysis, units) });
+        self.answer(found.collect(), motion::how(both, analysis, units));
     }
 
     /// Where the vehicles come to rest, or how they left the impact: the answer of a motion alone.

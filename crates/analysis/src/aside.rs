@@ -1,0 +1,201 @@
+//! Evidence that a case has and an answer does not use, and where it contradicts that answer.
+
+use inputs::{Case, GivenVehicle, Quantity};
+use pim_core::{Outcome, VehicleId};
+use real::elementary::atan2;
+use real::principal_angle;
+
+use crate::thresholds::{
+    DIRECTION_AFTER_ERROR, RECORDER_DELTA_V_ERROR, RECORDER_SPEED_ERROR, SPEED_AFTER_ERROR,
+};
+use crate::{BothMethod, Found, Impact, Skid, Warning};
+
+/// A piece of evidence lies further from an answer than so many of its standard deviations before the two
+/// contradict each other: by chance one in four hundred does.
+const CONTRADICTS: f64 = 3.0;
+/// (m/s) and no less than 5 km/h: recorders store whole km/h or mph, and people round to five.
+const LEAST_DIFFERENCE: f64 = 5.0 / 3.6;
+
+/// (m/s) what rounding makes of a speed at its limit is no contradiction.
+const SPEED_ROUNDING: f64 = 1e-6;
+
+/// Evidence that may contradict an answer which does not use it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Evident {
+    /// (m/s) the recorder's speed before the impact.
+    RecordedSpeed,
+    /// (m/s) the recorder's ΔV along the vehicle.
+    RecordedLongitudinal,
+    /// (m/s) the recorder's ΔV across the vehicle.
+    RecordedLateral,
+    /// (m/s) the speed where its skid begins.
+    SkidSpeed,
+    /// (m/s) the speed after the impact.
+    SpeedAfter,
+    /// (rad) the direction of the velocity after the impact.
+    DirectionAfter,
+    /// (m/s) the speed that it had at least.
+    AtLeast,
+    /// (m/s) the speed that it had at most.
+    AtMost,
+}
+
+impl Evident {
+    /// Its key in the table of the vehicle.
+    #[must_use]
+    pub fn key(self) -> &'static str {
+        match self {
+            Self::RecordedSpeed => "recorder.speed",
+            Self::RecordedLongitudinal => "recorder.delta_v_longitudinal",
+            Self::RecordedLateral => "recorder.delta_v_lateral",
+            Self::SkidSpeed => "before.speed",
+            Self::SpeedAfter => "after.speed",
+            Self::DirectionAfter => "after.direction",
+            Self::AtLeast => "certain_speed.at_least",
+            Self::AtMost => "certain_speed.at_most",
+        }
+    }
+
+    /// Whether its sign is that of the lateral axis.
+    pub(crate) fn is_lateral(self) -> bool {
+        matches!(self, Self::RecordedLateral | Self::DirectionAfter)
+    }
+}
+
+/// The kinds of evidence that an answer uses, which is then neither left aside nor held against it.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Used {
+    /// The crush energy, to find a speed or as a check.
+    pub(crate) crush: bool,
+    /// How the vehicles left the impact.
+    pub(crate) after: bool,
+}
+
+impl Used {
+    pub(crate) fn of(found: Option<&Found>, both: Option<&BothMethod>) -> Self {
+        Self {
+            crush: !matches!(both, Some(BothMethod::Momentum)) || found.is_some(),
+            after: both.is_some(),
+        }
+    }
+}
+
+/// The keys of the evidence that an answer does not use, in the order of the case: tables and numbers.
+pub(crate) fn left_aside(case: &Case, used: Used) -> Vec<String> {
+    let mut keys = Vec::new();
+    for (id, vehicle) in VehicleId::ALL.into_iter().zip(&case.vehicles) {
+        let mut add = |there: bool, key: &str| {
+            if there {
+                keys.push(format!("vehicle{}.{key}", id.number()));
+            }
+        };
+        add(!used.crush && has_crush(vehicle), "crush");
+        if let Some(after) = vehicle.after.as_ref().filter(|_| !used.after) {
+            add(after.speed.is_some(), "after.speed");
+            add(after.direction.is_some(), "after.direction");
+            add(after.yaw_rate.is_some(), "after.yaw_rate");
+            add(after.rest.is_some(), "after.rest");
+            add(!after.points.is_empty(), "after.points");
+        }
+        let skid_speed = vehicle.before.as_ref().and_then(|before| before.speed);
+        add(skid_speed.is_some(), "before.speed");
+        if let Some(recorder) = &vehicle.recorder {
+            add(recorder.speed.is_some(), "recorder.speed");
+            add(recorder.delta_v_longitudinal.is_some(), "recorder.delta_v_longitudinal");
+            add(recorder.delta_v_lateral.is_some(), "recorder.delta_v_lateral");
+            add(recorder.yaw_rate.is_some(), "recorder.yaw_rate");
+        }
+    }
+    keys
+}
+
+/// Whether the case tells a damage, and not that there is none.
+fn has_crush(vehicle: &GivenVehicle) -> bool {
+    let has_ees = vehicle.energy.as_ref().is_some_and(|known| known.ees().is_some());
+    !vehicle.fixed && (vehicle.crush.is_some() || has_ees)
+}
+
+/// Where the evidence of the case contradicts an impact at speeds (m/s) that it did not lead to.
+pub(crate) fn contradictions(
+    case: &Case,
+    impact: &Impact,
+    skids: &[Option<Skid>; 2],
+    used: Used,
+) -> Vec<Warning> {
+    let mut warnings = Vec::new();
+    for (id, vehicle) in VehicleId::ALL.into_iter().zip(&case.vehicles) {
+        if vehicle.fixed || vehicle.is_absent() {
+            continue;
+        }
+        let mut add = |evidence: Evident, given: f64, found: f64| {
+            warnings.push(Warning::EvidenceDiffers { vehicle: id, evidence, given, found });
+        };
+        let place = id.index();
+        let speed = impact.speed(id);
+        let outcome: &Outcome = &impact.outcome;
+        let differs = |given: f64, found: f64, share: f64| {
+            (given - found).abs() > (CONTRADICTS * share * given.abs()).max(LEAST_DIFFERENCE)
+        };
+        let share = |percent: Option<f64>, usual: f64| percent.map_or(usual, |percent| percent / 100.0);
+        if let Some(recorder) = &vehicle.recorder {
+            if let Some(given) = recorder.speed.as_ref().map(Quantity::si) {
+                let error = share(recorder.speed_error, RECORDER_SPEED_ERROR);
+                if differs(given, speed, error) {
+                    add(Evident::RecordedSpeed, given, speed);
+                }
+            }
+            let error = share(recorder.delta_v_error, RECORDER_DELTA_V_ERROR);
+            let [along, left] = outcome.delta_v_components()[place];
+            let parts = [
+                (Evident::RecordedLongitudinal, recorder.delta_v_longitudinal.as_ref().map(Quantity::si), along),
+                (
+                    Evident::RecordedLateral,
+                    recorder.delta_v_lateral.as_ref().map(|given| case.axes.lateral(given.si())),
+                    left,
+                ),
+            ];
+            // The error of a part is that of the whole: a direction is not known better than a size.
+            let whole = parts.iter().filter_map(|(_, given, _)| *given).fold(0.0, |sum: f64, part| sum + part * part);
+            let limit = (CONTRADICTS * error * whole.sqrt()).max(LEAST_DIFFERENCE);
+            for (evidence, given, found) in parts {
+                if let Some(given) = given.filter(|given| (given - found).abs() > limit) {
+                    add(evidence, given, found);
+                }
+            }
+        }
+        let skid_speed = vehicle.before.as_ref().and_then(|before| before.speed).map(|speed| speed.si());
+        if let (Some(given), Some(skid)) = (skid_speed, skids[place])
+            && differs(given, skid.speed, RECORDER_SPEED_ERROR)
+        {
+            add(Evident::SkidSpeed, given, skid.speed);
+        }
+        if let Some(after) = vehicle.after.as_ref().filter(|_| !used.after) {
+            let velocity = outcome.after[place].velocity;
+            let found = velocity.norm();
+            if let Some(given) = after.speed.as_ref().map(Quantity::si)
+                && differs(given, found, SPEED_AFTER_ERROR)
+            {
+                add(Evident::SpeedAfter, given, found);
+            }
+            if let Some(given) = after.direction.as_ref().map(|given| case.axes.lateral(given.si()))
+                && found > LEAST_DIFFERENCE
+            {
+                let direction = atan2(velocity.y, velocity.x);
+                if principal_angle(given - direction).abs() > CONTRADICTS * DIRECTION_AFTER_ERROR {
+                    add(Evident::DirectionAfter, principal_angle(given), direction);
+                }
+            }
+        }
+        if let Some(certain) = &vehicle.certain_speed {
+            let limit = |limit: &Option<Quantity>| limit.as_ref().map(Quantity::si);
+            if let Some(least) = limit(&certain.at_least).filter(|least| speed < least - SPEED_ROUNDING) {
+                add(Evident::AtLeast, least, speed);
+            }
+            if let Some(most) = limit(&certain.at_most).filter(|most| speed > most + SPEED_ROUNDING) {
+                add(Evident::AtMost, most, speed);
+            }
+        }
+    }
+    warnings
+}

@@ -1,0 +1,174 @@
+//! Which answer of a reconstruction is its headline: the exact solution of what is just determined, all the
+//! evidence weighed where there is more.
+
+use std::ops::ControlFlow;
+
+use ::estimate::Summary;
+use inputs::Case;
+use pim_core::VehicleId;
+
+use crate::evidence::{ByEvidence, EvidenceMethod, by_evidence};
+use crate::{
+    Analysis, BothMethod, Check, EstimateOutput, EstimatePlan, EstimateStage, Estimated, Failure, Output,
+    Warning, estimate,
+};
+
+/// Why an exact solution is not the answer of its case.
+#[derive(Clone, Debug, Default, PartialEq)]
+#[non_exhaustive]
+pub struct Overdetermined {
+    /// The keys of the evidence that it does not use.
+    pub left_aside: Vec<String>,
+    /// Its own checks that refute it.
+    pub refuted_by: Vec<Check>,
+    /// Whether evidence that it does not use contradicts it.
+    pub is_contradicted: bool,
+}
+
+impl Analysis {
+    /// Why this exact solution is not the answer of the case; `None` where the evidence just determines the
+    /// speeds that are sought and the checks hold, and where no speed is sought.
+    #[must_use]
+    pub fn overdetermined(&self) -> Option<Overdetermined> {
+        if self.found.is_none() && self.both.is_none() {
+            return None;
+        }
+        let refuted = self.checks.iter().filter(|check| check.is_of_momentum() && !check.passed());
+        let differs = |warning: &Warning| matches!(warning, Warning::EvidenceDiffers { .. });
+        let why = Overdetermined {
+            left_aside: self.left_aside.clone(),
+            refuted_by: refuted.copied().collect(),
+            is_contradicted: self.warnings.iter().any(differs),
+        };
+        (why != Overdetermined::default()).then_some(why)
+    }
+}
+
+/// All the evidence of a case that has more than an exact solution uses, and the exact solutions.
+#[derive(Debug)]
+#[non_exhaustive]
+pub struct Weighed {
+    /// Why no exact solution is the answer.
+    pub why: Overdetermined,
+    /// How the evidence was weighed.
+    pub plan: EstimatePlan,
+    /// What it says.
+    pub estimated: Estimated,
+    /// What its parts say when each is taken as exact.
+    pub solutions: Vec<Solution>,
+}
+
+/// What a part of the evidence says when it is taken as exact.
+#[derive(Debug)]
+#[non_exhaustive]
+pub struct Solution {
+    /// How it was found.
+    pub by: EvidenceMethod,
+    /// (m/s) the speeds along the headings, where it tells them.
+    pub speeds: [Option<f64>; 2],
+    /// (m/s) ΔV of the vehicles that move.
+    pub delta_v: [Option<f64>; 2],
+    /// Which of these lie outside of what all the evidence says, by its interval of 95 %: the speeds, and
+    /// the ΔV.
+    pub outside: [[bool; 2]; 2],
+    /// Its checks that fail: of that solution alone which the analysis details.
+    pub failed: Vec<Check>,
+    /// Whether the analysis details it.
+    pub is_detailed: bool,
+}
+
+/// Weighs all the evidence of a case of which `exact` is the exact solution; `None` where that is the answer.
+/// `progress` is that of [`estimate()`].
+///
+/// # Errors
+/// [`Failure`], as [`estimate()`].
+pub fn weigh(
+    case: &Case,
+    exact: &Analysis,
+    plan: &EstimatePlan,
+    progress: &mut (dyn FnMut(EstimateStage, usize, usize) -> ControlFlow<()> + Send),
+) -> Result<Option<Weighed>, Failure> {
+    let Some(why) = exact.overdetermined() else { return Ok(None) };
+    let estimated = estimate(case, plan, progress)?;
+    let solutions = solutions(case, exact, &estimated);
+    Ok(Some(Weighed { why, plan: *plan, estimated, solutions }))
+}
+
+impl Weighed {
+    /// What all the evidence says of a result.
+    #[must_use]
+    pub fn summary(&self, output: Output) -> Option<&Summary> {
+        let wanted = EstimateOutput::Result(output);
+        let found = self.estimated.outputs.iter().find(|found| found.output == wanted)?;
+        Some(&found.posterior)
+    }
+
+    /// Whether it is an answer: the run has converged.
+    #[must_use]
+    pub fn is_answer(&self) -> bool {
+        self.estimated.doubts().is_empty()
+    }
+}
+
+/// The exact solutions: the one that the analysis details, and those by other parts of the evidence.
+fn solutions(case: &Case, exact: &Analysis, estimated: &Estimated) -> Vec<Solution> {
+    let own = Found {
+        by: method(exact),
+        speeds: VehicleId::ALL.map(|id| Some(exact.speed(id))),
+        delta_v: exact.delta_v().map(Some),
+    };
+    let mut solutions = vec![own.beside(exact, estimated, true)];
+    if let Some(ByEvidence { damage, momentum, together, .. }) = by_evidence(case, exact) {
+        // Weighed by momentum and damage alone it would be a second answer beside that of all the evidence.
+        for answer in [damage, momentum, together].into_iter().flatten() {
+            let is_exact = !matches!(answer.by, EvidenceMethod::Weighed { .. });
+            if is_exact && answer.by != own.by {
+                let speeds = answer.speeds.map_or([None; 2], |speeds| speeds.map(Some));
+                let found = Found { by: answer.by, speeds, delta_v: answer.delta_v.map(Some) };
+                solutions.push(found.beside(exact, estimated, false));
+            }
+        }
+    }
+    solutions
+}
+
+/// What the analysis itself was found by.
+fn method(exact: &Analysis) -> EvidenceMethod {
+    match (&exact.found, exact.both.as_ref().map(|both| &both.method)) {
+        (Some(found), _) => EvidenceMethod::DamageAndSpeed { given: found.unknown.vehicle().other() },
+        (None, Some(BothMethod::MomentumAndCrush { .. })) => EvidenceMethod::MomentumAndDamage,
+        (None, _) => EvidenceMethod::Momentum,
+    }
+}
+
+/// An exact solution, before it is held against all the evidence.
+#[derive(Clone, Copy)]
+struct Found {
+    by: EvidenceMethod,
+    speeds: [Option<f64>; 2],
+    delta_v: [Option<f64>; 2],
+}
+
+impl Found {
+    fn beside(self, exact: &Analysis, estimated: &Estimated, is_detailed: bool) -> Solution {
+        let moving = |values: [Option<f64>; 2]| {
+            VehicleId::ALL.map(|id| values[id.index()].filter(|_| exact.moves(id)))
+        };
+        let (speeds, delta_v) = (moving(self.speeds), moving(self.delta_v));
+        let outside = |output: Output, value: Option<f64>| {
+            let wanted = EstimateOutput::Result(output);
+            let found = estimated.outputs.iter().find(|found| found.output == wanted && found.varies());
+            value.zip(found).is_some_and(|(value, found)| {
+                let [.., widest] = &found.posterior.intervals;
+                value < widest.low.value || value > widest.high.value
+            })
+        };
+        let outside = [
+            VehicleId::ALL.map(|vehicle| outside(Output::Speed { vehicle }, speeds[vehicle.index()])),
+            VehicleId::ALL.map(|vehicle| outside(Output::DeltaV { vehicle }, delta_v[vehicle.index()])),
+        ];
+        let refuted = exact.checks.iter().filter(|check| is_detailed && check.is_of_momentum());
+        let failed = refuted.filter(|check| !check.passed()).copied().collect();
+        Solution { by: self.by, speeds, delta_v, outside, failed, is_detailed }
+    }
+}

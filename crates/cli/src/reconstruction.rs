@@ -1,0 +1,65 @@
+//! `deltav reconstruct`: an exact solution, or all the evidence weighed where the case has more.
+
+use analysis::{Analysis, EstimatePlan, Weighed};
+use anyhow::Result;
+use case::CaseFile;
+use report::Units;
+
+use crate::arguments::{Format, ReconstructArguments, ReportArguments};
+use crate::{NoAnswer, answered, case_file, estimates, handover, live, of_cases, pool, present, units};
+
+pub(crate) fn report(arguments: ReconstructArguments) -> Result<()> {
+    let ReconstructArguments { report, exact } = arguments;
+    let ReportArguments { cases, live, page } = report;
+    let threads = cases.threads;
+    if live {
+        let weigh = |file: &CaseFile, solution: &Analysis, units: Units| {
+            if exact { Ok(None) } else { weigh(file, solution, threads, units) }
+        };
+        return live::report(cases, page.as_deref(), analysis::reconstruct, &weigh);
+    }
+    let answer =
+        |case: &case::Case| analysis::reconstruct(case).map(|found| report::Answer::Analysis(Box::new(found)));
+    let Some(arguments) = of_cases(cases, report::Table::Analyses, &answer)? else { return Ok(()) };
+    let file = case_file(&arguments.case)?;
+    let units = units(arguments.units, &file);
+    let solution = answered(analysis::reconstruct(&file.case), &file, units)?;
+    let weighed = if exact { None } else { weigh(&file, &solution, threads, units)? };
+    let document = || match (arguments.format, &weighed) {
+        (Format::Html | Format::Markdown, weighed) => {
+            handover(&arguments.case, &file, &solution, weighed.as_ref(), units)
+        }
+        (Format::Text | Format::Json, Some(weighed)) => {
+            Ok(report::weighed(&file.case, &solution, weighed, units))
+        }
+        (Format::Text | Format::Json, None) => Ok(report::results(&file.case, &solution, units)),
+    };
+    present(&arguments, document, || match &weighed {
+        Some(weighed) => report::weighed_json(&file, &solution, weighed),
+        None => report::json(&file, &solution),
+    })?;
+    if weighed.as_ref().is_none_or(Weighed::is_answer) {
+        return Ok(());
+    }
+    let message = "the evidence was weighed, but the run has not converged: the report says why, and has no \
+                   interval";
+    Err(NoAnswer(message.to_owned()).into())
+}
+
+/// All the evidence, where the case has more than its exact solution uses.
+fn weigh(
+    file: &CaseFile,
+    solution: &Analysis,
+    threads: Option<u16>,
+    units: Units,
+) -> Result<Option<Weighed>> {
+    if solution.overdetermined().is_none() {
+        return Ok(None);
+    }
+    let plan =
+        EstimatePlan { particles: EstimatePlan::PARTICLES, seed: 1, prior: None, pieces: false };
+    let weighed = estimates::with_progress(&pool(threads)?, |progress| {
+        analysis::weigh(&file.case, solution, &plan, progress)
+    })?;
+    answered(weighed, file, units)
+}

@@ -1,0 +1,148 @@
+//! The headline of a reconstruction as JSON, in SI units.
+
+use ::estimate::Summary;
+use analysis::{Analysis, Output, Overdetermined, Solution, Weighed};
+use pim_core::VehicleId;
+use serde::Serialize;
+
+use crate::estimates::{Agreement, WIDEST, ends};
+use crate::words;
+
+/// The answer of a case.
+#[derive(Serialize)]
+pub(crate) struct HeadlineBlock {
+    /// `exact`, `estimate`, or `none` where the case has more evidence than an exact solution uses and that
+    /// was not weighed, or where the run did not converge.
+    by: &'static str,
+    /// Why the exact solution is not the answer.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    why_not_exact: Option<WhyBlock>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    converged: Option<bool>,
+    /// Evidence that all the rest contradicts.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    contradicting: Vec<String>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    vehicle1: Option<FiguresBlock>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    vehicle2: Option<FiguresBlock>,
+}
+
+#[derive(Serialize)]
+struct WhyBlock {
+    left_aside: Vec<String>,
+    refuted_by: Vec<&'static str>,
+    contradicted: bool,
+}
+
+#[derive(Serialize)]
+struct FiguresBlock {
+    speed: FigureBlock,
+    delta_v: FigureBlock,
+}
+
+#[derive(Serialize)]
+struct FigureBlock {
+    /// As solved, or the median.
+    value: Option<f64>,
+    /// Of all the evidence with its errors and those of the method.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    interval95: Option<[f64; 2]>,
+}
+
+/// What a part of the evidence says when it is taken as exact.
+#[derive(Serialize)]
+pub(crate) struct SolutionBlock {
+    by: &'static str,
+    speeds: [Option<f64>; 2],
+    delta_v: [Option<f64>; 2],
+    /// Those outside of the interval of 95 % by all the evidence.
+    outside: Vec<String>,
+    /// The codes of its checks that fail.
+    failed: Vec<&'static str>,
+}
+
+impl WhyBlock {
+    fn of(why: &Overdetermined) -> Self {
+        Self {
+            left_aside: why.left_aside.clone(),
+            refuted_by: why.refuted_by.iter().map(|check| check.code()).collect(),
+            contradicted: why.is_contradicted,
+        }
+    }
+}
+
+impl HeadlineBlock {
+    /// Of a reconstruction; `None` of any other analysis.
+    pub(crate) fn of(analysis: &Analysis, weighed: Option<&Weighed>) -> Option<Self> {
+        if analysis.found.is_none() && analysis.both.is_none() {
+            return None;
+        }
+        let moving = |of: &dyn Fn(VehicleId) -> FiguresBlock| {
+            VehicleId::ALL.map(|id| analysis.moves(id).then(|| of(id)))
+        };
+        if let Some(weighed) = weighed {
+            let figure = |output: Output| {
+                let summary: Option<&Summary> = weighed.summary(output).filter(|_| weighed.is_answer());
+                FigureBlock {
+                    value: summary.map(|summary| summary.median.value),
+                    interval95: summary.map(|summary| ends(summary, WIDEST)),
+                }
+            };
+            let of = |vehicle: VehicleId| FiguresBlock {
+                speed: figure(Output::Speed { vehicle }),
+                delta_v: figure(Output::DeltaV { vehicle }),
+            };
+            let pieces = weighed.estimated.pieces.iter();
+            let contradicts = |piece: &&analysis::PieceFound| {
+                Agreement::of(piece) == Some(Agreement::Contradicts)
+            };
+            let [vehicle1, vehicle2] = moving(&of);
+            return Some(Self {
+                by: if weighed.is_answer() { "estimate" } else { "none" },
+                why_not_exact: Some(WhyBlock::of(&weighed.why)),
+                converged: Some(weighed.is_answer()),
+                contradicting: pieces.filter(contradicts).map(|piece| piece.key.clone()).collect(),
+                vehicle1,
+                vehicle2,
+            });
+        }
+        let why = analysis.overdetermined();
+        let exactly = |value: f64| FigureBlock { value: Some(value + 0.0), interval95: None };
+        let delta_v = analysis.delta_v();
+        let of = |vehicle: VehicleId| FiguresBlock {
+            speed: exactly(analysis.speed(vehicle)),
+            delta_v: exactly(delta_v[vehicle.index()]),
+        };
+        let [vehicle1, vehicle2] = if why.is_none() { moving(&of) } else { [None, None] };
+        Some(Self {
+            by: if why.is_none() { "exact" } else { "none" },
+            why_not_exact: why.as_ref().map(WhyBlock::of),
+            converged: None,
+            contradicting: Vec::new(),
+            vehicle1,
+            vehicle2,
+        })
+    }
+}
+
+impl SolutionBlock {
+    pub(crate) fn all(weighed: Option<&Weighed>) -> Vec<Self> {
+        weighed.iter().flat_map(|weighed| &weighed.solutions).map(Self::of).collect()
+    }
+
+    fn of(solution: &Solution) -> Self {
+        let [speeds, changes] = solution.outside;
+        let named = |of: [bool; 2], key: &str| {
+            let outside = VehicleId::ALL.into_iter().filter(move |id| of[id.index()]);
+            outside.map(|id| format!("vehicle{}.{key}", id.number())).collect::<Vec<_>>()
+        };
+        Self {
+            by: words::solution(solution.by),
+            speeds: solution.speeds,
+            delta_v: solution.delta_v,
+            outside: [named(speeds, "speed"), named(changes, "delta_v")].concat(),
+            failed: solution.failed.iter().map(|check| check.code()).collect(),
+        }
+    }
+}

@@ -1,0 +1,161 @@
+//! The headline of a reconstruction: an exact solution of what is just determined; all the evidence weighed
+//! where there is more, with the exact solutions beneath and what speaks against each.
+
+use analysis::{Overdetermined, Seen, Solution, Weighed};
+use pim_core::VehicleId;
+
+use crate::checks;
+use crate::document::{Block, Column, Document, NONE, Row, Table, Width};
+use crate::estimates::Asked;
+use crate::units::{Measure, Units};
+use crate::words;
+
+/// What a document of a reconstruction is headed with.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum Headline<'a> {
+    /// The exact solution: the case just determines it.
+    Exact,
+    /// Nothing: the case has more evidence, which was not weighed here.
+    Unweighed(&'a Overdetermined),
+    /// All the evidence.
+    Weighed(&'a Weighed),
+}
+
+/// Over what the exact solution rests on, where it is not the answer.
+pub(crate) const DETAIL: &str = "The exact solution in detail";
+
+/// (columns) of the name of a solution, and of a speed.
+const NAME: usize = 32;
+const SPEED: usize = 14;
+
+impl<'a> Headline<'a> {
+    /// The blocks that lead a document; none where the exact solution does.
+    pub(crate) fn lead(self, analysis: &Seen, units: Units) -> Vec<Block> {
+        match self {
+            Self::Exact => Vec::new(),
+            Self::Unweighed(why) => {
+                let found = vec![
+                    "More is known than one exact solution uses: all of it together is the answer.".to_owned(),
+                ];
+                let how = format!(
+                    "`deltav estimate` weighs it. {} Each exact solution takes its part of the evidence as free \
+                     of errors and is one row below it.",
+                    because(why, analysis, units)
+                );
+                vec![Block::Answer { found, how }, Block::Table(exact(analysis, units))]
+            }
+            Self::Weighed(weighed) => {
+                let asked = Asked { plan: weighed.plan, questions: Vec::new() };
+                let mut page = Document::new();
+                page.blocks = super::estimate::headline(&weighed.estimated, &asked, units);
+                page.paragraph(format!(
+                    "{} So all of it was weighed, each piece by its error; the intervals contain the errors of \
+                     the method, too. `deltav estimate` shows what each piece says.",
+                    because(&weighed.why, analysis, units)
+                ));
+                page.push(Block::Table(solutions(weighed, analysis, units)));
+                page.blocks
+            }
+        }
+    }
+
+    /// Whether the exact solution is the answer.
+    pub(crate) fn is_exact(self) -> bool {
+        matches!(self, Self::Exact)
+    }
+}
+
+/// Why no exact solution is the answer.
+fn because(why: &Overdetermined, analysis: &Seen, units: Units) -> String {
+    let mut reasons = Vec::new();
+    if !why.left_aside.is_empty() {
+        let keys: Vec<String> = why.left_aside.iter().map(|key| format!("`{key}`")).collect();
+        reasons.push(format!("The exact solution detailed below does not use {}.", keys.join(", ")));
+    }
+    if !why.refuted_by.is_empty() {
+        reasons.push(format!("Its own checks refute it: {}.", refuted(analysis, units).join("; ")));
+    }
+    if why.is_contradicted {
+        reasons.push("What it does not use contradicts it.".to_owned());
+    }
+    reasons.join(" ")
+}
+
+/// The checks of the exact solution that refute it, with what they found.
+fn refuted(analysis: &Seen, units: Units) -> Vec<String> {
+    let failed = analysis.checks.iter().filter(|check| check.is_of_momentum() && !check.passed());
+    let said = |check| {
+        let [label, found, limit] = checks::said(check, analysis, units);
+        format!("{label} {found} (limit {limit})")
+    };
+    failed.map(said).collect()
+}
+
+fn columns() -> Vec<Column> {
+    let speeds = ["speed 1", "speed 2", "ΔV 1", "ΔV 2"];
+    std::iter::once(Column::words("", Width::Fixed(NAME)))
+        .chain(speeds.map(|name| Column::numbers(name, Width::Fixed(SPEED))))
+        .collect()
+}
+
+/// The exact solution of an analysis, where nothing else was solved.
+fn exact(analysis: &Seen, units: Units) -> Table {
+    let speed = |si: f64| units.format(Measure::RoadSpeed, si);
+    let mut table = Table::new("Exact solution", columns());
+    let speeds = VehicleId::ALL.map(|id| if analysis.moves(id) { speed(analysis.speed(id)) } else { NONE.to_owned() });
+    let delta_v = analysis
+        .both
+        .as_ref()
+        .map(|both| both.delta_v)
+        .or_else(|| analysis.impact.as_ref().map(|impact| impact.outcome.delta_v_magnitude()));
+    let changes = VehicleId::ALL.map(|id| match delta_v {
+        Some(changes) if analysis.moves(id) => speed(changes[id.index()]),
+        _ => NONE.to_owned(),
+    });
+    let name = if analysis.both.is_some() { "momentum" } else { "damage" };
+    table.cells([name.to_owned()].into_iter().chain(speeds).chain(changes));
+    table
+}
+
+/// The exact solutions, each with what speaks against it.
+fn solutions(weighed: &Weighed, analysis: &Seen, units: Units) -> Table {
+    let mut table = Table::new("Exact solutions, each by a part of the evidence", columns());
+    for solution in &weighed.solutions {
+        let cell = |si: Option<f64>| {
+            si.map_or_else(|| NONE.to_owned(), |si| units.format(Measure::RoadSpeed, si))
+        };
+        let name = words::solution(solution.by).to_owned();
+        let figures = solution.speeds.into_iter().chain(solution.delta_v).map(cell);
+        table.cells(std::iter::once(name).chain(figures));
+        table.rows.push(Row::Detail(against(solution, weighed, analysis, units)));
+    }
+    table
+}
+
+/// What speaks against a solution.
+fn against(solution: &Solution, weighed: &Weighed, analysis: &Seen, units: Units) -> String {
+    let mut reasons = Vec::new();
+    let [speeds, changes] = solution.outside;
+    let of = |what: &str, outside: [bool; 2]| {
+        VehicleId::ALL
+            .into_iter()
+            .filter(|id| outside[id.index()])
+            .map(|id| format!("{what} {id}"))
+            .collect::<Vec<_>>()
+    };
+    let outside = [of("speed", speeds), of("ΔV", changes)].concat();
+    if !outside.is_empty() {
+        reasons.push(format!("outside of the 95 % interval by all the evidence: {}", outside.join(", ")));
+    }
+    if !solution.failed.is_empty() {
+        reasons.push(format!("checks that fail: {}", refuted(analysis, units).join("; ")));
+    }
+    if solution.is_detailed && !weighed.why.left_aside.is_empty() {
+        reasons.push(format!("does not use {}", weighed.why.left_aside.join(", ")));
+    }
+    if reasons.is_empty() {
+        "nothing speaks against it; it has no interval, as its evidence is taken as exact".to_owned()
+    } else {
+        format!("against it: {}", reasons.join("; "))
+    }
+}
