@@ -90,6 +90,7 @@ impl Solved {
             validation: Some(&validation),
             site_plan: site_plan.as_ref(),
             weighed: None,
+            estimated: None,
         };
         let page = py.detach(|| report::handover(file, analysis, supplements, units));
         page.map_err(|error| not_drawn(py, error, file))

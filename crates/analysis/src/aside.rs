@@ -1,9 +1,12 @@
 //! Evidence that a case has and an answer does not use, and where it contradicts that answer.
 
-use inputs::{Case, GivenVehicle, Quantity};
+use std::f64::consts::PI;
+
+use inputs::{Case, Find, GivenVehicle, Purpose, Quantity};
 use pim_core::{Outcome, VehicleId};
 use real::elementary::atan2;
 use real::principal_angle;
+use reconcile::COLLINEAR;
 
 use crate::thresholds::{
     DIRECTION_AFTER_ERROR, RECORDER_DELTA_V_ERROR, RECORDER_SPEED_ERROR, SPEED_AFTER_ERROR,
@@ -74,11 +77,26 @@ pub(crate) struct Used {
 
 impl Used {
     pub(crate) fn of(found: Option<&Found>, both: Option<&BothMethod>) -> Self {
-        Self {
-            crush: !matches!(both, Some(BothMethod::Momentum)) || found.is_some(),
-            after: both.is_some(),
-        }
+        Self { crush: !matches!(both, Some(BothMethod::Momentum)) || found.is_some(), after: both.is_some() }
     }
+}
+
+/// The keys of the evidence that the exact answer of a purpose will not use, as far as that shows before it is
+/// solved.
+pub(crate) fn of_purpose(case: &Case, purpose: Purpose) -> Vec<String> {
+    let used = match (purpose, case.reconstruct.map(|reconstruct| reconstruct.find)) {
+        (Purpose::Reconstruct, Some(Find::Both)) => Used { crush: is_along_line(case), after: true },
+        (Purpose::Motion, _) => Used { crush: true, after: true },
+        _ => Used { crush: true, after: false },
+    };
+    left_aside(case, used)
+}
+
+/// Whether the vehicles approach along one line, where momentum alone does not give both speeds.
+fn is_along_line(case: &Case) -> bool {
+    let [Some(one), Some(two)] = case.headings() else { return false };
+    let apart = principal_angle(two - one).abs();
+    apart <= COLLINEAR || apart >= PI - COLLINEAR
 }
 
 /// The keys of the evidence that an answer does not use, in the order of the case: tables and numbers.
@@ -148,7 +166,11 @@ pub(crate) fn contradictions(
             let error = share(recorder.delta_v_error, RECORDER_DELTA_V_ERROR);
             let [along, left] = outcome.delta_v_components()[place];
             let parts = [
-                (Evident::RecordedLongitudinal, recorder.delta_v_longitudinal.as_ref().map(Quantity::si), along),
+                (
+                    Evident::RecordedLongitudinal,
+                    recorder.delta_v_longitudinal.as_ref().map(Quantity::si),
+                    along,
+                ),
                 (
                     Evident::RecordedLateral,
                     recorder.delta_v_lateral.as_ref().map(|given| case.axes.lateral(given.si())),
@@ -156,7 +178,8 @@ pub(crate) fn contradictions(
                 ),
             ];
             // The error of a part is that of the whole: a direction is not known better than a size.
-            let whole = parts.iter().filter_map(|(_, given, _)| *given).fold(0.0, |sum: f64, part| sum + part * part);
+            let whole =
+                parts.iter().filter_map(|(_, given, _)| *given).fold(0.0, |sum: f64, part| sum + part * part);
             let limit = (CONTRADICTS * error * whole.sqrt()).max(LEAST_DIFFERENCE);
             for (evidence, given, found) in parts {
                 if let Some(given) = given.filter(|given| (given - found).abs() > limit) {

@@ -11,7 +11,7 @@ use pim_core::VehicleId;
 use crate::estimate::estimate_evidence;
 use crate::goal::Goal;
 use crate::warning::{self, Warning};
-use crate::{Failure, Vehicle, checks, closing_speed, damage, uncertainty};
+use crate::{Failure, Vehicle, aside, checks, closing_speed, damage, uncertainty};
 
 /// The result of checking a case without solving it.
 #[derive(Debug)]
@@ -37,6 +37,22 @@ pub struct Ability {
     pub on: Purpose,
     /// The values that are missing or contradict each other, if any.
     pub obstacle: Option<Faults>,
+    /// The keys of the evidence that its exact answer does not use; none of an estimate.
+    pub left_aside: Vec<String>,
+}
+
+impl Judgement {
+    /// The command that answers most with what the case has: the one whose answer uses all the evidence.
+    #[must_use]
+    pub fn answers_most(&self) -> Option<Purpose> {
+        let able = |purpose: Purpose| {
+            self.abilities.iter().find(|one| one.purpose == purpose && one.obstacle.is_none())
+        };
+        // Where the exact solution leaves evidence aside, `reconstruct` weighs all of it.
+        let order =
+            [Purpose::Reconstruct, Purpose::Estimate, Purpose::Impact, Purpose::Crush, Purpose::Motion];
+        order.into_iter().find(|purpose| able(*purpose).is_some())
+    }
 }
 
 /// An assumption for a value that the case does not give. Values are in SI units.
@@ -298,7 +314,7 @@ pub fn judge(case: &Case) -> Judgement {
     let of = |purpose, on| {
         let obstacle =
             lacking.iter().find(|(purpose, _)| *purpose == on).and_then(|(_, obstacle)| obstacle.clone());
-        Ability { purpose, on, obstacle }
+        Ability { purpose, on, obstacle, left_aside: aside::of_purpose(case, on) }
     };
     let solved = if seeks { Purpose::Reconstruct } else { Purpose::Impact };
     let (furthest, _) = crate::furthest_solver(case);
@@ -317,7 +333,9 @@ pub fn judge(case: &Case) -> Judgement {
         _ if alone => Purpose::Impact,
         _ => furthest,
     };
-    abilities.push(Ability { purpose: Purpose::Uncertainty, on: goal.purpose(), obstacle: unpropagated });
+    let on = goal.purpose();
+    let left_aside = aside::of_purpose(case, on);
+    abilities.push(Ability { purpose: Purpose::Uncertainty, on, obstacle: unpropagated, left_aside });
     if is_for_estimate(case) {
         let purpose = Purpose::Estimate;
         let obstacle = match estimate_evidence(case) {
@@ -325,7 +343,7 @@ pub fn judge(case: &Case) -> Judgement {
             // Anything else shows when it is solved.
             _ => None,
         };
-        abilities.push(Ability { purpose, on: purpose, obstacle });
+        abilities.push(Ability { purpose, on: purpose, obstacle, left_aside: Vec::new() });
     }
     abilities.extend([
         of(Purpose::Compare, solved),

@@ -7,6 +7,7 @@ mod energies;
 mod estimates;
 mod evidence;
 mod friction;
+mod headline;
 mod inputs;
 mod judgement;
 mod plausibility;

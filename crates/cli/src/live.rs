@@ -49,7 +49,7 @@ pub(crate) fn report(
     let units = units(arguments.units, &file);
     let analysis = answered(analyse(&file.case), &file, units)?;
     let weighed = weigh(&file, &analysis, units)?;
-    let document = handover(case, &file, &analysis, weighed.as_ref(), units)?;
+    let document = handover(case, &file, &analysis, weighed.as_ref(), None, units)?;
     let live = report::live(&text, &document.html(), &file);
     write(output, live.with_context(|| named(&path).to_string())?)
 }

@@ -20,7 +20,7 @@ use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
-use analysis::{Analysis, Beside, Failure, Output, Plan, Stage, Sweep, Uncertainty, Weighed};
+use analysis::{Analysis, Beside, Estimated, Failure, Output, Plan, Stage, Sweep, Uncertainty, Weighed};
 use anyhow::{Context as _, Result};
 use arguments::{
     Arguments, CasesArguments, Command, ExplainArguments, Format, PlotsFormat, ReportArguments,
@@ -187,7 +187,7 @@ fn report_analysis(arguments: &Arguments, analyse: Analyse) -> Result<()> {
     let document = || match arguments.format {
         // In a terminal the results; the report to hand over has all steps and the case file besides.
         Format::Text | Format::Json => Ok(report::results(&file.case, &analysis, units)),
-        Format::Html | Format::Markdown => handover(&arguments.case, &file, &analysis, None, units),
+        Format::Html | Format::Markdown => handover(&arguments.case, &file, &analysis, None, None, units),
     };
     present(arguments, document, || report::json(&file, &analysis))
 }
@@ -228,6 +228,7 @@ fn handover(
     file: &CaseFile,
     analysis: &Analysis,
     weighed: Option<&Weighed>,
+    estimated: Option<&Estimated>,
     units: Units,
 ) -> Result<Document> {
     let Beside { uncertainty, sensitivity } = answered(analysis::beside(&file.case, analysis), file, units)?;
@@ -240,6 +241,7 @@ fn handover(
         validation: Some(&validation),
         site_plan: site_plan.as_ref(),
         weighed,
+        estimated,
     };
     Ok(report::handover(file, analysis, supplements, units)?)
 }

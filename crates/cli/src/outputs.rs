@@ -130,9 +130,9 @@ fn files(command: &Command) -> Files<'_> {
         // It refuses whatever exists when it writes.
         Command::New(_) => Files::default(),
         Command::Reconstruct(arguments) => of_cases(&arguments.report.cases),
-        Command::Impact(arguments)
-        | Command::Motion(arguments)
-        | Command::Crush(arguments) => of_cases(&arguments.cases),
+        Command::Impact(arguments) | Command::Motion(arguments) | Command::Crush(arguments) => {
+            of_cases(&arguments.cases)
+        }
         Command::Compare(arguments) => of_cases(arguments),
         Command::Check(arguments) => of_arguments(arguments),
         Command::Sensitivity(arguments) => of_arguments(&arguments.arguments),

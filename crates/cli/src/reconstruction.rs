@@ -1,12 +1,16 @@
 //! `deltav reconstruct`: an exact solution, or all the evidence weighed where the case has more.
 
-use analysis::{Analysis, EstimatePlan, Weighed};
+use analysis::{Analysis, EstimatePlan, Estimated, Weighed};
 use anyhow::Result;
 use case::CaseFile;
 use report::Units;
 
 use crate::arguments::{Format, ReconstructArguments, ReportArguments};
 use crate::{NoAnswer, answered, case_file, estimates, handover, live, of_cases, pool, present, units};
+
+/// As `deltav estimate --no-pieces` without further options.
+const PLAN: EstimatePlan =
+    EstimatePlan { particles: EstimatePlan::PARTICLES, seed: 1, prior: None, pieces: false };
 
 pub(crate) fn report(arguments: ReconstructArguments) -> Result<()> {
     let ReconstructArguments { report, exact } = arguments;
@@ -18,8 +22,9 @@ pub(crate) fn report(arguments: ReconstructArguments) -> Result<()> {
         };
         return live::report(cases, page.as_deref(), analysis::reconstruct, &weigh);
     }
-    let answer =
-        |case: &case::Case| analysis::reconstruct(case).map(|found| report::Answer::Analysis(Box::new(found)));
+    let answer = |case: &case::Case| {
+        analysis::reconstruct(case).map(|found| report::Answer::Analysis(Box::new(found)))
+    };
     let Some(arguments) = of_cases(cases, report::Table::Analyses, &answer)? else { return Ok(()) };
     let file = case_file(&arguments.case)?;
     let units = units(arguments.units, &file);
@@ -27,7 +32,9 @@ pub(crate) fn report(arguments: ReconstructArguments) -> Result<()> {
     let weighed = if exact { None } else { weigh(&file, &solution, threads, units)? };
     let document = || match (arguments.format, &weighed) {
         (Format::Html | Format::Markdown, weighed) => {
-            handover(&arguments.case, &file, &solution, weighed.as_ref(), units)
+            let of_method = if exact || weighed.is_some() { None } else { with_method(&file, threads)? };
+            let (weighed, of_method) = (weighed.as_ref(), of_method.as_ref());
+            handover(&arguments.case, &file, &solution, weighed, of_method, units)
         }
         (Format::Text | Format::Json, Some(weighed)) => {
             Ok(report::weighed(&file.case, &solution, weighed, units))
@@ -56,10 +63,20 @@ fn weigh(
     if solution.overdetermined().is_none() {
         return Ok(None);
     }
-    let plan =
-        EstimatePlan { particles: EstimatePlan::PARTICLES, seed: 1, prior: None, pieces: false };
     let weighed = estimates::with_progress(&pool(threads)?, |progress| {
-        analysis::weigh(&file.case, solution, &plan, progress)
+        analysis::weigh(&file.case, solution, &PLAN, progress)
     })?;
     answered(weighed, file, units)
+}
+
+/// What has the errors of the method, for the report on a case whose exact solution is the answer and that
+/// has ranges: an interval by these alone would be read as that of all. `None` where it cannot be had.
+fn with_method(file: &CaseFile, threads: Option<u16>) -> Result<Option<Estimated>> {
+    if !analysis::is_uncertain(&file.case) {
+        return Ok(None);
+    }
+    let estimated = estimates::with_progress(&pool(threads)?, |progress| {
+        analysis::estimate(&file.case, &PLAN, progress)
+    })?;
+    Ok(estimated.ok())
 }

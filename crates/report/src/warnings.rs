@@ -28,9 +28,22 @@ pub fn warnings(case: &Case, analysis: &Analysis, units: Units) -> Document {
 }
 
 /// The same, for what is made of an analysis: nothing where it has no warnings.
-pub(crate) fn of_analysis(analysis: &Analysis, case: &Case, units: Units) -> Option<Block> {
+pub(crate) fn of_analysis(analysis: &Analysis, case: &Case, units: Units) -> Vec<Block> {
     let warnings = analysis.seen(case.axes).warnings;
-    (!warnings.is_empty()).then(|| block(&warnings, units))
+    let warned = (!warnings.is_empty()).then(|| block(&warnings, units));
+    left_aside(&analysis.left_aside).into_iter().chain(warned).collect()
+}
+
+/// Names the evidence that an answer does not use, where there is any.
+pub(crate) fn left_aside(keys: &[String]) -> Option<Block> {
+    let keys: Vec<String> = keys.iter().map(|key| format!("`{key}`")).collect();
+    let words = || {
+        format!(
+            "Evidence in the case that these figures do not use: {}. `deltav estimate` weighs all of it.",
+            keys.join(", ")
+        )
+    };
+    (!keys.is_empty()).then(|| Block::Paragraph(words()))
 }
 
 /// How many there are, for the top of a report, with the heading that they stand under; nothing where all are
@@ -161,7 +174,8 @@ pub fn message(seen: &SeenWarning, units: Units) -> String {
                 _ => speed(si),
             };
             format!(
-                "{} of vehicle {vehicle}, {}, contradicts this answer, which has {} and does not use it; check                  both, and let `deltav estimate` weigh them",
+                "{} of vehicle {vehicle}, {}, contradicts this answer, which has {} and does not use it; check \
+                 both, and let `deltav estimate` weigh them",
                 words::evident(*evidence),
                 said(*given),
                 said(*found)

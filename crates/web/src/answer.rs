@@ -163,6 +163,7 @@ fn handover(given: &Given, command: &str, plan: Option<Vec<u8>>) -> Result<Docum
         validation: Some(&validation),
         site_plan: site_plan.as_ref(),
         weighed: None,
+        estimated: None,
     };
     let document = report::handover(file, &analysis, supplements, *units);
     document.map_err(|error| Refused::message(error.to_string()))

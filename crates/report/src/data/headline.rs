@@ -94,9 +94,8 @@ impl HeadlineBlock {
                 delta_v: figure(Output::DeltaV { vehicle }),
             };
             let pieces = weighed.estimated.pieces.iter();
-            let contradicts = |piece: &&analysis::PieceFound| {
-                Agreement::of(piece) == Some(Agreement::Contradicts)
-            };
+            let contradicts =
+                |piece: &&analysis::PieceFound| Agreement::of(piece) == Some(Agreement::Contradicts);
             let [vehicle1, vehicle2] = moving(&of);
             return Some(Self {
                 by: if weighed.is_answer() { "estimate" } else { "none" },

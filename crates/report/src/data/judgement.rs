@@ -1,7 +1,7 @@
 //! A case judged without solving it, as JSON.
 
 use analysis::{Ability, Judgement};
-use case::{CaseFile, Unit, UnitSystem};
+use case::{CaseFile, Purpose, Unit, UnitSystem};
 use serde::Serialize;
 
 use super::json::WarningBlock;
@@ -16,6 +16,8 @@ struct Document<'a> {
     /// Those of all signed values: `z-up` or `z-down`.
     axes: &'static str,
     commands: Vec<CommandBlock>,
+    /// The command that answers most with what the case has.
+    answers_most: Option<&'static str>,
     inputs: Vec<InputBlock>,
     choices: Vec<ChoiceBlock>,
     assumptions: Vec<AssumptionBlock>,
@@ -27,6 +29,9 @@ struct CommandBlock {
     command: &'static str,
     runs: bool,
     obstacles: Vec<String>,
+    /// Keys of evidence that its exact answer does not use.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    left_aside: Vec<String>,
 }
 
 #[derive(Serialize)]
@@ -69,7 +74,7 @@ pub fn judgement_json(file: &CaseFile, judgement: &Judgement) -> Result<String, 
         commands: judgement
             .abilities
             .iter()
-            .map(|Ability { purpose, obstacle, .. }| CommandBlock {
+            .map(|Ability { purpose, obstacle, left_aside, .. }| CommandBlock {
                 command: purpose.name(),
                 runs: obstacle.is_none(),
                 obstacles: obstacle
@@ -77,8 +82,10 @@ pub fn judgement_json(file: &CaseFile, judgement: &Judgement) -> Result<String, 
                     .flat_map(|obstacle| file.diagnostics(obstacle, &PROGRAM).list().to_vec())
                     .map(|one| one.problem().to_string())
                     .collect(),
+                left_aside: left_aside.clone(),
             })
             .collect(),
+        answers_most: judgement.answers_most().map(Purpose::name),
         inputs: case
             .inputs()
             .into_iter()

@@ -4,7 +4,8 @@ mod inputs;
 
 use ::drawing::{Drawing, SitePlan};
 use analysis::{
-    Analysis, Impact, Output, Seen, SeenWarning, Sensitivity, UncertainInput, UncertainOutput, Uncertainty, Weighed,
+    Analysis, EstimateOutput, Estimated, Impact, Output, Seen, SeenWarning, Sensitivity, UncertainInput,
+    UncertainOutput, Uncertainty, Weighed,
 };
 use case::{Axes, Basis, CaseFile, Estimate, Origin, ReportHead};
 use pim_core::VehicleId;
@@ -16,6 +17,7 @@ use super::motion;
 use super::results::search;
 use crate::data::sha256;
 use crate::document::{Block, Document, Table};
+use crate::estimates::{WIDEST, ends};
 use crate::pictures::{DrawingError, Subject, drawing, motion_on};
 use crate::steps::steps;
 use crate::units::{Measure, number};
@@ -34,6 +36,8 @@ pub struct Supplements<'a> {
     pub site_plan: Option<&'a SitePlan>,
     /// All the evidence weighed, where the case has more than its exact solution uses.
     pub weighed: Option<&'a Weighed>,
+    /// The same where the exact solution is the answer: its interval has the errors of the method.
+    pub estimated: Option<&'a Estimated>,
 }
 
 /// Over the warnings and what the analysis rests on.
@@ -58,7 +62,7 @@ pub fn handover(
     let is_collision = analysis.impact.is_some() || analysis.crash3.is_some();
     let supplements =
         Supplements { validation: supplements.validation.filter(|_| is_collision), ..supplements };
-    let Supplements { uncertainty, sensitivity, validation, site_plan, weighed } = supplements;
+    let Supplements { uncertainty, sensitivity, validation, site_plan, weighed, estimated: _ } = supplements;
     let why = analysis.overdetermined();
     let headline = match (weighed, &why) {
         (Some(weighed), _) => Headline::Weighed(weighed),
@@ -235,11 +239,24 @@ fn answer(analysis: &Analysis, supplements: Supplements<'_>, units: Units) -> Bl
         !uncertainty.inputs.iter().all(is_small)
     };
     let uncertainty = supplements.uncertainty.filter(is_told);
-    let said = |output: Output, si: f64| match uncertainty
-        .and_then(|uncertainty| interval(uncertainty, output, units))
-    {
-        Some(interval) => format!("{interval}; central value {}", units.speed(si)),
-        None => units.speed(si),
+    let of_method = supplements.estimated.filter(|estimated| estimated.doubts().is_empty());
+    let said = |output: Output, si: f64| {
+        let by_ranges = uncertainty.and_then(|uncertainty| interval(uncertainty, output, units));
+        let by_all = of_method.and_then(|estimated| with_method(estimated, output, units));
+        match (by_all, by_ranges) {
+            // The digits follow the wider interval.
+            (Some(wide), Some(narrow)) => {
+                let central = number(units.value(Measure::RoadSpeed, si), wide.decimals);
+                let unit = units.name(Measure::RoadSpeed);
+                format!("{}; as solved {central} {unit}, {narrow}", wide.words)
+            }
+            (Some(wide), None) => {
+                let central = number(units.value(Measure::RoadSpeed, si), wide.decimals);
+                format!("{}; as solved {central} {}", wide.words, units.name(Measure::RoadSpeed))
+            }
+            (None, Some(narrow)) => format!("{narrow}; central value {}", units.speed(si)),
+            (None, None) => units.speed(si),
+        }
     };
     let changes = |values: [f64; 2]| {
         VehicleId::ALL
@@ -282,12 +299,19 @@ fn answer(analysis: &Analysis, supplements: Supplements<'_>, units: Units) -> Bl
         outputs.any(|output| interval(uncertainty, output, units).is_some())
     };
     let mut how = match uncertainty.filter(has_interval) {
-        Some(Uncertainty { inputs, taken_as_exact, .. }) => format!(
-            "The intervals contain the errors of {} inputs, but not those of the {} that are taken as exact: \
-             \"{UNCERTAINTY}\" lists both.",
-            inputs.len(),
-            taken_as_exact.len()
-        ),
+        Some(Uncertainty { inputs, taken_as_exact, .. }) => {
+            let by_all = if of_method.is_some() {
+                "The first interval has the errors of the method and the usual errors of all inputs. "
+            } else {
+                ""
+            };
+            format!(
+                "{by_all}The interval by the ranges alone contains the errors of {} inputs, but neither those of the \
+                 {} that are taken as exact nor that of the method: \"{UNCERTAINTY}\" lists both.",
+                inputs.len(),
+                taken_as_exact.len()
+            )
+        }
         None if uncertainty.is_some() => {
             "None of the inputs that have a range moves these figures, so they have no interval.".to_owned()
         }
@@ -299,7 +323,34 @@ fn answer(analysis: &Analysis, supplements: Supplements<'_>, units: Units) -> Bl
     Block::Answer { found, how }
 }
 
-/// `45.8 to 58.0 mph (95 % interval)`; `None` of an output that does not vary.
+/// An interval with the errors of the method.
+struct Wide {
+    words: String,
+    /// What its width leaves of the digits of a speed.
+    decimals: usize,
+}
+
+/// `54 to 101 mph (95 %, with the errors of the method)`; `None` of an output that does not vary.
+fn with_method(estimated: &Estimated, output: Output, units: Units) -> Option<Wide> {
+    let wanted = EstimateOutput::Result(output);
+    let found = estimated.outputs.iter().find(|found| found.output == wanted && found.varies())?;
+    let [low, high] = ends(&found.posterior, WIDEST).map(|si| units.value(Measure::RoadSpeed, si));
+    // A last digit that is a hundredth of the width says nothing.
+    let decimals = usize::from(high - low < WIDE);
+    let words = format!(
+        "{} to {} {} ({} %, with the errors of the method)",
+        number(low, decimals),
+        number(high, decimals),
+        units.name(Measure::RoadSpeed),
+        100.0 * LEAD
+    );
+    Some(Wide { words, decimals })
+}
+
+/// (km/h or mph) a speed with an interval at least so wide is given without decimals.
+const WIDE: f64 = 10.0;
+
+/// `45.8 to 58.0 mph (95 %, by the ranges of the case alone)`; `None` of an output that does not vary.
 fn interval(uncertainty: &Uncertainty, output: Output, units: Units) -> Option<String> {
     let place = uncertainty.outputs.iter().position(|other| other.output == output)?;
     let summary = uncertainty.propagation.summaries().get(place)?.as_ref()?;
@@ -309,7 +360,11 @@ fn interval(uncertainty: &Uncertainty, output: Output, units: Units) -> Option<S
     let interval = summary.intervals.iter().find(|interval| interval.level == LEAD)?;
     let [low, high] =
         [interval.low, interval.high].map(|end| number(units.value(Measure::RoadSpeed, end.value), 1));
-    Some(format!("{low} to {high} {} ({} % interval)", units.name(Measure::RoadSpeed), 100.0 * LEAD))
+    Some(format!(
+        "{low} to {high} {} ({} %, by the ranges of the case alone)",
+        units.name(Measure::RoadSpeed),
+        100.0 * LEAD
+    ))
 }
 
 /// What the samples say of the speeds before the impact and of ΔV, a line each: the interval first, then the

@@ -35,7 +35,8 @@ impl<'a> Headline<'a> {
             Self::Exact => Vec::new(),
             Self::Unweighed(why) => {
                 let found = vec![
-                    "More is known than one exact solution uses: all of it together is the answer.".to_owned(),
+                    "More is known than one exact solution uses: all of it together is the answer."
+                        .to_owned(),
                 ];
                 let how = format!(
                     "`deltav estimate` weighs it. {} Each exact solution takes its part of the evidence as free \
@@ -102,7 +103,8 @@ fn columns() -> Vec<Column> {
 fn exact(analysis: &Seen, units: Units) -> Table {
     let speed = |si: f64| units.format(Measure::RoadSpeed, si);
     let mut table = Table::new("Exact solution", columns());
-    let speeds = VehicleId::ALL.map(|id| if analysis.moves(id) { speed(analysis.speed(id)) } else { NONE.to_owned() });
+    let speeds =
+        VehicleId::ALL.map(|id| if analysis.moves(id) { speed(analysis.speed(id)) } else { NONE.to_owned() });
     let delta_v = analysis
         .both
         .as_ref()
@@ -121,9 +123,8 @@ fn exact(analysis: &Seen, units: Units) -> Table {
 fn solutions(weighed: &Weighed, analysis: &Seen, units: Units) -> Table {
     let mut table = Table::new("Exact solutions, each by a part of the evidence", columns());
     for solution in &weighed.solutions {
-        let cell = |si: Option<f64>| {
-            si.map_or_else(|| NONE.to_owned(), |si| units.format(Measure::RoadSpeed, si))
-        };
+        let cell =
+            |si: Option<f64>| si.map_or_else(|| NONE.to_owned(), |si| units.format(Measure::RoadSpeed, si));
         let name = words::solution(solution.by).to_owned();
         let figures = solution.speeds.into_iter().chain(solution.delta_v).map(cell);
         table.cells(std::iter::once(name).chain(figures));

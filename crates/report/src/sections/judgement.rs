@@ -41,6 +41,9 @@ pub fn judgement(file: &CaseFile, judgement: &Judgement, units: Units) -> Docume
         page.push(Block::Entries(assumed.collect()));
     }
     page.push(commands(file, judgement));
+    if let Some(purpose) = judgement.answers_most() {
+        page.paragraph(format!("`deltav {purpose}` answers most with what this case has."));
+    }
     if judgement.warnings.is_empty() {
         page.paragraph("No warnings (checks that need a solution were not run).");
     } else {
@@ -56,7 +59,7 @@ fn commands(file: &CaseFile, judgement: &Judgement) -> Table {
     let mut table = Table::new("Commands", columns);
     let estimates =
         judgement.abilities.iter().any(|one| one.purpose == Purpose::Estimate && one.obstacle.is_none());
-    for Ability { purpose, on, obstacle } in &judgement.abilities {
+    for Ability { purpose, on, obstacle, left_aside } in &judgement.abilities {
         if *purpose == Purpose::Draw && obstacle.is_some() && estimates {
             table.row([purpose.to_string(), "has all that it needs for --what estimate".to_owned()]);
             continue;
@@ -64,6 +67,16 @@ fn commands(file: &CaseFile, judgement: &Judgement) -> Table {
         let Some(obstacle) = obstacle else {
             let does = format!("has all that it needs{}", good_for(&file.case, *purpose, *on, estimates));
             table.row([purpose.to_string(), does]);
+            let computes = !matches!(purpose, Purpose::Draw | Purpose::Motion);
+            if computes && !left_aside.is_empty() {
+                let keys = left_aside.join(", ");
+                table.rows.push(Row::Detail(match purpose {
+                    Purpose::Reconstruct => {
+                        format!("its exact solution does not use {keys}, so it weighs all the evidence")
+                    }
+                    _ => format!("does not use {keys}"),
+                }));
+            }
             continue;
         };
         // It lacks what another lacks, which was told there.

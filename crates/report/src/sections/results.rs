@@ -32,7 +32,8 @@ pub fn weighed(case: &Case, analysis: &Analysis, weighed: &Weighed, units: Units
 fn headed(case: &Case, analysis: &Analysis, headline: Headline<'_>, units: Units) -> Document {
     let analysis = &analysis.seen(case.axes);
     // Values need 88 columns, and the eye follows no more than 120.
-    let mut page = Page { units, axes: case.axes, headline, document: Document::new().with_columns([88, 120]) };
+    let mut page =
+        Page { units, axes: case.axes, headline, document: Document::new().with_columns([88, 120]) };
     page.document.title(case);
     page.document.blocks.extend(headline.lead(analysis, units));
     let (of_solution, of_case): (Vec<SeenWarning>, Vec<SeenWarning>) = analysis
@@ -108,12 +109,8 @@ impl Page<'_> {
 
     /// The evidence that a forward analysis does not use. Of a reconstruction the headline says it.
     fn left_aside(&mut self, analysis: &Seen) {
-        if self.headline.is_exact() && !analysis.left_aside.is_empty() {
-            let keys: Vec<String> = analysis.left_aside.iter().map(|key| format!("`{key}`")).collect();
-            self.document.paragraph(format!(
-                "Evidence in the case that this analysis does not use: {}. `deltav estimate` weighs it.",
-                keys.join(", ")
-            ));
+        if self.headline.is_exact() {
+            self.document.blocks.extend(warnings::left_aside(&analysis.left_aside));
         }
     }
 

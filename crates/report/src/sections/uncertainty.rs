@@ -107,6 +107,14 @@ impl<'a> Page<'a> {
                     .to_owned(),
             );
         }
+        let nominal = &uncertainty.nominal;
+        if nominal.found.is_some() || nominal.both.is_some() {
+            lines.push(format!(
+            "The intervals contain the ranges of the case alone: the other {}, the impact law and the method \
+             itself are taken as exact. `deltav estimate` gives the interval with their errors, which is wider.",
+            counted(uncertainty.taken_as_exact.len(), "input")
+        ));
+        }
         lines.extend(self.failures());
         lines.extend(self.doubts());
         self.document.push(Block::List(lines));

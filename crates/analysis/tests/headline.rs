@@ -1,0 +1,153 @@
+//! Which answer leads a reconstruction, what an answer leaves aside, and what contradicts it.
+
+#![allow(clippy::unwrap_used, clippy::panic, reason = "tests")]
+
+use std::ops::ControlFlow;
+
+use analysis::{EstimatePlan, Evident, Output, Warning, impact, judge, reconstruct, weigh};
+use case::{Case, CaseFile};
+use inputs::Purpose;
+use pim_core::VehicleId;
+
+const REAR_END: &str = include_str!("../../../fixtures/rear-end.toml");
+const FORWARD: &str = include_str!("../../../fixtures/sae-980025-impact.toml");
+const BOTH: &str = include_str!("../../../fixtures/rear-end-rest.toml");
+/// Few particles: what is asked here is plain.
+const PLAN: EstimatePlan = EstimatePlan { particles: 128, seed: 1, prior: None, pieces: false };
+
+fn read(text: &str) -> Case {
+    CaseFile::parse("case.toml", text).unwrap_or_else(|errors| panic!("{errors}\n{text}")).case
+}
+
+fn with(text: &str, table: &str) -> Case {
+    read(&format!("{text}\n{table}\n"))
+}
+
+/// The evidence that contradicts an answer, with (SI) what the case gives.
+fn contradicted(warnings: &[Warning]) -> Vec<(VehicleId, Evident, f64)> {
+    let differs = |warning: &Warning| match warning {
+        Warning::EvidenceDiffers { vehicle, evidence, given, .. } => Some((*vehicle, *evidence, *given)),
+        _ => None,
+    };
+    warnings.iter().filter_map(differs).collect()
+}
+
+/// The paper's case has one equation for one speed.
+#[test]
+fn what_is_just_determined_is_solved_exactly() {
+    for text in [case::EXAMPLE, REAR_END] {
+        let case = read(text);
+        let exact = reconstruct(&case).unwrap();
+        assert!(exact.left_aside.is_empty() && exact.overdetermined().is_none());
+        let weighed = weigh(&case, &exact, &PLAN, &mut |_, _, _| panic!("nothing is weighed")).unwrap();
+        assert!(weighed.is_none());
+    }
+}
+
+/// A recorder of half the speed that the crush tells: the headline is where the recorder, whose error is
+/// small, puts it, and the exact solution stands beneath as one that lies outside.
+#[test]
+fn a_recorder_that_contradicts_the_crush_leads_to_a_weighed_headline() {
+    let alone = reconstruct(&read(REAR_END)).unwrap().found.unwrap().speed;
+    let recorded = 0.5 * alone;
+    let case = with(REAR_END, &format!("[vehicle1.recorder]\nspeed = \"{recorded} m/s\""));
+    let exact = reconstruct(&case).unwrap();
+    assert_eq!(exact.found.as_ref().unwrap().speed, alone);
+    assert_eq!(exact.left_aside, ["vehicle1.recorder.speed"]);
+    let told = contradicted(&exact.warnings);
+    assert_eq!(told, [(VehicleId::One, Evident::RecordedSpeed, recorded)]);
+    assert!(exact.overdetermined().unwrap().is_contradicted);
+
+    let quietly = &mut |_, _, _| ControlFlow::Continue(());
+    let weighed = weigh(&case, &exact, &PLAN, quietly).unwrap().unwrap();
+    let median = weighed.summary(Output::Speed { vehicle: VehicleId::One }).unwrap().median.value;
+    // Three standard deviations of 4 %.
+    assert!((median / recorded).ln().abs() < 0.12, "{median} for {recorded}");
+    let own = &weighed.solutions[0];
+    assert!(own.is_detailed && own.outside[0][0], "{own:?}");
+    assert_eq!(own.speeds[0], Some(alone));
+}
+
+/// A recorder that agrees is more evidence, too, but contradicts nothing.
+#[test]
+fn a_recorder_that_agrees_contradicts_nothing() {
+    let alone = reconstruct(&read(REAR_END)).unwrap().found.unwrap().speed;
+    let case = with(REAR_END, &format!("[vehicle1.recorder]\nspeed = \"{} m/s\"", 1.05 * alone));
+    let exact = reconstruct(&case).unwrap();
+    assert!(contradicted(&exact.warnings).is_empty());
+    let why = exact.overdetermined().unwrap();
+    assert_eq!((why.left_aside.len(), why.is_contradicted), (1, false));
+}
+
+/// A front is slowed down: a longitudinal ΔV is negative there, and one with the wrong sign contradicts the
+/// impact, however right its size is. The limit is three standard deviations of 8 %, at least 5 km/h.
+#[test]
+fn the_sign_of_a_recorder_counts() {
+    let plain = impact(&read(FORWARD)).unwrap();
+    let [along, _] = plain.impact.as_ref().unwrap().outcome.delta_v_components()[0];
+    assert!(along < -6.0, "{along}");
+    let told = |value: f64| {
+        let table = format!("[vehicle1.recorder]\ndelta_v_longitudinal = \"{value} m/s\"");
+        contradicted(&impact(&with(FORWARD, &table)).unwrap().warnings).len()
+    };
+    assert_eq!([told(along), told(-along), told(0.0)], [0, 1, 1]);
+    // As far as three deviations of what is recorded: r − 0.24 r = Δv.
+    let border = along / 0.76;
+    assert_eq!([told(0.999 * border), told(1.001 * border)], [0, 1]);
+}
+
+/// A limit that the answer breaks contradicts it; one that it keeps does not.
+#[test]
+fn a_certain_speed_that_the_answer_breaks_contradicts_it() {
+    let alone = reconstruct(&read(REAR_END)).unwrap().found.unwrap().speed;
+    let told = |limit: &str, factor: f64| {
+        let line = format!("[vehicle1]\ncertain_speed = {{ {limit} = \"{} m/s\" }}", factor * alone);
+        let case = read(&REAR_END.replacen("[vehicle1]", &line, 1));
+        contradicted(&reconstruct(&case).unwrap().warnings)
+            .into_iter()
+            .map(|(_, evidence, _)| evidence)
+            .next()
+    };
+    assert_eq!(told("at_most", 0.9), Some(Evident::AtMost));
+    assert_eq!(told("at_most", 1.1), None);
+    assert_eq!(told("at_least", 1.1), Some(Evident::AtLeast));
+    assert_eq!(told("at_least", 0.9), None);
+}
+
+/// How a vehicle left the impact is not used where the crush energy gives the speed, and is held against it.
+#[test]
+fn what_is_known_after_the_impact_is_held_against_the_damage() {
+    let plain = impact(&read(FORWARD)).unwrap();
+    let left = plain.impact.as_ref().unwrap().outcome.after[0].velocity;
+    let direction = left.y.atan2(left.x).to_degrees();
+    let told = |speed: f64, direction: f64| {
+        let table = format!("[vehicle1.after]\nspeed = \"{speed} m/s\"\ndirection = \"{direction} deg\"");
+        let analysis = impact(&with(FORWARD, &table)).unwrap();
+        assert_eq!(analysis.left_aside, ["vehicle1.after.speed", "vehicle1.after.direction"]);
+        contradicted(&analysis.warnings).into_iter().map(|(_, evidence, _)| evidence).collect::<Vec<_>>()
+    };
+    assert!(told(left.norm(), direction).is_empty());
+    assert_eq!(told(2.0 * left.norm(), direction), [Evident::SpeedAfter]);
+    assert_eq!(told(left.norm(), direction + 180.0), [Evident::DirectionAfter]);
+}
+
+/// Before anything is solved, `check` says which command uses what.
+#[test]
+fn a_judgement_says_what_each_command_leaves_aside() {
+    let aside = |case: &Case, purpose: Purpose| {
+        let judgement = judge(case);
+        judgement.abilities.iter().find(|one| one.purpose == purpose).unwrap().left_aside.clone()
+    };
+    let case =
+        with(REAR_END, "[vehicle1.recorder]\nspeed = \"50 km/h\"\ndelta_v_longitudinal = \"-20 km/h\"");
+    let keys = ["vehicle1.recorder.speed", "vehicle1.recorder.delta_v_longitudinal"];
+    for purpose in [Purpose::Reconstruct, Purpose::Compare, Purpose::Sensitivity] {
+        assert_eq!(aside(&case, purpose), keys);
+    }
+    assert!(aside(&case, Purpose::Estimate).is_empty());
+    assert_eq!(judge(&case).answers_most(), Some(Purpose::Reconstruct));
+    // Along one line momentum needs the crush energy, across it leaves it aside.
+    assert!(aside(&read(BOTH), Purpose::Reconstruct).is_empty());
+    let crossing = BOTH.replacen("heading", "heading = \"60 deg\"\n#", 1);
+    assert_eq!(aside(&read(&crossing), Purpose::Reconstruct), ["vehicle1.crush", "vehicle2.crush"]);
+}
