@@ -45,6 +45,10 @@ pub(crate) enum Command {
             counts as well. With find = [\"vehicle1.speed\", \"vehicle2.speed\"] it finds both speeds: from \
             momentum and how the vehicles left the impact, which their rest positions tell, and from the crush energy \
             as well where the approaches lie within 10° of one line.\n\n\
+            That is exact where the case just determines the speeds. Where it has more evidence than the exact solution \
+            uses, or where the checks of that refute it, all the evidence is weighed as `deltav estimate` does \
+            and leads the report; the exact solutions stand beneath, each with what speaks against it. \
+            --exact leaves the weighing out.\n\n\
             Several files give one row each, in the order of the command line: use --format csv for a \
             spreadsheet, --format jsonl for a program. If a file has no answer, its row holds the error, \
             and the other files are still processed.\n\n\
@@ -69,6 +73,7 @@ pub(crate) enum Command {
             deltav reconstruct fixtures/sae-980025.toml --format json -o result.json\n  \
             deltav reconstruct fixtures/sae-980025.toml --format html -o report.html\n  \
             deltav reconstruct fixtures/sae-980025.toml --format html --live -o report.html\n  \
+            deltav reconstruct fixtures/rear-end-rest.toml --exact\n  \
             deltav reconstruct fixtures/ricsac/*.toml --format csv -o results.csv\n\n\
             Exit status: 0 done; 1 no answer, or in csv and jsonl any file with an error; 2 the case file or the command line is wrong."
     )]

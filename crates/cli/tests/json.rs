@@ -453,19 +453,25 @@ fn ranges_are_in_the_report_to_hand_over() {
     assert!(html.contains("<h2>Uncertainty</h2>") && html.contains("<h2>Sensitivity</h2>"));
     let certain = text(printed(&["reconstruct", PAPER_FILE, "--format", "markdown"], ""));
     assert!(!certain.contains("## Uncertainty"));
-    // It leads with the 95 % interval, which is that of the table.
+    // It leads with the 95 % interval with the errors of the method; that of the table stands beside it.
     let row = page.lines().skip_while(|line| *line != "**Intervals**");
     let row = row.into_iter().find(|line| line.starts_with("| Speed of vehicle 1, mph")).unwrap();
     let cells: Vec<&str> = row.split('|').map(|cell| cell.split_whitespace().next().unwrap_or("")).collect();
-    let lead =
-        page.split("before impact: ").nth(1).and_then(|rest| rest.split(" mph (95 % interval)").next());
-    let ends: Vec<&str> = lead.unwrap().split(" to ").collect();
+    let lead = page.split("before impact: ").nth(1).and_then(|rest| rest.split(".**").next()).unwrap();
+    let [wide, narrow] =
+        [" mph (95 %, with the errors of the method)", " mph (95 %, by the ranges of the case alone)"]
+            .map(|words| lead.split(words).next().unwrap());
+    let ends: Vec<&str> = narrow.rsplit(", ").next().unwrap().split(" to ").collect();
+    let wider: Vec<f64> = wide.split(" to ").map(|end| end.parse().unwrap()).collect();
     // One decimal, and two of which the second is rounded.
     let near = |one: &str, other: &str| {
         let [one, other] = [one, other].map(|text| text.parse::<f64>().unwrap());
         (one - other).abs() < 0.0551
     };
     assert!(ends.len() == 2 && near(ends[0], cells[6]) && near(ends[1], cells[7]), "{ends:?} {row}");
+    assert!(wider[0] < cells[6].parse().unwrap() && wider[1] > cells[7].parse().unwrap(), "{wider:?} {row}");
+    // No more digits than the wider interval leaves.
+    assert!(lead.contains("; as solved 51 mph, "), "{lead}");
     assert!(certain.contains("**Speed of vehicle 1 before impact: 51.16 mph (75.03 ft/s).**"));
     for page in [page, certain] {
         assert!(page.contains("## Known error rate") && page.contains("## Appendix: ΔV by CRASH3"), "{page}");

@@ -93,9 +93,23 @@ fn every_template_runs_as_it_is_and_finds_what_it_states() {
             if !alone && neither.is_none() {
                 assert_eq!(result["found"]["admissible_roots"], 1, "{template}");
             }
+            // With more evidence than an exact solution uses, all of it leads, and holds what is stated.
+            let weighed = result["headline"]["by"] == "estimate";
+            assert!(
+                weighed || result["headline"].is_null() || result["headline"]["by"] == "exact",
+                "{template}"
+            );
+            if let Some((_, true_speeds)) = neither.filter(|_| weighed) {
+                let true_speeds = true_speeds[usize::from(units == "us")];
+                for (vehicle, true_speed) in ["vehicle1", "vehicle2"].into_iter().zip(true_speeds) {
+                    let interval = &result["headline"][vehicle]["speed"]["interval95"];
+                    let [low, high] = [0, 1].map(|end| interval[end].as_f64().unwrap() / size);
+                    assert!(low <= true_speed && true_speed <= high, "{template}: {interval}");
+                }
+            }
             for written in ["text", "html", "markdown"] {
                 // A report to hand over samples the way back from rest, too slowly for this test.
-                if written == "text" || neither.is_none() {
+                if neither.is_none() {
                     let report = printed(&[command, name, "--format", written]);
                     assert!(report.contains("No warnings."), "{template}");
                 }

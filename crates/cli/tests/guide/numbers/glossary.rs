@@ -276,6 +276,16 @@ fn warnings(ledger: &mut Ledger) {
     };
     ledger.made(format!("{} cm … outside", number(100.0 * threshold(0.3, 0.0, outside), 0)));
     ledger.made(format!("differs … {}°", pdof_difference()));
+    // A recorder of the Altima, which the case takes as driving at 10 mph.
+    let recorder = |off: f64| {
+        let speed = 10.0 * MILE_PER_HOUR + off;
+        let line = (
+            "speed       = \"10 mph\"",
+            format!("speed = \"10 mph\"\nrecorder = {{ speed = \"{speed} m/s\" }}"),
+        );
+        warned(&[line]).warnings.iter().any(|warning| matches!(warning, Warning::EvidenceDiffers { .. }))
+    };
+    ledger.made(format!("deviations … {} km/h", number(3.6 * threshold(4.0, 0.0, recorder), 0)));
     ledger.cited("good … 10°", "somewhat less than half an hour of the clock");
     ledger.made(format!("hour of the clock by more … {:.0}°", (clock(2) - clock(1)) / 2.0));
     ledger.made(format!("more than … {:.0}° for each", (clock(2) - clock(1)) / 2.0));
