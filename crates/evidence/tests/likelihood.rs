@@ -5,8 +5,8 @@ use std::f64::consts::PI;
 use estimate::{Evidence, Independent, Quantity, Settings, sample_quietly};
 use evidence::{
     After, BodyNumbers, CodedPdof, Collision, Crush, CrushMisfit, Damage, FITTED, Freedom, Impacted, Impacts,
-    Limits, Measured, MeasuredRest, Model, Number, Observed, ObservedVehicle, OtherCrush, Output, Piece,
-    RecordedDeltaV, Recorder, Restitution, Severity, Speeds, Vehicle, Way,
+    Limits, Measured, MeasuredRest, MeasuredSpeed, Model, Number, Observed, ObservedVehicle, OtherCrush,
+    Output, Piece, RecordedDeltaV, Recorder, Restitution, Severity, Speeds, Vehicle, Way,
 };
 use pim_core::Vector2;
 use pim_core::VehicleId::{One, Two};
@@ -70,7 +70,7 @@ fn the_crush_energy_is_that_of_the_normal_work() {
     };
     collision.vehicles[0].crush = Some(crush(1.0, 1.0));
     collision.vehicles[1].crush = Some(crush(1.1, 0.9));
-    collision.observed.crush = Some(CrushMisfit { bias: -0.2, ln_sd: 0.4 });
+    collision.observed.crush = Some(CrushMisfit { bias: -0.2, ln_sd: 0.4 }.into());
     let [(Piece::Crush, term)] = terms(&collision)[..] else { panic!() };
     let energy = 45e3 + 8.1e3 + 19.8e3 + 18.15e3;
     close(term, normal(((energy / 66_825.0_f64).ln() + 0.2) / 0.4, 0.4));
@@ -92,7 +92,7 @@ fn the_crush_of_one_vehicle_has_its_share_of_the_energy() {
         let mut collision = rear_end();
         collision.vehicles[known.index()].crush = Some(crush);
         collision.other_crush = Some(OtherCrush { vehicle: other, ratio });
-        collision.observed.crush = Some(CrushMisfit { bias: -0.2, ln_sd: 0.4 });
+        collision.observed.crush = Some(CrushMisfit { bias: -0.2, ln_sd: 0.4 }.into());
         let [(Piece::Crush, term)] = terms(&collision)[..] else { panic!() };
         close(term, normal(((20e3_f64).ln() - 66_825.0_f64.ln() - share.ln() + 0.2) / 0.4, 0.4));
         let model = Model::new(&collision);
@@ -117,7 +117,7 @@ fn the_crush_of_one_vehicle_tells_the_speed() {
     collision.speeds = Speeds::Each([Distribution::uniform(1.0, 60.0).unwrap().into(), 0.0.into()]);
     let ratio = FITTED.other_crush(Damage::Side, Damage::Front).unwrap();
     collision.other_crush = Some(OtherCrush { vehicle: One, ratio: ratio.into() });
-    collision.observed.crush = Some(CrushMisfit { bias: -0.2, ln_sd: 0.4 });
+    collision.observed.crush = Some(CrushMisfit { bias: -0.2, ln_sd: 0.4 }.into());
     let model = Model::new(&collision);
     let posterior = sample_quietly(&model, &model, &Settings::new(256, 1)).unwrap();
     let summary = posterior.summary(Quantity::Output(Output::Speed(One).column()));
@@ -158,7 +158,7 @@ fn the_crush_of_one_vehicle_tells_the_speed() {
 fn a_speed_before_the_skid_has_a_normal_error() {
     let observed = || {
         let mut observed = Observed::default();
-        observed.vehicles[1].skid_speed = Some(Measured { value: 21.0, sd: 0.05 });
+        observed.vehicles[1].skid_speed = Some(MeasuredSpeed { value: 21.0, ln_sd: 0.05, least: 0.0 });
         observed
     };
     for (begins, expected) in
@@ -194,7 +194,7 @@ impl Impacts for Skidded {
 fn velocities_after_the_impact_have_normal_errors() {
     let mut collision = rear_end();
     collision.observed.vehicles[1].after = After {
-        speed: Some(Measured { value: 11.0, sd: 0.12 }),
+        speed: Some(MeasuredSpeed { value: 11.0, ln_sd: 0.12, least: 0.0 }),
         direction: Some(Measured { value: 2.0 * PI - 0.1, sd: 0.14 }),
         yaw_rate: Some(Measured { value: 0.3, sd: 0.2 }),
     };
@@ -210,9 +210,12 @@ fn velocities_after_the_impact_have_normal_errors() {
 fn a_recorder_and_a_pdof_have_heavy_tails() {
     let mut collision = rear_end();
     let (ln_scale, freedom) = (0.16, Freedom::Three);
-    let delta_v = Some(RecordedDeltaV { size: 6.0, is_longitudinal: true, ln_scale, freedom });
-    collision.observed.vehicles[0].recorder =
-        Recorder { delta_v, speed: Some(Measured { value: 16.0, sd: 0.05 }), ..Recorder::default() };
+    let delta_v = Some(RecordedDeltaV { size: 6.0, is_longitudinal: true, ln_scale, least: 0.0, freedom });
+    collision.observed.vehicles[0].recorder = Recorder {
+        delta_v,
+        speed: Some(MeasuredSpeed { value: 16.0, ln_sd: 0.05, least: 0.0 }),
+        ..Recorder::default()
+    };
     collision.observed.vehicles[0].pdof = Some(CodedPdof { pdof: 0.2, scale: 0.1 });
     // The wider of two PDOFs does not count: both are one observation.
     collision.observed.vehicles[1].pdof = Some(CodedPdof { pdof: PI, scale: 0.15 });
@@ -283,7 +286,8 @@ fn restitution_falls_with_the_closing_speed() {
     collision.restitution =
         Restitution::ByClosingSpeed { low: 0.08, rise: 0.32, fade: 5.0, factor, most: 0.7 };
     let e = 0.5 * (0.08 + 0.32 * (-3.0_f64).exp());
-    collision.observed.vehicles[0].after.speed = Some(Measured { value: 9.0 - 6.0 * e, sd: 0.01 });
+    collision.observed.vehicles[0].after.speed =
+        Some(MeasuredSpeed { value: 9.0 - 6.0 * e, ln_sd: 0.01, least: 0.0 });
     // V₁ = (m₁ − e m₂) v/(m₁ + m₂)
     close(terms(&collision)[0].1, normal(0.0, 0.01));
 }
@@ -299,7 +303,8 @@ fn together_the_speeds_have_their_relative_speed_and_split() {
         split: Number::Exact((12.0_f64 / 5.0).atan()),
     };
     for (k, speed) in [(0, 5.0), (1, 12.0)] {
-        collision.observed.vehicles[k].recorder.speed = Some(Measured { value: speed, sd: 0.01 });
+        collision.observed.vehicles[k].recorder.speed =
+            Some(MeasuredSpeed { value: speed, ln_sd: 0.01, least: 0.0 });
     }
     for (_, term) in terms(&collision) {
         close(term, normal(0.0, 0.01));
@@ -415,7 +420,8 @@ fn a_recorder_stores_no_speed_of_a_vehicle_that_moves_backward() {
     for (speed, is_possible) in [(15.0, true), (-3.0, false), (0.0, false)] {
         let mut collision = rear_end();
         collision.speeds = Speeds::Each([speed.into(), (-20.0).into()]);
-        collision.observed.vehicles[0].recorder.speed = Some(Measured { value: 16.0, sd: 0.05 });
+        collision.observed.vehicles[0].recorder.speed =
+            Some(MeasuredSpeed { value: 16.0, ln_sd: 0.05, least: 0.0 });
         let [(Piece::RecordedSpeed(One), term)] = terms(&collision)[..] else { panic!() };
         assert_eq!(term > f64::NEG_INFINITY, is_possible, "{speed} {term}");
         assert!(!term.is_nan());
