@@ -26,3 +26,23 @@ pub(crate) fn unrolled(errors: &mut [f64], turn: f64) -> f64 {
     }
     mean
 }
+
+#[cfg(test)]
+mod tests {
+    use super::unrolled;
+
+    /// Predictions about 0°, and an observation at 180°: all errors are on one side. About 10°, they stay.
+    #[test]
+    fn an_observation_opposite_to_all_predictions_is_beyond_all() {
+        let mut opposite = [179.0, -178.0, 177.0, -179.0, -179.5];
+        let mean = unrolled(&mut opposite, 360.0);
+        assert!(mean.abs() > 179.0);
+        assert!(opposite.iter().all(|error| error.signum() == mean.signum()), "{opposite:?}");
+        let mut near = [-5.0, 3.0, 12.0];
+        let mean = unrolled(&mut near, 360.0);
+        assert!((mean - 10.0 / 3.0).abs() < 0.1);
+        for (found, error) in near.iter().zip([-5.0, 3.0, 12.0]) {
+            assert!((found - error).abs() < 1e-12, "{near:?}");
+        }
+    }
+}

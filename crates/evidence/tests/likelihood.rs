@@ -4,9 +4,10 @@ use std::f64::consts::PI;
 
 use estimate::{Evidence, Independent, Quantity, Settings, sample_quietly};
 use evidence::{
-    After, BodyNumbers, CodedPdof, Collision, Crush, CrushMisfit, Damage, FITTED, Freedom, Impacted, Impacts,
-    Limits, Measured, MeasuredRest, MeasuredSpeed, Model, Number, Observed, ObservedVehicle, OtherCrush,
-    Output, Piece, RecordedDeltaV, Recorder, Restitution, Severity, Speeds, Vehicle, Way,
+    After, BodyNumbers, CodedPdof, Collision, Crush, CrushErrors, CrushMisfit, Damage, EnergyError, FITTED,
+    Freedom, Impacted, Impacts, Limits, Measured, MeasuredRest, MeasuredSpeed, Model, Number, Observed,
+    ObservedVehicle, OtherCrush, Output, Piece, RecordedDeltaV, RecordedPart, Recorder, Restitution,
+    Severity, Speeds, Vehicle, Way,
 };
 use pim_core::Vector2;
 use pim_core::VehicleId::{One, Two};
@@ -426,4 +427,60 @@ fn a_recorder_stores_no_speed_of_a_vehicle_that_moves_backward() {
         assert_eq!(term > f64::NEG_INFINITY, is_possible, "{speed} {term}");
         assert!(!term.is_nan());
     }
+}
+
+/// Energies that were obtained differently: each is divided by its own exp(b), and the errors add up by the
+/// shares, 30 kJ and 20 e^0.5 kJ.
+#[test]
+fn each_crush_energy_has_its_own_error() {
+    let mut collision = rear_end();
+    let crush = |energy: f64| Crush {
+        constant: energy,
+        linear: 0.0,
+        square: 0.0,
+        slope: Number::Exact(1.0),
+        no_damage_speed: Number::Exact(1.0),
+    };
+    collision.vehicles[0].crush = Some(crush(30e3));
+    collision.vehicles[1].crush = Some(crush(20e3));
+    let ees = EnergyError { bias: 0.0, shared_ln_sd: 0.2, own_ln_sd: 0.1 };
+    let class = EnergyError { bias: -0.5, shared_ln_sd: 0.4, own_ln_sd: 0.3 };
+    collision.observed.crush = Some(CrushErrors([ees, class]));
+    let [(Piece::Crush, term)] = terms(&collision)[..] else { panic!() };
+    let right = [30e3, 20e3 * 0.5_f64.exp()];
+    let sum = right[0] + right[1];
+    let [w1, w2] = right.map(|energy| energy / sum);
+    let sd = ((w1 * 0.2 + w2 * 0.4).powi(2) + (w1 * 0.1).powi(2) + (w2 * 0.3).powi(2)).sqrt();
+    close(term, normal((sum / 66_825.0_f64).ln() / sd, sd));
+    assert!((class.factor() - 1.648_721_270_700_128).abs() < 1e-12);
+}
+
+/// Of energies that were obtained alike the bits are those of one bias and one error.
+#[test]
+fn energies_obtained_alike_have_one_error() {
+    let misfit = FITTED.crush_misfit(&[Damage::Front; 2]);
+    let energies = [12_345.6, 7_890.1];
+    let found = CrushErrors::from(misfit).log_likelihood(energies, 30e3);
+    let error = real::elementary::ln((energies[0] + energies[1]) / 30e3) - misfit.bias;
+    let z = error / misfit.ln_sd;
+    assert_eq!(found, -0.5 * z * z - real::elementary::ln(misfit.ln_sd) - 0.918_938_533_204_672_8);
+}
+
+/// A longitudinal ΔV of −6.6 m/s and one of 0: Student's t in arsinh, the density in m/s.
+#[test]
+fn a_longitudinal_part_has_its_sign() {
+    let term = |along: f64| {
+        let mut collision = rear_end();
+        let part = RecordedPart { along, ln_scale: 0.08, least: 0.3, freedom: Freedom::Three };
+        collision.observed.vehicles[0].recorder.longitudinal = Some(part);
+        let [(Piece::RecordedDeltaV(One), term)] = terms(&collision)[..] else { panic!() };
+        term
+    };
+    let a = 0.3_f64.hypot(0.05 * 6.6);
+    for along in [-6.6, -5.0, 0.0, 5.0, 6.6_f64] {
+        let z = ((0.08 * along / a).asinh() - (0.08 * -6.6 / a).asinh()) / 0.08;
+        let density = 2.0 / (PI * 3.0_f64.sqrt() * (1.0 + z * z / 3.0).powi(2) * (0.08 * along).hypot(a));
+        close(term(along), density.ln());
+    }
+    assert!(term(-6.6) > term(6.6) + 8.0);
 }
