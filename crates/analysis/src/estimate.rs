@@ -13,7 +13,7 @@ use ::estimate::{
     Culprit, Doubt, Exclusion, PARTICLES_STEP, Posterior, Selection, Settings, Summary, Verdict, sample,
 };
 use ::uncertainty::{Distribution, Estimate, InvalidDistribution};
-use evidence::{Model, Observed, Piece};
+use evidence::{EnergyMethod, Model, Observed, Piece};
 use inputs::{Case, Unit};
 use pim_core::VehicleId;
 
@@ -51,6 +51,10 @@ pub struct Estimated {
     pub prior: inputs::Prior,
     /// What was observed, each with its error (SI).
     pub observed: Observed,
+    /// How the crush energy of each vehicle was obtained, where it is evidence.
+    pub energies: [Option<EnergyMethod>; 2],
+    /// Whether each vehicle may have stood, where its speed is unknown.
+    pub stood: [Option<Stood>; 2],
     /// The keys of errors that the case does not give.
     pub default_errors: Vec<String>,
     /// The unknown numbers.
@@ -67,6 +71,17 @@ pub struct Estimated {
     pub posterior: Posterior,
     /// The same before the evidence; `None` where that run did not converge.
     pub before: Option<Posterior>,
+}
+
+/// How probable it is that a vehicle stood.
+#[derive(Clone, Copy, Debug)]
+pub struct Stood {
+    /// (–) as assumed, before it is asked which vehicles collide at all.
+    pub assumed: f64,
+    /// (–) of the collisions that are possible before the evidence; `None` where that run did not converge.
+    pub before: Option<Estimate>,
+    /// (–) after it.
+    pub after: Estimate,
 }
 
 /// A number that is unknown.
@@ -95,7 +110,26 @@ pub struct EstimatedOutput {
     pub posterior: Summary,
 }
 
+/// (–) where the interval of 95 % after the evidence is wider than this share of the one before, and the median
+/// has hardly moved, the evidence does not tell the result.
+pub const TOLD_BELOW: f64 = 0.8;
+
 impl EstimatedOutput {
+    /// Whether the evidence tells it: its interval of 95 % is at most [`TOLD_BELOW`] of the one before, or its
+    /// median lies outside of the interval that held half of what was thought of before.
+    #[must_use]
+    pub fn is_told(&self) -> bool {
+        let Some(before) = &self.prior else { return true };
+        let width = |summary: &Summary| {
+            let [.., widest] = &summary.intervals;
+            widest.high.value - widest.low.value
+        };
+        let [half, ..] = &before.intervals;
+        let median = self.posterior.median.value;
+        let has_moved = median < half.low.value || half.high.value < median;
+        !self.varies() || has_moved || width(&self.posterior) <= TOLD_BELOW * width(before)
+    }
+
     /// Whether its draws differ by more than rounding: a known speed, even of an uncertain heading, does not.
     #[must_use]
     pub fn varies(&self) -> bool {
@@ -206,6 +240,7 @@ pub fn estimate(
 ) -> Result<Estimated, Failure> {
     let setup = setup::of(case, plan.prior)?;
     let (observed, default_errors, unused) = (setup.observed.clone(), setup.default_errors, setup.unused);
+    let (assumed, energies) = (setup.stood, setup.energies);
     let model = Model::of(setup.impacts, setup.observed);
     let told = Told::new(&model, case.axes, setup.reference);
     let run = |terms: Selection, particles: usize, report: &mut ::uncertainty::Progress<'_>| {
@@ -248,6 +283,16 @@ pub fn estimate(
     let prior = if is_ended() { None } else { Some(before()?) };
     let prior = prior.filter(|prior| prior.verdict() == Verdict::Converged);
 
+    let speed = |id: VehicleId| told.speed_place(id);
+    let stands = |run: &Posterior, id: VehicleId| {
+        let draws = run.outputs().get(speed(id)?)?;
+        Some(run.draws().mean(|draw| if draws[draw] == 0.0 { 1.0 } else { 0.0 }))
+    };
+    let stood = VehicleId::ALL.map(|id| {
+        let assumed = Some(assumed[id.index()]).filter(|assumed| *assumed > 0.0)?;
+        let before = prior.as_ref().and_then(|prior| stands(prior, id));
+        Some(Stood { assumed, before, after: stands(&posterior, id)? })
+    });
     let outputs = told
         .outputs()
         .iter()
@@ -262,12 +307,20 @@ pub fn estimate(
         .unknown
         .into_iter()
         .enumerate()
-        .map(|(place, unknown)| UnknownNumber {
-            key: unknown.key,
-            unit: unknown.unit,
-            prior: unknown.prior,
-            assumed: unknown.assumed,
-            posterior: posterior.summary(::estimate::Quantity::Value(place)),
+        .map(|(place, unknown)| {
+            // A speed itself, where its value also says whether the vehicle stood.
+            let speed = VehicleId::ALL.into_iter().find(|id| unknown.key == format!("{}.speed", table(*id)));
+            let quantity = match speed.and_then(|id| told.speed_place(id)) {
+                Some(output) => ::estimate::Quantity::Output(output),
+                None => ::estimate::Quantity::Value(place),
+            };
+            UnknownNumber {
+                key: unknown.key,
+                unit: unknown.unit,
+                prior: unknown.moving.unwrap_or(unknown.prior),
+                assumed: unknown.assumed,
+                posterior: posterior.summary(quantity),
+            }
         })
         .collect();
     let judged: Vec<usize> = places(&|piece| !always(piece));
@@ -282,12 +335,16 @@ pub fn estimate(
         let again: Option<&mut pieces::Again<'_>> =
             if plan.pieces && !is_ended() && judged.len() > 1 { Some(&mut again) } else { None };
         let there = pieces::There { posterior: &posterior, before: prior.as_ref() };
-        pieces.push(pieces::found((term, model.pieces()[term]), &told, there, &places(&always), again));
+        let mut found = pieces::found((term, model.pieces()[term]), &told, there, &places(&always), again);
+        found.reversed |= has_other_sign(&found, &observed, &told, &posterior);
+        pieces.push(found);
     }
     let same_twice = pieces::same_twice(model.pieces());
     Ok(Estimated {
         prior: setup.prior,
         observed,
+        energies,
+        stood,
         default_errors,
         unknown,
         outputs,
@@ -299,8 +356,24 @@ pub fn estimate(
     })
 }
 
+/// Whether a recorder's longitudinal ΔV has the sign that no collision of the draws has.
+fn has_other_sign(found: &PieceFound, observed: &Observed, told: &Told<'_>, posterior: &Posterior) -> bool {
+    let Piece::RecordedDeltaV(id) = found.piece else { return false };
+    let Some(part) = observed.vehicles[id.index()].recorder.longitudinal else { return false };
+    let wanted = EstimateOutput::Result(crate::Output::DeltaVLongitudinal { vehicle: id });
+    let place = told.outputs().iter().position(|output| *output == wanted);
+    let median = place.map(|place| posterior.summary(::estimate::Quantity::Output(place)).median.value);
+    median.is_some_and(|median| median * part.along < 0.0)
+}
+
 fn refused(failure: ::estimate::Failure, pieces: &[Piece]) -> Failure {
-    let ::estimate::Failure::Impossible(exclusion) = failure else { return Failure::Estimate(failure) };
+    let exclusion = match failure {
+        ::estimate::Failure::Impossible(exclusion) => exclusion,
+        ::estimate::Failure::NotALikelihood { term, .. } if term < pieces.len() => {
+            return Failure::Unjudged { key: pieces::key(pieces[term]) };
+        }
+        other => return Failure::Estimate(other),
+    };
     let piece = |place: usize| pieces.get(place).copied();
     let (culprits, together) = match exclusion.culprit() {
         Culprit::Term(term) => (vec![piece(term)], false),

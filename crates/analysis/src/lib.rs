@@ -59,7 +59,8 @@ mod warning;
 
 pub use self::estimate::{
     Assumed, EstimateOutput, EstimatePlan, EstimateStage, Estimated, EstimatedOutput, Impossible, PieceFound,
-    SameTwice, UnknownNumber, Unused, UnusedReason, estimate, estimate_evidence, estimate_outputs,
+    SameTwice, Stood, TOLD_BELOW, UnknownNumber, Unused, UnusedReason, estimate, estimate_evidence,
+    estimate_outputs,
 };
 pub use self::evidence::{ByEvidence, EvidenceAnswer, EvidenceMethod, NoEvidence};
 pub use aside::Evident;
@@ -369,6 +370,12 @@ pub enum Failure {
     /// The estimate has no draws.
     #[error(transparent)]
     Estimate(::estimate::Failure),
+    /// The likelihood of a piece of evidence cannot be computed.
+    #[error("the likelihood of `{key}` cannot be computed")]
+    Unjudged {
+        /// The key of the piece.
+        key: String,
+    },
     /// Nothing is uncertain, or the requested samples make no sense.
     #[error(transparent)]
     Ranges(#[from] ::uncertainty::InvalidRequest),

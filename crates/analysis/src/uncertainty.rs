@@ -233,6 +233,7 @@ impl Reason {
             | Failure::Crush(_)
             | Failure::Ranges(_)
             | Failure::Excluded(_)
+            | Failure::Unjudged { .. }
             | Failure::Estimate(_) => Self::Other,
         }
     }

@@ -1447,8 +1447,23 @@ fn any_certain_speed() -> impl Strategy<Value = CertainSpeed> {
 fn any_estimate() -> impl Strategy<Value = GivenEstimate> {
     let median = option::of(any_quantity(Dimension::Speed, Signs::Positive));
     let prior = select(Prior::WORDS.map(|(_, prior)| prior).to_vec());
-    (prior, median, option::of(1e-3..1e3_f64))
-        .prop_map(|(prior, delta_v_median, crush_error)| GivenEstimate { prior, delta_v_median, crush_error })
+    let percent = || option::of(1e-3..1e3_f64);
+    let least = option::of(any_quantity(Dimension::Length, Signs::Positive));
+    let heading = option::of(any_quantity(Dimension::Angle, Signs::Positive));
+    let given = (prior, median, percent(), percent(), percent(), least, heading, option::of(0.0..49.0_f64));
+    given.prop_map(|given| {
+        let (prior, delta_v_median, crush_error, crush_bias, rest_error, least, heading, stood) = given;
+        GivenEstimate {
+            prior,
+            delta_v_median,
+            crush_error,
+            crush_bias,
+            rest_error,
+            rest_least_error: least,
+            rest_heading_error: heading,
+            stood,
+        }
+    })
 }
 
 fn any_vehicle() -> impl Strategy<Value = GivenVehicle> {

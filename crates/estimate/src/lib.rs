@@ -70,6 +70,7 @@
 //! It has no use for derivatives: in hundreds of dimensions, a sampler that has is better. Values have no
 //! names and no units here.
 
+mod circle;
 mod diagnosis;
 mod error;
 mod gaussian;
@@ -87,7 +88,7 @@ pub use diagnosis::{
     POSSIBLE_LIMIT, Quantity, R_HAT_LIMIT, UNMOVED_LIMIT, Verdict,
 };
 pub use error::{CannotReweight, Culprit, Exclusion, Failure};
-pub use model::{Evidence, Function, Hurdle, Independent, Prior, Selection};
+pub use model::{Evidence, Function, Hurdle, Independent, Part, Prior, Selection};
 pub use posterior::{Check, Posterior, sample, sample_quietly};
 pub use reweight::{PARETO_LIMIT, Weights};
 pub use settings::{ISLANDS, LEAST_ISLANDS, MOST_PARTICLES, PARTICLES_STEP, Settings};

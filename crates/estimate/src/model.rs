@@ -81,13 +81,43 @@ pub trait Evidence: Sync {
     /// What is wanted of each draw beside its values. It is called once for the particles at the end, all of
     /// which are possible.
     ///
-    /// `outputs` has a column for each output, which must become finite. `residuals` has one for each piece
-    /// of evidence, NaN at the start, for the normal score of what was observed: the standard normal number z
-    /// for which Φ(z) is the probability that the piece, were it observed anew with these values, would turn
-    /// out below what was observed. For a normal error this is (observed − predicted)/σ. A piece that is no
-    /// measurement, such as a limit, has none.
+    /// `outputs` has a column for each output, which must become finite. `residuals` has one for each of
+    /// [`parts`](Self::parts), NaN at the start, for the normal score of what was observed: the standard
+    /// normal number z for which Φ(z) is the probability that the part, were it observed anew with these
+    /// values, would turn out below what was observed. For a normal error this is (observed − predicted)/σ.
+    /// A piece that is no measurement, such as a limit, has none. Of a part on a circle it is the error
+    /// itself, observed − predicted, to any number of full turns.
     fn describe(&self, values: &[Lanes], outputs: &mut [Lanes], residuals: &mut [Lanes]) {
         let _ = (values, outputs, residuals);
+    }
+
+    /// The numbers of which the pieces of evidence consist, a column of `residuals` for each: one for each
+    /// piece, unless a piece is a vector or an angle.
+    fn parts(&self) -> Vec<Part> {
+        (0..self.terms_count()).map(Part::of).collect()
+    }
+
+    /// The normal score of an error of a part on a circle, which may be greater than half a turn.
+    fn score_on_circle(&self, part: usize, error: f64) -> f64 {
+        let _ = part;
+        error
+    }
+}
+
+/// A number of which a piece of evidence consists.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Part {
+    /// Number of the piece.
+    pub term: usize,
+    /// (units of the error) what makes a full turn; `None` of a number that is on no circle.
+    pub turn: Option<f64>,
+}
+
+impl Part {
+    /// The only one of a piece, on no circle.
+    #[must_use]
+    pub fn of(term: usize) -> Self {
+        Self { term, turn: None }
     }
 }
 

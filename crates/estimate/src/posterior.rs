@@ -7,10 +7,11 @@ use uncertainty::normal::shares;
 use uncertainty::random::{bits, key, unit};
 use uncertainty::{Estimate, LANES, Lanes, Progress, Span, for_each, in_order};
 
+use crate::circle::unrolled;
 use crate::diagnosis::{Diagnosis, Quantity, Verdict, mixing, modes};
 use crate::error::{CannotReweight, Exclusion, Failure};
 use crate::island::{Island, Population, run};
-use crate::model::{Evidence, Prior};
+use crate::model::{Evidence, Part, Prior};
 use crate::reweight::Weights;
 use crate::settings::Settings;
 use crate::summary::{Draws, Summary};
@@ -25,6 +26,9 @@ pub struct Posterior {
     diagnosis: Diagnosis,
     used: Vec<bool>,
     excludes: Vec<bool>,
+    parts: Vec<Part>,
+    /// (units of the errors) of each part on a circle.
+    means: Vec<Option<f64>>,
 }
 
 /// Columns of draws.
@@ -40,10 +44,13 @@ struct Columns {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Check {
     /// (–) probability that the piece, were it observed anew, would turn out below what was observed, by all
-    /// other evidence that is used.
+    /// other evidence that is used; of a piece of several parts, of that which is farthest out.
     pub below: Estimate,
-    /// (–) probability of an observation at least as far out, to either side: 2 min(below, 1 − below).
+    /// (–) probability of an observation at least as far out, to either side: 2 min(below, 1 − below). Of a
+    /// piece of k parts, k times that of the part which is farthest out (Bonferroni), at most 1.
     pub p_value: Estimate,
+    /// (units of the error) observed − predicted in the mean, of a piece that is on a circle.
+    pub mean_on_circle: Option<f64>,
     /// The weights that take the piece out of the draws; none where it is not in them.
     pub weights: Option<Weights>,
 }
@@ -120,7 +127,17 @@ fn combine<P: Prior, E: Evidence>(
     let evidence = Together::of(islands);
     let share = unit(bits(key(settings.seed, &[u64::MAX]), 0));
     let picked = evidence.pick(settings.particles, share);
-    let columns = Columns::gather(&blocks, &picked);
+    let mut columns = Columns::gather(&blocks, &picked);
+    let parts = target.evidence.parts();
+    let mut means = vec![None; parts.len()];
+    for (part, column) in columns.residuals.iter_mut().enumerate() {
+        if let Some(turn) = parts[part].turn {
+            means[part] = Some(unrolled(column, turn));
+            for error in column {
+                *error = target.evidence.score_on_circle(part, *error);
+            }
+        }
+    }
     let mut ranges = Vec::new();
     let mut first = 0;
     for island in 1..=islands.len() {
@@ -172,6 +189,8 @@ fn combine<P: Prior, E: Evidence>(
         diagnosis,
         used: target.used.clone(),
         excludes: excludes.collect(),
+        parts,
+        means,
     })
 }
 
@@ -245,7 +264,7 @@ fn describe<P: Prior, E: Evidence>(
     for block in 0..population.blocks() {
         target.evaluate(population.block(block), &mut evaluation)?;
         let mut outputs = vec![Lanes::ZERO; target.evidence.outputs_count()];
-        let mut residuals = vec![Lanes::splat(f64::NAN); target.used.len()];
+        let mut residuals = vec![Lanes::splat(f64::NAN); target.evidence.parts().len()];
         target.evidence.describe(&evaluation.values, &mut outputs, &mut residuals);
         for (output, column) in outputs.iter().enumerate() {
             if let Some(lane) = column.iter().position(|value| !value.is_finite()) {
@@ -309,7 +328,7 @@ impl Posterior {
         &self.columns.terms
     }
 
-    /// The residual of each piece of evidence, NaN where it has none, a column for each.
+    /// The residual of each part of the evidence, NaN where it has none, a column for each.
     #[must_use]
     pub fn residuals(&self) -> &[Vec<f64>] {
         &self.columns.residuals
@@ -412,8 +431,13 @@ impl Posterior {
     pub fn check(&self, term: usize) -> Result<Check, CannotReweight> {
         let weights = self.without(&[term])?;
         let weights = self.used[term].then_some(weights);
-        let residuals = &self.columns.residuals[term];
-        if residuals.iter().any(|residual| residual.is_nan()) {
+        let parts: Vec<&Vec<f64>> = self
+            .parts
+            .iter()
+            .zip(&self.columns.residuals)
+            .filter_map(|(part, column)| (part.term == term).then_some(column))
+            .collect();
+        if parts.is_empty() || parts.iter().any(|column| column.iter().any(|residual| residual.is_nan())) {
             return Err(CannotReweight::NoResidual { term });
         }
         let draws = weights.as_ref().map_or_else(|| self.draws(), |weights| self.weighted(weights));
@@ -422,14 +446,27 @@ impl Posterior {
             shares(&mut lane);
             lane[0]
         };
-        let below = draws.mean(|draw| share(residuals[draw]));
-        // On its own, since 1 − Φ has no digits left far out.
-        let above = draws.mean(|draw| share(-residuals[draw]));
-        let least = if below.value < above.value { below } else { above };
-        let p_value = Estimate {
-            value: (2.0 * least.value).min(1.0),
-            standard_error: least.standard_error.map(|error| 2.0 * error),
+        let of_part = |residuals: &Vec<f64>| {
+            let below = draws.mean(|draw| share(residuals[draw]));
+            // On its own, since 1 − Φ has no digits left far out.
+            let above = draws.mean(|draw| share(-residuals[draw]));
+            let least = if below.value < above.value { below } else { above };
+            (below, least)
         };
-        Ok(Check { below, p_value, weights })
+        let tails = parts.iter().map(|residuals| of_part(residuals));
+        let farthest = tails.min_by(|(_, a), (_, b)| a.value.total_cmp(&b.value));
+        let Some((below, least)) = farthest else { return Err(CannotReweight::NoResidual { term }) };
+        // p = min(1, 2k min(P(below), P(above)))
+        let times = 2.0 * parts.len() as f64;
+        let p_value = Estimate {
+            value: (times * least.value).min(1.0),
+            standard_error: least.standard_error.map(|error| times * error),
+        };
+        let mean_on_circle = self
+            .parts
+            .iter()
+            .zip(&self.means)
+            .find_map(|(part, mean)| mean.filter(|_| part.term == term && parts.len() == 1));
+        Ok(Check { below, p_value, mean_on_circle, weights })
     }
 }

@@ -104,7 +104,8 @@ impl<'a> Draws<'a> {
     }
 
     /// The mean of a function of the draw.
-    pub(crate) fn mean(&self, of: impl Fn(usize) -> f64) -> Estimate {
+    #[must_use]
+    pub fn mean(&self, of: impl Fn(usize) -> f64) -> Estimate {
         let sums = self.islands.iter().map(|island| {
             island.clone().fold((0.0, 0.0), |(sum, weights), draw| {
                 let weight = self.weight(draw);

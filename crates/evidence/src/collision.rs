@@ -58,7 +58,7 @@ pub struct Observed {
     /// How severe such collisions are; `None` where nothing is assumed of it.
     pub severity: Option<Severity>,
     /// How well crush energy and impact agree; `None` where the crush is no evidence.
-    pub crush: Option<CrushMisfit>,
+    pub crush: Option<CrushErrors>,
 }
 
 /// What was observed of a vehicle.
@@ -70,8 +70,8 @@ pub struct ObservedVehicle {
     pub after: After,
     /// Where it came to rest.
     pub rest: Option<MeasuredRest>,
-    /// (m/s; – of its logarithm) speed where its skid before the impact begins.
-    pub skid_speed: Option<Measured>,
+    /// (m/s) speed where its skid before the impact begins.
+    pub skid_speed: Option<MeasuredSpeed>,
     /// (m) standard deviation of the error of each point that its CG passed, in the order of the points.
     pub points: Vec<f64>,
     /// What its recorder stored.
@@ -115,7 +115,7 @@ pub enum Speeds<N = Number> {
     Together {
         /// (–) ln c, c = |v₁ − v₂| (m/s) the relative speed of the CGs.
         ln_relative: N,
-        /// (rad) φ between 0 and π/2: v₂/v₁ = tan φ.
+        /// (rad) φ between 0 and π/2: v₂/v₁ = tan φ. Below that vehicle 2 stands, above it vehicle 1.
         split: N,
     },
 }
@@ -131,6 +131,17 @@ impl Speeds {
     pub fn any_ln_relative() -> Result<Distribution, InvalidDistribution> {
         let [slowest, fastest] = RELATIVE_SPEED;
         Distribution::uniform(ln(slowest), ln(fastest))
+    }
+
+    /// φ, where nothing is known but how probable (–) it is that each vehicle stood.
+    ///
+    /// # Errors
+    /// Where both stood for certain, or a probability is negative.
+    pub fn split_with_standing(stood: [f64; 2]) -> Result<Distribution, InvalidDistribution> {
+        // P(φ ≤ 0) = p₂, P(φ ≥ π/2) = p₁
+        let moved = 1.0 - stood[0] - stood[1];
+        let [above, below] = stood.map(|stood| FRAC_PI_2 * stood / moved);
+        Distribution::uniform(-below, FRAC_PI_2 + above)
     }
 
     /// φ, of which nothing is known.
@@ -164,7 +175,11 @@ impl Speeds<f64> {
         match self {
             Self::Each(speeds) => speeds,
             Self::Together { ln_relative, split } => {
-                let (sin, cos) = sin_cos(split);
+                let (sin, cos) = match split {
+                    angle if angle <= 0.0 => (0.0, 1.0),
+                    angle if angle >= FRAC_PI_2 => (1.0, 0.0),
+                    angle => sin_cos(angle),
+                };
                 // c = s |cos φ f₁ − sin φ f₂|
                 let apart = forward[0] * cos - forward[1] * sin;
                 let scale = exp(ln_relative) / Real::sqrt(apart.x * apart.x + apart.y * apart.y);
@@ -283,6 +298,31 @@ pub struct CrushMisfit {
     pub ln_sd: f64,
 }
 
+/// How far the crush energy of one vehicle is from its part of what the impact took. It depends on how the
+/// energy was obtained.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct EnergyError {
+    /// (–) b: how much the logarithm of the crush energy is above that of its part on average.
+    pub bias: f64,
+    /// (–) c: standard deviation of the error of the method, which it shares with that of the other vehicle.
+    pub shared_ln_sd: f64,
+    /// (–) o: standard deviation of its own error.
+    pub own_ln_sd: f64,
+}
+
+/// That of both vehicles:
+/// ln(E₁ exp(−b₁) + E₂ exp(−b₂)) = ln(W_n + λ W_t) + error, σ² = (w₁ c₁ + w₂ c₂)² + (w₁ o₁)² + (w₂ o₂)²,
+/// w_i the share of vehicle i in the sum on the left.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct CrushErrors(pub [EnergyError; 2]);
+
+impl From<CrushMisfit> for CrushErrors {
+    /// Of energies that were obtained alike.
+    fn from(CrushMisfit { bias, ln_sd }: CrushMisfit) -> Self {
+        Self([EnergyError { bias, shared_ln_sd: ln_sd, own_ln_sd: 0.0 }; 2])
+    }
+}
+
 /// ln √(ΔV₁ ΔV₂) is normally distributed.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Severity {
@@ -312,11 +352,22 @@ pub struct Measured {
     pub sd: f64,
 }
 
+/// A speed that was measured, with a normal error of which one part grows with the speed.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct MeasuredSpeed {
+    /// (m/s) what was measured.
+    pub value: f64,
+    /// (–) standard deviation of the part that grows: that of the logarithm.
+    pub ln_sd: f64,
+    /// (m/s) standard deviation of the error of a vehicle that stands.
+    pub least: f64,
+}
+
 /// How a vehicle left the impact.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct After {
-    /// (m/s; – of its logarithm) speed of the CG.
-    pub speed: Option<Measured>,
+    /// (m/s) speed of the CG.
+    pub speed: Option<MeasuredSpeed>,
     /// (rad) direction of its velocity in the scene.
     pub direction: Option<Measured>,
     /// (rad/s) yaw rate.
@@ -326,12 +377,15 @@ pub struct After {
 /// What a recorder stored.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Recorder {
-    /// ΔV.
+    /// Size of ΔV.
     pub delta_v: Option<RecordedDeltaV>,
+    /// The part of ΔV along the vehicle with its sign, of a recorder that stored this part alone: in place of
+    /// [`delta_v`](Self::delta_v).
+    pub longitudinal: Option<RecordedPart>,
     /// Where the force came from by both parts of its ΔV.
     pub direction: Option<CodedPdof>,
-    /// (m/s; – of its logarithm) speed before impact.
-    pub speed: Option<Measured>,
+    /// (m/s) speed before impact.
+    pub speed: Option<MeasuredSpeed>,
     /// (rad/s) yaw rate after the impact.
     pub yaw_rate: Option<Measured>,
 }
@@ -345,7 +399,22 @@ pub struct RecordedDeltaV {
     pub is_longitudinal: bool,
     /// (–) scale of the error of the logarithm, Student's t.
     pub ln_scale: f64,
+    /// (m/s) scale of the error of a ΔV of zero; without one, the logarithm alone errs.
+    pub least: f64,
     /// Its degrees of freedom.
+    pub freedom: Freedom,
+}
+
+/// The part of ΔV along a vehicle, with its sign, that a recorder stored.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct RecordedPart {
+    /// (m/s) negative where the vehicle was slowed down.
+    pub along: f64,
+    /// (–) scale of the part of the error that grows with it, Student's t.
+    pub ln_scale: f64,
+    /// (m/s) scale of the error of a part of zero, beside what comes from the part across the vehicle.
+    pub least: f64,
+    /// Degrees of freedom.
     pub freedom: Freedom,
 }
 

@@ -16,6 +16,31 @@ pub(crate) fn normal(x: f64, sd: f64) -> f64 {
     -0.5 * z * z - ln(sd) - LN_ROOT_TAU
 }
 
+/// arsinh x.
+#[inline(always)]
+fn arsinh(x: f64) -> f64 {
+    // arsinh |x| = ln(|x| + √(x² + 1))
+    let size = ln(x.abs() + Real::sqrt(x * x + 1.0));
+    if x < 0.0 { -size } else { size }
+}
+
+/// (–) how far a number that was `observed` is off from one that was `predicted`, of which the error has a
+/// part σ that grows with it (–, of its logarithm) and a part a that it has at zero: both have a standard
+/// deviation of σ in what comes out.
+///
+/// Without a part at zero it is the difference of logarithms.
+#[inline(always)]
+pub(crate) fn relative(observed: f64, predicted: f64, ln_sd: f64, at_zero: f64) -> f64 {
+    if at_zero > 0.0 {
+        // ε = arsinh(σy/a) − arsinh(σx/a), as dε/dy = σ/√(σ²y² + a²)
+        let scale = ln_sd / at_zero;
+        arsinh(scale * observed) - arsinh(scale * predicted)
+    } else {
+        // ε = ln(y/x)
+        ln(observed / predicted)
+    }
+}
+
 /// Degrees of freedom of a Student's t distribution: few, for errors that are now and then far larger than
 /// usual.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -1,16 +1,16 @@
 //! The posterior of a collision: prior, and a term for each piece of evidence.
 
-use estimate::{Evidence, Hurdle, Independent, Prior};
+use estimate::{Evidence, Hurdle, Independent, Part, Prior};
 use pim_core::{Vector2, VehicleId};
-use real::elementary::{atan2, ln, sin_cos};
+use real::elementary::{atan2, exp, ln, sin_cos};
 use real::{Real, principal_angle};
 use uncertainty::{Distribution, LANES, Lanes};
 
 use crate::collision::{
-    BodyNumbers, CodedPdof, Collision, Crush, CrushMisfit, Measured, MeasuredRest, Observed, ObservedVehicle,
-    RecordedDeltaV, Vehicle,
+    BodyNumbers, CodedPdof, Collision, Crush, CrushErrors, EnergyError, Measured, MeasuredRest,
+    MeasuredSpeed, Observed, ObservedVehicle, RecordedDeltaV, RecordedPart, Vehicle,
 };
-use crate::density::{Freedom, normal};
+use crate::density::{Freedom, normal, relative};
 use crate::impact::{Impacted, Impacts};
 use crate::number::{Number, Slot};
 
@@ -179,7 +179,8 @@ impl<I: Impacts> Model<I> {
             pieces.extend(after.yaw_rate.map(|_| Piece::YawRateAfter(id)));
             pieces.extend(rest.map(|_| Piece::Rest(id)));
             pieces.extend((!points.is_empty()).then_some(Piece::Points(id)));
-            pieces.extend(recorder.delta_v.map(|_| Piece::RecordedDeltaV(id)));
+            let has_delta_v = recorder.delta_v.is_some() || recorder.longitudinal.is_some();
+            pieces.extend(has_delta_v.then_some(Piece::RecordedDeltaV(id)));
             pieces.extend(recorder.direction.map(|_| Piece::RecordedDirection(id)));
             pieces.extend(recorder.speed.map(|_| Piece::RecordedSpeed(id)));
             pieces.extend(recorder.yaw_rate.map(|_| Piece::RecordedYawRate(id)));
@@ -196,15 +197,87 @@ impl<I: Impacts> Model<I> {
         &self.pieces
     }
 
-    /// Writes the normal score of each piece, a column for each: NaN for the severity, which is no
-    /// observation, and for points, which are several.
+    /// What each column of [`score`](Self::score) is.
+    #[must_use]
+    pub fn parts(&self) -> Vec<Part> {
+        self.parts_of_pieces().map(|(term, part)| Part { term, turn: part.turn() }).collect()
+    }
+
+    /// The parts of all pieces, with the place of the piece.
+    fn parts_of_pieces(&self) -> impl Iterator<Item = (usize, PartOf)> + '_ {
+        let parts = |(term, piece): (usize, &Piece)| {
+            let parts = match *piece {
+                Piece::Pdof(_) | Piece::DirectionAfter(_) | Piece::RecordedDirection(_) => {
+                    vec![PartOf::Angle(*piece)]
+                }
+                Piece::Rest(id) => {
+                    let turns =
+                        self.observed.vehicles[id.index()].rest.is_some_and(|rest| rest.turns_are_known);
+                    let heading = if turns { PartOf::Heading(id) } else { PartOf::HeadingOnCircle(id) };
+                    vec![PartOf::Number(*piece), PartOf::Across(id), heading]
+                }
+                _ => vec![PartOf::Number(*piece)],
+            };
+            parts.into_iter().map(move |part| (term, part))
+        };
+        self.pieces.iter().enumerate().flat_map(parts)
+    }
+
+    /// Writes the normal score of each part of the pieces, a column for each, and of an angle its error: NaN
+    /// for the severity, which is no observation, and for points, which are several.
     pub fn score(&self, impacts: &[Impacted], residuals: &mut [Lanes]) {
-        for (column, &piece) in residuals.iter_mut().zip(&self.pieces) {
+        for (column, (_, part)) in residuals.iter_mut().zip(self.parts_of_pieces()) {
             for (score, impacted) in column.iter_mut().zip(impacts) {
-                let error = self.error(piece, impacted);
-                *score = if piece == Piece::Severity { f64::NAN } else { error.score() };
+                *score = match part {
+                    PartOf::Number(Piece::Severity) => f64::NAN,
+                    PartOf::Number(piece) => self.error(piece, impacted).score(),
+                    PartOf::Angle(piece) => self.error(piece, impacted).error,
+                    PartOf::Across(id) => {
+                        self.rest_errors(id, impacted).map_or(f64::NAN, |[_, across, _]| across.score())
+                    }
+                    PartOf::Heading(id) => {
+                        self.rest_errors(id, impacted).map_or(f64::NAN, |[.., turned]| turned.score())
+                    }
+                    PartOf::HeadingOnCircle(id) => {
+                        self.rest_errors(id, impacted).map_or(f64::NAN, |[.., turned]| turned.error)
+                    }
+                };
             }
         }
+    }
+
+    /// The normal score of an error (rad) of a part that is an angle.
+    fn score_of_angle(&self, part: usize, error: f64) -> f64 {
+        let of = |vehicle: &ObservedVehicle, part: PartOf| match part {
+            PartOf::Angle(Piece::Pdof(_)) => vehicle.pdof.map(|coded| coded.of(error)),
+            PartOf::Angle(Piece::RecordedDirection(_)) => {
+                vehicle.recorder.direction.map(|shown| shown.of(error))
+            }
+            PartOf::Angle(_) => vehicle.after.direction.map(|measured| Error::normal(error, measured.sd)),
+            _ => vehicle.rest.map(|rest| Error::normal(error, rest.heading_sd)),
+        };
+        let part = self.parts_of_pieces().nth(part).map(|(_, part)| part);
+        part.and_then(|part| of(&self.observed.vehicles[part.vehicle()?.index()], part))
+            .map_or(f64::NAN, Error::score)
+    }
+
+    /// The errors of a rest along the path, across it and of the heading; `None` where the vehicle was not
+    /// followed.
+    #[inline(always)]
+    fn rest_errors(&self, id: VehicleId, impacted: &Impacted) -> Option<[Error; 3]> {
+        let (measured, way) = (self.observed.vehicles[id.index()].rest?, impacted.ways[id.index()].as_ref()?);
+        let MeasuredRest { position, direction, position_sd, heading, turns_are_known, heading_sd } =
+            measured;
+        let apart = position - way.position;
+        let (sin, cos) = sin_cos(direction);
+        let (along, across) = (apart.x * cos + apart.y * sin, apart.y * cos - apart.x * sin);
+        let turned = heading - way.heading;
+        let turned = if turns_are_known { turned } else { principal_angle(turned) };
+        Some([
+            Error::normal(along, position_sd),
+            Error::normal(across, position_sd),
+            Error::normal(turned, heading_sd),
+        ])
     }
 
     /// What the unknown numbers lead to.
@@ -262,7 +335,7 @@ impl<I: Impacts> Model<I> {
                 recorded.map_or(Error::NONE, |shown| shown.error(impacted.outcome.pdof()[id.index()]))
             }
             Piece::SpeedAfter(id) => match vehicle(id).after.speed {
-                Some(Measured { value, sd }) => Error::normal(ln(value / length(after(id).velocity)), sd),
+                Some(measured) => measured.error(length(after(id).velocity)),
                 None => Error::NONE,
             },
             Piece::DirectionAfter(id) => match vehicle(id).after.direction {
@@ -276,40 +349,28 @@ impl<I: Impacts> Model<I> {
                 Some(Measured { value, sd }) => Error::normal(value - after(id).yaw_rate, sd),
                 None => Error::NONE,
             },
-            Piece::RecordedDeltaV(id) => match vehicle(id).recorder.delta_v {
-                Some(recorded) => {
-                    let outcome = &impacted.outcome;
-                    let whole = outcome.delta_v_magnitude()[id.index()];
-                    let along = outcome.delta_v_components()[id.index()][0];
-                    recorded.error(shown_delta_v(whole, along, recorded.is_longitudinal))
+            Piece::RecordedDeltaV(id) => {
+                let outcome = &impacted.outcome;
+                let whole = outcome.delta_v_magnitude()[id.index()];
+                let along = outcome.delta_v_components()[id.index()][0];
+                match (vehicle(id).recorder.delta_v, vehicle(id).recorder.longitudinal) {
+                    (_, Some(part)) => part.error(whole, along),
+                    (Some(recorded), None) => {
+                        recorded.error(shown_delta_v(whole, along, recorded.is_longitudinal))
+                    }
+                    (None, None) => Error::NONE,
                 }
-                None => Error::NONE,
-            },
-            Piece::Rest(id) => match (vehicle(id).rest, &impacted.ways[id.index()]) {
-                (Some(measured), Some(way)) => {
-                    let MeasuredRest {
-                        position,
-                        direction,
-                        position_sd,
-                        heading,
-                        turns_are_known,
-                        heading_sd,
-                    } = measured;
-                    let apart = position - way.position;
-                    let (sin, cos) = sin_cos(direction);
-                    let (along, across) = (apart.x * cos + apart.y * sin, apart.y * cos - apart.x * sin);
-                    let turned = heading - way.heading;
-                    let turned = if turns_are_known { turned } else { principal_angle(turned) };
-                    // The place has two errors, of which the score tells the one along the way.
-                    let other = normal(across, position_sd) + normal(turned, heading_sd);
-                    Error { potential: other, ..Error::normal(along, position_sd) }
+            }
+            Piece::Rest(id) => match (self.rest_errors(id, impacted), vehicle(id).rest) {
+                (Some([along, across, turned]), _) => {
+                    Error { potential: across.log_likelihood() + turned.log_likelihood(), ..along }
                 }
                 // Not followed: the most that it can be.
-                (Some(MeasuredRest { position_sd, heading_sd, .. }), None) => {
+                (None, Some(MeasuredRest { position_sd, heading_sd, .. })) => {
                     let other = normal(0.0, position_sd) + normal(0.0, heading_sd);
                     Error { potential: other, ..Error::normal(0.0, position_sd) }
                 }
-                (None, _) => Error::NONE,
+                (None, None) => Error::NONE,
             },
             Piece::Points(id) => match &impacted.ways[id.index()] {
                 Some(way) => {
@@ -327,14 +388,12 @@ impl<I: Impacts> Model<I> {
                 Some(Measured { value, sd }) => Error::normal(value - after(id).yaw_rate, sd),
                 None => Error::NONE,
             },
-            Piece::RecordedSpeed(id) => match (vehicle(id).recorder.speed, impacted.speeds[id.index()]) {
-                (Some(Measured { value, sd }), speed) if speed > 0.0 => Error::normal(ln(value / speed), sd),
-                // A recorder stores no speed of a vehicle that stands or moves backward.
-                (Some(_), _) => Error { potential: f64::NEG_INFINITY, ..Error::NONE },
-                (None, _) => Error::NONE,
-            },
+            Piece::RecordedSpeed(id) => vehicle(id)
+                .recorder
+                .speed
+                .map_or(Error::NONE, |shown| shown.error(impacted.speeds[id.index()])),
             Piece::SkidSpeed(id) => match (vehicle(id).skid_speed, impacted.skid_speeds[id.index()]) {
-                (Some(Measured { value, sd }), Some(speed)) => Error::normal(ln(value / speed), sd),
+                (Some(measured), Some(speed)) => measured.error(speed),
                 // Without a skid it has no beginning.
                 (Some(_), None) => Error { potential: f64::NEG_INFINITY, ..Error::NONE },
                 (None, _) => Error::NONE,
@@ -344,6 +403,39 @@ impl<I: Impacts> Model<I> {
                 let holds = (limits.least <= speed) & (speed <= limits.most);
                 Error { potential: if holds { 0.0 } else { f64::NEG_INFINITY }, ..Error::NONE }
             }
+        }
+    }
+}
+
+/// A part of a piece of evidence that has a p-value of its own.
+#[derive(Clone, Copy, Debug)]
+enum PartOf {
+    /// The piece itself, and of a rest its place along the path.
+    Number(Piece),
+    /// The piece itself, which is an angle.
+    Angle(Piece),
+    /// The place of a rest across the path.
+    Across(VehicleId),
+    /// The heading of a rest with its full turns.
+    Heading(VehicleId),
+    /// The heading of a rest without them.
+    HeadingOnCircle(VehicleId),
+}
+
+impl PartOf {
+    /// (rad) a full turn of what is on a circle.
+    fn turn(self) -> Option<f64> {
+        matches!(self, Self::Angle(_) | Self::HeadingOnCircle(_)).then_some(core::f64::consts::TAU)
+    }
+
+    /// The vehicle that an angle belongs to.
+    fn vehicle(self) -> Option<VehicleId> {
+        match self {
+            Self::Angle(Piece::Pdof(id) | Piece::DirectionAfter(id) | Piece::RecordedDirection(id))
+            | Self::Across(id)
+            | Self::Heading(id)
+            | Self::HeadingOnCircle(id) => Some(id),
+            Self::Angle(_) | Self::Number(_) => None,
         }
     }
 }
@@ -361,11 +453,22 @@ pub fn shown_delta_v(whole: f64, along: f64, is_longitudinal: bool) -> f64 {
     if is_longitudinal { Real::max(along.abs(), LEAST_SHARE * whole) } else { whole }
 }
 
-impl CrushMisfit {
+impl EnergyError {
+    /// (–) what the energy that crush shows is multiplied by.
+    #[must_use]
+    pub fn factor(&self) -> f64 {
+        exp(-self.bias)
+    }
+}
+
+impl CrushErrors {
     #[inline(always)]
     fn error(&self, [e1, e2]: [f64; 2], taken: f64) -> Error {
-        // ε = ln[(E₁ + E₂)/(W_n + λ W_t)] − b
-        Error::normal(ln((e1 + e2) / taken) - self.bias, self.ln_sd)
+        let Self([one, two]) = *self;
+        let beside = if one.bias == two.bias { e2 } else { e2 * exp(one.bias - two.bias) };
+        let sum = e1 + beside;
+        // ε = ln[(E₁ + E₂ exp(b₁ − b₂))/(W_n + λ W_t)] − b₁
+        Error::normal(ln(sum / taken) - one.bias, Self::ln_sd([one, two], beside / sum))
     }
 
     /// (–) logarithm of the likelihood of crush `energies` (J) where the impulses took `taken` (J).
@@ -374,20 +477,66 @@ impl CrushMisfit {
     pub fn log_likelihood(&self, energies: [f64; 2], taken: f64) -> f64 {
         self.error(energies, taken).log_likelihood()
     }
+
+    /// (–) standard deviation of the error where vehicle 2 has this `share` of the energy.
+    #[inline(always)]
+    fn ln_sd([one, two]: [EnergyError; 2], share: f64) -> f64 {
+        let shared = one.shared_ln_sd + share * (two.shared_ln_sd - one.shared_ln_sd);
+        let (own1, own2) = ((1.0 - share) * one.own_ln_sd, share * two.own_ln_sd);
+        // σ² = (w₁ c₁ + w₂ c₂)² + (w₁ o₁)² + (w₂ o₂)²
+        Real::sqrt(shared * shared + own1 * own1 + own2 * own2)
+    }
 }
 
 impl CodedPdof {
     /// Where the force came from `pdof` (rad).
     #[inline(always)]
     fn error(&self, pdof: f64) -> Error {
-        Error::student(principal_angle(self.pdof - pdof), self.scale, Freedom::Two)
+        self.of(principal_angle(self.pdof - pdof))
+    }
+
+    /// An error (rad) with its distribution.
+    #[inline(always)]
+    fn of(&self, error: f64) -> Error {
+        Error::student(error, self.scale, Freedom::Two)
+    }
+}
+
+impl MeasuredSpeed {
+    /// Of a vehicle that has this `speed` (m/s).
+    #[inline(always)]
+    fn error(&self, speed: f64) -> Error {
+        let Self { value, ln_sd, least } = *self;
+        if least <= 0.0 && speed <= 0.0 {
+            // A vehicle that stands or moves backward has no logarithm of its speed.
+            Error { potential: f64::NEG_INFINITY, ..Error::NONE }
+        } else if ln_sd > 0.0 {
+            Error::normal(relative(value, speed, ln_sd, least), ln_sd)
+        } else {
+            Error::normal(value - speed, least)
+        }
+    }
+}
+
+impl RecordedPart {
+    /// Where the whole ΔV is `whole` (m/s) and its part along the vehicle is `along` (m/s).
+    #[inline(always)]
+    fn error(&self, whole: f64, along: f64) -> Error {
+        let Self { along: stored, ln_scale, least, freedom } = *self;
+        let across = LEAST_SHARE * whole;
+        let at_zero = Real::sqrt(least * least + across * across);
+        let width = Real::sqrt(ln_scale * ln_scale * stored * stored + at_zero * at_zero);
+        // dε/dy = σ/√(σ²y² + a²): a depends on the particle, so that this belongs to the density
+        let potential = ln(ln_scale / width);
+        Error { potential, ..Error::student(relative(stored, along, ln_scale, at_zero), ln_scale, freedom) }
     }
 }
 
 impl RecordedDeltaV {
     #[inline(always)]
     fn error(&self, shown: f64) -> Error {
-        Error::student(ln(self.size / shown), self.ln_scale, self.freedom)
+        let error = relative(self.size, shown, self.ln_scale, self.least);
+        Error::student(error, self.ln_scale, self.freedom)
     }
 
     /// (–) logarithm of its likelihood where a recorder without an error stores `shown` (m/s), as
@@ -490,6 +639,14 @@ impl<I: Impacts> Evidence for Model<I> {
         let Some(impacts) = self.impacts.impacts_as_wanted(values, &mut wanted) else { return false };
         self.judge(&impacts, terms, reasons);
         true
+    }
+
+    fn parts(&self) -> Vec<Part> {
+        Model::parts(self)
+    }
+
+    fn score_on_circle(&self, part: usize, error: f64) -> f64 {
+        self.score_of_angle(part, error)
     }
 
     fn outputs_count(&self) -> usize {

@@ -10,8 +10,8 @@ use std::f64::consts::{FRAC_PI_2, PI};
 use estimate::{Prior, Settings, Verdict, sample_quietly};
 use evidence::Damage::{self, Front, Rear, Side};
 use evidence::{
-    CodedPdof, Collision, Crush, CrushMisfit, FITTED, Freedom, Impacted, Impacts, Measured, Model, Number,
-    Observed, Output, RecordedDeltaV, Restitution, Severity, Speeds,
+    CodedPdof, Collision, Crush, CrushMisfit, FITTED, Freedom, Impacted, Impacts, Measured, MeasuredSpeed,
+    Model, Number, Observed, Output, RecordedDeltaV, Restitution, Severity, Speeds,
 };
 use pim_core::VehicleId::{self, One, Two};
 use uncertainty::random::{bits, key, unit};
@@ -181,7 +181,11 @@ fn front_and_rear() -> Shape {
                 freedom: Freedom::Three,
             });
             let sd = 0.05;
-            recorder.speed = Some(Measured { value: truth.speeds[0] * (sd * random.normal()).exp(), sd });
+            recorder.speed = Some(MeasuredSpeed {
+                value: truth.speeds[0] * (sd * random.normal()).exp(),
+                ln_sd: sd,
+                least: 0.0,
+            });
         },
     }
 }
@@ -201,7 +205,11 @@ fn front_and_front() -> Shape {
                 let speed = velocity.x.hypot(velocity.y);
                 let after = &mut collision.observed.vehicles[id.index()].after;
                 after.direction = direction(truth, id, random);
-                after.speed = Some(Measured { value: speed * (0.12 * random.normal()).exp(), sd: 0.12 });
+                after.speed = Some(MeasuredSpeed {
+                    value: speed * (0.12 * random.normal()).exp(),
+                    ln_sd: 0.12,
+                    least: 0.0,
+                });
             }
             let yaw_rate = truth.outcome.after[1].yaw_rate + 0.5 * random.normal();
             collision.observed.vehicles[1].after.yaw_rate = Some(Measured { value: yaw_rate, sd: 0.5 });
@@ -315,12 +323,12 @@ fn wrong_errors_are_noticed() {
     // Crush that agrees with the impact better than it does.
     let crush = most(&front_and_rear(), |collision| {
         let misfit = collision.observed.crush.unwrap();
-        collision.observed.crush = Some(CrushMisfit { ln_sd: 0.5 * misfit.ln_sd, ..misfit });
+        collision.observed.crush = Some(CrushMisfit { ln_sd: 0.5 * misfit.ln_sd, ..misfit }.into());
     });
     // Crush without its bias.
     let bias = most(&front_and_side(), |collision| {
         let misfit = collision.observed.crush.unwrap();
-        collision.observed.crush = Some(CrushMisfit { bias: 0.0, ..misfit });
+        collision.observed.crush = Some(CrushMisfit { bias: 0.0, ..misfit }.into());
     });
     let found = [crush, bias];
     assert!(found.iter().all(|square| *square > ALL), "{found:?}");

@@ -4,9 +4,10 @@ use std::f64::consts::PI;
 
 use estimate::{Evidence, Independent, Quantity, Settings, sample_quietly};
 use evidence::{
-    After, BodyNumbers, CodedPdof, Collision, Crush, CrushMisfit, Damage, FITTED, Freedom, Impacted, Impacts,
-    Limits, Measured, MeasuredRest, Model, Number, Observed, ObservedVehicle, OtherCrush, Output, Piece,
-    RecordedDeltaV, Recorder, Restitution, Severity, Speeds, Vehicle, Way,
+    After, BodyNumbers, CodedPdof, Collision, Crush, CrushErrors, CrushMisfit, Damage, EnergyError, FITTED,
+    Freedom, Impacted, Impacts, Limits, Measured, MeasuredRest, MeasuredSpeed, Model, Number, Observed,
+    ObservedVehicle, OtherCrush, Output, Piece, RecordedDeltaV, RecordedPart, Recorder, Restitution,
+    Severity, Speeds, Vehicle, Way,
 };
 use pim_core::Vector2;
 use pim_core::VehicleId::{One, Two};
@@ -70,7 +71,7 @@ fn the_crush_energy_is_that_of_the_normal_work() {
     };
     collision.vehicles[0].crush = Some(crush(1.0, 1.0));
     collision.vehicles[1].crush = Some(crush(1.1, 0.9));
-    collision.observed.crush = Some(CrushMisfit { bias: -0.2, ln_sd: 0.4 });
+    collision.observed.crush = Some(CrushMisfit { bias: -0.2, ln_sd: 0.4 }.into());
     let [(Piece::Crush, term)] = terms(&collision)[..] else { panic!() };
     let energy = 45e3 + 8.1e3 + 19.8e3 + 18.15e3;
     close(term, normal(((energy / 66_825.0_f64).ln() + 0.2) / 0.4, 0.4));
@@ -92,7 +93,7 @@ fn the_crush_of_one_vehicle_has_its_share_of_the_energy() {
         let mut collision = rear_end();
         collision.vehicles[known.index()].crush = Some(crush);
         collision.other_crush = Some(OtherCrush { vehicle: other, ratio });
-        collision.observed.crush = Some(CrushMisfit { bias: -0.2, ln_sd: 0.4 });
+        collision.observed.crush = Some(CrushMisfit { bias: -0.2, ln_sd: 0.4 }.into());
         let [(Piece::Crush, term)] = terms(&collision)[..] else { panic!() };
         close(term, normal(((20e3_f64).ln() - 66_825.0_f64.ln() - share.ln() + 0.2) / 0.4, 0.4));
         let model = Model::new(&collision);
@@ -117,7 +118,7 @@ fn the_crush_of_one_vehicle_tells_the_speed() {
     collision.speeds = Speeds::Each([Distribution::uniform(1.0, 60.0).unwrap().into(), 0.0.into()]);
     let ratio = FITTED.other_crush(Damage::Side, Damage::Front).unwrap();
     collision.other_crush = Some(OtherCrush { vehicle: One, ratio: ratio.into() });
-    collision.observed.crush = Some(CrushMisfit { bias: -0.2, ln_sd: 0.4 });
+    collision.observed.crush = Some(CrushMisfit { bias: -0.2, ln_sd: 0.4 }.into());
     let model = Model::new(&collision);
     let posterior = sample_quietly(&model, &model, &Settings::new(256, 1)).unwrap();
     let summary = posterior.summary(Quantity::Output(Output::Speed(One).column()));
@@ -158,7 +159,7 @@ fn the_crush_of_one_vehicle_tells_the_speed() {
 fn a_speed_before_the_skid_has_a_normal_error() {
     let observed = || {
         let mut observed = Observed::default();
-        observed.vehicles[1].skid_speed = Some(Measured { value: 21.0, sd: 0.05 });
+        observed.vehicles[1].skid_speed = Some(MeasuredSpeed { value: 21.0, ln_sd: 0.05, least: 0.0 });
         observed
     };
     for (begins, expected) in
@@ -194,7 +195,7 @@ impl Impacts for Skidded {
 fn velocities_after_the_impact_have_normal_errors() {
     let mut collision = rear_end();
     collision.observed.vehicles[1].after = After {
-        speed: Some(Measured { value: 11.0, sd: 0.12 }),
+        speed: Some(MeasuredSpeed { value: 11.0, ln_sd: 0.12, least: 0.0 }),
         direction: Some(Measured { value: 2.0 * PI - 0.1, sd: 0.14 }),
         yaw_rate: Some(Measured { value: 0.3, sd: 0.2 }),
     };
@@ -210,9 +211,12 @@ fn velocities_after_the_impact_have_normal_errors() {
 fn a_recorder_and_a_pdof_have_heavy_tails() {
     let mut collision = rear_end();
     let (ln_scale, freedom) = (0.16, Freedom::Three);
-    let delta_v = Some(RecordedDeltaV { size: 6.0, is_longitudinal: true, ln_scale, freedom });
-    collision.observed.vehicles[0].recorder =
-        Recorder { delta_v, speed: Some(Measured { value: 16.0, sd: 0.05 }), ..Recorder::default() };
+    let delta_v = Some(RecordedDeltaV { size: 6.0, is_longitudinal: true, ln_scale, least: 0.0, freedom });
+    collision.observed.vehicles[0].recorder = Recorder {
+        delta_v,
+        speed: Some(MeasuredSpeed { value: 16.0, ln_sd: 0.05, least: 0.0 }),
+        ..Recorder::default()
+    };
     collision.observed.vehicles[0].pdof = Some(CodedPdof { pdof: 0.2, scale: 0.1 });
     // The wider of two PDOFs does not count: both are one observation.
     collision.observed.vehicles[1].pdof = Some(CodedPdof { pdof: PI, scale: 0.15 });
@@ -283,7 +287,8 @@ fn restitution_falls_with_the_closing_speed() {
     collision.restitution =
         Restitution::ByClosingSpeed { low: 0.08, rise: 0.32, fade: 5.0, factor, most: 0.7 };
     let e = 0.5 * (0.08 + 0.32 * (-3.0_f64).exp());
-    collision.observed.vehicles[0].after.speed = Some(Measured { value: 9.0 - 6.0 * e, sd: 0.01 });
+    collision.observed.vehicles[0].after.speed =
+        Some(MeasuredSpeed { value: 9.0 - 6.0 * e, ln_sd: 0.01, least: 0.0 });
     // V₁ = (m₁ − e m₂) v/(m₁ + m₂)
     close(terms(&collision)[0].1, normal(0.0, 0.01));
 }
@@ -299,7 +304,8 @@ fn together_the_speeds_have_their_relative_speed_and_split() {
         split: Number::Exact((12.0_f64 / 5.0).atan()),
     };
     for (k, speed) in [(0, 5.0), (1, 12.0)] {
-        collision.observed.vehicles[k].recorder.speed = Some(Measured { value: speed, sd: 0.01 });
+        collision.observed.vehicles[k].recorder.speed =
+            Some(MeasuredSpeed { value: speed, ln_sd: 0.01, least: 0.0 });
     }
     for (_, term) in terms(&collision) {
         close(term, normal(0.0, 0.01));
@@ -415,9 +421,66 @@ fn a_recorder_stores_no_speed_of_a_vehicle_that_moves_backward() {
     for (speed, is_possible) in [(15.0, true), (-3.0, false), (0.0, false)] {
         let mut collision = rear_end();
         collision.speeds = Speeds::Each([speed.into(), (-20.0).into()]);
-        collision.observed.vehicles[0].recorder.speed = Some(Measured { value: 16.0, sd: 0.05 });
+        collision.observed.vehicles[0].recorder.speed =
+            Some(MeasuredSpeed { value: 16.0, ln_sd: 0.05, least: 0.0 });
         let [(Piece::RecordedSpeed(One), term)] = terms(&collision)[..] else { panic!() };
         assert_eq!(term > f64::NEG_INFINITY, is_possible, "{speed} {term}");
         assert!(!term.is_nan());
     }
+}
+
+/// Energies that were obtained differently: each is divided by its own exp(b), and the errors add up by the
+/// shares, 30 kJ and 20 e^0.5 kJ.
+#[test]
+fn each_crush_energy_has_its_own_error() {
+    let mut collision = rear_end();
+    let crush = |energy: f64| Crush {
+        constant: energy,
+        linear: 0.0,
+        square: 0.0,
+        slope: Number::Exact(1.0),
+        no_damage_speed: Number::Exact(1.0),
+    };
+    collision.vehicles[0].crush = Some(crush(30e3));
+    collision.vehicles[1].crush = Some(crush(20e3));
+    let ees = EnergyError { bias: 0.0, shared_ln_sd: 0.2, own_ln_sd: 0.1 };
+    let class = EnergyError { bias: -0.5, shared_ln_sd: 0.4, own_ln_sd: 0.3 };
+    collision.observed.crush = Some(CrushErrors([ees, class]));
+    let [(Piece::Crush, term)] = terms(&collision)[..] else { panic!() };
+    let right = [30e3, 20e3 * 0.5_f64.exp()];
+    let sum = right[0] + right[1];
+    let [w1, w2] = right.map(|energy| energy / sum);
+    let sd = ((w1 * 0.2 + w2 * 0.4).powi(2) + (w1 * 0.1).powi(2) + (w2 * 0.3).powi(2)).sqrt();
+    close(term, normal((sum / 66_825.0_f64).ln() / sd, sd));
+    assert!((class.factor() - 1.648_721_270_700_128).abs() < 1e-12);
+}
+
+/// Of energies that were obtained alike the bits are those of one bias and one error.
+#[test]
+fn energies_obtained_alike_have_one_error() {
+    let misfit = FITTED.crush_misfit(&[Damage::Front; 2]);
+    let energies = [12_345.6, 7_890.1];
+    let found = CrushErrors::from(misfit).log_likelihood(energies, 30e3);
+    let error = real::elementary::ln((energies[0] + energies[1]) / 30e3) - misfit.bias;
+    let z = error / misfit.ln_sd;
+    assert_eq!(found, -0.5 * z * z - real::elementary::ln(misfit.ln_sd) - 0.918_938_533_204_672_8);
+}
+
+/// A longitudinal ΔV of −6.6 m/s and one of 0: Student's t in arsinh, the density in m/s.
+#[test]
+fn a_longitudinal_part_has_its_sign() {
+    let term = |along: f64| {
+        let mut collision = rear_end();
+        let part = RecordedPart { along, ln_scale: 0.08, least: 0.3, freedom: Freedom::Three };
+        collision.observed.vehicles[0].recorder.longitudinal = Some(part);
+        let [(Piece::RecordedDeltaV(One), term)] = terms(&collision)[..] else { panic!() };
+        term
+    };
+    let a = 0.3_f64.hypot(0.05 * 6.6);
+    for along in [-6.6, -5.0, 0.0, 5.0, 6.6_f64] {
+        let z = ((0.08 * along / a).asinh() - (0.08 * -6.6 / a).asinh()) / 0.08;
+        let density = 2.0 / (PI * 3.0_f64.sqrt() * (1.0 + z * z / 3.0).powi(2) * (0.08 * along).hypot(a));
+        close(term(along), density.ln());
+    }
+    assert!(term(-6.6) > term(6.6) + 8.0);
 }

@@ -1,7 +1,7 @@
 //! Draws against a grid over the unknown numbers.
 
 use estimate::{Quantity, Settings, sample_quietly};
-use evidence::{CodedPdof, Crush, CrushMisfit, Measured, Model, Number, Output, Speeds};
+use evidence::{CodedPdof, Crush, CrushMisfit, Measured, MeasuredSpeed, Model, Number, Output, Speeds};
 use pim_core::VehicleId::{One, Two};
 use uncertainty::Distribution;
 
@@ -36,8 +36,8 @@ fn both_speeds_are_those_of_a_grid() {
     };
     collision.vehicles[0].crush = Some(crush(30e3));
     collision.vehicles[1].crush = Some(crush(40e3));
-    collision.observed.crush = Some(CrushMisfit { bias: 0.1, ln_sd: 0.3 });
-    collision.observed.vehicles[1].after.speed = Some(Measured { value: 11.0, sd: 0.1 });
+    collision.observed.crush = Some(CrushMisfit { bias: 0.1, ln_sd: 0.3 }.into());
+    collision.observed.vehicles[1].after.speed = Some(MeasuredSpeed { value: 11.0, ln_sd: 0.1, least: 0.0 });
 
     let mut marginals: [Vec<(f64, f64)>; 2] = [Vec::new(), Vec::new()];
     let steps = 600;

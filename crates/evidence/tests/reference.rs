@@ -5,8 +5,8 @@ use std::f64::consts::{FRAC_PI_2, PI};
 
 use estimate::{Prior, Quantity, Settings, Summary, sample_quietly};
 use evidence::{
-    CodedPdof, Collision, Crush, CrushMisfit, FITTED, Limits, Measured, Model, Number, Observed, Output,
-    RecordedDeltaV, Restitution, Severity, Speeds,
+    CodedPdof, Collision, Crush, CrushMisfit, FITTED, Limits, Measured, MeasuredSpeed, Model, Number,
+    Observed, Output, RecordedDeltaV, Restitution, Severity, Speeds,
 };
 use pim_core::VehicleId::{One, Two};
 use serde_json::Value;
@@ -112,7 +112,7 @@ fn fronts() -> Collision {
     collision.observed.severity = Some(severity);
     for (vehicle, speed, direction) in [(0, 4.4, -2.35), (1, 2.6, 2.95)] {
         let after = &mut collision.observed.vehicles[vehicle].after;
-        after.speed = Some(Measured { value: speed, sd: 0.12 });
+        after.speed = Some(MeasuredSpeed { value: speed, ln_sd: 0.12, least: 0.0 });
         after.direction = Some(Measured { value: direction, sd: 8.0 * DEGREE });
     }
     collision
@@ -122,10 +122,10 @@ fn recorder() -> Collision {
     let mut collision = crossing();
     let stored = |size: f64, is_longitudinal: bool| {
         let (ln_scale, freedom) = (0.155, FITTED.recorder_freedom);
-        Some(RecordedDeltaV { size, is_longitudinal, ln_scale, freedom })
+        Some(RecordedDeltaV { size, is_longitudinal, ln_scale, least: 0.0, freedom })
     };
     let [one, two] = &mut collision.observed.vehicles;
-    one.recorder.speed = Some(Measured { value: 13.0, sd: 0.05 });
+    one.recorder.speed = Some(MeasuredSpeed { value: 13.0, ln_sd: 0.05, least: 0.0 });
     one.recorder.delta_v = stored(6.0, false);
     two.recorder.delta_v = stored(4.0, true);
     collision
@@ -161,7 +161,7 @@ fn wall() -> Collision {
 fn two_modes() -> Collision {
     let mut collision = crossing();
     collision.observed.severity = None;
-    collision.observed.crush = Some(CrushMisfit { bias: 0.0, ln_sd: 0.2 });
+    collision.observed.crush = Some(CrushMisfit { bias: 0.0, ln_sd: 0.2 }.into());
     collision.speeds = Speeds::Each([normal(6.0, 0.5), normal(0.0, 9.0)]);
     (collision.friction, collision.tangential_share) = (1.5.into(), 0.9.into());
     collision.restitution = Restitution::Constant(0.1.into());

@@ -5,6 +5,7 @@ use std::f64::consts::PI;
 use evidence::{Damage, Fitted};
 use pim_core::VehicleId;
 use real::Real;
+use real::elementary::exp;
 
 use crate::collision::{Layout, TO_FRONT};
 use crate::pair::{Pair, Plane};
@@ -112,6 +113,8 @@ impl Pair {
             String::new(),
             "[estimate]".to_owned(),
             format!("crush_error = \"{:.1} %\"", 100.0 * fitted.crush_misfit(&layout.damages).ln_sd),
+            format!("crush_bias = \"{:.1} %\"", 100.0 * exp(fitted.crush_misfit(&layout.damages).bias)),
+            "stood = \"0 %\"".to_owned(),
             String::new(),
         ]);
         lines.join("\n")

@@ -201,6 +201,7 @@ impl Pair {
                         size: truth.delta_v,
                         is_longitudinal: truth.is_longitudinal,
                         ln_scale: fitted.recorder_ln_scale,
+                        least: 0.0,
                         freedom: fitted.recorder_freedom,
                     }),
                     direction: recorded
@@ -225,7 +226,7 @@ impl Pair {
             observed: Observed {
                 vehicles: VehicleId::ALL.map(observed),
                 severity: Some(fitted.severity_of(&layout.damages)),
-                crush: Some(fitted.crush_misfit(&layout.damages)),
+                crush: Some(fitted.crush_misfit(&layout.damages).into()),
             },
         })
     }

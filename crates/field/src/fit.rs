@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use estimate::{Settings, sample_quietly};
-use evidence::{Collision, CrushMisfit, Fitted, Impacts, Model, shown_delta_v};
+use evidence::{Collision, CrushErrors, Fitted, Impacts, Model, shown_delta_v};
 use nalgebra::{SMatrix, SVector};
 use pim_core::VehicleId;
 use real::Real;
@@ -245,7 +245,7 @@ impl Draw {
             let factors = [exp(slope_ln_sd * self.slopes[i]), self.no_damage_speeds[i]];
             collision.vehicles[i].crush.map_or(0.0, |crush| crush.energy(factors))
         };
-        let misfit = |misfit: CrushMisfit| misfit.log_likelihood([energy(0), energy(1)], self.taken);
+        let misfit = |errors: CrushErrors| errors.log_likelihood([energy(0), energy(1)], self.taken);
         collision.observed.crush.map_or(0.0, misfit)
     }
 }

@@ -46,8 +46,19 @@ pub struct GivenEstimate {
     /// (m/s) median of √(ΔV₁ ΔV₂) before the evidence, in place of that of the field.
     pub delta_v_median: Option<Quantity>,
     /// (%) standard deviation of the error of crush energies against what the impact took, in place of that
-    /// of the field.
+    /// of the way in which each was obtained.
     pub crush_error: Option<f64>,
+    /// (%) what crush shows on average of the energy that the impact took, in place of that of the way in
+    /// which it was obtained.
+    pub crush_bias: Option<f64>,
+    /// (%) part of the error of a computed rest position that grows with the path, of the path.
+    pub rest_error: Option<f64>,
+    /// (m) part of it that a short path has, too.
+    pub rest_least_error: Option<Quantity>,
+    /// (rad) error of a computed heading at rest.
+    pub rest_heading_error: Option<Quantity>,
+    /// (%) probability, before the evidence, that a vehicle stood whose speed is unknown.
+    pub stood: Option<f64>,
 }
 
 /// How severe a collision may have been, before the evidence.
@@ -107,6 +118,11 @@ impl<U> Walk<'_, U> {
         self.choice(&"estimate.prior", &Prior::WORDS, estimate.prior);
         self.exact_if(&"estimate.delta_v_median", estimate.delta_v_median.as_ref());
         self.percent_if(&"estimate.crush_error", estimate.crush_error);
+        self.percent_if(&"estimate.crush_bias", estimate.crush_bias);
+        self.percent_if(&"estimate.rest_error", estimate.rest_error);
+        self.exact_if(&"estimate.rest_least_error", estimate.rest_least_error.as_ref());
+        self.exact_if(&"estimate.rest_heading_error", estimate.rest_heading_error.as_ref());
+        self.percent_if(&"estimate.stood", estimate.stood);
         *estimate
     }
 }

@@ -5,7 +5,7 @@ mod question;
 
 use ::estimate::{Doubt, LEVELS, Quantity, Summary};
 use analysis::{Assumed, EstimateOutput, EstimatePlan, Estimated, PieceFound, UnknownNumber, UnusedReason};
-use evidence::{Observed, Piece};
+use evidence::{CrushErrors, EnergyError, EnergyMethod, MeasuredSpeed, Observed, Piece};
 use pim_core::VehicleId;
 
 use crate::outputs::{output_name, printed};
@@ -45,10 +45,16 @@ pub(crate) fn ends(summary: &Summary, place: usize) -> [f64; 2] {
     [interval.low.value, interval.high.value]
 }
 
-/// (–) below this p-value a piece of evidence is worth a look.
+/// (–) probability that any of the pieces is warned of, where all are right: the least p-value has to be below
+/// its share of it (Holm).
 pub(crate) const DOUBTFUL: f64 = 0.05;
-/// (–) below this it contradicts the rest.
+/// (–) of those that are warned of, one with a p-value below this contradicts the rest.
 pub(crate) const CONTRADICTS: f64 = 0.01;
+
+#[expect(clippy::cast_precision_loss, reason = "a number of pieces")]
+fn times(count: usize) -> f64 {
+    count as f64
+}
 
 /// What all other evidence makes of a piece.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -59,13 +65,29 @@ pub(crate) enum Agreement {
 }
 
 impl Agreement {
-    pub(crate) fn of(piece: &PieceFound) -> Option<Self> {
-        let p = piece.p_value?.value;
-        Some(match p {
-            p if p < CONTRADICTS => Self::Contradicts,
-            p if p < DOUBTFUL => Self::Doubtful,
-            _ => Self::Agrees,
-        })
+    /// Of each piece, with its p-value times as many as are no less than it (S. Holm, Scandinavian Journal of
+    /// Statistics 6, 1979), at most 1; `None` where it has none.
+    pub(crate) fn of_all(pieces: &[PieceFound]) -> Vec<Option<(Self, f64)>> {
+        let mut order: Vec<(usize, f64)> = pieces
+            .iter()
+            .enumerate()
+            .filter_map(|(place, piece)| Some((place, piece.p_value?.value)))
+            .collect();
+        order.sort_by(|a, b| a.1.total_cmp(&b.1));
+        let mut found = vec![None; pieces.len()];
+        let mut greatest: f64 = 0.0;
+        let count = order.len();
+        for (rank, (place, p)) in order.into_iter().enumerate() {
+            // p′ = max over those before of (m − k) p
+            greatest = greatest.max((p * times(count - rank)).min(1.0));
+            let agreement = match greatest {
+                adjusted if adjusted >= DOUBTFUL => Self::Agrees,
+                _ if p < CONTRADICTS => Self::Contradicts,
+                _ => Self::Doubtful,
+            };
+            found[place] = Some((agreement, greatest));
+        }
+        found
     }
 
     pub(crate) fn name(self) -> &'static str {
@@ -109,7 +131,7 @@ pub(crate) fn label(output: EstimateOutput, units: Units) -> String {
 
 /// Whether the unknown number is a factor on what its key names.
 pub(crate) fn is_factor(unknown: &UnknownNumber) -> bool {
-    matches!(unknown.assumed, Some(Assumed::Ground | Assumed::Drag | Assumed::Restitution))
+    matches!(unknown.assumed, Some(Assumed::Ground | Assumed::Drag))
 }
 
 /// The key of an unknown number in data.
@@ -149,25 +171,30 @@ pub(crate) fn error(piece: Piece, observed: &Observed, units: Units) -> Option<S
     let angle = |si: f64| units.format(Measure::Angle, si);
     let rate = |si: f64| units.format(Measure::YawRateDegrees, si);
     let length = |si: f64| units.format(Measure::Length, si);
+    // A speed of zero errs, too.
+    let at_zero = |least: f64| match least {
+        least if least > 0.0 => format!(", and {} at zero", units.format(Measure::RoadSpeed, least)),
+        _ => String::new(),
+    };
+    let speed = |measured: &MeasuredSpeed| match measured.ln_sd {
+        ln_sd if ln_sd > 0.0 => format!("std. dev. {}{}", percent(ln_sd), at_zero(measured.least)),
+        _ => format!("std. dev. {}", units.format(Measure::RoadSpeed, measured.least)),
+    };
     Some(match piece {
         Piece::Severity | Piece::Limits(_) => return None,
-        Piece::Crush => {
-            let crush = observed.crush?;
-            format!(
-                "std. dev. {} of ln, after a bias of {}",
-                significant(crush.ln_sd, 2),
-                significant(crush.bias, 2)
-            )
-        }
+        Piece::Crush => crush_error(&observed.crush?),
         Piece::Pdof(id) => {
             format!("scale {}, Student's t with 2 degrees of freedom", angle(of(id).pdof?.scale))
         }
-        Piece::SpeedAfter(id) => format!("std. dev. {}", percent(of(id).after.speed?.sd)),
+        Piece::SpeedAfter(id) => speed(&of(id).after.speed?),
         Piece::DirectionAfter(id) => format!("std. dev. {}", angle(of(id).after.direction?.sd)),
         Piece::YawRateAfter(id) => format!("std. dev. {}", rate(of(id).after.yaw_rate?.sd)),
         Piece::RecordedDeltaV(id) => {
-            let scale = of(id).recorder.delta_v?.ln_scale;
-            format!("scale {}, Student's t with 3 degrees of freedom", percent(scale))
+            let recorder = &of(id).recorder;
+            let whole = recorder.delta_v.map(|delta_v| (delta_v.ln_scale, delta_v.least));
+            let part = recorder.longitudinal.map(|part| (part.ln_scale, part.least));
+            let (scale, least) = whole.or(part)?;
+            format!("scale {}{}, Student's t with 3 degrees of freedom", percent(scale), at_zero(least))
         }
         Piece::RecordedDirection(id) => {
             let scale = of(id).recorder.direction?.scale;
@@ -176,7 +203,8 @@ pub(crate) fn error(piece: Piece, observed: &Observed, units: Units) -> Option<S
         Piece::Rest(id) => {
             let rest = of(id).rest?;
             format!(
-                "std. dev. {} each way, heading {}; of that, 10 % of the way and 0.5 m for the simulation",
+                "std. dev. {} each way, heading {}: the errors of the computed path (`rest_error`, \
+                 `rest_least_error`, `rest_heading_error` of [estimate]) and the range of the case",
                 length(rest.position_sd),
                 angle(rest.heading_sd)
             )
@@ -185,17 +213,81 @@ pub(crate) fn error(piece: Piece, observed: &Observed, units: Units) -> Option<S
             let greatest = of(id).points.iter().copied().fold(0.0, f64::max);
             format!("std. dev. up to {}", length(greatest))
         }
-        Piece::RecordedSpeed(id) => format!("std. dev. {}", percent(of(id).recorder.speed?.sd)),
+        Piece::RecordedSpeed(id) => speed(&of(id).recorder.speed?),
         Piece::RecordedYawRate(id) => format!("std. dev. {}", rate(of(id).recorder.yaw_rate?.sd)),
-        Piece::SkidSpeed(id) => format!("std. dev. {}", percent(of(id).skid_speed?.sd)),
+        Piece::SkidSpeed(id) => speed(&of(id).skid_speed?),
     })
+}
+
+/// How far crush energies may be off, and what they are multiplied by before.
+fn crush_error(CrushErrors([one, two]): &CrushErrors) -> String {
+    let of = |error: &EnergyError| {
+        let own = match error.own_ln_sd {
+            own if own > 0.0 => format!(" for both and {} of its own", significant(own, 2)),
+            _ => String::new(),
+        };
+        format!(
+            "std. dev. {}{own} of ln, after × {}",
+            significant(error.shared_ln_sd, 2),
+            significant(error.factor(), 3)
+        )
+    };
+    if one == two { of(one) } else { format!("vehicle 1: {}; vehicle 2: {}", of(one), of(two)) }
+}
+
+/// What is done with the energy that crush shows, for each way in which it was obtained, and why.
+pub(crate) fn crush_words(estimated: &Estimated) -> Vec<String> {
+    let Some(CrushErrors(errors)) = estimated.observed.crush else { return Vec::new() };
+    let is_default = |key: &str| estimated.default_errors.iter().any(|defaulted| defaulted == key);
+    let mut words: Vec<String> = Vec::new();
+    for id in VehicleId::ALL {
+        let Some(method) = estimated.energies[id.index()] else { continue };
+        let error = &errors[id.index()];
+        let bias = error.bias;
+        let shown = significant(100.0 / error.factor(), 2);
+        let times = significant(error.factor(), 3);
+        let energies = match method {
+            EnergyMethod::Class => "Energies from class stiffness",
+            EnergyMethod::Coefficients => "Energies from the stiffness that the case gives",
+            EnergyMethod::Test => "Energies from a barrier test of the car",
+            EnergyMethod::Ees => "Energies from an EES",
+        };
+        let bias_words = match (is_default("estimate.crush_bias"), bias == 0.0) {
+            (true, false) => format!(
+                "{energies} were on average {shown} % of what recorders show; they are multiplied by {times} \
+                 (docs/calibration.md; `crush_bias` changes it)."
+            ),
+            (true, true) => format!("{energies} are taken as right on average."),
+            (false, _) => format!(
+                "{energies} are on average {shown} % of what the impact took, by `crush_bias` of the case; they are \
+                 multiplied by {times}."
+            ),
+        };
+        let error_words = match (is_default("estimate.crush_error"), method) {
+            (false, _) => "Their error is `crush_error` of the case.",
+            (true, EnergyMethod::Class) => "Their error is that of crashes with recorders.",
+            (true, EnergyMethod::Coefficients) => {
+                "Their error is what is left in the field where the stiffness of the car is apart and, where the \
+                 case gives no range of it, that of the stiffness (RICSAC)."
+            }
+            (true, EnergyMethod::Test) => "Their error is that of CRASH3 on car-to-car tests (Lenard 2000).",
+            (true, EnergyMethod::Ees) => {
+                "Their error is chosen: 10 % of the speed for the method and, without a range, for each vehicle."
+            }
+        };
+        let sentence = format!("{bias_words} {error_words}");
+        if !words.contains(&sentence) {
+            words.push(sentence);
+        }
+    }
+    words
 }
 
 /// The key of the case that gives the error of a piece; `None` where the case cannot.
 pub(crate) fn error_key(piece: &PieceFound) -> Option<String> {
     Some(match piece.piece {
-        // The simulation errs more than the survey.
-        Piece::Severity | Piece::Limits(_) | Piece::Rest(_) | Piece::Points(_) => return None,
+        Piece::Severity | Piece::Limits(_) => return None,
+        Piece::Rest(_) | Piece::Points(_) => "estimate.rest_error".to_owned(),
         Piece::Crush => "estimate.crush_error".to_owned(),
         Piece::RecordedDeltaV(_) | Piece::RecordedSpeed(_) | Piece::RecordedYawRate(_) => {
             format!("{}_error", piece.key)
@@ -209,16 +301,20 @@ pub(crate) fn error_key(piece: &PieceFound) -> Option<String> {
 pub(crate) fn unused(reason: UnusedReason, key: &str) -> [String; 2] {
     let vehicle = key.split('.').next().unwrap_or_default();
     let [why, instead] = match reason {
-        UnusedReason::NoRange => [
-            "a coefficient without a range is not known exactly; what such collisions have is assumed",
-            "a range of it, such as { low = 0.05, high = 0.3 }",
-        ],
         UnusedReason::Sought => {
             ["`find` of [reconstruct] seeks this speed", "leave [reconstruct] out if the speed is known"]
         }
         UnusedReason::Inferred => [
             "it was not measured but follows from the other vehicle's force",
             "its own depths, or leave it out",
+        ],
+        UnusedReason::NoEnergy => [
+            "the crush of both vehicles took no energy, and zero tells no speed",
+            "depths or an EES above zero; crush = \"none\" where there is no damage",
+        ],
+        UnusedReason::NoDirection => [
+            "a vehicle that stood after the impact left in no direction",
+            "a speed above zero, or leave it out",
         ],
         UnusedReason::OtherPdof => [
             "both PDOFs are one observation, and that of the smaller error counts",
@@ -243,7 +339,10 @@ pub(crate) fn source(unknown: &UnknownNumber, assumed: Assumed) -> &'static str 
         Assumed::Estimate if unknown.key.contains("stiffness") => BARRIER_TESTS,
         Assumed::Estimate => "as `deltav uncertainty` varies it",
         Assumed::Speed => "any speed, before what is said of the severity; chosen",
-        Assumed::Restitution => "Brach, Smith and Tsongas, Rose, SAE 931842; the shape is chosen",
+        Assumed::Coefficient if unknown.key == "impact.restitution" => {
+            "about the value of the case; spread: Brach, Smith and Tsongas, Rose"
+        }
+        Assumed::Coefficient => "about the value of the case; spread chosen",
         Assumed::Friction => "chosen",
         Assumed::TangentialShare => "RICSAC (theory 6)",
         Assumed::OtherCrush => "329 crashes of 2017 (CISS); docs/calibration.md",

@@ -19,6 +19,10 @@ pub fn no_answer(failure: &Failure, units: Units) -> String {
         Failure::Case(_) | Failure::Ranges(_) => failure.to_string(),
         Failure::Excluded(impossible) => excluded(impossible),
         Failure::Estimate(refusal) => of_estimate(refusal),
+        Failure::Unjudged { key } => format!(
+            "no likelihood of `{key}` can be computed for the collisions that the case allows: write its value \
+             with a range, such as {{ value = …, sd = … }}, or leave it out"
+        ),
         Failure::Impact(refusal) => of_impact(refusal, units),
         Failure::Crush(refusal) => of_crush(refusal, units),
         Failure::Reconcile(refusal) => of_reconciliation(refusal, units),
@@ -84,10 +88,11 @@ fn of_estimate(refusal: &NoDraws) -> String {
                 .to_owned()
         }
         NoDraws::Ended { .. } => "the run was ended before it had an answer".to_owned(),
-        NoDraws::NotALikelihood { .. } | NoDraws::NotFinite { .. } => format!(
-            "a number of the case leads to a collision that cannot be computed: {refusal}; check the units and \
-             the ranges"
-        ),
+        NoDraws::NotALikelihood { .. } | NoDraws::NotFinite { .. } => {
+            "a number of the case leads to a collision that cannot be computed; check the units, and make the \
+             widest ranges narrower"
+                .to_owned()
+        }
         // Of the settings.
         _ => refusal.to_string(),
     }

@@ -18,8 +18,8 @@
 
 use estimate::{Posterior, Quantity, Settings, Verdict, sample_quietly};
 use evidence::{
-    After, BodyNumbers, Collision, Crush, Damage, FITTED, Fitted, Measured, Model, Number, Observed,
-    ObservedVehicle, Output, Speeds, Vehicle,
+    After, BodyNumbers, Collision, Crush, Damage, FITTED, Fitted, Measured, MeasuredSpeed, Model, Number,
+    Observed, ObservedVehicle, Output, Speeds, Vehicle,
 };
 use pim_core::{Motion, VehicleId};
 use real::Real;
@@ -329,7 +329,7 @@ impl Subject {
         let observed = |i: usize| {
             let (speed, direction) = length_and_direction(self.after[i].velocity);
             let after = After {
-                speed: Some(Measured { value: speed, sd: speed_ln_sd }),
+                speed: Some(MeasuredSpeed { value: speed, ln_sd: speed_ln_sd, least: 0.0 }),
                 direction: Some(Measured { value: direction, sd: direction_sd }),
                 yaw_rate: yaw_rate_sd.map(|sd| Measured { value: self.after[i].yaw_rate, sd }),
             };
@@ -355,7 +355,7 @@ impl Subject {
             observed: Observed {
                 vehicles: [observed(0), observed(1)],
                 severity: Some(fitted.severity_of(&self.hit)),
-                crush: Some(fitted.crush_misfit(&self.hit)),
+                crush: Some(fitted.crush_misfit(&self.hit).into()),
             },
         })
     }

@@ -81,7 +81,7 @@ impl Block {
             let is_sought = match speeds {
                 OpenSpeeds::None => false,
                 OpenSpeeds::One(open, _) => open == id,
-                OpenSpeeds::Both(_) => true,
+                OpenSpeeds::Each(_) | OpenSpeeds::Together(_) => true,
             };
             let (yaw_factor, moved) = (departures.yaw_radius[id.index()], departures.contact[id.index()]);
             let mover = Mover::new(given, yaw_factor, moved, is_sought).ok()?;
@@ -134,24 +134,25 @@ impl Block {
         two.mover.fill(self.axes, values, v2);
         let mut crush_plane = Lanes::ZERO;
         lateral(self.axes, &self.crush_plane, values, &mut crush_plane);
-        let column = |place: usize| values.get(place).copied().unwrap_or(Lanes::splat(f64::NAN));
-        let speeds = match speeds {
-            OpenSpeeds::None => [None, None],
-            OpenSpeeds::One(VehicleId::One, place) => [Some(column(place)), None],
-            OpenSpeeds::One(VehicleId::Two, place) => [None, Some(column(place))],
-            OpenSpeeds::Both(speeds) => {
-                let mut along = [Lanes::ZERO; 2];
-                for lane in 0..LANES {
-                    let forward = vehicles.each_ref().map(|vehicle| {
-                        let (sin, cos) = sin_cos(vehicle.heading[lane]);
-                        Vector2::new(cos, sin)
-                    });
-                    let of = |place: usize| values.get(place).map_or(f64::NAN, |column| column[lane]);
-                    [along[0][lane], along[1][lane]] = speeds.map(of).along(forward);
+        let mut along = [Lanes::ZERO; 2];
+        let mut is_open = [false; 2];
+        for lane in 0..LANES {
+            let of = |place: usize| values.get(place).map_or(f64::NAN, |column| column[lane]);
+            let found = speeds.along(of, || {
+                vehicles.each_ref().map(|vehicle| {
+                    let (sin, cos) = sin_cos(vehicle.heading[lane]);
+                    Vector2::new(cos, sin)
+                })
+            });
+            for ((column, is_open), speed) in along.iter_mut().zip(&mut is_open).zip(found) {
+                if let Some(speed) = speed {
+                    column[lane] = speed;
+                    *is_open = true;
                 }
-                along.map(Some)
             }
-        };
+        }
+        let [first, second] = along;
+        let speeds = [is_open[0].then_some(first), is_open[1].then_some(second)];
         let tangential = match self.tangential {
             BrachTangential::Critical => [Tangential::Critical; LANES],
             BrachTangential::Ratio(number) => {

@@ -2,7 +2,7 @@
 
 use ::estimate::Independent;
 use ::uncertainty::{LANES, Lanes};
-use evidence::{Impacted, Impacts, LEAST_APPROACH, OtherCrush, Restitution, Speeds, Way};
+use evidence::{Impacted, Impacts, LEAST_APPROACH, OtherCrush, Speeds, Way};
 use inputs::{Basis, Case, Collision, Dimension, MotionInput, Quantity, SharedEffects, SkidData, Velocity};
 use pim_core::{Contact, Law, Motion, Outcome, Tangential, VaryingLaw, Vector2, VehicleId};
 use real::elementary::sin_cos;
@@ -30,10 +30,49 @@ pub(super) enum Slot {
 pub(super) enum OpenSpeeds {
     /// Both are in the case.
     None,
-    /// That of one vehicle, by the place of its value.
-    One(VehicleId, usize),
-    /// Both, each by itself or together.
-    Both(Speeds<usize>),
+    /// That of one vehicle.
+    One(VehicleId, Alone),
+    /// Both, each by itself.
+    Each([Alone; 2]),
+    /// Both together.
+    Together(Speeds<usize>),
+}
+
+/// How a particle has a speed that is unknown by itself.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Alone {
+    /// The place of its value.
+    pub(super) place: usize,
+    /// (m/s) from 0 up to here, the value means that the vehicle stood.
+    pub(super) standing: f64,
+}
+
+impl Alone {
+    /// (m/s) the speed, where the value is this (m/s).
+    #[inline(always)]
+    pub(super) fn speed(self, value: f64) -> f64 {
+        // v = x below 0, 0 from 0 to w, x − w above
+        value.min(0.0) + (value - self.standing).max(0.0)
+    }
+}
+
+impl OpenSpeeds {
+    /// (m/s) the speeds that are unknown, of a particle with these values and headings along `forward`.
+    #[inline(always)]
+    pub(super) fn along(
+        self,
+        of: impl Fn(usize) -> f64,
+        forward: impl FnOnce() -> [Vector2<f64>; 2],
+    ) -> [Option<f64>; 2] {
+        let alone = |alone: Alone| Some(alone.speed(of(alone.place)));
+        match self {
+            Self::None => [None, None],
+            Self::One(VehicleId::One, open) => [alone(open), None],
+            Self::One(VehicleId::Two, open) => [None, alone(open)],
+            Self::Each(open) => open.map(alone),
+            Self::Together(speeds) => speeds.map(of).along(forward()).map(Some),
+        }
+    }
 }
 
 /// A case with unknown numbers.
@@ -48,8 +87,6 @@ pub(super) struct CaseImpacts {
     /// What the errors that numbers share do.
     pub(super) shared: Option<SharedEffects>,
     pub(super) speeds: OpenSpeeds,
-    /// e with the place of its factor, where the case leaves it open.
-    pub(super) restitution: Option<Restitution<usize>>,
     /// The place of the greatest impulse ratio, where the case leaves it open.
     pub(super) friction: Option<usize>,
     /// The place of λ, where the case leaves it open.
@@ -196,18 +233,12 @@ impl CaseImpacts {
         }
         let mut numbers = numbers.into_iter();
         let mut case = self.case.map_numbers(|central| numbers.next().unwrap_or(central));
-        let speeds = match self.speeds {
-            OpenSpeeds::None => [None, None],
-            OpenSpeeds::One(VehicleId::One, place) => [Some(of(place)), None],
-            OpenSpeeds::One(VehicleId::Two, place) => [None, Some(of(place))],
-            OpenSpeeds::Both(speeds) => {
-                let forward = case.headings().map(|heading| {
-                    let (sin, cos) = sin_cos(heading.unwrap_or_default());
-                    Vector2::new(cos, sin)
-                });
-                speeds.map(of).along(forward).map(Some)
-            }
-        };
+        let speeds = self.speeds.along(of, || {
+            case.headings().map(|heading| {
+                let (sin, cos) = sin_cos(heading.unwrap_or_default());
+                Vector2::new(cos, sin)
+            })
+        });
         for (vehicle, speed) in case.vehicles.iter_mut().zip(speeds) {
             if let Some(speed) = speed {
                 vehicle.motion = Quantity::from_si(speed, Dimension::Speed).ok().map(Velocity::Speed);
@@ -230,13 +261,9 @@ impl CaseImpacts {
             return None;
         }
         let given = law.at(closing);
-        let law = if self.restitution.is_none() && self.friction.is_none() {
-            given
-        } else {
-            let e = self.restitution.map_or_else(|| given.restitution(), |open| open.map(of).at(closing));
-            let tangential =
-                self.friction.map_or_else(|| given.tangential(), |place| Tangential::Friction(of(place)));
-            Law::new(e, tangential).ok()?
+        let law = match self.friction {
+            None => given,
+            Some(place) => Law::new(given.restitution(), Tangential::Friction(of(place))).ok()?,
         };
         let outcome = contact.impact(motions, &law).ok()?;
         let speeds = VehicleId::ALL.map(|id| {

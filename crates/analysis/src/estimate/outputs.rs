@@ -1,6 +1,6 @@
 //! The results of each draw.
 
-use ::estimate::{Evidence, Hurdle, Posterior, Prior};
+use ::estimate::{Evidence, Hurdle, Part, Posterior, Prior};
 use ::uncertainty::{LANES, Lanes};
 use evidence::{Impacted, Impacts, Model};
 use inputs::Axes;
@@ -106,11 +106,15 @@ impl<'a> Told<'a> {
         &self.outputs
     }
 
+    /// The place among the outputs of the speed of a vehicle that moves.
+    pub(super) fn speed_place(&self, id: VehicleId) -> Option<usize> {
+        let wanted = EstimateOutput::Result(Output::Speed { vehicle: id });
+        self.outputs.iter().position(|output| *output == wanted)
+    }
+
     /// (m/s) the draws of the speed of a vehicle that moves.
     pub(super) fn speed<'p>(&self, posterior: &'p Posterior, id: VehicleId) -> Option<&'p [f64]> {
-        let wanted = EstimateOutput::Result(Output::Speed { vehicle: id });
-        let place = self.outputs.iter().position(|output| *output == wanted)?;
-        posterior.outputs().get(place).map(Vec::as_slice)
+        posterior.outputs().get(self.speed_place(id)?).map(Vec::as_slice)
     }
 
     fn value(&self, output: EstimateOutput, impacted: &Impacted) -> f64 {
@@ -165,6 +169,14 @@ impl Evidence for Told<'_> {
         reasons: &mut [u8; LANES],
     ) -> bool {
         self.model.log_likelihood_of_proposals(values, hurdle, terms, reasons)
+    }
+
+    fn parts(&self) -> Vec<Part> {
+        self.model.parts()
+    }
+
+    fn score_on_circle(&self, part: usize, error: f64) -> f64 {
+        self.model.score_on_circle(part, error)
     }
 
     fn outputs_count(&self) -> usize {

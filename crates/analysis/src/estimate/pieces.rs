@@ -1,5 +1,7 @@
 //! What each piece of evidence says.
 
+use std::f64::consts::FRAC_PI_2;
+
 use ::estimate::{CannotReweight, Check, Draws, ESS_LIMIT, Posterior, Selection, Summary, Verdict, Weights};
 use ::uncertainty::Estimate;
 use evidence::Piece;
@@ -23,6 +25,9 @@ pub struct PieceFound {
     /// (–) probability that all other pieces give an observation at least as far off; `None` of a piece that
     /// is no single measurement, or where it cannot be told.
     pub p_value: Option<Estimate>,
+    /// Whether it points the other way than all other pieces say: a direction by more than a right angle, and
+    /// a longitudinal ΔV by its sign.
+    pub reversed: bool,
 }
 
 /// Two pieces that may say the same thing twice.
@@ -77,6 +82,8 @@ pub(super) fn found(
 ) -> PieceFound {
     let There { posterior, before } = there;
     let check = posterior.check(term).ok();
+    let is_behind = |check: &Check| check.mean_on_circle.is_some_and(|error| error.abs() > FRAC_PI_2);
+    let mut reversed = check.as_ref().is_some_and(is_behind);
     let mut p_value = check.filter(Check::is_reliable).map(|check| check.p_value);
     let (mut alone, mut without) = (None, None);
     if let Some(again) = again {
@@ -97,11 +104,16 @@ pub(super) fn found(
         if without.is_none()
             && let Some(run) = run(Selection::Without(vec![term]))
         {
-            p_value = p_value.or_else(|| Some(run.check(term).ok()?.p_value));
+            if p_value.is_none()
+                && let Ok(check) = run.check(term)
+            {
+                reversed = is_behind(&check);
+                p_value = Some(check.p_value);
+            }
             without = Some(speeds(&run, run.draws()));
         }
     }
-    PieceFound { piece, key: key(piece), alone, without, p_value }
+    PieceFound { piece, key: key(piece), alone, without, p_value, reversed }
 }
 
 /// The motion after the impact is usually found from the rest, and the same rest is then counted twice. A

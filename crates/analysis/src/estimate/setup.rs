@@ -5,20 +5,21 @@ use std::f64::consts::FRAC_PI_2;
 use ::estimate::Independent;
 use ::uncertainty::Distribution;
 use evidence::{
-    CodedPdof, CrushMisfit, Damage, FITTED, Freedom, Limits, Measured, MeasuredRest, Observed,
-    ObservedVehicle, OtherCrush, RecordedDeltaV, Recorder, Severity, Speeds,
+    CodedPdof, CrushErrors, Damage, EnergyError, EnergyMethod, FITTED, Freedom, Limits, Measured,
+    MeasuredRest, MeasuredSpeed, Observed, ObservedVehicle, OtherCrush, RecordedDeltaV, RecordedPart,
+    Recorder, Severity, Speeds,
 };
 use inputs::{
-    BrachTangential, Case, Collision, Dimension, FaultKind, Faults, Find, GivenVehicle, ImpactLaw, Input,
-    MotionInput, Origin, Prior, Purpose, Quantity, Reconstruct, Restitution, SharedEffects, Unit,
-    VehicleData, Velocity,
+    BrachTangential, Case, Collision, Dimension, Fault, FaultKind, Faults, Find, GivenVehicle, ImpactLaw,
+    Input, KnownEnergy, MotionInput, Origin, Prior, Purpose, Quantity, Reconstruct, SharedEffects,
+    StiffnessForm, Unit, VehicleData, Velocity,
 };
 use pim_core::VehicleId;
 use real::Real;
 use reconcile::Unknown;
 
 use super::block::Block;
-use super::impacts::{CaseImpacts, OpenSpeeds, SkidNumbers, Slot};
+use super::impacts::{Alone, CaseImpacts, OpenSpeeds, SkidNumbers, Slot};
 use super::{of_number, table};
 use crate::Failure;
 use crate::thresholds::{DIRECTION_AFTER_ERROR, SPEED_AFTER_ERROR};
@@ -42,9 +43,10 @@ pub enum Assumed {
     Estimate,
     /// Speeds without evidence.
     Speed,
-    /// e of collisions of passenger vehicles at that closing speed.
-    Restitution,
-    /// The greatest impulse ratio.
+    /// A coefficient of the impact that the case gives without a range, with the spread that such collisions
+    /// have.
+    Coefficient,
+    /// The greatest impulse ratio, where the case does not give it.
     Friction,
     /// λ.
     TangentialShare,
@@ -69,16 +71,18 @@ pub struct Unused {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum UnusedReason {
-    /// A coefficient of the impact without a range: what it may be is assumed instead.
-    NoRange,
     /// The speed that is sought.
     Sought,
     /// A crush that was not measured.
     Inferred,
+    /// A crush of both vehicles that took no energy.
+    NoEnergy,
     /// A PDOF that follows from that of the other vehicle: both are one observation.
     OtherPdof,
     /// A rest or points of a vehicle that cannot be followed there: friction or drag is missing.
     NotFollowed,
+    /// The direction of a vehicle that stood after the impact.
+    NoDirection,
 }
 
 /// (rad) standard deviation of a heading without a range: 2°.
@@ -101,6 +105,19 @@ const YAW_RATE_LEAST: f64 = 10.0 * DEGREE;
 /// (–; m) error of the simulated rest: a share of the way, and what it has at least.
 const REST_SHARE: f64 = 0.10;
 const REST_LEAST: f64 = 0.5;
+/// (m/s) scale of the error of a speed of zero: 1 km/h, chosen; what 49 CFR 563 lets a recorder round.
+const LEAST_SPEED_ERROR: f64 = 1.0 / 3.6;
+/// (–) a range that is more than this share of its speed is the error of the speed, not of its logarithm.
+const WIDE_RANGE: f64 = 0.5;
+/// (–) of the logarithm of a coefficient of the impact without a range: of e as in the field, of the friction
+/// chosen.
+const RESTITUTION_LN_SD: f64 = FITTED.restitution[3];
+const FRICTION_LN_SD: f64 = FITTED.friction[1];
+/// (–) where a side met a side the severity of the field is not known, as it had five such vehicles: its
+/// spread is taken as so many times that of all others.
+const SIDESWIPE_SPREAD: f64 = 2.0;
+/// (%) probability before the evidence that a vehicle stood.
+const STOOD: f64 = 20.0;
 /// (rad) error of the heading at rest: a quarter of the turn, between 5° and 15°.
 const REST_HEADING: [f64; 2] = [5.0 * DEGREE, 15.0 * DEGREE];
 const REST_TURN_SHARE: f64 = 0.25;
@@ -118,6 +135,8 @@ pub(super) struct Before {
     pub(super) key: String,
     pub(super) unit: Option<&'static Unit>,
     pub(super) prior: Distribution,
+    /// The same of a speed of a vehicle that does not stand; `None` of every other number.
+    pub(super) moving: Option<Distribution>,
     pub(super) assumed: Option<Assumed>,
 }
 
@@ -129,6 +148,11 @@ pub(super) struct Setup {
     pub(super) unknown: Vec<Before>,
     pub(super) default_errors: Vec<String>,
     pub(super) unused: Vec<Unused>,
+    /// (–) probability before the evidence that each vehicle stood; 0 where it is certain that it moved, and
+    /// where its speed is known.
+    pub(super) stood: [f64; 2],
+    /// How the crush energy of each vehicle was obtained, where it is evidence.
+    pub(super) energies: [Option<EnergyMethod>; 2],
     /// (rad) PDOF of both vehicles if the force were normal to the crush plane.
     pub(super) reference: [f64; 2],
 }
@@ -145,7 +169,7 @@ impl Unknowns {
         prior: Distribution,
         assumed: Option<Assumed>,
     ) -> usize {
-        self.0.push(Before { key: key.to_owned(), unit, prior, assumed });
+        self.0.push(Before { key: key.to_owned(), unit, prior, moving: None, assumed });
         self.0.len() - 1
     }
 
@@ -176,19 +200,13 @@ pub(super) fn of(case: &Case, prior: Option<Prior>) -> Result<Setup, Failure> {
 
     let mut unknowns = Unknowns::default();
     let followed = followed(&case, motion.as_ref(), &mut unused);
-    let open = Open::of(&case, &ranges, &mut unused);
+    let open = Open::of(&case, &ranges);
     let slots = slots(&case, &ranges, &nominal, followed, &mut unknowns)?;
-    let speeds = speeds(sought, prior, &case, &mut unknowns)?;
+    let stood = stood(sought, &case);
+    let speeds = speeds(sought, stood, prior, &case, &mut unknowns)?;
     let mut open_number = |is_open: bool, key, prior, assumed| {
         is_open.then(|| unknowns.assumed(key, prior, assumed)).transpose()
     };
-    let restitution = open_number(
-        open.restitution,
-        "impact.restitution",
-        FITTED.restitution_factor(),
-        Assumed::Restitution,
-    )?;
-    let restitution = restitution.map(|factor| FITTED.restitution_with(factor));
     let friction =
         open_number(open.friction, "impact.tangential.friction", FITTED.any_friction(), Assumed::Friction)?;
     let tangential_share = open_number(
@@ -244,7 +262,6 @@ pub(super) fn of(case: &Case, prior: Option<Prior>) -> Result<Setup, Failure> {
         slots,
         shared: (!shared.is_empty()).then_some(shared),
         speeds,
-        restitution,
         friction,
         tangential_share,
         other_crush,
@@ -254,7 +271,18 @@ pub(super) fn of(case: &Case, prior: Option<Prior>) -> Result<Setup, Failure> {
         block,
         unknown: Independent(unknowns.0.iter().map(|unknown| unknown.prior).collect()),
     };
-    Ok(Setup { prior, impacts, observed, unknown: unknowns.0, default_errors, unused, reference })
+    let energies = energies(crushed, &impacts.case);
+    Ok(Setup {
+        prior,
+        impacts,
+        observed,
+        unknown: unknowns.0,
+        default_errors,
+        unused,
+        stood,
+        energies,
+        reference,
+    })
 }
 
 /// The case with the places of its unknown numbers.
@@ -383,6 +411,12 @@ fn slots(
             slots.push(Slot::Value(place));
             continue;
         }
+        if let Some(prior) = coefficient(&input, case) {
+            let prior = of_number(&input.path, prior)?;
+            let place = unknowns.push(&input.path, input.unit, prior, Some(Assumed::Coefficient));
+            slots.push(Slot::Value(place));
+            continue;
+        }
         if let Some((sd, assumed)) = usual_sd(&input, case, nominal) {
             let prior = of_number(&input.path, Distribution::normal(input.number, sd / input.factor()))?;
             slots.push(Slot::Value(unknowns.push(&input.path, input.unit, prior, Some(assumed))));
@@ -429,6 +463,26 @@ fn is_ground(path: &str) -> bool {
     path.starts_with("surface.") && path.ends_with("friction")
 }
 
+/// What is known of a coefficient of the impact without a range: its median is the one of the case. A
+/// coefficient of zero is exact, and the numbers of laws other than Brach's are meant as they stand.
+fn coefficient(
+    input: &Input,
+    case: &Case,
+) -> Option<Result<Distribution, ::uncertainty::InvalidDistribution>> {
+    let ImpactLaw::Brach { moment_restitution: None, .. } = case.impact.as_ref()?.law else { return None };
+    let ln_sd = match input.path.as_str() {
+        "impact.restitution" => RESTITUTION_LN_SD,
+        path if path.starts_with("impact.tangential") => FRICTION_LN_SD,
+        _ => return None,
+    };
+    match input.number {
+        number if number > 0.0 => Some(Distribution::log_normal(number, ln_sd)),
+        // A ratio has the sign of the force.
+        number if number < 0.0 => Some(Distribution::normal(number, ln_sd * number.abs())),
+        _ => None,
+    }
+}
+
 /// (SI) how well a number without a range is usually known, where that matters.
 fn usual_sd(input: &Input, case: &Case, nominal: &Collision) -> Option<(f64, Assumed)> {
     if input.origin != Origin::Given {
@@ -471,39 +525,47 @@ fn followed(case: &Case, motion: Option<&MotionInput>, unused: &mut Vec<Unused>)
 
 /// What the case leaves open of the impact.
 struct Open {
-    restitution: bool,
     friction: bool,
     tangential_share: bool,
 }
 
 impl Open {
-    /// A coefficient without a range is not known exactly: it is what a case without an estimate computes
-    /// with. Laws other than Brach's are meant as they stand.
-    fn of(case: &Case, ranges: &[UncertainInput], unused: &mut Vec<Unused>) -> Self {
-        let has_range = |key: &str| ranges.iter().any(|range| range.input.path.starts_with(key));
-        let mut open = Self { restitution: false, friction: false, tangential_share: false };
+    /// `"critical"` gives no greatest impulse ratio. Laws other than Brach's are meant as they stand.
+    fn of(case: &Case, ranges: &[UncertainInput]) -> Self {
+        let has_range = ranges.iter().any(|range| range.input.path.starts_with("impact.tangential"));
         let law = case.impact.as_ref().map(|impact| &impact.law);
-        let mut leave =
-            |key: &str| unused.push(Unused { key: key.to_owned(), reason: UnusedReason::NoRange });
-        if let Some(ImpactLaw::Brach { restitution, tangential, moment_restitution: None }) = law {
-            open.restitution =
-                matches!(restitution, Restitution::Constant(_)) && !has_range("impact.restitution");
-            open.friction = !has_range("impact.tangential");
-            if open.restitution {
-                leave("impact.restitution");
-            }
-            if open.friction && *tangential != BrachTangential::Critical {
-                leave("impact.tangential");
-            }
-        }
+        let is_critical = matches!(
+            law,
+            Some(ImpactLaw::Brach { tangential: BrachTangential::Critical, moment_restitution: None, .. })
+        );
         let is_said = case.reconstruct.is_some() && !case.left_out.energy_basis;
-        open.tangential_share = !is_said;
-        open
+        Self { friction: is_critical && !has_range, tangential_share: !is_said }
     }
+}
+
+/// (–) the probability before the evidence that each vehicle stood. Where one stands the other has to move.
+fn stood(sought: [bool; 2], case: &Case) -> [f64; 2] {
+    let given = case.estimate.unwrap_or_default().stood.unwrap_or(STOOD) / 100.0;
+    let may_move = |id: VehicleId| {
+        let vehicle = &case.vehicles[id.index()];
+        let is_known_to_stand = matches!(&vehicle.motion, Some(Velocity::Speed(speed)) if speed.si() == 0.0);
+        !vehicle.fixed && (sought[id.index()] || !is_known_to_stand)
+    };
+    VehicleId::ALL.map(|id| {
+        let vehicle = &case.vehicles[id.index()];
+        let at_least = vehicle.certain_speed.and_then(|certain| certain.at_least);
+        let at_most = vehicle.certain_speed.and_then(|certain| certain.at_most);
+        let certainly_moved = at_least.is_some_and(|speed| speed.si() > 0.0)
+            || at_most.is_some_and(|speed| speed.si() < 0.0)
+            || vehicle.recorder.is_some_and(|recorder| recorder.speed.is_some());
+        let may_stand = sought[id.index()] && may_move(id.other()) && !certainly_moved;
+        if may_stand { given } else { 0.0 }
+    })
 }
 
 fn speeds(
     sought: [bool; 2],
+    stood: [f64; 2],
     prior: Prior,
     case: &Case,
     unknowns: &mut Unknowns,
@@ -512,35 +574,149 @@ fn speeds(
     let limits = |id: VehicleId| {
         let certain = case.vehicles[id.index()].certain_speed.unwrap_or_default();
         let si = |limit: Option<Quantity>| limit.as_ref().map(Quantity::si);
-        let least = si(certain.at_least).unwrap_or(0.0);
-        let most = si(certain.at_most).unwrap_or(FASTEST);
+        let (least, most) = (si(certain.at_least), si(certain.at_most));
+        let fault = |of: &str, reason: String, advice: String| {
+            let kind = FaultKind::Refused { reason };
+            let key = format!("{}.certain_speed.{of}", table(id));
+            Failure::Case(Fault { key, kind, advice: Some(advice.into()) }.into())
+        };
+        if let Some(least) = least.filter(|least| *least >= FASTEST) {
+            return Err(fault(
+                "at_least",
+                format!(
+                    "{:.0} km/h is faster than any speed that is thought of, {:.0} km/h",
+                    3.6 * least,
+                    3.6 * FASTEST
+                ),
+                "check its unit".to_owned(),
+            ));
+        }
+        if least.is_none() && most == Some(0.0) {
+            return Err(fault(
+                "at_most",
+                "a speed of at most 0 says that the vehicle stood, or that it moved backward".to_owned(),
+                format!(
+                    "write speed = \"0 km/h\" in [{}] if it stood, and give at_least, such as \"-20 km/h\", if it moved backward",
+                    table(id)
+                ),
+            ));
+        }
+        let (least, most) = (least.unwrap_or(0.0), most.unwrap_or(FASTEST));
         // A limit below a standstill says that the vehicle may have moved backward.
-        [if most <= least { most - FASTEST } else { least }, most]
+        Ok([if most <= least { most - FASTEST } else { least }, most])
     };
+    let [limits1, limits2] = VehicleId::ALL.map(limits);
+    let limits = [limits1?, limits2?];
     let mut alone = |id: VehicleId| {
-        let [least, most] = limits(id);
-        unknowns.assumed(&key(id), Distribution::uniform(least, most), Assumed::Speed)
+        let [least, most] = limits[id.index()];
+        let stood = if least <= 0.0 && most > 0.0 { stood[id.index()] } else { 0.0 };
+        // p = w/(w + v_max − v_min)
+        let standing = (most - least) * stood / (1.0 - stood);
+        let place =
+            unknowns.assumed(&key(id), Distribution::uniform(least, most + standing), Assumed::Speed)?;
+        unknowns.0[place].moving = Some(of_number(&key(id), Distribution::uniform(least, most))?);
+        Ok::<_, Failure>(Alone { place, standing })
     };
     Ok(match sought {
         [false, false] => OpenSpeeds::None,
         [true, false] => OpenSpeeds::One(VehicleId::One, alone(VehicleId::One)?),
         [false, true] => OpenSpeeds::One(VehicleId::Two, alone(VehicleId::Two)?),
         [true, true] => {
-            let backward = VehicleId::ALL.into_iter().any(|id| limits(id)[0] < 0.0);
+            let backward = limits.iter().any(|[least, _]| *least < 0.0);
             if prior == Prior::Flat || backward {
-                OpenSpeeds::Both(Speeds::Each([alone(VehicleId::One)?, alone(VehicleId::Two)?]))
+                OpenSpeeds::Each([alone(VehicleId::One)?, alone(VehicleId::Two)?])
             } else {
-                OpenSpeeds::Both(Speeds::Together {
+                OpenSpeeds::Together(Speeds::Together {
                     ln_relative: unknowns.assumed(
                         "ln_relative_speed",
                         Speeds::any_ln_relative(),
                         Assumed::Speed,
                     )?,
-                    split: unknowns.assumed("speed_split", Speeds::any_split(), Assumed::Speed)?,
+                    split: unknowns.assumed(
+                        "speed_split",
+                        Speeds::split_with_standing(stood),
+                        Assumed::Speed,
+                    )?,
                 })
             }
         }
     })
+}
+
+/// How the crush energy of each vehicle was obtained whose crush is evidence.
+fn energies(crushed: Crushed, case: &Case) -> [Option<EnergyMethod>; 2] {
+    VehicleId::ALL.map(|id| {
+        let is_evidence = match crushed {
+            Crushed::No => false,
+            Crushed::Of(known) => known == id,
+            Crushed::All => true,
+        };
+        let vehicle = &case.vehicles[id.index()];
+        let by_depths = vehicle.crush.as_ref().map(|crush| match crush.stiffness {
+            StiffnessForm::Line(_) | StiffnessForm::Zones(_) => EnergyMethod::Coefficients,
+            StiffnessForm::Category(_) => EnergyMethod::Class,
+            StiffnessForm::Test(_) => EnergyMethod::Test,
+        });
+        let by_speed = matches!(vehicle.energy, Some(KnownEnergy::Ees(_))).then_some(EnergyMethod::Ees);
+        by_depths.or(by_speed).filter(|_| is_evidence && !vehicle.fixed)
+    })
+}
+
+/// How far the crush energies are off, by how each was obtained; with what the case gives instead.
+fn crush_errors(
+    case: &Case,
+    methods: [Option<EnergyMethod>; 2],
+    ranges: &[UncertainInput],
+    hit: &[Damage],
+    default_errors: &mut Vec<String>,
+) -> CrushErrors {
+    let given = case.estimate.unwrap_or_default();
+    if given.crush_error.is_none() {
+        default_errors.push("estimate.crush_error".to_owned());
+    }
+    if given.crush_bias.is_none() {
+        default_errors.push("estimate.crush_bias".to_owned());
+    }
+    let of = |id: VehicleId| {
+        let method = methods[id.index()]?;
+        let has_range = ranges.iter().any(|range| {
+            let of_crush = range.input.path.strip_prefix(&format!("{}.crush.", table(id)));
+            of_crush.is_some_and(|key| key.starts_with("stiffness") || key.starts_with("ees"))
+        });
+        let usual = FITTED.energy_error(method, hit, has_range);
+        let shared = match method {
+            // The mean of the misfit has an error, too.
+            EnergyMethod::Class => {
+                Real::sqrt(usual.shared_ln_sd * usual.shared_ln_sd + CRUSH_BIAS_ERROR * CRUSH_BIAS_ERROR)
+            }
+            _ => usual.shared_ln_sd,
+        };
+        Some(EnergyError {
+            bias: given.crush_bias.map_or(usual.bias, |shown| real::elementary::ln(shown / 100.0)),
+            shared_ln_sd: given.crush_error.map_or(shared, |percent| percent / 100.0),
+            own_ln_sd: if given.crush_error.is_some() { 0.0 } else { usual.own_ln_sd },
+        })
+    };
+    match [of(VehicleId::One), of(VehicleId::Two)] {
+        [Some(one), Some(two)] => CrushErrors([one, two]),
+        // The energy of the other vehicle is told by that of this one, with all its errors.
+        [Some(known), None] | [None, Some(known)] => {
+            let EnergyError { bias, shared_ln_sd, own_ln_sd } = known;
+            let whole = Real::sqrt(shared_ln_sd * shared_ln_sd + own_ln_sd * own_ln_sd);
+            CrushErrors([EnergyError { bias, shared_ln_sd: whole, own_ln_sd: 0.0 }; 2])
+        }
+        [None, None] => FITTED.crush_misfit(hit).into(),
+    }
+}
+
+/// A speed (m/s) that was measured with the range of the case, of which `sd` (m/s) is the standard deviation,
+/// or without one with a `share` of the speed.
+fn measured_speed(value: f64, sd: Option<f64>, share: f64) -> MeasuredSpeed {
+    match sd {
+        None => MeasuredSpeed { value, ln_sd: share, least: LEAST_SPEED_ERROR },
+        Some(sd) if sd <= WIDE_RANGE * value => MeasuredSpeed { value, ln_sd: sd / value, least: 0.0 },
+        Some(sd) => MeasuredSpeed { value, ln_sd: 0.0, least: sd },
+    }
 }
 
 /// (rad) PDOF of both vehicles if the force were normal to the crush plane.
@@ -581,38 +757,48 @@ fn observe(
         let vehicle = &case.vehicles[id.index()];
         let data = &nominal.vehicles[id.index()];
         let key = |of: &str| format!("{}.{of}", table(id));
-        let mut or_default = |key: String, default: f64| {
-            sd_of(&key).unwrap_or_else(|| {
+        let mut defaulted = |is_default: bool, key: String| {
+            if is_default {
                 default_errors.push(key);
-                default
-            })
+            }
         };
         let observed = &mut vehicles[id.index()];
         observed.skid_speed = vehicle.before.and_then(|before| before.speed).map(|speed| {
-            let value = speed.si();
-            let sd = or_default(key("before.speed"), RECORDER_SPEED * value) / value;
-            Measured { value, sd }
+            let sd = sd_of(&key("before.speed"));
+            defaulted(sd.is_none(), key("before.speed"));
+            measured_speed(speed.si(), sd, RECORDER_SPEED)
         });
         if let Some(after) = &vehicle.after {
             let lateral = |quantity: &Quantity| case.axes.lateral(quantity.si());
             observed.after.speed = after.speed.as_ref().map(|speed| {
-                let value = speed.si();
-                let sd = or_default(key("after.speed"), SPEED_AFTER_ERROR * value) / value;
-                Measured { value, sd }
+                let sd = sd_of(&key("after.speed"));
+                defaulted(sd.is_none(), key("after.speed"));
+                measured_speed(speed.si(), sd, SPEED_AFTER_ERROR)
             });
-            observed.after.direction = after.direction.as_ref().map(|direction| {
-                let sd = or_default(key("after.direction"), DIRECTION_AFTER_ERROR);
-                Measured { value: lateral(direction), sd }
+            // A vehicle that stands leaves in no direction.
+            let leaves = after.speed.as_ref().is_none_or(|speed| speed.si() > 0.0);
+            observed.after.direction = after.direction.as_ref().filter(|_| leaves).map(|direction| {
+                let sd = sd_of(&key("after.direction"));
+                defaulted(sd.is_none(), key("after.direction"));
+                Measured { value: lateral(direction), sd: sd.unwrap_or(DIRECTION_AFTER_ERROR) }
             });
+            if after.direction.is_some() && !leaves {
+                unused.push(Unused { key: key("after.direction"), reason: UnusedReason::NoDirection });
+            }
             observed.after.yaw_rate = after.yaw_rate.as_ref().map(|rate| {
-                let value = lateral(rate);
-                Measured { value, sd: or_default(key("after.yaw_rate"), yaw_rate_error(value)) }
+                let (value, sd) = (lateral(rate), sd_of(&key("after.yaw_rate")));
+                defaulted(sd.is_none(), key("after.yaw_rate"));
+                Measured { value, sd: sd.unwrap_or(yaw_rate_error(value)) }
             });
         }
         if let Some(way) =
             motion.filter(|_| followed[id.index()]).and_then(|motion| motion.vehicles[id.index()].as_ref())
         {
-            let far = |place: pim_core::Vector2<f64>| REST_LEAST + REST_SHARE * (place - way.position).norm();
+            let share = given.rest_error.map_or(REST_SHARE, |percent| percent / 100.0);
+            let least = given.rest_least_error.as_ref().map_or(REST_LEAST, Quantity::si);
+            let far = |place: pim_core::Vector2<f64>| least + share * (place - way.position).norm();
+            // Survey and model together.
+            let both = |model: f64, [x, y]: [f64; 2]| Real::sqrt(model * model + 0.5 * (x * x + y * y));
             observed.rest = way.rest.as_ref().map(|rest| {
                 let surveyed = ["after.rest.x", "after.rest.y"].map(|of| sd_of(&key(of)).unwrap_or_default());
                 let model = far(rest.position);
@@ -621,23 +807,42 @@ fn observe(
                 let turned = heading - way.heading;
                 let turned = if turns_are_known { turned } else { real::principal_angle(turned) };
                 let [least, most] = REST_HEADING;
-                let model_heading = Real::min(Real::max(REST_TURN_SHARE * turned.abs(), least), most);
+                let usual = Real::min(Real::max(REST_TURN_SHARE * turned.abs(), least), most);
+                let model_heading = given.rest_heading_error.as_ref().map_or(usual, Quantity::si);
                 let own = [key("after.rest.heading"), key("after.rest.turned")]
                     .iter()
                     .find_map(|key| sd_of(key))
                     .unwrap_or_default();
-                let [x, y] = surveyed;
                 let apart = rest.position - way.position;
                 MeasuredRest {
                     position: rest.position,
                     direction: real::elementary::atan2(apart.y, apart.x),
-                    position_sd: Real::sqrt(model * model + 0.5 * (x * x + y * y)),
+                    position_sd: both(model, surveyed),
                     heading,
                     turns_are_known,
                     heading_sd: Real::sqrt(model_heading * model_heading + own * own),
                 }
             });
-            observed.points = way.points.iter().map(|point| far(point.position)).collect();
+            observed.points = way
+                .points
+                .iter()
+                .enumerate()
+                .map(|(place, point)| {
+                    let surveyed = ["x", "y"]
+                        .map(|of| sd_of(&key(&format!("after.points[{place}].{of}"))).unwrap_or_default());
+                    both(far(point.position), surveyed)
+                })
+                .collect();
+            let keys = [
+                (given.rest_error.is_none(), "estimate.rest_error"),
+                (given.rest_least_error.is_none(), "estimate.rest_least_error"),
+                (given.rest_heading_error.is_none() && way.rest.is_some(), "estimate.rest_heading_error"),
+            ];
+            for (is_default, key) in keys {
+                if is_default && !default_errors.iter().any(|defaulted| defaulted == key) {
+                    default_errors.push(key.to_owned());
+                }
+            }
         }
         observed.pdof = coded_pdof(data, vehicle).map(|coded| match sd_of(&key("crush.pdof")) {
             Some(scale) => CodedPdof { scale, ..coded },
@@ -667,15 +872,10 @@ fn observe(
     let hit: Vec<Damage> = movers(case).map(|id| damage(id, nominal, reference)).collect();
     let usual = FITTED.severity_of(&hit);
     let median = given.delta_v_median.as_ref().map_or(usual.median, Quantity::si);
-    let severity = Severity { median, ..usual };
-    let crush = (crushed != Crushed::No).then(|| {
-        let misfit = FITTED.crush_misfit(&hit);
-        let usual = Real::sqrt(misfit.ln_sd * misfit.ln_sd + CRUSH_BIAS_ERROR * CRUSH_BIAS_ERROR);
-        if given.crush_error.is_none() {
-            default_errors.push("estimate.crush_error".to_owned());
-        }
-        CrushMisfit { ln_sd: given.crush_error.map_or(usual, |percent| percent / 100.0), ..misfit }
-    });
+    let times = if hit == [Damage::Side; 2] { SIDESWIPE_SPREAD } else { 1.0 };
+    let severity = Severity { median, ln_sd: usual.ln_sd * times, ..usual };
+    let crush = (crushed != Crushed::No)
+        .then(|| crush_errors(case, energies(crushed, case), ranges, &hit, default_errors));
     Observed { vehicles, severity: (prior == Prior::Field).then_some(severity), crush }
 }
 
@@ -709,16 +909,18 @@ fn recorded(
         })
     };
     let share = |percent: Option<f64>| percent.map(|percent| percent / 100.0);
-    let delta_v = recorder.delta_v_longitudinal.as_ref().map(|longitudinal| {
-        let (along, across) = (longitudinal.si(), recorder.delta_v_lateral.as_ref().map(Quantity::si));
-        let across_size = across.unwrap_or_default();
-        RecordedDeltaV {
-            size: Real::sqrt(along * along + across_size * across_size),
-            is_longitudinal: across.is_none(),
-            ln_scale: or_default("recorder.delta_v_error", share(recorder.delta_v_error), RECORDER_DELTA_V),
-            freedom: Freedom::Three,
+    let (mut delta_v, mut longitudinal) = (None, None);
+    if let Some(along) = recorder.delta_v_longitudinal.as_ref().map(Quantity::si) {
+        let ln_scale = or_default("recorder.delta_v_error", share(recorder.delta_v_error), RECORDER_DELTA_V);
+        let (least, freedom) = (LEAST_SPEED_ERROR, Freedom::Three);
+        match recorder.delta_v_lateral.as_ref().map(Quantity::si) {
+            Some(across) => {
+                let size = Real::sqrt(along * along + across * across);
+                delta_v = Some(RecordedDeltaV { size, is_longitudinal: false, ln_scale, least, freedom });
+            }
+            None => longitudinal = Some(RecordedPart { along, ln_scale, least, freedom }),
         }
-    });
+    }
     let both = recorder.delta_v_longitudinal.zip(recorder.delta_v_lateral);
     let direction = both.filter(|(along, across)| along.si() != 0.0 || across.si() != 0.0).map(|parts| {
         let (along, left) = (parts.0.si(), case.axes.lateral(parts.1.si()));
@@ -727,16 +929,17 @@ fn recorded(
         let given = recorder.direction_error.as_ref().map(Quantity::si);
         CodedPdof { scale: or_default("recorder.direction_error", given, shown.scale), ..shown }
     });
-    let speed = recorder.speed.as_ref().map(|speed| Measured {
+    let speed = recorder.speed.as_ref().map(|speed| MeasuredSpeed {
         value: speed.si(),
-        sd: or_default("recorder.speed_error", share(recorder.speed_error), RECORDER_SPEED),
+        ln_sd: or_default("recorder.speed_error", share(recorder.speed_error), RECORDER_SPEED),
+        least: LEAST_SPEED_ERROR,
     });
     let yaw_rate = recorder.yaw_rate.as_ref().map(|rate| {
         let value = case.axes.lateral(rate.si());
         let given = recorder.yaw_rate_error.as_ref().map(Quantity::si);
         Measured { value, sd: or_default("recorder.yaw_rate_error", given, yaw_rate_error(value)) }
     });
-    Recorder { delta_v, direction, speed, yaw_rate }
+    Recorder { delta_v, longitudinal, direction, speed, yaw_rate }
 }
 
 /// Whose crush is evidence.
@@ -768,6 +971,14 @@ impl Crushed {
         };
         let energy = |id: &VehicleId| assessed[id.index()].crush_energy().unwrap_or_default();
         if known.iter().map(energy).sum::<f64>() <= 0.0 {
+            let is_given =
+                |id: &&VehicleId| !matches!(case.vehicles[id.index()].energy, Some(KnownEnergy::Undamaged));
+            unused.extend(
+                known.iter().filter(is_given).map(|id| Unused {
+                    key: format!("{}.crush", table(*id)),
+                    reason: UnusedReason::NoEnergy,
+                }),
+            );
             return Self::No;
         }
         match known[..] {

@@ -1,6 +1,8 @@
 //! Numbers that are not known exactly: `{ value, sd }`, `{ low, high }`, `{ low, mode, high }`, `{ value,
 //! within, confidence }`.
 
+use std::borrow::Cow;
+
 use toml::Spanned;
 
 use super::tree::{Reader, Table, kind};
@@ -309,18 +311,34 @@ impl<'t> Reader<'t> {
 
     /// (%) a percentage greater than zero.
     pub(super) fn percent(&mut self, table: &Table<'t>, key: &'static str) -> Option<f64> {
+        self.percent_within(table, key, |number| number > 0.0, "greater than zero")
+    }
+
+    /// A percentage of 0 or more, below a limit.
+    pub(super) fn percent_below(&mut self, table: &Table<'t>, key: &'static str, most: f64) -> Option<f64> {
+        let range = format!("0 or more, and less than {most}");
+        self.percent_within(table, key, |number| (0.0..most).contains(&number), range)
+    }
+
+    fn percent_within(
+        &mut self,
+        table: &Table<'t>,
+        key: &'static str,
+        holds: impl FnOnce(f64) -> bool,
+        range: impl Into<Cow<'static, str>>,
+    ) -> Option<f64> {
         let value = table.get(key)?;
         let (path, example) = (table.path_of(key), table.schema.example(key));
         let problem = match value.get_ref() {
             Node::String(text) => match split_number(text.trim()) {
                 (Some(number), rest) if rest.trim() == "%" && number.is_finite() => {
-                    if number > 0.0 {
+                    if holds(number) {
                         return Some(number);
                     }
                     CaseProblem::OutOfRange {
                         path: named(&path),
                         value: number,
-                        range: "greater than zero".into(),
+                        range: range.into(),
                         example,
                     }
                 }

@@ -8,6 +8,8 @@ use inputs::{CertainSpeed, GivenEstimate, Prior, Quantity, Recorder};
 
 const EXACT: &str = "a string with a number and a unit: its error stands beside it, as delta_v_error, speed_error or yaw_rate_error";
 const STOOD: &str = "a recorder tells the speed of a vehicle that moved; for one that stood, leave this out and write speed = \"0 km/h\" in the table of the vehicle";
+/// (%) two vehicles that stand do not collide, so that each stood with less than half.
+const MOST_STOOD: f64 = 50.0;
 const CERTAIN: &str =
     "a string with a number and a unit: a speed that is not certain is `speed` of the vehicle, as a range";
 
@@ -71,10 +73,16 @@ impl<'t> Reader<'t> {
     pub(super) fn estimate(&mut self, table: &Table<'t>) -> GivenEstimate {
         const EXACT_PRIOR: &str =
             "a string with a number and a unit: the spread about it is that of the field";
+        const EXACT_ERROR: &str = "a string with a number and a unit: an error has no range";
         GivenEstimate {
             prior: self.choice(table, "prior", &Prior::WORDS).unwrap_or_default(),
             delta_v_median: self.exact_quantity(table, "delta_v_median", EXACT_PRIOR),
             crush_error: self.percent(table, "crush_error"),
+            crush_bias: self.percent(table, "crush_bias"),
+            rest_error: self.percent(table, "rest_error"),
+            rest_least_error: self.exact_quantity(table, "rest_least_error", EXACT_ERROR),
+            rest_heading_error: self.exact_quantity(table, "rest_heading_error", EXACT_ERROR),
+            stood: self.percent_below(table, "stood", MOST_STOOD),
         }
     }
 }

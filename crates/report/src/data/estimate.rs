@@ -4,8 +4,10 @@ use std::io::{self, Write};
 
 use ::estimate::{Doubt, Summary};
 use ::uncertainty::{Distribution, Estimate, Shape};
-use analysis::{Estimated, EstimatedOutput, PieceFound, UnknownNumber, UnusedReason};
+use analysis::{Estimated, EstimatedOutput, PieceFound, Stood, UnknownNumber, UnusedReason};
 use case::CaseFile;
+use evidence::{CrushErrors, EnergyError, EnergyMethod};
+use pim_core::VehicleId;
 use serde::Serialize;
 
 use super::csv::CsvStyle;
@@ -34,6 +36,10 @@ struct Document<'a> {
     outputs: InOrder<OutputBlock>,
     questions: Vec<QuestionBlock>,
     pieces: Vec<PieceBlock<'a>>,
+    /// How far crush energies are off, of vehicle 1 and 2; `null` where the crush is no evidence.
+    crush: Option<[Option<CrushBlock>; 2]>,
+    /// How probable it is that vehicle 1 and 2 stood; `null` of one that did not, or whose speed is known.
+    stood: [Option<StoodBlock>; 2],
     same_twice: Vec<&'a [String; 2]>,
     unknown: Vec<UnknownBlock>,
     /// Keys of errors that the case does not give.
@@ -50,6 +56,8 @@ struct DoubtBlock {
 
 #[derive(Serialize)]
 struct OutputBlock {
+    /// Whether the evidence tells it.
+    told: Option<bool>,
     /// `null` where the run before the evidence has not converged.
     prior: Option<PriorBlock>,
     median: Option<f64>,
@@ -94,7 +102,52 @@ struct PieceBlock<'a> {
     alone: Option<[Option<PriorBlock>; 2]>,
     without: Option<[Option<PriorBlock>; 2]>,
     p_value: Option<f64>,
+    /// Times as many as are no less than it, of all pieces: what the verdict is by.
+    adjusted_p_value: Option<f64>,
+    /// Whether it points the other way than the rest says.
+    reversed: bool,
     verdict: Option<&'static str>,
+}
+
+/// How the crush energy of a vehicle was obtained, and its error in ln.
+#[derive(Serialize)]
+struct CrushBlock {
+    method: &'static str,
+    bias: f64,
+    shared_sd: f64,
+    own_sd: f64,
+}
+
+impl CrushBlock {
+    fn of(method: EnergyMethod, error: &EnergyError) -> Self {
+        let method = match method {
+            EnergyMethod::Class => "class",
+            EnergyMethod::Coefficients => "coefficients",
+            EnergyMethod::Test => "test",
+            EnergyMethod::Ees => "ees",
+        };
+        Self { method, bias: error.bias, shared_sd: error.shared_ln_sd, own_sd: error.own_ln_sd }
+    }
+}
+
+/// How probable it is that a vehicle stood: as assumed, of the collisions that are possible before the
+/// evidence, and after it.
+#[derive(Serialize)]
+struct StoodBlock {
+    assumed: f64,
+    prior: Option<f64>,
+    probability: Option<f64>,
+}
+
+impl StoodBlock {
+    fn of(stood: Stood, is_answer: bool) -> Self {
+        let Stood { assumed, before, after } = stood;
+        Self {
+            assumed,
+            prior: before.map(|before| before.value),
+            probability: is_answer.then_some(after.value),
+        }
+    }
 }
 
 #[derive(Serialize)]
@@ -139,6 +192,7 @@ impl OutputBlock {
         let level = |place: usize| answer.map(|summary| ends(summary, place));
         let error = |estimate: Estimate| estimate.standard_error;
         Self {
+            told: is_answer.then(|| output.is_told()),
             prior: output.prior.as_ref().map(PriorBlock::of),
             median: answer.map(|summary| summary.median.value),
             interval50: level(HALF),
@@ -170,7 +224,7 @@ impl QuestionBlock {
 }
 
 impl<'a> PieceBlock<'a> {
-    fn of(piece: &'a PieceFound) -> Self {
+    fn of(piece: &'a PieceFound, agreement: Option<(Agreement, f64)>) -> Self {
         let speeds = |speeds: &Option<[Option<Summary>; 2]>| {
             speeds.as_ref().map(|speeds| speeds.each_ref().map(|speed| speed.as_ref().map(PriorBlock::of)))
         };
@@ -179,7 +233,9 @@ impl<'a> PieceBlock<'a> {
             alone: speeds(&piece.alone),
             without: speeds(&piece.without),
             p_value: piece.p_value.map(|p| p.value),
-            verdict: Agreement::of(piece).map(Agreement::name),
+            adjusted_p_value: agreement.map(|(_, adjusted)| adjusted),
+            reversed: piece.reversed,
+            verdict: agreement.map(|(agreement, _)| agreement.name()),
         }
     }
 }
@@ -218,9 +274,10 @@ fn distribution_name(distribution: &Distribution) -> &'static str {
 
 fn reason_name(reason: UnusedReason) -> &'static str {
     match reason {
-        UnusedReason::NoRange => "no_range",
         UnusedReason::Sought => "sought",
         UnusedReason::Inferred => "inferred",
+        UnusedReason::NoEnergy => "no_energy",
+        UnusedReason::NoDirection => "no_direction",
         UnusedReason::OtherPdof => "other_pdof",
         UnusedReason::NotFollowed => "not_followed",
         _ => "other",
@@ -262,7 +319,18 @@ pub fn estimate_json(
                 .iter()
                 .map(|question| QuestionBlock::of(question, estimated, is_answer))
                 .collect(),
-            pieces: estimated.pieces.iter().map(PieceBlock::of).collect(),
+            pieces: estimated
+                .pieces
+                .iter()
+                .zip(Agreement::of_all(&estimated.pieces))
+                .map(|(piece, agreement)| PieceBlock::of(piece, agreement))
+                .collect(),
+            crush: estimated.observed.crush.map(|CrushErrors(errors)| {
+                VehicleId::ALL.map(|id| {
+                    estimated.energies[id.index()].map(|method| CrushBlock::of(method, &errors[id.index()]))
+                })
+            }),
+            stood: estimated.stood.map(|stood| stood.map(|stood| StoodBlock::of(stood, is_answer))),
             same_twice: estimated.same_twice.iter().map(|same| &same.keys).collect(),
             unknown: estimated.unknown.iter().map(|unknown| UnknownBlock::of(unknown, is_answer)).collect(),
             default_errors: &estimated.default_errors,

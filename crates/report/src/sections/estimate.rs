@@ -3,16 +3,19 @@
 use ::estimate::Summary;
 use ::uncertainty::{Distribution, Shape};
 use analysis::{
-    Assumed, EstimateOutput, Estimated, EstimatedOutput, Output, PieceFound, UnknownNumber, Weighed,
+    Assumed, EstimateOutput, Estimated, EstimatedOutput, Output, PieceFound, Stood, TOLD_BELOW, UnknownNumber,
+    Weighed,
 };
 use case::{Case, Prior};
+use evidence::Piece;
 use pim_core::VehicleId;
 
 use super::uncertainty::{decimals_of, grouped};
 use crate::document::{Block, Column, Document, NONE, Table, Width};
 use crate::estimates::{
-    Agreement, Asked, EIGHTY, HALF, NINETY, Question, WIDEST, doubt_words, ends, error, error_key, is_factor,
-    label, measure, name, piece_name, source, unknown_key, unused, value,
+    Agreement, Asked, CONTRADICTS, DOUBTFUL, EIGHTY, HALF, NINETY, Question, WIDEST, crush_words,
+    doubt_words, ends, error, error_key, is_factor, label, measure, name, piece_name, source, unknown_key,
+    unused, value,
 };
 use crate::pictures;
 use crate::units::{Measure, Units, number, significant};
@@ -111,18 +114,50 @@ impl<'a> Page<'a> {
         self.warnings();
     }
 
-    fn answer(&mut self) {
+    /// A speed or a ΔV with its interval, in words.
+    fn told(&self, found: &EstimatedOutput) -> String {
         let unit = self.units.name(Measure::RoadSpeed);
-        let line = |output: Output| {
-            let found = self.find(output)?;
-            let [median, interval] = self.speed(&found.posterior);
-            let name = name(found.output);
-            Some(if found.varies() {
-                format!("{name}: {median} {unit} (95 %: {interval} {unit})")
-            } else {
-                format!("{name}: {median} {unit}, as given")
-            })
+        let name = name(found.output);
+        let [median, interval] = self.speed(&found.posterior);
+        if !found.varies() {
+            return format!("{name}: {median} {unit}, as given");
+        }
+        let [low, high] = ends(&found.posterior, WIDEST);
+        let words = if low == 0.0 {
+            let most = number(self.units.value(Measure::RoadSpeed, high), 1);
+            format!("95 %: up to {most} {unit}")
+        } else {
+            format!("95 %: {interval} {unit}")
         };
+        if found.is_told() {
+            format!("{name}: {median} {unit} ({words})")
+        } else {
+            format!("{name}: the evidence does not tell ({words})")
+        }
+    }
+
+    /// How probable it is that each vehicle stood.
+    fn stood(&self) -> Vec<String> {
+        let percent = |share: f64| number(100.0 * share, 0);
+        let words = |id: VehicleId| {
+            let Stood { assumed, before, after } = self.estimated.stood[id.index()]?;
+            let before = before.map_or_else(String::new, |before| {
+                format!(
+                    " ({} % of the collisions that are possible before the evidence)",
+                    percent(before.value)
+                )
+            });
+            Some(format!(
+                "Vehicle {id} stood: probability {} %{before}; assumed {} %, which `stood` in [estimate] changes.",
+                percent(after.value),
+                percent(assumed)
+            ))
+        };
+        VehicleId::ALL.into_iter().filter_map(words).collect()
+    }
+
+    fn answer(&mut self) {
+        let line = |output: Output| Some(self.told(self.find(output)?));
         let all = VehicleId::ALL.into_iter();
         let speeds = all.clone().filter_map(|vehicle| line(Output::Speed { vehicle }));
         let changes = all.filter_map(|vehicle| line(Output::DeltaV { vehicle }));
@@ -135,7 +170,24 @@ impl<'a> Page<'a> {
         } else {
             format!("Medians and 95 % intervals by all evidence: {}.", evidence.join("; "))
         };
+        let is_untold = |vehicle: VehicleId| {
+            [Output::Speed { vehicle }, Output::DeltaV { vehicle }]
+                .into_iter()
+                .any(|output| self.find(output).is_some_and(|found| !found.is_told()))
+        };
+        let untold = VehicleId::ALL.into_iter().any(is_untold);
+        let stood = self.stood();
         self.document.push(Block::Answer { found, how });
+        if untold {
+            self.document.paragraph(format!(
+                "The evidence does not tell a speed whose interval is nearly as wide as before the evidence, more \
+                 than {} % of it: the interval then shows what was assumed of such collisions.",
+                number(100.0 * TOLD_BELOW, 0)
+            ));
+        }
+        if !stood.is_empty() {
+            self.document.push(Block::List(stood));
+        }
     }
 
     /// Why there is no answer, and what to do.
@@ -161,20 +213,27 @@ impl<'a> Page<'a> {
         let named = |piece: &PieceFound| format!("{} (`{}`)", piece_name(piece.piece), piece.key);
         let p = |piece: &PieceFound| piece.p_value.map(|p| with_sign(p.value)).unwrap_or_default();
         let mut lines = Vec::new();
-        for piece in &self.estimated.pieces {
-            match Agreement::of(piece) {
-                Some(Agreement::Contradicts) => lines.push(format!(
-                    "Warning: {} contradicts the rest: {}. The answer lies between both and may be \
+        let agreements = Agreement::of_all(&self.estimated.pieces);
+        for (piece, agreement) in self.estimated.pieces.iter().zip(agreements) {
+            match agreement {
+                Some((Agreement::Contradicts, _)) if piece.reversed => lines.push(format!(
+                    "Warning: {} contradicts the other evidence: {}. It points the other way than all of that says{}.",
+                    named(piece),
+                    p(piece),
+                    turned_round(piece.piece)
+                )),
+                Some((Agreement::Contradicts, _)) => lines.push(format!(
+                    "Warning: {} contradicts the other evidence: {}. The answer lies between both and may be \
                      neither; check what was measured, and the error that it has.",
                     named(piece),
                     p(piece)
                 )),
-                Some(Agreement::Doubtful) => lines.push(format!(
-                    "Warning: the rest of the evidence expects something else than {}: {}.",
+                Some((Agreement::Doubtful, _)) => lines.push(format!(
+                    "Warning: the other evidence disagrees with {}: {}.",
                     named(piece),
                     p(piece)
                 )),
-                Some(Agreement::Agrees) | None => {}
+                Some((Agreement::Agrees, _)) | None => {}
             }
         }
         for same in &self.estimated.same_twice {
@@ -317,7 +376,7 @@ impl<'a> Page<'a> {
         }
         columns.push(Column::numbers("p-value", Width::Fixed(12)));
         let mut table = Table::new("Evidence", columns);
-        for piece in pieces {
+        for (piece, agreement) in pieces.iter().zip(Agreement::of_all(pieces)) {
             let mut cells = vec![format!("{}\n  {}", piece_name(piece.piece), piece.key)];
             if is_judged {
                 for speeds in [&piece.alone, &piece.without] {
@@ -327,7 +386,7 @@ impl<'a> Page<'a> {
                     }));
                 }
             }
-            let verdict = Agreement::of(piece).map_or(NONE, Agreement::name);
+            let verdict = agreement.map_or(NONE, |(agreement, _)| agreement.name());
             let p = piece.p_value.map_or(NONE.to_owned(), |p| p_value(p.value));
             cells.push(format!("{p}\n{verdict}"));
             table.cells(cells);
@@ -342,11 +401,13 @@ impl<'a> Page<'a> {
         } else if pieces.iter().any(|piece| piece.p_value.is_none()) {
             words.push_str("– : it takes a run without the piece to tell. ");
         }
-        words.push_str(
-            "The p-value is the probability, by all other evidence, of an observation at least as far off: \
-             from 0.05 up it agrees; below, the rest expects something else; below 0.01 it contradicts the \
-             rest. Of many pieces one in twenty falls below 0.05 by chance.",
-        );
+        words.push_str(&format!(
+            "The p-value is the probability, by all other evidence, of an observation at least as far off. It is \
+             multiplied by the number of pieces whose p-value is no smaller (Holm), so that, where all pieces are \
+             right, any is warned of in at most {} % of cases: below {DOUBTFUL} after that, the other evidence \
+             disagrees with it; if its p-value is below {CONTRADICTS}, it contradicts the other evidence.",
+            number(100.0 * DOUBTFUL, 0)
+        ));
         self.document.paragraph(words);
     }
 
@@ -380,6 +441,9 @@ impl<'a> Page<'a> {
             table.notes.push(format!("Errors that the case does not give: {}.", keys.join(", ")));
         }
         self.document.push(table);
+        for words in crush_words(self.estimated) {
+            self.document.paragraph(words);
+        }
     }
 
     fn unused(&mut self) {
@@ -449,9 +513,6 @@ impl<'a> Page<'a> {
     fn prior(&self, unknown: &UnknownNumber, assumed: Assumed) -> String {
         let prior = &unknown.prior;
         match (assumed, prior.shape()) {
-            (Assumed::Restitution, Shape::LogNormal { ln_sd, .. }) => format!(
-                "[0.05 + 0.32 exp(−closing speed/5 m/s)] times a factor of ln-sd {ln_sd}, at most 0.7"
-            ),
             (Assumed::Speed, Shape::Uniform { .. }) if unknown.key == "ln_relative_speed" => {
                 "its logarithm uniform".to_owned()
             }
@@ -510,6 +571,28 @@ impl<'a> Page<'a> {
              recorders, of cars in the United States (docs/calibration.md): in other collisions it may be more. The \
              intervals contain the errors that are listed here, and no others.",
         );
+    }
+}
+
+/// What may have gone wrong with a piece that points the other way.
+fn turned_round(piece: Piece) -> &'static str {
+    match piece {
+        Piece::RecordedDeltaV(_) => {
+            ": it may have the wrong sign. The longitudinal ΔV is negative where the vehicle was slowed down, as in a \
+             frontal impact, and positive where it was pushed forward"
+        }
+        Piece::RecordedDirection(_) => {
+            ": a sign may be wrong. The longitudinal ΔV is negative where the vehicle was slowed down, as in a frontal \
+             impact, and positive where it was pushed forward"
+        }
+        Piece::Pdof(_) => {
+            ": it may be turned round. The PDOF is where the force came from, clockwise from the heading: 0° at the \
+             front, 180° at the rear"
+        }
+        Piece::DirectionAfter(_) => {
+            ": it may be turned round. It is the direction in the scene in which the vehicle left the impact"
+        }
+        _ => "",
     }
 }
 
