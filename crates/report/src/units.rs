@@ -214,6 +214,23 @@ impl Units {
         format!("{} ({})", self.road_speed(si), self.format(Measure::Speed, si))
     }
 
+    /// A speed along a heading: as [`speed`](Self::speed), and in words where its sign says that the vehicle
+    /// moved against its heading, like `-2.7 km/h (-0.74 m/s), backwards`.
+    pub(crate) fn speed_along(self, si: f64) -> String {
+        format!("{}{}", self.speed(si), if self.is_backwards(si) { ", backwards" } else { "" })
+    }
+
+    /// The same for readers who may not know what a sign means, like `2.7 km/h backwards`.
+    pub(crate) fn speed_in_words(self, si: f64) -> String {
+        format!("{}{}", self.road_speed(si.abs()), if self.is_backwards(si) { " backwards" } else { "" })
+    }
+
+    /// Whether a speed (m/s) is below zero as printed.
+    fn is_backwards(self, si: f64) -> bool {
+        let printed = [Measure::RoadSpeed, Measure::Speed].map(|measure| self.plain(measure, si));
+        printed.iter().any(|text| text.starts_with('-'))
+    }
+
     /// A speed as drivers know it, like `51.16 mph`.
     #[must_use]
     pub fn road_speed(self, si: f64) -> String {

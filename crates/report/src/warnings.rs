@@ -206,8 +206,9 @@ pub fn message(seen: &SeenWarning, units: Units) -> String {
             )
         }
         Warning::MovesBackward { vehicle, speed: si, found: true } => format!(
-            "the speed found for vehicle {vehicle} is {}, so it would have moved backwards; check the \
-             heading and the crush energy",
+            "the speed found for vehicle {vehicle} is {}, so it would have moved backwards; one that stood comes \
+             out so where the inputs are a little off; otherwise check the heading, the crush energy and what \
+             was measured after the impact",
             speed(*si)
         ),
         Warning::MovesBackward { vehicle, speed: si, found: false } => format!(

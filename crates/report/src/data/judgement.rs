@@ -1,12 +1,13 @@
 //! A case judged without solving it, as JSON.
 
 use analysis::{Ability, Judgement};
-use case::{CaseFile, Unit, UnitSystem};
+use case::{CaseFile, Purpose, Unit, UnitSystem};
 use serde::Serialize;
 
 use super::json::WarningBlock;
 use super::{identified, pretty, title};
 use crate::PROGRAM;
+use crate::pictures::drawn;
 use crate::understood::{choices, converted, message, spread};
 use crate::units::Units;
 
@@ -27,6 +28,9 @@ struct CommandBlock {
     command: &'static str,
     runs: bool,
     obstacles: Vec<String>,
+    /// Of `draw`: what can be drawn, by the values of its option `--what`.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    draws: Option<Vec<&'static str>>,
 }
 
 #[derive(Serialize)]
@@ -69,14 +73,21 @@ pub fn judgement_json(file: &CaseFile, judgement: &Judgement) -> Result<String, 
         commands: judgement
             .abilities
             .iter()
-            .map(|Ability { purpose, obstacle, .. }| CommandBlock {
-                command: purpose.name(),
-                runs: obstacle.is_none(),
-                obstacles: obstacle
-                    .iter()
-                    .flat_map(|obstacle| file.diagnostics(obstacle, &PROGRAM).list().to_vec())
-                    .map(|one| one.problem().to_string())
-                    .collect(),
+            .map(|Ability { purpose, obstacle, .. }| {
+                // Where something can be drawn, what the rest lacks is no obstacle.
+                let draws = (*purpose == Purpose::Draw).then(|| drawn(case, judgement));
+                let obstacle =
+                    obstacle.as_ref().filter(|_| draws.as_ref().is_none_or(|draws| draws.is_empty()));
+                CommandBlock {
+                    command: purpose.name(),
+                    runs: obstacle.is_none(),
+                    obstacles: obstacle
+                        .iter()
+                        .flat_map(|obstacle| file.diagnostics(obstacle, &PROGRAM).list().to_vec())
+                        .map(|one| one.problem().to_string())
+                        .collect(),
+                    draws,
+                }
             })
             .collect(),
         inputs: case

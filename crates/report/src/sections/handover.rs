@@ -155,6 +155,7 @@ fn drawings(
                 DrawingError::NoImpact { .. }
                 | DrawingError::NoDamage
                 | DrawingError::NoReconciliation
+                | DrawingError::TwoSpeeds
                 | DrawingError::NoMotion { .. },
             ) => {}
             Err(error) => return Err(error),
@@ -204,8 +205,8 @@ fn answer(analysis: &Analysis, supplements: Supplements<'_>, units: Units) -> Bl
     let said = |output: Output, si: f64| match uncertainty
         .and_then(|uncertainty| interval(uncertainty, output, units))
     {
-        Some(interval) => format!("{interval}; central value {}", units.speed(si)),
-        None => units.speed(si),
+        Some(interval) => format!("{interval}; central value {}", units.speed_along(si)),
+        None => units.speed_along(si),
     };
     let changes = |values: [f64; 2]| {
         VehicleId::ALL
@@ -289,7 +290,7 @@ pub fn uncertain_headline(uncertainty: &Uncertainty, units: Units) -> Vec<String
             _ => return None,
         };
         let interval = interval(uncertainty, output.output, units)?;
-        Some(format!("{name}: {interval}; central value {}.", units.speed(output.central)))
+        Some(format!("{name}: {interval}; central value {}.", units.speed_along(output.central)))
     };
     uncertainty.outputs.iter().filter_map(line).collect()
 }

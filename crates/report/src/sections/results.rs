@@ -90,7 +90,7 @@ impl Page {
             VehicleId::ALL.iter().filter(|id| analysis.moves(**id)).map(of).collect::<Vec<_>>()
         });
         self.document.push(Block::Answer {
-            found: std::iter::once(format!("Speed of vehicle {vehicle}: {}", units.speed(found.speed)))
+            found: std::iter::once(format!("Speed of vehicle {vehicle}: {}", units.speed_along(found.speed)))
                 .chain(delta_v)
                 .collect(),
             how: format!(
@@ -103,7 +103,8 @@ impl Page {
     /// Both speeds, and how they were found.
     fn both(&mut self, both: &BothFound, analysis: &Seen) {
         let units = self.units;
-        let of = |id: VehicleId| format!("Speed of vehicle {id}: {}", units.speed(both.speeds[id.index()]));
+        let of =
+            |id: VehicleId| format!("Speed of vehicle {id}: {}", units.speed_along(both.speeds[id.index()]));
         let change = |id: VehicleId| format!("ΔV of vehicle {id}: {}", units.speed(both.delta_v[id.index()]));
         let found = VehicleId::ALL.into_iter().map(of).chain(VehicleId::ALL.into_iter().map(change));
         self.document.push(Block::Answer { found: found.collect(), how: motion::how(both, analysis, units) });
