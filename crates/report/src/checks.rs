@@ -78,9 +78,9 @@ pub(crate) fn table(analysis: &Seen, units: Units) -> Option<Table> {
                 format!("{} apart", angle(check.limit)),
             ),
             CheckedQuantity::PointMissed { vehicle, point, pass } => (
-                format!("way past point {point} of vehicle {vehicle}"),
+                format!("path past point {point} of vehicle {vehicle}"),
                 format!("{}: {}", words::pass(&pass, units), percent(check.value)),
-                format!("{} of the way", percent(check.limit)),
+                format!("{} of the path", percent(check.limit)),
             ),
         };
         let verdict = if check.passed() { "passed" } else { "see below" };

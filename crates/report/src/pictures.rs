@@ -147,9 +147,9 @@ pub(crate) fn drawn(case: &Case, judgement: &Judgement) -> Vec<&'static str> {
 pub enum DrawingError {
     /// The scene and the energy are those of an impact.
     #[error(
-        "there is no {} to draw: the case has no impact; give it an [impact] table{}",
+        "there is no {} to draw: that takes an [impact] table and {}",
         subject.name(),
-        if *.subject == Subject::Scene { ", the headings and the contact points" } else { " and the speeds" }
+        if *.subject == Subject::Scene { "heading and contact point of both vehicles" } else { "the speeds" }
     )]
     NoImpact {
         /// What was asked for.
@@ -170,7 +170,7 @@ pub enum DrawingError {
     TwoSpeeds,
     /// No vehicle is followed to rest.
     #[error(
-        "there is no {} to draw: the case says nothing of the way to rest; give it [surface] friction and [vehicle1.after] with drag, and \
+        "there is no {} to draw: the case says nothing of the path to rest; give it [surface] friction and [vehicle1.after] with drag, and \
          with rest or with speed, direction and yaw_rate", subject.name()
     )]
     NoMotion {

@@ -168,8 +168,8 @@ pub fn message(seen: &SeenWarning, units: Units) -> String {
             )
         }
         Warning::PointMissed { vehicle, point, pass } => format!(
-            "the way of vehicle {vehicle} to its rest misses point {point} of its path by {}, more than 15 % of \
-             the way; check the point, the rest, the drag, the friction and the steer, and whether the vehicle \
+            "the path of vehicle {vehicle} to its rest misses point {point} by {}, more than 15 % of \
+             the path; check the point, the rest, the drag, the friction and the steer, and whether the vehicle \
              was struck again",
             words::pass(pass, units)
         ),

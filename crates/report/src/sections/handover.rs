@@ -90,7 +90,7 @@ pub fn handover(
     page.blocks.extend(inputs::tables(file, analysis, units).into_iter().map(Block::Table));
     page.heading("Results step by step");
     let system = match units {
-        Units::Si => "Numbers are in SI units and degrees",
+        Units::Si | Units::Uk => "Numbers are in SI units and degrees",
         Units::Us => {
             "Numbers are in ft, lb, s, slug (1 slug = 1 lb·s²/ft, so a mass is the weight over 32.174 ft/s²) and \
              degrees"

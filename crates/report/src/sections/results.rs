@@ -1,8 +1,8 @@
 //! A finished analysis as text for the terminal and the file.
 
-use analysis::{Analysis, BothFound, BothMethod, Crash3, Damage, Found, Impact, Seen};
+use analysis::{Analysis, BothFound, BothMethod, Crash3, Damage, Found, Impact, Inferred, Seen};
 use case::{Axes, Basis, Case, Pdof, Text, Velocity, YawSource};
-use crash3::{SideStiffness, Stiffness};
+use crash3::{SideStiffness, Stiffness, UniformCrush};
 use pim_core::{Outcome, Regime, VehicleId};
 
 use super::chosen::{Chosen, label};
@@ -10,6 +10,16 @@ use super::motion;
 use crate::document::{Block, Document, Table};
 use crate::units::{Measure, Units};
 use crate::{axes, basis, checks, energy, law, warnings, words};
+
+/// A crush that was not measured: how deep it is where the width is known, and its bounds where it is not.
+fn inferred_crush(inferred: &Inferred, units: Units) -> String {
+    let length = |si: f64| units.format(Measure::Crush, si);
+    let of = |crush: &UniformCrush| format!("{} deep, {} wide", length(crush.depth), length(crush.width));
+    let bounds = inferred.range.as_ref().map_or_else(String::new, |range| {
+        format!("; possible are {} to {}", of(&range.lowest), of(&range.highest))
+    });
+    format!("{}, inferred from the force on the other vehicle{bounds}", of(&inferred.crush))
+}
 
 /// The analysis for the terminal and the file: what was found, all inputs and results with their equations,
 /// and the warnings.
@@ -37,6 +47,9 @@ pub fn results(case: &Case, analysis: &Analysis, units: Units) -> Document {
     if let Some(impact) = &analysis.impact {
         page.impact(analysis, impact);
         page.motion(analysis);
+        if let Some(note) = motion::skids_on_a_grade(case, analysis) {
+            page.document.paragraph(note);
+        }
         page.energy(analysis, &impact.outcome);
     }
     page.travel(analysis);
@@ -285,12 +298,12 @@ impl Page {
         let units = self.units;
         let mut profiles = Vec::new();
         for (id, vehicle) in VehicleId::ALL.into_iter().zip(&analysis.vehicles) {
-            if let Some(damage) = &vehicle.damage
-                && damage.inferred.is_none()
-            {
-                let depths = units.format_all(Measure::Crush, &damage.depths);
-                profiles.push((format!("crush depths, vehicle {id}"), depths));
-            }
+            let Some(damage) = &vehicle.damage else { continue };
+            let depths = match &damage.inferred {
+                None => units.format_all(Measure::Crush, &damage.depths),
+                Some(inferred) => inferred_crush(inferred, units),
+            };
+            profiles.push((format!("crush depths, vehicle {id}"), depths));
         }
         let heading = match (profiles.is_empty(), case.impact.is_some()) {
             (false, true) => "Crush depths and impact law",
