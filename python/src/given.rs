@@ -37,7 +37,7 @@ pub(crate) struct Given {
 #[pyclass(name = "Case", module = "deltav", frozen)]
 pub(crate) struct PyCase(pub(crate) Arc<Given>);
 
-const UNITS: [(&str, Units); 2] = [("si", Units::Si), ("us", Units::Us)];
+const UNITS: [(&str, Units); 3] = [("si", Units::Si), ("us", Units::Us), ("uk", Units::Uk)];
 
 /// The units of a text or a drawing: those that most of the case uses, unless somebody says.
 pub(crate) fn units(asked: Option<&str>, file: &CaseFile) -> PyResult<Units> {
@@ -354,7 +354,7 @@ impl PyCase {
 
     /// Draws the ``"scene"``, the ``"motion"``, the ``"motion-curves"``, the ``"damage"``, the
     /// ``"reconciliation"`` or the ``"energy"`` of the most complete analysis that the case allows.
-    /// ``units`` are ``"si"``, ``"us"``, or those that most of the case uses. ``plain=True`` draws scene
+    /// ``units`` are ``"si"``, ``"us"``, ``"uk"``, or those that most of the case uses. ``plain=True`` draws scene
     /// and motion for readers who are no engineers.
     ///
     /// >>> deltav.Case.example().draw("scene").svg()[:4]

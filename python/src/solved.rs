@@ -245,7 +245,8 @@ impl PyAnswered {
         self.solved.json(py)
     }
 
-    /// What the program prints: in the units that most of the case uses, or in those of ``"si"`` or ``"us"``.
+    /// What the program prints: in the units that most of the case uses, or in those of ``"si"``,
+    /// ``"us"`` or ``"uk"``.
     #[pyo3(signature = (units = None))]
     fn text(&self, py: Python<'_>, units: Option<&str>) -> PyResult<String> {
         let units = self.solved.in_units(units)?;

@@ -2,7 +2,7 @@
 // comes out is what the engine says of it. Places are offsets into that text, as JavaScript counts them.
 import * as wasm from "../pkg/deltav_web.js";
 
-export type Units = "si" | "us" | "";
+export type Units = "si" | "us" | "uk" | "";
 export type Command =
   | "reconstruct"
   | "impact"
@@ -39,7 +39,7 @@ export interface Check {
   values: Record<string, Given>;
   commands: Partial<Record<Command, Ability>>;
   judgement_html: string;
-  units: "si" | "us" | "";
+  units: "si" | "us" | "uk" | "";
 }
 
 export interface Warning {
@@ -166,7 +166,7 @@ export interface Look {
   command: Command;
   /** What the case can be asked, the fullest answer first. */
   able: Command[];
-  units: "si" | "us";
+  units: "si" | "us" | "uk";
   headline: string[];
   warnings: Warning[];
   scene: Scene | null;

@@ -112,6 +112,10 @@ pub(crate) fn reconstruct(case: &Case) -> Result<Analysis, Failure> {
         }
         None => (posed.momentum.speeds()?, BothMethod::Momentum),
     };
+    let mut warnings = Vec::new();
+    for (vehicle, speed) in VehicleId::ALL.into_iter().zip(speeds) {
+        warning::of_found_speed(vehicle, speed, &mut warnings);
+    }
     let implied = posed.momentum.implied(speeds)?;
     let (law_here, outcome) = posed.impact(speeds)?;
     let Posed { momentum, law, .. } = posed;
@@ -123,7 +127,7 @@ pub(crate) fn reconstruct(case: &Case) -> Result<Analysis, Failure> {
         BothMethod::MomentumAndCrush { .. } => impact.outcome.delta_v_magnitude(),
     };
     let both = BothFound { speeds, method, delta_v, momentum, implied };
-    let mut analysis = judged(case, vehicles, basis, Some(restitution), (None, Some(impact)), Vec::new())?;
+    let mut analysis = judged(case, vehicles, basis, Some(restitution), (None, Some(impact)), warnings)?;
     // The part of the crush energy that the impact dissipates, on the case's basis.
     let dissipated = || basis.energy().dissipated(damage::crush_energy(&analysis.vehicles), restitution);
     let crush_energy = has_crush.then(|| (dissipated(), basis));

@@ -109,6 +109,8 @@ pub struct Analysis {
     pub both: Option<BothFound>,
     /// The impact; `None` in an analysis of the damage alone, or of the motion alone.
     pub impact: Option<Impact>,
+    /// How the vehicles touch, in an analysis of the geometry alone.
+    pub geometry: Option<Contact>,
     /// The way of each vehicle from the impact to rest, where the case has the ground and the drag for it.
     pub travel: [Option<Travel>; 2],
     /// The skid marks of each vehicle before the impact.
@@ -218,7 +220,8 @@ impl Impact {
     }
 
     /// (m/s) speed of a vehicle before the impact: negative where it moves backwards.
-    fn speed(&self, vehicle: VehicleId) -> f64 {
+    #[must_use]
+    pub fn speed(&self, vehicle: VehicleId) -> f64 {
         let velocity = self.outcome.before[vehicle.index()].velocity;
         let forward = self.contact.participants()[vehicle.index()].forward();
         // |v| = √(v_x² + v_y²)
@@ -489,12 +492,33 @@ pub fn motion(case: &Case) -> Result<Analysis, Failure> {
         energy: None,
     };
     let vehicles = case.subjects().map(bare);
-    let basis = Basis::default();
-    let analysis = Analysis {
-        basis,
+    Ok(unsolved(vehicles).with_travel(travel, Some(input.surface)))
+}
+
+/// The vehicles as they stand at the impact with the damage that was measured, whatever is known of their
+/// speeds: what a picture of them needs.
+///
+/// # Errors
+/// [`Failure`].
+pub fn geometry(case: &Case) -> Result<Analysis, Failure> {
+    let Collision { contact, mut vehicles, .. } = case.geometry()?;
+    for vehicle in &mut vehicles {
+        // To infer a crush takes the direction of the force, which is not known without the speeds.
+        vehicle.damage =
+            vehicle.damage.take().filter(|damage| matches!(damage.evidence, Evidence::Measured { .. }));
+    }
+    let vehicles = damage::assess(vehicles, [None, None])?;
+    Ok(Analysis { geometry: Some(contact), ..unsolved(vehicles) })
+}
+
+/// Vehicles of which nothing was found.
+fn unsolved(vehicles: [Vehicle; 2]) -> Analysis {
+    Analysis {
+        basis: Basis::default(),
         found: None,
         both: None,
         impact: None,
+        geometry: None,
         travel: [None, None],
         skids: [None; 2],
         surface: None,
@@ -503,8 +527,7 @@ pub fn motion(case: &Case) -> Result<Analysis, Failure> {
         left_aside: Vec::new(),
         checks: Vec::new(),
         warnings: Vec::new(),
-    };
-    Ok(analysis.with_travel(travel, Some(input.surface)))
+    }
 }
 
 /// The ways to rest after an impact, where the case has the ground and the drag for them.
@@ -591,6 +614,7 @@ fn judged(
         found,
         both: None,
         impact,
+        geometry: None,
         travel: [None, None],
         skids,
         surface: None,

@@ -88,6 +88,8 @@ impl Analysis {
             mut found,
             mut both,
             mut impact,
+            // A picture of it alone is drawn, in the axes of the engine.
+            geometry: _,
             mut travel,
             skids,
             surface,

@@ -34,6 +34,8 @@ const SIDE_DEPTH_TOLERANCE: f64 = 0.3;
 const DRIVING_SHARE: f64 = 0.02;
 /// Of the initial energy: what rounding leaves of a work that is zero.
 const ROUNDING: f64 = 1e-9;
+/// (m/s) what rounding leaves of the speed of a vehicle that stood.
+const ROUNDED_SPEED: f64 = 1e-6;
 /// Of the closing speed: sliding that rounding leaves where there is none.
 const NO_SLIDING: f64 = 1e-9;
 /// A border within this share of the friction limit, or of the sliding before impact, is near: neither is
@@ -613,10 +615,15 @@ pub(crate) fn of_found(found: &Found, given_speed: Option<f64>) -> Vec<Warning> 
     if found.admissible.len() > 1 {
         warnings.push(Warning::SeveralSpeeds { speeds: found.admissible.clone() });
     }
-    if found.speed < 0.0 {
-        warnings.push(Warning::MovesBackward { vehicle, speed: found.speed, found: true });
-    }
+    of_found_speed(vehicle, found.speed, &mut warnings);
     warnings
+}
+
+/// Of a speed (m/s) that was found.
+pub(crate) fn of_found_speed(vehicle: VehicleId, speed: f64, warnings: &mut Vec<Warning>) {
+    if speed < -ROUNDED_SPEED {
+        warnings.push(Warning::MovesBackward { vehicle, speed, found: true });
+    }
 }
 
 pub(crate) fn of_impact(impact: &Impact, warnings: &mut Vec<Warning>) {

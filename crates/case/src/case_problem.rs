@@ -360,6 +360,11 @@ impl CaseProblem {
             Self::EmptyText { example, .. } => {
                 format!("write a text, as in {example}, or leave the line out")
             }
+            Self::UnknownChoice { path, word, .. } if path.ends_with("crush.side") && is_of_driver(word) => {
+                "write \"left\" or \"right\", as seen by its driver: the driver's side is \"left\" where the steering wheel is \
+                 on the left, and \"right\" where it is on the right"
+                    .to_owned()
+            }
             Self::UnknownChoice { choices, nearest: Some(nearest), .. } => {
                 format!("write {choices}; did you mean \"{nearest}\"?")
             }
@@ -448,6 +453,12 @@ impl CaseProblem {
         };
         Some(help)
     }
+}
+
+/// Whether a side is named by who sits there, which differs between countries.
+fn is_of_driver(side: &str) -> bool {
+    let side = side.to_lowercase().replace([' ', '-', '_'], "");
+    ["driver", "passenger", "nearside", "offside"].iter().any(|word| side.contains(word))
 }
 
 /// What `class` may look like; [`pointing`] adds the command that describes the classes.

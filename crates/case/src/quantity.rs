@@ -7,6 +7,7 @@ use crate::nearest::join;
 use crate::number::split_number;
 use crate::number_slips;
 use crate::units::{nearest_unit, read_unit};
+use crate::units_in_use::usual_units;
 
 /// Reads a text such as `"6.3 ft"`, which must have the given dimension.
 ///
@@ -219,24 +220,23 @@ impl QuantityError {
         self.help_in(None)
     }
 
-    /// Like [`help`](Self::help), with examples in the given unit instead of the first of the table.
+    /// Like [`help`](Self::help), with an example in the given unit instead of one in each unit system.
     pub(crate) fn help_in(&self, unit: Option<&'static Unit>) -> String {
-        let example_unit =
-            |dimension: &Dimension| unit.map_or_else(|| first_unit(*dimension), Unit::spelling);
+        let examples = |number: &str, dimension: &Dimension| {
+            let units = unit.map_or_else(|| usual_units(*dimension), |unit| vec![unit]);
+            let examples: Vec<String> = units.iter().map(|unit| format!("\"{number} {unit}\"")).collect();
+            join(&examples.iter().map(String::as_str).collect::<Vec<_>>(), "or")
+        };
         match self {
             Self::Empty { dimension } => {
                 format!(
-                    "write a number and a unit, as in \"6.3 {}\"; {}",
-                    example_unit(dimension),
+                    "write a number and a unit, as in {}; {}",
+                    examples("6.3", dimension),
                     dimension_help(*dimension)
                 )
             }
             Self::MissingUnit { value, dimension } => {
-                format!(
-                    "add the unit, as in \"{value} {}\"; {}",
-                    example_unit(dimension),
-                    dimension_help(*dimension)
-                )
+                format!("add the unit, as in {}; {}", examples(value, dimension), dimension_help(*dimension))
             }
             Self::MissingNumber { value, dimension } => {
                 format!("write the number before the unit: \"1 {value}\"; {}", dimension_help(*dimension))
@@ -254,8 +254,8 @@ impl QuantityError {
                 }
             }
             Self::BadNumber { dimension, .. } => format!(
-                "write a decimal number and a unit, as in \"6.3 {}\"; {}",
-                example_unit(dimension),
+                "write a decimal number and a unit, as in {}; {}",
+                examples("6.3", dimension),
                 dimension_help(*dimension)
             ),
             Self::NotDecimal { decimal, .. } => format!("write \"{decimal}\""),
@@ -291,10 +291,6 @@ impl QuantityError {
 pub(crate) fn dimension_help(dimension: Dimension) -> String {
     let units: Vec<_> = dimension.units().iter().map(Unit::spelling).collect();
     format!("the units for {dimension} are {}", join(&units, "and"))
-}
-
-fn first_unit(dimension: Dimension) -> &'static str {
-    dimension.units().first().map_or("", Unit::spelling)
 }
 
 fn alternatives(dimensions: &[Dimension]) -> String {

@@ -24,8 +24,8 @@ use crate::schema::{
 use crate::source::{Source, Spans};
 use crate::value::ValueTable;
 use inputs::{
-    Basis, Case, Departures, ENERGY_BASES, FaultKind, Faults, Find, GivenUncertainty, LeftOut, Reconstruct,
-    ReportHead, UNKNOWNS, contradictions,
+    Basis, Case, Departures, ENERGY_BASES, FaultKind, Faults, Find, GivenUncertainty, LeftOut, Purpose,
+    Reconstruct, ReportHead, UNKNOWNS, contradictions,
 };
 use tree::{Reader, Table};
 
@@ -173,12 +173,17 @@ impl CaseFile {
                     FaultKind::NothingUncertain => advice.clone(),
                     _ => {
                         let advice = self.source.units_in_use().suited(&fault.key, advice);
-                        match program.explains_two_speeds.filter(|_| fault.lacks_speed()) {
-                            Some(explains) => {
-                                format!("{advice}; if neither speed is known, {explains} tells what to do")
-                            }
-                            None => advice,
+                        if !fault.lacks_speed() {
+                            return advice;
                         }
+                        let estimate = (program.name)(Purpose::Estimate);
+                        let explains = program
+                            .explains_two_speeds
+                            .map(|explains| format!("; {explains} tells more"))
+                            .unwrap_or_default();
+                        format!(
+                            "{advice}; if neither speed is known, {estimate} finds both from all evidence{explains}"
+                        )
                     }
                 }),
             };

@@ -1571,7 +1571,7 @@ fn walked(is_wanted: fn(&Form) -> bool) -> Vec<String> {
 }
 
 /// Other names for some keys, which are spelled too differently to be found by their letters.
-const OTHER_NAMES: [(&str, &str); 7] = [
+const OTHER_NAMES: [(&str, &str); 16] = [
     ("min", "low"),
     ("minimum", "low"),
     ("max", "high"),
@@ -1579,6 +1579,15 @@ const OTHER_NAMES: [(&str, &str); 7] = [
     ("mean", "value"),
     ("sigma", "sd"),
     ("crush", "depths"),
+    ("edr", "recorder"),
+    ("cdr", "recorder"),
+    ("black_box", "recorder"),
+    ("event_data_recorder", "recorder"),
+    ("ebs", "ees"),
+    ("bev", "ees"),
+    ("kees", "ees"),
+    ("inertia", "yaw_inertia"),
+    ("moment_of_inertia", "yaw_inertia"),
 ];
 
 /// The example line of a key with this name and dimension, in any table.

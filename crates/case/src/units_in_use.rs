@@ -34,13 +34,14 @@ impl UnitsInUse {
     }
 
     /// A unit for an example: that in which the file has the same key elsewhere, or else something of the
-    /// same kind; or one of the system in which most of it is written.
+    /// same kind; or one of the system in which most of it is written. `None` where the file does not tell:
+    /// [`usual_units`] are then as good as each other.
     pub(crate) fn example(&self, path: &str, dimension: Dimension) -> Option<&'static Unit> {
         let path = path.split('[').next().unwrap_or_default();
         let key = path.rsplit('.').find(|key| !is_of_range(key)).unwrap_or_default();
         let small = is_small(path.contains(".crush."), key, dimension);
-        let system = self.system().unwrap_or(UnitSystem::Si);
-        self.unit(key, small, dimension).or_else(|| first_unit(system, small, dimension))
+        self.unit(key, small, dimension)
+            .or_else(|| self.system().and_then(|system| first_unit(system, small, dimension)))
     }
 
     /// A text with its examples in the units of the file: of `contact = { x = "1.78 m" }` in one that is
@@ -115,6 +116,15 @@ impl UnitsInUse {
             std::cmp::Ordering::Equal => None,
         }
     }
+}
+
+/// The units of a dimension that come first: one where both systems have the same, else one of each.
+pub(crate) fn usual_units(dimension: Dimension) -> Vec<&'static Unit> {
+    let mut units = Vec::new();
+    for system in [UnitSystem::Si, UnitSystem::Us] {
+        units.extend(first_unit(system, false, dimension).filter(|unit| !units.contains(unit)));
+    }
+    units
 }
 
 /// The lengths of a damage are written in smaller units than those of a vehicle.

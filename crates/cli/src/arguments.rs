@@ -26,7 +26,7 @@ use uncertainty::{MAX_SAMPLES, MIN_SAMPLES};
     version,
     subcommand_required = true,
     arg_required_else_help = true,
-    after_help = "Exit status: 0 done; 1 the case is well formed but has no answer, or a claim of validate fails; 2 the case file or the command line is wrong."
+    after_help = "Which command: `deltav explain which command`. If neither speed is known, or evidence disagrees: `deltav estimate`.\n\nExit status: 0 done; 1 the case is well formed but has no answer, or a claim of validate fails; 2 the case file or the command line is wrong."
 )]
 pub(crate) enum Command {
     /// Write a commented case file to start from
@@ -950,6 +950,8 @@ pub(crate) enum UnitSystem {
     Us,
     /// m/s, km/h, kg, J, cm
     Si,
+    /// As si, but speeds of vehicles in mph
+    Uk,
 }
 
 #[cfg(test)]

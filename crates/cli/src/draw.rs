@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 
 use anyhow::{Context as _, Result, bail};
 use case::{Axes, CaseFile, Fault, FaultKind, Faults, GivenSitePlan, Quantity};
-use report::{Drawing, PictureFormat, SitePlan, Subject};
+use report::{Drawing, DrawingError, PictureFormat, SitePlan, Subject, Units};
 use same_file::is_same_file;
 
 use crate::arguments::{DrawArguments, What};
@@ -38,6 +38,9 @@ pub(crate) fn draw(arguments: &DrawArguments) -> Result<()> {
         What::Motion => Subject::Motion,
         What::MotionCurves => Subject::MotionCurves,
     };
+    if let Some(obstacle) = subject.obstacle(&file.case) {
+        return cannot_draw(obstacle, &file, units);
+    }
     let is_motion = matches!(subject, Subject::Motion | Subject::MotionCurves);
     let analysis = crate::answered(subject.analysis(&file.case), &file, units)?;
     let drawing = match subject {
@@ -63,7 +66,30 @@ pub(crate) fn draw(arguments: &DrawArguments) -> Result<()> {
         writeln!(io::stderr(), "{case} has {warnings}: `deltav {command} {case}` prints them.")
             .context("cannot write to standard error")?;
     }
+    if subject == Subject::Scene && analysis.impact.is_none() {
+        let case = crate::named(&arguments.case);
+        writeln!(
+            io::stderr(),
+            "{case} does not give both speeds, so the scene has no velocities and no impulse: `deltav check \
+             {case}` says which command finds them."
+        )
+        .context("cannot write to standard error")?;
+    }
     write_picture(path, &drawing, format)
+}
+
+/// Says why a case has not enough for a drawing, and what else can be drawn of it.
+fn cannot_draw(obstacle: DrawingError, file: &CaseFile, units: Units) -> Result<()> {
+    if let DrawingError::Analysis(failure) = obstacle {
+        return crate::answered(Err(failure), file, units);
+    }
+    match Subject::of_case(&file.case).as_slice() {
+        [] => bail!("{obstacle}"),
+        subjects => {
+            let names: Vec<&str> = subjects.iter().map(|subject| subject.name()).collect();
+            bail!("{obstacle}; this case has enough for --what {}", names.join(", "))
+        }
+    }
 }
 
 /// The picture to draw on, with its place.

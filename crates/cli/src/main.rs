@@ -440,6 +440,7 @@ impl From<UnitSystem> for Units {
         match asked {
             UnitSystem::Si => Self::Si,
             UnitSystem::Us => Self::Us,
+            UnitSystem::Uk => Self::Uk,
         }
     }
 }

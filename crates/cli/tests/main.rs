@@ -14,4 +14,5 @@ mod rows;
 mod site_plan;
 mod start;
 mod table;
+mod words;
 mod writing;

@@ -180,7 +180,7 @@ fn what_a_case_lacks_is_told_with_the_way_on() {
             "rear-end",
             "reconstruct",
             "speed ",
-            "if neither speed is known, `deltav explain two unknown speeds`",
+            "if neither speed is known, `deltav estimate` finds both from all evidence; `deltav explain two unknown speeds`",
         ),
         ("one-vehicle", "sensitivity", "", "`vehicle2` is missing: `deltav impact` needs it"),
     ] {

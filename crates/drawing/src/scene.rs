@@ -52,8 +52,8 @@ pub struct ScenePicture {
     pub vehicles: [SceneVehicle; 2],
     /// Of the crush plane, from vehicle 2 to vehicle 1; a unit vector.
     pub normal: [f64; 2],
-    /// On vehicle 1; its direction is drawn.
-    pub impulse: SceneArrow,
+    /// On vehicle 1; its direction is drawn. `None` where no speed is known.
+    pub impulse: Option<SceneArrow>,
     /// Of the scale bar.
     pub length: ScaleUnit,
     /// Of the scale bar of the velocities.
@@ -73,7 +73,9 @@ pub struct SceneVehicle {
     pub cg: [f64; 2],
     /// Its heading; a unit vector.
     pub forward: [f64; 2],
-    /// `None` for a fixed object.
+    /// Whether it is a fixed object.
+    pub is_fixed: bool,
+    /// `None` for a fixed object, and where no speed is known.
     pub motion: Option<SceneMotion>,
 }
 
@@ -134,7 +136,7 @@ impl ScenePicture {
             .flat_map(|motion| [&motion.before, &motion.after])
             .map(|arrow| vec2(arrow.vector).hypot())
             .fold(SLOWEST, f64::max);
-        let arrows = Arrows { scene: self, per_speed: FASTEST / fastest };
+        let arrows = Arrows { per_speed: FASTEST / fastest };
         let view = viewport.and_then(|viewport| viewport.view(area())).unwrap_or_else(|| self.view(&arrows));
         let origin = view.origin;
 
@@ -146,7 +148,7 @@ impl ScenePicture {
         // what drove into them.
         for is_fixed in [true, false] {
             for (i, vehicle) in self.vehicles.iter().enumerate() {
-                if vehicle.motion.is_none() == is_fixed {
+                if vehicle.is_fixed == is_fixed {
                     page.area(vehicle, i);
                 }
             }
@@ -160,15 +162,17 @@ impl ScenePicture {
         if !self.is_plain {
             page.axes();
             // Before the other values: it has the fewest places, as its arrow is mostly over both vehicles.
-            page.canvas.label_beside(page.tip_of_impulse(), &self.impulse.label, BLACK);
-        }
-        for (i, vehicle) in self.vehicles.iter().enumerate() {
-            if let Some(motion) = &vehicle.motion {
-                page.vehicle(vehicle, motion, &arrows, i);
+            if let (Some(impulse), Some(tip)) = (&self.impulse, page.tip_of_impulse()) {
+                page.canvas.label_beside(tip, &impulse.label, BLACK);
             }
         }
-        if !self.is_plain {
-            page.canvas.arrow("impulse", origin, page.tip_of_impulse(), IMPULSE, Head::Filled);
+        for (i, vehicle) in self.vehicles.iter().enumerate() {
+            if !vehicle.is_fixed {
+                page.vehicle(vehicle, &arrows, i);
+            }
+        }
+        if let (false, Some(tip)) = (self.is_plain, page.tip_of_impulse()) {
+            page.canvas.arrow("impulse", origin, tip, IMPULSE, Head::Filled);
         }
         for (i, vehicle) in self.vehicles.iter().enumerate() {
             page.name(vehicle, i);
@@ -207,7 +211,7 @@ impl ScenePicture {
         let bounds = |scale: f64| {
             let mut points = vec![Vec2::ZERO];
             if !self.is_plain {
-                points.push(arrows.impulse());
+                points.extend(self.impulse_arrow());
                 let normal = flipped(vec2(self.normal));
                 let t = Vec2::new(normal.y, -normal.x);
                 // t points to either side, by the axes of the case; the picture is the same.
@@ -233,8 +237,10 @@ impl ScenePicture {
                     }
                     SceneBody::Unknown => {}
                 }
-                if let Some(motion) = &vehicle.motion {
+                if !vehicle.is_fixed {
                     points.push(cg);
+                }
+                if let Some(motion) = &vehicle.motion {
                     points.extend(arrows.of_vehicle(motion).map(|arrow| cg + arrow));
                 }
             }
@@ -246,6 +252,12 @@ impl ScenePicture {
 
     fn contact(&self) -> Contact {
         Contact { at: Vec2::ZERO, normal: vec2(self.normal) }
+    }
+
+    /// (px, page) from C.
+    fn impulse_arrow(&self) -> Option<Vec2> {
+        let impulse = self.impulse.as_ref()?;
+        Some(flipped(unit(vec2(impulse.vector))) * IMPULSE_LENGTH)
     }
 
     fn wall_ends(&self) -> [f64; 2] {
@@ -270,23 +282,17 @@ fn area() -> Rect {
 }
 
 /// All arrows of the scene, of which only the starting points are to scale.
-struct Arrows<'a> {
-    scene: &'a ScenePicture,
+struct Arrows {
     /// (px·s/m)
     per_speed: f64,
 }
 
-impl Arrows<'_> {
+impl Arrows {
     /// (px, page) from a vehicle's CG: its velocities before and after, and the tail of its PDOF arrow.
     fn of_vehicle(&self, motion: &SceneMotion) -> [Vec2; 3] {
         let before = flipped(vec2(motion.before.vector)) * self.per_speed;
         let after = flipped(vec2(motion.after.vector)) * self.per_speed;
         [before, after, flipped(vec2(motion.force_from.vector)) * PDOF_LENGTH]
-    }
-
-    /// From C.
-    fn impulse(&self) -> Vec2 {
-        flipped(unit(vec2(self.scene.impulse.vector))) * IMPULSE_LENGTH
     }
 }
 
@@ -390,28 +396,15 @@ impl Page<'_> {
         self.canvas.label(origin, "C", BLACK);
     }
 
-    fn vehicle(&mut self, vehicle: &SceneVehicle, motion: &SceneMotion, arrows: &Arrows, i: usize) {
+    fn vehicle(&mut self, vehicle: &SceneVehicle, arrows: &Arrows, i: usize) {
         let cg = self.at(vec2(vehicle.cg));
         let is_plain = self.scene.is_plain;
         if let (SceneBody::Outline { footprint, .. }, false) = (&vehicle.body, is_plain) {
             let there = self.view.place(vehicle.pose());
             self.canvas.line("", cg, there * footprint.front(), HEADING);
         }
-        let [before, after, tail] = arrows.of_vehicle(motion);
-        if !is_plain {
-            let tip = cg + unit(tail) * 9.0;
-            self.canvas.arrow(&format!("pdof-{}", i + 1), cg + tail, tip, PDOF, Head::Open);
-            self.canvas.label_beside(cg + tail, &motion.force_from.label, BLACK);
-        }
-        for (id, given, arrow, pen, head) in [
-            ("before", &motion.before, before, BEFORE, Head::Filled),
-            ("after", &motion.after, after, AFTER, Head::Open),
-        ] {
-            if vec2(given.vector).hypot() < SLOWEST {
-                continue;
-            }
-            self.canvas.arrow(&format!("velocity-{id}-{}", i + 1), cg, cg + arrow, pen, head);
-            self.canvas.label_beside(cg + arrow, &given.label, BLACK);
+        if let Some(motion) = &vehicle.motion {
+            self.motion(motion, arrows, cg, i);
         }
         if is_plain {
             self.canvas.dot(&format!("cg-{}", i + 1), cg, CONTACT, None, BLACK);
@@ -421,8 +414,8 @@ impl Page<'_> {
         }
     }
 
-    fn tip_of_impulse(&self) -> Point {
-        self.view.origin + flipped(unit(vec2(self.scene.impulse.vector))) * IMPULSE_LENGTH
+    fn tip_of_impulse(&self) -> Option<Point> {
+        Some(self.view.origin + self.scene.impulse_arrow()?)
     }
 
     fn name(&mut self, vehicle: &SceneVehicle, i: usize) {
@@ -447,6 +440,25 @@ impl Page<'_> {
         self.canvas.label(at, &font::cut(&vehicle.name, SMALL, 240.0), BLACK);
     }
 
+    fn motion(&mut self, motion: &SceneMotion, arrows: &Arrows, cg: Point, i: usize) {
+        let [before, after, tail] = arrows.of_vehicle(motion);
+        if !self.scene.is_plain {
+            let tip = cg + unit(tail) * 9.0;
+            self.canvas.arrow(&format!("pdof-{}", i + 1), cg + tail, tip, PDOF, Head::Open);
+            self.canvas.label_beside(cg + tail, &motion.force_from.label, BLACK);
+        }
+        for (id, given, arrow, pen, head) in [
+            ("before", &motion.before, before, BEFORE, Head::Filled),
+            ("after", &motion.after, after, AFTER, Head::Open),
+        ] {
+            if vec2(given.vector).hypot() < SLOWEST {
+                continue;
+            }
+            self.canvas.arrow(&format!("velocity-{id}-{}", i + 1), cg, cg + arrow, pen, head);
+            self.canvas.label_beside(cg + arrow, &given.label, BLACK);
+        }
+    }
+
     /// The axes of the scene, in a corner.
     fn frame(&mut self) {
         let drop = if self.scene.is_z_down { 64.0 } else { 12.0 };
@@ -458,29 +470,37 @@ impl Page<'_> {
         let ScenePicture { length, speed, .. } = self.scene;
         let at = Point::new(EDGE + 4.0, y);
         legend::scale_bar(&mut self.canvas, "scale", at, self.view.scale * length.size, length, "");
+        if self.scene.vehicles.iter().all(|vehicle| vehicle.motion.is_none()) {
+            return;
+        }
         let at = Point::new(WIDTH / 2.0, y);
         let what = " for the arrows of velocity";
         legend::scale_bar(&mut self.canvas, "velocity-scale", at, arrows.per_speed * speed.size, speed, what);
     }
 
     fn entries(&self) -> Vec<(Sample, String)> {
-        let mut entries = if self.scene.is_plain {
-            vec![
-                (Sample::Arrow(BEFORE, Head::Filled), "speed and direction before impact".to_owned()),
-                (Sample::Arrow(AFTER, Head::Open), "speed and direction after impact".to_owned()),
-            ]
-        } else {
-            vec![
-                (Sample::Arrow(BEFORE, Head::Filled), "v: velocity of the CG before impact".to_owned()),
-                (Sample::Arrow(AFTER, Head::Open), "V: velocity of the CG after impact".to_owned()),
-                (Sample::Arrow(IMPULSE, Head::Filled), "P: impulse on vehicle 1 (−P on 2)".to_owned()),
-                (Sample::Arrow(PDOF, Head::Open), "PDOF, drawn to the CG".to_owned()),
-                (Sample::Line(PLANE), "crush plane, with axes n and t".to_owned()),
-                (Sample::Dot(None, BLACK), "C: contact point of the impulse".to_owned()),
-                (Sample::CentreOfGravity, "CG: centre of gravity".to_owned()),
-            ]
-        };
         let vehicles = &self.scene.vehicles;
+        let is_plain = self.scene.is_plain;
+        let mut entries = Vec::new();
+        if vehicles.iter().any(|vehicle| vehicle.motion.is_some()) {
+            let [before, after] = if is_plain {
+                ["speed and direction before impact", "speed and direction after impact"]
+            } else {
+                ["v: velocity of the CG before impact", "V: velocity of the CG after impact"]
+            };
+            entries.push((Sample::Arrow(BEFORE, Head::Filled), before.to_owned()));
+            entries.push((Sample::Arrow(AFTER, Head::Open), after.to_owned()));
+            if !is_plain {
+                let impulse = "P: impulse on vehicle 1 (−P on 2)".to_owned();
+                entries.push((Sample::Arrow(IMPULSE, Head::Filled), impulse));
+                entries.push((Sample::Arrow(PDOF, Head::Open), "PDOF, drawn to the CG".to_owned()));
+            }
+        }
+        if !is_plain {
+            entries.push((Sample::Line(PLANE), "crush plane, with axes n and t".to_owned()));
+            entries.push((Sample::Dot(None, BLACK), "C: contact point of the impulse".to_owned()));
+            entries.push((Sample::CentreOfGravity, "CG: centre of gravity".to_owned()));
+        }
         let outlines = || {
             vehicles.iter().enumerate().filter_map(|(i, vehicle)| match &vehicle.body {
                 SceneBody::Outline { footprint, crush } => Some((i, vehicle, footprint, crush)),
@@ -490,7 +510,7 @@ impl Page<'_> {
         if outlines().any(|(_, _, footprint, _)| footprint.shape == Shape::Car) {
             entries.push(legend::windscreen());
         }
-        if !self.scene.is_plain && outlines().any(|(_, vehicle, ..)| vehicle.motion.is_some()) {
+        if !is_plain && outlines().any(|(_, vehicle, ..)| !vehicle.is_fixed) {
             entries.push((Sample::Line(HEADING), "heading, from the CG to the front".to_owned()));
         }
         if let Some((i, ..)) = outlines().find(|(.., crush)| crush.is_some()) {

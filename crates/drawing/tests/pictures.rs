@@ -117,6 +117,7 @@ fn scene() -> ScenePicture {
         body: SceneBody::Outline { footprint: CAR, crush: None },
         cg: [-2.0, 0.5],
         forward: [1.0, 0.0],
+        is_fixed: false,
         motion: Some(SceneMotion {
             before: arrow(10.0, 0.0, "v₁ before: 36 km/h"),
             after: arrow(-1.0, 0.5, "V₁ after: 4 km/h"),
@@ -129,6 +130,7 @@ fn scene() -> ScenePicture {
         body: SceneBody::Wall,
         cg: [0.0, 0.0],
         forward: [1.0, 0.0],
+        is_fixed: true,
         motion: None,
     };
     ScenePicture {
@@ -138,7 +140,7 @@ fn scene() -> ScenePicture {
         is_plain: false,
         vehicles: [car, wall],
         normal: [-1.0, 0.0],
-        impulse: arrow(-16_500.0, 750.0, "P 16,517 N·s"),
+        impulse: Some(arrow(-16_500.0, 750.0, "P 16,517 N·s")),
         length: ScaleUnit { name: text("m"), size: 1.0 },
         speed: ScaleUnit { name: text("km/h"), size: KM_PER_HOUR },
     }

@@ -313,6 +313,17 @@ impl<T: Real> Case<T> {
         demand.finish(collision.map(|collision| ImpactInput { collision, basis: self.energy_basis() }))
     }
 
+    /// The vehicles as they stand at the impact, at rest but for their yaw rates, whatever is known of their
+    /// speeds: what a picture of them needs.
+    ///
+    /// # Errors
+    /// Every value that is missing or contradicts another, each with its key.
+    pub fn geometry(&self) -> Result<Collision<T>, Faults> {
+        let mut demand = Demand::new(self, Purpose::Draw);
+        let collision = demand.collision(|_| false);
+        demand.finish(collision)
+    }
+
     fn energy_basis(&self) -> Basis<T> {
         self.reconstruct.as_ref().map_or(Basis::Dissipated, |reconstruct| reconstruct.energy_basis)
     }

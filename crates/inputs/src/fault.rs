@@ -38,12 +38,12 @@ pub enum FaultKind {
 }
 
 impl Fault {
-    /// Whether a reconstruction lacks a speed that it takes as known.
+    /// Whether a reconstruction or an impact lacks a speed that it takes as known.
     #[must_use]
     pub fn lacks_speed(&self) -> bool {
         match self.kind {
             FaultKind::Missing { needed_for } => {
-                needed_for == Purpose::Reconstruct && self.key.ends_with(".speed")
+                matches!(needed_for, Purpose::Reconstruct | Purpose::Impact) && self.key.ends_with(".speed")
             }
             FaultKind::NoSpeed => true,
             FaultKind::Refused { .. } | FaultKind::NothingUncertain => false,

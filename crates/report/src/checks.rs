@@ -87,9 +87,9 @@ pub(crate) fn said(check: &Check, analysis: &Seen, units: Units) -> [String; 3] 
             format!("{} apart", angle(check.limit)),
         ),
         CheckedQuantity::PointMissed { vehicle, point, pass } => (
-            format!("way past point {point} of vehicle {vehicle}"),
+            format!("path past point {point} of vehicle {vehicle}"),
             format!("{}: {}", words::pass(&pass, units), percent(check.value)),
-            format!("{} of the way", percent(check.limit)),
+            format!("{} of the path", percent(check.limit)),
         ),
     };
     [label, found, limit]

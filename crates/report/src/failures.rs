@@ -191,7 +191,7 @@ fn no_rest(vehicle: VehicleId, reason: &NoRest, units: Units) -> String {
             speed(state)
         ),
         NoRest::TooManySteps { time: after, state, .. } => format!(
-            "the way of vehicle {vehicle} to rest takes too many steps: at {} it still moves at {}; check the \
+            "the path of vehicle {vehicle} to rest takes too many steps: at {} it still moves at {}; check the \
              drag of its wheels, the friction, the zones of the ground and the steer angle",
             time(*after),
             speed(state)

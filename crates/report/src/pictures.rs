@@ -20,8 +20,8 @@ pub use staged::{computed_against_measured, reconstructed_speed};
 
 use ::drawing::Drawing;
 use ::drawing::{PlanBody, PlanPlace, PlanView, ScaleUnit, SitePlan, SitePlanError, Viewport};
-use analysis::{Analysis, Failure};
-use case::{Axes, Case, CaseFile, Quantity};
+use analysis::{Analysis, Failure, Judgement};
+use case::{Axes, Case, CaseFile, Faults, Find, Purpose, Quantity};
 use pim_core::Real;
 
 use crate::Units;
@@ -63,27 +63,94 @@ impl Subject {
         }
     }
 
-    /// The analysis of a case that it is drawn of: the furthest that the case allows, and for a motion one
-    /// that has it.
+    /// The analysis of a case that it is drawn of: the furthest that the case allows or, where that does not
+    /// have it, the motion after the impact or the geometry alone.
     ///
     /// # Errors
-    /// Where the case has no such analysis.
+    /// Where the case has no such analysis; [`obstacle`](Self::obstacle) tells what it lacks for this subject.
     pub fn analysis(self, case: &Case) -> Result<Analysis, Failure> {
-        let is_motion = matches!(self, Self::Motion | Self::MotionCurves);
-        // What a case lacks for an impact does not keep its motion after the impact from being drawn.
-        match analysis::furthest(case) {
-            Ok(analysis) if !is_motion || analysis.travel.iter().any(Option::is_some) => Ok(analysis),
-            Err(failure) if !is_motion => Err(failure),
-            _ => analysis::motion(case),
+        let furthest = analysis::furthest(case);
+        match (self, &furthest) {
+            // What a case lacks for an impact does not keep its motion after the impact from being drawn.
+            (Self::Motion | Self::MotionCurves, Ok(analysis))
+                if analysis.travel.iter().any(Option::is_some) =>
+            {
+                furthest
+            }
+            (Self::Motion | Self::MotionCurves, _) => analysis::motion(case),
+            // Nor does it keep its vehicles from being drawn where they touched.
+            (Self::Scene, Ok(analysis)) if analysis.impact.is_none() => analysis::geometry(case).or(furthest),
+            (Self::Scene | Self::Damage, Err(Failure::Case(_))) => analysis::geometry(case).or(furthest),
+            _ => furthest,
         }
     }
+
+    /// The subjects that a case has enough for, in the order of a report. Whether it also has an answer shows
+    /// only when it is solved.
+    #[must_use]
+    pub fn of_case(case: &Case) -> Vec<Self> {
+        Self::ALL.into_iter().filter(|subject| subject.obstacle(case).is_none()).collect()
+    }
+
+    /// Why a case has not enough to draw it; `None` where it has.
+    #[must_use]
+    pub fn obstacle(self, case: &Case) -> Option<DrawingError> {
+        let purpose = case.furthest_purpose();
+        let find = case.reconstruct.as_ref().map(|reconstruct| reconstruct.find);
+        let lacking = match purpose {
+            Purpose::Reconstruct if find == Some(Find::Both) => case.two_speeds().err(),
+            Purpose::Reconstruct => case.reconstruction().err(),
+            Purpose::Impact => case.collision().err(),
+            _ => case.damage().err(),
+        };
+        let geometry = || case.geometry().err();
+        let of_impact = |lacking: Option<Faults>| match purpose {
+            Purpose::Crush => Some(DrawingError::NoImpact { subject: self }),
+            _ => lacking.map(Into::into),
+        };
+        match self {
+            Self::Scene => geometry().and_then(|geometry| match purpose {
+                Purpose::Crush if case.impact.is_some() && !case.vehicles.iter().any(|v| v.is_absent()) => {
+                    Some(geometry.into())
+                }
+                _ => of_impact(lacking),
+            }),
+            Self::Damage => match case.vehicles.iter().any(|vehicle| vehicle.crush.is_some()) {
+                false => Some(DrawingError::NoDamage),
+                true => lacking.filter(|_| geometry().is_some()).map(Into::into),
+            },
+            Self::Reconciliation => match find {
+                None => Some(DrawingError::NoReconciliation),
+                Some(Find::Both) => Some(DrawingError::TwoSpeeds),
+                Some(Find::One(_)) => of_impact(lacking),
+            },
+            Self::Energy => of_impact(lacking),
+            Self::Motion | Self::MotionCurves => case.motion().err().and_then(|lacks| {
+                let follows = purpose != Purpose::Crush
+                    && lacking.is_none()
+                    && case.run_out().is_some_and(|input| input.is_ok());
+                (!follows).then(|| lacks.into())
+            }),
+        }
+    }
+}
+
+/// What `deltav draw` can draw of a case, by the values of its option `--what`.
+pub(crate) fn drawn(case: &Case, judgement: &Judgement) -> Vec<&'static str> {
+    let estimates =
+        judgement.abilities.iter().any(|one| one.purpose == Purpose::Estimate && one.obstacle.is_none());
+    Subject::of_case(case).into_iter().map(Subject::name).chain(estimates.then_some("estimate")).collect()
 }
 
 /// Why there is no drawing.
 #[derive(Debug, thiserror::Error)]
 pub enum DrawingError {
     /// The scene and the energy are those of an impact.
-    #[error("there is no {} to draw: the case has no impact; give it an [impact] table and the speeds, or draw the damage", subject.name())]
+    #[error(
+        "there is no {} to draw: that takes an [impact] table and {}",
+        subject.name(),
+        if *.subject == Subject::Scene { "heading and contact point of both vehicles" } else { "the speeds" }
+    )]
     NoImpact {
         /// What was asked for.
         subject: Subject,
@@ -92,11 +159,18 @@ pub enum DrawingError {
     #[error("there is no damage to draw: no vehicle of the case has a crush profile")]
     NoDamage,
     /// No speed was sought.
-    #[error("there is no reconciliation to draw: the case has no [reconstruct] table")]
+    #[error(
+        "there is no reconciliation to draw: that is the work of the impact over the speed sought, and the case has no [reconstruct] table"
+    )]
     NoReconciliation,
+    /// Both speeds were sought.
+    #[error(
+        "there is no reconciliation to draw: that is the work of the impact over one speed sought, and `find` of [reconstruct] names both"
+    )]
+    TwoSpeeds,
     /// No vehicle is followed to rest.
     #[error(
-        "there is no {} to draw: the case says nothing of the way to rest; give it [surface] friction and [vehicle1.after] with drag, and \
+        "there is no {} to draw: the case says nothing of the path to rest; give it [surface] friction and [vehicle1.after] with drag, and \
          with rest or with speed, direction and yaw_rate", subject.name()
     )]
     NoMotion {
@@ -106,6 +180,12 @@ pub enum DrawingError {
     /// The curve of the reconciliation could not be computed.
     #[error(transparent)]
     Analysis(#[from] Failure),
+}
+
+impl From<Faults> for DrawingError {
+    fn from(faults: Faults) -> Self {
+        Self::Analysis(faults.into())
+    }
 }
 
 /// Draws one subject of an analysis, in the units of the reader.

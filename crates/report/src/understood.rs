@@ -187,10 +187,10 @@ pub(crate) fn message(assumption: &Assumption, units: Units) -> String {
              CRASH3's size class {class}, which has the nearest radius of gyration"
         ),
         Assumption::ImpactAtOrigin => {
-            "x = 0, y = 0: the way to rest is counted from the place where the impulse acted".to_owned()
+            "x = 0, y = 0: the path to rest is counted from the place where the impulse acted".to_owned()
         }
         Assumption::LevelGround => {
-            "level: no slope speeds a vehicle up or slows it down on its way to rest".to_owned()
+            "level: no slope speeds a vehicle up or slows it down on its path to rest".to_owned()
         }
         Assumption::Axle { class, measure, value, .. } => format!(
             "{}, {}",

@@ -3,7 +3,7 @@
 use std::f64::consts::PI;
 
 pub(crate) use ::drawing::{number, significant};
-use case::{Case, UnitSystem};
+use case::{Case, Dimension, UnitSystem};
 
 /// The units that text speaks.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -12,6 +12,8 @@ pub enum Units {
     Si,
     /// mph, ft/s, lb, ft-lb, in.
     Us,
+    /// As SI, but speeds of vehicles are in mph.
+    Uk,
 }
 
 /// A unit to print in: its name, its size in SI units, and how many decimals make sense.
@@ -34,6 +36,15 @@ const POUND_FORCE: f64 = 4.448_221_615_260_5;
 const SLUG: f64 = POUND_FORCE / FOOT;
 const MILE_PER_HOUR: f64 = 0.447_04;
 const DEGREE: f64 = PI / 180.0;
+
+/// Whether most of a case's speeds are in miles per hour.
+fn are_speeds_in_mph(case: &Case) -> bool {
+    let inputs = case.inputs();
+    let units = inputs.iter().filter_map(|input| input.unit);
+    let speeds: Vec<&str> =
+        units.filter(|unit| unit.dimension() == Dimension::Speed).map(|unit| unit.spelling()).collect();
+    2 * speeds.iter().filter(|spelling| **spelling == "mph").count() > speeds.len()
+}
 
 /// A quantity that can be printed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -79,42 +90,43 @@ impl Units {
     #[must_use]
     pub fn of_case(case: &Case) -> Self {
         match case.unit_system() {
-            UnitSystem::Si => Self::Si,
             UnitSystem::Us => Self::Us,
+            UnitSystem::Si if are_speeds_in_mph(case) => Self::Uk,
+            UnitSystem::Si => Self::Si,
         }
     }
 
     fn display(self, quantity: Measure) -> Display {
         match (quantity, self) {
-            (Measure::Speed, Self::Si) => unit("m/s", 1.0, 2),
+            (Measure::Speed, Self::Si | Self::Uk) => unit("m/s", 1.0, 2),
             (Measure::Speed, Self::Us) => unit("ft/s", FOOT, 2),
             (Measure::RoadSpeed, Self::Si) => unit("km/h", 1.0 / 3.6, 1),
-            (Measure::RoadSpeed, Self::Us) => unit("mph", MILE_PER_HOUR, 2),
-            (Measure::Length, Self::Si) => unit("m", 1.0, 3),
+            (Measure::RoadSpeed, Self::Us | Self::Uk) => unit("mph", MILE_PER_HOUR, 2),
+            (Measure::Length, Self::Si | Self::Uk) => unit("m", 1.0, 3),
             (Measure::Length, Self::Us) => unit("ft", FOOT, 2),
-            (Measure::Crush, Self::Si) => unit("cm", 0.01, 1),
+            (Measure::Crush, Self::Si | Self::Uk) => unit("cm", 0.01, 1),
             (Measure::Crush, Self::Us) => unit("in", INCH, 1),
-            (Measure::Mass, Self::Si) => unit("kg", 1.0, 1),
+            (Measure::Mass, Self::Si | Self::Uk) => unit("kg", 1.0, 1),
             (Measure::Mass, Self::Us) => unit("lb", POUND, 0),
-            (Measure::YawInertia, Self::Si) => unit("kg·m²", 1.0, 0),
+            (Measure::YawInertia, Self::Si | Self::Uk) => unit("kg·m²", 1.0, 0),
             (Measure::YawInertia, Self::Us) => unit("lb·ft·s²", POUND_FORCE * FOOT, 0),
             (Measure::Angle, _) => unit("°", DEGREE, 1),
             (Measure::YawRate, _) => unit("rad/s", 1.0, 2),
             (Measure::YawRateDegrees, _) => unit("°/s", DEGREE, 0),
-            (Measure::Energy, Self::Si) => unit("J", 1.0, 0),
+            (Measure::Energy, Self::Si | Self::Uk) => unit("J", 1.0, 0),
             (Measure::Energy, Self::Us) => unit("ft·lb", FOOT * POUND_FORCE, 0),
-            (Measure::Impulse, Self::Si) => unit("N·s", 1.0, 0),
+            (Measure::Impulse, Self::Si | Self::Uk) => unit("N·s", 1.0, 0),
             (Measure::Impulse, Self::Us) => unit("lb·s", POUND_FORCE, 0),
-            (Measure::MomentImpulse, Self::Si) => unit("N·m·s", 1.0, 0),
+            (Measure::MomentImpulse, Self::Si | Self::Uk) => unit("N·m·s", 1.0, 0),
             (Measure::MomentImpulse, Self::Us) => unit("ft·lb·s", FOOT * POUND_FORCE, 0),
-            (Measure::Force, Self::Si) => unit("kN", 1000.0, 1),
+            (Measure::Force, Self::Si | Self::Uk) => unit("kN", 1000.0, 1),
             (Measure::Force, Self::Us) => unit("lb", POUND_FORCE, 0),
             (Measure::Time, _) => unit("s", 1.0, 2),
-            (Measure::StiffnessA, Self::Si) => unit("N/cm", 100.0, 1),
+            (Measure::StiffnessA, Self::Si | Self::Uk) => unit("N/cm", 100.0, 1),
             (Measure::StiffnessA, Self::Us) => unit("lb/in", POUND_FORCE / INCH, 1),
-            (Measure::StiffnessB, Self::Si) => unit("N/cm²", 10_000.0, 2),
+            (Measure::StiffnessB, Self::Si | Self::Uk) => unit("N/cm²", 10_000.0, 2),
             (Measure::StiffnessB, Self::Us) => unit("lb/in²", POUND_FORCE / (INCH * INCH), 2),
-            (Measure::StiffnessG, Self::Si) => unit("N", 1.0, 0),
+            (Measure::StiffnessG, Self::Si | Self::Uk) => unit("N", 1.0, 0),
             (Measure::StiffnessG, Self::Us) => unit("lb", POUND_FORCE, 1),
         }
     }
@@ -150,7 +162,7 @@ impl Units {
     /// The unit of a coherent system in which the steps have what the equations have in an SI unit: its size
     /// (SI) and its name. In US units these are the foot, the pound-force, the second and the slug.
     pub(crate) fn coherent(self, unit: &str) -> (f64, &str) {
-        if self == Self::Si {
+        if self != Self::Us {
             return (1.0, unit);
         }
         match unit {
@@ -212,6 +224,23 @@ impl Units {
     /// A speed as drivers know it and as the equations have it, like `51.16 mph (75.03 ft/s)`.
     pub(crate) fn speed(self, si: f64) -> String {
         format!("{} ({})", self.road_speed(si), self.format(Measure::Speed, si))
+    }
+
+    /// A speed along a heading: as [`speed`](Self::speed), and in words where its sign says that the vehicle
+    /// moved against its heading, like `-2.7 km/h (-0.74 m/s), backwards`.
+    pub(crate) fn speed_along(self, si: f64) -> String {
+        format!("{}{}", self.speed(si), if self.is_backwards(si) { ", backwards" } else { "" })
+    }
+
+    /// The same for readers who may not know what a sign means, like `2.7 km/h backwards`.
+    pub(crate) fn speed_in_words(self, si: f64) -> String {
+        format!("{}{}", self.road_speed(si.abs()), if self.is_backwards(si) { " backwards" } else { "" })
+    }
+
+    /// Whether a speed (m/s) is below zero as printed.
+    fn is_backwards(self, si: f64) -> bool {
+        let printed = [Measure::RoadSpeed, Measure::Speed].map(|measure| self.plain(measure, si));
+        printed.iter().any(|text| text.starts_with('-'))
     }
 
     /// A speed as drivers know it, like `51.16 mph`.

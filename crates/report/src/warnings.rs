@@ -194,8 +194,8 @@ pub fn message(seen: &SeenWarning, units: Units) -> String {
             )
         }
         Warning::PointMissed { vehicle, point, pass } => format!(
-            "the way of vehicle {vehicle} to its rest misses point {point} of its path by {}, more than 15 % of \
-             the way; check the point, the rest, the drag, the friction and the steer, and whether the vehicle \
+            "the path of vehicle {vehicle} to its rest misses point {point} by {}, more than 15 % of \
+             the path; check the point, the rest, the drag, the friction and the steer, and whether the vehicle \
              was struck again",
             words::pass(pass, units)
         ),
@@ -232,8 +232,9 @@ pub fn message(seen: &SeenWarning, units: Units) -> String {
             )
         }
         Warning::MovesBackward { vehicle, speed: si, found: true } => format!(
-            "the speed found for vehicle {vehicle} is {}, so it would have moved backwards; check the \
-             heading and the crush energy",
+            "the speed found for vehicle {vehicle} is {}, so it would have moved backwards; one that stood comes \
+             out so where the inputs are a little off; otherwise check the heading, the crush energy and what \
+             was measured after the impact",
             speed(*si)
         ),
         Warning::MovesBackward { vehicle, speed: si, found: false } => format!(

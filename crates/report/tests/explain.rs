@@ -241,3 +241,96 @@ fn the_json_has_the_texts_of_the_glossary() {
     assert_eq!(topic("heading").unwrap().see_also(), ["axes", "contact point", "PDOF"]);
     assert_eq!(topic("heading").unwrap().aliases, ["θ", "theta", "heading angle"]);
 }
+
+/// Words that practitioners use, and the topic that explains each: of Fricke, of Brach, of Daily, Shigemura and
+/// Daily, of EDCRASH's manual and of ISO 12353-1.
+#[test]
+fn the_words_of_the_trade_are_explained() {
+    for (by, words) in [
+        ("which command", "which command; where to begin; command"),
+        (
+            "two unknown speeds",
+            "COLM; conservation of linear momentum; linear momentum; momentum analysis; T-bone; broadside",
+        ),
+        (
+            "skid",
+            "speed from skid; skid to stop; minimum speed; speed from skid marks; ABS marks; skip skid; gap skid; \
+             impending skid; pre-impact braking",
+        ),
+        ("combined speed", "combined speed; combined speeds; combining speeds; sum of squares"),
+        (
+            "critical speed",
+            "critical speed; yaw mark; yaw marks; critical speed yaw; chord; middle ordinate; scuff marks; radius",
+        ),
+        ("airborne", "vault; airborne; free fall; takeoff speed; flip"),
+        ("deceleration", "deceleration; braking efficiency; effective drag factor; braking; percent braking"),
+        ("drag", "drag factor; lock-up; rolling resistance; locked wheel"),
+        (
+            "EES",
+            "BEV; KEES; CEES; EBS; ETS; barrier equivalent velocity; kinetic energy equivalent speed; \
+             equivalent barrier speed",
+        ),
+        ("heading", "approach angle; impact angle; yaw angle; orientation"),
+        (
+            "velocity after the impact",
+            "post-impact speed; post-impact velocity; separation; departure angle; exit speed; separation speed",
+        ),
+        (
+            "common velocity",
+            "common velocity; stuck together; plastic impact; locked together; inelastic collision; entangled",
+        ),
+        ("stopped vehicle", "stopped vehicle; parked car; stationary vehicle; did not move"),
+        ("in-line collision", "rear-end; in-line; collinear; head-on; rear-end collision"),
+        ("outside the model", "override; underride; throw distance; rollover; pedestrian"),
+        ("yaw inertia", "mass moment of inertia; polar moment of inertia; moment of inertia"),
+        (
+            "crush depth",
+            "crush; induced damage; direct damage; residual crush; maximum crush; deformation; crush profile",
+        ),
+        ("force balance", "missing vehicle; missing vehicle algorithm"),
+        ("other programs", "WinSMASH; SMASH; EDCRASH; PC-Crash; SMAC; Virtual CRASH"),
+        ("guardrail", "guardrail; crash cushion; cable barrier"),
+        ("friction limit", "inter-vehicle friction; friction between the vehicles; sideswipe"),
+        ("occupant", "occupant; occupants; injury; acceleration; crash pulse; seat belt; airbag"),
+        ("several impacts", "chain collision; second impact; secondary impact; pile-up; three vehicles"),
+        ("sideslip", "sideslip; slip; slip angle; course; drift"),
+        ("contact point", "impulse center; impulse centre; center of impulse"),
+        (
+            "time and distance",
+            "avoid; avoidance; speed limit; reaction time; perception-reaction time; sight; sight distance; \
+             time to collision; TTC; stopping distance; visibility",
+        ),
+        ("impulse ratio", "impulse ratio; mu"),
+        ("closing speed", "closing velocity; approach speed; closing speed"),
+        ("ΔV", "change in velocity; crash severity; delta v; delta-v"),
+        ("EDR", "CDR; crash data retrieval; ACM; pre-crash data; black box"),
+        ("restitution", "elastic; rebound; coefficient of restitution"),
+        ("energy loss", "kinetic energy; conservation of energy; dissipated energy"),
+        ("peak force", "Newton's third law; third law"),
+        ("yaw rate", "angular momentum; conservation of angular momentum; angular velocity"),
+        ("place of the impact", "point of impact; POI; area of impact; gouge; debris; maximum engagement"),
+        ("rest", "final rest; spin-out; rollout; final rest position"),
+        ("surface", "coefficient of friction; drag sled; asphalt; test skid"),
+        ("grade", "superelevation; percent grade; slope"),
+        ("barrier test", "crash test; NCAP"),
+        ("axles", "center of gravity; weight distribution"),
+        ("moment arm", "lever arm; eccentric impact; central impact"),
+        ("CRASH3", "damage algorithm; deformation energy; crush energy"),
+    ] {
+        for word in words.split("; ") {
+            explained(word, by);
+        }
+    }
+    // What is misread most says so first.
+    let drag = topic("drag factor").unwrap();
+    assert!(drag.text.starts_with("`drag` is not the drag factor f of a skid"), "{}", drag.text);
+    assert!(drag.text.contains("`drag = 0.7` means fully braked wheels"));
+}
+
+/// From two unknown speeds, and from the list of topics, the way leads to the command that weighs everything.
+#[test]
+fn the_topics_of_unknown_speeds_name_the_estimate() {
+    for word in ["two unknown speeds", "which command", "stopped vehicle"] {
+        assert!(topic(word).unwrap().text.contains("`deltav estimate"), "{word}");
+    }
+}

@@ -1,5 +1,6 @@
 //! The tests of what is reported, in one binary.
 
+mod drawable;
 mod explain;
 mod failures;
 mod field;
@@ -9,3 +10,4 @@ mod quantities;
 mod roots;
 mod validation;
 mod warnings;
+mod words;

@@ -56,6 +56,7 @@ pub(crate) fn unit_system(units: Units) -> &'static str {
     match units {
         Units::Si => "si",
         Units::Us => "us",
+        Units::Uk => "uk",
     }
 }
 
@@ -67,8 +68,11 @@ impl Given {
             "" => Units::of_case(&file.case),
             "si" => Units::Si,
             "us" => Units::Us,
+            "uk" => Units::Uk,
             other => {
-                return Err(Refused::message(format!("units are \"si\", \"us\" or \"\", not \"{other}\"")));
+                return Err(Refused::message(format!(
+                    "units are \"si\", \"us\", \"uk\" or \"\", not \"{other}\""
+                )));
             }
         };
         Ok(Self { file, units })

@@ -2,7 +2,7 @@
 
 use analysis::Analysis;
 use case::{Case, Quantity};
-use report::{PlanBody, PlanView, Subject, Viewport};
+use report::{DrawingError, PlanBody, PlanView, Subject, Viewport};
 use serde_json::{Value, json};
 
 use crate::given::{Given, Refused, made};
@@ -10,6 +10,11 @@ use crate::given::{Given, Refused, made};
 pub(crate) fn draw(text: &str, what: &str, units: &str) -> Value {
     made(Given::read(text, None, units).and_then(|given| {
         let subject = subject(what)?;
+        match subject.obstacle(&given.file.case) {
+            None => {}
+            Some(DrawingError::Analysis(failure)) => return given.answered(Err(failure)),
+            Some(obstacle) => return Err(Refused::message(obstacle.to_string())),
+        }
         let analysis = given.answered(subject.analysis(&given.file.case))?;
         let drawing = report::drawing(&given.file, &analysis, given.units, subject);
         let drawing = drawing.map_err(|error| Refused::message(error.to_string()))?;
@@ -52,8 +57,10 @@ pub(crate) fn first_view(given: &Given, what: &str, viewport: &str, furthest: Op
     let asked = subject(what).ok();
     let one = |subject: Subject| {
         let viewport = read_viewport(viewport).ok()?;
-        let is_drawn =
-            |analysis: &&Analysis| subject == Subject::Scene || analysis.travel.iter().any(Option::is_some);
+        let is_drawn = |analysis: &&Analysis| match subject {
+            Subject::Scene => analysis.impact.is_some(),
+            _ => analysis.travel.iter().any(Option::is_some),
+        };
         match furthest.filter(is_drawn) {
             Some(analysis) => view(given, analysis, subject, viewport).ok(),
             None => view(given, &subject.analysis(&given.file.case).ok()?, subject, viewport).ok(),

@@ -8,7 +8,7 @@ from deltav._record import Record
 
 __version__: str
 
-_Units = Literal["si", "us"]
+_Units = Literal["si", "us", "uk"]
 _What = Literal["scene", "motion", "motion-curves", "damage", "reconciliation", "energy"]
 
 @final

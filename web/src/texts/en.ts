@@ -13,6 +13,7 @@ export const texts = {
     ["", "as in case"],
     ["si", "metric"],
     ["us", "US"],
+    ["uk", "UK"],
   ],
   themeLabel: "Colours",
   themes: [

@@ -12,7 +12,8 @@ use crate::node::Node;
 use crate::number::split_number;
 use crate::quantity::shorten;
 use crate::schema::{Measure, RANGE, RANGE_OF_LIST, RESTITUTION, Schema};
-use inputs::{Amount, Bounds, Dimension, Quantity, Range, Spread, Unit};
+use crate::units_in_use::usual_units;
+use inputs::{Amount, Bounds, Dimension, Quantity, Range, Spread};
 
 const FORMS: &str = "{ value = …, sd = … }, { low = …, high = … }, { low = …, mode = …, high = … } or \
                      { value = …, within = \"10 %\", confidence = 0.95 }";
@@ -235,8 +236,11 @@ impl<'t> Reader<'t> {
                 if matches!(value.get_ref(), Node::Number(_) | Node::NotDecimal) =>
             {
                 let number = self.written(value);
-                let unit = self.units_in_use().example(&place.path, dimension).map_or("", Unit::spelling);
-                let example = format!("{key} = \"{number} {unit}\"");
+                let unit = self.units_in_use().example(&place.path, dimension);
+                let units = unit.map_or_else(|| usual_units(dimension), |unit| vec![unit]);
+                let examples: Vec<String> =
+                    units.iter().map(|unit| format!("{key} = \"{number} {unit}\"")).collect();
+                let example = examples.join(" or ");
                 self.report(
                     value.span(),
                     CaseProblem::BareNumber { path: place.path, number, dimension, example },

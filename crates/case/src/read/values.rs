@@ -14,6 +14,7 @@ use crate::number::{leading_numbers, split_number};
 use crate::number_slips;
 use crate::quantity::{QuantityError, find_unit, not_a_number, read_quantity, shorten};
 use crate::schema::{Form, MOST_STATIONS, Measure};
+use crate::units_in_use::usual_units;
 use inputs::{Bounds, Dimension, Quantity, Text, Unit, format_number};
 
 /// A key of a number, or an element of its list.
@@ -159,6 +160,10 @@ impl<'t> Reader<'t> {
         let key = place.path.rsplit('.').next().unwrap_or_default();
         let example = match self.units_in_use().example(&place.path, dimension) {
             Some(unit) if numbers.len() <= SHOWN => format!("{key} = \"{} {unit}\"", numbers.join(" ")),
+            None if numbers.len() <= SHOWN => {
+                let listed = |unit| format!("{key} = \"{} {unit}\"", numbers.join(" "));
+                usual_units(dimension).into_iter().map(listed).collect::<Vec<_>>().join(" or ")
+            }
             _ => place.example.to_owned(),
         };
         self.report(value.span(), CaseProblem::BareNumbers { path: place.path.clone(), dimension, example });

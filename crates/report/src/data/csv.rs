@@ -356,6 +356,9 @@ fn converted(name: &str, units: Units) -> Option<(&str, &'static str, Measure)> 
     match units {
         Units::Si => None,
         Units::Us => find(),
+        Units::Uk => find().filter(|(_, _, quantity)| {
+            matches!(quantity, Measure::RoadSpeed | Measure::Angle | Measure::YawRateDegrees)
+        }),
     }
 }
 

@@ -119,6 +119,12 @@ struct MomentumBlock {
 
 /// Skid marks before the impact.
 #[derive(Serialize)]
+struct InferredBlock {
+    depth: f64,
+    width: f64,
+}
+
+#[derive(Serialize)]
 struct SkidBlock {
     /// Where they begin.
     speed: f64,
@@ -243,6 +249,9 @@ struct VehicleBlock {
     crush_energy: Option<f64>,
     #[serde(skip_serializing_if = "Option::is_none")]
     crush_energy_bounds: Option<[f64; 2]>,
+    /// (m) depth and width of a crush that was inferred from the force on the other vehicle.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    inferred_crush: Option<InferredBlock>,
     #[serde(skip_serializing_if = "Option::is_none")]
     oblique_angle: Option<f64>,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -544,6 +553,9 @@ fn vehicle(case: &Case, analysis: &Seen, id: VehicleId) -> VehicleBlock {
         crush_energy_bounds: damage
             .and_then(|damage| damage.inferred?.range)
             .map(|range| [range.lowest.energy, range.highest.energy]),
+        inferred_crush: damage
+            .and_then(|damage| damage.inferred)
+            .map(|inferred| InferredBlock { depth: inferred.crush.depth, width: inferred.crush.width }),
         oblique_angle: damage.and_then(|damage| damage.oblique_angle).map(plain),
         oblique_factor: oblique.map(|oblique| oblique.factor.factor),
         corrected_crush_energy: of.corrected_crush_energy(),

@@ -7,6 +7,7 @@ use serde::Serialize;
 use super::json::WarningBlock;
 use super::{identified, pretty, title};
 use crate::PROGRAM;
+use crate::pictures::drawn;
 use crate::understood::{choices, converted, message, spread};
 use crate::units::Units;
 
@@ -32,6 +33,9 @@ struct CommandBlock {
     /// Keys of evidence that its exact answer does not use.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     left_aside: Vec<String>,
+    /// Of `draw`: what can be drawn, by the values of its option `--what`.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    draws: Option<Vec<&'static str>>,
 }
 
 #[derive(Serialize)]
@@ -74,15 +78,22 @@ pub fn judgement_json(file: &CaseFile, judgement: &Judgement) -> Result<String, 
         commands: judgement
             .abilities
             .iter()
-            .map(|Ability { purpose, obstacle, left_aside, .. }| CommandBlock {
-                command: purpose.name(),
-                runs: obstacle.is_none(),
-                obstacles: obstacle
-                    .iter()
-                    .flat_map(|obstacle| file.diagnostics(obstacle, &PROGRAM).list().to_vec())
-                    .map(|one| one.problem().to_string())
-                    .collect(),
-                left_aside: left_aside.clone(),
+            .map(|Ability { purpose, obstacle, left_aside, .. }| {
+                // Where something can be drawn, what the rest lacks is no obstacle.
+                let draws = (*purpose == Purpose::Draw).then(|| drawn(case, judgement));
+                let obstacle =
+                    obstacle.as_ref().filter(|_| draws.as_ref().is_none_or(|draws| draws.is_empty()));
+                CommandBlock {
+                    command: purpose.name(),
+                    runs: obstacle.is_none(),
+                    obstacles: obstacle
+                        .iter()
+                        .flat_map(|obstacle| file.diagnostics(obstacle, &PROGRAM).list().to_vec())
+                        .map(|one| one.problem().to_string())
+                        .collect(),
+                    draws,
+                    left_aside: left_aside.clone(),
+                }
             })
             .collect(),
         answers_most: judgement.answers_most().map(Purpose::name),

@@ -122,7 +122,7 @@ fn vehicle(
         analysis.impact.as_ref().filter(|_| !given.fixed).map(|impact| impact.outcome.before[i].velocity);
     let approach = before.filter(|velocity| velocity.norm() > STANDING).map(|velocity| SceneArrow {
         vector: velocity.into(),
-        label: format!("before: {}", units.format(Measure::RoadSpeed, velocity.norm())),
+        label: format!("before: {}", units.speed_in_words(analysis.speed(id))),
     });
     let states = travel.map_or_else(Vec::new, dense);
     Some(MotionVehicle {

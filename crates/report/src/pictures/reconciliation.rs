@@ -17,7 +17,10 @@ pub(super) fn picture(
     analysis: &Analysis,
     units: Units,
 ) -> Result<ReconciliationPicture, DrawingError> {
-    let found = analysis.found.as_ref().ok_or(DrawingError::NoReconciliation)?;
+    let found = analysis.found.as_ref().ok_or(match analysis.both {
+        Some(_) => DrawingError::TwoSpeeds,
+        None => DrawingError::NoReconciliation,
+    })?;
     let curve = work_curve(&file.case, found, SAMPLES)?;
     let vehicle = found.unknown.vehicle();
     let axis = |what: &str, quantity: Measure| Axis {

@@ -3,7 +3,7 @@
 use ::drawing::{SceneArrow, SceneBody, SceneMotion, ScenePicture, SceneVehicle};
 use analysis::{Analysis, Impact};
 use case::{Axes, Case};
-use pim_core::{Real, Vector2, VehicleId};
+use pim_core::{Contact, Real, Vector2, VehicleId};
 
 use super::vehicle::{Body, DrawnOutline, profile};
 use super::{DrawingError, Subject, scale_unit, title};
@@ -28,10 +28,9 @@ pub(super) fn plain(case: &Case, analysis: &Analysis, units: Units) -> Result<Sc
             (_, Some(DrawnOutline::Given) | None) => name.clone(),
         });
         if let Some(motion) = &mut vehicle.motion {
-            for (arrow, when) in [(&mut motion.before, "before"), (&mut motion.after, "after")] {
-                arrow.label =
-                    format!("{when}: {}", units.format(Measure::RoadSpeed, length(arrow.vector.into())));
-            }
+            motion.before.label = format!("before: {}", units.speed_in_words(analysis.speed(id)));
+            let after = length(motion.after.vector.into());
+            motion.after.label = format!("after: {}", units.format(Measure::RoadSpeed, after));
             let [before, after] = [&motion.before, &motion.after].map(|arrow| arrow.label.as_str());
             description.push(format!("Speed of {name} {before}, {after}."));
         }
@@ -40,26 +39,32 @@ pub(super) fn plain(case: &Case, analysis: &Analysis, units: Units) -> Result<Sc
     Ok(ScenePicture { is_plain: true, description: description.join(" "), vehicles, ..picture })
 }
 
+/// Without arrows where the analysis has the geometry alone.
 pub(super) fn picture(case: &Case, analysis: &Analysis, units: Units) -> Result<ScenePicture, DrawingError> {
-    let impact = analysis.impact.as_ref().ok_or(DrawingError::NoImpact { subject: Subject::Scene })?;
-    let outcome = &impact.outcome;
-    let impulse = units.format(Measure::Impulse, length(outcome.impulse_vector));
+    let impact = analysis.impact.as_ref();
+    let contact = impact.map(|impact| &impact.contact).or(analysis.geometry.as_ref());
+    let contact = contact.ok_or(DrawingError::NoImpact { subject: Subject::Scene })?;
+    let seen = analysis.seen(case.axes);
     Ok(ScenePicture {
         title: title(case),
-        description: description(case, analysis.seen(case.axes).impact.as_ref().unwrap_or(impact), units),
+        description: description(case, seen.impact.as_ref(), units),
         is_z_down: case.axes == Axes::ZDown,
         is_plain: false,
-        vehicles: VehicleId::ALL.map(|id| vehicle(case, analysis, impact, id, units)),
-        normal: impact.contact.normal().into(),
-        impulse: SceneArrow { vector: outcome.impulse_vector.into(), label: format!("P {impulse}") },
+        vehicles: VehicleId::ALL.map(|id| vehicle(case, analysis, contact, id, units)),
+        normal: contact.normal().into(),
+        impulse: impact.map(|impact| {
+            let vector = impact.outcome.impulse_vector;
+            let label = format!("P {}", units.format(Measure::Impulse, length(vector)));
+            SceneArrow { vector: vector.into(), label }
+        }),
         length: scale_unit(units, Measure::Length),
         speed: scale_unit(units, Measure::RoadSpeed),
     })
 }
 
-fn vehicle(case: &Case, analysis: &Analysis, impact: &Impact, id: VehicleId, units: Units) -> SceneVehicle {
+fn vehicle(case: &Case, analysis: &Analysis, contact: &Contact, id: VehicleId, units: Units) -> SceneVehicle {
     let i = id.index();
-    let participant = &impact.contact.participants()[i];
+    let participant = &contact.participants()[i];
     let body = Body::of(&case.vehicles[i], &analysis.vehicles[i]);
     let is_fixed = participant.body().is_fixed();
     let name = match (case.vehicles[i].name.as_ref(), is_fixed) {
@@ -88,7 +93,8 @@ fn vehicle(case: &Case, analysis: &Analysis, impact: &Impact, id: VehicleId, uni
         // r points from the CG to C, which is the origin.
         cg: (-participant.arm()).into(),
         forward: participant.forward().into(),
-        motion: (!is_fixed).then(|| motion(impact, i, units)),
+        is_fixed,
+        motion: analysis.impact.as_ref().filter(|_| !is_fixed).map(|impact| motion(impact, id, units)),
     }
 }
 
@@ -114,21 +120,22 @@ pub(super) fn scene_body(
     }
 }
 
-fn motion(impact: &Impact, i: usize, units: Units) -> SceneMotion {
+fn motion(impact: &Impact, id: VehicleId, units: Units) -> SceneMotion {
+    let i = id.index();
     let outcome = &impact.outcome;
     let number = ["₁", "₂"][i];
-    let velocity = |symbol: &str, when: &str, velocity: Vector2<f64>| SceneArrow {
-        vector: velocity.into(),
-        label: format!("{symbol}{number} {when}: {}", units.format(Measure::RoadSpeed, length(velocity))),
-    };
+    let arrow = |velocity: Vector2<f64>, label: String| SceneArrow { vector: velocity.into(), label };
+    let before = format!("v{number} before: {}", units.speed_in_words(impact.speed(id)));
+    let after = outcome.after[i].velocity;
+    let size = units.format(Measure::RoadSpeed, length(after));
     // The heading, turned clockwise by the PDOF.
     let forward = outcome.forward[i];
     let (sin, cos) = Real::sin_cos(impact.pdof[i]);
     let from = [forward.x * cos + forward.y * sin, forward.y * cos - forward.x * sin];
     let pdof = units.format(Measure::Angle, impact.pdof[i]);
     SceneMotion {
-        before: velocity("v", "before", outcome.before[i].velocity),
-        after: velocity("V", "after", outcome.after[i].velocity),
+        before: arrow(outcome.before[i].velocity, before),
+        after: arrow(after, format!("V{number} after: {size}")),
         force_from: SceneArrow { vector: from, label: format!("PDOF{number} {pdof}") },
     }
 }
@@ -138,8 +145,7 @@ fn length(vector: Vector2<f64>) -> f64 {
 }
 
 /// In the axes of the case, and so is the impact.
-fn description(case: &Case, impact: &Impact, units: Units) -> String {
-    let outcome = &impact.outcome;
+fn description(case: &Case, impact: Option<&Impact>, units: Units) -> String {
     let mut sentences = vec!["Both vehicles from above at the moment of impact, to scale.".to_owned()];
     for id in VehicleId::ALL {
         let i = id.index();
@@ -150,16 +156,27 @@ fn description(case: &Case, impact: &Impact, units: Units) -> String {
             continue;
         }
         let heading = vehicle.heading.as_ref().map_or(0.0, case::Quantity::si);
-        sentences.push(format!(
-            "Vehicle {id}{name} heads {} {} from the x axis of the scene; its velocity is {} before and {} after the impact; the force on it \
-             comes from {} clockwise of its heading.",
+        let heads = format!(
+            "Vehicle {id}{name} heads {} {} from the x axis of the scene",
             units.format(Measure::Angle, heading),
-            axes::sense(case.axes),
+            axes::sense(case.axes)
+        );
+        let Some(impact) = impact else {
+            sentences.push(format!("{heads}."));
+            continue;
+        };
+        let outcome = &impact.outcome;
+        sentences.push(format!(
+            "{heads}; its velocity is {} before and {} after the impact; the force on it comes from {} clockwise of its heading.",
             units.format_vector(Measure::RoadSpeed, outcome.before[i].velocity.into()),
             units.format_vector(Measure::RoadSpeed, outcome.after[i].velocity.into()),
             units.format(Measure::Angle, impact.pdof[i]),
         ));
     }
+    let Some(Impact { outcome, .. }) = impact else {
+        sentences.push("The speeds are not known.".to_owned());
+        return sentences.join(" ");
+    };
     sentences.push(format!(
         "The impulse of {} on vehicle 1 at the contact point C points to {} in the scene.",
         units.format(Measure::Impulse, length(outcome.impulse_vector)),

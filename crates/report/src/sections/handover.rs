@@ -124,7 +124,7 @@ pub fn handover(
     page.blocks.extend(inputs::tables(file, analysis, units).into_iter().map(Block::Table));
     page.heading("Results step by step");
     let system = match units {
-        Units::Si => "Numbers are in SI units and degrees",
+        Units::Si | Units::Uk => "Numbers are in SI units and degrees",
         Units::Us => {
             "Numbers are in ft, lb, s, slug (1 slug = 1 lb·s²/ft, so a mass is the weight over 32.174 ft/s²) and \
              degrees"
@@ -193,6 +193,7 @@ fn drawings(
                 DrawingError::NoImpact { .. }
                 | DrawingError::NoDamage
                 | DrawingError::NoReconciliation
+                | DrawingError::TwoSpeeds
                 | DrawingError::NoMotion { .. },
             ) => {}
             Err(error) => return Err(error),
@@ -254,8 +255,8 @@ fn answer(analysis: &Analysis, supplements: Supplements<'_>, units: Units) -> Bl
                 let central = number(units.value(Measure::RoadSpeed, si), wide.decimals);
                 format!("{}; as solved {central} {}", wide.words, units.name(Measure::RoadSpeed))
             }
-            (None, Some(narrow)) => format!("{narrow}; central value {}", units.speed(si)),
-            (None, None) => units.speed(si),
+            (None, Some(narrow)) => format!("{narrow}; central value {}", units.speed_along(si)),
+            (None, None) => units.speed_along(si),
         }
     };
     let changes = |values: [f64; 2]| {
@@ -378,7 +379,7 @@ pub fn uncertain_headline(uncertainty: &Uncertainty, units: Units) -> Vec<String
             _ => return None,
         };
         let interval = interval(uncertainty, output.output, units)?;
-        Some(format!("{name}: {interval}; central value {}.", units.speed(output.central)))
+        Some(format!("{name}: {interval}; central value {}.", units.speed_along(output.central)))
     };
     uncertainty.outputs.iter().filter_map(line).collect()
 }

@@ -3,10 +3,11 @@
 use analysis::{Ability, Judgement, SeenWarning};
 use case::{Case, CaseFile, Purpose, UnitSystem};
 
+use crate::PROGRAM;
 use crate::document::{Block, Column, Document, Row, Table, Width};
+use crate::pictures::drawn;
 use crate::understood::{amount, choices, converted, message, shown, spread};
 use crate::units::Units;
-use crate::{PROGRAM, Subject};
 use crate::{warnings, words};
 
 /// Over the numbers of the file.
@@ -57,16 +58,14 @@ pub fn judgement(file: &CaseFile, judgement: &Judgement, units: Units) -> Docume
 fn commands(file: &CaseFile, judgement: &Judgement) -> Table {
     let columns = [Column::words("", Width::Fixed(KEY + 2)), Column::words("", Width::Share)];
     let mut table = Table::new("Commands", columns);
-    let estimates =
-        judgement.abilities.iter().any(|one| one.purpose == Purpose::Estimate && one.obstacle.is_none());
     for Ability { purpose, on, obstacle, left_aside } in &judgement.abilities {
-        if *purpose == Purpose::Draw && obstacle.is_some() && estimates {
-            table.row([purpose.to_string(), "has all that it needs for --what estimate".to_owned()]);
-            continue;
-        }
-        let Some(obstacle) = obstacle else {
-            let does = format!("has all that it needs{}", good_for(&file.case, *purpose, *on, estimates));
-            table.row([purpose.to_string(), does]);
+        let drawn = if *purpose == Purpose::Draw { drawn(&file.case, judgement) } else { Vec::new() };
+        let Some(obstacle) = obstacle.as_ref().filter(|_| drawn.is_empty()) else {
+            let good_for = match drawn.as_slice() {
+                [] => good_for(&file.case, *purpose),
+                drawn => format!(" for --what {}", drawn.join(", ")),
+            };
+            table.row([purpose.to_string(), format!("has all that it needs{good_for}")]);
             let computes = !matches!(purpose, Purpose::Draw | Purpose::Motion);
             if computes && !left_aside.is_empty() {
                 let keys = left_aside.join(", ");
@@ -135,7 +134,7 @@ fn numbers(case: &Case) -> Table {
 }
 
 /// What a command that runs is good for in this case.
-fn good_for(case: &Case, purpose: Purpose, on: Purpose, estimates: bool) -> String {
+fn good_for(case: &Case, purpose: Purpose) -> String {
     match (&case.reconstruct, purpose) {
         (Some(reconstruct), Purpose::Reconstruct) => {
             format!(" to find {}", words::find_names(reconstruct.find))
@@ -144,23 +143,6 @@ fn good_for(case: &Case, purpose: Purpose, on: Purpose, estimates: bool) -> Stri
             Ok(keys) if !keys.is_empty() => format!("; the evidence: {}", keys.join(", ")),
             _ => "; but there is no evidence".to_owned(),
         },
-        (_, Purpose::Draw) => {
-            let is_damaged = case.vehicles.iter().any(|vehicle| vehicle.crush.is_some());
-            let what: Vec<&str> = Subject::ALL
-                .into_iter()
-                .filter(|subject| match subject {
-                    Subject::Scene | Subject::Energy => on != Purpose::Crush,
-                    Subject::Damage => is_damaged,
-                    Subject::Motion | Subject::MotionCurves => {
-                        case.motion().is_ok() || case.run_out().is_some_and(|input| input.is_ok())
-                    }
-                    Subject::Reconciliation => on == Purpose::Reconstruct,
-                })
-                .map(Subject::name)
-                .chain(estimates.then_some("estimate"))
-                .collect();
-            format!(" for --what {}", what.join(", "))
-        }
         _ => String::new(),
     }
 }

@@ -1,7 +1,7 @@
 //! The motion after the impact in words and tables.
 
 use analysis::{BothFound, BothMethod, ClosedForm, Seen, Travel, TravelOrigin};
-use case::{Basis, RestHeadingData};
+use case::{Basis, Case, RestHeadingData};
 use pim_core::VehicleId;
 
 use super::chosen::Chosen;
@@ -64,6 +64,17 @@ pub(crate) fn answer(id: VehicleId, travel: &Travel, units: Units) -> String {
             length(travel.rest.distance)
         ),
     }
+}
+
+/// What a reader of a case with skid marks and a grade has to know; `None` of one without both.
+pub(crate) fn skids_on_a_grade(case: &Case, analysis: &Seen) -> Option<String> {
+    let is_graded = case.surface.as_ref().is_some_and(|surface| surface.grade.is_some());
+    (is_graded && analysis.skids.iter().any(Option::is_some)).then(|| {
+        "The skid before the impact is taken on level ground: the grade of [surface] counts after the impact \
+         alone. If the skid went uphill, the vehicle was faster than printed where it begins; if downhill, \
+         slower."
+            .to_owned()
+    })
 }
 
 /// What a motion alone rests on.
@@ -151,14 +162,14 @@ pub(crate) fn tables(analysis: &Seen, units: Units) -> Vec<Table> {
     }
     let turn =
         |travel: &Travel| Some(units.format(Measure::Angle, travel.rest.heading - travel.start.heading));
-    way.pair("turn on the way", each(&turn), "theory 11");
+    way.pair("turn on the path", each(&turn), "theory 11");
     chosen.vectors(&mut way, "rest");
     chosen.pair(&mut way, "rest.heading");
     let measured = |travel: &Travel| {
         let position = travel.measured.as_ref()?.position;
         Some(units.format_vector(Measure::Length, position.into()))
     };
-    way.pair("place of rest as measured", each(&measured), "");
+    way.pair("rest position as measured", each(&measured), "");
     let heading = |travel: &Travel| {
         Some(match travel.measured.as_ref()?.heading {
             RestHeadingData::Heading(heading) => units.format(Measure::Angle, heading),
@@ -174,7 +185,7 @@ pub(crate) fn tables(analysis: &Seen, units: Units) -> Vec<Table> {
     let most = analysis.travel.iter().flatten().map(|travel| travel.passes.len()).max().unwrap_or(0);
     for i in 0..most {
         let pass = |travel: &Travel| Some(words::pass(travel.passes.get(i)?, units));
-        way.pair(&format!("way and point {} apart", i + 1), each(&pass), "");
+        way.pair(&format!("path and point {} apart", i + 1), each(&pass), "");
     }
     let form = |travel: &Travel| {
         Some(match travel.closed? {
@@ -196,7 +207,7 @@ pub(crate) fn tables(analysis: &Seen, units: Units) -> Vec<Table> {
     };
     way.pair("  yaw rate at the start by it", each(&yaw_rate), "theory 11");
 
-    let mut energy = Table::of_two("Energy on the way to rest", ["vehicle 1", "vehicle 2", "source"]);
+    let mut energy = Table::of_two("Energy on the path to rest", ["vehicle 1", "vehicle 2", "source"]);
     let joules =
         |f: fn(&Travel) -> f64| move |travel: &Travel| Some(units.format(Measure::Energy, f(travel)));
     energy.pair("kinetic energy at the start", each(&joules(|t| t.rest.energy.start)), "theory 11");

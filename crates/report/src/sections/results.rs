@@ -1,8 +1,10 @@
 //! A finished analysis as text for the terminal and the file.
 
-use analysis::{Analysis, BothFound, BothMethod, Crash3, Damage, Found, Impact, Seen, SeenWarning, Weighed};
+use analysis::{
+    Analysis, BothFound, BothMethod, Crash3, Damage, Found, Impact, Inferred, Seen, SeenWarning, Weighed,
+};
 use case::{Axes, Basis, Case, Pdof, Text, Velocity, YawSource};
-use crash3::{SideStiffness, Stiffness};
+use crash3::{SideStiffness, Stiffness, UniformCrush};
 use pim_core::{Outcome, Regime, VehicleId};
 
 use super::chosen::{Chosen, label};
@@ -11,6 +13,16 @@ use super::motion;
 use crate::document::{Block, Document, Table};
 use crate::units::{Measure, Units};
 use crate::{axes, basis, checks, energy, law, warnings, words};
+
+/// A crush that was not measured: how deep it is where the width is known, and its bounds where it is not.
+fn inferred_crush(inferred: &Inferred, units: Units) -> String {
+    let length = |si: f64| units.format(Measure::Crush, si);
+    let of = |crush: &UniformCrush| format!("{} deep, {} wide", length(crush.depth), length(crush.width));
+    let bounds = inferred.range.as_ref().map_or_else(String::new, |range| {
+        format!("; possible are {} to {}", of(&range.lowest), of(&range.highest))
+    });
+    format!("{}, inferred from the force on the other vehicle{bounds}", of(&inferred.crush))
+}
 
 /// The analysis for the terminal and the file: what was found, all inputs and results with their equations,
 /// and the warnings.
@@ -66,6 +78,9 @@ fn headed(case: &Case, analysis: &Analysis, headline: Headline<'_>, units: Units
     if let Some(impact) = &analysis.impact {
         page.impact(analysis, impact);
         page.motion(analysis);
+        if let Some(note) = motion::skids_on_a_grade(case, analysis) {
+            page.document.paragraph(note);
+        }
         page.energy(analysis, &impact.outcome);
     }
     page.travel(analysis);
@@ -141,7 +156,7 @@ impl Page<'_> {
             let of = |id: &VehicleId| format!("ΔV of vehicle {id}: {}", units.speed(magnitudes[id.index()]));
             VehicleId::ALL.iter().filter(|id| analysis.moves(**id)).map(of).collect::<Vec<_>>()
         });
-        let said = std::iter::once(format!("Speed of vehicle {vehicle}: {}", units.speed(found.speed)))
+        let said = std::iter::once(format!("Speed of vehicle {vehicle}: {}", units.speed_along(found.speed)))
             .chain(delta_v)
             .collect();
         let how = format!(
@@ -154,7 +169,8 @@ impl Page<'_> {
     /// Both speeds, and how they were found.
     fn both(&mut self, both: &BothFound, analysis: &Seen) {
         let units = self.units;
-        let of = |id: VehicleId| format!("Speed of vehicle {id}: {}", units.speed(both.speeds[id.index()]));
+        let of =
+            |id: VehicleId| format!("Speed of vehicle {id}: {}", units.speed_along(both.speeds[id.index()]));
         let change = |id: VehicleId| format!("ΔV of vehicle {id}: {}", units.speed(both.delta_v[id.index()]));
         let found = VehicleId::ALL.into_iter().map(of).chain(VehicleId::ALL.into_iter().map(change));
         self.answer(found.collect(), motion::how(both, analysis, units));
@@ -335,12 +351,12 @@ impl Page<'_> {
         let units = self.units;
         let mut profiles = Vec::new();
         for (id, vehicle) in VehicleId::ALL.into_iter().zip(&analysis.vehicles) {
-            if let Some(damage) = &vehicle.damage
-                && damage.inferred.is_none()
-            {
-                let depths = units.format_all(Measure::Crush, &damage.depths);
-                profiles.push((format!("crush depths, vehicle {id}"), depths));
-            }
+            let Some(damage) = &vehicle.damage else { continue };
+            let depths = match &damage.inferred {
+                None => units.format_all(Measure::Crush, &damage.depths),
+                Some(inferred) => inferred_crush(inferred, units),
+            };
+            profiles.push((format!("crush depths, vehicle {id}"), depths));
         }
         let heading = match (profiles.is_empty(), case.impact.is_some()) {
             (false, true) => "Crush depths and impact law",

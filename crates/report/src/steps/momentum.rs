@@ -210,7 +210,7 @@ pub(super) fn ways(analysis: &Seen) -> Vec<StepGroup> {
     for k in VehicleId::ALL {
         if let Some(travel) = &analysis.travel[k.index()] {
             groups.push(group(
-                format!("Way of vehicle {k} to rest, by a closed form"),
+                format!("Path of vehicle {k} to rest, by a closed form"),
                 closed(analysis, travel, k),
             ));
         }
@@ -231,7 +231,9 @@ pub(super) fn ways(analysis: &Seen) -> Vec<StepGroup> {
                 "m/s",
                 "theory 11",
             )];
-            groups.push(group(format!("Skid of vehicle {k} before impact"), steps));
+            let is_graded = analysis.surface.as_ref().is_some_and(|ground| ground.grade.norm() > 0.0);
+            let ground = if is_graded { ", on level ground, without the grade" } else { "" };
+            groups.push(group(format!("Skid of vehicle {k} before impact{ground}"), steps));
         }
     }
     groups

@@ -57,11 +57,11 @@ fn motion(ledger: &mut Ledger) {
     ledger.cited("asphalt … 0.55 … 0.80", edcrash);
     ledger.cited("did not spin … 10°", edcrash);
     ledger.cited(
-        "miss one by more than 15 % of the way",
+        "miss one by more than 15 % of the path",
         "the limit of the EDCRASH manual for a point on the curve",
     );
     ledger.cited(
-        "too far away: by more than 15 % of the way",
+        "too far away: by more than 15 % of the path",
         "the limit of the EDCRASH manual for a point on the curve",
     );
     ledger.cited("free wheel … 0.01", edcrash);

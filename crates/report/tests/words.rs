@@ -1,0 +1,124 @@
+//! Signs, units and values that a reader must not overlook.
+
+#![allow(clippy::unwrap_used, clippy::panic, reason = "tests")]
+
+use case::CaseFile;
+use report::{Subject, Units};
+use serde_json::Value;
+
+/// Two vehicles of 1000 kg at right angles, which leave with one velocity: v₁ = 2 V_x, v₂ = 2 V_y.
+fn crossing(speed: &str, direction: &str) -> CaseFile {
+    let text = format!(
+        r#"
+[vehicle1]
+mass = "1000 kg"
+yaw_radius = "1.3 m"
+heading = "0 deg"
+contact = {{ x = "2 m", y = "0 m" }}
+after = {{ speed = "{speed}", direction = "{direction}" }}
+[vehicle2]
+mass = "1000 kg"
+yaw_radius = "1.3 m"
+heading = "90 deg"
+contact = {{ x = "0.2 m", y = "0.8 m" }}
+after = {{ speed = "{speed}", direction = "{direction}" }}
+[impact]
+crush_plane = "0 deg"
+restitution = 0.1
+tangential = "critical"
+[reconstruct]
+find = ["vehicle1.speed", "vehicle2.speed"]
+"#
+    );
+    CaseFile::parse("crossing.toml", &text).unwrap()
+}
+
+#[test]
+fn a_negative_speed_is_called_backwards() {
+    // V = (6, −1) m/s: v₂ = −2 m/s = −7.2 km/h.
+    let file = crossing("6.0827625303 m/s", "-9.4623222080 deg");
+    let analysis = analysis::reconstruct(&file.case).unwrap();
+    let codes: Vec<&str> = analysis.warnings.iter().map(analysis::Warning::code).collect();
+    assert!(codes.contains(&"moves-backward"), "{codes:?}");
+    let text = report::results(&file.case, &analysis, Units::Si).text();
+    assert!(text.contains("Speed of vehicle 2: -7.2 km/h (-2.00 m/s), backwards\n"), "{text}");
+    assert!(text.contains("Speed of vehicle 1: 43.2 km/h (12.00 m/s)\n"), "{text}");
+    let plain = report::plain_scene(&file, &analysis, Units::Si).unwrap();
+    assert!(plain.svg().contains("before: 7.2 km/h backwards"));
+    assert!(plain.description().contains("before: 7.2 km/h backwards"));
+    assert!(plain.svg().contains("before: 43.2 km/h<"));
+    let scene = report::drawing(&file, &analysis, Units::Si, Subject::Scene).unwrap();
+    assert!(scene.svg().contains("before: 7.2 km/h backwards"));
+}
+
+/// A vehicle that stood has a speed of zero, but for rounding: that is no movement.
+#[test]
+fn a_vehicle_that_stood_is_not_called_backwards() {
+    for direction in ["0 deg", "-1e-9 deg"] {
+        let file = crossing("6 m/s", direction);
+        let analysis = analysis::reconstruct(&file.case).unwrap();
+        assert!(analysis.warnings.iter().all(|warning| warning.code() != "moves-backward"));
+        let text = report::results(&file.case, &analysis, Units::Si).text();
+        assert!(text.contains("Speed of vehicle 2: 0.0 km/h (0.00 m/s)\n"), "{text}");
+    }
+}
+
+#[test]
+fn a_file_in_kilograms_metres_and_miles_per_hour_is_answered_so() {
+    let text = r#"
+[vehicle1]
+mass = "1000 kg"
+yaw_radius = "1.3 m"
+heading = "0 deg"
+contact = { x = "2 m", y = "0 m" }
+speed = "30 mph"
+[vehicle2]
+mass = "1200 kg"
+yaw_radius = "1.3 m"
+heading = "180 deg"
+contact = { x = "2 m", y = "0 m" }
+speed = "20 mph"
+[impact]
+crush_plane = "0 deg"
+restitution = 0.1
+tangential = "critical"
+"#;
+    let units = |text: &str| Units::of_case(&CaseFile::parse("uk.toml", text).unwrap().case);
+    assert_eq!(units(text), Units::Uk);
+    assert_eq!(units(&text.replace("mph", "km/h")), Units::Si);
+    assert_eq!(units(&text.replace("30 mph", "48 km/h")), Units::Si);
+    let us = text.replace(" kg\"", " lb\"").replace(" m\"", " ft\"");
+    assert_eq!(units(&us), Units::Us);
+    // 1 mph is 0.44704 m/s.
+    let file = CaseFile::parse("uk.toml", text).unwrap();
+    let analysis = analysis::impact(&file.case).unwrap();
+    let text = report::results(&file.case, &analysis, Units::Uk).text();
+    assert!(text.contains("1,000.0 kg") && text.contains("30.00 mph (13.41 m/s)"), "{text}");
+    assert!([" N·s", " J ", " kg·m²", "2.000 m "].iter().all(|unit| text.contains(unit)), "{text}");
+    assert!(!text.contains("km/h") && !text.contains("ft/s"), "{text}");
+}
+
+/// Average crush of a car that was not inspected, by a force balance over the same width: the example of
+/// GuideBook (energy2), A 479.7 and 355.8 lb/in, B 52.2 and 34.0 lb/in², C₁ 14 in, prints C₂ = 25.14 in.
+#[test]
+fn an_inferred_crush_stands_beside_the_measured_one() {
+    let vehicle = |weight: &str, x: &str, rest: &str| {
+        format!(
+            "weight = \"{weight} lb\"\nclass = 3\nheading = \"0 deg\"\ncontact = {{ x = \"{x} ft\", y = \"0 ft\" }}\n\
+             {rest}\n"
+        )
+    };
+    let one = "crush = { side = \"front\", width = \"60 in\", depths = \"14 14 in\", pdof = \"0 deg\", \
+               stiffness = { A = \"479.7 lb/in\", B = \"52.2 lb/in^2\" } }";
+    let two = "crush = { side = \"rear\", width = \"60 in\", from_force_balance = true, \
+               stiffness = { A = \"355.8 lb/in\", B = \"34.0 lb/in^2\" } }";
+    let text = format!("[vehicle1]\n{}[vehicle2]\n{}", vehicle("3500", "7", one), vehicle("3000", "-7", two));
+    let file = CaseFile::parse("inferred.toml", &text).unwrap();
+    let analysis = analysis::crush(&file.case).unwrap();
+    let text = report::results(&file.case, &analysis, Units::Us).text();
+    let row = "crush depths, vehicle 2         25.1 in deep, 60.0 in wide, inferred from the force on the other vehicle\n";
+    assert!(text.contains(row), "{text}");
+    let json: Value = serde_json::from_str(&report::json(&file, &analysis).unwrap()).unwrap();
+    let inferred = |key: &str| json["vehicle2"]["inferred_crush"][key].as_f64().unwrap() / 0.0254;
+    assert!((inferred("depth") - 25.14).abs() < 0.005 && (inferred("width") - 60.0).abs() < 1e-9, "{json}");
+}
