@@ -44,6 +44,7 @@ mod curve;
 mod damage;
 mod estimate;
 mod evidence;
+mod exchange;
 mod goal;
 mod judgement;
 mod quantities;
@@ -66,6 +67,7 @@ pub use checks::{Check, CheckedQuantity};
 pub use compare::{Comparison, LawRow, compare};
 pub use curve::{WorkPoint, first_push, work_curve};
 pub use damage::{Correction, Crash3, Damage, EnergyAlone, Inferred, Oblique};
+pub use exchange::{AtContact, EnergyBalance, Exchange};
 pub use judgement::{Ability, Assumption, AxleMeasure, Judgement, assumptions, judge, nearest_class};
 pub use quantities::{Kind, Of, OutputQuantity, QUANTITIES, Values, quantity};
 pub use seen::{Seen, SeenWarning};
@@ -82,7 +84,7 @@ pub use uncertainty::{
 pub use warning::{Drive, JumpSide, Magnitude, Warning};
 
 use crash3::{CrushError, SideStiffness};
-use inputs::{Basis, Case, Collision, Evidence, Faults, Find, Purpose, SurfaceData, VehicleData};
+use inputs::{Basis, Case, Collision, Evidence, Faults, Purpose, SurfaceData, VehicleData};
 use pim_core::{Contact, ImpactError, Law, Motion, Outcome, Real, VaryingLaw, VehicleId};
 use reconcile::{
     AffineImpact, ApproachLine, Iteration, MomentumError, Problem, Quadratic, ReconcileError, SolutionMethod,
@@ -101,7 +103,9 @@ pub struct Analysis {
     pub found: Option<Found>,
     /// Both speeds, in a reconstruction that seeks them.
     pub both: Option<BothFound>,
-    /// The impact; `None` in an analysis of the damage alone, or of the motion alone.
+    /// The impact by the impact law; `None` in an analysis of the damage alone, or of the motion alone, and
+    /// where momentum gives the speeds of a case that has no law. Where momentum gives them, it is a check
+    /// ([`law_check`](Self::law_check)): what the impact did is [`exchange`](Self::exchange).
     pub impact: Option<Impact>,
     /// The way of each vehicle from the impact to rest, where the case has the ground and the drag for it.
     pub travel: [Option<Travel>; 2],
@@ -130,7 +134,10 @@ impl Analysis {
     /// object.
     #[must_use]
     pub fn speed(&self, vehicle: VehicleId) -> f64 {
-        self.impact.as_ref().map_or(0.0, |impact| impact.speed(vehicle))
+        match (&self.both, &self.impact) {
+            (Some(both), _) => both.speeds[vehicle.index()],
+            (None, impact) => impact.as_ref().map_or(0.0, |impact| impact.speed(vehicle)),
+        }
     }
 
     /// With the ways to rest, and the checks and warnings about them.
@@ -355,7 +362,7 @@ pub enum Failure {
 /// # Errors
 /// [`Failure`].
 pub fn reconstruct(case: &Case) -> Result<Analysis, Failure> {
-    if case.reconstruct.is_some_and(|reconstruct| reconstruct.find == Find::Both) {
+    if case.is_by_momentum() {
         return both::reconstruct(case).map_err(|failure| failure.in_axes(case.axes));
     }
     let input = case.reconstruction()?;

@@ -1,8 +1,8 @@
 //! The scene: both vehicles at impact, seen from above.
 
 use ::drawing::{SceneArrow, SceneBody, SceneMotion, ScenePicture, SceneVehicle};
-use analysis::{Analysis, Impact};
-use case::{Axes, Case};
+use analysis::{Analysis, Exchange, Impact};
+use case::{Axes, Case, Geometry};
 use pim_core::{Real, Vector2, VehicleId};
 
 use super::vehicle::{Body, DrawnOutline, profile};
@@ -42,22 +42,33 @@ pub(super) fn plain(case: &Case, analysis: &Analysis, units: Units) -> Result<Sc
 
 pub(super) fn picture(case: &Case, analysis: &Analysis, units: Units) -> Result<ScenePicture, DrawingError> {
     let impact = analysis.impact.as_ref().ok_or(DrawingError::NoImpact { subject: Subject::Scene })?;
-    let outcome = &impact.outcome;
-    let impulse = units.format(Measure::Impulse, length(outcome.impulse_vector));
+    let no_scene = DrawingError::NoImpact { subject: Subject::Scene };
+    if analysis.both.as_ref().is_some_and(|both| both.geometry != Geometry::Given) {
+        return Err(no_scene);
+    }
+    let exchange = analysis.exchange().ok_or(no_scene)?;
+    let seen = analysis.seen(case.axes).exchange().unwrap_or(exchange);
+    let impulse = units.format(Measure::Impulse, length(exchange.impulse_vector));
     Ok(ScenePicture {
         title: title(case),
-        description: description(case, analysis.seen(case.axes).impact.as_ref().unwrap_or(impact), units),
+        description: description(case, &seen, units),
         is_z_down: case.axes == Axes::ZDown,
         is_plain: false,
-        vehicles: VehicleId::ALL.map(|id| vehicle(case, analysis, impact, id, units)),
+        vehicles: VehicleId::ALL.map(|id| vehicle(case, analysis, (impact, &exchange), id, units)),
         normal: impact.contact.normal().into(),
-        impulse: SceneArrow { vector: outcome.impulse_vector.into(), label: format!("P {impulse}") },
+        impulse: SceneArrow { vector: exchange.impulse_vector.into(), label: format!("P {impulse}") },
         length: scale_unit(units, Measure::Length),
         speed: scale_unit(units, Measure::RoadSpeed),
     })
 }
 
-fn vehicle(case: &Case, analysis: &Analysis, impact: &Impact, id: VehicleId, units: Units) -> SceneVehicle {
+fn vehicle(
+    case: &Case,
+    analysis: &Analysis,
+    (impact, exchange): (&Impact, &Exchange),
+    id: VehicleId,
+    units: Units,
+) -> SceneVehicle {
     let i = id.index();
     let participant = &impact.contact.participants()[i];
     let body = Body::of(&case.vehicles[i], &analysis.vehicles[i]);
@@ -88,7 +99,7 @@ fn vehicle(case: &Case, analysis: &Analysis, impact: &Impact, id: VehicleId, uni
         // r points from the CG to C, which is the origin.
         cg: (-participant.arm()).into(),
         forward: participant.forward().into(),
-        motion: (!is_fixed).then(|| motion(impact, i, units)),
+        motion: (!is_fixed).then(|| motion(exchange, participant.forward(), i, units)),
     }
 }
 
@@ -114,21 +125,19 @@ pub(super) fn scene_body(
     }
 }
 
-fn motion(impact: &Impact, i: usize, units: Units) -> SceneMotion {
-    let outcome = &impact.outcome;
+fn motion(exchange: &Exchange, forward: Vector2<f64>, i: usize, units: Units) -> SceneMotion {
     let number = ["₁", "₂"][i];
     let velocity = |symbol: &str, when: &str, velocity: Vector2<f64>| SceneArrow {
         vector: velocity.into(),
         label: format!("{symbol}{number} {when}: {}", units.format(Measure::RoadSpeed, length(velocity))),
     };
     // The heading, turned clockwise by the PDOF.
-    let forward = outcome.forward[i];
-    let (sin, cos) = Real::sin_cos(impact.pdof[i]);
+    let (sin, cos) = Real::sin_cos(exchange.pdof[i]);
     let from = [forward.x * cos + forward.y * sin, forward.y * cos - forward.x * sin];
-    let pdof = units.format(Measure::Angle, impact.pdof[i]);
+    let pdof = units.format(Measure::Angle, exchange.pdof[i]);
     SceneMotion {
-        before: velocity("v", "before", outcome.before[i].velocity),
-        after: velocity("V", "after", outcome.after[i].velocity),
+        before: velocity("v", "before", exchange.before[i].velocity),
+        after: velocity("V", "after", exchange.velocities[i]),
         force_from: SceneArrow { vector: from, label: format!("PDOF{number} {pdof}") },
     }
 }
@@ -138,8 +147,7 @@ fn length(vector: Vector2<f64>) -> f64 {
 }
 
 /// In the axes of the case, and so is the impact.
-fn description(case: &Case, impact: &Impact, units: Units) -> String {
-    let outcome = &impact.outcome;
+fn description(case: &Case, exchange: &Exchange, units: Units) -> String {
     let mut sentences = vec!["Both vehicles from above at the moment of impact, to scale.".to_owned()];
     for id in VehicleId::ALL {
         let i = id.index();
@@ -155,15 +163,15 @@ fn description(case: &Case, impact: &Impact, units: Units) -> String {
              comes from {} clockwise of its heading.",
             units.format(Measure::Angle, heading),
             axes::sense(case.axes),
-            units.format_vector(Measure::RoadSpeed, outcome.before[i].velocity.into()),
-            units.format_vector(Measure::RoadSpeed, outcome.after[i].velocity.into()),
-            units.format(Measure::Angle, impact.pdof[i]),
+            units.format_vector(Measure::RoadSpeed, exchange.before[i].velocity.into()),
+            units.format_vector(Measure::RoadSpeed, exchange.velocities[i].into()),
+            units.format(Measure::Angle, exchange.pdof[i]),
         ));
     }
     sentences.push(format!(
         "The impulse of {} on vehicle 1 at the contact point C points to {} in the scene.",
-        units.format(Measure::Impulse, length(outcome.impulse_vector)),
-        units.format(Measure::Angle, outcome.impulse_direction()),
+        units.format(Measure::Impulse, length(exchange.impulse_vector)),
+        units.format(Measure::Angle, exchange.impulse_direction()),
     ));
     sentences.join(" ")
 }
