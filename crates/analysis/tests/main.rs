@@ -9,6 +9,7 @@ mod evidence;
 mod friction;
 mod inputs;
 mod judgement;
+mod momentum_asked;
 mod plausibility;
 mod sensitivity;
 mod tangential_share;
