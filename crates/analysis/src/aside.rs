@@ -3,7 +3,7 @@
 use std::f64::consts::PI;
 
 use inputs::{Case, Find, GivenVehicle, Purpose, Quantity};
-use pim_core::{Outcome, VehicleId};
+use pim_core::VehicleId;
 use real::elementary::atan2;
 use real::principal_angle;
 use reconcile::COLLINEAR;
@@ -11,7 +11,7 @@ use reconcile::COLLINEAR;
 use crate::thresholds::{
     DIRECTION_AFTER_ERROR, RECORDER_DELTA_V_ERROR, RECORDER_SPEED_ERROR, SPEED_AFTER_ERROR,
 };
-use crate::{BothMethod, Found, Impact, Skid, Warning};
+use crate::{Analysis, BothMethod, Found, Warning};
 
 /// A piece of evidence lies further from an answer than so many of its standard deviations before the two
 /// contradict each other: by chance one in four hundred does.
@@ -135,12 +135,8 @@ fn has_crush(vehicle: &GivenVehicle) -> bool {
 }
 
 /// Where the evidence of the case contradicts an impact at speeds (m/s) that it did not lead to.
-pub(crate) fn contradictions(
-    case: &Case,
-    impact: &Impact,
-    skids: &[Option<Skid>; 2],
-    used: Used,
-) -> Vec<Warning> {
+pub(crate) fn contradictions(case: &Case, analysis: &Analysis, used: Used) -> Vec<Warning> {
+    let Some(exchange) = analysis.exchange() else { return Vec::new() };
     let mut warnings = Vec::new();
     for (id, vehicle) in VehicleId::ALL.into_iter().zip(&case.vehicles) {
         if vehicle.fixed || vehicle.is_absent() {
@@ -150,8 +146,7 @@ pub(crate) fn contradictions(
             warnings.push(Warning::EvidenceDiffers { vehicle: id, evidence, given, found });
         };
         let place = id.index();
-        let speed = impact.speed(id);
-        let outcome: &Outcome = &impact.outcome;
+        let speed = analysis.speed(id);
         let differs = |given: f64, found: f64, share: f64| {
             (given - found).abs() > (CONTRADICTS * share * given.abs()).max(LEAST_DIFFERENCE)
         };
@@ -164,7 +159,7 @@ pub(crate) fn contradictions(
                 }
             }
             let error = share(recorder.delta_v_error, RECORDER_DELTA_V_ERROR);
-            let [along, left] = outcome.delta_v_components()[place];
+            let [along, left] = exchange.delta_v_components[place];
             let parts = [
                 (
                     Evident::RecordedLongitudinal,
@@ -188,13 +183,13 @@ pub(crate) fn contradictions(
             }
         }
         let skid_speed = vehicle.before.as_ref().and_then(|before| before.speed).map(|speed| speed.si());
-        if let (Some(given), Some(skid)) = (skid_speed, skids[place])
+        if let (Some(given), Some(skid)) = (skid_speed, analysis.skids[place])
             && differs(given, skid.speed, RECORDER_SPEED_ERROR)
         {
             add(Evident::SkidSpeed, given, skid.speed);
         }
         if let Some(after) = vehicle.after.as_ref().filter(|_| !used.after) {
-            let velocity = outcome.after[place].velocity;
+            let velocity = exchange.velocities[place];
             let found = velocity.norm();
             if let Some(given) = after.speed.as_ref().map(Quantity::si)
                 && differs(given, found, SPEED_AFTER_ERROR)

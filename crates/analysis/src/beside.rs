@@ -46,7 +46,7 @@ pub fn beside(case: &Case, analysis: &Analysis) -> Result<Beside, Failure> {
     let is_followed = analysis.travel.iter().any(Option::is_some);
     // A motion alone is propagated only of a case that has nothing else to find.
     let is_motion = is_followed && case.impact.is_none() && case.reconstruct.is_none();
-    if !((analysis.impact.is_some() || is_motion) && is_uncertain(case)) {
+    if !((analysis.exchange().is_some() || is_motion) && is_uncertain(case)) {
         return Ok(Beside::default());
     }
     let samples = if is_followed { BACKWARD_SAMPLES } else { report_samples(case.inputs().len()) };

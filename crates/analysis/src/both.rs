@@ -1,11 +1,11 @@
 //! Both speeds, from how the vehicles left the impact.
 
-use inputs::{Case, Collision, TwoSpeedInput};
+use inputs::{Case, Geometry, Sought, TwoSpeedInput, Velocity};
 use pim_core::{Law, Outcome, Real, VaryingLaw, Vector2, VehicleId};
 use reconcile::{Departure, Implied, Momentum, MomentumAndCrush, MomentumError};
 
-use crate::travel::{Origin, Record, Way, Ways, departures};
-use crate::{Analysis, Failure, Impact, checks, damage, judged, warning};
+use crate::travel::{self, Origin, Record, Way, Ways, departures};
+use crate::{Analysis, Failure, Impact, Warning, checks, damage, judged, warning};
 
 /// Both speeds, and what they rest on.
 #[derive(Clone, Debug)]
@@ -20,6 +20,8 @@ pub struct BothFound {
     pub delta_v: [f64; 2],
     /// How the vehicles left the impact.
     pub momentum: Momentum,
+    /// How much of the contact is known. Of point masses the normal is the line of the impulse.
+    pub geometry: Geometry,
     /// What follows from the speeds and the velocities after the impact, without an impact law.
     pub implied: Implied,
 }
@@ -29,6 +31,18 @@ pub struct BothFound {
 pub enum BothMethod {
     /// Momentum alone: the approaches cross.
     Momentum,
+    /// Momentum along the heading of one vehicle, and the speed that the case gives for the other.
+    MomentumAndSpeed {
+        /// Whose speed is given.
+        given: VehicleId,
+    },
+    /// The way out of a fixed object, and the restitution there.
+    Wall {
+        /// Which vehicle hit it.
+        vehicle: VehicleId,
+        /// (–) e, which the case gives.
+        restitution: f64,
+    },
     /// Momentum along the line that the approaches share, and the crush energy.
     MomentumAndCrush {
         /// (J) crush energy of both vehicles.
@@ -42,6 +56,30 @@ pub enum BothMethod {
     },
 }
 
+impl BothFound {
+    /// Whether the crush energy was needed: the impact is then the one that the law makes of the speeds.
+    #[must_use]
+    pub fn is_by_crush(&self) -> bool {
+        matches!(self.method, BothMethod::MomentumAndCrush { .. })
+    }
+
+    /// The only vehicle whose speed was sought; `None` where both were.
+    #[must_use]
+    pub fn sought(&self) -> Option<VehicleId> {
+        match self.method {
+            BothMethod::MomentumAndSpeed { given } => Some(given.other()),
+            BothMethod::Wall { vehicle, .. } => Some(vehicle),
+            BothMethod::Momentum | BothMethod::MomentumAndCrush { .. } => None,
+        }
+    }
+
+    /// The vehicles whose speeds were sought.
+    pub fn vehicles(&self) -> impl Iterator<Item = VehicleId> + use<> {
+        let sought = self.sought();
+        VehicleId::ALL.into_iter().filter(move |id| sought.is_none_or(|sought| sought == *id))
+    }
+}
+
 /// Both speeds, as an equation.
 pub(crate) struct Posed<T = f64> {
     /// Momentum, and how the vehicles left the impact.
@@ -50,7 +88,11 @@ pub(crate) struct Posed<T = f64> {
     pub(crate) by_crush: Option<ByCrush<T>>,
     /// The ways that tell how the vehicles left the impact, or follow from it.
     pub(crate) ways: [Option<Way<T>>; 2],
-    pub(crate) law: VaryingLaw<T>,
+    /// The law, where the case gives one and the contact.
+    pub(crate) law: Option<VaryingLaw<T>>,
+    sought: Sought<T>,
+    geometry: Geometry,
+    locked_together: bool,
 }
 
 /// What momentum along one line lacks.
@@ -61,46 +103,122 @@ pub(crate) struct ByCrush<T = f64> {
 }
 
 impl<T: Real> Posed<T> {
-    /// The impact at both speeds (m/s), and the law at its closing speed.
-    pub(crate) fn impact(&self, speeds: [T; 2]) -> Result<(Law<T>, Outcome<T>), Failure> {
+    /// The impact at both speeds (m/s) by the law, and the law at its closing speed.
+    pub(crate) fn impact(&self, speeds: [T; 2]) -> Option<Result<(Law<T>, Outcome<T>), Failure>> {
         let (contact, before) = (self.momentum.contact, self.momentum.motions_at(speeds));
-        let law = self.law.at(-contact.approach(&before).velocity.normal);
-        let outcome = contact.impact(before, &law)?;
-        Ok((law, outcome))
+        let law = self.law.as_ref()?.at(-contact.approach(&before).velocity.normal);
+        Some(contact.impact(before, &law).map(|outcome| (law, outcome)).map_err(Failure::from))
+    }
+
+    /// (m/s) both speeds, where the crush energy is not needed for them.
+    pub(crate) fn speeds(&self) -> Result<[T; 2], Failure> {
+        let momentum = &self.momentum;
+        let beside = |vehicle: VehicleId, found: T, other: T| match vehicle {
+            VehicleId::One => [found, other],
+            VehicleId::Two => [other, found],
+        };
+        Ok(match self.sought {
+            Sought::Both => momentum.speeds()?,
+            Sought::Beside { vehicle, known } => {
+                beside(vehicle, momentum.speed_beside(vehicle, known)?, known)
+            }
+            Sought::IntoWall { vehicle } => {
+                let restitution = self.wall_restitution(vehicle)?;
+                beside(vehicle, momentum.speed_into_wall(vehicle, restitution)?, T::ZERO)
+            }
+        })
+    }
+
+    /// (–) e at a fixed object; of a curve, that at the closing speed that it gives itself.
+    fn wall_restitution(&self, vehicle: VehicleId) -> Result<T, Failure> {
+        let Some(law) = &self.law else { return Err(MomentumError::Fixed { vehicle }.into()) };
+        let mut e = law.at(T::ZERO).restitution();
+        if law.curve().is_none() {
+            return Ok(e);
+        }
+        // e ← e(−u_n(e)) settles within a few rounds, as e falls slowly with the speed.
+        for _ in 0..WALL_ROUNDS {
+            let speed = self.momentum.speed_into_wall(vehicle, e)?;
+            let mut speeds = [T::ZERO; 2];
+            speeds[vehicle.index()] = speed;
+            let before = self.momentum.motions_at(speeds);
+            e = law.at(-self.momentum.contact.approach(&before).velocity.normal).restitution();
+        }
+        Ok(e)
+    }
+
+    /// What the speeds (m/s) imply: of point masses, along the line of the impulse, and of vehicles locked
+    /// together, with the yaw rate that they then have in common.
+    pub(crate) fn implied(&self, speeds: [T; 2]) -> Result<(Momentum<T>, Implied<T>), Failure> {
+        let momentum = match self.geometry {
+            Geometry::PointMasses => self.momentum.central(speeds)?,
+            Geometry::Given if self.locked_together && is_yaw_open(&self.momentum.after) => {
+                self.momentum.locked_together(speeds)
+            }
+            Geometry::Given | Geometry::Plane => self.momentum,
+        };
+        let implied = momentum.implied(speeds)?;
+        Ok((momentum, implied))
     }
 }
+
+/// Whether one velocity is known of two vehicles, and of neither how it turned.
+fn is_yaw_open<T: Real>(after: &[Departure<T>; 2]) -> bool {
+    let [one, two] = after;
+    one.yaw_rate.is_none() && two.yaw_rate.is_none() && one.velocity == two.velocity
+}
+
+/// How often the restitution of a curve is put in again: each round brings the speed nearer by a factor of
+/// about the steepness of the curve, and 40 of a half leave 1e-12 of it.
+const WALL_ROUNDS: usize = 40;
 
 /// Poses the equation for both speeds.
 pub(crate) fn pose<T: Real>(input: TwoSpeedInput<T>, ways: &mut impl Ways<T>) -> Result<Posed<T>, Failure> {
     let [(one, way_1), (two, way_2)] = departures(input.motion.as_ref(), input.departures, ways)?;
-    let (Some(one), Some(two)) = (one, two) else {
-        let vehicle = if one.is_none() { VehicleId::One } else { VehicleId::Two };
-        return Err(MomentumError::Fixed { vehicle }.into());
+    let [body_1, body_2] = input.contact.participants().each_ref().map(|participant| participant.body());
+    // A fixed object stays where it is.
+    let stays = Departure { velocity: Vector2::new(T::ZERO, T::ZERO), yaw_rate: Some(T::ZERO) };
+    let one = if body_1.is_fixed() { Some(stays) } else { one };
+    let two = if body_2.is_fixed() { Some(stays) } else { two };
+    let [arm_1, arm_2] = input.contact.participants().each_ref().map(|participant| participant.arm());
+    // Of point masses it is not known how their CGs lay to each other.
+    let apart = match input.geometry {
+        Geometry::Given => arm_1 - arm_2,
+        Geometry::Plane | Geometry::PointMasses => Vector2::new(T::ZERO, T::ZERO),
     };
-    let Collision { contact, law, motions, vehicles } = input.collision;
-    let yaw_rates = motions.map(|motion| motion.yaw_rate);
-    let momentum = Momentum { contact, yaw_rates, after: [one, two] };
-    let by_crush = if momentum.is_collinear() {
-        let crush_energy = damage::crush_energy(&damage::assess(vehicles, [None, None])?);
-        let (axis, law) = (momentum.common_axis(), law.clone());
-        let (basis, share) = (input.basis.energy(), input.basis.tangential_share());
-        let search = MomentumAndCrush::new(momentum, axis, law, crush_energy, basis, share)?;
-        Some(ByCrush { search, crush_energy })
-    } else {
-        None
+    let after = match (one, two) {
+        (Some(one), Some(two)) => [one, two],
+        (Some(one), None) if input.locked_together => [one, one.of_locked(apart)],
+        (None, Some(two)) if input.locked_together => [two.of_locked(-apart), two],
+        (one, _) => {
+            let vehicle = if one.is_none() { VehicleId::One } else { VehicleId::Two };
+            return Err(MomentumError::Fixed { vehicle }.into());
+        }
     };
-    Ok(Posed { momentum, by_crush, ways: [way_1, way_2], law })
+    let TwoSpeedInput { contact, law, yaw_rates, vehicles, sought, geometry, locked_together, .. } = input;
+    let momentum = Momentum { contact, yaw_rates, after };
+    let by_crush = match (&law, sought) {
+        (Some(law), Sought::Both) if momentum.is_collinear() => {
+            let crush_energy = damage::crush_energy(&damage::assess(vehicles, [None, None])?);
+            let axis = momentum.common_axis();
+            let (basis, share) = (input.basis.energy(), input.basis.tangential_share());
+            let search = MomentumAndCrush::new(momentum, axis, law.clone(), crush_energy, basis, share)?;
+            Some(ByCrush { search, crush_energy })
+        }
+        _ => None,
+    };
+    Ok(Posed { momentum, by_crush, ways: [way_1, way_2], law, sought, geometry, locked_together })
 }
 
-/// Finds both speeds.
+/// Finds both speeds, or one from the momentum.
 pub(crate) fn reconstruct(case: &Case) -> Result<Analysis, Failure> {
     let input = case.two_speeds()?;
-    let (basis, has_crush, vehicles) = (input.basis, input.has_crush, input.collision.vehicles.clone());
+    let (basis, has_crush, vehicles) = (input.basis, input.has_crush, input.vehicles.clone());
     let surface = input.motion.as_ref().map(|motion| motion.surface.clone());
     let mut record = Record::of(Origin::Given);
     let posed = pose(input, &mut record)?;
-    let (speeds, method) = match &posed.by_crush {
-        Some(ByCrush { search, crush_energy }) => {
+    let (speeds, method) = match (&posed.by_crush, posed.sought) {
+        (Some(ByCrush { search, crush_energy }), _) => {
             let answer = search.solve()?;
             let method = BothMethod::MomentumAndCrush {
                 crush_energy: *crush_energy,
@@ -110,32 +228,53 @@ pub(crate) fn reconstruct(case: &Case) -> Result<Analysis, Failure> {
             };
             (answer.speeds, method)
         }
-        None => (posed.momentum.speeds()?, BothMethod::Momentum),
+        (None, Sought::Both) => (posed.speeds()?, BothMethod::Momentum),
+        (None, Sought::Beside { vehicle, .. }) => {
+            (posed.speeds()?, BothMethod::MomentumAndSpeed { given: vehicle.other() })
+        }
+        (None, Sought::IntoWall { vehicle }) => {
+            let restitution = posed.wall_restitution(vehicle)?;
+            (posed.speeds()?, BothMethod::Wall { vehicle, restitution })
+        }
     };
+    let (momentum, implied) = posed.implied(speeds)?;
+    let impact = posed
+        .impact(speeds)
+        .transpose()?
+        .zip(posed.law.clone())
+        .map(|((law_here, outcome), law)| Impact::new(posed.momentum.contact, law, law_here, outcome));
+    let vehicles = damage::assess(vehicles, implied.pdof.map(Some))?;
+    let restitution = impact.as_ref().map(|impact| impact.law.restitution());
+    let delta_v = match (&method, &impact) {
+        (BothMethod::MomentumAndCrush { .. }, Some(impact)) => impact.outcome.delta_v_magnitude(),
+        _ => implied.delta_v.map(|change| change.norm()),
+    };
+    let geometry = posed.geometry;
+    let both = BothFound { speeds, method, delta_v, momentum, geometry, implied };
     let mut warnings = Vec::new();
-    for (vehicle, speed) in VehicleId::ALL.into_iter().zip(speeds) {
+    for (vehicle, speed) in both.vehicles().map(|vehicle| (vehicle, speeds[vehicle.index()])) {
         warning::of_found_speed(vehicle, speed, &mut warnings);
     }
-    let implied = posed.momentum.implied(speeds)?;
-    let (law_here, outcome) = posed.impact(speeds)?;
-    let Posed { momentum, law, .. } = posed;
-    let impact = Impact::new(momentum.contact, law, law_here, outcome);
-    let vehicles = damage::assess(vehicles, implied.pdof.map(Some))?;
-    let restitution = impact.law.restitution();
-    let delta_v = match method {
-        BothMethod::Momentum => implied.delta_v.map(|change| change.norm()),
-        BothMethod::MomentumAndCrush { .. } => impact.outcome.delta_v_magnitude(),
-    };
-    let both = BothFound { speeds, method, delta_v, momentum, implied };
-    let mut analysis = judged(case, vehicles, basis, Some(restitution), (None, Some(impact)), warnings)?;
-    // The part of the crush energy that the impact dissipates, on the case's basis.
-    let dissipated = || basis.energy().dissipated(damage::crush_energy(&analysis.vehicles), restitution);
-    let crush_energy = has_crush.then(|| (dissipated(), basis));
-    if let Some(impact) = &analysis.impact {
-        let checks = checks::of_momentum(&both, impact, &analysis.vehicles, crush_energy);
-        warning::of_momentum(&checks, &mut analysis.warnings);
-        analysis.checks.extend(checks);
+    let sought = both.sought();
+    if let Some(vehicle) = sought
+        && let Some(given) = case.vehicles[vehicle.index()].motion
+    {
+        let given = match given {
+            Velocity::Speed(speed) => speed.si(),
+            Velocity::Vector { x, y } => Vector2::new(x.si(), y.si()).norm(),
+        };
+        warnings.push(Warning::GivenSpeedUnused { vehicle, given, found: speeds[vehicle.index()] });
     }
+    let mut analysis = judged(case, vehicles, basis, restitution, (None, impact), warnings)?;
+    // The part of the crush energy that the impact dissipates, on the case's basis.
+    let crush_energy = restitution.filter(|_| has_crush).map(|restitution| {
+        (basis.energy().dissipated(damage::crush_energy(&analysis.vehicles), restitution), basis)
+    });
+    let checks = checks::of_momentum(&both, analysis.impact.as_ref(), &analysis.vehicles, crush_energy);
+    warning::of_momentum(&checks, &mut analysis.warnings);
+    analysis.checks.extend(checks);
+    let marks = case.skids();
+    analysis.skids = [0, 1].map(|i| travel::skid(marks[i]?, speeds[i].abs()));
     analysis.both = Some(both);
     Ok(analysis.with_travel(record.travel, surface).beside_the_rest(case))
 }

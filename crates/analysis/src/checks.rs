@@ -4,12 +4,13 @@
 use std::f64::consts::PI;
 
 use crash3::principal_angle;
-use inputs::{Axes, Basis};
+use inputs::{Axes, Basis, Geometry};
 use pim_core::{Real, VehicleId};
 
 use crate::thresholds::{
-    ARM_DIFFERENCE, ENERGY_DIFFERENCE, FAST_CLOSING, FORCE_RATIO, HIGH_RESTITUTION,
-    MOMENTUM_ENERGY_DIFFERENCE, PDOF_DIFFERENCE, POINT_MISSED, RATIO_BEYOND, RESTITUTION_DIFFERENCE,
+    ARM_DIFFERENCE, DIRECTION_AFTER_ERROR, ENERGY_DIFFERENCE, FAST_CLOSING, FORCE_RATIO, HIGH_RESTITUTION,
+    MOMENTUM_ENERGY_DIFFERENCE, PDOF_DIFFERENCE, POINT_MISSED, RATIO_BEYOND, RESTITUTION_BEYOND,
+    RESTITUTION_DIFFERENCE, SPEED_AFTER_ERROR,
 };
 use crate::{BothFound, BothMethod, Impact, Pass, Travel, Vehicle};
 
@@ -60,6 +61,19 @@ pub enum CheckedQuantity {
         crush_energy: f64,
         /// (–) λ.
         tangential_share: f64,
+    },
+    /// (N·s) momentum across the heading of the vehicle whose speed was sought, which no speed of it
+    /// accounts for.
+    MomentumAcross {
+        /// Which vehicle.
+        vehicle: VehicleId,
+        /// (N·s) to the left of its heading, or to the right in z-down axes.
+        surplus: f64,
+    },
+    /// How far the restitution that they imply lies outside of 0 to 1.
+    PossibleRestitution {
+        /// (–) as implied.
+        implied: f64,
     },
     /// The difference between the restitution that they imply and that of the case.
     MomentumRestitution {
@@ -128,6 +142,8 @@ impl Check {
             CheckedQuantity::Restitution => "restitution",
             CheckedQuantity::Rotation { .. } => "rotation",
             CheckedQuantity::MomentumEnergy { .. } => "momentum-energy",
+            CheckedQuantity::MomentumAcross { .. } => "momentum-across",
+            CheckedQuantity::PossibleRestitution { .. } => "possible-restitution",
             CheckedQuantity::MomentumRestitution { .. } => "momentum-restitution",
             CheckedQuantity::MomentumRatio { .. } => "momentum-ratio",
             CheckedQuantity::MomentumYawRate { .. } => "momentum-yaw-rate",
@@ -142,6 +158,9 @@ impl Check {
         let quantity = match self.quantity {
             CheckedQuantity::MomentumRatio { implied, critical } => {
                 CheckedQuantity::MomentumRatio { implied: turned(implied), critical: turned(critical) }
+            }
+            CheckedQuantity::MomentumAcross { vehicle, surplus } => {
+                CheckedQuantity::MomentumAcross { vehicle, surplus: turned(surplus) }
             }
             CheckedQuantity::MomentumYawRate { vehicle, implied, told } => {
                 CheckedQuantity::MomentumYawRate { vehicle, implied: turned(implied), told: turned(told) }
@@ -159,6 +178,7 @@ impl Check {
     pub fn vehicle(&self) -> Option<VehicleId> {
         match self.quantity {
             CheckedQuantity::Rotation { vehicle }
+            | CheckedQuantity::MomentumAcross { vehicle, .. }
             | CheckedQuantity::MomentumYawRate { vehicle, .. }
             | CheckedQuantity::MomentumPdof { vehicle, .. }
             | CheckedQuantity::PointMissed { vehicle, .. } => Some(vehicle),
@@ -167,6 +187,7 @@ impl Check {
             | CheckedQuantity::DamageEnergy { .. }
             | CheckedQuantity::Restitution
             | CheckedQuantity::MomentumEnergy { .. }
+            | CheckedQuantity::PossibleRestitution { .. }
             | CheckedQuantity::MomentumRestitution { .. }
             | CheckedQuantity::MomentumRatio { .. } => None,
         }
@@ -178,6 +199,8 @@ impl Check {
         matches!(
             self.quantity,
             CheckedQuantity::MomentumEnergy { .. }
+                | CheckedQuantity::MomentumAcross { .. }
+                | CheckedQuantity::PossibleRestitution { .. }
                 | CheckedQuantity::MomentumRestitution { .. }
                 | CheckedQuantity::MomentumRatio { .. }
                 | CheckedQuantity::MomentumYawRate { .. }
@@ -190,13 +213,27 @@ impl Check {
 /// crush energy (J) is the part that the impact dissipates on its basis.
 pub(crate) fn of_momentum(
     both: &BothFound,
-    impact: &Impact,
+    impact: Option<&Impact>,
     vehicles: &[Vehicle; 2],
     crush_energy: Option<(f64, Basis)>,
 ) -> Vec<Check> {
     let implied = &both.implied;
     let mut checks = Vec::new();
-    let is_used = matches!(both.method, BothMethod::MomentumAndCrush { .. });
+    let is_used = both.is_by_crush();
+    if let BothMethod::MomentumAndSpeed { given } = both.method {
+        let (momentum, vehicle) = (&both.momentum, given.other());
+        let surplus = momentum.surplus_across(vehicle, both.speeds);
+        let spread = momentum.spread_across(vehicle, SPEED_AFTER_ERROR, DIRECTION_AFTER_ERROR);
+        let quantity = CheckedQuantity::MomentumAcross { vehicle, surplus };
+        checks.push(Check { quantity, value: surplus.abs(), limit: 2.0 * spread });
+    }
+    if both.geometry == Geometry::PointMasses {
+        if let Some(e) = implied.restitution {
+            checks.push(possible(e));
+        }
+        checks.extend(of_directions(both, vehicles));
+        return checks;
+    }
     if let Some((crush_energy, basis)) = crush_energy.filter(|(energy, _)| *energy > 0.0 && !is_used) {
         let normal_work = basis.taken_by_crush(implied.normal_work, implied.tangential_work);
         // |W_n + λ W_t − E|/E
@@ -205,10 +242,15 @@ pub(crate) fn of_momentum(
         let quantity = CheckedQuantity::MomentumEnergy { normal_work, crush_energy, tangential_share };
         checks.push(Check { quantity, value, limit: MOMENTUM_ENERGY_DIFFERENCE });
     }
-    if let Some(e) = implied.restitution {
+    if let Some((e, impact)) = implied.restitution.zip(impact)
+        && !matches!(both.method, BothMethod::Wall { .. })
+    {
         let given = impact.law.restitution();
         let quantity = CheckedQuantity::MomentumRestitution { implied: e, given };
         checks.push(Check { quantity, value: (e - given).abs(), limit: RESTITUTION_DIFFERENCE });
+    }
+    if let Some(e) = implied.restitution {
+        checks.push(possible(e));
     }
     if let (Some(mu), Some(critical)) = (implied.impulse_ratio, implied.critical_impulse_ratio) {
         // How far beyond μ_c, or on the other side of 0.
@@ -219,7 +261,10 @@ pub(crate) fn of_momentum(
     }
     let size = implied.impulse_vector.norm();
     for (i, vehicle) in VehicleId::ALL.into_iter().enumerate() {
-        let body = impact.contact.participants()[i].body();
+        let body = both.momentum.contact.participants()[i].body();
+        if body.is_fixed() {
+            continue;
+        }
         if let Some(told) = both.momentum.after[i].yaw_rate {
             let computed = implied.yaw_rates[i];
             // |ΔΩ| = |P| Δh/I
@@ -227,8 +272,24 @@ pub(crate) fn of_momentum(
             let quantity = CheckedQuantity::MomentumYawRate { vehicle, implied: computed, told };
             checks.push(Check { quantity, value: (computed - told).abs(), limit });
         }
+    }
+    checks.extend(of_directions(both, vehicles));
+    checks
+}
+
+/// How far a restitution lies outside of 0 to 1.
+fn possible(e: f64) -> Check {
+    let value = (e - 1.0).max(-e).max(0.0);
+    let quantity = CheckedQuantity::PossibleRestitution { implied: e };
+    Check { quantity, value, limit: RESTITUTION_BEYOND }
+}
+
+/// The directions of force by momentum, against those of the case.
+fn of_directions(both: &BothFound, vehicles: &[Vehicle; 2]) -> Vec<Check> {
+    let mut checks = Vec::new();
+    for (i, vehicle) in VehicleId::ALL.into_iter().enumerate() {
         if let Some(given) = vehicles[i].given_pdof() {
-            let computed = implied.pdof[i];
+            let computed = both.implied.pdof[i];
             let quantity = CheckedQuantity::MomentumPdof { vehicle, implied: computed, given };
             let value = principal_angle(computed - given).abs();
             checks.push(Check { quantity, value, limit: vehicles[i].half_hour().max(PDOF_DIFFERENCE) });

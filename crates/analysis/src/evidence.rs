@@ -9,7 +9,7 @@ use inputs::{
 use pim_core::{Outcome, Real, VehicleId};
 use reconcile::{COLLINEAR, EvidenceErrors, MomentumBesideCrush, Unknown};
 
-use crate::both::{Posed, pose};
+use crate::both::{BothMethod, Posed, pose};
 use crate::thresholds::{DIRECTION_AFTER_ERROR, SPEED_AFTER_ERROR};
 use crate::travel::{Origin, Record};
 use crate::{Analysis, Failure, crush, damage, reconstruct};
@@ -19,8 +19,8 @@ use crate::{Analysis, Failure, crush, damage, reconstruct};
 #[derive(Debug)]
 #[non_exhaustive]
 pub struct ByEvidence {
-    /// (J) crush energy of both vehicles, as measured.
-    pub crush_energy: f64,
+    /// (J) crush energy of both vehicles, as measured; `None` where no vehicle has damage data.
+    pub crush_energy: Option<f64>,
     /// The damage, without anything after the impact.
     pub damage: Result<EvidenceAnswer, NoEvidence>,
     /// The momentum after the impact, without the crush energy.
@@ -71,6 +71,13 @@ pub enum EvidenceMethod {
         /// Whose speed is given.
         given: VehicleId,
     },
+    /// From the way out of a fixed object and the restitution there.
+    Wall {
+        /// Which vehicle hit it.
+        vehicle: VehicleId,
+        /// (–) e.
+        restitution: f64,
+    },
     /// From momentum along the line that the approaches share, and the crush energy.
     MomentumAndDamage,
     /// From momentum and the crush energy, weighed by their errors: the approaches cross.
@@ -94,6 +101,10 @@ pub enum NoEvidence {
         /// (rad) the angle between the headings.
         angle: f64,
     },
+    /// No vehicle has damage data.
+    NoDamage,
+    /// The case does not give what the impact law needs: contact points, yaw inertias and `[impact]`.
+    NoLaw,
     /// It has no answer.
     Failed(Failure),
 }
@@ -108,6 +119,9 @@ impl From<Failure> for NoEvidence {
 /// left the impact. `own` is its answer as it stands.
 pub(crate) fn by_evidence(case: &Case, own: &Analysis) -> Option<ByEvidence> {
     case.reconstruct.as_ref()?;
+    if case.is_by_momentum() && !case.vehicles.iter().any(GivenVehicle::has_damage_data) {
+        return Some(without_damage(own));
+    }
     if !case.vehicles.iter().all(has_both) {
         return None;
     }
@@ -116,11 +130,41 @@ pub(crate) fn by_evidence(case: &Case, own: &Analysis) -> Option<ByEvidence> {
     let crush_energy = damage::crush_energy(&vehicles);
     let fails = |no: NoEvidence| no.in_axes(case.axes);
     Some(ByEvidence {
-        crush_energy,
+        crush_energy: Some(crush_energy),
         damage: by_damage(case, own).map_err(fails),
         momentum: by_momentum(case).map_err(fails),
         together: by_both(case, crush_energy).map_err(fails),
     })
+}
+
+/// The answer of momentum, where there is no damage to hold it against.
+fn without_damage(own: &Analysis) -> ByEvidence {
+    let momentum = || {
+        let both = own.both.as_ref()?;
+        let by = match both.method {
+            BothMethod::MomentumAndSpeed { given } => EvidenceMethod::MomentumAndSpeed { given },
+            BothMethod::Wall { vehicle, restitution } => EvidenceMethod::Wall { vehicle, restitution },
+            BothMethod::Momentum | BothMethod::MomentumAndCrush { .. } => EvidenceMethod::Momentum,
+        };
+        let exchange = own.exchange()?;
+        let restitution = own.impact.as_ref().map(|impact| impact.law.restitution());
+        let energy = exchange.energy;
+        let works = exchange.at_contact.map(|_| [energy.normal_work, energy.tangential_work]);
+        Some(EvidenceAnswer {
+            by,
+            speeds: Some(both.speeds),
+            delta_v: both.delta_v,
+            closing_speed: Some(exchange.closing_speed),
+            crush_energy: works.zip(restitution).and_then(|(works, e)| needed(own.basis, works, e)),
+            energy_loss: Some(energy.loss),
+        })
+    };
+    ByEvidence {
+        crush_energy: None,
+        damage: Err(NoEvidence::NoDamage),
+        momentum: momentum().ok_or(NoEvidence::NoLaw),
+        together: Err(NoEvidence::NoDamage),
+    }
 }
 
 /// Whether a vehicle can move, its damage is known, and how it left the impact.
@@ -233,13 +277,14 @@ fn by_momentum(case: &Case) -> Result<EvidenceAnswer, NoEvidence> {
         (speeds, EvidenceMethod::MomentumAndSpeed { given })
     };
     let implied = momentum.implied(speeds).map_err(Failure::from)?;
-    let (law, _) = posed.impact(speeds)?;
+    let law = posed.impact(speeds).transpose()?.map(|(law, _)| law);
+    let works = [implied.normal_work, implied.tangential_work];
     Ok(EvidenceAnswer {
         by,
         speeds: Some(speeds),
         delta_v: implied.delta_v.map(|change| change.norm()),
         closing_speed: Some(-implied.approach.normal),
-        crush_energy: needed(basis, [implied.normal_work, implied.tangential_work], law.restitution()),
+        crush_energy: law.and_then(|law| needed(basis, works, law.restitution())),
         energy_loss: Some(implied.energy_loss),
     })
 }
@@ -271,7 +316,7 @@ fn by_both(case: &Case, crush_energy: f64) -> Result<EvidenceAnswer, NoEvidence>
     let (speeds, by) = if let Some(by_crush) = &posed.by_crush {
         (by_crush.search.solve().map_err(Failure::from)?.speeds, EvidenceMethod::MomentumAndDamage)
     } else {
-        let (momentum, law) = (posed.momentum, posed.law.clone());
+        let (momentum, law) = (posed.momentum, posed.law.clone().ok_or(NoEvidence::NoLaw)?);
         let on = (basis.energy(), basis.tangential_share());
         let errors = errors(case);
         let found = MomentumBesideCrush::new(momentum, law, crush_energy, on, errors)
@@ -279,7 +324,7 @@ fn by_both(case: &Case, crush_energy: f64) -> Result<EvidenceAnswer, NoEvidence>
             .map_err(Failure::from)?;
         (found.speeds, EvidenceMethod::Weighed { errors, apart: found.apart })
     };
-    let (law, outcome) = posed.impact(speeds)?;
+    let (law, outcome) = posed.impact(speeds).ok_or(NoEvidence::NoLaw)??;
     Ok(EvidenceAnswer {
         by,
         speeds: Some(speeds),

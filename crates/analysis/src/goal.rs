@@ -2,10 +2,10 @@
 
 use std::f64::consts::TAU;
 
-use inputs::{Case, Faults, Find, Purpose, RestData, VehicleMotion};
+use inputs::{Case, Faults, Purpose, RestData, VehicleMotion};
 use pim_core::{Motion, Outcome, Real, Vector2, VehicleId};
 use real::Traced;
-use reconcile::{MomentumAndCrush, Problem};
+use reconcile::{Implied, MomentumAndCrush, Problem};
 use trajectory::{Control, Target, to_start_near};
 
 use crate::both::{BothMethod, pose};
@@ -18,7 +18,7 @@ use crate::{Analysis, Failure, collide, impact, motion, reconstruct, refused};
 pub(crate) enum Goal {
     /// One speed, by the crush energy.
     Speed,
-    /// Both speeds, by how the vehicles left the impact.
+    /// Both speeds, or one without damage, by how the vehicles left the impact.
     BothSpeeds,
     /// What the impact does; both speeds are given.
     Impact,
@@ -30,9 +30,9 @@ impl Goal {
     /// A case with `[reconstruct]` asks for what that finds, one with something after the impact and without
     /// `[impact]` for the motion, and every other one for the impact.
     pub(crate) fn of<T>(case: &Case<T>) -> Self {
-        match case.reconstruct.as_ref().map(|reconstruct| reconstruct.find) {
-            Some(Find::One(_)) => Self::Speed,
-            Some(Find::Both) => Self::BothSpeeds,
+        match &case.reconstruct {
+            Some(_) if case.is_by_momentum() => Self::BothSpeeds,
+            Some(_) => Self::Speed,
             None if case.impact.is_none() && case.vehicles.iter().any(|vehicle| vehicle.after.is_some()) => {
                 Self::Motion
             }
@@ -76,8 +76,8 @@ pub(crate) struct Answer<T = f64> {
     pub(crate) speeds: [Option<T>; 2],
     /// The impact.
     pub(crate) outcome: Option<Outcome<T>>,
-    /// (m/s) the ΔV of both vehicles, where they are not those of the impact.
-    pub(crate) delta_v: Option<[T; 2]>,
+    /// What momentum implies, where it gave the speeds: the impact is then not that of a law.
+    pub(crate) implied: Option<Implied<T>>,
     /// The way of each vehicle from the impact to rest.
     pub(crate) ways: [Option<Way<T>>; 2],
 }
@@ -99,7 +99,7 @@ impl Answer {
         Self {
             speeds,
             outcome: analysis.impact.as_ref().map(|impact| impact.outcome),
-            delta_v: analysis.both.as_ref().map(|both| both.delta_v),
+            implied: analysis.both.as_ref().filter(|both| !both.is_by_crush()).map(|both| both.implied),
             ways: VehicleId::ALL.map(way),
         }
     }
@@ -139,7 +139,7 @@ pub(crate) fn answer<T: Real>(
             let input = case.motion()?;
             let given = input.vehicles.each_ref().map(|way| way.as_ref().and_then(|way| way.velocity));
             let [(_, one), (_, two)] = departures(Some(&input), given, solver)?;
-            Ok(Answer { speeds: [None; 2], outcome: None, delta_v: None, ways: [one, two] })
+            Ok(Answer { speeds: [None; 2], outcome: None, implied: None, ways: [one, two] })
         }
     }
 }
@@ -154,22 +154,21 @@ fn carried_on<T: Real>(
         Some(input) => after_impact(&input?, outcome.after, solver)?,
         None => [None, None],
     };
-    Ok(Answer { speeds: [None; 2], outcome: Some(outcome), delta_v: None, ways })
+    Ok(Answer { speeds: [None; 2], outcome: Some(outcome), implied: None, ways })
 }
 
 fn both<T: Real>(case: &Case<T>, solver: &mut impl Solver<T>) -> Result<Answer<T>, Failure> {
     let posed = pose(case.two_speeds()?, solver)?;
     let speeds = match &posed.by_crush {
         Some(by_crush) => solver.speeds(&by_crush.search)?,
-        None => posed.momentum.speeds()?,
+        None => posed.speeds()?,
     };
-    let (_, outcome) = posed.impact(speeds)?;
-    let delta_v = match &posed.by_crush {
-        Some(_) => outcome.delta_v_magnitude(),
-        // ΔV = |V − v|
-        None => posed.momentum.implied(speeds)?.delta_v.map(length),
+    let outcome = posed.impact(speeds).transpose()?.map(|(_, outcome)| outcome);
+    let implied = match &posed.by_crush {
+        Some(_) => None,
+        None => Some(posed.implied(speeds)?.1),
     };
-    Ok(Answer { speeds: speeds.map(Some), outcome: Some(outcome), delta_v: Some(delta_v), ways: posed.ways })
+    Ok(Answer { speeds: speeds.map(Some), outcome, implied, ways: posed.ways })
 }
 
 /// Length of a vector, zero with zero derivatives where it vanishes.

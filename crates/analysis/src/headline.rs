@@ -137,6 +137,9 @@ fn method(exact: &Analysis) -> EvidenceMethod {
     match (&exact.found, exact.both.as_ref().map(|both| &both.method)) {
         (Some(found), _) => EvidenceMethod::DamageAndSpeed { given: found.unknown.vehicle().other() },
         (None, Some(BothMethod::MomentumAndCrush { .. })) => EvidenceMethod::MomentumAndDamage,
+        (None, Some(BothMethod::MomentumAndSpeed { given })) => {
+            EvidenceMethod::MomentumAndSpeed { given: *given }
+        }
         (None, _) => EvidenceMethod::Momentum,
     }
 }

@@ -281,15 +281,15 @@ pub fn judge(case: &Case) -> Judgement {
     let goal = Goal::of(case);
     let is_both = goal == Goal::BothSpeeds;
     let reconstruction = if is_both {
-        case.two_speeds().map(|input| input.collision)
+        case.two_speeds().map(|input| input.collision())
     } else {
-        case.reconstruction().map(|input| input.collision)
+        case.reconstruction().map(|input| Some(input.collision))
     };
     let impact = case.collision();
     let subjects = case.subjects();
     let mut warnings = Vec::new();
     let collision = match (&reconstruction, &impact) {
-        (Ok(collision), _) => Some(collision),
+        (Ok(collision), _) => collision.as_ref(),
         (_, Ok(input)) => Some(&input.collision),
         _ => None,
     };

@@ -45,6 +45,7 @@ mod curve;
 mod damage;
 mod estimate;
 mod evidence;
+mod exchange;
 mod goal;
 mod headline;
 mod judgement;
@@ -71,6 +72,7 @@ pub use checks::{Check, CheckedQuantity};
 pub use compare::{Comparison, LawRow, compare};
 pub use curve::{WorkPoint, first_push, work_curve};
 pub use damage::{Correction, Crash3, Damage, EnergyAlone, Inferred, Oblique};
+pub use exchange::{AtContact, EnergyBalance, Exchange};
 pub use headline::{Overdetermined, Solution, Weighed, weigh};
 pub use judgement::{Ability, Assumption, AxleMeasure, Judgement, assumptions, judge, nearest_class};
 pub use quantities::{Kind, Of, OutputQuantity, QUANTITIES, Values, quantity};
@@ -88,7 +90,7 @@ pub use uncertainty::{
 pub use warning::{Drive, JumpSide, Magnitude, Warning};
 
 use crash3::{CrushError, SideStiffness};
-use inputs::{Basis, Case, Collision, Evidence, Faults, Find, Purpose, SurfaceData, VehicleData};
+use inputs::{Basis, Case, Collision, Evidence, Faults, Purpose, SurfaceData, VehicleData};
 use pim_core::{Contact, ImpactError, Law, Motion, Outcome, Real, VaryingLaw, VehicleId};
 use reconcile::{
     AffineImpact, ApproachLine, Iteration, MomentumError, Problem, Quadratic, ReconcileError, SolutionMethod,
@@ -107,7 +109,9 @@ pub struct Analysis {
     pub found: Option<Found>,
     /// Both speeds, in a reconstruction that seeks them.
     pub both: Option<BothFound>,
-    /// The impact; `None` in an analysis of the damage alone, or of the motion alone.
+    /// The impact by the impact law; `None` in an analysis of the damage alone, or of the motion alone, and
+    /// where momentum gives the speeds of a case that has no law. Where momentum gives them, it is a check
+    /// ([`law_check`](Self::law_check)): what the impact did is [`exchange`](Self::exchange).
     pub impact: Option<Impact>,
     /// How the vehicles touch, in an analysis of the geometry alone.
     pub geometry: Option<Contact>,
@@ -141,24 +145,25 @@ impl Analysis {
     /// object.
     #[must_use]
     pub fn speed(&self, vehicle: VehicleId) -> f64 {
-        self.impact.as_ref().map_or(0.0, |impact| impact.speed(vehicle))
+        match (&self.both, &self.impact) {
+            (Some(both), _) => both.speeds[vehicle.index()],
+            (None, impact) => impact.as_ref().map_or(0.0, |impact| impact.speed(vehicle)),
+        }
     }
 
     /// (m/s) ΔV of both vehicles: those that go with the speeds of a reconstruction, or of the impact; zero
     /// where there is no impact.
     #[must_use]
     pub fn delta_v(&self) -> [f64; 2] {
-        let of_impact = || self.impact.as_ref().map(|impact| impact.outcome.delta_v_magnitude());
-        self.both.as_ref().map(|both| both.delta_v).or_else(of_impact).unwrap_or_default()
+        self.exchange().map(|exchange| exchange.delta_v.map(|change| change.norm())).unwrap_or_default()
     }
 
     /// With what the answer leaves aside of the evidence, and where that contradicts it.
     fn beside_the_rest(mut self, case: &Case) -> Self {
         let used = Used::of(self.found.as_ref(), self.both.as_ref().map(|both| &both.method));
         self.left_aside = aside::left_aside(case, used);
-        if let Some(impact) = &self.impact {
-            self.warnings.extend(aside::contradictions(case, impact, &self.skids, used));
-        }
+        let contradictions = aside::contradictions(case, &self, used);
+        self.warnings.extend(contradictions);
         self
     }
 
@@ -391,7 +396,7 @@ pub enum Failure {
 /// # Errors
 /// [`Failure`].
 pub fn reconstruct(case: &Case) -> Result<Analysis, Failure> {
-    if case.reconstruct.is_some_and(|reconstruct| reconstruct.find == Find::Both) {
+    if case.is_by_momentum() {
         return both::reconstruct(case).map_err(|failure| failure.in_axes(case.axes));
     }
     let input = case.reconstruction()?;

@@ -3,11 +3,12 @@
 //! Every presentation of results selects from [`QUANTITIES`], the only place of labels, symbols, units and
 //! sources.
 
-use pim_core::{Energy, Outcome, VehicleId};
+use inputs::Geometry;
+use pim_core::{Outcome, VehicleId};
 
 use reconcile::Implied;
 
-use crate::{Crash3, Damage, Oblique, Seen, Travel};
+use crate::{AtContact, Crash3, Damage, Exchange, Oblique, Seen, Travel};
 
 /// A number that a finished analysis gives.
 #[derive(Clone, Copy, Debug)]
@@ -108,31 +109,30 @@ pub fn quantity(key: &str) -> Option<&'static OutputQuantity> {
 }
 
 fn found(analysis: &Seen) -> Option<f64> {
-    Some(analysis.found.as_ref()?.speed)
+    let by_momentum = || {
+        let both = analysis.both.as_ref()?;
+        Some(both.speeds[both.sought()?.index()])
+    };
+    analysis.found.as_ref().map(|found| found.speed).or_else(by_momentum)
 }
 
-fn outcome(analysis: &Seen) -> Option<&Outcome> {
-    Some(&analysis.impact.as_ref()?.outcome)
+fn at_contact(analysis: &Seen) -> Option<AtContact> {
+    analysis.exchange()?.at_contact
 }
 
-fn energy(analysis: &Seen) -> Option<&Energy> {
-    Some(&outcome(analysis)?.energy)
+/// What the impact did, where the vehicle takes part in it as one that can move.
+fn motion(analysis: &Seen, id: VehicleId) -> Option<Exchange> {
+    analysis.exchange().filter(|_| analysis.moves(id))
 }
 
-/// The impact, where the vehicle takes part in it as one that can move.
-fn motion(analysis: &Seen, id: VehicleId) -> Option<&Outcome> {
-    outcome(analysis).filter(|_| analysis.moves(id))
-}
-
-/// The moment impulse and its work, under a law with one.
+/// The moment impulse and its work, under a law with one; momentum does not tell one.
 fn moment(analysis: &Seen) -> Option<&Outcome> {
-    let impact = analysis.impact.as_ref()?;
+    let impact = analysis.impact.as_ref().filter(|_| analysis.law_check().is_none())?;
     impact.law.has_moment().then_some(&impact.outcome)
 }
 
 fn pdof(analysis: &Seen, id: VehicleId) -> Option<f64> {
-    let computed =
-        analysis.impact.as_ref().filter(|_| analysis.moves(id)).map(|impact| impact.pdof[id.index()]);
+    let computed = motion(analysis, id).map(|motion| motion.pdof[id.index()]);
     computed.or_else(|| analysis.vehicles[id.index()].crash3_pdof())
 }
 
@@ -156,6 +156,12 @@ fn moved(analysis: &Seen, id: VehicleId) -> Option<&Crash3> {
 /// What follows from both speeds and the motions after the impact.
 fn implied(analysis: &Seen) -> Option<&Implied> {
     Some(&analysis.both.as_ref()?.implied)
+}
+
+/// The same, where the contact is known.
+fn implied_at_contact(analysis: &Seen) -> Option<&Implied> {
+    let both = analysis.both.as_ref().filter(|both| both.geometry != Geometry::PointMasses)?;
+    Some(&both.implied)
 }
 
 fn travel(analysis: &Seen, id: VehicleId) -> Option<&Travel> {
@@ -187,105 +193,105 @@ pub const QUANTITIES: &[OutputQuantity] = &[
         "/impact/restitution",
         ["restitution", "restitution e", "e", ""],
         Kind::Ratio,
-        Of::Collision(|a| Some(a.impact.as_ref()?.law.restitution())),
+        Of::Collision(|a| a.exchange()?.restitution),
     ),
     row(
         "impact.impulse_ratio",
         "/impact/impulse_ratio",
         ["impulse ratio", "impulse ratio μ = P_t/P_n", "μ", "theory 3"],
         Kind::Ratio,
-        Of::Collision(|a| Some(outcome(a)?.impulse_ratio)),
+        Of::Collision(|a| at_contact(a)?.impulse_ratio),
     ),
     row(
         "impact.critical_impulse_ratio",
         "/impact/critical_impulse_ratio",
         ["critical impulse ratio", "critical impulse ratio μ_c", "μ_c", "theory 3"],
         Kind::Ratio,
-        Of::Collision(|a| outcome(a)?.critical_impulse_ratio),
+        Of::Collision(|a| at_contact(a)?.critical_impulse_ratio),
     ),
     row(
         "impact.normal_impulse",
         "/impact/normal_impulse",
         ["impulse on vehicle 1", "impulse on vehicle 1, P", "P_n", "theory 3"],
         Kind::Impulse,
-        Of::Normal(|a| Some(outcome(a)?.impulse.normal)),
+        Of::Normal(|a| Some(at_contact(a)?.impulse.normal)),
     ),
     row(
         "impact.tangential_impulse",
         "/impact/tangential_impulse",
         ["impulse on vehicle 1", "impulse on vehicle 1, P", "P_t", "theory 3"],
         Kind::Impulse,
-        Of::Tangential(|a| Some(outcome(a)?.impulse.tangential)),
+        Of::Tangential(|a| Some(at_contact(a)?.impulse.tangential)),
     ),
     row(
         "impact.normal_velocity.before",
         "/impact/normal_velocity/0",
         ["relative velocity before", "relative velocity before, u", "u_n", "theory 1"],
         Kind::Speed,
-        Of::Normal(|a| Some(outcome(a)?.approach.normal)),
+        Of::Normal(|a| Some(at_contact(a)?.velocities[0].normal)),
     ),
     row(
         "impact.normal_velocity.after",
         "/impact/normal_velocity/1",
         ["relative velocity after", "relative velocity after, U", "U_n", "theory 2"],
         Kind::Speed,
-        Of::Normal(|a| Some(outcome(a)?.separation.normal)),
+        Of::Normal(|a| Some(at_contact(a)?.velocities[1].normal)),
     ),
     row(
         "impact.tangential_velocity.before",
         "/impact/tangential_velocity/0",
         ["relative velocity before", "relative velocity before, u", "u_t", "theory 1"],
         Kind::Speed,
-        Of::Tangential(|a| Some(outcome(a)?.approach.tangential)),
+        Of::Tangential(|a| Some(at_contact(a)?.velocities[0].tangential)),
     ),
     row(
         "impact.tangential_velocity.after",
         "/impact/tangential_velocity/1",
         ["relative velocity after", "relative velocity after, U", "U_t", "theory 2"],
         Kind::Speed,
-        Of::Tangential(|a| Some(outcome(a)?.separation.tangential)),
+        Of::Tangential(|a| Some(at_contact(a)?.velocities[1].tangential)),
     ),
     row(
         "impact.closing_speed",
         "/impact/closing_speed",
         ["closing speed", "closing speed −u_n", "", "theory 1"],
         Kind::Speed,
-        Of::Collision(|a| Some(outcome(a)?.closing_speed())),
+        Of::Collision(|a| Some(a.exchange()?.closing_speed)),
     ),
     row(
         "impact.initial_energy",
         "/impact/initial_energy",
         ["initial kinetic energy", "initial kinetic energy", "", "theory 4"],
         Kind::Energy,
-        Of::Collision(|a| Some(energy(a)?.before)),
+        Of::Collision(|a| Some(a.exchange()?.energy.before)),
     ),
     row(
         "impact.final_energy",
         "/impact/final_energy",
         ["final kinetic energy", "final kinetic energy", "", "theory 4"],
         Kind::Energy,
-        Of::Collision(|a| Some(energy(a)?.after)),
+        Of::Collision(|a| Some(a.exchange()?.energy.after)),
     ),
     row(
         "impact.energy_loss",
         "/impact/energy_loss",
         ["energy loss", "energy loss E_L", "E_L", "theory 4"],
         Kind::Energy,
-        Of::Collision(|a| Some(energy(a)?.loss)),
+        Of::Collision(|a| Some(a.exchange()?.energy.loss)),
     ),
     row(
         "impact.normal_work",
         "/impact/normal_work",
         ["normal work", "normal work W_n", "W_n", "Eq 4"],
         Kind::Energy,
-        Of::Collision(|a| Some(energy(a)?.normal_work)),
+        Of::Collision(|a| at_contact(a).and(a.exchange()).map(|exchange| exchange.energy.normal_work)),
     ),
     row(
         "impact.tangential_work",
         "/impact/tangential_work",
         ["tangential work", "tangential work W_t", "W_t", "Eq 4"],
         Kind::Energy,
-        Of::Collision(|a| Some(energy(a)?.tangential_work)),
+        Of::Collision(|a| at_contact(a).and(a.exchange()).map(|exchange| exchange.energy.tangential_work)),
     ),
     row(
         "impact.moment_work",
@@ -306,35 +312,35 @@ pub const QUANTITIES: &[OutputQuantity] = &[
         "/impact/impulse/0",
         ["impulse on vehicle 1 in the scene", "impulse P in the scene", "P_x", "theory 2"],
         Kind::Impulse,
-        Of::Collision(|a| Some(outcome(a)?.impulse_vector.x)),
+        Of::Collision(|a| Some(a.exchange()?.impulse_vector.x)),
     ),
     row(
         "impact.impulse.y",
         "/impact/impulse/1",
         ["impulse on vehicle 1 in the scene", "impulse P in the scene", "P_y", "theory 2"],
         Kind::Impulse,
-        Of::Collision(|a| Some(outcome(a)?.impulse_vector.y)),
+        Of::Collision(|a| Some(a.exchange()?.impulse_vector.y)),
     ),
     row(
         "impact.impulse_direction",
         "/impact/impulse_direction",
         ["direction of the impulse", "direction of the impulse", "", "theory 2"],
         Kind::Angle,
-        Of::Collision(|a| Some(outcome(a)?.impulse_direction())),
+        Of::Collision(|a| Some(a.exchange()?.impulse_direction())),
     ),
     row(
         "impact.normal.x",
         "/impact/normal/0",
         ["normal of the crush plane in the scene", "normal n in the scene", "n", "theory 1"],
         Kind::Ratio,
-        Of::Collision(|a| Some(a.impact.as_ref()?.contact.normal().x)),
+        Of::Collision(|a| Some(at_contact(a)?.normal.x)),
     ),
     row(
         "impact.normal.y",
         "/impact/normal/1",
         ["normal of the crush plane in the scene", "normal n in the scene", "n", "theory 1"],
         Kind::Ratio,
-        Of::Collision(|a| Some(a.impact.as_ref()?.contact.normal().y)),
+        Of::Collision(|a| Some(at_contact(a)?.normal.y)),
     ),
     row(
         "momentum.approach_angle",
@@ -376,14 +382,14 @@ pub const QUANTITIES: &[OutputQuantity] = &[
         "/momentum/impulse_ratio",
         ["impulse ratio by momentum", "impulse ratio by momentum, μ", "μ", "theory 10"],
         Kind::Ratio,
-        Of::Collision(|a| implied(a)?.impulse_ratio),
+        Of::Collision(|a| implied_at_contact(a)?.impulse_ratio),
     ),
     row(
         "momentum.critical_impulse_ratio",
         "/momentum/critical_impulse_ratio",
         ["critical impulse ratio by momentum", "μ_c with this U_n", "μ_c", "theory 10"],
         Kind::Ratio,
-        Of::Collision(|a| implied(a)?.critical_impulse_ratio),
+        Of::Collision(|a| implied_at_contact(a)?.critical_impulse_ratio),
     ),
     row(
         "momentum.energy_loss",
@@ -397,14 +403,14 @@ pub const QUANTITIES: &[OutputQuantity] = &[
         "/momentum/normal_work",
         ["normal work by momentum", "normal work by momentum, W_n", "W_n", "theory 10"],
         Kind::Energy,
-        Of::Collision(|a| Some(implied(a)?.normal_work)),
+        Of::Collision(|a| Some(implied_at_contact(a)?.normal_work)),
     ),
     row(
         "momentum.tangential_work",
         "/momentum/tangential_work",
         ["tangential work by momentum", "tangential work by momentum", "W_t", "theory 10"],
         Kind::Energy,
-        Of::Collision(|a| Some(implied(a)?.tangential_work)),
+        Of::Collision(|a| Some(implied_at_contact(a)?.tangential_work)),
     ),
     row(
         "crash3.crush_energy",
@@ -460,49 +466,49 @@ pub const QUANTITIES: &[OutputQuantity] = &[
         "/vehicle#/final_velocity/0",
         ["velocity after", "velocity after, V", "V_x", "theory 2"],
         Kind::Speed,
-        Of::Vehicle(|a, id| Some(motion(a, id)?.after[id.index()].velocity.x)),
+        Of::Vehicle(|a, id| Some(motion(a, id)?.velocities[id.index()].x)),
     ),
     row(
         "final_velocity.y",
         "/vehicle#/final_velocity/1",
         ["velocity after", "velocity after, V", "V_y", "theory 2"],
         Kind::Speed,
-        Of::Vehicle(|a, id| Some(motion(a, id)?.after[id.index()].velocity.y)),
+        Of::Vehicle(|a, id| Some(motion(a, id)?.velocities[id.index()].y)),
     ),
     row(
         "final_speed",
         "/vehicle#/final_speed",
         ["speed after", "speed after", "V", "theory 2"],
         Kind::Speed,
-        Of::Vehicle(|a, id| Some(motion(a, id)?.after[id.index()].velocity.norm())),
+        Of::Vehicle(|a, id| Some(motion(a, id)?.velocities[id.index()].norm())),
     ),
     row(
         "final_yaw_rate",
         "/vehicle#/final_yaw_rate",
         ["yaw rate after", "yaw rate after, Ω", "Ω", "theory 2"],
         Kind::YawRate,
-        Of::Vehicle(|a, id| Some(motion(a, id)?.after[id.index()].yaw_rate)),
+        Of::Vehicle(|a, id| motion(a, id)?.yaw_rates[id.index()]),
     ),
     row(
         "delta_v",
         "/vehicle#/delta_v",
         ["ΔV", "ΔV", "ΔV", "theory 2"],
         Kind::Speed,
-        Of::Vehicle(|a, id| Some(motion(a, id)?.delta_v_magnitude()[id.index()])),
+        Of::Vehicle(|a, id| Some(motion(a, id)?.delta_v[id.index()].norm())),
     ),
     row(
         "delta_v_longitudinal",
         "/vehicle#/delta_v_longitudinal",
         ["longitudinal ΔV", "longitudinal ΔV, forward", "ΔV_long", "theory 2"],
         Kind::Speed,
-        Of::Vehicle(|a, id| Some(motion(a, id)?.delta_v_components()[id.index()][0])),
+        Of::Vehicle(|a, id| Some(motion(a, id)?.delta_v_components[id.index()][0])),
     ),
     row(
         "delta_v_lateral",
         "/vehicle#/delta_v_lateral",
         ["lateral ΔV", "lateral ΔV, along y", "ΔV_lat", "theory 2"],
         Kind::Speed,
-        Of::Vehicle(|a, id| Some(motion(a, id)?.delta_v_components()[id.index()][1])),
+        Of::Vehicle(|a, id| Some(motion(a, id)?.delta_v_components[id.index()][1])),
     ),
     row(
         "delta_v.x",
@@ -593,21 +599,21 @@ pub const QUANTITIES: &[OutputQuantity] = &[
         "/momentum/delta_v/%",
         ["ΔV by momentum", "ΔV by momentum, |V − v|", "ΔV", "theory 10"],
         Kind::Speed,
-        Of::Vehicle(|a, id| Some(implied(a)?.delta_v[id.index()].norm())),
+        Of::Vehicle(|a, id| Some(implied(a).filter(|_| a.moves(id))?.delta_v[id.index()].norm())),
     ),
     row(
         "momentum.pdof",
         "/momentum/pdof/%",
         ["PDOF by momentum", "PDOF by momentum", "PDOF", "theory 10"],
         Kind::Angle,
-        Of::Vehicle(|a, id| Some(implied(a)?.pdof[id.index()])),
+        Of::Vehicle(|a, id| Some(implied(a).filter(|_| a.moves(id))?.pdof[id.index()])),
     ),
     row(
         "momentum.final_yaw_rate",
         "/momentum/final_yaw_rate/%",
         ["yaw rate after by momentum", "yaw rate after, from P at C", "Ω", "theory 10"],
         Kind::YawRate,
-        Of::Vehicle(|a, id| Some(implied(a)?.yaw_rates[id.index()])),
+        Of::Vehicle(|a, id| Some(implied_at_contact(a).filter(|_| a.moves(id))?.yaw_rates[id.index()])),
     ),
     row(
         "skid.speed",

@@ -52,7 +52,10 @@ impl Seen {
     /// As [`Analysis::speed`].
     #[must_use]
     pub fn speed(&self, vehicle: VehicleId) -> f64 {
-        self.impact.as_ref().map_or(0.0, |impact| impact.speed(vehicle))
+        match (&self.both, &self.impact) {
+            (Some(both), _) => both.speeds[vehicle.index()],
+            (None, impact) => impact.as_ref().map_or(0.0, |impact| impact.speed(vehicle)),
+        }
     }
 }
 

@@ -1,10 +1,10 @@
 //! How sensitive the answer is to each input: exact derivatives, and a sweep of the direction of force.
 
 use crash3::{ObliqueCorrection, principal_angle};
-use inputs::{Axes, Case, Collision, Dimension, Estimate, GivenVehicle, Input, Origin};
+use inputs::{Axes, Case, Collision, Dimension, Estimate, Geometry, GivenVehicle, Input, Origin};
 use pim_core::{ImpactError, Motion, Outcome, Real, VehicleId};
 use real::Gradient;
-use reconcile::Problem;
+use reconcile::{Implied, Problem};
 
 use crate::damage::{self, Crash3};
 use crate::goal::{self, Answer, Goal, Known, length};
@@ -158,8 +158,14 @@ impl Output {
     /// The outputs of an analysis: the speeds found, if there are any; no ΔV and PDOF of a fixed object; and
     /// those of the ways to rest.
     pub(crate) fn of(analysis: &Analysis, axes: Axes) -> Vec<Self> {
-        let mut outputs = if analysis.both.is_some() {
-            Self::OF_BOTH_SPEEDS.to_vec()
+        let mut outputs = if let Some(both) = &analysis.both {
+            let mut outputs = Self::OF_BOTH_SPEEDS.to_vec();
+            outputs.retain(|output| match output {
+                Self::Speed { vehicle } => both.vehicles().any(|sought| sought == *vehicle),
+                Self::NormalWork | Self::TangentialWork => both.geometry != Geometry::PointMasses,
+                output => output.vehicle().is_none_or(|vehicle| analysis.moves(vehicle)),
+            });
+            outputs
         } else if analysis.impact.is_some() {
             let found = analysis.found.as_ref().map(|found| found.unknown.vehicle());
             let mut outputs = Self::of_two_vehicles(found.unwrap_or(VehicleId::One), axes).to_vec();
@@ -190,8 +196,7 @@ impl Output {
         [speed, Self::Speed { vehicle: VehicleId::Two }].into_iter().chain(others).chain(ways).collect()
     }
 
-    /// Those of a reconstruction of both speeds, without the ways. ΔV has no components and no PDOF: by
-    /// momentum they are not those of the impact, which the keys name.
+    /// Those of a reconstruction of both speeds, without the ways.
     const OF_BOTH_SPEEDS: [Self; 8] = [
         Self::Speed { vehicle: VehicleId::One },
         Self::Speed { vehicle: VehicleId::Two },
@@ -225,14 +230,31 @@ impl Output {
     /// Its value in the answer of a case; not a number where that has none.
     pub(crate) fn of_answer<T: Real>(self, answer: &Answer<T>) -> T {
         let none = T::from(f64::NAN);
-        match (self, &answer.delta_v, &answer.outcome) {
+        match (self, &answer.implied, &answer.outcome) {
             (Self::Speed { vehicle }, ..) => answer.speeds[vehicle.index()].unwrap_or(none),
             (Self::Way { vehicle, number, axes }, ..) => {
                 answer.ways[vehicle.index()].as_ref().map_or(none, |way| number.value(way, axes))
             }
-            (Self::DeltaV { vehicle }, Some(delta_v), _) => delta_v[vehicle.index()],
-            (output, _, Some(outcome)) => output.value(none, outcome),
-            (_, _, None) => none,
+            (output, Some(implied), _) => output.by_momentum(implied),
+            (output, None, Some(outcome)) => output.value(none, outcome),
+            (_, None, None) => none,
+        }
+    }
+
+    /// Its value by momentum.
+    fn by_momentum<T: Real>(self, implied: &Implied<T>) -> T {
+        match self {
+            // ΔV = |V − v|
+            Self::DeltaV { vehicle } => length(implied.delta_v[vehicle.index()]),
+            Self::ClosingSpeed => -implied.approach.normal,
+            Self::EnergyLoss => implied.energy_loss,
+            Self::NormalWork => implied.normal_work,
+            Self::TangentialWork => implied.tangential_work,
+            Self::Pdof { vehicle } => implied.pdof[vehicle.index()],
+            Self::DeltaVLongitudinal { .. }
+            | Self::DeltaVLateral { .. }
+            | Self::Speed { .. }
+            | Self::Way { .. } => T::from(f64::NAN),
         }
     }
 

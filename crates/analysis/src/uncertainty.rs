@@ -28,7 +28,7 @@ use lanes::{Alone, Block, Number};
 
 use crate::goal::{self, Answer, Goal, Search};
 use crate::sensitivity::{Output, WayNumber, at, gradients};
-use crate::{Analysis, BothMethod, Failure};
+use crate::{Analysis, BothFound, Failure};
 
 /// The requested samples and indices.
 #[derive(Clone, Copy, Debug)]
@@ -125,16 +125,16 @@ impl UncertainOutput {
 
 /// (SI) what is large for an output: a right angle or so, the closing speed, the energy before the impact.
 fn scale(output: Output, nominal: &Analysis) -> f64 {
-    let outcome = nominal.impact.as_ref().map(|impact| &impact.outcome);
+    let exchange = nominal.exchange();
     match output {
         Output::Pdof { .. } => 1.0,
         Output::Speed { .. }
         | Output::DeltaV { .. }
         | Output::DeltaVLongitudinal { .. }
         | Output::DeltaVLateral { .. }
-        | Output::ClosingSpeed => outcome.map_or(0.0, |outcome| outcome.approach.normal.abs()),
+        | Output::ClosingSpeed => exchange.map_or(0.0, |exchange| exchange.closing_speed.abs()),
         Output::EnergyLoss | Output::NormalWork | Output::TangentialWork => {
-            outcome.map_or(0.0, |outcome| outcome.energy.before)
+            exchange.map_or(0.0, |exchange| exchange.energy.before)
         }
         Output::Way { vehicle, number, .. } => {
             nominal.travel[vehicle.index()].as_ref().map_or(0.0, |travel| match number {
@@ -699,8 +699,7 @@ impl<'a> Sample<'a> {
         }
         Self {
             goal: Goal::of(&case),
-            is_by_crush: nominal.found.is_some()
-                || nominal.both.as_ref().is_some_and(|both| both.method != BothMethod::Momentum),
+            is_by_crush: nominal.found.is_some() || nominal.both.as_ref().is_some_and(BothFound::is_by_crush),
             search: Search::near(nominal),
             outputs,
             asked: outputs.len(),

@@ -10,6 +10,7 @@ mod friction;
 mod headline;
 mod inputs;
 mod judgement;
+mod momentum_asked;
 mod plausibility;
 mod sensitivity;
 mod tangential_share;

@@ -43,7 +43,7 @@
 //! | table | keys |
 //! |---|---|
 //! | top | `title`, `source` |
-//! | `[scene]` | `axes`: `"z-up"` (the default) or `"z-down"`, see below; `contact = { x, y }`, the place of the impact in the coordinates of the survey; `site_plan = { file, corner = { x, y }, width, angle }`, a picture behind the motion |
+//! | `[scene]` | `axes`: `"z-up"` (the default) or `"z-down"`, see below; `contact = { x, y }`, the place of the impact in the coordinates of the survey; `site_plan = { file, corner = { x, y }, width, angle }`, a picture behind the motion; `locked_together = true`, where the vehicles left the impact as one |
 //! | `[surface]` | `friction`; `grade = { slope, uphill }`; `zone`, a list of parts with another friction: `{ name, friction, polygon }` or `{ name, friction, edge, side }`, `side`: `"left"`, `"right"` |
 //! | `[vehicle1]`, `[vehicle2]` | `name`; `kind`: `"car"` (the default), `"heavy-truck"`, `"trailer"`, `"motorcycle"`; `mass` or `weight`; `yaw_inertia` or `yaw_radius`; `class`, 1 to 6, and `wheelbase`, for what is not known; `heading`; `speed` or `velocity = { x, y }`; `yaw_rate`; `contact = { distance, angle }` or `{ x, y }`, or none where the damage places it; `length`, `width`, `cg_to_front`: all or none, or `length` alone beside `wheelbase`; or, for a barrier, `fixed = true` with at most `name`, `heading`, `contact`, and the outline or `diameter` |
 //! | … for the motion after the impact | `track` and `cg_to_front_axle` beside `wheelbase`; what is not given comes from `class` |
@@ -208,12 +208,12 @@ pub use inputs::{
     After, Amount, Axes, Basis, Before, Bounds, BrachTangential, Case, Collision, ContactPoint,
     ContactSpread, Crush, CrushOnly, DAMAGE_LENGTH_SD, DEPTH_SD, DamageData, Departures, Dimension,
     Dimensions, Drag, ENERGY_BASES, EdgeSide, EnergyData, Estimate, Evidence, FaceAxis, Fault, FaultKind,
-    Faults, Find, Fit, GivenEes, GivenImpact, GivenSitePlan, GivenTest, GivenVehicle, Grade, ImpactInput,
-    ImpactLaw, InertiaData, InferredWidth, Input, Kind, KnownEnergy, LawName, LeftOut, MarkedWheel, Mass,
-    OBLIQUE_CORRECTIONS, OFFSET_SD, Origin, Outline, PathPoint, Pdof, Place, PointData, Prior, Purpose,
-    Quantity, Range, Reconstruct, ReconstructionInput, RegionData, ReportHead, Rest, RestHeading,
-    RestHeadingData, Restitution, SIDES, STANDARD_GRAVITY, STIFFNESS_LN_SD_A, STIFFNESS_LN_SD_B, Skid,
-    Spread, Steer, SteerPoint, StiffnessForm, StiffnessLine, StiffnessSource, Surface, SurfaceData,
+    Faults, Find, Fit, Geometry, GivenEes, GivenImpact, GivenSitePlan, GivenTest, GivenVehicle, Grade,
+    ImpactInput, ImpactLaw, InertiaData, InferredWidth, Input, Kind, KnownEnergy, LawName, LeftOut,
+    MarkedWheel, Mass, OBLIQUE_CORRECTIONS, OFFSET_SD, Origin, Outline, PathPoint, Pdof, Place, PointData,
+    Prior, Purpose, Quantity, Range, Reconstruct, ReconstructionInput, RegionData, ReportHead, Rest,
+    RestHeading, RestHeadingData, Restitution, SIDES, STANDARD_GRAVITY, STIFFNESS_LN_SD_A, STIFFNESS_LN_SD_B,
+    Skid, Spread, Steer, SteerPoint, StiffnessForm, StiffnessLine, StiffnessSource, Surface, SurfaceData,
     SurfaceRegion, SurfaceZone, Text, UNDAMAGED, UNKNOWNS, Unit, UnitSystem, VehicleData, Velocity,
     WheelDrag, YAW_RADIUS_CONFIDENCE, YAW_RADIUS_WITHIN, YawInertia, YawSource, ZoneData, acts, shown,
     shown_lines, word,

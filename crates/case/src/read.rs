@@ -203,6 +203,7 @@ impl<'t> Reader<'t> {
         let scene = self.child(&top, "scene", &SCENE);
         let axes = scene.as_ref().and_then(|scene| self.axes(scene)).unwrap_or_default();
         let scene_contact = scene.as_ref().map_or(Some(None), |scene| self.scene_contact(scene));
+        let locked_together = scene.as_ref().is_some_and(|scene| self.flag(scene, "locked_together"));
         let site_plan = scene.as_ref().map_or(Some(None), |scene| self.site_plan(scene));
         let surface = self.child(&top, "surface", &SURFACE).map(|table| self.surface(&table));
         // Its keys are looked up in what all other tables give.
@@ -239,6 +240,7 @@ impl<'t> Reader<'t> {
             axes,
             scene_contact,
             site_plan,
+            locked_together,
             surface,
             vehicles,
             impact,

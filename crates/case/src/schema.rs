@@ -259,6 +259,12 @@ pub(crate) static SCENE: Schema = Schema {
             "site_plan = { file = \"aerial.jpg\", corner = { x = \"-20 m\", y = \"-15 m\" }, width = \"60 m\" }",
             &SITE_PLAN,
         ),
+        key(
+            "locked_together",
+            "locked_together = true",
+            Form::Flag,
+            "Vehicles that left the impact as one wreck. It is then enough to give `speed` and `direction`, or `rest`, in the table `after` of one of them: the other moved with it. Without a yaw rate, that velocity is the one of their common CG, and momentum tells how they turned.",
+        ),
     ],
     rules: &[],
 };

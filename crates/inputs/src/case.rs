@@ -37,6 +37,8 @@ pub struct Case<T = f64> {
     pub scene_contact: Option<Place<T>>,
     /// `site_plan` of `[scene]`: what lies behind the motion in drawings.
     pub site_plan: Option<GivenSitePlan>,
+    /// `locked_together` of `[scene]`: whether the vehicles left the impact as one.
+    pub locked_together: bool,
     /// `[surface]`.
     pub surface: Option<Surface<T>>,
     /// `[vehicle1]` and `[vehicle2]`.
@@ -209,6 +211,7 @@ impl Case {
             axes: walk.default(&"scene.axes", &Axes::WORDS, self.axes, axes_out),
             scene_contact: self.scene_contact.as_ref().map(|place| walk.place(&"scene.contact", place)),
             site_plan: self.site_plan.as_ref().map(|plan| walk.site_plan(plan)),
+            locked_together: walk.flag(&"scene.locked_together", self.locked_together),
             surface: self.surface.as_ref().map(|surface| walk.surface(surface)),
             vehicles: [walk.vehicle(&"vehicle1", v1, fit1_out), walk.vehicle(&"vehicle2", v2, fit2_out)],
             impact: self.impact.as_ref().map(|impact| walk.impact(impact, law_out)),

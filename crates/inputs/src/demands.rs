@@ -486,6 +486,10 @@ fn fill_opposite_pdof<T: Real>(headings: [Option<T>; 2], vehicles: [Option<&mut 
 const SPEED_FORMS: &str =
     "`speed = \"10 mph\"` along the heading, or `velocity = { x = \"-75 ft/s\", y = \"0 ft/s\" }`";
 
+/// What finds a speed without any damage.
+const WITHOUT_DAMAGE: &str = "; without damage data momentum gives the speed, from how the vehicles left the impact: leave `crush` out of both, and in [vehicle1.after] and \
+                              [vehicle2.after] give `speed` and `direction`, or `rest` with `drag`";
+
 /// The table of a vehicle.
 fn table(id: VehicleId) -> &'static str {
     match id {
@@ -508,13 +512,16 @@ impl Display for InCrush {
 struct Demand<'a, T> {
     case: &'a Case<T>,
     purpose: Purpose,
+    /// Whether nothing turns, so that no yaw inertia and no contact point is needed.
+    is_of_point_masses: bool,
     faults: Vec<Fault>,
 }
 
 impl<'a, T: Real> Demand<'a, T> {
     fn new(case: &'a Case<T>, purpose: Purpose) -> Self {
         let find = case.reconstruct.as_ref().map(|reconstruct| reconstruct.find);
-        Self { case, purpose, faults: contradictions(&case.vehicles, find) }
+        let faults = contradictions(&case.vehicles, find);
+        Self { case, purpose, is_of_point_masses: false, faults }
     }
 
     /// Reports a missing key; `example` says what to give, with the lines that set it.
@@ -536,8 +543,9 @@ impl<'a, T: Real> Demand<'a, T> {
         };
         let example = format!(
             "a table with side, width, depths and stiffness{inferred}; or `ees = \"45 km/h\"` alone, if the energy equivalent speed is known; or \
-             `crush = \"none\"` in [{}], if the vehicle has no damage that counts",
-            table(id)
+             `crush = \"none\"` in [{}], if the other vehicle alone was damaged{}",
+            table(id),
+            if self.purpose == Purpose::Reconstruct { WITHOUT_DAMAGE } else { "" }
         );
         self.missing(format_args!("{}.crush", table(id)), &example);
     }
@@ -678,12 +686,20 @@ impl<'a, T: Real> Demand<'a, T> {
         None
     }
 
-    /// The collision; `needs_speed` says whether a vehicle must have a speed.
-    fn collision(&mut self, needs_speed: impl Fn(VehicleId) -> bool) -> Option<Collision<T>> {
-        if let Some(id) = VehicleId::ALL.into_iter().find(|id| self.case.vehicles[id.index()].is_absent()) {
+    /// Whether the case has both vehicles; reports the one that it has not.
+    fn both_tables(&mut self) -> bool {
+        let absent = VehicleId::ALL.into_iter().find(|id| self.case.vehicles[id.index()].is_absent());
+        if let Some(id) = absent {
             let advice =
                 "a table of its own for each vehicle; `fixed = true` in it is a barrier, a wall or a pole";
             self.missing(table(id), advice);
+        }
+        absent.is_none()
+    }
+
+    /// The collision; `needs_speed` says whether a vehicle must have a speed.
+    fn collision(&mut self, needs_speed: impl Fn(VehicleId) -> bool) -> Option<Collision<T>> {
+        if !self.both_tables() {
             return None;
         }
         let vehicles = VehicleId::ALL.map(|id| self.subject(id));
@@ -732,7 +748,8 @@ impl<'a, T: Real> Demand<'a, T> {
             }
         });
         // The damage alone needs no point: its force acts through the centroid unless the case gives the arm.
-        let contact_is_placed = vehicle.places_contact() && self.purpose != Purpose::Crush;
+        let needs_contact = self.purpose != Purpose::Crush && !self.is_of_point_masses;
+        let contact_is_placed = vehicle.places_contact() && needs_contact;
         if let (true, Some(damage), Some(dimensions)) = (contact_is_placed, &damage, dimensions) {
             contact = Some(self.placed_contact(id, damage, dimensions)?);
         }
@@ -788,7 +805,7 @@ impl<'a, T: Real> Demand<'a, T> {
             let yaw_inertia = Some(estimate * factor * factor);
             return Some(InertiaData { mass, yaw_inertia, yaw_source: YawSource::Burg });
         }
-        if self.case.vehicles[id.other().index()].is_absent() {
+        if self.case.vehicles[id.other().index()].is_absent() || self.is_of_point_masses {
             return Some(InertiaData { mass: mass?, yaw_inertia: None, yaw_source: YawSource::Unknown });
         }
         if !is_car {

@@ -82,8 +82,8 @@ pub use fault::{Fault, FaultKind, Faults};
 pub use impact::{BrachTangential, GivenImpact, ImpactLaw, LawName, Restitution};
 pub use inertia::{Mass, YawInertia};
 pub use motion::{
-    MotionInput, PointData, RegionData, RestData, RestHeadingData, SkidData, SteerData, SurfaceData,
-    TwoSpeedInput, VehicleMotion, ZoneData,
+    Geometry, MotionInput, PointData, RegionData, RestData, RestHeadingData, SkidData, Sought, SteerData,
+    SurfaceData, TwoSpeedInput, VehicleMotion, ZoneData,
 };
 pub use purpose::Purpose;
 pub use quantity::{InvalidQuantity, Quantity, format_number};

@@ -1,12 +1,12 @@
 //! What the motion after the impact needs of a case, in the types of its engine.
 
-use pim_core::{Real, Vector2};
+use pim_core::{Contact, Motion, Real, VaryingLaw, Vector2, VehicleId};
 use reconcile::Departure;
 use trajectory::{Chassis, Region, Steer, Zone};
 
 use crate::after::MarkedWheel;
 use crate::basis::Basis;
-use crate::demands::Collision;
+use crate::demands::{Collision, VehicleData};
 use crate::text::Text;
 
 /// The vehicles after the impact, and the ground on which they move.
@@ -170,20 +170,79 @@ pub struct SkidData<T = f64> {
     pub friction: T,
 }
 
-/// A collision of which neither speed is known.
+/// A collision whose speeds are sought from how the vehicles left it.
 #[derive(Clone, Debug)]
 pub struct TwoSpeedInput<T = f64> {
-    /// The collision; the vehicles are at rest in it but for their yaw rates.
-    pub collision: Collision<T>,
+    /// Which speeds.
+    pub sought: Sought<T>,
+    /// How much of the contact is known.
+    pub geometry: Geometry,
+    /// The contact. Of point masses it has masses and headings alone.
+    pub contact: Contact<T>,
+    /// The impact law; `None` where the contact is not known, or the case gives none.
+    pub law: Option<VaryingLaw<T>>,
+    /// (rad/s) yaw rates before the impact.
+    pub yaw_rates: [T; 2],
+    /// The data of each vehicle.
+    pub vehicles: [VehicleData<T>; 2],
     /// The velocity after the impact of each vehicle of which the case gives it. Of every other one that
-    /// moves, `motion` has the rest.
+    /// moves, `motion` has the rest, or it is locked to one of these.
     pub departures: [Option<Departure<T>>; 2],
+    /// Whether the vehicles left the impact locked together.
+    pub locked_together: bool,
     /// The motion after the impact, of the vehicles that can be followed; `None` where no rest is given and
     /// the ground is not known.
     pub motion: Option<MotionInput<T>>,
     /// The energy basis.
     pub basis: Basis<T>,
-    /// Whether the crush energy of every vehicle that moves is known. It is where the approaches are
-    /// collinear.
+    /// Whether the crush energy of every vehicle that moves is known. It is where both speeds are sought and
+    /// the approaches are collinear.
     pub has_crush: bool,
+}
+
+impl<T: Real> TwoSpeedInput<T> {
+    /// The collision, the vehicles at rest in it but for their yaw rates; `None` where the contact or the law
+    /// is not known.
+    #[must_use]
+    pub fn collision(&self) -> Option<Collision<T>> {
+        if self.geometry != Geometry::Given {
+            return None;
+        }
+        Some(Collision {
+            contact: self.contact,
+            law: self.law.clone()?,
+            motions: self.yaw_rates.map(|yaw_rate| Motion::rest().with_yaw_rate(yaw_rate)),
+            vehicles: self.vehicles.clone(),
+        })
+    }
+}
+
+/// Which speeds are sought from the momentum.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Sought<T = f64> {
+    /// Both.
+    Both,
+    /// That of one vehicle.
+    Beside {
+        /// Which.
+        vehicle: VehicleId,
+        /// (m/s) the speed of the other along its heading.
+        known: T,
+    },
+    /// That of one vehicle, which hit a fixed object.
+    IntoWall {
+        /// Which.
+        vehicle: VehicleId,
+    },
+}
+
+/// How much is known of a contact.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Geometry {
+    /// Contact points, yaw inertias and crush plane.
+    Given,
+    /// The crush plane at a fixed object alone: the impulse is taken to act towards the CG.
+    Plane,
+    /// Masses and headings alone.
+    PointMasses,
 }

@@ -3,9 +3,13 @@
 mod crush;
 mod error;
 mod implied;
+mod together;
+mod wall;
 mod weighed;
 
-use pim_core::{Contact, InvalidInput, Motion, Real, Vector2, VehicleId};
+use pim_core::{Body, Contact, InvalidInput, Motion, Participant, Real, Vector2, VehicleId};
+
+use crate::answer::is_too_fast;
 
 pub use crush::{BothSpeeds, MomentumAndCrush};
 pub use error::MomentumError;
@@ -99,6 +103,13 @@ impl<T: Real> Momentum<T> {
             if self.contact.participants()[i].body().is_fixed() {
                 return Err(MomentumError::Fixed { vehicle });
             }
+        }
+        self.check_numbers()
+    }
+
+    /// Whether all numbers are finite.
+    fn check_numbers(&self) -> Result<(), MomentumError> {
+        for i in 0..2 {
             let Departure { velocity, yaw_rate } = self.after[i];
             finite("velocity along x after impact", velocity.x)?;
             finite("velocity along y after impact", velocity.y)?;
@@ -161,7 +172,8 @@ impl<T: Real> Momentum<T> {
         if self.is_collinear() {
             return Err(MomentumError::Collinear { angle: self.angle().value() });
         }
-        Ok(self.speeds_with(self.total()))
+        let [v1, v2] = self.speeds_with(self.total());
+        Ok([possible(VehicleId::One, v1)?, possible(VehicleId::Two, v2)?])
     }
 
     /// (m/s) the speeds that have the momentum p (kg·m/s).
@@ -176,14 +188,59 @@ impl<T: Real> Momentum<T> {
     /// speed (m/s) of the other: whatever the angle between the headings. Momentum across is left as a check.
     ///
     /// # Errors
-    /// Where [`check`](Self::check) finds one or the speed is not finite.
+    /// Where [`check`](Self::check) finds one, the known speed is not finite, or the other is none of a
+    /// vehicle.
     pub fn speed_beside(&self, unknown: VehicleId, known: T) -> Result<T, MomentumError> {
         self.check()?;
         finite("speed of the other vehicle", known)?;
         let (i, j) = (unknown.index(), unknown.other().index());
         let (m, e) = (self.masses(), self.headings());
         // v_i = (p − m_j v_j ê_j)·ê_i/m_i
-        Ok(dot(self.total() - e[j] * (m[j] * known), e[i]) / m[i])
+        possible(unknown, dot(self.total() - e[j] * (m[j] * known), e[i]) / m[i])
+    }
+
+    /// (N·s) the momentum across the heading of one vehicle that the vehicles had after the impact and not
+    /// before it, at these speeds (m/s): positive to the left of the heading. Where all is measured without
+    /// error it is zero.
+    #[must_use]
+    pub fn surplus_across(&self, vehicle: VehicleId, speeds: [T; 2]) -> T {
+        let (m, e) = (self.masses(), self.headings());
+        let before = e[0] * (m[0] * speeds[0]) + e[1] * (m[1] * speeds[1]);
+        // ê_i × (p − Σ m v ê)
+        cross(e[vehicle.index()], self.total() - before)
+    }
+
+    /// (N·s) standard deviation of that surplus, where each velocity after the impact has an independent
+    /// error of its size, a share of it, and of its direction (rad).
+    #[must_use]
+    pub fn spread_across(&self, vehicle: VehicleId, share: f64, direction: f64) -> T {
+        let (m, e) = (self.masses(), self.headings()[vehicle.index()]);
+        let variance = |i: usize| {
+            let velocity = self.after[i].velocity;
+            let (across, along) = (cross(e, velocity) * share, dot(e, velocity) * direction);
+            // m² [(σ_V ê×V)² + (σ_δ ê·V)²]
+            (across * across + along * along) * (m[i] * m[i])
+        };
+        (variance(0) + variance(1)).sqrt()
+    }
+
+    /// The same of point masses: the impulse of these speeds (m/s) acts along the line of their centres, so
+    /// that it turns neither vehicle, and its line is the normal of the crush plane.
+    ///
+    /// # Errors
+    /// Where the velocities do not change.
+    pub fn central(&self, speeds: [T; 2]) -> Result<Self, MomentumError> {
+        let before = self.motions_at(speeds);
+        let m = self.masses();
+        let push = |i: usize| (self.after[i].velocity - before[i].velocity) * m[i];
+        let impulse = push(0) - push(1);
+        let size = dot(impulse, impulse).sqrt();
+        if size <= T::ZERO {
+            return Err(MomentumError::NoImpulse);
+        }
+        let contact = central_contact(self.contact.participants(), impulse / size)?;
+        let after = self.after.map(|departure| Departure { yaw_rate: None, ..departure });
+        Ok(Self { contact, yaw_rates: [T::ZERO; 2], after })
     }
 
     /// The motions before impact at these speeds (m/s).
@@ -204,6 +261,52 @@ impl<T: Real> Momentum<T> {
     fn masses(&self) -> [T; 2] {
         self.contact.participants().each_ref().map(|participant| participant.body().mass())
     }
+}
+
+/// (m/s) a speed, where a vehicle can have it.
+fn possible<T: Real>(vehicle: VehicleId, speed: T) -> Result<T, MomentumError> {
+    if speed.is_finite() && !is_too_fast(speed) {
+        Ok(speed)
+    } else {
+        Err(MomentumError::TooFast { vehicle, speed: speed.value() })
+    }
+}
+
+/// Both bodies with their headings, C on the line between their centres along the unit vector n, which points
+/// from vehicle 2 to vehicle 1: the impulse turns neither.
+///
+/// # Errors
+/// Where a number is not finite.
+pub fn central_contact<T: Real>(
+    participants: &[Participant<T>; 2],
+    normal: Vector2<T>,
+) -> Result<Contact<T>, InvalidInput> {
+    // Any distance does: r × P = 0.
+    let placed = |i: usize, arm: Vector2<T>| {
+        let (body, forward) = (participants[i].body(), participants[i].forward());
+        let heading = forward.y.atan2(forward.x);
+        Participant::new(*body, heading, dot(arm, forward), cross(forward, arm))
+    };
+    let [one, two] = [placed(0, -normal)?, placed(1, normal)?];
+    Contact::new([one, two], normal.y.atan2(normal.x))
+}
+
+/// Two vehicles of which only mass (kg) and heading (rad) are known, as if their centres met: for
+/// [`Momentum::speeds`] and [`Momentum::speed_beside`], which need no more. `None` for the mass of a fixed
+/// object.
+///
+/// # Errors
+/// Where a mass or a heading is impossible.
+pub fn point_masses<T: Real>(masses: [Option<T>; 2], headings: [T; 2]) -> Result<Contact<T>, InvalidInput> {
+    let body = |i: usize| match masses[i] {
+        // Any yaw inertia does: nothing turns.
+        Some(mass) => Body::new(mass, mass),
+        None => Ok(Body::fixed()),
+    };
+    let placed = |i: usize| Participant::new(body(i)?, headings[i], T::ZERO, T::ZERO);
+    let participants = [placed(0)?, placed(1)?];
+    // A line that turns with the scene: any does.
+    central_contact(&participants, -participants[0].forward())
 }
 
 fn finite<T: Real>(what: &'static str, value: T) -> Result<(), InvalidInput> {

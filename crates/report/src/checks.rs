@@ -43,7 +43,7 @@ pub(crate) fn said(check: &Check, analysis: &Seen, units: Units) -> [String; 3] 
         }
         CheckedQuantity::Restitution => {
             // Where they close slowly there is no limit, and no check.
-            let closing = analysis.impact.as_ref().map_or(0.0, |i| -i.outcome.approach.normal);
+            let closing = analysis.exchange().map_or(0.0, |exchange| exchange.closing_speed);
             let [closing, fast] = [closing, FAST_CLOSING].map(|si| units.road_speed(si));
             (
                 "restitution at closing speed".to_owned(),
@@ -61,6 +61,19 @@ pub(crate) fn said(check: &Check, analysis: &Seen, units: Units) -> [String; 3] 
             format!("momentum: {} and crush energy", basis::symbol(analysis.basis, ["W_n", "W_t"])),
             format!("{} and {}: {}", energy(normal_work), energy(crush_energy), percent(check.value)),
             percent(check.limit),
+        ),
+        CheckedQuantity::MomentumAcross { vehicle, surplus } => {
+            let impulse = |si: f64| units.format(Measure::Impulse, si);
+            (
+                format!("momentum: across the heading of vehicle {vehicle}"),
+                format!("{} too much", impulse(surplus)),
+                format!("±{}", impulse(check.limit)),
+            )
+        }
+        CheckedQuantity::PossibleRestitution { implied } => (
+            "momentum: possible restitution".to_owned(),
+            number(implied, 2),
+            format!("0 to 1, ±{}", number(check.limit, 1)),
         ),
         CheckedQuantity::MomentumRestitution { implied, given } => (
             "momentum: restitution".to_owned(),

@@ -1,20 +1,18 @@
 //! The energy balance in words, for the text and for the page.
 
-use analysis::{Seen, Warning};
-use pim_core::Energy;
+use analysis::{EnergyBalance, Seen, Warning};
 
 use crate::units::{Measure, Units, number};
 
 /// A share of the initial energy.
-pub(crate) fn share(work: f64, energy: &Energy<f64>) -> String {
+pub(crate) fn share(work: f64, energy: &EnergyBalance) -> String {
     format!("{} %", number(100.0 * work / energy.before, 1))
 }
 
 /// What a reader who adds up the printed figures has to know.
 pub(crate) fn notes(analysis: &Seen, units: Units) -> Vec<String> {
-    let Some(energy) = analysis.impact.as_ref().map(|impact| &impact.outcome.energy) else {
-        return Vec::new();
-    };
+    let Some(exchange) = analysis.exchange() else { return Vec::new() };
+    let energy = &exchange.energy;
     let mut notes = Vec::new();
     let printed = |si: f64| units.format(Measure::Energy, si);
     // A zero of rounding is no work.
@@ -46,7 +44,7 @@ pub(crate) fn notes(analysis: &Seen, units: Units) -> Vec<String> {
 }
 
 /// Whether the figures, rounded, are the sums of their rounded parts.
-fn adds_up(energy: &Energy<f64>, rounded: impl Fn(f64) -> f64) -> bool {
+fn adds_up(energy: &EnergyBalance, rounded: impl Fn(f64) -> f64) -> bool {
     let parts = [energy.normal_work, energy.tangential_work, energy.moment_work];
     parts.into_iter().map(&rounded).sum::<f64>() == rounded(energy.loss)
         && rounded(energy.loss) + rounded(energy.after) == rounded(energy.before)

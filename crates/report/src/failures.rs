@@ -5,7 +5,7 @@ use analysis::{Failure, Impossible};
 use crash3::CrushError;
 use evidence::Piece;
 use pim_core::{ImpactError, VehicleId};
-use reconcile::{MomentumError, ReconcileError};
+use reconcile::{FASTEST, MomentumError, ReconcileError};
 use trajectory::{NoRest, State, Unreached};
 
 use crate::basis;
@@ -105,9 +105,9 @@ fn of_reconciliation(refusal: &ReconcileError, units: Units) -> String {
             not_reached(*vehicle, [*energy, *tangential_share], "", units)
         }
         ReconcileError::NoCrushEnergy { energy } => format!(
-            "the crush energy is {}, but must be greater than zero, because without crush there is no speed \
-             to find; check the depths and the stiffness \
-             of both vehicles",
+            "the crush energy is {}, but must be greater than zero, because without crush the impact tells no speed; \
+             check the depths and the stiffness of both vehicles. If neither was damaged, momentum gives the speed: say in \
+             [vehicle1.after] and [vehicle2.after] how they left the impact",
             units.format(Measure::Energy, *energy)
         ),
         ReconcileError::Inadmissible { vehicle, speed: si, reason } => format!(
@@ -153,7 +153,8 @@ fn of_momentum(refusal: &MomentumError, units: Units) -> String {
     match refusal {
         MomentumError::NoCrushEnergy { energy } => format!(
             "the crush energy is {}, but must be greater than zero, because momentum alone does not tell both \
-             speeds where the headings lie within 10° of one line; give the damage of both vehicles",
+             speeds where the headings lie within 10° of one line; give the damage of the vehicles, or, where one stood \
+             or its speed is known, that speed, and find = \"vehicle1.speed\" or \"vehicle2.speed\"",
             units.format(Measure::Energy, *energy)
         ),
         MomentumError::NotReached { energy, tangential_share } => format!(
@@ -173,6 +174,16 @@ fn of_momentum(refusal: &MomentumError, units: Units) -> String {
              for extreme values",
             speeds(*found),
             units.format(Measure::Energy, *residual)
+        ),
+        MomentumError::TooFast { vehicle, speed } => format!(
+            "momentum gives vehicle {vehicle} a speed of {}, and no vehicle is faster than {FASTEST:.0} m/s; check the masses and the \
+             motion after the impact, and their units",
+            units.speed(*speed)
+        ),
+        MomentumError::LeavesWall { vehicle, speed } => format!(
+            "to leave the fixed object like this, vehicle {vehicle} would have come at {} along its heading, which does not lead into \
+             it; check the direction after the impact, the heading and the crush plane",
+            units.speed(*speed)
         ),
         MomentumError::Impact(reason) => of_impact(reason, units),
         // Without a quantity.

@@ -89,6 +89,19 @@ fn momentum_differs(check: &Check, units: Units) -> String {
             energy(normal_work),
             energy(crush_energy)
         ),
+        CheckedQuantity::MomentumAcross { vehicle, surplus } => format!(
+            "across the heading of vehicle {vehicle} the vehicles had {} more momentum after the impact than before, which no \
+             speed of vehicle {vehicle} explains",
+            units.format(Measure::Impulse, surplus.abs())
+        ),
+        CheckedQuantity::PossibleRestitution { implied } if implied < 0.0 => format!(
+            "the restitution would be {}, which is impossible: below 0 the vehicles would have passed through each other",
+            number(implied, 2)
+        ),
+        CheckedQuantity::PossibleRestitution { implied } => format!(
+            "the restitution would be {}, which is impossible: above 1 the vehicles would have parted faster than they met",
+            number(implied, 2)
+        ),
         CheckedQuantity::MomentumRestitution { implied, given } => {
             format!("the restitution would be {}, and the case has {}", number(implied, 2), number(given, 2))
         }

@@ -52,6 +52,7 @@ impl Block {
     pub(super) fn new(case: &Case<Number>, speeds: OpenSpeeds, unknown: usize) -> Option<Self> {
         let Case {
             title: _,
+            locked_together: _,
             source: _,
             report: _,
             axes,

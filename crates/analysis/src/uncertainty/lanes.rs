@@ -291,6 +291,7 @@ impl Block {
     ) -> Result<Self, Alone> {
         let Case {
             title: _,
+            locked_together: _,
             source: _,
             report: _,
             axes,
@@ -312,6 +313,7 @@ impl Block {
         let sought = match reconstruct {
             None => None,
             Some(Reconstruct { find: Find::Both, .. }) => return Err(Alone::BothSpeeds),
+            Some(_) if case.is_by_momentum() => return Err(Alone::BothSpeeds),
             Some(Reconstruct { find: Find::One(unknown), energy_basis }) => Some(Sought {
                 unknown: *unknown,
                 basis: energy_basis.energy(),

@@ -2,19 +2,19 @@
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
-use pim_core::{Body, Real, Vector2, VehicleId};
+use pim_core::{Body, Contact, Real, VaryingLaw, Vector2, VehicleId};
 use real::elementary;
-use reconcile::{COLLINEAR, Departure};
+use reconcile::{COLLINEAR, Departure, central_contact, point_masses};
 use trajectory::{Axles, Chassis, GREATEST_DRAG};
 
-use super::{Demand, VehicleData, table};
+use super::{Collision, Demand, VehicleData, fill_opposite_pdof, table};
 use crate::after::{After, RestHeading, Steer, WheelDrag};
 use crate::axes::Axes;
 use crate::case::{Case, Find};
 use crate::fault::{Fault, FaultKind, Faults};
 use crate::motion::{
-    MotionInput, PointData, RegionData, RestData, RestHeadingData, SkidData, SteerData, SurfaceData,
-    TwoSpeedInput, VehicleMotion, ZoneData,
+    Geometry, MotionInput, PointData, RegionData, RestData, RestHeadingData, SkidData, Sought, SteerData,
+    SurfaceData, TwoSpeedInput, VehicleMotion, ZoneData,
 };
 use crate::purpose::Purpose;
 use crate::quantity::Quantity;
@@ -25,6 +25,9 @@ use crate::vehicle::{GivenVehicle, Kind};
 /// a speed could follow: no survey is more exact.
 const LEAST_PATH: f64 = 0.01;
 
+/// (–) a velocity whose part across the heading is no greater than this share of that along it is along it.
+const OFF_HEADING: f64 = 1e-6;
+
 /// What must be known of how a vehicle left the impact.
 #[derive(Clone, Copy, PartialEq)]
 enum Departed {
@@ -32,6 +35,31 @@ enum Departed {
     ByImpact,
     /// All of its motion, or its rest.
     Wholly,
+}
+
+impl<T> Case<T> {
+    /// Whether the speeds that are sought follow from how the vehicles left the impact: both do; one does
+    /// where no vehicle has damage from which it could follow.
+    #[must_use]
+    pub fn is_by_momentum(&self) -> bool {
+        let Some(reconstruct) = &self.reconstruct else { return false };
+        let is_told = self.movers().any(|id| self.tells_departure(id));
+        reconstruct.find == Find::Both || (is_told && !self.vehicles.iter().any(has_crush))
+    }
+
+    /// The vehicles that can move.
+    fn movers(&self) -> impl Iterator<Item = VehicleId> {
+        VehicleId::ALL.into_iter().filter(|id| {
+            let vehicle = &self.vehicles[id.index()];
+            !vehicle.fixed && !vehicle.is_absent()
+        })
+    }
+
+    /// Whether the case tells how a vehicle left the impact.
+    fn tells_departure(&self, id: VehicleId) -> bool {
+        let after = self.vehicles[id.index()].after.as_ref();
+        after.is_some_and(|after| after.rest.is_some() || after.speed.is_some())
+    }
 }
 
 impl<T: Real> Case<T> {
@@ -90,32 +118,34 @@ impl<T: Real> Case<T> {
         })
     }
 
-    /// Everything that finding both speeds needs.
+    /// Everything that finding speeds from the motion after the impact needs.
     ///
     /// # Errors
     /// Every value that is missing or contradicts another, each with its key.
     pub fn two_speeds(&self) -> Result<TwoSpeedInput<T>, Faults> {
         let mut demand = Demand::new(self, Purpose::Reconstruct);
-        if self.reconstruct.as_ref().is_none_or(|reconstruct| reconstruct.find != Find::Both) {
+        if self.reconstruct.is_none() {
             let example = "`find = [\"vehicle1.speed\", \"vehicle2.speed\"]` in a table [reconstruct]";
             demand.missing("reconstruct.find", example);
         }
-        let collision = demand.collision(|_| false);
+        demand.both_tables();
+        demand.skids();
+        let fixed = VehicleId::ALL.into_iter().find(|id| self.vehicles[id.index()].fixed);
+        let sought = demand.sought(fixed);
+        let contact = demand.momentum_contact(fixed);
         let departures = VehicleId::ALL.map(|id| demand.departure(id));
+        let any_told = self.movers().any(|id| self.tells_departure(id));
         let mut vehicles = [None, None];
-        for id in VehicleId::ALL {
-            let vehicle = &self.vehicles[id.index()];
-            if vehicle.fixed || vehicle.is_absent() {
-                continue;
-            }
-            let after = vehicle.after.as_ref();
+        for id in self.movers() {
+            let after = self.vehicles[id.index()].after.as_ref();
             let has_rest = after.is_some_and(|after| after.rest.is_some());
-            if departures[id.index()].is_none() && !has_rest {
+            if departures[id.index()].is_none() && !has_rest && !(self.locked_together && any_told) {
                 demand.missing_departure(id);
             }
             // A vehicle of which only the velocity is known need not be followed.
             let has_drag = after.is_some_and(|after| after.drag.is_some());
             if has_rest || (has_drag && self.surface.is_some()) {
+                demand.is_of_point_masses = false;
                 let subject = demand.subject(id);
                 vehicles[id.index()] = demand.vehicle_motion(id, subject.as_ref(), Departed::ByImpact);
             }
@@ -123,12 +153,20 @@ impl<T: Real> Case<T> {
         let is_followed = self.surface.is_some()
             || self.vehicles.iter().any(|v| v.after.as_ref().is_some_and(|after| after.rest.is_some()));
         let surface = if is_followed { demand.surface() } else { None };
-        let movers = || self.vehicles.iter().filter(|vehicle| !vehicle.fixed && !vehicle.is_absent());
-        let has_crush = movers().all(GivenVehicle::has_damage_data);
-        demand.crush_of_collinear();
-        demand.finish(collision.map(|collision| TwoSpeedInput {
-            collision,
+        let has_crush = self.movers().all(|id| self.vehicles[id.index()].has_damage_data());
+        let find = self.reconstruct.as_ref().map(|reconstruct| reconstruct.find);
+        if find == Some(Find::Both) {
+            demand.crush_of_collinear();
+        }
+        demand.finish(contact.zip(sought).map(|(known, sought)| TwoSpeedInput {
+            sought,
+            geometry: known.geometry,
+            contact: known.contact,
+            law: known.law,
+            yaw_rates: known.yaw_rates,
+            vehicles: known.vehicles,
             departures,
+            locked_together: self.locked_together,
             motion: surface.map(|surface| MotionInput { surface, vehicles }),
             basis: self.energy_basis(),
             has_crush,
@@ -136,7 +174,96 @@ impl<T: Real> Case<T> {
     }
 }
 
+/// Whether there is damage that took energy.
+fn has_crush<T>(vehicle: &GivenVehicle<T>) -> bool {
+    vehicle.crush.is_some() || vehicle.energy.as_ref().is_some_and(|energy| energy.ees().is_some())
+}
+
+/// What is known of the contact of vehicles whose speeds are sought from momentum.
+struct KnownContact<T> {
+    geometry: Geometry,
+    contact: Contact<T>,
+    law: Option<VaryingLaw<T>>,
+    yaw_rates: [T; 2],
+    vehicles: [VehicleData<T>; 2],
+}
+
 impl<T: Real> Demand<'_, T> {
+    /// Which speeds are sought.
+    fn sought(&mut self, fixed: Option<VehicleId>) -> Option<Sought<T>> {
+        let find = self.case.reconstruct.as_ref()?.find;
+        let Some(unknown) = find.unknown() else { return Some(Sought::Both) };
+        let vehicle = unknown.vehicle();
+        if fixed.is_some() {
+            return Some(Sought::IntoWall { vehicle });
+        }
+        let other = vehicle.other();
+        let motion = self.motion(other, true)?;
+        let heading = self.case.headings()[other.index()]?;
+        let (sin, cos) = heading.sin_cos();
+        let (x, y) = (motion.velocity.x, motion.velocity.y);
+        let (along, across) = (x * cos + y * sin, y * cos - x * sin);
+        if across.value().abs() > OFF_HEADING * along.value().abs() {
+            self.refuse(
+                format!("{}.velocity", table(other)),
+                "this velocity is not along the heading, and momentum takes each vehicle as moving along its heading"
+                    .to_owned(),
+                "give `speed`, and as `heading` the direction in which the vehicle moved",
+            );
+            return None;
+        }
+        Some(Sought::Beside { vehicle, known: along })
+    }
+
+    /// The contact, as far as the case tells it: what momentum does not need is not demanded.
+    fn momentum_contact(&mut self, fixed: Option<VehicleId>) -> Option<KnownContact<T>> {
+        let mut whole = Demand::new(self.case, self.purpose);
+        let collision = whole.collision(|_| false);
+        let only_lacks = whole.faults.iter().all(|fault| matches!(fault.kind, FaultKind::Missing { .. }));
+        let needs_all = self.case.reconstruct.as_ref().is_some_and(|find| find.find == Find::Both)
+            && self.collinear_angle().is_some();
+        if !only_lacks || needs_all || (collision.is_some() && whole.faults.is_empty()) {
+            self.faults.append(&mut whole.faults);
+            return collision.map(|Collision { contact, law, motions, vehicles }| KnownContact {
+                geometry: Geometry::Given,
+                contact,
+                law: Some(law),
+                yaw_rates: motions.map(|motion| motion.yaw_rate),
+                vehicles,
+            });
+        }
+        self.is_of_point_masses = true;
+        let vehicles = VehicleId::ALL.map(|id| self.subject(id));
+        let headings = VehicleId::ALL.map(|id| {
+            let heading = self.case.headings()[id.index()];
+            if fixed == Some(id) {
+                return Some(heading.unwrap_or(T::ZERO));
+            }
+            self.given(heading, format_args!("{}.heading", table(id)), "`heading = \"180 deg\"`")
+        });
+        // A fixed object gives back what its plane and the restitution say.
+        let law = if fixed.is_some() { Some(self.law()?) } else { None };
+        let ([Some(one), Some(two)], [Some(h1), Some(h2)]) = (vehicles, headings) else { return None };
+        let mut vehicles = [one, two];
+        let masses = vehicles.each_ref().map(|vehicle| vehicle.inertia.map(|inertia| inertia.mass));
+        let contact = self.accepted("vehicle1", point_masses(masses, [h1, h2]))?;
+        let (geometry, contact) = match fixed {
+            None => (Geometry::PointMasses, contact),
+            Some(id) => {
+                let (sin, cos) = self.lateral(&self.case.impact.as_ref()?.crush_plane).sin_cos();
+                let normal = Vector2::new(cos, sin);
+                let forward = contact.participants()[id.other().index()].forward();
+                // The object lies ahead, so that n from vehicle 2 to vehicle 1 is against the heading of 1.
+                let ahead = normal.x * forward.x + normal.y * forward.y > T::ZERO;
+                let normal = if ahead == (id == VehicleId::Two) { -normal } else { normal };
+                let contact = central_contact(contact.participants(), normal);
+                (Geometry::Plane, self.accepted("impact.crush_plane", contact)?)
+            }
+        };
+        fill_opposite_pdof(self.case.headings(), vehicles.each_mut().map(Some));
+        Some(KnownContact { geometry, contact, law, yaw_rates: [T::ZERO; 2], vehicles })
+    }
+
     fn refuse(&mut self, key: String, reason: String, advice: &str) {
         let kind = FaultKind::Refused { reason };
         self.faults.push(Fault { key, kind, advice: Some(advice.to_owned()) });
@@ -194,7 +321,8 @@ impl<T: Real> Demand<'_, T> {
             format_args!("{table}.after.rest"),
             &format!(
                 "how vehicle {id} left the impact, in a table [{table}.after]: `rest = {{ x = \"31.2 m\", y = \"9.8 m\", heading = \"140 deg\" }}` \
-                 with `drag`, or `speed` and `direction` just after the impact"
+                 with `drag`, or `speed` and `direction` just after the impact; where both left it as one wreck, it is enough of one of \
+                 them, with `locked_together = true` in [scene]"
             ),
         );
     }
@@ -421,13 +549,30 @@ impl<T: Real> Demand<'_, T> {
         }
     }
 
+    /// (rad) the angle between approaches that are collinear; `None` of those that cross.
+    fn collinear_angle(&self) -> Option<f64> {
+        let [Some(one), Some(two)] = self.case.headings() else { return None };
+        let angle = real::principal_angle(one.value() - two.value()).abs();
+        (angle <= COLLINEAR || angle >= PI - COLLINEAR).then_some(angle)
+    }
+
     /// Where the approaches are collinear, momentum gives one equation for two speeds.
     fn crush_of_collinear(&mut self) {
-        let [Some(one), Some(two)] = self.case.headings() else { return };
-        let angle = real::principal_angle(one.value() - two.value()).abs();
-        if angle > COLLINEAR && angle < PI - COLLINEAR {
-            return;
-        }
+        let Some(angle) = self.collinear_angle() else { return };
+        let known = VehicleId::ALL.into_iter().find(|id| self.case.vehicles[id.index()].motion.is_some());
+        let find = known.map_or("vehicle1.speed", |known| match known {
+            VehicleId::One => "vehicle2.speed",
+            VehicleId::Two => "vehicle1.speed",
+        });
+        let speed = match known {
+            Some(known) => {
+                format!("as the file gives the speed of vehicle {known}, `find = \"{find}\"` is enough")
+            }
+            None => format!(
+                "where one vehicle stood or its speed is known, `speed = \"0 km/h\"` in its table and `find = \"{find}\"` (or that of \
+                 vehicle 2)"
+            ),
+        };
         for (id, vehicle) in VehicleId::ALL.into_iter().zip(&self.case.vehicles) {
             if !vehicle.fixed && !vehicle.is_absent() && !vehicle.has_damage_data() {
                 let degrees = angle.to_degrees();
@@ -435,8 +580,8 @@ impl<T: Real> Demand<'_, T> {
                     format_args!("{}.crush", table(id)),
                     &format!(
                         "the damage of both vehicles: their headings are {degrees:.0}° apart, within 10° of one line, and along one line \
-                         momentum alone does not tell one speed from the other; a table with side, width, depths and stiffness, `ees`, or \
-                         `crush = \"none\"` in [{}]",
+                         momentum alone does not tell one speed from the other; a table with side, width, depths and stiffness, or `ees`; or \
+                         `crush = \"none\"` in [{}], if the other vehicle alone was damaged. Without damage: {speed}",
                         table(id)
                     ),
                 );

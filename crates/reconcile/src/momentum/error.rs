@@ -3,6 +3,7 @@
 use crash3::EnergyBasis;
 use pim_core::{ImpactError, InvalidInput, VehicleId};
 
+use crate::answer::FASTEST;
 use crate::error::WorkSought;
 
 /// Why momentum, with the crush energy or without, does not give both speeds.
@@ -29,6 +30,49 @@ pub enum MomentumError {
     Collinear {
         /// (rad) the angle from the heading of vehicle 1 to that of vehicle 2.
         angle: f64,
+    },
+    /// No vehicle is so fast: a number of the case is in the wrong unit.
+    #[error(
+        "momentum gives vehicle {vehicle} a speed of {speed:.4e} m/s, and no vehicle is faster than {FASTEST:.0} \
+         m/s; check the masses and the motion after the impact, and their units"
+    )]
+    TooFast {
+        /// Which vehicle.
+        vehicle: VehicleId,
+        /// (m/s) the speed.
+        speed: f64,
+    },
+    /// Nothing was exchanged.
+    #[error(
+        "at the speeds that momentum gives, neither velocity changes in the impact, so there was none; check \
+         the directions and speeds after the impact"
+    )]
+    NoImpulse,
+    /// The way out of a wall does not tell the way in.
+    #[error(
+        "with a restitution of {restitution} the speed after the impact with a fixed object hardly depends on \
+         the speed before it: 1 m/s before makes {slope:.3} m/s after; give the crush of vehicle {vehicle} to \
+         find its speed, or the restitution that its way out shows"
+    )]
+    NoReturn {
+        /// Which vehicle.
+        vehicle: VehicleId,
+        /// (–) e.
+        restitution: f64,
+        /// (–) by how much the speed after follows the one before, along the normal.
+        slope: f64,
+    },
+    /// It would move away from what it hit.
+    #[error(
+        "to leave the fixed object like this, vehicle {vehicle} would have come at {speed:.4} m/s along its \
+         heading, which does not lead into it; check the direction after the impact, the heading and the crush \
+         plane"
+    )]
+    LeavesWall {
+        /// Which vehicle.
+        vehicle: VehicleId,
+        /// (m/s) the speed.
+        speed: f64,
     },
     /// The axis is not a direction.
     #[error("the axis of the momentum is a vector of length {length}, but must be of length 1")]

@@ -1,8 +1,8 @@
 //! What both speeds imply beside what gave them.
 
-use pim_core::{Approach, Motion, NormalTangential, Real, Vector2, normal_work, pdof};
+use pim_core::{Motion, NormalTangential, Real, Vector2, normal_work, pdof};
 
-use crate::momentum::{Departure, Momentum, cross, error::MomentumError};
+use crate::momentum::{Momentum, cross, error::MomentumError};
 
 /// What follows from the speeds before impact and the velocities after it. More is known then than was
 /// needed: each number here can be held against another source.
@@ -45,16 +45,22 @@ pub struct Implied<T = f64> {
     pub pdof: [T; 2],
     /// (m/s) u, velocity of vehicle 1 relative to vehicle 2 at C before impact.
     pub approach: NormalTangential<T>,
-    /// (m/s) U, the same after the impulse P at C.
+    /// (m/s) U, the same after impact: of the velocities and of the yaw rates that are known; where neither
+    /// yaw rate is, after the impulse P at C.
     pub separation: NormalTangential<T>,
     /// (–) −U_n/u_n with this U; `None` where the vehicles do not approach.
     pub restitution: Option<T>,
     /// (rad/s) Ω, the yaw rates after the impulse P at C.
     pub yaw_rates: [T; 2],
-    /// (m/s) U of the motions after impact themselves, where both yaw rates are known.
+    /// The motions after impact: a yaw rate that is not known is the one that P gives.
+    pub after: [Motion<T>; 2],
+    /// (m/s) U of these motions, where both yaw rates are known.
     pub departure: Option<NormalTangential<T>>,
     /// (–) −U_n/u_n with that U.
     pub departure_restitution: Option<T>,
+    /// Whether a yaw rate after the impact is known, so that [`separation`](Self::separation) is that of the
+    /// motions; else it is that of the impulse at C, which the vehicles were free to turn under.
+    pub is_yaw_known: bool,
     /// (J) W_n, the energy taken by the normal impulse.
     pub normal_work: T,
     /// (J) W_t, the energy taken by the tangential impulse.
@@ -66,12 +72,12 @@ pub struct Implied<T = f64> {
 
 impl<T: Real> Momentum<T> {
     /// What the speeds (m/s) imply, whatever gave them. P acts at C alone: a moment impulse is not told apart
-    /// from another point of contact.
+    /// from another point of contact. A fixed object tells no impulse of its own.
     ///
     /// # Errors
-    /// Where [`check`](Momentum::check) finds one or a speed is not finite.
+    /// Where [`check`](Momentum::check) finds one other than a fixed object, or a speed is not finite.
     pub fn implied(&self, speeds: [T; 2]) -> Result<Implied<T>, MomentumError> {
-        self.check()?;
+        self.check_numbers()?;
         super::finite("speed of vehicle 1", speeds[0])?;
         super::finite("speed of vehicle 2", speeds[1])?;
         let before = self.motions_at(speeds);
@@ -81,7 +87,12 @@ impl<T: Real> Momentum<T> {
         // ΔV_i = V_i − v_i
         let delta_v = [velocities[0] - before[0].velocity, velocities[1] - before[1].velocity];
         // P = m₁ ΔV₁ = −m₂ ΔV₂
-        let impulses = [delta_v[0] * bodies[0].mass(), -delta_v[1] * bodies[1].mass()];
+        let told = [delta_v[0] * bodies[0].mass(), -delta_v[1] * bodies[1].mass()];
+        let impulses = match [bodies[0].is_fixed(), bodies[1].is_fixed()] {
+            [true, _] => [told[1]; 2],
+            [_, true] => [told[0]; 2],
+            _ => told,
+        };
         let impulse_vector = (impulses[0] + impulses[1]) * T::from(0.5);
         let impulse = self.contact.resolve(impulse_vector);
         // Ω₁ = ω₁ + r₁×P/I₁,  Ω₂ = ω₂ − r₂×P/I₂
@@ -92,30 +103,23 @@ impl<T: Real> Momentum<T> {
         let k = self.contact.inverse_mass();
         let approach = self.contact.approach(&before);
         let u = approach.velocity;
-        let separation = k.separation(approach, impulse, T::ZERO).velocity;
+        // U = u + K P, with both free to turn
+        let free = k.separation(approach, impulse, T::ZERO).velocity;
         let approaches = u.normal < T::ZERO;
         // e = −U_n/u_n
         let restitution = |after: NormalTangential<T>| approaches.then(|| -(after.normal / u.normal));
-        let departure = match self.after {
-            [
-                Departure { yaw_rate: Some(yaw_rate_1), velocity: velocity_1 },
-                Departure { yaw_rate: Some(yaw_rate_2), velocity: velocity_2 },
-            ] => {
-                let motions = [
-                    Motion { velocity: velocity_1, yaw_rate: yaw_rate_1 },
-                    Motion { velocity: velocity_2, yaw_rate: yaw_rate_2 },
-                ];
-                Some(self.contact.approach(&motions).velocity)
-            }
-            _ => None,
-        };
-        let after = |i: usize| Motion {
+        let after = [0, 1].map(|i| Motion {
             velocity: velocities[i],
             yaw_rate: self.after[i].yaw_rate.unwrap_or(yaw_rates[i]),
-        };
+        });
+        let is_known = [0, 1].map(|i| self.after[i].yaw_rate.is_some() || bodies[i].is_fixed());
+        let is_yaw_known = self.after.iter().any(|departure| departure.yaw_rate.is_some());
+        let of_motions = self.contact.approach(&after).velocity;
+        let separation = if is_yaw_known { of_motions } else { free };
+        let departure = (is_known == [true; 2] && is_yaw_known).then_some(of_motions);
         // E_L = T_before − T_after
-        let energy_loss = (bodies[0].kinetic_energy(&before[0]) - bodies[0].kinetic_energy(&after(0)))
-            + (bodies[1].kinetic_energy(&before[1]) - bodies[1].kinetic_energy(&after(1)));
+        let energy_loss = (bodies[0].kinetic_energy(&before[0]) - bodies[0].kinetic_energy(&after[0]))
+            + (bodies[1].kinetic_energy(&before[1]) - bodies[1].kinetic_energy(&after[1]));
         let [f1, f2] = self.headings();
         Ok(Implied {
             before,
@@ -123,13 +127,15 @@ impl<T: Real> Momentum<T> {
             impulse_vector,
             impulse,
             impulse_ratio: ratio(impulse),
-            critical_impulse_ratio: self.critical_ratio(approach, separation.normal),
+            critical_impulse_ratio: self.critical_ratio(impulse, separation.tangential),
             delta_v,
             pdof: [pdof(f1, delta_v[0]), pdof(f2, delta_v[1])],
             approach: u,
             separation,
             restitution: restitution(separation),
             yaw_rates,
+            after,
+            is_yaw_known,
             departure,
             departure_restitution: departure.and_then(restitution),
             normal_work: normal_work(u, impulse, separation),
@@ -139,14 +145,15 @@ impl<T: Real> Momentum<T> {
         })
     }
 
-    /// The ratio of the impulse that gives U_t = 0 and this U_n (m/s), if that is a push.
-    fn critical_ratio(&self, Approach { velocity: u, .. }: Approach<T>, separation: T) -> Option<T> {
+    /// The ratio of the impulse that would have ended the sliding, U_t = 0, with the same U_n, if that is a
+    /// push; U_t (m/s) as it was.
+    fn critical_ratio(&self, p: NormalTangential<T>, sliding: T) -> Option<T> {
         let k = self.contact.inverse_mass();
-        let change = separation - u.normal;
-        // K P = (U_n − u_n, −u_t), up to det K
+        let det = k.nn * k.tt - k.nt * k.nt;
+        // P′ = P − K⁻¹ (0, U_t), up to det K
         ratio(NormalTangential {
-            normal: k.tt * change + k.nt * u.tangential,
-            tangential: -(k.nn * u.tangential) - k.nt * change,
+            normal: det * p.normal + k.nt * sliding,
+            tangential: det * p.tangential - k.nn * sliding,
         })
     }
 }
@@ -187,6 +194,11 @@ impl<T: Real> Implied<T> {
             separation: self.separation.mirrored(),
             restitution: self.restitution,
             yaw_rates: self.yaw_rates.map(flipped),
+            after: self.after.map(|motion| Motion {
+                velocity: across(motion.velocity),
+                yaw_rate: flipped(motion.yaw_rate),
+            }),
+            is_yaw_known: self.is_yaw_known,
             departure: self.departure.map(NormalTangential::mirrored),
             departure_restitution: self.departure_restitution,
             normal_work: self.normal_work,

@@ -83,7 +83,8 @@ struct Document<'a> {
 #[derive(Serialize)]
 pub(crate) struct EvidenceBlock {
     /// (J) as measured.
-    pub(crate) crush_energy: f64,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) crush_energy: Option<f64>,
     pub(crate) damage: EvidenceRow,
     pub(crate) momentum: EvidenceRow,
     pub(crate) momentum_and_damage: EvidenceRow,
@@ -169,6 +170,10 @@ fn method(by: EvidenceMethod, units: Units) -> String {
             "from momentum along the heading of vehicle {}, and the given speed of vehicle {given} (theory 10)",
             given.other()
         ),
+        EvidenceMethod::Wall { vehicle, restitution } => format!(
+            "from how vehicle {vehicle} left the fixed object, and the restitution there, e = {} (theory 10)",
+            number(restitution, 4)
+        ),
         EvidenceMethod::MomentumAndDamage => {
             "from momentum along the line of the headings and the crush energy (theory 10). A speed that \
              the file may give does not enter"
@@ -200,6 +205,14 @@ fn no_evidence(reason: &NoEvidence, units: Units) -> String {
              from the other. With the speed of one vehicle it gives that of the other",
             angle(*si)
         ),
+        NoEvidence::NoDamage => {
+            "no answer: the file has no damage data, a table [vehicle1.crush] and [vehicle2.crush]".to_owned()
+        }
+        NoEvidence::NoLaw => {
+            "no answer: the file does not give all that the impact law needs, the contact point and the yaw inertia of \
+             each vehicle and [impact]"
+                .to_owned()
+        }
         NoEvidence::Failed(failure) => format!("no answer: {}", no_answer(failure, units)),
     }
 }
@@ -234,13 +247,23 @@ pub(crate) fn rows(case: &Case, comparison: &Comparison, units: Units) -> Vec<Ro
 }
 
 fn values(analysis: &Seen) -> Values {
-    let Some(impact) = &analysis.impact else { return Values::default() };
+    let Some(impact) = &analysis.impact else {
+        let exchange = analysis.exchange();
+        return Values {
+            speeds: analysis.both.as_ref().map(|both| both.speeds),
+            delta_v: analysis.both.as_ref().map(|both| both.delta_v),
+            energy_loss: exchange.map(|exchange| exchange.energy.loss),
+            ..Values::default()
+        };
+    };
     let outcome = &impact.outcome;
     let of_collision = |key: &str| match quantity(key)?.values(analysis) {
         analysis::Values::Shared(value) => value,
         analysis::Values::Pair(_) => None,
     };
-    let share = |key: &str| Some(of_collision(key)? / of_collision("impact.initial_energy")? + 0.0);
+    // What each law makes of the speeds, whatever gave them.
+    let energy = &outcome.energy;
+    let share = |work: f64| Some(work / energy.before + 0.0).filter(|share| share.is_finite());
     Values {
         found: of_collision("found.value"),
         speeds: analysis.both.as_ref().map(|both| both.speeds),
@@ -248,10 +271,10 @@ fn values(analysis: &Seen) -> Values {
         // Those of a fixed object are zero.
         delta_v: Some(outcome.delta_v_magnitude()),
         pdof: Some(impact.pdof.map(|pdof| pdof + 0.0)),
-        energy_loss: of_collision("impact.energy_loss"),
-        normal_share: share("impact.normal_work"),
-        tangential_share: share("impact.tangential_work"),
-        moment_share: share("impact.moment_work"),
+        energy_loss: Some(energy.loss + 0.0),
+        normal_share: share(energy.normal_work),
+        tangential_share: share(energy.tangential_work),
+        moment_share: share(energy.moment_work).filter(|_| impact.law.has_moment()),
         final_yaw_rate: Some(outcome.after.map(|motion| motion.yaw_rate + 0.0)),
     }
 }

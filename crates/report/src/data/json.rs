@@ -1,9 +1,9 @@
 //! A finished analysis as JSON, in SI units and radians.
 
 use analysis::{
-    Analysis, BothFound, BothMethod, Impact, Pass, Seen, SeenWarning, Travel, TravelOrigin, Weighed,
+    Analysis, BothFound, BothMethod, Exchange, Impact, Pass, Seen, SeenWarning, Travel, TravelOrigin, Weighed,
 };
-use case::{Basis, Case, CaseFile, MarkedWheel, PointData};
+use case::{Basis, Case, CaseFile, Geometry, MarkedWheel, PointData};
 use pim_core::VehicleId;
 use reconcile::Unknown;
 use serde::{Serialize, Serializer};
@@ -45,6 +45,8 @@ struct Document<'a> {
     momentum: Option<MomentumBlock>,
     #[serde(skip_serializing_if = "Option::is_none")]
     impact: Option<ImpactBlock>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    law_check: Option<LawCheckBlock>,
     vehicle1: VehicleBlock,
     vehicle2: VehicleBlock,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -107,14 +109,20 @@ struct MomentumBlock {
     /// How far the impulses that the two vehicles tell lie apart.
     disagreement: f64,
     restitution: Option<f64>,
-    impulse_ratio: Option<f64>,
-    critical_impulse_ratio: Option<f64>,
+    /// These along n and t, and the yaw rates, are not known of point masses.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    impulse_ratio: Option<Option<f64>>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    critical_impulse_ratio: Option<Option<f64>>,
     energy_loss: f64,
-    normal_work: f64,
-    tangential_work: f64,
-    delta_v: [f64; 2],
-    pdof: [f64; 2],
-    final_yaw_rate: [f64; 2],
+    #[serde(skip_serializing_if = "Option::is_none")]
+    normal_work: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    tangential_work: Option<f64>,
+    delta_v: OfMovable,
+    pdof: OfMovable,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    final_yaw_rate: Option<OfMovable>,
 }
 
 /// Skid marks before the impact.
@@ -182,28 +190,53 @@ struct IterationBlock {
     crush_work: Option<f64>,
 }
 
+/// What the impact law makes of speeds that momentum gave.
+#[derive(Serialize)]
+struct LawCheckBlock {
+    impact: ImpactBlock,
+    delta_v: OfMovable,
+    /// By how much more than by momentum.
+    delta_v_difference: OfMovable,
+    final_velocity: [Option<[f64; 2]>; 2],
+    final_speed: OfMovable,
+    final_yaw_rate: OfMovable,
+    pdof: OfMovable,
+}
+
 #[derive(Serialize)]
 struct ImpactBlock {
-    law: &'static str,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    law: Option<&'static str>,
     #[serde(skip_serializing_if = "Option::is_none")]
     regime: Option<&'static str>,
-    restitution: f64,
-    impulse_ratio: f64,
+    /// `null` where vehicles do not close by momentum.
+    restitution: Option<f64>,
+    /// These along n and t are not known of point masses.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    impulse_ratio: Option<Option<f64>>,
     /// `null` where no push, however rough the surfaces, could end the sliding.
-    critical_impulse_ratio: Option<f64>,
-    normal_impulse: f64,
-    tangential_impulse: f64,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    critical_impulse_ratio: Option<Option<f64>>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    normal_impulse: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    tangential_impulse: Option<f64>,
     impulse: [f64; 2],
     impulse_direction: f64,
-    normal: [f64; 2],
+    #[serde(skip_serializing_if = "Option::is_none")]
+    normal: Option<[f64; 2]>,
     closing_speed: f64,
-    normal_velocity: [f64; 2],
-    tangential_velocity: [f64; 2],
+    #[serde(skip_serializing_if = "Option::is_none")]
+    normal_velocity: Option<[f64; 2]>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    tangential_velocity: Option<[f64; 2]>,
     initial_energy: f64,
     final_energy: f64,
     energy_loss: f64,
-    normal_work: f64,
-    tangential_work: f64,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    normal_work: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    tangential_work: Option<f64>,
     #[serde(skip_serializing_if = "Option::is_none")]
     moment_impulse: Option<f64>,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -379,8 +412,9 @@ fn headed<'a>(case: &'a Case, analysis: &Analysis, weighed: Option<&Weighed>) ->
             })
             .collect(),
         found: found(analysis),
-        momentum: analysis.both.as_ref().map(momentum),
-        impact: analysis.impact.as_ref().map(|of| impact(case, of)),
+        momentum: analysis.both.as_ref().map(|both| momentum(case, both)),
+        impact: analysis.exchange().map(|of| exchanged(case, analysis, &of)),
+        law_check: analysis.law_check().map(|law| law_check(case, analysis, law)),
         vehicle1,
         vehicle2,
         crash3: analysis.crash3.as_ref().map(|crash3| Crash3Block {
@@ -435,6 +469,8 @@ fn found(analysis: &Seen) -> Option<Found> {
         let value = plain(both.speeds[unknown.index()]);
         let (method, roots) = match &both.method {
             BothMethod::Momentum => ("momentum", vec![value]),
+            BothMethod::MomentumAndSpeed { .. } => ("momentum and known speed", vec![value]),
+            BothMethod::Wall { .. } => ("restitution", vec![value]),
             BothMethod::MomentumAndCrush { admissible, .. } => (
                 "momentum and crush energy",
                 admissible.iter().map(|speeds| plain(speeds[unknown.index()])).collect(),
@@ -449,24 +485,29 @@ fn found(analysis: &Seen) -> Option<Found> {
             iterations: Vec::new(),
         }
     };
-    Some(Found::Both([of(Unknown::Speed1), of(Unknown::Speed2)]))
+    Some(match both.sought() {
+        Some(VehicleId::One) => Found::One(of(Unknown::Speed1)),
+        Some(VehicleId::Two) => Found::One(of(Unknown::Speed2)),
+        None => Found::Both([of(Unknown::Speed1), of(Unknown::Speed2)]),
+    })
 }
 
-fn momentum(both: &BothFound) -> MomentumBlock {
+fn momentum(case: &Case, both: &BothFound) -> MomentumBlock {
     let implied = &both.implied;
+    let is_contact = both.geometry != Geometry::PointMasses;
     MomentumBlock {
         approach_angle: plain(both.momentum.angle()),
         impulse: plain_pair(implied.impulse_vector.into()),
         disagreement: implied.disagreement(),
         restitution: implied.restitution.map(plain),
-        impulse_ratio: implied.impulse_ratio.map(plain),
-        critical_impulse_ratio: implied.critical_impulse_ratio.map(plain),
+        impulse_ratio: is_contact.then(|| implied.impulse_ratio.map(plain)),
+        critical_impulse_ratio: is_contact.then(|| implied.critical_impulse_ratio.map(plain)),
         energy_loss: plain(implied.energy_loss),
-        normal_work: plain(implied.normal_work),
-        tangential_work: plain(implied.tangential_work),
-        delta_v: implied.delta_v.map(|change| change.norm()),
-        pdof: plain_pair(implied.pdof),
-        final_yaw_rate: plain_pair(implied.yaw_rates),
+        normal_work: is_contact.then(|| plain(implied.normal_work)),
+        tangential_work: is_contact.then(|| plain(implied.tangential_work)),
+        delta_v: of_movable(case, implied.delta_v.map(|change| change.norm())),
+        pdof: of_movable(case, plain_pair(implied.pdof)),
+        final_yaw_rate: is_contact.then(|| of_movable(case, plain_pair(implied.yaw_rates))),
     }
 }
 
@@ -492,38 +533,60 @@ fn points(travel: &Travel) -> Vec<PointBlock> {
     travel.passes.iter().zip(&travel.points).map(point).collect()
 }
 
-fn impact(case: &Case, impact: &Impact) -> ImpactBlock {
-    let outcome = &impact.outcome;
-    let has_moment = impact.law.has_moment();
+/// What the impact did, by what gave the speeds.
+fn exchanged(case: &Case, analysis: &Seen, of: &Exchange) -> ImpactBlock {
+    let law = analysis.impact.as_ref().filter(|_| analysis.law_check().is_none());
+    block(case, of, law)
+}
+
+fn block(case: &Case, of: &Exchange, law: Option<&Impact>) -> ImpactBlock {
+    let moment = law.filter(|impact| impact.law.has_moment()).map(|impact| &impact.outcome);
+    let contact = of.at_contact.as_ref();
+    let name = || case.impact.as_ref().map_or("brach", |given| given.law.name());
     ImpactBlock {
-        law: case.impact.as_ref().map_or("brach", |given| given.law.name()),
-        regime: outcome.regime.map(words::regime_name),
-        restitution: impact.law.restitution(),
-        impulse_ratio: plain(outcome.impulse_ratio),
-        critical_impulse_ratio: outcome.critical_impulse_ratio.map(plain),
-        normal_impulse: outcome.impulse.normal,
-        tangential_impulse: plain(outcome.impulse.tangential),
-        impulse: plain_pair(outcome.impulse_vector.into()),
-        impulse_direction: plain(outcome.impulse_direction()),
-        normal: plain_pair(impact.contact.normal().into()),
-        closing_speed: outcome.closing_speed(),
-        normal_velocity: plain_pair([outcome.approach.normal, outcome.separation.normal]),
-        tangential_velocity: plain_pair([outcome.approach.tangential, outcome.separation.tangential]),
-        initial_energy: outcome.energy.before,
-        final_energy: outcome.energy.after,
-        energy_loss: plain(outcome.energy.loss),
-        normal_work: plain(outcome.energy.normal_work),
-        tangential_work: plain(outcome.energy.tangential_work),
-        moment_impulse: has_moment.then(|| plain(outcome.moment_impulse)),
-        moment_work: has_moment.then(|| plain(outcome.energy.moment_work)),
+        law: law.map(|_| name()),
+        regime: law.and_then(|impact| impact.outcome.regime).map(words::regime_name),
+        restitution: of.restitution.map(plain),
+        impulse_ratio: contact.map(|contact| contact.impulse_ratio.map(plain)),
+        critical_impulse_ratio: contact.map(|contact| contact.critical_impulse_ratio.map(plain)),
+        normal_impulse: contact.map(|contact| contact.impulse.normal),
+        tangential_impulse: contact.map(|contact| plain(contact.impulse.tangential)),
+        impulse: plain_pair(of.impulse_vector.into()),
+        impulse_direction: plain(of.impulse_direction()),
+        normal: contact.map(|contact| plain_pair(contact.normal.into())),
+        closing_speed: of.closing_speed,
+        normal_velocity: contact.map(|contact| plain_pair(contact.velocities.map(|u| u.normal))),
+        tangential_velocity: contact.map(|contact| plain_pair(contact.velocities.map(|u| u.tangential))),
+        initial_energy: of.energy.before,
+        final_energy: of.energy.after,
+        energy_loss: plain(of.energy.loss),
+        normal_work: contact.map(|_| plain(of.energy.normal_work)),
+        tangential_work: contact.map(|_| plain(of.energy.tangential_work)),
+        moment_impulse: moment.map(|outcome| plain(outcome.moment_impulse)),
+        moment_work: moment.map(|outcome| plain(outcome.energy.moment_work)),
+    }
+}
+
+fn law_check(case: &Case, analysis: &Seen, law: &Impact) -> LawCheckBlock {
+    let outcome = &law.outcome;
+    let by_law = outcome.delta_v_magnitude();
+    let told = analysis.both.as_ref().map_or(by_law, |both| both.delta_v);
+    LawCheckBlock {
+        impact: block(case, &Exchange::of_impact(law), Some(law)),
+        delta_v: of_movable(case, by_law),
+        delta_v_difference: of_movable(case, [by_law[0] - told[0], by_law[1] - told[1]].map(plain)),
+        final_velocity: [0, 1]
+            .map(|i| (!case.vehicles[i].fixed).then(|| plain_pair(outcome.after[i].velocity.into()))),
+        final_speed: of_movable(case, outcome.after.map(|motion| motion.velocity.norm())),
+        final_yaw_rate: of_movable(case, outcome.after.map(|motion| plain(motion.yaw_rate))),
+        pdof: of_movable(case, law.pdof.map(plain)),
     }
 }
 
 fn vehicle(case: &Case, analysis: &Seen, id: VehicleId) -> VehicleBlock {
     let i = id.index();
     let fixed = case.vehicles[i].fixed;
-    let impact = analysis.impact.as_ref().filter(|_| !fixed);
-    let moves = impact.map(|impact| &impact.outcome);
+    let moves = analysis.exchange().filter(|_| !fixed);
     let damage = analysis.vehicles[i].damage.as_ref();
     let oblique = damage.and_then(|damage| damage.oblique);
     let of = &analysis.vehicles[i];
@@ -533,16 +596,16 @@ fn vehicle(case: &Case, analysis: &Seen, id: VehicleId) -> VehicleBlock {
         name: case.vehicles[i].name.as_ref().map(|name| name.as_given().to_owned()),
         fixed: fixed.then_some(true),
         speed: moves.map(|_| plain(analysis.speed(id))),
-        velocity: moves.map(|outcome| plain_pair(outcome.before[i].velocity.into())),
-        yaw_rate: moves.map(|outcome| plain(outcome.before[i].yaw_rate)),
-        final_velocity: moves.map(|outcome| plain_pair(outcome.after[i].velocity.into())),
-        final_yaw_rate: moves.map(|outcome| plain(outcome.after[i].yaw_rate)),
-        final_speed: moves.map(|outcome| outcome.after[i].velocity.norm()),
-        delta_v: moves.map(|outcome| outcome.delta_v_magnitude()[i]),
-        delta_v_longitudinal: moves.map(|outcome| plain(outcome.delta_v_components()[i][0])),
-        delta_v_lateral: moves.map(|outcome| plain(outcome.delta_v_components()[i][1])),
-        delta_v_vector: moves.map(|outcome| plain_pair(outcome.delta_v[i].into())),
-        pdof: impact.map(|impact| impact.pdof[i]).or(given_pdof).map(plain),
+        velocity: moves.map(|of| plain_pair(of.before[i].velocity.into())),
+        yaw_rate: moves.map(|of| plain(of.before[i].yaw_rate)),
+        final_velocity: moves.map(|of| plain_pair(of.velocities[i].into())),
+        final_yaw_rate: moves.and_then(|of| of.yaw_rates[i]).map(plain),
+        final_speed: moves.map(|of| of.velocities[i].norm()),
+        delta_v: moves.map(|of| of.delta_v[i].norm()),
+        delta_v_longitudinal: moves.map(|of| plain(of.delta_v_components[i][0])),
+        delta_v_lateral: moves.map(|of| plain(of.delta_v_components[i][1])),
+        delta_v_vector: moves.map(|of| plain_pair(of.delta_v[i].into())),
+        pdof: moves.map(|exchange| exchange.pdof[i]).or(given_pdof).map(plain),
         stiffness_source: analysis.vehicles[i]
             .subject
             .damage

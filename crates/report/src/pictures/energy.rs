@@ -11,8 +11,8 @@ use crate::basis;
 use crate::units::Measure;
 
 pub(super) fn picture(case: &Case, analysis: &Analysis, units: Units) -> Result<EnergyPicture, DrawingError> {
-    let impact = analysis.impact.as_ref().ok_or(DrawingError::NoImpact { subject: Subject::Energy })?;
-    let energy = impact.outcome.energy;
+    let exchange = analysis.exchange().ok_or(DrawingError::NoImpact { subject: Subject::Energy })?;
+    let energy = exchange.energy;
     let crush = [0, 1].map(|i| analysis.vehicles[i].crush_energy().unwrap_or_default());
     let total = crush[0] + crush[1];
     // (%)

@@ -118,8 +118,7 @@ fn vehicle(
         }
         _ => None,
     };
-    let before =
-        analysis.impact.as_ref().filter(|_| !given.fixed).map(|impact| impact.outcome.before[i].velocity);
+    let before = analysis.exchange().filter(|_| !given.fixed).map(|exchange| exchange.before[i].velocity);
     let approach = before.filter(|velocity| velocity.norm() > STANDING).map(|velocity| SceneArrow {
         vector: velocity.into(),
         label: format!("before: {}", units.speed_in_words(analysis.speed(id))),

@@ -1,8 +1,8 @@
 //! The scene: both vehicles at impact, seen from above.
 
 use ::drawing::{SceneArrow, SceneBody, SceneMotion, ScenePicture, SceneVehicle};
-use analysis::{Analysis, Impact};
-use case::{Axes, Case};
+use analysis::{Analysis, Exchange, Seen};
+use case::{Axes, Case, Geometry};
 use pim_core::{Contact, Real, Vector2, VehicleId};
 
 use super::vehicle::{Body, DrawnOutline, profile};
@@ -41,19 +41,22 @@ pub(super) fn plain(case: &Case, analysis: &Analysis, units: Units) -> Result<Sc
 
 /// Without arrows where the analysis has the geometry alone.
 pub(super) fn picture(case: &Case, analysis: &Analysis, units: Units) -> Result<ScenePicture, DrawingError> {
-    let impact = analysis.impact.as_ref();
-    let contact = impact.map(|impact| &impact.contact).or(analysis.geometry.as_ref());
-    let contact = contact.ok_or(DrawingError::NoImpact { subject: Subject::Scene })?;
-    let seen = analysis.seen(case.axes);
+    let no_scene = DrawingError::NoImpact { subject: Subject::Scene };
+    if analysis.both.as_ref().is_some_and(|both| both.geometry != Geometry::Given) {
+        return Err(no_scene);
+    }
+    let contact = analysis.impact.as_ref().map(|impact| &impact.contact).or(analysis.geometry.as_ref());
+    let contact = contact.ok_or(no_scene)?;
+    let exchange = analysis.exchange();
     Ok(ScenePicture {
         title: title(case),
-        description: description(case, seen.impact.as_ref(), units),
+        description: description(case, &analysis.seen(case.axes), units),
         is_z_down: case.axes == Axes::ZDown,
         is_plain: false,
-        vehicles: VehicleId::ALL.map(|id| vehicle(case, analysis, contact, id, units)),
+        vehicles: VehicleId::ALL.map(|id| vehicle(case, analysis, (contact, exchange.as_ref()), id, units)),
         normal: contact.normal().into(),
-        impulse: impact.map(|impact| {
-            let vector = impact.outcome.impulse_vector;
+        impulse: exchange.map(|exchange| {
+            let vector = exchange.impulse_vector;
             let label = format!("P {}", units.format(Measure::Impulse, length(vector)));
             SceneArrow { vector: vector.into(), label }
         }),
@@ -62,7 +65,13 @@ pub(super) fn picture(case: &Case, analysis: &Analysis, units: Units) -> Result<
     })
 }
 
-fn vehicle(case: &Case, analysis: &Analysis, contact: &Contact, id: VehicleId, units: Units) -> SceneVehicle {
+fn vehicle(
+    case: &Case,
+    analysis: &Analysis,
+    (contact, exchange): (&Contact, Option<&Exchange>),
+    id: VehicleId,
+    units: Units,
+) -> SceneVehicle {
     let i = id.index();
     let participant = &contact.participants()[i];
     let body = Body::of(&case.vehicles[i], &analysis.vehicles[i]);
@@ -94,7 +103,9 @@ fn vehicle(case: &Case, analysis: &Analysis, contact: &Contact, id: VehicleId, u
         cg: (-participant.arm()).into(),
         forward: participant.forward().into(),
         is_fixed,
-        motion: analysis.impact.as_ref().filter(|_| !is_fixed).map(|impact| motion(impact, id, units)),
+        motion: exchange.filter(|_| !is_fixed).map(|exchange| {
+            motion(exchange, analysis.speed(id), participant.forward(), i, units)
+        }),
     }
 }
 
@@ -120,21 +131,24 @@ pub(super) fn scene_body(
     }
 }
 
-fn motion(impact: &Impact, id: VehicleId, units: Units) -> SceneMotion {
-    let i = id.index();
-    let outcome = &impact.outcome;
+fn motion(
+    exchange: &Exchange,
+    speed: f64,
+    forward: Vector2<f64>,
+    i: usize,
+    units: Units,
+) -> SceneMotion {
     let number = ["₁", "₂"][i];
     let arrow = |velocity: Vector2<f64>, label: String| SceneArrow { vector: velocity.into(), label };
-    let before = format!("v{number} before: {}", units.speed_in_words(impact.speed(id)));
-    let after = outcome.after[i].velocity;
+    let before = format!("v{number} before: {}", units.speed_in_words(speed));
+    let after = exchange.velocities[i];
     let size = units.format(Measure::RoadSpeed, length(after));
     // The heading, turned clockwise by the PDOF.
-    let forward = outcome.forward[i];
-    let (sin, cos) = Real::sin_cos(impact.pdof[i]);
+    let (sin, cos) = Real::sin_cos(exchange.pdof[i]);
     let from = [forward.x * cos + forward.y * sin, forward.y * cos - forward.x * sin];
-    let pdof = units.format(Measure::Angle, impact.pdof[i]);
+    let pdof = units.format(Measure::Angle, exchange.pdof[i]);
     SceneMotion {
-        before: arrow(outcome.before[i].velocity, before),
+        before: arrow(exchange.before[i].velocity, before),
         after: arrow(after, format!("V{number} after: {size}")),
         force_from: SceneArrow { vector: from, label: format!("PDOF{number} {pdof}") },
     }
@@ -145,7 +159,8 @@ fn length(vector: Vector2<f64>) -> f64 {
 }
 
 /// In the axes of the case, and so is the impact.
-fn description(case: &Case, impact: Option<&Impact>, units: Units) -> String {
+fn description(case: &Case, analysis: &Seen, units: Units) -> String {
+    let exchange = analysis.exchange();
     let mut sentences = vec!["Both vehicles from above at the moment of impact, to scale.".to_owned()];
     for id in VehicleId::ALL {
         let i = id.index();
@@ -161,26 +176,25 @@ fn description(case: &Case, impact: Option<&Impact>, units: Units) -> String {
             units.format(Measure::Angle, heading),
             axes::sense(case.axes)
         );
-        let Some(impact) = impact else {
+        let Some(exchange) = exchange else {
             sentences.push(format!("{heads}."));
             continue;
         };
-        let outcome = &impact.outcome;
         sentences.push(format!(
             "{heads}; its velocity is {} before and {} after the impact; the force on it comes from {} clockwise of its heading.",
-            units.format_vector(Measure::RoadSpeed, outcome.before[i].velocity.into()),
-            units.format_vector(Measure::RoadSpeed, outcome.after[i].velocity.into()),
-            units.format(Measure::Angle, impact.pdof[i]),
+            units.format_vector(Measure::RoadSpeed, exchange.before[i].velocity.into()),
+            units.format_vector(Measure::RoadSpeed, exchange.velocities[i].into()),
+            units.format(Measure::Angle, exchange.pdof[i]),
         ));
     }
-    let Some(Impact { outcome, .. }) = impact else {
+    let Some(exchange) = exchange else {
         sentences.push("The speeds are not known.".to_owned());
         return sentences.join(" ");
     };
     sentences.push(format!(
         "The impulse of {} on vehicle 1 at the contact point C points to {} in the scene.",
-        units.format(Measure::Impulse, length(outcome.impulse_vector)),
-        units.format(Measure::Angle, outcome.impulse_direction()),
+        units.format(Measure::Impulse, length(exchange.impulse_vector)),
+        units.format(Measure::Angle, exchange.impulse_direction()),
     ));
     sentences.join(" ")
 }

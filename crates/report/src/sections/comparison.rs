@@ -31,6 +31,11 @@ pub fn comparison(case: &Case, comparison: &Comparison, units: Units) -> Documen
     if let Some(by) = &comparison.evidence {
         by_evidence(&mut page, &evidence(by, units), units);
     }
+    if case.impact.is_none() {
+        page.paragraph("The file has no [impact], so there are no impact laws to compare.".to_owned());
+        page.blocks.extend(warnings::of_analysis(&comparison.own, case, units));
+        return page;
+    }
     let seeks_both = comparison.own.both.is_some();
     for quantity in [Measure::RoadSpeed, Measure::Speed] {
         let value = |si: Option<f64>| plain(quantity, si);
@@ -144,7 +149,7 @@ fn by_evidence(page: &mut Document, by: &EvidenceBlock, units: Units) {
     let energy = |si: f64| units.format(Measure::Energy, si);
     row("closing speed −u_n", &|said| said.closing_speed.map(|speed| units.speed(speed)));
     row("crush energy needed", &|said| said.crush_energy_needed.map(energy));
-    row("crush energy measured", &|_| Some(energy(by.crush_energy)));
+    row("crush energy measured", &|_| by.crush_energy.map(energy));
     row("energy loss E_L", &|said| said.energy_loss.map(energy));
     page.push(table);
     let says = |said: &EvidenceRow| if said.error.is_empty() { &said.how } else { &said.error }.clone();

@@ -4,7 +4,7 @@ mod inputs;
 
 use ::drawing::{Drawing, SitePlan};
 use analysis::{
-    Analysis, EstimateOutput, Estimated, Impact, Output, Seen, SeenWarning, Sensitivity, UncertainInput,
+    Analysis, EnergyBalance, EstimateOutput, Estimated, Output, Seen, SeenWarning, Sensitivity, UncertainInput,
     UncertainOutput, Uncertainty, Weighed,
 };
 use case::{Axes, Basis, CaseFile, Estimate, Origin, ReportHead};
@@ -59,7 +59,7 @@ pub fn handover(
     let case = &file.case;
     let seen = &analysis.seen(case.axes);
     // One vehicle alone, or a motion alone, has nothing to do with the staged collisions.
-    let is_collision = analysis.impact.is_some() || analysis.crash3.is_some();
+    let is_collision = analysis.exchange().is_some() || analysis.crash3.is_some();
     let supplements =
         Supplements { validation: supplements.validation.filter(|_| is_collision), ..supplements };
     let Supplements { uncertainty, sensitivity, validation, site_plan, weighed, estimated: _ } = supplements;
@@ -99,6 +99,9 @@ pub fn handover(
             page.push(table);
         }
     }
+    if let Some(table) = motion::law_check(seen, units) {
+        page.push(table);
+    }
     for table in motion::tables(seen, units) {
         page.push(table);
     }
@@ -136,9 +139,9 @@ pub fn handover(
          repeated in the units of the other tables. atan2(y, x) is the angle of the point (x, y)."
     ));
     page.blocks.extend(steps(case, analysis, units).into_iter().map(Block::Steps));
-    if let Some(impact) = &seen.impact {
+    if let Some(exchange) = seen.exchange() {
         page.heading("Energy balance");
-        page.push(energy_balance(seen, impact, units));
+        page.push(energy_balance(seen, &exchange.energy, units));
     }
     if let Some(checks) = checks::table(seen, units) {
         page.heading(checks.title.clone());
@@ -156,11 +159,15 @@ pub fn handover(
     page.push(Block::List(assumptions(file, analysis, units)));
     if let Some(table) = crash3(seen, units) {
         page.heading("Appendix: ΔV by CRASH3's formulas");
-        if seen.impact.is_some() {
-            page.paragraph(
-                "The ΔV of this report is that of planar impact mechanics, the first row. CRASH3's formulas \
-                 stand here for comparison only.",
-            );
+        if seen.exchange().is_some() {
+            let of = match seen.both.as_ref().filter(|both| !both.is_by_crush()) {
+                Some(_) => "momentum",
+                None => "planar impact mechanics",
+            };
+            page.paragraph(format!(
+                "The ΔV of this report is that of {of}, the first row. CRASH3's formulas stand here for comparison \
+                 only."
+            ));
         }
         page.push(table);
     }
@@ -203,8 +210,11 @@ fn drawings(
 }
 
 fn identification(file: &CaseFile, analysis: &Analysis) -> Vec<(&'static str, String)> {
-    let kind = match (&analysis.found, &analysis.impact) {
+    let kind = match (&analysis.found, analysis.exchange()) {
         (Some(_), _) => "reconstruction: a speed from the damage of both vehicles",
+        (None, Some(_)) if analysis.both.as_ref().is_some_and(|both| both.sought().is_some()) => {
+            "reconstruction: a speed from how the vehicles left the impact"
+        }
         (None, Some(_)) if analysis.both.is_some() => {
             "reconstruction: both speeds from how the vehicles left the impact"
         }
@@ -275,13 +285,13 @@ fn answer(analysis: &Analysis, supplements: Supplements<'_>, units: Units) -> Bl
         found.push(format!("Speed of vehicle {vehicle} before impact: {speed}."));
     }
     if let Some(both) = &analysis.both {
-        for vehicle in VehicleId::ALL {
+        for vehicle in both.vehicles() {
             let speed = said(Output::Speed { vehicle }, both.speeds[vehicle.index()]);
             found.push(format!("Speed of vehicle {vehicle} before impact: {speed}."));
         }
     }
-    let is_motion = analysis.impact.is_none() && analysis.travel.iter().any(Option::is_some);
-    match (&analysis.impact, &analysis.crash3) {
+    let is_motion = analysis.exchange().is_none() && analysis.travel.iter().any(Option::is_some);
+    match (analysis.exchange(), &analysis.crash3) {
         _ if is_motion => {
             let ways = VehicleId::ALL.into_iter().zip(&analysis.travel);
             found.extend(
@@ -289,7 +299,7 @@ fn answer(analysis: &Analysis, supplements: Supplements<'_>, units: Units) -> Bl
             );
         }
         (Some(_), _) if let Some(both) = &analysis.both => found.extend(changes(both.delta_v)),
-        (Some(impact), _) => found.extend(changes(impact.outcome.delta_v_magnitude())),
+        (Some(exchange), _) => found.extend(changes(exchange.delta_v.map(|change| change.norm()))),
         (None, Some(crash3)) => found.extend(changes(crash3.delta_v)),
         (None, None) => found.push("The damage gives the crush energies below.".to_owned()),
     }
@@ -483,7 +493,7 @@ fn of_vehicles(title: &str) -> Table {
 fn results(analysis: &Seen, units: Units) -> Table {
     let chosen = Chosen { analysis, units };
     let mut table = of_vehicles("Results at a glance");
-    if analysis.impact.is_some() {
+    if analysis.exchange().is_some() {
         chosen.pair(&mut table, "skid.speed");
         chosen.pair(&mut table, "speed");
         chosen.pair(&mut table, "final_speed");
@@ -497,7 +507,7 @@ fn results(analysis: &Seen, units: Units) -> Table {
     table
 }
 
-fn energy_balance(analysis: &Seen, impact: &Impact, units: Units) -> Table {
+fn energy_balance(analysis: &Seen, of: &EnergyBalance, units: Units) -> Table {
     let mut table = Table::of_two("Energy balance", ["energy", "share of the initial energy", "source"]);
     for key in [
         "impact.initial_energy",
@@ -507,7 +517,7 @@ fn energy_balance(analysis: &Seen, impact: &Impact, units: Units) -> Table {
         "impact.energy_loss",
         "impact.final_energy",
     ] {
-        let share = |si: f64| energy::share(si, &impact.outcome.energy);
+        let share = |si: f64| energy::share(si, of);
         Chosen { analysis, units }.energy(&mut table, key, "", share);
     }
     table.notes = energy::notes(analysis, units);
@@ -520,8 +530,13 @@ fn crash3(analysis: &Seen, units: Units) -> Option<Table> {
     let pair = |values: [f64; 2]| {
         VehicleId::ALL.map(|id| analysis.moves(id).then(|| units.speed(values[id.index()])))
     };
+    if let Some(both) = analysis.both.as_ref().filter(|both| !both.is_by_crush()) {
+        table.pair("momentum", pair(both.delta_v), "theory 10");
+    }
     if let Some(impact) = &analysis.impact {
-        table.pair("planar impact mechanics", pair(impact.outcome.delta_v_magnitude()), "theory 2");
+        let label = "planar impact mechanics";
+        let label = if analysis.law_check().is_some() { "impact law of the case, a check" } else { label };
+        table.pair(label, pair(impact.outcome.delta_v_magnitude()), "theory 2");
     }
     table.pair("CRASH3, uncorrected", pair(crash3.delta_v), "Eq 6, 7");
     if let Some(corrected) = crash3.corrected {
@@ -541,7 +556,7 @@ fn crash3(analysis: &Seen, units: Units) -> Option<Table> {
 /// What the analysis rests on besides the numbers.
 fn assumptions(file: &CaseFile, analysis: &Analysis, units: Units) -> Vec<String> {
     let mut assumptions = Vec::new();
-    if analysis.impact.is_some() || analysis.crash3.is_some() {
+    if analysis.exchange().is_some() || analysis.crash3.is_some() {
         assumptions.push(
             "Two rigid bodies collide in the plane in one instantaneous impact, without tyre forces; the crush \
              changes neither positions nor inertias."

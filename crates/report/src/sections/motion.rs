@@ -1,7 +1,7 @@
 //! The motion after the impact in words and tables.
 
 use analysis::{BothFound, BothMethod, ClosedForm, Seen, Travel, TravelOrigin};
-use case::{Basis, Case, RestHeadingData};
+use case::{Basis, Case, Geometry, RestHeadingData};
 use pim_core::VehicleId;
 
 use super::chosen::Chosen;
@@ -22,7 +22,21 @@ pub(crate) fn how(both: &BothFound, analysis: &Seen, units: Units) -> String {
     match &both.method {
         BothMethod::Momentum => format!(
             "The speeds follow from momentum alone and {left}; the headings differ by {angle} (theory 10). The \
-             crush energy, where the case has it, is a check."
+             crush energy, where the case has it, is a check.{}",
+            point_masses(both)
+        ),
+        BothMethod::MomentumAndSpeed { given } => format!(
+            "The speed follows from momentum along the heading of vehicle {}, from the speed of vehicle {given}, \
+             which the case gives ({}), and from {left}; the headings differ by {angle} (theory 10).{}",
+            given.other(),
+            units.speed(both.speeds[given.index()]),
+            point_masses(both)
+        ),
+        BothMethod::Wall { vehicle, restitution } => format!(
+            "The object that vehicle {vehicle} hit is fixed and takes momentum, so that the speed follows from {left}, and \
+             from the restitution of {} that the case gives: along the normal the vehicle comes back with that share of \
+             its speed (theory 10).",
+            number(*restitution, 4)
         ),
         BothMethod::MomentumAndCrush { crush_energy, admissible, .. } => {
             let pairs = match admissible.len() {
@@ -41,6 +55,18 @@ pub(crate) fn how(both: &BothFound, analysis: &Seen, units: Units) -> String {
                  {energy} (theory 10){stands_for}. {pairs}."
             )
         }
+    }
+}
+
+/// What is not known where only masses and headings are given.
+fn point_masses(both: &BothFound) -> &'static str {
+    match both.geometry {
+        Geometry::PointMasses => {
+            " The case does not give the contact point and the yaw inertia of both vehicles and [impact], which do not \
+             change the speeds: the vehicles count as point masses, the energy is that of their translation, and \
+             restitution and closing speed are those along the impulse."
+        }
+        Geometry::Given | Geometry::Plane => "",
     }
 }
 
@@ -122,7 +148,7 @@ pub(crate) fn momentum(analysis: &Seen, both: &BothFound, units: Units) -> [Tabl
     }
     chosen.shared(&mut whole, "momentum.critical_impulse_ratio");
     chosen.shared_vector(&mut whole, "momentum.impulse");
-    if matches!(both.method, BothMethod::MomentumAndCrush { .. }) {
+    if matches!(both.method, BothMethod::MomentumAndCrush { .. } | BothMethod::MomentumAndSpeed { .. }) {
         chosen.shared(&mut whole, "momentum.disagreement");
     }
     for key in ["momentum.energy_loss", "momentum.normal_work", "momentum.tangential_work"] {
@@ -132,12 +158,58 @@ pub(crate) fn momentum(analysis: &Seen, both: &BothFound, units: Units) -> [Tabl
     for key in ["momentum.delta_v", "momentum.pdof", "momentum.final_yaw_rate"] {
         chosen.pair(&mut of_vehicles, key);
     }
-    of_vehicles.notes.push(
-        "These figures follow from the speeds found and the velocities after the impact alone. The tables of \
-         the impact follow from the same speeds by the impact law of the case."
-            .to_owned(),
-    );
+    let mut note =
+        "These figures follow from the speeds found and the velocities after the impact alone.".to_owned();
+    if both.geometry == Geometry::Given {
+        note.push_str(if both.implied.is_yaw_known {
+            " The restitution is that of the motions at C: of the velocities, and of the yaw rates that are known."
+        } else {
+            " No yaw rate after the impact is known, so the restitution is that after the impulse at C, under which both \
+             vehicles are free to turn."
+        });
+    }
+    if both.is_by_crush() {
+        note.push_str(" The tables of the impact follow from the same speeds by the impact law of the case.");
+    }
+    of_vehicles.notes.push(note);
     [whole, of_vehicles]
+}
+
+/// What the impact law of the case makes of the speeds that momentum gave, beside what the evidence tells;
+/// nothing where momentum did not give them, or the case has no law.
+pub(crate) fn law_check(analysis: &Seen, units: Units) -> Option<Table> {
+    let (law, told) = (analysis.law_check()?, analysis.exchange()?);
+    let outcome = &law.outcome;
+    let mut table = Table::of_two("Check: the impact law", ["vehicle 1", "vehicle 2", "source"]);
+    let pair = |value: &dyn Fn(usize) -> Option<String>| {
+        VehicleId::ALL.map(|id| analysis.moves(id).then(|| value(id.index())).flatten())
+    };
+    let by_law = outcome.delta_v_magnitude();
+    let told_delta_v = told.delta_v.map(|change| change.norm());
+    table.pair("ΔV by the law", pair(&|i| Some(units.speed(by_law[i]))), "theory 2");
+    table.pair("  more than above", pair(&|i| Some(units.speed(by_law[i] - told_delta_v[i]))), "");
+    let speed = |i: usize| outcome.after[i].velocity.norm();
+    table.pair("speed after by the law", pair(&|i| Some(units.speed(speed(i)))), "theory 2");
+    table.pair("  more than above", pair(&|i| Some(units.speed(speed(i) - told.velocities[i].norm()))), "");
+    table.pair(
+        "yaw rate after by the law",
+        pair(&|i| Some(units.yaw_rate(outcome.after[i].yaw_rate))),
+        "theory 2",
+    );
+    table.pair(
+        "  more than above",
+        pair(&|i| Some(units.yaw_rate(outcome.after[i].yaw_rate - told.yaw_rates[i]?))),
+        "",
+    );
+    table.pair("PDOF by the law", pair(&|i| Some(units.format(Measure::Angle, law.pdof[i]))), "theory 4");
+    table.notes.push(format!(
+        "At the speeds found, the impact law of the case with its restitution of {} would lose {}, and momentum tells {}. \
+         Nothing above rests on this: the more the two differ, the less the law or its coefficients fit this collision.",
+        number(law.law.restitution(), 4),
+        units.format(Measure::Energy, outcome.energy.loss),
+        units.format(Measure::Energy, told.energy.loss),
+    ));
+    Some(table)
 }
 
 /// The way to rest of both vehicles; nothing where none is followed.

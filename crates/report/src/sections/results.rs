@@ -1,18 +1,18 @@
 //! A finished analysis as text for the terminal and the file.
 
 use analysis::{
-    Analysis, BothFound, BothMethod, Crash3, Damage, Found, Impact, Inferred, Seen, SeenWarning, Weighed,
+    Analysis, BothFound, Crash3, Damage, EnergyBalance, Exchange, Found, Inferred, Seen, SeenWarning, Weighed,
 };
 use case::{Axes, Basis, Case, Pdof, Text, Velocity, YawSource};
 use crash3::{SideStiffness, Stiffness, UniformCrush};
-use pim_core::{Outcome, Regime, VehicleId};
+use pim_core::{Regime, VehicleId};
 
 use super::chosen::{Chosen, label};
 use super::headline::{DETAIL, Headline};
 use super::motion;
 use crate::document::{Block, Document, Table};
 use crate::units::{Measure, Units};
-use crate::{axes, basis, checks, energy, law, warnings, words};
+use crate::{axes, basis, checks, law, warnings, words};
 
 /// A crush that was not measured: how deep it is where the width is known, and its bounds where it is not.
 fn inferred_crush(inferred: &Inferred, units: Units) -> String {
@@ -75,13 +75,16 @@ fn headed(case: &Case, analysis: &Analysis, headline: Headline<'_>, units: Units
     if let Some(both) = &analysis.both {
         page.momentum(analysis, both);
     }
-    if let Some(impact) = &analysis.impact {
-        page.impact(analysis, impact);
+    if let Some(exchange) = analysis.exchange() {
+        page.impact(analysis, &exchange);
         page.motion(analysis);
         if let Some(note) = motion::skids_on_a_grade(case, analysis) {
             page.document.paragraph(note);
         }
-        page.energy(analysis, &impact.outcome);
+        page.energy(analysis, &exchange.energy);
+    }
+    if let Some(table) = motion::law_check(analysis, units) {
+        page.document.push(table);
     }
     page.travel(analysis);
     page.damage(analysis);
@@ -172,7 +175,8 @@ impl Page<'_> {
         let of =
             |id: VehicleId| format!("Speed of vehicle {id}: {}", units.speed_along(both.speeds[id.index()]));
         let change = |id: VehicleId| format!("ΔV of vehicle {id}: {}", units.speed(both.delta_v[id.index()]));
-        let found = VehicleId::ALL.into_iter().map(of).chain(VehicleId::ALL.into_iter().map(change));
+        let moving = VehicleId::ALL.into_iter().filter(|id| analysis.moves(*id));
+        let found = both.vehicles().map(of).chain(moving.map(change));
         self.answer(found.collect(), motion::how(both, analysis, units));
     }
 
@@ -243,7 +247,11 @@ impl Page<'_> {
             known(&|i| is_placed(i).then(|| "centroid of the damage".to_owned())),
             "",
         );
-        let sought = |i: usize| analysis.found.as_ref().is_some_and(|found| found.unknown.index() == i);
+        let sought = |i: usize| {
+            let by_momentum = analysis.both.as_ref().and_then(|both| both.sought());
+            analysis.found.as_ref().is_some_and(|found| found.unknown.index() == i)
+                || by_momentum.is_some_and(|vehicle| vehicle.index() == i)
+        };
         table.pair(
             "speed",
             known(&|i| match &vehicles[i].motion {
@@ -417,23 +425,31 @@ impl Page<'_> {
         }
     }
 
-    fn impact(&mut self, analysis: &Seen, impact: &Impact) {
+    fn impact(&mut self, analysis: &Seen, exchange: &Exchange) {
         let chosen = Chosen { analysis, units: self.units };
+        // Momentum tells neither a moment nor whether friction sufficed.
+        let impact = analysis.impact.as_ref().filter(|_| analysis.law_check().is_none());
         let mut table = Table::of_two("Impact", ["along n", "along t", "source"]);
         for keys in [
             ["impact.normal_velocity.before", "impact.tangential_velocity.before"],
             ["impact.normal_velocity.after", "impact.tangential_velocity.after"],
             ["impact.normal_impulse", "impact.tangential_impulse"],
         ] {
-            chosen.along(&mut table, keys);
+            if exchange.at_contact.is_some() {
+                chosen.along(&mut table, keys);
+            }
         }
-        self.document.push(table);
+        if exchange.at_contact.is_some() {
+            self.document.push(table);
+        }
         let mut table = Table::of_two("Impact as a whole", ["", "", "source"]);
         chosen.shared(&mut table, "impact.moment_impulse");
         // As many digits as the coefficient has, which the case gives; that of a curve has no end.
-        let e = (impact.law.restitution() * 1e4).round() / 1e4;
-        chosen.shared_with(&mut table, "impact.restitution", |_| e.to_string());
-        if let Some(regime) = impact.outcome.regime {
+        if let Some(e) = exchange.restitution {
+            let e = (e * 1e4).round() / 1e4 + 0.0;
+            chosen.shared_with(&mut table, "impact.restitution", |_| e.to_string());
+        }
+        if let Some(regime) = impact.and_then(|impact| impact.outcome.regime) {
             let regime = match regime {
                 Regime::Full => "sufficient for the tangential condition",
                 Regime::Sliding => "insufficient: sliding continues until separation",
@@ -442,7 +458,7 @@ impl Page<'_> {
         }
         chosen.shared(&mut table, "impact.impulse_ratio");
         chosen.shared(&mut table, "impact.critical_impulse_ratio");
-        if impact.outcome.critical_impulse_ratio.is_none() {
+        if impact.is_some_and(|impact| impact.outcome.critical_impulse_ratio.is_none()) {
             let label = label("impact.critical_impulse_ratio");
             table.shared(label, "none: no push can end the sliding", "theory 3");
         }
@@ -469,10 +485,10 @@ impl Page<'_> {
         self.document.push(table);
     }
 
-    fn energy(&mut self, analysis: &Seen, outcome: &Outcome) {
+    fn energy(&mut self, analysis: &Seen, energy: &EnergyBalance) {
         let chosen = Chosen { analysis, units: self.units };
         let mut table = Table::of_two("Energy", ["", "share of initial", "source"]);
-        let share = |si: f64| energy::share(si, &outcome.energy);
+        let share = |si: f64| crate::energy::share(si, energy);
         for (key, indent) in [
             ("impact.initial_energy", ""),
             ("impact.final_energy", ""),
@@ -483,7 +499,7 @@ impl Page<'_> {
         ] {
             chosen.energy(&mut table, key, indent, share);
         }
-        table.notes = energy::notes(analysis, self.units);
+        table.notes = crate::energy::notes(analysis, self.units);
         self.document.push(table);
     }
 
@@ -510,8 +526,9 @@ impl Page<'_> {
         chosen.pair(&mut table, "crush_energy");
         // That of the impulse stands above; here is the one that the file puts in its place.
         let is_given = |i: usize| analysis.vehicles[i].subject.pdof().is_some();
-        if analysis.impact.is_none() || [0, 1].into_iter().any(is_given) {
-            let label = if analysis.impact.is_none() { label("pdof") } else { "PDOF that CRASH3 uses" };
+        let is_alone = analysis.exchange().is_none();
+        if is_alone || [0, 1].into_iter().any(is_given) {
+            let label = if is_alone { label("pdof") } else { "PDOF that CRASH3 uses" };
             let pdof = |i: usize| Some(units.format(Measure::Angle, analysis.vehicles[i].crash3_pdof()?));
             table.pair(label, [0, 1].map(pdof), "theory 5");
         }
@@ -539,9 +556,9 @@ impl Page<'_> {
         });
         self.document.push(table);
         let mut table = Table::of_two("CRASH3 by vehicle", SOURCED);
-        if analysis.impact.is_some() {
+        if analysis.exchange().is_some() {
             let of = match &analysis.both {
-                Some(BothFound { method: BothMethod::Momentum, .. }) => "that of momentum",
+                Some(both) if !both.is_by_crush() => "that of momentum",
                 _ => "that of the impact",
             };
             table.notes.push(format!(

@@ -35,7 +35,8 @@ pub(super) fn groups(case: &Case, analysis: &Seen) -> Vec<StepGroup> {
             .each_ref()
             .map(|vehicle| vehicle.subject.inertia.and_then(|v| Some((v.mass, v.yaw_inertia?)))),
     };
-    vec![
+    let is_check = analysis.law_check().is_some();
+    let mut groups = vec![
         group("Geometry", collision.geometry()),
         group("Contact inverse mass", collision.inverse_mass()),
         group("Speed", analysis.found.as_ref().map_or_else(Vec::new, |found| collision.speed(found))),
@@ -45,7 +46,13 @@ pub(super) fn groups(case: &Case, analysis: &Seen) -> Vec<StepGroup> {
         group("Motion of vehicle 1 after impact", collision.motion(VehicleId::One)),
         group("Motion of vehicle 2 after impact", collision.motion(VehicleId::Two)),
         group("Energy balance", collision.energy()),
-    ]
+    ];
+    if is_check {
+        for group in &mut groups {
+            group.title = format!("Check by the impact law: {}", group.title);
+        }
+    }
+    groups
 }
 
 impl Collision<'_> {

@@ -11,9 +11,10 @@ use super::{Step, StepGroup, angle, given, group, n, p, step};
 pub(super) fn both(case: &Case, analysis: &Seen) -> Vec<StepGroup> {
     let Some(both) = &analysis.both else { return Vec::new() };
     let momentum = Momentum { case, analysis, both };
+    let title = if both.sought().is_some() { "Speed" } else { "Both speeds" };
     vec![
         group("Velocities after impact, by the evidence", momentum.departures()),
-        group("Both speeds", momentum.speeds()),
+        group(title, momentum.speeds()),
     ]
 }
 
@@ -36,7 +37,7 @@ impl Momentum<'_> {
     /// How the vehicles left the impact: what a simulation found has no equation to put numbers into.
     fn departures(&self) -> Vec<Step> {
         let mut steps = Vec::new();
-        for k in VehicleId::ALL {
+        for k in VehicleId::ALL.into_iter().filter(|k| self.analysis.moves(*k)) {
             let velocity = self.both.momentum.after[k.index()].velocity;
             let travel = self.analysis.travel[k.index()].as_ref();
             let is_found = travel.is_some_and(|travel| travel.origin.is_by_rest());
@@ -89,6 +90,8 @@ impl Momentum<'_> {
         }
         match self.both.method {
             BothMethod::Momentum => steps.extend(self.crossing()),
+            BothMethod::MomentumAndSpeed { given } => steps.extend(self.beside(given)),
+            BothMethod::Wall { vehicle, restitution } => return self.wall(vehicle, restitution),
             BothMethod::MomentumAndCrush { .. } => steps.extend(self.collinear()),
         }
         steps
@@ -126,6 +129,72 @@ impl Momentum<'_> {
                 "theory 10",
             ),
         ];
+        steps.extend(self.delta_v());
+        steps
+    }
+
+    /// The speed along the heading of one vehicle, beside that of the other.
+    fn beside(&self, other: VehicleId) -> Vec<Step> {
+        let k = other.other();
+        let total = self.both.momentum.total();
+        let (x, y) = (n(total.x, "N·s"), n(total.y, "N·s"));
+        let heading = angle(self.heading(k));
+        let between = angle(self.heading(other) - self.heading(k));
+        let known = self.both.speeds[other.index()];
+        let mut steps = vec![
+            given(format!("speed of vehicle {other}"), format!("v_{other}"), known, "m/s", "input"),
+            step(
+                format!("speed of vehicle {k}"),
+                format!("v_{k}"),
+                format!("(p_x cos θ_{k} + p_y sin θ_{k} − m_{other} v_{other} cos(θ_{other} − θ_{k}))/m_{k}"),
+                format!(
+                    "({x} · cos{heading} + {y} · sin{heading} − {} · {} · cos{between}) / {}",
+                    n(self.mass(other), "kg"),
+                    n(known, "m/s"),
+                    n(self.mass(k), "kg")
+                ),
+                self.both.speeds[k.index()],
+                "m/s",
+                "theory 10",
+            ),
+        ];
+        steps.extend(self.delta_v());
+        steps
+    }
+
+    /// The speed into a fixed object is the root of a linear equation; it is checked by the restitution.
+    fn wall(&self, k: VehicleId, restitution: f64) -> Vec<Step> {
+        let implied = &self.both.implied;
+        vec![
+            given(
+                format!("speed of vehicle {k}, found with U_n = −e u_n"),
+                format!("v_{k}"),
+                self.both.speeds[k.index()],
+                "m/s",
+                "theory 10",
+            ),
+            given("restitution", "e", restitution, "", "input"),
+            given(
+                "relative velocity at C along n, before",
+                "u_n",
+                implied.approach.normal,
+                "m/s",
+                "theory 10",
+            ),
+            step(
+                "relative velocity at C along n, after",
+                "U_n",
+                "−e u_n",
+                format!("−{} · {}", n(restitution, ""), n(implied.approach.normal, "m/s")),
+                implied.separation.normal,
+                "m/s",
+                "theory 10",
+            ),
+        ]
+    }
+
+    fn delta_v(&self) -> Vec<Step> {
+        let mut steps = Vec::new();
         for k in VehicleId::ALL {
             let after = self.both.momentum.after[k.index()].velocity;
             let before = self.both.implied.before[k.index()].velocity;

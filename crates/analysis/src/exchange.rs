@@ -1,0 +1,209 @@
+//! What the impact did, one value for each quantity.
+
+use inputs::Geometry;
+use pim_core::{Energy, Motion, NormalTangential, Outcome, Real, Vector2};
+
+use crate::{Analysis, BothFound, Impact, Seen};
+
+/// What the impact did, by what gave the speeds: where momentum did, the motions after the impact that the
+/// evidence tells; else what the impact law makes of the speeds.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct Exchange {
+    /// The motions before.
+    pub before: [Motion; 2],
+    /// (m/s) the velocities after.
+    pub velocities: [Vector2<f64>; 2],
+    /// (rad/s) the yaw rates after; `None` of point masses whose case does not give them.
+    pub yaw_rates: [Option<f64>; 2],
+    /// (m/s) ΔV vectors V − v in the scene frame.
+    pub delta_v: [Vector2<f64>; 2],
+    /// (m/s) ΔV along each vehicle's own forward axis and to its left, or to its right in z-down axes.
+    pub delta_v_components: [[f64; 2]; 2],
+    /// (rad) principal directions of force.
+    pub pdof: [f64; 2],
+    /// (N·s) the impulse on vehicle 1 in the scene frame.
+    pub impulse_vector: Vector2<f64>,
+    /// The energy balance. By momentum, what is left of the loss beside both works is counted as work of a
+    /// moment: yaw rates that are known need not be those of an impulse at C. Of point masses all is normal
+    /// work.
+    pub energy: EnergyBalance,
+    /// (m/s) −u_n: how fast the vehicles close along the normal at C; of point masses, along the impulse.
+    pub closing_speed: f64,
+    /// (–) e at C, along the normal; of point masses, along the impulse. `None` where they do not close.
+    pub restitution: Option<f64>,
+    /// What happened at C; `None` of point masses.
+    pub at_contact: Option<AtContact>,
+}
+
+/// What happened at the contact point, along n and t.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct AtContact {
+    /// Unit normal in the scene frame.
+    pub normal: Vector2<f64>,
+    /// (m/s) u and U.
+    pub velocities: [NormalTangential<f64>; 2],
+    /// (N·s) P on vehicle 1.
+    pub impulse: NormalTangential<f64>,
+    /// (–) P_t/P_n; `None` where P does not push.
+    pub impulse_ratio: Option<f64>,
+    /// (–) μ_c.
+    pub critical_impulse_ratio: Option<f64>,
+}
+
+/// (J) where the kinetic energy went.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct EnergyBalance {
+    /// (J) of both vehicles before.
+    pub before: f64,
+    /// (J) the same after.
+    pub after: f64,
+    /// (J) E_L.
+    pub loss: f64,
+    /// (J) W_n.
+    pub normal_work: f64,
+    /// (J) W_t.
+    pub tangential_work: f64,
+    /// (J) W_m.
+    pub moment_work: f64,
+}
+
+impl From<Energy> for EnergyBalance {
+    fn from(energy: Energy) -> Self {
+        Self {
+            before: energy.before,
+            after: energy.after,
+            loss: energy.loss,
+            normal_work: energy.normal_work,
+            tangential_work: energy.tangential_work,
+            moment_work: energy.moment_work,
+        }
+    }
+}
+
+impl AtContact {
+    fn of_outcome(impact: &Impact) -> Self {
+        let outcome = &impact.outcome;
+        Self {
+            normal: impact.contact.normal(),
+            velocities: [outcome.approach, outcome.separation],
+            impulse: outcome.impulse,
+            impulse_ratio: Some(outcome.impulse_ratio),
+            critical_impulse_ratio: outcome.critical_impulse_ratio,
+        }
+    }
+}
+
+impl Exchange {
+    /// What the impact law makes.
+    #[must_use]
+    pub fn of_impact(impact: &Impact) -> Self {
+        let outcome: &Outcome = &impact.outcome;
+        Self {
+            before: outcome.before,
+            velocities: outcome.after.map(|motion| motion.velocity),
+            yaw_rates: outcome.after.map(|motion| Some(motion.yaw_rate)),
+            delta_v: outcome.delta_v,
+            delta_v_components: outcome.delta_v_components(),
+            pdof: impact.pdof,
+            impulse_vector: outcome.impulse_vector,
+            energy: outcome.energy.into(),
+            closing_speed: outcome.closing_speed(),
+            restitution: Some(impact.law.restitution()),
+            at_contact: Some(AtContact::of_outcome(impact)),
+        }
+    }
+
+    fn of_momentum(both: &BothFound) -> Self {
+        let (implied, momentum) = (&both.implied, &both.momentum);
+        let participants = momentum.contact.participants();
+        let forward = participants.each_ref().map(pim_core::Participant::forward);
+        // ΔV·f̂ and f̂ × ΔV
+        let components = |i: usize| {
+            let (f, dv): (Vector2<f64>, Vector2<f64>) = (forward[i], implied.delta_v[i]);
+            [dv.x * f.x + dv.y * f.y, f.x * dv.y - f.y * dv.x]
+        };
+        // T = Σ ½ m v² + ½ I ω²
+        let before = [0, 1].map(|i| participants[i].body().kinetic_energy(&implied.before[i]));
+        let before = before[0] + before[1];
+        let is_contact = both.geometry != Geometry::PointMasses;
+        let loss = implied.energy_loss;
+        let [normal_work, tangential_work] =
+            if is_contact { [implied.normal_work, implied.tangential_work] } else { [loss, 0.0] };
+        let moment_work =
+            if is_contact && implied.is_yaw_known { loss - normal_work - tangential_work } else { 0.0 };
+        let told = momentum.after.map(|departure| departure.yaw_rate);
+        Self {
+            before: implied.before,
+            velocities: momentum.after.map(|departure| departure.velocity),
+            yaw_rates: if is_contact { implied.after.map(|motion| Some(motion.yaw_rate)) } else { told },
+            delta_v: implied.delta_v,
+            delta_v_components: [components(0), components(1)],
+            pdof: implied.pdof,
+            impulse_vector: implied.impulse_vector,
+            energy: EnergyBalance {
+                before,
+                after: before - loss,
+                loss,
+                normal_work,
+                tangential_work,
+                moment_work,
+            },
+            closing_speed: -implied.approach.normal,
+            restitution: implied.restitution,
+            at_contact: is_contact.then(|| AtContact {
+                normal: momentum.contact.normal(),
+                velocities: [implied.approach, implied.separation],
+                impulse: implied.impulse,
+                impulse_ratio: implied.impulse_ratio,
+                critical_impulse_ratio: implied.critical_impulse_ratio,
+            }),
+        }
+    }
+
+    fn of(both: Option<&BothFound>, impact: Option<&Impact>) -> Option<Self> {
+        match both.filter(|both| !both.is_by_crush()) {
+            Some(both) => Some(Self::of_momentum(both)),
+            None => impact.map(Self::of_impact),
+        }
+    }
+
+    /// (rad) scene angle of the impulse on vehicle 1, in (−π, π].
+    #[must_use]
+    pub fn impulse_direction(&self) -> f64 {
+        // Adding zero turns −0 into +0, so that an impulse along −x is at +π.
+        Real::atan2(self.impulse_vector.y + 0.0, self.impulse_vector.x)
+    }
+}
+
+impl Analysis {
+    /// What the impact did; `None` in an analysis of the damage alone, or of the motion alone.
+    #[must_use]
+    pub fn exchange(&self) -> Option<Exchange> {
+        Exchange::of(self.both.as_ref(), self.impact.as_ref())
+    }
+
+    /// The impact that the law of the case makes of speeds that momentum gave: what the law is held against,
+    /// and no result.
+    #[must_use]
+    pub fn law_check(&self) -> Option<&Impact> {
+        self.both.as_ref().filter(|both| !both.is_by_crush())?;
+        self.impact.as_ref()
+    }
+}
+
+impl Seen {
+    /// As [`Analysis::exchange`].
+    #[must_use]
+    pub fn exchange(&self) -> Option<Exchange> {
+        Exchange::of(self.both.as_ref(), self.impact.as_ref())
+    }
+
+    /// As [`Analysis::law_check`].
+    #[must_use]
+    pub fn law_check(&self) -> Option<&Impact> {
+        self.both.as_ref().filter(|both| !both.is_by_crush())?;
+        self.impact.as_ref()
+    }
+}

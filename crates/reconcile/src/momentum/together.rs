@@ -1,0 +1,56 @@
+//! Vehicles that leave the impact locked together.
+
+use pim_core::{Real, Vector2};
+
+use crate::momentum::{Departure, Momentum, cross, dot};
+
+impl<T: Real> Momentum<T> {
+    /// The same, of vehicles locked together whose one velocity V is that of their common CG: they turn with
+    /// one yaw rate, which the momentum about that CG gives, and each CG moves as a point of one body.
+    ///
+    /// (I_1 + I_2 + m̄ d²) Ω = I_1 ω_1 + I_2 ω_2 + m̄ d × (v_1 − v_2),  m̄ = m_1 m_2/(m_1 + m_2)
+    /// V_1 = V + Ω × d m_2/(m_1 + m_2),  V_2 = V − Ω × d m_1/(m_1 + m_2),  d from CG 2 to CG 1
+    ///
+    /// Momentum is the same, and so are the speeds (m/s) that it gave.
+    #[must_use]
+    pub fn locked_together(&self, speeds: [T; 2]) -> Self {
+        let bodies = self.contact.participants().each_ref().map(|participant| *participant.body());
+        let [m1, m2] = self.masses();
+        let whole = m1 + m2;
+        let d = self.between();
+        let before = self.motions_at(speeds);
+        // m̄ = m₁ m₂/(m₁ + m₂)
+        let reduced = m1 * m2 / whole;
+        let [i1, i2] = bodies.map(|body| body.yaw_inertia());
+        let [w1, w2] = self.yaw_rates;
+        let moment = i1 * w1 + i2 * w2 + cross(d, before[0].velocity - before[1].velocity) * reduced;
+        let yaw_rate = moment / (i1 + i2 + dot(d, d) * reduced);
+        // V = p/(m₁ + m₂)
+        let common = self.total() / whole;
+        let at =
+            |share: T| Departure { velocity: common + turned(d, yaw_rate) * share, yaw_rate: Some(yaw_rate) };
+        Self { after: [at(m2 / whole), at(-(m1 / whole))], ..*self }
+    }
+
+    /// (m) from CG 2 to CG 1: both see C, at r_1 and at r_2.
+    pub(super) fn between(&self) -> Vector2<T> {
+        let [one, two] = self.contact.participants().each_ref().map(|participant| participant.arm());
+        two - one
+    }
+}
+
+/// (m/s) Ω × d.
+pub(super) fn turned<T: Real>(d: Vector2<T>, yaw_rate: T) -> Vector2<T> {
+    Vector2::new(-(d.y * yaw_rate), d.x * yaw_rate)
+}
+
+impl<T: Real> Departure<T> {
+    /// How a vehicle left the impact that was locked to one that left it like this, where its CG lies at
+    /// `apart` (m) from that one's: as a point of the same body. Without a yaw rate, with the same velocity.
+    #[must_use]
+    pub fn of_locked(&self, apart: Vector2<T>) -> Self {
+        // V₂ = V₁ + Ω × d
+        let added = self.yaw_rate.map_or(Vector2::new(T::ZERO, T::ZERO), |yaw_rate| turned(apart, yaw_rate));
+        Self { velocity: self.velocity + added, yaw_rate: self.yaw_rate }
+    }
+}

@@ -1,0 +1,62 @@
+//! The speed into a fixed object, from the way out of it.
+
+use pim_core::{Motion, Real, VehicleId};
+
+use crate::momentum::{Momentum, MomentumError, cross, possible};
+
+/// (–) the least by which the speed along the normal after the impact follows that before it: an error of
+/// the former is then 50 times as large in the latter, and more would be no answer.
+const LEAST_SLOPE: f64 = 0.02;
+
+impl<T: Real> Momentum<T> {
+    /// (m/s) the speed of a vehicle along its heading before it hit a fixed object, from how it left that and
+    /// the restitution e at C. The object takes momentum, so that momentum alone tells nothing; what its
+    /// impulse P was follows from the velocities of the vehicle, and the condition at C is linear in the
+    /// speed v:
+    ///
+    /// U_n(v) + e u_n(v) = 0,  P = m (V − v ê),  Ω = ω + r × P/I where Ω is not known
+    ///
+    /// Central, this is v_n = −V_n/e.
+    ///
+    /// # Errors
+    /// Where the other body is not fixed or a number not finite, the speed after hardly depends on that
+    /// before, or the vehicle would not approach.
+    pub fn speed_into_wall(&self, vehicle: VehicleId, restitution: T) -> Result<T, MomentumError> {
+        self.check_numbers()?;
+        let i = vehicle.index();
+        let participant = &self.contact.participants()[i];
+        let (body, arm, forward) = (participant.body(), participant.arm(), participant.forward());
+        // Of both bodies the one is at rest before and after.
+        let pair = |motion: Motion<T>| {
+            let mut motions = [Motion::rest(); 2];
+            motions[i] = motion;
+            motions
+        };
+        let [at_rest, at_one] = [T::ZERO, T::ONE].map(|speed| {
+            let velocity = self.after[i].velocity;
+            let impulse = (velocity - forward * speed) * body.mass();
+            // Ω = ω + r × P/I
+            let free = self.yaw_rates[i] + cross(arm, impulse) * body.inverse_yaw_inertia();
+            let yaw_rate = self.after[i].yaw_rate.unwrap_or(free);
+            let after = self.contact.approach(&pair(Motion { velocity, yaw_rate })).velocity.normal;
+            let before = Motion { velocity: forward * speed, yaw_rate: self.yaw_rates[i] };
+            let before = self.contact.approach(&pair(before)).velocity.normal;
+            // U_n + e u_n
+            after + before * restitution
+        });
+        let slope = at_one - at_rest;
+        if slope.abs() < T::from(LEAST_SLOPE) {
+            return Err(MomentumError::NoReturn {
+                vehicle,
+                restitution: restitution.value(),
+                slope: slope.abs().value(),
+            });
+        }
+        let speed = possible(vehicle, -(at_rest / slope))?;
+        let before = pair(Motion { velocity: forward * speed, yaw_rate: self.yaw_rates[i] });
+        if self.contact.approach(&before).velocity.normal >= T::ZERO {
+            return Err(MomentumError::LeavesWall { vehicle, speed: speed.value() });
+        }
+        Ok(speed)
+    }
+}
