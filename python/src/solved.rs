@@ -125,7 +125,9 @@ impl Solved {
 
 /// What shows most of an analysis.
 fn first_subject(analysis: &Analysis) -> Option<Subject> {
-    if analysis.impact.is_some() {
+    // Of point masses it is not known how they lay to each other.
+    let is_placed = analysis.both.as_ref().is_none_or(|both| both.geometry == case::Geometry::Given);
+    if analysis.impact.is_some() && is_placed {
         Some(Subject::Scene)
     } else if analysis.travel.iter().any(Option::is_some) {
         Some(Subject::Motion)

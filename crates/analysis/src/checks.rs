@@ -9,8 +9,8 @@ use pim_core::{Real, VehicleId};
 
 use crate::thresholds::{
     ARM_DIFFERENCE, DIRECTION_AFTER_ERROR, ENERGY_DIFFERENCE, FAST_CLOSING, FORCE_RATIO, HIGH_RESTITUTION,
-    MOMENTUM_ENERGY_DIFFERENCE, PDOF_DIFFERENCE, POINT_MISSED, RATIO_BEYOND, RESTITUTION_BEYOND,
-    RESTITUTION_DIFFERENCE, SPEED_AFTER_ERROR,
+    MOMENTUM_ENERGY_DIFFERENCE, PDOF_DIFFERENCE, POINT_MISSED, RATIO_BEYOND, RESTITUTION_DIFFERENCE,
+    SPEED_AFTER_ERROR,
 };
 use crate::{BothFound, BothMethod, Impact, Pass, Travel, Vehicle};
 
@@ -70,7 +70,7 @@ pub enum CheckedQuantity {
         /// (N·s) to the left of its heading, or to the right in z-down axes.
         surplus: f64,
     },
-    /// How far the restitution that they imply lies outside of 0 to 1.
+    /// How far the restitution that they imply lies outside of 0 to 1, where the case gives none.
     PossibleRestitution {
         /// (–) as implied.
         implied: f64,
@@ -249,9 +249,6 @@ pub(crate) fn of_momentum(
         let quantity = CheckedQuantity::MomentumRestitution { implied: e, given };
         checks.push(Check { quantity, value: (e - given).abs(), limit: RESTITUTION_DIFFERENCE });
     }
-    if let Some(e) = implied.restitution {
-        checks.push(possible(e));
-    }
     if let (Some(mu), Some(critical)) = (implied.impulse_ratio, implied.critical_impulse_ratio) {
         // How far beyond μ_c, or on the other side of 0.
         let along = mu * critical.signum();
@@ -281,7 +278,7 @@ pub(crate) fn of_momentum(
 fn possible(e: f64) -> Check {
     let value = (e - 1.0).max(-e).max(0.0);
     let quantity = CheckedQuantity::PossibleRestitution { implied: e };
-    Check { quantity, value, limit: RESTITUTION_BEYOND }
+    Check { quantity, value, limit: RESTITUTION_DIFFERENCE }
 }
 
 /// The directions of force by momentum, against those of the case.

@@ -19,13 +19,9 @@ pub(crate) const ENERGY_DIFFERENCE: f64 = 0.1;
 /// How far the crush energy may be from the normal work that momentum implies, as a share: on the RICSAC
 /// collisions the two differ by half in the rms of the logarithm.
 pub(crate) const MOMENTUM_ENERGY_DIFFERENCE: f64 = 0.5;
-/// How far the restitution that momentum implies may be from the one of the case. A choice: no source gives a
-/// limit.
+/// How far the restitution that momentum implies may be from the one of the case or, where that gives none,
+/// outside of 0 to 1. A choice: no source gives a limit.
 pub(crate) const RESTITUTION_DIFFERENCE: f64 = 0.2;
-/// How far the restitution that momentum implies may lie outside of 0 to 1: below 0 the vehicles would pass
-/// through each other, above 1 they would part faster than they met. Errors of the speeds after the impact of
-/// 12 % leave about this much of it.
-pub(crate) const RESTITUTION_BEYOND: f64 = 0.1;
 /// How far the impulse ratio that momentum implies may lie outside of 0 to μ_c: an error of 5° in the
 /// direction of the impulse.
 pub(crate) const RATIO_BEYOND: f64 = 0.1;

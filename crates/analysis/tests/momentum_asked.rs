@@ -82,7 +82,8 @@ find = "vehicle1.speed"
 
 #[test]
 fn a_standing_car_struck_in_line_needs_no_crush() {
-    let without_law = STANDING.split("[impact]").next().unwrap().to_owned() + "[reconstruct]\nfind = \"vehicle1.speed\"\n";
+    let without_law =
+        STANDING.split("[impact]").next().unwrap().to_owned() + "[reconstruct]\nfind = \"vehicle1.speed\"\n";
     let undamaged = STANDING.replace("class = 3", "class = 3\ncrush = \"none\"");
     let undamaged = undamaged.replace("class = 4", "class = 4\ncrush = \"none\"");
     for (text, geometry) in [
@@ -125,7 +126,9 @@ fn printed_cases_of_one_car_into_another_are_answered() {
     assert_near(impossible.both.as_ref().unwrap().speeds[0] / MPH, 40.0, 1e-9);
     assert_near(value(&impossible, "impact.restitution", 0).unwrap(), 1.5, 1e-9);
     let refuted = impossible.checks.iter().find(|check| !check.passed()).unwrap();
-    assert!(matches!(refuted.quantity, CheckedQuantity::PossibleRestitution { implied } if (implied - 1.5).abs() < 1e-9));
+    assert!(
+        matches!(refuted.quantity, CheckedQuantity::PossibleRestitution { implied } if (implied - 1.5).abs() < 1e-9)
+    );
     assert!(impossible.warnings.iter().any(|warning| warning.code() == "momentum-differs"));
 }
 
@@ -136,8 +139,10 @@ fn a_skid_before_the_impact_adds_to_the_speed_by_momentum() {
     // V² = 2 μ g S of the joined vehicles, with the friction weighted by mass.
     let friction = (2674.0 * 0.758 + 1100.0 * 0.882) / 3774.0;
     let left = format!("{} m/s", (2.0 * friction * G * 12.25_f64).sqrt());
-    let text = in_line(["2674 kg", "1100 kg"], "0 km/h", [&left, &left])
-        .replace("[vehicle2]", "[vehicle1.before]\nskid = { length = \"30 m\", friction = 0.859 }\n[vehicle2]");
+    let text = in_line(["2674 kg", "1100 kg"], "0 km/h", [&left, &left]).replace(
+        "[vehicle2]",
+        "[vehicle1.before]\nskid = { length = \"30 m\", friction = 0.859 }\n[vehicle2]",
+    );
     let analysis = answer(&text.replace("0.859", "0.8588"));
     let speed = analysis.both.as_ref().unwrap().speeds[0];
     assert_near(speed, (2.0 * friction * G * 12.25_f64).sqrt() * 3774.0 / 2674.0, 1e-9);
@@ -315,12 +320,17 @@ find = "vehicle1.speed"
     assert_eq!(both.method, BothMethod::Wall { vehicle: VehicleId::One, restitution: 0.1 });
     assert_near(both.speeds[0] / KMH, 50.0, 1e-9);
     assert_near(both.delta_v[0] / KMH, 55.0, 1e-9);
-    assert_near(value(&analysis, "impact.energy_loss", 0).unwrap(), 750.0 * (50.0_f64.powi(2) - 25.0) * KMH * KMH, 1e-6);
+    assert_near(
+        value(&analysis, "impact.energy_loss", 0).unwrap(),
+        750.0 * (50.0_f64.powi(2) - 25.0) * KMH * KMH,
+        1e-6,
+    );
     assert!(value(&analysis, "delta_v", 1).is_none());
     // The wall may be vehicle 1, and stand at an angle to the heading: v cos 30° = 0.1⁻¹ V cos 30°.
     let oblique = wall.replace("crush_plane = \"0 deg\"", "crush_plane = \"30 deg\"");
     assert_near(answer(&oblique).both.unwrap().speeds[0] / KMH, 50.0, 1e-9);
-    let swapped = wall.replace("vehicle1", "vehicleX").replace("vehicle2", "vehicle1").replace("vehicleX", "vehicle2");
+    let swapped =
+        wall.replace("vehicle1", "vehicleX").replace("vehicle2", "vehicle1").replace("vehicleX", "vehicle2");
     assert_near(answer(&swapped).both.unwrap().speeds[1] / KMH, 50.0, 1e-9);
     // Without rebound the way out says nothing, and a way out through the wall is none.
     let plastic = wall.replace("restitution = 0.1", "restitution = 0");
@@ -385,9 +395,12 @@ fn what_is_missing_or_contradicts_is_said() {
     let advice = format!("{:?}", read(&nothing).reconstruction().unwrap_err());
     assert!(advice.contains("without damage data momentum gives the speed"), "{advice}");
     let judged = judge(&read(&text));
-    assert!(judged.abilities.iter().any(|ability| {
-        ability.purpose == Purpose::Reconstruct && ability.obstacle.is_none()
-    }));
+    assert!(
+        judged
+            .abilities
+            .iter()
+            .any(|ability| { ability.purpose == Purpose::Reconstruct && ability.obstacle.is_none() })
+    );
 }
 
 /// v_1 = (m_1 + m_2)/m_1 V with one velocity after: ∂v_1/∂V_1 = 1, ∂v_1/∂V_2 = m_2/m_1.
@@ -396,9 +409,10 @@ fn derivatives_and_evidence_know_momentum_alone() {
     let case = read(&in_line(["900 kg", "2400 kg"], "0 km/h", ["6 m/s", "6 m/s"]));
     let found = sensitivity(&case, Sweep::default()).unwrap();
     let by = |path: &str| {
-        let of_speed = found.derivatives.iter().filter(|derivative| {
-            derivative.output == Output::Speed { vehicle: VehicleId::One }
-        });
+        let of_speed = found
+            .derivatives
+            .iter()
+            .filter(|derivative| derivative.output == Output::Speed { vehicle: VehicleId::One });
         of_speed.into_iter().find(|derivative| derivative.input.path == path).unwrap().value
     };
     assert_near(by("vehicle1.after.speed"), 1.0, 1e-12);

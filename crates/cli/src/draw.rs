@@ -55,7 +55,7 @@ pub(crate) fn draw(arguments: &DrawArguments) -> Result<()> {
         several => Some(format!("{several} warnings")),
     };
     if let Some(warnings) = warnings {
-        let command = match (&analysis.found, &analysis.impact) {
+        let command = match (&analysis.found, analysis.exchange()) {
             (Some(_), _) => "reconstruct",
             (None, Some(_)) if analysis.both.is_some() => "reconstruct",
             (None, Some(_)) => "impact",

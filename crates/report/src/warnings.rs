@@ -74,6 +74,15 @@ fn spread_of_contact([along, across]: [ContactSpread; 2], units: Units) -> Strin
     format!("`uncertainty` moves it along the face {} and across it {}", by(along), by(across))
 }
 
+/// Why there is no such restitution.
+fn why_not(restitution: f64) -> &'static str {
+    if restitution < 0.0 {
+        "below 0 the vehicles would have passed through each other"
+    } else {
+        "above 1 the vehicles would have parted faster than they met"
+    }
+}
+
 /// A check that momentum does not pass.
 fn momentum_differs(check: &Check, units: Units) -> String {
     let angle = |si: f64| units.format(Measure::Angle, si);
@@ -94,16 +103,24 @@ fn momentum_differs(check: &Check, units: Units) -> String {
              speed of vehicle {vehicle} explains",
             units.format(Measure::Impulse, surplus.abs())
         ),
-        CheckedQuantity::PossibleRestitution { implied } if implied < 0.0 => format!(
-            "the restitution would be {}, which is impossible: below 0 the vehicles would have passed through each other",
-            number(implied, 2)
-        ),
-        CheckedQuantity::PossibleRestitution { implied } => format!(
-            "the restitution would be {}, which is impossible: above 1 the vehicles would have parted faster than they met",
-            number(implied, 2)
-        ),
+        CheckedQuantity::PossibleRestitution { implied } => {
+            format!(
+                "the restitution would be {}, which is impossible: {}",
+                number(implied, 2),
+                why_not(implied)
+            )
+        }
         CheckedQuantity::MomentumRestitution { implied, given } => {
-            format!("the restitution would be {}, and the case has {}", number(implied, 2), number(given, 2))
+            let said = format!(
+                "the restitution would be {}, and the case has {}",
+                number(implied, 2),
+                number(given, 2)
+            );
+            if (0.0..=1.0).contains(&implied) {
+                said
+            } else {
+                format!("{said}; the former is impossible: {}", why_not(implied))
+            }
         }
         CheckedQuantity::MomentumRatio { implied, critical } => format!(
             "the impulse ratio would be {}, and friction allows 0 to {}",
