@@ -7,10 +7,11 @@ mod pieces;
 mod setup;
 
 use std::ops::ControlFlow;
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 
 use ::estimate::{
     Culprit, Doubt, Exclusion, PARTICLES_STEP, Posterior, Selection, Settings, Summary, Verdict, sample,
+    sample_without,
 };
 use ::uncertainty::{Distribution, Estimate, InvalidDistribution};
 use evidence::{EnergyMethod, Model, Observed, Piece};
@@ -28,7 +29,8 @@ pub use setup::{Assumed, Unused, UnusedReason};
 #[derive(Clone, Copy, Debug)]
 pub struct EstimatePlan {
     /// Number of particles of each of 16 islands. A run that does not converge is repeated with twice as
-    /// many, and once more with four times as many.
+    /// many, and once more with four times as many; so is one of [`PARTICLES`](Self::PARTICLES) of which the
+    /// draws are worth fewer than 1,000 independent ones.
     pub particles: usize,
     /// The random seed: the same seed gives the same results.
     pub seed: u64,
@@ -41,7 +43,7 @@ pub struct EstimatePlan {
 
 impl EstimatePlan {
     /// Particles of an island where nobody says how many.
-    pub const PARTICLES: usize = 512;
+    pub const PARTICLES: usize = 256;
 }
 
 /// What all the evidence says.
@@ -71,6 +73,8 @@ pub struct Estimated {
     pub posterior: Posterior,
     /// The same before the evidence; `None` where that run did not converge.
     pub before: Option<Posterior>,
+    /// How many likelihoods were computed, with those of what stands beside the answer.
+    pub evaluations: usize,
 }
 
 /// How probable it is that a vehicle stood.
@@ -222,9 +226,14 @@ pub struct Impossible {
 
 /// How many times as many particles at most are taken where a run does not converge: they are doubled twice.
 const MOST_TIMES: usize = 4;
+/// What the draws are worth at least where nobody says how many: else they are doubled as where a run does
+/// not converge.
+const WORTH: f64 = 1000.0;
 /// Particles of an island for what is shown beside the answer, as a share of those of the answer, rounded up
 /// to what an island can have.
 const BESIDE_SHARE: usize = 4;
+/// Islands of a run of which a piece of evidence shows a median and an interval.
+const PIECE_ISLANDS: usize = 8;
 
 /// Estimates what the evidence of a case says.
 ///
@@ -243,9 +252,13 @@ pub fn estimate(
     let (assumed, energies) = (setup.stood, setup.energies);
     let model = Model::of(setup.impacts, setup.observed);
     let told = Told::new(&model, case.axes, setup.reference);
-    let run = |terms: Selection, particles: usize, report: &mut ::uncertainty::Progress<'_>| {
-        let settings = Settings { terms, ..Settings::new(particles, plan.seed) };
-        sample(&told, &told, &settings, report).map_err(|failure| refused(failure, model.pieces()))
+    let evaluations = AtomicUsize::new(0);
+    let run = |settings: Settings, report: &mut ::uncertainty::Progress<'_>| {
+        let posterior = sample(&told, &told, &settings, report);
+        if let Ok(posterior) = &posterior {
+            evaluations.fetch_add(posterior.diagnosis().evaluations, Ordering::Relaxed);
+        }
+        posterior.map_err(|failure| refused(failure, model.pieces()))
     };
 
     // Who ends one run wants no other.
@@ -260,9 +273,11 @@ pub fn estimate(
     let mut particles = plan.particles;
     let most = plan.particles.saturating_mul(MOST_TIMES);
     let posterior = loop {
-        let posterior =
-            run(Selection::All, particles, &mut |done, total| progress(EstimateStage::All, done, total))?;
-        if is_ended() || posterior.verdict() == Verdict::Converged || particles >= most {
+        let settings = Settings::new(particles, plan.seed);
+        let posterior = run(settings, &mut |done, total| progress(EstimateStage::All, done, total))?;
+        let is_worth = plan.particles != EstimatePlan::PARTICLES || posterior.diagnosis().ess() >= WORTH;
+        let is_enough = posterior.verdict() == Verdict::Converged && is_worth;
+        if is_ended() || is_enough || particles >= most {
             break posterior;
         }
         particles *= 2;
@@ -276,9 +291,9 @@ pub fn estimate(
     };
     let beside = (plan.particles / BESIDE_SHARE).next_multiple_of(PARTICLES_STEP);
     let mut before = || {
-        run(Selection::Only(places(&always)), beside, &mut |done, total| {
-            progress(EstimateStage::Prior, done, total)
-        })
+        let terms = Selection::Only(places(&always));
+        let settings = Settings { terms, ..Settings::new(plan.particles, plan.seed) };
+        run(settings, &mut |done, total| progress(EstimateStage::Prior, done, total))
     };
     let prior = if is_ended() { None } else { Some(before()?) };
     let prior = prior.filter(|prior| prior.verdict() == Verdict::Converged);
@@ -331,7 +346,19 @@ pub fn estimate(
             let _ = progress(EstimateStage::Piece, done, judged.len());
         }
         let mut quietly = |_: usize, _: usize| ControlFlow::Continue(());
-        let mut again = |terms: Selection| run(terms, beside, &mut quietly).ok();
+        let mut again = |wanted: pieces::Wanted| {
+            let settings = Settings { islands: PIECE_ISLANDS, ..Settings::new(beside, plan.seed) };
+            match wanted {
+                pieces::Wanted::Only(terms) => {
+                    run(Settings { terms: Selection::Only(terms), ..settings }, &mut quietly).ok()
+                }
+                pieces::Wanted::Without(term) => {
+                    let without = sample_without(&told, &told, &posterior, term, &settings).ok()?;
+                    evaluations.fetch_add(without.diagnosis().evaluations, Ordering::Relaxed);
+                    Some(without)
+                }
+            }
+        };
         let again: Option<&mut pieces::Again<'_>> =
             if plan.pieces && !is_ended() && judged.len() > 1 { Some(&mut again) } else { None };
         let there = pieces::There { posterior: &posterior, before: prior.as_ref() };
@@ -353,6 +380,7 @@ pub fn estimate(
         unused,
         posterior,
         before: prior,
+        evaluations: evaluations.into_inner(),
     })
 }
 

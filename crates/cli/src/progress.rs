@@ -1,5 +1,6 @@
 //! How far a long run is, and its end by Ctrl-C.
 
+use std::io::{IsTerminal as _, Write as _, stderr};
 use std::ops::ControlFlow;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -11,11 +12,20 @@ use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 /// A shorter run needs no bar.
 const LONG: Duration = Duration::from_secs(1);
 
-/// A bar on the terminal of standard error, nothing where that is none; and whether Ctrl-C was pressed.
+/// How often a line is written where there is no terminal.
+const EVERY: Duration = Duration::from_secs(10);
+
+/// The variable with which scripts that compare what the program writes turn the lines off.
+const OFF: (&str, &str) = ("DELTAV_PROGRESS", "off");
+
+/// A bar on the terminal of standard error, a line now and then where that is none; and whether Ctrl-C was
+/// pressed.
 pub(crate) struct Progress {
     began: Instant,
     ended: Arc<AtomicBool>,
     bar: Option<(&'static str, ProgressBar)>,
+    /// When the last line was written, where lines are.
+    line: Option<Instant>,
 }
 
 impl Progress {
@@ -30,12 +40,22 @@ impl Progress {
             }
         })
         .context("cannot listen to Ctrl-C")?;
-        Ok(Self { began: Instant::now(), ended, bar: None })
+        let (name, off) = OFF;
+        let has_lines = !stderr().is_terminal() && std::env::var_os(name).is_none_or(|set| set != off);
+        let began = Instant::now();
+        Ok(Self { began, ended, bar: None, line: has_lines.then_some(began) })
     }
 
-    /// Draws the bar, which says what is counted; breaks after Ctrl-C.
+    /// Draws the bar, or writes a line, which says what is counted; breaks after Ctrl-C.
     pub(crate) fn at(&mut self, counted: &'static str, done: usize, total: usize) -> ControlFlow<()> {
-        if self.began.elapsed() > LONG {
+        if let Some(line) = &mut self.line {
+            if line.elapsed() > EVERY {
+                *line = Instant::now();
+                let seconds = self.began.elapsed().as_secs();
+                // Where nobody can read it, the run goes on.
+                let _ = writeln!(stderr(), "{done} of {total} {counted} after {seconds} s");
+            }
+        } else if self.began.elapsed() > LONG {
             self.draw(counted, done as u64, total as u64);
         }
         if self.ended.load(Ordering::Relaxed) { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }

@@ -14,9 +14,9 @@ use uncertainty::{LANES, Lanes};
 
 use crate::error::{Exclusion, Failure};
 use crate::gaussian::{Gaussian, product, sum};
-use crate::model::{Evidence, Hurdle, Prior};
+use crate::model::{Evidence, Faded, Hurdle, Prior};
 use crate::moves::{KINDS, Kind, Proposal, Tuning, choose, normals};
-use crate::target::{Evaluation, Target};
+use crate::target::{Evaluation, Target, Wanted};
 
 /// (–) conditional effective sample size, of the particles, that a step in temperature keeps.
 const KEPT: f64 = 0.5;
@@ -36,8 +36,8 @@ struct Enough {
     correlation: f64,
 }
 
-/// On the way the next moves go on where these end.
-const ON_THE_WAY: Enough = Enough { rounds: (3, 60), correlation: 0.1 };
+/// On the way the next moves go on where these end: half of the memory may stay.
+const ON_THE_WAY: Enough = Enough { rounds: (3, 60), correlation: 0.5 };
 
 /// The last particles are the draws.
 const AT_THE_END: Enough = Enough { rounds: (9, 240), correlation: 0.1 };
@@ -80,8 +80,25 @@ impl Population {
         &self.lineage[block]
     }
 
-    fn particles(&self) -> usize {
+    pub(crate) fn particles(&self) -> usize {
         self.blocks() * LANES
+    }
+
+    /// The first particles of it, as many as `particles` and whole blocks.
+    fn first(&self, particles: usize) -> Self {
+        let blocks = particles / LANES;
+        Self {
+            dimensions: self.dimensions,
+            standard: self.standard[..blocks * self.dimensions].to_vec(),
+            log_likelihood: self.log_likelihood[..blocks].to_vec(),
+            lineage: self.lineage[..blocks].to_vec(),
+        }
+    }
+
+    /// A number for the next draw that descends from nobody.
+    fn newest(&self) -> u32 {
+        let newest = self.lineage.iter().flatten().max();
+        newest.map_or(0, |newest| newest.wrapping_add(1))
     }
 
     /// The blocks of one half, 0 or 1.
@@ -231,13 +248,76 @@ pub(crate) fn run<P: Prior, E: Evidence>(
             island.memory = traveller.travel(&mut population, island.temperature, enough, sequence)?;
             island.stages += 1;
         }
-        let acceptance = traveller.tunings.iter().map(|tuning| tuning.acceptance);
-        island.acceptance = acceptance.fold(0.0, f64::max);
-        island.population = Some(population);
+        island.acceptance = traveller.acceptance();
+        let possible = traveller.possible(&mut population)?;
+        island.log_evidence += ln(possible);
+        island.population = (possible > 0.0).then_some(population);
     }
     island.exclusion = traveller.exclusion;
     island.excludes = traveller.excludes;
     island.evaluations = traveller.evaluations;
+    Ok(island)
+}
+
+/// Leads an island's population, which holds all evidence of `target`, to the posterior without one of its
+/// terms: the first `particles` of it, while the likelihood of the term fades.
+pub(crate) fn run_without<P: Prior, E: Evidence>(
+    target: &Target<'_, P, E>,
+    term: usize,
+    from: (&Population, f64),
+    particles: usize,
+    key_of_island: u64,
+) -> Result<Island, Failure> {
+    let (start, log_evidence) = from;
+    let mut population = start.first(particles);
+    let Target { prior, evidence, used, faded: _, instructions } = target;
+    let faded = Some(Faded { term, share: 1.0 });
+    let mut target =
+        Target { prior: *prior, evidence: *evidence, used: used.clone(), faded, instructions: *instructions };
+    let mut island = Island {
+        population: None,
+        log_evidence,
+        exclusion: Exclusion { drawn: particles, possible: particles, ..Exclusion::new(target.used.len()) },
+        excludes: vec![false; target.used.len()],
+        stages: 0,
+        evaluations: 0,
+        temperature: 1.0,
+        acceptance: 0.0,
+        memory: Memory::default(),
+    };
+    let mut tunings = [Tuning::new(); KINDS.len()];
+    let mut share = 1.0;
+    while share > 0.0 {
+        if island.stages >= MOST_STAGES {
+            island.temperature = 1.0 - share;
+            break;
+        }
+        let stage = island.stages as u64;
+        // The logarithm of the weights, for the whole term: −l_k.
+        let mut traveller = Traveller::new(&target, key_of_island);
+        traveller.weigh_again(&mut population, |evaluation| evaluation.terms[term].map(|l| -l).into())?;
+        let step = step_in_temperature(&population, share);
+        share = if step.is_last { 0.0 } else { share - step.size };
+        island.log_evidence += step.log_mean;
+        population.resample(&step.weights, unit(bits(key(key_of_island, &[3]), stage)));
+        target.faded = Some(Faded { term, share });
+        target.used[term] = share > 0.0;
+        let mut traveller = Traveller { tunings, ..Traveller::new(&target, key_of_island) };
+        traveller.newest = start.newest();
+        traveller.weigh_again(&mut population, |evaluation| evaluation.log_likelihood)?;
+        let enough = if step.is_last { AT_THE_END } else { ON_THE_WAY };
+        island.memory = traveller.travel(&mut population, 1.0, enough, key(key_of_island, &[4, stage]))?;
+        tunings = traveller.tunings;
+        island.acceptance = traveller.acceptance();
+        island.evaluations += traveller.evaluations + 2 * particles;
+        for (excludes, now) in island.excludes.iter_mut().zip(&traveller.excludes) {
+            *excludes |= now;
+        }
+        island.stages += 1;
+    }
+    let possible = Traveller::new(&target, key_of_island).possible(&mut population)?;
+    island.log_evidence += ln(possible);
+    island.population = (possible > 0.0).then_some(population);
     Ok(island)
 }
 
@@ -344,7 +424,7 @@ impl<'a, 'b, P: Prior, E: Evidence> Traveller<'a, 'b, P, E> {
                 break;
             }
             normals(sequence, block * LANES as u64, &mut draws);
-            self.target.evaluate(&draws, &mut self.evaluation)?;
+            self.target.evaluate_for(&draws, Wanted::Used, &mut self.evaluation)?;
             self.evaluations += LANES;
             self.count_draws();
             for lane in 0..LANES {
@@ -380,6 +460,42 @@ impl<'a, 'b, P: Prior, E: Evidence> Traveller<'a, 'b, P, E> {
             population.lineage[place][into] = population.lineage[old][from];
         }
         Ok(Some(population))
+    }
+
+    /// Evaluates the particles where they are, and gives each the number that stands for its log-likelihood.
+    fn weigh_again(
+        &mut self,
+        population: &mut Population,
+        of: impl Fn(&Evaluation) -> Lanes,
+    ) -> Result<(), Failure> {
+        for block in 0..population.blocks() {
+            self.target.evaluate_for(population.block(block), Wanted::Used, &mut self.evaluation)?;
+            population.log_likelihood[block] = of(&self.evaluation);
+        }
+        Ok(())
+    }
+
+    /// (–) of the kind of move that accepts most.
+    fn acceptance(&self) -> f64 {
+        self.tunings.iter().map(|tuning| tuning.acceptance).fold(0.0, f64::max)
+    }
+
+    /// Takes out the particles that only what is not used finds impossible; the share that stays.
+    fn possible(&mut self, population: &mut Population) -> Result<f64, Failure> {
+        if self.target.used.iter().all(|used| *used) {
+            return Ok(1.0);
+        }
+        let mut weights = Vec::with_capacity(population.blocks());
+        for block in 0..population.blocks() {
+            self.target.evaluate(population.block(block), &mut self.evaluation)?;
+            let is_possible = |reason: u8| if reason == 0 { 1.0 } else { 0.0 };
+            weights.push(Lanes::from(self.evaluation.reasons.map(is_possible)));
+        }
+        let share = weights.iter().map(|weights| sum(weights)).sum::<f64>() / population.particles() as f64;
+        if share > 0.0 && share < 1.0 {
+            population.resample(&weights, 0.5);
+        }
+        Ok(share)
     }
 
     /// Counts what excluded the draws of the prior of this block.
@@ -470,12 +586,14 @@ impl<'a, 'b, P: Prior, E: Evidence> Traveller<'a, 'b, P, E> {
                 dispatch!(level, _simd => propose(proposal, &moves, key(sequence, &[1])));
                 let hurdle = Hurdle {
                     used: &self.target.used,
+                    faded: self.target.faded,
                     temperature,
                     before: &population.log_likelihood[block],
                     log_ratio: &self.proposal.log_ratio,
                     log_share: &log_shares(key(sequence, &[2]), first),
                 };
-                self.target.evaluate_for(&self.proposal.standard, Some(&hurdle), &mut self.evaluation)?;
+                let wanted = Wanted::Taken(&hurdle);
+                self.target.evaluate_for(&self.proposal.standard, wanted, &mut self.evaluation)?;
                 self.evaluations += LANES;
                 let proposed = &self.evaluation.log_likelihood;
                 let chosen: [bool; LANES] =

@@ -37,6 +37,7 @@
 //! | [`sample`] → [`Posterior`] | draws of equal weight, their log evidence, and a [`Verdict`] with its reasons |
 //! | [`Summary`], [`Draws`] | mean, deviation, median, intervals and probabilities, with standard errors |
 //! | [`Posterior::without`] → [`Weights`] | the answer without some pieces of evidence, from the same draws |
+//! | [`sample_without`] | the same by draws of its own, which start from those with all evidence |
 //! | [`Posterior::check`] → [`Check`] | one piece of evidence against what the rest predicts: a p-value |
 //! | [`Failure`], [`Exclusion`] | why there is no answer, and what excludes what |
 //!
@@ -89,7 +90,7 @@ pub use diagnosis::{
 };
 pub use error::{CannotReweight, Culprit, Exclusion, Failure};
 pub use model::{Evidence, Function, Hurdle, Independent, Part, Prior, Selection};
-pub use posterior::{Check, Posterior, sample, sample_quietly};
+pub use posterior::{Check, Posterior, sample, sample_quietly, sample_without};
 pub use reweight::{PARETO_LIMIT, Weights};
 pub use settings::{ISLANDS, LEAST_ISLANDS, MOST_PARTICLES, PARTICLES_STEP, Settings};
 pub use summary::{Draws, Interval, LEVELS, Summary};

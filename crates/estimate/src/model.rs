@@ -56,6 +56,21 @@ pub trait Evidence: Sync {
     /// Neither NaN nor +∞ is a log-likelihood: they end the run with an error.
     fn log_likelihood(&self, values: &[Lanes], terms: &mut [Lanes], reasons: &mut [u8; LANES]);
 
+    /// The same for the terms that are `used`: the others may be left as they are, and a model of which they
+    /// take long does without them. What makes a particle impossible may then be left out, too, where only
+    /// the terms that are not used would find it: the draws at the end are asked for everything, and those
+    /// that are impossible are taken out.
+    fn log_likelihood_of_used(
+        &self,
+        values: &[Lanes],
+        used: &[bool],
+        terms: &mut [Lanes],
+        reasons: &mut [u8; LANES],
+    ) {
+        let _ = used;
+        self.log_likelihood(values, terms, reasons);
+    }
+
     /// The same for proposals, of which nothing matters but those that `hurdle` takes: a model of which some
     /// terms take long may leave the others without them. Where a proposal is not taken even with the most
     /// that a term can be, this most may stand in the term's place. Whether it has written the terms; where
@@ -165,6 +180,8 @@ impl<F: Fn(&[f64], &mut [f64]) -> Result<(), u8> + Sync> Evidence for Function<F
 pub struct Hurdle<'a> {
     /// For each term, whether it is used.
     pub(crate) used: &'a [bool],
+    /// The term that counts by less than all of it.
+    pub(crate) faded: Option<Faded>,
     /// (–) β.
     pub(crate) temperature: f64,
     /// (–) l of the particles where they are.
@@ -175,12 +192,26 @@ pub struct Hurdle<'a> {
     pub(crate) log_share: &'a Lanes,
 }
 
+/// A term of which a share counts, while it is taken out of the likelihood.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Faded {
+    pub(crate) term: usize,
+    /// (–) exponent of its likelihood, from 1 to 0.
+    pub(crate) share: f64,
+}
+
 impl Hurdle<'_> {
+    /// For each term, whether it is used.
+    #[must_use]
+    pub fn used(&self) -> &[bool] {
+        self.used
+    }
+
     /// Which proposals are accepted where these are their terms. One that is not would neither be with lower
     /// terms: no rounding changes that.
     #[must_use]
     pub fn takes(&self, terms: &[Lanes]) -> [bool; LANES] {
-        let sums = sum_of_used(terms, self.used);
+        let sums = sum_of_used(terms, self.used, self.faded);
         std::array::from_fn(|lane| self.takes_sum(lane, sums[lane]))
     }
 
@@ -193,14 +224,15 @@ impl Hurdle<'_> {
     }
 }
 
-/// Sum of the terms that are used.
+/// Sum of the terms that are used, of `faded` its share.
 #[inline(always)]
-pub(crate) fn sum_of_used(terms: &[Lanes], used: &[bool]) -> Lanes {
+pub(crate) fn sum_of_used(terms: &[Lanes], used: &[bool], faded: Option<Faded>) -> Lanes {
     let mut sums = Lanes::ZERO;
-    for (term, used) in terms.iter().zip(used) {
+    for (place, (term, used)) in terms.iter().zip(used).enumerate() {
         if *used {
+            let share = faded.filter(|faded| faded.term == place).map_or(1.0, |faded| faded.share);
             for (sum, term) in sums.iter_mut().zip(term) {
-                *sum += term;
+                *sum += share * term;
             }
         }
     }

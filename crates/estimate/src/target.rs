@@ -4,7 +4,7 @@ use fearless_simd::dispatch;
 use uncertainty::{Instructions, LANES, Lanes};
 
 use crate::error::Failure;
-use crate::model::{Evidence, Hurdle, Prior, sum_of_used};
+use crate::model::{Evidence, Faded, Hurdle, Prior, sum_of_used};
 
 /// Prior and evidence, and which of the evidence is used.
 #[derive(Clone, Debug)]
@@ -12,6 +12,7 @@ pub(crate) struct Target<'a, P, E> {
     pub(crate) prior: &'a P,
     pub(crate) evidence: &'a E,
     pub(crate) used: Vec<bool>,
+    pub(crate) faded: Option<Faded>,
     pub(crate) instructions: Instructions,
 }
 
@@ -39,20 +40,20 @@ impl<P: Prior, E: Evidence> Target<'_, P, E> {
         }
     }
 
-    /// Evaluates a block of standard normal numbers.
+    /// Evaluates a block of standard normal numbers, with all terms.
     pub(crate) fn evaluate(&self, standard: &[Lanes], into: &mut Evaluation) -> Result<(), Failure> {
-        self.evaluate_for(standard, None, into)
+        self.evaluate_for(standard, Wanted::All, into)
     }
 
-    /// Evaluates a block of them, of which only those matter that a hurdle takes, where there is one.
+    /// Evaluates a block of them, with what is wanted.
     #[inline(never)]
     pub(crate) fn evaluate_for(
         &self,
         standard: &[Lanes],
-        hurdle: Option<&Hurdle<'_>>,
+        wanted: Wanted<'_>,
         into: &mut Evaluation,
     ) -> Result<(), Failure> {
-        dispatch!(self.instructions.level(), _simd => evaluate_with(self, standard, hurdle, into));
+        dispatch!(self.instructions.level(), _simd => evaluate_with(self, standard, wanted, into));
         // A sum with NaN or +∞ in it is one of these, −∞ + ∞ included.
         let is_likelihood = |sum: &f64| *sum < f64::INFINITY;
         if into.log_likelihood.iter().all(is_likelihood) { Ok(()) } else { Err(self.not_a_likelihood(into)) }
@@ -73,24 +74,37 @@ impl<P: Prior, E: Evidence> Target<'_, P, E> {
     }
 }
 
+/// What is wanted of a block.
+#[derive(Clone, Copy)]
+pub(crate) enum Wanted<'a> {
+    /// All terms.
+    All,
+    /// Those that are used.
+    Used,
+    /// Those of the proposals that a hurdle takes.
+    Taken(&'a Hurdle<'a>),
+}
+
 #[inline(always)]
 fn evaluate_with<P: Prior, E: Evidence>(
     target: &Target<'_, P, E>,
     standard: &[Lanes],
-    hurdle: Option<&Hurdle<'_>>,
+    wanted: Wanted<'_>,
     into: &mut Evaluation,
 ) {
     into.reasons = [0; LANES];
     target.prior.values(standard, &mut into.values);
     let Evaluation { values, terms, reasons, .. } = into;
-    let is_written = match hurdle {
-        Some(hurdle) => target.evidence.log_likelihood_of_proposals(values, hurdle, terms, reasons),
-        None => false,
-    };
-    if !is_written {
-        target.evidence.log_likelihood(values, terms, reasons);
+    match wanted {
+        Wanted::All => target.evidence.log_likelihood(values, terms, reasons),
+        Wanted::Used => target.evidence.log_likelihood_of_used(values, &target.used, terms, reasons),
+        Wanted::Taken(hurdle) => {
+            if !target.evidence.log_likelihood_of_proposals(values, hurdle, terms, reasons) {
+                target.evidence.log_likelihood_of_used(values, &target.used, terms, reasons);
+            }
+        }
     }
-    into.log_likelihood = sum_of_used(terms, &target.used);
+    into.log_likelihood = sum_of_used(terms, &target.used, target.faded);
     for (sum, reason) in into.log_likelihood.iter_mut().zip(&into.reasons) {
         *sum = if *reason == 0 { *sum } else { f64::NEG_INFINITY };
     }

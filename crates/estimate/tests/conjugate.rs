@@ -319,3 +319,92 @@ fn contradictory_measurements_have_an_answer_and_a_small_p_value() {
     let again = sample_quietly(&standard(2), &linear, &settings).unwrap().check(0).unwrap();
     assert!(again.p_value.value < 1e-6, "{again:?}");
 }
+
+/// Draws that start from those with all pieces, against the exact posterior without one, and its evidence
+/// against a run from the prior.
+#[test]
+fn a_piece_fades_out_of_the_draws() {
+    for (sd, seed) in [(0.5, 3), (0.1, 4)] {
+        let linear = Linear::new(3, sd);
+        let posterior = run(&linear, 512, seed);
+        for left_out in [0, 3] {
+            let others: Vec<usize> = (0..5).filter(|&other| other != left_out).collect();
+            let (mean, covariance) = linear.posterior(&others);
+            let settings = Settings { islands: 8, ..Settings::new(256, 4) };
+            let faded =
+                estimate::sample_without(&standard(3), &linear, &posterior, left_out, &settings).unwrap();
+            for (place, (mean, row)) in mean.iter().zip(&covariance).enumerate() {
+                let summary = faded.summary(Quantity::Value(place));
+                assert_near(summary.mean, *mean, 0.2 * row[place].sqrt());
+                assert_near(summary.sd, row[place].sqrt(), 0.2 * row[place].sqrt());
+            }
+            assert!(!faded.used()[left_out] && faded.used().iter().filter(|used| **used).count() == 4);
+            let terms = Selection::Without(vec![left_out]);
+            let again = Settings { terms, ..settings };
+            let again = sample_quietly(&standard(3), &linear, &again).unwrap();
+            let difference = faded.log_evidence().value - again.log_evidence().value;
+            assert!(difference.abs() < 0.25, "{sd} {left_out}: {difference}");
+            let [few, many] = [&faded, &again].map(|run| run.diagnosis().evaluations);
+            assert!(few < many, "{few} are not fewer than {many}");
+        }
+    }
+}
+
+/// What is not used or does not fit the draws is refused.
+#[test]
+fn only_a_piece_that_is_used_fades() {
+    let linear = Linear::new(3, 0.5);
+    let posterior = run(&linear, 256, 3);
+    let without = |term: usize, settings: &Settings| {
+        estimate::sample_without(&standard(3), &linear, &posterior, term, settings).unwrap_err()
+    };
+    assert!(matches!(
+        without(5, &Settings::new(128, 1)),
+        estimate::Failure::NoSuchTerm { term: 5, terms: 5 }
+    ));
+    assert!(matches!(without(0, &Settings::new(512, 1)), estimate::Failure::Particles { particles: 512 }));
+    let many = Settings { islands: 17, ..Settings::new(128, 1) };
+    assert!(matches!(without(0, &many), estimate::Failure::Islands { islands: 17 }));
+}
+
+/// Evidence of which only a piece that is not used finds half of the prior impossible.
+struct Half;
+
+impl Evidence for Half {
+    fn terms_count(&self) -> usize {
+        2
+    }
+
+    fn log_likelihood(&self, values: &[Lanes], terms: &mut [Lanes], reasons: &mut [u8; LANES]) {
+        self.log_likelihood_of_used(values, &[true, false], terms, reasons);
+        for ((reason, term), value) in reasons.iter_mut().zip(terms[1].iter_mut()).zip(&values[0]) {
+            *term = 0.0;
+            *reason = u8::from(*value > 0.0);
+        }
+    }
+
+    fn log_likelihood_of_used(
+        &self,
+        values: &[Lanes],
+        _used: &[bool],
+        terms: &mut [Lanes],
+        _reasons: &mut [u8; LANES],
+    ) {
+        for (term, value) in terms[0].iter_mut().zip(&values[1]) {
+            *term = -0.5 * (value - 1.0) * (value - 1.0);
+        }
+    }
+}
+
+/// Draws that the whole model finds impossible are taken out, and the evidence knows their share: Z is half
+/// of ∫ N(x; 0, 1) exp(−½(x − 1)²) dx = exp(−¼)/√2.
+#[test]
+fn what_is_impossible_is_taken_out_at_the_end() {
+    let settings = Settings { terms: Selection::Only(vec![0]), ..Settings::new(512, 2) };
+    let posterior = sample_quietly(&standard(2), &Half, &settings).unwrap();
+    assert!(posterior.values()[0].iter().all(|value| *value <= 0.0));
+    let exact = -0.25 - 1.5 * std::f64::consts::LN_2;
+    let found = posterior.log_evidence().value;
+    assert!((found - exact).abs() < 0.05, "{found} is not {exact}");
+    assert_near(posterior.summary(Quantity::Value(1)).mean, 0.5, 0.05);
+}

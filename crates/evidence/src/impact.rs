@@ -1,7 +1,7 @@
 //! The impact of one particle.
 
 use estimate::Independent;
-use pim_core::{Body, Contact, Law, Motion, Outcome, Participant, Tangential, Vector2};
+use pim_core::{Body, Contact, Law, Motion, Outcome, Participant, Tangential, Vector2, VehicleId};
 use uncertainty::{LANES, Lanes};
 
 use crate::collision::{Collision, Crush, Vehicle};
@@ -19,12 +19,12 @@ pub trait Impacts: Sync {
     fn impacts(&self, values: &[Lanes]) -> Vec<Impacted>;
 
     /// The same, where a vehicle is followed to rest only in those particles that `wanted` asks for. It is
-    /// asked once the impacts are known, and again once one vehicle has been followed; a particle that it
-    /// does not want need not be followed any further. `None` where no vehicle is followed.
+    /// asked for each vehicle once the impacts are known, and the other vehicle, where it comes first, has
+    /// been followed. `None` where no vehicle is followed.
     fn impacts_as_wanted(
         &self,
         values: &[Lanes],
-        wanted: &mut dyn FnMut(&[Impacted]) -> [bool; LANES],
+        wanted: &mut dyn FnMut(VehicleId, &[Impacted]) -> [bool; LANES],
     ) -> Option<Vec<Impacted>> {
         let _ = (values, wanted);
         None

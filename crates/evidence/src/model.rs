@@ -280,6 +280,12 @@ impl<I: Impacts> Model<I> {
         ])
     }
 
+    /// Whether a piece that is used tells of the way of a vehicle to rest.
+    fn tells_way(&self, id: VehicleId, used: &[bool]) -> bool {
+        let is_of_way = |piece: &Piece| matches!(piece, Piece::Rest(of) | Piece::Points(of) if *of == id);
+        self.pieces.iter().zip(used).any(|(piece, used)| *used && is_of_way(piece))
+    }
+
     /// What the unknown numbers lead to.
     #[must_use]
     pub fn leads(&self) -> &I {
@@ -625,6 +631,21 @@ impl<I: Impacts> Evidence for Model<I> {
     }
 
     #[inline(never)]
+    fn log_likelihood_of_used(
+        &self,
+        values: &[Lanes],
+        used: &[bool],
+        terms: &mut [Lanes],
+        reasons: &mut [u8; LANES],
+    ) {
+        let mut wanted = |id: VehicleId, _: &[Impacted]| [self.tells_way(id, used); LANES];
+        match self.impacts.impacts_as_wanted(values, &mut wanted) {
+            Some(impacts) => self.judge(&impacts, terms, reasons),
+            None => self.log_likelihood(values, terms, reasons),
+        }
+    }
+
+    #[inline(never)]
     fn log_likelihood_of_proposals(
         &self,
         values: &[Lanes],
@@ -632,7 +653,10 @@ impl<I: Impacts> Evidence for Model<I> {
         terms: &mut [Lanes],
         reasons: &mut [u8; LANES],
     ) -> bool {
-        let mut wanted = |impacts: &[Impacted]| {
+        let mut wanted = |id: VehicleId, impacts: &[Impacted]| {
+            if !self.tells_way(id, hurdle.used()) {
+                return [false; LANES];
+            }
             self.judge(impacts, terms, &mut [0; LANES]);
             hurdle.takes(terms)
         };

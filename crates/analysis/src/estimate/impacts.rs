@@ -142,13 +142,13 @@ impl Impacts for CaseImpacts {
     }
 
     fn impacts(&self, values: &[Lanes]) -> Vec<Impacted> {
-        self.impacts_of(values, &mut |_| [true; LANES])
+        self.impacts_of(values, &mut |_, _| [true; LANES])
     }
 
     fn impacts_as_wanted(
         &self,
         values: &[Lanes],
-        wanted: &mut dyn FnMut(&[Impacted]) -> [bool; LANES],
+        wanted: &mut dyn FnMut(VehicleId, &[Impacted]) -> [bool; LANES],
     ) -> Option<Vec<Impacted>> {
         (self.followed != [false, false]).then(|| self.impacts_of(values, wanted))
     }
@@ -174,7 +174,7 @@ impl CaseImpacts {
     fn impacts_of(
         &self,
         values: &[Lanes],
-        wanted: &mut dyn FnMut(&[Impacted]) -> [bool; LANES],
+        wanted: &mut dyn FnMut(VehicleId, &[Impacted]) -> [bool; LANES],
     ) -> Vec<Impacted> {
         let poses = self.block.as_ref().map(|block| block.pose(values, self.speeds));
         let marks = self.marks(values);
@@ -197,7 +197,7 @@ impl CaseImpacts {
         }
         let mut motions: Vec<Option<MotionInput>> = vec![None; LANES];
         for id in VehicleId::ALL.into_iter().filter(|id| self.followed[id.index()]) {
-            let wanted = wanted(&impacts);
+            let wanted = wanted(id, &impacts);
             for (lane, motion) in motions.iter_mut().enumerate() {
                 let impacted = &mut impacts[lane];
                 if wanted[lane] && impacted.is_possible && motion.is_none() {
@@ -342,8 +342,9 @@ fn follow(id: VehicleId, wanted: [bool; LANES], motions: &[Option<MotionInput>],
     }
 }
 
-/// (m) a step of the way to rest may err by this: 1 cm and 0.1° at its end.
-const WAY_TOLERANCE: f64 = 5e-4;
+/// (m) a step of the way to rest may err by this, which is little beside the error of a rest that was
+/// measured, 0.5 m and 10 % of the way.
+pub(super) const WAY_TOLERANCE: f64 = 5e-3;
 
 /// (m) from each point that was observed to the way.
 fn misses(input: &MotionInput, id: VehicleId, start: Motion) -> Vec<f64> {

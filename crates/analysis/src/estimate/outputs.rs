@@ -161,6 +161,16 @@ impl Evidence for Told<'_> {
         self.model.log_likelihood(values, terms, reasons);
     }
 
+    fn log_likelihood_of_used(
+        &self,
+        values: &[Lanes],
+        used: &[bool],
+        terms: &mut [Lanes],
+        reasons: &mut [u8; LANES],
+    ) {
+        self.model.log_likelihood_of_used(values, used, terms, reasons);
+    }
+
     fn log_likelihood_of_proposals(
         &self,
         values: &[Lanes],

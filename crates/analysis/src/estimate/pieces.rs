@@ -2,7 +2,7 @@
 
 use std::f64::consts::FRAC_PI_2;
 
-use ::estimate::{CannotReweight, Check, Draws, ESS_LIMIT, Posterior, Selection, Summary, Verdict, Weights};
+use ::estimate::{CannotReweight, Check, Doubt, Draws, ESS_LIMIT, Posterior, Summary, Verdict, Weights};
 use ::uncertainty::Estimate;
 use evidence::Piece;
 use pim_core::VehicleId;
@@ -67,8 +67,36 @@ pub(super) struct There<'a> {
     pub(super) before: Option<&'a Posterior>,
 }
 
+/// Another run that shows what a piece does.
+#[derive(Clone, Debug)]
+pub(super) enum Wanted {
+    /// With these terms alone.
+    Only(Vec<usize>),
+    /// All but this one.
+    Without(usize),
+}
+
 /// Runs with other terms; `None` where that fails.
-pub(super) type Again<'a> = dyn FnMut(Selection) -> Option<Posterior> + 'a;
+pub(super) type Again<'a> = dyn FnMut(Wanted) -> Option<Posterior> + 'a;
+
+/// The least effective sample size of a run of which only a median and an interval are shown, rounded to few
+/// digits: the ends of the interval are then known to about a quarter of the standard deviation.
+const BESIDE_ESS: f64 = 100.0;
+
+/// Whether a run beside the answer shows a median and an interval: it may be worth fewer draws than an
+/// answer, but must not be wrong otherwise.
+fn suffices(run: &Posterior) -> bool {
+    let is_by_few_draws = |doubt: &Doubt| match doubt {
+        Doubt::FewDraws { ess, .. } => *ess >= BESIDE_ESS,
+        // Both follow from the same spread between the islands as the effective sample size.
+        Doubt::Disagreement { .. } | Doubt::Extremes { .. } => run.diagnosis().ess() >= BESIDE_ESS,
+        _ => false,
+    };
+    match run.verdict() {
+        Verdict::Converged => true,
+        Verdict::NotConverged(doubts) => doubts.iter().all(is_by_few_draws),
+    }
+}
 
 /// What a piece does to the answer. The speeds by it alone and without it are those of the draws that are
 /// there, under other weights where enough of these count, and of `again` where not; without `again` they are
@@ -95,14 +123,14 @@ pub(super) fn found(
             let suffice = weights.are_reliable() && run.worth(&weights) >= ESS_LIMIT;
             suffice.then(|| speeds(run, run.weighted(&weights)))
         };
-        let mut run = |terms: Selection| again(terms).filter(|run| run.verdict() == Verdict::Converged);
+        let mut run = |wanted: Wanted| again(wanted).filter(suffices);
         alone = before.and_then(|before| weighted(before, before.with(term))).or_else(|| {
             let only = always.iter().copied().chain([term]).collect();
-            run(Selection::Only(only)).map(|run| speeds(&run, run.draws()))
+            run(Wanted::Only(only)).map(|run| speeds(&run, run.draws()))
         });
         without = weighted(posterior, posterior.without(&[term]));
         if without.is_none()
-            && let Some(run) = run(Selection::Without(vec![term]))
+            && let Some(run) = run(Wanted::Without(term))
         {
             if p_value.is_none()
                 && let Ok(check) = run.check(term)
