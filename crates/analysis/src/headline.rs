@@ -10,8 +10,13 @@ use pim_core::VehicleId;
 use crate::evidence::{ByEvidence, EvidenceMethod, by_evidence};
 use crate::{
     Analysis, BothMethod, Check, EstimateOutput, EstimatePlan, EstimateStage, Estimated, Failure, Output,
-    Warning, estimate,
+    Warning, estimate, estimate_evidence,
 };
+
+/// Whether the case has what it takes to weigh its evidence: momentum of point masses needs less.
+pub(crate) fn can_be_weighed(case: &Case) -> bool {
+    estimate_evidence(case).is_ok()
+}
 
 /// Why an exact solution is not the answer of its case.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -27,7 +32,8 @@ pub struct Overdetermined {
 
 impl Analysis {
     /// Why this exact solution is not the answer of the case; `None` where the evidence just determines the
-    /// speeds that are sought and the checks hold, and where no speed is sought.
+    /// speeds that are sought and the checks hold, where what is left aside cannot be weighed but contradicts
+    /// nothing, and where no speed is sought.
     #[must_use]
     pub fn overdetermined(&self) -> Option<Overdetermined> {
         if self.found.is_none() && self.both.is_none() {
@@ -40,7 +46,8 @@ impl Analysis {
             refuted_by: refuted.copied().collect(),
             is_contradicted: self.warnings.iter().any(differs),
         };
-        (why != Overdetermined::default()).then_some(why)
+        let is_refuted = why.is_contradicted || !why.refuted_by.is_empty();
+        (is_refuted || (!why.left_aside.is_empty() && self.can_be_weighed)).then_some(why)
     }
 }
 
@@ -140,7 +147,10 @@ fn method(exact: &Analysis) -> EvidenceMethod {
         (None, Some(BothMethod::MomentumAndSpeed { given })) => {
             EvidenceMethod::MomentumAndSpeed { given: *given }
         }
-        (None, _) => EvidenceMethod::Momentum,
+        (None, Some(BothMethod::Wall { vehicle, restitution })) => {
+            EvidenceMethod::Wall { vehicle: *vehicle, restitution: *restitution }
+        }
+        (None, Some(BothMethod::Momentum) | None) => EvidenceMethod::Momentum,
     }
 }
 

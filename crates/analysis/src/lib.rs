@@ -128,6 +128,8 @@ pub struct Analysis {
     /// The keys of the evidence that the case has and this answer does not use. What is over-determined has
     /// no exact solution that takes account of all.
     pub left_aside: Vec<String>,
+    /// Whether the case has what it takes to weigh that evidence; looked at only where there is any.
+    pub can_be_weighed: bool,
     /// The consistency checks, passed or not.
     pub checks: Vec<Check>,
     /// What a careful reader should know.
@@ -162,6 +164,7 @@ impl Analysis {
     fn beside_the_rest(mut self, case: &Case) -> Self {
         let used = Used::of(self.found.as_ref(), self.both.as_ref().map(|both| &both.method));
         self.left_aside = aside::left_aside(case, used);
+        self.can_be_weighed = !self.left_aside.is_empty() && headline::can_be_weighed(case);
         let contradictions = aside::contradictions(case, &self, used);
         self.warnings.extend(contradictions);
         self
@@ -530,6 +533,7 @@ fn unsolved(vehicles: [Vehicle; 2]) -> Analysis {
         vehicles,
         crash3: None,
         left_aside: Vec::new(),
+        can_be_weighed: false,
         checks: Vec::new(),
         warnings: Vec::new(),
     }
@@ -626,6 +630,7 @@ fn judged(
         vehicles,
         crash3,
         left_aside: Vec::new(),
+        can_be_weighed: false,
         checks,
         warnings,
     })

@@ -99,6 +99,7 @@ impl Analysis {
             mut vehicles,
             crash3,
             left_aside,
+            can_be_weighed: _,
             checks,
             warnings,
         } = self.clone();

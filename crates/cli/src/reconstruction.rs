@@ -18,7 +18,7 @@ pub(crate) fn report(arguments: ReconstructArguments) -> Result<()> {
     let threads = cases.threads;
     if live {
         let weigh = |file: &CaseFile, solution: &Analysis, units: Units| {
-            if exact { Ok(None) } else { weigh(file, solution, threads, units) }
+            if exact { Ok(None) } else { weigh(file, solution, threads, units)? }
         };
         return live::report(cases, page.as_deref(), analysis::reconstruct, &weigh);
     }
@@ -29,7 +29,12 @@ pub(crate) fn report(arguments: ReconstructArguments) -> Result<()> {
     let file = case_file(&arguments.case)?;
     let units = units(arguments.units, &file);
     let solution = answered(analysis::reconstruct(&file.case), &file, units)?;
-    let weighed = if exact { None } else { weigh(&file, &solution, threads, units)? };
+    let weighed = if exact { Ok(None) } else { weigh(&file, &solution, threads, units)? };
+    // Without weighing, the exact solution stands there as one.
+    let (weighed, unweighed) = match weighed {
+        Ok(weighed) => (weighed, None),
+        Err(reason) => (None, Some(reason)),
+    };
     let document = || match (arguments.format, &weighed) {
         (Format::Html | Format::Markdown, weighed) => {
             let of_method = if exact || weighed.is_some() { None } else { with_method(&file, threads)? };
@@ -45,6 +50,9 @@ pub(crate) fn report(arguments: ReconstructArguments) -> Result<()> {
         Some(weighed) => report::weighed_json(&file, &solution, weighed),
         None => report::json(&file, &solution),
     })?;
+    if let Some(reason) = unweighed {
+        return Err(reason.context("the evidence could not be weighed, so the case has no headline"));
+    }
     if weighed.as_ref().is_none_or(Weighed::is_answer) {
         return Ok(());
     }
@@ -53,20 +61,20 @@ pub(crate) fn report(arguments: ReconstructArguments) -> Result<()> {
     Err(NoAnswer(message.to_owned()).into())
 }
 
-/// All the evidence, where the case has more than its exact solution uses.
+/// All the evidence, where the case has more than its exact solution uses; or why it cannot be weighed.
 fn weigh(
     file: &CaseFile,
     solution: &Analysis,
     threads: Option<u16>,
     units: Units,
-) -> Result<Option<Weighed>> {
+) -> Result<Result<Option<Weighed>>> {
     if solution.overdetermined().is_none() {
-        return Ok(None);
+        return Ok(Ok(None));
     }
     let weighed = estimates::with_progress(&pool(threads)?, |progress| {
         analysis::weigh(&file.case, solution, &PLAN, progress)
     })?;
-    answered(weighed, file, units)
+    Ok(answered(weighed, file, units))
 }
 
 /// What has the errors of the method, for the report on a case whose exact solution is the answer and that

@@ -134,6 +134,7 @@ pub(crate) fn solution(by: EvidenceMethod) -> &'static str {
         EvidenceMethod::Crash3 { .. } => "damage, by CRASH3",
         EvidenceMethod::Momentum => "momentum",
         EvidenceMethod::MomentumAndSpeed { .. } => "momentum and the given speed",
+        EvidenceMethod::Wall { .. } => "the path out of the wall",
         EvidenceMethod::MomentumAndDamage => "momentum and damage",
         EvidenceMethod::Weighed { .. } => "momentum and damage, weighed",
     }

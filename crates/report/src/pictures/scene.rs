@@ -103,9 +103,9 @@ fn vehicle(
         cg: (-participant.arm()).into(),
         forward: participant.forward().into(),
         is_fixed,
-        motion: exchange.filter(|_| !is_fixed).map(|exchange| {
-            motion(exchange, analysis.speed(id), participant.forward(), i, units)
-        }),
+        motion: exchange
+            .filter(|_| !is_fixed)
+            .map(|exchange| motion(exchange, analysis.speed(id), participant.forward(), i, units)),
     }
 }
 
@@ -131,13 +131,7 @@ pub(super) fn scene_body(
     }
 }
 
-fn motion(
-    exchange: &Exchange,
-    speed: f64,
-    forward: Vector2<f64>,
-    i: usize,
-    units: Units,
-) -> SceneMotion {
+fn motion(exchange: &Exchange, speed: f64, forward: Vector2<f64>, i: usize, units: Units) -> SceneMotion {
     let number = ["₁", "₂"][i];
     let arrow = |velocity: Vector2<f64>, label: String| SceneArrow { vector: velocity.into(), label };
     let before = format!("v{number} before: {}", units.speed_in_words(speed));

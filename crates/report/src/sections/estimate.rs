@@ -3,8 +3,8 @@
 use ::estimate::Summary;
 use ::uncertainty::{Distribution, Shape};
 use analysis::{
-    Assumed, EstimateOutput, Estimated, EstimatedOutput, Output, PieceFound, Stood, TOLD_BELOW, UnknownNumber,
-    Weighed,
+    Assumed, EstimateOutput, Estimated, EstimatedOutput, Output, PieceFound, Stood, TOLD_BELOW,
+    UnknownNumber, Weighed,
 };
 use case::{Case, Prior};
 use evidence::Piece;

@@ -4,8 +4,8 @@ mod inputs;
 
 use ::drawing::{Drawing, SitePlan};
 use analysis::{
-    Analysis, EnergyBalance, EstimateOutput, Estimated, Output, Seen, SeenWarning, Sensitivity, UncertainInput,
-    UncertainOutput, Uncertainty, Weighed,
+    Analysis, EnergyBalance, EstimateOutput, Estimated, Output, Seen, SeenWarning, Sensitivity,
+    UncertainInput, UncertainOutput, Uncertainty, Weighed,
 };
 use case::{Axes, Basis, CaseFile, Estimate, Origin, ReportHead};
 use pim_core::VehicleId;
