@@ -1,11 +1,16 @@
 //! Both speeds, from how the vehicles left the impact.
 
-use inputs::{Case, Collision, TwoSpeedInput};
+mod choice;
+
+use inputs::{Basis, Case, Collision, TwoSpeedInput};
 use pim_core::{Law, Outcome, Real, VaryingLaw, Vector2, VehicleId};
 use reconcile::{Departure, Implied, Momentum, MomentumAndCrush, MomentumError};
 
 use crate::travel::{Origin, Record, Way, Ways, departures};
-use crate::{Analysis, Failure, Impact, checks, damage, judged, warning};
+use crate::{Analysis, Failure, Impact, checks, damage, evidence, judged, warning};
+
+pub use choice::Combination;
+pub(crate) use choice::Spread;
 
 /// Both speeds, and what they rest on.
 #[derive(Clone, Debug)]
@@ -22,6 +27,9 @@ pub struct BothFound {
     pub momentum: Momentum,
     /// What follows from the speeds and the velocities after the impact, without an impact law.
     pub implied: Implied,
+    /// Every combination of a start of either vehicle that leads to the rests, the one of this answer first:
+    /// it agrees best with the impulse.
+    pub combinations: Vec<Combination>,
 }
 
 /// What gives both speeds.
@@ -60,6 +68,16 @@ pub(crate) struct ByCrush<T = f64> {
     crush_energy: T,
 }
 
+impl ByCrush {
+    /// The same with another momentum.
+    fn with(&self, momentum: Momentum, law: VaryingLaw, basis: Basis) -> Result<Self, MomentumError> {
+        let (energy, share) = (basis.energy(), basis.tangential_share());
+        let axis = momentum.common_axis();
+        let search = MomentumAndCrush::new(momentum, axis, law, self.crush_energy, energy, share)?;
+        Ok(Self { search, crush_energy: self.crush_energy })
+    }
+}
+
 impl<T: Real> Posed<T> {
     /// The impact at both speeds (m/s), and the law at its closing speed.
     pub(crate) fn impact(&self, speeds: [T; 2]) -> Result<(Law<T>, Outcome<T>), Failure> {
@@ -92,13 +110,46 @@ pub(crate) fn pose<T: Real>(input: TwoSpeedInput<T>, ways: &mut impl Ways<T>) ->
     Ok(Posed { momentum, by_crush, ways: [way_1, way_2], law })
 }
 
+/// Both speeds as an equation, with the starts that agree best with the impulse, all combinations of starts,
+/// and what they were held against.
+struct Agreed {
+    posed: Posed,
+    combinations: Vec<Combination>,
+    evidence: choice::Evidence,
+}
+
+impl Agreed {
+    fn new(case: &Case, input: TwoSpeedInput, record: &mut Record) -> Result<Self, Failure> {
+        let (basis, motion) = (input.basis, input.motion.clone());
+        let vehicles = input.has_crush.then(|| input.collision.vehicles.clone());
+        let mut posed = pose(input, record)?;
+        let is_held = posed.by_crush.is_none();
+        let crush_energy = match vehicles.filter(|_| is_held) {
+            Some(vehicles) => Some(damage::crush_energy(&damage::assess(vehicles, [None, None])?)),
+            None => None,
+        };
+        let evidence = choice::Evidence {
+            crush_energy: crush_energy.filter(|energy| *energy > 0.0),
+            basis,
+            crush_ln: evidence::errors(case).crush_ln,
+        };
+        let combinations = choice::agreeing(&mut posed, record, motion.as_ref(), &evidence)?;
+        Ok(Self { posed, combinations, evidence })
+    }
+}
+
+/// [`pose`] with the starts that agree best with the impulse.
+pub(crate) fn pose_agreeing(case: &Case, input: TwoSpeedInput) -> Result<Posed, Failure> {
+    Ok(Agreed::new(case, input, &mut Record::of(Origin::Given))?.posed)
+}
+
 /// Finds both speeds.
 pub(crate) fn reconstruct(case: &Case) -> Result<Analysis, Failure> {
     let input = case.two_speeds()?;
     let (basis, has_crush, vehicles) = (input.basis, input.has_crush, input.collision.vehicles.clone());
     let surface = input.motion.as_ref().map(|motion| motion.surface.clone());
     let mut record = Record::of(Origin::Given);
-    let posed = pose(input, &mut record)?;
+    let Agreed { posed, combinations, evidence } = Agreed::new(case, input, &mut record)?;
     let (speeds, method) = match &posed.by_crush {
         Some(ByCrush { search, crush_energy }) => {
             let answer = search.solve()?;
@@ -122,13 +173,14 @@ pub(crate) fn reconstruct(case: &Case) -> Result<Analysis, Failure> {
         BothMethod::Momentum => implied.delta_v.map(|change| change.norm()),
         BothMethod::MomentumAndCrush { .. } => impact.outcome.delta_v_magnitude(),
     };
-    let both = BothFound { speeds, method, delta_v, momentum, implied };
+    let spread = choice::spread(&momentum, speeds, &evidence, restitution);
+    let both = BothFound { speeds, method, delta_v, momentum, implied, combinations };
     let mut analysis = judged(case, vehicles, basis, Some(restitution), (None, Some(impact)), Vec::new())?;
     // The part of the crush energy that the impact dissipates, on the case's basis.
     let dissipated = || basis.energy().dissipated(damage::crush_energy(&analysis.vehicles), restitution);
     let crush_energy = has_crush.then(|| (dissipated(), basis));
     if let Some(impact) = &analysis.impact {
-        let checks = checks::of_momentum(&both, impact, &analysis.vehicles, crush_energy);
+        let checks = checks::of_momentum(&both, impact, &analysis.vehicles, crush_energy, spread.as_ref());
         warning::of_momentum(&checks, &mut analysis.warnings);
         analysis.checks.extend(checks);
     }
@@ -143,11 +195,16 @@ impl BothFound {
         let momentum = Momentum {
             contact: contact.mirrored(),
             yaw_rates: yaw_rates.map(|rate| 0.0 - rate),
-            after: after.map(|Departure { velocity, yaw_rate }| Departure {
-                velocity: Vector2::new(velocity.x, 0.0 - velocity.y),
-                yaw_rate: yaw_rate.map(|rate| 0.0 - rate),
-            }),
+            after: after.map(mirrored),
         };
-        Self { momentum, implied: self.implied.mirrored(), ..self }
+        let combinations = self.combinations.into_iter().map(Combination::mirrored).collect();
+        Self { momentum, implied: self.implied.mirrored(), combinations, ..self }
+    }
+}
+
+fn mirrored(Departure { velocity, yaw_rate }: Departure) -> Departure {
+    Departure {
+        velocity: Vector2::new(velocity.x, 0.0 - velocity.y),
+        yaw_rate: yaw_rate.map(|rate| 0.0 - rate),
     }
 }

@@ -6,10 +6,13 @@ use std::f64::consts::PI;
 use crash3::principal_angle;
 use inputs::{Axes, Basis};
 use pim_core::{Real, VehicleId};
+use real::elementary;
+use reconcile::{Implied, Momentum};
 
+use crate::both::Spread;
 use crate::thresholds::{
-    ARM_DIFFERENCE, ENERGY_DIFFERENCE, FAST_CLOSING, FORCE_RATIO, HIGH_RESTITUTION,
-    MOMENTUM_ENERGY_DIFFERENCE, PDOF_DIFFERENCE, POINT_MISSED, RATIO_BEYOND, RESTITUTION_DIFFERENCE,
+    ENERGY_DIFFERENCE, FAST_CLOSING, FORCE_RATIO, HIGH_RESTITUTION, PDOF_DIFFERENCE, POINT_MISSED,
+    REST_MISSED, SURE,
 };
 use crate::{BothFound, BothMethod, Impact, Pass, Travel, Vehicle};
 
@@ -104,6 +107,13 @@ pub enum CheckedQuantity {
         /// How the way passes it.
         pass: Pass,
     },
+    /// How far from the measured rest the way ends that leads there, as a share of the way.
+    RestMissed {
+        /// Which vehicle.
+        vehicle: VehicleId,
+        /// (m) how far.
+        miss: f64,
+    },
 }
 
 impl Check {
@@ -133,6 +143,7 @@ impl Check {
             CheckedQuantity::MomentumYawRate { .. } => "momentum-yaw-rate",
             CheckedQuantity::MomentumPdof { .. } => "momentum-pdof",
             CheckedQuantity::PointMissed { .. } => "point-missed",
+            CheckedQuantity::RestMissed { .. } => "rest-missed",
         }
     }
 
@@ -161,7 +172,8 @@ impl Check {
             CheckedQuantity::Rotation { vehicle }
             | CheckedQuantity::MomentumYawRate { vehicle, .. }
             | CheckedQuantity::MomentumPdof { vehicle, .. }
-            | CheckedQuantity::PointMissed { vehicle, .. } => Some(vehicle),
+            | CheckedQuantity::PointMissed { vehicle, .. }
+            | CheckedQuantity::RestMissed { vehicle, .. } => Some(vehicle),
             CheckedQuantity::ForceBalance
             | CheckedQuantity::PdofsOpposite
             | CheckedQuantity::DamageEnergy { .. }
@@ -186,49 +198,67 @@ impl Check {
     }
 }
 
-/// What both speeds and the velocities after the impact imply, against all else that is known of it. The
-/// crush energy (J) is the part that the impact dissipates on its basis.
-pub(crate) fn of_momentum(
-    both: &BothFound,
-    impact: &Impact,
-    vehicles: &[Vehicle; 2],
+/// What both speeds and the velocities after the impact imply, against all else that is known of it, each
+/// within what its `spread` explains. The crush energy (J) is the part that the impact dissipates on its
+/// basis.
+pub(crate) fn implied(
+    momentum: &Momentum,
+    implied: &Implied,
+    given: f64,
     crush_energy: Option<(f64, Basis)>,
+    spread: &Spread,
 ) -> Vec<Check> {
-    let implied = &both.implied;
     let mut checks = Vec::new();
-    let is_used = matches!(both.method, BothMethod::MomentumAndCrush { .. });
-    if let Some((crush_energy, basis)) = crush_energy.filter(|(energy, _)| *energy > 0.0 && !is_used) {
+    if let Some((crush_energy, basis)) = crush_energy.filter(|(energy, _)| *energy > 0.0) {
         let normal_work = basis.taken_by_crush(implied.normal_work, implied.tangential_work);
         // |W_n + λ W_t − E|/E
         let value = (normal_work - crush_energy).abs() / crush_energy;
+        // |ln (W/E)| ≤ 2.58 σ, in W/E − 1
+        let most = SURE * spread.energy_ln;
+        let is_more = normal_work > crush_energy;
+        let limit = (elementary::exp(if is_more { most } else { 0.0 - most }) - 1.0).abs();
         let tangential_share = basis.tangential_share();
         let quantity = CheckedQuantity::MomentumEnergy { normal_work, crush_energy, tangential_share };
-        checks.push(Check { quantity, value, limit: MOMENTUM_ENERGY_DIFFERENCE });
+        checks.push(Check { quantity, value, limit });
     }
     if let Some(e) = implied.restitution {
-        let given = impact.law.restitution();
         let quantity = CheckedQuantity::MomentumRestitution { implied: e, given };
-        checks.push(Check { quantity, value: (e - given).abs(), limit: RESTITUTION_DIFFERENCE });
+        checks.push(Check { quantity, value: (e - given).abs(), limit: SURE * spread.restitution });
     }
     if let (Some(mu), Some(critical)) = (implied.impulse_ratio, implied.critical_impulse_ratio) {
         // How far beyond μ_c, or on the other side of 0.
         let along = mu * critical.signum();
         let value = (along - critical.abs()).max(-along).max(0.0);
         let quantity = CheckedQuantity::MomentumRatio { implied: mu, critical };
-        checks.push(Check { quantity, value, limit: RATIO_BEYOND });
+        checks.push(Check { quantity, value, limit: SURE * spread.impulse_ratio });
     }
-    let size = implied.impulse_vector.norm();
     for (i, vehicle) in VehicleId::ALL.into_iter().enumerate() {
-        let body = impact.contact.participants()[i].body();
-        if let Some(told) = both.momentum.after[i].yaw_rate {
+        if let Some(told) = momentum.after[i].yaw_rate {
             let computed = implied.yaw_rates[i];
-            // |ΔΩ| = |P| Δh/I
-            let limit = size * ARM_DIFFERENCE * body.inverse_yaw_inertia();
             let quantity = CheckedQuantity::MomentumYawRate { vehicle, implied: computed, told };
+            let limit = SURE * spread.yaw_rates[i];
             checks.push(Check { quantity, value: (computed - told).abs(), limit });
         }
+    }
+    checks
+}
+
+/// The same of the speeds found, and the PDOF that goes with them.
+pub(crate) fn of_momentum(
+    both: &BothFound,
+    impact: &Impact,
+    vehicles: &[Vehicle; 2],
+    crush_energy: Option<(f64, Basis)>,
+    spread: Option<&Spread>,
+) -> Vec<Check> {
+    let is_used = matches!(both.method, BothMethod::MomentumAndCrush { .. });
+    let crush_energy = crush_energy.filter(|_| !is_used);
+    let given = impact.law.restitution();
+    let mut checks = spread
+        .map_or_else(Vec::new, |spread| implied(&both.momentum, &both.implied, given, crush_energy, spread));
+    for (i, vehicle) in VehicleId::ALL.into_iter().enumerate() {
         if let Some(given) = vehicles[i].given_pdof() {
-            let computed = implied.pdof[i];
+            let computed = both.implied.pdof[i];
             let quantity = CheckedQuantity::MomentumPdof { vehicle, implied: computed, given };
             let value = principal_angle(computed - given).abs();
             checks.push(Check { quantity, value, limit: vehicles[i].half_hour().max(PDOF_DIFFERENCE) });
@@ -237,11 +267,18 @@ pub(crate) fn of_momentum(
     checks
 }
 
-/// How the ways to rest pass the points of the paths.
+/// How near the ways come to the rests they were sought for, and how they pass the points of the paths.
 pub(crate) fn of_travel(travel: &[Option<Travel>; 2]) -> Vec<Check> {
     let mut checks = Vec::new();
     for (vehicle, travel) in VehicleId::ALL.into_iter().zip(travel) {
         let Some(travel) = travel else { continue };
+        if travel.origin.is_by_rest()
+            && let Some((miss, _)) = travel.miss()
+            && travel.rest.distance > 0.0
+        {
+            let quantity = CheckedQuantity::RestMissed { vehicle, miss };
+            checks.push(Check { quantity, value: miss / travel.rest.distance, limit: REST_MISSED });
+        }
         for (i, (pass, value)) in travel.passes.iter().zip(travel.shares_missed()).enumerate() {
             // A vehicle that does not move has no way that a length could be a share of.
             if value.is_finite() {

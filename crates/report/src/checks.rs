@@ -61,7 +61,7 @@ pub(crate) fn table(analysis: &Seen, units: Units) -> Option<Table> {
             CheckedQuantity::MomentumRatio { implied, critical } => (
                 "momentum: impulse ratio".to_owned(),
                 number(implied, 2),
-                format!("0 to {}, ±{}", number(critical, 2), number(check.limit, 1)),
+                format!("0 to {}, ±{}", number(critical, 2), number(check.limit, 2)),
             ),
             CheckedQuantity::MomentumYawRate { vehicle, implied, told } => {
                 let degrees = |si: f64| units.format(Measure::YawRateDegrees, si);
@@ -80,6 +80,11 @@ pub(crate) fn table(analysis: &Seen, units: Units) -> Option<Table> {
             CheckedQuantity::PointMissed { vehicle, point, pass } => (
                 format!("way past point {point} of vehicle {vehicle}"),
                 format!("{}: {}", words::pass(&pass, units), percent(check.value)),
+                format!("{} of the way", percent(check.limit)),
+            ),
+            CheckedQuantity::RestMissed { vehicle, miss } => (
+                format!("way to the rest of vehicle {vehicle}"),
+                format!("ends {} from it: {}", units.format(Measure::Length, miss), percent(check.value)),
                 format!("{} of the way", percent(check.limit)),
             ),
         };

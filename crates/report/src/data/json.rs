@@ -1,6 +1,9 @@
 //! A finished analysis as JSON, in SI units and radians.
 
-use analysis::{Analysis, BothFound, BothMethod, Impact, Pass, Seen, SeenWarning, Travel, TravelOrigin};
+use analysis::{
+    Analysis, BothFound, BothMethod, Check, Combination, Impact, Pass, Seen, SeenWarning, Travel,
+    TravelOrigin,
+};
 use case::{Basis, Case, CaseFile, MarkedWheel, PointData};
 use pim_core::VehicleId;
 use reconcile::Unknown;
@@ -100,6 +103,26 @@ struct MomentumBlock {
     delta_v: [f64; 2],
     pdof: [f64; 2],
     final_yaw_rate: [f64; 2],
+    /// Each start of vehicle 1 with each of vehicle 2 that leads to the rests, the one that is used first.
+    combinations: Vec<CombinationBlock>,
+}
+
+/// A start of each vehicle that leads to its rest, and how well the two agree with the impulse.
+#[derive(Serialize)]
+struct CombinationBlock {
+    /// Along the headings.
+    speeds: [f64; 2],
+    /// After the impact.
+    velocities: [[f64; 2]; 2],
+    /// After the impact; none of a vehicle of which it is not known.
+    yaw_rates: [Option<f64>; 2],
+    /// On the way to rest; none of a vehicle that is not followed.
+    turns: [Option<f64>; 2],
+    /// χ² of what the speeds imply against what else is known.
+    misfit: f64,
+    weight: f64,
+    /// Codes of the checks that it does not pass.
+    against: Vec<&'static str>,
 }
 
 /// Skid marks before the impact.
@@ -411,6 +434,19 @@ fn momentum(both: &BothFound) -> MomentumBlock {
         delta_v: implied.delta_v.map(|change| change.norm()),
         pdof: plain_pair(implied.pdof),
         final_yaw_rate: plain_pair(implied.yaw_rates),
+        combinations: both.combinations.iter().map(combination).collect(),
+    }
+}
+
+fn combination(combination: &Combination) -> CombinationBlock {
+    CombinationBlock {
+        speeds: plain_pair(combination.speeds),
+        velocities: combination.after.map(|departure| plain_pair(departure.velocity.into())),
+        yaw_rates: combination.after.map(|departure| departure.yaw_rate.map(plain)),
+        turns: combination.turns.map(|turn| turn.map(plain)),
+        misfit: combination.misfit,
+        weight: combination.weight,
+        against: combination.against.iter().map(Check::code).collect(),
     }
 }
 
