@@ -1,11 +1,16 @@
 //! Both speeds, from how the vehicles left the impact.
 
-use inputs::{Case, Geometry, Sought, TwoSpeedInput, Velocity};
+mod choice;
+
+use inputs::{Basis, Case, Geometry, Sought, TwoSpeedInput, Velocity};
 use pim_core::{Law, Outcome, Real, VaryingLaw, Vector2, VehicleId};
 use reconcile::{Departure, Implied, Momentum, MomentumAndCrush, MomentumError};
 
 use crate::travel::{self, Origin, Record, Way, Ways, departures};
-use crate::{Analysis, Failure, Impact, Warning, checks, damage, judged, warning};
+use crate::{Analysis, Failure, Impact, Warning, checks, damage, evidence, judged, warning};
+
+pub use choice::Combination;
+pub(crate) use choice::Spread;
 
 /// Both speeds, and what they rest on.
 #[derive(Clone, Debug)]
@@ -24,6 +29,9 @@ pub struct BothFound {
     pub geometry: Geometry,
     /// What follows from the speeds and the velocities after the impact, without an impact law.
     pub implied: Implied,
+    /// Every combination of a start of either vehicle that leads to the rests, the one of this answer first:
+    /// it agrees best with the impulse.
+    pub combinations: Vec<Combination>,
 }
 
 /// What gives both speeds.
@@ -100,6 +108,16 @@ pub(crate) struct ByCrush<T = f64> {
     pub(crate) search: MomentumAndCrush<T>,
     /// (J) of both vehicles.
     crush_energy: T,
+}
+
+impl ByCrush {
+    /// The same with another momentum.
+    fn with(&self, momentum: Momentum, law: VaryingLaw, basis: Basis) -> Result<Self, MomentumError> {
+        let (energy, share) = (basis.energy(), basis.tangential_share());
+        let axis = momentum.common_axis();
+        let search = MomentumAndCrush::new(momentum, axis, law, self.crush_energy, energy, share)?;
+        Ok(Self { search, crush_energy: self.crush_energy })
+    }
 }
 
 impl<T: Real> Posed<T> {
@@ -210,13 +228,52 @@ pub(crate) fn pose<T: Real>(input: TwoSpeedInput<T>, ways: &mut impl Ways<T>) ->
     Ok(Posed { momentum, by_crush, ways: [way_1, way_2], law, sought, geometry, locked_together })
 }
 
+/// Both speeds as an equation, with the starts that agree best with the impulse, all combinations of starts,
+/// and what they were held against.
+struct Agreed {
+    posed: Posed,
+    combinations: Vec<Combination>,
+    evidence: choice::Evidence,
+}
+
+impl Agreed {
+    fn new(case: &Case, input: TwoSpeedInput, record: &mut Record) -> Result<Self, Failure> {
+        let (basis, motion) = (input.basis, input.motion.clone());
+        let vehicles = input.has_crush.then(|| input.vehicles.clone());
+        let mut posed = pose(input, record)?;
+        let is_held = posed.by_crush.is_none();
+        let crush_energy = match vehicles.filter(|_| is_held) {
+            Some(vehicles) => Some(damage::crush_energy(&damage::assess(vehicles, [None, None])?)),
+            None => None,
+        };
+        let evidence = choice::Evidence {
+            crush_energy: crush_energy.filter(|energy| *energy > 0.0),
+            basis,
+            crush_ln: evidence::errors(case).crush_ln,
+        };
+        // One speed beside a known one, and point masses, are held against less than the choice needs.
+        let is_chosen = posed.sought == Sought::Both && posed.geometry == Geometry::Given;
+        let combinations = if is_chosen && posed.law.is_some() {
+            choice::agreeing(&mut posed, record, motion.as_ref(), &evidence)?
+        } else {
+            Vec::new()
+        };
+        Ok(Self { posed, combinations, evidence })
+    }
+}
+
+/// [`pose`] with the starts that agree best with the impulse.
+pub(crate) fn pose_agreeing(case: &Case, input: TwoSpeedInput) -> Result<Posed, Failure> {
+    Ok(Agreed::new(case, input, &mut Record::of(Origin::Given))?.posed)
+}
+
 /// Finds both speeds, or one from the momentum.
 pub(crate) fn reconstruct(case: &Case) -> Result<Analysis, Failure> {
     let input = case.two_speeds()?;
     let (basis, has_crush, vehicles) = (input.basis, input.has_crush, input.vehicles.clone());
     let surface = input.motion.as_ref().map(|motion| motion.surface.clone());
     let mut record = Record::of(Origin::Given);
-    let posed = pose(input, &mut record)?;
+    let Agreed { posed, combinations, evidence } = Agreed::new(case, input, &mut record)?;
     let (speeds, method) = match (&posed.by_crush, posed.sought) {
         (Some(ByCrush { search, crush_energy }), _) => {
             let answer = search.solve()?;
@@ -250,7 +307,11 @@ pub(crate) fn reconstruct(case: &Case) -> Result<Analysis, Failure> {
         _ => implied.delta_v.map(|change| change.norm()),
     };
     let geometry = posed.geometry;
-    let both = BothFound { speeds, method, delta_v, momentum, geometry, implied };
+    let is_spread = geometry == Geometry::Given && !posed.momentum.contact.participants().iter().any(|one| one.body().is_fixed());
+    let spread = restitution
+        .filter(|_| is_spread)
+        .and_then(|restitution| choice::spread(&momentum, speeds, &evidence, restitution));
+    let both = BothFound { speeds, method, delta_v, momentum, geometry, implied, combinations };
     let mut warnings = Vec::new();
     for (vehicle, speed) in both.vehicles().map(|vehicle| (vehicle, speeds[vehicle.index()])) {
         warning::of_found_speed(vehicle, speed, &mut warnings);
@@ -270,7 +331,10 @@ pub(crate) fn reconstruct(case: &Case) -> Result<Analysis, Failure> {
     let crush_energy = restitution.filter(|_| has_crush).map(|restitution| {
         (basis.energy().dissipated(damage::crush_energy(&analysis.vehicles), restitution), basis)
     });
-    let checks = checks::of_momentum(&both, analysis.impact.as_ref(), &analysis.vehicles, crush_energy);
+    let checks = {
+        let impact = analysis.impact.as_ref();
+        checks::of_momentum(&both, impact, &analysis.vehicles, crush_energy, spread.as_ref())
+    };
     warning::of_momentum(&checks, &mut analysis.warnings);
     analysis.checks.extend(checks);
     let marks = case.skids();
@@ -286,11 +350,16 @@ impl BothFound {
         let momentum = Momentum {
             contact: contact.mirrored(),
             yaw_rates: yaw_rates.map(|rate| 0.0 - rate),
-            after: after.map(|Departure { velocity, yaw_rate }| Departure {
-                velocity: Vector2::new(velocity.x, 0.0 - velocity.y),
-                yaw_rate: yaw_rate.map(|rate| 0.0 - rate),
-            }),
+            after: after.map(mirrored),
         };
-        Self { momentum, implied: self.implied.mirrored(), ..self }
+        let combinations = self.combinations.into_iter().map(Combination::mirrored).collect();
+        Self { momentum, implied: self.implied.mirrored(), combinations, ..self }
+    }
+}
+
+fn mirrored(Departure { velocity, yaw_rate }: Departure) -> Departure {
+    Departure {
+        velocity: Vector2::new(velocity.x, 0.0 - velocity.y),
+        yaw_rate: yaw_rate.map(|rate| 0.0 - rate),
     }
 }

@@ -6,11 +6,13 @@ use std::f64::consts::PI;
 use crash3::principal_angle;
 use inputs::{Axes, Basis, Geometry};
 use pim_core::{Real, VehicleId};
+use real::elementary;
+use reconcile::{Implied, Momentum};
 
+use crate::both::Spread;
 use crate::thresholds::{
-    ARM_DIFFERENCE, DIRECTION_AFTER_ERROR, ENERGY_DIFFERENCE, FAST_CLOSING, FORCE_RATIO, HIGH_RESTITUTION,
-    MOMENTUM_ENERGY_DIFFERENCE, PDOF_DIFFERENCE, POINT_MISSED, RATIO_BEYOND, RESTITUTION_DIFFERENCE,
-    SPEED_AFTER_ERROR,
+    DIRECTION_AFTER_ERROR, ENERGY_DIFFERENCE, FAST_CLOSING, FORCE_RATIO, HIGH_RESTITUTION, PDOF_DIFFERENCE,
+    POINT_MISSED, REST_MISSED, RESTITUTION_DIFFERENCE, SPEED_AFTER_ERROR, SURE,
 };
 use crate::{BothFound, BothMethod, Impact, Pass, Travel, Vehicle};
 
@@ -118,6 +120,13 @@ pub enum CheckedQuantity {
         /// How the way passes it.
         pass: Pass,
     },
+    /// How far from the measured rest the way ends that leads there, as a share of the way.
+    RestMissed {
+        /// Which vehicle.
+        vehicle: VehicleId,
+        /// (m) how far.
+        miss: f64,
+    },
 }
 
 impl Check {
@@ -149,6 +158,7 @@ impl Check {
             CheckedQuantity::MomentumYawRate { .. } => "momentum-yaw-rate",
             CheckedQuantity::MomentumPdof { .. } => "momentum-pdof",
             CheckedQuantity::PointMissed { .. } => "point-missed",
+            CheckedQuantity::RestMissed { .. } => "rest-missed",
         }
     }
 
@@ -181,7 +191,8 @@ impl Check {
             | CheckedQuantity::MomentumAcross { vehicle, .. }
             | CheckedQuantity::MomentumYawRate { vehicle, .. }
             | CheckedQuantity::MomentumPdof { vehicle, .. }
-            | CheckedQuantity::PointMissed { vehicle, .. } => Some(vehicle),
+            | CheckedQuantity::PointMissed { vehicle, .. }
+            | CheckedQuantity::RestMissed { vehicle, .. } => Some(vehicle),
             CheckedQuantity::ForceBalance
             | CheckedQuantity::PdofsOpposite
             | CheckedQuantity::DamageEnergy { .. }
@@ -209,68 +220,48 @@ impl Check {
     }
 }
 
-/// What both speeds and the velocities after the impact imply, against all else that is known of it. The
-/// crush energy (J) is the part that the impact dissipates on its basis.
-pub(crate) fn of_momentum(
-    both: &BothFound,
-    impact: Option<&Impact>,
-    vehicles: &[Vehicle; 2],
+/// What both speeds and the velocities after the impact imply, against all else that is known of it, each
+/// within what its `spread` explains. The crush energy (J) is the part that the impact dissipates on its
+/// basis.
+pub(crate) fn implied(
+    momentum: &Momentum,
+    implied: &Implied,
+    given: f64,
     crush_energy: Option<(f64, Basis)>,
+    spread: &Spread,
 ) -> Vec<Check> {
-    let implied = &both.implied;
     let mut checks = Vec::new();
-    let is_used = both.is_by_crush();
-    if let BothMethod::MomentumAndSpeed { given } = both.method {
-        let (momentum, vehicle) = (&both.momentum, given.other());
-        let surplus = momentum.surplus_across(vehicle, both.speeds);
-        let spread = momentum.spread_across(vehicle, SPEED_AFTER_ERROR, DIRECTION_AFTER_ERROR);
-        let quantity = CheckedQuantity::MomentumAcross { vehicle, surplus };
-        checks.push(Check { quantity, value: surplus.abs(), limit: 2.0 * spread });
-    }
-    if both.geometry == Geometry::PointMasses {
-        if let Some(e) = implied.restitution {
-            checks.push(possible(e));
-        }
-        checks.extend(of_directions(both, vehicles));
-        return checks;
-    }
-    if let Some((crush_energy, basis)) = crush_energy.filter(|(energy, _)| *energy > 0.0 && !is_used) {
+    if let Some((crush_energy, basis)) = crush_energy.filter(|(energy, _)| *energy > 0.0) {
         let normal_work = basis.taken_by_crush(implied.normal_work, implied.tangential_work);
         // |W_n + λ W_t − E|/E
         let value = (normal_work - crush_energy).abs() / crush_energy;
+        // |ln (W/E)| ≤ 2.58 σ, in W/E − 1
+        let most = SURE * spread.energy_ln;
+        let is_more = normal_work > crush_energy;
+        let limit = (elementary::exp(if is_more { most } else { 0.0 - most }) - 1.0).abs();
         let tangential_share = basis.tangential_share();
         let quantity = CheckedQuantity::MomentumEnergy { normal_work, crush_energy, tangential_share };
-        checks.push(Check { quantity, value, limit: MOMENTUM_ENERGY_DIFFERENCE });
+        checks.push(Check { quantity, value, limit });
     }
-    if let Some((e, impact)) = implied.restitution.zip(impact)
-        && !matches!(both.method, BothMethod::Wall { .. })
-    {
-        let given = impact.law.restitution();
+    if let Some(e) = implied.restitution {
         let quantity = CheckedQuantity::MomentumRestitution { implied: e, given };
-        checks.push(Check { quantity, value: (e - given).abs(), limit: RESTITUTION_DIFFERENCE });
+        checks.push(Check { quantity, value: (e - given).abs(), limit: SURE * spread.restitution });
     }
     if let (Some(mu), Some(critical)) = (implied.impulse_ratio, implied.critical_impulse_ratio) {
         // How far beyond μ_c, or on the other side of 0.
         let along = mu * critical.signum();
         let value = (along - critical.abs()).max(-along).max(0.0);
         let quantity = CheckedQuantity::MomentumRatio { implied: mu, critical };
-        checks.push(Check { quantity, value, limit: RATIO_BEYOND });
+        checks.push(Check { quantity, value, limit: SURE * spread.impulse_ratio });
     }
-    let size = implied.impulse_vector.norm();
     for (i, vehicle) in VehicleId::ALL.into_iter().enumerate() {
-        let body = both.momentum.contact.participants()[i].body();
-        if body.is_fixed() {
-            continue;
-        }
-        if let Some(told) = both.momentum.after[i].yaw_rate {
+        if let Some(told) = momentum.after[i].yaw_rate {
             let computed = implied.yaw_rates[i];
-            // |ΔΩ| = |P| Δh/I
-            let limit = size * ARM_DIFFERENCE * body.inverse_yaw_inertia();
             let quantity = CheckedQuantity::MomentumYawRate { vehicle, implied: computed, told };
+            let limit = SURE * spread.yaw_rates[i];
             checks.push(Check { quantity, value: (computed - told).abs(), limit });
         }
     }
-    checks.extend(of_directions(both, vehicles));
     checks
 }
 
@@ -281,9 +272,32 @@ fn possible(e: f64) -> Check {
     Check { quantity, value, limit: RESTITUTION_DIFFERENCE }
 }
 
-/// The directions of force by momentum, against those of the case.
-fn of_directions(both: &BothFound, vehicles: &[Vehicle; 2]) -> Vec<Check> {
+/// The same of the speeds found, and the PDOF that goes with them. Without a `spread`, as of point masses and
+/// of a fixed object, the restitution alone is judged: whether there is such a one.
+pub(crate) fn of_momentum(
+    both: &BothFound,
+    impact: Option<&Impact>,
+    vehicles: &[Vehicle; 2],
+    crush_energy: Option<(f64, Basis)>,
+    spread: Option<&Spread>,
+) -> Vec<Check> {
     let mut checks = Vec::new();
+    if let BothMethod::MomentumAndSpeed { given } = both.method {
+        let (momentum, vehicle) = (&both.momentum, given.other());
+        let surplus = momentum.surplus_across(vehicle, both.speeds);
+        let spread = momentum.spread_across(vehicle, SPEED_AFTER_ERROR, DIRECTION_AFTER_ERROR);
+        let quantity = CheckedQuantity::MomentumAcross { vehicle, surplus };
+        checks.push(Check { quantity, value: surplus.abs(), limit: 2.0 * spread });
+    }
+    let crush_energy = crush_energy.filter(|_| !both.is_by_crush());
+    match (spread, impact) {
+        (Some(spread), Some(impact)) => {
+            let given = impact.law.restitution();
+            checks.extend(implied(&both.momentum, &both.implied, given, crush_energy, spread));
+        }
+        _ if matches!(both.method, BothMethod::Wall { .. }) => {}
+        _ => checks.extend(both.implied.restitution.map(possible)),
+    }
     for (i, vehicle) in VehicleId::ALL.into_iter().enumerate() {
         if let Some(given) = vehicles[i].given_pdof() {
             let computed = both.implied.pdof[i];
@@ -295,11 +309,18 @@ fn of_directions(both: &BothFound, vehicles: &[Vehicle; 2]) -> Vec<Check> {
     checks
 }
 
-/// How the ways to rest pass the points of the paths.
+/// How near the ways come to the rests they were sought for, and how they pass the points of the paths.
 pub(crate) fn of_travel(travel: &[Option<Travel>; 2]) -> Vec<Check> {
     let mut checks = Vec::new();
     for (vehicle, travel) in VehicleId::ALL.into_iter().zip(travel) {
         let Some(travel) = travel else { continue };
+        if travel.origin.is_by_rest()
+            && let Some((miss, _)) = travel.miss()
+            && travel.rest.distance > 0.0
+        {
+            let quantity = CheckedQuantity::RestMissed { vehicle, miss };
+            checks.push(Check { quantity, value: miss / travel.rest.distance, limit: REST_MISSED });
+        }
         for (i, (pass, value)) in travel.passes.iter().zip(travel.shares_missed()).enumerate() {
             // A vehicle that does not move has no way that a length could be a share of.
             if value.is_finite() {

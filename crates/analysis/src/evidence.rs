@@ -9,9 +9,8 @@ use inputs::{
 use pim_core::{Outcome, Real, VehicleId};
 use reconcile::{COLLINEAR, EvidenceErrors, MomentumBesideCrush, Unknown};
 
-use crate::both::{BothMethod, Posed, pose};
+use crate::both::{BothMethod, Posed, pose_agreeing};
 use crate::thresholds::{DIRECTION_AFTER_ERROR, SPEED_AFTER_ERROR};
-use crate::travel::{Origin, Record};
 use crate::{Analysis, Failure, crush, damage, reconstruct};
 
 /// The answers of the damage, of the momentum and of both together, for a case that has the evidence for
@@ -256,7 +255,7 @@ fn by_damage(case: &Case, own: &Analysis) -> Result<EvidenceAnswer, NoEvidence> 
 fn posed(case: &Case) -> Result<(Posed, Basis), Failure> {
     let input = seeking(case, Find::Both).two_speeds()?;
     let basis = input.basis;
-    Ok((pose(input, &mut Record::of(Origin::Given))?, basis))
+    Ok((pose_agreeing(case, input)?, basis))
 }
 
 /// From the momentum after the impact, without the crush energy.
@@ -294,7 +293,7 @@ fn by_momentum(case: &Case) -> Result<EvidenceAnswer, NoEvidence> {
 /// That of the crush energy is the bias and the spread that were fitted on real crashes together: the bias
 /// counts as an error because that of the stiffness in a file is not known. On the RICSAC collisions it is
 /// 0.5.
-fn errors(case: &Case) -> EvidenceErrors {
+pub(crate) fn errors(case: &Case) -> EvidenceErrors {
     let side = |vehicle: &GivenVehicle| match (&vehicle.crush, &vehicle.energy) {
         (Some(crush), _) => Some(crush.side),
         (None, Some(KnownEnergy::Ees(ees))) => ees.side,

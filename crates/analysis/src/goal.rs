@@ -10,7 +10,7 @@ use trajectory::{Control, Target, to_start_near};
 
 use crate::both::{BothMethod, pose};
 use crate::sensitivity::at;
-use crate::travel::{Origin, Record, Scene, Way, Ways, after_impact, departures, leaves_straight, target};
+use crate::travel::{Origin, Record, Scene, Way, Ways, after_impact, departures, target};
 use crate::{Analysis, Failure, collide, impact, motion, reconstruct, refused};
 
 /// What a case asks for.
@@ -205,12 +205,16 @@ impl Search {
             let is_found = travel.origin == Origin::Rest;
             is_found.then_some(Near { motion: travel.start.motion, heading: travel.rest.heading })
         };
-        let is_straight = |id: VehicleId| {
-            let travel = analysis.travel[id.index()].as_ref();
-            travel.is_some_and(|travel| travel.origin == Origin::StraightRest)
-        };
-        Self { near: VehicleId::ALL.map(near), straight: VehicleId::ALL.map(is_straight), several: None }
+        Self { near: VehicleId::ALL.map(near), straight: leave_straight(analysis), several: None }
     }
+}
+
+/// Which vehicles left straight towards their rests.
+fn leave_straight(analysis: &Analysis) -> [bool; 2] {
+    VehicleId::ALL.map(|id| {
+        let travel = analysis.travel[id.index()].as_ref();
+        travel.is_some_and(|travel| travel.origin == Origin::StraightRest)
+    })
 }
 
 impl Solver<f64> for Search {
@@ -306,13 +310,16 @@ pub(crate) fn unknowns(analysis: &Analysis) -> Vec<f64> {
 #[derive(Debug)]
 pub(crate) struct Known<'a> {
     unknowns: std::slice::Iter<'a, Traced>,
+    /// Whether the vehicles left straight towards their rests.
+    straight: [bool; 2],
     /// As many as there are unknowns, each zero at the solution.
     pub(crate) residuals: Vec<Traced>,
 }
 
 impl<'a> Known<'a> {
-    pub(crate) fn new(unknowns: &'a [Traced]) -> Self {
-        Self { unknowns: unknowns.iter(), residuals: Vec::new() }
+    /// Beside the solutions of an analysis.
+    pub(crate) fn new(unknowns: &'a [Traced], nominal: &Analysis) -> Self {
+        Self { unknowns: unknowns.iter(), straight: leave_straight(nominal), residuals: Vec::new() }
     }
 
     fn next(&mut self) -> Traced {
@@ -358,7 +365,7 @@ impl Ways<Traced> for Known<'_> {
         let velocity = Vector2::new(self.next(), self.next());
         let start = Motion { velocity, yaw_rate: self.next() };
         let found = self.follow(vehicle, scene, way, start)?.rest;
-        if leaves_straight(way, rest) {
+        if self.straight[vehicle.index()] {
             // V along the line to the rest, no yaw, and a way as long as the measured one
             let apart = rest.position - way.position;
             self.residuals.extend([

@@ -67,7 +67,7 @@ pub use self::evidence::{ByEvidence, EvidenceAnswer, EvidenceMethod, NoEvidence}
 pub use aside::Evident;
 use aside::Used;
 pub use beside::{BACKWARD_SAMPLES, Beside, SAMPLES, beside, usual_samples};
-pub use both::{BothFound, BothMethod};
+pub use both::{BothFound, BothMethod, Combination};
 pub use checks::{Check, CheckedQuantity};
 pub use compare::{Comparison, LawRow, compare};
 pub use curve::{WorkPoint, first_push, work_curve};
@@ -173,7 +173,7 @@ impl Analysis {
     /// With the ways to rest, and the checks and warnings about them.
     fn with_travel(mut self, travel: [Option<Travel>; 2], surface: Option<SurfaceData>) -> Self {
         let checks = checks::of_travel(&travel);
-        warning::of_travel(&travel, &checks, &mut self.warnings);
+        warning::of_travel(&travel, self.both.as_ref(), &checks, &mut self.warnings);
         self.checks.extend(checks);
         self.travel = travel;
         self.surface = surface;

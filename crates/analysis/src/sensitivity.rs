@@ -453,7 +453,7 @@ pub(crate) fn gradients(
     let mut gradients = real::gradients(&numbers, |numbers| {
         let (numbers, unknowns) = numbers.split_at(inputs.len());
         let case = case.with_numbers(numbers.to_vec());
-        let mut known = Known::new(unknowns);
+        let mut known = Known::new(unknowns, nominal);
         let answer = goal::answer(Goal::of(&case), &case, &mut known)?;
         let results = outputs.iter().map(|output| output.of_answer(&answer));
         Ok::<_, Failure>(results.chain(known.residuals).collect())

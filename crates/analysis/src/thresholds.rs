@@ -16,21 +16,41 @@ pub const HIGH_RESTITUTION: f64 = 0.3;
 pub const FAST_CLOSING: f64 = 15.0;
 /// How far the work of the normal impulse may be from the crush energy.
 pub(crate) const ENERGY_DIFFERENCE: f64 = 0.1;
-/// How far the crush energy may be from the normal work that momentum implies, as a share: on the RICSAC
-/// collisions the two differ by half in the rms of the logarithm.
-pub(crate) const MOMENTUM_ENERGY_DIFFERENCE: f64 = 0.5;
-/// How far the restitution that momentum implies may be from the one of the case or, where that gives none,
-/// outside of 0 to 1. A choice: no source gives a limit.
+/// How far the restitution that momentum implies may lie outside of 0 to 1 where nothing tells how well it is
+/// known. A choice: no source gives a limit.
 pub(crate) const RESTITUTION_DIFFERENCE: f64 = 0.2;
-/// How far the impulse ratio that momentum implies may lie outside of 0 to μ_c: an error of 5° in the
-/// direction of the impulse.
+/// What momentum implies may be off by this many standard deviations, which one number in a hundred exceeds.
+/// Of the five that can be held against others, one collision in twenty then fails.
+pub(crate) const SURE: f64 = 2.58;
+/// (–) standard deviation of a restitution: those of staged collisions between 0 and
+/// [`HIGH_RESTITUTION`] spread by about this.
+pub(crate) const RESTITUTION_ERROR: f64 = 0.15;
+/// (–) standard deviation of the impulse ratio: an error of 5° in the direction of the impulse, which does
+/// not keep its direction all through an impact.
 pub(crate) const RATIO_BEYOND: f64 = 0.1;
+/// (rad) standard deviation of the crush plane, which is judged by eye: 5°.
+pub(crate) const PLANE_ERROR: f64 = 5.0 * PI / 180.0;
+/// (m) standard deviation of the contact point along either axis: half of what a damage a metre wide leaves
+/// open, 0.2 m.
+pub(crate) const ARM_ERROR: f64 = 0.1;
+/// (–) standard deviation of a yaw rate that a rest tells, as a share of it: as that of a speed, and its turn
+/// beside.
+pub(crate) const YAW_RATE_SHARE: f64 = 0.15;
+/// (rad/s) and that of the yaw rate of a vehicle that hardly turned: 11°/s.
+pub(crate) const YAW_RATE_ERROR: f64 = 0.2;
+/// (–) two combinations of starts are both to be named where the less likely one has more weight than this.
+pub(crate) const COMPARABLE_WEIGHT: f64 = 0.2;
+/// (m/s) and where a speed differs by more: 12 km/h, about what a speed by momentum errs by.
+pub(crate) const MATERIAL_SPEED: f64 = 12.0 / 3.6;
+/// (–) how far a way may end from the rest as measured, as a share of the way.
+pub(crate) const REST_MISSED: f64 = 0.05;
+/// (m) what the survey of a rest explains: its usual error.
+pub(crate) const REST_SURVEY: f64 = 0.25;
+/// (rad/s) a vehicle that turns slower than this as it leaves the impact does not spin: 57°/s.
+pub(crate) const SLOW_YAW: f64 = 1.0;
 /// How far a way may pass from a point on it, as a share of the way: EDCRASH's limit for a point on the curve
 /// and the end of rotation (its manual).
 pub(crate) const POINT_MISSED: f64 = 0.15;
-/// (m) how far the line of action of the impulse may be from the contact point: the place of C on a damage a
-/// metre wide is not known better.
-pub(crate) const ARM_DIFFERENCE: f64 = 0.2;
 /// (–) standard deviation of a speed after the impact, as a share of it: what a measured rest leaves of it, 7
 /// to 15 %, in simulations of vehicles that roll or spin to their rest.
 pub(crate) const SPEED_AFTER_ERROR: f64 = 0.12;

@@ -14,7 +14,7 @@ use trajectory::{
 };
 
 use crate::Failure;
-use crate::thresholds::POINT_MISSED;
+use crate::thresholds::{POINT_MISSED, REST_SURVEY, SLOW_YAW};
 
 /// The way of one vehicle from the impact to rest.
 #[derive(Clone, Debug)]
@@ -184,10 +184,28 @@ impl<'a, T: Real> Scene<'a, T> {
 impl Scene<'_> {
     /// The motion that leads to the rest of a vehicle.
     fn back(&self, vehicle: VehicleId, way: &VehicleMotion, rest: &RestData) -> Result<Left, Failure> {
-        if leaves_straight(way, rest) {
-            let motion = self.straight(vehicle, way, rest)?.start;
-            return Ok(Left { origin: Origin::StraightRest, motion, others: Vec::new() });
+        if !leaves_straight(way, rest) {
+            return self.sought(vehicle, way, rest);
         }
+        let straight = self.straight(vehicle, way, rest)?;
+        let miss = (straight.rest.position - rest.position).norm();
+        if miss > REST_SURVEY
+            && let Ok(sought) = self.sought(vehicle, way, rest)
+        {
+            // Rolling wheels bent the way: the line to the rest is not how it began.
+            let turns = |motion: &Motion| motion.yaw_rate.abs();
+            let motions = sought.others.iter().map(|other| other.motion);
+            let motions = std::iter::once(sought.motion).chain(motions);
+            let slowest = motions.min_by(|a, b| turns(a).total_cmp(&turns(b)));
+            if let Some(motion) = slowest.filter(|motion| turns(motion) <= SLOW_YAW) {
+                return Ok(Left { origin: Origin::Rest, motion, others: Vec::new() });
+            }
+        }
+        Ok(Left { origin: Origin::StraightRest, motion: straight.start, others: Vec::new() })
+    }
+
+    /// The same by a search among all motions.
+    fn sought(&self, vehicle: VehicleId, way: &VehicleMotion, rest: &RestData) -> Result<Left, Failure> {
         let starts = to_start(
             &way.chassis,
             way.steer.steer(),
@@ -390,6 +408,22 @@ impl Record {
         Self { origin, travel: [None, None] }
     }
 
+    /// Takes another of the starts that lead to the rest of a vehicle.
+    pub(crate) fn choose(
+        &mut self,
+        vehicle: VehicleId,
+        input: &MotionInput,
+        start: Start,
+    ) -> Result<Option<Way>, Failure> {
+        let scene = Scene::new(&input.surface);
+        let Some(way) = &input.vehicles[vehicle.index()] else { return Ok(None) };
+        let Some(travel) = &self.travel[vehicle.index()] else { return Ok(None) };
+        let starts = std::iter::once(travel.used()).chain(travel.others.iter().copied());
+        let others = starts.filter(|other| other.motion != start.motion).collect();
+        let left = Left { origin: Origin::Rest, motion: start.motion, others };
+        self.keep(vehicle, &scene, way, left).map(Some)
+    }
+
     fn keep(
         &mut self,
         vehicle: VehicleId,
@@ -413,7 +447,7 @@ impl Record {
             points: input.points.clone(),
             passes,
             others: left.others,
-            closed: closed_form(scene.surface, input, &start, &way.rest),
+            closed: closed_form(scene.surface, input, left.origin, &start, &way.rest),
         });
         Ok(way)
     }
@@ -453,10 +487,11 @@ pub(crate) fn target(input: &VehicleMotion, rest: &RestData) -> Target {
     }
 }
 
-/// What a closed form says of the way that was followed, or measured where it was.
+/// What a closed form says of the way that was followed; `None` where none has assumptions that hold.
 fn closed_form(
     surface: &SurfaceData,
     input: &VehicleMotion,
+    origin: Origin,
     start: &State,
     rest: &Rest,
 ) -> Option<ClosedForm> {
@@ -469,7 +504,12 @@ fn closed_form(
     let sideslip = real::principal_angle(direction - start.heading);
     let (wheelbase, friction) = (input.chassis.wheelbase(), surface.friction);
     let body = input.chassis.body();
-    if spins(sideslip, turn, distance, wheelbase, input.steer.steer().at(0.0)).ok()? {
+    let is_spin = spins(sideslip, turn, distance, wheelbase, input.steer.steer().at(0.0)).ok()?;
+    if is_spin && origin != Origin::StraightRest {
+        // Marquard's wheels turn: no equation stands for a spin with some that do not.
+        if input.chassis.wheels().iter().any(|wheel| wheel.drag >= friction) {
+            return None;
+        }
         // k = √(I/m)
         let yaw_radius = (body.yaw_inertia() / body.mass()).sqrt();
         let spin = Spin { friction, distance, turn, yaw_radius, wheelbase };
@@ -486,6 +526,17 @@ fn closed_form(
 const UNLIKELY_TURN: f64 = 5.0 / 6.0 * TAU;
 
 impl Travel {
+    /// The start of this way as one of those that lead to the rest.
+    pub(crate) fn used(&self) -> Start {
+        Start {
+            motion: self.start.motion,
+            turn: self.rest.heading - self.start.heading,
+            miss: self.miss().map_or(0.0, |(miss, _)| miss),
+            via_miss: None,
+            rest: self.rest,
+        }
+    }
+
     /// The other starts that lead to the same rest, without those that turn the vehicle about once around:
     /// one that stands as it stood did not do that.
     pub fn likely_others(&self) -> impl Iterator<Item = &Start> {

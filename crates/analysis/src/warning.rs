@@ -14,7 +14,7 @@ use crate::checks::{Check, CheckedQuantity};
 use crate::damage::Crash3;
 use crate::thresholds::{FAST_CLOSING, FORCE_RATIO, HIGH_RESTITUTION, PDOF_DIFFERENCE};
 use crate::usual::Usual;
-use crate::{Damage, Found, Impact, Pass, Travel, Vehicle};
+use crate::{BothFound, Damage, Found, Impact, Pass, Travel, Vehicle};
 
 /// How far CRASH3's ΔV may be from that of the impact.
 const DELTA_V_DIFFERENCE: f64 = 0.1;
@@ -126,6 +126,15 @@ pub enum Warning {
         point: usize,
         /// How the way passes it.
         pass: Pass,
+    },
+    /// The way of a vehicle ends elsewhere than its rest as measured.
+    RestMissed {
+        /// Which vehicle.
+        vehicle: VehicleId,
+        /// (m) how far from it.
+        miss: f64,
+        /// (–) the same as a share of the way.
+        share: f64,
     },
     /// α was limited to 45°.
     AngleCapped {
@@ -463,6 +472,7 @@ impl Warning {
         "evidence-differs",
         "several-starts",
         "point-missed",
+        "rest-missed",
         "angle-capped",
         "side-not-pushed",
         "delta-v-differs",
@@ -506,6 +516,7 @@ impl Warning {
             Self::EvidenceDiffers { .. } => "evidence-differs",
             Self::SeveralStarts { .. } => "several-starts",
             Self::PointMissed { .. } => "point-missed",
+            Self::RestMissed { .. } => "rest-missed",
             Self::AngleCapped { .. } => "angle-capped",
             Self::SideNotPushed { .. } => "side-not-pushed",
             Self::DeltaVDiffers { .. } => "delta-v-differs",
@@ -546,6 +557,7 @@ impl Warning {
             | Self::EvidenceDiffers { vehicle, .. }
             | Self::SeveralStarts { vehicle, .. }
             | Self::PointMissed { vehicle, .. }
+            | Self::RestMissed { vehicle, .. }
             | Self::AngleCapped { vehicle, .. }
             | Self::SideNotPushed { vehicle, .. }
             | Self::MovesBackward { vehicle, .. }
@@ -1089,11 +1101,26 @@ pub(crate) fn of_momentum(checks: &[Check], warnings: &mut Vec<Warning>) {
 }
 
 /// Where a rest does not tell one motion alone, or the motion misses a point of the path.
-pub(crate) fn of_travel(travel: &[Option<Travel>; 2], checks: &[Check], warnings: &mut Vec<Warning>) {
+pub(crate) fn of_travel(
+    travel: &[Option<Travel>; 2],
+    both: Option<&BothFound>,
+    checks: &[Check],
+    warnings: &mut Vec<Warning>,
+) {
     for (vehicle, travel) in VehicleId::ALL.into_iter().zip(travel) {
         let Some(travel) = travel else { continue };
         let told = |motion: Motion| [motion.velocity.norm(), motion.yaw_rate];
-        let others: Vec<[f64; 2]> = travel.likely_others().map(|other| told(other.motion)).collect();
+        // Beside an impact the impulse tells which of them it was, unless two agree with it about equally.
+        let agrees = |other: &Motion| {
+            both.is_none_or(|both| {
+                both.rivals().any(|rival| rival.after[vehicle.index()].velocity == other.velocity)
+            })
+        };
+        let others: Vec<[f64; 2]> = travel
+            .likely_others()
+            .filter(|other| agrees(&other.motion))
+            .map(|other| told(other.motion))
+            .collect();
         if !others.is_empty() {
             warnings.push(Warning::SeveralStarts { vehicle, used: told(travel.start.motion), others });
         }
@@ -1101,6 +1128,9 @@ pub(crate) fn of_travel(travel: &[Option<Travel>; 2], checks: &[Check], warnings
     for check in checks.iter().filter(|check| !check.passed()) {
         if let CheckedQuantity::PointMissed { vehicle, point, pass } = check.quantity {
             warnings.push(Warning::PointMissed { vehicle, point, pass });
+        }
+        if let CheckedQuantity::RestMissed { vehicle, miss } = check.quantity {
+            warnings.push(Warning::RestMissed { vehicle, miss, share: check.value });
         }
     }
 }

@@ -83,7 +83,7 @@ pub(crate) fn said(check: &Check, analysis: &Seen, units: Units) -> [String; 3] 
         CheckedQuantity::MomentumRatio { implied, critical } => (
             "momentum: impulse ratio".to_owned(),
             number(implied, 2),
-            format!("0 to {}, ±{}", number(critical, 2), number(check.limit, 1)),
+            format!("0 to {}, ±{}", number(critical, 2), number(check.limit, 2)),
         ),
         CheckedQuantity::MomentumYawRate { vehicle, implied, told } => {
             let degrees = |si: f64| units.format(Measure::YawRateDegrees, si);
@@ -102,6 +102,11 @@ pub(crate) fn said(check: &Check, analysis: &Seen, units: Units) -> [String; 3] 
         CheckedQuantity::PointMissed { vehicle, point, pass } => (
             format!("path past point {point} of vehicle {vehicle}"),
             format!("{}: {}", words::pass(&pass, units), percent(check.value)),
+            format!("{} of the path", percent(check.limit)),
+        ),
+        CheckedQuantity::RestMissed { vehicle, miss } => (
+            format!("path to the rest position of vehicle {vehicle}"),
+            format!("ends {} from it: {}", units.format(Measure::Length, miss), percent(check.value)),
             format!("{} of the path", percent(check.limit)),
         ),
     };

@@ -84,7 +84,7 @@ fn why_not(restitution: f64) -> &'static str {
 }
 
 /// A check that momentum does not pass.
-fn momentum_differs(check: &Check, units: Units) -> String {
+pub(crate) fn momentum_differs(check: &Check, units: Units) -> String {
     let angle = |si: f64| units.format(Measure::Angle, si);
     let energy = |si: f64| units.format(Measure::Energy, si);
     let rate = |si: f64| units.format(Measure::YawRateDegrees, si);
@@ -142,7 +142,8 @@ fn momentum_differs(check: &Check, units: Units) -> String {
         | CheckedQuantity::DamageEnergy { .. }
         | CheckedQuantity::Restitution
         | CheckedQuantity::Rotation { .. }
-        | CheckedQuantity::PointMissed { .. } => String::new(),
+        | CheckedQuantity::PointMissed { .. }
+        | CheckedQuantity::RestMissed { .. } => String::new(),
     }
 }
 
@@ -228,6 +229,13 @@ pub fn message(seen: &SeenWarning, units: Units) -> String {
              the path; check the point, the rest, the drag, the friction and the steer, and whether the vehicle \
              was struck again",
             words::pass(pass, units)
+        ),
+        Warning::RestMissed { vehicle, miss, share } => format!(
+            "the way that is taken for vehicle {vehicle} ends {} from its rest as measured, {} % of the way, \
+             and no motion with little yaw leads nearer; its speed after the impact is as doubtful: check the \
+             rest, the heading at rest, the drag and the steer",
+            units.format(Measure::Length, *miss),
+            number(100.0 * share, 0)
         ),
         Warning::AngleCapped { vehicle, oblique_angle } => format!(
             "the force meets the damaged side of vehicle {vehicle} at {} to its normal; CRASH3 limits that to 45°, \

@@ -35,7 +35,9 @@ pub(crate) fn keys(warning: &Warning) -> Vec<String> {
         Warning::BurgInertia { .. } => "yaw_inertia",
         Warning::MomentumDiffers { .. } => "after",
         Warning::EvidenceDiffers { evidence, .. } => evidence.key(),
-        Warning::SeveralStarts { .. } | Warning::RotationOpposes { .. } => "after.rest",
+        Warning::SeveralStarts { .. } | Warning::RestMissed { .. } | Warning::RotationOpposes { .. } => {
+            "after.rest"
+        }
         Warning::PointMissed { .. } => "after.points",
         Warning::Implausible { magnitude, .. } => match magnitude {
             Magnitude::Mass => "mass",

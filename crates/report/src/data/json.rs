@@ -1,7 +1,8 @@
 //! A finished analysis as JSON, in SI units and radians.
 
 use analysis::{
-    Analysis, BothFound, BothMethod, Exchange, Impact, Pass, Seen, SeenWarning, Travel, TravelOrigin, Weighed,
+    Analysis, BothFound, BothMethod, Check, Combination, Exchange, Impact, Pass, Seen, SeenWarning, Travel,
+    TravelOrigin, Weighed,
 };
 use case::{Basis, Case, CaseFile, Geometry, MarkedWheel, PointData};
 use pim_core::VehicleId;
@@ -123,6 +124,27 @@ struct MomentumBlock {
     pdof: OfMovable,
     #[serde(skip_serializing_if = "Option::is_none")]
     final_yaw_rate: Option<OfMovable>,
+    /// Each start of vehicle 1 with each of vehicle 2 that leads to the rests, the one that is used first.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    combinations: Vec<CombinationBlock>,
+}
+
+/// A start of each vehicle that leads to its rest, and how well the two agree with the impulse.
+#[derive(Serialize)]
+struct CombinationBlock {
+    /// Along the headings.
+    speeds: [f64; 2],
+    /// After the impact.
+    velocities: [[f64; 2]; 2],
+    /// After the impact; none of a vehicle of which it is not known.
+    yaw_rates: [Option<f64>; 2],
+    /// On the way to rest; none of a vehicle that is not followed.
+    turns: [Option<f64>; 2],
+    /// χ² of what the speeds imply against what else is known.
+    misfit: f64,
+    weight: f64,
+    /// Codes of the checks that it does not pass.
+    against: Vec<&'static str>,
 }
 
 /// Skid marks before the impact.
@@ -508,6 +530,19 @@ fn momentum(case: &Case, both: &BothFound) -> MomentumBlock {
         delta_v: of_movable(case, implied.delta_v.map(|change| change.norm())),
         pdof: of_movable(case, plain_pair(implied.pdof)),
         final_yaw_rate: is_contact.then(|| of_movable(case, plain_pair(implied.yaw_rates))),
+        combinations: both.combinations.iter().map(combination).collect(),
+    }
+}
+
+fn combination(combination: &Combination) -> CombinationBlock {
+    CombinationBlock {
+        speeds: plain_pair(combination.speeds),
+        velocities: combination.after.map(|departure| plain_pair(departure.velocity.into())),
+        yaw_rates: combination.after.map(|departure| departure.yaw_rate.map(plain)),
+        turns: combination.turns.map(|turn| turn.map(plain)),
+        misfit: combination.misfit,
+        weight: combination.weight,
+        against: combination.against.iter().map(Check::code).collect(),
     }
 }
 

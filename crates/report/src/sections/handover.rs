@@ -95,7 +95,8 @@ pub fn handover(
     }
     page.push(results(seen, units));
     if let Some(both) = &seen.both {
-        for table in motion::momentum(seen, both, units) {
+        for table in motion::momentum(seen, both, units).into_iter().chain(motion::combinations(both, units))
+        {
             page.push(table);
         }
     }

@@ -6,12 +6,34 @@ use pim_core::VehicleId;
 
 use super::chosen::Chosen;
 use crate::basis;
-use crate::document::Table;
+use crate::document::{Column, NONE, Table, Width};
 use crate::units::{Measure, Units, number};
-use crate::words;
+use crate::{warnings, words};
 
 /// How both speeds were found.
 pub(crate) fn how(both: &BothFound, analysis: &Seen, units: Units) -> String {
+    let mut how = found_by(both, analysis, units);
+    let all = both.combinations.len();
+    if all > 1 {
+        how.push_str(&format!(
+            " The rests allow {all} combinations of motions of the two vehicles; this one agrees best with the \
+             impulse."
+        ));
+    }
+    let rivals: Vec<String> =
+        both.rivals().map(|other| other.speeds.map(|speed| units.speed(speed)).join(" and ")).collect();
+    if !rivals.is_empty() {
+        how.push_str(&format!(
+            " The evidence does not tell it from another: {} would agree about as well. Do not rely on these \
+             speeds before a mark or a witness tells which way the vehicles turned.",
+            rivals.join(", or ")
+        ));
+    }
+    how
+}
+
+/// What both speeds follow from.
+fn found_by(both: &BothFound, analysis: &Seen, units: Units) -> String {
     let evidence = match origins(analysis)[..] {
         [one, two] if one.is_by_rest() && two.is_by_rest() => "the rest positions of both vehicles tell",
         [TravelOrigin::Given, TravelOrigin::Given] | [] => "the case gives",
@@ -212,6 +234,48 @@ pub(crate) fn law_check(analysis: &Seen, units: Units) -> Option<Table> {
     Some(table)
 }
 
+/// Each combination of starts that leads to the rests, where there are several: those that are at all likely,
+/// and what speaks against each.
+pub(crate) fn combinations(both: &BothFound, units: Units) -> Option<Table> {
+    if both.combinations.len() < 2 {
+        return None;
+    }
+    let speed = units.name(Measure::Speed);
+    let mut table = Table::new(
+        "Each motion that leads to the rests",
+        [
+            Column::words("turned on the way", Width::Fit(20)),
+            Column::numbers("speed 1", Width::Fit(10)).unit(speed),
+            Column::numbers("speed 2", Width::Fit(10)).unit(speed),
+            Column::numbers("weight", Width::Fit(8)),
+            Column::words("what speaks against it", Width::Share),
+        ],
+    );
+    for combination in both.combinations.iter().take(LISTED) {
+        let turn =
+            |turn: Option<f64>| turn.map_or_else(|| NONE.to_owned(), |si| units.format(Measure::Angle, si));
+        let [one, two] = combination.speeds.map(|si| units.plain(Measure::Speed, si));
+        let against: Vec<String> =
+            combination.against.iter().map(|check| warnings::momentum_differs(check, units)).collect();
+        table.row([
+            combination.turns.map(turn).join(" and "),
+            one,
+            two,
+            number(combination.weight, 3),
+            if against.is_empty() { "nothing".to_owned() } else { against.join("; ") },
+        ]);
+    }
+    table.notes.push(
+        "The weight follows from how well yaw rates, restitution, impulse ratio and crush energy agree with the \
+         impulse, within usual errors (theory 10)."
+            .to_owned(),
+    );
+    Some(table)
+}
+
+/// Combinations that are listed at most: the weight of those beyond is nearly nothing.
+const LISTED: usize = 6;
+
 /// The way to rest of both vehicles; nothing where none is followed.
 pub(crate) fn tables(analysis: &Seen, units: Units) -> Vec<Table> {
     if analysis.travel.iter().all(Option::is_none) {
@@ -250,6 +314,10 @@ pub(crate) fn tables(analysis: &Seen, units: Units) -> Vec<Table> {
     };
     way.pair("heading at rest as measured", each(&heading), "");
     let miss = |travel: &Travel| {
+        // A start that was sought as the one that leads there says nothing by that it does.
+        if travel.origin == TravelOrigin::Rest {
+            return Some("none: solved for".to_owned());
+        }
         let (apart, turn) = travel.miss()?;
         Some(format!("{}, {}", units.format(Measure::Length, apart), units.format(Measure::Angle, turn)))
     };

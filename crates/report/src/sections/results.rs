@@ -194,7 +194,10 @@ impl Page<'_> {
     }
 
     fn momentum(&mut self, analysis: &Seen, both: &BothFound) {
-        for table in motion::momentum(analysis, both, self.units) {
+        let units = self.units;
+        for table in
+            motion::momentum(analysis, both, units).into_iter().chain(motion::combinations(both, units))
+        {
             self.document.push(table);
         }
     }
