@@ -123,7 +123,9 @@ pub(crate) fn reconstruct(case: &Case) -> Result<Analysis, Failure> {
         BothMethod::MomentumAndCrush { .. } => impact.outcome.delta_v_magnitude(),
     };
     let both = BothFound { speeds, method, delta_v, momentum, implied };
-    let mut analysis = judged(case, vehicles, basis, Some(restitution), (None, Some(impact)), Vec::new())?;
+    let given = VehicleId::ALL.into_iter().zip(speeds);
+    let warnings = given.filter_map(|(id, speed)| warning::of_given_speed(case, id, speed)).collect();
+    let mut analysis = judged(case, vehicles, basis, Some(restitution), (None, Some(impact)), warnings)?;
     // The part of the crush energy that the impact dissipates, on the case's basis.
     let dissipated = || basis.energy().dissipated(damage::crush_energy(&analysis.vehicles), restitution);
     let crush_energy = has_crush.then(|| (dissipated(), basis));

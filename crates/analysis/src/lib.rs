@@ -390,7 +390,7 @@ pub fn reconstruct(case: &Case) -> Result<Analysis, Failure> {
         affine_impact,
         iterations,
     };
-    let warnings = warning::of_found(&found, input.given_speed);
+    let warnings = warning::of_found(case, &found);
     let impact = Impact::new(contact, problem.law, answer.law, answer.outcome);
     let vehicles = damage::assess(vehicles, impact.pdof.map(Some))?;
     let (travel, surface) = run_out(case, impact.outcome.after)?;

@@ -235,6 +235,8 @@ pub enum Warning {
         vehicle: VehicleId,
         /// (m/s) as given.
         given: f64,
+        /// Whether it is a vector, whose direction was used.
+        is_direction_used: bool,
         /// (m/s) as found.
         found: f64,
     },
@@ -571,12 +573,16 @@ impl Warning {
     }
 }
 
-pub(crate) fn of_found(found: &Found, given_speed: Option<f64>) -> Vec<Warning> {
-    let mut warnings = Vec::new();
+/// A speed that was found where the case gives one.
+pub(crate) fn of_given_speed(case: &Case, vehicle: VehicleId, found: f64) -> Option<Warning> {
+    let motion = case.vehicles[vehicle.index()].motion?;
+    let is_direction_used = matches!(motion, Velocity::Vector { .. });
+    Some(Warning::GivenSpeedUnused { vehicle, given: motion.size(), is_direction_used, found })
+}
+
+pub(crate) fn of_found(case: &Case, found: &Found) -> Vec<Warning> {
     let vehicle = found.unknown.vehicle();
-    if let Some(given) = given_speed {
-        warnings.push(Warning::GivenSpeedUnused { vehicle, given, found: found.speed });
-    }
+    let mut warnings = Vec::from_iter(of_given_speed(case, vehicle, found.speed));
     if found.admissible.len() > 1 {
         warnings.push(Warning::SeveralSpeeds { speeds: found.admissible.clone() });
     }

@@ -313,7 +313,13 @@ pub fn message(seen: &SeenWarning, units: Units) -> String {
             units.format(Measure::YawRate, *turned),
             angle(*pdof)
         ),
-        Warning::GivenSpeedUnused { vehicle, given, found } => format!(
+        Warning::GivenSpeedUnused { vehicle, given, is_direction_used: true, found } => format!(
+            "the file gives vehicle {vehicle} a velocity of {}, of which only the direction was used: the speed found along it is {}; to give \
+             the direction alone, write `sideslip` in place of `velocity`",
+            speed(*given),
+            speed(*found)
+        ),
+        Warning::GivenSpeedUnused { vehicle, given, is_direction_used: false, found } => format!(
             "the file gives vehicle {vehicle} a speed of {}, which was not used: the speed found is {}",
             speed(*given),
             speed(*found)

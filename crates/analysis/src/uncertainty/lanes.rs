@@ -86,6 +86,8 @@ pub(crate) enum Alone {
     Burg,
     /// The damage of a vehicle is not known, or follows from the other's.
     NoDamage,
+    /// A vehicle that travels in another direction than its heading, along which its speed counts.
+    Course,
     /// Stations that are not equally spaced.
     Spacing,
     /// What a case has to give is missing, or a result is asked for that an impact does not have.
@@ -1317,6 +1319,9 @@ impl Mover {
             outline: _,
             diameter: _,
             heading,
+            sideslip,
+            // It is for the motion before and after the impact.
+            position: _,
             // It may be placed on the damage.
             contact: _,
             motion,
@@ -1332,6 +1337,10 @@ impl Mover {
         } = vehicle;
         if *fixed {
             return Err(Alone::Incomplete);
+        }
+        // The vector of a vehicle whose speed is sought tells its direction.
+        if sideslip.is_some() || (is_sought && matches!(motion, Some(Velocity::Vector { .. }))) {
+            return Err(Alone::Course);
         }
         let yaw = match (*yaw, *class, yaw_factor) {
             (Some(yaw), ..) => Yaw::Given(yaw),

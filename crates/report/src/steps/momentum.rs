@@ -209,10 +209,7 @@ pub(super) fn ways(analysis: &Seen) -> Vec<StepGroup> {
     let mut groups = Vec::new();
     for k in VehicleId::ALL {
         if let Some(travel) = &analysis.travel[k.index()] {
-            groups.push(group(
-                format!("Way of vehicle {k} to rest, by a closed form"),
-                closed(analysis, travel, k),
-            ));
+            groups.push(group(format!("Way of vehicle {k} to rest, by a closed form"), closed(travel, k)));
         }
         if let Some(skid) = analysis.skids[k.index()] {
             let speed = analysis.speed(k).abs();
@@ -237,10 +234,9 @@ pub(super) fn ways(analysis: &Seen) -> Vec<StepGroup> {
     groups
 }
 
-fn closed(analysis: &Seen, travel: &Travel, k: VehicleId) -> Vec<Step> {
-    let Some(friction) = analysis.surface.as_ref().map(|surface| surface.friction) else { return Vec::new() };
+fn closed(travel: &Travel, k: VehicleId) -> Vec<Step> {
     let distance = travel.rest.distance;
-    let (mu, g) = (n(friction, ""), n(STANDARD_GRAVITY, "m/s²"));
+    let (mu, g) = (n(travel.friction, ""), n(STANDARD_GRAVITY, "m/s²"));
     match travel.closed {
         None => Vec::new(),
         Some(ClosedForm::Straight { drag_share, speed }) => vec![step(
