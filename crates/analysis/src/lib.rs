@@ -61,7 +61,7 @@ pub use self::estimate::{
 };
 pub use self::evidence::{ByEvidence, EvidenceAnswer, EvidenceMethod, NoEvidence};
 pub use beside::{BACKWARD_SAMPLES, Beside, SAMPLES, beside, usual_samples};
-pub use both::{BothFound, BothMethod};
+pub use both::{BothFound, BothMethod, CgLine};
 pub use checks::{Check, CheckedQuantity};
 pub use compare::{Comparison, LawRow, compare};
 pub use curve::{WorkPoint, first_push, work_curve};

@@ -5,7 +5,7 @@ mod motion;
 use std::fmt::{self, Display};
 
 use crash3::{
-    CrushArea, CrushError, DamagedFace, ObliqueCorrection, Profile, Side, SideStiffness, Stiffness,
+    CrushError, DamagedFace, EnergyMoments, ObliqueCorrection, Profile, Side, SideStiffness, Stiffness,
     VehicleClass,
 };
 use pim_core::{Body, Contact, Motion, Participant, Real, VaryingLaw, Vector2, VehicleId};
@@ -599,14 +599,15 @@ impl<'a, T: Real> Demand<'a, T> {
         damage: &DamageData<T>,
         dimensions: Dimensions<T>,
     ) -> Option<[T; 2]> {
-        let (Evidence::Measured { profile, .. }, Some(offset)) = (&damage.evidence, damage.offset) else {
+        let (Evidence::Measured { profile, structure }, Some(offset)) = (&damage.evidence, damage.offset)
+        else {
             return None;
         };
         let moved = |axis| self.case.departures.of_contact(id, axis);
         let along = along_face(self.case.axes, damage.side, moved(FaceAxis::Along));
         let moved = [along, moved(FaceAxis::Inward)];
-        let area = profile.zones().fold(CrushArea::none(), CrushArea::with);
-        let point = placed_contact(damage.side, &dimensions, offset, moved, &area);
+        let point = EnergyMoments::of(profile, structure)
+            .and_then(|moments| placed_contact(damage.side, &dimensions, offset, moved, &moments));
         self.accepted(format_args!("{}.contact", table(id)), point)
     }
 
@@ -1063,10 +1064,10 @@ pub fn placed_contact<T: Real>(
     dimensions: &Dimensions<T>,
     offset: T,
     [along, inward]: [T; 2],
-    area: &CrushArea<T>,
+    moments: &EnergyMoments<T>,
 ) -> Result<[T; 2], CrushError> {
     let face = DamagedFace::new(side, dimensions.face(side) - inward, offset + along)?;
-    Ok(face.centroid_of(area))
+    Ok(face.centroid_of(moments))
 }
 
 fn dimensions<T: Real>(

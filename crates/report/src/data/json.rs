@@ -92,6 +92,9 @@ struct MomentumBlock {
     /// How far the impulses that the two vehicles tell lie apart.
     disagreement: f64,
     restitution: Option<f64>,
+    /// Of the CGs towards each other.
+    cg_closing_speed: Option<f64>,
+    cg_restitution: Option<f64>,
     impulse_ratio: Option<f64>,
     critical_impulse_ratio: Option<f64>,
     energy_loss: f64,
@@ -403,6 +406,8 @@ fn momentum(both: &BothFound) -> MomentumBlock {
         impulse: plain_pair(implied.impulse_vector.into()),
         disagreement: implied.disagreement(),
         restitution: implied.restitution.map(plain),
+        cg_closing_speed: both.cg_line.map(|line| plain(line.closing_speed)),
+        cg_restitution: both.cg_line.and_then(|line| line.restitution).map(plain),
         impulse_ratio: implied.impulse_ratio.map(plain),
         critical_impulse_ratio: implied.critical_impulse_ratio.map(plain),
         energy_loss: plain(implied.energy_loss),
