@@ -3,8 +3,8 @@
 use std::f64::consts::PI;
 
 use crash3::{
-    CrushError, DamagedFace, ObliqueCorrection, Profile, Side, Stiffness, StruckVehicle, crush_energy,
-    crush_from_force, crush_range_from_force, delta_v, moment_arm, opposite_pdof, peak_force,
+    CrushError, DamagedFace, ObliqueCorrection, Profile, Side, SideStiffness, Stiffness, StruckVehicle,
+    crush_energy, crush_from_force, crush_range_from_force, delta_v, moment_arm, opposite_pdof, peak_force,
 };
 use proptest::prelude::*;
 
@@ -51,12 +51,18 @@ fn centroid_by_grid(side: Side, distance: f64, offset: f64, (depths, spacings): 
     [forward / count, left / count]
 }
 
+/// A structure whose energy per width is the depth: its centroid is that of the area.
+fn even() -> SideStiffness {
+    SideStiffness::Uniform(Stiffness::from_abg(1.0, 0.0, 0.0).unwrap())
+}
+
 #[test]
 fn the_centroid_is_that_of_the_damaged_area() {
     let crushed = profile().prop_filter("crush", |(depths, _)| depths.iter().any(|depth| *depth > 0.01));
     let sides = prop::sample::select(vec![Side::Front, Side::Rear, Side::Left, Side::Right]);
     for_all(60, 1.0, (crushed, sides, 0.5..3.0, -1.0..1.0), |(plain, side, distance, offset)| {
-        let [forward, left] = DamagedFace::new(side, distance, offset).unwrap().centroid(&make(&plain));
+        let [forward, left] =
+            DamagedFace::new(side, distance, offset).unwrap().centroid(&make(&plain), &even()).unwrap();
         let [f, l] = centroid_by_grid(side, distance, offset, &plain);
         let width: f64 = plain.1.iter().sum();
         // A cell or so, of 300 along each direction.
@@ -73,7 +79,7 @@ fn the_centroid_is_that_of_the_damaged_area() {
 fn simple_damage_has_the_centroid_of_a_hand_calculation() {
     let at = |side, depths: [f64; 2]| {
         let profile = Profile::equally_spaced(depths.to_vec(), 1.2).unwrap();
-        DamagedFace::new(side, 2.0, 0.3).unwrap().centroid(&profile)
+        DamagedFace::new(side, 2.0, 0.3).unwrap().centroid(&profile, &even()).unwrap()
     };
     for (side, depths, [forward, left]) in [
         (Side::Front, [0.4, 0.4], [1.8, 0.3]),
@@ -490,6 +496,107 @@ fn table_3_of_the_paper_comes_out() {
             let what = |vehicle: u8| format!("test {}, {change:+}°, vehicle {vehicle}", staged.test);
             assert_close(&what(1), found[0] / FOOT, dv1, staged.tolerance);
             assert_close(&what(2), found[1] / FOOT, dv2, staged.tolerance);
+        }
+    }
+}
+
+/// Numerical quadrature (midpoints) of the strips of a damage, each with its energy per width `of` its depth
+/// and its zone: (m) forward and left of the CG.
+fn centroid_by_strips(
+    (side, distance, offset): (Side, f64, f64),
+    width: f64,
+    depths: &[f64],
+    of: impl Fn(usize, f64) -> f64,
+) -> [f64; 2] {
+    const STRIPS: u32 = 20_000;
+    let zones = depths.len() - 1;
+    let spacing = width / zones as f64;
+    let (mut energy, mut along, mut deep) = (0.0, 0.0, 0.0);
+    for zone in 0..zones {
+        for strip in 0..STRIPS {
+            let share = (f64::from(strip) + 0.5) / f64::from(STRIPS);
+            let depth = depths[zone] + (depths[zone + 1] - depths[zone]) * share;
+            let weight = of(zone, depth);
+            energy += weight;
+            along += weight * (zone as f64 + share) * spacing;
+            deep += weight * depth / 2.0;
+        }
+    }
+    let (along, depth) = (along / energy - width / 2.0, deep / energy);
+    match side {
+        Side::Front => [distance - depth, offset - along],
+        Side::Rear => [depth - distance, offset - along],
+        Side::Left => [offset + along, distance - depth],
+        Side::Right => [offset + along, depth - distance],
+    }
+}
+
+/// A, B and, with `limit`, F_s as an energy per width: G + A C + B C²/2 until the force is F_s.
+fn energy_per_width([a, b, limit]: [f64; 3], depth: f64) -> f64 {
+    let knee = (limit - a) / b;
+    let g = a * a / (2.0 * b);
+    if depth <= knee {
+        g + a * depth + b * depth * depth / 2.0
+    } else {
+        g + a * knee + b * knee * knee / 2.0 + limit * (depth - knee)
+    }
+}
+
+/// EDCRASH's tutorial (HVE manuals, EDCRASH chapter 5): its printed impulse centres (cm) are within 1 cm of
+/// those weighted by the energy, and those of the area are not.
+#[test]
+fn the_centroid_weighs_the_damage_by_its_energy() {
+    const SOFT: [f64; 2] = [24_500.0, 500_000.0];
+    const STIFF: [f64; 2] = [98_000.0, 2_000_000.0];
+    let escort = (Side::Front, 1.7856, 0.0);
+    let sentra = (Side::Right, 0.8572, -0.4);
+    let front: &[f64] = &[0.75, 0.60, 0.50, 0.45, 0.40, 0.40, 0.45];
+    let flank: &[f64] = &[0.20, 0.30, 0.50, 0.45, 0.10];
+    // y to the right in the manual, to the left here.
+    for (name, face, width, depths, lines, printed) in [
+        ("Escort", escort, 1.6942, front, vec![[51_563.0, 709_300.0]; 6], [1.5209, 0.1649]),
+        ("Sentra", sentra, 2.2, flank, vec![SOFT; 4], [-0.3493, -0.6559]),
+        (
+            "Sentra, zone 1 four times as stiff",
+            sentra,
+            2.2,
+            flank,
+            vec![STIFF, SOFT, SOFT, SOFT],
+            [-0.5848, -0.6765],
+        ),
+    ] {
+        let profile = Profile::equally_spaced(depths.to_vec(), width).unwrap();
+        let stiffnesses = lines.iter().map(|&[a, b]| Stiffness::from_ab(a, b).unwrap()).collect();
+        let structure = SideStiffness::Zones(stiffnesses);
+        let (side, distance, offset) = face;
+        let found = DamagedFace::new(side, distance, offset).unwrap().centroid(&profile, &structure).unwrap();
+        let expected = centroid_by_strips(face, width, depths, |zone, depth| {
+            let [a, b] = lines[zone];
+            energy_per_width([a, b, f64::INFINITY], depth)
+        });
+        for i in 0..2 {
+            assert_close(name, found[i], expected[i], 1e-8);
+            assert_close(name, found[i], printed[i], 0.01);
+        }
+    }
+}
+
+/// A force that saturates: the knee lies within a zone that deepens, within one that grows shallower, and
+/// not within the third, which yields throughout.
+#[test]
+fn the_centroid_weighs_a_force_that_saturates() {
+    const LINE: [f64; 3] = [30_000.0, 400_000.0, 150_000.0];
+    let depths = [0.1, 0.7, 0.5, 0.05];
+    let [a, b, limit] = LINE;
+    let stiffness = Stiffness::from_ab(a, b).unwrap().with_saturation_force(limit).unwrap();
+    let profile = Profile::equally_spaced(depths.to_vec(), 1.5).unwrap();
+    for side in [Side::Front, Side::Rear, Side::Left, Side::Right] {
+        let face = DamagedFace::new(side, 1.9, 0.2).unwrap();
+        let found = face.centroid(&profile, &SideStiffness::Uniform(stiffness)).unwrap();
+        let expected =
+            centroid_by_strips((side, 1.9, 0.2), 1.5, &depths, |_, depth| energy_per_width(LINE, depth));
+        for i in 0..2 {
+            assert_close(&format!("{side:?}"), found[i], expected[i], 1e-7);
         }
     }
 }

@@ -32,6 +32,51 @@ pub struct BothFound {
     /// Every combination of a start of either vehicle that leads to the rests, the one of this answer first:
     /// it agrees best with the impulse.
     pub combinations: Vec<Combination>,
+    /// How the CGs approached each other; `None` where they lie in one place.
+    pub cg_line: Option<CgLine>,
+}
+
+/// The relative velocity of the CGs along the line through both, as EDCRASH judges an impact: without the
+/// rotation, which [`Implied::restitution`] has.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct CgLine {
+    /// (m/s) closing speed before the impact.
+    pub closing_speed: f64,
+    /// (–) separation speed by closing speed; `None` where the CGs do not approach.
+    pub restitution: Option<f64>,
+}
+
+impl CgLine {
+    /// Along the line from the CG of vehicle 1 to that of vehicle 2, which are `apart` (m).
+    fn new(apart: Vector2<f64>, before: [Vector2<f64>; 2], after: [Vector2<f64>; 2]) -> Option<Self> {
+        let distance = apart.norm();
+        if distance <= 0.0 {
+            return None;
+        }
+        let line = apart * (1.0 / distance);
+        // v_c = (v₁ − v₂)·ℓ̂,  V_c = (V₁ − V₂)·ℓ̂
+        let closing_speed = (before[0] - before[1]).dot(&line);
+        let separating = (after[0] - after[1]).dot(&line);
+        // e_CG = −V_c/v_c
+        let restitution = (closing_speed > 0.0).then(|| 0.0 - separating / closing_speed);
+        Some(Self { closing_speed, restitution })
+    }
+}
+
+/// (m) from the CG of vehicle 1 to that of vehicle 2: between the places that the case gives, or by the arms
+/// to the contact point.
+fn between_cgs(case: &Case, momentum: &Momentum) -> Vector2<f64> {
+    let given = case.vehicles.each_ref().map(|vehicle| {
+        let place = vehicle.position.as_ref()?;
+        Some(Vector2::new(place.x.si(), case.axes.lateral(place.y.si())))
+    });
+    if let [Some(one), Some(two)] = given {
+        return two - one;
+    }
+    let [one, two] = momentum.contact.participants();
+    // CG₂ − CG₁ = (C − r₂) − (C − r₁)
+    one.arm() - two.arm()
 }
 
 /// What gives both speeds.
@@ -311,10 +356,21 @@ pub(crate) fn reconstruct(case: &Case) -> Result<Analysis, Failure> {
     let spread = restitution
         .filter(|_| is_spread)
         .and_then(|restitution| choice::spread(&momentum, speeds, &evidence, restitution));
-    let both = BothFound { speeds, method, delta_v, momentum, geometry, implied, combinations };
+    let velocities = |motions: [pim_core::Motion; 2]| motions.map(|motion| motion.velocity);
+    let after = momentum.after.map(|departure| departure.velocity);
+    // Of point masses it is not known where their CGs lie.
+    let cg_line = match geometry {
+        Geometry::Given => CgLine::new(between_cgs(case, &momentum), velocities(implied.before), after),
+        Geometry::Plane | Geometry::PointMasses => None,
+    };
+    let both =
+        BothFound { speeds, method, delta_v, momentum, geometry, implied, combinations, cg_line };
     let mut warnings = Vec::new();
     for (vehicle, speed) in both.vehicles().map(|vehicle| (vehicle, speeds[vehicle.index()])) {
         warning::of_found_speed(vehicle, speed, &mut warnings);
+    }
+    for (vehicle, speed) in VehicleId::ALL.into_iter().zip(speeds) {
+        warnings.extend(warning::of_given_speed(case, vehicle, speed));
     }
     let sought = both.sought();
     if let Some(vehicle) = sought

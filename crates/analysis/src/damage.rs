@@ -192,7 +192,7 @@ fn vehicle<T: Real>(
         }
     };
     let centroid = match (given.moment_arm, subject.contact, &given.face) {
-        (None, None, Some(face)) => Some(face.centroid(&profile)),
+        (None, None, Some(face)) => Some(face.centroid(&profile, &structure)?),
         _ => None,
     };
     let line = subject.contact.or(centroid).zip(pdof);

@@ -266,7 +266,7 @@ impl Ways<f64> for Search {
         to_start_near(
             &way.chassis,
             steer,
-            &scene.ground(),
+            &scene.ground(way),
             way.position,
             way.heading,
             &target,

@@ -139,6 +139,8 @@ pub enum Assumption {
         vehicle: VehicleId,
         /// (m/s) as given.
         given: f64,
+        /// Whether it is a vector, whose direction is used.
+        is_direction_used: bool,
     },
     /// The stations of the profile are equally spaced over the width.
     EqualSpacing {
@@ -230,6 +232,7 @@ impl Assumption {
             }
             Self::ContactPlaced { vehicle, .. } => (vehicle, "contact"),
             Self::Outline { vehicle, .. } => (vehicle, "length"),
+            Self::SpeedUnused { vehicle, is_direction_used: true, .. } => (vehicle, "velocity"),
             Self::SpeedUnused { vehicle, .. } => (vehicle, "speed"),
             Self::CategoryStiffness { vehicle, .. } => (vehicle, "crush.stiffness"),
             Self::EqualSpacing { vehicle } => (vehicle, "crush.spacing"),
@@ -422,7 +425,8 @@ fn assumed(case: &Case, subjects: &[Option<VehicleData>; 2]) -> Vec<Assumption> 
         assumptions.push(Assumption::ZUp);
     }
     if case.vehicles.iter().any(|vehicle| is_followed(case, vehicle)) {
-        if case.scene_contact.is_none() {
+        let has_place = case.vehicles.iter().any(|vehicle| vehicle.position.is_some());
+        if case.scene_contact.is_none() && !has_place {
             assumptions.push(Assumption::ImpactAtOrigin);
         }
         if case.surface.as_ref().is_some_and(|surface| surface.grade.is_none()) {
@@ -455,12 +459,12 @@ fn assumed(case: &Case, subjects: &[Option<VehicleData>; 2]) -> Vec<Assumption> 
         }
         let sought = case.reconstruct.is_some_and(|reconstruct| reconstruct.find.seeks(id));
         if let Some(motion) = vehicle.motion.filter(|_| sought) {
-            let given = match motion {
-                Velocity::Speed(speed) => speed.si(),
-                // |v| = √(v_x² + v_y²)
-                Velocity::Vector { x, y } => (x.si() * x.si() + y.si() * y.si()).sqrt(),
-            };
-            assumptions.push(Assumption::SpeedUnused { vehicle: id, given });
+            let is_direction_used = matches!(motion, Velocity::Vector { .. });
+            assumptions.push(Assumption::SpeedUnused {
+                vehicle: id,
+                given: motion.size(),
+                is_direction_used,
+            });
         }
         if vehicle.yaw_rate.is_none() && case.impact.is_some() {
             assumptions.push(Assumption::YawRate { vehicle: id });

@@ -67,7 +67,7 @@ pub use self::evidence::{ByEvidence, EvidenceAnswer, EvidenceMethod, NoEvidence}
 pub use aside::Evident;
 use aside::Used;
 pub use beside::{BACKWARD_SAMPLES, Beside, SAMPLES, beside, usual_samples};
-pub use both::{BothFound, BothMethod, Combination};
+pub use both::{BothFound, BothMethod, CgLine, Combination};
 pub use checks::{Check, CheckedQuantity};
 pub use compare::{Comparison, LawRow, compare};
 pub use curve::{WorkPoint, first_push, work_curve};
@@ -434,7 +434,7 @@ pub fn reconstruct(case: &Case) -> Result<Analysis, Failure> {
         affine_impact,
         iterations,
     };
-    let warnings = warning::of_found(&found, input.given_speed);
+    let warnings = warning::of_found(case, &found);
     let impact = Impact::new(contact, problem.law, answer.law, answer.outcome);
     let vehicles = damage::assess(vehicles, impact.pdof.map(Some))?;
     let (travel, surface) = run_out(case, impact.outcome.after)?;

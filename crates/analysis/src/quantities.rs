@@ -378,6 +378,30 @@ pub const QUANTITIES: &[OutputQuantity] = &[
         Of::Collision(|a| implied(a)?.restitution),
     ),
     row(
+        "momentum.cg_closing_speed",
+        "/momentum/cg_closing_speed",
+        [
+            "closing speed along the line of the CGs",
+            "closing speed along the line of the CGs",
+            "v_CG",
+            "theory 10",
+        ],
+        Kind::Speed,
+        Of::Collision(|a| Some(a.both.as_ref()?.cg_line?.closing_speed)),
+    ),
+    row(
+        "momentum.cg_restitution",
+        "/momentum/cg_restitution",
+        [
+            "restitution along the line of the CGs",
+            "restitution along the line of the CGs",
+            "e_CG",
+            "theory 10",
+        ],
+        Kind::Ratio,
+        Of::Collision(|a| a.both.as_ref()?.cg_line?.restitution),
+    ),
+    row(
         "momentum.impulse_ratio",
         "/momentum/impulse_ratio",
         ["impulse ratio by momentum", "impulse ratio by momentum, μ", "μ", "theory 10"],

@@ -26,6 +26,8 @@ pub struct Travel {
     pub chassis: Chassis,
     /// (rad) steer angle of the front wheels at the start.
     pub steer: f64,
+    /// (–) coefficient of friction on its path, outside of all zones.
+    pub friction: f64,
     /// Where the vehicle left the impact, and how it moved there.
     pub start: State,
     /// The way, at the moments that the integration chose: the first is the start, the last the rest.
@@ -161,8 +163,9 @@ impl<'a, T: Real> Scene<'a, T> {
         Self { surface, zones: surface.zones() }
     }
 
-    pub(crate) fn ground(&self) -> Ground<'_, T> {
-        Ground { friction: self.surface.friction, zones: &self.zones, grade: self.surface.grade }
+    /// The ground under a vehicle.
+    pub(crate) fn ground(&self, way: &VehicleMotion<T>) -> Ground<'_, T> {
+        Ground { friction: way.friction_on(self.surface), zones: &self.zones, grade: self.surface.grade }
     }
 
     /// The way of a vehicle that leaves the impact with the motion `start`; `record` gets its samples.
@@ -175,7 +178,7 @@ impl<'a, T: Real> Scene<'a, T> {
         record: impl FnMut(&Sample<T>),
     ) -> Result<Way<T>, Failure> {
         let state = State { position: way.position, heading: way.heading, motion: start };
-        to_rest(&way.chassis, way.steer.steer(), &self.ground(), &state, control, record)
+        to_rest(&way.chassis, way.steer.steer(), &self.ground(way), &state, control, record)
             .map(|rest| Way { start, rest })
             .map_err(|reason| Failure::NoRest { vehicle, reason })
     }
@@ -209,7 +212,7 @@ impl Scene<'_> {
         let starts = to_start(
             &way.chassis,
             way.steer.steer(),
-            &self.ground(),
+            &self.ground(way),
             way.position,
             way.heading,
             &target(way, rest),
@@ -440,6 +443,7 @@ impl Record {
             origin: left.origin,
             chassis: input.chassis,
             steer: input.steer.steer().at(0.0),
+            friction: input.friction_on(scene.surface),
             start,
             samples,
             rest: way.rest,
@@ -502,7 +506,7 @@ fn closed_form(
     let Motion { velocity, .. } = start.motion;
     let direction = Real::atan2(velocity.y, velocity.x);
     let sideslip = real::principal_angle(direction - start.heading);
-    let (wheelbase, friction) = (input.chassis.wheelbase(), surface.friction);
+    let (wheelbase, friction) = (input.chassis.wheelbase(), input.friction_on(surface));
     let body = input.chassis.body();
     let is_spin = spins(sideslip, turn, distance, wheelbase, input.steer.steer().at(0.0)).ok()?;
     if is_spin && origin != Origin::StraightRest {

@@ -16,6 +16,8 @@ use crate::thresholds::{FAST_CLOSING, FORCE_RATIO, HIGH_RESTITUTION, PDOF_DIFFER
 use crate::usual::Usual;
 use crate::{BothFound, Damage, Found, Impact, Pass, Travel, Vehicle};
 
+/// (m) how far the places of C may lie apart: a CG is surveyed to some decimetres.
+const CONTACT_APART: f64 = 0.3;
 /// How far CRASH3's ΔV may be from that of the impact.
 const DELTA_V_DIFFERENCE: f64 = 0.1;
 /// (m) how far the contact point may be outside of the outline: the roundness of a bumper.
@@ -225,6 +227,13 @@ pub enum Warning {
         /// How far it may be off in the samples of `uncertainty`, for each [`FaceAxis`].
         spread: [ContactSpread; 2],
     },
+    /// What the file says of the place of the contact point disagrees.
+    ContactApart {
+        /// (m) the greatest distance between two of the places.
+        distance: f64,
+        /// Whether one of them is `contact` of `[scene]`.
+        with_scene: bool,
+    },
     /// The two directions of force that the file gives are not opposite in the scene.
     PdofsNotOpposite {
         /// (rad) by how much.
@@ -258,6 +267,8 @@ pub enum Warning {
         vehicle: VehicleId,
         /// (m/s) as given.
         given: f64,
+        /// Whether it is a vector, whose direction was used.
+        is_direction_used: bool,
         /// (m/s) as found.
         found: f64,
     },
@@ -483,6 +494,7 @@ impl Warning {
         "inferred-energy",
         "damage-centroid",
         "contact-placed",
+        "contact-apart",
         "pdofs-not-opposite",
         "damage-energy-differs",
         "rotation-opposes",
@@ -527,6 +539,7 @@ impl Warning {
             Self::InferredEnergy { .. } => "inferred-energy",
             Self::DamageCentroid { .. } => "damage-centroid",
             Self::ContactPlaced { .. } => "contact-placed",
+            Self::ContactApart { .. } => "contact-apart",
             Self::PdofsNotOpposite { .. } => "pdofs-not-opposite",
             Self::DamageEnergyDiffers { .. } => "damage-energy-differs",
             Self::RotationOpposes { .. } => "rotation-opposes",
@@ -582,6 +595,7 @@ impl Warning {
             | Self::MomentumDiffers { .. }
             | Self::DeltaVDiffers { .. }
             | Self::SeveralSpeeds { .. }
+            | Self::ContactApart { .. }
             | Self::PdofsNotOpposite { .. }
             | Self::DamageEnergyDiffers { .. }
             | Self::SlidingDriven { .. }
@@ -618,12 +632,16 @@ impl Warning {
     }
 }
 
-pub(crate) fn of_found(found: &Found, given_speed: Option<f64>) -> Vec<Warning> {
-    let mut warnings = Vec::new();
+/// A speed that was found where the case gives one.
+pub(crate) fn of_given_speed(case: &Case, vehicle: VehicleId, found: f64) -> Option<Warning> {
+    let motion = case.vehicles[vehicle.index()].motion?;
+    let is_direction_used = matches!(motion, Velocity::Vector { .. });
+    Some(Warning::GivenSpeedUnused { vehicle, given: motion.size(), is_direction_used, found })
+}
+
+pub(crate) fn of_found(case: &Case, found: &Found) -> Vec<Warning> {
     let vehicle = found.unknown.vehicle();
-    if let Some(given) = given_speed {
-        warnings.push(Warning::GivenSpeedUnused { vehicle, given, found: found.speed });
-    }
+    let mut warnings = Vec::from_iter(of_given_speed(case, vehicle, found.speed));
     if found.admissible.len() > 1 {
         warnings.push(Warning::SeveralSpeeds { speeds: found.admissible.clone() });
     }
@@ -759,6 +777,24 @@ pub(crate) fn of_outlines(vehicles: &[Vehicle; 2], warnings: &mut Vec<Warning>) 
     }
 }
 
+/// Of the contact point, where the places of the CGs tell where it lies.
+fn of_contact_places(case: &Case, warnings: &mut Vec<Warning>) {
+    let places = case.contact_places();
+    let mut farthest: Option<(f64, bool)> = None;
+    for (i, first) in places.iter().enumerate() {
+        for second in &places[i + 1..] {
+            let Some((one, two)) = first.zip(*second) else { continue };
+            let distance = (one - two).norm();
+            if farthest.is_none_or(|(most, _)| distance > most) {
+                farthest = Some((distance, i == 0));
+            }
+        }
+    }
+    if let Some((distance, with_scene)) = farthest.filter(|(distance, _)| *distance > CONTACT_APART) {
+        warnings.push(Warning::ContactApart { distance, with_scene });
+    }
+}
+
 /// Of single numbers of the file that were hardly meant: angles, speeds, friction and barrier tests.
 pub(crate) fn of_case(case: &Case, warnings: &mut Vec<Warning>) {
     let large_angles = case.variables_where(|Variable { number, unit, origin, .. }| {
@@ -771,6 +807,7 @@ pub(crate) fn of_case(case: &Case, warnings: &mut Vec<Warning>) {
         let turns = input.si().abs() / TAU;
         warnings.push(Warning::LargeAngle { path: input.path, turns, in_degrees });
     }
+    of_contact_places(case, warnings);
     for (id, vehicle) in VehicleId::ALL.into_iter().zip(&case.vehicles) {
         let sought = case.reconstruct.is_some_and(|reconstruct| reconstruct.find.seeks(id));
         if let Some(Velocity::Speed(given)) = vehicle.motion

@@ -3,6 +3,7 @@
 mod both_speeds;
 mod checks;
 mod contact;
+mod edcrash;
 mod energies;
 mod estimates;
 mod evidence;

@@ -45,10 +45,10 @@
 //! | top | `title`, `source` |
 //! | `[scene]` | `axes`: `"z-up"` (the default) or `"z-down"`, see below; `contact = { x, y }`, the place of the impact in the coordinates of the survey; `site_plan = { file, corner = { x, y }, width, angle }`, a picture behind the motion; `locked_together = true`, where the vehicles left the impact as one |
 //! | `[surface]` | `friction`; `grade = { slope, uphill }`; `zone`, a list of parts with another friction: `{ name, friction, polygon }` or `{ name, friction, edge, side }`, `side`: `"left"`, `"right"` |
-//! | `[vehicle1]`, `[vehicle2]` | `name`; `kind`: `"car"` (the default), `"heavy-truck"`, `"trailer"`, `"motorcycle"`; `mass` or `weight`; `yaw_inertia` or `yaw_radius`; `class`, 1 to 6, and `wheelbase`, for what is not known; `heading`; `speed` or `velocity = { x, y }`; `yaw_rate`; `contact = { distance, angle }` or `{ x, y }`, or none where the damage places it; `length`, `width`, `cg_to_front`: all or none, or `length` alone beside `wheelbase`; or, for a barrier, `fixed = true` with at most `name`, `heading`, `contact`, and the outline or `diameter` |
+//! | `[vehicle1]`, `[vehicle2]` | `name`; `kind`: `"car"` (the default), `"heavy-truck"`, `"trailer"`, `"motorcycle"`; `mass` or `weight`; `yaw_inertia` or `yaw_radius`; `class`, 1 to 6, and `wheelbase`, for what is not known; `heading`; `speed` or `velocity = { x, y }`; `sideslip`, from the heading to the direction of travel; `yaw_rate`; `position = { x, y }`, the place of the CG at the impact; `contact = { distance, angle }` or `{ x, y }`, or none where the damage places it; `length`, `width`, `cg_to_front`: all or none, or `length` alone beside `wheelbase`; or, for a barrier, `fixed = true` with at most `name`, `heading`, `contact`, and the outline or `diameter` |
 //! | … for the motion after the impact | `track` and `cg_to_front_axle` beside `wheelbase`; what is not given comes from `class` |
-//! | `[vehicle1.before]`, `[vehicle2.before]` | `skid = { length, friction }`; without `friction`, that of `[surface]`; `speed` where it begins |
-//! | `[vehicle1.after]`, `[vehicle2.after]` | `drag`, a number or `"locked"`, or a list of four: front left, front right, rear left, rear right; `steer`, an angle or a list of `{ time, angle }`; `rest = { x, y, heading }` or `{ x, y, turned }`; `points`, a list of `{ x, y }` or `{ x, y, heading }`, with `wheel`: `"front left"`, `"front right"`, `"rear left"`, `"rear right"`, where it is of a tyre mark; `speed` with `direction`; `yaw_rate` |
+//! | `[vehicle1.before]`, `[vehicle2.before]` | `skid = { length, friction }` or `{ from = { x, y }, friction }`; without `friction`, that of `[surface]`; `speed` where it begins |
+//! | `[vehicle1.after]`, `[vehicle2.after]` | `friction`, in place of that of `[surface]`; `drag`, a number or `"locked"`, or a list of four: front left, front right, rear left, rear right; `steer`, an angle or a list of `{ time, angle }`; `rest = { x, y, heading }` or `{ x, y, turned }`; `points`, a list of `{ x, y }` or `{ x, y, heading }`, with `wheel`: `"front left"`, `"front right"`, `"rear left"`, `"rear right"`, where it is of a tyre mark; `speed` with `direction`; `yaw_rate` |
 //! | `[vehicle1.crush]`, `[vehicle2.crush]` | `side`: `"front"`, `"rear"`, `"left"`, `"right"`; `width`; `depths`: `"21.3 20.3 in"` or `["21.3 in", "20.3 in"]`, two or more, zero or more each; `spacing`, one fewer, in place of or beside the width (to 0.1 %); `from_force_balance = true` in place of depths, for one vehicle; `stiffness`, see below; `offset`, left of the axis (right of it in z-down axes) or forward of the CG; `pdof`, an angle, clockwise in any axes, or `"2 o'clock"`; `oblique_angle`; `moment_arm`; `oblique`: `"capped"`, `"uncapped"`, `"none"`, `"secant"`, `{ friction = 0.5 }`. Or `ees` with at most `side`, `pdof` and `moment_arm`; or, in the table of the vehicle, `crush = "none"` |
 //! | `stiffness = { … }` | `d0`, `d1` or `A`, `B`, either with `G` and `limit`; or `category`, 1 to 5; or `test = { mass or weight, speed, width, depths, no_damage_speed, fit }`, `fit`: `"exact"` (the default), `"mean"`; or `zones = [{ A, B }, …]`, one between each two stations |
 //! | `[impact]` | `crush_plane`; `law`: `"brach"` (the default), `"woolley"`, `"ishikawa"`, `"kudlich-slibar"`, and the keys of that law |
@@ -73,7 +73,7 @@
 //! ```
 //!
 //! uses the axes of SAE J670, with y to the right and clockwise positive. For the same collision, these
-//! numbers then have the opposite sign: `heading`, `yaw_rate`, `uphill`, `steer`, `turned`, `direction`, the
+//! numbers then have the opposite sign: `heading`, `sideslip`, `yaw_rate`, `uphill`, `steer`, `turned`, `direction`, the
 //! `y` of every place, the `angle` or `y` of `contact`, the `y` of `velocity`, `crush_plane`, the `ratio` of
 //! `tangential` and `tangential_velocity_change`, which are measured along t, that is n rotated by +90° in
 //! the sense of the axes, and the `offset` of a damaged front or rear. All others are the same in both: a
@@ -213,7 +213,7 @@ pub use inputs::{
     MarkedWheel, Mass, OBLIQUE_CORRECTIONS, OFFSET_SD, Origin, Outline, PathPoint, Pdof, Place, PointData,
     Prior, Purpose, Quantity, Range, Reconstruct, ReconstructionInput, RegionData, ReportHead, Rest,
     RestHeading, RestHeadingData, Restitution, SIDES, STANDARD_GRAVITY, STIFFNESS_LN_SD_A, STIFFNESS_LN_SD_B,
-    Skid, Spread, Steer, SteerPoint, StiffnessForm, StiffnessLine, StiffnessSource, Surface, SurfaceData,
+    Skid, SkidBegin, Spread, Steer, SteerPoint, StiffnessForm, StiffnessLine, StiffnessSource, Surface, SurfaceData,
     SurfaceRegion, SurfaceZone, Text, UNDAMAGED, UNKNOWNS, Unit, UnitSystem, VehicleData, Velocity,
     WheelDrag, YAW_RADIUS_CONFIDENCE, YAW_RADIUS_WITHIN, YawInertia, YawSource, ZoneData, acts, shown,
     shown_lines, word,

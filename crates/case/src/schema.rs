@@ -501,10 +501,17 @@ pub(crate) static VEHICLE: Schema = Schema {
             "Heading at impact. The angle of the vehicle's forward axis from the x axis of the scene, seen from above; positive counter-clockwise, or clockwise with `axes = \"z-down\"`.",
         ),
         key(
+            "sideslip",
+            "sideslip = \"-4.35 deg\"",
+            Form::Quantity(Dimension::Angle, ANY),
+            "Angle from the heading to the direction in which the CG travels just before impact. Seen from above, positive counter-clockwise, or clockwise with `axes = \"z-down\"`; 0 (the default) is straight ahead. The speed, given or sought, is then along that direction.",
+        ),
+        table("position", "position = { x = \"10.8 m\", y = \"3.9 m\" }", &POSITION),
+        key(
             "speed",
             "speed = \"10 mph\"",
             Form::Quantity(Dimension::Speed, ANY),
-            "Speed along the heading just before impact. Negative in reverse. Leave it out for the vehicle whose speed is to be found.",
+            "Speed along the heading just before impact, or along the direction of travel with `sideslip`. Negative in reverse. Leave it out for the vehicle whose speed is to be found.",
         ),
         table("velocity", "velocity = { x = \"-75 ft/s\", y = \"0 ft/s\" }", &VELOCITY),
         key(
@@ -560,6 +567,7 @@ pub(crate) static VEHICLE: Schema = Schema {
         Rule::NeverIf(Has("mass"), &["weight"]),
         Rule::NeverIf(Has("yaw_inertia"), &["yaw_radius"]),
         Rule::NeverIf(Has("speed"), &["velocity"]),
+        Rule::NeverIf(Has("velocity"), &["sideslip"]),
         Rule::NeedsIf(&[Has("width")], &["length", "cg_to_front"]),
         Rule::NeedsIf(&[Has("cg_to_front")], &["length", "width"]),
         Rule::NeedsIf(&[Has("length"), Lacks("wheelbase")], &["width", "cg_to_front"]),
@@ -567,7 +575,7 @@ pub(crate) static VEHICLE: Schema = Schema {
 };
 
 /// What moves or is damaged, and a fixed object is neither.
-pub(crate) static NEVER_FIXED: [&str; 17] = [
+pub(crate) static NEVER_FIXED: [&str; 19] = [
     "kind",
     "mass",
     "weight",
@@ -577,6 +585,8 @@ pub(crate) static NEVER_FIXED: [&str; 17] = [
     "wheelbase",
     "track",
     "cg_to_front_axle",
+    "sideslip",
+    "position",
     "speed",
     "velocity",
     "yaw_rate",
@@ -586,6 +596,13 @@ pub(crate) static NEVER_FIXED: [&str; 17] = [
     "recorder",
     "certain_speed",
 ];
+
+pub(crate) static POSITION: Schema = Schema {
+    place: "position = { … } of a vehicle",
+    text: "Place of the CG at the impact, in the coordinates of the survey. The path to rest begins there, in place of where `contact` of [scene] and that of the vehicle would put it.",
+    keys: &[PLACE_X, PLACE_Y],
+    rules: &[Rule::Needs(&["x", "y"])],
+};
 
 pub(crate) static RECORDER: Schema = Schema {
     place: "[vehicle1.recorder] or [vehicle2.recorder]",
@@ -748,6 +765,7 @@ pub(crate) static SKID: Schema = Schema {
             Form::Quantity(Dimension::Length, POSITIVE),
             "Distance that the vehicle skidded, from the beginning of the marks to the impact.",
         ),
+        table("from", "from = { x = \"18 m\", y = \"15 m\" }", &SKID_FROM),
         key(
             "friction",
             "friction = 0.7",
@@ -755,13 +773,26 @@ pub(crate) static SKID: Schema = Schema {
             "Coefficient of friction there. Without it, that of [surface] is used.",
         ),
     ],
-    rules: &[Rule::Needs(&["length"])],
+    rules: &[Rule::OneOf(&[form(&["length"], &["friction"]), form(&["from"], &["friction"])])],
+};
+
+pub(crate) static SKID_FROM: Schema = Schema {
+    place: "from = { … } of skid",
+    text: "Place of the CG where the wheels began to skid, in the coordinates of the survey. The length of the skid is the distance from there to the CG at the impact.",
+    keys: &[PLACE_X, PLACE_Y],
+    rules: &[Rule::Needs(&["x", "y"])],
 };
 
 pub(crate) static AFTER: Schema = Schema {
     place: "[vehicle1.after] or [vehicle2.after]",
     text: "The vehicle between impact and rest. Where it came to rest, what slowed its wheels and, where it is known from elsewhere, how it left the impact.",
     keys: &[
+        key(
+            "friction",
+            "friction = 0.72",
+            Form::Number(POSITIVE),
+            "Coefficient of friction between the tyres of this vehicle and the ground. It takes the place of that of [surface] on the path of this vehicle; a zone keeps its own.",
+        ),
         key(
             "drag",
             "drag = [0.02, \"locked\", 0.02, 0.02]",

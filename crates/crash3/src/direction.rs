@@ -4,8 +4,10 @@ use core::f64::consts::{FRAC_PI_2, PI};
 
 use real::{Real, principal_angle};
 
+use crate::energy::Yielding;
 use crate::error::{self, CrushError};
 use crate::profile::{Profile, Zone};
+use crate::stiffness::{Saturation, SideStiffness, Stiffness};
 
 /// The damaged side of a vehicle.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -64,39 +66,99 @@ pub fn moment_arm<T: Real>([forward, left]: [T; 2], pdof: T) -> T {
     (forward * sin + left * cos).abs()
 }
 
-/// The area between an undamaged face and some zones of a profile, one beside the other, and its moments.
+/// The crush energy of some zones of a profile, one beside the other, and its moments.
+///
+/// Each strip of the damage counts by the energy that crushed it, and lies in the middle of its depth. So the
+/// centroid is drawn to where the damage is deep and to where the structure is stiff. EDCRASH places its
+/// impulse centre so: of the three damages that its manual prints with their centres, none is more than 1 cm
+/// from this centroid, while that of the area is up to 21 cm off.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct CrushArea<T = f64> {
+pub struct EnergyMoments<T = f64> {
     /// (m) of all zones.
     pub width: T,
-    /// (m²) ∫ C ds.
-    pub area: T,
-    /// (m³) ∫ s C ds, with s from the beginning of the first zone.
+    /// (J) ∫ E ds, with E (N) the energy per width.
+    pub energy: T,
+    /// (J·m) ∫ s E ds, with s from the beginning of the first zone.
     pub moment_along: T,
-    /// (m³) ∫ C²/2 ds.
+    /// (J·m) ∫ C/2 E ds.
     pub moment_deep: T,
 }
 
-impl<T: Real> CrushArea<T> {
+impl<T: Real> EnergyMoments<T> {
     /// Without a zone.
     #[must_use]
     pub fn none() -> Self {
-        Self { width: T::ZERO, area: T::ZERO, moment_along: T::ZERO, moment_deep: T::ZERO }
+        Self { width: T::ZERO, energy: T::ZERO, moment_along: T::ZERO, moment_deep: T::ZERO }
+    }
+
+    /// Those of a profile.
+    ///
+    /// # Errors
+    /// Where the number of stiffnesses is not that of the profile's zones.
+    pub fn of(profile: &Profile<T>, structure: &SideStiffness<T>) -> Result<Self, CrushError> {
+        match structure {
+            SideStiffness::Uniform(stiffness) => {
+                Ok(profile.zones().fold(Self::none(), |moments, zone| moments.with(zone, stiffness)))
+            }
+            SideStiffness::Zones(stiffnesses) => {
+                let zones = profile.depths().len() - 1;
+                if stiffnesses.len() != zones {
+                    return Err(CrushError::ZoneCount { zones, stiffnesses: stiffnesses.len() });
+                }
+                let both = profile.zones().zip(stiffnesses);
+                Ok(both.fold(Self::none(), |moments, (zone, stiffness)| moments.with(zone, stiffness)))
+            }
+        }
     }
 
     /// With one more zone.
     #[inline(always)]
     #[must_use]
-    pub fn with(self, zone: Zone<T>) -> Self {
-        let [c1, c2] = zone.depths;
-        let area = zone.area();
-        // ∫ s C ds = s₁ a + w² (C₁ + 2C₂)/6
-        let along = self.width * area + zone.width * zone.width * (c1 + c2 * 2.0) / 6.0;
+    pub fn with(self, zone: Zone<T>, stiffness: &Stiffness<T>) -> Self {
+        let (a, b, g) = (stiffness.a(), stiffness.b(), stiffness.g());
+        // E = G + A C + B C²/2
+        let rising = [g, a, b];
+        // E = G + e_s + F_s (C − C_s),  e_s = (A + F_s) C_s/2
+        let flat =
+            |Saturation { force, depth }: Saturation<T>| [g + (a - force) * depth / 2.0, force, T::ZERO];
+        match zone.yielding(stiffness) {
+            Yielding::Nowhere => self.with_strip(zone, rising),
+            Yielding::Throughout(saturation) => self.with_strip(zone, flat(saturation)),
+            Yielding::Partly { saturation, below, .. } => {
+                let Zone { width, depths: [c1, c2] } = zone;
+                let (knee, rises) = (saturation.depth, width * below);
+                let (shallow, deep) = (rises, width - rises);
+                if c1.value() < c2.value() {
+                    self.with_strip(Zone { width: shallow, depths: [c1, knee] }, rising)
+                        .with_strip(Zone { width: deep, depths: [knee, c2] }, flat(saturation))
+                } else {
+                    self.with_strip(Zone { width: deep, depths: [c1, knee] }, flat(saturation))
+                        .with_strip(Zone { width: shallow, depths: [knee, c2] }, rising)
+                }
+            }
+        }
+    }
+
+    /// With a zone of which the energy per width is p_0 + p_1 C + p_2 C²/2.
+    #[inline(always)]
+    fn with_strip(self, zone: Zone<T>, [p0, p1, p2]: [T; 3]) -> Self {
+        let Zone { width, depths: [c1, c2] } = zone;
+        let (mean, square) = (zone.mean_depth(), zone.mean_square_depth());
+        // mean of C³: (C₁² + C₂²)(C₁ + C₂)/4
+        let cube = (c1 * c1 + c2 * c2) * (c1 + c2) / 4.0;
+        // ∫ E ds = w [p₀ + p₁ C̄ + p₂ Q/2]
+        let energy = width * (p0 + p1 * mean + p2 * square / 2.0);
+        // ∫ s E ds = s₁ ∫ E ds + w² [p₀/2 + p₁ (C₁ + 2 C₂)/6 + p₂ (C₁² + 2 C₁ C₂ + 3 C₂²)/24]
+        let inside =
+            p0 / 2.0 + p1 * (c1 + c2 * 2.0) / 6.0 + p2 * (c1 * c1 + c1 * c2 * 2.0 + c2 * c2 * 3.0) / 24.0;
+        let along = self.width * energy + width * width * inside;
+        // ∫ C/2 E ds = w/2 [p₀ C̄ + p₁ Q + p₂ (C₁² + C₂²)(C₁ + C₂)/8]
+        let deep = width * (p0 * mean + p1 * square + p2 * cube / 2.0) / 2.0;
         Self {
-            width: self.width + zone.width,
-            area: self.area + area,
+            width: self.width + width,
+            energy: self.energy + energy,
             moment_along: self.moment_along + along,
-            moment_deep: self.moment_deep + zone.second_moment(),
+            moment_deep: self.moment_deep + deep,
         }
     }
 }
@@ -122,22 +184,25 @@ impl<T: Real> DamagedFace<T> {
         Ok(Self { side, distance, offset })
     }
 
-    /// (m) the centroid of the area between the undamaged face and the profile, forward and left of the CG:
-    /// the point through which CRASH3 lets the force act. Depths run from left to right on the front and the
-    /// rear, from rear to front on the sides. Without any crush it is the middle of the damage on the face.
-    #[must_use]
-    pub fn centroid(&self, profile: &Profile<T>) -> [T; 2] {
-        self.centroid_of(&profile.zones().fold(CrushArea::none(), CrushArea::with))
+    /// (m) the centroid of the damage, each strip of which counts by its [crush energy](EnergyMoments),
+    /// forward and left of the CG: the point through which CRASH3 lets the force act. Depths run from left to
+    /// right on the front and the rear, from rear to front on the sides. Without any crush of a uniform side
+    /// it is the middle of the damage on the face.
+    ///
+    /// # Errors
+    /// Where the number of stiffnesses is not that of the profile's zones.
+    pub fn centroid(&self, profile: &Profile<T>, structure: &SideStiffness<T>) -> Result<[T; 2], CrushError> {
+        Ok(self.centroid_of(&EnergyMoments::of(profile, structure)?))
     }
 
-    /// The same of an area that is added up zone by zone.
+    /// The same of energies that are added up zone by zone.
     #[inline(always)]
     #[must_use]
-    pub fn centroid_of(&self, area: &CrushArea<T>) -> [T; 2] {
-        let CrushArea { width, area, moment_along, moment_deep } = *area;
+    pub fn centroid_of(&self, moments: &EnergyMoments<T>) -> [T; 2] {
+        let EnergyMoments { width, energy, moment_along, moment_deep } = *moments;
         let middle = width / 2.0;
-        let (along, depth) = if area.value() > 0.0 {
-            (moment_along / area - middle, moment_deep / area)
+        let (along, depth) = if energy.value() > 0.0 {
+            (moment_along / energy - middle, moment_deep / energy)
         } else {
             (T::ZERO, T::ZERO)
         };

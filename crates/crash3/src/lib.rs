@@ -83,7 +83,7 @@ mod tables;
 
 pub use barrier_test::BarrierTest;
 pub use delta_v::{EnergyBasis, StruckVehicle, delta_v, energy_equivalent_speed, energy_of_equivalent_speed};
-pub use direction::{CrushArea, DamagedFace, Side, moment_arm, opposite_pdof};
+pub use direction::{DamagedFace, EnergyMoments, Side, moment_arm, opposite_pdof};
 pub use energy::{
     ObliqueCorrection, ObliqueFactor, Yielding, crush_energy, peak_force, zone_energy, zone_force,
 };

@@ -11,6 +11,8 @@ use crate::words::word;
 /// Between impact and rest: how the vehicle could roll, where it went, and how it left the impact.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct After<T = f64> {
+    /// (–) coefficient of friction on its path, outside of all zones, in place of that of the surface.
+    pub friction: Option<T>,
     /// What resists the rolling of its wheels.
     pub drag: Option<Drag<T>>,
     /// How its front wheels are steered; straight where absent.
@@ -151,10 +153,19 @@ pub struct Before<T = f64> {
 /// Skid marks.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Skid<T = f64> {
-    /// (m) from where they begin to the impact.
-    pub length: Quantity<T>,
+    /// How long they are.
+    pub begin: SkidBegin<T>,
     /// (–) coefficient of friction there; that of the surface where absent.
     pub friction: Option<T>,
+}
+
+/// How the case tells the length of skid marks.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum SkidBegin<T = f64> {
+    /// (m) from where they begin to the impact.
+    Length(Quantity<T>),
+    /// Where the centre of gravity was when they began: they end at its place at the impact.
+    From(Place<T>),
 }
 
 impl<U> Walk<'_, U> {
@@ -162,6 +173,7 @@ impl<U> Walk<'_, U> {
         let at = |key| Key(table, key);
         let points = at("points");
         After {
+            friction: after.friction.map(|friction| self.number(&at("friction"), friction)),
             drag: after.drag.as_ref().map(|drag| self.drag(&at("drag"), drag)),
             steer: after.steer.as_ref().map(|steer| self.steer(&at("steer"), steer)),
             rest: after.rest.as_ref().map(|rest| self.rest(&at("rest"), rest)),
@@ -245,7 +257,12 @@ impl<U> Walk<'_, U> {
         let skid = Key(table, "skid");
         Before {
             skid: Skid {
-                length: self.quantity(&Key(&skid, "length"), &before.skid.length),
+                begin: match &before.skid.begin {
+                    SkidBegin::Length(length) => {
+                        SkidBegin::Length(self.quantity(&Key(&skid, "length"), length))
+                    }
+                    SkidBegin::From(place) => SkidBegin::From(self.place(&Key(&skid, "from"), place)),
+                },
                 friction: before.skid.friction.map(|mu| self.number(&Key(&skid, "friction"), mu)),
             },
             speed: self.maybe(&Key(table, "speed"), before.speed.as_ref()),

@@ -5,7 +5,7 @@ mod motion;
 use std::fmt::{self, Display};
 
 use crash3::{
-    CrushArea, CrushError, DamagedFace, ObliqueCorrection, Profile, Side, SideStiffness, Stiffness,
+    CrushError, DamagedFace, EnergyMoments, ObliqueCorrection, Profile, Side, SideStiffness, Stiffness,
     VehicleClass,
 };
 use pim_core::{Body, Contact, Motion, Participant, Real, VaryingLaw, Vector2, VehicleId};
@@ -248,8 +248,6 @@ pub struct ReconstructionInput<T = f64> {
     pub unknown: Unknown,
     /// The energy basis.
     pub basis: Basis<T>,
-    /// (m/s) the speed that the case gives for the unknown anyway; it is not used.
-    pub given_speed: Option<T>,
 }
 
 /// The input of an impact calculation.
@@ -292,10 +290,6 @@ impl<T: Real> Case<T> {
             demand.directions_for_balance();
         }
         let input = collision.zip(unknown).map(|(collision, unknown)| ReconstructionInput {
-            given_speed: self.vehicles[unknown.index()].motion.map(|motion| match motion {
-                Velocity::Speed(speed) => speed.si(),
-                Velocity::Vector { x, y } => (x.si() * x.si() + y.si() * y.si()).sqrt(),
-            }),
             collision,
             unknown,
             basis: self.energy_basis(),
@@ -364,6 +358,25 @@ impl Case {
                 }),
             }
         }))
+    }
+
+    /// (m) where the contact point of the impact lies, in the axes of the engine, by each source that the case
+    /// has for it: as given for the scene, and as the CG of each vehicle and its arm put it.
+    #[must_use]
+    pub fn contact_places(&self) -> [Option<Vector2<f64>>; 3] {
+        let mut demand = Demand::new(self, self.furthest_purpose());
+        let given = self.scene_contact.as_ref().map(|place| demand.place(place));
+        let [one, two] = VehicleId::ALL.map(|id| demand.contact_from(id));
+        [given, one, two]
+    }
+
+    /// (m) where the contact point of the impact lies, in the axes of the engine: as given for the scene, or
+    /// half-way between the points where both vehicles put it, or where one of them does.
+    #[must_use]
+    pub fn contact_place(&self) -> Option<Vector2<f64>> {
+        let [given, one, two] = self.contact_places();
+        let between = one.zip(two).map(|(one, two)| (one + two) * 0.5);
+        given.or(between).or(one).or(two)
     }
 
     /// The purpose that takes this case furthest: to find a speed if it asks for one, to solve the impact if
@@ -605,14 +618,15 @@ impl<'a, T: Real> Demand<'a, T> {
         damage: &DamageData<T>,
         dimensions: Dimensions<T>,
     ) -> Option<[T; 2]> {
-        let (Evidence::Measured { profile, .. }, Some(offset)) = (&damage.evidence, damage.offset) else {
+        let (Evidence::Measured { profile, structure }, Some(offset)) = (&damage.evidence, damage.offset)
+        else {
             return None;
         };
         let moved = |axis| self.case.departures.of_contact(id, axis);
         let along = along_face(self.case.axes, damage.side, moved(FaceAxis::Along));
         let moved = [along, moved(FaceAxis::Inward)];
-        let area = profile.zones().fold(CrushArea::none(), CrushArea::with);
-        let point = placed_contact(damage.side, &dimensions, offset, moved, &area);
+        let point = EnergyMoments::of(profile, structure)
+            .and_then(|moments| placed_contact(damage.side, &dimensions, offset, moved, &moments));
         self.accepted(format_args!("{}.contact", table(id)), point)
     }
 
@@ -847,7 +861,11 @@ impl<'a, T: Real> Demand<'a, T> {
         let InertiaData { mass, yaw_inertia, .. } = data?.inertia?;
         let ([forward, left], heading) = (contact?, heading?);
         let body = self.accepted(table, Body::new(mass, yaw_inertia?))?;
-        self.accepted(table, Participant::new(body, heading, forward, left))
+        let participant = self.accepted(table, Participant::new(body, heading, forward, left))?;
+        match self.case.course(id) {
+            Some(course) => self.accepted(format_args!("{table}.sideslip"), participant.with_course(course)),
+            None => Some(participant),
+        }
     }
 
     fn motion(&mut self, id: VehicleId, needs_speed: bool) -> Option<Motion<T>> {
@@ -865,7 +883,10 @@ impl<'a, T: Real> Demand<'a, T> {
             return None;
         };
         let motion = match velocity {
-            Velocity::Speed(speed) => Motion::along(self.case.headings()[id.index()]?, speed.si()),
+            Velocity::Speed(speed) => {
+                let course = self.case.course(id).or(self.case.headings()[id.index()])?;
+                Motion::along(course, speed.si())
+            }
             Velocity::Vector { x, y } => {
                 Motion { velocity: Vector2::new(x.si(), self.lateral(y)), yaw_rate: T::ZERO }
             }
@@ -1071,10 +1092,10 @@ pub fn placed_contact<T: Real>(
     dimensions: &Dimensions<T>,
     offset: T,
     [along, inward]: [T; 2],
-    area: &CrushArea<T>,
+    moments: &EnergyMoments<T>,
 ) -> Result<[T; 2], CrushError> {
     let face = DamagedFace::new(side, dimensions.face(side) - inward, offset + along)?;
-    Ok(face.centroid_of(area))
+    Ok(face.centroid_of(moments))
 }
 
 fn dimensions<T: Real>(

@@ -63,7 +63,8 @@ mod walk;
 mod words;
 
 pub use after::{
-    After, Before, Drag, MarkedWheel, PathPoint, Rest, RestHeading, Skid, Steer, SteerPoint, WheelDrag,
+    After, Before, Drag, MarkedWheel, PathPoint, Rest, RestHeading, Skid, SkidBegin, Steer, SteerPoint,
+    WheelDrag,
 };
 pub use axes::Axes;
 pub use basis::Basis;

@@ -92,7 +92,9 @@ pub struct VehicleMotion<T = f64> {
     pub chassis: Chassis<T>,
     /// How its front wheels are steered.
     pub steer: SteerData<T>,
-    /// (m) place of the CG at the impact, from that of C. Where the case gives neither C nor any place of
+    /// (–) coefficient of friction on its path outside of all zones, where it is not that of the ground.
+    pub friction: Option<T>,
+    /// (m) place of the CG at the impact: as given, or from that of C. Where the case gives neither C nor any place of
     /// this vehicle, C is the origin; where it does not tell either how the CG lies to C, the CG is.
     pub position: Vector2<T>,
     /// (rad) heading at the impact.
@@ -103,6 +105,14 @@ pub struct VehicleMotion<T = f64> {
     pub rest: Option<RestData<T>>,
     /// (m) places that the CG or a wheel passed, from the impact to the rest.
     pub points: Vec<PointData<T>>,
+}
+
+impl<T: Copy> VehicleMotion<T> {
+    /// (–) coefficient of friction on its path, outside of all zones.
+    #[must_use]
+    pub fn friction_on(&self, surface: &SurfaceData<T>) -> T {
+        self.friction.unwrap_or(surface.friction)
+    }
 }
 
 /// How the front wheels are steered.

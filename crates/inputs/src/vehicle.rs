@@ -10,6 +10,7 @@ use crate::demands::Dimensions;
 use crate::inertia::{Mass, YawInertia};
 use crate::quantity::Quantity;
 use crate::recorder::{CertainSpeed, Recorder};
+use crate::scene::Place;
 use crate::text::Text;
 use crate::walk::{Key, Walk};
 use crate::words::word;
@@ -70,6 +71,11 @@ pub struct GivenVehicle<T = f64> {
     pub length: Option<Quantity<T>>,
     /// (rad) scene angle of the vehicle's forward axis, in the sense of the axes.
     pub heading: Option<Quantity<T>>,
+    /// (rad) from the heading to the direction of travel before the impact, in the sense of the axes; 0 where
+    /// absent.
+    pub sideslip: Option<Quantity<T>>,
+    /// Where the centre of gravity was at the impact, in the coordinates of the survey.
+    pub position: Option<Place<T>>,
     /// From the centre of gravity to the point where the impulse acts. Where it is absent, an impact takes
     /// the centroid of the damage, if the case tells [where that lies](Self::places_contact).
     pub contact: Option<ContactPoint<T>>,
@@ -134,6 +140,8 @@ impl<T> GivenVehicle<T> {
             cg_to_front_axle,
             length,
             heading,
+            sideslip,
+            position,
             contact,
             motion,
             yaw_rate,
@@ -152,9 +160,10 @@ impl<T> GivenVehicle<T> {
             || mass.is_some()
             || yaw.is_some()
             || class.is_some()
-            || [wheelbase, track, cg_to_front_axle, length, heading, yaw_rate, diameter]
+            || [wheelbase, track, cg_to_front_axle, length, heading, sideslip, yaw_rate, diameter]
                 .into_iter()
                 .any(Option::is_some)
+            || position.is_some()
             || contact.is_some()
             || motion.is_some()
             || outline.is_some()
@@ -230,7 +239,8 @@ impl<T: Real> ContactPoint<T> {
 /// Velocity of the centre of gravity before the impact.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Velocity<T = f64> {
-    /// (m/s) along the heading; negative when reversing.
+    /// (m/s) along the heading, or along the direction of travel where the case gives a sideslip; negative
+    /// when reversing.
     Speed(Quantity<T>),
     /// In the scene.
     Vector {
@@ -239,6 +249,18 @@ pub enum Velocity<T = f64> {
         /// (m/s) along the scene's y.
         y: Quantity<T>,
     },
+}
+
+impl<T: Real> Velocity<T> {
+    /// (m/s) the speed; of a vector, its length.
+    #[must_use]
+    pub fn size(&self) -> T {
+        match self {
+            Self::Speed(speed) => speed.si(),
+            // |v| = √(v_x² + v_y²)
+            Self::Vector { x, y } => (x.si() * x.si() + y.si() * y.si()).sqrt(),
+        }
+    }
 }
 
 /// The body seen from above: enough to draw it and to see whether the contact point lies on it.
@@ -301,6 +323,8 @@ impl<U> Walk<'_, U> {
             cg_to_front_axle: self.maybe(&at("cg_to_front_axle"), vehicle.cg_to_front_axle.as_ref()),
             length: self.maybe(&at("length"), vehicle.length.as_ref()),
             heading: self.maybe(&at("heading"), vehicle.heading.as_ref()),
+            sideslip: self.maybe(&at("sideslip"), vehicle.sideslip.as_ref()),
+            position: vehicle.position.as_ref().map(|place| self.place(&at("position"), place)),
             contact: vehicle.contact.as_ref().map(|contact| match contact {
                 ContactPoint::Polar { distance, angle } => ContactPoint::Polar {
                     distance: self.quantity(&at("contact.distance"), distance),

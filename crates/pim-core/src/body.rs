@@ -141,12 +141,14 @@ impl<T: Real> Motion<T> {
     }
 }
 
-/// One of the two bodies in its place: heading, and the arm from its CG to the contact point C.
+/// One of the two bodies in its place: heading, course, and the arm from its CG to the contact point C.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Participant<T = f64> {
     pub(crate) body: Body<T>,
     /// Unit vector of the body's own forward axis in the scene.
     pub(crate) forward: Vector2<T>,
+    /// Unit vector of the direction in the scene along which its speed before impact counts.
+    pub(crate) course: Vector2<T>,
     /// r: vector from the CG to C in the scene.
     pub(crate) arm: Vector2<T>,
 }
@@ -175,7 +177,20 @@ impl<T: Real> Participant<T> {
     fn of(body: Body<T>, heading: T, forward: T, left: T) -> Self {
         let (sin, cos) = heading.sin_cos();
         let arm = Vector2::new(forward * cos - left * sin, forward * sin + left * cos);
-        Self { body, forward: Vector2::new(cos, sin), arm }
+        let forward = Vector2::new(cos, sin);
+        Self { body, forward, course: forward, arm }
+    }
+
+    /// The same travelling in the direction `course` (rad) of the scene, which without a sideslip is that of
+    /// the heading.
+    ///
+    /// # Errors
+    /// Where the number is not finite.
+    #[inline(always)]
+    pub fn with_course(self, course: T) -> Result<Self, InvalidInput> {
+        error::angle("course", course.value())?;
+        let (sin, cos) = course.sin_cos();
+        Ok(Self { course: Vector2::new(cos, sin), ..self })
     }
 
     #[inline(always)]
@@ -205,6 +220,7 @@ impl<T: Real> Participant<T> {
         Self {
             body: Body::fixed(),
             forward: Vector2::new(T::ONE, T::ZERO),
+            course: Vector2::new(T::ONE, T::ZERO),
             arm: Vector2::new(T::ZERO, T::ZERO),
         }
     }
@@ -221,6 +237,14 @@ impl<T: Real> Participant<T> {
     #[must_use]
     pub fn forward(&self) -> Vector2<T> {
         self.forward
+    }
+
+    /// Unit vector in the scene frame along which the body's speed before impact counts: its forward axis,
+    /// unless it [travels in another direction](Self::with_course).
+    #[inline(always)]
+    #[must_use]
+    pub fn course(&self) -> Vector2<T> {
+        self.course
     }
 
     /// (m) vector from the CG to the contact point C in the scene frame, r of theory, section 1.

@@ -77,25 +77,31 @@ impl<T: Real> TryFrom<BodyData<T>> for Body<T> {
 struct ParticipantData<T> {
     body: Body<T>,
     forward: Vector2<T>,
+    /// That of the forward axis where it is absent.
+    #[serde(default)]
+    course: Option<Vector2<T>>,
     arm: Vector2<T>,
 }
 
 impl<T: Real> From<Participant<T>> for ParticipantData<T> {
-    fn from(Participant { body, forward, arm }: Participant<T>) -> Self {
-        Self { body, forward, arm }
+    fn from(Participant { body, forward, course, arm }: Participant<T>) -> Self {
+        Self { body, forward, course: Some(course), arm }
     }
 }
 
 impl<T: Real> TryFrom<ParticipantData<T>> for Participant<T> {
     type Error = InvalidInput;
 
-    fn try_from(ParticipantData { body, forward, arm }: ParticipantData<T>) -> Result<Self, InvalidInput> {
-        let length = (forward.x * forward.x + forward.y * forward.y).sqrt();
+    fn try_from(data: ParticipantData<T>) -> Result<Self, InvalidInput> {
+        let ParticipantData { body, forward, course, arm } = data;
+        let course = course.unwrap_or(forward);
+        let length = |vector: Vector2<T>| (vector.x * vector.x + vector.y * vector.y).sqrt().value();
         let [low, high] = UNIT_LENGTH;
-        error::within("length of the forward axis", length.value(), low, high)?;
+        error::within("length of the forward axis", length(forward), low, high)?;
+        error::within("length of the course", length(course), low, high)?;
         error::finite("distance to the contact point along x", arm.x.value())?;
         error::finite("distance to the contact point along y", arm.y.value())?;
-        Ok(Self { body, forward, arm })
+        Ok(Self { body, forward, course, arm })
     }
 }
 

@@ -41,7 +41,12 @@ impl<T: Real> Motion<T> {
 
 impl<T: Real> Participant<T> {
     fn mirrored(&self) -> Self {
-        Self { body: self.body, forward: across(self.forward), arm: across(self.arm) }
+        Self {
+            body: self.body,
+            forward: across(self.forward),
+            course: across(self.course),
+            arm: across(self.arm),
+        }
     }
 }
 

@@ -21,7 +21,7 @@ pub const FASTEST: f64 = 1000.0;
     ))
 )]
 pub struct Reconciliation<T = f64> {
-    /// (m/s) the speed found, along the vehicle's heading. Of several admissible speeds, the one with the
+    /// (m/s) the speed found, along the vehicle's course. Of several admissible speeds, the one with the
     /// slowest approach.
     pub speed: T,
     /// How many speeds are admissible: [`Problem::speeds`] lists them.

@@ -78,8 +78,9 @@
 //!
 //! # What it does not do
 //!
-//! Speeds are along the headings. It does not measure crush (see `crash3`), nor does it find the velocities
-//! after impact from rest positions: [`Momentum`] takes them as given.
+//! Speeds are along the courses, which are the headings where no vehicle has a sideslip. It does not measure
+//! crush (see `crash3`), nor does it find the velocities after impact from rest positions: [`Momentum`] takes
+//! them as given.
 
 #![cfg_attr(not(feature = "std"), no_std)]
 

@@ -48,7 +48,7 @@ pub struct Departure<T = f64> {
 /// marks or as given.
 ///
 /// No force from outside counts during the impact, so the vehicles take out of it the momentum that they
-/// brought. Each moved along its heading ê_i, which its [`Contact`] has:
+/// brought. Each moved along its course ê_i, which its [`Contact`] has:
 ///
 /// m_1 v_1 ê_1 + m_2 v_2 ê_2 = m_1 V_1 + m_2 V_2
 ///
@@ -129,10 +129,10 @@ impl<T: Real> Momentum<T> {
         one.velocity * m1 + two.velocity * m2
     }
 
-    /// (rad) the angle from the heading of vehicle 1 to that of vehicle 2, in [−π, π].
+    /// (rad) the angle from the course of vehicle 1 to that of vehicle 2, in [−π, π].
     #[must_use]
     pub fn angle(&self) -> T {
-        let [e1, e2] = self.headings();
+        let [e1, e2] = self.courses();
         cross(e1, e2).atan2(dot(e1, e2))
     }
 
@@ -141,11 +141,11 @@ impl<T: Real> Momentum<T> {
     #[inline(always)]
     #[must_use]
     pub fn sine(&self) -> T {
-        let [e1, e2] = self.headings();
+        let [e1, e2] = self.courses();
         cross(e1, e2)
     }
 
-    /// Whether the headings lie within [`COLLINEAR`] of one line, so that momentum alone does not tell both
+    /// Whether the courses lie within [`COLLINEAR`] of one line, so that momentum alone does not tell both
     /// speeds.
     #[inline(always)]
     #[must_use]
@@ -153,17 +153,17 @@ impl<T: Real> Momentum<T> {
         self.sine().abs() <= T::from(COLLINEAR_SINE * (1.0 + SINE_ROUNDING))
     }
 
-    /// Unit vector of the line that collinear approaches share: it halves the angle between the headings, or
+    /// Unit vector of the line that collinear approaches share: it halves the angle between the courses, or
     /// between one and the opposite of the other.
     #[must_use]
     pub fn common_axis(&self) -> Vector2<T> {
-        let [e1, e2] = self.headings();
+        let [e1, e2] = self.courses();
         // â = (ê₁ ± ê₂)/|ê₁ ± ê₂| with the sign of ê₁·ê₂
         let sum = if dot(e1, e2) < T::ZERO { e1 - e2 } else { e1 + e2 };
         sum / dot(sum, sum).sqrt()
     }
 
-    /// (m/s) both speeds along the headings, from momentum alone.
+    /// (m/s) both speeds along the courses, from momentum alone.
     ///
     /// # Errors
     /// Where [`check`](Self::check) finds one, or the approaches are collinear.
@@ -179,13 +179,13 @@ impl<T: Real> Momentum<T> {
     /// (m/s) the speeds that have the momentum p (kg·m/s).
     fn speeds_with(&self, p: Vector2<T>) -> [T; 2] {
         let [m1, m2] = self.masses();
-        let [e1, e2] = self.headings();
+        let [e1, e2] = self.courses();
         // v₁ = (p × ê₂)/(m₁ ê₁ × ê₂),  v₂ = (ê₁ × p)/(m₂ ê₁ × ê₂)
         [cross(p, e2) / (m1 * self.sine()), cross(e1, p) / (m2 * self.sine())]
     }
 
-    /// (m/s) the speed of one vehicle along its heading, from the momentum along this heading and the `known`
-    /// speed (m/s) of the other: whatever the angle between the headings. Momentum across is left as a check.
+    /// (m/s) the speed of one vehicle along its course, from the momentum along this course and the `known`
+    /// speed (m/s) of the other: whatever the angle between the courses. Momentum across is left as a check.
     ///
     /// # Errors
     /// Where [`check`](Self::check) finds one, the known speed is not finite, or the other is none of a
@@ -194,7 +194,7 @@ impl<T: Real> Momentum<T> {
         self.check()?;
         finite("speed of the other vehicle", known)?;
         let (i, j) = (unknown.index(), unknown.other().index());
-        let (m, e) = (self.masses(), self.headings());
+        let (m, e) = (self.masses(), self.courses());
         // v_i = (p − m_j v_j ê_j)·ê_i/m_i
         possible(unknown, dot(self.total() - e[j] * (m[j] * known), e[i]) / m[i])
     }
@@ -247,14 +247,14 @@ impl<T: Real> Momentum<T> {
     #[inline(always)]
     #[must_use]
     pub fn motions_at(&self, speeds: [T; 2]) -> [Motion<T>; 2] {
-        let [e1, e2] = self.headings();
+        let [e1, e2] = self.courses();
         let ([v1, v2], [w1, w2]) = (speeds, self.yaw_rates);
         [Motion { velocity: e1 * v1, yaw_rate: w1 }, Motion { velocity: e2 * v2, yaw_rate: w2 }]
     }
 
     #[inline(always)]
-    fn headings(&self) -> [Vector2<T>; 2] {
-        self.contact.participants().each_ref().map(|participant| participant.forward())
+    fn courses(&self) -> [Vector2<T>; 2] {
+        self.contact.participants().each_ref().map(|participant| participant.course())
     }
 
     #[inline(always)]

@@ -9,11 +9,11 @@ use pim_core::{
 use crate::error::ReconcileError;
 use crate::line::ApproachLine;
 
-/// Where the cosine between heading and crush plane normal is below this, rounding of the angles decides what
+/// Where the cosine between course and crush plane normal is below this, rounding of the angles decides what
 /// the speed does.
 const LEAST_COSINE: f64 = 1e-9;
 
-/// Which vehicle's speed along its heading is sought.
+/// Which vehicle's speed along its course is sought.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Unknown {
@@ -61,7 +61,7 @@ impl Unknown {
 }
 
 /// A collision of which one speed is unknown and the crush energy is known: the speed of `unknown` along its
-/// heading shall make W_n equal the crush energy on `basis`.
+/// course shall make W_n equal the crush energy on `basis`.
 ///
 /// Any values may stand here. [`check`](Self::check) says whether they make a problem; [`solve`](Self::solve)
 /// begins with that.
@@ -138,8 +138,8 @@ impl<T: Real> Problem<T> {
         } else if !self.has_tangential_share() {
             ReconcileError::TangentialShare { share: self.tangential_share.value(), basis: self.basis }
         } else {
-            let forward = self.unknown.of(*self.contact.participants()).forward();
-            let cosine = self.contact.resolve(forward).normal.value();
+            let course = self.unknown.of(*self.contact.participants()).course();
+            let cosine = self.contact.resolve(course).normal.value();
             ReconcileError::SpeedWithoutEffect { vehicle, cosine }
         }
     }
@@ -150,11 +150,11 @@ impl<T: Real> Problem<T> {
     pub fn line(&self) -> ApproachLine<T> {
         let at_rest = self.unknown.with_velocity(self.motions, Vector2::new(T::ZERO, T::ZERO));
         let Approach { velocity: at_rest, relative_yaw_rate } = self.contact.approach(&at_rest);
-        let forward = self.contact.resolve(self.unknown.of(*self.contact.participants()).forward());
+        let course = self.contact.resolve(self.unknown.of(*self.contact.participants()).course());
         // u is vehicle 1 relative to vehicle 2, so that vehicle 2's speed counts against it.
         let slope = match self.unknown {
-            Unknown::Speed1 => forward,
-            Unknown::Speed2 => NormalTangential { normal: -forward.normal, tangential: -forward.tangential },
+            Unknown::Speed1 => course,
+            Unknown::Speed2 => NormalTangential { normal: -course.normal, tangential: -course.tangential },
         };
         ApproachLine { at_rest, slope, relative_yaw_rate }
     }
@@ -182,8 +182,8 @@ impl<T: Real> Problem<T> {
     #[inline(always)]
     #[must_use]
     pub fn motions_at(&self, speed: T) -> [Motion<T>; 2] {
-        let forward = self.unknown.of(*self.contact.participants()).forward();
-        self.unknown.with_velocity(self.motions, forward * speed)
+        let course = self.unknown.of(*self.contact.participants()).course();
+        self.unknown.with_velocity(self.motions, course * speed)
     }
 
     /// (J) W_n at the given speed (m/s), by the law's conditions alone: negative or not a number where no

@@ -337,6 +337,16 @@ pub fn message(seen: &SeenWarning, units: Units) -> String {
                 axes::side_of_y(axes)
             )
         }
+        Warning::ContactApart { distance, with_scene } => format!(
+            "the contact point lies in two places, {} apart: {}; check the places, the headings and the contact points of the vehicles, which \
+             touched in one point",
+            units.format(Measure::Length, *distance),
+            if *with_scene {
+                "where [scene] has it, and where the `position` of a vehicle and its contact point put it"
+            } else {
+                "where the `position` of vehicle 1 and its contact point put it, and where those of vehicle 2 do"
+            }
+        ),
         Warning::ContactPlaced { vehicle, point: [forward, aside], spread } => format!(
             "the file gives no contact point of vehicle {vehicle}: C was placed at the centroid of its damage, \
              {} forward and {} {} of the centre of gravity, as side, width, depths and offset of the damage \
@@ -378,7 +388,13 @@ pub fn message(seen: &SeenWarning, units: Units) -> String {
             units.format(Measure::YawRate, *turned),
             angle(*pdof)
         ),
-        Warning::GivenSpeedUnused { vehicle, given, found } => format!(
+        Warning::GivenSpeedUnused { vehicle, given, is_direction_used: true, found } => format!(
+            "the file gives vehicle {vehicle} a velocity of {}, of which only the direction was used: the speed found along it is {}; to give \
+             the direction alone, write `sideslip` in place of `velocity`",
+            speed(*given),
+            speed(*found)
+        ),
+        Warning::GivenSpeedUnused { vehicle, given, is_direction_used: false, found } => format!(
             "the file gives vehicle {vehicle} a speed of {}, which was not used: the speed found is {}",
             speed(*given),
             speed(*found)

@@ -31,6 +31,7 @@ pub(crate) fn keys(warning: &Warning) -> Vec<String> {
         Warning::HighNoDamageSpeed { .. } | Warning::LowNoDamageSpeed { .. } => "crush.stiffness",
         Warning::NoResidualCrush { .. } => "crush.depths",
         Warning::MovesBackward { .. } | Warning::GivenSpeedUnused { .. } => "speed",
+        Warning::ContactApart { .. } => "position",
         Warning::ClassValues { .. } => "class",
         Warning::BurgInertia { .. } => "yaw_inertia",
         Warning::MomentumDiffers { .. } => "after",

@@ -85,7 +85,8 @@ impl Block {
                 OpenSpeeds::Each(_) | OpenSpeeds::Together(_) => true,
             };
             let (yaw_factor, moved) = (departures.yaw_radius[id.index()], departures.contact[id.index()]);
-            let mover = Mover::new(given, yaw_factor, moved, is_sought).ok()?;
+            let factors = [yaw_factor, departures.stiffness[id.index()]];
+            let mover = Mover::new(given, factors, moved, is_sought).ok()?;
             let damage = Damage::new(given, departures.stiffness[id.index()]).ok()?;
             Some(Vehicle { mover, damage })
         };

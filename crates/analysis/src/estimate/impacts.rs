@@ -107,7 +107,8 @@ pub(super) struct CaseImpacts {
 /// Skid marks before the impact.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct SkidNumbers {
-    pub(super) length: Quantity<Number>,
+    /// None where they begin at a place and how far that is from the impact differs between particles.
+    pub(super) length: Option<Quantity<Number>>,
     pub(super) friction: Number,
     /// The place of a factor on the friction.
     pub(super) factor: Option<usize>,
@@ -116,7 +117,9 @@ pub(super) struct SkidNumbers {
 impl SkidNumbers {
     fn lanes(&self, values: &[Lanes]) -> [SkidData; LANES] {
         let (mut length, mut friction) = (Lanes::ZERO, self.friction.lanes(values));
-        si(&self.length, values, &mut length);
+        if let Some(given) = &self.length {
+            si(given, values, &mut length);
+        }
         if let Some(place) = self.factor {
             for (friction, factor) in friction.iter_mut().zip(&Number::Uncertain(place).lanes(values)) {
                 *friction *= factor;
@@ -178,6 +181,7 @@ impl CaseImpacts {
     ) -> Vec<Impacted> {
         let poses = self.block.as_ref().map(|block| block.pose(values, self.speeds));
         let marks = self.marks(values);
+        let has_places = self.skids.iter().flatten().any(|skid| skid.length.is_none());
         let mut impacts = Vec::with_capacity(LANES);
         // Those that were made for the impact, for the motion after it.
         let mut cases: [Option<Case>; LANES] = [const { None }; LANES];
@@ -185,9 +189,10 @@ impl CaseImpacts {
             let posed = poses.as_ref().and_then(|poses| poses.of(lane));
             let posed = posed.or_else(|| pose(kept.insert(self.case_of(values, lane))));
             // Errors that numbers share stand in the case alone, and are never posed without it.
-            let marked = match kept.as_ref().filter(|_| self.shared.is_some()) {
-                Some(case) => case.skids(),
-                None => marks[lane],
+            let marked = if self.shared.is_some() || has_places {
+                kept.get_or_insert_with(|| self.case_of(values, lane)).skids()
+            } else {
+                marks[lane]
             };
             let impacted = posed.and_then(|posed| self.impact_of(posed, marked, values, lane));
             impacts.push(impacted.unwrap_or_else(|| Self::impossible(self.placeholder)));
@@ -234,8 +239,10 @@ impl CaseImpacts {
         let mut numbers = numbers.into_iter();
         let mut case = self.case.map_numbers(|central| numbers.next().unwrap_or(central));
         let speeds = self.speeds.along(of, || {
-            case.headings().map(|heading| {
-                let (sin, cos) = sin_cos(heading.unwrap_or_default());
+            let headings = case.headings();
+            VehicleId::ALL.map(|id| {
+                let course = case.course(id).or(headings[id.index()]);
+                let (sin, cos) = sin_cos(course.unwrap_or_default());
                 Vector2::new(cos, sin)
             })
         });
@@ -267,9 +274,9 @@ impl CaseImpacts {
         };
         let outcome = contact.impact(motions, &law).ok()?;
         let speeds = VehicleId::ALL.map(|id| {
-            let forward = contact.participants()[id.index()].forward();
+            let course = contact.participants()[id.index()].course();
             let velocity = motions[id.index()].velocity;
-            velocity.x * forward.x + velocity.y * forward.y
+            velocity.x * course.x + velocity.y * course.y
         });
         let basis = match self.tangential_share {
             Some(place) => Basis::TangentialShare(of(place)),
@@ -321,7 +328,7 @@ fn follow(id: VehicleId, wanted: [bool; LANES], motions: &[Option<MotionInput>],
         outsets.push(Outset {
             chassis: way.chassis,
             steer: way.steer.steer(),
-            ground: Ground { friction: input.surface.friction, zones, grade: input.surface.grade },
+            ground: Ground { friction: way.friction_on(&input.surface), zones, grade: input.surface.grade },
             start: State { position: way.position, heading: way.heading, motion },
         });
     }

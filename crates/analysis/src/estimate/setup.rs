@@ -11,7 +11,7 @@ use evidence::{
 };
 use inputs::{
     BrachTangential, Case, Collision, Dimension, Fault, FaultKind, Faults, Find, GivenVehicle, ImpactLaw,
-    Input, KnownEnergy, MotionInput, Origin, Prior, Purpose, Quantity, Reconstruct, SharedEffects,
+    Input, KnownEnergy, MotionInput, Origin, Prior, Purpose, Quantity, Reconstruct, SharedEffects, SkidBegin,
     StiffnessForm, Unit, VehicleData, Velocity,
 };
 use pim_core::VehicleId;
@@ -246,7 +246,7 @@ pub(super) fn of(case: &Case, prior: Option<Prior>) -> Result<Setup, Failure> {
     let shared = SharedEffects::of(&case);
     let variables = case.variables();
     let numbers = placed(&case, &slots);
-    let skids = skids(&numbers, &variables, &slots);
+    let skids = skids(&case, &numbers, &variables, &slots);
     let block = shared.is_empty().then(|| block(&numbers, &variables, &slots, speeds)).flatten();
     let central = variables.iter().map(|input| input.number).collect();
     case.uncertainty = Default::default();
@@ -295,7 +295,12 @@ fn placed(case: &Case, slots: &[Slot]) -> Case<Number> {
 }
 
 /// The skid marks of each vehicle.
-fn skids(numbers: &Case<Number>, variables: &[Input], slots: &[Slot]) -> [Option<SkidNumbers>; 2] {
+fn skids(
+    case: &Case,
+    numbers: &Case<Number>,
+    variables: &[Input],
+    slots: &[Slot],
+) -> [Option<SkidNumbers>; 2] {
     let factor = |path: &str| {
         let place = variables.iter().position(|input| input.path == path)?;
         if let Some(Slot::Factor(place)) = slots.get(place) { Some(*place) } else { None }
@@ -307,8 +312,26 @@ fn skids(numbers: &Case<Number>, variables: &[Input], slots: &[Slot]) -> [Option
             (None, Some(surface)) => (surface.friction, "surface.friction".to_owned()),
             (None, None) => return None,
         };
-        Some(SkidNumbers { length: skid.length, friction, factor: factor(&path) })
+        let length = match skid.begin {
+            SkidBegin::Length(length) => Some(length),
+            SkidBegin::From(_) => {
+                let at = |key: &str| format!("{}.{key}.", table(id));
+                let places = [at("position"), at("before.skid.from")];
+                let is_place = |path: &str| places.iter().any(|place| path.starts_with(place));
+                let mut ends = variables.iter().zip(slots).filter(|(input, _)| is_place(&input.path));
+                let is_known = case.vehicles[id.index()].position.is_some()
+                    && ends.all(|(_, slot)| *slot == Slot::Given);
+                let length = Quantity::from_si(case.skids()[id.index()]?.length, Dimension::Length).ok()?;
+                is_known.then(|| length.with(Number::Known(length.number())))
+            }
+        };
+        Some(SkidNumbers { length, friction, factor: factor(&path) })
     })
+}
+
+/// The key of the friction on the path of a vehicle.
+fn path_friction(id: VehicleId) -> String {
+    format!("{}.after.friction", table(id))
 }
 
 /// The key of the friction under a skid.
@@ -325,9 +348,17 @@ fn block(numbers: &Case<Number>, variables: &[Input], slots: &[Slot], speeds: Op
 
 /// Whether a number is of the motion before or after the impact alone.
 fn is_beside(path: &str) -> bool {
-    ["surface.", "vehicle1.after.", "vehicle2.after.", "vehicle1.before.", "vehicle2.before."]
-        .iter()
-        .any(|table| path.starts_with(table))
+    [
+        "surface.",
+        "vehicle1.after.",
+        "vehicle2.after.",
+        "vehicle1.before.",
+        "vehicle2.before.",
+        "vehicle1.position.",
+        "vehicle2.position.",
+    ]
+    .iter()
+    .any(|table| path.starts_with(table))
 }
 
 /// The case with a speed for every vehicle, and whose speed is sought.
@@ -342,8 +373,14 @@ fn with_all_speeds(case: &Case) -> (Case, [bool; 2], Vec<Unused>) {
             continue;
         }
         let is_sought = find.is_some_and(|find| find.seeks(id));
+        let is_vector = is_sought && matches!(vehicle.motion, Some(Velocity::Vector { .. }));
+        if is_vector {
+            with_course(&mut case, id);
+        }
+        let vehicle = &mut case.vehicles[id.index()];
         if is_sought && vehicle.motion.is_some() {
-            unused.push(Unused { key: format!("{}.speed", table(id)), reason: UnusedReason::Sought });
+            let key = if is_vector { "velocity" } else { "speed" };
+            unused.push(Unused { key: format!("{}.{key}", table(id)), reason: UnusedReason::Sought });
         }
         if is_sought || vehicle.motion.is_none() {
             sought[id.index()] = true;
@@ -362,6 +399,16 @@ fn with_all_speeds(case: &Case) -> (Case, [bool; 2], Vec<Unused>) {
         case.reconstruct = Some(Reconstruct { find, energy_basis: energy_basis.unwrap_or_default() });
     }
     (case, sought, unused)
+}
+
+/// A vehicle of which a velocity tells no more than the direction in which it travelled: a sideslip has that.
+fn with_course(case: &mut Case, id: VehicleId) {
+    let (course, heading) = (case.course(id), case.headings()[id.index()]);
+    let sideslip = course.zip(heading).map(|(course, heading)| case.axes.lateral(course - heading));
+    case.vehicles[id.index()].sideslip =
+        sideslip.and_then(|sideslip| Quantity::from_si(sideslip, Dimension::Angle).ok());
+    let of_velocity = format!("{}.velocity.", table(id));
+    case.ranges.retain(|range| !range.path.starts_with(&of_velocity));
 }
 
 /// Whether a number is held against the impact, and does not enter it.
@@ -460,7 +507,8 @@ fn slots(
 }
 
 fn is_ground(path: &str) -> bool {
-    path.starts_with("surface.") && path.ends_with("friction")
+    let of_ground = path.starts_with("surface.") && path.ends_with("friction");
+    of_ground || VehicleId::ALL.into_iter().any(|id| path == path_friction(id))
 }
 
 /// What is known of a coefficient of the impact without a range: its median is the one of the case. A

@@ -16,7 +16,7 @@ use std::slice;
 
 use ::uncertainty::{Instructions, LANES, Lanes};
 use crash3::{
-    CrushArea, CrushError, DamagedFace, EnergyBasis, ObliqueCorrection, Profile, Side, SideStiffness,
+    CrushError, DamagedFace, EnergyBasis, EnergyMoments, ObliqueCorrection, Profile, Side, SideStiffness,
     Stiffness, VehicleClass, Zone, energy_of_equivalent_speed, equal_spacing, zone_energy,
 };
 use fearless_simd::dispatch;
@@ -86,6 +86,8 @@ pub(crate) enum Alone {
     Burg,
     /// The damage of a vehicle is not known, or follows from the other's.
     NoDamage,
+    /// A vehicle that travels in another direction than its heading, along which its speed counts.
+    Course,
     /// Stations that are not equally spaced.
     Spacing,
     /// What a case has to give is missing, or a result is asked for that an impact does not have.
@@ -252,6 +254,7 @@ struct Placed {
     /// Along the face and inward, where the point may be off.
     moved: [Option<Quantity<Number>>; 2],
     crushed: Crushed,
+    resistance: Resistance,
 }
 
 /// Where the outline of a body comes from.
@@ -1153,7 +1156,7 @@ impl Vehicle {
             let body = Collider::Fixed { heading: given.heading, contact: given.contact };
             return Ok(Self { body, damage: Damage::Energy(None), face: None, idle: Vec::new() });
         }
-        let mover = Mover::new(given, Some(yaw_factor), moved, is_sought)?;
+        let mover = Mover::new(given, [Some(yaw_factor), factor], moved, is_sought)?;
         let damage = Damage::new(given, factor)?;
         let mut idle = Vec::new();
         let ees = given.energy.as_ref().and_then(KnownEnergy::ees);
@@ -1281,25 +1284,18 @@ impl Damage {
                 _ => crushed.add_energy_in_turn(inputs, *side, stiffness, total, faults),
             },
             Self::Crush(crushed, Resistance::Category(stiffness, factor)) => {
-                let mut known = None;
-                let factors = factor.column(inputs, &mut known);
-                let mut stiffnesses = [Lanes::ZERO; 3];
-                let [a, b, g] = &mut stiffnesses;
-                for lane in 0..LANES {
-                    [a[lane], b[lane], g[lane]] = scaled_stiffness(stiffness, factors[lane]);
-                }
-                crushed.add_energy(inputs, &stiffnesses, total);
+                crushed.add_energy(inputs, &scaled_lanes(stiffness, *factor, inputs), total);
             }
         }
     }
 }
 
 impl Mover {
-    /// `yaw_factor` is that on the radius of gyration of a size class, and a contact point that is placed is
-    /// `moved` along the face and inward.
+    /// The factors are that on the radius of gyration of a size class and that on the stiffness of a
+    /// category; a contact point that is placed is `moved` along the face and inward.
     pub(crate) fn new(
         vehicle: &GivenVehicle<Number>,
-        yaw_factor: Option<Number>,
+        [yaw_factor, factor]: [Option<Number>; 2],
         moved: [Option<Quantity<Number>>; 2],
         is_sought: bool,
     ) -> Result<Self, Alone> {
@@ -1319,6 +1315,9 @@ impl Mover {
             outline: _,
             diameter: _,
             heading,
+            sideslip,
+            // It is for the motion before and after the impact.
+            position: _,
             // It may be placed on the damage.
             contact: _,
             motion,
@@ -1335,6 +1334,10 @@ impl Mover {
         if *fixed {
             return Err(Alone::Incomplete);
         }
+        // The vector of a vehicle whose speed is sought tells its direction.
+        if sideslip.is_some() || (is_sought && matches!(motion, Some(Velocity::Vector { .. }))) {
+            return Err(Alone::Course);
+        }
         let yaw = match (*yaw, *class, yaw_factor) {
             (Some(yaw), ..) => Yaw::Given(yaw),
             (None, Some(class), Some(factor)) => {
@@ -1347,7 +1350,7 @@ impl Mover {
             mass: mass.ok_or(Alone::Incomplete)?,
             yaw,
             heading: heading.ok_or(Alone::Incomplete)?,
-            contact: Contacted::new(vehicle, moved)?,
+            contact: Contacted::new(vehicle, factor, moved)?,
             motion: if is_sought { None } else { Some(motion.ok_or(Alone::Incomplete)?) },
             yaw_rate: *yaw_rate,
         })
@@ -1440,7 +1443,11 @@ impl Mover {
 }
 
 impl Contacted {
-    fn new(vehicle: &GivenVehicle<Number>, moved: [Option<Quantity<Number>>; 2]) -> Result<Self, Alone> {
+    fn new(
+        vehicle: &GivenVehicle<Number>,
+        factor: Option<Number>,
+        moved: [Option<Quantity<Number>>; 2],
+    ) -> Result<Self, Alone> {
         if let Some(contact) = vehicle.contact {
             return Ok(Self::Given(contact));
         }
@@ -1453,9 +1460,11 @@ impl Contacted {
             }
             (None, None) => return Err(Alone::Incomplete),
         };
-        let (crushed, _) = Crushed::new(crush)?;
+        let Damage::Crush(crushed, resistance) = Damage::new(vehicle, factor)? else {
+            return Err(Alone::Incomplete);
+        };
         let offset = crush.offset.ok_or(Alone::Incomplete)?;
-        Ok(Self::Placed(Box::new(Placed { side: crush.side, outline, offset, moved, crushed })))
+        Ok(Self::Placed(Box::new(Placed { side: crush.side, outline, offset, moved, crushed, resistance })))
     }
 }
 
@@ -1463,7 +1472,7 @@ impl Placed {
     /// (m) forward and left of the centre of gravity; not a number where the engine refuses the damage.
     #[inline(never)]
     fn point(&self, axes: Axes, inputs: &[Lanes], [forward, left]: [&mut Lanes; 2]) {
-        let (areas, is_profile) = self.crushed.areas(inputs);
+        let moments = self.moments(inputs);
         for lane in 0..LANES {
             let at = |quantity: &Quantity<Number>| quantity.with(quantity.number().at(inputs, lane)).si();
             let dimensions = match &self.outline {
@@ -1473,21 +1482,51 @@ impl Placed {
             let along = |distance: f64| along_face(axes, self.side, distance);
             let [moved, inward] = self.moved.each_ref().map(|moved| moved.as_ref().map_or(0.0, at));
             let moved = [along(moved), inward];
-            let area = areas.each_ref().map(|column| column[lane]);
-            let placed =
-                placed_contact(self.side, &dimensions, along(at(&self.offset)), moved, &area_of(area));
-            [forward[lane], left[lane]] = match placed {
-                Ok(point) if is_profile[lane] => point,
-                _ => [f64::NAN; 2],
-            };
+            let placed = moments[lane].and_then(|moments| {
+                placed_contact(self.side, &dimensions, along(at(&self.offset)), moved, &moments).ok()
+            });
+            [forward[lane], left[lane]] = placed.unwrap_or([f64::NAN; 2]);
+        }
+    }
+
+    /// The crush energy of each sample and its moments; `None` where the engine refuses the damage.
+    fn moments(&self, inputs: &[Lanes]) -> [Option<EnergyMoments>; LANES] {
+        let uniform = |[a, b, g]: [Lanes; 3]| {
+            let spacing = self.crushed.spacing(inputs);
+            std::array::from_fn(|lane| {
+                let (stiffness, is_stiffness) = Stiffness::from_abg_with_validity(a[lane], b[lane], g[lane]);
+                let mut moments = is_stiffness.then(EnergyMoments::none);
+                for [one, other] in self.crushed.zones() {
+                    let at = |depth: &Quantity<Number>| depth.with(depth.number().at(inputs, lane)).si();
+                    let zone = Zone { width: spacing[lane], depths: [at(one), at(other)] };
+                    moments =
+                        moments.filter(|_| zone.is_valid()).map(|moments| moments.with(zone, &stiffness));
+                }
+                moments
+            })
+        };
+        match &self.resistance {
+            Resistance::Line(line) => uniform(line.lanes(inputs)),
+            Resistance::Category(stiffness, factor) => uniform(scaled_lanes(stiffness, *factor, inputs)),
+            Resistance::Other(side, stiffness) => std::array::from_fn(|lane| {
+                let structure = stiffness.map(|number| number.at(inputs, lane)).structure(*side).ok()?;
+                EnergyMoments::of(&self.crushed.profile(inputs, lane).ok()?, &structure).ok()
+            }),
         }
     }
 }
 
-/// An area of which the numbers are columns.
+/// A, B and G of a category with the factor on its stiffness.
 #[inline(always)]
-fn area_of([width, area, moment_along, moment_deep]: [f64; 4]) -> CrushArea {
-    CrushArea { width, area, moment_along, moment_deep }
+fn scaled_lanes(stiffness: &Stiffness, factor: Number, inputs: &[Lanes]) -> [Lanes; 3] {
+    let mut known = None;
+    let factors = factor.column(inputs, &mut known);
+    let mut stiffnesses = [Lanes::ZERO; 3];
+    let [a, b, g] = &mut stiffnesses;
+    for lane in 0..LANES {
+        [a[lane], b[lane], g[lane]] = scaled_stiffness(stiffness, factors[lane]);
+    }
+    stiffnesses
 }
 
 impl Crushed {
@@ -1518,27 +1557,6 @@ impl Crushed {
     fn numbers(&self) -> impl Iterator<Item = Number> {
         let Self { width, depths } = self;
         [width].into_iter().chain(depths).map(Quantity::number)
-    }
-
-    /// The numbers of the [area](area_of) of each sample, and whether the sample has a profile.
-    #[inline(always)]
-    fn areas(&self, inputs: &[Lanes]) -> ([Lanes; 4], [bool; LANES]) {
-        let (mut areas, mut is_profile) = ([Lanes::ZERO; 4], [true; LANES]);
-        let spacing = self.spacing(inputs);
-        for ends in self.zones() {
-            let mut known = [None; 2];
-            let depths = columns(ends, inputs, &mut known);
-            for lane in 0..LANES {
-                let zone = Zone { width: spacing[lane], depths: si_at(ends, depths, lane) };
-                let before = area_of(areas.each_ref().map(|column| column[lane]));
-                let CrushArea { width, area, moment_along, moment_deep } = before.with(zone);
-                for (column, number) in areas.iter_mut().zip([width, area, moment_along, moment_deep]) {
-                    column[lane] = number;
-                }
-                is_profile[lane] &= zone.is_valid();
-            }
-        }
-        (areas, is_profile)
     }
 
     /// (m) the width of each zone.

@@ -8,9 +8,10 @@ use crate::case_problem::CaseProblem;
 use crate::nearest::nearest;
 use crate::node::Node;
 use crate::quantity::shorten;
-use crate::schema::{AFTER, BEFORE, MOST_ZONES, POINT, REST, SKID, STEER, WHEELS};
+use crate::schema::{AFTER, BEFORE, MOST_ZONES, POINT, REST, SKID, SKID_FROM, STEER, WHEELS};
 use inputs::{
-    After, Before, Drag, MarkedWheel, PathPoint, Place, Rest, RestHeading, Skid, Steer, SteerPoint, WheelDrag,
+    After, Before, Drag, MarkedWheel, PathPoint, Place, Rest, RestHeading, Skid, SkidBegin, Steer,
+    SteerPoint, WheelDrag,
 };
 
 const DRAGS: &str = "drag = 0.02, drag = \"locked\" or, front left, front right, rear left, rear right, \
@@ -18,21 +19,32 @@ const DRAGS: &str = "drag = 0.02, drag = \"locked\" or, front left, front right,
 
 impl<'t> Reader<'t> {
     pub(super) fn before(&mut self, vehicle: &Table<'t>) -> Option<Before> {
-        const FORMS: &str = "skid = { length = \"18 m\", friction = 0.7 }";
+        const FORMS: &str = "skid = { length = \"18 m\", friction = 0.7 } or skid = { from = { x = \"18 m\", y = \"15 m\" }, friction = 0.7 }";
+        const FROM: &str = "from = { x = \"18 m\", y = \"15 m\" }";
         let table = self.child(vehicle, "before", &BEFORE)?;
         self.require(&table, &["skid"]);
         let skid = self.inline(&table, "skid", &SKID, "a table in braces", FORMS)?;
-        self.require(&skid, &["length"]);
         let length = self.quantity(&skid, "length");
+        let from = if skid.has("from") { self.place_of(&skid, "from", &SKID_FROM, FROM) } else { None };
         let friction = self.number(&skid, "friction");
         let speed = self.quantity(&table, "speed");
-        Some(Before { skid: Skid { length: length?, friction }, speed })
+        let begin = match skid.given(&["length", "from"])[..] {
+            ["length"] => SkidBegin::Length(length?),
+            ["from"] => SkidBegin::From(from?),
+            [] => {
+                self.require(&skid, &["length"]);
+                return None;
+            }
+            _ => return self.no_form(&skid, FORMS),
+        };
+        Some(Before { skid: Skid { begin, friction }, speed })
     }
 
     /// A table without a key says nothing.
     pub(super) fn after(&mut self, vehicle: &Table<'t>) -> Option<After> {
         let table = self.child(vehicle, "after", &AFTER)?;
         let after = After {
+            friction: self.number(&table, "friction"),
             drag: self.drag(&table),
             steer: self.steer(&table),
             rest: self.rest(&table),

@@ -64,7 +64,7 @@ impl<'t> Reader<'t> {
         Some(Some(GivenSitePlan { file, corner, width, angle }))
     }
 
-    fn place_of(
+    pub(super) fn place_of(
         &mut self,
         parent: &Table<'t>,
         key: &'static str,

@@ -8,7 +8,7 @@ use reconcile::{COLLINEAR, Departure, central_contact, point_masses};
 use trajectory::{Axles, Chassis, GREATEST_DRAG};
 
 use super::{Collision, Demand, VehicleData, fill_opposite_pdof, table};
-use crate::after::{After, RestHeading, Steer, WheelDrag};
+use crate::after::{After, RestHeading, Skid, SkidBegin, Steer, WheelDrag};
 use crate::axes::Axes;
 use crate::case::{Case, Find};
 use crate::fault::{Fault, FaultKind, Faults};
@@ -93,7 +93,11 @@ impl<T: Real> Case<T> {
     pub fn run_out(&self) -> Option<Result<MotionInput<T>, Faults>> {
         let has_drag =
             |vehicle: &GivenVehicle<T>| vehicle.after.as_ref().is_some_and(|after| after.drag.is_some());
-        if self.surface.is_none() || !self.vehicles.iter().any(has_drag) {
+        let has_friction = |vehicle: &GivenVehicle<T>| {
+            vehicle.after.as_ref().is_some_and(|after| after.friction.is_some()) && has_drag(vehicle)
+        };
+        let has_ground = self.surface.is_some() || self.vehicles.iter().any(has_friction);
+        if !has_ground || !self.vehicles.iter().any(has_drag) {
             return None;
         }
         let mut demand = Demand::new(self, Purpose::Motion);
@@ -112,10 +116,24 @@ impl<T: Real> Case<T> {
     #[must_use]
     pub fn skids(&self) -> [Option<SkidData<T>>; 2] {
         let ground = self.surface.as_ref().map(|surface| surface.friction);
-        self.vehicles.each_ref().map(|vehicle| {
-            let skid = vehicle.before.as_ref()?.skid;
-            Some(SkidData { length: skid.length.si(), friction: skid.friction.or(ground)? })
+        VehicleId::ALL.map(|id| {
+            let skid = self.vehicles[id.index()].before.as_ref()?.skid;
+            Some(SkidData { length: self.skid_length(id, &skid)?, friction: skid.friction.or(ground)? })
         })
+    }
+
+    /// (m) of the skid marks of a vehicle; `None` where they begin at a place and its place at the impact is
+    /// not known.
+    fn skid_length(&self, id: VehicleId, skid: &Skid<T>) -> Option<T> {
+        match &skid.begin {
+            SkidBegin::Length(length) => Some(length.si()),
+            SkidBegin::From(place) => {
+                let mut demand = Demand::new(self, Purpose::Impact);
+                let apart = demand.cg_at_impact(id)? - demand.place(place);
+                // S = |r − r_b|
+                Some((apart.x * apart.x + apart.y * apart.y).sqrt())
+            }
+        }
     }
 
     /// Everything that finding speeds from the motion after the impact needs.
@@ -270,7 +288,7 @@ impl<T: Real> Demand<'_, T> {
     }
 
     /// (m) a place in the axes of the engine.
-    fn place(&self, place: &Place<T>) -> Vector2<T> {
+    pub(super) fn place(&self, place: &Place<T>) -> Vector2<T> {
         Vector2::new(place.x.si(), self.lateral(&place.y))
     }
 
@@ -382,8 +400,13 @@ impl<T: Real> Demand<'_, T> {
         self.path(id, position, rest.as_ref().map(|rest| rest.position), &points);
         let body = self.accepted(table, Body::new(inertia.mass, yaw_inertia?))?;
         let (axles, drag) = (axles?, drag?);
+        if let Some(friction) = after.friction {
+            let ground = trajectory::Ground { friction, zones: &[], grade: Vector2::new(T::ZERO, T::ZERO) };
+            self.accepted(format_args!("{table}.after.friction"), ground.check())?;
+        }
+        let friction = after.friction;
         let chassis = self.accepted(format_args!("{table}.after.drag"), Chassis::new(body, axles, drag))?;
-        Some(VehicleMotion { chassis, steer, position, heading: heading?, velocity, rest, points })
+        Some(VehicleMotion { chassis, steer, friction, position, heading: heading?, velocity, rest, points })
     }
 
     /// The place of the CG at the impact.
@@ -394,25 +417,26 @@ impl<T: Real> Demand<'_, T> {
         after: &After<T>,
     ) -> Option<Vector2<T>> {
         let table = table(id);
+        if let Some(position) = &self.case.vehicles[id.index()].position {
+            return Some(self.place(position));
+        }
         let has_places = after.rest.is_some() || !after.points.is_empty();
         let has_zones = self.case.surface.as_ref().is_some_and(|surface| !surface.zones.is_empty());
-        // From C to the CG: −(f cos θ − l sin θ, f sin θ + l cos θ)
-        let from_contact = |[forward, left]: [T; 2], heading: T| {
-            let (sin, cos) = heading.sin_cos();
-            Vector2::new(left * sin - forward * cos, -(forward * sin + left * cos))
-        };
         let heading = self.case.headings()[id.index()];
-        let Some(place) = &self.case.scene_contact else {
+        let Some(contact) = self.contact_in_scene(id.other()) else {
             if !has_places && !has_zones {
                 let arm = subject.and_then(|subject| subject.contact).zip(heading);
                 return Some(
-                    arm.map_or(Vector2::new(T::ZERO, T::ZERO), |(arm, heading)| from_contact(arm, heading)),
+                    arm.map_or(Vector2::new(T::ZERO, T::ZERO), |(arm, heading)| -in_scene(arm, heading)),
                 );
             }
             self.missing(
                 "scene.contact",
-                "the place of the impact, from which the path begins: `contact = { x = \"12.4 m\", y = \"3.1 m\" }` in a table [scene], in the \
-                 same coordinates as the rest",
+                &format!(
+                    "the place of the impact, from which the path begins: `contact = {{ x = \"12.4 m\", y = \"3.1 m\" }}` in a table [scene], or \
+                     that of the CG at the impact, `position = {{ x = \"10.8 m\", y = \"3.9 m\" }}` in [{table}], in the same coordinates as the \
+                     rest"
+                ),
             );
             return None;
         };
@@ -422,7 +446,32 @@ impl<T: Real> Demand<'_, T> {
             format_args!("{table}.contact"),
             "`contact = { distance = \"6.3 ft\", angle = \"-22.4 deg\" }` or `contact = { x = \"1.78 m\", y = \"-0.73 m\" }`",
         );
-        Some(self.place(place) + from_contact(arm?, heading?))
+        Some(contact - in_scene(arm?, heading?))
+    }
+
+    /// (m) where the contact point lies: as given for the scene, or as the CG of `vehicle` and its arm put it.
+    fn contact_in_scene(&mut self, vehicle: VehicleId) -> Option<Vector2<T>> {
+        match &self.case.scene_contact {
+            Some(place) => Some(self.place(place)),
+            None => self.contact_from(vehicle),
+        }
+    }
+
+    /// (m) where the CG of a vehicle, as given, and its arm put the contact point.
+    pub(super) fn contact_from(&mut self, vehicle: VehicleId) -> Option<Vector2<T>> {
+        let position = self.place(self.case.vehicles[vehicle.index()].position.as_ref()?);
+        let heading = self.case.headings()[vehicle.index()]?;
+        Some(position + in_scene(self.subject(vehicle)?.contact?, heading))
+    }
+
+    /// (m) the place of the CG at the impact, where the case tells it, without a fault where it does not.
+    fn cg_at_impact(&mut self, id: VehicleId) -> Option<Vector2<T>> {
+        if let Some(position) = &self.case.vehicles[id.index()].position {
+            return Some(self.place(position));
+        }
+        let heading = self.case.headings()[id.index()]?;
+        let contact = self.contact_in_scene(id.other())?;
+        Some(contact - in_scene(self.subject(id)?.contact?, heading))
     }
 
     /// What is given takes precedence over the class.
@@ -591,9 +640,27 @@ impl<T: Real> Demand<'_, T> {
 
     /// Refuses skid marks whose friction is not known.
     pub(super) fn skids(&mut self) {
-        let skids = self.case.skids();
         for (id, vehicle) in VehicleId::ALL.into_iter().zip(&self.case.vehicles) {
-            if vehicle.before.is_some() && skids[id.index()].is_none() {
+            let Some(skid) = vehicle.before.as_ref().map(|before| before.skid) else { continue };
+            match (self.case.skid_length(id, &skid), &skid.begin) {
+                (None, _) => self.missing(
+                    format_args!("{}.position", table(id)),
+                    "the place of the CG at the impact, where the skid that begins at a place ends: `position = { x = \"10.8 m\", y = \"3.9 m\" }`, \
+                     or `contact` in a table [scene] and in that of the vehicle",
+                ),
+                (Some(length), SkidBegin::From(_)) if length.value().is_nan() || length.value() < LEAST_PATH => {
+                    self.refuse(
+                        format!("{}.before.skid.from", table(id)),
+                        format!(
+                            "the skid begins {:.1} mm from the place of the CG at the impact, so it has no length",
+                            1000.0 * length.value()
+                        ),
+                        "give where the CG was when the wheels locked, in the coordinates of `position`",
+                    );
+                }
+                (Some(_), _) => {}
+            }
+            if skid.friction.is_none() && self.case.surface.is_none() {
                 self.missing(
                     format_args!("{}.before.skid.friction", table(id)),
                     "the friction on which the wheels skidded: `skid = { length = \"18 m\", friction = 0.7 }`, or `friction` in a table [surface]",
@@ -601,6 +668,13 @@ impl<T: Real> Demand<'_, T> {
             }
         }
     }
+}
+
+/// (m) what lies so far forward and left of a CG, in the directions of the scene.
+fn in_scene<T: Real>([forward, left]: [T; 2], heading: T) -> Vector2<T> {
+    let (sin, cos) = heading.sin_cos();
+    // (f cos θ − l sin θ, f sin θ + l cos θ)
+    Vector2::new(forward * cos - left * sin, forward * sin + left * cos)
 }
 
 /// A region in the axes of the engine.

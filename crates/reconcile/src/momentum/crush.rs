@@ -12,12 +12,12 @@ use crate::problem::{Problem, Unknown};
 /// An axis may differ from a unit vector by rounding, not by more.
 const UNIT: f64 = 1e-9;
 
-/// Where both headings have less than this cosine with the axis, rounding of the angles decides what the
+/// Where both courses have less than this cosine with the axis, rounding of the angles decides what the
 /// speeds do.
 const LEAST_COSINE: f64 = 1e-9;
 
 /// Momentum along one axis and the crush energy: two equations for both speeds, whatever the angle between
-/// the headings. Momentum across the axis is left as a check.
+/// the courses. Momentum across the axis is left as a check.
 ///
 /// The momentum allows a line of pairs of speeds. Along it the relative velocity of the CGs changes in one
 /// direction only, by the *relative speed* σ:
@@ -26,7 +26,7 @@ const LEAST_COSINE: f64 = 1e-9;
 /// v_1 = (p·â ê_2·ŵ + a_2 σ)/|d|,  v_2 = (p·â ê_1·ŵ − a_1 σ)/|d|,  d = a_2 ê_1 + a_1 ê_2,  ŵ = d/|d|
 ///
 /// An impact depends on the relative velocity alone. So σ is the unknown of a [`Problem`], which finds all of
-/// its values; with it stand the two speeds. For headings along one line, σ is the closing speed, which the
+/// its values; with it stand the two speeds. For courses along one line, σ is the closing speed, which the
 /// crush energy then gives whatever the momentum.
 #[derive(Clone, Debug, PartialEq)]
 pub struct MomentumAndCrush<T = f64> {
@@ -51,7 +51,7 @@ pub struct MomentumAndCrush<T = f64> {
     ))
 )]
 pub struct BothSpeeds<T = f64> {
-    /// (m/s) the speeds found, along the headings. Of several admissible pairs, the one with the slowest
+    /// (m/s) the speeds found, along the courses. Of several admissible pairs, the one with the slowest
     /// approach.
     pub speeds: [T; 2],
     /// (m/s) σ, the relative speed that goes with them.
@@ -75,7 +75,7 @@ impl<T: Real> MomentumAndCrush<T> {
     /// approaches the axis is [`Momentum::common_axis`].
     ///
     /// # Errors
-    /// Where [`Momentum::check`] finds one, the axis is no unit vector or at right angles to both headings,
+    /// Where [`Momentum::check`] finds one, the axis is no unit vector or at right angles to both courses,
     /// the speeds have no effect on u_n, the crush energy is not positive, or e = 1.
     pub fn new(
         momentum: Momentum<T>,
@@ -91,7 +91,7 @@ impl<T: Real> MomentumAndCrush<T> {
         if !is_unit {
             return Err(MomentumError::NoAxis { length: length.value() });
         }
-        let [e1, e2] = momentum.headings();
+        let [e1, e2] = momentum.courses();
         let [m1, m2] = momentum.masses();
         let cosines = [dot(e1, axis), dot(e2, axis)];
         if cosines.iter().all(|cosine| cosine.abs() < T::from(LEAST_COSINE)) {

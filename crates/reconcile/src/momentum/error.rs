@@ -22,13 +22,13 @@ pub enum MomentumError {
     /// An input is impossible.
     #[error(transparent)]
     Invalid(#[from] InvalidInput),
-    /// The headings lie too near to one line for momentum alone.
+    /// The directions of travel lie too near to one line for momentum alone.
     #[error(
-        "the headings differ by {:.2}°, which is within 10° of one line, so momentum alone does not tell both \
+        "the directions of travel differ by {:.2}°, which is within 10° of one line, so momentum alone does not tell both \
          speeds; use momentum along this line together with the crush energy", .angle.to_degrees()
     )]
     Collinear {
-        /// (rad) the angle from the heading of vehicle 1 to that of vehicle 2.
+        /// (rad) the angle from the course of vehicle 1 to that of vehicle 2.
         angle: f64,
     },
     /// No vehicle is so fast: a number of the case is in the wrong unit.

@@ -120,7 +120,8 @@ impl<T: Real> Momentum<T> {
         // E_L = T_before − T_after
         let energy_loss = (bodies[0].kinetic_energy(&before[0]) - bodies[0].kinetic_energy(&after[0]))
             + (bodies[1].kinetic_energy(&before[1]) - bodies[1].kinetic_energy(&after[1]));
-        let [f1, f2] = self.headings();
+        // A PDOF counts from the heading, whatever the course.
+        let [f1, f2] = self.contact.participants().each_ref().map(|participant| participant.forward());
         Ok(Implied {
             before,
             impulses,

@@ -59,7 +59,7 @@ pub struct MomentumBesideCrush {
 #[non_exhaustive]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct WeighedSpeeds {
-    /// (m/s) the speeds found, along the headings.
+    /// (m/s) the speeds found, along the courses.
     pub speeds: [f64; 2],
     /// (–) √S: how many standard deviations momentum and crush energy lie apart.
     pub apart: f64,

@@ -110,6 +110,11 @@ struct MomentumBlock {
     /// How far the impulses that the two vehicles tell lie apart.
     disagreement: f64,
     restitution: Option<f64>,
+    /// Of the CGs towards each other.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    cg_closing_speed: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    cg_restitution: Option<f64>,
     /// These along n and t, and the yaw rates, are not known of point masses.
     #[serde(skip_serializing_if = "Option::is_none")]
     impulse_ratio: Option<Option<f64>>,
@@ -522,6 +527,8 @@ fn momentum(case: &Case, both: &BothFound) -> MomentumBlock {
         impulse: plain_pair(implied.impulse_vector.into()),
         disagreement: implied.disagreement(),
         restitution: implied.restitution.map(plain),
+        cg_closing_speed: both.cg_line.map(|line| plain(line.closing_speed)),
+        cg_restitution: both.cg_line.and_then(|line| line.restitution).map(plain),
         impulse_ratio: is_contact.then(|| implied.impulse_ratio.map(plain)),
         critical_impulse_ratio: is_contact.then(|| implied.critical_impulse_ratio.map(plain)),
         energy_loss: plain(implied.energy_loss),

@@ -290,8 +290,7 @@ fn rests_picture(case: &Case, estimated: &Estimated, asked: &Asked, units: Units
     if vehicles.is_empty() || !estimated.doubts().is_empty() {
         return None;
     }
-    let impact =
-        case.scene_contact.as_ref().map_or([0.0; 2], |place| [place.x.si(), case.axes.lateral(place.y.si())]);
+    let impact = case.contact_place().map_or([0.0; 2], Into::into);
     Some(RestsPicture {
         name: "rests",
         title: "Rest positions".to_owned(),

@@ -51,7 +51,7 @@ pub(super) fn picture(
 
 /// Where the impulse acts (m), as the drawing of the motion has it; the origin where the case does not say.
 pub fn place_of_impact(case: &Case) -> [f64; 2] {
-    case.scene_contact.as_ref().map_or([0.0; 2], |place| [place.x.si(), case.axes.lateral(place.y.si())])
+    case.contact_place().map_or([0.0; 2], Into::into)
 }
 
 fn zones(surface: &SurfaceData) -> Vec<GroundZone> {

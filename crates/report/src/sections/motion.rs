@@ -165,7 +165,13 @@ pub(crate) fn method(analysis: &Seen, units: Units) -> String {
 pub(crate) fn momentum(analysis: &Seen, both: &BothFound, units: Units) -> [Table; 2] {
     let chosen = Chosen { analysis, units };
     let mut whole = Table::of_two("Momentum", ["", "", "source"]);
-    for key in ["momentum.approach_angle", "momentum.restitution", "momentum.impulse_ratio"] {
+    for key in [
+        "momentum.approach_angle",
+        "momentum.cg_closing_speed",
+        "momentum.cg_restitution",
+        "momentum.restitution",
+        "momentum.impulse_ratio",
+    ] {
         chosen.shared(&mut whole, key);
     }
     chosen.shared(&mut whole, "momentum.critical_impulse_ratio");

@@ -49,8 +49,7 @@ fn energy(vehicle: &Vehicle, damage: &Damage, crush: &Crush, i: VehicleId) -> Ve
         }
         SideStiffness::Zones(_) => false,
     };
-    // The centroid of the damage follows from the moments too.
-    if rises_everywhere || vehicle.subject.contact_is_placed {
+    if rises_everywhere {
         steps.extend(profile::moments(profile, i));
     }
     match &damage.structure {

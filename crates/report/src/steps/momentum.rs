@@ -308,10 +308,9 @@ pub(super) fn ways(analysis: &Seen) -> Vec<StepGroup> {
     groups
 }
 
-fn closed(analysis: &Seen, travel: &Travel, k: VehicleId) -> Vec<Step> {
-    let Some(friction) = analysis.surface.as_ref().map(|surface| surface.friction) else { return Vec::new() };
+fn closed(travel: &Travel, k: VehicleId) -> Vec<Step> {
     let distance = travel.rest.distance;
-    let (mu, g) = (n(friction, ""), n(STANDARD_GRAVITY, "m/s²"));
+    let (mu, g) = (n(travel.friction, ""), n(STANDARD_GRAVITY, "m/s²"));
     match travel.closed {
         None => Vec::new(),
         Some(ClosedForm::Straight { drag_share, speed }) => vec![step(

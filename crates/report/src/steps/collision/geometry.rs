@@ -1,7 +1,7 @@
 //! Where the vehicles touch, and the inverse mass that C feels.
 
 use case::{Axes, ContactPoint, Quantity};
-use crash3::Side;
+use crash3::{EnergyMoments, Side, SideStiffness, Stiffness};
 use pim_core::VehicleId;
 
 use super::super::damage::measured;
@@ -78,7 +78,7 @@ impl Collision<'_> {
         let (given_crush, body) =
             (self.case.vehicles[k.index()].crush.as_ref()?, vehicle.subject.dimensions?);
         let (side, offset) = (given_crush.side, given_crush.offset?.si());
-        let sums = profile.sums();
+        let structure = &vehicle.damage.as_ref()?.structure;
         let (face, name_of_face) = (body.face(side), words::side_name(side));
         let source = if body.class.is_some() { "theory 5" } else { "input" };
         let mut steps = vec![
@@ -91,32 +91,37 @@ impl Collision<'_> {
                 "input",
             ),
         ];
-        // From the first station to the centroid, and from the face to it: no area, no crush.
-        let (mut start, mut terms, mut moment) = (0.0, Vec::new(), 0.0);
-        for zone in profile.zones() {
-            let [c1, c2] = zone.depths;
-            terms.push(format!(
-                "{} · {1} · ({3} + {4}) / 2 + {2}² · ({3} + 2 · {4}) / 6",
-                n(start, "m"),
-                n(zone.width, "m"),
-                p(zone.width, "m"),
-                n(c1, "m"),
-                n(c2, "m")
+        // From the first station to the centroid, and from the face to it, zone by zone: each counts by its
+        // energy. Without energy there is no crush.
+        let mut moments = EnergyMoments::none();
+        let [mut energies, mut alongs, mut deeps] = [const { Vec::new() }; 3];
+        for (j, zone) in profile.zones().enumerate() {
+            let (alone, before) = (EnergyMoments::none(), moments.width);
+            let stiffness = stiffness_of_zone(structure, j)?;
+            let alone = alone.with(zone, stiffness);
+            moments = moments.with(zone, stiffness);
+            energies.push(n(alone.energy, "J"));
+            alongs.push(format!(
+                "{} · {}",
+                n(alone.energy, "J"),
+                n(before + at(alone.moment_along, alone.energy), "m")
             ));
-            moment += start * zone.area() + zone.width * zone.width * (c1 + 2.0 * c2) / 6.0;
-            start += zone.width;
+            deeps.push(format!("{} · {}", n(alone.energy, "J"), n(at(alone.moment_deep, alone.energy), "m")));
         }
-        let (along, depth) = if sums.area > 0.0 {
-            (moment / sums.area, sums.second_moment / sums.area)
+        let has_energy = moments.energy > 0.0;
+        let (along, depth) = if has_energy {
+            (moments.moment_along / moments.energy, moments.moment_deep / moments.energy)
         } else {
-            (sums.width / 2.0, 0.0)
+            (moments.width / 2.0, 0.0)
         };
-        if sums.area > 0.0 {
+        let width = moments.width;
+        if has_energy {
+            let whole = format!("({})", energies.join(" + "));
             steps.push(step(
                 format!("centroid of the damage of vehicle {k}, from its first station"),
                 format!("s_{k}"),
-                format!("Σ [s_j w_j (C_j + C_j+1)/2 + w_j² (C_j + 2 C_j+1)/6]/S_1,{k}"),
-                format!("({}) / {}", terms.join(" + "), n(sums.area, "m²")),
+                "Σ E_j s_j/Σ E_j",
+                format!("({}) / {whole}", alongs.join(" + ")),
                 along,
                 "m",
                 "theory 5",
@@ -124,8 +129,8 @@ impl Collision<'_> {
             steps.push(step(
                 format!("centroid of the damage of vehicle {k}, from the face"),
                 format!("c_{k}"),
-                format!("S_2,{k}/S_1,{k}"),
-                format!("{} / {}", n(sums.second_moment, "m³"), n(sums.area, "m²")),
+                "Σ E_j c_j/Σ E_j",
+                format!("({}) / {whole}", deeps.join(" + ")),
                 depth,
                 "m",
                 "theory 5",
@@ -142,7 +147,7 @@ impl Collision<'_> {
             steps.push(given(format!("{name} {k}, from the face"), format!("c_{k}"), depth, "m", "theory 5"));
         }
         let out = format!("{} − {}", n(face, "m"), n(depth, "m"));
-        let from_middle = format!("({} − {} / 2)", n(along, "m"), n(sums.width, "m"));
+        let from_middle = format!("({} − {} / 2)", n(along, "m"), n(width, "m"));
         let across = |sign: &str| match sign {
             "−" => (format!("−(f_{k} − c_{k})"), format!("−({out})")),
             _ => (format!("f_{k} − c_{k}"), out.clone()),
@@ -251,4 +256,17 @@ impl Collision<'_> {
         });
         [("k_nm", nm, k.nm, "1/(kg·m)"), ("k_tm", tm, k.tm, "1/(kg·m)")]
     }
+}
+
+/// That of the zone behind station `index`, from 0.
+fn stiffness_of_zone(structure: &SideStiffness, index: usize) -> Option<&Stiffness> {
+    match structure {
+        SideStiffness::Uniform(stiffness) => Some(stiffness),
+        SideStiffness::Zones(stiffnesses) => stiffnesses.get(index),
+    }
+}
+
+/// (m) where a moment (J·m) of an energy (J) lies; 0 where there is none.
+fn at(moment: f64, energy: f64) -> f64 {
+    if energy > 0.0 { moment / energy } else { 0.0 }
 }
