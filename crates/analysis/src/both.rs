@@ -2,12 +2,12 @@
 
 mod choice;
 
-use inputs::{Basis, Case, Geometry, Sought, TwoSpeedInput, Velocity};
+use inputs::{Basis, Case, Geometry, Sought, TwoSpeedInput};
 use pim_core::{Law, Outcome, Real, VaryingLaw, Vector2, VehicleId};
 use reconcile::{Departure, Implied, Momentum, MomentumAndCrush, MomentumError};
 
 use crate::travel::{self, Origin, Record, Way, Ways, departures};
-use crate::{Analysis, Failure, Impact, Warning, checks, damage, evidence, judged, warning};
+use crate::{Analysis, Failure, Impact, checks, damage, evidence, judged, warning};
 
 pub use choice::Combination;
 pub(crate) use choice::Spread;
@@ -352,7 +352,8 @@ pub(crate) fn reconstruct(case: &Case) -> Result<Analysis, Failure> {
         _ => implied.delta_v.map(|change| change.norm()),
     };
     let geometry = posed.geometry;
-    let is_spread = geometry == Geometry::Given && !posed.momentum.contact.participants().iter().any(|one| one.body().is_fixed());
+    let is_spread = geometry == Geometry::Given
+        && !posed.momentum.contact.participants().iter().any(|one| one.body().is_fixed());
     let spread = restitution
         .filter(|_| is_spread)
         .and_then(|restitution| choice::spread(&momentum, speeds, &evidence, restitution));
@@ -363,24 +364,11 @@ pub(crate) fn reconstruct(case: &Case) -> Result<Analysis, Failure> {
         Geometry::Given => CgLine::new(between_cgs(case, &momentum), velocities(implied.before), after),
         Geometry::Plane | Geometry::PointMasses => None,
     };
-    let both =
-        BothFound { speeds, method, delta_v, momentum, geometry, implied, combinations, cg_line };
+    let both = BothFound { speeds, method, delta_v, momentum, geometry, implied, combinations, cg_line };
     let mut warnings = Vec::new();
     for (vehicle, speed) in both.vehicles().map(|vehicle| (vehicle, speeds[vehicle.index()])) {
-        warning::of_found_speed(vehicle, speed, &mut warnings);
-    }
-    for (vehicle, speed) in VehicleId::ALL.into_iter().zip(speeds) {
         warnings.extend(warning::of_given_speed(case, vehicle, speed));
-    }
-    let sought = both.sought();
-    if let Some(vehicle) = sought
-        && let Some(given) = case.vehicles[vehicle.index()].motion
-    {
-        let given = match given {
-            Velocity::Speed(speed) => speed.si(),
-            Velocity::Vector { x, y } => Vector2::new(x.si(), y.si()).norm(),
-        };
-        warnings.push(Warning::GivenSpeedUnused { vehicle, given, found: speeds[vehicle.index()] });
+        warning::of_found_speed(vehicle, speed, &mut warnings);
     }
     let mut analysis = judged(case, vehicles, basis, restitution, (None, impact), warnings)?;
     // The part of the crush energy that the impact dissipates, on the case's basis.

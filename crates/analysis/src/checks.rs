@@ -4,7 +4,7 @@
 use std::f64::consts::PI;
 
 use crash3::principal_angle;
-use inputs::{Axes, Basis, Geometry};
+use inputs::{Axes, Basis};
 use pim_core::{Real, VehicleId};
 use real::elementary;
 use reconcile::{Implied, Momentum};

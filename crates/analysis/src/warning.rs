@@ -473,7 +473,7 @@ pub enum Magnitude {
 
 impl Warning {
     /// Every warning code.
-    pub const CODES: [&'static str; 37] = [
+    pub const CODES: [&'static str; 39] = [
         "crush-plane",
         "contact-outside",
         "high-restitution",

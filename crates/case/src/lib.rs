@@ -213,8 +213,8 @@ pub use inputs::{
     MarkedWheel, Mass, OBLIQUE_CORRECTIONS, OFFSET_SD, Origin, Outline, PathPoint, Pdof, Place, PointData,
     Prior, Purpose, Quantity, Range, Reconstruct, ReconstructionInput, RegionData, ReportHead, Rest,
     RestHeading, RestHeadingData, Restitution, SIDES, STANDARD_GRAVITY, STIFFNESS_LN_SD_A, STIFFNESS_LN_SD_B,
-    Skid, SkidBegin, Spread, Steer, SteerPoint, StiffnessForm, StiffnessLine, StiffnessSource, Surface, SurfaceData,
-    SurfaceRegion, SurfaceZone, Text, UNDAMAGED, UNKNOWNS, Unit, UnitSystem, VehicleData, Velocity,
-    WheelDrag, YAW_RADIUS_CONFIDENCE, YAW_RADIUS_WITHIN, YawInertia, YawSource, ZoneData, acts, shown,
-    shown_lines, word,
+    Skid, SkidBegin, Spread, Steer, SteerPoint, StiffnessForm, StiffnessLine, StiffnessSource, Surface,
+    SurfaceData, SurfaceRegion, SurfaceZone, Text, UNDAMAGED, UNKNOWNS, Unit, UnitSystem, VehicleData,
+    Velocity, WheelDrag, YAW_RADIUS_CONFIDENCE, YAW_RADIUS_WITHIN, YawInertia, YawSource, ZoneData, acts,
+    shown, shown_lines, word,
 };

@@ -204,7 +204,7 @@ impl<T: Real> Momentum<T> {
     /// error it is zero.
     #[must_use]
     pub fn surplus_across(&self, vehicle: VehicleId, speeds: [T; 2]) -> T {
-        let (m, e) = (self.masses(), self.headings());
+        let (m, e) = (self.masses(), self.courses());
         let before = e[0] * (m[0] * speeds[0]) + e[1] * (m[1] * speeds[1]);
         // ê_i × (p − Σ m v ê)
         cross(e[vehicle.index()], self.total() - before)
@@ -214,7 +214,7 @@ impl<T: Real> Momentum<T> {
     /// error of its size, a share of it, and of its direction (rad).
     #[must_use]
     pub fn spread_across(&self, vehicle: VehicleId, share: f64, direction: f64) -> T {
-        let (m, e) = (self.masses(), self.headings()[vehicle.index()]);
+        let (m, e) = (self.masses(), self.courses()[vehicle.index()]);
         let variance = |i: usize| {
             let velocity = self.after[i].velocity;
             let (across, along) = (cross(e, velocity) * share, dot(e, velocity) * direction);
