@@ -70,7 +70,8 @@ fn where_no_speed_is_known_the_estimate_is_named() {
 
 #[test]
 fn what_cannot_be_drawn_says_why_and_what_can() {
-    let both = PAPER.replace("find = \"vehicle1.speed\"", "find = [\"vehicle1.speed\", \"vehicle2.speed\"]");
+    let both =
+        PAPER.replace("find         = \"vehicle1.speed\"", "find = [\"vehicle1.speed\", \"vehicle2.speed\"]");
     assert!(both != PAPER);
     let (message, status) = said("both", &both, &["draw", "--what", "reconciliation"]);
     assert!(status == 2 && message.contains("`find` of [reconstruct] names both"), "{message}");

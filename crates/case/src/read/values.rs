@@ -279,6 +279,14 @@ impl<'t> Reader<'t> {
                     Some(hour) => {
                         format!("pdof = \"{hour} deg\" or, as a clock hour, pdof = \"{hour} o'clock\"")
                     }
+                    // The file does not tell its units: the example of the schema would choose a system for it.
+                    None if !wanted.contains("list")
+                        && self.units_in_use().example(&place.path, dimension).is_none() =>
+                    {
+                        let key = place.path.rsplit('.').next().unwrap_or_default();
+                        let line = |unit| format!("{key} = \"{number} {unit}\"");
+                        usual_units(dimension).into_iter().map(line).collect::<Vec<_>>().join(" or ")
+                    }
                     None => example.to_owned(),
                 };
                 CaseProblem::BareNumber { path, number, dimension, example }
