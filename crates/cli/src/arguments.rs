@@ -223,9 +223,10 @@ pub(crate) enum Command {
             certain_speed = { at_least = \"0 km/h\", at_most = \"60 km/h\" }: other speeds are excluded\n\n\
             Ranges are what is known before the evidence. A heading, mass, contact point or crush plane without a \
             range is taken to be as uncertain as it usually is; evidence without an error gets a default one; a \
-            restitution or tangential condition without a range is assumed as such collisions have it. The \
+            restitution or tangential condition without a range is the middle of what such collisions have. The \
             report lists all of these. [estimate] changes what is assumed: prior = \"flat\" in place of \"field\" \
-            (as severe as collisions of which a vehicle was towed), delta_v_median, and crush_error.\n\n\
+            (as severe as collisions of which a vehicle was towed), delta_v_median, crush_error, crush_bias, \
+            rest_error, rest_least_error, rest_heading_error, and stood.\n\n\
             Each piece of evidence is shown with what it says alone, with the answer without it, and with the \
             probability, by all others, of an observation as far off: what contradicts the rest is warned of. \
             Where the run has not converged, no interval is given at all. The same seed gives the same bytes, with any number \

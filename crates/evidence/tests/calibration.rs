@@ -10,8 +10,8 @@ use std::f64::consts::{FRAC_PI_2, PI};
 use estimate::{Prior, Settings, Verdict, sample_quietly};
 use evidence::Damage::{self, Front, Rear, Side};
 use evidence::{
-    CodedPdof, Collision, Crush, CrushMisfit, FITTED, Freedom, Impacted, Impacts, Measured, MeasuredSpeed,
-    Model, Number, Observed, Output, RecordedDeltaV, Restitution, Severity, Speeds,
+    CodedPdof, Collision, Crush, CrushErrors, CrushMisfit, EnergyError, FITTED, Freedom, Impacted, Impacts,
+    Measured, MeasuredSpeed, Model, Number, Observed, Output, RecordedDeltaV, Restitution, Severity, Speeds,
 };
 use pim_core::VehicleId::{self, One, Two};
 use uncertainty::random::{bits, key, unit};
@@ -134,7 +134,7 @@ fn crush(hit: [Damage; 2], collision: &mut Collision, truth: &Impacted, random: 
             crush.square *= width;
         }
     }
-    collision.observed.crush = Some(misfit);
+    collision.observed.crush = Some(misfit.into());
 }
 
 fn direction(truth: &Impacted, id: VehicleId, random: &mut Random) -> Option<Measured> {
@@ -178,6 +178,7 @@ fn front_and_rear() -> Shape {
                 size: along.max(0.05 * whole) * (ln_scale * random.student(3)).exp(),
                 is_longitudinal: true,
                 ln_scale,
+                least: 0.0,
                 freedom: Freedom::Three,
             });
             let sd = 0.05;
@@ -322,13 +323,13 @@ fn wrong_errors_are_noticed() {
     };
     // Crush that agrees with the impact better than it does.
     let crush = most(&front_and_rear(), |collision| {
-        let misfit = collision.observed.crush.unwrap();
-        collision.observed.crush = Some(CrushMisfit { ln_sd: 0.5 * misfit.ln_sd, ..misfit }.into());
+        let CrushErrors([EnergyError { bias, shared_ln_sd, .. }, _]) = collision.observed.crush.unwrap();
+        collision.observed.crush = Some(CrushMisfit { bias, ln_sd: 0.5 * shared_ln_sd }.into());
     });
     // Crush without its bias.
     let bias = most(&front_and_side(), |collision| {
-        let misfit = collision.observed.crush.unwrap();
-        collision.observed.crush = Some(CrushMisfit { bias: 0.0, ..misfit }.into());
+        let CrushErrors([EnergyError { shared_ln_sd, .. }, _]) = collision.observed.crush.unwrap();
+        collision.observed.crush = Some(CrushMisfit { bias: 0.0, ln_sd: shared_ln_sd }.into());
     });
     let found = [crush, bias];
     assert!(found.iter().all(|square| *square > ALL), "{found:?}");

@@ -1,7 +1,7 @@
 //! Draws against a grid over the unknown numbers.
 
 use estimate::{Quantity, Settings, sample_quietly};
-use evidence::{CodedPdof, Crush, CrushMisfit, Measured, MeasuredSpeed, Model, Number, Output, Speeds};
+use evidence::{CodedPdof, Crush, CrushMisfit, MeasuredSpeed, Model, Number, Output, Speeds};
 use pim_core::VehicleId::{One, Two};
 use uncertainty::Distribution;
 

@@ -73,7 +73,7 @@ fn usual(masses: [Number; 2], yaw_radii: [f64; 2], crushes: [[f64; 3]; 2]) -> Co
         friction: log_normal(1.0, 0.4),
         tangential_share: truncated(0.5, 0.35, 0.0, 1.0),
         other_crush: None,
-        observed: Observed { severity: Some(SEVERITY), crush: Some(CRUSH), ..Observed::default() },
+        observed: Observed { severity: Some(SEVERITY), crush: Some(CRUSH.into()), ..Observed::default() },
     }
 }
 
