@@ -96,9 +96,7 @@ impl AtContact {
 }
 
 impl Exchange {
-    /// What the impact law makes.
-    #[must_use]
-    pub fn of_impact(impact: &Impact) -> Self {
+    fn of_impact(impact: &Impact) -> Self {
         let outcome: &Outcome = &impact.outcome;
         Self {
             before: outcome.before,

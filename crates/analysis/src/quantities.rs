@@ -8,7 +8,7 @@ use pim_core::{Outcome, VehicleId};
 
 use reconcile::Implied;
 
-use crate::{AtContact, Crash3, Damage, Exchange, Oblique, Seen, Travel};
+use crate::{AtContact, Crash3, Damage, Exchange, Impact, Oblique, Seen, Travel};
 
 /// A number that a finished analysis gives.
 #[derive(Clone, Copy, Debug)]
@@ -123,6 +123,11 @@ fn at_contact(analysis: &Seen) -> Option<AtContact> {
 /// What the impact did, where the vehicle takes part in it as one that can move.
 fn motion(analysis: &Seen, id: VehicleId) -> Option<Exchange> {
     analysis.exchange().filter(|_| analysis.moves(id))
+}
+
+/// What the impact law makes of speeds by momentum, of a vehicle that can move.
+fn checked(analysis: &Seen, id: VehicleId) -> Option<&Impact> {
+    analysis.law_check().filter(|_| analysis.moves(id))
 }
 
 /// The moment impulse and its work, under a law with one; momentum does not tell one.
@@ -437,6 +442,20 @@ pub const QUANTITIES: &[OutputQuantity] = &[
         Of::Collision(|a| Some(implied_at_contact(a)?.tangential_work)),
     ),
     row(
+        "law_check.restitution",
+        "/law_check/restitution",
+        ["restitution of the impact law", "restitution e of the law", "e", ""],
+        Kind::Ratio,
+        Of::Collision(|a| Some(a.law_check()?.law.restitution())),
+    ),
+    row(
+        "law_check.energy_loss",
+        "/law_check/energy_loss",
+        ["energy loss by the impact law", "energy loss by the law, E_L", "E_L", "theory 4"],
+        Kind::Energy,
+        Of::Collision(|a| Some(a.law_check()?.outcome.energy.loss)),
+    ),
+    row(
         "crash3.crush_energy",
         "/crash3/crush_energy",
         ["crush energy", "crush energy, total", "E", "Eq 5"],
@@ -638,6 +657,44 @@ pub const QUANTITIES: &[OutputQuantity] = &[
         ["yaw rate after by momentum", "yaw rate after, from P at C", "Ω", "theory 10"],
         Kind::YawRate,
         Of::Vehicle(|a, id| Some(implied_at_contact(a).filter(|_| a.moves(id))?.yaw_rates[id.index()])),
+    ),
+    row(
+        "law_check.delta_v",
+        "/law_check/delta_v/%",
+        ["ΔV by the impact law", "ΔV by the law", "ΔV", "theory 2"],
+        Kind::Speed,
+        Of::Vehicle(|a, id| Some(checked(a, id)?.outcome.delta_v_magnitude()[id.index()])),
+    ),
+    row(
+        "law_check.delta_v_difference",
+        "/law_check/delta_v_difference/%",
+        ["ΔV by the impact law, more than by momentum", "  more than by momentum", "", "theory 10"],
+        Kind::Speed,
+        Of::Vehicle(|a, id| {
+            let by_law = checked(a, id)?.outcome.delta_v_magnitude()[id.index()];
+            Some(by_law - a.both.as_ref()?.delta_v[id.index()])
+        }),
+    ),
+    row(
+        "law_check.final_speed",
+        "/law_check/final_speed/%",
+        ["speed after by the impact law", "speed after by the law", "V", "theory 2"],
+        Kind::Speed,
+        Of::Vehicle(|a, id| Some(checked(a, id)?.outcome.after[id.index()].velocity.norm())),
+    ),
+    row(
+        "law_check.final_yaw_rate",
+        "/law_check/final_yaw_rate/%",
+        ["yaw rate after by the impact law", "yaw rate after by the law", "Ω", "theory 2"],
+        Kind::YawRate,
+        Of::Vehicle(|a, id| Some(checked(a, id)?.outcome.after[id.index()].yaw_rate)),
+    ),
+    row(
+        "law_check.pdof",
+        "/law_check/pdof/%",
+        ["PDOF by the impact law", "PDOF by the law", "PDOF", "theory 4"],
+        Kind::Angle,
+        Of::Vehicle(|a, id| Some(checked(a, id)?.pdof[id.index()])),
     ),
     row(
         "skid.speed",

@@ -217,7 +217,11 @@ fn both_speeds_are_found_with_the_share() {
         // What `compare` says the speeds need is what was measured.
         let by = compare(&case).unwrap().evidence.unwrap();
         let needed = by.together.unwrap().crush_energy.unwrap();
-        assert!((needed / by.crush_energy - 1.0).abs() < 1e-9, "{share}: {needed} of {}", by.crush_energy);
+        assert!(
+            (needed / by.crush_energy.unwrap() - 1.0).abs() < 1e-9,
+            "{share}: {needed} of {}",
+            by.crush_energy.unwrap()
+        );
         analysis.both.unwrap().speeds
     };
     let plain = reconstruct(&read(&both_speeds("\"dissipated\""))).unwrap().both.unwrap().speeds;

@@ -30,7 +30,7 @@ pub fn no_answer(failure: &Failure, units: Units) -> String {
         Failure::NoRest { vehicle, reason } => no_rest(*vehicle, reason, units),
         Failure::NoStart { vehicle, reason } => no_start(*vehicle, reason, units),
         Failure::NotReached { vehicle, energy, tangential_share, nearest: Ok(nearest) }
-            if nearest.speed.abs() > reconcile::FASTEST =>
+            if nearest.speed.abs() > FASTEST =>
         {
             format!(
                 "no speed of vehicle {vehicle} up to {} makes {} equal to {}; \
@@ -144,7 +144,7 @@ fn not_reached(vehicle: VehicleId, [energy, share]: [f64; 2], nearest: &str, uni
 
 /// It is a judgement, and has no decimals.
 fn fastest(units: Units) -> String {
-    format!("{} {}", number(units.value(Measure::Speed, reconcile::FASTEST), 0), units.name(Measure::Speed))
+    format!("{} {}", number(units.value(Measure::Speed, FASTEST), 0), units.name(Measure::Speed))
 }
 
 fn of_momentum(refusal: &MomentumError, units: Units) -> String {
@@ -176,9 +176,10 @@ fn of_momentum(refusal: &MomentumError, units: Units) -> String {
             units.format(Measure::Energy, *residual)
         ),
         MomentumError::TooFast { vehicle, speed } => format!(
-            "momentum gives vehicle {vehicle} a speed of {}, and no vehicle is faster than {FASTEST:.0} m/s; check the masses and the \
+            "momentum gives vehicle {vehicle} a speed of {}, and no vehicle is faster than {}; check the masses and the \
              motion after the impact, and their units",
-            units.speed(*speed)
+            units.speed(*speed),
+            fastest(units)
         ),
         MomentumError::LeavesWall { vehicle, speed } => format!(
             "to leave the fixed object like this, vehicle {vehicle} would have come at {} along its heading, which does not lead into \

@@ -220,11 +220,14 @@ struct IterationBlock {
 /// What the impact law makes of speeds that momentum gave.
 #[derive(Serialize)]
 struct LawCheckBlock {
-    impact: ImpactBlock,
+    law: &'static str,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    regime: Option<&'static str>,
+    restitution: f64,
+    energy_loss: f64,
     delta_v: OfMovable,
     /// By how much more than by momentum.
     delta_v_difference: OfMovable,
-    final_velocity: [Option<[f64; 2]>; 2],
     final_speed: OfMovable,
     final_yaw_rate: OfMovable,
     pdof: OfMovable,
@@ -614,11 +617,12 @@ fn law_check(case: &Case, analysis: &Seen, law: &Impact) -> LawCheckBlock {
     let by_law = outcome.delta_v_magnitude();
     let told = analysis.both.as_ref().map_or(by_law, |both| both.delta_v);
     LawCheckBlock {
-        impact: block(case, &Exchange::of_impact(law), Some(law)),
+        law: case.impact.as_ref().map_or("brach", |given| given.law.name()),
+        regime: outcome.regime.map(words::regime_name),
+        restitution: law.law.restitution(),
+        energy_loss: plain(outcome.energy.loss),
         delta_v: of_movable(case, by_law),
         delta_v_difference: of_movable(case, [by_law[0] - told[0], by_law[1] - told[1]].map(plain)),
-        final_velocity: [0, 1]
-            .map(|i| (!case.vehicles[i].fixed).then(|| plain_pair(outcome.after[i].velocity.into()))),
         final_speed: of_movable(case, outcome.after.map(|motion| motion.velocity.norm())),
         final_yaw_rate: of_movable(case, outcome.after.map(|motion| plain(motion.yaw_rate))),
         pdof: of_movable(case, law.pdof.map(plain)),

@@ -208,32 +208,16 @@ pub(crate) fn momentum(analysis: &Seen, both: &BothFound, units: Units) -> [Tabl
 pub(crate) fn law_check(analysis: &Seen, units: Units) -> Option<Table> {
     let (law, told) = (analysis.law_check()?, analysis.exchange()?);
     let outcome = &law.outcome;
+    let chosen = Chosen { analysis, units };
     let mut table = Table::of_two("Check: the impact law", ["vehicle 1", "vehicle 2", "source"]);
-    let pair = |value: &dyn Fn(usize) -> Option<String>| {
-        VehicleId::ALL.map(|id| analysis.moves(id).then(|| value(id.index())).flatten())
-    };
-    let by_law = outcome.delta_v_magnitude();
-    let told_delta_v = told.delta_v.map(|change| change.norm());
-    table.pair("ΔV by the law", pair(&|i| Some(units.speed(by_law[i]))), "theory 2");
-    table.pair("  more than above", pair(&|i| Some(units.speed(by_law[i] - told_delta_v[i]))), "");
-    let speed = |i: usize| outcome.after[i].velocity.norm();
-    table.pair("speed after by the law", pair(&|i| Some(units.speed(speed(i)))), "theory 2");
-    table.pair("  more than above", pair(&|i| Some(units.speed(speed(i) - told.velocities[i].norm()))), "");
-    table.pair(
-        "yaw rate after by the law",
-        pair(&|i| Some(units.yaw_rate(outcome.after[i].yaw_rate))),
-        "theory 2",
-    );
-    table.pair(
-        "  more than above",
-        pair(&|i| Some(units.yaw_rate(outcome.after[i].yaw_rate - told.yaw_rates[i]?))),
-        "",
-    );
-    table.pair("PDOF by the law", pair(&|i| Some(units.format(Measure::Angle, law.pdof[i]))), "theory 4");
+    for key in ["delta_v", "delta_v_difference", "final_speed", "final_yaw_rate", "pdof"] {
+        chosen.pair(&mut table, &format!("law_check.{key}"));
+    }
+    chosen.shared(&mut table, "law_check.restitution");
+    chosen.shared(&mut table, "law_check.energy_loss");
     table.notes.push(format!(
-        "At the speeds found, the impact law of the case with its restitution of {} would lose {}, and momentum tells {}. \
-         Nothing above rests on this: the more the two differ, the less the law or its coefficients fit this collision.",
-        number(law.law.restitution(), 4),
+        "What the impact law of the case makes of the speeds found. It would lose {}, and momentum tells {}. No result rests \
+         on it: the more the two differ, the less the law or its coefficients fit this collision.",
         units.format(Measure::Energy, outcome.energy.loss),
         units.format(Measure::Energy, told.energy.loss),
     ));
