@@ -352,6 +352,10 @@ pub fn estimate(
                 pieces::Wanted::Only(terms) => {
                     run(Settings { terms: Selection::Only(terms), ..settings }, &mut quietly).ok()
                 }
+                pieces::Wanted::WithoutAnew(term) => {
+                    let terms = Selection::Without(vec![term]);
+                    run(Settings { terms, ..Settings::new(beside, plan.seed) }, &mut quietly).ok()
+                }
                 pieces::Wanted::Without(term) => {
                     let without = sample_without(&told, &told, &posterior, term, &settings).ok()?;
                     evaluations.fetch_add(without.diagnosis().evaluations, Ordering::Relaxed);

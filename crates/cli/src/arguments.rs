@@ -756,7 +756,7 @@ pub(crate) struct EstimateArguments {
     pub(crate) seed: u64,
 
     /// Number of particles of each of 16 islands, a multiple of 128; it is doubled up to twice where the run
-    /// does not converge
+    /// does not converge, and the default also where its draws are worth fewer than 1,000 independent ones
     #[arg(long, value_name = "N", default_value_t = EstimatePlan::PARTICLES, value_parser = particles)]
     pub(crate) particles: usize,
 

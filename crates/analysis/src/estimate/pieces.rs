@@ -72,8 +72,11 @@ pub(super) struct There<'a> {
 pub(super) enum Wanted {
     /// With these terms alone.
     Only(Vec<usize>),
-    /// All but this one.
+    /// All but this one, from the draws with it.
     Without(usize),
+    /// All but this one, from the prior: where the piece contradicts the rest, too few of the draws with it
+    /// lead there.
+    WithoutAnew(usize),
 }
 
 /// Runs with other terms; `None` where that fails.
@@ -130,7 +133,7 @@ pub(super) fn found(
         });
         without = weighted(posterior, posterior.without(&[term]));
         if without.is_none()
-            && let Some(run) = run(Wanted::Without(term))
+            && let Some(run) = run(Wanted::Without(term)).or_else(|| run(Wanted::WithoutAnew(term)))
         {
             if p_value.is_none()
                 && let Ok(check) = run.check(term)
