@@ -2,6 +2,7 @@
 
 mod both_speeds;
 mod checks;
+mod choice;
 mod contact;
 mod edcrash;
 mod energies;
