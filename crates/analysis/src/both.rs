@@ -370,9 +370,6 @@ pub(crate) fn reconstruct(case: &Case) -> Result<Analysis, Failure> {
         warnings.extend(warning::of_given_speed(case, vehicle, speed));
         warning::of_found_speed(vehicle, speed, &mut warnings);
     }
-    if let Some(vehicle) = sought.filter(|vehicle| speeds[vehicle.index()] < 0.0) {
-        warnings.push(Warning::MovesBackward { vehicle, speed: speeds[vehicle.index()], found: true });
-    }
     let mut analysis = judged(case, vehicles, basis, restitution, (None, impact), warnings)?;
     // The part of the crush energy that the impact dissipates, on the case's basis.
     let crush_energy = restitution.filter(|_| has_crush).map(|restitution| {
