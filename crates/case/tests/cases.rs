@@ -14,9 +14,9 @@ use case::{
     After, Amount, Axes, Before, Bounds, Case, CaseFile, CaseProblem, Collision, ContactPoint, Crush,
     Diagnostics, Dimension, Drag, EdgeSide, Evidence, Faults, Find, Fit, GivenEes, GivenImpact, GivenTest,
     GivenVehicle, Grade, ImpactLaw, Kind, KnownEnergy, LeftOut, MarkedWheel, Mass, Outline, PathPoint, Pdof,
-    Place, Program, Quantity, Reconstruct, ReportHead, Rest, RestHeading, Restitution, Skid, Spread, Steer,
-    SteerPoint, StiffnessForm, StiffnessLine, Surface, SurfaceRegion, SurfaceZone, Text, Unit, UnitSystem,
-    Velocity, WheelDrag, YawInertia, read_quantity, to_toml,
+    Place, Program, Quantity, Reconstruct, ReportHead, Rest, RestHeading, Restitution, Skid, SkidBegin,
+    Spread, Steer, SteerPoint, StiffnessForm, StiffnessLine, Surface, SurfaceRegion, SurfaceZone, Text, Unit,
+    UnitSystem, Velocity, WheelDrag, YawInertia, read_quantity, to_toml,
 };
 use crash3::ObliqueCorrection;
 use crash3::Side;
@@ -178,6 +178,8 @@ fn the_other_forms_are_read() {
         length: None,
         heading: Some(angle("0 rad")),
         contact: Some(ContactPoint::Cartesian { x: length("1.78 m"), y: length("-0.73 m") }),
+        sideslip: None,
+        position: None,
         motion: Some(Velocity::Vector { x: speed("-20 m/s"), y: speed("1.5 m/s") }),
         yaw_rate: Some(quantity("-5 deg/s", Dimension::YawRate)),
         outline: Some(Outline {
@@ -1357,8 +1359,12 @@ fn any_surface() -> impl Strategy<Value = Surface> {
 
 fn any_before() -> impl Strategy<Value = Before> {
     let speed = option::of(any_quantity(Dimension::Speed, Signs::Positive));
-    (any_quantity(Dimension::Length, Signs::Positive), option::of(1e-3..10.0_f64), speed)
-        .prop_map(|(length, friction, speed)| Before { skid: Skid { length, friction }, speed })
+    let begin = prop_oneof![
+        any_quantity(Dimension::Length, Signs::Positive).prop_map(SkidBegin::Length),
+        any_place().prop_map(SkidBegin::From),
+    ];
+    (begin, option::of(1e-3..10.0_f64), speed)
+        .prop_map(|(begin, friction, speed)| Before { skid: Skid { begin, friction }, speed })
 }
 
 fn any_after() -> impl Strategy<Value = After> {
@@ -1391,9 +1397,11 @@ fn any_after() -> impl Strategy<Value = After> {
         heading,
         wheel,
     });
-    (option::of(drag), option::of(steer), option::of(rest), vec(point, 0..3), velocity).prop_map(
-        |(drag, steer, rest, points, (speed, direction, yaw_rate))| After {
+    let wheels = (option::of(drag), option::of(1e-3..10.0_f64));
+    (wheels, option::of(steer), option::of(rest), vec(point, 0..3), velocity).prop_map(
+        |((drag, friction), steer, rest, points, (speed, direction, yaw_rate))| After {
             drag,
+            friction,
             steer,
             rest,
             points,
@@ -1493,19 +1501,20 @@ fn any_vehicle() -> impl Strategy<Value = GivenVehicle> {
     let typical = (kind, option::of(1..=6_u8), [(); 4].map(|()| option::of(length(Positive))));
     let moving = (option::of(any_before()), option::of(any_after().boxed()));
     let told = (option::of(any_recorder()), option::of(any_certain_speed()));
-    let of_both = (option::of(words()), option::of(angle()), option::of(contact), option::of(outline));
-    let yaw_rate = any_quantity(Dimension::YawRate, Any);
+    let place = (option::of(contact), option::of(any_place()));
+    let of_both = (option::of(words()), option::of(angle()), place, option::of(outline));
+    let turning = (option::of(any_quantity(Dimension::YawRate, Any)), option::of(angle()));
     let of_vehicles = (
         option::of(mass),
         option::of(yaw),
         option::of(motion),
-        option::of(yaw_rate),
+        turning,
         (option::of(any_crush()), option::of(any_energy())),
     );
     (of_both, of_vehicles, typical, moving, told).prop_map(
         |(
-            (name, heading, contact, outline),
-            (mass, yaw, motion, yaw_rate, (crush, energy)),
+            (name, heading, (contact, position), outline),
+            (mass, yaw, motion, (yaw_rate, sideslip), (crush, energy)),
             (kind, class, [wheelbase, track, cg_to_front_axle, length]),
             (before, after),
             (recorder, certain_speed),
@@ -1527,6 +1536,9 @@ fn any_vehicle() -> impl Strategy<Value = GivenVehicle> {
                 length: length.filter(|_| wheelbase.is_some() && outline.is_none()),
                 heading,
                 contact,
+                // A vector has its direction.
+                sideslip: sideslip.filter(|_| !matches!(motion, Some(Velocity::Vector { .. }))),
+                position,
                 motion,
                 yaw_rate,
                 outline,

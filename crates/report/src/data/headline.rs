@@ -22,6 +22,9 @@ pub(crate) struct HeadlineBlock {
     /// Evidence that all the rest contradicts.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     contradicting: Vec<String>,
+    /// Evidence of which the rest is doubtful.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    doubtful: Vec<String>,
     #[serde(skip_serializing_if = "Option::is_none")]
     vehicle1: Option<FiguresBlock>,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -93,15 +96,19 @@ impl HeadlineBlock {
                 speed: figure(Output::Speed { vehicle }),
                 delta_v: figure(Output::DeltaV { vehicle }),
             };
-            let pieces = weighed.estimated.pieces.iter();
-            let contradicts =
-                |piece: &&analysis::PieceFound| Agreement::of(piece) == Some(Agreement::Contradicts);
+            let pieces = &weighed.estimated.pieces;
+            let judged = || pieces.iter().zip(Agreement::of_all(pieces));
+            let named = |wanted: Agreement| {
+                let is = |agreement: Option<(Agreement, f64)>| agreement.is_some_and(|(is, _)| is == wanted);
+                judged().filter(|(_, agreement)| is(*agreement)).map(|(piece, _)| piece.key.clone()).collect()
+            };
             let [vehicle1, vehicle2] = moving(&of);
             return Some(Self {
                 by: if weighed.is_answer() { "estimate" } else { "none" },
                 why_not_exact: Some(WhyBlock::of(&weighed.why)),
                 converged: Some(weighed.is_answer()),
-                contradicting: pieces.filter(contradicts).map(|piece| piece.key.clone()).collect(),
+                contradicting: named(Agreement::Contradicts),
+                doubtful: named(Agreement::Doubtful),
                 vehicle1,
                 vehicle2,
             });
@@ -119,6 +126,7 @@ impl HeadlineBlock {
             why_not_exact: why.as_ref().map(WhyBlock::of),
             converged: None,
             contradicting: Vec::new(),
+            doubtful: Vec::new(),
             vehicle1,
             vehicle2,
         })

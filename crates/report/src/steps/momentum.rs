@@ -278,10 +278,7 @@ pub(super) fn ways(analysis: &Seen) -> Vec<StepGroup> {
     let mut groups = Vec::new();
     for k in VehicleId::ALL {
         if let Some(travel) = &analysis.travel[k.index()] {
-            groups.push(group(
-                format!("Path of vehicle {k} to rest, by a closed form"),
-                closed(analysis, travel, k),
-            ));
+            groups.push(group(format!("Path of vehicle {k} to rest, by a closed form"), closed(travel, k)));
         }
         if let Some(skid) = analysis.skids[k.index()] {
             let speed = analysis.speed(k).abs();
