@@ -6,12 +6,45 @@ use std::ops::ControlFlow;
 use ::estimate::Summary;
 use inputs::Case;
 use pim_core::VehicleId;
+use reconcile::Departure;
 
 use crate::evidence::{ByEvidence, EvidenceMethod, by_evidence};
 use crate::{
-    Analysis, BothMethod, Check, EstimateOutput, EstimatePlan, EstimateStage, Estimated, Failure, Output,
-    Warning, estimate, estimate_evidence,
+    Analysis, BothFound, BothMethod, Check, CheckedQuantity, EstimateOutput, EstimatePlan, EstimateStage,
+    Estimated, Failure, Output, Seen, Warning, estimate, estimate_evidence,
 };
+
+impl Seen {
+    /// As [`Analysis::refuting`].
+    pub fn refuting(&self) -> impl Iterator<Item = &Check> {
+        refuting(&self.checks, self.both.as_ref())
+    }
+}
+
+fn refuting<'a>(checks: &'a [Check], both: Option<&BothFound>) -> impl Iterator<Item = &'a Check> + use<'a> {
+    // Vehicles that leave as one body hold each other, so that no impulse at one point tells how they turn.
+    let is_one_body = both.is_some_and(|both| leave_as_one(&both.momentum.after));
+    checks.iter().filter(move |check| {
+        let is_evidence = match check.quantity {
+            CheckedQuantity::MomentumYawRate { .. } => !is_one_body,
+            CheckedQuantity::MomentumEnergy { .. } | CheckedQuantity::MomentumAcross { .. } => true,
+            _ => false,
+        };
+        is_evidence && !check.passed()
+    })
+}
+
+/// (m/s, rad/s) velocities and yaw rates so near each other are those of one body.
+const AS_ONE: f64 = 0.1;
+
+/// Whether both vehicles leave the impact with one velocity and turn alike, as far as that is known.
+fn leave_as_one([one, two]: &[Departure; 2]) -> bool {
+    let turn_alike = match (one.yaw_rate, two.yaw_rate) {
+        (Some(one), Some(two)) => (one - two).abs() <= AS_ONE,
+        _ => true,
+    };
+    (one.velocity - two.velocity).norm() <= AS_ONE && turn_alike
+}
 
 /// Whether the case has what it takes to weigh its evidence: momentum of point masses needs less.
 pub(crate) fn can_be_weighed(case: &Case) -> bool {
@@ -31,6 +64,12 @@ pub struct Overdetermined {
 }
 
 impl Analysis {
+    /// The checks that refute this exact solution: those that hold it against evidence, and not against the
+    /// coefficients of the impact law, which are assumed.
+    pub fn refuting(&self) -> impl Iterator<Item = &Check> {
+        refuting(&self.checks, self.both.as_ref())
+    }
+
     /// Why this exact solution is not the answer of the case; `None` where the evidence just determines the
     /// speeds that are sought and the checks hold, where what is left aside cannot be weighed but contradicts
     /// nothing, and where no speed is sought.
@@ -39,7 +78,7 @@ impl Analysis {
         if self.found.is_none() && self.both.is_none() {
             return None;
         }
-        let refuted = self.checks.iter().filter(|check| check.is_of_momentum() && !check.passed());
+        let refuted = self.refuting();
         let differs = |warning: &Warning| matches!(warning, Warning::EvidenceDiffers { .. });
         let why = Overdetermined {
             left_aside: self.left_aside.clone(),
@@ -180,8 +219,7 @@ impl Found {
             VehicleId::ALL.map(|vehicle| outside(Output::Speed { vehicle }, speeds[vehicle.index()])),
             VehicleId::ALL.map(|vehicle| outside(Output::DeltaV { vehicle }, delta_v[vehicle.index()])),
         ];
-        let refuted = exact.checks.iter().filter(|check| is_detailed && check.is_of_momentum());
-        let failed = refuted.filter(|check| !check.passed()).copied().collect();
+        let failed = exact.refuting().filter(|_| is_detailed).copied().collect();
         Solution { by: self.by, speeds, delta_v, outside, failed, is_detailed }
     }
 }

@@ -272,7 +272,10 @@ fn what_is_assumed_is_listed_and_what_is_written_is_not() {
     assert!(!says(&still, &Assumption::YawRate { vehicle: VehicleId::One }));
     assert!(says(&still, &Assumption::YawRate { vehicle: VehicleId::Two }));
     let fast = PAPER.replace("[vehicle1]\n", "[vehicle1]\nspeed = \"10 m/s\"\n");
-    assert!(says(&fast, &Assumption::SpeedUnused { vehicle: VehicleId::One, given: 10.0, is_direction_used: false }));
+    assert!(says(
+        &fast,
+        &Assumption::SpeedUnused { vehicle: VehicleId::One, given: 10.0, is_direction_used: false }
+    ));
 }
 
 #[test]

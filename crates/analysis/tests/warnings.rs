@@ -433,7 +433,9 @@ fn given_speed_unused() {
     assert_eq!(raised(analysis::reconstruct, PAPER, "given-speed-unused"), []);
     let text = with(PAPER, "[vehicle1]\n", "[vehicle1]\nspeed = \"70 ft/s\"\n");
     let found = raised(analysis::reconstruct, &text, "given-speed-unused");
-    let [Warning::GivenSpeedUnused { vehicle, given, found, is_direction_used: false }] = found[..] else { panic!("{found:?}") };
+    let [Warning::GivenSpeedUnused { vehicle, given, found, is_direction_used: false }] = found[..] else {
+        panic!("{found:?}")
+    };
     assert_eq!(vehicle, VehicleId::One);
     assert_close("given", given, 70.0 * 0.3048, 1e-12);
     // docs/theory.md: 75.03 ft/s.

@@ -367,7 +367,7 @@ fn coefficients_without_a_range_are_open() {
     let text = format!("{text}[vehicle2.after]\nspeed = \"11 m/s\"\ndirection = \"0 deg\"\n");
     let estimated = run(&read(&text), 128).unwrap();
     let unused: Vec<&str> = estimated.unused.iter().map(|unused| unused.key.as_str()).collect();
-    assert_eq!(unused, ["impact.restitution", "impact.tangential"]);
+    assert!(unused.is_empty(), "{unused:?}");
     let spread = |estimated: &Estimated| {
         let ends = of(estimated, EstimateOutput::Restitution).posterior.intervals[3];
         ends.high.value - ends.low.value
@@ -653,7 +653,9 @@ energy_basis = { tangential_share = { value = 0.5, sd = 0.2 } }
         let cases: Vec<_> = (0..8).flat_map(|seed| impacts_of(&impacts, seed)).collect();
         let possible = cases.iter().filter(|text| text.contains("is_possible: true")).count();
         assert!(possible > 50, "{possible} of {}", cases.len());
-        assert!(blocks == cases, "{text}");
+        for (block, case) in blocks.iter().zip(&cases) {
+            assert_eq!(block, case, "{text}");
+        }
         // The skid marks are read without a case as well.
         let skids = [0, 1].map(|i| impacts.skids[i].is_some());
         assert_eq!(skids, read(text).skids().map(|skid| skid.is_some()));

@@ -55,6 +55,9 @@ pub fn estimate(case: &Case, estimated: &Estimated, asked: &Asked, units: Units)
     page.document
 }
 
+/// (–) a probability below this is not worth a line.
+const WORTH_A_LINE: f64 = 0.005;
+
 /// What leads the estimate: the speeds with their intervals, or why there are none; and the evidence that the
 /// rest contradicts.
 pub(crate) fn headline(estimated: &Estimated, asked: &Asked, units: Units) -> Vec<Block> {
@@ -140,7 +143,8 @@ impl<'a> Page<'a> {
     fn stood(&self) -> Vec<String> {
         let percent = |share: f64| number(100.0 * share, 0);
         let words = |id: VehicleId| {
-            let Stood { assumed, before, after } = self.estimated.stood[id.index()]?;
+            let stood = self.estimated.stood[id.index()].filter(|stood| stood.after.value >= WORTH_A_LINE);
+            let Stood { assumed, before, after } = stood?;
             let before = before.map_or_else(String::new, |before| {
                 format!(
                     " ({} % of the collisions that are possible before the evidence)",

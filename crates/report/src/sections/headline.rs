@@ -84,12 +84,11 @@ fn because(why: &Overdetermined, analysis: &Seen, units: Units) -> String {
 
 /// The checks of the exact solution that refute it, with what they found.
 fn refuted(analysis: &Seen, units: Units) -> Vec<String> {
-    let failed = analysis.checks.iter().filter(|check| check.is_of_momentum() && !check.passed());
     let said = |check| {
         let [label, found, limit] = checks::said(check, analysis, units);
         format!("{label} {found} (limit {limit})")
     };
-    failed.map(said).collect()
+    analysis.refuting().map(said).collect()
 }
 
 fn columns() -> Vec<Column> {
