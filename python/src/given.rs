@@ -354,8 +354,8 @@ impl PyCase {
 
     /// Draws the ``"scene"``, the ``"motion"``, the ``"motion-curves"``, the ``"damage"``, the
     /// ``"reconciliation"`` or the ``"energy"`` of the most complete analysis that the case allows.
-    /// ``units`` are ``"si"``, ``"us"``, ``"uk"``, or those that most of the case uses. ``plain=True`` draws scene
-    /// and motion for readers who are no engineers.
+    /// ``units`` are ``"si"``, ``"us"``, ``"uk"``, or those that most of the case uses. ``plain=True`` draws
+    /// scene and motion for readers who are no engineers.
     ///
     /// >>> deltav.Case.example().draw("scene").svg()[:4]
     /// '<svg'

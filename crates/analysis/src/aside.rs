@@ -81,8 +81,8 @@ impl Used {
     }
 }
 
-/// The keys of the evidence that the exact answer of a purpose will not use, as far as that shows before it is
-/// solved.
+/// The keys of the evidence that the exact answer of a purpose will not use, as far as that shows before it
+/// is solved.
 pub(crate) fn of_purpose(case: &Case, purpose: Purpose) -> Vec<String> {
     let used = match (purpose, case.reconstruct.map(|reconstruct| reconstruct.find)) {
         (Purpose::Reconstruct, Some(Find::Both)) => Used { crush: is_along_line(case), after: true },

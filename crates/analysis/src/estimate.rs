@@ -114,13 +114,13 @@ pub struct EstimatedOutput {
     pub posterior: Summary,
 }
 
-/// (–) where the interval of 95 % after the evidence is wider than this share of the one before, and the median
-/// has hardly moved, the evidence does not tell the result.
+/// (–) where the interval of 95 % after the evidence is wider than this share of the one before, and the
+/// median has hardly moved, the evidence does not tell the result.
 pub const TOLD_BELOW: f64 = 0.8;
 
 impl EstimatedOutput {
-    /// Whether the evidence tells it: its interval of 95 % is at most [`TOLD_BELOW`] of the one before, or its
-    /// median lies outside of the interval that held half of what was thought of before.
+    /// Whether the evidence tells it: its interval of 95 % is at most [`TOLD_BELOW`] of the one before, or
+    /// its median lies outside of the interval that held half of what was thought of before.
     #[must_use]
     pub fn is_told(&self) -> bool {
         let Some(before) = &self.prior else { return true };

@@ -668,7 +668,7 @@ pub const QUANTITIES: &[OutputQuantity] = &[
     row(
         "law_check.delta_v_difference",
         "/law_check/delta_v_difference/%",
-        ["ΔV by the impact law, more than by momentum", "  more than by momentum", "", "theory 10"],
+        ["ΔV by the impact law, more than by momentum", "ΔV by the law − by momentum", "", "theory 10"],
         Kind::Speed,
         Of::Vehicle(|a, id| {
             let by_law = checked(a, id)?.outcome.delta_v_magnitude()[id.index()];

@@ -44,7 +44,10 @@ pub(crate) const COMPARABLE_WEIGHT: f64 = 0.2;
 pub(crate) const MATERIAL_SPEED: f64 = 12.0 / 3.6;
 /// (–) how far a way may end from the rest as measured, as a share of the way.
 pub(crate) const REST_MISSED: f64 = 0.05;
-/// (m) what the survey of a rest explains: its usual error.
+/// (–) a vehicle that did not spin is brought back straight unless that ends further from the rest than this
+/// share of the path: a choice, below what a warning takes.
+pub(crate) const REST_SEARCHED: f64 = 0.03;
+/// (m) what the survey of a rest is taken to explain: a choice.
 pub(crate) const REST_SURVEY: f64 = 0.25;
 /// (rad/s) a vehicle that turns slower than this as it leaves the impact does not spin: 57°/s.
 pub(crate) const SLOW_YAW: f64 = 1.0;

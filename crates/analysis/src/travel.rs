@@ -14,7 +14,7 @@ use trajectory::{
 };
 
 use crate::Failure;
-use crate::thresholds::{POINT_MISSED, REST_SURVEY, SLOW_YAW};
+use crate::thresholds::{POINT_MISSED, REST_SEARCHED, REST_SURVEY, SLOW_YAW};
 
 /// The way of one vehicle from the impact to rest.
 #[derive(Clone, Debug)]
@@ -192,7 +192,8 @@ impl Scene<'_> {
         }
         let straight = self.straight(vehicle, way, rest)?;
         let miss = (straight.rest.position - rest.position).norm();
-        if miss > REST_SURVEY
+        let is_missed = miss > REST_SURVEY && miss > REST_SEARCHED * straight.rest.distance;
+        if is_missed
             && let Ok(sought) = self.sought(vehicle, way, rest)
         {
             // Rolling wheels bent the way: the line to the rest is not how it began.

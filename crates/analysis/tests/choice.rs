@@ -49,8 +49,8 @@ tangential = {{ friction = 0.6 }}
     )
 }
 
-/// Only the heading at rest is told. The turn that the impact made is found among those that lead there, as it
-/// agrees with the impulse.
+/// Only the heading at rest is told. The turn that the impact made is found among those that lead there, as
+/// it agrees with the impulse.
 #[test]
 fn the_turn_that_the_impact_made_is_found() {
     let given = ["speed = \"15 m/s\"", "speed = \"12 m/s\""];
@@ -77,14 +77,14 @@ fn the_turn_that_the_impact_made_is_found() {
     assert!(turned_far > 0, "the least turn is the true one everywhere");
 }
 
-/// A vehicle that rolls off with a sideslip bends its way: it is brought back to its speed, or a check says by
-/// how much its way misses the rest.
+/// A vehicle that rolls off with a sideslip bends its way: it is brought back to its speed, or a check says
+/// by how much its way misses the rest.
 #[test]
 fn a_bent_way_is_brought_back_or_its_miss_is_told() {
     let with = |after: &str| {
         format!(
             "[surface]\nfriction = 0.7\n[vehicle1]\nmass = \"1500 kg\"\nclass = 3\nheading = \"0 deg\"\n\
-             [vehicle1.after]\ndrag = 0.1\n{after}\n"
+             position = {{ x = \"0 m\", y = \"0 m\" }}\n[vehicle1.after]\ndrag = 0.1\n{after}\n"
         )
     };
     for direction in [2_f64, 6.0, 11.0, 15.0, 20.0, 30.0] {

@@ -1,5 +1,5 @@
-//! The tutorial of EDCRASH (HVE manuals, EDCRASH, chapter 5) and the keys that express it: sideslip, places of
-//! the centres of gravity, begin of braking, friction of each vehicle.
+//! The tutorial of EDCRASH (HVE manuals, EDCRASH, chapter 5) and the keys that express it: sideslip, places
+//! of the centres of gravity, begin of braking, friction of each vehicle.
 
 use analysis::{Analysis, Assumption, Warning, crush, impact, motion, reconstruct};
 use case::{Case, CaseFile};

@@ -106,7 +106,8 @@ fn a_standing_car_struck_in_line_needs_no_crush() {
     }
 }
 
-/// jiskha.com 1319167806 (79.3 km/h), hibiny.ru (24.1 km/h), quesba.com 229937 (40 mph, an impossible e of 1.5).
+/// jiskha.com 1319167806 (79.3 km/h), hibiny.ru (24.1 km/h), quesba.com 229937 (40 mph, an impossible e of
+/// 1.5).
 #[test]
 fn printed_cases_of_one_car_into_another_are_answered() {
     let skidded = (2.0 * 0.4 * G * 4.6_f64).sqrt();
@@ -132,8 +133,8 @@ fn printed_cases_of_one_car_into_another_are_answered() {
     assert!(impossible.warnings.iter().any(|warning| warning.code() == "momentum-differs"));
 }
 
-/// physicsinventions.com: 2674 kg skids 30 m, hits a standing 1100 kg, 12.25 m together; μ = 0.859 is the mean that
-/// the source uses of both vehicles; 73.0 km/h at the impact and 109.0 where the skid begins.
+/// physicsinventions.com: 2674 kg skids 30 m, hits a standing 1100 kg, 12.25 m together; μ = 0.859 is the
+/// mean that the source uses of both vehicles; 73.0 km/h at the impact and 109.0 where the skid begins.
 #[test]
 fn a_skid_before_the_impact_adds_to_the_speed_by_momentum() {
     // V² = 2 μ g S of the joined vehicles, with the friction weighted by mass.
@@ -150,8 +151,8 @@ fn a_skid_before_the_impact_adds_to_the_speed_by_momentum() {
     assert_near(skid, (speed * speed + 2.0 * 0.8588 * G * 30.0).sqrt(), 1e-9);
 }
 
-/// physicsforums.com 139983: 1135 kg west, 1300 kg north, stuck, 19.8 m/s at 150°: 132.5 and 66.8 km/h; the loss is
-/// ½ Σ m v² − ½ M V².
+/// physicsforums.com 139983: 1135 kg west, 1300 kg north, stuck, 19.8 m/s at 150°: 132.5 and 66.8 km/h; the
+/// loss is ½ Σ m v² − ½ M V².
 const STUCK: &str = r#"
 [vehicle1]
 class = 3
@@ -298,7 +299,8 @@ find = ["vehicle1.speed", "vehicle2.speed"]
     assert_near(value(&turning, "impact.tangential_velocity.after", 0).unwrap(), 0.0, 1e-9);
 }
 
-/// v_n = −V_n/e where the impulse acts towards the CG: 5 km/h out of a wall with e = 0.1 were 50 km/h into it.
+/// v_n = −V_n/e where the impulse acts towards the CG: 5 km/h out of a wall with e = 0.1 were 50 km/h into
+/// it.
 #[test]
 fn the_way_out_of_a_wall_tells_the_way_in() {
     let wall = r#"

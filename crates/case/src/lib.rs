@@ -73,12 +73,12 @@
 //! ```
 //!
 //! uses the axes of SAE J670, with y to the right and clockwise positive. For the same collision, these
-//! numbers then have the opposite sign: `heading`, `sideslip`, `yaw_rate`, `uphill`, `steer`, `turned`, `direction`, the
-//! `y` of every place, the `angle` or `y` of `contact`, the `y` of `velocity`, `crush_plane`, the `ratio` of
-//! `tangential` and `tangential_velocity_change`, which are measured along t, that is n rotated by +90° in
-//! the sense of the axes, and the `offset` of a damaged front or rear. All others are the same in both: a
-//! `pdof` is the face of a clock, and sides and the order of depths (from left to right, from rear to front)
-//! are words.
+//! numbers then have the opposite sign: `heading`, `sideslip`, `yaw_rate`, `uphill`, `steer`, `turned`,
+//! `direction`, the `y` of every place, the `angle` or `y` of `contact`, the `y` of `velocity`,
+//! `crush_plane`, the `ratio` of `tangential` and `tangential_velocity_change`, which are measured along t,
+//! that is n rotated by +90° in the sense of the axes, and the `offset` of a damaged front or rear. All
+//! others are the same in both: a `pdof` is the face of a clock, and sides and the order of depths (from left
+//! to right, from rear to front) are words.
 //!
 //! Which of the optional keys are needed depends on the analysis, which checks them.
 //!

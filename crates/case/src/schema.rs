@@ -511,7 +511,7 @@ pub(crate) static VEHICLE: Schema = Schema {
             "speed",
             "speed = \"10 mph\"",
             Form::Quantity(Dimension::Speed, ANY),
-            "Speed along the heading just before impact, or along the direction of travel with `sideslip`. Negative in reverse. Leave it out for the vehicle whose speed is to be found.",
+            "Speed just before impact. It is along the heading or, with `sideslip`, along the direction of travel; negative in reverse. Leave it out for the vehicle whose speed is to be found.",
         ),
         table("velocity", "velocity = { x = \"-75 ft/s\", y = \"0 ft/s\" }", &VELOCITY),
         key(
@@ -716,13 +716,13 @@ pub(crate) static ESTIMATE: Schema = Schema {
             "rest_error",
             "rest_error = \"10 %\"",
             Form::Percent,
-            "Error of a computed rest position or point, as a standard deviation in per cent of the path. 10 % if left out. `rest_least_error` is added to it; the range of the rest in the file is added to both as squares.",
+            "Error of a computed rest or point, as a standard deviation in per cent of the path. 10 % if left out. `rest_least_error` is added to it; the range of the rest in the file is added to both as squares.",
         ),
         key(
             "rest_least_error",
             "rest_least_error = \"0.5 m\"",
             Form::Exact(Dimension::Length, POSITIVE),
-            "Error of a computed rest position or point that does not grow with the path. 0.5 m if left out.",
+            "Error of a computed rest or point that does not grow with the path. 0.5 m if left out.",
         ),
         key(
             "rest_heading_error",

@@ -118,7 +118,7 @@ fn place(column: &str) -> String {
     }
     for (vehicle, index) in [("vehicle1", "0"), ("vehicle2", "1")] {
         place = place.replace(&format!("{vehicle}/delta_v/"), &format!("{vehicle}/delta_v_vector/"));
-        for block in ["crash3", "momentum"] {
+        for block in ["crash3", "momentum", "law_check"] {
             if let Some(list) = place.strip_prefix(&format!("{vehicle}/{block}")) {
                 place = format!("{block}{list}/{index}");
             }

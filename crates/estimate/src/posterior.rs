@@ -109,8 +109,8 @@ pub fn sample_quietly<P: Prior, E: Evidence>(
 }
 
 /// Draws from the posterior without a piece of evidence, from draws with it: of `settings.islands` islands of
-/// `with` the first `settings.particles` each, while the likelihood of the piece fades. This takes fewer moves
-/// than the way from the prior.
+/// `with` the first `settings.particles` each, while the likelihood of the piece fades. This takes fewer
+/// moves than the way from the prior.
 ///
 /// `prior` and `evidence` are those of `with`, and so are the pieces that are used.
 ///

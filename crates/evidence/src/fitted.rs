@@ -48,8 +48,8 @@ const COEFFICIENTS: EnergyError = EnergyError { bias: 0.0, shared_ln_sd: 0.40, o
 /// tests that were measured in a laboratory (Lenard and others, 2000).
 const TEST: EnergyError = EnergyError { bias: 0.0, shared_ln_sd: 0.26, own_ln_sd: 0.0 };
 /// (–) the same of an EES. It is all the deformation energy by definition, so that it has no bias. Its errors
-/// are chosen: 10 % of the speed, 20 % of the energy, for who compares with a catalogue, and as much again for
-/// each vehicle.
+/// are chosen: 10 % of the speed, 20 % of the energy, for who compares with a catalogue, and as much again
+/// for each vehicle.
 const EES: EnergyError = EnergyError { bias: 0.0, shared_ln_sd: 0.20, own_ln_sd: 0.20 };
 
 /// What is assumed of a collision of passenger vehicles, and how well the model of it holds.
@@ -153,8 +153,8 @@ impl Fitted {
         CrushMisfit { bias: self.crush_bias, ln_sd: self.crush_ln_sd[kind] }
     }
 
-    /// How far the energy of a vehicle is from its part of what the impact took, by how it was obtained. Where
-    /// the case `has_range` of the stiffness or the EES, that is the vehicle's own error.
+    /// How far the energy of a vehicle is from its part of what the impact took, by how it was obtained.
+    /// Where the case `has_range` of the stiffness or the EES, that is the vehicle's own error.
     #[must_use]
     pub fn energy_error(&self, method: EnergyMethod, hit: &[Damage], has_range: bool) -> EnergyError {
         let error = match method {

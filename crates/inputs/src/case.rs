@@ -135,8 +135,8 @@ impl<T: Real> Case<T> {
     /// (rad) the direction in which a vehicle travels before the impact and along which its speed counts, in
     /// the axes of the engine; `None` where it is that of the heading.
     ///
-    /// A velocity vector has a direction of its own. A vehicle that moves backward counts its speed against
-    /// it.
+    /// The velocity vector of a vehicle whose speed is sought has a direction of its own. A vehicle that
+    /// moves backward counts its speed against it.
     #[must_use]
     pub fn course(&self, vehicle: VehicleId) -> Option<T> {
         let heading = self.headings()[vehicle.index()]?;
@@ -144,6 +144,9 @@ impl<T: Real> Case<T> {
         if let Some(sideslip) = &given.sideslip {
             // ψ = θ + β
             return Some(heading + self.axes.lateral(sideslip.si()));
+        }
+        if !self.reconstruct.as_ref().is_some_and(|reconstruct| reconstruct.find.seeks(vehicle)) {
+            return None;
         }
         let Some(Velocity::Vector { x, y }) = &given.motion else { return None };
         let (x, y) = (x.si(), self.axes.lateral(y.si()));

@@ -360,8 +360,8 @@ impl Case {
         }))
     }
 
-    /// (m) where the contact point of the impact lies, in the axes of the engine, by each source that the case
-    /// has for it: as given for the scene, and as the CG of each vehicle and its arm put it.
+    /// (m) where the contact point of the impact lies, in the axes of the engine, by each source that the
+    /// case has for it: as given for the scene, and as the CG of each vehicle and its arm put it.
     #[must_use]
     pub fn contact_places(&self) -> [Option<Vector2<f64>>; 3] {
         let mut demand = Demand::new(self, self.furthest_purpose());

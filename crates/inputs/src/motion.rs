@@ -94,8 +94,8 @@ pub struct VehicleMotion<T = f64> {
     pub steer: SteerData<T>,
     /// (–) coefficient of friction on its path outside of all zones, where it is not that of the ground.
     pub friction: Option<T>,
-    /// (m) place of the CG at the impact: as given, or from that of C. Where the case gives neither C nor any place of
-    /// this vehicle, C is the origin; where it does not tell either how the CG lies to C, the CG is.
+    /// (m) place of the CG at the impact: as given, or from that of C. Where the case gives neither C nor any
+    /// place of this vehicle, C is the origin; where it does not tell either how the CG lies to C, the CG is.
     pub position: Vector2<T>,
     /// (rad) heading at the impact.
     pub heading: T,

@@ -65,7 +65,7 @@ pub(crate) fn said(check: &Check, analysis: &Seen, units: Units) -> [String; 3] 
         CheckedQuantity::MomentumAcross { vehicle, surplus } => {
             let impulse = |si: f64| units.format(Measure::Impulse, si);
             (
-                format!("momentum: across the heading of vehicle {vehicle}"),
+                format!("momentum: across vehicle {vehicle}"),
                 format!("{} too much", impulse(surplus)),
                 format!("±{}", impulse(check.limit)),
             )
@@ -105,7 +105,7 @@ pub(crate) fn said(check: &Check, analysis: &Seen, units: Units) -> [String; 3] 
             format!("{} of the path", percent(check.limit)),
         ),
         CheckedQuantity::RestMissed { vehicle, miss } => (
-            format!("path to the rest position of vehicle {vehicle}"),
+            format!("path to the rest of vehicle {vehicle}"),
             format!("ends {} from it: {}", units.format(Measure::Length, miss), percent(check.value)),
             format!("{} of the path", percent(check.limit)),
         ),

@@ -45,8 +45,8 @@ pub(crate) fn ends(summary: &Summary, place: usize) -> [f64; 2] {
     [interval.low.value, interval.high.value]
 }
 
-/// (–) probability that any of the pieces is warned of, where all are right: the least p-value has to be below
-/// its share of it (Holm).
+/// (–) probability that any of the pieces is warned of, where all are right: the least p-value has to be
+/// below its share of it (Holm).
 pub(crate) const DOUBTFUL: f64 = 0.05;
 /// (–) of those that are warned of, one with a p-value below this contradicts the rest.
 pub(crate) const CONTRADICTS: f64 = 0.01;

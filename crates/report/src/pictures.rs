@@ -67,7 +67,8 @@ impl Subject {
     /// have it, the motion after the impact or the geometry alone.
     ///
     /// # Errors
-    /// Where the case has no such analysis; [`obstacle`](Self::obstacle) tells what it lacks for this subject.
+    /// Where the case has no such analysis; [`obstacle`](Self::obstacle) tells what it lacks for this
+    /// subject.
     pub fn analysis(self, case: &Case) -> Result<Analysis, Failure> {
         let furthest = analysis::furthest(case);
         match (self, &furthest) {

@@ -236,14 +236,14 @@ fn the_json_has_the_texts_of_the_glossary() {
             assert_ne!(other.name, one.name);
         }
     }
-    // "in z-down axes", "The heading turns contact point, PDOF and speed into the scene": and not itself, nor
-    // "scene frame".
-    assert_eq!(topic("heading").unwrap().see_also(), ["axes", "contact point", "PDOF"]);
+    // "in z-down axes", "with a `sideslip`", "The heading turns contact point, PDOF and speed into the
+    // scene": and not itself, nor "scene frame".
+    assert_eq!(topic("heading").unwrap().see_also(), ["axes", "sideslip", "contact point", "PDOF"]);
     assert_eq!(topic("heading").unwrap().aliases[..3], ["θ", "theta", "heading angle"]);
 }
 
-/// Words that practitioners use, and the topic that explains each: of Fricke, of Brach, of Daily, Shigemura and
-/// Daily, of EDCRASH's manual and of ISO 12353-1.
+/// Words that practitioners use, and the topic that explains each: of Fricke, of Brach, of Daily, Shigemura
+/// and Daily, of EDCRASH's manual and of ISO 12353-1.
 #[test]
 fn the_words_of_the_trade_are_explained() {
     for (by, words) in [

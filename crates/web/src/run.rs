@@ -302,7 +302,8 @@ mod tests {
         assert_eq!(whole.csv().lines().count(), 40001);
         let answer = whole.answer();
         assert_eq!(answer["ok"], true, "{answer:#}");
-        assert!(answer["headline"][0].as_str().unwrap().contains("95 % interval"));
+        let headline = answer["headline"][0].as_str().unwrap();
+        assert!(headline.contains("(95 %, by the ranges of the case alone)"), "{headline}");
         assert!(whole.pictures().len() > 1);
         let part = run(uncertainty, &text, NAME, "", options, &mut |_, done, _| done == 0).unwrap();
         let some = part.csv().lines().count() - 1;

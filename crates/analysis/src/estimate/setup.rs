@@ -877,7 +877,7 @@ fn observe(
                 .enumerate()
                 .map(|(place, point)| {
                     let surveyed = ["x", "y"]
-                        .map(|of| sd_of(&key(&format!("after.points[{place}].{of}"))).unwrap_or_default());
+                        .map(|of| sd_of(&key(&format!("after.points[{}].{of}", place + 1))).unwrap_or_default());
                     both(far(point.position), surveyed)
                 })
                 .collect();

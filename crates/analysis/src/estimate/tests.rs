@@ -726,8 +726,8 @@ fn a_crush_energy_errs_by_how_it_was_obtained() {
     }
 }
 
-/// The survey of a point and of a rest is part of their errors: √(s² + (s_x² + s_y²)/2), where the computed path
-/// errs by s = 0.5 m and 10 % of 6.2 m, or by what the case says.
+/// The survey of a point and of a rest is part of their errors: √(s² + (s_x² + s_y²)/2), where the computed
+/// path errs by s = 0.5 m and 10 % of 6.2 m, or by what the case says.
 #[test]
 fn the_range_of_a_point_counts() {
     let sds = |sd: &str, estimate: &str| {
@@ -792,8 +792,8 @@ fn of_two_unknown_speeds_each_may_be_zero() {
     let estimated = run(&read(&text), 128).unwrap();
     let [one, two] = estimated.stood.map(Option::unwrap);
     assert_eq!(one.after.value, 0.0, "vehicle 1 has to be faster");
-    // Before it is asked which of them collide, 20 % against the 60 % with both moving, of which less than half
-    // have vehicle 1 faster by 0.3 m/s.
+    // Before it is asked which of them collide, 20 % against the 60 % with both moving, of which less than
+    // half have vehicle 1 faster by 0.3 m/s.
     assert!(two.after.value > 0.3 && two.after.value < 0.6, "{two:?}");
     let draws = |id| estimated.draws(speed(id)).unwrap();
     assert!(draws(VehicleId::One).iter().all(|v| *v > 0.0) && draws(VehicleId::Two).contains(&0.0));
@@ -809,8 +809,8 @@ fn judged(text: &str) -> Estimated {
     estimate(&read(text), &plan, &mut |_, _, _| ControlFlow::Continue(())).unwrap()
 }
 
-/// Vehicle 2 is pushed straight on: a direction, a PDOF and a sign that say the opposite contradict, those that
-/// are right agree, and a zero is a number like any other.
+/// Vehicle 2 is pushed straight on: a direction, a PDOF and a sign that say the opposite contradict, those
+/// that are right agree, and a zero is a number like any other.
 #[test]
 fn what_points_the_other_way_contradicts() {
     let crush = "[vehicle1.crush]\nside = \"front\"\nees = \"30 km/h\"\n";
@@ -910,8 +910,8 @@ fn two_rests_take_few_likelihoods() {
     assert!(estimated.doubts().is_empty() && estimated.ess() >= 1000.0, "{}", estimated.ess());
     assert!(estimated.pieces.iter().all(|piece| piece.alone.is_some() && piece.without.is_some()));
     let all = estimated.posterior.diagnosis().evaluations;
-    assert!(all < 200_000, "{all}");
-    assert!(estimated.evaluations < 600_000, "{}", estimated.evaluations);
+    assert!(all < 320_000, "{all}");
+    assert!(estimated.evaluations < 800_000, "{}", estimated.evaluations);
 }
 
 /// A vehicle of which no piece that is used tells the way is not followed: its rest then has the most that

@@ -420,7 +420,7 @@ fn fixtures_go_by_blocks_or_have_a_reason() {
              roots/hidden-root roots/method-label sae-980025 sae-980025-impact sae-980025-uncertain \
               sae-980025-z-down side-impact t-bone-category tangential-share wide-ranges",
         ),
-        (Some(Alone::BothSpeeds), "rear-end-rest rear-end-rest-uncertain"),
+        (Some(Alone::BothSpeeds), "edcrash-tutorial rear-end-rest rear-end-rest-uncertain"),
     ];
     assert_eq!(found, expected.map(|(why, names)| (why, names.to_owned())), "{found:#?}");
 }
@@ -485,6 +485,10 @@ fn cases_of_all_keys() -> Vec<String> {
             "[{ time = \"0 s\", angle = \"0 deg\" }, { time = \"1 s\", angle = \"5 deg\" }]",
             "[0.02, \"locked\", 0.02, 0.02]",
         ),
+        moving("heading = \"20 deg\"", "\"5 deg\"", "0.02")
+            .replace("skid = { length = \"12 m\"", "skid = { from = { x = \"-9 m\", y = \"1 m\" }")
+            .replace("drag = 0.02", "drag = 0.02\nfriction = 0.6")
+            .replace("wheelbase", "position = { x = \"1 m\", y = \"1 m\" }\nsideslip = \"2 deg\"\nwheelbase"),
         of_speed_2("velocity = { x = \"-75 ft/s\", y = \"1 ft/s\" }"),
         with_lines(&[("speed", "velocity = { x = \"1.7 m/s\", y = \"4.1 m/s\" }")]),
         with_lines(&[

@@ -279,7 +279,8 @@ impl<'t> Reader<'t> {
                     Some(hour) => {
                         format!("pdof = \"{hour} deg\" or, as a clock hour, pdof = \"{hour} o'clock\"")
                     }
-                    // The file does not tell its units: the example of the schema would choose a system for it.
+                    // The file does not tell its units: the example of the schema would choose a system for
+                    // it.
                     None if !wanted.contains("list")
                         && self.units_in_use().example(&place.path, dimension).is_none() =>
                     {

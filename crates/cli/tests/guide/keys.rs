@@ -35,9 +35,19 @@ const BEFORE_A_TABLE: [&str; 9] = [
 
 /// What is no word of the case file, and is meant otherwise: how a console block begins, where it is
 /// shortened and how it shows an exit status, the comment that names a schema, the mark of a misprint, a lint
-/// of clippy, a field of the library.
-const OTHER: [&str; 7] =
-    ["$", "...", "? 2", "#:schema", "ERRATUM", "incompatible_msrv", "Problem::tangential_share"];
+/// of clippy, a field of the library, keys of the JSON of a report, a variable of the environment.
+const OTHER: [&str; 10] = [
+    "$",
+    "...",
+    "? 2",
+    "#:schema",
+    "ERRATUM",
+    "incompatible_msrv",
+    "Problem::tangential_share",
+    "headline.by",
+    "left_aside",
+    "DELTAV_PROGRESS=off",
+];
 
 /// A piece may leave out what it is not about.
 fn is_of_a_piece(problem: &CaseProblem) -> bool {

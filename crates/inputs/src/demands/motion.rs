@@ -449,7 +449,8 @@ impl<T: Real> Demand<'_, T> {
         Some(contact - in_scene(arm?, heading?))
     }
 
-    /// (m) where the contact point lies: as given for the scene, or as the CG of `vehicle` and its arm put it.
+    /// (m) where the contact point lies: as given for the scene, or as the CG of `vehicle` and its arm put
+    /// it.
     fn contact_in_scene(&mut self, vehicle: VehicleId) -> Option<Vector2<T>> {
         match &self.case.scene_contact {
             Some(place) => Some(self.place(place)),

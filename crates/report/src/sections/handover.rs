@@ -100,7 +100,7 @@ pub fn handover(
             page.push(table);
         }
     }
-    if let Some(table) = motion::law_check(seen, units) {
+    for table in motion::law_check(seen, units).into_iter().flatten() {
         page.push(table);
     }
     for table in motion::tables(seen, units) {

@@ -205,23 +205,25 @@ pub(crate) fn momentum(analysis: &Seen, both: &BothFound, units: Units) -> [Tabl
 
 /// What the impact law of the case makes of the speeds that momentum gave, beside what the evidence tells;
 /// nothing where momentum did not give them, or the case has no law.
-pub(crate) fn law_check(analysis: &Seen, units: Units) -> Option<Table> {
+pub(crate) fn law_check(analysis: &Seen, units: Units) -> Option<[Table; 2]> {
     let (law, told) = (analysis.law_check()?, analysis.exchange()?);
     let outcome = &law.outcome;
     let chosen = Chosen { analysis, units };
-    let mut table = Table::of_two("Check: the impact law", ["vehicle 1", "vehicle 2", "source"]);
-    for key in ["delta_v", "delta_v_difference", "final_speed", "final_yaw_rate", "pdof"] {
-        chosen.pair(&mut table, &format!("law_check.{key}"));
+    let mut whole = Table::of_two("Check: the impact law", ["", "", "source"]);
+    for key in ["restitution", "energy_loss"] {
+        chosen.shared(&mut whole, &format!("law_check.{key}"));
     }
-    chosen.shared(&mut table, "law_check.restitution");
-    chosen.shared(&mut table, "law_check.energy_loss");
-    table.notes.push(format!(
+    let mut of_vehicles = Table::of_two("Check: the law by vehicle", ["vehicle 1", "vehicle 2", "source"]);
+    for key in ["delta_v", "delta_v_difference", "final_speed", "final_yaw_rate", "pdof"] {
+        chosen.pair(&mut of_vehicles, &format!("law_check.{key}"));
+    }
+    of_vehicles.notes.push(format!(
         "What the impact law of the case makes of the speeds found. It would lose {}, and momentum tells {}. No result rests \
          on it: the more the two differ, the less the law or its coefficients fit this collision.",
         units.format(Measure::Energy, outcome.energy.loss),
         units.format(Measure::Energy, told.energy.loss),
     ));
-    Some(table)
+    Some([whole, of_vehicles])
 }
 
 /// Each combination of starts that leads to the rests, where there are several: those that are at all likely,

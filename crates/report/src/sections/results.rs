@@ -83,7 +83,7 @@ fn headed(case: &Case, analysis: &Analysis, headline: Headline<'_>, units: Units
         }
         page.energy(analysis, &exchange.energy);
     }
-    if let Some(table) = motion::law_check(analysis, units) {
+    for table in motion::law_check(analysis, units).into_iter().flatten() {
         page.document.push(table);
     }
     page.travel(analysis);

@@ -19,6 +19,7 @@ pub(super) fn facts() -> Vec<Fact> {
     contents(&mut ledger);
     conventions(&mut ledger);
     crush(&mut ledger);
+    estimate(&mut ledger);
     how_do_i(&mut ledger);
     impact(&mut ledger);
     motion(&mut ledger);
@@ -248,6 +249,22 @@ fn crush(ledger: &mut Ledger) {
     );
 }
 
+fn estimate(ledger: &mut Ledger) {
+    ledger.page("docs/guide/estimate.md");
+    let guide = page("docs/guide/case-file.md");
+    // ln of what crush shows of the energy that the impact took.
+    let share = evidence::FITTED.crush_bias.exp();
+    let shown = number(100.0 * share, 0);
+    ledger.quoted(&format!("average {shown} % … show"), &guide, "59 % for a class or category");
+    ledger.made(format!("multiplied by {}.", number(1.0 / share, 2)));
+    ledger.quoted("errs by 10 % of the path", &guide, "per cent of the path. 10 % if left out");
+    ledger.quoted("path and 0.5 m", &guide, "0.5 m if left out");
+    ledger.quoted("between 5° and 15°", &guide, "but 5° to 15°, if left out");
+    ledger.quoted("with 20 % before", &guide, "20 % if left out; from 0 %");
+    ledger.cited("part of 1 km/h at zero", "LEAST_SPEED_ERROR of deltav-analysis");
+    ledger.made(format!("wider than {} % of", number(100.0 * analysis::TOLD_BELOW, 0)));
+}
+
 fn how_do_i(ledger: &mut Ledger) {
     ledger.page("docs/guide/how-do-i.md");
     // The six depths of the Jimmy, and their average by trapezoids instead.
@@ -319,9 +336,9 @@ fn motion(ledger: &mut Ledger) {
     ledger.quoted("cross … more than 10°", &theory, collinear);
     ledger.quoted("one line … within 10°", &theory, collinear);
     ledger.quoted("impulse ratio … 0 to μ_c", &theory, "is to lie between 0 and μ_c");
-    let edcrash = "the tables of the EDCRASH manual, chapter 4";
+    let edcrash = "the tables of the EDCRASH manual, chapter 2";
     for pattern in [
-        "EDCRASH manual, chapter 4",
+        "EDCRASH manual, chapter 2, Tables 2-6 and 2-7",
         "rolls freely | 0.01",
         "partly flat | 0.013",
         "high gear | 0.15 to 0.20",

@@ -53,7 +53,7 @@ fn frames(ledger: &mut Ledger) {
 fn motion(ledger: &mut Ledger) {
     let theory = page("docs/theory.md");
     ledger.quoted("Within 10° of one line", &theory, "Approaches within 10° of each other");
-    let edcrash = "the tables of the EDCRASH manual, chapter 4";
+    let edcrash = "the EDCRASH manual: tables of chapter 2, the limit of a spin in chapter 4";
     ledger.cited("asphalt … 0.55 … 0.80", edcrash);
     ledger.cited("did not spin … 10°", edcrash);
     ledger.cited(
@@ -315,6 +315,11 @@ fn warnings(ledger: &mut Ledger) {
         "vehicles … 0.3 … 1.0 … 0.55",
         "friction between vehicles as the manual of SMAC gives it: McHenry and McHenry, SAE 970947; nothing here computes it",
     );
+    let way = "REST_MISSED, REST_SURVEY and SLOW_YAW of deltav-analysis";
+    ledger.cited("ends more than 5 % of its length from the rest", way);
+    ledger.cited("survey explains (0.25 m)", way);
+    ledger.cited("yaw (up to 57°/s)", way);
+    ledger.cited("does, by more than 30 cm", "CONTACT_APART of deltav-analysis");
     ledger.cited("limit … 45", "a slip, as an example");
     ledger.made(format!("{} % … {}", 45, number(45.0 / 100.0, 2)));
     let turned = |angle: f64| {
