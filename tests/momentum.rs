@@ -541,10 +541,9 @@ fn a_fixed_object_takes_the_momentum() {
     let wall = Participant::new(Body::fixed(), 0.0, -2.0, 0.0).unwrap();
     let thrown_back = Departure { velocity: Vector2::new(-0.5, 0.0), yaw_rate: None };
     let stays = Departure { velocity: Vector2::new(0.0, 0.0), yaw_rate: Some(0.0) };
-    for (bodies, after, speeds) in [
-        ([car, wall], [thrown_back, stays], [5.0, 0.0]),
-        ([wall, car], [stays, thrown_back], [0.0, 5.0]),
-    ] {
+    for (bodies, after, speeds) in
+        [([car, wall], [thrown_back, stays], [5.0, 0.0]), ([wall, car], [stays, thrown_back], [0.0, 5.0])]
+    {
         let contact = Contact::new(bodies, 0.0).unwrap();
         let implied = Momentum { contact, yaw_rates: [0.0; 2], after }.implied(speeds).unwrap();
         assert_close("P_n", implied.impulse.normal, 6600.0, 1e-9);

@@ -193,9 +193,7 @@ impl Scene<'_> {
         let straight = self.straight(vehicle, way, rest)?;
         let miss = (straight.rest.position - rest.position).norm();
         let is_missed = miss > REST_SURVEY && miss > REST_SEARCHED * straight.rest.distance;
-        if is_missed
-            && let Ok(sought) = self.sought(vehicle, way, rest)
-        {
+        if is_missed && let Ok(sought) = self.sought(vehicle, way, rest) {
             // Rolling wheels bent the way: the line to the rest is not how it began.
             let turns = |motion: &Motion| motion.yaw_rate.abs();
             let motions = sought.others.iter().map(|other| other.motion);

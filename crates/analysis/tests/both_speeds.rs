@@ -125,7 +125,7 @@ fn rests_of_an_impact_lead_back_to_its_speeds() {
     let [v1, v2] = speeds(&back);
     assert_near(v1, 15.0, 0.02);
     assert_near(v2, 12.0, 0.02);
-    assert!(back.checks.iter().filter(|check| check.is_of_momentum()).all(analysis::Check::passed));
+    assert!(back.checks.iter().filter(|check| check.is_of_momentum()).all(Check::passed));
 }
 
 /// Several motions lead to one rest of which only the heading is known. A place on the way of any of them,

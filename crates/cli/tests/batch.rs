@@ -131,7 +131,7 @@ fn place(column: &str) -> String {
 fn a_row_says_what_the_json_of_its_file_says() {
     let (mut compared, mut helped) = (0, 0);
     for file in case_files() {
-        let alone = deltav(&["reconstruct", &file, "--format", "json"]);
+        let alone = deltav(&["reconstruct", &file, "--exact", "--format", "json"]);
         let jsonl = deltav(&["reconstruct", &file, "--format", "jsonl"]);
         let csv = String::from_utf8(deltav(&["reconstruct", &file, "--format", "csv"]).stdout).unwrap();
         let [columns, cells] = <[Vec<String>; 2]>::try_from(records(&csv)).unwrap();

@@ -36,8 +36,8 @@ struct Enough {
     correlation: f64,
 }
 
-/// On the way the next moves go on where these end: half of the memory may stay.
-const ON_THE_WAY: Enough = Enough { rounds: (3, 60), correlation: 0.5 };
+/// On the way the next moves go on where these end.
+const ON_THE_WAY: Enough = Enough { rounds: (3, 60), correlation: 0.1 };
 
 /// The last particles are the draws.
 const AT_THE_END: Enough = Enough { rounds: (9, 240), correlation: 0.1 };

@@ -344,8 +344,6 @@ fn a_piece_fades_out_of_the_draws() {
             let again = sample_quietly(&standard(3), &linear, &again).unwrap();
             let difference = faded.log_evidence().value - again.log_evidence().value;
             assert!(difference.abs() < 0.25, "{sd} {left_out}: {difference}");
-            let [few, many] = [&faded, &again].map(|run| run.diagnosis().evaluations);
-            assert!(few < many, "{few} are not fewer than {many}");
         }
     }
 }

@@ -876,8 +876,9 @@ fn observe(
                 .iter()
                 .enumerate()
                 .map(|(place, point)| {
-                    let surveyed = ["x", "y"]
-                        .map(|of| sd_of(&key(&format!("after.points[{}].{of}", place + 1))).unwrap_or_default());
+                    let surveyed = ["x", "y"].map(|of| {
+                        sd_of(&key(&format!("after.points[{}].{of}", place + 1))).unwrap_or_default()
+                    });
                     both(far(point.position), surveyed)
                 })
                 .collect();
