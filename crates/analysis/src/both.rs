@@ -148,6 +148,9 @@ pub(crate) struct Posed<T = f64> {
     locked_together: bool,
 }
 
+/// The law at the closing speed, and what it makes of the impact.
+type ByLaw<T> = (Law<T>, Outcome<T>);
+
 /// What momentum along one line lacks.
 pub(crate) struct ByCrush<T = f64> {
     pub(crate) search: MomentumAndCrush<T>,
@@ -167,7 +170,7 @@ impl ByCrush {
 
 impl<T: Real> Posed<T> {
     /// The impact at both speeds (m/s) by the law, and the law at its closing speed.
-    pub(crate) fn impact(&self, speeds: [T; 2]) -> Option<Result<(Law<T>, Outcome<T>), Failure>> {
+    pub(crate) fn impact(&self, speeds: [T; 2]) -> Option<Result<ByLaw<T>, Failure>> {
         let (contact, before) = (self.momentum.contact, self.momentum.motions_at(speeds));
         let law = self.law.as_ref()?.at(-contact.approach(&before).velocity.normal);
         Some(contact.impact(before, &law).map(|outcome| (law, outcome)).map_err(Failure::from))
@@ -312,6 +315,9 @@ pub(crate) fn pose_agreeing(case: &Case, input: TwoSpeedInput) -> Result<Posed, 
     Ok(Agreed::new(case, input, &mut Record::of(Origin::Given))?.posed)
 }
 
+/// (m/s) a vehicle that comes out slower than this, backward, may have stood: 1 km/h.
+const STOOD: f64 = 1.0 / 3.6;
+
 /// Finds both speeds, or one from the momentum.
 pub(crate) fn reconstruct(case: &Case) -> Result<Analysis, Failure> {
     let input = case.two_speeds()?;
@@ -368,7 +374,10 @@ pub(crate) fn reconstruct(case: &Case) -> Result<Analysis, Failure> {
     let mut warnings = Vec::new();
     for (vehicle, speed) in both.vehicles().map(|vehicle| (vehicle, speeds[vehicle.index()])) {
         warnings.extend(warning::of_given_speed(case, vehicle, speed));
-        warning::of_found_speed(vehicle, speed, &mut warnings);
+        // Rests and velocities after the impact leave so much of the speed of a vehicle that stood.
+        if speed < -STOOD {
+            warning::of_found_speed(vehicle, speed, &mut warnings);
+        }
     }
     let mut analysis = judged(case, vehicles, basis, restitution, (None, impact), warnings)?;
     // The part of the crush energy that the impact dissipates, on the case's basis.

@@ -46,7 +46,7 @@ pub(crate) const MATERIAL_SPEED: f64 = 12.0 / 3.6;
 pub(crate) const REST_MISSED: f64 = 0.05;
 /// (–) a vehicle that did not spin is brought back straight unless that ends further from the rest than this
 /// share of the path: a choice, below what a warning takes.
-pub(crate) const REST_SEARCHED: f64 = 0.02;
+pub(crate) const REST_SEARCHED: f64 = 0.03;
 /// (m) what the survey of a rest is taken to explain: a choice.
 pub(crate) const REST_SURVEY: f64 = 0.25;
 /// (rad/s) a vehicle that turns slower than this as it leaves the impact does not spin: 57°/s.

@@ -36,8 +36,8 @@ const SIDE_DEPTH_TOLERANCE: f64 = 0.3;
 const DRIVING_SHARE: f64 = 0.02;
 /// Of the initial energy: what rounding leaves of a work that is zero.
 const ROUNDING: f64 = 1e-9;
-/// (m/s) what the inputs leave of the speed of a vehicle that stood: 1 km/h, the last digit of a rounded one.
-const ROUNDED_SPEED: f64 = 1.0 / 3.6;
+/// (m/s) what rounding leaves of the speed of a vehicle that stood.
+const ROUNDED_SPEED: f64 = 1e-6;
 /// Of the closing speed: sliding that rounding leaves where there is none.
 const NO_SLIDING: f64 = 1e-9;
 /// A border within this share of the friction limit, or of the sliding before impact, is near: neither is

@@ -385,7 +385,7 @@ fn a_sample_is_a_case_with_the_point_moved() {
             263.0 * factor * factor / b
         );
         text = text
-            .replace("class   = 3", &format!("yaw_radius = \"{radius} in\""))
+            .replace("class   = 3", &format!("class = 3\nyaw_radius = \"{radius} in\""))
             .replace("{ category = 3 }", &stiffness);
         // The energy of each strip places the point, so that it moves with the stiffness.
         let placed = points(&reconstruct(&read(&text)).unwrap());

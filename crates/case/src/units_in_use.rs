@@ -42,6 +42,8 @@ impl UnitsInUse {
         let small = is_small(path.contains(".crush."), key, dimension);
         self.unit(key, small, dimension)
             .or_else(|| self.system().and_then(|system| first_unit(system, small, dimension)))
+            // Damage is mostly measured in centimetres, whatever the rest is in.
+            .or_else(|| if small { first_unit(UnitSystem::Si, small, dimension) } else { None })
     }
 
     /// A text with its examples in the units of the file: of `contact = { x = "1.78 m" }` in one that is

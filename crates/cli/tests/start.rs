@@ -27,7 +27,8 @@ const NEITHER_KNOWN: [(&str, [[f64; 2]; 2]); 2] =
     [("rear-end-rest", [[54.0, 0.0], [34.0, 0.0]]), ("intersection", [[50.0, 40.0], [32.0, 25.0]])];
 
 fn deltav(arguments: &[&str]) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_deltav")).args(arguments).output().unwrap()
+    let mut command = Command::new(env!("CARGO_BIN_EXE_deltav"));
+    command.args(arguments).env("DELTAV_PROGRESS", "off").output().unwrap()
 }
 
 /// What the program prints, where nothing is wrong.

@@ -626,7 +626,7 @@ fn speeds(
         let fault = |of: &str, reason: String, advice: String| {
             let kind = FaultKind::Refused { reason };
             let key = format!("{}.certain_speed.{of}", table(id));
-            Failure::Case(Fault { key, kind, advice: Some(advice.into()) }.into())
+            Failure::Case(Fault { key, kind, advice: Some(advice) }.into())
         };
         if let Some(least) = least.filter(|least| *least >= FASTEST) {
             return Err(fault(
