@@ -1,6 +1,12 @@
 //! The tutorial of EDCRASH (HVE manuals, EDCRASH, chapter 5) and the keys that express it: sideslip, places
 //! of the centres of gravity, begin of braking, friction of each vehicle.
 
+#![allow(clippy::unwrap_used, clippy::panic, clippy::expect_used, reason = "tests")]
+#![allow(
+    clippy::disallowed_methods,
+    reason = "the library's own functions would not be an independent check"
+)]
+
 use analysis::{Analysis, Assumption, Warning, crush, impact, motion, reconstruct};
 use case::{Case, CaseFile};
 use pim_core::VehicleId;

@@ -1,5 +1,9 @@
 //! Which answer leads a reconstruction, what an answer leaves aside, and what contradicts it.
 
+#![allow(
+    clippy::disallowed_methods,
+    reason = "the library's own functions would not be an independent check"
+)]
 #![allow(clippy::unwrap_used, clippy::panic, reason = "tests")]
 
 use std::ops::ControlFlow;

@@ -1,5 +1,11 @@
 //! Messages that lead on: units, words of the trade, and the command that can do it.
 
+#![allow(
+    clippy::disallowed_methods,
+    reason = "the library's own functions would not be an independent check"
+)]
+#![allow(clippy::unwrap_used, clippy::panic, reason = "helpers of tests fail by panicking")]
+
 use std::fs;
 use std::path::PathBuf;
 use std::process::Command;

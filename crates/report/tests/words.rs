@@ -1,5 +1,9 @@
 //! Signs, units and values that a reader must not overlook.
 
+#![allow(
+    clippy::disallowed_methods,
+    reason = "the library's own functions would not be an independent check"
+)]
 #![allow(clippy::unwrap_used, clippy::panic, reason = "tests")]
 
 use case::CaseFile;
