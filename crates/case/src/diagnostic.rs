@@ -228,7 +228,7 @@ impl Diagnostics {
     ///
     /// ```
     /// let errors = case::CaseFile::parse("case.toml", "[vehicle1]\nspeed = 35\n[vehicle2]\nfixed = true").unwrap_err();
-    /// assert!(errors.help_on_one_line().starts_with(r#"write the number and its unit as a string, for example speed = "10 mph""#));
+    /// assert!(errors.help_on_one_line().starts_with(r#"write the number and its unit as a string, for example speed = "35 m/s" or speed = "35 mph""#));
     /// ```
     #[must_use]
     pub fn help_on_one_line(&self) -> String {

@@ -39,7 +39,7 @@ fn a_missing_unit_is_that_of_the_file_or_one_of_each_system() {
         ("[vehicle1]\nlength = \"15\"\n", "add the unit, as in \"15 m\" or \"15 ft\";"),
         ("[vehicle1]\nmass = \"1500\"\n", "add the unit, as in \"1500 kg\" or \"1500 lb\";"),
         ("[vehicle1]\nheading = \"15\"\n", "add the unit, as in \"15 deg\";"),
-        ("[vehicle1.crush]\ndepths = [4, 5]\n", "depths = \"4 5 m\" or depths = \"4 5 ft\""),
+        ("[vehicle1.crush]\ndepths = [4, 5]\n", "depths = \"4 5 cm\""),
     ] {
         let (message, status) = said("unit", text, &["check"]);
         assert!(status == 2 && message.contains(expected), "{expected}\n{message}");
