@@ -183,10 +183,10 @@ onPage("the report, JSON and CSV are those of the program, byte for byte", async
       await page.locator("#units").selectOption(units);
       const report = await fromMenu(page, "Save the report (HTML)");
       assert.equal(report.name, name.replace(".toml", ".html"));
-      assert.ok(report.bytes.equals(program(name, text, "reconstruct", "--format", "html", "--units", units)), `${name} ${units}`);
+      assert.ok(report.bytes.equals(program(name, text, "reconstruct", "--exact", "--format", "html", "--units", units)), `${name} ${units}`);
       for (const format of ["JSON", "CSV"]) {
         const file = await fromMenu(page, `Save the results as ${format}`);
-        const expected = program(name, text, "reconstruct", "--format", format.toLowerCase(), "--units", units);
+        const expected = program(name, text, "reconstruct", "--exact", "--format", format.toLowerCase(), "--units", units);
         assert.equal(file.bytes.toString(), expected.toString(), `${name} ${units} ${format}`);
       }
     }
@@ -394,7 +394,7 @@ onPage("a photo lies beneath the scene, to the scale of two points, and changes 
   // Handles are not moved with it, and nothing of it is in the case.
   assert.equal(await caseText(page), text);
   const report = await fromMenu(page, "Save the report (HTML)");
-  assert.ok(report.bytes.equals(program("sae-980025.toml", text, "reconstruct", "--format", "html")));
+  assert.ok(report.bytes.equals(program("sae-980025.toml", text, "reconstruct", "--exact", "--format", "html")));
   await page.getByRole("button", { name: "Remove", exact: true }).click();
   assert.equal(await picture.isVisible(), false);
 });
@@ -420,7 +420,7 @@ onPage("the report of a case with a site plan has it where it lies beneath the s
   await page.locator('.backdrop-tools input[type="file"]').setInputFiles({ name: "aerial.png", mimeType: "image/png", buffer: plan });
   await page.locator(".backdrop").waitFor();
   const report = await fromMenu(page, "Save the report (HTML)");
-  assert.ok(report.bytes.equals(program("planned.toml", text, { "aerial.png": plan }, "reconstruct", "--format", "html")));
+  assert.ok(report.bytes.equals(program("planned.toml", text, { "aerial.png": plan }, "reconstruct", "--exact", "--format", "html")));
   // It lies where the case has it, and the case follows where it is moved, at the impact as on the way to rest.
   assert.equal(await page.getByRole("button", { name: "Keep in the case" }).count(), 0);
   const picture = page.locator(".backdrop");
@@ -464,7 +464,7 @@ onPage("what is printed is the report, and a page that is printed itself has the
   await page.getByRole("button", { name: "Print the report" }).click();
   await page.waitForFunction(() => window.printed);
   const printed = await page.evaluate(() => window.printed);
-  assert.equal(printed, program("rear-end-rest.toml", text, "reconstruct", "--format", "html").toString());
+  assert.equal(printed, program("rear-end-rest.toml", text, "reconstruct", "--exact", "--format", "html").toString());
   await page.evaluate(() => document.querySelector("iframe").contentWindow.dispatchEvent(new Event("afterprint")));
   assert.equal(await page.locator("iframe").count(), 0);
 
