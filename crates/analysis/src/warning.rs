@@ -129,7 +129,7 @@ pub enum Warning {
         /// How the way passes it.
         pass: Pass,
     },
-    /// The way of a vehicle ends elsewhere than its rest as measured.
+    /// The path of a vehicle misses its measured rest position.
     RestMissed {
         /// Which vehicle.
         vehicle: VehicleId,

@@ -78,7 +78,7 @@ pub(crate) fn draw(arguments: &DrawArguments) -> Result<()> {
     write_picture(path, &drawing, format)
 }
 
-/// Says why a case has not enough for a drawing, and what else can be drawn of it.
+/// Says what a case lacks for a drawing, and what else can be drawn of it.
 fn cannot_draw(obstacle: DrawingError, file: &CaseFile, units: Units) -> Result<()> {
     if let DrawingError::Analysis(failure) = obstacle {
         return crate::answered(Err(failure), file, units);

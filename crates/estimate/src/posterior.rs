@@ -51,7 +51,7 @@ pub struct Check {
     /// (–) probability of an observation at least as far out, to either side: 2 min(below, 1 − below). Of a
     /// piece of k parts, k times that of the part which is farthest out (Bonferroni), at most 1.
     pub p_value: Estimate,
-    /// (units of the error) observed − predicted in the mean, of a piece that is on a circle.
+    /// (units of the error) mean of observed − predicted, for a piece on a circle.
     pub mean_on_circle: Option<f64>,
     /// The weights that take the piece out of the draws; none where it is not in them.
     pub weights: Option<Weights>,

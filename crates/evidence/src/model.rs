@@ -280,7 +280,7 @@ impl<I: Impacts> Model<I> {
         ])
     }
 
-    /// Whether a piece that is used tells of the way of a vehicle to rest.
+    /// Whether a piece in use constrains the path of a vehicle to rest.
     fn tells_way(&self, id: VehicleId, used: &[bool]) -> bool {
         let is_of_way = |piece: &Piece| matches!(piece, Piece::Rest(of) | Piece::Points(of) if *of == id);
         self.pieces.iter().zip(used).any(|(piece, used)| *used && is_of_way(piece))

@@ -700,7 +700,7 @@ impl<'a, T: Real> Demand<'a, T> {
         None
     }
 
-    /// Whether the case has both vehicles; reports the one that it has not.
+    /// Whether the case has both vehicles; reports the missing one.
     fn both_tables(&mut self) -> bool {
         let absent = VehicleId::ALL.into_iter().find(|id| self.case.vehicles[id.index()].is_absent());
         if let Some(id) = absent {

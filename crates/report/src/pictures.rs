@@ -93,7 +93,7 @@ impl Subject {
         Self::ALL.into_iter().filter(|subject| subject.obstacle(case).is_none()).collect()
     }
 
-    /// Why a case has not enough to draw it; `None` where it has.
+    /// Why the case lacks what this drawing needs; `None` where it lacks nothing.
     #[must_use]
     pub fn obstacle(self, case: &Case) -> Option<DrawingError> {
         let purpose = case.furthest_purpose();
