@@ -234,27 +234,39 @@ impl Scene<'_> {
     /// (–) the most by which the way of a start misses a point, in place or by the turn of the wheelbase, as
     /// a share of the way; zero where there are no points.
     fn off(&self, vehicle: VehicleId, way: &VehicleMotion, start: &Start) -> Result<f64, Failure> {
-        let passes = self.passes(vehicle, way, start.motion)?;
+        let passes = self.passes(vehicle, way, start.motion, Control::default().tolerance)?;
         let share = |pass: &Pass| pass.share(way.chassis.wheelbase(), start.rest.distance);
         Ok(passes.iter().map(share).fold(0.0, f64::max))
     }
 
-    /// How the way of a vehicle that leaves the impact with the motion `start` passes its points.
+    /// How the way of a vehicle that leaves the impact with the motion `start` passes its points, where a step
+    /// of the way may err by `tolerance` (m).
     pub(crate) fn passes(
         &self,
         vehicle: VehicleId,
         way: &VehicleMotion,
         start: Motion,
+        tolerance: f64,
     ) -> Result<Vec<Pass>, Failure> {
         if way.points.is_empty() {
             return Ok(Vec::new());
         }
-        let control = Control { longest_step: BETWEEN_PLACES, ..Control::default() };
+        let control = Control { tolerance, longest_step: LONGEST_BETWEEN, ..Control::default() };
         let mut places = Vec::new();
-        let end = self.to_rest(vehicle, way, start, &control, |sample| {
-            places.push((sample.state.position, sample.state.heading));
+        let mut before: Option<Sample> = None;
+        self.to_rest(vehicle, way, start, &control, |sample| {
+            if let Some(before) = before.replace(*sample) {
+                let shares = ((sample.time - before.time) / BETWEEN_PLACES).ceil().max(1.0);
+                let at =
+                    |share: f64| before.between(sample, before.time + (sample.time - before.time) * share);
+                let mut share = 1.0;
+                while share < shares {
+                    places.push(place(&at(share / shares)));
+                    share += 1.0;
+                }
+            }
+            places.push(place(&sample.state));
         })?;
-        places.push((end.rest.position, end.rest.heading));
         Ok(way.points.iter().map(|point| pass(&places, &way.chassis, point)).collect())
     }
 
@@ -300,6 +312,13 @@ impl Scene<'_> {
 
 /// (s) between the places of a way, which is taken as straight between them.
 const BETWEEN_PLACES: f64 = 0.02;
+/// (s) no step is longer of a way between whose ends the places are sought, as on a cubic.
+const LONGEST_BETWEEN: f64 = 0.2;
+
+/// (m; rad) where a vehicle is, and its heading.
+fn place(state: &State) -> (Vector2<f64>, f64) {
+    (state.position, state.heading)
+}
 
 /// How a way through these places (m), with these headings (rad), passes a point: that of the CG, or of the
 /// wheel whose mark the point is.
@@ -437,7 +456,7 @@ impl Record {
         let mut samples = Vec::new();
         let way = scene
             .to_rest(vehicle, input, left.motion, &Control::default(), |sample| samples.push(*sample))?;
-        let passes = scene.passes(vehicle, input, left.motion)?;
+        let passes = scene.passes(vehicle, input, left.motion, Control::default().tolerance)?;
         self.travel[vehicle.index()] = Some(Travel {
             origin: left.origin,
             chassis: input.chassis,

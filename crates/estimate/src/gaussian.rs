@@ -2,6 +2,8 @@
 
 use uncertainty::{LANES, Lanes};
 
+use crate::shrink;
+
 /// A mean and the lower triangle L of a covariance L Lᵀ.
 #[derive(Clone, Debug)]
 pub(crate) struct Gaussian {
@@ -13,11 +15,11 @@ pub(crate) struct Gaussian {
 impl Gaussian {
     /// Of the particles in `blocks`, each of which has a column for each coordinate.
     ///
-    /// The covariance is drawn towards its diagonal by the share d/(d + n), as much as few particles leave
-    /// it undetermined, and every variance is at least `FLOOR` of the prior's, so that there is always an L.
+    /// So few particles draw the eigenvalues of their covariance apart: what is narrow is found too narrow, what is
+    /// wide too wide, and a normal distribution that has them misses most of the posterior in many
+    /// dimensions. They are put where they belong; where there are too few particles for that, the covariance
+    /// is drawn towards its diagonal.
     pub(crate) fn of(blocks: &[&[Lanes]], dimensions: usize) -> Self {
-        /// (–) variance: a deviation of 1e-7 of the prior's.
-        const FLOOR: f64 = 1e-14;
         let count = (blocks.len() * LANES) as f64;
         let mean: Vec<f64> = (0..dimensions)
             .map(|coordinate| blocks.iter().map(|block| sum(&block[coordinate])).sum::<f64>() / count)
@@ -36,12 +38,18 @@ impl Gaussian {
                 }
             }
         }
-        let kept = count / (count + dimensions as f64);
         for (place, row) in triangle.iter_mut().enumerate() {
-            for (column, entry) in row.iter_mut().enumerate() {
+            for entry in row.iter_mut() {
                 *entry /= count;
-                *entry = if column == place { *entry + FLOOR } else { *entry * kept };
             }
+            if let Some(variance) = row.get_mut(place) {
+                *variance += FLOOR;
+            }
+        }
+        let different = different(blocks);
+        match shrink::eigenvalues(&triangle, different) {
+            Some(better) => triangle = better,
+            None => towards_diagonal(&mut triangle, count),
         }
         cholesky(&mut triangle);
         Self { mean, triangle }
@@ -81,6 +89,28 @@ impl Gaussian {
                     *value += entry * number;
                 }
             }
+        }
+    }
+}
+
+/// (–) variance that every coordinate has at least: a deviation of 1e-7 of the prior's.
+pub(crate) const FLOOR: f64 = 1e-14;
+
+/// How many particles there are, each place counted once: resampling leaves several at one.
+fn different(blocks: &[&[Lanes]]) -> usize {
+    let mut places: Vec<f64> = blocks.iter().filter_map(|block| block.first()).flatten().copied().collect();
+    places.sort_by(f64::total_cmp);
+    places.dedup();
+    places.len()
+}
+
+/// Draws a covariance of `count` particles towards its diagonal by the share d/(d + n), as much as they leave
+/// it undetermined.
+fn towards_diagonal(triangle: &mut [Vec<f64>], count: f64) {
+    let kept = count / (count + triangle.len() as f64);
+    for (place, row) in triangle.iter_mut().enumerate() {
+        for entry in row.iter_mut().take(place) {
+            *entry *= kept;
         }
     }
 }

@@ -388,6 +388,8 @@ struct Traveller<'a, 'b, P, E> {
     excludes: Vec<bool>,
     evaluations: usize,
     newest: u32,
+    /// Of each half, as it was in a round that is a power of two.
+    references: [Option<Gaussian>; 2],
 }
 
 impl<'a, 'b, P: Prior, E: Evidence> Traveller<'a, 'b, P, E> {
@@ -403,6 +405,7 @@ impl<'a, 'b, P: Prior, E: Evidence> Traveller<'a, 'b, P, E> {
             excludes: vec![false; terms],
             evaluations: 0,
             newest: 0,
+            references: [None, None],
         }
     }
 
@@ -542,6 +545,10 @@ impl<'a, 'b, P: Prior, E: Evidence> Traveller<'a, 'b, P, E> {
         let mut memory = Memory { greatest: 1.0, mean: 1.0, unmoved: 1.0 };
         for round in 0..enough.rounds.1 {
             let sequence = key(sequence, &[round as u64]);
+            // What a half looks like changes less and less.
+            if round.count_ones() <= 1 {
+                self.references = [None, None];
+            }
             let place = choose(&self.tunings, unit(bits(sequence, 0)));
             self.round(population, temperature, &variances, place, sequence)?;
             if round + 1 < enough.rounds.0 {
@@ -572,15 +579,20 @@ impl<'a, 'b, P: Prior, E: Evidence> Traveller<'a, 'b, P, E> {
         let kind = KINDS[place];
         let scale = self.tunings[place].scale();
         let (mut accepted, mut gain) = (0.0, 0.0);
+        let mut references = std::mem::take(&mut self.references);
         for half in 0..2 {
             let others = population.half(1 - half);
-            let reference = (kind == Kind::Reference).then(|| Gaussian::of(&others, population.dimensions));
+            let reference = if kind == Kind::Reference {
+                let of_others = || Gaussian::of(&others, population.dimensions);
+                Some(&*references[1 - half].get_or_insert_with(of_others))
+            } else {
+                None
+            };
             let mut moved = Vec::with_capacity(population.blocks() / 2);
             for block in (half..population.blocks()).step_by(2) {
                 let from = population.block(block);
                 let first = (block * LANES) as u64;
-                let moves =
-                    Moves { from, others: &others, reference: reference.as_ref(), scale, kind, first };
+                let moves = Moves { from, others: &others, reference, scale, kind, first };
                 let level = self.target.instructions.level();
                 let proposal = &mut self.proposal;
                 dispatch!(level, _simd => propose(proposal, &moves, key(sequence, &[1])));
@@ -629,6 +641,7 @@ impl<'a, 'b, P: Prior, E: Evidence> Traveller<'a, 'b, P, E> {
                 }
             }
         }
+        self.references = references;
         let count = population.particles() as f64;
         let gain = gain / (count * population.dimensions as f64);
         self.tunings[place].learn(kind, accepted / count, gain);

@@ -81,6 +81,7 @@ mod moves;
 mod posterior;
 mod reweight;
 mod settings;
+mod shrink;
 mod summary;
 mod target;
 

@@ -91,6 +91,8 @@ pub(crate) struct Run<'a, T, G> {
     pub(crate) field: Field<T>,
     /// The zone under each wheel.
     zones: [usize; 4],
+    /// (m) from the CG to the farthest wheel.
+    radius: f64,
     pub(crate) now: Progress<T>,
     pub(crate) steps: u32,
     pub(crate) pace: Pace<f64>,
@@ -117,6 +119,10 @@ impl<'a, T: Real + From<G>, G: Real> Run<'a, T, G> {
         ground.check()?;
         let field = Field::new(chassis, ground, [0; 4]);
         let mut run = Self::on(chassis, steer, ground, start, control, Steering::new(steer), field);
+        run.radius = chassis.wheels().iter().fold(0.0, |radius, wheel| {
+            let (forward, left) = (wheel.forward.value(), wheel.left.value());
+            Real::max(radius, root(forward * forward + left * left))
+        });
         run.find_zones();
         Ok(run)
     }
@@ -144,6 +150,7 @@ impl<'a, T: Real + From<G>, G: Real> Run<'a, T, G> {
             control,
             field,
             zones: [0; 4],
+            radius: 0.0,
             now: Progress::new(phase),
             steps: 0,
             pace: Pace::new(1.0),
@@ -324,6 +331,9 @@ impl<'a, T: Real + From<G>, G: Real> Run<'a, T, G> {
         let (q0, q1) = (self.now.phase.q.map(Real::value), end.q.map(Real::value));
         let (w0, w1) = (self.now.phase.w.map(Real::value), end.w.map(Real::value));
         let at = |s: f64| [0, 1, 2].map(|i| cubic(s, h, [q0[i], q1[i]], [w0[i], w1[i]]).0);
+        if self.is_far_from_borders([q0, q1], [w0, w1], h) {
+            return None;
+        }
         let energy = Real::max(self.field.energy(self.now.phase.w).value(), self.field.energy(end.w).value());
         // No wheel is much faster than the whole.
         let lookouts = (2.0 * root(energy) * h / LOOKOUT).clamp(1.0, 1000.0);
@@ -337,6 +347,19 @@ impl<'a, T: Real + From<G>, G: Real> Run<'a, T, G> {
             before = after;
         }
         None
+    }
+
+    /// Whether no wheel can meet a border on the cubic between these places (m) with these velocities (m/s),
+    /// which takes `h` (s).
+    fn is_far_from_borders(&self, [q0, q1]: [[f64; 3]; 2], [w0, w1]: [[f64; 3]; 2], h: f64) -> bool {
+        let length = |x: f64, y: f64| root(x * x + y * y);
+        // From the start of the cubic, whose weights of both velocities are at most 4/27:
+        // |q − q₀| ≤ |q₁ − q₀| + 4/27 h (|w₀| + |w₁|)
+        let speeds = length(w0[0], w0[1]) + length(w1[0], w1[1]);
+        let way = length(q1[0] - q0[0], q1[1] - q0[1]) + 4.0 / 27.0 * h * speeds;
+        let reach = way + self.radius + AHEAD;
+        let center = [q0[0], q0[1]];
+        self.ground.zones.iter().all(|zone| zone.region.distance_to_border(center) > reach)
     }
 
     /// The bracket of a crossing, halved until it is narrow.

@@ -137,12 +137,23 @@ impl Region<'_> {
         }
     }
 
+    /// (m) from a point to its border.
+    pub(crate) fn distance_to_border(&self, point: [f64; 2]) -> f64 {
+        self.nearest(point).map_or(f64::INFINITY, |(distance, _)| distance)
+    }
+
     /// The part of its border that is nearest to a point.
-    pub(crate) fn nearest_edge(&self, [x, y]: [f64; 2]) -> Option<Edge> {
+    pub(crate) fn nearest_edge(&self, point: [f64; 2]) -> Option<Edge> {
+        self.nearest(point).map(|(_, edge)| edge)
+    }
+
+    /// The same with its distance (m).
+    fn nearest(&self, [x, y]: [f64; 2]) -> Option<(f64, Edge)> {
         match *self {
             Self::HalfPlane { point, into } => {
                 let (sin, cos) = elementary::sin_cos(into);
-                Some(Edge { point: [point.x, point.y], normal: [cos, sin] })
+                let edge = Edge { point: [point.x, point.y], normal: [cos, sin] };
+                Some((edge.distance([x, y]).abs(), edge))
             }
             Self::Polygon(corners) => {
                 let mut nearest = None;
@@ -164,7 +175,7 @@ impl Region<'_> {
                         nearest = Some(Edge { point: [from.x, from.y], normal });
                     }
                 }
-                nearest
+                nearest.map(|edge| (elementary::sqrt(least), edge))
             }
         }
     }

@@ -75,17 +75,42 @@ impl OpenSpeeds {
     }
 }
 
-/// A case with unknown numbers.
+/// A case of which some numbers are unknown.
 #[derive(Debug)]
-pub(super) struct CaseImpacts {
-    /// The case without its texts.
+pub(super) struct Varied {
     pub(super) case: Case,
-    /// (units of the case) its numbers.
-    pub(super) central: Vec<f64>,
-    /// What becomes of each.
+    /// What becomes of each of its numbers.
     pub(super) slots: Vec<Slot>,
     /// What the errors that numbers share do.
     pub(super) shared: Option<SharedEffects>,
+}
+
+impl Varied {
+    /// The case with the numbers of a particle.
+    pub(super) fn of(&self, values: &[Lanes], lane: usize) -> Case {
+        let of = |place: usize| values.get(place).map_or(f64::NAN, |column| column[lane]);
+        let mut slots = self.slots.iter();
+        let mut vary = |central: f64| match slots.next() {
+            None | Some(Slot::Given) => central,
+            Some(Slot::Value(place)) => of(*place),
+            Some(Slot::Factor(place)) => central * of(*place),
+        };
+        let Some(shared) = &self.shared else { return self.case.map_numbers(vary) };
+        let mut numbers: Vec<f64> =
+            self.case.variables().iter().map(|variable| vary(variable.number)).collect();
+        shared.apply(&mut numbers);
+        let mut numbers = numbers.into_iter();
+        self.case.map_numbers(|central| numbers.next().unwrap_or(central))
+    }
+}
+
+/// The impacts of a case with unknown numbers, and the ways from there.
+#[derive(Debug)]
+pub(super) struct CaseImpacts {
+    /// The case without its texts.
+    pub(super) impact: Varied,
+    /// What of the case the motion after the impact needs; `None` where that is all of it.
+    pub(super) motion: Option<Varied>,
     pub(super) speeds: OpenSpeeds,
     /// The place of the greatest impulse ratio, where the case leaves it open.
     pub(super) friction: Option<usize>,
@@ -183,14 +208,13 @@ impl CaseImpacts {
         let marks = self.marks(values);
         let has_places = self.skids.iter().flatten().any(|skid| skid.length.is_none());
         let mut impacts = Vec::with_capacity(LANES);
-        // Those that were made for the impact, for the motion after it.
-        let mut cases: [Option<Case>; LANES] = [const { None }; LANES];
-        for (lane, kept) in cases.iter_mut().enumerate() {
+        for lane in 0..LANES {
+            let mut case = None;
             let posed = poses.as_ref().and_then(|poses| poses.of(lane));
-            let posed = posed.or_else(|| pose(kept.insert(self.case_of(values, lane))));
+            let posed = posed.or_else(|| pose(case.insert(self.case_of(values, lane))));
             // Errors that numbers share stand in the case alone, and are never posed without it.
-            let marked = if self.shared.is_some() || has_places {
-                kept.get_or_insert_with(|| self.case_of(values, lane)).skids()
+            let marked = if self.impact.shared.is_some() || has_places {
+                case.get_or_insert_with(|| self.case_of(values, lane)).skids()
             } else {
                 marks[lane]
             };
@@ -200,14 +224,14 @@ impl CaseImpacts {
         if self.followed == [false, false] {
             return impacts;
         }
+        let of_motion = self.motion.as_ref().unwrap_or(&self.impact);
         let mut motions: Vec<Option<MotionInput>> = vec![None; LANES];
         for id in VehicleId::ALL.into_iter().filter(|id| self.followed[id.index()]) {
             let wanted = wanted(id, &impacts);
             for (lane, motion) in motions.iter_mut().enumerate() {
                 let impacted = &mut impacts[lane];
                 if wanted[lane] && impacted.is_possible && motion.is_none() {
-                    let case = cases[lane].take().unwrap_or_else(|| self.case_of(values, lane));
-                    *motion = case.run_out().and_then(Result::ok);
+                    *motion = of_motion.of(values, lane).run_out().and_then(Result::ok);
                     impacted.is_possible = motion.is_some();
                 }
             }
@@ -225,19 +249,7 @@ impl CaseImpacts {
     /// The case with the numbers of a particle.
     pub(super) fn case_of(&self, values: &[Lanes], lane: usize) -> Case {
         let of = |place: usize| values.get(place).map_or(f64::NAN, |column| column[lane]);
-        let mut numbers = self.central.clone();
-        for (number, slot) in numbers.iter_mut().zip(&self.slots) {
-            match *slot {
-                Slot::Given => {}
-                Slot::Value(place) => *number = of(place),
-                Slot::Factor(place) => *number *= of(place),
-            }
-        }
-        if let Some(shared) = &self.shared {
-            shared.apply(&mut numbers);
-        }
-        let mut numbers = numbers.into_iter();
-        let mut case = self.case.map_numbers(|central| numbers.next().unwrap_or(central));
+        let mut case = self.impact.of(values, lane);
         let speeds = self.speeds.along(of, || {
             let headings = case.headings();
             VehicleId::ALL.map(|id| {
@@ -356,6 +368,7 @@ pub(super) const WAY_TOLERANCE: f64 = 5e-3;
 /// (m) from each point that was observed to the way.
 fn misses(input: &MotionInput, id: VehicleId, start: Motion) -> Vec<f64> {
     let scene = Scene::new(&input.surface);
-    let passes = input.vehicles[id.index()].as_ref().and_then(|way| scene.passes(id, way, start).ok());
+    let passes =
+        input.vehicles[id.index()].as_ref().and_then(|way| scene.passes(id, way, start, WAY_TOLERANCE).ok());
     passes.unwrap_or_default().iter().map(|pass| pass.miss).collect()
 }

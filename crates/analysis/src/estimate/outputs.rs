@@ -72,7 +72,7 @@ pub(super) struct Told<'a> {
 
 /// The results that a case has.
 pub(super) fn of(impacts: &CaseImpacts, axes: Axes) -> Vec<EstimateOutput> {
-    let case = &impacts.case;
+    let case = &impacts.impact.case;
     let moves = |id: VehicleId| !case.vehicles[id.index()].fixed;
     let movers: Vec<VehicleId> = VehicleId::ALL.into_iter().filter(|id| moves(*id)).collect();
     let each = |of: fn(VehicleId, Axes) -> Output| movers.iter().map(move |&id| of(id, axes));

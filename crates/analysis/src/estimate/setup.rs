@@ -19,7 +19,7 @@ use real::Real;
 use reconcile::Unknown;
 
 use super::block::Block;
-use super::impacts::{Alone, CaseImpacts, OpenSpeeds, SkidNumbers, Slot};
+use super::impacts::{Alone, CaseImpacts, OpenSpeeds, SkidNumbers, Slot, Varied};
 use super::{of_number, table};
 use crate::Failure;
 use crate::thresholds::{DIRECTION_AFTER_ERROR, SPEED_AFTER_ERROR};
@@ -248,7 +248,6 @@ pub(super) fn of(case: &Case, prior: Option<Prior>) -> Result<Setup, Failure> {
     let numbers = placed(&case, &slots);
     let skids = skids(&case, &numbers, &variables, &slots);
     let block = shared.is_empty().then(|| block(&numbers, &variables, &slots, speeds)).flatten();
-    let central = variables.iter().map(|input| input.number).collect();
     case.uncertainty = Default::default();
     case.title = None;
     case.source = None;
@@ -256,11 +255,12 @@ pub(super) fn of(case: &Case, prior: Option<Prior>) -> Result<Setup, Failure> {
     for vehicle in &mut case.vehicles {
         vehicle.name = None;
     }
+    let shared = (!shared.is_empty()).then_some(shared);
+    let motion = shared.is_none().then(|| of_motion(&case, &variables, &slots));
+    let impact = Varied { case, slots, shared };
     let impacts = CaseImpacts {
-        case,
-        central,
-        slots,
-        shared: (!shared.is_empty()).then_some(shared),
+        impact,
+        motion,
         speeds,
         friction,
         tangential_share,
@@ -271,7 +271,7 @@ pub(super) fn of(case: &Case, prior: Option<Prior>) -> Result<Setup, Failure> {
         block,
         unknown: Independent(unknowns.0.iter().map(|unknown| unknown.prior).collect()),
     };
-    let energies = energies(crushed, &impacts.case);
+    let energies = energies(crushed, &impacts.impact.case);
     Ok(Setup {
         prior,
         impacts,
@@ -283,6 +283,30 @@ pub(super) fn of(case: &Case, prior: Option<Prior>) -> Result<Setup, Failure> {
         energies,
         reference,
     })
+}
+
+/// What of a case its motion after the impact needs: each particle that is followed copies it.
+fn of_motion(case: &Case, variables: &[Input], slots: &[Slot]) -> Varied {
+    let mut case = case.clone();
+    case.impact = None;
+    case.reconstruct = None;
+    case.site_plan = None;
+    for vehicle in &mut case.vehicles {
+        // Where the contact point is placed on the damage, the motion begins by it.
+        if !vehicle.places_contact() {
+            vehicle.crush = None;
+        }
+        vehicle.energy = None;
+        vehicle.before = None;
+        vehicle.recorder = None;
+        vehicle.certain_speed = None;
+    }
+    let slot = |input: &Input| {
+        let place = variables.iter().position(|variable| variable.path == input.path);
+        place.and_then(|place| slots.get(place)).copied().unwrap_or(Slot::Given)
+    };
+    let slots = case.variables().iter().map(slot).collect();
+    Varied { case, slots, shared: None }
 }
 
 /// The case with the places of its unknown numbers.
@@ -348,17 +372,20 @@ fn block(numbers: &Case<Number>, variables: &[Input], slots: &[Slot], speeds: Op
 
 /// Whether a number is of the motion before or after the impact alone.
 fn is_beside(path: &str) -> bool {
-    [
-        "surface.",
-        "vehicle1.after.",
-        "vehicle2.after.",
-        "vehicle1.before.",
-        "vehicle2.before.",
-        "vehicle1.position.",
-        "vehicle2.position.",
-    ]
-    .iter()
-    .any(|table| path.starts_with(table))
+    let of_chassis = [".wheelbase", ".track", ".cg_to_front_axle"];
+    of_chassis.iter().any(|key| path.ends_with(key))
+        || [
+            "scene.",
+            "surface.",
+            "vehicle1.after.",
+            "vehicle2.after.",
+            "vehicle1.before.",
+            "vehicle2.before.",
+            "vehicle1.position.",
+            "vehicle2.position.",
+        ]
+        .iter()
+        .any(|table| path.starts_with(table))
 }
 
 /// The case with a speed for every vehicle, and whose speed is sought.

@@ -970,3 +970,38 @@ fn ways_are_followed_as_closely_as_a_rest_is_known() {
     // 5 % of the error of a rest in 95 % of the ways, and a quarter of it at most.
     assert!(shares[189] < 0.05 && shares[199] < 0.25, "{} {}", shares[189], shares[199]);
 }
+
+/// A contact in the scene, an axle and a rest of which the numbers are unknown are of the motion after the
+/// impact: the impacts of a block need no case for them, and are those of the case.
+#[test]
+fn numbers_of_the_motion_leave_the_block() {
+    let text = at_rest(REST)
+        .replace("x = \"-2 m\"", "x = { value = \"-2 m\", sd = \"0.2 m\" }")
+        .replace("wheelbase = \"2.6 m\"", "wheelbase = { value = \"2.6 m\", sd = \"2 cm\" }")
+        .replace("track = \"1.5 m\"", "track = { value = \"1.5 m\", sd = \"2 cm\" }")
+        .replace("cg_to_front_axle = \"1.2 m\"", "cg_to_front_axle = { value = \"1.2 m\", sd = \"2 cm\" }");
+    let mut impacts = of_case(&text).impacts;
+    assert!(impacts.block.is_some());
+    let blocks = impacts_of(&impacts, 1);
+    impacts.block = None;
+    assert_eq!(impacts_of(&impacts, 1), blocks);
+    assert!(blocks.iter().any(|impact| impact.contains("is_possible: true")));
+}
+
+/// What a particle copies of the case for its motion after the impact leads to the motion of the whole case.
+#[test]
+fn the_motion_needs_no_more_of_the_case() {
+    let given = at_rest(REST);
+    let placed = include_str!("../../../../fixtures/edcrash-tutorial.toml");
+    let rear_end = include_str!("../../../../fixtures/rear-end-rest.toml");
+    for text in [&given, placed, rear_end] {
+        let impacts = of_case(text).impacts;
+        let columns = columns_of(&impacts, 2);
+        let motion = impacts.motion.as_ref().unwrap();
+        for lane in 0..::uncertainty::LANES {
+            let whole = impacts.case_of(&columns, lane).run_out().unwrap().unwrap();
+            let own = motion.of(&columns, lane).run_out().unwrap().unwrap();
+            assert_eq!(format!("{own:?}"), format!("{whole:?}"), "{text}");
+        }
+    }
+}
