@@ -99,11 +99,11 @@ mod tests {
 
     /// The covariance of so many draws of a normal distribution about zero.
     fn of_draws(truth: &DMatrix<f64>, seed: u64) -> DMatrix<f64> {
-        let mut numbers: Vec<f64> =
-            (0..(DIMENSIONS * DRAWS) as u64).map(|index| unit(bits(seed, index))).collect();
+        let mut numbers: [f64; DIMENSIONS * DRAWS] =
+            std::array::from_fn(|index| unit(bits(seed, index as u64)));
         quantiles(&mut numbers);
         let lower = truth.clone().cholesky().unwrap().unpack();
-        let draws = lower * DMatrix::from_vec(DIMENSIONS, DRAWS, numbers);
+        let draws = lower * DMatrix::from_row_slice(DIMENSIONS, DRAWS, &numbers);
         &draws * draws.transpose() / DRAWS as f64
     }
 
