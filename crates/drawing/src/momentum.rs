@@ -5,7 +5,7 @@ use kurbo::{Point, Rect, Vec2};
 use crate::canvas::{Canvas, Head};
 use crate::finished::Drawing;
 use crate::legend::{self, EDGE, HEADER, Sample, ScaleUnit, WIDTH};
-use crate::pens::{AFTER, BEFORE, BLACK, Pen, THIN, VERMILION};
+use crate::pens::{AFTER, BEFORE, BLACK, GRID, Pen, VERMILION};
 use crate::plan::{self, View, flipped, unit, vec2};
 use crate::scene::SceneArrow;
 
@@ -103,7 +103,7 @@ impl MomentumPicture {
             // What is one corner of a polygon that is a line.
             for (k, side) in sides.iter().enumerate() {
                 for corner in [side.from, side.from + vec2(side.arrow.vector)] {
-                    canvas.grid(at(corner, 0), at(corner, k.max(1)), THIN);
+                    canvas.grid(at(corner, 0), at(corner, k.max(1)), GRID);
                 }
             }
         }

@@ -301,6 +301,8 @@ enum PlainSpeed<'a> {
     Exact,
     /// What all the evidence says of it.
     Weighed(&'a EstimatedOutput),
+    /// The case gives it.
+    Given,
     /// The exact solution is not the answer, and nothing else is.
     Unknown,
 }
@@ -309,6 +311,11 @@ impl<'a> PlainSpeed<'a> {
     fn of(analysis: &Analysis, weighed: Option<&'a Weighed>, vehicle: VehicleId) -> Self {
         if analysis.overdetermined().is_none() {
             return Self::Exact;
+        }
+        let of_found = analysis.found.as_ref().map(|found| found.unknown.vehicle());
+        let sought = of_found.or_else(|| analysis.both.as_ref()?.sought());
+        if sought.is_some_and(|sought| sought != vehicle) {
+            return Self::Given;
         }
         let weighed = weighed.filter(|weighed| weighed.is_answer());
         weighed
@@ -319,7 +326,7 @@ impl<'a> PlainSpeed<'a> {
     /// In words, like `before: 40.5 km/h (95 %: 37.7 to 43.5 km/h)`.
     fn label(self, exact: f64, units: Units) -> Option<String> {
         match self {
-            Self::Exact => Some(format!("before: {}", units.speed_in_words(exact))),
+            Self::Exact | Self::Given => Some(format!("before: {}", units.speed_in_words(exact))),
             Self::Weighed(found) => Some(format!("before: {}", told_speed(found, units))),
             Self::Unknown => None,
         }
@@ -328,7 +335,7 @@ impl<'a> PlainSpeed<'a> {
     /// (m/s) along the heading; `None` where the evidence does not tell it.
     fn along(self, exact: f64) -> Option<f64> {
         match self {
-            Self::Exact => Some(exact),
+            Self::Exact | Self::Given => Some(exact),
             Self::Weighed(found) if found.varies() && !found.is_told() => None,
             Self::Weighed(found) => Some(found.posterior.median.value),
             Self::Unknown => None,
@@ -340,7 +347,7 @@ impl<'a> PlainSpeed<'a> {
         if speeds.iter().any(|speed| matches!(speed, Self::Weighed(_))) {
             "Speeds by all the evidence together, each with the range that contains it with a probability of 95 %."
         } else if speeds.iter().any(|speed| matches!(speed, Self::Unknown)) {
-            "Without speeds: no single one agrees with all the evidence."
+            "Without the speeds that are sought: they follow from all the evidence, which was not weighed."
         } else {
             ""
         }

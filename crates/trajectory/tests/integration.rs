@@ -175,7 +175,7 @@ fn long_roll_outs_are_exact_to_a_thousandth_of_the_path() {
     let free = crate::scenes::car([0.01, 0.02, 0.01, 0.02]);
     let dragging = crate::scenes::car([0.04, 0.006, 0.01, 0.05]);
     for (chassis, steer, start, longer_than) in [
-        (free, 0.0, crate::scenes::start(0.3, [12.4, 15.7], 1.5), 80.0),
+        (free, 0.0, crate::scenes::start(0.3, [12.4, 15.7], 1.5), 60.0),
         (light, 0.03, crate::scenes::start(0.0, [11.8, 2.4], 1.0), 300.0),
         (dragging, -0.09, crate::scenes::start(0.96, [-1.4, 17.3], -1.47), 100.0),
     ] {

@@ -185,7 +185,7 @@ fn vehicle(
                 cg: measured.position.into(),
                 forward: Some(direction(heading)),
                 label: if is_solved_for && !is_plain {
-                    format!("rest {id}, measured: solved for")
+                    format!("rest {id}, measured: the path was solved to end here")
                 } else {
                     format!("rest {id}, measured")
                 },

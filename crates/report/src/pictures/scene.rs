@@ -46,7 +46,7 @@ pub(super) fn plain(
             }
             description.push(format!("Speed of {name} {before}."));
             // A speed is that along the heading; what follows from it after the impact is not known as well.
-            let along = speed.along(exact)?;
+            let along = speed.along(exact).filter(|along| *along != 0.0)?;
             let vector = vehicle.forward.map(|part| part * along);
             let after = SceneArrow { vector: [0.0; 2], label: String::new() };
             Some(SceneMotion { before: SceneArrow { vector, label: before }, after, ..motion })
