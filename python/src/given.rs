@@ -114,8 +114,9 @@ impl Given {
         let site_plan = if subject == Subject::Motion { self.site_plan(py)? } else { None };
         let file = &self.file;
         let drawing = py.detach(|| match subject {
-            Subject::Scene if is_plain => report::plain_scene(file, analysis, units),
-            Subject::Motion => report::motion_on(file, analysis, units, is_plain, site_plan),
+            Subject::Scene if is_plain => report::plain_scene(file, analysis, None, units),
+            Subject::Motion if is_plain => report::plain_motion(file, analysis, None, units, site_plan),
+            Subject::Motion => report::motion_on(file, analysis, units, site_plan),
             _ => report::drawing(file, analysis, units, subject),
         });
         drawing.map_err(|error| not_drawn(py, error, file))
@@ -352,10 +353,11 @@ impl PyCase {
         self.asked(py, request, threads.map(|threads| threads.0))
     }
 
-    /// Draws the ``"scene"``, the ``"motion"``, the ``"motion-curves"``, the ``"damage"``, the
-    /// ``"reconciliation"`` or the ``"energy"`` of the most complete analysis that the case allows.
+    /// Draws the ``"scene"``, the ``"motion"``, the ``"motion-curves"``, the ``"momentum"``, the
+    /// ``"damage"``, the ``"reconciliation"`` or the ``"energy"`` of the most complete analysis that the case
+    /// allows. Where the case has more evidence than that uses, the drawing says so below its title.
     /// ``units`` are ``"si"``, ``"us"``, ``"uk"``, or those that most of the case uses. ``plain=True`` draws
-    /// scene and motion for readers who are no engineers.
+    /// scene and motion for readers who are no engineers; without speeds where only ``estimate()`` has them.
     ///
     /// >>> deltav.Case.example().draw("scene").svg()[:4]
     /// '<svg'

@@ -405,8 +405,8 @@ pub(crate) struct PyAnalysis;
 
 #[pymethods]
 impl PyAnalysis {
-    /// Draws the ``"scene"``, the ``"motion"``, the ``"motion-curves"``, the ``"damage"``, the
-    /// ``"reconciliation"`` or the ``"energy"``; without a name what shows most.
+    /// Draws the ``"scene"``, the ``"motion"``, the ``"motion-curves"``, the ``"momentum"``, the
+    /// ``"damage"``, the ``"reconciliation"`` or the ``"energy"``; without a name what shows most.
     #[pyo3(signature = (what = None, *, units = None, plain = false))]
     fn draw(
         slf: &Bound<'_, Self>,

@@ -401,14 +401,18 @@ export class App {
   private showHeadline(): void {
     const { solved } = this;
     if (!solved?.look.ok) return;
-    const { headline } = solved.look;
+    const { headline, weigh } = solved.look;
     this.headline.classList.remove("stale");
+    const interval = this.intervals?.text === solved.text ? this.intervals.headline : null;
+    if (weigh && !interval) {
+      this.headline.replaceChildren(h("p", { class: "note" }, texts.answer.weighing));
+      return;
+    }
     if (headline.length === 0) {
       const toResults = () => this.viewTabs.show("results");
       this.headline.replaceChildren(h("p", { class: "note" }, texts.answer.inResults),
         h("button", { type: "button", onclick: toResults }, texts.viewTabs.results));
     }
-    const interval = this.intervals?.text === solved.text ? this.intervals.headline : null;
     const lines = interval ?? headline;
     if (lines.length > 0) this.headline.replaceChildren(...lines.map((line, place) => {
       const [label, ...rest] = line.split(": ");
@@ -459,16 +463,30 @@ export class App {
     this.redoButton.disabled = !redo;
   }
 
-  /** Where the file has ranges, the answer gets its interval as soon as the hand rests. */
+  /**
+   * As soon as the hand rests: where the file has ranges, the answer gets its interval; where it has more evidence
+   * than an exact solution uses, all of it is weighed, which is the answer.
+   */
   private runInterval(): void {
     const { solved } = this;
-    if (!solved?.look.ok || !solved.check.commands.uncertainty?.able) return;
-    const job: Job = { kind: "uncertainty", text: solved.text, name: solved.name, units: solved.units, options: {} };
+    if (!solved?.look.ok) return;
+    const { weigh } = solved.look;
+    if (!weigh && !solved.check.commands.uncertainty?.able) return;
+    const job: Job = {
+      kind: weigh ? "estimate" : "uncertainty",
+      text: solved.text,
+      name: solved.name,
+      units: solved.units,
+      options: weigh ? { seed: 1, pieces: false } : {},
+    };
     this.quick.start(job, {
       answer: (answer) => {
         // Nobody looks at the pictures of this run.
         this.quick.end();
         if (answer.ok) this.showInterval(job, answer);
+        else if (weigh && job.text === this.solved?.text) {
+          this.headline.replaceChildren(h("p", { class: "error" }, `${texts.answer.notWeighed} ${answer.message}`));
+        }
       },
     });
   }

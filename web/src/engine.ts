@@ -168,6 +168,8 @@ export interface Look {
   able: Command[];
   units: "si" | "us" | "uk";
   headline: string[];
+  /** The case has more evidence than its exact solution uses: the answer is that of an estimate. */
+  weigh: boolean;
   warnings: Warning[];
   scene: Scene | null;
 }

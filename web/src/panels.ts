@@ -75,7 +75,7 @@ export class Drawings implements Panel {
       return;
     }
     const figures: HTMLElement[] = [];
-    for (const what of ["damage", "reconciliation", "energy", "motion", "motion-curves"]) {
+    for (const what of ["damage", "reconciliation", "energy", "momentum", "motion", "motion-curves"]) {
       const drawn = engine.draw(solved.text, what, solved.units);
       if (drawn.ok) figures.push(figure(what, drawn.title, drawn.svg));
     }

@@ -8,7 +8,7 @@ export interface Job {
   text: string;
   name: string;
   units: Units;
-  options: { samples?: number; seed?: number };
+  options: { samples?: number; seed?: number; pieces?: boolean };
 }
 
 export interface ToWorker {

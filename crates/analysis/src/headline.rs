@@ -11,7 +11,7 @@ use reconcile::Departure;
 use crate::evidence::{ByEvidence, EvidenceMethod, by_evidence};
 use crate::{
     Analysis, BothFound, BothMethod, Check, CheckedQuantity, EstimateOutput, EstimatePlan, EstimateStage,
-    Estimated, Failure, Output, Seen, Warning, estimate, estimate_evidence,
+    Estimated, EstimatedOutput, Failure, Output, Seen, Warning, estimate, estimate_evidence,
 };
 
 impl Seen {
@@ -64,6 +64,22 @@ pub struct Overdetermined {
 }
 
 impl Analysis {
+    /// What gave the speeds of a reconstruction.
+    #[must_use]
+    pub fn solved_by(&self) -> EvidenceMethod {
+        match (&self.found, self.both.as_ref().map(|both| &both.method)) {
+            (Some(found), _) => EvidenceMethod::DamageAndSpeed { given: found.unknown.vehicle().other() },
+            (None, Some(BothMethod::MomentumAndCrush { .. })) => EvidenceMethod::MomentumAndDamage,
+            (None, Some(BothMethod::MomentumAndSpeed { given })) => {
+                EvidenceMethod::MomentumAndSpeed { given: *given }
+            }
+            (None, Some(BothMethod::Wall { vehicle, restitution })) => {
+                EvidenceMethod::Wall { vehicle: *vehicle, restitution: *restitution }
+            }
+            (None, Some(BothMethod::Momentum) | None) => EvidenceMethod::Momentum,
+        }
+    }
+
     /// The checks that refute this exact solution: those that hold it against evidence, and not against the
     /// coefficients of the impact law, which are assumed.
     pub fn refuting(&self) -> impl Iterator<Item = &Check> {
@@ -143,10 +159,15 @@ pub fn weigh(
 impl Weighed {
     /// What all the evidence says of a result.
     #[must_use]
-    pub fn summary(&self, output: Output) -> Option<&Summary> {
+    pub fn output(&self, output: Output) -> Option<&EstimatedOutput> {
         let wanted = EstimateOutput::Result(output);
-        let found = self.estimated.outputs.iter().find(|found| found.output == wanted)?;
-        Some(&found.posterior)
+        self.estimated.outputs.iter().find(|found| found.output == wanted)
+    }
+
+    /// The distribution of that.
+    #[must_use]
+    pub fn summary(&self, output: Output) -> Option<&Summary> {
+        Some(&self.output(output)?.posterior)
     }
 
     /// Whether it is an answer: the run has converged.
@@ -159,7 +180,7 @@ impl Weighed {
 /// The exact solutions: the one that the analysis details, and those by other parts of the evidence.
 fn solutions(case: &Case, exact: &Analysis, estimated: &Estimated) -> Vec<Solution> {
     let own = Found {
-        by: method(exact),
+        by: exact.solved_by(),
         speeds: VehicleId::ALL.map(|id| Some(exact.speed(id))),
         delta_v: exact.delta_v().map(Some),
     };
@@ -176,21 +197,6 @@ fn solutions(case: &Case, exact: &Analysis, estimated: &Estimated) -> Vec<Soluti
         }
     }
     solutions
-}
-
-/// What the analysis itself was found by.
-fn method(exact: &Analysis) -> EvidenceMethod {
-    match (&exact.found, exact.both.as_ref().map(|both| &both.method)) {
-        (Some(found), _) => EvidenceMethod::DamageAndSpeed { given: found.unknown.vehicle().other() },
-        (None, Some(BothMethod::MomentumAndCrush { .. })) => EvidenceMethod::MomentumAndDamage,
-        (None, Some(BothMethod::MomentumAndSpeed { given })) => {
-            EvidenceMethod::MomentumAndSpeed { given: *given }
-        }
-        (None, Some(BothMethod::Wall { vehicle, restitution })) => {
-            EvidenceMethod::Wall { vehicle: *vehicle, restitution: *restitution }
-        }
-        (None, Some(BothMethod::Momentum) | None) => EvidenceMethod::Momentum,
-    }
 }
 
 /// An exact solution, before it is held against all the evidence.

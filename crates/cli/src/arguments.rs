@@ -238,11 +238,11 @@ pub(crate) enum Command {
             Exit status: 0 done; 1 no answer, or the run has not converged; 2 the case file or the command line is wrong."
     )]
     Estimate(EstimateArguments),
-    /// Draw the scene, the motion, the damage, the reconciliation, the energy or an estimate, as SVG, PNG or
-    /// PDF
+    /// Draw the scene, the motion, the momenta, the damage, the reconciliation, the energy or an estimate, as
+    /// SVG, PNG or PDF
     #[command(
-        long_about = "Draw the scene, the motion, the damage, the reconciliation, the energy or an estimate, as SVG, PNG or PDF.\n\n\
-            A case with [reconstruct] is reconstructed first; a case with both speeds is computed forward; for a case without [impact], the damage and the motion after the impact can be drawn. Scene, motion and damage are to scale. The damaged body is filled, and its shape before the damage is dashed. A vehicle that has neither class nor length, width and cg_to_front is drawn with the outline of the CRASH3 size class whose radius of gyration is nearest to its own, and the legend notes this. If its radius of gyration or its contact point does not fit a car of that class, the scene shows its centre of gravity and its arrows, and no body.\n\n--plain draws the scene or the motion for readers who are no engineers: the vehicles by name and their speeds before and after the impact, without symbols, axes or forces.\n\n--what estimate draws the results of `deltav estimate` with its default options: how probable each unknown speed is, both speeds together if both are unknown, and where the vehicles come to rest if they are followed.\n\nStandard error says how many warnings the case has. The letters of PNG and PDF are those of DejaVu Sans. If a text has other letters, standard error names them, and the picture has ? in their place; an SVG uses the fonts of its reader.",
+        long_about = "Draw the scene, the motion, the momenta, the damage, the reconciliation, the energy or an estimate, as SVG, PNG or PDF.\n\n\
+            A case with [reconstruct] is reconstructed first; a case with both speeds is computed forward; for a case without [impact], the damage and the motion after the impact can be drawn. Scene, motion and damage are to scale. The damaged body is filled, and its shape before the damage is dashed. A vehicle that has neither class nor length, width and cg_to_front is drawn with the outline of the CRASH3 size class whose radius of gyration is nearest to its own, and the legend notes this. If its radius of gyration or its contact point does not fit a car of that class, the scene shows its centre of gravity and its arrows, and no body.\n\n--plain draws the scene or the motion for readers who are no engineers: the vehicles by name and their speeds before and after the impact, without symbols, axes or forces.\n\nA case that has more evidence than an exact solution uses has its answer from `deltav reconstruct`, which weighs all of it: drawings of the exact solution say below the title that they are not the answer, and --plain draws the speeds by all the evidence, which takes as long as an estimate.\n\n--what estimate draws the results of `deltav estimate` with its default options: how probable each unknown speed is, both speeds together if both are unknown, and where the vehicles come to rest if they are followed.\n\nStandard error says how many warnings the case has. The letters of PNG and PDF are those of DejaVu Sans. If a text has other letters, standard error names them, and the picture has ? in their place; an SVG uses the fonts of its reader.",
         after_help = "Examples:\n  deltav draw fixtures/sae-980025.toml --what scene -o scene.svg\n  \
             deltav draw fixtures/sae-980025.toml --what scene --plain -o exhibit.pdf\n  \
             deltav draw fixtures/sae-980025.toml --what energy -o energy.png\n  \
@@ -595,6 +595,8 @@ pub(crate) enum What {
     Motion,
     /// Speed, yaw rate and heading over the time from the impact to rest
     MotionCurves,
+    /// The momentum polygon: momenta before and after the impact, tip to tail
+    Momentum,
     /// How probable the speeds are by all evidence, one by one and both at once, and where the vehicles
     /// would have come to rest: the pictures of `deltav estimate`, below each other
     Estimate,

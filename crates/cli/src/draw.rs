@@ -10,6 +10,7 @@ use report::{Drawing, DrawingError, PictureFormat, SitePlan, Subject, Units};
 use same_file::is_same_file;
 
 use crate::arguments::{DrawArguments, What};
+use crate::reconstruction;
 
 pub(crate) fn draw(arguments: &DrawArguments) -> Result<()> {
     let path = arguments.output.file();
@@ -37,15 +38,34 @@ pub(crate) fn draw(arguments: &DrawArguments) -> Result<()> {
         What::Energy => Subject::Energy,
         What::Motion => Subject::Motion,
         What::MotionCurves => Subject::MotionCurves,
+        What::Momentum => Subject::Momentum,
     };
     if let Some(obstacle) = subject.obstacle(&file.case) {
         return cannot_draw(obstacle, &file, units);
     }
     let is_motion = matches!(subject, Subject::Motion | Subject::MotionCurves);
     let analysis = crate::answered(subject.analysis(&file.case), &file, units)?;
+    let overdetermined = analysis.overdetermined().is_some();
+    // Readers who are no engineers get the answer, or no speeds.
+    let weighed = if arguments.plain && overdetermined {
+        match reconstruction::weigh(&file, &analysis, None, units)? {
+            Ok(weighed) => weighed,
+            Err(reason) => {
+                writeln!(io::stderr(), "the drawing has no speeds: {reason:#}")
+                    .context("cannot write to standard error")?;
+                None
+            }
+        }
+    } else {
+        None
+    };
+    let weighed = weighed.as_ref();
     let drawing = match subject {
-        Subject::Scene if arguments.plain => report::plain_scene(&file, &analysis, units)?,
-        Subject::Motion => report::motion_on(&file, &analysis, units, arguments.plain, site_plan)?,
+        Subject::Scene if arguments.plain => report::plain_scene(&file, &analysis, weighed, units)?,
+        Subject::Motion if arguments.plain => {
+            report::plain_motion(&file, &analysis, weighed, units, site_plan)?
+        }
+        Subject::Motion => report::motion_on(&file, &analysis, units, site_plan)?,
         _ => report::drawing(&file, &analysis, units, subject)?,
     };
     // A drawing has no room for sentences, and standard output may be the drawing.
@@ -66,7 +86,16 @@ pub(crate) fn draw(arguments: &DrawArguments) -> Result<()> {
         writeln!(io::stderr(), "{case} has {warnings}: `deltav {command} {case}` prints them.")
             .context("cannot write to standard error")?;
     }
-    if subject == Subject::Scene && analysis.impact.is_none() {
+    if overdetermined && !arguments.plain && subject != Subject::Damage {
+        let case = crate::named(&arguments.case);
+        writeln!(
+            io::stderr(),
+            "{case} has more evidence than the exact solution that is drawn: `deltav reconstruct {case}` weighs \
+             all of it, and that is the answer."
+        )
+        .context("cannot write to standard error")?;
+    }
+    if subject == Subject::Scene && analysis.exchange().is_none() {
         let case = crate::named(&arguments.case);
         writeln!(
             io::stderr(),

@@ -62,7 +62,7 @@ pub(crate) fn report(arguments: ReconstructArguments) -> Result<()> {
 }
 
 /// All the evidence, where the case has more than its exact solution uses; or why it cannot be weighed.
-fn weigh(
+pub(crate) fn weigh(
     file: &CaseFile,
     solution: &Analysis,
     threads: Option<u16>,

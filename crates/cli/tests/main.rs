@@ -3,6 +3,7 @@
 mod batch;
 #[path = "../../case/tests/changes.rs"]
 mod changes;
+mod drawn;
 mod estimate;
 mod examples;
 mod guide;

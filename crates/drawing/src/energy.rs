@@ -22,6 +22,8 @@ const BAR: f64 = 28.0;
 pub struct EnergyPicture {
     /// Of the case.
     pub title: String,
+    /// What keeps it from being the answer: stands below the title. Mostly empty.
+    pub caveat: String,
     /// Before the impact.
     pub initial: EnergyBar,
     /// What took the energy, in order: each bar begins where the one above it ends.
@@ -95,7 +97,7 @@ impl EnergyPicture {
     /// Draws it.
     #[must_use]
     pub fn draw(&self) -> Drawing {
-        let Self { title, initial, losses, rest, note } = self;
+        let Self { title, caveat, initial, losses, rest, note } = self;
         #[expect(clippy::cast_precision_loss, reason = "there are few rows")]
         let bottom = HEADER + STEP * (losses.len() as f64 + 2.0) + 6.0;
         let lines = font::lines(note, SMALL, WIDTH - 2.0 * EDGE);
@@ -105,7 +107,8 @@ impl EnergyPicture {
         canvas.define_stripes("stripes-1", OUTLINE[0].colour, FILL[0], 45, 7.0);
         canvas.define_stripes("stripes-2", OUTLINE[1].colour, FILL[1], -45, 7.0);
         canvas.define_stripes("stripes-t", GREY, WHITE, 90, 6.0);
-        legend::header(&mut canvas, title, "Energy: where the initial kinetic energy went");
+        let below = format!("Energy: where the initial kinetic energy went\n{caveat}");
+        legend::header(&mut canvas, title, &below);
 
         // What is taken away goes from the right to the left; what is left is the final motion. Work that
         // gives energy back goes to the right.
@@ -142,9 +145,10 @@ impl EnergyPicture {
         let bars = std::iter::once(initial).chain(losses.iter().map(|(_, bar)| bar)).chain([rest]);
         let parts: Vec<String> = bars.map(EnergyBar::words).collect();
         let description = format!(
-            "Bars from the initial kinetic energy to what is left of it: {}. {note}",
+            "Bars from the initial kinetic energy to what is left of it: {}. {note} {caveat}",
             parts.join("; ")
         );
+        let description = description.trim_end().to_owned();
         Drawing::new(NAME, format!("{title}: energy"), description, canvas)
     }
 }

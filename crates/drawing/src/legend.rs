@@ -4,6 +4,7 @@ use kurbo::{BezPath, Point, Rect, Vec2};
 
 use crate::canvas::{Canvas, Head};
 use crate::font::{self, Anchor, LARGE, SMALL};
+use crate::number::number;
 use crate::pens::{BLACK, GREY, Pen, THIN};
 use crate::plan::polyline;
 use crate::symbol::Symbol;
@@ -146,7 +147,7 @@ pub(crate) fn scale_bar(
     let end = Point::new(at.x + length * pixels, at.y);
     let pen = Pen { colour: BLACK, width: 2.0, dashes: "" };
     canvas.scale(id, at, end, length * size, pen);
-    let text = format!("{length:.decimals$} {name}{what}");
+    let text = format!("{} {name}{what}", number(length, decimals));
     let left = end.x + 10.0;
     canvas.text(Point::new(left, at.y + 4.5), &text, SMALL, Anchor::Start, BLACK);
     left + font::width(&text, SMALL)

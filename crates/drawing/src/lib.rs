@@ -32,6 +32,7 @@
 //! | [`ScenePicture`] | both vehicles at impact, seen from above |
 //! | [`MotionPicture`] | the motion from approach over impact to rest, on a site plan where there is one |
 //! | [`MotionCurvesPicture`] | numbers of that motion over time |
+//! | [`MomentumPicture`] | the momenta before and after the impact, tip to tail |
 //! | [`DamagePicture`] | each damaged vehicle with its crush profile in place |
 //! | [`EnergyPicture`] | where the initial kinetic energy went |
 //! | [`ReconciliationPicture`] | work of the normal impulse over the speed sought |
@@ -80,6 +81,7 @@ mod joint;
 mod labels;
 mod legend;
 mod marks;
+mod momentum;
 mod motion;
 mod motion_curves;
 mod number;
@@ -111,6 +113,7 @@ pub use histogram::HistogramPicture;
 pub use joint::JointPicture;
 pub use legend::ScaleUnit;
 pub use marks::ValueMark;
+pub use momentum::MomentumPicture;
 pub use motion::{MeasuredPoint, MotionPicture, MotionPoint, MotionRest, MotionVehicle};
 pub use motion_curves::{MotionCurves, MotionCurvesPicture};
 pub use number::{number, significant};

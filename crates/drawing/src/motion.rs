@@ -10,8 +10,8 @@ use crate::ground::GroundZone;
 use crate::legend::{self, EDGE, HEADER, Sample, ScaleUnit, WIDTH};
 use crate::number::number;
 use crate::pens::{
-    APPROACH, BLACK, EDGE_OF_GROUND, FILL, GREY, MARK, MEASURED, OUTLINE, PALE, PASSING, PATH, Pen, THIN,
-    WHITE,
+    APPROACH, BLACK, EDGE_OF_GROUND, FILL, GREY, MARK, MEASURED, OUTLINE, PALE, PASSING, PATH, Pen, SKID,
+    THIN, WHITE,
 };
 use crate::plan::{self, Contact, Pose, View, flipped, polyline, unit, vec2};
 use crate::plan_view::{PlanBody, PlanView, Viewport};
@@ -41,9 +41,12 @@ const UPHILL: f64 = 34.0;
 const AT_TIME: f64 = 2.4;
 const CENTRE: [f64; 2] = [2.0, 4.0];
 const IMPACT: f64 = 6.0;
-/// Outlines on the longest path, and their average distance, in lengths of the vehicle. More are a tangle.
-const MOST_OUTLINES: f64 = 9.0;
+/// Outlines between impact and rest, and how far apart they are at least, in lengths of the vehicle. More are
+/// a tangle.
+const MOST_OUTLINES: u32 = 6;
 const APART: f64 = 0.6;
+/// Places at equal times on the longest path.
+const MOST_TIMES: f64 = 9.0;
 /// (px) across a vehicle that has room for its windscreen.
 const WITH_DETAIL: f64 = 5.0;
 
@@ -61,6 +64,8 @@ pub struct MotionPicture {
     pub title: String,
     /// What a reader who cannot see it has to be told.
     pub description: String,
+    /// What keeps it from being the answer: stands below the title. Mostly empty.
+    pub caveat: String,
     /// The axes that are shown have y to the right.
     pub is_z_down: bool,
     /// For readers who are no engineers: no axes, and no abbreviations.
@@ -80,7 +85,7 @@ pub struct MotionPicture {
     pub site_plan: Option<SitePlan>,
     /// Of the scale bar.
     pub length: ScaleUnit,
-    /// Of the time between two outlines; its size is in seconds.
+    /// Of the time between two dots on a path; its size is in seconds.
     pub time: ScaleUnit,
 }
 
@@ -101,7 +106,8 @@ pub struct MotionVehicle {
     pub approach: Option<SceneArrow>,
     /// From the impact on, in the order of time.
     pub path: Vec<MotionPoint>,
-    /// Where it comes to rest, as computed.
+    /// Where it comes to rest, as computed; `None` where the motion was sought as the one that ends at the
+    /// measured rest, which says nothing of how well both agree.
     pub rest: Option<MotionRest>,
     /// Where it was found.
     pub measured_rest: Option<MotionRest>,
@@ -109,6 +115,8 @@ pub struct MotionVehicle {
     pub measured_points: Vec<MeasuredPoint>,
     /// (m) the marks of its wheels: a line for each stretch on which a wheel slides.
     pub marks: Vec<Vec<[f64; 2]>>,
+    /// (m) the skid marks before the impact, from where each begins to where it ends.
+    pub skids: Vec<[[f64; 2]; 2]>,
 }
 
 /// Where a vehicle is at a time.
@@ -161,11 +169,14 @@ impl MotionPicture {
         let (area, view) = given.unwrap_or_else(|| self.fitted(widest));
 
         let mut canvas = Canvas::new(NAME, WIDTH, area.y1);
-        legend::header(&mut canvas, &self.title, "Plan view from approach to rest, to scale");
+        let below = format!("Plan view from approach to rest, to scale\n{}", self.caveat);
+        legend::header(&mut canvas, &self.title, &below);
         let mut page = Page { canvas, motion: self, area, view, step: self.step() };
         page.ground();
         // Marks lie over the vehicle that begins to make them, and below the one that has made them.
-        for layer in [Page::at_impact, Page::passing, Page::marks, Page::at_rest, Page::path, Page::edges] {
+        for layer in
+            [Page::skids, Page::at_impact, Page::passing, Page::marks, Page::at_rest, Page::path, Page::edges]
+        {
             for (i, vehicle) in self.each() {
                 layer(&mut page, vehicle, i);
             }
@@ -266,6 +277,7 @@ impl MotionPicture {
             points.extend(vehicle.path.iter().map(|point| vec2(point.cg)));
             points.extend(vehicle.measured_points.iter().map(|point| vec2(point.at)));
             points.extend(vehicle.marks.iter().flatten().map(|&at| vec2(at)));
+            points.extend(vehicle.skids.iter().flatten().map(|&at| vec2(at)));
             arrows.extend(vehicle.approach_arrow(View { origin: Point::ZERO, scale }).map(|(tail, _)| tail));
         }
         let mut points = points.into_iter().map(|point| (flipped(point) * scale).to_point()).chain(arrows);
@@ -280,7 +292,7 @@ impl MotionPicture {
         let longest = moving.max_by(|(one, _), (other, _)| one.distance().total_cmp(&other.distance()));
         let (vehicle, last) = longest?;
         let apart = APART * vehicle.length();
-        let most = (vehicle.distance() / apart).clamp(1.0, MOST_OUTLINES);
+        let most = (vehicle.distance() / apart).clamp(1.0, MOST_TIMES);
         let (times, _) = ticks::between(0.0, last.time / size, most);
         // A path on which there is nothing between its ends has none.
         times.get(1).copied().filter(|step| *step < last.time / size)
@@ -338,6 +350,41 @@ impl MotionVehicle {
             // What has no outline needs room for its symbol alone.
             _ => 1.0,
         }
+    }
+
+    /// Where it rests: as computed or, where that was solved for, as measured.
+    fn drawn_rest(&self) -> Option<&MotionRest> {
+        self.rest.as_ref().or(self.measured_rest.as_ref())
+    }
+
+    /// Where it passes at equal distances between the impact and the end of its path.
+    fn passing(&self) -> Vec<Pose> {
+        let distance = self.distance();
+        let spaces = (1..=MOST_OUTLINES + 1).rev();
+        // As many spaces as are not too short.
+        let Some(spaces) = spaces.into_iter().find(|&n| distance > APART * self.length() * f64::from(n))
+        else {
+            return Vec::new();
+        };
+        let way = |k: u32| distance * f64::from(k) / f64::from(spaces);
+        (1..spaces).filter_map(|k| self.pose_after(way(k))).collect()
+    }
+
+    /// Where it is after a way (m) along its path.
+    fn pose_after(&self, way: f64) -> Option<Pose> {
+        let mut gone = 0.0;
+        for pair in self.path.windows(2) {
+            let [from, to] = pair else { continue };
+            let step = (vec2(to.cg) - vec2(from.cg)).hypot();
+            if step > 0.0 && gone + step >= way {
+                let share = (way - gone) / step;
+                let between = |from: [f64; 2], to: [f64; 2]| vec2(from) + (vec2(to) - vec2(from)) * share;
+                let forward = unit(between(from.forward, to.forward));
+                return Some(Pose { cg: between(from.cg, to.cg), forward });
+            }
+            gone += step;
+        }
+        None
     }
 
     /// Where it is at a time (s), between the points of its path along straight lines.
@@ -423,7 +470,7 @@ impl Page<'_> {
     }
 
     fn at_rest(&mut self, vehicle: &MotionVehicle, _: usize) {
-        if let Some(rest) = vehicle.rest.as_ref().and_then(MotionRest::pose) {
+        if let Some(rest) = vehicle.drawn_rest().and_then(MotionRest::pose) {
             self.filled(vehicle, rest, WHITE);
         }
     }
@@ -468,13 +515,20 @@ impl Page<'_> {
         }
     }
 
-    /// Its outlines at equal times.
+    fn skids(&mut self, vehicle: &MotionVehicle, i: usize) {
+        for (k, &[from, to]) in vehicle.skids.iter().enumerate() {
+            let [from, to] = [from, to].map(|at| self.view.at(vec2(at)));
+            self.canvas.line(&format!("skid-{}-{}", i + 1, k + 1), from, to, SKID);
+        }
+    }
+
+    /// Its outlines at equal distances.
     fn passing(&mut self, vehicle: &MotionVehicle, i: usize) {
-        if let (SceneBody::Outline { footprint, crush }, true) = (&vehicle.body, self.has_outlines(vehicle)) {
-            for pose in self.at_equal_times(vehicle) {
+        if let SceneBody::Outline { footprint, crush } = &vehicle.body {
+            for (k, pose) in vehicle.passing().into_iter().enumerate() {
                 let there = self.view.place(pose);
                 let body = there * footprint.left_by(crush.as_ref());
-                self.canvas.path("", &body, Some(PASSING[i]), "none");
+                self.canvas.path(&format!("passing-{}-{}", i + 1, k + 1), &body, Some(PASSING[i]), "none");
                 self.detail(vehicle, pose, PASSING[i]);
             }
         }
@@ -499,13 +553,6 @@ impl Page<'_> {
         // That at the end is drawn as the rest.
         let (times, _) = ticks::between(step, end * (1.0 - 1e-9), end / step);
         times.iter().filter_map(|time| vehicle.pose_at(time * self.motion.time.size)).collect()
-    }
-
-    /// Whether its outlines at equal times would stand apart.
-    fn has_outlines(&self, vehicle: &MotionVehicle) -> bool {
-        #[expect(clippy::cast_precision_loss, reason = "there are few")]
-        let spaces = (self.at_equal_times(vehicle).len() + 1) as f64;
-        vehicle.distance() > 0.5 * APART * vehicle.length() * spaces
     }
 
     /// What is seen of its front.
@@ -659,12 +706,10 @@ impl Page<'_> {
             add(true, Sample::Line(PATH[i]), &text);
         }
         let passing = motion.each().find(|(_, vehicle)| {
-            matches!(vehicle.body, SceneBody::Outline { .. })
-                && self.has_outlines(vehicle)
-                && !self.at_equal_times(vehicle).is_empty()
+            matches!(vehicle.body, SceneBody::Outline { .. }) && !vehicle.passing().is_empty()
         });
-        if let (Some((i, _)), Some(every)) = (passing, &every) {
-            add(true, Sample::Box(PASSING[i], "none".to_owned()), &format!("outline every {every}"));
+        if let Some((i, _)) = passing {
+            add(true, Sample::Box(PASSING[i], "none".to_owned()), "outlines, equally far apart");
         }
         let computed =
             |vehicle: &MotionVehicle| vehicle.rest.as_ref().map(|rest| vehicle.has_outline_at(rest));
@@ -689,6 +734,8 @@ impl Page<'_> {
         add(points, Sample::Symbol(MEASURED_POINT), "measured point of the path");
         let marks = any(|vehicle| !vehicle.marks.is_empty());
         add(marks, Sample::Line(MARK), word("tyre mark, as computed", "mark of a wheel that slides"));
+        let skids = any(|vehicle| !vehicle.skids.is_empty());
+        add(skids, Sample::Line(SKID), "skid mark before the impact");
         add(!motion.ground.is_empty(), Sample::Line(EDGE_OF_GROUND), "edge of a part of the ground");
         if any(|vehicle| vehicle.has_shape(Shape::Car)) {
             entries.push(legend::windscreen());

@@ -29,6 +29,8 @@ pub struct MotionCurvesPicture {
     pub title: String,
     /// The line below it.
     pub subtitle: String,
+    /// What keeps it from being the answer: stands below that. Mostly empty.
+    pub caveat: String,
     /// What a reader who cannot see it has to be told.
     pub description: String,
     /// Across; its data are in s.
@@ -53,7 +55,7 @@ impl MotionCurvesPicture {
     #[must_use]
     pub fn draw(&self) -> Drawing {
         let mut canvas = Canvas::new(NAME, WIDTH, HEADER);
-        legend::header(&mut canvas, &self.title, &self.subtitle);
+        legend::header(&mut canvas, &self.title, &format!("{}\n{}", self.subtitle, self.caveat));
         let all = || self.panels.iter().flat_map(|panel| panel.curves.iter().flatten());
         let last = all().map(|[time, _]| *time).fold(0.0, f64::max);
         let across = [0.0, if last > 0.0 { last } else { self.time.unit }];

@@ -51,6 +51,8 @@ pub(crate) const APPROACH: Pen = pen(GREEN, 3.0, "");
 pub(crate) const MEASURED: Pen = pen(BLACK, 1.6, "5 3");
 /// Of a wheel that slides.
 pub(crate) const MARK: Pen = pen("#333333", 1.2, "");
+/// Of a locked wheel before the impact, as measured.
+pub(crate) const SKID: Pen = pen("#333333", 2.4, "3 2");
 pub(crate) const EDGE_OF_GROUND: Pen = pen(GREY, 1.2, "9 3 2 3");
 /// Numbers of vehicles 1 and 2.
 pub(crate) const OF_VEHICLE: [Pen; 2] = [pen(BLUE, 2.5, ""), pen(VERMILION, 2.0, "9 5")];

@@ -29,6 +29,8 @@ pub struct ReconciliationPicture {
     pub title: String,
     /// The line below it.
     pub subtitle: String,
+    /// What keeps it from being the answer: stands below that. Mostly empty.
+    pub caveat: String,
     /// What a reader who cannot see it has to be told.
     pub description: String,
     /// Across; its data are in m/s.
@@ -66,7 +68,7 @@ impl ReconciliationPicture {
     pub fn draw(&self) -> Drawing {
         let chart = self.chart();
         let mut canvas = Canvas::new(NAME, WIDTH, HEIGHT);
-        legend::header(&mut canvas, &self.title, &self.subtitle);
+        legend::header(&mut canvas, &self.title, &format!("{}\n{}", self.subtitle, self.caveat));
         chart.draw(&mut canvas, &self.speed, &self.work, MOST);
 
         self.curve(&chart, &mut canvas, "sought", LEVEL, |point| point.sought);

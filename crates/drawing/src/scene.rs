@@ -44,6 +44,8 @@ pub struct ScenePicture {
     pub title: String,
     /// What a reader who cannot see it has to be told.
     pub description: String,
+    /// What keeps it from being the answer: stands below the title. Mostly empty.
+    pub caveat: String,
     /// The axes that are shown have y to the right, and t so.
     pub is_z_down: bool,
     /// For readers who are no engineers: vehicles and their velocities alone.
@@ -143,7 +145,8 @@ impl ScenePicture {
         let bar_row = HEADER + SCENE + 30.0;
         let canvas = Canvas::new(NAME, WIDTH, bar_row);
         let mut page = Page { canvas, scene: self, view, wall: self.wall_ends() };
-        legend::header(&mut page.canvas, &self.title, "Plan view at impact, to scale");
+        let below = format!("Plan view at impact, to scale\n{}", self.caveat);
+        legend::header(&mut page.canvas, &self.title, &below);
         // The bodies lie over each other: all areas first, so that no edge is hidden; and fixed objects below
         // what drove into them.
         for is_fixed in [true, false] {
@@ -482,14 +485,17 @@ impl Page<'_> {
         let vehicles = &self.scene.vehicles;
         let is_plain = self.scene.is_plain;
         let mut entries = Vec::new();
-        if vehicles.iter().any(|vehicle| vehicle.motion.is_some()) {
+        let motions = || vehicles.iter().filter_map(|vehicle| vehicle.motion.as_ref());
+        if motions().next().is_some() {
             let [before, after] = if is_plain {
                 ["speed and direction before impact", "speed and direction after impact"]
             } else {
                 ["v: velocity of the CG before impact", "V: velocity of the CG after impact"]
             };
             entries.push((Sample::Arrow(BEFORE, Head::Filled), before.to_owned()));
-            entries.push((Sample::Arrow(AFTER, Head::Open), after.to_owned()));
+            if !is_plain || motions().any(|motion| vec2(motion.after.vector).hypot() >= SLOWEST) {
+                entries.push((Sample::Arrow(AFTER, Head::Open), after.to_owned()));
+            }
             if !is_plain {
                 let impulse = "P: impulse on vehicle 1 (−P on 2)".to_owned();
                 entries.push((Sample::Arrow(IMPULSE, Head::Filled), impulse));

@@ -96,6 +96,7 @@ impl SpinOut {
             marks: [[1.3, 0.75], [1.3, -0.75], [-1.4, 0.75], [-1.4, -0.75]]
                 .map(|wheel| self.mark(wheel, 0.1, 0.7))
                 .to_vec(),
+            skids: Vec::new(),
         }
     }
 }
@@ -104,6 +105,7 @@ fn picture(vehicles: [Option<MotionVehicle>; 2]) -> MotionPicture {
     MotionPicture {
         title: text("Motion"),
         description: text("Both vehicles spin to rest."),
+        caveat: String::new(),
         is_z_down: false,
         is_plain: false,
         vehicles,
@@ -185,6 +187,7 @@ pub(crate) fn curves() -> MotionCurvesPicture {
     MotionCurvesPicture {
         title: text("Motion"),
         subtitle: text("Speed, yaw rate and heading from impact to rest"),
+        caveat: String::new(),
         description: text("Both slow down."),
         time: Axis { title: text("time since the impact (s)"), unit: 1.0 },
         panels: vec![
@@ -303,10 +306,12 @@ fn dots_are_at_equal_times() {
         let expected = scale.at(FIRST.at(0.5 * f64::from(k) / 2.9).cg);
         assert!(near(dot, expected, 0.1), "{k}: {dot} {expected}");
     }
-    assert!(svg.contains(">path of the CG, a dot every 0.5 s<") && svg.contains(">outline every 0.5 s<"));
-    // As many outlines, with their windscreens.
+    assert!(
+        svg.contains(">path of the CG, a dot every 0.5 s<") && svg.contains(">outlines, equally far apart<")
+    );
+    // Six outlines, with their windscreens.
     let passing = svg.lines().filter(|line| line.starts_with("<path") && line.contains("stroke=\"#4a90c2\""));
-    assert_eq!(passing.count(), 10);
+    assert_eq!(passing.count(), 12);
 }
 
 #[test]
@@ -703,4 +708,47 @@ fn curves_go_through_their_numbers() {
         MotionCurvesPicture { panels, ..whole.clone() }.draw().svg()
     };
     assert_eq!(falling(-3e-17), falling(0.0));
+}
+
+/// A spin of 20.4 m is passed by six bodies, a seventh of the path apart, by the formula of the path.
+#[test]
+fn outlines_are_equally_far_apart() {
+    let straight = SpinOut { bend: 0.0, ..FIRST };
+    let svg = picture([Some(straight.vehicle("1", CAR)), None]).draw().svg();
+    let (scale, tree) = (Scale::of(&svg), Reader::new().tree(&svg));
+    for k in 1..=6 {
+        // At the share s of the time, 2s − s² of the path is gone: s = 1 − √(1 − k/7).
+        let gone = f64::from(k) / 7.0;
+        let MotionPoint { cg, forward, .. } = straight.at(1.0 - (1.0 - gone).sqrt());
+        let drawn = area(&tree, &format!("motion-passing-1-{k}"));
+        let [x, y] =
+            [drawn.left() + drawn.right(), drawn.top() + drawn.bottom()].map(|sum| f64::from(sum) / 2.0);
+        // The middle of the body lies 0.15 m behind the CG.
+        let middle = scale.at([cg[0] - 0.15 * forward[0], cg[1] - 0.15 * forward[1]]);
+        assert!(near(Point::new(x, y), middle, 0.2), "{k}: {x} {y}, not {middle}");
+    }
+    assert!(!svg.contains("motion-passing-1-7"));
+    // 3 m have no room for one, and 6 m for one.
+    for (length, count) in [(3.0, 0), (6.0, 1), (9.0, 2)] {
+        let short = SpinOut { from: [0.0, 0.0], to: [length, 0.0], turn: 0.0, ..straight };
+        let svg = picture([Some(short.vehicle("1", CAR)), None]).draw().svg();
+        assert_eq!(svg.matches(" id=\"motion-passing-1-").count(), count, "{length} m");
+    }
+}
+
+#[test]
+fn a_rest_that_was_solved_for_and_skid_marks_are_drawn() {
+    let mut vehicle = FIRST.vehicle("1", CAR);
+    vehicle.measured_rest = vehicle.rest.take();
+    vehicle.skids = vec![[[-13.9, 1.1], [-1.9, 1.1]], [[-13.9, -0.3], [-1.9, -0.3]]];
+    let svg = picture([Some(vehicle), None]).draw().svg();
+    Reader::new().readable("skid", &svg);
+    assert!(svg.contains(">at rest, as measured</text>") && !svg.contains("as computed</text>"));
+    assert!(svg.contains(">skid mark before the impact</text>") && !svg.contains(" id=\"motion-rest-1\""));
+    let scale = Scale::of(&svg);
+    for (k, y) in [(1, 1.1), (2, -0.3)] {
+        let of = |name: &str| number(&svg, &format!("motion-skid-1-{k}"), name);
+        let ends = [Point::new(of("x1"), of("y1")), Point::new(of("x2"), of("y2"))];
+        assert!(near(ends[0], scale.at([-13.9, y]), 0.1) && near(ends[1], scale.at([-1.9, y]), 0.1), "{k}");
+    }
 }

@@ -2,9 +2,10 @@
 
 use drawing::{
     Axis, CrushProfile, CurvePoint, DamagePicture, DamagedVehicle, DensityPicture, Drawing, EnergyBar,
-    EnergyPicture, Footprint, FoundAtRest, HistogramPicture, JointPicture, Loss, Marker, RanksPicture,
-    ReconciliationPicture, RestsPicture, ScaleUnit, ScatterPanel, ScatterPicture, ScatterPoint, SceneArrow,
-    SceneBody, SceneMotion, ScenePicture, SceneVehicle, Shape, Symbol, TornadoBar, TornadoPicture, ValueMark,
+    EnergyPicture, Footprint, FoundAtRest, HistogramPicture, JointPicture, Loss, Marker, MomentumPicture,
+    RanksPicture, ReconciliationPicture, RestsPicture, ScaleUnit, ScatterPanel, ScatterPicture, ScatterPoint,
+    SceneArrow, SceneBody, SceneMotion, ScenePicture, SceneVehicle, Shape, Symbol, TornadoBar,
+    TornadoPicture, ValueMark,
 };
 
 use crate::reader::{Reader, area, attribute, number, scales};
@@ -136,6 +137,7 @@ fn scene() -> ScenePicture {
     ScenePicture {
         title: text("Wall"),
         description: text("A car drives into a wall."),
+        caveat: String::new(),
         is_z_down: false,
         is_plain: false,
         vehicles: [car, wall],
@@ -171,6 +173,7 @@ fn energy() -> EnergyPicture {
     };
     EnergyPicture {
         title: text("Wall"),
+        caveat: String::new(),
         initial: bar("initial kinetic energy", 80_000.0, None),
         losses: vec![
             (Loss::Vehicle1, bar("crush of vehicle 1", 50_000.0, None)),
@@ -191,6 +194,7 @@ fn reconciliation() -> ReconciliationPicture {
     ReconciliationPicture {
         title: text("Wall"),
         subtitle: text("Reconciliation"),
+        caveat: String::new(),
         description: text("The work rises to what is sought."),
         speed: axis("speed (km/h)", KM_PER_HOUR),
         work: axis("W (J)", 1.0),
@@ -708,4 +712,86 @@ fn the_root_of_a_reconciliation_stands_at_its_speed_and_work() {
     assert!((speed - 7.906 * 3.6).abs() < 2.0 * PIXEL * across.pixel(), "{speed}");
     assert!((work - 50_000.0).abs() < 2.0 * PIXEL * upward.pixel(), "{work}");
     assert!(svg.contains(">steps of the root-finder (2)</text>") && svg.contains(">also 43.2 km/h</text>"));
+}
+
+fn momentum(vectors: [[f64; 2]; 4]) -> MomentumPicture {
+    let arrow = |[x, y]: [f64; 2], label: &str| SceneArrow { vector: [x, y], label: text(label) };
+    let [a, b, c, d] = vectors;
+    let gap = [c[0] + d[0] - a[0] - b[0], c[1] + d[1] - a[1] - b[1]];
+    MomentumPicture {
+        title: text("Crossing"),
+        description: text("Two momenta before and after."),
+        caveat: text("Not the answer."),
+        is_z_down: false,
+        before: [arrow(a, "m₁v₁ 20,000 kg·m/s"), arrow(b, "m₂v₂ 9,000 kg·m/s")],
+        after: [arrow(c, "m₁V₁ 12,000 kg·m/s"), arrow(d, "m₂V₂ 14,000 kg·m/s")],
+        total: arrow([a[0] + b[0], a[1] + b[1]], "total 22,000 kg·m/s"),
+        change: arrow([c[0] - a[0], c[1] - a[1]], "m₁ΔV₁ 8,000 kg·m/s"),
+        gap: (gap != [0.0, 0.0]).then(|| arrow(gap, "left over 2,000 kg·m/s")),
+        momentum: ScaleUnit { name: text("kg·m/s"), size: 1.0 },
+    }
+}
+
+/// Sides begin where the one before them ends, in any direction; of vehicles on one line they lie below each
+/// other; and what does not close shows what is left over.
+#[test]
+fn momenta_stand_tip_to_tail() {
+    let reader = Reader::new();
+    let ends = |svg: &str, id: &str| {
+        ["data-from", "data-to"].map(|name| {
+            let at = attribute(svg, &format!("momentum-{id}"), name).unwrap_or_else(|| panic!("no {id}"));
+            let (x, y) = at.split_once(' ').unwrap();
+            [x.parse::<f64>().unwrap(), y.parse::<f64>().unwrap()]
+        })
+    };
+    let near = |one: [f64; 2], other: [f64; 2]| {
+        (one[0] - other[0]).abs() < PIXEL && (one[1] - other[1]).abs() < PIXEL
+    };
+    for k in 0..24 {
+        #[expect(clippy::disallowed_methods, reason = "a test, which compares no bits with another machine")]
+        let (s, c) = (f64::from(k) * 15.0).to_radians().sin_cos();
+        let turned = |x: f64, y: f64| [c * x - s * y, s * x + c * y];
+        for size in [1.0, 1e-3, 1e3] {
+            let of = |x: f64, y: f64| turned(x * size, y * size);
+            let picture = momentum([of(20e3, 0.0), of(0.0, 9e3), of(12e3, 6e3), of(8e3, 3e3)]);
+            let svg = MomentumPicture { gap: None, ..picture }.draw().svg();
+            reader.readable("momentum", &svg);
+            let [before1, before2, after1, after2, total, change] =
+                ["before-1", "before-2", "after-1", "after-2", "total", "change"].map(|id| ends(&svg, id));
+            assert!(near(before1[1], before2[0]) && near(after1[1], after2[0]), "{k}");
+            assert!(near(before2[1], after2[1]) && near(before2[1], total[1]), "{k}");
+            assert!(near(before1[0], after1[0]) && near(before1[0], total[0]), "{k}");
+            assert!(near(change[0], before1[1]) && near(change[1], after1[1]), "{k}");
+            let scale = ends(&svg, "scale");
+            let per = (scale[1][0] - scale[0][0]) / number(&svg, "momentum-scale", "data-si");
+            let drawn = [before1[1][0] - before1[0][0], before1[0][1] - before1[1][1]];
+            let meant = of(20e3, 0.0).map(|part| part * per);
+            assert!(near(drawn, meant) || per * 20e3 * size > 1e3, "{k}: {drawn:?} {meant:?}");
+        }
+    }
+    // Along x: no two sides lie on each other, and ends of one corner stand above each other.
+    let line = momentum([[20e3, 0.0], [-5e3, 0.0], [6e3, 0.0], [9e3, 0.0]]);
+    let svg = line.draw().svg();
+    reader.readable("line", &svg);
+    assert!(svg.contains(">Not the answer.</text>"));
+    let rows = ["before-1", "before-2", "total", "after-1", "after-2", "change"].map(|id| ends(&svg, id));
+    for (k, [from, to]) in rows.iter().enumerate() {
+        assert!((from[1] - to[1]).abs() < PIXEL);
+        assert!(rows[..k].iter().all(|other| from[1] > other[0][1] + 20.0), "{k}");
+    }
+    let [before2, total, after2] = [rows[1], rows[2], rows[4]];
+    assert!((before2[1][0] - after2[1][0]).abs() < PIXEL && (before2[1][0] - total[1][0]).abs() < PIXEL);
+    // One that stood; and 2,000 kg·m/s that are left over.
+    let open = momentum([[20e3, 0.0], [0.0, 0.0], [12e3, 3e3], [8e3, -1e3]]);
+    let svg = open.draw().svg();
+    reader.readable("open", &svg);
+    assert!(attribute(&svg, "momentum-before-2", "data-to").is_none() && svg.contains(">m₂v₂ 9,000"));
+    let [gap, after2, total] = ["gap", "after-2", "total"].map(|id| ends(&svg, id));
+    assert!(
+        near(gap[1], after2[1]) && near(gap[0], total[1]) && svg.contains(">what is left over after it<")
+    );
+    // Where nothing moves, nothing is divided by zero.
+    let still = momentum([[0.0; 2]; 4]).draw().svg();
+    reader.readable("still", &still);
+    assert!(!still.contains("NaN") && !still.contains("inf"));
 }

@@ -4,12 +4,15 @@
 mod question;
 
 use ::estimate::{Doubt, LEVELS, Quantity, Summary};
-use analysis::{Assumed, EstimateOutput, EstimatePlan, Estimated, PieceFound, UnknownNumber, UnusedReason};
+use analysis::{
+    Assumed, EstimateOutput, EstimatePlan, Estimated, EstimatedOutput, PieceFound, UnknownNumber,
+    UnusedReason,
+};
 use evidence::{CrushErrors, EnergyError, EnergyMethod, MeasuredSpeed, Observed, Piece};
 use pim_core::VehicleId;
 
 use crate::outputs::{output_name, printed};
-use crate::units::{Measure, Units, significant};
+use crate::units::{Measure, Units, number, significant};
 use crate::worth::{BARRIER_TESTS, SMITH_NOGA, STAGED_MOTION};
 
 /// What a reader asked of an estimate.
@@ -43,6 +46,34 @@ pub(crate) const WIDEST: usize = {
 pub(crate) fn ends(summary: &Summary, place: usize) -> [f64; 2] {
     let interval = &summary.intervals[place];
     [interval.low.value, interval.high.value]
+}
+
+/// Median and 95 % interval of a speed, with one decimal.
+pub(crate) fn median_and_interval(summary: &Summary, units: Units) -> [String; 2] {
+    let of = |si: f64| number(units.value(Measure::RoadSpeed, si), 1);
+    let [low, high] = ends(summary, WIDEST);
+    [of(summary.median.value), format!("{} to {}", of(low), of(high))]
+}
+
+/// A speed or a ΔV with its interval, like `40.5 km/h (95 %: 37.7 to 43.5 km/h)`.
+pub(crate) fn told_speed(found: &EstimatedOutput, units: Units) -> String {
+    let unit = units.name(Measure::RoadSpeed);
+    let [median, interval] = median_and_interval(&found.posterior, units);
+    if !found.varies() {
+        return format!("{median} {unit}, as given");
+    }
+    let [low, high] = ends(&found.posterior, WIDEST);
+    let words = if low == 0.0 {
+        let most = number(units.value(Measure::RoadSpeed, high), 1);
+        format!("95 %: up to {most} {unit}")
+    } else {
+        format!("95 %: {interval} {unit}")
+    };
+    if found.is_told() {
+        format!("{median} {unit} ({words})")
+    } else {
+        format!("the evidence does not tell ({words})")
+    }
 }
 
 /// (–) probability that any of the pieces is warned of, where all are right: the least p-value has to be

@@ -103,8 +103,8 @@ pub use live::{NotLive, live};
 pub use outputs::reason_name;
 pub use pictures::{
     DrawingError, Frames, Subject, computed_against_measured, density, drawing, estimate_pictures,
-    estimated_against_recorded, frames, histogram, joint_speeds, motion_on, place_of_impact, plain_scene,
-    plan_view, ranks_of_recorders, reconstructed_speed, rests, site_plan, site_plan_of, tornado,
+    estimated_against_recorded, frames, histogram, joint_speeds, motion_on, place_of_impact, plain_motion,
+    plain_scene, plan_view, ranks_of_recorders, reconstructed_speed, rests, site_plan, site_plan_of, tornado,
 };
 pub use sections::comparison::comparison;
 pub use sections::estimate::estimate;

@@ -4,6 +4,7 @@ mod damage;
 mod energy;
 pub(crate) mod estimate;
 mod field;
+mod momentum;
 mod motion;
 mod reconciliation;
 mod scene;
@@ -20,13 +21,14 @@ pub use staged::{computed_against_measured, reconstructed_speed};
 
 use ::drawing::Drawing;
 use ::drawing::{PlanBody, PlanPlace, PlanView, ScaleUnit, SitePlan, SitePlanError, Viewport};
-use analysis::{Analysis, Failure, Judgement};
+use analysis::{Analysis, EstimatedOutput, Failure, Judgement, Output, Weighed};
 use case::{Axes, Case, CaseFile, Faults, Find, Purpose, Quantity};
-use pim_core::Real;
+use pim_core::{Real, VehicleId};
 
 use crate::Units;
+use crate::estimates::told_speed;
 use crate::units::Measure;
-use crate::words::title;
+use crate::words::{self, title};
 
 /// What to draw.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -43,12 +45,21 @@ pub enum Subject {
     Motion,
     /// Speed, yaw rate and heading of both vehicles over the time from the impact to rest.
     MotionCurves,
+    /// The momenta of both vehicles before and after the impact, tip to tail.
+    Momentum,
 }
 
 impl Subject {
     /// All of them, in the order of a report.
-    pub const ALL: [Self; 6] =
-        [Self::Scene, Self::Motion, Self::MotionCurves, Self::Damage, Self::Reconciliation, Self::Energy];
+    pub const ALL: [Self; 7] = [
+        Self::Scene,
+        Self::Motion,
+        Self::MotionCurves,
+        Self::Momentum,
+        Self::Damage,
+        Self::Reconciliation,
+        Self::Energy,
+    ];
 
     /// Its name on the command line, which is [`Drawing::name`] too.
     #[must_use]
@@ -60,6 +71,7 @@ impl Subject {
             Self::Energy => "energy",
             Self::Motion => "motion",
             Self::MotionCurves => "motion-curves",
+            Self::Momentum => "momentum",
         }
     }
 
@@ -126,6 +138,10 @@ impl Subject {
                 Some(Find::One(_)) => of_impact(lacking),
             },
             Self::Energy => of_impact(lacking),
+            Self::Momentum => match VehicleId::ALL.into_iter().find(|id| case.vehicles[id.index()].fixed) {
+                Some(vehicle) => Some(DrawingError::FixedObject { vehicle }),
+                None => of_impact(lacking),
+            },
             Self::Motion | Self::MotionCurves => case.motion().err().and_then(|lacks| {
                 let follows = purpose != Purpose::Crush
                     && lacking.is_none()
@@ -155,6 +171,14 @@ pub enum DrawingError {
     NoImpact {
         /// What was asked for.
         subject: Subject,
+    },
+    /// A fixed object hands the momentum on to the ground.
+    #[error(
+        "there is no momentum polygon to draw: vehicle {vehicle} is a fixed object, and the ground takes the momentum"
+    )]
+    FixedObject {
+        /// Which.
+        vehicle: VehicleId,
     },
     /// Nothing is damaged.
     #[error("there is no damage to draw: no vehicle of the case has a crush profile")]
@@ -204,21 +228,28 @@ pub fn drawing(
         Subject::Damage => Ok(damage::picture(&file.case, analysis, units)?.draw()),
         Subject::Reconciliation => Ok(reconciliation::picture(file, analysis, units)?.draw()),
         Subject::Energy => Ok(energy::picture(&file.case, analysis, units)?.draw()),
-        Subject::Motion => Ok(motion::picture(&file.case, analysis, units, false, None)?.draw()),
+        Subject::Motion => Ok(motion::picture(&file.case, analysis, units, None)?.draw()),
+        Subject::Momentum => Ok(momentum::picture(&file.case, analysis, units)?.draw()),
         Subject::MotionCurves => Ok(motion::curves(&file.case, analysis, units)?.draw()),
     }
 }
 
 /// Draws the scene for readers who are no engineers, such as a jury: the vehicles by name, and their speeds
-/// before and after the impact in words; no symbols, axes or forces.
+/// before and after the impact in words; no symbols, axes or forces. Of a case with more evidence than an
+/// exact solution uses, the speeds are those of all the evidence, `weighed`; where it was not weighed, none.
 ///
 /// # Errors
 /// [`DrawingError`]: the analysis has no impact.
-pub fn plain_scene(file: &CaseFile, analysis: &Analysis, units: Units) -> Result<Drawing, DrawingError> {
-    Ok(scene::plain(&file.case, analysis, units)?.draw())
+pub fn plain_scene(
+    file: &CaseFile,
+    analysis: &Analysis,
+    weighed: Option<&Weighed>,
+    units: Units,
+) -> Result<Drawing, DrawingError> {
+    Ok(scene::plain(&file.case, analysis, weighed, units)?.draw())
 }
 
-/// Draws the motion on a site plan, for engineers or, if `is_plain`, for readers who are none.
+/// Draws the motion on a site plan.
 ///
 /// # Errors
 /// [`DrawingError`]: the analysis follows no vehicle to rest.
@@ -226,10 +257,101 @@ pub fn motion_on(
     file: &CaseFile,
     analysis: &Analysis,
     units: Units,
-    is_plain: bool,
     site_plan: Option<SitePlan>,
 ) -> Result<Drawing, DrawingError> {
-    Ok(motion::picture(&file.case, analysis, units, is_plain, site_plan)?.draw())
+    Ok(motion::picture(&file.case, analysis, units, site_plan)?.draw())
+}
+
+/// The same for readers who are no engineers, with the speeds of [`plain_scene`].
+///
+/// # Errors
+/// [`DrawingError`]: the analysis follows no vehicle to rest.
+pub fn plain_motion(
+    file: &CaseFile,
+    analysis: &Analysis,
+    weighed: Option<&Weighed>,
+    units: Units,
+    site_plan: Option<SitePlan>,
+) -> Result<Drawing, DrawingError> {
+    Ok(motion::plain(&file.case, analysis, weighed, units, site_plan)?.draw())
+}
+
+/// What keeps the drawing of an exact solution from being the answer; empty where the solution is that.
+fn caveat(analysis: &Analysis) -> String {
+    let Some(why) = analysis.overdetermined() else { return String::new() };
+    let reason = if !why.refuted_by.is_empty() {
+        "its own checks refute it"
+    } else if why.is_contradicted {
+        "other evidence of the case contradicts it"
+    } else {
+        "the case has more evidence than it uses"
+    };
+    format!("Exact solution by {}, not the answer: {reason}.", words::solution(analysis.solved_by()))
+}
+
+/// A description with what keeps the drawing from being the answer.
+fn with_caveat(description: String, caveat: &str) -> String {
+    if caveat.is_empty() { description } else { format!("{description} {caveat}") }
+}
+
+/// The speed before the impact for readers who are no engineers.
+#[derive(Clone, Copy)]
+enum PlainSpeed<'a> {
+    /// That of the exact solution, which is the answer.
+    Exact,
+    /// What all the evidence says of it.
+    Weighed(&'a EstimatedOutput),
+    /// The case gives it.
+    Given,
+    /// The exact solution is not the answer, and nothing else is.
+    Unknown,
+}
+
+impl<'a> PlainSpeed<'a> {
+    fn of(analysis: &Analysis, weighed: Option<&'a Weighed>, vehicle: VehicleId) -> Self {
+        if analysis.overdetermined().is_none() {
+            return Self::Exact;
+        }
+        let of_found = analysis.found.as_ref().map(|found| found.unknown.vehicle());
+        let sought = of_found.or_else(|| analysis.both.as_ref()?.sought());
+        if sought.is_some_and(|sought| sought != vehicle) {
+            return Self::Given;
+        }
+        let weighed = weighed.filter(|weighed| weighed.is_answer());
+        weighed
+            .and_then(|weighed| weighed.output(Output::Speed { vehicle }))
+            .map_or(Self::Unknown, Self::Weighed)
+    }
+
+    /// In words, like `before: 40.5 km/h (95 %: 37.7 to 43.5 km/h)`.
+    fn label(self, exact: f64, units: Units) -> Option<String> {
+        match self {
+            Self::Exact | Self::Given => Some(format!("before: {}", units.speed_in_words(exact))),
+            Self::Weighed(found) => Some(format!("before: {}", told_speed(found, units))),
+            Self::Unknown => None,
+        }
+    }
+
+    /// (m/s) along the heading; `None` where the evidence does not tell it.
+    fn along(self, exact: f64) -> Option<f64> {
+        match self {
+            Self::Exact | Self::Given => Some(exact),
+            Self::Weighed(found) if found.varies() && !found.is_told() => None,
+            Self::Weighed(found) => Some(found.posterior.median.value),
+            Self::Unknown => None,
+        }
+    }
+
+    /// What stands below the title of a drawing with the speeds of both vehicles.
+    fn caveat(speeds: [Self; 2]) -> &'static str {
+        if speeds.iter().any(|speed| matches!(speed, Self::Weighed(_))) {
+            "Speeds by all the evidence together, each with the range that contains it with a probability of 95 %."
+        } else if speeds.iter().any(|speed| matches!(speed, Self::Unknown)) {
+            "Without the speeds that are sought: they follow from all the evidence, which was not weighed."
+        } else {
+            ""
+        }
+    }
 }
 
 /// Draws the scene or the motion with a part of the scene in its room, or with all that there is, and tells
@@ -248,9 +370,7 @@ pub fn plan_view(
 ) -> Result<(Drawing, PlanView), DrawingError> {
     match subject {
         Subject::Scene => Ok(scene::picture(&file.case, analysis, units)?.draw_within(viewport)),
-        Subject::Motion => {
-            Ok(motion::picture(&file.case, analysis, units, false, None)?.draw_within(viewport))
-        }
+        Subject::Motion => Ok(motion::picture(&file.case, analysis, units, None)?.draw_within(viewport)),
         subject => Err(DrawingError::NoMotion { subject }),
     }
 }
@@ -275,7 +395,7 @@ pub fn frames(
     units: Units,
     times: impl FnOnce(f64) -> Vec<f64>,
 ) -> Result<Frames, DrawingError> {
-    let picture = motion::picture(&file.case, analysis, units, false, None)?;
+    let picture = motion::picture(&file.case, analysis, units, None)?;
     let duration = picture.duration();
     let frames = times(duration).into_iter().map(|time| (time, picture.bodies_at(time))).collect();
     Ok(Frames { duration, frames })

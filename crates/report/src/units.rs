@@ -73,6 +73,8 @@ pub enum Measure {
     Impulse,
     /// N·m·s
     MomentImpulse,
+    /// kg·m/s
+    Momentum,
     /// N
     Force,
     /// s
@@ -119,6 +121,9 @@ impl Units {
             (Measure::Impulse, Self::Us) => unit("lb·s", POUND_FORCE, 0),
             (Measure::MomentImpulse, Self::Si | Self::Uk) => unit("N·m·s", 1.0, 0),
             (Measure::MomentImpulse, Self::Us) => unit("ft·lb·s", FOOT * POUND_FORCE, 0),
+            (Measure::Momentum, Self::Si | Self::Uk) => unit("kg·m/s", 1.0, 0),
+            // Weight times speed, as momentum is drawn where weights are in pounds.
+            (Measure::Momentum, Self::Us) => unit("lb·mph", POUND * MILE_PER_HOUR, 0),
             (Measure::Force, Self::Si | Self::Uk) => unit("kN", 1000.0, 1),
             (Measure::Force, Self::Us) => unit("lb", POUND_FORCE, 0),
             (Measure::Time, _) => unit("s", 1.0, 2),

@@ -93,7 +93,7 @@ fn a_scene_needs_no_speeds() {
             assert!(!svg.contains(&format!("id=\"scene-{unknown}")), "{unknown}");
         }
         assert!(drawing.description().contains("The speeds are not known."));
-        let plain = report::plain_scene(&file, &analysis, Units::Si).unwrap();
+        let plain = report::plain_scene(&file, &analysis, None, Units::Si).unwrap();
         assert!(plain.svg().contains("Focus") && !plain.description().contains("km/h"));
     }
 }

@@ -47,7 +47,7 @@ fn a_negative_speed_is_called_backwards() {
     let text = report::results(&file.case, &analysis, Units::Si).text();
     assert!(text.contains("Speed of vehicle 2: -7.2 km/h (-2.00 m/s), backwards\n"), "{text}");
     assert!(text.contains("Speed of vehicle 1: 43.2 km/h (12.00 m/s)\n"), "{text}");
-    let plain = report::plain_scene(&file, &analysis, Units::Si).unwrap();
+    let plain = report::plain_scene(&file, &analysis, None, Units::Si).unwrap();
     assert!(plain.svg().contains("before: 7.2 km/h backwards"));
     assert!(plain.description().contains("before: 7.2 km/h backwards"));
     assert!(plain.svg().contains("before: 43.2 km/h<"));

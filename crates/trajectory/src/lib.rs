@@ -55,6 +55,8 @@
 //!   takes two thirds of the steps, that of 869 is exact to 1 cm and 0.1°, and of 974 of 1000 that spin like
 //!   RICSAC 6. Four times the steps make it 100 times better. [`EnergyBalance::remainder`] tells the error of
 //!   each run.
+//! - Of 300 vehicles that roll far, up to 700 m at drags of 0.005 to 0.05, the rest is exact to 0.03 % of the
+//!   path; of 300 that do so with the front wheels steered by up to 6°, to 0.1 % for 285, to 0.13 % for all.
 //! - [`to_start`] found a start for each of 1000 random rests: for 539 the one that had led there, to 1e-6,
 //!   for the others some that come to rest within 1 mm.
 //! - A motion followed among others has the bits of one followed alone.

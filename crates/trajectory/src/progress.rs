@@ -20,6 +20,10 @@ const SHARE_OF_THE_REST: f64 = 0.8;
 /// is of order 2, the step of order 3; where the forces bend, it errs by all of it.
 const SMOOTH: f64 = 0.5;
 
+/// (s) an error of the motion across the heading, and of the yaw rate, is forgotten after this: the tyres
+/// straighten a vehicle that rolls.
+const FORGOTTEN: f64 = 1.0;
+
 /// (m) a last way below this is straight if what turns the motion now turns it by little.
 const SHORT: f64 = 0.3;
 
@@ -238,10 +242,16 @@ pub(crate) fn error_squared<T: Number>(
     lever: T::Plain,
     control: &Control,
 ) -> T::Plain {
-    let left = T::Plain::lesser(to_rest, to_rest.constant(1.0)) * 0.5;
-    let [x, y, heading] = three(|i| step.error_q[i] + step.error_w[i] * left);
+    let left = T::Plain::lesser(to_rest, to_rest.constant(FORGOTTEN)) * 0.5;
+    let [x, y, heading] = three(|i| step.error_q[i].abs() + step.error_w[i].abs() * left);
     let swing = heading * lever;
     let square = T::Plain::greater(x * x + y * y, swing * swing);
+    // What the speed errs by, no tyre takes away: δs = δu t/2 with δu = δw·w/|w|
+    let [u, v, _] = step.end.w.map(|part| part.plain());
+    let gain = step.error_w[0] * u + step.error_w[1] * v;
+    let left = T::Plain::lesser(to_rest, to_rest.constant(control.longest_time)) * 0.5;
+    let stretch_squared = gain * gain * (left * left) / (u * u + v * v + f64::MIN_POSITIVE);
+    let square = T::Plain::greater(square, stretch_squared);
     let counts = <T::Plain as Number>::select(step.smooth, square * (SMOOTH * SMOOTH), square);
     counts * (1.0 / (control.tolerance * control.tolerance))
 }

@@ -180,8 +180,7 @@ impl<T: Number> Start<T> {
         // The weights of order 2 are 7/24, 1/4, 1/3 and 1/8: e = h (−5k₁ + 6k₂ + 8k₃ − 9k₄)/72
         //                                                     = (Δ − h (k₁ + k₄)/2)/4.
         let half = h.plain() * 0.5;
-        let off =
-            |change: T, k1: T, k4: T| ((change.plain() - half * (k1.plain() + k4.plain())) * 0.25).abs();
+        let off = |change: T, k1: T, k4: T| (change.plain() - half * (k1.plain() + k4.plain())) * 0.25;
         Step {
             end: Phase { q: three(|i| q[i] + way[i]), w: w4 },
             there,
@@ -229,7 +228,6 @@ impl<T: Number> Start<T> {
         let work = combined(h, [self.acceleration.power, p2, p3, p4], &WEIGHTS);
         let error_of = |k: [T; 4]| {
             combined(h.plain(), [k[0].plain(), k[1].plain(), k[2].plain(), k[3].plain()], &IMPLICIT_ERROR)
-                .abs()
         };
         let there = (heading, field.acceleration(heading, end.w, steer(self.time + h)));
         Step {

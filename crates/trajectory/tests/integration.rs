@@ -166,3 +166,33 @@ fn turned_and_mirrored_scenes_agree() {
         assert!((other.heading + rest.heading).abs() < 1e-2, "{n}");
     }
 }
+
+/// Vehicles that roll far with little drag after their spin has died out, two of them in a curve. What the
+/// guarantees of the crate say: of the rest position to a thousandth of the path.
+#[test]
+fn long_roll_outs_are_exact_to_a_thousandth_of_the_path() {
+    let light = crate::scenes::car([0.02, 0.01, 0.01, 0.01]);
+    let free = crate::scenes::car([0.01, 0.02, 0.01, 0.02]);
+    let dragging = crate::scenes::car([0.04, 0.006, 0.01, 0.05]);
+    for (chassis, steer, start, longer_than) in [
+        (free, 0.0, crate::scenes::start(0.3, [12.4, 15.7], 1.5), 60.0),
+        (light, 0.03, crate::scenes::start(0.0, [11.8, 2.4], 1.0), 300.0),
+        (dragging, -0.09, crate::scenes::start(0.96, [-1.4, 17.3], -1.47), 100.0),
+    ] {
+        let rest = |control: &Control| {
+            let ground = Ground::level(0.65);
+            to_rest(&chassis, Steer::Held(steer), &ground, &start, control, |_| {}).unwrap()
+        };
+        let ours = rest(&Control::default());
+        let tolerance = Control::default().tolerance / 1000.0;
+        let exact = rest(&Control { longest_step: 0.02, ..control(tolerance) });
+        assert!(exact.distance > longer_than, "{} m", exact.distance);
+        let miss = (ours.position - exact.position).norm();
+        assert!(miss < 1e-3 * exact.distance, "{miss} m of {} m", exact.distance);
+        assert!(
+            (ours.heading - exact.heading).abs() < 0.3_f64.to_radians(),
+            "{}",
+            ours.heading - exact.heading
+        );
+    }
+}

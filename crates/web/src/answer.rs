@@ -127,6 +127,7 @@ pub(crate) fn look(text: &str, command: &str, units: &str, what: &str, viewport:
             Ok((_, analysis)) => json!({
                 "ok": true,
                 "headline": report::results(case, &analysis, given.units).headline(),
+                "weigh": analysis.overdetermined().is_some(),
                 "warnings": warnings(&given, &analysis),
             }),
             Err(refused) => refused.json(),

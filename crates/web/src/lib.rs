@@ -92,17 +92,19 @@ pub fn answer(text: &str, command: &str, units: &str, name: Option<String>) -> S
 /// answer. `what` and `viewport` are those of `scene`; a case without that view shows the other one, and
 /// `none` draws nothing.
 ///
-/// `{ ok: true, headline, warnings, command, able: [command], units, scene }`, or `{ ok: false, problems,
-/// message, command, able, units, scene }`, without the last four of a text that cannot be read. `warnings`
-/// are those of `answer`, and `scene` is what `scene` gives, or `null`.
+/// `{ ok: true, headline, weigh, warnings, command, able: [command], units, scene }`, or `{ ok: false,
+/// problems, message, command, able, units, scene }`, without the last four of a text that cannot be read.
+/// `warnings` are those of `answer`, and `scene` is what `scene` gives, or `null`. Where `weigh` holds, the
+/// case has more evidence than its exact solution uses: the answer is that of an estimate, and `headline`
+/// only says so.
 #[wasm_bindgen]
 #[must_use]
 pub fn look(text: &str, command: &str, units: &str, what: &str, viewport: &str) -> String {
     answer::look(text, command, units, what, viewport).to_string()
 }
 
-/// A drawing of an answer: `what` is `scene`, `motion`, `motion-curves`, `damage`, `reconciliation` or
-/// `energy`. `{ ok: true, svg, title, description }`, or `{ ok: false, problems, message }`.
+/// A drawing of an answer: `what` is `scene`, `motion`, `motion-curves`, `momentum`, `damage`,
+/// `reconciliation` or `energy`. `{ ok: true, svg, title, description }`, or `{ ok: false, problems, message }`.
 #[wasm_bindgen]
 #[must_use]
 pub fn draw(text: &str, what: &str, units: &str) -> String {

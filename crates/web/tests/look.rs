@@ -79,3 +79,17 @@ fn what_is_wrong_is_said() {
         );
     }
 }
+
+/// A case with more evidence than its exact solution uses has its answer from an estimate: the page is told
+/// so, and gets no speed to show.
+#[test]
+fn a_look_says_whether_all_the_evidence_has_to_be_weighed() {
+    let text = fixture("rear-end.toml");
+    assert_eq!(look(&text, "", "none")["weigh"], false);
+    let more = format!("{text}\n[vehicle1.recorder]\nspeed = \"20 km/h\"\n");
+    let look = look(&more, "", "scene");
+    assert_eq!(look["weigh"], true);
+    let headline = look["headline"].to_string();
+    assert!(!headline.contains("km/h") && !headline.contains("mph"), "{headline}");
+    assert!(look["scene"]["svg"].as_str().unwrap().contains("not the answer"));
+}

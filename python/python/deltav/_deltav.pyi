@@ -9,7 +9,7 @@ from deltav._record import Record
 __version__: str
 
 _Units = Literal["si", "us", "uk"]
-_What = Literal["scene", "motion", "motion-curves", "damage", "reconciliation", "energy"]
+_What = Literal["scene", "motion", "motion-curves", "momentum", "damage", "reconciliation", "energy"]
 
 @final
 class Case:

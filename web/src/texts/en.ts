@@ -81,6 +81,8 @@ export const texts = {
     noWarnings: "No warnings",
     warnings: (count: number) => (count === 1 ? "1 warning" : `${count} warnings`),
     inResults: "This question is answered by tables.",
+    weighing: "More is known than one exact solution uses. All of it is being weighed: the answer follows.",
+    notWeighed: "More is known than one exact solution uses, and it could not be weighed:",
     toField: "Go to the field",
     toLine: (line: number) => `Go to line ${line}`,
     andMore: (count: number) => (count === 1 ? "And 1 more problem." : `And ${count} more problems.`),

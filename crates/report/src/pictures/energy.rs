@@ -5,7 +5,7 @@ use analysis::Analysis;
 use case::{Basis, Case};
 use pim_core::VehicleId;
 
-use super::{DrawingError, Subject, title};
+use super::{DrawingError, Subject, caveat, title};
 use crate::Units;
 use crate::basis;
 use crate::units::Measure;
@@ -50,6 +50,7 @@ pub(super) fn picture(case: &Case, analysis: &Analysis, units: Units) -> Result<
     }
     Ok(EnergyPicture {
         title: title(case),
+        caveat: caveat(analysis),
         initial: bar("initial kinetic energy", energy.before),
         losses,
         rest: bar("final motion", energy.after),

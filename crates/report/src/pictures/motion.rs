@@ -5,14 +5,14 @@ use ::drawing::{
     Axis, GroundShape, GroundZone, MeasuredPoint, MotionCurves, MotionCurvesPicture, MotionPicture,
     MotionPoint, MotionRest, MotionVehicle, SceneArrow, SceneBody, SitePlan,
 };
-use analysis::{Analysis, Travel};
-use case::{Axes, Case, PointData, RegionData, SurfaceData};
+use analysis::{Analysis, Travel, TravelOrigin, Weighed};
+use case::{Axes, Case, PointData, RegionData, SkidBegin, SurfaceData};
 use pim_core::{Real, Vector2, VehicleId};
 use trajectory::State;
 
 use super::scene::scene_body;
 use super::vehicle::{Body, DrawnOutline};
-use super::{DrawingError, Subject, scale_unit, title};
+use super::{DrawingError, PlainSpeed, Subject, caveat, scale_unit, title, with_caveat};
 use crate::Units;
 use crate::units::{Measure, number};
 
@@ -22,23 +22,48 @@ const STANDING: f64 = 1.0 / 3.6;
 /// Of each step of the integration, so many parts are drawn: a step may be a second long.
 const PARTS: u32 = 12;
 
+/// For readers who are no engineers.
+pub(super) fn plain(
+    case: &Case,
+    analysis: &Analysis,
+    weighed: Option<&Weighed>,
+    units: Units,
+    site_plan: Option<SitePlan>,
+) -> Result<MotionPicture, DrawingError> {
+    let speeds = VehicleId::ALL.map(|id| PlainSpeed::of(analysis, weighed, id));
+    drawn(case, analysis, units, Some(speeds), site_plan)
+}
+
 pub(super) fn picture(
     case: &Case,
     analysis: &Analysis,
     units: Units,
-    is_plain: bool,
+    site_plan: Option<SitePlan>,
+) -> Result<MotionPicture, DrawingError> {
+    drawn(case, analysis, units, None, site_plan)
+}
+
+/// With plain speeds, for readers who are no engineers.
+fn drawn(
+    case: &Case,
+    analysis: &Analysis,
+    units: Units,
+    plain: Option<[PlainSpeed<'_>; 2]>,
     site_plan: Option<SitePlan>,
 ) -> Result<MotionPicture, DrawingError> {
     if analysis.travel.iter().all(Option::is_none) {
         return Err(DrawingError::NoMotion { subject: Subject::Motion });
     }
     let surface = analysis.surface.as_ref();
+    let caveat = plain.map_or_else(|| caveat(analysis), |speeds| PlainSpeed::caveat(speeds).to_owned());
+    let speed = |id: VehicleId| plain.map(|speeds| speeds[id.index()]);
     Ok(MotionPicture {
         title: title(case),
-        description: description(analysis, units),
+        description: with_caveat(description(analysis, units), &caveat),
+        caveat,
         is_z_down: case.axes == Axes::ZDown,
-        is_plain,
-        vehicles: VehicleId::ALL.map(|id| vehicle(case, analysis, id, units, is_plain)),
+        is_plain: plain.is_some(),
+        vehicles: VehicleId::ALL.map(|id| vehicle(case, analysis, id, units, speed(id))),
         impact: Some(place_of_impact(case)),
         normal: analysis.impact.as_ref().map(|impact| impact.contact.normal().into()),
         ground: surface.map_or_else(Vec::new, zones),
@@ -87,9 +112,10 @@ fn vehicle(
     analysis: &Analysis,
     id: VehicleId,
     units: Units,
-    is_plain: bool,
+    plain: Option<PlainSpeed<'_>>,
 ) -> Option<MotionVehicle> {
     let i = id.index();
+    let is_plain = plain.is_some();
     let (given, travel) = (&case.vehicles[i], analysis.travel[i].as_ref());
     let body = Body::of(given, &analysis.vehicles[i]);
     let name = match (given.name.as_ref(), given.fixed) {
@@ -121,8 +147,12 @@ fn vehicle(
     let before = analysis.exchange().filter(|_| !given.fixed).map(|exchange| exchange.before[i].velocity);
     let approach = before.filter(|velocity| velocity.norm() > STANDING).map(|velocity| SceneArrow {
         vector: velocity.into(),
-        label: format!("before: {}", units.speed_in_words(analysis.speed(id))),
+        label: plain
+            .unwrap_or(PlainSpeed::Exact)
+            .label(analysis.speed(id), units)
+            .unwrap_or_else(|| "before the impact".to_owned()),
     });
+    let is_solved_for = travel.is_some_and(|travel| travel.origin == TravelOrigin::Rest);
     let states = travel.map_or_else(Vec::new, dense);
     Some(MotionVehicle {
         name,
@@ -143,7 +173,7 @@ fn vehicle(
                 forward: direction(state.heading),
             })
             .collect(),
-        rest: travel.map(|travel| MotionRest {
+        rest: travel.filter(|_| !is_solved_for).map(|travel| MotionRest {
             cg: travel.rest.position.into(),
             forward: Some(direction(travel.rest.heading)),
             label: format!("rest {id}"),
@@ -154,7 +184,11 @@ fn vehicle(
             Some(MotionRest {
                 cg: measured.position.into(),
                 forward: Some(direction(heading)),
-                label: format!("rest {id}, measured"),
+                label: if is_solved_for && !is_plain {
+                    format!("rest {id}, measured: the path was solved to end here")
+                } else {
+                    format!("rest {id}, measured")
+                },
             })
         }),
         measured_points: travel.map_or_else(Vec::new, |travel| {
@@ -168,7 +202,41 @@ fn vehicle(
             travel.points.iter().enumerate().map(point).collect()
         }),
         marks: travel.map_or_else(Vec::new, |travel| marks(travel, &states)),
+        skids: skids(case, travel, id, Pose { cg: start, forward, approach: before }),
     })
+}
+
+/// Where a vehicle is at the impact.
+#[derive(Clone, Copy)]
+struct Pose {
+    /// (m)
+    cg: [f64; 2],
+    /// Its heading; a unit vector.
+    forward: [f64; 2],
+    /// (m/s) its velocity before the impact, where that is known.
+    approach: Option<Vector2<f64>>,
+}
+
+/// The skid marks before the impact, straight up to where the wheels are then; one of the CG where these are
+/// not known.
+fn skids(case: &Case, travel: Option<&Travel>, id: VehicleId, pose: Pose) -> Vec<[[f64; 2]; 2]> {
+    let Some(skid) = case.skids()[id.index()] else { return Vec::new() };
+    let cg = Vector2::from(pose.cg);
+    let begin = case.vehicles[id.index()].before.as_ref().map(|before| before.skid.begin);
+    let from = match begin {
+        Some(SkidBegin::From(place)) => Some(Vector2::new(place.x.si(), case.axes.lateral(place.y.si()))),
+        _ => None,
+    };
+    // From where the marks begin to where they end; else as the vehicle moved or, where that is not known, as
+    // it pointed.
+    let along = from.map(|from| cg - from).or(pose.approach).filter(|way| way.norm() > 0.0);
+    let along = along.unwrap_or(Vector2::from(pose.forward));
+    let way = along * (skid.length / along.norm());
+    let ends = match travel {
+        Some(travel) => travel.chassis.wheel_positions(cg, travel.start.heading).to_vec(),
+        None => vec![cg],
+    };
+    ends.into_iter().map(|end| [(end - way).into(), end.into()]).collect()
 }
 
 fn direction(heading: f64) -> [f64; 2] {
@@ -250,10 +318,12 @@ pub(super) fn curves(
         unit: units.size(measure),
     };
     let lateral = |value: f64| case.axes.lateral(value);
+    let caveat = caveat(analysis);
     Ok(MotionCurvesPicture {
         title: title(case),
         subtitle: "From the impact to rest".to_owned(),
-        description: description(analysis, units),
+        description: with_caveat(description(analysis, units), &caveat),
+        caveat,
         time: axis("time since the impact", Measure::Time),
         panels: vec![
             MotionCurves {

@@ -4,7 +4,7 @@ use ::drawing::{Axis, CurvePoint, ReconciliationPicture};
 use analysis::{Analysis, first_push, work_curve};
 use case::{Basis, CaseFile};
 
-use super::{DrawingError, title};
+use super::{DrawingError, caveat, title, with_caveat};
 use crate::Units;
 use crate::basis;
 use crate::units::Measure;
@@ -70,10 +70,12 @@ pub(super) fn picture(
         "{what} over the speed of vehicle {vehicle}. {begins} and reaches {crush} at {answer}. Admissible speeds: {}.",
         found.admissible.iter().map(|&si| speed(si)).collect::<Vec<_>>().join(", "),
     );
+    let caveat = caveat(analysis);
     Ok(ReconciliationPicture {
         title: title(&file.case),
         subtitle: format!("Reconciliation: {work} over the speed of vehicle {vehicle}"),
-        description,
+        description: with_caveat(description, &caveat),
+        caveat,
         speed: axis(&format!("speed of vehicle {vehicle}"), Measure::RoadSpeed),
         work: axis(&symbol, Measure::Energy),
         legend: [format!("{symbol}: {work}"), format!("{symbol} sought: {energy}{there}")],

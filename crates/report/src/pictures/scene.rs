@@ -1,19 +1,25 @@
 //! The scene: both vehicles at impact, seen from above.
 
 use ::drawing::{SceneArrow, SceneBody, SceneMotion, ScenePicture, SceneVehicle};
-use analysis::{Analysis, Exchange, Seen};
+use analysis::{Analysis, Exchange, Seen, Weighed};
 use case::{Axes, Case, Geometry};
 use pim_core::{Contact, Real, Vector2, VehicleId};
 
 use super::vehicle::{Body, DrawnOutline, profile};
-use super::{DrawingError, Subject, scale_unit, title};
+use super::{DrawingError, PlainSpeed, Subject, caveat, scale_unit, title, with_caveat};
 use crate::Units;
 use crate::axes;
 use crate::units::Measure;
 
 /// The same for readers who are no engineers: vehicles and their speeds before and after, in words.
-pub(super) fn plain(case: &Case, analysis: &Analysis, units: Units) -> Result<ScenePicture, DrawingError> {
+pub(super) fn plain(
+    case: &Case,
+    analysis: &Analysis,
+    weighed: Option<&Weighed>,
+    units: Units,
+) -> Result<ScenePicture, DrawingError> {
     let picture = picture(case, analysis, units)?;
+    let speeds = VehicleId::ALL.map(|id| PlainSpeed::of(analysis, weighed, id));
     let mut description = vec!["Both vehicles from above at the moment of impact, to scale.".to_owned()];
     let mut vehicles = picture.vehicles;
     for (id, vehicle) in VehicleId::ALL.into_iter().zip(&mut vehicles) {
@@ -27,16 +33,29 @@ pub(super) fn plain(case: &Case, analysis: &Analysis, units: Units) -> Result<Sc
             (_, Some(DrawnOutline::Nearest(_))) => format!("{name}, shape assumed"),
             (_, Some(DrawnOutline::Given) | None) => name.clone(),
         });
-        if let Some(motion) = &mut vehicle.motion {
-            motion.before.label = format!("before: {}", units.speed_in_words(analysis.speed(id)));
-            let after = length(motion.after.vector.into());
-            motion.after.label = format!("after: {}", units.format(Measure::RoadSpeed, after));
-            let [before, after] = [&motion.before, &motion.after].map(|arrow| arrow.label.as_str());
-            description.push(format!("Speed of {name} {before}, {after}."));
-        }
+        vehicle.motion = vehicle.motion.take().and_then(|motion| {
+            let (speed, exact) = (speeds[id.index()], analysis.speed(id));
+            let before = speed.label(exact, units)?;
+            if matches!(speed, PlainSpeed::Exact) {
+                let size = length(motion.after.vector.into());
+                let after = format!("after: {}", units.format(Measure::RoadSpeed, size));
+                description.push(format!("Speed of {name} {before}, {after}."));
+                let [before, after] = [(before, motion.before), (after, motion.after)]
+                    .map(|(label, arrow)| SceneArrow { label, ..arrow });
+                return Some(SceneMotion { before, after, ..motion });
+            }
+            description.push(format!("Speed of {name} {before}."));
+            // A speed is that along the heading; what follows from it after the impact is not known as well.
+            let along = speed.along(exact).filter(|along| *along != 0.0)?;
+            let vector = vehicle.forward.map(|part| part * along);
+            let after = SceneArrow { vector: [0.0; 2], label: String::new() };
+            Some(SceneMotion { before: SceneArrow { vector, label: before }, after, ..motion })
+        });
         vehicle.name = name;
     }
-    Ok(ScenePicture { is_plain: true, description: description.join(" "), vehicles, ..picture })
+    let caveat = PlainSpeed::caveat(speeds).to_owned();
+    let description = with_caveat(description.join(" "), &caveat);
+    Ok(ScenePicture { is_plain: true, description, caveat, vehicles, ..picture })
 }
 
 /// Without arrows where the analysis has the geometry alone.
@@ -48,9 +67,11 @@ pub(super) fn picture(case: &Case, analysis: &Analysis, units: Units) -> Result<
     let contact = analysis.impact.as_ref().map(|impact| &impact.contact).or(analysis.geometry.as_ref());
     let contact = contact.ok_or(no_scene)?;
     let exchange = analysis.exchange();
+    let caveat = caveat(analysis);
     Ok(ScenePicture {
         title: title(case),
-        description: description(case, &analysis.seen(case.axes), units),
+        description: with_caveat(description(case, &analysis.seen(case.axes), units), &caveat),
+        caveat,
         is_z_down: case.axes == Axes::ZDown,
         is_plain: false,
         vehicles: VehicleId::ALL.map(|id| vehicle(case, analysis, (contact, exchange.as_ref()), id, units)),

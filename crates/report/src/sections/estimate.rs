@@ -14,8 +14,8 @@ use super::uncertainty::{decimals_of, grouped};
 use crate::document::{Block, Column, Document, NONE, Table, Width};
 use crate::estimates::{
     Agreement, Asked, CONTRADICTS, DOUBTFUL, EIGHTY, HALF, NINETY, Question, WIDEST, crush_words,
-    doubt_words, ends, error, error_key, is_factor, label, measure, name, piece_name, source, unknown_key,
-    unused, value,
+    doubt_words, ends, error, error_key, is_factor, label, measure, median_and_interval, name, piece_name,
+    source, told_speed, unknown_key, unused, value,
 };
 use crate::pictures;
 use crate::units::{Measure, Units, number, significant};
@@ -103,9 +103,7 @@ impl<'a> Page<'a> {
 
     /// Median and 95 % interval of a speed, with one decimal.
     fn speed(&self, summary: &Summary) -> [String; 2] {
-        let of = |si: f64| number(self.units.value(Measure::RoadSpeed, si), 1);
-        let [low, high] = ends(summary, WIDEST);
-        [of(summary.median.value), format!("{} to {}", of(low), of(high))]
+        median_and_interval(summary, self.units)
     }
 
     fn lead(&mut self) {
@@ -119,24 +117,7 @@ impl<'a> Page<'a> {
 
     /// A speed or a ΔV with its interval, in words.
     fn told(&self, found: &EstimatedOutput) -> String {
-        let unit = self.units.name(Measure::RoadSpeed);
-        let name = name(found.output);
-        let [median, interval] = self.speed(&found.posterior);
-        if !found.varies() {
-            return format!("{name}: {median} {unit}, as given");
-        }
-        let [low, high] = ends(&found.posterior, WIDEST);
-        let words = if low == 0.0 {
-            let most = number(self.units.value(Measure::RoadSpeed, high), 1);
-            format!("95 %: up to {most} {unit}")
-        } else {
-            format!("95 %: {interval} {unit}")
-        };
-        if found.is_told() {
-            format!("{name}: {median} {unit} ({words})")
-        } else {
-            format!("{name}: the evidence does not tell ({words})")
-        }
+        format!("{}: {}", name(found.output), told_speed(found, self.units))
     }
 
     /// How probable it is that each vehicle stood.

@@ -115,7 +115,7 @@ pub fn handover(
     }
     let drawings = drawings(file, analysis, site_plan, units)?;
     if !drawings.is_empty() {
-        page.heading("Drawings");
+        page.heading(if headline.is_exact() { "Drawings" } else { "Drawings of the exact solution" });
     }
     page.blocks.extend(drawings.into_iter().map(|drawing| Block::Drawing(Box::new(drawing))));
     page.heading("Method");
@@ -191,14 +191,18 @@ fn drawings(
 ) -> Result<Vec<Drawing>, DrawingError> {
     let mut drawings = Vec::new();
     for subject in Subject::ALL {
+        // Where momentum gave no speed, its polygon shows nothing that the energy does not.
+        let is_by_momentum = analysis.both.as_ref().is_some_and(|both| !both.is_by_crush());
         let drawn = match subject {
-            Subject::Motion => motion_on(file, analysis, units, false, site_plan.cloned()),
+            Subject::Momentum if !is_by_momentum => continue,
+            Subject::Motion => motion_on(file, analysis, units, site_plan.cloned()),
             _ => drawing(file, analysis, units, subject),
         };
         match drawn {
             Ok(drawing) => drawings.push(drawing),
             Err(
                 DrawingError::NoImpact { .. }
+                | DrawingError::FixedObject { .. }
                 | DrawingError::NoDamage
                 | DrawingError::NoReconciliation
                 | DrawingError::TwoSpeeds
@@ -380,9 +384,13 @@ fn interval(uncertainty: &Uncertainty, output: Output, units: Units) -> Option<S
 }
 
 /// What the samples say of the speeds before the impact and of ΔV, a line each: the interval first, then the
-/// value at the central inputs, as the report leads with them. Empty where none of them varies.
+/// value at the central inputs, as the report leads with them. Empty where none of them varies, and where an
+/// exact solution is not the answer.
 #[must_use]
 pub fn uncertain_headline(uncertainty: &Uncertainty, units: Units) -> Vec<String> {
+    if uncertainty.nominal.overdetermined().is_some() {
+        return Vec::new();
+    }
     let line = |output: &UncertainOutput| {
         let name = match output.output {
             Output::Speed { vehicle } => format!("Speed of vehicle {vehicle} before impact"),

@@ -19,6 +19,7 @@ use crate::outputs::{estimate_name, estimate_source, input_name, output_name, ou
 use crate::pictures;
 use crate::units::{Measure, Units, number, significant};
 use crate::warnings;
+use crate::words;
 use crate::worth::{BARRIER_TESTS, SMITH_NOGA, Worth, worth};
 
 /// (columns) of the longest bar of the histogram.
@@ -87,12 +88,20 @@ impl<'a> Page<'a> {
             other => other.name(),
         };
         let inputs = counted(uncertainty.inputs.len(), "uncertain input");
-        let mut lines = vec![format!(
+        let mut lines = Vec::new();
+        if uncertainty.nominal.overdetermined().is_some() {
+            lines.push(format!(
+                "All intervals are those of the exact solution by {}, which is not the answer of the case: it \
+                 has more evidence than that uses. `deltav reconstruct` weighs all of it.",
+                words::solution(uncertainty.nominal.solved_by())
+            ));
+        }
+        lines.push(format!(
             "{} of {inputs}, {method}, seed {}; {} have an answer.",
             counted(propagation.evaluated(), "sample"),
             uncertainty.settings.seed,
             grouped(propagation.succeeded()),
-        )];
+        ));
         if propagation.evaluated() < propagation.requested() {
             lines.push(format!(
                 "Ended early: {} samples were requested. The results cover only the samples that were \

@@ -1,0 +1,46 @@
+//! A case has one answer, whichever command shows it.
+
+#![allow(clippy::unwrap_used, clippy::panic, reason = "helpers of tests fail by panicking")]
+
+use std::fs;
+use std::path::PathBuf;
+use std::process::{Command, Output};
+
+use serde_json::Value;
+
+/// A rear-end collision whose recorder stored far less than its crush tells.
+fn contradicted() -> String {
+    let folder = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("drawn");
+    fs::create_dir_all(&folder).unwrap();
+    let path = folder.join("contradicted.toml");
+    let text = include_str!("../../../fixtures/rear-end.toml");
+    fs::write(&path, format!("{text}\n[vehicle1.recorder]\nspeed = \"20 km/h\"\n")).unwrap();
+    path.display().to_string()
+}
+
+fn run(arguments: &[&str]) -> Output {
+    let output = Command::new(env!("CARGO_BIN_EXE_deltav")).args(arguments).output().unwrap();
+    assert_eq!(output.status.code(), Some(0), "{}", String::from_utf8_lossy(&output.stderr));
+    output
+}
+
+#[test]
+fn a_drawing_never_shows_a_speed_that_is_not_the_answer_as_one() {
+    let case = contradicted();
+    let reconstructed = run(&["reconstruct", &case, "--format", "json"]);
+    let json: Value = serde_json::from_slice(&reconstructed.stdout).unwrap();
+    assert_eq!(json["headline"]["by"], "estimate");
+    let speed = json["headline"]["vehicle1"]["speed"]["value"].as_f64().unwrap();
+    let exact = json["solutions"][0]["speeds"][0].as_f64().unwrap();
+
+    let plain = run(&["draw", &case, "--what", "scene", "--plain", "--units", "si"]);
+    let svg = String::from_utf8(plain.stdout).unwrap();
+    assert!(svg.contains(&format!(">before: {:.1} km/h (95 %: ", speed * 3.6)), "{speed}: {svg}");
+    assert!(!svg.contains(&format!("{:.1} km/h", exact * 3.6)), "{exact}: {svg}");
+
+    let drawn = run(&["draw", &case, "--what", "scene", "--units", "si"]);
+    let svg = String::from_utf8(drawn.stdout).unwrap();
+    assert!(svg.contains("not the answer: other evidence of the case contradicts it.</text>"), "{svg}");
+    let said = String::from_utf8(drawn.stderr).unwrap();
+    assert!(said.contains("`deltav reconstruct") && said.contains("that is the answer"), "{said}");
+}

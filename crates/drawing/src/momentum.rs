@@ -1,0 +1,169 @@
+//! The momentum polygon: the momenta before and after the impact, tip to tail, on their total.
+
+use kurbo::{Point, Rect, Vec2};
+
+use crate::canvas::{Canvas, Head};
+use crate::finished::Drawing;
+use crate::legend::{self, EDGE, HEADER, Sample, ScaleUnit, WIDTH};
+use crate::pens::{AFTER, BEFORE, BLACK, GRID, Pen, VERMILION};
+use crate::plan::{self, View, flipped, unit, vec2};
+use crate::scene::SceneArrow;
+
+const NAME: &str = "momentum";
+const SUBTITLE: &str = "Momentum before and after the impact, tip to tail";
+
+/// (px) height of what is drawn, below the title.
+const HEIGHT: f64 = 470.0;
+/// (px) white around the outermost point, for labels.
+const MARGIN: f64 = 44.0;
+/// (px) of the longest momentum at most.
+const LONGEST: f64 = 560.0;
+/// (–) a polygon whose corners lie no farther aside than this share of its longest side is a line: its sides
+/// would lie on each other.
+const FLAT: f64 = 0.04;
+/// (px) from one arrow to the next where they would.
+const ROW: f64 = 42.0;
+/// (–) a momentum that is shorter than this share of the longest is that of a vehicle that stands.
+const STANDS: f64 = 1e-6;
+
+const TOTAL: Pen = Pen { colour: BLACK, width: 3.0, dashes: "" };
+const CHANGE: Pen = Pen { colour: BLACK, width: 1.6, dashes: "1.5 3.5" };
+const GAP: Pen = Pen { colour: VERMILION, width: 2.4, dashes: "" };
+
+/// Momenta of both vehicles in the scene, in kg·m/s, with y to the left of x, whatever the axes that are
+/// shown.
+#[derive(Clone, Debug, PartialEq)]
+pub struct MomentumPicture {
+    /// Of the case.
+    pub title: String,
+    /// What a reader who cannot see it has to be told.
+    pub description: String,
+    /// What keeps it from being the answer: stands below the title. Mostly empty.
+    pub caveat: String,
+    /// The axes that are shown have y to the right.
+    pub is_z_down: bool,
+    /// (kg·m/s) of vehicles 1 and 2 before the impact.
+    pub before: [SceneArrow; 2],
+    /// (kg·m/s) the same after it.
+    pub after: [SceneArrow; 2],
+    /// (kg·m/s) of both together before the impact.
+    pub total: SceneArrow,
+    /// (kg·m/s) from the momentum of vehicle 1 before the impact to that after it.
+    pub change: SceneArrow,
+    /// (kg·m/s) from the total before the impact to that after it; `None` where both are the same.
+    pub gap: Option<SceneArrow>,
+    /// Of the scale bar.
+    pub momentum: ScaleUnit,
+}
+
+/// A side of the polygon.
+struct Side<'a> {
+    id: &'static str,
+    arrow: &'a SceneArrow,
+    /// (kg·m/s) where it begins.
+    from: Vec2,
+    pen: Pen,
+    head: Head,
+}
+
+impl MomentumPicture {
+    /// Draws it.
+    #[must_use]
+    pub fn draw(&self) -> Drawing {
+        let sides = self.sides();
+        let longest = sides.iter().map(|side| vec2(side.arrow.vector).hypot()).fold(0.0, f64::max);
+        // Where nothing moves, there is no length to scale by.
+        let longest = if longest > 0.0 { longest } else { self.momentum.size };
+        let along = self.along(&sides);
+        let across = Vec2::new(-along.y, along.x);
+        let is_line = sides
+            .iter()
+            .flat_map(|side| [side.from, side.from + vec2(side.arrow.vector)])
+            .all(|corner| corner.dot(across).abs() <= FLAT * longest);
+        // Down the page.
+        let down = if flipped(across).y < 0.0 { -flipped(across) } else { flipped(across) };
+        #[expect(clippy::cast_precision_loss, reason = "there are six")]
+        let row = |k: usize| if is_line { down * (ROW * k as f64) } else { Vec2::ZERO };
+
+        let area = Rect::new(EDGE, HEADER, WIDTH - EDGE, HEADER + HEIGHT);
+        let view = View::fit(area.inset(-MARGIN), LONGEST, |scale| {
+            let origin = Rect::from_points(Point::ZERO, Point::ZERO);
+            let corners = sides.iter().enumerate().flat_map(|(k, side)| {
+                [side.from, side.from + vec2(side.arrow.vector)]
+                    .map(|corner| (flipped(corner) * (scale / longest) + row(k)).to_point())
+            });
+            corners.fold(origin, |bounds, corner| bounds.union_pt(corner))
+        });
+        let per_momentum = view.scale / longest;
+        let at = |corner: Vec2, k: usize| view.origin + flipped(corner) * per_momentum + row(k);
+
+        let mut canvas = Canvas::new(NAME, WIDTH, area.y1);
+        legend::header(&mut canvas, &self.title, &format!("{SUBTITLE}\n{}", self.caveat));
+        if is_line {
+            // What is one corner of a polygon that is a line.
+            for (k, side) in sides.iter().enumerate() {
+                for corner in [side.from, side.from + vec2(side.arrow.vector)] {
+                    canvas.grid(at(corner, 0), at(corner, k.max(1)), GRID);
+                }
+            }
+        }
+        for (k, side) in sides.iter().enumerate() {
+            let vector = vec2(side.arrow.vector);
+            let [from, to] = [side.from, side.from + vector].map(|corner| at(corner, k));
+            if vector.hypot() > STANDS * longest {
+                canvas.arrow(side.id, from, to, side.pen, side.head);
+                canvas.label_beside(from.midpoint(to), &side.arrow.label, BLACK);
+            } else {
+                canvas.label(from, &side.arrow.label, BLACK);
+            }
+        }
+        if !is_line {
+            canvas.dot("origin", at(Vec2::ZERO, 0), 3.0, None, BLACK);
+        }
+        let drop = if self.is_z_down { 64.0 } else { 12.0 };
+        plan::axes(&mut canvas, Point::new(area.x1 - 62.0, area.y1 - drop), self.is_z_down);
+        canvas.protect(Rect::new(area.x1 - 76.0, area.y1 - 76.0, area.x1, area.y1));
+        canvas.place_labels(area);
+        let bar_row = area.y1 + 30.0;
+        let bar = Point::new(EDGE + 4.0, bar_row);
+        legend::scale_bar(&mut canvas, "scale", bar, per_momentum * self.momentum.size, &self.momentum, "");
+        let mut entries = vec![
+            (Sample::Arrow(BEFORE, Head::Filled), "mv: momentum before the impact".to_owned()),
+            (Sample::Arrow(AFTER, Head::Open), "mV: momentum after the impact".to_owned()),
+            (Sample::Arrow(TOTAL, Head::Filled), "total of both vehicles".to_owned()),
+            (Sample::Arrow(CHANGE, Head::Open), "m ΔV of vehicle 1; of 2 the opposite".to_owned()),
+        ];
+        if self.gap.is_some() {
+            entries.push((Sample::Arrow(GAP, Head::Open), "what is left over after it".to_owned()));
+        }
+        canvas.set_height(bar_row + 22.0 + legend::height(entries.len(), 3) + 10.0);
+        legend::legend(&mut canvas, bar_row + 22.0, 3, &entries);
+        let title = format!("{}: momentum polygon", self.title);
+        Drawing::new(NAME, title, self.description.clone(), canvas)
+    }
+
+    /// In the order in which they stand below each other where the polygon is a line.
+    fn sides(&self) -> Vec<Side<'_>> {
+        let [before, after] = [&self.before, &self.after].map(|[one, _]| vec2(one.vector));
+        let side = |id, arrow, from, pen, head| Side { id, arrow, from, pen, head };
+        let mut sides = vec![
+            side("before-1", &self.before[0], Vec2::ZERO, BEFORE, Head::Filled),
+            side("before-2", &self.before[1], before, BEFORE, Head::Filled),
+            side("total", &self.total, Vec2::ZERO, TOTAL, Head::Filled),
+            side("after-1", &self.after[0], Vec2::ZERO, AFTER, Head::Open),
+            side("after-2", &self.after[1], after, AFTER, Head::Open),
+            side("change", &self.change, before, CHANGE, Head::Open),
+        ];
+        let total = vec2(self.total.vector);
+        sides.extend(self.gap.as_ref().map(|gap| side("gap", gap, total, GAP, Head::Open)));
+        sides
+    }
+
+    /// The direction of its longest side; a unit vector.
+    fn along(&self, sides: &[Side<'_>]) -> Vec2 {
+        let vectors = sides.iter().map(|side| vec2(side.arrow.vector));
+        unit(vectors.fold(vec2(self.total.vector), |longest, vector| {
+            if vector.hypot() > longest.hypot() { vector } else { longest }
+        }))
+    }
+}
