@@ -9,8 +9,8 @@ use pim_core::{Motion, Real, Vector2, VehicleId};
 use reconcile::Departure;
 use trajectory::closed::{Slide, Spin, SpinStart, spins};
 use trajectory::{
-    Chassis, Control, Departure as Start, Ground, Rest, Sample, State, Target, Unreached, Zone, to_rest,
-    to_start,
+    Chassis, Control, Departure as Start, EnergyBalance, Ground, Rest, Sample, State, Target, Unreached,
+    Zone, to_rest, to_start,
 };
 
 use crate::Failure;
@@ -133,6 +133,21 @@ pub enum ClosedForm {
     Spin(SpinStart),
 }
 
+/// (–) share of the energy that came or went on a path by which its balance may be off: a path that errs by
+/// more is followed more closely. Spin-outs of some seconds err by less than a tenth of this.
+const ENERGY_ERROR: f64 = 3e-4;
+
+/// The next tolerance of a step, as a share of the one before, and the least of the first.
+const CLOSER: f64 = 0.1;
+const CLOSEST: f64 = 1.5e-4;
+
+/// (–) by how much the energy of a path to rest is off, as a share of what it began with or the tyres took.
+fn energy_error<T: Real>(rest: &Rest<T>) -> f64 {
+    let EnergyBalance { start, friction, remainder, .. } = &rest.energy;
+    let whole = start.value().max(friction.value().abs());
+    if whole > 0.0 { remainder.value().abs() / whole } else { 0.0 }
+}
+
 /// The ground of a case.
 pub(crate) struct Scene<'a, T = f64> {
     surface: &'a SurfaceData<T>,
@@ -168,19 +183,44 @@ impl<'a, T: Real> Scene<'a, T> {
         Ground { friction: way.friction_on(self.surface), zones: &self.zones, grade: self.surface.grade }
     }
 
-    /// The way of a vehicle that leaves the impact with the motion `start`; `record` gets its samples.
+    /// The way of a vehicle that leaves the impact with the motion `start`, and its samples where they are
+    /// asked for. A long roll adds up the errors of its steps: where the energy shows them, it is followed
+    /// again with smaller ones.
     pub(crate) fn to_rest(
         &self,
         vehicle: VehicleId,
         way: &VehicleMotion<T>,
         start: Motion<T>,
         control: &Control,
-        record: impl FnMut(&Sample<T>),
+        mut samples: Option<&mut Vec<Sample<T>>>,
     ) -> Result<Way<T>, Failure> {
         let state = State { position: way.position, heading: way.heading, motion: start };
-        to_rest(&way.chassis, way.steer.steer(), &self.ground(way), &state, control, record)
-            .map(|rest| Way { start, rest })
-            .map_err(|reason| Failure::NoRest { vehicle, reason })
+        let mut before = None;
+        let (mut control, mut closest) = (*control, CLOSEST * control.tolerance);
+        loop {
+            if let Some(samples) = &mut samples {
+                samples.clear();
+            }
+            let record = |sample: &Sample<T>| {
+                if let Some(samples) = &mut samples {
+                    samples.push(*sample);
+                }
+            };
+            match to_rest(&way.chassis, way.steer.steer(), &self.ground(way), &state, &control, record) {
+                Ok(rest) if energy_error(&rest) <= ENERGY_ERROR || control.tolerance <= closest => {
+                    return Ok(Way { start, rest });
+                }
+                Ok(_) => {
+                    before = Some(control);
+                    control.tolerance *= CLOSER;
+                }
+                // It takes more steps than one may: the path before is as close as can be had.
+                Err(reason) => {
+                    control = before.take().ok_or(Failure::NoRest { vehicle, reason })?;
+                    closest = control.tolerance;
+                }
+            }
+        }
     }
 }
 
@@ -250,10 +290,10 @@ impl Scene<'_> {
             return Ok(Vec::new());
         }
         let control = Control { longest_step: BETWEEN_PLACES, ..Control::default() };
-        let mut places = Vec::new();
-        let end = self.to_rest(vehicle, way, start, &control, |sample| {
-            places.push((sample.state.position, sample.state.heading));
-        })?;
+        let mut samples = Vec::new();
+        let end = self.to_rest(vehicle, way, start, &control, Some(&mut samples))?;
+        let mut places: Vec<_> =
+            samples.iter().map(|sample| (sample.state.position, sample.state.heading)).collect();
         places.push((end.rest.position, end.rest.heading));
         Ok(way.points.iter().map(|point| pass(&places, &way.chassis, point)).collect())
     }
@@ -269,7 +309,7 @@ impl Scene<'_> {
         let length = apart.norm();
         let reach = |speed: f64| {
             let start = Motion { velocity: apart * (speed / length), yaw_rate: 0.0 };
-            let reached = self.to_rest(vehicle, way, start, &Control::default(), |_| {})?;
+            let reached = self.to_rest(vehicle, way, start, &Control::default(), None)?;
             Ok::<_, Failure>((reached, (reached.rest.position - way.position).norm()))
         };
         // The way grows with the speed: between one that is too short and one that is too long.
@@ -435,8 +475,7 @@ impl Record {
     ) -> Result<Way, Failure> {
         let start = State { position: input.position, heading: input.heading, motion: left.motion };
         let mut samples = Vec::new();
-        let way = scene
-            .to_rest(vehicle, input, left.motion, &Control::default(), |sample| samples.push(*sample))?;
+        let way = scene.to_rest(vehicle, input, left.motion, &Control::default(), Some(&mut samples))?;
         let passes = scene.passes(vehicle, input, left.motion)?;
         self.travel[vehicle.index()] = Some(Travel {
             origin: left.origin,
@@ -509,8 +548,10 @@ fn closed_form(
     let body = input.chassis.body();
     let is_spin = spins(sideslip, turn, distance, wheelbase, input.steer.steer().at(0.0)).ok()?;
     if is_spin && origin != Origin::StraightRest {
-        // Marquard's wheels turn: no equation stands for a spin with some that do not.
-        if input.chassis.wheels().iter().any(|wheel| wheel.drag >= friction) {
+        // Marquard's wheels turn: no equation stands for a spin with some that do not. And the vehicle slips
+        // sideways and rolls in line by turns, which takes a quarter of a turn.
+        let is_held = input.chassis.wheels().iter().any(|wheel| wheel.drag >= friction);
+        if is_held || turn.abs() < FRAC_PI_2 {
             return None;
         }
         // k = √(I/m)

@@ -55,6 +55,9 @@ pub fn estimate(case: &Case, estimated: &Estimated, asked: &Asked, units: Units)
     page.document
 }
 
+/// An interval that begins at zero and ends beyond so many medians is told by its end alone.
+const FAR_ABOVE: f64 = 4.0;
+
 /// (–) a probability below this is not worth a line.
 const WORTH_A_LINE: f64 = 0.005;
 
@@ -132,7 +135,10 @@ impl<'a> Page<'a> {
         } else {
             format!("95 %: {interval} {unit}")
         };
-        if found.is_told() {
+        if found.is_told() && low == 0.0 && (1e-9..high / FAR_ABOVE).contains(&found.posterior.median.value) {
+            // The median of so wide an interval down to zero would be read as a speed that was found.
+            format!("{name}: {}", words.replacen("95 %: ", "", 1) + " (95 %)")
+        } else if found.is_told() {
             format!("{name}: {median} {unit} ({words})")
         } else {
             format!("{name}: the evidence does not tell ({words})")
