@@ -316,6 +316,10 @@ pub(crate) fn unused(reason: UnusedReason, key: &str) -> [String; 2] {
             "a vehicle that stood after the impact left in no direction",
             "a speed above zero, or leave it out",
         ],
+        UnusedReason::OneWreck => [
+            "in each draw the vehicles part after the impact, as its law has it",
+            "nothing: `deltav reconstruct` uses it",
+        ],
         UnusedReason::OtherPdof => [
             "both PDOFs are one observation, and that of the smaller error counts",
             "nothing: it is counted once",
