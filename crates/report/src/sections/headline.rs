@@ -80,10 +80,10 @@ const NO_COLLISION: &str = "No collision has all of the evidence, so there is no
 fn misses(because: &str, missed: &[String]) -> String {
     let keys: Vec<String> = missed.iter().map(|key| format!("`{key}`")).collect();
     format!(
-        "{because} So all of it was weighed, but even the collisions that come nearest miss {} by more than {MISSED} \
-         times the error that it has. Each exact solution below takes a part of the evidence as free of errors. \
-         Check what was measured there, the contact points and the crush plane. If the vehicles left the impact as \
-         one wreck, say so with `locked_together = true` in [scene].",
+        "{because} So all of it was weighed, but even the collisions that come nearest miss {} by more than \
+         {MISSED} standard deviations. Each exact solution below takes a part of the evidence as free of errors. \
+         Check what was measured there, the contact points and the crush plane. If the vehicles left the impact \
+         as one wreck, write `locked_together = true` in [scene].",
         keys.join(" and ")
     )
 }
