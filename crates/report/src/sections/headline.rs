@@ -166,7 +166,8 @@ fn against(solution: &Solution, weighed: &Weighed, analysis: &Seen, units: Units
             .collect::<Vec<_>>()
     };
     let outside = [of("speed", speeds), of("ΔV", changes)].concat();
-    if !outside.is_empty() {
+    // What is no answer has no interval to lie outside of.
+    if !outside.is_empty() && weighed.is_answer() {
         reasons.push(format!("outside of the 95 % interval by all the evidence: {}", outside.join(", ")));
     }
     if !solution.failed.is_empty() {
