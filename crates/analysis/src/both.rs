@@ -29,6 +29,11 @@ pub struct BothFound {
     pub geometry: Geometry,
     /// What follows from the speeds and the velocities after the impact, without an impact law.
     pub implied: Implied,
+    /// Whether the case says that they left locked together.
+    pub locked_together: bool,
+    /// Whether they left as one body that did not turn: the case gives one velocity for both CGs, and of
+    /// neither how it turned.
+    pub one_velocity: bool,
     /// Every combination of a start of either vehicle that leads to the rests, the one of this answer first:
     /// it agrees best with the impulse.
     pub combinations: Vec<Combination>,
@@ -146,6 +151,8 @@ pub(crate) struct Posed<T = f64> {
     sought: Sought<T>,
     geometry: Geometry,
     locked_together: bool,
+    /// As [`BothFound::one_velocity`].
+    pub(crate) one_velocity: bool,
 }
 
 /// The law at the closing speed, and what it makes of the impact.
@@ -213,14 +220,15 @@ impl<T: Real> Posed<T> {
         Ok(e)
     }
 
-    /// What the speeds (m/s) imply: of point masses, along the line of the impulse, and of vehicles locked
-    /// together, with the yaw rate that they then have in common.
+    /// What the speeds (m/s) imply: of point masses, along the line of the impulse, and of vehicles that left
+    /// as one body, with the yaw rate that they then have in common.
     pub(crate) fn implied(&self, speeds: [T; 2]) -> Result<(Momentum<T>, Implied<T>), Failure> {
         let momentum = match self.geometry {
             Geometry::PointMasses => self.momentum.central(speeds)?,
             Geometry::Given if self.locked_together && is_yaw_open(&self.momentum.after) => {
                 self.momentum.locked_together(speeds)
             }
+            Geometry::Given if self.one_velocity => self.momentum.of_one_velocity(),
             Geometry::Given | Geometry::Plane => self.momentum,
         };
         let implied = momentum.implied(speeds)?;
@@ -273,7 +281,10 @@ pub(crate) fn pose<T: Real>(input: TwoSpeedInput<T>, ways: &mut impl Ways<T>) ->
         }
         _ => None,
     };
-    Ok(Posed { momentum, by_crush, ways: [way_1, way_2], law, sought, geometry, locked_together })
+    // V₂ = V₁ + Ω × d with V₂ = V₁: a wreck that did not turn.
+    let one_velocity = geometry == Geometry::Given && !locked_together && is_yaw_open(&momentum.after);
+    let ways = [way_1, way_2];
+    Ok(Posed { momentum, by_crush, ways, law, sought, geometry, locked_together, one_velocity })
 }
 
 /// Both speeds as an equation, with the starts that agree best with the impulse, all combinations of starts,
@@ -370,7 +381,19 @@ pub(crate) fn reconstruct(case: &Case) -> Result<Analysis, Failure> {
         Geometry::Given => CgLine::new(between_cgs(case, &momentum), velocities(implied.before), after),
         Geometry::Plane | Geometry::PointMasses => None,
     };
-    let both = BothFound { speeds, method, delta_v, momentum, geometry, implied, combinations, cg_line };
+    let (locked_together, one_velocity) = (posed.locked_together, posed.one_velocity);
+    let both = BothFound {
+        speeds,
+        method,
+        delta_v,
+        momentum,
+        geometry,
+        implied,
+        locked_together,
+        one_velocity,
+        combinations,
+        cg_line,
+    };
     let mut warnings = Vec::new();
     for (vehicle, speed) in both.vehicles().map(|vehicle| (vehicle, speeds[vehicle.index()])) {
         warnings.extend(warning::of_given_speed(case, vehicle, speed));

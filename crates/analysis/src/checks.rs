@@ -19,6 +19,9 @@ use crate::{BothFound, BothMethod, Impact, Pass, Travel, Vehicle};
 /// (rad) what the sums of a few angles within a turn or two are rounded by, and more.
 const ANGLE_ROUNDING: f64 = 1e-12;
 
+/// (m/s, rad/s) velocities and yaw rates so near those of one body are such.
+const AS_ONE: f64 = 0.1;
+
 /// One comparison. Values are in SI units.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Check {
@@ -229,6 +232,7 @@ pub(crate) fn implied(
     given: f64,
     crush_energy: Option<(f64, Basis)>,
     spread: &Spread,
+    locked_together: bool,
 ) -> Vec<Check> {
     let mut checks = Vec::new();
     if let Some((crush_energy, basis)) = crush_energy.filter(|(energy, _)| *energy > 0.0) {
@@ -254,8 +258,10 @@ pub(crate) fn implied(
         let quantity = CheckedQuantity::MomentumRatio { implied: mu, critical };
         checks.push(Check { quantity, value, limit: SURE * spread.impulse_ratio });
     }
+    // Vehicles that leave as one body hold each other, so that no impulse at one point tells how they turn.
+    let is_one_body = locked_together || momentum.is_of_one_body(AS_ONE);
     for (i, vehicle) in VehicleId::ALL.into_iter().enumerate() {
-        if let Some(told) = momentum.after[i].yaw_rate {
+        if let Some(told) = momentum.after[i].yaw_rate.filter(|_| !is_one_body) {
             let computed = implied.yaw_rates[i];
             let quantity = CheckedQuantity::MomentumYawRate { vehicle, implied: computed, told };
             let limit = SURE * spread.yaw_rates[i];
@@ -293,7 +299,8 @@ pub(crate) fn of_momentum(
     match (spread, impact) {
         (Some(spread), Some(impact)) => {
             let given = impact.law.restitution();
-            checks.extend(implied(&both.momentum, &both.implied, given, crush_energy, spread));
+            let (momentum, locked) = (&both.momentum, both.locked_together);
+            checks.extend(implied(momentum, &both.implied, given, crush_energy, spread, locked));
         }
         _ if matches!(both.method, BothMethod::Wall { .. }) => {}
         _ => checks.extend(both.implied.restitution.map(possible)),

@@ -67,6 +67,9 @@ pub struct Estimated {
     pub pieces: Vec<PieceFound>,
     /// Pieces that say the same thing twice.
     pub same_twice: Vec<SameTwice>,
+    /// The keys of the evidence that the answer itself misses by more than [`MISSED`] of its errors: no
+    /// collision has all of the evidence.
+    pub missed: Vec<String>,
     /// What the case gives and the estimate does not use.
     pub unused: Vec<Unused>,
     /// The draws: a column for each of the unknown numbers, and one for each output.
@@ -371,6 +374,7 @@ pub fn estimate(
         pieces.push(found);
     }
     let same_twice = pieces::same_twice(model.pieces());
+    let missed = missed(&model, &posterior);
     Ok(Estimated {
         prior: setup.prior,
         observed,
@@ -381,11 +385,34 @@ pub fn estimate(
         outputs,
         pieces,
         same_twice,
+        missed,
         unused,
         posterior,
         before: prior,
         evaluations: evaluations.into_inner(),
     })
+}
+
+/// (–) errors of a piece of evidence: an answer to which it belongs misses none of the right ones by more. A
+/// normal error does so once in 16,000.
+pub const MISSED: f64 = 4.0;
+
+/// The keys of the evidence in use of which some number is off by more than [`MISSED`] errors in most draws:
+/// no collision has all of the evidence.
+fn missed(model: &Model<impacts::CaseImpacts>, posterior: &Posterior) -> Vec<String> {
+    let mut keys = Vec::new();
+    for (part, scores) in model.parts().iter().zip(posterior.residuals()) {
+        // An angle has its error there, which is at most half a turn.
+        if part.turn.is_some() || !posterior.used()[part.term] {
+            continue;
+        }
+        let beyond = posterior.draws().mean(|draw| if scores[draw].abs() > MISSED { 1.0 } else { 0.0 });
+        let key = pieces::key(model.pieces()[part.term]);
+        if beyond.value > 0.5 && !keys.contains(&key) {
+            keys.push(key);
+        }
+    }
+    keys
 }
 
 /// Whether a recorder's longitudinal ΔV has the sign that no collision of the draws has.

@@ -275,7 +275,7 @@ fn by_momentum(case: &Case) -> Result<EvidenceAnswer, NoEvidence> {
         };
         (speeds, EvidenceMethod::MomentumAndSpeed { given })
     };
-    let implied = momentum.implied(speeds).map_err(Failure::from)?;
+    let (_, implied) = posed.implied(speeds)?;
     let law = posed.impact(speeds).transpose()?.map(|(law, _)| law);
     let works = [implied.normal_work, implied.tangential_work];
     Ok(EvidenceAnswer {

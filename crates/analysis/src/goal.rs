@@ -110,6 +110,10 @@ pub(crate) trait Solver<T: Real>: Ways<T> {
     /// The speed of a problem, and the impact at it.
     fn speed(&mut self, problem: &Problem<T>) -> Result<(T, Outcome<T>), Failure>;
 
+    /// Whether the vehicles left as one body that did not turn, at the central values: with ranges the
+    /// velocities of a sample differ.
+    fn left_as_one(&self) -> bool;
+
     /// (m/s) both speeds, by momentum along a line and the crush energy.
     fn speeds(&mut self, search: &MomentumAndCrush<T>) -> Result<[T; 2], Failure>;
 }
@@ -158,7 +162,8 @@ fn carried_on<T: Real>(
 }
 
 fn both<T: Real>(case: &Case<T>, solver: &mut impl Solver<T>) -> Result<Answer<T>, Failure> {
-    let posed = pose(case.two_speeds()?, solver)?;
+    let mut posed = pose(case.two_speeds()?, solver)?;
+    posed.one_velocity = solver.left_as_one();
     let speeds = match &posed.by_crush {
         Some(by_crush) => solver.speeds(&by_crush.search)?,
         None => posed.speeds()?,
@@ -184,6 +189,8 @@ pub(crate) struct Search {
     near: [Option<Near>; 2],
     /// Whether they left straight towards their rests there.
     straight: [bool; 2],
+    /// Whether they left as one body there.
+    as_one: bool,
     /// Whether more than one pair of speeds has the momentum and the crush energy; sought only where it is
     /// asked for, as all speeds take longer than one.
     pub(crate) several: Option<bool>,
@@ -205,8 +212,18 @@ impl Search {
             let is_found = travel.origin == Origin::Rest;
             is_found.then_some(Near { motion: travel.start.motion, heading: travel.rest.heading })
         };
-        Self { near: VehicleId::ALL.map(near), straight: leave_straight(analysis), several: None }
+        Self {
+            near: VehicleId::ALL.map(near),
+            straight: leave_straight(analysis),
+            as_one: leave_as_one(analysis),
+            several: None,
+        }
     }
+}
+
+/// Whether both left as one body that did not turn.
+fn leave_as_one(analysis: &Analysis) -> bool {
+    analysis.both.as_ref().is_some_and(|both| both.one_velocity)
 }
 
 /// Which vehicles left straight towards their rests.
@@ -218,6 +235,10 @@ fn leave_straight(analysis: &Analysis) -> [bool; 2] {
 }
 
 impl Solver<f64> for Search {
+    fn left_as_one(&self) -> bool {
+        self.as_one
+    }
+
     fn speed(&mut self, problem: &Problem) -> Result<(f64, Outcome), Failure> {
         problem.speed_and_impact().map_err(|refusal| refused(problem, refusal))
     }
@@ -312,6 +333,8 @@ pub(crate) struct Known<'a> {
     unknowns: std::slice::Iter<'a, Traced>,
     /// Whether the vehicles left straight towards their rests.
     straight: [bool; 2],
+    /// Whether they left as one body.
+    as_one: bool,
     /// As many as there are unknowns, each zero at the solution.
     pub(crate) residuals: Vec<Traced>,
 }
@@ -319,7 +342,12 @@ pub(crate) struct Known<'a> {
 impl<'a> Known<'a> {
     /// Beside the solutions of an analysis.
     pub(crate) fn new(unknowns: &'a [Traced], nominal: &Analysis) -> Self {
-        Self { unknowns: unknowns.iter(), straight: leave_straight(nominal), residuals: Vec::new() }
+        Self {
+            unknowns: unknowns.iter(),
+            straight: leave_straight(nominal),
+            as_one: leave_as_one(nominal),
+            residuals: Vec::new(),
+        }
     }
 
     fn next(&mut self) -> Traced {
@@ -328,6 +356,10 @@ impl<'a> Known<'a> {
 }
 
 impl Solver<Traced> for Known<'_> {
+    fn left_as_one(&self) -> bool {
+        self.as_one
+    }
+
     fn speed(&mut self, problem: &Problem<Traced>) -> Result<(Traced, Outcome<Traced>), Failure> {
         let speed = self.next();
         let (_, outcome) = problem.impact(speed)?;

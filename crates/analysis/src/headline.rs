@@ -6,44 +6,30 @@ use std::ops::ControlFlow;
 use ::estimate::Summary;
 use inputs::Case;
 use pim_core::VehicleId;
-use reconcile::Departure;
 
 use crate::evidence::{ByEvidence, EvidenceMethod, by_evidence};
 use crate::{
-    Analysis, BothFound, BothMethod, Check, CheckedQuantity, EstimateOutput, EstimatePlan, EstimateStage,
-    Estimated, EstimatedOutput, Failure, Output, Seen, Warning, estimate, estimate_evidence,
+    Analysis, BothMethod, Check, CheckedQuantity, EstimateOutput, EstimatePlan, EstimateStage, Estimated,
+    EstimatedOutput, Failure, Output, Seen, Warning, estimate, estimate_evidence,
 };
 
 impl Seen {
     /// As [`Analysis::refuting`].
     pub fn refuting(&self) -> impl Iterator<Item = &Check> {
-        refuting(&self.checks, self.both.as_ref())
+        refuting(&self.checks)
     }
 }
 
-fn refuting<'a>(checks: &'a [Check], both: Option<&BothFound>) -> impl Iterator<Item = &'a Check> + use<'a> {
-    // Vehicles that leave as one body hold each other, so that no impulse at one point tells how they turn.
-    let is_one_body = both.is_some_and(|both| leave_as_one(&both.momentum.after));
-    checks.iter().filter(move |check| {
-        let is_evidence = match check.quantity {
-            CheckedQuantity::MomentumYawRate { .. } => !is_one_body,
-            CheckedQuantity::MomentumEnergy { .. } | CheckedQuantity::MomentumAcross { .. } => true,
-            _ => false,
-        };
+fn refuting(checks: &[Check]) -> impl Iterator<Item = &Check> {
+    checks.iter().filter(|check| {
+        let is_evidence = matches!(
+            check.quantity,
+            CheckedQuantity::MomentumYawRate { .. }
+                | CheckedQuantity::MomentumEnergy { .. }
+                | CheckedQuantity::MomentumAcross { .. }
+        );
         is_evidence && !check.passed()
     })
-}
-
-/// (m/s, rad/s) velocities and yaw rates so near each other are those of one body.
-const AS_ONE: f64 = 0.1;
-
-/// Whether both vehicles leave the impact with one velocity and turn alike, as far as that is known.
-fn leave_as_one([one, two]: &[Departure; 2]) -> bool {
-    let turn_alike = match (one.yaw_rate, two.yaw_rate) {
-        (Some(one), Some(two)) => (one - two).abs() <= AS_ONE,
-        _ => true,
-    };
-    (one.velocity - two.velocity).norm() <= AS_ONE && turn_alike
 }
 
 /// Whether the case has what it takes to weigh its evidence: momentum of point masses needs less.
@@ -83,7 +69,7 @@ impl Analysis {
     /// The checks that refute this exact solution: those that hold it against evidence, and not against the
     /// coefficients of the impact law, which are assumed.
     pub fn refuting(&self) -> impl Iterator<Item = &Check> {
-        refuting(&self.checks, self.both.as_ref())
+        refuting(&self.checks)
     }
 
     /// Why this exact solution is not the answer of the case; `None` where the evidence just determines the
@@ -170,10 +156,10 @@ impl Weighed {
         Some(&self.output(output)?.posterior)
     }
 
-    /// Whether it is an answer: the run has converged.
+    /// Whether it is an answer: the run has converged, and what it found has all of the evidence.
     #[must_use]
     pub fn is_answer(&self) -> bool {
-        self.estimated.doubts().is_empty()
+        self.estimated.doubts().is_empty() && self.estimated.missed.is_empty()
     }
 }
 

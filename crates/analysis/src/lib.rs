@@ -59,9 +59,9 @@ mod usual;
 mod warning;
 
 pub use self::estimate::{
-    Assumed, EstimateOutput, EstimatePlan, EstimateStage, Estimated, EstimatedOutput, Impossible, PieceFound,
-    SameTwice, Stood, TOLD_BELOW, UnknownNumber, Unused, UnusedReason, estimate, estimate_evidence,
-    estimate_outputs,
+    Assumed, EstimateOutput, EstimatePlan, EstimateStage, Estimated, EstimatedOutput, Impossible, MISSED,
+    PieceFound, SameTwice, Stood, TOLD_BELOW, UnknownNumber, Unused, UnusedReason, estimate,
+    estimate_evidence, estimate_outputs,
 };
 pub use self::evidence::{ByEvidence, EvidenceAnswer, EvidenceMethod, NoEvidence};
 pub use aside::Evident;

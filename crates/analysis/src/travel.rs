@@ -528,8 +528,10 @@ fn closed_form(
     let body = input.chassis.body();
     let is_spin = spins(sideslip, turn, distance, wheelbase, input.steer.steer().at(0.0)).ok()?;
     if is_spin && origin != Origin::StraightRest {
-        // Marquard's wheels turn: no equation stands for a spin with some that do not.
-        if input.chassis.wheels().iter().any(|wheel| wheel.drag >= friction) {
+        // Marquard's wheels turn: no equation stands for a spin with some that do not. And the vehicle slips
+        // sideways and rolls in line by turns, which takes a quarter of a turn.
+        let is_held = input.chassis.wheels().iter().any(|wheel| wheel.drag >= friction);
+        if is_held || turn.abs() < FRAC_PI_2 {
             return None;
         }
         // k = √(I/m)

@@ -1182,6 +1182,10 @@ pub(crate) fn of_delta_v(
     if impact.outcome.regime == Some(Regime::Sliding) {
         return;
     }
+    // Nor to vehicles that took no damage: that its ΔV is zero then says nothing of the impact.
+    if crash3.crush_energy <= 0.0 {
+        return;
+    }
     let of_impact = Outcome::delta_v_magnitude(&impact.outcome);
     // CRASH3 without restitution would differ from an impact with restitution, and say nothing by it.
     let factor = crash3.restitution_factor;

@@ -14,6 +14,7 @@ mod inputs;
 mod judgement;
 mod momentum_asked;
 mod plausibility;
+mod public_cases;
 mod sensitivity;
 mod tangential_share;
 mod to_rest;

@@ -173,10 +173,15 @@ impl CaseFile {
                     FaultKind::NothingUncertain => advice.clone(),
                     _ => {
                         let advice = self.source.units_in_use().suited(&fault.key, advice);
+                        let estimate = (program.name)(Purpose::Estimate);
+                        if fault.lacks_departure() {
+                            return format!(
+                                "{advice}; if that is not known, {estimate} finds the speeds from all evidence"
+                            );
+                        }
                         if !fault.lacks_speed() {
                             return advice;
                         }
-                        let estimate = (program.name)(Purpose::Estimate);
                         let explains = program
                             .explains_two_speeds
                             .map(|explains| format!("; {explains} tells more"))

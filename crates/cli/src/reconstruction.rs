@@ -53,11 +53,12 @@ pub(crate) fn report(arguments: ReconstructArguments) -> Result<()> {
     if let Some(reason) = unweighed {
         return Err(reason.context("the evidence could not be weighed, so the case has no headline"));
     }
-    if weighed.as_ref().is_none_or(Weighed::is_answer) {
-        return Ok(());
-    }
-    let message = "the evidence was weighed, but the run has not converged: the report says why, and has no \
-                   interval";
+    let Some(weighed) = weighed.filter(|weighed| !weighed.is_answer()) else { return Ok(()) };
+    let message = if weighed.estimated.doubts().is_empty() {
+        "the evidence contradicts itself: the report says where, and has no one answer"
+    } else {
+        "the evidence was weighed, but the run has not converged: the report says why, and has no interval"
+    };
     Err(NoAnswer(message.to_owned()).into())
 }
 

@@ -69,6 +69,17 @@ fn where_no_speed_is_known_the_estimate_is_named() {
         let expected = "if neither speed is known, `deltav estimate` finds both from all evidence";
         assert!(status == 2 && message.contains(expected), "{command}: {message}");
     }
+    // One car stood and one rest is known: an equation short for momentum, not for all the evidence.
+    let one_rest = "[surface]\nfriction = 0.7\n[vehicle1]\nweight = \"3775 lb\"\nclass = 4\nheading = \"0 deg\"\n\
+                    contact = { x = \"7 ft\", y = \"0 ft\" }\n[vehicle2]\nweight = \"2679 lb\"\nclass = 2\nheading = \"110 deg\"\n\
+                    speed = \"5 mph\"\ncontact = { x = \"0 ft\", y = \"-2.5 ft\" }\n[vehicle2.after]\ndrag = 0.3\n\
+                    rest = { x = \"83 ft\", y = \"0 ft\", turned = \"0 deg\" }\n[impact]\ncrush_plane = \"0 deg\"\n\
+                    restitution = 0.1\ntangential = { friction = 0.5 }\n[reconstruct]\nfind = \"vehicle1.speed\"\n";
+    let (message, status) = said("one-rest", one_rest, &["reconstruct"]);
+    assert!(
+        status == 2 && message.contains("`deltav estimate` finds the speeds from all evidence"),
+        "{message}"
+    );
     let output = Command::new(env!("CARGO_BIN_EXE_deltav")).arg("--help").output().unwrap();
     let help = String::from_utf8(output.stdout).unwrap();
     assert!(help.contains("`deltav explain which command`") && help.contains("`deltav estimate`"), "{help}");

@@ -50,6 +50,13 @@ impl Fault {
         }
     }
 
+    /// Whether a reconstruction lacks how a vehicle left the impact.
+    #[must_use]
+    pub fn lacks_departure(&self) -> bool {
+        matches!(self.kind, FaultKind::Missing { needed_for: Purpose::Reconstruct })
+            && self.key.ends_with(".after.rest")
+    }
+
     /// What is wrong, in one sentence. `name` gives the reader's name of a purpose, for example the command
     /// of a program.
     #[must_use]

@@ -69,12 +69,19 @@ pub(crate) fn told_speed(found: &EstimatedOutput, units: Units) -> String {
     } else {
         format!("95 %: {interval} {unit}")
     };
-    if found.is_told() {
+    if found.is_told() && low == 0.0 && (1e-9..high / FAR_ABOVE).contains(&found.posterior.median.value) {
+        // The median of so wide an interval down to zero would be read as a speed that was found.
+        let most = number(units.value(Measure::RoadSpeed, high), 1);
+        format!("up to {most} {unit} (95 %)")
+    } else if found.is_told() {
         format!("{median} {unit} ({words})")
     } else {
         format!("the evidence does not tell ({words})")
     }
 }
+
+/// (–) an interval that begins at zero and ends beyond so many medians is told by its end alone.
+const FAR_ABOVE: f64 = 4.0;
 
 /// (–) probability that any of the pieces is warned of, where all are right: the least p-value has to be
 /// below its share of it (Holm).
@@ -346,6 +353,10 @@ pub(crate) fn unused(reason: UnusedReason, key: &str) -> [String; 2] {
         UnusedReason::NoDirection => [
             "a vehicle that stood after the impact left in no direction",
             "a speed above zero, or leave it out",
+        ],
+        UnusedReason::OneWreck => [
+            "in each draw the vehicles part after the impact, as its law has it",
+            "nothing: `deltav reconstruct` uses it",
         ],
         UnusedReason::OtherPdof => [
             "both PDOFs are one observation, and that of the smaller error counts",

@@ -359,7 +359,8 @@ fn combined(posed: &Posed, record: &Record, starts: [Sought; 2], evidence: &Evid
     let energy = evidence
         .crush_energy
         .map(|crush| (evidence.basis.energy().dissipated(crush, restitution), evidence.basis));
-    let checks = checks::implied(&momentum, &judged.implied, restitution, energy, &judged.spread());
+    let (spread, locked) = (judged.spread(), posed.locked_together);
+    let checks = checks::implied(&momentum, &judged.implied, restitution, energy, &spread, locked);
     let turn = |i: usize| {
         starts[i].map(|start| start.turn).or_else(|| {
             let travel = record.travel[i].as_ref()?;

@@ -83,6 +83,8 @@ pub enum UnusedReason {
     NotFollowed,
     /// The direction of a vehicle that stood after the impact.
     NoDirection,
+    /// That the vehicles left as one wreck.
+    OneWreck,
 }
 
 /// (rad) standard deviation of a heading without a range: 2°.
@@ -392,6 +394,9 @@ fn is_beside(path: &str) -> bool {
 fn with_all_speeds(case: &Case) -> (Case, [bool; 2], Vec<Unused>) {
     let mut case = case.clone();
     let mut unused = Vec::new();
+    if case.locked_together {
+        unused.push(Unused { key: "scene.locked_together".to_owned(), reason: UnusedReason::OneWreck });
+    }
     let find = case.reconstruct.map(|reconstruct| reconstruct.find);
     let mut sought = [false; 2];
     for id in VehicleId::ALL {

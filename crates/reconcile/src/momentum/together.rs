@@ -32,6 +32,32 @@ impl<T: Real> Momentum<T> {
         Self { after: [at(m2 / whole), at(-(m1 / whole))], ..*self }
     }
 
+    /// The same, of vehicles that left as one body with one velocity, which is that of either CG: it did not
+    /// turn.
+    ///
+    /// V_1 = V_2 = (m_1 V_1 + m_2 V_2)/(m_1 + m_2),  Ω = 0
+    #[must_use]
+    pub fn of_one_velocity(&self) -> Self {
+        let [m1, m2] = self.masses();
+        let common = Departure { velocity: self.total() / (m1 + m2), yaw_rate: Some(T::ZERO) };
+        Self { after: [common; 2], ..*self }
+    }
+
+    /// Whether the vehicles left as one body, each CG within so much (m/s) of a point of it and with yaw rates
+    /// within so much (rad/s); without yaw rates, with one velocity.
+    #[must_use]
+    pub fn is_of_one_body(&self, within: f64) -> bool {
+        let [one, two] = &self.after;
+        let (turn, differs) = match (one.yaw_rate, two.yaw_rate) {
+            (Some(one), Some(two)) => (one, (one - two).value().abs()),
+            _ => (T::ZERO, 0.0),
+        };
+        // V₁ = V₂ + Ω × d
+        let apart = one.velocity - two.velocity - turned(self.between(), turn);
+        let [x, y] = [apart.x.value(), apart.y.value()];
+        differs <= within && x * x + y * y <= within * within
+    }
+
     /// (m) from CG 2 to CG 1: both see C, at r_1 and at r_2.
     pub(super) fn between(&self) -> Vector2<T> {
         let [one, two] = self.contact.participants().each_ref().map(|participant| participant.arm());

@@ -278,6 +278,7 @@ fn reason_name(reason: UnusedReason) -> &'static str {
         UnusedReason::Inferred => "inferred",
         UnusedReason::NoEnergy => "no_energy",
         UnusedReason::NoDirection => "no_direction",
+        UnusedReason::OneWreck => "one_wreck",
         UnusedReason::OtherPdof => "other_pdof",
         UnusedReason::NotFollowed => "not_followed",
         _ => "other",

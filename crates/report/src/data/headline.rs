@@ -102,12 +102,18 @@ impl HeadlineBlock {
                 let is = |agreement: Option<(Agreement, f64)>| agreement.is_some_and(|(is, _)| is == wanted);
                 judged().filter(|(_, agreement)| is(*agreement)).map(|(piece, _)| piece.key.clone()).collect()
             };
+            let mut contradicting: Vec<String> = named(Agreement::Contradicts);
+            for key in &weighed.estimated.missed {
+                if !contradicting.contains(key) {
+                    contradicting.push(key.clone());
+                }
+            }
             let [vehicle1, vehicle2] = moving(&of);
             return Some(Self {
                 by: if weighed.is_answer() { "estimate" } else { "none" },
                 why_not_exact: Some(WhyBlock::of(&weighed.why)),
-                converged: Some(weighed.is_answer()),
-                contradicting: named(Agreement::Contradicts),
+                converged: Some(weighed.estimated.doubts().is_empty()),
+                contradicting,
                 doubtful: named(Agreement::Doubtful),
                 vehicle1,
                 vehicle2,

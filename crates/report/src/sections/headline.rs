@@ -1,7 +1,7 @@
 //! The headline of a reconstruction: an exact solution of what is just determined; all the evidence weighed
 //! where there is more, with the exact solutions beneath and what speaks against each.
 
-use analysis::{Overdetermined, Seen, Solution, Weighed};
+use analysis::{MISSED, Overdetermined, Seen, Solution, Weighed};
 use pim_core::VehicleId;
 
 use crate::checks;
@@ -48,12 +48,19 @@ impl<'a> Headline<'a> {
             Self::Weighed(weighed) => {
                 let asked = Asked { plan: weighed.plan, questions: Vec::new() };
                 let mut page = Document::new();
-                page.blocks = super::estimate::headline(&weighed.estimated, &asked, units);
-                page.paragraph(format!(
-                    "{} So all of it was weighed, each piece by its error; the intervals contain the errors of \
-                     the method, too. `deltav estimate` shows what each piece says.",
-                    because(&weighed.why, analysis, units)
-                ));
+                let (because, missed) = (because(&weighed.why, analysis, units), &weighed.estimated.missed);
+                if missed.is_empty() {
+                    page.blocks = super::estimate::headline(&weighed.estimated, &asked, units);
+                    page.paragraph(format!(
+                        "{because} So all of it was weighed, each piece by its error; the intervals contain the \
+                         errors of the method, too. `deltav estimate` shows what each piece says."
+                    ));
+                } else {
+                    page.push(Block::Answer {
+                        found: vec![NO_COLLISION.to_owned()],
+                        how: misses(&because, missed),
+                    });
+                }
                 page.push(Block::Table(solutions(weighed, analysis, units)));
                 page.blocks
             }
@@ -64,6 +71,21 @@ impl<'a> Headline<'a> {
     pub(crate) fn is_exact(self) -> bool {
         matches!(self, Self::Exact)
     }
+}
+
+/// What leads where the evidence contradicts itself.
+const NO_COLLISION: &str = "No collision has all of the evidence, so there is no one answer.";
+
+/// What the collisions that come nearest miss, and what to do.
+fn misses(because: &str, missed: &[String]) -> String {
+    let keys: Vec<String> = missed.iter().map(|key| format!("`{key}`")).collect();
+    format!(
+        "{because} So all of it was weighed, but even the collisions that come nearest miss {} by more than \
+         {MISSED} standard deviations. Each exact solution below takes a part of the evidence as free of errors. \
+         Check what was measured there, the contact points and the crush plane. If the vehicles left the impact \
+         as one wreck, write `locked_together = true` in [scene].",
+        keys.join(" and ")
+    )
 }
 
 /// Why no exact solution is the answer.
@@ -144,7 +166,8 @@ fn against(solution: &Solution, weighed: &Weighed, analysis: &Seen, units: Units
             .collect::<Vec<_>>()
     };
     let outside = [of("speed", speeds), of("ΔV", changes)].concat();
-    if !outside.is_empty() {
+    // What is no answer has no interval to lie outside of.
+    if !outside.is_empty() && weighed.is_answer() {
         reasons.push(format!("outside of the 95 % interval by all the evidence: {}", outside.join(", ")));
     }
     if !solution.failed.is_empty() {

@@ -189,7 +189,9 @@ pub(crate) fn momentum(analysis: &Seen, both: &BothFound, units: Units) -> [Tabl
     let mut note =
         "These figures follow from the speeds found and the velocities after the impact alone.".to_owned();
     if both.geometry == Geometry::Given {
-        note.push_str(if both.implied.is_yaw_known {
+        note.push_str(if both.one_velocity {
+            " The case gives one velocity for both vehicles and no yaw rate: they left as one body that did not turn."
+        } else if both.implied.is_yaw_known {
             " The restitution is that of the motions at C: of the velocities, and of the yaw rates that are known."
         } else {
             " No yaw rate after the impact is known, so the restitution is that after the impulse at C, under which both \
