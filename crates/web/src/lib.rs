@@ -104,7 +104,8 @@ pub fn look(text: &str, command: &str, units: &str, what: &str, viewport: &str) 
 }
 
 /// A drawing of an answer: `what` is `scene`, `motion`, `motion-curves`, `momentum`, `damage`,
-/// `reconciliation` or `energy`. `{ ok: true, svg, title, description }`, or `{ ok: false, problems, message }`.
+/// `reconciliation` or `energy`. `{ ok: true, svg, title, description }`, or `{ ok: false, problems,
+/// message }`.
 #[wasm_bindgen]
 #[must_use]
 pub fn draw(text: &str, what: &str, units: &str) -> String {
