@@ -75,7 +75,7 @@ mod tests {
     use super::eigenvalues;
     use nalgebra::{DMatrix, SymmetricEigen};
     use uncertainty::normal::quantiles;
-    use uncertainty::random::{bits, unit};
+    use uncertainty::random::{bits, key, unit};
 
     const DIMENSIONS: usize = 24;
     const DRAWS: usize = 64;
@@ -99,11 +99,16 @@ mod tests {
 
     /// The covariance of so many draws of a normal distribution about zero.
     fn of_draws(truth: &DMatrix<f64>, seed: u64) -> DMatrix<f64> {
-        let mut numbers: [f64; DIMENSIONS * DRAWS] =
-            std::array::from_fn(|index| unit(bits(seed, index as u64)));
-        quantiles(&mut numbers);
         let lower = truth.clone().cholesky().unwrap().unpack();
-        let draws = lower * DMatrix::from_row_slice(DIMENSIONS, DRAWS, &numbers);
+        let columns: Vec<f64> = (0..DRAWS as u64)
+            .flat_map(|draw| {
+                let mut column: [f64; DIMENSIONS] =
+                    std::array::from_fn(|row| unit(bits(key(seed, &[draw]), row as u64)));
+                quantiles(&mut column);
+                column
+            })
+            .collect();
+        let draws = lower * DMatrix::from_vec(DIMENSIONS, DRAWS, columns);
         &draws * draws.transpose() / DRAWS as f64
     }
 
