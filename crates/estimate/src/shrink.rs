@@ -2,8 +2,8 @@
 //!
 //! # References
 //!
-//! O. Ledoit and M. Wolf, *Analytical nonlinear shrinkage of large-dimensional covariance matrices*, Annals of
-//! Statistics 48 (2020), 3043–3065: equations 4.7 to 4.9 and section 4.
+//! O. Ledoit and M. Wolf, *Analytical nonlinear shrinkage of large-dimensional covariance matrices*, Annals
+//! of Statistics 48 (2020), 3043–3065, section 4.
 
 use std::f64::consts::PI;
 
@@ -15,10 +15,9 @@ use crate::gaussian::FLOOR;
 /// (–) there are so many more draws than dimensions.
 const LEAST: f64 = 1.2;
 
-/// The lower triangle of the covariance that `draws` different draws with the covariance `triangle` most likely
-/// come from; `None` where there are too few of them for their dimensions.
-///
-/// It has the eigenvectors of that of the draws.
+/// The lower triangle of the covariance that `draws` different draws, whose own is `triangle`, most likely
+/// come from, with the eigenvectors of their own; `None` where there are too few of them for their
+/// dimensions.
 pub(crate) fn eigenvalues(triangle: &[Vec<f64>], draws: usize) -> Option<Vec<Vec<f64>>> {
     let dimensions = triangle.len();
     if (draws as f64) < LEAST * dimensions as f64 {
@@ -116,8 +115,8 @@ mod tests {
         (0..DIMENSIONS).map(|row| (0..=row).map(|column| matrix[(row, column)]).collect()).collect()
     }
 
-    /// What the shrunk eigenvalues estimate is uᵀ Σ u for the eigenvectors u of the draws and the true Σ: by them
-    /// the misses are a fraction of those of the eigenvalues of the draws.
+    /// What the shrunk eigenvalues estimate is uᵀ Σ u for the eigenvectors u of the draws and the true Σ: they
+    /// miss it by a fraction of what the eigenvalues of the draws do.
     #[test]
     fn eigenvalues_are_the_variances_along_their_vectors() {
         let truth = truth();

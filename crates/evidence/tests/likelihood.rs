@@ -120,7 +120,7 @@ fn the_crush_of_one_vehicle_tells_the_speed() {
     collision.other_crush = Some(OtherCrush { vehicle: One, ratio: ratio.into() });
     collision.observed.crush = Some(CrushMisfit { bias: -0.2, ln_sd: 0.4 }.into());
     let model = Model::new(&collision);
-    let posterior = sample_quietly(&model, &model, &Settings::new(256, 1)).unwrap();
+    let posterior = sample_quietly(&model, &model, &Settings::new(512, 1)).unwrap();
     let summary = posterior.summary(Quantity::Output(Output::Speed(One).column()));
 
     // W_n = 66825 J at 15 m/s, and grows with the square of the speed.

@@ -79,7 +79,7 @@ fn by_the_prior(pair: &Pair, fitted: &Fitted) -> f64 {
 #[test]
 fn the_likelihood_is_that_of_the_recorders_given_all_else() {
     let drawn_by = figures(-0.2, 0.3, 0.13);
-    let options = FitOptions { particles: 512, seed: 1 };
+    let options = FitOptions { particles: 1024, seed: 1 };
     for (planes, recorders) in
         [([Plane::Front, Plane::Left], [6.0, 5.0]), ([Plane::Front, Plane::Rear], [4.0, 5.0])]
     {
