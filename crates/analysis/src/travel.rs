@@ -239,8 +239,8 @@ impl Scene<'_> {
         Ok(passes.iter().map(share).fold(0.0, f64::max))
     }
 
-    /// How the way of a vehicle that leaves the impact with the motion `start` passes its points, where a step
-    /// of the way may err by `tolerance` (m).
+    /// How the way of a vehicle that leaves the impact with the motion `start` passes its points, where a
+    /// step of the way may err by `tolerance` (m).
     pub(crate) fn passes(
         &self,
         vehicle: VehicleId,

@@ -15,10 +15,10 @@ pub(crate) struct Gaussian {
 impl Gaussian {
     /// Of the particles in `blocks`, each of which has a column for each coordinate.
     ///
-    /// So few particles draw the eigenvalues of their covariance apart: what is narrow is found too narrow, what is
-    /// wide too wide, and a normal distribution that has them misses most of the posterior in many
-    /// dimensions. They are put where they belong; where there are too few particles for that, the covariance
-    /// is drawn towards its diagonal.
+    /// So few particles draw the eigenvalues of their covariance apart: what is narrow is found too narrow,
+    /// what is wide too wide, and a normal distribution that has them misses most of the posterior in many
+    /// dimensions. They are put where they belong; where there are too few particles for that, the
+    /// covariance is drawn towards its diagonal.
     pub(crate) fn of(blocks: &[&[Lanes]], dimensions: usize) -> Self {
         let count = (blocks.len() * LANES) as f64;
         let mean: Vec<f64> = (0..dimensions)

@@ -115,8 +115,8 @@ mod tests {
         (0..DIMENSIONS).map(|row| (0..=row).map(|column| matrix[(row, column)]).collect()).collect()
     }
 
-    /// What the shrunk eigenvalues estimate is uᵀ Σ u for the eigenvectors u of the draws and the true Σ: they
-    /// miss it by a fraction of what the eigenvalues of the draws do.
+    /// What the shrunk eigenvalues estimate is uᵀ Σ u for the eigenvectors u of the draws and the true Σ:
+    /// they miss it by a fraction of what the eigenvalues of the draws do.
     #[test]
     fn eigenvalues_are_the_variances_along_their_vectors() {
         let truth = truth();

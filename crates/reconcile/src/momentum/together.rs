@@ -43,8 +43,8 @@ impl<T: Real> Momentum<T> {
         Self { after: [common; 2], ..*self }
     }
 
-    /// Whether the vehicles left as one body, each CG within so much (m/s) of a point of it and with yaw rates
-    /// within so much (rad/s); without yaw rates, with one velocity.
+    /// Whether the vehicles left as one body, each CG within so much (m/s) of a point of it and with yaw
+    /// rates within so much (rad/s); without yaw rates, with one velocity.
     #[must_use]
     pub fn is_of_one_body(&self, within: f64) -> bool {
         let [one, two] = &self.after;
