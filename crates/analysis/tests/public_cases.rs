@@ -334,7 +334,8 @@ fn a_truck_against_a_car_takes_the_energy_of_the_car() {
 type SmallOverlap = (&'static str, [f64; 7], Option<[f64; 3]>);
 
 /// Small overlap tests of the IIHS, as the worksheet "Brach Matrix" of pycrash has them: yaw radius (ft),
-/// speed (ft/s), distance (ft) and angle (°) of the contact point, crush plane (°), e, and μ as a share of μ_c.
+/// speed (ft/s), distance (ft) and angle (°) of the contact point, crush plane (°), e, and μ as a share of
+/// μ_c.
 #[rustfmt::skip]
 const SMALL_OVERLAP: [SmallOverlap; 21] = [
     ("CEN1203", [4.6333, 58.6, 3.8, 33.7, 73.6, 0.15, 0.993], Some([-51.8, -12.75, 183.9])),
