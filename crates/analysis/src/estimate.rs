@@ -232,11 +232,13 @@ const MOST_TIMES: usize = 4;
 /// What the draws are worth at least where nobody says how many: else they are doubled as where a run does
 /// not converge.
 const WORTH: f64 = 1000.0;
-/// Particles of an island for what is shown beside the answer, as a share of those of the answer, rounded up
-/// to what an island can have.
-const BESIDE_SHARE: usize = 4;
-/// Islands of a run of which a piece of evidence shows a median and an interval.
-const PIECE_ISLANDS: usize = 8;
+/// Islands of a run of which a piece of evidence shows a median and an interval, and of one that begins anew
+/// where it contradicts the rest: few, so that the particles of each tell in many dimensions how to move.
+const PIECE_ISLANDS: usize = 4;
+const ANEW_ISLANDS: usize = 8;
+/// Particles of these islands, as a share of those of the answer, and at least.
+const PIECE_SHARE: usize = 2;
+const PIECE_LEAST: usize = 256;
 
 /// Estimates what the evidence of a case says.
 ///
@@ -292,7 +294,8 @@ pub fn estimate(
         let pieces = model.pieces().iter().enumerate();
         pieces.filter(|(_, piece)| wanted(piece)).map(|(place, _)| place).collect()
     };
-    let beside = (plan.particles / BESIDE_SHARE).next_multiple_of(PARTICLES_STEP);
+    let beside = (plan.particles / PIECE_SHARE).next_multiple_of(PARTICLES_STEP);
+    let beside = beside.max(PIECE_LEAST).min(plan.particles);
     let mut before = || {
         let terms = Selection::Only(places(&always));
         let settings = Settings { terms, ..Settings::new(plan.particles, plan.seed) };
@@ -357,7 +360,7 @@ pub fn estimate(
                 }
                 pieces::Wanted::WithoutAnew(term) => {
                     let terms = Selection::Without(vec![term]);
-                    run(Settings { terms, ..Settings::new(beside, plan.seed) }, &mut quietly).ok()
+                    run(Settings { terms, islands: ANEW_ISLANDS, ..settings }, &mut quietly).ok()
                 }
                 pieces::Wanted::Without(term) => {
                     let without = sample_without(&told, &told, &posterior, term, &settings).ok()?;

@@ -68,7 +68,7 @@ impl RegionData {
     #[must_use]
     pub fn region(&self) -> Region<'_> {
         match self {
-            Self::HalfPlane { point, into } => Region::HalfPlane { point: *point, into: *into },
+            Self::HalfPlane { point, into } => Region::half_plane(*point, *into),
             Self::Polygon(corners) => Region::Polygon(corners),
         }
     }

@@ -364,7 +364,7 @@ impl<'a, T: Real + From<G>, G: Real> Run<'a, T, G> {
 
     /// The bracket of a crossing, halved until it is narrow.
     fn narrowed(&self, at: impl Fn(f64) -> [f64; 3], [mut before, mut after]: [f64; 2]) -> [f64; 2] {
-        while after - before > 1e-12 {
+        while after - before > 1e-6 {
             let middle = 0.5 * (before + after);
             if self.zones_at(at(middle)) == self.zones { before = middle } else { after = middle }
         }

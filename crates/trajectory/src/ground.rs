@@ -38,8 +38,8 @@ pub enum Region<'a> {
     HalfPlane {
         /// (m) a point of the line.
         point: Vector2<f64>,
-        /// (rad) direction at right angles to the line, into the region.
-        into: f64,
+        /// (–) unit vector at right angles to the line, into the region.
+        into: Vector2<f64>,
     },
     /// The inside of a closed line through these corners (m), either way round.
     Polygon(&'a [Vector2<f64>]),
@@ -81,6 +81,9 @@ impl<T: Real> Ground<'_, T> {
     }
 }
 
+/// (–) by so much the length of a unit vector may err.
+const UNIT: f64 = 1e-9;
+
 /// Refuses a friction that no ground has.
 fn friction<T: Real>(friction: T) -> Result<(), InvalidInput> {
     check::positive("friction of the ground", friction.value())?;
@@ -107,11 +110,19 @@ impl Edge {
 }
 
 impl Region<'_> {
+    /// One side of a straight line through a point (m), in the direction `into` (rad) at right angles to it.
+    #[must_use]
+    pub fn half_plane(point: Vector2<f64>, into: f64) -> Self {
+        let (sin, cos) = elementary::sin_cos(into);
+        Self::HalfPlane { point, into: Vector2::new(cos, sin) }
+    }
+
     fn check(&self) -> Result<(), InvalidInput> {
         match *self {
             Self::HalfPlane { point, into } => {
                 corner(point)?;
-                check::angle("direction into a zone", into)
+                let length = elementary::sqrt(into.x * into.x + into.y * into.y);
+                check::within("length of the unit vector into a zone", length, 1.0 - UNIT, 1.0 + UNIT)
             }
             Self::Polygon(corners) => {
                 #[expect(clippy::cast_precision_loss, reason = "nobody draws 2⁵³ corners")]
@@ -124,10 +135,7 @@ impl Region<'_> {
     /// Whether a point lies in it.
     pub(crate) fn contains(&self, [x, y]: [f64; 2]) -> bool {
         match *self {
-            Self::HalfPlane { point, into } => {
-                let (sin, cos) = elementary::sin_cos(into);
-                (x - point.x) * cos + (y - point.y) * sin > 0.0
-            }
+            Self::HalfPlane { point, into } => (x - point.x) * into.x + (y - point.y) * into.y > 0.0,
             // A ray from the point along +x crosses the border an odd number of times.
             Self::Polygon(corners) => sides(corners).fold(false, |inside, [from, to]| {
                 let crosses = (from.y > y) != (to.y > y)
@@ -151,8 +159,7 @@ impl Region<'_> {
     fn nearest(&self, [x, y]: [f64; 2]) -> Option<(f64, Edge)> {
         match *self {
             Self::HalfPlane { point, into } => {
-                let (sin, cos) = elementary::sin_cos(into);
-                let edge = Edge { point: [point.x, point.y], normal: [cos, sin] };
+                let edge = Edge { point: [point.x, point.y], normal: [into.x, into.y] };
                 Some((edge.distance([x, y]).abs(), edge))
             }
             Self::Polygon(corners) => {

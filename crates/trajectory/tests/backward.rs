@@ -82,10 +82,7 @@ fn what_is_missed_once_is_sought_again() {
 fn a_start_is_found_over_changing_ground() {
     let chassis = car([0.3; 4]);
     let ground = Ground {
-        zones: &[Zone {
-            region: Region::HalfPlane { point: Vector2::new(4.0, 0.0), into: 0.3 },
-            friction: 0.35,
-        }],
+        zones: &[Zone { region: Region::half_plane(Vector2::new(4.0, 0.0), 0.3), friction: 0.35 }],
         ..Ground::level(0.8)
     };
     let start = start(0.2, [9.0, 3.0], 2.5);

@@ -63,8 +63,7 @@ fn a_motion_does_not_depend_on_its_neighbours() {
 /// What lanes do not follow stands among what they do.
 #[test]
 fn zones_steering_and_errors_go_alone() {
-    let zones =
-        [Zone { region: Region::HalfPlane { point: Vector2::new(4.0, 0.0), into: 0.3 }, friction: 0.35 }];
+    let zones = [Zone { region: Region::half_plane(Vector2::new(4.0, 0.0), 0.3), friction: 0.35 }];
     let steering = [(0.0, 0.0), (1.0, 0.3)];
     let mut outsets = outsets(20);
     outsets[3].ground = Ground { zones: &zones, ..Ground::level(0.8) };

@@ -119,7 +119,7 @@ fn a_grade_holds_or_moves_the_vehicle() {
 fn ground_that_changes() {
     let corners = [(8.0, -3.0), (30.0, -3.0), (30.0, 3.0), (8.0, 3.0)].map(|(x, y)| Vector2::new(x, y));
     let zones = [
-        Zone { region: Region::HalfPlane { point: Vector2::new(8.0, 5.0), into: 0.0 }, friction: 0.3 },
+        Zone { region: Region::half_plane(Vector2::new(8.0, 5.0), 0.0), friction: 0.3 },
         Zone { region: Region::Polygon(&corners), friction: 0.3 },
     ];
     let (a, b, v) = (1.2, 1.45, 14.0_f64);
@@ -140,10 +140,7 @@ fn ground_that_changes() {
 /// The same turned by a quarter, where the later of two zones counts.
 #[test]
 fn the_later_zone_counts() {
-    let slippery = Zone {
-        region: Region::HalfPlane { point: Vector2::new(0.0, -50.0), into: FRAC_PI_2 },
-        friction: 0.1,
-    };
+    let slippery = Zone { region: Region::half_plane(Vector2::new(0.0, -50.0), FRAC_PI_2), friction: 0.1 };
     let rough = Zone { friction: 0.8, ..slippery };
     let way = |zones: &[Zone]| {
         rest(&car([1.0; 4]), &Ground { zones, ..Ground::level(0.5) }, &start(0.0, [0.0, 9.0], 0.0)).distance
