@@ -208,7 +208,7 @@ impl CaseImpacts {
         let marks = self.marks(values);
         let has_places = self.skids.iter().flatten().any(|skid| skid.length.is_none());
         let mut impacts = Vec::with_capacity(LANES);
-        for lane in 0..LANES {
+        for (lane, marks) in marks.into_iter().enumerate() {
             let mut case = None;
             let posed = poses.as_ref().and_then(|poses| poses.of(lane));
             let posed = posed.or_else(|| pose(case.insert(self.case_of(values, lane))));
@@ -216,7 +216,7 @@ impl CaseImpacts {
             let marked = if self.impact.shared.is_some() || has_places {
                 case.get_or_insert_with(|| self.case_of(values, lane)).skids()
             } else {
-                marks[lane]
+                marks
             };
             let impacted = posed.and_then(|posed| self.impact_of(posed, marked, values, lane));
             impacts.push(impacted.unwrap_or_else(|| Self::impossible(self.placeholder)));
