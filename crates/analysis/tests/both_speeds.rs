@@ -201,7 +201,7 @@ fn a_mark_is_held_against_the_path_of_its_wheel() {
     let (ground, held) = (trajectory::Ground::level(way.friction), trajectory::Steer::Held(way.steer));
     let mut states = Vec::new();
     trajectory::to_rest(&way.chassis, held, &ground, &way.start, &control, |sample| {
-        states.push(sample.state)
+        states.push(sample.state);
     })
     .unwrap();
     let half = |state: &&trajectory::State| (state.heading - way.start.heading) / turn >= 0.5;

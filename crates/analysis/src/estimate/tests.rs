@@ -1029,7 +1029,7 @@ fn a_mark_is_sought_between_the_steps() {
             let (sin, cos) = state.heading.sin_cos();
             let arm = [wheel.forward * cos - wheel.left * sin, wheel.forward * sin + wheel.left * cos];
             let position = state.position + pim_core::Vector2::new(arm[0], arm[1]);
-            inputs::PointData { position, ..way.points[0].clone() }
+            inputs::PointData { position, ..way.points[0] }
         })
         .collect();
     assert!(way.points.len() >= 40);
