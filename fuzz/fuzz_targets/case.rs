@@ -4,7 +4,7 @@
 use analysis::{Analysis, Failure};
 use case::{CaseFile, to_toml};
 use libfuzzer_sys::fuzz_target;
-use report::Units;
+use report::{Supplements, Units};
 use serde_json::Value;
 
 fuzz_target!(|data: &[u8]| {
@@ -54,7 +54,8 @@ fn judge(file: &CaseFile, result: Result<Analysis, Failure>) {
     assert!(!has_null(&value), "not finite:\n{json}");
     // The drawings take as long as a hundred analyses.
     if file.source.text().len() % 16 == 0 {
-        let page = report::handover(file, &analysis, Vec::new(), Units::Us).expect("an analysis can be drawn").html();
+        let page = report::handover(file, &analysis, Supplements::default(), Units::Us);
+        let page = page.expect("an analysis can be drawn").html();
         assert_finite(file, &page);
     }
 }
