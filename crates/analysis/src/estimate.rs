@@ -396,8 +396,8 @@ pub fn estimate(
     })
 }
 
-/// (–) errors of a piece of evidence: an answer to which it belongs misses none of the right ones by more. A
-/// normal error does so once in 16,000.
+/// (–) an answer that misses a piece of evidence by more than this many of its errors does not have that
+/// piece: a normal error is larger once in 16,000.
 pub const MISSED: f64 = 4.0;
 
 /// The keys of the evidence in use of which some number is off by more than [`MISSED`] errors in most draws:

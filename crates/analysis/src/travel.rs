@@ -239,8 +239,8 @@ impl Scene<'_> {
         Ok(passes.iter().map(share).fold(0.0, f64::max))
     }
 
-    /// How the way of a vehicle that leaves the impact with the motion `start` passes its points, where a
-    /// step of the way may err by `tolerance` (m).
+    /// How a vehicle that leaves the impact with the motion `start` passes its points. A step of its path may
+    /// err by `tolerance` (m).
     pub(crate) fn passes(
         &self,
         vehicle: VehicleId,
@@ -312,7 +312,7 @@ impl Scene<'_> {
 
 /// (s) between the places of a way, which is taken as straight between them.
 const BETWEEN_PLACES: f64 = 0.02;
-/// (s) no step is longer of a way between whose ends the places are sought, as on a cubic.
+/// (s) the longest step of such a way: its places between the ends of a step are those of a cubic.
 const LONGEST_BETWEEN: f64 = 0.2;
 
 /// (m; rad) where a vehicle is, and its heading.

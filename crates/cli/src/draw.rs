@@ -91,7 +91,7 @@ pub(crate) fn draw(arguments: &DrawArguments) -> Result<()> {
         writeln!(
             io::stderr(),
             "{case} has more evidence than the exact solution that is drawn: `deltav reconstruct {case}` weighs \
-             all of it, and that is the answer."
+             all of it."
         )
         .context("cannot write to standard error")?;
     }

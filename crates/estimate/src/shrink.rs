@@ -12,7 +12,7 @@ use real::elementary::{exp, ln};
 
 use crate::gaussian::FLOOR;
 
-/// (–) there are so many more draws than dimensions.
+/// (–) it takes at least this many different draws for each dimension.
 const LEAST: f64 = 1.2;
 
 /// The lower triangle of the covariance that `draws` different draws, whose own is `triangle`, most likely
@@ -72,7 +72,7 @@ fn shrunk(sample: &[f64], draws: f64) -> Vec<f64> {
 #[cfg(test)]
 mod tests {
     use super::eigenvalues;
-    use nalgebra::{DMatrix, SymmetricEigen};
+    use nalgebra::{DMatrix, DVector, SymmetricEigen};
     use real::elementary::ln;
     use uncertainty::normal::quantiles;
     use uncertainty::random::{bits, key, unit};
@@ -86,14 +86,7 @@ mod tests {
         let v = DMatrix::from_fn(DIMENSIONS, 1, |row, _| 1.0 + row as f64).normalize();
         let reflection = DMatrix::identity(DIMENSIONS, DIMENSIONS) - 2.0 * &v * v.transpose();
         let variance = |row: usize| if row.is_multiple_of(4) { 0.0025 } else { 1.0 };
-        let diagonal =
-            DMatrix::from_fn(
-                DIMENSIONS,
-                DIMENSIONS,
-                |row, column| {
-                    if row == column { variance(row) } else { 0.0 }
-                },
-            );
+        let diagonal = DMatrix::from_diagonal(&DVector::from_fn(DIMENSIONS, |row, _| variance(row)));
         &reflection * diagonal * &reflection
     }
 

@@ -63,24 +63,22 @@ pub(crate) fn told_speed(found: &EstimatedOutput, units: Units) -> String {
         return format!("{median} {unit}, as given");
     }
     let [low, high] = ends(&found.posterior, WIDEST);
-    let words = if low == 0.0 {
-        let most = number(units.value(Measure::RoadSpeed, high), 1);
-        format!("95 %: up to {most} {unit}")
+    let range = if low == 0.0 {
+        format!("up to {} {unit}", number(units.value(Measure::RoadSpeed, high), 1))
     } else {
-        format!("95 %: {interval} {unit}")
+        format!("{interval} {unit}")
     };
-    if found.is_told() && low == 0.0 && (1e-9..high / FAR_ABOVE).contains(&found.posterior.median.value) {
-        // The median of so wide an interval down to zero would be read as a speed that was found.
-        let most = number(units.value(Measure::RoadSpeed, high), 1);
-        format!("up to {most} {unit} (95 %)")
-    } else if found.is_told() {
-        format!("{median} {unit} ({words})")
-    } else {
-        format!("the evidence does not tell ({words})")
+    // The median of so wide an interval down to zero would be read as a speed that was found.
+    let is_far_below = low == 0.0 && (1e-9..high / FAR_ABOVE).contains(&found.posterior.median.value);
+    match (found.is_told(), is_far_below) {
+        (true, true) => format!("{range} (95 %)"),
+        (true, false) => format!("{median} {unit} (95 %: {range})"),
+        (false, _) => format!("the evidence does not tell (95 %: {range})"),
     }
 }
 
-/// (–) an interval that begins at zero and ends beyond so many medians is told by its end alone.
+/// (–) where an interval begins at zero and its end is more than this many times the median, only its end is
+/// shown.
 const FAR_ABOVE: f64 = 4.0;
 
 /// (–) probability that any of the pieces is warned of, where all are right: the least p-value has to be

@@ -236,7 +236,7 @@ pub fn drawing(
 
 /// Draws the scene for readers who are no engineers, such as a jury: the vehicles by name, and their speeds
 /// before and after the impact in words; no symbols, axes or forces. Of a case with more evidence than an
-/// exact solution uses, the speeds are those of all the evidence, `weighed`; where it was not weighed, none.
+/// exact solution uses, the speeds are those of all the evidence, `weighed`; none without an answer by that.
 ///
 /// # Errors
 /// [`DrawingError`]: the analysis has no impact.
@@ -347,7 +347,7 @@ impl<'a> PlainSpeed<'a> {
         if speeds.iter().any(|speed| matches!(speed, Self::Weighed(_))) {
             "Speeds by all the evidence together, each with the range that contains it with a probability of 95 %."
         } else if speeds.iter().any(|speed| matches!(speed, Self::Unknown)) {
-            "Without the speeds that are sought: they follow from all the evidence, which was not weighed."
+            "Without the speeds that are sought: the exact solution is not the answer."
         } else {
             ""
         }

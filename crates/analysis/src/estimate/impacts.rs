@@ -96,8 +96,8 @@ impl Varied {
             Some(Slot::Factor(place)) => central * of(*place),
         };
         let Some(shared) = &self.shared else { return self.case.map_numbers(vary) };
-        let mut numbers: Vec<f64> =
-            self.case.variables().iter().map(|variable| vary(variable.number)).collect();
+        let mut numbers = Vec::with_capacity(self.slots.len());
+        drop(self.case.map_numbers(|central| numbers.push(vary(central))));
         shared.apply(&mut numbers);
         let mut numbers = numbers.into_iter();
         self.case.map_numbers(|central| numbers.next().unwrap_or(central))

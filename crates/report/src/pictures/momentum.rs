@@ -14,12 +14,12 @@ pub(super) fn picture(
     analysis: &Analysis,
     units: Units,
 ) -> Result<MomentumPicture, DrawingError> {
-    let no_impact = DrawingError::NoImpact { subject: Subject::Momentum };
-    let exchange = analysis.exchange().ok_or(no_impact)?;
+    let no_impact = || DrawingError::NoImpact { subject: Subject::Momentum };
+    let exchange = analysis.exchange().ok_or_else(no_impact)?;
     if let Some(obstacle @ DrawingError::FixedObject { .. }) = Subject::Momentum.obstacle(case) {
         return Err(obstacle);
     }
-    let masses = masses(analysis).ok_or(DrawingError::NoImpact { subject: Subject::Momentum })?;
+    let masses = masses(analysis).ok_or_else(no_impact)?;
     let Exchange { before, velocities, delta_v, .. } = exchange;
     // p = m v
     let before = [0, 1].map(|i| before[i].velocity * masses[i]);
