@@ -1,12 +1,13 @@
 //! Many motions at once.
 
 use fearless_simd::{Level, Simd};
-use pim_core::InvalidInput;
+use pim_core::{InvalidInput, Motion};
 
 use crate::chassis::Chassis;
 use crate::error::NoRest;
 use crate::field::{Acceleration, FIELD_NUMBERS, Field};
-use crate::forward::{Run, SHORTEST, to_rest};
+use crate::footing::Footing;
+use crate::forward::{Moment, Run, SHORTEST, to_rest};
 use crate::ground::Ground;
 use crate::lanes::{LANES, Lanes, Mask};
 use crate::number::{Direction, Number};
@@ -38,7 +39,7 @@ impl Outset<'_> {
 
     /// Whether a lane can follow it.
     fn fits(&self) -> bool {
-        self.ground.zones.is_empty() && matches!(self.steer, Steer::Held(_))
+        matches!(self.steer, Steer::Held(_))
     }
 }
 
@@ -46,8 +47,8 @@ impl Outset<'_> {
 /// has the bits that [`to_rest`] gives, whatever the other motions are.
 ///
 /// Eight motions at a time go through the vector instructions that the processor has, each with steps of its
-/// own; where one is at rest, the next takes its place. Over ground with zones, with a steer angle that
-/// changes, and where there is no rest, they are followed one by one.
+/// own; where one is at rest, the next takes its place. A step in which a wheel comes onto another zone of the
+/// ground, a motion with a steer angle that changes, and one without a rest are followed one by one.
 pub fn to_rests(
     outsets: &[Outset<'_>],
     control: &Control,
@@ -59,7 +60,7 @@ pub fn to_rests(
             *parked = Parked::new(outset, control).unwrap_or(Parked::ALONE);
         }
         let parked = &mut parked[..chunk.len()];
-        follow_all(control, parked);
+        follow_all(control, chunk, parked);
         for (i, (outset, parked)) in chunk.iter().zip(parked).enumerate() {
             take(number * CHUNK + i, parked.rest(outset, control));
         }
@@ -70,30 +71,30 @@ pub fn to_rests(
 ///
 /// Apart from [`to_rests`], which is compiled in every crate that calls it: this takes the compiler long. So
 /// SSE4.2, which gains little over SSE2, has no code of its own.
-fn follow_all(control: &Control, parked: &mut [Parked]) {
+fn follow_all(control: &Control, outsets: &[Outset<'_>], parked: &mut [Parked]) {
     let level = Level::new();
     #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
     {
         if let Some(simd) = level.as_avx512() {
-            follow_with(simd, control, parked);
+            follow_with(simd, control, outsets, parked);
         } else if let Some(simd) = level.as_avx2() {
-            follow_with(simd, control, parked);
+            follow_with(simd, control, outsets, parked);
         } else if let Some(simd) = level.as_sse2() {
-            follow_with(simd, control, parked);
+            follow_with(simd, control, outsets, parked);
         }
     }
     #[cfg(not(any(target_arch = "x86", target_arch = "x86_64")))]
-    fearless_simd::dispatch!(level, simd => follow_with(simd, control, parked));
+    fearless_simd::dispatch!(level, simd => follow_with(simd, control, outsets, parked));
 }
 
-fn follow_with<S: Simd>(simd: S, control: &Control, parked: &mut [Parked]) {
+fn follow_with<S: Simd>(simd: S, control: &Control, outsets: &[Outset<'_>], parked: &mut [Parked]) {
     simd.vectorize(
         #[inline(always)]
-        || follow(simd, control, parked, false),
+        || follow(simd, control, outsets, parked, false),
     );
     simd.vectorize(
         #[inline(always)]
-        || follow(simd, control, parked, true),
+        || follow(simd, control, outsets, parked, true),
     );
 }
 
@@ -194,10 +195,13 @@ struct Parked {
     task: Task,
     given: [f64; GIVEN_NUMBERS],
     course: [f64; NUMBERS],
+    /// The zone under each wheel.
+    zones: [usize; 4],
 }
 
 impl Parked {
-    const ALONE: Self = Self { task: Task::Alone, given: [0.0; GIVEN_NUMBERS], course: [0.0; NUMBERS] };
+    const ALONE: Self =
+        Self { task: Task::Alone, given: [0.0; GIVEN_NUMBERS], course: [0.0; NUMBERS], zones: [0; 4] };
 
     fn new(outset: &Outset<'_>, control: &Control) -> Result<Self, InvalidInput> {
         if !outset.fits() {
@@ -205,20 +209,53 @@ impl Parked {
         }
         let run = Run::new(&outset.chassis, outset.steer, &outset.ground, &outset.start, control)?;
         let moment = run.moment();
-        let outlook = run.outlook(&moment.acceleration);
+        Ok(Self::of(run, moment, control))
+    }
+
+    /// A motion where it is; one whose last way meets a border takes that step first.
+    fn of(mut run: Run<'_, f64, f64>, mut moment: Moment<f64>, control: &Control) -> Self {
+        let outlook = loop {
+            let outlook = run.outlook(&moment.acceleration);
+            if !outlook.fades || run.stays(outlook.to_rest) {
+                break outlook;
+            }
+            if run.steps >= control.most_steps || run.now.time >= control.longest_time {
+                return Self::ALONE;
+            }
+            moment = run.advance(moment, outlook.to_rest);
+        };
+        let left = control.longest_time - run.now.time;
         let course = Course {
             now: run.now,
             direction: moment.direction,
             acceleration: moment.acceleration,
             pace: run.pace,
             to_rest: outlook.to_rest,
-            length: run.pace.next(outlook.to_rest, control.longest_time, control),
+            length: run.pace.next(outlook.to_rest, left, control),
             again: 0.0,
-            steps: 0.0,
+            steps: f64::from(run.steps),
         };
-        let task = if outlook.fades { Task::Fade } else { Task::Step { implicit: false } };
+        let task = match outlook.fades {
+            true => Task::Fade,
+            false => Task::Step { implicit: run.pace.is_implicit() },
+        };
         let given = Given { field: run.field, steer: run.steering.at(0.0), lever: run.lever() };
-        Ok(Self { task, given: given.numbers(), course: course.numbers() })
+        Self { task, given: given.numbers(), course: course.numbers(), zones: run.footing.zones }
+    }
+
+    /// The motion by itself, and where it is.
+    fn run<'a>(&self, outset: &'a Outset<'a>, control: &'a Control) -> (Run<'a, f64, f64>, Course<f64>) {
+        let Outset { chassis, steer, ground, start } = outset;
+        let (given, course) = (Given::of(self.given), Course::of(self.course));
+        let steering = Steering::Held(given.steer);
+        let mut run = Run::on(chassis, *steer, ground, start, control, steering, given.field);
+        run.footing.zones = self.zones;
+        run.now = course.now;
+        run.pace = course.pace;
+        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "it counts steps")]
+        let steps = course.steps as u32;
+        run.steps = steps;
+        (run, course)
     }
 
     fn rest(&self, outset: &Outset<'_>, control: &Control) -> Result<Rest, NoRest> {
@@ -227,18 +264,12 @@ impl Parked {
         if self.task != Task::Fade || late || course.steps >= f64::from(control.most_steps) {
             return outset.alone(control);
         }
-        let Outset { chassis, steer, ground, start } = outset;
-        let given = Given::of(self.given);
-        let steering = Steering::Held(given.steer);
-        let mut run = Run::on(chassis, *steer, ground, start, control, steering, given.field);
-        let energy = run.energy();
-        run.now = course.now;
-        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "it counts steps")]
-        let steps = course.steps as u32;
-        run.steps = steps;
+        let (mut run, course) = self.run(outset, control);
+        let Motion { velocity, yaw_rate } = outset.start.motion;
+        let energy = run.field.energy([velocity.x, velocity.y, yaw_rate]);
         run.fade(&course.acceleration);
         run.holds()?;
-        Ok(run.rest(start, energy))
+        Ok(run.rest(&outset.start, energy))
     }
 }
 
@@ -319,10 +350,18 @@ impl<S: Simd> Course<Lanes<S>> {
 
 /// Lets lanes take the steps of one method, until no motion needs another.
 #[inline(always)]
-fn follow<S: Simd>(simd: S, control: &Control, parked: &mut [Parked], implicit: bool) {
+fn follow<S: Simd>(
+    simd: S,
+    control: &Control,
+    outsets: &[Outset<'_>],
+    parked: &mut [Parked],
+    implicit: bool,
+) {
     let task = Task::Step { implicit };
     let zero = Lanes::splat(simd, 0.0);
     let mut board = Board {
+        outsets,
+        control,
         parked,
         task,
         next: 0,
@@ -336,32 +375,43 @@ fn follow<S: Simd>(simd: S, control: &Control, parked: &mut [Parked], implicit: 
         let given = Given::of(board.given);
         let (steps, time) = (course.steps.constant(most_steps), course.steps.constant(control.longest_time));
         let shortest = course.steps.constant(SHORTEST);
-        while !board.wants_more() {
-            let busy = board.busy();
+        // A lane that goes on with numbers which the others have not seen ends this round.
+        let mut goes_on = false;
+        while !goes_on && !board.wants_more() {
+            let (busy, watched) = (board.busy(), board.watched());
+            let mut crosses = 0;
             // Until a lane has done what it can, they need not be looked at one by one.
-            let (fades, stiff, done) = loop {
+            let (before, fades, stiff, done) = loop {
+                let before = course;
                 let fades = course.step(&given, control, implicit);
+                if watched != 0 {
+                    crosses = board.crosses(watched, &before, &course);
+                }
                 let stiff = course.pace.is_implicit();
                 let ended = Lanes::one_of(course.now.time.at_least(time), course.steps.at_least(steps));
                 let done = Lanes::one_of(Lanes::one_of(ended, course.length.below(shortest)), fades);
                 let done = if implicit { done } else { Lanes::one_of(done, stiff) };
                 let done = done.bits() & busy;
-                if done != 0 {
-                    break (fades.bits(), stiff.bits(), done);
+                if done | crosses != 0 {
+                    break (before, fades.bits(), stiff.bits(), done);
                 }
             };
             board.courses = course.numbers();
             for lane in 0..LANES {
                 let has = |bits: u64| bits >> lane & 1 == 1;
-                if has(done) {
-                    board.park(
-                        lane,
-                        match (has(fades), has(stiff)) {
-                            (true, _) => Task::Fade,
-                            (false, true) if !implicit => Task::Step { implicit: true },
-                            _ => Task::Alone,
-                        },
-                    );
+                if has(crosses) {
+                    goes_on |= board.cross(lane, &before);
+                } else if has(done) {
+                    let task = match (has(fades), has(stiff)) {
+                        (true, _) => Task::Fade,
+                        (false, true) if !implicit => Task::Step { implicit: true },
+                        _ => Task::Alone,
+                    };
+                    if task == Task::Fade && has(watched) {
+                        goes_on |= board.look_ahead(lane);
+                    } else {
+                        board.park(lane, task);
+                    }
                 }
             }
         }
@@ -370,6 +420,8 @@ fn follow<S: Simd>(simd: S, control: &Control, parked: &mut [Parked], implicit: 
 
 /// Which motion each lane follows, and with which numbers.
 struct Board<'a, S: Simd> {
+    outsets: &'a [Outset<'a>],
+    control: &'a Control,
     parked: &'a mut [Parked],
     /// What the lanes do.
     task: Task,
@@ -404,12 +456,8 @@ impl<S: Simd> Board<'_, S> {
                 continue;
             }
             self.follows[lane] = Some(number);
-            for (cells, number) in self.given.iter_mut().zip(parked.given) {
-                cells.put(lane, number);
-            }
-            for (cells, number) in self.courses.iter_mut().zip(parked.course) {
-                cells.put(lane, number);
-            }
+            let parked = *parked;
+            self.put(lane, &parked);
             return;
         }
     }
@@ -432,6 +480,77 @@ impl<S: Simd> Board<'_, S> {
             }
         }
         true
+    }
+
+    /// A bit of each lane that follows a motion over ground with zones.
+    #[inline(always)]
+    fn watched(&self) -> u64 {
+        let has_zones = |number: usize| !self.outsets[number].ground.zones.is_empty();
+        (0..LANES).fold(0, |bits, lane| bits | u64::from(self.follows[lane].is_some_and(has_zones)) << lane)
+    }
+
+    /// A bit of each of the `watched` lanes in whose step a wheel comes onto another zone.
+    #[inline(never)]
+    fn crosses(&self, watched: u64, before: &Course<Lanes<S>>, after: &Course<Lanes<S>>) -> u64 {
+        let phase = |course: &Course<Lanes<S>>, lane: usize| {
+            let Phase { q, w } = course.now.phase;
+            Phase { q: q.map(|cells| cells.get(lane)), w: w.map(|cells| cells.get(lane)) }
+        };
+        let crosses = |lane: usize| {
+            let Some(number) = self.follows[lane].filter(|_| watched >> lane & 1 == 1) else { return false };
+            // A step that is tried again leads nowhere yet.
+            if after.again.get(lane) != 0.0 {
+                return false;
+            }
+            let Outset { chassis, ground, .. } = &self.outsets[number];
+            let mut footing = Footing::new(chassis, ground);
+            footing.zones = self.parked[number].zones;
+            footing.crossing(phase(before, lane), phase(after, lane), before.length.get(lane)).is_some()
+        };
+        (0..LANES).fold(0, |bits, lane| bits | u64::from(crosses(lane)) << lane)
+    }
+
+    /// Takes the step of a lane by itself, up to the first border on its way. Whether the lane goes on.
+    #[inline(never)]
+    fn cross(&mut self, lane: usize, before: &Course<Lanes<S>>) -> bool {
+        let Some(number) = self.follows[lane] else { return false };
+        self.parked[number].course = before.numbers().map(|cells| cells.get(lane));
+        let (mut run, course) = self.parked[number].run(&self.outsets[number], self.control);
+        let Course { direction, acceleration, to_rest, length, again, .. } = course;
+        let moment = run.retake(Moment { direction, acceleration }, to_rest, length, again != 0.0);
+        self.go_on(lane, Parked::of(run, moment, self.control))
+    }
+
+    /// Asks whether the last way of a lane meets a border. Whether the lane goes on.
+    #[inline(never)]
+    fn look_ahead(&mut self, lane: usize) -> bool {
+        let Some(number) = self.follows[lane] else { return false };
+        self.parked[number].course = self.courses.map(|cells| cells.get(lane));
+        let (run, course) = self.parked[number].run(&self.outsets[number], self.control);
+        let Course { direction, acceleration, .. } = course;
+        self.go_on(lane, Parked::of(run, Moment { direction, acceleration }, self.control))
+    }
+
+    /// Gives a lane its motion where that is now, if there is more of it for the lane to do.
+    fn go_on(&mut self, lane: usize, now: Parked) -> bool {
+        let Some(number) = self.follows[lane] else { return false };
+        self.parked[number] = now;
+        if now.task != self.task {
+            self.follows[lane] = None;
+            return false;
+        }
+        self.put(lane, &now);
+        true
+    }
+
+    #[inline(always)]
+    fn put(&mut self, lane: usize, parked: &Parked) {
+        for (cells, number) in self.given.iter_mut().zip(parked.given) {
+            cells.put(lane, number);
+        }
+        for (cells, number) in self.courses.iter_mut().zip(parked.course) {
+            cells.put(lane, number);
+        }
     }
 
     /// Puts away the motion of a lane.

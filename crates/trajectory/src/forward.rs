@@ -7,15 +7,13 @@ use crate::chassis::Chassis;
 use crate::check;
 use crate::error::NoRest;
 use crate::field::{Acceleration, Field, GRAVITY, root};
-use crate::ground::{Edge, Ground};
+use crate::footing::{Crossing, Footing};
+use crate::ground::Ground;
 use crate::number::Direction;
 use crate::progress::{Outlook, Pace, Progress, error_squared};
-use crate::state::{Control, EnergyBalance, Rest, Sample, State, cubic};
+use crate::state::{Control, EnergyBalance, Rest, Sample, State};
 use crate::steer::Steer;
 use crate::step::{Phase, Start, Steering, Step};
-
-/// (m) wheels are asked for their zone at least as often on their way.
-const LOOKOUT: f64 = 0.25;
 
 /// Follows a vehicle from its `start` to rest, and hands a [`Sample`] at the start, after each step and at
 /// rest to `record`.
@@ -89,10 +87,7 @@ pub(crate) struct Run<'a, T, G> {
     pub(crate) steering: Steering<'a, T, G>,
     control: &'a Control,
     pub(crate) field: Field<T>,
-    /// The zone under each wheel.
-    zones: [usize; 4],
-    /// (m) from the CG to the farthest wheel.
-    radius: f64,
+    pub(crate) footing: Footing<'a, T, G>,
     pub(crate) now: Progress<T>,
     pub(crate) steps: u32,
     pub(crate) pace: Pace<f64>,
@@ -119,10 +114,6 @@ impl<'a, T: Real + From<G>, G: Real> Run<'a, T, G> {
         ground.check()?;
         let field = Field::new(chassis, ground, [0; 4]);
         let mut run = Self::on(chassis, steer, ground, start, control, Steering::new(steer), field);
-        run.radius = chassis.wheels().iter().fold(0.0, |radius, wheel| {
-            let (forward, left) = (wheel.forward.value(), wheel.left.value());
-            Real::max(radius, root(forward * forward + left * left))
-        });
         run.find_zones();
         Ok(run)
     }
@@ -149,8 +140,7 @@ impl<'a, T: Real + From<G>, G: Real> Run<'a, T, G> {
             steering,
             control,
             field,
-            zones: [0; 4],
-            radius: 0.0,
+            footing: Footing::new(chassis, ground),
             now: Progress::new(phase),
             steps: 0,
             pace: Pace::new(1.0),
@@ -187,7 +177,7 @@ impl<'a, T: Real + From<G>, G: Real> Run<'a, T, G> {
             distance: self.now.distance,
             state: self.state(),
             sliding,
-            friction: self.zones.map(|zone| T::from(self.ground.friction_in(zone))),
+            friction: self.footing.zones.map(|zone| T::from(self.ground.friction_in(zone))),
         }
     }
 
@@ -197,17 +187,14 @@ impl<'a, T: Real + From<G>, G: Real> Run<'a, T, G> {
     }
 
     /// Whether neither the ground nor the steering changes on the last way, which takes `time` (s).
-    fn stays(&self, time: f64) -> bool {
+    pub(crate) fn stays(&self, time: f64) -> bool {
         let now = self.now.time.value();
         if self.steer.next_change(now).is_some_and(|change| change.value() < now + time) {
             return false;
         }
-        if self.ground.zones.is_empty() {
-            return true;
-        }
-        let Phase { q, w } = self.now.phase;
-        let q = [0, 1, 2].map(|i| q[i] + w[i] * (time * 0.5));
-        self.first_crossing(&Phase { q, w: [T::ZERO; 3] }, time).is_none()
+        let now = plain(self.now.phase);
+        let q = [0, 1, 2].map(|i| now.q[i] + now.w[i] * (time * 0.5));
+        self.footing.crossing(now, Phase { q, w: [0.0; 3] }, time).is_none()
     }
 
     /// The last way, in closed form.
@@ -261,13 +248,9 @@ impl<'a, T: Real + From<G>, G: Real> Run<'a, T, G> {
     }
 
     /// Takes one step.
-    fn advance(&mut self, Moment { direction, acceleration }: Moment<T>, to_rest: f64) -> Moment<T> {
+    pub(crate) fn advance(&mut self, moment: Moment<T>, to_rest: f64) -> Moment<T> {
+        let start = self.start(moment);
         let Progress { phase, time, .. } = self.now;
-        let slope = self.pace.is_implicit().then(|| {
-            let steer = self.steering.at(time);
-            self.field.plain().slope(direction.plain(), phase.w.map(Real::value), steer.plain())
-        });
-        let start = Start { time, phase, direction, acceleration, slope };
         let left = self.control.longest_time - time.value();
         let mut h = self.pace.next(to_rest, left, self.control);
         let mut again = false;
@@ -291,104 +274,63 @@ impl<'a, T: Real + From<G>, G: Real> Run<'a, T, G> {
                 again = true;
                 continue;
             }
-            self.pace.accept(h, error, again);
-            if let Some((trial, length)) = self.crossing(&start, &trial, length) {
-                self.now = self.now.after(&trial, length);
-                self.find_zones();
-                return self.moment();
-            }
-            self.now = self.now.after(&trial, length);
-            let (direction, acceleration) = trial.there;
-            self.pace.count(acceleration.stiffness);
-            return Moment { direction, acceleration };
+            return self.take(&start, &trial, length, error, again);
         }
+    }
+
+    /// Tries a step of the length `h` (s) once more that lanes found acceptable and that meets a border;
+    /// `again` where a longer one was tried before.
+    pub(crate) fn retake(&mut self, moment: Moment<T>, to_rest: f64, h: f64, again: bool) -> Moment<T> {
+        let start = self.start(moment);
+        let length = T::from(h);
+        self.steps += 1;
+        let trial = start.step(&self.field, |time| self.steering.at(time), length);
+        let error = error_squared(&trial, to_rest, self.lever(), self.control);
+        self.take(&start, &trial, length, error, again)
+    }
+
+    /// Goes where a step leads, or up to the first border on its way.
+    #[inline(always)]
+    fn take(&mut self, start: &Start<T>, trial: &Step<T>, length: T, error: f64, again: bool) -> Moment<T> {
+        self.pace.accept(length.value(), error, again);
+        if let Some((trial, length)) = self.crossing(start, trial, length) {
+            self.now = self.now.after(&trial, length);
+            self.find_zones();
+            return self.moment();
+        }
+        self.now = self.now.after(trial, length);
+        let (direction, acceleration) = trial.there;
+        self.pace.count(acceleration.stiffness);
+        Moment { direction, acceleration }
+    }
+
+    #[inline(always)]
+    fn start(&self, Moment { direction, acceleration }: Moment<T>) -> Start<T> {
+        let Progress { phase, time, .. } = self.now;
+        let slope = self.pace.is_implicit().then(|| {
+            let steer = self.steering.at(time);
+            self.field.plain().slope(direction.plain(), phase.w.map(Real::value), steer.plain())
+        });
+        Start { time, phase, direction, acceleration, slope }
     }
 
     /// Asks the ground what lies just ahead of each wheel.
     fn find_zones(&mut self) {
-        if self.ground.zones.is_empty() {
+        if self.footing.is_even() {
             return;
         }
-        let now = Phase { q: self.now.phase.q.map(Real::value), w: self.now.phase.w.map(Real::value) };
         let energy = self.field.energy(self.now.phase.w).value();
-        let ahead = if energy > 0.0 { AHEAD / root(energy) } else { 0.0 };
-        let q = [0, 1, 2].map(|i| now.q[i] + now.w[i] * ahead);
-        self.zones = self.zones_at(q);
-        self.field = Field::new(self.chassis, self.ground, self.zones);
-    }
-
-    fn places(&self, q: [f64; 3]) -> [[f64; 2]; 4] {
-        places(self.chassis, q)
-    }
-
-    fn zones_at(&self, q: [f64; 3]) -> [usize; 4] {
-        self.places(q).map(|place| self.ground.zone_at(place))
-    }
-
-    /// The share of a step, from here to `end` in `h` (s), in which a wheel first stands on another zone:
-    /// before and after.
-    fn first_crossing(&self, end: &Phase<T>, h: f64) -> Option<[f64; 2]> {
-        let (q0, q1) = (self.now.phase.q.map(Real::value), end.q.map(Real::value));
-        let (w0, w1) = (self.now.phase.w.map(Real::value), end.w.map(Real::value));
-        let at = |s: f64| [0, 1, 2].map(|i| cubic(s, h, [q0[i], q1[i]], [w0[i], w1[i]]).0);
-        if self.is_far_from_borders([q0, q1], [w0, w1], h) {
-            return None;
-        }
-        let energy = Real::max(self.field.energy(self.now.phase.w).value(), self.field.energy(end.w).value());
-        // No wheel is much faster than the whole.
-        let lookouts = (2.0 * root(energy) * h / LOOKOUT).clamp(1.0, 1000.0);
-        let share = 1.0 / elementary::ceil(lookouts);
-        let mut before = 0.0;
-        while before < 1.0 {
-            let after = (before + share).min(1.0);
-            if self.zones_at(at(after)) != self.zones {
-                return Some(self.narrowed(at, [before, after]));
-            }
-            before = after;
-        }
-        None
-    }
-
-    /// Whether no wheel can meet a border on the cubic between these places (m) with these velocities (m/s),
-    /// which takes `h` (s).
-    fn is_far_from_borders(&self, [q0, q1]: [[f64; 3]; 2], [w0, w1]: [[f64; 3]; 2], h: f64) -> bool {
-        let length = |x: f64, y: f64| root(x * x + y * y);
-        // From the start of the cubic, whose weights of both velocities are at most 4/27:
-        // |q − q₀| ≤ |q₁ − q₀| + 4/27 h (|w₀| + |w₁|)
-        let speeds = length(w0[0], w0[1]) + length(w1[0], w1[1]);
-        let way = length(q1[0] - q0[0], q1[1] - q0[1]) + 4.0 / 27.0 * h * speeds;
-        let reach = way + self.radius + AHEAD;
-        let center = [q0[0], q0[1]];
-        self.ground.zones.iter().all(|zone| zone.region.distance_to_border(center) > reach)
-    }
-
-    /// The bracket of a crossing, halved until it is narrow.
-    fn narrowed(&self, at: impl Fn(f64) -> [f64; 3], [mut before, mut after]: [f64; 2]) -> [f64; 2] {
-        while after - before > 1e-6 {
-            let middle = 0.5 * (before + after);
-            if self.zones_at(at(middle)) == self.zones { before = middle } else { after = middle }
-        }
-        [before, after]
+        self.footing.find(plain(self.now.phase), energy);
+        self.field = Field::new(self.chassis, self.ground, self.footing.zones);
     }
 
     /// The step that ends where a wheel comes onto another zone, if one does in this step.
     fn crossing(&mut self, start: &Start<T>, trial: &Step<T>, length: T) -> Option<(Step<T>, T)> {
-        if self.ground.zones.is_empty() {
-            return None;
-        }
         let h = length.value();
-        let [before, after] = self.first_crossing(&trial.end, h)?;
-        let at = |s: f64| {
-            [0, 1, 2].map(|i| {
-                let (q0, q1) = (self.now.phase.q[i].value(), trial.end.q[i].value());
-                cubic(s, h, [q0, q1], [self.now.phase.w[i].value(), trial.end.w[i].value()]).0
-            })
-        };
-        let (from, to) = (self.places(at(before)), self.places(at(after)));
-        let wheel = (0..4).find(|&i| self.ground.zone_at(to[i]) != self.zones[i])?;
-        let border = self.border(from[wheel], to[wheel])?;
+        let Crossing { share, wheel, border } =
+            self.footing.crossing(plain(start.phase), plain(trial.end), h)?;
         // The cubic is not the step: Newton's method on the step itself, the last time with derivatives.
-        let mut length = T::from(after * h);
+        let mut length = T::from(share * h);
         for round in 0..MOST_ROUNDS {
             let short = self.short(start, length);
             self.steps += 1;
@@ -401,7 +343,7 @@ impl<'a, T: Real + From<G>, G: Real> Run<'a, T, G> {
                 return Some((short, length));
             }
             length = next;
-            if distance.value().abs() <= 1e-12 || round + 1 == MOST_ROUNDS {
+            if distance.value().abs() <= ON_THE_BORDER || round + 1 == MOST_ROUNDS {
                 break;
             }
         }
@@ -415,17 +357,7 @@ impl<'a, T: Real + From<G>, G: Real> Run<'a, T, G> {
     fn short(&self, start: &Start<T>, length: T) -> Step<T> {
         start.step(&self.field, |time| self.steering.at(time), length)
     }
-
-    /// The line between two points near to each other on different zones.
-    fn border(&self, from: [f64; 2], to: [f64; 2]) -> Option<Edge> {
-        let zone =
-            self.ground.zones.iter().rfind(|zone| zone.region.contains(from) != zone.region.contains(to))?;
-        zone.region.nearest_edge(to)
-    }
 }
-
-/// (m) how far ahead a wheel that stands on a border is asked for its zone.
-const AHEAD: f64 = 1e-9;
 
 /// (s) a step as short as this is taken whatever its error.
 pub(crate) const SHORTEST: f64 = 1e-9;
@@ -433,12 +365,12 @@ pub(crate) const SHORTEST: f64 = 1e-9;
 /// Rounds of Newton's method to a border; two suffice where the path is smooth.
 const MOST_ROUNDS: u32 = 8;
 
-fn places(chassis: &Chassis<impl Real>, [x, y, heading]: [f64; 3]) -> [[f64; 2]; 4] {
-    let (sin, cos) = elementary::sin_cos(heading);
-    chassis.wheels().map(|wheel| {
-        let (forward, left) = (wheel.forward.value(), wheel.left.value());
-        [x + forward * cos - left * sin, y + forward * sin + left * cos]
-    })
+/// (m) from so near, a round of Newton's method leads onto the border but for rounding: its error falls with
+/// the square.
+const ON_THE_BORDER: f64 = 1e-7;
+
+fn plain<T: Real>(phase: Phase<T>) -> Phase<f64> {
+    Phase { q: phase.q.map(Real::value), w: phase.w.map(Real::value) }
 }
 
 /// Place and velocity of a wheel.

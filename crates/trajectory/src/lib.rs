@@ -88,6 +88,7 @@ mod check;
 pub mod closed;
 mod error;
 mod field;
+mod footing;
 mod forward;
 mod ground;
 #[cfg(feature = "std")]

@@ -48,6 +48,56 @@ fn each_motion_has_the_bits_of_a_run_alone() {
     }
 }
 
+/// Lines, strips and polygons of other friction in the way, one over another, on level ground and on grades.
+#[test]
+fn motions_over_zones_have_the_bits_of_runs_alone() {
+    let mut random = random(37);
+    let corners: Vec<[Vector2<f64>; 4]> = (0..40)
+        .map(|_| {
+            let [x, y, half] = [20.0 * random() - 10.0, 20.0 * random() - 10.0, 0.3 + 6.0 * random()];
+            [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]]
+                .map(|[a, b]| Vector2::new(x + half * a, y + half * b))
+        })
+        .collect();
+    let zones: Vec<[Zone<'_>; 2]> = corners
+        .iter()
+        .map(|corners| {
+            let point = Vector2::new(12.0 * random() - 6.0, 12.0 * random() - 6.0);
+            [
+                Zone { region: Region::half_plane(point, 7.0 * random()), friction: 0.2 + 0.5 * random() },
+                Zone { region: Region::Polygon(corners), friction: 0.2 + 0.7 * random() },
+            ]
+        })
+        .collect();
+    let mut outsets = outsets(300);
+    for (number, outset) in outsets.iter_mut().enumerate() {
+        if number % 5 != 0 {
+            let count = number % 3;
+            outset.ground.zones = &zones[number % zones.len()][..count];
+        }
+    }
+    let (plain, of_zones) = (Control::default(), |rests: &[Result<Rest, NoRest>]| {
+        rests.iter().zip(&outsets).filter(|(_, outset)| !outset.ground.zones.is_empty()).count()
+    });
+    for control in [
+        plain,
+        Control { tolerance: 5e-3, ..plain },
+        Control { longest_time: 2.0, ..plain },
+        Control { most_steps: 60, ..plain },
+    ] {
+        let rests = at_once(&outsets, &control);
+        assert!(of_zones(&rests) > 150);
+        assert!(rests == one_by_one(&outsets, &control), "{control:?}");
+    }
+    // The zones matter to most of them.
+    let (with, mut without) = (one_by_one(&outsets, &plain), outsets.clone());
+    for outset in &mut without {
+        outset.ground.zones = &[];
+    }
+    let changed = with.iter().zip(one_by_one(&without, &plain)).filter(|(a, b)| *a != b).count();
+    assert!(changed > 100, "{changed}");
+}
+
 /// Whatever the number of motions, and their order.
 #[test]
 fn a_motion_does_not_depend_on_its_neighbours() {
@@ -60,9 +110,9 @@ fn a_motion_does_not_depend_on_its_neighbours() {
     assert!(at_once(&turned, &control).iter().rev().eq(&all));
 }
 
-/// What lanes do not follow stands among what they do.
+/// What lanes do not follow, or not all the way, stands among what they do.
 #[test]
-fn zones_steering_and_errors_go_alone() {
+fn zones_steering_and_errors_stand_among_others() {
     let zones = [Zone { region: Region::half_plane(Vector2::new(4.0, 0.0), 0.3), friction: 0.35 }];
     let steering = [(0.0, 0.0), (1.0, 0.3)];
     let mut outsets = outsets(20);

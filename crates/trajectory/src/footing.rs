@@ -1,0 +1,188 @@
+//! The zones of ground under the wheels, and where a wheel comes onto another.
+
+use real::{Real, elementary};
+
+use crate::chassis::Chassis;
+use crate::field::root;
+use crate::ground::{Edge, Ground};
+use crate::state::cubic;
+use crate::step::Phase;
+
+/// (m) wheels are asked for their zone at least as often on their way, where a border is near.
+const LOOKOUT: f64 = 0.25;
+
+/// (m) how far ahead a wheel that stands on a border is asked for its zone.
+const AHEAD: f64 = 1e-9;
+
+/// Share of a step to which a crossing is narrowed on its cubic.
+const NARROW: f64 = 1e-6;
+
+/// Share of a step in which no crossing is looked for.
+const SHORTEST: f64 = 1e-3;
+
+/// Rounds in which a crossing is sought by straight lines; then by halves.
+const MOST_LINES: u32 = 8;
+
+/// What a vehicle stands on.
+#[derive(Clone, Copy)]
+pub(crate) struct Footing<'a, T, G> {
+    chassis: &'a Chassis<T>,
+    ground: &'a Ground<'a, G>,
+    /// The zone under each wheel.
+    pub(crate) zones: [usize; 4],
+}
+
+/// Where a wheel first comes onto another zone.
+pub(crate) struct Crossing {
+    /// Share of the step, just after it.
+    pub(crate) share: f64,
+    pub(crate) wheel: usize,
+    pub(crate) border: Edge,
+}
+
+/// A place and the wheels there.
+#[derive(Clone, Copy)]
+struct Stand {
+    share: f64,
+    wheels: [[f64; 2]; 4],
+    zones: [usize; 4],
+}
+
+impl<'a, T: Real, G: Real> Footing<'a, T, G> {
+    /// Outside of all zones.
+    pub(crate) fn new(chassis: &'a Chassis<T>, ground: &'a Ground<'a, G>) -> Self {
+        Self { chassis, ground, zones: [0; 4] }
+    }
+
+    /// Whether the ground is everywhere the same.
+    pub(crate) fn is_even(&self) -> bool {
+        self.ground.zones.is_empty()
+    }
+
+    /// Asks the ground what lies just ahead of each wheel of a vehicle with this kinetic energy (m²/s²),
+    /// twice that by the mass.
+    pub(crate) fn find(&mut self, now: Phase<f64>, energy: f64) {
+        let ahead = if energy > 0.0 { AHEAD / root(energy) } else { 0.0 };
+        let q = [0, 1, 2].map(|i| now.q[i] + now.w[i] * ahead);
+        self.zones = self.stand(0.0, q).zones;
+    }
+
+    /// Where in a step that takes `h` (s) a wheel first stands on another zone.
+    pub(crate) fn crossing(&self, from: Phase<f64>, to: Phase<f64>, h: f64) -> Option<Crossing> {
+        if self.is_even() || self.is_far_from_borders(from, to, h) {
+            return None;
+        }
+        let at = |share: f64| {
+            let of = |i: usize| cubic(share, h, [from.q[i], to.q[i]], [from.w[i], to.w[i]]).0;
+            self.stand(share, [0, 1, 2].map(of))
+        };
+        let radius = self.radius();
+        let fastest = |w: [f64; 3]| root(w[0] * w[0] + w[1] * w[1]) + w[2].abs() * radius;
+        // (m) a wheel is not much faster on its way than at one of its ends.
+        let way = 1.25 * h * Real::max(fastest(from.w), fastest(to.w));
+        self.first(&at, way, at(0.0), at(1.0))
+    }
+
+    /// The first crossing between two places, before which no wheel has left its zone; a wheel goes at most
+    /// `way` (m) in a whole step.
+    fn first(&self, at: &impl Fn(f64) -> Stand, way: f64, before: Stand, after: Stand) -> Option<Crossing> {
+        let width = after.share - before.share;
+        let is_same = after.zones == self.zones;
+        if width * way <= LOOKOUT || width < SHORTEST {
+            return if is_same { None } else { self.narrowed(at, before, after) };
+        }
+        if is_same && self.is_too_short(width * way, &before, &after) {
+            return None;
+        }
+        let middle = at(0.5 * (before.share + after.share));
+        if middle.zones != self.zones {
+            return self.first(at, way, before, middle);
+        }
+        self.first(at, way, before, middle).or_else(|| self.first(at, way, middle, after))
+    }
+
+    /// Whether no wheel can reach a border between two places and come back on a `way` (m).
+    fn is_too_short(&self, way: f64, before: &Stand, after: &Stand) -> bool {
+        let border = |wheel: [f64; 2]| {
+            let zones = self.ground.zones.iter();
+            zones.map(|zone| zone.region.distance_to_border(wheel)).fold(f64::INFINITY, Real::min)
+        };
+        (0..4).all(|i| border(before.wheels[i]) + border(after.wheels[i]) > way)
+    }
+
+    fn stand(&self, share: f64, [x, y, heading]: [f64; 3]) -> Stand {
+        let (sin, cos) = elementary::sin_cos(heading);
+        let wheels = self.chassis.wheels().map(|wheel| {
+            let (forward, left) = (wheel.forward.value(), wheel.left.value());
+            [x + forward * cos - left * sin, y + forward * sin + left * cos]
+        });
+        Stand { share, wheels, zones: wheels.map(|wheel| self.ground.zone_at(wheel)) }
+    }
+
+    /// (m) from the CG to the farthest wheel.
+    fn radius(&self) -> f64 {
+        self.chassis.wheels().iter().fold(0.0, |radius, wheel| {
+            let (forward, left) = (wheel.forward.value(), wheel.left.value());
+            Real::max(radius, root(forward * forward + left * left))
+        })
+    }
+
+    /// Whether no wheel can meet a border on the cubic between these places, which takes `h` (s).
+    fn is_far_from_borders(&self, from: Phase<f64>, to: Phase<f64>, h: f64) -> bool {
+        let length = |x: f64, y: f64| root(x * x + y * y);
+        // From the start of the cubic, whose weights of both velocities are at most 4/27:
+        // |q − q₀| ≤ |q₁ − q₀| + 4/27 h (|w₀| + |w₁|)
+        let speeds = length(from.w[0], from.w[1]) + length(to.w[0], to.w[1]);
+        let way = length(to.q[0] - from.q[0], to.q[1] - from.q[1]) + 4.0 / 27.0 * h * speeds;
+        let reach = way + self.radius() + AHEAD;
+        let center = [from.q[0], from.q[1]];
+        self.ground.zones.iter().all(|zone| zone.region.distance_to_border(center) > reach)
+    }
+
+    /// The first crossing between two places: narrowed by straight lines to the borders, to both sides of
+    /// where the first of them is met, and by halves where that does not help.
+    fn narrowed(&self, at: &impl Fn(f64) -> Stand, mut before: Stand, mut after: Stand) -> Option<Crossing> {
+        let mut round = 0;
+        while after.share - before.share > NARROW {
+            let width = after.share - before.share;
+            let guess = if round < MOST_LINES { self.met(&before, &after) } else { None };
+            let probes = match guess {
+                Some(share) => {
+                    let middle = before.share + share * width;
+                    [middle - 0.4 * NARROW, middle + 0.4 * NARROW]
+                }
+                None => [before.share + 0.5 * width; 2],
+            };
+            for probe in probes {
+                if probe > before.share && probe < after.share {
+                    let stand = at(probe);
+                    if stand.zones == self.zones { before = stand } else { after = stand }
+                }
+            }
+            round += 1;
+        }
+        let wheel = (0..4).find(|&i| after.zones[i] != self.zones[i])?;
+        let border = self.border(before.wheels[wheel], after.wheels[wheel])?;
+        Some(Crossing { share: after.share, wheel, border })
+    }
+
+    /// The share of the way between two places at which a wheel first meets a border on a straight line.
+    fn met(&self, before: &Stand, after: &Stand) -> Option<f64> {
+        let of = |i: usize| {
+            let (from, to) = (before.wheels[i], after.wheels[i]);
+            let border = self.border(from, to)?;
+            let (before, after) = (border.distance(from), border.distance(to));
+            let share = before / (before - after);
+            (0.0..=1.0).contains(&share).then_some(share)
+        };
+        let changed = (0..4).filter(|&i| after.zones[i] != self.zones[i]);
+        changed.filter_map(of).min_by(f64::total_cmp)
+    }
+
+    /// The line between two points on different zones, which is nearest to the latter.
+    fn border(&self, from: [f64; 2], to: [f64; 2]) -> Option<Edge> {
+        let mut zones = self.ground.zones.iter();
+        let zone = zones.rfind(|zone| zone.region.contains(from) != zone.region.contains(to))?;
+        zone.region.nearest_edge(to)
+    }
+}
