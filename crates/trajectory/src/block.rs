@@ -6,7 +6,7 @@ use pim_core::{InvalidInput, Motion};
 use crate::chassis::Chassis;
 use crate::error::NoRest;
 use crate::field::{Acceleration, FIELD_NUMBERS, Field};
-use crate::footing::Footing;
+use crate::footing::{Crossing, Footing, Pose};
 use crate::forward::{Moment, Run, SHORTEST, to_rest};
 use crate::ground::Ground;
 use crate::lanes::{LANES, Lanes, Mask};
@@ -16,7 +16,7 @@ use crate::state::{Control, Rest, State};
 use crate::steer::Steer;
 use crate::step::{Phase, Start, Steering};
 
-/// Motions whose state is kept on the stack at once.
+/// Motions whose state is kept at once: in the cache.
 const CHUNK: usize = 256;
 
 /// What a vehicle sets out with to its rest.
@@ -47,21 +47,19 @@ impl Outset<'_> {
 /// has the bits that [`to_rest`] gives, whatever the other motions are.
 ///
 /// Eight motions at a time go through the vector instructions that the processor has, each with steps of its
-/// own; where one is at rest, the next takes its place. A step in which a wheel comes onto another zone of the
-/// ground, a motion with a steer angle that changes, and one without a rest are followed one by one.
+/// own; where one is at rest, the next takes its place. A step in which a wheel comes onto another zone of
+/// the ground, a motion with a steer angle that changes, and one without a rest are followed one by one.
 pub fn to_rests(
     outsets: &[Outset<'_>],
     control: &Control,
     mut take: impl FnMut(usize, Result<Rest, NoRest>),
 ) {
+    let mut parked = Vec::with_capacity(outsets.len().min(CHUNK));
     for (number, chunk) in outsets.chunks(CHUNK).enumerate() {
-        let mut parked: [Parked; CHUNK] = [Parked::ALONE; CHUNK];
-        for (parked, outset) in parked.iter_mut().zip(chunk) {
-            *parked = Parked::new(outset, control).unwrap_or(Parked::ALONE);
-        }
-        let parked = &mut parked[..chunk.len()];
-        follow_all(control, chunk, parked);
-        for (i, (outset, parked)) in chunk.iter().zip(parked).enumerate() {
+        parked.clear();
+        parked.extend(chunk.iter().map(|outset| Parked::new(outset, control).unwrap_or(Parked::ALONE)));
+        follow_all(control, chunk, &mut parked);
+        for (i, (outset, parked)) in chunk.iter().zip(&parked).enumerate() {
             take(number * CHUNK + i, parked.rest(outset, control));
         }
     }
@@ -195,13 +193,19 @@ struct Parked {
     task: Task,
     given: [f64; GIVEN_NUMBERS],
     course: [f64; NUMBERS],
-    /// The zone under each wheel.
+    /// The zone under each wheel, and (m) from the CG to the farthest.
     zones: [usize; 4],
+    radius: f64,
 }
 
 impl Parked {
-    const ALONE: Self =
-        Self { task: Task::Alone, given: [0.0; GIVEN_NUMBERS], course: [0.0; NUMBERS], zones: [0; 4] };
+    const ALONE: Self = Self {
+        task: Task::Alone,
+        given: [0.0; GIVEN_NUMBERS],
+        course: [0.0; NUMBERS],
+        zones: [0; 4],
+        radius: 0.0,
+    };
 
     fn new(outset: &Outset<'_>, control: &Control) -> Result<Self, InvalidInput> {
         if !outset.fits() {
@@ -240,7 +244,8 @@ impl Parked {
             false => Task::Step { implicit: run.pace.is_implicit() },
         };
         let given = Given { field: run.field, steer: run.steering.at(0.0), lever: run.lever() };
-        Self { task, given: given.numbers(), course: course.numbers(), zones: run.footing.zones }
+        let Footing { zones, radius, .. } = run.footing;
+        Self { task, given: given.numbers(), course: course.numbers(), zones, radius }
     }
 
     /// The motion by itself, and where it is.
@@ -379,14 +384,15 @@ fn follow<S: Simd>(
         let mut goes_on = false;
         while !goes_on && !board.wants_more() {
             let (busy, watched) = (board.busy(), board.watched());
-            let mut crosses = 0;
+            let mut crossings = [const { None }; LANES];
             // Until a lane has done what it can, they need not be looked at one by one.
             let (before, fades, stiff, done) = loop {
                 let before = course;
                 let fades = course.step(&given, control, implicit);
-                if watched != 0 {
-                    crosses = board.crosses(watched, &before, &course);
-                }
+                let crosses = match watched {
+                    0 => 0,
+                    watched => board.crosses(watched, &before, &course, &mut crossings),
+                };
                 let stiff = course.pace.is_implicit();
                 let ended = Lanes::one_of(course.now.time.at_least(time), course.steps.at_least(steps));
                 let done = Lanes::one_of(Lanes::one_of(ended, course.length.below(shortest)), fades);
@@ -399,8 +405,8 @@ fn follow<S: Simd>(
             board.courses = course.numbers();
             for lane in 0..LANES {
                 let has = |bits: u64| bits >> lane & 1 == 1;
-                if has(crosses) {
-                    goes_on |= board.cross(lane, &before);
+                if let Some(crossing) = &crossings[lane] {
+                    goes_on |= board.cross(lane, crossing, &before, &course);
                 } else if has(done) {
                     let task = match (has(fades), has(stiff)) {
                         (true, _) => Task::Fade,
@@ -489,35 +495,59 @@ impl<S: Simd> Board<'_, S> {
         (0..LANES).fold(0, |bits, lane| bits | u64::from(self.follows[lane].is_some_and(has_zones)) << lane)
     }
 
-    /// A bit of each of the `watched` lanes in whose step a wheel comes onto another zone.
+    /// Where in the steps of the `watched` lanes a wheel comes onto another zone, and a bit of each lane in
+    /// which one does.
     #[inline(never)]
-    fn crosses(&self, watched: u64, before: &Course<Lanes<S>>, after: &Course<Lanes<S>>) -> u64 {
-        let phase = |course: &Course<Lanes<S>>, lane: usize| {
-            let Phase { q, w } = course.now.phase;
-            Phase { q: q.map(|cells| cells.get(lane)), w: w.map(|cells| cells.get(lane)) }
+    fn crosses(
+        &self,
+        watched: u64,
+        before: &Course<Lanes<S>>,
+        after: &Course<Lanes<S>>,
+        crossings: &mut [Option<Crossing>; LANES],
+    ) -> u64 {
+        let pose = |course: &Course<Lanes<S>>, lane: usize| {
+            let (Phase { q, w }, Direction { sin, cos }) = (course.now.phase, course.direction);
+            Pose {
+                phase: Phase { q: q.map(|cells| cells.get(lane)), w: w.map(|cells| cells.get(lane)) },
+                direction: Direction { sin: sin.get(lane), cos: cos.get(lane) },
+            }
         };
-        let crosses = |lane: usize| {
-            let Some(number) = self.follows[lane].filter(|_| watched >> lane & 1 == 1) else { return false };
+        let mut crosses = 0;
+        for (lane, crossing) in crossings.iter_mut().enumerate() {
+            let Some(number) = self.follows[lane].filter(|_| watched >> lane & 1 == 1) else { continue };
             // A step that is tried again leads nowhere yet.
             if after.again.get(lane) != 0.0 {
-                return false;
+                continue;
             }
             let Outset { chassis, ground, .. } = &self.outsets[number];
-            let mut footing = Footing::new(chassis, ground);
-            footing.zones = self.parked[number].zones;
-            footing.crossing(phase(before, lane), phase(after, lane), before.length.get(lane)).is_some()
-        };
-        (0..LANES).fold(0, |bits, lane| bits | u64::from(crosses(lane)) << lane)
+            let Parked { zones, radius, .. } = self.parked[number];
+            let footing = Footing { chassis, ground, radius, zones };
+            *crossing = footing.crossing(pose(before, lane), pose(after, lane), before.length.get(lane));
+            crosses |= u64::from(crossing.is_some()) << lane;
+        }
+        crosses
     }
 
-    /// Takes the step of a lane by itself, up to the first border on its way. Whether the lane goes on.
+    /// Takes the step of a lane by itself, up to the border. Whether the lane goes on.
     #[inline(never)]
-    fn cross(&mut self, lane: usize, before: &Course<Lanes<S>>) -> bool {
+    fn cross(
+        &mut self,
+        lane: usize,
+        crossing: &Crossing,
+        before: &Course<Lanes<S>>,
+        after: &Course<Lanes<S>>,
+    ) -> bool {
         let Some(number) = self.follows[lane] else { return false };
         self.parked[number].course = before.numbers().map(|cells| cells.get(lane));
         let (mut run, course) = self.parked[number].run(&self.outsets[number], self.control);
-        let Course { direction, acceleration, to_rest, length, again, .. } = course;
-        let moment = run.retake(Moment { direction, acceleration }, to_rest, length, again != 0.0);
+        let Course { direction, acceleration, length, .. } = course;
+        let start = run.start(Moment { direction, acceleration });
+        // The whole step was tried, and how long the next may be follows from it.
+        run.steps += 1;
+        let [paced, error, _] = after.pace.numbers().map(|cells| cells.get(lane));
+        let [_, _, stiff] = run.pace.numbers();
+        run.pace = Pace::of([paced, error, stiff]);
+        let moment = run.cross(&start, crossing, length);
         self.go_on(lane, Parked::of(run, moment, self.control))
     }
 

@@ -1,10 +1,11 @@
 //! The zones of ground under the wheels, and where a wheel comes onto another.
 
-use real::{Real, elementary};
+use real::Real;
 
 use crate::chassis::Chassis;
 use crate::field::root;
 use crate::ground::{Edge, Ground};
+use crate::number::Direction;
 use crate::state::cubic;
 use crate::step::Phase;
 
@@ -26,10 +27,19 @@ const MOST_LINES: u32 = 8;
 /// What a vehicle stands on.
 #[derive(Clone, Copy)]
 pub(crate) struct Footing<'a, T, G> {
-    chassis: &'a Chassis<T>,
-    ground: &'a Ground<'a, G>,
+    pub(crate) chassis: &'a Chassis<T>,
+    pub(crate) ground: &'a Ground<'a, G>,
+    /// (m) from the CG to the farthest wheel.
+    pub(crate) radius: f64,
     /// The zone under each wheel.
     pub(crate) zones: [usize; 4],
+}
+
+/// Where a vehicle is, with the sine and cosine of its heading.
+#[derive(Clone, Copy)]
+pub(crate) struct Pose {
+    pub(crate) phase: Phase<f64>,
+    pub(crate) direction: Direction<f64>,
 }
 
 /// Where a wheel first comes onto another zone.
@@ -40,18 +50,21 @@ pub(crate) struct Crossing {
     pub(crate) border: Edge,
 }
 
-/// A place and the wheels there.
+/// The places (m) of the wheels at a share of a step.
 #[derive(Clone, Copy)]
 struct Stand {
     share: f64,
     wheels: [[f64; 2]; 4],
-    zones: [usize; 4],
 }
 
 impl<'a, T: Real, G: Real> Footing<'a, T, G> {
     /// Outside of all zones.
     pub(crate) fn new(chassis: &'a Chassis<T>, ground: &'a Ground<'a, G>) -> Self {
-        Self { chassis, ground, zones: [0; 4] }
+        let radius = chassis.wheels().iter().fold(0.0, |radius, wheel| {
+            let (forward, left) = (wheel.forward.value(), wheel.left.value());
+            Real::max(radius, root(forward * forward + left * left))
+        });
+        Self { chassis, ground, radius, zones: [0; 4] }
     }
 
     /// Whether the ground is everywhere the same.
@@ -63,68 +76,64 @@ impl<'a, T: Real, G: Real> Footing<'a, T, G> {
     /// twice that by the mass.
     pub(crate) fn find(&mut self, now: Phase<f64>, energy: f64) {
         let ahead = if energy > 0.0 { AHEAD / root(energy) } else { 0.0 };
-        let q = [0, 1, 2].map(|i| now.q[i] + now.w[i] * ahead);
-        self.zones = self.stand(0.0, q).zones;
+        let [x, y, heading] = [0, 1, 2].map(|i| now.q[i] + now.w[i] * ahead);
+        self.zones = self.zones_of(self.wheels([x, y], Direction::of(heading)));
     }
 
     /// Where in a step that takes `h` (s) a wheel first stands on another zone.
-    pub(crate) fn crossing(&self, from: Phase<f64>, to: Phase<f64>, h: f64) -> Option<Crossing> {
-        if self.is_even() || self.is_far_from_borders(from, to, h) {
+    pub(crate) fn crossing(&self, from: Pose, to: Pose, h: f64) -> Option<Crossing> {
+        let (first, last) = (from.phase, to.phase);
+        if self.is_even() || self.is_far_from_borders(first, last, h) {
             return None;
         }
         let at = |share: f64| {
-            let of = |i: usize| cubic(share, h, [from.q[i], to.q[i]], [from.w[i], to.w[i]]).0;
-            self.stand(share, [0, 1, 2].map(of))
+            let of = |i: usize| cubic(share, h, [first.q[i], last.q[i]], [first.w[i], last.w[i]]).0;
+            Stand { share, wheels: self.wheels([of(0), of(1)], Direction::of(of(2))) }
         };
-        let radius = self.radius();
-        let fastest = |w: [f64; 3]| root(w[0] * w[0] + w[1] * w[1]) + w[2].abs() * radius;
+        let fastest = |w: [f64; 3]| root(w[0] * w[0] + w[1] * w[1]) + w[2].abs() * self.radius;
         // (m) a wheel is not much faster on its way than at one of its ends.
-        let way = 1.25 * h * Real::max(fastest(from.w), fastest(to.w));
-        self.first(&at, way, at(0.0), at(1.0))
+        let way = 1.25 * h * Real::max(fastest(first.w), fastest(last.w));
+        let end = |share: f64, Pose { phase, direction }: Pose| Stand {
+            share,
+            wheels: self.wheels([phase.q[0], phase.q[1]], direction),
+        };
+        self.first(&at, way, end(0.0, from), end(1.0, to))
     }
 
-    /// The first crossing between two places, before which no wheel has left its zone; a wheel goes at most
-    /// `way` (m) in a whole step.
+    /// The first crossing between two places; a wheel goes at most `way` (m) in a whole step.
     fn first(&self, at: &impl Fn(f64) -> Stand, way: f64, before: Stand, after: Stand) -> Option<Crossing> {
         let width = after.share - before.share;
-        let is_same = after.zones == self.zones;
-        if width * way <= LOOKOUT || width < SHORTEST {
-            return if is_same { None } else { self.narrowed(at, before, after) };
-        }
-        if is_same && self.is_too_short(width * way, &before, &after) {
+        if self.is_clear(width * way, &before, &after) {
             return None;
         }
-        let middle = at(0.5 * (before.share + after.share));
-        if middle.zones != self.zones {
-            return self.first(at, way, before, middle);
+        if width * way <= LOOKOUT || width < SHORTEST {
+            let is_same = self.zones_of(after.wheels) == self.zones;
+            return if is_same { None } else { self.narrowed(at, before, after) };
         }
+        let middle = at(0.5 * (before.share + after.share));
         self.first(at, way, before, middle).or_else(|| self.first(at, way, middle, after))
     }
 
-    /// Whether no wheel can reach a border between two places and come back on a `way` (m).
-    fn is_too_short(&self, way: f64, before: &Stand, after: &Stand) -> bool {
-        let border = |wheel: [f64; 2]| {
-            let zones = self.ground.zones.iter();
-            zones.map(|zone| zone.region.distance_to_border(wheel)).fold(f64::INFINITY, Real::min)
-        };
-        (0..4).all(|i| border(before.wheels[i]) + border(after.wheels[i]) > way)
+    /// Whether each wheel stays on its side of all borders between two places that lie a `way` (m) apart:
+    /// to a border and back it would be longer.
+    fn is_clear(&self, way: f64, before: &Stand, after: &Stand) -> bool {
+        self.ground.zones.iter().all(|zone| {
+            before.wheels.iter().zip(&after.wheels).all(|(from, to)| {
+                let (from, to) = (zone.region.depth(*from), zone.region.depth(*to));
+                from * to > 0.0 && from.abs() + to.abs() > way
+            })
+        })
     }
 
-    fn stand(&self, share: f64, [x, y, heading]: [f64; 3]) -> Stand {
-        let (sin, cos) = elementary::sin_cos(heading);
-        let wheels = self.chassis.wheels().map(|wheel| {
+    fn wheels(&self, [x, y]: [f64; 2], Direction { sin, cos }: Direction<f64>) -> [[f64; 2]; 4] {
+        self.chassis.wheels().map(|wheel| {
             let (forward, left) = (wheel.forward.value(), wheel.left.value());
             [x + forward * cos - left * sin, y + forward * sin + left * cos]
-        });
-        Stand { share, wheels, zones: wheels.map(|wheel| self.ground.zone_at(wheel)) }
+        })
     }
 
-    /// (m) from the CG to the farthest wheel.
-    fn radius(&self) -> f64 {
-        self.chassis.wheels().iter().fold(0.0, |radius, wheel| {
-            let (forward, left) = (wheel.forward.value(), wheel.left.value());
-            Real::max(radius, root(forward * forward + left * left))
-        })
+    fn zones_of(&self, wheels: [[f64; 2]; 4]) -> [usize; 4] {
+        wheels.map(|wheel| self.ground.zone_at(wheel))
     }
 
     /// Whether no wheel can meet a border on the cubic between these places, which takes `h` (s).
@@ -134,7 +143,7 @@ impl<'a, T: Real, G: Real> Footing<'a, T, G> {
         // |q − q₀| ≤ |q₁ − q₀| + 4/27 h (|w₀| + |w₁|)
         let speeds = length(from.w[0], from.w[1]) + length(to.w[0], to.w[1]);
         let way = length(to.q[0] - from.q[0], to.q[1] - from.q[1]) + 4.0 / 27.0 * h * speeds;
-        let reach = way + self.radius() + AHEAD;
+        let reach = way + self.radius + AHEAD;
         let center = [from.q[0], from.q[1]];
         self.ground.zones.iter().all(|zone| zone.region.distance_to_border(center) > reach)
     }
@@ -156,12 +165,12 @@ impl<'a, T: Real, G: Real> Footing<'a, T, G> {
             for probe in probes {
                 if probe > before.share && probe < after.share {
                     let stand = at(probe);
-                    if stand.zones == self.zones { before = stand } else { after = stand }
+                    if self.zones_of(stand.wheels) == self.zones { before = stand } else { after = stand }
                 }
             }
             round += 1;
         }
-        let wheel = (0..4).find(|&i| after.zones[i] != self.zones[i])?;
+        let wheel = self.changed(&after).next()?;
         let border = self.border(before.wheels[wheel], after.wheels[wheel])?;
         Some(Crossing { share: after.share, wheel, border })
     }
@@ -175,8 +184,13 @@ impl<'a, T: Real, G: Real> Footing<'a, T, G> {
             let share = before / (before - after);
             (0.0..=1.0).contains(&share).then_some(share)
         };
-        let changed = (0..4).filter(|&i| after.zones[i] != self.zones[i]);
-        changed.filter_map(of).min_by(f64::total_cmp)
+        self.changed(after).filter_map(of).min_by(f64::total_cmp)
+    }
+
+    /// The wheels that stand on another zone.
+    fn changed(&self, stand: &Stand) -> impl Iterator<Item = usize> {
+        let zones = self.zones_of(stand.wheels);
+        (0..4).filter(move |&i| zones[i] != self.zones[i])
     }
 
     /// The line between two points on different zones, which is nearest to the latter.

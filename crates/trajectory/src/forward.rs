@@ -7,7 +7,7 @@ use crate::chassis::Chassis;
 use crate::check;
 use crate::error::NoRest;
 use crate::field::{Acceleration, Field, GRAVITY, root};
-use crate::footing::{Crossing, Footing};
+use crate::footing::{Crossing, Footing, Pose};
 use crate::ground::Ground;
 use crate::number::Direction;
 use crate::progress::{Outlook, Pace, Progress, error_squared};
@@ -192,9 +192,13 @@ impl<'a, T: Real + From<G>, G: Real> Run<'a, T, G> {
         if self.steer.next_change(now).is_some_and(|change| change.value() < now + time) {
             return false;
         }
+        if self.footing.is_even() {
+            return true;
+        }
         let now = plain(self.now.phase);
         let q = [0, 1, 2].map(|i| now.q[i] + now.w[i] * (time * 0.5));
-        self.footing.crossing(now, Phase { q, w: [0.0; 3] }, time).is_none()
+        let pose = |phase: Phase<f64>| Pose { phase, direction: Direction::of(phase.q[2]) };
+        self.footing.crossing(pose(now), pose(Phase { q, w: [0.0; 3] }), time).is_none()
     }
 
     /// The last way, in closed form.
@@ -278,25 +282,16 @@ impl<'a, T: Real + From<G>, G: Real> Run<'a, T, G> {
         }
     }
 
-    /// Tries a step of the length `h` (s) once more that lanes found acceptable and that meets a border;
-    /// `again` where a longer one was tried before.
-    pub(crate) fn retake(&mut self, moment: Moment<T>, to_rest: f64, h: f64, again: bool) -> Moment<T> {
-        let start = self.start(moment);
-        let length = T::from(h);
-        self.steps += 1;
-        let trial = start.step(&self.field, |time| self.steering.at(time), length);
-        let error = error_squared(&trial, to_rest, self.lever(), self.control);
-        self.take(&start, &trial, length, error, again)
-    }
-
     /// Goes where a step leads, or up to the first border on its way.
     #[inline(always)]
     fn take(&mut self, start: &Start<T>, trial: &Step<T>, length: T, error: f64, again: bool) -> Moment<T> {
         self.pace.accept(length.value(), error, again);
-        if let Some((trial, length)) = self.crossing(start, trial, length) {
-            self.now = self.now.after(&trial, length);
-            self.find_zones();
-            return self.moment();
+        if !self.footing.is_even() {
+            let from = Pose { phase: plain(start.phase), direction: start.direction.plain() };
+            let to = Pose { phase: plain(trial.end), direction: trial.there.0.plain() };
+            if let Some(crossing) = self.footing.crossing(from, to, length.value()) {
+                return self.cross(start, &crossing, length.value());
+            }
         }
         self.now = self.now.after(trial, length);
         let (direction, acceleration) = trial.there;
@@ -305,7 +300,7 @@ impl<'a, T: Real + From<G>, G: Real> Run<'a, T, G> {
     }
 
     #[inline(always)]
-    fn start(&self, Moment { direction, acceleration }: Moment<T>) -> Start<T> {
+    pub(crate) fn start(&self, Moment { direction, acceleration }: Moment<T>) -> Start<T> {
         let Progress { phase, time, .. } = self.now;
         let slope = self.pace.is_implicit().then(|| {
             let steer = self.steering.at(time);
@@ -324,11 +319,17 @@ impl<'a, T: Real + From<G>, G: Real> Run<'a, T, G> {
         self.field = Field::new(self.chassis, self.ground, self.footing.zones);
     }
 
-    /// The step that ends where a wheel comes onto another zone, if one does in this step.
-    fn crossing(&mut self, start: &Start<T>, trial: &Step<T>, length: T) -> Option<(Step<T>, T)> {
-        let h = length.value();
-        let Crossing { share, wheel, border } =
-            self.footing.crossing(plain(start.phase), plain(trial.end), h)?;
+    /// Goes to where a wheel comes onto another zone in a step of `h` (s).
+    pub(crate) fn cross(&mut self, start: &Start<T>, crossing: &Crossing, h: f64) -> Moment<T> {
+        let (step, length) = self.to_border(start, crossing, h);
+        self.now = self.now.after(&step, length);
+        self.find_zones();
+        self.moment()
+    }
+
+    /// The step that ends at the border, and its length (s).
+    fn to_border(&mut self, start: &Start<T>, crossing: &Crossing, h: f64) -> (Step<T>, T) {
+        let &Crossing { share, wheel, border } = crossing;
         // The cubic is not the step: Newton's method on the step itself, the last time with derivatives.
         let mut length = T::from(share * h);
         for round in 0..MOST_ROUNDS {
@@ -340,14 +341,14 @@ impl<'a, T: Real + From<G>, G: Real> Run<'a, T, G> {
             let next = length - distance / rate;
             // Grazing, where the border is not crossed at all.
             if !(next.value() > 0.0 && next.value() <= h) {
-                return Some((short, length));
+                return (short, length);
             }
             length = next;
             if distance.value().abs() <= ON_THE_BORDER || round + 1 == MOST_ROUNDS {
                 break;
             }
         }
-        Some((self.short(start, length), length))
+        (self.short(start, length), length)
     }
 
     /// A step that ends at a border. Apart from the step of [`advance`](Self::advance), which is inlined: few

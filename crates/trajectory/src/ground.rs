@@ -145,6 +145,17 @@ impl Region<'_> {
         }
     }
 
+    /// (m) from a point to its border: positive inside, negative outside.
+    pub(crate) fn depth(&self, point: [f64; 2]) -> f64 {
+        match *self {
+            Self::HalfPlane { point: on, into } => (point[0] - on.x) * into.x + (point[1] - on.y) * into.y,
+            Self::Polygon(_) => {
+                let distance = self.distance_to_border(point);
+                if self.contains(point) { distance } else { -distance }
+            }
+        }
+    }
+
     /// (m) from a point to its border.
     pub(crate) fn distance_to_border(&self, point: [f64; 2]) -> f64 {
         self.nearest(point).map_or(f64::INFINITY, |(distance, _)| distance)

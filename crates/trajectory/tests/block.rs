@@ -76,18 +76,14 @@ fn motions_over_zones_have_the_bits_of_runs_alone() {
             outset.ground.zones = &zones[number % zones.len()][..count];
         }
     }
-    let (plain, of_zones) = (Control::default(), |rests: &[Result<Rest, NoRest>]| {
-        rests.iter().zip(&outsets).filter(|(_, outset)| !outset.ground.zones.is_empty()).count()
-    });
+    let plain = Control::default();
     for control in [
         plain,
         Control { tolerance: 5e-3, ..plain },
         Control { longest_time: 2.0, ..plain },
         Control { most_steps: 60, ..plain },
     ] {
-        let rests = at_once(&outsets, &control);
-        assert!(of_zones(&rests) > 150);
-        assert!(rests == one_by_one(&outsets, &control), "{control:?}");
+        assert!(at_once(&outsets, &control) == one_by_one(&outsets, &control), "{control:?}");
     }
     // The zones matter to most of them.
     let (with, mut without) = (one_by_one(&outsets, &plain), outsets.clone());
