@@ -336,7 +336,7 @@ impl PyCase {
         signature = (
             *, particles = Whole(analysis::EstimatePlan::PARTICLES), seed = Whole(1), prior = None, pieces = true, above = Vec::new(), threads = None
         ),
-        text_signature = "($self, *, particles=512, seed=1, prior=None, pieces=True, above=(), threads=None)"
+        text_signature = "($self, *, particles=256, seed=1, prior=None, pieces=True, above=(), threads=None)"
     )]
     #[expect(clippy::too_many_arguments, reason = "they are keywords in Python")]
     fn estimate<'py>(

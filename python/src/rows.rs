@@ -100,6 +100,7 @@ fn solve(
     let mut batches = Vec::new();
     while let Some(batch) = py.detach(|| reader.next()) {
         let batch = batch.map_err(broken)?;
+        tables::check_columns(&batch).map_err(|error| wrong_table(py, error))?;
         let rows = interruptible(py, threads, |ending| asked.solve(&batch, ending))?;
         batches.push(rows.map_err(|error| wrong_table(py, error))?);
     }
@@ -173,7 +174,7 @@ pub(crate) fn crush_table(
 #[pyfunction]
 #[pyo3(
     signature = (table, *, template = None, particles = Whole(EstimatePlan::PARTICLES), seed = Whole(1), prior = None, threads = None),
-    text_signature = "(table, *, template=None, particles=512, seed=1, prior=None, threads=None)"
+    text_signature = "(table, *, template=None, particles=256, seed=1, prior=None, threads=None)"
 )]
 pub(crate) fn estimate_table(
     py: Python<'_>,
@@ -205,7 +206,7 @@ pub(crate) fn estimate_table(
 #[pyfunction]
 #[pyo3(
     signature = (job, table, *, template = None, samples = None, particles = Whole(EstimatePlan::PARTICLES), seed = Whole(1), prior = None, threads = None),
-    text_signature = "(job, table, *, template=None, samples=None, particles=512, seed=1, prior=None, threads=None)"
+    text_signature = "(job, table, *, template=None, samples=None, particles=256, seed=1, prior=None, threads=None)"
 )]
 #[expect(clippy::too_many_arguments, reason = "Python names them")]
 pub(crate) fn stream_table(

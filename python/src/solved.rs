@@ -80,7 +80,9 @@ impl Solved {
         };
         let is_followed = analysis.travel.iter().any(Option::is_some);
         let site_plan = if is_followed { self.given.site_plan(py)? } else { None };
-        let beside = interruptible(py, self.threads, |_| analysis::beside(&file.case, analysis))?;
+        let beside = interruptible(py, self.threads, |ending| {
+            analysis::beside(&file.case, analysis, &mut |_, _, _| ending.flow())
+        })?;
         let beside = beside.map_err(|failure| failed(py, failure, file))?;
         let validation = py.detach(|| validate(&Data::built_in()));
         let validation = validation.map_err(|error| PyRuntimeError::new_err(error.to_string()))?;

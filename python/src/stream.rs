@@ -48,7 +48,10 @@ impl Parts {
         let batch = match self.left.take() {
             Some(left) => left,
             None => match self.table.next()? {
-                Ok(batch) => batch,
+                Ok(batch) => match tables::check_columns(&batch) {
+                    Ok(()) => batch,
+                    Err(error) => return Some(Err(ArrowError::ExternalError(Box::new(error)))),
+                },
                 Err(error) => return Some(Err(error)),
             },
         };

@@ -6,8 +6,8 @@ use ::uncertainty::{SamplingMethod, Settings};
 use inputs::Case;
 
 use crate::{
-    Analysis, Failure, Plan, Sensitivity, Sweep, Uncertainty, is_searched_back, is_uncertain, sensitivity,
-    uncertainty,
+    Analysis, Failure, Plan, Sensitivity, Stage, Sweep, Uncertainty, is_searched_back, is_uncertain,
+    sensitivity, uncertainty,
 };
 
 /// Samples where nobody says how many: enough for three digits, in a blink.
@@ -38,23 +38,43 @@ pub struct Beside {
     pub sensitivity: Option<Sensitivity>,
 }
 
+/// Samples of a case with very many zones of ground, in each of which a wheel is asked for its zone: so many
+/// through all of them, and at least so many.
+const ZONES: usize = 10;
+const LEAST_BACKWARD_SAMPLES: usize = 100;
+
 /// What a report to hand over has beside an analysis of the case.
+///
+/// `progress` receives the stage, what is done of it and of how much, and may end the samples.
 ///
 /// # Errors
 /// [`Failure`], as [`uncertainty()`] and [`sensitivity()`].
-pub fn beside(case: &Case, analysis: &Analysis) -> Result<Beside, Failure> {
+pub fn beside(
+    case: &Case,
+    analysis: &Analysis,
+    progress: &mut (dyn FnMut(Stage, usize, usize) -> ControlFlow<()> + Send),
+) -> Result<Beside, Failure> {
     let is_followed = analysis.travel.iter().any(Option::is_some);
     // A motion alone is propagated only of a case that has nothing else to find.
     let is_motion = is_followed && case.impact.is_none() && case.reconstruct.is_none();
     if !((analysis.exchange().is_some() || is_motion) && is_uncertain(case)) {
         return Ok(Beside::default());
     }
-    let samples = if is_followed { BACKWARD_SAMPLES } else { report_samples(case.inputs().len()) };
+    let samples = if is_followed {
+        let zones = case.surface.as_ref().map_or(0, |surface| surface.zones.len());
+        backward_samples(zones)
+    } else {
+        report_samples(case.inputs().len())
+    };
     let plan = Plan { settings: Settings::new(SamplingMethod::MonteCarlo, samples, 1), index_rows: None };
-    let uncertainty = uncertainty(case, &plan, &mut |_, _, _| ControlFlow::Continue(()))?;
+    let uncertainty = uncertainty(case, &plan, progress)?;
     let is_differentiated = analysis.found.is_some() || analysis.both.is_some() || is_motion;
     let sensitivity = is_differentiated.then(|| sensitivity(case, Sweep::default())).transpose()?;
     Ok(Beside { uncertainty: Some(uncertainty), sensitivity })
+}
+
+fn backward_samples(zones: usize) -> usize {
+    (BACKWARD_SAMPLES * ZONES / zones.max(ZONES)).max(LEAST_BACKWARD_SAMPLES)
 }
 
 fn report_samples(numbers: usize) -> usize {
@@ -63,12 +83,13 @@ fn report_samples(numbers: usize) -> usize {
 
 #[cfg(test)]
 mod tests {
-    use super::report_samples;
+    use super::{backward_samples, report_samples};
 
     #[test]
     fn a_report_on_very_many_numbers_takes_fewer_samples() {
         assert_eq!([0, 31, 1000].map(report_samples), [100_000; 3]);
         assert_eq!(report_samples(10_000), 10_000);
+        assert_eq!([0, 10, 20, 100, 1000].map(backward_samples), [1000, 1000, 500, 100, 100]);
         assert_eq!(report_samples(1_000_000), 500);
     }
 }

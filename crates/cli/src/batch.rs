@@ -33,6 +33,8 @@ pub(crate) enum Incomplete {
     FailedRows { failed: usize, total: usize },
     /// Ctrl-C came after so many rows of a table.
     EndedTable { done: usize, total: usize },
+    /// Ctrl-C came after so many pairs of vehicles.
+    EndedPairs { done: usize, total: usize },
 }
 
 impl fmt::Display for Incomplete {
@@ -42,13 +44,19 @@ impl fmt::Display for Incomplete {
                 write!(f, "{failed} of {total} cases failed; see the error in their rows")
             }
             Self::Ended { done, total } => {
-                write!(f, "ended by Ctrl-C: rows of the first {done} of {total} case files are written")
+                write!(f, "ended early: rows of the first {done} of {total} case files are written")
             }
             Self::FailedRows { failed, total } => {
                 write!(f, "{failed} of {total} rows have an error: see the column error")
             }
+            Self::EndedTable { done: 0, total } => {
+                write!(f, "ended early: none of {total} rows was finished, and nothing is written")
+            }
             Self::EndedTable { done, total } => {
-                write!(f, "ended by Ctrl-C: the first {done} of {total} rows are written")
+                write!(f, "ended early: the first {done} of {total} rows are written")
+            }
+            Self::EndedPairs { done, total } => {
+                write!(f, "ended early: the figures are those of the first {done} of {total} pairs")
             }
         }
     }

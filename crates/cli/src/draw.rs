@@ -7,7 +7,6 @@ use std::path::{Path, PathBuf};
 use anyhow::{Context as _, Result, bail};
 use case::{Axes, CaseFile, Fault, FaultKind, Faults, GivenSitePlan, Quantity};
 use report::{Drawing, DrawingError, PictureFormat, SitePlan, Subject, Units};
-use same_file::is_same_file;
 
 use crate::arguments::{DrawArguments, What};
 use crate::reconstruction;
@@ -22,7 +21,6 @@ pub(crate) fn draw(arguments: &DrawArguments) -> Result<()> {
         bail!("--site-plan lies behind the motion: give --what motion, or leave it out");
     }
     let file = crate::case_file(&arguments.case)?;
-    keep_site_plan(arguments, &file)?;
     let site_plan = match site_plan(arguments, file.case.axes)? {
         None if arguments.what == What::Motion => plan_of_case(&arguments.case, &file)?,
         given => given,
@@ -129,28 +127,33 @@ fn site_plan(arguments: &DrawArguments, axes: Axes) -> Result<Option<SitePlan>> 
         return Ok(None);
     };
     let name = crate::named(path);
-    let bytes = fs::read(path).with_context(|| format!("cannot read the site plan {name}"))?;
+    let bytes = picture(path).with_context(|| format!("cannot read the site plan {name}"))?;
     let angle = arguments.plan_angle.as_ref().map_or(0.0, Quantity::si);
     let plan = report::site_plan(bytes, axes, [x.si(), y.si()], angle, width.si());
     Ok(Some(plan.with_context(|| format!("--site-plan {name}"))?))
 }
 
-/// Refuses to write the drawing over the picture that it is drawn on.
-fn keep_site_plan(arguments: &DrawArguments, file: &CaseFile) -> Result<()> {
-    let of_case = file.case.site_plan.as_ref().map(|plan| plan_path(&arguments.case, plan));
-    let plans = arguments.site_plan.iter().chain(&of_case);
-    let Some(path) = arguments.output.file() else { return Ok(()) };
-    for plan in plans {
-        // Where one of them is not there yet, they are not the same.
-        if is_same_file(path, plan).unwrap_or(false) {
-            bail!("{} is the site plan: give the drawing another name", crate::named(path));
-        }
+/// (bytes) no PNG or JPEG of a plan is larger.
+const LARGEST_PICTURE: u64 = 1 << 28;
+
+/// What is in the file of a picture, which is no device and no pipe.
+fn picture(path: &Path) -> io::Result<Vec<u8>> {
+    let metadata = fs::metadata(path)?;
+    if !metadata.is_file() {
+        return Err(io::Error::other("it is no file"));
     }
-    Ok(())
+    if metadata.len() > LARGEST_PICTURE {
+        return Err(io::Error::other(format!(
+            "it has {} MB, at most {}",
+            metadata.len() >> 20,
+            LARGEST_PICTURE >> 20
+        )));
+    }
+    fs::read(path)
 }
 
 /// Where the picture of a case lies.
-fn plan_path(case: &Path, plan: &GivenSitePlan) -> PathBuf {
+pub(crate) fn plan_path(case: &Path, plan: &GivenSitePlan) -> PathBuf {
     case.parent().unwrap_or(Path::new("")).join(plan.file.as_given())
 }
 
@@ -162,12 +165,22 @@ pub(crate) fn plan_of_case(case: &Path, file: &CaseFile) -> Result<Option<SitePl
         let fault = Fault { key: "scene.site_plan.file".to_owned(), kind, advice: Some(advice.to_owned()) };
         file.diagnostics(&Faults::from(fault), &report::PROGRAM)
     };
-    let bytes = fs::read(plan_path(case, plan)).map_err(|error| {
+    let cannot = |error: io::Error| {
         refused(
             format!("cannot read the site plan {}: {error}", plan.file),
             "put the picture beside the case file, or leave out site_plan",
         )
-    })?;
+    };
+    let path = plan_path(case, plan);
+    // A case comes from others: what it names is to lie in its folder, and a link would lead out of it.
+    if fs::symlink_metadata(&path).map_err(cannot)?.is_symlink() {
+        return Err(refused(
+            format!("the site plan {} is a link", plan.file),
+            "put the picture itself beside the case file, or leave out site_plan",
+        )
+        .into());
+    }
+    let bytes = picture(&path).map_err(cannot)?;
     let plan = report::site_plan_of(&file.case, bytes);
     Ok(plan
         .map_err(|error| refused(error.to_string(), "save it as a PNG or a JPEG, or leave out site_plan"))?)

@@ -231,7 +231,12 @@ fn handover(
     estimated: Option<&Estimated>,
     units: Units,
 ) -> Result<Document> {
-    let Beside { uncertainty, sensitivity } = answered(analysis::beside(&file.case, analysis), file, units)?;
+    let mut progress = progress::Progress::new()?;
+    let beside = analysis::beside(&file.case, analysis, &mut |stage, done, total| {
+        progress.at(counted(stage), done, total)
+    });
+    drop(progress);
+    let Beside { uncertainty, sensitivity } = answered(beside, file, units)?;
     let is_followed = analysis.travel.iter().any(Option::is_some);
     let site_plan = if is_followed { draw::plan_of_case(path, file)? } else { None };
     let validation = validation::validate(&Data::built_in())?;
@@ -388,6 +393,13 @@ impl From<PlotsFormat> for PictureFormat {
     }
 }
 
+fn counted(stage: Stage) -> &'static str {
+    match stage {
+        Stage::Samples => "samples",
+        Stage::Indices => "rows for the indices",
+    }
+}
+
 fn propagate(
     case: &Case,
     plan: &Plan,
@@ -397,11 +409,7 @@ fn propagate(
     let mut progress = progress::Progress::new()?;
     Ok(pool.install(|| {
         analysis::uncertainty_of(case, plan, wanted, &mut |stage, done, total| {
-            let counted = match stage {
-                Stage::Samples => "samples",
-                Stage::Indices => "rows for the indices",
-            };
-            progress.at(counted, done, total)
+            progress.at(counted(stage), done, total)
         })
     }))
 }
@@ -495,8 +503,19 @@ fn validate(arguments: &ValidateArguments) -> Result<()> {
 const PARTICLES_OF_PAIR: usize = 128;
 
 fn validate_field(path: &Path, arguments: &ValidateArguments) -> Result<()> {
-    let name = path.display().to_string();
-    let bytes = fs::read(path).with_context(|| format!("cannot read {name}"))?;
+    /// (bytes) a table of all crashes that NHTSA has sampled is smaller.
+    const LARGEST_TABLE: u64 = 1 << 28;
+    let name = named(path).to_string();
+    if path.is_dir() {
+        anyhow::bail!("{name} is a folder: name the table in it");
+    }
+    let mut bytes = Vec::new();
+    fs::File::open(path)
+        .and_then(|file| file.take(LARGEST_TABLE + 1).read_to_end(&mut bytes))
+        .with_context(|| format!("cannot read {name}"))?;
+    if bytes.len() as u64 > LARGEST_TABLE {
+        anyhow::bail!("{name} is larger than {} MB: split it", LARGEST_TABLE >> 20);
+    }
     let text = String::from_utf8(bytes)
         .with_context(|| format!("{name} is no text in UTF-8: save the table as CSV, encoded in UTF-8"))?;
     let pairs = field::read(&text).with_context(|| name.clone())?;
@@ -516,7 +535,9 @@ fn validate_field(path: &Path, arguments: &ValidateArguments) -> Result<()> {
     let document = || Ok(report::field(&judged, &name));
     present_as(arguments.format, arguments.output.file(), document, || report::field_json(&judged))?;
     let plots = [report::estimated_against_recorded(&judged), report::ranks_of_recorders(&judged)];
-    write_plots(FIELD_PLOTS, plots, arguments)
+    write_plots(FIELD_PLOTS, plots, arguments)?;
+    let (done, total) = (judged.finished, judged.pairs);
+    if done < total { Err(batch::Incomplete::EndedPairs { done, total }.into()) } else { Ok(()) }
 }
 
 fn write_plots<const N: usize>(

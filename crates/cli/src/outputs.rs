@@ -1,15 +1,17 @@
 //! What a command writes has a place, and does not replace what it reads, nor any other case file, nor what
 //! else it writes.
 
+use std::borrow::Cow;
 use std::ffi::OsString;
 use std::fs;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use anyhow::{Context as _, Result, bail};
+use case::CaseFile;
 use report::PictureFormat;
 use same_file::{Handle, is_same_file};
 
-use crate::arguments::{Arguments, CasesArguments, Command, Format, Rows};
+use crate::arguments::{Arguments, CasesArguments, Command, Format, ReportArguments, Rows};
 use crate::named;
 
 /// A file that is written.
@@ -28,18 +30,39 @@ struct Folder<'a> {
     is_name: fn(&str) -> bool,
 }
 
+/// A file that is read.
+struct Input<'a> {
+    /// What it is, as a sentence has it.
+    what: &'static str,
+    path: Cow<'a, Path>,
+}
+
+impl<'a> Input<'a> {
+    fn of(what: &'static str, paths: impl IntoIterator<Item = &'a PathBuf>) -> impl Iterator<Item = Self> {
+        paths.into_iter().map(move |path| Self { what, path: Cow::Borrowed(path) })
+    }
+}
+
+const CASE: &str = "the case file";
+
 /// The files of a command.
 #[derive(Default)]
 struct Files<'a> {
-    cases: Vec<&'a Path>,
+    inputs: Vec<Input<'a>>,
     outputs: Vec<Output<'a>>,
     folder: Option<Folder<'a>>,
 }
 
-/// Refuses to write over a case or to where nothing can be written, and makes the folder for files; to be
-/// called before anything is computed.
+/// Refuses to write over what is read or to where nothing can be written, and makes the folder for files; to
+/// be called before anything is computed.
 pub(crate) fn check(command: &Command) -> Result<()> {
-    let Files { cases, outputs, folder } = files(command);
+    let Files { mut inputs, outputs, folder } = files(command);
+    // The pictures that cases name are looked for where one of them could be written over.
+    if folder.is_some() || outputs.iter().any(|output| is_file(output.path)) {
+        let cases = inputs.iter().filter(|input| input.what == CASE);
+        let plans: Vec<PathBuf> = cases.filter_map(|case| site_plan_of(&case.path)).collect();
+        inputs.extend(plans.into_iter().map(|path| Input { what: "the site plan", path: Cow::Owned(path) }));
+    }
     let named_so = outputs.iter().map(|output| (output.option, output.path));
     let folders = folder.iter().map(|folder| (folder.option, folder.path));
     if let Some((option, _)) = named_so.chain(folders).find(|(_, path)| *path == Path::new("-")) {
@@ -50,14 +73,15 @@ pub(crate) fn check(command: &Command) -> Result<()> {
     for output in &outputs {
         let Output { option, path, .. } = output;
         let (name, other) = (named(path), proposal(output));
-        if let Some(case) = cases.iter().find(|case| is_read_from(case, path)) {
-            let case = if is_standard_input(case) {
+        if let Some(Input { what, path: input }) = inputs.iter().find(|input| is_read_from(&input.path, path))
+        {
+            let input = if is_standard_input(input) {
                 "that comes in on standard input".to_owned()
             } else {
-                named(case).to_string()
+                named(input).to_string()
             };
             bail!(
-                "{option} {name} would write over the case file {case}: give another name, such as {option} {other}"
+                "{option} {name} would write over {what} {input}: give another name, such as {option} {other}"
             );
         }
         if !parent(path).is_dir() {
@@ -83,7 +107,7 @@ pub(crate) fn check(command: &Command) -> Result<()> {
     }
     match folder {
         Some(folder) => {
-            check_folder(&folder, &cases, &outputs)?;
+            check_folder(&folder, &inputs, &outputs)?;
             let Folder { option, path, .. } = folder;
             fs::create_dir_all(path)
                 .with_context(|| format!("{option} {} cannot be made a folder", named(path)))
@@ -94,7 +118,7 @@ pub(crate) fn check(command: &Command) -> Result<()> {
 
 fn check_folder(
     Folder { option, path: folder, is_name }: &Folder<'_>,
-    cases: &[&Path],
+    inputs: &[Input<'_>],
     outputs: &[Output<'_>],
 ) -> Result<()> {
     let shown = named(folder);
@@ -113,14 +137,16 @@ fn check_folder(
     // A folder that cannot be read cannot be written to either, which is said then.
     for entry in fs::read_dir(folder).into_iter().flatten().flatten() {
         let (name, path) = (entry.file_name(), entry.path());
-        if name.to_str().is_some_and(is_name)
-            && (is_toml(&path) || cases.iter().any(|case| is_read_from(case, &path)))
-        {
-            bail!(
-                "{option} {shown} would write over {}, which is a case file: give another folder",
-                named(&path)
-            );
+        if !name.to_str().is_some_and(is_name) {
+            continue;
         }
+        let input = inputs.iter().find(|input| is_read_from(&input.path, &path));
+        let what = match input {
+            Some(input) => input.what,
+            None if is_toml(&path) => CASE,
+            None => continue,
+        };
+        bail!("{option} {shown} would write over {}, which is {what}: give another folder", named(&path));
     }
     Ok(())
 }
@@ -129,9 +155,9 @@ fn files(command: &Command) -> Files<'_> {
     match command {
         // It refuses whatever exists when it writes.
         Command::New(_) => Files::default(),
-        Command::Reconstruct(arguments) => of_cases(&arguments.report.cases),
+        Command::Reconstruct(arguments) => of_report(&arguments.report),
         Command::Impact(arguments) | Command::Motion(arguments) | Command::Crush(arguments) => {
-            of_cases(&arguments.cases)
+            of_report(arguments)
         }
         Command::Compare(arguments) => of_cases(arguments),
         Command::Check(arguments) => of_arguments(arguments),
@@ -157,17 +183,21 @@ fn files(command: &Command) -> Files<'_> {
             files
         }
         Command::Table(arguments) => Files {
-            cases: arguments.cases.iter().chain(&arguments.template).map(|path| &**path).collect(),
+            inputs: Input::of("the table", &arguments.cases)
+                .chain(Input::of("the template", &arguments.template))
+                .collect(),
             outputs: output(arguments.output.file(), "-results.csv"),
             folder: None,
         },
         Command::Draw(arguments) => Files {
-            cases: vec![&arguments.case],
+            inputs: Input::of(CASE, [&arguments.case])
+                .chain(Input::of("the site plan", &arguments.site_plan))
+                .collect(),
             outputs: output(arguments.output.file(), "-drawing.svg"),
             folder: None,
         },
         Command::Validate(arguments) => Files {
-            cases: Vec::new(),
+            inputs: Input::of("the table", &arguments.field).collect(),
             outputs: output(arguments.output.file(), ending(arguments.format, PAGE)),
             folder: arguments.plots.as_deref().map(|path| Folder {
                 option: "--plots",
@@ -199,6 +229,12 @@ fn files(command: &Command) -> Files<'_> {
     }
 }
 
+fn of_report(arguments: &ReportArguments) -> Files<'_> {
+    let mut files = of_cases(&arguments.cases);
+    files.inputs.extend(Input::of("the page", &arguments.page));
+    files
+}
+
 fn of_cases(arguments: &CasesArguments) -> Files<'_> {
     let ending = match arguments.format.of_one() {
         Ok(format) => ending(format, REPORT),
@@ -206,7 +242,7 @@ fn of_cases(arguments: &CasesArguments) -> Files<'_> {
         Err(Rows::Jsonl) => "-rows.jsonl",
     };
     Files {
-        cases: arguments.cases.iter().map(|case| &**case).collect(),
+        inputs: Input::of(CASE, &arguments.cases).collect(),
         outputs: output(arguments.output.file(), ending),
         folder: None,
     }
@@ -214,10 +250,20 @@ fn of_cases(arguments: &CasesArguments) -> Files<'_> {
 
 fn of_arguments(arguments: &Arguments) -> Files<'_> {
     Files {
-        cases: vec![&arguments.case],
+        inputs: Input::of(CASE, [&arguments.case]).collect(),
         outputs: output(arguments.output.file(), ending(arguments.format, REPORT)),
         folder: None,
     }
+}
+
+/// Where the picture lies that a case names, if it can be read and names one.
+fn site_plan_of(case: &Path) -> Option<PathBuf> {
+    if !is_file(case) {
+        return None;
+    }
+    let (name, bytes) = crate::read(case).ok()?;
+    let file = CaseFile::parse(&name, std::str::from_utf8(&bytes).ok()?).ok()?;
+    file.case.site_plan.as_ref().map(|plan| crate::draw::plan_path(case, plan))
 }
 
 /// What names to propose end in, in the order of [`ending`].

@@ -2,12 +2,13 @@
 
 use std::io::{IsTerminal as _, Write as _, stderr};
 use std::ops::ControlFlow;
-use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
 
 use anyhow::{Context as _, Result};
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+
+use crate::sink;
 
 /// A shorter run needs no bar.
 const LONG: Duration = Duration::from_secs(1);
@@ -18,32 +19,36 @@ const EVERY: Duration = Duration::from_secs(10);
 /// The variable with which scripts that compare what the program writes turn the lines off.
 const OFF: (&str, &str) = ("DELTAV_PROGRESS", "off");
 
+/// Whether Ctrl-C was pressed, and whether it is listened to.
+static ENDED: AtomicBool = AtomicBool::new(false);
+static LISTENS: AtomicBool = AtomicBool::new(false);
+
 /// A bar on the terminal of standard error, a line now and then where that is none; and whether Ctrl-C was
 /// pressed.
 pub(crate) struct Progress {
     began: Instant,
-    ended: Arc<AtomicBool>,
     bar: Option<(&'static str, ProgressBar)>,
     /// When the last line was written, where lines are.
     line: Option<Instant>,
 }
 
 impl Progress {
-    /// From now on Ctrl-C does not end the program, but the run; a second one does.
+    /// From now on Ctrl-C, or a request to terminate, does not end the program, but the run; a second one does.
     pub(crate) fn new() -> Result<Self> {
-        let ended = Arc::new(AtomicBool::new(false));
-        let pressed = Arc::clone(&ended);
-        ctrlc::set_handler(move || {
-            if pressed.swap(true, Ordering::Relaxed) {
-                // As shells report a program that a signal ended: 128 and the number of the signal.
-                std::process::exit(130);
-            }
-        })
-        .context("cannot listen to Ctrl-C")?;
+        if !LISTENS.swap(true, Ordering::Relaxed) {
+            ctrlc::set_handler(|| {
+                if ENDED.swap(true, Ordering::Relaxed) {
+                    sink::remove_unfinished();
+                    // As shells report a program that a signal ended: 128 and the number of the signal.
+                    std::process::exit(130);
+                }
+            })
+            .context("cannot listen to Ctrl-C")?;
+        }
         let (name, off) = OFF;
         let has_lines = !stderr().is_terminal() && std::env::var_os(name).is_none_or(|set| set != off);
         let began = Instant::now();
-        Ok(Self { began, ended, bar: None, line: has_lines.then_some(began) })
+        Ok(Self { began, bar: None, line: has_lines.then_some(began) })
     }
 
     /// Draws the bar, or writes a line, which says what is counted; breaks after Ctrl-C.
@@ -58,7 +63,7 @@ impl Progress {
         } else if self.began.elapsed() > LONG {
             self.draw(counted, done as u64, total as u64);
         }
-        if self.ended.load(Ordering::Relaxed) { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+        if ENDED.load(Ordering::Relaxed) { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     }
 
     fn draw(&mut self, counted: &'static str, done: u64, total: u64) {

@@ -1,7 +1,8 @@
 //! `deltav table`: a row for each row of a table, batch by batch.
 
 use std::fs::File;
-use std::io::{self, BufReader, BufWriter, Read, Seek as _};
+use std::io::{self, BufReader, BufWriter, Cursor, Read, Seek as _, Write as _};
+use std::panic;
 use std::path::Path;
 use std::sync::{Arc, Mutex};
 
@@ -16,8 +17,11 @@ use parquet::arrow::ArrowWriter;
 use parquet::arrow::ProjectionMask;
 use parquet::arrow::arrow_reader::ParquetRecordBatchReaderBuilder;
 use parquet::basic::{Compression, ZstdLevel};
+use parquet::file::metadata::ParquetMetaData;
 use parquet::file::properties::WriterProperties;
-use tables::{Carried, Job, Options, TableError, Template, columns_kept, result_schema, run};
+use tables::{
+    Carried, Job, Options, TableError, Template, assumed_units, columns_kept, result_schema, run_with_faults,
+};
 
 use crate::arguments::{TableArguments, TableJob};
 use crate::batch::{Incomplete, is_broken_pipe};
@@ -99,28 +103,63 @@ fn rows(
         let mut progress = progress.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
         progress.at("rows", rows, total.unwrap_or(rows))
     };
-    while let Some(batch) = input.next()? {
-        let results = pool.install(|| run(job, &batch, template, options, &|within, _| at(done + within)));
-        let results = match results {
-            Ok(results) => results,
-            Err(TableError::Ended { .. }) => {
-                out.finish().with_context(cannot)?;
-                let total = total.unwrap_or(done + batch.num_rows());
-                return Err(Incomplete::EndedTable { done, total }.into());
-            }
+    let mut said_units = false;
+    while let Some((batch, faults)) = input.next()? {
+        if !said_units {
+            say_units(&batch)?;
+            said_units = true;
+        }
+        let results = pool.install(|| {
+            run_with_faults(job, &batch, &faults, template, options, &|within, _| at(done + within))
+        });
+        let (results, ended) = match results {
+            Ok(results) => (results, false),
+            Err(TableError::Ended { finished, .. }) => (finished, true),
             Err(error) => return Err(error.into()),
         };
         done += results.num_rows();
         failed += results.column_by_name("error").map_or(0, |errors| errors.len() - errors.null_count());
-        out.write(&carried.beside(&batch, &results)?).with_context(cannot)?;
+        let these = batch.slice(0, results.num_rows());
+        out.write(&carried.beside(&these, &results)?).with_context(cannot)?;
+        if ended {
+            // A table that was there before is worth more than an empty one.
+            if done > 0 {
+                out.finish().with_context(cannot)?;
+            }
+            let total = total.unwrap_or(done - these.num_rows() + batch.num_rows());
+            return Err(Incomplete::EndedTable { done, total }.into());
+        }
     }
     out.finish().with_context(cannot)?;
     if failed > 0 { Err(Incomplete::FailedRows { failed, total: done }.into()) } else { Ok(()) }
 }
 
+/// Says which numbers are taken as SI because nothing says their unit.
+fn say_units(batch: &RecordBatch) -> Result<()> {
+    let assumed = assumed_units(batch)?;
+    let Some((first, _)) = assumed.first() else { return Ok(()) };
+    let each: Vec<String> =
+        assumed.iter().map(|(column, unit)| format!("{} in {unit}", case::shown(column))).collect();
+    note(&format!(
+        "numbers without a unit are SI: {}. Another unit stands in the name, as in \"{} [unit]\".",
+        each.join(", "),
+        case::shown(first)
+    ));
+    Ok(())
+}
+
+/// A line for who runs the program, beside the results.
+fn note(text: &str) {
+    // Where nobody can read it, the run goes on.
+    let _ = writeln!(io::stderr(), "{text}");
+}
+
+/// The next rows, and what is wrong with each of them already.
+type Rows = (RecordBatch, Vec<Option<String>>);
+
 /// A table that is read batch by batch.
 struct Input {
-    batches: Box<dyn Iterator<Item = Result<RecordBatch>>>,
+    batches: Box<dyn Iterator<Item = Result<Rows>>>,
     /// The columns that are read.
     schema: SchemaRef,
     /// The places among them of those to carry over.
@@ -133,31 +172,34 @@ impl Input {
     fn open(path: &Path, keep: Option<&[String]>, options: &Options, job: Job) -> Result<Self> {
         let cannot = || format!("cannot read the table {}", named(path));
         if path == Path::new("-") {
-            return Self::csv(Box::new(io::stdin()), keep, None)
+            return Self::csv("standard input", Box::new(io::stdin()), keep, None)
                 .context("cannot read the table from standard input");
         }
         if path.is_dir() {
             bail!("{} is a folder: name the table in it", named(path));
         }
+        let name = named(path).to_string();
         let mut file = File::open(path).with_context(cannot)?;
+        if !file.metadata().with_context(cannot)?.is_file() {
+            return Self::csv(&name, Box::new(file), keep, None).with_context(cannot);
+        }
         let mut begin = [0; 4];
-        let is_parquet = file.read_exact(&mut begin).is_ok() && begin == *b"PAR1";
+        let is_parquet = file.read_exact(&mut begin).is_ok() && begin == *PARQUET;
         file.rewind().with_context(cannot)?;
         if is_parquet {
             Self::parquet(file, keep, options, job).with_context(cannot)
         } else if path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("parquet")) {
             bail!("{} is no Parquet file: it does not begin with PAR1", named(path))
         } else {
-            // The lines are counted by a first look, which costs little beside the rest.
-            let lines =
-                csv::ReaderBuilder::new().from_reader(BufReader::new(&file)).into_byte_records().count();
+            // The lines are counted, and wrong ones told, by a first look, which costs little beside the rest.
+            let lines = look_through(&name, &file).with_context(cannot)?;
             file.rewind().with_context(cannot)?;
-            Self::csv(Box::new(file), keep, Some(lines)).with_context(cannot)
+            Self::csv(&name, Box::new(file), keep, Some(lines)).with_context(cannot)
         }
     }
 
     fn parquet(file: File, keep: Option<&[String]>, options: &Options, job: Job) -> Result<Self> {
-        let builder = ParquetRecordBatchReaderBuilder::try_new(file)?;
+        let builder = undamaged(|| Ok(ParquetRecordBatchReaderBuilder::try_new(file)?))?;
         let schema = builder.schema().clone();
         let others = columns_kept(&schema)?;
         let kept = kept(&schema, keep, &others)?;
@@ -170,42 +212,199 @@ impl Input {
         // Whatever is read, its place is that among what is read.
         let kept = kept.iter().filter_map(|place| read.iter().position(|one| one == place)).collect();
         let at_once = if job == Job::Estimate || options.samples.is_some() { AT_ONCE / 8 } else { AT_ONCE };
-        let reader = builder.with_projection(mask).with_batch_size(at_once).build()?;
-        let batches = reader.map(|batch| Ok(batch?));
-        Ok(Self { batches: Box::new(batches), schema, kept, total })
-    }
-
-    /// Every column is a text: a number in it is read as a column of numbers would be.
-    fn csv(source: Box<dyn Read>, keep: Option<&[String]>, total: Option<usize>) -> Result<Self> {
-        let mut reader = csv::ReaderBuilder::new().from_reader(BufReader::new(source));
-        let header = reader.headers()?.clone();
-        let names = header.iter().map(|name| name.trim_start_matches('\u{feff}'));
-        let fields: Vec<Field> = names.map(|name| Field::new(name, DataType::Utf8, true)).collect();
-        let schema = Arc::new(Schema::new(fields));
-        let kept = kept(&schema, keep, &columns_kept(&schema)?)?;
-        let (of_batches, mut records) = (schema.clone(), reader.into_records());
+        let at_once = at_once.min(fits_in_memory(builder.metadata())?);
+        let mut reader = undamaged(|| Ok(builder.with_projection(mask).with_batch_size(at_once).build()?))?;
         let batches = std::iter::from_fn(move || {
-            let mut columns: Vec<Vec<Option<String>>> = vec![Vec::new(); of_batches.fields().len()];
-            let mut rows = 0;
-            for record in records.by_ref().take(AT_ONCE) {
-                let record = match record {
-                    Ok(record) => record,
-                    Err(error) => return Some(Err(error.into())),
-                };
-                for (column, cell) in columns.iter_mut().zip(&record) {
-                    column.push((!cell.trim().is_empty()).then(|| cell.to_owned()));
-                }
-                rows += 1;
-            }
-            let arrays = columns.into_iter().map(|column| Arc::new(StringArray::from(column)) as ArrayRef);
-            (rows > 0).then(|| Ok(RecordBatch::try_new(of_batches.clone(), arrays.collect())?))
+            undamaged(|| Ok(reader.next().transpose()?)).transpose().map(|batch| Ok((batch?, Vec::new())))
         });
         Ok(Self { batches: Box::new(batches), schema, kept, total })
     }
 
-    fn next(&mut self) -> Result<Option<RecordBatch>> {
+    /// Every column is a text: a number in it is read as a column of numbers would be.
+    fn csv(
+        name: &str,
+        mut source: Box<dyn Read>,
+        keep: Option<&[String]>,
+        total: Option<usize>,
+    ) -> Result<Self> {
+        let first = first_line(&mut source)?;
+        if first.starts_with(PARQUET) {
+            bail!("a Parquet file cannot come through a pipe: give its name");
+        }
+        let separator = separator(&first)?;
+        if let Some((_, called)) = SEPARATORS.iter().skip(1).find(|(byte, _)| *byte == separator) {
+            note(&format!("The columns of {name} are separated by {called}."));
+        }
+        let mut reader = reader(separator, Cursor::new(first).chain(source));
+        let header =
+            reader.headers().context("its header is no text in UTF-8: save it as CSV in UTF-8")?.clone();
+        let names: Vec<&str> = header.iter().map(|name| name.trim_start_matches('\u{feff}')).collect();
+        if names.iter().all(|name| name.trim().is_empty()) {
+            bail!("it has no header: its first line names the columns");
+        }
+        if let Some(twice) = names.iter().enumerate().find(|(place, name)| names[..*place].contains(name)) {
+            bail!("two columns are called \"{}\": rename one of them", case::shown(twice.1));
+        }
+        let fields: Vec<Field> = names.iter().map(|name| Field::new(*name, DataType::Utf8, true)).collect();
+        let schema = Arc::new(Schema::new(fields));
+        let kept = kept(&schema, keep, &columns_kept(&schema)?)?;
+        let (of_batches, mut records, name) = (schema.clone(), reader.into_byte_records(), name.to_owned());
+        let batches = std::iter::from_fn(move || {
+            let mut columns: Vec<Vec<Option<String>>> = vec![Vec::new(); of_batches.fields().len()];
+            let (mut faults, mut bytes) = (Vec::new(), 0);
+            while faults.len() < AT_ONCE && bytes < BYTES_AT_ONCE {
+                let record = match records.next() {
+                    None => break,
+                    Some(Ok(record)) => record,
+                    Some(Err(error)) => return Some(Err(of_csv(error))),
+                };
+                bytes += record.as_slice().len();
+                for (place, column) in columns.iter_mut().enumerate() {
+                    let cell = record.get(place).and_then(|cell| std::str::from_utf8(cell).ok());
+                    column.push(cell.filter(|cell| !cell.trim().is_empty()).map(str::to_owned));
+                }
+                faults.push(fault(&name, &record, of_batches.fields()));
+            }
+            let arrays = columns.into_iter().map(|column| Arc::new(StringArray::from(column)) as ArrayRef);
+            (!faults.is_empty())
+                .then(|| Ok((RecordBatch::try_new(of_batches.clone(), arrays.collect())?, faults)))
+        });
+        Ok(Self { batches: Box::new(batches), schema, kept, total })
+    }
+
+    fn next(&mut self) -> Result<Option<Rows>> {
         self.batches.next().transpose()
     }
+}
+
+/// How a Parquet file begins.
+const PARQUET: &[u8; 4] = b"PAR1";
+
+/// (bytes) of texts that are in memory at a time.
+const BYTES_AT_ONCE: usize = 1 << 26;
+
+/// What separates columns, and its name; the first is the usual one.
+const SEPARATORS: [(u8, &str); 4] = [(b',', "commas"), (b';', "semicolons"), (b'\t', "tabs"), (b'|', "bars")];
+
+fn reader<R: Read>(separator: u8, source: R) -> csv::Reader<BufReader<R>> {
+    csv::ReaderBuilder::new().delimiter(separator).flexible(true).from_reader(BufReader::new(source))
+}
+
+/// The first line, with its end, of a source that cannot be read twice.
+fn first_line(source: &mut dyn Read) -> Result<Vec<u8>> {
+    const LONGEST: u64 = 1 << 20;
+    let mut line = Vec::new();
+    let mut byte = [0];
+    while line.last() != Some(&b'\n') && source.read(&mut byte)? == 1 {
+        line.push(byte[0]);
+        if line.len() as u64 >= LONGEST {
+            bail!("its first line is longer than {LONGEST} bytes, so it is no table");
+        }
+    }
+    Ok(line)
+}
+
+/// What separates the columns: of the usual characters the one that the header has most of, outside of quotes.
+fn separator(header: &[u8]) -> Result<u8> {
+    if header.starts_with(&[0xff, 0xfe]) || header.starts_with(&[0xfe, 0xff]) {
+        bail!("it is encoded in UTF-16: save it as CSV in UTF-8");
+    }
+    let mut counts = [0; SEPARATORS.len()];
+    let mut is_quoted = false;
+    for byte in header {
+        is_quoted ^= *byte == b'"';
+        if let Some(place) = SEPARATORS.iter().position(|(separator, _)| separator == byte)
+            && !is_quoted
+        {
+            counts[place] += 1;
+        }
+    }
+    // Of as many, the first.
+    let most = (0..SEPARATORS.len()).rev().max_by_key(|place| counts[*place]).unwrap_or_default();
+    Ok(SEPARATORS[most].0)
+}
+
+/// What is wrong with a row, with its place.
+fn fault(name: &str, record: &csv::ByteRecord, fields: &arrow_schema::Fields) -> Option<String> {
+    let line = record.position().map_or(0, csv::Position::line);
+    if record.len() != fields.len() {
+        return Some(format!(
+            "{name}:{line}: the row has {} fields, and the header has {}",
+            record.len(),
+            fields.len()
+        ));
+    }
+    let (_, field) = record.iter().zip(fields).find(|(cell, _)| std::str::from_utf8(cell).is_err())?;
+    Some(format!(
+        "{name}:{line}: the column \"{}\" is no text in UTF-8: save the table in that encoding",
+        case::shown(field.name())
+    ))
+}
+
+/// The number of rows of a CSV file. Tells rows that are wrong before any is computed.
+fn look_through(name: &str, file: &File) -> Result<usize> {
+    /// Wrong rows that are told one by one.
+    const TOLD: usize = 3;
+    let mut source = file;
+    let first = first_line(&mut source)?;
+    let mut reader = reader(separator(&first)?, Cursor::new(first).chain(source));
+    let header = reader.byte_headers().map_err(|error| of_csv(error).context("its header"))?.clone();
+    let fields: arrow_schema::Fields = header
+        .iter()
+        .map(|name| {
+            Field::new(String::from_utf8_lossy(name).trim_start_matches('\u{feff}'), DataType::Utf8, true)
+        })
+        .collect();
+    let (mut rows, mut wrong) = (0, 0);
+    let mut record = csv::ByteRecord::new();
+    while reader.read_byte_record(&mut record).map_err(of_csv)? {
+        rows += 1;
+        if let Some(fault) = fault(name, &record, &fields) {
+            wrong += 1;
+            if wrong <= TOLD {
+                note(&format!("warning: {fault}; it will have an error"));
+            }
+        }
+    }
+    if wrong > TOLD {
+        note(&format!("warning: {} more rows are wrong like this", wrong - TOLD));
+    }
+    Ok(rows)
+}
+
+/// What reading a Parquet file gives; damaged ones make the library panic in places.
+fn undamaged<T>(read: impl FnOnce() -> Result<T>) -> Result<T> {
+    let hook = panic::take_hook();
+    panic::set_hook(Box::new(|_| ()));
+    let read = panic::catch_unwind(panic::AssertUnwindSafe(read));
+    panic::set_hook(hook);
+    read.unwrap_or_else(|_| Err(anyhow!("the Parquet file is damaged")))
+}
+
+/// How many rows of a Parquet file may be in memory: a small file may hold very many values, or very long
+/// ones very often.
+fn fits_in_memory(metadata: &ParquetMetaData) -> Result<usize> {
+    /// No key has a list as long.
+    const MOST_VALUES: i64 = 10_000;
+    let mut at_once = AT_ONCE;
+    for group in metadata.row_groups() {
+        for column in group.columns() {
+            if column.num_values() > group.num_rows().saturating_mul(MOST_VALUES) {
+                bail!(
+                    "the column \"{}\" has {} values in {} rows, at most {MOST_VALUES} in one",
+                    case::shown(&column.column_path().string()),
+                    column.num_values(),
+                    group.num_rows()
+                );
+            }
+            // A text that stands once in the file may be that of every row.
+            if column.column_type() == parquet::basic::Type::BYTE_ARRAY {
+                let longest = usize::try_from(column.uncompressed_size()).unwrap_or(usize::MAX).max(1);
+                at_once = at_once.min((BYTES_AT_ONCE / longest).max(64));
+            }
+        }
+    }
+    Ok(at_once)
 }
 
 /// The places of the columns to carry over: those that are named, or all that give no key.
@@ -245,7 +444,8 @@ impl Output {
             return Ok(Self::Parquet(ArrowWriter::try_new(sink, schema.clone(), Some(properties))?));
         }
         let mut writer = csv::Writer::from_writer(BufWriter::new(sink));
-        writer.write_record(schema.fields().iter().map(|field| field.name()))?;
+        let header = schema.fields().iter().map(|field| report::no_formula(field.name()));
+        writer.write_record(header).map_err(of_csv)?;
         Ok(Self::Csv(writer))
     }
 
@@ -257,7 +457,7 @@ impl Output {
                 let columns: Vec<Texts<'_>> = columns.collect::<Result<_>>()?;
                 for row in 0..rows.num_rows() {
                     for column in &columns {
-                        writer.write_field(column.cell(row)?)?;
+                        writer.write_field(column.cell(row)?).map_err(of_csv)?;
                     }
                     writer.write_record(None::<&[u8]>).map_err(of_csv)?;
                 }
@@ -320,7 +520,11 @@ impl<'a> Texts<'a> {
                 let words = array.value(row);
                 words.as_string::<i32>().iter().flatten().collect::<Vec<_>>().join(" ")
             }
-            Self::Others(array, formatter) if array.is_valid(row) => formatter.value(row).try_to_string()?,
+            Self::Others(array, formatter) if array.is_valid(row) => {
+                let text = formatter.value(row).try_to_string()?;
+                // A number that begins with a sign is no formula.
+                if text.trim().parse::<f64>().is_ok() { text } else { report::no_formula(&text) }
+            }
             _ => String::new(),
         })
     }

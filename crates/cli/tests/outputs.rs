@@ -169,3 +169,29 @@ fn two_outputs_are_two_files() {
         assert_eq!(run(&folder, &none, None), (Some(0), String::new()));
     }
 }
+
+/// The table of crashes, and the picture that a case names, are read, too.
+#[test]
+fn what_else_is_read_is_not_written_over() {
+    let folder = folder("read");
+    fs::write(folder.join("pairs.csv"), "CASEID\n1\n").unwrap();
+    let plan = "[scene]\nsite_plan = { file = \"plan.png\", corner = { x = \"0 m\", y = \"0 m\" }, width = \"9 m\" }\n";
+    fs::write(folder.join("plan.toml"), format!("{CASE}\n{plan}")).unwrap();
+    fs::write(folder.join("plan.png"), "a picture").unwrap();
+    for arguments in ["validate --field pairs.csv -o pairs.csv", "validate --field pairs.csv -o ./pairs.csv"]
+    {
+        assert!(refused(&folder, arguments, None).contains("would write over the table pairs.csv"));
+    }
+    for command in [
+        "reconstruct plan.toml -o plan.png",
+        "check plan.toml -o plan.png",
+        "reconstruct plan.toml --format html -o plan.png",
+        "draw plan.toml --what scene -o plan.png",
+        "uncertainty plan.toml --samples-out plan.png",
+    ] {
+        let message = refused(&folder, command, None);
+        assert!(message.contains("would write over the site plan plan.png"), "{command}: {message}");
+    }
+    assert_eq!(fs::read_to_string(folder.join("plan.png")).unwrap(), "a picture");
+    assert_eq!(fs::read_to_string(folder.join("pairs.csv")).unwrap(), "CASEID\n1\n");
+}

@@ -62,7 +62,7 @@ pub enum FieldError {
     )]
     NoMaximum,
     /// The run was ended before there were figures.
-    #[error("the fit was ended")]
+    #[error("it was ended before there were figures")]
     Ended,
 }
 

@@ -148,6 +148,8 @@ pub struct Field {
     pub other: bool,
     /// Number of pairs of the file.
     pub pairs: usize,
+    /// How many of them were gone through before the run was ended.
+    pub finished: usize,
     /// Crash and vehicle of each record that is neither judged nor given, as it may be of another event.
     pub doubted: Vec<(String, VehicleId)>,
     /// Each vehicle.
@@ -160,7 +162,8 @@ pub struct Field {
 /// finished pairs and of all, and may end the run, which then judges those that are finished.
 ///
 /// # Errors
-/// [`FieldError::NothingToJudge`], and [`FieldError::Estimate`] where a pair has no estimate.
+/// [`FieldError::NothingToJudge`], [`FieldError::Ended`] where no pair was finished, and
+/// [`FieldError::Estimate`] where a pair has no estimate.
 pub fn judge(
     pairs: &[Pair],
     fitted: &Fitted,
@@ -181,8 +184,10 @@ pub fn judge_by(
     progress: &mut (dyn FnMut(usize, usize) -> ControlFlow<()> + Send),
 ) -> Result<Field, FieldError> {
     let mut judged = Vec::new();
+    let mut finished = pairs.len();
     for (done, pair) in pairs.iter().enumerate() {
         if progress(done, pairs.len()).is_break() {
+            finished = done;
             break;
         }
         let fitted = &fitted(pair);
@@ -202,6 +207,9 @@ pub fn judge_by(
             }
         }
     }
+    if judged.is_empty() && finished < pairs.len() {
+        return Err(FieldError::Ended);
+    }
     if judged.is_empty() {
         return Err(FieldError::NothingToJudge { both: options.other });
     }
@@ -215,12 +223,13 @@ pub fn judge_by(
     if options.other {
         groups.extend(group("one-event", &|judged| judged.is_one_event == Some(true)));
     }
-    let doubted = pairs.iter().flat_map(|pair| {
+    let doubted = pairs[..finished].iter().flat_map(|pair| {
         let of_pair = VehicleId::ALL.into_iter().zip(&pair.vehicles);
         let of_pair = of_pair.filter(|(_, vehicle)| vehicle.is_record_doubted);
         of_pair.map(|(id, _)| (pair.case.clone(), id))
     });
-    Ok(Field { other: options.other, pairs: pairs.len(), doubted: doubted.collect(), judged, groups })
+    let (other, doubted) = (options.other, doubted.collect());
+    Ok(Field { other, pairs: pairs.len(), finished, doubted, judged, groups })
 }
 
 /// Vehicles of one estimate.

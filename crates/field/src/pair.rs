@@ -170,6 +170,12 @@ pub fn read(text: &str) -> Result<Vec<Pair>, FieldError> {
     if pairs.is_empty() { Err(FieldError::NoPairs) } else { Ok(pairs) }
 }
 
+/// (kg) of a vehicle, (cm) of a length on it, (°) of an angle, (km/h) of a speed.
+const MOST_MASS: f64 = 100_000.0;
+const MOST_LENGTH: f64 = 3_000.0;
+const MOST_ANGLE: f64 = 720.0;
+const MOST_SPEED: f64 = 500.0;
+
 struct Cells<'a> {
     line: usize,
     columns: &'a HashMap<String, String>,
@@ -195,9 +201,25 @@ impl Cells<'_> {
         }
     }
 
+    /// A number of at most so much, either way: no vehicle has more.
+    fn at_most(&self, most: f64, column: &str, vehicle: u8) -> Result<Option<f64>, FieldError> {
+        match self.maybe(column, vehicle)? {
+            Some(number) if number.abs() > most => {
+                let wanted = "a plausible number in this column: correct it, or leave its line out";
+                Err(self.refusal(column, vehicle, self.text(column, vehicle)?, wanted))
+            }
+            number => Ok(number),
+        }
+    }
+
     fn number(&self, column: &str, vehicle: u8) -> Result<f64, FieldError> {
         let wanted = "a number: without it the pair cannot be judged, so leave its line out";
-        self.maybe(column, vehicle)?.ok_or_else(|| self.refusal(column, vehicle, "", wanted))
+        let most = match column {
+            "CURBWT" => MOST_MASS,
+            "PDOF" => MOST_ANGLE,
+            _ => MOST_LENGTH,
+        };
+        self.at_most(most, column, vehicle)?.ok_or_else(|| self.refusal(column, vehicle, "", wanted))
     }
 
     fn refusal(&self, column: &str, vehicle: u8, text: &str, wanted: &'static str) -> FieldError {
@@ -231,8 +253,10 @@ impl Cells<'_> {
         if curb_mass <= 0.0 {
             return Err(self.refusal("CURBWT", vehicle, &curb_mass.to_string(), "a mass above 0 kg"));
         }
-        let centimetres = |column| Ok::<_, FieldError>(self.maybe(column, vehicle)?.map(|cm| cm / 100.0));
-        let kmh = |column| Ok::<_, FieldError>(self.maybe(column, vehicle)?.map(|kmh| kmh / 3.6));
+        let centimetres =
+            |column| Ok::<_, FieldError>(self.at_most(MOST_LENGTH, column, vehicle)?.map(|cm| cm / 100.0));
+        let kmh =
+            |column| Ok::<_, FieldError>(self.at_most(MOST_SPEED, column, vehicle)?.map(|kmh| kmh / 3.6));
         let mut depths = [0.0; 6];
         for (depth, column) in depths.iter_mut().zip(["C1", "C2", "C3", "C4", "C5", "C6"]) {
             // Outward bulges are no crush.
@@ -241,11 +265,12 @@ impl Cells<'_> {
         Ok(Vehicle {
             number: self.vehicle_number(vehicle)?,
             curb_mass,
-            cargo: self.maybe("CARGOWT", vehicle)?,
+            // NHTSA's codes for unknown loads are above any load.
+            cargo: self.at_most(MOST_MASS, "CARGOWT", vehicle)?,
             plane,
             pdof: self.number("PDOF", vehicle)?.to_radians(),
             // NHTSA's codes for missing headings are above 360.
-            heading: self.maybe("HEADINGANG", vehicle)?.filter(|h| *h <= 360.0).map(f64::to_radians),
+            heading: self.maybe("HEADINGANG", vehicle)?.filter(|h| h.abs() <= 360.0).map(f64::to_radians),
             field_length: centimetres("FIELDL")?,
             direct_length: centimetres("DIRECTL")?,
             direct_offset: centimetres("DIRECTD")?,

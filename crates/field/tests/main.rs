@@ -40,6 +40,12 @@ fn what_cannot_be_read_is_named() {
         ("17,1500,", "17,,", "line 2, column CURBWT_1: the empty cell is not a number: without it"),
         ("17,1500,", "17,-5,", "line 2, column CURBWT_1: \"-5\" is not a mass above 0 kg"),
         ("1400,0,L", "1400,0,T", "line 2, column CDCPLANE_2: \"T\" is not F, B, L or R"),
+        ("-24,7,", "-24,1e300,", "line 2, column MAXDVLAT_1: \"1e300\" is not a plausible number"),
+        ("-24,7,", "-1e4,7,", "line 2, column MAXDVLONG_1: \"-1e4\" is not a plausible number"),
+        ("120,150,10", "1e300,150,10", "line 2, column FIELDL_1: \"1e300\" is not a plausible number"),
+        ("120,150,10", "120,1e300,10", "line 2, column DIRECTL_1: \"1e300\" is not a plausible number"),
+        ("17,1500,", "17,1e9,", "line 2, column CURBWT_1: \"1e9\" is not a plausible number"),
+        ("F,20,", "F,1e6,", "line 2, column PDOF_1: \"1e6\" is not a plausible number"),
     ] {
         assert_eq!(LINE.matches(from).count(), 1);
         let error = read(&table(&LINE.replace(from, to))).unwrap_err().to_string();
@@ -187,4 +193,22 @@ fn the_case_file_of_a_pair_has_its_numbers() {
         case::CaseFile::parse("pair", &text).unwrap();
         assert!(!text.contains("recorder"));
     }
+}
+
+/// A run that is ended says how far it came.
+#[test]
+fn an_ended_judgement_says_so() {
+    use field::FieldError;
+    use std::ops::ControlFlow;
+    let pairs = read(&format!("{HEADER}\n{LINE}\n{LINE}\n{LINE}\n")).unwrap();
+    let options = Options { particles: 128, seed: 1, other: false, crush: KnownCrush::Both };
+    let until = |last: usize| {
+        judge(&pairs, &FITTED, &options, &mut |done, _| {
+            if done < last { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }
+        })
+    };
+    let judged = until(2).unwrap();
+    assert_eq!((judged.pairs, judged.finished, judged.judged.len()), (3, 2, 2));
+    assert_eq!(until(3).unwrap().finished, 3);
+    assert!(matches!(until(0), Err(FieldError::Ended)));
 }

@@ -84,7 +84,7 @@ pub use ::drawing::{
     Drawing, PictureFormat, PlanBody, PlanStation, PlanView, SitePlan, SitePlanError, Viewport,
 };
 pub use data::comparison::comparison_json;
-pub use data::csv::{Answer, Csv, CsvStyle, Refused, Row, RowError, Table, jsonl_row};
+pub use data::csv::{Answer, Csv, CsvStyle, Refused, Row, RowError, Table, jsonl_row, no_formula};
 pub use data::estimate::{DrawColumn, draw_columns, estimate_json, write_draws};
 pub use data::field::field_json;
 pub use data::json::{json, weighed_json};

@@ -45,6 +45,7 @@ fn judged() -> Field {
     Field {
         other: false,
         pairs: 3,
+        finished: 3,
         doubted: vec![("8".to_owned(), VehicleId::One)],
         judged: VEHICLES.map(vehicle).to_vec(),
         groups: vec![all],

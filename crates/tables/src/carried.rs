@@ -24,7 +24,7 @@ impl Carried {
         let kept = table.project(&places)?;
         if let Some(field) = kept.fields().iter().find(|field| results.field_with_name(field.name()).is_ok())
         {
-            return Err(TableError::NameOfResult { column: case::shown(field.name()).into_owned() });
+            return Err(TableError::NameOfResult { column: field.name().clone() });
         }
         let fields: Vec<_> = kept.fields().iter().chain(results.fields()).cloned().collect();
         let schema = Arc::new(Schema::new_with_metadata(fields, results.metadata().clone()));

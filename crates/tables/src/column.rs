@@ -4,8 +4,8 @@ use std::ops::Range;
 
 use arrow_array::cast::AsArray as _;
 use arrow_array::types::{
-    Float32Type, Float64Type, Int8Type, Int16Type, Int32Type, Int64Type, UInt8Type, UInt16Type, UInt32Type,
-    UInt64Type,
+    Decimal128Type, Decimal256Type, DecimalType, Float16Type, Float32Type, Float64Type, Int8Type, Int16Type,
+    Int32Type, Int64Type, UInt8Type, UInt16Type, UInt32Type, UInt64Type,
 };
 use arrow_array::{
     Array, BooleanArray, FixedSizeListArray, LargeListArray, LargeStringArray, ListArray, PrimitiveArray,
@@ -46,7 +46,8 @@ impl<'a> Column<'a> {
     pub(crate) fn is_number(data_type: &DataType) -> bool {
         match data_type {
             DataType::Dictionary(_, values) => Self::is_number(values),
-            DataType::Null | DataType::Float64 | DataType::Float32 => true,
+            DataType::Null | DataType::Float64 | DataType::Float32 | DataType::Float16 => true,
+            DataType::Decimal128(..) | DataType::Decimal256(..) => true,
             other => other.is_integer(),
         }
     }
@@ -89,6 +90,12 @@ impl<'a> Column<'a> {
             DataType::Null => Values::Null,
             DataType::Float64 => Values::Double(array.as_primitive()),
             DataType::Float32 => Values::Single(array.as_primitive()),
+            DataType::Float16 => {
+                let halves = array.as_primitive::<Float16Type>().values();
+                Values::Whole(halves.iter().map(|half| half.to_f64()).collect())
+            }
+            DataType::Decimal128(..) => Values::Whole(decimals(array.as_primitive::<Decimal128Type>())),
+            DataType::Decimal256(..) => Values::Whole(decimals(array.as_primitive::<Decimal256Type>())),
             DataType::Int8 => whole!(Int8Type),
             DataType::Int16 => whole!(Int16Type),
             DataType::Int32 => whole!(Int32Type),
@@ -104,6 +111,25 @@ impl<'a> Column<'a> {
             _ => return None,
         };
         Some(Self { values, places: None, nulls })
+    }
+
+    /// Whether a number or a text that is one stands anywhere in it.
+    pub(crate) fn has_numbers(&self) -> bool {
+        let count = match &self.values {
+            Values::Null => 0,
+            Values::Double(array) => array.len(),
+            Values::Single(array) => array.len(),
+            Values::Whole(numbers) => numbers.len(),
+            Values::Utf8(array) => array.len(),
+            Values::LargeUtf8(array) => array.len(),
+            Values::Utf8View(array) => array.len(),
+            Values::Flags(_) => 0,
+        };
+        (0..self.places.as_ref().map_or(count, Vec::len)).any(|row| match self.cell(row) {
+            Some(Cell::Number(_)) => true,
+            Some(Cell::Text(text)) => text.trim().parse::<f64>().is_ok(),
+            _ => false,
+        })
     }
 
     /// What stands in a row; nothing where that is null, or a text of blanks.
@@ -124,6 +150,17 @@ impl<'a> Column<'a> {
             Values::Flags(array) => Some(Cell::Flag(array.value(place))),
         }
     }
+}
+
+/// Decimal numbers, each as the double that is nearest to it.
+fn decimals<D: DecimalType>(array: &PrimitiveArray<D>) -> Vec<f64>
+where
+    D: arrow_array::ArrowPrimitiveType,
+{
+    let number = |row: usize| {
+        if array.is_null(row) { f64::NAN } else { array.value_as_string(row).parse().unwrap_or(f64::NAN) }
+    };
+    (0..array.len()).map(number).collect()
 }
 
 /// A column of lists.

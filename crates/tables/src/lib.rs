@@ -99,5 +99,6 @@ pub use carried::Carried;
 pub use error::TableError;
 pub use layout::{Numbers, case_schema};
 pub use solve::{
-    Job, Options, Progress, Template, columns_kept, crush, estimate, impact, reconstruct, result_schema, run,
+    Faults, Job, Options, Progress, Template, assumed_units, check_columns, columns_kept, crush, estimate,
+    impact, reconstruct, result_schema, run, run_with_faults,
 };

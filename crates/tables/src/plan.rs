@@ -32,6 +32,8 @@ struct Part<'a> {
     keys: Vec<Part<'a>>,
     /// Those of its elements.
     elements: Vec<Option<Part<'a>>>,
+    /// Whether nothing says the unit of the column, so that bare numbers in it are SI.
+    assumes_unit: bool,
 }
 
 /// A column of a value.
@@ -75,7 +77,7 @@ enum Role {
 /// The columns that give no key: their places.
 ///
 /// # Errors
-/// [`TableError::UnknownKey`] for one that looks like a key.
+/// [`TableError::UnknownKey`] for one that looks like a key, and [`TableError::NoKey`] where none is one.
 pub(crate) fn others(schema: &Schema) -> Result<Vec<usize>, TableError> {
     let mut others = Vec::new();
     for (place, field) in schema.fields().iter().enumerate() {
@@ -83,7 +85,38 @@ pub(crate) fn others(schema: &Schema) -> Result<Vec<usize>, TableError> {
             others.push(place);
         }
     }
+    if !others.is_empty() && others.len() == schema.fields().len() {
+        return Err(TableError::NoKey {
+            columns: schema.fields().iter().map(|field| field.name().clone()).collect(),
+        });
+    }
     Ok(others)
+}
+
+/// The right spelling of a name that differs from a key by capital letters, or that has only the end of one,
+/// as `v2.speed` has.
+fn meant(name: &str) -> Option<String> {
+    let tables = || Shape::case().keys();
+    let lower = name.to_lowercase();
+    if let Some(key) = tables().find(|key| {
+        let rest = lower.strip_prefix(key.name);
+        rest.is_some_and(|rest| name != lower && (rest.starts_with('.') || rest.starts_with("__")))
+    }) {
+        let of = if lower.contains('.') { "." } else { "__" };
+        return Some(format!(
+            "keys are written in small letters, as \"vehicle2{of}speed\", and units as the trade writes them, as \
+             in \"{}\"",
+            if of == "." { format!("{}.mass [kg]", key.name) } else { format!("{}__mass__kg", key.name) }
+        ));
+    }
+    let steps = Name::of(&lower).steps;
+    let [Step::Key(_), Step::Key(second), ..] = &steps[..] else { return None };
+    let tables = tables().filter(|key| {
+        let table = Shape::case().within(key);
+        matches!(table, Shape::Table(_)) && table.keys().any(|inner| inner.name == second)
+    });
+    let of: Vec<String> = tables.map(|key| format!("\"{}.{second}\"", key.name)).collect();
+    (!of.is_empty()).then(|| format!("did you mean {}?", of.join(" or ")))
 }
 
 /// Whether a column gives a key: its name begins with the name of a table of the case.
@@ -114,7 +147,12 @@ fn role(field: &Field) -> Result<Role, TableError> {
                 key.name.starts_with("vehicle") || keys.any(|key| rest.starts_with(key.name))
             })
         });
-    let Some(table) = looks_like else { return Ok(Role::Other) };
+    let Some(table) = looks_like else {
+        return match meant(name) {
+            Some(help) => Err(unknown(field.name(), help)),
+            None => Ok(Role::Other),
+        };
+    };
     let rest = &name[table.name.len() + 1..];
     Err(TableError::UnknownKey {
         column: field.name().clone(),
@@ -129,7 +167,15 @@ fn role(field: &Field) -> Result<Role, TableError> {
 
 impl<'a> Part<'a> {
     fn new(path: String, key: &'static str, shape: Shape) -> Self {
-        Self { path, key, shape, whole: Vec::new(), keys: Vec::new(), elements: Vec::new() }
+        Self {
+            path,
+            key,
+            shape,
+            whole: Vec::new(),
+            keys: Vec::new(),
+            elements: Vec::new(),
+            assumes_unit: false,
+        }
     }
 
     /// The part of a key, made where there is none yet.
@@ -191,6 +237,7 @@ impl<'a> Part<'a> {
                     key: self.path.clone(),
                 });
             }
+            self.assumes_unit = own.or(around).is_none();
             self.whole.push((called.to_owned(), whole));
             return Ok(());
         };
@@ -344,6 +391,36 @@ impl<'a> Part<'a> {
         unknown(called, help)
     }
 
+    /// Adds the columns of this part whose bare numbers are taken as SI, with the unit, where one of `rows` has
+    /// any.
+    fn add_assumed(&self, rows: usize, assumed: &mut Vec<(String, &'static str)>) {
+        for (called, whole) in self.whole.iter().filter(|_| self.assumes_unit) {
+            let unit = match whole {
+                Whole::One(column, kind @ (Kind::Quantity(unit) | Kind::Quantities(unit))) => {
+                    let is_bare = |row: usize| {
+                        let value = column.cell(row).map(|cell| kind.value(cell));
+                        matches!(value, Some(Value::Quantity(..)))
+                            || matches!(value, Some(Value::List(list)) if !list.is_empty())
+                    };
+                    (0..rows).any(is_bare).then_some(*unit)
+                }
+                Whole::List(_, part) => match part.whole.first() {
+                    Some((_, Whole::One(column, Kind::Quantity(unit))))
+                        if part.assumes_unit && column.has_numbers() =>
+                    {
+                        Some(*unit)
+                    }
+                    _ => None,
+                },
+                Whole::One(..) => None,
+            };
+            assumed.extend(unit.map(|unit| (called.clone(), unit.spelling())));
+        }
+        for part in self.keys.iter().chain(self.elements.iter().flatten()) {
+            part.add_assumed(rows, assumed);
+        }
+    }
+
     /// The value in a row; nothing where all is null.
     fn value(&self, row: usize) -> Result<Option<Value<'a>>, String> {
         let mut table = ValueTable::new();
@@ -403,6 +480,9 @@ impl<'a> Whole<'a> {
             Self::One(column, kind) => Ok(column.cell(row).map(|cell| kind.value(cell))),
             Self::List(lists, listed_part) => {
                 let Some(places) = lists.places(row) else { return Ok(None) };
+                if places.is_empty() {
+                    return Err(format!("\"{path}\" is an empty list: leave it null to take the template's"));
+                }
                 listed(places.map(|place| listed_part.value(place)), path)
             }
         }
@@ -503,6 +583,7 @@ impl<'a> Plan<'a> {
         let mut case = Part::new(String::new(), "", Shape::case());
         let mut seed = None;
         let schema = batch.schema_ref();
+        others(schema)?;
         for (field, array) in schema.fields().iter().zip(batch.columns()) {
             match role(field)? {
                 Role::Other => {}
@@ -525,6 +606,13 @@ impl<'a> Plan<'a> {
             }
         }
         Ok(Self { case, seed })
+    }
+
+    /// The columns whose bare numbers are taken as SI because nothing says their unit, with the unit.
+    pub(crate) fn assumed(&self, rows: usize) -> Vec<(String, &'static str)> {
+        let mut assumed = Vec::new();
+        self.case.add_assumed(rows, &mut assumed);
+        assumed
     }
 
     /// What a row gives.

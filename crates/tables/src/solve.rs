@@ -97,6 +97,9 @@ impl Template {
 /// Rows that are computed before they are put into columns.
 const AT_ONCE: usize = 4096;
 
+/// What is wrong with each row already where it was read; nothing where it is sound, or beyond the end.
+pub type Faults<'a> = &'a [Option<String>];
+
 /// Is told how many rows are done of how many, from whichever thread, and may end the run.
 pub type Progress<'a> = dyn Fn(usize, usize) -> ControlFlow<()> + Sync + 'a;
 
@@ -111,6 +114,22 @@ pub type Progress<'a> = dyn Fn(usize, usize) -> ControlFlow<()> + Sync + 'a;
 #[must_use]
 pub fn result_schema(job: Job, options: &Options) -> SchemaRef {
     results::schema(job, options)
+}
+
+/// Checks once that columns from elsewhere hold what their types say: text in UTF-8, places that exist. What
+/// other programs hand over in memory nobody has checked.
+///
+/// # Errors
+/// [`TableError::Damaged`], with the first column that does not.
+pub fn check_columns(batch: &RecordBatch) -> Result<(), TableError> {
+    use arrow_array::Array as _;
+    for (field, array) in batch.schema_ref().fields().iter().zip(batch.columns()) {
+        array
+            .to_data()
+            .validate_full()
+            .map_err(|reason| TableError::Damaged { column: field.name().clone(), reason })?;
+    }
+    Ok(())
 }
 
 /// The columns of a table that give no key and no seed, by their places: those to carry over.
@@ -181,12 +200,29 @@ pub fn run(
     options: &Options,
     progress: &Progress<'_>,
 ) -> Result<RecordBatch, TableError> {
+    run_with_faults(job, batch, &[], template, options, progress)
+}
+
+/// [`run`] for rows of which some were wrong already where they were read: such a row has its fault in the
+/// column `error`.
+///
+/// # Errors
+/// As for [`run`].
+pub fn run_with_faults(
+    job: Job,
+    batch: &RecordBatch,
+    faults: Faults<'_>,
+    template: &Template,
+    options: &Options,
+    progress: &Progress<'_>,
+) -> Result<RecordBatch, TableError> {
     check(job, options)?;
     let plan = Plan::of(batch)?;
     let total = batch.num_rows();
     let row = Row {
         job,
         plan: &plan,
+        faults,
         template,
         options,
         progress,
@@ -197,13 +233,21 @@ pub fn run(
     let mut builder = Builder::new(job, options);
     for begin in (0..total).step_by(AT_ONCE) {
         for outcome in row.outcomes(begin..total.min(begin + AT_ONCE)) {
+            let Some(outcome) = outcome else {
+                return Err(TableError::Ended { finished: builder.finish()?, total });
+            };
             builder.push(&outcome);
-        }
-        if row.is_ended.load(Ordering::Relaxed) {
-            return Err(TableError::Ended { done: row.done.load(Ordering::Relaxed), total });
         }
     }
     builder.finish()
+}
+
+/// The columns whose bare numbers are taken as SI because nothing says their unit, each with the unit.
+///
+/// # Errors
+/// [`TableError`] where the columns cannot be read.
+pub fn assumed_units(batch: &RecordBatch) -> Result<Vec<(String, &'static str)>, TableError> {
+    Ok(Plan::of(batch)?.assumed(batch.num_rows()))
 }
 
 fn check(job: Job, Options { samples, particles, .. }: &Options) -> Result<(), TableError> {
@@ -233,6 +277,7 @@ fn check(job: Job, Options { samples, particles, .. }: &Options) -> Result<(), T
 struct Row<'a> {
     job: Job,
     plan: &'a Plan<'a>,
+    faults: Faults<'a>,
     template: &'a Template,
     options: &'a Options,
     progress: &'a Progress<'a>,
@@ -242,14 +287,17 @@ struct Row<'a> {
 }
 
 impl Row<'_> {
+    /// Begun in the order of the rows, so that an end leaves few that are done behind one that is not.
     #[cfg(feature = "parallel")]
-    fn outcomes(&self, rows: std::ops::Range<usize>) -> Vec<Outcome> {
-        use rayon::iter::{IntoParallelIterator as _, ParallelIterator as _};
-        rows.into_par_iter().map(|row| self.outcome(row)).collect()
+    fn outcomes(&self, rows: std::ops::Range<usize>) -> Vec<Option<Outcome>> {
+        use rayon::iter::{ParallelBridge as _, ParallelIterator as _};
+        let mut outcomes: Vec<_> = rows.par_bridge().map(|row| (row, self.outcome(row))).collect();
+        outcomes.sort_unstable_by_key(|(row, _)| *row);
+        outcomes.into_iter().map(|(_, outcome)| outcome).collect()
     }
 
     #[cfg(not(feature = "parallel"))]
-    fn outcomes(&self, rows: std::ops::Range<usize>) -> Vec<Outcome> {
+    fn outcomes(&self, rows: std::ops::Range<usize>) -> Vec<Option<Outcome>> {
         rows.map(|row| self.outcome(row)).collect()
     }
 
@@ -263,19 +311,28 @@ impl Row<'_> {
         ControlFlow::Continue(())
     }
 
-    fn outcome(&self, row: usize) -> Outcome {
+    /// `None` of a row that was not begun, or not done, before the end.
+    fn outcome(&self, row: usize) -> Option<Outcome> {
         if self.is_ended.load(Ordering::Relaxed) {
-            return Outcome { found: None, refusal: None };
+            return None;
         }
         let outcome =
             self.solved(row).unwrap_or_else(|refusal| Outcome { found: None, refusal: Some(refusal) });
+        // A long row asks on its way, and leaves off where it is told.
+        let asks = self.job == Job::Estimate || self.options.samples.is_some();
+        if asks && self.is_ended.load(Ordering::Relaxed) {
+            return None;
+        }
         self.done.fetch_add(1, Ordering::Relaxed);
         let _ = self.goes_on();
-        outcome
+        Some(outcome)
     }
 
     fn solved(&self, row: usize) -> Result<Outcome, Refusal> {
         let of_row = |error: String| Refusal { error, help: String::new() };
+        if let Some(Some(fault)) = self.faults.get(row) {
+            return Err(of_row(fault.clone()));
+        }
         let mut values = self.template.shared.borrowed();
         merge(&mut values, self.plan.row(row).map_err(of_row)?);
         let seed = self.plan.seed(row).map_err(of_row)?.unwrap_or(self.options.seed);

@@ -277,12 +277,16 @@ fn a_run_can_be_ended() {
     let ended = run(Job::Reconstruct, &many, &template(), &Options::default(), &|done, _| {
         if done >= 50 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     });
-    assert!(matches!(ended, Err(TableError::Ended { done: 50..10_000, total: 10_000 })));
+    let Err(TableError::Ended { finished, total: 10_000 }) = ended else { panic!("{ended:?}") };
+    // The rows that were done, in their order and without a gap: but for those that other threads had begun.
+    let rows = finished.num_rows();
+    assert!((40..10_000).contains(&rows), "{rows}");
+    assert_eq!(finished.column_by_name("error").unwrap().null_count(), rows);
 }
 
 #[test]
 fn options_that_make_no_sense_are_refused() {
-    let one = batch(vec![("id", Arc::new(Int64Array::from(vec![1])))]);
+    let one = batch(vec![("vehicle2.speed [mph]", doubles(&[Some(9.0)]))]);
     let refused = |job: Job, options: Options| {
         run(job, &one, &template(), &options, &|_, _| ControlFlow::Continue(())).unwrap_err().to_string()
     };
@@ -339,4 +343,83 @@ proptest! {
         let results = run(Job::Reconstruct, &sliced, &template, &options, &|_, _| ControlFlow::Continue(())).unwrap();
         prop_assert_eq!(&results, &all.slice(at, rows.len() - at));
     }
+}
+
+/// Whatever looks like a key and is none, and a table without any key: every row would be the template.
+#[test]
+fn no_table_is_the_template_in_silence() {
+    let one = || doubles(&[Some(10.0)]);
+    for (column, help) in [
+        ("Vehicle2.Speed [mph]", "small letters"),
+        ("VEHICLE2__SPEED__MPH", "small letters"),
+        ("VEHICLE2.SPEED [mph]", "small letters"),
+        ("v2.speed", "\"vehicle1.speed\" or \"vehicle2.speed\""),
+        ("car__speed", "\"vehicle1.speed\""),
+        ("note", "no column of the table is a key of a case"),
+        ("id;vehicle2.speed [mph]", "did you mean \"vehicle1.speed\" or \"vehicle2.speed\"?"),
+        ("\u{1b}[31mred", "␛[31mred"),
+    ] {
+        let message = refusal(vec![(column, one())]);
+        assert!(message.contains(help), "{column}: {message}");
+        assert!(!message.contains('\u{1b}'), "{message}");
+        assert!(columns_kept(batch(vec![(column, one())]).schema_ref()).is_err(), "{column}");
+    }
+    // A column of the table's own beside one key, with dots and a unit.
+    for own in ["weather.temperature [C]", "Speed", "driver.age"] {
+        let results = rows(
+            Job::Reconstruct,
+            &batch(vec![(own, one()), ("vehicle2.speed [mph]", doubles(&[Some(10.0)]))]),
+        );
+        assert_eq!(errors(&results.unwrap()), [None], "{own}");
+    }
+}
+
+/// An empty list is no list that is left out.
+#[test]
+fn an_empty_list_is_refused_in_its_row() {
+    use arrow_array::ListArray;
+    let lists = ListArray::from_iter_primitive::<Float64Type, _, _>(vec![
+        None,
+        Some(vec![]),
+        Some(vec![Some(0.2), Some(0.3)]),
+    ]);
+    let results =
+        rows(Job::Reconstruct, &batch(vec![("vehicle1.crush.depths [m]", Arc::new(lists))])).unwrap();
+    let [None, Some(empty), _] = &errors(&results)[..] else { panic!("{:?}", errors(&results)) };
+    assert!(empty.contains("empty list") && empty.contains("leave it null"), "{empty}");
+}
+
+/// Decimal numbers, as SQL has them, and halves are the doubles nearest to them.
+#[test]
+fn decimals_and_halves_are_numbers() {
+    use arrow_array::types::Float16Type;
+    use arrow_array::{ArrowPrimitiveType, Decimal128Array, Float16Array};
+    type Half = <Float16Type as ArrowPrimitiveType>::Native;
+    let of = |column: ArrayRef| {
+        let results = rows(Job::Reconstruct, &batch(vec![("vehicle2.speed [mph]", column)])).unwrap();
+        assert!(errors(&results).iter().all(Option::is_none));
+        speeds(&results)
+    };
+    let plain = of(doubles(&[Some(10.25), None, Some(20.3)]));
+    let decimals = Decimal128Array::from(vec![Some(1025), None, Some(2030)]).with_precision_and_scale(10, 2);
+    assert_eq!(of(Arc::new(decimals.unwrap())), plain);
+    let same = doubles(&[Some(10.25), None, Some(20.0)]);
+    let halves =
+        Float16Array::from_iter([Some(10.25), None, Some(20.0)].map(|value| value.map(Half::from_f64)));
+    assert_eq!(of(Arc::new(halves)), of(same));
+}
+
+/// A number without a unit is SI, and that is told of the columns that have such.
+#[test]
+fn assumed_units_are_told() {
+    let texts = |texts: Vec<&str>| -> ArrayRef { Arc::new(StringArray::from(texts)) };
+    let of = |columns: Vec<(&str, ArrayRef)>| tables::assumed_units(&batch(columns)).unwrap();
+    let told = |column: &str, unit: &'static str| vec![(column.to_owned(), unit)];
+    assert_eq!(of(vec![("vehicle2.speed", doubles(&[Some(4.0)]))]), told("vehicle2.speed", "m/s"));
+    assert_eq!(of(vec![("vehicle2.speed", texts(vec!["4"]))]), told("vehicle2.speed", "m/s"));
+    assert_eq!(of(vec![("vehicle1__crush__depths", texts(vec!["0.1 0.2"]))]).len(), 1);
+    assert!(of(vec![("vehicle2.speed", texts(vec!["4 mph"]))]).is_empty());
+    assert!(of(vec![("vehicle2.speed [mph]", doubles(&[Some(4.0)]))]).is_empty());
+    assert!(of(vec![("impact.restitution", doubles(&[Some(0.1)]))]).is_empty());
+    assert!(of(vec![("vehicle2.speed", doubles(&[None]))]).is_empty());
 }

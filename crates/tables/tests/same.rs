@@ -165,7 +165,7 @@ fn flat_rows_are_the_program() {
 #[test]
 fn a_template_is_the_program() {
     let empty = arrow_array::new_null_array(&arrow_schema::DataType::Null, 2);
-    let batch = RecordBatch::try_from_iter([("id", empty)]).unwrap();
+    let batch = RecordBatch::try_from_iter([("seed", empty)]).unwrap();
     for Fixture { name, text, .. } in fixtures::all() {
         let template = Template::parse(&name, &text).unwrap();
         for (job, analyse) in JOBS {

@@ -535,8 +535,9 @@ fn of_file(name: &str, file: &CaseFile, document: impl Serialize) -> Result<Valu
     serde_json::to_value(Identified { file: Some(name), ..identified(file, document) })
 }
 
-/// A text as a spreadsheet should show it: see [`csv_row`].
-fn no_formula(text: &str) -> String {
+/// A text as a spreadsheet should show it, and not run it: see [`Csv::row`].
+#[must_use]
+pub fn no_formula(text: &str) -> String {
     // The list of the Open Worldwide Application Security Project (OWASP, CSV Injection).
     const BEGINS_A_FORMULA: [char; 11] = ['=', '+', '-', '@', '\t', '\r', '\n', '＝', '＋', '－', '＠'];
     let shown = shown(text);

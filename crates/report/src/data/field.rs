@@ -11,6 +11,7 @@ use super::pretty;
 struct Document<'a> {
     other: bool,
     pairs: usize,
+    finished: usize,
     groups: BTreeMap<&'a str, FiguresBlock>,
     winsmash: BTreeMap<&'a str, FiguresBlock>,
     left_out: Vec<LeftOutBlock<'a>>,
@@ -113,6 +114,7 @@ pub fn field_json(field: &Field) -> Result<String, serde_json::Error> {
     pretty(&Document {
         other: field.other,
         pairs: field.pairs,
+        finished: field.finished,
         groups: field.groups.iter().map(|group| (group.name, FiguresBlock::of(&group.ours))).collect(),
         winsmash: field
             .groups

@@ -28,6 +28,12 @@ pub fn field(field: &Field, file: &str) -> Document {
          are those of what the recorder should store, with its own error.",
         field.pairs
     ));
+    if field.finished < field.pairs {
+        document.paragraph(format!(
+            "Ended early: only the first {} pairs of the file were gone through. All figures are of these alone.",
+            field.finished
+        ));
+    }
     document.push(coverage(field));
     document.push(errors(field));
     document.push(tenths(field));
