@@ -141,7 +141,7 @@ fn say_units(batch: &RecordBatch) -> Result<()> {
     let each: Vec<String> =
         assumed.iter().map(|(column, unit)| format!("{} in {unit}", case::shown(column))).collect();
     note(&format!(
-        "numbers without a unit are SI: {}. Another unit stands in the name, as in \"{} [unit]\".",
+        "note: numbers without a unit are SI: {}; another unit stands in the name, as in \"{} [unit]\"",
         each.join(", "),
         case::shown(first)
     ));
@@ -233,7 +233,7 @@ impl Input {
         }
         let separator = separator(&first)?;
         if let Some((_, called)) = SEPARATORS.iter().skip(1).find(|(byte, _)| *byte == separator) {
-            note(&format!("The columns of {name} are separated by {called}."));
+            note(&format!("note: the columns of {name} are separated by {called}"));
         }
         let mut reader = reader(separator, Cursor::new(first).chain(source));
         let header =
@@ -355,6 +355,10 @@ fn look_through(name: &str, file: &File) -> Result<usize> {
             Field::new(String::from_utf8_lossy(name).trim_start_matches('\u{feff}'), DataType::Utf8, true)
         })
         .collect();
+    // A table of which nothing can be read is refused as a whole.
+    if columns_kept(&Schema::new(fields.clone())).is_err() {
+        return Ok(0);
+    }
     let (mut rows, mut wrong) = (0, 0);
     let mut record = csv::ByteRecord::new();
     while reader.read_byte_record(&mut record).map_err(of_csv)? {

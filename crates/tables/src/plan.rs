@@ -17,6 +17,9 @@ pub(crate) const SEED: &str = "seed";
 /// The metadata of a field with its unit.
 pub(crate) const UNIT: &str = "unit";
 
+/// (bytes) of a text: more than ten thousand depths.
+const LONGEST_TEXT: usize = 1 << 17;
+
 /// A column by its name, as an error tells it.
 type Called = String;
 
@@ -477,7 +480,13 @@ impl<'a> Part<'a> {
 impl<'a> Whole<'a> {
     fn value(&self, row: usize, path: &str) -> Result<Option<Value<'a>>, String> {
         match self {
-            Self::One(column, kind) => Ok(column.cell(row).map(|cell| kind.value(cell))),
+            Self::One(column, kind) => match column.cell(row) {
+                Some(Cell::Text(text)) if text.len() > LONGEST_TEXT => Err(format!(
+                    "\"{path}\" has a text of {} bytes, and at most {LONGEST_TEXT} are read",
+                    text.len()
+                )),
+                cell => Ok(cell.map(|cell| kind.value(cell))),
+            },
             Self::List(lists, listed_part) => {
                 let Some(places) = lists.places(row) else { return Ok(None) };
                 if places.is_empty() {

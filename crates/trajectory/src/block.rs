@@ -219,12 +219,13 @@ impl Parked {
     /// A motion where it is; one whose last way meets a border takes that step first.
     fn of(mut run: Run<'_, f64, f64>, mut moment: Moment<f64>, control: &Control) -> Self {
         let outlook = loop {
+            // Who comes onto another zone again and again would go on for ever.
+            if run.steps >= control.most_steps || run.now.time >= control.longest_time {
+                return Self::ALONE;
+            }
             let outlook = run.outlook(&moment.acceleration);
             if !outlook.fades || run.stays(outlook.to_rest) {
                 break outlook;
-            }
-            if run.steps >= control.most_steps || run.now.time >= control.longest_time {
-                return Self::ALONE;
             }
             moment = run.advance(moment, outlook.to_rest);
         };

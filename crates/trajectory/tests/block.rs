@@ -94,6 +94,35 @@ fn motions_over_zones_have_the_bits_of_runs_alone() {
     assert!(changed > 100, "{changed}");
 }
 
+/// Over a hundred stripes, a metre each, a motion takes more steps than are allowed while it crosses them.
+#[test]
+fn many_borders_end_like_those_of_a_run_alone() {
+    let stripes: Vec<[Vector2<f64>; 4]> = (-50..50)
+        .map(|stripe| {
+            let (left, right) = (f64::from(stripe), f64::from(stripe) + 0.5);
+            [(left, -99.0), (right, -99.0), (right, 99.0), (left, 99.0)].map(|(x, y)| Vector2::new(x, y))
+        })
+        .collect();
+    let zones: Vec<Zone<'_>> =
+        stripes.iter().map(|stripe| Zone { region: Region::Polygon(stripe), friction: 0.3 }).collect();
+    let mut outsets = outsets(40);
+    for outset in &mut outsets {
+        outset.ground.zones = &zones;
+    }
+    let plain = Control::default();
+    for control in [
+        plain,
+        Control { most_steps: 40, ..plain },
+        Control { most_steps: 100, ..plain },
+        Control { longest_time: 0.5, ..plain },
+    ] {
+        let rests = at_once(&outsets, &control);
+        assert!(rests == one_by_one(&outsets, &control), "{control:?}");
+    }
+    let few = at_once(&outsets, &Control { most_steps: 100, ..plain });
+    assert!(few.iter().filter(|rest| matches!(rest, Err(NoRest::TooManySteps { .. }))).count() > 10);
+}
+
 /// Whatever the number of motions, and their order.
 #[test]
 fn a_motion_does_not_depend_on_its_neighbours() {

@@ -20,7 +20,7 @@ mod ledger;
 const MADE: &str = "docs/guide/case-file.md";
 
 /// Names and dates that hold a number.
-const NAMES: [&str; 9] = [
+const NAMES: [&str; 10] = [
     "fixtures/sae-980025",
     "SAE 980025, 1998",
     "SAE 980025 (1998)",
@@ -28,6 +28,7 @@ const NAMES: [&str; 9] = [
     "SAE 2005-01-1200",
     "SAE 871993",
     "SHA-256",
+    "UTF-8",
     "JCGM 100, equation 10",
     "JCGM 100",
 ];
