@@ -38,8 +38,8 @@ export class App {
   private readonly state = h("div", { class: "state" });
   private readonly question = h("select", { id: "question", onchange: () => this.ask() });
   private readonly spoken = h("div", { class: "unseen", role: "status", "aria-live": "polite" });
-  private readonly undoButton = h("button", { type: "button", class: "icon", "aria-label": texts.file.undo, title: texts.file.undo, onclick: () => this.editor.undo() }, "↶");
-  private readonly redoButton = h("button", { type: "button", class: "icon", "aria-label": texts.file.redo, title: texts.file.redo, onclick: () => this.editor.redo() }, "↷");
+  private readonly undoButton = h("button", { type: "button", class: "icon", "aria-label": texts.file.undo, title: texts.file.undo, onclick: () => this.undo() }, "↶");
+  private readonly redoButton = h("button", { type: "button", class: "icon", "aria-label": texts.file.redo, title: texts.file.redo, onclick: () => this.redo() }, "↷");
   private readonly fileInput = h("input", { type: "file", accept: ".toml,text/plain", hidden: true, "aria-label": texts.file.open });
 
   /** The page without a case. The engine is not needed for it, and starts meanwhile. */
@@ -65,7 +65,7 @@ export class App {
         this.solveSoon.flush();
       },
       write: (text) => {
-        this.editor.write(text);
+        this.editor.step(text);
         this.solveSoon.flush();
       },
       settle: (keep) => {
@@ -186,14 +186,14 @@ export class App {
       if (!isCommand || event.defaultPrevented) return;
       const key = event.key.toLowerCase();
       const run: Record<string, () => void> = {
-        z: () => (event.shiftKey ? this.editor.redo() : this.editor.undo()),
-        y: () => this.editor.redo(),
+        z: () => (event.shiftKey ? this.redo() : this.undo()),
+        y: () => this.redo(),
         s: () => this.saveFile(),
         o: () => this.fileInput.click(),
       };
       const action = run[key];
       // The editor has its own keys for its history.
-      if (!action || ("zy".includes(key) && this.editor.view.hasFocus)) return;
+      if (!action || ("zy".includes(key) && this.editor.view.hasFocus && !this.scene.busy)) return;
       if ("zy".includes(key) && event.target === this.name) return;
       event.preventDefault();
       action();
@@ -227,7 +227,17 @@ export class App {
 
   // --- the case ---
 
+  /** In a drag, that drag is taken back. */
+  private undo(): void {
+    if (!this.scene.end(false)) this.editor.undo();
+  }
+
+  private redo(): void {
+    if (!this.scene.busy) this.editor.redo();
+  }
+
   private write(key: string, toml: string): void {
+    this.scene.end(true);
     const edited = engine.edit(this.editor.text, key, toml);
     if (edited.ok) this.editor.write(edited.text);
     else this.message(edited.message);
@@ -343,6 +353,7 @@ export class App {
     this.solved = new Solved(text, this.name.value, this.units, look);
     this.showQuestion(look.able ?? [], this.solved.command);
     this.showAnswer();
+    this.showFileState();
     for (const name of this.panels.keys()) this.stale.add(name);
     if (isScene) this.scene.update(look.scene ?? null);
     else this.stale.add("scene");
@@ -357,7 +368,6 @@ export class App {
     const { solved } = this;
     if (!solved) return;
     this.rest.cancel();
-    this.showFileState();
     this.editor.mark(solved.problems);
     if (this.caseTabs.shown === "form") this.form.update(solved.check);
     this.show(this.viewTabs.shown);

@@ -66,18 +66,32 @@ export class SceneView {
     for (const type of ["pointerup", "pointercancel"] as const) {
       this.stage.addEventListener(type, (event) => this.released(event.type === "pointerup"));
     }
-    this.stage.addEventListener("keydown", (event) => {
-      if (event.key === "Escape" && this.dragging) this.released(false);
+    document.addEventListener("keydown", (event) => {
+      if (event.key !== "Escape" || !this.dragging) return;
+      event.preventDefault();
+      this.released(false);
     });
+  }
+
+  /** Ends a drag that goes on, before something else changes the text; false where there is none. */
+  end(keep: boolean): boolean {
+    const was = this.dragging !== null;
+    this.released(keep);
+    return was;
   }
 
   /** Another case: nothing of the one before stays. */
   reset(): void {
+    this.end(false);
     this.now = null;
     this.sheet.replaceChildren();
     for (const element of [...this.buttons.values(), ...this.bodies.values()]) element.remove();
     this.buttons.clear();
     this.bodies.clear();
+  }
+
+  get busy(): boolean {
+    return this.dragging !== null;
   }
 
   /** Of the two plan views the one that was chosen, and what of it holds still. */
@@ -258,8 +272,7 @@ export class SceneView {
       return;
     }
     this.held = this.now.viewport;
-    this.host.preview(dragged.text);
-    this.host.settle(true);
+    this.host.write(dragged.text);
     this.held = null;
   }
 

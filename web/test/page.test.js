@@ -491,3 +491,116 @@ onPage("the colours are those of the system, or those that were chosen", async (
     }
   }
 });
+
+/** Numbers from 0 to 1 that are the same each time (mulberry32). */
+function random(seed) {
+  let state = seed;
+  return () => {
+    state = (state + 0x6d2b79f5) | 0;
+    let mixed = Math.imul(state ^ (state >>> 15), state | 1);
+    mixed ^= mixed + Math.imul(mixed ^ (mixed >>> 7), mixed | 61);
+    return ((mixed ^ (mixed >>> 14)) >>> 0) / 2 ** 32;
+  };
+}
+
+/** One thing that somebody might do: a drag, a drag taken back, an arrow key, a field, a text that is typed, an undo. */
+async function act(page, random) {
+  const pick = (list) => list[Math.floor(random() * list.length)];
+  const handles = await page.locator("[data-handle]").evaluateAll((all) => all.map((one) => one.dataset.handle));
+  const kind = pick(["drag", "drag", "body", "escape", "arrow", "arrow", "field", "field", "text", "undo", "redo", "undo in a drag"]);
+  const by = () => (random() - 0.5) * 60;
+  const move = async (x, y, keys) => {
+    await page.mouse.move(x, y);
+    await page.mouse.down();
+    for (let step = 0; step < 3; step += 1) await page.mouse.move(x + by(), y + by());
+    await page.evaluate(() => new Promise(requestAnimationFrame));
+    if (keys) await page.keyboard.press(keys);
+    await page.mouse.up();
+  };
+  const centre = async (locator) => {
+    const box = await locator.boundingBox();
+    return [box.x + box.width / 2, box.y + box.height / 2];
+  };
+  if (["drag", "escape", "undo in a drag"].includes(kind)) {
+    const handle = page.locator(`[data-handle="${pick(handles)}"]`);
+    await handle.scrollIntoViewIfNeeded();
+    await move(...(await centre(handle)), { escape: "Escape", "undo in a drag": "Control+z" }[kind]);
+  } else if (kind === "body") {
+    const grip = page.locator(".body-grip").nth(Math.floor(random() * 2));
+    const box = await grip.boundingBox();
+    await move(box.x + box.width * (0.3 + 0.4 * random()), box.y + box.height * (0.3 + 0.4 * random()));
+  } else if (kind === "arrow") {
+    const handle = page.locator(`[data-handle="${pick(handles)}"]`);
+    await handle.press(pick(["ArrowLeft", "ArrowRight", "ArrowUp", "ArrowDown"]));
+  } else if (kind === "field") {
+    await page.getByRole("tab", { name: "Form", exact: true }).click();
+    const key = pick(["vehicle2.heading", "vehicle2.speed", "vehicle1.heading", "impact.restitution"]);
+    const field = page.locator(`[data-key="${key}"] input`).first();
+    await field.fill((random() * (key === "impact.restitution" ? 1 : 60)).toFixed(2));
+    await field.press("Tab");
+  } else if (kind === "text") {
+    await page.getByRole("tab", { name: "Text", exact: true }).click();
+    await page.locator(".cm-content").press("Control+Home");
+    for (let line = 0; line < 12 * random(); line += 1) await page.keyboard.press("ArrowDown");
+    await page.keyboard.press("End");
+    await page.keyboard.type(` # ${Math.floor(1000 * random())}`);
+  } else await page.locator("body").press(kind === "undo" ? "Control+z" : "Control+y");
+  return kind;
+}
+
+const historyButton = (page, name) => page.getByRole("button", { name });
+
+/** Undoes or redoes all that can be, and gives the texts on the way. */
+async function wind(page, name) {
+  const texts = [await caseText(page)];
+  for (let step = 0; step < 400 && (await historyButton(page, name).isEnabled()); step += 1) {
+    await historyButton(page, name).click();
+    await page.evaluate(() => new Promise(requestAnimationFrame));
+    texts.push(await caseText(page));
+  }
+  return texts;
+}
+
+for (const seed of QUICK ? [1] : [1, 2, 3, 4]) {
+  onPage(`30 things done, all undone and all redone, give the texts that were there (seed ${seed})`, async (page) => {
+    const numbers = random(seed);
+    const first = await caseText(page);
+    const seen = new Set([first]);
+    const done = [];
+    for (let action = 0; action < 30; action += 1) {
+      done.push(await act(page, numbers));
+      const text = await caseText(page);
+      if (done.at(-1) === "escape" || done.at(-1) === "undo in a drag") assert.ok(seen.has(text), `${done.join(", ")}\n${text}`);
+      seen.add(text);
+    }
+    const last = await caseText(page);
+    // What is to be redone is part of what was done.
+    const end = (await wind(page, /^Redo/)).at(-1);
+    const undone = await wind(page, /^Undo/);
+    assert.equal(undone.at(-1), first, done.join(", "));
+    const redone = await wind(page, /^Redo/);
+    assert.equal(redone.at(-1), end, done.join(", "));
+    assert.ok(undone.includes(last) && undone.length > 5, `${undone.length} steps`);
+    // Nothing that nobody entered stood there on the way: the letters of a text that was typed may come one by one.
+    const plain = (text) => text.split("\n").map((line) => line.split("#")[0].trimEnd()).join("\n");
+    const entered = new Set([...seen].map(plain));
+    for (const text of [...undone, ...redone]) assert.ok(entered.has(plain(text)), `${done.join(", ")}\n${text}`);
+  });
+}
+
+onPage("two drags of one handle and three arrow keys are undone one by one", async (page) => {
+  const at = [await heading2(page)];
+  for (const by of [[-30, 15], [20, 5]]) {
+    await drag(page, "heading-2-0", by);
+    at.push(await heading2(page));
+  }
+  for (let time = 0; time < 3; time += 1) {
+    await page.locator('[data-handle="heading-2-0"]').press("ArrowLeft");
+    at.push(await heading2(page));
+  }
+  assert.equal(new Set(at).size, 6, String(at));
+  for (const expected of at.slice(0, -1).reverse()) {
+    await page.locator("body").press("Control+z");
+    assert.equal(await heading2(page), expected);
+  }
+});
