@@ -43,6 +43,7 @@ export class SceneView {
   private readonly overlay = s("svg", { class: "overlay", "aria-hidden": "true" });
   private readonly knobs = h("div", { class: "knobs", role: "group", "aria-label": words.handles });
   private readonly none = h("p", { class: "note", hidden: true }, words.none);
+  private readonly hint = h("p", { class: "hint" }, words.hint);
   private readonly stage = h("div", { class: "stage" });
   readonly backdrop = new Backdrop(this.stage, () => this.surveyed(), (plan) => this.keep(plan));
   readonly element = h("div", { class: "scene" });
@@ -59,9 +60,8 @@ export class SceneView {
 
   constructor(private readonly host: SceneHost) {
     this.stage.append(this.sheet, this.backdrop.picture, this.overlay, this.knobs);
-    const hint = h("p", { class: "hint" }, words.hint);
     const tools = h("div", { class: "scene-tools" }, this.which, this.backdrop.tools, saveButtons("scene", words.title, () => this.now?.svg ?? null));
-    this.element.append(this.none, this.stage, tools, hint);
+    this.element.append(this.none, this.stage, tools, this.hint);
     this.stage.addEventListener("pointermove", (event) => this.pointerMoved(event));
     for (const type of ["pointerup", "pointercancel"] as const) {
       this.stage.addEventListener(type, (event) => this.released(event.type === "pointerup"));
@@ -104,6 +104,7 @@ export class SceneView {
     this.stage.classList.toggle("stale", scene === null);
     this.none.hidden = scene !== null || this.now !== null;
     this.stage.hidden = !this.none.hidden;
+    this.hint.hidden = this.stage.hidden;
     if (!scene) return;
     this.now = scene;
     this.which.value = scene.what;
