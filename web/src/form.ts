@@ -324,10 +324,11 @@ function numbersOf(key: string): [string, string][] | null {
   if (!("html" in explained)) return null;
   const page = h("div");
   markup(page, explained.html);
-  const rows = [...page.querySelectorAll("table tr")].map((row) => [...row.children].map((cell) => cell.textContent?.trim() ?? ""));
+  const rows = (page.querySelector("pre")?.textContent ?? "").split("\n").map((line) => line.trim().split(/\s+/));
   const row = (name: string) => rows.find(([first]) => first === name)?.slice(1) ?? [];
   const [inches, metres] = [row("in"), row("m")];
-  return row("class").map((number, place) => [number, words.sizeClass(number, metres[place] ?? "", inches[place] ?? "")]);
+  const list = row("class").map((number, place) => [number, words.sizeClass(number, metres[place] ?? "", inches[place] ?? "")] as [string, string]);
+  return list.length > 0 ? list : null;
 }
 
 const numbered = (list: [string, string][]) => ({ id, write }: Asked): Control => {
