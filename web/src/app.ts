@@ -92,7 +92,7 @@ export class App {
     const lead = (key: string) => this.lead(key);
     const save = (kind: FileKind) => void this.saveShown(kind);
     this.uncertainty = new Run("uncertainty", (job, result) => this.showInterval(job, result), save);
-    this.estimate = new Run("estimate", (job, result) => this.showEstimate(job, result), save);
+    this.estimate = new Run("estimate", (job, result) => this.showEstimate(job, result), save, () => this.isEstimate && this.showHeadline());
     this.panels.set("results", new Results());
     this.panels.set("drawings", new Drawings());
     this.panels.set("motion", new Motion());
@@ -282,6 +282,7 @@ export class App {
 
   /** To the field of a key: in the form where that is shown, in the text otherwise. */
   private lead(key: string): void {
+    if (this.solved && this.caseTabs.shown === "form") this.form.update(this.solved.check);
     if (this.caseTabs.shown === "form" && this.form.focus(key)) return;
     this.reveal(key);
   }
@@ -345,7 +346,7 @@ export class App {
           if (!this.mayDiscard()) return;
           this.open(`${template.name}.toml`, system.value === "us" ? template.text_us : template.text_si);
         },
-      }, template.title));
+      }, template.title, template.text_si === template.text_us ? h("span", { class: "hint" }, ` (${texts.templates.printed})`) : null));
     dialog.append(
       h("h2", { id: "templates-title" }, texts.templates.title),
       h("p", { class: "note" }, texts.templates.explain),
@@ -462,7 +463,9 @@ export class App {
       return;
     }
     this.showHeadline();
-    if (look.warnings.length === 0) this.state.replaceChildren(h("p", { class: "calm" }, texts.answer.noWarnings));
+    // Of an estimate its own report says what is to be doubted.
+    if (look.warnings.length === 0 && this.isEstimate) this.state.replaceChildren();
+    else if (look.warnings.length === 0) this.state.replaceChildren(h("p", { class: "calm" }, texts.answer.noWarnings));
     else {
       const isOpen = this.state.querySelector("details")?.open ?? false;
       const list = h("details", { class: "warned" },
@@ -504,6 +507,10 @@ export class App {
       this.viewTabs.show("estimate");
       this.estimate.begin();
     };
+    if (this.estimate.busy) {
+      this.headline.replaceChildren(h("p", { class: "note" }, texts.answer.estimating));
+      return;
+    }
     this.headline.replaceChildren(h("div", { class: "lead" },
       h("p", {}, texts.answer.byEstimate),
       h("button", { type: "button", class: "primary", onclick: start }, texts.answer.startEstimate)));

@@ -63,6 +63,9 @@ export function label(key: string): string {
   const named = texts.labels[key.replace(/^vehicle[12]\./, "")] ?? texts.labels[key.slice(key.lastIndexOf(".") + 1)];
   if (named !== undefined) return named;
   const name = key.slice(key.lastIndexOf(".") + 1);
+  // The engine counts the stations as the scene does.
+  const station = /^depths\[(\d+)\]$/.exec(name)?.[1];
+  if (station !== undefined) return texts.station(station);
   const words = name.replaceAll("_", " ").replace(/(\D)(\d)$/, (_, letter: string, digit: string) => (name.length > 2 ? `${letter} ${digit}` : `${letter}${digit}`));
   return words.length > 2 ? (words[0] ?? "").toUpperCase() + words.slice(1) : words;
 }

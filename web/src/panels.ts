@@ -178,6 +178,8 @@ export class Run implements Panel {
     private readonly kind: "uncertainty" | "estimate",
     private readonly finished: (job: Job, result: Finished) => void,
     save: Save,
+    /** A run has begun, or has ended with or without an answer. */
+    private readonly changed: () => void = () => undefined,
   ) {
     const words = texts.run[kind];
     this.samples.value = "100000";
@@ -194,6 +196,10 @@ export class Run implements Panel {
     this.controls = h("div", { class: "run-controls" },
       ...settings, h("label", {}, texts.run.seed, " ", this.seed), this.start, this.end, this.bar);
     this.element.append(h("p", { class: "note" }, words.what), this.why, this.controls, this.status, this.saving, this.body);
+  }
+
+  get busy(): boolean {
+    return !this.end.hidden;
   }
 
   /** Starts the run, unless it runs already. */
@@ -227,6 +233,7 @@ export class Run implements Panel {
     this.bar.hidden = true;
     this.end.hidden = true;
     this.start.disabled = false;
+    this.changed();
   }
 
   private run(): void {
@@ -249,6 +256,7 @@ export class Run implements Panel {
     this.partial = false;
     this.saving.hidden = true;
     this.status.textContent = texts.run.running;
+    this.changed();
     this.runner.start(job, {
       progress: (counted, done, total) => {
         this.bar.max = Math.max(total, 1);

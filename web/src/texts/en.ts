@@ -58,6 +58,8 @@ export const texts = {
     from_force_balance: "From force balance",
   } as Record<string, string>,
 
+  station: (number: string) => `Depth C${number}`,
+
   file: {
     name: "Name of the case file",
     unsaved: "The case has changes that are not saved",
@@ -73,6 +75,7 @@ export const texts = {
   templates: {
     title: "Begin with",
     explain: "Each of these is a complete case that has an answer. Replace its numbers by yours.",
+    printed: "in lb and ft, as it was printed",
     unitsLabel: "Units of the file",
     units: [
       ["si", "metric"],
@@ -125,6 +128,7 @@ export const texts = {
     none: "No answer yet.",
     byEstimate: "Both speeds are unknown. An estimate finds them: it weighs all evidence of this case, damage, directions, rest positions and recorders alike.",
     startEstimate: "Start the estimate",
+    estimating: "All evidence is being weighed: the answer follows.",
     weighing: "More is known than one exact solution uses. All of it is being weighed: the answer follows.",
     notWeighed: "More is known than one exact solution uses, and it could not be weighed:",
     toField: "Go to the field",
