@@ -424,7 +424,8 @@ export class App {
     if (estimable !== this.estimable) {
       this.estimable = estimable;
       this.showQuestion();
-      this.showAnswer();
+      // Otherwise the answer is the same, and who is at work in its warnings stays there.
+      if (this.asked === "estimate") this.showAnswer();
     }
     if (this.caseTabs.shown === "form") this.form.update(solved.check);
     this.show(this.viewTabs.shown);

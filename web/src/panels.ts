@@ -415,7 +415,7 @@ export function warnings(list: engine.Warning[], lead: (key: string) => void): H
         },
       }, texts.warnings.explain);
       return h("li", {},
-        h("code", {}, warning.code), h("p", {}, engine.sentence(warning.message)),
+        h("code", {}, warning.code), h("p", {}, said(engine.sentence(warning.message))),
         h("div", { class: "leads" },
           ...(warning.keys ?? (warning.vehicle ? [`vehicle${warning.vehicle}`] : [])).map((key) => h("button", { type: "button", class: "quiet", onclick: () => lead(key) }, texts.warnings.lead(key, nameOf(key)))),
           ask),

@@ -162,11 +162,11 @@ onPage("an uncertainty runs to its end, and can be ended", async (page) => {
   await openCase(page, "uncertain.toml", fixture("sae-980025-uncertain.toml"));
   await page.getByRole("tab", { name: "Uncertainty" }).click();
   const panel = page.locator(".run:visible");
-  await panel.getByLabel("Samples").selectOption("10000");
+  await panel.locator(".run-controls select").first().selectOption("10000");
   await panel.getByRole("button", { name: "Run" }).click();
   await panel.locator("table").first().waitFor();
   assert.match(await panel.innerText(), /10,000 samples of 31 uncertain inputs/);
-  await panel.getByLabel("Samples").selectOption("1000000");
+  await panel.locator(".run-controls select").first().selectOption("1000000");
   await panel.getByRole("button", { name: "Run" }).click();
   await page.waitForFunction(() => document.querySelector(".run:not([hidden]) progress")?.value > 0);
   await panel.getByRole("button", { name: "End" }).click();
@@ -337,7 +337,7 @@ onPage("a hundred thousand samples", async (page, t) => {
   await openCase(page, "uncertain.toml", fixture("sae-980025-uncertain.toml"));
   await page.getByRole("tab", { name: "Uncertainty" }).click();
   const panel = page.locator(".run:visible");
-  await panel.getByLabel("Samples").selectOption("100000");
+  await panel.locator(".run-controls select").first().selectOption("100000");
   const times = [];
   for (let time = 0; time < (QUICK ? 2 : 5); time += 1) {
     await panel.evaluate((element) => delete element.dataset.milliseconds);
@@ -702,7 +702,7 @@ onPage("each view is saved as it is shown", async (page) => {
   }
   await page.getByRole("tab", { name: "Uncertainty", exact: true }).click();
   const panel = page.locator(".run:visible");
-  await panel.getByLabel("Samples").selectOption("1000");
+  await panel.locator(".run-controls select").first().selectOption("1000");
   await panel.getByLabel("Method").selectOption("sobol");
   await panel.getByRole("button", { name: "Run" }).click();
   const csv = await saved(page, () => page.getByRole("button", { name: "Save Uncertainty as CSV" }).click());
@@ -827,3 +827,11 @@ onPage("on a narrow page the scene begins in the upper half once the first line 
   const { y } = await page.locator(".stage").boundingBox();
   assert.ok(y < 400, `${y} of 700`);
 }, { viewport: { width: 375, height: 700 } });
+
+onPage("warnings show names and code without backticks", async (page) => {
+  await openCase(page, "warned.toml", fixture("ricsac/03.toml"));
+  await page.locator(".warned > summary").click();
+  const words = await page.locator(".warnings").innerText();
+  assert.match(words, /as placed by offset and width/);
+  assert.doesNotMatch(words, /`/);
+});
