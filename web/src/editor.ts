@@ -98,12 +98,12 @@ export class Editor {
 
   /** A change by the form: one step of the history where it follows closely on one at the same place. */
   write(text: string): void {
-    this.dispatch(text, "input.type", true);
+    this.dispatch(text, true);
   }
 
   /** A change that is a step of the history by itself. */
   step(text: string): void {
-    this.dispatch(text, "page", true, true);
+    this.dispatch(text, true, true);
   }
 
   /**
@@ -115,7 +115,7 @@ export class Editor {
       this.before = this.view.state;
       this.view.dispatch({ effects: this.locked.reconfigure(EditorState.readOnly.of(true)) });
     }
-    this.dispatch(text, "page", false);
+    this.dispatch(text, false);
   }
 
   /**
@@ -133,11 +133,11 @@ export class Editor {
     this.changed();
   }
 
-  private dispatch(text: string, userEvent: string, inHistory: boolean, alone = false): void {
+  /** A change without the name of an event: one that is named as no typing would always be a step by itself. */
+  private dispatch(text: string, inHistory: boolean, alone = false): void {
     const change = difference(this.text, text);
     if (!change) return;
-    const annotations = [Transaction.addToHistory.of(inHistory), Transaction.userEvent.of(userEvent)];
-    if (alone) annotations.push(isolateHistory.of("full"));
+    const annotations = [Transaction.addToHistory.of(inHistory), ...(alone ? [isolateHistory.of("full")] : [])];
     this.view.dispatch({ changes: change, annotations });
   }
 

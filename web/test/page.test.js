@@ -635,7 +635,7 @@ const ran = (page) => page.waitForFunction(() => /Took/.test(document.querySelec
 onPage("a case for an estimate leads there, has its scene, its answer and its report", async (page) => {
   const text = fixture("estimate.toml");
   await openCase(page, "estimate.toml", text);
-  assert.match(await page.locator(".headline").innerText(), /An estimate finds them/);
+  assert.match(await page.locator(".headline").innerText(), /An estimate answers this case/);
   assert.equal(await page.locator("#question").inputValue(), "estimate");
   assert.equal(await page.locator(".sheet svg").first().isVisible(), true);
   // What is not there yet is not saved.
@@ -834,4 +834,14 @@ onPage("warnings show names and code without backticks", async (page) => {
   const words = await page.locator(".warnings").innerText();
   assert.match(words, /as placed by offset and width/);
   assert.doesNotMatch(words, /`/);
+});
+
+onPage("a number that is typed in one go is one step of the history", async (page) => {
+  const before = await caseText(page);
+  const input = page.locator('[data-key="vehicle2.heading"] input').first();
+  await input.press("Control+a");
+  await page.keyboard.type("45.5", { delay: 20 });
+  assert.equal(await heading2(page), 45.5);
+  await page.getByRole("button", { name: "Undo" }).click();
+  assert.equal(await caseText(page), before);
 });
