@@ -170,11 +170,10 @@ fn the_page_speaks_of_what_it_has_and_not_of_commands() {
 
 #[test]
 fn a_comparison_and_a_sensitivity_are_pages_of_their_own() {
-    for command in ["compare", "sensitivity"] {
+    for (command, part) in [("compare", "ishikawa"), ("sensitivity", "impact.crush_plane")] {
         let page = made(deltav_web::report(&example(), "example.toml", command, "", None));
         let html = page["html"].as_str().unwrap();
         assert!(html.starts_with("<!DOCTYPE html>"), "{command}");
-        let answer = made(deltav_web::answer(&example(), command, "", None));
-        assert!(html.contains(answer["html"].as_str().unwrap().trim()), "{command}");
+        assert!(html.to_lowercase().contains(part), "{command}");
     }
 }
