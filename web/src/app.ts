@@ -6,7 +6,8 @@ import type { Command, Problem, Units } from "./engine.js";
 import { Form } from "./form.js";
 import { type Live, emptyPage, handedOver, printed } from "./live.js";
 import { Compare, Drawings, Inputs, Motion, type Panel, Results, Run, Sensitivity, warnings } from "./panels.js";
-import { type Finished, type Job, Runner } from "./runs.js";
+import { type FileKind, type Finished, type Job, Runner } from "./runs.js";
+import { inForm, said } from "./said.js";
 import { SceneView } from "./scene.js";
 import { Solved } from "./solved.js";
 import { Tabs } from "./tabs.js";
@@ -29,8 +30,15 @@ export class App {
   private solved: Solved | null = null;
   private units: Units = "";
   private asked: Command | "" = "";
+  /** An estimate can answer the case. */
+  private estimable = false;
+  private readonly estimate: Run;
+  private readonly uncertainty: Run;
   private saved = "";
+  private opened = false;
   private intervals: { text: string; headline: string[] } | null = null;
+  /** What the view of the estimate has answered. */
+  private estimated: { text: string; headline: string[] } | null = null;
 
   private readonly name = h("input", { type: "text", class: "file-name", "aria-label": texts.file.name, spellcheck: "false" });
   private readonly unsaved = h("span", { class: "unsaved", title: texts.file.unsaved, hidden: true }, "●");
@@ -38,13 +46,19 @@ export class App {
   private readonly state = h("div", { class: "state" });
   private readonly question = h("select", { id: "question", onchange: () => this.ask() });
   private readonly spoken = h("div", { class: "unseen", role: "status", "aria-live": "polite" });
-  private readonly undoButton = h("button", { type: "button", class: "icon", "aria-label": texts.file.undo, title: texts.file.undo, onclick: () => this.editor.undo() }, "↶");
-  private readonly redoButton = h("button", { type: "button", class: "icon", "aria-label": texts.file.redo, title: texts.file.redo, onclick: () => this.editor.redo() }, "↷");
+  private readonly undoButton = h("button", { type: "button", class: "icon", "aria-label": texts.file.undo, title: texts.file.undo, onclick: () => this.undo() }, "↶");
+  private readonly redoButton = h("button", { type: "button", class: "icon", "aria-label": texts.file.redo, title: texts.file.redo, onclick: () => this.redo() }, "↷");
+  /** The first minute's line; of a report that was handed over, that it is one. */
+  private readonly welcome = h("aside", { class: "welcome", "aria-label": texts.welcome.label });
+  private readonly banner = h("strong");
+  private readonly changedSince = h("span", { role: "status" });
+  private readonly printHead = h("p", { class: "print-head" });
+  private readonly live = handedOver();
   private readonly fileInput = h("input", { type: "file", accept: ".toml,text/plain", hidden: true, "aria-label": texts.file.open });
 
   /** The page without a case. The engine is not needed for it, and starts meanwhile. */
   constructor(parent: HTMLElement) {
-    const live = handedOver();
+    const { live } = this;
     this.form = new Form({
       write: (key, toml) => this.write(key, toml),
       reveal: (key) => this.reveal(key),
@@ -65,7 +79,7 @@ export class App {
         this.solveSoon.flush();
       },
       write: (text) => {
-        this.editor.write(text);
+        this.editor.step(text);
         this.solveSoon.flush();
       },
       settle: (keep) => {
@@ -76,13 +90,16 @@ export class App {
     });
 
     const lead = (key: string) => this.lead(key);
+    const save = (kind: FileKind) => void this.saveShown(kind);
+    this.uncertainty = new Run("uncertainty", (job, result) => this.showInterval(job, result), save);
+    this.estimate = new Run("estimate", (job, result) => this.showEstimate(job, result), save, () => this.isEstimate && this.showHeadline());
     this.panels.set("results", new Results());
     this.panels.set("drawings", new Drawings());
     this.panels.set("motion", new Motion());
-    this.panels.set("uncertainty", new Run("uncertainty", (job, result) => this.showInterval(job, result)));
-    this.panels.set("sensitivity", new Sensitivity(lead));
-    this.panels.set("compare", new Compare());
-    this.panels.set("estimate", new Run("estimate", () => undefined));
+    this.panels.set("uncertainty", this.uncertainty);
+    this.panels.set("sensitivity", new Sensitivity(lead, save));
+    this.panels.set("compare", new Compare(save));
+    this.panels.set("estimate", this.estimate);
     this.panels.set("inputs", new Inputs());
     const scenePanel = h("div", { class: "panel" }, this.scene.element);
     this.viewTabs = new Tabs(texts.viewTabs.label ?? "", [
@@ -102,7 +119,8 @@ export class App {
   /** Opens the case that the page was handed over with, or an example. */
   begin(): void {
     const [first] = engine.templates();
-    const { name, text } = handedOver() ?? { name: `${first?.name ?? "case"}.toml`, text: first?.text_us ?? "" };
+    if (this.live) this.banner.textContent = texts.live.banner(this.live.name, engine.version());
+    const { name, text } = this.live ?? { name: `${first?.name ?? "case"}.toml`, text: first?.text_us ?? "" };
     this.open(name, text);
   }
 
@@ -112,18 +130,19 @@ export class App {
     units.addEventListener("change", () => {
       this.units = units.value as Units;
       this.intervals = null;
+      this.estimated = null;
       this.solve();
     });
     const theme = h("select", { id: "theme" }, ...texts.themes.map(([value, name]) => h("option", { value }, name)));
     theme.addEventListener("change", () => (document.documentElement.dataset.theme = theme.value));
     const save = this.menu(texts.save.label, [
-      [texts.save.report, () => this.saveReport()],
+      [texts.save.report, () => void this.saveShown("html")],
       [texts.save.live, () => this.saveLive()],
-      [texts.save.print, () => this.print()],
-      [texts.save.json, () => this.saveAnswer("json")],
-      [texts.save.csv, () => this.saveAnswer("csv")],
-      [texts.save.text, () => this.saveAnswer("txt")],
-    ]);
+      [texts.save.print, () => void this.print()],
+      [texts.save.json, () => void this.saveShown("json")],
+      [texts.save.csv, () => void this.saveShown("csv")],
+      [texts.save.text, () => void this.saveShown("txt")],
+    ], () => texts.save.of(this.document.title));
     const bar = h("header", { class: "bar" },
       h("h1", { class: "brand" }, h("span", { "aria-hidden": "true" }, "Δ"), "deltav"),
       h("div", { class: "bar-group file" }, this.name, this.unsaved),
@@ -151,16 +170,22 @@ export class App {
       return [side, button(texts.sides[side], choose)] as const;
     });
     sides[0]?.[1].click();
+    const close = () => this.welcome.remove();
+    if (live) this.welcome.replaceChildren(this.banner, " ", this.changedSince, " ", h("a", { href: "#printed" }, texts.live.toPrinted));
+    else this.welcome.append(h("span", {}, h("strong", {}, texts.welcome.what), " ", texts.welcome.first, " ", texts.welcome.local), button(texts.welcome.close, close, "quiet"));
     const main = h("main", { class: "split" },
       h("div", { class: "sides", role: "group", "aria-label": texts.sides.label }, ...sides.map(([, element]) => element)),
       h("section", { class: "case", "aria-label": texts.caseTabs.label }, this.caseTabs.list, this.caseTabs.panels),
-      h("section", { class: "view", "aria-label": texts.viewTabs.label }, this.viewTabs.list, this.viewTabs.panels));
+      h("section", { class: "view", id: "views", tabindex: -1, "aria-label": texts.viewTabs.label }, this.viewTabs.list, this.viewTabs.panels));
     document.body.classList.toggle("is-live", live !== null);
-    return [h("a", { class: "skip", href: "#answer" }, texts.skip), bar, answer, main, this.spoken, ...(live ? [printed(live)] : [])];
+    const skip = (to: string, words: string) => h("a", { class: "skip", href: `#${to}` }, words);
+    return [skip("answer", texts.skip), skip("views", texts.skipToViews), bar, this.welcome, this.printHead, answer, main, this.spoken, ...(live ? [printed(live)] : [])];
   }
 
-  private menu(label: string, entries: [string, () => void][]): HTMLElement {
-    const list = h("div", { class: "menu-list" },
+  /** A menu, headed by what it is about when it opens. */
+  private menu(label: string, entries: [string, () => void][], about: () => string): HTMLElement {
+    const head = h("p", { class: "hint" });
+    const list = h("div", { class: "menu-list" }, head,
       ...entries.map(([name, run]) => h("button", {
         type: "button",
         onclick: () => {
@@ -169,6 +194,7 @@ export class App {
         },
       }, name)));
     const menu = h("details", { class: "menu" }, h("summary", { class: "button" }, label), list);
+    menu.addEventListener("toggle", () => (head.textContent = about()));
     document.addEventListener("click", (event) => {
       if (menu.open && !menu.contains(event.target as Node)) menu.open = false;
     });
@@ -186,17 +212,21 @@ export class App {
       if (!isCommand || event.defaultPrevented) return;
       const key = event.key.toLowerCase();
       const run: Record<string, () => void> = {
-        z: () => (event.shiftKey ? this.editor.redo() : this.editor.undo()),
-        y: () => this.editor.redo(),
+        z: () => (event.shiftKey ? this.redo() : this.undo()),
+        y: () => this.redo(),
         s: () => this.saveFile(),
         o: () => this.fileInput.click(),
       };
       const action = run[key];
       // The editor has its own keys for its history.
-      if (!action || ("zy".includes(key) && this.editor.view.hasFocus)) return;
+      if (!action || ("zy".includes(key) && this.editor.view.hasFocus && !this.scene.busy)) return;
       if ("zy".includes(key) && event.target === this.name) return;
       event.preventDefault();
       action();
+    });
+    window.addEventListener("resize", () => (this.headline.style.minHeight = ""));
+    window.addEventListener("beforeprint", () => {
+      this.printHead.textContent = texts.printHead(this.name.value, engine.version(), new Date().toLocaleString("en-GB", { dateStyle: "long", timeStyle: "short" }));
     });
     this.fileInput.addEventListener("change", () => {
       const file = this.fileInput.files?.[0];
@@ -227,7 +257,17 @@ export class App {
 
   // --- the case ---
 
+  /** In a drag, that drag is taken back. */
+  private undo(): void {
+    if (!this.scene.end(false)) this.editor.undo();
+  }
+
+  private redo(): void {
+    if (!this.scene.busy) this.editor.redo();
+  }
+
   private write(key: string, toml: string): void {
+    this.scene.end(true);
     const edited = engine.edit(this.editor.text, key, toml);
     if (edited.ok) this.editor.write(edited.text);
     else this.message(edited.message);
@@ -242,6 +282,7 @@ export class App {
 
   /** To the field of a key: in the form where that is shown, in the text otherwise. */
   private lead(key: string): void {
+    if (this.solved && this.caseTabs.shown === "form") this.form.update(this.solved.check);
     if (this.caseTabs.shown === "form" && this.form.focus(key)) return;
     this.reveal(key);
   }
@@ -251,6 +292,15 @@ export class App {
     this.saved = text;
     this.asked = "";
     this.intervals = null;
+    this.estimated = null;
+    this.estimable = false;
+    this.solved = null;
+    this.quick.end();
+    this.headline.replaceChildren();
+    this.headline.style.minHeight = "";
+    this.state.replaceChildren();
+    if (!this.live && this.opened) this.welcome.remove();
+    this.opened = true;
     this.form.reset();
     this.scene.reset();
     this.editor.open(text);
@@ -296,7 +346,7 @@ export class App {
           if (!this.mayDiscard()) return;
           this.open(`${template.name}.toml`, system.value === "us" ? template.text_us : template.text_si);
         },
-      }, template.title));
+      }, template.title, template.text_si === template.text_us ? h("span", { class: "hint" }, ` (${texts.templates.printed})`) : null));
     dialog.append(
       h("h2", { id: "templates-title" }, texts.templates.title),
       h("p", { class: "note" }, texts.templates.explain),
@@ -332,6 +382,15 @@ export class App {
   private ask(): void {
     this.asked = this.question.value as Command;
     this.solve();
+    if (this.asked === "estimate") this.viewTabs.show("estimate");
+  }
+
+  /** The question is one that only an estimate answers, or the one that was asked. */
+  private get isEstimate(): boolean {
+    const { solved } = this;
+    if (!solved || !this.estimable) return false;
+    if (this.asked !== "") return this.asked === "estimate";
+    return !solved.look.ok || (solved.look.command === "crush" && solved.look.headline.length === 0);
   }
 
   /** What is to be seen at once, from one call of the engine. What else is shown follows when the hand rests. */
@@ -339,10 +398,13 @@ export class App {
     const { text } = this.editor;
     const { what, viewport } = this.scene.wanted;
     const isScene = this.viewTabs.shown === "scene";
-    const look = engine.look(text, this.asked, this.units, isScene ? what : "none", viewport);
+    const look = engine.look(text, this.asked === "estimate" ? "" : this.asked, this.units, isScene ? what : "none", viewport);
     this.solved = new Solved(text, this.name.value, this.units, look);
-    this.showQuestion(look.able ?? [], this.solved.command);
+    // What the text can be asked is known at once where it has no other answer; otherwise when the hand rests.
+    if (!look.ok || look.headline.length === 0) this.estimable = this.solved.check.commands.estimate?.able === true;
+    this.showQuestion();
     this.showAnswer();
+    this.showFileState();
     for (const name of this.panels.keys()) this.stale.add(name);
     if (isScene) this.scene.update(look.scene ?? null);
     else this.stale.add("scene");
@@ -357,8 +419,14 @@ export class App {
     const { solved } = this;
     if (!solved) return;
     this.rest.cancel();
-    this.showFileState();
     this.editor.mark(solved.problems);
+    const estimable = solved.check.commands.estimate?.able === true;
+    if (estimable !== this.estimable) {
+      this.estimable = estimable;
+      this.showQuestion();
+      // Otherwise the answer is the same, and who is at work in its warnings stays there.
+      if (this.asked === "estimate") this.showAnswer();
+    }
     if (this.caseTabs.shown === "form") this.form.update(solved.check);
     this.show(this.viewTabs.shown);
   }
@@ -370,25 +438,35 @@ export class App {
     else this.panels.get(name)?.refresh(this.solved);
   }
 
-  private showQuestion(able: Command[], command: Command): void {
-    const options = able.length > 0 ? able : [command];
+  private showQuestion(): void {
+    const { solved, isEstimate } = this;
+    if (!solved) return;
+    const able = solved.look.able ?? [];
+    const command = isEstimate ? "estimate" : solved.command;
+    const options = [...able, ...(this.estimable ? ["estimate" as const] : [])];
+    if (!options.includes(command)) options.unshift(command);
     this.question.replaceChildren(...options.map((one) => h("option", { value: one }, texts.questions[one] ?? one)));
     this.question.value = command;
-    this.question.disabled = able.length < 2;
+    this.question.disabled = options.length < 2;
   }
 
   private showAnswer(): void {
     const { solved } = this;
     if (!solved) return;
     const { look, problems } = solved;
+    if (this.live) this.changedSince.textContent = solved.text === this.live.text ? texts.live.unchanged : texts.live.changed;
     if (!look.ok) {
       if (problems.length > 0) this.showProblems(problems);
-      else this.state.replaceChildren(h("p", { class: "error" }, look.message));
-      this.headline.classList.add("stale");
+      else this.state.replaceChildren(h("p", { class: "error" }, said(look.message)));
+      if (this.isEstimate) this.showHeadline();
+      else if (this.headline.childNodes.length > 0 && !this.headline.querySelector(".lead")) this.headline.classList.add("stale");
+      else this.headline.replaceChildren(h("p", { class: "note" }, texts.answer.none));
       return;
     }
     this.showHeadline();
-    if (look.warnings.length === 0) this.state.replaceChildren(h("p", { class: "calm" }, texts.answer.noWarnings));
+    // Of an estimate its own report says what is to be doubted.
+    if (look.warnings.length === 0 && this.isEstimate) this.state.replaceChildren();
+    else if (look.warnings.length === 0) this.state.replaceChildren(h("p", { class: "calm" }, texts.answer.noWarnings));
     else {
       const isOpen = this.state.querySelector("details")?.open ?? false;
       const list = h("details", { class: "warned" },
@@ -400,7 +478,14 @@ export class App {
 
   private showHeadline(): void {
     const { solved } = this;
-    if (!solved?.look.ok) return;
+    if (!solved) return;
+    if (this.isEstimate) {
+      this.headline.classList.remove("stale");
+      if (this.estimated?.text === solved.text) this.showLines(this.estimated.headline, true);
+      else this.showLead();
+      return;
+    }
+    if (!solved.look.ok) return;
     const { headline, weigh } = solved.look;
     this.headline.classList.remove("stale");
     const interval = this.intervals?.text === solved.text ? this.intervals.headline : null;
@@ -414,7 +499,26 @@ export class App {
         h("button", { type: "button", onclick: toResults }, texts.viewTabs.results));
     }
     const lines = interval ?? headline;
-    if (lines.length > 0) this.headline.replaceChildren(...lines.map((line, place) => {
+    if (lines.length > 0) this.showLines(lines, interval !== null);
+  }
+
+  /** That the case is one for an estimate, and the way there. */
+  private showLead(): void {
+    const start = () => {
+      this.viewTabs.show("estimate");
+      this.estimate.begin();
+    };
+    if (this.estimate.busy) {
+      this.headline.replaceChildren(h("p", { class: "note" }, texts.answer.estimating));
+      return;
+    }
+    this.headline.replaceChildren(h("div", { class: "lead" },
+      h("p", {}, texts.answer.byEstimate),
+      h("button", { type: "button", class: "primary", onclick: start }, texts.answer.startEstimate)));
+  }
+
+  private showLines(lines: string[], interval: boolean): void {
+    this.headline.replaceChildren(...lines.map((line, place) => {
       const [label, ...rest] = line.split(": ");
       const value = rest.join(": ");
       // The first number is the answer; what stands behind it says it in other units, or how well it is known.
@@ -423,6 +527,10 @@ export class App {
         h("span", { class: "result-name" }, label ?? ""), h("span", { class: "unseen" }, ": "),
         h("span", { class: "result-value" }, main), h("span", { class: "result-more" }, more.replace(/^, |\.$/g, "")));
     }));
+    // The room that the answer has taken stays its own, so that nothing below it moves when a range is computed anew.
+    const floor = Number.parseFloat(this.headline.style.minHeight) || 0;
+    const { height } = this.headline.getBoundingClientRect();
+    if (interval && height > floor) this.headline.style.minHeight = `${height}px`;
   }
 
   private showProblems(problems: Problem[]): void {
@@ -431,6 +539,7 @@ export class App {
     const line = this.editor.text.slice(0, first.from).split("\n").length;
     // Of a text that is no TOML the form shows nothing.
     const isForm = this.caseTabs.shown === "form" && Object.keys(this.solved?.check.values ?? {}).length > 0;
+    const [what = "", ...help] = isForm ? inForm(first, this.solved?.check.values[first.key ?? ""]?.text) : [first.title, first.help].filter((words) => words !== null).map(engine.sentence);
     const lead = first.key && isForm
       ? h("button", { type: "button", class: "quiet", onclick: () => this.lead(first.key ?? "") }, texts.answer.toField)
       : h("button", {
@@ -442,18 +551,19 @@ export class App {
         },
       }, texts.answer.toLine(line));
     this.state.replaceChildren(h("div", { class: "error" },
-      h("p", {}, h("strong", {}, engine.sentence(first.title)), first.help ? ` ${engine.sentence(first.help)}` : ""),
+      h("p", {}, h("strong", {}, said(what)), " ", said(help.join(" "))),
       problems.length > 1 ? h("p", {}, texts.answer.andMore(problems.length - 1)) : null, lead));
   }
 
   private message(words: string): void {
-    this.state.replaceChildren(h("p", { class: "error", role: "alert" }, words));
+    this.state.replaceChildren(h("p", { class: "error", role: "alert" }, said(words)));
   }
 
   private speak(): void {
     const { solved } = this;
     if (!solved) return;
-    this.spoken.textContent = solved.look.ok ? (solved.look.headline[0] ?? "") : (this.state.textContent ?? "");
+    const estimated = this.isEstimate && this.estimated?.text === solved.text ? this.estimated.headline[0] : undefined;
+    this.spoken.textContent = estimated ?? (this.isEstimate ? texts.answer.byEstimate : solved.look.ok ? (solved.look.headline[0] ?? "") : (this.state.textContent ?? ""));
   }
 
   private showFileState(): void {
@@ -497,7 +607,57 @@ export class App {
     this.showHeadline();
   }
 
+  private showEstimate(job: Job, result: Finished): void {
+    if (job.text !== this.solved?.text || result.headline.length === 0) return;
+    this.estimated = { text: job.text, headline: result.headline };
+    this.showHeadline();
+    this.speakSoon.ask();
+  }
+
   // --- what is handed over ---
+
+  /** What of the screen is saved or printed: a view that has an answer of its own, or the answer itself. */
+  private get document(): { title: string; view: string } {
+    const shown = this.viewTabs.shown;
+    const own = ["uncertainty", "estimate", "sensitivity", "compare"].includes(shown);
+    const view = own ? shown : this.isEstimate ? "estimate" : "";
+    return { view, title: view === "" ? texts.save.answer : (texts.viewTabs[view] ?? view) };
+  }
+
+  /** A file of what is on the screen; nothing where there is no answer of it yet, which is then said. */
+  private async shown(kind: FileKind): Promise<string | null> {
+    this.solveSoon.flush();
+    const { solved, document: { view } } = this;
+    if (!solved) return null;
+    if (view === "uncertainty" || view === "estimate") {
+      const file = this[view].file(kind, solved.text);
+      if (file) return file;
+      this.message(texts.save.notRun(texts.viewTabs[view] ?? view));
+      return null;
+    }
+    if (view === "" && kind === "html") return this.report();
+    const command = view === "" ? solved.command : (view as Command);
+    if (kind === "html") {
+      const made = engine.report(solved.text, this.name.value, command, solved.units);
+      if (!made.ok) this.message(engine.reason(made));
+      return made.ok ? made.html : null;
+    }
+    const answer = view === "" ? solved.answer : engine.answer(solved.text, command, solved.units, solved.name);
+    if (!answer?.ok) {
+      this.message(texts.save.nothing);
+      return null;
+    }
+    const content = { json: answer.json, csv: answer.csv, txt: answer.text }[kind];
+    if (content === null) this.message(texts.save.noCsv);
+    return content;
+  }
+
+  private async saveShown(kind: FileKind): Promise<void> {
+    const { view } = this.document;
+    const content = await this.shown(kind);
+    const types = { html: "text/html", json: "application/json", csv: "text/csv", txt: "text/plain" };
+    if (content !== null) download(`${this.stem}${view === "" ? "" : `-${view}`}.${kind}`, content, types[kind]);
+  }
 
   private get stem(): string {
     return this.name.value.replace(/\.toml$/, "");
@@ -528,18 +688,13 @@ export class App {
     return this.handover(({ text, command, units }, name, plan) => engine.report(text, name, command, units, plan));
   }
 
-  private saveReport(): void {
-    const report = this.report();
-    if (report !== null) download(`${this.stem}.html`, report, "text/html");
-  }
-
   private saveLive(): void {
     const live = this.handover(({ text, command, units }, name, plan) => engine.live(emptyPage(), text, name, command, units, plan));
     if (live !== null) download(`${this.stem}-live.html`, live, "text/html");
   }
 
-  private print(): void {
-    const report = this.report();
+  private async print(): Promise<void> {
+    const report = await this.shown("html");
     if (report === null) return;
     const frame = h("iframe", { class: "unseen", title: texts.save.print, sandbox: "allow-same-origin allow-modals", srcdoc: report });
     frame.addEventListener("load", () => {
@@ -547,16 +702,5 @@ export class App {
       frame.contentWindow?.print();
     });
     document.body.append(frame);
-  }
-
-  private saveAnswer(kind: "json" | "csv" | "txt"): void {
-    const answer = this.solved?.answer;
-    if (!answer?.ok) {
-      this.message(texts.save.nothing);
-      return;
-    }
-    const content = { json: answer.json, csv: answer.csv, txt: answer.text }[kind];
-    if (content === null) this.message(texts.save.noCsv);
-    else download(`${this.stem}.${kind}`, content, { json: "application/json", csv: "text/csv", txt: "text/plain" }[kind]);
   }
 }

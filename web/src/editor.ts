@@ -1,11 +1,11 @@
 // The text of the case: its editor, which holds the one history of all changes, from the text, the form and the
 // mouse alike.
 import { autocompletion, closeBrackets, closeBracketsKeymap, completionKeymap } from "@codemirror/autocomplete";
-import { defaultKeymap, history, historyKeymap, isolateHistory, redo, redoDepth, undo, undoDepth } from "@codemirror/commands";
+import { defaultKeymap, history, historyField, historyKeymap, isolateHistory, redo, redoDepth, undo, undoDepth } from "@codemirror/commands";
 import { HighlightStyle, StreamLanguage, bracketMatching, syntaxHighlighting } from "@codemirror/language";
 import { toml } from "@codemirror/legacy-modes/mode/toml";
 import { type Diagnostic, diagnosticCount, lintGutter, setDiagnostics } from "@codemirror/lint";
-import { EditorState, Transaction } from "@codemirror/state";
+import { Compartment, EditorState, Transaction } from "@codemirror/state";
 import {
   EditorView,
   drawSelection,
@@ -42,7 +42,9 @@ const help = hoverTooltip((view, position) => {
 
 export class Editor {
   readonly view: EditorView;
-  private before: string | null = null;
+  /** As it was when a drag began, with its history. */
+  private before: EditorState | null = null;
+  private readonly locked = new Compartment();
 
   constructor(
     parent: Element,
@@ -51,13 +53,18 @@ export class Editor {
     this.view = new EditorView({ parent, state: this.fresh("") });
   }
 
-  private fresh(text: string): EditorState {
+  /** The text with the history of another state, or without any. */
+  private fresh(text: string, from?: EditorState): EditorState {
     return EditorState.create({
       doc: text,
+      ...(from ? { selection: from.selection } : {}),
       extensions: [
+        from ? historyField.init(() => from.field(historyField)) : [],
         lineNumbers(),
         highlightSpecialChars(),
-        history(),
+        // A handle that is moved by an arrow key makes a step each time.
+        history({ minDepth: 1000 }),
+        this.locked.of([]),
         drawSelection(),
         EditorState.allowMultipleSelections.of(true),
         bracketMatching(),
@@ -91,29 +98,46 @@ export class Editor {
 
   /** A change by the form: one step of the history where it follows closely on one at the same place. */
   write(text: string): void {
-    this.dispatch(text, "page", true);
+    this.dispatch(text, true);
   }
 
-  /** What a drag has made of the text so far. It becomes a step of the history when the drag ends. */
+  /** A change that is a step of the history by itself. */
+  step(text: string): void {
+    this.dispatch(text, true, true);
+  }
+
+  /**
+   * What a drag has made of the text so far. It becomes a step of the history when the drag ends: until then
+   * nobody else changes the text.
+   */
   preview(text: string): void {
-    this.before ??= this.text;
-    this.dispatch(text, "page", false);
+    if (this.before === null) {
+      this.before = this.view.state;
+      this.view.dispatch({ effects: this.locked.reconfigure(EditorState.readOnly.of(true)) });
+    }
+    this.dispatch(text, false);
   }
 
-  /** Ends a drag: all of it is one step of the history. */
+  /**
+   * Ends a drag: all of it is one step of the history. The history goes on from where the drag began: changes that
+   * it does not know would move the places of its own steps, until they are written where they do not belong.
+   */
   settle(keep: boolean): void {
     if (this.before === null) return;
     const after = this.text;
-    this.dispatch(this.before, "page", false);
+    const { scrollTop, scrollLeft } = this.view.scrollDOM;
+    this.view.setState(this.fresh(this.before.doc.toString(), this.before));
+    this.view.scrollDOM.scrollTo(scrollLeft, scrollTop);
     this.before = null;
-    if (keep) this.dispatch(after, "page", true, true);
+    if (keep) this.step(after);
+    this.changed();
   }
 
-  private dispatch(text: string, userEvent: string, inHistory: boolean, alone = false): void {
+  /** A change without the name of an event: one that is named as no typing would always be a step by itself. */
+  private dispatch(text: string, inHistory: boolean, alone = false): void {
     const change = difference(this.text, text);
     if (!change) return;
-    const annotations = [Transaction.addToHistory.of(inHistory), Transaction.userEvent.of(userEvent)];
-    if (alone) annotations.push(isolateHistory.of("full"));
+    const annotations = [Transaction.addToHistory.of(inHistory), ...(alone ? [isolateHistory.of("full")] : [])];
     this.view.dispatch({ changes: change, annotations });
   }
 

@@ -4,6 +4,7 @@ import { h, markup, unique } from "./dom.js";
 import * as engine from "./engine.js";
 import type { Check, Field, Group, Problem } from "./engine.js";
 import { label, nameOf, root } from "./keys.js";
+import { inForm, said } from "./said.js";
 import { texts } from "./texts/en.js";
 import { type Value, readValue, splitUnit, writeValue } from "./toml.js";
 
@@ -53,7 +54,10 @@ export class Form {
     const isBroken = check.problems.length > 0 && Object.keys(check.values).length === 0;
     this.element.classList.toggle("stale", isBroken);
     this.element.inert = isBroken;
-    if (isBroken) return;
+    if (isBroken) {
+      if (this.rows.size === 0) this.element.replaceChildren(h("p", { class: "note" }, words.broken));
+      return;
+    }
     this.check = check;
     const shape = Object.keys(check.values).sort().join(" ");
     const busy = this.element.contains(document.activeElement);
@@ -69,9 +73,11 @@ export class Form {
     this.showProblems(check.problems);
   }
 
-  /** Another file: everything anew. */
+  /** Another file: nothing of the one before stays. */
   reset(): void {
     this.shape = "";
+    for (const part of [this.rows, this.errors, this.groups, this.badges]) part.clear();
+    this.element.replaceChildren();
   }
 
   /** Puts the focus on the field of a key; false where the form has none. */
@@ -189,9 +195,8 @@ export class Form {
     for (const [key, place] of this.errors) {
       const own = problems.filter(({ key: of }) => of === key || of?.startsWith(`${key}.`) || of?.startsWith(`${key}[`));
       place.hidden = own.length === 0;
-      place.textContent = own
-        .map(({ title, help }) => [title, help].filter((words) => words !== null).map(engine.sentence).join(" "))
-        .join("\n");
+      place.replaceChildren();
+      for (const problem of own) place.append(h("span", {}, said(inForm(problem, this.check?.values[key]?.text).join(" "))));
       const row = this.rows.get(key)?.element;
       row?.classList.toggle("wrong", own.length > 0);
       for (const input of row?.querySelectorAll("input, select, textarea") ?? []) {
@@ -234,7 +239,8 @@ export class Form {
     const id = unique("field");
     const { element, line } = this.frame(field, id);
     const write = (toml: string) => this.host.write(field.key, toml);
-    const control = (CONTROLS[field.kind] ?? raw)({ field, id, write, reveal: () => this.host.reveal(field.key) });
+    const list = numbersOf(field.key);
+    const control = (list ? numbered(list) : (CONTROLS[field.kind] ?? raw))({ field, id, write, reveal: () => this.host.reveal(field.key) });
     line.append(...control.elements);
     const row: Row = {
       element,
@@ -310,6 +316,44 @@ function choice({ field, id, write }: Asked): Control {
   };
 }
 
+/** The numbers that stand for a size of car, each with what it means; nothing for other keys. */
+function numbersOf(key: string): [string, string][] | null {
+  if (key.endsWith(".stiffness.category")) return words.categories;
+  if (!/^vehicle[12]\.class$/.test(key)) return null;
+  const explained = engine.explain("class");
+  if (!("html" in explained)) return null;
+  const page = h("div");
+  markup(page, explained.html);
+  const rows = (page.querySelector("pre")?.textContent ?? "").split("\n").map((line) => line.trim().split(/\s+/));
+  const row = (name: string) => rows.find(([first]) => first === name)?.slice(1) ?? [];
+  const [inches, metres] = [row("in"), row("m")];
+  const list = row("class").map((number, place) => [number, words.sizeClass(number, metres[place] ?? "", inches[place] ?? "")] as [string, string]);
+  return list.length > 0 ? list : null;
+}
+
+const numbered = (list: [string, string][]) => ({ id, write }: Asked): Control => {
+  const select = h("select", { id, "aria-describedby": `${id}-error` });
+  const fill = (extra?: string) =>
+    select.replaceChildren(
+      h("option", { value: "" }, words.notGivenOption),
+      ...list.map(([number, name]) => h("option", { value: number }, name)),
+      ...(extra === undefined ? [] : [h("option", { value: extra }, extra)]));
+  fill();
+  select.addEventListener("change", () => write(select.value));
+  return {
+    elements: [select],
+    show: (raw) => {
+      if (raw !== undefined && !list.some(([number]) => number === raw)) fill(raw);
+      select.value = raw ?? "";
+    },
+  };
+};
+
+/** Commas between the numbers of a list are no part of them; of "9,5" nobody knows that. */
+const withoutCommas = (list: string): string =>
+  list.replaceAll(/[,;]\s+/g, " ").replaceAll(/(?<![\d.,])\d+(?:\.\d+)?(?:[,;]\d+(?:\.\d+)?){2,}(?![\d.,])/g, (numbers) =>
+    numbers.split(/[,;]/).slice(1).every((group) => /^\d{3}$/.test(group)) ? numbers : numbers.replaceAll(/[,;]/g, " "));
+
 function flag({ id, write }: Asked): Control {
   const select = h("select", { id, "aria-describedby": `${id}-error` },
     h("option", { value: "" }, words.notGivenOption),
@@ -383,7 +427,8 @@ function quantity({ field, id, write }: Asked): Control {
       return trimmed === "" || Number.isNaN(value) ? trimmed : value;
     }
     // Someone who types the unit as well means that one.
-    return splitUnit(trimmed)?.unit ? trimmed : `${trimmed} ${unit}`.trim();
+    const digits = isList && key === central ? withoutCommas(trimmed) : trimmed;
+    return splitUnit(digits)?.unit ? digits : `${digits} ${unit}`.trim();
   };
 
   const commit = () => {
@@ -504,6 +549,7 @@ function quantity({ field, id, write }: Asked): Control {
   const take = (value: Value | undefined, given: string): boolean => {
     const found: Record<string, string> = {};
     const unitsFound = new Set<string>();
+    const unitOf: Record<string, string> = {};
     const one = (key: string, inner: Value): boolean => {
       if (Array.isArray(inner)) {
         if (!inner.every((entry) => typeof entry === "number" || typeof entry === "string")) return false;
@@ -525,7 +571,10 @@ function quantity({ field, id, write }: Asked): Control {
       const split = splitUnit(inner);
       if (!split) return false;
       found[key] = split.number;
-      if (key !== "confidence") unitsFound.add(split.unit);
+      if (key !== "confidence") {
+        unitsFound.add(split.unit);
+        unitOf[key] = split.unit;
+      }
       return true;
     };
     const isTable = typeof value === "object" && !Array.isArray(value);
@@ -533,9 +582,19 @@ function quantity({ field, id, write }: Asked): Control {
     const fits = isTable
       ? Object.entries(value).every(([key, inner]) => one(key, inner))
       : one(central, value);
-    if (!fits || unitsFound.size > 1) return false;
+    if (!fits) return false;
+    if (unitsFound.size > 1) {
+      // "1.9 m" with a deviation of "10 cm": all of them in the unit of the first.
+      const [first = ""] = unitsFound;
+      for (const [key, of] of Object.entries(unitOf)) {
+        // Of a list each number would have to be converted: it stands as it is written.
+        const number = of === first ? found[key] : splitUnit(engine.convert(`${found[key] ?? ""} ${of}`, first) ?? "")?.number;
+        if (number === undefined || isList) return false;
+        found[key] = number;
+      }
+    }
     parts = found;
-    unit = [...unitsFound][0] || unit;
+    [unit = unit] = [...unitsFound].filter(Boolean);
     return true;
   };
 

@@ -1,6 +1,7 @@
 // The keys of a case file, as the engine lists them.
 import * as engine from "./engine.js";
 import type { Field, Group } from "./engine.js";
+import { texts } from "./texts/en.js";
 
 let top: Group | undefined;
 const byKey = new Map<string, Group>();
@@ -59,7 +60,12 @@ export function meaningOf(key: string): string | undefined {
 
 /** The last part of a key in words: `yaw_inertia` is `Yaw inertia`, `A` stays `A`. */
 export function label(key: string): string {
+  const named = texts.labels[key.replace(/^vehicle[12]\./, "")] ?? texts.labels[key.slice(key.lastIndexOf(".") + 1)];
+  if (named !== undefined) return named;
   const name = key.slice(key.lastIndexOf(".") + 1);
+  // The engine counts the stations as the scene does.
+  const station = /^depths\[(\d+)\]$/.exec(name)?.[1];
+  if (station !== undefined) return texts.station(station);
   const words = name.replaceAll("_", " ").replace(/(\D)(\d)$/, (_, letter: string, digit: string) => (name.length > 2 ? `${letter} ${digit}` : `${letter}${digit}`));
   return words.length > 2 ? (words[0] ?? "").toUpperCase() + words.slice(1) : words;
 }
@@ -68,6 +74,7 @@ export function label(key: string): string {
 export function nameOf(key: string): string {
   return key.split(".").map((_, place, parts) => {
     const words = label(parts.slice(0, place + 1).join("."));
-    return place === 0 || words.length <= 2 ? words : (words[0] ?? "").toLowerCase() + words.slice(1);
+    // "CG" and "PDOF" stay as they are.
+    return place === 0 || words.length <= 2 || /^[A-ZΔ]{2}/.test(words) ? words : (words[0] ?? "").toLowerCase() + words.slice(1);
   }).join(", ");
 }

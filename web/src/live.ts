@@ -44,7 +44,7 @@ export function printed(live: Live): HTMLElement {
     });
     return [h("dt", {}, label), h("dd", {}, h("code", { class: "digest" }, hash), " ", state)];
   };
-  return h("section", { class: "printed", "aria-label": words.printed },
+  return h("section", { class: "printed", id: "printed", "aria-label": words.printed },
     h("h2", {}, words.printed),
     h("p", { class: "note" }, words.explain),
     h("dl", { class: "hashes" },

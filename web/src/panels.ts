@@ -3,8 +3,9 @@ import { h, markup, s } from "./dom.js";
 import * as engine from "./engine.js";
 import type { Command } from "./engine.js";
 import { nameOf } from "./keys.js";
+import { said } from "./said.js";
 import { figure } from "./pictures.js";
-import { type Finished, type Job, type Picture, Runner, type Unfinished } from "./runs.js";
+import { type FileKind, type Finished, type Job, type Picture, Runner, type Unfinished } from "./runs.js";
 import type { Solved } from "./solved.js";
 import { texts } from "./texts/en.js";
 
@@ -13,7 +14,19 @@ export interface Panel {
   refresh(solved: Solved): void;
 }
 
-const note = (words: string): HTMLElement => h("p", { class: "note" }, words);
+/** Saves what a panel shows. */
+export type Save = (kind: FileKind) => void;
+
+/** A row of buttons that save what a panel shows. */
+function savers(title: string, kinds: FileKind[], save: Save): HTMLElement {
+  const button = (kind: FileKind) => {
+    const label = texts.savers.kinds[kind] ?? kind;
+    return h("button", { type: "button", class: "quiet", "aria-label": texts.savers.of(title, label), onclick: () => save(kind) }, label);
+  };
+  return h("div", { class: "savers" }, h("span", {}, texts.savers.label), ...kinds.map(button));
+}
+
+const note = (words: string): HTMLElement => h("p", { class: "note" }, said(words));
 
 /** Why a command cannot be done, in the engine's words. */
 function cannot(element: HTMLElement, solved: Solved, command: Command): boolean {
@@ -87,7 +100,10 @@ export class Drawings implements Panel {
 export class Sensitivity implements Panel {
   readonly element = h("div");
 
-  constructor(private readonly lead: (key: string) => void) {}
+  constructor(
+    private readonly lead: (key: string) => void,
+    private readonly save: Save,
+  ) {}
 
   refresh(solved: Solved): void {
     if (cannot(this.element, solved, "sensitivity")) return;
@@ -111,6 +127,7 @@ export class Sensitivity implements Panel {
         h("td", { class: "number right" }, `${row.influence < 0 ? "−" : "+"}${(100 * Math.abs(row.influence)).toFixed(2)} %`));
     });
     this.element.replaceChildren(
+      savers(texts.viewTabs.sensitivity ?? "", ["html", "json", "txt"], this.save),
       h("table", { class: "influence" }, h("caption", {}, texts.sensitivity.caption),
         h("thead", {}, h("tr", {}, h("th", { scope: "col" }, texts.sensitivity.input), h("td"), h("th", { scope: "col", class: "right" }, texts.sensitivity.influence))),
         h("tbody", {}, ...bars)),
@@ -123,10 +140,13 @@ export class Sensitivity implements Panel {
 export class Compare implements Panel {
   readonly element = h("div");
 
+  constructor(private readonly save: Save) {}
+
   refresh(solved: Solved): void {
     if (cannot(this.element, solved, "compare")) return;
     const answer = engine.answer(solved.text, "compare", solved.units, solved.name);
-    this.element.replaceChildren(answer.ok ? document_(answer.html) : note(engine.reason(answer)));
+    if (!answer.ok) this.element.replaceChildren(note(engine.reason(answer)));
+    else this.element.replaceChildren(savers(texts.viewTabs.compare ?? "", ["html", "json", "csv", "txt"], this.save), document_(answer.html));
   }
 }
 
@@ -136,6 +156,12 @@ export class Run implements Panel {
   private readonly runner = new Runner();
   private readonly samples = h("select", {}, ...[1_000, 10_000, 20_000, 100_000, 1_000_000].map((count) => h("option", { value: count }, count.toLocaleString("en"))));
   private readonly seed = h("input", { type: "number", class: "number short", value: 1, min: 0, step: 1 });
+  private readonly method = h("select", {}, ...texts.run.methods.map(([value, name]) => h("option", { value }, name)));
+  private readonly prior = h("select", {}, ...texts.run.priors.map(([value, name]) => h("option", { value }, name)));
+  private readonly particles = h("select", {}, ...[128, 256, 1_024, 4_096].map((count) => h("option", { value: count }, count.toLocaleString("en"))));
+  private readonly quantity = h("select", {}, ...texts.run.quantities.map(([value, name]) => h("option", { value }, name)));
+  private readonly limit = h("input", { type: "text", class: "number short", placeholder: texts.run.limitExample, "aria-label": texts.run.limit });
+  private readonly saving: HTMLElement;
   private readonly start: HTMLButtonElement;
   private readonly end: HTMLButtonElement;
   private readonly bar = h("progress", { max: 1, value: 0, hidden: true, "aria-label": texts.run.progress });
@@ -145,20 +171,45 @@ export class Run implements Panel {
   private readonly why = h("div");
   private solved: Solved | null = null;
   private of = "";
+  private isAnswer = false;
   private partial = false;
 
   constructor(
     private readonly kind: "uncertainty" | "estimate",
     private readonly finished: (job: Job, result: Finished) => void,
+    save: Save,
+    /** A run has begun, or has ended with or without an answer. */
+    private readonly changed: () => void = () => undefined,
   ) {
     const words = texts.run[kind];
     this.samples.value = "100000";
     this.start = h("button", { type: "button", class: "primary", onclick: () => this.run() }, words.start);
     this.end = h("button", { type: "button", onclick: () => this.stop(), hidden: true }, texts.run.end);
-    const settings = kind === "uncertainty" ? [h("label", {}, texts.run.samples, " ", this.samples)] : [];
+    this.particles.value = "256";
+    const labelled = (words: string, control: HTMLElement) => h("label", {}, words, " ", control);
+    const settings = kind === "uncertainty"
+      ? [labelled(texts.run.samples, this.samples), labelled(texts.run.method, this.method)]
+      : [labelled(texts.run.prior, this.prior), labelled(texts.run.particles, this.particles),
+        h("span", { class: "above" }, labelled(texts.run.above, this.quantity), ` ${texts.run.isAbove} `, this.limit)];
+    this.saving = savers(texts.viewTabs[kind] ?? "", ["html", "json", "csv", "txt"], save);
+    this.saving.hidden = true;
     this.controls = h("div", { class: "run-controls" },
       ...settings, h("label", {}, texts.run.seed, " ", this.seed), this.start, this.end, this.bar);
-    this.element.append(h("p", { class: "note" }, words.what), this.why, this.controls, this.status, this.body);
+    this.element.append(h("p", { class: "note" }, words.what), this.why, this.controls, this.status, this.saving, this.body);
+  }
+
+  get busy(): boolean {
+    return !this.end.hidden;
+  }
+
+  /** Starts the run, unless it runs already. */
+  begin(): void {
+    if (!this.runner.busy && !this.controls.hidden) this.run();
+  }
+
+  /** A file of the answer that is shown; nothing where there is none of this text. */
+  file(kind: FileKind, text: string): Promise<string> | null {
+    return this.of === text && !this.partial ? this.runner.file(kind) : null;
   }
 
   refresh(solved: Solved): void {
@@ -182,20 +233,30 @@ export class Run implements Panel {
     this.bar.hidden = true;
     this.end.hidden = true;
     this.start.disabled = false;
+    this.changed();
   }
 
   private run(): void {
     const { solved } = this;
     if (!solved) return;
     const options: Job["options"] = { seed: this.seed.valueAsNumber || 0 };
-    if (this.kind === "uncertainty") options.samples = Number(this.samples.value);
+    if (this.kind === "uncertainty") {
+      options.samples = Number(this.samples.value);
+      options.method = this.method.value;
+    } else {
+      options.particles = Number(this.particles.value);
+      if (this.prior.value !== "") options.prior = this.prior.value;
+      if (this.limit.value.trim() !== "") options.above = [`${this.quantity.value} ${this.limit.value.trim()}`];
+    }
     const job: Job = { kind: this.kind, text: solved.text, name: solved.name, units: solved.units, options };
     this.bar.removeAttribute("value");
     this.bar.hidden = false;
     this.end.hidden = false;
     this.start.disabled = true;
     this.partial = false;
+    this.saving.hidden = true;
     this.status.textContent = texts.run.running;
+    this.changed();
     this.runner.start(job, {
       progress: (counted, done, total) => {
         this.bar.max = Math.max(total, 1);
@@ -210,9 +271,13 @@ export class Run implements Panel {
         this.idle(answer.ok ? texts.run.took(milliseconds) : "");
         this.element.dataset.milliseconds = String(milliseconds);
         if (answer.ok) this.finished(job, answer);
+        this.isAnswer = answer.ok;
         if (this.solved) this.refresh(this.solved);
       },
-      pictures: (pictures) => this.draw(pictures),
+      pictures: (pictures) => {
+        this.draw(pictures);
+        this.saving.hidden = !this.isAnswer || this.runner.busy;
+      },
     });
   }
 
@@ -350,7 +415,7 @@ export function warnings(list: engine.Warning[], lead: (key: string) => void): H
         },
       }, texts.warnings.explain);
       return h("li", {},
-        h("code", {}, warning.code), h("p", {}, engine.sentence(warning.message)),
+        h("code", {}, warning.code), h("p", {}, said(engine.sentence(warning.message))),
         h("div", { class: "leads" },
           ...(warning.keys ?? (warning.vehicle ? [`vehicle${warning.vehicle}`] : [])).map((key) => h("button", { type: "button", class: "quiet", onclick: () => lead(key) }, texts.warnings.lead(key, nameOf(key)))),
           ask),

@@ -8,19 +8,20 @@ export interface Job {
   text: string;
   name: string;
   units: Units;
-  options: { samples?: number; seed?: number; pieces?: boolean };
+  options: { samples?: number; seed?: number; pieces?: boolean; method?: string; particles?: number; prior?: string; above?: string[] };
 }
 
-export interface ToWorker {
-  module: WebAssembly.Module;
-  job: Job;
-}
+/** The files that a run can be saved as; of its samples or draws `csv`. */
+export type FileKind = "html" | "json" | "csv" | "txt";
+
+export type ToWorker = { module: WebAssembly.Module; job: Job } | { file: FileKind };
 
 /** The answer of a run comes before its pictures, which take a while to make. */
 export type FromWorker =
   | { kind: "progress"; counted: string; done: number; total: number }
   | { kind: "answer"; answer: string; milliseconds: number; isLast: boolean }
   | { kind: "pictures"; pictures: string; isLast: boolean }
+  | { kind: "file"; content: string }
   | { kind: "failed"; message: string };
 
 export interface Finished {
@@ -52,21 +53,36 @@ export interface Listener {
 
 export class Runner {
   private worker: Worker | null = null;
+  private works = false;
+  private waiting: ((content: string) => void) | null = null;
 
   get busy(): boolean {
-    return this.worker !== null;
+    return this.works;
   }
 
-  /** Ends what runs; nothing is heard of it again. */
+  /** Ends what runs, and forgets what has run; nothing is heard of it again. */
   end(): void {
     this.worker?.terminate();
     this.worker = null;
+    this.works = false;
+    this.waiting = null;
+  }
+
+  /** A file of what has run; nothing where that was ended. */
+  file(kind: FileKind): Promise<string> | null {
+    const { worker } = this;
+    if (!worker || this.works || this.waiting) return null;
+    return new Promise((done) => {
+      this.waiting = done;
+      worker.postMessage({ file: kind } satisfies ToWorker);
+    });
   }
 
   start(job: Job, listener: Listener): void {
     this.end();
     const worker = new Work();
     this.worker = worker;
+    this.works = true;
     const failed = (message: string) => {
       this.end();
       listener.answer({ ok: false, message }, 0, true);
@@ -76,8 +92,11 @@ export class Runner {
       if (data.kind === "progress") listener.progress?.(data.counted, data.done, data.total);
       else if (data.kind === "failed") failed(data.message);
       else if (data.kind === "answer") listener.answer(JSON.parse(data.answer) as Finished | Unfinished, data.milliseconds, data.isLast);
-      else {
-        if (data.isLast) this.end();
+      else if (data.kind === "file") {
+        this.waiting?.(data.content);
+        this.waiting = null;
+      } else {
+        if (data.isLast) this.works = false;
         listener.pictures?.(JSON.parse(data.pictures) as Picture[]);
       }
     });

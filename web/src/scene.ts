@@ -43,6 +43,7 @@ export class SceneView {
   private readonly overlay = s("svg", { class: "overlay", "aria-hidden": "true" });
   private readonly knobs = h("div", { class: "knobs", role: "group", "aria-label": words.handles });
   private readonly none = h("p", { class: "note", hidden: true }, words.none);
+  private readonly hint = h("p", { class: "hint" }, words.hint);
   private readonly stage = h("div", { class: "stage" });
   readonly backdrop = new Backdrop(this.stage, () => this.surveyed(), (plan) => this.keep(plan));
   readonly element = h("div", { class: "scene" });
@@ -59,25 +60,38 @@ export class SceneView {
 
   constructor(private readonly host: SceneHost) {
     this.stage.append(this.sheet, this.backdrop.picture, this.overlay, this.knobs);
-    const hint = h("p", { class: "hint" }, words.hint);
     const tools = h("div", { class: "scene-tools" }, this.which, this.backdrop.tools, saveButtons("scene", words.title, () => this.now?.svg ?? null));
-    this.element.append(this.none, this.stage, tools, hint);
+    this.element.append(this.none, this.stage, tools, this.hint);
     this.stage.addEventListener("pointermove", (event) => this.pointerMoved(event));
     for (const type of ["pointerup", "pointercancel"] as const) {
       this.stage.addEventListener(type, (event) => this.released(event.type === "pointerup"));
     }
-    this.stage.addEventListener("keydown", (event) => {
-      if (event.key === "Escape" && this.dragging) this.released(false);
+    document.addEventListener("keydown", (event) => {
+      if (event.key !== "Escape" || !this.dragging) return;
+      event.preventDefault();
+      this.released(false);
     });
+  }
+
+  /** Ends a drag that goes on, before something else changes the text; false where there is none. */
+  end(keep: boolean): boolean {
+    const was = this.dragging !== null;
+    this.released(keep);
+    return was;
   }
 
   /** Another case: nothing of the one before stays. */
   reset(): void {
+    this.end(false);
     this.now = null;
     this.sheet.replaceChildren();
     for (const element of [...this.buttons.values(), ...this.bodies.values()]) element.remove();
     this.buttons.clear();
     this.bodies.clear();
+  }
+
+  get busy(): boolean {
+    return this.dragging !== null;
   }
 
   /** Of the two plan views the one that was chosen, and what of it holds still. */
@@ -90,6 +104,7 @@ export class SceneView {
     this.stage.classList.toggle("stale", scene === null);
     this.none.hidden = scene !== null || this.now !== null;
     this.stage.hidden = !this.none.hidden;
+    this.hint.hidden = this.stage.hidden;
     if (!scene) return;
     this.now = scene;
     this.which.value = scene.what;
@@ -258,8 +273,7 @@ export class SceneView {
       return;
     }
     this.held = this.now.viewport;
-    this.host.preview(dragged.text);
-    this.host.settle(true);
+    this.host.write(dragged.text);
     this.held = null;
   }
 

@@ -7,8 +7,15 @@ const FIRST = 100_000;
 
 const say = (message: FromWorker): void => self.postMessage(message);
 
-self.addEventListener("message", (event: MessageEvent<ToWorker>) => {
-  const { module, job } = event.data;
+let ran: Run | null = null;
+
+self.addEventListener("message", ({ data }: MessageEvent<ToWorker>) => {
+  if ("file" in data) {
+    const content = ran ? { html: () => ran?.html(), json: () => ran?.json(), csv: () => ran?.samples(), txt: () => ran?.text() }[data.file]() : "";
+    say({ kind: "file", content: content ?? "" });
+    return;
+  }
+  const { module, job } = data;
   initSync({ module });
   let last = 0;
   const progress = (counted: string, done: number, total: number): boolean => {
@@ -21,6 +28,7 @@ self.addEventListener("message", (event: MessageEvent<ToWorker>) => {
   };
   try {
     const run = new Run();
+    ran = run;
     // Of many samples some are told first: who ends the run has these.
     const { samples = 0 } = job.options;
     const first = samples > FIRST ? [{ ...job.options, samples: FIRST }] : [];

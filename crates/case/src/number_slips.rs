@@ -118,6 +118,38 @@ pub(crate) fn keyboard(letter: char) -> char {
     }
 }
 
+/// One decimal number for digits in groups: "1450.5 kg" for "1.450,5 kg", "1,450.5 kg", "1 450.5 kg" and
+/// "1'450.5 kg". A single comma or point may be either sign: of that nothing is said.
+pub(crate) fn grouped(text: &str, dimension: Dimension) -> Option<String> {
+    let text: String = text.trim().chars().map(keyboard).collect();
+    let text = text.replace('’', "'");
+    let (sign, unsigned) = match text.strip_prefix('-') {
+        Some(unsigned) => ("-", unsigned),
+        None => ("", text.strip_prefix('+').unwrap_or(&text)),
+    };
+    let is_of_number = |c: char| c.is_ascii_digit() || matches!(c, ',' | '.' | ' ' | '\'');
+    let (number, unit) = unsigned.split_at(unsigned.find(|c| !is_of_number(c))?);
+    let unit = read_unit(unit.trim(), dimension)?;
+    let number = number.trim_end();
+    let between = number.chars().find(|c| !c.is_ascii_digit())?;
+    let (groups, fraction) = match number.rfind([',', '.']) {
+        Some(place) if !number[place..].starts_with(between) => (&number[..place], &number[place + 1..]),
+        _ => (number, ""),
+    };
+    let groups: Vec<&str> = groups.split(between).collect();
+    let (first, others) = groups.split_first()?;
+    let is_digits =
+        |text: &str, most: usize| text.len() <= most && text.bytes().all(|byte| byte.is_ascii_digit());
+    let is_one_reading = !fraction.is_empty() || others.len() > 1 || !matches!(between, ',' | '.');
+    let is_grouped = !first.is_empty()
+        && is_digits(first, 3)
+        && !others.is_empty()
+        && others.iter().all(|group| group.len() == 3 && is_digits(group, 3))
+        && is_digits(fraction, fraction.len());
+    let point = if fraction.is_empty() { "" } else { "." };
+    (is_one_reading && is_grouped).then(|| format!("{sign}{}{point}{fraction} {unit}", groups.concat()))
+}
+
 /// One decimal number for a fraction, for feet and inches, or for inches and feet behind a mark: "71.5 in"
 /// for "71 1/2 in", "74 in" for `6' 2"`.
 pub(crate) fn decimal(text: &str, dimension: Dimension) -> Option<String> {
@@ -198,7 +230,7 @@ fn rounded(number: f64) -> f64 {
 mod tests {
     use inputs::Dimension;
 
-    use super::{decimal, plain, range, typed};
+    use super::{decimal, grouped, plain, range, typed};
 
     #[test]
     fn ranges_in_one_text_are_understood() {
@@ -291,5 +323,25 @@ mod tests {
             assert_eq!(decimal(text, Dimension::Length), None, "{text}");
         }
         assert_eq!(decimal("6'", Dimension::Speed), None);
+    }
+
+    #[test]
+    fn digits_in_groups_are_one_number() {
+        for (text, wanted) in [
+            ("1.450,5 kg", Some("1450.5 kg")),
+            ("1,450.5 kg", Some("1450.5 kg")),
+            ("1 450 kg", Some("1450 kg")),
+            ("1\u{202f}450,25 kg", Some("1450.25 kg")),
+            ("1'450 kg", Some("1450 kg")),
+            ("-12.345.678 kg", Some("-12345678 kg")),
+            // Each of these may be two numbers, or a decimal sign.
+            ("1,450 kg", None),
+            ("1.450 kg", None),
+            ("9 10 kg", None),
+            ("1.45,5 kg", None),
+            ("1 450 mph", None),
+        ] {
+            assert_eq!(grouped(text, Dimension::Mass).as_deref(), wanted, "{text}");
+        }
     }
 }

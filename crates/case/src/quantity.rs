@@ -66,7 +66,10 @@ pub(crate) fn find_unit(
     // What goes on as a number was meant as one: "6,3 ft", "5 1/2 in", "3.5.2 m".
     let after_sign = spelling.strip_prefix([',', '.', '/', '_', '\'']).unwrap_or(spelling);
     if after_sign.starts_with(|c: char| c.is_ascii_digit()) {
-        return Err(bad_number(value, dimension));
+        return Err(match number_slips::grouped(text, dimension) {
+            Some(decimal) => QuantityError::NotDecimal { value, decimal },
+            None => bad_number(value, dimension),
+        });
     }
     let found: Vec<Dimension> =
         Dimension::ALL.into_iter().filter(|other| read_unit(spelling, *other).is_some()).collect();
@@ -240,6 +243,13 @@ impl QuantityError {
             }
             Self::MissingNumber { value, dimension } => {
                 format!("write the number before the unit: \"1 {value}\"; {}", dimension_help(*dimension))
+            }
+            // "9,3,2 in" and "1.5,2 in" have no one reading.
+            Self::Comma { value, dimension } if value.contains('.') || value.matches(',').count() > 1 => {
+                format!(
+                    "write one number with a decimal point, and its unit, as in {}",
+                    examples("6.3", dimension)
+                )
             }
             Self::Comma { value, .. } => {
                 let (point, none) = (value.replace(',', "."), value.replace(',', ""));

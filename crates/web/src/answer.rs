@@ -1,6 +1,6 @@
 //! Answers, and the report to hand over.
 
-use analysis::{Analysis, Beside, Failure, Sweep};
+use analysis::{Analysis, Beside, Comparison, Failure, Sensitivity, Sweep};
 use case::{Case, Purpose};
 use pim_core::VehicleId;
 use report::{Answer, Csv, CsvStyle, Document, Row, Supplements, Table, Units};
@@ -68,20 +68,30 @@ fn analyse(given: &Given, command: &str) -> Result<Value, Refused> {
     answered(command, &document, json, csv, warnings)
 }
 
-fn compare(given: &Given) -> Result<Value, Refused> {
+fn comparison(given: &Given) -> Result<(Comparison, Document), Refused> {
     let Given { file, units } = given;
     let comparison = given.answered(analysis::compare(&file.case))?;
     let document = report::comparison(&file.case, &comparison, *units);
-    let json = report::comparison_json(file, &comparison);
+    Ok((comparison, document))
+}
+
+fn compare(given: &Given) -> Result<Value, Refused> {
+    let (comparison, document) = comparison(given)?;
+    let json = report::comparison_json(&given.file, &comparison);
     let csv = csv(given, Table::Comparisons, Answer::Comparison(Box::new(comparison)));
     answered("compare", &document, json, csv, json!([]))
 }
 
-fn sensitivity(given: &Given) -> Result<Value, Refused> {
+fn sensitivities(given: &Given) -> Result<(Sensitivity, Document), Refused> {
     let Given { file, units } = given;
     let sensitivity = given.answered(analysis::sensitivity(&file.case, Sweep::default()))?;
     let document = report::sensitivity(&file.case, &sensitivity, *units);
-    let json = report::sensitivity_json(file, &sensitivity);
+    Ok((sensitivity, document))
+}
+
+fn sensitivity(given: &Given) -> Result<Value, Refused> {
+    let (sensitivity, document) = sensitivities(given)?;
+    let json = report::sensitivity_json(&given.file, &sensitivity);
     answered("sensitivity", &document, json, None, json!([]))
 }
 
@@ -142,7 +152,11 @@ pub(crate) fn look(text: &str, command: &str, units: &str, what: &str, viewport:
 
 pub(crate) fn report(text: &str, name: &str, command: &str, units: &str, plan: Option<Vec<u8>>) -> Value {
     made(Given::read(text, Some(name), units).and_then(|given| {
-        let document = handover(&given, command, plan)?;
+        let document = match command {
+            "compare" => comparison(&given)?.1,
+            "sensitivity" => sensitivities(&given)?.1,
+            command => handover(&given, command, plan)?,
+        };
         Ok(json!({ "ok": true, "html": document.html() }))
     }))
 }

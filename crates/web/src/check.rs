@@ -2,10 +2,10 @@
 
 use analysis::{Failure, Judgement};
 use case::{Case, CaseFile, Faults, Purpose, Source};
-use report::{PROGRAM, Units};
+use report::Units;
 use serde_json::{Map, Value, json};
 
-use crate::given::{Given, Places, UNNAMED, problems, unit_system};
+use crate::given::{Given, PAGE, Places, UNNAMED, problems, unit_system};
 
 pub(crate) fn check(text: &str, name: Option<&str>) -> Value {
     let parsed = CaseFile::parse(name.unwrap_or(UNNAMED), text);
@@ -24,7 +24,7 @@ pub(crate) fn check(text: &str, name: Option<&str>) -> Value {
             })
         }
         Err(errors) => {
-            let errors = errors.in_words_of(&PROGRAM);
+            let errors = errors.in_words_of(&PAGE);
             json!({
                 "ok": false,
                 "problems": problems(&errors),
@@ -90,7 +90,7 @@ fn commands(given: &Given, judgement: &Judgement) -> Value {
     for purpose in purposes {
         let obstacle = obstacle(&given.file.case, judgement, purpose);
         let why = |faults: Faults| {
-            let diagnostics = given.file.diagnostics(&faults, &PROGRAM);
+            let diagnostics = given.file.diagnostics(&faults, &PAGE);
             diagnostics.problems().into_iter().map(|problem| problem.message).collect::<Vec<_>>()
         };
         let command = json!({ "able": obstacle.is_none(), "why": obstacle.map(why).unwrap_or_default() });

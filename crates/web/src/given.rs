@@ -3,9 +3,30 @@
 use std::ops::Range;
 
 use analysis::Failure;
-use case::{CaseFile, Diagnostics};
-use report::{PROGRAM, Units};
+use case::{CaseFile, Diagnostics, Program, Purpose};
+use report::Units;
 use serde_json::{Value, json};
+
+/// What the page calls that of which errors speak: it has no command line.
+pub(crate) static PAGE: Program = Program {
+    name: |purpose| {
+        match purpose {
+            Purpose::Reconstruct => "the reconstruction",
+            Purpose::Impact => "the impact from given speeds",
+            Purpose::Crush => "the answer from the damage alone",
+            Purpose::Motion => "the motion to rest",
+            Purpose::Uncertainty => "the uncertainty",
+            Purpose::Estimate => "the estimate",
+            Purpose::Compare => "the comparison of the laws",
+            Purpose::Sensitivity => "the sensitivity",
+            Purpose::Draw => "the drawing",
+        }
+        .to_owned()
+    },
+    begins: Some("\"New case…\""),
+    describes_classes: None,
+    explains_two_speeds: None,
+};
 
 /// The name of a file that has none.
 pub(crate) const UNNAMED: &str = "case.toml";
@@ -29,7 +50,7 @@ impl Refused {
     /// Of an analysis; what is wrong with the file speaks its own units.
     pub(crate) fn failed(failure: &Failure, file: &CaseFile, units: Units) -> Self {
         match failure {
-            Failure::Case(faults) => Self::of(&file.diagnostics(faults, &PROGRAM)),
+            Failure::Case(faults) => Self::of(&file.diagnostics(faults, &PAGE)),
             failure => Self::message(report::no_answer(failure, units)),
         }
     }
@@ -63,7 +84,7 @@ pub(crate) fn unit_system(units: Units) -> &'static str {
 impl Given {
     pub(crate) fn read(text: &str, name: Option<&str>, asked: &str) -> Result<Self, Refused> {
         let parsed = CaseFile::parse(name.unwrap_or(UNNAMED), text);
-        let file = parsed.map_err(|errors| Refused::of(&errors.in_words_of(&PROGRAM)))?;
+        let file = parsed.map_err(|errors| Refused::of(&errors.in_words_of(&PAGE)))?;
         let units = match asked {
             "" => Units::of_case(&file.case),
             "si" => Units::Si,

@@ -161,8 +161,9 @@ pub fn motion(text: &str, units: &str, times: &str) -> String {
 }
 
 /// The HTML report to hand over, byte for byte that of the program: `{ ok: true, html }`, or `{ ok: false,
-/// problems, message }`. `command` is `reconstruct`, `impact`, `motion`, `crush` or empty; `plan` is the
-/// picture that `site_plan` of the case names, where the motion is to be drawn on it.
+/// problems, message }`. `command` is `reconstruct`, `impact`, `motion`, `crush` or empty, or `compare` or
+/// `sensitivity`; `plan` is the picture that `site_plan` of the case names, where the motion is to be drawn on
+/// it.
 #[wasm_bindgen]
 #[must_use]
 pub fn report(text: &str, name: &str, command: &str, units: &str, plan: Option<Vec<u8>>) -> String {
@@ -222,8 +223,8 @@ impl Run {
     /// seed, method: "monte-carlo" | "latin-hypercube" | "sobol", indices }`, of which each may be left out.
     ///
     /// `{ ok: true, converged, headline, html }`, or `{ ok: false, problems, message }`. The rest is made
-    /// when it is asked for: [`pictures`](Self::pictures), [`text`](Self::text), [`json`](Self::json),
-    /// [`samples`](Self::samples).
+    /// when it is asked for: [`pictures`](Self::pictures), [`html`](Self::html), [`text`](Self::text),
+    /// [`json`](Self::json), [`samples`](Self::samples).
     pub fn uncertainty(
         &mut self,
         text: &str,
@@ -254,6 +255,12 @@ impl Run {
     #[must_use]
     pub fn pictures(&self) -> String {
         serde_json::Value::from(self.of(run::Ran::pictures)).to_string()
+    }
+
+    /// The last run as a page of its own, byte for byte the HTML of the program.
+    #[must_use]
+    pub fn html(&self) -> String {
+        self.of(run::Ran::html)
     }
 
     /// The last run as text, as the program prints it.

@@ -158,6 +158,11 @@ impl Ran {
         }
     }
 
+    /// As a page of its own.
+    pub(crate) fn html(&self) -> String {
+        self.document().html()
+    }
+
     /// As text.
     pub(crate) fn text(&self) -> String {
         self.document().text()

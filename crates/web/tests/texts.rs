@@ -156,3 +156,24 @@ fn every_drawing_is_that_of_the_library() {
         }
     }
 }
+
+#[test]
+fn the_page_speaks_of_what_it_has_and_not_of_commands() {
+    for text in ["", "[vehicle1]\nmass = \"1000 kg\"\n", &example().replace("speed", "# speed")] {
+        let said = json(deltav_web::check(text, None));
+        let looked = json(deltav_web::look(text, "", "", "none", ""));
+        for said in [&said["problems"], &said["commands"], &looked["problems"], &looked["message"]] {
+            assert!(!said.to_string().contains("`deltav "), "{said:#}");
+        }
+    }
+}
+
+#[test]
+fn a_comparison_and_a_sensitivity_are_pages_of_their_own() {
+    for (command, part) in [("compare", "ishikawa"), ("sensitivity", "impact.crush_plane")] {
+        let page = made(deltav_web::report(&example(), "example.toml", command, "", None));
+        let html = page["html"].as_str().unwrap();
+        assert!(html.starts_with("<!DOCTYPE html>"), "{command}");
+        assert!(html.to_lowercase().contains(part), "{command}");
+    }
+}

@@ -6,6 +6,7 @@ const vehicle = (number: number | null): string => (number ? `vehicle ${number}`
 
 export const texts = {
   skip: "Skip to the answer",
+  skipToViews: "Skip to the views",
   close: "Close",
   broken: "This page could not start its engine. It needs a browser of 2023 or later.",
   unitsLabel: "Units",
@@ -22,6 +23,42 @@ export const texts = {
     ["dark", "dark"],
   ],
 
+  printHead: (name: string, version: string, date: string) => `${name} · deltav ${version} · printed ${date}`,
+
+  welcome: {
+    label: "What this is",
+    what: "The speeds of two vehicles before their collision, from damage, marks and recorders.",
+    first: "You see an example. First choose “New case…” or “Open…”, then write your numbers.",
+    local: "Nothing that you enter leaves this page.",
+    close: "Got it",
+  },
+
+  /** Labels that the keys themselves do not give. */
+  labels: {
+    cg_to_front: "CG to front",
+    cg_to_front_axle: "CG to front axle",
+    pdof: "Principal direction of force (PDOF)",
+    ees: "EES",
+    delta_v_longitudinal: "ΔV along the vehicle",
+    delta_v_lateral: "ΔV across the vehicle",
+    delta_v_error: "Error of ΔV",
+    delta_v_median: "Median ΔV",
+    class: "Size class",
+    category: "Stiffness category",
+    A: "Stiffness A",
+    B: "Stiffness B",
+    G: "Stiffness G",
+    d0: "d0 = A/√B",
+    d1: "d1 = √B",
+    "contact.x": "Forward of the CG (x)",
+    "contact.y": "To the side of the CG (y)",
+    tangential: "Along the crush plane (friction)",
+    find: "Speed to find",
+    from_force_balance: "From force balance",
+  } as Record<string, string>,
+
+  station: (number: string) => `Depth C${number}`,
+
   file: {
     name: "Name of the case file",
     unsaved: "The case has changes that are not saved",
@@ -37,6 +74,7 @@ export const texts = {
   templates: {
     title: "Begin with",
     explain: "Each of these is a complete case that has an answer. Replace its numbers by yours.",
+    printed: "in lb and ft, as it was printed",
     unitsLabel: "Units of the file",
     units: [
       ["si", "metric"],
@@ -52,6 +90,9 @@ export const texts = {
     json: "Save the results as JSON",
     csv: "Save the results as CSV",
     text: "Save the results as text",
+    of: (title: string) => `Saves what is shown: ${title}`,
+    answer: "the answer",
+    notRun: (title: string) => `There is nothing to save of ${title} yet: run it for the case as it is now, to its end.`,
     nothing: "The case has no answer yet, so there is nothing to save.",
     noCsv: "This answer has no table as CSV.",
     noPlan: (name: string) => `The report draws the motion without ${name}: a page may not open files by itself. Lay that picture beneath the scene, and the report has it.`,
@@ -63,6 +104,7 @@ export const texts = {
       "deltav reconstructs the speeds of a two-vehicle collision from crush damage and planar impact mechanics.",
       "Everything is computed in this page. It needs no network, and its security policy forbids every connection: nothing that you enter leaves this computer.",
       "The engine is the one of the program of the same name, and gives the same numbers to the last bit.",
+      "The program can do some things that this page cannot: tables of many cases, the validation, several files at once, plain drawings for a jury, indices of the uncertainty, other steps of the sensitivity.",
     ],
     engine: "SHA-256 of the engine:",
     licences: "Licences of what this page contains",
@@ -73,6 +115,7 @@ export const texts = {
     impact: "What do these speeds do?",
     motion: "Where do the vehicles come to rest?",
     crush: "What does the damage alone say?",
+    estimate: "Which speeds agree with all evidence?",
   } as Record<string, string>,
 
   answer: {
@@ -81,6 +124,10 @@ export const texts = {
     noWarnings: "No warnings",
     warnings: (count: number) => (count === 1 ? "1 warning" : `${count} warnings`),
     inResults: "This question is answered by tables.",
+    none: "No answer yet.",
+    byEstimate: "An estimate answers this case: it finds the speeds from all evidence together, damage, directions, rest positions and recorders.",
+    startEstimate: "Start the estimate",
+    estimating: "All evidence is being weighed: the answer follows.",
     weighing: "More is known than one exact solution uses. All of it is being weighed: the answer follows.",
     notWeighed: "More is known than one exact solution uses, and it could not be weighed:",
     toField: "Go to the field",
@@ -112,6 +159,16 @@ export const texts = {
 
   form: {
     label: "Case as a form",
+    broken: "The file cannot be shown as a form before its error is mended. “New case…” gives a form to fill in.",
+    notPlain: (typed: string, plain: string) => [`“${typed}” is not a plain number.`, `Write ${plain}, with a decimal point and without a unit.`],
+    sizeClass: (number: string, metres: string, inches: string) => `${number}: wheelbase about ${metres} m (${inches} in)`,
+    categories: [
+      ["1", "1: minicar"],
+      ["2", "2: subcompact"],
+      ["3", "3: compact"],
+      ["4", "4: intermediate"],
+      ["5", "5: full-size or large"],
+    ] as [string, string][],
     notGiven: "not given",
     notGivenOption: "not given",
     required: "(needed)",
@@ -198,6 +255,12 @@ export const texts = {
     table: "Table",
   },
 
+  savers: {
+    label: "Save:",
+    kinds: { html: "HTML", json: "JSON", csv: "CSV", txt: "Text" } as Record<string, string>,
+    of: (title: string, kind: string) => `Save ${title} as ${kind}`,
+  },
+
   pictures: { svg: "Save SVG", png: "Save PNG" },
 
   sensitivity: {
@@ -217,6 +280,29 @@ export const texts = {
       start: "Estimate",
     },
     samples: "Samples",
+    method: "Method",
+    methods: [
+      ["monte-carlo", "Monte Carlo"],
+      ["latin-hypercube", "Latin hypercube"],
+      ["sobol", "Sobol sequence"],
+    ],
+    prior: "Before the evidence",
+    priors: [
+      ["", "as in case"],
+      ["field", "as severe as field collisions"],
+      ["flat", "any severity alike"],
+    ],
+    particles: "Particles, 16 times",
+    above: "Probability that",
+    quantities: [
+      ["vehicle1.speed", "speed of vehicle 1"],
+      ["vehicle2.speed", "speed of vehicle 2"],
+      ["vehicle1.delta_v", "ΔV of vehicle 1"],
+      ["vehicle2.delta_v", "ΔV of vehicle 2"],
+    ],
+    isAbove: "is above",
+    limit: "The speed or ΔV, with its unit",
+    limitExample: "50 km/h",
     seed: "Seed",
     end: "End",
     progress: "Progress",
@@ -233,7 +319,6 @@ export const texts = {
     pace: "Pace",
     play: "Play",
     pause: "Pause",
-    
     label: "Both vehicles from above, before and after the impact",
     paces: [
       ["0.1", "10 times slower"],
@@ -244,6 +329,10 @@ export const texts = {
   },
 
   live: {
+    banner: (name: string, version: string) => `This is a report that can be asked: ${name}, with deltav ${version}.`,
+    unchanged: "No number has been changed.",
+    changed: "The case has been changed since it was handed over: the answer below is not that of the report.",
+    toPrinted: "Go to the report as it was printed",
     printed: "The report as it was printed",
     explain: "Below is the report as it was handed over, unchanged. Above it, change any number and see what follows.",
     report: "SHA-256 of the report",
