@@ -5,7 +5,7 @@ use std::ops::ControlFlow;
 use std::sync::Arc;
 
 use arrow_array::{ArrayRef, RecordBatch, StringArray};
-use arrow_schema::{Field, Schema, DataType};
+use arrow_schema::{DataType, Field, Schema};
 use libfuzzer_sys::fuzz_target;
 use tables::{Job, Options, Template, run};
 
