@@ -33,7 +33,7 @@ pub(crate) struct Progress {
 }
 
 impl Progress {
-    /// From now on Ctrl-C, or a request to terminate, does not end the program, but the run; a second one does.
+    /// From now on Ctrl-C, or a request to terminate, ends the run and not the program; a second one does.
     pub(crate) fn new() -> Result<Self> {
         if !LISTENS.swap(true, Ordering::Relaxed) {
             ctrlc::set_handler(|| {

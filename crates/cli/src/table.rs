@@ -191,7 +191,7 @@ impl Input {
         } else if path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("parquet")) {
             bail!("{} is no Parquet file: it does not begin with PAR1", named(path))
         } else {
-            // The lines are counted, and wrong ones told, by a first look, which costs little beside the rest.
+            // A first look counts the lines and tells wrong ones, which costs little beside the rest.
             let lines = look_through(&name, &file).with_context(cannot)?;
             file.rewind().with_context(cannot)?;
             Self::csv(&name, Box::new(file), keep, Some(lines)).with_context(cannot)
@@ -304,7 +304,8 @@ fn first_line(source: &mut dyn Read) -> Result<Vec<u8>> {
     Ok(line)
 }
 
-/// What separates the columns: of the usual characters the one that the header has most of, outside of quotes.
+/// What separates the columns: of the usual characters the one that the header has most of, outside of
+/// quotes.
 fn separator(header: &[u8]) -> Result<u8> {
     if header.starts_with(&[0xff, 0xfe]) || header.starts_with(&[0xfe, 0xff]) {
         bail!("it is encoded in UTF-16: save it as CSV in UTF-8");

@@ -153,10 +153,7 @@ impl<'a> Column<'a> {
 }
 
 /// Decimal numbers, each as the double that is nearest to it.
-fn decimals<D: DecimalType>(array: &PrimitiveArray<D>) -> Vec<f64>
-where
-    D: arrow_array::ArrowPrimitiveType,
-{
+fn decimals<D: DecimalType>(array: &PrimitiveArray<D>) -> Vec<f64> {
     let number = |row: usize| {
         if array.is_null(row) { f64::NAN } else { array.value_as_string(row).parse().unwrap_or(f64::NAN) }
     };

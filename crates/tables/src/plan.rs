@@ -394,8 +394,8 @@ impl<'a> Part<'a> {
         unknown(called, help)
     }
 
-    /// Adds the columns of this part whose bare numbers are taken as SI, with the unit, where one of `rows` has
-    /// any.
+    /// Adds the columns of this part whose bare numbers are taken as SI, with the unit, where one of `rows`
+    /// has any.
     fn add_assumed(&self, rows: usize, assumed: &mut Vec<(String, &'static str)>) {
         for (called, whole) in self.whole.iter().filter(|_| self.assumes_unit) {
             let unit = match whole {

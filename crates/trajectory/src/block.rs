@@ -404,9 +404,9 @@ fn follow<S: Simd>(
                 }
             };
             board.courses = course.numbers();
-            for lane in 0..LANES {
+            for (lane, crossing) in crossings.iter().enumerate() {
                 let has = |bits: u64| bits >> lane & 1 == 1;
-                if let Some(crossing) = &crossings[lane] {
+                if let Some(crossing) = crossing {
                     goes_on |= board.cross(lane, crossing, &before, &course);
                 } else if has(done) {
                     let task = match (has(fades), has(stiff)) {

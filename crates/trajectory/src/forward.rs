@@ -321,14 +321,14 @@ impl<'a, T: Real + From<G>, G: Real> Run<'a, T, G> {
 
     /// Goes to where a wheel comes onto another zone in a step of `h` (s).
     pub(crate) fn cross(&mut self, start: &Start<T>, crossing: &Crossing, h: f64) -> Moment<T> {
-        let (step, length) = self.to_border(start, crossing, h);
+        let (step, length) = self.up_to_border(start, crossing, h);
         self.now = self.now.after(&step, length);
         self.find_zones();
         self.moment()
     }
 
     /// The step that ends at the border, and its length (s).
-    fn to_border(&mut self, start: &Start<T>, crossing: &Crossing, h: f64) -> (Step<T>, T) {
+    fn up_to_border(&mut self, start: &Start<T>, crossing: &Crossing, h: f64) -> (Step<T>, T) {
         let &Crossing { share, wheel, border } = crossing;
         // The cubic is not the step: Newton's method on the step itself, the last time with derivatives.
         let mut length = T::from(share * h);

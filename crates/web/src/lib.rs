@@ -162,8 +162,8 @@ pub fn motion(text: &str, units: &str, times: &str) -> String {
 
 /// The HTML report to hand over, byte for byte that of the program: `{ ok: true, html }`, or `{ ok: false,
 /// problems, message }`. `command` is `reconstruct`, `impact`, `motion`, `crush` or empty, or `compare` or
-/// `sensitivity`; `plan` is the picture that `site_plan` of the case names, where the motion is to be drawn on
-/// it.
+/// `sensitivity`; `plan` is the picture that `site_plan` of the case names, where the motion is to be drawn
+/// on it.
 #[wasm_bindgen]
 #[must_use]
 pub fn report(text: &str, name: &str, command: &str, units: &str, plan: Option<Vec<u8>>) -> String {

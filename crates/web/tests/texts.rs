@@ -117,7 +117,7 @@ fn what_cannot_be_done_is_said_in_sentences() {
         (deltav_web::answer(&example(), "solve", "", None), "no command \"solve\""),
         (deltav_web::answer(&example(), "", "imperial", None), "not \"imperial\""),
         (deltav_web::draw(&example(), "photo", ""), "no drawing \"photo\""),
-        (deltav_web::draw(&example(), "motion", ""), "deltav motion"),
+        (deltav_web::draw(&example(), "motion", ""), "the motion to rest needs it"),
         (deltav_web::edit(&example(), "vehicle1.wieght", "1"), "no key \"vehicle1.wieght\""),
         (deltav_web::edit("[", "title", "\"a\""), "cannot be read as TOML"),
         (deltav_web::convert("10 mph", "kg"), "no quantity"),
