@@ -144,7 +144,7 @@ def test_an_empty_table_has_the_columns_of_its_results() -> None:
 
 def test_an_estimate_of_a_row_is_that_of_the_case() -> None:
     path = FIXTURES / "estimate.toml"
-    [row] = pa.table(deltav.estimate_table(pa.table({"id": [1]}), template=path, particles=128)).to_pylist()
+    [row] = pa.table(deltav.estimate_table(pa.table({"seed": [1]}), template=path, particles=128)).to_pylist()
     estimated = deltav.Case.read(path).estimate(particles=128, pieces=False)
     assert row["vehicle1_speed_median"] == estimated.outputs["vehicle1.speed"].median
 
@@ -154,9 +154,9 @@ def test_an_estimate_of_a_row_is_that_of_the_case() -> None:
     [
         ({"vehicle1.mas [kg]": [1.0]}, {}, 'the column "vehicle1.mas [kg]" is no key of a case'),
         ({"vehicle1.mass [m]": [1.0]}, {}, 'has the unit "m"'),
-        ({"error": ["x"]}, {}, 'the column "error" has the name of a result: rename it'),
-        ({"id": [1]}, {"samples": 3}, "64"),
-        ({"id": [1]}, {"threads": 0}, "from 1 to 1024"),
+        ({"error": ["x"], SPEED: [10.0]}, {}, 'the column "error" has the name of a result: rename it'),
+        ({"seed": [1]}, {"samples": 3}, "64"),
+        ({"seed": [1]}, {"threads": 0}, "from 1 to 1024"),
     ],
 )
 def test_a_table_that_cannot_be_read_is_refused(columns: dict[str, Any], options: dict[str, Any], says: str) -> None:
