@@ -38,8 +38,8 @@ pub struct Beside {
     pub sensitivity: Option<Sensitivity>,
 }
 
-/// Samples of a case with very many zones of ground, in each of which a wheel is asked for its zone: so many
-/// through all of them, and at least so many.
+/// With more zones of ground than this, each of which every step asks, fewer samples are taken: so many fewer
+/// as there are more zones, but not fewer than the least.
 const ZONES: usize = 10;
 const LEAST_BACKWARD_SAMPLES: usize = 100;
 

@@ -8,7 +8,6 @@ use analysis::{Analysis, Weighed};
 use anyhow::{Context as _, Result, bail};
 use case::CaseFile;
 use report::Units;
-use same_file::is_same_file;
 
 use crate::arguments::{CasesArguments, CasesFormat};
 use crate::{Analyse, answered, case_file, handover, named, units, write};
@@ -31,12 +30,7 @@ pub(crate) fn report(
     let [case] = arguments.cases.as_slice() else {
         bail!("{} case files are given, and a report is on one", arguments.cases.len());
     };
-    let output = arguments.output.file();
     let path = page.map_or_else(beside, |page| Ok(page.to_owned()))?;
-    // Where one of them is not there yet, they are not the same.
-    if output.is_some_and(|output| is_same_file(output, &path).unwrap_or(false)) {
-        bail!("-o {} would write over the page itself: give the report another name", named(&path));
-    }
     let text = fs::read_to_string(&path).with_context(|| match page {
         Some(page) => format!("cannot read the page {}", named(page)),
         None => format!(
@@ -51,11 +45,11 @@ pub(crate) fn report(
     let weighed = weigh(&file, &analysis, units)?;
     let document = handover(case, &file, &analysis, weighed.as_ref(), None, units)?;
     let live = report::live(&text, &document.html(), &file);
-    write(output, live.with_context(|| named(&path).to_string())?)
+    write(arguments.output.file(), live.with_context(|| named(&path).to_string())?)
 }
 
 /// The page beside the program.
-fn beside() -> Result<PathBuf> {
+pub(crate) fn beside() -> Result<PathBuf> {
     let program =
         env::current_exe().context("cannot tell where the program is: name the page with --page FILE")?;
     Ok(program.with_file_name(PAGE))

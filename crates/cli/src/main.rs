@@ -504,16 +504,15 @@ const PARTICLES_OF_PAIR: usize = 128;
 
 fn validate_field(path: &Path, arguments: &ValidateArguments) -> Result<()> {
     /// (bytes) a table of all crashes that NHTSA has sampled is smaller.
-    const LARGEST_TABLE: u64 = 1 << 28;
+    const LARGEST_TABLE: usize = 1 << 28;
     let name = named(path).to_string();
     if path.is_dir() {
         anyhow::bail!("{name} is a folder: name the table in it");
     }
-    let mut bytes = Vec::new();
-    fs::File::open(path)
-        .and_then(|file| file.take(LARGEST_TABLE + 1).read_to_end(&mut bytes))
+    let bytes = fs::File::open(path)
+        .and_then(|file| read_at_most(LARGEST_TABLE, file))
         .with_context(|| format!("cannot read {name}"))?;
-    if bytes.len() as u64 > LARGEST_TABLE {
+    if bytes.len() > LARGEST_TABLE {
         anyhow::bail!("{name} is larger than {} MB: split it", LARGEST_TABLE >> 20);
     }
     let text = String::from_utf8(bytes)
@@ -568,11 +567,11 @@ fn show(validation: &Validation, arguments: &ValidateArguments) -> Result<()> {
     }
 }
 
-/// One byte more than a case may have is enough to refuse it; a device or a pipe may have no end.
-fn read_at_most(source: impl io::Read) -> io::Result<Vec<u8>> {
+/// One byte more than what is read may have is enough to refuse it; a device or a pipe may have no end.
+fn read_at_most(most: usize, source: impl io::Read) -> io::Result<Vec<u8>> {
     // Most cases fit in this.
     let mut bytes = Vec::with_capacity(1 << 13);
-    source.take(CaseFile::LARGEST_FILE as u64 + 1).read_to_end(&mut bytes)?;
+    source.take(most as u64 + 1).read_to_end(&mut bytes)?;
     Ok(bytes)
 }
 
@@ -586,7 +585,8 @@ fn read_text(path: &Path) -> Result<(String, String)> {
 
 fn read(path: &Path) -> Result<(String, Vec<u8>)> {
     if path == Path::new("-") {
-        let bytes = read_at_most(io::stdin()).context("cannot read the case from standard input")?;
+        let bytes = read_at_most(CaseFile::LARGEST_FILE, io::stdin())
+            .context("cannot read the case from standard input")?;
         return Ok(("standard input".to_owned(), bytes));
     }
     let name = path.display().to_string();
@@ -594,7 +594,7 @@ fn read(path: &Path) -> Result<(String, Vec<u8>)> {
         anyhow::bail!("{name} is a folder: name the case file in it", name = named(path));
     }
     let bytes = fs::File::open(path)
-        .and_then(read_at_most)
+        .and_then(|file| read_at_most(CaseFile::LARGEST_FILE, file))
         .with_context(|| format!("cannot read the case file {}", named(path)))?;
     Ok((name, bytes))
 }
@@ -626,7 +626,10 @@ mod tests {
 
     #[test]
     fn a_source_without_end_is_left_after_one_byte_too_many() {
-        assert_eq!(read_at_most(io::repeat(b'x')).unwrap().len(), CaseFile::LARGEST_FILE + 1);
+        assert_eq!(
+            read_at_most(CaseFile::LARGEST_FILE, io::repeat(b'x')).unwrap().len(),
+            CaseFile::LARGEST_FILE + 1
+        );
     }
 
     #[test]

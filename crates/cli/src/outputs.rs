@@ -12,7 +12,7 @@ use report::PictureFormat;
 use same_file::{Handle, is_same_file};
 
 use crate::arguments::{Arguments, CasesArguments, Command, Format, ReportArguments, Rows};
-use crate::named;
+use crate::{live, named};
 
 /// A file that is written.
 struct Output<'a> {
@@ -231,7 +231,13 @@ fn files(command: &Command) -> Files<'_> {
 
 fn of_report(arguments: &ReportArguments) -> Files<'_> {
     let mut files = of_cases(&arguments.cases);
-    files.inputs.extend(Input::of("the page", &arguments.page));
+    let page = match &arguments.page {
+        Some(page) => Some(Cow::Borrowed(page.as_path())),
+        // Where it cannot be told, the report says so.
+        None if arguments.live => live::beside().ok().map(Cow::Owned),
+        None => None,
+    };
+    files.inputs.extend(page.map(|path| Input { what: "the page", path }));
     files
 }
 

@@ -221,32 +221,11 @@ impl Input {
     }
 
     /// Every column is a text: a number in it is read as a column of numbers would be.
-    fn csv(
-        name: &str,
-        mut source: Box<dyn Read>,
-        keep: Option<&[String]>,
-        total: Option<usize>,
-    ) -> Result<Self> {
-        let first = first_line(&mut source)?;
-        if first.starts_with(PARQUET) {
-            bail!("a Parquet file cannot come through a pipe: give its name");
-        }
-        let separator = separator(&first)?;
-        if let Some((_, called)) = SEPARATORS.iter().skip(1).find(|(byte, _)| *byte == separator) {
+    fn csv(name: &str, source: Box<dyn Read>, keep: Option<&[String]>, total: Option<usize>) -> Result<Self> {
+        let Opened { reader, schema, called } = Opened::of(source)?;
+        if let Some(called) = called {
             note(&format!("note: the columns of {name} are separated by {called}"));
         }
-        let mut reader = reader(separator, Cursor::new(first).chain(source));
-        let header =
-            reader.headers().context("its header is no text in UTF-8: save it as CSV in UTF-8")?.clone();
-        let names: Vec<&str> = header.iter().map(|name| name.trim_start_matches('\u{feff}')).collect();
-        if names.iter().all(|name| name.trim().is_empty()) {
-            bail!("it has no header: its first line names the columns");
-        }
-        if let Some(twice) = names.iter().enumerate().find(|(place, name)| names[..*place].contains(name)) {
-            bail!("two columns are called \"{}\": rename one of them", case::shown(twice.1));
-        }
-        let fields: Vec<Field> = names.iter().map(|name| Field::new(*name, DataType::Utf8, true)).collect();
-        let schema = Arc::new(Schema::new(fields));
         let kept = kept(&schema, keep, &columns_kept(&schema)?)?;
         let (of_batches, mut records, name) = (schema.clone(), reader.into_byte_records(), name.to_owned());
         let batches = std::iter::from_fn(move || {
@@ -286,8 +265,37 @@ const BYTES_AT_ONCE: usize = 1 << 26;
 /// What separates columns, and its name; the first is the usual one.
 const SEPARATORS: [(u8, &str); 4] = [(b',', "commas"), (b';', "semicolons"), (b'\t', "tabs"), (b'|', "bars")];
 
-fn reader<R: Read>(separator: u8, source: R) -> csv::Reader<BufReader<R>> {
-    csv::ReaderBuilder::new().delimiter(separator).flexible(true).from_reader(BufReader::new(source))
+/// A CSV table whose header is read.
+struct Opened<R> {
+    reader: csv::Reader<BufReader<io::Chain<Cursor<Vec<u8>>, R>>>,
+    /// A text for each column.
+    schema: SchemaRef,
+    /// What separates the columns, where that is not the usual.
+    called: Option<&'static str>,
+}
+
+impl<R: Read> Opened<R> {
+    fn of(mut source: R) -> Result<Self> {
+        let first = first_line(&mut source)?;
+        if first.starts_with(PARQUET) {
+            bail!("a Parquet file cannot come through a pipe: give its name");
+        }
+        let separator = separator(&first)?;
+        let called =
+            SEPARATORS.iter().skip(1).find(|(byte, _)| *byte == separator).map(|(_, called)| *called);
+        let source = BufReader::new(Cursor::new(first).chain(source));
+        let mut reader = csv::ReaderBuilder::new().delimiter(separator).flexible(true).from_reader(source);
+        let header = reader.headers().context("its header is no text in UTF-8: save it as CSV in UTF-8")?;
+        let names: Vec<&str> = header.iter().map(|name| name.trim_start_matches('\u{feff}')).collect();
+        if names.iter().all(|name| name.trim().is_empty()) {
+            bail!("it has no header: its first line names the columns");
+        }
+        if let Some(twice) = names.iter().enumerate().find(|(place, name)| names[..*place].contains(name)) {
+            bail!("two columns are called \"{}\": rename one of them", case::shown(twice.1));
+        }
+        let fields: Vec<Field> = names.iter().map(|name| Field::new(*name, DataType::Utf8, true)).collect();
+        Ok(Self { reader, schema: Arc::new(Schema::new(fields)), called })
+    }
 }
 
 /// The first line, with its end, of a source that cannot be read twice.
@@ -329,9 +337,12 @@ fn separator(header: &[u8]) -> Result<u8> {
 fn fault(name: &str, record: &csv::ByteRecord, fields: &arrow_schema::Fields) -> Option<String> {
     let line = record.position().map_or(0, csv::Position::line);
     if record.len() != fields.len() {
+        let count =
+            |fields: usize| if fields == 1 { "1 field".to_owned() } else { format!("{fields} fields") };
         return Some(format!(
-            "{name}:{line}: the row has {} fields, and the header has {}",
-            record.len(),
+            "{name}:{line}: the row has {}, and the header has {}: put double quotes around a cell that holds \
+             the separator",
+            count(record.len()),
             fields.len()
         ));
     }
@@ -346,25 +357,16 @@ fn fault(name: &str, record: &csv::ByteRecord, fields: &arrow_schema::Fields) ->
 fn look_through(name: &str, file: &File) -> Result<usize> {
     /// Wrong rows that are told one by one.
     const TOLD: usize = 3;
-    let mut source = file;
-    let first = first_line(&mut source)?;
-    let mut reader = reader(separator(&first)?, Cursor::new(first).chain(source));
-    let header = reader.byte_headers().map_err(|error| of_csv(error).context("its header"))?.clone();
-    let fields: arrow_schema::Fields = header
-        .iter()
-        .map(|name| {
-            Field::new(String::from_utf8_lossy(name).trim_start_matches('\u{feff}'), DataType::Utf8, true)
-        })
-        .collect();
+    let Opened { mut reader, schema, .. } = Opened::of(file)?;
     // A table of which nothing can be read is refused as a whole.
-    if columns_kept(&Schema::new(fields.clone())).is_err() {
+    if columns_kept(&schema).is_err() {
         return Ok(0);
     }
     let (mut rows, mut wrong) = (0, 0);
     let mut record = csv::ByteRecord::new();
     while reader.read_byte_record(&mut record).map_err(of_csv)? {
         rows += 1;
-        if let Some(fault) = fault(name, &record, &fields) {
+        if let Some(fault) = fault(name, &record, schema.fields()) {
             wrong += 1;
             if wrong <= TOLD {
                 note(&format!("warning: {fault}; it will have an error"));

@@ -113,25 +113,6 @@ impl<'a> Column<'a> {
         Some(Self { values, places: None, nulls })
     }
 
-    /// Whether a number or a text that is one stands anywhere in it.
-    pub(crate) fn has_numbers(&self) -> bool {
-        let count = match &self.values {
-            Values::Null => 0,
-            Values::Double(array) => array.len(),
-            Values::Single(array) => array.len(),
-            Values::Whole(numbers) => numbers.len(),
-            Values::Utf8(array) => array.len(),
-            Values::LargeUtf8(array) => array.len(),
-            Values::Utf8View(array) => array.len(),
-            Values::Flags(_) => 0,
-        };
-        (0..self.places.as_ref().map_or(count, Vec::len)).any(|row| match self.cell(row) {
-            Some(Cell::Number(_)) => true,
-            Some(Cell::Text(text)) => text.trim().parse::<f64>().is_ok(),
-            _ => false,
-        })
-    }
-
     /// What stands in a row; nothing where that is null, or a text of blanks.
     pub(crate) fn cell(&self, row: usize) -> Option<Cell<'a>> {
         if self.nulls.as_ref().is_some_and(|nulls| nulls.is_null(row)) {

@@ -398,26 +398,20 @@ impl<'a> Part<'a> {
     /// has any.
     fn add_assumed(&self, rows: usize, assumed: &mut Vec<(String, &'static str)>) {
         for (called, whole) in self.whole.iter().filter(|_| self.assumes_unit) {
-            let unit = match whole {
+            match whole {
                 Whole::One(column, kind @ (Kind::Quantity(unit) | Kind::Quantities(unit))) => {
                     let is_bare = |row: usize| {
                         let value = column.cell(row).map(|cell| kind.value(cell));
                         matches!(value, Some(Value::Quantity(..)))
                             || matches!(value, Some(Value::List(list)) if !list.is_empty())
                     };
-                    (0..rows).any(is_bare).then_some(*unit)
-                }
-                Whole::List(_, part) => match part.whole.first() {
-                    Some((_, Whole::One(column, Kind::Quantity(unit))))
-                        if part.assumes_unit && column.has_numbers() =>
-                    {
-                        Some(*unit)
+                    if (0..rows).any(is_bare) {
+                        assumed.push((called.clone(), unit.spelling()));
                     }
-                    _ => None,
-                },
-                Whole::One(..) => None,
-            };
-            assumed.extend(unit.map(|unit| (called.clone(), unit.spelling())));
+                }
+                Whole::List(lists, part) => part.add_assumed(lists.values().len(), assumed),
+                Whole::One(..) => {}
+            }
         }
         for part in self.keys.iter().chain(self.elements.iter().flatten()) {
             part.add_assumed(rows, assumed);

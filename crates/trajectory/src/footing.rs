@@ -83,7 +83,7 @@ impl<'a, T: Real, G: Real> Footing<'a, T, G> {
     /// Where in a step that takes `h` (s) a wheel first stands on another zone.
     pub(crate) fn crossing(&self, from: Pose, to: Pose, h: f64) -> Option<Crossing> {
         let (first, last) = (from.phase, to.phase);
-        if self.is_even() || self.is_far_from_borders(first, last, h) {
+        if self.is_far_from_borders(first, last, h) {
             return None;
         }
         let at = |share: f64| {

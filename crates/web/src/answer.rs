@@ -1,5 +1,7 @@
 //! Answers, and the report to hand over.
 
+use std::ops::ControlFlow;
+
 use analysis::{Analysis, Beside, Comparison, Failure, Sensitivity, Sweep};
 use case::{Case, Purpose};
 use pim_core::VehicleId;
@@ -165,10 +167,8 @@ pub(crate) fn report(text: &str, name: &str, command: &str, units: &str, plan: O
 fn handover(given: &Given, command: &str, plan: Option<Vec<u8>>) -> Result<Document, Refused> {
     let Given { file, units } = given;
     let (_, analysis) = analysis(given, command)?;
-    let Beside { uncertainty, sensitivity } = {
-        let quietly = &mut |_, _, _| std::ops::ControlFlow::Continue(());
-        given.answered(analysis::beside(&file.case, &analysis, quietly))?
-    };
+    let beside = analysis::beside(&file.case, &analysis, &mut |_, _, _| ControlFlow::Continue(()));
+    let Beside { uncertainty, sensitivity } = given.answered(beside)?;
     let validation = validate(&Data::built_in()).map_err(|error| Refused::message(error.to_string()))?;
     let site_plan = match plan {
         Some(picture) => report::site_plan_of(&file.case, picture)
