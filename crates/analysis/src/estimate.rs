@@ -10,8 +10,8 @@ use std::ops::ControlFlow;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 
 use ::estimate::{
-    Culprit, Doubt, Exclusion, PARTICLES_STEP, Posterior, Selection, Settings, Summary, Verdict, sample,
-    sample_without,
+    Culprit, Doubt, Exclusion, MOST_PARTICLES, PARTICLES_STEP, Posterior, Selection, Settings, Summary,
+    Verdict, sample, sample_without,
 };
 use ::uncertainty::{Distribution, Estimate, InvalidDistribution};
 use evidence::{EnergyMethod, Model, Observed, Piece};
@@ -276,7 +276,7 @@ pub fn estimate(
     let is_ended = || ended.load(Ordering::Relaxed);
 
     let mut particles = plan.particles;
-    let most = plan.particles.saturating_mul(MOST_TIMES);
+    let most = plan.particles.saturating_mul(MOST_TIMES).min(MOST_PARTICLES);
     let posterior = loop {
         let settings = Settings::new(particles, plan.seed);
         let posterior = run(settings, &mut |done, total| progress(EstimateStage::All, done, total))?;
@@ -285,7 +285,7 @@ pub fn estimate(
         if is_ended() || is_enough || particles >= most {
             break posterior;
         }
-        particles *= 2;
+        particles = (2 * particles).min(most);
     };
 
     // What holds of every run: how severe such collisions are, and what is certain.

@@ -1,6 +1,6 @@
 //! Reads quantities such as "6.3 ft", and explains what is wrong with a text that is not one.
 
-use inputs::{Dimension, InvalidQuantity, Quantity, Unit, format_number};
+use inputs::{Dimension, InvalidQuantity, Quantity, Unit, format_number, shown};
 use thiserror::Error;
 
 use crate::nearest::join;
@@ -24,7 +24,8 @@ use crate::units_in_use::usual_units;
 /// Every variant of [`QuantityError`]: each says what is wrong and, by [`QuantityError::help`], what to
 /// write.
 pub fn read_quantity(text: &str, dimension: Dimension) -> Result<Quantity, QuantityError> {
-    let text = text.trim();
+    // An error quotes the text, and no text with such a character is a quantity.
+    let text = &*shown(text.trim());
     if text.is_empty() {
         return Err(QuantityError::Empty { dimension });
     }

@@ -204,7 +204,7 @@ pub(crate) enum Command {
         after_help = "Examples:\n  deltav uncertainty fixtures/sae-980025-uncertain.toml\n  \
             deltav uncertainty fixtures/sae-980025-uncertain.toml --method sobol --samples 65536 --sobol\n  \
             deltav uncertainty fixtures/sae-980025-uncertain.toml --format json -o result.json --samples-out samples.csv --plots .\n\n\
-            Ctrl-C ends the sampling and prints the results so far."
+            Ctrl-C ends the sampling, prints the results so far and exits with status 1."
     )]
     Uncertainty(UncertaintyArguments),
     /// Estimate the speeds from all evidence, with how probable each is

@@ -35,6 +35,8 @@ pub(crate) enum Incomplete {
     EndedTable { done: usize, total: usize },
     /// Ctrl-C came after so many pairs of vehicles.
     EndedPairs { done: usize, total: usize },
+    /// Ctrl-C came after so many samples.
+    EndedSamples { done: usize, total: usize },
 }
 
 impl fmt::Display for Incomplete {
@@ -57,6 +59,9 @@ impl fmt::Display for Incomplete {
             }
             Self::EndedPairs { done, total } => {
                 write!(f, "ended early: the figures are those of the first {done} of {total} pairs")
+            }
+            Self::EndedSamples { done, total } => {
+                write!(f, "ended early: the figures are those of {done} of {total} samples")
             }
         }
     }

@@ -59,10 +59,9 @@ fn main() -> ExitCode {
     match outputs::check(&command).and_then(|()| run(command)) {
         Ok(()) => ExitCode::SUCCESS,
         Err(error) => {
-            let (lead, status) = lead_and_status(&error);
             // Nothing is left to be done where standard error is closed.
-            let _ = writeln!(io::stderr(), "{lead}{error:#}");
-            ExitCode::from(status)
+            let _ = writeln!(io::stderr(), "{}", message(&error));
+            ExitCode::from(status(&error))
         }
     }
 }
@@ -108,15 +107,30 @@ fn run(command: Command) -> Result<()> {
     }
 }
 
-/// What stands before the message, and the exit status.
-fn lead_and_status(error: &anyhow::Error) -> (&'static str, u8) {
+/// What is said of an error: each cause once, and nothing of it acts on the terminal.
+fn message(error: &anyhow::Error) -> String {
+    // Diagnostics render themselves with the word "error" and their place in the file.
+    if error.is::<Diagnostics>() {
+        return format!("{error:#}");
+    }
+    let mut message = String::from("error");
+    for cause in error.chain().map(ToString::to_string) {
+        // Some libraries quote the cause that they also name.
+        if !message.ends_with(&cause) {
+            message.push_str(": ");
+            message.push_str(&cause);
+        }
+    }
+    // A message may quote the command line or a file, and its lines are the program's own.
+    case::shown_lines(&message).trim_end_matches('\n').to_owned()
+}
+
+fn status(error: &anyhow::Error) -> u8 {
     let is_no_answer = error.is::<NoAnswer>()
         || error.is::<NotReproduced>()
         || error.is::<batch::Incomplete>()
         || error.is::<DrawingError>();
-    // Diagnostics render themselves with the word "error" and their place in the file.
-    let lead = if error.is::<Diagnostics>() { "" } else { "error: " };
-    (lead, if is_no_answer { NO_ANSWER } else { WRONG_INPUT })
+    if is_no_answer { NO_ANSWER } else { WRONG_INPUT }
 }
 
 fn report_or_rows(ReportArguments { cases, live, page }: ReportArguments, analyse: Analyse) -> Result<()> {
@@ -370,7 +384,9 @@ fn report_uncertainty(arguments: UncertaintyArguments) -> Result<()> {
         }
     }
     let document = || Ok(pool.install(|| report::uncertainty(&file.case, &uncertainty, units)));
-    present(&arguments, document, || report::uncertainty_json(&file, &uncertainty))
+    present(&arguments, document, || report::uncertainty_json(&file, &uncertainty))?;
+    let (done, total) = (uncertainty.propagation.evaluated(), uncertainty.propagation.requested());
+    if done < total { Err(batch::Incomplete::EndedSamples { done, total }.into()) } else { Ok(()) }
 }
 
 fn is_number(path: &Path) -> bool {
@@ -575,7 +591,6 @@ fn read_at_most(most: usize, source: impl io::Read) -> io::Result<Vec<u8>> {
     Ok(bytes)
 }
 
-/// The name to show in messages, and what is in the file.
 /// A file with a part of a case, as text.
 fn read_text(path: &Path) -> Result<(String, String)> {
     let (name, bytes) = read(path)?;
@@ -583,6 +598,7 @@ fn read_text(path: &Path) -> Result<(String, String)> {
     Ok((name, text))
 }
 
+/// The name to show in messages, and what is in the file.
 fn read(path: &Path) -> Result<(String, Vec<u8>)> {
     if path == Path::new("-") {
         let bytes = read_at_most(CaseFile::LARGEST_FILE, io::stdin())
@@ -622,7 +638,7 @@ mod tests {
 
     use crate::arguments::{Format, PlotsFormat, ValidateArguments};
 
-    use super::{NO_ANSWER, lead_and_status, read_at_most, show};
+    use super::{NO_ANSWER, message, read_at_most, show, status};
 
     #[test]
     fn a_source_without_end_is_left_after_one_byte_too_many() {
@@ -630,6 +646,16 @@ mod tests {
             read_at_most(CaseFile::LARGEST_FILE, io::repeat(b'x')).unwrap().len(),
             CaseFile::LARGEST_FILE + 1
         );
+    }
+
+    #[test]
+    fn a_cause_is_said_once_and_acts_on_nothing() {
+        let full = || io::Error::other("No space left");
+        let quoted =
+            anyhow::Error::new(full()).context("External: No space left").context("cannot write to x");
+        assert_eq!(message(&quoted), "error: cannot write to x: External: No space left");
+        let two = anyhow::Error::new(full()).context("cannot write\n  to \u{1b}[31mx");
+        assert_eq!(message(&two), "error: cannot write\n  to ␛[31mx: No space left");
     }
 
     #[test]
@@ -654,7 +680,7 @@ mod tests {
             error.to_string(),
             "1 of 240 numbers that are claimed to reproduce do not; the first: SAE 871993, Table 1, test 5, normal loss"
         );
-        assert_eq!(lead_and_status(&error), ("error: ", NO_ANSWER));
+        assert_eq!((message(&error), status(&error)), (format!("error: {error}"), NO_ANSWER));
         assert!(fs::read_to_string(&page).unwrap().contains("Failing: SAE 871993, Table 1, test 5, normal"));
         fs::remove_file(&page).unwrap();
     }

@@ -5,7 +5,7 @@ use std::io::ErrorKind;
 use anyhow::{Context as _, Result, bail};
 
 use crate::arguments::{CaseUnits, NewArguments, Template};
-use crate::sink;
+use crate::{outputs, sink};
 
 pub(crate) fn new(arguments: &NewArguments) -> Result<()> {
     let template = match arguments.template {
@@ -25,6 +25,7 @@ pub(crate) fn new(arguments: &NewArguments) -> Result<()> {
         CaseUnits::Us => case::UnitSystem::Us,
     });
     let Some(path) = arguments.output.file() else { return crate::write(None, text) };
+    outputs::has_folder("-o", path)?;
     let name = crate::named(path);
     match sink::create_new(path, text.as_bytes()) {
         Err(error) if error.kind() == ErrorKind::AlreadyExists => {

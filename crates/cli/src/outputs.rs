@@ -84,9 +84,7 @@ pub(crate) fn check(command: &Command) -> Result<()> {
                 "{option} {name} would write over {what} {input}: give another name, such as {option} {other}"
             );
         }
-        if !parent(path).is_dir() {
-            bail!("{option} {name}: there is no folder {}; make it first", named(parent(path)));
-        }
+        has_folder(option, path)?;
         if is_toml(path) {
             bail!(
                 "{option} {name} would write over a .toml file that exists, which may be a case: give another name, such as {option} {other}"
@@ -114,6 +112,15 @@ pub(crate) fn check(command: &Command) -> Result<()> {
         }
         None => Ok(()),
     }
+}
+
+/// Refuses a file whose folder does not exist.
+pub(crate) fn has_folder(option: &str, path: &Path) -> Result<()> {
+    let folder = parent(path);
+    if !folder.is_dir() {
+        bail!("{option} {}: there is no folder {}; make it first", named(path), named(folder));
+    }
+    Ok(())
 }
 
 fn check_folder(

@@ -17,6 +17,7 @@ use parquet::arrow::ArrowWriter;
 use parquet::arrow::ProjectionMask;
 use parquet::arrow::arrow_reader::ParquetRecordBatchReaderBuilder;
 use parquet::basic::{Compression, ZstdLevel};
+use parquet::errors::ParquetError;
 use parquet::file::metadata::ParquetMetaData;
 use parquet::file::properties::WriterProperties;
 use tables::{
@@ -448,7 +449,9 @@ impl Output {
                 .set_compression(Compression::ZSTD(ZstdLevel::default()))
                 .set_max_row_group_row_count(Some(ROW_GROUP))
                 .build();
-            return Ok(Self::Parquet(ArrowWriter::try_new(sink, schema.clone(), Some(properties))?));
+            return ArrowWriter::try_new(sink, schema.clone(), Some(properties))
+                .map(Self::Parquet)
+                .map_err(of_parquet);
         }
         let mut writer = csv::Writer::from_writer(BufWriter::new(sink));
         let header = schema.fields().iter().map(|field| report::no_formula(field.name()));
@@ -458,7 +461,7 @@ impl Output {
 
     fn write(&mut self, rows: &RecordBatch) -> Result<()> {
         match self {
-            Self::Parquet(writer) => Ok(writer.write(rows)?),
+            Self::Parquet(writer) => writer.write(rows).map_err(of_parquet),
             Self::Csv(writer) => {
                 let columns = rows.columns().iter().map(Texts::of);
                 let columns: Vec<Texts<'_>> = columns.collect::<Result<_>>()?;
@@ -475,7 +478,7 @@ impl Output {
 
     fn finish(self) -> Result<()> {
         match self {
-            Self::Parquet(writer) => Ok(writer.into_inner()?.finish()?),
+            Self::Parquet(writer) => Ok(writer.into_inner().map_err(of_parquet)?.finish()?),
             Self::Csv(writer) => {
                 let buffer = writer.into_inner().map_err(|error| error.into_error())?;
                 Ok(buffer.into_inner().map_err(io::IntoInnerError::into_error)?.finish()?)
@@ -489,6 +492,14 @@ fn of_csv(error: csv::Error) -> anyhow::Error {
     match error.into_kind() {
         csv::ErrorKind::Io(error) => error.into(),
         other => anyhow::anyhow!("{other:?}"),
+    }
+}
+
+/// The same of the other library.
+fn of_parquet(error: ParquetError) -> anyhow::Error {
+    match error {
+        ParquetError::External(cause) => anyhow::Error::from_boxed(cause),
+        other => other.into(),
     }
 }
 

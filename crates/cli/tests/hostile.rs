@@ -10,9 +10,8 @@ use std::process::{Command, Output, Stdio};
 const FORGED: &str = "Speed of vehicle 1: 20.00 mph";
 
 /// As TOML writes them: line feed, carriage return, escape, bell, backspace, null, CSI of C1, next line,
-/// separators and characters that turn the direction of writing.
-const ESCAPES: &str =
-    r"\n\r\u001B[8m\u0007\b\u0000\u009B31m\u0085\u2028\u2029\u061C\u200E\u200F\u202A\u202E\u2066\u2069\u007F";
+/// separators, characters that turn the direction of writing and some that leave no mark.
+const ESCAPES: &str = r"\n\r\u001B[8m\u0007\b\u0000\u009B31m\u0085\u2028\u2029\u061C\u200E\u200F\u202A\u202E\u2066\u2069\u200B\u00AD\uFEFF\U000E0041\u007F";
 
 /// An empty folder, and in it a case whose title, source, names and comment are hostile, as is its own name.
 fn hostile(name: &str) -> (PathBuf, String) {
@@ -55,6 +54,7 @@ fn harmless(what: &str, bytes: &[u8]) {
         let acts = line.chars().find(|&c| {
             c.is_control()
                 || matches!(c, '\u{61c}' | '\u{200e}' | '\u{200f}' | '\u{2028}'..='\u{202e}' | '\u{2066}'..='\u{2069}')
+                || matches!(c, '\u{ad}' | '\u{200b}' | '\u{feff}' | '\u{e0041}')
         });
         assert_eq!(acts, None, "{what}: line {number}: {line:?}");
     }
@@ -105,7 +105,7 @@ fn the_characters_are_shown() {
     let title = text.lines().next().unwrap();
     assert_eq!(
         title.split(FORGED).next().unwrap(),
-        "Elm St.␊␍␛[8m␇␈␀⟨U+009B⟩31m⟨U+0085⟩⟨U+2028⟩⟨U+2029⟩⟨U+061C⟩⟨U+200E⟩⟨U+200F⟩⟨U+202A⟩⟨U+202E⟩⟨U+2066⟩⟨U+2069⟩␡␊"
+        "Elm St.␊␍␛[8m␇␈␀⟨U+009B⟩31m⟨U+0085⟩⟨U+2028⟩⟨U+2029⟩⟨U+061C⟩⟨U+200E⟩⟨U+200F⟩⟨U+202A⟩⟨U+202E⟩⟨U+2066⟩⟨U+2069⟩⟨U+200B⟩⟨U+00AD⟩⟨U+FEFF⟩⟨U+E0041⟩␡␊"
     );
     let page = String::from_utf8(run(&folder, &["reconstruct", &case, "--format", "html"]).stdout).unwrap();
     assert!(page.contains("# ⟨U+009B⟩8m⟨U+202E⟩⟨U+0085⟩⟨U+2066⟩\n"), "the listing of the case file");
@@ -132,6 +132,7 @@ fn no_message_acts() {
         text.replacen("speed", &format!("\"sp\\u009Beed\\n{FORGED}\\u202E\" = \"\u{202e}\u{9b}\"\nspeed"), 1);
     let wrong = wrong.replacen("[impact]", "[impact]\nlaw = \"br\\nach\\u001b\\u009B\\u202E\"", 1);
     fs::write(folder.join(&other), wrong).unwrap();
+    fs::copy("../../fixtures/estimate.toml", folder.join("both.toml")).unwrap();
     let output_over = ["reconstruct", &case, "-o", &other];
     for arguments in [
         &["reconstruct", &missing][..],
@@ -147,6 +148,9 @@ fn no_message_acts() {
         &["man", "--output-dir", &case],
         &["explain", &case],
         &["crush", &case, &case],
+        &["validate", "--field", &missing],
+        &["estimate", "both.toml", "--above", &format!("vehicle1.speed 5 {case}")],
+        &["estimate", "both.toml", "--above", &format!("{case} 5 m/s")],
         &[&case],
         &["reconstruct", &format!("--{case}")],
     ] {

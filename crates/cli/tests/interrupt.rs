@@ -24,7 +24,9 @@ fn ctrl_c_prints_the_results_so_far() {
     assert!(interrupted.success());
     let output = child.wait_with_output().unwrap();
     let text = String::from_utf8_lossy(&output.stdout);
-    assert_eq!(output.status.code(), Some(0), "{}", String::from_utf8_lossy(&output.stderr));
+    let message = String::from_utf8_lossy(&output.stderr);
+    assert_eq!(output.status.code(), Some(1), "{message}");
+    assert!(message.contains("of 30000000 samples"), "{message}");
     assert!(text.contains("Ended early: 30,000,000 samples were requested."), "{text}");
     assert!(text.contains("Speed of vehicle 1"), "{text}");
 }

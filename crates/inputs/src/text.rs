@@ -74,8 +74,13 @@ pub fn shown_lines(text: &str) -> String {
     text.lines().map(line).collect()
 }
 
-/// Whether a character acts instead of being read: a control character, a line or paragraph separator, or one
-/// that turns the direction of writing (`Bidi_Control` of the Unicode Character Database).
+/// Whether a character acts or hides instead of being read: a control character, a line or paragraph
+/// separator, one that turns the direction of writing (`Bidi_Control` of the Unicode Character Database), or
+/// one that leaves no mark, so that two names that differ look the same (`Default_Ignorable_Code_Point`, the
+/// braille blank and the anchors of annotations).
+///
+/// The joiners of Persian, Hindi and emoji (U+200C, U+200D) and the selectors of a glyph (U+FE00 to U+FE0F)
+/// change how their neighbours look, and belong to what is written.
 #[must_use]
 pub fn acts(letter: char) -> bool {
     letter.is_control()
@@ -83,6 +88,29 @@ pub fn acts(letter: char) -> bool {
             letter,
             '\u{061c}' | '\u{200e}' | '\u{200f}' | '\u{2028}'..='\u{202e}' | '\u{2066}'..='\u{2069}'
         )
+        || hides(letter)
+}
+
+fn hides(letter: char) -> bool {
+    matches!(
+        letter,
+        '\u{00ad}'
+            | '\u{034f}'
+            | '\u{115f}'..='\u{1160}'
+            | '\u{17b4}'..='\u{17b5}'
+            | '\u{180b}'..='\u{180f}'
+            | '\u{200b}'
+            | '\u{2060}'..='\u{2065}'
+            | '\u{206a}'..='\u{206f}'
+            | '\u{2800}'
+            | '\u{3164}'
+            | '\u{feff}'
+            | '\u{ffa0}'
+            | '\u{fff0}'..='\u{fffb}'
+            | '\u{1bca0}'..='\u{1bca3}'
+            | '\u{1d173}'..='\u{1d17a}'
+            | '\u{e0000}'..='\u{e0fff}'
+    )
 }
 
 /// The picture that Unicode has for a control character of ASCII, such as ␛ for escape.
@@ -99,12 +127,37 @@ pub fn sign(letter: char) -> Option<char> {
 mod tests {
     use super::{Text, acts, shown, sign};
 
-    /// Every character of Unicode, with the classes written down from its tables: Cc, `Bidi_Control`, Zl, Zp.
+    /// Every character of Unicode, with the classes written down from its tables: Cc, `Bidi_Control`, Zl, Zp,
+    /// and `Default_Ignorable_Code_Point` (DerivedCoreProperties.txt) less joiners and selectors of a glyph.
     #[test]
     fn no_character_that_acts_is_left_and_no_other_changes() {
-        let class = [0..=0x1f, 0x7f..=0x9f, 0x61c..=0x61c, 0x200e..=0x200f, 0x2028..=0x202e, 0x2066..=0x2069];
+        let acting =
+            [0..=0x1f, 0x7f..=0x9f, 0x61c..=0x61c, 0x200e..=0x200f, 0x2028..=0x202e, 0x2066..=0x2069];
+        let ignorable = [
+            0xad..=0xad,
+            0x34f..=0x34f,
+            0x61c..=0x61c,
+            0x115f..=0x1160,
+            0x17b4..=0x17b5,
+            0x180b..=0x180f,
+            0x200b..=0x200f,
+            0x202a..=0x202e,
+            0x2060..=0x206f,
+            0x3164..=0x3164,
+            0xfe00..=0xfe0f,
+            0xfeff..=0xfeff,
+            0xffa0..=0xffa0,
+            0xfff0..=0xfff8,
+            0x1bca0..=0x1bca3,
+            0x1d173..=0x1d17a,
+            0xe0000..=0xe0fff,
+        ];
+        let beside = [0x2800..=0x2800, 0xfff9..=0xfffb];
+        let is_written = |code: u32| matches!(code, 0x200c | 0x200d | 0xfe00..=0xfe0f);
         for letter in '\0'..=char::MAX {
-            let is_in_class = class.iter().any(|range| range.contains(&u32::from(letter)));
+            let classes = acting.iter().chain(&ignorable).chain(&beside);
+            let code = u32::from(letter);
+            let is_in_class = classes.into_iter().any(|range| range.contains(&code)) && !is_written(code);
             assert_eq!(acts(letter), is_in_class, "U+{:04X}", u32::from(letter));
             let text = format!("a{letter}b");
             let shown = shown(&text);

@@ -87,8 +87,10 @@ fn escaped(json: &str) -> String {
     let mut out = String::with_capacity(json.len());
     for letter in json.chars() {
         if letter != '\n' && case::acts(letter) {
-            // None of them is beyond U+FFFF, where two escapes would be needed.
-            out.push_str(&format!("\\u{:04x}", u32::from(letter)));
+            // Two escapes beyond U+FFFF.
+            for unit in letter.encode_utf16(&mut [0; 2]) {
+                out.push_str(&format!("\\u{unit:04x}"));
+            }
         } else {
             out.push(letter);
         }
