@@ -8,6 +8,8 @@
 #![expect(clippy::disallowed_methods, reason = "an oracle shares no function with what it judges")]
 
 #[cfg(test)]
+mod advisories;
+#[cfg(test)]
 mod all_speeds;
 #[cfg(test)]
 mod allocation;
