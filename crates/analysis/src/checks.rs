@@ -10,6 +10,7 @@ use real::elementary;
 use reconcile::{Implied, Momentum};
 
 use crate::both::Spread;
+use crate::codes::codes;
 use crate::thresholds::{
     DIRECTION_AFTER_ERROR, ENERGY_DIFFERENCE, FAST_CLOSING, FORCE_RATIO, HIGH_RESTITUTION, PDOF_DIFFERENCE,
     POINT_MISSED, REST_MISSED, RESTITUTION_DIFFERENCE, SPEED_AFTER_ERROR, SURE,
@@ -132,6 +133,25 @@ pub enum CheckedQuantity {
     },
 }
 
+impl CheckedQuantity {
+    codes! {
+        Self::ForceBalance => "force-balance",
+        Self::PdofsOpposite => "pdofs-opposite",
+        Self::DamageEnergy { .. } => "damage-energy",
+        Self::Restitution => "restitution",
+        Self::Rotation { .. } => "rotation",
+        Self::MomentumEnergy { .. } => "momentum-energy",
+        Self::MomentumAcross { .. } => "momentum-across",
+        Self::PossibleRestitution { .. } => "possible-restitution",
+        Self::MomentumRestitution { .. } => "momentum-restitution",
+        Self::MomentumRatio { .. } => "momentum-ratio",
+        Self::MomentumYawRate { .. } => "momentum-yaw-rate",
+        Self::MomentumPdof { .. } => "momentum-pdof",
+        Self::PointMissed { .. } => "point-missed",
+        Self::RestMissed { .. } => "rest-missed",
+    }
+}
+
 impl Check {
     /// Whether the value is within the limit.
     #[must_use]
@@ -147,22 +167,7 @@ impl Check {
     /// The name in JSON.
     #[must_use]
     pub fn code(&self) -> &'static str {
-        match self.quantity {
-            CheckedQuantity::ForceBalance => "force-balance",
-            CheckedQuantity::PdofsOpposite => "pdofs-opposite",
-            CheckedQuantity::DamageEnergy { .. } => "damage-energy",
-            CheckedQuantity::Restitution => "restitution",
-            CheckedQuantity::Rotation { .. } => "rotation",
-            CheckedQuantity::MomentumEnergy { .. } => "momentum-energy",
-            CheckedQuantity::MomentumAcross { .. } => "momentum-across",
-            CheckedQuantity::PossibleRestitution { .. } => "possible-restitution",
-            CheckedQuantity::MomentumRestitution { .. } => "momentum-restitution",
-            CheckedQuantity::MomentumRatio { .. } => "momentum-ratio",
-            CheckedQuantity::MomentumYawRate { .. } => "momentum-yaw-rate",
-            CheckedQuantity::MomentumPdof { .. } => "momentum-pdof",
-            CheckedQuantity::PointMissed { .. } => "point-missed",
-            CheckedQuantity::RestMissed { .. } => "rest-missed",
-        }
+        self.quantity.code()
     }
 
     /// The check with its numbers in the given axes.

@@ -40,6 +40,7 @@ mod aside;
 mod beside;
 mod both;
 mod checks;
+mod codes;
 mod compare;
 mod curve;
 mod damage;
@@ -79,7 +80,7 @@ pub use quantities::{Kind, Of, OutputQuantity, QUANTITIES, Values, quantity};
 pub use seen::{Seen, SeenWarning};
 pub use sensitivity::{Derivative, Output, Sensitivity, Sweep, SweepRow, WayNumber, sensitivity};
 use thresholds::HALF_HOUR;
-pub use thresholds::{FAST_CLOSING, HIGH_RESTITUTION};
+pub use thresholds::{DELTA_V_DIFFERENCE, ENERGY_DIFFERENCE, FAST_CLOSING, HIGH_RESTITUTION, POINT_MISSED};
 pub use travel::{ClosedForm, Origin as TravelOrigin, Pass, Skid, Travel};
 use travel::{Record, after_impact, departures};
 pub use uncertainty::{

@@ -15,7 +15,9 @@ pub const HIGH_RESTITUTION: f64 = 0.3;
 /// (m/s) see [`CheckedQuantity::Restitution`](crate::CheckedQuantity::Restitution)
 pub const FAST_CLOSING: f64 = 15.0;
 /// How far the work of the normal impulse may be from the crush energy.
-pub(crate) const ENERGY_DIFFERENCE: f64 = 0.1;
+pub const ENERGY_DIFFERENCE: f64 = 0.1;
+/// How far CRASH3's ΔV may be from that of the impact, as a share of it.
+pub const DELTA_V_DIFFERENCE: f64 = 0.1;
 /// How far the restitution that momentum implies may lie outside of 0 to 1 where nothing tells how well it is
 /// known. A choice: no source gives a limit.
 pub(crate) const RESTITUTION_DIFFERENCE: f64 = 0.2;
@@ -53,7 +55,7 @@ pub(crate) const REST_SURVEY: f64 = 0.25;
 pub(crate) const SLOW_YAW: f64 = 1.0;
 /// How far a way may pass from a point on it, as a share of the way: EDCRASH's limit for a point on the curve
 /// and the end of rotation (its manual).
-pub(crate) const POINT_MISSED: f64 = 0.15;
+pub const POINT_MISSED: f64 = 0.15;
 /// (–) standard deviation of a speed after the impact, as a share of it: what a measured rest leaves of it, 7
 /// to 15 %, in simulations of vehicles that roll or spin to their rest.
 pub(crate) const SPEED_AFTER_ERROR: f64 = 0.12;

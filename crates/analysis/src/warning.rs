@@ -11,15 +11,14 @@ use pim_core::{Contact, Motion, Outcome, Regime, Switch, Tangential, VehicleId};
 
 use crate::aside::Evident;
 use crate::checks::{Check, CheckedQuantity};
+use crate::codes::codes;
 use crate::damage::Crash3;
-use crate::thresholds::{FAST_CLOSING, FORCE_RATIO, HIGH_RESTITUTION, PDOF_DIFFERENCE};
+use crate::thresholds::{DELTA_V_DIFFERENCE, FAST_CLOSING, FORCE_RATIO, HIGH_RESTITUTION, PDOF_DIFFERENCE};
 use crate::usual::Usual;
 use crate::{BothFound, Damage, Found, Impact, Pass, Travel, Vehicle};
 
 /// (m) how far the places of C may lie apart: a CG is surveyed to some decimetres.
 const CONTACT_APART: f64 = 0.3;
-/// How far CRASH3's ΔV may be from that of the impact.
-const DELTA_V_DIFFERENCE: f64 = 0.1;
 /// (m) how far the contact point may be outside of the outline: the roundness of a bumper.
 const OUTLINE_TOLERANCE: f64 = 0.05;
 /// (m) where a damage ends is a judgement, as it fades out into induced damage: it is hardly known better
@@ -472,93 +471,46 @@ pub enum Magnitude {
 }
 
 impl Warning {
-    /// Every warning code.
-    pub const CODES: [&'static str; 39] = [
-        "crush-plane",
-        "contact-outside",
-        "high-restitution",
-        "force-balance",
-        "pdof-differs",
-        "momentum-differs",
-        "evidence-differs",
-        "several-starts",
-        "point-missed",
-        "rest-missed",
-        "angle-capped",
-        "side-not-pushed",
-        "delta-v-differs",
-        "several-speeds",
-        "moves-backward",
-        "class-values",
-        "burg-inertia",
-        "inferred-energy",
-        "damage-centroid",
-        "contact-placed",
-        "contact-apart",
-        "pdofs-not-opposite",
-        "damage-energy-differs",
-        "rotation-opposes",
-        "given-speed-unused",
-        "sliding-driven",
-        "rotation-driven",
-        "large-impulse-ratio",
-        "near-jump",
-        "contact-off-damage",
-        "contact-other-half",
-        "contact-depth",
-        "damage-outside",
-        "implausible",
-        "high-no-damage-speed",
-        "low-no-damage-speed",
-        "unusual-friction",
-        "large-angle",
-        "no-residual-crush",
-    ];
-
-    /// The code that names this warning in JSON and text.
-    #[must_use]
-    pub fn code(&self) -> &'static str {
-        match self {
-            Self::PlaneDoesNotSeparate => "crush-plane",
-            Self::ContactOutside { .. } => "contact-outside",
-            Self::HighRestitution { .. } => "high-restitution",
-            Self::ForceBalance { .. } => "force-balance",
-            Self::PdofDiffers { .. } => "pdof-differs",
-            Self::MomentumDiffers { .. } => "momentum-differs",
-            Self::EvidenceDiffers { .. } => "evidence-differs",
-            Self::SeveralStarts { .. } => "several-starts",
-            Self::PointMissed { .. } => "point-missed",
-            Self::RestMissed { .. } => "rest-missed",
-            Self::AngleCapped { .. } => "angle-capped",
-            Self::SideNotPushed { .. } => "side-not-pushed",
-            Self::DeltaVDiffers { .. } => "delta-v-differs",
-            Self::SeveralSpeeds { .. } => "several-speeds",
-            Self::MovesBackward { .. } => "moves-backward",
-            Self::ClassValues { .. } => "class-values",
-            Self::BurgInertia { .. } => "burg-inertia",
-            Self::InferredEnergy { .. } => "inferred-energy",
-            Self::DamageCentroid { .. } => "damage-centroid",
-            Self::ContactPlaced { .. } => "contact-placed",
-            Self::ContactApart { .. } => "contact-apart",
-            Self::PdofsNotOpposite { .. } => "pdofs-not-opposite",
-            Self::DamageEnergyDiffers { .. } => "damage-energy-differs",
-            Self::RotationOpposes { .. } => "rotation-opposes",
-            Self::GivenSpeedUnused { .. } => "given-speed-unused",
-            Self::SlidingDriven { .. } => "sliding-driven",
-            Self::RotationDriven { .. } => "rotation-driven",
-            Self::LargeImpulseRatio { .. } => "large-impulse-ratio",
-            Self::NearJump { .. } => "near-jump",
-            Self::ContactOffDamage { .. } => "contact-off-damage",
-            Self::ContactOtherHalf { .. } => "contact-other-half",
-            Self::ContactDepth { .. } => "contact-depth",
-            Self::DamageOutside { .. } => "damage-outside",
-            Self::Implausible { .. } => "implausible",
-            Self::HighNoDamageSpeed { .. } => "high-no-damage-speed",
-            Self::LowNoDamageSpeed { .. } => "low-no-damage-speed",
-            Self::UnusualFriction { .. } => "unusual-friction",
-            Self::LargeAngle { .. } => "large-angle",
-            Self::NoResidualCrush { .. } => "no-residual-crush",
-        }
+    codes! {
+        Self::PlaneDoesNotSeparate => "crush-plane",
+        Self::ContactOutside { .. } => "contact-outside",
+        Self::HighRestitution { .. } => "high-restitution",
+        Self::ForceBalance { .. } => "force-balance",
+        Self::PdofDiffers { .. } => "pdof-differs",
+        Self::MomentumDiffers { .. } => "momentum-differs",
+        Self::EvidenceDiffers { .. } => "evidence-differs",
+        Self::SeveralStarts { .. } => "several-starts",
+        Self::PointMissed { .. } => "point-missed",
+        Self::RestMissed { .. } => "rest-missed",
+        Self::AngleCapped { .. } => "angle-capped",
+        Self::SideNotPushed { .. } => "side-not-pushed",
+        Self::DeltaVDiffers { .. } => "delta-v-differs",
+        Self::SeveralSpeeds { .. } => "several-speeds",
+        Self::MovesBackward { .. } => "moves-backward",
+        Self::ClassValues { .. } => "class-values",
+        Self::BurgInertia { .. } => "burg-inertia",
+        Self::InferredEnergy { .. } => "inferred-energy",
+        Self::DamageCentroid { .. } => "damage-centroid",
+        Self::ContactPlaced { .. } => "contact-placed",
+        Self::ContactApart { .. } => "contact-apart",
+        Self::PdofsNotOpposite { .. } => "pdofs-not-opposite",
+        Self::DamageEnergyDiffers { .. } => "damage-energy-differs",
+        Self::RotationOpposes { .. } => "rotation-opposes",
+        Self::GivenSpeedUnused { .. } => "given-speed-unused",
+        Self::SlidingDriven { .. } => "sliding-driven",
+        Self::RotationDriven { .. } => "rotation-driven",
+        Self::LargeImpulseRatio { .. } => "large-impulse-ratio",
+        Self::NearJump { .. } => "near-jump",
+        Self::ContactOffDamage { .. } => "contact-off-damage",
+        Self::ContactOtherHalf { .. } => "contact-other-half",
+        Self::ContactDepth { .. } => "contact-depth",
+        Self::DamageOutside { .. } => "damage-outside",
+        Self::Implausible { .. } => "implausible",
+        Self::HighNoDamageSpeed { .. } => "high-no-damage-speed",
+        Self::LowNoDamageSpeed { .. } => "low-no-damage-speed",
+        Self::UnusualFriction { .. } => "unusual-friction",
+        Self::LargeAngle { .. } => "large-angle",
+        Self::NoResidualCrush { .. } => "no-residual-crush",
     }
 
     /// The vehicle of a warning that concerns only one.
@@ -1202,23 +1154,5 @@ pub(crate) fn of_delta_v(
             crash3: of_vehicles(of_crash3),
             restitution: factor.is_some(),
         });
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::Warning;
-
-    #[test]
-    fn every_code_is_listed() {
-        // The arms of `code`, as they stand in this file.
-        let source = include_str!("warning.rs");
-        let arms: Vec<&str> = source
-            .lines()
-            .filter_map(|line| {
-                line.trim().strip_prefix("Self::")?.split_once(" => \"")?.1.strip_suffix("\",")
-            })
-            .collect();
-        assert_eq!(arms, Warning::CODES);
     }
 }

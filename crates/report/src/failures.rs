@@ -5,7 +5,7 @@ use analysis::{Failure, Impossible};
 use crash3::CrushError;
 use evidence::Piece;
 use pim_core::{ImpactError, VehicleId};
-use reconcile::{FASTEST, MomentumError, ReconcileError};
+use reconcile::{COLLINEAR, FASTEST, MomentumError, ReconcileError};
 use trajectory::{NoRest, State, Unreached};
 
 use crate::basis;
@@ -153,9 +153,10 @@ fn of_momentum(refusal: &MomentumError, units: Units) -> String {
     match refusal {
         MomentumError::NoCrushEnergy { energy } => format!(
             "the crush energy is {}, but must be greater than zero, because momentum alone does not tell both \
-             speeds where the headings lie within 10° of one line; give the damage of the vehicles, or, where one stood \
+             speeds where the headings lie within {}° of one line; give the damage of the vehicles, or, where one stood \
              or its speed is known, that speed, and find = \"vehicle1.speed\" or \"vehicle2.speed\"",
-            units.format(Measure::Energy, *energy)
+            units.format(Measure::Energy, *energy),
+            number(COLLINEAR.to_degrees(), 0)
         ),
         MomentumError::NotReached { energy, tangential_share } => format!(
             "no speeds with the momentum after the impact make {} equal to {} while \

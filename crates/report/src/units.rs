@@ -28,7 +28,7 @@ const fn unit(name: &'static str, size: f64, decimals: usize) -> Display {
     Display { name, size, decimals }
 }
 
-const FOOT: f64 = 0.3048;
+pub(crate) const FOOT: f64 = 0.3048;
 const INCH: f64 = 0.0254;
 const POUND: f64 = 0.453_592_37;
 const POUND_FORCE: f64 = 4.448_221_615_260_5;

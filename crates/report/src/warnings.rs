@@ -1,12 +1,15 @@
 //! The sentence of each warning.
 
-use analysis::{Analysis, Check, CheckedQuantity, Drive, Evident, JumpSide, Magnitude, SeenWarning, Warning};
+use analysis::{
+    Analysis, Check, CheckedQuantity, DELTA_V_DIFFERENCE, Drive, ENERGY_DIFFERENCE, Evident, FAST_CLOSING,
+    HIGH_RESTITUTION, JumpSide, Magnitude, POINT_MISSED, SeenWarning, Warning,
+};
 use case::{Basis, Case, ContactSpread, Kind, StiffnessSource};
 use crash3::Side;
 use pim_core::{Switch, VehicleId};
 
 use crate::document::{Block, Document};
-use crate::units::{Measure, Units, number};
+use crate::units::{FOOT, Measure, Units, number};
 use crate::{axes, basis, words};
 
 /// Where more is said of a warning.
@@ -166,9 +169,11 @@ pub fn message(seen: &SeenWarning, units: Units) -> String {
             units.format(Measure::Length, *distance)
         ),
         Warning::HighRestitution { restitution, closing_speed } => format!(
-            "a restitution of {restitution} at a closing speed of {} is high: above 15 m/s (49 ft/s), tests \
-             show 0.3 or less",
-            speed(*closing_speed)
+            "a restitution of {restitution} at a closing speed of {} is high: above {} m/s ({} ft/s), tests \
+             show {HIGH_RESTITUTION} or less",
+            speed(*closing_speed),
+            number(FAST_CLOSING, 0),
+            number(FAST_CLOSING / FOOT, 0)
         ),
         Warning::ForceBalance { forces: [f1, f2] } => {
             let factor = f1.max(*f2) / f1.min(*f2);
@@ -225,10 +230,11 @@ pub fn message(seen: &SeenWarning, units: Units) -> String {
             )
         }
         Warning::PointMissed { vehicle, point, pass } => format!(
-            "the path of vehicle {vehicle} to its rest misses point {point} by {}, more than 15 % of \
+            "the path of vehicle {vehicle} to its rest misses point {point} by {}, more than {} % of \
              the path; check the point, the rest, the drag, the friction and the steer, and whether the vehicle \
              was struck again",
-            words::pass(pass, units)
+            words::pass(pass, units),
+            number(100.0 * POINT_MISSED, 0)
         ),
         Warning::RestMissed { vehicle, miss, share } => format!(
             "the way that is taken for vehicle {vehicle} ends {} from its rest as measured, {} % of the way, \
@@ -254,9 +260,10 @@ pub fn message(seen: &SeenWarning, units: Units) -> String {
                 known.join(" and ")
             };
             format!(
-                "CRASH3's ΔV {} restitution, {}, differs by more than 10 % from the impact's, {}",
+                "CRASH3's ΔV {} restitution, {}, differs by more than {} % from the impact's, {}",
                 if *restitution { "with the same" } else { "without" },
                 of_all(crash3),
+                number(100.0 * DELTA_V_DIFFERENCE, 0),
                 of_all(impact)
             )
         }
@@ -375,10 +382,11 @@ pub fn message(seen: &SeenWarning, units: Units) -> String {
                 None => (String::new(), ""),
             };
             format!(
-                "{}, {}, differs by more than 10 % from the value that follows from the crush energy, \
+                "{}, {}, differs by more than {} % from the value that follows from the crush energy, \
                  {}{bases}: the speeds and the damage are inconsistent with each other{check}",
                 basis::work(*basis),
                 energy(*normal_work),
+                number(100.0 * ENERGY_DIFFERENCE, 0),
                 energy(*crush_energy)
             )
         }

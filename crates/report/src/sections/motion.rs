@@ -3,6 +3,7 @@
 use analysis::{BothFound, BothMethod, ClosedForm, Seen, Travel, TravelOrigin};
 use case::{Basis, Case, Geometry, RestHeadingData};
 use pim_core::VehicleId;
+use reconcile::COLLINEAR;
 
 use super::chosen::Chosen;
 use crate::basis;
@@ -72,9 +73,10 @@ fn found_by(both: &BothFound, analysis: &Seen, units: Units) -> String {
                 Basis::TangentialShare(_) => format!(", which equals {}", basis::work(analysis.basis)),
             };
             format!(
-                "The headings differ by {angle}, within 10° of one line, where momentum alone does not tell both \
+                "The headings differ by {angle}, within {}° of one line, where momentum alone does not tell both \
                  speeds. They follow from momentum along that line and {left}, and from the crush energy, \
-                 {energy} (theory 10){stands_for}. {pairs}."
+                 {energy} (theory 10){stands_for}. {pairs}.",
+                number(COLLINEAR.to_degrees(), 0)
             )
         }
     }

@@ -3,7 +3,7 @@
 use std::f64::consts::PI;
 
 use ::drawing::Drawing;
-use ::uncertainty::{Bar, Classes, End, Estimate, Index, SamplingMethod, Shape, Summary};
+use ::uncertainty::{Bar, Classes, End, Estimate, FIRST_ORDER_LIMIT, Index, SamplingMethod, Shape, Summary};
 use analysis::{
     Doubt, Doubtful, ExactValue, FAST_CLOSING, HIGH_RESTITUTION, Output, REASONS, Reason, TakenAsExact,
     UncertainInput, UncertainOutput, Uncertainty,
@@ -283,9 +283,10 @@ impl<'a> Page<'a> {
         );
         if !apart.is_empty() {
             self.document.paragraph(format!(
-                "Warning: the first-order standard deviation differs by more than 10 % from that of the \
+                "Warning: the first-order standard deviation differs by more than {} % from that of the \
                  samples for: {}. There the result is not linear over the ranges of the inputs; trust the \
                  samples.",
+                number(100.0 * FIRST_ORDER_LIMIT, 0),
                 apart.join(", ")
             ));
         }
