@@ -177,21 +177,6 @@ impl<T: Copy> ImpactLaw<T> {
             },
         }
     }
-
-    /// The same law with the restitution of the first point of its curve, where it has one.
-    #[must_use]
-    pub fn without_curve(&self) -> Self {
-        let mut law = self.clone();
-        if let Self::Brach { restitution, .. }
-        | Self::Ishikawa { restitution, .. }
-        | Self::KudlichSlibar { restitution, .. } = &mut law
-            && let Restitution::OfClosingSpeed { values, .. } = restitution
-            && let Some(first) = values.first().copied()
-        {
-            *restitution = Restitution::Constant(first);
-        }
-        law
-    }
 }
 
 impl<T: Real> ImpactLaw<T> {

@@ -14,7 +14,7 @@
 //! what this leaves open is left to the polynomials of the stretch's [pieces](crate::pieces).
 
 use crash3::EnergyBasis;
-use pim_core::{InverseMass, Law, LawImpulse, NormalTangential};
+use pim_core::{InverseMass, Law, LawImpulse};
 
 use crate::cubic::{CONVERGED, STEPS};
 use crate::line::ApproachLine;
@@ -55,19 +55,6 @@ pub(crate) struct Push {
 }
 
 impl Push {
-    pub(crate) const NUMBERS: usize = 4;
-
-    #[inline(always)]
-    pub(crate) fn numbers(&self) -> [f64; Self::NUMBERS] {
-        let Self { at_rest: [p_0, p_e], slope: [p_x, p_ex] } = *self;
-        [p_0, p_e, p_x, p_ex]
-    }
-
-    #[inline(always)]
-    pub(crate) fn of([p_0, p_e, p_x, p_ex]: [f64; Self::NUMBERS]) -> Self {
-        Self { at_rest: [p_0, p_e], slope: [p_x, p_ex] }
-    }
-
     /// (N·s) P_n
     #[inline(always)]
     fn at(&self, x: f64, e: f64) -> f64 {
@@ -189,39 +176,6 @@ impl Posed<'_> {
 }
 
 impl Meeting {
-    pub(crate) const NUMBERS: usize = 13;
-
-    #[inline(always)]
-    pub(crate) fn numbers(&self) -> [f64; Self::NUMBERS] {
-        let Self { inverse_mass: k, line, crush_energy, basis: _, size } = self;
-        let ApproachLine { at_rest, slope, relative_yaw_rate } = line;
-        [
-            k.nn,
-            k.nt,
-            k.tt,
-            k.nm,
-            k.tm,
-            k.mm,
-            at_rest.normal,
-            at_rest.tangential,
-            slope.normal,
-            slope.tangential,
-            *relative_yaw_rate,
-            *crush_energy,
-            *size,
-        ]
-    }
-
-    #[inline(always)]
-    pub(crate) fn of(numbers: [f64; Self::NUMBERS], basis: EnergyBasis) -> Self {
-        let [nn, nt, tt, nm, tm, mm, normal, tangential, .., crush_energy, size] = numbers;
-        let [.., slope_normal, slope_tangential, relative_yaw_rate, _, _] = numbers;
-        let at_rest = NormalTangential { normal, tangential };
-        let slope = NormalTangential { normal: slope_normal, tangential: slope_tangential };
-        let line = ApproachLine { at_rest, slope, relative_yaw_rate };
-        Self { inverse_mass: InverseMass { nn, nt, tt, nm, tm, mm }, line, crush_energy, basis, size }
-    }
-
     #[inline(always)]
     pub(crate) fn impulse(&self, law: &Law, x: f64) -> LawImpulse {
         law.impulse(&self.inverse_mass, self.line.at(x))
@@ -359,21 +313,6 @@ impl Meeting {
         }
         if roots.are_apart() { Signs::Isolated(roots) } else { Signs::Unsure }
     }
-}
-
-/// The slowest of some roots, infinite where there is none, and whether they are apart.
-#[inline(always)]
-pub(crate) fn slowest<const N: usize>(roots: [f64; N]) -> (f64, bool) {
-    let (mut slowest, mut are_apart) = (f64::INFINITY, true);
-    for i in 0..N {
-        slowest = if roots[i] < slowest { roots[i] } else { slowest };
-        for j in 0..i {
-            let lesser = if roots[i] < roots[j] { roots[i] } else { roots[j] };
-            let are_near = (roots[i] - roots[j]).abs() <= lesser * APART;
-            are_apart &= !are_near;
-        }
-    }
-    (slowest, are_apart)
 }
 
 /// Where friction suffices.

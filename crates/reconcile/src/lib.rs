@@ -85,7 +85,6 @@
 #![cfg_attr(not(feature = "std"), no_std)]
 
 mod answer;
-mod block;
 mod brent;
 mod closed_form;
 mod cubic;
@@ -101,7 +100,6 @@ mod problem;
 mod quartic;
 
 pub use answer::{FASTEST, Iteration, Iterations, Reconciliation, SolutionMethod};
-pub use block::{CurveBlock, Laws, restitutions};
 pub use brent::{MAX_STEPS, RootError, brent};
 pub use closed_form::{AffineImpact, Quadratic};
 pub use crash3::EnergyBasis;

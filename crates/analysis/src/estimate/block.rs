@@ -13,7 +13,7 @@ use pim_core::{Contact, Law, Motion, Tangential, Vector2, VehicleId};
 use real::elementary::sin_cos;
 
 use super::impacts::{OpenSpeeds, Posed};
-use crate::uncertainty::lanes::{Damage, Mover, Number, VehicleLanes, lateral};
+use crate::uncertainty::lanes::{Damage, Mover, Number, VehicleLanes, lateral, uncertain_places};
 
 /// A case of which a block of particles can be posed at once.
 #[derive(Debug)]
@@ -98,8 +98,7 @@ impl Block {
             tangential: *tangential,
             basis: reconstruct.as_ref().map_or(Basis::Dissipated, |reconstruct| reconstruct.energy_basis),
         };
-        let read = block.numbers().into_iter().filter(|number| number.is_uncertain()).count();
-        (read == unknown).then_some(block)
+        (uncertain_places(block.numbers()) == unknown).then_some(block)
     }
 
     /// Every number that it reads.

@@ -3,34 +3,33 @@
 //! Each sample goes through the functions of the engine through which a single case goes, in the same order,
 //! so that the answers have the same bits. What a case says of its vehicles and their damage becomes columns,
 //! and there is nothing between these functions that keeps a compiler from vectorising the loop over the
-//! samples: no allocation, no error, no branch. So are the equations of the impact solved where they have one
-//! of the commonest closed forms, a cubic with one root, or a curve of restitution whose stretches have one
-//! root at most, at once. Any other law, and a sample that has no such answer, is solved from these columns
-//! one sample after the other, a search by the function that searches for a single case. That saves what
-//! costs a single case most, which is the case itself.
+//! samples: no allocation, no error, no branch. Under the commonest laws the speed has a closed form, which is
+//! found for all samples at once. Under any other law, and where a sample has no such answer, the samples are
+//! solved from these columns one after the other. That saves what costs a single case most, which is the case
+//! itself.
 //!
 //! What a block cannot say is left to the single case: each [`Alone`], and of an impact a sample whose damage
 //! the engine refuses.
 
+use std::collections::BTreeSet;
 use std::slice;
 
-use ::uncertainty::{Instructions, LANES, Lanes};
+use ::uncertainty::{Instructions, LANES, Lanes, SUCCEEDED};
 use crash3::{
     CrushError, DamagedFace, EnergyBasis, EnergyMoments, ObliqueCorrection, Profile, Side, SideStiffness,
-    Stiffness, VehicleClass, Zone, energy_of_equivalent_speed, equal_spacing, zone_energy,
+    Stiffness, VehicleClass, Zone, energy_of_equivalent_speed, equal_spacing, yaw_inertia_burg, zone_energy,
 };
 use fearless_simd::dispatch;
 use inputs::{
     Axes, Basis, BrachTangential, Case, ContactPoint, Crush, Dimensions, Find, GivenEes, GivenImpact,
-    GivenVehicle, ImpactLaw, KnownEnergy, Mass, Outline, Pdof, Quantity, Reconstruct, Restitution,
+    GivenVehicle, ImpactLaw, Kind, KnownEnergy, Mass, Outline, Pdof, Quantity, Reconstruct, Restitution,
     StiffnessForm, StiffnessLine, Velocity, YawInertia, along_face, class_yaw_inertia, placed_contact,
     scaled_stiffness,
 };
 use pim_core::{
-    Body, Contact, Law, Motion, Outcome, Participant, RestitutionCurve, Tangential, VaryingLaw, Vector2,
-    VehicleId,
+    Body, Contact, Law, Motion, Outcome, Participant, Tangential, VaryingLaw, Vector2, VehicleId,
 };
-use reconcile::{CurveBlock, Laws, Problem, Unknown, restitutions};
+use reconcile::{Problem, Unknown};
 
 use super::{Reason, value};
 use crate::sensitivity::Output;
@@ -82,19 +81,24 @@ pub(crate) enum Alone {
     BothSpeeds,
     /// It follows vehicles to rest or back: what a sample costs then is its way, not its case.
     Ways,
-    /// A yaw inertia by Burg's formula, of which no column is made.
-    Burg,
     /// The damage of a vehicle is not known, or follows from the other's.
     NoDamage,
     /// A vehicle that travels in another direction than its heading, along which its speed counts.
     Course,
-    /// Stations that are not equally spaced.
-    Spacing,
     /// What a case has to give is missing, or a result is asked for that an impact does not have.
     Incomplete,
     /// A range of a number that it does not read: one that no result depends on and that is not known to be
     /// idle.
     Unread,
+}
+
+/// How many of these numbers are uncertain, each once.
+pub(crate) fn uncertain_places(numbers: impl IntoIterator<Item = Number>) -> usize {
+    let place = |number| match number {
+        Number::Known(_) => None,
+        Number::Uncertain(place) => Some(place),
+    };
+    numbers.into_iter().filter_map(place).collect::<BTreeSet<usize>>().len()
 }
 
 /// A case of which a block of samples can be solved at once.
@@ -105,73 +109,30 @@ pub(super) struct Block {
     crush_plane: Quantity<Number>,
     /// What is sought, if not the impact at the speeds that are given.
     sought: Option<Sought>,
-    /// The law of a single sample, but for a curve of restitution: that is in `at_once`.
     law: ImpactLaw<Number>,
-    at_once: AtOnce,
+    /// Where the speed has a closed form.
+    at_once: Option<AtOnce>,
     /// The place of each output among all that there are, and (SI) the central values of these, 0 where one
     /// is not wanted.
     places: Vec<usize>,
     central: [f64; OUTPUTS],
 }
 
-/// The law of all samples at once. Not every combination of its parts has a compiled loop: under the others
-/// the samples are solved one after the other.
-#[derive(Debug)]
+/// A law under which a speed is found for all samples at once. The others are solved one sample after the
+/// other, which takes twice as long: a loop for each would take a compiler many times as long.
+#[derive(Clone, Copy, Debug)]
 struct AtOnce {
-    restitution: Restituted,
+    restitution: Number,
     condition: Condition,
-    /// e_m
-    moment: Option<Number>,
 }
 
-/// What a law that is solved at once restitutes.
-#[derive(Debug)]
-enum Restituted {
-    Constant(Number),
-    /// By the closing speed.
-    Curve(Vec<(Quantity<Number>, Number)>),
-}
-
-/// What a law that is solved at once asks for along the crush plane.
+/// What such a law asks for along the crush plane.
 #[derive(Clone, Copy, Debug)]
 enum Condition {
     /// e_t: zero, U_t = 0, where the law asks for a common tangential velocity.
     Restitution(Number),
-    /// f of a fraction of μ_c.
-    Fraction(Number),
     /// μ of a friction limit.
     Friction(Number),
-    /// μ of Kudlich and Slibar.
-    FullOrSliding(Number),
-    /// μ as it is given.
-    Ratio(Number),
-    /// U_t − u_t
-    VelocityChange(Quantity<Number>),
-}
-
-impl Condition {
-    /// In SI and the axes of the engine.
-    #[inline(always)]
-    fn lanes(&self, axes: Axes, inputs: &[Lanes]) -> Lanes {
-        match self {
-            Self::Restitution(number)
-            | Self::Fraction(number)
-            | Self::Friction(number)
-            | Self::FullOrSliding(number) => number.lanes(inputs),
-            Self::Ratio(number) => {
-                let mut ratios = number.lanes(inputs);
-                for ratio in &mut ratios {
-                    *ratio = axes.lateral(*ratio);
-                }
-                ratios
-            }
-            Self::VelocityChange(change) => {
-                let mut changes = Lanes::ZERO;
-                lateral(axes, change, inputs, &mut changes);
-                changes
-            }
-        }
-    }
 }
 
 /// A speed that the crush energy gives.
@@ -271,13 +232,23 @@ enum Yaw {
     Given(YawInertia<Number>),
     /// A size class, with the factor on its radius of gyration.
     Class(VehicleClass, Number),
+    /// Burg's formula from wheelbase and length, with the factor on the radius of gyration.
+    Burg([Quantity<Number>; 2], Number),
 }
 
-/// A crush that was measured at stations of equal spacing.
+/// A crush that was measured at stations.
 #[derive(Debug)]
 pub(crate) struct Crushed {
-    width: Quantity<Number>,
+    widths: Widths,
     depths: Vec<Quantity<Number>>,
+}
+
+/// How far the stations of a crush lie apart.
+#[derive(Debug)]
+enum Widths {
+    /// Equally, over a width.
+    Equal(Quantity<Number>),
+    Each(Vec<Quantity<Number>>),
 }
 
 impl Block {
@@ -352,23 +323,19 @@ impl Block {
             }
         };
         let vehicles = [vehicle(one, VehicleId::One)?, vehicle(two, VehicleId::Two)?];
-        let (law, at_once) = (law.without_curve(), AtOnce::new(law));
-        let (axes, crush_plane) = (*axes, *crush_plane);
+        let at_once = sought.and_then(|sought| AtOnce::new(&sought, law));
+        let (axes, crush_plane, law) = (*axes, *crush_plane, law.clone());
         let block = Self { axes, vehicles, crush_plane, sought, law, at_once, places, central: of_all };
-        let read = block.numbers().into_iter().filter(|number| number.is_uncertain()).count();
+        let read = uncertain_places(block.numbers());
         if read == uncertain { Ok(block) } else { Err(Alone::Unread) }
     }
 
     /// Every number that it reads.
     fn numbers(&self) -> Vec<Number> {
-        let Self { axes: _, vehicles, crush_plane, sought, law, at_once, places: _, central: _ } = self;
+        // What is solved at once is the same law.
+        let Self { axes: _, vehicles, crush_plane, sought, law, at_once: _, places: _, central: _ } = self;
         let mut numbers = vec![crush_plane.number()];
         drop(law.map(|number| numbers.push(number)));
-        if let Restituted::Curve(points) = &at_once.restitution {
-            numbers.extend(points.iter().map(|(speed, _)| speed.number()));
-            // The first one is that of the law.
-            numbers.extend(points.iter().skip(1).map(|(_, e)| *e));
-        }
         if let Some(Sought { unknown: _, basis: _, share }) = sought {
             numbers.extend(*share);
         }
@@ -401,25 +368,22 @@ impl Block {
     ) -> [bool; LANES] {
         let mut posed = Posed::NOTHING;
         self.pose(inputs, &mut posed);
-        let law = &self.at_once;
-        let numbers = law.condition.lanes(self.axes, inputs);
-        let told = match &law.restitution {
-            Restituted::Constant(e) => {
-                self.all_at_once(instructions, &e.lanes(inputs), (law, &numbers), &posed, inputs, outputs)
-            }
-            Restituted::Curve(points) => {
-                self.under_curves(instructions, points, (law, &numbers), &posed, inputs, outputs)
-            }
-        };
-        let mut settled = told.answered;
-        if settled == [true; LANES] {
-            return settled;
+        let mut settled = [false; LANES];
+        if let (Some(law), Some(sought)) = (&self.at_once, self.sought) {
+            let e = law.restitution.lanes(inputs);
+            let found = match law.condition {
+                Condition::Restitution(number) => {
+                    let numbers = [&e, &number.lanes(inputs)];
+                    self.at_once(instructions, (Tangential::Restitution, numbers), sought, &posed, outputs)
+                }
+                Condition::Friction(number) => {
+                    let numbers = [&e, &number.lanes(inputs)];
+                    self.at_once(instructions, (Tangential::Friction, numbers), sought, &posed, outputs)
+                }
+            };
+            (settled, *reasons) = found;
         }
-        for lane in 0..LANES {
-            reasons[lane] = if told.answered[lane] { reasons[lane] } else { told.reasons[lane] };
-            settled[lane] |= told.reasons[lane] != NO_REASON;
-        }
-        if !settled.iter().all(|is_settled| *is_settled) {
+        if settled != [true; LANES] {
             self.in_turn(&posed, inputs, outputs, reasons, &mut settled);
         }
         settled
@@ -460,36 +424,6 @@ impl Block {
         lanes.filter(has_several).count()
     }
 
-    /// Solves those samples that have an answer by one of the loops that are compiled: what one law needs
-    /// would cost all others time. A share of the tangential work has one under the commonest law alone.
-    #[inline(always)]
-    fn all_at_once(
-        &self,
-        instructions: Instructions,
-        e: &Lanes,
-        (law, numbers): (&AtOnce, &Lanes),
-        posed: &Posed,
-        inputs: &[Lanes],
-        outputs: &mut [Lanes],
-    ) -> Told {
-        let crush_energy = &posed.crush_energy;
-        let moment = law.moment.map(|moment| moment.lanes(inputs));
-        let law = (law.condition, numbers, moment.as_ref());
-        match self.sought {
-            None => self.under(instructions, (e, law), &Given { crush_energy }, posed, outputs),
-            Some(Sought { unknown, basis, share: None }) => {
-                let question = Speed { unknown, basis, share: NoShare, crush_energy };
-                self.under(instructions, (e, law), &question, posed, outputs)
-            }
-            Some(Sought { unknown, basis, share: Some(share) }) => {
-                let (Condition::Restitution(_), numbers, None) = law else { return Told::nothing() };
-                let question = Speed { unknown, basis, share: share.lanes(inputs), crush_energy };
-                let laws = LawLanes::without_moment(Tangential::Restitution, numbers);
-                self.at_once(instructions, (e, &laws), &question, posed, outputs)
-            }
-        }
-    }
-
     /// (J) no crush energy where the engine refuses the place of a damaged side.
     #[inline(never)]
     fn refuse_faces(&self, inputs: &[Lanes], crush_energy: &mut Lanes) {
@@ -504,209 +438,53 @@ impl Block {
         }
     }
 
-    #[inline(always)]
-    fn under(
-        &self,
-        instructions: Instructions,
-        (e, (condition, numbers, moment)): (&Lanes, (Condition, &Lanes, Option<&Lanes>)),
-        question: &impl Question,
-        posed: &Posed,
-        outputs: &mut [Lanes],
-    ) -> Told {
-        match (condition, moment) {
-            (Condition::Restitution(_), None) => {
-                let laws = LawLanes::without_moment(Tangential::Restitution, numbers);
-                self.at_once(instructions, (e, &laws), question, posed, outputs)
-            }
-            (Condition::Restitution(_), Some(moment)) => {
-                let laws = LawLanes { condition: Tangential::Restitution, numbers, moment };
-                self.at_once(instructions, (e, &laws), question, posed, outputs)
-            }
-            (Condition::Fraction(_), None) => {
-                let laws = LawLanes::without_moment(Tangential::FractionOfCritical, numbers);
-                self.at_once(instructions, (e, &laws), question, posed, outputs)
-            }
-            (Condition::Friction(_), None) => {
-                let laws = LawLanes::without_moment(Tangential::Friction, numbers);
-                self.at_once(instructions, (e, &laws), question, posed, outputs)
-            }
-            (Condition::Friction(_), Some(moment)) => {
-                let laws = LawLanes { condition: Tangential::Friction, numbers, moment };
-                self.at_once(instructions, (e, &laws), question, posed, outputs)
-            }
-            (Condition::FullOrSliding(_), _) => {
-                let laws = LawLanes::without_moment(Tangential::FullOrSliding, numbers);
-                self.at_once(instructions, (e, &laws), question, posed, outputs)
-            }
-            (Condition::Ratio(_), None) => {
-                let laws = LawLanes::without_moment(Tangential::Ratio, numbers);
-                self.at_once(instructions, (e, &laws), question, posed, outputs)
-            }
-            (Condition::VelocityChange(_), _) => {
-                let laws = LawLanes::without_moment(Tangential::VelocityChange, numbers);
-                self.at_once(instructions, (e, &laws), question, posed, outputs)
-            }
-            (Condition::Fraction(_) | Condition::Ratio(_), Some(_)) => Told::nothing(),
-        }
-    }
-
-    /// A function of its own for each law and instruction set: all in one would take a compiler many times as
-    /// long.
+    /// Which samples are settled, and why those have no answer that have none. A function of its own for each
+    /// condition and instruction set: all in one would take a compiler many times as long.
     #[inline(never)]
     fn at_once(
         &self,
         instructions: Instructions,
-        (e, laws): (&Lanes, &impl Restituting),
-        question: &impl Question,
+        law: (impl Fn(f64) -> Tangential, [&Lanes; 2]),
+        sought: Sought,
         posed: &Posed,
         outputs: &mut [Lanes],
-    ) -> Told {
-        dispatch!(instructions.level(), _simd => self.at_once_with(e, laws, question, posed, outputs))
+    ) -> ([bool; LANES], [u8; LANES]) {
+        dispatch!(instructions.level(), _simd => self.at_once_with(law, sought, posed, outputs))
     }
 
     #[inline(always)]
     fn at_once_with(
         &self,
-        e: &Lanes,
-        laws: &impl Restituting,
-        question: &impl Question,
+        (condition, [e, numbers]): (impl Fn(f64) -> Tangential, [&Lanes; 2]),
+        Sought { unknown, basis, share: _ }: Sought,
         posed: &Posed,
         outputs: &mut [Lanes],
-    ) -> Told {
+    ) -> ([bool; LANES], [u8; LANES]) {
         // On the stack of this function, so that the compiler knows that no column is part of another.
         let mut values = [Lanes::ZERO; OUTPUTS];
-        let mut told = Told::nothing();
+        let (mut settled, mut reasons) = ([false; LANES], [SUCCEEDED; LANES]);
         for lane in 0..LANES {
-            let (law, is_law) = laws.with_restitution(e[lane], lane);
+            let (law, is_law) = Law::new_with_validity(e[lane], condition(numbers[lane]));
             let (contact, motions, is_contact) = posed.contact(lane);
-            let (speed, outcome, [is_answer, pulls]) = question.answer(contact, law, motions, lane);
-            let is_taken = is_law & is_contact & question.takes(lane);
-            told.answered[lane] = is_taken & is_answer;
-            let reason = if pulls { Reason::Pulling.code() } else { NO_REASON };
-            told.reasons[lane] = if is_taken { reason } else { posed.faults[lane] };
+            let crush_energy = posed.crush_energy[lane];
+            let law = law.into();
+            let problem =
+                Problem { contact, law, motions, unknown, crush_energy, basis, tangential_share: 0.0 };
+            let (speed, outcome, [is_answer, pulls]) = problem.solve_with_verdict();
+            let is_taken = is_law & is_contact & !crush_energy.is_nan();
+            settled[lane] = !is_taken | is_answer | pulls;
+            let reason = if is_answer | !pulls { SUCCEEDED } else { Reason::Pulling.code() };
+            reasons[lane] = if is_taken { reason } else { posed.faults[lane] };
             for (column, value) in values.iter_mut().zip(answer(self.axes, &self.central, speed, &outcome)) {
                 column[lane] = value;
             }
         }
-        self.write(&values, outputs);
-        told
-    }
-
-    /// Solves those samples of which the speed under a curve of restitution is found at once.
-    #[inline(always)]
-    fn under_curves(
-        &self,
-        instructions: Instructions,
-        points: &[(Quantity<Number>, Number)],
-        (law, numbers): (&AtOnce, &Lanes),
-        posed: &Posed,
-        inputs: &[Lanes],
-        outputs: &mut [Lanes],
-    ) -> Told {
-        let Some(Sought { unknown, basis, share: None }) = self.sought else { return Told::nothing() };
-        // A closure for each would be compiled for the least of the instructions.
-        let mut columns = vec![[[0.0; LANES]; 2]; points.len()];
-        for ([speeds, values], (speed, e)) in columns.iter_mut().zip(points) {
-            let mut in_si = Lanes::ZERO;
-            si(speed, inputs, &mut in_si);
-            (*speeds, *values) = (*in_si, *e.lanes(inputs));
-        }
-        let points = &columns;
-        let (points, asked) = ((instructions, &points[..]), (unknown, basis));
-        match (law.condition, law.moment) {
-            (Condition::Restitution(_), None) => {
-                let laws = LawLanes::without_moment(Tangential::Restitution, numbers);
-                self.under_curves_of::<1, _>(points, &laws, asked, posed, outputs)
-            }
-            (Condition::Friction(_), None) => {
-                let laws = LawLanes::without_moment(Tangential::Friction, numbers);
-                self.under_curves_of::<3, _>(points, &laws, asked, posed, outputs)
-            }
-            (Condition::Friction(_), Some(moment)) => {
-                let moment = &moment.lanes(inputs);
-                let laws = LawLanes { condition: Tangential::Friction, numbers, moment };
-                self.under_curves_of::<3, _>(points, &laws, asked, posed, outputs)
-            }
-            (Condition::FullOrSliding(_), _) => {
-                let laws = LawLanes::without_moment(Tangential::FullOrSliding, numbers);
-                self.under_curves_of::<3, _>(points, &laws, asked, posed, outputs)
-            }
-            (Condition::Restitution(_), Some(_))
-            | (Condition::Fraction(_) | Condition::Ratio(_) | Condition::VelocityChange(_), _) => {
-                Told::nothing()
-            }
-        }
-    }
-
-    /// As [`at_once`](Self::at_once).
-    #[inline(never)]
-    fn under_curves_of<const BRANCHES: usize, L: Restituting + Laws>(
-        &self,
-        (instructions, points): (Instructions, &[[[f64; LANES]; 2]]),
-        laws: &L,
-        asked: (Unknown, EnergyBasis),
-        posed: &Posed,
-        outputs: &mut [Lanes],
-    ) -> Told {
-        dispatch!(
-            instructions.level(),
-            _simd => self.under_curves_with::<BRANCHES, L>(points, laws, asked, posed, outputs)
-        )
-    }
-
-    #[inline(always)]
-    fn under_curves_with<const BRANCHES: usize, L: Restituting + Laws>(
-        &self,
-        points: &[[[f64; LANES]; 2]],
-        laws: &L,
-        (unknown, basis): (Unknown, EnergyBasis),
-        posed: &Posed,
-        outputs: &mut [Lanes],
-    ) -> Told {
-        let mut block = CurveBlock::<LANES, BRANCHES>::new(basis);
-        let mut told = Told::nothing();
-        for lane in 0..LANES {
-            let (law, is_law) = laws.with_restitution(0.0, lane);
-            let (contact, motions, is_contact) = posed.contact(lane);
-            let is_taken = is_law & is_contact & !posed.crush_energy[lane].is_nan();
-            told.reasons[lane] = if is_taken { NO_REASON } else { posed.faults[lane] };
-            block.set(lane, &problem(contact, law, motions, unknown, posed.crush_energy[lane], basis));
-        }
-        let approaches = block.slowest_approaches(points, laws);
-        if !approaches.iter().any(|approach| *approach > 0.0) {
-            return told;
-        }
-        let mut closing = Lanes::ZERO;
-        for lane in 0..LANES {
-            let (law, _) = laws.with_restitution(0.0, lane);
-            let (contact, motions, _) = posed.contact(lane);
-            let problem = problem(contact, law, motions, unknown, posed.crush_energy[lane], basis);
-            closing[lane] = problem.closing_speed_at(approaches[lane]);
-        }
-        let (e, is_curve) = restitutions(points, &closing);
-        let mut values = [Lanes::ZERO; OUTPUTS];
-        for lane in 0..LANES {
-            let (law, is_law) = laws.with_restitution(e[lane], lane);
-            let (contact, motions, is_contact) = posed.contact(lane);
-            let problem = problem(contact, law, motions, unknown, posed.crush_energy[lane], basis);
-            let (speed, outcome, is_answer) = problem.answer_at(approaches[lane]);
-            told.answered[lane] = is_law & is_curve[lane] & is_contact & is_answer;
-            for (column, value) in values.iter_mut().zip(answer(self.axes, &self.central, speed, &outcome)) {
-                column[lane] = value;
-            }
-        }
-        self.write(&values, outputs);
-        told
-    }
-
-    /// The columns of the outputs that are wanted.
-    #[inline(always)]
-    fn write(&self, values: &[Lanes; OUTPUTS], outputs: &mut [Lanes]) {
         for (output, place) in outputs.iter_mut().zip(&self.places) {
             if let Some(column) = values.get(*place) {
                 *output = *column;
             }
         }
+        (settled, reasons)
     }
 
     /// Solves those samples that are not `settled` one after the other.
@@ -792,55 +570,37 @@ impl Block {
         lane: usize,
     ) -> Result<(Contact, VaryingLaw, [Motion; 2]), Reason> {
         let law = self.law.map(|number| number.at(inputs, lane));
-        let mut law = law.of_engine(self.axes).map_err(|_| posed.fault(lane))?;
-        if let Restituted::Curve(points) = &self.at_once.restitution {
-            let at = |(speed, e): &(Quantity<Number>, Number)| {
-                (speed.with(speed.number().at(inputs, lane)).si(), e.at(inputs, lane))
-            };
-            let curve = RestitutionCurve::new(points.iter().map(at).collect());
-            let curve = curve.map_err(|_| posed.fault(lane))?;
-            law = law.nominal().with_restitution_curve(curve);
-        }
+        let law = law.of_engine(self.axes).map_err(|_| posed.fault(lane))?;
         let (contact, motions, is_contact) = posed.contact(lane);
         if is_contact { Ok((contact, law, motions)) } else { Err(posed.fault(lane)) }
     }
 }
 
 impl AtOnce {
-    fn new(law: &ImpactLaw<Number>) -> Self {
+    /// Of no curve of restitution, no moment impulse and no share of the tangential work.
+    fn new(sought: &Sought, law: &ImpactLaw<Number>) -> Option<Self> {
         let zero = Number::Known(0.0);
-        let (restitution, condition, moment) = match law {
-            ImpactLaw::Brach { restitution, tangential, moment_restitution } => {
-                let condition = match tangential {
-                    BrachTangential::Critical => Condition::Restitution(zero),
-                    BrachTangential::Friction(limit) => Condition::Friction(*limit),
-                    BrachTangential::FractionOfCritical(share) => Condition::Fraction(*share),
-                    BrachTangential::Ratio(mu) => Condition::Ratio(*mu),
-                };
-                (Some(restitution), condition, *moment_restitution)
-            }
-            ImpactLaw::Ishikawa { restitution, tangential_restitution } => {
-                (Some(restitution), Condition::Restitution(*tangential_restitution), None)
+        if sought.share.is_some() {
+            return None;
+        }
+        let (restitution, condition) = match law {
+            ImpactLaw::Brach {
+                restitution: Restitution::Constant(e),
+                tangential,
+                moment_restitution: None,
+            } => match tangential {
+                BrachTangential::Critical => (*e, Condition::Restitution(zero)),
+                BrachTangential::Friction(limit) => (*e, Condition::Friction(*limit)),
+                BrachTangential::FractionOfCritical(_) | BrachTangential::Ratio(_) => return None,
+            },
+            ImpactLaw::Ishikawa { restitution: Restitution::Constant(e), tangential_restitution } => {
+                (*e, Condition::Restitution(*tangential_restitution))
             }
             // A common velocity along the normal.
-            ImpactLaw::Woolley { tangential_velocity_change: None } => {
-                (None, Condition::Restitution(zero), None)
-            }
-            ImpactLaw::Woolley { tangential_velocity_change: Some(change) } => {
-                (None, Condition::VelocityChange(*change), None)
-            }
-            ImpactLaw::KudlichSlibar { restitution, friction } => {
-                (Some(restitution), Condition::FullOrSliding(*friction), None)
-            }
+            ImpactLaw::Woolley { tangential_velocity_change: None } => (zero, Condition::Restitution(zero)),
+            _ => return None,
         };
-        let restitution = match restitution {
-            Some(Restitution::OfClosingSpeed { speeds, values }) => {
-                Restituted::Curve(speeds.iter().copied().zip(values.iter().copied()).collect())
-            }
-            Some(Restitution::Constant(e)) => Restituted::Constant(*e),
-            None => Restituted::Constant(zero),
-        };
-        Self { restitution, condition, moment }
+        Some(Self { restitution, condition })
     }
 }
 
@@ -875,178 +635,6 @@ impl Posed {
         let ((p1, is_1), (p2, is_2)) = (v1.participant(lane), v2.participant(lane));
         let (contact, is_contact) = Contact::new_with_validity([p1, p2], self.crush_plane[lane]);
         (contact, [v1.motion(lane), v2.motion(lane)], is_1 & is_2 & is_contact)
-    }
-}
-
-/// What a loop tells of all samples at once.
-#[derive(Clone, Copy)]
-struct Told {
-    /// Whether the sample has its answer.
-    answered: [bool; LANES],
-    /// [`Reason::code`] of a sample that surely has none, [`NO_REASON`] of all others.
-    reasons: [u8; LANES],
-}
-
-/// Of a sample that has an answer, or about which nothing is told yet.
-const NO_REASON: u8 = 0;
-
-impl Told {
-    #[inline(always)]
-    fn nothing() -> Self {
-        Self { answered: [false; LANES], reasons: [NO_REASON; LANES] }
-    }
-}
-
-/// A sample under a curve of restitution, with a law that has any restitution.
-#[inline(always)]
-fn problem(
-    contact: Contact,
-    law: Law,
-    motions: [Motion; 2],
-    unknown: Unknown,
-    crush_energy: f64,
-    basis: EnergyBasis,
-) -> Problem {
-    Problem { contact, law: law.into(), motions, unknown, crush_energy, basis, tangential_share: 0.0 }
-}
-
-/// The laws of all samples, but for their restitution.
-struct LawLanes<'a, F, M> {
-    condition: F,
-    numbers: &'a Lanes,
-    moment: M,
-}
-
-/// Laws that take any restitution.
-trait Restituting {
-    /// That of one sample, and whether there is such a law.
-    fn with_restitution(&self, e: f64, lane: usize) -> (Law, bool);
-}
-
-impl<'a, F> LawLanes<'a, F, NoMoment> {
-    #[inline(always)]
-    fn without_moment(condition: F, numbers: &'a Lanes) -> Self {
-        Self { condition, numbers, moment: NoMoment }
-    }
-}
-
-impl<F: Fn(f64) -> Tangential, M: Moment> Restituting for LawLanes<'_, F, M> {
-    #[inline(always)]
-    fn with_restitution(&self, e: f64, lane: usize) -> (Law, bool) {
-        let (law, is_law) = Law::new_with_validity(e, (self.condition)(self.numbers[lane]));
-        let (law, has_moment) = law.with_moment_restitution_and_validity(self.moment.at(lane));
-        (law, is_law & has_moment)
-    }
-}
-
-impl<F: Fn(f64) -> Tangential, M: Moment> Laws for LawLanes<'_, F, M> {
-    #[inline(always)]
-    fn law(&self, lane: usize) -> Law {
-        self.with_restitution(0.0, lane).0
-    }
-}
-
-/// e_m of each sample.
-trait Moment {
-    fn at(&self, lane: usize) -> f64;
-}
-
-/// No moment impulse: a constant, with which all that belongs to one is left out.
-struct NoMoment;
-
-impl Moment for NoMoment {
-    #[inline(always)]
-    fn at(&self, _lane: usize) -> f64 {
-        -1.0
-    }
-}
-
-impl Moment for &Lanes {
-    #[inline(always)]
-    fn at(&self, lane: usize) -> f64 {
-        self[lane]
-    }
-}
-
-/// The speed that is sought, not a number where none is, its impact, and whether that is the answer, or there
-/// is none because the vehicles would have to pull at each other.
-type Answered = (f64, Outcome, [bool; 2]);
-
-/// What is asked of the samples that are solved at once.
-trait Question {
-    /// The answer for one sample.
-    fn answer(&self, contact: Contact, law: Law, motions: [Motion; 2], lane: usize) -> Answered;
-
-    /// Whether nothing of the damage is missing that the engine needs before it answers.
-    fn takes(&self, lane: usize) -> bool;
-}
-
-/// For a speed.
-struct Speed<'a, S> {
-    unknown: Unknown,
-    basis: EnergyBasis,
-    share: S,
-    crush_energy: &'a Lanes,
-}
-
-impl<S: Share> Question for Speed<'_, S> {
-    #[inline(always)]
-    fn answer(&self, contact: Contact, law: Law, motions: [Motion; 2], lane: usize) -> Answered {
-        let problem = Problem {
-            contact,
-            law: law.into(),
-            motions,
-            unknown: self.unknown,
-            crush_energy: self.crush_energy[lane],
-            basis: self.basis,
-            tangential_share: self.share.at(lane),
-        };
-        problem.solve_with_verdict()
-    }
-
-    #[inline(always)]
-    fn takes(&self, lane: usize) -> bool {
-        !self.crush_energy[lane].is_nan()
-    }
-}
-
-/// For the impact at the speeds that are given.
-struct Given<'a> {
-    crush_energy: &'a Lanes,
-}
-
-impl Question for Given<'_> {
-    #[inline(always)]
-    fn answer(&self, contact: Contact, law: Law, motions: [Motion; 2], lane: usize) -> Answered {
-        let (outcome, is_possible) = contact.impact_with_validity(motions, &law);
-        // A damage of which the engine refuses something has no energy.
-        (f64::NAN, outcome, [is_possible & !self.crush_energy[lane].is_nan(), false])
-    }
-
-    #[inline(always)]
-    fn takes(&self, _lane: usize) -> bool {
-        true
-    }
-}
-
-/// λ of each sample.
-trait Share {
-    fn at(&self, lane: usize) -> f64;
-}
-
-struct NoShare;
-
-impl Share for NoShare {
-    #[inline(always)]
-    fn at(&self, _lane: usize) -> f64 {
-        0.0
-    }
-}
-
-impl Share for Lanes {
-    #[inline(always)]
-    fn at(&self, lane: usize) -> f64 {
-        self[lane]
     }
 }
 
@@ -1301,18 +889,17 @@ impl Mover {
     ) -> Result<Self, Alone> {
         let GivenVehicle {
             name: _,
-            kind: _,
+            kind,
             fixed,
             mass,
             yaw,
             class,
-            // Where mass, inertia and contact are given, as a block asks for, these are for drawings and
-            // warnings.
-            wheelbase: _,
+            wheelbase,
+            // These are for drawings, warnings and the motion to rest.
             track: _,
             cg_to_front_axle: _,
-            length: _,
-            outline: _,
+            length,
+            outline,
             diameter: _,
             heading,
             sideslip,
@@ -1343,8 +930,12 @@ impl Mover {
             (None, Some(class), Some(factor)) => {
                 Yaw::Class(VehicleClass::new(class).map_err(|_| Alone::Incomplete)?, factor)
             }
-            (None, Some(_), None) => return Err(Alone::Incomplete),
-            (None, None, _) => return Err(Alone::Burg),
+            (None, None, Some(factor)) if kind.unwrap_or_default() == Kind::Car => {
+                let length = outline.map(|outline| outline.length).or(*length);
+                let lengths = wheelbase.zip(length).ok_or(Alone::Incomplete)?;
+                Yaw::Burg(lengths.into(), factor)
+            }
+            (None, ..) => return Err(Alone::Incomplete),
         };
         Ok(Self {
             mass: mass.ok_or(Alone::Incomplete)?,
@@ -1360,9 +951,10 @@ impl Mover {
     pub(crate) fn numbers(&self) -> impl Iterator<Item = Number> {
         let Self { mass, yaw, heading, contact, motion, yaw_rate } = self;
         let (Mass::Mass(mass) | Mass::Weight(mass)) = mass;
-        let yaw = match yaw {
-            Yaw::Given(YawInertia::Inertia(yaw) | YawInertia::Radius(yaw)) => yaw.number(),
-            Yaw::Class(_, factor) => *factor,
+        let (yaw, lengths) = match yaw {
+            Yaw::Given(YawInertia::Inertia(yaw) | YawInertia::Radius(yaw)) => (yaw.number(), None),
+            Yaw::Class(_, factor) => (*factor, None),
+            Yaw::Burg(lengths, factor) => (*factor, Some(lengths)),
         };
         let (contact, moved) = match contact {
             Contacted::Given(contact) => (Some(contact.quantities()), None),
@@ -1376,7 +968,8 @@ impl Mover {
             Some(Velocity::Vector { x, y }) => [Some(x), Some(y)],
         };
         let given = [mass, heading].into_iter().chain(contact).chain(motion.into_iter().flatten());
-        given.chain(yaw_rate).map(Quantity::number).chain([yaw])
+        let given = given.chain(yaw_rate).chain(lengths.into_iter().flatten());
+        given.map(Quantity::number).chain([yaw])
     }
 
     /// [Nothing](VehicleLanes::NOTHING) becomes this vehicle.
@@ -1406,6 +999,17 @@ impl Mover {
                 let factors = factor.column(inputs, &mut known);
                 for lane in 0..LANES {
                     yaw_inertia[lane] = class_yaw_inertia(&class, mass[lane], factors[lane]);
+                }
+            }
+            Yaw::Burg([wheelbase, length], factor) => {
+                let (mut wheelbases, mut lengths) = (Lanes::ZERO, Lanes::ZERO);
+                si(&wheelbase, inputs, &mut wheelbases);
+                si(&length, inputs, &mut lengths);
+                let factors = factor.lanes(inputs);
+                for lane in 0..LANES {
+                    let estimate = yaw_inertia_burg(mass[lane], wheelbases[lane], lengths[lane]);
+                    let factor = factors[lane];
+                    yaw_inertia[lane] = estimate.map_or(f64::NAN, |estimate| estimate * factor * factor);
                 }
             }
             Yaw::Given(YawInertia::Radius(radius)) => {
@@ -1492,18 +1096,21 @@ impl Placed {
     /// The crush energy of each sample and its moments; `None` where the engine refuses the damage.
     fn moments(&self, inputs: &[Lanes]) -> [Option<EnergyMoments>; LANES] {
         let uniform = |[a, b, g]: [Lanes; 3]| {
-            let spacing = self.crushed.spacing(inputs);
-            std::array::from_fn(|lane| {
-                let (stiffness, is_stiffness) = Stiffness::from_abg_with_validity(a[lane], b[lane], g[lane]);
-                let mut moments = is_stiffness.then(EnergyMoments::none);
-                for [one, other] in self.crushed.zones() {
+            let mut moments = [const { None }; LANES];
+            let mut width = Lanes::ZERO;
+            for (number, [one, other]) in self.crushed.zones() {
+                self.crushed.width(number, inputs, &mut width);
+                for lane in 0..LANES {
+                    let (stiffness, is_stiffness) =
+                        Stiffness::from_abg_with_validity(a[lane], b[lane], g[lane]);
                     let at = |depth: &Quantity<Number>| depth.with(depth.number().at(inputs, lane)).si();
-                    let zone = Zone { width: spacing[lane], depths: [at(one), at(other)] };
-                    moments =
-                        moments.filter(|_| zone.is_valid()).map(|moments| moments.with(zone, &stiffness));
+                    let zone = Zone { width: width[lane], depths: [at(one), at(other)] };
+                    let before = if number == 0 { Some(EnergyMoments::none()) } else { moments[lane].take() };
+                    let is_sound = is_stiffness & zone.is_valid();
+                    moments[lane] = before.filter(|_| is_sound).map(|moments| moments.with(zone, &stiffness));
                 }
-                moments
-            })
+            }
+            moments
         };
         match &self.resistance {
             Resistance::Line(line) => uniform(line.lanes(inputs)),
@@ -1549,34 +1156,55 @@ impl Crushed {
         if *from_force_balance {
             return Err(Alone::NoDamage);
         }
-        let Some(width) = width.filter(|_| spacing.is_none()) else { return Err(Alone::Spacing) };
-        Ok((Self { width, depths: depths.clone() }, stiffness))
+        let widths = match (spacing, width) {
+            // The width is then that of a drawing.
+            (Some(spacing), _) => Widths::Each(spacing.clone()),
+            (None, Some(width)) => Widths::Equal(*width),
+            (None, None) => return Err(Alone::Incomplete),
+        };
+        Ok((Self { widths, depths: depths.clone() }, stiffness))
     }
 
     /// Every number that it reads.
     fn numbers(&self) -> impl Iterator<Item = Number> {
-        let Self { width, depths } = self;
-        [width].into_iter().chain(depths).map(Quantity::number)
+        let Self { widths, depths } = self;
+        let widths = match widths {
+            Widths::Equal(width) => slice::from_ref(width),
+            Widths::Each(widths) => widths,
+        };
+        widths.iter().chain(depths).map(Quantity::number)
     }
 
-    /// (m) the width of each zone.
+    /// (m) the width of a zone, in place of that of the zone before it.
     #[inline(always)]
-    fn spacing(&self, inputs: &[Lanes]) -> Lanes {
-        let mut spacing = Lanes::ZERO;
-        each(&self.width, inputs, &mut spacing, |width| equal_spacing(width.si(), self.depths.len()));
-        spacing
+    fn width(&self, zone: usize, inputs: &[Lanes], width: &mut Lanes) {
+        match &self.widths {
+            Widths::Equal(whole) if zone == 0 => {
+                each(whole, inputs, width, |whole| equal_spacing(whole.si(), self.depths.len()));
+            }
+            Widths::Equal(_) => {}
+            Widths::Each(widths) => match widths.get(zone) {
+                Some(own) => si(own, inputs, width),
+                None => *width = NO_NUMBERS,
+            },
+        }
     }
 
-    /// The depths at the ends of each zone.
+    /// The number of each zone and the depths at its ends.
     #[inline(always)]
-    fn zones(&self) -> impl Iterator<Item = [&Quantity<Number>; 2]> {
-        self.depths.iter().zip(self.depths.iter().skip(1)).map(|(one, other)| [one, other])
+    fn zones(&self) -> impl Iterator<Item = (usize, [&Quantity<Number>; 2])> {
+        let ends = self.depths.iter().zip(self.depths.iter().skip(1));
+        ends.map(|(one, other)| [one, other]).enumerate()
     }
 
     /// The profile of one sample.
     fn profile(&self, inputs: &[Lanes], lane: usize) -> Result<Profile, CrushError> {
         let at = |quantity: &Quantity<Number>| quantity.with(quantity.number().at(inputs, lane)).si();
-        Profile::equally_spaced(self.depths.iter().map(at).collect(), at(&self.width))
+        let depths = self.depths.iter().map(at).collect();
+        match &self.widths {
+            Widths::Equal(width) => Profile::equally_spaced(depths, at(width)),
+            Widths::Each(widths) => Profile::new(depths, widths.iter().map(at).collect()),
+        }
     }
 
     /// (J) adds the crush energy of a structure, one sample after the other; not a number where a sample has
@@ -1614,9 +1242,10 @@ impl Crushed {
         total: &mut Lanes,
         faults: &mut [u8; LANES],
     ) {
-        let spacing = self.spacing(inputs);
         let (mut own, mut is_structure) = (Lanes::ZERO, [true; LANES]);
-        for (ends, line) in self.zones().zip(lines.iter().cycle()) {
+        let mut width = Lanes::ZERO;
+        for ((number, ends), line) in self.zones().zip(lines.iter().cycle()) {
+            self.width(number, inputs, &mut width);
             let mut known = [None; 2];
             let depths = columns(ends, inputs, &mut known);
             let mut known = [None; 4];
@@ -1626,7 +1255,7 @@ impl Crushed {
                 quantity.with(column.unwrap_or(&NO_NUMBERS))
             });
             for lane in 0..LANES {
-                let zone = Zone { width: spacing[lane], depths: si_at(ends, depths, lane) };
+                let zone = Zone { width: width[lane], depths: si_at(ends, depths, lane) };
                 let line = numbers.map(|quantity| quantity.with(quantity.number()[lane]));
                 own[lane] += match line.stiffness() {
                     Ok(stiffness) => {
@@ -1651,17 +1280,17 @@ impl Crushed {
     /// (J) adds the crush energy with A, B and G; not a number where a sample has none.
     #[inline(always)]
     pub(crate) fn add_energy(&self, inputs: &[Lanes], [a, b, g]: &[Lanes; 3], total: &mut Lanes) {
-        let spacing = self.spacing(inputs);
-        let mut own = Lanes::ZERO;
+        let (mut own, mut width) = (Lanes::ZERO, Lanes::ZERO);
         for lane in 0..LANES {
             let (_, is_stiffness) = Stiffness::from_abg_with_validity(a[lane], b[lane], g[lane]);
             own[lane] = if is_stiffness { 0.0 } else { f64::NAN };
         }
-        for ends in self.zones() {
+        for (number, ends) in self.zones() {
+            self.width(number, inputs, &mut width);
             let mut known = [None; 2];
             let depths = columns(ends, inputs, &mut known);
             for lane in 0..LANES {
-                let zone = Zone { width: spacing[lane], depths: si_at(ends, depths, lane) };
+                let zone = Zone { width: width[lane], depths: si_at(ends, depths, lane) };
                 let (stiffness, _) = Stiffness::from_abg_with_validity(a[lane], b[lane], g[lane]);
                 let energy = zone_energy(zone, &stiffness);
                 own[lane] += if zone.is_valid() { energy } else { f64::NAN };
