@@ -84,7 +84,7 @@ impl Fixture {
 
 fn settings(samples: usize) -> Settings {
     // As a row of a table has it.
-    Settings { columns: 0, ..Settings::new(SamplingMethod::MonteCarlo, samples, 1) }
+    Settings::new(SamplingMethod::MonteCarlo, samples, 1)
 }
 
 fn fixtures() -> Result<Vec<Fixture>, Failure> {

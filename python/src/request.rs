@@ -118,7 +118,7 @@ impl Request {
                 let method =
                     chosen("method", method, &SamplingMethod::WORDS).unwrap_or(SamplingMethod::MonteCarlo);
                 // `columns` promises all samples.
-                let settings = Settings { keep: usize::MAX, ..Settings::new(method, samples, *seed) };
+                let settings = Settings::new(method, samples, *seed);
                 let plan = Plan { settings, index_rows: *sobol };
                 let uncertainty = analysis::uncertainty(case, &plan, &mut |_, _, _| ending.flow())?;
                 Ok(Answer::Uncertainty(Box::new(uncertainty)))

@@ -148,7 +148,7 @@ impl AsRef<[u8]> for Memory {
     fn as_ref(&self) -> &[u8] {
         let column = match self.solved.answer.get() {
             Some(Answer::Uncertainty(uncertainty)) => {
-                uncertainty.propagation.columns().get(self.place).copied()
+                uncertainty.propagation.columns().get(self.place).map(Vec::as_slice)
             }
             Some(Answer::Estimate(answer)) => {
                 report::draw_columns(&answer.0).get(self.place).map(|column| column.values)

@@ -61,10 +61,6 @@ pub struct Uncertainty {
     pub tornado: Tornado,
     /// Sobol' indices, if asked for, of the outputs in their order.
     pub indices: Option<::uncertainty::SobolIndices>,
-    /// What was computed beside the outputs, by which doubts are seen, and (SI) its central values.
-    others: Vec<(Output, f64)>,
-    /// The case, where its samples are not kept.
-    case: Option<Box<Case>>,
 }
 
 /// A number that is a range, or the departure of an estimate.
@@ -283,8 +279,7 @@ pub struct SampleBlock<'a> {
 }
 
 impl Uncertainty {
-    /// Shows all samples in their order: with their inputs, which are drawn again, and with their outputs,
-    /// which are computed again unless they are [kept](Propagation::is_kept).
+    /// Shows all samples in their order: with their inputs, which are drawn again, and with their outputs.
     ///
     /// # Errors
     /// What `visit` returns.
@@ -292,30 +287,19 @@ impl Uncertainty {
         &self,
         mut visit: impl FnMut(SampleBlock<'_>) -> Result<(), E>,
     ) -> Result<(), E> {
-        let asked = self.outputs.iter().map(|output| (output.output, output.central));
-        let (outputs, central): (Vec<Output>, Vec<f64>) = asked.chain(self.others.iter().copied()).unzip();
-        let asked = self.outputs.len();
         let distributions: Vec<Distribution> = self.inputs.iter().map(|input| input.distribution).collect();
         // The settings and inputs are those of a run that there was.
         let Ok(sampler) = Sampler::new(&distributions, &self.settings) else { return Ok(()) };
-        let sample = |case: &Case| Sample::new(case, &self.nominal, &self.inputs, &outputs, &central);
-        let model = self.case.as_deref().map(sample);
         let mut inputs = vec![Lanes::ZERO; self.inputs.len()];
-        let mut answers = vec![Lanes::ZERO; outputs.len()];
-        let mut reasons = [0; LANES];
-        let (evaluated, columns) = (self.propagation.evaluated(), self.propagation.columns());
-        for (block, first) in (0..).zip((0..evaluated).step_by(LANES)) {
-            let count = LANES.min(evaluated - first);
-            if let Some(model) = &model {
-                sampler.evaluate(model, block, &mut inputs, &mut answers, &mut reasons);
-            } else {
-                sampler.fill(block, &mut inputs);
-                for (answer, column) in answers.iter_mut().zip(&columns) {
-                    answer[..count].copy_from_slice(&column[first..first + count]);
-                }
-                reasons[..count].copy_from_slice(&self.propagation.reasons()[first..first + count]);
+        let mut answers = vec![Lanes::ZERO; self.outputs.len()];
+        let (reasons, columns) = (self.propagation.reasons(), self.propagation.columns());
+        for (block, first) in (0..).zip((0..reasons.len()).step_by(LANES)) {
+            let reasons = &reasons[first..reasons.len().min(first + LANES)];
+            sampler.fill(block, &mut inputs);
+            for (answer, column) in answers.iter_mut().zip(columns) {
+                answer[..reasons.len()].copy_from_slice(&column[first..][..reasons.len()]);
             }
-            visit(SampleBlock { inputs: &inputs, outputs: &answers[..asked], reasons: &reasons[..count] })?;
+            visit(SampleBlock { inputs: &inputs, outputs: &answers, reasons })?;
         }
         Ok(())
     }
@@ -397,7 +381,6 @@ pub fn uncertainty_of(
     let (found, propagation) = join(without_samples, propagate);
     let ((first_order, taken_as_exact, tornado), propagation) = (found?, propagation?);
     let is_ended = propagation.evaluated() < propagation.requested();
-    let again = (!propagation.is_kept()).then(|| Box::new(case.clone()));
     let doubtful = doubts::doubtful(&model, &inputs, &plan.settings, &propagation)?;
     let indices = match plan.index_rows {
         Some(samples) if !is_ended => {
@@ -407,7 +390,6 @@ pub fn uncertainty_of(
         }
         _ => None,
     };
-    let others = outputs.iter().copied().zip(central.iter().copied()).skip(asked).collect();
     let outputs = outputs.into_iter().zip(central).zip(first_order).take(asked);
     let outputs = outputs
         .map(|((output, central), first_order)| {
@@ -425,8 +407,6 @@ pub fn uncertainty_of(
         doubtful,
         tornado,
         indices,
-        others,
-        case: again,
     })
 }
 

@@ -641,7 +641,7 @@ fn a_shared_percentage_multiplies_each_of_its_numbers() {
     let result = run(&text, 64);
     let work = place(&result, Output::NormalWork);
     let central = result.outputs[work].central;
-    for (factor, sampled) in first_block(&result)[0].iter().zip(result.propagation.columns()[work]) {
+    for (factor, sampled) in first_block(&result)[0].iter().zip(&result.propagation.columns()[work]) {
         assert!((sampled / (central * factor * factor) - 1.0).abs() < 1e-9);
     }
 }
@@ -704,51 +704,37 @@ fn a_spread_that_is_switched_off_is_taken_as_exact() {
     assert!(keys.contains(&"vehicle1.crush.stiffness") && keys.contains(&"vehicle2.yaw_inertia"), "{keys:?}");
 }
 
-/// A run that keeps no samples, beside one that keeps all: the same statistics, doubts and failures, and the
-/// same samples when they are shown; of a case that takes a block, of one that does not, and with outputs
-/// that were asked for alone.
+/// The samples that are shown, in their order: their outputs are the columns, of all outputs and of one that
+/// was asked for alone, and their inputs are those that the sampler draws.
 #[test]
-fn samples_that_are_not_kept_are_computed_again() {
-    let friction = UNCERTAIN.replace("\"critical\"", "{ friction = 0.5 }");
+fn samples_are_shown_with_their_inputs() {
     let wide = UNCERTAIN.replace("{ low = 0.2, high = 0.4 }", "{ value = 0.3, sd = 0.5 }");
-    assert!(friction != UNCERTAIN && wide != UNCERTAIN);
-    for text in [UNCERTAIN, &friction, &wide] {
-        for asks_for_all in [true, false] {
-            let wanted =
-                |output: Output| asks_for_all || output == Output::DeltaV { vehicle: VehicleId::Two };
-            let [kept, again] = [usize::MAX, 0].map(|keep| {
-                let settings = Settings { keep, ..plan(5000).settings };
-                let plan = Plan { settings, index_rows: None };
-                let quietly = &mut |_, _, _| ControlFlow::Continue(());
-                uncertainty_of(&read(text), &plan, &wanted, quietly).unwrap()
-            });
-            assert!(kept.propagation.is_kept() && !again.propagation.is_kept());
-            assert_eq!(again.propagation.summaries(), kept.propagation.summaries());
-            assert_eq!(again.propagation.failures(), kept.propagation.failures());
-            assert_eq!(again.doubtful, kept.doubtful);
-            assert!(!kept.doubtful.is_empty(), "no doubt to compare");
-            let [shown, expected] = [&again, &kept].map(|result| {
-                let mut lines = Vec::new();
-                let done: Result<(), ()> = result.for_each_block(|block| {
-                    for (lane, reason) in block.reasons.iter().enumerate() {
-                        let outputs = block.outputs.iter().map(|column| column[lane].to_bits());
-                        let outputs = outputs.filter(|_| *reason == 0);
-                        let inputs = block.inputs.iter().map(|column| column[lane].to_bits());
-                        lines.push((*reason, inputs.chain(outputs).collect::<Vec<u64>>()));
-                    }
-                    Ok(())
-                });
-                assert_eq!(done, Ok(()));
-                lines
-            });
-            assert_eq!(shown.len(), 5000);
-            assert!(shown == expected);
-            let columns = kept.propagation.columns();
-            let answered = (0..5000).filter(|sample| expected[*sample].0 == 0);
-            for sample in answered {
-                let outputs = &expected[sample].1[kept.inputs.len()..];
-                assert!(outputs.iter().zip(&columns).all(|(bits, column)| column[sample].to_bits() == *bits));
+    assert!(wide != UNCERTAIN);
+    for asks_for_all in [true, false] {
+        let wanted = |output: Output| asks_for_all || output == Output::DeltaV { vehicle: VehicleId::Two };
+        let plan = Plan { settings: plan(5000).settings, index_rows: None };
+        let quietly = &mut |_, _, _| ControlFlow::Continue(());
+        let result = uncertainty_of(&read(&wide), &plan, &wanted, quietly).unwrap();
+        let distributions: Vec<_> = result.inputs.iter().map(|input| input.distribution).collect();
+        let sampler = ::uncertainty::Sampler::new(&distributions, &plan.settings).unwrap();
+        let mut drawn = vec![::uncertainty::Lanes::ZERO; distributions.len()];
+        let (mut block, mut sample, mut failed) = (0, 0, 0);
+        let done: Result<(), ()> = result.for_each_block(|shown| {
+            sampler.fill(block, &mut drawn);
+            assert_eq!(shown.inputs, drawn);
+            block += 1;
+            for (lane, reason) in shown.reasons.iter().enumerate() {
+                assert_eq!(*reason, result.propagation.reasons()[sample]);
+                failed += usize::from(*reason != 0);
+                for (output, column) in shown.outputs.iter().zip(result.propagation.columns()) {
+                    assert_eq!(output[lane].to_bits(), column[sample].to_bits());
+                }
+                sample += 1;
             }
-        }
+            Ok(())
+        });
+        assert_eq!((done, sample), (Ok(()), 5000));
+        assert_eq!(result.propagation.columns().len(), if asks_for_all { result.outputs.len() } else { 1 });
+        assert!(failed > 0 && failed == 5000 - result.propagation.succeeded());
     }
 }

@@ -12,7 +12,7 @@ use clap::builder::{
 use clap::{Arg, Args, Parser, ValueEnum};
 use clap_complete::Shell;
 use estimate::{MOST_PARTICLES, PARTICLES_STEP, Settings};
-use uncertainty::{MAX_SAMPLES, MIN_SAMPLES};
+use uncertainty::{InvalidRequest, MAX_SAMPLES, MIN_SAMPLES};
 
 /// Reconstructs a two-vehicle collision from its damage.
 ///
@@ -720,21 +720,19 @@ fn output_name(text: &str) -> Result<String, String> {
     })
 }
 
+/// Judged before anything is drawn.
 fn samples(text: &str) -> Result<usize, String> {
-    enough(text, "samples")
+    let samples = count(text)?;
+    if samples > MAX_SAMPLES {
+        return Err(InvalidRequest::TooManySamples { samples }.to_string());
+    }
+    if samples < MIN_SAMPLES { Err(InvalidRequest::Samples { samples }.to_string()) } else { Ok(samples) }
 }
 
 fn rows(text: &str) -> Result<usize, String> {
-    enough(text, "rows")
-}
-
-/// Judged before anything is drawn, which may take minutes.
-fn enough(text: &str, what: &str) -> Result<usize, String> {
-    let number = count(text)?;
-    if number < MIN_SAMPLES || u64::try_from(number).is_ok_and(|number| number > MAX_SAMPLES) {
-        return Err(format!("the number of {what} must be between {MIN_SAMPLES} and {MAX_SAMPLES}"));
-    }
-    Ok(number)
+    let rows = count(text)?;
+    let is_possible = (MIN_SAMPLES..=MAX_SAMPLES).contains(&rows);
+    if is_possible { Ok(rows) } else { Err(InvalidRequest::Rows { rows }.to_string()) }
 }
 
 fn seed(text: &str) -> Result<u64, String> {

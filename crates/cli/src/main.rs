@@ -34,7 +34,7 @@ use report::{
     Answer, Csv, CsvStyle, Document, Drawing, DrawingError, PictureFormat, Supplements, Table, Units,
 };
 use sink::Sink;
-use uncertainty::{Classes, SamplingMethod, Settings};
+use uncertainty::{SamplingMethod, Settings};
 use validation::{Data, Validation};
 
 /// What a command makes of a case.
@@ -328,17 +328,9 @@ fn report_uncertainty(arguments: UncertaintyArguments) -> Result<()> {
         arguments::Method::LatinHypercube => SamplingMethod::LatinHypercube,
         arguments::Method::Sobol => SamplingMethod::Sobol,
     };
-    // A text shows the histogram of the first result; what is written or drawn takes all samples.
-    let (columns, classes): (usize, &'static [Classes]) = match of_case.format.of_one() {
-        _ if samples_out.is_some() || plots.is_some() => (usize::MAX, &Classes::ALL),
-        Ok(Format::Html | Format::Markdown) => (usize::MAX, &Classes::ALL),
-        Ok(Format::Text) => (1, &[Classes::Coarse]),
-        Ok(Format::Json) | Err(_) => (0, &[]),
-    };
     let plan = |case: &Case| {
         let samples = samples.unwrap_or_else(|| analysis::usual_samples(case));
-        let settings = Settings { columns, classes, ..Settings::new(method, samples, seed) };
-        Plan { settings, index_rows: sobol }
+        Plan { settings: Settings::new(method, samples, seed), index_rows: sobol }
     };
     if of_case.format.of_one().is_err() && (samples_out.is_some() || plots.is_some()) {
         anyhow::bail!(

@@ -363,8 +363,7 @@ impl Row<'_> {
         let spread = match self.options.samples {
             None => None,
             Some(samples) => {
-                let settings =
-                    Settings { columns: 0, ..Settings::new(SamplingMethod::MonteCarlo, samples, seed) };
+                let settings = Settings::new(SamplingMethod::MonteCarlo, samples, seed);
                 let samples = analysis::samples(case, &settings, &mut |_, _| self.goes_on());
                 samples.map_err(refused)?.as_ref().map(Spread::of)
             }

@@ -87,14 +87,27 @@ pub enum InvalidRequest {
         /// The most there may be.
         limit: usize,
     },
-    /// A number of samples that is too small to be useful, or larger than any point set.
-    #[error("the number of samples must be between {} and {MAX_SAMPLES}, but is {samples}", MIN_SAMPLES)]
+    /// A number of samples that is too small to be useful.
+    #[error("the number of samples must be between {MIN_SAMPLES} and {MAX_SAMPLES}, but is {samples}")]
     Samples {
         /// Number of samples.
         samples: usize,
     },
-    /// A number of rows for the indices that is too small to be useful, or larger than any point set.
-    #[error("the number of rows must be between {} and {MAX_SAMPLES}, but is {rows}", MIN_SAMPLES)]
+    /// More samples than memory is promised for.
+    #[error(
+        "the number of samples must be between {MIN_SAMPLES} and {MAX_SAMPLES}, but is {samples}: each result \
+         would take {} MB of memory, and the standard error of an end of its 95 % interval would fall only \
+         from {:.3} % to {:.3} % of its standard deviation",
+        samples / 125_000,
+        error_of_end(MAX_SAMPLES),
+        error_of_end(*samples)
+    )]
+    TooManySamples {
+        /// Number of samples.
+        samples: usize,
+    },
+    /// A number of rows for the indices that is too small or too large to be useful.
+    #[error("the number of rows must be between {MIN_SAMPLES} and {MAX_SAMPLES}, but is {rows}")]
     Rows {
         /// Number of rows.
         rows: usize,
@@ -117,4 +130,12 @@ pub enum InvalidRequest {
         /// The upper.
         high: f64,
     },
+}
+
+/// (% of the standard deviation) standard error of an end of the 95 % interval of a normal result.
+fn error_of_end(samples: usize) -> f64 {
+    /// φ(1.96), the density of a standard normal number there.
+    const DENSITY: f64 = 0.058_445;
+    // σ_Q = √(p(1 − p)/n)/φ(z_p), p = 0.025 (Kendall and Stuart, section 14)
+    100.0 * (0.025 * 0.975 / samples as f64).sqrt() / DENSITY
 }

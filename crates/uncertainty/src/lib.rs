@@ -54,11 +54,9 @@
 //!   normal numbers by Box–Muller, which is faster.
 //! - Samples without an answer are counted by reason. An output that is infinite or NaN counts as a failure.
 //! - A run that is ended early leaves the first samples of the whole run, evenly from all replicates.
-//! - Medians and intervals are exact order statistics, and no samples are kept for them: the first thousands
-//!   tell about where each lies, and only those near there are taken out. Where these do not suffice, once in
-//!   thousands of runs or where values lie in clumps, the samples are drawn again from their numbers.
-//! - Memory does not grow beyond what [`Settings::keep`] allows: a run with more samples keeps none, and
-//!   draws them a second time for histograms, with the same bits. Inputs are not kept.
+//! - Medians and intervals are exact order statistics.
+//! - Every output of every sample is kept, eight bytes each, and no input: [`MAX_SAMPLES`] samples of thirteen
+//!   outputs take a gigabyte.
 //!
 //! # Threads
 //!
@@ -74,7 +72,6 @@
 //! [`sensitivity`]. Quantities have no units here, and inputs no names; files, histograms and texts are left
 //! to other crates.
 
-mod columns;
 mod distribution;
 mod error;
 mod first_order;

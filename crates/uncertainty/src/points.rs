@@ -82,10 +82,13 @@ impl Points {
         if inputs == 0 {
             return Err(InvalidRequest::NoInputs);
         }
-        let count = samples as u64;
-        if samples < MIN_SAMPLES || count > MAX_SAMPLES {
+        if samples < MIN_SAMPLES {
             return Err(InvalidRequest::Samples { samples });
         }
+        if samples > MAX_SAMPLES {
+            return Err(InvalidRequest::TooManySamples { samples });
+        }
+        let count = samples as u64;
         // The numbers 1 to 5 keep the sequences of the methods apart under one seed.
         let all = 0..inputs;
         let inputs = match method {

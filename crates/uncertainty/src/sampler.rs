@@ -7,7 +7,6 @@ use crate::error::InvalidRequest;
 use crate::model::{LANES, Lanes, Model, evaluate};
 use crate::points::{Points, SamplingMethod};
 use crate::run::Instructions;
-use crate::summary::Classes;
 
 /// How to sample.
 #[derive(Clone, Copy, Debug)]
@@ -20,37 +19,18 @@ pub struct Settings {
     pub method: SamplingMethod,
     /// The instruction set, which does not change the results.
     pub instructions: Instructions,
-    /// How many of the outputs, counted from the first, keep their samples or get histograms: all, unless
-    /// summaries are enough for the others.
-    pub columns: usize,
-    /// The histograms that may be asked for: those of all classes, unless fewer are shown.
-    pub classes: &'static [Classes],
-    /// The most numbers, samples × columns, that are kept in memory. A run that has more keeps some thousand
-    /// samples, and is drawn a second time for the histograms; its memory does not grow.
-    pub keep: usize,
 }
 
-/// 128 MiB: a million samples of sixteen outputs.
-const KEPT: usize = 1 << 24;
-
 impl Settings {
-    /// Settings with the best instruction set of this CPU, which keep all columns, up to 2²⁴ numbers.
+    /// Settings with the best instruction set of this CPU.
     #[must_use]
     pub fn new(method: SamplingMethod, samples: usize, seed: u64) -> Self {
-        Self {
-            samples,
-            seed,
-            method,
-            instructions: Instructions::best(),
-            columns: usize::MAX,
-            classes: &Classes::ALL,
-            keep: KEPT,
-        }
+        Self { samples, seed, method, instructions: Instructions::best() }
     }
 }
 
-/// Generates the samples of [`crate::propagate`] again, for a caller that writes them to a file, because the
-/// propagation does not keep the inputs, nor the outputs of a large run.
+/// Generates the inputs of the samples of [`crate::propagate`] again, for a caller that writes them to a file:
+/// the propagation keeps the outputs alone.
 #[derive(Clone, Debug)]
 pub struct Sampler<'a> {
     inputs: &'a [Distribution],

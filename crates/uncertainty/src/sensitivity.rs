@@ -124,7 +124,9 @@ pub fn sensitivity<M: Model>(
     }
     let points = Points::new(settings.method, settings.seed, 2 * inputs.len(), settings.samples).map_err(
         |refusal| match refusal {
-            InvalidRequest::Samples { samples: rows } => InvalidRequest::Rows { rows },
+            InvalidRequest::Samples { samples: rows } | InvalidRequest::TooManySamples { samples: rows } => {
+                InvalidRequest::Rows { rows }
+            }
             refusal => refusal,
         },
     )?;

@@ -6,26 +6,13 @@
 //! quantiles are their type 7, as in NumPy. M. G. Kendall and A. Stuart, *The Advanced Theory of Statistics*,
 //! volume 1, sections 10.5 and 14: standard errors of moments; order statistics.
 
-mod cells;
 mod histogram;
-mod order;
-mod passes;
 mod powers;
-mod room;
-mod taken;
-mod watch;
-mod watched;
 
 use crate::limits::REPLICATES;
-use order::Order;
-use powers::Moments;
+use powers::{Moments, Powers, powers_of_replicates};
 
 pub use histogram::{Classes, Histogram};
-pub(crate) use passes::Passes;
-pub(crate) use powers::{Powers, SPAN};
-pub(crate) use room::{Room, Store};
-pub(crate) use watch::{Caution, Watch, Watching};
-pub(crate) use watched::Watched;
 
 /// Levels of the intervals of a [`Summary`].
 pub const LEVELS: [f64; 4] = [0.5, 0.9, 0.95, 0.99];
@@ -85,6 +72,37 @@ const PROBABILITIES: [f64; QUANTILES] = [0.5, 0.25, 0.75, 0.05, 0.95, 0.025, 0.9
 const QUANTILES: usize = 1 + 2 * LEVELS.len();
 
 impl Summary {
+    /// Of a column in which NaN stands for samples that failed; of samples that are dealt to replicates in
+    /// turn, or of independent ones. `None` where fewer than two have an answer.
+    pub(crate) fn of(column: &[f64], is_replicated: bool) -> Option<Self> {
+        let mut values: Vec<f64> = column.iter().copied().filter(|value| !value.is_nan()).collect();
+        let count = values.len();
+        if count < 2 {
+            return None;
+        }
+        let places = PROBABILITIES.map(|probability| Place::of(probability, count));
+        let order = Order::of(&mut values, places.iter().flat_map(Place::wanted));
+        let quantiles = places.each_ref().map(|place| place.value(&order));
+        // Deviations are counted from the median.
+        let [centre, ..] = quantiles;
+        let replicates = powers_of_replicates(column, centre);
+        let moments = Powers::of_all(&replicates).moments(centre);
+        let errors = if !is_replicated {
+            Errors::by_formula(&moments, places.each_ref().map(|place| place.half_distance(&order)))
+        } else if replicates.iter().any(|powers| powers.count < 2) {
+            Errors { mean: None, sd: None, quantiles: [None; QUANTILES] }
+        } else {
+            let ends = Below::of(column, &quantiles).ends(&replicates.each_ref().map(|powers| powers.count));
+            let order = Order::of(&mut values, ends.iter().flatten().flat_map(Place::wanted));
+            let distance = |[before, after]: &[Place; 2]| 0.5 * (after.value(&order) - before.value(&order));
+            let is_populated = PROBABILITIES.map(|probability| tail_is_populated(probability, count));
+            let distances = ends.each_ref().map(distance);
+            let of_quantiles = std::array::from_fn(|place| is_populated[place].then_some(distances[place]));
+            Errors::by_replicates(&replicates.map(|powers| powers.moments(centre)), of_quantiles)
+        };
+        Some(Self::new(&moments, &quantiles, &errors))
+    }
+
     fn new(moments: &Moments, quantiles: &[f64; QUANTILES], errors: &Errors) -> Self {
         let quantile =
             |place: usize| Estimate { value: quantiles[place], standard_error: errors.quantiles[place] };
@@ -101,6 +119,41 @@ impl Summary {
             intervals: std::array::from_fn(interval),
         }
     }
+}
+
+/// The values at some places of a column in its order.
+struct Order {
+    /// Ascending.
+    places: Vec<usize>,
+    values: Vec<f64>,
+}
+
+impl Order {
+    /// The values are put in another order.
+    fn of(values: &mut [f64], wanted: impl Iterator<Item = usize>) -> Self {
+        let mut places: Vec<usize> = wanted.collect();
+        places.sort_unstable();
+        places.dedup();
+        let mut found = vec![f64::NAN; places.len()];
+        select(values, 0, &places, &mut found);
+        Self { places, values: found }
+    }
+
+    /// At a place that was wanted.
+    fn at(&self, place: usize) -> f64 {
+        self.places.binary_search(&place).map_or(f64::NAN, |index| self.values[index])
+    }
+}
+
+/// The values at ascending places, of values the least of which has the place `first` of all: the middle
+/// place parts the others in two.
+fn select(values: &mut [f64], first: usize, places: &[usize], found: &mut [f64]) {
+    let middle = places.len() / 2;
+    let Some(place) = places.get(middle) else { return };
+    let (below, value, above) = values.select_nth_unstable_by(place - first, f64::total_cmp);
+    found[middle] = *value;
+    select(below, first, &places[..middle], &mut found[..middle]);
+    select(above, place + 1, &places[middle + 1..], &mut found[middle + 1..]);
 }
 
 /// Where a quantile stands among the ordered values.
@@ -180,36 +233,32 @@ impl Errors {
         Self { mean: Some(mean), sd: Some(of_sd), quantiles }
     }
 
-    /// By the moments of each replicate that has any.
-    fn by_replicates(replicates: &[Moments], quantiles: [Option<f64>; QUANTILES]) -> Self {
-        let means: Vec<f64> = replicates.iter().map(|moments| moments.mean).collect();
-        let sds: Vec<f64> = replicates.iter().map(Moments::sd).collect();
-        Self { mean: error_of_mean(&means), sd: error_of_mean(&sds), quantiles }
+    fn by_replicates(replicates: &[Moments; REPLICATES], quantiles: [Option<f64>; QUANTILES]) -> Self {
+        let means = replicates.each_ref().map(|moments| moments.mean);
+        let sds = replicates.each_ref().map(Moments::sd);
+        Self { mean: Some(error_of_mean(&means)), sd: Some(error_of_mean(&sds)), quantiles }
     }
 }
 
 /// How many samples of each replicate lie below each quantile.
 #[derive(Debug)]
 struct Below {
-    quantiles: [f64; QUANTILES],
     /// Twice the number below, so that a value at the quantile itself counts by half.
     twice: [[u64; REPLICATES]; QUANTILES],
 }
 
 impl Below {
-    fn new(quantiles: [f64; QUANTILES]) -> Self {
-        Self { quantiles, twice: [[0; REPLICATES]; QUANTILES] }
-    }
-
-    /// Samples that follow, from the first replicate on. NaN is in none.
-    fn add(&mut self, column: &[f64]) {
+    /// Of samples in their order. NaN is in no count.
+    fn of(column: &[f64], quantiles: &[f64; QUANTILES]) -> Self {
+        let mut twice = [[0; REPLICATES]; QUANTILES];
         for row in column.chunks(REPLICATES) {
-            for (&quantile, twice) in self.quantiles.iter().zip(&mut self.twice) {
+            for (&quantile, twice) in quantiles.iter().zip(&mut twice) {
                 for (twice, &value) in twice.iter_mut().zip(row) {
                     *twice += u64::from(value < quantile) + u64::from(value <= quantile);
                 }
             }
         }
+        Self { twice }
     }
 
     /// How far from its place among the ordered values each quantile may be, given how many samples each
@@ -241,15 +290,13 @@ impl Below {
     }
 }
 
-/// s/√R over the replicates, where all of them have a value.
-fn error_of_mean(of_replicates: &[f64]) -> Option<f64> {
-    (of_replicates.len() == REPLICATES).then(|| {
-        let count = REPLICATES as f64;
-        let mean = of_replicates.iter().sum::<f64>() / count;
-        let squares: f64 = of_replicates.iter().map(|value| (value - mean) * (value - mean)).sum();
-        // s² = Σ(x − x̄)²/(R − 1)
-        (squares / (count - 1.0)).sqrt() / count.sqrt()
-    })
+/// s/√R over the replicates.
+fn error_of_mean(of_replicates: &[f64; REPLICATES]) -> f64 {
+    let count = REPLICATES as f64;
+    let mean = of_replicates.iter().sum::<f64>() / count;
+    let squares: f64 = of_replicates.iter().map(|value| (value - mean) * (value - mean)).sum();
+    // s² = Σ(x − x̄)²/(R − 1)
+    (squares / (count - 1.0)).sqrt() / count.sqrt()
 }
 
 #[cfg(test)]

@@ -337,5 +337,9 @@ fn requests_that_make_no_sense_are_refused() {
     };
     assert_eq!(refusal(&[], 1000), InvalidRequest::NoInputs);
     let few = refusal(&[normal(0.0, 1.0); 2], 10);
-    assert_eq!(few.to_string(), "the number of samples must be between 64 and 4294967296, but is 10");
+    assert_eq!(few.to_string(), "the number of samples must be between 64 and 10000000, but is 10");
+    // Eight bytes each; √(0.025 · 0.975/10⁸)/0.0584 = 0.027 %.
+    let many = refusal(&[normal(0.0, 1.0); 2], 100_000_000).to_string();
+    assert!(many.contains("800 MB of memory"), "{many}");
+    assert!(many.ends_with("from 0.084 % to 0.027 % of its standard deviation"), "{many}");
 }

@@ -253,5 +253,5 @@ fn requests_that_make_no_sense_are_refused() {
     assert_eq!(refused, InvalidRequest::TooManyInputs { inputs: 258, limit: 256 });
     let settings = Settings::new(SamplingMethod::Sobol, 63, 1);
     let refused = sensitivity(&model, &inputs, &settings, &mut |_, _| ControlFlow::Continue(())).unwrap_err();
-    assert_eq!(refused.to_string(), "the number of rows must be between 64 and 4294967296, but is 63");
+    assert_eq!(refused.to_string(), "the number of rows must be between 64 and 10000000, but is 63");
 }

@@ -27,7 +27,7 @@ use crate::random::{bits, key, unit};
 /// The most inputs that the direction numbers serve. The first needs none.
 pub const MAX_INPUTS: usize = DIRECTION_NUMBERS.len() + 1;
 
-/// Enough for [`MAX_SAMPLES`](crate::MAX_SAMPLES) over all replicates.
+/// Enough for 2²⁸ points of a replicate, more than [`MAX_SAMPLES`](crate::MAX_SAMPLES) take.
 const DIRECTIONS: usize = 28;
 
 // Even, and 2 modulo 4, so that each bit depends on the next lower one. Digits of π (as Blowfish takes them),

@@ -44,8 +44,8 @@ pub struct Histogram {
 }
 
 impl Histogram {
-    /// Of nothing yet, for the middle 99 % that a summary tells; `None` where its ends do not differ.
-    pub(crate) fn new(summary: &Summary, classes: Classes) -> Option<Self> {
+    /// Of nothing yet, for the middle 99 % of a summary; `None` where its ends do not differ.
+    fn new(summary: &Summary, classes: Classes) -> Option<Self> {
         let [.., widest] = summary.intervals;
         Self::between([widest.low.value, widest.high.value], classes)
     }
@@ -57,10 +57,6 @@ impl Histogram {
         is_wide.then(|| Self { low, width, counts: counts(), outside: [0; 2], high, classes })
     }
 
-    pub(crate) fn is_of(&self, classes: Classes) -> bool {
-        self.classes == classes
-    }
-
     /// Of a column in which NaN stands for samples that failed.
     pub(crate) fn of(column: &[f64], summary: &Summary, classes: Classes) -> Option<Self> {
         /// Values that one thread takes at a time.
@@ -68,7 +64,7 @@ impl Histogram {
         let mut histogram = Self::new(summary, classes)?;
         let counted = for_each(column.chunks(AT_ONCE), |part| {
             let mut counted = histogram.clone();
-            counted.add(Instructions::best(), part);
+            counted.add(part);
             counted
         });
         for part in counted {
@@ -86,8 +82,8 @@ impl Histogram {
     }
 
     /// More of such a column.
-    pub(crate) fn add(&mut self, instructions: Instructions, values: &[f64]) {
-        dispatch!(instructions.level(), _simd => self.add_with(values));
+    fn add(&mut self, values: &[f64]) {
+        dispatch!(Instructions::best().level(), _simd => self.add_with(values));
     }
 
     #[inline(always)]
@@ -140,7 +136,6 @@ const PLACES: usize = 64;
 mod tests {
     use super::{Classes, Histogram};
     use crate::random::{bits, unit};
-    use crate::run::Instructions;
 
     /// Values at the ends of the classes and right beside them, beyond the ends, and not a number: beside a
     /// search for the class one by one.
@@ -153,7 +148,7 @@ mod tests {
             values.extend((0..1000).map(|index| 4.0 * unit(bits(1, index))));
             values.extend([f64::NAN, -1e300, 1e300]);
             let mut histogram = Histogram::between([1.0, 3.0], classes).unwrap();
-            histogram.add(Instructions::best(), &values);
+            histogram.add(&values);
 
             let class =
                 |value: f64| ((value - 1.0) / histogram.width).floor().min(f64::from(classes.count() - 1));

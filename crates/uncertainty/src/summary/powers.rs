@@ -1,27 +1,27 @@
 //! Moments of a column, from sums that are made span by span.
 
 use crate::limits::REPLICATES;
-use crate::model::{LANES, Lanes};
 
-/// Samples that one thread takes at a time, and values that are added up together.
-pub(crate) const SPAN: usize = 64 * LANES;
+/// Values that are added up together, whole rows of replicates: their sum is then added to that of the spans
+/// before, so that rounding does not grow with their number.
+const SPAN: usize = 256 * REPLICATES;
 
 /// How many values there are, and Σ(x − c)ᵏ for k = 1 … 4, where c is a value in their middle.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub(crate) struct Powers {
+pub(super) struct Powers {
     pub(super) count: u64,
     sums: [f64; 4],
 }
 
 impl Powers {
-    pub(crate) fn add(&mut self, more: &Self) {
+    fn add(&mut self, more: &Self) {
         self.count += more.count;
         for (sum, more) in self.sums.iter_mut().zip(more.sums) {
             *sum += more;
         }
     }
 
-    pub(crate) fn of_all(parts: &[Self]) -> Self {
+    pub(super) fn of_all(parts: &[Self]) -> Self {
         let mut all = Self::default();
         for part in parts {
             all.add(part);
@@ -67,56 +67,36 @@ impl Moments {
     }
 }
 
-/// The powers of each replicate while its values come: they are dealt to the replicates in turn. NaN is in
-/// none.
-#[derive(Clone, Debug, Default)]
-pub(super) struct Sums {
-    counts: [u64; REPLICATES],
-    sums: [[f64; REPLICATES]; 4],
-}
-
-impl Sums {
-    #[inline(always)]
-    pub(super) fn add(&mut self, block: &Lanes, centre: f64) {
-        // Copies, which a compiler can keep in registers.
-        let Self { mut counts, sums: [mut first, mut second, mut third, mut fourth] } = *self;
-        let (rows, _) = block.as_chunks::<REPLICATES>();
-        for row in rows {
-            for own in 0..REPLICATES {
-                let is_missing = row[own].is_nan();
-                let deviation = if is_missing { 0.0 } else { row[own] - centre };
+/// The powers of each replicate; samples are dealt to the replicates in turn. NaN is in none.
+pub(super) fn powers_of_replicates(column: &[f64], centre: f64) -> [Powers; REPLICATES] {
+    let mut all = [Powers::default(); REPLICATES];
+    for span in column.chunks(SPAN) {
+        let mut of_span = [Powers::default(); REPLICATES];
+        for row in span.chunks(REPLICATES) {
+            for (Powers { count, sums: [first, second, third, fourth] }, value) in of_span.iter_mut().zip(row)
+            {
+                let is_missing = value.is_nan();
+                let deviation = if is_missing { 0.0 } else { value - centre };
                 let square = deviation * deviation;
-                counts[own] += u64::from(!is_missing);
-                first[own] += deviation;
-                second[own] += square;
-                third[own] += square * deviation;
-                fourth[own] += square * square;
+                *count += u64::from(!is_missing);
+                *first += deviation;
+                *second += square;
+                *third += square * deviation;
+                *fourth += square * square;
             }
         }
-        *self = Self { counts, sums: [first, second, third, fourth] };
+        for (powers, more) in all.iter_mut().zip(&of_span) {
+            powers.add(more);
+        }
     }
-
-    pub(super) fn powers(&self) -> [Powers; REPLICATES] {
-        std::array::from_fn(|own| Powers { count: self.counts[own], sums: self.sums.map(|sums| sums[own]) })
-    }
+    all
 }
 
 #[cfg(test)]
 mod tests {
-    use super::{Powers, SPAN, Sums};
+    use super::{Powers, SPAN, powers_of_replicates};
     use crate::limits::REPLICATES;
-    use crate::model::{LANES, Lanes};
     use crate::random::{bits, unit};
-
-    fn of_replicates(span: &[f64], centre: f64) -> [Powers; REPLICATES] {
-        let mut sums = Sums::default();
-        for part in span.chunks(LANES) {
-            let mut block = Lanes::splat(f64::NAN);
-            block[..part.len()].copy_from_slice(part);
-            sums.add(&block, centre);
-        }
-        sums.powers()
-    }
 
     /// Beside sums of the deviations from the mean itself, with a centre beside it, values that are missing,
     /// and a length that is no multiple of anything.
@@ -129,12 +109,7 @@ mod tests {
             };
             let column: Vec<f64> = (0..3 * SPAN as u64 + 77).map(value).collect();
             let centre = 1000.0 + 0.4 * spread;
-            let mut totals = [Powers::default(); REPLICATES];
-            for span in column.chunks(SPAN) {
-                for (total, own) in totals.iter_mut().zip(of_replicates(span, centre)) {
-                    total.add(&own);
-                }
-            }
+            let totals = powers_of_replicates(&column, centre);
             let own = |replicate: usize| column.iter().skip(replicate).step_by(REPLICATES).copied();
             let all = (Powers::of_all(&totals), column.clone());
             let parts = totals
@@ -162,9 +137,9 @@ mod tests {
 
     #[test]
     fn powers_of_alike_values_are_nothing_and_of_huge_ones_too_much() {
-        let alike = Powers::of_all(&of_replicates(&[0.1; 100], 0.1)).moments(0.1);
+        let alike = Powers::of_all(&powers_of_replicates(&[0.1; 100], 0.1)).moments(0.1);
         assert_eq!((alike.mean, alike.squares, alike.fourth_powers), (0.1, 0.0, 0.0));
-        let huge = Powers::of_all(&of_replicates(&[-1e300, 1e300], 0.0)).moments(0.0);
+        let huge = Powers::of_all(&powers_of_replicates(&[-1e300, 1e300], 0.0)).moments(0.0);
         assert_eq!((huge.sd(), huge.fourth_powers), (f64::INFINITY, f64::INFINITY));
     }
 }

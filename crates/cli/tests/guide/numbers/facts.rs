@@ -443,8 +443,17 @@ fn uncertainty(ledger: &mut Ledger) {
     ledger.made(format!("within … 10 % … {} … 1", number(0.95 / 0.05, 0)));
     ledger.made(format!("more than {} % off", number(100.0 * ::uncertainty::FIRST_ORDER_LIMIT, 0)));
     ledger.made(format!("methods … {}", ::uncertainty::REPLICATES));
-    let usual = ::uncertainty::Settings::new(::uncertainty::SamplingMethod::MonteCarlo, 1000, 1);
-    ledger.made(format!("more than {} MiB", (usual.keep * size_of::<f64>()) >> 20));
+    let most = ::uncertainty::MAX_SAMPLES;
+    ledger.made(format!("at most {} samples", number(most as f64, 0)));
+    ledger.made(format!("{} MB for each result and million samples", size_of::<f64>()));
+    // √(p(1 − p)/n)/φ(1.96), p = 0.025
+    let density = (-0.5 * 1.96_f64.powi(2)).exp() / (2.0 * PI).sqrt();
+    let error = (0.025 * 0.975 / most as f64).sqrt() / density;
+    ledger.made(format!(
+        "end of the {} % interval … {} %",
+        number(100.0 * ::uncertainty::LEVELS[2], 0),
+        number(100.0 * error, 2)
+    ));
     let level = number(100.0 * ::uncertainty::LEVELS[2], 0);
     ledger.made(format!("| {level} % | {level} % of the samples lie between these two |"));
     ledger.made(format!("ranges … {level} %"));
