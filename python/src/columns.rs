@@ -6,7 +6,7 @@ use std::sync::Arc;
 use arrow_array::{Array as _, ArrayRef, Float64Array, RecordBatch, StringArray, StructArray};
 use arrow_buffer::{Buffer, NullBuffer, ScalarBuffer};
 use arrow_schema::{DataType, Field, Schema};
-use pyo3::exceptions::{PyKeyError, PyRuntimeError};
+use pyo3::exceptions::{PyKeyError, PyRuntimeError, PyTypeError};
 use pyo3::prelude::*;
 use pyo3::pybacked::PyBackedBytes;
 use pyo3::types::{PyBytes, PyCapsule, PyTuple};
@@ -14,15 +14,22 @@ use pyo3_arrow::buffer::PyArrowBuffer;
 use pyo3_arrow::ffi::{ArrayIterator, to_array_pycapsules, to_stream_pycapsule};
 
 /// The samples of an uncertainty, or the draws of an estimate: a column for each number, in SI units and
-/// radians.
+/// radians. It reads as a dict of columns by their keys.
 ///
 /// ``columns[key]`` is a NumPy array on the memory of the result, without a copy: it cannot be written to,
 /// and outlives the result. A sample without an answer is NaN. Whatever speaks Arrow takes the whole as it
 /// is: ``polars.DataFrame(columns)``, ``pyarrow.record_batch(columns)``,
 /// ``pandas.DataFrame.from_arrow(columns)``. There the columns are called as their keys, with ``_`` in
-/// place of dots and brackets; a sample without an answer is null, and the column ``failed`` says why it
-/// has none.
+/// place of dots and brackets, and ``columns["vehicle1_speed"]`` knows them by these names, too; a sample
+/// without an answer is null, and the column ``failed`` says why it has none.
 ///
+/// Raises
+/// ------
+/// KeyError
+///     For a column that there is not; the text names those that there are.
+///
+/// Examples
+/// --------
 /// >>> case = deltav.Case.parse(deltav.Case.example().text.replace(
 /// ...     '"10 mph"', '{ low = "8 mph", high = "12 mph" }'))
 /// >>> columns = case.uncertainty(1000).columns()
@@ -30,7 +37,7 @@ use pyo3_arrow::ffi::{ArrayIterator, to_array_pycapsules, to_stream_pycapsule};
 /// (1000, (1000,), dtype('float64'))
 /// >>> columns.names[:2]
 /// ['failed', 'vehicle1_speed']
-#[pyclass(name = "Columns", module = "deltav", frozen)]
+#[pyclass(name = "Columns", module = "deltav", frozen, mapping)]
 pub(crate) struct Columns {
     keys: Vec<String>,
     batch: RecordBatch,
@@ -79,6 +86,12 @@ impl Columns {
         self.batch.num_columns() - self.keys.len()
     }
 
+    /// The place of a key, which may be written as the column is called in Arrow.
+    fn place(&self, key: &str) -> Option<usize> {
+        let exactly = self.keys.iter().position(|known| known == key);
+        exactly.or_else(|| self.keys.iter().position(|known| name(known) == key))
+    }
+
     fn buffer(&self, place: usize) -> Option<Buffer> {
         let column =
             self.batch.columns().get(self.leading() + place)?.as_any().downcast_ref::<Float64Array>()?;
@@ -89,8 +102,78 @@ impl Columns {
 #[pymethods]
 impl Columns {
     /// The keys of the columns, as in the JSON.
+    ///
+    /// Returns
+    /// -------
+    /// list of str
+    ///     Such as ``"vehicle1.speed"``.
+    ///
+    /// Examples
+    /// --------
+    /// >>> columns.keys()[:2]
+    /// ['vehicle1.speed', 'vehicle1.delta_v']
     fn keys(&self) -> Vec<String> {
         self.keys.clone()
+    }
+
+    /// The columns, in the order of the keys.
+    ///
+    /// Returns
+    /// -------
+    /// list of numpy.ndarray
+    ///     (SI) each on the memory of the result.
+    ///
+    /// Examples
+    /// --------
+    /// >>> len(columns.values()) == len(columns)
+    /// True
+    fn values<'py>(&self, py: Python<'py>) -> PyResult<Vec<Bound<'py, PyAny>>> {
+        self.keys.iter().map(|key| self.__getitem__(py, key)).collect()
+    }
+
+    /// The keys with their columns.
+    ///
+    /// Returns
+    /// -------
+    /// list of (str, numpy.ndarray)
+    ///     (SI) each column on the memory of the result.
+    ///
+    /// Examples
+    /// --------
+    /// >>> widths = {key: column.max() - column.min() for key, column in columns.items()}
+    /// >>> widths["vehicle2.speed"] > 1.5
+    /// True
+    fn items<'py>(&self, py: Python<'py>) -> PyResult<Vec<(String, Bound<'py, PyAny>)>> {
+        self.keys.iter().map(|key| Ok((key.clone(), self.__getitem__(py, key)?))).collect()
+    }
+
+    /// The column of a key, or what else is given.
+    ///
+    /// Parameters
+    /// ----------
+    /// key : str
+    ///     As of ``columns[key]``.
+    /// default : optional
+    ///     What is returned where there is no such column.
+    ///
+    /// Returns
+    /// -------
+    /// numpy.ndarray
+    ///     (SI) on the memory of the result.
+    ///
+    /// Examples
+    /// --------
+    /// >>> columns.get("vehicle3.speed") is None
+    /// True
+    #[pyo3(signature = (key, default = None))]
+    fn get<'py>(
+        &self,
+        py: Python<'py>,
+        key: &Bound<'py, PyAny>,
+        default: Option<Bound<'py, PyAny>>,
+    ) -> PyResult<Option<Bound<'py, PyAny>>> {
+        let known = key.extract::<String>().ok().filter(|key| self.place(key).is_some());
+        known.map_or(Ok(default), |key| self.__getitem__(py, &key).map(Some))
     }
 
     /// The names of all columns in Arrow.
@@ -113,18 +196,33 @@ impl Columns {
         Ok(self.keys.clone().into_pyobject(py)?.try_iter()?.into_any())
     }
 
-    fn __contains__(&self, key: &str) -> bool {
-        self.keys.iter().any(|known| known == key)
+    fn __contains__(&self, key: &Bound<'_, PyAny>) -> bool {
+        key.extract::<String>().is_ok_and(|key| self.place(&key).is_some())
     }
 
     fn __getitem__<'py>(&self, py: Python<'py>, key: &str) -> PyResult<Bound<'py, PyAny>> {
-        let place = self.keys.iter().position(|known| known == key);
-        let Some(buffer) = place.and_then(|place| self.buffer(place)) else {
-            let problem = format!("{}: the columns are {}", case::shown(key), self.keys.join(", "));
+        let Some(buffer) = self.place(key).and_then(|place| self.buffer(place)) else {
+            let problem = if key == FAILED && self.leading() > 0 {
+                format!("{FAILED} is a column of texts: pyarrow.table(columns)[\"{FAILED}\"] has it")
+            } else {
+                format!("{}: the columns are {}", case::shown(key), self.keys.join(", "))
+            };
             return Err(PyKeyError::new_err(problem));
         };
         let buffer = PyArrowBuffer::new(buffer).into_pyobject(py)?;
         py.import("numpy")?.call_method1("frombuffer", (buffer, "float64"))
+    }
+
+    /// An array has no names: what makes one of all columns, such as ``pandas.DataFrame(columns)``, would lose
+    /// them, and is told what keeps them.
+    #[pyo3(signature = (dtype = None, copy = None))]
+    fn __array__(&self, dtype: Option<&Bound<'_, PyAny>>, copy: Option<&Bound<'_, PyAny>>) -> PyResult<()> {
+        let _ = (dtype, copy);
+        Err(PyTypeError::new_err(
+            "an array or pandas.DataFrame(columns) would lose the names of the columns: use \
+             pandas.DataFrame.from_arrow(columns), pandas.DataFrame(dict(columns)), or \
+             numpy.column_stack(columns.values())",
+        ))
     }
 
     #[pyo3(signature = (requested_schema = None))]

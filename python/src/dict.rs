@@ -24,7 +24,10 @@ enum Node {
 pub(crate) fn as_toml(case: &Bound<'_, PyAny>) -> PyResult<String> {
     let Ok(case) = case.cast::<PyMapping>() else {
         let kind = case.get_type().name()?;
-        return Err(PyTypeError::new_err(format!("from_dict() takes a dict, not {kind}")));
+        let problem = format!(
+            "from_dict() takes a dict, not {kind}: Case.read(path) reads a file, and Case.parse(text) a text"
+        );
+        return Err(PyTypeError::new_err(problem));
     };
     let mut lines = String::new();
     write_section("", &table(case, "", 1)?, &mut lines);

@@ -13,7 +13,7 @@ use pyo3::types::{PyBytes, PyDict, PyInt, PyString, PyTuple};
 use report::{SitePlan, Subject, Units};
 
 use crate::dict;
-use crate::errors::{METHODS, failed, not_drawn, wrong_case};
+use crate::errors::{METHODS, failed, not_drawn, wrong_case, wrong_value};
 use crate::picture::Picture;
 use crate::request::{Request, chosen};
 use crate::solved::{Solved, answered};
@@ -31,6 +31,8 @@ pub(crate) struct Given {
 /// once, and ``CaseError`` says what is wrong, where, and what to write instead. The methods answer what
 /// the commands of the program ``deltav`` of the same name answer, with the same bits.
 ///
+/// Examples
+/// --------
 /// >>> case = deltav.Case.example()
 /// >>> print(f"{case.reconstruct().found.value:.1f} m/s")
 /// 22.9 m/s
@@ -59,6 +61,35 @@ impl<T: TryFrom<i128>> FromPyObject<'_, '_> for Whole<T> {
         };
         T::try_from(number.extract::<i128>().map_err(|_| wrong())?).map(Self).map_err(|_| wrong())
     }
+}
+
+/// Whether a text is on one line and has no key and no table, as no case file.
+pub(crate) fn is_one_word(text: &str) -> bool {
+    let text = text.trim();
+    !text.is_empty() && !text.contains(['\n', '=']) && !text.starts_with(['[', '#', '\u{feff}'])
+}
+
+/// Whether a text is the path of a case file, and not one.
+pub(crate) fn is_path(text: &str) -> bool {
+    is_one_word(text) && text.to_ascii_lowercase().ends_with(".toml")
+}
+
+/// What a case file has, up to a byte more than it may.
+pub(crate) fn bytes_of(py: Python<'_>, path: &Path) -> PyResult<Vec<u8>> {
+    let name = path.display().to_string();
+    let unreadable = |error: std::io::Error| match error.raw_os_error() {
+        // Python makes of the number the subclass, such as FileNotFoundError.
+        Some(number) => {
+            let said = py.import("os").and_then(|os| os.call_method1("strerror", (number,)));
+            said.map_or_else(|error| error, |said| PyOSError::new_err((number, said.unbind(), name.clone())))
+        }
+        None => PyOSError::new_err(format!("{name}: {error}")),
+    };
+    let mut bytes = Vec::new();
+    let most = CaseFile::LARGEST_FILE as u64 + 1;
+    let read = py.detach(|| File::open(path).and_then(|file| file.take(most).read_to_end(&mut bytes)));
+    read.map_err(unreadable)?;
+    Ok(bytes)
 }
 
 impl Given {
@@ -148,31 +179,60 @@ impl PyCase {
 
     /// Reads a case file (TOML).
     ///
-    /// Raises ``OSError`` where it cannot be read, and ``CaseError`` where it is wrong.
+    /// Parameters
+    /// ----------
+    /// path : str or os.PathLike
+    ///     The file.
+    ///
+    /// Returns
+    /// -------
+    /// Case
+    ///
+    /// Raises
+    /// ------
+    /// OSError
+    ///     Where the file cannot be read.
+    /// CaseError
+    ///     Where it is no case.
+    ///
+    /// Examples
+    /// --------
+    /// >>> import pathlib, tempfile
+    /// >>> path = pathlib.Path(tempfile.mkdtemp(), "case.toml")
+    /// >>> _ = path.write_text(deltav.Case.example().text, "utf-8")
+    /// >>> deltav.Case.read(path).title
+    /// 'Intersection collision, GMC Jimmy and Nissan Altima'
     #[staticmethod]
     fn read(py: Python<'_>, path: PathBuf) -> PyResult<Self> {
         let name = path.display().to_string();
-        let unreadable = |error: std::io::Error| match error.raw_os_error() {
-            // Python makes of the number the subclass, such as FileNotFoundError.
-            Some(number) => {
-                let said = py.import("os").and_then(|os| os.call_method1("strerror", (number,)));
-                said.map_or_else(
-                    |error| error,
-                    |said| PyOSError::new_err((number, said.unbind(), name.clone())),
-                )
-            }
-            None => PyOSError::new_err(format!("{name}: {error}")),
-        };
-        let mut bytes = Vec::new();
-        // One byte more than a case may have is enough to refuse it.
-        let most = CaseFile::LARGEST_FILE as u64 + 1;
-        let read = py.detach(|| File::open(&path).and_then(|file| file.take(most).read_to_end(&mut bytes)));
-        read.map_err(unreadable)?;
+        if name.contains('\n') {
+            let problem = "read() takes the path of a case file: Case.parse(text) takes its text";
+            return Err(PyValueError::new_err(problem));
+        }
+        let bytes = bytes_of(py, &path)?;
         Given::parsed(py, &name, &bytes, Some(path))
     }
 
-    /// Reads the text of a case file (TOML). ``name`` is what errors and results call it.
+    /// Reads the text of a case file (TOML).
     ///
+    /// Parameters
+    /// ----------
+    /// text : str
+    ///     The text; ``Case.read`` takes a path.
+    /// name : str
+    ///     What errors and results call it.
+    ///
+    /// Returns
+    /// -------
+    /// Case
+    ///
+    /// Raises
+    /// ------
+    /// CaseError
+    ///     Where it is no case.
+    ///
+    /// Examples
+    /// --------
     /// >>> case = deltav.Case.parse('[vehicle1]\nmass = "1500 kg"\n[vehicle2]\nfixed = true')
     /// >>> deltav.Case.parse('[vehicle1]\nmass = 1500\n[vehicle2]\nfixed = true')
     /// Traceback (most recent call last):
@@ -181,7 +241,22 @@ impl PyCase {
     /// ...
     #[staticmethod]
     #[pyo3(signature = (text, name = "text"))]
-    fn parse(py: Python<'_>, text: &str, name: &str) -> PyResult<Self> {
+    fn parse(text: &Bound<'_, PyAny>, name: &str) -> PyResult<Self> {
+        let py = text.py();
+        let Ok(text) = text.cast::<PyString>() else {
+            let problem = format!(
+                "parse() takes the text of a case file, not {}: Case.read(path) reads a file, and \
+                 Case.from_dict(dict) a dict",
+                text.get_type().name()?
+            );
+            return Err(PyTypeError::new_err(problem));
+        };
+        let text = text.to_str()?;
+        if is_path(text) {
+            let shown = case::shown(text);
+            let problem = format!("\"{shown}\" is no text of a case file, but the path of one");
+            return Err(wrong_value(py, "", &problem, &format!("Case.read(\"{shown}\") reads the file")));
+        }
         Given::parsed(py, name, text.as_bytes(), None)
     }
 
@@ -190,6 +265,24 @@ impl PyCase {
     /// Numbers keep their bits; a value with a unit is a text, as in the file. ``case.text`` is the file
     /// that it makes.
     ///
+    /// Parameters
+    /// ----------
+    /// case : Mapping
+    ///     Tables as dicts, texts, numbers, flags, lists, and arrays of NumPy.
+    /// name : str
+    ///     What errors and results call it.
+    ///
+    /// Returns
+    /// -------
+    /// Case
+    ///
+    /// Raises
+    /// ------
+    /// CaseError
+    ///     Where it is no case.
+    ///
+    /// Examples
+    /// --------
     /// >>> case = deltav.Case.from_dict({
     /// ...     "vehicle1": {
     /// ...         "mass": "1500 kg",
@@ -207,6 +300,15 @@ impl PyCase {
     }
 
     /// The example of SAE 980025: what was the speed of the GMC Jimmy?
+    ///
+    /// Returns
+    /// -------
+    /// Case
+    ///
+    /// Examples
+    /// --------
+    /// >>> deltav.Case.example().name
+    /// 'sae-980025.toml'
     #[staticmethod]
     fn example(py: Python<'_>) -> PyResult<Self> {
         Given::parsed(py, "sae-980025.toml", case::EXAMPLE.as_bytes(), None)
@@ -232,6 +334,13 @@ impl PyCase {
 
     /// The case as a dict, which ``Case.from_dict`` reads.
     ///
+    /// Returns
+    /// -------
+    /// dict
+    ///     A new one at each call.
+    ///
+    /// Examples
+    /// --------
     /// >>> deltav.Case.example().to_dict()["vehicle2"]["speed"]
     /// '10 mph'
     fn to_dict<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
@@ -241,6 +350,20 @@ impl PyCase {
 
     /// Finds the speed at which impact and crush agree, or both speeds, and gives the whole reconstruction.
     ///
+    /// Returns
+    /// -------
+    /// Analysis
+    ///     With ``found``, ``impact``, ``vehicle1`` and ``vehicle2``; SI units and radians.
+    ///
+    /// Raises
+    /// ------
+    /// CaseError
+    ///     Where the case lacks what it needs; the text says what.
+    /// NoAnswerError
+    ///     Where no collision can be like it.
+    ///
+    /// Examples
+    /// --------
     /// >>> result = deltav.Case.example().reconstruct()
     /// >>> result.found.method, round(result.vehicle1.delta_v, 2)
     /// ('closed form', 12.15)
@@ -249,33 +372,154 @@ impl PyCase {
     }
 
     /// Computes an impact from two known speeds.
+    ///
+    /// Returns
+    /// -------
+    /// Analysis
+    ///     With ``impact``, ``vehicle1`` and ``vehicle2``; SI units and radians.
+    ///
+    /// Raises
+    /// ------
+    /// CaseError
+    ///     Where the case lacks what it needs; the text says what.
+    /// NoAnswerError
+    ///     Where no collision can be like it.
+    ///
+    /// Examples
+    /// --------
+    /// >>> numbers = deltav.Case.example().to_dict()
+    /// >>> numbers["vehicle1"]["speed"] = "50 mph"
+    /// >>> result = deltav.Case.from_dict(numbers).impact()
+    /// >>> print(f"{result.vehicle2.delta_v:.1f} m/s")
+    /// 12.9 m/s
     fn impact<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
         self.asked(py, Request::Impact, None)
     }
 
     /// Follows each vehicle from the impact to rest, or finds how it left from where it came to rest.
+    ///
+    /// Returns
+    /// -------
+    /// Analysis
+    ///     With ``start``, ``rest`` and ``path`` of ``vehicle1`` and ``vehicle2``; SI units and radians.
+    ///
+    /// Raises
+    /// ------
+    /// CaseError
+    ///     Where the case lacks what it needs; the text says what.
+    /// NoAnswerError
+    ///     Where no collision can be like it.
+    ///
+    /// Examples
+    /// --------
+    /// >>> after = {"speed": "10 m/s", "direction": "0 deg", "yaw_rate": "0 rad/s", "drag": 0.7}
+    /// >>> car = {"mass": "1500 kg", "yaw_inertia": "2500 kg m^2", "heading": "0 deg", "wheelbase": "2.6 m",
+    /// ...        "track": "1.5 m", "cg_to_front_axle": "1.2 m", "contact": {"x": "2 m", "y": "0 m"}}
+    /// >>> motion = deltav.Case.from_dict({
+    /// ...     "surface": {"friction": 0.7},
+    /// ...     "scene": {"contact": {"x": "0 m", "y": "0 m"}},
+    /// ...     "vehicle1": {**car, "after": after},
+    /// ...     "vehicle2": {"fixed": True},
+    /// ... }).motion()
+    /// >>> print(f"{motion.vehicle1.rest.distance:.2f} m in {motion.vehicle1.rest.time:.2f} s")
+    /// 7.28 m in 1.46 s
     fn motion<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
         self.asked(py, Request::Motion, None)
     }
 
     /// Computes crush energy and ΔV from damage and PDOF alone (CRASH3).
+    ///
+    /// Returns
+    /// -------
+    /// Analysis
+    ///     With ``crash3`` and the damage of ``vehicle1`` and ``vehicle2``; SI units and radians.
+    ///
+    /// Raises
+    /// ------
+    /// CaseError
+    ///     Where the case lacks what it needs; the text says what.
+    /// NoAnswerError
+    ///     Where no collision can be like it.
+    ///
+    /// Examples
+    /// --------
+    /// >>> crush = {"ees": "36 km/h", "pdof": "0 deg", "moment_arm": "0 m"}
+    /// >>> car = {"mass": "1500 kg", "class": 3, "crush": crush}
+    /// >>> result = deltav.Case.from_dict({"vehicle1": car, "vehicle2": {"fixed": True}}).crush()
+    /// >>> print(f"{result.crash3.crush_energy / 1000:.0f} kJ, ΔV {result.crash3.delta_v[0]:.1f} m/s")
+    /// 75 kJ, ΔV 10.0 m/s
     fn crush<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
         self.asked(py, Request::Crush, None)
     }
 
     /// Says what the case allows, what is assumed where it says nothing, and what it warns of, without
     /// solving it.
+    ///
+    /// Returns
+    /// -------
+    /// Judgement
+    ///     With ``commands``, ``inputs``, ``assumptions`` and ``warnings``.
+    ///
+    /// Examples
+    /// --------
+    /// >>> deltav.Case.example().check().answers_most
+    /// 'reconstruct'
     fn check<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
         self.asked(py, Request::Check, None)
     }
 
     /// Compares the answers of every impact law and of CRASH3, and those of damage and momentum.
+    ///
+    /// Returns
+    /// -------
+    /// Comparison
+    ///     With ``rows`` and ``evidence``; SI units and radians.
+    ///
+    /// Raises
+    /// ------
+    /// CaseError
+    ///     Where the case lacks what it needs; the text says what.
+    /// NoAnswerError
+    ///     Where no collision can be like it.
+    ///
+    /// Examples
+    /// --------
+    /// >>> for row in deltav.Case.example().compare().rows[:2]:
+    /// ...     print(f"{row.law}: {row.found:.1f} m/s")
+    /// Brach, common tangential velocity: 22.9 m/s
+    /// Brach, friction limit: 22.9 m/s
     fn compare<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
         self.asked(py, Request::Compare, None)
     }
 
-    /// Gives the derivatives of the answer by each input, and sweeps the PDOF by ``pdof_steps`` steps of
-    /// ``pdof_step`` degrees to both sides.
+    /// Gives the derivatives of the answer by each input, and sweeps the PDOF to both sides.
+    ///
+    /// Parameters
+    /// ----------
+    /// pdof_step : float
+    ///     (degrees) a step of the sweep, above 0 and up to 180.
+    /// pdof_steps : int
+    ///     (–) steps to each side, up to 180.
+    ///
+    /// Returns
+    /// -------
+    /// Sensitivity
+    ///     With ``derivatives`` (SI per SI) and ``pdof_sweep``.
+    ///
+    /// Raises
+    /// ------
+    /// ValueError
+    ///     For a step or a number of steps that cannot be.
+    /// CaseError
+    ///     Where the case lacks what it needs; the text says what.
+    /// NoAnswerError
+    ///     Where no collision can be like it.
+    ///
+    /// Examples
+    /// --------
+    /// >>> rows = deltav.Case.example().sensitivity(pdof_step=2.0, pdof_steps=1).pdof_sweep
+    /// >>> [round(row.change, 4) for row in rows]
+    /// [-0.0349, 0.0, 0.0349]
     #[pyo3(
         signature = (*, pdof_step = 5.0, pdof_steps = Whole(2)),
         text_signature = "($self, *, pdof_step=5.0, pdof_steps=2)"
@@ -289,13 +533,37 @@ impl PyCase {
         self.asked(py, Request::Sensitivity { pdof_step, pdof_steps: pdof_steps.0 }, None)
     }
 
-    /// Propagates the ranges of the case to the results, with ``samples`` samples (100,000, or 1000 where the
-    /// vehicles are searched back from their rests).
+    /// Propagates the ranges of the case to the results. Ctrl-C ends it.
     ///
-    /// The same seed gives the same bits with any number of ``threads``; without a number there is one for
-    /// each processor. ``method`` is ``"monte-carlo"``, ``"latin-hypercube"`` or ``"sobol"``; with
-    /// ``sobol=4096``, Sobol' indices are computed from so many rows. Ctrl-C ends it.
+    /// Parameters
+    /// ----------
+    /// samples : int, optional
+    ///     (–) without it 100,000, or 1000 where the vehicles are searched back from their rests.
+    /// seed : int
+    ///     (–) of the random numbers; the same seed gives the same bits.
+    /// method : {"monte-carlo", "latin-hypercube", "sobol"}
+    ///     How the samples are drawn.
+    /// sobol : int, optional
+    ///     (–) rows, such as 4096, from which Sobol' indices are computed.
+    /// threads : int, optional
+    ///     Without it one for each processor. The bits do not depend on it.
     ///
+    /// Returns
+    /// -------
+    /// Uncertainty
+    ///     With ``outputs`` by key (SI units and radians), and ``columns()`` with all samples.
+    ///
+    /// Raises
+    /// ------
+    /// ValueError
+    ///     For a number or a method that cannot be.
+    /// CaseError
+    ///     Where the case lacks what it needs; the text says what.
+    /// NoAnswerError
+    ///     Where no collision can be like it.
+    ///
+    /// Examples
+    /// --------
     /// >>> case = deltav.Case.parse(deltav.Case.example().text.replace(
     /// ...     '"10 mph"', '{ low = "8 mph", high = "12 mph" }'))
     /// >>> result = case.uncertainty(1000, seed=7)
@@ -325,13 +593,44 @@ impl PyCase {
         self.asked(py, request, threads.map(|threads| threads.0))
     }
 
-    /// Estimates the speeds from all evidence, with how probable each is.
+    /// Estimates the speeds from all evidence, with how probable each is. Ctrl-C ends it.
     ///
-    /// ``particles`` is the number of particles of each of 16 islands, a multiple of 128. ``prior`` is
-    /// ``"field"`` or ``"flat"``, in place of what the case says. ``pieces=False`` leaves out what each
-    /// piece of evidence says alone, which takes most of the time. ``above`` are questions such as
-    /// ``"vehicle1.speed 50 km/h"``: how probable is it that the result is above? Where the run has not
-    /// converged, ``converged`` is False and no interval is given.
+    /// Parameters
+    /// ----------
+    /// particles : int
+    ///     (–) of each of 16 islands, a multiple of 128.
+    /// seed : int
+    ///     (–) of the random numbers; the same seed gives the same bits.
+    /// prior : {"field", "flat"}, optional
+    ///     What is taken before the evidence, in place of what the case says.
+    /// pieces : bool
+    ///     Whether to ask what each piece of evidence says alone, which takes most of the time.
+    /// above : sequence of str
+    ///     Questions such as ``"vehicle1.speed 50 km/h"``: how probable is it that the result is above?
+    /// threads : int, optional
+    ///     Without it one for each processor. The bits do not depend on it.
+    ///
+    /// Returns
+    /// -------
+    /// Estimate
+    ///     With ``outputs`` by key (SI units and radians), and ``columns()`` with all draws. Where the run
+    ///     has not converged, ``converged`` is False and no interval is given.
+    ///
+    /// Raises
+    /// ------
+    /// ValueError
+    ///     For a number, a prior or a question that cannot be.
+    /// CaseError
+    ///     Where the case lacks what it needs; the text says what.
+    /// NoAnswerError
+    ///     Where no collision can be like it.
+    ///
+    /// Examples
+    /// --------
+    /// >>> ask = {"pieces": False, "above": ["vehicle1.speed 40 mph"]}
+    /// >>> result = deltav.Case.example().estimate(particles=128, **ask)
+    /// >>> result.converged, result.questions[0].probability > 0.5
+    /// (True, True)
     #[pyo3(
         signature = (
             *, particles = Whole(analysis::EstimatePlan::PARTICLES), seed = Whole(1), prior = None, pieces = true, above = Vec::new(), threads = None
@@ -353,12 +652,35 @@ impl PyCase {
         self.asked(py, request, threads.map(|threads| threads.0))
     }
 
-    /// Draws the ``"scene"``, the ``"motion"``, the ``"motion-curves"``, the ``"momentum"``, the
-    /// ``"damage"``, the ``"reconciliation"`` or the ``"energy"`` of the most complete analysis that the case
-    /// allows. Where the case has more evidence than that uses, the drawing says so below its title.
-    /// ``units`` are ``"si"``, ``"us"``, ``"uk"``, or those that most of the case uses. ``plain=True`` draws
-    /// scene and motion for readers who are no engineers; without speeds where only ``estimate()`` has them.
+    /// Draws the most complete analysis that the case allows.
     ///
+    /// Where the case has more evidence than that uses, the drawing says so below its title.
+    ///
+    /// Parameters
+    /// ----------
+    /// what : {"scene", "motion", "motion-curves", "momentum", "damage", "reconciliation", "energy"}
+    ///     What to draw.
+    /// units : {"si", "us", "uk"}, optional
+    ///     Without it those that most of the case uses.
+    /// plain : bool
+    ///     Scene and motion for readers who are no engineers; without speeds where only ``estimate()`` has
+    ///     them.
+    ///
+    /// Returns
+    /// -------
+    /// Drawing
+    ///
+    /// Raises
+    /// ------
+    /// ValueError
+    ///     For a drawing that there is not.
+    /// CaseError
+    ///     Where the case lacks what it needs; the text says what.
+    /// NoAnswerError
+    ///     Where no collision can be like it.
+    ///
+    /// Examples
+    /// --------
     /// >>> deltav.Case.example().draw("scene").svg()[:4]
     /// '<svg'
     #[pyo3(signature = (what = "scene", *, units = None, plain = false))]

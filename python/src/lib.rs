@@ -15,6 +15,7 @@ mod rows;
 mod run;
 mod solved;
 mod stream;
+mod table;
 
 use pyo3::prelude::*;
 

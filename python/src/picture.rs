@@ -11,6 +11,8 @@ use report::PictureFormat;
 
 /// A drawing: SVG, PNG or PDF. A notebook shows it.
 ///
+/// Examples
+/// --------
 /// >>> drawing = deltav.Case.example().draw("energy")
 /// >>> drawing.title
 /// 'Intersection collision, GMC Jimmy and Nissan Altima: energy'
@@ -68,21 +70,68 @@ impl Picture {
     }
 
     /// The drawing as SVG.
+    ///
+    /// Returns
+    /// -------
+    /// str
+    ///
+    /// Examples
+    /// --------
+    /// >>> deltav.Case.example().draw().svg()[:4]
+    /// '<svg'
     fn svg(&self, py: Python<'_>) -> String {
         py.detach(|| self.drawing.svg())
     }
 
     /// The drawing as PNG.
+    ///
+    /// Returns
+    /// -------
+    /// bytes
+    ///
+    /// Examples
+    /// --------
+    /// >>> deltav.Case.example().draw().png()[1:4]
+    /// b'PNG'
     fn png<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyBytes>> {
         Ok(PyBytes::new(py, &self.written(py, PictureFormat::Png)?))
     }
 
     /// The drawing as PDF: one page.
+    ///
+    /// Returns
+    /// -------
+    /// bytes
+    ///
+    /// Examples
+    /// --------
+    /// >>> deltav.Case.example().draw().pdf()[:4]
+    /// b'%PDF'
     fn pdf<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyBytes>> {
         Ok(PyBytes::new(py, &self.written(py, PictureFormat::Pdf)?))
     }
 
-    /// Writes the drawing into a file, whose name ends in ``.svg``, ``.png`` or ``.pdf``.
+    /// Writes the drawing into a file.
+    ///
+    /// Parameters
+    /// ----------
+    /// path : str or os.PathLike
+    ///     Its name ends in ``.svg``, ``.png`` or ``.pdf``, which selects the format.
+    ///
+    /// Raises
+    /// ------
+    /// ValueError
+    ///     For another ending.
+    /// OSError
+    ///     Where the file cannot be written.
+    ///
+    /// Examples
+    /// --------
+    /// >>> import pathlib, tempfile
+    /// >>> path = pathlib.Path(tempfile.mkdtemp(), "scene.svg")
+    /// >>> deltav.Case.example().draw("scene").save(path)
+    /// >>> path.exists()
+    /// True
     fn save(&self, py: Python<'_>, path: PathBuf) -> PyResult<()> {
         let ending = path.extension().map(|ending| ending.to_ascii_lowercase());
         let format = PictureFormat::ALL

@@ -84,6 +84,18 @@ impl Request {
         Ok(())
     }
 
+    /// The class of its result, in Python.
+    pub(crate) fn class(&self) -> &'static str {
+        match self {
+            Self::Reconstruct | Self::Impact | Self::Motion | Self::Crush => "Analysis",
+            Self::Check => "Judgement",
+            Self::Compare => "Comparison",
+            Self::Sensitivity { .. } => "Sensitivity",
+            Self::Uncertainty { .. } => "Uncertainty",
+            Self::Estimate { .. } => "Estimate",
+        }
+    }
+
     /// Whether it takes no longer than to start a thread for it.
     pub(crate) fn is_quick(&self) -> bool {
         matches!(self, Self::Reconstruct | Self::Impact | Self::Motion | Self::Crush | Self::Check)

@@ -4,25 +4,32 @@ use std::path::PathBuf;
 use std::sync::Arc;
 
 use analysis::EstimatePlan;
-use arrow_array::{RecordBatch, RecordBatchReader as _, StructArray};
+use arrow_array::{RecordBatch, StructArray};
 use arrow_schema::{ArrowError, Schema, SchemaRef};
 use case::Prior;
-use pyo3::exceptions::{PyRuntimeError, PyValueError};
+use pyo3::exceptions::{PyRuntimeError, PyTypeError, PyValueError};
 use pyo3::prelude::*;
-use pyo3::types::{PyCapsule, PyMapping};
+use pyo3::types::{PyCapsule, PyMapping, PyString};
 use pyo3_arrow::ffi::to_schema_pycapsule;
-use pyo3_arrow::input::AnyRecordBatch;
 use tables::{Carried, Job, Numbers, Options, TableError, Template};
 
 use crate::dict;
 use crate::errors::wrong_case;
-use crate::given::Whole;
+use crate::given::{PyCase, Whole, bytes_of, is_one_word, is_path};
 use crate::request::chosen;
 use crate::run::{Ending, interruptible, pool};
 use crate::stream::{Asked, Parts, RowStream, as_stream, names};
+use crate::table::Table;
 
 /// The results of a table, for whatever speaks Arrow: ``polars.DataFrame(rows)``, ``pyarrow.table(rows)``,
 /// ``pandas.DataFrame.from_arrow(rows)``.
+///
+/// Examples
+/// --------
+/// >>> table = {"id": ["a"], "vehicle1.weight [lb]": [3600.0]}
+/// >>> rows = deltav.crush_table(table, template=deltav.Case.example())
+/// >>> len(rows), rows.names[0]
+/// (1, 'id')
 #[pyclass(name = "Rows", module = "deltav", frozen)]
 pub(crate) struct Rows {
     schema: SchemaRef,
@@ -36,6 +43,12 @@ impl Rows {
 }
 
 /// Names and types of columns, for whatever speaks Arrow: ``pyarrow.schema(schema)``.
+///
+/// Examples
+/// --------
+/// >>> import pyarrow
+/// >>> "error" in pyarrow.schema(deltav.result_schema("crush")).names
+/// True
 #[pyclass(name = "Schema", module = "deltav", frozen)]
 pub(crate) struct PySchema(SchemaRef);
 
@@ -50,19 +63,45 @@ fn broken(error: ArrowError) -> PyErr {
     PyRuntimeError::new_err(error.to_string())
 }
 
-/// What all rows share: the text of a part of a case file, a dict with its keys, or the path of such a file.
+/// What all rows share: a case, the text of a part of a case file, a dict with its keys, or the path of such a
+/// file.
 fn template(given: Option<&Bound<'_, PyAny>>) -> PyResult<Template> {
     let Some(given) = given else { return Ok(Template::default()) };
     let py = given.py();
-    let (name, text) = if let Ok(text) = given.extract::<String>() {
-        ("template".to_owned(), text)
+    let parsed = |name: &str, text: &str| Template::parse(name, text).map_err(|error| wrong_table(py, error));
+    if let Ok(case) = given.cast::<PyCase>() {
+        let source = &case.get().0.file.source;
+        return parsed(source.name().as_given(), source.text());
+    }
+    if let Ok(text) = given.cast::<PyString>() {
+        let text = text.to_str()?;
+        if !is_one_word(text) {
+            return parsed("template", text);
+        }
+        if !is_path(text) {
+            let shown = case::shown(text);
+            return Err(PyValueError::new_err(format!(
+                "template=\"{shown}\": this is neither the text of a case file nor a path that ends in .toml; give \
+                 another path as pathlib.Path(\"{shown}\")"
+            )));
+        }
     } else if given.cast::<PyMapping>().is_ok() {
-        ("template".to_owned(), dict::as_toml(given)?)
-    } else {
-        let path: PathBuf = given.extract()?;
-        (path.display().to_string(), std::fs::read_to_string(&path)?)
+        return parsed("template", &dict::as_toml(given)?);
+    }
+    let Ok(path) = given.extract::<PathBuf>() else {
+        return Err(PyTypeError::new_err(format!(
+            "template= takes a Case, a dict, a text or the path of a case file, not {}",
+            given.get_type().name()?
+        )));
     };
-    Template::parse(&name, &text).map_err(|error| wrong_table(py, error))
+    let bytes = bytes_of(py, &path)?;
+    let text = String::from_utf8(bytes).map_err(|_| {
+        PyValueError::new_err(format!(
+            "the template {} is not UTF-8: save it as UTF-8",
+            case::shown(&path.display().to_string())
+        ))
+    })?;
+    parsed(&path.display().to_string(), &text)
 }
 
 fn prior(prior: Option<&str>) -> PyResult<Option<Prior>> {
@@ -90,11 +129,11 @@ fn asked(
 fn solve(
     py: Python<'_>,
     job: Job,
-    table: AnyRecordBatch,
+    table: Table,
     given: Option<&Bound<'_, PyAny>>,
     (options, threads): (Options, Option<Whole<usize>>),
 ) -> PyResult<Rows> {
-    let mut reader = table.into_reader()?;
+    let mut reader = table.0;
     let asked = asked(py, &reader.schema(), job, given, options)?;
     let threads = threads.map(|threads| threads.0);
     let mut batches = Vec::new();
@@ -113,16 +152,41 @@ fn sampled(samples: Option<Whole<usize>>, seed: Whole<u64>) -> Options {
 
 /// Reconstructs each row of a table: ``Case.reconstruct``, and with ``samples`` intervals.
 ///
-/// ``table`` is whatever speaks Arrow: of pyarrow, Polars, pandas, DuckDB; a table, a batch or a stream.
-/// Its columns are keys of the case file, nested as in ``case_schema()`` or flat with their unit in
-/// brackets, ``"vehicle2.speed [mph]"``; all others are carried over. ``template`` is what all rows share:
-/// a part of a case file as a text or a dict, or the path of one. A row that is wrong or has no answer says
-/// so in ``error``. The seed is the same for every row, or that of its column ``seed``; the bits depend
-/// neither on the place of a row nor on ``threads``.
+/// Parameters
+/// ----------
+/// table
+///     Whatever speaks Arrow, of pyarrow, Polars, pandas or DuckDB: a table, a batch or a stream; or a dict
+///     of columns, each a list or an array. Columns are keys of the case file, nested as in
+///     ``case_schema()`` (SI units and radians) or flat with their unit in brackets,
+///     ``"vehicle2.speed [mph]"``; all others are carried over.
+/// template : Case, str, Mapping or os.PathLike, optional
+///     What all rows share: a case, or a part of a case file as a text, a dict or a path. A text that ends in
+///     ``.toml`` is a path.
+/// samples : int, optional
+///     (–) of each row, for the columns of its 95 % interval, ``vehicle1_delta_v_p025`` and ``_p975``.
+/// seed : int
+///     (–) of the random numbers of every row that has none in a column ``seed``.
+/// threads : int, optional
+///     Without it one for each processor. The bits do not depend on it.
 ///
+/// Returns
+/// -------
+/// Rows
+///     The columns that are carried over, the results in SI units and radians, and ``error``: what is wrong
+///     with a row, or why it has no answer.
+///
+/// Raises
+/// ------
+/// CaseError
+///     Where the template is wrong.
+/// ValueError
+///     Where the table as a whole is wrong: a column that is no key, or a unit that does not fit.
+///
+/// Examples
+/// --------
 /// >>> import pyarrow
-/// >>> table = pyarrow.table({"id": [1, 2], "vehicle2.speed [mph]": [10.0, 1e9]})
-/// >>> rows = pyarrow.table(deltav.reconstruct_table(table, template=deltav.Case.example().text))
+/// >>> table = {"id": [1, 2], "vehicle2.speed [mph]": [10.0, 1e9]}
+/// >>> rows = pyarrow.table(deltav.reconstruct_table(table, template=deltav.Case.example()))
 /// >>> rows.select(["id", "found_value", "error"]).to_pylist()[1]["error"]
 /// 'vehicle2.speed: "1000000000 mph" is implausibly large for a speed'
 #[pyfunction]
@@ -132,7 +196,7 @@ fn sampled(samples: Option<Whole<usize>>, seed: Whole<u64>) -> Options {
 )]
 pub(crate) fn reconstruct_table(
     py: Python<'_>,
-    table: AnyRecordBatch,
+    table: Table,
     template: Option<&Bound<'_, PyAny>>,
     samples: Option<Whole<usize>>,
     seed: Whole<u64>,
@@ -141,7 +205,39 @@ pub(crate) fn reconstruct_table(
     solve(py, Job::Reconstruct, table, template, (sampled(samples, seed), threads))
 }
 
-/// Computes the impact of each row of a table from two known speeds: as ``reconstruct_table``.
+/// Computes the impact of each row of a table from two known speeds: ``Case.impact``.
+///
+/// Parameters
+/// ----------
+/// table
+///     As of ``reconstruct_table``.
+/// template : Case, str, Mapping or os.PathLike, optional
+///     As of ``reconstruct_table``.
+/// samples : int, optional
+///     (–) of each row, for the columns of its 95 % interval, ``vehicle1_delta_v_p025`` and ``_p975``.
+/// seed : int
+///     (–) of the random numbers of every row that has none in a column ``seed``.
+/// threads : int, optional
+///     Without it one for each processor. The bits do not depend on it.
+///
+/// Returns
+/// -------
+/// Rows
+///     The columns that are carried over, the results in SI units and radians, and ``error``: what is wrong
+///     with a row, or why it has no answer.
+///
+/// Raises
+/// ------
+/// CaseError
+///     Where the template is wrong.
+/// ValueError
+///     Where the table as a whole is wrong: a column that is no key, or a unit that does not fit.
+///
+/// Examples
+/// --------
+/// >>> table = {"vehicle1.speed [mph]": [40.0, 50.0]}
+/// >>> len(deltav.impact_table(table, template=deltav.Case.example()))
+/// 2
 #[pyfunction]
 #[pyo3(
     signature = (table, *, template = None, samples = None, seed = Whole(1), threads = None),
@@ -149,7 +245,7 @@ pub(crate) fn reconstruct_table(
 )]
 pub(crate) fn impact_table(
     py: Python<'_>,
-    table: AnyRecordBatch,
+    table: Table,
     template: Option<&Bound<'_, PyAny>>,
     samples: Option<Whole<usize>>,
     seed: Whole<u64>,
@@ -158,19 +254,83 @@ pub(crate) fn impact_table(
     solve(py, Job::Impact, table, template, (sampled(samples, seed), threads))
 }
 
-/// Computes crush energy and ΔV of each row of a table from damage and PDOF alone: as ``reconstruct_table``.
+/// Computes crush energy and ΔV of each row of a table from damage and PDOF alone: ``Case.crush``.
+///
+/// Parameters
+/// ----------
+/// table
+///     As of ``reconstruct_table``.
+/// template : Case, str, Mapping or os.PathLike, optional
+///     As of ``reconstruct_table``.
+/// threads : int, optional
+///     Without it one for each processor. The bits do not depend on it.
+///
+/// Returns
+/// -------
+/// Rows
+///     The columns that are carried over, the results in SI units and radians, and ``error``: what is wrong
+///     with a row, or why it has no answer.
+///
+/// Raises
+/// ------
+/// CaseError
+///     Where the template is wrong.
+/// ValueError
+///     Where the table as a whole is wrong: a column that is no key, or a unit that does not fit.
+///
+/// Examples
+/// --------
+/// >>> table = {"vehicle1.weight [lb]": [3600.0, 3800.0, 4000.0]}
+/// >>> len(deltav.crush_table(table, template=deltav.Case.example()))
+/// 3
 #[pyfunction]
 #[pyo3(signature = (table, *, template = None, threads = None))]
 pub(crate) fn crush_table(
     py: Python<'_>,
-    table: AnyRecordBatch,
+    table: Table,
     template: Option<&Bound<'_, PyAny>>,
     threads: Option<Whole<usize>>,
 ) -> PyResult<Rows> {
     solve(py, Job::Crush, table, template, (Options::default(), threads))
 }
 
-/// Estimates the speeds of each row of a table from all its evidence: as ``reconstruct_table``.
+/// Estimates the speeds of each row of a table from all its evidence: ``Case.estimate``.
+///
+/// Parameters
+/// ----------
+/// table
+///     As of ``reconstruct_table``.
+/// template : Case, str, Mapping or os.PathLike, optional
+///     As of ``reconstruct_table``.
+/// particles : int
+///     (–) of each of 16 islands, a multiple of 128.
+/// seed : int
+///     (–) of the random numbers of every row that has none in a column ``seed``.
+/// prior : {"field", "flat"}, optional
+///     What is taken before the evidence, in place of what the rows say.
+/// threads : int, optional
+///     Without it one for each processor. The bits do not depend on it.
+///
+/// Returns
+/// -------
+/// Rows
+///     The columns that are carried over, the results in SI units and radians, and ``error``: what is wrong
+///     with a row, or why it has no answer.
+///
+/// Raises
+/// ------
+/// CaseError
+///     Where the template is wrong.
+/// ValueError
+///     Where the table as a whole is wrong: a column that is no key, or a unit that does not fit.
+///
+/// Examples
+/// --------
+/// >>> import pyarrow
+/// >>> rows = deltav.estimate_table({"seed": [1]}, template=deltav.Case.example(), particles=128)
+/// >>> [row] = pyarrow.table(rows).to_pylist()
+/// >>> row["vehicle1_speed_p025"] < row["vehicle1_speed_median"] < row["vehicle1_speed_p975"]
+/// True
 #[pyfunction]
 #[pyo3(
     signature = (table, *, template = None, particles = Whole(EstimatePlan::PARTICLES), seed = Whole(1), prior = None, threads = None),
@@ -178,7 +338,7 @@ pub(crate) fn crush_table(
 )]
 pub(crate) fn estimate_table(
     py: Python<'_>,
-    table: AnyRecordBatch,
+    table: Table,
     template: Option<&Bound<'_, PyAny>>,
     particles: Whole<usize>,
     seed: Whole<u64>,
@@ -193,13 +353,42 @@ pub(crate) fn estimate_table(
 /// Solves the rows of a table as they are read, and so in flat memory: for a table that does not fit into
 /// it, or one that another program reads on.
 ///
-/// ``job`` is ``"reconstruct"``, ``"impact"``, ``"crush"`` or ``"estimate"``; all else is as in
-/// ``reconstruct_table`` and ``estimate_table``. The stream can be read once. A table that is wrong is
-/// refused at once, a row that is wrong says so in ``error``.
+/// Parameters
+/// ----------
+/// job : {"reconstruct", "impact", "crush", "estimate"}
+///     What is asked of each row.
+/// table
+///     As of ``reconstruct_table``.
+/// template : Case, str, Mapping or os.PathLike, optional
+///     As of ``reconstruct_table``.
+/// samples : int, optional
+///     (–) of each row, for the columns of its 95 % interval, ``vehicle1_delta_v_p025`` and ``_p975``.
+/// particles : int
+///     (–) of each of 16 islands, a multiple of 128.
+/// seed : int
+///     (–) of the random numbers of every row that has none in a column ``seed``.
+/// prior : {"field", "flat"}, optional
+///     What is taken before the evidence, in place of what the rows say.
+/// threads : int, optional
+///     Without it one for each processor. The bits do not depend on it.
 ///
+/// Returns
+/// -------
+/// RowStream
+///     It can be read once. A row that is wrong says so in ``error``.
+///
+/// Raises
+/// ------
+/// CaseError
+///     Where the template is wrong.
+/// ValueError
+///     Where the table as a whole is wrong: a column that is no key, or a unit that does not fit.
+///
+/// Examples
+/// --------
 /// >>> import pyarrow
-/// >>> speeds = pyarrow.table({"vehicle2.speed [mph]": [10.0, 12.0]})
-/// >>> stream = deltav.stream_table("reconstruct", speeds, template=deltav.Case.example().text)
+/// >>> speeds = {"vehicle2.speed [mph]": [10.0, 12.0]}
+/// >>> stream = deltav.stream_table("reconstruct", speeds, template=deltav.Case.example())
 /// >>> reader = pyarrow.RecordBatchReader.from_stream(stream)
 /// >>> sum(batch.num_rows for batch in reader)
 /// 2
@@ -212,7 +401,7 @@ pub(crate) fn estimate_table(
 pub(crate) fn stream_table(
     py: Python<'_>,
     job: &str,
-    table: AnyRecordBatch,
+    table: Table,
     template: Option<&Bound<'_, PyAny>>,
     samples: Option<Whole<usize>>,
     particles: Whole<usize>,
@@ -223,7 +412,7 @@ pub(crate) fn stream_table(
     let job = self::job(job)?;
     let prior = self::prior(prior)?;
     let options = Options { particles: particles.0, prior, ..sampled(samples, seed) };
-    let table = table.into_reader()?;
+    let table = table.0;
     let asked = asked(py, &table.schema(), job, template, options)?;
     let pool = pool(threads.map(|threads| threads.0))?;
     // What is wrong with the table or the options is said now, and not to the one who reads.
@@ -232,9 +421,20 @@ pub(crate) fn stream_table(
     Ok(RowStream::of(Parts { asked, table, pool, left: None }))
 }
 
-/// The schema of a table of cases: structs and lists as in the case file, in SI units. With ``ranges=True`` a
-/// number is a struct, which can be a range.
+/// The schema of a table of cases: structs and lists as in the case file, in SI units and radians.
 ///
+/// Parameters
+/// ----------
+/// ranges : bool
+///     Whether a number is a struct, which can be a range.
+///
+/// Returns
+/// -------
+/// Schema
+///     For whatever speaks Arrow.
+///
+/// Examples
+/// --------
 /// >>> import pyarrow
 /// >>> pyarrow.schema(deltav.case_schema()).field("vehicle1").type.field("mass").type
 /// DataType(double)
@@ -245,9 +445,28 @@ pub(crate) fn case_schema(ranges: bool) -> PySchema {
     PySchema(Arc::new(tables::case_schema(numbers)))
 }
 
-/// The schema of the results of ``reconstruct``, ``impact``, ``crush`` or ``estimate`` of a table, which
-/// Spark and others ask for before there are data. Columns that are carried over come before these.
+/// The schema of the results of a table, which Spark and others ask for before there are data. Columns that
+/// are carried over come before these.
 ///
+/// Parameters
+/// ----------
+/// job : {"reconstruct", "impact", "crush", "estimate"}
+///     What is asked of each row.
+/// samples : int, optional
+///     (–) as of the table; with it there are columns of intervals.
+///
+/// Returns
+/// -------
+/// Schema
+///     Of columns in SI units and radians.
+///
+/// Raises
+/// ------
+/// ValueError
+///     For a job that there is not.
+///
+/// Examples
+/// --------
 /// >>> import pyarrow
 /// >>> "vehicle1_delta_v_p975" in pyarrow.schema(deltav.result_schema("reconstruct", samples=1000)).names
 /// True

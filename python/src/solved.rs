@@ -199,10 +199,12 @@ fn columns(py: Python<'_>, solved: &Arc<Solved>) -> PyResult<Columns> {
 /// What a case answers.
 ///
 /// Its attributes are the keys of the JSON document of the program, in SI units and radians:
-/// ``result.found.value``, ``result.vehicle1.delta_v``. A key that is no name is read as of a dict:
-/// ``result.outputs["vehicle1.speed"].interval95``. ``result.program.version`` and ``result.case.sha256``
-/// say what it takes to get it again.
+/// ``result.found.value``, ``result.vehicle1.delta_v``; ``deltav.results`` has the types and units of all. A
+/// key that is no name is read as of a dict: ``result.outputs["vehicle1.speed"].interval95``.
+/// ``result.program.version`` and ``result.case.sha256`` say what it takes to get it again.
 ///
+/// Examples
+/// --------
 /// >>> result = deltav.Case.example().reconstruct()
 /// >>> result.to_dict()["vehicle1"]["delta_v"] == result.vehicle1.delta_v
 /// True
@@ -223,9 +225,10 @@ impl PyAnswered {
     }
 
     fn record<'py>(&self, py: Python<'py>) -> PyResult<&Bound<'py, PyAny>> {
-        static RECORD: PyOnceLock<Py<PyAny>> = PyOnceLock::new();
+        static DOCUMENT: PyOnceLock<Py<PyAny>> = PyOnceLock::new();
         let made = || {
-            Ok::<_, PyErr>(RECORD.import(py, "deltav._record", "Record")?.call1((self.loads(py)?,))?.unbind())
+            let document = DOCUMENT.import(py, "deltav.results", "_document")?;
+            Ok::<_, PyErr>(document.call1((self.solved.request.class(), self.loads(py)?))?.unbind())
         };
         Ok(self.record.get_or_try_init(py, made)?.bind(py))
     }
@@ -240,17 +243,55 @@ impl PyAnswered {
 #[pymethods]
 impl PyAnswered {
     /// The JSON document of the program as a dict: SI units and radians, the same bits.
+    ///
+    /// Returns
+    /// -------
+    /// dict
+    ///     A new one at each call.
+    ///
+    /// Examples
+    /// --------
+    /// >>> sorted(deltav.Case.example().check().to_dict())[:3]
+    /// ['answers_most', 'assumptions', 'axes']
     fn to_dict<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
         self.loads(py)
     }
 
     /// The JSON document of the program.
+    ///
+    /// Returns
+    /// -------
+    /// str
+    ///     Byte for byte what the program writes.
+    ///
+    /// Examples
+    /// --------
+    /// >>> deltav.Case.example().reconstruct().to_json().startswith("{")
+    /// True
     fn to_json(&self, py: Python<'_>) -> PyResult<&str> {
         self.solved.json(py)
     }
 
-    /// What the program prints: in the units that most of the case uses, or in those of ``"si"``,
-    /// ``"us"`` or ``"uk"``.
+    /// What the program prints.
+    ///
+    /// Parameters
+    /// ----------
+    /// units : {"si", "us", "uk"}, optional
+    ///     Without it those that most of the case uses.
+    ///
+    /// Returns
+    /// -------
+    /// str
+    ///
+    /// Raises
+    /// ------
+    /// ValueError
+    ///     For units that there are not.
+    ///
+    /// Examples
+    /// --------
+    /// >>> print(deltav.Case.example().reconstruct().text("si").splitlines()[0])
+    /// Intersection collision, GMC Jimmy and Nissan Altima
     #[pyo3(signature = (units = None))]
     fn text(&self, py: Python<'_>, units: Option<&str>) -> PyResult<String> {
         let units = self.solved.in_units(units)?;
@@ -259,6 +300,27 @@ impl PyAnswered {
     }
 
     /// The report of the program as one HTML file, without scripts.
+    ///
+    /// Parameters
+    /// ----------
+    /// units : {"si", "us", "uk"}, optional
+    ///     Without it those that most of the case uses.
+    ///
+    /// Returns
+    /// -------
+    /// str
+    ///
+    /// Raises
+    /// ------
+    /// ValueError
+    ///     For units that there are not.
+    /// CaseError
+    ///     Where the site plan that the case names cannot be read.
+    ///
+    /// Examples
+    /// --------
+    /// >>> deltav.Case.example().reconstruct().html().startswith("<!DOCTYPE html>")
+    /// True
     #[pyo3(signature = (units = None))]
     fn html(&self, py: Python<'_>, units: Option<&str>) -> PyResult<String> {
         let page = self.solved.report(py, self.solved.in_units(units)?)?;
@@ -266,6 +328,27 @@ impl PyAnswered {
     }
 
     /// The report of the program as Markdown.
+    ///
+    /// Parameters
+    /// ----------
+    /// units : {"si", "us", "uk"}, optional
+    ///     Without it those that most of the case uses.
+    ///
+    /// Returns
+    /// -------
+    /// str
+    ///
+    /// Raises
+    /// ------
+    /// ValueError
+    ///     For units that there are not.
+    /// CaseError
+    ///     Where the site plan that the case names cannot be read.
+    ///
+    /// Examples
+    /// --------
+    /// >>> deltav.Case.example().reconstruct().markdown().startswith("#")
+    /// True
     #[pyo3(signature = (units = None))]
     fn markdown(&self, py: Python<'_>, units: Option<&str>) -> PyResult<String> {
         let page = self.solved.report(py, self.solved.in_units(units)?)?;
@@ -407,8 +490,32 @@ pub(crate) struct PyAnalysis;
 
 #[pymethods]
 impl PyAnalysis {
-    /// Draws the ``"scene"``, the ``"motion"``, the ``"motion-curves"``, the ``"momentum"``, the
-    /// ``"damage"``, the ``"reconciliation"`` or the ``"energy"``; without a name what shows most.
+    /// Draws the analysis.
+    ///
+    /// Parameters
+    /// ----------
+    /// what : {"scene", "motion", "motion-curves", "momentum", "damage", "reconciliation", "energy"}
+    ///     What to draw; without it what shows most.
+    /// units : {"si", "us", "uk"}, optional
+    ///     Without it those that most of the case uses.
+    /// plain : bool
+    ///     Scene and motion for readers who are no engineers.
+    ///
+    /// Returns
+    /// -------
+    /// Drawing
+    ///
+    /// Raises
+    /// ------
+    /// ValueError
+    ///     For a drawing that there is not.
+    /// NoAnswerError
+    ///     Where the analysis has nothing of what is to be drawn.
+    ///
+    /// Examples
+    /// --------
+    /// >>> deltav.Case.example().reconstruct().draw().title
+    /// 'Intersection collision, GMC Jimmy and Nissan Altima: scene'
     #[pyo3(signature = (what = None, *, units = None, plain = false))]
     fn draw(
         slf: &Bound<'_, Self>,
@@ -450,18 +557,74 @@ pub(crate) struct PyUncertainty;
 
 #[pymethods]
 impl PyUncertainty {
-    /// All samples: ``columns()["vehicle1.speed"]`` is a NumPy array, and the whole goes into Arrow.
+    /// All samples.
+    ///
+    /// Returns
+    /// -------
+    /// Columns
+    ///     ``columns()["vehicle1.speed"]`` is a NumPy array, and the whole goes into Arrow; SI units and radians.
+    ///
+    /// Examples
+    /// --------
+    /// >>> uncertain.columns()["vehicle1.speed"].shape
+    /// (1000,)
     fn columns(slf: &Bound<'_, Self>) -> PyResult<Py<Columns>> {
         slf.as_super().get().columns(slf.py())
     }
 
-    /// Draws how often the values of an output are; ``"vehicle1.speed"``, for example.
+    /// Draws how often the values of an output are.
+    ///
+    /// Parameters
+    /// ----------
+    /// output : str
+    ///     A key of ``outputs``, such as ``"vehicle1.speed"``.
+    /// units : {"si", "us", "uk"}, optional
+    ///     Without it those that most of the case uses.
+    ///
+    /// Returns
+    /// -------
+    /// Drawing
+    ///
+    /// Raises
+    /// ------
+    /// ValueError
+    ///     For an output that there is not.
+    /// NoAnswerError
+    ///     Where the output does not vary.
+    ///
+    /// Examples
+    /// --------
+    /// >>> uncertain.histogram("vehicle1.speed").svg()[:4]
+    /// '<svg'
     #[pyo3(signature = (output, *, units = None))]
     fn histogram(slf: &Bound<'_, Self>, output: &str, units: Option<&str>) -> PyResult<Picture> {
         spread(slf, ("histogram", output), units, report::histogram)
     }
 
     /// Draws what each input alone does to an output, the most influential first.
+    ///
+    /// Parameters
+    /// ----------
+    /// output : str
+    ///     A key of ``outputs``, such as ``"vehicle1.speed"``.
+    /// units : {"si", "us", "uk"}, optional
+    ///     Without it those that most of the case uses.
+    ///
+    /// Returns
+    /// -------
+    /// Drawing
+    ///
+    /// Raises
+    /// ------
+    /// ValueError
+    ///     For an output that there is not.
+    /// NoAnswerError
+    ///     Where the output does not vary.
+    ///
+    /// Examples
+    /// --------
+    /// >>> uncertain.tornado("vehicle1.speed").svg()[:4]
+    /// '<svg'
     #[pyo3(signature = (output, *, units = None))]
     fn tornado(slf: &Bound<'_, Self>, output: &str, units: Option<&str>) -> PyResult<Picture> {
         spread(slf, ("tornado", output), units, report::tornado)
@@ -512,14 +675,50 @@ pub(crate) struct PyEstimate;
 
 #[pymethods]
 impl PyEstimate {
-    /// All draws: ``columns()["vehicle1.speed"]`` is a NumPy array, and the whole goes into Arrow.
+    /// All draws.
     ///
-    /// Raises ``NoAnswerError`` where the run has not converged.
+    /// Returns
+    /// -------
+    /// Columns
+    ///     ``columns()["vehicle1.speed"]`` is a NumPy array, and the whole goes into Arrow; SI units and radians.
+    ///
+    /// Raises
+    /// ------
+    /// ``NoAnswerError``
+    ///     Where the run has not converged.
+    ///
+    /// Examples
+    /// --------
+    /// >>> estimated.columns().rows == estimated.draws
+    /// True
     fn columns(slf: &Bound<'_, Self>) -> PyResult<Py<Columns>> {
         slf.as_super().get().columns(slf.py())
     }
 
     /// Draws how probable the values of an output are, before and after the evidence.
+    ///
+    /// Parameters
+    /// ----------
+    /// output : str
+    ///     A key of ``outputs``, such as ``"vehicle1.speed"``.
+    /// units : {"si", "us", "uk"}, optional
+    ///     Without it those that most of the case uses.
+    ///
+    /// Returns
+    /// -------
+    /// Drawing
+    ///
+    /// Raises
+    /// ------
+    /// ValueError
+    ///     For an output that there is not.
+    /// NoAnswerError
+    ///     Where there is no density to draw.
+    ///
+    /// Examples
+    /// --------
+    /// >>> estimated.density("vehicle1.speed").svg()[:4]
+    /// '<svg'
     #[pyo3(signature = (output, *, units = None))]
     fn density(slf: &Bound<'_, Self>, output: &str, units: Option<&str>) -> PyResult<Picture> {
         let py = slf.py();

@@ -95,6 +95,18 @@ pub(crate) fn as_stream<'py>(
 /// The results of a table that are computed as they are read: in order, once, in flat memory.
 ///
 /// Whatever reads Arrow's streams takes it, such as ``pyarrow.RecordBatchReader.from_stream(stream)``.
+///
+/// Raises
+/// ------
+/// ValueError
+///     For whoever reads it a second time.
+///
+/// Examples
+/// --------
+/// >>> table = {"id": ["a"], "vehicle1.weight [lb]": [3600.0]}
+/// >>> stream = deltav.stream_table("crush", table, template=deltav.Case.example())
+/// >>> stream.names[0]
+/// 'id'
 #[pyclass(name = "RowStream", module = "deltav", frozen)]
 pub(crate) struct RowStream {
     schema: SchemaRef,

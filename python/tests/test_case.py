@@ -144,6 +144,12 @@ def test_a_site_plan_lies_beside_the_file(tmp_path: pathlib.Path) -> None:
         (lambda case: case.draw("motion"), deltav.CaseError, "motion()"),
         (lambda case: deltav.Case("case.toml"), TypeError, "Case.read"),
         (lambda case: deltav.Case.from_dict([]), TypeError, "takes a dict, not list"),
+        (lambda case: deltav.Case.from_dict(case.text), TypeError, "Case.parse(text) a text"),
+        (lambda case: deltav.Case.parse(pathlib.Path("a.toml")), TypeError, "Case.read(path) reads a file"),
+        (lambda case: deltav.Case.parse(case.to_dict()), TypeError, "Case.from_dict(dict) a dict"),
+        (lambda case: deltav.Case.parse("crashes/a.toml"), deltav.CaseError, 'Case.read("crashes/a.toml") reads'),
+        (lambda case: deltav.Case.parse("A.TOML"), deltav.CaseError, "but the path of one"),
+        (lambda case: deltav.Case.read(case.text), ValueError, "Case.parse(text) takes its text"),
     ],
 )
 def test_a_wrong_request_gets_a_sentence(ask: Any, error: type[Exception], says: str) -> None:

@@ -4,6 +4,7 @@ import csv
 import gc
 import pathlib
 import pickle
+from collections.abc import Mapping
 
 import deltav
 import numpy as np
@@ -112,3 +113,41 @@ def test_the_draws_of_an_estimate_are_those_that_the_program_writes(tmp_path: pa
     again = pickle.loads(pickle.dumps(estimated))
     assert again.to_json() == estimated.to_json()
     assert pa.table(again.columns()).equals(pa.table(columns))
+
+
+def test_columns_read_as_a_dict(uncertain: deltav.Uncertainty) -> None:
+    columns = uncertain.columns()
+    assert isinstance(columns, Mapping)
+    assert [key for key, _ in columns.items()] == columns.keys()
+    for (key, of_item), value in zip(columns.items(), columns.values(), strict=True):
+        assert of_item.ctypes.data == value.ctypes.data == columns[key].ctypes.data
+    assert list(dict(columns)) == columns.keys() and {**columns}.keys() == dict(columns).keys()
+    assert columns.get("vehicle9.speed") is None and columns.get("vehicle9.speed", 3.0) == 3.0
+    assert columns.get("vehicle1.speed") is not None and columns.get(1, "none") == "none"
+    assert 1 not in columns
+
+
+def test_columns_know_their_names_of_arrow(uncertain: deltav.Uncertainty) -> None:
+    columns = uncertain.columns()
+    for key, name in zip(columns, columns.names[1:], strict=True):
+        assert name in columns
+        assert columns[name].ctypes.data == columns[key].ctypes.data
+    with pytest.raises(KeyError, match=r'failed is a column of texts: pyarrow.table\(columns\)'):
+        columns["failed"]
+    for name in ("vehicle1_speed_", "vehicle1-speed", ""):
+        assert name not in columns
+
+
+def test_pandas_gets_all_rows_with_their_names_or_a_sentence(uncertain: deltav.Uncertainty) -> None:
+    columns = uncertain.columns()
+    # A table of keys, or numbers without names, would be neither.
+    for make in (pd.DataFrame, np.asarray, np.array, pd.DataFrame.from_dict):
+        with pytest.raises(TypeError, match=r"would lose the names of the columns: use pandas.DataFrame.from_arrow"):
+            make(columns)
+    frame = pd.DataFrame(dict(columns))
+    assert frame.shape == (1000, len(columns)) and list(frame) == columns.keys()
+    assert np.array_equal(frame["vehicle1.speed"].to_numpy(), columns["vehicle1.speed"])
+    assert list(pd.DataFrame.from_arrow(columns)) == columns.names
+    stacked = np.column_stack(columns.values())
+    assert stacked.shape == (1000, len(columns))
+    assert np.array_equal(stacked[:, 0], columns["vehicle1.speed"])

@@ -17,7 +17,7 @@ import pyarrow.parquet as pq
 import pytest
 from conftest import ROOT, UNCERTAIN
 
-pyspark = pytest.importorskip("pyspark", reason="pyspark is not installed: pip install 'deltav[spark]'")
+pyspark = pytest.importorskip("pyspark", reason="there is no pyspark: in the folder python, pip install '.[spark]'")
 
 # Spark prefers that of JAVA_HOME.
 HOME_OF_JAVA = os.environ.get("JAVA_HOME")

@@ -5,7 +5,29 @@ from typing import NamedTuple
 
 
 class Problem(NamedTuple):
-    """Something that is wrong with a case."""
+    """Something that is wrong with a case.
+
+    Parameters
+    ----------
+    key : str or None
+        The key that it is about, such as ``vehicle1.crush.width``; None of the case as a whole.
+    line : int or None
+        Its line in ``Case.text``, from 1 on; None of what stands in no text.
+    column : int or None
+        Its column, from 1 on.
+    message : str
+        What is wrong.
+    help : str or None
+        What to write instead.
+
+    Examples
+    --------
+    >>> try:
+    ...     deltav.Case.parse("vehicle3 = 1")
+    ... except deltav.CaseError as error:
+    ...     print(error.problems[0].line)
+    1
+    """
 
     key: str | None
     """The key that it is about, such as ``vehicle1.crush.width``; None of the case as a whole."""
@@ -24,6 +46,15 @@ class CaseError(ValueError):
 
     The text points at each place; ``problems`` has the same as data.
 
+    Parameters
+    ----------
+    text : str
+        What is wrong, where, and what to write instead.
+    problems : sequence of Problem
+        The same as data.
+
+    Examples
+    --------
     >>> try:
     ...     deltav.Case.from_dict({"vehicle1": {"speed": "35 feets/s"}, "vehicle2": {"fixed": True}})
     ... except deltav.CaseError as error:
@@ -45,7 +76,18 @@ class CaseError(ValueError):
 
 
 class NoAnswerError(ValueError):
-    """The case is well formed, but has no answer: no collision can be like it."""
+    """The case is well formed, but has no answer: no collision can be like it.
+
+    Examples
+    --------
+    >>> numbers = deltav.Case.example().to_dict()
+    >>> numbers["vehicle1"]["speed"] = "-80 mph"
+    >>> try:
+    ...     deltav.Case.from_dict(numbers).impact()
+    ... except deltav.NoAnswerError:
+    ...     print("no collision is like it")
+    no collision is like it
+    """
 
 
 for _class in (Problem, CaseError, NoAnswerError):

@@ -1,12 +1,28 @@
 """A part of a result."""
 
-from collections.abc import Iterator, Mapping
-from typing import Any
+import functools
+import types
+from collections.abc import ItemsView, Iterator, Mapping, ValuesView
+from typing import TYPE_CHECKING, Any, Generic, TypeVar, Union, get_args, get_origin, get_type_hints
 
 
 class Record(Mapping[str, Any]):
     """A part of a result: its keys are attributes, and it reads as a dict. It cannot be changed.
 
+    What keys a part has, in which units, its class in ``deltav.results`` tells.
+
+    Parameters
+    ----------
+    entries : Mapping[str, Any]
+        The keys and what stands there: a part of ``result.to_dict()``.
+
+    Raises
+    ------
+    AttributeError
+        For a key that is not there, and for whoever sets one.
+
+    Examples
+    --------
     >>> vehicle = deltav.Case.example().reconstruct().vehicle1
     >>> vehicle.delta_v == vehicle["delta_v"]
     True
@@ -21,7 +37,7 @@ class Record(Mapping[str, Any]):
         object.__setattr__(self, "_entries", entries)
 
     def __getitem__(self, key: str) -> Any:
-        return _shown(self._entries[key])
+        return _shown(self._entries[key], _types(type(self)).get(key))
 
     def __iter__(self) -> Iterator[str]:
         return iter(self._entries)
@@ -29,14 +45,17 @@ class Record(Mapping[str, Any]):
     def __len__(self) -> int:
         return len(self._entries)
 
-    def __getattr__(self, name: str) -> Any:
-        # Before the entries are there, as in a copy that is being made, there is nothing to look in.
-        if not name.startswith("_"):
-            try:
-                return self[name]
-            except KeyError:
-                pass
-        raise AttributeError(f"there is no '{name}' here, but {', '.join(self)}" if name[:1] != "_" else name)
+    # A type checker knows the attributes of each class, and refuses all others.
+    if not TYPE_CHECKING:
+
+        def __getattr__(self, name: str) -> Any:
+            # Before the entries are there, as in a copy that is being made, there is nothing to look in.
+            if not name.startswith("_"):
+                try:
+                    return self[name]
+                except KeyError:
+                    pass
+            raise AttributeError(f"there is no '{name}' here, but {', '.join(self)}" if name[:1] != "_" else name)
 
     def __setattr__(self, name: str, value: Any) -> None:
         raise AttributeError("a result cannot be changed")
@@ -46,18 +65,87 @@ class Record(Mapping[str, Any]):
 
     def __repr__(self) -> str:
         entries = ", ".join(f"{key}={value!r}" for key, value in self.items())
-        return f"Record({entries})"
+        return f"{type(self).__name__}({entries})"
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return (Record, (self._entries,))
+        return (type(self), (self._entries,))
 
 
-def _shown(value: Any) -> Any:
+_Part = TypeVar("_Part")
+
+
+class Keyed(Record, Generic[_Part]):
+    """Parts of the same kind by their keys, such as ``result.outputs["vehicle1.speed"]``.
+
+    Parameters
+    ----------
+    entries : Mapping[str, Any]
+        The keys and what stands there.
+    of : type
+        The class of each part.
+
+    Examples
+    --------
+    >>> numbers = deltav.Case.example().to_dict()
+    >>> numbers["vehicle2"]["speed"] = {"low": "8 mph", "high": "12 mph"}
+    >>> outputs = deltav.Case.from_dict(numbers).uncertainty(1000).outputs
+    >>> [key for key, output in outputs.items() if output.central > 22.0]
+    ['vehicle1.speed']
+    """
+
+    __slots__ = ("_of",)
+    _of: Any
+
+    def __init__(self, entries: Mapping[str, Any], of: Any) -> None:
+        super().__init__(entries)
+        object.__setattr__(self, "_of", of)
+
+    def __getitem__(self, key: str) -> _Part:
+        return _shown(self._entries[key], self._of)  # type: ignore[no-any-return]
+
+    def items(self) -> ItemsView[str, _Part]:
+        """The keys with their parts."""
+        return ItemsView(self)
+
+    def values(self) -> ValuesView[_Part]:
+        """The parts."""
+        return ValuesView(self)
+
+    def __repr__(self) -> str:
+        return f"Keyed({dict(self.items())!r})"
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return (Keyed, (self._entries, self._of))
+
+
+@functools.cache
+def _types(of: type) -> dict[str, Any]:
+    """The types of the attributes of a class."""
+    return get_type_hints(of)
+
+
+def _alternatives(of: Any) -> tuple[Any, ...]:
+    return get_args(of) if get_origin(of) in (Union, types.UnionType) else (of,)
+
+
+def _shown(value: Any, of: Any) -> Any:
+    """What stands in the document, as the type says that it is."""
     if isinstance(value, dict):
+        for each in _alternatives(of):
+            if get_origin(each) is Keyed:
+                return Keyed(value, *get_args(each))
+            if isinstance(each, type) and issubclass(each, Record):
+                return each(value)
         return Record(value)
     if isinstance(value, list):
-        return tuple(_shown(element) for element in value)
+        elements = [of] * len(value)
+        for each in _alternatives(of):
+            if get_origin(each) is tuple:
+                parts = list(get_args(each))
+                elements = parts[:1] * len(value) if parts[-1] is ... else parts
+        return tuple(map(_shown, value, elements))
     return value
 
 
 Record.__module__ = "deltav"
+Keyed.__module__ = "deltav.results"

@@ -27,6 +27,7 @@ from typing import Any, Literal, NoReturn, overload
 from deltav import _deltav
 from deltav._deltav import Case, Drawing
 from deltav._record import Record
+from deltav.results import _Coverage
 
 __all__ = ["Coverage", "Pairs", "case", "judge", "pairs", "read"]
 
@@ -75,6 +76,19 @@ class Pairs(Sequence[_Row]):
     It speaks Arrow: ``polars.DataFrame(pairs)``, ``pyarrow.table(pairs)`` and
     ``pandas.DataFrame.from_arrow(pairs)`` take it as it is. ``save`` writes what ``deltav validate --field`` reads.
     ``left_out`` says how many pairs the tables have that are not here, and why.
+
+    Parameters
+    ----------
+    rows : iterable of Mapping
+        A pair each, with NHTSA's names and units: cm, kg, km/h and degrees.
+    left_out : Mapping, optional
+        Numbers of pairs that are left out, by why.
+
+    Examples
+    --------
+    >>> pairs = deltav.ciss.pairs(folder)
+    >>> len(pairs), pairs[:1][0]["CASEID"]
+    (3, 1)
     """
 
     def __init__(self, rows: Iterable[Mapping[str, _Cell]], left_out: Mapping[str, int] | None = None) -> None:
@@ -104,7 +118,26 @@ class Pairs(Sequence[_Row]):
     __hash__ = None  # type: ignore[assignment]
 
     def save(self, path: str | os.PathLike[str]) -> None:
-        """Writes them as CSV, for ``deltav validate --field``."""
+        """Writes them as CSV, for ``deltav validate --field``.
+
+        Parameters
+        ----------
+        path : str or os.PathLike
+            The file.
+
+        Raises
+        ------
+        OSError
+            Where it cannot be written.
+
+        Examples
+        --------
+        >>> import pathlib, tempfile
+        >>> path = pathlib.Path(tempfile.mkdtemp(), "pairs.csv")
+        >>> deltav.ciss.pairs(folder).save(path)
+        >>> deltav.ciss.read(path) == deltav.ciss.pairs(folder)
+        True
+        """
         pathlib.Path(path).write_text(_as_csv(self._rows), encoding="utf-8", newline="")
 
     def __arrow_c_stream__(self, requested_schema: object | None = None) -> object:
@@ -121,11 +154,23 @@ class Pairs(Sequence[_Row]):
         return "<ul>" + "".join(f"<li>{of}{count} {why}</li>" for of, count, why in cells) + "</ul>"
 
 
-class Coverage(Record):
+class Coverage(_Coverage, Record):
     """How often intervals of ΔV contain what recorders stored: the document of ``deltav validate --field``.
 
     Its keys are attributes, in SI units: ``judged`` has a vehicle an entry, with ``recorder``, ``median`` and
-    ``interval95``; ``groups`` has figures by kind of collision, ``groups.all.coverage`` among them.
+    ``interval95``; ``groups`` has figures by kind of collision, ``groups["all"].coverage["95"]`` among them.
+    ``judge`` makes it.
+
+    Parameters
+    ----------
+    judged
+        What the engine has found.
+
+    Examples
+    --------
+    >>> coverage = deltav.ciss.judge(deltav.ciss.pairs(folder)[:1])
+    >>> coverage.groups["all"].n == len(coverage.judged)
+    True
     """
 
     __slots__ = ("_judged",)
@@ -136,11 +181,42 @@ class Coverage(Record):
         super().__init__(self.to_dict())
 
     def to_dict(self) -> dict[str, Any]:
-        """The JSON document of the program as a dict."""
+        """The JSON document of the program as a dict.
+
+        Returns
+        -------
+        dict
+            In SI units; a new one at each call.
+
+        Examples
+        --------
+        >>> deltav.ciss.judge(deltav.ciss.pairs(folder)[:1]).to_dict()["pairs"]
+        1
+        """
         return json.loads(self._judged.json())  # type: ignore[no-any-return]
 
     def draw(self, what: Literal["estimates", "ranks"] = "estimates") -> Drawing:
-        """A drawing: estimates against recorders, or the ranks of the recorders among what was expected."""
+        """A drawing: estimates against recorders, or the ranks of the recorders among what was expected.
+
+        Parameters
+        ----------
+        what : {"estimates", "ranks"}
+            What to draw.
+
+        Returns
+        -------
+        Drawing
+
+        Raises
+        ------
+        ValueError
+            For a drawing that there is not.
+
+        Examples
+        --------
+        >>> deltav.ciss.judge(deltav.ciss.pairs(folder)[:1]).draw("ranks").svg()[:4]
+        '<svg'
+        """
         return self._judged.draw(what)  # type: ignore[no-any-return]
 
     def __str__(self) -> str:
@@ -159,15 +235,35 @@ class Coverage(Record):
 def pairs(source: str | os.PathLike[str]) -> Pairs:
     """Makes pairs of vehicles of NHTSA's tables of a year, as downloaded: a folder, or the ZIP file itself.
 
-    It reads CRASH, GV, CDC and EDREVENT of CISS, from files of CSV or of SAS (``.sas7bdat``; ``pip install
-    'deltav[ciss]'``), CSV first where there are both; upper and lower case of names do not matter. A pair are two
+    It reads CRASH, GV, CDC and EDREVENT of CISS, from files of CSV or of SAS (``.sas7bdat``; with
+    ``pip install pyreadstat``), CSV first where there are both; upper and lower case of names do not matter. A pair are two
     vehicles with damage by one event that each name the other as what they struck (OBJCONT), in the order of
     crash, event and vehicle. It is kept where the damage of both is on front, back, left or right with all of C1
     to C6, a length and a PDOF, where both have a curb weight, and where a recorder of one has a ΔV of this event
     (CDCEVENT): of several records the one with the largest. ``Pairs.left_out`` counts the others. NHTSA's codes for
     what is not known are left empty.
 
-    Raises ``ValueError`` where a table or a column is missing, and says what there is instead.
+    Parameters
+    ----------
+    source : str or os.PathLike
+        The folder or the ZIP file.
+
+    Returns
+    -------
+    Pairs
+        In NHTSA's units: cm, kg, km/h and degrees.
+
+    Raises
+    ------
+    ValueError
+        Where a table or a column is missing; the text says what there is instead.
+    ImportError
+        Where the tables are of SAS, and pyreadstat is not installed.
+
+    Examples
+    --------
+    >>> deltav.ciss.pairs(folder)
+    <deltav.ciss.Pairs: 3 pairs of vehicles>
     """
     tables = {name: _table(source, name, *columns) for name, columns in _TABLES.items()}
     years = _by_key(tables["CRASH"], "CRASH", ("CASEID",))
@@ -201,7 +297,30 @@ def pairs(source: str | os.PathLike[str]) -> Pairs:
 
 
 def read(path: str | os.PathLike[str]) -> Pairs:
-    """Reads pairs that ``Pairs.save`` wrote."""
+    """Reads pairs that ``Pairs.save`` wrote.
+
+    Parameters
+    ----------
+    path : str or os.PathLike
+        The file.
+
+    Returns
+    -------
+    Pairs
+
+    Raises
+    ------
+    ValueError
+        Where it is another file.
+
+    Examples
+    --------
+    >>> import pathlib, tempfile
+    >>> path = pathlib.Path(tempfile.mkdtemp(), "pairs.csv")
+    >>> deltav.ciss.pairs(folder).save(path)
+    >>> len(deltav.ciss.read(path))
+    3
+    """
     text = _decoded(pathlib.Path(path).read_bytes())
     rows = list(csv.DictReader(io.StringIO(text)))
     if rows and (missing := [name for name in _NAMES if name not in rows[0]]):
@@ -219,6 +338,24 @@ def case(pair: Mapping[str, _Cell], *, recorder: Literal[1, 2] | None = None) ->
     What it says of the collision is what ``judge`` assumes of it: ``docs/calibration.md`` has the model. No
     recorder is evidence, so that ΔV can be held against it; with ``recorder=2`` that of vehicle 2 is.
 
+    Parameters
+    ----------
+    pair : Mapping
+        An element of ``Pairs``.
+    recorder : {1, 2}, optional
+        The vehicle whose recorder is evidence.
+
+    Returns
+    -------
+    Case
+
+    Raises
+    ------
+    ValueError
+        Where a cell of the pair is no number, or the recorder has none.
+
+    Examples
+    --------
     >>> pair = deltav.ciss.pairs(folder)[0]
     >>> text = deltav.ciss.case(pair).text
     >>> "[vehicle1.crush]" in text, "recorder" in text
@@ -242,6 +379,31 @@ def judge(
     store, with its own error; ``other=True`` gives the recorder of one vehicle and judges the other. A vehicle
     takes some hundred milliseconds; 128 particles are those of the program.
 
+    Parameters
+    ----------
+    pairs : iterable of Mapping
+        ``Pairs``, or some of them.
+    other : bool
+        Whether the recorder of the other vehicle is evidence.
+    particles : int
+        (–) of each of 16 islands, a multiple of 128.
+    seed : int
+        (–) of the random numbers; the same seed gives the same bits.
+    threads : int, optional
+        Without it one for each processor. The bits do not depend on it.
+
+    Returns
+    -------
+    Coverage
+        In SI units.
+
+    Raises
+    ------
+    ValueError
+        Where a pair is wrong, or there is none.
+
+    Examples
+    --------
     >>> coverage = deltav.ciss.judge(deltav.ciss.pairs(folder)[:1])
     >>> [judged] = [judged for judged in coverage.judged if judged.vehicle == 1]
     >>> judged.interval95[0] < judged.median < judged.interval95[1]
@@ -393,7 +555,7 @@ def _columns_of(content: bytes, file: str, where: str) -> dict[str, Sequence[Any
         import pyreadstat
     except ImportError:
         raise ImportError(
-            f"{where} is a SAS file: pip install 'deltav[ciss]' to read it, or download the tables as CSV"
+            f"{where} is a SAS file: pip install pyreadstat to read it, or download the tables as CSV"
         ) from None
     columns, _ = pyreadstat.read_sas7bdat(io.BytesIO(content), output_format="dict")
     return {str(name): list(column) for name, column in columns.items()}

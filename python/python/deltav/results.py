@@ -1,0 +1,1251 @@
+"""What results hold: the classes of their parts, for type checkers, editors and annotations.
+
+The attributes are the keys of the program's JSON document, in SI units and radians; the unit is in front of what each
+says. A pair is of vehicle 1 and vehicle 2, or x and y of a vector, as said. ``None`` is what is not known or not
+defined. An attribute that does not apply is not there: to ask for it is an ``AttributeError``, and ``"pdof" in part``
+tells. Signs are those of ``axes``.
+
+Where the type depends on what the case asks for, it says ``| Any``, so that no check is needed in front of
+``result.found.value``.
+
+>>> from deltav.results import Vehicle
+>>> def harm(vehicle: Vehicle) -> str:
+...     return f"{vehicle.delta_v:.2f} m/s"
+>>> harm(deltav.Case.example().reconstruct().vehicle1)
+'12.15 m/s'
+"""
+
+from collections.abc import Mapping
+from typing import Any
+
+from deltav._record import Keyed, Record
+
+__all__ = [
+    "AbilityOf",
+    "Assumption",
+    "Bar",
+    "CaseFile",
+    "CaseWarning",
+    "Check",
+    "Choice",
+    "Combination",
+    "Correction",
+    "Crash3",
+    "CrushError",
+    "Derivative",
+    "Distribution",
+    "Doubt",
+    "Doubtful",
+    "EstimatedOutput",
+    "Evidence",
+    "EvidenceAnswer",
+    "Figures",
+    "Found",
+    "Headline",
+    "HeadlineFigure",
+    "HeadlineVehicle",
+    "Impact",
+    "Index",
+    "IndexRows",
+    "InferredCrush",
+    "Input",
+    "Interval",
+    "Iteration",
+    "JudgedVehicle",
+    "Keyed",
+    "LawAnswer",
+    "LawCheck",
+    "LeftOut",
+    "Momentum",
+    "Moment",
+    "OutputErrors",
+    "Passed",
+    "Piece",
+    "Posterior",
+    "PosteriorErrors",
+    "Program",
+    "Question",
+    "Rest",
+    "Skid",
+    "Start",
+    "Stood",
+    "SweepRow",
+    "TakenAsExact",
+    "Truncation",
+    "UncertainInput",
+    "UncertainOutput",
+    "Unknown",
+    "Unused",
+    "Vehicle",
+    "WhyNotExact",
+]
+
+_Pair = tuple[float, float]
+_MaybePair = tuple[float | None, float | None]
+
+
+# Of every result.
+
+
+class Program(Record):
+    """The program that made a result."""
+
+    name: str
+    """``"deltav"``."""
+    version: str
+    """Its version."""
+
+
+class CaseFile(Record):
+    """The case that a result is of."""
+
+    file: str
+    """Its name."""
+    sha256: str
+    """The SHA-256 of its text, in hexadecimal digits."""
+
+
+class CaseWarning(Record):
+    """What a careful reconstructionist would be warned of."""
+
+    code: str
+    """What it is about, in a word."""
+    vehicle: int
+    """1 or 2, where it is about one vehicle."""
+    message: str
+    """In words."""
+
+
+# reconstruct(), impact(), motion() and crush()
+
+
+class WhyNotExact(Record):
+    """Why the exact solution is not the answer."""
+
+    left_aside: tuple[str, ...]
+    """Keys of evidence that it does not use."""
+    refuted_by: tuple[str, ...]
+    """Codes of the checks that it does not pass."""
+    contradicted: bool
+    """Whether other evidence contradicts it."""
+
+
+class HeadlineFigure(Record):
+    """A number of the answer."""
+
+    value: float | None
+    """(m/s) as solved."""
+
+
+class HeadlineVehicle(Record):
+    """The answer for a vehicle."""
+
+    speed: HeadlineFigure
+    """(m/s) before the impact, along its heading."""
+    delta_v: HeadlineFigure
+    """(m/s) change of its velocity in the impact."""
+
+
+class Headline(Record):
+    """The answer of a reconstruction, and what it is by."""
+
+    by: str
+    """``"exact"``, or ``"none"`` where the case has more evidence than an exact solution uses: ask ``estimate()``."""
+    why_not_exact: WhyNotExact
+    """Why the exact solution is not the answer, where it is not."""
+    vehicle1: HeadlineVehicle
+    """Vehicle 1, where the exact solution is the answer and it can move."""
+    vehicle2: HeadlineVehicle
+    """Vehicle 2, likewise."""
+
+
+class Check(Record):
+    """What is known twice, held against each other."""
+
+    code: str
+    """What is checked, in a word."""
+    vehicle: int
+    """1 or 2, where it is about one vehicle."""
+    value: float
+    """(SI) how far the two lie apart."""
+    limit: float
+    """(SI) how far they may."""
+    passed: bool
+    """Whether they are within the limit."""
+
+
+class Iteration(Record):
+    """A step of the root finder."""
+
+    speed: float
+    """(m/s) that was tried."""
+    normal_work: float
+    """(J) of the normal impulse at this speed, where the energy is all of it."""
+    crush_work: float
+    """(J) of the normal impulse and a share of that of the tangential one, where the energy is this."""
+
+
+class Found(Record):
+    """A speed that was sought."""
+
+    quantity: str
+    """What was sought: ``"vehicle1.speed"``."""
+    value: float
+    """(m/s) along the heading."""
+    admissible_roots: int
+    """(–) number of speeds that fit."""
+    roots: tuple[float, ...]
+    """(m/s) all of them."""
+    method: str
+    """How it was found, such as ``"closed form"``, ``"root finder"`` or ``"momentum"``."""
+    iterations: tuple[Iteration, ...]
+    """The steps of the root finder."""
+
+
+class Combination(Record):
+    """A start of each vehicle that leads to its rest, and how well the two agree with the impulse."""
+
+    speeds: _Pair
+    """(m/s) of both vehicles along their headings, before the impact."""
+    velocities: tuple[_Pair, _Pair]
+    """(m/s) x and y of both vehicles after the impact."""
+    yaw_rates: _MaybePair
+    """(rad/s) of both after the impact."""
+    turns: _MaybePair
+    """(rad) of both on the way to rest; None of one that is not followed."""
+    misfit: float
+    """(–) χ² of what the speeds imply against what else is known."""
+    weight: float
+    """(–) share of this combination among all."""
+    against: tuple[str, ...]
+    """Codes of the checks that it does not pass."""
+
+
+class Momentum(Record):
+    """What both speeds and the velocities after the impact imply, without an impact law."""
+
+    approach_angle: float
+    """(rad) from the heading of vehicle 1 to that of vehicle 2."""
+    impulse: _Pair
+    """(N s) x and y, on vehicle 1."""
+    disagreement: float
+    """(N s) how far the impulses that the two vehicles tell lie apart."""
+    restitution: float | None
+    """(–) at the contact point."""
+    cg_closing_speed: float
+    """(m/s) of the centres of gravity towards each other, of point masses."""
+    cg_restitution: float
+    """(–) of the centres of gravity, of point masses."""
+    impulse_ratio: float | None
+    """(–) tangential by normal impulse; not of point masses."""
+    critical_impulse_ratio: float | None
+    """(–) above which the contact no longer slides; not of point masses."""
+    energy_loss: float
+    """(J) kinetic energy that the impact takes."""
+    normal_work: float
+    """(J) of the normal impulse; not of point masses."""
+    tangential_work: float
+    """(J) of the tangential impulse; not of point masses."""
+    delta_v: _MaybePair
+    """(m/s) of both vehicles."""
+    pdof: _MaybePair
+    """(rad) of both vehicles, from the front."""
+    final_yaw_rate: _MaybePair
+    """(rad/s) of both after the impact; not of point masses."""
+    combinations: tuple[Combination, ...]
+    """The starts that lead to the rests, the one that is used first."""
+
+
+class Impact(Record):
+    """What the impact did."""
+
+    law: str
+    """The impact law, where one gave the speeds after the impact."""
+    regime: str
+    """Whether the contact slid, stuck or turned around, where the law tells."""
+    restitution: float | None
+    """(–) None where vehicles do not close by momentum."""
+    impulse_ratio: float | None
+    """(–) tangential by normal impulse; not of point masses."""
+    critical_impulse_ratio: float | None
+    """(–) above which the contact no longer slides; None where no push could end the sliding."""
+    normal_impulse: float
+    """(N s) along the normal; not of point masses."""
+    tangential_impulse: float
+    """(N s) along the crush plane; not of point masses."""
+    impulse: _Pair
+    """(N s) x and y, on vehicle 1."""
+    impulse_direction: float
+    """(rad) from the x axis."""
+    normal: _Pair
+    """(–) x and y of the normal of the crush plane; not of point masses."""
+    closing_speed: float
+    """(m/s) along the normal at the contact point, before the impact."""
+    normal_velocity: _Pair
+    """(m/s) along the normal before and after the impact; not of point masses."""
+    tangential_velocity: _Pair
+    """(m/s) along the crush plane before and after the impact; not of point masses."""
+    initial_energy: float
+    """(J) kinetic energy of both before the impact."""
+    final_energy: float
+    """(J) kinetic energy of both after it."""
+    energy_loss: float
+    """(J) what the impact takes."""
+    normal_work: float
+    """(J) of the normal impulse; not of point masses."""
+    tangential_work: float
+    """(J) of the tangential impulse; not of point masses."""
+    moment_impulse: float
+    """(N m s) between the vehicles, where the law has one."""
+    moment_work: float
+    """(J) of that moment."""
+
+
+class LawCheck(Record):
+    """What the impact law makes of speeds that momentum gave."""
+
+    law: str
+    """The impact law."""
+    regime: str
+    """Whether the contact slid, stuck or turned around, where the law tells."""
+    restitution: float
+    """(–) of the law."""
+    energy_loss: float
+    """(J) what the impact takes."""
+    delta_v: _MaybePair
+    """(m/s) of both vehicles."""
+    delta_v_difference: _MaybePair
+    """(m/s) by how much more than by momentum."""
+    final_speed: _MaybePair
+    """(m/s) of both after the impact."""
+    final_yaw_rate: _MaybePair
+    """(rad/s) of both after the impact."""
+    pdof: _MaybePair
+    """(rad) of both vehicles, from the front."""
+
+
+class InferredCrush(Record):
+    """A crush that follows from the force on the other vehicle."""
+
+    depth: float
+    """(m) of the crush."""
+    width: float
+    """(m) of the damage."""
+
+
+class Skid(Record):
+    """Skid marks before the impact."""
+
+    speed: float
+    """(m/s) where they begin."""
+
+
+class Start(Record):
+    """How a vehicle left the impact."""
+
+    source: str
+    """What tells: ``"impact"``, ``"given"``, ``"rest"`` or ``"straight rest"``."""
+    speed: float
+    """(m/s) of its centre of gravity."""
+    direction: float
+    """(rad) of its velocity, from the x axis."""
+    yaw_rate: float
+    """(rad/s) about the vertical."""
+
+
+class Rest(Record):
+    """Where a vehicle came to rest."""
+
+    x: float
+    """(m) of its centre of gravity."""
+    y: float
+    """(m) of its centre of gravity."""
+    heading: float
+    """(rad) counted on from that at the impact through full turns."""
+    time: float
+    """(s) after the impact."""
+    distance: float
+    """(m) of the way."""
+
+
+class Moment(Record):
+    """A moment of the way to rest."""
+
+    time: float
+    """(s) after the impact."""
+    x: float
+    """(m) of the centre of gravity."""
+    y: float
+    """(m) of the centre of gravity."""
+    heading: float
+    """(rad) counted on from that at the impact."""
+    velocity: _Pair
+    """(m/s) x and y."""
+    yaw_rate: float
+    """(rad/s) about the vertical."""
+    sliding: tuple[bool, bool, bool, bool]
+    """Whether the wheels slide: front left, front right, rear left, rear right."""
+
+
+class Passed(Record):
+    """How the way passes a point of the case."""
+
+    wheel: str
+    """The wheel that left the mark, where the case says."""
+    miss: float
+    """(m) how far from the point."""
+    turned: float
+    """(rad) by how much the heading there is another than that of the case, where it gives one."""
+
+
+class Vehicle(Record):
+    """A vehicle, or a fixed object, which has the name alone and ``fixed``."""
+
+    name: str
+    """As the case calls it."""
+    fixed: bool
+    """True of a fixed object; of a vehicle it is not there."""
+    speed: float
+    """(m/s) before the impact, along its heading."""
+    velocity: _Pair
+    """(m/s) x and y before the impact."""
+    yaw_rate: float
+    """(rad/s) before the impact."""
+    final_velocity: _Pair
+    """(m/s) x and y after the impact."""
+    final_yaw_rate: float
+    """(rad/s) after the impact, where it is known."""
+    final_speed: float
+    """(m/s) after the impact."""
+    delta_v: float
+    """(m/s) change of its velocity in the impact."""
+    delta_v_longitudinal: float
+    """(m/s) that change along its heading, forward."""
+    delta_v_lateral: float
+    """(m/s) that change along its y axis."""
+    delta_v_vector: _Pair
+    """(m/s) that change, x and y of the scene."""
+    pdof: float
+    """(rad) principal direction of force, from the front."""
+    stiffness_source: str
+    """Where its stiffness comes from, in words."""
+    crush_source: str
+    """Where its crush comes from, in words, where it was not measured."""
+    crush_energy: float
+    """(J) that crushed it, by the damage."""
+    crush_energy_bounds: _Pair
+    """(J) lowest and highest, where its crush was inferred with a range."""
+    inferred_crush: InferredCrush
+    """Where its crush follows from the force on the other vehicle."""
+    oblique_angle: float
+    """(rad) between the force and the normal of the damaged side."""
+    oblique_factor: float
+    """(–) by which an oblique force raises the energy."""
+    corrected_crush_energy: float
+    """(J) with that factor."""
+    ees: float
+    """(m/s) energy equivalent speed."""
+    peak_force: float
+    """(N) of the crush at its end."""
+    no_damage_speed: float
+    """(m/s) up to which its stiffness has no crush."""
+    skid: Skid
+    """Skid marks before the impact, where the case has them."""
+    start: Start
+    """How it left the impact, where it is followed."""
+    rest: Rest
+    """Where it came to rest, where it is followed."""
+    path: tuple[Moment, ...]
+    """Its way to rest, where it is followed."""
+    points: tuple[Passed, ...]
+    """How the way passes the points of the case, where it has them."""
+
+
+class Correction(Record):
+    """CRASH3's answer under one correction for oblique forces."""
+
+    oblique: str
+    """The correction."""
+    friction: _MaybePair
+    """(–) the limits of both vehicles, of the friction-limited correction."""
+    factor: _Pair
+    """(–) on the energies of both vehicles."""
+    crush_energy: float
+    """(J) of both vehicles together."""
+    delta_v: _MaybePair
+    """(m/s) of both vehicles."""
+
+
+class Crash3(Record):
+    """CRASH3: ΔV from damage and PDOF alone."""
+
+    crush_energy: float
+    """(J) of both vehicles together."""
+    corrected_crush_energy: float
+    """(J) corrected for oblique forces."""
+    moment_arm: _MaybePair
+    """(m) of the force about the centre of gravity of both vehicles."""
+    effective_mass_ratio: _Pair
+    """(–) of both vehicles: the part of the mass that the force has to move."""
+    delta_v: _MaybePair
+    """(m/s) of both vehicles."""
+    corrected_delta_v: _MaybePair
+    """(m/s) of both vehicles, corrected for oblique forces."""
+    restitution_factor: float
+    """(–) on ΔV, where the case gives a restitution."""
+    corrections: tuple[Correction, ...]
+    """The answers under each correction."""
+
+
+class _Document:
+    program: Program
+    """The program that made the result."""
+    case: CaseFile
+    """The case that it is of."""
+    title: str
+    """The title of the case; empty without one."""
+    axes: str
+    """``"z-up"`` or ``"z-down"``: the axes of all signed values."""
+
+
+class _Analysis(_Document):
+    headline: Headline
+    """The answer of a reconstruction, and what it is by."""
+    left_aside: tuple[str, ...]
+    """Keys of evidence that the numbers do not use, where there are any."""
+    energy_basis: str
+    """Which part of the energy of the impact the crush takes."""
+    tangential_share: float
+    """(–) of the tangential work, where the basis is one."""
+    warnings: tuple[CaseWarning, ...]
+    """What speaks against the answer."""
+    checks: tuple[Check, ...]
+    """What is known twice, held against each other."""
+    found: Found | Any
+    """The speed that was sought; where both were sought, a tuple of two ``Found``."""
+    momentum: Momentum
+    """What momentum tells, where the case gives how the vehicles left the impact."""
+    impact: Impact
+    """What the impact did, where there are speeds."""
+    law_check: LawCheck
+    """What the impact law makes of speeds that momentum gave."""
+    vehicle1: Vehicle
+    """Vehicle 1."""
+    vehicle2: Vehicle
+    """Vehicle 2."""
+    crash3: Crash3
+    """CRASH3, where both vehicles have damage."""
+
+
+# check()
+
+
+class AbilityOf(Record):
+    """Whether a command, or the method of the same name, can answer."""
+
+    command: str
+    """Its name."""
+    runs: bool
+    """Whether the case has what it needs."""
+    obstacles: tuple[str, ...]
+    """What the case lacks, in words."""
+    left_aside: tuple[str, ...]
+    """Keys of evidence that its exact answer does not use, where there are any."""
+    draws: tuple[str, ...]
+    """Of ``draw``: what can be drawn."""
+
+
+class Input(Record):
+    """A number of the case."""
+
+    path: str
+    """Its key, such as ``"vehicle1.mass"``."""
+    number: float
+    """In the unit of the case."""
+    unit: str | None
+    """The unit of the case; None of what has none."""
+    si: float
+    """(SI) in ``si_unit``."""
+    si_unit: str | None
+    """The unit of SI."""
+    us: float
+    """(US) in ``us_unit``."""
+    us_unit: str | None
+    """The unit of the US."""
+    range: str
+    """Its range in words, where it has one."""
+
+
+class Choice(Record):
+    """A choice that the case makes."""
+
+    path: str
+    """Its key."""
+    value: str
+    """What was chosen."""
+
+
+class Assumption(Record):
+    """What is assumed where the case says nothing."""
+
+    key: str
+    """The key that would say it."""
+    message: str
+    """What is assumed, in words."""
+
+
+class _Judgement(_Document):
+    commands: tuple[AbilityOf, ...]
+    """What the case can be asked."""
+    answers_most: str | None
+    """The command that answers most with what the case has."""
+    inputs: tuple[Input, ...]
+    """The numbers of the case."""
+    choices: tuple[Choice, ...]
+    """The choices of the case."""
+    assumptions: tuple[Assumption, ...]
+    """What is assumed where the case says nothing."""
+    warnings: tuple[CaseWarning, ...]
+    """What the case warns of."""
+
+
+# compare()
+
+
+class LawAnswer(Record):
+    """The answer of an impact law, or of CRASH3."""
+
+    law: str
+    """Its name."""
+    coefficients: str
+    """Its coefficients, in words."""
+    assumed: str
+    """What it takes for granted that the case does not say, in words."""
+    friction: _Pair
+    """(–) CRASH3's friction limits of both vehicles."""
+    found: float
+    """(m/s) the speed that was sought."""
+    speeds: _Pair
+    """(m/s) both speeds, where both were sought."""
+    regime: str
+    """Whether the contact slid, stuck or turned around."""
+    delta_v: _Pair
+    """(m/s) of both vehicles."""
+    pdof: _Pair
+    """(rad) of both vehicles, from the front."""
+    energy_loss: float
+    """(J) what the impact takes."""
+    normal_share: float
+    """(–) work of the normal impulse by the kinetic energy before."""
+    tangential_share: float
+    """(–) work of the tangential impulse by the kinetic energy before."""
+    moment_share: float
+    """(–) work of the moment by the kinetic energy before, of a law that has one."""
+    final_yaw_rate: _Pair
+    """(rad/s) of both after the impact."""
+    found_difference: float
+    """(m/s) to the first row."""
+    speeds_difference: _Pair
+    """(m/s) to the first row, of both speeds."""
+    delta_v_difference: _Pair
+    """(m/s) to the first row, of both vehicles."""
+    error: str
+    """Why the law has no answer, in words."""
+
+
+class EvidenceAnswer(Record):
+    """What one kind of evidence says, or why it does not."""
+
+    speeds: _Pair
+    """(m/s) of both vehicles before the impact."""
+    delta_v: _Pair
+    """(m/s) of both vehicles."""
+    closing_speed: float
+    """(m/s) of the vehicles towards each other."""
+    crush_energy_needed: float
+    """(J) that the impact would need."""
+    energy_loss: float
+    """(J) what the impact takes."""
+    standard_deviations_apart: float
+    """(–) between momentum and crush energy, where both were weighed."""
+    how: str
+    """How it was found, in words."""
+    error: str
+    """Why there is no answer, in words."""
+
+
+class Evidence(Record):
+    """What damage, momentum and both together say."""
+
+    crush_energy: float
+    """(J) as measured."""
+    damage: EvidenceAnswer
+    """By the damage."""
+    momentum: EvidenceAnswer
+    """By momentum."""
+    momentum_and_damage: EvidenceAnswer
+    """By both."""
+
+
+class _Comparison(_Document):
+    rows: tuple[LawAnswer, ...]
+    """The answers; the first is that of the case's own law."""
+    evidence: Evidence
+    """The answers by kind of evidence, where the case has several."""
+    warnings: tuple[CaseWarning, ...]
+    """Those of the case as it stands."""
+
+
+# sensitivity()
+
+
+class Derivative(Record):
+    """How much an output changes with an input."""
+
+    output: str
+    """The key of the result."""
+    input: str
+    """The key of the case."""
+    name: str
+    """In words, of an input that is no key of the file."""
+    value: float
+    """(SI/SI) the derivative."""
+    relative: float
+    """(–) per cent of the output for each per cent of the input."""
+    influence: float
+    """(–) relative change of the output for 1 % of the input, or for 1° of an angle."""
+
+
+class SweepRow(Record):
+    """CRASH3's answer with the PDOF turned."""
+
+    change: float
+    """(rad) by which it is turned."""
+    pdof: _MaybePair
+    """(rad) of both vehicles, from the front."""
+    oblique_angle: _MaybePair
+    """(rad) of both vehicles, between the force and the normal of the damaged side."""
+    moment_arm: _MaybePair
+    """(m) of the force about the centre of gravity of both vehicles."""
+    uncorrected_delta_v: _MaybePair
+    """(m/s) of both vehicles."""
+    delta_v: _MaybePair
+    """(m/s) of both, with the correction of the case."""
+    capped_delta_v: _MaybePair
+    """(m/s) of both, with CRASH3's correction."""
+    uncapped_delta_v: _MaybePair
+    """(m/s) of both, with that correction without its cap."""
+
+
+class _Sensitivity(_Document):
+    derivatives: tuple[Derivative, ...]
+    """Of each output by each input, the most influential first."""
+    pdof_sweep: tuple[SweepRow, ...]
+    """CRASH3 with the PDOF turned."""
+    pdof_sweep_held: tuple[str, ...]
+    """Keys of the case that were kept in every row, where there are any."""
+    pdof_sweep_turned: tuple[str, ...]
+    """Keys of the case that were turned with the direction, where there are any."""
+    warnings: tuple[CaseWarning, ...]
+    """Those of the case as it stands."""
+
+
+# uncertainty()
+
+
+class Doubtful(Record):
+    """Samples with an answer of which a single case would be warned."""
+
+    code: str
+    """What of, in a word."""
+    vehicle: int
+    """1 or 2, where it is about one vehicle."""
+    samples: int
+    """(–) number of these samples."""
+    of: int
+    """(–) number of samples that were looked at."""
+    share: float
+    """(–) of these samples among those."""
+
+
+class Truncation(Record):
+    """The bounds of a distribution that is cut off."""
+
+    low: float
+    """(SI) its lower bound, where it has one."""
+    high: float
+    """(SI) its upper bound, where it has one."""
+    kept: float
+    """(–) the part that is left."""
+
+
+class UncertainInput(Record):
+    """A number of the case that has a range."""
+
+    input: str
+    """Its key."""
+    name: str
+    """In words, of what is no key of the file."""
+    distribution: str
+    """``"normal"``, ``"log-normal"``, ``"uniform"`` or ``"triangular"``."""
+    central: float
+    """(SI) as it is without a range."""
+    mean: float
+    """(SI) of the distribution."""
+    sd: float
+    """(SI) standard deviation of the distribution."""
+    truncated: Truncation
+    """Its bounds, where it is cut off."""
+
+
+class TakenAsExact(Record):
+    """What all samples share, so that no interval contains its error."""
+
+    key: str
+    """Its key."""
+    value: float | tuple[float, ...] | str
+    """(SI) the number, the numbers of a list, or a word."""
+    worth: str
+    """How well such a number is usually known, in words."""
+    source: str
+    """Who says so."""
+
+
+class OutputErrors(Record):
+    """Standard errors of an output, from the sampling itself."""
+
+    mean: float | None
+    """(SI) of the mean."""
+    sd: float | None
+    """(SI) of the standard deviation."""
+    median: float | None
+    """(SI) of the median."""
+    interval50: _MaybePair
+    """(SI) of both ends."""
+    interval90: _MaybePair
+    """(SI) of both ends."""
+    interval95: _MaybePair
+    """(SI) of both ends."""
+    interval99: _MaybePair
+    """(SI) of both ends."""
+
+
+class Bar(Record):
+    """What an input alone does to an output."""
+
+    input: str
+    """The key of the input."""
+    low: _MaybePair
+    """(SI) the input at its 2.5 % quantile, and the output there."""
+    high: _MaybePair
+    """(SI) the input at its 97.5 % quantile, and the output there."""
+    share: float
+    """(–) of its first-order variance."""
+
+
+class Index(Record):
+    """Sobol' indices of an input."""
+
+    input: str
+    """The key of the input."""
+    first_order: float
+    """(–) the part of the variance that it makes alone."""
+    total: float
+    """(–) the part that it makes with the others."""
+    first_order_interval95: _Pair | None
+    """(–) of 95 %, from the sampling itself."""
+    total_interval95: _Pair | None
+    """(–) of 95 %, from the sampling itself."""
+
+
+class UncertainOutput(Record):
+    """A result with its spread; None where fewer than two samples have an answer."""
+
+    central: float
+    """(SI) of the case without ranges."""
+    mean: float | None
+    """(SI) of the samples."""
+    sd: float | None
+    """(SI) standard deviation of the samples."""
+    median: float | None
+    """(SI) of the samples."""
+    interval50: _Pair | None
+    """(SI) lower and upper end of 50 %."""
+    interval90: _Pair | None
+    """(SI) lower and upper end of 90 %."""
+    interval95: _Pair | None
+    """(SI) lower and upper end of 95 %."""
+    interval99: _Pair | None
+    """(SI) lower and upper end of 99 %."""
+    standard_error: OutputErrors
+    """From the sampling itself."""
+    first_order_sd: float
+    """(SI) standard deviation by the derivatives alone."""
+    first_order_differs: bool | None
+    """Whether that is another than the one of the samples."""
+    tornado: tuple[Bar, ...]
+    """What each input alone does, the most influential first."""
+    sensitivity: tuple[Index, ...]
+    """Sobol' indices, where they were asked for."""
+
+
+class IndexRows(Record):
+    """What Sobol' indices are computed from."""
+
+    rows: int
+    """(–) that were asked for."""
+    used: int
+    """(–) of which all have an answer."""
+    evaluations: int
+    """(–) of the case."""
+
+
+class _Uncertainty(_Document):
+    samples: int
+    """(–) that were evaluated."""
+    requested: int
+    """(–) that were asked for."""
+    seed: int
+    """(–) of the random numbers."""
+    method: str
+    """How the samples were drawn."""
+    succeeded: int
+    """(–) number of samples with an answer."""
+    failed: Keyed[int]
+    """(–) numbers of samples without an answer, by why they have none."""
+    doubtful: tuple[Doubtful, ...]
+    """Samples with an answer of which a single case would be warned."""
+    inputs: tuple[UncertainInput, ...]
+    """The numbers that have a range."""
+    taken_as_exact: tuple[TakenAsExact, ...]
+    """The numbers that have none."""
+    outputs: Keyed[UncertainOutput]
+    """The results by their keys, such as ``"vehicle1.speed"``."""
+    sensitivity: tuple[Index, ...]
+    """Sobol' indices of the first output, where they were asked for."""
+    index_rows: IndexRows
+    """What these are computed from."""
+    warnings: tuple[CaseWarning, ...]
+    """Those of the case as it stands."""
+
+
+# estimate()
+
+
+class Doubt(Record):
+    """Why a run counts as not converged."""
+
+    code: str
+    """What fails, in a word."""
+    key: str
+    """The number that it is about, where it is about one."""
+
+
+class Interval(Record):
+    """What is known of a speed, or of a result before the evidence."""
+
+    median: float
+    """(SI) half of the probability is below it."""
+    interval95: _Pair
+    """(SI) lower and upper end of 95 %."""
+
+
+class PosteriorErrors(Record):
+    """Standard errors of a result, from the sampling itself."""
+
+    median: float | None
+    """(SI) of the median."""
+    interval95: _MaybePair
+    """(SI) of both ends."""
+    mean: float | None
+    """(SI) of the mean."""
+    sd: float | None
+    """(SI) of the standard deviation."""
+
+
+class EstimatedOutput(Record):
+    """A result after all the evidence; None where the run has not converged."""
+
+    told: bool | None
+    """Whether the evidence tells it."""
+    prior: Interval | None
+    """Before the evidence."""
+    median: float | None
+    """(SI) half of the probability is below it."""
+    interval50: _Pair | None
+    """(SI) lower and upper end of 50 %."""
+    interval80: _Pair | None
+    """(SI) lower and upper end of 80 %."""
+    interval90: _Pair | None
+    """(SI) lower and upper end of 90 %."""
+    interval95: _Pair | None
+    """(SI) lower and upper end of 95 %."""
+    mean: float | None
+    """(SI) of the draws."""
+    sd: float | None
+    """(SI) standard deviation of the draws."""
+    standard_error: PosteriorErrors | None
+    """From the sampling itself."""
+
+
+class Question(Record):
+    """How probable it is that a result is above a limit."""
+
+    output: str
+    """The key of the result."""
+    above: float
+    """(SI) the limit."""
+    probability: float | None
+    """(–) None where the run has not converged."""
+    standard_error: float | None
+    """(–) from the sampling itself."""
+
+
+class Piece(Record):
+    """What a piece of evidence says of the speeds of both vehicles."""
+
+    key: str
+    """Its key."""
+    alone: tuple[Interval | None, Interval | None] | None
+    """(m/s) by it alone; None where that was not asked for."""
+    without: tuple[Interval | None, Interval | None] | None
+    """(m/s) by all the rest."""
+    p_value: float | None
+    """(–) how probable it is that it lies as far from the rest as it does, or farther."""
+    adjusted_p_value: float | None
+    """(–) the same, adjusted for the number of pieces: what the verdict is by."""
+    reversed: bool
+    """Whether it points the other way than the rest says."""
+    verdict: str | None
+    """Whether it agrees with the rest."""
+
+
+class CrushError(Record):
+    """How far the crush energy of a vehicle may be off, in ln."""
+
+    method: str
+    """How the energy was obtained: ``"class"``, ``"coefficients"``, ``"test"`` or ``"ees"``."""
+    bias: float
+    """(–) that all such energies share on average."""
+    shared_sd: float
+    """(–) standard deviation of the error that both vehicles share."""
+    own_sd: float
+    """(–) standard deviation of the error of this vehicle alone."""
+
+
+class Stood(Record):
+    """How probable it is that a vehicle stood."""
+
+    assumed: float
+    """(–) as assumed."""
+    prior: float | None
+    """(–) of the collisions that are possible, before the evidence."""
+    probability: float | None
+    """(–) after the evidence; None where the run has not converged."""
+
+
+class Distribution(Record):
+    """What is known of a number before the evidence."""
+
+    distribution: str
+    """``"normal"``, ``"log-normal"``, ``"uniform"`` or ``"triangular"``."""
+    mean: float
+    """(SI) of the distribution."""
+    sd: float
+    """(SI) its standard deviation."""
+
+
+class Posterior(Record):
+    """What is known of a number after the evidence."""
+
+    median: float
+    """(SI) half of the probability is below it."""
+    interval95: _Pair
+    """(SI) lower and upper end of 95 %."""
+    mean: float
+    """(SI) of the draws."""
+    sd: float
+    """(SI) standard deviation of the draws."""
+
+
+class Unknown(Record):
+    """A number that the estimate seeks."""
+
+    key: str
+    """Its key."""
+    assumed: bool
+    """Whether the case does not give what is known of it before the evidence."""
+    prior: Distribution
+    """Before the evidence."""
+    posterior: Posterior | None
+    """After it; None where the run has not converged."""
+
+
+class Unused(Record):
+    """Evidence that the estimate does not use."""
+
+    key: str
+    """Its key."""
+    reason: str
+    """Why not, in a word."""
+
+
+class _Estimate(_Document):
+    prior: str
+    """What is taken before the evidence: ``"field"`` or ``"flat"``."""
+    seed: int
+    """(–) of the random numbers."""
+    particles: int
+    """(–) of each island, as asked."""
+    draws: int
+    """(–) number of draws."""
+    converged: bool
+    """Whether the run has converged; without that it gives no interval."""
+    doubts: tuple[Doubt, ...]
+    """Why it has not."""
+    ess: float
+    """(–) the least effective sample size of all numbers."""
+    outputs: Keyed[EstimatedOutput]
+    """The results by their keys, such as ``"vehicle1.speed"``."""
+    questions: tuple[Question, ...]
+    """The answers to ``above``."""
+    pieces: tuple[Piece, ...]
+    """What each piece of evidence says."""
+    crush: tuple[CrushError | None, CrushError | None] | None
+    """How far the crush energies of both may be off; None where the crush is no evidence."""
+    stood: tuple[Stood | None, Stood | None]
+    """How probable it is that each vehicle stood; None of one that did not, or whose speed is known."""
+    same_twice: tuple[tuple[str, str], ...]
+    """Keys of evidence that may be the same observation."""
+    unknown: tuple[Unknown, ...]
+    """The numbers that are sought."""
+    default_errors: tuple[str, ...]
+    """Keys of errors that the case does not give, so that defaults are used."""
+    unused: tuple[Unused, ...]
+    """Evidence that is not used, and why."""
+
+
+# deltav.ciss.judge()
+
+
+class Figures(Record):
+    """How well the intervals of a kind of collision contain what recorders stored."""
+
+    n: int
+    """(–) number of recorders."""
+    collisions: int
+    """(–) number of collisions."""
+    bias: float
+    """(m/s) mean of the median less the recorder."""
+    bias_error: float
+    """(m/s) standard error of the bias."""
+    rms: float
+    """(m/s) root mean square of the median less the recorder."""
+    rms_error: float
+    """(m/s) standard error of that."""
+    coverage: Keyed[float]
+    """(–) part of the recorders within the intervals of ``"50"``, ``"80"`` and ``"95"`` per cent; not of WinSMASH."""
+    coverage_error: Keyed[float]
+    """(–) standard errors of these."""
+    width95: float
+    """(m/s) mean width of the intervals of 95 %; not of WinSMASH."""
+    crps: float
+    """(m/s) mean continuous ranked probability score."""
+    pit: tuple[int, ...]
+    """(–) numbers of recorders by tenth of the distribution in which they lie; not of WinSMASH."""
+
+
+class LeftOut(Record):
+    """A recorder that is left out."""
+
+    case: str
+    """The pair."""
+    vehicle: int
+    """1 or 2."""
+
+
+class JudgedVehicle(Record):
+    """A vehicle whose recorder was held against the estimate."""
+
+    case: str
+    """The pair."""
+    vehicle: int
+    """1 or 2."""
+    kind: str
+    """The kind of collision."""
+    recorder: float
+    """(m/s) ΔV of the recorder."""
+    longitudinal: bool
+    """Whether that is along the vehicle alone."""
+    median: float
+    """(m/s) of the estimate."""
+    interval50: _Pair
+    """(m/s) lower and upper end of 50 %."""
+    interval80: _Pair
+    """(m/s) lower and upper end of 80 %."""
+    interval95: _Pair
+    """(m/s) lower and upper end of 95 %."""
+    below: float
+    """(–) part of the draws below the recorder."""
+    crps: float
+    """(m/s) continuous ranked probability score."""
+    converged: bool
+    """Whether the run has converged."""
+    winsmash: float
+    """(m/s) ΔV of WinSMASH, where there is one."""
+
+
+class _Coverage:
+    other: bool
+    """Whether each was estimated with the recorder of the other vehicle."""
+    pairs: int
+    """(–) number of pairs that were read."""
+    finished: int
+    """(–) number of pairs that were judged."""
+    groups: Keyed[Figures]
+    """All, and by kind of collision."""
+    winsmash: Keyed[Figures]
+    """The same of WinSMASH."""
+    left_out: tuple[LeftOut, ...]
+    """Recorders that are left out."""
+    judged: tuple[JudgedVehicle, ...]
+    """A vehicle an entry."""
+
+
+class _AnalysisDocument(_Analysis, Record):
+    pass
+
+
+class _JudgementDocument(_Judgement, Record):
+    pass
+
+
+class _ComparisonDocument(_Comparison, Record):
+    pass
+
+
+class _SensitivityDocument(_Sensitivity, Record):
+    pass
+
+
+class _UncertaintyDocument(_Uncertainty, Record):
+    pass
+
+
+class _EstimateDocument(_Estimate, Record):
+    pass
+
+
+_DOCUMENTS: dict[str, type[Record]] = {
+    "Analysis": _AnalysisDocument,
+    "Judgement": _JudgementDocument,
+    "Comparison": _ComparisonDocument,
+    "Sensitivity": _SensitivityDocument,
+    "Uncertainty": _UncertaintyDocument,
+    "Estimate": _EstimateDocument,
+}
+
+
+def _document(of: str, entries: Mapping[str, Any]) -> Record:
+    """The document of a class of results."""
+    return _DOCUMENTS[of](entries)
