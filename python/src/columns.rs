@@ -141,7 +141,7 @@ impl Columns {
     /// Examples
     /// --------
     /// >>> widths = {key: column.max() - column.min() for key, column in columns.items()}
-    /// >>> widths["vehicle2.speed"] > 1.5
+    /// >>> bool(widths["vehicle1.speed"] > 0.0)
     /// True
     fn items<'py>(&self, py: Python<'py>) -> PyResult<Vec<(String, Bound<'py, PyAny>)>> {
         self.keys.iter().map(|key| Ok((key.clone(), self.__getitem__(py, key)?))).collect()
@@ -213,8 +213,8 @@ impl Columns {
         py.import("numpy")?.call_method1("frombuffer", (buffer, "float64"))
     }
 
-    /// An array has no names: what makes one of all columns, such as ``pandas.DataFrame(columns)``, would lose
-    /// them, and is told what keeps them.
+    /// An array has no names: what makes one of all columns, such as ``pandas.DataFrame(columns)``, would
+    /// lose them, and is told what keeps them.
     #[pyo3(signature = (dtype = None, copy = None))]
     fn __array__(&self, dtype: Option<&Bound<'_, PyAny>>, copy: Option<&Bound<'_, PyAny>>) -> PyResult<()> {
         let _ = (dtype, copy);

@@ -27,7 +27,7 @@ use crate::table::Table;
 /// Examples
 /// --------
 /// >>> table = {"id": ["a"], "vehicle1.weight [lb]": [3600.0]}
-/// >>> rows = deltav.crush_table(table, template=deltav.Case.example())
+/// >>> rows = deltav.reconstruct_table(table, template=deltav.Case.example())
 /// >>> len(rows), rows.names[0]
 /// (1, 'id')
 #[pyclass(name = "Rows", module = "deltav", frozen)]
@@ -63,8 +63,8 @@ fn broken(error: ArrowError) -> PyErr {
     PyRuntimeError::new_err(error.to_string())
 }
 
-/// What all rows share: a case, the text of a part of a case file, a dict with its keys, or the path of such a
-/// file.
+/// What all rows share: a case, the text of a part of a case file, a dict with its keys, or the path of such
+/// a file.
 fn template(given: Option<&Bound<'_, PyAny>>) -> PyResult<Template> {
     let Some(given) = given else { return Ok(Template::default()) };
     let py = given.py();
@@ -81,8 +81,8 @@ fn template(given: Option<&Bound<'_, PyAny>>) -> PyResult<Template> {
         if !is_path(text) {
             let shown = case::shown(text);
             return Err(PyValueError::new_err(format!(
-                "template=\"{shown}\": this is neither the text of a case file nor a path that ends in .toml; give \
-                 another path as pathlib.Path(\"{shown}\")"
+                "template=\"{shown}\": this is neither the text of a case file nor a path that ends in .toml; \
+                 give another path as pathlib.Path(\"{shown}\")"
             )));
         }
     } else if given.cast::<PyMapping>().is_ok() {
@@ -280,9 +280,12 @@ pub(crate) fn impact_table(
 ///
 /// Examples
 /// --------
-/// >>> table = {"vehicle1.weight [lb]": [3600.0, 3800.0, 4000.0]}
-/// >>> len(deltav.crush_table(table, template=deltav.Case.example()))
-/// 3
+/// >>> import pyarrow
+/// >>> crush = {"pdof": "0 deg", "moment_arm": "0 m"}
+/// >>> template = {"vehicle1": {"mass": "1500 kg", "class": 3, "crush": crush}, "vehicle2": {"fixed": True}}
+/// >>> rows = deltav.crush_table({"vehicle1.crush.ees [km/h]": [36.0, 54.0]}, template=template)
+/// >>> pyarrow.table(rows)["vehicle1_crash3_delta_v"].to_pylist()
+/// [10.0, 15.0]
 #[pyfunction]
 #[pyo3(signature = (table, *, template = None, threads = None))]
 pub(crate) fn crush_table(

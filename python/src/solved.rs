@@ -485,6 +485,12 @@ pub(crate) fn answered(py: Python<'_>, solved: Solved) -> PyResult<Bound<'_, PyA
 }
 
 /// What ``reconstruct``, ``impact``, ``motion`` and ``crush`` of a case answer.
+///
+/// Examples
+/// --------
+/// >>> result = deltav.Case.example().reconstruct()
+/// >>> print(f"{result.vehicle1.delta_v:.2f} m/s, {result.impact.energy_loss / 1000:.0f} kJ")
+/// 12.15 m/s, 188 kJ
 #[pyclass(name = "Analysis", module = "deltav", frozen, extends = PyAnswered)]
 pub(crate) struct PyAnalysis;
 
@@ -515,7 +521,7 @@ impl PyAnalysis {
     /// Examples
     /// --------
     /// >>> deltav.Case.example().reconstruct().draw().title
-    /// 'Intersection collision, GMC Jimmy and Nissan Altima: scene'
+    /// 'Intersection collision, GMC Jimmy and Nissan Altima: plan view at impact'
     #[pyo3(signature = (what = None, *, units = None, plain = false))]
     fn draw(
         slf: &Bound<'_, Self>,
@@ -540,18 +546,42 @@ impl PyAnalysis {
 }
 
 /// What ``check`` of a case answers.
+///
+/// Examples
+/// --------
+/// >>> judgement = deltav.Case.example().check()
+/// >>> [command.command for command in judgement.commands if command.runs][:2]
+/// ['reconstruct', 'compare']
 #[pyclass(name = "Judgement", module = "deltav", frozen, extends = PyAnswered)]
 pub(crate) struct PyJudgement;
 
 /// What ``compare`` of a case answers.
+///
+/// Examples
+/// --------
+/// >>> comparison = deltav.Case.example().compare()
+/// >>> comparison.rows[0].law
+/// 'Brach, common tangential velocity'
 #[pyclass(name = "Comparison", module = "deltav", frozen, extends = PyAnswered)]
 pub(crate) struct PyComparison;
 
 /// What ``sensitivity`` of a case answers.
+///
+/// Examples
+/// --------
+/// >>> sensitivity = deltav.Case.example().sensitivity()
+/// >>> sensitivity.derivatives[0].output
+/// 'vehicle1.speed'
 #[pyclass(name = "Sensitivity", module = "deltav", frozen, extends = PyAnswered)]
 pub(crate) struct PySensitivity;
 
 /// What ``uncertainty`` of a case answers.
+///
+/// Examples
+/// --------
+/// >>> low, high = uncertain.outputs["vehicle1.speed"].interval95
+/// >>> low < uncertain.outputs["vehicle1.speed"].median < high
+/// True
 #[pyclass(name = "Uncertainty", module = "deltav", frozen, extends = PyAnswered)]
 pub(crate) struct PyUncertainty;
 
@@ -670,6 +700,12 @@ fn drawn(
 }
 
 /// What ``estimate`` of a case answers.
+///
+/// Examples
+/// --------
+/// >>> low, high = estimated.outputs["vehicle1.speed"].interval95
+/// >>> low < estimated.outputs["vehicle1.speed"].median < high
+/// True
 #[pyclass(name = "Estimate", module = "deltav", frozen, extends = PyAnswered)]
 pub(crate) struct PyEstimate;
 

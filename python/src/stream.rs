@@ -104,7 +104,7 @@ pub(crate) fn as_stream<'py>(
 /// Examples
 /// --------
 /// >>> table = {"id": ["a"], "vehicle1.weight [lb]": [3600.0]}
-/// >>> stream = deltav.stream_table("crush", table, template=deltav.Case.example())
+/// >>> stream = deltav.stream_table("reconstruct", table, template=deltav.Case.example())
 /// >>> stream.names[0]
 /// 'id'
 #[pyclass(name = "RowStream", module = "deltav", frozen)]

@@ -201,8 +201,8 @@ fn listed<'py>(shown: &str, values: &Bound<'py, PyAny>) -> PyResult<Bound<'py, P
     if one || !values.hasattr("__iter__")? {
         let kind = values.get_type().name()?;
         let problem = format!(
-            "column \"{shown}\" is one {kind}: give a list or an array with a value for each row, or put what all \
-             rows share into template="
+            "column \"{shown}\" is one {kind}: give a list or an array with a value for each row, or put what \
+             all rows share into template="
         );
         return Err(PyTypeError::new_err(problem));
     }

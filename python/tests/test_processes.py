@@ -125,3 +125,20 @@ def test_ctrl_c_ends_a_long_run(ask: str) -> None:
         assert said == "interrupted\n640\n"
         assert process.returncode == 0
         assert time.monotonic() - began < 20
+
+
+def test_a_search_back_from_rests_leaves_the_interpreter_alive() -> None:
+    """Where the compiler does not optimise, it needs more stack than a thread has unless somebody says."""
+    code = """
+import signal, deltav
+def end(*_): raise KeyboardInterrupt
+signal.signal(signal.SIGALRM, end)
+signal.setitimer(signal.ITIMER_REAL, 3.0)
+try:
+    deltav.Case.read("fixtures/rear-end-rest.toml").estimate(particles=128, pieces=False)
+except KeyboardInterrupt:
+    pass
+print("alive")
+"""
+    ended = subprocess.run([sys.executable, "-c", code], capture_output=True, encoding="utf-8", timeout=120)
+    assert (ended.returncode, ended.stdout) == (0, "alive\n"), ended

@@ -116,7 +116,7 @@ def test_a_template_is_a_case_or_the_path_of_one(tmp_path: pathlib.Path, monkeyp
     stream = deltav.stream_table("reconstruct", table([11.0]), template=example)
     assert pa.RecordBatchReader.from_stream(stream).read_all().equals(wanted)
     # A text on one line is a text.
-    for template in ("", "# nothing.toml", "[impact]", "title = 'a.toml'", "title = 'a'"):
+    for template in ("[impact]", "title = 'a.toml'", "title = 'a'"):
         assert len(deltav.crush_table(table([11.0]), template=template)) == 1
 
 
@@ -171,12 +171,13 @@ def test_a_dict_of_columns_is_a_table() -> None:
 def test_a_column_of_lists_is_one_of_depths() -> None:
     name = "vehicle1.crush.depths [cm]"
     for depths in ([[30.0, 20.0], (10, 20), None], [np.array([30.0, 20.0]), [10, 20], None]):
-        of_dict = pa.table(deltav.crush_table({"id": [1, 2, 3], name: depths}, template=TEMPLATE))
+        of_dict = pa.table(deltav.reconstruct_table({"id": [1, 2, 3], name: depths}, template=TEMPLATE))
         of_arrow = pa.table({"id": [1, 2, 3], name: pa.array([[30.0, 20.0], [10.0, 20.0], None])})
-        assert of_dict.equals(pa.table(deltav.crush_table(of_arrow, template=TEMPLATE)))
+        assert of_dict.equals(pa.table(deltav.reconstruct_table(of_arrow, template=TEMPLATE)))
         assert of_dict["error"].null_count == 3
-    square = pa.table(deltav.crush_table({"id": [1, 2], name: np.array([[30.0, 20.0], [10.0, 20.0]])}, template=TEMPLATE))
-    assert square["vehicle1_crush_energy"].to_pylist() == of_dict["vehicle1_crush_energy"].to_pylist()[:2]
+    square = {"id": [1, 2], name: np.array([[30.0, 20.0], [10.0, 20.0]])}
+    found = pa.table(deltav.reconstruct_table(square, template=TEMPLATE))["vehicle1_crush_energy"].to_pylist()
+    assert found == of_dict["vehicle1_crush_energy"].to_pylist()[:2] and found[0] > found[1] > 0.0
 
 
 ITSELF: list[Any] = []

@@ -16,8 +16,18 @@ from conftest import FIXTURES, ROOT, UNCERTAIN, cases
 from deltav import results
 from deltav._record import Keyed, Record
 
-# What no case here has, with where the engine writes it; each is looked for, and is not here if it occurs.
-NOT_IN_FIXTURES: set[str] = set()
+# What no case here has; their types are those of `crates/report/src/data`. What occurs may not stand here.
+NOT_IN_FIXTURES = {
+    # A run that does not converge, a warned sample that is of one vehicle, and a recorder that is doubtful.
+    "Doubt.code",
+    "Doubt.key",
+    "Doubtful.vehicle",
+    "LeftOut.case",
+    "LeftOut.vehicle",
+    # A law that tells its regime beside speeds by momentum, and a share that only the root finder solves.
+    "LawCheck.regime",
+    "Iteration.crush_work",
+}
 
 
 def known(of: Any) -> dict[str, Any]:
@@ -83,14 +93,22 @@ def documents(simulated: pathlib.Path) -> Iterator[tuple[str, str, Any, dict[str
                 continue
             of = results._DOCUMENTS[type(result).__name__]
             yield f"{path}: {type(result).__name__}", type(result).__name__, of, result.to_dict()
-    questions = {"above": ["vehicle1.speed 50 km/h"], "particles": 128}
-    for name, options in {"estimate.toml": {}, "pole.toml": {"pieces": False}, "rear-end-rest.toml": {"pieces": False}}.items():
-        result = deltav.Case.read(FIXTURES / name).estimate(**questions, **options)  # type: ignore[arg-type]
+    held = deltav.Case.read(FIXTURES / "sae-980025-crush.toml").to_dict()
+    held["vehicle1"]["crush"] |= {"moment_arm": "0.3 m", "oblique_angle": "3 deg"}
+    swept = deltav.Case.from_dict(held).sensitivity(pdof_steps=1).to_dict()
+    yield "held: Sensitivity", "Sensitivity", results._SensitivityDocument, swept
+    passed = deltav.Case.read(FIXTURES / "motion" / "ricsac-6.toml").to_dict()
+    passed["vehicle1"]["after"]["points"] = [
+        {"x": "-5 m", "y": "1 m", "heading": "170 deg"},
+        {"x": "-4 m", "y": "1 m", "wheel": "front left"},
+    ]
+    followed = deltav.Case.from_dict(passed).motion().to_dict()
+    yield "points: Analysis", "Analysis", results._AnalysisDocument, followed
+    for name in ("pole.toml", "sae-980025.toml"):
+        result = deltav.Case.read(FIXTURES / name).estimate(particles=128, above=["vehicle1.speed 50 km/h"])
         yield f"{name}: Estimate", "Estimate", results._EstimateDocument, result.to_dict()
-    pairs = deltav.ciss.pairs(simulated)
-    for other in (False, True):
-        judged = deltav.ciss.judge(pairs[:3], other=other)
-        yield "ciss: Coverage", "Coverage", results._Coverage, judged.to_dict()
+    judged = deltav.ciss.judge(deltav.ciss.pairs(simulated)[:1])
+    yield "ciss: Coverage", "Coverage", results._Coverage, judged.to_dict()
 
 
 @pytest.fixture(scope="module")
@@ -150,10 +168,10 @@ def test_parts_are_of_their_classes() -> None:
 def test_every_attribute_has_its_unit_in_front() -> None:
     """Numbers that are no counts of a vehicle begin with their unit."""
     text = pathlib.Path(results.__file__).read_text("utf-8")
-    entries = re.findall(r'^    (\w+): (.+)\n    """(.+?)"""', text, re.M | re.S)
+    entries = re.findall(r'^    (\w+): (.+)\n    """(.+)"""$', text, re.M)
     assert len(entries) > 350
     said = {(name, kind) for name, kind, _ in entries}
-    annotated = set(re.findall(r"^    (\w+): (.+)$", text, re.M))
+    annotated = set(re.findall(r"^    (\w+): (.+)$", text.partition("# Of every result.")[2], re.M))
     assert said == annotated, "each has a docstring"
     for name, kind, says in entries:
         if name != "vehicle" and re.search(r"\b(float|int|_Pair|_MaybePair)\b", kind):

@@ -15,8 +15,6 @@ deltav.CaseError: error: `vehicle1.speed` is missing: `impact()` needs it
 ...
 """
 
-from collections.abc import Mapping as _Mapping
-
 from deltav._deltav import (
     Analysis,
     Case,
@@ -44,8 +42,6 @@ from deltav._errors import CaseError, NoAnswerError, Problem
 from deltav._record import Record
 from deltav import ciss as ciss  # isort: skip
 from deltav import results as results  # isort: skip
-
-_Mapping.register(Columns)
 
 __all__ = [
     "Analysis",

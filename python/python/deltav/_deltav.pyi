@@ -1,6 +1,6 @@
 import os
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from typing import Any, Literal, Never, NoReturn, Protocol, Self, final
+from typing import Any, Literal, Never, NoReturn, Protocol, Self, TypeVar, final, overload
 
 import numpy as np
 import numpy.typing as npt
@@ -9,6 +9,7 @@ from deltav import results
 __version__: str
 
 _Units = Literal["si", "us", "uk"]
+_Default = TypeVar("_Default")
 _What = Literal["scene", "motion", "motion-curves", "momentum", "damage", "reconciliation", "energy"]
 
 @final
@@ -95,15 +96,18 @@ class Estimate(results._Estimate, Result):
     def density(self, output: str, *, units: _Units | None = None) -> Drawing: ...
 
 @final
-class Columns(Mapping[str, npt.NDArray[np.float64]]):
+class Columns:
     @property
     def names(self) -> list[str]: ...
     @property
     def rows(self) -> int: ...
-    # Lists, whose order is that of the names.
-    def keys(self) -> list[str]: ...  # type: ignore[override]
-    def values(self) -> list[npt.NDArray[np.float64]]: ...  # type: ignore[override]
-    def items(self) -> list[tuple[str, npt.NDArray[np.float64]]]: ...  # type: ignore[override]
+    def keys(self) -> list[str]: ...
+    def values(self) -> list[npt.NDArray[np.float64]]: ...
+    def items(self) -> list[tuple[str, npt.NDArray[np.float64]]]: ...
+    @overload
+    def get(self, key: str, default: None = None) -> npt.NDArray[np.float64] | None: ...
+    @overload
+    def get(self, key: str, default: _Default) -> npt.NDArray[np.float64] | _Default: ...
     def __len__(self) -> int: ...
     def __iter__(self) -> Iterator[str]: ...
     def __contains__(self, key: object, /) -> bool: ...

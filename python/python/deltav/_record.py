@@ -1,6 +1,5 @@
 """A part of a result."""
 
-import functools
 import types
 from collections.abc import ItemsView, Iterator, Mapping, ValuesView
 from typing import TYPE_CHECKING, Any, Generic, TypeVar, Union, get_args, get_origin, get_type_hints
@@ -104,11 +103,33 @@ class Keyed(Record, Generic[_Part]):
         return _shown(self._entries[key], self._of)  # type: ignore[no-any-return]
 
     def items(self) -> ItemsView[str, _Part]:
-        """The keys with their parts."""
+        """The keys with their parts.
+
+        Returns
+        -------
+        ItemsView
+            As of a dict.
+
+        Examples
+        --------
+        >>> {key: output.sd for key, output in uncertain.outputs.items()}["vehicle1.speed"] > 0.0
+        True
+        """
         return ItemsView(self)
 
     def values(self) -> ValuesView[_Part]:
-        """The parts."""
+        """The parts, in the order of the keys.
+
+        Returns
+        -------
+        ValuesView
+            As of a dict.
+
+        Examples
+        --------
+        >>> any(output.first_order_sd > 1.0 for output in uncertain.outputs.values())
+        True
+        """
         return ValuesView(self)
 
     def __repr__(self) -> str:
@@ -118,10 +139,14 @@ class Keyed(Record, Generic[_Part]):
         return (Keyed, (self._entries, self._of))
 
 
-@functools.cache
+_TYPES: dict[type, dict[str, Any]] = {}
+
+
 def _types(of: type) -> dict[str, Any]:
     """The types of the attributes of a class."""
-    return get_type_hints(of)
+    if of not in _TYPES:
+        _TYPES[of] = get_type_hints(of)
+    return _TYPES[of]
 
 
 def _alternatives(of: Any) -> tuple[Any, ...]:
