@@ -27,6 +27,9 @@ NOT_IN_FIXTURES = {
     # A law that tells its regime beside speeds by momentum, and a share that only the root finder solves.
     "LawCheck.regime",
     "Iteration.crush_work",
+    # Evidence that an estimate cannot use.
+    "Unused.key",
+    "Unused.reason",
 }
 
 
@@ -93,7 +96,7 @@ def documents(simulated: pathlib.Path) -> Iterator[tuple[str, str, Any, dict[str
                 continue
             of = results._DOCUMENTS[type(result).__name__]
             yield f"{path}: {type(result).__name__}", type(result).__name__, of, result.to_dict()
-    held = deltav.Case.read(FIXTURES / "sae-980025-crush.toml").to_dict()
+    held = deltav.Case.read(FIXTURES / "barrier.toml").to_dict()
     held["vehicle1"]["crush"] |= {"moment_arm": "0.3 m", "oblique_angle": "3 deg"}
     swept = deltav.Case.from_dict(held).sensitivity(pdof_steps=1).to_dict()
     yield "held: Sensitivity", "Sensitivity", results._SensitivityDocument, swept
