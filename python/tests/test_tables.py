@@ -160,12 +160,13 @@ def test_a_dict_of_columns_is_a_table() -> None:
         assert pa.table(of_dict).equals(wanted), type(column)
     stream = deltav.stream_table("reconstruct", {"id": [0, 1, 2], SPEED: speeds}, template=TEMPLATE)
     assert pa.RecordBatchReader.from_stream(stream).read_all().equals(wanted)
-    texts = {"id": ["a", None, "c"], "vehicle2.speed": np.array(["10 mph", "12 mph", "14 mph"]), "kept": [True, None, False]}
+    speeds_as_texts = np.array(["10 mph", "12 mph", "14 mph"])
+    texts = {"id": ["a", None, "c"], "vehicle2.speed": speeds_as_texts, "kept": [True, None, False]}
     rows = pa.table(deltav.reconstruct_table(texts, template=TEMPLATE))
     assert rows["found_value"].to_pylist() == wanted["found_value"].to_pylist()
     assert rows["id"].to_pylist() == ["a", None, "c"] and rows["kept"].to_pylist() == [True, None, False]
-    gaps = pa.table(deltav.reconstruct_table({SPEED: [None, 10.0, float("nan")], "none": [None] * 3}, template=TEMPLATE))
-    assert gaps["error"].is_null().to_pylist() == [True, True, False]
+    gaps = {SPEED: [None, 10.0, float("nan")], "none": [None] * 3}
+    assert pa.table(deltav.reconstruct_table(gaps, template=TEMPLATE))["error"].is_null().to_pylist() == [True, True, False]
 
 
 def test_a_column_of_lists_is_one_of_depths() -> None:
@@ -351,7 +352,7 @@ def test_text_in_another_encoding_is_refused(column: str, kind: pa.DataType) -> 
 
 
 def test_a_thousand_random_tables_leave_the_interpreter_alive() -> None:
-    """Types, nulls, dictionaries, views, bytes that are no text, in columns and within others: a result or a sentence."""
+    """Types, nulls, dictionaries, views, bytes that are no text, also within others: a result or a sentence."""
     draw = random.Random(11)
     names = ["vehicle2.speed", "vehicle2.speed [mph]", "vehicle1.name", "note", "vehicle1.crush.depths", "vehicle1", "seed"]
     exact = pa.decimal128(9, 2)
@@ -391,7 +392,8 @@ def test_a_thousand_random_tables_leave_the_interpreter_alive() -> None:
             return pa.array([draw.choice([None, True, False]) for _ in range(rows)])
         if kind == 6:
             whole = [draw.choice([None, draw.randrange(-9, 2**7)]) for _ in range(rows)]
-            return pa.array(whole, draw.choice([pa.int64(), pa.int8(), pa.timestamp("s"), pa.duration("ms"), pa.date32()]))
+            kinds = [pa.int64(), pa.int8(), pa.timestamp("s"), pa.duration("ms"), pa.date32()]
+            return pa.array(whole, draw.choice(kinds))
         if kind == 7:
             return pa.array([draw.choice([None, decimal.Decimal("7.25")]) for _ in range(rows)], exact)
         if kind == 8:
@@ -409,9 +411,8 @@ def test_a_thousand_random_tables_leave_the_interpreter_alive() -> None:
         if kind == 13:
             return pa.FixedSizeListArray.from_arrays(column(2 * rows, depth + 1), 2)
         if kind == 14:
-            return pa.StructArray.from_arrays(
-                [column(rows, depth + 1), column(rows, depth + 1)], [draw.choice(["value", "mass"]), draw.choice(["low", "name"])]
-            )
+            inner = [draw.choice(["value", "mass"]), draw.choice(["low", "name"])]
+            return pa.StructArray.from_arrays([column(rows, depth + 1) for _ in inner], inner)
         if kind == 15:
             return pa.array(numbers, pa.float64()).cast(pa.float16())
         return pa.array([[number] for number in numbers], pa.list_(pa.float64()))
@@ -424,7 +425,8 @@ def test_a_thousand_random_tables_leave_the_interpreter_alive() -> None:
         solve = draw.choice([deltav.crush_table, deltav.impact_table, deltav.reconstruct_table])
         try:
             if draw.random() < 0.2:
-                result = pa.RecordBatchReader.from_stream(deltav.stream_table("crush", table, template=TEMPLATE)).read_all()
+                stream = deltav.stream_table("crush", table, template=TEMPLATE)
+                result = pa.RecordBatchReader.from_stream(stream).read_all()
             else:
                 result = pa.table(solve(table, template=TEMPLATE))
         except (ValueError, OSError):
