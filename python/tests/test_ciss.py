@@ -67,9 +67,9 @@ def of(row: dict[str, Any], crash: int, vehicle: int) -> bool:
 
 def test_the_examples_of_the_docstrings_run(tmp_path: pathlib.Path) -> None:
     simulated_ciss.write(tmp_path, crashes=3, seed=1)
-    found = doctest.testmod(
-        deltav.ciss, extraglobs={"deltav": deltav, "folder": tmp_path}, optionflags=doctest.ELLIPSIS
-    )
+    coverage = deltav.ciss.judge(deltav.ciss.pairs(tmp_path)[:1])
+    names = {"deltav": deltav, "folder": tmp_path, "coverage": coverage}
+    found = doctest.testmod(deltav.ciss, extraglobs=names, optionflags=doctest.ELLIPSIS)
     assert found.failed == 0 and found.attempted >= 9
 
 

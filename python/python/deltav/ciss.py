@@ -168,7 +168,6 @@ class Coverage(_Coverage, Record):
 
     Examples
     --------
-    >>> coverage = deltav.ciss.judge(deltav.ciss.pairs(folder)[:1])
     >>> coverage.groups["all"].n == len(coverage.judged)
     True
     """
@@ -190,7 +189,7 @@ class Coverage(_Coverage, Record):
 
         Examples
         --------
-        >>> deltav.ciss.judge(deltav.ciss.pairs(folder)[:1]).to_dict()["pairs"]
+        >>> coverage.to_dict()["pairs"]
         1
         """
         return json.loads(self._judged.json())  # type: ignore[no-any-return]
@@ -214,7 +213,7 @@ class Coverage(_Coverage, Record):
 
         Examples
         --------
-        >>> deltav.ciss.judge(deltav.ciss.pairs(folder)[:1]).draw("ranks").svg()[:4]
+        >>> coverage.draw("ranks").svg()[:4]
         '<svg'
         """
         return self._judged.draw(what)  # type: ignore[no-any-return]
