@@ -13,8 +13,9 @@ use rayon::{ThreadPool, ThreadPoolBuilder};
 /// How long Ctrl-C may wait.
 const PATIENCE: Duration = Duration::from_millis(50);
 
-/// (bytes) of the stack of a thread. Where the compiler does not optimise, a search back from rests needs more
-/// than the usual 2 MiB, and a stack that overflows ends the interpreter. Memory is taken as it is used.
+/// (bytes) of the stack of a thread. Where the compiler does not optimise, a search back from rests needs
+/// more than the usual 2 MiB, and a stack that overflows ends the interpreter. Memory is taken as it is
+/// used.
 const STACK: usize = 16 << 20;
 
 /// The most threads that can be asked for.

@@ -592,7 +592,8 @@ impl PyUncertainty {
     /// Returns
     /// -------
     /// Columns
-    ///     ``columns()["vehicle1.speed"]`` is a NumPy array, and the whole goes into Arrow; SI units and radians.
+    ///     ``columns()["vehicle1.speed"]`` is a NumPy array, and the whole goes into Arrow; in SI units and
+    ///     radians.
     ///
     /// Examples
     /// --------
@@ -716,7 +717,8 @@ impl PyEstimate {
     /// Returns
     /// -------
     /// Columns
-    ///     ``columns()["vehicle1.speed"]`` is a NumPy array, and the whole goes into Arrow; SI units and radians.
+    ///     ``columns()["vehicle1.speed"]`` is a NumPy array, and the whole goes into Arrow; in SI units and
+    ///     radians.
     ///
     /// Raises
     /// ------
