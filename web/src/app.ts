@@ -1,5 +1,5 @@
 // The page: left the case, right the answer. There is one state, the text of the case; all else follows from it.
-import { afterPause, download, eachFrame, h } from "./dom.js";
+import { afterPause, download, eachFrame, h, showDialog } from "./dom.js";
 import { Editor } from "./editor.js";
 import * as engine from "./engine.js";
 import type { Command, Problem, Units } from "./engine.js";
@@ -7,7 +7,7 @@ import { Form } from "./form.js";
 import { type Live, emptyPage, handedOver, printed } from "./live.js";
 import { Compare, Drawings, Inputs, Motion, type Panel, Results, Run, Sensitivity, warnings } from "./panels.js";
 import { type FileKind, type Finished, type Job, Runner } from "./runs.js";
-import { inForm, said } from "./said.js";
+import { inForm, said, saidOfText } from "./said.js";
 import { SceneView } from "./scene.js";
 import { Solved } from "./solved.js";
 import { Tabs } from "./tabs.js";
@@ -37,6 +37,12 @@ export class App {
   private saved = "";
   private opened = false;
   private intervals: { text: string; headline: string[] } | null = null;
+  /** Is told that all the evidence has been weighed, or that it will not be. */
+  private whenWeighed: ((done: boolean) => void) | null = null;
+  private readonly weighing = h("progress", { max: 1, value: 0, "aria-label": texts.run.progress });
+  /** Makes what a report has beside the exact solution. */
+  private readonly completing = new Runner();
+  private readonly working = h("div", { class: "working", role: "status", hidden: true });
   /** What the view of the estimate has answered. */
   private estimated: { text: string; headline: string[] } | null = null;
 
@@ -137,7 +143,7 @@ export class App {
     theme.addEventListener("change", () => (document.documentElement.dataset.theme = theme.value));
     const save = this.menu(texts.save.label, [
       [texts.save.report, () => void this.saveShown("html")],
-      [texts.save.live, () => this.saveLive()],
+      [texts.save.live, () => void this.saveLive()],
       [texts.save.print, () => void this.print()],
       [texts.save.json, () => void this.saveShown("json")],
       [texts.save.csv, () => void this.saveShown("csv")],
@@ -179,7 +185,7 @@ export class App {
       h("section", { class: "view", id: "views", tabindex: -1, "aria-label": texts.viewTabs.label }, this.viewTabs.list, this.viewTabs.panels));
     document.body.classList.toggle("is-live", live !== null);
     const skip = (to: string, words: string) => h("a", { class: "skip", href: `#${to}` }, words);
-    return [skip("answer", texts.skip), skip("views", texts.skipToViews), bar, this.welcome, this.printHead, answer, main, this.spoken, ...(live ? [printed(live)] : [])];
+    return [skip("answer", texts.skip), skip("views", texts.skipToViews), bar, this.welcome, this.printHead, answer, main, this.working, this.spoken, ...(live ? [printed(live)] : [])];
   }
 
   /** A menu, headed by what it is about when it opens. */
@@ -224,6 +230,18 @@ export class App {
       event.preventDefault();
       action();
     });
+    // The list of warnings lies over the page, and goes as a menu does.
+    const list = () => this.state.querySelector<HTMLDetailsElement>(".warned[open]");
+    document.addEventListener("pointerdown", (event) => {
+      const open = list();
+      if (open && !open.contains(event.target as Node)) open.open = false;
+    });
+    this.state.addEventListener("keydown", (event) => {
+      const open = list();
+      if (event.key !== "Escape" || !open) return;
+      open.open = false;
+      open.querySelector("summary")?.focus();
+    });
     window.addEventListener("resize", () => (this.headline.style.minHeight = ""));
     window.addEventListener("beforeprint", () => {
       this.printHead.textContent = texts.printHead(this.name.value, engine.version(), new Date().toLocaleString("en-GB", { dateStyle: "long", timeStyle: "short" }));
@@ -252,6 +270,8 @@ export class App {
     this.name.addEventListener("change", () => {
       this.name.value = this.name.value.replaceAll(/[\\/:*?"<>|\p{Cc}]/gu, "").trim() || "case.toml";
       if (!this.name.value.includes(".")) this.name.value += ".toml";
+      // What is saved names the file.
+      this.solveSoon(undefined);
     });
   }
 
@@ -296,6 +316,7 @@ export class App {
     this.estimable = false;
     this.solved = null;
     this.quick.end();
+    this.wait(null);
     this.headline.replaceChildren();
     this.headline.style.minHeight = "";
     this.state.replaceChildren();
@@ -341,6 +362,7 @@ export class App {
       h("button", {
         type: "button",
         class: "card",
+        "data-name": template.name,
         onclick: () => {
           dialog.close();
           if (!this.mayDiscard()) return;
@@ -353,7 +375,7 @@ export class App {
       h("p", {}, h("label", { for: "template-units" }, texts.templates.unitsLabel), " ", system),
       h("div", { class: "cards" }, ...cards),
       h("button", { type: "button", class: "quiet", onclick: () => dialog.close() }, texts.close));
-    this.showDialog(dialog);
+    showDialog(dialog);
   }
 
   private about(): void {
@@ -367,14 +389,7 @@ export class App {
       h("p", {}, texts.about.engine, " ", digest),
       h("details", {}, h("summary", {}, texts.about.licences), h("pre", { tabindex: 0 }, licences.packages ?? "")),
       h("button", { type: "button", class: "quiet", onclick: () => dialog.close() }, texts.close));
-    this.showDialog(dialog);
-  }
-
-  private showDialog(dialog: HTMLDialogElement): void {
-    dialog.addEventListener("close", () => dialog.remove());
-    dialog.addEventListener("click", (event) => event.target === dialog && dialog.close());
-    document.body.append(dialog);
-    dialog.showModal();
+    showDialog(dialog);
   }
 
   // --- the answer ---
@@ -409,6 +424,7 @@ export class App {
     if (isScene) this.scene.update(look.scene ?? null);
     else this.stale.add("scene");
     this.quick.end();
+    this.whenWeighed?.(false);
     this.rest.ask();
     this.interval.ask();
     this.speakSoon.ask();
@@ -459,7 +475,7 @@ export class App {
       if (problems.length > 0) this.showProblems(problems);
       else this.state.replaceChildren(h("p", { class: "error" }, said(look.message)));
       if (this.isEstimate) this.showHeadline();
-      else if (this.headline.childNodes.length > 0 && !this.headline.querySelector(".lead")) this.headline.classList.add("stale");
+      else if (this.headline.childNodes.length > 0 && !this.headline.querySelector(".lead, .note")) this.headline.classList.add("stale");
       else this.headline.replaceChildren(h("p", { class: "note" }, texts.answer.none));
       return;
     }
@@ -486,11 +502,12 @@ export class App {
       return;
     }
     if (!solved.look.ok) return;
-    const { headline, weigh } = solved.look;
+    const { headline } = solved.look;
     this.headline.classList.remove("stale");
     const interval = this.intervals?.text === solved.text ? this.intervals.headline : null;
-    if (weigh && !interval) {
-      this.headline.replaceChildren(h("p", { class: "note" }, texts.answer.weighing));
+    if (solved.weighs && !interval) {
+      this.weighing.removeAttribute("value");
+      this.headline.replaceChildren(h("p", { class: "note weighing" }, texts.answer.weighing, this.weighing));
       return;
     }
     if (headline.length === 0) {
@@ -530,7 +547,7 @@ export class App {
     // The room that the answer has taken stays its own, so that nothing below it moves when a range is computed anew.
     const floor = Number.parseFloat(this.headline.style.minHeight) || 0;
     const { height } = this.headline.getBoundingClientRect();
-    if (interval && height > floor) this.headline.style.minHeight = `${height}px`;
+    if (height > floor) this.headline.style.minHeight = `${height}px`;
   }
 
   private showProblems(problems: Problem[]): void {
@@ -540,6 +557,7 @@ export class App {
     // Of a text that is no TOML the form shows nothing.
     const isForm = this.caseTabs.shown === "form" && Object.keys(this.solved?.check.values ?? {}).length > 0;
     const [what = "", ...help] = isForm ? inForm(first, this.solved?.check.values[first.key ?? ""]?.text) : [first.title, first.help].filter((words) => words !== null).map(engine.sentence);
+    const worded = isForm ? said : saidOfText;
     const lead = first.key && isForm
       ? h("button", { type: "button", class: "quiet", onclick: () => this.lead(first.key ?? "") }, texts.answer.toField)
       : h("button", {
@@ -550,20 +568,23 @@ export class App {
           this.editor.select(first.from, first.to);
         },
       }, texts.answer.toLine(line));
-    this.state.replaceChildren(h("div", { class: "error" },
-      h("p", {}, h("strong", {}, said(what)), " ", said(help.join(" "))),
-      problems.length > 1 ? h("p", {}, texts.answer.andMore(problems.length - 1)) : null, lead));
+    this.state.replaceChildren(h("div", { class: "error", tabindex: 0 },
+      h("div", { class: "said" },
+        h("p", {}, h("strong", {}, worded(what)), " ", worded(help.join(" "))),
+        problems.length > 1 ? h("p", {}, texts.answer.andMore(problems.length - 1)) : null),
+      lead));
   }
 
   private message(words: string): void {
-    this.state.replaceChildren(h("p", { class: "error", role: "alert" }, said(words)));
+    this.state.replaceChildren(h("p", { class: "error", role: "alert", tabindex: 0 }, said(words)));
   }
 
   private speak(): void {
     const { solved } = this;
     if (!solved) return;
     const estimated = this.isEstimate && this.estimated?.text === solved.text ? this.estimated.headline[0] : undefined;
-    this.spoken.textContent = estimated ?? (this.isEstimate ? texts.answer.byEstimate : solved.look.ok ? (solved.look.headline[0] ?? "") : (this.state.textContent ?? ""));
+    const weighed = solved.weighs && this.intervals?.text === solved.text ? this.intervals.headline[0] : undefined;
+    this.spoken.textContent = estimated ?? weighed ?? (this.isEstimate ? texts.answer.byEstimate : solved.look.ok ? (solved.look.headline[0] ?? "") : (this.state.textContent ?? ""));
   }
 
   private showFileState(): void {
@@ -580,23 +601,31 @@ export class App {
   private runInterval(): void {
     const { solved } = this;
     if (!solved?.look.ok) return;
-    const { weigh } = solved.look;
-    if (!weigh && !solved.check.commands.uncertainty?.able) return;
-    const job: Job = {
-      kind: weigh ? "estimate" : "uncertainty",
-      text: solved.text,
-      name: solved.name,
-      units: solved.units,
-      options: weigh ? { seed: 1, pieces: false } : {},
-    };
+    const { weighs } = solved;
+    if (!weighs && !solved.check.commands.uncertainty?.able) return;
+    const job: Job = { kind: weighs ? "reconstruct" : "uncertainty", text: solved.text, name: solved.name, units: solved.units, options: {} };
+    let html = "";
     this.quick.start(job, {
+      progress: (_, done, total) => {
+        this.weighing.max = Math.max(total, 1);
+        this.weighing.value = done;
+      },
       answer: (answer) => {
-        // Nobody looks at the pictures of this run.
-        this.quick.end();
-        if (answer.ok) this.showInterval(job, answer);
-        else if (weigh && job.text === this.solved?.text) {
+        // Of what was weighed the files can be asked for. Nobody looks at the pictures of an interval.
+        if (!weighs || !answer.ok) this.quick.end();
+        if (answer.ok) {
+          html = answer.html;
+          this.showInterval(job, answer);
+        } else if (weighs && job.text === this.solved?.text) {
           this.headline.replaceChildren(h("p", { class: "error" }, `${texts.answer.notWeighed} ${answer.message}`));
+          this.whenWeighed?.(false);
         }
+      },
+      pictures: (plain) => {
+        solved.weighed = { html, plain };
+        for (const name of ["results", "drawings"]) this.stale.add(name);
+        if (this.solved === solved && this.viewTabs.shown !== "scene") this.show(this.viewTabs.shown);
+        this.whenWeighed?.(true);
       },
     });
   }
@@ -605,6 +634,7 @@ export class App {
     if (job.text !== this.solved?.text || result.headline.length === 0) return;
     this.intervals = { text: job.text, headline: result.headline };
     this.showHeadline();
+    if (this.solved.weighs) this.speakSoon.ask();
   }
 
   private showEstimate(job: Job, result: Finished): void {
@@ -631,10 +661,11 @@ export class App {
     if (!solved) return null;
     if (view === "uncertainty" || view === "estimate") {
       const file = this[view].file(kind, solved.text);
-      if (file) return file;
+      if (file) return file.catch((error: unknown) => this.refused(error));
       this.message(texts.save.notRun(texts.viewTabs[view] ?? view));
       return null;
     }
+    if (view === "" && solved.weighs) return this.weighed(solved, kind);
     if (view === "" && kind === "html") return this.report();
     const command = view === "" ? solved.command : (view as Command);
     if (kind === "html") {
@@ -663,6 +694,47 @@ export class App {
     return this.name.value.replace(/\.toml$/, "");
   }
 
+  /** Says why there is no file. */
+  private refused(error: unknown): null {
+    this.message(error instanceof Error ? error.message : String(error));
+    return null;
+  }
+
+  /** What is waited for, with a button that ends it; nothing where nothing is. */
+  private wait(words: string | null, end: () => void = () => undefined, progress: HTMLElement | null = null): void {
+    this.working.hidden = words === null;
+    const stop = h("button", { type: "button", class: "quiet", onclick: end }, texts.run.end);
+    this.working.replaceChildren(...(words === null ? [] : [h("span", {}, words), ...(progress ? [progress] : []), stop]));
+  }
+
+  /** The picture that the case names: a page from the disk may not open it. Where it lies beneath the scene, it is known. */
+  private plan(solved: Solved): { plan?: Uint8Array | undefined; missing?: string } {
+    const named = readValue(solved.check.values["scene.site_plan.file"]?.text ?? "");
+    if (typeof named !== "string") return {};
+    const { file } = this.scene.backdrop;
+    return file?.name === named.split("/").pop() ? { plan: file?.bytes } : { missing: named };
+  }
+
+  /** A file of all the evidence, weighed: as soon as that is done. */
+  private async weighed(solved: Solved, kind: FileKind, page?: string): Promise<string | null> {
+    if (!solved.weighed) {
+      this.whenWeighed?.(false);
+      const done = await new Promise<boolean>((resolve) => {
+        this.whenWeighed = resolve;
+        this.wait(texts.save.whenWeighed, () => resolve(false));
+      });
+      this.whenWeighed = null;
+      this.wait(null);
+      if (!done) return null;
+    }
+    const { plan, missing } = this.plan(solved);
+    const file = this.quick.file(kind, { plan, page });
+    const content = file ? await file.catch((error: unknown) => this.refused(error)) : null;
+    if (content === "") this.message(texts.save.noCsv);
+    else if (content !== null && kind === "html" && missing !== undefined) this.message(texts.save.noPlan(missing));
+    return content === "" ? null : content;
+  }
+
   /** The report, or the page with it; nothing is made where there is no answer. */
   private handover(make: (solved: Solved, name: string, plan?: Uint8Array) => engine.Report): string | null {
     this.solveSoon.flush();
@@ -671,25 +743,51 @@ export class App {
       this.message(texts.save.nothing);
       return null;
     }
-    // A page from the disk may not open the picture that a case names. Where it lies beneath the scene, it is known.
-    const named = readValue(solved.check.values["scene.site_plan.file"]?.text ?? "");
-    const { file } = this.scene.backdrop;
-    const plan = typeof named === "string" && file?.name === named.split("/").pop() ? file?.bytes : undefined;
+    const { plan, missing } = this.plan(solved);
     const made = make(solved, this.name.value, plan);
     if (!made.ok) {
       this.message(engine.reason(made));
       return null;
     }
-    if (typeof named === "string" && !plan) this.message(texts.save.noPlan(named));
+    if (missing !== undefined) this.message(texts.save.noPlan(missing));
     return made.html;
   }
 
-  private report(): string | null {
-    return this.handover(({ text, command, units }, name, plan) => engine.report(text, name, command, units, plan));
+  /** As the program makes it: of a reconstruction with ranges it has the errors of the method, which take a while. */
+  private async report(): Promise<string | null> {
+    const { solved } = this;
+    const isQuick = !solved?.look.ok || solved.command !== "reconstruct" || !solved.check.commands.uncertainty?.able;
+    if (isQuick) return this.handover(({ text, command, units }, name, plan) => engine.report(text, name, command, units, plan));
+    const { plan, missing } = this.plan(solved);
+    const bar = h("progress", { max: 1, "aria-label": texts.run.progress });
+    const content = await new Promise<string | null>((resolve) => {
+      const end = (made: string | null) => {
+        this.completing.end();
+        this.wait(null);
+        resolve(made);
+      };
+      this.wait(texts.save.completing, () => end(null), bar);
+      this.completing.start({ kind: "reconstruct", text: solved.text, name: solved.name, units: solved.units, options: {} }, {
+        progress: (_, done, total) => {
+          bar.max = Math.max(total, 1);
+          bar.value = done;
+        },
+        answer: (answer) => {
+          if (!answer.ok) end(this.refused(new Error(answer.message)));
+        },
+        pictures: () => void this.completing.file("html", { plan })?.then(end, (error: unknown) => end(this.refused(error))),
+      });
+    });
+    if (content !== null && missing !== undefined) this.message(texts.save.noPlan(missing));
+    return content;
   }
 
-  private saveLive(): void {
-    const live = this.handover(({ text, command, units }, name, plan) => engine.live(emptyPage(), text, name, command, units, plan));
+  private async saveLive(): Promise<void> {
+    this.solveSoon.flush();
+    const { solved } = this;
+    const live = solved?.weighs
+      ? await this.weighed(solved, "html", emptyPage())
+      : this.handover(({ text, command, units }, name, plan) => engine.live(emptyPage(), text, name, command, units, plan));
     if (live !== null) download(`${this.stem}-live.html`, live, "text/html");
   }
 

@@ -52,6 +52,14 @@ export function markup(element: Element, html: string): void {
   element.innerHTML = html;
 }
 
+/** Shows a dialog over the page, until it is closed or something beside it is pressed. */
+export function showDialog(dialog: HTMLDialogElement): void {
+  dialog.addEventListener("close", () => dialog.remove());
+  dialog.addEventListener("click", (event) => event.target === dialog && dialog.close());
+  document.body.append(dialog);
+  dialog.showModal();
+}
+
 let ids = 0;
 
 /** An identifier that no other element has. */

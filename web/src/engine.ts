@@ -1,6 +1,7 @@
 // The engine: the only file of the page that calls the WebAssembly. What goes in is the text of a case file, what
 // comes out is what the engine says of it. Places are offsets into that text, as JavaScript counts them.
 import * as wasm from "../pkg/deltav_web.js";
+import { unpack } from "./packed.js";
 
 export type Units = "si" | "us" | "uk" | "";
 export type Command =
@@ -204,8 +205,8 @@ let hash: Promise<string> | undefined;
 
 /** The engine that stands in the page, as it comes out of its wrapping. */
 function unpacked(): Response {
-  const packed = document.getElementById("deltav-engine")?.textContent ?? "";
-  const stream = new Blob([bytesOf(packed)]).stream().pipeThrough(new DecompressionStream("gzip"));
+  const packed = document.getElementById("deltav-engine");
+  const stream = new Blob([unpack(packed?.textContent ?? "", Number(packed?.dataset.bytes))]).stream().pipeThrough(new DecompressionStream("gzip"));
   return new Response(stream, { headers: { "content-type": "application/wasm" } });
 }
 

@@ -4,7 +4,7 @@ import { h, markup, unique } from "./dom.js";
 import * as engine from "./engine.js";
 import type { Check, Field, Group, Problem } from "./engine.js";
 import { label, nameOf, root } from "./keys.js";
-import { inForm, said } from "./said.js";
+import { inForm, inWords, said } from "./said.js";
 import { texts } from "./texts/en.js";
 import { type Value, readValue, splitUnit, writeValue } from "./toml.js";
 
@@ -260,6 +260,7 @@ function explanation(field: Field): HTMLElement[] {
   if (!("html" in words)) return [meaning];
   const glossary = h("div");
   markup(glossary, words.html);
+  inWords(glossary);
   return [meaning, glossary];
 }
 

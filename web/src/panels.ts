@@ -3,7 +3,7 @@ import { h, markup, s } from "./dom.js";
 import * as engine from "./engine.js";
 import type { Command } from "./engine.js";
 import { nameOf } from "./keys.js";
-import { said } from "./said.js";
+import { inWords, said } from "./said.js";
 import { figure } from "./pictures.js";
 import { type FileKind, type Finished, type Job, type Picture, Runner, type Unfinished } from "./runs.js";
 import type { Solved } from "./solved.js";
@@ -45,6 +45,7 @@ function cannot(element: HTMLElement, solved: Solved, command: Command): boolean
 function document_(html: string): HTMLElement {
   const element = h("div", { class: "document" });
   markup(element, html);
+  inWords(element);
   // Tables that are wider than the panel are scrolled, by the keyboard as well.
   for (const table of element.querySelectorAll("table")) {
     const title = table.querySelector("caption")?.textContent ?? texts.panels.table;
@@ -64,7 +65,7 @@ export class Results implements Panel {
       this.element.replaceChildren(note(solved.answer ? engine.reason(solved.answer) : texts.panels.problems));
       return;
     }
-    this.element.replaceChildren(document_(solved.answer.html));
+    this.element.replaceChildren(document_(solved.weighed?.html ?? solved.answer.html));
   }
 }
 
@@ -92,6 +93,12 @@ export class Drawings implements Panel {
       const drawn = engine.draw(solved.text, what, solved.units);
       if (drawn.ok) figures.push(figure(what, drawn.title, drawn.svg));
     }
+    const plain = solved.weighs ? (solved.weighed?.plain ?? []) : ["plain-scene", "plain-motion"].flatMap((what) => {
+      const drawn = engine.draw(solved.text, what, solved.units);
+      return drawn.ok ? [{ name: what, title: drawn.title, svg: drawn.svg }] : [];
+    });
+    if (plain.length > 0) figures.push(h("h2", {}, texts.panels.plain), ...plain.map(({ name, title, svg }) => figure(name, title, svg)));
+    else if (solved.weighs && !solved.weighed) figures.push(note(texts.panels.plainLater));
     this.element.replaceChildren(...(figures.length > 0 ? figures : [note(texts.panels.noDrawings)]));
   }
 }
@@ -150,6 +157,9 @@ export class Compare implements Panel {
   }
 }
 
+/** (rows) as the program takes of itself; each is solved once for every input, and twice more. */
+const INDEX_ROWS = 4096;
+
 /** A computation that takes its time, with its progress and a button that ends it. */
 export class Run implements Panel {
   readonly element = h("div", { class: "run" });
@@ -157,6 +167,7 @@ export class Run implements Panel {
   private readonly samples = h("select", {}, ...[1_000, 10_000, 20_000, 100_000, 1_000_000].map((count) => h("option", { value: count }, count.toLocaleString("en"))));
   private readonly seed = h("input", { type: "number", class: "number short", value: 1, min: 0, step: 1 });
   private readonly method = h("select", {}, ...texts.run.methods.map(([value, name]) => h("option", { value }, name)));
+  private readonly indices = h("input", { type: "checkbox" });
   private readonly prior = h("select", {}, ...texts.run.priors.map(([value, name]) => h("option", { value }, name)));
   private readonly particles = h("select", {}, ...[128, 256, 1_024, 4_096].map((count) => h("option", { value: count }, count.toLocaleString("en"))));
   private readonly quantity = h("select", {}, ...texts.run.quantities.map(([value, name]) => h("option", { value }, name)));
@@ -188,7 +199,8 @@ export class Run implements Panel {
     this.particles.value = "256";
     const labelled = (words: string, control: HTMLElement) => h("label", {}, words, " ", control);
     const settings = kind === "uncertainty"
-      ? [labelled(texts.run.samples, this.samples), labelled(texts.run.method, this.method)]
+      ? [labelled(texts.run.samples, this.samples), labelled(texts.run.method, this.method),
+        h("label", { class: "check", title: texts.run.indicesHelp }, this.indices, " ", texts.run.indices)]
       : [labelled(texts.run.prior, this.prior), labelled(texts.run.particles, this.particles),
         h("span", { class: "above" }, labelled(texts.run.above, this.quantity), ` ${texts.run.isAbove} `, this.limit)];
     this.saving = savers(texts.viewTabs[kind] ?? "", ["html", "json", "csv", "txt"], save);
@@ -243,6 +255,7 @@ export class Run implements Panel {
     if (this.kind === "uncertainty") {
       options.samples = Number(this.samples.value);
       options.method = this.method.value;
+      if (this.indices.checked) options.indices = INDEX_ROWS;
     } else {
       options.particles = Number(this.particles.value);
       if (this.prior.value !== "") options.prior = this.prior.value;
@@ -411,7 +424,9 @@ export function warnings(list: engine.Warning[], lead: (key: string) => void): H
           explanation.hidden = !explanation.hidden;
           ask.setAttribute("aria-expanded", String(!explanation.hidden));
           const words = engine.explain(warning.code);
-          if ("html" in words && explanation.childNodes.length === 0) markup(explanation, words.html);
+          if (!("html" in words) || explanation.childNodes.length > 0) return;
+          markup(explanation, words.html);
+          inWords(explanation);
         },
       }, texts.warnings.explain);
       return h("li", {},

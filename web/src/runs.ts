@@ -1,27 +1,34 @@
 // Runs in a worker: one at a time for each `Runner`, and each can be ended.
 import * as engine from "./engine.js";
 import type { Problem, Units } from "./engine.js";
+import { texts } from "./texts/en.js";
 import Work from "./worker.js?worker&inline";
 
 export interface Job {
-  kind: "uncertainty" | "estimate";
+  kind: "uncertainty" | "estimate" | "reconstruct";
   text: string;
   name: string;
   units: Units;
-  options: { samples?: number; seed?: number; pieces?: boolean; method?: string; particles?: number; prior?: string; above?: string[] };
+  options: { samples?: number; seed?: number; method?: string; indices?: number; particles?: number; prior?: string; above?: string[] };
 }
 
 /** The files that a run can be saved as; of its samples or draws `csv`. */
 export type FileKind = "html" | "json" | "csv" | "txt";
 
-export type ToWorker = { module: WebAssembly.Module; job: Job } | { file: FileKind };
+/** What a file is made with besides: the picture that the case names, and the page that a report is put into. */
+export interface With {
+  plan?: Uint8Array | undefined;
+  page?: string | undefined;
+}
+
+export type ToWorker = { module: WebAssembly.Module; job: Job } | { file: FileKind; besides: With };
 
 /** The answer of a run comes before its pictures, which take a while to make. */
 export type FromWorker =
   | { kind: "progress"; counted: string; done: number; total: number }
   | { kind: "answer"; answer: string; milliseconds: number; isLast: boolean }
   | { kind: "pictures"; pictures: string; isLast: boolean }
-  | { kind: "file"; content: string }
+  | { kind: "file"; content: string; refused: string }
   | { kind: "failed"; message: string };
 
 export interface Finished {
@@ -54,7 +61,7 @@ export interface Listener {
 export class Runner {
   private worker: Worker | null = null;
   private works = false;
-  private waiting: ((content: string) => void) | null = null;
+  private waiting: { done: (content: string) => void; failed: (error: Error) => void } | null = null;
 
   get busy(): boolean {
     return this.works;
@@ -65,16 +72,17 @@ export class Runner {
     this.worker?.terminate();
     this.worker = null;
     this.works = false;
+    this.waiting?.failed(new Error(texts.save.ended));
     this.waiting = null;
   }
 
-  /** A file of what has run; nothing where that was ended. */
-  file(kind: FileKind): Promise<string> | null {
+  /** A file of what has run; nothing where that was ended. It fails with why there is none. */
+  file(kind: FileKind, besides: With = {}): Promise<string> | null {
     const { worker } = this;
     if (!worker || this.works || this.waiting) return null;
-    return new Promise((done) => {
-      this.waiting = done;
-      worker.postMessage({ file: kind } satisfies ToWorker);
+    return new Promise((done, failed) => {
+      this.waiting = { done, failed };
+      worker.postMessage({ file: kind, besides } satisfies ToWorker);
     });
   }
 
@@ -93,7 +101,8 @@ export class Runner {
       else if (data.kind === "failed") failed(data.message);
       else if (data.kind === "answer") listener.answer(JSON.parse(data.answer) as Finished | Unfinished, data.milliseconds, data.isLast);
       else if (data.kind === "file") {
-        this.waiting?.(data.content);
+        if (data.refused === "") this.waiting?.done(data.content);
+        else this.waiting?.failed(new Error(data.refused));
         this.waiting = null;
       } else {
         if (data.isLast) this.works = false;

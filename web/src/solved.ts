@@ -1,11 +1,14 @@
 // What the engine says of the text as it is now. What is seen at once is there; the rest is asked for when somebody
 // looks at it.
 import * as engine from "./engine.js";
+import type { Picture } from "./runs.js";
 import type { Answer, Check, Command, Look, NoAnswer, Problem, Refused, Units } from "./engine.js";
 
 export class Solved {
   private checked: Check | undefined;
   private answered: Answer | NoAnswer | undefined;
+  /** What came of weighing all the evidence, once that is done. */
+  weighed: { html: string; plain: Picture[] } | null = null;
 
   constructor(
     readonly text: string,
@@ -21,6 +24,11 @@ export class Solved {
 
   get problems(): Problem[] {
     return this.look.ok ? [] : this.look.problems;
+  }
+
+  /** The case has more evidence than its exact solution uses: all of it, weighed, is the answer. */
+  get weighs(): boolean {
+    return this.look.ok && this.look.weigh && this.look.command === "reconstruct";
   }
 
   /** What the file says, key by key. */

@@ -1,6 +1,7 @@
 // What takes long, away from the page: samples and estimates. The page ends it by ending the worker.
 import { Run, initSync } from "../pkg/deltav_web.js";
-import type { FromWorker, ToWorker } from "./runs.js";
+import { type Report, reason } from "./engine.js";
+import type { FileKind, FromWorker, ToWorker, With } from "./runs.js";
 
 /** How many samples are told before the rest, where there are more. */
 const FIRST = 100_000;
@@ -9,10 +10,21 @@ const say = (message: FromWorker): void => self.postMessage(message);
 
 let ran: Run | null = null;
 
+/** A file of a run; throws why there is none. */
+function file(run: Run, kind: FileKind, { plan, page }: With): string {
+  if (kind !== "html") return { json: () => run.json(), csv: () => run.samples(), txt: () => run.text() }[kind]();
+  const made = JSON.parse(page === undefined ? run.html(plan) : run.live(page, plan)) as Report;
+  if (!made.ok) throw new Error(reason(made));
+  return made.html;
+}
+
 self.addEventListener("message", ({ data }: MessageEvent<ToWorker>) => {
   if ("file" in data) {
-    const content = ran ? { html: () => ran?.html(), json: () => ran?.json(), csv: () => ran?.samples(), txt: () => ran?.text() }[data.file]() : "";
-    say({ kind: "file", content: content ?? "" });
+    try {
+      say({ kind: "file", content: ran ? file(ran, data.file, data.besides) : "", refused: "" });
+    } catch (error) {
+      say({ kind: "file", content: "", refused: error instanceof Error ? error.message : String(error) });
+    }
     return;
   }
   const { module, job } = data;
@@ -31,11 +43,11 @@ self.addEventListener("message", ({ data }: MessageEvent<ToWorker>) => {
     ran = run;
     // Of many samples some are told first: who ends the run has these.
     const { samples = 0 } = job.options;
-    const first = samples > FIRST ? [{ ...job.options, samples: FIRST }] : [];
+    const first = samples > FIRST ? [{ ...job.options, samples: FIRST, indices: undefined }] : [];
     for (const options of [...first, job.options]) {
       const begun = performance.now();
       const given = [job.text, job.name, job.units, JSON.stringify(options), progress] as const;
-      const answer = job.kind === "uncertainty" ? run.uncertainty(...given) : run.estimate(...given);
+      const answer = run[job.kind](...given);
       const isLast = options === job.options;
       say({ kind: "answer", answer, milliseconds: performance.now() - begun, isLast });
       say({ kind: "pictures", pictures: run.pictures(), isLast });

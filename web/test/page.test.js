@@ -1,12 +1,12 @@
 import assert from "node:assert/strict";
 import { createHash } from "node:crypto";
-import { readFileSync, statSync, writeFileSync } from "node:fs";
+import { readFileSync, readdirSync, statSync, writeFileSync } from "node:fs";
 import { createServer } from "node:http";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { after, test } from "node:test";
 
-import { PAGE, QUICK, caseText, close, firstResult, fixture, fromMenu, measured, median, open, openCase, program, saved } from "./browser.js";
+import { PAGE, QUICK, ROOT, caseText, close, firstResult, fixture, fromMenu, loop, measured, median, open, openCase, program, saved, slowness } from "./browser.js";
 
 after(close);
 
@@ -32,9 +32,10 @@ onPage("the paper's example: 51.16 mph, within a second of opening", async (page
   assert.equal(await firstResult(page), "51.16 mph");
   assert.match(await page.locator(".result.first").innerText(), /75\.03 ft\/s/);
   const after = (mark) => page.evaluate((mark) => performance.getEntriesByName(mark)[0].startTime, mark);
-  measured(t, "first answer after", await after("deltav-answer"), 1000, "ms");
+  const slow = slowness([await loop(page), await loop(page)]);
+  measured(t, "first answer after", await after("deltav-answer"), 1000, "ms", slow);
   // The form follows.
-  measured(t, "all of the page after", await after("deltav-ready"), 1500, "ms");
+  measured(t, "all of the page after", await after("deltav-ready"), 1500, "ms", slow);
 });
 
 /** Drags a handle of the scene by some pixels, in steps. */
@@ -183,10 +184,10 @@ onPage("the report, JSON and CSV are those of the program, byte for byte", async
       await page.locator("#units").selectOption(units);
       const report = await fromMenu(page, "Save the report (HTML)");
       assert.equal(report.name, name.replace(".toml", ".html"));
-      assert.ok(report.bytes.equals(program(name, text, "reconstruct", "--exact", "--format", "html", "--units", units)), `${name} ${units}`);
+      assert.ok(report.bytes.equals(program(name, text, "reconstruct", "--format", "html", "--units", units)), `${name} ${units}`);
       for (const format of ["JSON", "CSV"]) {
         const file = await fromMenu(page, `Save the results as ${format}`);
-        const expected = program(name, text, "reconstruct", "--exact", "--format", format.toLowerCase(), "--units", units);
+        const expected = program(name, text, "reconstruct", "--format", format.toLowerCase(), "--units", units);
         assert.equal(file.bytes.toString(), expected.toString(), `${name} ${units} ${format}`);
       }
     }
@@ -242,7 +243,8 @@ onPage("a report that can be asked opens with its case, and both hashes hold", a
   // The case has ranges: the interval comes when the hand rests.
   await page.locator(".result.interval").first().waitFor();
   const answer = await firstResult(page);
-  const report = await fromMenu(page, "Save the report (HTML)");
+  // The report in it is that of the program, without the errors of the method, which take a while.
+  const report = { bytes: program("rear-end.toml", fixture("rear-end.toml"), "reconstruct", "--exact", "--format", "html") };
   const live = await fromMenu(page, "Save a report that can be asked");
   // It is the page with its slot filled, and nothing else.
   const slot = /(<script type="application\/json" id="deltav-live">)([^<]*)(<\/script>)/;
@@ -330,7 +332,7 @@ onPage("a drag is answered at the display's rate", async (page, t) => {
   }
   const times = await page.evaluate(() => performance.getEntriesByName("deltav-drag").map((entry) => entry.duration));
   assert.ok(times.length > 30, `${times.length} answers`);
-  measured(t, `median of ${times.length} answers to a drag`, median(times), 16, "ms");
+  measured(t, `median of ${times.length} answers to a drag`, median(times), 16, "ms", slowness([await loop(page), await loop(page)]));
 });
 
 onPage("a hundred thousand samples", async (page, t) => {
@@ -338,14 +340,16 @@ onPage("a hundred thousand samples", async (page, t) => {
   await page.getByRole("tab", { name: "Uncertainty" }).click();
   const panel = page.locator(".run:visible");
   await panel.locator(".run-controls select").first().selectOption("100000");
-  const times = [];
-  for (let time = 0; time < (QUICK ? 2 : 5); time += 1) {
+  const [times, loops] = [[], []];
+  // The best of several, beside a fixed piece of work: another program takes its time from both.
+  for (let time = 0; time < (QUICK ? 2 : 7); time += 1) {
+    loops.push(await loop(page));
     await panel.evaluate((element) => delete element.dataset.milliseconds);
     await panel.getByRole("button", { name: "Run" }).click();
     await page.waitForFunction(() => document.querySelector(".panel:not([hidden]) .run")?.dataset.milliseconds);
     times.push(Number(await panel.getAttribute("data-milliseconds")));
   }
-  measured(t, "100,000 samples", Math.min(...times), 100, "ms");
+  measured(t, "100,000 samples", Math.min(...times), 100, "ms", slowness(loops));
 });
 
 /** A picture to lay beneath the scene: the scene itself, as the page saves it. */
@@ -398,7 +402,7 @@ onPage("a photo lies beneath the scene, to the scale of two points, and changes 
   // Handles are not moved with it, and nothing of it is in the case.
   assert.equal(await caseText(page), text);
   const report = await fromMenu(page, "Save the report (HTML)");
-  assert.ok(report.bytes.equals(program("sae-980025.toml", text, "reconstruct", "--exact", "--format", "html")));
+  assert.ok(report.bytes.equals(program("sae-980025.toml", text, "reconstruct", "--format", "html")));
   await page.getByRole("button", { name: "Remove", exact: true }).click();
   assert.equal(await picture.isVisible(), false);
 });
@@ -845,3 +849,165 @@ onPage("a number that is typed in one go is one step of the history", async (pag
   await page.getByRole("button", { name: "Undo" }).click();
   assert.equal(await caseText(page), before);
 });
+
+/** A case of the list of templates, in metric units, as the page writes it. */
+async function template(page, name) {
+  await page.getByRole("button", { name: "New case…" }).click();
+  await page.locator("#template-units").selectOption("si");
+  const names = await page.evaluate(() => [...document.querySelectorAll(".card")].map((card) => card.dataset.name));
+  await page.locator(".card").nth(names.indexOf(name)).click();
+  await page.waitForFunction((name) => document.querySelector(".file-name").value === `${name}.toml`, name);
+  return caseText(page);
+}
+
+onPage("a case whose evidence is weighed is saved as it stands on the screen, in every kind", async (page) => {
+  const text = await template(page, "intersection");
+  const name = "intersection.toml";
+  assert.match(await page.locator(".headline").innerText(), /All of it is being weighed/);
+  // Asked for before the answer is there, the report follows it.
+  const report = await fromMenu(page, "Save the report (HTML)");
+  assert.equal(report.name, "intersection.html");
+  assert.equal(report.bytes.toString(), program(name, text, "reconstruct", "--format", "html").toString());
+  const value = await firstResult(page);
+  const more = await page.locator(".result.first .result-more").innerText();
+  assert.match(more, /95 %/);
+  assert.ok(report.bytes.toString().includes(value), value);
+  const json = await fromMenu(page, "Save the results as JSON");
+  assert.equal(json.bytes.toString(), program(name, text, "reconstruct", "--format", "json").toString());
+  const words = await fromMenu(page, "Save the results as text");
+  assert.ok(words.bytes.toString().includes(value));
+  const draws = await fromMenu(page, "Save the results as CSV");
+  assert.ok(draws.bytes.toString().split("\n").length > 1000);
+  // The tables and the drawings have it, too.
+  await page.getByRole("tab", { name: "Results", exact: true }).click();
+  assert.ok((await page.locator(".panel:visible .document").innerText()).includes(value));
+  const live = await fromMenu(page, "Save a report that can be asked");
+  const slot = /<script type="application\/json" id="deltav-live">([^<]*)<\/script>/.exec(live.bytes.toString())[1];
+  assert.ok(Buffer.from(JSON.parse(slot).report_base64, "base64").equals(report.bytes));
+  // What is saved names the file as it is called now.
+  await page.locator(".file-name").fill("crossing.toml");
+  await page.locator(".file-name").press("Enter");
+  const renamed = await fromMenu(page, "Save the report (HTML)");
+  assert.equal(renamed.bytes.toString(), program("crossing.toml", text, "reconstruct", "--format", "html").toString());
+});
+
+onPage("what is waited for can be ended, and a change of the case ends it", async (page) => {
+  await template(page, "intersection");
+  const wait = async () => {
+    await page.locator(".menu > summary").click();
+    await page.getByRole("button", { name: "Save the report (HTML)", exact: true }).click();
+    await page.locator(".working").waitFor();
+  };
+  await wait();
+  await page.locator(".working").getByRole("button", { name: "End" }).click();
+  await page.locator(".working").waitFor({ state: "hidden" });
+  await page.locator('[data-key="vehicle1.mass"] input').first().fill("1500");
+  await wait();
+  await page.locator('[data-key="vehicle1.mass"] input').first().fill("1501");
+  await page.locator(".working").waitFor({ state: "hidden" });
+});
+
+onPage("plain drawings are those of the program", async (page) => {
+  const name = "sae-980025.toml";
+  await page.getByRole("tab", { name: "Drawings", exact: true }).click();
+  await page.getByRole("heading", { name: "For readers who are no engineers" }).waitFor();
+  const plain = async () => (await saved(page, () => page.locator("h2 ~ .drawing").first().getByRole("button", { name: /^Save SVG/ }).click())).bytes.toString();
+  const bare = (svg) => svg.replaceAll(/(id="|url\(#|href="#|aria-labelledby=")[^")]*/g, "$1").trim();
+  assert.equal(bare(await plain()), bare(program(name, fixture(name), "draw", "--what", "scene", "--plain").toString()));
+  // Where all evidence is weighed, they have its speeds.
+  const text = await template(page, "intersection");
+  await page.locator("h2 ~ .drawing").first().waitFor({ timeout: 120_000 });
+  assert.equal(bare(await plain()), bare(program("intersection.toml", text, "draw", "--what", "scene", "--plain").toString()));
+});
+
+onPage("Sobol' indices are computed where they are asked for", async (page) => {
+  const name = "wide-ranges.toml";
+  const text = fixture(name);
+  await openCase(page, name, text);
+  await page.getByRole("tab", { name: "Uncertainty", exact: true }).click();
+  const panel = page.locator(".run:visible");
+  await panel.locator(".run-controls select").first().selectOption("1000");
+  await panel.getByLabel("Sobol' indices").check();
+  await panel.getByRole("button", { name: "Run" }).click();
+  const json = await saved(page, () => page.getByRole("button", { name: "Save Uncertainty as JSON" }).click());
+  assert.equal(json.bytes.toString(), program(name, text, "uncertainty", "--samples", "1000", "--sobol", "--format", "json").toString());
+});
+
+onPage("no view speaks of commands, options, TOML or keys", async (page) => {
+  const said = /deltav (?:reconstruct|impact|motion|crush|estimate|uncertainty|sensitivity|compare|check|draw|explain|new|table|validate)|--[a-z]|`|\[(?:vehicle[12]|impact|reconstruct|scene|surface)\]|\b[a-z_]+ = ["{]|\bvehicle[12]\.[a-z]/;
+  const look = async (where) => {
+    for (const tab of ["Results", "Sensitivity", "Compare", "Uncertainty", "Estimate", "Inputs"]) {
+      await page.getByRole("tab", { name: tab, exact: true }).click();
+      const more = page.locator(".panel:visible details.more > summary");
+      if (await more.count()) await more.first().click();
+      const words = await page.locator(".panel:visible").last().innerText();
+      assert.doesNotMatch(words, said, `${where}, ${tab}: ${said.exec(words)?.index !== undefined ? words.slice(Math.max(said.exec(words).index - 80, 0), said.exec(words).index + 80) : ""}`);
+    }
+    const above = await page.locator("#answer").innerText();
+    assert.doesNotMatch(above, said, `${where}: ${above}`);
+  };
+  const files = readdirSync(join(ROOT, "fixtures"), { recursive: true }).filter((name) => name.endsWith(".toml"));
+  for (const name of QUICK ? files.filter((_, place) => place % 8 === 0) : files) {
+    await openCase(page, name.split("/").pop(), fixture(name));
+    await page.waitForTimeout(150);
+    if (await page.locator(".warned > summary").count()) {
+      await page.locator(".warned > summary").click();
+      for (const ask of await page.locator(".warnings .leads button[aria-expanded]").all()) await ask.click();
+      const above = await page.locator("#answer").innerText();
+      assert.doesNotMatch(above, said, `${name}: ${above}`);
+      await page.keyboard.press("Escape");
+    }
+    await look(name);
+  }
+  await page.getByRole("button", { name: "New case…" }).click();
+  const names = await page.evaluate(() => [...document.querySelectorAll(".card")].map((card) => card.dataset.name));
+  await page.getByRole("button", { name: "Close" }).click();
+  for (const name of QUICK ? names.slice(0, 2) : names) {
+    await template(page, name);
+    await look(name);
+  }
+});
+
+onPage("an explanation that is spoken of is a press away", async (page) => {
+  await page.getByRole("tab", { name: "Inputs", exact: true }).click();
+  await openCase(page, "barrier.toml", fixture("barrier.toml"));
+  await page.getByRole("button", { name: "the explanation of “two unknown speeds”" }).first().click();
+  const dialog = page.locator("dialog");
+  assert.match(await dialog.innerText(), /speed/);
+  await dialog.getByRole("button", { name: "Close" }).click();
+  assert.equal(await dialog.count(), 0);
+});
+
+for (const viewport of [{ width: 1280, height: 800 }, { width: 375, height: 700 }]) {
+  onPage(`the scene keeps its place in a drag through a case without an answer, at ${viewport.width} px`, async (page) => {
+    await page.getByRole("button", { name: "Got it" }).click();
+    // Between warnings that are open, errors and none.
+    if (await page.locator(".warned > summary").count()) await page.locator(".warned > summary").click();
+    const place = () => page.locator(".stage").evaluate((stage) => {
+      const { x, y, width, height } = stage.getBoundingClientRect();
+      return [x, y + window.scrollY, width, height].map((number) => Math.round(100 * number) / 100);
+    });
+    const at = await place();
+    const knob = page.locator('[data-handle^="plane"]').first();
+    await knob.scrollIntoViewIfNeeded();
+    const box = await knob.boundingBox();
+    const centre = await page.locator("#scene-contact").boundingBox();
+    const [cx, cy] = [centre.x + centre.width / 2, centre.y + centre.height / 2];
+    const [dx, dy] = [box.x + box.width / 2 - cx, box.y + box.height / 2 - cy];
+    await page.mouse.move(cx + dx, cy + dy);
+    await page.mouse.down();
+    const seen = new Set();
+    for (let turn = 0; turn <= 72; turn += 1) {
+      const [cos, sin] = [Math.cos((turn * Math.PI) / 36), Math.sin((turn * Math.PI) / 36)];
+      await page.mouse.move(cx + cos * dx - sin * dy, cy + sin * dx + cos * dy);
+      await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
+      seen.add((await page.locator(".state .error").count()) > 0 ? "error" : (await page.locator(".state .warned").count()) > 0 ? "warned" : "calm");
+      assert.deepEqual(await place(), at, `${turn}: ${await page.locator(".state").innerText()}`);
+    }
+    await page.mouse.move(cx - dx, cy - dy);
+    await page.mouse.up();
+    await page.waitForTimeout(500);
+    assert.deepEqual(await place(), at);
+    assert.ok(seen.has("error") && seen.size > 1, [...seen].join());
+  }, { viewport });
+}

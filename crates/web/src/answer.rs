@@ -2,7 +2,7 @@
 
 use std::ops::ControlFlow;
 
-use analysis::{Analysis, Beside, Comparison, Failure, Sensitivity, Sweep};
+use analysis::{Analysis, Beside, Comparison, Estimated, Failure, Sensitivity, Sweep, Weighed};
 use case::{Case, Purpose};
 use pim_core::VehicleId;
 use report::{Answer, Csv, CsvStyle, Document, Row, Supplements, Table, Units};
@@ -163,27 +163,42 @@ pub(crate) fn report(text: &str, name: &str, command: &str, units: &str, plan: O
     }))
 }
 
-/// The report to hand over, as the program makes it; `plan` is the picture that the case names.
+/// The report to hand over, of the exact solution; `plan` is the picture that the case names.
 fn handover(given: &Given, command: &str, plan: Option<Vec<u8>>) -> Result<Document, Refused> {
-    let Given { file, units } = given;
     let (_, analysis) = analysis(given, command)?;
-    let beside = analysis::beside(&file.case, &analysis, &mut |_, _, _| ControlFlow::Continue(()));
+    handed_over(given, &analysis, Known::default(), plan)
+}
+
+/// What is known of a case besides its exact solution.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Known<'a> {
+    /// All the evidence, where it leads the report.
+    pub(crate) weighed: Option<&'a Weighed>,
+    /// The intervals with the errors of the method, where the exact solution leads.
+    pub(crate) estimated: Option<&'a Estimated>,
+}
+
+/// The report to hand over, as the program makes it.
+pub(crate) fn handed_over(
+    given: &Given,
+    analysis: &Analysis,
+    known: Known<'_>,
+    plan: Option<Vec<u8>>,
+) -> Result<Document, Refused> {
+    let Given { file, units } = given;
+    let beside = analysis::beside(&file.case, analysis, &mut |_, _, _| ControlFlow::Continue(()));
     let Beside { uncertainty, sensitivity } = given.answered(beside)?;
     let validation = validate(&Data::built_in()).map_err(|error| Refused::message(error.to_string()))?;
-    let site_plan = match plan {
-        Some(picture) => report::site_plan_of(&file.case, picture)
-            .map_err(|error| Refused::message(format!("the site plan: {error}")))?,
-        None => None,
-    };
+    let site_plan = picture::site_plan(&file.case, plan)?;
     let supplements = Supplements {
         uncertainty: uncertainty.as_ref(),
         sensitivity: sensitivity.as_ref(),
         validation: Some(&validation),
         site_plan: site_plan.as_ref(),
-        weighed: None,
-        estimated: None,
+        weighed: known.weighed,
+        estimated: known.estimated,
     };
-    let document = report::handover(file, &analysis, supplements, *units);
+    let document = report::handover(file, analysis, supplements, *units);
     document.map_err(|error| Refused::message(error.to_string()))
 }
 
@@ -197,8 +212,12 @@ pub(crate) fn live(
 ) -> Value {
     made(Given::read(text, Some(name), units).and_then(|given| {
         let document = handover(&given, command, plan)?;
-        let live = report::live(page, &document.html(), &given.file);
-        let html = live.map_err(|error| Refused::message(error.to_string()))?;
-        Ok(json!({ "ok": true, "html": html }))
+        Ok(json!({ "ok": true, "html": alive(page, &document, &given)? }))
     }))
+}
+
+/// The page with a report in it.
+pub(crate) fn alive(page: &str, document: &Document, given: &Given) -> Result<String, Refused> {
+    let live = report::live(page, &document.html(), &given.file);
+    live.map_err(|error| Refused::message(error.to_string()))
 }

@@ -104,7 +104,8 @@ pub fn look(text: &str, command: &str, units: &str, what: &str, viewport: &str) 
 }
 
 /// A drawing of an answer: `what` is `scene`, `motion`, `motion-curves`, `momentum`, `damage`,
-/// `reconciliation` or `energy`. `{ ok: true, svg, title, description }`, or `{ ok: false, problems,
+/// `reconciliation` or `energy`, or `plain-scene` or `plain-motion` for readers who are no engineers; without
+/// speeds where an exact solution is not the answer. `{ ok: true, svg, title, description }`, or `{ ok: false, problems,
 /// message }`.
 #[wasm_bindgen]
 #[must_use]
@@ -250,17 +251,39 @@ impl Run {
         self.run(run::estimate, [text, name, units, options], progress)
     }
 
+    /// An exact solution with what its report has beside it, as `deltav reconstruct`: all the evidence
+    /// weighed, where the case has more than that solution uses; the errors of the method, where it has
+    /// ranges. `options` is `{ method }`: `false` leaves out the second, which takes as long as the first.
+    /// As [`uncertainty`](Self::uncertainty).
+    pub fn reconstruct(
+        &mut self,
+        text: &str,
+        name: &str,
+        units: &str,
+        options: &str,
+        progress: &js_sys::Function,
+    ) -> String {
+        self.run(run::reconstruct, [text, name, units, options], progress)
+    }
+
     /// The pictures of the last run: `[{ name, output, title, svg }]`; none of an estimate that has not
-    /// converged.
+    /// converged, of a reconstruction the plain ones.
     #[must_use]
     pub fn pictures(&self) -> String {
         serde_json::Value::from(self.of(run::Ran::pictures)).to_string()
     }
 
-    /// The last run as a page of its own, byte for byte the HTML of the program.
+    /// The last run as a page of its own, byte for byte the HTML of the program: `{ ok: true, html }`, or `{
+    /// ok: false, problems, message }`. `plan` is that of [`report()`].
     #[must_use]
-    pub fn html(&self) -> String {
-        self.of(run::Ran::html)
+    pub fn html(&self, plan: Option<Vec<u8>>) -> String {
+        self.handed_over(|ran| ran.html(plan))
+    }
+
+    /// That put into the page `deltav.html`, whose text is `page`; answers as [`html`](Self::html).
+    #[must_use]
+    pub fn live(&self, page: &str, plan: Option<Vec<u8>>) -> String {
+        self.handed_over(|ran| ran.live(page, plan))
     }
 
     /// The last run as text, as the program prints it.
@@ -294,6 +317,12 @@ impl Run {
             Err(refused) => refused.json(),
         }
         .to_string()
+    }
+
+    fn handed_over(&self, make: impl FnOnce(&run::Ran) -> Result<String, given::Refused>) -> String {
+        let made = self.ran.as_ref().map(make);
+        let made = made.unwrap_or_else(|| Err(given::Refused::message("there is no run yet")));
+        given::made(made.map(|html| serde_json::json!({ "ok": true, "html": html }))).to_string()
     }
 
     /// Nothing where there is no run.

@@ -1,30 +1,57 @@
 //! Drawings.
 
-use analysis::Analysis;
+use analysis::{Analysis, Weighed};
 use case::{Case, Quantity};
-use report::{DrawingError, PlanBody, PlanView, Subject, Viewport};
+use report::{Drawing, DrawingError, PlanBody, PlanView, SitePlan, Subject, Viewport};
 use serde_json::{Value, json};
 
 use crate::given::{Given, Refused, made};
 
 pub(crate) fn draw(text: &str, what: &str, units: &str) -> Value {
     made(Given::read(text, None, units).and_then(|given| {
-        let subject = subject(what)?;
+        let (is_plain, subject) = match what.strip_prefix("plain-") {
+            Some(what) => (true, subject(what)?),
+            None => (false, subject(what)?),
+        };
         match subject.obstacle(&given.file.case) {
             None => {}
             Some(DrawingError::Analysis(failure)) => return given.answered(Err(failure)),
             Some(obstacle) => return Err(Refused::message(obstacle.to_string())),
         }
         let analysis = given.answered(subject.analysis(&given.file.case))?;
-        let drawing = report::drawing(&given.file, &analysis, given.units, subject);
+        let drawing = if is_plain {
+            plain(&given, &analysis, None, subject)
+        } else {
+            report::drawing(&given.file, &analysis, given.units, subject)
+        };
         let drawing = drawing.map_err(|error| Refused::message(error.to_string()))?;
         Ok(json!({
             "ok": true,
-            "svg": drawing.svg(),
+            "svg": if is_plain { drawing.svg_named(what) } else { drawing.svg() },
             "title": drawing.title(),
             "description": drawing.description(),
         }))
     }))
+}
+
+/// A drawing for readers who are no engineers: of the scene or of the motion.
+pub(crate) fn plain(
+    given: &Given,
+    analysis: &Analysis,
+    weighed: Option<&Weighed>,
+    subject: Subject,
+) -> Result<Drawing, DrawingError> {
+    let Given { file, units } = given;
+    match subject {
+        Subject::Motion => report::plain_motion(file, analysis, weighed, *units, None),
+        _ => report::plain_scene(file, analysis, weighed, *units),
+    }
+}
+
+/// The picture that the case names, where its bytes are given.
+pub(crate) fn site_plan(case: &Case, plan: Option<Vec<u8>>) -> Result<Option<SitePlan>, Refused> {
+    let Some(picture) = plan else { return Ok(None) };
+    report::site_plan_of(case, picture).map_err(|error| Refused::message(format!("the site plan: {error}")))
 }
 
 fn subject(what: &str) -> Result<Subject, Refused> {

@@ -1,17 +1,19 @@
-//! What takes long: uncertainty and estimate.
+//! What takes long: uncertainty, estimate, and a reconstruction with what its report has beside it.
 
 use std::cell::RefCell;
 use std::ops::ControlFlow;
 
-use analysis::{EstimatePlan, EstimateStage, Estimated, Plan, Stage, Uncertainty};
+use analysis::{Analysis, EstimatePlan, EstimateStage, Estimated, Plan, Stage, Uncertainty, Weighed};
 use case::Prior;
 use js_sys::Function;
-use report::{Asked, CsvStyle, Document, Drawing, Question};
+use report::{Asked, CsvStyle, Document, Drawing, Question, Subject};
 use serde_json::{Value, json};
 use uncertainty::{SamplingMethod, Settings};
 use wasm_bindgen::JsValue;
 
+use crate::answer::{self, Known};
 use crate::given::{Given, Refused};
+use crate::picture;
 
 /// Is told what is counted, how many are done and how many there are; whether to go on.
 pub(crate) type Progress<'a> = dyn FnMut(&str, usize, usize) -> bool + Send + 'a;
@@ -99,6 +101,17 @@ pub(crate) struct Ran {
 pub(crate) enum Drawn {
     Uncertainty(Box<Uncertainty>),
     Estimate(Box<Estimated>, Asked),
+    Reconstruction(Box<Reconstruction>),
+}
+
+/// An exact solution, and what a report has beside it.
+#[derive(Debug)]
+pub(crate) struct Reconstruction {
+    analysis: Analysis,
+    /// All the evidence, where the case has more than its exact solution uses.
+    weighed: Option<Weighed>,
+    /// The intervals with the errors of the method, where the exact solution is the answer.
+    estimated: Option<Estimated>,
 }
 
 impl Ran {
@@ -107,7 +120,19 @@ impl Ran {
         match &self.drawn {
             Drawn::Uncertainty(one) => report::uncertainty(&file.case, one, *units),
             Drawn::Estimate(one, asked) => report::estimate(&file.case, one, asked, *units),
+            Drawn::Reconstruction(one) => match &one.weighed {
+                Some(weighed) => report::weighed(&file.case, &one.analysis, weighed, *units),
+                None => report::results(&file.case, &one.analysis, *units),
+            },
         }
+    }
+
+    /// What is handed over; of a reconstruction the report with all drawings, `plan` being the picture that
+    /// the case names.
+    fn handed_over(&self, plan: Option<Vec<u8>>) -> Result<Document, Refused> {
+        let Drawn::Reconstruction(one) = &self.drawn else { return Ok(self.document()) };
+        let known = Known { weighed: one.weighed.as_ref(), estimated: one.estimated.as_ref() };
+        answer::handed_over(&self.given, &one.analysis, known, plan)
     }
 
     /// Draws that have not converged are no answer.
@@ -115,6 +140,7 @@ impl Ran {
         match &self.drawn {
             Drawn::Uncertainty(_) => true,
             Drawn::Estimate(one, _) => one.doubts().is_empty(),
+            Drawn::Reconstruction(one) => one.weighed.as_ref().is_none_or(Weighed::is_answer),
         }
     }
 
@@ -123,7 +149,7 @@ impl Ran {
         let document = self.document();
         let headline = match &self.drawn {
             Drawn::Uncertainty(one) => json!(report::uncertain_headline(one, self.given.units)),
-            Drawn::Estimate(..) => json!(document.headline()),
+            Drawn::Estimate(..) | Drawn::Reconstruction(_) => json!(document.headline()),
         };
         json!({
             "ok": true,
@@ -155,12 +181,28 @@ impl Ran {
                     has_converged.then(|| report::estimate_pictures(&file.case, one, asked, *units));
                 drawings.flatten().iter().map(|drawing| picture("estimate", "", drawing)).collect()
             }
+            // The exact solution is drawn at once; what it lacks are the speeds by all the evidence.
+            Drawn::Reconstruction(one) => {
+                let plain = |(name, subject)| {
+                    let drawing = picture::plain(&self.given, &one.analysis, one.weighed.as_ref(), subject);
+                    drawing.ok().map(|drawing| {
+                        json!({ "name": name, "output": "", "title": drawing.title(), "svg": drawing.svg_named(name) })
+                    })
+                };
+                let subjects = [("plain-scene", Subject::Scene), ("plain-motion", Subject::Motion)];
+                subjects.into_iter().filter_map(plain).collect()
+            }
         }
     }
 
     /// As a page of its own.
-    pub(crate) fn html(&self) -> String {
-        self.document().html()
+    pub(crate) fn html(&self, plan: Option<Vec<u8>>) -> Result<String, Refused> {
+        Ok(self.handed_over(plan)?.html())
+    }
+
+    /// That in the page `deltav.html`.
+    pub(crate) fn live(&self, page: &str, plan: Option<Vec<u8>>) -> Result<String, Refused> {
+        answer::alive(page, &self.handed_over(plan)?, &self.given)
     }
 
     /// As text.
@@ -174,18 +216,27 @@ impl Ran {
         match &self.drawn {
             Drawn::Uncertainty(one) => report::uncertainty_json(file, one),
             Drawn::Estimate(one, asked) => report::estimate_json(file, one, asked),
+            Drawn::Reconstruction(one) => match &one.weighed {
+                Some(weighed) => report::weighed_json(file, &one.analysis, weighed),
+                None => report::json(file, &one.analysis),
+            },
         }
     }
 
     /// The samples or draws as CSV; of draws that have not converged none.
     pub(crate) fn csv(&self) -> String {
         let mut bytes = Vec::new();
-        let written = match &self.drawn {
-            Drawn::Uncertainty(one) => report::write_samples(one, CsvStyle::International, &mut bytes),
-            Drawn::Estimate(one, _) if self.has_converged() => {
-                report::write_draws(one, CsvStyle::International, &mut bytes)
+        let draws = match &self.drawn {
+            Drawn::Uncertainty(_) => None,
+            Drawn::Estimate(one, _) => Some(&**one),
+            Drawn::Reconstruction(one) => one.weighed.as_ref().map(|weighed| &weighed.estimated),
+        };
+        let written = match (&self.drawn, draws) {
+            (Drawn::Uncertainty(one), _) => report::write_samples(one, CsvStyle::International, &mut bytes),
+            (_, Some(draws)) if self.has_converged() => {
+                report::write_draws(draws, CsvStyle::International, &mut bytes)
             }
-            Drawn::Estimate(..) => Ok(()),
+            _ => Ok(()),
         };
         // Nothing keeps a text from being written to the memory.
         written.ok().and_then(|()| String::from_utf8(bytes).ok()).unwrap_or_default()
@@ -253,23 +304,49 @@ pub(crate) fn estimate(
         prior: options.word("prior", &Prior::WORDS)?,
         pieces: options.flag("pieces", true),
     };
-    let estimated = analysis::estimate(case, &plan, &mut |stage, done, total| {
+    let estimated = analysis::estimate(case, &plan, &mut staged(progress));
+    let estimated = given.answered(estimated)?;
+    Ok(Drawn::Estimate(Box::new(estimated), Asked { plan, questions }))
+}
+
+/// Tells how far an estimate is.
+fn staged<'a>(
+    progress: &'a mut Progress<'_>,
+) -> impl FnMut(EstimateStage, usize, usize) -> ControlFlow<()> + Send + 'a {
+    |stage, done, total| {
         let counted = match stage {
             EstimateStage::All => "particles",
             EstimateStage::Prior => "particles before the evidence",
             EstimateStage::Piece => "pieces of evidence",
         };
         flow(progress(counted, done, total))
-    });
-    let estimated = given.answered(estimated)?;
-    Ok(Drawn::Estimate(Box::new(estimated), Asked { plan, questions }))
+    }
+}
+
+/// As `deltav reconstruct` weighs: as an estimate without further options.
+const WEIGHING: EstimatePlan =
+    EstimatePlan { particles: EstimatePlan::PARTICLES, seed: 1, prior: None, pieces: false };
+
+pub(crate) fn reconstruct(
+    given: &Given,
+    options: &Options,
+    progress: &mut Progress<'_>,
+) -> Result<Drawn, Refused> {
+    let case = &given.file.case;
+    let analysis = given.answered(analysis::reconstruct(case))?;
+    let weighed = given.answered(analysis::weigh(case, &analysis, &WEIGHING, &mut staged(progress)))?;
+    // Intervals by the ranges alone would be read as those of all.
+    let is_completed = weighed.is_none() && options.flag("method", true) && analysis::is_uncertain(case);
+    let estimated =
+        if is_completed { analysis::estimate(case, &WEIGHING, &mut staged(progress)).ok() } else { None };
+    Ok(Drawn::Reconstruction(Box::new(Reconstruction { analysis, weighed, estimated })))
 }
 
 #[cfg(test)]
 mod tests {
     use serde_json::Value;
 
-    use super::{Command, Ran, estimate, run, uncertainty};
+    use super::{Command, Ran, estimate, reconstruct, run, uncertainty};
 
     const NAME: &str = "case.toml";
 
@@ -340,5 +417,30 @@ mod tests {
         }
         let message = refused(estimate, &fixture("estimate.toml"), "{\"above\": [\"x 1\"]}", true);
         assert!(message.contains("no result of this name"), "{message}");
+    }
+    #[test]
+    fn a_case_with_more_evidence_is_weighed_and_another_one_is_not() {
+        let over = fixture("edcrash-tutorial.toml");
+        let mut told = 0;
+        let ran = run(reconstruct, &over, NAME, "", "", &mut |_, _, _| {
+            told += 1;
+            true
+        });
+        let ran = ran.unwrap();
+        assert!(told > 3, "{told}");
+        let answer = ran.answer();
+        let headline = answer["headline"][0].as_str().unwrap();
+        assert!(headline.contains("95 %"), "{headline}");
+        let said = &headline[..headline.find(" (95 %").unwrap()];
+        let json: Value = serde_json::from_str(&ran.json().unwrap()).unwrap();
+        assert_eq!(json["headline"]["by"], "estimate");
+        for document in [ran.html(None).unwrap(), ran.text()] {
+            assert!(document.contains(said), "{said}");
+        }
+        assert!(ran.csv().lines().count() > 1000);
+        let exact = run(reconstruct, &fixture("sae-980025.toml"), NAME, "", "", &mut |_, _, _| true).unwrap();
+        assert_eq!(exact.csv(), "");
+        let json: Value = serde_json::from_str(&exact.json().unwrap()).unwrap();
+        assert_ne!(json["headline"]["by"], "estimate");
     }
 }
