@@ -557,7 +557,8 @@ export class App {
     // Of a text that is no TOML the form shows nothing.
     const isForm = this.caseTabs.shown === "form" && Object.keys(this.solved?.check.values ?? {}).length > 0;
     const [what = "", ...help] = isForm ? inForm(first, this.solved?.check.values[first.key ?? ""]?.text) : [first.title, first.help].filter((words) => words !== null).map(engine.sentence);
-    const worded = isForm ? said : saidOfText;
+    // Who is led to the text reads what is to be written there.
+    const worded = isForm && first.key ? said : saidOfText;
     const lead = first.key && isForm
       ? h("button", { type: "button", class: "quiet", onclick: () => this.lead(first.key ?? "") }, texts.answer.toField)
       : h("button", {

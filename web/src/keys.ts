@@ -66,7 +66,7 @@ export function label(key: string): string {
   // The engine counts the stations as the scene does.
   const station = /^depths\[(\d+)\]$/.exec(name)?.[1];
   if (station !== undefined) return texts.station(station);
-  const words = name.replaceAll("_", " ").replace(/(\D)(\d)$/, (_, letter: string, digit: string) => (name.length > 2 ? `${letter} ${digit}` : `${letter}${digit}`));
+  const words = name.replace(/\[(\d+)\]$/, " $1").replaceAll("_", " ").replace(/(\D)(\d)$/, (_, letter: string, digit: string) => (name.length > 2 ? `${letter} ${digit}` : `${letter}${digit}`));
   return words.length > 2 ? (words[0] ?? "").toUpperCase() + words.slice(1) : words;
 }
 

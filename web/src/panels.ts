@@ -432,7 +432,7 @@ export function warnings(list: engine.Warning[], lead: (key: string) => void): H
       return h("li", {},
         h("code", {}, warning.code), h("p", {}, said(engine.sentence(warning.message))),
         h("div", { class: "leads" },
-          ...(warning.keys ?? (warning.vehicle ? [`vehicle${warning.vehicle}`] : [])).map((key) => h("button", { type: "button", class: "quiet", onclick: () => lead(key) }, texts.warnings.lead(key, nameOf(key)))),
+          ...(warning.keys ?? (warning.vehicle ? [`vehicle${warning.vehicle}`] : [])).map((key) => h("button", { type: "button", class: "quiet", title: key, onclick: () => lead(key) }, texts.warnings.lead(nameOf(key)))),
           ask),
         explanation);
     }));

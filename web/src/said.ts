@@ -2,7 +2,7 @@
 // view that does the same, and what is to be written the field with its value.
 import { type Child, h, markup, showDialog } from "./dom.js";
 import { type Problem, explain, sentence } from "./engine.js";
-import { fieldOf, groupOf, groups, label, nameOf } from "./keys.js";
+import { fieldOf, groupOf, groups, label, nameOf, root } from "./keys.js";
 import { texts } from "./texts/en.js";
 import { type Value, readValue } from "./toml.js";
 
@@ -69,18 +69,19 @@ export function inWords(element: HTMLElement): void {
 
 const capital = (text: string): string => (text[0] ?? "").toUpperCase() + text.slice(1);
 
+/** A whole key. */
+const PATH = String.raw`(?:vehicle[12]|impact|reconstruct|scene|surface|report)(?:\.[A-Za-z_]\w*(?:\[\d+\])?)+`;
+
 /** What stands in no quotes. */
 function plain(text: string): string {
   return text
     .replaceAll(/ \(deltav explain [\w-]+\)/g, "")
     .replaceAll(/for --what ([a-z, -]+)/g, (_, what: string) => `for ${what.replaceAll("-", " ")}`)
+    .replaceAll(/\b([a-z_]\w*) = (\{[^{}]*\}|"[^"]*")/g, (all, key: string, value: string) => (parts().has(key) ? `${within(key)}: ${valued(value)}` : all))
+    .replaceAll(/\{ [a-z_]\w* = (?:[^{}]|\{[^{}]*\})*\}/g, valued)
     .replaceAll(/(?:a table )?\[((?:vehicle[12]|impact|reconstruct|scene|surface|report)[.\w]*)\]/g, (_, key: string) => `“${nameOf(key)}”`)
-    .replaceAll(/\b([a-z_]\w*) = (\{[^{}]*\}|"[^"]*")/g, (all, key: string, value: string) => {
-      const read = readValue(value);
-      return read === undefined || !parts().has(key) ? all : `${within(key)}: ${said_(read)}`;
-    })
     .replaceAll(/\b(?:crush_plane|locked_together|energy_basis)\b/g, within)
-    .replaceAll(/\bvehicle[12]\.[a-z][a-z_.\d]*[a-z\d]/g, (key) => (fieldOf(key) || groupOf(key) ? nameOf(key) : key));
+    .replaceAll(new RegExp(`"(${PATH})"|\\b(${PATH})`, "g"), (_, quoted?: string, bare?: string) => nameOf(quoted ?? bare ?? ""));
 }
 
 /** What stands in quotes: a command, a key, or what is to be written; nothing where it is none of these. */
@@ -99,15 +100,14 @@ function code(text: string): string | HTMLElement | null {
   }
   const option = /^--([a-z-]+)/.exec(text)?.[1];
   if (option !== undefined) return words.options[option] ?? null;
+  if (text.startsWith("{")) return valued(text);
   const named = keyed(text);
   if (named !== null) return named;
   const table = /^\[([\w.]+)\]$/.exec(text)?.[1];
   if (table !== undefined) return groupOf(table) || fieldOf(table) ? h("b", { class: "key", title: table }, nameOf(table)) : null;
   const [, key = "", value = ""] = /^([a-z_A-Z][\w.]*)\s*=\s*(.+)$/s.exec(text) ?? [];
-  const read = key === "" ? undefined : readValue(value);
-  const name = read === undefined ? null : keyed(key);
-  if (read === undefined || name === null) return null;
-  return h("span", { title: text }, name, ": ", said_(read));
+  const name = key === "" ? null : keyed(key);
+  return name && h("span", { title: text }, name, ": ", valued(value));
 }
 
 /** A word that is a view, and no key. */
@@ -117,7 +117,7 @@ const isView = (word: string): boolean => ["uncertainty", "sensitivity", "estima
 function keyed(key: string): HTMLElement | null {
   const whole = key.replaceAll(/\[\d+\]/g, "");
   const title = { class: "key", title: key };
-  if (fieldOf(whole) || groupOf(whole)) return h("b", title, nameOf(key));
+  if (fieldOf(whole) || groupOf(whole) || new RegExp(`^${PATH}$`).test(key)) return h("b", title, nameOf(key));
   if (!/^[A-Za-z_]\w*$/.test(key) || !parts().has(key)) return null;
   return h("b", title, within(key));
 }
@@ -135,8 +135,8 @@ function parts(): Set<string> {
   if (last) return last;
   last = new Set<string>();
   const add = (key: string) => last?.add(key.slice(key.lastIndexOf(".") + 1));
-  for (const group of groups()) {
-    add(group.key);
+  for (const group of [root(), ...groups()]) {
+    if (group.key !== "") add(group.key);
     for (const field of group.fields) {
       add(field.key);
       for (const inner of field.fields) add(inner.key);
@@ -145,11 +145,17 @@ function parts(): Set<string> {
   return last;
 }
 
+/** A value as it is to be written, in words; with its signs left out where it is only sketched. */
+function valued(text: string): string {
+  const read = readValue(text);
+  return read === undefined ? text.replaceAll(/[{}[\]"]|(?= =) =/g, "").replaceAll(/ {2,}/g, " ").trim() : shown(read);
+}
+
 /** A value as a form shows it. */
-function said_(value: Value): string {
+function shown(value: Value): string {
   if (typeof value === "boolean") return value ? texts.form.yes : texts.form.no;
-  if (Array.isArray(value)) return value.map(said_).join(", ");
-  if (typeof value === "object") return Object.entries(value).map(([key, inner]) => `${within(key)} ${said_(inner)}`).join(", ");
+  if (Array.isArray(value)) return value.map(shown).join(", ");
+  if (typeof value === "object") return Object.entries(value).map(([key, inner]) => `${within(key)} ${shown(inner)}`).join(", ");
   const key = typeof value === "string" && (fieldOf(value) ? nameOf(value) : value);
   return key === false ? String(value) : key;
 }

@@ -935,16 +935,20 @@ onPage("Sobol' indices are computed where they are asked for", async (page) => {
 
 onPage("no view speaks of commands, options, TOML or keys", async (page) => {
   const said = /deltav (?:reconstruct|impact|motion|crush|estimate|uncertainty|sensitivity|compare|check|draw|explain|new|table|validate)|--[a-z]|`|\[(?:vehicle[12]|impact|reconstruct|scene|surface)\]|\b[a-z_]+ = ["{]|\bvehicle[12]\.[a-z]/;
+  const heard = new Set();
+  const listen = (where, words) => {
+    for (const { index } of words.matchAll(new RegExp(said, "g"))) heard.add(`${where}: ${words.slice(Math.max(index - 60, 0), index + 60)}`);
+  };
   const look = async (where) => {
     for (const tab of ["Results", "Sensitivity", "Compare", "Uncertainty", "Estimate", "Inputs"]) {
       await page.getByRole("tab", { name: tab, exact: true }).click();
       const more = page.locator(".panel:visible details.more > summary");
       if (await more.count()) await more.first().click();
-      const words = await page.locator(".panel:visible").last().innerText();
-      assert.doesNotMatch(words, said, `${where}, ${tab}: ${said.exec(words)?.index !== undefined ? words.slice(Math.max(said.exec(words).index - 80, 0), said.exec(words).index + 80) : ""}`);
+      listen(`${where}, ${tab}`, await page.locator(".panel:visible").last().innerText());
     }
     const above = await page.locator("#answer").innerText();
-    assert.doesNotMatch(above, said, `${where}: ${above}`);
+    // Who is led to a line of the text reads what is to be written there.
+    if (!/Go to line/.test(above)) listen(where, above);
   };
   const files = readdirSync(join(ROOT, "fixtures"), { recursive: true }).filter((name) => name.endsWith(".toml"));
   for (const name of QUICK ? files.filter((_, place) => place % 8 === 0) : files) {
@@ -953,8 +957,7 @@ onPage("no view speaks of commands, options, TOML or keys", async (page) => {
     if (await page.locator(".warned > summary").count()) {
       await page.locator(".warned > summary").click();
       for (const ask of await page.locator(".warnings .leads button[aria-expanded]").all()) await ask.click();
-      const above = await page.locator("#answer").innerText();
-      assert.doesNotMatch(above, said, `${name}: ${above}`);
+      listen(name, await page.locator("#answer").innerText());
       await page.keyboard.press("Escape");
     }
     await look(name);
@@ -966,6 +969,7 @@ onPage("no view speaks of commands, options, TOML or keys", async (page) => {
     await template(page, name);
     await look(name);
   }
+  assert.deepEqual([...heard], []);
 });
 
 onPage("an explanation that is spoken of is a press away", async (page) => {

@@ -173,7 +173,7 @@ export const texts = {
 
   warnings: {
     explain: "What it means",
-    lead: (key: string, name: string) => (name === key ? `Go to ${key}` : `Go to ${name} (${key})`),
+    lead: (name: string) => `Go to ${name}`,
   },
 
   sides: { label: "What is shown", view: "Answer", case: "Case" },
