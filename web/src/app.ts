@@ -536,6 +536,8 @@ export class App {
 
   private showLines(lines: string[], interval: boolean): void {
     this.headline.replaceChildren(...lines.map((line, place) => {
+      // That there is no one answer is a sentence.
+      if (!line.includes(": ")) return h("p", { class: "lead" }, line);
       const [label, ...rest] = line.split(": ");
       const value = rest.join(": ");
       // The first number is the answer; what stands behind it says it in other units, or how well it is known.

@@ -344,6 +344,7 @@ pub(crate) fn reconstruct(
 
 #[cfg(test)]
 mod tests {
+    use case::{Template, UnitSystem};
     use serde_json::Value;
 
     use super::{Command, Ran, estimate, reconstruct, run, uncertainty};
@@ -420,9 +421,9 @@ mod tests {
     }
     #[test]
     fn a_case_with_more_evidence_is_weighed_and_another_one_is_not() {
-        let over = fixture("edcrash-tutorial.toml");
+        let over = Template::ALL.into_iter().find(|one| one.name() == "intersection").unwrap();
         let mut told = 0;
-        let ran = run(reconstruct, &over, NAME, "", "", &mut |_, _, _| {
+        let ran = run(reconstruct, over.text(UnitSystem::Si), NAME, "", "", &mut |_, _, _| {
             told += 1;
             true
         });
@@ -438,6 +439,13 @@ mod tests {
             assert!(document.contains(said), "{said}");
         }
         assert!(ran.csv().lines().count() > 1000);
+        // Evidence that contradicts itself has no one answer, and no draws of one.
+        let torn =
+            run(reconstruct, &fixture("edcrash-tutorial.toml"), NAME, "", "", &mut |_, _, _| true).unwrap();
+        let answer = torn.answer();
+        assert_eq!(answer["converged"], false);
+        assert!(answer["headline"][0].as_str().unwrap().starts_with("No collision"), "{answer:#}");
+        assert_eq!(torn.csv(), "");
         let exact = run(reconstruct, &fixture("sae-980025.toml"), NAME, "", "", &mut |_, _, _| true).unwrap();
         assert_eq!(exact.csv(), "");
         let json: Value = serde_json::from_str(&exact.json().unwrap()).unwrap();
