@@ -782,6 +782,13 @@ export class App {
       });
     });
     if (content !== null && missing !== undefined) this.message(texts.save.noPlan(missing));
+    // What leads the report leads the screen, too.
+    const lead = new DOMParser().parseFromString(content ?? "", "text/html").querySelector("p.answer");
+    const headline = [...(lead?.childNodes ?? [])].map((line) => line.textContent ?? "").filter((line) => line.trim() !== "");
+    if (headline.length > 0 && this.solved?.text === solved.text) {
+      this.intervals = { text: solved.text, headline };
+      this.showHeadline();
+    }
     return content;
   }
 

@@ -428,7 +428,9 @@ onPage("the report of a case with a site plan has it where it lies beneath the s
   await page.locator('.backdrop-tools input[type="file"]').setInputFiles({ name: "aerial.png", mimeType: "image/png", buffer: plan });
   await page.locator(".backdrop").waitFor();
   const report = await fromMenu(page, "Save the report (HTML)");
-  assert.ok(report.bytes.equals(program("planned.toml", text, { "aerial.png": plan }, "reconstruct", "--exact", "--format", "html")));
+  assert.ok(report.bytes.equals(program("planned.toml", text, { "aerial.png": plan }, "reconstruct", "--format", "html")));
+  // What leads the report leads the screen, too.
+  assert.match(await page.locator(".result.first").innerText(), /with the errors of the method/);
   // It lies where the case has it, and the case follows where it is moved, at the impact as on the way to rest.
   assert.equal(await page.getByRole("button", { name: "Keep in the case" }).count(), 0);
   const picture = page.locator(".backdrop");
@@ -472,7 +474,7 @@ onPage("what is printed is the report, and a page that is printed itself has the
   await page.getByRole("button", { name: "Print the report" }).click();
   await page.waitForFunction(() => window.printed);
   const printed = await page.evaluate(() => window.printed);
-  assert.equal(printed, program("rear-end-rest.toml", text, "reconstruct", "--exact", "--format", "html").toString());
+  assert.equal(printed, program("rear-end-rest.toml", text, "reconstruct", "--format", "html").toString());
   await page.evaluate(() => document.querySelector("iframe").contentWindow.dispatchEvent(new Event("afterprint")));
   assert.equal(await page.locator("iframe").count(), 0);
 
