@@ -4,7 +4,11 @@ use crash3::EnergyBasis;
 use pim_core::Real;
 
 use crate::walk::Walk;
-use crate::words::{ENERGY_BASES, word};
+use crate::words::word;
+
+/// `reconstruct.energy_basis`, except a share of the tangential work, which has a number.
+pub const ENERGY_BASES: [(&str, Basis); 2] =
+    [("dissipated", Basis::Dissipated), ("absorbed", Basis::Absorbed)];
 
 /// What the crush energy of both vehicles is held equal to.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]

@@ -44,7 +44,9 @@ mod axes;
 mod basis;
 mod case;
 mod crush;
+mod data;
 mod demands;
+mod dimensions;
 mod estimate;
 mod fault;
 mod impact;
@@ -55,6 +57,7 @@ mod quantity;
 mod range;
 mod recorder;
 mod scene;
+mod shared;
 mod text;
 mod uncertain;
 mod units;
@@ -67,17 +70,19 @@ pub use after::{
     WheelDrag,
 };
 pub use axes::Axes;
-pub use basis::Basis;
+pub use basis::{Basis, ENERGY_BASES};
 pub use case::{Case, Find, LeftOut, Reconstruct, ReportHead};
 pub use crush::{Crush, Fit, GivenEes, GivenTest, KnownEnergy, Pdof, StiffnessForm, StiffnessLine};
-pub use demands::{
-    Collision, CrushOnly, DamageData, Dimensions, EnergyData, Evidence, ImpactInput, InertiaData,
-    InferredWidth, ReconstructionInput, StiffnessSource, VehicleData, YawSource, along_face, contradictions,
-    placed_contact,
+pub use data::{
+    Collision, CrushOnly, DamageData, EnergyData, Evidence, ImpactInput, InertiaData, InferredWidth,
+    ReconstructionInput, StiffnessSource, VehicleData,
 };
+pub use demands::{along_face, contradictions, placed_contact};
+pub use dimensions::Dimensions;
 pub use estimate::{
     ContactSpread, DAMAGE_LENGTH_SD, DEPTH_SD, Departures, Estimate, FaceAxis, OFFSET_SD, STIFFNESS_LN_SD_A,
-    STIFFNESS_LN_SD_B, YAW_RADIUS_CONFIDENCE, YAW_RADIUS_WITHIN, class_yaw_inertia, scaled_stiffness,
+    STIFFNESS_LN_SD_B, YAW_RADIUS_CONFIDENCE, YAW_RADIUS_WITHIN, YawSource, class_yaw_inertia,
+    scaled_stiffness,
 };
 pub use fault::{Fault, FaultKind, Faults};
 pub use impact::{BrachTangential, GivenImpact, ImpactLaw, LawName, Restitution};
@@ -91,9 +96,10 @@ pub use quantity::{InvalidQuantity, Quantity, format_number};
 pub use range::{Amount, Bounds, Range, Spread};
 pub use recorder::{CertainSpeed, GivenEstimate, Prior, Recorder};
 pub use scene::{EdgeSide, GivenSitePlan, Grade, Place, Surface, SurfaceRegion, SurfaceZone};
+pub use shared::SharedEffects;
 pub use text::{Text, acts, shown, shown_lines, sign};
-pub use uncertain::{GivenUncertainty, SharedEffects, SharedError};
+pub use uncertain::{GivenUncertainty, SharedError};
 pub use units::{Dimension, STANDARD_GRAVITY, Unit, UnitSystem};
 pub use vehicle::{ContactPoint, GivenVehicle, Kind, Outline, Velocity};
 pub use walk::{Input, Origin, Value, Variable};
-pub use words::{ENERGY_BASES, OBLIQUE_CORRECTIONS, SIDES, UNDAMAGED, UNKNOWNS, word, words_of};
+pub use words::{OBLIQUE_CORRECTIONS, SIDES, UNDAMAGED, UNKNOWNS, word, words_of};

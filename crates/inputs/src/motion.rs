@@ -6,7 +6,7 @@ use trajectory::{Chassis, Region, Steer, Zone};
 
 use crate::after::MarkedWheel;
 use crate::basis::Basis;
-use crate::demands::{Collision, VehicleData};
+use crate::data::{Collision, VehicleData};
 use crate::text::Text;
 
 /// The vehicles after the impact, and the ground on which they move.

@@ -1,11 +1,9 @@
 //! What a case says of its uncertainty besides the ranges: the table `[uncertainty]`.
 
-use pim_core::Real;
-
-use crate::case::Case;
+use crate::quantity::format_number;
 use crate::range::Spread;
 use crate::units::Unit;
-use crate::walk::{Input, Origin};
+use crate::walk::{Element, Input, Key, Origin, Value, Walk};
 
 /// The table `[uncertainty]`.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -44,106 +42,46 @@ impl SharedError {
         }
     }
 
-    fn covers(&self, input: &Input) -> bool {
+    pub(crate) fn covers(&self, input: &Input) -> bool {
         input.origin == Origin::Given
             && self.of.iter().any(|key| *key == input.path || Some(key.as_str()) == list_of(&input.path))
     }
 }
 
 /// The key of the list of which a path is an element.
-fn list_of(path: &str) -> Option<&str> {
+pub(crate) fn list_of(path: &str) -> Option<&str> {
     path.strip_suffix(']').and_then(|path| path.rsplit_once('[')).map(|(list, _)| list)
 }
 
-/// What shared errors do to the numbers of a case.
-#[derive(Clone, Debug, Default)]
-pub struct SharedEffects {
-    effects: Vec<Effect>,
-}
-
-/// What one error does to one number, by their places among [`Case::variables`].
-#[derive(Clone, Copy, Debug)]
-struct Effect {
-    error: usize,
-    number: usize,
-    /// (1/unit) what one unit of an error that is added is in the unit of the number; none of one that
-    /// multiplies.
-    added: Option<f64>,
-    /// Whether the number is a depth, which is zero or more.
-    is_depth: bool,
-}
-
-impl SharedEffects {
-    /// Those of the errors of a case.
-    #[must_use]
-    pub fn of(case: &Case) -> Self {
-        if case.uncertainty.shared.is_empty() {
-            return Self::default();
+impl<U> Walk<'_, U> {
+    /// What `[uncertainty]` says, and the errors that it names. What replaces them is dropped:
+    /// [`Case::with_numbers`](crate::Case::with_numbers) applies them.
+    pub(crate) fn uncertainty(&mut self, uncertainty: &GivenUncertainty) -> GivenUncertainty {
+        let GivenUncertainty { exact, shared } = uncertainty;
+        for (i, key) in exact.iter().enumerate() {
+            self.other(&Element(&"uncertainty.exact", i), || Value::Text(key.clone()));
         }
-        let variables = case.variables();
-        let mut effects = Vec::new();
-        for (place, variable) in variables.iter().enumerate() {
-            let Origin::Shared(index) = variable.origin else { continue };
-            let Some(error) = case.uncertainty.shared.get(index) else { continue };
-            let is_added = matches!(error.size, Spread::Normal { .. });
-            for (number, input) in variables.iter().enumerate().filter(|(_, input)| error.covers(input)) {
-                effects.push(Effect {
-                    error: place,
-                    number,
-                    added: is_added.then(|| variable.factor() / input.factor()),
-                    is_depth: list_of(&input.path).is_some_and(|list| list.ends_with(".crush.depths")),
-                });
+        for (i, error) in shared.iter().enumerate() {
+            let table = &Element(&"uncertainty.shared", i);
+            self.other(&Key(table, "name"), || Value::Text(error.name.clone()));
+            for (n, key) in error.of.iter().enumerate() {
+                self.other(&Element(&Key(table, "of"), n), || Value::Text(key.clone()));
             }
+            match error.size {
+                Spread::Normal { sd } => {
+                    self.other(&Key(table, "sd"), || Value::Number { number: sd.number, unit: sd.unit });
+                }
+                Spread::Within { percent, confidence } => {
+                    let percent = || Value::Text(format!("{} %", format_number(percent)));
+                    self.other(&Key(table, "within"), percent);
+                    let confidence = || Value::Number { number: confidence, unit: None };
+                    self.other(&Key(table, "confidence"), confidence);
+                }
+                Spread::Uniform { .. } | Spread::Triangular { .. } => {}
+            }
+            let (number, unit) = error.central();
+            self.replaced(&error.path(), number, unit, Origin::Shared(i));
         }
-        Self { effects }
-    }
-
-    /// Whether no number shares an error with another.
-    #[must_use]
-    pub fn is_empty(&self) -> bool {
-        self.effects.is_empty()
-    }
-
-    /// Whether an error covers the number at a place among [`Case::variables`].
-    #[must_use]
-    pub fn cover(&self, place: usize) -> bool {
-        self.effects.iter().any(|effect| effect.number == place)
-    }
-
-    /// Applies the errors to the numbers, which are in the order of [`Case::variables`]. A depth that an
-    /// error takes below zero is zero.
-    pub fn apply<T: Real>(&self, numbers: &mut [T]) {
-        for effect in &self.effects {
-            let (Some(error), Some(number)) = (numbers.get(effect.error), numbers.get(effect.number)) else {
-                continue;
-            };
-            let changed = match effect.added {
-                // C = C₀ + δ
-                Some(scale) => *number + *error * scale,
-                // C = f C₀
-                None => *number * *error,
-            };
-            let is_below = effect.is_depth && changed.value() < 0.0;
-            numbers[effect.number] = if is_below { T::ZERO } else { changed };
-        }
-    }
-}
-
-impl Case {
-    /// Whether the case says how far a number may be off, or one of a list: by a range, or by an error that
-    /// it shares with others.
-    pub(crate) fn has_error(&self, key: &str) -> bool {
-        let is_of = |path: &str| path == key || list_of(path) == Some(key);
-        let mut shared = self.uncertainty.shared.iter().flat_map(|error| &error.of);
-        self.ranges.iter().any(|range| is_of(&range.path)) || shared.any(|path| is_of(path))
-    }
-
-    /// The case with other numbers, which are in the order of [`variables`](Self::variables), after the
-    /// errors that they share.
-    #[must_use]
-    pub fn with_numbers<T: Real>(&self, mut numbers: Vec<T>) -> Case<T> {
-        SharedEffects::of(self).apply(&mut numbers);
-        let mut numbers = numbers.into_iter();
-        self.map_numbers(|number| numbers.next().unwrap_or(T::from(number)))
+        uncertainty.clone()
     }
 }

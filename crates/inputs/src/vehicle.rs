@@ -6,7 +6,7 @@ use pim_core::Real;
 
 use crate::after::{After, Before};
 use crate::crush::{Crush, KnownEnergy};
-use crate::demands::Dimensions;
+use crate::dimensions::Dimensions;
 use crate::inertia::{Mass, YawInertia};
 use crate::quantity::Quantity;
 use crate::recorder::{CertainSpeed, Recorder};

@@ -2,12 +2,9 @@
 
 use std::fmt::{self, Display, Write};
 
-use crate::case::Case;
-use crate::estimate::{Departures, Estimate};
-use crate::quantity::{Quantity, format_number};
-use crate::range::Spread;
+use crate::estimate::Estimate;
+use crate::quantity::Quantity;
 use crate::text::Text;
-use crate::uncertain::GivenUncertainty;
 use crate::units::Unit;
 use crate::words::word;
 
@@ -137,76 +134,23 @@ impl<'a, U> Walk<'a, U> {
         Self { replace, others }
     }
 
+    /// What takes the place of a number, which need not be one that the case gives.
+    pub(crate) fn replaced(
+        &mut self,
+        path: &dyn Display,
+        number: f64,
+        unit: Option<&'static Unit>,
+        origin: Origin,
+    ) -> U {
+        (self.replace)(path, number, unit, origin)
+    }
+
     pub(crate) fn number(&mut self, path: &dyn Display, number: f64) -> U {
-        (self.replace)(path, number, None, Origin::Given)
+        self.replaced(path, number, None, Origin::Given)
     }
 
     pub(crate) fn quantity(&mut self, path: &dyn Display, quantity: &Quantity) -> Quantity<U> {
-        quantity.with((self.replace)(path, quantity.number(), Some(quantity.unit()), Origin::Given))
-    }
-
-    /// The departures of the estimates of a case: a factor that is absent is 1, and a distance is 0.
-    pub(crate) fn departures(&mut self, case: &Case) -> Departures<U> {
-        let Departures { stiffness, yaw_radius, contact } = &case.departures;
-        let mut replaced = Departures {
-            stiffness: [None, None],
-            yaw_radius: [None, None],
-            contact: [[None, None], [None, None]],
-        };
-        for estimate in case.estimates() {
-            let mut replace =
-                |number, unit| (self.replace)(&estimate, number, unit, Origin::Estimate(estimate));
-            match estimate {
-                Estimate::Stiffness { vehicle, .. } => {
-                    let factor = stiffness[vehicle.index()].unwrap_or(1.0);
-                    replaced.stiffness[vehicle.index()] = Some(replace(factor, None));
-                }
-                Estimate::YawRadius { vehicle, .. } => {
-                    let factor = yaw_radius[vehicle.index()].unwrap_or(1.0);
-                    replaced.yaw_radius[vehicle.index()] = Some(replace(factor, None));
-                }
-                Estimate::Contact { vehicle, axis } => {
-                    let (vehicle, place) = (vehicle.index(), axis.index());
-                    // In the unit of the offset, without which no point is placed.
-                    let offset = case.vehicles[vehicle].crush.as_ref().and_then(|crush| crush.offset);
-                    let moved = contact[vehicle][place].or(offset.map(|offset| offset.with(0.0)));
-                    replaced.contact[vehicle][place] =
-                        moved.map(|moved| moved.with(replace(moved.number(), Some(moved.unit()))));
-                }
-            }
-        }
-        replaced
-    }
-
-    /// What `[uncertainty]` says, and the errors that it names. What replaces them is dropped:
-    /// [`Case::with_numbers`](crate::Case::with_numbers) applies them.
-    pub(crate) fn uncertainty(&mut self, uncertainty: &GivenUncertainty) -> GivenUncertainty {
-        let GivenUncertainty { exact, shared } = uncertainty;
-        for (i, key) in exact.iter().enumerate() {
-            self.other(&Element(&"uncertainty.exact", i), || Value::Text(key.clone()));
-        }
-        for (i, error) in shared.iter().enumerate() {
-            let table = &Element(&"uncertainty.shared", i);
-            self.other(&Key(table, "name"), || Value::Text(error.name.clone()));
-            for (n, key) in error.of.iter().enumerate() {
-                self.other(&Element(&Key(table, "of"), n), || Value::Text(key.clone()));
-            }
-            match error.size {
-                Spread::Normal { sd } => {
-                    self.other(&Key(table, "sd"), || Value::Number { number: sd.number, unit: sd.unit });
-                }
-                Spread::Within { percent, confidence } => {
-                    let percent = || Value::Text(format!("{} %", format_number(percent)));
-                    self.other(&Key(table, "within"), percent);
-                    let confidence = || Value::Number { number: confidence, unit: None };
-                    self.other(&Key(table, "confidence"), confidence);
-                }
-                Spread::Uniform { .. } | Spread::Triangular { .. } => {}
-            }
-            let (number, unit) = error.central();
-            (self.replace)(&error.path(), number, unit, Origin::Shared(i));
-        }
-        uncertainty.clone()
+        quantity.with(self.replaced(path, quantity.number(), Some(quantity.unit()), Origin::Given))
     }
 
     pub(crate) fn maybe(&mut self, path: &dyn Display, quantity: Option<&Quantity>) -> Option<Quantity<U>> {

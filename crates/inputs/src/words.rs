@@ -4,8 +4,6 @@
 use crash3::{ObliqueCorrection, Side};
 use reconcile::Unknown;
 
-use crate::basis::Basis;
-
 /// `crush.side`.
 pub const SIDES: [(&str, Side); 4] =
     [("front", Side::Front), ("rear", Side::Rear), ("left", Side::Left), ("right", Side::Right)];
@@ -24,10 +22,6 @@ pub const OBLIQUE_CORRECTIONS: [(&str, ObliqueCorrection); 4] = [
 /// `reconstruct.find`.
 pub const UNKNOWNS: [(&str, Unknown); 2] =
     [("vehicle1.speed", Unknown::Speed1), ("vehicle2.speed", Unknown::Speed2)];
-
-/// `reconstruct.energy_basis`, except a share of the tangential work, which has a number.
-pub const ENERGY_BASES: [(&str, Basis); 2] =
-    [("dissipated", Basis::Dissipated), ("absorbed", Basis::Absorbed)];
 
 /// The words of a table alone.
 #[must_use]
@@ -59,9 +53,9 @@ mod tests {
     use crash3::Side;
     use reconcile::Unknown;
 
-    use super::{ENERGY_BASES, SIDES, UNKNOWNS, word};
+    use super::{SIDES, UNKNOWNS, word};
     use crate::axes::Axes;
-    use crate::basis::Basis;
+    use crate::basis::{Basis, ENERGY_BASES};
     use crate::crush::Fit;
     use crate::impact::LawName;
     use crate::vehicle::Kind;

@@ -7,10 +7,11 @@ use real::elementary;
 use reconcile::{COLLINEAR, Departure, central_contact, point_masses};
 use trajectory::{Axles, Chassis, GREATEST_DRAG};
 
-use super::{Collision, Demand, VehicleData, fill_opposite_pdof, table};
+use super::{Demand, fill_opposite_pdof, table};
 use crate::after::{After, RestHeading, Skid, SkidBegin, Steer, WheelDrag};
 use crate::axes::Axes;
 use crate::case::{Case, Find};
+use crate::data::{Collision, VehicleData};
 use crate::fault::{Fault, FaultKind, Faults};
 use crate::motion::{
     Geometry, MotionInput, PointData, RegionData, RestData, RestHeadingData, SkidData, Sought, SteerData,

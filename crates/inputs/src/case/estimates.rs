@@ -1,0 +1,75 @@
+//! What the program estimates in place of what a case does not give.
+
+use pim_core::VehicleId;
+
+use super::Case;
+use crate::crush::StiffnessForm;
+use crate::estimate::{ContactSpread, DAMAGE_LENGTH_SD, DEPTH_SD, Estimate, FaceAxis, OFFSET_SD, YawSource};
+use crate::vehicle::GivenVehicle;
+
+/// Where the yaw inertia of a vehicle comes from: what is given takes precedence over the class, and that
+/// over Burg's formula. `None` where nothing tells it.
+fn yaw_source<T>(vehicle: &GivenVehicle<T>) -> Option<YawSource> {
+    let has_length = vehicle.outline.is_some() || vehicle.length.is_some();
+    match (&vehicle.yaw, vehicle.class) {
+        (Some(_), _) => Some(YawSource::Given),
+        (None, Some(class)) => Some(YawSource::Class(class)),
+        (None, None) => (vehicle.wheelbase.is_some() && has_length).then_some(YawSource::Burg),
+    }
+}
+
+impl<T> Case<T> {
+    /// Whether the stiffness of each vehicle comes from a category, its radius of gyration from a class or a
+    /// formula, and the contact point of an impact from the damage.
+    #[must_use]
+    pub fn estimates(&self) -> Vec<Estimate> {
+        let of = |vehicle: VehicleId| {
+            let given = &self.vehicles[vehicle.index()];
+            let category = given.crush.as_ref().and_then(|crush| match crush.stiffness {
+                StiffnessForm::Category(category) => Some(category),
+                _ => None,
+            });
+            let source = yaw_source(given).filter(|source| *source != YawSource::Given);
+            let stiffness = category.map(|category| Estimate::Stiffness { vehicle, category });
+            let yaw_radius = source.map(|source| Estimate::YawRadius { vehicle, source });
+            let is_placed = self.impact.is_some() && given.places_contact();
+            let contact = FaceAxis::ALL.map(|axis| is_placed.then_some(Estimate::Contact { vehicle, axis }));
+            [stiffness, yaw_radius].into_iter().chain(contact).flatten().filter(|_| !given.fixed)
+        };
+        VehicleId::ALL.into_iter().flat_map(of).collect()
+    }
+}
+
+impl Case {
+    /// How far the contact point of a vehicle may be off, where it is placed at the centroid of the damage.
+    ///
+    /// Along the face it is as far off as the middle of the damage: by the error of the offset and by half of
+    /// that of the length, since one end that is misjudged moves the middle by half as much. Both are taken
+    /// as independent, which is on the safe side: the error of an end may be in that of the offset already.
+    /// Across the face it is as far off as one depth. The errors of several depths move their centroid by
+    /// less, but they were measured after the impact, and the force acted when the crush was at its deepest.
+    ///
+    /// An error that the case gives itself is not counted again. Where the `offset` has one, the middle of
+    /// the damage is off by that alone; an error of `width` or `spacing` replaces that of the length, and one
+    /// of the `depths` the error across the face.
+    #[must_use]
+    pub fn contact_spread(&self, vehicle: VehicleId, axis: FaceAxis) -> ContactSpread {
+        let table = format!("vehicle{vehicle}");
+        let has_error = |key: &str| self.has_error(&format!("{table}.crush.{key}"));
+        let is_exact = || self.uncertainty.exact.contains(&format!("{table}.contact"));
+        match axis {
+            FaceAxis::Along if has_error("offset") => ContactSpread::OfInputs,
+            FaceAxis::Inward if has_error("depths") => ContactSpread::OfInputs,
+            _ if is_exact() => ContactSpread::Exact,
+            FaceAxis::Along if has_error("width") || has_error("spacing") => {
+                ContactSpread::Default(OFFSET_SD)
+            }
+            FaceAxis::Along => {
+                let half_length_sd = DAMAGE_LENGTH_SD / 2.0;
+                // σ = √(σ_D² + (σ_L/2)²)
+                ContactSpread::Default((OFFSET_SD * OFFSET_SD + half_length_sd * half_length_sd).sqrt())
+            }
+            FaceAxis::Inward => ContactSpread::Default(DEPTH_SD),
+        }
+    }
+}

@@ -1,0 +1,78 @@
+//! Contradictions of a case that no purpose allows.
+
+use pim_core::VehicleId;
+
+use super::table;
+use crate::case::Find;
+use crate::crush::StiffnessForm;
+use crate::fault::{Fault, FaultKind};
+use crate::vehicle::{GivenVehicle, Kind};
+
+/// Contradictions between the vehicles of a case and the speed to find, which no purpose allows.
+#[must_use]
+pub fn contradictions<T>(vehicles: &[GivenVehicle<T>; 2], find: Option<Find>) -> Vec<Fault> {
+    let mut faults = Vec::new();
+    let mut contradiction = |key: &str, reason: String, advice: String| {
+        let kind = FaultKind::Refused { reason };
+        faults.push(Fault { key: key.to_owned(), kind, advice: Some(advice) });
+    };
+    let fixed = VehicleId::ALL
+        .into_iter()
+        .find(|id| vehicles[id.index()].fixed && find.is_some_and(|find| find.seeks(*id)));
+    if vehicles.iter().all(|vehicle| vehicle.fixed) {
+        contradiction(
+            "vehicle2.fixed",
+            "both vehicles are fixed, so nothing can collide".to_owned(),
+            "remove fixed = true from the one that can move".to_owned(),
+        );
+    } else if let Some(id) = fixed {
+        contradiction(
+            "reconstruct.find",
+            format!("\"reconstruct.find\" asks for the speed of [{}], which is fixed", table(id)),
+            format!("write find = \"{}.speed\"", table(id.other())),
+        );
+    }
+    for (id, vehicle) in VehicleId::ALL.into_iter().zip(vehicles) {
+        let Some(kind) = vehicle.kind.filter(|kind| *kind != Kind::Car) else { continue };
+        let (table, kind) = (table(id), kind.name());
+        if vehicle.class.is_some() {
+            contradiction(
+                &format!("{table}.class"),
+                format!("CRASH3's size classes are of passenger cars, but [{table}] has kind = \"{kind}\""),
+                "remove `class`, and give yaw_inertia or yaw_radius, and length, width and cg_to_front"
+                    .to_owned(),
+            );
+        }
+        if vehicle.crush.as_ref().is_some_and(|crush| matches!(crush.stiffness, StiffnessForm::Category(_))) {
+            contradiction(
+                &format!("{table}.crush.stiffness.category"),
+                format!(
+                    "CRASH3's stiffness categories are of passenger cars, but [{table}] has kind = \"{kind}\""
+                ),
+                "give A and B of its structure, or a test".to_owned(),
+            );
+        }
+    }
+    let inferred =
+        |id: VehicleId| vehicles[id.index()].crush.as_ref().is_some_and(|crush| crush.from_force_balance);
+    if VehicleId::ALL.into_iter().all(inferred) {
+        contradiction(
+            "vehicle2.crush.from_force_balance",
+            "both vehicles take their crush from the force balance, so neither crush was measured".to_owned(),
+            "give the width and depths of the inspected vehicle, and remove its from_force_balance"
+                .to_owned(),
+        );
+    } else if let Some(id) =
+        VehicleId::ALL.into_iter().find(|id| inferred(*id) && vehicles[id.other().index()].crush.is_none())
+    {
+        let [vehicle, other] = [table(id), table(id.other())];
+        contradiction(
+            &format!("{vehicle}.crush.from_force_balance"),
+            format!(
+                "[{vehicle}.crush] takes its crush from the force balance, but [{other}] has no measured crush"
+            ),
+            format!("add [{other}.crush] with side, width, depths and stiffness"),
+        );
+    }
+    faults
+}
