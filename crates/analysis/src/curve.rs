@@ -3,7 +3,7 @@
 
 use inputs::Case;
 
-use crate::sensitivity::at;
+use crate::goal::at;
 use crate::{Failure, Found};
 
 /// One point of the curve.

@@ -4,6 +4,7 @@ mod block;
 mod impacts;
 mod outputs;
 mod pieces;
+mod posed;
 mod setup;
 
 use std::ops::ControlFlow;

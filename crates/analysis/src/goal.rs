@@ -2,14 +2,14 @@
 
 use std::f64::consts::TAU;
 
-use inputs::{Case, Faults, Purpose, RestData, VehicleMotion};
+use inputs::{Case, Collision, Faults, Purpose, RestData, VehicleMotion};
 use pim_core::{Motion, Outcome, Real, Vector2, VehicleId};
 use real::Traced;
 use reconcile::{Implied, MomentumAndCrush, Problem};
 use trajectory::{Control, Target, to_start_near};
 
 use crate::both::{BothMethod, pose};
-use crate::sensitivity::at;
+use crate::damage;
 use crate::travel::{Origin, Record, Scene, Way, Ways, after_impact, departures, target};
 use crate::{Analysis, Failure, collide, impact, motion, reconstruct, refused};
 
@@ -146,6 +146,27 @@ pub(crate) fn answer<T: Real>(
             Ok(Answer { speeds: [None; 2], outcome: None, implied: None, ways: [one, two] })
         }
     }
+}
+
+/// The problem that a case poses, with other numbers.
+pub(crate) fn at<T: Real, R>(
+    case: &Case<T>,
+    evaluate: impl FnOnce(&Problem<T>) -> Result<R, Failure>,
+) -> Result<R, Failure> {
+    let input = case.reconstruction()?;
+    let Collision { contact, law, motions, vehicles } = input.collision;
+    let crush_energy = damage::crush_energy(&damage::assess(vehicles, [None, None])?);
+    let problem = Problem {
+        contact,
+        law,
+        motions,
+        unknown: input.unknown,
+        crush_energy,
+        basis: input.basis.energy(),
+        tangential_share: input.basis.tangential_share(),
+    };
+    problem.check()?;
+    evaluate(&problem)
 }
 
 /// An impact, and the ways to rest after it.

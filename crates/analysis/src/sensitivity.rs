@@ -1,10 +1,10 @@
 //! How sensitive the answer is to each input: exact derivatives, and a sweep of the direction of force.
 
 use crash3::{ObliqueCorrection, principal_angle};
-use inputs::{Axes, Case, Collision, Dimension, Estimate, Geometry, GivenVehicle, Input, Origin};
+use inputs::{Axes, Case, Dimension, Estimate, Geometry, GivenVehicle, Input, Origin};
 use pim_core::{ImpactError, Motion, Outcome, Real, VehicleId};
 use real::Gradient;
-use reconcile::{Implied, Problem};
+use reconcile::Implied;
 
 use crate::damage::{self, Crash3};
 use crate::goal::{self, Answer, Goal, Known, length};
@@ -532,27 +532,6 @@ fn unknowns_by_inputs(residuals: Vec<Gradient>, inputs: usize) -> Vec<Vec<f64>> 
     }
     solved.reverse();
     solved
-}
-
-/// The problem that a case poses, with other numbers.
-pub(crate) fn at<T: Real, R>(
-    case: &Case<T>,
-    evaluate: impl FnOnce(&Problem<T>) -> Result<R, Failure>,
-) -> Result<R, Failure> {
-    let input = case.reconstruction()?;
-    let Collision { contact, law, motions, vehicles } = input.collision;
-    let crush_energy = damage::crush_energy(&damage::assess(vehicles, [None, None])?);
-    let problem = Problem {
-        contact,
-        law,
-        motions,
-        unknown: input.unknown,
-        crush_energy,
-        basis: input.basis.energy(),
-        tangential_share: input.basis.tangential_share(),
-    };
-    problem.check()?;
-    evaluate(&problem)
 }
 
 fn pdof_sweep(nominal: &Analysis, sweep: Sweep, axes: Axes) -> Result<Vec<SweepRow>, Failure> {

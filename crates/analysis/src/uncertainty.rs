@@ -26,8 +26,8 @@ pub use doubts::{Doubt, Doubtful};
 pub use exact::{ExactValue, TakenAsExact};
 use lanes::{Alone, Block, Number};
 
-use crate::goal::{self, Answer, Goal, Search};
-use crate::sensitivity::{Output, WayNumber, at, gradients};
+use crate::goal::{self, Answer, Goal, Search, at};
+use crate::sensitivity::{Output, WayNumber, gradients};
 use crate::{Analysis, BothFound, Failure};
 
 /// The requested samples and indices.

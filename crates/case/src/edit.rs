@@ -7,7 +7,7 @@ use std::ops::Range;
 use thiserror::Error;
 use toml::de::DeTable;
 
-use crate::keys::way;
+use crate::keys::{Way, way};
 use layout::{Container, Entry, Kind, Layout, Step};
 
 /// A text in which a key has a new value.
@@ -91,19 +91,6 @@ pub fn remove(text: &str, key: &str) -> Result<String, EditError> {
     let way = way(key).ok_or_else(|| EditError::UnknownKey { key: key.to_owned() })?;
     is_toml(text)?;
     Ok(Editor::new(text).remove(&steps(&way)))
-}
-
-/// A step of the way to a key, as the tables of a case have it.
-#[derive(Clone, Debug)]
-pub(crate) struct Way {
-    /// `None` of an element.
-    pub(crate) name: Option<&'static str>,
-    /// Of an element, from 0 on.
-    pub(crate) element: usize,
-    /// The place among the keys of its table.
-    pub(crate) rank: usize,
-    /// Whether it is a table that has a header.
-    pub(crate) has_header: bool,
 }
 
 fn steps(way: &[Way]) -> Vec<Step> {

@@ -2,7 +2,6 @@
 
 use std::sync::OnceLock;
 
-use crate::edit::Way;
 use crate::schema::{Form, RANGE, RANGE_OF_LIST, Rule, Schema, TOP, VEHICLE};
 use inputs::{Bounds, Dimension};
 
@@ -130,6 +129,19 @@ fn keys_of(schema: &Schema) -> Vec<KeyInfo> {
 fn bounds(form: Form) -> Bounds {
     let of_quantity = form.measure().map(|measure| measure.bounds);
     of_quantity.or_else(|| form.bounds()).unwrap_or(Bounds::None)
+}
+
+/// A step of the way to a key, as the tables of a case have it.
+#[derive(Clone, Debug)]
+pub(crate) struct Way {
+    /// `None` of an element.
+    pub(crate) name: Option<&'static str>,
+    /// Of an element, from 0 on.
+    pub(crate) element: usize,
+    /// The place among the keys of its table.
+    pub(crate) rank: usize,
+    /// Whether it is a table that has a header.
+    pub(crate) has_header: bool,
 }
 
 /// The steps to a key such as `vehicle1.crush.depths[2]`; `None` where no case has it.

@@ -7,7 +7,7 @@ use kurbo::{BezPath, PathEl, Point, Rect, Vec2};
 
 use crate::font::{self, Anchor, SMALL};
 use crate::labels::{self, Kind, Placer};
-use crate::number::significant;
+use crate::number::{px, significant};
 use crate::pens::{BLACK, GREY, Pen, WHITE};
 use crate::site_plan::Backdrop;
 
@@ -305,13 +305,6 @@ impl Canvas {
 fn stroke(Pen { colour, width, dashes }: Pen) -> String {
     let dashes = if dashes.is_empty() { String::new() } else { format!(" stroke-dasharray=\"{dashes}\"") };
     format!(" stroke=\"{colour}\" stroke-width=\"{}\"{dashes}", px(width))
-}
-
-/// Two decimals, as few as are needed.
-pub(crate) fn px(value: f64) -> String {
-    let text = format!("{value:.2}");
-    let text = text.trim_end_matches('0').trim_end_matches('.');
-    if text == "-0" { "0".to_owned() } else { text.to_owned() }
 }
 
 fn data(path: &BezPath) -> String {

@@ -1,6 +1,7 @@
 //! A drawing that is made.
 
-use crate::canvas::{Canvas, escaped, px};
+use crate::canvas::{Canvas, escaped};
+use crate::number::px;
 use crate::pdf;
 use crate::pens::WHITE;
 use crate::raster::{self, RenderError};

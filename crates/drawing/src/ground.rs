@@ -2,7 +2,8 @@
 
 use kurbo::{BezPath, Point, Rect, Vec2};
 
-use crate::plan::{View, flipped, polygon, vec2};
+use crate::plan::{View, polygon};
+use crate::vector::{flipped, vec2};
 
 /// A part of the ground that has a friction of its own.
 #[derive(Clone, Debug, PartialEq)]

@@ -67,6 +67,7 @@
 //! It knows no case, no file and no unit: what a number means, and how it reads, is said by whoever asks for
 //! the picture. All numbers are to be finite.
 
+mod body;
 mod canvas;
 mod chart;
 mod damage;
@@ -101,7 +102,9 @@ mod symbol;
 mod thin;
 mod ticks;
 mod tornado;
+mod vector;
 
+pub use body::SceneBody;
 pub use chart::Axis;
 pub use damage::{DamagePicture, DamagedVehicle};
 pub use density::DensityPicture;
@@ -123,7 +126,7 @@ pub use raster::RenderError;
 pub use reconciliation::{CurvePoint, ReconciliationPicture};
 pub use rests::{FoundAtRest, RestsPicture};
 pub use scatter::{ScatterPanel, ScatterPicture, ScatterPoint};
-pub use scene::{SceneArrow, SceneBody, SceneMotion, ScenePicture, SceneVehicle};
+pub use scene::{SceneArrow, SceneMotion, ScenePicture, SceneVehicle};
 pub use site_plan::{PlanPlace, SitePlan, SitePlanError};
 pub use symbol::{Marker, Symbol};
 pub use tornado::{TornadoBar, TornadoPicture};

@@ -6,8 +6,9 @@ use crate::canvas::{Canvas, Head};
 use crate::finished::Drawing;
 use crate::legend::{self, EDGE, HEADER, Sample, ScaleUnit, WIDTH};
 use crate::pens::{AFTER, BEFORE, BLACK, GRID, Pen, VERMILION};
-use crate::plan::{self, View, flipped, unit, vec2};
+use crate::plan::{self, View};
 use crate::scene::SceneArrow;
+use crate::vector::{flipped, unit, vec2};
 
 const NAME: &str = "momentum";
 const SUBTITLE: &str = "Momentum before and after the impact, tip to tail";

@@ -2,6 +2,7 @@
 
 use kurbo::{Affine, BezPath, Point, Rect, Shape as _, Vec2};
 
+use crate::body::SceneBody;
 use crate::canvas::{Canvas, Head};
 use crate::finished::Drawing;
 use crate::font::{self, SMALL};
@@ -13,13 +14,14 @@ use crate::pens::{
     APPROACH, BLACK, EDGE_OF_GROUND, FILL, GREY, MARK, MEASURED, OUTLINE, PALE, PASSING, PATH, Pen, SKID,
     THIN, WHITE,
 };
-use crate::plan::{self, Contact, Pose, View, flipped, polyline, unit, vec2};
+use crate::plan::{self, Contact, Pose, View, polyline};
 use crate::plan_view::{PlanBody, PlanView, Viewport};
-use crate::scene::{SceneArrow, SceneBody};
+use crate::scene::SceneArrow;
 use crate::site_plan::{Backdrop, SitePlan};
 use crate::symbol::{Marker, Symbol};
 use crate::thin::thinned;
 use crate::ticks;
+use crate::vector::{flipped, unit, vec2};
 
 const NAME: &str = "motion";
 

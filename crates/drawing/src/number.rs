@@ -41,3 +41,10 @@ pub fn significant(value: f64, digits: usize) -> String {
         _ => scientific,
     }
 }
+
+/// (px) two decimals, as few as are needed.
+pub(crate) fn px(value: f64) -> String {
+    let text = format!("{value:.2}");
+    let text = text.trim_end_matches('0').trim_end_matches('.');
+    if text == "-0" { "0".to_owned() } else { text.to_owned() }
+}

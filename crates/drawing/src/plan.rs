@@ -2,11 +2,12 @@
 
 use kurbo::{Affine, BezPath, Circle, ParamCurve as _, Point, Rect, Shape as _, Vec2};
 
+use crate::body::SceneBody;
 use crate::canvas::{Canvas, Head};
 use crate::font::{Anchor, SMALL};
 use crate::footprint::placed;
 use crate::pens::{GREY, Pen, THIN};
-use crate::scene::SceneBody;
+use crate::vector::{flipped, unit, vec2};
 
 /// (m) how far the wall that stands for a fixed object of unknown extent reaches beyond the vehicle at it,
 /// its thickness, and the least length that is drawn.
@@ -17,20 +18,6 @@ const SHORTEST_WALL: f64 = 0.2;
 const BEHIND: f64 = 0.1;
 /// (px/m) the smallest scale that is tried.
 const SMALLEST: f64 = 1e-3;
-
-pub(crate) fn vec2([x, y]: [f64; 2]) -> Vec2 {
-    Vec2::new(x, y)
-}
-
-/// From the scene (m, y upwards) to the page (px, y downwards), without the origin.
-pub(crate) fn flipped(v: Vec2) -> Vec2 {
-    Vec2::new(v.x, -v.y)
-}
-
-pub(crate) fn unit(v: Vec2) -> Vec2 {
-    let length = v.hypot();
-    if length > 0.0 { v / length } else { Vec2::new(1.0, 0.0) }
-}
 
 /// Where a vehicle is.
 #[derive(Clone, Copy)]

@@ -2,9 +2,9 @@
 
 use kurbo::{BezPath, PathEl, Point, Rect};
 
+use crate::body::SceneBody;
 use crate::footprint::CrushProfile;
 use crate::plan::{Pose, View};
-use crate::scene::SceneBody;
 
 /// (m) how far the sides of an outline may lie from its arcs.
 const TOLERANCE: f64 = 0.002;

@@ -8,7 +8,8 @@ use crate::font::{Anchor, SMALL};
 use crate::footprint::Footprint;
 use crate::legend::{self, EDGE, HEADER, Sample, ScaleUnit, WIDTH};
 use crate::pens::{BLACK, GREY, MEASURED, OUTLINE, Pen};
-use crate::plan::{Pose, View, flipped, vec2};
+use crate::plan::{Pose, View};
+use crate::vector::{flipped, vec2};
 
 /// (px) of the drawing below the title, and the least height of it.
 const ROOM: Rect = Rect::new(EDGE + 8.0, HEADER + 10.0, WIDTH - EDGE - 8.0, HEADER + 530.0);

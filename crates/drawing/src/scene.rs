@@ -2,17 +2,19 @@
 
 use kurbo::{Point, Rect, Vec2};
 
+use crate::body::SceneBody;
 use crate::canvas::{Canvas, Head};
 use crate::finished::Drawing;
 use crate::font::{self, SMALL};
-use crate::footprint::{CrushProfile, Footprint, Shape};
+use crate::footprint::Shape;
 use crate::legend::{self, EDGE, HEADER, Sample, ScaleUnit, WIDTH};
 use crate::pens::{
     AFTER, AXIS, BEFORE, BLACK, FILL, GREY, HEADING, IMPULSE, OUTLINE, PALE, PDOF, PLANE, Pen, THIN,
     undamaged,
 };
-use crate::plan::{self, Contact, Pose, View, flipped, unit, vec2};
+use crate::plan::{self, Contact, Pose, View};
 use crate::plan_view::{PlanBody, PlanView, Viewport};
+use crate::vector::{flipped, unit, vec2};
 
 const NAME: &str = "scene";
 
@@ -79,27 +81,6 @@ pub struct SceneVehicle {
     pub is_fixed: bool,
     /// `None` for a fixed object, and where no speed is known.
     pub motion: Option<SceneMotion>,
-}
-
-/// What is known of the shape of a vehicle or of a fixed object.
-#[derive(Clone, Debug, PartialEq)]
-pub enum SceneBody {
-    /// Its outline. Where its crush is known, the damaged body is filled and the undamaged one dashed.
-    Outline {
-        /// The undamaged body.
-        footprint: Footprint,
-        /// The damaged face.
-        crush: Option<CrushProfile>,
-    },
-    /// A pole or a tree, which the contact point touches.
-    Pole {
-        /// (m)
-        diameter: f64,
-    },
-    /// A fixed object of unknown extent: a wall along the crush plane.
-    Wall,
-    /// A vehicle of unknown shape: its centre of gravity and its arrows are drawn, and no body.
-    Unknown,
 }
 
 /// What moves a vehicle, and how.

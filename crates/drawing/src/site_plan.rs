@@ -15,8 +15,8 @@ use zune_jpeg::zune_core::bytestream::ZCursor;
 use zune_jpeg::zune_core::colorspace::ColorSpace;
 use zune_jpeg::zune_core::options::DecoderOptions;
 
-use crate::canvas::px;
-use crate::plan::{unit, vec2};
+use crate::number::px;
+use crate::vector::{unit, vec2};
 
 /// How much of the plan is seen: what is drawn over it has to stand out.
 pub(crate) const OPACITY: f32 = 0.5;

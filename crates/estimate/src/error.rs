@@ -4,7 +4,7 @@ use std::fmt;
 
 use uncertainty::Failures;
 
-use crate::settings::{LEAST_ISLANDS, MOST_PARTICLES, PARTICLES_STEP};
+use crate::limits::{LEAST_ISLANDS, MOST_PARTICLES, PARTICLES_STEP};
 
 /// Why there are no draws.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]

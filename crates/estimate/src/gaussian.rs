@@ -2,7 +2,7 @@
 
 use uncertainty::{LANES, Lanes};
 
-use crate::shrink;
+use crate::shrink::{self, FLOOR};
 
 /// A mean and the lower triangle L of a covariance L Lᵀ.
 #[derive(Clone, Debug)]
@@ -92,9 +92,6 @@ impl Gaussian {
         }
     }
 }
-
-/// (–) variance that every coordinate has at least: a deviation of 1e-7 of the prior's.
-pub(crate) const FLOOR: f64 = 1e-14;
 
 /// How many particles there are, each place counted once: resampling leaves several at one.
 fn different(blocks: &[&[Lanes]]) -> usize {

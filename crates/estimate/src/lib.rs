@@ -76,6 +76,7 @@ mod diagnosis;
 mod error;
 mod gaussian;
 mod island;
+mod limits;
 mod model;
 mod moves;
 mod posterior;
@@ -90,8 +91,9 @@ pub use diagnosis::{
     POSSIBLE_LIMIT, Quantity, R_HAT_LIMIT, UNMOVED_LIMIT, Verdict,
 };
 pub use error::{CannotReweight, Culprit, Exclusion, Failure};
+pub use limits::{LEAST_ISLANDS, MOST_PARTICLES, PARTICLES_STEP};
 pub use model::{Evidence, Function, Hurdle, Independent, Part, Prior, Selection};
 pub use posterior::{Check, Posterior, sample, sample_quietly, sample_without};
 pub use reweight::{PARETO_LIMIT, Weights};
-pub use settings::{ISLANDS, LEAST_ISLANDS, MOST_PARTICLES, PARTICLES_STEP, Settings};
+pub use settings::{ISLANDS, Settings};
 pub use summary::{Draws, Interval, LEVELS, Summary};

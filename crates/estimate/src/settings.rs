@@ -3,16 +3,8 @@
 use uncertainty::Instructions;
 
 use crate::error::Failure;
+use crate::limits::{LEAST_ISLANDS, MOST_PARTICLES, PARTICLES_STEP};
 use crate::model::Selection;
-
-/// The number of particles of an island is a multiple of this: two halves of whole blocks.
-pub const PARTICLES_STEP: usize = 2 * uncertainty::LANES;
-
-/// The most particles of an island: a million draws of [`ISLANDS`] islands, which take some gigabytes.
-pub const MOST_PARTICLES: usize = 1 << 16;
-
-/// The fewest islands: between fewer the spread says nearly nothing.
-pub const LEAST_ISLANDS: usize = 4;
 
 /// The islands of [`Settings::new`], as many as `uncertainty` has replicates.
 pub const ISLANDS: usize = 16;

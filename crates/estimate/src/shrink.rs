@@ -10,7 +10,8 @@ use std::f64::consts::PI;
 use nalgebra::{DMatrix, SymmetricEigen};
 use real::elementary::{exp, ln};
 
-use crate::gaussian::FLOOR;
+/// (–) variance that every coordinate has at least: a deviation of 1e-7 of the prior's.
+pub(crate) const FLOOR: f64 = 1e-14;
 
 /// (–) it takes at least this many different draws for each dimension.
 const LEAST: f64 = 1.2;

@@ -97,7 +97,8 @@ fn are_crossed(pairs: &[Pair], couple: &[(usize, VehicleId); 2]) -> bool {
 mod tests {
     #![allow(clippy::unwrap_used, reason = "tests fail by panicking")]
 
-    use crate::pair::{Pair, read};
+    use crate::pair::Pair;
+    use crate::read::read;
 
     /// A vehicle's CDCPLANE, PDOF, MAXDVLONG and MAXDVLAT.
     type Side<'a> = (&'a str, f64, &'a str);

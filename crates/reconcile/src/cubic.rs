@@ -12,15 +12,8 @@
 use pim_core::{Law, NormalTangential, Real, Tangential};
 
 use crate::answer::{Iteration, Trail};
-use crate::pieces::Root;
 use crate::posed::Posed;
-
-/// Steps of Newton's method: the first speed is a few per cent off, and each step doubles the digits. All of
-/// them are made, whenever it converges, so that loops over many samples vectorise.
-pub(crate) const STEPS: usize = 6;
-
-/// The last step is at most this share of the speed: the error left is its square.
-pub(crate) const CONVERGED: f64 = 1e-10;
+use crate::root::{CONVERGED, Root, STEPS};
 
 impl Posed<'_> {
     /// The only root, if that is known, with what is kept of the steps.

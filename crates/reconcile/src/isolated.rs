@@ -16,11 +16,12 @@
 use crash3::EnergyBasis;
 use pim_core::{InverseMass, Law, LawImpulse};
 
-use crate::cubic::{CONVERGED, STEPS};
+use crate::branch::Branch;
 use crate::line::ApproachLine;
-use crate::pieces::{Branch, Stretch};
 use crate::polynomial::SIGN_IS_SURE;
 use crate::posed::Posed;
+use crate::root::{CONVERGED, STEPS};
+use crate::stretch::Stretch;
 
 /// A root has the energy sought within this share, which is rounding.
 const ENERGY_MATCH: f64 = 1e-12;

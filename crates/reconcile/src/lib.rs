@@ -85,10 +85,12 @@
 #![cfg_attr(not(feature = "std"), no_std)]
 
 mod answer;
+mod branch;
 mod brent;
 mod closed_form;
 mod cubic;
 mod error;
+mod fraction;
 mod isolated;
 mod line;
 mod momentum;
@@ -98,6 +100,9 @@ mod polynomial;
 mod posed;
 mod problem;
 mod quartic;
+mod root;
+mod search;
+mod stretch;
 
 pub use answer::{FASTEST, Iteration, Iterations, Reconciliation, SolutionMethod};
 pub use brent::{MAX_STEPS, RootError, brent};

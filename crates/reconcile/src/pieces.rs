@@ -25,15 +25,19 @@
 //! piece to the next is no change of sign within a piece, so it is never taken for a root.
 
 use crash3::EnergyBasis;
-use pim_core::{InverseMass, Law, LawImpulse, Regime, RestitutionCurve, Tangential};
+use pim_core::{LawImpulse, Regime, RestitutionCurve, Tangential};
 
 use crate::answer::{FASTEST, Iteration, Trail};
+use crate::branch::Branch;
 use crate::brent::{RootError, brent_between, narrowed};
 use crate::error::ReconcileError;
+use crate::fraction::{Critical, Fraction, fraction_with_moment, jams};
 use crate::isolated::{Isolated, Meeting, Pushes, Roots, Signs, against, along, full};
-use crate::polynomial::{Points, Polynomial, Ring, opposite};
+use crate::polynomial::{Points, Polynomial, opposite};
 use crate::posed::Posed;
 use crate::quartic::Quartic;
+use crate::root::Root;
+use crate::stretch::{Parts, Stretch};
 
 /// Under a fraction of μ_c the contact may jam at the end of a piece, where W_n is infinite: its sign is
 /// taken at this relative distance, far above rounding.
@@ -49,209 +53,6 @@ const STRAIGHT: f64 = 1e-5;
 /// A root has the energy sought within this share. Rounding of the speed moves W_n by more only nearer than
 /// 1e-9 to a jam; a change of sign by rounding on the wrong side of a jam or a jump leaves far more.
 const ENERGY_MATCH: f64 = 1e-6;
-
-/// An approach speed at which W_n has the value sought.
-pub(crate) struct Root<S> {
-    /// (m/s) x = −u_n.
-    pub(crate) x: f64,
-    /// What is kept of how it was found.
-    pub(crate) steps: S,
-}
-
-/// A range of approach speeds x = start + length t in which e is linear in t.
-#[derive(Clone, Copy)]
-pub(crate) struct Stretch {
-    pub(crate) start: f64,
-    pub(crate) length: f64,
-    /// e at t = 0 and at t = 1.
-    pub(crate) restitution: [f64; 2],
-    /// (s/m) e′ = de/dx
-    pub(crate) rise: f64,
-    /// (m/s) the approach speeds that belong to it.
-    pub(crate) range: [f64; 2],
-}
-
-impl Stretch {
-    /// Between two neighbouring points (m/s, e) of a curve.
-    #[inline(always)]
-    pub(crate) fn between([(from, e0), (to, e1)]: [(f64, f64); 2]) -> Self {
-        let length = to - from;
-        Self { start: from, length, restitution: [e0, e1], rise: (e1 - e0) / length, range: [from, to] }
-    }
-
-    /// Of one restitution.
-    #[inline(always)]
-    pub(crate) fn constant(e: f64, size: f64, range: [f64; 2]) -> Self {
-        Self { start: 0.0, length: size, restitution: [e; 2], rise: 0.0, range }
-    }
-
-    /// As far as the approach speeds reach.
-    #[inline(always)]
-    pub(crate) fn within(self, [least, most]: [f64; 2]) -> Self {
-        let [from, to] = self.range;
-        Self { range: [from.max(least), to.min(most)], ..self }
-    }
-
-    #[inline(always)]
-    pub(crate) fn has_length(&self) -> bool {
-        let [from, to] = self.range;
-        from < to
-    }
-
-    /// Whether e = 1 throughout.
-    #[inline(always)]
-    pub(crate) fn is_elastic(&self) -> bool {
-        let [e0, e1] = self.restitution;
-        (e0 == 1.0) & (e1 == 1.0)
-    }
-
-    /// (m/s) where a range is halved.
-    #[inline(always)]
-    pub(crate) fn middle([low, high]: [f64; 2]) -> f64 {
-        0.5 * (low + high)
-    }
-
-    fn parameter(&self, x: f64) -> f64 {
-        (x - self.start) / self.length
-    }
-
-    fn approach_speed(&self, t: f64) -> f64 {
-        let [low, high] = self.range;
-        (self.start + self.length * t).max(low).min(high)
-    }
-
-    /// e at an approach speed.
-    #[inline(always)]
-    pub(crate) fn restitution_at(&self, x: f64) -> f64 {
-        // e = e₀ + e′ (x − x₀)
-        self.restitution[0] + self.rise * (x - self.start)
-    }
-
-    /// The interval of t.
-    fn interval(&self) -> [f64; 2] {
-        self.range.map(|x| self.parameter(x))
-    }
-
-    /// x(t).
-    fn x(&self) -> Polynomial {
-        Polynomial::new([self.start, self.length])
-    }
-
-    /// 1 + c e(t).
-    fn one_plus(&self, c: f64) -> Polynomial {
-        let [e0, e1] = self.restitution;
-        if e0 == e1 {
-            Polynomial::new([1.0 + c * e0])
-        } else {
-            Polynomial::new([1.0 + c * e0, c * (e1 - e0)])
-        }
-    }
-
-    /// The polynomial of t of something that is affine in x and affine in e.
-    fn polynomial(&self, law: &Law, value: impl Fn(&Law, f64) -> f64) -> Polynomial {
-        self.corners(law, value).polynomial(|value| *value)
-    }
-
-    /// Something at both ends of the stretch, under the law with the restitution of each.
-    fn corners<V>(&self, law: &Law, value: impl Fn(&Law, f64) -> V) -> Corners<V> {
-        let ends = [self.start, self.start + self.length];
-        let [from, to] = self.restitution;
-        let of = |e: f64| {
-            let law = law.restituting(e);
-            ends.map(|x| value(&law, x))
-        };
-        Corners { from: of(from), to: (from != to).then(|| of(to)) }
-    }
-}
-
-/// A stretch in parts, of which the slowest is searched first and halved where it may have several roots.
-struct Parts {
-    stretch: Option<Stretch>,
-    /// (m/s) where the slowest part begins.
-    low: f64,
-    /// (m/s) where each part ends, the fastest first.
-    ends: [f64; HALVINGS + 1],
-    count: usize,
-}
-
-/// A part is no shorter than this power of a half of its stretch: two roots that are nearer to each other
-/// take the polynomials of its pieces.
-pub(crate) const HALVINGS: usize = 5;
-
-impl Parts {
-    fn none() -> Self {
-        Self { stretch: None, low: 0.0, ends: [0.0; HALVINGS + 1], count: 0 }
-    }
-
-    fn begin(&mut self, stretch: Stretch) -> Stretch {
-        let [low, high] = stretch.range;
-        (self.stretch, self.low, self.ends[0], self.count) = (Some(stretch), low, high, 1);
-        stretch
-    }
-
-    fn slowest(&self) -> Option<Stretch> {
-        let high = *self.ends[..self.count].last()?;
-        self.stretch.map(|stretch| Stretch { range: [self.low, high], ..stretch })
-    }
-
-    /// Whether the slowest part is now its slower half.
-    fn halve(&mut self) -> bool {
-        let (Some(high), true) = (self.ends[..self.count].last(), self.count <= HALVINGS) else {
-            return false;
-        };
-        self.ends[self.count] = Stretch::middle([self.low, *high]);
-        self.count += 1;
-        true
-    }
-
-    /// The slowest part is searched.
-    fn finish(&mut self) {
-        if let Some(high) = self.ends[..self.count].last() {
-            self.low = *high;
-            self.count -= 1;
-        }
-    }
-}
-
-/// Something at t = 0 and t = 1, under the law of either; of one law where both are the same.
-struct Corners<V> {
-    from: [V; 2],
-    to: Option<[V; 2]>,
-}
-
-impl<V> Corners<V> {
-    /// The polynomial of t of a part that is affine in x and affine in e.
-    fn polynomial(&self, part: impl Fn(&V) -> f64) -> Polynomial {
-        let [a, b] = self.from.each_ref().map(&part);
-        let Some(to) = &self.to else { return Polynomial::new([a, b - a]) };
-        let [c, d] = to.each_ref().map(&part);
-        // a (1−t)² + (b + c) t (1−t) + d t²
-        let middle = b + c;
-        Polynomial::new([a, middle - 2.0 * a, a + d - middle])
-    }
-}
-
-/// The law without a limit that holds in a piece.
-#[derive(Clone, Copy)]
-pub(crate) enum Branch {
-    /// The law itself, which has no limit.
-    Own,
-    /// Friction suffices for the law's condition on U_t.
-    Full,
-    /// The impulse ratio is the friction limit, against the sliding.
-    Ratio(f64),
-}
-
-impl Branch {
-    #[inline(always)]
-    pub(crate) fn law(self, law: &Law) -> Law {
-        match self {
-            Self::Own => *law,
-            Self::Full => law.without_limit(),
-            Self::Ratio(mu) => law.with_ratio(mu),
-        }
-    }
-}
 
 /// What signs isolate the roots of a part by.
 enum Isolating {
@@ -684,64 +485,5 @@ impl<'a> Posed<'a> {
                 Err(ReconcileError::NotConverged { last: self.line.speed(last), residual })
             }
         }
-    }
-}
-
-/// Numerators of P_n, P_t and M, and the denominator that they share: polynomials of some kind.
-pub(crate) struct Fraction<P> {
-    pub(crate) push: P,
-    slide: P,
-    moment: P,
-    pub(crate) divisor: P,
-}
-
-/// The critical impulse of a law.
-pub(crate) struct Critical<P> {
-    pub(crate) normal: P,
-    pub(crate) tangential: P,
-}
-
-/// Under a fraction f of μ_c.
-pub(crate) struct Jams<P> {
-    /// d = k_nn c_n + f k_nt c_t: the contact jams where it is zero.
-    pub(crate) normal: P,
-    /// n = k_nm c_n + f k_tm c_t
-    turn: P,
-    /// g = k_mm d − k_nm n: where it is zero, no moment impulse gives a common yaw rate.
-    pub(crate) moment: P,
-}
-
-impl<P: Ring> Jams<P> {
-    /// s d + (1+e) x n
-    #[inline(always)]
-    fn turning(&self, yaw_rate: f64, change: P) -> P {
-        self.normal.by(yaw_rate) + change * self.turn
-    }
-}
-
-#[inline(always)]
-pub(crate) fn jams<P: Ring>(k: &InverseMass, critical: &Critical<P>, f: f64) -> Jams<P> {
-    let normal = critical.normal.by(k.nn) + critical.tangential.by(f * k.nt);
-    let turn = critical.normal.by(k.nm) + critical.tangential.by(f * k.tm);
-    Jams { normal, turn, moment: normal.by(k.mm) + turn.by(-k.nm) }
-}
-
-/// The second case of [`Posed::fraction_of_critical`], with (1+e) x.
-#[inline(always)]
-pub(crate) fn fraction_with_moment<P: Ring>(
-    k: &InverseMass,
-    (critical, f): (&Critical<P>, f64),
-    jams: &Jams<P>,
-    change: P,
-    (yaw_rate, e_m): (f64, f64),
-) -> Fraction<P> {
-    let (d, g) = (jams.normal, jams.moment);
-    let turning = jams.turning(yaw_rate, change);
-    let share = change * g + turning.by((1.0 + e_m) * k.nm);
-    Fraction {
-        push: critical.normal * share,
-        slide: (critical.tangential * share).by(f),
-        divisor: d * g,
-        moment: (turning * d).by(-(1.0 + e_m)),
     }
 }

@@ -1,12 +1,9 @@
-//! A problem for which a speed can be sought, and the search.
+//! A problem for which a speed can be sought.
 
-use pim_core::Outcome;
 use real::Real;
 
-use crate::answer::{Found, Reconciliation, Search, SolutionMethod, Trail, Wanted, is_too_fast};
 use crate::error::ReconcileError;
 use crate::line::ApproachLine;
-use crate::pieces::Root;
 use crate::problem::Problem;
 
 /// A problem that makes sense, and what every search in it needs.
@@ -14,50 +11,6 @@ use crate::problem::Problem;
 pub(crate) struct Posed<'a, T = f64> {
     pub(crate) problem: &'a Problem<T>,
     pub(crate) line: ApproachLine<T>,
-}
-
-impl<'a> Posed<'a> {
-    /// The answer by root-finding, with what is kept of the steps.
-    pub(crate) fn search<S: Trail>(self, wanted: Wanted) -> Result<Found<f64, S>, ReconcileError> {
-        let mut search = Search::new(self.problem, wanted);
-        for root in self.roots() {
-            let Root { x, steps } = root?;
-            search.consider(self.line.speed(x), steps);
-            if search.is_done() {
-                break;
-            }
-        }
-        search.finish()
-    }
-
-    pub(crate) fn speeds(self) -> impl Iterator<Item = f64> + use<'a> {
-        let (closed, searched) = if self.problem.has_closed_form() {
-            (Some(self.approaches()), None)
-        } else {
-            (None, Some(self.searched()))
-        };
-        self.admissible(closed.into_iter().flatten().chain(searched.into_iter().flatten()))
-    }
-
-    /// Whether there is more than one of these: a search, which is large, is not moved where there is none.
-    fn has_several_speeds(self) -> bool {
-        if self.problem.has_closed_form() {
-            let approaches = self.approaches();
-            approaches.are_several() && self.admissible(approaches.into_iter()).nth(1).is_some()
-        } else {
-            self.admissible(self.searched()).nth(1).is_some()
-        }
-    }
-
-    fn searched(self) -> impl Iterator<Item = f64> + use<'a> {
-        self.roots::<()>().filter_map(Result::ok).map(|root| root.x)
-    }
-
-    /// The speeds at those of the approach speeds that are admissible.
-    fn admissible<I: Iterator<Item = f64>>(self, approaches: I) -> impl Iterator<Item = f64> + use<'a, I> {
-        let speeds = approaches.map(move |x| self.line.speed(x));
-        speeds.filter(move |&speed| !is_too_fast(speed) && self.problem.impact(speed).is_ok())
-    }
 }
 
 impl<T: Real> Posed<'_, T> {
@@ -76,62 +29,5 @@ impl<T: Real> Problem<T> {
     pub(crate) fn posed(&self) -> Result<Posed<'_, T>, ReconcileError> {
         let posed = Posed { problem: self, line: self.line() };
         if self.makes_sense(posed.line.slope) { Ok(posed) } else { Err(self.refusal()) }
-    }
-}
-
-impl Problem {
-    /// The speed that reconciles impact and crush: in closed form where there is one, else by the
-    /// root-finder.
-    ///
-    /// # Errors
-    /// [`ReconcileError`].
-    pub fn solve(&self) -> Result<Reconciliation, ReconcileError> {
-        let posed = self.posed()?;
-        Ok(if self.has_closed_form() {
-            posed.closed_form(Wanted::All)?.reconciling(self, |()| SolutionMethod::ClosedForm)
-        } else {
-            posed.search(Wanted::All)?.reconciling(self, SolutionMethod::RootFinder)
-        })
-    }
-
-    /// The speed (m/s) that [`solve`](Self::solve) finds, and the impact at it: the same bits in less time,
-    /// as no step of the search is kept, and no other speed is sought.
-    ///
-    /// # Errors
-    /// [`ReconcileError`].
-    pub fn speed_and_impact(&self) -> Result<(f64, Outcome), ReconcileError> {
-        let posed = self.posed()?;
-        let Found { speed, outcome, .. } = if self.has_closed_form() {
-            posed.closed_form(Wanted::First)?
-        } else {
-            posed.search(Wanted::First)?
-        };
-        Ok((speed, outcome))
-    }
-
-    /// The answer by root-finding alone, which serves every law.
-    ///
-    /// Guarantee: no speed of at most [`FASTEST`](crate::FASTEST) is missed, and none is counted twice, but
-    /// where rounding decides whether it exists. W_n less the value sought is a ratio of polynomials of the
-    /// approach speed within the pieces in which one regime of the law holds and e is linear. The signs of
-    /// its Bernstein coefficients say that a range has one root at most, or the extrema of the numerator
-    /// isolate its roots; Newton's method or Brent's finds each.
-    ///
-    /// # Errors
-    /// [`ReconcileError`].
-    pub fn root_finder(&self) -> Result<Reconciliation, ReconcileError> {
-        Ok(self.posed()?.search(Wanted::All)?.reconciling(self, SolutionMethod::RootFinder))
-    }
-
-    /// (m/s) the admissible speeds, from the slowest approach to the fastest, however many; none where
-    /// [`check`](Self::check) refuses the problem. The first is that of [`solve`](Self::solve).
-    pub fn speeds(&self) -> impl Iterator<Item = f64> {
-        self.posed().into_iter().flat_map(Posed::speeds)
-    }
-
-    /// Whether [`speeds`](Self::speeds) has more than one, in less time.
-    #[must_use]
-    pub fn has_several_speeds(&self) -> bool {
-        self.posed().is_ok_and(Posed::has_several_speeds)
     }
 }

@@ -12,11 +12,13 @@ use core::ops::{Add, Mul};
 
 use pim_core::{Law, Tangential};
 
-use crate::cubic::{CONVERGED, STEPS};
+use crate::branch::Branch;
+use crate::fraction::{Critical, Fraction, fraction_with_moment, jams};
 use crate::isolated::{Changes, Isolated, Meeting, Roots, Signs};
-use crate::pieces::{Branch, Critical, Fraction, Stretch, fraction_with_moment, jams};
 use crate::polynomial::{Ring, SIGN_IS_SURE, bernstein, opposite};
 use crate::posed::Posed;
+use crate::root::{CONVERGED, STEPS};
+use crate::stretch::Stretch;
 
 /// Times the [size](Meeting::size) of a root: most roots are slower, …
 const NEAR: f64 = 2.0;

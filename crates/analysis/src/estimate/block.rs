@@ -12,7 +12,7 @@ use inputs::{
 use pim_core::{Contact, Law, Motion, Tangential, Vector2, VehicleId};
 use real::elementary::sin_cos;
 
-use super::impacts::{OpenSpeeds, Posed};
+use super::posed::{OpenSpeeds, Posed};
 use crate::uncertainty::lanes::{Damage, Mover, Number, VehicleLanes, lateral, uncertain_places};
 
 /// A case of which a block of particles can be posed at once.

@@ -19,7 +19,8 @@ use real::Real;
 use reconcile::Unknown;
 
 use super::block::Block;
-use super::impacts::{Alone, CaseImpacts, OpenSpeeds, SkidNumbers, Slot, Varied};
+use super::impacts::{CaseImpacts, SkidNumbers, Slot, Varied};
+use super::posed::{Alone, OpenSpeeds};
 use super::{of_number, table};
 use crate::Failure;
 use crate::thresholds::{DIRECTION_AFTER_ERROR, SPEED_AFTER_ERROR};

@@ -2,9 +2,10 @@ use crash3::EnergyBasis;
 use pim_core::{Body, Contact, Law, Motion, Participant, RestitutionCurve, Tangential};
 
 use super::{Changes, Meeting, Push, Signs};
-use crate::pieces::{Root, Stretch};
 use crate::posed::Posed;
 use crate::problem::{Problem, Unknown};
+use crate::root::Root;
+use crate::stretch::Stretch;
 
 /// SplitMix64 (Steele, Lea and Flood, OOPSLA 2014).
 struct Draws(u64);

@@ -1,0 +1,65 @@
+//! The collision of a particle, and the speeds that it has in it.
+
+use evidence::Speeds;
+use inputs::Basis;
+use pim_core::{Contact, Motion, VaryingLaw, Vector2, VehicleId};
+
+/// How a particle has the speeds that are unknown.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum OpenSpeeds {
+    /// Both are in the case.
+    None,
+    /// That of one vehicle.
+    One(VehicleId, Alone),
+    /// Both, each by itself.
+    Each([Alone; 2]),
+    /// Both together.
+    Together(Speeds<usize>),
+}
+
+/// How a particle has a speed that is unknown by itself.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Alone {
+    /// The place of its value.
+    pub(super) place: usize,
+    /// (m/s) from 0 up to here, the value means that the vehicle stood.
+    pub(super) standing: f64,
+}
+
+impl Alone {
+    /// (m/s) the speed, where the value is this (m/s).
+    #[inline(always)]
+    pub(super) fn speed(self, value: f64) -> f64 {
+        // v = x below 0, 0 from 0 to w, x − w above
+        value.min(0.0) + (value - self.standing).max(0.0)
+    }
+}
+
+impl OpenSpeeds {
+    /// (m/s) the speeds that are unknown, of a particle with these values and headings along `forward`.
+    #[inline(always)]
+    pub(super) fn along(
+        self,
+        of: impl Fn(usize) -> f64,
+        forward: impl FnOnce() -> [Vector2<f64>; 2],
+    ) -> [Option<f64>; 2] {
+        let alone = |alone: Alone| Some(alone.speed(of(alone.place)));
+        match self {
+            Self::None => [None, None],
+            Self::One(VehicleId::One, open) => [alone(open), None],
+            Self::One(VehicleId::Two, open) => [None, alone(open)],
+            Self::Each(open) => open.map(alone),
+            Self::Together(speeds) => speeds.map(of).along(forward()).map(Some),
+        }
+    }
+}
+
+/// The collision of a particle, with the law that the case gives.
+pub(super) struct Posed {
+    pub(super) contact: Contact,
+    pub(super) law: VaryingLaw,
+    pub(super) motions: [Motion; 2],
+    /// (J)
+    pub(super) crush_energies: [f64; 2],
+    pub(super) basis: Basis,
+}

@@ -1,0 +1,137 @@
+//! Reads a table of pairs of vehicles.
+
+use std::collections::HashMap;
+
+use crate::crossed;
+use crate::error::FieldError;
+use crate::pair::{Pair, Plane, Vehicle};
+
+/// Reads pairs of vehicles, a line each, with the columns of CISS. Where `VEHNO` tells which vehicle of the
+/// crash each is, records that may be of another event are [doubted](Vehicle::is_record_doubted).
+///
+/// # Errors
+/// Where the file is no table of this form, with the line and the column.
+pub fn read(text: &str) -> Result<Vec<Pair>, FieldError> {
+    let mut reader = csv::Reader::from_reader(text.as_bytes());
+    let mut pairs = Vec::new();
+    for (index, line) in reader.deserialize().enumerate() {
+        let columns: HashMap<String, String> = line?;
+        let cells = Cells { line: index + 2, columns: &columns };
+        let case = columns.get("CASEID").ok_or(FieldError::NoColumn { column: "CASEID".to_owned() })?;
+        pairs.push(Pair { case: case.clone(), vehicles: [cells.vehicle(1)?, cells.vehicle(2)?] });
+    }
+    crossed::mark(&mut pairs);
+    if pairs.is_empty() { Err(FieldError::NoPairs) } else { Ok(pairs) }
+}
+
+/// (kg) of a vehicle, (cm) of a length on it, (°) of an angle, (km/h) of a speed.
+const MOST_MASS: f64 = 100_000.0;
+const MOST_LENGTH: f64 = 3_000.0;
+const MOST_ANGLE: f64 = 720.0;
+const MOST_SPEED: f64 = 500.0;
+
+struct Cells<'a> {
+    line: usize,
+    columns: &'a HashMap<String, String>,
+}
+
+impl Cells<'_> {
+    fn text(&self, column: &str, vehicle: u8) -> Result<&str, FieldError> {
+        let column = format!("{column}_{vehicle}");
+        match self.columns.get(&column) {
+            Some(text) => Ok(text.trim()),
+            None => Err(FieldError::NoColumn { column }),
+        }
+    }
+
+    fn maybe(&self, column: &str, vehicle: u8) -> Result<Option<f64>, FieldError> {
+        let text = self.text(column, vehicle)?;
+        if text.is_empty() {
+            return Ok(None);
+        }
+        match text.parse::<f64>() {
+            Ok(number) if number.is_finite() => Ok(Some(number)),
+            _ => Err(self.refusal(column, vehicle, text, "a number, or nothing where it is missing")),
+        }
+    }
+
+    /// A number of at most so much, either way: no vehicle has more.
+    fn at_most(&self, most: f64, column: &str, vehicle: u8) -> Result<Option<f64>, FieldError> {
+        match self.maybe(column, vehicle)? {
+            Some(number) if number.abs() > most => {
+                let wanted = "a plausible number in this column: correct it, or leave its line out";
+                Err(self.refusal(column, vehicle, self.text(column, vehicle)?, wanted))
+            }
+            number => Ok(number),
+        }
+    }
+
+    fn number(&self, column: &str, vehicle: u8) -> Result<f64, FieldError> {
+        let wanted = "a number: without it the pair cannot be judged, so leave its line out";
+        let most = match column {
+            "CURBWT" => MOST_MASS,
+            "PDOF" => MOST_ANGLE,
+            _ => MOST_LENGTH,
+        };
+        self.at_most(most, column, vehicle)?.ok_or_else(|| self.refusal(column, vehicle, "", wanted))
+    }
+
+    fn refusal(&self, column: &str, vehicle: u8, text: &str, wanted: &'static str) -> FieldError {
+        let (line, column, text) = (self.line, format!("{column}_{vehicle}"), text.to_owned());
+        FieldError::Cell { line, column, text, wanted }
+    }
+
+    /// Its number in the crash; `None` without the column.
+    fn vehicle_number(&self, vehicle: u8) -> Result<Option<u32>, FieldError> {
+        match self.text("VEHNO", vehicle) {
+            Err(_) | Ok("") => Ok(None),
+            // Tables whose columns have gaps tend to write 1 as 1.0.
+            Ok(text) => text.strip_suffix(".0").unwrap_or(text).parse().map(Some).map_err(|_| {
+                self.refusal("VEHNO", vehicle, text, "a whole number, or nothing where it is missing")
+            }),
+        }
+    }
+
+    fn vehicle(&self, vehicle: u8) -> Result<Vehicle, FieldError> {
+        let plane = match self.text("CDCPLANE", vehicle)? {
+            "F" => Plane::Front,
+            "B" => Plane::Rear,
+            "L" => Plane::Left,
+            "R" => Plane::Right,
+            other => {
+                let wanted = "F, B, L or R: front, rear, left or right; leave lines of other planes out";
+                return Err(self.refusal("CDCPLANE", vehicle, other, wanted));
+            }
+        };
+        let curb_mass = self.number("CURBWT", vehicle)?;
+        if curb_mass <= 0.0 {
+            return Err(self.refusal("CURBWT", vehicle, &curb_mass.to_string(), "a mass above 0 kg"));
+        }
+        let centimetres =
+            |column| Ok::<_, FieldError>(self.at_most(MOST_LENGTH, column, vehicle)?.map(|cm| cm / 100.0));
+        let kmh =
+            |column| Ok::<_, FieldError>(self.at_most(MOST_SPEED, column, vehicle)?.map(|kmh| kmh / 3.6));
+        let mut depths = [0.0; 6];
+        for (depth, column) in depths.iter_mut().zip(["C1", "C2", "C3", "C4", "C5", "C6"]) {
+            // Outward bulges are no crush.
+            *depth = (self.number(column, vehicle)? / 100.0).max(0.0);
+        }
+        Ok(Vehicle {
+            number: self.vehicle_number(vehicle)?,
+            curb_mass,
+            // NHTSA's codes for unknown loads are above any load.
+            cargo: self.at_most(MOST_MASS, "CARGOWT", vehicle)?,
+            plane,
+            pdof: self.number("PDOF", vehicle)?.to_radians(),
+            // NHTSA's codes for missing headings are above 360.
+            heading: self.maybe("HEADINGANG", vehicle)?.filter(|h| h.abs() <= 360.0).map(f64::to_radians),
+            field_length: centimetres("FIELDL")?,
+            direct_length: centimetres("DIRECTL")?,
+            direct_offset: centimetres("DIRECTD")?,
+            depths,
+            winsmash: [kmh("DVTOTAL")?, kmh("DVLONG")?],
+            recorder: [kmh("MAXDVLONG")?, kmh("MAXDVLAT")?],
+            is_record_doubted: false,
+        })
+    }
+}
