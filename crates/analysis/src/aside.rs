@@ -8,10 +8,14 @@ use real::elementary::atan2;
 use real::principal_angle;
 use reconcile::COLLINEAR;
 
+use crate::analysis::Analysis;
+use crate::evident::Evident;
+use crate::found::Found;
+use crate::speeds::BothMethod;
 use crate::thresholds::{
     DIRECTION_AFTER_ERROR, RECORDER_DELTA_V_ERROR, RECORDER_SPEED_ERROR, SPEED_AFTER_ERROR,
 };
-use crate::{Analysis, BothMethod, Found, Warning};
+use crate::warning::Warning;
 
 /// A piece of evidence lies further from an answer than so many of its standard deviations before the two
 /// contradict each other: by chance one in four hundred does.
@@ -21,50 +25,6 @@ const LEAST_DIFFERENCE: f64 = 5.0 / 3.6;
 
 /// (m/s) what rounding makes of a speed at its limit is no contradiction.
 const SPEED_ROUNDING: f64 = 1e-6;
-
-/// Evidence that may contradict an answer which does not use it.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[non_exhaustive]
-pub enum Evident {
-    /// (m/s) the recorder's speed before the impact.
-    RecordedSpeed,
-    /// (m/s) the recorder's ΔV along the vehicle.
-    RecordedLongitudinal,
-    /// (m/s) the recorder's ΔV across the vehicle.
-    RecordedLateral,
-    /// (m/s) the speed where its skid begins.
-    SkidSpeed,
-    /// (m/s) the speed after the impact.
-    SpeedAfter,
-    /// (rad) the direction of the velocity after the impact.
-    DirectionAfter,
-    /// (m/s) the speed that it had at least.
-    AtLeast,
-    /// (m/s) the speed that it had at most.
-    AtMost,
-}
-
-impl Evident {
-    /// Its key in the table of the vehicle.
-    #[must_use]
-    pub fn key(self) -> &'static str {
-        match self {
-            Self::RecordedSpeed => "recorder.speed",
-            Self::RecordedLongitudinal => "recorder.delta_v_longitudinal",
-            Self::RecordedLateral => "recorder.delta_v_lateral",
-            Self::SkidSpeed => "before.speed",
-            Self::SpeedAfter => "after.speed",
-            Self::DirectionAfter => "after.direction",
-            Self::AtLeast => "certain_speed.at_least",
-            Self::AtMost => "certain_speed.at_most",
-        }
-    }
-
-    /// Whether its sign is that of the lateral axis.
-    pub(crate) fn is_lateral(self) -> bool {
-        matches!(self, Self::RecordedLateral | Self::DirectionAfter)
-    }
-}
 
 /// The kinds of evidence that an answer uses, which is then neither left aside nor held against it.
 #[derive(Clone, Copy, Debug, Default)]

@@ -5,10 +5,11 @@ use std::ops::ControlFlow;
 use ::uncertainty::{SamplingMethod, Settings};
 use inputs::Case;
 
-use crate::{
-    Analysis, Failure, Plan, Sensitivity, Stage, Sweep, Uncertainty, is_searched_back, is_uncertain,
-    sensitivity, uncertainty,
-};
+use crate::analysis::Analysis;
+use crate::commands::{sensitivity, uncertainty};
+use crate::failure::Failure;
+use crate::sensitivity::{Sensitivity, Sweep};
+use crate::uncertainty::{Plan, Stage, Uncertainty, is_searched_back, is_uncertain};
 
 /// Samples where nobody says how many: enough for three digits, in a blink.
 pub const SAMPLES: usize = 100_000;

@@ -6,68 +6,16 @@ use inputs::{Basis, Case, Geometry, Sought, TwoSpeedInput};
 use pim_core::{Law, Outcome, Real, VaryingLaw, Vector2, VehicleId};
 use reconcile::{Departure, Implied, Momentum, MomentumAndCrush, MomentumError};
 
+use crate::analysis::Analysis;
+use crate::checks;
+use crate::damage;
+use crate::errors::errors;
+use crate::failure::Failure;
+use crate::impact::Impact;
+use crate::judged::judged;
+use crate::speeds::{BothFound, BothMethod, CgLine, Combination};
 use crate::travel::{self, Origin, Record, Way, Ways, departures};
-use crate::{Analysis, Failure, Impact, checks, damage, evidence, judged, warning};
-
-pub use choice::Combination;
-pub(crate) use choice::Spread;
-
-/// Both speeds, and what they rest on.
-#[derive(Clone, Debug)]
-#[non_exhaustive]
-pub struct BothFound {
-    /// (m/s) the speeds along the headings.
-    pub speeds: [f64; 2],
-    /// What gave them.
-    pub method: BothMethod,
-    /// (m/s) the ΔV that go with the speeds: by momentum, |V − v|; where the crush energy was needed, those
-    /// of the impact that it makes.
-    pub delta_v: [f64; 2],
-    /// How the vehicles left the impact.
-    pub momentum: Momentum,
-    /// How much of the contact is known. Of point masses the normal is the line of the impulse.
-    pub geometry: Geometry,
-    /// What follows from the speeds and the velocities after the impact, without an impact law.
-    pub implied: Implied,
-    /// Whether the case says that they left locked together.
-    pub locked_together: bool,
-    /// Whether they left as one body that did not turn: the case gives one velocity for both CGs, and of
-    /// neither how it turned.
-    pub one_velocity: bool,
-    /// Every combination of a start of either vehicle that leads to the rests, the one of this answer first:
-    /// it agrees best with the impulse.
-    pub combinations: Vec<Combination>,
-    /// How the CGs approached each other; `None` where they lie in one place.
-    pub cg_line: Option<CgLine>,
-}
-
-/// The relative velocity of the CGs along the line through both, as EDCRASH judges an impact: without the
-/// rotation, which [`Implied::restitution`] has.
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[non_exhaustive]
-pub struct CgLine {
-    /// (m/s) closing speed before the impact.
-    pub closing_speed: f64,
-    /// (–) separation speed by closing speed; `None` where the CGs do not approach.
-    pub restitution: Option<f64>,
-}
-
-impl CgLine {
-    /// Along the line from the CG of vehicle 1 to that of vehicle 2, which are `apart` (m).
-    fn new(apart: Vector2<f64>, before: [Vector2<f64>; 2], after: [Vector2<f64>; 2]) -> Option<Self> {
-        let distance = apart.norm();
-        if distance <= 0.0 {
-            return None;
-        }
-        let line = apart * (1.0 / distance);
-        // v_c = (v₁ − v₂)·ℓ̂,  V_c = (V₁ − V₂)·ℓ̂
-        let closing_speed = (before[0] - before[1]).dot(&line);
-        let separating = (after[0] - after[1]).dot(&line);
-        // e_CG = −V_c/v_c
-        let restitution = (closing_speed > 0.0).then(|| 0.0 - separating / closing_speed);
-        Some(Self { closing_speed, restitution })
-    }
-}
+use crate::warning;
 
 /// (m) from the CG of vehicle 1 to that of vehicle 2: between the places that the case gives, or by the arms
 /// to the contact point.
@@ -82,60 +30,6 @@ fn between_cgs(case: &Case, momentum: &Momentum) -> Vector2<f64> {
     let [one, two] = momentum.contact.participants();
     // CG₂ − CG₁ = (C − r₂) − (C − r₁)
     one.arm() - two.arm()
-}
-
-/// What gives both speeds.
-#[derive(Clone, Debug, PartialEq)]
-pub enum BothMethod {
-    /// Momentum alone: the approaches cross.
-    Momentum,
-    /// Momentum along the heading of one vehicle, and the speed that the case gives for the other.
-    MomentumAndSpeed {
-        /// Whose speed is given.
-        given: VehicleId,
-    },
-    /// The way out of a fixed object, and the restitution there.
-    Wall {
-        /// Which vehicle hit it.
-        vehicle: VehicleId,
-        /// (–) e, which the case gives.
-        restitution: f64,
-    },
-    /// Momentum along the line that the approaches share, and the crush energy.
-    MomentumAndCrush {
-        /// (J) crush energy of both vehicles.
-        crush_energy: f64,
-        /// (J) the work sought, W_n + λ W_t, of which the basis gives λ.
-        normal_work: f64,
-        /// (m/s) the relative speed that was found, from which both follow.
-        relative_speed: f64,
-        /// (m/s) all admissible pairs of speeds, from the slowest approach to the fastest.
-        admissible: Vec<[f64; 2]>,
-    },
-}
-
-impl BothFound {
-    /// Whether the crush energy was needed: the impact is then the one that the law makes of the speeds.
-    #[must_use]
-    pub fn is_by_crush(&self) -> bool {
-        matches!(self.method, BothMethod::MomentumAndCrush { .. })
-    }
-
-    /// The only vehicle whose speed was sought; `None` where both were.
-    #[must_use]
-    pub fn sought(&self) -> Option<VehicleId> {
-        match self.method {
-            BothMethod::MomentumAndSpeed { given } => Some(given.other()),
-            BothMethod::Wall { vehicle, .. } => Some(vehicle),
-            BothMethod::Momentum | BothMethod::MomentumAndCrush { .. } => None,
-        }
-    }
-
-    /// The vehicles whose speeds were sought.
-    pub fn vehicles(&self) -> impl Iterator<Item = VehicleId> + use<> {
-        let sought = self.sought();
-        VehicleId::ALL.into_iter().filter(move |id| sought.is_none_or(|sought| sought == *id))
-    }
 }
 
 /// Both speeds, as an equation.
@@ -308,7 +202,7 @@ impl Agreed {
         let evidence = choice::Evidence {
             crush_energy: crush_energy.filter(|energy| *energy > 0.0),
             basis,
-            crush_ln: evidence::errors(case).crush_ln,
+            crush_ln: errors(case).crush_ln,
         };
         // One speed beside a known one, and point masses, are held against less than the choice needs.
         let is_chosen = posed.sought == Sought::Both && posed.geometry == Geometry::Given;
@@ -417,25 +311,4 @@ pub(crate) fn reconstruct(case: &Case) -> Result<Analysis, Failure> {
     analysis.skids = [0, 1].map(|i| travel::skid(marks[i]?, speeds[i].abs()));
     analysis.both = Some(both);
     Ok(analysis.with_travel(record.travel, surface).beside_the_rest(case))
-}
-
-impl BothFound {
-    /// The same in axes of the other handedness.
-    pub(crate) fn mirrored(self) -> Self {
-        let Momentum { contact, yaw_rates, after } = self.momentum;
-        let momentum = Momentum {
-            contact: contact.mirrored(),
-            yaw_rates: yaw_rates.map(|rate| 0.0 - rate),
-            after: after.map(mirrored),
-        };
-        let combinations = self.combinations.into_iter().map(Combination::mirrored).collect();
-        Self { momentum, implied: self.implied.mirrored(), combinations, ..self }
-    }
-}
-
-fn mirrored(Departure { velocity, yaw_rate }: Departure) -> Departure {
-    Departure {
-        velocity: Vector2::new(velocity.x, 0.0 - velocity.y),
-        yaw_rate: yaw_rate.map(|rate| 0.0 - rate),
-    }
 }

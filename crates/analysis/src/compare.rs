@@ -2,9 +2,11 @@
 
 use inputs::{BrachTangential, Case, Dimension, ImpactLaw, Quantity, Restitution};
 
+use crate::analysis::Analysis;
 use crate::damage::ASSUMED_FRICTION;
 use crate::evidence::{ByEvidence, by_evidence};
-use crate::{Analysis, Failure, impact, reconstruct};
+use crate::failure::Failure;
+use crate::solve::{impact, reconstruct};
 
 /// The assumed tangential restitution: interlocking surfaces do not rebound along each other.
 const ASSUMED_TANGENTIAL_RESTITUTION: f64 = 0.0;
@@ -31,27 +33,27 @@ pub struct LawRow {
     pub answer: Result<Analysis, Failure>,
 }
 
-/// Solves the case with its own law and with every other. It uses the coefficients of the case where they
-/// apply, and states an assumption where they do not. It reconstructs a case with a `[reconstruct]` table,
-/// and solves the impact of one with both speeds. A case with `[reconstruct]` whose file has both the damage
-/// and how the vehicles left the impact is also solved from either alone.
-///
-/// # Errors
-/// [`Failure`] if the case has no answer with its own law.
-pub fn compare(case: &Case) -> Result<Comparison, Failure> {
+/// As [`compare`](crate::compare()).
+pub(crate) fn compare(case: &Case) -> Result<Comparison, Failure> {
     let own = solve(case)?;
     let laws = others(case, &own)
         .into_iter()
         .map(|(law, assumed)| {
-            let mut other = case.clone();
-            if let Some(impact) = &mut other.impact {
-                impact.law = law.clone();
-            }
-            LawRow { law, assumed, answer: solve(&other) }
+            let answer = solve(&under(case, &law));
+            LawRow { law, assumed, answer }
         })
         .collect();
     let evidence = by_evidence(case, &own);
     Ok(Comparison { own, laws, evidence })
+}
+
+/// The case with another law.
+pub(crate) fn under(case: &Case, law: &ImpactLaw) -> Case {
+    let mut other = case.clone();
+    if let Some(impact) = &mut other.impact {
+        impact.law = law.clone();
+    }
+    other
 }
 
 fn solve(case: &Case) -> Result<Analysis, Failure> {

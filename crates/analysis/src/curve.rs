@@ -3,8 +3,9 @@
 
 use inputs::Case;
 
+use crate::failure::Failure;
+use crate::found::Found;
 use crate::goal::at;
-use crate::{Failure, Found};
 
 /// One point of the curve.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -1,82 +1,13 @@
 //! The damage of each vehicle, and CRASH3's answer from both.
 
 use crash3::{
-    CrushError, CrushRange, EnergyBasis, ObliqueCorrection, ObliqueFactor, Profile, SideStiffness,
-    StruckVehicle, UniformCrush,
+    CrushError, EnergyBasis, ObliqueCorrection, Profile, SideStiffness, StruckVehicle, UniformCrush,
 };
 use inputs::{EnergyData, Evidence, InferredWidth, VehicleData};
 
 use pim_core::Real;
 
-use crate::Vehicle;
-
-/// The results for the damage of one vehicle.
-#[derive(Clone, Debug)]
-#[non_exhaustive]
-pub struct Damage<T = f64> {
-    /// (m) width of the damage.
-    pub width: T,
-    /// (m) depths of crush; `None` if the crush was inferred.
-    pub depths: Vec<T>,
-    /// The inferred crush, if it was not measured.
-    pub inferred: Option<Inferred<T>>,
-    /// The stiffness.
-    pub structure: SideStiffness<T>,
-    /// (J) crush energy, uncorrected.
-    pub crush_energy: T,
-    /// (m/s) energy equivalent speed of the uncorrected crush energy.
-    pub ees: T,
-    /// (rad) the PDOF from which the correction and the moment arm follow: the file's, else that of the
-    /// impact.
-    pub pdof: Option<T>,
-    /// (rad) α: angle between the force and the normal of the damaged side; `None` where no direction of the
-    /// force is known, of one vehicle alone.
-    pub oblique_angle: Option<T>,
-    /// The correction for α; `None` if that is not known, or the force does not push on the damaged side.
-    pub oblique: Option<Oblique<T>>,
-    /// (m) h: distance of the force's line of action from the CG.
-    pub moment_arm: T,
-    /// (m) centroid of the damage, forward and left of the CG, if the force was assumed to act through it.
-    pub centroid: Option<[T; 2]>,
-}
-
-/// The results for a damage of which only the energy is known: from an EES, or none at all.
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[non_exhaustive]
-pub struct EnergyAlone<T = f64> {
-    /// (J) crush energy; no correction for oblique forces applies to it.
-    pub crush_energy: T,
-    /// (m/s) energy equivalent speed.
-    pub ees: T,
-    /// (rad) the PDOF from which the moment arm follows: the file's, else that of the impact.
-    pub pdof: Option<T>,
-    /// (m) h: distance of the force's line of action from the CG.
-    pub moment_arm: T,
-}
-
-/// A crush inferred from the force on the other vehicle.
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[non_exhaustive]
-pub struct Inferred<T = f64> {
-    /// (N) the peak force of the other vehicle.
-    pub force: T,
-    /// The crush whose energy is used.
-    pub crush: UniformCrush<T>,
-    /// The bounds, if the width is unknown.
-    pub range: Option<CrushRange<T>>,
-}
-
-/// The correction for an oblique force that pushes on the damaged side.
-#[derive(Clone, Copy, Debug)]
-#[non_exhaustive]
-pub struct Oblique<T = f64> {
-    /// The factor on the crush energy.
-    pub factor: ObliqueFactor<T>,
-    /// (J) crush energy with that factor.
-    pub corrected_crush_energy: T,
-    /// (N) peak force.
-    pub peak_force: T,
-}
+use crate::vehicle::{Damage, EnergyAlone, Inferred, Oblique, Vehicle};
 
 /// The friction assumed if the case gives none: within the 0.3 to 1.0 that is usual between vehicles.
 pub(crate) const ASSUMED_FRICTION: f64 = 0.5;

@@ -11,15 +11,17 @@ use std::ops::ControlFlow;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 
 use ::estimate::{
-    Culprit, Doubt, Exclusion, MOST_PARTICLES, PARTICLES_STEP, Posterior, Selection, Settings, Summary,
-    Verdict, sample, sample_without,
+    Culprit, Doubt, MOST_PARTICLES, PARTICLES_STEP, Posterior, Selection, Settings, Summary, Verdict, sample,
+    sample_without,
 };
 use ::uncertainty::{Distribution, Estimate, InvalidDistribution};
 use evidence::{EnergyMethod, Model, Observed, Piece};
 use inputs::{Case, Unit};
 use pim_core::VehicleId;
 
-use crate::Failure;
+use crate::excluded::{Impossible, key, table};
+use crate::failure::Failure;
+use crate::sensitivity::Output;
 use crate::uncertainty::NOISE;
 pub use outputs::EstimateOutput;
 use outputs::Told;
@@ -164,7 +166,7 @@ pub fn estimate_evidence(case: &Case) -> Result<Vec<String>, Failure> {
     let setup = setup::of(case, None)?;
     let model = Model::of(setup.impacts, setup.observed);
     let pieces = model.pieces().iter().filter(|piece| **piece != Piece::Severity);
-    Ok(pieces.map(|piece| pieces::key(*piece)).collect())
+    Ok(pieces.map(|piece| key(*piece)).collect())
 }
 
 /// The stage that [`estimate()`] has reached.
@@ -213,19 +215,6 @@ impl Estimated {
     pub fn probability_above(&self, output: EstimateOutput, limit: f64) -> Option<Estimate> {
         Some(self.posterior.draws().probability_above(self.draws(output)?, limit))
     }
-}
-
-/// What excludes every collision that is possible before the evidence.
-#[derive(Clone, Debug, PartialEq)]
-#[non_exhaustive]
-pub struct Impossible {
-    /// The least that excludes all: no piece where no draw makes an impact, and two where both are possible
-    /// alone but not together.
-    pub culprits: Vec<Piece>,
-    /// Whether it takes more than two pieces.
-    pub together: bool,
-    /// What excluded how many.
-    pub exclusion: Exclusion,
 }
 
 /// How many times as many particles at most are taken where a run does not converge: they are doubled twice.
@@ -411,7 +400,7 @@ fn missed(model: &Model<impacts::CaseImpacts>, posterior: &Posterior) -> Vec<Str
             continue;
         }
         let beyond = posterior.draws().mean(|draw| if scores[draw].abs() > MISSED { 1.0 } else { 0.0 });
-        let key = pieces::key(model.pieces()[part.term]);
+        let key = key(model.pieces()[part.term]);
         if beyond.value > 0.5 && !keys.contains(&key) {
             keys.push(key);
         }
@@ -423,7 +412,7 @@ fn missed(model: &Model<impacts::CaseImpacts>, posterior: &Posterior) -> Vec<Str
 fn has_other_sign(found: &PieceFound, observed: &Observed, told: &Told<'_>, posterior: &Posterior) -> bool {
     let Piece::RecordedDeltaV(id) = found.piece else { return false };
     let Some(part) = observed.vehicles[id.index()].recorder.longitudinal else { return false };
-    let wanted = EstimateOutput::Result(crate::Output::DeltaVLongitudinal { vehicle: id });
+    let wanted = EstimateOutput::Result(Output::DeltaVLongitudinal { vehicle: id });
     let place = told.outputs().iter().position(|output| *output == wanted);
     let median = place.map(|place| posterior.summary(::estimate::Quantity::Output(place)).median.value);
     median.is_some_and(|median| median * part.along < 0.0)
@@ -433,7 +422,7 @@ fn refused(failure: ::estimate::Failure, pieces: &[Piece]) -> Failure {
     let exclusion = match failure {
         ::estimate::Failure::Impossible(exclusion) => exclusion,
         ::estimate::Failure::NotALikelihood { term, .. } if term < pieces.len() => {
-            return Failure::Unjudged { key: pieces::key(pieces[term]) };
+            return Failure::Unjudged { key: key(pieces[term]) };
         }
         other => return Failure::Estimate(other),
     };
@@ -448,41 +437,12 @@ fn refused(failure: ::estimate::Failure, pieces: &[Piece]) -> Failure {
     Failure::Excluded(Box::new(Impossible { culprits, together, exclusion }))
 }
 
-impl std::fmt::Display for Impossible {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        let named = |piece: &Piece| format!("`{}`", pieces::key(*piece));
-        match self.culprits.as_slice() {
-            [one] => write!(f, "{} excludes every collision that is possible otherwise", named(one)),
-            [one, two] => {
-                write!(f, "{} and {} exclude each other: either alone is possible", named(one), named(two))
-            }
-            _ if self.together => f.write_str("the evidence excludes every collision, though no two pieces of it do"),
-            _ if self.exclusion.possible > 0 => write!(
-                f,
-                "the evidence excludes nearly every collision: {} of {} that were tried are possible",
-                self.exclusion.possible, self.exclusion.drawn
-            ),
-            _ => f.write_str(
-                "no speeds bring the vehicles together: with the headings, contact points and crush plane of the case they do not approach each other",
-            ),
-        }
-    }
-}
-
 /// A fault of the case where a distribution makes no sense.
 fn of_number(key: &str, result: Result<Distribution, InvalidDistribution>) -> Result<Distribution, Failure> {
     result.map_err(|error| {
         let kind = inputs::FaultKind::Refused { reason: error.to_string() };
         Failure::Case(inputs::Fault { key: key.to_owned(), kind, advice: None }.into())
     })
-}
-
-/// The key of a table of a vehicle.
-fn table(id: VehicleId) -> &'static str {
-    match id {
-        VehicleId::One => "vehicle1",
-        VehicleId::Two => "vehicle2",
-    }
 }
 
 #[cfg(test)]

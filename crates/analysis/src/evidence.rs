@@ -2,16 +2,17 @@
 
 use std::f64::consts::PI;
 
-use evidence::{CrushMisfit, Damage, FITTED};
-use inputs::{
-    Axes, Basis, Case, Dimension, Find, GivenVehicle, KnownEnergy, Quantity, Reconstruct, Velocity,
-};
+use inputs::{Axes, Basis, Case, Dimension, Find, GivenVehicle, Quantity, Reconstruct, Velocity};
 use pim_core::{Outcome, Real, VehicleId};
 use reconcile::{COLLINEAR, EvidenceErrors, MomentumBesideCrush, Unknown};
 
-use crate::both::{BothMethod, Posed, pose_agreeing};
-use crate::thresholds::{DIRECTION_AFTER_ERROR, SPEED_AFTER_ERROR};
-use crate::{Analysis, Failure, crush, damage, reconstruct};
+use crate::analysis::Analysis;
+use crate::both::{Posed, pose_agreeing};
+use crate::damage;
+use crate::errors::errors;
+use crate::failure::Failure;
+use crate::solve::{crush, reconstruct};
+use crate::speeds::BothMethod;
 
 /// The answers of the damage, of the momentum and of both together, for a case that has the evidence for
 /// each.
@@ -286,27 +287,6 @@ fn by_momentum(case: &Case) -> Result<EvidenceAnswer, NoEvidence> {
         crush_energy: law.and_then(|law| needed(basis, works, law.restitution())),
         energy_loss: Some(implied.energy_loss),
     })
-}
-
-/// What is taken for the errors of the evidence where momentum and the crush energy are weighed.
-///
-/// That of the crush energy is the bias and the spread that were fitted on real crashes together: the bias
-/// counts as an error because that of the stiffness in a file is not known. On the RICSAC collisions it is
-/// 0.5.
-pub(crate) fn errors(case: &Case) -> EvidenceErrors {
-    let side = |vehicle: &GivenVehicle| match (&vehicle.crush, &vehicle.energy) {
-        (Some(crush), _) => Some(crush.side),
-        (None, Some(KnownEnergy::Ees(ees))) => ees.side,
-        (None, Some(KnownEnergy::Undamaged) | None) => None,
-    };
-    let hit: Vec<Damage> = case.vehicles.iter().filter_map(side).map(Damage::from).collect();
-    let CrushMisfit { bias, ln_sd } = FITTED.crush_misfit(&hit);
-    EvidenceErrors {
-        speed: SPEED_AFTER_ERROR,
-        direction: DIRECTION_AFTER_ERROR,
-        // σ = √(b² + σ_c²)
-        crush_ln: (bias * bias + ln_sd * ln_sd).sqrt(),
-    }
 }
 
 /// From momentum and the crush energy (J).

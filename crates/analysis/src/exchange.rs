@@ -3,7 +3,10 @@
 use inputs::Geometry;
 use pim_core::{Energy, Motion, NormalTangential, Outcome, Real, Vector2};
 
-use crate::{Analysis, BothFound, Impact, Seen};
+use crate::analysis::Analysis;
+use crate::impact::Impact;
+use crate::seen::Seen;
+use crate::speeds::BothFound;
 
 /// What the impact did, by what gave the speeds: where momentum did, the motions after the impact that the
 /// evidence tells; else what the impact law makes of the speeds.

@@ -8,10 +8,14 @@ use real::Traced;
 use reconcile::{Implied, MomentumAndCrush, Problem};
 use trajectory::{Control, Target, to_start_near};
 
-use crate::both::{BothMethod, pose};
+use crate::analysis::Analysis;
+use crate::both::pose;
 use crate::damage;
+use crate::failure::Failure;
+use crate::found::refused;
+use crate::impact::collide;
+use crate::speeds::BothMethod;
 use crate::travel::{Origin, Record, Scene, Way, Ways, after_impact, departures, target};
-use crate::{Analysis, Failure, collide, impact, motion, reconstruct, refused};
 
 /// What a case asks for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -40,21 +44,12 @@ impl Goal {
         }
     }
 
-    /// The analysis that answers it.
+    /// The purpose of the analysis that answers it.
     pub(crate) fn purpose(self) -> Purpose {
         match self {
             Self::Speed | Self::BothSpeeds => Purpose::Reconstruct,
             Self::Impact => Purpose::Impact,
             Self::Motion => Purpose::Motion,
-        }
-    }
-
-    /// That analysis.
-    pub(crate) fn solve(self, case: &Case) -> Result<Analysis, Failure> {
-        match self {
-            Self::Speed | Self::BothSpeeds => reconstruct(case),
-            Self::Impact => impact(case),
-            Self::Motion => motion(case),
         }
     }
 

@@ -7,11 +7,17 @@ use ::estimate::Summary;
 use inputs::Case;
 use pim_core::VehicleId;
 
-use crate::evidence::{ByEvidence, EvidenceMethod, by_evidence};
-use crate::{
-    Analysis, BothMethod, Check, CheckedQuantity, EstimateOutput, EstimatePlan, EstimateStage, Estimated,
-    EstimatedOutput, Failure, Output, Seen, Warning, estimate, estimate_evidence,
+use crate::analysis::Analysis;
+use crate::check::{Check, CheckedQuantity};
+use crate::estimate::{
+    EstimateOutput, EstimatePlan, EstimateStage, Estimated, EstimatedOutput, estimate, estimate_evidence,
 };
+use crate::evidence::{ByEvidence, EvidenceMethod, by_evidence};
+use crate::failure::Failure;
+use crate::seen::Seen;
+use crate::sensitivity::Output;
+use crate::speeds::BothMethod;
+use crate::warning::Warning;
 
 impl Seen {
     /// As [`Analysis::refuting`].

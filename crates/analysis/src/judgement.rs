@@ -8,10 +8,17 @@ use inputs::{
 };
 use pim_core::VehicleId;
 
+use crate::aside;
+use crate::checks;
+use crate::damage;
 use crate::estimate::estimate_evidence;
+use crate::failure::Failure;
 use crate::goal::Goal;
+use crate::impact::closing_speed;
+use crate::solve::furthest_solver;
+use crate::uncertainty;
+use crate::vehicle::{NOTHING, Vehicle};
 use crate::warning::{self, Warning};
-use crate::{Failure, Vehicle, aside, checks, closing_speed, damage, uncertainty};
 
 /// The result of checking a case without solving it.
 #[derive(Debug)]
@@ -320,7 +327,7 @@ pub fn judge(case: &Case) -> Judgement {
         Ability { purpose, on, obstacle, left_aside: aside::of_purpose(case, on) }
     };
     let solved = if seeks { Purpose::Reconstruct } else { Purpose::Impact };
-    let (furthest, _) = crate::furthest_solver(case);
+    let (furthest, _) = furthest_solver(case);
     let alone = case.vehicles.iter().any(GivenVehicle::is_absent);
     let mut abilities = vec![
         of(Purpose::Reconstruct, Purpose::Reconstruct),
@@ -364,17 +371,6 @@ fn is_for_estimate(case: &Case) -> bool {
     };
     case.estimate.is_some() || case.vehicles.iter().any(has_evidence)
 }
-
-/// A vehicle of which something needed is missing.
-pub(crate) const NOTHING: VehicleData = VehicleData {
-    kind: None,
-    inertia: None,
-    contact: None,
-    contact_is_placed: false,
-    dimensions: None,
-    damage: None,
-    energy: None,
-};
 
 /// `speeds` (m/s) of a collision; that which is sought is zero.
 fn of_vehicles(

@@ -8,7 +8,12 @@ use pim_core::{Outcome, VehicleId};
 
 use reconcile::Implied;
 
-use crate::{AtContact, Crash3, Damage, Exchange, Impact, Oblique, Seen, Travel};
+use crate::damage::Crash3;
+use crate::exchange::{AtContact, Exchange};
+use crate::impact::Impact;
+use crate::seen::Seen;
+use crate::travel::Travel;
+use crate::vehicle::{Damage, Oblique};
 
 /// A number that a finished analysis gives.
 #[derive(Clone, Copy, Debug)]

@@ -3,10 +3,16 @@
 use inputs::{Axes, Basis, SurfaceData};
 use pim_core::{ImpactError, Switch, VehicleId};
 
-use crate::{
-    Analysis, BothFound, Check, Crash3, Drive, Failure, Found, Impact, JumpSide, Skid, Travel, Vehicle,
-    Warning,
-};
+use crate::analysis::Analysis;
+use crate::check::Check;
+use crate::damage::Crash3;
+use crate::failure::Failure;
+use crate::found::Found;
+use crate::impact::Impact;
+use crate::speeds::BothFound;
+use crate::travel::{Skid, Travel};
+use crate::vehicle::Vehicle;
+use crate::warning::{Drive, JumpSide, Warning};
 
 /// A finished analysis as a reader sees it: in the axes of the case, where an [`Analysis`] is in those of the
 /// engine. What is written for people or programs takes this type, so that no number can be written in the

@@ -6,10 +6,13 @@ use pim_core::{ImpactError, Motion, Outcome, Real, VehicleId};
 use real::Gradient;
 use reconcile::Implied;
 
+use crate::analysis::Analysis;
 use crate::damage::{self, Crash3};
+use crate::failure::Failure;
 use crate::goal::{self, Answer, Goal, Known, length};
+use crate::solve;
 use crate::travel::{Origin as WayOrigin, Way};
-use crate::{Analysis, Failure, furthest};
+use crate::vehicle::Vehicle;
 
 /// (rad) 1°.
 const DEGREE: f64 = std::f64::consts::PI / 180.0;
@@ -388,25 +391,14 @@ impl Default for Sweep {
     }
 }
 
-/// Differentiates a case with `[reconstruct]` or with a motion to rest, and sweeps the direction of force of
-/// any case whose damage is known.
-///
-/// The derivatives are exact: the same equations are evaluated on numbers that carry their derivative. The
-/// speed found is a root s of the residual R(s, p) = W_n − E, so its derivative by an input p is
-/// −(∂R/∂p)/(∂R/∂s), whichever method found it. Of several unknowns x, such as the velocity and the yaw rate
-/// of each vehicle that lead to its rest, dx/dp = −(∂R/∂x)⁻¹ ∂R/∂p (implicit function theorem).
-///
-/// The way to rest is differentiated over the steps that its integration took.
-///
-/// # Errors
-/// [`Failure`] if the case has no answer.
-pub fn sensitivity(case: &Case, sweep: Sweep) -> Result<Sensitivity, Failure> {
+/// As [`sensitivity`](crate::sensitivity()).
+pub(crate) fn sensitivity(case: &Case, sweep: Sweep) -> Result<Sensitivity, Failure> {
     // One vehicle alone has neither a speed nor a force to vary: the impact says what is missing.
     let alone = case.vehicles.iter().any(GivenVehicle::is_absent);
     let nominal = match Goal::of(case) {
-        Goal::Motion => crate::motion(case)?,
-        _ if alone => crate::impact(case)?,
-        _ => furthest(case)?,
+        Goal::Motion => solve::motion(case)?,
+        _ if alone => solve::impact(case)?,
+        _ => solve::furthest(case)?,
     };
     let has_ways = nominal.travel.iter().any(Option::is_some);
     let is_differentiated = nominal.found.is_some() || nominal.both.is_some() || has_ways;
@@ -539,7 +531,7 @@ fn pdof_sweep(nominal: &Analysis, sweep: Sweep, axes: Axes) -> Result<Vec<SweepR
     if nominal.crash3.is_none() {
         return Ok(rows);
     }
-    let nominal_pdof = nominal.vehicles.each_ref().map(crate::Vehicle::crash3_pdof);
+    let nominal_pdof = nominal.vehicles.each_ref().map(Vehicle::crash3_pdof);
     let restitution = nominal.impact.as_ref().map(|impact| impact.law.restitution());
     let steps = i64::from(sweep.steps);
     for step in -steps..=steps {

@@ -13,7 +13,7 @@ use trajectory::{
     to_start,
 };
 
-use crate::Failure;
+use crate::failure::Failure;
 use crate::thresholds::{POINT_MISSED, REST_SEARCHED, REST_SURVEY, SLOW_YAW};
 
 /// The way of one vehicle from the impact to rest.

@@ -26,9 +26,11 @@ pub use doubts::{Doubt, Doubtful};
 pub use exact::{ExactValue, TakenAsExact};
 use lanes::{Alone, Block, Number};
 
+use crate::analysis::Analysis;
+use crate::failure::Failure;
 use crate::goal::{self, Answer, Goal, Search, at};
 use crate::sensitivity::{Output, WayNumber, gradients};
-use crate::{Analysis, BothFound, Failure};
+use crate::speeds::BothFound;
 
 /// The requested samples and indices.
 #[derive(Clone, Copy, Debug)]
@@ -312,7 +314,7 @@ impl Uncertainty {
     }
 }
 
-/// The stage that [`uncertainty()`] has reached.
+/// The stage that [`uncertainty()`](crate::uncertainty()) has reached.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Stage {
     /// The samples.
@@ -321,32 +323,8 @@ pub enum Stage {
     Indices,
 }
 
-/// Propagates the ranges of a case through `reconstruct` or, if the case gives both speeds and asks for none,
-/// through `impact`, or through `motion` if it has no impact.
-///
-/// Every sample goes through the functions that the central values go through. A range of A or B moves G,
-/// where the file does not give that: G = A²/2B of each sample. PDOFs are counted on beyond ±180°, so that
-/// they lie about the central one. The start of a way that leads to a rest is sought from that at the central
-/// values, and with a turn by as much: where several starts lead there, one the short way and one the long
-/// way round, all samples take the same. `progress` is told what is done of how much, and may end the run.
-///
-/// # Errors
-/// [`Failure`] where the case has no answer at its central values, where nothing is a range, and where a
-/// range or the plan makes no sense.
-pub fn uncertainty(
-    case: &Case,
-    plan: &Plan,
-    progress: &mut (dyn FnMut(Stage, usize, usize) -> ControlFlow<()> + Send),
-) -> Result<Uncertainty, Failure> {
-    uncertainty_of(case, plan, &|_| true, progress)
-}
-
-/// The same of the outputs that are wanted alone: the others are neither kept nor summarised, which saves
-/// most of their time and memory. What there is has the same bits.
-///
-/// # Errors
-/// As for [`uncertainty()`], and where the case has none of the outputs.
-pub fn uncertainty_of(
+/// As [`uncertainty_of`](crate::uncertainty_of).
+pub(crate) fn uncertainty_of(
     case: &Case,
     plan: &Plan,
     wanted: &dyn Fn(Output) -> bool,
@@ -419,12 +397,12 @@ pub struct Samples {
     pub propagation: Propagation,
 }
 
-/// The samples of [`uncertainty()`], with the same bits, in a fraction of its time where they are few:
+/// The samples of [`uncertainty()`](crate::uncertainty()), with the same bits, in a fraction of its time where they are few:
 /// without derivatives, tornado and doubts, as a row of a table has no place for them. `None` where nothing
 /// is uncertain.
 ///
 /// # Errors
-/// As for [`uncertainty()`], but for a case of which nothing is a range.
+/// As for [`uncertainty()`](crate::uncertainty()), but for a case of which nothing is a range.
 pub fn samples(
     case: &Case,
     settings: &Settings,
@@ -443,14 +421,14 @@ pub fn samples(
     Ok(Some(Samples { outputs, propagation }))
 }
 
-/// Whether [`uncertainty()`] has anything to propagate: a range, a value that is estimated, or an error
+/// Whether [`uncertainty()`](crate::uncertainty()) has anything to propagate: a range, a value that is estimated, or an error
 /// that numbers share.
 #[must_use]
 pub fn is_uncertain(case: &Case) -> bool {
     any_inputs(case).map_or(true, |inputs| !inputs.is_empty())
 }
 
-/// Whether each sample of [`uncertainty()`] is searched back from the place where a vehicle came to rest,
+/// Whether each sample of [`uncertainty()`](crate::uncertainty()) is searched back from the place where a vehicle came to rest,
 /// which takes a thousand times as long as to solve an impact.
 #[must_use]
 pub fn is_searched_back(case: &Case) -> bool {

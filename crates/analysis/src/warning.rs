@@ -9,13 +9,17 @@ use inputs::{
 };
 use pim_core::{Contact, Motion, Outcome, Regime, Switch, Tangential, VehicleId};
 
-use crate::aside::Evident;
-use crate::checks::{Check, CheckedQuantity};
+use crate::check::{Check, CheckedQuantity};
 use crate::codes::codes;
 use crate::damage::Crash3;
+use crate::evident::Evident;
+use crate::found::Found;
+use crate::impact::Impact;
+use crate::speeds::BothFound;
 use crate::thresholds::{DELTA_V_DIFFERENCE, FAST_CLOSING, FORCE_RATIO, HIGH_RESTITUTION, PDOF_DIFFERENCE};
+use crate::travel::{Pass, Travel};
 use crate::usual::Usual;
-use crate::{BothFound, Damage, Found, Impact, Pass, Travel, Vehicle};
+use crate::vehicle::{Damage, Vehicle};
 
 /// (m) how far the places of C may lie apart: a CG is surveyed to some decimetres.
 const CONTACT_APART: f64 = 0.3;

@@ -8,61 +8,21 @@
 //!
 //! χ² = rᵀ Σ⁻¹ r,  weight ∝ e^(−χ²/2)
 
-use inputs::{Axes, Basis, MotionInput};
+use inputs::{Basis, MotionInput};
 use pim_core::{Contact, Motion, Participant, Real, Vector2, VehicleId};
 use real::elementary;
 use reconcile::{Departure, Implied, Momentum, MomentumError};
 use trajectory::Departure as Start;
 
-use super::{BothFound, ByCrush, Posed};
-use crate::Failure;
-use crate::checks::{self, Check};
+use super::{ByCrush, Posed};
+use crate::checks;
+use crate::failure::Failure;
+use crate::speeds::{Combination, Spread};
 use crate::thresholds::{
-    ARM_ERROR, COMPARABLE_WEIGHT, DIRECTION_AFTER_ERROR, HIGH_RESTITUTION, MATERIAL_SPEED, PLANE_ERROR,
-    RATIO_BEYOND, RESTITUTION_ERROR, SPEED_AFTER_ERROR, YAW_RATE_ERROR, YAW_RATE_SHARE,
+    ARM_ERROR, DIRECTION_AFTER_ERROR, HIGH_RESTITUTION, PLANE_ERROR, RATIO_BEYOND, RESTITUTION_ERROR,
+    SPEED_AFTER_ERROR, YAW_RATE_ERROR, YAW_RATE_SHARE,
 };
 use crate::travel::{Origin, Record};
-
-/// A start of each vehicle, and what speaks against the two together.
-#[derive(Clone, Debug)]
-#[non_exhaustive]
-pub struct Combination {
-    /// How each vehicle left the impact.
-    pub after: [Departure; 2],
-    /// (rad) how far each vehicle turns on its way to rest; `None` of one that is not followed.
-    pub turns: [Option<f64>; 2],
-    /// (m/s) the speeds along the headings.
-    pub speeds: [f64; 2],
-    /// (–) χ² of what the speeds imply against what else is known.
-    pub misfit: f64,
-    /// (–) how likely the combination is among all of them.
-    pub weight: f64,
-    /// The checks that it does not pass.
-    pub against: Vec<Check>,
-}
-
-impl Combination {
-    /// The same in axes of the other handedness.
-    pub(super) fn mirrored(self) -> Self {
-        Self {
-            after: self.after.map(super::mirrored),
-            turns: self.turns.map(|turn| turn.map(|turn| 0.0 - turn)),
-            against: self.against.into_iter().map(|check| check.in_axes(Axes::ZDown)).collect(),
-            ..self
-        }
-    }
-}
-
-impl BothFound {
-    /// Other combinations of starts that are of comparable weight and lead to other speeds: the rests do not
-    /// tell which it was.
-    pub fn rivals(&self) -> impl Iterator<Item = &Combination> {
-        self.combinations.iter().skip(1).filter(|other| {
-            let apart = (0..2).map(|i| (other.speeds[i] - self.speeds[i]).abs()).fold(0.0, f64::max);
-            other.weight > COMPARABLE_WEIGHT && apart > MATERIAL_SPEED
-        })
-    }
-}
 
 /// What the speeds of a combination are held against.
 #[derive(Clone, Copy)]
@@ -87,19 +47,6 @@ const SLOWEST_APPROACH: f64 = 3.0;
 const PULLS: f64 = 2.0;
 /// (–) the least share of the crush energy that the logarithm knows.
 const LEAST_ENERGY: f64 = 0.01;
-
-/// Standard deviations of what momentum implies less what it is held against.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Spread {
-    /// (rad/s) of the yaw rates.
-    pub(crate) yaw_rates: [f64; 2],
-    /// (–) of the restitution.
-    pub(crate) restitution: f64,
-    /// (–) of the impulse ratio.
-    pub(crate) impulse_ratio: f64,
-    /// (–) of the logarithm of the energy.
-    pub(crate) energy_ln: f64,
-}
 
 type Numbers = [f64; KNOWN_TWICE];
 

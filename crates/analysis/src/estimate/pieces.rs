@@ -8,7 +8,7 @@ use evidence::Piece;
 use pim_core::VehicleId;
 
 use super::outputs::Told;
-use super::table;
+use crate::excluded::key;
 
 /// A piece of evidence, and what it does to the answer.
 #[derive(Clone, Debug)]
@@ -35,27 +35,6 @@ pub struct PieceFound {
 pub struct SameTwice {
     /// Their keys.
     pub keys: [String; 2],
-}
-
-/// The key of a piece in the case.
-pub(super) fn key(piece: Piece) -> String {
-    let of = |id: VehicleId, key: &str| format!("{}.{key}", table(id));
-    match piece {
-        Piece::Severity => "estimate.prior".to_owned(),
-        Piece::Crush => "crush".to_owned(),
-        Piece::Pdof(id) => of(id, "crush.pdof"),
-        Piece::SpeedAfter(id) => of(id, "after.speed"),
-        Piece::DirectionAfter(id) => of(id, "after.direction"),
-        Piece::YawRateAfter(id) => of(id, "after.yaw_rate"),
-        Piece::RecordedDeltaV(id) => of(id, "recorder.delta_v"),
-        Piece::RecordedDirection(id) => of(id, "recorder.delta_v_lateral"),
-        Piece::Rest(id) => of(id, "after.rest"),
-        Piece::Points(id) => of(id, "after.points"),
-        Piece::RecordedSpeed(id) => of(id, "recorder.speed"),
-        Piece::RecordedYawRate(id) => of(id, "recorder.yaw_rate"),
-        Piece::SkidSpeed(id) => of(id, "before.speed"),
-        Piece::Limits(id) => of(id, "certain_speed"),
-    }
 }
 
 /// Draws that are there already, from which most of what a piece says can be told.

@@ -20,9 +20,11 @@ use reconcile::Unknown;
 
 use super::block::Block;
 use super::impacts::{CaseImpacts, SkidNumbers, Slot, Varied};
+use super::of_number;
 use super::posed::{Alone, OpenSpeeds};
-use super::{of_number, table};
-use crate::Failure;
+use crate::damage;
+use crate::excluded::table;
+use crate::failure::Failure;
 use crate::thresholds::{DIRECTION_AFTER_ERROR, SPEED_AFTER_ERROR};
 use crate::uncertainty::lanes::Number;
 use crate::uncertainty::{UncertainInput, inputs};
@@ -1048,7 +1050,7 @@ impl Crushed {
         );
         let is_known = |id: &VehicleId| case.vehicles[id.index()].has_damage_data() && !is_inferred(*id);
         let known: Vec<VehicleId> = movers.iter().copied().filter(is_known).collect();
-        let Ok(assessed) = crate::damage::assess(nominal.vehicles.clone(), [None, None]) else {
+        let Ok(assessed) = damage::assess(nominal.vehicles.clone(), [None, None]) else {
             return Self::No;
         };
         let energy = |id: &VehicleId| assessed[id.index()].crush_energy().unwrap_or_default();

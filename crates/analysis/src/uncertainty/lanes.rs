@@ -32,6 +32,7 @@ use pim_core::{
 use reconcile::{Problem, Unknown};
 
 use super::{Reason, value};
+use crate::found::refused;
 use crate::sensitivity::Output;
 
 /// A number of the case.
@@ -527,9 +528,7 @@ impl Block {
     fn solve(&self, posed: &Posed, inputs: &[Lanes], lane: usize) -> Result<(f64, Outcome), Option<Reason>> {
         if let Some(sought) = self.sought {
             let problem = self.problem(posed, sought, inputs, lane).map_err(Some)?;
-            return problem
-                .speed_and_impact()
-                .map_err(|why| Some(Reason::of(&crate::refused(&problem, why))));
+            return problem.speed_and_impact().map_err(|why| Some(Reason::of(&refused(&problem, why))));
         }
         let (contact, law, motions) = self.collision(posed, inputs, lane).map_err(Some)?;
         // A damage of which the engine refuses something has no energy. Of one whose energy is known an

@@ -1,0 +1,215 @@
+//! What a check of an analysis compared.
+
+use inputs::Axes;
+use pim_core::VehicleId;
+
+use crate::codes::codes;
+use crate::travel::Pass;
+
+/// (rad) what the sums of a few angles within a turn or two are rounded by, and more.
+const ANGLE_ROUNDING: f64 = 1e-12;
+
+/// One comparison. Values are in SI units.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Check {
+    /// The kind of comparison.
+    pub quantity: CheckedQuantity,
+    /// The value found.
+    pub value: f64,
+    /// The greatest value allowed or, for a direction of rotation, the least.
+    pub limit: f64,
+}
+
+/// What a check compares.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum CheckedQuantity {
+    /// The ratio of the greater peak force to the lesser: by Newton's third law, 1.
+    ForceBalance,
+    /// (rad) how far the two directions of force that the file gives are from opposite.
+    PdofsOpposite,
+    /// |W_n + λ W_t − E|/E.
+    DamageEnergy {
+        /// (J) W_n + λ W_t, of which the case's basis gives λ: 0 unless it is a share of the tangential work.
+        normal_work: f64,
+        /// (J) E, the share of the crush energy that the impact dissipates on the case's basis.
+        crush_energy: f64,
+    },
+    /// e above 15 m/s of closing speed: at most 0.3. Below that speed every possible e is acceptable, so
+    /// there is no check.
+    Restitution,
+    /// (N·m·s) moment about the CG of the impulse that acts along the line of action of the file's PDOF, or
+    /// of the computed one where a moment impulse acts too; counted positive in the sense in which the yaw
+    /// rate changed. Without either the impulse alone makes the change (I ΔΩ = r × P), and there is nothing
+    /// to hold it against.
+    Rotation {
+        /// Which vehicle.
+        vehicle: VehicleId,
+    },
+    /// |W_n + λ W_t − E|/E with the works that both speeds and the velocities after the impact imply.
+    MomentumEnergy {
+        /// (J) W_n + λ W_t.
+        normal_work: f64,
+        /// (J) E, on the case's basis.
+        crush_energy: f64,
+        /// (–) λ.
+        tangential_share: f64,
+    },
+    /// (N·s) momentum across the heading of the vehicle whose speed was sought, which no speed of it
+    /// accounts for.
+    MomentumAcross {
+        /// Which vehicle.
+        vehicle: VehicleId,
+        /// (N·s) to the left of its heading, or to the right in z-down axes.
+        surplus: f64,
+    },
+    /// How far the restitution that they imply lies outside of 0 to 1, where the case gives none.
+    PossibleRestitution {
+        /// (–) as implied.
+        implied: f64,
+    },
+    /// The difference between the restitution that they imply and that of the case.
+    MomentumRestitution {
+        /// (–) as implied.
+        implied: f64,
+        /// (–) of the case, at this closing speed.
+        given: f64,
+    },
+    /// How far the impulse ratio that they imply lies outside of 0 to μ_c.
+    MomentumRatio {
+        /// (–) as implied.
+        implied: f64,
+        /// (–) μ_c.
+        critical: f64,
+    },
+    /// (rad/s) the difference between the yaw rate after the impact that the impulse at C gives and the one
+    /// that the rest or the case tells.
+    MomentumYawRate {
+        /// Which vehicle.
+        vehicle: VehicleId,
+        /// (rad/s) by the impulse at C.
+        implied: f64,
+        /// (rad/s) by the rest, or as given.
+        told: f64,
+    },
+    /// (rad) the difference between the PDOF that they imply and that of the case.
+    MomentumPdof {
+        /// Which vehicle.
+        vehicle: VehicleId,
+        /// (rad) as implied.
+        implied: f64,
+        /// (rad) of the case.
+        given: f64,
+    },
+    /// By how much the way to rest misses a point of the path, in place or by the turn of the wheelbase if
+    /// that is more, as a share of the way.
+    PointMissed {
+        /// Which vehicle.
+        vehicle: VehicleId,
+        /// Which of its points, counted from 1.
+        point: usize,
+        /// How the way passes it.
+        pass: Pass,
+    },
+    /// How far from the measured rest the way ends that leads there, as a share of the way.
+    RestMissed {
+        /// Which vehicle.
+        vehicle: VehicleId,
+        /// (m) how far.
+        miss: f64,
+    },
+}
+
+impl CheckedQuantity {
+    codes! {
+        Self::ForceBalance => "force-balance",
+        Self::PdofsOpposite => "pdofs-opposite",
+        Self::DamageEnergy { .. } => "damage-energy",
+        Self::Restitution => "restitution",
+        Self::Rotation { .. } => "rotation",
+        Self::MomentumEnergy { .. } => "momentum-energy",
+        Self::MomentumAcross { .. } => "momentum-across",
+        Self::PossibleRestitution { .. } => "possible-restitution",
+        Self::MomentumRestitution { .. } => "momentum-restitution",
+        Self::MomentumRatio { .. } => "momentum-ratio",
+        Self::MomentumYawRate { .. } => "momentum-yaw-rate",
+        Self::MomentumPdof { .. } => "momentum-pdof",
+        Self::PointMissed { .. } => "point-missed",
+        Self::RestMissed { .. } => "rest-missed",
+    }
+}
+
+impl Check {
+    /// Whether the value is within the limit.
+    #[must_use]
+    pub fn passed(&self) -> bool {
+        match self.quantity {
+            CheckedQuantity::Rotation { .. } => self.value >= self.limit,
+            // Two neighbouring hours are as far apart as may be.
+            CheckedQuantity::PdofsOpposite => self.value <= self.limit + ANGLE_ROUNDING,
+            _ => self.value <= self.limit,
+        }
+    }
+
+    /// The name in JSON.
+    #[must_use]
+    pub fn code(&self) -> &'static str {
+        self.quantity.code()
+    }
+
+    /// The check with its numbers in the given axes.
+    pub(crate) fn in_axes(self, axes: Axes) -> Self {
+        let turned = |value: f64| axes.lateral(value);
+        let quantity = match self.quantity {
+            CheckedQuantity::MomentumRatio { implied, critical } => {
+                CheckedQuantity::MomentumRatio { implied: turned(implied), critical: turned(critical) }
+            }
+            CheckedQuantity::MomentumAcross { vehicle, surplus } => {
+                CheckedQuantity::MomentumAcross { vehicle, surplus: turned(surplus) }
+            }
+            CheckedQuantity::MomentumYawRate { vehicle, implied, told } => {
+                CheckedQuantity::MomentumYawRate { vehicle, implied: turned(implied), told: turned(told) }
+            }
+            CheckedQuantity::PointMissed { vehicle, point, pass } => {
+                CheckedQuantity::PointMissed { vehicle, point, pass: pass.in_axes(axes) }
+            }
+            other => other,
+        };
+        Self { quantity, ..self }
+    }
+
+    /// The vehicle that it is about; none for one of the collision.
+    #[must_use]
+    pub fn vehicle(&self) -> Option<VehicleId> {
+        match self.quantity {
+            CheckedQuantity::Rotation { vehicle }
+            | CheckedQuantity::MomentumAcross { vehicle, .. }
+            | CheckedQuantity::MomentumYawRate { vehicle, .. }
+            | CheckedQuantity::MomentumPdof { vehicle, .. }
+            | CheckedQuantity::PointMissed { vehicle, .. }
+            | CheckedQuantity::RestMissed { vehicle, .. } => Some(vehicle),
+            CheckedQuantity::ForceBalance
+            | CheckedQuantity::PdofsOpposite
+            | CheckedQuantity::DamageEnergy { .. }
+            | CheckedQuantity::Restitution
+            | CheckedQuantity::MomentumEnergy { .. }
+            | CheckedQuantity::PossibleRestitution { .. }
+            | CheckedQuantity::MomentumRestitution { .. }
+            | CheckedQuantity::MomentumRatio { .. } => None,
+        }
+    }
+
+    /// Whether it holds momentum against other evidence.
+    #[must_use]
+    pub fn is_of_momentum(&self) -> bool {
+        matches!(
+            self.quantity,
+            CheckedQuantity::MomentumEnergy { .. }
+                | CheckedQuantity::MomentumAcross { .. }
+                | CheckedQuantity::PossibleRestitution { .. }
+                | CheckedQuantity::MomentumRestitution { .. }
+                | CheckedQuantity::MomentumRatio { .. }
+                | CheckedQuantity::MomentumYawRate { .. }
+                | CheckedQuantity::MomentumPdof { .. }
+        )
+    }
+}

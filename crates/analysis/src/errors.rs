@@ -1,0 +1,28 @@
+//! How far the evidence of momentum and of crush may be off.
+
+use evidence::{CrushMisfit, Damage, FITTED};
+use inputs::{Case, GivenVehicle, KnownEnergy};
+use reconcile::EvidenceErrors;
+
+use crate::thresholds::{DIRECTION_AFTER_ERROR, SPEED_AFTER_ERROR};
+
+/// What is taken for the errors of the evidence where momentum and the crush energy are weighed.
+///
+/// That of the crush energy is the bias and the spread that were fitted on real crashes together: the bias
+/// counts as an error because that of the stiffness in a file is not known. On the RICSAC collisions it is
+/// 0.5.
+pub(crate) fn errors(case: &Case) -> EvidenceErrors {
+    let side = |vehicle: &GivenVehicle| match (&vehicle.crush, &vehicle.energy) {
+        (Some(crush), _) => Some(crush.side),
+        (None, Some(KnownEnergy::Ees(ees))) => ees.side,
+        (None, Some(KnownEnergy::Undamaged) | None) => None,
+    };
+    let hit: Vec<Damage> = case.vehicles.iter().filter_map(side).map(Damage::from).collect();
+    let CrushMisfit { bias, ln_sd } = FITTED.crush_misfit(&hit);
+    EvidenceErrors {
+        speed: SPEED_AFTER_ERROR,
+        direction: DIRECTION_AFTER_ERROR,
+        // σ = √(b² + σ_c²)
+        crush_ln: (bias * bias + ln_sd * ln_sd).sqrt(),
+    }
+}

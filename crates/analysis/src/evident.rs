@@ -1,0 +1,45 @@
+//! Evidence that an answer may leave aside.
+
+/// Evidence that may contradict an answer which does not use it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Evident {
+    /// (m/s) the recorder's speed before the impact.
+    RecordedSpeed,
+    /// (m/s) the recorder's ΔV along the vehicle.
+    RecordedLongitudinal,
+    /// (m/s) the recorder's ΔV across the vehicle.
+    RecordedLateral,
+    /// (m/s) the speed where its skid begins.
+    SkidSpeed,
+    /// (m/s) the speed after the impact.
+    SpeedAfter,
+    /// (rad) the direction of the velocity after the impact.
+    DirectionAfter,
+    /// (m/s) the speed that it had at least.
+    AtLeast,
+    /// (m/s) the speed that it had at most.
+    AtMost,
+}
+
+impl Evident {
+    /// Its key in the table of the vehicle.
+    #[must_use]
+    pub fn key(self) -> &'static str {
+        match self {
+            Self::RecordedSpeed => "recorder.speed",
+            Self::RecordedLongitudinal => "recorder.delta_v_longitudinal",
+            Self::RecordedLateral => "recorder.delta_v_lateral",
+            Self::SkidSpeed => "before.speed",
+            Self::SpeedAfter => "after.speed",
+            Self::DirectionAfter => "after.direction",
+            Self::AtLeast => "certain_speed.at_least",
+            Self::AtMost => "certain_speed.at_most",
+        }
+    }
+
+    /// Whether its sign is that of the lateral axis.
+    pub(crate) fn is_lateral(self) -> bool {
+        matches!(self, Self::RecordedLateral | Self::DirectionAfter)
+    }
+}

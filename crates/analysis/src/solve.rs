@@ -1,0 +1,160 @@
+//! Solves a case, with all checks and warnings.
+
+use inputs::{Case, Collision, Evidence, Purpose, SurfaceData, VehicleData};
+use pim_core::Motion;
+use reconcile::{Problem, SolutionMethod};
+
+use crate::analysis::Analysis;
+use crate::both;
+use crate::damage;
+use crate::failure::Failure;
+use crate::found::{Found, refused};
+use crate::goal::Goal;
+use crate::impact::{Impact, collide};
+use crate::judged::judged;
+use crate::travel::{Origin, Record, Travel, after_impact, departures};
+use crate::vehicle::{NOTHING, Vehicle};
+use crate::warning;
+
+/// As [`reconstruct`](crate::reconstruct).
+pub(crate) fn reconstruct(case: &Case) -> Result<Analysis, Failure> {
+    if case.is_by_momentum() {
+        return both::reconstruct(case).map_err(|failure| failure.in_axes(case.axes));
+    }
+    let input = case.reconstruction()?;
+    let Collision { contact, law, motions, vehicles } = input.collision;
+    // The uncorrected energies do not depend on the impact; a force balance takes its directions from the
+    // file.
+    let crush_energy = damage::crush_energy(&damage::assess(vehicles.clone(), [None, None])?);
+    let problem = Problem {
+        contact,
+        law,
+        motions,
+        unknown: input.unknown,
+        crush_energy,
+        basis: input.basis.energy(),
+        tangential_share: input.basis.tangential_share(),
+    };
+    let answer = problem.solve().map_err(|refusal| refused(&problem, refusal).in_axes(case.axes))?;
+    let (quadratic, affine_impact, iterations) = match &answer.method {
+        SolutionMethod::ClosedForm => {
+            (problem.quadratic(&answer.acting), problem.affine_impact(&answer.acting), None)
+        }
+        SolutionMethod::RootFinder(iterations) => (None, None, Some(iterations.as_slice().to_vec())),
+    };
+    let found = Found {
+        unknown: input.unknown,
+        speed: answer.speed,
+        admissible: problem.speeds().collect(),
+        crush_energy,
+        normal_work: answer.normal_work,
+        line: problem.line(),
+        quadratic,
+        affine_impact,
+        iterations,
+    };
+    let warnings = warning::of_found(case, &found);
+    let impact = Impact::new(contact, problem.law, answer.law, answer.outcome);
+    let vehicles = damage::assess(vehicles, impact.pdof.map(Some))?;
+    let (travel, surface) = run_out(case, impact.outcome.after)?;
+    let restitution = Some(impact.law.restitution());
+    let analysis = judged(case, vehicles, input.basis, restitution, (Some(found), Some(impact)), warnings)?;
+    Ok(analysis.with_travel(travel, surface).beside_the_rest(case))
+}
+
+/// As [`impact`](crate::impact()).
+pub(crate) fn impact(case: &Case) -> Result<Analysis, Failure> {
+    let input = case.collision()?;
+    let (law, outcome) =
+        collide(&input.collision).map_err(|refusal| Failure::from(refusal).in_axes(case.axes))?;
+    let Collision { contact, law: given_law, vehicles, .. } = input.collision;
+    let impact = Impact::new(contact, given_law, law, outcome);
+    let vehicles = damage::assess(vehicles, impact.pdof.map(Some))?;
+    let (travel, surface) = run_out(case, impact.outcome.after)?;
+    let restitution = Some(impact.law.restitution());
+    let analysis = judged(case, vehicles, input.basis, restitution, (None, Some(impact)), Vec::new())?;
+    Ok(analysis.with_travel(travel, surface).beside_the_rest(case))
+}
+
+/// The motion after the impact alone: to rest where the case gives how a vehicle left the impact, and back
+/// from the rest where it gives that.
+///
+/// # Errors
+/// [`Failure`].
+pub fn motion(case: &Case) -> Result<Analysis, Failure> {
+    let input = case.motion()?;
+    let mut record = Record::of(Origin::Given);
+    let given =
+        input.vehicles.each_ref().map(|vehicle| vehicle.as_ref().and_then(|vehicle| vehicle.velocity));
+    departures(Some(&input), given, &mut record).map_err(|failure| failure.in_axes(case.axes))?;
+    let travel = record.travel;
+    let bare = |subject: Option<VehicleData>| Vehicle {
+        subject: VehicleData { damage: None, energy: None, ..subject.unwrap_or(NOTHING) },
+        damage: None,
+        energy: None,
+    };
+    let vehicles = case.subjects().map(bare);
+    Ok(Analysis::unsolved(vehicles).with_travel(travel, Some(input.surface)))
+}
+
+/// The vehicles as they stand at the impact with the damage that was measured, whatever is known of their
+/// speeds: what a picture of them needs.
+///
+/// # Errors
+/// [`Failure`].
+pub fn geometry(case: &Case) -> Result<Analysis, Failure> {
+    let Collision { contact, mut vehicles, .. } = case.geometry()?;
+    for vehicle in &mut vehicles {
+        // To infer a crush takes the direction of the force, which is not known without the speeds.
+        vehicle.damage =
+            vehicle.damage.take().filter(|damage| matches!(damage.evidence, Evidence::Measured { .. }));
+    }
+    let vehicles = damage::assess(vehicles, [None, None])?;
+    Ok(Analysis { geometry: Some(contact), ..Analysis::unsolved(vehicles) })
+}
+
+/// The ways to rest after an impact, where the case has the ground and the drag for them.
+fn run_out(case: &Case, after: [Motion; 2]) -> Result<([Option<Travel>; 2], Option<SurfaceData>), Failure> {
+    let Some(input) = case.run_out() else { return Ok(([None, None], None)) };
+    let input = input?;
+    let mut record = Record::of(Origin::Impact);
+    after_impact(&input, after, &mut record).map_err(|failure| failure.in_axes(case.axes))?;
+    Ok((record.travel, Some(input.surface)))
+}
+
+/// As [`crush`](crate::crush).
+pub(crate) fn crush(case: &Case) -> Result<Analysis, Failure> {
+    let input = case.damage()?;
+    let vehicles = damage::assess(input.vehicles, [None, None])?;
+    let analysis = judged(case, vehicles, input.basis, input.restitution, (None, None), Vec::new())?;
+    Ok(analysis.beside_the_rest(case))
+}
+
+/// As [`furthest`](crate::furthest).
+pub(crate) fn furthest(case: &Case) -> Result<Analysis, Failure> {
+    let (_, solve) = furthest_solver(case);
+    solve(case)
+}
+
+/// What solves a case: one of [`reconstruct`], [`impact`] and [`crush`].
+type Solve = fn(&Case) -> Result<Analysis, Failure>;
+
+/// The most complete purpose that the case allows, and the function that serves it.
+pub(crate) fn furthest_solver(case: &Case) -> (Purpose, Solve) {
+    match case.furthest_purpose() {
+        purpose @ Purpose::Reconstruct => (purpose, reconstruct),
+        purpose @ Purpose::Impact => (purpose, impact),
+        _ => (Purpose::Crush, crush),
+    }
+}
+
+impl Goal {
+    /// The analysis that answers it.
+    pub(crate) fn solve(self, case: &Case) -> Result<Analysis, Failure> {
+        match self {
+            Self::Speed | Self::BothSpeeds => reconstruct(case),
+            Self::Impact => impact(case),
+            Self::Motion => motion(case),
+        }
+    }
+}
