@@ -18,6 +18,8 @@ mod benchmarks;
 #[cfg(test)]
 mod binaries;
 #[cfg(test)]
+mod circles;
+#[cfg(test)]
 mod comments;
 mod compare;
 #[cfg(test)]

@@ -12,9 +12,9 @@ use case::{Case, CaseFile, Diagnostics};
 use rayon::ThreadPool;
 use report::{Answer, Csv, PROGRAM, Refused, Row, RowError, Units};
 
+use crate::files::{named, read};
 use crate::progress::Progress;
 use crate::sink::Sink;
-use crate::{named, read};
 
 /// Cases per thread that are begun before the row whose turn it is has been written: enough that no thread
 /// waits for a slow one, and few enough to keep in memory.

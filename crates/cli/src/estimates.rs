@@ -10,8 +10,11 @@ use rayon::ThreadPool;
 use report::{Asked, Drawing, Question, Units};
 
 use crate::arguments::EstimateArguments;
+use crate::files::{case_file, named};
+use crate::present::{NoAnswer, answered, present, units};
+use crate::progress;
 use crate::sink::Sink;
-use crate::{NoAnswer, answered, case_file, named, pool, present, progress, units};
+use crate::threads::pool;
 
 pub(crate) fn report(arguments: &EstimateArguments) -> Result<()> {
     let of_case = &arguments.arguments;

@@ -10,7 +10,10 @@ use case::CaseFile;
 use report::Units;
 
 use crate::arguments::{CasesArguments, CasesFormat};
-use crate::{Analyse, answered, case_file, handover, named, units, write};
+use crate::cases::Analyse;
+use crate::files::{case_file, named, write};
+use crate::handover::handover;
+use crate::present::{answered, units};
 
 /// What the page is called beside the program.
 const PAGE: &str = "deltav.html";

@@ -5,7 +5,9 @@ use std::io::ErrorKind;
 use anyhow::{Context as _, Result, bail};
 
 use crate::arguments::{CaseUnits, NewArguments, Template};
-use crate::{outputs, sink};
+use crate::files::{named, write};
+use crate::outputs;
+use crate::sink;
 
 pub(crate) fn new(arguments: &NewArguments) -> Result<()> {
     let template = match arguments.template {
@@ -24,9 +26,9 @@ pub(crate) fn new(arguments: &NewArguments) -> Result<()> {
         CaseUnits::Si => case::UnitSystem::Si,
         CaseUnits::Us => case::UnitSystem::Us,
     });
-    let Some(path) = arguments.output.file() else { return crate::write(None, text) };
+    let Some(path) = arguments.output.file() else { return write(None, text) };
     outputs::has_folder("-o", path)?;
-    let name = crate::named(path);
+    let name = named(path);
     match sink::create_new(path, text.as_bytes()) {
         Err(error) if error.kind() == ErrorKind::AlreadyExists => {
             bail!("{name} exists already, and is not overwritten: give another name, or remove it first")

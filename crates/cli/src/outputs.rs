@@ -12,7 +12,10 @@ use report::PictureFormat;
 use same_file::{Handle, is_same_file};
 
 use crate::arguments::{Arguments, CasesArguments, Command, Format, ReportArguments, Rows};
-use crate::{live, named};
+use crate::files::{named, read};
+use crate::live;
+use crate::site_plan::plan_path;
+use crate::validate::{FIELD_PLOTS, VALIDATION_PLOTS};
 
 /// A file that is written.
 struct Output<'a> {
@@ -210,9 +213,9 @@ fn files(command: &Command) -> Files<'_> {
                 option: "--plots",
                 path,
                 is_name: if arguments.field.is_some() {
-                    |name| without_ending(name).is_some_and(|name| crate::FIELD_PLOTS.contains(&name))
+                    |name| without_ending(name).is_some_and(|name| FIELD_PLOTS.contains(&name))
                 } else {
-                    |name| without_ending(name).is_some_and(|name| crate::VALIDATION_PLOTS.contains(&name))
+                    |name| without_ending(name).is_some_and(|name| VALIDATION_PLOTS.contains(&name))
                 },
             }),
         },
@@ -274,9 +277,9 @@ fn site_plan_of(case: &Path) -> Option<PathBuf> {
     if !is_file(case) {
         return None;
     }
-    let (name, bytes) = crate::read(case).ok()?;
+    let (name, bytes) = read(case).ok()?;
     let file = CaseFile::parse(&name, std::str::from_utf8(&bytes).ok()?).ok()?;
-    file.case.site_plan.as_ref().map(|plan| crate::draw::plan_path(case, plan))
+    file.case.site_plan.as_ref().map(|plan| plan_path(case, plan))
 }
 
 /// What names to propose end in, in the order of [`ending`].

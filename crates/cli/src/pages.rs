@@ -7,11 +7,12 @@ use clap::CommandFactory as _;
 use clap_complete::Shell;
 
 use crate::arguments::Command;
+use crate::files::write;
 
 pub(crate) fn completions(shell: Shell) -> Result<()> {
     let mut script = Vec::new();
     clap_complete::generate(shell, &mut Command::command(), "deltav", &mut script);
-    crate::write(None, script)
+    write(None, script)
 }
 
 /// The page of the program to standard output, or all pages into a folder.
@@ -28,7 +29,7 @@ pub(crate) fn manual(folder: Option<&Path>) -> Result<()> {
             // As in the folder, which has no page for the help.
             let command = for_pages().disable_help_subcommand(true);
             clap_mangen::Man::new(command).render(&mut page).context("cannot make the page")?;
-            crate::write(None, page)
+            write(None, page)
         }
     }
 }
@@ -42,7 +43,7 @@ fn pages(command: &clap::Command, folder: &Path) -> Result<()> {
     let manual = clap_mangen::Man::new(command.clone());
     let mut page = Vec::new();
     manual.render(&mut page).context("cannot make the page")?;
-    crate::write(Some(&folder.join(manual.get_filename())), page)
+    write(Some(&folder.join(manual.get_filename())), page)
 }
 
 /// The commands with dots behind what may be given several times, which clap_mangen leaves out.

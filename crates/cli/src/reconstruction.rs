@@ -6,7 +6,13 @@ use case::CaseFile;
 use report::Units;
 
 use crate::arguments::{Format, ReconstructArguments, ReportArguments};
-use crate::{NoAnswer, answered, case_file, estimates, handover, live, of_cases, pool, present, units};
+use crate::cases::of_cases;
+use crate::estimates;
+use crate::files::case_file;
+use crate::handover::handover;
+use crate::live;
+use crate::present::{NoAnswer, answered, present, units};
+use crate::threads::pool;
 
 /// As `deltav estimate --no-pieces` without further options.
 const PLAN: EstimatePlan =

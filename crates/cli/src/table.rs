@@ -26,9 +26,10 @@ use tables::{
 
 use crate::arguments::{TableArguments, TableJob};
 use crate::batch::{Incomplete, is_broken_pipe};
+use crate::files::{named, read_text, write};
 use crate::progress::Progress;
 use crate::sink::Sink;
-use crate::{named, pool, read_text};
+use crate::threads::pool;
 
 /// Rows that are in memory at a time, but for those of a row group of the output.
 const AT_ONCE: usize = 8192;
@@ -53,10 +54,10 @@ pub(crate) fn table(arguments: &TableArguments) -> Result<()> {
     };
     let output = arguments.output.file();
     if arguments.schema {
-        return crate::write(output, keys());
+        return write(output, keys());
     }
     if arguments.columns {
-        return crate::write(output, columns(job, &options));
+        return write(output, columns(job, &options));
     }
     let Some(cases) = &arguments.cases else { bail!("name the table, or - for CSV on standard input") };
     let template = match &arguments.template {

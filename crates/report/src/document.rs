@@ -8,7 +8,7 @@ use ::drawing::Drawing;
 use case::Text;
 
 use crate::steps::StepGroup;
-use crate::{words, writers};
+use crate::words;
 
 /// A document of the program. [`text`](Self::text), [`markdown`](Self::markdown) and [`html`](Self::html)
 /// write it.
@@ -16,7 +16,7 @@ use crate::{words, writers};
 pub struct Document {
     pub(crate) blocks: Vec<Block>,
     /// Of a line of text: the fewest that its tables need, and the most that they use.
-    columns: [usize; 2],
+    pub(crate) columns: [usize; 2],
 }
 
 /// Columns of a page of text, where no terminal says otherwise.
@@ -276,47 +276,5 @@ impl Document {
             _ => None,
         });
         answers.unwrap_or_default()
-    }
-
-    /// Text of 98 columns.
-    #[must_use]
-    pub fn text(&self) -> String {
-        self.text_within(LINE)
-    }
-
-    /// Text for lines of so many columns, as far as its tables allow.
-    #[must_use]
-    pub fn text_within(&self, columns: usize) -> String {
-        writers::text(&self.blocks, self.line(columns), false)
-    }
-
-    /// The same with its headings in bold and its warnings in yellow, by the escape sequences of a terminal
-    /// (ECMA-48).
-    #[must_use]
-    pub fn terminal(&self, columns: usize) -> String {
-        writers::text(&self.blocks, self.line(columns), true)
-    }
-
-    fn line(&self, columns: usize) -> usize {
-        let [least, most] = self.columns;
-        columns.clamp(least, most)
-    }
-
-    /// Markdown (`CommonMark` with tables). Drawings are not in it: what they show stands in words.
-    #[must_use]
-    pub fn markdown(&self) -> String {
-        writers::markdown(&self.blocks)
-    }
-
-    /// HTML to put into another page, such as a notebook: without the style of a page and without drawings.
-    #[must_use]
-    pub fn html_fragment(&self) -> String {
-        writers::html_fragment(&self.blocks)
-    }
-
-    /// One self-contained HTML file: no scripts, nothing from a network, made to be printed on A4 or Letter.
-    #[must_use]
-    pub fn html(&self) -> String {
-        writers::html(&self.blocks)
     }
 }

@@ -5,12 +5,52 @@ mod markdown;
 mod text;
 pub(crate) mod wrap;
 
-pub(crate) use html::{fragment as html_fragment, write as html};
-pub(crate) use markdown::write as markdown;
-pub(crate) use text::write as text;
-
-use crate::document::Block;
+use crate::document::{Block, Document, LINE};
 use crate::steps::Step;
+
+impl Document {
+    /// Text of 98 columns.
+    #[must_use]
+    pub fn text(&self) -> String {
+        self.text_within(LINE)
+    }
+
+    /// Text for lines of so many columns, as far as its tables allow.
+    #[must_use]
+    pub fn text_within(&self, columns: usize) -> String {
+        text::write(&self.blocks, self.line(columns), false)
+    }
+
+    /// The same with its headings in bold and its warnings in yellow, by the escape sequences of a terminal
+    /// (ECMA-48).
+    #[must_use]
+    pub fn terminal(&self, columns: usize) -> String {
+        text::write(&self.blocks, self.line(columns), true)
+    }
+
+    fn line(&self, columns: usize) -> usize {
+        let [least, most] = self.columns;
+        columns.clamp(least, most)
+    }
+
+    /// Markdown (`CommonMark` with tables). Drawings are not in it: what they show stands in words.
+    #[must_use]
+    pub fn markdown(&self) -> String {
+        markdown::write(&self.blocks)
+    }
+
+    /// HTML to put into another page, such as a notebook: without the style of a page and without drawings.
+    #[must_use]
+    pub fn html_fragment(&self) -> String {
+        html::fragment(&self.blocks)
+    }
+
+    /// One self-contained HTML file: no scripts, nothing from a network, made to be printed on A4 or Letter.
+    #[must_use]
+    pub fn html(&self) -> String {
+        html::write(&self.blocks)
+    }
+}
 
 /// Whether only HTML has a block: a picture that says what tables say too.
 fn is_for_html_alone(block: &Block) -> bool {

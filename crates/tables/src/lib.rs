@@ -88,6 +88,7 @@
 mod carried;
 mod column;
 mod error;
+mod job;
 mod layout;
 mod name;
 mod plan;
@@ -97,8 +98,9 @@ mod solve;
 
 pub use carried::Carried;
 pub use error::TableError;
+pub use job::{Job, Options};
 pub use layout::{Numbers, case_schema};
 pub use solve::{
-    Faults, Job, Options, Progress, Template, assumed_units, check_columns, columns_kept, crush, estimate,
-    impact, reconstruct, result_schema, run, run_with_faults,
+    Faults, Progress, Template, assumed_units, check_columns, columns_kept, crush, estimate, impact,
+    reconstruct, result_schema, run, run_with_faults,
 };

@@ -12,7 +12,8 @@ use arrow_schema::{DataType, Field, Schema, SchemaRef};
 use case::{Axes, Case};
 use pim_core::VehicleId;
 
-use crate::{Job, Options, TableError};
+use crate::error::TableError;
+use crate::job::{Job, Options};
 
 /// The quantities of a vehicle that damage alone gives, beside all those of CRASH3.
 const OF_DAMAGE: [&str; 10] = [

@@ -6,65 +6,15 @@ use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use analysis::{EstimatePlan, Failure};
 use arrow_array::RecordBatch;
 use arrow_schema::{Schema, SchemaRef};
-use case::{CaseFile, Diagnostics, Prior, ValueTable};
+use case::{CaseFile, Diagnostics, ValueTable};
 use estimate::{MOST_PARTICLES, PARTICLES_STEP};
 use report::{PROGRAM, Units};
 use uncertainty::{MIN_SAMPLES, SamplingMethod, Settings};
 
-use crate::TableError;
+use crate::error::TableError;
+use crate::job::{Job, Options};
 use crate::plan::{self, Plan, merge};
 use crate::results::{self, Builder, Found, Outcome, Refusal, Spread};
-
-/// What is made of each row.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Job {
-    /// The speed at which impact and crush agree: as `deltav reconstruct`, and with samples as
-    /// `deltav uncertainty`.
-    Reconstruct,
-    /// What the impact does, both speeds given: as `deltav impact`.
-    Impact,
-    /// Energies and ΔV from the damage alone: as `deltav crush`.
-    Crush,
-    /// Both speeds from all the evidence: as `deltav estimate`.
-    Estimate,
-}
-
-impl Job {
-    /// All of them.
-    pub const ALL: [Self; 4] = [Self::Reconstruct, Self::Impact, Self::Crush, Self::Estimate];
-
-    /// The word for it.
-    #[must_use]
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Reconstruct => "reconstruct",
-            Self::Impact => "impact",
-            Self::Crush => "crush",
-            Self::Estimate => "estimate",
-        }
-    }
-}
-
-/// How the rows are computed.
-#[derive(Clone, Copy, Debug)]
-pub struct Options {
-    /// Samples of each row for its intervals, Monte Carlo; without, there are none. For
-    /// [`Job::Reconstruct`] and [`Job::Impact`].
-    pub samples: Option<usize>,
-    /// The seed of every row that has none of its own in the column `seed`. It is the same for all of them:
-    /// what is found of a row does not depend on where in the table it stands.
-    pub seed: u64,
-    /// For [`Job::Estimate`]: particles of each of 16 islands, a multiple of 128.
-    pub particles: usize,
-    /// For [`Job::Estimate`]: in place of the `prior` of the case.
-    pub prior: Option<Prior>,
-}
-
-impl Default for Options {
-    fn default() -> Self {
-        Self { samples: None, seed: 1, particles: EstimatePlan::PARTICLES, prior: None }
-    }
-}
 
 /// What all rows share: a part of a case.
 #[derive(Clone, Debug, Default)]

@@ -1,0 +1,67 @@
+//! The case files of a command: a row for each, or the one to report on.
+
+use std::fs;
+use std::path::PathBuf;
+
+use analysis::{Analysis, Failure};
+use anyhow::{Context as _, Result};
+use case::Case;
+use report::{Answer, Csv, Table, Units};
+
+use crate::arguments::{self, Arguments, CasesArguments};
+use crate::batch::{self, Job, Rows};
+use crate::files::named;
+use crate::threads::pool;
+
+/// What a command makes of a case.
+pub(crate) type Analyse = fn(&Case) -> Result<Analysis, Failure>;
+
+/// Writes a row for each case, where rows are asked for; else the arguments for the report on one.
+pub(crate) fn of_cases(
+    arguments: CasesArguments,
+    table: Table,
+    answer: &(dyn Fn(&Case) -> Result<Answer, Failure> + Sync),
+) -> Result<Option<Arguments>> {
+    let CasesArguments { cases, format, units, threads, csv_style, output } = arguments;
+    let mut cases = with_folders(cases)?;
+    let format = match format.of_one() {
+        Ok(format) => match (cases.pop(), cases.len()) {
+            (Some(case), 0) => return Ok(Some(Arguments { case, format, units, output })),
+            (_, others) => anyhow::bail!(
+                "{} case files are given, and a report is on one; use --format csv or --format jsonl for a row each",
+                others + 1
+            ),
+        },
+        // Rows of several cases have one header: its units are not those of a case.
+        Err(arguments::Rows::Csv) => {
+            let units = units.map_or(Units::Si, Units::from);
+            Rows::Csv(Csv { table, units, style: csv_style.into() })
+        }
+        Err(arguments::Rows::Jsonl) => Rows::Jsonl,
+    };
+    batch::write(&Job { cases: &cases, answer, format }, &pool(threads)?, output.file())?;
+    Ok(None)
+}
+
+/// The case files, with those of each folder in the order of their names.
+fn with_folders(paths: Vec<PathBuf>) -> Result<Vec<PathBuf>> {
+    let mut cases = Vec::new();
+    for path in paths {
+        if !path.is_dir() {
+            cases.push(path);
+            continue;
+        }
+        let cannot = || format!("cannot read the folder {}", named(&path));
+        let mut inside = Vec::new();
+        for entry in fs::read_dir(&path).with_context(cannot)? {
+            inside.push(entry.with_context(cannot)?.path());
+        }
+        inside.retain(|path| path.extension().is_some_and(|ending| ending == "toml") && !path.is_dir());
+        if inside.is_empty() {
+            anyhow::bail!("{} is a folder without .toml files: name the case files", named(&path));
+        }
+        inside.sort();
+        cases.append(&mut inside);
+    }
+    Ok(cases)
+}

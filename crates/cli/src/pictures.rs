@@ -1,0 +1,43 @@
+//! Drawings as files.
+
+use std::io::{self, Write as _};
+use std::path::Path;
+
+use anyhow::{Context as _, Result};
+use report::{Drawing, PictureFormat};
+
+use crate::arguments::PlotsFormat;
+use crate::files::{named, write};
+
+/// Writes a drawing, and says on standard error which of its letters it could not draw.
+pub(crate) fn write_picture(path: Option<&Path>, drawing: &Drawing, format: PictureFormat) -> Result<()> {
+    let missing: Vec<String> =
+        drawing.missing_letters().map(|letter| format!("{letter} (U+{:04X})", u32::from(letter))).collect();
+    if format != PictureFormat::Svg && !missing.is_empty() {
+        let place = path.map_or_else(String::new, |path| format!("{}: ", named(path)));
+        writeln!(
+            io::stderr(),
+            "warning: {place}the font of the drawings lacks {}; the picture has ? instead. An SVG uses the \
+             fonts of its reader.",
+            missing.join(", ")
+        )
+        .context("cannot write to standard error")?;
+    }
+    write(path, drawing.write_as(format)?)
+}
+
+pub(crate) fn write_plot(folder: &Path, name: &str, plot: &Drawing, format: PlotsFormat) -> Result<()> {
+    let format = PictureFormat::from(format);
+    let path = folder.join(format!("{name}.{}", format.extension()));
+    write_picture(Some(&path), plot, format)
+}
+
+impl From<PlotsFormat> for PictureFormat {
+    fn from(format: PlotsFormat) -> Self {
+        match format {
+            PlotsFormat::Svg => Self::Svg,
+            PlotsFormat::Png => Self::Png,
+            PlotsFormat::Pdf => Self::Pdf,
+        }
+    }
+}

@@ -1,0 +1,87 @@
+//! How an answer is presented: its format, its units, and what is said where there is none.
+
+use std::path::Path;
+
+use analysis::Failure;
+use anyhow::Result;
+use case::CaseFile;
+use report::{CsvStyle, Document, Units};
+
+use crate::arguments::{self, Arguments, Format, UnitSystem};
+use crate::files::write;
+use crate::terminal;
+
+/// Writes a document, or its data as JSON, to where the arguments say. Only what is written is made.
+pub(crate) fn present<E>(
+    arguments: &Arguments,
+    document: impl FnOnce() -> Result<Document>,
+    json: impl FnOnce() -> Result<String, E>,
+) -> Result<()>
+where
+    anyhow::Error: From<E>,
+{
+    present_as(arguments.format, arguments.output.file(), document, json)
+}
+
+pub(crate) fn present_as<E>(
+    format: Format,
+    output: Option<&Path>,
+    document: impl FnOnce() -> Result<Document>,
+    json: impl FnOnce() -> Result<String, E>,
+) -> Result<()>
+where
+    anyhow::Error: From<E>,
+{
+    match format {
+        Format::Text if output.is_none() => terminal::print(&document()?),
+        Format::Text => write(output, document()?.text()),
+        Format::Json => write(output, json()?),
+        Format::Html => write(output, document()?.html()),
+        Format::Markdown => write(output, document()?.markdown()),
+    }
+}
+
+pub(crate) fn units(asked: Option<UnitSystem>, file: &CaseFile) -> Units {
+    asked.map_or_else(|| Units::of_case(&file.case), Units::from)
+}
+
+impl From<arguments::CsvStyle> for CsvStyle {
+    fn from(asked: arguments::CsvStyle) -> Self {
+        match asked {
+            arguments::CsvStyle::International => Self::International,
+            arguments::CsvStyle::European => Self::European,
+        }
+    }
+}
+
+impl From<UnitSystem> for Units {
+    fn from(asked: UnitSystem) -> Self {
+        match asked {
+            UnitSystem::Si => Self::Si,
+            UnitSystem::Us => Self::Us,
+            UnitSystem::Uk => Self::Uk,
+        }
+    }
+}
+
+/// Why a well-formed case has no answer, in the units of the reader.
+#[derive(Debug)]
+pub(crate) struct NoAnswer(pub(crate) String);
+
+impl std::fmt::Display for NoAnswer {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str(&self.0)
+    }
+}
+
+impl std::error::Error for NoAnswer {}
+
+/// The answer, or a failure that says so in the units of the reader; what is wrong with the file speaks its
+/// own.
+pub(crate) fn answered<T>(answer: Result<T, Failure>, file: &CaseFile, units: Units) -> Result<T> {
+    answer.map_err(|failure| match failure {
+        Failure::Case(faults) => file.diagnostics(&faults, &report::PROGRAM).into(),
+        Failure::Ranges(_) => failure.into(),
+        failure => NoAnswer(report::no_answer(&failure, units)).into(),
+    })
+}

@@ -1,0 +1,10 @@
+//! The threads of a command.
+
+use anyhow::{Context as _, Result};
+use rayon::{ThreadPool, ThreadPoolBuilder};
+
+pub(crate) fn pool(threads: Option<u16>) -> Result<ThreadPool> {
+    // Without a number, rayon takes one thread for each processor.
+    let threads = threads.map_or(0, usize::from);
+    ThreadPoolBuilder::new().num_threads(threads).build().context("cannot start the threads")
+}

@@ -1,0 +1,150 @@
+//! `deltav validate`.
+
+use std::fs;
+use std::path::Path;
+
+use anyhow::{Context as _, Result};
+use report::Drawing;
+use validation::{Data, Validation};
+
+use crate::arguments::ValidateArguments;
+use crate::batch::Incomplete;
+use crate::files::{named, read_at_most};
+use crate::pictures::write_plot;
+use crate::present::present_as;
+use crate::progress::Progress;
+use crate::threads::pool;
+
+/// The files that `deltav validate --plots` writes, without their endings.
+pub(crate) const VALIDATION_PLOTS: [&str; 2] = ["computed-against-measured", "reconstructed-speed"];
+
+/// Those of `deltav validate --field --plots`.
+pub(crate) const FIELD_PLOTS: [&str; 2] = ["estimated-against-recorded", "ranks-of-recorders"];
+
+/// Claims of the validation that fail: how many of how many, and the first.
+#[derive(Debug)]
+pub(crate) struct NotReproduced {
+    failed: usize,
+    claimed: usize,
+    first: String,
+}
+
+impl std::fmt::Display for NotReproduced {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let Self { failed, claimed, first } = self;
+        write!(f, "{failed} of {claimed} numbers that are claimed to reproduce do not; the first: {first}")
+    }
+}
+
+impl std::error::Error for NotReproduced {}
+
+pub(crate) fn validate(arguments: &ValidateArguments) -> Result<()> {
+    if let Some(path) = &arguments.field {
+        return validate_field(path, arguments);
+    }
+    show(&validation::validate(&Data::built_in())?, arguments)
+}
+
+/// Particles of an island, of which a pair has sixteen: the intervals of 350 vehicles need no more.
+const PARTICLES_OF_PAIR: usize = 128;
+
+fn validate_field(path: &Path, arguments: &ValidateArguments) -> Result<()> {
+    /// (bytes) a table of all crashes that NHTSA has sampled is smaller.
+    const LARGEST_TABLE: usize = 1 << 28;
+    let name = named(path).to_string();
+    if path.is_dir() {
+        anyhow::bail!("{name} is a folder: name the table in it");
+    }
+    let bytes = fs::File::open(path)
+        .and_then(|file| read_at_most(LARGEST_TABLE, file))
+        .with_context(|| format!("cannot read {name}"))?;
+    if bytes.len() > LARGEST_TABLE {
+        anyhow::bail!("{name} is larger than {} MB: split it", LARGEST_TABLE >> 20);
+    }
+    let text = String::from_utf8(bytes)
+        .with_context(|| format!("{name} is no text in UTF-8: save the table as CSV, encoded in UTF-8"))?;
+    let pairs = field::read(&text).with_context(|| name.clone())?;
+    let options = field::Options {
+        particles: PARTICLES_OF_PAIR,
+        seed: arguments.seed,
+        other: arguments.other,
+        crush: field::KnownCrush::Both,
+    };
+    let mut progress = Progress::new()?;
+    let judged = pool(arguments.threads)?.install(|| {
+        field::judge(&pairs, &evidence::FITTED, &options, &mut |done, total| {
+            progress.at("pairs", done, total)
+        })
+    });
+    let judged = judged.with_context(|| name.clone())?;
+    let document = || Ok(report::field(&judged, &name));
+    present_as(arguments.format, arguments.output.file(), document, || report::field_json(&judged))?;
+    let plots = [report::estimated_against_recorded(&judged), report::ranks_of_recorders(&judged)];
+    write_plots(FIELD_PLOTS, plots, arguments)?;
+    let (done, total) = (judged.finished, judged.pairs);
+    if done < total { Err(Incomplete::EndedPairs { done, total }.into()) } else { Ok(()) }
+}
+
+fn write_plots<const N: usize>(
+    names: [&str; N],
+    plots: [Drawing; N],
+    arguments: &ValidateArguments,
+) -> Result<()> {
+    let Some(folder) = &arguments.plots else { return Ok(()) };
+    for (name, plot) in names.into_iter().zip(plots) {
+        write_plot(folder, name, &plot, arguments.plots_format)?;
+    }
+    Ok(())
+}
+
+/// Writes everything first: what fails is to be seen in full.
+fn show(validation: &Validation, arguments: &ValidateArguments) -> Result<()> {
+    let document = || Ok(report::validation(validation));
+    present_as(arguments.format, arguments.output.file(), document, || report::validation_json(validation))?;
+    let plots = [report::computed_against_measured(validation), report::reconstructed_speed(validation)];
+    write_plots(VALIDATION_PLOTS, plots, arguments)?;
+    let failures = validation.failures();
+    match failures.first() {
+        None => Ok(()),
+        Some((first, _)) => {
+            Err(NotReproduced { failed: failures.len(), claimed: validation.claimed(), first: first.clone() }
+                .into())
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::fs;
+
+    use super::show;
+    use crate::arguments::{Format, PlotsFormat, ValidateArguments};
+    use crate::{NO_ANSWER, message, status};
+
+    #[test]
+    fn a_claim_that_fails_ends_with_status_1_after_the_page_is_written() {
+        let page = std::env::temp_dir().join(format!("deltav-failing-{}.txt", std::process::id()));
+        let output = page.clone().into();
+        let arguments = ValidateArguments {
+            format: Format::Text,
+            output,
+            field: None,
+            other: false,
+            seed: 1,
+            threads: None,
+            plots: None,
+            plots_format: PlotsFormat::Svg,
+        };
+        let mut validation = validation::validate(&validation::Data::built_in()).unwrap();
+        assert!(show(&validation, &arguments).is_ok());
+        validation.energies[3].normal.ours *= 1.02;
+        let error = show(&validation, &arguments).unwrap_err();
+        assert_eq!(
+            error.to_string(),
+            "1 of 240 numbers that are claimed to reproduce do not; the first: SAE 871993, Table 1, test 5, normal loss"
+        );
+        assert_eq!((message(&error), status(&error)), (format!("error: {error}"), NO_ANSWER));
+        assert!(fs::read_to_string(&page).unwrap().contains("Failing: SAE 871993, Table 1, test 5, normal"));
+        fs::remove_file(&page).unwrap();
+    }
+}

@@ -1,0 +1,55 @@
+//! What is made of the rows of a table, and how.
+
+use analysis::EstimatePlan;
+use case::Prior;
+
+/// What is made of each row.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Job {
+    /// The speed at which impact and crush agree: as `deltav reconstruct`, and with samples as
+    /// `deltav uncertainty`.
+    Reconstruct,
+    /// What the impact does, both speeds given: as `deltav impact`.
+    Impact,
+    /// Energies and ΔV from the damage alone: as `deltav crush`.
+    Crush,
+    /// Both speeds from all the evidence: as `deltav estimate`.
+    Estimate,
+}
+
+impl Job {
+    /// All of them.
+    pub const ALL: [Self; 4] = [Self::Reconstruct, Self::Impact, Self::Crush, Self::Estimate];
+
+    /// The word for it.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Reconstruct => "reconstruct",
+            Self::Impact => "impact",
+            Self::Crush => "crush",
+            Self::Estimate => "estimate",
+        }
+    }
+}
+
+/// How the rows are computed.
+#[derive(Clone, Copy, Debug)]
+pub struct Options {
+    /// Samples of each row for its intervals, Monte Carlo; without, there are none. For
+    /// [`Job::Reconstruct`] and [`Job::Impact`].
+    pub samples: Option<usize>,
+    /// The seed of every row that has none of its own in the column `seed`. It is the same for all of them:
+    /// what is found of a row does not depend on where in the table it stands.
+    pub seed: u64,
+    /// For [`Job::Estimate`]: particles of each of 16 islands, a multiple of 128.
+    pub particles: usize,
+    /// For [`Job::Estimate`]: in place of the `prior` of the case.
+    pub prior: Option<Prior>,
+}
+
+impl Default for Options {
+    fn default() -> Self {
+        Self { samples: None, seed: 1, particles: EstimatePlan::PARTICLES, prior: None }
+    }
+}
