@@ -2,6 +2,8 @@
 
 mod block;
 mod impacts;
+mod notes;
+mod observe;
 mod outputs;
 mod pieces;
 mod posed;
@@ -23,10 +25,11 @@ use crate::excluded::{Impossible, key, table};
 use crate::failure::Failure;
 use crate::sensitivity::Output;
 use crate::uncertainty::NOISE;
+pub use notes::{Unused, UnusedReason};
 pub use outputs::EstimateOutput;
 use outputs::Told;
 pub use pieces::{PieceFound, SameTwice};
-pub use setup::{Assumed, Unused, UnusedReason};
+pub use setup::Assumed;
 
 /// How to estimate.
 #[derive(Clone, Copy, Debug)]

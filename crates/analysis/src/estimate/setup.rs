@@ -4,15 +4,11 @@ use std::f64::consts::FRAC_PI_2;
 
 use ::estimate::Independent;
 use ::uncertainty::Distribution;
-use evidence::{
-    CodedPdof, CrushErrors, Damage, EnergyError, EnergyMethod, FITTED, Freedom, Limits, Measured,
-    MeasuredRest, MeasuredSpeed, Observed, ObservedVehicle, OtherCrush, RecordedDeltaV, RecordedPart,
-    Recorder, Severity, Speeds,
-};
+use evidence::{EnergyMethod, FITTED, Observed, OtherCrush, Speeds};
 use inputs::{
     BrachTangential, Case, Collision, Dimension, Fault, FaultKind, Faults, Find, GivenVehicle, ImpactLaw,
-    Input, KnownEnergy, MotionInput, Origin, Prior, Purpose, Quantity, Reconstruct, SharedEffects, SkidBegin,
-    StiffnessForm, Unit, VehicleData, Velocity,
+    Input, MotionInput, Origin, Prior, Purpose, Quantity, Reconstruct, SharedEffects, SkidBegin, Unit,
+    Velocity,
 };
 use pim_core::VehicleId;
 use real::Real;
@@ -20,15 +16,14 @@ use reconcile::Unknown;
 
 use super::block::Block;
 use super::impacts::{CaseImpacts, SkidNumbers, Slot, Varied};
+use super::notes::{Unused, UnusedReason};
+use super::observe::{Crushed, Scene, damage, energies, observe, reference};
 use super::of_number;
 use super::posed::{Alone, OpenSpeeds};
-use crate::damage;
 use crate::excluded::table;
 use crate::failure::Failure;
-use crate::thresholds::{DIRECTION_AFTER_ERROR, SPEED_AFTER_ERROR};
 use crate::uncertainty::lanes::Number;
 use crate::uncertainty::{UncertainInput, inputs};
-use crash3::Side;
 
 /// Why a number has the distribution that it has, where the case does not give it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -61,35 +56,6 @@ pub enum Assumed {
     Drag,
 }
 
-/// What the case gives and the estimate does not use.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Unused {
-    /// Its key.
-    pub key: String,
-    /// Why.
-    pub reason: UnusedReason,
-}
-
-/// Why a value is not used.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[non_exhaustive]
-pub enum UnusedReason {
-    /// The speed that is sought.
-    Sought,
-    /// A crush that was not measured.
-    Inferred,
-    /// A crush of both vehicles that took no energy.
-    NoEnergy,
-    /// A PDOF that follows from that of the other vehicle: both are one observation.
-    OtherPdof,
-    /// A rest or points of a vehicle that cannot be followed there: friction or drag is missing.
-    NotFollowed,
-    /// The direction of a vehicle that stood after the impact.
-    NoDirection,
-    /// That the vehicles left as one wreck.
-    OneWreck,
-}
-
 /// (rad) standard deviation of a heading without a range: 2°.
 const HEADING_SD: f64 = 2.0 * DEGREE;
 /// (rad) of a crush plane without a range: 5°.
@@ -104,35 +70,12 @@ const GROUND_LN_SD: f64 = 0.10;
 const DRAG_LN_SD: f64 = 0.30;
 /// (m/s) no vehicle is thought to have been faster.
 const FASTEST: f64 = 70.0;
-/// (–; rad/s) error of a yaw rate after the impact: a share of it, and at least that of a slow turn.
-const YAW_RATE_SHARE: f64 = 0.2;
-const YAW_RATE_LEAST: f64 = 10.0 * DEGREE;
-/// (–; m) error of the simulated rest: a share of the way, and what it has at least.
-const REST_SHARE: f64 = 0.10;
-const REST_LEAST: f64 = 0.5;
-/// (m/s) scale of the error of a speed of zero: 1 km/h, chosen; what 49 CFR 563 lets a recorder round.
-const LEAST_SPEED_ERROR: f64 = 1.0 / 3.6;
-/// (–) a range that is more than this share of its speed is the error of the speed, not of its logarithm.
-const WIDE_RANGE: f64 = 0.5;
 /// (–) of the logarithm of a coefficient of the impact without a range: of e as in the field, of the friction
 /// chosen.
 const RESTITUTION_LN_SD: f64 = FITTED.restitution[3];
 const FRICTION_LN_SD: f64 = FITTED.friction[1];
-/// (–) where a side met a side the severity of the field is not known, as it had five such vehicles: its
-/// spread is taken as so many times that of all others.
-const SIDESWIPE_SPREAD: f64 = 2.0;
 /// (%) probability before the evidence that a vehicle stood.
 const STOOD: f64 = 20.0;
-/// (rad) error of the heading at rest: a quarter of the turn, between 5° and 15°.
-const REST_HEADING: [f64; 2] = [5.0 * DEGREE, 15.0 * DEGREE];
-const REST_TURN_SHARE: f64 = 0.25;
-/// (–) error of a recorder's ΔV, of its logarithm, and of its speed.
-const RECORDER_DELTA_V: f64 = crate::thresholds::RECORDER_DELTA_V_ERROR;
-const RECORDER_SPEED: f64 = crate::thresholds::RECORDER_SPEED_ERROR;
-/// (–) standard error of the mean of the crush misfit, which is part of the error of a single case.
-const CRUSH_BIAS_ERROR: f64 = 0.15;
-/// (rad) half of the hour of a clock as a standard deviation, 30°/√12.
-const HOUR_SD: f64 = 30.0 * DEGREE / 3.464_101_615_137_754_6;
 const DEGREE: f64 = std::f64::consts::PI / 180.0;
 
 /// A number that is unknown, before the evidence.
@@ -204,7 +147,8 @@ pub(super) fn of(case: &Case, prior: Option<Prior>) -> Result<Setup, Failure> {
     };
 
     let mut unknowns = Unknowns::default();
-    let followed = followed(&case, motion.as_ref(), &mut unused);
+    let (followed, unfollowed) = followed(&case, motion.as_ref());
+    unused.extend(unfollowed);
     let open = Open::of(&case, &ranges);
     let slots = slots(&case, &ranges, &nominal, followed, &mut unknowns)?;
     let stood = stood(sought, &case);
@@ -221,7 +165,8 @@ pub(super) fn of(case: &Case, prior: Option<Prior>) -> Result<Setup, Failure> {
         Assumed::TangentialShare,
     )?;
     let reference = reference(&nominal);
-    let crushed = Crushed::of(&case, &nominal, &mut unused);
+    let (crushed, uncrushed) = Crushed::of(&case, &nominal);
+    unused.extend(uncrushed);
     let other_crush = match crushed {
         Crushed::Of(known) => {
             let [known, other] = [known, known.other()].map(|id| (id, damage(id, &nominal, reference)));
@@ -232,19 +177,17 @@ pub(super) fn of(case: &Case, prior: Option<Prior>) -> Result<Setup, Failure> {
         }
         Crushed::All | Crushed::No => None,
     };
-    let mut default_errors = Vec::new();
-    let observed = observe(
-        &case,
+    let (observed, notes) = observe(&Scene {
+        case: &case,
         prior,
-        &ranges,
-        &nominal,
-        motion.as_ref(),
+        ranges: &ranges,
+        nominal: &nominal,
+        motion: motion.as_ref(),
         followed,
         crushed,
         reference,
-        &mut default_errors,
-        &mut unused,
-    );
+    });
+    unused.extend(notes.unused);
 
     let law = nominal.law.at(1.0);
     let (placeholder, _) = nominal.contact.impact_with_validity(nominal.motions, &law);
@@ -282,7 +225,7 @@ pub(super) fn of(case: &Case, prior: Option<Prior>) -> Result<Setup, Failure> {
         impacts,
         observed,
         unknown: unknowns.0,
-        default_errors,
+        default_errors: notes.default_errors,
         unused,
         stood,
         energies,
@@ -592,9 +535,11 @@ fn usual_sd(input: &Input, case: &Case, nominal: &Collision) -> Option<(f64, Ass
     }
 }
 
-/// Which vehicles are followed to the rest or the points that were measured.
-fn followed(case: &Case, motion: Option<&MotionInput>, unused: &mut Vec<Unused>) -> [bool; 2] {
-    VehicleId::ALL.map(|id| {
+/// Which vehicles are followed to the rest or the points that were measured, and what is not used as they are
+/// not.
+fn followed(case: &Case, motion: Option<&MotionInput>) -> ([bool; 2], Vec<Unused>) {
+    let mut unused = Vec::new();
+    let followed = VehicleId::ALL.map(|id| {
         let Some(after) = &case.vehicles[id.index()].after else { return false };
         let has_places = after.rest.is_some() || !after.points.is_empty();
         let is_followed = motion.is_some_and(|motion| motion.vehicles[id.index()].is_some());
@@ -603,7 +548,8 @@ fn followed(case: &Case, motion: Option<&MotionInput>, unused: &mut Vec<Unused>)
                 .push(Unused { key: format!("{}.after.rest", table(id)), reason: UnusedReason::NotFollowed });
         }
         has_places && is_followed
-    })
+    });
+    (followed, unused)
 }
 
 /// What the case leaves open of the impact.
@@ -724,371 +670,4 @@ fn speeds(
             }
         }
     })
-}
-
-/// How the crush energy of each vehicle was obtained whose crush is evidence.
-fn energies(crushed: Crushed, case: &Case) -> [Option<EnergyMethod>; 2] {
-    VehicleId::ALL.map(|id| {
-        let is_evidence = match crushed {
-            Crushed::No => false,
-            Crushed::Of(known) => known == id,
-            Crushed::All => true,
-        };
-        let vehicle = &case.vehicles[id.index()];
-        let by_depths = vehicle.crush.as_ref().map(|crush| match crush.stiffness {
-            StiffnessForm::Line(_) | StiffnessForm::Zones(_) => EnergyMethod::Coefficients,
-            StiffnessForm::Category(_) => EnergyMethod::Class,
-            StiffnessForm::Test(_) => EnergyMethod::Test,
-        });
-        let by_speed = matches!(vehicle.energy, Some(KnownEnergy::Ees(_))).then_some(EnergyMethod::Ees);
-        by_depths.or(by_speed).filter(|_| is_evidence && !vehicle.fixed)
-    })
-}
-
-/// How far the crush energies are off, by how each was obtained; with what the case gives instead.
-fn crush_errors(
-    case: &Case,
-    methods: [Option<EnergyMethod>; 2],
-    ranges: &[UncertainInput],
-    hit: &[Damage],
-    default_errors: &mut Vec<String>,
-) -> CrushErrors {
-    let given = case.estimate.unwrap_or_default();
-    if given.crush_error.is_none() {
-        default_errors.push("estimate.crush_error".to_owned());
-    }
-    if given.crush_bias.is_none() {
-        default_errors.push("estimate.crush_bias".to_owned());
-    }
-    let of = |id: VehicleId| {
-        let method = methods[id.index()]?;
-        let has_range = ranges.iter().any(|range| {
-            let of_crush = range.input.path.strip_prefix(&format!("{}.crush.", table(id)));
-            of_crush.is_some_and(|key| key.starts_with("stiffness") || key.starts_with("ees"))
-        });
-        let usual = FITTED.energy_error(method, hit, has_range);
-        let shared = match method {
-            // The mean of the misfit has an error, too.
-            EnergyMethod::Class => {
-                Real::sqrt(usual.shared_ln_sd * usual.shared_ln_sd + CRUSH_BIAS_ERROR * CRUSH_BIAS_ERROR)
-            }
-            _ => usual.shared_ln_sd,
-        };
-        Some(EnergyError {
-            bias: given.crush_bias.map_or(usual.bias, |shown| real::elementary::ln(shown / 100.0)),
-            shared_ln_sd: given.crush_error.map_or(shared, |percent| percent / 100.0),
-            own_ln_sd: if given.crush_error.is_some() { 0.0 } else { usual.own_ln_sd },
-        })
-    };
-    match [of(VehicleId::One), of(VehicleId::Two)] {
-        [Some(one), Some(two)] => CrushErrors([one, two]),
-        // The energy of the other vehicle is told by that of this one, with all its errors.
-        [Some(known), None] | [None, Some(known)] => {
-            let EnergyError { bias, shared_ln_sd, own_ln_sd } = known;
-            let whole = Real::sqrt(shared_ln_sd * shared_ln_sd + own_ln_sd * own_ln_sd);
-            CrushErrors([EnergyError { bias, shared_ln_sd: whole, own_ln_sd: 0.0 }; 2])
-        }
-        [None, None] => FITTED.crush_misfit(hit).into(),
-    }
-}
-
-/// A speed (m/s) that was measured with the range of the case, of which `sd` (m/s) is the standard deviation,
-/// or without one with a `share` of the speed.
-fn measured_speed(value: f64, sd: Option<f64>, share: f64) -> MeasuredSpeed {
-    match sd {
-        None => MeasuredSpeed { value, ln_sd: share, least: LEAST_SPEED_ERROR },
-        Some(sd) if sd <= WIDE_RANGE * value => MeasuredSpeed { value, ln_sd: sd / value, least: 0.0 },
-        Some(sd) => MeasuredSpeed { value, ln_sd: 0.0, least: sd },
-    }
-}
-
-/// (rad) PDOF of both vehicles if the force were normal to the crush plane.
-fn reference(nominal: &Collision) -> [f64; 2] {
-    let normal = nominal.contact.normal();
-    // The force on vehicle 1 acts along n, that on vehicle 2 against it.
-    let from = |id: VehicleId, sign: f64| {
-        let forward = nominal.contact.participants()[id.index()].forward();
-        let along = -sign * (normal.x * forward.x + normal.y * forward.y);
-        let left = -sign * (normal.y * forward.x - normal.x * forward.y);
-        // Clockwise from the heading.
-        real::principal_angle(-real::elementary::atan2(left, along))
-    };
-    [from(VehicleId::One, 1.0), from(VehicleId::Two, -1.0)]
-}
-
-#[expect(clippy::too_many_arguments, reason = "a step of `of`, which has them all")]
-fn observe(
-    case: &Case,
-    prior: Prior,
-    ranges: &[UncertainInput],
-    nominal: &Collision,
-    motion: Option<&MotionInput>,
-    followed: [bool; 2],
-    crushed: Crushed,
-    reference: [f64; 2],
-    default_errors: &mut Vec<String>,
-    unused: &mut Vec<Unused>,
-) -> Observed {
-    let given = case.estimate.unwrap_or_default();
-    // (SI)
-    let sd_of = |key: &str| {
-        let range = ranges.iter().find(|range| range.input.path == key)?;
-        Some(range.distribution.sd() * range.input.factor())
-    };
-    let mut vehicles = [ObservedVehicle::default(), ObservedVehicle::default()];
-    for id in VehicleId::ALL {
-        let vehicle = &case.vehicles[id.index()];
-        let data = &nominal.vehicles[id.index()];
-        let key = |of: &str| format!("{}.{of}", table(id));
-        let mut defaulted = |is_default: bool, key: String| {
-            if is_default {
-                default_errors.push(key);
-            }
-        };
-        let observed = &mut vehicles[id.index()];
-        observed.skid_speed = vehicle.before.and_then(|before| before.speed).map(|speed| {
-            let sd = sd_of(&key("before.speed"));
-            defaulted(sd.is_none(), key("before.speed"));
-            measured_speed(speed.si(), sd, RECORDER_SPEED)
-        });
-        if let Some(after) = &vehicle.after {
-            let lateral = |quantity: &Quantity| case.axes.lateral(quantity.si());
-            observed.after.speed = after.speed.as_ref().map(|speed| {
-                let sd = sd_of(&key("after.speed"));
-                defaulted(sd.is_none(), key("after.speed"));
-                measured_speed(speed.si(), sd, SPEED_AFTER_ERROR)
-            });
-            // A vehicle that stands leaves in no direction.
-            let leaves = after.speed.as_ref().is_none_or(|speed| speed.si() > 0.0);
-            observed.after.direction = after.direction.as_ref().filter(|_| leaves).map(|direction| {
-                let sd = sd_of(&key("after.direction"));
-                defaulted(sd.is_none(), key("after.direction"));
-                Measured { value: lateral(direction), sd: sd.unwrap_or(DIRECTION_AFTER_ERROR) }
-            });
-            if after.direction.is_some() && !leaves {
-                unused.push(Unused { key: key("after.direction"), reason: UnusedReason::NoDirection });
-            }
-            observed.after.yaw_rate = after.yaw_rate.as_ref().map(|rate| {
-                let (value, sd) = (lateral(rate), sd_of(&key("after.yaw_rate")));
-                defaulted(sd.is_none(), key("after.yaw_rate"));
-                Measured { value, sd: sd.unwrap_or(yaw_rate_error(value)) }
-            });
-        }
-        if let Some(way) =
-            motion.filter(|_| followed[id.index()]).and_then(|motion| motion.vehicles[id.index()].as_ref())
-        {
-            let share = given.rest_error.map_or(REST_SHARE, |percent| percent / 100.0);
-            let least = given.rest_least_error.as_ref().map_or(REST_LEAST, Quantity::si);
-            let far = |place: pim_core::Vector2<f64>| least + share * (place - way.position).norm();
-            // Survey and model together.
-            let both = |model: f64, [x, y]: [f64; 2]| Real::sqrt(model * model + 0.5 * (x * x + y * y));
-            observed.rest = way.rest.as_ref().map(|rest| {
-                let surveyed = ["after.rest.x", "after.rest.y"].map(|of| sd_of(&key(of)).unwrap_or_default());
-                let model = far(rest.position);
-                let heading = rest.heading.heading(way.heading);
-                let turns_are_known = rest.heading.turns_are_known();
-                let turned = heading - way.heading;
-                let turned = if turns_are_known { turned } else { real::principal_angle(turned) };
-                let [least, most] = REST_HEADING;
-                let usual = Real::min(Real::max(REST_TURN_SHARE * turned.abs(), least), most);
-                let model_heading = given.rest_heading_error.as_ref().map_or(usual, Quantity::si);
-                let own = [key("after.rest.heading"), key("after.rest.turned")]
-                    .iter()
-                    .find_map(|key| sd_of(key))
-                    .unwrap_or_default();
-                let apart = rest.position - way.position;
-                MeasuredRest {
-                    position: rest.position,
-                    direction: real::elementary::atan2(apart.y, apart.x),
-                    position_sd: both(model, surveyed),
-                    heading,
-                    turns_are_known,
-                    heading_sd: Real::sqrt(model_heading * model_heading + own * own),
-                }
-            });
-            observed.points = way
-                .points
-                .iter()
-                .enumerate()
-                .map(|(place, point)| {
-                    let surveyed = ["x", "y"].map(|of| {
-                        sd_of(&key(&format!("after.points[{}].{of}", place + 1))).unwrap_or_default()
-                    });
-                    both(far(point.position), surveyed)
-                })
-                .collect();
-            let keys = [
-                (given.rest_error.is_none(), "estimate.rest_error"),
-                (given.rest_least_error.is_none(), "estimate.rest_least_error"),
-                (given.rest_heading_error.is_none() && way.rest.is_some(), "estimate.rest_heading_error"),
-            ];
-            for (is_default, key) in keys {
-                if is_default && !default_errors.iter().any(|defaulted| defaulted == key) {
-                    default_errors.push(key.to_owned());
-                }
-            }
-        }
-        observed.pdof = coded_pdof(data, vehicle).map(|coded| match sd_of(&key("crush.pdof")) {
-            Some(scale) => CodedPdof { scale, ..coded },
-            None => {
-                default_errors.push(key("crush.pdof"));
-                coded
-            }
-        });
-        if let Some(recorder) = &vehicle.recorder {
-            let is_side = damage(id, nominal, reference) == Damage::Side;
-            observed.recorder = recorded(recorder, is_side, case, &key, default_errors);
-        }
-        if let Some(certain) = &vehicle.certain_speed {
-            let si = |limit: &Option<Quantity>, none: f64| limit.as_ref().map_or(none, Quantity::si);
-            observed.limits = Limits {
-                least: si(&certain.at_least, f64::NEG_INFINITY),
-                most: si(&certain.at_most, f64::INFINITY),
-            };
-        }
-    }
-    if let [Some(one), Some(two)] = vehicles.each_ref().map(|vehicle| vehicle.pdof) {
-        let id = if one.scale <= two.scale { VehicleId::Two } else { VehicleId::One };
-        let key = format!("{}.crush.pdof", table(id));
-        default_errors.retain(|defaulted| *defaulted != key);
-        unused.push(Unused { key, reason: UnusedReason::OtherPdof });
-    }
-    let hit: Vec<Damage> = movers(case).map(|id| damage(id, nominal, reference)).collect();
-    let usual = FITTED.severity_of(&hit);
-    let median = given.delta_v_median.as_ref().map_or(usual.median, Quantity::si);
-    let times = if hit == [Damage::Side; 2] { SIDESWIPE_SPREAD } else { 1.0 };
-    let severity = Severity { median, ln_sd: usual.ln_sd * times, ..usual };
-    let crush = (crushed != Crushed::No)
-        .then(|| crush_errors(case, energies(crushed, case), ranges, &hit, default_errors));
-    Observed { vehicles, severity: (prior == Prior::Field).then_some(severity), crush }
-}
-
-/// The PDOF that the case gives for a vehicle itself.
-fn coded_pdof(data: &VehicleData, vehicle: &GivenVehicle) -> Option<CodedPdof> {
-    let pdof = data.pdof().filter(|_| !data.pdof_follows())?;
-    let of_crush = vehicle.crush.as_ref().map(|crush| crush.side);
-    let side = of_crush.or_else(|| data.energy.and_then(|energy| energy.side));
-    let is_side = matches!(side, Some(Side::Left | Side::Right));
-    let coded = FITTED.coded(pdof, is_side);
-    let hour = if data.pdof_is_hour() { HOUR_SD } else { 0.0 };
-    Some(CodedPdof { scale: Real::sqrt(coded.scale * coded.scale + hour * hour), ..coded })
-}
-
-/// (rad/s) the usual error of a yaw rate after the impact (rad/s).
-fn yaw_rate_error(rate: f64) -> f64 {
-    Real::max(YAW_RATE_SHARE * rate.abs(), YAW_RATE_LEAST)
-}
-
-fn recorded(
-    recorder: &inputs::Recorder,
-    is_side: bool,
-    case: &Case,
-    key: &dyn Fn(&str) -> String,
-    default_errors: &mut Vec<String>,
-) -> Recorder {
-    let mut or_default = |of: &str, given: Option<f64>, default: f64| {
-        given.unwrap_or_else(|| {
-            default_errors.push(key(of));
-            default
-        })
-    };
-    let share = |percent: Option<f64>| percent.map(|percent| percent / 100.0);
-    let (mut delta_v, mut longitudinal) = (None, None);
-    if let Some(along) = recorder.delta_v_longitudinal.as_ref().map(Quantity::si) {
-        let ln_scale = or_default("recorder.delta_v_error", share(recorder.delta_v_error), RECORDER_DELTA_V);
-        let (least, freedom) = (LEAST_SPEED_ERROR, Freedom::Three);
-        match recorder.delta_v_lateral.as_ref().map(Quantity::si) {
-            Some(across) => {
-                let size = Real::sqrt(along * along + across * across);
-                delta_v = Some(RecordedDeltaV { size, is_longitudinal: false, ln_scale, least, freedom });
-            }
-            None => longitudinal = Some(RecordedPart { along, ln_scale, least, freedom }),
-        }
-    }
-    let both = recorder.delta_v_longitudinal.zip(recorder.delta_v_lateral);
-    let direction = both.filter(|(along, across)| along.si() != 0.0 || across.si() != 0.0).map(|parts| {
-        let (along, left) = (parts.0.si(), case.axes.lateral(parts.1.si()));
-        // Away from where the force came from; clockwise from the heading.
-        let shown = FITTED.recorded_direction(real::elementary::atan2(left, -along), is_side);
-        let given = recorder.direction_error.as_ref().map(Quantity::si);
-        CodedPdof { scale: or_default("recorder.direction_error", given, shown.scale), ..shown }
-    });
-    let speed = recorder.speed.as_ref().map(|speed| MeasuredSpeed {
-        value: speed.si(),
-        ln_sd: or_default("recorder.speed_error", share(recorder.speed_error), RECORDER_SPEED),
-        least: LEAST_SPEED_ERROR,
-    });
-    let yaw_rate = recorder.yaw_rate.as_ref().map(|rate| {
-        let value = case.axes.lateral(rate.si());
-        let given = recorder.yaw_rate_error.as_ref().map(Quantity::si);
-        Measured { value, sd: or_default("recorder.yaw_rate_error", given, yaw_rate_error(value)) }
-    });
-    Recorder { delta_v, longitudinal, direction, speed, yaw_rate }
-}
-
-/// Whose crush is evidence.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Crushed {
-    /// Nobody's, or there is no damage.
-    No,
-    /// That of one vehicle that moves, where another moves, too.
-    Of(VehicleId),
-    /// That of all vehicles that move.
-    All,
-}
-
-impl Crushed {
-    fn of(case: &Case, nominal: &Collision, unused: &mut Vec<Unused>) -> Self {
-        let is_inferred = |id: VehicleId| {
-            case.vehicles[id.index()].crush.as_ref().is_some_and(|crush| crush.from_force_balance)
-        };
-        let movers: Vec<VehicleId> = movers(case).collect();
-        let inferred = movers.iter().filter(|id| is_inferred(**id));
-        unused.extend(
-            inferred
-                .map(|id| Unused { key: format!("{}.crush", table(*id)), reason: UnusedReason::Inferred }),
-        );
-        let is_known = |id: &VehicleId| case.vehicles[id.index()].has_damage_data() && !is_inferred(*id);
-        let known: Vec<VehicleId> = movers.iter().copied().filter(is_known).collect();
-        let Ok(assessed) = damage::assess(nominal.vehicles.clone(), [None, None]) else {
-            return Self::No;
-        };
-        let energy = |id: &VehicleId| assessed[id.index()].crush_energy().unwrap_or_default();
-        if known.iter().map(energy).sum::<f64>() <= 0.0 {
-            let is_given =
-                |id: &&VehicleId| !matches!(case.vehicles[id.index()].energy, Some(KnownEnergy::Undamaged));
-            unused.extend(
-                known.iter().filter(is_given).map(|id| Unused {
-                    key: format!("{}.crush", table(*id)),
-                    reason: UnusedReason::NoEnergy,
-                }),
-            );
-            return Self::No;
-        }
-        match known[..] {
-            [one] if movers.len() > 1 => Self::Of(one),
-            _ => Self::All,
-        }
-    }
-}
-
-/// The vehicles that can move.
-fn movers(case: &Case) -> impl Iterator<Item = VehicleId> {
-    VehicleId::ALL.into_iter().filter(|id| !case.vehicles[id.index()].fixed)
-}
-
-/// Where a vehicle was hit: the side that the case gives or, without one, the side that the line at right
-/// angles to the crush plane meets.
-fn damage(id: VehicleId, nominal: &Collision, reference: [f64; 2]) -> Damage {
-    let data = &nominal.vehicles[id.index()];
-    let of_crush = data.damage.as_ref().map(|damage| damage.side);
-    let side = of_crush.or_else(|| data.energy.and_then(|energy| energy.side));
-    match side {
-        Some(side) => side.into(),
-        None => match reference[id.index()].abs() {
-            from if from <= 45.0 * DEGREE => Damage::Front,
-            from if from < 135.0 * DEGREE => Damage::Side,
-            _ => Damage::Rear,
-        },
-    }
 }

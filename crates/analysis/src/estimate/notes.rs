@@ -1,0 +1,56 @@
+//! What is to be said of how evidence was taken.
+
+/// What the case gives and the estimate does not use.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Unused {
+    /// Its key.
+    pub key: String,
+    /// Why.
+    pub reason: UnusedReason,
+}
+
+/// Why a value is not used.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum UnusedReason {
+    /// The speed that is sought.
+    Sought,
+    /// A crush that was not measured.
+    Inferred,
+    /// A crush of both vehicles that took no energy.
+    NoEnergy,
+    /// A PDOF that follows from that of the other vehicle: both are one observation.
+    OtherPdof,
+    /// A rest or points of a vehicle that cannot be followed there: friction or drag is missing.
+    NotFollowed,
+    /// The direction of a vehicle that stood after the impact.
+    NoDirection,
+    /// That the vehicles left as one wreck.
+    OneWreck,
+}
+
+/// What is to be said of a part of the evidence.
+#[derive(Debug, Default)]
+pub(super) struct Notes {
+    /// The keys of what has its usual error, as the case gives none, each once.
+    pub(super) default_errors: Vec<String>,
+    pub(super) unused: Vec<Unused>,
+}
+
+impl Notes {
+    /// Notes that this has its usual error, unless the case gives one.
+    pub(super) fn default_error(&mut self, is_default: bool, key: String) {
+        if is_default && !self.default_errors.contains(&key) {
+            self.default_errors.push(key);
+        }
+    }
+
+    /// What was found, whose notes come after these.
+    pub(super) fn take<T>(&mut self, (found, notes): (T, Self)) -> T {
+        for key in notes.default_errors {
+            self.default_error(true, key);
+        }
+        self.unused.extend(notes.unused);
+        found
+    }
+}

@@ -1,0 +1,122 @@
+//! What was observed of a collision, and how far it may be off.
+
+mod after;
+mod damage;
+mod recorder;
+mod skid;
+
+use evidence::{Damage, FITTED, Limits, MeasuredSpeed, Observed, ObservedVehicle, Severity};
+use inputs::{Case, Collision, GivenVehicle, MotionInput, Prior, Quantity};
+use pim_core::VehicleId;
+
+use super::notes::{Notes, Unused, UnusedReason};
+use crate::excluded::table;
+use crate::uncertainty::UncertainInput;
+
+pub(super) use damage::{Crushed, damage, energies, reference};
+
+/// (m/s) scale of the error of a speed of zero: 1 km/h, chosen; what 49 CFR 563 lets a recorder round.
+const LEAST_SPEED_ERROR: f64 = 1.0 / 3.6;
+/// (–) a range that is more than this share of its speed is the error of the speed, not of its logarithm.
+const WIDE_RANGE: f64 = 0.5;
+/// (–) where a side met a side the severity of the field is not known, as it had five such vehicles: its
+/// spread is taken as so many times that of all others.
+const SIDESWIPE_SPREAD: f64 = 2.0;
+const DEGREE: f64 = std::f64::consts::PI / 180.0;
+
+/// A case in which evidence is looked for.
+#[derive(Clone, Copy)]
+pub(super) struct Scene<'a> {
+    pub(super) case: &'a Case,
+    pub(super) prior: Prior,
+    pub(super) ranges: &'a [UncertainInput],
+    pub(super) nominal: &'a Collision,
+    pub(super) motion: Option<&'a MotionInput>,
+    /// Whether each vehicle is followed to rest.
+    pub(super) followed: [bool; 2],
+    pub(super) crushed: Crushed,
+    /// (rad) PDOF of both vehicles if the force were normal to the crush plane.
+    pub(super) reference: [f64; 2],
+}
+
+/// A vehicle of a case in which evidence is looked for.
+#[derive(Clone, Copy)]
+struct Subject<'a> {
+    case: &'a Case,
+    ranges: &'a [UncertainInput],
+    id: VehicleId,
+}
+
+impl<'a> Subject<'a> {
+    fn given(self) -> &'a GivenVehicle {
+        &self.case.vehicles[self.id.index()]
+    }
+
+    fn key(self, of: &str) -> String {
+        format!("{}.{of}", table(self.id))
+    }
+
+    /// (SI) the standard deviation of the range of a number, if it has one.
+    fn sd(self, of: &str) -> Option<f64> {
+        let key = self.key(of);
+        let range = self.ranges.iter().find(|range| range.input.path == key)?;
+        Some(range.distribution.sd() * range.input.factor())
+    }
+}
+
+/// All the evidence of a case.
+pub(super) fn observe(scene: &Scene<'_>) -> (Observed, Notes) {
+    let Scene { case, prior, ranges, nominal, crushed, reference, .. } = *scene;
+    let mut notes = Notes::default();
+    let vehicles = VehicleId::ALL.map(|id| notes.take(vehicle(scene, id)));
+    if let [Some(one), Some(two)] = vehicles.each_ref().map(|vehicle| vehicle.pdof) {
+        let id = if one.scale <= two.scale { VehicleId::Two } else { VehicleId::One };
+        let key = format!("{}.crush.pdof", table(id));
+        notes.default_errors.retain(|defaulted| *defaulted != key);
+        notes.unused.push(Unused { key, reason: UnusedReason::OtherPdof });
+    }
+    let given = case.estimate.unwrap_or_default();
+    let hit: Vec<Damage> = damage::movers(case).map(|id| damage(id, nominal, reference)).collect();
+    let usual = FITTED.severity_of(&hit);
+    let median = given.delta_v_median.as_ref().map_or(usual.median, Quantity::si);
+    let times = if hit == [Damage::Side; 2] { SIDESWIPE_SPREAD } else { 1.0 };
+    let severity = Severity { median, ln_sd: usual.ln_sd * times, ..usual };
+    let crush = (crushed != Crushed::No)
+        .then(|| notes.take(damage::crush_errors(case, energies(crushed, case), ranges, &hit)));
+    (Observed { vehicles, severity: (prior == Prior::Field).then_some(severity), crush }, notes)
+}
+
+/// The evidence of one vehicle.
+fn vehicle(scene: &Scene<'_>, id: VehicleId) -> (ObservedVehicle, Notes) {
+    let Scene { case, ranges, nominal, motion, followed, reference, .. } = *scene;
+    let subject = Subject { case, ranges, id };
+    let way = motion.filter(|_| followed[id.index()]).and_then(|motion| motion.vehicles[id.index()].as_ref());
+    let is_side = damage(id, nominal, reference) == Damage::Side;
+    let mut notes = Notes::default();
+    let skid_speed = notes.take(skid::speed(subject));
+    let after = notes.take(after::after(subject));
+    let (rest, points) = way.map(|way| notes.take(after::rest(subject, way))).unwrap_or_default();
+    let pdof = notes.take(damage::pdof(subject, &nominal.vehicles[id.index()]));
+    let recorder = notes.take(recorder::recorded(subject, is_side));
+    let limits = limits(subject);
+    (ObservedVehicle { pdof, after, rest, skid_speed, points, recorder, limits }, notes)
+}
+
+/// What is certain of a speed.
+fn limits(subject: Subject<'_>) -> Limits {
+    let si = |limit: &Option<Quantity>, none: f64| limit.as_ref().map_or(none, Quantity::si);
+    subject.given().certain_speed.as_ref().map_or_else(Limits::default, |certain| Limits {
+        least: si(&certain.at_least, f64::NEG_INFINITY),
+        most: si(&certain.at_most, f64::INFINITY),
+    })
+}
+
+/// A speed (m/s) that was measured with the range of the case, of which `sd` (m/s) is the standard deviation,
+/// or without one with a `share` of the speed.
+fn measured_speed(value: f64, sd: Option<f64>, share: f64) -> MeasuredSpeed {
+    match sd {
+        None => MeasuredSpeed { value, ln_sd: share, least: LEAST_SPEED_ERROR },
+        Some(sd) if sd <= WIDE_RANGE * value => MeasuredSpeed { value, ln_sd: sd / value, least: 0.0 },
+        Some(sd) => MeasuredSpeed { value, ln_sd: 0.0, least: sd },
+    }
+}

@@ -1,0 +1,98 @@
+//! How a vehicle left the impact, and where it came to rest.
+
+use evidence::{After, Measured, MeasuredRest};
+use inputs::{Quantity, VehicleMotion};
+use pim_core::Vector2;
+use real::Real;
+
+use super::{DEGREE, Subject, measured_speed};
+use crate::estimate::notes::{Notes, Unused, UnusedReason};
+use crate::thresholds::{DIRECTION_AFTER_ERROR, SPEED_AFTER_ERROR};
+
+/// (–; rad/s) error of a yaw rate after the impact: a share of it, and at least that of a slow turn.
+const YAW_RATE_SHARE: f64 = 0.2;
+const YAW_RATE_LEAST: f64 = 10.0 * DEGREE;
+/// (–; m) error of the simulated rest: a share of the way, and what it has at least.
+const REST_SHARE: f64 = 0.10;
+const REST_LEAST: f64 = 0.5;
+/// (rad) error of the heading at rest: a quarter of the turn, between 5° and 15°.
+const REST_HEADING: [f64; 2] = [5.0 * DEGREE, 15.0 * DEGREE];
+const REST_TURN_SHARE: f64 = 0.25;
+
+/// What the case gives of it.
+pub(super) fn after(subject: Subject<'_>) -> (After, Notes) {
+    let (mut found, mut notes) = (After::default(), Notes::default());
+    let Some(after) = &subject.given().after else { return (found, notes) };
+    let lateral = |quantity: &Quantity| subject.case.axes.lateral(quantity.si());
+    found.speed = after.speed.as_ref().map(|speed| {
+        let sd = subject.sd("after.speed");
+        notes.default_error(sd.is_none(), subject.key("after.speed"));
+        measured_speed(speed.si(), sd, SPEED_AFTER_ERROR)
+    });
+    // A vehicle that stands leaves in no direction.
+    let leaves = after.speed.as_ref().is_none_or(|speed| speed.si() > 0.0);
+    found.direction = after.direction.as_ref().filter(|_| leaves).map(|direction| {
+        let sd = subject.sd("after.direction");
+        notes.default_error(sd.is_none(), subject.key("after.direction"));
+        Measured { value: lateral(direction), sd: sd.unwrap_or(DIRECTION_AFTER_ERROR) }
+    });
+    if after.direction.is_some() && !leaves {
+        notes.unused.push(Unused { key: subject.key("after.direction"), reason: UnusedReason::NoDirection });
+    }
+    found.yaw_rate = after.yaw_rate.as_ref().map(|rate| {
+        let (value, sd) = (lateral(rate), subject.sd("after.yaw_rate"));
+        notes.default_error(sd.is_none(), subject.key("after.yaw_rate"));
+        Measured { value, sd: sd.unwrap_or(yaw_rate_error(value)) }
+    });
+    (found, notes)
+}
+
+/// Where a vehicle that is followed came to rest, and (m) the errors of the points of its path.
+pub(super) fn rest(subject: Subject<'_>, way: &VehicleMotion) -> ((Option<MeasuredRest>, Vec<f64>), Notes) {
+    let given = subject.case.estimate.unwrap_or_default();
+    let share = given.rest_error.map_or(REST_SHARE, |percent| percent / 100.0);
+    let least = given.rest_least_error.as_ref().map_or(REST_LEAST, Quantity::si);
+    let far = |place: Vector2<f64>| least + share * (place - way.position).norm();
+    // Survey and model together.
+    let both = |model: f64, [x, y]: [f64; 2]| Real::sqrt(model * model + 0.5 * (x * x + y * y));
+    let rest = way.rest.as_ref().map(|rest| {
+        let surveyed = ["after.rest.x", "after.rest.y"].map(|of| subject.sd(of).unwrap_or_default());
+        let model = far(rest.position);
+        let heading = rest.heading.heading(way.heading);
+        let turns_are_known = rest.heading.turns_are_known();
+        let turned = heading - way.heading;
+        let turned = if turns_are_known { turned } else { real::principal_angle(turned) };
+        let [least, most] = REST_HEADING;
+        let usual = Real::min(Real::max(REST_TURN_SHARE * turned.abs(), least), most);
+        let model_heading = given.rest_heading_error.as_ref().map_or(usual, Quantity::si);
+        let own = ["after.rest.heading", "after.rest.turned"]
+            .iter()
+            .find_map(|of| subject.sd(of))
+            .unwrap_or_default();
+        let apart = rest.position - way.position;
+        MeasuredRest {
+            position: rest.position,
+            direction: real::elementary::atan2(apart.y, apart.x),
+            position_sd: both(model, surveyed),
+            heading,
+            turns_are_known,
+            heading_sd: Real::sqrt(model_heading * model_heading + own * own),
+        }
+    });
+    let points = way.points.iter().enumerate().map(|(place, point)| {
+        let surveyed =
+            ["x", "y"].map(|of| subject.sd(&format!("after.points[{}].{of}", place + 1)).unwrap_or_default());
+        both(far(point.position), surveyed)
+    });
+    let mut notes = Notes::default();
+    notes.default_error(given.rest_error.is_none(), "estimate.rest_error".to_owned());
+    notes.default_error(given.rest_least_error.is_none(), "estimate.rest_least_error".to_owned());
+    let has_usual_heading = given.rest_heading_error.is_none() && way.rest.is_some();
+    notes.default_error(has_usual_heading, "estimate.rest_heading_error".to_owned());
+    ((rest, points.collect()), notes)
+}
+
+/// (rad/s) the usual error of a yaw rate after the impact (rad/s).
+pub(super) fn yaw_rate_error(rate: f64) -> f64 {
+    Real::max(YAW_RATE_SHARE * rate.abs(), YAW_RATE_LEAST)
+}

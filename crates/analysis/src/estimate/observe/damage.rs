@@ -1,0 +1,185 @@
+//! The damage: where each vehicle was hit, from where, and how well its energy is known.
+
+use crash3::Side;
+use evidence::{CodedPdof, CrushErrors, Damage, EnergyError, EnergyMethod, FITTED};
+use inputs::{Case, Collision, GivenVehicle, KnownEnergy, StiffnessForm, VehicleData};
+use pim_core::VehicleId;
+use real::Real;
+
+use super::{DEGREE, Subject};
+use crate::damage::assess;
+use crate::estimate::notes::{Notes, Unused, UnusedReason};
+use crate::excluded::table;
+use crate::uncertainty::UncertainInput;
+
+/// (–) standard error of the mean of the crush misfit, which is part of the error of a single case.
+const CRUSH_BIAS_ERROR: f64 = 0.15;
+/// (rad) half of the hour of a clock as a standard deviation, 30°/√12.
+const HOUR_SD: f64 = 30.0 * DEGREE / 3.464_101_615_137_754_6;
+
+/// Whose crush is evidence.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Crushed {
+    /// Nobody's, or there is no damage.
+    No,
+    /// That of one vehicle that moves, where another moves, too.
+    Of(VehicleId),
+    /// That of all vehicles that move.
+    All,
+}
+
+impl Crushed {
+    /// With what is not used of it.
+    pub(crate) fn of(case: &Case, nominal: &Collision) -> (Self, Vec<Unused>) {
+        let is_inferred = |id: VehicleId| {
+            case.vehicles[id.index()].crush.as_ref().is_some_and(|crush| crush.from_force_balance)
+        };
+        let movers: Vec<VehicleId> = movers(case).collect();
+        let inferred = movers.iter().filter(|id| is_inferred(**id));
+        let mut unused: Vec<Unused> = inferred
+            .map(|id| Unused { key: format!("{}.crush", table(*id)), reason: UnusedReason::Inferred })
+            .collect();
+        let is_known = |id: &VehicleId| case.vehicles[id.index()].has_damage_data() && !is_inferred(*id);
+        let known: Vec<VehicleId> = movers.iter().copied().filter(is_known).collect();
+        let Ok(assessed) = assess(nominal.vehicles.clone(), [None, None]) else {
+            return (Self::No, unused);
+        };
+        let energy = |id: &VehicleId| assessed[id.index()].crush_energy().unwrap_or_default();
+        if known.iter().map(energy).sum::<f64>() <= 0.0 {
+            let is_given =
+                |id: &&VehicleId| !matches!(case.vehicles[id.index()].energy, Some(KnownEnergy::Undamaged));
+            unused.extend(
+                known.iter().filter(is_given).map(|id| Unused {
+                    key: format!("{}.crush", table(*id)),
+                    reason: UnusedReason::NoEnergy,
+                }),
+            );
+            return (Self::No, unused);
+        }
+        let crushed = match known[..] {
+            [one] if movers.len() > 1 => Self::Of(one),
+            _ => Self::All,
+        };
+        (crushed, unused)
+    }
+}
+
+/// The vehicles that can move.
+pub(super) fn movers(case: &Case) -> impl Iterator<Item = VehicleId> {
+    VehicleId::ALL.into_iter().filter(|id| !case.vehicles[id.index()].fixed)
+}
+
+/// Where a vehicle was hit: the side that the case gives or, without one, the side that the line at right
+/// angles to the crush plane meets.
+pub(crate) fn damage(id: VehicleId, nominal: &Collision, reference: [f64; 2]) -> Damage {
+    let data = &nominal.vehicles[id.index()];
+    let of_crush = data.damage.as_ref().map(|damage| damage.side);
+    let side = of_crush.or_else(|| data.energy.and_then(|energy| energy.side));
+    match side {
+        Some(side) => side.into(),
+        None => match reference[id.index()].abs() {
+            from if from <= 45.0 * DEGREE => Damage::Front,
+            from if from < 135.0 * DEGREE => Damage::Side,
+            _ => Damage::Rear,
+        },
+    }
+}
+
+/// (rad) PDOF of both vehicles if the force were normal to the crush plane.
+pub(crate) fn reference(nominal: &Collision) -> [f64; 2] {
+    let normal = nominal.contact.normal();
+    // The force on vehicle 1 acts along n, that on vehicle 2 against it.
+    let from = |id: VehicleId, sign: f64| {
+        let forward = nominal.contact.participants()[id.index()].forward();
+        let along = -sign * (normal.x * forward.x + normal.y * forward.y);
+        let left = -sign * (normal.y * forward.x - normal.x * forward.y);
+        // Clockwise from the heading.
+        real::principal_angle(-real::elementary::atan2(left, along))
+    };
+    [from(VehicleId::One, 1.0), from(VehicleId::Two, -1.0)]
+}
+
+/// How the crush energy of each vehicle was obtained whose crush is evidence.
+pub(crate) fn energies(crushed: Crushed, case: &Case) -> [Option<EnergyMethod>; 2] {
+    VehicleId::ALL.map(|id| {
+        let is_evidence = match crushed {
+            Crushed::No => false,
+            Crushed::Of(known) => known == id,
+            Crushed::All => true,
+        };
+        let vehicle = &case.vehicles[id.index()];
+        let by_depths = vehicle.crush.as_ref().map(|crush| match crush.stiffness {
+            StiffnessForm::Line(_) | StiffnessForm::Zones(_) => EnergyMethod::Coefficients,
+            StiffnessForm::Category(_) => EnergyMethod::Class,
+            StiffnessForm::Test(_) => EnergyMethod::Test,
+        });
+        let by_speed = matches!(vehicle.energy, Some(KnownEnergy::Ees(_))).then_some(EnergyMethod::Ees);
+        by_depths.or(by_speed).filter(|_| is_evidence && !vehicle.fixed)
+    })
+}
+
+/// How far the crush energies are off, by how each was obtained; with what the case gives instead.
+pub(super) fn crush_errors(
+    case: &Case,
+    methods: [Option<EnergyMethod>; 2],
+    ranges: &[UncertainInput],
+    hit: &[Damage],
+) -> (CrushErrors, Notes) {
+    let mut notes = Notes::default();
+    let given = case.estimate.unwrap_or_default();
+    notes.default_error(given.crush_error.is_none(), "estimate.crush_error".to_owned());
+    notes.default_error(given.crush_bias.is_none(), "estimate.crush_bias".to_owned());
+    let of = |id: VehicleId| {
+        let method = methods[id.index()]?;
+        let has_range = ranges.iter().any(|range| {
+            let of_crush = range.input.path.strip_prefix(&format!("{}.crush.", table(id)));
+            of_crush.is_some_and(|key| key.starts_with("stiffness") || key.starts_with("ees"))
+        });
+        let usual = FITTED.energy_error(method, hit, has_range);
+        let shared = match method {
+            // The mean of the misfit has an error, too.
+            EnergyMethod::Class => {
+                Real::sqrt(usual.shared_ln_sd * usual.shared_ln_sd + CRUSH_BIAS_ERROR * CRUSH_BIAS_ERROR)
+            }
+            _ => usual.shared_ln_sd,
+        };
+        Some(EnergyError {
+            bias: given.crush_bias.map_or(usual.bias, |shown| real::elementary::ln(shown / 100.0)),
+            shared_ln_sd: given.crush_error.map_or(shared, |percent| percent / 100.0),
+            own_ln_sd: if given.crush_error.is_some() { 0.0 } else { usual.own_ln_sd },
+        })
+    };
+    let errors = match [of(VehicleId::One), of(VehicleId::Two)] {
+        [Some(one), Some(two)] => CrushErrors([one, two]),
+        // The energy of the other vehicle is told by that of this one, with all its errors.
+        [Some(known), None] | [None, Some(known)] => {
+            let EnergyError { bias, shared_ln_sd, own_ln_sd } = known;
+            let whole = Real::sqrt(shared_ln_sd * shared_ln_sd + own_ln_sd * own_ln_sd);
+            CrushErrors([EnergyError { bias, shared_ln_sd: whole, own_ln_sd: 0.0 }; 2])
+        }
+        [None, None] => FITTED.crush_misfit(hit).into(),
+    };
+    (errors, notes)
+}
+
+/// The PDOF of a vehicle, with the error that the case gives or its usual one.
+pub(super) fn pdof(subject: Subject<'_>, data: &VehicleData) -> (Option<CodedPdof>, Notes) {
+    let mut notes = Notes::default();
+    let pdof = coded_pdof(data, subject.given()).map(|coded| {
+        let scale = subject.sd("crush.pdof");
+        notes.default_error(scale.is_none(), subject.key("crush.pdof"));
+        CodedPdof { scale: scale.unwrap_or(coded.scale), ..coded }
+    });
+    (pdof, notes)
+}
+
+/// The PDOF that the case gives for a vehicle itself.
+fn coded_pdof(data: &VehicleData, vehicle: &GivenVehicle) -> Option<CodedPdof> {
+    let pdof = data.pdof().filter(|_| !data.pdof_follows())?;
+    let of_crush = vehicle.crush.as_ref().map(|crush| crush.side);
+    let side = of_crush.or_else(|| data.energy.and_then(|energy| energy.side));
+    let is_side = matches!(side, Some(Side::Left | Side::Right));
+    let coded = FITTED.coded(pdof, is_side);
+    let hour = if data.pdof_is_hour() { HOUR_SD } else { 0.0 };
+    Some(CodedPdof { scale: Real::sqrt(coded.scale * coded.scale + hour * hour), ..coded })
+}
