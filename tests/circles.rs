@@ -1,9 +1,9 @@
 //! No files of a crate need each other in a circle: each can be read with those below it alone.
 //!
 //! The arrows are the paths in the sources: `crate::a::b`, `super::`, `self::` and those that begin with a
-//! module declared in the same file. A name that a file re-exports counts as the file that defines it, so that
-//! no circle hides behind the crate root. Tests and what the crate root itself defines do not count, nor do
-//! methods, which have no path.
+//! module declared in the same file. A name that a file re-exports counts as the file that defines it, so
+//! that no circle hides behind the crate root. Tests and what the crate root itself defines do not count, nor
+//! do methods, which have no path.
 
 #![allow(clippy::unwrap_used, reason = "tests")]
 

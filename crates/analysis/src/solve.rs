@@ -136,7 +136,7 @@ pub(crate) fn furthest(case: &Case) -> Result<Analysis, Failure> {
     solve(case)
 }
 
-/// What solves a case: one of [`reconstruct`], [`impact`] and [`crush`].
+/// What solves a case: one of [`reconstruct`], [`impact()`] and [`crush`].
 type Solve = fn(&Case) -> Result<Analysis, Failure>;
 
 /// The most complete purpose that the case allows, and the function that serves it.

@@ -397,9 +397,9 @@ pub struct Samples {
     pub propagation: Propagation,
 }
 
-/// The samples of [`uncertainty()`](crate::uncertainty()), with the same bits, in a fraction of its time where they are few:
-/// without derivatives, tornado and doubts, as a row of a table has no place for them. `None` where nothing
-/// is uncertain.
+/// The samples of [`uncertainty()`](crate::uncertainty()), with the same bits, in a fraction of its time where
+/// they are few: without derivatives, tornado and doubts, as a row of a table has no place for them. `None`
+/// where nothing is uncertain.
 ///
 /// # Errors
 /// As for [`uncertainty()`](crate::uncertainty()), but for a case of which nothing is a range.
@@ -421,15 +421,15 @@ pub fn samples(
     Ok(Some(Samples { outputs, propagation }))
 }
 
-/// Whether [`uncertainty()`](crate::uncertainty()) has anything to propagate: a range, a value that is estimated, or an error
-/// that numbers share.
+/// Whether [`uncertainty()`](crate::uncertainty()) has anything to propagate: a range, a value that is
+/// estimated, or an error that numbers share.
 #[must_use]
 pub fn is_uncertain(case: &Case) -> bool {
     any_inputs(case).map_or(true, |inputs| !inputs.is_empty())
 }
 
-/// Whether each sample of [`uncertainty()`](crate::uncertainty()) is searched back from the place where a vehicle came to rest,
-/// which takes a thousand times as long as to solve an impact.
+/// Whether each sample of [`uncertainty()`](crate::uncertainty()) is searched back from the place where a
+/// vehicle came to rest, which takes a thousand times as long as to solve an impact.
 #[must_use]
 pub fn is_searched_back(case: &Case) -> bool {
     let seeks = matches!(Goal::of(case), Goal::BothSpeeds | Goal::Motion);
