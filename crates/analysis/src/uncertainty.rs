@@ -397,9 +397,9 @@ pub struct Samples {
     pub propagation: Propagation,
 }
 
-/// The samples of [`uncertainty()`](crate::uncertainty()), with the same bits, in a fraction of its time where
-/// they are few: without derivatives, tornado and doubts, as a row of a table has no place for them. `None`
-/// where nothing is uncertain.
+/// The samples of [`uncertainty()`](crate::uncertainty()), with the same bits, in a fraction of its time
+/// where they are few: without derivatives, tornado and doubts, as a row of a table has no place for them.
+/// `None` where nothing is uncertain.
 ///
 /// # Errors
 /// As for [`uncertainty()`](crate::uncertainty()), but for a case of which nothing is a range.
