@@ -7,8 +7,8 @@
 //! Aston, *Toward automatic model comparison*, JCGS 25 (2016): temperatures by the conditional effective
 //! sample size.
 
-use fearless_simd::dispatch;
 use real::elementary::{exp, ln};
+use uncertainty::dispatch;
 use uncertainty::random::{bits, key, unit};
 use uncertainty::{LANES, Lanes};
 
@@ -593,9 +593,8 @@ impl<'a, 'b, P: Prior, E: Evidence> Traveller<'a, 'b, P, E> {
                 let from = population.block(block);
                 let first = (block * LANES) as u64;
                 let moves = Moves { from, others: &others, reference, scale, kind, first };
-                let level = self.target.instructions.level();
-                let proposal = &mut self.proposal;
-                dispatch!(level, _simd => propose(proposal, &moves, key(sequence, &[1])));
+                let (instructions, proposal) = (self.target.instructions, &mut self.proposal);
+                dispatch!(instructions, propose(proposal, &moves, key(sequence, &[1])));
                 let hurdle = Hurdle {
                     used: &self.target.used,
                     faded: self.target.faded,
