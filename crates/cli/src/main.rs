@@ -28,7 +28,6 @@ use arguments::{
 };
 use batch::{Job, Rows};
 use case::{Case, CaseFile, Diagnostics, Text};
-use clap::Parser as _;
 use rayon::{ThreadPool, ThreadPoolBuilder};
 use report::{
     Answer, Csv, CsvStyle, Document, Drawing, DrawingError, PictureFormat, Supplements, Table, Units,
@@ -52,7 +51,7 @@ const NO_ANSWER: u8 = 1;
 const WRONG_INPUT: u8 = 2;
 
 fn main() -> ExitCode {
-    let command = match Command::try_parse() {
+    let command = match arguments::parse(std::env::args_os()) {
         Ok(command) => command,
         Err(error) => return not_a_command(&error),
     };
@@ -71,7 +70,7 @@ fn not_a_command(error: &clap::Error) -> ExitCode {
     if error.use_stderr() {
         // The message quotes the command line, which a script may have made of the name of a file.
         let shown = std::env::args_os().map(|argument| case::shown(&argument.to_string_lossy()).into_owned());
-        let again = Command::try_parse_from(shown).err();
+        let again = arguments::parse(shown).err();
         // Nothing is left to be done where standard error is closed.
         let _ = again.as_ref().unwrap_or(error).print();
         return ExitCode::from(WRONG_INPUT);
