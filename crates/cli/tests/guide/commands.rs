@@ -88,8 +88,7 @@ fn every_command_in_the_text_is_read() {
             page.inline_code().into_iter().filter(|code| code.starts_with("deltav ")).collect();
         // Blocks that are not run: how to run it without installing it.
         for line in page.fenced("text") {
-            if let Some((_, arguments)) = line.trim_start_matches("$ ").split_once("cargo run --release -- ")
-            {
+            if let Some((_, arguments)) = line.trim_start_matches("$ ").split_once("cargo run -- ") {
                 commands.push(format!("deltav {arguments}"));
             }
         }
