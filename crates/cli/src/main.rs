@@ -30,7 +30,6 @@ use std::process::ExitCode;
 use anyhow::Result;
 use arguments::Command;
 use case::Diagnostics;
-use clap::Parser as _;
 use present::NoAnswer;
 use report::DrawingError;
 use validate::NotReproduced;
@@ -41,7 +40,7 @@ const NO_ANSWER: u8 = 1;
 const WRONG_INPUT: u8 = 2;
 
 fn main() -> ExitCode {
-    let command = match Command::try_parse() {
+    let command = match arguments::parse(std::env::args_os()) {
         Ok(command) => command,
         Err(error) => return not_a_command(&error),
     };
@@ -60,7 +59,7 @@ fn not_a_command(error: &clap::Error) -> ExitCode {
     if error.use_stderr() {
         // The message quotes the command line, which a script may have made of the name of a file.
         let shown = std::env::args_os().map(|argument| case::shown(&argument.to_string_lossy()).into_owned());
-        let again = Command::try_parse_from(shown).err();
+        let again = arguments::parse(shown).err();
         // Nothing is left to be done where standard error is closed.
         let _ = again.as_ref().unwrap_or(error).print();
         return ExitCode::from(WRONG_INPUT);

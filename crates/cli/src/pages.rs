@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use anyhow::{Context as _, Result};
-use clap::CommandFactory as _;
+use clap::{Arg, ArgAction, CommandFactory as _};
 use clap_complete::Shell;
 
 use crate::arguments::Command;
@@ -46,10 +46,27 @@ fn pages(command: &clap::Command, folder: &Path) -> Result<()> {
     write(Some(&folder.join(manual.get_filename())), page)
 }
 
+/// The command with its whole description and, beside its options, the meaning of their values.
+fn described(command: clap::Command) -> clap::Command {
+    let description: Vec<String> = [command.get_about(), command.get_before_help()]
+        .into_iter()
+        .flatten()
+        .map(ToString::to_string)
+        .collect();
+    // With more than one description, clap would speak of a summary.
+    let help = Arg::new("help").short('h').long("help").action(ArgAction::Help).help("Print help");
+    command
+        .long_about(description.join(".\n\n"))
+        .mut_args(|argument| argument.hide_possible_values(false))
+        .disable_help_flag(true)
+        .arg(help)
+}
+
 /// The commands with dots behind what may be given several times, which clap_mangen leaves out.
 fn for_pages() -> clap::Command {
-    Command::command()
+    described(Command::command())
         .mut_subcommands(|command| {
+            let command = described(command);
             let takes_several = command.get_arguments().any(|argument| argument.get_id() == "cases");
             if takes_several {
                 command.mut_arg("cases", |cases| cases.value_name("CASE…"))
@@ -57,5 +74,7 @@ fn for_pages() -> clap::Command {
                 command
             }
         })
-        .mut_subcommand("explain", |command| command.mut_arg("topic", |topic| topic.value_name("TOPIC…")))
+        .mut_subcommand("explain", |command| {
+            command.mut_arg("topic", |topic| topic.value_name("TOPIC…").hide_possible_values(true))
+        })
 }

@@ -96,7 +96,7 @@ fn an_ended_table_keeps_its_rows() {
 /// Where no row was finished, the file that was there stays.
 #[test]
 fn an_old_table_is_not_replaced_by_an_empty_one() {
-    let (status, message, out) = table("old", "-INT", (3, "300000000"), 1500);
+    let (status, message, out) = table("old", "-INT", (3, "10000000"), 1500);
     assert_eq!(status, Some(1), "{message}");
     assert!(message.contains("none of 3 rows was finished, and nothing is written"), "{message}");
     assert_eq!(out, "old\n");

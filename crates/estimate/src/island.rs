@@ -7,8 +7,8 @@
 //! Aston, *Toward automatic model comparison*, JCGS 25 (2016): temperatures by the conditional effective
 //! sample size.
 
-use fearless_simd::dispatch;
 use real::elementary::{exp, ln};
+use uncertainty::dispatch;
 use uncertainty::random::{bits, key, unit};
 use uncertainty::{LANES, Lanes};
 
@@ -214,12 +214,18 @@ pub(crate) struct Island {
 }
 
 /// Runs an island.
+///
+/// `goes_on` receives the temperature before each step to the next one; `None` where it says no.
 pub(crate) fn run<P: Prior, E: Evidence>(
     target: &Target<'_, P, E>,
     particles: usize,
     seed: u64,
     index: u64,
-) -> Result<Island, Failure> {
+    goes_on: impl Fn(f64) -> bool,
+) -> Result<Option<Island>, Failure> {
+    if !goes_on(0.0) {
+        return Ok(None);
+    }
     let mut traveller = Traveller::new(target, key(seed, &[index]));
     let population = traveller.draw_prior(particles)?;
     let mut island = Island {
@@ -238,6 +244,9 @@ pub(crate) fn run<P: Prior, E: Evidence>(
         let exclusion = &traveller.exclusion;
         island.log_evidence = ln(exclusion.possible as f64 / exclusion.drawn as f64);
         while island.temperature < 1.0 && island.stages < MOST_STAGES {
+            if !goes_on(island.temperature) {
+                return Ok(None);
+            }
             let stage = island.stages as u64;
             let step = step_in_temperature(&population, 1.0 - island.temperature);
             island.temperature = if step.is_last { 1.0 } else { island.temperature + step.size };
@@ -256,7 +265,7 @@ pub(crate) fn run<P: Prior, E: Evidence>(
     island.exclusion = traveller.exclusion;
     island.excludes = traveller.excludes;
     island.evaluations = traveller.evaluations;
-    Ok(island)
+    Ok(Some(island))
 }
 
 /// Leads an island's population, which holds all evidence of `target`, to the posterior without one of its
@@ -593,9 +602,8 @@ impl<'a, 'b, P: Prior, E: Evidence> Traveller<'a, 'b, P, E> {
                 let from = population.block(block);
                 let first = (block * LANES) as u64;
                 let moves = Moves { from, others: &others, reference, scale, kind, first };
-                let level = self.target.instructions.level();
-                let proposal = &mut self.proposal;
-                dispatch!(level, _simd => propose(proposal, &moves, key(sequence, &[1])));
+                let (instructions, proposal) = (self.target.instructions, &mut self.proposal);
+                dispatch!(instructions, propose(proposal, &moves, key(sequence, &[1])));
                 let hurdle = Hurdle {
                     used: &self.target.used,
                     faded: self.target.faded,

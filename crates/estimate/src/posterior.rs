@@ -1,11 +1,12 @@
 //! All islands, and what they say together.
 
 use std::ops::{ControlFlow, Range};
+use std::sync::{Mutex, PoisonError};
 
 use real::elementary::{exp, ln};
 use uncertainty::normal::shares;
 use uncertainty::random::{bits, key, unit};
-use uncertainty::{Estimate, LANES, Lanes, Progress, Span, for_each, in_order};
+use uncertainty::{Estimate, LANES, Lanes, Progress, for_each};
 
 use crate::circle::unrolled;
 use crate::diagnosis::{Diagnosis, Quantity, Verdict, mixing, modes};
@@ -67,8 +68,8 @@ impl Check {
 
 /// Draws from the posterior.
 ///
-/// `progress` receives the number of finished particles and of all particles whenever an island begins, and
-/// may end the run.
+/// `progress` receives the number of finished particles and of all particles before each step in temperature
+/// of an island, and may end the run.
 ///
 /// # Errors
 /// If the settings cannot be used, if a log-likelihood is NaN or +∞, if the evidence excludes all that the
@@ -87,13 +88,44 @@ pub fn sample<P: Prior, E: Evidence>(
     let used = settings.terms.flags(terms);
     let target = Target { prior, evidence, used, faded: None, instructions: settings.instructions };
     let particles = settings.particles;
-    let spans = (0..settings.islands as u64).map(|work| Span { samples: particles, work }).collect();
-    let islands = in_order(spans, |index| run(&target, particles, settings.seed, index), progress);
-    let islands: Vec<Island> = islands.into_iter().collect::<Result<_, _>>()?;
-    if islands.len() < settings.islands {
-        return Err(Failure::Ended { finished: islands.len(), islands: settings.islands });
+    let voyage = Mutex::new(Voyage { progress, temperatures: vec![0.0; settings.islands], is_ended: false });
+    let islands = for_each(0..settings.islands, |index| {
+        let goes_on = |temperature| {
+            let mut voyage = voyage.lock().unwrap_or_else(PoisonError::into_inner);
+            voyage.goes_on(index, temperature, particles)
+        };
+        let island = run(&target, particles, settings.seed, index as u64, goes_on)?;
+        let mut voyage = voyage.lock().unwrap_or_else(PoisonError::into_inner);
+        voyage.temperatures[index] = 1.0;
+        Ok(island)
+    });
+    let islands: Vec<Option<Island>> = islands.into_iter().collect::<Result<_, Failure>>()?;
+    let finished = islands.iter().flatten().count();
+    let islands: Vec<Island> = islands.into_iter().flatten().collect();
+    if finished < settings.islands {
+        return Err(Failure::Ended { finished, islands: settings.islands });
     }
     combine(&target, settings, &islands)
+}
+
+/// How far the islands are, and who hears of it.
+struct Voyage<'a, 'p> {
+    progress: &'a mut Progress<'p>,
+    /// (–) of each island: 1 where it has arrived.
+    temperatures: Vec<f64>,
+    is_ended: bool,
+}
+
+impl Voyage<'_, '_> {
+    /// Tells how many particles have arrived, those on their way by their temperature, and whether to go on.
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "up to all particles")]
+    fn goes_on(&mut self, island: usize, temperature: f64, particles: usize) -> bool {
+        self.temperatures[island] = temperature;
+        let arrived = self.temperatures.iter().sum::<f64>() * particles as f64;
+        let all = self.temperatures.len() * particles;
+        self.is_ended = self.is_ended || (self.progress)(arrived as usize, all).is_break();
+        !self.is_ended
+    }
 }
 
 /// [`sample`] without progress.

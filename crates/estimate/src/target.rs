@@ -1,6 +1,6 @@
 //! Evaluating prior and evidence for a block of particles.
 
-use fearless_simd::dispatch;
+use uncertainty::dispatch;
 use uncertainty::{Instructions, LANES, Lanes};
 
 use crate::error::Failure;
@@ -53,7 +53,7 @@ impl<P: Prior, E: Evidence> Target<'_, P, E> {
         wanted: Wanted<'_>,
         into: &mut Evaluation,
     ) -> Result<(), Failure> {
-        dispatch!(self.instructions.level(), _simd => evaluate_with(self, standard, wanted, into));
+        dispatch!(self.instructions, evaluate_with(self, standard, wanted, into));
         // A sum with NaN or +∞ in it is one of these, −∞ + ∞ included.
         let is_likelihood = |sum: &f64| *sum < f64::INFINITY;
         if into.log_likelihood.iter().all(is_likelihood) { Ok(()) } else { Err(self.not_a_likelihood(into)) }

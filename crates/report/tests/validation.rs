@@ -129,18 +129,24 @@ fn words(text: &str) -> String {
     text.split_whitespace().collect::<Vec<_>>().join(" ")
 }
 
+/// The README has of each error rate the mean and the rms error; docs/validation.md has the whole.
 #[test]
 fn the_readme_has_the_error_rate() {
-    let readme = fs::read_to_string(root().join("README.md")).unwrap();
-    let headline = report::validation_headline(&built_in(), report::Units::Si);
-    assert!(words(&readme).contains(&words(&headline)), "the README has to say:\n{headline}");
-}
-
-#[test]
-fn the_readme_has_the_error_rate_of_both_speeds() {
-    let readme = fs::read_to_string(root().join("README.md")).unwrap();
-    let headline = report::both_speeds_headline(&built_in(), report::Units::Si);
-    assert!(words(&readme).contains(&words(&headline)), "the README has to say:\n{headline}");
+    let [readme, details] = ["README.md", "docs/validation.md"]
+        .map(|name| words(&fs::read_to_string(root().join(name)).unwrap()));
+    let mut from = 0;
+    for headline in [report::validation_headline, report::both_speeds_headline] {
+        let headline = words(&headline(&built_in(), report::Units::Si));
+        assert!(details.contains(&headline), "docs/validation.md has to say:\n{headline}");
+        // One after the other, as the first is that of vehicle 1 alone.
+        for (begin, end) in [("On average ", ";"), ("an rms error of ", ".")] {
+            let part = &headline[headline.find(begin).unwrap()..];
+            let part = part.split(end).next().unwrap();
+            let found = readme[from..].find(part);
+            from += found.unwrap_or_else(|| panic!("the README has to say: {part}")) + part.len();
+        }
+    }
+    assert!(readme[from..].contains("(docs/validation.md)"));
 }
 
 /// A report has the error rate of what it finds; one that finds nothing of a collision has none.

@@ -87,6 +87,9 @@ mod sensitivity;
 mod summary;
 mod tornado;
 
+#[doc(hidden)]
+pub use fearless_simd as simd;
+
 pub use distribution::{Distribution, MIN_KEPT, Shape, Truncation};
 pub use error::{InvalidDistribution, InvalidRequest};
 pub use first_order::{FIRST_ORDER_LIMIT, FirstOrder};

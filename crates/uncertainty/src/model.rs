@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::ops::{Deref, DerefMut};
 use std::slice;
 
-use fearless_simd::dispatch;
+use crate::dispatch;
 
 use crate::run::Instructions;
 
@@ -181,7 +181,7 @@ pub(crate) fn evaluate<M: Model>(
     outputs: &mut [Lanes],
     reasons: &mut [u8; LANES],
 ) {
-    dispatch!(instructions.level(), _simd => evaluate_with(instructions, model, inputs, outputs, reasons));
+    dispatch!(instructions, evaluate_with(instructions, model, inputs, outputs, reasons));
 }
 
 #[inline(always)]
@@ -218,7 +218,7 @@ pub(crate) fn tally<M: Model>(
     reasons: &[u8],
     tallies: &mut [usize],
 ) {
-    dispatch!(instructions.level(), _simd => model.tally(inputs, outputs, reasons, tallies));
+    dispatch!(instructions, model.tally(inputs, outputs, reasons, tallies));
 }
 
 /// Counts the reasons of samples that failed.

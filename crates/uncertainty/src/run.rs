@@ -25,7 +25,6 @@ impl Instructions {
         let others = [
             best.as_avx512().map(Level::Avx512),
             best.as_avx2().map(Level::Avx2),
-            best.as_sse4_2().map(Level::Sse4_2),
             best.as_sse2().map(Level::Sse2),
         ];
         #[cfg(not(any(target_arch = "x86", target_arch = "x86_64")))]
@@ -33,12 +32,45 @@ impl Instructions {
         others.into_iter().flatten().map(Self).collect()
     }
 
-    /// For `fearless_simd::dispatch!`. What it is given must be one call of a function that is
-    /// `#[inline(always)]`: a closure would be compiled once, for the least of the instructions.
+    /// For [`dispatch!`](crate::dispatch).
     #[must_use]
     pub fn level(self) -> Level {
         self.0
     }
+}
+
+/// Evaluates a call with the given [`Instructions`]. It must be one call of a function that is
+/// `#[inline(always)]`: anything else, a closure too, would be compiled for the baseline instruction set.
+///
+/// SSE4.2 gains little over the baseline of x86-64, and has no code of its own: each copy of a model takes a
+/// compiler long.
+#[macro_export]
+macro_rules! dispatch {
+    ($instructions:expr, $call:expr) => {{
+        let level = $crate::Instructions::level($instructions);
+        #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
+        {
+            if let Some(avx512) = level.as_avx512() {
+                $crate::simd::Simd::vectorize(
+                    avx512,
+                    #[inline(always)]
+                    || $call,
+                )
+            } else if let Some(avx2) = level.as_avx2() {
+                $crate::simd::Simd::vectorize(
+                    avx2,
+                    #[inline(always)]
+                    || $call,
+                )
+            } else {
+                $call
+            }
+        }
+        #[cfg(not(any(target_arch = "x86", target_arch = "x86_64")))]
+        {
+            $crate::simd::dispatch!(level, _simd => $call)
+        }
+    }};
 }
 
 impl Default for Instructions {

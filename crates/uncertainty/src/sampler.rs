@@ -1,6 +1,6 @@
 //! The inputs of every sample.
 
-use fearless_simd::dispatch;
+use crate::dispatch;
 
 use crate::distribution::Distribution;
 use crate::error::InvalidRequest;
@@ -84,7 +84,7 @@ pub(crate) fn fill(
     block: u64,
     columns: &mut [Lanes],
 ) {
-    dispatch!(instructions.level(), _simd => fill_with(points, inputs, block, columns));
+    dispatch!(instructions, fill_with(points, inputs, block, columns));
 }
 
 #[inline(always)]

@@ -14,12 +14,12 @@
 use std::collections::BTreeSet;
 use std::slice;
 
+use ::uncertainty::dispatch;
 use ::uncertainty::{Instructions, LANES, Lanes, SUCCEEDED};
 use crash3::{
     CrushError, DamagedFace, EnergyBasis, EnergyMoments, ObliqueCorrection, Profile, Side, SideStiffness,
     Stiffness, VehicleClass, Zone, energy_of_equivalent_speed, equal_spacing, yaw_inertia_burg, zone_energy,
 };
-use fearless_simd::dispatch;
 use inputs::{
     Axes, Basis, BrachTangential, Case, ContactPoint, Crush, Dimensions, Find, GivenEes, GivenImpact,
     GivenVehicle, ImpactLaw, Kind, KnownEnergy, Mass, Outline, Pdof, Quantity, Reconstruct, Restitution,
@@ -417,7 +417,7 @@ impl Block {
     ) -> usize {
         let Some(sought) = self.sought else { return 0 };
         let mut posed = Posed::NOTHING;
-        dispatch!(instructions.level(), _simd => self.pose(inputs, &mut posed));
+        dispatch!(instructions, self.pose(inputs, &mut posed));
         let has_several = |lane: &usize| {
             let problem = self.problem(&posed, sought, inputs, *lane);
             problem.is_ok_and(|problem| problem.has_several_speeds())
@@ -450,7 +450,7 @@ impl Block {
         posed: &Posed,
         outputs: &mut [Lanes],
     ) -> ([bool; LANES], [u8; LANES]) {
-        dispatch!(instructions.level(), _simd => self.at_once_with(law, sought, posed, outputs))
+        dispatch!(instructions, self.at_once_with(law, sought, posed, outputs))
     }
 
     #[inline(always)]
@@ -1095,21 +1095,23 @@ impl Placed {
     /// The crush energy of each sample and its moments; `None` where the engine refuses the damage.
     fn moments(&self, inputs: &[Lanes]) -> [Option<EnergyMoments>; LANES] {
         let uniform = |[a, b, g]: [Lanes; 3]| {
-            let mut moments = [const { None }; LANES];
             let mut width = Lanes::ZERO;
-            for (number, [one, other]) in self.crushed.zones() {
+            let zones = self.crushed.zones().map(|(number, depths)| {
                 self.crushed.width(number, inputs, &mut width);
-                for lane in 0..LANES {
-                    let (stiffness, is_stiffness) =
-                        Stiffness::from_abg_with_validity(a[lane], b[lane], g[lane]);
-                    let at = |depth: &Quantity<Number>| depth.with(depth.number().at(inputs, lane)).si();
-                    let zone = Zone { width: width[lane], depths: [at(one), at(other)] };
-                    let before = if number == 0 { Some(EnergyMoments::none()) } else { moments[lane].take() };
-                    let is_sound = is_stiffness & zone.is_valid();
-                    moments[lane] = before.filter(|_| is_sound).map(|moments| moments.with(zone, &stiffness));
+                (width, depths)
+            });
+            let zones: Vec<(Lanes, [&Quantity<Number>; 2])> = zones.collect();
+            std::array::from_fn(|lane| {
+                let (stiffness, is_stiffness) = Stiffness::from_abg_with_validity(a[lane], b[lane], g[lane]);
+                let at = |depth: &Quantity<Number>| depth.with(depth.number().at(inputs, lane)).si();
+                let mut moments = is_stiffness.then(EnergyMoments::none);
+                for (width, depths) in &zones {
+                    let zone = Zone { width: width[lane], depths: depths.map(at) };
+                    moments =
+                        moments.filter(|_| zone.is_valid()).map(|moments| moments.with(zone, &stiffness));
                 }
-            }
-            moments
+                moments
+            })
         };
         match &self.resistance {
             Resistance::Line(line) => uniform(line.lanes(inputs)),

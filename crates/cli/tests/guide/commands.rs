@@ -88,8 +88,7 @@ fn every_command_in_the_text_is_read() {
             page.inline_code().into_iter().filter(|code| code.starts_with("deltav ")).collect();
         // Blocks that are not run: how to run it without installing it.
         for line in page.fenced("text") {
-            if let Some((_, arguments)) = line.trim_start_matches("$ ").split_once("cargo run --release -- ")
-            {
+            if let Some((_, arguments)) = line.trim_start_matches("$ ").split_once("cargo run -- ") {
                 commands.push(format!("deltav {arguments}"));
             }
         }
@@ -182,4 +181,109 @@ fn every_command_is_known() {
         .map(|command| command.get_name().to_owned())
         .collect();
     assert_eq!(meant("COMMAND"), names);
+}
+
+/// What the program prints for this line on a screen of 100 columns.
+fn printed(line: &[&str]) -> String {
+    arguments::command().term_width(100).try_get_matches_from(line).unwrap_err().to_string()
+}
+
+/// The help of the program, and that of each command.
+fn helps() -> Vec<(String, String)> {
+    let command = arguments::command();
+    let names = command.get_subcommands().map(|one| one.get_name().to_owned());
+    let of_commands = names.map(|name| {
+        let help = printed(&["deltav", &name, "--help"]);
+        (name, help)
+    });
+    std::iter::once(("deltav".to_owned(), printed(&["deltav", "--help"]))).chain(of_commands).collect()
+}
+
+#[test]
+fn every_help_fits_a_screen() {
+    for (name, help) in helps() {
+        let lines = help.trim_end().lines().count();
+        assert!(lines <= 40, "{name} --help has {lines} lines:\n{help}");
+    }
+    // An example that is broken over two lines cannot be copied.
+    for one in arguments::Command::command().get_subcommands() {
+        let help = one.get_after_help().map(ToString::to_string).unwrap_or_default();
+        for example in help.lines().filter(|line| line.starts_with("  ")) {
+            assert!(example.chars().count() <= 100, "{example}");
+        }
+    }
+}
+
+/// Nobody has to ask twice: `-h` and `--help` print the same.
+#[test]
+fn there_is_one_help() {
+    for (name, help) in helps().into_iter().skip(1) {
+        assert_eq!(printed(&["deltav", &name, "-h"]), help);
+        assert_eq!(printed(&["deltav", "help", &name]), help);
+    }
+}
+
+/// The groups of `deltav --help` have each command once, and their lines fit into 80 columns.
+#[test]
+fn every_command_is_in_one_group() {
+    let mut grouped: Vec<&str> =
+        arguments::GROUPS.iter().flat_map(|(_, names)| names.iter().copied()).collect();
+    grouped.sort_unstable();
+    let mut command = arguments::command();
+    command.build();
+    let mut commands: Vec<&str> = command.get_subcommands().map(clap::Command::get_name).collect();
+    commands.sort_unstable();
+    assert_eq!(grouped, commands);
+
+    let (_, help) = helps().swap_remove(0);
+    for (title, names) in arguments::GROUPS {
+        let lines: Vec<&str> =
+            help.lines().skip_while(|line| *line != format!("{title}:")).skip(1).take(names.len()).collect();
+        for (line, name) in lines.iter().zip(names) {
+            assert!(line.starts_with(&format!("  {name} ")), "{title}: {line}");
+            assert!(line.chars().count() <= 80, "{line}");
+        }
+        assert_eq!(lines.len(), names.len(), "{title}");
+    }
+}
+
+/// The values that an option takes stand in its line or in the list below; `deltav explain` lists the topics.
+#[test]
+fn the_help_names_every_value_of_an_option() {
+    let command = arguments::command();
+    let mut count = 0;
+    for (name, help) in helps().into_iter().skip(1) {
+        let Some(one) = command.find_subcommand(&name) else { continue };
+        let (options, _) = help.split_once("Example").unwrap();
+        for argument in
+            one.get_arguments().filter(|one| one.get_id() != "topic" && one.get_action().takes_values())
+        {
+            for value in argument.get_possible_values() {
+                let is_named = options
+                    .split(|c: char| !(c.is_alphanumeric() || c == '-'))
+                    .any(|word| word == value.get_name());
+                assert!(is_named, "{name}: {} {}", argument.get_id(), value.get_name());
+                count += 1;
+            }
+        }
+    }
+    assert!(count > 80, "only {count} values");
+}
+
+/// What the help has no room for, topics explain, and there they are.
+#[test]
+fn the_help_leads_to_topics_that_exist() {
+    let mut count = 0;
+    for (name, help) in helps() {
+        let help = help.split_whitespace().collect::<Vec<_>>().join(" ");
+        let topics: Vec<&str> =
+            help.split("`deltav explain ").skip(1).map(|rest| rest.split('`').next().unwrap()).collect();
+        for topic in &topics {
+            assert!(report::topic(topic).is_ok(), "{name}: {topic}");
+        }
+        let utilities = arguments::GROUPS[2].1;
+        assert!(!topics.is_empty() || utilities.contains(&name.as_str()), "{name} --help leads nowhere");
+        count += topics.len();
+    }
+    assert!(count > 25, "only {count} topics");
 }

@@ -1,5 +1,9 @@
 //! Every key, value, piece of a case file and path that the text names exists.
 
+use std::collections::BTreeSet;
+use std::process::Command;
+use std::sync::OnceLock;
+
 use case::{CaseFile, CaseProblem, Dimension};
 
 use crate::guide::prose::{Page, page, pages, root};
@@ -34,18 +38,19 @@ const BEFORE_A_TABLE: [&str; 9] = [
 ];
 
 /// What is no word of the case file, and is meant otherwise: how a console block begins, where it is
-/// shortened and how it shows an exit status, the comment that names a schema, the mark of a misprint, a lint
-/// of clippy, a field of the library, keys of the JSON of a report, a variable of the environment.
+/// shortened and how it shows an exit status, the comment that names a schema, the mark of a misprint, a
+/// field of the library, a key within one of the JSON, keys of the JSON of a case whose evidence is weighed,
+/// which takes a while, a variable of the environment.
 const OTHER: [&str; 10] = [
     "$",
     "...",
     "? 2",
     "#:schema",
     "ERRATUM",
-    "incompatible_msrv",
     "Problem::tangential_share",
     "headline.by",
-    "left_aside",
+    "solutions",
+    "solution_warnings",
     "DELTAV_PROGRESS=off",
 ];
 
@@ -108,6 +113,41 @@ fn vocabulary() -> Vec<String> {
     words
 }
 
+/// The keys of the JSON that the program writes of some cases.
+fn json_keys() -> &'static BTreeSet<String> {
+    fn gather(value: &serde_json::Value, keys: &mut BTreeSet<String>) {
+        match value {
+            serde_json::Value::Object(object) => {
+                keys.extend(object.keys().cloned());
+                object.values().for_each(|value| gather(value, keys));
+            }
+            serde_json::Value::Array(array) => array.iter().for_each(|value| gather(value, keys)),
+            _ => {}
+        }
+    }
+    static KEYS: OnceLock<BTreeSet<String>> = OnceLock::new();
+    KEYS.get_or_init(|| {
+        let mut keys = BTreeSet::new();
+        for line in [
+            "reconstruct fixtures/edcrash-tutorial.toml --exact",
+            "crush fixtures/one-inspected.toml",
+            "check fixtures/estimate.toml",
+            "compare fixtures/edcrash-tutorial.toml",
+            "uncertainty fixtures/sae-980025-uncertain.toml --samples 100",
+            "estimate fixtures/estimate.toml --particles 128 --no-pieces",
+        ] {
+            let output = Command::new(env!("CARGO_BIN_EXE_deltav"))
+                .args(line.split(' '))
+                .args(["--format", "json"])
+                .current_dir(root())
+                .output()
+                .unwrap();
+            gather(&serde_json::from_slice(&output.stdout).unwrap(), &mut keys);
+        }
+        keys
+    })
+}
+
 /// A number with a unit of the program.
 fn is_a_quantity(text: &str) -> bool {
     text.split_once(' ').is_some_and(|(number, unit)| {
@@ -135,7 +175,7 @@ fn begins_a_formula(sign: &str) -> bool {
 }
 
 /// A word of the case file, a topic of the glossary such as the code of a warning, a column of CSV, a value
-/// of an option, a crate or another folder.
+/// of an option, a key of the JSON, a crate or another folder.
 fn is_known(word: &str, vocabulary: &[String]) -> bool {
     const OF_OPTIONS: [&str; 4] = ["monte-carlo", "latin-hypercube", "sobol", "european"];
     let in_the_file = |word: &str| vocabulary.iter().any(|known| known == word);
@@ -150,6 +190,7 @@ fn is_known(word: &str, vocabulary: &[String]) -> bool {
             .flatten()
             .any(|column| column == word)
         || OF_OPTIONS.contains(&word)
+        || json_keys().contains(word)
         || root().join("crates").join(word).is_dir()
         || root().join(word).is_dir()
         || word == "deltav"
@@ -258,6 +299,7 @@ fn what_does_not_exist_is_refused() {
         "\"35 mhp\"",
         "\"3x mph\"",
         "errors",
+        "law_checks",
         "*",
         "? 3",
     ];

@@ -1,6 +1,6 @@
 //! How many samples lie in each of some classes.
 
-use fearless_simd::dispatch;
+use crate::dispatch;
 
 use super::Summary;
 use crate::run::{Instructions, for_each};
@@ -83,7 +83,7 @@ impl Histogram {
 
     /// More of such a column.
     fn add(&mut self, values: &[f64]) {
-        dispatch!(Instructions::best().level(), _simd => self.add_with(values));
+        dispatch!(Instructions::best(), self.add_with(values));
     }
 
     #[inline(always)]
