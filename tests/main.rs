@@ -12,6 +12,8 @@ mod binaries;
 #[cfg(test)]
 mod comments;
 #[cfg(test)]
+mod front_pages;
+#[cfg(test)]
 mod licences;
 #[cfg(test)]
 mod maps;

@@ -6,6 +6,12 @@
 //!
 //! A problem is `{ from, to, line, column, key, title, help }`; `line` and `column` count from 1 on and are
 //! `null` where it is about the file as a whole.
+//!
+//! ```
+//! // A mile is 1.609344 km.
+//! assert_eq!(deltav_web::convert("10 mph", "km/h"), r#"{"ok":true,"text":"16.09344 km/h"}"#);
+//! assert!(deltav_web::convert("10 mph", "kg").starts_with(r#"{"ok":false,"message":"#));
+//! ```
 
 mod answer;
 mod check;
