@@ -18,4 +18,6 @@ mod licences;
 #[cfg(test)]
 mod maps;
 #[cfg(test)]
+mod names;
+#[cfg(test)]
 mod packages;

@@ -7,7 +7,7 @@
 //! its path to rest the struck car left the impact at 11 ± 0.66 m/s.
 //!
 //! ```
-//! use estimate::{Quantity, Settings, sample_quietly};
+//! use estimate::{DrawnQuantity, Settings, sample_quietly};
 //! use evidence::{BodyNumbers, Collision, MeasuredSpeed, Model, Observed, Output, Restitution, Speeds, Vehicle};
 //! use pim_core::VehicleId;
 //! use uncertainty::Distribution;
@@ -34,7 +34,7 @@
 //!
 //! let model = Model::new(&collision);
 //! let posterior = sample_quietly(&model, &model, &Settings::new(512, 1))?;
-//! let speed = posterior.summary(Quantity::Output(Output::Speed(VehicleId::One).column()));
+//! let speed = posterior.summary(DrawnQuantity::Output(Output::Speed(VehicleId::One).column()));
 //! // By hand: V₂ = (1 + e) m₁/(m₁ + m₂) v₁ = 0.66 v₁, so the measurement says v₁ = 16.67 ± 1 m/s. With the
 //! // witness: (16.67/1² + 15/2²)/(1/1² + 1/2²) = 16.33, ± 1/√1.25 = 0.89 m/s.
 //! assert!((speed.mean.value - 16.33).abs() < 0.1);

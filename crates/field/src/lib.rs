@@ -40,7 +40,7 @@ mod share;
 
 pub use direction::{DirectionFit, fit_direction};
 pub use error::FieldError;
-pub use fit::{Figure, Fit, FitOptions, Folds, fit, fit_folds};
-pub use judge::{Field, Figures, Group, Judged, Kind, KnownCrush, LEVELS, Options, judge, judge_by};
-pub use pair::{Pair, Plane, Truth, Vehicle, read};
+pub use fit::{Figure, FigureFit, FitOptions, Folds, fit, fit_folds};
+pub use judge::{Field, Figures, Group, Judged, KnownCrush, LEVELS, Options, PairKind, judge, judge_by};
+pub use pair::{Pair, PairVehicle, Plane, Truth, read};
 pub use share::{ShareFit, fit_share};

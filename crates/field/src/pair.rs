@@ -14,7 +14,7 @@ pub struct Pair {
     /// Number of the crash.
     pub case: String,
     /// The vehicles.
-    pub vehicles: [Vehicle; 2],
+    pub vehicles: [PairVehicle; 2],
 }
 
 /// The plane of a vehicle's damage.
@@ -40,7 +40,7 @@ impl Plane {
 
 /// One vehicle.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Vehicle {
+pub struct PairVehicle {
     /// Its number in the crash, by which it is known in another event.
     pub number: Option<u32>,
     /// (kg) mass without occupants and load.
@@ -93,7 +93,7 @@ pub struct Truth {
     pub direction: Option<f64>,
 }
 
-impl Vehicle {
+impl PairVehicle {
     /// (kg) with its load and occupants.
     #[must_use]
     pub fn mass(&self) -> f64 {
@@ -238,7 +238,7 @@ impl Cells<'_> {
         }
     }
 
-    fn vehicle(&self, vehicle: u8) -> Result<Vehicle, FieldError> {
+    fn vehicle(&self, vehicle: u8) -> Result<PairVehicle, FieldError> {
         let plane = match self.text("CDCPLANE", vehicle)? {
             "F" => Plane::Front,
             "B" => Plane::Rear,
@@ -262,7 +262,7 @@ impl Cells<'_> {
             // Outward bulges are no crush.
             *depth = (self.number(column, vehicle)? / 100.0).max(0.0);
         }
-        Ok(Vehicle {
+        Ok(PairVehicle {
             number: self.vehicle_number(vehicle)?,
             curb_mass,
             // NHTSA's codes for unknown loads are above any load.

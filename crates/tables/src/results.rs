@@ -12,7 +12,7 @@ use arrow_schema::{DataType, Field, Schema, SchemaRef};
 use case::{Axes, Case};
 use pim_core::VehicleId;
 
-use crate::{Job, Options, TableError};
+use crate::{Job, RowOptions, TableError};
 
 /// The quantities of a vehicle that damage alone gives, beside all those of CRASH3.
 const OF_DAMAGE: [&str; 10] = [
@@ -230,7 +230,7 @@ impl What {
 }
 
 /// The schema of the results, whatever the cases are.
-pub(crate) fn schema(job: Job, options: &Options) -> SchemaRef {
+pub(crate) fn schema(job: Job, options: &RowOptions) -> SchemaRef {
     let fields: Vec<Field> = columns(job, options.samples)
         .into_iter()
         .map(|(name, what)| Field::new(name, what.data_type(), true))
@@ -265,7 +265,7 @@ enum Filled {
 }
 
 impl Builder {
-    pub(crate) fn new(job: Job, options: &Options) -> Self {
+    pub(crate) fn new(job: Job, options: &RowOptions) -> Self {
         let filled = |what: What| match what.data_type() {
             DataType::Float64 => Filled::Numbers(Float64Builder::new()),
             DataType::Int64 => Filled::Wholes(Int64Builder::new()),

@@ -47,7 +47,7 @@ impl Job {
 
 /// How the rows are computed.
 #[derive(Clone, Copy, Debug)]
-pub struct Options {
+pub struct RowOptions {
     /// Samples of each row for its intervals, Monte Carlo; without, there are none. For
     /// [`Job::Reconstruct`] and [`Job::Impact`].
     pub samples: Option<usize>,
@@ -60,7 +60,7 @@ pub struct Options {
     pub prior: Option<Prior>,
 }
 
-impl Default for Options {
+impl Default for RowOptions {
     fn default() -> Self {
         Self { samples: None, seed: 1, particles: EstimatePlan::PARTICLES, prior: None }
     }
@@ -68,17 +68,17 @@ impl Default for Options {
 
 /// What all rows share: a part of a case.
 #[derive(Clone, Debug, Default)]
-pub struct Template {
+pub struct RowTemplate {
     shared: ValueTable<'static>,
 }
 
-impl Template {
+impl RowTemplate {
     /// Reads a part of a case file; `name` is what errors call it.
     ///
     /// ```
-    /// use tables::Template;
-    /// let template = Template::parse("template.toml", "[impact]\nrestitution = 0.1\ntangential = \"critical\"")?;
-    /// let error = Template::parse("template.toml", "[impact]\nrestituton = 0.1").unwrap_err().to_string();
+    /// use tables::RowTemplate;
+    /// let template = RowTemplate::parse("template.toml", "[impact]\nrestitution = 0.1\ntangential = \"critical\"")?;
+    /// let error = RowTemplate::parse("template.toml", "[impact]\nrestituton = 0.1").unwrap_err().to_string();
     /// assert!(error.contains("unknown key \"restituton\""));
     /// # Ok::<(), tables::TableError>(())
     /// ```
@@ -98,21 +98,21 @@ impl Template {
 const AT_ONCE: usize = 4096;
 
 /// What is wrong with each row already where it was read; nothing where it is sound, or beyond the end.
-pub type Faults<'a> = &'a [Option<String>];
+pub type RowFaults<'a> = &'a [Option<String>];
 
 /// Is told how many rows are done of how many, from whichever thread, and may end the run.
-pub type Progress<'a> = dyn Fn(usize, usize) -> ControlFlow<()> + Sync + 'a;
+pub type RowProgress<'a> = dyn Fn(usize, usize) -> ControlFlow<()> + Sync + 'a;
 
 /// The schema of the results, which does not depend on the rows.
 ///
 /// ```
-/// use tables::{Job, Options, result_schema};
-/// let schema = result_schema(Job::Reconstruct, &Options { samples: Some(1000), ..Options::default() });
+/// use tables::{Job, RowOptions, result_schema};
+/// let schema = result_schema(Job::Reconstruct, &RowOptions { samples: Some(1000), ..RowOptions::default() });
 /// assert!(schema.field_with_name("vehicle1_delta_v").is_ok());
 /// assert!(schema.field_with_name("vehicle1_delta_v_p975").is_ok());
 /// ```
 #[must_use]
-pub fn result_schema(job: Job, options: &Options) -> SchemaRef {
+pub fn result_schema(job: Job, options: &RowOptions) -> SchemaRef {
     results::schema(job, options)
 }
 
@@ -146,8 +146,8 @@ pub fn columns_kept(schema: &Schema) -> Result<Vec<usize>, TableError> {
 /// As for [`run`].
 pub fn reconstruct(
     batch: &RecordBatch,
-    template: &Template,
-    options: &Options,
+    template: &RowTemplate,
+    options: &RowOptions,
 ) -> Result<RecordBatch, TableError> {
     run(Job::Reconstruct, batch, template, options, &|_, _| ControlFlow::Continue(()))
 }
@@ -158,8 +158,8 @@ pub fn reconstruct(
 /// As for [`run`].
 pub fn impact(
     batch: &RecordBatch,
-    template: &Template,
-    options: &Options,
+    template: &RowTemplate,
+    options: &RowOptions,
 ) -> Result<RecordBatch, TableError> {
     run(Job::Impact, batch, template, options, &|_, _| ControlFlow::Continue(()))
 }
@@ -168,7 +168,11 @@ pub fn impact(
 ///
 /// # Errors
 /// As for [`run`].
-pub fn crush(batch: &RecordBatch, template: &Template, options: &Options) -> Result<RecordBatch, TableError> {
+pub fn crush(
+    batch: &RecordBatch,
+    template: &RowTemplate,
+    options: &RowOptions,
+) -> Result<RecordBatch, TableError> {
     run(Job::Crush, batch, template, options, &|_, _| ControlFlow::Continue(()))
 }
 
@@ -178,8 +182,8 @@ pub fn crush(batch: &RecordBatch, template: &Template, options: &Options) -> Res
 /// As for [`run`].
 pub fn estimate(
     batch: &RecordBatch,
-    template: &Template,
-    options: &Options,
+    template: &RowTemplate,
+    options: &RowOptions,
 ) -> Result<RecordBatch, TableError> {
     run(Job::Estimate, batch, template, options, &|_, _| ControlFlow::Continue(()))
 }
@@ -196,9 +200,9 @@ pub fn estimate(
 pub fn run(
     job: Job,
     batch: &RecordBatch,
-    template: &Template,
-    options: &Options,
-    progress: &Progress<'_>,
+    template: &RowTemplate,
+    options: &RowOptions,
+    progress: &RowProgress<'_>,
 ) -> Result<RecordBatch, TableError> {
     run_with_faults(job, batch, &[], template, options, progress)
 }
@@ -211,10 +215,10 @@ pub fn run(
 pub fn run_with_faults(
     job: Job,
     batch: &RecordBatch,
-    faults: Faults<'_>,
-    template: &Template,
-    options: &Options,
-    progress: &Progress<'_>,
+    faults: RowFaults<'_>,
+    template: &RowTemplate,
+    options: &RowOptions,
+    progress: &RowProgress<'_>,
 ) -> Result<RecordBatch, TableError> {
     check(job, options)?;
     let plan = Plan::of(batch)?;
@@ -250,7 +254,7 @@ pub fn assumed_units(batch: &RecordBatch) -> Result<Vec<(String, &'static str)>,
     Ok(Plan::of(batch)?.assumed(batch.num_rows()))
 }
 
-fn check(job: Job, Options { samples, particles, .. }: &Options) -> Result<(), TableError> {
+fn check(job: Job, RowOptions { samples, particles, .. }: &RowOptions) -> Result<(), TableError> {
     match (job, samples) {
         (Job::Crush | Job::Estimate, Some(_)) => {
             return Err(TableError::Options(format!(
@@ -277,10 +281,10 @@ fn check(job: Job, Options { samples, particles, .. }: &Options) -> Result<(), T
 struct Row<'a> {
     job: Job,
     plan: &'a Plan<'a>,
-    faults: Faults<'a>,
-    template: &'a Template,
-    options: &'a Options,
-    progress: &'a Progress<'a>,
+    faults: RowFaults<'a>,
+    template: &'a RowTemplate,
+    options: &'a RowOptions,
+    progress: &'a RowProgress<'a>,
     total: usize,
     done: AtomicUsize,
     is_ended: AtomicBool,
@@ -347,7 +351,7 @@ impl Row<'_> {
             Job::Impact => analysis::impact,
             Job::Crush => analysis::crush,
             Job::Estimate => {
-                let Options { particles, prior, .. } = *self.options;
+                let RowOptions { particles, prior, .. } = *self.options;
                 let plan = EstimatePlan { particles, seed, prior, pieces: false };
                 let estimated =
                     analysis::estimate(case, &plan, &mut |_, _, _| self.goes_on()).map_err(refused)?;
