@@ -4,8 +4,8 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::Path;
 
-/// Names that stand in two crates, and always with the name of their crate or in it alone. The list may become
-/// shorter, but not longer: a new type takes a name that says what it is of.
+/// Names that stand in two crates. The list may become shorter, but not longer: a new type takes a name that
+/// says what it is of.
 const IN_TWO_CRATES: [&str; 23] = [
     "After",
     "Collision",

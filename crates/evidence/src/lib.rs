@@ -8,7 +8,8 @@
 //!
 //! ```
 //! use estimate::{DrawnQuantity, Settings, sample_quietly};
-//! use evidence::{BodyNumbers, Collision, MeasuredSpeed, Model, Observed, Output, Restitution, Speeds, Vehicle};
+//! use evidence::{BodyNumbers, Collision, MeasuredSpeed, Model, Observed, Output};
+//! use evidence::{Restitution, Speeds, Vehicle};
 //! use pim_core::VehicleId;
 //! use uncertainty::Distribution;
 //!

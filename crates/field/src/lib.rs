@@ -2,8 +2,8 @@
 //!
 //! # Example
 //!
-//! A made-up pair, the front of vehicle 1 against the left side of vehicle 2. The recorder of vehicle 1 stored
-//! that it lost 24 km/h along its heading and gained 7 km/h to its right.
+//! A made-up pair, the front of vehicle 1 against the left side of vehicle 2. The recorder of vehicle 1
+//! stored that it lost 24 km/h along its heading and gained 7 km/h to its right.
 //!
 //! ```
 //! let columns = [

@@ -96,8 +96,8 @@ fn the_engines_get_si_units() {
     assert_near(v2.velocity.y, 30.0 * MPH);
     assert_near(v1.yaw_rate, 0.2 * PI);
     assert_near(v2.yaw_rate, 0.0);
-    // C of vehicle 1 moves at (v − ω y, ω x), that of vehicle 2 with its CG. The normal points from vehicle 2 to
-    // vehicle 1, along y, and the tangent along −x: u_n = ω x − v₂, u_t = −(v₁ − ω y).
+    // C of vehicle 1 moves at (v − ω y, ω x), that of vehicle 2 with its CG. The normal points from vehicle 2
+    // to vehicle 1, along y, and the tangent along −x: u_n = ω x − v₂, u_t = −(v₁ − ω y).
     let approach = collision.contact.approach(&collision.motions).velocity;
     assert_near(approach.normal, 0.2 * PI * FOOT - 30.0 * MPH);
     assert_near(approach.tangential, -(20.0 * MPH + 0.2 * PI * 2.5 * FOOT));
@@ -150,8 +150,8 @@ fn the_damage_is_in_si_units_and_its_force_has_an_opposite() {
     assert_near(stiffness.b(), 90.0 * pound_force / (FOOT / 12.0).powi(2));
     // G = A²/2B
     assert_near(stiffness.g(), 350.0 * 350.0 / 180.0 * pound_force);
-    // 1 o'clock is 30° clockwise of a heading of 90°: the force on vehicle 2 comes from 60° in the scene, that on
-    // vehicle 1 from 240°, which is 120° clockwise of its heading.
+    // 1 o'clock is 30° clockwise of a heading of 90°: the force on vehicle 2 comes from 60° in the scene, that
+    // on vehicle 1 from 240°, which is 120° clockwise of its heading.
     assert_near(found.vehicles[1].pdof().unwrap(), PI / 6.0);
     assert!(!found.vehicles[1].pdof_follows() && found.vehicles[0].pdof_follows());
     assert_near(found.vehicles[0].pdof().unwrap(), 2.0 * PI / 3.0);
@@ -170,13 +170,14 @@ fn each_missing_value_is_named_by_its_key() {
     };
     assert_eq!(lacking(|case| case.impact = None), ["impact"]);
     assert_eq!(lacking(|case| case.vehicles[1].heading = None), ["vehicle2.heading"]);
-    assert_eq!(lacking(|case| case.vehicles[0].mass = None), ["vehicle1.mass"]);
+    // A case in US units has weights.
+    assert_eq!(lacking(|case| case.vehicles[0].mass = None), ["vehicle1.weight"]);
     assert_eq!(lacking(|case| case.vehicles[0].yaw = None), ["vehicle1.yaw_inertia"]);
     assert_eq!(lacking(|case| case.vehicles[1].contact = None), ["vehicle2.contact"]);
     assert_eq!(lacking(|case| case.vehicles[1].motion = None), ["vehicle2.speed"]);
     // Those of both vehicles at once.
     let both = lacking(|case| case.vehicles.iter_mut().for_each(|vehicle| vehicle.mass = None));
-    assert_eq!(both, ["vehicle1.mass", "vehicle2.mass"]);
+    assert_eq!(both, ["vehicle1.weight", "vehicle2.weight"]);
     assert_eq!(case().furthest_purpose(), Purpose::Impact);
 }
 

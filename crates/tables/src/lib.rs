@@ -65,14 +65,14 @@
 //! # What all rows share
 //!
 //! A [`RowTemplate`] is a part of a case file. What a row gives replaces or completes it: tables key by key,
-//! and any other value as a whole, a number with its range. A range without a central value, such as `sd` alone,
-//! is put about the one in the template.
+//! and any other value as a whole, a number with its range. A range without a central value, such as `sd`
+//! alone, is put about the one in the template.
 //!
 //! # Results
 //!
 //! Columns are named after the keys of the JSON, with underscores for dots: `vehicle1_delta_v`. They are in
-//! SI units and radians, and in the axes of the case. With [`RowOptions::samples`], the results that vary have
-//! `vehicle1_delta_v_p025`, `_median` and `_p975`, the 95 % interval, `_mean` and `_sd`; they are null in a
+//! SI units and radians, and in the axes of the case. With [`RowOptions::samples`], the results that vary
+//! have `vehicle1_delta_v_p025`, `_median` and `_p975`, the 95 % interval, `_mean` and `_sd`; they are null in a
 //! row of which nothing is uncertain. No type is unsigned, and no name has a dot. `warnings` are the codes
 //! that the glossary explains; `help` says what to write instead of what is wrong. The metadata of the
 //! schema has the version of the program and the options.
