@@ -72,9 +72,9 @@
 //!
 //! Columns are named after the keys of the JSON, with underscores for dots: `vehicle1_delta_v`. They are in
 //! SI units and radians, and in the axes of the case. With [`RowOptions::samples`], the results that vary
-//! have `vehicle1_delta_v_p025`, `_median` and `_p975`, the 95 % interval, `_mean` and `_sd`; they are null in
-//! a row of which nothing is uncertain. No type is unsigned, and no name has a dot. `warnings` are the codes
-//! that the glossary explains; `help` says what to write instead of what is wrong. The metadata of the
+//! have `vehicle1_delta_v_p025`, `_median` and `_p975`, the 95 % interval, `_mean` and `_sd`; they are null
+//! in a row of which nothing is uncertain. No type is unsigned, and no name has a dot. `warnings` are the
+//! codes that the glossary explains; `help` says what to write instead of what is wrong. The metadata of the
 //! schema has the version of the program and the options.
 //!
 //! The seed is that of the options, or of the column `seed`: the same row has the same result wherever it
