@@ -3,7 +3,7 @@
 //! The parser of `toml` gives the place of each key and value ([`layout`]), and the text is cut there.
 //! `toml_edit`, which writes its tree of the whole file anew, would change other letters too: it drops `\r`
 //! and a byte order mark, sorts dotted keys by their table, takes the comment above a removed key with it,
-//! and adds a key at the end of its table alone. A test, `toml_edit_would_change_more_than_the_key`, shows it.
+//! and adds a key at the end of its table alone: see the test `toml_edit_would_change_more_than_the_key`.
 
 mod layout;
 

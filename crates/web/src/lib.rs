@@ -111,8 +111,8 @@ pub fn look(text: &str, command: &str, units: &str, what: &str, viewport: &str) 
 
 /// A drawing of an answer: `what` is `scene`, `motion`, `motion-curves`, `momentum`, `damage`,
 /// `reconciliation` or `energy`, or `plain-scene` or `plain-motion` for readers who are no engineers; without
-/// speeds where an exact solution is not the answer. `{ ok: true, svg, title, description }`, or `{ ok: false, problems,
-/// message }`.
+/// speeds where an exact solution is not the answer. `{ ok: true, svg, title, description }`, or `{ ok:
+/// false, problems, message }`.
 #[wasm_bindgen]
 #[must_use]
 pub fn draw(text: &str, what: &str, units: &str) -> String {
