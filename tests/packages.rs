@@ -163,7 +163,7 @@ fn unpublishable(packages: &[Value]) -> Vec<String> {
                 match packages.iter().find(|package| package["name"] == other) {
                     None => found.push(format!("{} needs {other}, which is not published", name(one))),
                     Some(_) if other == own => {
-                        found.push(format!("{own} leads back to itself by {}", name(one)))
+                        found.push(format!("{own} leads back to itself by {}", name(one)));
                     }
                     Some(_) if seen.iter().any(|name| name == other) => {}
                     Some(package) => {

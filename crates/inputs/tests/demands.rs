@@ -83,7 +83,7 @@ fn the_engines_get_si_units() {
     // A weight of 3000 lb is that of 3000 lb of mass; I = m k².
     assert_near(one.mass, 3000.0 * POUND);
     assert_near(two.mass, 4000.0 * POUND);
-    assert_near(one.yaw_inertia.unwrap(), 3000.0 * POUND * (4.5 * FOOT).powi(2));
+    assert_near(one.yaw_inertia.unwrap(), 3000.0 * POUND * 4.5 * FOOT * 4.5 * FOOT);
     let [a, b] = collision.vehicles.each_ref().map(|data| data.contact.unwrap());
     assert_near(a[0], FOOT);
     assert_near(a[1], -2.5 * FOOT);
@@ -147,7 +147,7 @@ fn the_damage_is_in_si_units_and_its_force_has_an_opposite() {
     assert_near(profile.sums().mean_depth(), 12.5 / 12.0 * FOOT);
     let pound_force = POUND * 9.80665;
     assert_near(stiffness.a(), 350.0 * pound_force / (FOOT / 12.0));
-    assert_near(stiffness.b(), 90.0 * pound_force / (FOOT / 12.0).powi(2));
+    assert_near(stiffness.b(), 90.0 * pound_force * 144.0 / (FOOT * FOOT));
     // G = A²/2B
     assert_near(stiffness.g(), 350.0 * 350.0 / 180.0 * pound_force);
     // 1 o'clock is 30° clockwise of a heading of 90°: the force on vehicle 2 comes from 60° in the scene,
