@@ -2,12 +2,10 @@
 
 use allocation_counter::measure;
 use deltav_benches::spin_out;
+use oracle::scenes::{Car, Scene};
 use pim_core::{ImpactError, Tangential};
-use reconcile::{Departure, EnergyBasis, Momentum, MomentumAndCrush, Unknown};
+use reconcile::{Departure, EnergyBasis, Momentum, MomentumAndCrush, Problem, Unknown};
 use trajectory::{Control, Steer, Target, to_rest, to_start};
-
-use crate::reconciliation::posed;
-use crate::scenes::{Car, Scene};
 
 fn collision(tangential: Tangential) -> Scene {
     let car = Car {
@@ -54,15 +52,16 @@ fn a_search_for_a_speed_allocates_nothing() {
     for law in LAWS {
         let scene = collision(law);
         let info = measure(|| {
-            let problem = posed(
-                scene.contact(),
-                scene.law(),
-                scene.motions(),
-                Unknown::Speed1,
-                1e5,
-                EnergyBasis::Dissipated,
-            )
-            .unwrap();
+            let problem = Problem {
+                contact: scene.contact(),
+                law: scene.law().into(),
+                motions: scene.motions(),
+                unknown: Unknown::Speed1,
+                crush_energy: 1e5,
+                basis: EnergyBasis::Dissipated,
+                tangential_share: 0.0,
+            };
+            problem.check().unwrap();
             problem.solve().unwrap();
             problem.root_finder().unwrap();
             assert!(problem.speeds().count() > 0);

@@ -6,7 +6,7 @@
 use std::fs;
 use std::path::{Component, Path, PathBuf};
 
-use serde_json::Value;
+use serde_json::{Value, json};
 
 use super::licences::packages;
 
@@ -134,9 +134,65 @@ fn every_package_says_what_it_is() {
             let ours = text(folder(&package).join(licence));
             assert_eq!(ours, text(Path::new(env!("CARGO_MANIFEST_DIR")).join("..").join(licence)), "{name}");
         }
-        // A path is for this repository, a version for the registry.
+        // A path is for this repository, a version for the registry. What tests alone need may have no
+        // version: a package is without it.
         for dependency in package["dependencies"].as_array().unwrap() {
-            assert_ne!(dependency["req"], "*", "{name} needs {} in any version", dependency["name"]);
+            let is_left_out = dependency["kind"] == "dev" && !dependency["path"].is_null();
+            let has_version = dependency["req"] != "*";
+            assert!(is_left_out || has_version, "{name} needs {} in any version", dependency["name"]);
         }
     }
+}
+
+/// The packages of this workspace that a package names on the registry, for itself or for its tests.
+fn named(package: &Value) -> Vec<&str> {
+    let dependencies = package["dependencies"].as_array().unwrap().iter();
+    let ours = dependencies.filter(|one| !one["path"].is_null() && one["req"] != "*");
+    ours.map(|one| one["name"].as_str().unwrap()).collect()
+}
+
+/// What cannot be published: a package that names one which is not, or one that leads back to it.
+fn unpublishable(packages: &[Value]) -> Vec<String> {
+    let name = |package: &Value| package["name"].as_str().unwrap().to_owned();
+    let mut found = Vec::new();
+    for package in packages {
+        let own = name(package);
+        let (mut seen, mut open) = (vec![own.clone()], vec![package]);
+        while let Some(one) = open.pop() {
+            for other in named(one) {
+                match packages.iter().find(|package| package["name"] == other) {
+                    None => found.push(format!("{} needs {other}, which is not published", name(one))),
+                    Some(_) if other == own => {
+                        found.push(format!("{own} leads back to itself by {}", name(one)));
+                    }
+                    Some(_) if seen.iter().any(|name| name == other) => {}
+                    Some(package) => {
+                        seen.push(other.to_owned());
+                        open.push(package);
+                    }
+                }
+            }
+        }
+    }
+    found
+}
+
+/// The registry takes a package when all that it names are there, those of its tests too.
+#[test]
+fn no_package_waits_for_itself() {
+    assert_eq!(unpublishable(&published()), [""; 0]);
+}
+
+#[test]
+fn a_package_that_waits_for_itself_is_found() {
+    let package = |name: &str, other: &str, kind: Option<&str>, version: &str| {
+        let dependency = json!({ "name": other, "kind": kind, "req": version, "path": "/there" });
+        json!({ "name": name, "dependencies": [dependency] })
+    };
+    let upper = package("upper", "lower", None, "^0.1.0");
+    let with = |lower: Value| unpublishable(&[upper.clone(), lower]).len();
+    assert_eq!(with(package("lower", "upper", Some("dev"), "*")), 0);
+    assert_eq!(with(package("lower", "upper", Some("dev"), "^0.1.0")), 2);
+    assert_eq!(with(package("lower", "lower", Some("dev"), "^0.1.0")), 1);
+    assert!(with(package("lower", "helpers", Some("dev"), "^0.1.0")) > 0);
 }

@@ -7,7 +7,7 @@ use std::sync::Arc;
 use arrow_array::{ArrayRef, RecordBatch, StringArray};
 use arrow_schema::{DataType, Field, Schema};
 use libfuzzer_sys::fuzz_target;
-use tables::{Job, Options, Template, run};
+use tables::{Job, RowOptions, RowTemplate, run};
 
 fuzz_target!(|data: &[u8]| {
     let Ok(text) = std::str::from_utf8(data) else { return };
@@ -22,9 +22,9 @@ fuzz_target!(|data: &[u8]| {
     let fields: Vec<Field> = names.iter().map(|name| Field::new(*name, DataType::Utf8, true)).collect();
     let columns = (0..names.len()).map(column).collect();
     let Ok(batch) = RecordBatch::try_new(Arc::new(Schema::new(fields)), columns) else { return };
-    let template = Template::parse("template.toml", case::EXAMPLE).expect("the example is a case");
+    let template = RowTemplate::parse("template.toml", case::EXAMPLE).expect("the example is a case");
     for job in [Job::Crush, Job::Impact, Job::Reconstruct] {
-        match run(job, &batch, &template, &Options::default(), &|_, _| ControlFlow::Continue(())) {
+        match run(job, &batch, &template, &RowOptions::default(), &|_, _| ControlFlow::Continue(())) {
             Ok(results) => assert_eq!(results.num_rows(), rows.len()),
             Err(error) => assert!(!error.to_string().contains(|letter: char| letter.is_control())),
         }

@@ -11,7 +11,7 @@ use pyo3::exceptions::{PyRuntimeError, PyTypeError, PyValueError};
 use pyo3::prelude::*;
 use pyo3::types::{PyCapsule, PyMapping, PyString};
 use pyo3_arrow::ffi::to_schema_pycapsule;
-use tables::{Carried, Job, Numbers, Options, TableError, Template};
+use tables::{Carried, Job, Numbers, RowOptions, RowTemplate, TableError};
 
 use crate::dict;
 use crate::errors::wrong_case;
@@ -65,10 +65,11 @@ fn broken(error: ArrowError) -> PyErr {
 
 /// What all rows share: a case, the text of a part of a case file, a dict with its keys, or the path of such
 /// a file.
-fn template(given: Option<&Bound<'_, PyAny>>) -> PyResult<Template> {
-    let Some(given) = given else { return Ok(Template::default()) };
+fn template(given: Option<&Bound<'_, PyAny>>) -> PyResult<RowTemplate> {
+    let Some(given) = given else { return Ok(RowTemplate::default()) };
     let py = given.py();
-    let parsed = |name: &str, text: &str| Template::parse(name, text).map_err(|error| wrong_table(py, error));
+    let parsed =
+        |name: &str, text: &str| RowTemplate::parse(name, text).map_err(|error| wrong_table(py, error));
     if let Ok(case) = given.cast::<PyCase>() {
         let source = &case.get().0.file.source;
         return parsed(source.name().as_given(), source.text());
@@ -117,7 +118,7 @@ fn asked(
     table: &Schema,
     job: Job,
     given: Option<&Bound<'_, PyAny>>,
-    options: Options,
+    options: RowOptions,
 ) -> PyResult<Asked> {
     let template = template(given)?;
     let results = tables::result_schema(job, &options);
@@ -131,7 +132,7 @@ fn solve(
     job: Job,
     table: Table,
     given: Option<&Bound<'_, PyAny>>,
-    (options, threads): (Options, Option<Whole<usize>>),
+    (options, threads): (RowOptions, Option<Whole<usize>>),
 ) -> PyResult<Rows> {
     let mut reader = table.0;
     let asked = asked(py, &reader.schema(), job, given, options)?;
@@ -146,8 +147,8 @@ fn solve(
     Ok(Rows { schema: asked.carried.schema().clone(), batches })
 }
 
-fn sampled(samples: Option<Whole<usize>>, seed: Whole<u64>) -> Options {
-    Options { samples: samples.map(|samples| samples.0), seed: seed.0, ..Options::default() }
+fn sampled(samples: Option<Whole<usize>>, seed: Whole<u64>) -> RowOptions {
+    RowOptions { samples: samples.map(|samples| samples.0), seed: seed.0, ..RowOptions::default() }
 }
 
 /// Reconstructs each row of a table: ``Case.reconstruct``, and with ``samples`` intervals.
@@ -294,7 +295,7 @@ pub(crate) fn crush_table(
     template: Option<&Bound<'_, PyAny>>,
     threads: Option<Whole<usize>>,
 ) -> PyResult<Rows> {
-    solve(py, Job::Crush, table, template, (Options::default(), threads))
+    solve(py, Job::Crush, table, template, (RowOptions::default(), threads))
 }
 
 /// Estimates the speeds of each row of a table from all its evidence: ``Case.estimate``.
@@ -349,7 +350,7 @@ pub(crate) fn estimate_table(
     threads: Option<Whole<usize>>,
 ) -> PyResult<Rows> {
     let prior = self::prior(prior)?;
-    let options = Options { particles: particles.0, seed: seed.0, prior, ..Options::default() };
+    let options = RowOptions { particles: particles.0, seed: seed.0, prior, ..RowOptions::default() };
     solve(py, Job::Estimate, table, template, (options, threads))
 }
 
@@ -414,7 +415,7 @@ pub(crate) fn stream_table(
 ) -> PyResult<RowStream> {
     let job = self::job(job)?;
     let prior = self::prior(prior)?;
-    let options = Options { particles: particles.0, prior, ..sampled(samples, seed) };
+    let options = RowOptions { particles: particles.0, prior, ..sampled(samples, seed) };
     let table = table.0;
     let asked = asked(py, &table.schema(), job, template, options)?;
     let pool = pool(threads.map(|threads| threads.0))?;
@@ -477,7 +478,7 @@ pub(crate) fn case_schema(ranges: bool) -> PySchema {
 #[pyo3(signature = (job = "reconstruct", *, samples = None))]
 pub(crate) fn result_schema(job: &str, samples: Option<Whole<usize>>) -> PyResult<PySchema> {
     let job = self::job(job)?;
-    let options = Options { samples: samples.map(|samples| samples.0), ..Options::default() };
+    let options = RowOptions { samples: samples.map(|samples| samples.0), ..RowOptions::default() };
     Ok(PySchema(tables::result_schema(job, &options)))
 }
 

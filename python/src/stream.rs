@@ -9,7 +9,7 @@ use pyo3::prelude::*;
 use pyo3::types::PyCapsule;
 use pyo3_arrow::ffi::{ArrayIterator, to_schema_pycapsule, to_stream_pycapsule};
 use rayon::ThreadPool;
-use tables::{Carried, Job, Options, TableError, Template};
+use tables::{Carried, Job, RowOptions, RowTemplate, TableError};
 
 use crate::run::Ending;
 
@@ -19,8 +19,8 @@ const PART: usize = 10_000;
 /// What is asked of every row of a table.
 pub(crate) struct Asked {
     pub(crate) job: Job,
-    pub(crate) template: Template,
-    pub(crate) options: Options,
+    pub(crate) template: RowTemplate,
+    pub(crate) options: RowOptions,
     /// The columns of the table that are no part of a case, and behind them the results.
     pub(crate) carried: Carried,
 }

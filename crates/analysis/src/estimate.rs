@@ -13,8 +13,8 @@ use std::ops::ControlFlow;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 
 use ::estimate::{
-    Culprit, Doubt, MOST_PARTICLES, PARTICLES_STEP, Posterior, Selection, Settings, Summary, Verdict, sample,
-    sample_without,
+    Culprit, DrawsSummary, MOST_PARTICLES, PARTICLES_STEP, Posterior, SamplerDoubt, Selection, Settings,
+    Verdict, sample, sample_without,
 };
 use ::uncertainty::{Distribution, Estimate, InvalidDistribution};
 use evidence::{EnergyMethod, Model, Observed, Piece};
@@ -109,7 +109,7 @@ pub struct UnknownNumber {
     /// Why that, where the case does not give it.
     pub assumed: Option<Assumed>,
     /// The same after the evidence.
-    pub posterior: Summary,
+    pub posterior: DrawsSummary,
 }
 
 /// A result.
@@ -118,9 +118,9 @@ pub struct EstimatedOutput {
     /// Which.
     pub output: EstimateOutput,
     /// (SI) before the evidence; `None` where that run did not converge.
-    pub prior: Option<Summary>,
+    pub prior: Option<DrawsSummary>,
     /// (SI) after it.
-    pub posterior: Summary,
+    pub posterior: DrawsSummary,
 }
 
 /// (–) where the interval of 95 % after the evidence is wider than this share of the one before, and the
@@ -133,7 +133,7 @@ impl EstimatedOutput {
     #[must_use]
     pub fn is_told(&self) -> bool {
         let Some(before) = &self.prior else { return true };
-        let width = |summary: &Summary| {
+        let width = |summary: &DrawsSummary| {
             let [.., widest] = &summary.intervals;
             widest.high.value - widest.low.value
         };
@@ -146,7 +146,7 @@ impl EstimatedOutput {
     /// Whether its draws differ by more than rounding: a known speed, even of an uncertain heading, does not.
     #[must_use]
     pub fn varies(&self) -> bool {
-        let Summary { median, intervals, .. } = &self.posterior;
+        let DrawsSummary { median, intervals, .. } = &self.posterior;
         let [.., widest] = intervals;
         widest.high.value - widest.low.value > NOISE * median.value.abs()
     }
@@ -186,7 +186,7 @@ pub enum EstimateStage {
 impl Estimated {
     /// What is doubtful of the run. If anything is, what the draws say is not an answer.
     #[must_use]
-    pub fn doubts(&self) -> &[Doubt] {
+    pub fn doubts(&self) -> &[SamplerDoubt] {
         match self.posterior.verdict() {
             Verdict::Converged => &[],
             Verdict::NotConverged(doubts) => doubts,
@@ -313,8 +313,8 @@ pub fn estimate(
         .enumerate()
         .map(|(place, output)| EstimatedOutput {
             output: *output,
-            prior: prior.as_ref().map(|prior| prior.summary(::estimate::Quantity::Output(place))),
-            posterior: posterior.summary(::estimate::Quantity::Output(place)),
+            prior: prior.as_ref().map(|prior| prior.summary(::estimate::DrawnQuantity::Output(place))),
+            posterior: posterior.summary(::estimate::DrawnQuantity::Output(place)),
         })
         .collect();
     let unknown = setup
@@ -325,8 +325,8 @@ pub fn estimate(
             // A speed itself, where its value also says whether the vehicle stood.
             let speed = VehicleId::ALL.into_iter().find(|id| unknown.key == format!("{}.speed", table(*id)));
             let quantity = match speed.and_then(|id| told.speed_place(id)) {
-                Some(output) => ::estimate::Quantity::Output(output),
-                None => ::estimate::Quantity::Value(place),
+                Some(output) => ::estimate::DrawnQuantity::Output(output),
+                None => ::estimate::DrawnQuantity::Value(place),
             };
             UnknownNumber {
                 key: unknown.key,
@@ -417,7 +417,7 @@ fn has_other_sign(found: &PieceFound, observed: &Observed, told: &Told<'_>, post
     let Some(part) = observed.vehicles[id.index()].recorder.longitudinal else { return false };
     let wanted = EstimateOutput::Result(Output::DeltaVLongitudinal { vehicle: id });
     let place = told.outputs().iter().position(|output| *output == wanted);
-    let median = place.map(|place| posterior.summary(::estimate::Quantity::Output(place)).median.value);
+    let median = place.map(|place| posterior.summary(::estimate::DrawnQuantity::Output(place)).median.value);
     median.is_some_and(|median| median * part.along < 0.0)
 }
 

@@ -3,7 +3,7 @@
 
 use std::ops::ControlFlow;
 
-use ::estimate::Summary;
+use ::estimate::DrawsSummary;
 use inputs::Case;
 use pim_core::VehicleId;
 
@@ -158,7 +158,7 @@ impl Weighed {
 
     /// The distribution of that.
     #[must_use]
-    pub fn summary(&self, output: Output) -> Option<&Summary> {
+    pub fn summary(&self, output: Output) -> Option<&DrawsSummary> {
         Some(&self.output(output)?.posterior)
     }
 

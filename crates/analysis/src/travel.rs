@@ -9,7 +9,7 @@ use pim_core::{Motion, Real, Vector2, VehicleId};
 use reconcile::Departure;
 use trajectory::closed::{Slide, Spin, SpinStart, spins};
 use trajectory::{
-    Chassis, Control, Departure as Start, Ground, Rest, Sample, State, Target, Unreached, Zone, to_rest,
+    Chassis, Control, Ground, Rest, Sample, StartMotion as Start, State, Target, Unreached, Zone, to_rest,
     to_start,
 };
 

@@ -311,3 +311,38 @@ proptest! {
         }
     }
 }
+
+/// Why `edit` has the places of a text from the parser and does not write the text of `toml_edit`: of these
+/// files that gives back other letters, though nothing was changed.
+#[test]
+fn toml_edit_would_change_more_than_the_key() {
+    let plain = "[vehicle1]\nmass = \"1500 kg\" # weighed\n";
+    let again = |text: &str| text.parse::<toml_edit::DocumentMut>().unwrap().to_string();
+    assert_eq!(again(plain), plain);
+    for (text, changed) in [
+        // The line breaks of Windows.
+        (plain.replace('\n', "\r\n"), "mass = \"1520 kg\" # weighed\r\n"),
+        // A byte order mark, with which editors on Windows save.
+        (format!("\u{feff}{plain}"), "\u{feff}[vehicle1]\nmass = \"1520 kg\""),
+        // The order of dotted keys.
+        (
+            "vehicle1.mass = \"1500 kg\"\nvehicle2.fixed = true\nvehicle1.heading = \"0 deg\"\n".to_owned(),
+            "vehicle1.mass = \"1520 kg\"\nvehicle2.fixed = true\nvehicle1.heading",
+        ),
+    ] {
+        assert_ne!(again(&text), text, "toml_edit keeps this now: can it replace `edit`?");
+        let edited = set(&text, "vehicle1.mass", "\"1520 kg\"").unwrap();
+        assert!(edited.text.contains(changed), "{}", edited.text);
+        assert_eq!(edited.text.replace("1520", "1500"), text);
+    }
+    // The comment above a key that goes is of what follows as often as not: it stays here, and goes there.
+    let above = "[vehicle1]\nmass = \"1500 kg\"\n# from the plan\nheading = \"0 deg\"\nspeed = \"10 mph\"\n";
+    let mut document: toml_edit::DocumentMut = above.parse().unwrap();
+    document["vehicle1"].as_table_mut().unwrap().remove("heading");
+    assert!(!document.to_string().contains("# from the plan"));
+    assert!(remove(above, "vehicle1.heading").unwrap().contains("# from the plan\nspeed"));
+    // A key that is added has its place among the others.
+    document["vehicle1"]["name"] = toml_edit::value("A");
+    assert!(document.to_string().ends_with("name = \"A\"\n"));
+    assert!(set(above, "vehicle1.name", "\"A\"").unwrap().text.starts_with("[vehicle1]\nname = \"A\"\n"));
+}

@@ -21,7 +21,8 @@ use parquet::errors::ParquetError;
 use parquet::file::metadata::ParquetMetaData;
 use parquet::file::properties::WriterProperties;
 use tables::{
-    Carried, Job, Options, TableError, Template, assumed_units, columns_kept, result_schema, run_with_faults,
+    Carried, Job, RowOptions, RowTemplate, TableError, assumed_units, columns_kept, result_schema,
+    run_with_faults,
 };
 
 use crate::arguments::{TableArguments, TableJob};
@@ -46,7 +47,7 @@ pub(crate) fn table(arguments: &TableArguments) -> Result<()> {
         TableJob::Crush => Job::Crush,
         TableJob::Estimate => Job::Estimate,
     };
-    let options = Options {
+    let options = RowOptions {
         samples: arguments.samples,
         seed: arguments.seed,
         particles: arguments.particles,
@@ -63,12 +64,12 @@ pub(crate) fn table(arguments: &TableArguments) -> Result<()> {
     let template = match &arguments.template {
         Some(path) => {
             let (name, text) = read_text(path)?;
-            Template::parse(&name, &text).map_err(|error| match error {
+            RowTemplate::parse(&name, &text).map_err(|error| match error {
                 TableError::Template(errors) => anyhow::Error::from(*errors),
                 other => other.into(),
             })?
         }
-        None => Template::default(),
+        None => RowTemplate::default(),
     };
     let mut input = Input::open(cases, arguments.keep.as_deref(), &options, job)?;
     let pool = pool(arguments.threads)?;
@@ -83,8 +84,8 @@ pub(crate) fn table(arguments: &TableArguments) -> Result<()> {
 fn rows(
     job: Job,
     input: &mut Input,
-    template: &Template,
-    options: &Options,
+    template: &RowTemplate,
+    options: &RowOptions,
     pool: &rayon::ThreadPool,
     output: Option<&Path>,
 ) -> Result<()> {
@@ -171,7 +172,7 @@ struct Input {
 }
 
 impl Input {
-    fn open(path: &Path, keep: Option<&[String]>, options: &Options, job: Job) -> Result<Self> {
+    fn open(path: &Path, keep: Option<&[String]>, options: &RowOptions, job: Job) -> Result<Self> {
         let cannot = || format!("cannot read the table {}", named(path));
         if path == Path::new("-") {
             return Self::csv("standard input", Box::new(io::stdin()), keep, None)
@@ -200,7 +201,7 @@ impl Input {
         }
     }
 
-    fn parquet(file: File, keep: Option<&[String]>, options: &Options, job: Job) -> Result<Self> {
+    fn parquet(file: File, keep: Option<&[String]>, options: &RowOptions, job: Job) -> Result<Self> {
         let builder = undamaged(|| Ok(ParquetRecordBatchReaderBuilder::try_new(file)?))?;
         let schema = builder.schema().clone();
         let others = columns_kept(&schema)?;
@@ -610,7 +611,7 @@ fn held(form: &KeyForm) -> (Option<&'static str>, String) {
 }
 
 /// The columns of results, one in a line: name and type.
-fn columns(job: Job, options: &Options) -> String {
+fn columns(job: Job, options: &RowOptions) -> String {
     let schema = result_schema(job, options);
     let word = |data_type: &DataType| match data_type {
         DataType::Float64 => "number",

@@ -34,14 +34,14 @@ pub const POSSIBLE_LIMIT: f64 = 1.0;
 
 /// A quantity of a draw.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Quantity {
+pub enum DrawnQuantity {
     /// An unknown value.
     Value(usize),
     /// An output of the evidence.
     Output(usize),
 }
 
-impl fmt::Display for Quantity {
+impl fmt::Display for DrawnQuantity {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Value(place) => write!(f, "value {place}"),
@@ -54,7 +54,7 @@ impl fmt::Display for Quantity {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Mode {
     /// The quantity.
-    pub quantity: Quantity,
+    pub quantity: DrawnQuantity,
     /// (unit of the quantity) the least draw in it.
     pub low: f64,
     /// (unit of the quantity) the greatest draw in it.
@@ -69,7 +69,7 @@ pub struct Mode {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Mixing {
     /// The quantity.
-    pub quantity: Quantity,
+    pub quantity: DrawnQuantity,
     /// (–) R̂ of the ranks, or of the ranks of the distances from the median if it is greater.
     pub r_hat: f64,
     /// Effective sample size: the least of those of the ranks and of both tails of 5 %.
@@ -84,7 +84,7 @@ pub struct Mixing {
 /// A reason not to call a run converged.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
-pub enum Doubt {
+pub enum SamplerDoubt {
     /// Not the whole evidence was taken in.
     #[error("the evidence is so steep that only {temperature:.1e} of it was reached")]
     Unfinished {
@@ -119,7 +119,7 @@ pub enum Doubt {
     )]
     Disagreement {
         /// The quantity.
-        quantity: Quantity,
+        quantity: DrawnQuantity,
         /// (–) R̂.
         r_hat: f64,
     },
@@ -129,7 +129,7 @@ pub enum Doubt {
     )]
     FewDraws {
         /// The quantity.
-        quantity: Quantity,
+        quantity: DrawnQuantity,
         /// Effective sample size.
         ess: f64,
     },
@@ -140,7 +140,7 @@ pub enum Doubt {
     )]
     Extremes {
         /// The quantity.
-        quantity: Quantity,
+        quantity: DrawnQuantity,
         /// Effective sample size.
         ess: f64,
     },
@@ -165,7 +165,7 @@ pub enum Verdict<'a> {
     /// All islands agree.
     Converged,
     /// Not, and why. What the draws say is then not an answer.
-    NotConverged(&'a [Doubt]),
+    NotConverged(&'a [SamplerDoubt]),
 }
 
 /// What is known of a run.
@@ -193,7 +193,7 @@ pub struct Diagnosis {
     pub prior_draws: [usize; 2],
     /// (–) share of the evidence that was reached.
     pub temperature: f64,
-    pub(crate) doubts: Vec<Doubt>,
+    pub(crate) doubts: Vec<SamplerDoubt>,
 }
 
 impl Diagnosis {
@@ -213,41 +213,41 @@ impl Diagnosis {
     pub(crate) fn doubt(&mut self, needed: usize) {
         let mut doubts = Vec::new();
         if self.temperature < 1.0 {
-            doubts.push(Doubt::Unfinished { temperature: self.temperature });
+            doubts.push(SamplerDoubt::Unfinished { temperature: self.temperature });
         }
         let [drawn, possible] = self.prior_draws;
         if (possible as f64) < POSSIBLE_LIMIT * needed as f64 {
-            doubts.push(Doubt::HardlyPossible { possible, drawn, needed });
+            doubts.push(SamplerDoubt::HardlyPossible { possible, drawn, needed });
         }
         if self.evidence_sd > EVIDENCE_LIMIT {
-            doubts.push(Doubt::EvidenceSpread { sd: self.evidence_sd });
+            doubts.push(SamplerDoubt::EvidenceSpread { sd: self.evidence_sd });
         }
         // One quantity stands for all that suffer from the same.
         let worst = self.mixing.iter().max_by(|a, b| a.r_hat.total_cmp(&b.r_hat));
         if let Some(&Mixing { quantity, r_hat, .. }) = worst.filter(|worst| worst.r_hat > R_HAT_LIMIT) {
-            doubts.push(Doubt::Disagreement { quantity, r_hat });
+            doubts.push(SamplerDoubt::Disagreement { quantity, r_hat });
         }
         let worst = self.mixing.iter().min_by(|a, b| a.ess.total_cmp(&b.ess));
         if let Some(&Mixing { quantity, ess, .. }) = worst.filter(|worst| worst.ess < ESS_LIMIT) {
-            doubts.push(Doubt::FewDraws { quantity, ess });
+            doubts.push(SamplerDoubt::FewDraws { quantity, ess });
         }
         let worst = self.mixing.iter().min_by(|a, b| a.extreme_ess.total_cmp(&b.extreme_ess));
         if let Some(worst) = worst.filter(|worst| worst.extreme_ess < EXTREME_ESS_LIMIT) {
-            doubts.push(Doubt::Extremes { quantity: worst.quantity, ess: worst.extreme_ess });
+            doubts.push(SamplerDoubt::Extremes { quantity: worst.quantity, ess: worst.extreme_ess });
         }
         let worst = self.modes.iter().min_by(|a, b| a.ancestors.total_cmp(&b.ancestors));
         if let Some(mode) = worst.filter(|mode| mode.ancestors < ANCESTORS_LIMIT) {
-            doubts.push(Doubt::FewAncestors(*mode));
+            doubts.push(SamplerDoubt::FewAncestors(*mode));
         }
         if self.unmoved > UNMOVED_LIMIT {
-            doubts.push(Doubt::StoodStill { unmoved: self.unmoved });
+            doubts.push(SamplerDoubt::StoodStill { unmoved: self.unmoved });
         }
         self.doubts = doubts;
     }
 }
 
 /// How well the islands, of `particles` each, agree on a column.
-pub(crate) fn mixing(quantity: Quantity, column: &[f64], particles: usize) -> Mixing {
+pub(crate) fn mixing(quantity: DrawnQuantity, column: &[f64], particles: usize) -> Mixing {
     let count = column.len();
     let order = order(column);
     let median = column[order[count / 2]];
@@ -338,7 +338,7 @@ impl Agreement {
 /// prior that each draw descends from.
 ///
 /// Equal values count as one where valleys are sought: copies of a draw are no mode.
-pub(crate) fn modes(quantity: Quantity, column: &[f64], lines: &[u64]) -> Vec<Mode> {
+pub(crate) fn modes(quantity: DrawnQuantity, column: &[f64], lines: &[u64]) -> Vec<Mode> {
     let order = order(column);
     let mut sorted: Vec<f64> = order.iter().map(|&draw| column[draw]).collect();
     sorted.dedup();
@@ -409,7 +409,7 @@ fn deepest_valley(sorted: &[f64], window: usize, ratio: f64) -> Option<usize> {
 
 #[cfg(test)]
 mod tests {
-    use super::{Quantity, mixing, modes};
+    use super::{DrawnQuantity, mixing, modes};
     use uncertainty::random::{bits, unit};
 
     fn shares(seed: u64, count: u64) -> Vec<f64> {
@@ -428,7 +428,7 @@ mod tests {
 
     #[test]
     fn islands_that_agree_have_all_their_draws() {
-        let mixing = mixing(Quantity::Value(0), &normals(1, 4096), 256);
+        let mixing = mixing(DrawnQuantity::Value(0), &normals(1, 4096), 256);
         assert!(mixing.r_hat < 1.005, "{mixing:?}");
         // 4096, told by 15 differences three times, of which the least counts.
         assert!(mixing.ess > 1300.0, "{mixing:?}");
@@ -439,12 +439,12 @@ mod tests {
         let numbers = normals(2, 4096);
         let moved = |island: usize| if island == 3 { 0.6 } else { 0.0 };
         let column: Vec<f64> = (0..4096).map(|i| numbers[i] + moved(i / 256)).collect();
-        let by_mean = mixing(Quantity::Value(0), &column, 256);
+        let by_mean = mixing(DrawnQuantity::Value(0), &column, 256);
         // B/W = 0.6²·(1/16)(15/16)·16/15 = 0.0225
         assert!((1.009..1.02).contains(&by_mean.r_hat), "{by_mean:?}");
         let column: Vec<f64> = (0..4096).map(|i| numbers[i] * (1.0 + moved(i / 256))).collect();
-        assert!(mixing(Quantity::Value(0), &column, 256).r_hat > 1.005);
-        let constant = mixing(Quantity::Value(0), &[2.0; 4096], 256);
+        assert!(mixing(DrawnQuantity::Value(0), &column, 256).r_hat > 1.005);
+        let constant = mixing(DrawnQuantity::Value(0), &[2.0; 4096], 256);
         assert_eq!((constant.r_hat, constant.ess), (1.0, 4096.0));
     }
 
@@ -462,13 +462,13 @@ mod tests {
                 normals(seed, 4096),
                 shares(seed, 4096).into_iter().map(cauchy).collect(),
             ] {
-                assert!(modes(Quantity::Value(0), &column, &lines).is_empty(), "{seed}");
+                assert!(modes(DrawnQuantity::Value(0), &column, &lines).is_empty(), "{seed}");
             }
             let mut column = normals(seed, 4096);
             for value in column.iter_mut().step_by(33) {
                 *value = 8.0 + 0.5 * *value;
             }
-            let found = modes(Quantity::Value(0), &column, &lines);
+            let found = modes(DrawnQuantity::Value(0), &column, &lines);
             assert_eq!(found.len(), 2, "{seed}: {found:?}");
             // Every 33rd of 4096 is 125; all seven lines alike.
             assert_eq!((found[1].share * 4096.0).round(), 125.0);
@@ -479,7 +479,7 @@ mod tests {
             for value in column.iter_mut().step_by(410) {
                 *value = 8.0 + 0.05 * *value;
             }
-            let found = modes(Quantity::Value(0), &column, &lines);
+            let found = modes(DrawnQuantity::Value(0), &column, &lines);
             assert_eq!(found.len(), 2, "{seed}: {found:?}");
             assert_eq!((found[1].share * 4096.0).round(), 10.0);
         }

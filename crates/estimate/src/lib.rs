@@ -6,12 +6,12 @@
 //! time, and says when it has not converged.
 //!
 //! ```
-//! use estimate::{Function, Independent, Quantity, Settings, Verdict, sample_quietly};
+//! use estimate::{LikelihoodFunction, Independent, DrawnQuantity, Settings, Verdict, sample_quietly};
 //! use uncertainty::Distribution;
 //!
 //! // A speed, by a rough guess 15 ± 5 m/s. Two measurements: 18 ± 2 m/s, and its square, 250 ± 40 m²/s².
 //! let prior = Independent(vec![Distribution::normal(15.0, 5.0)?]);
-//! let evidence = Function::new(2, |values: &[f64], terms: &mut [f64]| {
+//! let evidence = LikelihoodFunction::new(2, |values: &[f64], terms: &mut [f64]| {
 //!     let z = [(18.0 - values[0]) / 2.0, (250.0 - values[0] * values[0]) / 40.0];
 //!     terms[0] = -0.5 * z[0] * z[0];
 //!     terms[1] = -0.5 * z[1] * z[1];
@@ -19,7 +19,7 @@
 //! });
 //! let posterior = sample_quietly(&prior, &evidence, &Settings::new(512, 1))?;
 //! assert_eq!(posterior.verdict(), Verdict::Converged);
-//! let speed = posterior.summary(Quantity::Value(0));
+//! let speed = posterior.summary(DrawnQuantity::Value(0));
 //! // By quadrature of prior times likelihood.
 //! assert!((speed.mean.value - 16.290).abs() < 0.06);
 //! assert!((speed.sd.value - 1.016).abs() < 0.06);
@@ -31,14 +31,14 @@
 //! | item | what it is |
 //! |---|---|
 //! | [`Prior`], [`Independent`] | how standard normal numbers become the unknown values |
-//! | [`Evidence`], [`Function`] | the log-likelihood in terms, one for each piece of evidence; further outputs and residuals |
+//! | [`Evidence`], [`LikelihoodFunction`] | the log-likelihood in terms, one for each piece of evidence; further outputs and residuals |
 //! | [`Hurdle`] | what a proposal has to reach, for evidence of which some terms take long |
 //! | [`Settings`], [`Selection`] | number of particles and islands, seed; which pieces of evidence are used |
 //! | [`sample`] → [`Posterior`] | draws of equal weight, their log evidence, and a [`Verdict`] with its reasons |
-//! | [`Summary`], [`Draws`] | mean, deviation, median, intervals and probabilities, with standard errors |
+//! | [`DrawsSummary`], [`Draws`] | mean, deviation, median, intervals and probabilities, with standard errors |
 //! | [`Posterior::without`] → [`Weights`] | the answer without some pieces of evidence, from the same draws |
 //! | [`sample_without`] | the same by draws of its own, which start from those with all evidence |
-//! | [`Posterior::check`] → [`Check`] | one piece of evidence against what the rest predicts: a p-value |
+//! | [`Posterior::check`] → [`PieceCheck`] | one piece of evidence against what the rest predicts: a p-value |
 //! | [`Failure`], [`Exclusion`] | why there is no answer, and what excludes what |
 //!
 //! # The method
@@ -87,13 +87,13 @@ mod summary;
 mod target;
 
 pub use diagnosis::{
-    ANCESTORS_LIMIT, Diagnosis, Doubt, ESS_LIMIT, EVIDENCE_LIMIT, EXTREME_ESS_LIMIT, Mixing, Mode,
-    POSSIBLE_LIMIT, Quantity, R_HAT_LIMIT, UNMOVED_LIMIT, Verdict,
+    ANCESTORS_LIMIT, Diagnosis, DrawnQuantity, ESS_LIMIT, EVIDENCE_LIMIT, EXTREME_ESS_LIMIT, Mixing, Mode,
+    POSSIBLE_LIMIT, R_HAT_LIMIT, SamplerDoubt, UNMOVED_LIMIT, Verdict,
 };
 pub use error::{CannotReweight, Culprit, Exclusion, Failure};
 pub use limits::{LEAST_ISLANDS, MOST_PARTICLES, PARTICLES_STEP};
-pub use model::{Evidence, Function, Hurdle, Independent, Part, Prior, Selection};
-pub use posterior::{Check, Posterior, sample, sample_quietly, sample_without};
+pub use model::{Evidence, Hurdle, Independent, LikelihoodFunction, Part, Prior, Selection};
+pub use posterior::{PieceCheck, Posterior, sample, sample_quietly, sample_without};
 pub use reweight::{PARETO_LIMIT, Weights};
 pub use settings::{ISLANDS, Settings};
-pub use summary::{Draws, Interval, LEVELS, Summary};
+pub use summary::{Draws, DrawsInterval, DrawsSummary, LEVELS};

@@ -39,8 +39,8 @@ impl Prior for Independent {
 ///
 /// Each lane must depend only on its own values; then a run has the same bits for any number of threads. If
 /// [`log_likelihood`](Self::log_likelihood) and all functions that it calls are marked `#[inline(always)]`
-/// and cannot panic, its loops over the lanes are vectorised. [`Function`] makes evidence of a function of
-/// one particle.
+/// and cannot panic, its loops over the lanes are vectorised. [`LikelihoodFunction`] makes evidence of a
+/// function of one particle.
 pub trait Evidence: Sync {
     /// Number of pieces of evidence.
     fn terms_count(&self) -> usize;
@@ -138,12 +138,12 @@ impl Part {
 
 /// Evidence made of a function of one particle.
 #[derive(Clone, Debug)]
-pub struct Function<F> {
+pub struct LikelihoodFunction<F> {
     terms: usize,
     function: F,
 }
 
-impl<F: Fn(&[f64], &mut [f64]) -> Result<(), u8> + Sync> Function<F> {
+impl<F: Fn(&[f64], &mut [f64]) -> Result<(), u8> + Sync> LikelihoodFunction<F> {
     /// The function reads the values of a particle and writes its terms, or fails with a reason from 1 to
     /// 254.
     pub fn new(terms: usize, function: F) -> Self {
@@ -151,7 +151,7 @@ impl<F: Fn(&[f64], &mut [f64]) -> Result<(), u8> + Sync> Function<F> {
     }
 }
 
-impl<F: Fn(&[f64], &mut [f64]) -> Result<(), u8> + Sync> Evidence for Function<F> {
+impl<F: Fn(&[f64], &mut [f64]) -> Result<(), u8> + Sync> Evidence for LikelihoodFunction<F> {
     fn terms_count(&self) -> usize {
         self.terms
     }

@@ -9,13 +9,13 @@ use uncertainty::random::{bits, key, unit};
 use uncertainty::{Estimate, LANES, Lanes, Progress, for_each};
 
 use crate::circle::unrolled;
-use crate::diagnosis::{Diagnosis, Quantity, Verdict, mixing, modes};
+use crate::diagnosis::{Diagnosis, DrawnQuantity, Verdict, mixing, modes};
 use crate::error::{CannotReweight, Exclusion, Failure};
 use crate::island::{Island, Population, run, run_without};
 use crate::model::{Evidence, Part, Prior};
 use crate::reweight::Weights;
 use crate::settings::Settings;
-use crate::summary::{Draws, Summary};
+use crate::summary::{Draws, DrawsSummary};
 use crate::target::Target;
 
 /// Draws of the posterior, all with the same weight, and what is known of them.
@@ -45,7 +45,7 @@ struct Columns {
 
 /// What a piece of evidence looks like to the rest.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Check {
+pub struct PieceCheck {
     /// (–) probability that the piece, were it observed anew, would turn out below what was observed, by all
     /// other evidence that is used; of a piece of several parts, of that which is farthest out.
     pub below: Estimate,
@@ -58,7 +58,7 @@ pub struct Check {
     pub weights: Option<Weights>,
 }
 
-impl Check {
+impl PieceCheck {
     /// Whether the weights can be relied on. If not, run without the piece and check it again.
     #[must_use]
     pub fn is_reliable(&self) -> bool {
@@ -229,9 +229,9 @@ fn combine<P: Prior, E: Evidence>(
         })
         .collect();
     let lines: Vec<u64> = picked.iter().map(|&place| lines[place]).collect();
-    let quantities: Vec<Quantity> = (0..all.values.len())
-        .map(Quantity::Value)
-        .chain((0..all.outputs.len()).map(Quantity::Output))
+    let quantities: Vec<DrawnQuantity> = (0..all.values.len())
+        .map(DrawnQuantity::Value)
+        .chain((0..all.outputs.len()).map(DrawnQuantity::Output))
         .collect();
     let judged = for_each(&quantities, |&quantity| {
         let mixing = mixing(quantity, all.column(quantity), settings.particles);
@@ -374,10 +374,10 @@ impl Columns {
         }
     }
 
-    fn column(&self, quantity: Quantity) -> &[f64] {
+    fn column(&self, quantity: DrawnQuantity) -> &[f64] {
         match quantity {
-            Quantity::Value(place) => &self.values[place],
-            Quantity::Output(place) => &self.outputs[place],
+            DrawnQuantity::Value(place) => &self.values[place],
+            DrawnQuantity::Output(place) => &self.outputs[place],
         }
     }
 }
@@ -451,7 +451,7 @@ impl Posterior {
 
     /// Statistics of a value or an output.
     #[must_use]
-    pub fn summary(&self, quantity: Quantity) -> Summary {
+    pub fn summary(&self, quantity: DrawnQuantity) -> DrawsSummary {
         self.draws().summary(self.columns.column(quantity))
     }
 
@@ -507,7 +507,7 @@ impl Posterior {
     ///
     /// # Errors
     /// Where there is no such piece, where it has no residual, or where it excludes values.
-    pub fn check(&self, term: usize) -> Result<Check, CannotReweight> {
+    pub fn check(&self, term: usize) -> Result<PieceCheck, CannotReweight> {
         let weights = self.without(&[term])?;
         let weights = self.used[term].then_some(weights);
         let parts: Vec<&Vec<f64>> = self
@@ -546,6 +546,6 @@ impl Posterior {
             .iter()
             .zip(&self.means)
             .find_map(|(part, mean)| mean.filter(|_| part.term == term && parts.len() == 1));
-        Ok(Check { below, p_value, mean_on_circle, weights })
+        Ok(PieceCheck { below, p_value, mean_on_circle, weights })
     }
 }

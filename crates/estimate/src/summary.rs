@@ -4,12 +4,12 @@ use std::ops::Range;
 
 use uncertainty::Estimate;
 
-/// Levels of the intervals of a [`Summary`].
+/// Levels of the intervals of a [`DrawsSummary`].
 pub const LEVELS: [f64; 4] = [0.5, 0.8, 0.9, 0.95];
 
 /// The range between two quantiles, with equal shares beyond either end.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Interval {
+pub struct DrawsInterval {
     /// Share of the draws in between.
     pub level: f64,
     /// (unit of the quantity) lower end.
@@ -22,7 +22,7 @@ pub struct Interval {
 ///
 /// Standard errors follow from how much the islands differ.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Summary {
+pub struct DrawsSummary {
     /// (unit of the quantity) mean.
     pub mean: Estimate,
     /// (unit of the quantity) standard deviation.
@@ -30,7 +30,7 @@ pub struct Summary {
     /// (unit of the quantity) median.
     pub median: Estimate,
     /// At each of [`LEVELS`].
-    pub intervals: [Interval; LEVELS.len()],
+    pub intervals: [DrawsInterval; LEVELS.len()],
 }
 
 /// Draws, dealt to islands, with equal weights or their own.
@@ -50,7 +50,7 @@ impl<'a> Draws<'a> {
     /// # Panics
     /// Where the column is shorter than the draws.
     #[must_use]
-    pub fn summary(&self, column: &[f64]) -> Summary {
+    pub fn summary(&self, column: &[f64]) -> DrawsSummary {
         let ordered = Ordered::of(column, |draw| self.weight(draw));
         let mean = self.mean(|draw| column[draw]);
         let square = |draw: usize| (column[draw] - mean.value) * (column[draw] - mean.value);
@@ -61,9 +61,9 @@ impl<'a> Draws<'a> {
         let quantile = |share: f64| self.quantile(&ordered, column, share);
         let interval = |place: usize| {
             let level = LEVELS[place];
-            Interval { level, low: quantile(0.5 - 0.5 * level), high: quantile(0.5 + 0.5 * level) }
+            DrawsInterval { level, low: quantile(0.5 - 0.5 * level), high: quantile(0.5 + 0.5 * level) }
         };
-        Summary {
+        DrawsSummary {
             mean,
             sd: Estimate { value: sd, standard_error: sd_error },
             median: quantile(0.5),

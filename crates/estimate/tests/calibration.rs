@@ -2,7 +2,7 @@
 //! drawn from the prior, measurements simulated from them, and the rank of the truth among the draws of the
 //! posterior, which is uniform if the sampler is right.
 
-use estimate::{Function, Independent, Settings, Verdict, sample_quietly};
+use estimate::{Independent, LikelihoodFunction, Settings, Verdict, sample_quietly};
 use uncertainty::Distribution;
 use uncertainty::random::{bits, key, unit};
 
@@ -52,7 +52,7 @@ fn ranks_of_the_truth_are_uniform() {
         for ((value, sd), index) in measured.iter_mut().zip(ERRORS).zip(10..) {
             *value += sd * normal(seed, index);
         }
-        let evidence = Function::new(3, |values: &[f64], terms: &mut [f64]| {
+        let evidence = LikelihoodFunction::new(3, |values: &[f64], terms: &mut [f64]| {
             for ((term, predicted), (measured, sd)) in
                 terms.iter_mut().zip(predicted(values)).zip(measured.iter().zip(ERRORS))
             {

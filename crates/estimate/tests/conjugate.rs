@@ -2,7 +2,9 @@
 
 use std::ops::ControlFlow;
 
-use estimate::{CannotReweight, Evidence, Posterior, Quantity, Selection, Settings, sample, sample_quietly};
+use estimate::{
+    CannotReweight, DrawnQuantity, Evidence, Posterior, Selection, Settings, sample, sample_quietly,
+};
 use real::elementary::{ln, sin_cos};
 use uncertainty::normal::cumulative;
 use uncertainty::{Estimate, LANES, Lanes};
@@ -157,7 +159,7 @@ fn mean_covariance_and_evidence_are_exact_in_one_to_twenty_dimensions() {
         assert_converged(&posterior);
         let (mean, covariance) = linear.posterior(&(0..linear.rows.len()).collect::<Vec<_>>());
         for (place, (mean, row)) in mean.iter().zip(&covariance).enumerate() {
-            let summary = posterior.summary(Quantity::Value(place));
+            let summary = posterior.summary(DrawnQuantity::Value(place));
             let deviation = row[place].sqrt();
             assert_near(summary.mean, *mean, 0.05 * deviation);
             assert_near(summary.sd, deviation, 0.05 * deviation);
@@ -172,7 +174,7 @@ fn mean_covariance_and_evidence_are_exact_in_one_to_twenty_dimensions() {
         }
         assert_near(posterior.log_evidence(), linear.log_evidence(), 0.12);
         // The output is the sum of all values.
-        assert_near(posterior.summary(Quantity::Output(0)).mean, mean.iter().sum(), 0.1);
+        assert_near(posterior.summary(DrawnQuantity::Output(0)).mean, mean.iter().sum(), 0.1);
     }
 }
 
@@ -186,7 +188,7 @@ fn standard_errors_are_those_of_repeated_runs() {
     const SEEDS: u64 = 30;
     for seed in 0..SEEDS {
         let posterior = run(&linear, 128, 100 + seed);
-        let summary = posterior.summary(Quantity::Value(0));
+        let summary = posterior.summary(DrawnQuantity::Value(0));
         let deviation = covariance[0][0].sqrt();
         let end = mean[0] - 1.281_552 * deviation;
         let above = posterior.draws().probability_above(&posterior.values()[0], end);
@@ -224,7 +226,7 @@ fn an_answer_without_a_piece_is_that_of_a_run_without_it() {
             by_weights += usize::from(weights.are_reliable());
             for (place, (mean, row)) in mean.iter().zip(&covariance).enumerate() {
                 let weighted = posterior.weighted(&weights).summary(&posterior.values()[place]);
-                let summary = again.summary(Quantity::Value(place));
+                let summary = again.summary(DrawnQuantity::Value(place));
                 for (draws, is_told) in [(weighted, weights.are_reliable()), (summary, true)] {
                     if is_told {
                         assert_near(draws.mean, *mean, 0.1 * row[place].sqrt());
@@ -240,7 +242,7 @@ fn an_answer_without_a_piece_is_that_of_a_run_without_it() {
     let mut settings = Settings::new(256, 5);
     settings.terms = Selection::Only(vec![1]);
     let alone = sample_quietly(&standard(3), &linear, &settings).unwrap();
-    assert_near(alone.summary(Quantity::Value(1)).mean, mean[1], 0.05);
+    assert_near(alone.summary(DrawnQuantity::Value(1)).mean, mean[1], 0.05);
     assert_eq!(alone.used(), [false, true, false, false, false]);
 }
 
@@ -307,7 +309,7 @@ fn contradictory_measurements_have_an_answer_and_a_small_p_value() {
     let posterior = run(&linear, 512, 8);
     assert_converged(&posterior);
     let (mean, covariance) = linear.posterior(&[0, 1, 2, 3]);
-    assert_near(posterior.summary(Quantity::Value(0)).mean, mean[0], 0.05 * covariance[0][0].sqrt());
+    assert_near(posterior.summary(DrawnQuantity::Value(0)).mean, mean[0], 0.05 * covariance[0][0].sqrt());
     assert_near(posterior.log_evidence(), linear.log_evidence(), 0.1);
     // The draws are too far from where they would be without the piece, and the weights know it.
     let check = posterior.check(0).unwrap();
@@ -334,7 +336,7 @@ fn a_piece_fades_out_of_the_draws() {
             let faded =
                 estimate::sample_without(&standard(3), &linear, &posterior, left_out, &settings).unwrap();
             for (place, (mean, row)) in mean.iter().zip(&covariance).enumerate() {
-                let summary = faded.summary(Quantity::Value(place));
+                let summary = faded.summary(DrawnQuantity::Value(place));
                 assert_near(summary.mean, *mean, 0.2 * row[place].sqrt());
                 assert_near(summary.sd, row[place].sqrt(), 0.2 * row[place].sqrt());
             }
@@ -408,5 +410,5 @@ fn what_is_impossible_is_taken_out_at_the_end() {
     let exact = -0.25 - 1.5 * std::f64::consts::LN_2;
     let found = posterior.log_evidence().value;
     assert!((found - exact).abs() < 0.05, "{found} is not {exact}");
-    assert_near(posterior.summary(Quantity::Value(1)).mean, 0.5, 0.05);
+    assert_near(posterior.summary(DrawnQuantity::Value(1)).mean, 0.5, 0.05);
 }

@@ -1,6 +1,8 @@
 //! Cases that are made to fool the diagnosis, and what it says.
 
-use estimate::{Culprit, Doubt, Failure, Function, Posterior, Settings, Verdict, sample_quietly};
+use estimate::{
+    Culprit, Failure, LikelihoodFunction, Posterior, SamplerDoubt, Settings, Verdict, sample_quietly,
+};
 use real::elementary::{exp, ln};
 
 use super::{ln_normal, posterior, standard};
@@ -13,7 +15,7 @@ fn hidden(dimensions: usize, [at, sd]: [f64; 2], particles: usize, seed: u64) ->
         // By its own evidence, so that both modes have the same.
         likelihood - dimensions as f64 * ln_normal(mean, 0.0, (1.0 + sd * sd).sqrt())
     };
-    let evidence = Function::new(1, |values: &[f64], terms: &mut [f64]| {
+    let evidence = LikelihoodFunction::new(1, |values: &[f64], terms: &mut [f64]| {
         let (wide, narrow) = (mode(values, -0.5, 0.6), mode(values, at, sd));
         let most = wide.max(narrow);
         terms[0] = most + ln(exp(wide - most) + exp(narrow - most)) - ln(2.0);
@@ -81,7 +83,7 @@ fn particles_that_stand_still_are_told() {
         ln_normal((values[0] * values[0] + values[1] * values[1]).sqrt(), 1.5, 1e-4)
     });
     let Verdict::NotConverged(doubts) = found.verdict() else { panic!("{:?}", found.diagnosis()) };
-    assert!(doubts.iter().any(|doubt| matches!(doubt, Doubt::StoodStill { .. })), "{doubts:?}");
+    assert!(doubts.iter().any(|doubt| matches!(doubt, SamplerDoubt::StoodStill { .. })), "{doubts:?}");
     let words = doubts.iter().map(ToString::to_string).collect::<Vec<_>>().join("; ");
     assert!(words.contains("of the particles stood still at the end"), "{words}");
 }
@@ -90,7 +92,7 @@ fn particles_that_stand_still_are_told() {
 #[test]
 fn a_prior_that_hardly_agrees_is_told() {
     let beyond = |limit: f64| {
-        let evidence = Function::new(1, move |values: &[f64], terms: &mut [f64]| {
+        let evidence = LikelihoodFunction::new(1, move |values: &[f64], terms: &mut [f64]| {
             terms[0] = if values[0] > limit { 0.0 } else { f64::NEG_INFINITY };
             Ok(())
         });
@@ -98,7 +100,7 @@ fn a_prior_that_hardly_agrees_is_told() {
     };
     let found = beyond(3.5).unwrap();
     let Verdict::NotConverged(doubts) = found.verdict() else { panic!("{:?}", found.diagnosis()) };
-    assert!(doubts.iter().any(|doubt| matches!(doubt, Doubt::HardlyPossible { .. })), "{doubts:?}");
+    assert!(doubts.iter().any(|doubt| matches!(doubt, SamplerDoubt::HardlyPossible { .. })), "{doubts:?}");
     let Err(Failure::Impossible(exclusion)) = beyond(4.0) else { panic!("an answer") };
     assert_eq!(exclusion.culprit(), Culprit::None);
     assert!(exclusion.possible > 0 && exclusion.to_string().starts_with("only "), "{exclusion}");
@@ -112,5 +114,5 @@ fn islands_that_disagree_are_told() {
         values[1..].iter().map(|value| ln_normal(*value, 0.5, exp(ln_sd))).sum()
     });
     let Verdict::NotConverged(doubts) = found.verdict() else { panic!("{:?}", found.diagnosis()) };
-    assert!(doubts.iter().any(|doubt| matches!(doubt, Doubt::Disagreement { .. })), "{doubts:?}");
+    assert!(doubts.iter().any(|doubt| matches!(doubt, SamplerDoubt::Disagreement { .. })), "{doubts:?}");
 }

@@ -9,7 +9,7 @@ mod doubts;
 mod refusals;
 mod shapes;
 
-use estimate::{Function, Independent, Posterior, Settings, Verdict, sample_quietly};
+use estimate::{Independent, LikelihoodFunction, Posterior, Settings, Verdict, sample_quietly};
 use real::elementary::ln;
 use uncertainty::{Distribution, Estimate};
 
@@ -24,7 +24,7 @@ fn posterior(
     particles: usize,
     log_likelihood: impl Fn(&[f64]) -> f64 + Sync,
 ) -> Posterior {
-    let evidence = Function::new(1, |values: &[f64], terms: &mut [f64]| {
+    let evidence = LikelihoodFunction::new(1, |values: &[f64], terms: &mut [f64]| {
         terms[0] = log_likelihood(values);
         Ok(())
     });

@@ -3,14 +3,14 @@
 use std::ops::ControlFlow;
 
 use estimate::{
-    CannotReweight, Culprit, Exclusion, Failure, Function, Independent, PARTICLES_STEP, Selection, Settings,
-    sample, sample_quietly,
+    CannotReweight, Culprit, Exclusion, Failure, Independent, LikelihoodFunction, PARTICLES_STEP, Selection,
+    Settings, sample, sample_quietly,
 };
 
 use super::{ln_normal, posterior, standard};
 
 fn refusal<F: Fn(&[f64], &mut [f64]) -> Result<(), u8> + Sync>(terms: usize, function: F) -> Failure {
-    let evidence = Function::new(terms, function);
+    let evidence = LikelihoodFunction::new(terms, function);
     sample_quietly(&standard(2), &evidence, &Settings::new(PARTICLES_STEP, 1)).unwrap_err()
 }
 
@@ -64,7 +64,7 @@ fn impossible_evidence_is_refused_with_what_excludes_what() {
 /// A model that fails for some values is not asked for them again.
 #[test]
 fn values_of_which_the_model_makes_nothing_are_impossible() {
-    let evidence = Function::new(1, |x: &[f64], terms: &mut [f64]| {
+    let evidence = LikelihoodFunction::new(1, |x: &[f64], terms: &mut [f64]| {
         terms[0] = ln_normal(x[0], 0.5, 0.5);
         if x[1] < 0.0 { Err(3) } else { Ok(()) }
     });
@@ -94,7 +94,7 @@ fn nan_is_an_error_with_its_values_and_not_a_draw() {
 
 #[test]
 fn settings_that_cannot_be_used_are_refused() {
-    let evidence = Function::new(1, |_: &[f64], terms: &mut [f64]| {
+    let evidence = LikelihoodFunction::new(1, |_: &[f64], terms: &mut [f64]| {
         terms[0] = 0.0;
         Ok(())
     });
@@ -111,7 +111,7 @@ fn settings_that_cannot_be_used_are_refused() {
 
 #[test]
 fn the_caller_may_end_a_run() {
-    let evidence = Function::new(1, |_: &[f64], terms: &mut [f64]| {
+    let evidence = LikelihoodFunction::new(1, |_: &[f64], terms: &mut [f64]| {
         terms[0] = 0.0;
         Ok(())
     });

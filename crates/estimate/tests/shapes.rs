@@ -1,6 +1,6 @@
 //! Posteriors that are far from normal.
 
-use estimate::{Function, Independent, Quantity, Settings, Verdict, sample_quietly};
+use estimate::{DrawnQuantity, Independent, LikelihoodFunction, Settings, Verdict, sample_quietly};
 use real::elementary::{exp, ln};
 use uncertainty::normal::cumulative;
 use uncertainty::{Distribution, Estimate};
@@ -42,7 +42,7 @@ fn two_modes_have_their_weights() {
         let above = found.draws().probability_above(&found.values()[0], 0.25);
         assert_near(above, share, 0.03);
         let modes = &found.diagnosis().modes;
-        let seen = modes.iter().filter(|mode| mode.quantity == Quantity::Value(0)).count();
+        let seen = modes.iter().filter(|mode| mode.quantity == DrawnQuantity::Value(0)).count();
         assert_eq!(seen, 2, "{modes:?}");
     }
 }
@@ -58,7 +58,7 @@ fn evidence_may_be_tight() {
         assert_converged(&found);
         assert_near(found.log_evidence(), ln_mode(dimensions, 0.7, sd), 0.15);
         for place in 0..dimensions {
-            let summary = found.summary(Quantity::Value(place));
+            let summary = found.summary(DrawnQuantity::Value(place));
             assert_near(summary.mean, 0.7 / (1.0 + sd * sd), 0.05 * sd);
             assert_near(summary.sd, sd, 0.05 * sd);
         }
@@ -73,7 +73,7 @@ fn what_is_not_measured_keeps_its_prior() {
     assert_converged(&found);
     let spread = (dimensions as f64).sqrt();
     assert_near(found.log_evidence(), ln_normal(3.0, 0.0, (spread * spread + 1e-6).sqrt()), 0.1);
-    let summary = found.summary(Quantity::Value(2));
+    let summary = found.summary(DrawnQuantity::Value(2));
     assert_near(summary.mean, 3.0 / 8.0, 0.04);
     // σ² = 1 − 1/d
     assert_near(summary.sd, (7.0_f64 / 8.0).sqrt(), 0.04);
@@ -89,11 +89,11 @@ fn a_banana_is_bent_as_it_should_be() {
     let evidence = integral(-8.0, 8.0, marginal);
     assert_near(found.log_evidence(), ln(evidence), 0.06);
     let square = integral(-8.0, 8.0, |x| x * x * marginal(x)) / evidence;
-    let summary = found.summary(Quantity::Value(0));
+    let summary = found.summary(DrawnQuantity::Value(0));
     assert_near(summary.mean, 0.0, 0.05);
     assert_near(summary.sd, square.sqrt(), 0.03);
     let height = integral(-8.0, 8.0, |x| (x * x - 0.5) / (1.0 + sd * sd) * marginal(x)) / evidence;
-    assert_near(found.summary(Quantity::Value(1)).mean, height, 0.03);
+    assert_near(found.summary(DrawnQuantity::Value(1)).mean, height, 0.03);
 }
 
 #[test]
@@ -108,7 +108,7 @@ fn a_ring_is_round() {
     assert_near(found.log_evidence(), ln(evidence), 0.08);
     let square = integral(0.0, 8.0, |r| r * r * radial(r)) / evidence;
     for place in 0..2 {
-        let summary = found.summary(Quantity::Value(place));
+        let summary = found.summary(DrawnQuantity::Value(place));
         assert_near(summary.mean, 0.0, 0.06);
         assert_near(summary.sd, (0.5 * square).sqrt(), 0.04);
     }
@@ -121,12 +121,12 @@ fn a_posterior_may_lie_at_the_edge_of_the_prior() {
     let found = posterior(&prior, 512, |values| 50.0 * (values[0] - 1.0));
     assert_converged(&found);
     assert_near(found.log_evidence(), ln((1.0 - exp(-50.0)) / 50.0), 0.06);
-    let summary = found.summary(Quantity::Value(0));
+    let summary = found.summary(DrawnQuantity::Value(0));
     assert_near(summary.mean, 1.0 - 0.02, 0.001);
     // Quantiles 1 + ln(p)/50
     assert_near(summary.intervals[3].low, 1.0 + ln(0.025) / 50.0, 0.006);
     assert!(found.values()[0].iter().all(|value| *value <= 1.0));
-    assert_near(found.summary(Quantity::Value(1)).mean, 0.5, 0.02);
+    assert_near(found.summary(DrawnQuantity::Value(1)).mean, 0.5, 0.02);
 }
 
 #[test]
@@ -135,11 +135,11 @@ fn what_is_impossible_is_cut_off() {
     assert_converged(&found);
     let tail = cumulative(-2.5);
     assert_near(found.log_evidence(), ln(tail), 0.05);
-    let summary = found.summary(Quantity::Value(0));
+    let summary = found.summary(DrawnQuantity::Value(0));
     // φ(a)/Φ(−a)
     assert_near(summary.mean, density(2.5) / tail, 0.02);
     assert!(found.values()[0].iter().all(|value| *value > 2.5));
-    assert_near(found.summary(Quantity::Value(2)).sd, 1.0, 0.03);
+    assert_near(found.summary(DrawnQuantity::Value(2)).sd, 1.0, 0.03);
 }
 
 /// A likelihood of two heights: where it is flat no move is better than another.
@@ -153,7 +153,7 @@ fn a_likelihood_may_be_a_plateau() {
     assert_near(found.log_evidence(), ln(1.0 - exp(-0.02)), 0.15);
     // ⟨r²⟩ = 2 (1 − (1 + q) e^(−q))/(1 − e^(−q)), q = r²/2; half of it for each coordinate.
     let variance = (1.0 - 1.02 * exp(-0.02)) / (1.0 - exp(-0.02));
-    assert_near(found.summary(Quantity::Value(0)).sd, variance.sqrt(), 0.004);
+    assert_near(found.summary(DrawnQuantity::Value(0)).sd, variance.sqrt(), 0.004);
 }
 
 #[test]
@@ -170,7 +170,7 @@ fn without_information_the_posterior_is_the_prior() {
     assert_converged(&found);
     assert_eq!(found.log_evidence(), Estimate { value: -3.0, standard_error: Some(0.0) });
     for (place, distribution) in prior.0.iter().enumerate() {
-        let (summary, sd) = (found.summary(Quantity::Value(place)), distribution.sd());
+        let (summary, sd) = (found.summary(DrawnQuantity::Value(place)), distribution.sd());
         assert_near(summary.mean, distribution.mean(), 0.04 * sd);
         assert_near(summary.sd, sd, 0.04 * sd);
         for interval in summary.intervals {
@@ -184,10 +184,10 @@ fn without_information_the_posterior_is_the_prior() {
 /// Without any evidence too.
 #[test]
 fn there_may_be_no_evidence_at_all() {
-    let evidence = Function::new(0, |_: &[f64], _: &mut [f64]| Ok(()));
+    let evidence = LikelihoodFunction::new(0, |_: &[f64], _: &mut [f64]| Ok(()));
     let found = sample_quietly(&standard(1), &evidence, &Settings::new(256, 1)).unwrap();
     assert_eq!(found.verdict(), Verdict::Converged);
-    assert_near(found.summary(Quantity::Value(0)).mean, 0.0, 0.05);
+    assert_near(found.summary(DrawnQuantity::Value(0)).mean, 0.0, 0.05);
 }
 
 /// Evidence eight deviations out of the prior.
@@ -196,5 +196,5 @@ fn evidence_may_lie_far_out_of_the_prior() {
     let found = posterior(&standard(2), 512, |values| ln_normal(values[0], 8.0, 0.1));
     assert_converged(&found);
     assert_near(found.log_evidence(), ln_mode(1, 8.0, 0.1), 0.12);
-    assert_near(found.summary(Quantity::Value(0)).mean, 8.0 / 1.01, 0.01);
+    assert_near(found.summary(DrawnQuantity::Value(0)).mean, 8.0 / 1.01, 0.01);
 }

@@ -1,5 +1,47 @@
 //! What the evidence of a two-vehicle collision says of its speeds.
 #![doc = include_str!("../README.md")]
+//!
+//! # Example
+//!
+//! A car of 1500 kg ran squarely into the rear of one of 1000 kg that stood, at 15 ± 2 m/s by a witness. By
+//! its path to rest the struck car left the impact at 11 ± 0.66 m/s.
+//!
+//! ```
+//! use estimate::{DrawnQuantity, Settings, sample_quietly};
+//! use evidence::{BodyNumbers, Collision, MeasuredSpeed, Model, Observed, Output};
+//! use evidence::{Restitution, Speeds, Vehicle};
+//! use pim_core::VehicleId;
+//! use uncertainty::Distribution;
+//!
+//! let vehicle = |mass: f64, ahead: f64| Vehicle {
+//!     body: Some(BodyNumbers { mass: mass.into(), yaw_radius: 1.4.into() }),
+//!     heading: 0.0.into(),
+//!     contact: [ahead.into(), 0.0.into()],
+//!     yaw_rate: 0.0.into(),
+//!     crush: None,
+//! };
+//! let mut observed = Observed::default();
+//! observed.vehicles[1].after.speed = Some(MeasuredSpeed { value: 11.0, ln_sd: 0.0, least: 0.66 });
+//! let collision = Collision {
+//!     vehicles: [vehicle(1500.0, 2.0), vehicle(1000.0, -2.0)],
+//!     speeds: Speeds::Each([Distribution::normal(15.0, 2.0)?.into(), 0.0.into()]),
+//!     crush_plane: 0.0.into(),
+//!     restitution: Restitution::Constant(0.1.into()),
+//!     friction: 0.7.into(),
+//!     tangential_share: 0.5.into(),
+//!     other_crush: None,
+//!     observed,
+//! };
+//!
+//! let model = Model::new(&collision);
+//! let posterior = sample_quietly(&model, &model, &Settings::new(512, 1))?;
+//! let speed = posterior.summary(DrawnQuantity::Output(Output::Speed(VehicleId::One).column()));
+//! // By hand: V₂ = (1 + e) m₁/(m₁ + m₂) v₁ = 0.66 v₁, so the measurement says v₁ = 16.67 ± 1 m/s. With the
+//! // witness: (16.67/1² + 15/2²)/(1/1² + 1/2²) = 16.33, ± 1/√1.25 = 0.89 m/s.
+//! assert!((speed.mean.value - 16.33).abs() < 0.1);
+//! assert!((speed.sd.value - 0.894).abs() < 0.08);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 
 mod collision;
 mod density;

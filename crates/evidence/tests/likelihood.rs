@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use estimate::{Evidence, Independent, Quantity, Settings, sample_quietly};
+use estimate::{DrawnQuantity, Evidence, Independent, Settings, sample_quietly};
 use evidence::{
     After, BodyNumbers, CodedPdof, Collision, Crush, CrushErrors, CrushMisfit, Damage, EnergyError, FITTED,
     Freedom, Impacted, Impacts, Limits, Measured, MeasuredRest, MeasuredSpeed, Model, Number, Observed,
@@ -121,7 +121,7 @@ fn the_crush_of_one_vehicle_tells_the_speed() {
     collision.observed.crush = Some(CrushMisfit { bias: -0.2, ln_sd: 0.4 }.into());
     let model = Model::new(&collision);
     let posterior = sample_quietly(&model, &model, &Settings::new(512, 1)).unwrap();
-    let summary = posterior.summary(Quantity::Output(Output::Speed(One).column()));
+    let summary = posterior.summary(DrawnQuantity::Output(Output::Speed(One).column()));
 
     // W_n = 66825 J at 15 m/s, and grows with the square of the speed.
     let taken = |v: f64| 66_825.0 * (v / 15.0).powi(2);

@@ -1,6 +1,6 @@
 //! Draws against a grid over the unknown numbers.
 
-use estimate::{Quantity, Settings, sample_quietly};
+use estimate::{DrawnQuantity, Settings, sample_quietly};
 use evidence::{CodedPdof, Crush, CrushMisfit, MeasuredSpeed, Model, Number, Output, Speeds};
 use pim_core::VehicleId::{One, Two};
 use uncertainty::Distribution;
@@ -68,7 +68,7 @@ fn both_speeds_are_those_of_a_grid() {
     let model = Model::new(&collision);
     let posterior = sample_quietly(&model, &model, &Settings::new(512, 7)).unwrap();
     for (output, grid) in [(Output::Speed(One), &marginals[0]), (Output::Speed(Two), &marginals[1])] {
-        let summary = posterior.summary(Quantity::Output(output.column()));
+        let summary = posterior.summary(DrawnQuantity::Output(output.column()));
         let ends = summary.intervals[3];
         assert_eq!(ends.level, 0.95);
         for (ours, share) in [(summary.median, 0.5), (ends.low, 0.025), (ends.high, 0.975)] {

@@ -3,7 +3,7 @@
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
-use estimate::{Prior, Quantity, Settings, Summary, sample_quietly};
+use estimate::{DrawnQuantity, DrawsSummary, Prior, Settings, sample_quietly};
 use evidence::{
     CodedPdof, Collision, Crush, CrushMisfit, FITTED, Limits, Measured, MeasuredSpeed, Model, Number,
     Observed, Output, RecordedDeltaV, Restitution, Severity, Speeds,
@@ -213,8 +213,8 @@ fn posteriors_are_those_of_another_sampler() {
         };
         check("log evidence", posterior.log_evidence(), reference(&of["log_evidence"]), 1.0);
         for (quantity, output) in QUANTITIES {
-            let Summary { mean, sd, median, intervals } =
-                posterior.summary(Quantity::Output(output.column()));
+            let DrawsSummary { mean, sd, median, intervals } =
+                posterior.summary(DrawnQuantity::Output(output.column()));
             let spread = of[quantity]["sd"][0].as_f64().unwrap();
             let ends = intervals[2];
             assert_eq!(ends.level, 0.9);

@@ -11,7 +11,7 @@ use real::Real;
 use real::elementary::{atan2, exp, ln, sin_cos};
 use uncertainty::{Distribution, InvalidDistribution};
 
-use crate::pair::{Pair, Plane, Vehicle};
+use crate::pair::{Pair, PairVehicle, Plane};
 
 /// (kg, m, m) mass, length and width of a car in the middle of the fleet: where no size is known, lengths
 /// grow with the cube root of the mass and widths with its sixth root.
@@ -38,7 +38,7 @@ pub(crate) struct Shape {
 }
 
 impl Shape {
-    fn of(vehicle: &Vehicle) -> Self {
+    fn of(vehicle: &PairVehicle) -> Self {
         let mass = vehicle.mass();
         let [car, length, width] = CAR;
         let scale = exp(ln(mass / car) / 3.0);

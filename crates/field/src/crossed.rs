@@ -10,7 +10,7 @@ use pim_core::VehicleId;
 use real::elementary::ln;
 use real::{Real, principal_angle};
 
-use crate::pair::{Pair, Vehicle};
+use crate::pair::{Pair, PairVehicle};
 
 /// (–) likelihood of the records the other way round, by that of the records as they stand, from which they
 /// are doubted: as large as one of a hundred recorders would have to be taken wrong.
@@ -25,7 +25,7 @@ struct Record {
 }
 
 impl Record {
-    fn of(vehicle: &Vehicle) -> Option<Self> {
+    fn of(vehicle: &PairVehicle) -> Option<Self> {
         let truth = vehicle.truth()?;
         Some(Self { size: truth.delta_v, from: truth.direction? })
     }
@@ -34,7 +34,7 @@ impl Record {
 /// An event of a vehicle, and what it says of a record: the PDOF as coded and, where the other vehicle has a
 /// record, the change of momentum by that.
 struct Event<'a> {
-    vehicle: &'a Vehicle,
+    vehicle: &'a PairVehicle,
     other: Option<f64>,
 }
 

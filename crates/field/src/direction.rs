@@ -98,7 +98,7 @@ mod tests {
 
     use super::{fit_direction, quantile};
     use crate::error::FieldError;
-    use crate::pair::{Pair, Plane, Vehicle};
+    use crate::pair::{Pair, PairVehicle, Plane};
 
     /// Of recorders whose errors are drawn, with the errors of their PDOFs, the scale is found again.
     #[test]
@@ -110,7 +110,7 @@ mod tests {
                 let error = |k: u64| quantile(unit(bits(key(7, &[number, i as u64]), k)));
                 let from = 0.3;
                 let shown = from + factor * scale * error(0);
-                Vehicle {
+                PairVehicle {
                     number: None,
                     curb_mass: 1500.0,
                     cargo: None,

@@ -202,7 +202,7 @@ pub struct FitOptions {
 
 /// Figures that were fitted.
 #[derive(Clone, Debug)]
-pub struct Fit {
+pub struct FigureFit {
     /// All figures, with those that were fitted.
     pub fitted: Fitted,
     /// Standard error of each of [`Figure::ALL`], in its unit.
@@ -450,7 +450,7 @@ impl<'a> Likelihood<'a> {
         Err(FieldError::NoMaximum)
     }
 
-    fn fit(&self, from: &Fitted) -> Result<Fit, FieldError> {
+    fn fit(&self, from: &Fitted) -> Result<FigureFit, FieldError> {
         let all = |_: &Pair| true;
         let (fitted, covariance) = self.maximise(from, &all)?;
         let errors = std::array::from_fn(|k| {
@@ -459,7 +459,7 @@ impl<'a> Likelihood<'a> {
         });
         let of_pairs = for_each(&self.drawn, |drawn| drawn.log_likelihood(&fitted));
         let worths = of_pairs.iter().flatten().flat_map(|(_, worths)| worths);
-        Ok(Fit {
+        Ok(FigureFit {
             fitted,
             errors,
             log_likelihood: of_pairs.iter().flatten().map(|(ln_p, _)| ln_p).sum(),
@@ -502,7 +502,7 @@ pub fn fit(
     base: &Fitted,
     options: &FitOptions,
     progress: &mut Progress<'_>,
-) -> Result<Fit, FieldError> {
+) -> Result<FigureFit, FieldError> {
     Ok(settled(pairs, base, options, progress)?.0)
 }
 
@@ -511,7 +511,7 @@ fn settled<'a>(
     base: &Fitted,
     options: &FitOptions,
     progress: &mut Progress<'_>,
-) -> Result<(Fit, Likelihood<'a>), FieldError> {
+) -> Result<(FigureFit, Likelihood<'a>), FieldError> {
     let mut by = guesses(base);
     for _ in 1..ROUNDS {
         by = Likelihood::new(pairs, &by, options, progress)?.fit(&by)?.fitted;
@@ -531,7 +531,7 @@ pub fn fit_folds(
     folds: usize,
     options: &FitOptions,
     progress: &mut Progress<'_>,
-) -> Result<(Fit, Folds), FieldError> {
+) -> Result<(FigureFit, Folds), FieldError> {
     let folds = folds.max(2);
     let mut of_case: BTreeMap<String, usize> = BTreeMap::new();
     for pair in pairs {

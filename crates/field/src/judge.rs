@@ -45,7 +45,7 @@ pub enum KnownCrush {
 
 /// What met what.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Kind {
+pub enum PairKind {
     /// Two fronts.
     FrontFront,
     /// A front and a side.
@@ -56,7 +56,7 @@ pub enum Kind {
     Other,
 }
 
-impl Kind {
+impl PairKind {
     /// Its name.
     #[must_use]
     pub fn name(self) -> &'static str {
@@ -87,7 +87,7 @@ pub struct Judged {
     /// The vehicle.
     pub vehicle: VehicleId,
     /// What met what.
-    pub kind: Kind,
+    pub kind: PairKind,
     /// Whether both recorders can be of one collision, as in [`Pair::is_one_event`].
     pub is_one_event: Option<bool>,
     /// What its recorder stored.
@@ -213,7 +213,7 @@ pub fn judge_by(
     if judged.is_empty() {
         return Err(FieldError::NothingToJudge { both: options.other });
     }
-    let kinds = [Kind::FrontFront, Kind::FrontSide, Kind::FrontRear, Kind::Other];
+    let kinds = [PairKind::FrontFront, PairKind::FrontSide, PairKind::FrontRear, PairKind::Other];
     let group = |name, of: &dyn Fn(&Judged) -> bool| {
         let all: Vec<&Judged> = judged.iter().filter(|judged| of(judged)).collect();
         Group::of(name, &all)
@@ -270,7 +270,7 @@ fn vehicles(
             Judged {
                 case: pair.case.clone(),
                 vehicle,
-                kind: Kind::of(pair),
+                kind: PairKind::of(pair),
                 is_one_event: pair.is_one_event(),
                 truth,
                 median: predictive.quantile(0.5),

@@ -9,7 +9,7 @@ pub struct Pair {
     /// Number of the crash.
     pub case: String,
     /// The vehicles.
-    pub vehicles: [Vehicle; 2],
+    pub vehicles: [PairVehicle; 2],
 }
 
 /// The plane of a vehicle's damage.
@@ -35,7 +35,7 @@ impl Plane {
 
 /// One vehicle.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Vehicle {
+pub struct PairVehicle {
     /// Its number in the crash, by which it is known in another event.
     pub number: Option<u32>,
     /// (kg) mass without occupants and load.
@@ -88,7 +88,7 @@ pub struct Truth {
     pub direction: Option<f64>,
 }
 
-impl Vehicle {
+impl PairVehicle {
     /// (kg) with its load and occupants.
     #[must_use]
     pub fn mass(&self) -> f64 {

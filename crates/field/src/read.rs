@@ -4,10 +4,10 @@ use std::collections::HashMap;
 
 use crate::crossed;
 use crate::error::FieldError;
-use crate::pair::{Pair, Plane, Vehicle};
+use crate::pair::{Pair, PairVehicle, Plane};
 
 /// Reads pairs of vehicles, a line each, with the columns of CISS. Where `VEHNO` tells which vehicle of the
-/// crash each is, records that may be of another event are [doubted](Vehicle::is_record_doubted).
+/// crash each is, records that may be of another event are [doubted](PairVehicle::is_record_doubted).
 ///
 /// # Errors
 /// Where the file is no table of this form, with the line and the column.
@@ -92,7 +92,7 @@ impl Cells<'_> {
         }
     }
 
-    fn vehicle(&self, vehicle: u8) -> Result<Vehicle, FieldError> {
+    fn vehicle(&self, vehicle: u8) -> Result<PairVehicle, FieldError> {
         let plane = match self.text("CDCPLANE", vehicle)? {
             "F" => Plane::Front,
             "B" => Plane::Rear,
@@ -116,7 +116,7 @@ impl Cells<'_> {
             // Outward bulges are no crush.
             *depth = (self.number(column, vehicle)? / 100.0).max(0.0);
         }
-        Ok(Vehicle {
+        Ok(PairVehicle {
             number: self.vehicle_number(vehicle)?,
             curb_mass,
             // NHTSA's codes for unknown loads are above any load.

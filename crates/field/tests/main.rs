@@ -7,7 +7,7 @@ use std::ops::ControlFlow;
 
 use estimate::Evidence;
 use evidence::{FITTED, Model, Number};
-use field::{Kind, KnownCrush, Options, Plane, judge, read};
+use field::{KnownCrush, Options, PairKind, Plane, judge, read};
 use pim_core::VehicleId;
 
 /// A front against a side at right angles; made up. Vehicle 1 drives north, vehicle 2 west.
@@ -140,7 +140,7 @@ fn a_pair_is_judged_without_its_recorder() {
     let mut run = run;
     let field = run(LINE, false).unwrap();
     let [judged] = &field.judged[..] else { panic!() };
-    assert_eq!((judged.vehicle, judged.kind), (VehicleId::One, Kind::FrontSide));
+    assert_eq!((judged.vehicle, judged.kind), (VehicleId::One, PairKind::FrontSide));
     // Another truth changes the judgement, and not the estimate.
     let other = run(&LINE.replace("-24,7", "-48,14"), false).unwrap();
     assert_eq!((other.judged[0].median, other.judged[0].intervals), (judged.median, judged.intervals));

@@ -23,9 +23,8 @@
 //!
 //! | item | is |
 //! |---|---|
-//! | [`Real`] | the operations that the equations use; implemented for `f64`, [`Dual`], [`Duals`], [`Bundle`] and [`Traced`] |
-//! | [`Dual`] | a number that carries its derivative by one input |
-//! | [`Duals`] | a number that carries its derivatives by a few inputs |
+//! | [`Real`] | the operations that the equations use; implemented for `f64`, [`Duals`], [`Bundle`] and [`Traced`] |
+//! | [`Duals`] | a number that carries its derivatives by one input or a few |
 //! | [`Bundle`] | a number among others near it, whose differences tell its derivatives in less time |
 //! | [`gradients`], [`Traced`] | the derivatives by all inputs at once, of a formula that is evaluated on numbers that remember what they were computed from |
 //! | [`elementary::sin_cos`] | sine and cosine of an angle in radians, up to [`elementary::SIN_COS_LIMIT`] |
@@ -56,7 +55,7 @@
 //! | feature | adds |
 //! |---|---|
 //! | `std`, on by default | [`gradients`], [`Traced`]; √ by the processor's own instruction. Without it the crate is `no_std`, with the same bits |
-//! | `serde` | [`Dual`] and [`Gradient`] can be written and read |
+//! | `serde` | [`Gradient`] can be written and read |
 //!
 //! # What it does not do
 //!
@@ -68,7 +67,6 @@
 
 mod angle;
 mod bundle;
-mod dual;
 mod duals;
 pub mod elementary;
 #[cfg(feature = "std")]
@@ -76,7 +74,6 @@ mod traced;
 
 pub use angle::principal_angle;
 pub use bundle::Bundle;
-pub use dual::Dual;
 pub use duals::Duals;
 #[cfg(feature = "std")]
 pub use traced::{Gradient, Traced, gradients};
@@ -163,7 +160,6 @@ mod sealed {
     pub trait Sealed {}
 
     impl Sealed for f64 {}
-    impl Sealed for crate::Dual {}
     impl<const N: usize> Sealed for crate::Duals<N> {}
     impl<const N: usize> Sealed for crate::Bundle<N> {}
     #[cfg(feature = "std")]

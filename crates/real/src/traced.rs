@@ -45,7 +45,7 @@ pub struct Gradient {
 
 /// Evaluates a formula once, and differentiates each result by every input, however many these are.
 ///
-/// Where there are few inputs, a [`Dual`](crate::Dual) for each is quicker. The time taken here does not grow
+/// Where there are few inputs, [`Duals`](crate::Duals) are quicker. The time taken here does not grow
 /// with their number: each result costs some times what the formula costs. The record takes 32 bytes for each
 /// operation of the formula.
 ///
@@ -264,7 +264,7 @@ impl Real for Traced {
 #[cfg(test)]
 mod tests {
     use super::{Gradient, Traced, gradients};
-    use crate::{Dual, Real};
+    use crate::{Duals, Real};
 
     /// Every operation, of three numbers.
     fn formulas<T: Real>([x, y, z]: [T; 3]) -> Vec<T> {
@@ -303,7 +303,7 @@ mod tests {
         gradients(&inputs, |inputs| Ok::<_, ()>(formula(inputs.try_into().unwrap()))).unwrap()
     }
 
-    /// [`Dual`]'s derivatives are those of the other direction, and stand in its own tests against known
+    /// [`Duals`]' derivatives are those of the other direction, and stand in their own tests against known
     /// ones.
     #[test]
     fn all_derivatives_at_once_are_those_by_one_input_at_a_time() {
@@ -312,13 +312,14 @@ mod tests {
             let values = formulas(inputs);
             assert_eq!(gradients.len(), values.len());
             for input in 0..3 {
-                let mut duals = inputs.map(Dual::from);
-                duals[input].derivative = 1.0;
+                let mut duals = inputs.map(Duals::<1>::from);
+                duals[input].derivatives = [1.0];
                 for (i, (dual, gradient)) in formulas(duals).into_iter().zip(&gradients).enumerate() {
                     assert_eq!(gradient.value.to_bits(), values[i].to_bits(), "value {i}");
-                    let error = (gradient.by[input] - dual.derivative).abs();
+                    let [derivative] = dual.derivatives;
+                    let error = (gradient.by[input] - derivative).abs();
                     assert!(
-                        error <= 1e-14 * dual.derivative.abs().max(1.0),
+                        error <= 1e-14 * derivative.abs().max(1.0),
                         "{i} by {input}: {gradient:?} {dual:?}"
                     );
                 }

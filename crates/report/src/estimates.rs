@@ -3,7 +3,7 @@
 
 mod question;
 
-use ::estimate::{Doubt, LEVELS, Quantity, Summary};
+use ::estimate::{DrawnQuantity, DrawsSummary, LEVELS, SamplerDoubt};
 use analysis::{
     Assumed, EstimateOutput, EstimatePlan, Estimated, EstimatedOutput, PieceFound, UnknownNumber,
     UnusedReason,
@@ -43,13 +43,13 @@ pub(crate) const WIDEST: usize = {
 };
 
 /// (SI) the ends of the interval at such a place.
-pub(crate) fn ends(summary: &Summary, place: usize) -> [f64; 2] {
+pub(crate) fn ends(summary: &DrawsSummary, place: usize) -> [f64; 2] {
     let interval = &summary.intervals[place];
     [interval.low.value, interval.high.value]
 }
 
 /// Median and 95 % interval of a speed, with one decimal.
-pub(crate) fn median_and_interval(summary: &Summary, units: Units) -> [String; 2] {
+pub(crate) fn median_and_interval(summary: &DrawsSummary, units: Units) -> [String; 2] {
     let of = |si: f64| number(units.value(Measure::RoadSpeed, si), 1);
     let [low, high] = ends(summary, WIDEST);
     [of(summary.median.value), format!("{} to {}", of(low), of(high))]
@@ -392,69 +392,69 @@ pub(crate) fn source(unknown: &UnknownNumber, assumed: Assumed) -> &'static str 
 }
 
 /// The name of a doubt in data.
-pub(crate) fn doubt_code(doubt: &Doubt) -> &'static str {
+pub(crate) fn doubt_code(doubt: &SamplerDoubt) -> &'static str {
     match doubt {
-        Doubt::Unfinished { .. } => "unfinished",
-        Doubt::HardlyPossible { .. } => "hardly_possible",
-        Doubt::EvidenceSpread { .. } => "evidence_spread",
-        Doubt::Disagreement { .. } => "disagreement",
-        Doubt::FewDraws { .. } => "few_draws",
-        Doubt::Extremes { .. } => "extremes",
-        Doubt::FewAncestors(_) => "few_ancestors",
-        Doubt::StoodStill { .. } => "stood_still",
+        SamplerDoubt::Unfinished { .. } => "unfinished",
+        SamplerDoubt::HardlyPossible { .. } => "hardly_possible",
+        SamplerDoubt::EvidenceSpread { .. } => "evidence_spread",
+        SamplerDoubt::Disagreement { .. } => "disagreement",
+        SamplerDoubt::FewDraws { .. } => "few_draws",
+        SamplerDoubt::Extremes { .. } => "extremes",
+        SamplerDoubt::FewAncestors(_) => "few_ancestors",
+        SamplerDoubt::StoodStill { .. } => "stood_still",
         _ => "other",
     }
 }
 
 /// The key of what a doubt is about.
-pub(crate) fn doubted(doubt: &Doubt, estimated: &Estimated) -> Option<String> {
+pub(crate) fn doubted(doubt: &SamplerDoubt, estimated: &Estimated) -> Option<String> {
     let quantity = match doubt {
-        Doubt::Disagreement { quantity, .. }
-        | Doubt::FewDraws { quantity, .. }
-        | Doubt::Extremes { quantity, .. } => *quantity,
-        Doubt::FewAncestors(mode) => mode.quantity,
+        SamplerDoubt::Disagreement { quantity, .. }
+        | SamplerDoubt::FewDraws { quantity, .. }
+        | SamplerDoubt::Extremes { quantity, .. } => *quantity,
+        SamplerDoubt::FewAncestors(mode) => mode.quantity,
         _ => return None,
     };
     match quantity {
-        Quantity::Value(place) => estimated.unknown.get(place).map(unknown_key),
-        Quantity::Output(place) => estimated.outputs.get(place).map(|output| output.output.path()),
+        DrawnQuantity::Value(place) => estimated.unknown.get(place).map(unknown_key),
+        DrawnQuantity::Output(place) => estimated.outputs.get(place).map(|output| output.output.path()),
     }
 }
 
 /// A doubt as a sentence without its full stop.
-pub(crate) fn doubt_words(doubt: &Doubt, estimated: &Estimated) -> String {
+pub(crate) fn doubt_words(doubt: &SamplerDoubt, estimated: &Estimated) -> String {
     let key = doubted(doubt, estimated).unwrap_or_default();
     match doubt {
-        Doubt::Unfinished { temperature } => format!(
+        SamplerDoubt::Unfinished { temperature } => format!(
             "the particles took in only {} % of the evidence, which is too sharp for them",
             significant(100.0 * temperature, 2)
         ),
-        Doubt::HardlyPossible { possible, drawn, .. } => {
+        SamplerDoubt::HardlyPossible { possible, drawn, .. } => {
             format!("of {drawn} collisions drawn before the evidence only {possible} are possible at all")
         }
-        Doubt::EvidenceSpread { .. } => {
+        SamplerDoubt::EvidenceSpread { .. } => {
             "independent runs differ in how well the evidence fits, so that few of them make up the answer"
                 .to_owned()
         }
-        Doubt::Disagreement { r_hat, .. } => {
+        SamplerDoubt::Disagreement { r_hat, .. } => {
             format!(
                 "independent runs disagree on `{key}` (R̂ is {}, at most 1.01 will do)",
                 significant(*r_hat, 4)
             )
         }
-        Doubt::FewDraws { ess, .. } => format!(
+        SamplerDoubt::FewDraws { ess, .. } => format!(
             "the draws of `{key}` are worth only {ess:.0} independent ones, and {} are needed",
             ::estimate::ESS_LIMIT
         ),
-        Doubt::Extremes { ess, .. } => format!(
+        SamplerDoubt::Extremes { ess, .. } => format!(
             "the extremes of `{key}` are worth only {ess:.0} independent draws, and {} are needed",
             ::estimate::EXTREME_ESS_LIMIT
         ),
-        Doubt::FewAncestors(mode) => format!(
+        SamplerDoubt::FewAncestors(mode) => format!(
             "{} % of the draws have `{key}` apart from the rest, and few draws before the evidence led there",
             significant(100.0 * mode.share, 2)
         ),
-        Doubt::StoodStill { unmoved } => {
+        SamplerDoubt::StoodStill { unmoved } => {
             format!("{} % of the particles stood still at the end", significant(100.0 * unmoved, 2))
         }
         other => other.to_string(),

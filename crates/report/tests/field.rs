@@ -1,15 +1,15 @@
 //! The plots of estimates against recorders.
 
-use field::{Field, Figures, Group, Judged, Kind, Truth};
+use field::{Field, Figures, Group, Judged, PairKind, Truth};
 use pim_core::VehicleId;
 
 use super::fixtures::reader::{Reader, area, number, scales};
 
 /// Of each vehicle what its recorder stored, our median and WinSMASH's value, m/s.
-const VEHICLES: [(Kind, f64, f64, Option<f64>); 3] = [
-    (Kind::FrontFront, 10.0, 8.0, Some(5.0)),
-    (Kind::FrontSide, 5.0, 6.0, None),
-    (Kind::FrontSide, 4.0, 4.5, Some(3.0)),
+const VEHICLES: [(PairKind, f64, f64, Option<f64>); 3] = [
+    (PairKind::FrontFront, 10.0, 8.0, Some(5.0)),
+    (PairKind::FrontSide, 5.0, 6.0, None),
+    (PairKind::FrontSide, 4.0, 4.5, Some(3.0)),
 ];
 
 fn judged() -> Field {

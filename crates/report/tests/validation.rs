@@ -13,7 +13,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use resvg::usvg::Tree;
-use validation::{Claim, Data, Row, Validation, validate};
+use validation::{Claim, Data, DeltaVRow, Validation, validate};
 
 use super::fixtures::reader::{Reader, Scale, area, attribute, scales};
 
@@ -73,7 +73,7 @@ fn the_plots_have_every_point_in_its_place() {
     let tree = reader.tree(&svg);
     let labels = reader.readable("computed against measured", &svg);
     let mut tests = Vec::new();
-    for (panel, row) in [(1, Row::PimTotal), (2, Row::CrashCorrected)] {
+    for (panel, row) in [(1, DeltaVRow::PimTotal), (2, DeltaVRow::CrashCorrected)] {
         let left = f64::from(panel - 1) * 600.0;
         let scales = scales(&svg, left + 24.0, left + 624.0);
         let lines: Vec<_> = validation.table2.iter().filter(|line| line.row == row).collect();

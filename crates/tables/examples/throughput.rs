@@ -10,7 +10,7 @@ use std::time::Instant;
 use arrow_array::{ArrayRef, Float64Array, RecordBatch, StructArray};
 use arrow_schema::{DataType, Field};
 use case::{CaseFile, EXAMPLE};
-use tables::{Options, Template, reconstruct};
+use tables::{RowOptions, RowTemplate, reconstruct};
 
 /// What is moved about: a column in its unit, its number in the example, and by how much.
 const COLUMNS: [(&str, f64, f64); 17] = [
@@ -44,8 +44,8 @@ fn main() -> Result<(), Box<dyn Error>> {
     });
     let columns: Vec<(&str, ArrayRef)> = columns.collect();
     let flat = RecordBatch::try_from_iter(columns.clone())?;
-    let template = Template::parse("sae-980025.toml", EXAMPLE)?;
-    timed("flat columns and a template", rows, || reconstruct(&flat, &template, &Options::default()))?;
+    let template = RowTemplate::parse("sae-980025.toml", EXAMPLE)?;
+    timed("flat columns and a template", rows, || reconstruct(&flat, &template, &RowOptions::default()))?;
 
     // The same numbers as nested structs.
     let field = |name: &str| Arc::new(Field::new(name, DataType::Float64, true));
@@ -66,14 +66,14 @@ fn main() -> Result<(), Box<dyn Error>> {
         Arc::new(StructArray::from(weight.chain([(crush_field, crush)]).collect::<Vec<_>>()))
     };
     let nested = RecordBatch::try_from_iter([("vehicle1", vehicle(1)), ("vehicle2", vehicle(2))])?;
-    timed("structs and a template", rows, || reconstruct(&nested, &template, &Options::default()))?;
+    timed("structs and a template", rows, || reconstruct(&nested, &template, &RowOptions::default()))?;
 
-    let options = Options { samples: Some(samples), ..Options::default() };
+    let options = RowOptions { samples: Some(samples), ..RowOptions::default() };
     let few = rows.min(2000);
     let uncertain = EXAMPLE.replace("= \"10 mph\"", "= { value = \"10 mph\", sd = \"1 mph\" }");
     let uncertain = uncertain.replace("= \"65 in\"", "= { value = \"65 in\", sd = \"1 in\" }");
     let uncertain = uncertain.replace("restitution = 0.3", "restitution = { value = 0.3, sd = 0.05 }");
-    let template_of_ranges = Template::parse("ranges.toml", &uncertain)?;
+    let template_of_ranges = RowTemplate::parse("ranges.toml", &uncertain)?;
     let first = RecordBatch::try_from_iter(
         columns.iter().filter(|(name, _)| *name != "vehicle2.speed [mph]").cloned(),
     )?;

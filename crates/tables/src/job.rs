@@ -35,7 +35,7 @@ impl Job {
 
 /// How the rows are computed.
 #[derive(Clone, Copy, Debug)]
-pub struct Options {
+pub struct RowOptions {
     /// Samples of each row for its intervals, Monte Carlo; without, there are none. For
     /// [`Job::Reconstruct`] and [`Job::Impact`].
     pub samples: Option<usize>,
@@ -48,7 +48,7 @@ pub struct Options {
     pub prior: Option<Prior>,
 }
 
-impl Default for Options {
+impl Default for RowOptions {
     fn default() -> Self {
         Self { samples: None, seed: 1, particles: EstimatePlan::PARTICLES, prior: None }
     }

@@ -6,14 +6,14 @@
 //! use arrow_array::cast::AsArray as _;
 //! use arrow_array::types::Float64Type;
 //! use arrow_array::{ArrayRef, Float64Array, RecordBatch};
-//! use tables::{Options, Template, reconstruct};
+//! use tables::{RowOptions, RowTemplate, reconstruct};
 //!
 //! // What all rows share, and a column for what they do not.
-//! let template = Template::parse("sae-980025.toml", case::EXAMPLE)?;
+//! let template = RowTemplate::parse("sae-980025.toml", case::EXAMPLE)?;
 //! let speeds: ArrayRef = Arc::new(Float64Array::from(vec![Some(10.0), Some(1e9), None]));
 //! let batch = RecordBatch::try_from_iter([("vehicle2.speed [mph]", speeds)])?;
 //!
-//! let results = reconstruct(&batch, &template, &Options::default())?;
+//! let results = reconstruct(&batch, &template, &RowOptions::default())?;
 //! let found = results.column_by_name("found_value").ok_or("a column")?.as_primitive::<Float64Type>();
 //! assert!((found.value(0) - 22.9).abs() < 0.05); // the paper: 22.9 m/s
 //! assert_eq!(found.value(2), found.value(0)); // null: as in the template
@@ -64,17 +64,17 @@
 //!
 //! # What all rows share
 //!
-//! A [`Template`] is a part of a case file. What a row gives replaces or completes it: tables key by key, and
-//! any other value as a whole, a number with its range. A range without a central value, such as `sd` alone,
-//! is put about the one in the template.
+//! A [`RowTemplate`] is a part of a case file. What a row gives replaces or completes it: tables key by key,
+//! and any other value as a whole, a number with its range. A range without a central value, such as `sd`
+//! alone, is put about the one in the template.
 //!
 //! # Results
 //!
 //! Columns are named after the keys of the JSON, with underscores for dots: `vehicle1_delta_v`. They are in
-//! SI units and radians, and in the axes of the case. With [`Options::samples`], the results that vary have
-//! `vehicle1_delta_v_p025`, `_median` and `_p975`, the 95 % interval, `_mean` and `_sd`; they are null in a
-//! row of which nothing is uncertain. No type is unsigned, and no name has a dot. `warnings` are the codes
-//! that the glossary explains; `help` says what to write instead of what is wrong. The metadata of the
+//! SI units and radians, and in the axes of the case. With [`RowOptions::samples`], the results that vary
+//! have `vehicle1_delta_v_p025`, `_median` and `_p975`, the 95 % interval, `_mean` and `_sd`; they are null
+//! in a row of which nothing is uncertain. No type is unsigned, and no name has a dot. `warnings` are the
+//! codes that the glossary explains; `help` says what to write instead of what is wrong. The metadata of the
 //! schema has the version of the program and the options.
 //!
 //! The seed is that of the options, or of the column `seed`: the same row has the same result wherever it
@@ -98,9 +98,9 @@ mod solve;
 
 pub use carried::Carried;
 pub use error::TableError;
-pub use job::{Job, Options};
+pub use job::{Job, RowOptions};
 pub use layout::{Numbers, case_schema};
 pub use solve::{
-    Faults, Progress, Template, assumed_units, check_columns, columns_kept, crush, estimate, impact,
+    RowFaults, RowProgress, RowTemplate, assumed_units, check_columns, columns_kept, crush, estimate, impact,
     reconstruct, result_schema, run, run_with_faults,
 };

@@ -13,7 +13,7 @@ use case::{Axes, Case};
 use pim_core::VehicleId;
 
 use crate::error::TableError;
-use crate::job::{Job, Options};
+use crate::job::{Job, RowOptions};
 
 /// The quantities of a vehicle that damage alone gives, beside all those of CRASH3.
 const OF_DAMAGE: [&str; 10] = [
@@ -231,7 +231,7 @@ impl What {
 }
 
 /// The schema of the results, whatever the cases are.
-pub(crate) fn schema(job: Job, options: &Options) -> SchemaRef {
+pub(crate) fn schema(job: Job, options: &RowOptions) -> SchemaRef {
     let fields: Vec<Field> = columns(job, options.samples)
         .into_iter()
         .map(|(name, what)| Field::new(name, what.data_type(), true))
@@ -266,7 +266,7 @@ enum Filled {
 }
 
 impl Builder {
-    pub(crate) fn new(job: Job, options: &Options) -> Self {
+    pub(crate) fn new(job: Job, options: &RowOptions) -> Self {
         let filled = |what: What| match what.data_type() {
             DataType::Float64 => Filled::Numbers(Float64Builder::new()),
             DataType::Int64 => Filled::Wholes(Int64Builder::new()),

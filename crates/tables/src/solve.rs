@@ -12,23 +12,23 @@ use report::{PROGRAM, Units};
 use uncertainty::{MIN_SAMPLES, SamplingMethod, Settings};
 
 use crate::error::TableError;
-use crate::job::{Job, Options};
+use crate::job::{Job, RowOptions};
 use crate::plan::{self, Plan, merge};
 use crate::results::{self, Builder, Found, Outcome, Refusal, Spread};
 
 /// What all rows share: a part of a case.
 #[derive(Clone, Debug, Default)]
-pub struct Template {
+pub struct RowTemplate {
     shared: ValueTable<'static>,
 }
 
-impl Template {
+impl RowTemplate {
     /// Reads a part of a case file; `name` is what errors call it.
     ///
     /// ```
-    /// use tables::Template;
-    /// let template = Template::parse("template.toml", "[impact]\nrestitution = 0.1\ntangential = \"critical\"")?;
-    /// let error = Template::parse("template.toml", "[impact]\nrestituton = 0.1").unwrap_err().to_string();
+    /// use tables::RowTemplate;
+    /// let template = RowTemplate::parse("template.toml", "[impact]\nrestitution = 0.1\ntangential = \"critical\"")?;
+    /// let error = RowTemplate::parse("template.toml", "[impact]\nrestituton = 0.1").unwrap_err().to_string();
     /// assert!(error.contains("unknown key \"restituton\""));
     /// # Ok::<(), tables::TableError>(())
     /// ```
@@ -48,21 +48,21 @@ impl Template {
 const AT_ONCE: usize = 4096;
 
 /// What is wrong with each row already where it was read; nothing where it is sound, or beyond the end.
-pub type Faults<'a> = &'a [Option<String>];
+pub type RowFaults<'a> = &'a [Option<String>];
 
 /// Is told how many rows are done of how many, from whichever thread, and may end the run.
-pub type Progress<'a> = dyn Fn(usize, usize) -> ControlFlow<()> + Sync + 'a;
+pub type RowProgress<'a> = dyn Fn(usize, usize) -> ControlFlow<()> + Sync + 'a;
 
 /// The schema of the results, which does not depend on the rows.
 ///
 /// ```
-/// use tables::{Job, Options, result_schema};
-/// let schema = result_schema(Job::Reconstruct, &Options { samples: Some(1000), ..Options::default() });
+/// use tables::{Job, RowOptions, result_schema};
+/// let schema = result_schema(Job::Reconstruct, &RowOptions { samples: Some(1000), ..RowOptions::default() });
 /// assert!(schema.field_with_name("vehicle1_delta_v").is_ok());
 /// assert!(schema.field_with_name("vehicle1_delta_v_p975").is_ok());
 /// ```
 #[must_use]
-pub fn result_schema(job: Job, options: &Options) -> SchemaRef {
+pub fn result_schema(job: Job, options: &RowOptions) -> SchemaRef {
     results::schema(job, options)
 }
 
@@ -96,8 +96,8 @@ pub fn columns_kept(schema: &Schema) -> Result<Vec<usize>, TableError> {
 /// As for [`run`].
 pub fn reconstruct(
     batch: &RecordBatch,
-    template: &Template,
-    options: &Options,
+    template: &RowTemplate,
+    options: &RowOptions,
 ) -> Result<RecordBatch, TableError> {
     run(Job::Reconstruct, batch, template, options, &|_, _| ControlFlow::Continue(()))
 }
@@ -108,8 +108,8 @@ pub fn reconstruct(
 /// As for [`run`].
 pub fn impact(
     batch: &RecordBatch,
-    template: &Template,
-    options: &Options,
+    template: &RowTemplate,
+    options: &RowOptions,
 ) -> Result<RecordBatch, TableError> {
     run(Job::Impact, batch, template, options, &|_, _| ControlFlow::Continue(()))
 }
@@ -118,7 +118,11 @@ pub fn impact(
 ///
 /// # Errors
 /// As for [`run`].
-pub fn crush(batch: &RecordBatch, template: &Template, options: &Options) -> Result<RecordBatch, TableError> {
+pub fn crush(
+    batch: &RecordBatch,
+    template: &RowTemplate,
+    options: &RowOptions,
+) -> Result<RecordBatch, TableError> {
     run(Job::Crush, batch, template, options, &|_, _| ControlFlow::Continue(()))
 }
 
@@ -128,8 +132,8 @@ pub fn crush(batch: &RecordBatch, template: &Template, options: &Options) -> Res
 /// As for [`run`].
 pub fn estimate(
     batch: &RecordBatch,
-    template: &Template,
-    options: &Options,
+    template: &RowTemplate,
+    options: &RowOptions,
 ) -> Result<RecordBatch, TableError> {
     run(Job::Estimate, batch, template, options, &|_, _| ControlFlow::Continue(()))
 }
@@ -146,9 +150,9 @@ pub fn estimate(
 pub fn run(
     job: Job,
     batch: &RecordBatch,
-    template: &Template,
-    options: &Options,
-    progress: &Progress<'_>,
+    template: &RowTemplate,
+    options: &RowOptions,
+    progress: &RowProgress<'_>,
 ) -> Result<RecordBatch, TableError> {
     run_with_faults(job, batch, &[], template, options, progress)
 }
@@ -161,10 +165,10 @@ pub fn run(
 pub fn run_with_faults(
     job: Job,
     batch: &RecordBatch,
-    faults: Faults<'_>,
-    template: &Template,
-    options: &Options,
-    progress: &Progress<'_>,
+    faults: RowFaults<'_>,
+    template: &RowTemplate,
+    options: &RowOptions,
+    progress: &RowProgress<'_>,
 ) -> Result<RecordBatch, TableError> {
     check(job, options)?;
     let plan = Plan::of(batch)?;
@@ -200,7 +204,7 @@ pub fn assumed_units(batch: &RecordBatch) -> Result<Vec<(String, &'static str)>,
     Ok(Plan::of(batch)?.assumed(batch.num_rows()))
 }
 
-fn check(job: Job, Options { samples, particles, .. }: &Options) -> Result<(), TableError> {
+fn check(job: Job, RowOptions { samples, particles, .. }: &RowOptions) -> Result<(), TableError> {
     match (job, samples) {
         (Job::Crush | Job::Estimate, Some(_)) => {
             return Err(TableError::Options(format!(
@@ -227,10 +231,10 @@ fn check(job: Job, Options { samples, particles, .. }: &Options) -> Result<(), T
 struct Row<'a> {
     job: Job,
     plan: &'a Plan<'a>,
-    faults: Faults<'a>,
-    template: &'a Template,
-    options: &'a Options,
-    progress: &'a Progress<'a>,
+    faults: RowFaults<'a>,
+    template: &'a RowTemplate,
+    options: &'a RowOptions,
+    progress: &'a RowProgress<'a>,
     total: usize,
     done: AtomicUsize,
     is_ended: AtomicBool,
@@ -297,7 +301,7 @@ impl Row<'_> {
             Job::Impact => analysis::impact,
             Job::Crush => analysis::crush,
             Job::Estimate => {
-                let Options { particles, prior, .. } = *self.options;
+                let RowOptions { particles, prior, .. } = *self.options;
                 let plan = EstimatePlan { particles, seed, prior, pieces: false };
                 let estimated =
                     analysis::estimate(case, &plan, &mut |_, _, _| self.goes_on()).map_err(refused)?;

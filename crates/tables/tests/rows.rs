@@ -12,10 +12,12 @@ use arrow_array::{
 use arrow_schema::{DataType, Field, Schema};
 use case::EXAMPLE;
 use proptest::prelude::*;
-use tables::{Job, Numbers, Options, TableError, Template, case_schema, columns_kept, result_schema, run};
+use tables::{
+    Job, Numbers, RowOptions, RowTemplate, TableError, case_schema, columns_kept, result_schema, run,
+};
 
-fn template() -> Template {
-    Template::parse("template.toml", EXAMPLE).unwrap()
+fn template() -> RowTemplate {
+    RowTemplate::parse("template.toml", EXAMPLE).unwrap()
 }
 
 fn doubles(values: &[Option<f64>]) -> ArrayRef {
@@ -27,7 +29,7 @@ fn batch(columns: Vec<(&str, ArrayRef)>) -> RecordBatch {
 }
 
 fn rows(job: Job, batch: &RecordBatch) -> Result<RecordBatch, TableError> {
-    run(job, batch, &template(), &Options::default(), &|_, _| ControlFlow::Continue(()))
+    run(job, batch, &template(), &RowOptions::default(), &|_, _| ControlFlow::Continue(()))
 }
 
 fn errors(results: &RecordBatch) -> Vec<Option<String>> {
@@ -198,7 +200,7 @@ fn a_table_without_rows_has_the_columns_of_results() {
     for job in Job::ALL {
         let none = batch(vec![("vehicle2.speed [mph]", Arc::new(Float64Array::from(Vec::<f64>::new())))]);
         let results = rows(job, &none).unwrap();
-        assert_eq!((results.num_rows(), results.schema()), (0, result_schema(job, &Options::default())));
+        assert_eq!((results.num_rows(), results.schema()), (0, result_schema(job, &RowOptions::default())));
         let no_columns = RecordBatch::new_empty(Arc::new(Schema::empty()));
         assert_eq!(rows(job, &no_columns).unwrap().num_rows(), 0);
     }
@@ -209,7 +211,7 @@ fn a_table_without_rows_has_the_columns_of_results() {
 fn columns_of_results_have_plain_names_and_types() {
     for job in Job::ALL {
         let samples = matches!(job, Job::Reconstruct | Job::Impact).then_some(64);
-        let schema = result_schema(job, &Options { samples, ..Options::default() });
+        let schema = result_schema(job, &RowOptions { samples, ..RowOptions::default() });
         let mut names: Vec<&str> = schema.fields().iter().map(|field| field.name().as_str()).collect();
         for field in schema.fields() {
             let is_plain =
@@ -274,7 +276,7 @@ fn own_columns_are_kept_and_do_not_matter() {
 #[test]
 fn a_run_can_be_ended() {
     let many = batch(vec![("vehicle2.speed [mph]", doubles(&vec![Some(9.0); 10_000]))]);
-    let ended = run(Job::Reconstruct, &many, &template(), &Options::default(), &|done, _| {
+    let ended = run(Job::Reconstruct, &many, &template(), &RowOptions::default(), &|done, _| {
         if done >= 50 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     });
     let Err(TableError::Ended { finished, total: 10_000 }) = ended else { panic!("{ended:?}") };
@@ -287,14 +289,15 @@ fn a_run_can_be_ended() {
 #[test]
 fn options_that_make_no_sense_are_refused() {
     let one = batch(vec![("vehicle2.speed [mph]", doubles(&[Some(9.0)]))]);
-    let refused = |job: Job, options: Options| {
+    let refused = |job: Job, options: RowOptions| {
         run(job, &one, &template(), &options, &|_, _| ControlFlow::Continue(())).unwrap_err().to_string()
     };
-    let samples = |samples: usize| Options { samples: Some(samples), ..Options::default() };
+    let samples = |samples: usize| RowOptions { samples: Some(samples), ..RowOptions::default() };
     assert!(refused(Job::Crush, samples(1000)).contains("the job is crush: leave them out"));
     assert!(refused(Job::Reconstruct, samples(1)).contains("too few"));
     assert!(
-        refused(Job::Estimate, Options { particles: 100, ..Options::default() }).contains("multiple of 128")
+        refused(Job::Estimate, RowOptions { particles: 100, ..RowOptions::default() })
+            .contains("multiple of 128")
     );
 }
 
@@ -320,8 +323,8 @@ proptest! {
     /// Neither its neighbours, nor its place, nor the batch: a row is what it is alone.
     #[test]
     fn rows_do_not_know_each_other(rows in speeds_and_masses(), at in 0_usize..24) {
-        let options = Options { samples: Some(64), ..Options::default() };
-        let template = Template::parse("t.toml", &EXAMPLE.replace("\"10 mph\"", "{ value = \"10 mph\", sd = \"1 mph\" }").replace("weight      = \"3696 lb\"", "weight = { value = \"3696 lb\", sd = \"50 lb\" }")).unwrap();
+        let options = RowOptions { samples: Some(64), ..RowOptions::default() };
+        let template = RowTemplate::parse("t.toml", &EXAMPLE.replace("\"10 mph\"", "{ value = \"10 mph\", sd = \"1 mph\" }").replace("weight      = \"3696 lb\"", "weight = { value = \"3696 lb\", sd = \"50 lb\" }")).unwrap();
         let solve = |rows: &[(Option<f64>, Option<f64>, Option<i64>)]| {
             run(Job::Reconstruct, &table_of(rows), &template, &options, &|_, _| ControlFlow::Continue(())).unwrap()
         };

@@ -8,7 +8,7 @@ use case::{Case, CaseFile};
 use report::{PROGRAM, Units};
 use serde_json::Value as Json;
 use std::ops::ControlFlow;
-use tables::{Job, Options, Template, run};
+use tables::{Job, RowOptions, RowTemplate, run};
 use uncertainty::{SamplingMethod, Settings};
 
 use crate::fixtures::{self, Fixture, in_si, toml};
@@ -22,8 +22,8 @@ const JOBS: [(Job, Solve); 3] = [
     (Job::Crush, analysis::crush),
 ];
 
-fn rows(job: Job, batch: &RecordBatch, options: &Options) -> RecordBatch {
-    run(job, batch, &Template::default(), options, &|_, _| ControlFlow::Continue(())).unwrap()
+fn rows(job: Job, batch: &RecordBatch, options: &RowOptions) -> RecordBatch {
+    run(job, batch, &RowTemplate::default(), options, &|_, _| ControlFlow::Continue(())).unwrap()
 }
 
 fn text(results: &RecordBatch, column: &str, row: usize) -> Option<String> {
@@ -136,7 +136,7 @@ fn nested_rows_are_the_program() {
     let batch = nested(&values.iter().collect::<Vec<_>>());
     let mut numbers = 0;
     for (job, analyse) in JOBS {
-        let results = rows(job, &batch, &Options::default());
+        let results = rows(job, &batch, &RowOptions::default());
         assert_eq!(results.num_rows(), fixtures.len());
         for (row, (fixture, values)) in fixtures.iter().zip(&values).enumerate() {
             numbers += compare(&fixture.name, job, &results, row, &program(&toml(values), analyse));
@@ -153,7 +153,7 @@ fn flat_rows_are_the_program() {
         for names in [Names::Dotted, Names::Underscored, Names::Texts] {
             let batch = flat(&values, names);
             for (job, analyse) in JOBS {
-                let results = rows(job, &batch, &Options::default());
+                let results = rows(job, &batch, &RowOptions::default());
                 numbers += compare(&name, job, &results, 0, &program(&text, analyse));
             }
         }
@@ -167,10 +167,11 @@ fn a_template_is_the_program() {
     let empty = arrow_array::new_null_array(&arrow_schema::DataType::Null, 2);
     let batch = RecordBatch::try_from_iter([("seed", empty)]).unwrap();
     for Fixture { name, text, .. } in fixtures::all() {
-        let template = Template::parse(&name, &text).unwrap();
+        let template = RowTemplate::parse(&name, &text).unwrap();
         for (job, analyse) in JOBS {
             let results =
-                run(job, &batch, &template, &Options::default(), &|_, _| ControlFlow::Continue(())).unwrap();
+                run(job, &batch, &template, &RowOptions::default(), &|_, _| ControlFlow::Continue(()))
+                    .unwrap();
             compare(&name, job, &results, 1, &program(&text, analyse));
         }
     }
@@ -191,7 +192,7 @@ fn intervals_are_the_program() {
         let of_program = of_program.unwrap();
         let json: Json =
             serde_json::from_str(&report::uncertainty_json(&file, &of_program).unwrap()).unwrap();
-        let options = Options { samples: Some(200), seed: 7, ..Options::default() };
+        let options = RowOptions { samples: Some(200), seed: 7, ..RowOptions::default() };
         let results = rows(Job::Reconstruct, &flat(&values, Names::Dotted), &options);
         for (path, output) in json["outputs"].as_object().unwrap() {
             for (statistic, pointer) in [
@@ -216,7 +217,7 @@ fn intervals_are_the_program() {
 fn an_estimate_is_the_program() {
     let Fixture { text, values, .. } = fixtures::one("estimate.toml");
     let file = CaseFile::parse("case.toml", &text).unwrap();
-    let options = Options { particles: 128, seed: 3, ..Options::default() };
+    let options = RowOptions { particles: 128, seed: 3, ..RowOptions::default() };
     let plan = analysis::EstimatePlan { particles: 128, seed: 3, prior: None, pieces: false };
     let estimated = analysis::estimate(&file.case, &plan, &mut |_, _, _| ControlFlow::Continue(())).unwrap();
     let asked = report::Asked { plan, questions: Vec::new() };

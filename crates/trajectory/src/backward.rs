@@ -108,7 +108,7 @@ pub struct Target {
 
 /// One motion after the impact that leads to the rest.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Departure {
+pub struct StartMotion {
     /// Velocity and yaw rate at separation.
     pub motion: Motion<f64>,
     /// (rad) how far the vehicle turns on its way.
@@ -125,27 +125,27 @@ pub struct Departure {
 /// then with the least turn.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Starts {
-    found: [Option<Departure>; MOST_STARTS],
+    found: [Option<StartMotion>; MOST_STARTS],
 }
 
 impl Starts {
     /// The likeliest.
     #[must_use]
-    pub fn first(&self) -> Option<&Departure> {
+    pub fn first(&self) -> Option<&StartMotion> {
         self.iter().next()
     }
 
     /// All of them.
-    pub fn iter(&self) -> impl Iterator<Item = &Departure> {
+    pub fn iter(&self) -> impl Iterator<Item = &StartMotion> {
         self.found.iter().flatten()
     }
 
     /// Puts one in its place, unless it is there already or the list is full of likelier ones.
-    fn insert(&mut self, departure: Departure) {
+    fn insert(&mut self, departure: StartMotion) {
         if self.iter().any(|other| same(&other.motion, &departure.motion)) {
             return;
         }
-        let rank = |departure: &Departure| [departure.via_miss.unwrap_or(0.0), departure.turn.abs()];
+        let rank = |departure: &StartMotion| [departure.via_miss.unwrap_or(0.0), departure.turn.abs()];
         let mut carried = Some(departure);
         for place in &mut self.found {
             let later = match (&carried, &*place) {
@@ -243,7 +243,7 @@ pub fn to_start_near(
     target: &Target,
     control: &Control,
     guess: &Motion<f64>,
-) -> Result<Departure, Unreached> {
+) -> Result<StartMotion, Unreached> {
     let search = Search::new(chassis, steer, ground, position, heading, target, control)?;
     check::finite("velocity along x of the guess", guess.velocity.x)?;
     check::finite("velocity along y of the guess", guess.velocity.y)?;
@@ -391,7 +391,7 @@ impl<'a> Search<'a> {
         }
         match (nearest, refusal) {
             (Some(nearest), _) => {
-                let Departure { motion, miss, rest, .. } = self.departure(&nearest);
+                let StartMotion { motion, miss, rest, .. } = self.departure(&nearest);
                 Err(Unreached::Missed { motion, position: rest.position, heading: rest.heading, miss })
             }
             (None, Some(no_rest)) => Err(Unreached::NeverRests(no_rest)),
@@ -626,9 +626,9 @@ impl<'a> Search<'a> {
         None
     }
 
-    fn departure(&self, found: &Try) -> Departure {
+    fn departure(&self, found: &Try) -> StartMotion {
         let [vx, vy, yaw_rate] = found.w;
-        Departure {
+        StartMotion {
             motion: Motion { velocity: Vector2::new(vx, vy), yaw_rate },
             turn: found.rest.heading - self.heading,
             miss: found.size(),

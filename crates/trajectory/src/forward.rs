@@ -11,7 +11,7 @@ use crate::footing::{Crossing, Footing, Pose};
 use crate::ground::Ground;
 use crate::number::Direction;
 use crate::progress::{Outlook, Pace, Progress, error_squared};
-use crate::state::{Control, EnergyBalance, Rest, Sample, State};
+use crate::state::{Control, MotionEnergy, Rest, Sample, State};
 use crate::steer::Steer;
 use crate::step::{Phase, Start, Steering, Step};
 
@@ -246,7 +246,7 @@ impl<'a, T: Real + From<G>, G: Real> Run<'a, T, G> {
             heading,
             time: self.now.time,
             distance: self.now.distance,
-            energy: EnergyBalance { start: kinetic, friction, grade, remainder: kinetic + grade - friction },
+            energy: MotionEnergy { start: kinetic, friction, grade, remainder: kinetic + grade - friction },
             steps: self.steps,
         }
     }

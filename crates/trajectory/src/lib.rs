@@ -53,7 +53,7 @@
 //! - With the default [`Control`] the rest of 950 of 1000 random spin-outs of five to seven seconds is exact
 //!   to 4 mm and 0.03°, of 992 to 1 cm and 0.1°, of all to 7 cm and 0.4°. With a tolerance of 5e-4, which
 //!   takes two thirds of the steps, that of 869 is exact to 1 cm and 0.1°, and of 974 of 1000 that spin like
-//!   RICSAC 6. Four times the steps make it 100 times better. [`EnergyBalance::remainder`] tells the error of
+//!   RICSAC 6. Four times the steps make it 100 times better. [`MotionEnergy::remainder`] tells the error of
 //!   each run.
 //! - Of 300 vehicles that roll far, up to 700 m at drags of 0.005 to 0.05, the rest is exact to 0.03 % of the
 //!   path; of 300 that do so with the front wheels steered by up to 6°, to 0.1 % for 285, to 0.13 % for all.
@@ -100,7 +100,7 @@ mod steer;
 mod step;
 mod tyre;
 
-pub use backward::{Departure, MOST_STARTS, REACHED, Starts, Target, Unreached, to_start, to_start_near};
+pub use backward::{MOST_STARTS, REACHED, StartMotion, Starts, Target, Unreached, to_start, to_start_near};
 #[cfg(feature = "std")]
 pub use block::{Outset, to_rests};
 pub use chassis::{Axles, Chassis, GREATEST_DRAG, Wheel};
@@ -110,6 +110,6 @@ pub use forward::to_rest;
 pub use ground::{GREATEST_FRICTION, GREATEST_GRADE, Ground, Region, Zone};
 pub use pim_core::{Body, InvalidInput, Motion, Vector2};
 pub use real::Real;
-pub use state::{Control, EnergyBalance, Rest, Sample, State};
+pub use state::{Control, MotionEnergy, Rest, Sample, State};
 pub use steer::Steer;
 pub use tyre::CORNERING_STIFFNESS;

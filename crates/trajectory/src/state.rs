@@ -86,7 +86,7 @@ pub(crate) fn cubic<T: Real>(s: T, span: T, [p0, p1]: [T; 2], [v0, v1]: [T; 2]) 
 /// Where the kinetic energy went.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-pub struct EnergyBalance<T = f64> {
+pub struct MotionEnergy<T = f64> {
     /// (J) kinetic energy at the start.
     pub start: T,
     /// (J) taken by the tyres.
@@ -109,7 +109,7 @@ pub struct Rest<T = f64> {
     /// (m) length of the path of the CG.
     pub distance: T,
     /// Where the kinetic energy went.
-    pub energy: EnergyBalance<T>,
+    pub energy: MotionEnergy<T>,
     /// Steps of the integration, with those that were tried in vain.
     pub steps: u32,
 }
@@ -117,13 +117,13 @@ pub struct Rest<T = f64> {
 impl<T: Real> Rest<T> {
     /// The plain numbers, without derivatives.
     pub(crate) fn values(&self) -> Rest<f64> {
-        let EnergyBalance { start, friction, grade, remainder } = self.energy;
+        let MotionEnergy { start, friction, grade, remainder } = self.energy;
         Rest {
             position: Vector2::new(self.position.x.value(), self.position.y.value()),
             heading: self.heading.value(),
             time: self.time.value(),
             distance: self.distance.value(),
-            energy: EnergyBalance {
+            energy: MotionEnergy {
                 start: start.value(),
                 friction: friction.value(),
                 grade: grade.value(),

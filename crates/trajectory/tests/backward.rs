@@ -1,7 +1,7 @@
 //! Backward after forward.
 
 use trajectory::{
-    Chassis, Control, Departure, Ground, REACHED, Region, State, Steer, Target, Unreached, Vector2, Zone,
+    Chassis, Control, Ground, REACHED, Region, StartMotion, State, Steer, Target, Unreached, Vector2, Zone,
     to_rest, to_start,
 };
 
@@ -21,7 +21,7 @@ fn a_start_of_every_rest_is_found() {
         let starts = to_start(&chassis, Steer::straight(), &ground, position, heading, &target, &control)
             .unwrap_or_else(|refusal| panic!("{n}: {refusal}"));
         rough += usize::from(starts.first().unwrap().miss > 0.5 * REACHED * control.tolerance);
-        let off = |found: &Departure| {
+        let off = |found: &StartMotion| {
             let dv = found.motion.velocity - start.motion.velocity;
             f64::hypot(dv.x, dv.y).max((found.motion.yaw_rate - start.motion.yaw_rate).abs())
         };

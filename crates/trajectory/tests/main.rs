@@ -8,6 +8,8 @@ mod block;
 #[cfg(test)]
 mod closed_forms;
 #[cfg(test)]
+mod examples;
+#[cfg(test)]
 mod integration;
 #[cfg(test)]
 mod ricsac;

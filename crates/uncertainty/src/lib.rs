@@ -55,8 +55,8 @@
 //! - Samples without an answer are counted by reason. An output that is infinite or NaN counts as a failure.
 //! - A run that is ended early leaves the first samples of the whole run, evenly from all replicates.
 //! - Medians and intervals are exact order statistics.
-//! - Every output of every sample is kept, eight bytes each, and no input: [`MAX_SAMPLES`] samples of thirteen
-//!   outputs take a gigabyte.
+//! - Every output of every sample is kept, eight bytes each, and no input: [`MAX_SAMPLES`] samples of
+//!   thirteen outputs take a gigabyte.
 //!
 //! # Threads
 //!

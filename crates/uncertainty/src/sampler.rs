@@ -29,8 +29,8 @@ impl Settings {
     }
 }
 
-/// Generates the inputs of the samples of [`crate::propagate`] again, for a caller that writes them to a file:
-/// the propagation keeps the outputs alone.
+/// Generates the inputs of the samples of [`crate::propagate`] again, for a caller that writes them to a
+/// file: the propagation keeps the outputs alone.
 #[derive(Clone, Debug)]
 pub struct Sampler<'a> {
     inputs: &'a [Distribution],

@@ -5,7 +5,7 @@
 
 use std::error::Error;
 
-use validation::{AfterImpact, Assumed, Data, judge_speeds_assuming};
+use validation::{AfterImpact, AssumedErrors, Data, judge_speeds_assuming};
 
 /// (–) in place of a spread.
 const NEXT_TO_NOTHING: f64 = 0.02;
@@ -13,7 +13,7 @@ const NEXT_TO_NOTHING: f64 = 0.02;
 const DEGREE: f64 = std::f64::consts::PI / 180.0;
 
 /// An error, and how it is reduced.
-type Source = (&'static str, fn(&mut Assumed));
+type Source = (&'static str, fn(&mut AssumedErrors));
 
 const ERRORS: [Source; 11] = [
     ("none", |_| {}),
@@ -42,7 +42,7 @@ pub(crate) fn main() -> Result<(), Box<dyn Error>> {
     println!("Crush and velocities after the impact, with one error reduced to next to nothing");
     println!("{:44} half width  largest  inside", "error that is reduced");
     for (name, reduce) in ERRORS {
-        let mut assumed = Assumed::STATED;
+        let mut assumed = AssumedErrors::STATED;
         reduce(&mut assumed);
         let judgement = judge_speeds_assuming(&Data::built_in(), AfterImpact::Velocities, &assumed, 512, 1)?;
         let [mean, largest] = judgement.half_widths().map(|share| 100.0 * share);

@@ -6,7 +6,7 @@ use case::CaseFile;
 use crate::Data;
 use crate::claim::Cell;
 use crate::error::ValidationError;
-use crate::published::{Key, Published, Unit};
+use crate::published::{Key, PrintedUnit, Published};
 
 /// A figure of the paper's appendix.
 #[derive(Clone, Debug, PartialEq)]
@@ -14,7 +14,7 @@ pub struct AppendixFigure {
     /// What it is.
     pub quantity: String,
     /// The unit in which the paper prints it.
-    pub unit: Unit,
+    pub unit: PrintedUnit,
     /// The figure, in SI units.
     pub cell: Cell,
 }

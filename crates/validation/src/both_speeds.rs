@@ -22,7 +22,7 @@ const ANY_ARM: f64 = 1.5;
 
 /// What gives both speeds, besides the masses and the headings.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Evidence {
+pub enum SpeedEvidence {
     /// The velocities after the impact: the approaches cross.
     Momentum,
     /// The velocities after the impact and the crush energy: the approaches are collinear.
@@ -35,7 +35,7 @@ pub struct BothSpeedsRow {
     /// The test.
     pub test: u8,
     /// What gave the speeds.
-    pub evidence: Evidence,
+    pub evidence: SpeedEvidence,
     /// (m/s) true speeds along the headings.
     pub true_speeds: [f64; 2],
     /// (m/s) the speeds found.
@@ -66,7 +66,7 @@ pub struct FromRestRow {
     /// How the velocities after the impact were found.
     pub method: RestMethod,
     /// What gave the speeds before it.
-    pub evidence: Evidence,
+    pub evidence: SpeedEvidence,
     /// (–) drag of each wheel: the mean of those fitted to the other tests.
     pub drag: f64,
     /// (m/s) speeds after the impact.
@@ -102,7 +102,7 @@ pub struct BothSpeedErrors {
 }
 
 pub(crate) fn both_speed_errors(rows: &[BothSpeedsRow]) -> BothSpeedErrors {
-    let rate = |of: Option<Evidence>| {
+    let rate = |of: Option<SpeedEvidence>| {
         let errors: Vec<(f64, Option<f64>)> = rows
             .iter()
             .filter(|row| of.is_none_or(|evidence| row.evidence == evidence))
@@ -113,8 +113,8 @@ pub(crate) fn both_speed_errors(rows: &[BothSpeedsRow]) -> BothSpeedErrors {
         [ErrorRate::of(&absolute), ErrorRate::of(&relative)]
     };
     let [all, all_relative] = rate(None);
-    let [momentum, momentum_relative] = rate(Some(Evidence::Momentum));
-    let [momentum_and_crush, momentum_and_crush_relative] = rate(Some(Evidence::MomentumAndCrush));
+    let [momentum, momentum_relative] = rate(Some(SpeedEvidence::Momentum));
+    let [momentum_and_crush, momentum_and_crush_relative] = rate(Some(SpeedEvidence::MomentumAndCrush));
     BothSpeedErrors {
         all,
         all_relative,
@@ -158,10 +158,10 @@ pub(crate) fn both_speeds(scene: &Scene, staged: &[Staged]) -> Result<Vec<BothSp
 
 /// (m/s) both speeds by momentum alone where the approaches cross, else with the crush energy of the
 /// published profiles.
-fn solved(momentum: Momentum, staged: &Staged) -> Result<(Evidence, [f64; 2]), ValidationError> {
+fn solved(momentum: Momentum, staged: &Staged) -> Result<(SpeedEvidence, [f64; 2]), ValidationError> {
     let failed = |source| ValidationError::Momentum { test: staged.printed.test, source };
     if !momentum.is_collinear() {
-        return Ok((Evidence::Momentum, momentum.speeds().map_err(failed)?));
+        return Ok((SpeedEvidence::Momentum, momentum.speeds().map_err(failed)?));
     }
     let law = staged.collision()?.law;
     let [e1, e2] = staged.from_profiles;
@@ -169,7 +169,7 @@ fn solved(momentum: Momentum, staged: &Staged) -> Result<(Evidence, [f64; 2]), V
     // As everywhere here, the crush energy is the work of the normal impulse alone: λ = 0.
     let solver = MomentumAndCrush::new(momentum, axis, law.into(), e1 + e2, EnergyBasis::Dissipated, 0.0);
     let answer = solver.and_then(|solver| solver.solve()).map_err(failed)?;
-    Ok((Evidence::MomentumAndCrush, answer.speeds))
+    Ok((SpeedEvidence::MomentumAndCrush, answer.speeds))
 }
 
 /// Both speeds of every test both of whose vehicles came to rest undisturbed.
@@ -197,7 +197,7 @@ pub(crate) fn from_rest(scene: &Scene, staged: &[Staged]) -> Result<Vec<FromRest
                 rows.push(FromRestRow {
                     test,
                     method,
-                    evidence: Evidence::Momentum,
+                    evidence: SpeedEvidence::Momentum,
                     drag,
                     after: [speed_1, speed_2],
                     true_speeds: collided.true_speeds,

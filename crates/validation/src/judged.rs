@@ -16,7 +16,7 @@
 //! The yaw rate has an error for which no source was found: most of it is that of the model, whose impulse
 //! acts at one point. It is fitted to the other ten tests, with their true speeds given.
 
-use estimate::{Posterior, Quantity, Settings, Verdict, sample_quietly};
+use estimate::{DrawnQuantity, Posterior, Settings, Verdict, sample_quietly};
 use evidence::{
     After, BodyNumbers, Collision, Crush, Damage, FITTED, Fitted, Measured, MeasuredSpeed, Model, Number,
     Observed, ObservedVehicle, Output, Speeds, Vehicle,
@@ -41,7 +41,7 @@ const NINETY_FIVE: usize = 3;
 
 /// The errors of what is known of a test.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Assumed {
+pub struct AssumedErrors {
     /// (–) spread of the logarithm of a published speed after the impact.
     pub speed_ln_sd: f64,
     /// (rad) spread of its direction.
@@ -51,7 +51,7 @@ pub struct Assumed {
     pub fitted: Fitted,
 }
 
-impl Assumed {
+impl AssumedErrors {
     /// Those of the table above.
     pub const STATED: Self = Self {
         speed_ln_sd: 0.12,
@@ -119,12 +119,12 @@ pub struct JudgedTest {
 
 /// All tests, judged.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Judgement {
+pub struct JudgedTests {
     /// Each test.
     pub tests: Vec<JudgedTest>,
 }
 
-impl Judgement {
+impl JudgedTests {
     /// Each speed.
     pub fn speeds(&self) -> impl Iterator<Item = &JudgedSpeed> {
         self.tests.iter().flat_map(|test| &test.speeds)
@@ -158,8 +158,8 @@ pub fn judge_speeds(
     after_impact: AfterImpact,
     particles: usize,
     seed: u64,
-) -> Result<Judgement, ValidationError> {
-    judge_speeds_assuming(data, after_impact, &Assumed::STATED, particles, seed)
+) -> Result<JudgedTests, ValidationError> {
+    judge_speeds_assuming(data, after_impact, &AssumedErrors::STATED, particles, seed)
 }
 
 /// The same with other errors, to see which of them makes the intervals wide.
@@ -169,10 +169,10 @@ pub fn judge_speeds(
 pub fn judge_speeds_assuming(
     data: &Data,
     after_impact: AfterImpact,
-    assumed: &Assumed,
+    assumed: &AssumedErrors,
     particles: usize,
     seed: u64,
-) -> Result<Judgement, ValidationError> {
+) -> Result<JudgedTests, ValidationError> {
     let (published, scene) = (Published::read(data)?, Scene::read(data)?);
     let subjects = published.collision.iter().map(|printed| {
         let staged = Staged::run(data, printed)?;
@@ -187,14 +187,14 @@ pub fn judge_speeds_assuming(
         }
     };
     let judged = subjects.iter().zip(yaw_rate_sds).map(|(subject, sd)| subject.judge(sd, assumed, &settings));
-    Ok(Judgement { tests: judged.collect::<Result<_, _>>()? })
+    Ok(JudgedTests { tests: judged.collect::<Result<_, _>>()? })
 }
 
 /// (rad/s) for each test, the spread of the yaw rates with which the others are likeliest at their true
 /// speeds.
 fn yaw_rate_sds_of_others(
     subjects: &[Subject],
-    assumed: &Assumed,
+    assumed: &AssumedErrors,
     settings: &Settings,
 ) -> Result<Vec<f64>, ValidationError> {
     let mut of_sds = Vec::new();
@@ -275,13 +275,13 @@ impl Subject {
     fn judge(
         &self,
         yaw_rate_sd: Option<f64>,
-        assumed: &Assumed,
+        assumed: &AssumedErrors,
         settings: &Settings,
     ) -> Result<JudgedTest, ValidationError> {
         let posterior = self.posterior(&self.collision(yaw_rate_sd, false, assumed)?, settings)?;
         let moved = VehicleId::ALL.into_iter().zip(self.true_speeds).filter(|(_, speed)| *speed > STOOD);
         let speeds = moved.map(|(vehicle, true_speed)| {
-            let summary = posterior.summary(Quantity::Output(Output::Speed(vehicle).column()));
+            let summary = posterior.summary(DrawnQuantity::Output(Output::Speed(vehicle).column()));
             let interval = summary.intervals[NINETY_FIVE];
             JudgedSpeed {
                 vehicle,
@@ -304,7 +304,7 @@ impl Subject {
         &self,
         yaw_rate_sd: Option<f64>,
         are_known: bool,
-        &Assumed { speed_ln_sd, direction_sd, fitted }: &Assumed,
+        &AssumedErrors { speed_ln_sd, direction_sd, fitted }: &AssumedErrors,
     ) -> Result<Collision, ValidationError> {
         let test = self.test;
         let unknown = |distribution: Result<Distribution, InvalidDistribution>| {
@@ -363,11 +363,11 @@ impl Subject {
 
 #[cfg(test)]
 mod tests {
-    use estimate::{Quantity, Settings};
+    use estimate::{DrawnQuantity, Settings};
     use evidence::Output;
     use pim_core::VehicleId;
 
-    use super::{Assumed, Subject};
+    use super::{AssumedErrors, Subject};
     use crate::Data;
     use crate::published::Published;
     use crate::scene::Scene;
@@ -386,10 +386,10 @@ mod tests {
                 let sum = crush.constant + crush.linear + crush.square;
                 assert!((sum - energy).abs() < 1e-9 * energy, "test {}: {sum} is not {energy}", subject.test);
             }
-            let known = subject.collision(None, true, &Assumed::STATED).unwrap();
+            let known = subject.collision(None, true, &AssumedErrors::STATED).unwrap();
             let posterior = subject.posterior(&known, &Settings::new(128, 1)).unwrap();
             for id in VehicleId::ALL {
-                let speed = posterior.summary(Quantity::Output(Output::Speed(id).column())).median.value;
+                let speed = posterior.summary(DrawnQuantity::Output(Output::Speed(id).column())).median.value;
                 assert!(
                     (speed - subject.true_speeds[id.index()]).abs() < 1e-9,
                     "test {}: {speed}",

@@ -44,19 +44,19 @@ mod statistics;
 mod tables;
 
 pub use appendix::AppendixFigure;
-pub use both_speeds::{BothSpeedErrors, BothSpeedsRow, Evidence, FromRestRow, RestMethod, speed_error};
+pub use both_speeds::{BothSpeedErrors, BothSpeedsRow, FromRestRow, RestMethod, SpeedEvidence, speed_error};
 pub use claim::{Cell, Claim, Erratum};
 pub use data::Data;
 pub use error::ValidationError;
 pub use judged::{
-    AfterImpact, Assumed, JudgedSpeed, JudgedTest, Judgement, judge_speeds, judge_speeds_assuming,
+    AfterImpact, AssumedErrors, JudgedSpeed, JudgedTest, JudgedTests, judge_speeds, judge_speeds_assuming,
 };
 pub use motion::{FoundStart, MotionRow, ReturnRow, Simulation};
-pub use published::{DEGREE, FOOT_PER_SECOND, FOOT_POUND, Unit};
+pub use published::{DEGREE, FOOT_PER_SECOND, FOOT_POUND, PrintedUnit};
 pub use reconstruction::{Choices, Reconstruction, SpeedErrors, TurnedPdof};
 pub use shares::{SHARES, ShareRow};
 pub use statistics::ErrorRate;
-pub use tables::{DeltaVErrors, EnergyRow, Method, Row, Table1Row, Table2Row, Table3Rms, Table3Row};
+pub use tables::{DeltaVErrors, DeltaVRow, EnergyRow, Method, Table1Row, Table2Row, Table3Rms, Table3Row};
 
 use pim_core::VehicleId;
 use published::Published;

@@ -1,7 +1,7 @@
 //! Vehicles followed from the published velocities after the impact to rest, and back.
 
 use pim_core::{Motion, Vector2, VehicleId};
-use trajectory::{Chassis, Control, Departure, Ground, Starts, State, Steer, Target, to_rest, to_start};
+use trajectory::{Chassis, Control, Ground, StartMotion, Starts, State, Steer, Target, to_rest, to_start};
 
 use crate::claim::Cell;
 use crate::error::ValidationError;
@@ -222,7 +222,7 @@ fn return_row(
     let rest = way.rest;
     let (speed, direction) = length_and_direction(motion.velocity);
     let own = Target { position: ours.position, heading: ours.heading, turns_known: true, via: None };
-    let found_speed = |departure: &Departure| length_and_direction(departure.motion.velocity).0;
+    let found_speed = |departure: &StartMotion| length_and_direction(departure.motion.velocity).0;
     let off = |found: &f64| (found - speed).abs();
     let round_trip = way
         .starts(&own)?

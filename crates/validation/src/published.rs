@@ -118,7 +118,7 @@ impl Table3 {
 pub(crate) struct Figure {
     pub(crate) key: Key,
     pub(crate) quantity: String,
-    pub(crate) unit: Unit,
+    pub(crate) unit: PrintedUnit,
     value: f64,
     tolerance: Option<f64>,
     printed: Option<String>,
@@ -199,7 +199,7 @@ pub(crate) enum Key {
 
 /// A unit that the appendix prints.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
-pub enum Unit {
+pub enum PrintedUnit {
     /// J, printed as N-m.
     #[serde(rename = "J")]
     Joule,
@@ -223,7 +223,7 @@ pub enum Unit {
     One,
 }
 
-impl Unit {
+impl PrintedUnit {
     /// The unit in SI.
     #[must_use]
     pub fn size(self) -> f64 {

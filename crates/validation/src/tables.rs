@@ -44,7 +44,7 @@ const TEST_9_TANGENTIAL: &str = "2.5 % off, more than the precision of d_1, d_2 
 
 /// A row of the paper's Table 2.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Row {
+pub enum DeltaVRow {
     /// PIM: from the work of the normal impulse.
     PimCrush,
     /// PIM: of the impact.
@@ -65,7 +65,7 @@ pub struct Table2Row {
     /// The test.
     pub test: u8,
     /// Which row.
-    pub row: Row,
+    pub row: DeltaVRow,
     /// (m/s) velocity changes of vehicle 1 and vehicle 2.
     pub cells: [Cell; 2],
     /// (m/s) what was measured.
@@ -85,7 +85,7 @@ pub(crate) fn table2(staged: &Staged) -> Result<Vec<Table2Row>, ValidationError>
         move |_: f64| Claim::KnownDifference { reason: reason.clone() }
     };
     let measured = speeds(printed.measured);
-    let row = |row: Row, ours: [f64; 2], paper: [f64; 2], claim: &dyn Fn(f64) -> Claim| {
+    let row = |row: DeltaVRow, ours: [f64; 2], paper: [f64; 2], claim: &dyn Fn(f64) -> Claim| {
         let cell = |i: usize| {
             let paper = speeds(paper)[i];
             Cell { ours: ours[i], paper, erratum: None, claim: claim(paper) }
@@ -96,20 +96,20 @@ pub(crate) fn table2(staged: &Staged) -> Result<Vec<Table2Row>, ValidationError>
     let of_profiles = |paper: f64| Claim::Reproduces { tolerance: PROFILES * paper + ROUNDED };
     let implied_tolerance = if test == 4 { TEST_4_TABLE_2 } else { TENTH };
     Ok(vec![
-        row(Row::PimCrush, staged.crush_delta_v()?, printed.pim_crush, &within(TENTH)),
-        row(Row::PimTotal, total, printed.pim_total, &within(TENTH)),
+        row(DeltaVRow::PimCrush, staged.crush_delta_v()?, printed.pim_crush, &within(TENTH)),
+        row(DeltaVRow::PimTotal, total, printed.pim_total, &within(TENTH)),
         if KNOWN_STIFFNESS.contains(&test) {
-            row(Row::CrashUncorrected, profiles.uncorrected, printed.crash_uncorrected, &of_profiles)
+            row(DeltaVRow::CrashUncorrected, profiles.uncorrected, printed.crash_uncorrected, &of_profiles)
         } else {
             row(
-                Row::CrashUncorrected,
+                DeltaVRow::CrashUncorrected,
                 profiles.uncorrected,
                 printed.crash_uncorrected,
                 &known(STIFFNESS_UNKNOWN),
             )
         },
         row(
-            Row::CrashCorrected,
+            DeltaVRow::CrashCorrected,
             profiles.corrected,
             printed.crash_corrected,
             &known(match (KNOWN_STIFFNESS.contains(&test), in_table3) {
@@ -120,16 +120,21 @@ pub(crate) fn table2(staged: &Staged) -> Result<Vec<Table2Row>, ValidationError>
         ),
         if test == 11 {
             let claim = known(NOT_IN_RATIO);
-            row(Row::CrashUncorrectedImplied, implied.uncorrected, printed.crash_uncorrected, &claim)
+            row(DeltaVRow::CrashUncorrectedImplied, implied.uncorrected, printed.crash_uncorrected, &claim)
         } else {
             let claim = within(implied_tolerance);
-            row(Row::CrashUncorrectedImplied, implied.uncorrected, printed.crash_uncorrected, &claim)
+            row(DeltaVRow::CrashUncorrectedImplied, implied.uncorrected, printed.crash_uncorrected, &claim)
         },
         if in_table3 {
             let claim = within(implied_tolerance);
-            row(Row::CrashCorrectedImplied, implied.corrected, printed.crash_corrected, &claim)
+            row(DeltaVRow::CrashCorrectedImplied, implied.corrected, printed.crash_corrected, &claim)
         } else {
-            row(Row::CrashCorrectedImplied, implied.corrected, printed.crash_corrected, &known(SPLIT_UNKNOWN))
+            row(
+                DeltaVRow::CrashCorrectedImplied,
+                implied.corrected,
+                printed.crash_corrected,
+                &known(SPLIT_UNKNOWN),
+            )
         },
     ])
 }
@@ -161,7 +166,7 @@ pub struct Table1Row {
 }
 
 /// (m/s) errors of one row of Table 2: ours and the paper's, each less what was measured.
-fn errors(table2: &[Table2Row], tests: &[u8], row: Row, of: impl Fn(&Cell) -> f64) -> Vec<f64> {
+fn errors(table2: &[Table2Row], tests: &[u8], row: DeltaVRow, of: impl Fn(&Cell) -> f64) -> Vec<f64> {
     table2
         .iter()
         .filter(|line| line.row == row && tests.contains(&line.test))
@@ -173,8 +178,8 @@ pub(crate) fn table1(published: &Published, table2: &[Table2Row]) -> Vec<Table1R
     let mut rows = Vec::new();
     for geometry in &published.table1 {
         let tests = &geometry.tests;
-        let of = |row: Row| rms(&errors(table2, tests, row, |cell| cell.ours));
-        let paper = |row: Row, printed: f64| {
+        let of = |row: DeltaVRow| rms(&errors(table2, tests, row, |cell| cell.ours));
+        let paper = |row: DeltaVRow, printed: f64| {
             let computed = rms(&errors(table2, tests, row, |cell| cell.paper));
             Cell::claimed(computed, printed * FOOT_PER_SECOND, TABLE_1)
         };
@@ -182,17 +187,17 @@ pub(crate) fn table1(published: &Published, table2: &[Table2Row]) -> Vec<Table1R
             geometry: geometry.geometry.clone(),
             tests: tests.clone(),
             method: Method::Pim,
-            ours: of(Row::PimTotal),
+            ours: of(DeltaVRow::PimTotal),
             ours_implied: None,
-            paper_rows: paper(Row::PimTotal, geometry.pim),
+            paper_rows: paper(DeltaVRow::PimTotal, geometry.pim),
         });
         rows.push(Table1Row {
             geometry: geometry.geometry.clone(),
             tests: tests.clone(),
             method: Method::Crash3,
-            ours: of(Row::CrashCorrected),
-            ours_implied: Some(of(Row::CrashCorrectedImplied)),
-            paper_rows: paper(Row::CrashCorrected, geometry.crash3),
+            ours: of(DeltaVRow::CrashCorrected),
+            ours_implied: Some(of(DeltaVRow::CrashCorrectedImplied)),
+            paper_rows: paper(DeltaVRow::CrashCorrected, geometry.crash3),
         });
     }
     rows
@@ -215,13 +220,13 @@ pub struct DeltaVErrors {
 
 pub(crate) fn delta_v_errors(table2: &[Table2Row]) -> DeltaVErrors {
     let all: Vec<u8> = table2.iter().map(|line| line.test).collect();
-    let rate = |row: Row, of: fn(&Cell) -> f64| ErrorRate::of(&errors(table2, &all, row, of));
+    let rate = |row: DeltaVRow, of: fn(&Cell) -> f64| ErrorRate::of(&errors(table2, &all, row, of));
     DeltaVErrors {
-        pim: rate(Row::PimTotal, |cell| cell.ours),
-        pim_paper: rate(Row::PimTotal, |cell| cell.paper),
-        crash3: rate(Row::CrashCorrected, |cell| cell.ours),
-        crash3_implied: rate(Row::CrashCorrectedImplied, |cell| cell.ours),
-        crash3_paper: rate(Row::CrashCorrected, |cell| cell.paper),
+        pim: rate(DeltaVRow::PimTotal, |cell| cell.ours),
+        pim_paper: rate(DeltaVRow::PimTotal, |cell| cell.paper),
+        crash3: rate(DeltaVRow::CrashCorrected, |cell| cell.ours),
+        crash3_implied: rate(DeltaVRow::CrashCorrectedImplied, |cell| cell.ours),
+        crash3_paper: rate(DeltaVRow::CrashCorrected, |cell| cell.paper),
     }
 }
 

@@ -4,7 +4,7 @@
 #![allow(clippy::disallowed_methods, reason = "independent formulas, no bits of which are compared")]
 
 use validation::{
-    Cell, Data, ErrorRate, Evidence, RestMethod, Validation, ValidationError, speed_error, validate,
+    Cell, Data, ErrorRate, RestMethod, SpeedEvidence, Validation, ValidationError, speed_error, validate,
 };
 
 use crate::momentum::{AFTER, COLLINEAR, CROSSING};
@@ -169,9 +169,9 @@ fn the_published_rest_does_not_tell_the_velocity() {
 fn both_speeds_are_those_of_plain_arithmetic() {
     let validation = built_in();
     let expected = CROSSING
-        .map(|(test, errors)| (test, Evidence::Momentum, errors))
+        .map(|(test, errors)| (test, SpeedEvidence::Momentum, errors))
         .into_iter()
-        .chain(COLLINEAR.map(|(test, errors)| (test, Evidence::MomentumAndCrush, errors)));
+        .chain(COLLINEAR.map(|(test, errors)| (test, SpeedEvidence::MomentumAndCrush, errors)));
     let (mut all, mut shares) = (Vec::new(), Vec::new());
     for (test, evidence, errors) in expected {
         let row = validation.both_speeds.iter().find(|row| row.test == test).unwrap();

@@ -8,7 +8,8 @@
 )]
 
 use validation::{
-    Cell, Claim, Data, ErrorRate, FOOT_PER_SECOND, FOOT_POUND, Row, Validation, ValidationError, validate,
+    Cell, Claim, Data, DeltaVRow, ErrorRate, FOOT_PER_SECOND, FOOT_POUND, Validation, ValidationError,
+    validate,
 };
 
 fn built_in() -> Validation {
@@ -57,7 +58,7 @@ const TABLE_2: [(u8, [f64; 10]); 11] = [
     (12, [52.8, 36.6, 58.3, 40.4, 38.1, 26.4, 38.5, 26.7, 60.3, 39.2]),
 ];
 
-fn row(validation: &Validation, test: u8, row: Row) -> [Cell; 2] {
+fn row(validation: &Validation, test: u8, row: DeltaVRow) -> [Cell; 2] {
     validation.table2.iter().find(|line| (line.test, line.row) == (test, row)).unwrap().cells.clone()
 }
 
@@ -80,7 +81,7 @@ fn all_44_numbers_of_pim_come_out() {
     let validation = built_in();
     let mut numbers = 0;
     for (test, printed) in TABLE_2 {
-        for (of, place) in [(Row::PimCrush, 0), (Row::PimTotal, 2)] {
+        for (of, place) in [(DeltaVRow::PimCrush, 0), (DeltaVRow::PimTotal, 2)] {
             let cells = row(&validation, test, of);
             assert_feet_per_second(&format!("test {test}, {of:?}"), &cells, &printed[place..place + 2], 0.1);
             // The claim itself is no wider.
@@ -98,12 +99,12 @@ fn the_printed_table_2_is_what_the_cells_compare_with() {
     assert_eq!(validation.table2.len(), 6 * TABLE_2.len());
     for (test, printed) in TABLE_2 {
         for (of, place) in [
-            (Row::PimCrush, 0),
-            (Row::PimTotal, 2),
-            (Row::CrashUncorrected, 4),
-            (Row::CrashCorrected, 6),
-            (Row::CrashUncorrectedImplied, 4),
-            (Row::CrashCorrectedImplied, 6),
+            (DeltaVRow::PimCrush, 0),
+            (DeltaVRow::PimTotal, 2),
+            (DeltaVRow::CrashUncorrected, 4),
+            (DeltaVRow::CrashCorrected, 6),
+            (DeltaVRow::CrashUncorrectedImplied, 4),
+            (DeltaVRow::CrashCorrectedImplied, 6),
         ] {
             let paper = row(&validation, test, of).map(|cell| cell.paper);
             let expected = [printed[place], printed[place + 1]].map(|value| value * FOOT_PER_SECOND);
@@ -120,7 +121,7 @@ fn the_printed_table_2_is_what_the_cells_compare_with() {
 fn crash3_from_the_published_profiles_comes_out_where_the_stiffness_is_known() {
     let validation = built_in();
     for (test, printed) in TABLE_2 {
-        let cells = row(&validation, test, Row::CrashUncorrected);
+        let cells = row(&validation, test, DeltaVRow::CrashUncorrected);
         let printed = &printed[4..6];
         let claimed = [1, 6, 7, 12].contains(&test);
         for (i, cell) in cells.iter().enumerate() {
@@ -142,7 +143,7 @@ fn crash3_from_the_implied_energies_comes_out() {
             4 => 0.35,
             _ => continue,
         };
-        for (of, place) in [(Row::CrashUncorrectedImplied, 4), (Row::CrashCorrectedImplied, 6)] {
+        for (of, place) in [(DeltaVRow::CrashUncorrectedImplied, 4), (DeltaVRow::CrashCorrectedImplied, 6)] {
             let cells = row(&validation, test, of);
             let what = format!("test {test}, {of:?}");
             assert_feet_per_second(&what, &cells, &printed[place..place + 2], tolerance);
@@ -159,7 +160,7 @@ fn the_shares_of_the_energy_are_those_of_the_profiles() {
     for (test, expected) in
         [(8, [-0.054, -0.027]), (9, [-0.095, -0.026]), (11, [0.308, -0.306]), (12, [-0.042, -0.009])]
     {
-        let cells = row(&validation, test, Row::CrashCorrectedImplied);
+        let cells = row(&validation, test, DeltaVRow::CrashCorrectedImplied);
         for (cell, expected) in cells.iter().zip(expected) {
             assert!((cell.difference() / FOOT_PER_SECOND - expected).abs() < 0.001, "test {test}: {cell:?}");
         }
@@ -445,7 +446,7 @@ fn every_known_difference_is_one() {
     let known = |cell: &Cell| !cell.is_claimed();
     for line in &validation.table2 {
         // The corrected rows from energies whose shares are not known may come out by chance.
-        let by_chance = [Row::CrashCorrected, Row::CrashCorrectedImplied].contains(&line.row);
+        let by_chance = [DeltaVRow::CrashCorrected, DeltaVRow::CrashCorrectedImplied].contains(&line.row);
         if line.cells.iter().any(known) && !by_chance {
             let off = line.cells.iter().any(|cell| cell.difference().abs() > 0.1 * FOOT_PER_SECOND);
             assert!(off, "{line:?}");

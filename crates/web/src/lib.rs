@@ -6,6 +6,12 @@
 //!
 //! A problem is `{ from, to, line, column, key, title, help }`; `line` and `column` count from 1 on and are
 //! `null` where it is about the file as a whole.
+//!
+//! ```
+//! // A mile is 1.609344 km.
+//! assert_eq!(deltav_web::convert("10 mph", "km/h"), r#"{"ok":true,"text":"16.09344 km/h"}"#);
+//! assert!(deltav_web::convert("10 mph", "kg").starts_with(r#"{"ok":false,"message":"#));
+//! ```
 
 mod answer;
 mod check;
@@ -105,8 +111,8 @@ pub fn look(text: &str, command: &str, units: &str, what: &str, viewport: &str) 
 
 /// A drawing of an answer: `what` is `scene`, `motion`, `motion-curves`, `momentum`, `damage`,
 /// `reconciliation` or `energy`, or `plain-scene` or `plain-motion` for readers who are no engineers; without
-/// speeds where an exact solution is not the answer. `{ ok: true, svg, title, description }`, or `{ ok: false, problems,
-/// message }`.
+/// speeds where an exact solution is not the answer. `{ ok: true, svg, title, description }`, or `{ ok:
+/// false, problems, message }`.
 #[wasm_bindgen]
 #[must_use]
 pub fn draw(text: &str, what: &str, units: &str) -> String {

@@ -12,7 +12,7 @@ use inputs::{Basis, MotionInput};
 use pim_core::{Contact, Motion, Participant, Real, Vector2, VehicleId};
 use real::elementary;
 use reconcile::{Departure, Implied, Momentum, MomentumError};
-use trajectory::Departure as Start;
+use trajectory::StartMotion as Start;
 
 use super::{ByCrush, Posed};
 use crate::checks;

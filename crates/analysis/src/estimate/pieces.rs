@@ -2,7 +2,9 @@
 
 use std::f64::consts::FRAC_PI_2;
 
-use ::estimate::{CannotReweight, Check, Doubt, Draws, ESS_LIMIT, Posterior, Summary, Verdict, Weights};
+use ::estimate::{
+    CannotReweight, Draws, DrawsSummary, ESS_LIMIT, PieceCheck, Posterior, SamplerDoubt, Verdict, Weights,
+};
 use ::uncertainty::Estimate;
 use evidence::Piece;
 use pim_core::VehicleId;
@@ -19,9 +21,9 @@ pub struct PieceFound {
     pub key: String,
     /// (m/s) the speeds of the vehicles that move by this piece alone, beside what is known before the
     /// evidence; `None` where it was not asked for, or where that run did not converge.
-    pub alone: Option<[Option<Summary>; 2]>,
+    pub alone: Option<[Option<DrawsSummary>; 2]>,
     /// (m/s) the speeds by all other pieces.
-    pub without: Option<[Option<Summary>; 2]>,
+    pub without: Option<[Option<DrawsSummary>; 2]>,
     /// (–) probability that all other pieces give an observation at least as far off; `None` of a piece that
     /// is no single measurement, or where it cannot be told.
     pub p_value: Option<Estimate>,
@@ -68,10 +70,12 @@ const BESIDE_ESS: f64 = 100.0;
 /// Whether a run beside the answer shows a median and an interval: it may be worth fewer draws than an
 /// answer, but must not be wrong otherwise.
 fn suffices(run: &Posterior) -> bool {
-    let is_by_few_draws = |doubt: &Doubt| match doubt {
-        Doubt::FewDraws { ess, .. } => *ess >= BESIDE_ESS,
+    let is_by_few_draws = |doubt: &SamplerDoubt| match doubt {
+        SamplerDoubt::FewDraws { ess, .. } => *ess >= BESIDE_ESS,
         // Both follow from the same spread between the islands as the effective sample size.
-        Doubt::Disagreement { .. } | Doubt::Extremes { .. } => run.diagnosis().ess() >= BESIDE_ESS,
+        SamplerDoubt::Disagreement { .. } | SamplerDoubt::Extremes { .. } => {
+            run.diagnosis().ess() >= BESIDE_ESS
+        }
         _ => false,
     };
     match run.verdict() {
@@ -92,9 +96,9 @@ pub(super) fn found(
 ) -> PieceFound {
     let There { posterior, before } = there;
     let check = posterior.check(term).ok();
-    let is_behind = |check: &Check| check.mean_on_circle.is_some_and(|error| error.abs() > FRAC_PI_2);
+    let is_behind = |check: &PieceCheck| check.mean_on_circle.is_some_and(|error| error.abs() > FRAC_PI_2);
     let mut reversed = check.as_ref().is_some_and(is_behind);
-    let mut p_value = check.filter(Check::is_reliable).map(|check| check.p_value);
+    let mut p_value = check.filter(PieceCheck::is_reliable).map(|check| check.p_value);
     let (mut alone, mut without) = (None, None);
     if let Some(again) = again {
         let speeds = |run: &Posterior, draws: Draws<'_>| {

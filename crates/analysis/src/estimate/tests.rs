@@ -62,7 +62,7 @@ fn quantile(density: impl Fn(f64) -> f64, [low, high]: [f64; 2], share: f64) -> 
     panic!("the grid ends below {share}")
 }
 
-fn assert_is_quantiles(found: &Summary, density: impl Fn(f64) -> f64, range: [f64; 2]) {
+fn assert_is_quantiles(found: &DrawsSummary, density: impl Fn(f64) -> f64, range: [f64; 2]) {
     let ends = found.intervals[3];
     for (ours, share) in [(ends.low, 0.025), (found.median, 0.5), (ends.high, 0.975)] {
         let exact = quantile(&density, range, share);

@@ -3,10 +3,10 @@
 //! Each sample goes through the functions of the engine through which a single case goes, in the same order,
 //! so that the answers have the same bits. What a case says of its vehicles and their damage becomes columns,
 //! and there is nothing between these functions that keeps a compiler from vectorising the loop over the
-//! samples: no allocation, no error, no branch. Under the commonest laws the speed has a closed form, which is
-//! found for all samples at once. Under any other law, and where a sample has no such answer, the samples are
-//! solved from these columns one after the other. That saves what costs a single case most, which is the case
-//! itself.
+//! samples: no allocation, no error, no branch. Under the commonest laws the speed has a closed form, which
+//! is found for all samples at once. Under any other law, and where a sample has no such answer, the samples
+//! are solved from these columns one after the other. That saves what costs a single case most, which is the
+//! case itself.
 //!
 //! What a block cannot say is left to the single case: each [`Alone`], and of an impact a sample whose damage
 //! the engine refuses.

@@ -210,16 +210,16 @@ fn is_a_column(code: &str) -> bool {
 
     use arrow_array::RecordBatch;
     use arrow_schema::{DataType, Field, Schema};
-    use tables::{Job, Options, Template, columns_kept, result_schema, run};
+    use tables::{Job, RowOptions, RowTemplate, columns_kept, result_schema, run};
 
     let is_read = |data_type: DataType| {
         let schema = Arc::new(Schema::new(vec![Field::new(code, data_type, true)]));
         let is_own = columns_kept(&schema).is_ok_and(|kept| kept.is_empty());
         let batch = RecordBatch::new_empty(schema);
         let goes_on = |_: usize, _: usize| ControlFlow::Continue(());
-        is_own && run(Job::Crush, &batch, &Template::default(), &Options::default(), &goes_on).is_ok()
+        is_own && run(Job::Crush, &batch, &RowTemplate::default(), &RowOptions::default(), &goes_on).is_ok()
     };
-    let options = Options { samples: Some(1000), ..Options::default() };
+    let options = RowOptions { samples: Some(1000), ..RowOptions::default() };
     is_read(DataType::Float64)
         || is_read(DataType::Utf8)
         || result_schema(Job::Reconstruct, &options).field_with_name(code).is_ok()

@@ -18,7 +18,7 @@ use uncertainty::random::{bits, key, unit};
 use uncertainty::{LANES, Lanes, Sampler, SamplingMethod};
 
 use super::{Drawn, Figure, FitOptions, Guess, Likelihood, N, fit, point, step};
-use crate::pair::{Pair, Plane, Vehicle};
+use crate::pair::{Pair, PairVehicle, Plane};
 
 /// Made-up damage of two cars, with what their recorders stored (m/s).
 fn pair(case: &str, planes: [Plane; 2], depth: f64, recorders: [Option<f64>; 2]) -> Pair {
@@ -28,7 +28,7 @@ fn pair(case: &str, planes: [Plane; 2], depth: f64, recorders: [Option<f64>; 2])
         [Plane::Front, Plane::Left] => [[0.0, 20.0], [270.0, 290.0]],
         _ => [[0.0, 10.0], [190.0, 0.0]],
     };
-    let vehicle = |i: usize| Vehicle {
+    let vehicle = |i: usize| PairVehicle {
         number: None,
         curb_mass: [1400.0, 1700.0][i],
         cargo: None,

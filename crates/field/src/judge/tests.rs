@@ -4,7 +4,7 @@ use evidence::{FITTED, Fitted};
 use pim_core::VehicleId;
 use real::elementary::{self, exp, ln};
 
-use super::{Figures, Judged, Kind, Predictive};
+use super::{Figures, Judged, PairKind, Predictive};
 use crate::pair::Truth;
 
 /// A single draw has the recorder's own error: Student's t with 3 degrees of freedom, whose quartiles are
@@ -36,7 +36,7 @@ fn judged(case: &str, truth: f64, median: f64, winsmash: Option<f64>) -> Judged 
     Judged {
         case: case.to_owned(),
         vehicle: VehicleId::One,
-        kind: Kind::FrontSide,
+        kind: PairKind::FrontSide,
         is_one_event: None,
         truth: Truth { delta_v: truth, is_longitudinal: false, direction: None },
         median,

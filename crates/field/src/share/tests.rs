@@ -8,11 +8,11 @@ use evidence::{Damage, FITTED, Fitted};
 
 use super::{fit_share, moments};
 use crate::error::FieldError;
-use crate::pair::{Pair, Plane, Vehicle};
+use crate::pair::{Pair, PairVehicle, Plane};
 
 /// Without no-damage speed, the energy of an end grows with the square of its depth.
 fn pair(planes: [Plane; 2], depths: [f64; 2]) -> Pair {
-    let vehicle = |i: usize| Vehicle {
+    let vehicle = |i: usize| PairVehicle {
         number: None,
         curb_mass: 1500.0,
         cargo: None,

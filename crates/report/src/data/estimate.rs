@@ -2,7 +2,7 @@
 
 use std::io::{self, Write};
 
-use ::estimate::{Doubt, Summary};
+use ::estimate::{DrawsSummary, SamplerDoubt};
 use ::uncertainty::{Distribution, Estimate, Shape};
 use analysis::{Estimated, EstimatedOutput, PieceFound, Stood, UnknownNumber, UnusedReason};
 use case::CaseFile;
@@ -181,7 +181,7 @@ struct UnusedBlock<'a> {
 }
 
 impl PriorBlock {
-    fn of(summary: &Summary) -> Self {
+    fn of(summary: &DrawsSummary) -> Self {
         Self { median: summary.median.value, interval95: ends(summary, WIDEST) }
     }
 }
@@ -225,7 +225,7 @@ impl QuestionBlock {
 
 impl<'a> PieceBlock<'a> {
     fn of(piece: &'a PieceFound, agreement: Option<(Agreement, f64)>) -> Self {
-        let speeds = |speeds: &Option<[Option<Summary>; 2]>| {
+        let speeds = |speeds: &Option<[Option<DrawsSummary>; 2]>| {
             speeds.as_ref().map(|speeds| speeds.each_ref().map(|speed| speed.as_ref().map(PriorBlock::of)))
         };
         Self {
@@ -298,7 +298,7 @@ pub fn estimate_json(
 ) -> Result<String, serde_json::Error> {
     let doubts = estimated.doubts();
     let is_answer = doubts.is_empty();
-    let doubt = |doubt: &Doubt| DoubtBlock { code: doubt_code(doubt), key: doubted(doubt, estimated) };
+    let doubt = |doubt: &SamplerDoubt| DoubtBlock { code: doubt_code(doubt), key: doubted(doubt, estimated) };
     let outputs = estimated.outputs.iter();
     pretty(&identified(
         file,

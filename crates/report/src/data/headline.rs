@@ -1,6 +1,6 @@
 //! The headline of a reconstruction as JSON, in SI units.
 
-use ::estimate::Summary;
+use ::estimate::DrawsSummary;
 use analysis::{Analysis, Output, Overdetermined, Solution, Weighed};
 use pim_core::VehicleId;
 use serde::Serialize;
@@ -86,7 +86,7 @@ impl HeadlineBlock {
         };
         if let Some(weighed) = weighed {
             let figure = |output: Output| {
-                let summary: Option<&Summary> = weighed.summary(output).filter(|_| weighed.is_answer());
+                let summary: Option<&DrawsSummary> = weighed.summary(output).filter(|_| weighed.is_answer());
                 FigureBlock {
                     value: summary.map(|summary| summary.median.value),
                     interval95: summary.map(|summary| ends(summary, WIDEST)),

@@ -2,7 +2,8 @@
 
 use serde::Serialize;
 use validation::{
-    Cell, Claim, Erratum, ErrorRate, Evidence, Method, RestMethod, Row, SHARES, TurnedPdof, Validation,
+    Cell, Claim, DeltaVRow, Erratum, ErrorRate, Method, RestMethod, SHARES, SpeedEvidence, TurnedPdof,
+    Validation,
 };
 
 use super::pretty;
@@ -308,10 +309,10 @@ impl From<&Erratum> for ErratumBlock {
     }
 }
 
-fn evidence(evidence: Evidence) -> &'static str {
+fn evidence(evidence: SpeedEvidence) -> &'static str {
     match evidence {
-        Evidence::Momentum => "momentum",
-        Evidence::MomentumAndCrush => "momentum_and_crush",
+        SpeedEvidence::Momentum => "momentum",
+        SpeedEvidence::MomentumAndCrush => "momentum_and_crush",
     }
 }
 
@@ -323,14 +324,14 @@ fn pair<T>(cells: &[Cell; 2], of: impl Fn(&Cell) -> T) -> [T; 2] {
     [of(&cells[0]), of(&cells[1])]
 }
 
-fn row_name(row: Row) -> &'static str {
+fn row_name(row: DeltaVRow) -> &'static str {
     match row {
-        Row::PimCrush => "pim_crush",
-        Row::PimTotal => "pim_total",
-        Row::CrashUncorrected => "crash_uncorrected",
-        Row::CrashCorrected => "crash_corrected",
-        Row::CrashUncorrectedImplied => "crash_uncorrected_implied",
-        Row::CrashCorrectedImplied => "crash_corrected_implied",
+        DeltaVRow::PimCrush => "pim_crush",
+        DeltaVRow::PimTotal => "pim_total",
+        DeltaVRow::CrashUncorrected => "crash_uncorrected",
+        DeltaVRow::CrashCorrected => "crash_corrected",
+        DeltaVRow::CrashUncorrectedImplied => "crash_uncorrected_implied",
+        DeltaVRow::CrashCorrectedImplied => "crash_corrected_implied",
     }
 }
 

@@ -3,7 +3,7 @@
 use ::drawing::{
     Axis, DensityPicture, Drawing, Footprint, FoundAtRest, JointPicture, RestsPicture, Shape, ValueMark,
 };
-use ::estimate::Summary;
+use ::estimate::DrawsSummary;
 use analysis::{EstimateOutput, Estimated, EstimatedOutput, Output, WayNumber};
 use case::{Case, Dimensions, Kind};
 use pim_core::{Real, VehicleId};
@@ -108,7 +108,7 @@ fn answer(estimated: &Estimated, output: EstimateOutput) -> Option<&EstimatedOut
 }
 
 /// (unit of the draws) how far a kernel reaches that smooths draws worth so many independent ones.
-fn bandwidth(summary: &Summary, independent: f64, power: f64) -> f64 {
+fn bandwidth(summary: &DrawsSummary, independent: f64, power: f64) -> f64 {
     let half = &summary.intervals[0];
     let spread = Real::min(summary.sd.value, (half.high.value - half.low.value) / 1.349);
     // Silverman's rule of thumb.
@@ -122,7 +122,7 @@ fn kernel(u: f64) -> f64 {
 }
 
 /// The density of draws; between their extremes, or in a range.
-fn curve(draws: &[f64], summary: &Summary, ess: f64, ends: Option<[f64; 2]>) -> Option<Vec<[f64; 2]>> {
+fn curve(draws: &[f64], summary: &DrawsSummary, ess: f64, ends: Option<[f64; 2]>) -> Option<Vec<[f64; 2]>> {
     let reach = bandwidth(summary, ess, -0.2);
     if !(reach.is_finite() && reach > 0.0) {
         return None;
@@ -182,7 +182,7 @@ fn joint_picture(case: &Case, estimated: &Estimated, asked: &Asked, units: Units
     let step = columns[0].len().div_ceil(SHOWN).max(1);
     let draws = columns[0].iter().zip(columns[1]).step_by(step).map(|(x, y)| [*x, *y]);
     let axis = |output| Axis { title: label(output, units), unit: units.size(Measure::RoadSpeed) };
-    let speed = |summary: &Summary| units.format(Measure::RoadSpeed, summary.median.value);
+    let speed = |summary: &DrawsSummary| units.format(Measure::RoadSpeed, summary.median.value);
     Some(JointPicture {
         name: "joint-speeds",
         title: "Both speeds".to_owned(),

@@ -1,7 +1,7 @@
 //! Plots of estimates against recorders.
 
 use ::drawing::{Axis, Drawing, Marker, RanksPicture, ScatterPanel, ScatterPicture, ScatterPoint, Symbol};
-use field::{Field, Judged, Kind};
+use field::{Field, Judged, PairKind};
 use pim_core::Real;
 
 use crate::units::number;
@@ -9,9 +9,10 @@ use crate::units::number;
 /// (m/s)
 const KM_PER_HOUR: f64 = 1.0 / 3.6;
 
-const KINDS: [Kind; 4] = [Kind::FrontFront, Kind::FrontSide, Kind::FrontRear, Kind::Other];
+const KINDS: [PairKind; 4] =
+    [PairKind::FrontFront, PairKind::FrontSide, PairKind::FrontRear, PairKind::Other];
 
-fn symbol(kind: Kind) -> Symbol {
+fn symbol(kind: PairKind) -> Symbol {
     let place = KINDS.iter().position(|other| *other == kind).unwrap_or_default();
     Symbol { marker: Marker::ALL[place % Marker::ALL.len()], is_filled: false }
 }
@@ -46,7 +47,7 @@ pub fn estimated_against_recorded(field: &Field) -> Drawing {
         [ours, winsmash].into_iter().filter(|panel| !panel.points.is_empty()).collect();
     let axis = |what: &str| Axis { title: format!("{what} ΔV (km/h)"), unit: KM_PER_HOUR };
     let titles: Vec<&str> = panels.iter().map(|panel| panel.title.as_str()).collect();
-    let has = |kind: &Kind| field.judged.iter().any(|judged| judged.kind == *kind);
+    let has = |kind: &PairKind| field.judged.iter().any(|judged| judged.kind == *kind);
     ScatterPicture {
         name: "estimated-against-recorded",
         title: "Estimated against recorded ΔV".to_owned(),

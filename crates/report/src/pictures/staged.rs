@@ -1,7 +1,7 @@
 //! Plots of computed against measured and of reconstructed against true.
 
 use ::drawing::{Axis, Drawing, Marker, ScatterPanel, ScatterPicture, ScatterPoint, Symbol};
-use validation::{FOOT_PER_SECOND, Reconstruction, Row, Table1Row, Validation};
+use validation::{DeltaVRow, FOOT_PER_SECOND, Reconstruction, Table1Row, Validation};
 
 use crate::units::number;
 
@@ -31,7 +31,7 @@ pub fn computed_against_measured(validation: &Validation) -> Drawing {
         let place = geometries.iter().position(|row| row.tests.contains(&test)).unwrap_or_default();
         Marker::ALL[place % Marker::ALL.len()]
     };
-    let panel = |row: Row, title: &str| ScatterPanel {
+    let panel = |row: DeltaVRow, title: &str| ScatterPanel {
         title: title.to_owned(),
         points: validation
             .table2
@@ -47,8 +47,8 @@ pub fn computed_against_measured(validation: &Validation) -> Drawing {
             .collect(),
     };
     let panels = vec![
-        panel(Row::PimTotal, "PIM, total ΔV"),
-        panel(Row::CrashCorrected, "CRASH3, corrected ΔV from the published profiles"),
+        panel(DeltaVRow::PimTotal, "PIM, total ΔV"),
+        panel(DeltaVRow::CrashCorrected, "CRASH3, corrected ΔV from the published profiles"),
     ];
     let axis = |what: &str| Axis { title: format!("{what} ΔV (ft/s)"), unit: FOOT_PER_SECOND };
     let (across, upward) = (axis("measured"), axis("computed"));

@@ -1,6 +1,6 @@
 //! What all the evidence of a case says.
 
-use ::estimate::Summary;
+use ::estimate::DrawsSummary;
 use ::uncertainty::{Distribution, Shape};
 use analysis::{
     Assumed, EstimateOutput, Estimated, EstimatedOutput, Output, PieceFound, Stood, TOLD_BELOW,
@@ -102,7 +102,7 @@ impl<'a> Page<'a> {
     }
 
     /// Median and 95 % interval of a speed, with one decimal.
-    fn speed(&self, summary: &Summary) -> [String; 2] {
+    fn speed(&self, summary: &DrawsSummary) -> [String; 2] {
         median_and_interval(summary, self.units)
     }
 
@@ -298,7 +298,7 @@ impl<'a> Page<'a> {
         }
         let mut table = Table::new("Results", columns);
         for output in &self.estimated.outputs {
-            let of = |summary: &Summary| {
+            let of = |summary: &DrawsSummary| {
                 let [low, high] = ends(summary, WIDEST);
                 [summary.median.value, low, high].map(|si| short(self.figure(output, si)))
             };

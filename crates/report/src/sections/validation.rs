@@ -3,8 +3,8 @@
 mod after_impact;
 
 use validation::{
-    Cell, Claim, DEGREE, Erratum, ErrorRate, FOOT_PER_SECOND, FOOT_POUND, Method, Row, SHARES, Unit,
-    Validation,
+    Cell, Claim, DEGREE, DeltaVRow, Erratum, ErrorRate, FOOT_PER_SECOND, FOOT_POUND, Method, PrintedUnit,
+    SHARES, Validation,
 };
 
 use crate::document::{Block, Column, Document, Table, Width};
@@ -327,14 +327,14 @@ fn error_rates(validation: &Validation) -> Vec<Block> {
     ]
 }
 
-fn row_name(row: Row) -> &'static str {
+fn row_name(row: DeltaVRow) -> &'static str {
     match row {
-        Row::PimCrush => "PIM crush",
-        Row::PimTotal => "PIM total",
-        Row::CrashUncorrected => "CRASH3 uncorrected, profiles",
-        Row::CrashCorrected => "CRASH3 corrected, profiles",
-        Row::CrashUncorrectedImplied => "CRASH3 uncorrected, implied",
-        Row::CrashCorrectedImplied => "CRASH3 corrected, implied",
+        DeltaVRow::PimCrush => "PIM crush",
+        DeltaVRow::PimTotal => "PIM total",
+        DeltaVRow::CrashUncorrected => "CRASH3 uncorrected, profiles",
+        DeltaVRow::CrashCorrected => "CRASH3 corrected, profiles",
+        DeltaVRow::CrashUncorrectedImplied => "CRASH3 uncorrected, implied",
+        DeltaVRow::CrashCorrectedImplied => "CRASH3 corrected, implied",
     }
 }
 
@@ -521,11 +521,11 @@ fn energies(validation: &Validation, notes: &mut Notes) -> Vec<Block> {
 }
 
 fn appendix(validation: &Validation, notes: &mut Notes) -> Vec<Block> {
-    let decimals = |unit: Unit| match unit {
-        Unit::Joule | Unit::NewtonSecond => 0,
-        Unit::MetrePerSecond | Unit::RadianPerSecond => 2,
-        Unit::FootPerSecond | Unit::Percent => 1,
-        Unit::One => 4,
+    let decimals = |unit: PrintedUnit| match unit {
+        PrintedUnit::Joule | PrintedUnit::NewtonSecond => 0,
+        PrintedUnit::MetrePerSecond | PrintedUnit::RadianPerSecond => 2,
+        PrintedUnit::FootPerSecond | PrintedUnit::Percent => 1,
+        PrintedUnit::One => 4,
     };
     let rows = validation
         .appendix

@@ -1,6 +1,6 @@
 //! What the page says of the motion after the impact, and of both speeds from it.
 
-use validation::{DEGREE, Evidence, MotionRow, RestMethod, Validation, speed_error};
+use validation::{DEGREE, MotionRow, RestMethod, SpeedEvidence, Validation, speed_error};
 
 use crate::document::Block;
 use crate::units::number;
@@ -21,10 +21,10 @@ fn error(found: f64, true_speed: f64) -> [String; 2] {
     [signed(error, 2), share.map(|share| signed(100.0 * share, 1)).unwrap_or_default()]
 }
 
-fn evidence(evidence: Evidence) -> &'static str {
+fn evidence(evidence: SpeedEvidence) -> &'static str {
     match evidence {
-        Evidence::Momentum => "momentum",
-        Evidence::MomentumAndCrush => "momentum, crush",
+        SpeedEvidence::Momentum => "momentum",
+        SpeedEvidence::MomentumAndCrush => "momentum, crush",
     }
 }
 

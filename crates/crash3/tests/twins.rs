@@ -1,0 +1,20 @@
+//! What loops over many samples call: a plain yes or no where the functions beside it give a reason.
+
+use crash3::{Profile, Zone};
+
+const ODD: [f64; 6] = [f64::NAN, f64::INFINITY, f64::NEG_INFINITY, -1.0, -0.0, 0.0];
+
+#[test]
+fn zones_of_a_profile() {
+    for width in ODD.into_iter().chain([0.3]) {
+        for c1 in ODD.into_iter().chain([0.2]) {
+            for c2 in ODD.into_iter().chain([0.4]) {
+                let zone = Zone { width, depths: [c1, c2] };
+                // Two depths that are zero are a possible zone, and no damage.
+                let depths = vec![c1, c2, 0.1];
+                let expected = Profile::new(depths, vec![width, 0.3]).is_ok();
+                assert_eq!(zone.is_valid(), expected, "{zone:?}");
+            }
+        }
+    }
+}

@@ -1,0 +1,4 @@
+//! The tests of the inputs, in one binary.
+
+#[cfg(test)]
+mod demands;

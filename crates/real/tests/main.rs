@@ -1,0 +1,7 @@
+//! The tests of numbers and elementary functions, in one binary.
+
+mod elementary;
+#[cfg(test)]
+mod examples;
+#[cfg(test)]
+mod written;

@@ -1,0 +1,101 @@
+//! A type has one name in the workspace: no two crates have a public type of the same name.
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::fs;
+use std::path::Path;
+
+/// Names that stand in two crates. The list may become shorter, but not longer: a new type takes a name that
+/// says what it is of.
+const IN_TWO_CRATES: [&str; 23] = [
+    "After",
+    "Collision",
+    "Crush",
+    "Damage",
+    "Estimate",
+    "Evidence",
+    "Failure",
+    "Kind",
+    "Model",
+    "Origin",
+    "Output",
+    "Prior",
+    "Problem",
+    "Recorder",
+    "Rest",
+    "Restitution",
+    "Settings",
+    "Shape",
+    "Skid",
+    "Steer",
+    "Value",
+    "Vehicle",
+    "Zone",
+];
+
+/// The public types of a file, by name.
+fn types(text: &str) -> impl Iterator<Item = &str> {
+    let declared = text.lines().filter_map(|line| {
+        let kinds = ["pub struct ", "pub enum ", "pub trait ", "pub type ", "pub union "];
+        kinds.into_iter().find_map(|kind| line.strip_prefix(kind))
+    });
+    declared.filter_map(|rest| rest.split(|c: char| !c.is_alphanumeric() && c != '_').next())
+}
+
+fn sources(folder: &Path, named: &mut BTreeSet<String>) {
+    for entry in fs::read_dir(folder).unwrap() {
+        let path = entry.unwrap().path();
+        if path.is_dir() {
+            sources(&path, named);
+        } else if path.extension().is_some_and(|ending| ending == "rs") {
+            named.extend(types(&fs::read_to_string(&path).unwrap()).map(str::to_owned));
+        }
+    }
+}
+
+/// The names that stand in several crates, with the crates.
+fn shared(crates: &BTreeMap<String, BTreeSet<String>>) -> BTreeMap<String, Vec<String>> {
+    let mut homes: BTreeMap<String, Vec<String>> = BTreeMap::new();
+    for (home, names) in crates {
+        for name in names {
+            homes.entry(name.clone()).or_default().push(home.clone());
+        }
+    }
+    homes.retain(|_, homes| homes.len() > 1);
+    homes
+}
+
+#[test]
+fn a_type_has_one_name_in_the_workspace() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../crates");
+    let mut crates = BTreeMap::new();
+    for entry in fs::read_dir(root).unwrap() {
+        let folder = entry.unwrap().path();
+        let home = folder.file_name().unwrap().to_str().unwrap().to_owned();
+        // Nobody uses the types of a program.
+        if folder.join("src/lib.rs").exists() {
+            let mut names = BTreeSet::new();
+            sources(&folder.join("src"), &mut names);
+            crates.insert(home, names);
+        }
+    }
+    assert!(crates.values().map(BTreeSet::len).sum::<usize>() > 300);
+    let shared = shared(&crates);
+    let new: Vec<_> = shared.iter().filter(|(name, _)| !IN_TWO_CRATES.contains(&name.as_str())).collect();
+    assert!(new.is_empty(), "name these by what they are of: {new:#?}");
+    let gone: Vec<_> = IN_TWO_CRATES.into_iter().filter(|name| !shared.contains_key(*name)).collect();
+    assert!(gone.is_empty(), "these stand in one crate: take them from the list: {gone:?}");
+}
+
+#[test]
+fn a_second_type_of_a_name_is_found() {
+    let of = |text: &str| -> BTreeSet<String> { types(text).map(str::to_owned).collect() };
+    let one =
+        of("pub struct Zone<T = f64> {\npub(crate) struct Row;\n    pub enum Inner {}\npub fn zone() {}\n");
+    assert_eq!(one.iter().collect::<Vec<_>>(), ["Zone"]);
+    let other = of("pub enum Zone {\npub trait Named: Sync {\n");
+    let crates = [("a".to_owned(), one), ("b".to_owned(), other)].into();
+    assert_eq!(
+        shared(&crates).into_iter().collect::<Vec<_>>(),
+        [("Zone".to_owned(), vec!["a".into(), "b".into()])]
+    );
+}
