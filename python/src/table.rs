@@ -140,7 +140,7 @@ fn column(name: &str, values: &Bound<'_, PyAny>) -> PyResult<ArrayRef> {
     let shown = case::shown(name);
     let mut cells = Vec::new();
     let mut kind = Kind::Nothing;
-    for (row, value) in listed(&shown.to_string(), values)?.iter().enumerate() {
+    for (row, value) in listed(shown.as_ref(), values)?.iter().enumerate() {
         let Some(cell) = cell(&value)? else {
             let (of, row) = (value.get_type().name()?, row + 1);
             return Err(PyTypeError::new_err(format!(

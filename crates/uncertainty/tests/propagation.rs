@@ -256,7 +256,7 @@ fn hash(result: &Propagation) -> u64 {
             .flat_map(|estimate| [estimate.value, estimate.standard_error.unwrap_or(-1.0)])
             .collect::<Vec<_>>()
     });
-    let samples = result.columns().into_iter().flatten().copied();
+    let samples = result.columns().iter().flatten().copied();
     samples
         .chain(statistics)
         .flat_map(|value| value.to_bits().to_le_bytes())
