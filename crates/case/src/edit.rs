@@ -1,6 +1,6 @@
 //! Changes one key of a case file, and leaves every other letter as it is.
 //!
-//! The parser of `toml` gives the place of each key and value ([`layout`]), and the text is cut there.
+//! The parser of `toml` gives the place of each key and value (`layout`), and the text is cut there.
 //! `toml_edit`, which writes its tree of the whole file anew, would change other letters too: it drops `\r`
 //! and a byte order mark, sorts dotted keys by their table, takes the comment above a removed key with it,
 //! and adds a key at the end of its table alone: see the test `toml_edit_would_change_more_than_the_key`.
