@@ -313,7 +313,15 @@ fn skid_friction(id: VehicleId) -> String {
 
 /// The case for a block of particles at once.
 fn block(numbers: &Case<Number>, variables: &[Input], slots: &[Slot], speeds: OpenSpeeds) -> Option<Block> {
-    let enters = |(input, slot): &(&Input, &Slot)| **slot != Slot::Given && !is_beside(&input.path);
+    // Burg's formula takes the yaw inertia from the wheelbase, where neither it nor a class is given.
+    let is_by_burg = |id: &VehicleId| {
+        let vehicle = &numbers.vehicles[id.index()];
+        vehicle.yaw.is_none() && vehicle.class.is_none()
+    };
+    let by_burg = VehicleId::ALL.into_iter().filter(is_by_burg);
+    let wheelbases: Vec<String> = by_burg.map(|id| format!("{}.wheelbase", table(id))).collect();
+    let is_read = |path: &String| !is_beside(path) || wheelbases.contains(path);
+    let enters = |(input, slot): &(&Input, &Slot)| **slot != Slot::Given && is_read(&input.path);
     let unknown = variables.iter().zip(slots).filter(enters).count();
     Block::new(numbers, speeds, unknown)
 }

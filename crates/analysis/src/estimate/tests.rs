@@ -648,7 +648,7 @@ energy_basis = { tangential_share = { value = 0.5, sd = 0.2 } }
     let spaced = fixture.replacen("width = \"150 cm\"", "spacing = \"30 25 35 30 30 cm\"", 1);
     let burg = other.replacen(
         "yaw_inertia = { value = \"2400 kg m^2\", sd = \"200 kg m^2\" }",
-        "wheelbase = \"2.7 m\"\nlength = \"4.5 m\"",
+        "wheelbase = { value = \"2.7 m\", sd = \"5 cm\" }\nlength = \"4.5 m\"",
         1,
     );
     assert!(spaced != fixture && burg != other);
