@@ -13,11 +13,6 @@ use rayon::{ThreadPool, ThreadPoolBuilder};
 /// How long Ctrl-C may wait.
 const PATIENCE: Duration = Duration::from_millis(50);
 
-/// (bytes) of the stack of a thread. Where the compiler does not optimise, a search back from rests needs
-/// more than the usual 2 MiB, and a stack that overflows ends the interpreter. Memory is taken as it is
-/// used.
-const STACK: usize = 16 << 20;
-
 /// The most threads that can be asked for.
 const MOST_THREADS: usize = 1024;
 
@@ -45,7 +40,8 @@ pub(crate) fn pool(threads: Option<usize>) -> PyResult<Arc<ThreadPool>> {
     if let Some((_, _, pool)) = known.into_iter().find(|(of, size, _)| (*of, *size) == (process, threads)) {
         return Ok(Arc::clone(pool));
     }
-    let pool = ThreadPoolBuilder::new().num_threads(threads).stack_size(STACK).build();
+    // A stack that overflows would end the interpreter.
+    let pool = ThreadPoolBuilder::new().num_threads(threads).stack_size(analysis::THREAD_STACK).build();
     let pool = Arc::new(
         pool.map_err(|error| PyRuntimeError::new_err(format!("cannot start the threads: {error}")))?,
     );

@@ -103,6 +103,6 @@ pub use sensitivity::{Derivative, Output, Sensitivity, Sweep, SweepRow, WayNumbe
 pub use solve::{geometry, motion};
 pub use speeds::{BothFound, BothMethod, CgLine, Combination};
 pub use thresholds::{DELTA_V_DIFFERENCE, ENERGY_DIFFERENCE, FAST_CLOSING, HIGH_RESTITUTION, POINT_MISSED};
-pub use travel::{ClosedForm, Origin as TravelOrigin, Pass, Skid, Travel};
+pub use travel::{ClosedForm, Origin as TravelOrigin, Pass, Skid, THREAD_STACK, Travel};
 pub use vehicle::{Damage, EnergyAlone, Inferred, Oblique, Vehicle};
 pub use warning::{Drive, JumpSide, Magnitude, Warning};

@@ -16,6 +16,10 @@ use trajectory::{
 use crate::failure::Failure;
 use crate::thresholds::{POINT_MISSED, REST_SEARCHED, REST_SURVEY, SLOW_YAW};
 
+/// (byte) the stack that whoever starts threads for these functions gives each: where the compiler does not
+/// optimise, a search back from a rest needs more than the usual 2 MiB.
+pub const THREAD_STACK: usize = 16 << 20;
+
 /// The way of one vehicle from the impact to rest.
 #[derive(Clone, Debug)]
 #[non_exhaustive]
