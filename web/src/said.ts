@@ -33,15 +33,6 @@ export function inForm({ title, help }: Problem, raw = ""): string[] {
 
 /** Markup of the engine in words of the page. */
 export function inWords(element: HTMLElement): void {
-  // What stands behind an underscore is lowered; in a key that is no index.
-  for (const low of element.querySelectorAll("sub")) {
-    const before = low.previousSibling;
-    if (!(before instanceof Text) || !/[a-z]{3,}(?:_\w+)*$/.test(before.data)) continue;
-    const after = low.nextSibling instanceof Text ? low.nextSibling : null;
-    before.data += `_${low.textContent}${after?.data ?? ""}`;
-    after?.remove();
-    low.remove();
-  }
   for (const head of element.querySelectorAll("th")) {
     const view = words.commands[head.textContent];
     if (view !== undefined && head.scope === "row") head.textContent = capital(view);

@@ -287,18 +287,30 @@ fn prose(text: &str) -> Markup {
 }
 
 /// What follows an underscore, lowered: letters and digits, then such after a comma or a plus without a
-/// blank.
+/// blank. The underscores of a key, such as `crush_plane`, stay.
 fn subscripts(text: &str) -> Markup {
-    let mut parts = text.split('_');
-    let first = parts.next().unwrap_or_default();
-    let lowered: Vec<(&str, &str)> = parts.map(|part| part.split_at(subscript(part))).collect();
+    let mut begin = 0;
+    let mut parts = Vec::new();
+    for part in text.split('_') {
+        let is_subscript = begin > 0 && !is_key(&text[..begin - 1]);
+        let (low, rest) = part.split_at(if is_subscript { subscript(part) } else { 0 });
+        parts.push((begin > 0 && low.is_empty(), low, rest));
+        begin += part.len() + 1;
+    }
     html! {
-        (first)
-        @for (low, rest) in &lowered {
-            @if low.is_empty() { "_" } @else { sub { (low) } }
+        @for (is_underscore, low, rest) in &parts {
+            @if *is_underscore { "_" }
+            @if !low.is_empty() { sub { (low) } }
             (rest)
         }
     }
+}
+
+/// Whether a text ends in the beginning of a key: a word of small letters, where a symbol has one or two.
+fn is_key(text: &str) -> bool {
+    let begin = text.trim_end_matches(|letter: char| letter.is_ascii_alphanumeric() || letter == '_').len();
+    let word = text[begin..].split('_').next().unwrap_or_default();
+    word.len() >= 3 && word.bytes().all(|letter| letter.is_ascii_lowercase())
 }
 
 /// (bytes) how much of a text belongs to the subscript with which it begins.
@@ -329,6 +341,8 @@ mod tests {
             ("S_1,2 < 3", "S<sub>1,2</sub> &lt; 3"),
             ("W_n, then", "W<sub>n</sub>, then"),
             ("a _ b", "a _ b"),
+            ("check crush_plane and E_1", "check crush_plane and E<sub>1</sub>"),
+            ("[vehicle1.after] delta_v_error, μ_c", "[vehicle1.after] delta_v_error, μ<sub>c</sub>"),
         ] {
             assert_eq!(subscripts(text).into_string(), expected);
         }
