@@ -166,9 +166,9 @@ pub(crate) enum Command {
             program draws collisions that might have been, and weighs each by how well it agrees with all \
             evidence at once (Bayes): crush of one vehicle or both, PDOF, skid marks, the motion after the \
             impact, rest positions and points, recorders, and speeds that are certain. Each speed, ΔV and \
-            other result then has a median and an interval that holds 95 % of the draws. A piece of \
-            evidence that contradicts the rest is warned of. If the run has not converged, no interval is \
-            given.",
+            other result then has a median and an interval that holds 95 % of the draws. A warning names \
+            each piece of evidence that contradicts the rest. If the run does not converge, the report \
+            gives no interval.",
         after_help = "Examples:\n  deltav estimate fixtures/estimate.toml\n  \
             deltav estimate fixtures/estimate.toml --above \"vehicle1.speed 50 km/h\"\n  \
             deltav estimate fixtures/estimate.toml --prior flat --no-pieces --format json -o result.json\n  \
