@@ -1,9 +1,20 @@
 //! How wide a text is. The letters of DejaVu Sans are among the widest of the sans-serif faces: what fits
 //! with these fits with those of any reader.
 
-mod advances;
+use std::sync::LazyLock;
 
-use advances::{ADVANCES, EM};
+/// Letters that follow one another: the first, and how far each moves on, in units of the em. A line of the
+/// table that cannot be read is none, and a test compares all letters with the font.
+static ADVANCES: LazyLock<Vec<(char, Vec<u16>)>> = LazyLock::new(|| {
+    let run = |line: &str| {
+        let (first, units) = line.split_once(": ")?;
+        let first = char::from_u32(u32::from_str_radix(first, 16).ok()?)?;
+        Some((first, units.split(' ').map_while(|units| units.parse().ok()).collect()))
+    };
+    include_str!("font/advances.txt").lines().filter_map(run).collect()
+});
+/// Units of the em.
+const EM: f64 = 2048.0;
 
 /// (px) letters of labels.
 pub(crate) const SMALL: f64 = 13.0;
@@ -26,8 +37,8 @@ pub(crate) enum Anchor {
 /// what the page weighs.
 fn known(letter: char) -> Option<f64> {
     let after = ADVANCES.partition_point(|&(first, _)| first <= letter);
-    let &(first, units) = ADVANCES.get(after.checked_sub(1)?)?;
-    let place = usize::try_from(u32::from(letter) - u32::from(first)).ok()?;
+    let (first, units) = ADVANCES.get(after.checked_sub(1)?)?;
+    let place = usize::try_from(u32::from(letter) - u32::from(*first)).ok()?;
     Some(f64::from(*units.get(place)?) / EM)
 }
 
@@ -114,31 +125,27 @@ mod tests {
 
     fn table(em: u16, letters: &[(char, f32)]) -> String {
         let mut table = format!(
-            "//! How far the letters of DejaVu Sans move on. Made by a test: `UPDATE=1 cargo test -p deltav-drawing\n\
-             //! the_table`.\n\n/// Units of the em.\npub(super) const EM: f64 = {em}.0;\n\n/// \
-             Letters that follow one another: the first, and the units of each.\n#[rustfmt::skip]\n\
-             pub(super) const ADVANCES: &[(char, &[u16])] = &[\n"
+            "# How far the letters of DejaVu Sans move on, in units of which an em has {em}: the first of letters \
+             that follow one\n# another, as a hexadecimal number, and the units of each. Made by a test: \
+             `UPDATE=1 cargo test -p deltav-drawing the_table`.\n"
         );
         for run in letters.chunk_by(|one, next| u32::from(one.0) + 1 == u32::from(next.0)) {
-            table += &format!("    ('{}', &[\n", run[0].0.escape_unicode());
-            for line in run.chunks(20) {
-                let units: Vec<String> = line.iter().map(|(_, units)| units.to_string()).collect();
-                table += &format!("        {},\n", units.join(", "));
-            }
-            table += "    ]),\n";
+            let units: Vec<String> = run.iter().map(|(_, units)| units.to_string()).collect();
+            table += &format!("{:x}: {}\n", u32::from(run[0].0), units.join(" "));
         }
-        table + "];\n"
+        table
     }
 
     #[test]
     fn the_table_is_that_of_the_font() {
         let (em, letters) = of_the_font();
-        let path = concat!(env!("CARGO_MANIFEST_DIR"), "/src/font/advances.rs");
+        let path = concat!(env!("CARGO_MANIFEST_DIR"), "/src/font/advances.txt");
         if std::env::var_os("UPDATE").is_some() {
             std::fs::write(path, table(em, &letters)).unwrap();
             return;
         }
         assert_eq!(super::EM, f64::from(em));
+        assert_eq!(include_str!("font/advances.txt"), table(em, &letters));
         assert!(letters.len() > 5000);
         for &(letter, units) in &letters {
             assert_eq!(known(letter), Some(f64::from(units) / f64::from(em)), "{letter:?}");
