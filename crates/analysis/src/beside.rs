@@ -40,7 +40,7 @@ pub struct Beside {
 }
 
 /// With more zones of ground than this, each of which every step asks, fewer samples are taken: so many fewer
-/// as there are more zones, but not fewer than the least.
+/// as there are more zones, but not fewer than the least. An estimate then takes minutes.
 const ZONES: usize = 10;
 const LEAST_BACKWARD_SAMPLES: usize = 100;
 
@@ -61,17 +61,24 @@ pub fn beside(
     if !((analysis.exchange().is_some() || is_motion) && is_uncertain(case)) {
         return Ok(Beside::default());
     }
-    let samples = if is_followed {
-        let zones = case.surface.as_ref().map_or(0, |surface| surface.zones.len());
-        backward_samples(zones)
-    } else {
-        report_samples(case.inputs().len())
-    };
+    let samples =
+        if is_followed { backward_samples(zones(case)) } else { report_samples(case.inputs().len()) };
     let plan = Plan { settings: Settings::new(SamplingMethod::MonteCarlo, samples, 1), index_rows: None };
     let uncertainty = uncertainty(case, &plan, progress)?;
     let is_differentiated = analysis.found.is_some() || analysis.both.is_some() || is_motion;
     let sensitivity = is_differentiated.then(|| sensitivity(case, Sweep::default())).transpose()?;
     Ok(Beside { uncertainty: Some(uncertainty), sensitivity })
+}
+
+/// Whether an estimate is quick enough to stand beside an exact solution that nobody asked it for: it follows
+/// some 10,000 motions, and each has to find the borders of all zones that it meets.
+#[must_use]
+pub fn is_estimated_beside(case: &Case) -> bool {
+    zones(case) <= ZONES
+}
+
+fn zones(case: &Case) -> usize {
+    case.surface.as_ref().map_or(0, |surface| surface.zones.len())
 }
 
 fn backward_samples(zones: usize) -> usize {

@@ -83,7 +83,7 @@ pub use self::uncertainty::{
     Doubt, Doubtful, ExactValue, Plan, REASONS, Reason, SampleBlock, Samples, Stage, TakenAsExact,
     UncertainInput, UncertainOutput, Uncertainty, is_searched_back, is_uncertain, samples,
 };
-pub use beside::{BACKWARD_SAMPLES, Beside, SAMPLES, beside, usual_samples};
+pub use beside::{BACKWARD_SAMPLES, Beside, SAMPLES, beside, is_estimated_beside, usual_samples};
 pub use check::{Check, CheckedQuantity};
 pub use commands::{compare, crush, furthest, impact, reconstruct, sensitivity, uncertainty, uncertainty_of};
 pub use compare::{Comparison, LawRow};

@@ -85,9 +85,10 @@ pub(crate) fn weigh(
 }
 
 /// What has the errors of the method, for the report on a case whose exact solution is the answer and that
-/// has ranges: an interval by these alone would be read as that of all. `None` where it cannot be had.
+/// has ranges: an interval by these alone would be read as that of all. `None` where it cannot be had or would
+/// take minutes, which the report then says.
 fn with_method(file: &CaseFile, threads: Option<u16>) -> Result<Option<Estimated>> {
-    if !analysis::is_uncertain(&file.case) {
+    if !(analysis::is_uncertain(&file.case) && analysis::is_estimated_beside(&file.case)) {
         return Ok(None);
     }
     let estimated = estimates::with_progress(&pool(threads)?, |progress| {

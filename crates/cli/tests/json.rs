@@ -432,6 +432,24 @@ fn take_nulls(document: &mut Value, pointers: &[&str]) {
     }
 }
 
+/// A hundred strips of grass beside the road would keep the estimate behind a report busy for minutes.
+#[test]
+fn a_report_on_very_many_zones_goes_without_an_estimate_and_says_so() {
+    let strip = |x: usize| {
+        let corner = |x: usize, y: usize| format!("{{ x = \"{x} m\", y = \"{y} m\" }}");
+        let corners = [corner(x, 50), corner(x + 1, 50), corner(x, 60)].join(", ");
+        format!("{{ friction = 0.4, polygon = [{corners}] }}")
+    };
+    let strips: Vec<String> = (0..100).map(strip).collect();
+    let case = fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/../../fixtures/rear-end-rest.toml"));
+    let case = case.unwrap();
+    let many = case.replacen("[surface]\n", &format!("[surface]\nzone = [{}]\n", strips.join(", ")), 1);
+    let page = printed(&["reconstruct", "-", "--format", "markdown"], &many);
+    let page = String::from_utf8(page).unwrap();
+    assert!(page.contains("so many zones") && page.contains("`deltav estimate` computes it"), "{page}");
+    assert!(!page.contains("with the errors of the method) "), "{page}");
+}
+
 /// A case with ranges has their uncertainty and the sensitivity in the report to hand over, word for word as
 /// the commands print them.
 #[test]

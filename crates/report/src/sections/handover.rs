@@ -5,9 +5,9 @@ mod inputs;
 use ::drawing::{Drawing, SitePlan};
 use analysis::{
     Analysis, EnergyBalance, EstimateOutput, Estimated, Output, Seen, SeenWarning, Sensitivity,
-    UncertainInput, UncertainOutput, Uncertainty, Weighed,
+    UncertainInput, UncertainOutput, Uncertainty, Weighed, is_estimated_beside,
 };
-use case::{Axes, Basis, CaseFile, Estimate, Origin, ReportHead};
+use case::{Axes, Basis, Case, CaseFile, Estimate, Origin, ReportHead};
 use pim_core::VehicleId;
 use validation::Validation;
 
@@ -77,7 +77,7 @@ pub fn handover(
     let mut page = Document::new();
     page.title(case);
     page.blocks.extend(headline.lead(seen, units));
-    let own = answer(analysis, supplements, units);
+    let own = answer(&file.case, analysis, supplements, units);
     if headline.is_exact() {
         page.push(own);
         page.blocks.extend(warnings::notice(&of_case, Some(WARNINGS)));
@@ -242,7 +242,7 @@ fn identification(file: &CaseFile, analysis: &Analysis) -> Vec<(&'static str, St
 }
 
 /// What was found, with its interval first where the inputs have one.
-fn answer(analysis: &Analysis, supplements: Supplements<'_>, units: Units) -> Block {
+fn answer(case: &Case, analysis: &Analysis, supplements: Supplements<'_>, units: Units) -> Block {
     // Spreads of yaw inertias and contact points alone move a speed little: an interval of them would be read
     // as that of all.
     let is_told = |uncertainty: &&Uncertainty| {
@@ -318,8 +318,13 @@ fn answer(analysis: &Analysis, supplements: Supplements<'_>, units: Units) -> Bl
         Some(Uncertainty { inputs, taken_as_exact, .. }) => {
             let by_all = if of_method.is_some() {
                 "The first interval has the errors of the method and the usual errors of all inputs. "
+                    .to_owned()
+            } else if !is_estimated_beside(case) {
+                "The surface has so many zones that the interval with the errors of the method takes minutes, so this \
+                     report goes without it: `deltav estimate` computes it. "
+                    .to_owned()
             } else {
-                ""
+                String::new()
             };
             format!(
                 "{by_all}The interval by the ranges alone contains the errors of {} inputs, but neither those of the \
