@@ -43,6 +43,7 @@ mod both;
 mod check;
 mod checks;
 mod codes;
+mod columns;
 mod commands;
 mod compare;
 mod curve;

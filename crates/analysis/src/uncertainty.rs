@@ -21,10 +21,11 @@ use pim_core::{ImpactError, Outcome, VehicleId};
 use real::Gradient;
 use reconcile::{MomentumError, ReconcileError};
 
+use crate::columns::Number;
 use doubts::Watched;
 pub use doubts::{Doubt, Doubtful};
 pub use exact::{ExactValue, TakenAsExact};
-use lanes::{Alone, Block, Number};
+use lanes::{Alone, Block};
 
 use crate::analysis::Analysis;
 use crate::failure::Failure;
@@ -242,20 +243,20 @@ impl Reason {
         if !matches!(failure, Failure::Case(_)) {
             return Self::of(failure);
         }
-        let mut refusals = case.vehicles.iter().filter_map(|vehicle| {
+        Self::of_structures(case.vehicles.iter().filter_map(|vehicle| {
             let crush = vehicle.crush.as_ref()?;
-            Self::of_structure(&crush.stiffness.structure(crush.side).err()?)
-        });
-        refusals.next().unwrap_or(Self::Other)
+            crush.stiffness.structure(crush.side).err()
+        }))
     }
 
-    /// Those refusals of a stiffness that are counted by themselves.
-    fn of_structure(error: &CrushError) -> Option<Self> {
-        match error {
+    /// The first of these refusals of a stiffness that is counted by itself.
+    fn of_structures(refusals: impl Iterator<Item = CrushError>) -> Self {
+        let mut counted = refusals.filter_map(|refusal| match refusal {
             CrushError::NoDamageSpeed { .. } => Some(Self::NoDamageSpeed),
             CrushError::LimitBelowStart { .. } => Some(Self::LimitBelowStart),
             _ => None,
-        }
+        });
+        counted.next().unwrap_or(Self::Other)
     }
 
     fn of_impact(error: &ImpactError) -> Self {
@@ -648,7 +649,7 @@ impl<'a> Sample<'a> {
             None => inputs.len(),
             Some(shared) => shared.uncertain_numbers(inputs),
         };
-        let block = Block::new(&numbers, uncertain, outputs, central);
+        let block = Block::new(numbers, uncertain, outputs, central);
         case.uncertainty = GivenUncertainty::default();
         case.title = None;
         case.source = None;

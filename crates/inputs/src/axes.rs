@@ -1,5 +1,6 @@
 //! The handedness of the axes of a case.
 
+use crash3::Side;
 use pim_core::Real;
 
 use crate::words::word;
@@ -38,6 +39,16 @@ impl Axes {
             Self::ZUp => value,
             // Subtracts from zero, because −0.0 would print as "-0".
             Self::ZDown => T::ZERO - value,
+        }
+    }
+
+    /// (m) what counts along the face of a side, in the axes of the engine: to the left on front and rear,
+    /// forward on the sides, which is forward in any axes.
+    #[must_use]
+    pub fn along_face<T: Real>(self, side: Side, distance: T) -> T {
+        match side {
+            Side::Front | Side::Rear => self.lateral(distance),
+            Side::Left | Side::Right => distance,
         }
     }
 }

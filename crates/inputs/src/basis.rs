@@ -23,6 +23,16 @@ pub enum Basis<T = f64> {
 }
 
 impl<T: Copy> Basis<T> {
+    /// The same with another number.
+    #[must_use]
+    pub fn map<U>(self, number: impl FnOnce(T) -> U) -> Basis<U> {
+        match self {
+            Self::Dissipated => Basis::Dissipated,
+            Self::Absorbed => Basis::Absorbed,
+            Self::TangentialShare(share) => Basis::TangentialShare(number(share)),
+        }
+    }
+
     /// Its name in one word. That of a share, which a case gives as a number, is `tangential-share`.
     #[must_use]
     pub fn name(self) -> &'static str {

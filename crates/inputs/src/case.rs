@@ -16,7 +16,7 @@ use crate::recorder::GivenEstimate;
 use crate::scene::{GivenSitePlan, Place, Surface};
 use crate::text::Text;
 use crate::uncertain::GivenUncertainty;
-use crate::vehicle::{GivenVehicle, Velocity};
+use crate::vehicle::GivenVehicle;
 
 /// A whole case: two vehicles, and what is known of the impact. The crate `case` reads it from a file and
 /// writes it.
@@ -126,34 +126,12 @@ impl<T: Real> Case<T> {
         let heading = |vehicle: &GivenVehicle<T>| vehicle.heading.as_ref().map(Quantity::si);
         self.vehicles.each_ref().map(|vehicle| heading(vehicle).map(|heading| self.axes.lateral(heading)))
     }
-}
 
-impl<T: Real> Case<T> {
     /// (rad) the direction in which a vehicle travels before the impact and along which its speed counts, in
     /// the axes of the engine; `None` where it is that of the heading.
-    ///
-    /// The velocity vector of a vehicle whose speed is sought has a direction of its own. A vehicle that
-    /// moves backward counts its speed against it.
     #[must_use]
     pub fn course(&self, vehicle: VehicleId) -> Option<T> {
         let heading = self.headings()[vehicle.index()]?;
-        let given = &self.vehicles[vehicle.index()];
-        if let Some(sideslip) = &given.sideslip {
-            // ψ = θ + β
-            return Some(heading + self.axes.lateral(sideslip.si()));
-        }
-        if !self.reconstruct.as_ref().is_some_and(|reconstruct| reconstruct.find.seeks(vehicle)) {
-            return None;
-        }
-        let Some(Velocity::Vector { x, y }) = &given.motion else { return None };
-        let (x, y) = (x.si(), self.axes.lateral(y.si()));
-        let (sin, cos) = heading.sin_cos();
-        // v·ê and ê × v
-        let (along, across) = (x * cos + y * sin, y * cos - x * sin);
-        if along.value() == 0.0 && across.value() == 0.0 {
-            return None;
-        }
-        let (along, across) = if along < T::ZERO { (-along, -across) } else { (along, across) };
-        Some(heading + across.atan2(along))
+        self.course_form(vehicle)?.rad(self.axes, heading)
     }
 }

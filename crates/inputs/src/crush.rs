@@ -85,6 +85,16 @@ pub enum Pdof<T = f64> {
     Clock(u8),
 }
 
+impl<T> Pdof<T> {
+    /// (rad) clockwise from the heading, where it is given as an angle.
+    pub(crate) fn angle(self) -> Option<Quantity<T>> {
+        match self {
+            Self::Angle(angle) => Some(angle),
+            Self::Clock(_) => None,
+        }
+    }
+}
+
 impl<T: Real> Pdof<T> {
     /// (rad) clockwise from the heading.
     #[must_use]
@@ -173,48 +183,59 @@ impl<T: Copy> StiffnessForm<T> {
     /// The same with other numbers, each asked for once.
     #[must_use]
     pub fn map<U>(&self, mut number: impl FnMut(T) -> U) -> StiffnessForm<U> {
-        let mut quantity = |quantity: &Quantity<T>| quantity.with(number(quantity.number()));
         match self {
-            Self::Line(line) => StiffnessForm::Line(line.map(quantity)),
+            Self::Line(line) => StiffnessForm::Line(line.map(number)),
             Self::Category(category) => StiffnessForm::Category(*category),
-            Self::Test(GivenTest { mass, speed, width, depths, no_damage_speed, fit }) => {
-                StiffnessForm::Test(GivenTest {
-                    mass: match mass {
-                        Mass::Mass(mass) => Mass::Mass(quantity(mass)),
-                        Mass::Weight(weight) => Mass::Weight(quantity(weight)),
-                    },
-                    speed: quantity(speed),
-                    width: quantity(width),
-                    depths: depths.iter().map(&mut quantity).collect(),
-                    no_damage_speed: quantity(no_damage_speed),
-                    fit: *fit,
-                })
-            }
+            Self::Test(test) => StiffnessForm::Test(test.map(number)),
             Self::Zones(zones) => {
-                StiffnessForm::Zones(zones.iter().map(|line| line.map(&mut quantity)).collect())
+                StiffnessForm::Zones(zones.iter().map(|line| line.map(&mut number)).collect())
             }
         }
     }
 }
 
-impl<T> StiffnessLine<T> {
-    /// The same with other quantities, each asked for once.
+impl<T: Copy> GivenTest<T> {
+    /// The same with other numbers, each asked for once.
+    #[must_use]
+    pub fn map<U>(&self, mut number: impl FnMut(T) -> U) -> GivenTest<U> {
+        let Self { mass, speed, width, depths, no_damage_speed, fit } = self;
+        GivenTest {
+            mass: mass.map(&mut number),
+            speed: speed.map(&mut number),
+            width: width.map(&mut number),
+            depths: depths.iter().map(|depth| depth.map(&mut number)).collect(),
+            no_damage_speed: no_damage_speed.map(number),
+            fit: *fit,
+        }
+    }
+}
+
+impl<T: Copy> StiffnessLine<T> {
+    /// The same with other numbers, each asked for once.
     #[inline(always)]
     #[must_use]
-    pub fn map<U>(&self, mut quantity: impl FnMut(&Quantity<T>) -> Quantity<U>) -> StiffnessLine<U> {
+    pub fn map<U>(&self, mut number: impl FnMut(T) -> U) -> StiffnessLine<U> {
         match self {
             Self::Crush { a, b, g, limit } => StiffnessLine::Crush {
-                a: quantity(a),
-                b: quantity(b),
-                g: g.as_ref().map(&mut quantity),
-                limit: limit.as_ref().map(quantity),
+                a: a.map(&mut number),
+                b: b.map(&mut number),
+                g: g.map(|g| g.map(&mut number)),
+                limit: limit.map(|limit| limit.map(number)),
             },
             Self::Root { d0, d1, g, limit } => StiffnessLine::Root {
-                d0: quantity(d0),
-                d1: quantity(d1),
-                g: g.as_ref().map(&mut quantity),
-                limit: limit.as_ref().map(quantity),
+                d0: d0.map(&mut number),
+                d1: d1.map(&mut number),
+                g: g.map(|g| g.map(&mut number)),
+                limit: limit.map(|limit| limit.map(number)),
             },
+        }
+    }
+
+    /// (N/m) `limit`.
+    #[must_use]
+    pub fn limit(&self) -> Option<&Quantity<T>> {
+        match self {
+            Self::Crush { limit, .. } | Self::Root { limit, .. } => limit.as_ref(),
         }
     }
 }

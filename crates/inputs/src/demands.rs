@@ -8,10 +8,8 @@ mod vehicle;
 
 use std::fmt::Display;
 
-use crash3::Side;
 use pim_core::{Real, Vector2, VehicleId};
 
-use crate::axes::Axes;
 use crate::basis::Basis;
 use crate::case::Case;
 use crate::data::{Collision, CrushOnly, ImpactInput, ReconstructionInput, VehicleData};
@@ -21,7 +19,6 @@ use crate::purpose::Purpose;
 use crate::quantity::Quantity;
 use crate::vehicle::GivenVehicle;
 
-pub use collision::placed_contact;
 pub use contradictions::contradictions;
 use crush::fill_opposite_pdof;
 
@@ -231,14 +228,5 @@ impl<'a, T: Real> Demand<'a, T> {
     /// The SI value of a lateral or rotational quantity, in the axes of the engine.
     fn lateral(&self, quantity: &Quantity<T>) -> T {
         self.case.axes.lateral(quantity.si())
-    }
-}
-
-/// (m) what counts along the face of a side, in the axes of the engine: to the left on front and rear,
-/// forward on the sides, which is forward in any axes.
-pub fn along_face<T: Real>(axes: Axes, side: Side, distance: T) -> T {
-    match side {
-        Side::Front | Side::Rear => axes.lateral(distance),
-        Side::Left | Side::Right => distance,
     }
 }

@@ -1,6 +1,6 @@
 //! The body of a vehicle seen from above, as drawings and damage need it.
 
-use crash3::{Side, VehicleClass};
+use crash3::Side;
 use pim_core::Real;
 
 /// The body seen from above.
@@ -17,17 +17,6 @@ pub struct Dimensions<T = f64> {
 }
 
 impl<T: Real> Dimensions<T> {
-    /// Those of a size class.
-    #[must_use]
-    pub fn of_class(class: u8, known: &VehicleClass) -> Self {
-        Self {
-            length: T::from(known.length),
-            width: T::from(known.width),
-            cg_to_front: T::from(known.cg_to_front),
-            class: Some(class),
-        }
-    }
-
     /// (m) distance of a side's face from the CG.
     #[must_use]
     pub fn face(&self, side: Side) -> T {

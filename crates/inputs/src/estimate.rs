@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use crash3::{CrushError, SideStiffness, Stiffness, VehicleClass};
+use crash3::{CrushError, Stiffness};
 use pim_core::{Real, VehicleId};
 
 use crate::quantity::Quantity;
@@ -137,41 +137,17 @@ pub struct Departures<T = f64> {
     pub contact: [[Option<Quantity<T>>; 2]; 2],
 }
 
-impl<T: Real> Departures<T> {
-    /// (m) by how much the contact point of a vehicle is moved.
-    pub(crate) fn of_contact(&self, vehicle: VehicleId, axis: FaceAxis) -> T {
-        let moved = &self.contact[vehicle.index()][axis.index()];
-        moved.as_ref().map_or(T::ZERO, Quantity::si)
-    }
-}
-
-/// The stiffness of another vehicle of the same category, whose A is so many times as large.
-pub(crate) fn scaled<T: Real>(
-    structure: SideStiffness<T>,
-    factor: T,
-) -> Result<SideStiffness<T>, CrushError> {
-    let SideStiffness::Uniform(stiffness) = structure else { return Ok(structure) };
-    let [a, b, g] = scaled_stiffness(&stiffness, factor);
-    Stiffness::from_abg(a, b, g).map(SideStiffness::Uniform)
-}
-
-/// A (N/m), B (N/m²) and G (N) of another vehicle of the same category, whose A is so many times as large.
+/// The stiffness of another vehicle of the same category, whose A is `factor` times as large; the `known` one
+/// without a factor.
+///
+/// # Errors
+/// If there is no such stiffness.
 #[inline(always)]
-#[must_use]
-pub fn scaled_stiffness<T: Real>(stiffness: &Stiffness<T>, factor: T) -> [T; 3] {
+pub fn scaled_stiffness<T: Real>(known: Stiffness<T>, factor: Option<T>) -> Result<Stiffness<T>, CrushError> {
+    let Some(factor) = factor else { return Ok(known) };
     // A = f A₀ with ln f = σ_A z, B = B₀ exp(σ_B z) = f^(σ_B/σ_A) B₀
     let b_factor = factor.power(STIFFNESS_LN_SD_B / STIFFNESS_LN_SD_A);
     // G is A²/2B
     let g_factor = factor * factor / b_factor;
-    [stiffness.a() * factor, stiffness.b() * b_factor, stiffness.g() * g_factor]
-}
-
-/// (kg·m²) yaw inertia of a vehicle of a size class and of a mass (kg), whose radius of gyration is so many
-/// times that of the class.
-#[inline(always)]
-#[must_use]
-pub fn class_yaw_inertia<T: Real>(class: &VehicleClass, mass: T, factor: T) -> T {
-    let yaw_radius = factor * class.yaw_radius;
-    // I = m k²
-    mass * yaw_radius * yaw_radius
+    Stiffness::from_abg(known.a() * factor, known.b() * b_factor, known.g() * g_factor)
 }

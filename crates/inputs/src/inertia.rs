@@ -17,6 +17,18 @@ pub enum Mass<T = f64> {
     Weight(Quantity<T>),
 }
 
+impl<T: Copy> Mass<T> {
+    /// The same with another number.
+    #[inline(always)]
+    #[must_use]
+    pub fn map<U>(&self, number: impl FnMut(T) -> U) -> Mass<U> {
+        match self {
+            Self::Mass(mass) => Mass::Mass(mass.map(number)),
+            Self::Weight(weight) => Mass::Weight(weight.map(number)),
+        }
+    }
+}
+
 impl<T: Real> Mass<T> {
     /// (kg) the mass; a weight is divided by [`STANDARD_GRAVITY`].
     #[inline(always)]
@@ -37,6 +49,18 @@ pub enum YawInertia<T = f64> {
     Inertia(Quantity<T>),
     /// (m) `yaw_radius`, the radius of gyration k: I = m k².
     Radius(Quantity<T>),
+}
+
+impl<T: Copy> YawInertia<T> {
+    /// The same with another number.
+    #[inline(always)]
+    #[must_use]
+    pub fn map<U>(&self, number: impl FnMut(T) -> U) -> YawInertia<U> {
+        match self {
+            Self::Inertia(inertia) => YawInertia::Inertia(inertia.map(number)),
+            Self::Radius(radius) => YawInertia::Radius(radius.map(number)),
+        }
+    }
 }
 
 impl<T: Real> YawInertia<T> {

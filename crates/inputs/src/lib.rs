@@ -49,6 +49,7 @@ mod demands;
 mod dimensions;
 mod estimate;
 mod fault;
+mod form;
 mod impact;
 mod inertia;
 mod motion;
@@ -77,14 +78,17 @@ pub use data::{
     Collision, CrushOnly, DamageData, EnergyData, Evidence, ImpactInput, InertiaData, InferredWidth,
     ReconstructionInput, StiffnessSource, VehicleData,
 };
-pub use demands::{along_face, contradictions, placed_contact};
+pub use demands::contradictions;
 pub use dimensions::Dimensions;
 pub use estimate::{
     ContactSpread, DAMAGE_LENGTH_SD, DEPTH_SD, Departures, Estimate, FaceAxis, OFFSET_SD, STIFFNESS_LN_SD_A,
-    STIFFNESS_LN_SD_B, YAW_RADIUS_CONFIDENCE, YAW_RADIUS_WITHIN, YawSource, class_yaw_inertia,
-    scaled_stiffness,
+    STIFFNESS_LN_SD_B, YAW_RADIUS_CONFIDENCE, YAW_RADIUS_WITHIN, YawSource, scaled_stiffness,
 };
 pub use fault::{Fault, FaultKind, Faults};
+pub use form::{
+    ContactForm, CourseForm, CrushForm, DamageForm, ImpactForm, PlacedContact, VehicleForm, WidthsForm,
+    YawForm,
+};
 pub use impact::{BrachTangential, GivenImpact, ImpactLaw, LawName, Restitution};
 pub use inertia::{Mass, YawInertia};
 pub use motion::{

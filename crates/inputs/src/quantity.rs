@@ -39,6 +39,20 @@ impl<T: Copy> Quantity<T> {
     pub fn with<U>(&self, number: U) -> Quantity<U> {
         Quantity { number, unit: self.unit }
     }
+
+    /// What comes of the number, in the same unit.
+    #[inline(always)]
+    #[must_use]
+    pub fn map<U>(&self, mut number: impl FnMut(T) -> U) -> Quantity<U> {
+        self.with(number(self.number))
+    }
+}
+
+impl<T: From<f64>> Quantity<T> {
+    /// A length in metres.
+    pub(crate) fn metres(metres: f64) -> Self {
+        Self { number: T::from(metres), unit: Dimension::Length.unit_of_si() }
+    }
 }
 
 impl<T: Real> Quantity<T> {

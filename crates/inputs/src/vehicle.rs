@@ -2,9 +2,11 @@
 
 use std::fmt::Display;
 
-use pim_core::Real;
+use crash3::VehicleClass;
+use pim_core::{Motion, Real, Vector2};
 
 use crate::after::{After, Before};
+use crate::axes::Axes;
 use crate::crush::{Crush, KnownEnergy};
 use crate::dimensions::Dimensions;
 use crate::inertia::{Mass, YawInertia};
@@ -206,16 +208,14 @@ impl<T: Copy> ContactPoint<T> {
     }
 
     /// The same with other numbers.
+    #[inline(always)]
     #[must_use]
-    pub fn map<U>(&self, number: impl Fn(T) -> U) -> ContactPoint<U> {
+    pub fn map<U>(&self, mut number: impl FnMut(T) -> U) -> ContactPoint<U> {
         match self {
-            Self::Polar { distance, angle } => ContactPoint::Polar {
-                distance: distance.with(number(distance.number())),
-                angle: angle.with(number(angle.number())),
-            },
-            Self::Cartesian { x, y } => {
-                ContactPoint::Cartesian { x: x.with(number(x.number())), y: y.with(number(y.number())) }
+            Self::Polar { distance, angle } => {
+                ContactPoint::Polar { distance: distance.map(&mut number), angle: angle.map(number) }
             }
+            Self::Cartesian { x, y } => ContactPoint::Cartesian { x: x.map(&mut number), y: y.map(number) },
         }
     }
 }
@@ -234,6 +234,14 @@ impl<T: Real> ContactPoint<T> {
             Self::Cartesian { x, y } => [x.si(), y.si()],
         }
     }
+
+    /// (m) forward and left of the centre of gravity.
+    #[inline(always)]
+    #[must_use]
+    pub fn point(&self, axes: Axes) -> [T; 2] {
+        let [x, y] = self.xy();
+        [x, axes.lateral(y)]
+    }
 }
 
 /// Velocity of the centre of gravity before the impact.
@@ -251,7 +259,29 @@ pub enum Velocity<T = f64> {
     },
 }
 
+impl<T: Copy> Velocity<T> {
+    /// The same with other numbers.
+    #[inline(always)]
+    #[must_use]
+    pub fn map<U>(&self, mut number: impl FnMut(T) -> U) -> Velocity<U> {
+        match self {
+            Self::Speed(speed) => Velocity::Speed(speed.map(number)),
+            Self::Vector { x, y } => Velocity::Vector { x: x.map(&mut number), y: y.map(number) },
+        }
+    }
+}
+
 impl<T: Real> Velocity<T> {
+    /// (m/s) in the axes of the engine, of a vehicle that travels in the direction `course` (rad).
+    #[inline(always)]
+    #[must_use]
+    pub fn vector(&self, axes: Axes, course: T) -> Vector2<T> {
+        match self {
+            Self::Speed(speed) => Motion::along(course, speed.si()).velocity,
+            Self::Vector { x, y } => Vector2::new(x.si(), axes.lateral(y.si())),
+        }
+    }
+
     /// (m/s) the speed; of a vector, its length.
     #[must_use]
     pub fn size(&self) -> T {
@@ -284,10 +314,18 @@ impl<T: Copy> Outline<T> {
 
     /// The same with other numbers.
     #[must_use]
-    pub fn map<U>(&self, number: impl Fn(T) -> U) -> Outline<U> {
-        let [length, width, cg_to_front] =
-            self.quantities().map(|quantity| quantity.with(number(quantity.number())));
+    pub fn map<U>(&self, mut number: impl FnMut(T) -> U) -> Outline<U> {
+        let [length, width, cg_to_front] = self.quantities().map(|quantity| quantity.map(&mut number));
         Outline { length, width, cg_to_front }
+    }
+}
+
+impl<T: From<f64>> Outline<T> {
+    /// That of a size class.
+    pub(crate) fn of_class(class: &VehicleClass) -> Self {
+        let [length, width, cg_to_front] =
+            [class.length, class.width, class.cg_to_front].map(Quantity::metres);
+        Self { length, width, cg_to_front }
     }
 }
 

@@ -10,10 +10,10 @@ use trajectory::{Control, Ground, Outset, State, Zone, to_rests};
 
 use super::block::Block;
 use super::posed::{OpenSpeeds, Posed};
+use crate::columns::{Number, si};
 use crate::damage::{assess, crush_energy};
 use crate::evidence::{needed, works};
 use crate::travel::{Scene, skid};
-use crate::uncertainty::lanes::{Number, si};
 
 /// What becomes of a number of the case.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -94,7 +94,7 @@ impl SkidNumbers {
     fn lanes(&self, values: &[Lanes]) -> [SkidData; LANES] {
         let (mut length, mut friction) = (Lanes::ZERO, self.friction.lanes(values));
         if let Some(given) = &self.length {
-            si(given, values, &mut length);
+            si(*given, values, &mut length);
         }
         if let Some(place) = self.factor {
             for (friction, factor) in friction.iter_mut().zip(&Number::Uncertain(place).lanes(values)) {
@@ -145,13 +145,13 @@ impl CaseImpacts {
         values: &[Lanes],
         wanted: &mut dyn FnMut(VehicleId, &[Impacted]) -> [bool; LANES],
     ) -> Vec<Impacted> {
-        let poses = self.block.as_ref().map(|block| block.pose(values, self.speeds));
+        let poses = self.block.as_ref().map(|block| (block, block.pose(values)));
         let marks = self.marks(values);
         let has_places = self.skids.iter().flatten().any(|skid| skid.length.is_none());
         let mut impacts = Vec::with_capacity(LANES);
         for (lane, marks) in marks.into_iter().enumerate() {
             let mut case = None;
-            let posed = poses.as_ref().and_then(|poses| poses.of(lane));
+            let posed = poses.as_ref().and_then(|(block, columns)| block.of(columns, values, lane));
             let posed = posed.or_else(|| pose(case.insert(self.case_of(values, lane))));
             // Errors that numbers share stand in the case alone, and are never posed without it.
             let marked = if self.impact.shared.is_some() || has_places {

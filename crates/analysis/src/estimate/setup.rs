@@ -20,9 +20,9 @@ use super::notes::{Unused, UnusedReason};
 use super::observe::{Crushed, Scene, damage, energies, observe, reference};
 use super::of_number;
 use super::posed::{Alone, OpenSpeeds};
+use crate::columns::Number;
 use crate::excluded::table;
 use crate::failure::Failure;
-use crate::uncertainty::lanes::Number;
 use crate::uncertainty::{UncertainInput, inputs};
 
 /// Why a number has the distribution that it has, where the case does not give it.
@@ -195,7 +195,7 @@ pub(super) fn of(case: &Case, prior: Option<Prior>) -> Result<Setup, Failure> {
     let variables = case.variables();
     let numbers = placed(&case, &slots);
     let skids = skids(&case, &numbers, &variables, &slots);
-    let block = shared.is_empty().then(|| block(&numbers, &variables, &slots, speeds)).flatten();
+    let block = shared.is_empty().then(|| block(numbers, &variables, &slots, speeds)).flatten();
     case.uncertainty = Default::default();
     case.title = None;
     case.source = None;
@@ -312,7 +312,7 @@ fn skid_friction(id: VehicleId) -> String {
 }
 
 /// The case for a block of particles at once.
-fn block(numbers: &Case<Number>, variables: &[Input], slots: &[Slot], speeds: OpenSpeeds) -> Option<Block> {
+fn block(numbers: Case<Number>, variables: &[Input], slots: &[Slot], speeds: OpenSpeeds) -> Option<Block> {
     // Burg's formula takes the yaw inertia from the wheelbase, where neither it nor a class is given.
     let is_by_burg = |id: &VehicleId| {
         let vehicle = &numbers.vehicles[id.index()];

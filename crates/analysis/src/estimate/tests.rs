@@ -1,12 +1,14 @@
 //! Estimates of cases of which the answer is known otherwise.
 #![allow(clippy::disallowed_methods, reason = "expected values may differ between machines by rounding")]
 
+use std::collections::BTreeSet;
 use std::ops::ControlFlow;
 
 use case::CaseFile;
 use inputs::Case;
 
 use super::*;
+use crate::columns::tests::{AnyCase, FORMS, any_case};
 use crate::sensitivity::Output;
 
 fn read(text: &str) -> Case {
@@ -651,8 +653,17 @@ energy_basis = { tangential_share = { value = 0.5, sd = 0.2 } }
         "wheelbase = { value = \"2.7 m\", sd = \"5 cm\" }\nlength = \"4.5 m\"",
         1,
     );
-    assert!(spaced != fixture && burg != other);
-    for text in [fixture, other, &flat, &skids, &fraction, &absorbed, &spaced, &burg] {
+    let offset = fixture.replace("pdof = \"15 deg\"", "offset = { value = \"0 cm\", sd = \"3 cm\" }");
+    let law = |law: &str| fixture.replace("restitution = 0.1\ntangential = \"critical\"", law);
+    let woolley = law("law = \"woolley\"");
+    let curve =
+        law("restitution = { speeds = \"1 30 m/s\", values = [0.4, 0.2] }\ntangential = \"critical\"");
+    for changed in [&spaced, &burg, &offset, &woolley, &curve] {
+        assert!(changed != fixture && changed != other);
+    }
+    for text in
+        [fixture, other, &flat, &skids, &fraction, &absorbed, &spaced, &burg, &offset, &woolley, &curve]
+    {
         let mut impacts = of_case(text).impacts;
         assert!(impacts.block.is_some(), "{text}");
         let blocks: Vec<_> = (0..8).flat_map(|seed| impacts_of(&impacts, seed)).collect();
@@ -675,19 +686,14 @@ energy_basis = { tangential_share = { value = 0.5, sd = 0.2 } }
     }
 }
 
-/// What a block does not read is left to the case.
+/// Errors that numbers share are left to the case.
 #[test]
 fn other_shapes_are_left_to_the_case() {
     let fixture = include_str!("../../../../fixtures/estimate.toml");
     let shared = format!(
         "{fixture}[[uncertainty.shared]]\nname = \"tape\"\nof = [\"vehicle1.crush.depths\"]\nsd = \"1 cm\"\n"
     );
-    let offset = fixture.replace("pdof = \"15 deg\"", "offset = { value = \"0 cm\", sd = \"3 cm\" }");
-    let woolley = fixture.replace("restitution = 0.1\ntangential = \"critical\"", "law = \"woolley\"");
-    for text in [shared, offset, woolley] {
-        assert_ne!(text, fixture);
-        assert!(of_case(&text).impacts.block.is_none(), "{text}");
-    }
+    assert!(of_case(&shared).impacts.block.is_none());
 }
 
 /// Bias and error are those of the way in which each energy was obtained, and the case may give both.
@@ -1042,4 +1048,22 @@ fn a_mark_is_sought_between_the_steps() {
     let passes = scene.passes(id, &way, start, impacts::WAY_TOLERANCE).unwrap();
     let worst = passes.iter().map(|pass| pass.miss).fold(0.0, f64::max);
     assert!(worst < 0.03, "{worst}");
+}
+
+/// In whatever form the case gives what enters the impact, the particles of a block are those of its cases.
+#[test]
+fn a_block_of_any_case_is_its_cases() {
+    let mut seen = BTreeSet::new();
+    for seed in 0..120 {
+        let AnyCase { text, forms } = any_case(seed);
+        let Ok(setup::Setup { mut impacts, .. }) = setup::of(&read(&text), None) else { continue };
+        let blocks = impacts_of(&impacts, seed);
+        assert!(impacts.block.take().is_some(), "{text}");
+        assert_eq!(impacts_of(&impacts, seed), blocks, "{text}");
+        if blocks.iter().any(|impacted| impacted.contains("is_possible: true")) {
+            seen.extend(forms);
+        }
+    }
+    let unseen: Vec<&str> = FORMS.into_iter().filter(|form| !seen.contains(form)).collect();
+    assert!(unseen.is_empty(), "{unseen:?}");
 }

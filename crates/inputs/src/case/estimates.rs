@@ -5,20 +5,8 @@ use pim_core::VehicleId;
 use super::Case;
 use crate::crush::StiffnessForm;
 use crate::estimate::{ContactSpread, DAMAGE_LENGTH_SD, DEPTH_SD, Estimate, FaceAxis, OFFSET_SD, YawSource};
-use crate::vehicle::GivenVehicle;
 
-/// Where the yaw inertia of a vehicle comes from: what is given takes precedence over the class, and that
-/// over Burg's formula. `None` where nothing tells it.
-fn yaw_source<T>(vehicle: &GivenVehicle<T>) -> Option<YawSource> {
-    let has_length = vehicle.outline.is_some() || vehicle.length.is_some();
-    match (&vehicle.yaw, vehicle.class) {
-        (Some(_), _) => Some(YawSource::Given),
-        (None, Some(class)) => Some(YawSource::Class(class)),
-        (None, None) => (vehicle.wheelbase.is_some() && has_length).then_some(YawSource::Burg),
-    }
-}
-
-impl<T> Case<T> {
+impl<T: Copy + From<f64>> Case<T> {
     /// Whether the stiffness of each vehicle comes from a category, its radius of gyration from a class or a
     /// formula, and the contact point of an impact from the damage.
     #[must_use]
@@ -29,7 +17,10 @@ impl<T> Case<T> {
                 StiffnessForm::Category(category) => Some(category),
                 _ => None,
             });
-            let source = yaw_source(given).filter(|source| *source != YawSource::Given);
+            let source = given
+                .yaw_form(T::from(1.0))
+                .map(|yaw| yaw.source())
+                .filter(|source| *source != YawSource::Given);
             let stiffness = category.map(|category| Estimate::Stiffness { vehicle, category });
             let yaw_radius = source.map(|source| Estimate::YawRadius { vehicle, source });
             let is_placed = self.impact.is_some() && given.places_contact();

@@ -1,16 +1,15 @@
 //! What an impact needs of a case: geometry, law and motions of both vehicles, and the speed to find.
 
-use crash3::{CrushError, DamagedFace, EnergyMoments, Side};
-use pim_core::{Body, Contact, Motion, Participant, Real, VaryingLaw, Vector2, VehicleId};
+use crash3::{EnergyMoments, Side};
+use pim_core::{Body, Contact, Motion, Participant, Real, VaryingLaw, VehicleId};
 use reconcile::Unknown;
 
-use super::{Demand, along_face, fill_opposite_pdof, table};
+use super::{Demand, fill_opposite_pdof, table};
 use crate::axes::Axes;
 use crate::data::{Collision, DamageData, Evidence, InertiaData, VehicleData};
-use crate::dimensions::Dimensions;
-use crate::estimate::FaceAxis;
 use crate::fault::{Fault, FaultKind};
-use crate::vehicle::{ContactPoint, GivenVehicle, Velocity};
+use crate::form::PlacedContact;
+use crate::vehicle::{GivenVehicle, Velocity};
 
 const SPEED_FORMS: &str =
     "`speed = \"10 mph\"` along the heading, or `velocity = { x = \"-75 ft/s\", y = \"0 ft/s\" }`";
@@ -18,26 +17,19 @@ const SPEED_FORMS: &str =
 impl<T: Real> Demand<'_, T> {
     /// (m) C forward and left of the CG.
     pub(super) fn contact_point(&self, vehicle: &GivenVehicle<T>) -> Option<[T; 2]> {
-        let contact = vehicle.contact.as_ref().map(ContactPoint::xy);
-        contact.map(|[x, y]| [x, self.case.axes.lateral(y)])
+        vehicle.contact.as_ref().map(|contact| contact.point(self.case.axes))
     }
 
     /// (m) C forward and left of the CG, at the centroid of a damage of which the case tells where it lies.
     pub(super) fn placed_contact(
         &mut self,
         id: VehicleId,
+        placed: &PlacedContact<T>,
         damage: &DamageData<T>,
-        dimensions: Dimensions<T>,
     ) -> Option<[T; 2]> {
-        let (Evidence::Measured { profile, structure }, Some(offset)) = (&damage.evidence, damage.offset)
-        else {
-            return None;
-        };
-        let moved = |axis| self.case.departures.of_contact(id, axis);
-        let along = along_face(self.case.axes, damage.side, moved(FaceAxis::Along));
-        let moved = [along, moved(FaceAxis::Inward)];
-        let point = EnergyMoments::of(profile, structure)
-            .and_then(|moments| placed_contact(damage.side, &dimensions, offset, moved, &moments));
+        let Evidence::Measured { profile, structure } = &damage.evidence else { return None };
+        let point =
+            EnergyMoments::of(profile, structure).and_then(|moments| placed.point(self.case.axes, &moments));
         self.accepted(format_args!("{}.contact", table(id)), point)
     }
 
@@ -184,16 +176,12 @@ impl<T: Real> Demand<'_, T> {
             self.missing(format_args!("{table}.speed"), SPEED_FORMS);
             return None;
         };
-        let motion = match velocity {
-            Velocity::Speed(speed) => {
-                let course = self.case.course(id).or(self.case.headings()[id.index()])?;
-                Motion::along(course, speed.si())
-            }
-            Velocity::Vector { x, y } => {
-                Motion { velocity: Vector2::new(x.si(), self.lateral(y)), yaw_rate: T::ZERO }
-            }
+        let course = match velocity {
+            Velocity::Speed(_) => self.case.course(id).or(self.case.headings()[id.index()])?,
+            // It tells its direction itself.
+            Velocity::Vector { .. } => T::ZERO,
         };
-        Some(motion.with_yaw_rate(yaw_rate))
+        Some(Motion { velocity: velocity.vector(self.case.axes, course), yaw_rate })
     }
 
     pub(super) fn law(&mut self) -> Option<VaryingLaw<T>> {
@@ -217,21 +205,4 @@ impl<T: Real> Demand<'_, T> {
         });
         self.accepted("impact.crush_plane", contact)
     }
-}
-
-/// (m) the contact point, forward and left of the CG, that is placed at the centroid of a damage: its middle
-/// lies at `offset` (m) [along the face](along_face), and it is `moved` as a whole along the face and inward,
-/// which takes its centroid with it.
-///
-/// # Errors
-/// Where the face then lies behind the CG, or a number is not finite.
-pub fn placed_contact<T: Real>(
-    side: Side,
-    dimensions: &Dimensions<T>,
-    offset: T,
-    [along, inward]: [T; 2],
-    moments: &EnergyMoments<T>,
-) -> Result<[T; 2], CrushError> {
-    let face = DamagedFace::new(side, dimensions.face(side) - inward, offset + along)?;
-    Ok(face.centroid_of(moments))
 }

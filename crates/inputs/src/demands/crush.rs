@@ -5,11 +5,11 @@ use std::fmt::{self, Display};
 use crash3::{DamagedFace, Profile, SideStiffness};
 use pim_core::{Real, VehicleId};
 
-use super::{Demand, along_face, table};
+use super::{Demand, table};
 use crate::crush::{Crush, KnownEnergy, Pdof, StiffnessForm, StiffnessLine};
 use crate::data::{DamageData, Evidence, InferredWidth, StiffnessSource, VehicleData};
 use crate::dimensions::Dimensions;
-use crate::estimate::scaled;
+use crate::form::CrushForm;
 use crate::purpose::Purpose;
 use crate::quantity::Quantity;
 use crate::vehicle::GivenVehicle;
@@ -75,16 +75,12 @@ impl<T: Real> Demand<'_, T> {
     pub(super) fn damage(
         &mut self,
         id: VehicleId,
-        crush: &Crush<T>,
+        form: &CrushForm<'_, T>,
         dimensions: Option<Dimensions<T>>,
     ) -> Option<DamageData<T>> {
         let path = |key| InCrush(id, key);
-        let structure = crush.stiffness.structure(crush.side);
-        let structure = match self.case.departures.stiffness[id.index()] {
-            Some(factor) => structure.and_then(|structure| scaled(structure, factor)),
-            None => structure,
-        };
-        let structure = self.accepted(path("stiffness"), structure);
+        let crush = form.crush;
+        let structure = self.accepted(path("stiffness"), form.structure());
         let evidence = if crush.from_force_balance {
             let width = self.inferred_width(id, crush, dimensions)?;
             match structure? {
@@ -96,10 +92,10 @@ impl<T: Real> Demand<'_, T> {
                 }
             }
         } else {
-            let profile = self.profile(id, crush);
+            let profile = self.profile(id, form);
             Evidence::Measured { profile: profile?, structure: structure? }
         };
-        let offset = crush.offset.as_ref().map(|offset| along_face(self.case.axes, crush.side, offset.si()));
+        let offset = crush.offset.as_ref().map(|offset| self.case.axes.along_face(crush.side, offset.si()));
         let face = match dimensions {
             Some(dimensions) => {
                 let face =
@@ -129,16 +125,11 @@ impl<T: Real> Demand<'_, T> {
         })
     }
 
-    fn profile(&mut self, id: VehicleId, crush: &Crush<T>) -> Option<Profile<T>> {
+    fn profile(&mut self, id: VehicleId, crush: &CrushForm<'_, T>) -> Option<Profile<T>> {
         let path = |key| InCrush(id, key);
-        let depths = crush.depths.iter().map(Quantity::si).collect();
-        let profile = match (&crush.spacing, &crush.width) {
-            (Some(spacing), _) => Profile::new(depths, spacing.iter().map(Quantity::si).collect()),
-            (None, Some(width)) => Profile::equally_spaced(depths, width.si()),
-            (None, None) => {
-                self.missing(path("width"), "`width = \"65 in\"` or `spacing`");
-                return None;
-            }
+        let Some(profile) = crush.profile() else {
+            self.missing(path("width"), "`width = \"65 in\"` or `spacing`");
+            return None;
         };
         self.accepted(path("depths"), profile)
     }
