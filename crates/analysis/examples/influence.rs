@@ -5,6 +5,7 @@
 
 use std::error::Error;
 
+use analysis::quantities::SPEED;
 use analysis::{Output, Sweep};
 use case::{CaseFile, to_toml};
 
@@ -20,7 +21,7 @@ pub(crate) fn main() -> Result<(), Box<dyn Error>> {
     let file = CaseFile::parse("sae-980025.toml", case::EXAMPLE)?;
     let sensitivity = analysis::sensitivity(&file.case, Sweep { step: 5_f64.to_radians(), steps: 1 })?;
 
-    let of_the_speed = |output: Output| matches!(output, Output::Speed { .. });
+    let of_the_speed = |output: Output| output.is(&SPEED);
     let ranked: Vec<_> = sensitivity.derivatives.iter().filter(|one| of_the_speed(one.output)).collect();
     for derivative in ranked.iter().take(5) {
         println!("{:28} {:+.2} %", derivative.input.path, 100.0 * derivative.influence());

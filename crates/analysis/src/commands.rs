@@ -8,7 +8,8 @@ use crate::analysis::Analysis;
 use crate::compare::{self, Comparison, LawRow};
 use crate::failure::Failure;
 use crate::headline::can_be_weighed;
-use crate::sensitivity::{self, Output, Sensitivity, Sweep};
+use crate::output::Output;
+use crate::sensitivity::{self, Sensitivity, Sweep};
 use crate::solve;
 use crate::uncertainty::{self, Plan, Stage, Uncertainty};
 

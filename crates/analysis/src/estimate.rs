@@ -23,10 +23,10 @@ use pim_core::VehicleId;
 
 use crate::excluded::{Impossible, key, table};
 use crate::failure::Failure;
-use crate::sensitivity::Output;
+use crate::output::Output;
+use crate::quantities::DELTA_V_LONGITUDINAL;
 use crate::uncertainty::NOISE;
 pub use notes::{Unused, UnusedReason};
-pub use outputs::EstimateOutput;
 use outputs::Told;
 pub use pieces::{PieceFound, SameTwice};
 pub use setup::Assumed;
@@ -116,7 +116,7 @@ pub struct UnknownNumber {
 #[derive(Clone, Debug)]
 pub struct EstimatedOutput {
     /// Which.
-    pub output: EstimateOutput,
+    pub output: Output,
     /// (SI) before the evidence; `None` where that run did not converge.
     pub prior: Option<DrawsSummary>,
     /// (SI) after it.
@@ -156,9 +156,9 @@ impl EstimatedOutput {
 ///
 /// # Errors
 /// [`Failure`] where the case lacks something, or where a distribution makes no sense.
-pub fn estimate_outputs(case: &Case) -> Result<Vec<EstimateOutput>, Failure> {
+pub fn estimate_outputs(case: &Case) -> Result<Vec<Output>, Failure> {
     let setup = setup::of(case, None)?;
-    Ok(outputs::of(&setup.impacts, case.axes))
+    Ok(outputs::of(&setup.impacts))
 }
 
 /// The keys of the evidence that [`estimate()`] uses of a case.
@@ -199,23 +199,31 @@ impl Estimated {
         self.posterior.diagnosis().ess()
     }
 
+    fn place(&self, output: Output) -> Option<usize> {
+        self.outputs.iter().position(|found| found.output == output)
+    }
+
+    /// What it says of a result.
+    #[must_use]
+    pub fn output(&self, output: Output) -> Option<&EstimatedOutput> {
+        self.outputs.get(self.place(output)?)
+    }
+
     /// (SI) the draws of a result.
     #[must_use]
-    pub fn draws(&self, output: EstimateOutput) -> Option<&[f64]> {
-        let place = self.outputs.iter().position(|found| found.output == output)?;
-        self.posterior.outputs().get(place).map(Vec::as_slice)
+    pub fn draws(&self, output: Output) -> Option<&[f64]> {
+        self.posterior.outputs().get(self.place(output)?).map(Vec::as_slice)
     }
 
     /// (SI) the draws of a result before the evidence.
     #[must_use]
-    pub fn draws_before(&self, output: EstimateOutput) -> Option<&[f64]> {
-        let place = self.outputs.iter().position(|found| found.output == output)?;
-        self.before.as_ref()?.outputs().get(place).map(Vec::as_slice)
+    pub fn draws_before(&self, output: Output) -> Option<&[f64]> {
+        self.before.as_ref()?.outputs().get(self.place(output)?).map(Vec::as_slice)
     }
 
     /// The probability that a result is above a limit (SI), with its error from sampling.
     #[must_use]
-    pub fn probability_above(&self, output: EstimateOutput, limit: f64) -> Option<Estimate> {
+    pub fn probability_above(&self, output: Output, limit: f64) -> Option<Estimate> {
         Some(self.posterior.draws().probability_above(self.draws(output)?, limit))
     }
 }
@@ -415,7 +423,7 @@ fn missed(model: &Model<impacts::CaseImpacts>, posterior: &Posterior) -> Vec<Str
 fn has_other_sign(found: &PieceFound, observed: &Observed, told: &Told<'_>, posterior: &Posterior) -> bool {
     let Piece::RecordedDeltaV(id) = found.piece else { return false };
     let Some(part) = observed.vehicles[id.index()].recorder.longitudinal else { return false };
-    let wanted = EstimateOutput::Result(Output::DeltaVLongitudinal { vehicle: id });
+    let wanted = DELTA_V_LONGITUDINAL.of_vehicle(id);
     let place = told.outputs().iter().position(|output| *output == wanted);
     let median = place.map(|place| posterior.summary(::estimate::DrawnQuantity::Output(place)).median.value);
     median.is_some_and(|median| median * part.along < 0.0)

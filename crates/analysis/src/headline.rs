@@ -9,13 +9,12 @@ use pim_core::VehicleId;
 
 use crate::analysis::Analysis;
 use crate::check::{Check, CheckedQuantity};
-use crate::estimate::{
-    EstimateOutput, EstimatePlan, EstimateStage, Estimated, EstimatedOutput, estimate, estimate_evidence,
-};
+use crate::estimate::{EstimatePlan, EstimateStage, Estimated, EstimatedOutput, estimate, estimate_evidence};
 use crate::evidence::{ByEvidence, EvidenceMethod, by_evidence};
 use crate::failure::Failure;
+use crate::output::Output;
+use crate::quantities::{DELTA_V, SPEED};
 use crate::seen::Seen;
-use crate::sensitivity::Output;
 use crate::speeds::BothMethod;
 use crate::warning::Warning;
 
@@ -152,8 +151,7 @@ impl Weighed {
     /// What all the evidence says of a result.
     #[must_use]
     pub fn output(&self, output: Output) -> Option<&EstimatedOutput> {
-        let wanted = EstimateOutput::Result(output);
-        self.estimated.outputs.iter().find(|found| found.output == wanted)
+        self.estimated.output(output)
     }
 
     /// The distribution of that.
@@ -206,16 +204,15 @@ impl Found {
         };
         let (speeds, delta_v) = (moving(self.speeds), moving(self.delta_v));
         let outside = |output: Output, value: Option<f64>| {
-            let wanted = EstimateOutput::Result(output);
-            let found = estimated.outputs.iter().find(|found| found.output == wanted && found.varies());
+            let found = estimated.output(output).filter(|found| found.varies());
             value.zip(found).is_some_and(|(value, found)| {
                 let [.., widest] = &found.posterior.intervals;
                 value < widest.low.value || value > widest.high.value
             })
         };
         let outside = [
-            VehicleId::ALL.map(|vehicle| outside(Output::Speed { vehicle }, speeds[vehicle.index()])),
-            VehicleId::ALL.map(|vehicle| outside(Output::DeltaV { vehicle }, delta_v[vehicle.index()])),
+            VehicleId::ALL.map(|vehicle| outside(SPEED.of_vehicle(vehicle), speeds[vehicle.index()])),
+            VehicleId::ALL.map(|vehicle| outside(DELTA_V.of_vehicle(vehicle), delta_v[vehicle.index()])),
         ];
         let failed = exact.refuting().filter(|_| is_detailed).copied().collect();
         Solution { by: self.by, speeds, delta_v, outside, failed, is_detailed }

@@ -20,7 +20,7 @@
 //! that need no answer.
 //!
 //! [`QUANTITIES`] has a row for every number that an analysis gives: its key, label, symbol, kind, source and
-//! how to read it.
+//! how to read it. Each is a constant of [`quantities`], and an [`Output`] is one of them of one vehicle.
 //!
 //! [`beside`] adds to an analysis what a report to hand over has besides.
 //!
@@ -61,7 +61,8 @@ mod headline;
 mod impact;
 mod judged;
 mod judgement;
-mod quantities;
+mod output;
+pub mod quantities;
 mod seen;
 mod sensitivity;
 mod solve;
@@ -75,9 +76,8 @@ mod warning;
 
 pub use self::analysis::Analysis;
 pub use self::estimate::{
-    Assumed, EstimateOutput, EstimatePlan, EstimateStage, Estimated, EstimatedOutput, MISSED, PieceFound,
-    SameTwice, Stood, TOLD_BELOW, UnknownNumber, Unused, UnusedReason, estimate, estimate_evidence,
-    estimate_outputs,
+    Assumed, EstimatePlan, EstimateStage, Estimated, EstimatedOutput, MISSED, PieceFound, SameTwice, Stood,
+    TOLD_BELOW, UnknownNumber, Unused, UnusedReason, estimate, estimate_evidence, estimate_outputs,
 };
 pub use self::evidence::{ByEvidence, EvidenceAnswer, EvidenceMethod, NoEvidence};
 pub use self::uncertainty::{
@@ -98,9 +98,10 @@ pub use found::Found;
 pub use headline::{Overdetermined, Solution, Weighed, weigh};
 pub use impact::Impact;
 pub use judgement::{Ability, Assumption, AxleMeasure, Judgement, assumptions, judge, nearest_class};
-pub use quantities::{Kind, Of, OutputQuantity, QUANTITIES, Values, quantity};
+pub use output::{Kind, Of, Output, OutputQuantity, Values};
+pub use quantities::{QUANTITIES, quantity};
 pub use seen::{Seen, SeenWarning};
-pub use sensitivity::{Derivative, Output, Sensitivity, Sweep, SweepRow, WayNumber};
+pub use sensitivity::{Derivative, Sensitivity, Sweep, SweepRow};
 pub use solve::{geometry, motion};
 pub use speeds::{BothFound, BothMethod, CgLine, Combination};
 pub use thresholds::{DELTA_V_DIFFERENCE, ENERGY_DIFFERENCE, FAST_CLOSING, HIGH_RESTITUTION, POINT_MISSED};

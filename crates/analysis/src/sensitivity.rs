@@ -1,17 +1,17 @@
 //! How sensitive the answer is to each input: exact derivatives, and a sweep of the direction of force.
 
 use crash3::{ObliqueCorrection, principal_angle};
-use inputs::{Axes, Case, Dimension, Estimate, Geometry, GivenVehicle, Input, Origin};
-use pim_core::{ImpactError, Motion, Outcome, Real, VehicleId};
+use inputs::{Axes, Case, Dimension, Estimate, GivenVehicle, Input, Origin};
+use pim_core::ImpactError;
 use real::Gradient;
-use reconcile::Implied;
 
 use crate::analysis::Analysis;
 use crate::damage::{self, Crash3};
 use crate::failure::Failure;
-use crate::goal::{self, Answer, Goal, Known, length};
+use crate::goal::{self, Goal, Known};
+use crate::output::Output;
+use crate::quantities::{DELTA_V, SPEED};
 use crate::solve;
-use crate::travel::{Origin as WayOrigin, Way};
 use crate::vehicle::Vehicle;
 
 /// (rad) 1°.
@@ -31,292 +31,6 @@ pub struct Sensitivity {
     /// CRASH3's answer for rotated directions of force, in ascending order; empty if the damage or the PDOF
     /// of a vehicle is unknown.
     pub pdof_sweep: Vec<SweepRow>,
-}
-
-/// A result that is differentiated.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Output {
-    /// (m/s) the speed found.
-    Speed {
-        /// Which vehicle.
-        vehicle: VehicleId,
-    },
-    /// (m/s) ΔV of the impact.
-    DeltaV {
-        /// Which vehicle.
-        vehicle: VehicleId,
-    },
-    /// (m/s) ΔV along the vehicle's forward axis.
-    DeltaVLongitudinal {
-        /// Which vehicle.
-        vehicle: VehicleId,
-    },
-    /// (m/s) ΔV across it, to the left, or to the right in z-down axes.
-    DeltaVLateral {
-        /// Which vehicle.
-        vehicle: VehicleId,
-        /// The axes of the case.
-        axes: Axes,
-    },
-    /// (rad) principal direction of force.
-    Pdof {
-        /// Which vehicle.
-        vehicle: VehicleId,
-    },
-    /// (m/s) speed at which the contact points approach each other along the normal.
-    ClosingSpeed,
-    /// (J) kinetic energy that the impact dissipates.
-    EnergyLoss,
-    /// (J) work of the normal impulse.
-    NormalWork,
-    /// (J) work of the tangential impulse.
-    TangentialWork,
-    /// A number of the way from the impact to rest.
-    Way {
-        /// Which vehicle.
-        vehicle: VehicleId,
-        /// Which number.
-        number: WayNumber,
-        /// The axes of the case.
-        axes: Axes,
-    },
-}
-
-/// A number of the way of a vehicle from the impact to rest.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum WayNumber {
-    /// (m/s) speed at the start.
-    StartSpeed,
-    /// (rad) direction of the velocity at the start.
-    StartDirection,
-    /// (rad/s) yaw rate at the start.
-    StartYawRate,
-    /// (m) place of rest, along x.
-    RestX,
-    /// (m) place of rest, along y.
-    RestY,
-    /// (rad) heading at rest, full turns since the impact included.
-    RestHeading,
-    /// (m) length of the way.
-    RestDistance,
-    /// (s) time to rest.
-    RestTime,
-}
-
-impl WayNumber {
-    /// All of them.
-    pub const ALL: [Self; 8] = [
-        Self::StartSpeed,
-        Self::StartDirection,
-        Self::StartYawRate,
-        Self::RestX,
-        Self::RestY,
-        Self::RestHeading,
-        Self::RestDistance,
-        Self::RestTime,
-    ];
-
-    /// Whether it is a result of a way: neither a start that the case gives, nor a rest that was measured.
-    fn results_from(self, origin: WayOrigin) -> bool {
-        let is_start = matches!(self, Self::StartSpeed | Self::StartDirection | Self::StartYawRate);
-        let is_end = matches!(self, Self::RestX | Self::RestY | Self::RestHeading);
-        match origin {
-            WayOrigin::Impact => true,
-            WayOrigin::Given => !is_start,
-            WayOrigin::Rest | WayOrigin::StraightRest => !is_end,
-        }
-    }
-
-    fn key(self) -> &'static str {
-        match self {
-            Self::StartSpeed => "start.speed",
-            Self::StartDirection => "start.direction",
-            Self::StartYawRate => "start.yaw_rate",
-            Self::RestX => "rest.x",
-            Self::RestY => "rest.y",
-            Self::RestHeading => "rest.heading",
-            Self::RestDistance => "rest.distance",
-            Self::RestTime => "rest.time",
-        }
-    }
-
-    fn value<T: Real>(self, way: &Way<T>, axes: Axes) -> T {
-        let Way { start: Motion { velocity, yaw_rate }, rest } = way;
-        match self {
-            Self::StartSpeed => length(*velocity),
-            // A vehicle that stays where it is has no direction.
-            Self::StartDirection if velocity.x == T::ZERO && velocity.y == T::ZERO => T::ZERO,
-            Self::StartDirection => axes.lateral(velocity.y.atan2(velocity.x)),
-            Self::StartYawRate => axes.lateral(*yaw_rate),
-            Self::RestX => rest.position.x,
-            Self::RestY => axes.lateral(rest.position.y),
-            Self::RestHeading => axes.lateral(rest.heading),
-            Self::RestDistance => rest.distance,
-            Self::RestTime => rest.time,
-        }
-    }
-}
-
-impl Output {
-    /// The outputs of an analysis: the speeds found, if there are any; no ΔV and PDOF of a fixed object; and
-    /// those of the ways to rest.
-    pub(crate) fn of(analysis: &Analysis, axes: Axes) -> Vec<Self> {
-        let mut outputs = if let Some(both) = &analysis.both {
-            let mut outputs = Self::OF_BOTH_SPEEDS.to_vec();
-            outputs.retain(|output| match output {
-                Self::Speed { vehicle } => both.vehicles().any(|sought| sought == *vehicle),
-                Self::NormalWork | Self::TangentialWork => both.geometry != Geometry::PointMasses,
-                output => output.vehicle().is_none_or(|vehicle| analysis.moves(vehicle)),
-            });
-            outputs
-        } else if analysis.impact.is_some() {
-            let found = analysis.found.as_ref().map(|found| found.unknown.vehicle());
-            let mut outputs = Self::of_two_vehicles(found.unwrap_or(VehicleId::One), axes).to_vec();
-            outputs.retain(|output| match output {
-                Self::Speed { .. } => found.is_some(),
-                output => output.vehicle().is_none_or(|vehicle| analysis.moves(vehicle)),
-            });
-            outputs
-        } else {
-            Vec::new()
-        };
-        for vehicle in VehicleId::ALL {
-            let Some(travel) = &analysis.travel[vehicle.index()] else { continue };
-            let numbers = WayNumber::ALL.into_iter().filter(|number| number.results_from(travel.origin));
-            outputs.extend(numbers.map(|number| Self::Way { vehicle, number, axes }));
-        }
-        outputs
-    }
-
-    /// All that there are, for the speed of either vehicle.
-    #[must_use]
-    pub fn all() -> Vec<Self> {
-        let axes = Axes::default();
-        let [speed, others @ ..] = Self::of_two_vehicles(VehicleId::One, axes);
-        let ways = VehicleId::ALL.into_iter().flat_map(|vehicle| {
-            WayNumber::ALL.into_iter().map(move |number| Self::Way { vehicle, number, axes })
-        });
-        [speed, Self::Speed { vehicle: VehicleId::Two }].into_iter().chain(others).chain(ways).collect()
-    }
-
-    /// Those of a reconstruction of both speeds, without the ways.
-    const OF_BOTH_SPEEDS: [Self; 8] = [
-        Self::Speed { vehicle: VehicleId::One },
-        Self::Speed { vehicle: VehicleId::Two },
-        Self::DeltaV { vehicle: VehicleId::One },
-        Self::DeltaV { vehicle: VehicleId::Two },
-        Self::ClosingSpeed,
-        Self::EnergyLoss,
-        Self::NormalWork,
-        Self::TangentialWork,
-    ];
-
-    /// Those of a reconstruction of two vehicles, `found` the one whose speed is sought.
-    pub(crate) const fn of_two_vehicles(found: VehicleId, axes: Axes) -> [Self; 13] {
-        [
-            Self::Speed { vehicle: found },
-            Self::DeltaV { vehicle: VehicleId::One },
-            Self::DeltaV { vehicle: VehicleId::Two },
-            Self::Pdof { vehicle: VehicleId::One },
-            Self::Pdof { vehicle: VehicleId::Two },
-            Self::ClosingSpeed,
-            Self::EnergyLoss,
-            Self::NormalWork,
-            Self::TangentialWork,
-            Self::DeltaVLongitudinal { vehicle: VehicleId::One },
-            Self::DeltaVLateral { vehicle: VehicleId::One, axes },
-            Self::DeltaVLongitudinal { vehicle: VehicleId::Two },
-            Self::DeltaVLateral { vehicle: VehicleId::Two, axes },
-        ]
-    }
-
-    /// Its value in the answer of a case; not a number where that has none.
-    pub(crate) fn of_answer<T: Real>(self, answer: &Answer<T>) -> T {
-        let none = T::from(f64::NAN);
-        match (self, &answer.implied, &answer.outcome) {
-            (Self::Speed { vehicle }, ..) => answer.speeds[vehicle.index()].unwrap_or(none),
-            (Self::Way { vehicle, number, axes }, ..) => {
-                answer.ways[vehicle.index()].as_ref().map_or(none, |way| number.value(way, axes))
-            }
-            (output, Some(implied), _) => output.by_momentum(implied),
-            (output, None, Some(outcome)) => output.value(none, outcome),
-            (_, None, None) => none,
-        }
-    }
-
-    /// Its value by momentum.
-    fn by_momentum<T: Real>(self, implied: &Implied<T>) -> T {
-        match self {
-            // ΔV = |V − v|
-            Self::DeltaV { vehicle } => length(implied.delta_v[vehicle.index()]),
-            Self::ClosingSpeed => -implied.approach.normal,
-            Self::EnergyLoss => implied.energy_loss,
-            Self::NormalWork => implied.normal_work,
-            Self::TangentialWork => implied.tangential_work,
-            Self::Pdof { vehicle } => implied.pdof[vehicle.index()],
-            Self::DeltaVLongitudinal { .. }
-            | Self::DeltaVLateral { .. }
-            | Self::Speed { .. }
-            | Self::Way { .. } => T::from(f64::NAN),
-        }
-    }
-
-    /// Its value in an impact, which tells nothing of the way after it; `found` is the speed found.
-    #[inline(always)]
-    pub(crate) fn value<T: Real>(self, found: T, outcome: &Outcome<T>) -> T {
-        match self {
-            Self::Speed { .. } => found,
-            Self::DeltaV { vehicle } => outcome.delta_v_magnitude()[vehicle.index()],
-            Self::DeltaVLongitudinal { vehicle } => outcome.delta_v_components()[vehicle.index()][0],
-            Self::DeltaVLateral { vehicle, axes } => {
-                axes.lateral(outcome.delta_v_components()[vehicle.index()][1])
-            }
-            Self::Pdof { vehicle } => outcome.pdof()[vehicle.index()],
-            Self::ClosingSpeed => outcome.closing_speed(),
-            Self::EnergyLoss => outcome.energy.loss,
-            Self::NormalWork => outcome.energy.normal_work,
-            Self::TangentialWork => outcome.energy.tangential_work,
-            Self::Way { .. } => T::from(f64::NAN),
-        }
-    }
-
-    /// The vehicle that it belongs to; none for one of the collision.
-    #[must_use]
-    pub fn vehicle(self) -> Option<VehicleId> {
-        match self {
-            Self::Speed { vehicle }
-            | Self::DeltaV { vehicle }
-            | Self::DeltaVLongitudinal { vehicle }
-            | Self::DeltaVLateral { vehicle, .. }
-            | Self::Pdof { vehicle }
-            | Self::Way { vehicle, .. } => Some(vehicle),
-            Self::ClosingSpeed | Self::EnergyLoss | Self::NormalWork | Self::TangentialWork => None,
-        }
-    }
-
-    /// Its key in the table of results.
-    #[must_use]
-    pub fn key(self) -> &'static str {
-        match self {
-            Self::Speed { .. } => "speed",
-            Self::DeltaV { .. } => "delta_v",
-            Self::DeltaVLongitudinal { .. } => "delta_v_longitudinal",
-            Self::DeltaVLateral { .. } => "delta_v_lateral",
-            Self::Pdof { .. } => "pdof",
-            Self::ClosingSpeed => "impact.closing_speed",
-            Self::EnergyLoss => "impact.energy_loss",
-            Self::NormalWork => "impact.normal_work",
-            Self::TangentialWork => "impact.tangential_work",
-            Self::Way { number, .. } => number.key(),
-        }
-    }
-
-    /// The key of the JSON that names it.
-    #[must_use]
-    pub fn path(self) -> String {
-        let key = self.key();
-        self.vehicle().map_or_else(|| key.to_owned(), |vehicle| format!("vehicle{vehicle}.{key}"))
-    }
 }
 
 /// ∂(output)/∂(input), all other inputs as given.
@@ -410,7 +124,7 @@ pub(crate) fn sensitivity(case: &Case, sweep: Sweep) -> Result<Sensitivity, Fail
 fn derivatives(case: &Case, nominal: &Analysis) -> Result<Vec<Derivative>, Failure> {
     let outputs: Vec<Output> = Output::of(nominal, case.axes)
         .into_iter()
-        .filter(|output| matches!(output, Output::Speed { .. } | Output::DeltaV { .. } | Output::Way { .. }))
+        .filter(|output| output.is(&SPEED) || output.is(&DELTA_V) || output.quantity().is_of_path())
         .collect();
     let gradients = gradients(case, nominal, &outputs)?;
     let mut derivatives = Vec::new();
@@ -447,7 +161,7 @@ pub(crate) fn gradients(
         let case = case.with_numbers(numbers.to_vec());
         let mut known = Known::new(unknowns, nominal);
         let answer = goal::answer(Goal::of(&case), &case, &mut known)?;
-        let results = outputs.iter().map(|output| output.of_answer(&answer));
+        let results = outputs.iter().map(|output| output.traced(&answer, case.axes));
         Ok::<_, Failure>(results.chain(known.residuals).collect())
     })?;
     let residuals = gradients.split_off(outputs.len());

@@ -13,11 +13,11 @@ use ::uncertainty::{
 };
 use crash3::CrushError;
 use inputs::{
-    Bounds, Case, ContactSpread, Estimate, Fault, FaultKind, Faults, GivenUncertainty, GivenVehicle, Input,
-    Origin, Range, STIFFNESS_LN_SD_A, SharedEffects, SharedError, Spread, Unit, YAW_RADIUS_CONFIDENCE,
+    Axes, Bounds, Case, ContactSpread, Estimate, Fault, FaultKind, Faults, GivenUncertainty, GivenVehicle,
+    Input, Origin, Range, STIFFNESS_LN_SD_A, SharedEffects, SharedError, Spread, Unit, YAW_RADIUS_CONFIDENCE,
     YAW_RADIUS_WITHIN,
 };
-use pim_core::{ImpactError, Outcome, VehicleId};
+use pim_core::{ImpactError, VehicleId};
 use real::Gradient;
 use reconcile::{MomentumError, ReconcileError};
 
@@ -30,7 +30,8 @@ use lanes::{Alone, Block};
 use crate::analysis::Analysis;
 use crate::failure::Failure;
 use crate::goal::{self, Answer, Goal, Search, at};
-use crate::sensitivity::{Output, WayNumber, gradients};
+use crate::output::{Kind, Output};
+use crate::sensitivity::gradients;
 use crate::speeds::BothFound;
 
 /// The requested samples and indices.
@@ -122,28 +123,24 @@ impl UncertainOutput {
     }
 }
 
-/// (SI) what is large for an output: a right angle or so, the closing speed, the energy before the impact.
+/// (SI) what is large for an output: a right angle or so, the closing speed, the energy before the impact; of
+/// a path to rest its length, its time and the speed at its start. 0 where any spread counts.
 fn scale(output: Output, nominal: &Analysis) -> f64 {
     let exchange = nominal.exchange();
-    match output {
-        Output::Pdof { .. } => 1.0,
-        Output::Speed { .. }
-        | Output::DeltaV { .. }
-        | Output::DeltaVLongitudinal { .. }
-        | Output::DeltaVLateral { .. }
-        | Output::ClosingSpeed => exchange.map_or(0.0, |exchange| exchange.closing_speed.abs()),
-        Output::EnergyLoss | Output::NormalWork | Output::TangentialWork => {
-            exchange.map_or(0.0, |exchange| exchange.energy.before)
+    let travel = output.vehicle().and_then(|vehicle| nominal.travel[vehicle.index()].as_ref());
+    let scale = match output.quantity().kind {
+        Kind::Ratio | Kind::Angle | Kind::YawRate => Some(1.0),
+        Kind::Speed if output.quantity().is_of_path() => {
+            travel.map(|travel| travel.start.motion.velocity.norm())
         }
-        Output::Way { vehicle, number, .. } => {
-            nominal.travel[vehicle.index()].as_ref().map_or(0.0, |travel| match number {
-                WayNumber::StartSpeed => travel.start.motion.velocity.norm(),
-                WayNumber::StartDirection | WayNumber::StartYawRate | WayNumber::RestHeading => 1.0,
-                WayNumber::RestX | WayNumber::RestY | WayNumber::RestDistance => travel.rest.distance,
-                WayNumber::RestTime => travel.rest.time,
-            })
-        }
-    }
+        Kind::Speed => exchange.map(|exchange| exchange.closing_speed.abs()),
+        Kind::Length => travel.map(|travel| travel.rest.distance),
+        Kind::Time => travel.map(|travel| travel.rest.time),
+        Kind::Energy => exchange.map(|exchange| exchange.energy.before),
+        Kind::Impulse => exchange.map(|exchange| exchange.impulse_vector.norm()),
+        Kind::MomentImpulse | Kind::Force => None,
+    };
+    scale.unwrap_or(0.0)
 }
 
 /// Why a sample has no answer.
@@ -342,7 +339,7 @@ pub(crate) fn uncertainty_of(
     }
     // What is doubtful is seen by these, whoever asks.
     outputs.extend(others.into_iter().filter(|output| doubts::reads(*output)));
-    let central = central(&nominal, &outputs);
+    let central = central(&nominal, &outputs, case.axes);
     let watched = Watched::new(case, &inputs, &outputs, &central);
     let model = Sample { asked, watched, ..Sample::new(case, &nominal, &inputs, &outputs, &central) };
     let distributions: Vec<Distribution> = inputs.iter().map(|input| input.distribution).collect();
@@ -415,7 +412,7 @@ pub fn samples(
     }
     let nominal = Goal::of(case).solve(case)?;
     let outputs = Output::of(&nominal, case.axes);
-    let central = central(&nominal, &outputs);
+    let central = central(&nominal, &outputs, case.axes);
     let model = Sample::new(case, &nominal, &inputs, &outputs, &central);
     let distributions: Vec<Distribution> = inputs.iter().map(|input| input.distribution).collect();
     let propagation = ::uncertainty::propagate(&model, &distributions, settings, progress)?;
@@ -584,9 +581,9 @@ fn within(
 }
 
 /// (SI) the outputs at the central values.
-fn central(nominal: &Analysis, outputs: &[Output]) -> Vec<f64> {
+fn central(nominal: &Analysis, outputs: &[Output], axes: Axes) -> Vec<f64> {
     let answer = Answer::of(nominal);
-    outputs.iter().map(|output| output.of_answer(&answer)).collect()
+    outputs.iter().map(|output| output.of_answer(&answer, axes)).collect()
 }
 
 fn first_order(gradients: &[Gradient], inputs: &[UncertainInput]) -> Result<Vec<FirstOrder>, InvalidRequest> {
@@ -725,7 +722,7 @@ impl<'a> Sample<'a> {
     fn solve(&self, case: &Case, results: &mut [f64]) -> Result<(), Failure> {
         let answer = goal::answer(self.goal, case, &mut { self.search })?;
         for ((output, central), result) in self.outputs.iter().zip(self.central).zip(results) {
-            *result = as_beside(*output, *central, output.of_answer(&answer));
+            *result = as_beside(*output, *central, output.of_answer(&answer, case.axes));
         }
         Ok(())
     }
@@ -822,19 +819,10 @@ impl Shared {
     }
 }
 
-/// (SI) an output of an impact.
-#[inline(always)]
-fn value(output: Output, central: f64, found: f64, outcome: &Outcome) -> f64 {
-    as_beside(output, central, output.value(found, outcome))
-}
-
 /// (SI) the value of an output; a direction within half a turn of its `central` value.
 #[inline(always)]
 fn as_beside(output: Output, central: f64, value: f64) -> f64 {
-    match output {
-        Output::Pdof { .. } | Output::Way { number: WayNumber::StartDirection, .. } => beside(value, central),
-        _ => value,
-    }
+    if output.quantity().is_direction { beside(value, central) } else { value }
 }
 
 impl Model for Sample<'_> {

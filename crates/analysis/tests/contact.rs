@@ -10,9 +10,10 @@
 
 use std::ops::ControlFlow;
 
+use analysis::quantities::IMPACT_CLOSING_SPEED;
 use analysis::{
-    Analysis, Assumption, ExactValue, Output, Plan, Sweep, Uncertainty, Warning, crush, impact, judge,
-    reconstruct, sensitivity, uncertainty,
+    Analysis, Assumption, ExactValue, Plan, Sweep, Uncertainty, Warning, crush, impact, judge, reconstruct,
+    sensitivity, uncertainty,
 };
 use case::{CaseFile, to_toml};
 use inputs::{Case, ContactSpread, Estimate, FaceAxis, Origin};
@@ -368,7 +369,11 @@ fn a_sample_is_a_case_with_the_point_moved() {
     Sampler::new(&distributions, &result.settings).unwrap().fill(0, &mut columns);
     let column =
         |path: &str| columns[result.inputs.iter().position(|input| input.input.path == path).unwrap()];
-    let place = result.outputs.iter().position(|output| output.output == Output::ClosingSpeed).unwrap();
+    let place = result
+        .outputs
+        .iter()
+        .position(|output| output.output == IMPACT_CLOSING_SPEED.of_collision())
+        .unwrap();
     for lane in [0, 5, 31, 63] {
         let mut text = PLACED.replace(
             "{ value = \"32 km/h\", sd = \"2 km/h\" }",

@@ -9,10 +9,8 @@
 
 use std::ops::ControlFlow;
 
-use analysis::{
-    Analysis, Assumption, EstimateOutput, EstimatePlan, Output, Warning, crush, estimate, impact, motion,
-    reconstruct,
-};
+use analysis::quantities::SPEED;
+use analysis::{Analysis, Assumption, EstimatePlan, Warning, crush, estimate, impact, motion, reconstruct};
 use case::{Case, CaseFile};
 use pim_core::VehicleId;
 
@@ -408,7 +406,7 @@ fn all_evidence_of_the_scene_holds_the_printed_speeds() {
     let plan = EstimatePlan { particles: 128, seed: 1, prior: None, pieces: false };
     let found = estimate(&read(&text), &plan, &mut |_, _, _| ControlFlow::Continue(())).unwrap();
     for (vehicle, printed) in VehicleId::ALL.into_iter().zip([27.5, 36.5]) {
-        let wanted = EstimateOutput::Result(Output::Speed { vehicle });
+        let wanted = SPEED.of_vehicle(vehicle);
         let speed = &found.outputs.iter().find(|found| found.output == wanted).unwrap().posterior;
         let [half, .., widest] = &speed.intervals;
         assert!(widest.low.value / KM_H < printed && printed < widest.high.value / KM_H, "{speed:?}");

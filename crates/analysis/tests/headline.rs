@@ -8,7 +8,8 @@
 
 use std::ops::ControlFlow;
 
-use analysis::{EstimatePlan, Evident, Output, Warning, impact, judge, reconstruct, weigh};
+use analysis::quantities::SPEED;
+use analysis::{EstimatePlan, Evident, Warning, impact, judge, reconstruct, weigh};
 use case::{Case, CaseFile};
 use inputs::Purpose;
 use pim_core::VehicleId;
@@ -64,7 +65,7 @@ fn a_recorder_that_contradicts_the_crush_leads_to_a_weighed_headline() {
 
     let quietly = &mut |_, _, _| ControlFlow::Continue(());
     let weighed = weigh(&case, &exact, &PLAN, quietly).unwrap().unwrap();
-    let median = weighed.summary(Output::Speed { vehicle: VehicleId::One }).unwrap().median.value;
+    let median = weighed.summary(SPEED.of_vehicle(VehicleId::One)).unwrap().median.value;
     // Three standard deviations of 4 %.
     assert!((median / recorded).ln().abs() < 0.12, "{median} for {recorded}");
     let own = &weighed.solutions[0];

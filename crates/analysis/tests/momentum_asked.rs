@@ -7,9 +7,10 @@
     reason = "the library's own functions would not be an independent check"
 )]
 
+use analysis::quantities::SPEED;
 use analysis::{
-    Analysis, BothMethod, CheckedQuantity, NoEvidence, Output, QUANTITIES, Sweep, Values, compare, judge,
-    quantity, reconstruct, sensitivity,
+    Analysis, BothMethod, CheckedQuantity, NoEvidence, QUANTITIES, Sweep, Values, compare, judge, quantity,
+    reconstruct, sensitivity,
 };
 use case::{Axes, Case, CaseFile, Geometry, Purpose};
 use pim_core::VehicleId;
@@ -425,7 +426,7 @@ fn derivatives_and_evidence_know_momentum_alone() {
         let of_speed = found
             .derivatives
             .iter()
-            .filter(|derivative| derivative.output == Output::Speed { vehicle: VehicleId::One });
+            .filter(|derivative| derivative.output == SPEED.of_vehicle(VehicleId::One));
         of_speed.into_iter().find(|derivative| derivative.input.path == path).unwrap().value
     };
     assert_near(by("vehicle1.after.speed"), 1.0, 1e-12);

@@ -9,9 +9,9 @@
 
 use std::ops::ControlFlow;
 
+use analysis::quantities::{DELTA_V, SPEED};
 use analysis::{
-    Analysis, EstimateOutput, EstimatePlan, Estimated, Output, crush, estimate, impact, motion, reconstruct,
-    weigh,
+    Analysis, EstimatePlan, Estimated, Output, crush, estimate, impact, motion, reconstruct, weigh,
 };
 use case::{Case, CaseFile};
 use crash3::SideStiffness;
@@ -447,11 +447,11 @@ struct Told {
 }
 
 fn speed(vehicle: VehicleId, truth: f64, within: f64) -> Told {
-    Told { output: Output::Speed { vehicle }, truth, within }
+    Told { output: SPEED.of_vehicle(vehicle), truth, within }
 }
 
 fn delta_v(vehicle: VehicleId, truth: f64, within: f64) -> Told {
-    Told { output: Output::DeltaV { vehicle }, truth, within }
+    Told { output: DELTA_V.of_vehicle(vehicle), truth, within }
 }
 
 fn weighed(text: &str) -> Estimated {
@@ -463,8 +463,7 @@ fn weighed(text: &str) -> Estimated {
 }
 
 fn of(estimated: &Estimated, output: Output) -> &analysis::EstimatedOutput {
-    let wanted = EstimateOutput::Result(output);
-    estimated.outputs.iter().find(|found| found.output == wanted).unwrap()
+    estimated.output(output).unwrap()
 }
 
 /// The truth lies in the interval of 95 %, and the median is as near it as such evidence brings it.
@@ -533,7 +532,7 @@ fn estimates_hold_the_truth() {
     }
     // Two EES leave the split of the closing speed open, and that is said.
     let by_ees = weighed(BY_EES);
-    assert!(!of(&by_ees, Output::Speed { vehicle: Two }).is_told());
+    assert!(!of(&by_ees, SPEED.of_vehicle(Two)).is_told());
 }
 
 /// Simulated intersections from their rests and crush: the truth lies in the interval of 95 %, and nowhere
@@ -570,7 +569,7 @@ fn a_throw_alone_gives_a_speed() {
     let estimated = weighed(THROWN);
     let thrown = (2.0 * 0.7 * trajectory::GRAVITY * 83.0 * FOOT).sqrt();
     let by_hand = thrown * (3775.0 + 2679.0) / (3775.0 * 1.1);
-    let speed = &of(&estimated, Output::Speed { vehicle: VehicleId::One }).posterior;
+    let speed = &of(&estimated, SPEED.of_vehicle(VehicleId::One)).posterior;
     near("a throw of 83 ft", speed.median.value / MPH, by_hand / MPH, 6.0);
     let [.., widest] = &speed.intervals;
     assert!(widest.low.value < by_hand && by_hand < widest.high.value, "{widest:?}");

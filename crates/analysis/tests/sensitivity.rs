@@ -6,6 +6,7 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
+use analysis::quantities::{DELTA_V, SPEED};
 use analysis::{Analysis, Failure, Output, Sweep, crush, reconstruct, sensitivity};
 use case::{CaseFile, read_quantity};
 use inputs::{Case, Dimension, Pdof};
@@ -73,10 +74,8 @@ fn derivatives_are_central_differences_on_every_fixture() {
             let [Ok(low2), Ok(low), Ok(high), Ok(high2)] = sides else { continue };
             for (j, &value) in nominal.iter().enumerate() {
                 let output = match j {
-                    0 => Output::Speed {
-                        vehicle: sensitivity.nominal.found.as_ref().unwrap().unknown.vehicle(),
-                    },
-                    number => Output::DeltaV { vehicle: VehicleId::ALL[number - 1] },
+                    0 => SPEED.of_vehicle(sensitivity.nominal.found.as_ref().unwrap().unknown.vehicle()),
+                    number => DELTA_V.of_vehicle(VehicleId::ALL[number - 1]),
                 };
                 let row =
                     sensitivity.derivatives.iter().find(|row| row.output == output && row.input == input);
@@ -118,9 +117,9 @@ fn the_most_influential_input_comes_first() {
     // Which numbers say where the scene's axes point is a matter of choice: turning all angles together
     // changes nothing.
     for output in [
-        Output::Speed { vehicle: VehicleId::One },
-        Output::DeltaV { vehicle: VehicleId::One },
-        Output::DeltaV { vehicle: VehicleId::Two },
+        SPEED.of_vehicle(VehicleId::One),
+        DELTA_V.of_vehicle(VehicleId::One),
+        DELTA_V.of_vehicle(VehicleId::Two),
     ] {
         let turned: f64 = ["vehicle1.heading", "vehicle2.heading", "impact.crush_plane"]
             .map(|path| by(output, path).value)
@@ -130,7 +129,7 @@ fn the_most_influential_input_comes_first() {
     }
     // A heading has no per cents, a weight has: −0.225 % per %, from −0.004941 ft/s per lb at 3413 lb and
     // 75.03 ft/s.
-    let speed = Output::Speed { vehicle: VehicleId::One };
+    let speed = SPEED.of_vehicle(VehicleId::One);
     assert_eq!(by(speed, "vehicle1.heading").relative(), None);
     let weight = by(speed, "vehicle2.weight");
     assert!((weight.relative().unwrap() + 0.225).abs() < 5e-4);

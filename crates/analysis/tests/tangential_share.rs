@@ -4,8 +4,9 @@
 
 use std::ops::ControlFlow;
 
+use analysis::quantities::SPEED;
 use analysis::{
-    Analysis, CheckedQuantity, Derivative, Output, Plan, Sweep, compare, impact, reconstruct, sensitivity,
+    Analysis, CheckedQuantity, Derivative, Plan, Sweep, compare, impact, reconstruct, sensitivity,
     uncertainty, work_curve,
 };
 use case::CaseFile;
@@ -56,9 +57,8 @@ fn the_derivative_by_a_share_of_zero_is_that_of_the_speeds_above_it() {
     let expected = (4.0 * f1 - 3.0 * f0 - f2) / (2.0 * step);
     let sweep = Sweep { step: 0.1, steps: 0 };
     let found = sensitivity(&with_share(0.0), sweep).unwrap();
-    let of_speed = |row: &&Derivative| {
-        row.output == Output::Speed { vehicle: VehicleId::One } && row.input.path == SHARE
-    };
+    let of_speed =
+        |row: &&Derivative| row.output == SPEED.of_vehicle(VehicleId::One) && row.input.path == SHARE;
     let derivative = found.derivatives.iter().find(of_speed).unwrap().value;
     assert!(expected < -1.0, "{expected}");
     assert!((derivative / expected - 1.0).abs() < 1e-6, "{derivative} is not {expected}");
@@ -71,11 +71,8 @@ fn a_range_of_the_share_spans_the_speeds_of_its_ends() {
     let result = uncertainty(&case, &plan, &mut |_, _, _| ControlFlow::Continue(())).unwrap();
     assert_eq!(result.inputs.len(), 1);
     assert_eq!(result.inputs[0].input.path, SHARE);
-    let place = result
-        .outputs
-        .iter()
-        .position(|other| other.output == Output::Speed { vehicle: VehicleId::One })
-        .unwrap();
+    let place =
+        result.outputs.iter().position(|other| other.output == SPEED.of_vehicle(VehicleId::One)).unwrap();
     let summary = result.propagation.summaries()[place].as_ref().unwrap();
     // The speed falls as the share grows: the quantiles of the one are the speeds at those of the other.
     let [at_0_2, at_0_8] = [0.2, 0.8].map(|share| speed(&reconstruct(&with_share(share)).unwrap()));
@@ -121,7 +118,7 @@ fn a_check_holds_the_share_too() {
 fn neither_labels_nor_axes_change_the_answer() {
     let derivative = |text: &str, vehicle: VehicleId| {
         let found = sensitivity(&read(text), Sweep { step: 0.1, steps: 0 }).unwrap();
-        let of_share = |row: &&Derivative| row.output == Output::Speed { vehicle } && row.input.path == SHARE;
+        let of_share = |row: &&Derivative| row.output == SPEED.of_vehicle(vehicle) && row.input.path == SHARE;
         found.derivatives.iter().find(of_share).unwrap().value
     };
     let text = with_basis("{ tangential_share = 0.4 }");
@@ -155,9 +152,8 @@ fn the_derivative_by_the_share_is_the_difference_in_the_limit() {
         let [low, high] =
             [share - step, share + step].map(|share| speed(&reconstruct(&with_share(share)).unwrap()));
         let found = sensitivity(&with_share(share), Sweep { step: 0.1, steps: 0 }).unwrap();
-        let of_share = |row: &&Derivative| {
-            row.output == Output::Speed { vehicle: VehicleId::One } && row.input.path == SHARE
-        };
+        let of_share =
+            |row: &&Derivative| row.output == SPEED.of_vehicle(VehicleId::One) && row.input.path == SHARE;
         let derivative = found.derivatives.iter().find(of_share).unwrap().value;
         let expected = (high - low) / (2.0 * step);
         assert!((derivative / expected - 1.0).abs() < 1e-8, "{derivative} is not {expected}");
@@ -231,7 +227,7 @@ fn both_speeds_are_found_with_the_share() {
     let case = read(&both_speeds("{ tangential_share = { value = 0.5, sd = 0.1 } }"));
     let found = sensitivity(&case, Sweep { step: 0.1, steps: 0 }).unwrap();
     for (i, vehicle) in VehicleId::ALL.into_iter().enumerate() {
-        let of_share = |row: &&Derivative| row.output == Output::Speed { vehicle } && row.input.path == SHARE;
+        let of_share = |row: &&Derivative| row.output == SPEED.of_vehicle(vehicle) && row.input.path == SHARE;
         let derivative = found.derivatives.iter().find(of_share).unwrap().value;
         let expected = (high[i] - low[i]) / (2.0 * step);
         assert!((derivative / expected - 1.0).abs() < 1e-6, "{derivative} is not {expected}");

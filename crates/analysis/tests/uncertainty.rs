@@ -10,6 +10,7 @@
 
 use std::ops::ControlFlow;
 
+use analysis::quantities::{DELTA_V, IMPACT_NORMAL_WORK, PDOF, SPEED};
 use analysis::{
     Doubt, Doubtful, ExactValue, Failure, Output, Plan, Reason, Uncertainty, impact, reconstruct,
     uncertainty, uncertainty_of,
@@ -54,7 +55,7 @@ fn outputs_that_are_wanted_are_those_of_all() {
     assert_ne!(friction, UNCERTAIN);
     for text in [UNCERTAIN, &friction] {
         let all = run(text, 2000);
-        let wanted = [Output::DeltaV { vehicle: VehicleId::Two }, Output::Pdof { vehicle: VehicleId::One }];
+        let wanted = [DELTA_V.of_vehicle(VehicleId::Two), PDOF.of_vehicle(VehicleId::One)];
         let quietly = &mut |_, _, _| ControlFlow::Continue(());
         let some =
             uncertainty_of(&read(text), &plan(2000), &|output| wanted.contains(&output), quietly).unwrap();
@@ -100,7 +101,7 @@ fn head_on(speed: &str) -> String {
 fn a_central_value_is_that_of_the_other_commands_to_the_last_bit() {
     let result = run(UNCERTAIN, 64);
     let found = reconstruct(&read(UNCERTAIN)).unwrap().found.unwrap().speed;
-    assert_eq!(result.outputs[0].output, Output::Speed { vehicle: VehicleId::One });
+    assert_eq!(result.outputs[0].output, SPEED.of_vehicle(VehicleId::One));
     assert_eq!(result.outputs[0].central.to_bits(), found.to_bits());
     for (central, output) in result.tornado.central.as_ref().unwrap().iter().zip(&result.outputs) {
         assert_eq!(central.to_bits(), output.central.to_bits(), "{}", output.output.path());
@@ -109,7 +110,7 @@ fn a_central_value_is_that_of_the_other_commands_to_the_last_bit() {
     let delta_v = impact(&read(&forward)).unwrap().impact.unwrap().outcome.delta_v_magnitude()[0];
     let result = run(&forward, 64);
     assert_eq!(
-        result.outputs[place(&result, Output::DeltaV { vehicle: VehicleId::One })].central.to_bits(),
+        result.outputs[place(&result, DELTA_V.of_vehicle(VehicleId::One))].central.to_bits(),
         delta_v.to_bits()
     );
 }
@@ -138,7 +139,7 @@ fn a_sample_is_the_reconstruction_of_its_numbers() {
 #[test]
 fn a_linear_case_comes_out_exactly() {
     let result = run(&head_on("{ value = \"20 m/s\", sd = \"1 m/s\" }"), 20_000);
-    let at = place(&result, Output::DeltaV { vehicle: VehicleId::One });
+    let at = place(&result, DELTA_V.of_vehicle(VehicleId::One));
     let output = &result.outputs[at];
     assert!((output.central - 24.0).abs() < 1e-12);
     assert!((output.first_order.sd - 1.2).abs() < 1e-12);
@@ -151,7 +152,7 @@ fn a_linear_case_comes_out_exactly() {
         assert!((end.value - exact).abs() < 4.0 * end.standard_error.unwrap(), "{} {exact}", end.value);
     }
     // W_n = m v² (1 − e²)/2; dW_n/dv = m v (1 − e²) = 1500 · 20 · 0.96
-    let work = &result.outputs[place(&result, Output::NormalWork)];
+    let work = &result.outputs[place(&result, IMPACT_NORMAL_WORK.of_collision())];
     assert!((work.first_order.sd / 28_800.0 - 1.0).abs() < 1e-12, "{}", work.first_order.sd);
     let paths: Vec<String> = result.outputs.iter().map(|output| output.output.path()).collect();
     assert_eq!(
@@ -174,7 +175,7 @@ fn a_linear_case_comes_out_exactly() {
 fn ranges_are_in_their_own_units() {
     for (sd, si) in [("1 mph", 0.447_04), ("3.6 km/h", 1.0)] {
         let result = run(&head_on(&format!("{{ value = \"40 mph\", sd = \"{sd}\" }}")), 20_000);
-        let at = place(&result, Output::DeltaV { vehicle: VehicleId::One });
+        let at = place(&result, DELTA_V.of_vehicle(VehicleId::One));
         assert!((result.outputs[at].first_order.sd / (1.2 * si) - 1.0).abs() < 1e-12);
         let sampled = result.propagation.summaries()[at].unwrap().sd;
         assert!((sampled.value - 1.2 * si).abs() < 4.0 * sampled.standard_error.unwrap());
@@ -267,7 +268,7 @@ fn g_follows_from_a_and_b_of_each_sample() {
     let depths: Vec<f64> = crush.depths.iter().map(case::Quantity::si).collect();
     let zones = depths.len() - 1;
     let block = first_block(&result);
-    let work = place(&result, Output::NormalWork);
+    let work = place(&result, IMPACT_NORMAL_WORK.of_collision());
     for (lane, (a, b)) in block[0].iter().zip(&block[1]).enumerate() {
         // N/cm and N/cm²
         let (a, b) = (a * 100.0, b * 1e4);
@@ -411,10 +412,9 @@ fn a_spread_of_a_table_is_a_factor_on_what_the_table_gives() {
         let expected = speed(&text);
         let delta_v = expected.impact.as_ref().unwrap().outcome.delta_v_magnitude();
         let found = expected.found.unwrap().speed;
-        for (output, expected) in [
-            (Output::Speed { vehicle: VehicleId::One }, found),
-            (Output::DeltaV { vehicle: VehicleId::Two }, delta_v[1]),
-        ] {
+        for (output, expected) in
+            [(SPEED.of_vehicle(VehicleId::One), found), (DELTA_V.of_vehicle(VehicleId::Two), delta_v[1])]
+        {
             let sampled = result.propagation.columns()[place(&result, output)][lane];
             assert!((sampled / expected - 1.0).abs() < 1e-9, "sample {lane}: {sampled} is not {expected}");
         }
@@ -444,11 +444,8 @@ fn derivatives_by_the_factor_of_a_table_are_those_of_the_numbers_written_out() {
         // Fourth order: (8 (f(h) − f(−h)) − (f(2h) − f(−2h)))/12h
         let h = 1e-3;
         let expected = (8.0 * (at(h) - at(-h)) - (at(2.0 * h) - at(-2.0 * h))) / (12.0 * h);
-        let row = result
-            .derivatives
-            .iter()
-            .find(|row| row.input.path == path && matches!(row.output, Output::Speed { .. }))
-            .unwrap();
+        let row =
+            result.derivatives.iter().find(|row| row.input.path == path && row.output.is(&SPEED)).unwrap();
         assert!((row.value / expected - 1.0).abs() < 1e-6, "{path}: {} is not {expected}", row.value);
     }
 }
@@ -550,7 +547,9 @@ fn speeds_found_that_are_negative_or_implausible_are_counted() {
             "{ value = \"10 mph\", sd = \"60 mph\" }",
         );
     let result = run(&wide, 20_000);
-    let Output::Speed { vehicle } = result.outputs[0].output else { panic!("{:?}", result.outputs[0]) };
+    let first = result.outputs[0].output;
+    assert!(first.is(&SPEED), "{first:?}");
+    let vehicle = first.vehicle().unwrap();
     let speeds = &result.propagation.columns()[0];
     let backward = speeds.iter().filter(|speed| **speed < 0.0).count();
     let too_fast = speeds.iter().filter(|speed| speed.abs() * 3.6 > 250.0).count();
@@ -639,7 +638,7 @@ fn a_shared_percentage_multiplies_each_of_its_numbers() {
         .replace("{ category = 2 }", "{ A = \"0 lb/in\", B = \"60 psi\" }")
         .replace("\"vehicle1.crush.stiffness\", \"vehicle2.crush.stiffness\", ", "");
     let result = run(&text, 64);
-    let work = place(&result, Output::NormalWork);
+    let work = place(&result, IMPACT_NORMAL_WORK.of_collision());
     let central = result.outputs[work].central;
     for (factor, sampled) in first_block(&result)[0].iter().zip(&result.propagation.columns()[work]) {
         assert!((sampled / (central * factor * factor) - 1.0).abs() < 1e-9);
@@ -653,7 +652,7 @@ fn first_order_of_a_shared_error_is_the_sum_of_the_derivatives() {
     let rows = analysis::sensitivity(&read(TAPE), sweep).unwrap().derivatives;
     let of_depths: Vec<f64> = rows
         .iter()
-        .filter(|row| row.input.path.contains("crush.depths") && matches!(row.output, Output::Speed { .. }))
+        .filter(|row| row.input.path.contains("crush.depths") && row.output.is(&SPEED))
         .map(|row| row.value)
         .collect();
     assert_eq!(of_depths.len(), 12);
@@ -711,7 +710,7 @@ fn samples_are_shown_with_their_inputs() {
     let wide = UNCERTAIN.replace("{ low = 0.2, high = 0.4 }", "{ value = 0.3, sd = 0.5 }");
     assert!(wide != UNCERTAIN);
     for asks_for_all in [true, false] {
-        let wanted = |output: Output| asks_for_all || output == Output::DeltaV { vehicle: VehicleId::Two };
+        let wanted = |output: Output| asks_for_all || output == DELTA_V.of_vehicle(VehicleId::Two);
         let plan = Plan { settings: plan(5000).settings, index_rows: None };
         let quietly = &mut |_, _, _| ControlFlow::Continue(());
         let result = uncertainty_of(&read(&wide), &plan, &wanted, quietly).unwrap();

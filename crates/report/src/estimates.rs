@@ -5,8 +5,7 @@ mod question;
 
 use ::estimate::{DrawnQuantity, DrawsSummary, LEVELS, SamplerDoubt};
 use analysis::{
-    Assumed, EstimateOutput, EstimatePlan, Estimated, EstimatedOutput, PieceFound, UnknownNumber,
-    UnusedReason,
+    Assumed, EstimatePlan, Estimated, EstimatedOutput, Output, PieceFound, UnknownNumber, UnusedReason,
 };
 use evidence::{CrushErrors, EnergyError, EnergyMethod, MeasuredSpeed, Observed, Piece};
 use pim_core::VehicleId;
@@ -28,7 +27,7 @@ pub struct Asked {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Question {
     /// Which result.
-    pub output: EstimateOutput,
+    pub output: Output,
     /// (SI) the limit.
     pub limit: f64,
 }
@@ -135,20 +134,9 @@ impl Agreement {
     }
 }
 
-/// As a heading calls a result.
-pub(crate) fn name(output: EstimateOutput) -> String {
-    match output {
-        EstimateOutput::Result(output) => output_name(output),
-        EstimateOutput::Restitution => "Restitution e".to_owned(),
-        EstimateOutput::ImpulseRatio => "Impulse ratio μ".to_owned(),
-        EstimateOutput::CrushEnergy => "Crush energy of all".to_owned(),
-        EstimateOutput::SkidSpeed(vehicle) => format!("Speed of vehicle {vehicle} where its skid begins"),
-    }
-}
-
 /// In what it is printed: speeds as drivers know them; none of a pure number.
-pub(crate) fn measure(output: EstimateOutput) -> Option<Measure> {
-    match printed(output.kind()) {
+pub(crate) fn measure(output: Output) -> Option<Measure> {
+    match printed(output.quantity().kind) {
         Some(Measure::Speed) => Some(Measure::RoadSpeed),
         other => other,
     }
@@ -160,8 +148,8 @@ pub(crate) fn value(measure: Option<Measure>, units: Units, si: f64) -> f64 {
 }
 
 /// The name with its unit.
-pub(crate) fn label(output: EstimateOutput, units: Units) -> String {
-    let name = name(output);
+pub(crate) fn label(output: Output, units: Units) -> String {
+    let name = output_name(output);
     measure(output).map_or_else(|| name.clone(), |measure| format!("{name}, {}", units.name(measure)))
 }
 

@@ -1,6 +1,7 @@
 //! What outputs and reasons are called, and in which units outputs are printed.
 
-use analysis::{Kind, Output, Reason, WayNumber, quantity};
+use analysis::quantities::SKID_SPEED;
+use analysis::{Kind, Output, Reason};
 use case::{Estimate, FaceAxis, Input, Origin, YawSource};
 
 use crate::units::Measure;
@@ -77,24 +78,33 @@ pub(crate) fn printed(kind: Kind) -> Option<Measure> {
 
 /// An output, as a heading calls it.
 pub(crate) fn output_name(output: Output) -> String {
-    let name = quantity(output.key()).map_or_else(|| output.key(), |row| row.name);
-    let mut letters = name.chars();
-    let first = letters.next().map(|first| first.to_uppercase().to_string()).unwrap_or_default();
-    let of = output.vehicle().map_or_else(String::new, |vehicle| format!(" of vehicle {vehicle}"));
-    let along = match output {
-        Output::Way { number: WayNumber::RestX, .. } => " along x",
-        Output::Way { number: WayNumber::RestY, .. } => " along y",
+    let row = output.quantity();
+    let of = match output.vehicle() {
+        // With "marks begin of vehicle 1", it would be the marks of another.
+        Some(vehicle) if output.is(&SKID_SPEED) => {
+            return format!("Speed of vehicle {vehicle} where its skid begins");
+        }
+        Some(vehicle) => format!(" of vehicle {vehicle}"),
+        None if row.is_of_vehicle() => " of all".to_owned(),
+        None if row.kind == Kind::Ratio => format!(" {}", row.symbol),
+        None => String::new(),
+    };
+    let along = match row.key.rsplit('.').next() {
+        Some("x") => " along x",
+        Some("y") => " along y",
         _ => "",
     };
+    let mut letters = row.name.chars();
+    let first = letters.next().map(|first| first.to_uppercase().to_string()).unwrap_or_default();
     format!("{first}{}{of}{along}", letters.as_str())
 }
 
 /// What an output is printed in, a speed in the unit of the equations.
 pub(crate) fn output_quantity(output: Output) -> Measure {
-    quantity(output.key()).and_then(|row| printed(row.kind)).unwrap_or(Measure::Speed)
+    printed(output.quantity().kind).unwrap_or(Measure::Speed)
 }
 
-/// In a picture: people read speeds in mph and km/h.
+/// The same, a speed as people read it: in km/h or mph.
 pub(crate) fn pictured(output: Output) -> Measure {
     match output_quantity(output) {
         Measure::Speed => Measure::RoadSpeed,

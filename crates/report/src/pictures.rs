@@ -21,7 +21,8 @@ pub use staged::{computed_against_measured, reconstructed_speed};
 
 use ::drawing::Drawing;
 use ::drawing::{PlanBody, PlanPlace, PlanView, ScaleUnit, SitePlan, SitePlanError, Viewport};
-use analysis::{Analysis, EstimatedOutput, Failure, Judgement, Output, Weighed};
+use analysis::quantities::SPEED;
+use analysis::{Analysis, EstimatedOutput, Failure, Judgement, Weighed};
 use case::{Axes, Case, CaseFile, Faults, Find, Purpose, Quantity};
 use pim_core::{Real, VehicleId};
 
@@ -319,7 +320,7 @@ impl<'a> PlainSpeed<'a> {
         }
         let weighed = weighed.filter(|weighed| weighed.is_answer());
         weighed
-            .and_then(|weighed| weighed.output(Output::Speed { vehicle }))
+            .and_then(|weighed| weighed.output(SPEED.of_vehicle(vehicle)))
             .map_or(Self::Unknown, Self::Weighed)
     }
 

@@ -3,9 +3,7 @@
 use std::collections::HashMap;
 use std::sync::{Arc, LazyLock};
 
-use analysis::{
-    Analysis, EstimateOutput, Estimated, Output, OutputQuantity, QUANTITIES, Samples, Seen, Values, WayNumber,
-};
+use analysis::{Analysis, Estimated, Output, OutputQuantity, QUANTITIES, Samples, Seen};
 use arrow_array::builder::{BooleanBuilder, Float64Builder, Int64Builder, ListBuilder, StringBuilder};
 use arrow_array::{ArrayRef, RecordBatch};
 use arrow_schema::{DataType, Field, Schema, SchemaRef};
@@ -91,22 +89,15 @@ pub(crate) struct Outcome {
     pub(crate) refusal: Option<Refusal>,
 }
 
-/// The outputs that samples can have, by their path.
-static OUTPUTS: LazyLock<Vec<String>> =
-    LazyLock::new(|| Output::all().into_iter().map(|output| output.path()).collect());
+/// The outputs that samples can have.
+static OUTPUTS: LazyLock<Vec<Output>> = LazyLock::new(Output::all);
 
-/// The outputs that an estimate can have, by their path.
-static DRAWN: LazyLock<Vec<String>> = LazyLock::new(|| {
-    let is_drawn = |output: &Output| match output {
-        Output::Way { number, .. } => {
-            matches!(number, WayNumber::RestX | WayNumber::RestY | WayNumber::RestHeading)
-        }
-        _ => true,
-    };
-    let results = Output::all().into_iter().filter(is_drawn).map(EstimateOutput::Result);
-    let others = [EstimateOutput::Restitution, EstimateOutput::ImpulseRatio, EstimateOutput::CrushEnergy];
-    let skids = VehicleId::ALL.map(EstimateOutput::SkidSpeed);
-    results.chain(others).chain(skids).map(EstimateOutput::path).collect()
+/// The outputs that an estimate can have.
+static DRAWN: LazyLock<Vec<Output>> = LazyLock::new(|| {
+    let (all, drawn) = (Output::all(), Output::drawn());
+    let shared = all.iter().filter(|output| drawn.contains(output));
+    let others = drawn.iter().filter(|output| !all.contains(output));
+    shared.chain(others).copied().collect()
 });
 
 /// The name of a column: the key of the JSON, without its dots.
@@ -122,8 +113,8 @@ fn columns(job: Job, samples: Option<usize>) -> Vec<(String, What)> {
         Job::Estimate => {
             columns.push(named("converged", What::Converged));
             columns.push(named("ess", What::EffectiveSamples));
-            for (place, path) in DRAWN.iter().enumerate() {
-                columns.extend(statistics(path, |statistic| What::OfDraws(place, statistic)));
+            for (place, output) in DRAWN.iter().enumerate() {
+                columns.extend(statistics(*output, |statistic| What::OfDraws(place, statistic)));
             }
             return columns;
         }
@@ -151,15 +142,15 @@ fn columns(job: Job, samples: Option<usize>) -> Vec<(String, What)> {
     if samples.is_some() {
         columns.push(named("samples", What::Samples));
         columns.push(named("samples_succeeded", What::Succeeded));
-        for (place, path) in OUTPUTS.iter().enumerate() {
-            columns.extend(statistics(path, |statistic| What::OfSamples(place, statistic)));
+        for (place, output) in OUTPUTS.iter().enumerate() {
+            columns.extend(statistics(*output, |statistic| What::OfSamples(place, statistic)));
         }
     }
     columns
 }
 
-fn statistics(path: &str, what: impl Fn(usize) -> What) -> impl Iterator<Item = (String, What)> {
-    let name = column(path);
+fn statistics(output: Output, what: impl Fn(usize) -> What) -> impl Iterator<Item = (String, What)> {
+    let name = column(&output.path());
     STATISTICS
         .into_iter()
         .enumerate()
@@ -181,10 +172,7 @@ impl What {
 
     fn number(self, found: &Found) -> Option<f64> {
         match (self, found) {
-            (Self::Quantity(quantity, vehicle), Found::Analysis(seen, ..)) => match quantity.values(seen) {
-                Values::Shared(value) => value,
-                Values::Pair(values) => values[vehicle?.index()],
-            },
+            (Self::Quantity(quantity, vehicle), Found::Analysis(seen, ..)) => quantity.value(seen, vehicle),
             (Self::OfSamples(place, statistic), Found::Analysis(_, _, Some(spread))) => {
                 spread.of[place].map(|statistics| statistics[statistic])
             }
@@ -332,8 +320,8 @@ impl Found {
 
     pub(crate) fn estimate(case: &Case, estimated: &Estimated) -> Self {
         let converged = estimated.doubts().is_empty();
-        let of = |path: &String| {
-            let output = estimated.outputs.iter().find(|output| output.output.path() == *path)?;
+        let of = |wanted: &Output| {
+            let output = estimated.outputs.iter().find(|output| output.output == *wanted)?;
             let summary = &output.posterior;
             let widest = summary.intervals.last().filter(|_| converged)?;
             Some([widest.low, summary.median, widest.high, summary.mean, summary.sd].map(|one| one.value))
@@ -345,10 +333,8 @@ impl Found {
 
 impl Spread {
     pub(crate) fn of(Samples { outputs, propagation }: &Samples) -> Self {
-        // An output of the case also has its axes, which a name does not.
-        let paths: Vec<String> = outputs.iter().map(|output| output.path()).collect();
-        let of = |wanted: &String| {
-            let place = paths.iter().position(|path| path == wanted)?;
+        let of = |wanted: &Output| {
+            let place = outputs.iter().position(|output| output == wanted)?;
             let summary = propagation.summaries().get(place)?.as_ref()?;
             let interval = summary.intervals.iter().find(|interval| interval.level == WIDEST)?;
             Some([interval.low, summary.median, interval.high, summary.mean, summary.sd].map(|one| one.value))

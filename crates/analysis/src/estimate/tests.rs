@@ -9,7 +9,8 @@ use inputs::Case;
 
 use super::*;
 use crate::columns::tests::{AnyCase, FORMS, any_case};
-use crate::sensitivity::Output;
+use crate::output::Output;
+use crate::quantities::{CRUSH_ENERGY, IMPACT_RESTITUTION, PDOF, SKID_SPEED, SPEED};
 
 fn read(text: &str) -> Case {
     CaseFile::parse("test.toml", text).unwrap().case
@@ -20,11 +21,11 @@ fn run(case: &Case, particles: usize) -> Result<Estimated, Failure> {
     estimate(case, &plan, &mut |_, _, _| ControlFlow::Continue(()))
 }
 
-fn speed(vehicle: VehicleId) -> EstimateOutput {
-    EstimateOutput::Result(Output::Speed { vehicle })
+fn speed(vehicle: VehicleId) -> Output {
+    SPEED.of_vehicle(vehicle)
 }
 
-fn of(estimated: &Estimated, output: EstimateOutput) -> &EstimatedOutput {
+fn of(estimated: &Estimated, output: Output) -> &EstimatedOutput {
     estimated.outputs.iter().find(|found| found.output == output).unwrap()
 }
 
@@ -116,7 +117,7 @@ fn the_crush_energy_tells_the_speed() {
     let bias = 0.0;
     let density = |v: f64| (-0.5 * (((energy / (297.0 * v * v)).ln() - bias) / 0.25).powi(2)).exp();
     assert_is_quantiles(&of(&estimated, speed(VehicleId::One)).posterior, density, [1.0, 70.0]);
-    let crush = of(&estimated, EstimateOutput::CrushEnergy);
+    let crush = of(&estimated, CRUSH_ENERGY.of_collision());
     assert!((crush.posterior.median.value - energy).abs() < 1e-3 * energy);
 }
 
@@ -222,7 +223,7 @@ fn the_speed_before_a_skid_tells_that_at_the_impact() {
     };
     assert_is_quantiles(&of(&estimated, speed(VehicleId::One)).posterior, density, [1.0, 70.0]);
     // It is a result, too.
-    let begin = of(&estimated, EstimateOutput::SkidSpeed(VehicleId::One));
+    let begin = of(&estimated, SKID_SPEED.of_vehicle(VehicleId::One));
     assert_eq!(begin.output.path(), "vehicle1.skid.speed");
     assert!((begin.posterior.median.value - 25.0).abs() < 0.5, "{begin:?}");
     // With a range, the errors are those of the case.
@@ -371,7 +372,7 @@ fn coefficients_without_a_range_are_open() {
     let unused: Vec<&str> = estimated.unused.iter().map(|unused| unused.key.as_str()).collect();
     assert!(unused.is_empty(), "{unused:?}");
     let spread = |estimated: &Estimated| {
-        let ends = of(estimated, EstimateOutput::Restitution).posterior.intervals[3];
+        let ends = of(estimated, IMPACT_RESTITUTION.of_collision()).posterior.intervals[3];
         ends.high.value - ends.low.value
     };
     assert!(spread(&estimated) > 0.05);
@@ -516,7 +517,7 @@ fn a_direction_turns_with_the_axes() {
         );
         let text = text.replace("crush_plane = { value = \"0 deg\"", "crush_plane = { value = \"11.31 deg\"");
         let estimated = run(&read(&text), 128).unwrap();
-        let is_y = |output: &EstimateOutput| output.path() == "vehicle2.rest.y";
+        let is_y = |output: &Output| output.path() == "vehicle2.rest.y";
         let y = estimated.outputs.iter().find(|found| is_y(&found.output)).unwrap();
         assert!((1.5..4.5).contains(&y.posterior.median.value), "{axes}: {:?}", y.posterior.median);
     }
@@ -534,7 +535,7 @@ fn forces_come_from_where_the_vehicle_was_hit() {
     assert!(one.abs() < 1e-9 && (two + 90.0).abs() < 1e-9, "{one} {two}");
     // About 180°, and not half of the draws a full turn away.
     let estimated = run(&read(&format!("{CENTRAL}[vehicle2.after]\ndirection = \"0 deg\"\n")), 128).unwrap();
-    let pdof = &of(&estimated, EstimateOutput::Result(Output::Pdof { vehicle: VehicleId::Two })).posterior;
+    let pdof = &of(&estimated, PDOF.of_vehicle(VehicleId::Two)).posterior;
     let [low, high] = [pdof.intervals[3].low.value, pdof.intervals[3].high.value];
     assert!((pdof.median.value.abs() - std::f64::consts::PI).abs() < 0.1 && high - low < 0.1, "{pdof:?}");
 }

@@ -7,7 +7,8 @@ use inputs::Case;
 use pim_core::VehicleId;
 
 use super::{Sample, UncertainInput};
-use crate::sensitivity::Output;
+use crate::output::Output;
+use crate::quantities::{IMPACT_CLOSING_SPEED, SPEED};
 use crate::thresholds::{FAST_CLOSING, HIGH_RESTITUTION};
 use crate::usual::Usual;
 
@@ -98,7 +99,7 @@ impl Watched {
         let output = |wanted: Output| outputs.iter().position(|output| *output == wanted);
         let input = |path: &str| inputs.iter().position(|input| input.input.path == path);
         for vehicle in VehicleId::ALL {
-            let Some(place) = output(Output::Speed { vehicle }) else { continue };
+            let Some(place) = output(SPEED.of_vehicle(vehicle)) else { continue };
             if central[place] >= 0.0 {
                 watch(Doubt::FoundBackward { vehicle }, Watch::NegativeOutput(place));
             }
@@ -116,7 +117,7 @@ impl Watched {
         }
         let restitution = input("impact.restitution")
             .filter(|place| inputs[*place].distribution.quantile(1.0) > HIGH_RESTITUTION);
-        if let (Some(input), Some(closing)) = (restitution, output(Output::ClosingSpeed)) {
+        if let (Some(input), Some(closing)) = (restitution, output(IMPACT_CLOSING_SPEED.of_collision())) {
             watch(Doubt::HighRestitution, Watch::Restitution { input, closing });
         }
         Self { marks }
@@ -162,7 +163,7 @@ fn count(reasons: &[u8], [first, second]: [&Lanes; 2], is_marked: impl Fn(f64, f
 
 /// Whether doubts are seen by this output.
 pub(super) fn reads(output: Output) -> bool {
-    matches!(output, Output::Speed { .. } | Output::ClosingSpeed)
+    output.is(&SPEED) || output.is(&IMPACT_CLOSING_SPEED)
 }
 
 /// The doubtful among the samples that have an answer. The counts are the same for any number of threads, as

@@ -17,10 +17,11 @@ use inputs::{
 use pim_core::{Law, Outcome, Tangential, VehicleId};
 use reconcile::{Problem, Unknown};
 
-use super::{Reason, value};
+use super::{Reason, as_beside};
 use crate::columns::{Collisions, Columns, Number, uncertain_places};
 use crate::found::refused;
-use crate::sensitivity::Output;
+use crate::output::Output;
+use crate::quantities::{OUTPUTS, of_impact};
 
 /// Why the samples of a case are solved one by one, each as a case of its own.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -109,7 +110,7 @@ impl Block {
         }
         let seeks = sought.map(|sought| sought.unknown.vehicle());
         let axes = case.axes;
-        let all = Output::of_two_vehicles(seeks.unwrap_or(VehicleId::One), axes);
+        let all = Output::of_two_vehicles(seeks.unwrap_or(VehicleId::One));
         let place = |wanted: &Output| all.iter().position(|output| output == wanted);
         let places = outputs.iter().map(place).collect::<Option<Vec<usize>>>().ok_or(Alone::Incomplete)?;
         let mut of_all = [0.0; OUTPUTS];
@@ -346,27 +347,12 @@ impl AtOnce {
         Some(Self { restitution, condition })
     }
 }
-/// Number of outputs of a reconstruction of two vehicles: with one more or fewer of them, the list in
-/// [`answer`] does not compile.
-const OUTPUTS: usize = Output::of_two_vehicles(VehicleId::One, Axes::ZUp).len();
 
-/// Its outputs, in the order of [`Output::of_two_vehicles`]. A list, as a closure or a loop over it would not
-/// be inlined.
+/// The outputs of a reconstruction of two vehicles, in the order of [`Output::of_two_vehicles`].
 #[inline(always)]
 fn answer(axes: Axes, central: &[f64; OUTPUTS], speed: f64, outcome: &Outcome) -> [f64; OUTPUTS] {
-    [
-        value(Output::Speed { vehicle: VehicleId::One }, central[0], speed, outcome),
-        value(Output::DeltaV { vehicle: VehicleId::One }, central[1], speed, outcome),
-        value(Output::DeltaV { vehicle: VehicleId::Two }, central[2], speed, outcome),
-        value(Output::Pdof { vehicle: VehicleId::One }, central[3], speed, outcome),
-        value(Output::Pdof { vehicle: VehicleId::Two }, central[4], speed, outcome),
-        value(Output::ClosingSpeed, central[5], speed, outcome),
-        value(Output::EnergyLoss, central[6], speed, outcome),
-        value(Output::NormalWork, central[7], speed, outcome),
-        value(Output::TangentialWork, central[8], speed, outcome),
-        value(Output::DeltaVLongitudinal { vehicle: VehicleId::One }, central[9], speed, outcome),
-        value(Output::DeltaVLateral { vehicle: VehicleId::One, axes }, central[10], speed, outcome),
-        value(Output::DeltaVLongitudinal { vehicle: VehicleId::Two }, central[11], speed, outcome),
-        value(Output::DeltaVLateral { vehicle: VehicleId::Two, axes }, central[12], speed, outcome),
-    ]
+    let mut central = central.iter().copied();
+    of_impact!(VehicleId::One, output => {
+        as_beside(output, central.next().unwrap_or_default(), output.of_impact(axes, speed, outcome))
+    })
 }

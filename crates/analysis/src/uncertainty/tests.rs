@@ -4,7 +4,7 @@ use super::lanes::Alone;
 use super::{REASONS, Reason, Sample, UncertainInput, beside, central, inputs};
 use crate::columns::tests::{AnyCase, FORMS, any_case};
 use crate::goal::Goal;
-use crate::sensitivity::Output;
+use crate::output::Output;
 use crate::{Analysis, reconstruct};
 use ::uncertainty::{
     Distribution, Instructions, LANES, Lanes, Model, Sampler, SamplingMethod, Settings, propagate,
@@ -54,7 +54,7 @@ impl Sampled {
         let solved = Goal::of(&case).solve(&case);
         let nominal = solved.unwrap_or_else(|failure| panic!("{failure}\n{}", to_toml(&case)));
         let outputs = Output::of(&nominal, case.axes);
-        let central = central(&nominal, &outputs);
+        let central = central(&nominal, &outputs, case.axes);
         Self { inputs: inputs(&case).unwrap(), central, outputs, case, nominal }
     }
 
@@ -625,8 +625,7 @@ fn a_reconstruction_of_two_vehicles_has_the_outputs_of_a_block() {
         [(CERTAIN.to_owned(), VehicleId::One), (cases_of_all_keys().swap_remove(1), VehicleId::Two)]
     {
         let case = CaseFile::parse("case.toml", &text).unwrap().case;
-        let axes = case.axes;
-        assert_eq!(Output::of(&reconstruct(&case).unwrap(), axes), Output::of_two_vehicles(found, axes));
+        assert_eq!(Output::of(&reconstruct(&case).unwrap(), case.axes), Output::of_two_vehicles(found));
     }
 }
 

@@ -2,9 +2,7 @@
 
 use std::sync::LazyLock;
 
-use analysis::{
-    Analysis, Comparison, Kind, Output, OutputQuantity, QUANTITIES, Uncertainty, Values, quantity,
-};
+use analysis::{Analysis, Comparison, Kind, Output, OutputQuantity, QUANTITIES, Uncertainty};
 use case::{CaseFile, shown};
 use pim_core::VehicleId;
 use serde::Serialize;
@@ -310,7 +308,7 @@ fn of_uncertainties() -> Vec<(String, Column)> {
     columns.push(("failed_share".to_owned(), Column::FailedShare));
     for output in Output::all() {
         let path = output.path();
-        let unit = quantity(output.key()).map_or("", |row| unit(row.kind));
+        let unit = unit(output.quantity().kind);
         columns.extend(STATISTICS.map(|(name, place)| {
             (format!("{path}.{name}{unit}"), Column::Number(format!("/outputs/{path}/{place}")))
         }));
@@ -417,11 +415,7 @@ impl Csv {
             Column::Place(at) => Some(self.cell(name, place(at)?)),
             Column::Number(at) => Some(self.cell(name, place(at)?)),
             Column::Quantity(quantity, vehicle) => {
-                let si = match quantity.values(seen.as_ref()?) {
-                    Values::Shared(value) => value,
-                    Values::Pair(values) => values[vehicle.as_ref()?.index()],
-                };
-                Some(self.cell(name, &si?.into()))
+                Some(self.cell(name, &quantity.value(seen.as_ref()?, *vehicle)?.into()))
             }
             Column::FailedShare => {
                 let [samples, succeeded] =

@@ -1,6 +1,7 @@
 //! The headline of a reconstruction as JSON, in SI units.
 
 use ::estimate::DrawsSummary;
+use analysis::quantities::{DELTA_V, SPEED};
 use analysis::{Analysis, Output, Overdetermined, Solution, Weighed};
 use pim_core::VehicleId;
 use serde::Serialize;
@@ -93,8 +94,8 @@ impl HeadlineBlock {
                 }
             };
             let of = |vehicle: VehicleId| FiguresBlock {
-                speed: figure(Output::Speed { vehicle }),
-                delta_v: figure(Output::DeltaV { vehicle }),
+                speed: figure(SPEED.of_vehicle(vehicle)),
+                delta_v: figure(DELTA_V.of_vehicle(vehicle)),
             };
             let pieces = &weighed.estimated.pieces;
             let judged = || pieces.iter().zip(Agreement::of_all(pieces));

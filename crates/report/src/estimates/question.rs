@@ -1,6 +1,6 @@
 //! Reads a question that is put to an estimate.
 
-use analysis::{EstimateOutput, Kind};
+use analysis::{Kind, Output};
 use case::{Dimension, read_quantity};
 use validation::FOOT_POUND;
 
@@ -11,14 +11,14 @@ impl Question {
     ///
     /// # Errors
     /// A sentence, where the case has no such result, and where the limit has not the unit of one.
-    pub fn read(text: &str, outputs: &[EstimateOutput]) -> Result<Self, String> {
+    pub fn read(text: &str, outputs: &[Output]) -> Result<Self, String> {
         let text = text.trim();
         let (key, limit) = text.split_once(char::is_whitespace).unwrap_or((text, ""));
         let Some(&output) = outputs.iter().find(|output| output.path() == key) else {
             let keys: Vec<String> = outputs.iter().map(|output| output.path()).collect();
             return Err(format!("the case has no result of this name; its results are {}", keys.join(", ")));
         };
-        Ok(Self { output, limit: limit_of(limit.trim(), output.kind())? })
+        Ok(Self { output, limit: limit_of(limit.trim(), output.quantity().kind)? })
     }
 }
 
@@ -57,14 +57,14 @@ fn energy(text: &str) -> Option<f64> {
 
 #[cfg(test)]
 mod tests {
-    use analysis::{EstimateOutput, Output};
+    use analysis::quantities::{CRUSH_ENERGY, IMPACT_CLOSING_SPEED, IMPACT_RESTITUTION};
 
     use crate::Question;
 
     #[test]
     fn a_question_names_a_result_and_a_limit() {
-        let closing = EstimateOutput::Result(Output::ClosingSpeed);
-        let outputs = [closing, EstimateOutput::Restitution, EstimateOutput::CrushEnergy];
+        let closing = IMPACT_CLOSING_SPEED.of_collision();
+        let outputs = [closing, IMPACT_RESTITUTION.of_collision(), CRUSH_ENERGY.of_collision()];
         let limit = |text: &str| Question::read(text, &outputs).map(|question| question.limit);
         assert_eq!(Question::read("impact.closing_speed 36 km/h", &outputs).unwrap().output, closing);
         assert_eq!(limit(" impact.closing_speed  36 km/h "), Ok(10.0));

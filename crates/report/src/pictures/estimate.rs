@@ -4,7 +4,8 @@ use ::drawing::{
     Axis, DensityPicture, Drawing, Footprint, FoundAtRest, JointPicture, RestsPicture, Shape, ValueMark,
 };
 use ::estimate::DrawsSummary;
-use analysis::{EstimateOutput, Estimated, EstimatedOutput, Output, WayNumber};
+use analysis::quantities::{REST_X, REST_Y, SPEED};
+use analysis::{Estimated, EstimatedOutput, Output};
 use case::{Case, Dimensions, Kind};
 use pim_core::{Real, VehicleId};
 
@@ -44,7 +45,7 @@ pub fn density(
     case: &Case,
     estimated: &Estimated,
     asked: &Asked,
-    output: EstimateOutput,
+    output: Output,
     units: Units,
 ) -> Option<Drawing> {
     Some(density_picture(case, estimated, asked, output, units)?.draw())
@@ -54,7 +55,7 @@ fn density_picture(
     case: &Case,
     estimated: &Estimated,
     asked: &Asked,
-    output: EstimateOutput,
+    output: Output,
     units: Units,
 ) -> Option<DensityPicture> {
     let found = answer(estimated, output)?;
@@ -102,9 +103,8 @@ fn density_picture(
 }
 
 /// A result that varies, of a run that has converged.
-fn answer(estimated: &Estimated, output: EstimateOutput) -> Option<&EstimatedOutput> {
-    let found = estimated.outputs.iter().find(|found| found.output == output)?;
-    (estimated.doubts().is_empty() && found.varies()).then_some(found)
+fn answer(estimated: &Estimated, output: Output) -> Option<&EstimatedOutput> {
+    estimated.output(output).filter(|found| estimated.doubts().is_empty() && found.varies())
 }
 
 /// (unit of the draws) how far a kernel reaches that smooths draws worth so many independent ones.
@@ -160,7 +160,7 @@ pub fn joint_speeds(case: &Case, estimated: &Estimated, asked: &Asked, units: Un
 }
 
 fn joint_picture(case: &Case, estimated: &Estimated, asked: &Asked, units: Units) -> Option<JointPicture> {
-    let outputs = VehicleId::ALL.map(|vehicle| EstimateOutput::Result(Output::Speed { vehicle }));
+    let outputs = VehicleId::ALL.map(|vehicle| SPEED.of_vehicle(vehicle));
     let [one, two] = outputs.map(|output| answer(estimated, output));
     let summaries = [&one?.posterior, &two?.posterior];
     let [first, second] = outputs.map(|output| estimated.draws(output));
@@ -265,8 +265,8 @@ fn rests_picture(case: &Case, estimated: &Estimated, asked: &Asked, units: Units
     let subjects = case.subjects();
     let vehicles = VehicleId::ALL.into_iter().filter_map(|vehicle| {
         let axes = case.axes;
-        let column = |number| estimated.draws(EstimateOutput::Result(Output::Way { vehicle, number, axes }));
-        let (x, y) = (column(WayNumber::RestX)?, column(WayNumber::RestY)?);
+        let x = estimated.draws(REST_X.of_vehicle(vehicle))?;
+        let y = estimated.draws(REST_Y.of_vehicle(vehicle))?;
         let step = x.len().div_ceil(SHOWN / 2).max(1);
         let draws = x.iter().zip(y).step_by(step).map(|(x, y)| [*x, axes.lateral(*y)]).collect();
         let measured = estimated.observed.vehicles[vehicle.index()].rest;
@@ -332,7 +332,7 @@ pub fn estimate_pictures(case: &Case, estimated: &Estimated, asked: &Asked, unit
 /// All pictures of an estimate, in the order of a report: the speeds one by one, both at once, and the rests.
 pub(crate) fn all(case: &Case, estimated: &Estimated, asked: &Asked, units: Units) -> Vec<(String, Undrawn)> {
     let speeds = VehicleId::ALL.into_iter().filter_map(|vehicle| {
-        let output = EstimateOutput::Result(Output::Speed { vehicle });
+        let output = SPEED.of_vehicle(vehicle);
         let picture = density_picture(case, estimated, asked, output, units)?;
         Some((format!("density-speed-{vehicle}"), Undrawn::new(move || picture.draw())))
     });

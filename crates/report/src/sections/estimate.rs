@@ -2,9 +2,9 @@
 
 use ::estimate::DrawsSummary;
 use ::uncertainty::{Distribution, Shape};
+use analysis::quantities::{DELTA_V, SPEED};
 use analysis::{
-    Assumed, EstimateOutput, Estimated, EstimatedOutput, Output, PieceFound, Stood, TOLD_BELOW,
-    UnknownNumber, Weighed,
+    Assumed, Estimated, EstimatedOutput, Output, PieceFound, Stood, TOLD_BELOW, UnknownNumber, Weighed,
 };
 use case::{Case, Prior};
 use evidence::Piece;
@@ -14,9 +14,10 @@ use super::uncertainty::{decimals_of, grouped};
 use crate::document::{Block, Column, Document, NONE, Table, Width};
 use crate::estimates::{
     Agreement, Asked, CONTRADICTS, DOUBTFUL, EIGHTY, HALF, NINETY, Question, WIDEST, crush_words,
-    doubt_words, ends, error, error_key, is_factor, label, measure, median_and_interval, name, piece_name,
-    source, told_speed, unknown_key, unused, value,
+    doubt_words, ends, error, error_key, is_factor, label, measure, median_and_interval, piece_name, source,
+    told_speed, unknown_key, unused, value,
 };
+use crate::outputs::output_name;
 use crate::pictures;
 use crate::units::{Measure, Units, number, significant};
 use crate::writers::wrap::wrapped;
@@ -87,8 +88,7 @@ struct Page<'a> {
 
 impl<'a> Page<'a> {
     fn find(&self, wanted: Output) -> Option<&'a EstimatedOutput> {
-        let wanted = EstimateOutput::Result(wanted);
-        self.estimated.outputs.iter().find(|output| output.output == wanted)
+        self.estimated.output(wanted)
     }
 
     /// (SI) with enough decimals for the standard deviation of the result.
@@ -117,7 +117,7 @@ impl<'a> Page<'a> {
 
     /// A speed or a ΔV with its interval, in words.
     fn told(&self, found: &EstimatedOutput) -> String {
-        format!("{}: {}", name(found.output), told_speed(found, self.units))
+        format!("{}: {}", output_name(found.output), told_speed(found, self.units))
     }
 
     /// How probable it is that each vehicle stood.
@@ -144,8 +144,8 @@ impl<'a> Page<'a> {
     fn answer(&mut self) {
         let line = |output: Output| Some(self.told(self.find(output)?));
         let all = VehicleId::ALL.into_iter();
-        let speeds = all.clone().filter_map(|vehicle| line(Output::Speed { vehicle }));
-        let changes = all.filter_map(|vehicle| line(Output::DeltaV { vehicle }));
+        let speeds = all.clone().filter_map(|vehicle| line(SPEED.of_vehicle(vehicle)));
+        let changes = all.filter_map(|vehicle| line(DELTA_V.of_vehicle(vehicle)));
         let found: Vec<String> = speeds.chain(changes).collect();
         let evidence: Vec<String> =
             self.estimated.pieces.iter().map(|piece| piece_name(piece.piece)).collect();
@@ -156,7 +156,7 @@ impl<'a> Page<'a> {
             format!("Medians and 95 % intervals by all evidence: {}.", evidence.join("; "))
         };
         let is_untold = |vehicle: VehicleId| {
-            [Output::Speed { vehicle }, Output::DeltaV { vehicle }]
+            [SPEED.of_vehicle(vehicle), DELTA_V.of_vehicle(vehicle)]
                 .into_iter()
                 .any(|output| self.find(output).is_some_and(|found| !found.is_told()))
         };
@@ -273,7 +273,7 @@ impl<'a> Page<'a> {
             };
             Some(format!(
                 "{} above {limit}: probability {}{error} %.",
-                name(question.output),
+                output_name(question.output),
                 percent(probability.value)
             ))
         };
@@ -340,13 +340,13 @@ impl<'a> Page<'a> {
         let unit = self.units.name(Measure::RoadSpeed);
         let movers: Vec<VehicleId> = VehicleId::ALL
             .into_iter()
-            .filter(|vehicle| self.find(Output::Speed { vehicle: *vehicle }).is_some())
+            .filter(|vehicle| self.find(SPEED.of_vehicle(*vehicle)).is_some())
             .collect();
         // The speeds say nothing where they are known.
         let sought: Vec<VehicleId> = movers
             .into_iter()
             .filter(|vehicle| {
-                let found = self.find(Output::Speed { vehicle: *vehicle });
+                let found = self.find(SPEED.of_vehicle(*vehicle));
                 found.is_some_and(EstimatedOutput::varies)
             })
             .collect();

@@ -3,9 +3,10 @@
 mod inputs;
 
 use ::drawing::{Drawing, SitePlan};
+use analysis::quantities::{DELTA_V, SPEED};
 use analysis::{
-    Analysis, EnergyBalance, EstimateOutput, Estimated, Output, Seen, SeenWarning, Sensitivity,
-    UncertainInput, UncertainOutput, Uncertainty, Weighed, is_estimated_beside,
+    Analysis, EnergyBalance, Estimated, Output, Seen, SeenWarning, Sensitivity, UncertainInput,
+    UncertainOutput, Uncertainty, Weighed, is_estimated_beside,
 };
 use case::{Axes, Basis, Case, CaseFile, Estimate, Origin, ReportHead};
 use pim_core::VehicleId;
@@ -18,6 +19,7 @@ use super::results::search;
 use crate::data::sha256;
 use crate::document::{Block, Document, Table};
 use crate::estimates::{WIDEST, ends};
+use crate::outputs::output_name;
 use crate::pictures::{DrawingError, Subject, drawing, motion_on};
 use crate::steps::steps;
 use crate::units::{Measure, number};
@@ -278,20 +280,18 @@ fn answer(case: &Case, analysis: &Analysis, supplements: Supplements<'_>, units:
         VehicleId::ALL
             .into_iter()
             .filter(|&id| analysis.moves(id))
-            .map(|id| {
-                format!("ΔV of vehicle {id}: {}.", said(Output::DeltaV { vehicle: id }, values[id.index()]))
-            })
+            .map(|id| format!("ΔV of vehicle {id}: {}.", said(DELTA_V.of_vehicle(id), values[id.index()])))
             .collect::<Vec<_>>()
     };
     let mut found = Vec::new();
     if let Some(answer) = &analysis.found {
         let vehicle = answer.unknown.vehicle();
-        let speed = said(Output::Speed { vehicle }, answer.speed);
+        let speed = said(SPEED.of_vehicle(vehicle), answer.speed);
         found.push(format!("Speed of vehicle {vehicle} before impact: {speed}."));
     }
     if let Some(both) = &analysis.both {
         for vehicle in both.vehicles() {
-            let speed = said(Output::Speed { vehicle }, both.speeds[vehicle.index()]);
+            let speed = said(SPEED.of_vehicle(vehicle), both.speeds[vehicle.index()]);
             found.push(format!("Speed of vehicle {vehicle} before impact: {speed}."));
         }
     }
@@ -310,7 +310,7 @@ fn answer(case: &Case, analysis: &Analysis, supplements: Supplements<'_>, units:
     }
     // Inputs that move none of these figures leave them without one.
     let has_interval = |uncertainty: &&Uncertainty| {
-        let of = |vehicle| [Output::Speed { vehicle }, Output::DeltaV { vehicle }];
+        let of = |vehicle| [SPEED.of_vehicle(vehicle), DELTA_V.of_vehicle(vehicle)];
         let mut outputs = VehicleId::ALL.into_iter().flat_map(of);
         outputs.any(|output| interval(uncertainty, output, units).is_some())
     };
@@ -353,8 +353,7 @@ struct Wide {
 
 /// `54 to 101 mph (95 %, with the errors of the method)`; `None` of an output that does not vary.
 fn with_method(estimated: &Estimated, output: Output, units: Units) -> Option<Wide> {
-    let wanted = EstimateOutput::Result(output);
-    let found = estimated.outputs.iter().find(|found| found.output == wanted && found.varies())?;
+    let found = estimated.output(output).filter(|found| found.varies())?;
     let [low, high] = ends(&found.posterior, WIDEST).map(|si| units.value(Measure::RoadSpeed, si));
     // A last digit that is a hundredth of the width says nothing.
     let decimals = usize::from(high - low < WIDE);
@@ -398,8 +397,8 @@ pub fn uncertain_headline(uncertainty: &Uncertainty, units: Units) -> Vec<String
     }
     let line = |output: &UncertainOutput| {
         let name = match output.output {
-            Output::Speed { vehicle } => format!("Speed of vehicle {vehicle} before impact"),
-            Output::DeltaV { vehicle } => format!("ΔV of vehicle {vehicle}"),
+            speed if speed.is(&SPEED) => format!("{} before impact", output_name(speed)),
+            change if change.is(&DELTA_V) => output_name(change),
             _ => return None,
         };
         let interval = interval(uncertainty, output.output, units)?;

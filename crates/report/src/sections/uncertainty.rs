@@ -4,8 +4,9 @@ use std::f64::consts::PI;
 
 use ::drawing::Drawing;
 use ::uncertainty::{Bar, Classes, End, Estimate, FIRST_ORDER_LIMIT, Index, SamplingMethod, Shape, Summary};
+use analysis::quantities::{DELTA_V, PDOF, SPEED};
 use analysis::{
-    Doubt, Doubtful, ExactValue, FAST_CLOSING, HIGH_RESTITUTION, Output, REASONS, Reason, TakenAsExact,
+    Doubt, Doubtful, ExactValue, FAST_CLOSING, HIGH_RESTITUTION, REASONS, Reason, TakenAsExact,
     UncertainInput, UncertainOutput, Uncertainty,
 };
 use case::{
@@ -15,7 +16,7 @@ use case::{
 use crash3::principal_angle;
 
 use crate::document::{Block, Column, Document, NONE, Table, Undrawn, Width};
-use crate::outputs::{estimate_name, estimate_source, input_name, output_name, output_quantity};
+use crate::outputs::{estimate_name, estimate_source, input_name, output_name, output_quantity, pictured};
 use crate::pictures;
 use crate::units::{Measure, Units, number, significant};
 use crate::warnings;
@@ -36,14 +37,6 @@ const MOST_DECIMALS: usize = 6;
 const SWITCH_OFF: &str = "List the key under `exact` in [uncertainty] to switch this off.";
 /// (–) a cut that takes less away is not worth a line.
 const NOTICED_CUT: f64 = 1e-6;
-
-/// A speed comes first in the unit of the road.
-fn quantity(output: Output) -> Measure {
-    match output_quantity(output) {
-        Measure::Speed => Measure::RoadSpeed,
-        other => other,
-    }
-}
 
 /// The summary of each output as tables and bars, what drives them, and the warnings of the case as it
 /// stands.
@@ -200,7 +193,7 @@ impl<'a> Page<'a> {
     /// ± the standard error, in the unit of the value, in at most so many columns.
     fn error(&self, output: &UncertainOutput, estimate: Estimate, columns: usize) -> String {
         estimate.standard_error.map_or_else(String::new, |error| {
-            let error = self.units.value(quantity(output.output), error);
+            let error = self.units.value(pictured(output.output), error);
             // Two digits, and all that stand before the point; fewer where there is no room.
             let shown = if error < 10.0 { significant(error, 2) } else { number(error, 0) };
             let fits = |shown: &str| shown.chars().count() < columns;
@@ -237,10 +230,10 @@ impl<'a> Page<'a> {
         for (output, summary) in self.rows() {
             let sd = summary.map_or(output.first_order.sd, |summary| summary.sd.value);
             let sd = if output.varies(sd) { sd } else { 0.0 };
-            let plain = self.resolved(quantity(output.output), sd);
+            let plain = self.resolved(pictured(output.output), sd);
             let central = plain(output.central);
             let first = plain(output.first_order.sd);
-            let label = self.label(output, quantity(output.output));
+            let label = self.label(output, pictured(output.output));
             let Some(summary) = summary else {
                 table.row([label, central, none(), none(), none(), first, String::new()]);
                 continue;
@@ -300,10 +293,10 @@ impl<'a> Page<'a> {
         }
         let mut table = Table::new("Intervals", columns);
         for (output, summary) in self.rows() {
-            let label = self.label(output, quantity(output.output));
+            let label = self.label(output, pictured(output.output));
             let Some(summary) = summary.filter(|summary| output.varies(summary.sd.value)) else { continue };
             let ends = summary.intervals.map(|interval| [interval.low, interval.high]);
-            let plain = self.resolved(quantity(output.output), summary.sd.value);
+            let plain = self.resolved(pictured(output.output), summary.sd.value);
             let cell =
                 |end: Estimate| format!("{}\n{}", short(plain(end.value)), self.error(output, end, END));
             table.cells(std::iter::once(label).chain(ends.into_iter().flatten().map(cell)));
@@ -325,7 +318,7 @@ impl<'a> Page<'a> {
     /// Of each PDOF whose intervals go through straight from behind.
     fn turned(&mut self) {
         for (output, summary) in self.rows() {
-            let Some(summary) = summary.filter(|_| matches!(output.output, Output::Pdof { .. })) else {
+            let Some(summary) = summary.filter(|_| output.output.is(&PDOF)) else {
                 continue;
             };
             let mut ends = summary.intervals.iter().flat_map(|ends| [ends.low.value, ends.high.value]);
@@ -348,7 +341,7 @@ impl<'a> Page<'a> {
         }
         let Some(histogram) = self.uncertainty.propagation.histogram(0, Classes::Coarse) else { return };
         let most = histogram.counts.iter().copied().max().unwrap_or_default();
-        let alone = quantity(output.output);
+        let alone = pictured(output.output);
         let title = self.label(output, alone);
         let mut table = Table::new(
             title,
@@ -375,7 +368,7 @@ impl<'a> Page<'a> {
 
     /// The places of the outputs whose drivers are shown: the first, and both speeds where both are found.
     fn answers(&self) -> Vec<usize> {
-        let is_speed = |output: &UncertainOutput| matches!(output.output, Output::Speed { .. });
+        let is_speed = |output: &UncertainOutput| output.output.is(&SPEED);
         let outputs = self.uncertainty.outputs.iter().enumerate();
         outputs.filter(|(place, output)| *place == 0 || is_speed(output)).map(|(place, _)| place).collect()
     }
@@ -384,7 +377,7 @@ impl<'a> Page<'a> {
     /// output.
     fn more_histograms(&mut self) {
         for (place, (output, _)) in self.rows().into_iter().enumerate().skip(1) {
-            if matches!(output.output, Output::Speed { .. } | Output::DeltaV { .. })
+            if (output.output.is(&SPEED) || output.output.is(&DELTA_V))
                 && let Some(picture) =
                     pictures::histogram_picture(self.case, self.uncertainty, place, self.units)
             {
@@ -408,7 +401,7 @@ impl<'a> Page<'a> {
             self.chart(format!("tornado-{place}"), move || picture.draw(), None);
         }
         let title = format!("Main drivers: {}", output_name(output.output));
-        let alone = quantity(output.output);
+        let alone = pictured(output.output);
         let unit = self.units.name(alone);
         let bars = self.uncertainty.tornado.ranked(place);
         let longest = bars
