@@ -49,8 +49,7 @@ fn quantity(output: Output) -> Measure {
 /// stands.
 #[must_use]
 pub fn uncertainty(case: &Case, uncertainty: &Uncertainty, units: Units) -> Document {
-    let mut page = Page { case, uncertainty, units, document: Document::new() };
-    page.document.title(case);
+    let mut page = Page { case, uncertainty, units, document: Document::of_case(case) };
     page.head();
     page.results();
     page.intervals();
