@@ -70,7 +70,7 @@ const theirs = await run("uncertainty", uncertain, "--samples", "100000", "--for
 const digest = text => createHash("sha256").update(text).digest("hex");
 const session = new engine.Run();
 const options = JSON.stringify({ samples: 100000 });
-session.uncertainty(readFileSync(uncertain, "utf8"), uncertain, "", options, () => true);
+session.ask("uncertainty", readFileSync(uncertain, "utf8"), uncertain, "", options, () => true);
 expect("the uncertainty of the example", session.json(), theirs.out);
 const samples = session.samples();
 expect("its samples", digest(samples), digest(readFileSync(sampled)));
@@ -81,7 +81,7 @@ rmSync(scratch, { recursive: true });
 const evidence = cases.find(path => path.endsWith("fixtures/estimate.toml"));
 const few = ["--particles", "128", "--no-pieces"];
 const drawn = await run("estimate", evidence, ...few, "--format", "json");
-session.estimate(readFileSync(evidence, "utf8"), evidence, "", '{"particles": 128, "pieces": false}', () => true);
+session.ask("estimate", readFileSync(evidence, "utf8"), evidence, "", '{"particles": 128, "pieces": false}', () => true);
 expect("an estimate", session.json(), drawn.out);
 
 const counts = Object.entries(answers).map(([command, count]) => `${command} ${count}`).join(", ");

@@ -5,17 +5,22 @@ use std::io::Read as _;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use analysis::Analysis;
-use case::{CaseFile, Fault, FaultKind, Faults};
+use analysis::{Analysis, EstimatePlan};
+use case::{CaseFile, Prior};
 use pyo3::exceptions::{PyOSError, PyTypeError, PyValueError};
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyDict, PyInt, PyString, PyTuple};
 use report::{SitePlan, Subject, Units};
+use requests::{
+    DrawingRequest, EstimateOptions, ReconstructOptions, Request, SensitivityOptions, UncertaintyOptions,
+    site_plan_beside,
+};
+use uncertainty::SamplingMethod;
 
 use crate::dict;
 use crate::errors::{METHODS, failed, not_drawn, wrong_case, wrong_value};
 use crate::picture::Picture;
-use crate::request::{Request, chosen};
+use crate::request::{chosen, wrong_option};
 use crate::solved::{Solved, answered};
 
 /// A case that was read, and where from.
@@ -39,11 +44,9 @@ pub(crate) struct Given {
 #[pyclass(name = "Case", module = "deltav", frozen)]
 pub(crate) struct PyCase(pub(crate) Arc<Given>);
 
-const UNITS: [(&str, Units); 3] = [("si", Units::Si), ("us", Units::Us), ("uk", Units::Uk)];
-
 /// The units of a text or a drawing: those that most of the case uses, unless somebody says.
 pub(crate) fn units(asked: Option<&str>, file: &CaseFile) -> PyResult<Units> {
-    asked.map_or_else(|| Ok(Units::of_case(&file.case)), |asked| chosen("units", asked, &UNITS))
+    asked.map_or_else(|| Ok(Units::of_case(&file.case)), |asked| chosen("units", asked, &Units::WORDS))
 }
 
 /// A whole number that is not negative.
@@ -106,22 +109,8 @@ impl Given {
 
     /// The picture that `site_plan` of `[scene]` names, counted from the folder of the case file.
     pub(crate) fn site_plan(&self, py: Python<'_>) -> PyResult<Option<SitePlan>> {
-        let Some(plan) = &self.file.case.site_plan else { return Ok(None) };
-        let folder = self.path.as_deref().and_then(Path::parent).unwrap_or(Path::new(""));
-        let refused = |reason: String, advice: &str| {
-            let kind = FaultKind::Refused { reason };
-            let fault =
-                Fault { key: "scene.site_plan.file".to_owned(), kind, advice: Some(advice.to_owned()) };
-            wrong_case(py, self.file.diagnostics(&Faults::from(fault), &METHODS))
-        };
-        let bytes = std::fs::read(folder.join(plan.file.as_given())).map_err(|error| {
-            refused(
-                format!("cannot read the site plan {}: {error}", plan.file),
-                "put the picture beside the case file, or leave out site_plan",
-            )
-        })?;
-        report::site_plan_of(&self.file.case, bytes)
-            .map_err(|error| refused(error.to_string(), "save it as a PNG or a JPEG, or leave out site_plan"))
+        let path = self.path.as_deref().unwrap_or(Path::new(""));
+        site_plan_beside(path, &self.file, &METHODS).map_err(|errors| wrong_case(py, errors))
     }
 
     /// The subject of a drawing by its name, or by `_` in place of `-`.
@@ -134,22 +123,17 @@ impl Given {
         &self,
         py: Python<'_>,
         analysis: &Analysis,
-        subject: Subject,
-        (units, is_plain): (Units, bool),
+        request: DrawingRequest,
+        units: Units,
     ) -> PyResult<report::Drawing> {
-        if is_plain && !matches!(subject, Subject::Scene | Subject::Motion) {
+        if !request.can_be() {
             let problem =
                 "plain=True is a form of the scene and of the motion: give what=\"scene\", or leave it out";
             return Err(PyValueError::new_err(problem));
         }
-        let site_plan = if subject == Subject::Motion { self.site_plan(py)? } else { None };
+        let site_plan = if request.subject == Subject::Motion { self.site_plan(py)? } else { None };
         let file = &self.file;
-        let drawing = py.detach(|| match subject {
-            Subject::Scene if is_plain => report::plain_scene(file, analysis, None, units),
-            Subject::Motion if is_plain => report::plain_motion(file, analysis, None, units, site_plan),
-            Subject::Motion => report::motion_on(file, analysis, units, site_plan),
-            _ => report::drawing(file, analysis, units, subject),
-        });
+        let drawing = py.detach(|| request.draw(file, analysis, None, units, site_plan));
         drawing.map_err(|error| not_drawn(py, error, file))
     }
 }
@@ -161,7 +145,7 @@ impl PyCase {
         request: Request,
         threads: Option<usize>,
     ) -> PyResult<Bound<'py, PyAny>> {
-        request.check()?;
+        request.check().map_err(|error| wrong_option(&error))?;
         answered(py, Solved::new(py, Arc::clone(&self.0), request, threads)?)
     }
 }
@@ -368,7 +352,7 @@ impl PyCase {
     /// >>> result.found.method, round(result.vehicle1.delta_v, 2)
     /// ('closed form', 12.15)
     fn reconstruct<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
-        self.asked(py, Request::Reconstruct, None)
+        self.asked(py, Request::Reconstruct(ReconstructOptions::default()), None)
     }
 
     /// Computes an impact from two known speeds.
@@ -530,7 +514,8 @@ impl PyCase {
         pdof_step: f64,
         pdof_steps: Whole<u32>,
     ) -> PyResult<Bound<'py, PyAny>> {
-        self.asked(py, Request::Sensitivity { pdof_step, pdof_steps: pdof_steps.0 }, None)
+        let options = SensitivityOptions { pdof_step, pdof_steps: pdof_steps.0 };
+        self.asked(py, Request::Sensitivity(options), None)
     }
 
     /// Propagates the ranges of the case to the results. Ctrl-C ends it.
@@ -584,13 +569,14 @@ impl PyCase {
         sobol: Option<Whole<usize>>,
         threads: Option<Whole<usize>>,
     ) -> PyResult<Bound<'py, PyAny>> {
-        let request = Request::Uncertainty {
+        let options = UncertaintyOptions {
             samples: samples.map(|samples| samples.0),
             seed: seed.0,
-            method: method.to_owned(),
-            sobol: sobol.map(|rows| rows.0),
+            method: chosen("method", method, &SamplingMethod::WORDS)?,
+            indices: sobol.map(|rows| rows.0),
+            outputs: None,
         };
-        self.asked(py, request, threads.map(|threads| threads.0))
+        self.asked(py, Request::Uncertainty(options), threads.map(|threads| threads.0))
     }
 
     /// Estimates the speeds from all evidence, with how probable each is. Ctrl-C ends it.
@@ -633,7 +619,7 @@ impl PyCase {
     /// (True, True)
     #[pyo3(
         signature = (
-            *, particles = Whole(analysis::EstimatePlan::PARTICLES), seed = Whole(1), prior = None, pieces = true, above = Vec::new(), threads = None
+            *, particles = Whole(EstimatePlan::PARTICLES), seed = Whole(1), prior = None, pieces = true, above = Vec::new(), threads = None
         ),
         text_signature = "($self, *, particles=256, seed=1, prior=None, pieces=True, above=(), threads=None)"
     )]
@@ -648,8 +634,9 @@ impl PyCase {
         above: Vec<String>,
         threads: Option<Whole<usize>>,
     ) -> PyResult<Bound<'py, PyAny>> {
-        let request = Request::Estimate { particles: particles.0, seed: seed.0, prior, pieces, above };
-        self.asked(py, request, threads.map(|threads| threads.0))
+        let prior = prior.map(|prior| chosen("prior", &prior, &Prior::WORDS)).transpose()?;
+        let options = EstimateOptions { particles: particles.0, seed: seed.0, prior, pieces, above };
+        self.asked(py, Request::Estimate(options), threads.map(|threads| threads.0))
     }
 
     /// Draws the most complete analysis that the case allows.
@@ -691,7 +678,7 @@ impl PyCase {
         let in_units = self::units(units, &given.file)?;
         let analysis = py.detach(|| subject.analysis(&given.file.case));
         let analysis = analysis.map_err(|failure| failed(py, failure, &given.file))?;
-        let drawing = given.draw(py, &analysis, subject, (in_units, plain))?;
+        let drawing = given.draw(py, &analysis, DrawingRequest { subject, plain }, in_units)?;
         let again = PyDict::new(py);
         again.set_item("units", units)?;
         again.set_item("plain", plain)?;

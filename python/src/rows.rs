@@ -110,7 +110,7 @@ fn prior(prior: Option<&str>) -> PyResult<Option<Prior>> {
 }
 
 fn job(name: &str) -> PyResult<Job> {
-    chosen("job", name, &Job::ALL.map(|job| (job.name(), job)))
+    chosen("job", name, &Job::WORDS)
 }
 
 fn asked(

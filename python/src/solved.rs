@@ -2,22 +2,22 @@
 
 use std::sync::{Arc, OnceLock};
 
-use analysis::{Analysis, Reason};
+use analysis::Reason;
 use arrow_buffer::Buffer;
 use bytes::Bytes;
 use pyo3::exceptions::{PyAttributeError, PyRuntimeError, PyValueError};
 use pyo3::prelude::*;
 use pyo3::sync::PyOnceLock;
 use pyo3::types::{PyDict, PyTuple, PyType};
-use report::{Document, Subject, Supplements, Units};
+use report::{Document, Subject, Units};
+use requests::{Answer, DrawingRequest, EstimateAnswer, Request, RequestOptions};
 use uncertainty::SUCCEEDED;
-use validation::{Data, validate};
 
 use crate::columns::Columns;
-use crate::errors::{failed, no_answer, not_drawn};
+use crate::errors::no_answer;
 use crate::given::{Given, PyCase, units};
 use crate::picture::{Picture, image};
-use crate::request::{Answer, Request};
+use crate::request::{class, is_quick, no_page, unanswered, wrong_option};
 use crate::run::{Ending, interruptible};
 
 /// A case, what was asked, and the answer.
@@ -48,12 +48,13 @@ impl Solved {
             return Ok(answer);
         }
         let case = &self.given.file.case;
-        let answer = if self.request.is_quick() {
-            py.detach(|| self.request.answer(case, &Ending::never()))
+        let answer = |ending: &Ending| self.request.answer(case, &mut |_, _, _| ending.flow());
+        let answer = if is_quick(&self.request) {
+            py.detach(|| answer(&Ending::never()))
         } else {
-            interruptible(py, self.threads, |ending| self.request.answer(case, ending))?
+            interruptible(py, self.threads, answer)?
         };
-        let answer = answer.map_err(|refused| refused.raised(py, &self.given.file))?;
+        let answer = answer.map_err(|refused| unanswered(py, refused, &self.given.file))?;
         // Two threads that needed it at once found the same.
         Ok(self.answer.get_or_init(|| answer))
     }
@@ -75,36 +76,21 @@ impl Solved {
     /// The report to hand over of an analysis; of all else what the program prints.
     fn report(&self, py: Python<'_>, units: Units) -> PyResult<Document> {
         let file = &self.given.file;
-        let Answer::Analysis(analysis) = self.answer(py)? else {
-            return Ok(self.answer(py)?.document(file, units));
-        };
-        let is_followed = analysis.travel.iter().any(Option::is_some);
-        let site_plan = if is_followed { self.given.site_plan(py)? } else { None };
-        let beside = interruptible(py, self.threads, |ending| {
-            analysis::beside(&file.case, analysis, &mut |_, _, _| ending.flow())
+        let answer = self.answer(py)?;
+        let site_plan = if answer.shows_site_plan() { self.given.site_plan(py)? } else { None };
+        let page = interruptible(py, self.threads, |ending| {
+            answer.page(file, site_plan.as_ref(), units, &mut |_, _, _| ending.flow())
         })?;
-        let beside = beside.map_err(|failure| failed(py, failure, file))?;
-        let validation = py.detach(|| validate(&Data::built_in()));
-        let validation = validation.map_err(|error| PyRuntimeError::new_err(error.to_string()))?;
-        let supplements = Supplements {
-            uncertainty: beside.uncertainty.as_ref(),
-            sensitivity: beside.sensitivity.as_ref(),
-            validation: Some(&validation),
-            site_plan: site_plan.as_ref(),
-            weighed: None,
-            estimated: None,
-        };
-        let page = py.detach(|| report::handover(file, analysis, supplements, units));
-        page.map_err(|error| not_drawn(py, error, file))
+        page.map_err(|error| no_page(py, error, file))
     }
 
     /// What a notebook shows below the text.
     fn shown(&self, py: Python<'_>, units: Units) -> PyResult<Option<report::Drawing>> {
         let case = &self.given.file.case;
         match self.answer(py)? {
-            Answer::Analysis(analysis) => {
-                let subject = first_subject(analysis);
-                subject.map(|subject| self.given.draw(py, analysis, subject, (units, false))).transpose()
+            Answer::Analysis(solved) => {
+                let drawing = solved.first_subject().map(|subject| DrawingRequest { subject, plain: false });
+                drawing.map(|drawing| self.given.draw(py, &solved.analysis, drawing, units)).transpose()
             }
             Answer::Uncertainty(uncertainty) => {
                 let varies = 0..uncertainty.outputs.len();
@@ -113,28 +99,15 @@ impl Solved {
                 }))
             }
             Answer::Estimate(answer) => {
-                let (estimated, asked) = &**answer;
+                let EstimateAnswer { estimated, asked } = &**answer;
                 let outputs = &estimated.outputs;
                 let density = |of: &analysis::EstimatedOutput| {
                     report::density(case, estimated, asked, of.output, units)
                 };
                 Ok(py.detach(|| outputs.iter().find_map(density)))
             }
-            Answer::Judgement(_) | Answer::Comparison(_) | Answer::Sensitivity(_) => Ok(None),
+            _ => Ok(None),
         }
-    }
-}
-
-/// What shows most of an analysis.
-fn first_subject(analysis: &Analysis) -> Option<Subject> {
-    // Of point masses it is not known how they lay to each other.
-    let is_placed = analysis.both.as_ref().is_none_or(|both| both.geometry == case::Geometry::Given);
-    if analysis.impact.is_some() && is_placed {
-        Some(Subject::Scene)
-    } else if analysis.travel.iter().any(Option::is_some) {
-        Some(Subject::Motion)
-    } else {
-        analysis.vehicles.iter().any(|vehicle| vehicle.damage.is_some()).then_some(Subject::Damage)
     }
 }
 
@@ -151,7 +124,7 @@ impl AsRef<[u8]> for Memory {
                 uncertainty.propagation.columns().get(self.place).map(Vec::as_slice)
             }
             Some(Answer::Estimate(answer)) => {
-                report::draw_columns(&answer.0).get(self.place).map(|column| column.values)
+                report::draw_columns(&answer.estimated).get(self.place).map(|column| column.values)
             }
             _ => None,
         };
@@ -174,13 +147,13 @@ fn columns(py: Python<'_>, solved: &Arc<Solved>) -> PyResult<Columns> {
             )
         }),
         Answer::Estimate(answer) => {
-            if !answer.0.doubts().is_empty() {
+            if !answer.estimated.doubts().is_empty() {
                 let problem =
                     "the run has not converged: print(result) says why, and its draws are no answer";
                 return Err(no_answer(py, problem.to_owned()));
             }
             py.detach(|| {
-                let drawn = report::draw_columns(&answer.0).into_iter().enumerate();
+                let drawn = report::draw_columns(&answer.estimated).into_iter().enumerate();
                 let columns = drawn.map(|(place, column)| {
                     let si = |value: &f64| value * column.factor;
                     let buffer = match column.factor {
@@ -228,7 +201,7 @@ impl PyAnswered {
         static DOCUMENT: PyOnceLock<Py<PyAny>> = PyOnceLock::new();
         let made = || {
             let document = DOCUMENT.import(py, "deltav.results", "_document")?;
-            Ok::<_, PyErr>(document.call1((self.solved.request.class(), self.loads(py)?))?.unbind())
+            Ok::<_, PyErr>(document.call1((class(&self.solved.request), self.loads(py)?))?.unbind())
         };
         Ok(self.record.get_or_try_init(py, made)?.bind(py))
     }
@@ -428,7 +401,7 @@ impl PyAnswered {
         let request = request.map_err(|error| PyRuntimeError::new_err(error.to_string()))?;
         let columns = match self.solved.answer(py)? {
             Answer::Uncertainty(_) => Some(self.columns(py)?),
-            Answer::Estimate(answer) if answer.0.doubts().is_empty() => Some(self.columns(py)?),
+            Answer::Estimate(answer) if answer.estimated.doubts().is_empty() => Some(self.columns(py)?),
             _ => None,
         };
         let state = (VERSION, case, request, self.solved.json(py)?, columns);
@@ -454,7 +427,12 @@ pub(crate) fn restore_result<'py>(
             format!("the result was pickled by deltav {version}, and this is {VERSION}: compute it again");
         return Err(PyValueError::new_err(problem));
     }
-    let request = serde_json::from_str(request).map_err(|error| PyValueError::new_err(error.to_string()))?;
+    let wrong = |error: serde_json::Error| PyValueError::new_err(error.to_string());
+    let written: serde_json::Value = serde_json::from_str(request).map_err(wrong)?;
+    let command = written["command"].as_str().unwrap_or_default();
+    let options = written.get("options").map(ToString::to_string).unwrap_or_default();
+    let request = RequestOptions::read(&options).and_then(|options| Request::read(command, &options));
+    let request = request.map_err(|error| wrong_option(&error))?;
     let given = Arc::clone(&case.get().0);
     let solved =
         Solved { given, request, threads: None, answer: OnceLock::new(), json: OnceLock::from(json) };
@@ -473,14 +451,15 @@ pub(crate) fn answered(py: Python<'_>, solved: Solved) -> PyResult<Bound<'_, PyA
     let base = PyAnswered { solved: Arc::new(solved), record: PyOnceLock::new(), columns: PyOnceLock::new() };
     let base = PyClassInitializer::from(base);
     Ok(match request {
-        Request::Reconstruct | Request::Impact | Request::Motion | Request::Crush => {
+        Request::Reconstruct(_) | Request::Impact | Request::Motion | Request::Crush => {
             Bound::new(py, base.add_subclass(PyAnalysis))?.into_any()
         }
         Request::Check => Bound::new(py, base.add_subclass(PyJudgement))?.into_any(),
         Request::Compare => Bound::new(py, base.add_subclass(PyComparison))?.into_any(),
-        Request::Sensitivity { .. } => Bound::new(py, base.add_subclass(PySensitivity))?.into_any(),
-        Request::Uncertainty { .. } => Bound::new(py, base.add_subclass(PyUncertainty))?.into_any(),
-        Request::Estimate { .. } => Bound::new(py, base.add_subclass(PyEstimate))?.into_any(),
+        Request::Sensitivity(_) => Bound::new(py, base.add_subclass(PySensitivity))?.into_any(),
+        Request::Uncertainty(_) => Bound::new(py, base.add_subclass(PyUncertainty))?.into_any(),
+        Request::Estimate(_) => Bound::new(py, base.add_subclass(PyEstimate))?.into_any(),
+        _ => Bound::new(py, base)?.into_any(),
     })
 }
 
@@ -532,12 +511,12 @@ impl PyAnalysis {
         let py = slf.py();
         let solved = &slf.as_super().get().solved;
         let in_units = solved.in_units(units)?;
-        let Answer::Analysis(analysis) = solved.answer(py)? else {
+        let Answer::Analysis(answer) = solved.answer(py)? else {
             return Err(PyRuntimeError::new_err("the result is no analysis"));
         };
-        let subject =
-            what.map_or_else(|| Ok(first_subject(analysis).unwrap_or(Subject::Damage)), Given::subject)?;
-        let drawing = solved.given.draw(py, analysis, subject, (in_units, plain))?;
+        let first = || Ok(answer.first_subject().unwrap_or(Subject::Damage));
+        let subject = what.map_or_else(first, Given::subject)?;
+        let drawing = solved.given.draw(py, &answer.analysis, DrawingRequest { subject, plain }, in_units)?;
         let options = PyDict::new(py);
         options.set_item("units", units)?;
         options.set_item("plain", plain)?;
@@ -765,7 +744,7 @@ impl PyEstimate {
         let Answer::Estimate(answer) = solved.answer(py)? else {
             return Err(PyRuntimeError::new_err("the result is no estimate"));
         };
-        let (estimated, asked) = &**answer;
+        let EstimateAnswer { estimated, asked } = &**answer;
         let keys: Vec<String> = estimated.outputs.iter().map(|known| known.output.path()).collect();
         let place = keys.iter().position(|key| key == output).ok_or_else(|| unknown(output, &keys))?;
         let of = estimated.outputs[place].output;

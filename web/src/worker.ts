@@ -46,8 +46,7 @@ self.addEventListener("message", ({ data }: MessageEvent<ToWorker>) => {
     const first = samples > FIRST ? [{ ...job.options, samples: FIRST, indices: undefined }] : [];
     for (const options of [...first, job.options]) {
       const begun = performance.now();
-      const given = [job.text, job.name, job.units, JSON.stringify(options), progress] as const;
-      const answer = run[job.kind](...given);
+      const answer = run.ask(job.kind, job.text, job.name, job.units, JSON.stringify(options), progress);
       const isLast = options === job.options;
       say({ kind: "answer", answer, milliseconds: performance.now() - begun, isLast });
       say({ kind: "pictures", pictures: run.pictures(), isLast });

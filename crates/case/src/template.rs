@@ -35,67 +35,39 @@ pub enum Template {
     OneVehicle,
 }
 
-impl Template {
-    /// All templates.
-    pub const ALL: [Self; 10] = [
-        Self::FrontSide,
-        Self::HeadOn,
-        Self::RearEnd,
-        Self::RearEndRest,
-        Self::Intersection,
-        Self::Barrier,
-        Self::Sideswipe,
-        Self::Ees,
-        Self::HeavyTruck,
-        Self::OneVehicle,
-    ];
+/// Gives each template its name and the files of that name.
+macro_rules! named {
+    ($($template:ident $name:literal),+) => {
+        impl Template {
+            /// Each under its name in one word.
+            pub const WORDS: [(&str, Self); 10] = [$(($name, Self::$template)),+];
 
-    /// Its name in one word.
-    #[must_use]
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::FrontSide => "front-side",
-            Self::HeadOn => "head-on",
-            Self::RearEnd => "rear-end",
-            Self::RearEndRest => "rear-end-rest",
-            Self::Intersection => "intersection",
-            Self::Barrier => "barrier",
-            Self::Sideswipe => "sideswipe",
-            Self::Ees => "ees",
-            Self::HeavyTruck => "heavy-truck",
-            Self::OneVehicle => "one-vehicle",
+            /// The case file in the given unit system. Its numbers are round in those units, so the two files
+            /// describe two similar collisions, not the same one.
+            #[must_use]
+            pub fn text(self, units: UnitSystem) -> &'static str {
+                match (self, units) {$(
+                    (Self::$template, UnitSystem::Si) => {
+                        include_str!(concat!("../templates/si/", $name, ".toml"))
+                    }
+                    (Self::$template, UnitSystem::Us) => {
+                        include_str!(concat!("../templates/us/", $name, ".toml"))
+                    }
+                )+}
+            }
         }
-    }
+    };
+}
 
-    /// The case file in the given unit system. Its numbers are round in those units, so the two files
-    /// describe two similar collisions, not the same one.
-    #[must_use]
-    pub fn text(self, units: UnitSystem) -> &'static str {
-        match (self, units) {
-            (Self::FrontSide, UnitSystem::Si) => include_str!("../templates/si/front-side.toml"),
-            (Self::HeadOn, UnitSystem::Si) => include_str!("../templates/si/head-on.toml"),
-            (Self::RearEnd, UnitSystem::Si) => include_str!("../templates/si/rear-end.toml"),
-            (Self::RearEndRest, UnitSystem::Si) => {
-                include_str!("../templates/si/rear-end-rest.toml")
-            }
-            (Self::Intersection, UnitSystem::Si) => include_str!("../templates/si/intersection.toml"),
-            (Self::Barrier, UnitSystem::Si) => include_str!("../templates/si/barrier.toml"),
-            (Self::Sideswipe, UnitSystem::Si) => include_str!("../templates/si/sideswipe.toml"),
-            (Self::Ees, UnitSystem::Si) => include_str!("../templates/si/ees.toml"),
-            (Self::HeavyTruck, UnitSystem::Si) => include_str!("../templates/si/heavy-truck.toml"),
-            (Self::OneVehicle, UnitSystem::Si) => include_str!("../templates/si/one-vehicle.toml"),
-            (Self::FrontSide, UnitSystem::Us) => include_str!("../templates/us/front-side.toml"),
-            (Self::HeadOn, UnitSystem::Us) => include_str!("../templates/us/head-on.toml"),
-            (Self::RearEnd, UnitSystem::Us) => include_str!("../templates/us/rear-end.toml"),
-            (Self::RearEndRest, UnitSystem::Us) => {
-                include_str!("../templates/us/rear-end-rest.toml")
-            }
-            (Self::Intersection, UnitSystem::Us) => include_str!("../templates/us/intersection.toml"),
-            (Self::Barrier, UnitSystem::Us) => include_str!("../templates/us/barrier.toml"),
-            (Self::Sideswipe, UnitSystem::Us) => include_str!("../templates/us/sideswipe.toml"),
-            (Self::Ees, UnitSystem::Us) => include_str!("../templates/us/ees.toml"),
-            (Self::HeavyTruck, UnitSystem::Us) => include_str!("../templates/us/heavy-truck.toml"),
-            (Self::OneVehicle, UnitSystem::Us) => include_str!("../templates/us/one-vehicle.toml"),
-        }
-    }
+named! {
+    FrontSide "front-side",
+    HeadOn "head-on",
+    RearEnd "rear-end",
+    RearEndRest "rear-end-rest",
+    Intersection "intersection",
+    Barrier "barrier",
+    Sideswipe "sideswipe",
+    Ees "ees",
+    HeavyTruck "heavy-truck",
+    OneVehicle "one-vehicle"
 }

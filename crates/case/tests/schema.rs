@@ -93,9 +93,9 @@ fn valid_cases_are_valid() {
     let validator = validator();
     let mut read = 0;
     let fixtures = ["", "laws", "no-answer", "ricsac", "roots"].into_iter().flat_map(cases);
-    let templates = Template::ALL.into_iter().flat_map(|template| {
+    let templates = Template::WORDS.into_iter().flat_map(|(name, template)| {
         [UnitSystem::Si, UnitSystem::Us]
-            .map(|units| (format!("{} {units:?}", template.name()), template.text(units).to_owned()))
+            .map(|units| (format!("{name} {units:?}"), template.text(units).to_owned()))
     });
     for (name, text) in fixtures.chain(templates) {
         let document = document(&text).unwrap();

@@ -4,15 +4,17 @@ use std::ffi::{OsStr, OsString};
 use std::path::{Path, PathBuf};
 
 use analysis::EstimatePlan;
-use case::{Dimension, Prior, Quantity, read_quantity};
+use case::{Dimension, Prior, Quantity, Template, UnitSystem, read_quantity};
 use clap::builder::{
-    MapValueParser, PathBufValueParser, PossibleValue, StringValueParser, TypedValueParser,
-    ValueParserFactory,
+    MapValueParser, PathBufValueParser, PossibleValue, PossibleValuesParser, StringValueParser,
+    TypedValueParser, ValueParserFactory,
 };
-use clap::{Arg, Args, CommandFactory as _, FromArgMatches as _, Parser, ValueEnum};
+use clap::{Arg, Args, CommandFactory as _, FromArgMatches as _, Parser, Subcommand, ValueEnum};
 use clap_complete::Shell;
-use estimate::{MOST_PARTICLES, PARTICLES_STEP, Settings};
-use uncertainty::{InvalidRequest, MAX_SAMPLES, MIN_SAMPLES};
+use report::{CsvStyle, PictureFormat, Subject, Units};
+use requests::{EstimateOptions, ReconstructOptions, Request, SensitivityOptions, UncertaintyOptions};
+use tables::Job;
+use uncertainty::{InvalidRequest, MAX_SAMPLES, MIN_SAMPLES, SamplingMethod};
 
 /// Reconstructs a two-vehicle collision from its damage.
 #[derive(Debug, Parser)]
@@ -39,9 +41,108 @@ pub(crate) enum Command {
         after_help = format!("Templates:\n{}\n\n\
             Examples:\n  deltav new -o case.toml\n  deltav new --template barrier --units us -o \
             case.toml\n  deltav reconstruct case.toml\n\n\
-            More: `deltav explain which command`.", listed::<Template>())
+            More: `deltav explain which command`.", listed(templates()))
     )]
     New(NewArguments),
+    #[command(flatten)]
+    Question(Question),
+    /// Compute a row of results for each row of a table (Parquet, CSV)
+    #[command(
+        before_help = "Each row is a case, read and solved as a case file is, with the same results to \
+            the last bit. The template, a case file or a part of one, holds what all rows share; a row \
+            replaces or completes it. A row that is wrong, or has no answer, has a sentence in the column \
+            \"error\", and the others are not affected. A column is named after the key and the unit: \
+            \"vehicle1.mass [kg]\".",
+        after_help = "Examples:\n  deltav table crashes.parquet --template case.toml -o results.parquet\n  \
+            deltav table crashes.csv --template case.toml --job crush --keep id,year -o results.csv\n  \
+            deltav table crashes.csv --template case.toml --samples 1000 -o intervals.csv\n\n\
+            Exit status: 1 where a row has an error. Ctrl-C ends the run and keeps the rows that were \
+            finished.\n\n\
+            More: `deltav explain table`."
+    )]
+    Table(TableArguments),
+    /// Draw the scene, motion, damage or an estimate (SVG, PNG, PDF)
+    #[command(
+        before_help = "A case with [reconstruct] is reconstructed first; one with both speeds is computed \
+            forward. Scene, motion and damage are to scale. Standard error says how many warnings the \
+            case has.",
+        after_help = format!("What to draw:\n{}\n\n\
+            Examples:\n  deltav draw fixtures/sae-980025.toml --what scene --plain -o exhibit.pdf\n  \
+            deltav draw fixtures/estimate.toml --what estimate -o estimate.svg\n  \
+            deltav draw my.toml --what motion --site-plan map.png --plan-corner \"0 m, 0 m\" \
+            --plan-width \"60 m\"\n\n\
+            More: `deltav explain drawing`, `deltav explain site plan`.", listed(drawings()))
+    )]
+    Draw(DrawArguments),
+    /// Measure the program's error rate on staged collisions
+    #[command(
+        before_help = "Compares eleven RICSAC staged collisions with what the papers print of them: each \
+            number is claimed to reproduce within a tolerance, or listed with the reason why it does not. \
+            Then reconstructs the speed of each from its crush, and shows the error rate. It reads no \
+            file: the data were built in. With --field FILE it judges intervals of ΔV by the recorders of \
+            real crashes in that table instead.",
+        after_help = "Examples:\n  deltav validate\n  deltav validate --format json -o validation.json\n  \
+            deltav validate --format markdown -o docs/validation.md --plots docs\n  \
+            deltav validate --field ciss-pairs.csv\n  deltav validate --field ciss-pairs.csv --other \
+            --format json\n\n\
+            Exit status: 0 every claimed number reproduces; 1 at least one does not. With --field: 0 \
+            done.\n\n\
+            More: `deltav explain error rate`, `deltav explain field data`."
+    )]
+    Validate(ValidateArguments),
+    /// Explain a term, a symbol, a key of a case or a warning
+    #[command(
+        before_help = "The same texts are in crates/report/glossary.md. Without a topic, the command \
+            lists all topics. --format json writes \"term\", \"kind\", \"also\" (other names), \"text\" \
+            (Markdown) and \"see_also\" (terms that the text uses).",
+        after_help = "Examples:\n  deltav explain\n  deltav explain crush plane\n  deltav explain μ_c\n  \
+            deltav explain vehicle1.crush.offset\n  deltav explain delta-v-differs\n  \
+            deltav explain --format json -o glossary.json"
+    )]
+    Explain(ExplainArguments),
+    /// Print the JSON Schema of the case file, for editors
+    #[command(
+        before_help = "If the first line of a case file is `#:schema case.schema.json`, with the path \
+            from the case to the schema, Visual Studio Code with the extension Even Better TOML and other \
+            editors built on Taplo complete and check the file while you write it. The program itself \
+            does not need the schema, and checks more.",
+        after_help = "Example:\n  deltav schema -o case.schema.json"
+    )]
+    Schema(SchemaArguments),
+    /// Print shell completions
+    #[command(
+        before_help = "On the Tab key, the shell then completes commands, options and their values.",
+        after_help = "Examples:\n  deltav completions bash > \
+            ~/.local/share/bash-completion/completions/deltav\n  \
+            deltav completions zsh > ~/.zfunc/_deltav\n  deltav completions fish > \
+            ~/.config/fish/completions/deltav.fish"
+    )]
+    Completions(CompletionsArguments),
+    /// Print the manual page
+    #[command(
+        before_help = "The page is in roff. With --output-dir, it and one page for each command are \
+            written into a folder instead.",
+        after_help = "Examples:\n  deltav man > deltav.1\n  deltav man --output-dir ~/.local/share/man/man1"
+    )]
+    Man(ManArguments),
+}
+
+/// What a command asks of cases, and where the answer goes.
+#[derive(Debug)]
+pub(crate) struct Asked {
+    pub(crate) request: Request,
+    pub(crate) cases: CasesArguments,
+    /// A report with the program in it.
+    pub(crate) is_live: bool,
+    /// The page for that, where it is named.
+    pub(crate) page: Option<PathBuf>,
+    pub(crate) samples_out: Option<PathBuf>,
+    pub(crate) plots: Option<(PathBuf, PictureFormat)>,
+}
+
+// Each command that asks something of cases. A comment for rustdoc would become the help of the program.
+#[derive(Debug, Subcommand)]
+pub(crate) enum Question {
     /// Find the speed from damage or momentum, and all that follows
     #[command(
         before_help = "The program varies the speed that `find` of [reconstruct] names until the impact \
@@ -130,21 +231,6 @@ pub(crate) enum Command {
             More: `deltav explain sensitivity`."
     )]
     Sensitivity(SensitivityArguments),
-    /// Compute a row of results for each row of a table (Parquet, CSV)
-    #[command(
-        before_help = "Each row is a case, read and solved as a case file is, with the same results to \
-            the last bit. The template, a case file or a part of one, holds what all rows share; a row \
-            replaces or completes it. A row that is wrong, or has no answer, has a sentence in the column \
-            \"error\", and the others are not affected. A column is named after the key and the unit: \
-            \"vehicle1.mass [kg]\".",
-        after_help = "Examples:\n  deltav table crashes.parquet --template case.toml -o results.parquet\n  \
-            deltav table crashes.csv --template case.toml --job crush --keep id,year -o results.csv\n  \
-            deltav table crashes.csv --template case.toml --samples 1000 -o intervals.csv\n\n\
-            Exit status: 1 where a row has an error. Ctrl-C ends the run and keeps the rows that were \
-            finished.\n\n\
-            More: `deltav explain table`."
-    )]
-    Table(TableArguments),
     /// Propagate the ranges of the inputs to the results
     #[command(
         before_help = "Any number of a case can be a range, such as restitution = { low = 0.2, high = 0.4 \
@@ -178,70 +264,55 @@ pub(crate) enum Command {
             p-value`."
     )]
     Estimate(EstimateArguments),
-    /// Draw the scene, motion, damage or an estimate (SVG, PNG, PDF)
-    #[command(
-        before_help = "A case with [reconstruct] is reconstructed first; one with both speeds is computed \
-            forward. Scene, motion and damage are to scale. Standard error says how many warnings the \
-            case has.",
-        after_help = format!("What to draw:\n{}\n\n\
-            Examples:\n  deltav draw fixtures/sae-980025.toml --what scene --plain -o exhibit.pdf\n  \
-            deltav draw fixtures/estimate.toml --what estimate -o estimate.svg\n  \
-            deltav draw my.toml --what motion --site-plan map.png --plan-corner \"0 m, 0 m\" \
-            --plan-width \"60 m\"\n\n\
-            More: `deltav explain drawing`, `deltav explain site plan`.", listed::<What>())
-    )]
-    Draw(DrawArguments),
-    /// Measure the program's error rate on staged collisions
-    #[command(
-        before_help = "Compares eleven RICSAC staged collisions with what the papers print of them: each \
-            number is claimed to reproduce within a tolerance, or listed with the reason why it does not. \
-            Then reconstructs the speed of each from its crush, and shows the error rate. It reads no \
-            file: the data were built in. With --field FILE it judges intervals of ΔV by the recorders of \
-            real crashes in that table instead.",
-        after_help = "Examples:\n  deltav validate\n  deltav validate --format json -o validation.json\n  \
-            deltav validate --format markdown -o docs/validation.md --plots docs\n  \
-            deltav validate --field ciss-pairs.csv\n  deltav validate --field ciss-pairs.csv --other \
-            --format json\n\n\
-            Exit status: 0 every claimed number reproduces; 1 at least one does not. With --field: 0 \
-            done.\n\n\
-            More: `deltav explain error rate`, `deltav explain field data`."
-    )]
-    Validate(ValidateArguments),
-    /// Explain a term, a symbol, a key of a case or a warning
-    #[command(
-        before_help = "The same texts are in crates/report/glossary.md. Without a topic, the command \
-            lists all topics. --format json writes \"term\", \"kind\", \"also\" (other names), \"text\" \
-            (Markdown) and \"see_also\" (terms that the text uses).",
-        after_help = "Examples:\n  deltav explain\n  deltav explain crush plane\n  deltav explain μ_c\n  \
-            deltav explain vehicle1.crush.offset\n  deltav explain delta-v-differs\n  \
-            deltav explain --format json -o glossary.json"
-    )]
-    Explain(ExplainArguments),
-    /// Print the JSON Schema of the case file, for editors
-    #[command(
-        before_help = "If the first line of a case file is `#:schema case.schema.json`, with the path \
-            from the case to the schema, Visual Studio Code with the extension Even Better TOML and other \
-            editors built on Taplo complete and check the file while you write it. The program itself \
-            does not need the schema, and checks more.",
-        after_help = "Example:\n  deltav schema -o case.schema.json"
-    )]
-    Schema(SchemaArguments),
-    /// Print shell completions
-    #[command(
-        before_help = "On the Tab key, the shell then completes commands, options and their values.",
-        after_help = "Examples:\n  deltav completions bash > \
-            ~/.local/share/bash-completion/completions/deltav\n  \
-            deltav completions zsh > ~/.zfunc/_deltav\n  deltav completions fish > \
-            ~/.config/fish/completions/deltav.fish"
-    )]
-    Completions(CompletionsArguments),
-    /// Print the manual page
-    #[command(
-        before_help = "The page is in roff. With --output-dir, it and one page for each command are \
-            written into a folder instead.",
-        after_help = "Examples:\n  deltav man > deltav.1\n  deltav man --output-dir ~/.local/share/man/man1"
-    )]
-    Man(ManArguments),
+}
+
+impl Asked {
+    fn of(request: Request, cases: impl Into<CasesArguments>) -> Self {
+        Self { request, cases: cases.into(), is_live: false, page: None, samples_out: None, plots: None }
+    }
+
+    fn report(request: Request, ReportArguments { cases, live, page }: ReportArguments) -> Self {
+        Self { is_live: live, page, ..Self::of(request, cases) }
+    }
+}
+
+impl From<Question> for Asked {
+    fn from(question: Question) -> Self {
+        match question {
+            Question::Reconstruct(ReconstructArguments { report, exact }) => {
+                // The report to hand over has what takes as long again; a live one is without.
+                let is_page = matches!(report.cases.format, CasesFormat::Html | CasesFormat::Markdown);
+                let method = is_page && !exact && !report.live;
+                Self::report(Request::Reconstruct(ReconstructOptions { weigh: !exact, method }), report)
+            }
+            Question::Impact(report) => Self::report(Request::Impact, report),
+            Question::Motion(report) => Self::report(Request::Motion, report),
+            Question::Crush(report) => Self::report(Request::Crush, report),
+            Question::Check(arguments) => Self::of(Request::Check, arguments),
+            Question::Compare(cases) => Self::of(Request::Compare, cases),
+            Question::Sensitivity(SensitivityArguments { arguments, pdof_step, pdof_steps }) => {
+                Self::of(Request::Sensitivity(SensitivityOptions { pdof_step, pdof_steps }), arguments)
+            }
+            Question::Uncertainty(arguments) => {
+                let UncertaintyArguments { samples, seed, method, outputs, sobol: indices, .. } = arguments;
+                let options = UncertaintyOptions { samples, seed, method, indices, outputs };
+                Self {
+                    samples_out: arguments.samples_out,
+                    plots: arguments.plots.map(|folder| (folder, arguments.plots_format)),
+                    ..Self::of(Request::Uncertainty(options), arguments.arguments)
+                }
+            }
+            Question::Estimate(arguments) => {
+                let EstimateArguments {
+                    particles, seed, prior, no_pieces, above, threads, csv_style, ..
+                } = arguments;
+                let options = EstimateOptions { particles, seed, prior, pieces: !no_pieces, above };
+                let cases = CasesArguments { threads, csv_style, ..arguments.arguments.into() };
+                let asked = Self::of(Request::Estimate(options), cases);
+                Self { samples_out: arguments.samples_out, ..asked }
+            }
+        }
+    }
 }
 
 /// The commands as `deltav --help` lists them, each in one group.
@@ -288,16 +359,115 @@ pub(crate) fn parse(
     Command::from_arg_matches(&matches).map_err(|error| error.format(&mut command))
 }
 
-/// The values of an option, one below the other, each with its meaning.
-fn listed<T: ValueEnum>() -> String {
-    let values: Vec<PossibleValue> =
-        T::value_variants().iter().filter_map(ValueEnum::to_possible_value).collect();
-    let widest = values.iter().map(|value| value.get_name().len()).max().unwrap_or_default();
-    let line = |value: &PossibleValue| {
-        let meaning = value.get_help().map(ToString::to_string).unwrap_or_default();
-        format!("  {:<widest$}  {meaning}", value.get_name())
+/// A value of an option: its name, its meaning if that has to be said, and what it is.
+type Word<T> = (&'static str, &'static str, T);
+
+/// Words of a library, each with its meaning.
+fn meaning<T: Copy, const N: usize>(
+    words: [(&'static str, T); N],
+    meanings: [&'static str; N],
+) -> Vec<Word<T>> {
+    words.into_iter().zip(meanings).map(|((name, value), meaning)| (name, meaning, value)).collect()
+}
+
+/// Takes one of a few words.
+fn one_of<T: Copy + Send + Sync + 'static>(
+    words: impl IntoIterator<Item = Word<T>>,
+) -> impl TypedValueParser<Value = T> {
+    let words: Vec<Word<T>> = words.into_iter().collect();
+    let value = |(name, meaning, _): &Word<T>| match *meaning {
+        "" => PossibleValue::new(*name),
+        meaning => PossibleValue::new(*name).help(meaning),
     };
-    values.iter().map(line).collect::<Vec<_>>().join("\n")
+    let values = PossibleValuesParser::new(words.iter().map(value).collect::<Vec<_>>());
+    values.try_map(move |name| {
+        let found = words.iter().find(|(word, _, _)| *word == name).map(|(_, _, value)| *value);
+        found.ok_or("no such value")
+    })
+}
+
+/// The values of an option, one below the other, each with its meaning.
+fn listed<T>(words: Vec<Word<T>>) -> String {
+    let widest = words.iter().map(|(name, _, _)| name.len()).max().unwrap_or_default();
+    let line = |(name, meaning, _): &Word<T>| format!("  {name:<widest$}  {meaning}");
+    words.iter().map(line).collect::<Vec<_>>().join("\n")
+}
+
+fn templates() -> Vec<Word<Template>> {
+    let meanings = [
+        "The front of one vehicle against the side of the other",
+        "Two fronts, offset",
+        "A front against the rear of a waiting vehicle",
+        "Rear-end collision: both rest positions are known, neither speed is",
+        "Crossing vehicles: both rest positions are known, neither speed is",
+        "A vehicle against a wall",
+        "A vehicle that scrapes along the side of another",
+        "Two cars whose energy equivalent speeds (EES) are known",
+        "A car against the rear of a heavy truck (lorry)",
+        "One vehicle with its damage, for `deltav crush`",
+    ];
+    meaning(Template::WORDS, meanings)
+}
+
+fn methods() -> Vec<Word<SamplingMethod>> {
+    let meanings = [
+        "Independent points",
+        "Each range divided into equal shares, one point in each",
+        "Scrambled Sobol' points, best if N is a power of two",
+    ];
+    meaning(SamplingMethod::WORDS, meanings)
+}
+
+fn priors() -> Vec<Word<Prior>> {
+    let meanings = ["As collisions of which a vehicle was towed", "Any speed is as likely as any other"];
+    meaning(Prior::WORDS, meanings)
+}
+
+fn jobs() -> Vec<Word<Job>> {
+    let meanings = [
+        "The speed at which impact and crush agree",
+        "What the impact does, both speeds given",
+        "CRASH3: energies and ΔV from the damage alone",
+        "Both speeds from all the evidence",
+    ];
+    meaning(Job::WORDS, meanings)
+}
+
+/// What can be drawn; without a subject an estimate.
+pub(crate) type What = Option<Subject>;
+
+fn drawings() -> Vec<Word<What>> {
+    let of_subjects = [
+        (Subject::Scene, "Plan view at impact: outlines, contact, crush plane, impulse, velocities, PDOF"),
+        (Subject::Damage, "Each damaged vehicle with its crush profile in place"),
+        (Subject::Reconciliation, "Work of the normal impulse against the speed sought"),
+        (Subject::Energy, "Where the initial kinetic energy went"),
+        (Subject::Motion, "Plan view from approach through impact to rest, with the marks of the wheels"),
+        (Subject::MotionCurves, "Speed, yaw rate and heading over the time from the impact to rest"),
+        (Subject::Momentum, "The momentum polygon: momenta before and after the impact, tip to tail"),
+    ];
+    let estimate =
+        ("estimate", "How probable speeds and rest positions are, as `deltav estimate` finds them", None);
+    let of_subjects = of_subjects.map(|(subject, meaning)| (subject.name(), meaning, Some(subject)));
+    of_subjects.into_iter().chain([estimate]).collect()
+}
+
+const CASE_UNITS: [Word<UnitSystem>; 2] =
+    [("si", "kg, m, cm, km/h", UnitSystem::Si), ("us", "lb, in, mph", UnitSystem::Us)];
+
+const UNITS: [Word<Units>; 3] = [
+    ("us", "ft/s, mph, lb, ft·lb, in", Units::Us),
+    ("si", "m/s, km/h, kg, J, cm", Units::Si),
+    ("uk", "As si, but speeds of vehicles in mph", Units::Uk),
+];
+
+const CSV_STYLES: [Word<CsvStyle>; 2] = [
+    ("international", "Commas between the columns, decimal points", CsvStyle::International),
+    ("european", "Semicolons between the columns, decimal commas, byte order mark", CsvStyle::European),
+];
+
+fn plot_formats() -> [Word<PictureFormat>; 3] {
+    PictureFormat::ALL.map(|format| (format.extension(), "", format))
 }
 
 /// A file, or standard output, which is also called `-`.
@@ -376,15 +546,15 @@ pub(crate) struct CasesArguments {
     pub(crate) format: CasesFormat,
 
     /// us, si, or uk (si, speeds in mph) [default: the file's; csv: si]
-    #[arg(long, value_enum, hide_possible_values = true)]
-    pub(crate) units: Option<UnitSystem>,
+    #[arg(long, value_parser = one_of(UNITS), hide_possible_values = true)]
+    pub(crate) units: Option<Units>,
 
     /// Number of threads [default: one for each processor]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
     pub(crate) threads: Option<u16>,
 
     /// international [default], or european (semicolons, decimal commas)
-    #[arg(long, value_name = "STYLE", value_enum, default_value_t = CsvStyle::International, hide_default_value = true, hide_possible_values = true)]
+    #[arg(long, value_name = "STYLE", value_parser = one_of(CSV_STYLES), default_value = "international", hide_default_value = true, hide_possible_values = true)]
     pub(crate) csv_style: CsvStyle,
 
     /// Write to FILE, not standard output; no .toml file is overwritten
@@ -414,14 +584,6 @@ pub(crate) struct ReportArguments {
     /// Page that --live uses [default: deltav.html beside the program]
     #[arg(long, value_name = "FILE", requires = "live")]
     pub(crate) page: Option<PathBuf>,
-}
-
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub(crate) enum CsvStyle {
-    /// Commas between the columns, decimal points
-    International,
-    /// Semicolons between the columns, decimal commas, byte order mark
-    European,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
@@ -458,48 +620,16 @@ impl CasesFormat {
 #[derive(Debug, Args)]
 pub(crate) struct NewArguments {
     /// Kind of case, one of the templates below
-    #[arg(long, value_enum, default_value_t = Template::FrontSide, hide_possible_values = true)]
+    #[arg(long, value_parser = one_of(templates()), default_value = "front-side", hide_possible_values = true)]
     pub(crate) template: Template,
 
     /// si (kg, m, cm, km/h) or us (lb, in, mph)
-    #[arg(long, value_enum, default_value_t = CaseUnits::Si, hide_possible_values = true)]
-    pub(crate) units: CaseUnits,
+    #[arg(long, value_parser = one_of(CASE_UNITS), default_value = "si", hide_possible_values = true)]
+    pub(crate) units: UnitSystem,
 
     /// Write to FILE, which must not exist, instead of standard output
     #[arg(short, long, value_name = "FILE", default_value = "-", hide_default_value = true)]
     pub(crate) output: Destination,
-}
-
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub(crate) enum CaseUnits {
-    /// kg, m, cm, km/h
-    Si,
-    /// lb, in, mph
-    Us,
-}
-
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub(crate) enum Template {
-    /// The front of one vehicle against the side of the other
-    FrontSide,
-    /// Two fronts, offset
-    HeadOn,
-    /// A front against the rear of a waiting vehicle
-    RearEnd,
-    /// Rear-end collision: both rest positions are known, neither speed is
-    RearEndRest,
-    /// Crossing vehicles: both rest positions are known, neither speed is
-    Intersection,
-    /// A vehicle against a wall
-    Barrier,
-    /// A vehicle that scrapes along the side of another
-    Sideswipe,
-    /// Two cars whose energy equivalent speeds (EES) are known
-    Ees,
-    /// A car against the rear of a heavy truck (lorry)
-    HeavyTruck,
-    /// One vehicle with its damage, for `deltav crush`
-    OneVehicle,
 }
 
 #[derive(Debug, Args)]
@@ -530,12 +660,12 @@ pub(crate) struct DrawArguments {
     pub(crate) case: PathBuf,
 
     /// What to draw, one of those below
-    #[arg(long, value_enum, hide_possible_values = true)]
+    #[arg(long, value_parser = one_of(drawings()), hide_possible_values = true)]
     pub(crate) what: What,
 
     /// us, si, or uk (si, speeds in mph) [default: the file's]
-    #[arg(long, value_enum, hide_possible_values = true)]
-    pub(crate) units: Option<UnitSystem>,
+    #[arg(long, value_parser = one_of(UNITS), hide_possible_values = true)]
+    pub(crate) units: Option<Units>,
 
     /// Draw scene or motion for laymen, without symbols and axes
     #[arg(long)]
@@ -560,26 +690,6 @@ pub(crate) struct DrawArguments {
     /// Write to FILE (.svg, .png, .pdf) [default: SVG to standard output]
     #[arg(short, long, value_name = "FILE", default_value = "-", hide_default_value = true)]
     pub(crate) output: Destination,
-}
-
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub(crate) enum What {
-    /// Plan view at impact: outlines, contact, crush plane, impulse, velocities, PDOF
-    Scene,
-    /// Each damaged vehicle with its crush profile in place
-    Damage,
-    /// Work of the normal impulse against the speed sought
-    Reconciliation,
-    /// Where the initial kinetic energy went
-    Energy,
-    /// Plan view from approach through impact to rest, with the marks of the wheels
-    Motion,
-    /// Speed, yaw rate and heading over the time from the impact to rest
-    MotionCurves,
-    /// The momentum polygon: momenta before and after the impact, tip to tail
-    Momentum,
-    /// How probable speeds and rest positions are, as `deltav estimate` finds them
-    Estimate,
 }
 
 #[derive(Debug, Args)]
@@ -629,8 +739,8 @@ pub(crate) struct UncertaintyArguments {
     pub(crate) seed: u64,
 
     /// monte-carlo [default], latin-hypercube, or sobol (N a power of two)
-    #[arg(long, value_enum, default_value_t = Method::MonteCarlo, hide_default_value = true, hide_possible_values = true)]
-    pub(crate) method: Method,
+    #[arg(long, value_parser = one_of(methods()), default_value = "monte-carlo", hide_default_value = true, hide_possible_values = true)]
+    pub(crate) method: SamplingMethod,
 
     /// Only these results: vehicle1.speed,vehicle1.delta_v [default: all]
     #[arg(long, value_name = "NAMES", value_delimiter = ',', value_parser = output_name)]
@@ -649,25 +759,8 @@ pub(crate) struct UncertaintyArguments {
     pub(crate) plots: Option<PathBuf>,
 
     /// Format of the plots
-    #[arg(long, value_name = "FORMAT", value_enum, default_value_t = PlotsFormat::Svg, requires = "plots")]
-    pub(crate) plots_format: PlotsFormat,
-}
-
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub(crate) enum PlotsFormat {
-    Svg,
-    Png,
-    Pdf,
-}
-
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub(crate) enum Method {
-    /// Independent points
-    MonteCarlo,
-    /// Each range divided into equal shares, one point in each
-    LatinHypercube,
-    /// Scrambled Sobol' points, best if N is a power of two
-    Sobol,
+    #[arg(long, value_name = "FORMAT", value_parser = one_of(plot_formats()), default_value = "svg", requires = "plots")]
+    pub(crate) plots_format: PictureFormat,
 }
 
 /// A whole number, which may be written as 1e6 too.
@@ -716,10 +809,7 @@ fn seed(text: &str) -> Result<u64, String> {
 }
 
 fn degrees(text: &str) -> Result<f64, String> {
-    match text.parse::<f64>() {
-        Ok(degrees) if degrees > 0.0 && degrees <= 180.0 => Ok(degrees),
-        _ => Err("give degrees above 0 and up to 180, such as 5".to_owned()),
-    }
+    SensitivityOptions::check_step(text.parse().unwrap_or(f64::NAN))
 }
 
 #[derive(Debug, Args)]
@@ -740,8 +830,8 @@ pub(crate) struct EstimateArguments {
     pub(crate) threads: Option<u16>,
 
     /// field (as severe as crashes with a towed vehicle) or flat (any speed)
-    #[arg(long, value_enum, hide_possible_values = true)]
-    pub(crate) prior: Option<EstimatePrior>,
+    #[arg(long, value_parser = one_of(priors()), hide_possible_values = true)]
+    pub(crate) prior: Option<Prior>,
 
     /// Leave out what each piece of evidence says, which takes most of the time
     #[arg(long)]
@@ -756,37 +846,12 @@ pub(crate) struct EstimateArguments {
     pub(crate) samples_out: Option<PathBuf>,
 
     /// international [default], or european (semicolons, decimal commas)
-    #[arg(long, value_name = "STYLE", value_enum, default_value_t = CsvStyle::International, hide_default_value = true, hide_possible_values = true, requires = "samples_out")]
+    #[arg(long, value_name = "STYLE", value_parser = one_of(CSV_STYLES), default_value = "international", hide_default_value = true, hide_possible_values = true, requires = "samples_out")]
     pub(crate) csv_style: CsvStyle,
 }
 
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub(crate) enum EstimatePrior {
-    /// As collisions of which a vehicle was towed
-    Field,
-    /// Any speed is as likely as any other
-    Flat,
-}
-
-impl From<EstimatePrior> for Prior {
-    fn from(prior: EstimatePrior) -> Self {
-        match prior {
-            EstimatePrior::Field => Self::Field,
-            EstimatePrior::Flat => Self::Flat,
-        }
-    }
-}
-
-/// What can be dealt in two halves of whole blocks.
 fn particles(text: &str) -> Result<usize, String> {
-    let particles = count(text)?;
-    if !Settings::can_have(particles) {
-        return Err(format!(
-            "give a multiple of {PARTICLES_STEP} up to {MOST_PARTICLES}, such as {}",
-            EstimatePlan::PARTICLES
-        ));
-    }
-    Ok(particles)
+    EstimateOptions::check_particles(count(text)?)
 }
 
 #[derive(Debug, Args)]
@@ -800,8 +865,8 @@ pub(crate) struct TableArguments {
     pub(crate) template: Option<PathBuf>,
 
     /// reconstruct, impact, crush or estimate
-    #[arg(long, value_enum, default_value_t = TableJob::Reconstruct, hide_possible_values = true)]
-    pub(crate) job: TableJob,
+    #[arg(long, value_parser = one_of(jobs()), default_value = "reconstruct", hide_possible_values = true)]
+    pub(crate) job: Job,
 
     /// Samples of each row, for intervals (reconstruct and impact)
     #[arg(long, value_name = "N", value_parser = samples)]
@@ -816,8 +881,8 @@ pub(crate) struct TableArguments {
     pub(crate) particles: usize,
 
     /// Severity before the evidence, field or flat (estimate)
-    #[arg(long, value_enum, hide_possible_values = true)]
-    pub(crate) prior: Option<EstimatePrior>,
+    #[arg(long, value_parser = one_of(priors()), hide_possible_values = true)]
+    pub(crate) prior: Option<Prior>,
 
     /// Number of threads [default: one for each processor]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
@@ -838,18 +903,6 @@ pub(crate) struct TableArguments {
     /// Write to FILE, Parquet if .parquet, else CSV; no .toml file is overwritten
     #[arg(short, long, value_name = "FILE", default_value = "-", hide_default_value = true)]
     pub(crate) output: Destination,
-}
-
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub(crate) enum TableJob {
-    /// The speed at which impact and crush agree
-    Reconstruct,
-    /// What the impact does, both speeds given
-    Impact,
-    /// CRASH3: energies and ΔV from the damage alone
-    Crush,
-    /// Both speeds from all the evidence
-    Estimate,
 }
 
 #[derive(Debug, Args)]
@@ -883,8 +936,8 @@ pub(crate) struct ValidateArguments {
     pub(crate) plots: Option<PathBuf>,
 
     /// Format of the plots
-    #[arg(long, value_name = "FORMAT", value_enum, default_value_t = PlotsFormat::Svg, requires = "plots")]
-    pub(crate) plots_format: PlotsFormat,
+    #[arg(long, value_name = "FORMAT", value_parser = one_of(plot_formats()), default_value = "svg", requires = "plots")]
+    pub(crate) plots_format: PictureFormat,
 }
 
 #[derive(Debug, Args)]
@@ -897,12 +950,25 @@ pub(crate) struct Arguments {
     pub(crate) format: Format,
 
     /// us, si, or uk (si, speeds in mph) [default: the file's]
-    #[arg(long, value_enum, hide_possible_values = true)]
-    pub(crate) units: Option<UnitSystem>,
+    #[arg(long, value_parser = one_of(UNITS), hide_possible_values = true)]
+    pub(crate) units: Option<Units>,
 
     /// Write to FILE, not standard output; no .toml file is overwritten
     #[arg(short, long, value_name = "FILE", default_value = "-", hide_default_value = true)]
     pub(crate) output: Destination,
+}
+
+impl From<Arguments> for CasesArguments {
+    fn from(Arguments { case, format, units, output }: Arguments) -> Self {
+        let format = match format {
+            Format::Text => CasesFormat::Text,
+            Format::Json => CasesFormat::Json,
+            Format::Html => CasesFormat::Html,
+            Format::Markdown => CasesFormat::Markdown,
+        };
+        let csv_style = CsvStyle::International;
+        Self { cases: vec![case], format, units, threads: None, csv_style, output }
+    }
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
@@ -911,16 +977,6 @@ pub(crate) enum Format {
     Json,
     Html,
     Markdown,
-}
-
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub(crate) enum UnitSystem {
-    /// ft/s, mph, lb, ft·lb, in
-    Us,
-    /// m/s, km/h, kg, J, cm
-    Si,
-    /// As si, but speeds of vehicles in mph
-    Uk,
 }
 
 #[cfg(test)]

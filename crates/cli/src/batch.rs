@@ -3,14 +3,15 @@
 use std::collections::VecDeque;
 use std::fmt;
 use std::io::{self, ErrorKind, IsTerminal as _, Write};
+use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 use std::sync::mpsc;
 
-use analysis::Failure;
 use anyhow::{Context as _, Result};
-use case::{Case, CaseFile, Diagnostics};
+use case::CaseFile;
 use rayon::ThreadPool;
-use report::{Answer, Csv, PROGRAM, Refused, Row, RowError, Units};
+use report::{Csv, PROGRAM, Refused, Row, RowError};
+use requests::{Request, RowRefusal};
 
 use crate::files::{named, read};
 use crate::progress::Progress;
@@ -92,17 +93,16 @@ impl Rows {
     }
 }
 
-/// What is to be done with the files.
-pub(crate) struct Job<'a> {
-    pub(crate) cases: &'a [PathBuf],
-    pub(crate) answer: &'a (dyn Fn(&Case) -> Result<Answer, Failure> + Sync),
-    pub(crate) format: Rows,
-}
-
 /// A row, and whether it is an error's.
 type Written = (Result<String, RowError>, bool);
 
-pub(crate) fn write(job: &Job<'_>, pool: &ThreadPool, output: Option<&Path>) -> Result<()> {
+/// Writes a row, or several, for each case.
+pub(crate) fn write(
+    cases: &[PathBuf],
+    (request, format): (&Request, Rows),
+    pool: &ThreadPool,
+    output: Option<&Path>,
+) -> Result<()> {
     let cannot = || {
         output.map_or(CANNOT_WRITE.to_owned(), |path| format!("cannot write the output to {}", named(path)))
     };
@@ -112,8 +112,8 @@ pub(crate) fn write(job: &Job<'_>, pool: &ThreadPool, output: Option<&Path>) -> 
         true => None,
         false => Some(Progress::new()?),
     };
-    let written = rows(job, pool, &mut sink, &mut |done| {
-        progress.as_mut().is_some_and(|progress| progress.at("case files", done, job.cases.len()).is_break())
+    let written = rows(cases, (request, format), pool, &mut sink, &mut |done| {
+        progress.as_mut().is_some_and(|progress| progress.at("case files", done, cases.len()).is_break())
     });
     match written {
         // Whoever reads has read enough, as `head` does.
@@ -132,7 +132,8 @@ pub(crate) fn is_broken_pipe(error: &anyhow::Error) -> bool {
 /// Writes each row as soon as all before it are written. `ends` is told how many are, and says whether that
 /// is enough.
 fn rows(
-    &Job { cases, answer, format }: &Job<'_>,
+    cases: &[PathBuf],
+    (request, format): (&Request, Rows),
     pool: &ThreadPool,
     sink: &mut dyn Write,
     ends: &mut dyn FnMut(usize) -> bool,
@@ -151,7 +152,7 @@ fn rows(
                 let (send, receive) = mpsc::sync_channel::<Written>(1);
                 scope.spawn(move |_| {
                     // Nobody waits for it where the writing has ended.
-                    let _ = send.send(row(path, answer, format));
+                    let _ = send.send(row(path, request, format));
                 });
                 begun.push_back(receive);
             }
@@ -169,29 +170,22 @@ fn rows(
     })
 }
 
-fn row(path: &Path, answer: &dyn Fn(&Case) -> Result<Answer, Failure>, format: Rows) -> Written {
-    let file = path.display().to_string();
+fn row(path: &Path, request: &Request, format: Rows) -> Written {
+    let name = path.display().to_string();
     let read = read(path);
     let bytes = read.as_ref().ok().map(|(_, bytes)| bytes.as_slice());
-    let sentence = |error: String| (on_one_line(&error), String::new());
-    let of_case = |errors: Diagnostics| {
-        let errors = errors.in_words_of(&PROGRAM);
-        (errors.one_line(), errors.help_on_one_line())
-    };
-    let answer = read.as_ref().map_err(|error| sentence(format!("{error:#}"))).and_then(|(name, bytes)| {
+    let unread = |error: &anyhow::Error| RowRefusal::sentence(&format!("{error:#}"));
+    let answer = read.as_ref().map_err(unread).and_then(|(name, bytes)| {
+        let of_case = |errors| RowRefusal::of_case(errors, &PROGRAM);
         let file = CaseFile::parse_bytes(name, bytes).map_err(of_case)?;
-        match answer(&file.case) {
-            Ok(answer) => Ok((file, answer)),
-            Err(Failure::Case(faults)) => Err(of_case(file.diagnostics(&faults, &PROGRAM))),
-            Err(failure) => Err(sentence(report::no_answer(&failure, Units::of_case(&file.case)))),
-        }
+        let answer = request.answer(&file.case, &mut |_, _, _| ControlFlow::Continue(()));
+        let answer = answer.map_err(|refused| RowRefusal::of(&refused, &file, &PROGRAM))?;
+        Ok((file, answer))
     });
-    let is_error = answer.is_err();
-    let answer = answer.as_ref().map(|(file, answer)| (file, answer));
-    let answer = answer.map_err(|(error, help)| Refused { error, help, bytes });
-    (format.row(Row { file: &file, answer }), is_error)
-}
-
-fn on_one_line(text: &str) -> String {
-    text.split_whitespace().collect::<Vec<_>>().join(" ")
+    let refused = |error, help| Refused { error, help, bytes };
+    let row = match &answer {
+        Ok((file, answer)) => answer.row().map(|row| (file, row)).ok_or(refused("there is no row", "")),
+        Err(RowRefusal { error, help }) => Err(refused(error, help)),
+    };
+    (format.row(Row { file: &name, answer: row }), answer.is_err())
 }

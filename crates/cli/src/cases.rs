@@ -3,26 +3,22 @@
 use std::fs;
 use std::path::PathBuf;
 
-use analysis::{Analysis, Failure};
 use anyhow::{Context as _, Result};
-use case::Case;
-use report::{Answer, Csv, Table, Units};
+use report::{Csv, Units};
+use requests::Request;
 
 use crate::arguments::{self, Arguments, CasesArguments};
-use crate::batch::{self, Job, Rows};
+use crate::batch::{self, Rows};
 use crate::files::named;
 use crate::threads::pool;
 
-/// What a command makes of a case.
-pub(crate) type Analyse = fn(&Case) -> Result<Analysis, Failure>;
-
 /// Writes a row for each case, where rows are asked for; else the arguments for the report on one.
-pub(crate) fn of_cases(
-    arguments: CasesArguments,
-    table: Table,
-    answer: &(dyn Fn(&Case) -> Result<Answer, Failure> + Sync),
-) -> Result<Option<Arguments>> {
-    let CasesArguments { cases, format, units, threads, csv_style, output } = arguments;
+pub(crate) fn of_cases(arguments: CasesArguments, request: &Request) -> Result<Option<Arguments>> {
+    let CasesArguments { mut cases, format, units, threads, csv_style, output } = arguments;
+    let Some(table) = request.rows() else {
+        let format = format.of_one().unwrap_or(arguments::Format::Text);
+        return Ok(cases.pop().map(|case| Arguments { case, format, units, output }));
+    };
     let mut cases = with_folders(cases)?;
     let format = match format.of_one() {
         Ok(format) => match (cases.pop(), cases.len()) {
@@ -34,12 +30,12 @@ pub(crate) fn of_cases(
         },
         // Rows of several cases have one header: its units are not those of a case.
         Err(arguments::Rows::Csv) => {
-            let units = units.map_or(Units::Si, Units::from);
-            Rows::Csv(Csv { table, units, style: csv_style.into() })
+            let units = units.unwrap_or(Units::Si);
+            Rows::Csv(Csv { table, units, style: csv_style })
         }
         Err(arguments::Rows::Jsonl) => Rows::Jsonl,
     };
-    batch::write(&Job { cases: &cases, answer, format }, &pool(threads)?, output.file())?;
+    batch::write(&cases, (&request.of_row(), format), &pool(threads)?, output.file())?;
     Ok(None)
 }
 

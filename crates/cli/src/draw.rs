@@ -3,73 +3,46 @@
 use std::io::{self, Write as _};
 use std::path::Path;
 
+use analysis::{Analysis, Weighed};
 use anyhow::{Context as _, Result, bail};
 use case::{Axes, CaseFile, Quantity};
-use report::{DrawingError, PictureFormat, SitePlan, Subject, Units};
+use report::{Drawing, DrawingError, PROGRAM, PictureFormat, SitePlan, Subject, Units};
+use requests::{DrawingRequest, EstimateAnswer, EstimateOptions, read_picture, site_plan_beside};
 
-use crate::arguments::{DrawArguments, What};
-use crate::estimates;
+use crate::arguments::DrawArguments;
 use crate::files::{case_file, named};
 use crate::pictures::write_picture;
-use crate::present::{answered, units};
-use crate::reconstruction;
-use crate::site_plan::{picture, plan_of_case};
+use crate::present::{NoAnswer, answered, found, units};
+use crate::threads::{in_pool, pool};
 
 pub(crate) fn draw(arguments: &DrawArguments) -> Result<()> {
     let path = arguments.output.file();
     let format = format_of(path)?;
-    if arguments.plain && !matches!(arguments.what, What::Scene | What::Motion) {
+    let subject = arguments.what;
+    let plain = arguments.plain;
+    if plain && !subject.is_some_and(|subject| DrawingRequest { subject, plain }.can_be()) {
         bail!("--plain is a form of the scene and of the motion: give --what scene, or leave out --plain");
     }
-    if arguments.site_plan.is_some() && arguments.what != What::Motion {
+    if arguments.site_plan.is_some() && subject != Some(Subject::Motion) {
         bail!("--site-plan lies behind the motion: give --what motion, or leave it out");
     }
     let file = case_file(&arguments.case)?;
     let site_plan = match site_plan(arguments, file.case.axes)? {
-        None if arguments.what == What::Motion => plan_of_case(&arguments.case, &file)?,
+        None if subject == Some(Subject::Motion) => site_plan_beside(&arguments.case, &file, &PROGRAM)?,
         given => given,
     };
     let units = units(arguments.units, &file);
-    let subject = match arguments.what {
-        What::Estimate => {
-            return write_picture(path, &estimates::pictures(&file, units)?, format);
-        }
-        What::Scene => Subject::Scene,
-        What::Damage => Subject::Damage,
-        What::Reconciliation => Subject::Reconciliation,
-        What::Energy => Subject::Energy,
-        What::Motion => Subject::Motion,
-        What::MotionCurves => Subject::MotionCurves,
-        What::Momentum => Subject::Momentum,
-    };
+    let Some(subject) = subject else { return write_picture(path, &estimate(&file, units)?, format) };
     if let Some(obstacle) = subject.obstacle(&file.case) {
         return cannot_draw(obstacle, &file, units);
     }
     let is_motion = matches!(subject, Subject::Motion | Subject::MotionCurves);
     let analysis = answered(subject.analysis(&file.case), &file, units)?;
     let overdetermined = analysis.overdetermined().is_some();
+    let drawing = DrawingRequest { subject, plain };
     // Readers who are no engineers get the answer, or no speeds.
-    let weighed = if arguments.plain && overdetermined {
-        match reconstruction::weigh(&file, &analysis, None, units)? {
-            Ok(weighed) => weighed,
-            Err(reason) => {
-                writeln!(io::stderr(), "the drawing has no speeds: {reason:#}")
-                    .context("cannot write to standard error")?;
-                None
-            }
-        }
-    } else {
-        None
-    };
-    let weighed = weighed.as_ref();
-    let drawing = match subject {
-        Subject::Scene if arguments.plain => report::plain_scene(&file, &analysis, weighed, units)?,
-        Subject::Motion if arguments.plain => {
-            report::plain_motion(&file, &analysis, weighed, units, site_plan)?
-        }
-        Subject::Motion => report::motion_on(&file, &analysis, units, site_plan)?,
-        _ => report::drawing(&file, &analysis, units, subject)?,
-    };
+    let weighed = if plain && overdetermined { weigh(&analysis, &file, units)? } else { None };
+    let drawing = drawing.draw(&file, &analysis, weighed.as_ref(), units, site_plan)?;
     // A drawing has no room for sentences, and standard output may be the drawing.
     let warnings = match analysis.warnings.len() {
         0 => None,
@@ -88,7 +61,7 @@ pub(crate) fn draw(arguments: &DrawArguments) -> Result<()> {
         writeln!(io::stderr(), "{case} has {warnings}: `deltav {command} {case}` prints them.")
             .context("cannot write to standard error")?;
     }
-    if overdetermined && !arguments.plain && subject != Subject::Damage {
+    if overdetermined && !plain && subject != Subject::Damage {
         let case = named(&arguments.case);
         writeln!(
             io::stderr(),
@@ -107,6 +80,30 @@ pub(crate) fn draw(arguments: &DrawArguments) -> Result<()> {
         .context("cannot write to standard error")?;
     }
     write_picture(path, &drawing, format)
+}
+
+/// All the evidence; nothing, and a line that says why, where it cannot be weighed.
+fn weigh(analysis: &Analysis, file: &CaseFile, units: Units) -> Result<Option<Weighed>> {
+    let weighed = in_pool(&pool(None)?, |progress| requests::weigh(&file.case, analysis, progress))?;
+    answered(weighed, file, units).or_else(|reason| {
+        writeln!(io::stderr(), "the drawing has no speeds: {reason:#}")
+            .context("cannot write to standard error")?;
+        Ok(None)
+    })
+}
+
+/// The pictures of an estimate as it is without options.
+fn estimate(file: &CaseFile, units: Units) -> Result<Drawing> {
+    let options = EstimateOptions { pieces: false, ..EstimateOptions::default() };
+    let answer = in_pool(&pool(None)?, |progress| options.answer(&file.case, progress))?;
+    let EstimateAnswer { estimated, asked } = found(answer, file, units)?;
+    if !estimated.doubts().is_empty() {
+        let message = "the run has not converged, so there is nothing to draw: `deltav estimate` says why";
+        return Err(NoAnswer(message.to_owned()).into());
+    }
+    let drawing = report::estimate_pictures(&file.case, &estimated, &asked, units);
+    let message = "there is no estimate to draw: the case gives both speeds and follows no vehicle to rest; leave out the speed that is sought";
+    drawing.ok_or_else(|| NoAnswer(message.to_owned()).into())
 }
 
 /// Says what a case lacks for a drawing, and what else can be drawn of it.
@@ -131,7 +128,7 @@ fn site_plan(arguments: &DrawArguments, axes: Axes) -> Result<Option<SitePlan>> 
         return Ok(None);
     };
     let name = named(path);
-    let bytes = picture(path).with_context(|| format!("cannot read the site plan {name}"))?;
+    let bytes = read_picture(path).with_context(|| format!("cannot read the site plan {name}"))?;
     let angle = arguments.plan_angle.as_ref().map_or(0.0, Quantity::si);
     let plan = report::site_plan(bytes, axes, [x.si(), y.si()], angle, width.si());
     Ok(Some(plan.with_context(|| format!("--site-plan {name}"))?))

@@ -4,51 +4,47 @@ use std::env;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use analysis::{Analysis, Weighed};
 use anyhow::{Context as _, Result, bail};
-use case::CaseFile;
-use report::Units;
+use case::{CaseFile, Text};
+use report::Document;
 
 use crate::arguments::{CasesArguments, CasesFormat};
-use crate::cases::Analyse;
-use crate::files::{case_file, named, write};
-use crate::handover::handover;
-use crate::present::{answered, units};
+use crate::files::named;
 
 /// What the page is called beside the program.
 const PAGE: &str = "deltav.html";
 
-/// What may lead the report in place of the analysis.
-pub(crate) type Weigh<'a> = dyn Fn(&CaseFile, &Analysis, Units) -> Result<Option<Weighed>> + 'a;
+/// The text of a page into which a report is put, and what messages call it.
+pub(crate) struct Page {
+    name: Text,
+    text: String,
+}
 
-pub(crate) fn report(
-    arguments: CasesArguments,
-    page: Option<&Path>,
-    analyse: Analyse,
-    weigh: &Weigh<'_>,
-) -> Result<()> {
-    if arguments.format != CasesFormat::Html {
-        bail!("--live puts the program into a report as HTML: add --format html, or leave out --live");
+impl Page {
+    /// That which the arguments name, or that beside the program.
+    pub(crate) fn read(arguments: &CasesArguments, page: Option<&Path>) -> Result<Self> {
+        if arguments.format != CasesFormat::Html {
+            bail!("--live puts the program into a report as HTML: add --format html, or leave out --live");
+        }
+        if arguments.cases.len() != 1 {
+            bail!("{} case files are given, and a report is on one", arguments.cases.len());
+        }
+        let path = page.map_or_else(beside, |page| Ok(page.to_owned()))?;
+        let name = named(&path);
+        let text = fs::read_to_string(&path).with_context(|| match page {
+            Some(_) => format!("cannot read the page {name}"),
+            None => format!(
+                "--live needs the page {PAGE}, and there is none beside the program ({name}): put it there, or \
+                 name it with --page FILE; web/README.md says how it is built"
+            ),
+        })?;
+        Ok(Self { name, text })
     }
-    let [case] = arguments.cases.as_slice() else {
-        bail!("{} case files are given, and a report is on one", arguments.cases.len());
-    };
-    let path = page.map_or_else(beside, |page| Ok(page.to_owned()))?;
-    let text = fs::read_to_string(&path).with_context(|| match page {
-        Some(page) => format!("cannot read the page {}", named(page)),
-        None => format!(
-            "--live needs the page {PAGE}, and there is none beside the program ({}): put it there, or name it \
-             with --page FILE; web/README.md says how it is built",
-            named(&path)
-        ),
-    })?;
-    let file = case_file(case)?;
-    let units = units(arguments.units, &file);
-    let analysis = answered(analyse(&file.case), &file, units)?;
-    let weighed = weigh(&file, &analysis, units)?;
-    let document = handover(case, &file, &analysis, weighed.as_ref(), None, units)?;
-    let live = report::live(&text, &document.html(), &file);
-    write(arguments.output.file(), live.with_context(|| named(&path).to_string())?)
+
+    /// With a report in it.
+    pub(crate) fn with(&self, document: &Document, file: &CaseFile) -> Result<String> {
+        report::live(&self.text, &document.html(), file).with_context(|| self.name.to_string())
+    }
 }
 
 /// The page beside the program.

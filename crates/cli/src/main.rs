@@ -1,12 +1,12 @@
 //! `deltav`: arguments, files and exit codes. All else is in the libraries.
 
 mod arguments;
+mod asked;
 mod batch;
 mod cases;
 mod draw;
-mod estimates;
+mod explain;
 mod files;
-mod handover;
 mod live;
 mod new;
 mod outputs;
@@ -14,14 +14,10 @@ mod pages;
 mod pictures;
 mod present;
 mod progress;
-mod reconstruction;
-mod reports;
 mod sink;
-mod site_plan;
 mod table;
 mod terminal;
 mod threads;
-mod uncertainty;
 mod validate;
 
 use std::io::{self, ErrorKind, Write as _};
@@ -76,19 +72,11 @@ fn not_a_command(error: &clap::Error) -> ExitCode {
 fn run(command: Command) -> Result<()> {
     match command {
         Command::New(arguments) => new::new(&arguments),
-        Command::Reconstruct(arguments) => reconstruction::report(arguments),
-        Command::Impact(arguments) => reports::or_rows(arguments, analysis::impact),
-        Command::Motion(arguments) => reports::or_rows(arguments, analysis::motion),
-        Command::Crush(arguments) => reports::or_rows(arguments, analysis::crush),
-        Command::Check(arguments) => reports::judgement(&arguments),
-        Command::Compare(arguments) => reports::comparison(arguments),
-        Command::Sensitivity(arguments) => reports::sensitivity(&arguments),
-        Command::Uncertainty(arguments) => uncertainty::report(arguments),
-        Command::Estimate(arguments) => estimates::report(&arguments),
+        Command::Question(question) => asked::report(question.into()),
         Command::Table(arguments) => table::table(&arguments),
         Command::Draw(arguments) => draw::draw(&arguments),
         Command::Validate(arguments) => validate::validate(&arguments),
-        Command::Explain(arguments) => reports::explain(&arguments),
+        Command::Explain(arguments) => explain::explain(&arguments),
         Command::Schema(arguments) => files::write(arguments.output.file(), case::json_schema()),
         Command::Completions(arguments) => pages::completions(arguments.shell),
         Command::Man(arguments) => pages::manual(arguments.output_dir.as_deref()),

@@ -9,12 +9,12 @@ use std::path::{Path, PathBuf};
 use anyhow::{Context as _, Result, bail};
 use case::CaseFile;
 use report::PictureFormat;
+use requests::plan_path;
 use same_file::{Handle, is_same_file};
 
-use crate::arguments::{Arguments, CasesArguments, Command, Format, ReportArguments, Rows};
+use crate::arguments::{Asked, Command, Format, Rows};
 use crate::files::{named, read};
 use crate::live;
-use crate::site_plan::plan_path;
 use crate::validate::{FIELD_PLOTS, VALIDATION_PLOTS};
 
 /// A file that is written.
@@ -59,7 +59,15 @@ struct Files<'a> {
 /// Refuses to write over what is read or to where nothing can be written, and makes the folder for files; to
 /// be called before anything is computed.
 pub(crate) fn check(command: &Command) -> Result<()> {
-    let Files { mut inputs, outputs, folder } = files(command);
+    check_files(files(command))
+}
+
+/// The same for a question.
+pub(crate) fn check_asked(asked: &Asked) -> Result<()> {
+    check_files(of_asked(asked))
+}
+
+fn check_files(Files { mut inputs, outputs, folder }: Files<'_>) -> Result<()> {
     // The pictures that cases name are looked for where one of them could be written over.
     if folder.is_some() || outputs.iter().any(|output| is_file(output.path)) {
         let cases = inputs.iter().filter(|input| input.what == CASE);
@@ -165,33 +173,8 @@ fn files(command: &Command) -> Files<'_> {
     match command {
         // It refuses whatever exists when it writes.
         Command::New(_) => Files::default(),
-        Command::Reconstruct(arguments) => of_report(&arguments.report),
-        Command::Impact(arguments) | Command::Motion(arguments) | Command::Crush(arguments) => {
-            of_report(arguments)
-        }
-        Command::Compare(arguments) => of_cases(arguments),
-        Command::Check(arguments) => of_arguments(arguments),
-        Command::Sensitivity(arguments) => of_arguments(&arguments.arguments),
-        Command::Uncertainty(arguments) => {
-            let mut files = of_cases(&arguments.arguments);
-            files.outputs.extend(arguments.samples_out.as_deref().map(|path| Output {
-                option: "--samples-out",
-                path,
-                ending: "-samples.csv",
-            }));
-            files.folder =
-                arguments.plots.as_deref().map(|path| Folder { option: "--plots", path, is_name: is_plot });
-            files
-        }
-        Command::Estimate(arguments) => {
-            let mut files = of_arguments(&arguments.arguments);
-            files.outputs.extend(arguments.samples_out.as_deref().map(|path| Output {
-                option: "--samples-out",
-                path,
-                ending: "-samples.csv",
-            }));
-            files
-        }
+        // Which are checked before they are asked.
+        Command::Question(_) => Files::default(),
         Command::Table(arguments) => Files {
             inputs: Input::of("the table", &arguments.cases)
                 .chain(Input::of("the template", &arguments.template))
@@ -239,36 +222,26 @@ fn files(command: &Command) -> Files<'_> {
     }
 }
 
-fn of_report(arguments: &ReportArguments) -> Files<'_> {
-    let mut files = of_cases(&arguments.cases);
-    let page = match &arguments.page {
-        Some(page) => Some(Cow::Borrowed(page.as_path())),
-        // Where it cannot be told, the report says so.
-        None if arguments.live => live::beside().ok().map(Cow::Owned),
-        None => None,
-    };
-    files.inputs.extend(page.map(|path| Input { what: "the page", path }));
-    files
-}
-
-fn of_cases(arguments: &CasesArguments) -> Files<'_> {
-    let ending = match arguments.format.of_one() {
+fn of_asked(asked: &Asked) -> Files<'_> {
+    let Asked { cases, is_live, page, samples_out, plots, .. } = asked;
+    let ending = match cases.format.of_one() {
         Ok(format) => ending(format, REPORT),
         Err(Rows::Csv) => "-rows.csv",
         Err(Rows::Jsonl) => "-rows.jsonl",
     };
+    let page = match page {
+        Some(page) => Some(Cow::Borrowed(page.as_path())),
+        // Where it cannot be told, the report says so.
+        None if *is_live => live::beside().ok().map(Cow::Owned),
+        None => None,
+    };
+    let page = page.map(|path| Input { what: "the page", path });
+    let samples = samples_out.as_deref();
+    let samples = samples.map(|path| Output { option: "--samples-out", path, ending: "-samples.csv" });
     Files {
-        inputs: Input::of(CASE, &arguments.cases).collect(),
-        outputs: output(arguments.output.file(), ending),
-        folder: None,
-    }
-}
-
-fn of_arguments(arguments: &Arguments) -> Files<'_> {
-    Files {
-        inputs: Input::of(CASE, [&arguments.case]).collect(),
-        outputs: output(arguments.output.file(), ending(arguments.format, REPORT)),
-        folder: None,
+        inputs: Input::of(CASE, &cases.cases).chain(page).collect(),
+        outputs: output(cases.output.file(), ending).into_iter().chain(samples).collect(),
+        folder: plots.as_ref().map(|(path, _)| Folder { option: "--plots", path, is_name: is_plot }),
     }
 }
 

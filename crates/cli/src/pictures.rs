@@ -6,7 +6,6 @@ use std::path::Path;
 use anyhow::{Context as _, Result};
 use report::{Drawing, PictureFormat};
 
-use crate::arguments::PlotsFormat;
 use crate::files::{named, write};
 
 /// Writes a drawing, and says on standard error which of its letters it could not draw.
@@ -26,18 +25,7 @@ pub(crate) fn write_picture(path: Option<&Path>, drawing: &Drawing, format: Pict
     write(path, drawing.write_as(format)?)
 }
 
-pub(crate) fn write_plot(folder: &Path, name: &str, plot: &Drawing, format: PlotsFormat) -> Result<()> {
-    let format = PictureFormat::from(format);
+pub(crate) fn write_plot(folder: &Path, name: &str, plot: &Drawing, format: PictureFormat) -> Result<()> {
     let path = folder.join(format!("{name}.{}", format.extension()));
     write_picture(Some(&path), plot, format)
-}
-
-impl From<PlotsFormat> for PictureFormat {
-    fn from(format: PlotsFormat) -> Self {
-        match format {
-            PlotsFormat::Svg => Self::Svg,
-            PlotsFormat::Png => Self::Png,
-            PlotsFormat::Pdf => Self::Pdf,
-        }
-    }
 }

@@ -5,25 +5,15 @@ use std::path::Path;
 use analysis::Failure;
 use anyhow::Result;
 use case::CaseFile;
-use report::{CsvStyle, Document, Units};
+use report::{Document, Units};
+use requests::Unanswered;
 
-use crate::arguments::{self, Arguments, Format, UnitSystem};
+use crate::arguments::Format;
 use crate::files::write;
 use crate::terminal;
 
 /// Writes a document, or its data as JSON, to where the arguments say. Only what is written is made.
 pub(crate) fn present<E>(
-    arguments: &Arguments,
-    document: impl FnOnce() -> Result<Document>,
-    json: impl FnOnce() -> Result<String, E>,
-) -> Result<()>
-where
-    anyhow::Error: From<E>,
-{
-    present_as(arguments.format, arguments.output.file(), document, json)
-}
-
-pub(crate) fn present_as<E>(
     format: Format,
     output: Option<&Path>,
     document: impl FnOnce() -> Result<Document>,
@@ -41,27 +31,8 @@ where
     }
 }
 
-pub(crate) fn units(asked: Option<UnitSystem>, file: &CaseFile) -> Units {
-    asked.map_or_else(|| Units::of_case(&file.case), Units::from)
-}
-
-impl From<arguments::CsvStyle> for CsvStyle {
-    fn from(asked: arguments::CsvStyle) -> Self {
-        match asked {
-            arguments::CsvStyle::International => Self::International,
-            arguments::CsvStyle::European => Self::European,
-        }
-    }
-}
-
-impl From<UnitSystem> for Units {
-    fn from(asked: UnitSystem) -> Self {
-        match asked {
-            UnitSystem::Si => Self::Si,
-            UnitSystem::Us => Self::Us,
-            UnitSystem::Uk => Self::Uk,
-        }
-    }
+pub(crate) fn units(asked: Option<Units>, file: &CaseFile) -> Units {
+    asked.unwrap_or_else(|| Units::of_case(&file.case))
 }
 
 /// Why a well-formed case has no answer, in the units of the reader.
@@ -83,5 +54,13 @@ pub(crate) fn answered<T>(answer: Result<T, Failure>, file: &CaseFile, units: Un
         Failure::Case(faults) => file.diagnostics(&faults, &report::PROGRAM).into(),
         Failure::Ranges(_) => failure.into(),
         failure => NoAnswer(report::no_answer(&failure, units)).into(),
+    })
+}
+
+/// The same for an answer to a request.
+pub(crate) fn found<T>(answer: Result<T, Unanswered>, file: &CaseFile, units: Units) -> Result<T> {
+    answer.or_else(|refused| match refused {
+        Unanswered::Failure(failure) => answered(Err(failure), file, units),
+        question @ Unanswered::Question { .. } => anyhow::bail!("--above {question}"),
     })
 }

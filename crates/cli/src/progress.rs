@@ -5,7 +5,6 @@ use std::ops::ControlFlow;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
 
-use analysis::Stage;
 use anyhow::{Context as _, Result};
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 
@@ -94,13 +93,5 @@ impl Drop for Progress {
         if let Some((_, bar)) = &self.bar {
             bar.finish_and_clear();
         }
-    }
-}
-
-/// What is counted in a stage.
-pub(crate) fn counted(stage: Stage) -> &'static str {
-    match stage {
-        Stage::Samples => "samples",
-        Stage::Indices => "rows for the indices",
     }
 }

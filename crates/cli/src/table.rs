@@ -25,7 +25,7 @@ use tables::{
     run_with_faults,
 };
 
-use crate::arguments::{TableArguments, TableJob};
+use crate::arguments::TableArguments;
 use crate::batch::{Incomplete, is_broken_pipe};
 use crate::files::{named, read_text, write};
 use crate::progress::Progress;
@@ -41,18 +41,8 @@ const ROW_GROUP: usize = 65_536;
 const CANNOT_WRITE: &str = "cannot write the results";
 
 pub(crate) fn table(arguments: &TableArguments) -> Result<()> {
-    let job = match arguments.job {
-        TableJob::Reconstruct => Job::Reconstruct,
-        TableJob::Impact => Job::Impact,
-        TableJob::Crush => Job::Crush,
-        TableJob::Estimate => Job::Estimate,
-    };
-    let options = RowOptions {
-        samples: arguments.samples,
-        seed: arguments.seed,
-        particles: arguments.particles,
-        prior: arguments.prior.map(Into::into),
-    };
+    let &TableArguments { job, samples, seed, particles, prior, .. } = arguments;
+    let options = RowOptions { samples, seed, particles, prior };
     let output = arguments.output.file();
     if arguments.schema {
         return write(output, keys());

@@ -11,7 +11,7 @@ use crate::arguments::ValidateArguments;
 use crate::batch::Incomplete;
 use crate::files::{named, read_at_most};
 use crate::pictures::write_plot;
-use crate::present::present_as;
+use crate::present::present;
 use crate::progress::Progress;
 use crate::threads::pool;
 
@@ -78,7 +78,7 @@ fn validate_field(path: &Path, arguments: &ValidateArguments) -> Result<()> {
     });
     let judged = judged.with_context(|| name.clone())?;
     let document = || Ok(report::field(&judged, &name));
-    present_as(arguments.format, arguments.output.file(), document, || report::field_json(&judged))?;
+    present(arguments.format, arguments.output.file(), document, || report::field_json(&judged))?;
     let plots = [report::estimated_against_recorded(&judged), report::ranks_of_recorders(&judged)];
     write_plots(FIELD_PLOTS, plots, arguments)?;
     let (done, total) = (judged.finished, judged.pairs);
@@ -100,7 +100,7 @@ fn write_plots<const N: usize>(
 /// Writes everything first: what fails is to be seen in full.
 fn show(validation: &Validation, arguments: &ValidateArguments) -> Result<()> {
     let document = || Ok(report::validation(validation));
-    present_as(arguments.format, arguments.output.file(), document, || report::validation_json(validation))?;
+    present(arguments.format, arguments.output.file(), document, || report::validation_json(validation))?;
     let plots = [report::computed_against_measured(validation), report::reconstructed_speed(validation)];
     write_plots(VALIDATION_PLOTS, plots, arguments)?;
     let failures = validation.failures();
@@ -118,8 +118,9 @@ mod tests {
     use std::fs;
 
     use super::show;
-    use crate::arguments::{Format, PlotsFormat, ValidateArguments};
+    use crate::arguments::{Format, ValidateArguments};
     use crate::{NO_ANSWER, message, status};
+    use report::PictureFormat;
 
     #[test]
     fn a_claim_that_fails_ends_with_status_1_after_the_page_is_written() {
@@ -133,7 +134,7 @@ mod tests {
             seed: 1,
             threads: None,
             plots: None,
-            plots_format: PlotsFormat::Svg,
+            plots_format: PictureFormat::Svg,
         };
         let mut validation = validation::validate(&validation::Data::built_in()).unwrap();
         assert!(show(&validation, &arguments).is_ok());

@@ -249,11 +249,36 @@ impl Document {
         self.push(Block::Title { title: words::title(case), source });
     }
 
-    pub(crate) fn heading(&mut self, heading: impl Into<String>) {
+    /// A document that has the title of a case as yet.
+    ///
+    /// ```
+    /// let file = case::CaseFile::parse("sae-980025.toml", case::EXAMPLE)?;
+    /// let mut page = report::Document::of_case(&file.case);
+    /// page.heading("Stop");
+    /// page.facts("", vec![("Time", "1.5 s".to_owned())]);
+    /// page.paragraph("From 54 km/h at 10 m/s².");
+    /// assert!(page.text().contains("1.5 s"));
+    /// # Ok::<(), case::Diagnostics>(())
+    /// ```
+    #[must_use]
+    pub fn of_case(case: &case::Case) -> Self {
+        let mut page = Self::new();
+        page.title(case);
+        page
+    }
+
+    /// Adds names and values.
+    pub fn facts(&mut self, title: &'static str, facts: Vec<(&'static str, String)>) {
+        self.push(Block::Facts { title, facts });
+    }
+
+    /// Begins a part.
+    pub fn heading(&mut self, heading: impl Into<String>) {
         self.push(Block::Heading(heading.into()));
     }
 
-    pub(crate) fn paragraph(&mut self, words: impl Into<String>) {
+    /// Adds a paragraph.
+    pub fn paragraph(&mut self, words: impl Into<String>) {
         self.push(Block::Paragraph(words.into()));
     }
 

@@ -84,17 +84,17 @@ pub use ::drawing::{
     Drawing, PictureFormat, PlanBody, PlanStation, PlanView, SitePlan, SitePlanError, Viewport,
 };
 pub use data::comparison::comparison_json;
-pub use data::csv::{Answer, Csv, CsvStyle, Refused, Row, RowError, Table, jsonl_row, no_formula};
+pub use data::csv::{Csv, CsvStyle, Refused, Row, RowAnswer, RowError, Table, jsonl_row, no_formula};
 pub use data::estimate::{DrawColumn, draw_columns, estimate_json, write_draws};
 pub use data::field::field_json;
 pub use data::json::{json, weighed_json};
 pub use data::judgement::judgement_json;
 pub use data::samples::write_samples;
 pub use data::sensitivity::sensitivity_json;
-pub use data::sha256;
 pub use data::topics::{topic_json, topics_json};
 pub use data::uncertainty::uncertainty_json;
 pub use data::validation::validation_json;
+pub use data::{json_of, sha256};
 pub use document::Document;
 pub use estimates::{Asked, Question};
 pub use failures::no_answer;
@@ -117,6 +117,6 @@ pub use sections::topics::{explanation, list_of_topics};
 pub use sections::uncertainty::uncertainty;
 pub use sections::validation::{both_speeds_headline, validation, validation_headline};
 pub use steps::{Step, StepGroup, steps};
-pub use units::Units;
+pub use units::{Measure, Units};
 pub use warnings::{message, warnings};
 pub use words::PROGRAM;

@@ -88,6 +88,9 @@ pub enum Measure {
 }
 
 impl Units {
+    /// Each under its word.
+    pub const WORDS: [(&str, Self); 3] = [("si", Self::Si), ("us", Self::Us), ("uk", Self::Uk)];
+
     /// Those that most of the case is written in.
     #[must_use]
     pub fn of_case(case: &Case) -> Self {

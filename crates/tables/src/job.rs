@@ -18,18 +18,18 @@ pub enum Job {
 }
 
 impl Job {
-    /// All of them.
-    pub const ALL: [Self; 4] = [Self::Reconstruct, Self::Impact, Self::Crush, Self::Estimate];
+    /// Each under its word.
+    pub const WORDS: [(&str, Self); 4] = [
+        ("reconstruct", Self::Reconstruct),
+        ("impact", Self::Impact),
+        ("crush", Self::Crush),
+        ("estimate", Self::Estimate),
+    ];
 
-    /// The word for it.
+    /// Its word.
     #[must_use]
     pub fn name(self) -> &'static str {
-        match self {
-            Self::Reconstruct => "reconstruct",
-            Self::Impact => "impact",
-            Self::Crush => "crush",
-            Self::Estimate => "estimate",
-        }
+        case::word(&Self::WORDS, &self)
     }
 }
 

@@ -24,8 +24,7 @@
 //!
 //! Each row goes through the reader of case files and the functions of `analysis`: its results have the same
 //! bits as those of the program on the same case, and what is wrong with it is told in the same sentence,
-//! with its key. [`run`] does any [`Job`]; [`reconstruct`], [`impact`], [`crush`] and [`estimate()`] are
-//! short for it. [`result_schema`] tells the columns of results without data.
+//! with its key. [`run`] does any [`Job`]; [`reconstruct`] is short for one. [`result_schema`] tells the columns of results without data.
 //!
 //! # Columns of cases
 //!
@@ -101,6 +100,6 @@ pub use error::TableError;
 pub use job::{Job, RowOptions};
 pub use layout::{Numbers, case_schema};
 pub use solve::{
-    RowFaults, RowProgress, RowTemplate, assumed_units, check_columns, columns_kept, crush, estimate, impact,
-    reconstruct, result_schema, run, run_with_faults,
+    RowFaults, RowProgress, RowTemplate, assumed_units, check_columns, columns_kept, reconstruct,
+    result_schema, run, run_with_faults,
 };

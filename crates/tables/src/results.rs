@@ -9,6 +9,7 @@ use arrow_array::{ArrayRef, RecordBatch};
 use arrow_schema::{DataType, Field, Schema, SchemaRef};
 use case::{Axes, Case};
 use pim_core::VehicleId;
+use requests::RowRefusal;
 
 use crate::error::TableError;
 use crate::job::{Job, RowOptions};
@@ -74,19 +75,10 @@ pub(crate) struct EstimateFound {
     of: Vec<Option<[f64; STATISTICS.len()]>>,
 }
 
-/// Why a row has no result.
-#[derive(Clone, Debug, Default)]
-pub(crate) struct Refusal {
-    /// What is wrong, on one line.
-    pub(crate) error: String,
-    /// What to write instead; empty where there is nothing to say.
-    pub(crate) help: String,
-}
-
 /// What came of a row: a result, and why there is none. An estimate that has not converged has both.
 pub(crate) struct Outcome {
     pub(crate) found: Option<Found>,
-    pub(crate) refusal: Option<Refusal>,
+    pub(crate) refusal: Option<RowRefusal>,
 }
 
 /// The outputs that samples can have.

@@ -6,15 +6,16 @@ use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use analysis::{EstimatePlan, Failure};
 use arrow_array::RecordBatch;
 use arrow_schema::{Schema, SchemaRef};
-use case::{CaseFile, Diagnostics, ValueTable};
+use case::{CaseFile, ValueTable};
 use estimate::{MOST_PARTICLES, PARTICLES_STEP};
-use report::{PROGRAM, Units};
+use report::PROGRAM;
+use requests::RowRefusal;
 use uncertainty::{MIN_SAMPLES, SamplingMethod, Settings};
 
 use crate::error::TableError;
 use crate::job::{Job, RowOptions};
 use crate::plan::{self, Plan, merge};
-use crate::results::{self, Builder, Found, Outcome, Refusal, Spread};
+use crate::results::{self, Builder, Found, Outcome, Spread};
 
 /// What all rows share: a part of a case.
 #[derive(Clone, Debug, Default)]
@@ -100,42 +101,6 @@ pub fn reconstruct(
     options: &RowOptions,
 ) -> Result<RecordBatch, TableError> {
     run(Job::Reconstruct, batch, template, options, &|_, _| ControlFlow::Continue(()))
-}
-
-/// [`run`] for [`Job::Impact`], without progress.
-///
-/// # Errors
-/// As for [`run`].
-pub fn impact(
-    batch: &RecordBatch,
-    template: &RowTemplate,
-    options: &RowOptions,
-) -> Result<RecordBatch, TableError> {
-    run(Job::Impact, batch, template, options, &|_, _| ControlFlow::Continue(()))
-}
-
-/// [`run`] for [`Job::Crush`], without progress.
-///
-/// # Errors
-/// As for [`run`].
-pub fn crush(
-    batch: &RecordBatch,
-    template: &RowTemplate,
-    options: &RowOptions,
-) -> Result<RecordBatch, TableError> {
-    run(Job::Crush, batch, template, options, &|_, _| ControlFlow::Continue(()))
-}
-
-/// [`run`] for [`Job::Estimate`], without progress.
-///
-/// # Errors
-/// As for [`run`].
-pub fn estimate(
-    batch: &RecordBatch,
-    template: &RowTemplate,
-    options: &RowOptions,
-) -> Result<RecordBatch, TableError> {
-    run(Job::Estimate, batch, template, options, &|_, _| ControlFlow::Continue(()))
 }
 
 /// The results of each row, in the order of the rows. A row that is wrong, or has no answer, has a sentence
@@ -282,20 +247,18 @@ impl Row<'_> {
         Some(outcome)
     }
 
-    fn solved(&self, row: usize) -> Result<Outcome, Refusal> {
-        let of_row = |error: String| Refusal { error, help: String::new() };
+    fn solved(&self, row: usize) -> Result<Outcome, RowRefusal> {
+        let of_row = |error: String| RowRefusal { error, help: String::new() };
         if let Some(Some(fault)) = self.faults.get(row) {
             return Err(of_row(fault.clone()));
         }
         let mut values = self.template.shared.borrowed();
         merge(&mut values, self.plan.row(row).map_err(of_row)?);
         let seed = self.plan.seed(row).map_err(of_row)?.unwrap_or(self.options.seed);
+        let of_case = |errors| RowRefusal::of_case(errors, &PROGRAM);
         let file = CaseFile::from_values("row", &values).map_err(of_case)?;
         let case = &file.case;
-        let refused = |failure: Failure| match failure {
-            Failure::Case(faults) => of_case(file.diagnostics(&faults, &PROGRAM)),
-            failure => of_row(on_one_line(&report::no_answer(&failure, Units::of_case(case)))),
-        };
+        let refused = |failure: Failure| RowRefusal::of(&failure.into(), &file, &PROGRAM);
         let analyse = match self.job {
             Job::Reconstruct => analysis::reconstruct,
             Job::Impact => analysis::impact,
@@ -305,7 +268,7 @@ impl Row<'_> {
                 let plan = EstimatePlan { particles, seed, prior, pieces: false };
                 let estimated =
                     analysis::estimate(case, &plan, &mut |_, _, _| self.goes_on()).map_err(refused)?;
-                let refusal = (!estimated.doubts().is_empty()).then(|| Refusal {
+                let refusal = (!estimated.doubts().is_empty()).then(|| RowRefusal {
                     error: "the run has not converged, so that it has no intervals".to_owned(),
                     help: "`deltav estimate` on the case says why; more particles may help".to_owned(),
                 });
@@ -324,13 +287,4 @@ impl Row<'_> {
         };
         Ok(Outcome { found: Some(Found::analysis(case, &analysis, spread)), refusal: None })
     }
-}
-
-fn of_case(errors: Diagnostics) -> Refusal {
-    let errors = errors.in_words_of(&PROGRAM);
-    Refusal { error: errors.one_line(), help: errors.help_on_one_line() }
-}
-
-fn on_one_line(text: &str) -> String {
-    text.split_whitespace().collect::<Vec<_>>().join(" ")
 }

@@ -2,49 +2,47 @@
 
 use std::ops::ControlFlow;
 
-use analysis::{Analysis, Beside, Comparison, Estimated, Failure, Sensitivity, Sweep, Weighed};
-use case::{Case, Purpose};
+use analysis::Analysis;
+use case::Purpose;
 use pim_core::VehicleId;
-use report::{Answer, Csv, CsvStyle, Document, Row, Supplements, Table, Units};
+use report::{Csv, CsvStyle, Document, Row, Units};
+use requests::{Answer, OptionError, Request, RequestOptions};
 use serde_json::{Value, json};
-use validation::{Data, validate};
 
-use crate::given::{Given, Refused, made, unit_system};
+use crate::given::{Given, Refused, made};
 use crate::{check, picture, warned};
 
-/// What a command makes of a case.
-type Solve = fn(&Case) -> Result<Analysis, Failure>;
-
-/// The command of an analysis, by its name; an empty one is the most complete that the case allows.
-fn solver(command: &str, case: &Case) -> Option<(&'static str, Solve)> {
+/// A command of this name, an empty one being the most complete that the case allows, and its answer.
+fn solved<'a>(given: &Given, command: &'a str) -> Result<(&'a str, Request, Answer), Refused> {
+    let case = &given.file.case;
     let command = if command.is_empty() { case.furthest_purpose().name() } else { command };
-    let solvers: [(Purpose, Solve); 4] = [
-        (Purpose::Reconstruct, analysis::reconstruct),
-        (Purpose::Impact, analysis::impact),
-        (Purpose::Motion, analysis::motion),
-        (Purpose::Crush, analysis::crush),
-    ];
-    let solver = solvers.into_iter().find(|(purpose, _)| purpose.name() == command);
-    solver.map(|(purpose, solve)| (purpose.name(), solve))
-}
-
-fn unknown(command: &str) -> Refused {
-    Refused::message(format!("there is no command \"{}\" that answers", case::shown(command)))
+    let request = Request::read(command, &RequestOptions::default())?;
+    // What takes long is for a worker.
+    let answer = request.at_once(case).ok_or_else(|| OptionError::Command(command.to_owned()))?;
+    let answer = given.found(answer)?;
+    Ok((command, request, answer))
 }
 
 pub(crate) fn answer(text: &str, command: &str, units: &str, name: Option<&str>) -> Value {
-    made(Given::read(text, name, units).and_then(|given| match command {
-        "compare" => compare(&given),
-        "sensitivity" => sensitivity(&given),
-        command => analyse(&given, command),
+    made(Given::read(text, name, units).and_then(|given| {
+        let (command, request, answer) = solved(&given, command)?;
+        let document = answer.document(&given.file, given.units);
+        let json = answer.json(&given.file).map_err(|error| Refused::message(error.to_string()))?;
+        let warnings = match &answer {
+            Answer::Analysis(solved) => warnings(&given, &solved.analysis),
+            _ => json!([]),
+        };
+        Ok(json!({
+            "ok": true,
+            "command": command,
+            "headline": document.headline(),
+            "html": document.html_fragment(),
+            "text": document.text(),
+            "json": json,
+            "csv": csv(&given, &request, &answer),
+            "warnings": warnings,
+        }))
     }))
-}
-
-/// The analysis of a command, and the name of the command.
-fn analysis(given: &Given, command: &str) -> Result<(&'static str, Analysis), Refused> {
-    let case = &given.file.case;
-    let (command, solve) = solver(command, case).ok_or_else(|| unknown(command))?;
-    Ok((command, given.answered(solve(case))?))
 }
 
 fn warnings(given: &Given, analysis: &Analysis) -> Value {
@@ -60,68 +58,11 @@ fn warnings(given: &Given, analysis: &Analysis) -> Value {
     warnings.collect()
 }
 
-fn analyse(given: &Given, command: &str) -> Result<Value, Refused> {
-    let Given { file, units } = given;
-    let (command, analysis) = analysis(given, command)?;
-    let document = report::results(&file.case, &analysis, *units);
-    let json = report::json(file, &analysis);
-    let warnings = warnings(given, &analysis);
-    let csv = csv(given, Table::Analyses, Answer::Analysis(Box::new(analysis)));
-    answered(command, &document, json, csv, warnings)
-}
-
-fn comparison(given: &Given) -> Result<(Comparison, Document), Refused> {
-    let Given { file, units } = given;
-    let comparison = given.answered(analysis::compare(&file.case))?;
-    let document = report::comparison(&file.case, &comparison, *units);
-    Ok((comparison, document))
-}
-
-fn compare(given: &Given) -> Result<Value, Refused> {
-    let (comparison, document) = comparison(given)?;
-    let json = report::comparison_json(&given.file, &comparison);
-    let csv = csv(given, Table::Comparisons, Answer::Comparison(Box::new(comparison)));
-    answered("compare", &document, json, csv, json!([]))
-}
-
-fn sensitivities(given: &Given) -> Result<(Sensitivity, Document), Refused> {
-    let Given { file, units } = given;
-    let sensitivity = given.answered(analysis::sensitivity(&file.case, Sweep::default()))?;
-    let document = report::sensitivity(&file.case, &sensitivity, *units);
-    Ok((sensitivity, document))
-}
-
-fn sensitivity(given: &Given) -> Result<Value, Refused> {
-    let (sensitivity, document) = sensitivities(given)?;
-    let json = report::sensitivity_json(&given.file, &sensitivity);
-    answered("sensitivity", &document, json, None, json!([]))
-}
-
-fn csv(given: &Given, table: Table, answer: Answer) -> Option<String> {
-    let csv = Csv { table, units: given.units, style: CsvStyle::International };
+fn csv(given: &Given, request: &Request, answer: &Answer) -> Option<String> {
+    let csv = Csv { table: request.rows()?, units: given.units, style: CsvStyle::International };
     let name = given.file.source.name();
-    let row = Row { file: name.as_given(), answer: Ok((&given.file, &answer)) };
+    let row = Row { file: name.as_given(), answer: Ok((&given.file, answer.row()?)) };
     Some(csv.header().ok()? + &csv.row(row).ok()?)
-}
-
-fn answered(
-    command: &str,
-    document: &Document,
-    json: Result<String, serde_json::Error>,
-    csv: Option<String>,
-    warnings: Value,
-) -> Result<Value, Refused> {
-    let json = json.map_err(|error| Refused::message(error.to_string()))?;
-    Ok(json!({
-        "ok": true,
-        "command": command,
-        "headline": document.headline(),
-        "html": document.html_fragment(),
-        "text": document.text(),
-        "json": json,
-        "csv": csv,
-        "warnings": warnings,
-    }))
 }
 
 /// What is seen first of a text, of one reading, one analysis and one drawing.
@@ -131,12 +72,15 @@ pub(crate) fn look(text: &str, command: &str, units: &str, what: &str, viewport:
         let able = check::able(case);
         let asked = able.iter().find(|able| **able == command).or(able.first()).copied();
         let asked = asked.unwrap_or(if command.is_empty() { Purpose::Reconstruct.name() } else { command });
-        let analysis = analysis(&given, asked);
-        let furthest = analysis.as_ref().ok().map(|(_, analysis)| analysis);
+        let answer = solved(&given, asked).and_then(|(_, _, answer)| match answer {
+            Answer::Analysis(solved) => Ok(solved.analysis),
+            _ => Err(OptionError::Command(asked.to_owned()).into()),
+        });
+        let furthest = answer.as_ref().ok();
         let furthest = furthest.filter(|_| asked == case.furthest_purpose().name());
         let scene = picture::first_view(&given, what, viewport, furthest);
-        let mut look = match analysis {
-            Ok((_, analysis)) => json!({
+        let mut look = match answer {
+            Ok(analysis) => json!({
                 "ok": true,
                 "headline": report::results(case, &analysis, given.units).headline(),
                 "weigh": analysis.overdetermined().is_some(),
@@ -147,63 +91,28 @@ pub(crate) fn look(text: &str, command: &str, units: &str, what: &str, viewport:
         look["scene"] = scene;
         look["command"] = json!(asked);
         look["able"] = json!(able);
-        look["units"] = json!(unit_system(Units::of_case(case)));
+        look["units"] = json!(case::word(&Units::WORDS, &Units::of_case(case)));
         look
     }))
 }
 
 pub(crate) fn report(text: &str, name: &str, command: &str, units: &str, plan: Option<Vec<u8>>) -> Value {
     made(Given::read(text, Some(name), units).and_then(|given| {
-        let document = match command {
-            "compare" => comparison(&given)?.1,
-            "sensitivity" => sensitivities(&given)?.1,
-            command => handover(&given, command, plan)?,
-        };
-        Ok(json!({ "ok": true, "html": document.html() }))
+        let (_, _, answer) = solved(&given, command)?;
+        Ok(json!({ "ok": true, "html": page(&given, &answer, plan)?.html() }))
     }))
 }
 
-/// The report to hand over, of the exact solution; `plan` is the picture that the case names.
-fn handover(given: &Given, command: &str, plan: Option<Vec<u8>>) -> Result<Document, Refused> {
-    let (_, analysis) = analysis(given, command)?;
-    handed_over(given, &analysis, Known::default(), plan)
-}
-
-/// What is known of a case besides its exact solution.
-#[derive(Clone, Copy, Debug, Default)]
-pub(crate) struct Known<'a> {
-    /// All the evidence, where it leads the report.
-    pub(crate) weighed: Option<&'a Weighed>,
-    /// The intervals with the errors of the method, where the exact solution leads.
-    pub(crate) estimated: Option<&'a Estimated>,
-}
-
-/// The report to hand over, as the program makes it.
-pub(crate) fn handed_over(
-    given: &Given,
-    analysis: &Analysis,
-    known: Known<'_>,
-    plan: Option<Vec<u8>>,
-) -> Result<Document, Refused> {
+/// The report to hand over, as the program makes it; `plan` is the picture that the case names.
+pub(crate) fn page(given: &Given, answer: &Answer, plan: Option<Vec<u8>>) -> Result<Document, Refused> {
     let Given { file, units } = given;
-    let beside = analysis::beside(&file.case, analysis, &mut |_, _, _| ControlFlow::Continue(()));
-    let Beside { uncertainty, sensitivity } = given.answered(beside)?;
-    let validation = validate(&Data::built_in()).map_err(|error| Refused::message(error.to_string()))?;
     let site_plan = picture::site_plan(&file.case, plan)?;
-    let supplements = Supplements {
-        uncertainty: uncertainty.as_ref(),
-        sensitivity: sensitivity.as_ref(),
-        validation: Some(&validation),
-        site_plan: site_plan.as_ref(),
-        weighed: known.weighed,
-        estimated: known.estimated,
-    };
-    let document = report::handover(file, analysis, supplements, *units);
-    document.map_err(|error| Refused::message(error.to_string()))
+    let page = answer.page(file, site_plan.as_ref(), *units, &mut |_, _, _| ControlFlow::Continue(()));
+    page.map_err(|error| Refused::of_page(&error, file, *units))
 }
 
 pub(crate) fn live(
-    page: &str,
+    program: &str,
     text: &str,
     name: &str,
     command: &str,
@@ -211,8 +120,8 @@ pub(crate) fn live(
     plan: Option<Vec<u8>>,
 ) -> Value {
     made(Given::read(text, Some(name), units).and_then(|given| {
-        let document = handover(&given, command, plan)?;
-        Ok(json!({ "ok": true, "html": alive(page, &document, &given)? }))
+        let document = page(&given, &solved(&given, command)?.2, plan)?;
+        Ok(json!({ "ok": true, "html": alive(program, &document, &given)? }))
     }))
 }
 

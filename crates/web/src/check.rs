@@ -5,7 +5,7 @@ use case::{Case, CaseFile, Faults, Purpose, Source};
 use report::Units;
 use serde_json::{Map, Value, json};
 
-use crate::given::{Given, PAGE, Places, UNNAMED, problems, unit_system};
+use crate::given::{Given, PAGE, Places, UNNAMED, problems};
 
 pub(crate) fn check(text: &str, name: Option<&str>) -> Value {
     let parsed = CaseFile::parse(name.unwrap_or(UNNAMED), text);
@@ -20,7 +20,7 @@ pub(crate) fn check(text: &str, name: Option<&str>) -> Value {
                 "values": values(&given.file.source),
                 "commands": commands(&given, &judgement),
                 "judgement_html": report::judgement(&given.file, &judgement, units).html_fragment(),
-                "units": unit_system(units),
+                "units": case::word(&Units::WORDS, &units),
             })
         }
         Err(errors) => {

@@ -5,6 +5,7 @@ use std::ops::Range;
 use analysis::Failure;
 use case::{CaseFile, Diagnostics, Program, Purpose};
 use report::Units;
+use requests::{NoPage, OptionError, Unanswered};
 use serde_json::{Value, json};
 
 /// What the page calls that of which errors speak: it has no command line.
@@ -55,8 +56,22 @@ impl Refused {
         }
     }
 
+    /// Of a report to hand over.
+    pub(crate) fn of_page(error: &NoPage, file: &CaseFile, units: Units) -> Self {
+        match error {
+            NoPage::Failure(failure) => Self::failed(failure, file, units),
+            other => Self::message(other.to_string()),
+        }
+    }
+
     pub(crate) fn json(self) -> Value {
         json!({ "ok": false, "problems": self.problems, "message": self.message })
+    }
+}
+
+impl From<OptionError> for Refused {
+    fn from(error: OptionError) -> Self {
+        Self::message(error.to_string())
     }
 }
 
@@ -72,31 +87,24 @@ pub(crate) struct Given {
     pub(crate) units: Units,
 }
 
-/// As [`Given::read`] has it.
-pub(crate) fn unit_system(units: Units) -> &'static str {
-    match units {
-        Units::Si => "si",
-        Units::Us => "us",
-        Units::Uk => "uk",
-    }
-}
-
 impl Given {
     pub(crate) fn read(text: &str, name: Option<&str>, asked: &str) -> Result<Self, Refused> {
         let parsed = CaseFile::parse(name.unwrap_or(UNNAMED), text);
         let file = parsed.map_err(|errors| Refused::of(&errors.in_words_of(&PAGE)))?;
-        let units = match asked {
-            "" => Units::of_case(&file.case),
-            "si" => Units::Si,
-            "us" => Units::Us,
-            "uk" => Units::Uk,
-            other => {
-                return Err(Refused::message(format!(
-                    "units are \"si\", \"us\", \"uk\" or \"\", not \"{other}\""
-                )));
+        let known = Units::WORDS.into_iter().find(|(word, _)| *word == asked).map(|(_, units)| units);
+        match known.or_else(|| asked.is_empty().then(|| Units::of_case(&file.case))) {
+            Some(units) => Ok(Self { file, units }),
+            None => {
+                Err(Refused::message(format!("units are \"si\", \"us\", \"uk\" or \"\", not \"{asked}\"")))
             }
-        };
-        Ok(Self { file, units })
+        }
+    }
+
+    pub(crate) fn found<T>(&self, answer: Result<T, Unanswered>) -> Result<T, Refused> {
+        answer.map_err(|refused| match refused {
+            Unanswered::Failure(failure) => Refused::failed(&failure, &self.file, self.units),
+            question @ Unanswered::Question { .. } => Refused::message(question.to_string()),
+        })
     }
 
     pub(crate) fn answered<T>(&self, answer: Result<T, Failure>) -> Result<T, Refused> {

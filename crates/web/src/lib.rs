@@ -81,8 +81,8 @@ pub fn check(text: &str, name: Option<String>) -> String {
     check::check(text, name.as_deref()).to_string()
 }
 
-/// The answer of a command: `reconstruct`, `impact`, `motion`, `crush`, `compare` or `sensitivity`; an empty
-/// one is the most complete that the case allows.
+/// The answer of a command: `reconstruct`, `impact`, `motion`, `crush`, `check`, `compare` or `sensitivity`; an
+/// empty one is the most complete that the case allows.
 ///
 /// `{ ok: true, command, headline, html, text, json, csv, warnings: [{ code, message, vehicle, keys }] }`, or
 /// `{ ok: false, problems, message }`. `json` is byte for byte what the program writes; `csv` is `null` where
@@ -226,50 +226,35 @@ impl Run {
         Self::default()
     }
 
-    /// What the ranges of the case make of its answer, as `deltav uncertainty`. `options` is `{ samples,
-    /// seed, method: "monte-carlo" | "latin-hypercube" | "sobol", indices }`, of which each may be left out.
+    /// Runs a command, with `options` of which each may be left out:
+    ///
+    /// - `uncertainty`, what the ranges of the case make of its answer: `{ samples, seed, method:
+    ///   "monte-carlo" | "latin-hypercube" | "sobol", indices }`;
+    /// - `estimate`, the speeds from all evidence: `{ particles, seed, prior: "field" | "flat", pieces, above:
+    ///   [question] }`;
+    /// - `reconstruct`, an exact solution with what its report has beside it, all the evidence weighed where
+    ///   the case has more than that solution uses, and the errors of the method where it has ranges: `{
+    ///   method }`, of which `false` leaves out the latter, which take as long as the first;
+    /// - each that [`answer()`] takes.
     ///
     /// `{ ok: true, converged, headline, html }`, or `{ ok: false, problems, message }`. The rest is made
     /// when it is asked for: [`pictures`](Self::pictures), [`html`](Self::html), [`text`](Self::text),
     /// [`json`](Self::json), [`samples`](Self::samples).
-    pub fn uncertainty(
+    pub fn ask(
         &mut self,
+        command: &str,
         text: &str,
         name: &str,
         units: &str,
         options: &str,
         progress: &js_sys::Function,
     ) -> String {
-        self.run(run::uncertainty, [text, name, units, options], progress)
-    }
-
-    /// The speeds from all evidence, as `deltav estimate`. `options` is `{ particles, seed, prior: "field" |
-    /// "flat", pieces, above: [question] }`, of which each may be left out. As
-    /// [`uncertainty`](Self::uncertainty).
-    pub fn estimate(
-        &mut self,
-        text: &str,
-        name: &str,
-        units: &str,
-        options: &str,
-        progress: &js_sys::Function,
-    ) -> String {
-        self.run(run::estimate, [text, name, units, options], progress)
-    }
-
-    /// An exact solution with what its report has beside it, as `deltav reconstruct`: all the evidence
-    /// weighed, where the case has more than that solution uses; the errors of the method, where it has
-    /// ranges. `options` is `{ method }`: `false` leaves out the second, which takes as long as the first.
-    /// As [`uncertainty`](Self::uncertainty).
-    pub fn reconstruct(
-        &mut self,
-        text: &str,
-        name: &str,
-        units: &str,
-        options: &str,
-        progress: &js_sys::Function,
-    ) -> String {
-        self.run(run::reconstruct, [text, name, units, options], progress)
+        self.ran = None;
+        match run::run(command, [text, name, units, options], &mut run::told(progress)) {
+            Ok(ran) => self.ran.insert(ran).answer(),
+            Err(refused) => refused.json(),
+        }
+        .to_string()
     }
 
     /// The pictures of the last run: `[{ name, output, title, svg }]`; none of an estimate that has not
@@ -315,16 +300,6 @@ impl Run {
 }
 
 impl Run {
-    fn run(&mut self, command: run::Command, asked: [&str; 4], progress: &js_sys::Function) -> String {
-        let [text, name, units, options] = asked;
-        self.ran = None;
-        match run::run(command, text, name, units, options, &mut run::told(progress)) {
-            Ok(ran) => self.ran.insert(ran).answer(),
-            Err(refused) => refused.json(),
-        }
-        .to_string()
-    }
-
     fn handed_over(&self, make: impl FnOnce(&run::Ran) -> Result<String, given::Refused>) -> String {
         let made = self.ran.as_ref().map(make);
         let made = made.unwrap_or_else(|| Err(given::Refused::message("there is no run yet")));

@@ -11,7 +11,7 @@ pub(crate) fn templates() -> Value {
     };
     let mut templates = vec![template("sae-980025", EXAMPLE, EXAMPLE)];
     templates.extend(
-        Template::ALL.map(|one| template(one.name(), one.text(UnitSystem::Si), one.text(UnitSystem::Us))),
+        Template::WORDS.map(|(name, one)| template(name, one.text(UnitSystem::Si), one.text(UnitSystem::Us))),
     );
     Value::Array(templates)
 }

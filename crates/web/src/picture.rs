@@ -1,51 +1,33 @@
 //! Drawings.
 
-use analysis::{Analysis, Weighed};
+use analysis::Analysis;
 use case::{Case, Quantity};
-use report::{Drawing, DrawingError, PlanBody, PlanView, SitePlan, Subject, Viewport};
+use report::{DrawingError, PlanBody, PlanView, SitePlan, Subject, Viewport};
+use requests::DrawingRequest;
 use serde_json::{Value, json};
 
 use crate::given::{Given, Refused, made};
 
 pub(crate) fn draw(text: &str, what: &str, units: &str) -> Value {
     made(Given::read(text, None, units).and_then(|given| {
-        let (is_plain, subject) = match what.strip_prefix("plain-") {
-            Some(what) => (true, subject(what)?),
-            None => (false, subject(what)?),
-        };
+        let plain = what.starts_with("plain-");
+        let subject = subject(what.strip_prefix("plain-").unwrap_or(what))?;
         match subject.obstacle(&given.file.case) {
             None => {}
             Some(DrawingError::Analysis(failure)) => return given.answered(Err(failure)),
             Some(obstacle) => return Err(Refused::message(obstacle.to_string())),
         }
         let analysis = given.answered(subject.analysis(&given.file.case))?;
-        let drawing = if is_plain {
-            plain(&given, &analysis, None, subject)
-        } else {
-            report::drawing(&given.file, &analysis, given.units, subject)
-        };
+        let drawing = DrawingRequest { subject, plain };
+        let drawing = drawing.draw(&given.file, &analysis, None, given.units, None);
         let drawing = drawing.map_err(|error| Refused::message(error.to_string()))?;
         Ok(json!({
             "ok": true,
-            "svg": if is_plain { drawing.svg_named(what) } else { drawing.svg() },
+            "svg": if plain { drawing.svg_named(what) } else { drawing.svg() },
             "title": drawing.title(),
             "description": drawing.description(),
         }))
     }))
-}
-
-/// A drawing for readers who are no engineers: of the scene or of the motion.
-pub(crate) fn plain(
-    given: &Given,
-    analysis: &Analysis,
-    weighed: Option<&Weighed>,
-    subject: Subject,
-) -> Result<Drawing, DrawingError> {
-    let Given { file, units } = given;
-    match subject {
-        Subject::Motion => report::plain_motion(file, analysis, weighed, *units, None),
-        _ => report::plain_scene(file, analysis, weighed, *units),
-    }
 }
 
 /// The picture that the case names, where its bytes are given.

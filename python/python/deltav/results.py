@@ -1248,4 +1248,4 @@ _DOCUMENTS: dict[str, type[Record]] = {
 
 def _document(of: str, entries: Mapping[str, Any]) -> Record:
     """The document of a class of results."""
-    return _DOCUMENTS[of](entries)
+    return _DOCUMENTS.get(of, Record)(entries)

@@ -167,9 +167,9 @@ fn begins_a_formula(sign: &str) -> bool {
     let file =
         CaseFile::parse("title.toml", &text.replacen(line, &format!("title = \"{title}\""), 1)).unwrap();
     let analysis = analysis::reconstruct(&file.case).unwrap();
-    let answer = report::Answer::Analysis(Box::new(analysis));
+    let answer = report::RowAnswer::Analysis(&analysis);
     let row = csv(report::Table::Analyses, report::Units::Si)
-        .row(report::Row { file: "title.toml", answer: Ok((&file, &answer)) })
+        .row(report::Row { file: "title.toml", answer: Ok((&file, answer)) })
         .unwrap();
     row.split(',').any(|cell| cell == format!("'{title}"))
 }

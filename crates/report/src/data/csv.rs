@@ -21,18 +21,18 @@ pub struct Row<'a> {
     /// The name of the file.
     pub file: &'a str,
     /// The case and what was found, or why there is nothing.
-    pub answer: Result<(&'a CaseFile, &'a Answer), Refused<'a>>,
+    pub answer: Result<(&'a CaseFile, RowAnswer<'a>), Refused<'a>>,
 }
 
 /// What a row holds.
-#[derive(Debug)]
-pub enum Answer {
+#[derive(Clone, Copy, Debug)]
+pub enum RowAnswer<'a> {
     /// Of `deltav reconstruct`, `deltav impact` and `deltav crush`.
-    Analysis(Box<Analysis>),
+    Analysis(&'a Analysis),
     /// Of `deltav compare`.
-    Comparison(Box<Comparison>),
+    Comparison(&'a Comparison),
     /// Of `deltav uncertainty`.
-    Uncertainty(Box<Uncertainty>),
+    Uncertainty(&'a Uncertainty),
 }
 
 /// Why a file has no answer.
@@ -57,7 +57,7 @@ pub struct Csv {
     pub style: CsvStyle,
 }
 
-/// What the rows of a [`Csv`] are. The [`Answer`] of each row is of this kind.
+/// What the rows of a [`Csv`] are. The [`RowAnswer`] of each row is of this kind.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Table {
     /// One analysis in each.
@@ -403,7 +403,7 @@ impl Csv {
 
     fn cells(self, row: Row<'_>, value: &Value, number: usize) -> Vec<String> {
         let seen = match row.answer {
-            Ok((file, Answer::Analysis(analysis))) => Some(analysis.seen(file.case.axes)),
+            Ok((file, RowAnswer::Analysis(analysis))) => Some(analysis.seen(file.case.axes)),
             _ => None,
         };
         // Most places have no number of a row in them.
@@ -516,9 +516,9 @@ fn document(Row { file: name, answer }: Row<'_>, detail: Detail) -> Result<Value
     };
     let case = &file.case;
     match answer {
-        Answer::Analysis(analysis) => of_file(name, file, json::document(case, analysis)),
-        Answer::Comparison(comparison) => of_file(name, file, comparison::document(case, comparison)),
-        Answer::Uncertainty(found) => match detail {
+        RowAnswer::Analysis(analysis) => of_file(name, file, json::document(case, analysis)),
+        RowAnswer::Comparison(comparison) => of_file(name, file, comparison::document(case, comparison)),
+        RowAnswer::Uncertainty(found) => match detail {
             Detail::All => of_file(name, file, uncertainty::document(case, found)),
             Detail::Results => of_file(name, file, uncertainty::results(case, found)),
         },

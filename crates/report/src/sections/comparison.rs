@@ -25,8 +25,7 @@ pub fn comparison(case: &Case, comparison: &Comparison, units: Units) -> Documen
     let plain = |quantity: Measure, value: Option<f64>| value.map(|si| units.plain(quantity, si));
     // A fixed object has neither motion nor heading.
     let of = |pair: Option<[f64; 2]>, i: usize| pair.filter(|_| !case.vehicles[i].fixed).map(|pair| pair[i]);
-    let mut page = Document::new();
-    page.title(case);
+    let mut page = Document::of_case(case);
 
     if let Some(by) = &comparison.evidence {
         by_evidence(&mut page, &evidence(by, units), units);

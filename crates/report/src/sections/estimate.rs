@@ -35,8 +35,7 @@ const HIDDEN: [&str; 2] = ["ln_relative_speed", "speed_split"];
 /// what is assumed. No interval stands in it where the run has not converged.
 #[must_use]
 pub fn estimate(case: &Case, estimated: &Estimated, asked: &Asked, units: Units) -> Document {
-    let mut page = Page { estimated, asked, units, document: Document::new() };
-    page.document.title(case);
+    let mut page = Page { estimated, asked, units, document: Document::of_case(case) };
     page.lead();
     page.run();
     if estimated.doubts().is_empty() {

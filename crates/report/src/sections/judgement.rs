@@ -28,8 +28,7 @@ const VALUE: usize = 14;
 #[must_use]
 pub fn judgement(file: &CaseFile, judgement: &Judgement, units: Units) -> Document {
     let case = &file.case;
-    let mut page = Document::new();
-    page.title(case);
+    let mut page = Document::of_case(case);
     page.paragraph("The case file is valid. It has been checked but not solved.");
     page.push(numbers(case));
     page.heading(CHOICES);

@@ -15,8 +15,7 @@ use crate::warnings;
 /// The derivatives and the sweep as tables, and the warnings of the case as it stands.
 #[must_use]
 pub fn sensitivity(case: &Case, sensitivity: &Sensitivity, units: Units) -> Document {
-    let mut page = Document::new();
-    page.title(case);
+    let mut page = Document::of_case(case);
     for group in sensitivity.derivatives.chunk_by(|a, b| a.output == b.output) {
         if let Some(first) = group.first() {
             page.push(derivatives(first, group, units));

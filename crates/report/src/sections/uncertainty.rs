@@ -42,8 +42,7 @@ const NOTICED_CUT: f64 = 1e-6;
 /// stands.
 #[must_use]
 pub fn uncertainty(case: &Case, uncertainty: &Uncertainty, units: Units) -> Document {
-    let mut page = Page { case, uncertainty, units, document: Document::new() };
-    page.document.title(case);
+    let mut page = Page { case, uncertainty, units, document: Document::of_case(case) };
     page.head();
     page.results();
     page.intervals();

@@ -1,0 +1,311 @@
+//! What may be asked of a collision, and the answer: once for the program, the package for Python and the
+//! page, which add arguments, files, threads and a view of how far it is.
+//!
+//! ```
+//! use std::ops::ControlFlow;
+//!
+//! use requests::{Answer, Request, RequestOptions};
+//!
+//! let file = case::CaseFile::parse("sae-980025.toml", case::EXAMPLE)?;
+//! let request = Request::read("reconstruct", &RequestOptions::default())?;
+//! let answer = request.answer(&file.case, &mut |_, _, _| ControlFlow::Continue(()))?;
+//!
+//! let Answer::Analysis(solved) = &answer else { return Err("no analysis".into()) };
+//! assert!((solved.analysis.delta_v()[0] - 12.15).abs() < 0.005);
+//! // SAE 980025: 75 ft/s
+//! assert!(answer.document(&file, report::Units::Us).text().contains("75.03 ft/s"));
+//! assert!(answer.json(&file)?.contains("\"admissible_roots\": 1"));
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! A [`Request`] is a command with its options, each command having one type of them: [`Request::read`] takes
+//! them by their names, and [`Request::check`] refuses what no case could be asked. An [`Answer`] is what [`Request::answer`] finds; it has a [document](Answer::document), what
+//! is [handed over](Answer::page), its [JSON](Answer::json), a [row](Answer::row) among those of many cases,
+//! and the [samples](Answer::write_samples) of what is drawn.
+//!
+//! [`DrawingRequest`] draws a subject of a case, [`plots`] an uncertainty, and [`site_plan_beside`] reads the
+//! picture behind a motion. [`RowRefusal`] says on one line why a row has no answer.
+//!
+//! # A new command
+//!
+//! Its options, and its document and JSON if no other crate has them, are a file of this crate, whose enums
+//! have a variant more. The command line gives it a name and a help; the page finds it by its name.
+//!
+//! # What it does not do
+//!
+//! It computes nothing itself, and knows no terminal, no Python and no browser.
+
+mod estimate;
+mod options;
+mod picture;
+mod progress;
+mod refusal;
+mod sensitivity;
+mod solved;
+mod uncertainty;
+
+use std::io::{self, Write};
+use std::ops::ControlFlow;
+
+use analysis::{Comparison, Judgement, Sensitivity, Uncertainty};
+use case::{Case, CaseFile};
+use report::{CsvStyle, Document, RowAnswer, SitePlan, Table, Units};
+use serde::Serialize;
+
+pub use estimate::{EstimateAnswer, EstimateOptions};
+pub use options::{OptionError, RequestOptions};
+pub use picture::{DrawingRequest, plan_path, read_picture, site_plan_beside};
+pub use progress::RequestProgress;
+pub use refusal::{NoPage, RowRefusal, Unanswered};
+pub use sensitivity::SensitivityOptions;
+pub use solved::{ReconstructOptions, SolvedCase, weigh};
+pub use uncertainty::{UncertaintyOptions, plots};
+
+/// A command that answers for a case, with its options: enough to get the answer again, to the last bit.
+///
+/// It is written as its command and its options, which [`read`](Self::read) takes.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[non_exhaustive]
+#[serde(tag = "command", content = "options", rename_all = "lowercase")]
+pub enum Request {
+    /// The speed at which impact and crush agree, or both speeds.
+    Reconstruct(ReconstructOptions),
+    /// The impact of two known speeds.
+    Impact,
+    /// The motion to rest, or back from it.
+    Motion,
+    /// CRASH3 alone.
+    Crush,
+    /// What the case allows, without solving it.
+    Check,
+    /// The answers of every impact law.
+    Compare,
+    /// How much the answer depends on each input.
+    Sensitivity(SensitivityOptions),
+    /// What the ranges of the case make of its results.
+    Uncertainty(UncertaintyOptions),
+    /// The speeds from all evidence.
+    Estimate(EstimateOptions),
+}
+
+/// What a [`Request`] finds.
+#[derive(Debug)]
+#[non_exhaustive]
+pub enum Answer {
+    /// Of [`Request::Reconstruct`], [`Request::Impact`], [`Request::Motion`] and [`Request::Crush`].
+    Analysis(Box<SolvedCase>),
+    /// Of [`Request::Check`].
+    Judgement(Box<Judgement>),
+    /// Of [`Request::Compare`].
+    Comparison(Box<Comparison>),
+    /// Of [`Request::Sensitivity`].
+    Sensitivity(Box<Sensitivity>),
+    /// Of [`Request::Uncertainty`].
+    Uncertainty(Box<Uncertainty>),
+    /// Of [`Request::Estimate`].
+    Estimate(Box<EstimateAnswer>),
+}
+
+impl From<analysis::Analysis> for Answer {
+    fn from(analysis: analysis::Analysis) -> Self {
+        Self::Analysis(Box::new(analysis.into()))
+    }
+}
+
+impl Request {
+    /// A command by its name, with its options by theirs.
+    ///
+    /// # Errors
+    /// [`OptionError`] where no command has this name, and for options that cannot be read.
+    pub fn read(command: &str, options: &RequestOptions) -> Result<Self, OptionError> {
+        Ok(match command {
+            "reconstruct" => Self::Reconstruct(ReconstructOptions::read(options)),
+            "impact" => Self::Impact,
+            "motion" => Self::Motion,
+            "crush" => Self::Crush,
+            "check" => Self::Check,
+            "compare" => Self::Compare,
+            "sensitivity" => Self::Sensitivity(SensitivityOptions::read(options)?),
+            "uncertainty" => Self::Uncertainty(UncertaintyOptions::read(options)?),
+            "estimate" => Self::Estimate(EstimateOptions::read(options)?),
+            other => return Err(OptionError::Command(other.to_owned())),
+        })
+    }
+
+    /// Refuses what no case could be asked.
+    ///
+    /// # Errors
+    /// [`OptionError`], with what to give instead.
+    pub fn check(&self) -> Result<(), OptionError> {
+        match self {
+            Self::Sensitivity(options) => options.check(),
+            Self::Uncertainty(options) => options.check(),
+            Self::Estimate(options) => options.check(),
+            Self::Reconstruct(_) | Self::Impact | Self::Motion | Self::Crush => Ok(()),
+            Self::Check | Self::Compare => Ok(()),
+        }
+    }
+
+    /// The answer. What takes long tells how far it is, and runs on the threads of the rayon pool in which
+    /// this is called, where the features `parallel` of the crates below are on; its bits depend on neither.
+    ///
+    /// # Errors
+    /// [`Unanswered`].
+    pub fn answer(&self, case: &Case, progress: &mut RequestProgress<'_>) -> Result<Answer, Unanswered> {
+        Ok(match self {
+            Self::Reconstruct(options) => {
+                let solved = SolvedCase::from(analysis::reconstruct(case)?);
+                Answer::Analysis(Box::new(solved.completed(options, case, progress)))
+            }
+            Self::Impact => analysis::impact(case)?.into(),
+            Self::Motion => analysis::motion(case)?.into(),
+            Self::Crush => analysis::crush(case)?.into(),
+            Self::Check => Answer::Judgement(Box::new(analysis::judge(case))),
+            Self::Compare => Answer::Comparison(Box::new(analysis::compare(case)?)),
+            Self::Sensitivity(options) => {
+                Answer::Sensitivity(Box::new(analysis::sensitivity(case, options.sweep())?))
+            }
+            Self::Uncertainty(options) => Answer::Uncertainty(Box::new(options.answer(case, progress)?)),
+            Self::Estimate(options) => Answer::Estimate(Box::new(options.answer(case, progress)?)),
+        })
+    }
+
+    /// The answer of what takes no long: without progress, and on this thread. Nothing where it does.
+    pub fn at_once(&self, case: &Case) -> Option<Result<Answer, Unanswered>> {
+        let quietly = &mut |_, _, _| ControlFlow::Continue(());
+        match self {
+            Self::Uncertainty(_) | Self::Estimate(_) => None,
+            Self::Reconstruct(options) => match analysis::reconstruct(case).map(SolvedCase::from) {
+                Ok(solved) if solved.leaves_open(options, case) => None,
+                Ok(solved) => Some(Ok(Answer::Analysis(Box::new(solved)))),
+                Err(failure) => Some(Err(failure.into())),
+            },
+            Self::Impact | Self::Motion | Self::Crush => Some(self.answer(case, quietly)),
+            Self::Check | Self::Compare | Self::Sensitivity(_) => Some(self.answer(case, quietly)),
+        }
+    }
+
+    /// The rows that it gives, one or more for each case; none of what is about one case alone.
+    #[must_use]
+    pub fn rows(&self) -> Option<Table> {
+        match self {
+            Self::Reconstruct(_) | Self::Impact | Self::Motion | Self::Crush => Some(Table::Analyses),
+            Self::Compare => Some(Table::Comparisons),
+            Self::Uncertainty(_) => Some(Table::Uncertainties),
+            Self::Check | Self::Sensitivity(_) | Self::Estimate(_) => None,
+        }
+    }
+
+    /// The same for a row, which has room for an exact solution alone.
+    #[must_use]
+    pub fn of_row(&self) -> Self {
+        match self {
+            Self::Reconstruct(_) => Self::Reconstruct(ReconstructOptions::default()),
+            other => other.clone(),
+        }
+    }
+}
+
+impl Answer {
+    /// What the program prints.
+    #[must_use]
+    pub fn document(&self, file: &CaseFile, units: Units) -> Document {
+        let case = &file.case;
+        match self {
+            Self::Analysis(solved) => solved.document(case, units),
+            Self::Judgement(judgement) => report::judgement(file, judgement, units),
+            Self::Comparison(comparison) => report::comparison(case, comparison, units),
+            Self::Sensitivity(sensitivity) => report::sensitivity(case, sensitivity, units),
+            Self::Uncertainty(uncertainty) => report::uncertainty(case, uncertainty, units),
+            Self::Estimate(answer) => report::estimate(case, &answer.estimated, &answer.asked, units),
+        }
+    }
+
+    /// What is handed over: of an analysis the report with all steps and drawings, of all else the document.
+    ///
+    /// # Errors
+    /// [`NoPage`].
+    pub fn page(
+        &self,
+        file: &CaseFile,
+        site_plan: Option<&SitePlan>,
+        units: Units,
+        progress: &mut RequestProgress<'_>,
+    ) -> Result<Document, NoPage> {
+        match self {
+            Self::Analysis(solved) => solved.page(file, site_plan, units, progress),
+            other => Ok(other.document(file, units)),
+        }
+    }
+
+    /// Whether its page shows the site plan of the case.
+    #[must_use]
+    pub fn shows_site_plan(&self) -> bool {
+        matches!(self, Self::Analysis(solved) if solved.is_followed())
+    }
+
+    /// The JSON document: SI units and radians, with keys that are kept.
+    ///
+    /// # Errors
+    /// None is known.
+    pub fn json(&self, file: &CaseFile) -> Result<String, serde_json::Error> {
+        match self {
+            Self::Analysis(solved) => solved.json(file),
+            Self::Judgement(judgement) => report::judgement_json(file, judgement),
+            Self::Comparison(comparison) => report::comparison_json(file, comparison),
+            Self::Sensitivity(sensitivity) => report::sensitivity_json(file, sensitivity),
+            Self::Uncertainty(uncertainty) => report::uncertainty_json(file, uncertainty),
+            Self::Estimate(answer) => report::estimate_json(file, &answer.estimated, &answer.asked),
+        }
+    }
+
+    /// What a row holds; nothing where [`Request::rows`] has none.
+    #[must_use]
+    pub fn row(&self) -> Option<RowAnswer<'_>> {
+        match self {
+            Self::Analysis(solved) => Some(RowAnswer::Analysis(&solved.analysis)),
+            Self::Comparison(comparison) => Some(RowAnswer::Comparison(comparison)),
+            Self::Uncertainty(uncertainty) => Some(RowAnswer::Uncertainty(uncertainty)),
+            Self::Judgement(_) | Self::Sensitivity(_) | Self::Estimate(_) => None,
+        }
+    }
+
+    /// What is read first of its document: of an uncertainty the intervals.
+    #[must_use]
+    pub fn headline(&self, document: &Document, units: Units) -> Vec<String> {
+        match self {
+            Self::Uncertainty(uncertainty) => report::uncertain_headline(uncertainty, units),
+            _ => document.headline().to_vec(),
+        }
+    }
+
+    /// Why it is no answer: the evidence contradicts itself, or the run has not converged. The document says
+    /// more.
+    #[must_use]
+    pub fn no_answer(&self) -> Option<&'static str> {
+        match self {
+            Self::Analysis(solved) => solved.no_answer(),
+            Self::Estimate(answer) if !answer.estimated.doubts().is_empty() => {
+                Some("the run has not converged: the report says why, and has no intervals")
+            }
+            Self::Judgement(_) | Self::Comparison(_) | Self::Sensitivity(_) => None,
+            Self::Uncertainty(_) | Self::Estimate(_) => None,
+        }
+    }
+
+    /// Writes the samples or draws as CSV; nothing of what is [no answer](Self::no_answer), or has none.
+    ///
+    /// # Errors
+    /// Those of the output.
+    pub fn write_samples(&self, style: CsvStyle, out: &mut dyn Write) -> io::Result<()> {
+        if self.no_answer().is_some() {
+            return Ok(());
+        }
+        match self {
+            Self::Analysis(solved) => solved.write_draws(style, out),
+            Self::Uncertainty(uncertainty) => report::write_samples(uncertainty, style, out),
+            Self::Estimate(answer) => report::write_draws(&answer.estimated, style, out),
+            Self::Judgement(_) | Self::Comparison(_) | Self::Sensitivity(_) => Ok(()),
+        }
+    }
+}

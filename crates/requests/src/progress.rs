@@ -1,0 +1,30 @@
+//! How far a request is.
+
+use std::ops::ControlFlow;
+
+use analysis::{EstimateStage, Stage};
+
+/// Receives what is counted, how many are done and how many there are, and may end the run.
+pub type RequestProgress<'a> = dyn FnMut(&'static str, usize, usize) -> ControlFlow<()> + Send + 'a;
+
+/// What is counted while samples are drawn.
+pub(crate) fn counted(stage: Stage) -> &'static str {
+    match stage {
+        Stage::Samples => "samples",
+        Stage::Indices => "rows for the indices",
+    }
+}
+
+/// Passes on how far an estimate is.
+pub(crate) fn of_estimate<'a>(
+    progress: &'a mut RequestProgress<'_>,
+) -> impl FnMut(EstimateStage, usize, usize) -> ControlFlow<()> + Send + 'a {
+    |stage, done, total| {
+        let counted = match stage {
+            EstimateStage::All => "particles",
+            EstimateStage::Prior => "particles before the evidence",
+            EstimateStage::Piece => "pieces of evidence",
+        };
+        progress(counted, done, total)
+    }
+}

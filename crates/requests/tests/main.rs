@@ -1,0 +1,5 @@
+//! The tests of this crate.
+
+#![allow(clippy::unwrap_used, reason = "tests")]
+
+mod written;
