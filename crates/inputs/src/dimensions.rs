@@ -1,4 +1,4 @@
-//! The body of a vehicle seen from above, as drawings and damage need it.
+//! The body of a vehicle seen from above, for drawings and damage.
 
 use crash3::{Side, VehicleClass};
 use pim_core::Real;
@@ -17,7 +17,7 @@ pub struct Dimensions<T = f64> {
 }
 
 impl<T: Real> Dimensions<T> {
-    /// Those of a size class.
+    /// The dimensions of a size class.
     #[must_use]
     pub fn of_class(class: u8, known: &VehicleClass) -> Self {
         Self {
