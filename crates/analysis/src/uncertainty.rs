@@ -37,8 +37,8 @@ use crate::speeds::BothFound;
 pub struct Plan {
     /// The number of samples, the seed and the method.
     pub settings: Settings,
-    /// Rows for the variance-based indices, each with as many evaluations as there are uncertain inputs and
-    /// two more; none are computed without.
+    /// Rows for the variance-based indices, each with as many evaluations as there are uncertain inputs plus
+    /// two; `None` computes no indices.
     pub index_rows: Option<usize>,
 }
 
@@ -49,19 +49,19 @@ pub struct Uncertainty {
     pub nominal: Analysis,
     /// The settings: the method and the requested number of samples.
     pub settings: Settings,
-    /// The numbers that are ranges, in the order of the file, and after them the departures of estimates.
+    /// The numbers that are ranges, in the order of the file, followed by the departures of estimates.
     pub inputs: Vec<UncertainInput>,
-    /// What all samples share, so that the intervals do not contain its error.
+    /// The numbers that all samples share, so that the intervals do not contain their errors.
     pub taken_as_exact: Vec<TakenAsExact>,
     /// The quantities that were computed for each sample.
     pub outputs: Vec<UncertainOutput>,
     /// The samples of the outputs (SI), in their order, and the failures by [`Reason::code`].
     pub propagation: Propagation,
-    /// How many samples with an answer are doubtful, by the reason; none with zero.
+    /// Number of doubtful samples with an answer, by reason; reasons without any are omitted.
     pub doubtful: Vec<Doubtful>,
     /// One input at a time, from low to high.
     pub tornado: Tornado,
-    /// Sobol' indices, if asked for, of the outputs in their order.
+    /// Sobol' indices of the outputs in their order, if requested.
     pub indices: Option<::uncertainty::SobolIndices>,
 }
 
@@ -70,7 +70,7 @@ pub struct Uncertainty {
 pub struct UncertainInput {
     /// The number itself, which is the central value.
     pub input: Input,
-    /// (–) its place among the numbers that may vary, [`Case::variables`].
+    /// (–) its index among the numbers that may vary, [`Case::variables`].
     pub place: usize,
     /// Its distribution, in the unit in which the file gives it.
     pub distribution: Distribution,
@@ -79,7 +79,7 @@ pub struct UncertainInput {
 }
 
 impl UncertainInput {
-    /// The truncation, if the physical bounds cut off a part of the normal distribution that the file gives.
+    /// The truncation, if the physical bounds cut off part of the normal distribution in the file.
     #[must_use]
     pub fn truncation(&self) -> Option<Truncation> {
         self.distribution.truncation().filter(|truncation| truncation.kept < 1.0)
@@ -89,20 +89,20 @@ impl UncertainInput {
 /// A result that the ranges make uncertain.
 #[derive(Clone, Debug)]
 pub struct UncertainOutput {
-    /// Which result.
+    /// The result.
     pub output: Output,
     /// (SI) its value at the central values.
     pub central: f64,
-    /// (SI) its standard deviation by the derivatives at the central values, and the share of each input in
+    /// (SI) its standard deviation from the derivatives at the central values, and the share of each input in
     /// its square: the law of propagation of uncertainty of the GUM.
     ///
     /// JCGM 100:2008, *Guide to the Expression of Uncertainty in Measurement*, equation 10.
     pub first_order: FirstOrder,
-    /// (SI) what is large for it: below [`NOISE`] of that, its spread is rounding.
+    /// (SI) a typical large value: a spread below [`NOISE`] of that is rounding.
     scale: f64,
 }
 
-/// (–) far above the rounding of any output, and far below any spread that matters.
+/// (–) far above the rounding of any output, and far below any relevant spread.
 pub(crate) const NOISE: f64 = 1e-9;
 
 impl UncertainOutput {
@@ -121,7 +121,7 @@ impl UncertainOutput {
     }
 }
 
-/// (SI) what is large for an output: a right angle or so, the closing speed, the energy before the impact.
+/// (SI) a typical large value of an output: a right angle, the closing speed, the energy before.
 fn scale(output: Output, nominal: &Analysis) -> f64 {
     let exchange = nominal.exchange();
     match output {
@@ -160,7 +160,7 @@ pub enum Reason {
     Pulling,
     /// The speed without damage is not below that of the barrier test.
     NoDamageSpeed,
-    /// The force per width is limited to less than A, with which it begins.
+    /// The limit of the force per width is less than A, its initial value.
     LimitBelowStart,
     /// No motion after the impact leads to a rest, or from it.
     NoRest,
@@ -202,7 +202,7 @@ impl Reason {
         }
     }
 
-    /// The reason of a code: what the engine itself refuses, a result that is not finite, is one of the
+    /// The reason of a code: a result that is not finite, which the engine itself refuses, belongs to the
     /// others.
     #[must_use]
     pub fn of_code(code: u8) -> Self {
@@ -236,8 +236,8 @@ impl Reason {
         }
     }
 
-    /// The reason of a case: what the engine refuses of its damage is told as a fault of the case, which no
-    /// longer says of which kind.
+    /// The reason of a case: the engine's refusal of its damage is reported as a fault of the case, which no
+    /// longer has its kind.
     fn of_case(case: &Case, failure: &Failure) -> Self {
         if !matches!(failure, Failure::Case(_)) {
             return Self::of(failure);
@@ -249,7 +249,7 @@ impl Reason {
         refusals.next().unwrap_or(Self::Other)
     }
 
-    /// Those refusals of a stiffness that are counted by themselves.
+    /// The refusals of a stiffness that are counted separately.
     fn of_structure(error: &CrushError) -> Option<Self> {
         match error {
             CrushError::NoDamageSpeed { .. } => Some(Self::NoDamageSpeed),
@@ -269,28 +269,28 @@ impl Reason {
     }
 }
 
-/// Samples that follow each other. Lanes beyond the last sample hold some value or other.
+/// Consecutive samples. Lanes beyond the last sample hold arbitrary values.
 #[derive(Clone, Copy, Debug)]
 pub struct SampleBlock<'a> {
     /// (unit of the file) the uncertain inputs, a column for each.
     pub inputs: &'a [Lanes],
-    /// (SI) the outputs, a column for each, which mean nothing where the sample failed.
+    /// (SI) the outputs, a column for each, which are meaningless if the sample failed.
     pub outputs: &'a [Lanes],
-    /// [`Reason::code`] of each sample, 0 where it has an answer.
+    /// [`Reason::code`] of each sample, 0 if it has an answer.
     pub reasons: &'a [u8],
 }
 
 impl Uncertainty {
-    /// Shows all samples in their order: with their inputs, which are drawn again, and with their outputs.
+    /// Visits all samples in order, with their inputs, which are drawn again, and with their outputs.
     ///
     /// # Errors
-    /// What `visit` returns.
+    /// The error that `visit` returns.
     pub fn for_each_block<E>(
         &self,
         mut visit: impl FnMut(SampleBlock<'_>) -> Result<(), E>,
     ) -> Result<(), E> {
         let distributions: Vec<Distribution> = self.inputs.iter().map(|input| input.distribution).collect();
-        // The settings and inputs are those of a run that there was.
+        // The settings and inputs are those of a completed run.
         let Ok(sampler) = Sampler::new(&distributions, &self.settings) else { return Ok(()) };
         let mut inputs = vec![Lanes::ZERO; self.inputs.len()];
         let mut answers = vec![Lanes::ZERO; self.outputs.len()];
@@ -306,7 +306,7 @@ impl Uncertainty {
         Ok(())
     }
 
-    /// How many samples failed for a reason.
+    /// Number of samples that failed for a reason.
     #[must_use]
     pub fn failed(&self, reason: Reason) -> usize {
         let failures = self.propagation.failures().iter();
@@ -339,7 +339,7 @@ pub(crate) fn uncertainty_of(
     if asked == 0 {
         return Err(Faults::from(no_output(&all)).into());
     }
-    // What is doubtful is seen by these, whoever asks.
+    // These show which samples are doubtful, whatever is requested.
     outputs.extend(others.into_iter().filter(|output| doubts::reads(*output)));
     let central = central(&nominal, &outputs);
     let watched = Watched::new(case, &inputs, &outputs, &central);
@@ -388,7 +388,7 @@ pub(crate) fn uncertainty_of(
     })
 }
 
-/// The samples of a case, and nothing else of its [`Uncertainty`].
+/// Only the samples of a case, without the rest of its [`Uncertainty`].
 #[derive(Debug)]
 pub struct Samples {
     /// The quantities that were computed for each sample.
@@ -397,12 +397,12 @@ pub struct Samples {
     pub propagation: Propagation,
 }
 
-/// The samples of [`uncertainty()`](crate::uncertainty()), with the same bits, in a fraction of its time
-/// where they are few: without derivatives, tornado and doubts, as a row of a table has no place for them.
-/// `None` where nothing is uncertain.
+/// The samples of [`uncertainty()`](crate::uncertainty()), with the same bits, in a fraction of its time if
+/// they are few: without derivatives, tornado and doubts, for which a row of a table has no place. `None` if
+/// nothing is uncertain.
 ///
 /// # Errors
-/// As for [`uncertainty()`](crate::uncertainty()), but for a case of which nothing is a range.
+/// As for [`uncertainty()`](crate::uncertainty()), except for a case without ranges.
 pub fn samples(
     case: &Case,
     settings: &Settings,
@@ -421,15 +421,15 @@ pub fn samples(
     Ok(Some(Samples { outputs, propagation }))
 }
 
-/// Whether [`uncertainty()`](crate::uncertainty()) has anything to propagate: a range, a value that is
-/// estimated, or an error that numbers share.
+/// Whether [`uncertainty()`](crate::uncertainty()) has anything to propagate: a range, an estimated value, or
+/// an error that numbers share.
 #[must_use]
 pub fn is_uncertain(case: &Case) -> bool {
     any_inputs(case).map_or(true, |inputs| !inputs.is_empty())
 }
 
-/// Whether each sample of [`uncertainty()`](crate::uncertainty()) is searched back from the place where a
-/// vehicle came to rest, which takes a thousand times as long as to solve an impact.
+/// Whether each sample of [`uncertainty()`](crate::uncertainty()) is traced back from a rest position, which
+/// takes a thousand times as long as solving an impact.
 #[must_use]
 pub fn is_searched_back(case: &Case) -> bool {
     let seeks = matches!(Goal::of(case), Goal::BothSpeeds | Goal::Motion);
@@ -439,13 +439,13 @@ pub fn is_searched_back(case: &Case) -> bool {
     seeks && case.vehicles.iter().any(has_rest_alone)
 }
 
-/// The ranges of the case and the spreads of its estimates, as the engine takes them: at least one.
+/// The ranges of the case and the spreads of its estimates, in the types of the engine: at least one.
 pub(crate) fn inputs(case: &Case) -> Result<Vec<UncertainInput>, Faults> {
     let inputs = any_inputs(case)?;
     if inputs.is_empty() { Err(no_range(case).into()) } else { Ok(inputs) }
 }
 
-/// The same, or none.
+/// The same, but possibly none.
 fn any_inputs(case: &Case) -> Result<Vec<UncertainInput>, Faults> {
     let mut ranges = case.ranges.iter();
     let mut inputs = Vec::new();
@@ -495,7 +495,7 @@ fn any_inputs(case: &Case) -> Result<Vec<UncertainInput>, Faults> {
         }
     }
     Faults::none_of(faults)?;
-    // A speed that is sought is no input, even where the file gives one.
+    // An unknown speed is not an input, even if the file gives one.
     if let Some(reconstruct) = &case.reconstruct {
         for id in VehicleId::ALL.into_iter().filter(|id| reconstruct.find.seeks(*id)) {
             let sought = ["speed", "velocity.x", "velocity.y"].map(|key| format!("vehicle{id}.{key}"));
@@ -505,7 +505,7 @@ fn any_inputs(case: &Case) -> Result<Vec<UncertainInput>, Faults> {
     Ok(inputs)
 }
 
-/// What to write where nothing is a range, shown at a number of the case.
+/// The advice for a case without ranges, shown at a number of the case.
 fn no_range(case: &Case) -> Fault {
     let inputs = case.inputs();
     let example = inputs.iter().find_map(|input| {
@@ -524,7 +524,7 @@ fn no_range(case: &Case) -> Fault {
     Fault { key: String::new(), kind: FaultKind::NothingUncertain, advice: Some(help) }
 }
 
-/// What to ask for where the case has nothing of what was asked.
+/// The advice for a case that has none of the requested outputs.
 fn no_output(all: &[Output]) -> Fault {
     let names: Vec<String> = all.iter().map(|output| output.path()).collect();
     let reason = "the case has none of the outputs that are asked for".to_owned();
@@ -532,7 +532,7 @@ fn no_output(all: &[Output]) -> Fault {
     Fault { key: String::new(), kind: FaultKind::Refused { reason }, advice: Some(advice) }
 }
 
-/// The distribution of an error that several numbers share.
+/// The distribution of a shared error.
 fn size_of(error: &SharedError, input: &Input) -> Result<Distribution, InvalidDistribution> {
     let range = Range { path: input.path.clone(), spread: error.size, bounds: Bounds::None };
     distribution(input, &range)
@@ -569,7 +569,7 @@ fn normal(
     }
 }
 
-/// Normal: with the probability `confidence` no farther from the value than `distance`.
+/// Normal: with the probability `confidence`, at most `distance` from the value.
 fn within(
     value: f64,
     distance: f64,
@@ -597,27 +597,27 @@ fn first_order(gradients: &[Gradient], inputs: &[UncertainInput]) -> Result<Vec<
     gradients.iter().map(of).collect()
 }
 
-/// What turns the uncertain numbers of a sample into its outputs.
+/// Computes the outputs of a sample from its uncertain numbers.
 struct Sample<'a> {
     goal: Goal,
     /// Whether the crush energy gives the speeds.
     is_by_crush: bool,
-    /// Where the search for the starts of ways begins.
+    /// The starting points of the search for the starts of paths.
     search: Search,
     outputs: &'a [Output],
-    /// How many of the outputs were asked for, the first ones; the others tell what is doubtful.
+    /// Number of requested outputs, which come first; the others show which samples are doubtful.
     asked: usize,
-    /// (SI) at the central values.
+    /// (SI) the outputs at the central values.
     central: &'a [f64],
-    /// Of each number of the case, whether it is uncertain.
+    /// For each number of the case, whether it is uncertain.
     is_uncertain: Vec<bool>,
     /// The case without its texts, which no sample needs.
     case: Case,
-    /// Where numbers share errors.
+    /// The shared errors, if there are any.
     shared: Option<Shared>,
-    /// What is counted of the doubtful.
+    /// The counters of doubtful samples.
     watched: Watched,
-    /// The same for a block at once, or why the case has no shape that can be solved so.
+    /// The same for a block at once, or why the shape of the case does not allow that.
     block: Result<Block, Alone>,
 }
 
@@ -670,9 +670,9 @@ impl<'a> Sample<'a> {
         }
     }
 
-    /// The samples of a block that are not `settled` yet, each as a case of its own.
+    /// Solves the samples of a block that are not `settled` yet, each as a separate case.
     ///
-    /// Compiled once: what turns a case into the types of the engine gains nothing from a copy for each
+    /// Compiled once: turning a case into the types of the engine gains nothing from a copy for each
     /// instruction set.
     #[inline(never)]
     fn one_by_one(
@@ -705,7 +705,7 @@ impl<'a> Sample<'a> {
         if let Some(shared) = &self.shared {
             let mut all = Vec::new();
             shared.fill(numbers.copied(), &mut all);
-            // Without the errors themselves, which the case of a sample has no more.
+            // Without the errors themselves, which the case of a sample no longer has.
             let mut all = all.into_iter();
             return self.case.map_numbers(|central| all.next().unwrap_or(central));
         }
@@ -729,8 +729,7 @@ impl<'a> Sample<'a> {
         Ok(())
     }
 
-    /// How many of these samples of a block have speeds that are not the only ones that agree with their
-    /// crush energy.
+    /// Number of these samples of a block with other speeds that agree with their crush energy.
     fn several_speeds(
         &self,
         instructions: Instructions,
@@ -751,7 +750,7 @@ impl<'a> Sample<'a> {
         lanes.filter(has_several).count()
     }
 
-    /// Whether the speeds of a sample are not the only ones that agree with its crush energy.
+    /// Whether other speeds of a sample agree with its crush energy.
     fn has_several_speeds(&self, numbers: &[f64]) -> bool {
         let case = self.case_of(numbers);
         match self.goal {
@@ -766,18 +765,18 @@ impl<'a> Sample<'a> {
     }
 }
 
-/// Errors that numbers of a case share.
+/// The shared errors of a case.
 struct Shared {
     effects: SharedEffects,
     /// (unit of the file) every number that may vary, at its central value.
     central: Vec<f64>,
-    /// The places of the inputs among these, and those of the numbers that an error covers.
+    /// The indices of the inputs among these, and those of the numbers that an error covers.
     inputs: Vec<usize>,
     covered: Vec<usize>,
 }
 
 impl Shared {
-    /// `None` without any.
+    /// `None` if there are no shared errors.
     fn of(case: &Case, inputs: &[UncertainInput]) -> Option<Self> {
         let effects = SharedEffects::of(case);
         if effects.is_empty() {
@@ -789,7 +788,7 @@ impl Shared {
         Some(Self { effects, central, inputs, covered })
     }
 
-    /// How many numbers of the case are uncertain: those that an error covers among them, but not the errors.
+    /// Number of uncertain numbers of the case, including those that an error covers, but not the errors.
     fn uncertain_numbers(&self, inputs: &[UncertainInput]) -> usize {
         let is_error = |input: &UncertainInput| matches!(input.input.origin, Origin::Shared(_));
         let others = inputs.iter().filter(|input| !is_error(input) && !self.effects.cover(input.place));
@@ -805,7 +804,7 @@ impl Shared {
         self.effects.apply(all);
     }
 
-    /// The columns of the inputs, and after them those of the numbers that an error covers.
+    /// The columns of the inputs, followed by those of the numbers that an error covers.
     #[inline(never)]
     fn columns(&self, inputs: &[Lanes]) -> Vec<Lanes> {
         let mut columns = inputs.to_vec();
@@ -827,7 +826,7 @@ fn value(output: Output, central: f64, found: f64, outcome: &Outcome) -> f64 {
     as_beside(output, central, output.value(found, outcome))
 }
 
-/// (SI) the value of an output; a direction within half a turn of its `central` value.
+/// (SI) the value of an output; for a direction, within half a turn of its `central` value.
 #[inline(always)]
 fn as_beside(output: Output, central: f64, value: f64) -> f64 {
     match output {
@@ -876,7 +875,7 @@ impl Model for Sample<'_> {
     }
 }
 
-/// (rad) the same direction within half a turn of another.
+/// (rad) the same direction, within half a turn of another.
 #[inline(always)]
 pub(crate) fn beside(angle: f64, other: f64) -> f64 {
     if angle - other > PI {
