@@ -17,36 +17,36 @@ use crate::warning::Warning;
 #[derive(Clone, Debug)]
 #[non_exhaustive]
 pub struct Analysis {
-    /// What the crush energy is held equal to.
+    /// The energy that the crush energy has to equal.
     pub basis: Basis,
     /// The speed found, in a reconstruction.
     pub found: Option<Found>,
-    /// Both speeds, in a reconstruction that seeks them.
+    /// Both speeds, in a reconstruction that finds both.
     pub both: Option<BothFound>,
-    /// The impact by the impact law; `None` in an analysis of the damage alone, or of the motion alone, and
-    /// where momentum gives the speeds of a case that has no law. Where momentum gives them, it is a check
-    /// ([`law_check`](Self::law_check)): what the impact did is [`exchange`](Self::exchange).
+    /// The impact by the impact law; `None` in an analysis of only the damage or only the motion, and if
+    /// momentum gives the speeds of a case without a law. If momentum gives the speeds, it is only a check
+    /// ([`law_check`](Self::law_check)), and the result is [`exchange`](Self::exchange).
     pub impact: Option<Impact>,
-    /// How the vehicles touch, in an analysis of the geometry alone.
+    /// How the vehicles touch, in an analysis of only the geometry.
     pub geometry: Option<Contact>,
-    /// The way of each vehicle from the impact to rest, where the case has the ground and the drag for it.
+    /// The path of each vehicle from the impact to rest, if the case has the ground and the drag for it.
     pub travel: [Option<Travel>; 2],
     /// The skid marks of each vehicle before the impact.
     pub skids: [Option<Skid>; 2],
-    /// The ground on which they are followed.
+    /// The ground of these paths.
     pub surface: Option<SurfaceData>,
     /// Both vehicles.
     pub vehicles: [Vehicle; 2],
-    /// CRASH3's answer, where the damage of all vehicles is known.
+    /// CRASH3's answer, if the damage of all vehicles is known.
     pub crash3: Option<Crash3>,
-    /// The keys of the evidence that the case has and this answer does not use. What is over-determined has
-    /// no exact solution that takes account of all.
+    /// The keys of evidence in the case that this answer does not use. An over-determined problem has no
+    /// exact solution that takes account of everything.
     pub left_aside: Vec<String>,
-    /// Whether the case has what it takes to weigh that evidence; looked at only where there is any.
+    /// Whether the case has enough data to weigh that evidence; only tested if there is any.
     pub can_be_weighed: bool,
     /// The consistency checks, passed or not.
     pub checks: Vec<Check>,
-    /// What a careful reader should know.
+    /// Warnings for a careful reader.
     pub warnings: Vec<Warning>,
 }
 
@@ -57,8 +57,7 @@ impl Analysis {
         self.vehicles[vehicle.index()].moves()
     }
 
-    /// (m/s) speed of a vehicle before the impact: negative where it moves backwards, zero for a fixed
-    /// object.
+    /// (m/s) speed of a vehicle before the impact: negative if it moves backward, zero for a fixed object.
     #[must_use]
     pub fn speed(&self, vehicle: VehicleId) -> f64 {
         match (&self.both, &self.impact) {
@@ -67,8 +66,8 @@ impl Analysis {
         }
     }
 
-    /// (m/s) ΔV of both vehicles: those that go with the speeds of a reconstruction, or of the impact; zero
-    /// where there is no impact.
+    /// (m/s) ΔV of both vehicles, for the speeds of a reconstruction or of the impact; zero if there is no
+    /// impact.
     #[must_use]
     pub fn delta_v(&self) -> [f64; 2] {
         self.exchange().map(|exchange| exchange.delta_v.map(|change| change.norm())).unwrap_or_default()
@@ -76,7 +75,7 @@ impl Analysis {
 }
 
 impl Analysis {
-    /// Of vehicles of which nothing was found.
+    /// An analysis of vehicles without any result yet.
     pub(crate) fn unsolved(vehicles: [Vehicle; 2]) -> Self {
         Self {
             basis: Basis::default(),

@@ -1,4 +1,4 @@
-//! Evidence that a case has and an answer does not use, and where it contradicts that answer.
+//! Evidence of a case that an answer does not use, and its contradictions with that answer.
 
 use std::f64::consts::PI;
 
@@ -17,16 +17,16 @@ use crate::thresholds::{
 };
 use crate::warning::Warning;
 
-/// A piece of evidence lies further from an answer than so many of its standard deviations before the two
-/// contradict each other: by chance one in four hundred does.
+/// Number of standard deviations beyond which a piece of evidence contradicts an answer: by chance, one in
+/// four hundred does.
 const CONTRADICTS: f64 = 3.0;
-/// (m/s) and no less than 5 km/h: recorders store whole km/h or mph, and people round to five.
+/// (m/s) and at least 5 km/h: recorders store whole km/h or mph, and people round to five.
 const LEAST_DIFFERENCE: f64 = 5.0 / 3.6;
 
-/// (m/s) what rounding makes of a speed at its limit is no contradiction.
+/// (m/s) rounding of a speed at its limit, which is no contradiction.
 const SPEED_ROUNDING: f64 = 1e-6;
 
-/// The kinds of evidence that an answer uses, which is then neither left aside nor held against it.
+/// The kinds of evidence that an answer uses, so that it is neither left aside nor compared with the answer.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Used {
     /// The crush energy, to find a speed or as a check.
@@ -41,8 +41,8 @@ impl Used {
     }
 }
 
-/// The keys of the evidence that the exact answer of a purpose will not use, as far as that shows before it
-/// is solved.
+/// The keys of evidence that the exact answer of a purpose will not use, as far as that is known before it is
+/// solved.
 pub(crate) fn of_purpose(case: &Case, purpose: Purpose) -> Vec<String> {
     let used = match (purpose, case.reconstruct.map(|reconstruct| reconstruct.find)) {
         (Purpose::Reconstruct, Some(Find::Both)) => Used { crush: is_along_line(case), after: true },
@@ -52,7 +52,7 @@ pub(crate) fn of_purpose(case: &Case, purpose: Purpose) -> Vec<String> {
     left_aside(case, used)
 }
 
-/// Whether the vehicles approach along one line, where momentum alone does not give both speeds.
+/// Whether the vehicles approach along one line, so that momentum alone does not give both speeds.
 fn is_along_line(case: &Case) -> bool {
     let [Some(one), Some(two)] = case.headings() else { return false };
     let apart = principal_angle(two - one).abs();
@@ -88,13 +88,13 @@ pub(crate) fn left_aside(case: &Case, used: Used) -> Vec<String> {
     keys
 }
 
-/// Whether the case tells a damage, and not that there is none.
+/// Whether the case gives damage, rather than stating that there is none.
 fn has_crush(vehicle: &GivenVehicle) -> bool {
     let has_ees = vehicle.energy.as_ref().is_some_and(|known| known.ees().is_some());
     !vehicle.fixed && (vehicle.crush.is_some() || has_ees)
 }
 
-/// Where the evidence of the case contradicts an impact at speeds (m/s) that it did not lead to.
+/// The contradictions between evidence of the case and an impact whose speeds (m/s) were found without it.
 pub(crate) fn contradictions(case: &Case, analysis: &Analysis, used: Used) -> Vec<Warning> {
     let Some(exchange) = analysis.exchange() else { return Vec::new() };
     let mut warnings = Vec::new();
@@ -132,7 +132,7 @@ pub(crate) fn contradictions(case: &Case, analysis: &Analysis, used: Used) -> Ve
                     left,
                 ),
             ];
-            // The error of a part is that of the whole: a direction is not known better than a size.
+            // The error of a component is that of the whole: a direction is not known better than a size.
             let whole =
                 parts.iter().filter_map(|(_, given, _)| *given).fold(0.0, |sum: f64, part| sum + part * part);
             let limit = (CONTRADICTS * error * whole.sqrt()).max(LEAST_DIFFERENCE);

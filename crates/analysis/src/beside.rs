@@ -1,4 +1,4 @@
-//! What a report to hand over has beside the analysis itself.
+//! Additions of a report to the analysis itself.
 
 use std::ops::ControlFlow;
 
@@ -11,31 +11,31 @@ use crate::failure::Failure;
 use crate::sensitivity::{Sensitivity, Sweep};
 use crate::uncertainty::{Plan, Stage, Uncertainty, is_searched_back, is_uncertain};
 
-/// Samples where nobody says how many: enough for three digits, in a blink.
+/// Default number of samples: enough for three digits, in a blink.
 pub const SAMPLES: usize = 100_000;
 
-/// The same of a case whose vehicles are searched back from their rests: each takes some milliseconds. Their
+/// Default number of samples if the vehicles are traced back from rest: each takes some milliseconds. Their
 /// 95 % interval is known to some per cent of its width.
 pub const BACKWARD_SAMPLES: usize = 1_000;
 
-/// Samples behind a report on a case of very many numbers, through all of which each sample goes: at least so
-/// many, and more while samples times numbers remain below some seconds' work. The report says how many they
-/// are; on any other case they are as many as elsewhere.
+/// Samples of a report on a case with very many numbers, all of which every sample uses: the minimum, and the
+/// maximum of samples times numbers, some seconds' work. The report states the number of samples; any other
+/// case has the default number.
 const LEAST_REPORT_SAMPLES: usize = 500;
 const REPORT_NUMBERS: usize = 100_000_000;
 
-/// [`SAMPLES`], or [`BACKWARD_SAMPLES`] where each is searched back.
+/// [`SAMPLES`], or [`BACKWARD_SAMPLES`] if each is traced back from rest.
 #[must_use]
 pub fn usual_samples(case: &Case) -> usize {
     if is_searched_back(case) { BACKWARD_SAMPLES } else { SAMPLES }
 }
 
-/// What the uncertain inputs make of an analysis.
+/// The effects of the uncertain inputs on an analysis.
 #[derive(Debug, Default)]
 pub struct Beside {
-    /// Where the case has any, and the analysis is one of an impact or a motion.
+    /// If the case has uncertain inputs, and the analysis is one of an impact or a motion.
     pub uncertainty: Option<Uncertainty>,
-    /// Where besides a speed or a motion was found.
+    /// If, in addition, a speed or a motion was found.
     pub sensitivity: Option<Sensitivity>,
 }
 
@@ -44,9 +44,9 @@ pub struct Beside {
 const ZONES: usize = 10;
 const LEAST_BACKWARD_SAMPLES: usize = 100;
 
-/// What a report to hand over has beside an analysis of the case.
+/// The additions of a report to an analysis of the case.
 ///
-/// `progress` receives the stage, what is done of it and of how much, and may end the samples.
+/// `progress` receives the stage, the work done of it and its total, and may end the sampling.
 ///
 /// # Errors
 /// [`Failure`], as [`uncertainty()`] and [`sensitivity()`].
@@ -56,7 +56,7 @@ pub fn beside(
     progress: &mut (dyn FnMut(Stage, usize, usize) -> ControlFlow<()> + Send),
 ) -> Result<Beside, Failure> {
     let is_followed = analysis.travel.iter().any(Option::is_some);
-    // A motion alone is propagated only of a case that has nothing else to find.
+    // Only the motion is propagated if the case has nothing else to find.
     let is_motion = is_followed && case.impact.is_none() && case.reconstruct.is_none();
     if !((analysis.exchange().is_some() || is_motion) && is_uncertain(case)) {
         return Ok(Beside::default());

@@ -1,4 +1,4 @@
-//! Both speeds, from how the vehicles left the impact.
+//! Both speeds, found from how the vehicles left the impact.
 
 mod choice;
 
@@ -17,8 +17,8 @@ use crate::speeds::{BothFound, BothMethod, CgLine, Combination};
 use crate::travel::{self, Origin, Record, Way, Ways, departures};
 use crate::warning;
 
-/// (m) from the CG of vehicle 1 to that of vehicle 2: between the places that the case gives, or by the arms
-/// to the contact point.
+/// (m) from the CG of vehicle 1 to that of vehicle 2: between the given positions, or by the arms to the
+/// contact point.
 fn between_cgs(case: &Case, momentum: &Momentum) -> Vector2<f64> {
     let given = case.vehicles.each_ref().map(|vehicle| {
         let place = vehicle.position.as_ref()?;
@@ -32,15 +32,15 @@ fn between_cgs(case: &Case, momentum: &Momentum) -> Vector2<f64> {
     one.arm() - two.arm()
 }
 
-/// Both speeds, as an equation.
+/// The equation for both speeds.
 pub(crate) struct Posed<T = f64> {
     /// Momentum, and how the vehicles left the impact.
     pub(crate) momentum: Momentum<T>,
-    /// The crush energy, where momentum alone does not tell one speed from the other.
+    /// The crush energy, if momentum alone does not separate the speeds.
     pub(crate) by_crush: Option<ByCrush<T>>,
-    /// The ways that tell how the vehicles left the impact, or follow from it.
+    /// The paths that show how the vehicles left the impact, or follow from it.
     pub(crate) ways: [Option<Way<T>>; 2],
-    /// The law, where the case gives one and the contact.
+    /// The law, if the case gives it and the contact.
     pub(crate) law: Option<VaryingLaw<T>>,
     sought: Sought<T>,
     geometry: Geometry,
@@ -49,13 +49,13 @@ pub(crate) struct Posed<T = f64> {
     pub(crate) one_velocity: bool,
 }
 
-/// The law at the closing speed, and what it makes of the impact.
+/// The law at the closing speed, and the impact by it.
 type ByLaw<T> = (Law<T>, Outcome<T>);
 
-/// What momentum along one line lacks.
+/// The additional data for momentum along one line.
 pub(crate) struct ByCrush<T = f64> {
     pub(crate) search: MomentumAndCrush<T>,
-    /// (J) of both vehicles.
+    /// (J) crush energy of both vehicles.
     crush_energy: T,
 }
 
@@ -77,7 +77,7 @@ impl<T: Real> Posed<T> {
         Some(contact.impact(before, &law).map(|outcome| (law, outcome)).map_err(Failure::from))
     }
 
-    /// (m/s) both speeds, where the crush energy is not needed for them.
+    /// (m/s) both speeds, if they do not need the crush energy.
     pub(crate) fn speeds(&self) -> Result<[T; 2], Failure> {
         let momentum = &self.momentum;
         let beside = |vehicle: VehicleId, found: T, other: T| match vehicle {
@@ -96,7 +96,7 @@ impl<T: Real> Posed<T> {
         })
     }
 
-    /// (–) e at a fixed object; of a curve, that at the closing speed that it gives itself.
+    /// (–) e at a fixed object; of a curve, the value at the closing speed that it leads to itself.
     fn wall_restitution(&self, vehicle: VehicleId) -> Result<T, Failure> {
         let Some(law) = &self.law else { return Err(MomentumError::Fixed { vehicle }.into()) };
         let mut e = law.at(T::ZERO).restitution();
@@ -114,8 +114,8 @@ impl<T: Real> Posed<T> {
         Ok(e)
     }
 
-    /// What the speeds (m/s) imply: of point masses, along the line of the impulse, and of vehicles that left
-    /// as one body, with the yaw rate that they then have in common.
+    /// The implications of the speeds (m/s): for point masses, along the line of the impulse; for vehicles
+    /// that left as one body, with the common yaw rate that they then have.
     pub(crate) fn implied(&self, speeds: [T; 2]) -> Result<(Momentum<T>, Implied<T>), Failure> {
         let momentum = match self.geometry {
             Geometry::PointMasses => self.momentum.central(speeds)?,
@@ -130,14 +130,14 @@ impl<T: Real> Posed<T> {
     }
 }
 
-/// Whether one velocity is known of two vehicles, and of neither how it turned.
+/// Whether both vehicles have the same velocity, and neither has a known yaw rate.
 fn is_yaw_open<T: Real>(after: &[Departure<T>; 2]) -> bool {
     let [one, two] = after;
     one.yaw_rate.is_none() && two.yaw_rate.is_none() && one.velocity == two.velocity
 }
 
-/// How often the restitution of a curve is put in again: each round brings the speed nearer by a factor of
-/// about the steepness of the curve, and 40 of a half leave 1e-12 of it.
+/// Number of iterations for a restitution curve: each one reduces the error of the speed by a factor of about
+/// the steepness of the curve, and 40 factors of one half leave 1e-12 of it.
 const WALL_ROUNDS: usize = 40;
 
 /// Poses the equation for both speeds.
@@ -149,7 +149,7 @@ pub(crate) fn pose<T: Real>(input: TwoSpeedInput<T>, ways: &mut impl Ways<T>) ->
     let one = if body_1.is_fixed() { Some(stays) } else { one };
     let two = if body_2.is_fixed() { Some(stays) } else { two };
     let [arm_1, arm_2] = input.contact.participants().each_ref().map(|participant| participant.arm());
-    // Of point masses it is not known how their CGs lay to each other.
+    // The relative position of the CGs of point masses is unknown.
     let apart = match input.geometry {
         Geometry::Given => arm_1 - arm_2,
         Geometry::Plane | Geometry::PointMasses => Vector2::new(T::ZERO, T::ZERO),
@@ -181,8 +181,8 @@ pub(crate) fn pose<T: Real>(input: TwoSpeedInput<T>, ways: &mut impl Ways<T>) ->
     Ok(Posed { momentum, by_crush, ways, law, sought, geometry, locked_together, one_velocity })
 }
 
-/// Both speeds as an equation, with the starts that agree best with the impulse, all combinations of starts,
-/// and what they were held against.
+/// The equation for both speeds, with the starts that agree best with the impulse, all combinations of
+/// starts, and the evidence with which they were compared.
 struct Agreed {
     posed: Posed,
     combinations: Vec<Combination>,
@@ -204,7 +204,7 @@ impl Agreed {
             basis,
             crush_ln: errors(case).crush_ln,
         };
-        // One speed beside a known one, and point masses, are held against less than the choice needs.
+        // One speed next to a known one, and point masses, have too little evidence for the choice.
         let is_chosen = posed.sought == Sought::Both && posed.geometry == Geometry::Given;
         let combinations = if is_chosen && posed.law.is_some() {
             choice::agreeing(&mut posed, record, motion.as_ref(), &evidence)?
@@ -220,7 +220,7 @@ pub(crate) fn pose_agreeing(case: &Case, input: TwoSpeedInput) -> Result<Posed, 
     Ok(Agreed::new(case, input, &mut Record::of(Origin::Given))?.posed)
 }
 
-/// (m/s) a vehicle that comes out slower than this, backward, may have stood: 1 km/h.
+/// (m/s) a vehicle found to move backward more slowly than this may have stood still: 1 km/h.
 const STOOD: f64 = 1.0 / 3.6;
 
 /// Finds both speeds, or one from the momentum.
@@ -270,7 +270,7 @@ pub(crate) fn reconstruct(case: &Case) -> Result<Analysis, Failure> {
         .and_then(|restitution| choice::spread(&momentum, speeds, &evidence, restitution));
     let velocities = |motions: [pim_core::Motion; 2]| motions.map(|motion| motion.velocity);
     let after = momentum.after.map(|departure| departure.velocity);
-    // Of point masses it is not known where their CGs lie.
+    // The positions of the CGs of point masses are unknown.
     let cg_line = match geometry {
         Geometry::Given => CgLine::new(between_cgs(case, &momentum), velocities(implied.before), after),
         Geometry::Plane | Geometry::PointMasses => None,
@@ -291,7 +291,7 @@ pub(crate) fn reconstruct(case: &Case) -> Result<Analysis, Failure> {
     let mut warnings = Vec::new();
     for (vehicle, speed) in both.vehicles().map(|vehicle| (vehicle, speeds[vehicle.index()])) {
         warnings.extend(warning::of_given_speed(case, vehicle, speed));
-        // Rests and velocities after the impact leave so much of the speed of a vehicle that stood.
+        // Rest positions and velocities after the impact are this inaccurate for a vehicle that stood.
         if speed < -STOOD {
             warning::of_found_speed(vehicle, speed, &mut warnings);
         }

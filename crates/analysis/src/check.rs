@@ -1,4 +1,4 @@
-//! What a check of an analysis compared.
+//! The comparison of a check.
 
 use inputs::Axes;
 use pim_core::VehicleId;
@@ -6,7 +6,7 @@ use pim_core::VehicleId;
 use crate::codes::codes;
 use crate::travel::Pass;
 
-/// (rad) what the sums of a few angles within a turn or two are rounded by, and more.
+/// (rad) more than the rounding error of sums of a few angles within a turn or two.
 const ANGLE_ROUNDING: f64 = 1e-12;
 
 /// One comparison. Values are in SI units.
@@ -16,33 +16,33 @@ pub struct Check {
     pub quantity: CheckedQuantity,
     /// The value found.
     pub value: f64,
-    /// The greatest value allowed or, for a direction of rotation, the least.
+    /// The largest value allowed or, for a direction of rotation, the smallest.
     pub limit: f64,
 }
 
-/// What a check compares.
+/// The compared quantity.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum CheckedQuantity {
-    /// The ratio of the greater peak force to the lesser: by Newton's third law, 1.
+    /// The ratio of the larger peak force to the smaller: by Newton's third law, 1.
     ForceBalance,
     /// (rad) how far the two directions of force that the file gives are from opposite.
     PdofsOpposite,
     /// |W_n + λ W_t − E|/E.
     DamageEnergy {
-        /// (J) W_n + λ W_t, of which the case's basis gives λ: 0 unless it is a share of the tangential work.
+        /// (J) W_n + λ W_t, with λ from the case's basis: 0 unless that is a share of the tangential work.
         normal_work: f64,
-        /// (J) E, the share of the crush energy that the impact dissipates on the case's basis.
+        /// (J) E, the part of the crush energy that the impact dissipates on the case's basis.
         crush_energy: f64,
     },
     /// e above 15 m/s of closing speed: at most 0.3. Below that speed every possible e is acceptable, so
     /// there is no check.
     Restitution,
     /// (N·m·s) moment about the CG of the impulse that acts along the line of action of the file's PDOF, or
-    /// of the computed one where a moment impulse acts too; counted positive in the sense in which the yaw
-    /// rate changed. Without either the impulse alone makes the change (I ΔΩ = r × P), and there is nothing
-    /// to hold it against.
+    /// of the computed one if a moment impulse acts too; positive in the sense of the change of the yaw rate.
+    /// Without either, the impulse alone makes the change (I ΔΩ = r × P), and there is nothing to compare it
+    /// with.
     Rotation {
-        /// Which vehicle.
+        /// The vehicle.
         vehicle: VehicleId,
     },
     /// |W_n + λ W_t − E|/E with the works that both speeds and the velocities after the impact imply.
@@ -54,15 +54,15 @@ pub enum CheckedQuantity {
         /// (–) λ.
         tangential_share: f64,
     },
-    /// (N·s) momentum across the heading of the vehicle whose speed was sought, which no speed of it
-    /// accounts for.
+    /// (N·s) momentum across the heading of the vehicle whose speed was found, for which no speed of it
+    /// accounts.
     MomentumAcross {
-        /// Which vehicle.
+        /// The vehicle.
         vehicle: VehicleId,
         /// (N·s) to the left of its heading, or to the right in z-down axes.
         surplus: f64,
     },
-    /// How far the restitution that they imply lies outside of 0 to 1, where the case gives none.
+    /// How far the restitution that they imply lies outside 0 to 1, if the case gives none.
     PossibleRestitution {
         /// (–) as implied.
         implied: f64,
@@ -74,47 +74,47 @@ pub enum CheckedQuantity {
         /// (–) of the case, at this closing speed.
         given: f64,
     },
-    /// How far the impulse ratio that they imply lies outside of 0 to μ_c.
+    /// How far the impulse ratio that they imply lies outside 0 to μ_c.
     MomentumRatio {
         /// (–) as implied.
         implied: f64,
         /// (–) μ_c.
         critical: f64,
     },
-    /// (rad/s) the difference between the yaw rate after the impact that the impulse at C gives and the one
-    /// that the rest or the case tells.
+    /// (rad/s) the difference between the yaw rate after the impact by the impulse at C and the one by the
+    /// rest position or the case.
     MomentumYawRate {
-        /// Which vehicle.
+        /// The vehicle.
         vehicle: VehicleId,
         /// (rad/s) by the impulse at C.
         implied: f64,
-        /// (rad/s) by the rest, or as given.
+        /// (rad/s) by the rest position, or as given.
         told: f64,
     },
     /// (rad) the difference between the PDOF that they imply and that of the case.
     MomentumPdof {
-        /// Which vehicle.
+        /// The vehicle.
         vehicle: VehicleId,
         /// (rad) as implied.
         implied: f64,
         /// (rad) of the case.
         given: f64,
     },
-    /// By how much the way to rest misses a point of the path, in place or by the turn of the wheelbase if
-    /// that is more, as a share of the way.
+    /// By how much the path to rest misses a point, in position or by the turn of the wheelbase if that is
+    /// more, as a share of the path.
     PointMissed {
-        /// Which vehicle.
+        /// The vehicle.
         vehicle: VehicleId,
-        /// Which of its points, counted from 1.
+        /// The number of the point, counted from 1.
         point: usize,
-        /// How the way passes it.
+        /// How the path passes it.
         pass: Pass,
     },
-    /// How far from the measured rest the way ends that leads there, as a share of the way.
+    /// How far the path to the measured rest position ends from it, as a share of the path.
     RestMissed {
-        /// Which vehicle.
+        /// The vehicle.
         vehicle: VehicleId,
-        /// (m) how far.
+        /// (m) that distance.
         miss: f64,
     },
 }
@@ -144,7 +144,7 @@ impl Check {
     pub fn passed(&self) -> bool {
         match self.quantity {
             CheckedQuantity::Rotation { .. } => self.value >= self.limit,
-            // Two neighbouring hours are as far apart as may be.
+            // Two adjacent hours are exactly at the limit.
             CheckedQuantity::PdofsOpposite => self.value <= self.limit + ANGLE_ROUNDING,
             _ => self.value <= self.limit,
         }
@@ -177,7 +177,7 @@ impl Check {
         Self { quantity, ..self }
     }
 
-    /// The vehicle that it is about; none for one of the collision.
+    /// The vehicle that it concerns; `None` for a check of the collision.
     #[must_use]
     pub fn vehicle(&self) -> Option<VehicleId> {
         match self.quantity {
@@ -198,7 +198,7 @@ impl Check {
         }
     }
 
-    /// Whether it holds momentum against other evidence.
+    /// Whether it compares momentum with other evidence.
     #[must_use]
     pub fn is_of_momentum(&self) -> bool {
         matches!(

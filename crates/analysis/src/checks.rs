@@ -1,5 +1,4 @@
-//! Checks whether the input is consistent with the results. Each check reports what it compared, passed or
-//! not.
+//! Checks whether the input is consistent with the results. Each check reports its comparison, passed or not.
 
 use std::f64::consts::PI;
 
@@ -19,12 +18,12 @@ use crate::thresholds::{
 use crate::travel::Travel;
 use crate::vehicle::Vehicle;
 
-/// (m/s, rad/s) velocities and yaw rates so near those of one body are such.
+/// (m/s, rad/s) velocities and yaw rates that differ from those of one body by less than this count as such.
 const AS_ONE: f64 = 0.1;
 
-/// What both speeds and the velocities after the impact imply, against all else that is known of it, each
-/// within what its `spread` explains. The crush energy (J) is the part that the impact dissipates on its
-/// basis.
+/// The implications of both speeds and of the velocities after the impact, compared with all other evidence,
+/// each within the limits that its `spread` explains. The crush energy (J) is the part that the impact
+/// dissipates on its basis.
 pub(crate) fn implied(
     momentum: &Momentum,
     implied: &Implied,
@@ -57,7 +56,7 @@ pub(crate) fn implied(
         let quantity = CheckedQuantity::MomentumRatio { implied: mu, critical };
         checks.push(Check { quantity, value, limit: SURE * spread.impulse_ratio });
     }
-    // Vehicles that leave as one body hold each other, so that no impulse at one point tells how they turn.
+    // Vehicles that leave as one body hold each other: an impulse at one point does not give their turn.
     let is_one_body = locked_together || momentum.is_of_one_body(AS_ONE);
     for (i, vehicle) in VehicleId::ALL.into_iter().enumerate() {
         if let Some(told) = momentum.after[i].yaw_rate.filter(|_| !is_one_body) {
@@ -70,15 +69,15 @@ pub(crate) fn implied(
     checks
 }
 
-/// How far a restitution lies outside of 0 to 1.
+/// How far a restitution lies outside 0 to 1.
 fn possible(e: f64) -> Check {
     let value = (e - 1.0).max(-e).max(0.0);
     let quantity = CheckedQuantity::PossibleRestitution { implied: e };
     Check { quantity, value, limit: RESTITUTION_DIFFERENCE }
 }
 
-/// The same of the speeds found, and the PDOF that goes with them. Without a `spread`, as of point masses and
-/// of a fixed object, the restitution alone is judged: whether there is such a one.
+/// The same for the speeds found, and the PDOF that goes with them. Without a `spread`, as for point masses
+/// and a fixed object, only the restitution is checked: whether it is possible.
 pub(crate) fn of_momentum(
     both: &BothFound,
     impact: Option<&Impact>,
@@ -115,7 +114,7 @@ pub(crate) fn of_momentum(
     checks
 }
 
-/// How near the ways come to the rests they were sought for, and how they pass the points of the paths.
+/// How near the paths come to the rest positions for which they were found, and how they pass their points.
 pub(crate) fn of_travel(travel: &[Option<Travel>; 2]) -> Vec<Check> {
     let mut checks = Vec::new();
     for (vehicle, travel) in VehicleId::ALL.into_iter().zip(travel) {
@@ -128,7 +127,7 @@ pub(crate) fn of_travel(travel: &[Option<Travel>; 2]) -> Vec<Check> {
             checks.push(Check { quantity, value: miss / travel.rest.distance, limit: REST_MISSED });
         }
         for (i, (pass, value)) in travel.passes.iter().zip(travel.shares_missed()).enumerate() {
-            // A vehicle that does not move has no way that a length could be a share of.
+            // A vehicle that does not move has no path length to divide by.
             if value.is_finite() {
                 let quantity = CheckedQuantity::PointMissed { vehicle, point: i + 1, pass: *pass };
                 checks.push(Check { quantity, value, limit: POINT_MISSED });
@@ -138,7 +137,7 @@ pub(crate) fn of_travel(travel: &[Option<Travel>; 2]) -> Vec<Check> {
     checks
 }
 
-/// All checks that there are values for: headings (rad) and the part of the crush energy (J) that the impact
+/// All checks for which there are values: headings (rad) and the part of the crush energy (J) that the impact
 /// dissipates on its basis, as far as they are known.
 pub(crate) fn checks(
     vehicles: &[Vehicle; 2],
@@ -151,7 +150,7 @@ pub(crate) fn checks(
     let inferred = damage.iter().flatten().any(|damage| damage.inferred.is_some());
     if let [Some(f1), Some(f2)] = damage.map(|d| d.and_then(|d| d.oblique).map(|oblique| oblique.peak_force))
         && !inferred
-        // Without a force on one side there is no ratio: a warning says so.
+        // Without a force on one side there is no ratio, which a warning reports.
         && f1.min(f2) > 0.0
     {
         // max F/min F
@@ -162,7 +161,7 @@ pub(crate) fn checks(
     if let ([Some(p1), Some(p2)], [Some(h1), Some(h2)]) = (given, headings) {
         // The force comes from the scene angle θ − PDOF.
         let value = principal_angle((h1 - p1) - (h2 - p2) + PI).abs();
-        // Two hours of the clock may be off by half an hour each.
+        // Two hours of the clock may each be off by half an hour.
         let half_hours: f64 = vehicles.iter().map(Vehicle::half_hour).sum();
         let limit = if half_hours > 0.0 { half_hours } else { PDOF_DIFFERENCE };
         checks.push(Check { quantity: CheckedQuantity::PdofsOpposite, value, limit });
@@ -192,7 +191,7 @@ pub(crate) fn checks(
     checks
 }
 
-/// (N·m·s) `None` where the vehicle does not turn, has no line of action, or cannot but turn with it.
+/// (N·m·s) `None` if the vehicle does not turn, has no line of action, or has to turn with it in any case.
 fn moment_with_rotation(impact: &Impact, vehicle: &Vehicle, id: VehicleId) -> Option<f64> {
     let subject = &vehicle.subject;
     subject.inertia?;
@@ -209,7 +208,7 @@ fn moment_with_rotation(impact: &Impact, vehicle: &Vehicle, id: VehicleId) -> Op
         return None;
     }
     let sense = turned.signum();
-    // Of an hour of the clock, the direction within it that turns the vehicle the most in that sense.
+    // For an hour of the clock, the direction within it that turns the vehicle most in that sense.
     let (given, half_hour) = (vehicle.crash3_pdof()?, vehicle.half_hour());
     let best = Real::atan2(sense * forward, sense * left);
     let pdof = given + principal_angle(best - given).clamp(-half_hour, half_hour);

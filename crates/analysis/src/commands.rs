@@ -1,4 +1,4 @@
-//! What may be asked of a case. An answer also says whether the evidence that it leaves aside can be weighed.
+//! The analyses of a case. An answer also says whether the evidence that it does not use can be weighed.
 
 use std::ops::ControlFlow;
 
@@ -13,15 +13,15 @@ use crate::sensitivity::{self, Sensitivity, Sweep};
 use crate::solve;
 use crate::uncertainty::{self, Plan, Stage, Uncertainty};
 
-/// An analysis of a case, with whether the evidence that it leaves aside can be weighed.
+/// An analysis of a case, and whether the evidence that it does not use can be weighed.
 fn with_weighing(case: &Case, mut analysis: Analysis) -> Analysis {
     analysis.can_be_weighed = !analysis.left_aside.is_empty() && can_be_weighed(case);
     analysis
 }
 
-/// Finds the speed that makes the work of the normal impulse equal the crush energy; or both speeds, where
-/// the case seeks them, from how the vehicles left the impact. Where the case has the ground and the drag for
-/// it, the vehicles are followed to rest.
+/// Finds the speed that makes the work of the normal impulse equal the crush energy, or both speeds, if the
+/// case asks for both, from how the vehicles left the impact. If the case has the ground and the drag for it,
+/// the vehicles are followed to rest.
 ///
 /// # Errors
 /// [`Failure`].
@@ -29,8 +29,8 @@ pub fn reconstruct(case: &Case) -> Result<Analysis, Failure> {
     solve::reconstruct(case).map(|analysis| with_weighing(case, analysis))
 }
 
-/// Solves the impact of a case that gives both speeds, and follows the vehicles to rest where the case has
-/// the ground and the drag for it.
+/// Solves the impact of a case that gives both speeds, and follows the vehicles to rest if the case has the
+/// ground and the drag for it.
 ///
 /// # Errors
 /// [`Failure`].
@@ -58,7 +58,7 @@ pub fn furthest(case: &Case) -> Result<Analysis, Failure> {
 /// Solves the case with its own law and with every other. It uses the coefficients of the case where they
 /// apply, and states an assumption where they do not. It reconstructs a case with a `[reconstruct]` table,
 /// and solves the impact of one with both speeds. A case with `[reconstruct]` whose file has both the damage
-/// and how the vehicles left the impact is also solved from either alone.
+/// and how the vehicles left the impact is also solved from each alone.
 ///
 /// # Errors
 /// [`Failure`] if the case has no answer with its own law.
@@ -72,14 +72,14 @@ pub fn compare(case: &Case) -> Result<Comparison, Failure> {
 }
 
 /// Differentiates a case with `[reconstruct]` or with a motion to rest, and sweeps the direction of force of
-/// any case whose damage is known.
+/// any case with known damage.
 ///
 /// The derivatives are exact: the same equations are evaluated on numbers that carry their derivative. The
-/// speed found is a root s of the residual R(s, p) = W_n − E, so its derivative by an input p is
-/// −(∂R/∂p)/(∂R/∂s), whichever method found it. Of several unknowns x, such as the velocity and the yaw rate
-/// of each vehicle that lead to its rest, dx/dp = −(∂R/∂x)⁻¹ ∂R/∂p (implicit function theorem).
+/// speed found is a root s of the residual R(s, p) = W_n − E, so its derivative with respect to an input p is
+/// −(∂R/∂p)/(∂R/∂s), whichever method found it. For several unknowns x, such as the velocity and the yaw rate
+/// of each vehicle that lead to its rest position, dx/dp = −(∂R/∂x)⁻¹ ∂R/∂p (implicit function theorem).
 ///
-/// The way to rest is differentiated over the steps that its integration took.
+/// The path to rest is differentiated along the steps of its integration.
 ///
 /// # Errors
 /// [`Failure`] if the case has no answer.
@@ -91,15 +91,15 @@ pub fn sensitivity(case: &Case, sweep: Sweep) -> Result<Sensitivity, Failure> {
 /// Propagates the ranges of a case through `reconstruct` or, if the case gives both speeds and asks for none,
 /// through `impact`, or through `motion` if it has no impact.
 ///
-/// Every sample goes through the functions that the central values go through. A range of A or B moves G,
-/// where the file does not give that: G = A²/2B of each sample. PDOFs are counted on beyond ±180°, so that
-/// they lie about the central one. The start of a way that leads to a rest is sought from that at the central
-/// values, and with a turn by as much: where several starts lead there, one the short way and one the long
-/// way round, all samples take the same. `progress` is told what is done of how much, and may end the run.
+/// Every sample goes through the same functions as the central values. A range of A or B varies G if the file
+/// does not give G: G = A²/2B of each sample. PDOFs continue beyond ±180°, so that they lie around the
+/// central one. The start of a path that leads to a rest position is searched for from that at the central
+/// values, with about the same turn: if several starts lead there, one the short way round and one the long
+/// way, all samples take the same. `progress` receives the work done and its total, and may end the run.
 ///
 /// # Errors
-/// [`Failure`] where the case has no answer at its central values, where nothing is a range, and where a
-/// range or the plan makes no sense.
+/// [`Failure`] if the case has no answer at its central values, if nothing is a range, or if a range or the
+/// plan is invalid.
 pub fn uncertainty(
     case: &Case,
     plan: &Plan,
@@ -108,11 +108,11 @@ pub fn uncertainty(
     uncertainty_of(case, plan, &|_| true, progress)
 }
 
-/// The same of the outputs that are wanted alone: the others are neither kept nor summarised, which saves
-/// most of their time and memory. What there is has the same bits.
+/// The same for only the outputs that are requested: the others are neither kept nor summarised, which saves
+/// most of their time and memory. The results have the same bits.
 ///
 /// # Errors
-/// As for [`uncertainty()`], and where the case has none of the outputs.
+/// As for [`uncertainty()`], and if the case has none of the outputs.
 pub fn uncertainty_of(
     case: &Case,
     plan: &Plan,

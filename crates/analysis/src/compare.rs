@@ -18,7 +18,7 @@ pub struct Comparison {
     pub own: Analysis,
     /// One row for each other law.
     pub laws: Vec<LawRow>,
-    /// What the damage, the momentum and both together say, where the case has all of them.
+    /// The answers of the damage, of the momentum and of both together, if the case has all of them.
     pub evidence: Option<ByEvidence>,
 }
 
@@ -60,10 +60,10 @@ fn solve(case: &Case) -> Result<Analysis, Failure> {
     if case.reconstruct.is_some() { reconstruct(case) } else { impact(case) }
 }
 
-/// Every law but the case's own, each with what is assumed of its coefficients.
+/// Every law except the case's own, each with the assumptions for its coefficients.
 fn others(case: &Case, own: &Analysis) -> Vec<(ImpactLaw, &'static str)> {
     let Some(impact) = &case.impact else { return Vec::new() };
-    // Woolley's laws say that there is no restitution.
+    // Woolley's laws assume no restitution.
     let restitution = impact.law.restitution().cloned().unwrap_or(Restitution::Constant(0.0));
     let brach = |tangential, moment_restitution| ImpactLaw::Brach {
         restitution: restitution.clone(),

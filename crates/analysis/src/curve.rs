@@ -1,5 +1,5 @@
-//! The work that is held against the crush energy, over the speed sought. The answer is where it is the work
-//! sought.
+//! The work that is compared with the crush energy, against the unknown speed. The answer is where it equals
+//! the required work.
 
 use inputs::Case;
 
@@ -10,23 +10,23 @@ use crate::goal::at;
 /// One point of the curve.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct WorkPoint {
-    /// (m/s) speed along the heading of the vehicle whose speed is sought.
+    /// (m/s) speed along the heading of the vehicle whose speed is unknown.
     pub speed: f64,
-    /// (J) W_n at that speed; negative or not a number where no impact can happen.
+    /// (J) W_n at that speed; negative or not a number if no impact can happen.
     pub normal_work: f64,
-    /// (J) W_n + λ W_t at that speed, of which the basis gives λ: W_n alone unless it is a share of the
+    /// (J) W_n + λ W_t at that speed, with λ from the basis: W_n alone unless that is a share of the
     /// tangential work.
     pub crush_work: f64,
-    /// (J) the work sought at that speed. It depends on the speed only for a restitution curve with
-    /// the basis `absorbed`.
+    /// (J) the required work at that speed. It depends on the speed only for a restitution curve with the
+    /// basis `absorbed`.
     pub sought: f64,
 }
 
-/// How far beyond the fastest speed of interest the curve goes, as a share of the way to it.
+/// How far the curve extends beyond the fastest speed of interest, as a share of the distance to it.
 const BEYOND: f64 = 0.2;
 
 /// W_n, and W_n + λ W_t, at `samples` equal steps of speed, from the one at which the vehicles just touch
-/// (u_n = 0) to beyond every admissible speed and every step of the root-finder.
+/// (u_n = 0) to beyond every admissible speed and every step of the root finder.
 ///
 /// # Errors
 /// [`Failure`], as for [`reconstruct`](crate::reconstruct).
@@ -52,15 +52,15 @@ pub fn work_curve(case: &Case, found: &Found, samples: usize) -> Result<Vec<Work
     })
 }
 
-/// As a share of the first step of a curve: as near to the touching speed as a normal work still has a sign
-/// of its own.
+/// As a share of the first step of a curve: as near to the touching speed as the sign of a normal work is
+/// still meaningful.
 const NEAR: f64 = 1e-3;
 /// Halvings of a step of the curve: the last is below the rounding of a speed.
 const HALVINGS: usize = 60;
 
-/// (m/s) the speed beyond which the normal work of a [`work_curve`] is positive, or `None` where that is the
-/// one at which the vehicles just touch. There u_n = 0 and with it W_n, whatever P_n; but the impulse that a
-/// law asks for may be a pull there, and becomes a push (P_n > 0) only at a greater approach.
+/// (m/s) the speed beyond which the normal work of a [`work_curve`] is positive; `None` if that is the one at
+/// which the vehicles just touch. There u_n = 0 and with it W_n, whatever P_n; but the impulse of a law may
+/// be a pull there, and become a push (P_n > 0) only at a faster approach.
 ///
 /// # Errors
 /// [`Failure`], as for [`reconstruct`](crate::reconstruct).

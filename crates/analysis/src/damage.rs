@@ -64,7 +64,7 @@ pub(crate) fn assess<T: Real>(
     [s1, s2]: [VehicleData<T>; 2],
     [p1, p2]: [Option<T>; 2],
 ) -> Result<[Vehicle<T>; 2], CrushError> {
-    // The one whose crush was measured comes first: the other's may have to be inferred from it.
+    // The vehicle with a measured crush comes first: that of the other may have to be inferred from it.
     if s1.damage.as_ref().is_some_and(|damage| matches!(damage.evidence, Evidence::ForceBalance { .. })) {
         let second = vehicle(s2, p2, None)?;
         return Ok([vehicle(s1, p1, second.damage.as_ref())?, second]);
@@ -87,14 +87,13 @@ fn vehicle<T: Real>(
         return Ok(Vehicle { subject, damage: None, energy });
     };
     let pdof = given.pdof.or(computed_pdof);
-    // A case of two vehicles that gives no PDOF gives the angle and the arm themselves: its demands see to
-    // that.
+    // A case of two vehicles without a PDOF gives the angle and the arm themselves, as its demands ensure.
     let known_angle = given.oblique_angle.or(pdof.map(|pdof| given.side.oblique_angle(pdof)));
     let oblique_angle = known_angle.unwrap_or(T::ZERO);
     let (profile, structure, inferred) = match &given.evidence {
         Evidence::Measured { profile, structure } => (profile.clone(), structure.clone(), None),
         Evidence::ForceBalance { stiffness, width } => {
-            // A case with a force balance has a measured crush as well: its demands see to that.
+            // A case with a force balance also has a measured crush, as its demands ensure.
             let Some(other) = other else { return Ok(Vehicle { subject, damage: None, energy }) };
             let Some(Oblique { peak_force: force, .. }) = other.oblique else {
                 let angle = other.oblique_angle.map_or(0.0, T::value);
@@ -129,8 +128,8 @@ fn vehicle<T: Real>(
     let line = subject.contact.or(centroid).zip(pdof);
     let moment_arm =
         given.moment_arm.or(line.map(|(point, pdof)| crash3::moment_arm(point, pdof))).unwrap_or(T::ZERO);
-    // An inferred crush has the force that it was inferred from, and less energy than w G where that leaves
-    // no residual crush.
+    // An inferred crush has the force from which it was inferred, and less energy than w G if that force
+    // leaves no residual crush.
     let (crush_energy, peak_force) = match &inferred {
         Some(inferred) => (inferred.crush.energy, Ok(inferred.force)),
         None => (structure.crush_energy(&profile)?, structure.peak_force(&profile, oblique_angle)),
@@ -173,7 +172,7 @@ fn energy_alone<T: Real>(
     Ok(EnergyAlone { crush_energy, ees, pdof, moment_arm })
 }
 
-/// (J) of both vehicles.
+/// (J) crush energy of both vehicles.
 pub(crate) fn crush_energy<T: Real>(vehicles: &[Vehicle<T>; 2]) -> T {
     let energies = vehicles.iter().filter_map(Vehicle::crush_energy);
     energies.fold(T::ZERO, |sum, energy| sum + energy)

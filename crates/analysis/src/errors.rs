@@ -1,4 +1,4 @@
-//! How far the evidence of momentum and of crush may be off.
+//! The errors of the evidence of momentum and of crush.
 
 use evidence::{CrushMisfit, Damage, FITTED};
 use inputs::{Case, GivenVehicle, KnownEnergy};
@@ -6,10 +6,10 @@ use reconcile::EvidenceErrors;
 
 use crate::thresholds::{DIRECTION_AFTER_ERROR, SPEED_AFTER_ERROR};
 
-/// What is taken for the errors of the evidence where momentum and the crush energy are weighed.
+/// The errors of the evidence when momentum and the crush energy are weighed.
 ///
-/// That of the crush energy is the bias and the spread that were fitted on real crashes together: the bias
-/// counts as an error because that of the stiffness in a file is not known. On the RICSAC collisions it is
+/// That of the crush energy combines the bias and the spread that were fitted to real crashes: the bias
+/// counts as an error because the bias of the stiffness in a file is unknown. On the RICSAC collisions it is
 /// 0.5.
 pub(crate) fn errors(case: &Case) -> EvidenceErrors {
     let side = |vehicle: &GivenVehicle| match (&vehicle.crush, &vehicle.energy) {

@@ -1,4 +1,4 @@
-//! Both speeds, and all else, from all the evidence of a case.
+//! Both speeds, and all other results, from all the evidence of a case.
 
 mod block;
 mod impacts;
@@ -31,82 +31,82 @@ use outputs::Told;
 pub use pieces::{PieceFound, SameTwice};
 pub use setup::Assumed;
 
-/// How to estimate.
+/// The settings of an estimate.
 #[derive(Clone, Copy, Debug)]
 pub struct EstimatePlan {
     /// Number of particles of each of 16 islands. A run that does not converge is repeated with twice as
-    /// many, and once more with four times as many; so is one of [`PARTICLES`](Self::PARTICLES) of which the
-    /// draws are worth fewer than 1,000 independent ones.
+    /// many, and once more with four times as many; so is one with [`PARTICLES`](Self::PARTICLES) whose
+    /// effective sample size is below 1,000.
     pub particles: usize,
     /// The random seed: the same seed gives the same results.
     pub seed: u64,
-    /// In place of the `prior` of the case.
+    /// Replaces the `prior` of the case.
     pub prior: Option<inputs::Prior>,
-    /// Whether each piece of evidence is judged on its own and the answer found without it, which takes a run
-    /// for each.
+    /// Whether to judge each piece of evidence on its own and to find the answer without it, which takes a
+    /// run for each.
     pub pieces: bool,
 }
 
 impl EstimatePlan {
-    /// Particles of an island where nobody says how many.
+    /// Default number of particles of an island.
     pub const PARTICLES: usize = 256;
 }
 
-/// What all the evidence says.
+/// The result of all the evidence.
 #[derive(Debug)]
 pub struct Estimated {
     /// The prior of the severity.
     pub prior: inputs::Prior,
-    /// What was observed, each with its error (SI).
+    /// The observations, each with its error (SI).
     pub observed: Observed,
-    /// How the crush energy of each vehicle was obtained, where it is evidence.
+    /// How the crush energy of each vehicle was obtained, if it is evidence.
     pub energies: [Option<EnergyMethod>; 2],
-    /// Whether each vehicle may have stood, where its speed is unknown.
+    /// Whether each vehicle may have stood still, if its speed is unknown.
     pub stood: [Option<Stood>; 2],
     /// The keys of errors that the case does not give.
     pub default_errors: Vec<String>,
     /// The unknown numbers.
     pub unknown: Vec<UnknownNumber>,
-    /// What is known of the results before and after the evidence.
+    /// The results before and after the evidence.
     pub outputs: Vec<EstimatedOutput>,
     /// The pieces of evidence.
     pub pieces: Vec<PieceFound>,
-    /// Pieces that say the same thing twice.
+    /// Pieces that count the same observation twice.
     pub same_twice: Vec<SameTwice>,
     /// The keys of the evidence that the answer itself misses by more than [`MISSED`] of its errors: no
-    /// collision has all of the evidence.
+    /// collision agrees with all of the evidence.
     pub missed: Vec<String>,
-    /// What the case gives and the estimate does not use.
+    /// Data of the case that the estimate does not use.
     pub unused: Vec<Unused>,
     /// The draws: a column for each of the unknown numbers, and one for each output.
     pub posterior: Posterior,
-    /// The same before the evidence; `None` where that run did not converge.
+    /// The same before the evidence; `None` if that run did not converge.
     pub before: Option<Posterior>,
-    /// How many likelihoods were computed, with those of what stands beside the answer.
+    /// Number of likelihoods computed, including those for the pieces and the prior.
     pub evaluations: usize,
 }
 
-/// How probable it is that a vehicle stood.
+/// The probability that a vehicle stood still.
 #[derive(Clone, Copy, Debug)]
 pub struct Stood {
-    /// (–) as assumed, before it is asked which vehicles collide at all.
+    /// (–) as assumed, before taking account of which vehicles can collide at all.
     pub assumed: f64,
-    /// (–) of the collisions that are possible before the evidence; `None` where that run did not converge.
+    /// (–) among the collisions that are possible before the evidence; `None` if that run did not converge.
     pub before: Option<Estimate>,
     /// (–) after it.
     pub after: Estimate,
 }
 
-/// A number that is unknown.
+/// An unknown number.
 #[derive(Clone, Debug)]
 pub struct UnknownNumber {
     /// Its key, or that of the number that it multiplies.
     pub key: String,
-    /// The unit of the case; `None` of a plain number.
+    /// The unit of the case; `None` for a plain number.
     pub unit: Option<&'static Unit>,
-    /// What is known of it before the evidence, in that unit.
+    /// Its distribution before the evidence, in that unit.
     pub prior: Distribution,
-    /// Why that, where the case does not give it.
+    /// The reason for that distribution, if the case does not give it.
     pub assumed: Option<Assumed>,
     /// The same after the evidence.
     pub posterior: DrawsSummary,
@@ -123,13 +123,13 @@ pub struct EstimatedOutput {
     pub posterior: DrawsSummary,
 }
 
-/// (–) where the interval of 95 % after the evidence is wider than this share of the one before, and the
-/// median has hardly moved, the evidence does not tell the result.
+/// (–) if the 95 % interval after the evidence is wider than this share of the one before, and the median has
+/// hardly moved, the evidence does not determine the result.
 pub const TOLD_BELOW: f64 = 0.8;
 
 impl EstimatedOutput {
-    /// Whether the evidence tells it: its interval of 95 % is at most [`TOLD_BELOW`] of the one before, or
-    /// its median lies outside of the interval that held half of what was thought of before.
+    /// Whether the evidence determines it: its 95 % interval is at most [`TOLD_BELOW`] of the one before, or
+    /// its median lies outside the interval that contained half of the probability before.
     #[must_use]
     pub fn is_told(&self) -> bool {
         let Some(before) = &self.prior else { return true };
@@ -143,7 +143,7 @@ impl EstimatedOutput {
         !self.varies() || has_moved || width(&self.posterior) <= TOLD_BELOW * width(before)
     }
 
-    /// Whether its draws differ by more than rounding: a known speed, even of an uncertain heading, does not.
+    /// Whether its draws differ by more than rounding: not for a known speed, even with uncertain heading.
     #[must_use]
     pub fn varies(&self) -> bool {
         let DrawsSummary { median, intervals, .. } = &self.posterior;
@@ -152,7 +152,7 @@ impl EstimatedOutput {
     }
 }
 
-/// The results that [`estimate()`] gives of a case.
+/// The results that [`estimate()`] gives for a case.
 ///
 /// # Errors
 /// [`Failure`] where the case lacks something, or where a distribution makes no sense.
@@ -161,10 +161,10 @@ pub fn estimate_outputs(case: &Case) -> Result<Vec<Output>, Failure> {
     Ok(outputs::of(&setup.impacts))
 }
 
-/// The keys of the evidence that [`estimate()`] uses of a case.
+/// The keys of the evidence that [`estimate()`] uses in a case.
 ///
 /// # Errors
-/// [`Failure`] where the case lacks something, or where a distribution makes no sense.
+/// [`Failure`] if the case lacks something, or if a distribution is invalid.
 pub fn estimate_evidence(case: &Case) -> Result<Vec<String>, Failure> {
     let setup = setup::of(case, None)?;
     let model = Model::of(setup.impacts, setup.observed);
@@ -184,7 +184,7 @@ pub enum EstimateStage {
 }
 
 impl Estimated {
-    /// What is doubtful of the run. If anything is, what the draws say is not an answer.
+    /// The doubts about the run. If there are any, the draws are not an answer.
     #[must_use]
     pub fn doubts(&self) -> &[SamplerDoubt] {
         match self.posterior.verdict() {
@@ -193,7 +193,7 @@ impl Estimated {
         }
     }
 
-    /// The least effective sample size of all numbers.
+    /// The smallest effective sample size of all numbers.
     #[must_use]
     pub fn ess(&self) -> f64 {
         self.posterior.diagnosis().ess()
@@ -228,26 +228,26 @@ impl Estimated {
     }
 }
 
-/// How many times as many particles at most are taken where a run does not converge: they are doubled twice.
+/// Maximum factor by which the particles are increased if a run does not converge: they are doubled twice.
 const MOST_TIMES: usize = 4;
-/// What the draws are worth at least where nobody says how many: else they are doubled as where a run does
-/// not converge.
+/// Minimum effective sample size with the default number of particles: below it, they are doubled as if the
+/// run had not converged.
 const WORTH: f64 = 1000.0;
-/// Islands of a run of which a piece of evidence shows a median and an interval, and of one that begins anew
-/// where it contradicts the rest: few, so that the particles of each tell in many dimensions how to move.
+/// Islands of a run for the median and interval of a piece, and of one from the prior for a piece that
+/// contradicts the rest: few, so that the particles of each suffice to adapt moves in many dimensions.
 const PIECE_ISLANDS: usize = 4;
 const ANEW_ISLANDS: usize = 8;
-/// Particles of these islands, as a share of those of the answer, and at least.
+/// Particles of these islands: the divisor of those of the answer, and the minimum.
 const PIECE_SHARE: usize = 2;
 const PIECE_LEAST: usize = 256;
 
-/// Estimates what the evidence of a case says.
+/// Estimates the results from the evidence of a case.
 ///
-/// `progress` receives the stage, what is done of it and of how much, and may end the run.
+/// `progress` receives the stage, the work done of it and its total, and may end the run.
 ///
 /// # Errors
-/// [`Failure`] where the case lacks something, where a distribution makes no sense, and where the evidence
-/// excludes every collision.
+/// [`Failure`] if the case lacks something, if a distribution is invalid, or if the evidence excludes every
+/// collision.
 pub fn estimate(
     case: &Case,
     plan: &EstimatePlan,
@@ -267,7 +267,7 @@ pub fn estimate(
         posterior.map_err(|failure| refused(failure, model.pieces()))
     };
 
-    // Who ends one run wants no other.
+    // Ending one run ends all of them.
     let ended = AtomicBool::new(false);
     let mut progress = |stage: EstimateStage, done: usize, total: usize| {
         let flow = progress(stage, done, total);
@@ -289,7 +289,7 @@ pub fn estimate(
         particles = (2 * particles).min(most);
     };
 
-    // What holds of every run: how severe such collisions are, and what is certain.
+    // Terms of every run: the severity of such collisions, and certain limits.
     let always = |piece: &Piece| matches!(piece, Piece::Severity | Piece::Limits(_));
     let places = |wanted: &dyn Fn(&Piece) -> bool| -> Vec<usize> {
         let pieces = model.pieces().iter().enumerate();
@@ -330,7 +330,7 @@ pub fn estimate(
         .into_iter()
         .enumerate()
         .map(|(place, unknown)| {
-            // A speed itself, where its value also says whether the vehicle stood.
+            // The speed itself if its value also encodes whether the vehicle stood.
             let speed = VehicleId::ALL.into_iter().find(|id| unknown.key == format!("{}.speed", table(*id)));
             let quantity = match speed.and_then(|id| told.speed_place(id)) {
                 Some(output) => ::estimate::DrawnQuantity::Output(output),
@@ -349,7 +349,7 @@ pub fn estimate(
     let mut pieces = Vec::new();
     for (done, &term) in judged.iter().enumerate() {
         if !is_ended() {
-            // What it returns is remembered.
+            // The return value is stored by `progress`.
             let _ = progress(EstimateStage::Piece, done, judged.len());
         }
         let mut quietly = |_: usize, _: usize| ControlFlow::Continue(());
@@ -397,16 +397,16 @@ pub fn estimate(
     })
 }
 
-/// (–) an answer that misses a piece of evidence by more than this many of its errors does not have that
-/// piece: a normal error is larger once in 16,000.
+/// (–) an answer that misses a piece of evidence by more than this many of its errors does not agree with it:
+/// a normal error exceeds this once in 16,000.
 pub const MISSED: f64 = 4.0;
 
-/// The keys of the evidence in use of which some number is off by more than [`MISSED`] errors in most draws:
-/// no collision has all of the evidence.
+/// The keys of the evidence in use with a number that is off by more than [`MISSED`] errors in most draws: no
+/// collision agrees with all of the evidence.
 fn missed(model: &Model<impacts::CaseImpacts>, posterior: &Posterior) -> Vec<String> {
     let mut keys = Vec::new();
     for (part, scores) in model.parts().iter().zip(posterior.residuals()) {
-        // An angle has its error there, which is at most half a turn.
+        // The score of an angle is its error itself, at most half a turn.
         if part.turn.is_some() || !posterior.used()[part.term] {
             continue;
         }
@@ -419,7 +419,7 @@ fn missed(model: &Model<impacts::CaseImpacts>, posterior: &Posterior) -> Vec<Str
     keys
 }
 
-/// Whether a recorder's longitudinal ΔV has the sign that no collision of the draws has.
+/// Whether a recorder's longitudinal ΔV has the opposite sign of all draws.
 fn has_other_sign(found: &PieceFound, observed: &Observed, told: &Told<'_>, posterior: &Posterior) -> bool {
     let Piece::RecordedDeltaV(id) = found.piece else { return false };
     let Some(part) = observed.vehicles[id.index()].recorder.longitudinal else { return false };
@@ -448,7 +448,7 @@ fn refused(failure: ::estimate::Failure, pieces: &[Piece]) -> Failure {
     Failure::Excluded(Box::new(Impossible { culprits, together, exclusion }))
 }
 
-/// A fault of the case where a distribution makes no sense.
+/// A fault of the case for an invalid distribution.
 fn of_number(key: &str, result: Result<Distribution, InvalidDistribution>) -> Result<Distribution, Failure> {
     result.map_err(|error| {
         let kind = inputs::FaultKind::Refused { reason: error.to_string() };

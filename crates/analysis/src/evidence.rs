@@ -1,4 +1,4 @@
-//! What the damage, the momentum and both together say of one collision.
+//! The answers of the damage, of the momentum and of both together for one collision.
 
 use std::f64::consts::PI;
 
@@ -19,18 +19,18 @@ use crate::speeds::BothMethod;
 #[derive(Debug)]
 #[non_exhaustive]
 pub struct ByEvidence {
-    /// (J) crush energy of both vehicles, as measured; `None` where no vehicle has damage data.
+    /// (J) crush energy of both vehicles, as measured; `None` if no vehicle has damage data.
     pub crush_energy: Option<f64>,
-    /// The damage, without anything after the impact.
+    /// The damage, without any data after the impact.
     pub damage: Result<EvidenceAnswer, NoEvidence>,
     /// The momentum after the impact, without the crush energy.
     pub momentum: Result<EvidenceAnswer, NoEvidence>,
-    /// Momentum and the crush energy: of approaches along one line the momentum along it, and of those that
-    /// cross all of it, weighed against the crush energy.
+    /// Momentum and the crush energy: if the approaches are collinear, the momentum along their line; if they
+    /// cross, all of it, weighed against the crush energy.
     pub together: Result<EvidenceAnswer, NoEvidence>,
 }
 
-/// What one kind of evidence says, as far as it does.
+/// The answer of one kind of evidence, as far as it goes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct EvidenceAnswer {
@@ -40,7 +40,7 @@ pub struct EvidenceAnswer {
     pub speeds: Option<[f64; 2]>,
     /// (m/s) ΔV of both vehicles.
     pub delta_v: [f64; 2],
-    /// (m/s) −u_n, with which the vehicles approach each other along the normal at C.
+    /// (m/s) −u_n, the speed at which the vehicles approach each other along the normal at C.
     pub closing_speed: Option<f64>,
     /// (J) the crush energy that the impact would need, on the case's basis.
     pub crush_energy: Option<f64>,
@@ -56,35 +56,35 @@ pub enum EvidenceMethod {
         /// Whose speed is given.
         given: VehicleId,
     },
-    /// From the crush energy: the vehicles approach along one line, so that it tells how fast, but not which
-    /// part of that each had.
+    /// From the crush energy: the vehicles approach along one line, so it gives their relative speed, but not
+    /// the share of each.
     DamageAlongLine,
     /// CRASH3, from the crush energy and a direction of force.
     Crash3 {
-        /// Whether the case gives the direction; else it is that of the momentum.
+        /// Whether the case gives the direction; otherwise it is that of the momentum.
         pdof_is_given: bool,
     },
     /// From momentum: the approaches cross.
     Momentum,
-    /// From momentum along the heading of one vehicle, and the speed that the case gives for this other.
+    /// From momentum along the heading of one vehicle, and the given speed of the other.
     MomentumAndSpeed {
         /// Whose speed is given.
         given: VehicleId,
     },
-    /// From the way out of a fixed object and the restitution there.
+    /// From the departure from a fixed object and the restitution there.
     Wall {
-        /// Which vehicle hit it.
+        /// The vehicle that hit it.
         vehicle: VehicleId,
         /// (–) e.
         restitution: f64,
     },
-    /// From momentum along the line that the approaches share, and the crush energy.
+    /// From momentum along the common line of the approaches, and the crush energy.
     MomentumAndDamage,
     /// From momentum and the crush energy, weighed by their errors: the approaches cross.
     Weighed {
         /// The errors.
         errors: EvidenceErrors,
-        /// (–) how many standard deviations momentum and crush energy lie apart.
+        /// (–) difference between momentum and crush energy, in standard deviations.
         apart: f64,
     },
 }
@@ -92,18 +92,18 @@ pub enum EvidenceMethod {
 /// Why a kind of evidence has no answer.
 #[derive(Debug)]
 pub enum NoEvidence {
-    /// The approaches cross, so that the damage tells neither speed without the other, and the force does not
-    /// push on the damaged sides, so that CRASH3 has no ΔV.
+    /// The approaches cross, so the damage gives neither speed without the other, and the force does not push
+    /// on the damaged sides, so CRASH3 has no ΔV.
     NeedsSpeedOrPdof,
     /// The approaches lie within 10° of one line, and no speed or both are given: momentum alone does not
-    /// tell one speed from the other.
+    /// separate the speeds.
     NeedsSpeed {
         /// (rad) the angle between the headings.
         angle: f64,
     },
     /// No vehicle has damage data.
     NoDamage,
-    /// The case does not give what the impact law needs: contact points, yaw inertias and `[impact]`.
+    /// The case lacks data of the impact law: contact points, yaw inertias and `[impact]`.
     NoLaw,
     /// It has no answer.
     Failed(Failure),
@@ -115,7 +115,7 @@ impl From<Failure> for NoEvidence {
     }
 }
 
-/// The answers by evidence, where a case that seeks a speed has both the damage of its vehicles and how they
+/// The answers by evidence, if a case with an unknown speed has both the damage of its vehicles and how they
 /// left the impact. `own` is its answer as it stands.
 pub(crate) fn by_evidence(case: &Case, own: &Analysis) -> Option<ByEvidence> {
     case.reconstruct.as_ref()?;
@@ -137,7 +137,7 @@ pub(crate) fn by_evidence(case: &Case, own: &Analysis) -> Option<ByEvidence> {
     })
 }
 
-/// The answer of momentum, where there is no damage to hold it against.
+/// The answer of momentum, if there is no damage to compare it with.
 fn without_damage(own: &Analysis) -> ByEvidence {
     let momentum = || {
         let both = own.both.as_ref()?;
@@ -167,7 +167,7 @@ fn without_damage(own: &Analysis) -> ByEvidence {
     }
 }
 
-/// Whether a vehicle can move, its damage is known, and how it left the impact.
+/// Whether a vehicle can move, with known damage and a known departure from the impact.
 fn has_both(vehicle: &GivenVehicle) -> bool {
     let is_told = vehicle
         .after
@@ -182,8 +182,8 @@ fn seeking(case: &Case, find: Find) -> Case {
     Case { reconstruct, ..case.clone() }
 }
 
-/// The vehicle whose speed is known, where the other is sought; of a case that seeks both, the only one with
-/// a speed.
+/// The vehicle with a known speed, if the other one is unknown; in a case that asks for both, the only one
+/// with a speed.
 fn given_speed(case: &Case) -> Option<VehicleId> {
     match case.reconstruct?.find {
         Find::One(unknown) => Some(unknown.vehicle().other()),
@@ -198,7 +198,7 @@ fn given_speed(case: &Case) -> Option<VehicleId> {
     }
 }
 
-/// (rad) between the headings.
+/// (rad) angle between the headings.
 fn angle(case: &Case) -> Option<f64> {
     let [Some(one), Some(two)] = case.headings() else { return None };
     Some(real::principal_angle(two - one).abs())
@@ -208,7 +208,7 @@ fn is_along_line(angle: f64) -> bool {
     angle <= COLLINEAR || angle >= PI - COLLINEAR
 }
 
-/// From the damage, as if nothing were known of the time after the impact.
+/// The answer of the damage, as if nothing were known after the impact.
 fn by_damage(case: &Case, own: &Analysis) -> Result<EvidenceAnswer, NoEvidence> {
     let mut bare = case.clone();
     for vehicle in &mut bare.vehicles {
@@ -227,7 +227,7 @@ fn by_damage(case: &Case, own: &Analysis) -> Result<EvidenceAnswer, NoEvidence> 
         return of_impact(&analysis, by).ok_or(NoEvidence::NeedsSpeedOrPdof);
     }
     if angle(case).is_some_and(is_along_line) {
-        // An impact depends on the relative velocity alone: any speed of vehicle 2 gives the same one.
+        // An impact depends only on the relative velocity: any speed of vehicle 2 gives the same one.
         bare.vehicles[1].motion = Quantity::from_si(0.0, Dimension::Speed).ok().map(Velocity::Speed);
         let analysis = found(&bare, VehicleId::Two)?;
         let answer = of_impact(&analysis, EvidenceMethod::DamageAlongLine);
@@ -252,14 +252,14 @@ fn by_damage(case: &Case, own: &Analysis) -> Result<EvidenceAnswer, NoEvidence> 
     })
 }
 
-/// Momentum after the impact, and what it lacks where the approaches do not cross.
+/// Momentum after the impact, and the additional data that it needs if the approaches do not cross.
 fn posed(case: &Case) -> Result<(Posed, Basis), Failure> {
     let input = seeking(case, Find::Both).two_speeds()?;
     let basis = input.basis;
     Ok((pose_agreeing(case, input)?, basis))
 }
 
-/// From the momentum after the impact, without the crush energy.
+/// The answer of the momentum after the impact, without the crush energy.
 fn by_momentum(case: &Case) -> Result<EvidenceAnswer, NoEvidence> {
     let (posed, basis) = posed(case)?;
     let momentum = &posed.momentum;
@@ -289,7 +289,7 @@ fn by_momentum(case: &Case) -> Result<EvidenceAnswer, NoEvidence> {
     })
 }
 
-/// From momentum and the crush energy (J).
+/// The answer of momentum and the crush energy (J).
 fn by_both(case: &Case, crush_energy: f64) -> Result<EvidenceAnswer, NoEvidence> {
     let (posed, basis) = posed(case)?;
     let (speeds, by) = if let Some(by_crush) = &posed.by_crush {
@@ -328,13 +328,13 @@ fn of_impact(analysis: &Analysis, by: EvidenceMethod) -> Option<EvidenceAnswer> 
     })
 }
 
-/// (J) those of the normal and of the tangential impulse.
+/// (J) works of the normal and of the tangential impulse.
 pub(crate) fn works(outcome: &Outcome) -> [f64; 2] {
     [outcome.energy.normal_work, outcome.energy.tangential_work]
 }
 
-/// (J) the crush energy of which an impact with these works (J) of the normal and the tangential impulse
-/// takes its part; `None` where the restitution e lets it take none.
+/// (J) the crush energy that corresponds to an impact with these works (J) of the normal and the tangential
+/// impulse; `None` if the restitution e lets the impact dissipate none of it.
 pub(crate) fn needed(
     basis: Basis,
     [normal_work, tangential_work]: [f64; 2],
@@ -346,14 +346,14 @@ pub(crate) fn needed(
     energy.is_finite().then_some(energy)
 }
 
-/// (m/s) the speed of a vehicle along its heading, as the case gives it.
+/// (m/s) the speed of a vehicle along its heading, as given.
 fn speed_along_heading(case: &Case, vehicle: VehicleId) -> Option<f64> {
     let given = &case.vehicles[vehicle.index()];
     Some(match given.motion? {
         Velocity::Speed(speed) => speed.si(),
         Velocity::Vector { x, y } => {
             let (sin, cos) = Real::sin_cos(given.heading?.si());
-            // v·ê, in which two changes of the axes cancel
+            // v·ê, in which two changes of axes cancel
             x.si() * cos + y.si() * sin
         }
     })

@@ -1,4 +1,4 @@
-//! Evidence that an answer may leave aside.
+//! Evidence that an answer may not use.
 
 /// Evidence that may contradict an answer which does not use it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -10,15 +10,15 @@ pub enum Evident {
     RecordedLongitudinal,
     /// (m/s) the recorder's ΔV across the vehicle.
     RecordedLateral,
-    /// (m/s) the speed where its skid begins.
+    /// (m/s) the speed at the start of its skid.
     SkidSpeed,
     /// (m/s) the speed after the impact.
     SpeedAfter,
     /// (rad) the direction of the velocity after the impact.
     DirectionAfter,
-    /// (m/s) the speed that it had at least.
+    /// (m/s) a lower limit of its speed.
     AtLeast,
-    /// (m/s) the speed that it had at most.
+    /// (m/s) an upper limit of its speed.
     AtMost,
 }
 

@@ -1,4 +1,4 @@
-//! What the impact did, one value for each quantity.
+//! The effect of the impact, one value for each quantity.
 
 use inputs::Geometry;
 use pim_core::{Energy, Motion, NormalTangential, Outcome, Real, Vector2};
@@ -8,8 +8,8 @@ use crate::impact::Impact;
 use crate::seen::Seen;
 use crate::speeds::BothFound;
 
-/// What the impact did, by what gave the speeds: where momentum did, the motions after the impact that the
-/// evidence tells; else what the impact law makes of the speeds.
+/// The effect of the impact, depending on the source of the speeds: if that is momentum, the motions after
+/// the impact are those of the evidence; otherwise, they follow from the speeds by the impact law.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Exchange {
@@ -17,7 +17,7 @@ pub struct Exchange {
     pub before: [Motion; 2],
     /// (m/s) the velocities after.
     pub velocities: [Vector2<f64>; 2],
-    /// (rad/s) the yaw rates after; `None` of point masses whose case does not give them.
+    /// (rad/s) the yaw rates after; `None` for point masses whose case does not give them.
     pub yaw_rates: [Option<f64>; 2],
     /// (m/s) ΔV vectors V − v in the scene frame.
     pub delta_v: [Vector2<f64>; 2],
@@ -27,19 +27,19 @@ pub struct Exchange {
     pub pdof: [f64; 2],
     /// (N·s) the impulse on vehicle 1 in the scene frame.
     pub impulse_vector: Vector2<f64>,
-    /// The energy balance. By momentum, what is left of the loss beside both works is counted as work of a
-    /// moment: yaw rates that are known need not be those of an impulse at C. Of point masses all is normal
+    /// The energy balance. By momentum, the part of the loss that neither work explains counts as work of a
+    /// moment: known yaw rates need not be those of an impulse at C. For point masses, all of it is normal
     /// work.
     pub energy: EnergyBalance,
-    /// (m/s) −u_n: how fast the vehicles close along the normal at C; of point masses, along the impulse.
+    /// (m/s) −u_n, closing speed along the normal at C; for point masses, along the impulse.
     pub closing_speed: f64,
-    /// (–) e at C, along the normal; of point masses, along the impulse. `None` where they do not close.
+    /// (–) e at C, along the normal; for point masses, along the impulse. `None` if they do not close.
     pub restitution: Option<f64>,
-    /// What happened at C; `None` of point masses.
+    /// The exchange at C; `None` for point masses.
     pub at_contact: Option<AtContact>,
 }
 
-/// What happened at the contact point, along n and t.
+/// The exchange at the contact point, along n and t.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct AtContact {
@@ -49,18 +49,18 @@ pub struct AtContact {
     pub velocities: [NormalTangential<f64>; 2],
     /// (N·s) P on vehicle 1.
     pub impulse: NormalTangential<f64>,
-    /// (–) P_t/P_n; `None` where P does not push.
+    /// (–) P_t/P_n; `None` if P does not push.
     pub impulse_ratio: Option<f64>,
     /// (–) μ_c.
     pub critical_impulse_ratio: Option<f64>,
 }
 
-/// (J) where the kinetic energy went.
+/// (J) the balance of kinetic energy.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct EnergyBalance {
-    /// (J) of both vehicles before.
+    /// (J) of both vehicles before the impact.
     pub before: f64,
-    /// (J) the same after.
+    /// (J) of both vehicles after the impact.
     pub after: f64,
     /// (J) E_L.
     pub loss: f64,
@@ -179,14 +179,13 @@ impl Exchange {
 }
 
 impl Analysis {
-    /// What the impact did; `None` in an analysis of the damage alone, or of the motion alone.
+    /// The effect of the impact; `None` in an analysis of only the damage or only the motion.
     #[must_use]
     pub fn exchange(&self) -> Option<Exchange> {
         Exchange::of(self.both.as_ref(), self.impact.as_ref())
     }
 
-    /// The impact that the law of the case makes of speeds that momentum gave: what the law is held against,
-    /// and no result.
+    /// The impact by the law of the case at the speeds from momentum: a check of the law, not a result.
     #[must_use]
     pub fn law_check(&self) -> Option<&Impact> {
         self.both.as_ref().filter(|both| !both.is_by_crush())?;

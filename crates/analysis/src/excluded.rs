@@ -1,19 +1,19 @@
-//! What excludes every collision, and the keys of the evidence that does.
+//! The pieces of evidence that exclude every collision, and their keys.
 
 use ::estimate::Exclusion;
 use evidence::Piece;
 use pim_core::VehicleId;
 
-/// What excludes every collision that is possible before the evidence.
+/// The evidence that excludes every collision that is possible before it.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Impossible {
-    /// The least that excludes all: no piece where no draw makes an impact, and two where both are possible
+    /// The smallest set that excludes all: no piece if no draw makes an impact, and two if both are possible
     /// alone but not together.
     pub culprits: Vec<Piece>,
     /// Whether it takes more than two pieces.
     pub together: bool,
-    /// What excluded how many.
+    /// How many draws each piece excluded.
     pub exclusion: Exclusion,
 }
 

@@ -27,13 +27,13 @@ pub enum Failure {
         }
     )]
     NotReached {
-        /// Whose speed.
+        /// The vehicle whose speed is unknown.
         vehicle: VehicleId,
-        /// (J) the work sought, W_n + λ W_t.
+        /// (J) the required work, W_n + λ W_t.
         energy: f64,
         /// (–) λ.
         tangential_share: f64,
-        /// The impact that comes nearest, or why none can happen.
+        /// The nearest possible impact, or why none can happen.
         nearest: Result<Iteration, ImpactError>,
     },
     /// The impact has no answer.
@@ -48,17 +48,17 @@ pub enum Failure {
     /// A vehicle does not come to rest after the impact.
     #[error("vehicle {vehicle} does not come to rest: {reason}")]
     NoRest {
-        /// Which.
+        /// The vehicle.
         vehicle: VehicleId,
-        /// Why.
+        /// The reason.
         reason: NoRest,
     },
-    /// No motion after the impact leads to where a vehicle was found.
+    /// No motion after the impact leads to the measured rest position.
     #[error("no motion after the impact brings vehicle {vehicle} to its rest: {reason}")]
     NoStart {
-        /// Which.
+        /// The vehicle.
         vehicle: VehicleId,
-        /// Why.
+        /// The reason.
         reason: Unreached,
     },
     /// The evidence excludes every collision.
@@ -73,7 +73,7 @@ pub enum Failure {
         /// The key of the piece.
         key: String,
     },
-    /// Nothing is uncertain, or the requested samples make no sense.
+    /// Nothing is uncertain, or the requested samples are invalid.
     #[error(transparent)]
     Ranges(#[from] ::uncertainty::InvalidRequest),
 }

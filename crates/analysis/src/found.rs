@@ -8,7 +8,7 @@ use crate::failure::Failure;
 #[derive(Clone, Debug)]
 #[non_exhaustive]
 pub struct Found {
-    /// Whose speed.
+    /// The vehicle of the speed.
     pub unknown: Unknown,
     /// (m/s) the speed along the heading.
     pub speed: f64,
@@ -16,20 +16,20 @@ pub struct Found {
     pub admissible: Vec<f64>,
     /// (J) crush energy of both vehicles.
     pub crush_energy: f64,
-    /// (J) work sought, W_n + λ W_t: the crush energy, less the energy that restitution returns if the basis
-    /// is absorbed energy. λ is 0 unless the basis is a share of the tangential work.
+    /// (J) required work, W_n + λ W_t: the crush energy, less the energy that restitution returns if the
+    /// basis is absorbed energy. λ is 0 unless the basis is a share of the tangential work.
     pub normal_work: f64,
     /// How the relative velocity at C depends on the speed.
     pub line: ApproachLine,
-    /// What the closed form was solved from; `None` where the root-finder gave the answer.
+    /// The equation of the closed form; `None` if the root finder gave the answer.
     pub quadratic: Option<Quadratic>,
-    /// Impulse and sliding over the approach speed, where there is one.
+    /// Impulse and sliding as functions of the approach speed, if they are affine.
     pub affine_impact: Option<AffineImpact>,
-    /// The steps of the root-finder; `None` where a closed form gave the answer.
+    /// The steps of the root finder; `None` if a closed form gave the answer.
     pub iterations: Option<Vec<Iteration>>,
 }
 
-/// Why a problem has no answer, with the impact that comes nearest to one.
+/// Why a problem has no answer, with the nearest possible impact.
 pub(crate) fn refused(problem: &Problem, refusal: ReconcileError) -> Failure {
     match refusal {
         ReconcileError::NotReached { vehicle, energy, tangential_share } => {

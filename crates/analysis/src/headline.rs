@@ -1,5 +1,5 @@
-//! Which answer of a reconstruction is its headline: the exact solution of what is just determined, all the
-//! evidence weighed where there is more.
+//! The headline of a reconstruction: the exact solution if the case is just determined, and all the evidence
+//! weighed if it is over-determined.
 
 use std::ops::ControlFlow;
 
@@ -37,12 +37,12 @@ fn refuting(checks: &[Check]) -> impl Iterator<Item = &Check> {
     })
 }
 
-/// Whether the case has what it takes to weigh its evidence: momentum of point masses needs less.
+/// Whether the case has enough data to weigh its evidence: momentum of point masses needs less.
 pub(crate) fn can_be_weighed(case: &Case) -> bool {
     estimate_evidence(case).is_ok()
 }
 
-/// Why an exact solution is not the answer of its case.
+/// Why the exact solution is not the answer of its case.
 #[derive(Clone, Debug, Default, PartialEq)]
 #[non_exhaustive]
 pub struct Overdetermined {
@@ -55,7 +55,7 @@ pub struct Overdetermined {
 }
 
 impl Analysis {
-    /// What gave the speeds of a reconstruction.
+    /// The evidence that gave the speeds of a reconstruction.
     #[must_use]
     pub fn solved_by(&self) -> EvidenceMethod {
         match (&self.found, self.both.as_ref().map(|both| &both.method)) {
@@ -71,15 +71,15 @@ impl Analysis {
         }
     }
 
-    /// The checks that refute this exact solution: those that hold it against evidence, and not against the
+    /// The checks that refute this exact solution: those that compare it with evidence, and not with the
     /// coefficients of the impact law, which are assumed.
     pub fn refuting(&self) -> impl Iterator<Item = &Check> {
         refuting(&self.checks)
     }
 
-    /// Why this exact solution is not the answer of the case; `None` where the evidence just determines the
-    /// speeds that are sought and the checks hold, where what is left aside cannot be weighed but contradicts
-    /// nothing, and where no speed is sought.
+    /// Why this exact solution is not the answer of the case; `None` if the evidence just determines the
+    /// unknown speeds and the checks hold, if the unused evidence cannot be weighed but contradicts nothing,
+    /// and if no speed is unknown.
     #[must_use]
     pub fn overdetermined(&self) -> Option<Overdetermined> {
         if self.found.is_none() && self.both.is_none() {
@@ -97,7 +97,7 @@ impl Analysis {
     }
 }
 
-/// All the evidence of a case that has more than an exact solution uses, and the exact solutions.
+/// All the evidence of an over-determined case, weighed, and the exact solutions.
 #[derive(Debug)]
 #[non_exhaustive]
 pub struct Weighed {
@@ -105,32 +105,31 @@ pub struct Weighed {
     pub why: Overdetermined,
     /// How the evidence was weighed.
     pub plan: EstimatePlan,
-    /// What it says.
+    /// The result.
     pub estimated: Estimated,
-    /// What its parts say when each is taken as exact.
+    /// The answers of parts of the evidence, each taken as exact.
     pub solutions: Vec<Solution>,
 }
 
-/// What a part of the evidence says when it is taken as exact.
+/// The answer of a part of the evidence that is taken as exact.
 #[derive(Debug)]
 #[non_exhaustive]
 pub struct Solution {
     /// How it was found.
     pub by: EvidenceMethod,
-    /// (m/s) the speeds along the headings, where it tells them.
+    /// (m/s) the speeds along the headings, if it gives them.
     pub speeds: [Option<f64>; 2],
     /// (m/s) ΔV of the vehicles that move.
     pub delta_v: [Option<f64>; 2],
-    /// Which of these lie outside of what all the evidence says, by its interval of 95 %: the speeds, and
-    /// the ΔV.
+    /// Which of them, the speeds and the ΔV, lie outside the 95 % interval of all the evidence.
     pub outside: [[bool; 2]; 2],
-    /// Its checks that fail: of that solution alone which the analysis details.
+    /// Its checks that fail, only for the solution that the analysis details.
     pub failed: Vec<Check>,
     /// Whether the analysis details it.
     pub is_detailed: bool,
 }
 
-/// Weighs all the evidence of a case of which `exact` is the exact solution; `None` where that is the answer.
+/// Weighs all the evidence of a case whose exact solution is `exact`; `None` if that is the answer.
 /// `progress` is that of [`estimate()`].
 ///
 /// # Errors
@@ -148,19 +147,19 @@ pub fn weigh(
 }
 
 impl Weighed {
-    /// What all the evidence says of a result.
+    /// The result of all the evidence for an output.
     #[must_use]
     pub fn output(&self, output: Output) -> Option<&EstimatedOutput> {
         self.estimated.output(output)
     }
 
-    /// The distribution of that.
+    /// The distribution of an output.
     #[must_use]
     pub fn summary(&self, output: Output) -> Option<&DrawsSummary> {
         Some(&self.output(output)?.posterior)
     }
 
-    /// Whether it is an answer: the run has converged, and what it found has all of the evidence.
+    /// Whether it is an answer: the run has converged, and the result agrees with all of the evidence.
     #[must_use]
     pub fn is_answer(&self) -> bool {
         self.estimated.doubts().is_empty() && self.estimated.missed.is_empty()
@@ -176,7 +175,7 @@ fn solutions(case: &Case, exact: &Analysis, estimated: &Estimated) -> Vec<Soluti
     };
     let mut solutions = vec![own.beside(exact, estimated, true)];
     if let Some(ByEvidence { damage, momentum, together, .. }) = by_evidence(case, exact) {
-        // Weighed by momentum and damage alone it would be a second answer beside that of all the evidence.
+        // One weighed from momentum and damage alone would be a second answer next to the weighed one.
         for answer in [damage, momentum, together].into_iter().flatten() {
             let is_exact = !matches!(answer.by, EvidenceMethod::Weighed { .. });
             if is_exact && answer.by != own.by {
@@ -189,7 +188,7 @@ fn solutions(case: &Case, exact: &Analysis, estimated: &Estimated) -> Vec<Soluti
     solutions
 }
 
-/// An exact solution, before it is held against all the evidence.
+/// An exact solution, before it is compared with all the evidence.
 #[derive(Clone, Copy)]
 struct Found {
     by: EvidenceMethod,

@@ -3,7 +3,7 @@
 use inputs::Collision;
 use pim_core::{Contact, ImpactError, Law, Outcome, Real, VaryingLaw, VehicleId};
 
-/// An impact with what it was computed from.
+/// An impact and its inputs.
 #[derive(Clone, Debug)]
 #[non_exhaustive]
 pub struct Impact {
@@ -13,7 +13,7 @@ pub struct Impact {
     pub given_law: VaryingLaw,
     /// The law with the restitution at this closing speed.
     pub law: Law,
-    /// What happened.
+    /// The effect of the impact.
     pub outcome: Outcome,
     /// (rad) principal direction of force of both vehicles, clockwise from the heading in any axes.
     pub pdof: [f64; 2],
@@ -24,7 +24,7 @@ impl Impact {
         Self { contact, given_law, law, outcome, pdof: outcome.pdof() }
     }
 
-    /// (m/s) speed of a vehicle before the impact: negative where it moves backwards.
+    /// (m/s) speed of a vehicle before the impact: negative if it moves backward.
     #[must_use]
     pub fn speed(&self, vehicle: VehicleId) -> f64 {
         let velocity = self.outcome.before[vehicle.index()].velocity;
@@ -41,7 +41,7 @@ pub(crate) fn collide<T: Real>(collision: &Collision<T>) -> Result<(Law<T>, Outc
     collision.contact.impact(collision.motions, &law).map(|outcome| (law, outcome))
 }
 
-/// (m/s) along the normal at C, negative if the vehicles move apart.
+/// (m/s) closing speed along the normal at C, negative if the vehicles move apart.
 pub(crate) fn closing_speed<T: Real>(collision: &Collision<T>) -> T {
     -collision.contact.approach(&collision.motions).velocity.normal
 }

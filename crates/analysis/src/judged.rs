@@ -1,4 +1,4 @@
-//! The checks and warnings of what was found.
+//! The checks and warnings of a result.
 
 use inputs::{Basis, Case, SurfaceData};
 
@@ -13,7 +13,7 @@ use crate::travel::{self, Travel};
 use crate::vehicle::Vehicle;
 use crate::warning::{self, Warning};
 
-/// CRASH3's answer, the checks and the warnings of what was found so far.
+/// CRASH3's answer, and the checks and warnings of the results so far.
 pub(crate) fn judged(
     case: &Case,
     vehicles: [Vehicle; 2],
@@ -24,7 +24,7 @@ pub(crate) fn judged(
 ) -> Result<Analysis, Failure> {
     let alone = case.vehicles.iter().any(inputs::GivenVehicle::is_absent);
     let crash3 = if alone { None } else { damage::crash3(&vehicles, basis.energy(), restitution)? };
-    // Of a speed that was found from the crush energy it would say nothing that the normal work equals it.
+    // If the speed was found from the crush energy, the normal work equals it by construction.
     let energy = crash3
         .as_ref()
         .filter(|_| found.is_none())
@@ -69,7 +69,7 @@ pub(crate) fn judged(
 }
 
 impl Analysis {
-    /// With what the answer leaves aside of the evidence, and where that contradicts it.
+    /// Adds the evidence that the answer does not use, and its contradictions.
     pub(crate) fn beside_the_rest(mut self, case: &Case) -> Self {
         let used = Used::of(self.found.as_ref(), self.both.as_ref().map(|both| &both.method));
         self.left_aside = aside::left_aside(case, used);
@@ -78,7 +78,7 @@ impl Analysis {
         self
     }
 
-    /// With the ways to rest, and the checks and warnings about them.
+    /// Adds the paths to rest, and the checks and warnings about them.
     pub(crate) fn with_travel(mut self, travel: [Option<Travel>; 2], surface: Option<SurfaceData>) -> Self {
         let checks = checks::of_travel(&travel);
         warning::of_travel(&travel, self.both.as_ref(), &checks, &mut self.warnings);

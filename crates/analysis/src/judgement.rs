@@ -1,5 +1,5 @@
-//! Checks a case without solving it: which analyses it allows, what is assumed, and the warnings that need no
-//! answer.
+//! Checks a case without solving it: which analyses it allows, which assumptions it needs, and the warnings
+//! that need no answer.
 
 use crash3::{Side, SideStiffness, VehicleClass};
 use inputs::{
@@ -23,9 +23,9 @@ use crate::warning::{self, Warning};
 /// The result of checking a case without solving it.
 #[derive(Debug)]
 pub struct Judgement {
-    /// What it can be used for: `reconstruct`, `impact`, `crush`, `motion` where it says something of that,
-    /// `uncertainty`, `estimate` where it has evidence that nothing else reads, `compare`, `sensitivity` and
-    /// `draw`.
+    /// The analyses that it can be used for: `reconstruct`, `impact`, `crush`, `motion` if it has data on
+    /// that, `uncertainty`, `estimate` if it has evidence that nothing else reads, `compare`, `sensitivity`
+    /// and `draw`.
     pub abilities: Vec<Ability>,
     /// The assumptions for values that the case does not give, in the order of its keys.
     pub assumptions: Vec<Assumption>,
@@ -34,7 +34,7 @@ pub struct Judgement {
     pub warnings: Vec<Warning>,
 }
 
-/// Whether a case has everything that a purpose needs. Whether it also has an answer shows only when it is
+/// Whether a case has everything that a purpose needs. Whether it also has an answer is only known when it is
 /// solved.
 #[derive(Debug)]
 pub struct Ability {
@@ -44,18 +44,18 @@ pub struct Ability {
     pub on: Purpose,
     /// The values that are missing or contradict each other, if any.
     pub obstacle: Option<Faults>,
-    /// The keys of the evidence that its exact answer does not use; none of an estimate.
+    /// The keys of the evidence that its exact answer does not use; none for an estimate.
     pub left_aside: Vec<String>,
 }
 
 impl Judgement {
-    /// The command that answers most with what the case has: the one whose answer uses all the evidence.
+    /// The purpose with the most complete answer: the one whose answer uses all the evidence.
     #[must_use]
     pub fn answers_most(&self) -> Option<Purpose> {
         let able = |purpose: Purpose| {
             self.abilities.iter().find(|one| one.purpose == purpose && one.obstacle.is_none())
         };
-        // Where the exact solution leaves evidence aside, `reconstruct` weighs all of it.
+        // If the exact solution does not use all evidence, `reconstruct` weighs all of it.
         let order =
             [Purpose::Reconstruct, Purpose::Estimate, Purpose::Impact, Purpose::Crush, Purpose::Motion];
         order.into_iter().find(|purpose| able(*purpose).is_some())
@@ -67,82 +67,82 @@ impl Judgement {
 pub enum Assumption {
     /// The axes are z-up.
     ZUp,
-    /// Places after the impact are counted from the one where the impulse acted.
+    /// Positions after the impact are relative to the point where the impulse acted.
     ImpactAtOrigin,
     /// The ground is level.
     LevelGround,
     /// A, B and G are those of CRASH3's stiffness category.
     CategoryStiffness {
-        /// Of whose damage.
+        /// The damaged vehicle.
         vehicle: VehicleId,
         /// The category, 1 to 5.
         category: u8,
-        /// Of which side.
+        /// The damaged side.
         side: Side,
         /// (N/m, N/m², N) A, B and G.
         abg: [f64; 3],
     },
     /// No yaw rate before the impact.
     YawRate {
-        /// Whose.
+        /// The vehicle.
         vehicle: VehicleId,
     },
     /// The radius of gyration is that of CRASH3's size class.
     ClassInertia {
-        /// Whose.
+        /// The vehicle.
         vehicle: VehicleId,
         /// The class, 1 to 6.
         class: u8,
-        /// (kg·m²) the yaw inertia that follows.
+        /// (kg·m²) the resulting yaw inertia.
         yaw_inertia: f64,
     },
     /// Burg's estimate of the yaw inertia, from wheelbase and length.
     BurgInertia {
-        /// Whose.
+        /// The vehicle.
         vehicle: VehicleId,
         /// (kg·m²) the estimate.
         yaw_inertia: f64,
     },
     /// The contact point is the centroid of the damage.
     ContactPlaced {
-        /// Of which vehicle.
+        /// The vehicle.
         vehicle: VehicleId,
         /// (m) the point, forward and left of the CG or, in z-down axes, right.
         point: [f64; 2],
     },
-    /// Drawings take the outline of CRASH3's size class.
+    /// Drawings use the outline of CRASH3's size class.
     Outline {
-        /// Of which vehicle.
+        /// The vehicle.
         vehicle: VehicleId,
         /// The class whose radius of gyration is nearest, 1 to 6.
         class: u8,
     },
-    /// A measure of the axles is that of CRASH3's size class.
+    /// An axle dimension is that of CRASH3's size class.
     Axle {
-        /// Of which vehicle.
+        /// The vehicle.
         vehicle: VehicleId,
         /// The class, 1 to 6.
         class: u8,
-        /// What is measured.
+        /// The dimension.
         measure: AxleMeasure,
         /// (m) the value.
         value: f64,
     },
     /// The front wheels stay straight after the impact.
     StraightWheels {
-        /// Of which vehicle.
+        /// The vehicle.
         vehicle: VehicleId,
     },
-    /// The wheels skidded before the impact on the friction of the ground.
+    /// The friction of the skid before the impact is that of the ground.
     SkidFriction {
-        /// Of which vehicle.
+        /// The vehicle.
         vehicle: VehicleId,
         /// (–) that friction.
         friction: f64,
     },
     /// The file gives a speed for the vehicle whose speed is to be found; it is not used.
     SpeedUnused {
-        /// Whose.
+        /// The vehicle.
         vehicle: VehicleId,
         /// (m/s) as given.
         given: f64,
@@ -151,62 +151,62 @@ pub enum Assumption {
     },
     /// The stations of the profile are equally spaced over the width.
     EqualSpacing {
-        /// Of whose damage.
+        /// The damaged vehicle.
         vehicle: VehicleId,
     },
     /// G = A²/2B.
     EnergyWithoutCrush {
-        /// Of whose stiffness.
+        /// The vehicle.
         vehicle: VehicleId,
         /// (N) one value or, by zone, several.
         g: Vec<f64>,
     },
     /// The line through the barrier test is the exact one.
     ExactFit {
-        /// Of whose stiffness.
+        /// The vehicle.
         vehicle: VehicleId,
     },
     /// The width of an inferred damage lies within what the vehicle's dimensions allow.
     InferredWidth {
-        /// Of whose damage.
+        /// The damaged vehicle.
         vehicle: VehicleId,
     },
     /// The middle of the damage lies on the vehicle's axis or, for damage to a side, level with its CG.
     Centred {
-        /// Of whose damage.
+        /// The damaged vehicle.
         vehicle: VehicleId,
-        /// Which side is damaged.
+        /// The damaged side.
         side: Side,
     },
     /// The direction of the force is derived from the other vehicle's PDOF or, if that is not given either,
     /// from the impulse.
     Pdof {
-        /// Of the force on which vehicle.
+        /// The vehicle on which the force acts.
         vehicle: VehicleId,
-        /// (rad) by Newton's third law, where the file gives the other PDOF and both headings.
+        /// (rad) by Newton's third law, if the file gives the other PDOF and both headings.
         opposite: Option<f64>,
     },
     /// CRASH3's correction for oblique forces, at most a factor of 2.
     CappedCorrection {
-        /// Of whose energy.
+        /// The vehicle.
         vehicle: VehicleId,
     },
     /// Brach's impact law.
     BrachLaw,
     /// No moment impulse: e_m = −1.
     NoMoment,
-    /// The crush energy is what the normal impulse dissipates.
+    /// The crush energy is the energy dissipated by the normal impulse.
     Dissipated,
 }
 
-/// A measure that says where the axles of a vehicle are.
+/// A dimension that locates the axles of a vehicle.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum AxleMeasure {
     /// Between the axles.
     Wheelbase,
     /// Between the wheels of an axle.
     Track,
-    /// From the CG forward to the front axle; at the share of the wheelbase that it has in the class.
+    /// From the CG forward to the front axle, as the same share of the wheelbase as in the class.
     CgToFrontAxle,
 }
 
@@ -257,15 +257,15 @@ impl Assumption {
     }
 }
 
-/// By how much the radius of gyration may differ from that of the nearest size class, as a share of that, and
-/// (m) how far the contact point may lie outside of the outline of the class: cars of the same class differ
-/// so much.
+/// Maximum difference of the radius of gyration from that of the nearest size class, as a share of that, and
+/// (m) maximum distance of the contact point outside the outline of the class: cars of the same class differ
+/// by this much.
 const CLASS_RADIUS: f64 = 0.15;
 const CLASS_OUTLINE: f64 = 0.6;
 
-/// The size class of CRASH3 whose radius of gyration is nearest, and its typical measures: what drawings show
-/// of a car without an outline. `None` where the vehicle is no car, as its kind, its radius of gyration or
-/// its contact point tells.
+/// The CRASH3 size class with the nearest radius of gyration, and its typical dimensions, which drawings show
+/// for a car without an outline. `None` if the vehicle is not a car, by its kind, its radius of gyration or
+/// its contact point.
 #[must_use]
 pub fn nearest_class(vehicle: &VehicleData) -> Option<(u8, VehicleClass)> {
     let inertia = vehicle.inertia.filter(|_| vehicle.kind.unwrap_or_default() == Kind::Car)?;
@@ -283,8 +283,8 @@ pub fn nearest_class(vehicle: &VehicleData) -> Option<(u8, VehicleClass)> {
 
 /// Judges a case without solving it.
 ///
-/// Warnings are those of the analysis that the case is made for, as far as neither the impulse nor the speed
-/// sought is needed for them: where the file gives a direction of force, the ones that follow from that too.
+/// Warnings are those of the analysis for which the case is made, as far as they need neither the impulse nor
+/// the unknown speed; if the file gives a direction of force, also those that follow from it.
 #[must_use]
 pub fn judge(case: &Case) -> Judgement {
     let seeks = case.reconstruct.is_some();
@@ -305,7 +305,7 @@ pub fn judge(case: &Case) -> Judgement {
     };
     if let Some(collision) = collision {
         warning::of_plane(&collision.contact, &mut warnings);
-        // The speed that is sought is not known.
+        // The closing speed is unknown if a speed has to be found.
         if !seeks {
             let speed = closing_speed(collision);
             warning::of_restitution(collision.law.at(speed).restitution(), speed, &mut warnings);
@@ -334,7 +334,7 @@ pub fn judge(case: &Case) -> Judgement {
         of(Purpose::Impact, Purpose::Impact),
         of(Purpose::Crush, Purpose::Crush),
     ];
-    // A case that says nothing of the time after the impact is not asked for it.
+    // A case without data after the impact is not asked for any.
     if case.vehicles.iter().any(|vehicle| vehicle.after.is_some()) {
         abilities.push(of(Purpose::Motion, Purpose::Motion));
     }
@@ -350,7 +350,7 @@ pub fn judge(case: &Case) -> Judgement {
         let purpose = Purpose::Estimate;
         let obstacle = match estimate_evidence(case) {
             Err(Failure::Case(faults)) => Some(faults),
-            // Anything else shows when it is solved.
+            // Other faults are only found when it is solved.
             _ => None,
         };
         abilities.push(Ability { purpose, on: purpose, obstacle, left_aside: Vec::new() });
@@ -363,7 +363,7 @@ pub fn judge(case: &Case) -> Judgement {
     Judgement { abilities, assumptions, warnings }
 }
 
-/// Whether a case has keys that an estimate alone reads.
+/// Whether a case has keys that only an estimate reads.
 fn is_for_estimate(case: &Case) -> bool {
     let has_evidence = |vehicle: &GivenVehicle| {
         let skids = vehicle.before.as_ref().is_some_and(|before| before.speed.is_some());
@@ -372,7 +372,7 @@ fn is_for_estimate(case: &Case) -> bool {
     case.estimate.is_some() || case.vehicles.iter().any(has_evidence)
 }
 
-/// `speeds` (m/s) of a collision; that which is sought is zero.
+/// `speeds` (m/s) of a collision; an unknown one is zero.
 fn of_vehicles(
     case: &Case,
     mut subjects: [VehicleData; 2],
@@ -390,7 +390,7 @@ fn of_vehicles(
             }
         }
     }
-    // What the engine refuses of a damage is told when it is solved.
+    // The engine's refusal of a damage is reported when it is solved.
     let assessed = damage::assess(subjects.clone(), [None, None]);
     let mut vehicles =
         assessed.unwrap_or_else(|_| subjects.map(|subject| Vehicle { subject, damage: None, energy: None }));
@@ -408,8 +408,8 @@ fn of_vehicles(
     warning::of_checks(&checks, &vehicles, None, Basis::default(), warnings);
 }
 
-/// The values that are assumed where the case gives none, in the order of its keys, for any analysis that
-/// uses them.
+/// The values that are assumed if the case gives none, in the order of its keys, for any analysis that uses
+/// them.
 #[must_use]
 pub fn assumptions(case: &Case) -> Vec<Assumption> {
     assumed(case, &case.subjects())
@@ -483,7 +483,7 @@ fn assumed(case: &Case, subjects: &[Option<VehicleData>; 2]) -> Vec<Assumption> 
         }
     }
     if case.vehicles.iter().any(GivenVehicle::is_absent) {
-        // Where no direction of the force is known, no correction for it is assumed.
+        // If no direction of the force is known, no correction for it is assumed.
         let is_directed = subjects.iter().flatten().any(|subject| subject.pdof().is_some());
         assumptions.retain(|assumption| match assumption {
             Assumption::Pdof { .. } => false,
@@ -499,7 +499,7 @@ fn assumed(case: &Case, subjects: &[Option<VehicleData>; 2]) -> Vec<Assumption> 
             assumptions.push(Assumption::NoMoment);
         }
     }
-    // It counts where a crush energy meets an impact.
+    // It matters if a crush energy is compared with an impact.
     let has_crush = case.vehicles.iter().any(GivenVehicle::has_damage_data);
     let is_default = case
         .reconstruct
@@ -510,13 +510,13 @@ fn assumed(case: &Case, subjects: &[Option<VehicleData>; 2]) -> Vec<Assumption> 
     assumptions
 }
 
-/// Whether a vehicle is followed from the impact to rest, or back from there.
+/// Whether a vehicle is followed from the impact to rest, or back from rest.
 fn is_followed(case: &Case, vehicle: &GivenVehicle) -> bool {
     let can_be = !vehicle.fixed && !vehicle.is_absent() && case.surface.is_some();
     can_be && vehicle.after.as_ref().is_some_and(|after| after.drag.is_some())
 }
 
-/// What the class says of the axles where the vehicle does not.
+/// Axle dimensions of the class that the vehicle lacks.
 fn of_axles(id: VehicleId, vehicle: &GivenVehicle, assumptions: &mut Vec<Assumption>) {
     let is_car = vehicle.kind.unwrap_or_default() == Kind::Car;
     let class = vehicle.class.filter(|_| is_car);

@@ -11,18 +11,18 @@
 //! # }
 //! ```
 //!
-//! [`compare`] puts the answers of all impact laws and of CRASH3 side by side, and those of the damage, of
-//! the momentum after the impact and of both. [`sensitivity`] shows how
-//! sensitive the answer is to each input, and [`uncertainty()`] propagates input ranges to the results.
-//! [`work_curve`] gives the work of the normal impulse over the speed, for a drawing.
+//! [`compare`] shows the answers of all impact laws and of CRASH3 side by side, and those of the damage, of
+//! the momentum after the impact and of both. [`sensitivity`] shows how sensitive the answer is to each
+//! input, and [`uncertainty()`] propagates input ranges to the results. [`work_curve`] gives the work of the
+//! normal impulse against the speed, for a drawing.
 //!
-//! [`judge`] checks a case without solving it: which analyses it allows, what is assumed, and the warnings
-//! that need no answer.
+//! [`judge`] checks a case without solving it: which analyses it allows, which assumptions it needs, and the
+//! warnings that need no answer.
 //!
 //! [`QUANTITIES`] has a row for every number that an analysis gives: its key, label, symbol, kind, source and
 //! how to read it. Each is a constant of [`quantities`], and an [`Output`] is one of them of one vehicle.
 //!
-//! [`beside`] adds to an analysis what a report to hand over has besides.
+//! [`beside`] adds the other contents of a report to an analysis.
 //!
 //! The types: [`reconstruct`], [`impact`] and [`crush`] each return an [`Analysis`]: the impact, each
 //! vehicle's damage, CRASH3's own answer for comparison, and [`Warning`]s. A [`Failure`] says whether the

@@ -14,13 +14,13 @@ use crate::travel::{Skid, Travel};
 use crate::vehicle::Vehicle;
 use crate::warning::{Drive, JumpSide, Warning};
 
-/// A finished analysis as a reader sees it: in the axes of the case, where an [`Analysis`] is in those of the
-/// engine. What is written for people or programs takes this type, so that no number can be written in the
-/// wrong axes.
+/// A finished analysis as a reader sees it: in the axes of the case, whereas an [`Analysis`] is in those of
+/// the engine. Output for people or programs takes this type, so that no number can be written in the wrong
+/// axes.
 #[derive(Clone, Debug)]
 #[non_exhaustive]
 pub struct Seen {
-    /// Those of all its numbers.
+    /// The axes of all its numbers.
     pub axes: Axes,
     /// As [`Analysis::basis`].
     pub basis: Basis,
@@ -79,7 +79,7 @@ impl SeenWarning {
         &self.warning
     }
 
-    /// Those of its numbers.
+    /// The axes of its numbers.
     #[must_use]
     pub fn axes(&self) -> Axes {
         self.axes
@@ -87,17 +87,17 @@ impl SeenWarning {
 }
 
 impl Analysis {
-    /// The analysis with its impact, approach line, contact points, centroids, ways to rest and warnings in
+    /// The analysis with its impact, approach line, contact points, centroids, paths to rest and warnings in
     /// the axes of a reader. A [`DamagedFace`](crash3::DamagedFace) and a chassis stay as they are.
     #[must_use]
     pub fn seen(&self, axes: Axes) -> Seen {
-        // Without `..`: a new field does not compile before somebody has decided what becomes of it.
+        // Without `..`: a new field does not compile until somebody has decided how to convert it.
         let Self {
             basis,
             mut found,
             mut both,
             mut impact,
-            // A picture of it alone is drawn, in the axes of the engine.
+            // It is only drawn, in the axes of the engine.
             geometry: _,
             mut travel,
             skids,

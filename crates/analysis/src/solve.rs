@@ -76,8 +76,8 @@ pub(crate) fn impact(case: &Case) -> Result<Analysis, Failure> {
     Ok(analysis.with_travel(travel, surface).beside_the_rest(case))
 }
 
-/// The motion after the impact alone: to rest where the case gives how a vehicle left the impact, and back
-/// from the rest where it gives that.
+/// Only the motion after the impact: to rest if the case gives how a vehicle left the impact, and back from
+/// the rest position if it gives that.
 ///
 /// # Errors
 /// [`Failure`].
@@ -97,15 +97,14 @@ pub fn motion(case: &Case) -> Result<Analysis, Failure> {
     Ok(Analysis::unsolved(vehicles).with_travel(travel, Some(input.surface)))
 }
 
-/// The vehicles as they stand at the impact with the damage that was measured, whatever is known of their
-/// speeds: what a picture of them needs.
+/// The vehicles at impact with their measured damage, whatever their speeds: the data of a picture of them.
 ///
 /// # Errors
 /// [`Failure`].
 pub fn geometry(case: &Case) -> Result<Analysis, Failure> {
     let Collision { contact, mut vehicles, .. } = case.geometry()?;
     for vehicle in &mut vehicles {
-        // To infer a crush takes the direction of the force, which is not known without the speeds.
+        // A crush can only be inferred with the direction of the force, which is unknown without the speeds.
         vehicle.damage =
             vehicle.damage.take().filter(|damage| matches!(damage.evidence, Evidence::Measured { .. }));
     }
@@ -113,7 +112,7 @@ pub fn geometry(case: &Case) -> Result<Analysis, Failure> {
     Ok(Analysis { geometry: Some(contact), ..Analysis::unsolved(vehicles) })
 }
 
-/// The ways to rest after an impact, where the case has the ground and the drag for them.
+/// The paths to rest after an impact, if the case has the ground and the drag for them.
 fn run_out(case: &Case, after: [Motion; 2]) -> Result<([Option<Travel>; 2], Option<SurfaceData>), Failure> {
     let Some(input) = case.run_out() else { return Ok(([None, None], None)) };
     let input = input?;
@@ -136,7 +135,7 @@ pub(crate) fn furthest(case: &Case) -> Result<Analysis, Failure> {
     solve(case)
 }
 
-/// What solves a case: one of [`reconstruct`], [`impact()`] and [`crush`].
+/// The function that solves a case: one of [`reconstruct`], [`impact()`] and [`crush`].
 type Solve = fn(&Case) -> Result<Analysis, Failure>;
 
 /// The most complete purpose that the case allows, and the function that serves it.
@@ -149,7 +148,7 @@ pub(crate) fn furthest_solver(case: &Case) -> (Purpose, Solve) {
 }
 
 impl Goal {
-    /// The analysis that answers it.
+    /// The analysis of this goal.
     pub(crate) fn solve(self, case: &Case) -> Result<Analysis, Failure> {
         match self {
             Self::Speed | Self::BothSpeeds => reconstruct(case),

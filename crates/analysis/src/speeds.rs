@@ -7,43 +7,43 @@ use reconcile::{Departure, Implied, Momentum};
 use crate::check::Check;
 use crate::thresholds::{COMPARABLE_WEIGHT, MATERIAL_SPEED};
 
-/// Both speeds, and what they rest on.
+/// Both speeds, and their basis.
 #[derive(Clone, Debug)]
 #[non_exhaustive]
 pub struct BothFound {
     /// (m/s) the speeds along the headings.
     pub speeds: [f64; 2],
-    /// What gave them.
+    /// The evidence that gave them.
     pub method: BothMethod,
-    /// (m/s) the ΔV that go with the speeds: by momentum, |V − v|; where the crush energy was needed, those
-    /// of the impact that it makes.
+    /// (m/s) the ΔV that go with the speeds: by momentum, |V − v|; if the crush energy was needed, those of
+    /// the impact with that energy.
     pub delta_v: [f64; 2],
     /// How the vehicles left the impact.
     pub momentum: Momentum,
-    /// How much of the contact is known. Of point masses the normal is the line of the impulse.
+    /// How much of the contact is known. For point masses the normal is the line of the impulse.
     pub geometry: Geometry,
     /// What follows from the speeds and the velocities after the impact, without an impact law.
     pub implied: Implied,
     /// Whether the case says that they left locked together.
     pub locked_together: bool,
-    /// Whether they left as one body that did not turn: the case gives one velocity for both CGs, and of
-    /// neither how it turned.
+    /// Whether they left as one body that did not turn: the case gives one velocity for both CGs, and the yaw
+    /// rate of neither.
     pub one_velocity: bool,
-    /// Every combination of a start of either vehicle that leads to the rests, the one of this answer first:
-    /// it agrees best with the impulse.
+    /// Every combination of a start of either vehicle that leads to the rest positions, the one of this
+    /// answer first: it agrees best with the impulse.
     pub combinations: Vec<Combination>,
-    /// How the CGs approached each other; `None` where they lie in one place.
+    /// How the CGs approached each other; `None` if they coincide.
     pub cg_line: Option<CgLine>,
 }
 
-/// The relative velocity of the CGs along the line through both, as EDCRASH judges an impact: without the
-/// rotation, which [`Implied::restitution`] has.
+/// The relative velocity of the CGs along the line through both, by which EDCRASH judges an impact: without
+/// the rotation, which [`Implied::restitution`] includes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct CgLine {
     /// (m/s) closing speed before the impact.
     pub closing_speed: f64,
-    /// (–) separation speed by closing speed; `None` where the CGs do not approach.
+    /// (–) ratio of separation to closing speed; `None` if the CGs do not approach.
     pub restitution: Option<f64>,
 }
 
@@ -68,30 +68,30 @@ impl CgLine {
     }
 }
 
-/// What gives both speeds.
+/// The evidence that gives both speeds.
 #[derive(Clone, Debug, PartialEq)]
 pub enum BothMethod {
     /// Momentum alone: the approaches cross.
     Momentum,
-    /// Momentum along the heading of one vehicle, and the speed that the case gives for the other.
+    /// Momentum along the heading of one vehicle, and the given speed of the other.
     MomentumAndSpeed {
         /// Whose speed is given.
         given: VehicleId,
     },
-    /// The way out of a fixed object, and the restitution there.
+    /// The departure from a fixed object, and the restitution there.
     Wall {
-        /// Which vehicle hit it.
+        /// The vehicle that hit it.
         vehicle: VehicleId,
-        /// (–) e, which the case gives.
+        /// (–) e, as given.
         restitution: f64,
     },
-    /// Momentum along the line that the approaches share, and the crush energy.
+    /// Momentum along the common line of the approaches, and the crush energy.
     MomentumAndCrush {
         /// (J) crush energy of both vehicles.
         crush_energy: f64,
-        /// (J) the work sought, W_n + λ W_t, of which the basis gives λ.
+        /// (J) the required work, W_n + λ W_t, with λ from the basis.
         normal_work: f64,
-        /// (m/s) the relative speed that was found, from which both follow.
+        /// (m/s) the relative speed that was found, from which both speeds follow.
         relative_speed: f64,
         /// (m/s) all admissible pairs of speeds, from the slowest approach to the fastest.
         admissible: Vec<[f64; 2]>,
@@ -99,13 +99,13 @@ pub enum BothMethod {
 }
 
 impl BothFound {
-    /// Whether the crush energy was needed: the impact is then the one that the law makes of the speeds.
+    /// Whether the crush energy was needed: the impact is then the one by the law at these speeds.
     #[must_use]
     pub fn is_by_crush(&self) -> bool {
         matches!(self.method, BothMethod::MomentumAndCrush { .. })
     }
 
-    /// The only vehicle whose speed was sought; `None` where both were.
+    /// The only vehicle whose speed was unknown; `None` if both were.
     #[must_use]
     pub fn sought(&self) -> Option<VehicleId> {
         match self.method {
@@ -115,28 +115,28 @@ impl BothFound {
         }
     }
 
-    /// The vehicles whose speeds were sought.
+    /// The vehicles whose speeds were unknown.
     pub fn vehicles(&self) -> impl Iterator<Item = VehicleId> + use<> {
         let sought = self.sought();
         VehicleId::ALL.into_iter().filter(move |id| sought.is_none_or(|sought| sought == *id))
     }
 }
 
-/// A start of each vehicle, and what speaks against the two together.
+/// A start of each vehicle, and the evidence against the two together.
 #[derive(Clone, Debug)]
 #[non_exhaustive]
 pub struct Combination {
     /// How each vehicle left the impact.
     pub after: [Departure; 2],
-    /// (rad) how far each vehicle turns on its way to rest; `None` of one that is not followed.
+    /// (rad) how far each vehicle turns on its path to rest; `None` if it is not followed.
     pub turns: [Option<f64>; 2],
     /// (m/s) the speeds along the headings.
     pub speeds: [f64; 2],
-    /// (–) χ² of what the speeds imply against what else is known.
+    /// (–) χ² of the implications of the speeds, compared with the other evidence.
     pub misfit: f64,
-    /// (–) how likely the combination is among all of them.
+    /// (–) probability of the combination among all of them.
     pub weight: f64,
-    /// The checks that it does not pass.
+    /// The checks that it fails.
     pub against: Vec<Check>,
 }
 
@@ -153,8 +153,8 @@ impl Combination {
 }
 
 impl BothFound {
-    /// Other combinations of starts that are of comparable weight and lead to other speeds: the rests do not
-    /// tell which it was.
+    /// Other combinations of starts of comparable weight that lead to other speeds: the rest positions do not
+    /// decide between them.
     pub fn rivals(&self) -> impl Iterator<Item = &Combination> {
         self.combinations.iter().skip(1).filter(|other| {
             let apart = (0..2).map(|i| (other.speeds[i] - self.speeds[i]).abs()).fold(0.0, f64::max);
@@ -163,7 +163,7 @@ impl BothFound {
     }
 }
 
-/// Standard deviations of what momentum implies less what it is held against.
+/// Standard deviations of the differences between the implications of momentum and the evidence.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Spread {
     /// (rad/s) of the yaw rates.

@@ -1,4 +1,4 @@
-//! The motion after the impact: from there to rest, or back from the rest to how the vehicle left the impact.
+//! The motion after the impact: to rest, or back from the rest position to how the vehicle left the impact.
 
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
@@ -16,54 +16,53 @@ use trajectory::{
 use crate::failure::Failure;
 use crate::thresholds::{POINT_MISSED, REST_SEARCHED, REST_SURVEY, SLOW_YAW};
 
-/// (byte) the stack that whoever starts threads for these functions gives each: where the compiler does not
-/// optimise, a search back from a rest needs more than the usual 2 MiB.
+/// (byte) stack size for threads that call these functions: in unoptimised builds, a search back from a rest
+/// position needs more than the usual 2 MiB.
 pub const THREAD_STACK: usize = 16 << 20;
 
-/// The way of one vehicle from the impact to rest.
+/// The path of one vehicle from the impact to rest.
 #[derive(Clone, Debug)]
 #[non_exhaustive]
 pub struct Travel {
-    /// Where the motion at its start comes from.
+    /// The source of the motion at its start.
     pub origin: Origin,
     /// The body on its wheels.
     pub chassis: Chassis,
     /// (rad) steer angle of the front wheels at the start.
     pub steer: f64,
-    /// (–) coefficient of friction on its path, outside of all zones.
+    /// (–) coefficient of friction on its path, outside all zones.
     pub friction: f64,
-    /// Where the vehicle left the impact, and how it moved there.
+    /// The position where the vehicle left the impact, and its motion there.
     pub start: State,
-    /// The way, at the moments that the integration chose: the first is the start, the last the rest.
+    /// The path at the time steps of the integration: the first is the start, the last the rest.
     pub samples: Vec<Sample>,
-    /// Where the vehicle comes to rest.
+    /// The rest position of the vehicle.
     pub rest: Rest,
-    /// Where it was found at rest.
+    /// Its measured rest position.
     pub measured: Option<RestData>,
-    /// Where its CG passed, as measured.
+    /// Measured points of the path of its CG.
     pub points: Vec<PointData>,
-    /// How the way passes each of them.
+    /// How the path passes each of them.
     pub passes: Vec<Pass>,
-    /// Other starts that lead to the same rest; where points are given, without those that pass them too far
-    /// off to be meant.
+    /// Other starts that lead to the same rest position; if points are given, without those that miss them by
+    /// too much.
     pub others: Vec<Start>,
-    /// What the closed forms say of the start; `None` on ground with zones or a grade, which they do not
-    /// know.
+    /// The start by the closed forms; `None` on ground with zones or a grade, which they do not cover.
     pub closed: Option<ClosedForm>,
 }
 
-/// How a way passes a point that was measured.
+/// How a path passes a measured point.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Pass {
-    /// (m) from the way to the point, where they are nearest.
+    /// (m) from the path to the point, where they are nearest.
     pub miss: f64,
     /// (rad) from the heading there to the measured one, in (−π, π].
     pub turned: Option<f64>,
 }
 
 impl Pass {
-    /// (–) the miss in place, or by the turn of the wheelbase (m) if that is more, as a share of the length
-    /// of the way (m).
+    /// (–) the miss in position, or by the turn of the wheelbase (m) if that is more, as a share of the
+    /// length of the path (m).
     fn share(&self, wheelbase: f64, distance: f64) -> f64 {
         let miss = self.miss.max(wheelbase * self.turned.unwrap_or_default().abs());
         if miss > 0.0 { miss / distance } else { 0.0 }
@@ -75,7 +74,7 @@ impl Pass {
     }
 }
 
-/// Where the motion at the start of a way comes from.
+/// The source of the motion at the start of a path.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Origin {
     /// The impact gives it.
@@ -84,24 +83,24 @@ pub enum Origin {
     Given,
     /// It was found as the one that leads to the measured rest.
     Rest,
-    /// The vehicle did not spin: it is taken to have left straight towards its rest, and the length of that
-    /// way tells its speed.
+    /// The vehicle did not spin: it is assumed to have left straight towards its rest position, and the
+    /// length of that path gives its speed.
     StraightRest,
 }
 
 impl Origin {
-    /// Whether the rest of the vehicle tells it.
+    /// Whether it comes from the rest position of the vehicle.
     #[must_use]
     pub fn is_by_rest(self) -> bool {
         matches!(self, Self::Rest | Self::StraightRest)
     }
 }
 
-/// Whether a vehicle went to its rest without a spin, by EDCRASH's rule, with its front wheels straight.
+/// Whether a vehicle went to rest without a spin, by EDCRASH's rule, with its front wheels straight.
 ///
-/// Where it lies to the side of its heading, and how it stands there, then hardly depend on how it left the
-/// impact: rolling wheels soon turn the way along the heading. A search for the one motion that leads to the
-/// measured place would make a sideways velocity of every error of the survey.
+/// Its lateral rest position and its heading at rest then hardly depend on how it left the impact: rolling
+/// wheels soon turn the path along the heading. A search for the one motion that leads to the measured
+/// position would turn every survey error into a sideways velocity.
 pub(crate) fn leaves_straight<T: Real>(way: &VehicleMotion<T>, rest: &RestData<T>) -> bool {
     let SteerData::Held(steer) = way.steer else { return false };
     let (heading, apart) = (way.heading.value(), rest.position - way.position);
@@ -116,14 +115,14 @@ pub(crate) fn leaves_straight<T: Real>(way: &VehicleMotion<T>, rest: &RestData<T
     steer.value() == 0.0 && distance > 0.0 && spins(sideslip, turn, distance, wheelbase, 0.0) == Ok(false)
 }
 
-/// (m) how closely the length of a straight way is met.
+/// (m) tolerance of the length of a straight path.
 const STRAIGHT_WAY: f64 = 1e-9;
-/// Steps of that search: on one ground the first is exact.
+/// Maximum number of steps of that search: on uniform ground, the first is exact.
 const STRAIGHT_STEPS: usize = 60;
-/// (m/s) where it begins, as far as it does not matter.
+/// (m/s) its initial speed, which does not affect the result.
 const STRAIGHT_BEGIN: f64 = 10.0;
 
-/// The start of the way by a closed form: the one that EDCRASH's rule chooses.
+/// The start of the path by the closed form that EDCRASH's rule selects.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum ClosedForm {
     /// It slid or rolled straight to rest.
@@ -143,7 +142,7 @@ pub(crate) struct Scene<'a, T = f64> {
     zones: Vec<Zone<'a, T>>,
 }
 
-/// A way from the impact to rest.
+/// A path from the impact to rest.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Way<T = f64> {
     /// How the vehicle moved at its start.
@@ -154,11 +153,11 @@ pub(crate) struct Way<T = f64> {
 
 /// How a vehicle left the impact.
 struct Left {
-    /// Where it is known from.
+    /// The source of its motion.
     origin: Origin,
     /// Its velocity and yaw rate.
     motion: Motion,
-    /// Other motions that lead to the same rest.
+    /// Other motions that lead to the same rest position.
     others: Vec<Start>,
 }
 
@@ -172,7 +171,7 @@ impl<'a, T: Real> Scene<'a, T> {
         Ground { friction: way.friction_on(self.surface), zones: &self.zones, grade: self.surface.grade }
     }
 
-    /// The way of a vehicle that leaves the impact with the motion `start`; `record` gets its samples.
+    /// The path of a vehicle that leaves the impact with the motion `start`; `record` gets its samples.
     pub(crate) fn to_rest(
         &self,
         vehicle: VehicleId,
@@ -189,7 +188,7 @@ impl<'a, T: Real> Scene<'a, T> {
 }
 
 impl Scene<'_> {
-    /// The motion that leads to the rest of a vehicle.
+    /// The motion that leads to the rest position of a vehicle.
     fn back(&self, vehicle: VehicleId, way: &VehicleMotion, rest: &RestData) -> Result<Left, Failure> {
         if !leaves_straight(way, rest) {
             return self.sought(vehicle, way, rest);
@@ -198,7 +197,7 @@ impl Scene<'_> {
         let miss = (straight.rest.position - rest.position).norm();
         let is_missed = miss > REST_SURVEY && miss > REST_SEARCHED * straight.rest.distance;
         if is_missed && let Ok(sought) = self.sought(vehicle, way, rest) {
-            // Rolling wheels bent the way: the line to the rest is not how it began.
+            // Rolling wheels curved the path: the line to the rest position is not its initial direction.
             let turns = |motion: &Motion| motion.yaw_rate.abs();
             let motions = sought.others.iter().map(|other| other.motion);
             let motions = std::iter::once(sought.motion).chain(motions);
@@ -210,7 +209,7 @@ impl Scene<'_> {
         Ok(Left { origin: Origin::StraightRest, motion: straight.start, others: Vec::new() })
     }
 
-    /// The same by a search among all motions.
+    /// The same by a search of all motions.
     fn sought(&self, vehicle: VehicleId, way: &VehicleMotion, rest: &RestData) -> Result<Left, Failure> {
         let starts = to_start(
             &way.chassis,
@@ -226,7 +225,7 @@ impl Scene<'_> {
             .iter()
             .map(|start| Ok((self.off(vehicle, way, start)?, *start)))
             .collect::<Result<_, Failure>>()?;
-        // Where the points do not tell them apart, the order of `to_start` stays: the least turn first.
+        // If the points do not distinguish them, the order of `to_start` remains: the smallest turn first.
         starts.sort_by(|(a, _), (b, _)| a.total_cmp(b));
         let mut starts = starts.into_iter();
         let (off, first) = starts.next().ok_or(Failure::NoStart { vehicle, reason: Unreached::NoWay })?;
@@ -235,8 +234,8 @@ impl Scene<'_> {
         Ok(Left { origin: Origin::Rest, motion: first.motion, others })
     }
 
-    /// (–) the most by which the way of a start misses a point, in place or by the turn of the wheelbase, as
-    /// a share of the way; zero where there are no points.
+    /// (–) the largest miss of a point by the path of a start, in position or by the turn of the wheelbase,
+    /// as a share of the path; zero without points.
     fn off(&self, vehicle: VehicleId, way: &VehicleMotion, start: &Start) -> Result<f64, Failure> {
         let passes = self.passes(vehicle, way, start.motion, Control::default().tolerance)?;
         let share = |pass: &Pass| pass.share(way.chassis.wheelbase(), start.rest.distance);
@@ -244,7 +243,7 @@ impl Scene<'_> {
     }
 
     /// How a vehicle that leaves the impact with the motion `start` passes its points. A step of its path may
-    /// err by `tolerance` (m).
+    /// have an error of `tolerance` (m).
     pub(crate) fn passes(
         &self,
         vehicle: VehicleId,
@@ -274,7 +273,7 @@ impl Scene<'_> {
         Ok(way.points.iter().map(|point| pass(&places, &way.chassis, point)).collect())
     }
 
-    /// The way that begins straight towards the rest, without yaw, and is as long as the measured one.
+    /// The path that begins straight towards the rest position, without yaw, with the measured length.
     pub(crate) fn straight(
         &self,
         vehicle: VehicleId,
@@ -288,7 +287,7 @@ impl Scene<'_> {
             let reached = self.to_rest(vehicle, way, start, &Control::default(), |_| {})?;
             Ok::<_, Failure>((reached, (reached.rest.position - way.position).norm()))
         };
-        // The way grows with the speed: between one that is too short and one that is too long.
+        // The path length grows with the speed: bracket it between too short and too long.
         let (mut low, mut high) = (0.0, f64::INFINITY);
         let mut speed = STRAIGHT_BEGIN;
         let (mut found, mut reached) = reach(speed)?;
@@ -301,7 +300,7 @@ impl Scene<'_> {
             } else {
                 high = speed;
             }
-            // S ∝ V² on one ground, where this is exact.
+            // S ∝ V² on uniform ground, where this is exact.
             let next = speed * (length / reached).sqrt();
             speed = if next > low && next < high { next } else { 0.5 * (low + high.min(2.0 * speed)) };
             (found, reached) = reach(speed)?;
@@ -314,18 +313,18 @@ impl Scene<'_> {
     }
 }
 
-/// (s) between the places of a way, which is taken as straight between them.
+/// (s) between the interpolated positions of a path, which is taken as straight between them.
 const BETWEEN_PLACES: f64 = 0.02;
-/// (s) the longest step of such a way: its places between the ends of a step are those of a cubic.
+/// (s) the longest step of such a path: its positions within a step are those of a cubic.
 const LONGEST_BETWEEN: f64 = 0.2;
 
-/// (m; rad) where a vehicle is, and its heading.
+/// (m; rad) position and heading of a vehicle.
 fn place(state: &State) -> (Vector2<f64>, f64) {
     (state.position, state.heading)
 }
 
-/// How a way through these places (m), with these headings (rad), passes a point: that of the CG, or of the
-/// wheel whose mark the point is.
+/// How a path through these positions (m), with these headings (rad), passes a point: that of the CG, or of
+/// the wheel that left the mark.
 fn pass(places: &[(Vector2<f64>, f64)], chassis: &Chassis, point: &PointData) -> Pass {
     let wheel = point.wheel.map(|wheel| &chassis.wheels()[wheel as usize]);
     // From the CG to the wheel: (f cos θ − l sin θ, f sin θ + l cos θ)
@@ -353,9 +352,9 @@ fn pass(places: &[(Vector2<f64>, f64)], chassis: &Chassis, point: &PointData) ->
     nearest
 }
 
-/// Where the ways of the vehicles come from.
+/// The source of the vehicles' paths.
 pub(crate) trait Ways<T: Real> {
-    /// The way of a vehicle that left the impact with the motion `start`.
+    /// The path of a vehicle that left the impact with the motion `start`.
     fn follow(
         &mut self,
         vehicle: VehicleId,
@@ -364,7 +363,7 @@ pub(crate) trait Ways<T: Real> {
         start: Motion<T>,
     ) -> Result<Way<T>, Failure>;
 
-    /// The way that leads to the rest of a vehicle.
+    /// The path that leads to the rest position of a vehicle.
     fn back(
         &mut self,
         vehicle: VehicleId,
@@ -374,10 +373,10 @@ pub(crate) trait Ways<T: Real> {
     ) -> Result<Way<T>, Failure>;
 }
 
-/// How a vehicle left the impact, where that is known, and its way from there, where it can be followed.
+/// How a vehicle left the impact, if known, and its path from there, if it can be followed.
 type Leaving<T> = (Option<Departure<T>>, Option<Way<T>>);
 
-/// How both vehicles left the impact: as `given`, or as their rests tell.
+/// How both vehicles left the impact: as `given`, or as found from their rest positions.
 pub(crate) fn departures<T: Real>(
     motion: Option<&MotionInput<T>>,
     given: [Option<Departure<T>>; 2],
@@ -392,7 +391,7 @@ pub(crate) fn departures<T: Real>(
             (Some(Departure { velocity, yaw_rate: Some(yaw_rate) }), _) => {
                 (given, Some(ways.follow(id, scene, way, Motion { velocity, yaw_rate })?))
             }
-            // A velocity that is given without a yaw rate does not lead to a rest.
+            // A velocity without a yaw rate does not lead to a rest position.
             (Some(_), _) | (None, None) => (given, None),
             (None, Some(rest)) => {
                 let found = ways.back(id, scene, way, rest)?;
@@ -405,7 +404,7 @@ pub(crate) fn departures<T: Real>(
     Ok([of(VehicleId::One)?, of(VehicleId::Two)?])
 }
 
-/// The ways of both vehicles after an impact.
+/// The paths of both vehicles after an impact.
 pub(crate) fn after_impact<T: Real>(
     input: &MotionInput<T>,
     after: [Motion<T>; 2],
@@ -419,21 +418,21 @@ pub(crate) fn after_impact<T: Real>(
     Ok([of(VehicleId::One)?, of(VehicleId::Two)?])
 }
 
-/// Finds the ways of an analysis and keeps all of them.
+/// Finds the paths of an analysis and keeps all of them.
 pub(crate) struct Record {
-    /// Where a motion that is followed comes from.
+    /// The source of a motion that is followed.
     origin: Origin,
-    /// What was followed.
+    /// The paths that were followed.
     pub(crate) travel: [Option<Travel>; 2],
 }
 
 impl Record {
-    /// Of motions that come from there where no rest tells them.
+    /// A record of motions that have this source unless a rest position gives them.
     pub(crate) fn of(origin: Origin) -> Self {
         Self { origin, travel: [None, None] }
     }
 
-    /// Takes another of the starts that lead to the rest of a vehicle.
+    /// Chooses another of the starts that lead to the rest position of a vehicle.
     pub(crate) fn choose(
         &mut self,
         vehicle: VehicleId,
@@ -503,7 +502,7 @@ impl Ways<f64> for Record {
     }
 }
 
-/// What the motion that leads to a rest is sought for.
+/// The target of the search for the motion that leads to a rest position.
 pub(crate) fn target(input: &VehicleMotion, rest: &RestData) -> Target {
     Target {
         position: rest.position,
@@ -513,7 +512,7 @@ pub(crate) fn target(input: &VehicleMotion, rest: &RestData) -> Target {
     }
 }
 
-/// What a closed form says of the way that was followed; `None` where none has assumptions that hold.
+/// The start of the path by a closed form; `None` if the assumptions of none hold.
 fn closed_form(
     surface: &SurfaceData,
     input: &VehicleMotion,
@@ -532,8 +531,8 @@ fn closed_form(
     let body = input.chassis.body();
     let is_spin = spins(sideslip, turn, distance, wheelbase, input.steer.steer().at(0.0)).ok()?;
     if is_spin && origin != Origin::StraightRest {
-        // Marquard's wheels turn: no equation stands for a spin with some that do not. And the vehicle slips
-        // sideways and rolls in line by turns, which takes a quarter of a turn.
+        // Marquard's wheels turn: there is no equation for a spin with locked wheels. And the vehicle
+        // alternates between slipping sideways and rolling in line, which takes a quarter of a turn.
         let is_held = input.chassis.wheels().iter().any(|wheel| wheel.drag >= friction);
         if is_held || turn.abs() < FRAC_PI_2 {
             return None;
@@ -550,11 +549,11 @@ fn closed_form(
     slide.speed_at_start(0.0).ok().map(|speed| ClosedForm::Straight { drag_share, speed })
 }
 
-/// (rad) 300°: another motion that turns a vehicle by more than this, where less does, need not be told.
+/// (rad) 300°: another motion with a larger turn than this is not reported if one with a smaller turn exists.
 const UNLIKELY_TURN: f64 = 5.0 / 6.0 * TAU;
 
 impl Travel {
-    /// The start of this way as one of those that lead to the rest.
+    /// The start of this path as one of those that lead to the rest position.
     pub(crate) fn used(&self) -> Start {
         Start {
             motion: self.start.motion,
@@ -565,13 +564,13 @@ impl Travel {
         }
     }
 
-    /// The other starts that lead to the same rest, without those that turn the vehicle about once around:
-    /// one that stands as it stood did not do that.
+    /// The other starts that lead to the same rest position, without those with a turn of about one
+    /// revolution, which a vehicle with its heading unchanged did not make.
     pub fn likely_others(&self) -> impl Iterator<Item = &Start> {
         self.others.iter().filter(|other| other.turn.abs() < UNLIKELY_TURN)
     }
 
-    /// (rad) of the velocity at the start.
+    /// (rad) direction of the velocity at the start.
     #[must_use]
     pub fn direction(&self) -> f64 {
         let velocity = self.start.motion.velocity;
@@ -642,13 +641,13 @@ impl Travel {
         }
     }
 
-    /// (–) by how much the way misses each point, in place or by the turn of the wheelbase if that is more,
-    /// as a share of its length.
+    /// (–) the miss of each point by the path, in position or by the turn of the wheelbase if that is more,
+    /// as a share of the path length.
     pub fn shares_missed(&self) -> impl Iterator<Item = f64> {
         self.passes.iter().map(|pass| pass.share(self.chassis.wheelbase(), self.rest.distance))
     }
 
-    /// (m) from the rest found to the one measured, and (rad) from its heading to that.
+    /// (m) from the computed rest position to the measured one, and (rad) between their headings.
     #[must_use]
     pub fn miss(&self) -> Option<(f64, f64)> {
         let measured = self.measured.as_ref()?;
@@ -659,20 +658,20 @@ impl Travel {
     }
 }
 
-/// Skid marks before the impact, and what they say of the speed.
+/// Skid marks before the impact, and the speed at their start.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Skid {
-    /// (m) from where they begin to the impact.
+    /// (m) from their start to the impact.
     pub length: f64,
     /// (–) friction.
     pub friction: f64,
-    /// (m/s) speed where they begin.
+    /// (m/s) speed at their start.
     pub speed: f64,
 }
 
-/// What the skid marks of a vehicle say, which reached the impact with `speed` (m/s); `None` where the
-/// numbers make no skid.
+/// The skid of a vehicle that reached the impact with `speed` (m/s); `None` if the numbers are not those of a
+/// skid.
 pub(crate) fn skid(given: SkidData, speed: f64) -> Option<Skid> {
     let SkidData { length, friction } = given;
     let slide = Slide { friction, drag_share: 1.0, grade: 0.0, distance: length };

@@ -39,8 +39,8 @@ use crate::speeds::BothFound;
 pub struct Plan {
     /// The number of samples, the seed and the method.
     pub settings: Settings,
-    /// Rows for the variance-based indices, each with as many evaluations as there are uncertain inputs and
-    /// two more; none are computed without.
+    /// Rows for the variance-based indices, each with as many evaluations as there are uncertain inputs plus
+    /// two; `None` computes no indices.
     pub index_rows: Option<usize>,
 }
 
@@ -51,19 +51,19 @@ pub struct Uncertainty {
     pub nominal: Analysis,
     /// The settings: the method and the requested number of samples.
     pub settings: Settings,
-    /// The numbers that are ranges, in the order of the file, and after them the departures of estimates.
+    /// The numbers that are ranges, in the order of the file, followed by the departures of estimates.
     pub inputs: Vec<UncertainInput>,
-    /// What all samples share, so that the intervals do not contain its error.
+    /// The numbers that all samples share, so that the intervals do not contain their errors.
     pub taken_as_exact: Vec<TakenAsExact>,
     /// The quantities that were computed for each sample.
     pub outputs: Vec<UncertainOutput>,
     /// The samples of the outputs (SI), in their order, and the failures by [`Reason::code`].
     pub propagation: Propagation,
-    /// How many samples with an answer are doubtful, by the reason; none with zero.
+    /// Number of doubtful samples with an answer, by reason; reasons without any are omitted.
     pub doubtful: Vec<Doubtful>,
     /// One input at a time, from low to high.
     pub tornado: Tornado,
-    /// Sobol' indices, if asked for, of the outputs in their order.
+    /// Sobol' indices of the outputs in their order, if requested.
     pub indices: Option<::uncertainty::SobolIndices>,
 }
 
@@ -72,7 +72,7 @@ pub struct Uncertainty {
 pub struct UncertainInput {
     /// The number itself, which is the central value.
     pub input: Input,
-    /// (–) its place among the numbers that may vary, [`Case::variables`].
+    /// (–) its index among the numbers that may vary, [`Case::variables`].
     pub place: usize,
     /// Its distribution, in the unit in which the file gives it.
     pub distribution: Distribution,
@@ -81,7 +81,7 @@ pub struct UncertainInput {
 }
 
 impl UncertainInput {
-    /// The truncation, if the physical bounds cut off a part of the normal distribution that the file gives.
+    /// The truncation, if the physical bounds cut off part of the normal distribution in the file.
     #[must_use]
     pub fn truncation(&self) -> Option<Truncation> {
         self.distribution.truncation().filter(|truncation| truncation.kept < 1.0)
@@ -91,20 +91,20 @@ impl UncertainInput {
 /// A result that the ranges make uncertain.
 #[derive(Clone, Debug)]
 pub struct UncertainOutput {
-    /// Which result.
+    /// The result.
     pub output: Output,
     /// (SI) its value at the central values.
     pub central: f64,
-    /// (SI) its standard deviation by the derivatives at the central values, and the share of each input in
+    /// (SI) its standard deviation from the derivatives at the central values, and the share of each input in
     /// its square: the law of propagation of uncertainty of the GUM.
     ///
     /// JCGM 100:2008, *Guide to the Expression of Uncertainty in Measurement*, equation 10.
     pub first_order: FirstOrder,
-    /// (SI) what is large for it: below [`NOISE`] of that, its spread is rounding.
+    /// (SI) a typical large value: a spread below [`NOISE`] of that is rounding.
     scale: f64,
 }
 
-/// (–) far above the rounding of any output, and far below any spread that matters.
+/// (–) far above the rounding of any output, and far below any relevant spread.
 pub(crate) const NOISE: f64 = 1e-9;
 
 impl UncertainOutput {
@@ -158,7 +158,7 @@ pub enum Reason {
     Pulling,
     /// The speed without damage is not below that of the barrier test.
     NoDamageSpeed,
-    /// The force per width is limited to less than A, with which it begins.
+    /// The limit of the force per width is less than A, its initial value.
     LimitBelowStart,
     /// No motion after the impact leads to a rest, or from it.
     NoRest,
@@ -200,7 +200,7 @@ impl Reason {
         }
     }
 
-    /// The reason of a code: what the engine itself refuses, a result that is not finite, is one of the
+    /// The reason of a code: a result that is not finite, which the engine itself refuses, belongs to the
     /// others.
     #[must_use]
     pub fn of_code(code: u8) -> Self {
@@ -234,8 +234,8 @@ impl Reason {
         }
     }
 
-    /// The reason of a case: what the engine refuses of its damage is told as a fault of the case, which no
-    /// longer says of which kind.
+    /// The reason of a case: the engine's refusal of its damage is reported as a fault of the case, which no
+    /// longer has its kind.
     fn of_case(case: &Case, failure: &Failure) -> Self {
         if !matches!(failure, Failure::Case(_)) {
             return Self::of(failure);
@@ -267,28 +267,28 @@ impl Reason {
     }
 }
 
-/// Samples that follow each other. Lanes beyond the last sample hold some value or other.
+/// Consecutive samples. Lanes beyond the last sample hold arbitrary values.
 #[derive(Clone, Copy, Debug)]
 pub struct SampleBlock<'a> {
     /// (unit of the file) the uncertain inputs, a column for each.
     pub inputs: &'a [Lanes],
-    /// (SI) the outputs, a column for each, which mean nothing where the sample failed.
+    /// (SI) the outputs, a column for each, which are meaningless if the sample failed.
     pub outputs: &'a [Lanes],
-    /// [`Reason::code`] of each sample, 0 where it has an answer.
+    /// [`Reason::code`] of each sample, 0 if it has an answer.
     pub reasons: &'a [u8],
 }
 
 impl Uncertainty {
-    /// Shows all samples in their order: with their inputs, which are drawn again, and with their outputs.
+    /// Visits all samples in order, with their inputs, which are drawn again, and with their outputs.
     ///
     /// # Errors
-    /// What `visit` returns.
+    /// The error that `visit` returns.
     pub fn for_each_block<E>(
         &self,
         mut visit: impl FnMut(SampleBlock<'_>) -> Result<(), E>,
     ) -> Result<(), E> {
         let distributions: Vec<Distribution> = self.inputs.iter().map(|input| input.distribution).collect();
-        // The settings and inputs are those of a run that there was.
+        // The settings and inputs are those of a completed run.
         let Ok(sampler) = Sampler::new(&distributions, &self.settings) else { return Ok(()) };
         let mut inputs = vec![Lanes::ZERO; self.inputs.len()];
         let mut answers = vec![Lanes::ZERO; self.outputs.len()];
@@ -304,7 +304,7 @@ impl Uncertainty {
         Ok(())
     }
 
-    /// How many samples failed for a reason.
+    /// Number of samples that failed for a reason.
     #[must_use]
     pub fn failed(&self, reason: Reason) -> usize {
         let failures = self.propagation.failures().iter();
@@ -337,7 +337,7 @@ pub(crate) fn uncertainty_of(
     if asked == 0 {
         return Err(Faults::from(no_output(&all)).into());
     }
-    // What is doubtful is seen by these, whoever asks.
+    // These show which samples are doubtful, whatever is requested.
     outputs.extend(others.into_iter().filter(|output| doubts::reads(*output)));
     let central = central(&nominal, &outputs, case.axes);
     let watched = Watched::new(case, &inputs, &outputs, &central);
@@ -386,7 +386,7 @@ pub(crate) fn uncertainty_of(
     })
 }
 
-/// The samples of a case, and nothing else of its [`Uncertainty`].
+/// Only the samples of a case, without the rest of its [`Uncertainty`].
 #[derive(Debug)]
 pub struct Samples {
     /// The quantities that were computed for each sample.
@@ -395,12 +395,12 @@ pub struct Samples {
     pub propagation: Propagation,
 }
 
-/// The samples of [`uncertainty()`](crate::uncertainty()), with the same bits, in a fraction of its time
-/// where they are few: without derivatives, tornado and doubts, as a row of a table has no place for them.
-/// `None` where nothing is uncertain.
+/// The samples of [`uncertainty()`](crate::uncertainty()), with the same bits, in a fraction of its time if
+/// they are few: without derivatives, tornado and doubts, for which a row of a table has no place. `None` if
+/// nothing is uncertain.
 ///
 /// # Errors
-/// As for [`uncertainty()`](crate::uncertainty()), but for a case of which nothing is a range.
+/// As for [`uncertainty()`](crate::uncertainty()), except for a case without ranges.
 pub fn samples(
     case: &Case,
     settings: &Settings,
@@ -419,15 +419,15 @@ pub fn samples(
     Ok(Some(Samples { outputs, propagation }))
 }
 
-/// Whether [`uncertainty()`](crate::uncertainty()) has anything to propagate: a range, a value that is
-/// estimated, or an error that numbers share.
+/// Whether [`uncertainty()`](crate::uncertainty()) has anything to propagate: a range, an estimated value, or
+/// an error that numbers share.
 #[must_use]
 pub fn is_uncertain(case: &Case) -> bool {
     any_inputs(case).map_or(true, |inputs| !inputs.is_empty())
 }
 
-/// Whether each sample of [`uncertainty()`](crate::uncertainty()) is searched back from the place where a
-/// vehicle came to rest, which takes a thousand times as long as to solve an impact.
+/// Whether each sample of [`uncertainty()`](crate::uncertainty()) is traced back from a rest position, which
+/// takes a thousand times as long as solving an impact.
 #[must_use]
 pub fn is_searched_back(case: &Case) -> bool {
     let seeks = matches!(Goal::of(case), Goal::BothSpeeds | Goal::Motion);
@@ -437,13 +437,13 @@ pub fn is_searched_back(case: &Case) -> bool {
     seeks && case.vehicles.iter().any(has_rest_alone)
 }
 
-/// The ranges of the case and the spreads of its estimates, as the engine takes them: at least one.
+/// The ranges of the case and the spreads of its estimates, in the types of the engine: at least one.
 pub(crate) fn inputs(case: &Case) -> Result<Vec<UncertainInput>, Faults> {
     let inputs = any_inputs(case)?;
     if inputs.is_empty() { Err(no_range(case).into()) } else { Ok(inputs) }
 }
 
-/// The same, or none.
+/// The same, but possibly none.
 fn any_inputs(case: &Case) -> Result<Vec<UncertainInput>, Faults> {
     let mut ranges = case.ranges.iter();
     let mut inputs = Vec::new();
@@ -493,7 +493,7 @@ fn any_inputs(case: &Case) -> Result<Vec<UncertainInput>, Faults> {
         }
     }
     Faults::none_of(faults)?;
-    // A speed that is sought is no input, even where the file gives one.
+    // An unknown speed is not an input, even if the file gives one.
     if let Some(reconstruct) = &case.reconstruct {
         for id in VehicleId::ALL.into_iter().filter(|id| reconstruct.find.seeks(*id)) {
             let sought = ["speed", "velocity.x", "velocity.y"].map(|key| format!("vehicle{id}.{key}"));
@@ -503,7 +503,7 @@ fn any_inputs(case: &Case) -> Result<Vec<UncertainInput>, Faults> {
     Ok(inputs)
 }
 
-/// What to write where nothing is a range, shown at a number of the case.
+/// The advice for a case without ranges, shown at a number of the case.
 fn no_range(case: &Case) -> Fault {
     let inputs = case.inputs();
     let example = inputs.iter().find_map(|input| {
@@ -522,7 +522,7 @@ fn no_range(case: &Case) -> Fault {
     Fault { key: String::new(), kind: FaultKind::NothingUncertain, advice: Some(help) }
 }
 
-/// What to ask for where the case has nothing of what was asked.
+/// The advice for a case that has none of the requested outputs.
 fn no_output(all: &[Output]) -> Fault {
     let names: Vec<String> = all.iter().map(|output| output.path()).collect();
     let reason = "the case has none of the outputs that are asked for".to_owned();
@@ -530,7 +530,7 @@ fn no_output(all: &[Output]) -> Fault {
     Fault { key: String::new(), kind: FaultKind::Refused { reason }, advice: Some(advice) }
 }
 
-/// The distribution of an error that several numbers share.
+/// The distribution of a shared error.
 fn size_of(error: &SharedError, input: &Input) -> Result<Distribution, InvalidDistribution> {
     let range = Range { path: input.path.clone(), spread: error.size, bounds: Bounds::None };
     distribution(input, &range)
@@ -567,7 +567,7 @@ fn normal(
     }
 }
 
-/// Normal: with the probability `confidence` no farther from the value than `distance`.
+/// Normal: with the probability `confidence`, at most `distance` from the value.
 fn within(
     value: f64,
     distance: f64,
@@ -595,27 +595,27 @@ fn first_order(gradients: &[Gradient], inputs: &[UncertainInput]) -> Result<Vec<
     gradients.iter().map(of).collect()
 }
 
-/// What turns the uncertain numbers of a sample into its outputs.
+/// Computes the outputs of a sample from its uncertain numbers.
 struct Sample<'a> {
     goal: Goal,
     /// Whether the crush energy gives the speeds.
     is_by_crush: bool,
-    /// Where the search for the starts of ways begins.
+    /// The starting points of the search for the starts of paths.
     search: Search,
     outputs: &'a [Output],
-    /// How many of the outputs were asked for, the first ones; the others tell what is doubtful.
+    /// Number of requested outputs, which come first; the others show which samples are doubtful.
     asked: usize,
-    /// (SI) at the central values.
+    /// (SI) the outputs at the central values.
     central: &'a [f64],
-    /// Of each number of the case, whether it is uncertain.
+    /// For each number of the case, whether it is uncertain.
     is_uncertain: Vec<bool>,
     /// The case without its texts, which no sample needs.
     case: Case,
-    /// Where numbers share errors.
+    /// The shared errors, if there are any.
     shared: Option<Shared>,
-    /// What is counted of the doubtful.
+    /// The counters of doubtful samples.
     watched: Watched,
-    /// The same for a block at once, or why the case has no shape that can be solved so.
+    /// The same for a block at once, or why the shape of the case does not allow that.
     block: Result<Block, Alone>,
 }
 
@@ -668,9 +668,9 @@ impl<'a> Sample<'a> {
         }
     }
 
-    /// The samples of a block that are not `settled` yet, each as a case of its own.
+    /// Solves the samples of a block that are not `settled` yet, each as a separate case.
     ///
-    /// Compiled once: what turns a case into the types of the engine gains nothing from a copy for each
+    /// Compiled once: turning a case into the types of the engine gains nothing from a copy for each
     /// instruction set.
     #[inline(never)]
     fn one_by_one(
@@ -703,7 +703,7 @@ impl<'a> Sample<'a> {
         if let Some(shared) = &self.shared {
             let mut all = Vec::new();
             shared.fill(numbers.copied(), &mut all);
-            // Without the errors themselves, which the case of a sample has no more.
+            // Without the errors themselves, which the case of a sample no longer has.
             let mut all = all.into_iter();
             return self.case.map_numbers(|central| all.next().unwrap_or(central));
         }
@@ -727,8 +727,7 @@ impl<'a> Sample<'a> {
         Ok(())
     }
 
-    /// How many of these samples of a block have speeds that are not the only ones that agree with their
-    /// crush energy.
+    /// Number of these samples of a block with other speeds that agree with their crush energy.
     fn several_speeds(
         &self,
         instructions: Instructions,
@@ -749,7 +748,7 @@ impl<'a> Sample<'a> {
         lanes.filter(has_several).count()
     }
 
-    /// Whether the speeds of a sample are not the only ones that agree with its crush energy.
+    /// Whether other speeds of a sample agree with its crush energy.
     fn has_several_speeds(&self, numbers: &[f64]) -> bool {
         let case = self.case_of(numbers);
         match self.goal {
@@ -764,18 +763,18 @@ impl<'a> Sample<'a> {
     }
 }
 
-/// Errors that numbers of a case share.
+/// The shared errors of a case.
 struct Shared {
     effects: SharedEffects,
     /// (unit of the file) every number that may vary, at its central value.
     central: Vec<f64>,
-    /// The places of the inputs among these, and those of the numbers that an error covers.
+    /// The indices of the inputs among these, and those of the numbers that an error covers.
     inputs: Vec<usize>,
     covered: Vec<usize>,
 }
 
 impl Shared {
-    /// `None` without any.
+    /// `None` if there are no shared errors.
     fn of(case: &Case, inputs: &[UncertainInput]) -> Option<Self> {
         let effects = SharedEffects::of(case);
         if effects.is_empty() {
@@ -787,7 +786,7 @@ impl Shared {
         Some(Self { effects, central, inputs, covered })
     }
 
-    /// How many numbers of the case are uncertain: those that an error covers among them, but not the errors.
+    /// Number of uncertain numbers of the case, including those that an error covers, but not the errors.
     fn uncertain_numbers(&self, inputs: &[UncertainInput]) -> usize {
         let is_error = |input: &UncertainInput| matches!(input.input.origin, Origin::Shared(_));
         let others = inputs.iter().filter(|input| !is_error(input) && !self.effects.cover(input.place));
@@ -803,7 +802,7 @@ impl Shared {
         self.effects.apply(all);
     }
 
-    /// The columns of the inputs, and after them those of the numbers that an error covers.
+    /// The columns of the inputs, followed by those of the numbers that an error covers.
     #[inline(never)]
     fn columns(&self, inputs: &[Lanes]) -> Vec<Lanes> {
         let mut columns = inputs.to_vec();
@@ -865,7 +864,7 @@ impl Model for Sample<'_> {
     }
 }
 
-/// (rad) the same direction within half a turn of another.
+/// (rad) the same direction, within half a turn of another.
 #[inline(always)]
 pub(crate) fn beside(angle: f64, other: f64) -> f64 {
     if angle - other > PI {

@@ -1,10 +1,10 @@
-//! Which sizes are usual of each kind of vehicle. Beyond them a unit is probably wrong, so they are wide.
+//! Usual sizes of each kind of vehicle. The ranges are wide: beyond them, a unit is probably wrong.
 
 use crash3::Side;
 use inputs::{Dimensions, Kind};
 
-/// By how much of the face a damage may be wider than it: a crushed front bows out round the corners, and a
-/// size class gives a typical outline.
+/// How much wider than the face a damage may be, as a share of the face: a crushed front bows out round the
+/// corners, and a size class gives a typical outline.
 const SPREAD: f64 = 0.1;
 
 /// The usual numbers of one kind of vehicle.
@@ -12,7 +12,7 @@ const SPREAD: f64 = 0.1;
 pub(crate) struct Usual {
     /// (kg) at the collision, with load and occupants.
     mass: [f64; 2],
-    /// (kg/m²) the greatest mass by length and width.
+    /// (kg/m²) the largest ratio of the mass to length times width.
     areal_mass: f64,
     /// (m) k.
     pub(crate) yaw_radius: [f64; 2],
@@ -24,9 +24,9 @@ pub(crate) struct Usual {
     pub(crate) width: [f64; 2],
     /// (m) the greatest depth of crush.
     depth: f64,
-    /// (m) the greatest width of a damage to front or rear, and to a side, where no dimensions are known.
+    /// (m) the largest width of a damage to front or rear, and to a side, if no dimensions are known.
     damage_width: [f64; 2],
-    /// (m/s) the least and the greatest b_0, where they are known of a kind.
+    /// (m/s) the smallest and the largest b_0, if known for a kind.
     pub(crate) no_damage_speed: Option<[f64; 2]>,
 }
 
@@ -45,11 +45,11 @@ const CAR: Usual = Usual {
     length: [2.2, 7.5],
     // From a quadricycle to a pickup with twin rear wheels.
     width: [1.2, 2.6],
-    // With more, not much is left of the front of a car, or of its compartment.
+    // With more, hardly anything is left of the front of a car, or of its compartment.
     depth: 1.5,
     damage_width: [2.6, 6.0],
-    // 1 mph: a car that parks leaves no damage. 15 mph: over the width of the face, CRASH3's categories have
-    // 3 to 11 mph, but for the rear of category 4 (16 mph).
+    // 1 mph: parking leaves no damage. 15 mph: over the width of the face, CRASH3's categories have 3 to 11
+    // mph, except the rear of category 4 (16 mph).
     no_damage_speed: Some([0.447_04, 15.0 * 0.447_04]),
 };
 
@@ -65,14 +65,14 @@ const HEAVY_TRUCK: Usual = Usual {
     speed: [0.0, 150.0 / 3.6],
     // From a light lorry to a road train.
     length: [4.5, 36.0],
-    // 2.55 or 2.6 at most, up to 4 of a wide load.
+    // 2.55 or 2.6 at most, up to 4 with a wide load.
     width: [1.8, 4.0],
     depth: 2.0,
     damage_width: [4.0, 20.0],
     no_damage_speed: None,
 };
 
-/// Trailers and semitrailers without what draws them.
+/// Trailers and semitrailers without their towing vehicle.
 const TRAILER: Usual = Usual {
     // From an empty luggage trailer to a low loader.
     mass: [80.0, 80_000.0],
@@ -105,7 +105,7 @@ const MOTORCYCLE: Usual = Usual {
 };
 
 impl Usual {
-    /// Those of a kind.
+    /// The usual numbers of a kind.
     pub(crate) fn of(kind: Kind) -> &'static Self {
         match kind {
             Kind::Car => &CAR,
@@ -115,14 +115,14 @@ impl Usual {
         }
     }
 
-    /// (kg)
+    /// (kg) usual mass.
     pub(crate) fn mass(&self, dimensions: Option<&Dimensions>) -> [f64; 2] {
         let [least, most] = self.mass;
         let of_size = dimensions.map(|dimensions| self.areal_mass * dimensions.length * dimensions.width);
         [least, of_size.map_or(most, |of_size| most.min(of_size))]
     }
 
-    /// (m) of crush.
+    /// (m) usual depth of crush.
     pub(crate) fn depth(&self, dimensions: Option<&Dimensions>, side: Side) -> [f64; 2] {
         let possible = dimensions.map(|dimensions| match side {
             Side::Front | Side::Rear => dimensions.length / 2.0,
@@ -131,7 +131,7 @@ impl Usual {
         [0.0, possible.map_or(self.depth, |possible| self.depth.min(possible))]
     }
 
-    /// (m) of the damage.
+    /// (m) usual width of the damage.
     pub(crate) fn damage_width(&self, dimensions: Option<&Dimensions>, side: Side) -> [f64; 2] {
         let [across, along] = self.damage_width;
         let most = match (dimensions, side) {

@@ -11,9 +11,9 @@ use crate::thresholds::HALF_HOUR;
 pub struct Vehicle<T = f64> {
     /// The data that the case gives.
     pub subject: VehicleData<T>,
-    /// Its damage, where the crush was measured or inferred.
+    /// Its damage, if the crush was measured or inferred.
     pub damage: Option<Damage<T>>,
-    /// Its damage, where only the energy is known.
+    /// Its damage, if only the energy is known.
     pub energy: Option<EnergyAlone<T>>,
 }
 
@@ -25,8 +25,8 @@ impl<T: Real> Vehicle<T> {
         self.damage.as_ref().map(|damage| damage.crush_energy).or(alone)
     }
 
-    /// (J) crush energy, corrected for an oblique force; an energy that is given alone needs no correction.
-    /// `None` where the force does not push on the damaged side.
+    /// (J) crush energy, corrected for an oblique force; an energy given on its own needs no correction.
+    /// `None` if the force does not push on the damaged side.
     #[must_use]
     pub fn corrected_crush_energy(&self) -> Option<T> {
         let alone = self.energy.map(|energy| energy.crush_energy);
@@ -55,7 +55,7 @@ impl<T: Real> Vehicle<T> {
 }
 
 impl Vehicle {
-    /// Whether it is no fixed object.
+    /// Whether it is not a fixed object.
     #[must_use]
     pub fn moves(&self) -> bool {
         self.subject.inertia.is_some()
@@ -66,14 +66,13 @@ impl Vehicle {
         self.subject.pdof().filter(|_| !self.subject.pdof_follows())
     }
 
-    /// (rad) how far the direction of force may be from the middle of the hour that is given for it; 0 of an
-    /// angle.
+    /// (rad) how far the direction of force may be from the middle of the given hour; 0 for an angle.
     pub(crate) fn half_hour(&self) -> f64 {
         let is_hour = self.subject.pdof_is_hour();
         if is_hour { HALF_HOUR } else { 0.0 }
     }
 
-    /// (m/s) b_0, the highest speed that leaves no crush on the damaged width: its energy is G.
+    /// (m/s) b_0, the highest speed without crush on the damaged width: its energy is G.
     #[must_use]
     pub fn no_damage_speed(&self) -> Option<f64> {
         let damage = self.damage.as_ref()?;
@@ -82,7 +81,7 @@ impl Vehicle {
             (SideStiffness::Zones(zones), Evidence::Measured { profile, .. }) => {
                 zones.iter().zip(profile.zones()).map(|(stiffness, zone)| stiffness.g() * zone.width).sum()
             }
-            // The reader lets no crush without stations have zones between them.
+            // The reader does not accept zones for a crush without stations.
             (SideStiffness::Zones(_), Evidence::ForceBalance { .. }) => return None,
         };
         // b₀ = √(2 G w/m)
@@ -106,11 +105,10 @@ pub struct Damage<T = f64> {
     pub crush_energy: T,
     /// (m/s) energy equivalent speed of the uncorrected crush energy.
     pub ees: T,
-    /// (rad) the PDOF from which the correction and the moment arm follow: the file's, else that of the
-    /// impact.
+    /// (rad) the PDOF that determines the correction and the moment arm: the file's, else that of the impact.
     pub pdof: Option<T>,
-    /// (rad) α: angle between the force and the normal of the damaged side; `None` where no direction of the
-    /// force is known, of one vehicle alone.
+    /// (rad) α: angle between the force and the normal of the damaged side; `None` if no direction of the
+    /// force is known, for one vehicle alone.
     pub oblique_angle: Option<T>,
     /// The correction for α; `None` if that is not known, or the force does not push on the damaged side.
     pub oblique: Option<Oblique<T>>,
@@ -120,7 +118,7 @@ pub struct Damage<T = f64> {
     pub centroid: Option<[T; 2]>,
 }
 
-/// The results for a damage of which only the energy is known: from an EES, or none at all.
+/// The results for a damage with only a known energy: from an EES, or none at all.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct EnergyAlone<T = f64> {
@@ -128,7 +126,7 @@ pub struct EnergyAlone<T = f64> {
     pub crush_energy: T,
     /// (m/s) energy equivalent speed.
     pub ees: T,
-    /// (rad) the PDOF from which the moment arm follows: the file's, else that of the impact.
+    /// (rad) the PDOF that determines the moment arm: the file's, else that of the impact.
     pub pdof: Option<T>,
     /// (m) h: distance of the force's line of action from the CG.
     pub moment_arm: T,
@@ -158,7 +156,7 @@ pub struct Oblique<T = f64> {
     pub peak_force: T,
 }
 
-/// A vehicle of which something needed is missing.
+/// A vehicle without any data.
 pub(crate) const NOTHING: VehicleData = VehicleData {
     kind: None,
     inertia: None,

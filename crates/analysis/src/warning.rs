@@ -21,56 +21,55 @@ use crate::travel::{Pass, Travel};
 use crate::usual::Usual;
 use crate::vehicle::{Damage, Vehicle};
 
-/// (m) how far the places of C may lie apart: a CG is surveyed to some decimetres.
+/// (m) how far the positions of C may lie apart: a CG is surveyed to some decimetres.
 const CONTACT_APART: f64 = 0.3;
-/// (m) how far the contact point may be outside of the outline: the roundness of a bumper.
+/// (m) how far the contact point may be outside the outline: the roundness of a bumper.
 const OUTLINE_TOLERANCE: f64 = 0.05;
-/// (m) where a damage ends is a judgement, as it fades out into induced damage: it is hardly known better
-/// than to this.
+/// (m) accuracy of the end of a damage, which is a judgement, as the damage fades out into induced damage.
 const END_TOLERANCE: f64 = 0.1;
 /// (m) how far the contact point may be behind the deepest crush of front or rear: the points of the staged
 /// collisions lie up to 0.51 m behind it (RICSAC 10).
 const END_DEPTH_TOLERANCE: f64 = 0.6;
-/// (m) the same of a side, on which none of those points lies behind it: during the impact the crush was
-/// deeper than what remains of it, and the place of C is a judgement.
+/// (m) the same for a side, on which none of those points lies behind it: during the impact the crush was
+/// deeper than the residual one, and the position of C is a judgement.
 const SIDE_DEPTH_TOLERANCE: f64 = 0.3;
-/// Friction takes energy. Ratios that were fitted to the staged collisions RICSAC 3 and 5 add 1.5 and 1.7 %
-/// of the energy loss, which is what measurement leaves; as much as this moves the speed by 1 %.
+/// Friction dissipates energy. Ratios that were fitted to the staged collisions RICSAC 3 and 5 add 1.5 and
+/// 1.7 % of the energy loss, within the accuracy of measurement; this share changes the speed by 1 %.
 const DRIVING_SHARE: f64 = 0.02;
-/// Of the initial energy: what rounding leaves of a work that is zero.
+/// As a share of the initial energy: the rounding error of a work that is zero.
 const ROUNDING: f64 = 1e-9;
-/// (m/s) what rounding leaves of the speed of a vehicle that stood.
+/// (m/s) the rounding error of the speed of a vehicle that stood still.
 const ROUNDED_SPEED: f64 = 1e-6;
-/// Of the closing speed: sliding that rounding leaves where there is none.
+/// As a share of the closing speed: the rounding error of sliding that is zero.
 const NO_SLIDING: f64 = 1e-9;
 /// A border within this share of the friction limit, or of the sliding before impact, is near: neither is
-/// known better.
+/// known better than this.
 const NEAR: f64 = 0.01;
-/// Of the change of motion in the impact. Over [`NEAR`], an answer without a jump changes by about as much,
-/// so that a tenth of that is lost in it.
+/// As a share of the change of motion in the impact. Within [`NEAR`], an answer without a jump changes by
+/// about as much, so a tenth of that is negligible.
 const JUMP: f64 = 0.1 * NEAR;
 /// The size of μ above which the surfaces pull harder than they push. Friction between vehicles is mostly
 /// about half of that.
 const LARGE_RATIO: f64 = 1.0;
 /// (m/s) 100 km/h, 62 mph: cars are driven into barriers with up to 64 km/h, and slowly with 8.
 const USUAL_TEST_SPEED: [f64; 2] = [2.0, 100.0 / 3.6];
-/// Between vehicles 0.3 to 1.0 is seen, and less where they are wet or the surfaces are smooth.
+/// Between vehicles 0.3 to 1.0 is observed, and less if they are wet or the surfaces are smooth.
 const USUAL_FRICTION: [f64; 2] = [0.1, 1.0];
-/// Rounding of an angle of just one turn.
+/// A full turn, with a tolerance for rounding.
 const FULL_TURN: f64 = TAU * (1.0 + 1e-9);
 
-/// Something that does not stop the analysis, but that whoever signs the report should know. Values are in SI
+/// A problem that does not stop the analysis, but that the signer of the report should know. Values are in SI
 /// units.
 ///
-/// Matched without a catch-all arm wherever a warning is worded, so that a new one does not compile before it
+/// Matched without a catch-all arm wherever a warning is worded, so that a new one does not compile until it
 /// has its words; adding one is a breaking change.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Warning {
     /// The crush plane does not separate the two CGs.
     PlaneDoesNotSeparate,
-    /// The contact point lies outside of the vehicle's outline.
+    /// The contact point lies outside the vehicle's outline.
     ContactOutside {
-        /// Which vehicle.
+        /// The vehicle.
         vehicle: VehicleId,
         /// (m) by how much.
         distance: f64,
@@ -89,7 +88,7 @@ pub enum Warning {
     },
     /// The PDOF that the file gives is not that of the impulse.
     PdofDiffers {
-        /// Which vehicle.
+        /// The vehicle.
         vehicle: VehicleId,
         /// (rad) as given.
         given: f64,
@@ -98,69 +97,69 @@ pub enum Warning {
         /// (rad) how far apart they may be.
         limit: f64,
     },
-    /// What momentum implies differs from other evidence.
+    /// An implication of momentum differs from other evidence.
     MomentumDiffers {
-        /// The checks that are not passed.
+        /// The checks that fail.
         checks: Vec<Check>,
     },
     /// Evidence that the answer does not use contradicts it.
     EvidenceDiffers {
-        /// Which vehicle.
+        /// The vehicle.
         vehicle: VehicleId,
-        /// Which evidence.
+        /// The evidence.
         evidence: Evident,
         /// (SI) as the case gives it.
         given: f64,
         /// (SI) by the answer.
         found: f64,
     },
-    /// Several motions after the impact lead to the rest of a vehicle.
+    /// Several motions after the impact lead to the rest position of a vehicle.
     SeveralStarts {
-        /// Which vehicle.
+        /// The vehicle.
         vehicle: VehicleId,
         /// (m/s, rad/s) speed and yaw rate of the one that is used.
         used: [f64; 2],
         /// (m/s, rad/s) those of the others.
         others: Vec<[f64; 2]>,
     },
-    /// The way of a vehicle to its rest misses a point of its path.
+    /// The path of a vehicle to rest misses a measured point.
     PointMissed {
-        /// Which vehicle.
+        /// The vehicle.
         vehicle: VehicleId,
-        /// Which of its points, counted from 1.
+        /// The number of the point, counted from 1.
         point: usize,
-        /// How the way passes it.
+        /// How the path passes it.
         pass: Pass,
     },
     /// The path of a vehicle misses its measured rest position.
     RestMissed {
-        /// Which vehicle.
+        /// The vehicle.
         vehicle: VehicleId,
-        /// (m) how far from it.
+        /// (m) distance from it.
         miss: f64,
-        /// (–) the same as a share of the way.
+        /// (–) the same as a share of the path.
         share: f64,
     },
     /// α was limited to 45°.
     AngleCapped {
-        /// Which vehicle.
+        /// The vehicle.
         vehicle: VehicleId,
         /// (rad) α.
         oblique_angle: f64,
     },
     /// The force does not push on the damaged side.
     SideNotPushed {
-        /// Which vehicle.
+        /// The vehicle.
         vehicle: VehicleId,
         /// (rad) α.
         oblique_angle: f64,
     },
     /// CRASH3's ΔV is not that of the impact.
     DeltaVDiffers {
-        /// (m/s) ΔV of the impact; none of a fixed object.
+        /// (m/s) ΔV of the impact; `None` for a fixed object.
         impact: [Option<f64>; 2],
-        /// (m/s) CRASH3's, corrected for oblique forces where possible and with the restitution of the impact
-        /// where it can take one.
+        /// (m/s) CRASH3's, corrected for oblique forces if possible, and with the restitution of the impact
+        /// if CRASH3 can use it.
         crash3: [Option<f64>; 2],
         /// Whether it takes restitution into account: not with e = 1.
         restitution: bool,
@@ -172,34 +171,34 @@ pub enum Warning {
     },
     /// The speed found or given is negative.
     MovesBackward {
-        /// Which vehicle.
+        /// The vehicle.
         vehicle: VehicleId,
         /// (m/s) the speed.
         speed: f64,
         /// Whether it was found.
         found: bool,
     },
-    /// CRASH3's size class supplies values that are not known of the vehicle.
+    /// CRASH3's size class supplies values that are unknown for the vehicle.
     ClassValues {
-        /// Which vehicle.
+        /// The vehicle.
         vehicle: VehicleId,
         /// 1 to 6.
         class: u8,
-        /// (kg·m²) the yaw inertia, where that was taken from the class.
+        /// (kg·m²) the yaw inertia, if it was taken from the class.
         yaw_inertia: Option<f64>,
-        /// (m) length, width and distance from the CG to the front, where those were taken from the class.
+        /// (m) length, width and distance from the CG to the front, if they were taken from the class.
         outline: Option<[f64; 3]>,
     },
     /// The yaw inertia was estimated from wheelbase and length.
     BurgInertia {
-        /// Which vehicle.
+        /// The vehicle.
         vehicle: VehicleId,
         /// (kg·m²) the estimate.
         yaw_inertia: f64,
     },
     /// The crush of the vehicle was not measured.
     InferredEnergy {
-        /// Which vehicle.
+        /// The vehicle.
         vehicle: VehicleId,
         /// (N) the peak force on the other vehicle.
         force: f64,
@@ -207,32 +206,32 @@ pub enum Warning {
         crush: [f64; 2],
         /// (J) its energy.
         energy: f64,
-        /// (J) the least and the greatest that are possible, where the width is not known.
+        /// (J) the smallest and the largest possible energy, if the width is unknown.
         bounds: Option<[f64; 2]>,
     },
-    /// The force was taken to act through the centroid of the damage.
+    /// The force was assumed to act through the centroid of the damage.
     DamageCentroid {
-        /// Which vehicle.
+        /// The vehicle.
         vehicle: VehicleId,
         /// (m) the centroid, forward and left of the CG or, in z-down axes, right.
         point: [f64; 2],
-        /// Which side is damaged.
+        /// The damaged side.
         side: Side,
-        /// Whether the file says where on the face the damage lies.
+        /// Whether the file gives the position of the damage on the face.
         offset_given: bool,
     },
     /// The contact point was placed at the centroid of the damage.
     ContactPlaced {
-        /// Which vehicle.
+        /// The vehicle.
         vehicle: VehicleId,
         /// (m) the point, forward and left of the CG or, in z-down axes, right.
         point: [f64; 2],
-        /// How far it may be off in the samples of `uncertainty`, for each [`FaceAxis`].
+        /// Its uncertainty in the samples of `uncertainty`, for each [`FaceAxis`].
         spread: [ContactSpread; 2],
     },
-    /// What the file says of the place of the contact point disagrees.
+    /// The file's data on the position of the contact point disagree.
     ContactApart {
-        /// (m) the greatest distance between two of the places.
+        /// (m) the largest distance between two of the positions.
         distance: f64,
         /// Whether one of them is `contact` of `[scene]`.
         with_scene: bool,
@@ -244,29 +243,29 @@ pub enum Warning {
     },
     /// The work of the normal impulse is not the crush energy.
     DamageEnergyDiffers {
-        /// (J) W_n or, where the basis of the case is a share λ of the tangential work, W_n + λ W_t.
+        /// (J) W_n or, if the basis of the case is a share λ of the tangential work, W_n + λ W_t.
         normal_work: f64,
         /// (J) the crush energy on the basis of the case.
         crush_energy: f64,
         /// That basis.
         basis: Basis,
         /// (J) the crush energy on the other of `dissipated` and `absorbed`, which differs only if there is
-        /// restitution; `None` beside a share of the tangential work.
+        /// restitution; `None` with a share of the tangential work.
         on_other_basis: Option<f64>,
     },
-    /// The line of action passes the CG on the side from which it would turn the vehicle the other way than
-    /// the impact did.
+    /// The line of action passes the CG on the side from which it would turn the vehicle opposite to the
+    /// impact.
     RotationOpposes {
-        /// Which vehicle.
+        /// The vehicle.
         vehicle: VehicleId,
-        /// (rad) the PDOF that the line of action has.
+        /// (rad) the PDOF of the line of action.
         pdof: f64,
         /// (rad/s) change of the yaw rate.
         turned: f64,
     },
     /// The file gives a speed for the vehicle whose speed was to be found.
     GivenSpeedUnused {
-        /// Which vehicle.
+        /// The vehicle.
         vehicle: VehicleId,
         /// (m/s) as given.
         given: f64,
@@ -302,46 +301,46 @@ pub enum Warning {
         /// Whether the law has a friction limit.
         limited: bool,
     },
-    /// The answer lies near a point where the impact law jumps.
+    /// The answer lies near a discontinuity of the impact law.
     NearJump {
-        /// What switches there, and at which number.
+        /// The switch there, and its threshold.
         border: Switch,
         /// The number of the case that it is compared with: the friction limit, or (m/s) u_t.
         given: f64,
-        /// What the law gives on either side: the full impulse and sliding, or sliding as in the answer and
-        /// the other way.
+        /// The answers of the law on both sides: the full impulse and sliding, or sliding as in the answer
+        /// and in the opposite direction.
         sides: [JumpSide; 2],
     },
-    /// The contact point lies beside the damage.
+    /// The contact point lies next to the damage, not on it.
     ContactOffDamage {
-        /// Which vehicle.
+        /// The vehicle.
         vehicle: VehicleId,
         /// The damaged side.
         side: Side,
-        /// (m) how far beyond the end of the damage, along the side.
+        /// (m) distance beyond the end of the damage, along the side.
         distance: f64,
     },
     /// The contact point lies on the half of the vehicle away from the damaged side.
     ContactOtherHalf {
-        /// Which vehicle.
+        /// The vehicle.
         vehicle: VehicleId,
         /// The damaged side.
         side: Side,
-        /// (m) how far beyond the CG or the vehicle's axis.
+        /// (m) distance beyond the CG or the vehicle's axis.
         distance: f64,
     },
-    /// The contact point lies deeper in the vehicle than the damage reaches.
+    /// The contact point lies deeper in the vehicle than the damage.
     ContactDepth {
-        /// Which vehicle.
+        /// The vehicle.
         vehicle: VehicleId,
         /// The damaged side.
         side: Side,
-        /// (m) how far behind the deepest crush, seen from the damaged side.
+        /// (m) distance behind the deepest crush, seen from the damaged side.
         distance: f64,
     },
-    /// The damage reaches beyond the end of the damaged side.
+    /// The damage extends beyond the end of the damaged side.
     DamageOutside {
-        /// Which vehicle.
+        /// The vehicle.
         vehicle: VehicleId,
         /// The damaged side.
         side: Side,
@@ -350,7 +349,7 @@ pub enum Warning {
     },
     /// A number that is unusual for a vehicle or a collision.
     Implausible {
-        /// Which vehicle.
+        /// The vehicle.
         vehicle: VehicleId,
         /// The quantity.
         magnitude: Magnitude,
@@ -360,25 +359,25 @@ pub enum Warning {
         usual: [f64; 2],
         /// The kind.
         kind: Kind,
-        /// Where the file does not say what the vehicle is: the other kinds of which the number is usual.
+        /// If the file does not give the kind of vehicle: the other kinds for which the number is usual.
         others: Vec<Kind>,
     },
     /// By its stiffness, the side would withstand a fast impact without damage.
     HighNoDamageSpeed {
-        /// Which vehicle.
+        /// The vehicle.
         vehicle: VehicleId,
         /// (m/s) b_0.
         speed: f64,
-        /// Where the stiffness comes from.
+        /// The source of the stiffness.
         source: StiffnessSource,
     },
     /// By its stiffness, almost any impact would damage the side.
     LowNoDamageSpeed {
-        /// Which vehicle.
+        /// The vehicle.
         vehicle: VehicleId,
         /// (m/s) b_0.
         speed: f64,
-        /// Where the stiffness comes from.
+        /// The source of the stiffness.
         source: StiffnessSource,
     },
     /// A friction limit that is unusual between vehicles.
@@ -397,25 +396,25 @@ pub enum Warning {
     },
     /// There is no residual crush, but crush energy.
     NoResidualCrush {
-        /// Which vehicle.
+        /// The vehicle.
         vehicle: VehicleId,
-        /// (J) that of G alone.
+        /// (J) the energy of G alone.
         energy: f64,
     },
 }
 
-/// What a law gives on one side of a jump.
+/// The answer of a law on one side of a jump.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct JumpSide {
     /// (J) W_n.
     pub normal_work: f64,
-    /// (N·m·s) M, under a law that has one.
+    /// (N·m·s) M, for a law that has one.
     pub moment: Option<f64>,
-    /// (rad/s) Ω; none of a fixed object.
+    /// (rad/s) Ω; `None` for a fixed object.
     pub yaw_rates: [Option<f64>; 2],
 }
 
-/// How a tangential impulse comes to drive the sliding.
+/// Why a tangential impulse drives the sliding.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Drive {
     /// The file gives μ with the sign of the sliding.
@@ -466,7 +465,7 @@ pub enum Magnitude {
     DamageWidth,
     /// (kg) mass of the car in the barrier test.
     TestMass,
-    /// (m/s) its speed.
+    /// (m/s) speed of that car.
     TestSpeed,
     /// (m) depth of its crush.
     TestDepth,
@@ -563,8 +562,8 @@ impl Warning {
         }
     }
 
-    /// Whether it speaks against an exact solution, and not against the data of the case: where all the
-    /// evidence is weighed, it says nothing of the answer.
+    /// Whether it concerns an exact solution, and not the data of the case: if all the evidence is weighed,
+    /// it does not apply to the answer.
     #[must_use]
     pub fn is_of_exact_solution(&self) -> bool {
         matches!(
@@ -588,7 +587,7 @@ impl Warning {
     }
 }
 
-/// A speed that was found where the case gives one.
+/// Warns of a given speed for the vehicle whose speed was found.
 pub(crate) fn of_given_speed(case: &Case, vehicle: VehicleId, found: f64) -> Option<Warning> {
     let motion = case.vehicles[vehicle.index()].motion?;
     let is_direction_used = matches!(motion, Velocity::Vector { .. });
@@ -605,7 +604,7 @@ pub(crate) fn of_found(case: &Case, found: &Found) -> Vec<Warning> {
     warnings
 }
 
-/// Of a speed (m/s) that was found.
+/// Warnings about a speed (m/s) that was found.
 pub(crate) fn of_found_speed(vehicle: VehicleId, speed: f64, warnings: &mut Vec<Warning>) {
     if speed < -ROUNDED_SPEED {
         warnings.push(Warning::MovesBackward { vehicle, speed, found: true });
@@ -625,7 +624,7 @@ pub(crate) fn of_impact(impact: &Impact, warnings: &mut Vec<Warning>) {
     of_jumps(impact, warnings);
 }
 
-/// Of a friction limit near which the law's answer jumps.
+/// Warnings about a friction limit near which the law's answer jumps.
 fn of_jumps(impact: &Impact, warnings: &mut Vec<Warning>) {
     let (contact, law, before) = (&impact.contact, &impact.law, impact.outcome.before);
     let (Tangential::Friction(limit) | Tangential::FullOrSliding(limit)) = law.tangential() else { return };
@@ -638,7 +637,7 @@ fn of_jumps(impact: &Impact, warnings: &mut Vec<Warning>) {
         if (at - given).abs() > NEAR * given.abs() {
             continue;
         }
-        // Where one side has no answer, there are no two answers to choose from.
+        // If one side has no answer, there are no two answers to choose from.
         let [(one, true), (other, true)] = border.laws.map(|law| contact.impact_with_validity(before, &law))
         else {
             continue;
@@ -657,8 +656,8 @@ fn of_jumps(impact: &Impact, warnings: &mut Vec<Warning>) {
     }
 }
 
-/// How far apart two answers to the same impact are, as a share of what the impact does to the motion. The
-/// energy weighs velocities and yaw rates against each other: √(T(V − V′)/T(V − v)).
+/// The distance between two answers for the same impact, as a share of the change of motion. The energy
+/// weighs velocities and yaw rates against each other: √(T(V − V′)/T(V − v)).
 fn step(contact: &Contact, [one, other]: [&Outcome; 2]) -> f64 {
     let energy = |from: &[Motion; 2], to: &[Motion; 2]| -> f64 {
         let bodies = contact.participants().iter().map(|participant| participant.body());
@@ -671,7 +670,7 @@ fn step(contact: &Contact, [one, other]: [&Outcome; 2]) -> f64 {
     (energy(&other.after, &one.after) / energy(&one.before, &one.after)).sqrt()
 }
 
-/// Of works that add energy.
+/// Warnings about works that add energy.
 fn of_works(impact: &Impact, warnings: &mut Vec<Warning>) {
     let outcome = &impact.outcome;
     let energy = outcome.energy;
@@ -710,7 +709,7 @@ pub(crate) fn of_plane(contact: &Contact, warnings: &mut Vec<Warning>) {
     }
 }
 
-/// Of a restitution at a closing speed (m/s).
+/// Warnings about a restitution at a closing speed (m/s).
 pub(crate) fn of_restitution(restitution: f64, closing_speed: f64, warnings: &mut Vec<Warning>) {
     if restitution > HIGH_RESTITUTION && closing_speed > FAST_CLOSING {
         warnings.push(Warning::HighRestitution { restitution, closing_speed });
@@ -733,7 +732,7 @@ pub(crate) fn of_outlines(vehicles: &[Vehicle; 2], warnings: &mut Vec<Warning>) 
     }
 }
 
-/// Of the contact point, where the places of the CGs tell where it lies.
+/// Warnings about the contact point, if it is also known from the positions of the CGs.
 fn of_contact_places(case: &Case, warnings: &mut Vec<Warning>) {
     let places = case.contact_places();
     let mut farthest: Option<(f64, bool)> = None;
@@ -751,7 +750,7 @@ fn of_contact_places(case: &Case, warnings: &mut Vec<Warning>) {
     }
 }
 
-/// Of single numbers of the file that were hardly meant: angles, speeds, friction and barrier tests.
+/// Warnings about numbers of the file that are probably wrong: angles, speeds, friction, barrier tests.
 pub(crate) fn of_case(case: &Case, warnings: &mut Vec<Warning>) {
     let large_angles = case.variables_where(|Variable { number, unit, origin, .. }| {
         let is_angle = unit.is_some_and(|unit| unit.dimension() == Dimension::Angle);
@@ -794,7 +793,7 @@ fn is_usual(value: f64, [low, high]: [f64; 2]) -> bool {
     (low..=high).contains(&value)
 }
 
-/// Holds the numbers of a vehicle against those that are usual of its kind.
+/// Compares the numbers of a vehicle with those that are usual for its kind.
 struct Judge<'a> {
     vehicle: VehicleId,
     kind: Option<Kind>,
@@ -802,7 +801,7 @@ struct Judge<'a> {
 }
 
 impl Judge<'_> {
-    /// Warns where a number is not usual, and returns whether it is.
+    /// Warns if a number is unusual, and returns whether it is usual.
     fn of(&mut self, magnitude: Magnitude, value: f64, range: impl Fn(&Usual) -> [f64; 2]) -> bool {
         let Self { vehicle, kind: given, .. } = *self;
         let kind = given.unwrap_or_default();
@@ -817,8 +816,8 @@ impl Judge<'_> {
     }
 }
 
-/// Of what the file says of each vehicle, before anything is made of it; `speeds` (m/s) as far as they are
-/// known, and the vehicle whose speed was found.
+/// Warnings about the data of each vehicle, before any analysis; `speeds` (m/s) as far as they are known, and
+/// the vehicle whose speed was found.
 pub(crate) fn of_data(
     vehicles: &[Vehicle; 2],
     speeds: [Option<f64>; 2],
@@ -828,7 +827,7 @@ pub(crate) fn of_data(
     for (id, (vehicle, speed)) in VehicleId::ALL.into_iter().zip(vehicles.iter().zip(speeds)) {
         let subject = &vehicle.subject;
         let mut judge = Judge { vehicle: id, kind: subject.kind, warnings };
-        // A body that cannot be says nothing of what lies within it. A wall or a pole may have any size.
+        // An impossible body is no reference for what lies within it. A wall or a pole may have any size.
         let moves = subject.inertia.is_some();
         let dimensions = subject.dimensions.as_ref().filter(|body| {
             if !moves {
@@ -878,7 +877,7 @@ fn of_stiffness(
     if let (Some(speed), Some([least, most])) = (of.no_damage_speed(), usual) {
         if speed > most {
             warnings.push(Warning::HighNoDamageSpeed { vehicle, speed, source });
-        // With A = 0 somebody chose a line through the origin.
+        // With A = 0, the line was chosen to go through the origin.
         } else if speed > 0.0 && speed < least {
             warnings.push(Warning::LowNoDamageSpeed { vehicle, speed, source });
         }
@@ -888,7 +887,7 @@ fn of_stiffness(
     }
 }
 
-/// (m) how far a point lies from the CG towards a side.
+/// (m) distance of a point from the CG towards a side.
 fn outward([forward, left]: [f64; 2], side: Side) -> f64 {
     match side {
         Side::Front => forward,
@@ -898,7 +897,7 @@ fn outward([forward, left]: [f64; 2], side: Side) -> f64 {
     }
 }
 
-/// Of a contact point on the half of the vehicle away from the damaged side.
+/// Warnings about a contact point on the half of the vehicle away from the damaged side.
 fn of_half(vehicle: VehicleId, contact: [f64; 2], side: Side, warnings: &mut Vec<Warning>) {
     let outward = outward(contact, side);
     if outward < -END_TOLERANCE {
@@ -906,7 +905,7 @@ fn of_half(vehicle: VehicleId, contact: [f64; 2], side: Side, warnings: &mut Vec
     }
 }
 
-/// Of a contact point deeper in the vehicle than the measured crush reaches.
+/// Warnings about a contact point deeper in the vehicle than the measured crush.
 fn of_depth(vehicle: VehicleId, of: &Vehicle, damage: &Damage, side: Side, warnings: &mut Vec<Warning>) {
     let (Some(contact), Some(outline), None) = (of.subject.contact, of.subject.dimensions, damage.inferred)
     else {
@@ -919,13 +918,13 @@ fn of_depth(vehicle: VehicleId, of: &Vehicle, damage: &Damage, side: Side, warni
         Side::Front | Side::Rear => END_DEPTH_TOLERANCE,
         Side::Left | Side::Right => SIDE_DEPTH_TOLERANCE,
     };
-    // On the other half it has a warning already.
+    // On the other half, there is already a warning.
     if distance > tolerance && outward >= -END_TOLERANCE {
         warnings.push(Warning::ContactDepth { vehicle, side, distance });
     }
 }
 
-/// Of contact point, damage and outline, which have to fit together.
+/// Warnings about contact point, damage and outline, which have to fit together.
 fn of_places(
     id: VehicleId,
     vehicle: &Vehicle,
@@ -939,7 +938,7 @@ fn of_places(
         of_half(id, contact, side, warnings);
         of_depth(id, vehicle, damage, side, warnings);
     }
-    // A width that is not known, or a damage of which the place is not, has no ends.
+    // A damage of unknown width or position has no ends.
     let has_width = damage.inferred.is_none_or(|inferred| inferred.range.is_none());
     let Some(offset) = given.offset.filter(|_| has_width) else { return };
     if let Some([forward, left]) = vehicle.subject.contact {
@@ -963,7 +962,7 @@ fn of_places(
     }
 }
 
-/// Warnings of values that are assumed.
+/// Warnings about assumed values.
 pub(crate) fn of_assumptions(case: &Case, vehicles: &[Vehicle; 2], warnings: &mut Vec<Warning>) {
     for (id, vehicle) in VehicleId::ALL.into_iter().zip(vehicles) {
         let subject = &vehicle.subject;
@@ -1043,7 +1042,7 @@ pub(crate) fn of_directions(impact: &Impact, vehicles: &[Vehicle; 2], warnings: 
     }
 }
 
-/// What the checks are not content with and no other warning says.
+/// Failed checks that no other warning covers.
 pub(crate) fn of_checks(
     checks: &[Check],
     vehicles: &[Vehicle; 2],
@@ -1085,7 +1084,7 @@ pub(crate) fn of_checks(
     }
 }
 
-/// Where momentum and other evidence do not agree.
+/// Warnings about disagreement between momentum and other evidence.
 pub(crate) fn of_momentum(checks: &[Check], warnings: &mut Vec<Warning>) {
     let checks: Vec<Check> = checks.iter().filter(|check| !check.passed()).copied().collect();
     if !checks.is_empty() {
@@ -1093,7 +1092,7 @@ pub(crate) fn of_momentum(checks: &[Check], warnings: &mut Vec<Warning>) {
     }
 }
 
-/// Where a rest does not tell one motion alone, or the motion misses a point of the path.
+/// Warnings if a rest position leaves several motions, or if the motion misses a point of the path.
 pub(crate) fn of_travel(
     travel: &[Option<Travel>; 2],
     both: Option<&BothFound>,
@@ -1103,7 +1102,7 @@ pub(crate) fn of_travel(
     for (vehicle, travel) in VehicleId::ALL.into_iter().zip(travel) {
         let Some(travel) = travel else { continue };
         let told = |motion: Motion| [motion.velocity.norm(), motion.yaw_rate];
-        // Beside an impact the impulse tells which of them it was, unless two agree with it about equally.
+        // With an impact, the impulse selects one of them, unless two agree with it about equally.
         let agrees = |other: &Motion| {
             both.is_none_or(|both| {
                 both.rivals().any(|rival| rival.after[vehicle.index()].velocity == other.velocity)
@@ -1138,12 +1137,12 @@ pub(crate) fn of_delta_v(
     if impact.outcome.regime == Some(Regime::Sliding) {
         return;
     }
-    // Nor to vehicles that took no damage: that its ΔV is zero then says nothing of the impact.
+    // Nor for vehicles without damage, whose ΔV of zero is meaningless.
     if crash3.crush_energy <= 0.0 {
         return;
     }
     let of_impact = Outcome::delta_v_magnitude(&impact.outcome);
-    // CRASH3 without restitution would differ from an impact with restitution, and say nothing by it.
+    // CRASH3 assumes e = 0; comparing it with an impact that has restitution would be meaningless.
     let factor = crash3.restitution_factor;
     let of_crash3 = crash3
         .corrected

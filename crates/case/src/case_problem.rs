@@ -14,7 +14,7 @@ use crate::units::read_unit;
 use crate::units_in_use::UnitsInUse;
 use inputs::{Amount, Dimension, LawName, Quantity, Unit, format_number};
 
-/// What is wrong at one place of a case file. `Display` says what is wrong, and [`CaseProblem::help`] what to
+/// A problem at one place of a case file. `Display` describes it, and [`CaseProblem::help`] says what to
 /// write instead.
 #[derive(Clone, Debug, PartialEq, Error)]
 #[expect(missing_docs, reason = "the fields carry the names of what the sentence above them says")]
@@ -129,7 +129,7 @@ pub enum CaseProblem {
     /// A key that a fixed object cannot have.
     #[error("{table} is fixed, so it cannot give \"{key}\"")]
     FixedHas { table: String, key: &'static str },
-    /// A diameter of what is no pole.
+    /// A diameter of something that is not a pole.
     #[error("{table} gives a diameter, which only a fixed object has")]
     DiameterMoves { table: String },
     /// An outline with parts missing.
@@ -172,7 +172,7 @@ pub enum CaseProblem {
     /// A key that only a measured crush can have.
     #[error("{table} takes its crush from the force balance, so it cannot give \"{key}\"")]
     InferredHas { table: String, key: &'static str },
-    /// A key for which the energy equivalent speed stands in.
+    /// A key that the energy equivalent speed replaces.
     #[error("{table} gives \"ees\", so it cannot give \"{key}\"")]
     EesHas { table: String, key: &'static str },
     /// A limit of the force per width that is below A; `start` gives A and its value.
@@ -213,7 +213,7 @@ pub enum CaseProblem {
 }
 
 impl CaseProblem {
-    /// Whether it is about the case as a whole: of a part of one, what is missing may follow.
+    /// Whether it concerns the case as a whole: when a part of a case is read, missing keys may follow.
     pub(crate) fn is_of_whole(&self) -> bool {
         matches!(
             self,
@@ -455,7 +455,7 @@ impl CaseProblem {
     }
 }
 
-/// Whether a side is named by who sits there, which differs between countries.
+/// Whether a side is named after its occupant, which differs between countries.
 fn is_of_driver(side: &str) -> bool {
     let side = side.to_lowercase().replace([' ', '-', '_'], "");
     ["driver", "passenger", "nearside", "offside"].iter().any(|word| side.contains(word))
@@ -479,7 +479,7 @@ fn pointing<'a>(example: &'a str, program: &Program) -> Cow<'a, str> {
 pub(crate) const RESTITUTION_FORMS: &str =
     "restitution = 0.3 or restitution = { speeds = \"2 5 10 20 m/s\", values = [0.3, 0.2, 0.12, 0.05] }";
 
-/// Where a key stands that its table, as [`Table::label`] names it, does not have.
+/// The place of a key that its table, named as by [`Table::label`], does not have.
 fn placed(table: &str) -> String {
     format!("{} {table}", if table.starts_with('[') { "in" } else { "at" })
 }
@@ -492,7 +492,7 @@ fn other_law_help(key: &str, law: &str, keys: &str, owners: &[&str]) -> String {
     let owners: Vec<String> = owners.iter().map(|owner| format!("\"{owner}\"")).collect();
     let owners: Vec<&str> = owners.iter().map(String::as_str).collect();
     let help = format!("law = \"{law}\" uses {keys}; {key} belongs to law = {}", join(&owners, "or"));
-    // What is a key of its own under one law is a form of tangential under Brach's.
+    // A separate key under one law is a form of tangential under Brach's.
     if law == LawName::Brach.name() && TANGENTIAL.has(key) {
         format!("{help}; here write tangential = {{ {} }}", TANGENTIAL.example(key))
     } else {
@@ -504,7 +504,7 @@ fn counted(count: usize, noun: &str) -> String {
     if count == 1 { format!("1 {noun}") } else { format!("{count} {noun}s") }
 }
 
-/// The given keys, which do not make up `what`.
+/// The given keys, which do not make up a valid `what`.
 fn not_valid(given: &[&str], what: &str) -> String {
     if given.is_empty() {
         "none of its keys".to_owned()

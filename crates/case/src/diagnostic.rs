@@ -12,10 +12,10 @@ use crate::case_problem::CaseProblem;
 use crate::program::Program;
 use crate::source::Source;
 
-/// How many problems are shown in full; the others are counted.
+/// Maximum number of problems shown in full; the others are counted.
 const SHOWN: usize = 20;
 
-/// (bytes) a longer line is not printed: its place is named instead.
+/// (bytes) longest line that is printed; of a longer one, only the place is named.
 const LONGEST_LINE: usize = 2000;
 
 /// One problem and its place.
@@ -26,12 +26,12 @@ pub struct Diagnostic {
     problem: CaseProblem,
 }
 
-/// A problem as a program hands it on.
+/// A problem in plain fields, for other programs.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Problem {
-    /// The key that it is about, such as `vehicle1.crush.width`, or the table; `None` of the file as a whole.
+    /// The key concerned, such as `vehicle1.crush.width`, or the table; `None` for the file as a whole.
     pub key: Option<String>,
-    /// Line and column of its place, both from 1 on; `None` of the file as a whole.
+    /// Line and column of its place, both counted from 1; `None` for the file as a whole.
     pub place: Option<[usize; 2]>,
     /// What is wrong.
     pub message: String,
@@ -44,7 +44,7 @@ impl Diagnostic {
         Self { span, key: None, problem }
     }
 
-    /// About a key, which need not be in the file.
+    /// Sets the key that it is about, which need not be in the file.
     pub(crate) fn about(self, key: &str) -> Self {
         Self { key: Some(key.to_owned()), ..self }
     }
@@ -78,7 +78,7 @@ impl Diagnostic {
         self.placed(source, &self.problem.to_string())
     }
 
-    /// A text about it behind its place, without line breaks.
+    /// A text about it after its place, without line breaks.
     fn placed(&self, source: &Source, text: &str) -> String {
         let text = on_one_line(text);
         if !source.is_text() {
@@ -98,7 +98,7 @@ impl Diagnostic {
         let span = self.span.as_ref().filter(|_| source.is_text())?;
         let before = &source.text()[..floor_char_boundary(source.text(), span.start)];
         let line = before.rsplit('\n').next().unwrap_or_default();
-        // A byte order mark is no column.
+        // A byte order mark does not count as a column.
         let column = line.trim_start_matches('\u{feff}').chars().count() + 1;
         Some([before.matches('\n').count() + 1, column])
     }
@@ -114,7 +114,7 @@ impl Diagnostic {
         }
     }
 
-    /// The line and the caret under the value. One line: a value of many lines is shown by its first.
+    /// The line, with a caret under the value; of a value that spans several lines, the first.
     fn place<'a>(&self, source: &'a Source) -> Element<'a> {
         let name = source.name().to_string();
         let text = source.text();
@@ -128,7 +128,7 @@ impl Diagnostic {
         let start = floor_char_boundary(text, span.start);
         let end = floor_char_boundary(text, span.end.max(start));
         let line_start = text[..start].rfind('\n').map_or(0, |newline| newline + 1);
-        // A byte order mark is no column.
+        // A byte order mark does not count as a column.
         let line_start = if text[line_start..start].starts_with('\u{feff}') {
             line_start + '\u{feff}'.len_utf8()
         } else {
@@ -143,7 +143,7 @@ impl Diagnostic {
         }
         let from = (start - line_start).min(line.len());
         let to = (end - line_start).clamp(from, line.len());
-        // One sign for each character, so that the column stays right.
+        // One character replaces each, so that the column stays right.
         let signed = |part: &str| part.replace(|letter| acts(letter) && sign(letter).is_none(), "\u{fffd}");
         let (from, to) = (signed(&line[..from]).len(), signed(&line[..to]).len());
         Snippet::source(signed(line))
@@ -163,8 +163,7 @@ fn floor_char_boundary(text: &str, index: usize) -> usize {
     (0..=index).rev().find(|&at| text.is_char_boundary(at)).unwrap_or(0)
 }
 
-/// Everything that is wrong with a case file, in the order of the text. Its `Display` is what a user should
-/// see.
+/// All problems of a case file, in the order of the text. Its `Display` is meant for the user.
 #[derive(Clone, Debug)]
 pub struct Diagnostics {
     source: Source,
@@ -175,25 +174,25 @@ pub struct Diagnostics {
 
 impl Diagnostics {
     pub(crate) fn new(source: Source, mut list: Vec<Diagnostic>) -> Self {
-        // What concerns the whole file comes last.
+        // Problems of the whole file come last.
         list.sort_by_key(|diagnostic| diagnostic.span().map_or(usize::MAX, |span| span.start));
         list.dedup();
         Self { source, list: list.into_boxed_slice(), program: &Program::NONE }
     }
 
-    /// The same in the words of a program: what to write instead then points to its commands.
+    /// The same with the command names of a program, to which the remedies then refer.
     #[must_use]
     pub fn in_words_of(self, program: &'static Program) -> Self {
         Self { program, ..self }
     }
 
-    /// The problems, in the order of the text; what concerns the whole file comes last.
+    /// The problems, in the order of the text; those of the whole file come last.
     #[must_use]
     pub fn list(&self) -> &[Diagnostic] {
         &self.list
     }
 
-    /// The problems as a program hands them on, each with its key and in the words of the program.
+    /// The problems in plain fields, each with its key and with the command names of the program.
     ///
     /// ```
     /// let errors = case::CaseFile::parse("case.toml", "[vehicle1]\nspeed = 35\n[vehicle2]\nfixed = true").unwrap_err();
@@ -206,8 +205,8 @@ impl Diagnostics {
         self.list.iter().map(|diagnostic| diagnostic.handed_on(&self.source, self.program)).collect()
     }
 
-    /// All of them on one line, for a row of a table or a line of a log: what is wrong, without the name of
-    /// the file and without what to write instead.
+    /// All problems on one line, for a row of a table or a line of a log, without the name of the file and
+    /// without what to write instead.
     ///
     /// ```
     /// let errors = case::CaseFile::parse("case.toml", "[vehicle1]\nspeed = 35\n[vehicle2]\nfixed = true").unwrap_err();
@@ -223,8 +222,8 @@ impl Diagnostics {
         sentences.join("; ")
     }
 
-    /// What to write instead, on one line beside that of [`one_line`](Self::one_line): with the place where
-    /// several problems are shown, and empty where there is nothing to say.
+    /// What to write instead, on one line, to accompany [`one_line`](Self::one_line): with places if several
+    /// problems are shown, and empty if there is nothing to say.
     ///
     /// ```
     /// let errors = case::CaseFile::parse("case.toml", "[vehicle1]\nspeed = 35\n[vehicle2]\nfixed = true").unwrap_err();

@@ -1,9 +1,9 @@
-//! Changes one key of a case file, and leaves every other letter as it is.
+//! Changes one key of a case file, and keeps every other character as it is.
 //!
 //! The parser of `toml` gives the place of each key and value (`layout`), and the text is cut there.
-//! `toml_edit`, which writes its tree of the whole file anew, would change other letters too: it drops `\r`
-//! and a byte order mark, sorts dotted keys by their table, takes the comment above a removed key with it,
-//! and adds a key at the end of its table alone: see the test `toml_edit_would_change_more_than_the_key`.
+//! `toml_edit`, which writes the whole file anew from its tree, would also change other characters: it drops
+//! `\r` and a byte order mark, sorts dotted keys by their table, removes the comment above a removed key, and
+//! adds a key only at the end of its table: see the test `toml_edit_would_change_more_than_the_key`.
 
 mod layout;
 
@@ -15,49 +15,49 @@ use toml::de::DeTable;
 use crate::keys::{Way, way};
 use layout::{Container, Entry, Kind, Layout, Step};
 
-/// A text in which a key has a new value.
+/// A text with the new value of a key.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Edited {
     /// The whole text.
     pub text: String,
-    /// (bytes) where the new value stands in it.
+    /// (bytes) place of the new value in it.
     pub span: Range<usize>,
 }
 
 /// Why a key cannot be changed.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 pub enum EditError {
-    /// The text is no TOML, so that nobody knows where its keys are.
+    /// The text is not TOML, so its keys cannot be located.
     #[error("the file cannot be read as TOML: {message}; correct that first")]
     NotToml {
         /// What is wrong with it.
         message: String,
-        /// (bytes) where.
+        /// (bytes) place of the error.
         span: Option<Range<usize>>,
     },
     /// No case has this key.
     #[error("a case file has no key \"{}\"", inputs::shown(key))]
     UnknownKey {
-        /// As asked for.
+        /// The requested key.
         key: String,
     },
-    /// It is no value of TOML, such as `"10 mph"`, `0.3` or `{ x = "1 m", y = "2 m" }`.
+    /// The value is not a TOML value such as `"10 mph"`, `0.3` or `{ x = "1 m", y = "2 m" }`.
     #[error("{} is no value of TOML: write a number with its unit in quotation marks", inputs::shown(value))]
     NotAValue {
-        /// As given.
+        /// The given value.
         value: String,
     },
-    /// The list ends before this element, and not right before it.
+    /// The list ends before this element, but not right before it.
     #[error("the list of \"{}\" is too short to have this element", inputs::shown(key))]
     NoElement {
-        /// As asked for.
+        /// The requested key.
         key: String,
     },
 }
 
-/// Gives a key its value, which is TOML: `"\"10 mph\""`, `"0.3"`, `"{ x = \"1 m\", y = \"2 m\" }"`. Where the
-/// key is there, its value is replaced. Where it is not, it is added behind those that usually stand before
-/// it, with the table that it needs. All else, and every comment, stays as it is.
+/// Sets a key to a value, which is TOML: `"\"10 mph\""`, `"0.3"`, `"{ x = \"1 m\", y = \"2 m\" }"`. An
+/// existing value is replaced. A missing key is added after those that usually precede it, with the table
+/// that it needs. Everything else, comments included, stays as it is.
 ///
 /// ```
 /// let text = "[vehicle1]\nmass = \"1500 kg\" # weighed\n";
@@ -78,8 +78,8 @@ pub fn set(text: &str, key: &str, value: &str) -> Result<Edited, EditError> {
     Editor::new(text).set(key, &way, value)
 }
 
-/// Takes a key out, with its line or, where it is a table, all of that. A table in braces of which it is the
-/// only key goes as well, unless others of its list follow, whose numbers would change; a text that has not
+/// Removes a key with its line or, if it is a table, the whole table. An inline table without another key
+/// goes as well, unless it is a list element followed by others, whose indices would change. A text without
 /// this key stays as it is.
 ///
 /// ```
@@ -104,7 +104,7 @@ fn steps(way: &[Way]) -> Vec<Step> {
         .collect()
 }
 
-/// A value without blanks around it, if it is one.
+/// The value without surrounding spaces, if it is a TOML value.
 fn checked_value(value: &str) -> Result<&str, EditError> {
     let trimmed = value.trim();
     let line = format!("x = {trimmed}\n");
@@ -137,7 +137,7 @@ impl<'t> Editor<'t> {
         Self { text, layout: Layout::of(text), newline }
     }
 
-    /// The text with something else at a place, and where that stands.
+    /// The text with a place replaced, and the place of the new value.
     fn replaced(&self, place: Range<usize>, before: &str, value: &str, after: &str) -> Edited {
         let Self { text, .. } = self;
         let start = place.start + before.len();
@@ -152,7 +152,7 @@ impl<'t> Editor<'t> {
         if let Some(entry) = self.layout.entry(&path) {
             return Ok(self.replaced(entry.value.clone(), "", value, ""));
         }
-        // What now is a word or a number becomes a table, or the other way round.
+        // A word or number becomes a table, or the other way round.
         let in_the_way = (1..path.len()).find_map(|n| {
             let entry = self.layout.entry(&path[..n])?;
             self.layout.container(&path[..n]).is_none().then_some((n, entry))
@@ -177,7 +177,7 @@ impl<'t> Editor<'t> {
         self.layout.sections(path).next().is_some() || self.dotted(path).next().is_some()
     }
 
-    /// Entries below a path, in a container that is not.
+    /// Entries below a path, whose container is above it.
     fn dotted<'a>(&'a self, path: &'a [Step]) -> impl Iterator<Item = &'a Entry> {
         let entries = self.layout.entries.iter();
         entries.filter(move |entry| {
@@ -203,7 +203,7 @@ impl<'t> Editor<'t> {
             if let Some(Step::Element(element)) = path.get(depth)
                 && let Some(last) = self.last_element(&path[..depth])
             {
-                // A list of tables, each with a header of its own.
+                // A list of tables, each with its own header.
                 if last + 1 != *element || depth + 1 == path.len() {
                     return Err(EditError::NoElement { key: key.to_owned() });
                 }
@@ -224,7 +224,7 @@ impl<'t> Editor<'t> {
             .max()
     }
 
-    /// Into the container of the first `depth` steps.
+    /// Adds the key to the container of the first `depth` steps.
     fn add_within(
         &self,
         index: usize,
@@ -311,7 +311,7 @@ impl<'t> Editor<'t> {
         }
     }
 
-    /// The last of those that usually stand before.
+    /// The last of the entries that usually precede it.
     fn neighbour(&self, index: usize, rest: &[Way]) -> Option<&Entry> {
         let depth = self.layout.containers.get(index)?.path.len();
         let rank = rest.first()?.rank;
@@ -323,7 +323,7 @@ impl<'t> Editor<'t> {
         before.max_by_key(|entry| (of(entry), entry.value.end))
     }
 
-    /// On a line of its own behind an entry, or within the same braces.
+    /// Adds a key after an entry: on its own line, or within the same braces.
     fn behind(&self, entry: &Entry, name: &str, value: &str) -> Edited {
         if self.layout.containers.get(entry.within).is_some_and(|one| one.kind == Kind::Braces) {
             let end = entry.value.end;
@@ -332,7 +332,7 @@ impl<'t> Editor<'t> {
         self.new_line(self.line_end(entry.value.end), &self.line_like(entry, name), value, "")
     }
 
-    /// Below the line that ends here.
+    /// Adds a line below the one that ends here.
     fn new_line(&self, at: usize, before: &str, value: &str, after: &str) -> Edited {
         let newline = self.newline;
         if at == 0 || self.text[..at].ends_with('\n') {
@@ -341,7 +341,7 @@ impl<'t> Editor<'t> {
         self.replaced(at..at, &format!("{newline}{before}"), value, &format!("{newline}{after}"))
     }
 
-    /// A line up to its value, indented and with its sign of equality where another one of the table has it.
+    /// A line up to its value, indented and aligned like another one of its table.
     fn line_like(&self, entry: &Entry, name: &str) -> String {
         let start = self.line_start(entry.key.start);
         let indent: String =
@@ -352,7 +352,7 @@ impl<'t> Editor<'t> {
             .filter_map(|entry| {
                 let between = &self.text[entry.key.end..entry.value.start];
                 let blanks = between.find('=')?;
-                // One blank is no alignment.
+                // A single space is no alignment.
                 (blanks > 1).then_some(entry.key.len() + blanks)
             })
             .max()
@@ -363,16 +363,16 @@ impl<'t> Editor<'t> {
 
     fn line_start(&self, at: usize) -> usize {
         let start = self.text[..at].rfind('\n').map_or(0, |newline| newline + 1);
-        // Nothing goes before a byte order mark.
+        // Nothing precedes a byte order mark.
         if self.text[start..].starts_with('\u{feff}') { start + '\u{feff}'.len_utf8() } else { start }
     }
 
-    /// Behind the line break.
+    /// The place after the line break.
     fn line_end(&self, at: usize) -> usize {
         self.text[at..].find('\n').map_or(self.text.len(), |newline| at + newline + 1)
     }
 
-    /// A table of the first `depth` steps with a header of its own.
+    /// Adds a table of the first `depth` steps with its own header.
     fn add_section(
         &self,
         depth: usize,
@@ -411,8 +411,8 @@ impl<'t> Editor<'t> {
         Ok(self.replaced(at..at, &before, value, &format!("{after}{newline}{gap}")))
     }
 
-    /// Behind the last line of a section that is its own: comments right above the next header belong to
-    /// that.
+    /// The end of the last line that belongs to a section: comments right above the next header belong to
+    /// that header.
     fn end_of(&self, section: &Container) -> usize {
         let mut end = section.span.end;
         let body = section.header.end.max(self.line_start(0));
@@ -425,7 +425,7 @@ impl<'t> Editor<'t> {
             while start > body && self.text[line_before(start)..start].trim_start().starts_with('#') {
                 start = line_before(start);
             }
-            // Those at the very top are of the file.
+            // Comments at the very top belong to the file.
             if start > body || !section.header.is_empty() {
                 end = start;
             }
@@ -444,7 +444,7 @@ impl<'t> Editor<'t> {
         let of_sections = self.layout.sections(path).map(|section| {
             let start = self.line_start(section.header.start);
             let mut end = self.end_of(section);
-            // The blank lines below it, as those above it stay.
+            // With the blank lines below it, as those above it stay.
             while end < section.span.end && self.text[end..self.line_end(end)].trim().is_empty() {
                 end = self.line_end(end);
             }
@@ -466,8 +466,8 @@ impl<'t> Editor<'t> {
         let Some(container) = self.layout.containers.get(entry.within) else { return self.text.to_owned() };
         let is_alone = self.layout.within(entry.within).count() == 1;
         if container.kind != Kind::Section && is_alone {
-            // An element of a list of tables has no entry of its own. What follows one in braces keeps its
-            // number.
+            // An element of a list of tables has no entry of its own. The elements after an inline table keep
+            // their indices.
             if let Some(of_container) = self.layout.entry(&container.path)
                 && !self.is_followed(of_container)
             {
@@ -478,13 +478,13 @@ impl<'t> Editor<'t> {
         [&self.text[..place.start], &self.text[place.end..]].concat()
     }
 
-    /// Whether it is an element of a list that has others behind it.
+    /// Whether it is an element of a list with others after it.
     fn is_followed(&self, entry: &Entry) -> bool {
         matches!(entry.path.last(), Some(Step::Element(_)))
             && self.layout.within(entry.within).any(|other| other.value.start > entry.value.start)
     }
 
-    /// (bytes) what goes with an entry: its line, or its comma.
+    /// (bytes) an entry with its line or its comma.
     fn place_of(&self, entry: &Entry) -> Range<usize> {
         let is_section =
             self.layout.containers.get(entry.within).is_some_and(|one| one.kind == Kind::Section);
@@ -501,7 +501,7 @@ impl<'t> Editor<'t> {
     }
 }
 
-/// What stands before and after a value within the tables of these steps, in one line.
+/// The text before and after a value that is nested in inline tables of these steps.
 fn nested(way: &[Way], key: &str) -> Result<(String, String), EditError> {
     let (mut before, mut after) = (String::new(), String::new());
     for way in way {
@@ -520,7 +520,7 @@ fn nested(way: &[Way], key: &str) -> Result<(String, String), EditError> {
     Ok((before, after))
 }
 
-/// A path as a key has it.
+/// A path written as a key.
 fn written(path: &[Step]) -> String {
     let mut key = String::new();
     for step in path {

@@ -38,16 +38,16 @@ pub fn json_schema() -> String {
     format!("{:#}\n", Value::Object(document))
 }
 
-/// Collects what is used in several places.
+/// Collects the parts that are used in several places.
 #[derive(Default)]
 struct Generator {
     vehicle: Option<Node>,
     quantities: BTreeMap<String, Node>,
-    /// What holds of the keys of a range together.
+    /// Rules about several keys of a range.
     ranges: BTreeMap<&'static str, Value>,
 }
 
-/// What a range is about.
+/// The kind of number in a range.
 #[derive(Clone, Copy)]
 enum Kind {
     Quantity(Dimension, Bounds),
@@ -69,8 +69,8 @@ impl Generator {
         node
     }
 
-    /// The keys of a table and, where it is one of several that can stand here, those of the others; `of` is
-    /// what a range is about.
+    /// The keys of a table or, if it is one of several that are possible here, of all of them; `of` is the
+    /// kind of number in a range.
     fn content(&mut self, schemas: &[&'static Schema], of: Option<Kind>) -> Node {
         let keys = schemas.iter().flat_map(|schema| schema.keys);
         let properties: Node =
@@ -95,12 +95,12 @@ impl Generator {
             node.insert("required".into(), json!(required));
         }
         if !all.is_empty() {
-            // Taplo offers no keys of a table that itself has "allOf": it stands behind a condition that
+            // Taplo offers no keys of a table that itself has "allOf": the rules go behind a condition that
             // always holds.
             node.insert("if".into(), json!(true));
             let rules = json!({ "allOf": all });
             let then = match (schemas, of) {
-                // Of all ranges they are the same.
+                // They are the same for all ranges.
                 ([schema], Some(_)) => {
                     let name = if std::ptr::eq(*schema, &RANGE_OF_LIST) { "range_of_list" } else { "range" };
                     self.ranges.entry(name).or_insert(rules);
@@ -116,7 +116,7 @@ impl Generator {
     fn key(&mut self, key: &'static Key, of: Option<Kind>) -> Node {
         let mut node = texts(key.text());
         if let Some(example) = example(key) {
-            // Some editors show the description alone.
+            // Some editors show only the description.
             let text = format!("{}\n\nExample: `{}`", key.text(), key.example);
             node.insert("description".into(), json!(text));
             node.insert("examples".into(), json!([example]));
@@ -218,7 +218,7 @@ impl Generator {
                 object(json!({ "type": "array", "maxItems": MOST_ZONES, "items": self.table(schema) }))
             }
             Form::WordsOrTable(words, schema) => {
-                // Not by `anyOf`, whose errors are at the key: what is wrong in a table is marked there.
+                // Not `anyOf`, which reports at the key: errors in a table are marked in the table.
                 let table = self.table(schema);
                 object(json!({ "if": { "type": "string" }, "then": { "enum": words }, "else": table }))
             }
@@ -257,7 +257,7 @@ impl Generator {
                 node.extend(limits(if is_deviation { Bounds::Positive } else { bounds }));
                 node
             }
-            // Of whatever the error of several numbers is added to.
+            // Of any kind: several numbers share the error.
             None => object(json!({ "type": ["string", "number"] })),
         }
     }
@@ -327,7 +327,7 @@ fn plain(value: &DeValue<'_>) -> Value {
     }
 }
 
-/// The limits of a plain number. A case may say e = 1.
+/// The limits of a plain number. A case may contain e = 1.
 fn limits(bounds: Bounds) -> Node {
     object(match bounds {
         Bounds::None | Bounds::Acute => json!({}),
@@ -338,12 +338,12 @@ fn limits(bounds: Bounds) -> Node {
     })
 }
 
-/// Each of these keys is an error where it stands.
+/// Makes each of these keys an error.
 fn never<'a>(keys: impl Iterator<Item = &'a str>) -> Node {
     keys.map(|key| (key.to_owned(), json!(false))).collect()
 }
 
-/// What a rule asks of a table, besides the keys that it always has to have.
+/// The conditions that a rule sets for a table, besides the keys that are always required.
 fn conditions(rule: &Rule, schema: &Schema) -> Vec<Value> {
     match rule {
         Rule::Needs(_) => Vec::new(),

@@ -1,4 +1,4 @@
-//! The keys of a case and what each holds, for whoever lays them out in another way than a text.
+//! The keys of a case and their contents, for programs that present them in another form than text.
 
 use std::sync::OnceLock;
 
@@ -12,25 +12,25 @@ pub struct KeyInfo {
     pub name: &'static str,
     /// What it means; the first sentence is its title.
     pub text: &'static str,
-    /// What it holds.
+    /// The form of its value.
     pub form: KeyForm,
     /// The line that sets it, or the header of its table.
     pub example: &'static str,
     /// Whether its table always needs it.
     pub is_required: bool,
-    /// Between what its numbers lie, where it holds any.
+    /// The bounds of its numbers, if it holds any.
     pub bounds: Bounds,
 }
 
 impl KeyInfo {
-    /// Whether it is a table that has a header of its own.
+    /// Whether it is a table with its own header.
     #[must_use]
     pub fn has_header(&self) -> bool {
         self.example.starts_with('[')
     }
 }
 
-/// What a key of a case file holds. Where it says so, the number may be a range, whose keys are
+/// The form of the value of a key of a case file. Where noted, the number may be a range, whose keys are
 /// [`range_keys`].
 #[derive(Clone, Debug)]
 pub enum KeyForm {
@@ -75,11 +75,11 @@ pub enum KeyForm {
     Percent,
     /// A number between 0 and 1.
     Probability,
-    /// In a range: as the number itself.
+    /// In a range: like the number itself.
     Value,
     /// In a range of a list: the numbers.
     Values,
-    /// How far a number may be off, in the unit of what it belongs to.
+    /// How far a number may be off, in the unit of that number.
     Deviation,
 }
 
@@ -131,20 +131,20 @@ fn bounds(form: Form) -> Bounds {
     of_quantity.or_else(|| form.bounds()).unwrap_or(Bounds::None)
 }
 
-/// A step of the way to a key, as the tables of a case have it.
+/// A step of the path to a key, through the tables of a case.
 #[derive(Clone, Debug)]
 pub(crate) struct Way {
-    /// `None` of an element.
+    /// `None` for an element.
     pub(crate) name: Option<&'static str>,
-    /// Of an element, from 0 on.
+    /// The index of an element, from 0.
     pub(crate) element: usize,
-    /// The place among the keys of its table.
+    /// The position among the keys of its table.
     pub(crate) rank: usize,
     /// Whether it is a table that has a header.
     pub(crate) has_header: bool,
 }
 
-/// The steps to a key such as `vehicle1.crush.depths[2]`; `None` where no case has it.
+/// The steps to a key such as `vehicle1.crush.depths[2]`; `None` if no case has it.
 pub(crate) fn way(key: &str) -> Option<Vec<Way>> {
     let mut way = Vec::new();
     let mut tables: Vec<&'static Schema> = vec![&TOP];
@@ -165,7 +165,7 @@ pub(crate) fn way(key: &str) -> Option<Vec<Way>> {
     Some(way)
 }
 
-/// The tables whose keys may stand below a key.
+/// The tables whose keys may be below a key.
 fn below(form: Form) -> Vec<&'static Schema> {
     match form {
         Form::Vehicle => vec![&VEHICLE],

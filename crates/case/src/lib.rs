@@ -43,13 +43,13 @@
 //! | table | keys |
 //! |---|---|
 //! | top | `title`, `source` |
-//! | `[scene]` | `axes`: `"z-up"` (the default) or `"z-down"`, see below; `contact = { x, y }`, the place of the impact in the coordinates of the survey; `site_plan = { file, corner = { x, y }, width, angle }`, a picture behind the motion; `locked_together = true`, where the vehicles left the impact as one |
-//! | `[surface]` | `friction`; `grade = { slope, uphill }`; `zone`, a list of parts with another friction: `{ name, friction, polygon }` or `{ name, friction, edge, side }`, `side`: `"left"`, `"right"` |
-//! | `[vehicle1]`, `[vehicle2]` | `name`; `kind`: `"car"` (the default), `"heavy-truck"`, `"trailer"`, `"motorcycle"`; `mass` or `weight`; `yaw_inertia` or `yaw_radius`; `class`, 1 to 6, and `wheelbase`, for what is not known; `heading`; `speed` or `velocity = { x, y }`; `sideslip`, from the heading to the direction of travel; `yaw_rate`; `position = { x, y }`, the place of the CG at the impact; `contact = { distance, angle }` or `{ x, y }`, or none where the damage places it; `length`, `width`, `cg_to_front`: all or none, or `length` alone beside `wheelbase`; or, for a barrier, `fixed = true` with at most `name`, `heading`, `contact`, and the outline or `diameter` |
-//! | … for the motion after the impact | `track` and `cg_to_front_axle` beside `wheelbase`; what is not given comes from `class` |
-//! | `[vehicle1.before]`, `[vehicle2.before]` | `skid = { length, friction }` or `{ from = { x, y }, friction }`; without `friction`, that of `[surface]`; `speed` where it begins |
-//! | `[vehicle1.after]`, `[vehicle2.after]` | `friction`, in place of that of `[surface]`; `drag`, a number or `"locked"`, or a list of four: front left, front right, rear left, rear right; `steer`, an angle or a list of `{ time, angle }`; `rest = { x, y, heading }` or `{ x, y, turned }`; `points`, a list of `{ x, y }` or `{ x, y, heading }`, with `wheel`: `"front left"`, `"front right"`, `"rear left"`, `"rear right"`, where it is of a tyre mark; `speed` with `direction`; `yaw_rate` |
-//! | `[vehicle1.crush]`, `[vehicle2.crush]` | `side`: `"front"`, `"rear"`, `"left"`, `"right"`; `width`; `depths`: `"21.3 20.3 in"` or `["21.3 in", "20.3 in"]`, two or more, zero or more each; `spacing`, one fewer, in place of or beside the width (to 0.1 %); `from_force_balance = true` in place of depths, for one vehicle; `stiffness`, see below; `offset`, left of the axis (right of it in z-down axes) or forward of the CG; `pdof`, an angle, clockwise in any axes, or `"2 o'clock"`; `oblique_angle`; `moment_arm`; `oblique`: `"capped"`, `"uncapped"`, `"none"`, `"secant"`, `{ friction = 0.5 }`. Or `ees` with at most `side`, `pdof` and `moment_arm`; or, in the table of the vehicle, `crush = "none"` |
+//! | `[scene]` | `axes`: `"z-up"` (the default) or `"z-down"`, see below; `contact = { x, y }`, the point of impact in survey coordinates; `site_plan = { file, corner = { x, y }, width, angle }`, a picture behind the motion; `locked_together = true`, if the vehicles left the impact as one |
+//! | `[surface]` | `friction`; `grade = { slope, uphill }`; `zone`, a list of areas with another friction: `{ name, friction, polygon }` or `{ name, friction, edge, side }`, `side`: `"left"`, `"right"` |
+//! | `[vehicle1]`, `[vehicle2]` | `name`; `kind`: `"car"` (the default), `"heavy-truck"`, `"trailer"`, `"motorcycle"`; `mass` or `weight`; `yaw_inertia` or `yaw_radius`; `class`, 1 to 6, and `wheelbase`, to estimate unknown values; `heading`; `speed` or `velocity = { x, y }`; `sideslip`, from the heading to the direction of travel; `yaw_rate`; `position = { x, y }`, the position of the CG at impact; `contact = { distance, angle }` or `{ x, y }`, or none if the damage locates it; `length`, `width`, `cg_to_front`: all or none, or only `length` with `wheelbase`; or, for a barrier, `fixed = true` with at most `name`, `heading`, `contact`, and the outline or `diameter` |
+//! | … for the motion after the impact | `track` and `cg_to_front_axle` with `wheelbase`; missing values come from `class` |
+//! | `[vehicle1.before]`, `[vehicle2.before]` | `skid = { length, friction }` or `{ from = { x, y }, friction }`; without `friction`, that of `[surface]`; `speed` at its start |
+//! | `[vehicle1.after]`, `[vehicle2.after]` | `friction`, in place of that of `[surface]`; `drag`, a number or `"locked"`, or a list of four: front left, front right, rear left, rear right; `steer`, an angle or a list of `{ time, angle }`; `rest = { x, y, heading }` or `{ x, y, turned }`; `points`, a list of `{ x, y }` or `{ x, y, heading }`, with `wheel`: `"front left"`, `"front right"`, `"rear left"`, `"rear right"`, if it is on a tyre mark; `speed` with `direction`; `yaw_rate` |
+//! | `[vehicle1.crush]`, `[vehicle2.crush]` | `side`: `"front"`, `"rear"`, `"left"`, `"right"`; `width`; `depths`: `"21.3 20.3 in"` or `["21.3 in", "20.3 in"]`, two or more, zero or more each; `spacing`, one fewer, in place of the width or in addition to it (equal to 0.1 %); `from_force_balance = true` in place of depths, for one vehicle; `stiffness`, see below; `offset`, left of the axis (right of it in z-down axes) or forward of the CG; `pdof`, an angle, clockwise in any axes, or `"2 o'clock"`; `oblique_angle`; `moment_arm`; `oblique`: `"capped"`, `"uncapped"`, `"none"`, `"secant"`, `{ friction = 0.5 }`. Or `ees` with at most `side`, `pdof` and `moment_arm`; or, in the table of the vehicle, `crush = "none"` |
 //! | `stiffness = { … }` | `d0`, `d1` or `A`, `B`, either with `G` and `limit`; or `category`, 1 to 5; or `test = { mass or weight, speed, width, depths, no_damage_speed, fit }`, `fit`: `"exact"` (the default), `"mean"`; or `zones = [{ A, B }, …]`, one between each two stations |
 //! | `[impact]` | `crush_plane`; `law`: `"brach"` (the default), `"woolley"`, `"ishikawa"`, `"kudlich-slibar"`, and the keys of that law |
 //! | … Brach | `restitution`; `tangential`: `"critical"`, `{ ratio }`, `{ fraction }` or `{ friction }`; `moment_restitution`, −1 (none, the default) to 1 |
@@ -85,7 +85,7 @@
 //! # Ranges
 //!
 //! Any number can be given as a range instead of a single value. The case then holds the central value, which
-//! every analysis uses, and [`Case::ranges`] says how far it may be off.
+//! every analysis uses, and [`Case::ranges`] gives how far it may be off.
 //!
 //! | written | means | central value |
 //! |---|---|---|
@@ -93,7 +93,7 @@
 //! | `{ value = "10 mph", within = "10 %", confidence = 0.95 }` | normal, and within 10 % of the value with a probability of 0.95 | `value` |
 //! | `{ low = "8 mph", high = "12 mph" }` | uniform | the middle |
 //! | `{ low = "8 mph", mode = "9 mph", high = "12 mph" }` | triangular | `mode` |
-//! | `{ values = "21.3 20.3 in", sd = "0.5 in" }`, or with `within` and `confidence` | of a list: each normal, independent of the others | `values` |
+//! | `{ values = "21.3 20.3 in", sd = "0.5 in" }`, or with `within` and `confidence` | for a list: each normal, independent of the others | `values` |
 //!
 //! A list can also hold ranges one by one: `["21.3 in", { low = "19 in", high = "21 in" }]`. A number without
 //! unit has ranges without units: `restitution = { value = 0.3, sd = 0.05 }`. The ends of a range must be
@@ -203,7 +203,7 @@ pub use to_toml::to_toml;
 pub use units::read_unit;
 pub use value::{Value, ValueTable};
 
-// What a case file holds is of the crate `inputs`, and is here too for whoever reads files.
+// The contents of a case file are types of the crate `inputs`, re-exported here for those who read files.
 pub use inputs::{
     After, Amount, Axes, Basis, Before, Bounds, BrachTangential, Case, Collision, ContactPoint,
     ContactSpread, Crush, CrushOnly, DAMAGE_LENGTH_SD, DEPTH_SD, DamageData, Departures, Dimension,

@@ -1,9 +1,9 @@
-//! Which known word a misspelt one was meant to be.
+//! Finds the known word that a misspelt one was meant to be.
 
-/// (bytes) words longer than this are no misspelling of anything we know, and not worth the comparison.
+/// (bytes) longer words cannot be misspellings of known ones, and are not compared.
 pub(crate) const LONGEST: usize = 64;
 
-/// How many slips a word of this length may have and still be recognised; a single letter resembles
+/// Maximum number of slips with which a word of this length is still recognised; a single letter resembles
 /// everything.
 pub(crate) fn allowance(word: &str) -> usize {
     match word.chars().count() {
@@ -14,12 +14,12 @@ pub(crate) fn allowance(word: &str) -> usize {
     }
 }
 
-/// As it is compared: capitals, spaces and hyphens are no slips.
+/// The text as compared: capitals, spaces and hyphens do not count as slips.
 fn plain(text: &str) -> String {
     text.to_lowercase().replace(['-', ' '], "_")
 }
 
-/// The candidate nearest to `word`, the first of equals, if it is near enough to be worth asking.
+/// The candidate nearest to `word`, the first of equals, if it is near enough to be suggested.
 pub(crate) fn nearest<'a>(word: &str, candidates: impl Iterator<Item = &'a str>) -> Option<&'a str> {
     if word.len() > LONGEST {
         return None;
@@ -31,7 +31,7 @@ pub(crate) fn nearest<'a>(word: &str, candidates: impl Iterator<Item = &'a str>)
     (distance <= allowance(&wanted)).then_some(candidate)
 }
 
-/// All candidates that are near enough to be worth asking, the nearest first.
+/// All candidates that are near enough to be suggested, the nearest first.
 ///
 /// ```
 /// assert_eq!(case::nearest_names("restituton", ["restitution", "ratio"]), ["restitution"]);
@@ -49,7 +49,7 @@ pub fn nearest_names<'a>(word: &str, candidates: impl IntoIterator<Item = &'a st
     near.into_iter().map(|(_, candidate)| candidate).collect()
 }
 
-/// A list as a sentence needs it: "a", "a and b", "a, b and c".
+/// A list within a sentence: "a", "a and b", "a, b and c".
 pub(crate) fn join(words: &[&str], last: &str) -> String {
     match words {
         [] => String::new(),

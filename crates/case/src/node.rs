@@ -1,4 +1,4 @@
-//! The spanned tree that a case is read from, be it of a TOML text or of [`ValueTable`]s.
+//! The spanned tree that a case is read from, made from a TOML text or from [`ValueTable`]s.
 
 use std::borrow::Cow;
 
@@ -11,7 +11,7 @@ use crate::units::read_unit;
 use crate::value::{Value, ValueTable};
 use inputs::{Quantity, Unit};
 
-/// Of a table that stands where there can be none.
+/// The schema of a table where none is allowed.
 static NO_KEYS: Schema = Schema { place: "", text: "", keys: &[], rules: &[] };
 
 /// One value.
@@ -22,7 +22,7 @@ pub(crate) enum Node<'t> {
     Number(f64),
     /// A number that was written with 0x, 0o or 0b.
     NotDecimal,
-    /// A number with its unit, which is no text: of a [`Value`] alone.
+    /// A number with its unit that is not a text: only from a [`Value`].
     Quantity(f64, &'static Unit),
     Boolean(bool),
     Datetime,
@@ -47,13 +47,13 @@ impl<'t> Entries<'t> {
         self.iter().map(|(key, _)| key)
     }
 
-    /// What a text says.
+    /// The entries of a TOML table.
     pub(crate) fn of_toml(table: DeTable<'t>) -> Self {
         let entry = |(key, value): (Spanned<Cow<'t, str>>, Spanned<DeValue<'t>>)| (key, Node::of_toml(value));
         Self(table.into_iter().map(entry).collect())
     }
 
-    /// What it says, as values; texts of quantities are read, where they are right.
+    /// The entries as values; texts of quantities are read if they are valid.
     pub(crate) fn values(&self, schema: &Schema) -> ValueTable<'static> {
         let value = |(key, value): (&Spanned<Cow<'_, str>>, &Spanned<Node<'_>>)| {
             let key: &str = key.get_ref();
@@ -63,12 +63,12 @@ impl<'t> Entries<'t> {
         self.iter().map(value).collect()
     }
 
-    /// What a range of a key of this form says.
+    /// A range of a key of this form, as values.
     fn range_values(&self, form: Option<Form>) -> ValueTable<'static> {
         let value = |(key, value): (&Spanned<Cow<'_, str>>, &Spanned<Node<'_>>)| {
             let key: &str = key.get_ref();
             let form = form.filter(|_| !matches!(key, "within" | "confidence"));
-            // All numbers of a range but those of the list are single.
+            // All numbers of a range except those of the list are single.
             let form = match form {
                 Some(Form::Quantities(dimension, bounds, _)) if key != "values" => {
                     Some(Form::Quantity(dimension, bounds))
@@ -80,10 +80,10 @@ impl<'t> Entries<'t> {
         self.iter().map(value).collect()
     }
 
-    /// What values say. Their places are counted: each key, value, table and list has a number, and those of
-    /// what is within a table or list lie between its first and its last.
+    /// The entries of values. Places are counted: each key, value, table and list has a number, and the
+    /// contents of a table or list lie between its first and its last.
     pub(crate) fn of_values(table: &'t ValueTable<'_>) -> Self {
-        // Zero is nowhere.
+        // Zero means no place.
         Self::numbered(table, &mut 1)
     }
 
@@ -129,7 +129,7 @@ impl<'t> Node<'t> {
         Spanned::new(begin..*place, node)
     }
 
-    /// What it says, as a value of a key of this form.
+    /// The value of a key of this form.
     fn value(&self, form: Option<Form>) -> Value<'static> {
         match self {
             Self::String(text) => {
@@ -139,7 +139,7 @@ impl<'t> Node<'t> {
             Self::Quantity(number, unit) => Value::Quantity(*number, unit),
             Self::Boolean(flag) => Value::Flag(*flag),
             Self::Array(list) => {
-                // Each of several is one.
+                // Each element is a single quantity.
                 let form = match form {
                     Some(Form::Quantities(dimension, bounds, _)) => Some(Form::Quantity(dimension, bounds)),
                     form => form,
@@ -164,7 +164,7 @@ impl<'t> Node<'t> {
         }
     }
 
-    /// Whether it is a table with the keys of a range, and no curve of restitution.
+    /// Whether it is a table with the keys of a range, and not a curve of restitution.
     fn is_range(&self) -> bool {
         let is_curve = |table: &Entries<'_>| table.get("speeds").is_some();
         let of_range = |key: &str| RANGE.has(key) || RANGE_OF_LIST.has(key);
@@ -217,7 +217,7 @@ fn text_of(text: &str) -> Value<'static> {
     Value::Text(Cow::Owned(text.to_owned()))
 }
 
-/// The quantity that a text is, or the list of several.
+/// The quantity in a text, or the list of several.
 fn read_text(text: &str, form: Form) -> Option<Value<'static>> {
     let dimension = form.measure()?.dimension;
     let (numbers, unit) = leading_numbers(text);

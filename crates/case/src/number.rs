@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-/// Takes the longest number off the front: sign, digits, point, exponent. The number is `None` where there is
+/// Takes the longest number off the front: sign, digits, point, exponent. The number is `None` if there is
 /// none.
 pub(crate) fn split_number(text: &str) -> (Option<f64>, &str) {
     let digits = |s: &str| s.len() - s.trim_start_matches(|c: char| c.is_ascii_digit()).len();

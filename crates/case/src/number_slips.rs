@@ -8,12 +8,12 @@ use inputs::{Dimension, format_number};
 const PLUS_MINUS: [&str; 3] = ["+/-", "+-", "±"];
 const FROM_TO: [&str; 6] = ["…", "–", "—", "−", " to ", "-"];
 
-/// Fractions that are a letter.
+/// Fractions that are one character.
 const FRACTIONS: [(char, f64); 3] = [('½', 0.5), ('¼', 0.25), ('¾', 0.75)];
 
-/// What to write in place of "25 mph +- 2" or "20-30 mph"; `dimension` is `None` of a plain number.
+/// What to write in place of "25 mph +- 2" or "20-30 mph"; `dimension` is `None` for a plain number.
 pub(crate) fn range(text: &str, dimension: Option<Dimension>) -> Option<String> {
-    // Spaces at both ends, so that " to " is found behind a number without a unit.
+    // Spaces at both ends, so that " to " is found after a number without a unit.
     let text = format!(" {} ", text.trim());
     let (first, rest) = number(text.trim_start())?;
     let rest = format!(" {rest}");
@@ -42,7 +42,7 @@ pub(crate) fn range(text: &str, dimension: Option<Dimension>) -> Option<String> 
             format_number(second)
         ));
     }
-    // The unit stands once, or behind both.
+    // The unit is after one of the numbers, or after both.
     let own = if between.is_empty() { &end } else { &between };
     let other = if end.is_empty() { &between } else { &end };
     if !(is_unit(own) && is_unit(other)) {
@@ -82,7 +82,7 @@ pub(crate) fn plain(text: &str) -> Option<f64> {
     }
     let digits_only = |text: &str| !text.is_empty() && text.bytes().all(|byte| byte.is_ascii_digit());
     let magnitude = match unsigned.split_once(',') {
-        // Of three digits behind it, the comma may separate thousands.
+        // A comma before three digits may separate thousands.
         Some((whole, fraction)) if digits_only(whole) && digits_only(fraction) => {
             let is_decimal = fraction.len() != 3 || whole == "0";
             is_decimal.then(|| format!("{whole}.{fraction}")).and_then(|text| text.parse().ok())
@@ -119,7 +119,7 @@ pub(crate) fn keyboard(letter: char) -> char {
 }
 
 /// One decimal number for digits in groups: "1450.5 kg" for "1.450,5 kg", "1,450.5 kg", "1 450.5 kg" and
-/// "1'450.5 kg". A single comma or point may be either sign: of that nothing is said.
+/// "1'450.5 kg". A single comma or point may be either sign, so nothing is suggested.
 pub(crate) fn grouped(text: &str, dimension: Dimension) -> Option<String> {
     let text: String = text.trim().chars().map(keyboard).collect();
     let text = text.replace('’', "'");
@@ -150,8 +150,8 @@ pub(crate) fn grouped(text: &str, dimension: Dimension) -> Option<String> {
     (is_one_reading && is_grouped).then(|| format!("{sign}{}{point}{fraction} {unit}", groups.concat()))
 }
 
-/// One decimal number for a fraction, for feet and inches, or for inches and feet behind a mark: "71.5 in"
-/// for "71 1/2 in", "74 in" for `6' 2"`.
+/// One decimal number for a fraction, for feet and inches, or for a number with a mark of feet or inches:
+/// "71.5 in" for "71 1/2 in", "74 in" for `6' 2"`.
 pub(crate) fn decimal(text: &str, dimension: Dimension) -> Option<String> {
     let text = text.replace(['′', '’'], "'").replace(['″', '”'], "\"").replace("''", "\"");
     let (first, is_fraction, rest) = amount(text.trim())?;
@@ -168,7 +168,7 @@ pub(crate) fn decimal(text: &str, dimension: Dimension) -> Option<String> {
     is_feet_and_inches.then(|| format!("{} in", format_number(rounded(12.0 * first + second))))
 }
 
-/// Whether a list of numbers has a mark of feet or inches behind it, and which unit that is.
+/// The unit of the mark of feet or inches after a list of numbers, if there is one.
 pub(crate) fn mark(text: &str, dimension: Dimension) -> Option<&'static str> {
     match (text, dimension) {
         ("'" | "′" | "’", Dimension::Length) => Some("ft"),
@@ -184,7 +184,7 @@ fn marked(text: &str, dimension: Dimension) -> Option<(&'static str, bool)> {
         .or_else(|| read_unit(text, dimension).map(|unit| (unit.spelling(), false)))
 }
 
-/// A number without sign, perhaps with a fraction, whether it has one, and what follows.
+/// A number without sign, perhaps with a fraction, whether it has one, and the rest of the text.
 fn amount(text: &str) -> Option<(f64, bool, &str)> {
     let vulgar = |text: &str| {
         let first = text.chars().next()?;
@@ -221,7 +221,7 @@ fn number(text: &str) -> Option<(f64, &str)> {
     number.filter(|number| number.is_finite()).map(|number| (number, rest))
 }
 
-/// Four decimals, which is more than any tape shows, without the rounding of the arithmetic.
+/// The number to four decimals, more than any tape shows, without the rounding errors of the arithmetic.
 fn rounded(number: f64) -> f64 {
     format!("{number:.4}").parse().unwrap_or(number)
 }
@@ -285,7 +285,7 @@ mod tests {
         ] {
             assert_eq!(plain(text), Some(wanted), "{text}");
         }
-        // The comma of thousands, and what is no number.
+        // Separators of thousands, and texts that are not numbers.
         for text in ["1,500", "1,2,3", "8 in", "inf", "nan", "", "%", "-", "e5", "1e999", "0x10"] {
             assert_eq!(plain(text), None, "{text}");
         }

@@ -16,7 +16,7 @@ const MAGIC: [(&[u8], &str); 8] = [
 
 const SAVE_AS_UTF_8: &str = "save it as UTF-8; most editors offer the encoding when saving under a new name";
 
-/// The text of a case of at most so many bytes; one that is longer may have been cut off.
+/// The text of a case of at most `limit` bytes; one that is longer may have been cut off.
 pub(crate) fn text(bytes: &[u8], limit: usize) -> Result<&str, CaseProblem> {
     if is_utf_16(bytes) {
         return Err(CaseProblem::Utf16 { help: SAVE_AS_UTF_8 });
@@ -42,8 +42,8 @@ pub(crate) fn text(bytes: &[u8], limit: usize) -> Result<&str, CaseProblem> {
     markup(text).map_or(Ok(text), other)
 }
 
-/// With its mark at the beginning or, without, by the zero that every Latin letter has in one of its two
-/// bytes.
+/// Recognised by its byte order mark or, without one, by the zero that every Latin letter has in one of its
+/// two bytes.
 fn is_utf_16(bytes: &[u8]) -> bool {
     const LOOKED_AT: usize = 200;
     if bytes.starts_with(b"\xFF\xFE") || bytes.starts_with(b"\xFE\xFF") {

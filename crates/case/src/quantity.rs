@@ -21,10 +21,10 @@ use crate::units_in_use::usual_units;
 ///
 /// # Errors
 ///
-/// Every variant of [`QuantityError`]: each says what is wrong and, by [`QuantityError::help`], what to
+/// Every variant of [`QuantityError`]: each describes the problem, and [`QuantityError::help`] says what to
 /// write.
 pub fn read_quantity(text: &str, dimension: Dimension) -> Result<Quantity, QuantityError> {
-    // An error quotes the text, and no text with such a character is a quantity.
+    // Errors quote the text, and no quantity contains a character that is replaced here.
     let text = &*shown(text.trim());
     if text.is_empty() {
         return Err(QuantityError::Empty { dimension });
@@ -64,7 +64,7 @@ pub(crate) fn find_unit(
         let decimal = format!("{} {unit}", shorten(numbers.trim_end()));
         return Err(QuantityError::NotDecimal { value, decimal });
     }
-    // What goes on as a number was meant as one: "6,3 ft", "5 1/2 in", "3.5.2 m".
+    // A spelling that continues like a number was meant as one: "6,3 ft", "5 1/2 in", "3.5.2 m".
     let after_sign = spelling.strip_prefix([',', '.', '/', '_', '\'']).unwrap_or(spelling);
     if after_sign.starts_with(|c: char| c.is_ascii_digit()) {
         return Err(match number_slips::grouped(text, dimension) {
@@ -103,7 +103,7 @@ fn bad_number(value: String, dimension: Dimension) -> QuantityError {
     }
 }
 
-/// What an error text quotes of a value: all of it, unless it is too long to read.
+/// The part of a value that an error text quotes: all of it, unless it is too long to read.
 pub(crate) fn shorten(text: &str) -> String {
     const LONGEST: usize = 60;
     match text.char_indices().nth(LONGEST) {
@@ -139,23 +139,23 @@ pub enum QuantityError {
     /// Nothing between the quotes.
     #[error("the value is empty")]
     Empty {
-        /// What is needed.
+        /// The required dimension.
         dimension: Dimension,
     },
-    /// A unit alone.
+    /// Only a unit.
     #[error("\"{value}\" is a unit without a number")]
     MissingNumber {
         /// The whole text.
         value: String,
-        /// What is needed.
+        /// The required dimension.
         dimension: Dimension,
     },
-    /// A number alone.
+    /// Only a number.
     #[error("\"{value}\" has no unit")]
     MissingUnit {
         /// The whole text.
         value: String,
-        /// What is needed.
+        /// The required dimension.
         dimension: Dimension,
     },
     /// It does not begin with a number.
@@ -163,7 +163,7 @@ pub enum QuantityError {
     BadNumber {
         /// The whole text.
         value: String,
-        /// What is needed.
+        /// The required dimension.
         dimension: Dimension,
     },
     /// A comma between digits: a decimal comma, or a separator of thousands.
@@ -171,7 +171,7 @@ pub enum QuantityError {
     Comma {
         /// The whole text.
         value: String,
-        /// What is needed.
+        /// The required dimension.
         dimension: Dimension,
     },
     /// A fraction, feet and inches, or a mark in place of the unit.
@@ -197,7 +197,7 @@ pub enum QuantityError {
         value: String,
         /// The unit in it.
         spelling: String,
-        /// What is needed.
+        /// The required dimension.
         dimension: Dimension,
     },
     /// The unit measures something else.
@@ -207,9 +207,9 @@ pub enum QuantityError {
         value: String,
         /// The unit in it.
         spelling: String,
-        /// What that unit measures.
+        /// The dimensions of that unit.
         found: Vec<Dimension>,
-        /// What is needed.
+        /// The required dimension.
         dimension: Dimension,
     },
     /// The number or its magnitude is not acceptable.

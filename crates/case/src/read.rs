@@ -32,7 +32,7 @@ use tree::{Reader, Table};
 /// A case and the text that it came from.
 #[derive(Clone, Debug)]
 pub struct CaseFile {
-    /// What the file says.
+    /// The case in the file.
     pub case: Case,
     /// The file, to place faults that only an analysis finds.
     pub source: Source,
@@ -44,7 +44,7 @@ impl CaseFile {
     /// memory, which this bounds.
     pub const LARGEST_FILE: usize = 1_000_000;
 
-    /// Reads the text of a case file; `name` is what errors call it.
+    /// Reads the text of a case file; `name` is its name in errors.
     ///
     /// ```
     /// let file = case::CaseFile::parse("barrier.toml", r#"
@@ -82,8 +82,8 @@ impl CaseFile {
         Self::of(case, Source::new(name, text, spans), problems)
     }
 
-    /// Reads a case from values, by the same rules as from a file. What is wrong is told by its key, as there
-    /// is no line.
+    /// Reads a case from values, by the same rules as from a file. Problems are located by key, as there are
+    /// no lines.
     ///
     /// ```
     /// use case::{CaseFile, Dimension, Value, ValueTable};
@@ -123,7 +123,7 @@ impl CaseFile {
     }
 
     /// Reads a part of a case, which values complete before [`from_values`](Self::from_values) reads the
-    /// whole. What is missing, or does not fit together, is told then.
+    /// whole. Missing keys and keys that do not fit together are reported then.
     ///
     /// ```
     /// let part = case::CaseFile::part("template.toml", "[impact]\nrestitution = 0.1")?;
@@ -135,7 +135,7 @@ impl CaseFile {
     ///
     /// # Errors
     ///
-    /// What is wrong whatever else the case has: no TOML, unknown keys, and values that a key cannot have.
+    /// Problems whatever else the case has: invalid TOML, unknown keys, and values that a key cannot have.
     pub fn part(name: &str, text: &str) -> Result<ValueTable<'static>, Diagnostics> {
         let text = text_of(name, text.as_bytes())?;
         let (document, errors) = DeTable::parse_recoverable(text);
@@ -169,7 +169,7 @@ impl CaseFile {
             let problem = CaseProblem::Fault {
                 message: fault.message(program.name),
                 help: fault.advice.as_ref().map(|advice| match fault.kind {
-                    // It quotes the file itself.
+                    // This advice quotes the file itself.
                     FaultKind::NothingUncertain => advice.clone(),
                     _ => {
                         let advice = self.source.units_in_use().suited(&fault.key, advice);
@@ -211,7 +211,7 @@ impl<'t> Reader<'t> {
         let locked_together = scene.as_ref().is_some_and(|scene| self.flag(scene, "locked_together"));
         let site_plan = scene.as_ref().map_or(Some(None), |scene| self.site_plan(scene));
         let surface = self.child(&top, "surface", &SURFACE).map(|table| self.surface(&table));
-        // Its keys are looked up in what all other tables give.
+        // Its keys are looked up in the contents of all other tables.
         let uncertainty = self.child(&top, "uncertainty", &UNCERTAINTY);
         let first = self.vehicle(&top, "vehicle1");
         let second = self.vehicle(&top, "vehicle2");
@@ -280,7 +280,7 @@ impl<'t> Reader<'t> {
         Some(Reconstruct { find: find?, energy_basis: energy_basis.unwrap_or_default() })
     }
 
-    /// A word, or the share of the tangential work; the default where neither is there.
+    /// A word, or the share of the tangential work; the default if neither is there.
     fn energy_basis(&mut self, table: &Table<'t>) -> Option<Basis> {
         const FORMS: &str = "energy_basis = \"dissipated\", \"absorbed\" or { tangential_share = 0.5 }";
         if !table.has("energy_basis") {
@@ -326,7 +326,7 @@ impl<'t> Reader<'t> {
     }
 }
 
-/// The text of a file; why it is none stands at the file as a whole.
+/// The text of a file; an error here concerns the file as a whole.
 fn text_of<'t>(name: &str, bytes: &'t [u8]) -> Result<&'t str, Diagnostics> {
     other_files::text(bytes, CaseFile::LARGEST_FILE).map_err(|problem| {
         let source = Source::new(name, "", Spans::default());
@@ -334,7 +334,7 @@ fn text_of<'t>(name: &str, bytes: &'t [u8]) -> Result<&'t str, Diagnostics> {
     })
 }
 
-/// The case of a document with the places of its keys, and what is wrong with it.
+/// The case of a document, the places of its keys, and its problems.
 fn read(
     text: &str,
     document: &Entries<'_>,

@@ -25,7 +25,7 @@ pub(crate) struct Key {
     pub(crate) name: &'static str,
     /// The line that sets it.
     pub(crate) example: &'static str,
-    /// What its value is.
+    /// The form of its value.
     pub(crate) form: Form,
     /// What it means; the first sentence is its title.
     pub(crate) text: &'static str,
@@ -49,7 +49,7 @@ impl Key {
     }
 }
 
-/// What a value is.
+/// The form of a value.
 #[derive(Clone, Copy)]
 pub(crate) enum Form {
     /// A text that is not empty.
@@ -64,7 +64,7 @@ pub(crate) enum Form {
     Law(&'static [&'static str]),
     /// A whole number from 1 to this.
     Count(u8),
-    /// A list of these keys, or of keys that hold numbers where there are none.
+    /// A list of these keys or, if there are none, of keys that hold numbers.
     Keys(&'static [&'static str]),
     /// A plain number, or a range.
     Number(Bounds),
@@ -74,7 +74,7 @@ pub(crate) enum Form {
     Quantity(Dimension, Bounds),
     /// A number with its unit, and never a range.
     Exact(Dimension, Bounds),
-    /// Several, at least as many as the number says.
+    /// Several numbers with their unit, at least as many as the last field gives.
     Quantities(Dimension, Bounds, usize),
     /// A number with its unit, a range, or a list of tables.
     QuantityOrTables(Dimension, Bounds, &'static Schema),
@@ -92,11 +92,11 @@ pub(crate) enum Form {
     WordsOrTable(&'static [&'static str], &'static Schema),
     /// A plain number, a range, or a table.
     NumberOrTable(Bounds, &'static Schema),
-    /// In a range: a value of the key that it stands for.
+    /// In a range: a value of the key that the range belongs to.
     Value,
     /// In a range of a list: the values.
     Values,
-    /// In a range: as the value, and greater than zero.
+    /// In a range: like the value, but greater than zero.
     Deviation,
     /// In a range: a percentage.
     Percent,
@@ -104,12 +104,12 @@ pub(crate) enum Form {
     Probability,
 }
 
-/// What a quantity has to be.
+/// The dimension and the bounds of a quantity.
 #[derive(Clone, Copy)]
 pub(crate) struct Measure {
     pub(crate) dimension: Dimension,
     pub(crate) bounds: Bounds,
-    /// Why it has to be greater than zero, where that is worth saying.
+    /// Why it has to be greater than zero, if that needs an explanation.
     pub(crate) why: &'static str,
 }
 
@@ -121,7 +121,7 @@ impl Measure {
 }
 
 impl Form {
-    /// What a quantity is, or each of several.
+    /// The measure of a quantity, or of each of several.
     pub(crate) fn measure(self) -> Option<Measure> {
         let (dimension, bounds) = match self {
             Self::Quantity(dimension, bounds)
@@ -157,13 +157,13 @@ pub(crate) struct Schema {
 
 /// A rule about several keys of a table.
 pub(crate) enum Rule {
-    /// These have to be there.
+    /// These keys have to be present.
     Needs(&'static [&'static str]),
-    /// Under all of these conditions, these have to be there.
+    /// If all of these conditions hold, these keys have to be present.
     NeedsIf(&'static [Condition], &'static [&'static str]),
-    /// Under this condition, none of these is there.
+    /// If this condition holds, none of these keys may be present.
     NeverIf(Condition, &'static [&'static str]),
-    /// The keys of one of these forms are there: those that it has to have, and none but those that it may.
+    /// The keys of one of these forms are present: all that it requires, and only those that it allows.
     OneOf(&'static [FormOfTable]),
     /// The keys that each law needs, and no others.
     KeysOfLaw,
@@ -172,13 +172,13 @@ pub(crate) enum Rule {
 /// A condition of a rule.
 #[derive(Clone, Copy)]
 pub(crate) enum Condition {
-    /// The key is there.
+    /// The key is present.
     Has(&'static str),
-    /// It is not.
+    /// The key is absent.
     Lacks(&'static str),
     /// The flag is true.
     True(&'static str),
-    /// It is false or absent.
+    /// The flag is false or absent.
     NotTrue(&'static str),
 }
 use Condition::{Has, Lacks, NotTrue, True};
@@ -574,7 +574,7 @@ pub(crate) static VEHICLE: Schema = Schema {
     ],
 };
 
-/// What moves or is damaged, and a fixed object is neither.
+/// Keys of motion and damage, which a fixed object does not have.
 pub(crate) static NEVER_FIXED: [&str; 19] = [
     "kind",
     "mass",
@@ -1039,12 +1039,12 @@ pub(crate) static IMPACT: Schema = Schema {
     rules: &[Rule::Needs(&["crush_plane"]), Rule::KeysOfLaw],
 };
 
-/// Which keys an impact law has in the file.
+/// The keys of an impact law in the file.
 pub(crate) trait KeysOfLaw: Copy {
     /// The keys of [impact] that the law requires, besides crush_plane.
     fn needed(self) -> &'static [&'static str];
 
-    /// The key that it accepts but does not require.
+    /// The key that the law accepts but does not require.
     fn optional(self) -> Option<&'static str>;
 
     fn uses(self, key: &str) -> bool {
@@ -1120,7 +1120,7 @@ pub(crate) static ENERGY_BASIS: Schema = Schema {
     rules: &[Rule::Needs(&["tangential_share"])],
 };
 
-/// What is estimated from a table or a formula where the file does not give it.
+/// Values that are estimated from a table or a formula if the file does not give them.
 pub(crate) static ESTIMATES: [&str; 6] = [
     "vehicle1.crush.stiffness",
     "vehicle1.yaw_inertia",
@@ -1238,7 +1238,7 @@ pub(crate) static VELOCITY: Schema = Schema {
     rules: &[Rule::Needs(&["x", "y"])],
 };
 
-// The keys of a straight line of force over crush: of a whole side, or of one zone.
+// The keys of a straight line of force against crush: of a whole side, or of one zone.
 const STIFFNESS_A: Key = key(
     "A",
     "A = \"587 N/cm\"",
@@ -1432,7 +1432,7 @@ pub(crate) static RESTITUTION: Schema = Schema {
     rules: &[Rule::Needs(&["speeds", "values"])],
 };
 
-/// Of one quantity; a line of the key itself is the example of its amounts.
+/// The range of one quantity; the example of a key also serves for the amounts of its range.
 pub(crate) static RANGE: Schema = Schema {
     place: "a range",
     text: "A number that is not known exactly.",
@@ -1477,7 +1477,7 @@ pub(crate) static RANGE: Schema = Schema {
     ])],
 };
 
-/// Of several quantities.
+/// The range of several quantities.
 pub(crate) static RANGE_OF_LIST: Schema = Schema {
     place: "a range of several values",
     text: "Several numbers that are not known exactly. All have the same spread, and each varies independently of the others.",
@@ -1542,9 +1542,9 @@ pub fn keys() -> Vec<String> {
     walked(|_| true)
 }
 
-/// The path of every key of a case file that holds a number or several, each of which can be a range:
-/// `vehicle1.mass`, …, `impact.restitution`, `impact.restitution.speeds`, … They are among [`keys`], and have
-/// no numbers of elements.
+/// The path of every key of a case file that holds one or more numbers, each of which can be a range:
+/// `vehicle1.mass`, …, `impact.restitution`, `impact.restitution.speeds`, … All are among [`keys`], without
+/// indices of elements.
 ///
 /// ```
 /// let keys = case::number_keys();
@@ -1607,7 +1607,7 @@ fn walked(is_wanted: fn(&Form) -> bool) -> Vec<String> {
     paths
 }
 
-/// Other names for some keys, which are spelled too differently to be found by their letters.
+/// Other names for some keys, spelled too differently to be recognised by their letters.
 const OTHER_NAMES: [(&str, &str); 16] = [
     ("min", "low"),
     ("minimum", "low"),
@@ -1663,20 +1663,20 @@ impl Schema {
         self.key(name).map_or("", |key| key.example)
     }
 
-    /// The key of this table that goes by another name elsewhere.
+    /// The key of this table that has another name elsewhere.
     pub(crate) fn of_other_name(&self, name: &str) -> Option<&'static str> {
         let (_, key) = OTHER_NAMES.iter().find(|(other, _)| other.eq_ignore_ascii_case(name))?;
         self.has(key).then_some(*key)
     }
 
-    /// The quantity of this table that has a unit at the end of its name: `speed` of "speed_mph".
+    /// The quantity of this table whose name is given with a unit at its end: `speed` for "speed_mph".
     pub(crate) fn without_unit(&self, name: &str) -> Option<&'static str> {
         let (key, unit) = name.rsplit_once(['_', '-', ' '])?;
         let known = self.names().find(|known| *known == key)?;
         dimensions_of(key).iter().any(|dimension| read_unit(unit, *dimension).is_some()).then_some(known)
     }
 
-    /// Where a key that this table does not have belongs.
+    /// The place of a key that this table does not have.
     pub(crate) fn belongs(name: &str) -> Option<String> {
         let places: Vec<&str> =
             ALL.iter().filter(|schema| schema.has(name)).map(|schema| schema.place).collect();

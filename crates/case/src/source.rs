@@ -10,7 +10,7 @@ use toml::de::DeTable;
 use crate::node::Entries;
 use crate::units_in_use::UnitsInUse;
 
-/// (bytes) where each key's value, or each table's header, stands.
+/// (bytes) the place of each key's value, or of each table's header.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Spans(BTreeMap<String, Range<usize>>);
 
@@ -39,7 +39,7 @@ impl Spans {
 #[derive(Clone, Debug)]
 pub struct Source {
     name: Text,
-    /// Nothing of values, whose keys have no lines.
+    /// `None` for values, whose keys have no lines.
     text: Option<String>,
     spans: Spans,
     /// Boxed to keep errors small.
@@ -51,7 +51,7 @@ impl Source {
         Self { name: name.into(), text: Some(text.to_owned()), spans, units_in_use: OnceLock::new() }
     }
 
-    /// Of values: the places are counted, as those of [`Entries::of_values`].
+    /// The source of values, whose places are counted as by [`Entries::of_values`].
     pub(crate) fn of_values(name: &str, spans: Spans) -> Self {
         Self { text: None, ..Self::new(name, "", spans) }
     }
@@ -61,7 +61,7 @@ impl Source {
         self.spans.around(place)
     }
 
-    /// Whether it is a text, in whose lines keys have their places.
+    /// Whether it is a text, so that its keys have lines.
     pub(crate) fn is_text(&self) -> bool {
         self.text.is_some()
     }
@@ -94,8 +94,8 @@ impl Source {
         self.spans.get(path)
     }
 
-    /// (bytes) every key and table that the text gives, with its place as [`span`](Self::span) has it; in the
-    /// order of their names.
+    /// (bytes) every key and table in the text, with its place as in [`span`](Self::span), in the order of
+    /// their names.
     pub fn spans(&self) -> impl Iterator<Item = (&str, Range<usize>)> {
         self.spans.0.iter().map(|(key, span)| (&**key, span.clone()))
     }

@@ -27,9 +27,9 @@ pub enum Template {
     Barrier,
     /// Two vehicles that scrape along each other.
     Sideswipe,
-    /// Two cars of which the energy equivalent speeds are known.
+    /// Two cars with known energy equivalent speeds.
     Ees,
-    /// A car against a heavy truck without damage that counts.
+    /// A car against a heavy truck with negligible damage.
     HeavyTruck,
     /// The damage of one vehicle alone.
     OneVehicle,

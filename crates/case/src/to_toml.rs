@@ -23,7 +23,7 @@ pub fn to_toml(case: &Case) -> String {
     let ranges: BTreeMap<&str, Spread> =
         case.ranges.iter().map(|range| (range.path.as_str(), range.spread)).collect();
     let mut top = Table::default();
-    // Both vehicles are needed, even where nothing is known of one.
+    // Both vehicles are needed, even if nothing is known about one.
     for rule in TOP.rules {
         if let Rule::Needs(keys) = rule {
             top.extend(keys.iter().map(|key| ((*key).to_owned(), Node::Table(Table::default()))));
@@ -48,9 +48,9 @@ pub fn to_toml(case: &Case) -> String {
 
 type Table = BTreeMap<String, Node>;
 
-/// What stands at a path.
+/// The value at a path.
 enum Node {
-    /// A number, and what is said of it where it is uncertain.
+    /// A number, and its spread if it is uncertain.
     Number(Amount, Option<Spread>),
     /// Any other value, as it is written.
     Word(String),
@@ -58,7 +58,7 @@ enum Node {
     Table(Table),
 }
 
-/// Puts a value into its table: `vehicle1.crush.depths[1]`. The elements of a list come in their order.
+/// Inserts a value into its table: `vehicle1.crush.depths[1]`. The elements of a list come in their order.
 fn insert(table: &mut Table, path: &str, leaf: Node) {
     let (key, rest) = path.split_once('.').map_or((path, None), |(key, rest)| (key, Some(rest)));
     let (name, index) = match key.strip_suffix(']').and_then(|key| key.split_once('[')) {
@@ -116,8 +116,8 @@ fn in_order<'n>(
     })
 }
 
-/// A table with its header, its keys with their equals signs below each other, and then the tables in it that
-/// have a header of their own.
+/// Writes a table with its header, its keys with aligned equals signs, and then the tables in it that have
+/// their own header.
 fn write_section(path: &str, schema: &'static Schema, table: &Table, sections: &mut Vec<String>) {
     let mut lines = Vec::new();
     let mut tables = Vec::new();
@@ -173,7 +173,7 @@ fn amount(value: Amount, spread: Option<&Spread>) -> String {
     }
 }
 
-/// The keys beside `value`; none where the spread has no such key.
+/// The keys that accompany `value`; `None` for a range without `value`.
 fn spread_about(spread: &Spread) -> Option<String> {
     match spread {
         Spread::Normal { sd } => Some(format!("sd = {}", single(*sd))),
@@ -193,8 +193,8 @@ fn single(amount: Amount) -> String {
     }
 }
 
-/// Of quantities one string where all share a unit, else a list of strings; where all share a spread, with
-/// that beside it. Of all else a list.
+/// Quantities are one string if all share a unit, else a list of strings, together with the spread if all
+/// share one. Anything else is a list.
 fn list(elements: &[Node], schema: &'static Schema) -> String {
     shared_list(elements).unwrap_or_else(|| {
         let each: Vec<String> = elements.iter().map(|element| written(element, schema)).collect();
@@ -202,7 +202,7 @@ fn list(elements: &[Node], schema: &'static Schema) -> String {
     })
 }
 
-/// `None` where the elements share no spread, or are no quantities.
+/// `None` if the elements are not quantities, or do not share a spread that can be written once.
 fn shared_list(elements: &[Node]) -> Option<String> {
     let quantities: Vec<(Amount, Option<Spread>)> = elements
         .iter()

@@ -20,7 +20,7 @@ pub(crate) struct Unclosed {
     pub(crate) problem: CaseProblem,
 }
 
-/// Typographic quotes, and other characters that are typed in place of quotes.
+/// Typographic quotes, and other characters typed in place of quotes.
 const FOREIGN_QUOTES: [char; 13] = ['“', '”', '„', '‟', '‘', '’', '‚', '‛', '«', '»', '´', '`', '＂'];
 
 /// How comments start in other formats.
@@ -30,12 +30,12 @@ const FOREIGN_COMMENTS: [&str; 5] = ["//", ";", "--", "/*", "%"];
 struct Line<'t> {
     /// Without its comment.
     text: &'t str,
-    /// (bytes) of the error, in the line.
+    /// (bytes) place of the error in the line.
     at: usize,
-    /// The key before the equals sign that the error stands behind.
+    /// The key before the equals sign that precedes the error.
     key: &'t str,
-    /// What stands behind that sign: to the end of the line or, in a table of one line, to the next comma
-    /// that a key follows.
+    /// The text after that sign: to the end of the line or, in an inline table, to the next comma before a
+    /// key.
     value: &'t str,
     /// What the parser found.
     error: ParserError<'t>,
@@ -133,7 +133,7 @@ fn name_of_table(line: &str) -> Option<String> {
     is_name.then(|| name.replace(' ', ""))
 }
 
-/// (bytes) from a header that stands twice to the next header: what stands between them is double as well.
+/// (bytes) from a repeated header to the next header: everything between them is repeated as well.
 pub(crate) fn section_of_header(text: &str, at: usize) -> Option<Range<usize>> {
     let (start, end) = bounds_of_line(text, at);
     name_of_table(without_comment(&text[start..end]).trim())?;
@@ -141,7 +141,7 @@ pub(crate) fn section_of_header(text: &str, at: usize) -> Option<Range<usize>> {
     Some(start..next)
 }
 
-/// The brace or bracket in which an error stands, if its own line leaves it open and does not mean to go on.
+/// The brace or bracket around an error, if its own line leaves it open and is not meant to go on.
 pub(crate) fn unclosed(text: &str, error: &Range<usize>, kind: Kind) -> Option<Unclosed> {
     if kind == Kind::TooDeep {
         return None;
@@ -175,8 +175,8 @@ pub(crate) fn unclosed(text: &str, error: &Range<usize>, kind: Kind) -> Option<U
     Some(Unclosed { span: open..open + 1, problem: CaseProblem::Syntax { message, help: help.into() } })
 }
 
-/// (bytes) the braces and brackets between two places that are open at the second, those in texts and
-/// comments apart.
+/// (bytes) the braces and brackets between two places that are open at the second, except those in texts and
+/// comments.
 fn openers(text: &str, from: usize, to: usize) -> Vec<usize> {
     let bytes = &text.as_bytes()[..to.min(text.len())];
     let mut open = Vec::new();
@@ -204,7 +204,7 @@ fn openers(text: &str, from: usize, to: usize) -> Vec<usize> {
     open
 }
 
-/// (bytes) of the text in quotes that begins here. One that is not closed ends with its line.
+/// (bytes) length of the quoted text that begins here. One that is not closed ends with its line.
 fn length_of_text(bytes: &[u8], quote: u8) -> usize {
     let triple = [quote; 3];
     if bytes.starts_with(&triple) {
@@ -266,7 +266,7 @@ impl<'t> Line<'t> {
         Self { text: line, at, key, value, error }
     }
 
-    /// The key before the place of the error and the value behind it, as they have to be written.
+    /// The key before the place of the error and the value after it, as they have to be written.
     fn assignment(&self) -> String {
         let key = self.text[..self.at]
             .trim_end_matches([' ', '=', ':'])
@@ -274,7 +274,7 @@ impl<'t> Line<'t> {
             .next()
             .unwrap_or_default();
         let value = self.rest().trim_start_matches([' ', '=', ':']);
-        // In a table of one line, more keys may follow.
+        // In an inline table, more keys may follow.
         let value = if value.starts_with('"') {
             value.split_inclusive('"').take(2).collect()
         } else {
@@ -293,7 +293,7 @@ impl<'t> Line<'t> {
     }
 }
 
-/// A value in a table of one line: up to its end, or to the next key.
+/// A value in an inline table: up to its end, or to the next key.
 fn in_table(value: &str) -> &str {
     let next = value.find('=').and_then(|equals| value[..equals].rfind(','));
     value[..next.unwrap_or(value.len())].trim_end_matches(['}', ']', ' '])
@@ -335,7 +335,7 @@ fn unquoted(text: &str) -> String {
 }
 
 fn typographic_quotes(line: &Line<'_>, _: &UnitsInUse) -> Found {
-    // A mark of feet or inches is none of the value's quotes.
+    // A mark of feet or inches is not one of the value's quotes.
     let begins = line.value.starts_with(FOREIGN_QUOTES);
     let ends = line.value.starts_with(['"', '\'']) && line.value.ends_with(FOREIGN_QUOTES);
     let key = line.key.is_empty().then(|| line.text.trim_start().starts_with(FOREIGN_QUOTES));
@@ -368,7 +368,7 @@ fn other_comment(line: &Line<'_>, _: &UnitsInUse) -> Found {
     is_comment.then(|| ("this is not a comment".to_owned(), "start a comment with #".to_owned()))
 }
 
-/// What stands where a key and its equals sign are due.
+/// Another notation where a key and its equals sign are due.
 fn key_of_other_form(line: &Line<'_>, units_in_use: &UnitsInUse) -> Found {
     let ParserError { kind, names_key, names_equals, .. } = line.error;
     if kind == Kind::Duplicate || !(names_key || names_equals) {
@@ -455,7 +455,7 @@ fn quotes_within(line: &Line<'_>, _: &UnitsInUse) -> Found {
     found("a quote inside this text ends it", help)
 }
 
-/// What stands behind a value that is complete.
+/// Text after a complete value.
 fn behind_the_value(line: &Line<'_>, _: &UnitsInUse) -> Found {
     let rest = line.rest().trim();
     let value = line.value.strip_suffix(rest)?.trim();

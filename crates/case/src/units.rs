@@ -16,7 +16,7 @@ use spelling::{Pound, has_pound_force, is_pound_a_force, is_spelled, normalise};
 /// The unit of `dimension` that a text names, if it has one.
 ///
 /// Forgives what does not change the meaning: `·`, `*` and `-` between units, `²`, `√`, spelled-out words,
-/// and capitals, but for the letter m, which says mega or milli outside of speeds.
+/// and capitals, except in the letter m, which means mega or milli outside speeds.
 ///
 /// ```
 /// use case::{Dimension, Unit, read_unit};
@@ -32,7 +32,7 @@ pub fn read_unit(text: &str, dimension: Dimension) -> Option<&'static Unit> {
     }
     let written =
         |text: &str| dimension.units().iter().find(|unit| unit.spellings().any(|known| known == text));
-    // Nearly every unit of a file is written as the table has it.
+    // Nearly every unit of a file is written as in the table.
     if let Some(unit) = written(text) {
         return Some(unit);
     }

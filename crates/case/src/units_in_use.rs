@@ -6,15 +6,15 @@ use crate::schema::{RANGE, RANGE_OF_LIST, dimensions_of};
 use crate::units::read_unit;
 use inputs::{Dimension, Unit, UnitSystem, format_number};
 
-/// (–) more are not looked at: no case has as many keys.
+/// (–) maximum number of values that are examined: no case has as many keys.
 const MOST: usize = 200;
 
-/// What may be the unit of a number, and where it stands.
+/// The possible units of a number, and the place where it is.
 #[derive(Clone, Debug)]
 struct Ending {
     key: String,
     in_crush: bool,
-    /// Those of several dimensions: "lb" is a mass, a weight and a stiffness G.
+    /// A spelling can belong to several dimensions: "lb" is a mass, a weight and a stiffness G.
     units: Vec<&'static Unit>,
 }
 
@@ -33,26 +33,26 @@ impl UnitsInUse {
         Self { endings }
     }
 
-    /// A unit for an example: that in which the file has the same key elsewhere, or else something of the
-    /// same kind; or one of the system in which most of it is written. `None` where the file does not tell:
-    /// [`usual_units`] are then as good as each other.
+    /// A unit for an example: that of the same key elsewhere in the file, or else of a value of the same
+    /// kind; or one of the system in which most of the file is written. `None` if the file does not show any:
+    /// [`usual_units`] are then equally good.
     pub(crate) fn example(&self, path: &str, dimension: Dimension) -> Option<&'static Unit> {
         let path = path.split('[').next().unwrap_or_default();
         let key = path.rsplit('.').find(|key| !is_of_range(key)).unwrap_or_default();
         let small = is_small(path.contains(".crush."), key, dimension);
         self.unit(key, small, dimension)
             .or_else(|| self.system().and_then(|system| first_unit(system, small, dimension)))
-            // Damage is mostly measured in centimetres, whatever the rest is in.
+            // Damage is mostly measured in centimetres, whatever the units of the rest.
             .or_else(|| if small { first_unit(UnitSystem::Si, small, dimension) } else { None })
     }
 
-    /// A text with its examples in the units of the file: of `contact = { x = "1.78 m" }` in one that is
-    /// written in feet, `contact = { x = "5.8 ft" }`. `place` is the path of the table or the key that it is
+    /// A text with its examples in the units of the file: in a file written in feet, `contact = { x = "1.78
+    /// m" }` becomes `contact = { x = "5.8 ft" }`. `place` is the path of the table or the key that it is
     /// about.
     pub(crate) fn suited(&self, place: &str, text: &str) -> String {
         let in_crush = place.contains("crush");
         let mut out = String::with_capacity(text.len());
-        // What stands between quotes is every second part.
+        // Every second part is between quotes.
         for (index, part) in text.split('"').enumerate() {
             if index > 0 {
                 out.push('"');
@@ -64,12 +64,12 @@ impl UnitsInUse {
         out
     }
 
-    /// The same quantity, or list of them, in a unit of the file; `None` where it stands in one, or is no
+    /// The same quantity, or list of them, in a unit of the file; `None` if it is already in one, or is not a
     /// quantity.
     fn converted(&self, key: &str, text: &str, in_crush: bool) -> Option<String> {
         let (numbers, spelling) = leading_numbers(text);
         let units = || Dimension::ALL.into_iter().filter_map(|dimension| read_unit(spelling, dimension));
-        // "lb" is a weight, a mass and a stiffness: the key tells.
+        // "lb" is a weight, a mass and a stiffness: the key decides.
         let of_key = dimensions_of(key);
         let unit = units().find(|unit| of_key.contains(&unit.dimension())).or_else(|| units().next())?;
         let dimension = unit.dimension();
@@ -89,14 +89,14 @@ impl UnitsInUse {
         Some(format!("{} {wanted}", numbers.join(" ")))
     }
 
-    /// Whether something of the same kind stands in this unit.
+    /// Whether a value of the same kind has this unit.
     fn has(&self, unit: &Unit, small: bool) -> bool {
         self.endings.iter().any(|ending| {
             ending.units.contains(&unit) && is_small(ending.in_crush, &ending.key, unit.dimension()) == small
         })
     }
 
-    /// The unit of the same key elsewhere in the file, or of something of the same kind.
+    /// The unit of the same key elsewhere in the file, or of a value of the same kind.
     fn unit(&self, key: &str, small: bool, dimension: Dimension) -> Option<&'static Unit> {
         let units = || {
             self.endings.iter().filter_map(|ending| {
@@ -108,7 +108,7 @@ impl UnitsInUse {
         same.or_else(|| units().next()).map(|(_, unit)| unit)
     }
 
-    /// The system in which most of the file is written; `None` where it is as much the one as the other.
+    /// The system in which most of the file is written; `None` if both are equally common.
     fn system(&self) -> Option<UnitSystem> {
         let system = |ending: &Ending| ending.units.iter().find_map(|unit| unit.system());
         let of = |wanted| self.endings.iter().filter(|ending| system(ending) == Some(wanted)).count();
@@ -120,7 +120,7 @@ impl UnitsInUse {
     }
 }
 
-/// The units of a dimension that come first: one where both systems have the same, else one of each.
+/// The first units of a dimension: one if both systems share it, else one of each.
 pub(crate) fn usual_units(dimension: Dimension) -> Vec<&'static Unit> {
     let mut units = Vec::new();
     for system in [UnitSystem::Si, UnitSystem::Us] {
@@ -146,7 +146,7 @@ fn key_before(text: &str) -> &str {
     text.rsplit(|c: char| !(c.is_alphanumeric() || c == '_')).next().unwrap_or_default()
 }
 
-/// In two digits, as an example needs no more.
+/// Rounds to two digits, as an example needs no more.
 fn round(number: f64) -> String {
     let digits = format!("{number:.1e}");
     digits.parse().map_or(digits, format_number)
@@ -164,7 +164,7 @@ fn collect(key: &str, value: &Node<'_>, in_crush: bool, endings: &mut Vec<Ending
             }
         }
         Node::Array(list) => {
-            // One value tells the unit of the list as well as all.
+            // One value shows the unit of the list as well as all.
             if let Some(first) = list.first() {
                 collect(key, first.get_ref(), in_crush, endings);
             }

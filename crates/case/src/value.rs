@@ -1,13 +1,13 @@
-//! A case as values that are no text: of a row of a table, or of a program that has its numbers already.
+//! A case as values instead of text: from a row of a table, or from a program that already has its numbers.
 
 use std::borrow::Cow;
 
 use inputs::Unit;
 
-/// What a key of a case has.
+/// The value of a key of a case.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Value<'a> {
-    /// A text: a word, a name, or a quantity as the file has it, `"3696 lb"`.
+    /// A text: a word, a name, or a quantity as in a file, `"3696 lb"`.
     Text(Cow<'a, str>),
     /// A number without a unit.
     Number(f64),
@@ -43,7 +43,7 @@ impl<'a> ValueTable<'a> {
         self.0.iter_mut().find(|(name, _)| name == key).map(|(_, value)| value)
     }
 
-    /// Gives a key its value, in place of the one that it has.
+    /// Sets the value of a key, replacing any that it has.
     pub fn insert(&mut self, key: impl Into<Cow<'a, str>>, value: Value<'a>) {
         let key = key.into();
         match self.get_mut(&key) {
@@ -52,7 +52,7 @@ impl<'a> ValueTable<'a> {
         }
     }
 
-    /// Takes a key out.
+    /// Removes a key.
     pub fn remove(&mut self, key: &str) -> Option<Value<'a>> {
         let place = self.0.iter().position(|(name, _)| name == key)?;
         Some(self.0.remove(place).1)
@@ -63,19 +63,19 @@ impl<'a> ValueTable<'a> {
         self.0.iter().map(|(key, value)| (&**key, value))
     }
 
-    /// How many keys it has.
+    /// Number of keys.
     #[must_use]
     pub fn len(&self) -> usize {
         self.0.len()
     }
 
-    /// Whether it has none.
+    /// Whether it has no keys.
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.0.is_empty()
     }
 
-    /// The same, with its texts where they are.
+    /// The same, borrowing its texts.
     #[must_use]
     pub fn borrowed(&self) -> ValueTable<'_> {
         ValueTable(self.0.iter().map(|(key, value)| (Cow::Borrowed(&**key), value.borrowed())).collect())
@@ -83,7 +83,7 @@ impl<'a> ValueTable<'a> {
 }
 
 impl<'a> Value<'a> {
-    /// The same, with its texts where they are.
+    /// The same, borrowing its texts.
     #[must_use]
     pub fn borrowed(&self) -> Value<'_> {
         match self {

@@ -1,11 +1,11 @@
-//! What is drawn of a vehicle or of a fixed object.
+//! The shape in which a vehicle or a fixed object is drawn.
 
 use crate::footprint::{CrushProfile, Footprint};
 
-/// What is known of the shape of a vehicle or of a fixed object.
+/// The known shape of a vehicle or a fixed object.
 #[derive(Clone, Debug, PartialEq)]
 pub enum SceneBody {
-    /// Its outline. Where its crush is known, the damaged body is filled and the undamaged one dashed.
+    /// Its outline. If its crush is known, the damaged body is filled and the undamaged one dashed.
     Outline {
         /// The undamaged body.
         footprint: Footprint,

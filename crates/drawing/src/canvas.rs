@@ -24,35 +24,35 @@ pub(crate) enum Head {
 pub(crate) struct Canvas {
     width: f64,
     height: f64,
-    /// (px) by which the page reaches above the origin.
+    /// (px) height of the page above the origin.
     above: f64,
     prefix: &'static str,
     /// Behind everything.
     backdrop: Option<Backdrop>,
     body: String,
     placer: Placer,
-    /// What was written that the font has not.
+    /// Characters written that are missing from the font.
     missing: BTreeSet<char>,
 }
 
 impl Canvas {
-    /// (px) of the given size; the `id`s of its shapes begin with `prefix`.
+    /// An empty page of the given size (px); the `id`s of its shapes begin with `prefix`.
     pub(crate) fn new(prefix: &'static str, width: f64, height: f64) -> Self {
         let (body, placer) = (String::new(), Placer::default());
         Self { width, height, above: 0.0, prefix, backdrop: None, body, placer, missing: BTreeSet::new() }
     }
 
-    /// (px) below the origin.
+    /// Sets the height of the page below the origin (px).
     pub(crate) fn set_height(&mut self, height: f64) {
         self.height = height;
     }
 
-    /// Room above the origin (px).
+    /// Sets the height of the page above the origin (px).
     pub(crate) fn grow_up(&mut self, above: f64) {
         self.above = above.max(0.0);
     }
 
-    /// (px) the whole page.
+    /// The bounds of the whole page (px).
     pub(crate) fn page(&self) -> Rect {
         Rect::new(0.0, -self.above, self.width, self.height)
     }
@@ -73,12 +73,12 @@ impl Canvas {
         &self.body
     }
 
-    /// Letters that the font has not.
+    /// Characters missing from the font.
     pub(crate) fn missing(&self) -> impl Iterator<Item = char> {
         self.missing.iter().copied()
     }
 
-    /// Letters of shapes that another page wrote.
+    /// Adds missing characters of shapes that another page wrote.
     pub(crate) fn note_missing(&mut self, letters: impl Iterator<Item = char>) {
         self.missing.extend(letters);
     }
@@ -92,8 +92,8 @@ impl Canvas {
         if id.is_empty() { String::new() } else { format!(" id=\"{}-{id}\"", self.prefix) }
     }
 
-    /// A stripe pattern, named for [`pattern`](Self::pattern): what colour says, in grey as well. The ground
-    /// is a colour or `none`.
+    /// Defines a stripe pattern for [`pattern`](Self::pattern): stripes distinguish areas even without
+    /// colour. The ground is a colour or `none`.
     pub(crate) fn define_stripes(&mut self, name: &str, colour: &str, ground: &str, degrees: i32, gap: f64) {
         let id = self.id(name);
         self.element(&format!(
@@ -104,7 +104,7 @@ impl Canvas {
         ));
     }
 
-    /// A fill by name.
+    /// The fill for a pattern of this name.
     pub(crate) fn pattern(&self, name: &str) -> String {
         format!("url(#{}-{name})", self.prefix)
     }
@@ -122,7 +122,7 @@ impl Canvas {
         ));
     }
 
-    /// A line that no label has to avoid: a grid.
+    /// A grid line, which labels need not avoid.
     pub(crate) fn grid(&mut self, a: Point, b: Point, pen: Pen) {
         self.element(&format!(
             "<line x1=\"{}\" y1=\"{}\" x2=\"{}\" y2=\"{}\"{}/>",
@@ -148,7 +148,7 @@ impl Canvas {
         let id = self.id(id);
         let (end, tip) = match head {
             Head::Filled => {
-                // A thick line would be blunt at the tip: it ends inside of the head, which is drawn over it.
+                // A thick line would be blunt at the tip: it ends inside the head, which is drawn over it.
                 let neck = b - direction * (size * 0.6);
                 let corners = [b, left, right].map(|corner| format!("{} {}", px(corner.x), px(corner.y)));
                 (neck, format!("<path d=\"M{}Z\" fill=\"{}\"/>", corners.join("L"), pen.colour))
@@ -166,7 +166,7 @@ impl Canvas {
         ));
     }
 
-    /// A bar with ticks at both ends that stands for `si` (in SI units).
+    /// A scale bar with ticks at both ends that represents `si` (in SI units).
     pub(crate) fn scale(&mut self, id: &str, a: Point, b: Point, si: f64, pen: Pen) {
         self.placer.block(a, b, 10.0);
         let id = self.id(id);
@@ -237,7 +237,7 @@ impl Canvas {
         ));
     }
 
-    /// A text at a given place on its base line.
+    /// A text anchored at a point on its baseline.
     pub(crate) fn text(&mut self, at: Point, text: &str, size: f64, anchor: Anchor, colour: &str) {
         self.placer.taken(labels::text_area(at, text, size, anchor));
         self.write(at, text, size, anchor, colour);
@@ -261,37 +261,37 @@ impl Canvas {
         ));
     }
 
-    /// No label covers this.
+    /// Keeps all labels from covering an area.
     pub(crate) fn protect(&mut self, area: Rect) {
         self.placer.protect(area);
     }
 
-    /// Labels keep off an area: those of [`label_beside`](Self::label_beside), or all of them.
+    /// Keeps labels off an area: those of [`label_beside`](Self::label_beside), or all of them.
     pub(crate) fn keep_off(&mut self, path: &BezPath, all: bool) {
         self.placer.keep_off(path, all);
     }
 
-    /// A text that belongs to a point; [`place_labels`](Self::place_labels) finds it a place nearby.
+    /// Labels a point; [`place_labels`](Self::place_labels) places the text nearby.
     pub(crate) fn label(&mut self, at: Point, text: &str, colour: &'static str) {
         self.placer.label(at, text, colour, Kind::Anywhere);
     }
 
-    /// The same beside all outlines, with a line to the point.
+    /// Labels a point from outside all outlines, with a line to it.
     pub(crate) fn label_beside(&mut self, at: Point, text: &str, colour: &'static str) {
         self.placer.label(at, text, colour, Kind::BesideOutlines);
     }
 
-    /// The same of one point among many, which [`protect`](Self::protect) has told of.
+    /// Labels one of many points, which were given to [`protect`](Self::protect).
     pub(crate) fn label_of_point(&mut self, at: Point, text: &str, colour: &'static str) {
         self.placer.label(at, text, colour, Kind::OfPoint);
     }
 
-    /// The name of an area, on it where there is room.
+    /// Names an area, on the area itself if there is room.
     pub(crate) fn label_within(&mut self, area: &BezPath, at: Point, text: &str, colour: &'static str) {
         self.placer.label_within(area, at, text, colour);
     }
 
-    /// Places all labels inside of `bounds` ([`Placer::place`]).
+    /// Places all labels inside `bounds` ([`Placer::place`]).
     pub(crate) fn place_labels(&mut self, bounds: Rect) {
         for label in self.placer.place(bounds) {
             if let Some(leader) = label.leader {
@@ -329,7 +329,7 @@ fn data(path: &BezPath) -> String {
     data
 }
 
-/// The corners of a path, its curves as a few chords.
+/// The corners of a path, with its curves as a few chords.
 trait Flatten {
     fn flatten_to_lines(&self) -> Vec<Point>;
 }
@@ -350,7 +350,7 @@ impl Flatten for BezPath {
     }
 }
 
-/// A text as XML has to have it. Characters that XML cannot hold are left out.
+/// A text escaped for XML, without the characters that XML cannot hold.
 pub(crate) fn escaped(text: &str) -> String {
     let mut out = String::with_capacity(text.len());
     for letter in text.chars() {

@@ -1,4 +1,4 @@
-//! Axes with ticks, for all pictures that plot one number over another.
+//! Axes with ticks, for all pictures that plot one number against another.
 
 use kurbo::{Point, Rect};
 
@@ -8,23 +8,23 @@ use crate::number::number;
 use crate::pens::{BLACK, GREY, GRID, THIN};
 use crate::ticks;
 
-/// (px) from a chart to the numbers to its left.
+/// (px) from a chart to the tick labels on its left.
 const BESIDE: f64 = 8.0;
-/// (px) how far a number below a chart may reach beyond its right end: what is left to the edge of the page.
+/// (px) how far a tick label below a chart may extend past its right end: the room left on the page.
 const BEYOND: f64 = 38.0;
-/// (px) white between two numbers below a chart.
+/// (px) gap between two tick labels below a chart.
 const BETWEEN: f64 = 10.0;
 
-/// What an axis of a chart shows.
+/// Title and unit of an axis of a chart.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Axis {
-    /// What stands beside it, with the unit of its numbers.
+    /// Its title, with the unit of its numbers.
     pub title: String,
-    /// How much the unit of its numbers is in the unit of the data.
+    /// The unit of its numbers, in units of the data.
     pub unit: f64,
 }
 
-/// Where the data lie on a page.
+/// The place of the data on a page.
 pub(crate) struct Chart {
     pub(crate) area: Rect,
     /// (px) where the title of the upward axis begins, above the area.
@@ -43,14 +43,13 @@ impl Chart {
         )
     }
 
-    /// The frame, the grid with its numbers, no more than `most` across and upward, and the titles of both
-    /// axes.
+    /// Draws the frame, the grid with at most `most` tick labels across and upward, and both axis titles.
     pub(crate) fn draw(&self, canvas: &mut Canvas, across: &Axis, upward: &Axis, most: [u8; 2]) {
         let Self { area, left, .. } = *self;
         canvas.rect("", area, Some(THIN), "none");
         let (values, decimals) = self.ticks_across(across, most[0]);
         let x = |value: f64| self.at(value * across.unit, self.upward[0]).x;
-        // Where the first number begins below the lowest one of the upward axis, all go deeper.
+        // If the first label begins below the lowest one of the upward axis, all labels move down.
         let begins = |value: &f64| x(*value) - font::width(&number(*value, decimals), SMALL) / 2.0;
         let is_below = values.first().map(begins).is_some_and(|begins| begins <= area.x0 - BESIDE);
         let base = area.y1 + if is_below { 21.0 } else { 18.0 };
@@ -73,7 +72,7 @@ impl Chart {
         canvas.text(above, &upward.title, SMALL, Anchor::Start, GREY);
     }
 
-    /// As many numbers as have room beside each other and on the page.
+    /// As many ticks as have room for their labels, next to each other and on the page.
     pub(crate) fn ticks_across(&self, axis: &Axis, most: u8) -> (Vec<f64>, usize) {
         let [low, high] = self.across.map(|end| end / axis.unit);
         let has_room = |(values, decimals): &(Vec<f64>, usize)| {

@@ -11,42 +11,42 @@ use crate::pens::{BLACK, CRUSHED, FILL, GREY, OUTLINE, THIN, WHITE, undamaged};
 
 const NAME: &str = "damage";
 
-/// (px) height of the vehicles' room.
+/// (px) height of the area for the vehicles.
 const ROOM: f64 = 430.0;
-/// (px) white around a vehicle, for the names of the stations.
+/// (px) margin around a vehicle, for the names of the stations.
 const MARGIN: f64 = 44.0;
-/// (px/m)
+/// (px/m) the largest scale.
 const LARGEST: f64 = 130.0;
-/// (px) the least distance between the names of two stations, with one figure and with more.
+/// (px) minimum distance between the names of two stations, for one digit and for more.
 const APART: [f64; 2] = [19.0, 30.0];
-/// (px) how far beyond the face the names of stations stand.
+/// (px) distance of the names of stations from the face.
 const BESIDE: f64 = 20.0;
-/// (px) radius of a station.
+/// (px) radius of the dot of a station.
 const DOT: f64 = 2.2;
-/// (px) height of a line of the captions.
+/// (px) line height of the captions.
 const ROW: f64 = 18.0;
 
 /// Each damaged vehicle from above, with its crush profile.
 #[derive(Clone, Debug, PartialEq)]
 pub struct DamagePicture {
-    /// Of the case.
+    /// Title of the case.
     pub title: String,
-    /// Vehicles 1 and 2, where they are damaged.
+    /// Vehicles 1 and 2, if damaged.
     pub vehicles: [Option<DamagedVehicle>; 2],
-    /// Of the scale bar.
+    /// Unit of the scale bar.
     pub length: ScaleUnit,
 }
 
-/// A damaged vehicle, in its own axes: x forward, y left of the CG (m), or of any place where its outline is
-/// not known.
+/// A damaged vehicle, in its own axes (m): x forward, y left of the CG, or of any point if its outline is
+/// unknown.
 #[derive(Clone, Debug, PartialEq)]
 pub struct DamagedVehicle {
     /// Its outline; without one the profile is drawn alone.
     pub footprint: Option<Footprint>,
     /// Its damaged face.
     pub crush: CrushProfile,
-    /// The crush was measured at the stations: they are marked and named C1, C2 …, and the undamaged outline
-    /// is dashed.
+    /// Whether the crush was measured at stations. If so, they are marked and named C1, C2 …, and the
+    /// undamaged outline is dashed.
     pub has_stations: bool,
     /// Heads the caption.
     pub name: String,
@@ -129,7 +129,7 @@ fn points(points: &[[f64; 2]]) -> impl Iterator<Item = Point> {
 }
 
 impl Panel<'_> {
-    /// (m) of outline and damage: x to the right, y downwards.
+    /// Extent (m) of outline and damage: x to the right, y downwards.
     fn extent(&self) -> Rect {
         let there = self.there(Point::ZERO, 1.0);
         let CrushProfile { face, crushed, .. } = &self.vehicle.crush;
@@ -185,7 +185,7 @@ impl Panel<'_> {
         }
     }
 
-    /// The stations, and the names of as many as there is room for, the first and the last among them.
+    /// Draws the stations and as many of their names as have room, always the first and the last.
     fn stations(&self, canvas: &mut Canvas, face: &[Point], crushed: &[Point]) {
         let [forward, left] = self.vehicle.crush.outward;
         let outward = Vec2::new(-left, -forward);
@@ -200,8 +200,8 @@ impl Panel<'_> {
         let last = face.len().saturating_sub(1);
         let mut dotted: Option<Point> = None;
         for (j, (&on_face, &deep)) in face.iter().zip(crushed).enumerate() {
-            // Stations closer than a dot is large would only make the line of the profile thicker, and a scan
-            // has thousands of them.
+            // Stations closer together than the size of a dot would only make the line of the profile
+            // thicker, and a scan has thousands of them.
             if j == last || dotted.is_none_or(|before| (on_face - before).hypot() >= DOT) {
                 canvas.dot("", deep, DOT, None, BLACK);
                 dotted = Some(on_face);
@@ -212,7 +212,7 @@ impl Panel<'_> {
             let end = on_face + outward * (BESIDE - 8.0);
             canvas.grid(on_face, end, THIN);
             let name = format!("C{}", j + 1);
-            // The text's base line lies below its middle.
+            // The baseline of the text lies below its middle.
             let at = on_face + outward * BESIDE + Vec2::new(0.0, 0.35 * SMALL);
             let anchor = if outward.x > 0.5 {
                 Anchor::Start

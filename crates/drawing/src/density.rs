@@ -1,4 +1,4 @@
-//! How probable each value of a number is, before and after evidence.
+//! The probability density of a number, before and after evidence.
 
 use kurbo::{BezPath, Rect};
 
@@ -9,41 +9,41 @@ use crate::legend::{self, EDGE, HEADER, Sample, WIDTH};
 use crate::marks::{IntervalMarks, ValueMark};
 use crate::pens::{AXIS, BOUND, EQUALITY, FILL, OUTLINE, Pen};
 
-/// (px) of the plot.
+/// (px) area of the plot.
 const PLOT: Rect = Rect::new(EDGE + 48.0, HEADER + 34.0, WIDTH - EDGE - 16.0, HEADER + 364.0);
 /// (px) from the plot to the legend.
 const BELOW: f64 = 58.0;
-/// Numbers below the plot, and beside it.
+/// Maximum number of tick labels across and upward.
 const MOST: [u8; 2] = [10, 5];
 const BEFORE: Pen = EQUALITY;
 
-/// Two curves over a number, the first of which stands for what was known before the evidence, with lines at
-/// the ends of an interval and at the median.
+/// The density of a number before and after the evidence, with lines at the ends of an interval and at the
+/// median.
 #[derive(Clone, Debug, PartialEq)]
 pub struct DensityPicture {
     /// The first part of the `id`s in its SVG.
     pub name: &'static str,
-    /// What is distributed, with its unit.
+    /// The number, with its unit.
     pub title: String,
     /// The lines below it.
     pub subtitle: String,
-    /// What a reader who cannot see it has to be told. The labels of the lines are added to it.
+    /// The picture described for readers who cannot see it; the labels of the lines are added to it.
     pub description: String,
-    /// Across; its unit is that of the labels.
+    /// The horizontal axis, whose unit the labels use.
     pub across: Axis,
-    /// The least number of decimals in the labels. They have no fewer than the axis.
+    /// Minimum number of decimals in the labels, which never have fewer than the axis.
     pub decimals: usize,
-    /// Upward.
+    /// The vertical axis.
     pub upward: Axis,
-    /// Before the evidence, from the left; nothing where it is not known.
+    /// The curve before the evidence, from the left; empty if unknown.
     pub before: Vec<[f64; 2]>,
-    /// After it, at least two points.
+    /// The curve after the evidence, at least two points.
     pub after: Vec<[f64; 2]>,
     /// The ends of the interval.
     pub interval: [ValueMark; 2],
     /// The median.
     pub median: ValueMark,
-    /// What the legend says of the curve before, of that after, of the interval and of the median.
+    /// Legend entries of the curves before and after, of the interval and of the median.
     pub legend: [String; 4],
 }
 

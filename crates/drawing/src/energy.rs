@@ -10,38 +10,38 @@ use crate::pens::{BLACK, FILL, GREY, OUTLINE, PALE, Pen, THIN, WHITE};
 
 const NAME: &str = "energy";
 
-/// (px) of the bars' room: names to the left, values to the right.
+/// (px) left and right end of the bars: names are to the left, values to the right.
 const LEFT: f64 = EDGE + 196.0;
 const RIGHT: f64 = WIDTH - EDGE - 190.0;
 /// (px) from bar to bar, and the height of a bar.
 const STEP: f64 = 46.0;
 const BAR: f64 = 28.0;
 
-/// Bars from the initial kinetic energy to what is left of it.
+/// Bars from the initial kinetic energy to the energy that is left.
 #[derive(Clone, Debug, PartialEq)]
 pub struct EnergyPicture {
-    /// Of the case.
+    /// Title of the case.
     pub title: String,
-    /// What keeps it from being the answer: stands below the title. Mostly empty.
+    /// Why this is not the answer, shown below the title; usually empty.
     pub caveat: String,
     /// Before the impact.
     pub initial: EnergyBar,
-    /// What took the energy, in order: each bar begins where the one above it ends.
+    /// The losses in order: each bar begins where the one above it ends.
     pub losses: Vec<(Loss, EnergyBar)>,
-    /// What is left of it.
+    /// The kinetic energy that is left.
     pub rest: EnergyBar,
-    /// Stands below the bars.
+    /// Text below the bars.
     pub note: String,
 }
 
-/// What takes kinetic energy.
+/// A loss of kinetic energy.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Loss {
     /// The crush of vehicle 1, or its share of the normal work.
     Vehicle1,
-    /// The same of vehicle 2.
+    /// The same for vehicle 2.
     Vehicle2,
-    /// The normal work, where it is not shared.
+    /// The normal work, if it is not divided between the vehicles.
     Normal,
     /// The tangential work.
     Tangential,
@@ -49,16 +49,16 @@ pub enum Loss {
     Moment,
 }
 
-/// An energy with its words.
+/// An energy and its labels.
 #[derive(Clone, Debug, PartialEq)]
 pub struct EnergyBar {
-    /// Stands to its left.
+    /// Label to the left of the bar.
     pub name: String,
     /// (J)
     pub energy: f64,
-    /// Stands to its right.
+    /// Label to the right of the bar.
     pub value: String,
-    /// Stands below its value.
+    /// Text below the value.
     pub remark: Option<String>,
 }
 
@@ -110,8 +110,8 @@ impl EnergyPicture {
         let below = format!("Energy: where the initial kinetic energy went\n{caveat}");
         legend::header(&mut canvas, title, &below);
 
-        // What is taken away goes from the right to the left; what is left is the final motion. Work that
-        // gives energy back goes to the right.
+        // Losses run from right to left, and what is left is the final motion. Work that returns energy runs
+        // to the right.
         let highest = losses
             .iter()
             .scan(initial.energy, |left, (_, bar)| {

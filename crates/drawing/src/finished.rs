@@ -1,4 +1,4 @@
-//! A drawing that is made.
+//! A finished drawing and its file formats.
 
 use crate::canvas::{Canvas, escaped};
 use crate::number::px;
@@ -6,23 +6,23 @@ use crate::pdf;
 use crate::pens::WHITE;
 use crate::raster::{self, RenderError};
 
-/// What a file of a drawing is.
+/// The file format of a drawing.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum PictureFormat {
-    /// Vectors, for pages of a browser.
+    /// Vectors, for web pages.
     #[default]
     Svg,
     /// Pixels.
     Png,
-    /// Vectors on a page of paper.
+    /// Vectors, for paper.
     Pdf,
 }
 
 impl PictureFormat {
-    /// All of them.
+    /// All formats.
     pub const ALL: [Self; 3] = [Self::Svg, Self::Png, Self::Pdf];
 
-    /// What file names end in, without the point.
+    /// The file name extension, without the dot.
     #[must_use]
     pub fn extension(self) -> &'static str {
         match self {
@@ -47,8 +47,7 @@ impl Drawing {
         Self { name, title, description, canvas }
     }
 
-    /// Drawings below each other on one page, each with the word that its `id`s have on it; none of them has
-    /// a site plan.
+    /// Stacks drawings on one page, each with its word in its `id`s there. None of them may have a site plan.
     #[must_use]
     pub fn stacked(name: &'static str, title: String, drawings: &[(String, Self)]) -> Self {
         let width = drawings.iter().map(|(_, drawing)| drawing.canvas.page().width()).fold(0.0, f64::max);
@@ -69,32 +68,32 @@ impl Drawing {
         Self::new(name, title, description, canvas)
     }
 
-    /// The word for what it shows, which is the first part of the `id`s in its SVG.
+    /// The name of its subject, which is the first part of the `id`s in its SVG.
     #[must_use]
     pub fn name(&self) -> &'static str {
         self.name
     }
 
-    /// One line.
+    /// Its title, one line.
     #[must_use]
     pub fn title(&self) -> &str {
         &self.title
     }
 
-    /// What a reader who cannot see it has to be told.
+    /// The drawing described for readers who cannot see it.
     #[must_use]
     pub fn description(&self) -> &str {
         &self.description
     }
 
-    /// The drawing as SVG, with its title and description; it stands alone as a file or inside of HTML.
+    /// The drawing as SVG, with its title and description, for a file of its own or inside HTML.
     #[must_use]
     pub fn svg(&self) -> String {
         self.svg_named(self.name)
     }
 
-    /// The same with another word for [`name`](Self::name) in its `id`s: several drawings of one kind on one
-    /// page have one each.
+    /// The same with another [`name`](Self::name) in its `id`s, so that several drawings of one kind can be
+    /// on one page.
     #[must_use]
     pub fn svg_named(&self, name: &str) -> String {
         let page = self.canvas.page();
@@ -104,15 +103,15 @@ impl Drawing {
         self.svg_on(name, &format!("{ground}{backdrop}"))
     }
 
-    /// What stands in front of the page and of its backdrop.
+    /// The drawing in front of the page and its backdrop.
     fn foreground(&self) -> String {
         self.svg_on(self.name, "")
     }
 
-    /// The shapes, with another word in their `id`s.
+    /// The shapes, with another name in their `id`s.
     fn body_named(&self, name: &str) -> String {
         let own = self.name;
-        // No text has a quotation mark of its own: it is escaped.
+        // Quotation marks in texts are escaped, so no text matches.
         let body = self.canvas.body().replace(&format!(" id=\"{own}-"), &format!(" id=\"{name}-"));
         body.replace(&format!("=\"url(#{own}-"), &format!("=\"url(#{name}-"))
     }
@@ -132,14 +131,13 @@ impl Drawing {
         )
     }
 
-    /// Letters of the drawing that DejaVu Sans, which the program carries, has not. A PNG and a PDF have
-    /// question marks in their place; of an SVG the reader's own fonts are asked.
+    /// Characters of the drawing that are missing from DejaVu Sans, the built-in font. PNG and PDF show
+    /// question marks in their place; an SVG uses the reader's own fonts.
     pub fn missing_letters(&self) -> impl Iterator<Item = char> {
         self.canvas.missing()
     }
 
-    /// The drawing as PNG, twice as many pixels as the SVG has units. The letters are those of DejaVu Sans,
-    /// which the program carries.
+    /// The drawing as PNG, with two pixels for each unit of the SVG. Its font is the built-in DejaVu Sans.
     ///
     /// # Errors
     /// [`RenderError`]: the picture is too large for the memory.
@@ -147,8 +145,8 @@ impl Drawing {
         raster::png(&self.foreground(), self.canvas.page().y0, self.canvas.backdrop())
     }
 
-    /// The drawing as PDF: one page, as large as the SVG at 96 px to the inch. The letters are outlines of
-    /// those of DejaVu Sans. No date is in it.
+    /// The drawing as PDF: one page, as large as the SVG at 96 px to the inch. The letters are outlines from
+    /// DejaVu Sans, and the file contains no date.
     ///
     /// # Errors
     /// [`RenderError`]: the letters could not be laid out.
@@ -156,10 +154,10 @@ impl Drawing {
         pdf::pdf(&self.foreground(), self.canvas.page().y0, self.canvas.backdrop(), &self.title)
     }
 
-    /// The drawing in a format of one's choice.
+    /// The drawing in the given format.
     ///
     /// # Errors
-    /// [`RenderError`], of a PNG or a PDF.
+    /// [`RenderError`], for a PNG or a PDF.
     pub fn write_as(&self, format: PictureFormat) -> Result<Vec<u8>, RenderError> {
         match format {
             PictureFormat::Svg => Ok(self.svg().into_bytes()),

@@ -1,5 +1,5 @@
-//! How wide a text is. The letters of DejaVu Sans are among the widest of the sans-serif faces: what fits
-//! with these fits with those of any reader.
+//! Widths of texts. DejaVu Sans is among the widest sans-serif fonts, so a text that fits in it also fits in
+//! the fonts of any reader.
 
 use std::sync::LazyLock;
 
@@ -16,14 +16,14 @@ static ADVANCES: LazyLock<Vec<(char, Vec<u16>)>> = LazyLock::new(|| {
 /// Units of the em.
 const EM: f64 = 2048.0;
 
-/// (px) letters of labels.
+/// (px) font size of labels.
 pub(crate) const SMALL: f64 = 13.0;
-/// (px) letters of headings.
+/// (px) font size of headings.
 pub(crate) const LARGE: f64 = 17.0;
-/// (em) of a letter that the font has not: those of East Asian scripts are square.
+/// (em) advance of a character missing from the font: East Asian characters are square.
 const UNKNOWN: f64 = 1.0;
 
-/// Which point of a text is given.
+/// The point of a text whose position is given.
 #[derive(Clone, Copy, PartialEq)]
 pub(crate) enum Anchor {
     Start,
@@ -31,10 +31,10 @@ pub(crate) enum Anchor {
     End,
 }
 
-/// (em) how far a letter moves on; nothing of one that the font has not.
+/// (em) advance of a character; `None` if it is missing from the font.
 ///
-/// By a table: who draws for a page of the web needs the font for nothing else, and it would be a seventh of
-/// what the page weighs.
+/// Advances come from a table: drawing for a web page needs the font for nothing else, and it would make up a
+/// seventh of the page's size.
 fn known(letter: char) -> Option<f64> {
     let after = ADVANCES.partition_point(|&(first, _)| first <= letter);
     let (first, units) = ADVANCES.get(after.checked_sub(1)?)?;
@@ -42,31 +42,31 @@ fn known(letter: char) -> Option<f64> {
     Some(f64::from(*units.get(place)?) / EM)
 }
 
-/// (em) the same of any letter.
+/// (em) advance of any character.
 fn advance(letter: char) -> f64 {
     known(letter).unwrap_or(UNKNOWN)
 }
 
-/// What is printed of a text that the font has not.
+/// The printable characters of a text that are missing from the font.
 pub(crate) fn missing(text: &str) -> Vec<char> {
     text.chars().filter(|&letter| !letter.is_control() && known(letter).is_none()).collect()
 }
 
-/// The text with a question mark for each letter that the font has not.
+/// The text with a question mark for each character missing from the font.
 pub(crate) fn with_known_letters(text: &str) -> String {
     let is_known = |letter: char| letter.is_control() || known(letter).is_some();
     text.chars().map(|letter| if is_known(letter) { letter } else { '?' }).collect()
 }
 
-/// (px) width of a text in letters of the given size (px).
+/// (px) width of a text at the given font size (px).
 pub(crate) fn width(text: &str, size: f64) -> f64 {
     text.chars().map(advance).sum::<f64>() * size
 }
 
-/// The text, cut to the given width (px) with an ellipsis where it is longer.
+/// The text, cut with an ellipsis if it is wider than the given width (px).
 pub(crate) fn cut(text: &str, size: f64, most: f64) -> String {
     let ellipsis = advance('…');
-    // (em) up to each letter; and the end of the last with which an ellipsis still fits.
+    // (em) width up to each letter, and the end of the last one after which an ellipsis still fits.
     let (mut so_far, mut fits) = (0.0, None);
     for (start, letter) in text.char_indices() {
         if (so_far + ellipsis) * size <= most {
@@ -80,10 +80,10 @@ pub(crate) fn cut(text: &str, size: f64, most: f64) -> String {
     fits.map_or_else(String::new, |end| format!("{}…", text[..end].trim_end()))
 }
 
-/// The text in lines of at most the given width (px), broken at blanks.
+/// The text in lines of at most the given width (px), broken at spaces.
 pub(crate) fn lines(text: &str, size: f64, most: f64) -> Vec<String> {
     let mut lines: Vec<String> = Vec::new();
-    // (em) of the last line
+    // (em) width of the last line
     let mut so_far = 0.0;
     for word in text.split(' ') {
         let with_word = word.chars().map(advance).fold(so_far + advance(' '), |sum, letter| sum + letter);
@@ -110,7 +110,7 @@ mod tests {
 
     use super::{cut, known, lines, width};
 
-    /// Units of the em, and all letters of the font with what they move on.
+    /// Units per em, and all characters of the font with their advances.
     fn of_the_font() -> (u16, Vec<(char, f32)>) {
         let font = FontRef::new(dejavu::sans::regular()).unwrap();
         let metrics = font.glyph_metrics(Size::unscaled(), LocationRef::default());

@@ -1,8 +1,8 @@
-//! The outline of a vehicle, and what its damage leaves of it.
+//! The outline of a vehicle, undamaged and damaged.
 
 use kurbo::{Affine, BezPath, Line, ParamCurve as _, Point, Rect, RoundedRect, Shape as _, Vec2};
 
-/// Points on the arc of a rounded corner, and pieces of a line that the damage may bend.
+/// Number of pieces of the arc of a rounded corner, and of a line that the damage may bend.
 const PIECES: u32 = 12;
 
 /// A body seen from above, in its own axes: x forward, y left of the CG.
@@ -36,9 +36,9 @@ pub enum Shape {
 pub struct CrushProfile {
     /// Stations on the undamaged face, from one end to the other.
     pub face: Vec<[f64; 2]>,
-    /// The same stations as deep as the crush.
+    /// The same stations on the crushed face.
     pub crushed: Vec<[f64; 2]>,
-    /// Out of the vehicle; a unit vector along an axis.
+    /// Outward direction: a unit vector along an axis.
     pub outward: [f64; 2],
 }
 
@@ -48,7 +48,7 @@ impl Footprint {
         Rect::new(cg_to_front - length, -width / 2.0, cg_to_front, width / 2.0)
     }
 
-    /// (m) of the corners.
+    /// (m) radius of the corners.
     fn radius(&self) -> f64 {
         match self.shape {
             Shape::Car => 0.12 * self.width,
@@ -63,7 +63,7 @@ impl Footprint {
         RoundedRect::from_rect(self.bounds(), self.radius()).to_path(1e-3)
     }
 
-    /// What the damage leaves of the body: each point of the face lies as deep as the crush is there.
+    /// The damaged body: each point of the face is moved inward by the crush depth there.
     pub(crate) fn damaged(&self, crush: &CrushProfile) -> BezPath {
         let surface = Surface::new(self, crush);
         let mut path = BezPath::new();
@@ -75,13 +75,13 @@ impl Footprint {
         path
     }
 
-    /// The damaged body, or the whole one.
+    /// The damaged body, or the undamaged one.
     pub(crate) fn left_by(&self, crush: Option<&CrushProfile>) -> BezPath {
         crush.map_or_else(|| self.outline(), |crush| self.damaged(crush))
     }
 
-    /// What tells front from rear: a car's windscreen or a motorcycle's handlebars, pushed in where the
-    /// damage reaches them.
+    /// The detail that distinguishes front from rear: a car's windscreen or a motorcycle's handlebars, pushed
+    /// in where the damage reaches them.
     pub(crate) fn detail(&self, crush: Option<&CrushProfile>) -> Option<BezPath> {
         let whole = match self.shape {
             Shape::Car => self.windscreen(),
@@ -146,7 +146,7 @@ impl Footprint {
     }
 }
 
-/// The body as the damaged face sees it: a place along the face, and a depth below it.
+/// The body in the coordinates of the damaged face: position along the face and depth below it.
 struct Surface {
     /// Along the face, in the axes of the vehicle.
     direction: Vec2,
@@ -156,9 +156,9 @@ struct Surface {
     depth: f64,
     /// (m) where the face ends.
     ends: [f64; 2],
-    /// (m) of the corners.
+    /// (m) radius of the corners.
     radius: f64,
-    /// (m) stations: place along the face, and depth of the crush; by place.
+    /// (m) stations, sorted: position along the face, and crush depth.
     stations: Vec<[f64; 2]>,
 }
 
@@ -179,7 +179,7 @@ impl Surface {
             stations.reverse();
         }
         let (radius, ends) = (body.radius(), [-most(-direction), most(direction)]);
-        // What the rounded corner of a bumper leaves beside the first or the last station goes with that.
+        // If an end station lies in a rounded corner of the bumper, the rest of the corner is crushed too.
         let corner = if body.shape == Shape::Motorcycle { 0.0 } else { radius };
         let beside = |along: f64, end: f64| (along - end).abs() < corner;
         if let Some(first) = stations.first().copied().filter(|first| beside(first[0], ends[0])) {
@@ -204,12 +204,12 @@ impl Surface {
         self.radius - (self.radius * self.radius - short * short).max(0.0).sqrt()
     }
 
-    /// (m) the same of the face opposite.
+    /// (m) the same for the opposite face.
     fn opposite(&self, along: f64) -> f64 {
         self.depth - self.undamaged(along)
     }
 
-    /// (m) of the crush, between stations along a straight line; zero beside the damage.
+    /// (m) crush depth, linear between stations; zero next to the damage.
     fn crush(&self, along: f64) -> f64 {
         let pair = self.stations.windows(2).find(|pair| pair[0][0] <= along && along <= pair[1][0]);
         pair.map_or(0.0, |pair| {
@@ -219,16 +219,16 @@ impl Surface {
         })
     }
 
-    /// (m) what is left of the body begins here, and no deeper than the face opposite.
+    /// (m) depth at which the remaining body begins, at most that of the opposite face.
     fn damaged(&self, along: f64, crush: f64) -> f64 {
         self.undamaged(along).max(crush).min(self.opposite(along))
     }
 
-    /// Place along the face and depth of each corner of what is left, once around.
+    /// Position along the face and depth of each corner of the remaining body, once around.
     fn contour(&self) -> Vec<[f64; 2]> {
         let [low, high] = self.ends;
         let arc = |k: u32| {
-            // s = r (1 − cos φ) has its points where the arc bends; (k/N)² comes near enough.
+            // s = r (1 − cos φ) would space the points evenly on the arc; (k/N)² is close enough.
             let share = f64::from(k) / f64::from(PIECES);
             self.radius * share * share
         };
@@ -261,7 +261,7 @@ impl Surface {
         near
     }
 
-    /// Where the damage takes a point of the body.
+    /// Where the damage moves a point of the body.
     fn pushed(&self, point: Point) -> Point {
         let at = point.to_vec2();
         let (along, depth) = (at.dot(self.direction), self.face - at.dot(self.outward));
@@ -270,8 +270,8 @@ impl Surface {
     }
 }
 
-/// From the axes of a vehicle whose forward axis is `forward` (a unit vector of the scene, y upwards) and
-/// whose CG is at `cg` (px) to the page.
+/// Transform to the page from the axes of a vehicle whose forward axis is `forward` (a unit vector of the
+/// scene, y upwards) and whose CG is at `cg` (px).
 pub(crate) fn placed(forward: Vec2, cg: Point, scale: f64) -> Affine {
     let (c, s) = (forward.x * scale, forward.y * scale);
     // (x, y) ↦ CG + scale (x cos θ − y sin θ, −(x sin θ + y cos θ)): the page's y runs downwards.
@@ -303,8 +303,8 @@ mod tests {
             .any(|at| at.distance(Point::new(x, y)) < 1e-12)
     }
 
-    /// The corners of what is left, and its area by hand, on all four sides; the stations run as they do in a
-    /// case: from left to right on front and rear, from rear to front on the sides.
+    /// The corners of the remaining body, and its area by hand, on all four sides; the stations run as they
+    /// do in a case: from left to right on front and rear, from rear to front on the sides.
     #[test]
     fn each_side_is_as_deep_as_its_stations() {
         // 0.2 m at one end of a damage of 1 m, 0.4 m at the other: 0.3 m² are gone.
@@ -344,7 +344,7 @@ mod tests {
         let car = Footprint { shape: Shape::Car, ..BODY };
         let shallow = crush([1.0, 0.0], &[([1.5, 1.0], 0.05), ([1.5, -1.0], 0.05)]);
         let (whole, damaged) = (car.outline(), car.damaged(&shallow));
-        // r = 0.24 m; the strip of 0.05 m is 2 m wide but for what the two corners lack of it already.
+        // r = 0.24 m; the strip of 0.05 m is 2 m wide, less what the two rounded corners already lack.
         let (r, d) = (0.24_f64, 0.05_f64);
         let angle = ((r - d) / r).acos();
         let gone = whole.area().abs() - damaged.area().abs();
@@ -357,7 +357,7 @@ mod tests {
     #[test]
     fn no_sliver_of_a_corner_stands_beside_the_damage() {
         let car = Footprint { shape: Shape::Car, ..BODY };
-        // The corners have a radius of 0.24 m: 0.2 m beside the damage go with it, 0.3 m do not.
+        // The corners have a radius of 0.24 m: 0.2 m next to the damage are crushed with it, 0.3 m are not.
         let front = |left: f64, right: f64| {
             car.damaged(&crush([1.0, 0.0], &[([1.5, left], 0.5), ([1.5, -right], 0.5)])).bounding_box().x1
         };
@@ -365,7 +365,7 @@ mod tests {
         assert!((front(0.7, 0.8) - 1.5).abs() < 1e-12);
         assert!((front(0.8, 0.7) - 1.5).abs() < 1e-12);
         // A motorcycle is round at its ends, and has no bumper: 0.2 m to each side of the axis are gone, and
-        // beside them its front is as far as √(1 − 0.2²) m ahead of the middle of the arc, at x = 0.5.
+        // next to them its front is √(1 − 0.2²) m ahead of the middle of the arc, at x = 0.5.
         let motorcycle = Footprint { shape: Shape::Motorcycle, ..BODY };
         let hit = crush([1.0, 0.0], &[([1.5, 0.2], 0.5), ([1.5, -0.2], 0.5)]);
         let front = motorcycle.damaged(&hit).bounding_box().x1;

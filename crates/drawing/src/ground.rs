@@ -1,35 +1,35 @@
-//! Parts of the ground, cut to what a page shows.
+//! Zones of the ground, clipped to the page.
 
 use kurbo::{BezPath, Point, Rect, Vec2};
 
 use crate::plan::{View, polygon};
 use crate::vector::{flipped, vec2};
 
-/// A part of the ground that has a friction of its own.
+/// A part of the ground with its own friction.
 #[derive(Clone, Debug, PartialEq)]
 pub struct GroundZone {
-    /// Where it is.
+    /// Its area.
     pub shape: GroundShape,
-    /// What stands on it, such as its name and its friction.
+    /// Its label, such as its name and its friction.
     pub label: String,
 }
 
-/// What part of the ground it is.
+/// The area of a zone.
 #[derive(Clone, Debug, PartialEq)]
 pub enum GroundShape {
     /// Everything to one side of a line.
     HalfPlane {
         /// (m) a point of the line.
         edge: [f64; 2],
-        /// Across the line, into the zone; a vector of any length but zero.
+        /// A vector across the line, into the zone; of any length but zero.
         into: [f64; 2],
     },
-    /// What lies inside of these corners (m), in their order.
+    /// The inside of a polygon with these corners (m), in order.
     Polygon(Vec<[f64; 2]>),
 }
 
 impl GroundShape {
-    /// What is seen of it on the page, if anything.
+    /// The part of it that is visible on the page, if any.
     pub(crate) fn on_page(&self, view: View, page: Rect) -> Option<BezPath> {
         let corners = |page: Rect| {
             [(page.x0, page.y0), (page.x1, page.y0), (page.x1, page.y1), (page.x0, page.y1)].map(Point::from)
@@ -41,7 +41,7 @@ impl GroundShape {
             Self::Polygon(polygon) => {
                 let whole = polygon.iter().map(|&corner| view.at(vec2(corner))).collect();
                 let [first, _, last, _] = corners(page);
-                // Two sides of the page go through the one corner, and two through that opposite.
+                // Two sides of the page pass through the one corner, and two through the opposite one.
                 let sides = [(first, 1.0, 0.0), (first, 0.0, 1.0), (last, -1.0, 0.0), (last, 0.0, -1.0)];
                 sides.into_iter().fold(whole, |left, (at, x, y)| cut(left, at, Vec2::new(x, y)))
             }
@@ -50,8 +50,8 @@ impl GroundShape {
     }
 }
 
-/// What of a polygon lies on the side of a line to which `into` points (I. Sutherland and G. Hodgman,
-/// *Reentrant polygon clipping*, 1974).
+/// Clips a polygon to the side of a line to which `into` points (I. Sutherland and G. Hodgman, *Reentrant
+/// polygon clipping*, 1974).
 fn cut(polygon: Vec<Point>, edge: Point, into: Vec2) -> Vec<Point> {
     let depth = |point: Point| (point - edge).dot(into);
     let mut left = Vec::new();
@@ -89,11 +89,11 @@ mod tests {
     #[test]
     fn a_half_plane_reaches_to_the_edge_of_the_page() {
         let half = |edge, into| bounds(&GroundShape::HalfPlane { edge, into });
-        // What is left of x, upwards on the page, from y = 20 m.
+        // The side to the left of x, which is up on the page, from y = 20 m.
         assert_eq!(half([7.0, 20.0], [0.0, 3.0]), Some([0.0, 0.0, 200.0, 30.0, 6000.0]));
         assert_eq!(half([7.0, 20.0], [0.0, -3.0]), Some([0.0, 30.0, 200.0, 100.0, 14_000.0]));
         assert_eq!(half([60.0, 0.0], [1.0, 0.0]), Some([160.0, 0.0, 200.0, 100.0, 4000.0]));
-        // y = x, from the corner at (−50, −50) to that at (50, 50): what lies to its left.
+        // The line y = x from the corner at (−50, −50) to that at (50, 50), and the side to its left.
         assert_eq!(half([0.0, 0.0], [-1.0, 1.0]).map(|b| b[4]), Some(10_000.0));
         assert_eq!(half([0.0, 60.0], [0.0, 1.0]), None);
         assert_eq!(half([0.0, 60.0], [0.0, -1.0]).map(|b| b[4]), Some(20_000.0));

@@ -11,41 +11,41 @@ use crate::pens::{AXIS, BOUND, FILL, OUTLINE, Pen};
 
 const NAME: &str = "histogram";
 
-/// (px) of the plot.
+/// (px) area of the plot.
 const PLOT: Rect = Rect::new(EDGE + 48.0, HEADER + 34.0, WIDTH - EDGE - 16.0, HEADER + 394.0);
 /// (px) from the plot to the legend.
 const BELOW: f64 = 58.0;
-/// Numbers below the plot, and beside it.
+/// Maximum number of tick labels across and upward.
 const MOST: [u8; 2] = [10, 6];
 const CLASS: Pen = Pen { width: 1.0, ..OUTLINE[0] };
 
-/// How a number is distributed: a bar for each class, and lines at the ends of an interval and at the central
-/// value.
+/// The distribution of a number: a bar for each class, and lines at the ends of an interval and at the
+/// central value.
 #[derive(Clone, Debug, PartialEq)]
 pub struct HistogramPicture {
-    /// What is distributed, with its unit.
+    /// The number, with its unit.
     pub title: String,
     /// The lines below it.
     pub subtitle: String,
-    /// What a reader who cannot see it has to be told. The labels of the lines are added to it.
+    /// The picture described for readers who cannot see it; the labels of the lines are added to it.
     pub description: String,
-    /// Across; its unit is that of the labels.
+    /// The horizontal axis, whose unit the labels use.
     pub across: Axis,
-    /// The least number of decimals in the labels. They have no fewer than the axis.
+    /// Minimum number of decimals in the labels, which never have fewer than the axis.
     pub decimals: usize,
-    /// Upward, of the shares.
+    /// Title of the vertical axis, which shows the shares.
     pub upward: String,
     /// The lower end of the first class, in the unit of the data.
     pub low: f64,
     /// The width of each class, more than zero.
     pub width: f64,
-    /// (%) what lies in each class.
+    /// (%) share of each class.
     pub shares: Vec<f64>,
     /// The ends of the interval.
     pub interval: [ValueMark; 2],
     /// The central value, which may lie beyond all classes.
     pub central: ValueMark,
-    /// What the legend says of a class, of the interval and of the central value.
+    /// Legend entries of a class, of the interval and of the central value.
     pub legend: [String; 3],
 }
 

@@ -8,20 +8,20 @@ use crate::finished::Drawing;
 use crate::legend::{self, EDGE, HEADER, Sample};
 use crate::pens::{BLUE, Pen};
 
-/// (px) of the plot, which is square.
+/// (px) side of the plot, which is square.
 const PLOT: f64 = 536.0;
-/// (px) from the left edge of the page to the plot, above it, and below it to the legend.
+/// (px) from the left edge of the page to the plot, above the plot, and from the plot to the legend below it.
 const LEFT: f64 = EDGE + 64.0;
 const ABOVE: f64 = 34.0;
 const BELOW: f64 = 58.0;
 /// (px) width of the page.
 const PAGE: f64 = LEFT + PLOT + 40.0 + EDGE;
-/// Numbers of each axis.
+/// Maximum number of tick labels on each axis.
 const MOST: u8 = 8;
-/// (px) of a draw.
+/// (px) radius of the dot of a draw.
 const RADIUS: f64 = 1.4;
 const DRAW: &str = "#9cc4e0";
-/// Of the inner and the outer region. They are drawn cell by cell, so dashes would not show.
+/// Borders of the inner and the outer region. They are drawn cell by cell, so dashes would not show.
 const REGIONS: [Pen; 2] =
     [Pen { colour: BLUE, width: 2.8, dashes: "" }, Pen { colour: BLUE, width: 1.2, dashes: "" }];
 
@@ -30,11 +30,11 @@ const REGIONS: [Pen; 2] =
 pub struct JointPicture {
     /// The first part of the `id`s in its SVG.
     pub name: &'static str,
-    /// What is shown.
+    /// Its title.
     pub title: String,
     /// The lines below it.
     pub subtitle: String,
-    /// What a reader who cannot see it has to be told.
+    /// The picture described for readers who cannot see it.
     pub description: String,
     /// The first number.
     pub across: Axis,
@@ -42,14 +42,14 @@ pub struct JointPicture {
     pub upward: Axis,
     /// The ends of both axes, in the units of the data.
     pub ends: [[f64; 2]; 2],
-    /// What of the draws is shown, within the ends.
+    /// The draws that are shown, within the ends.
     pub draws: Vec<[f64; 2]>,
-    /// The density at places of equal distance between the ends, a row for each place upward; all rows are of
-    /// the same length, of at least two places.
+    /// The density on an even grid between the ends, a row for each position upward; all rows have the same
+    /// length, at least two.
     pub density: Vec<Vec<f64>>,
     /// The density on the border of the inner region, and of the outer one.
     pub levels: [f64; 2],
-    /// What the legend says of the draws, and of both regions.
+    /// Legend entries of the draws and of both regions.
     pub legend: [String; 3],
 }
 
@@ -83,7 +83,7 @@ impl JointPicture {
         Drawing::new(self.name, self.title.clone(), self.description.clone(), canvas)
     }
 
-    /// The line on which the density is `level`: a piece for each cell of the grid that it crosses.
+    /// The contour at which the density is `level`: a piece for each cell of the grid that it crosses.
     fn border(&self, chart: &Chart, level: f64) -> BezPath {
         #[expect(clippy::cast_precision_loss, reason = "a grid of some hundred places")]
         let place = |k: usize, count: usize, [low, high]: [f64; 2]| {

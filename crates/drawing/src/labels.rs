@@ -1,58 +1,58 @@
-//! Where the labels of a picture go: the one placer of all pictures.
+//! Places the labels of all pictures.
 
 use kurbo::{BezPath, Line, Point, Rect};
 
 use crate::font::{self, Anchor, SMALL};
 use crate::outline::{Neighbours, Outline};
 
-/// Height of a line of text over the size of its letters.
+/// Line height as a multiple of the font size.
 const LINE: f64 = 1.25;
-/// Share of a line above the base of its letters.
+/// Share of the line height above the baseline.
 const ASCENT: f64 = 0.97;
-/// (px) how far a label's line reaches before it is drawn; that of a label which names one point of many.
+/// (px) shortest leader that is drawn, in general and for a label that names one point among many.
 const LEADER: f64 = 26.0;
 const LEADER_OF_POINT: f64 = 13.0;
-/// (px) pieces of a line that labels keep clear of.
+/// (px) length of the pieces into which a line that labels avoid is divided.
 const PIECE: f64 = 6.0;
 
-/// What a label costs that leaves the page, covers another, or covers a point that a reader looks for: so
-/// much that any other place is better.
+/// Costs of a label that leaves the page, covers another label, or covers a point that a reader looks for:
+/// any other place is better.
 const OFF_PAGE: f64 = 1e6;
 const ON_TEXT: f64 = 1e5;
 const ON_POINT: f64 = 1e4;
-/// What it costs to lie on an area that it should keep off, where a place at the nearest point costs nothing
-/// and one 10 px away 6.
+/// Cost of lying on an area that the label should keep off. A place right at the point costs nothing, and one
+/// 10 px away costs 6.
 const ON_AREA: f64 = 200.0;
-/// The cost of a label without a line that lies as near to another point as to its own, and of a label with a
-/// line that leaves another point no room for a label.
+/// Cost of a label without a leader that is as near to another point as to its own, and of a label with a
+/// leader that leaves another point no room for a label.
 const MISLEADING: f64 = 300.0;
 const CROWDING: f64 = 60.0;
-/// (px) by how much a label has to be nearer to its own point than to any other.
+/// (px) how much nearer a label has to be to its own point than to any other.
 const PLAIN: f64 = 3.0;
 /// (px) two points at most this far apart look like one.
 const SAME: f64 = 1.0;
-/// (px) between places within an area, and what a pixel costs by which the label is farther from where it
-/// would stand best: a line costs more.
+/// (px) distance between places within an area, and cost of each pixel from the best place: a line costs
+/// more.
 const STEP: f64 = 12.0;
 const WITHIN: f64 = 0.02;
-/// What it costs that a label's line crosses that of another, and a piece of anything else.
+/// Cost of a leader for each other leader that it crosses, and for each piece of anything else.
 const CROSSING: f64 = 60.0;
 const CROSSED: f64 = 0.5;
 
-/// Where a label may stand.
+/// The allowed places of a label.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Kind {
-    /// On an outline, too.
+    /// Anywhere, even on an outline.
     Anywhere,
-    /// Beside all outlines.
+    /// Outside all outlines.
     BesideOutlines,
-    /// Where it is plain which of many points it names.
+    /// Where it is clear which of many points it names.
     OfPoint,
-    /// On the area that it names, without a line, where there is room; beside all outlines.
+    /// On the area that it names, without a leader, if there is room; otherwise outside all outlines.
     Within,
 }
 
-/// A label that has yet to find its place.
+/// A label that is not yet placed.
 #[derive(Clone, Debug)]
 struct Label {
     at: Point,
@@ -67,7 +67,7 @@ struct Label {
 #[derive(Clone, Debug)]
 struct Area {
     outline: Outline,
-    /// All of them, and not only those that are to stand beside the outlines.
+    /// Whether all labels keep off it, not only those that have to be outside outlines.
     all: bool,
 }
 
@@ -78,23 +78,23 @@ struct Obstacle {
     weight: f64,
 }
 
-/// A label in its place.
+/// A label that has been placed.
 pub(crate) struct Placed {
-    /// Where its text begins, on the base line.
+    /// Where its text begins, on the baseline.
     pub(crate) base: Point,
     pub(crate) text: String,
     pub(crate) colour: &'static str,
-    /// From the point that it belongs to, where that is not beside it.
+    /// From its point to the label, unless the label is next to it.
     pub(crate) leader: Option<Line>,
 }
 
-/// What is on a page so far, and the labels that have yet to find their places on it.
+/// The contents of a page so far, and the labels that are not yet placed.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Placer {
     labels: Vec<Label>,
     texts: Vec<Rect>,
     obstacles: Neighbours<Obstacle>,
-    /// Heads of arrows, and what else no label covers.
+    /// Arrowheads, and other areas that no label may cover.
     points: Vec<Rect>,
     areas: Vec<Area>,
     /// From labels to their points.
@@ -102,7 +102,7 @@ pub(crate) struct Placer {
 }
 
 impl Placer {
-    /// Labels keep off the line from `a` to `b`, the more the greater the weight.
+    /// Keeps labels off the line from `a` to `b`, the more the greater the weight.
     pub(crate) fn block(&mut self, a: Point, b: Point, weight: f64) {
         let length = (b - a).hypot();
         if length.is_infinite() {
@@ -116,39 +116,39 @@ impl Placer {
         }
     }
 
-    /// Labels keep off an area, the more the greater the weight.
+    /// Keeps labels off an area, the more the greater the weight.
     pub(crate) fn avoid(&mut self, area: Rect, weight: f64) {
         self.obstacles.push(Obstacle { area, weight }, area);
     }
 
-    /// A text stands here: no label covers it.
+    /// Marks an area as taken by a text, which no label covers.
     pub(crate) fn taken(&mut self, area: Rect) {
         self.texts.push(area);
     }
 
-    /// No label covers this.
+    /// Keeps all labels from covering an area.
     pub(crate) fn protect(&mut self, area: Rect) {
         self.points.push(area);
     }
 
-    /// Labels keep off an area: those that stand beside all outlines, or all of them.
+    /// Keeps labels off an area: those that have to be outside all outlines, or all of them.
     pub(crate) fn keep_off(&mut self, path: &BezPath, all: bool) {
         self.areas.push(Area { outline: Outline::new(path), all });
     }
 
-    /// A text that belongs to a point.
+    /// Adds a label of a point.
     pub(crate) fn label(&mut self, at: Point, text: &str, colour: &'static str, kind: Kind) {
         self.labels.push(Label { at, text: text.to_owned(), colour, kind, within: None });
     }
 
-    /// A text that names an area, and stands on it where there is room, as near to the point as that allows.
+    /// Adds a label that names an area, on the area if there is room, as near to the point as that allows.
     pub(crate) fn label_within(&mut self, area: &BezPath, at: Point, text: &str, colour: &'static str) {
         let within = Some(Outline::new(area));
         self.labels.push(Label { at, text: text.to_owned(), colour, kind: Kind::Within, within });
     }
 
-    /// Places all labels inside of `bounds`, in the order in which they were given: each where it covers no
-    /// other text and the least of the lines, as near to its point as that allows.
+    /// Places all labels inside `bounds` in the order given, each where it covers no other text and as little
+    /// of the lines as possible, near its point.
     pub(crate) fn place(&mut self, bounds: Rect) -> Vec<Placed> {
         let mut placed = Vec::new();
         for Label { at, text, colour, kind, within } in std::mem::take(&mut self.labels) {
@@ -187,8 +187,7 @@ impl Placer {
         placed
     }
 
-    /// The best place that is wholly on an area, where there is one without another text, a point or an
-    /// outline.
+    /// The best place wholly on an area that is clear of other texts, points and outlines, if there is one.
     fn place_within(&self, within: &Outline, at: Point, size: (f64, f64), bounds: Rect) -> Option<Point> {
         let room = within.bounds().intersect(bounds);
         let mut best = (ON_AREA, None);
@@ -212,12 +211,11 @@ impl Placer {
         best.1
     }
 
-    /// What it costs to lie here, so far from where the label would stand best; `None` if that is not below
-    /// the limit.
+    /// The cost of a label in `area`, where `far` is its cost of distance; `None` if it is not below the
+    /// limit.
     ///
-    /// No part of the sum is negative: what a part of it makes too dear, the rest does not make cheaper, to
-    /// the last digit. Most places are too far to be better, whatever lies there; areas are asked last, as
-    /// their answer takes longest.
+    /// No term is negative, so a partial sum that reaches the limit decides, even with rounding. Most places
+    /// are too far away, whatever lies there; areas are tested last because they take longest.
     fn cost(&self, area: Rect, bounds: Rect, kind: Kind, far: f64, limit: f64) -> Option<f64> {
         if far >= limit {
             return None;
@@ -244,7 +242,7 @@ impl Placer {
         (cost < limit).then_some(cost)
     }
 
-    /// What it costs that a label lies near to other points than its own.
+    /// The cost of a label near points other than its own.
     fn cost_of_others(&self, at: Point, label: Rect, has_line: bool) -> f64 {
         let others = self.points.iter().map(Rect::center).filter(|other| (*other - at).hypot() > SAME);
         let nearest = others.map(|other| gap(other, label)).fold(f64::INFINITY, f64::min);
@@ -264,7 +262,7 @@ impl Placer {
             })
         }));
         let texts = count(self.texts.iter().filter(|text| cuts(line, **text)));
-        // It ends on what it belongs to.
+        // The point at which it begins is its own.
         let points = self.points.iter().filter(|point| !point.inflate(1.0, 1.0).contains(line.p0));
         let points = count(points.filter(|point| cuts(line, **point)));
         let near = self.obstacles.near(|few| cuts(line, few));
@@ -274,7 +272,7 @@ impl Placer {
     }
 }
 
-/// The box of a text that is anchored at a point of its base line.
+/// The box of a text that is anchored at a point on its baseline.
 pub(crate) fn text_area(at: Point, text: &str, size: f64, anchor: Anchor) -> Rect {
     let width = font::width(text, size);
     let left = match anchor {
@@ -286,17 +284,17 @@ pub(crate) fn text_area(at: Point, text: &str, size: f64, anchor: Anchor) -> Rec
     Rect::new(left, top, left + width, top + LINE * size)
 }
 
-/// Whether an outline lies under a label, as far as points every few pixels of the label tell.
+/// Whether an outline lies under a label, tested at points every few pixels of the label.
 fn is_under(outline: &Outline, label: Rect) -> bool {
     outline.bounds().overlaps(label) && rows_of(label).any(|(y, xs)| outline.holds(y, xs).contains(&true))
 }
 
-/// The same of the whole label.
+/// Whether an outline contains the whole label, tested at the same points.
 fn holds(outline: &Outline, label: Rect) -> bool {
     rows_of(label).all(|(y, xs)| !outline.holds(y, xs).contains(&false))
 }
 
-/// Points of a label, by height.
+/// Test points of a label, row by row.
 fn rows_of(label: Rect) -> impl Iterator<Item = (f64, [f64; 9])> {
     let xs = [0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0].map(|step| label.x0 + label.width() * step / 8.0);
     [label.y0, label.center().y, label.y1].into_iter().map(move |y| (y, xs))
@@ -311,7 +309,7 @@ fn count<T>(iterator: impl Iterator<Item = T>) -> f64 {
     iterator.fold(0.0, |count, _| count + 1.0)
 }
 
-/// From a point to the label that belongs to it, where that is not beside it.
+/// The line from a point to its label, unless they are next to each other.
 fn leader(at: Point, label: Rect, kind: Kind) -> Option<Line> {
     let most = if kind == Kind::OfPoint { LEADER_OF_POINT } else { LEADER };
     let nearest = Point::new(at.x.clamp(label.x0, label.x1), at.y.clamp(label.y0, label.y1));
@@ -322,8 +320,7 @@ fn leader(at: Point, label: Rect, kind: Kind) -> Option<Line> {
 fn cuts(Line { p0, p1 }: Line, area: Rect) -> bool {
     let along = p1 - p0;
     let (mut first, mut last) = (0.0_f64, 1.0_f64);
-    // The parts of the line between the two edges in x, and in y, have to have something in common (Liang and
-    // Barsky).
+    // The line's parts between the two edges in x and in y have to overlap (Liang and Barsky).
     for (from, along, low, high) in [(p0.x, along.x, area.x0, area.x1), (p0.y, along.y, area.y0, area.y1)] {
         if along == 0.0 {
             if from < low || from > high {
@@ -338,7 +335,7 @@ fn cuts(Line { p0, p1 }: Line, area: Rect) -> bool {
     first <= last
 }
 
-/// Where the middle of a label may lie: around its point, nearer places first.
+/// Candidates for the middle of a label: around its point, nearer ones first.
 fn candidates(at: Point, (width, height): (f64, f64)) -> impl Iterator<Item = Point> {
     const DIRECTIONS: [(f64, f64); 16] = [
         (1.0, -1.0),
@@ -373,14 +370,14 @@ fn gap(at: Point, area: Rect) -> f64 {
     (dx * dx + dy * dy).sqrt()
 }
 
-/// Whether two areas have more in common than an edge.
+/// Whether two areas share more than an edge.
 fn overlap(one: Rect, other: Rect) -> bool {
     greater(one.x0, other.x0) < lesser(one.x1, other.x1)
         && greater(one.y0, other.y0) < lesser(one.y1, other.y1)
 }
 
-/// The lesser of two numbers. `f64::min` asks for NaN as well, and is a call in WebAssembly, where these are
-/// most of what a drawing takes.
+/// The lesser of two numbers. `f64::min` also handles NaN, and in WebAssembly it is a call; these two
+/// functions take most of the time of a drawing.
 fn lesser(one: f64, other: f64) -> f64 {
     if one < other { one } else { other }
 }
@@ -423,8 +420,7 @@ mod tests {
         one.intersect(other).area() > 0.0
     }
 
-    /// Six points on one spot in a corner of the page: the labels have to keep clear of it, of each other and
-    /// of the edge.
+    /// Six points on one spot in a corner of the page: the labels have to avoid it, each other and the edge.
     #[test]
     fn labels_of_a_crowd_stay_apart_and_inside() {
         let at = Point::new(12.0, 12.0);
@@ -445,7 +441,7 @@ mod tests {
     }
 
     /// Pairs of points at every distance and in every direction, as on a dial: each label is nearer to its
-    /// own, or has a line to it.
+    /// own point, or has a leader to it.
     #[test]
     fn it_is_plain_which_point_a_label_names() {
         let mut lines = 0;
@@ -475,7 +471,7 @@ mod tests {
         assert!(lines > 0);
     }
 
-    /// Every few pixels, each of the three lines of a histogram, whose labels have the room above them alone.
+    /// At every few pixels, each of the three lines of a histogram, whose labels only have room above them.
     #[test]
     fn three_labels_have_room_above_their_lines() {
         let room = Rect::new(72.0, 100.0, 920.0, 174.0);
@@ -500,7 +496,7 @@ mod tests {
         }
     }
 
-    /// A ring of heads of arrows where the label would stand otherwise.
+    /// A ring of arrowheads where the label would otherwise be placed.
     #[test]
     fn a_label_of_any_kind_covers_no_head_of_an_arrow() {
         let at = Point::new(100.0, 100.0);
@@ -527,8 +523,8 @@ mod tests {
         }
     }
 
-    /// A search that gives up on a place early finds the same place: the cost below a limit is that without
-    /// one, to the last bit, and there is none from the limit on.
+    /// A search that gives up on a place early finds the same place: below the limit, the cost equals the
+    /// cost without a limit to the last bit; from the limit on, there is none.
     #[test]
     fn a_limit_changes_no_cost() {
         let mut placer = Placer::default();

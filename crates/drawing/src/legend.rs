@@ -1,4 +1,4 @@
-//! What stands above and below a drawing: its title, the legend, the scale bar.
+//! The parts above and below a drawing: its title, the legend, the scale bar.
 
 use kurbo::{BezPath, Point, Rect, Vec2};
 
@@ -10,27 +10,27 @@ use crate::plan::polyline;
 use crate::symbol::Symbol;
 use crate::ticks;
 
-/// (px) width of a drawing that has no reason for another one.
+/// (px) default width of a drawing.
 pub(crate) const WIDTH: f64 = 960.0;
-/// (px) white edge.
+/// (px) margin of the page.
 pub(crate) const EDGE: f64 = 24.0;
-/// (px) from the top to what is drawn below the title.
+/// (px) from the top of the page to the picture below the title.
 pub(crate) const HEADER: f64 = 66.0;
-/// (px) height of a line of the legend.
+/// (px) line height of the legend.
 const ROW: f64 = 24.0;
 /// (px) width of a sample in the legend.
 const SAMPLE: f64 = 40.0;
 
-/// (px) from line to line of the title, and of what stands below it.
+/// (px) line height of the title, and of the lines below it.
 const LEADING: [f64; 2] = [22.0, 18.0];
 
-/// The title, and lines below it. Those for which there is no room above what is drawn grow the page upwards.
+/// Draws the title and the lines below it. Lines that do not fit above the picture extend the page upwards.
 pub(crate) fn header(canvas: &mut Canvas, title: &str, below: &str) {
     let most = canvas.size().0 - 2.0 * EDGE;
     let below = below.lines().flat_map(|line| font::lines(line, SMALL, most)).map(|line| (line, SMALL, GREY));
     let lines: Vec<_> =
         font::lines(title, LARGE, most).into_iter().map(|line| (line, LARGE, BLACK)).chain(below).collect();
-    // A line has its room below it. There always is room for a title and one line.
+    // Each line has its room below it. There is always room for a title and one line.
     let room = |(_, size, _): &(String, f64, &'static str)| LEADING[usize::from(*size == SMALL)];
     let above = lines.iter().map(room).sum::<f64>() - LEADING.iter().sum::<f64>();
     canvas.grow_up(above);
@@ -42,23 +42,23 @@ pub(crate) fn header(canvas: &mut Canvas, title: &str, below: &str) {
     }
 }
 
-/// A unit of the reader, for a bar that shows the scale.
+/// A unit in which the scale bar is labelled.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ScaleUnit {
-    /// As it is printed.
+    /// Its printed name.
     pub name: String,
-    /// How much it is in SI units.
+    /// Its size in SI units.
     pub size: f64,
 }
 
-/// A sample of what the drawing uses.
+/// A sample in the legend.
 pub(crate) enum Sample {
     Arrow(Pen, Head),
     Line(Pen),
     /// A filled box with its edge.
     Box(Pen, String),
     CentreOfGravity,
-    /// For what is not drawn.
+    /// For an entry that is not drawn.
     Nothing,
     Dot(Option<Pen>, &'static str),
     /// As on a vehicle that faces to the right.
@@ -69,7 +69,7 @@ pub(crate) enum Sample {
     Chevron(Pen),
 }
 
-/// Of the windscreen of an outline.
+/// The legend entry of a windscreen.
 pub(crate) fn windscreen() -> (Sample, String) {
     (Sample::Windscreen(THIN), "windscreen: shows the front".to_owned())
 }
@@ -117,7 +117,7 @@ pub(crate) fn legend(canvas: &mut Canvas, top: f64, columns: usize, entries: &[(
     }
 }
 
-/// Two strokes through a point, with ends as far (px) across and down from it.
+/// A cross: two strokes through a point, whose ends lie `reach` (px) across and down from it.
 pub(crate) fn cross(at: Point, reach: f64) -> BezPath {
     let mut path = BezPath::new();
     for arm in [(1.0, 1.0), (1.0, -1.0)].map(|(x, y)| Vec2::new(x, y) * reach) {
@@ -127,14 +127,14 @@ pub(crate) fn cross(at: Point, reach: f64) -> BezPath {
     path
 }
 
-/// (px) height of so many entries in columns.
+/// (px) height of the given number of entries in columns.
 pub(crate) fn height(entries: usize, columns: usize) -> f64 {
     #[expect(clippy::cast_precision_loss, reason = "a legend has few entries")]
     let rows = entries.div_ceil(columns.max(1)) as f64;
     ROW * (rows + 0.5)
 }
 
-/// A bar of round length: `pixels` for each of the units. Gives the place to the right of its text.
+/// A bar of round length, at `pixels` per unit. Returns the point to the right of its text.
 pub(crate) fn scale_bar(
     canvas: &mut Canvas,
     id: &str,

@@ -24,48 +24,47 @@
 //! assert!(drawing.description().ends_with("2.5 %: 73.4; central: 81.0; 97.5 %: 89.3."));
 //! ```
 //!
-//! Each picture is a struct of plain figures and of the words that stand beside them; its `draw` gives a
-//! [`Drawing`], which is SVG, PNG or PDF:
+//! Each picture is a struct of plain figures and of the words next to them; its `draw` returns a [`Drawing`],
+//! which can be written as SVG, PNG or PDF:
 //!
 //! | picture | shows |
 //! |---|---|
 //! | [`ScenePicture`] | both vehicles at impact, seen from above |
-//! | [`MotionPicture`] | the motion from approach over impact to rest, on a site plan where there is one |
-//! | [`MotionCurvesPicture`] | numbers of that motion over time |
+//! | [`MotionPicture`] | the motion from approach through impact to rest, on a site plan if there is one |
+//! | [`MotionCurvesPicture`] | numbers of that motion against time |
 //! | [`MomentumPicture`] | the momenta before and after the impact, tip to tail |
 //! | [`DamagePicture`] | each damaged vehicle with its crush profile in place |
 //! | [`EnergyPicture`] | where the initial kinetic energy went |
-//! | [`ReconciliationPicture`] | work of the normal impulse over the speed sought |
+//! | [`ReconciliationPicture`] | work of the normal impulse against the unknown speed |
 //! | [`HistogramPicture`] | how a result is distributed, with its interval and its central value |
-//! | [`DensityPicture`] | how probable each value of a result is, before and after evidence |
+//! | [`DensityPicture`] | the probability density of a result, before and after evidence |
 //! | [`JointPicture`] | draws of two results at once, with the regions that hold most of them |
-//! | [`RestsPicture`] | where vehicles would have come to rest, beside where they were found |
-//! | [`TornadoPicture`] | what each input alone does to a result |
-//! | [`ScatterPicture`] | points of one number over another, with the line where both are equal |
-//! | [`RanksPicture`] | how many fell into classes that are expected to hold equally many |
+//! | [`RestsPicture`] | where vehicles would have come to rest, compared with where they were found |
+//! | [`TornadoPicture`] | the effect of each single input on a result |
+//! | [`ScatterPicture`] | points of one number against another, with the line where both are equal |
+//! | [`RanksPicture`] | the counts of classes that are expected to hold equally many |
 //!
 //! # Conventions of all pictures
 //!
-//! Colours are those of Okabe and Ito, which people with any kind of colour vision tell apart; what colour
-//! says is said by dashes, shapes and hatching as well, so that the pictures read in grey. Labels are placed
-//! where they cover neither each other nor, as far as there is room, a line. Coordinates are written with two
-//! decimals of a pixel, so that the bytes are the same on every machine. Each picture has a title and a
-//! description.
+//! Colours are those of Okabe and Ito, which people with any kind of colour vision can distinguish. Dashes,
+//! shapes and hatching repeat what colours show, so that the pictures can be read in grey. Labels cover
+//! neither each other nor, as far as there is room, a line. Coordinates are written with two decimals of a
+//! pixel, so that the bytes are the same on every machine. Each picture has a title and a description.
 //!
-//! Widths of texts are those of DejaVu Sans, which the crate carries. Its letters are among the widest, so
-//! that what fits with them fits with those of another reader's font. PNG and PDF have the letters
-//! themselves, and a question mark for each letter that the font has not ([`Drawing::missing_letters`]).
+//! Widths of texts are those of DejaVu Sans, which the crate contains. It is among the widest fonts, so that
+//! what fits in it also fits in the reader's font. PNG and PDF contain the letters themselves, and a question
+//! mark for each character missing from the font ([`Drawing::missing_letters`]).
 //!
 //! Arrows carry an `id` such as `scene-velocity-before-1`, and `data-from` and `data-to`; a scale bar such as
-//! `scene-scale` has `data-si` as well, what it stands for in SI units.
+//! `scene-scale` also has `data-si`, the length that it represents in SI units.
 //!
-//! A program in which somebody moves what is drawn asks a plan view for [`PlanView`], which tells where
-//! everything is in the scene, and draws it again in the same [`Viewport`].
+//! A program that lets its user move parts of the drawing asks a plan view for [`PlanView`], which gives the
+//! position of everything in the scene, and draws it again in the same [`Viewport`].
 //!
 //! # What it does not do
 //!
-//! It knows no case, no file and no unit: what a number means, and how it reads, is said by whoever asks for
-//! the picture. All numbers are to be finite.
+//! It knows no cases, files or units: the caller decides what a number means and how it reads. All numbers
+//! have to be finite.
 
 mod body;
 mod canvas;

@@ -7,17 +7,17 @@ use crate::chart::{Axis, Chart};
 use crate::number::number;
 use crate::pens::{AXIS, BLACK, BOUND, Pen};
 
-/// (px) above what is plotted, for three rows of labels.
+/// (px) above the plot, for three rows of labels.
 const STRIP: f64 = 74.0;
 /// (px) from the labels to the ends of their lines, and to the frame.
 const BESIDE: f64 = 2.0;
 
-/// A line at a value.
+/// A marked value.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ValueMark {
     /// In the unit of the data.
     pub value: f64,
-    /// What stands before the value, such as `central:`.
+    /// The text before the value, such as `central:`.
     pub lead: String,
 }
 
@@ -28,8 +28,7 @@ pub(crate) struct IntervalMarks<'a> {
 }
 
 impl<'a> IntervalMarks<'a> {
-    /// `central` is the value and its `id`; labels have `decimals`, or as many as an axis has if these are
-    /// more.
+    /// `central` is the value and its `id`; labels have `decimals`, or as many as the axis if it has more.
     pub(crate) fn new(
         [low, high]: &'a [ValueMark; 2],
         central: (&'static str, &'a ValueMark),
@@ -44,7 +43,7 @@ impl<'a> IntervalMarks<'a> {
         Self { marks, labels }
     }
 
-    /// The end of the upward axis that leaves room for the labels above the greatest value.
+    /// The end of the upward axis that leaves room for the labels above the largest value.
     pub(crate) fn upward(area: Rect, greatest: f64) -> f64 {
         greatest * area.height() / (area.height() - STRIP)
     }

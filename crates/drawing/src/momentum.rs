@@ -13,47 +13,46 @@ use crate::vector::{flipped, unit, vec2};
 const NAME: &str = "momentum";
 const SUBTITLE: &str = "Momentum before and after the impact, tip to tail";
 
-/// (px) height of what is drawn, below the title.
+/// (px) height of the picture, below the title.
 const HEIGHT: f64 = 470.0;
-/// (px) white around the outermost point, for labels.
+/// (px) margin around the outermost point, for labels.
 const MARGIN: f64 = 44.0;
-/// (px) of the longest momentum at most.
+/// (px) maximum length of the longest momentum.
 const LONGEST: f64 = 560.0;
-/// (–) a polygon whose corners lie no farther aside than this share of its longest side is a line: its sides
-/// would lie on each other.
+/// (–) a polygon is drawn as a line, whose sides would lie on each other, if its corners lie no farther off
+/// that line than this share of its longest side.
 const FLAT: f64 = 0.04;
-/// (px) from one arrow to the next where they would.
+/// (px) from one arrow to the next in that case.
 const ROW: f64 = 42.0;
-/// (–) a momentum that is shorter than this share of the longest is that of a vehicle that stands.
+/// (–) a vehicle whose momentum is shorter than this share of the longest stands still.
 const STANDS: f64 = 1e-6;
 
 const TOTAL: Pen = Pen { colour: BLACK, width: 3.0, dashes: "" };
 const CHANGE: Pen = Pen { colour: BLACK, width: 1.6, dashes: "1.5 3.5" };
 const GAP: Pen = Pen { colour: VERMILION, width: 2.4, dashes: "" };
 
-/// Momenta of both vehicles in the scene, in kg·m/s, with y to the left of x, whatever the axes that are
-/// shown.
+/// Momenta of both vehicles in the scene, in kg·m/s, with y to the left of x whichever axes are shown.
 #[derive(Clone, Debug, PartialEq)]
 pub struct MomentumPicture {
-    /// Of the case.
+    /// Title of the case.
     pub title: String,
-    /// What a reader who cannot see it has to be told.
+    /// The picture described for readers who cannot see it.
     pub description: String,
-    /// What keeps it from being the answer: stands below the title. Mostly empty.
+    /// Why this is not the answer, shown below the title; usually empty.
     pub caveat: String,
-    /// The axes that are shown have y to the right.
+    /// Whether the axes that are shown have y to the right.
     pub is_z_down: bool,
     /// (kg·m/s) of vehicles 1 and 2 before the impact.
     pub before: [SceneArrow; 2],
-    /// (kg·m/s) the same after it.
+    /// (kg·m/s) of vehicles 1 and 2 after the impact.
     pub after: [SceneArrow; 2],
-    /// (kg·m/s) of both together before the impact.
+    /// (kg·m/s) total before the impact.
     pub total: SceneArrow,
     /// (kg·m/s) from the momentum of vehicle 1 before the impact to that after it.
     pub change: SceneArrow,
-    /// (kg·m/s) from the total before the impact to that after it; `None` where both are the same.
+    /// (kg·m/s) from the total before the impact to that after it; `None` if they are equal.
     pub gap: Option<SceneArrow>,
-    /// Of the scale bar.
+    /// Unit of the scale bar.
     pub momentum: ScaleUnit,
 }
 
@@ -61,7 +60,7 @@ pub struct MomentumPicture {
 struct Side<'a> {
     id: &'static str,
     arrow: &'a SceneArrow,
-    /// (kg·m/s) where it begins.
+    /// (kg·m/s) its start.
     from: Vec2,
     pen: Pen,
     head: Head,
@@ -73,7 +72,7 @@ impl MomentumPicture {
     pub fn draw(&self) -> Drawing {
         let sides = self.sides();
         let longest = sides.iter().map(|side| vec2(side.arrow.vector).hypot()).fold(0.0, f64::max);
-        // Where nothing moves, there is no length to scale by.
+        // If nothing moves, there is no length to scale by.
         let longest = if longest > 0.0 { longest } else { self.momentum.size };
         let along = self.along(&sides);
         let across = Vec2::new(-along.y, along.x);
@@ -81,7 +80,7 @@ impl MomentumPicture {
             .iter()
             .flat_map(|side| [side.from, side.from + vec2(side.arrow.vector)])
             .all(|corner| corner.dot(across).abs() <= FLAT * longest);
-        // Down the page.
+        // Downwards on the page.
         let down = if flipped(across).y < 0.0 { -flipped(across) } else { flipped(across) };
         #[expect(clippy::cast_precision_loss, reason = "there are six")]
         let row = |k: usize| if is_line { down * (ROW * k as f64) } else { Vec2::ZERO };
@@ -101,7 +100,7 @@ impl MomentumPicture {
         let mut canvas = Canvas::new(NAME, WIDTH, area.y1);
         legend::header(&mut canvas, &self.title, &format!("{SUBTITLE}\n{}", self.caveat));
         if is_line {
-            // What is one corner of a polygon that is a line.
+            // Where the polygon is a line, grid lines join the ends that form one corner.
             for (k, side) in sides.iter().enumerate() {
                 for corner in [side.from, side.from + vec2(side.arrow.vector)] {
                     canvas.grid(at(corner, 0), at(corner, k.max(1)), GRID);
@@ -143,7 +142,7 @@ impl MomentumPicture {
         Drawing::new(NAME, title, self.description.clone(), canvas)
     }
 
-    /// In the order in which they stand below each other where the polygon is a line.
+    /// The sides, in the order from top to bottom that they have if the polygon is a line.
     fn sides(&self) -> Vec<Side<'_>> {
         let [before, after] = [&self.before, &self.after].map(|[one, _]| vec2(one.vector));
         let side = |id, arrow, from, pen, head| Side { id, arrow, from, pen, head };
@@ -160,7 +159,7 @@ impl MomentumPicture {
         sides
     }
 
-    /// The direction of its longest side; a unit vector.
+    /// The direction of the longest side; a unit vector.
     fn along(&self, sides: &[Side<'_>]) -> Vec2 {
         let vectors = sides.iter().map(|side| vec2(side.arrow.vector));
         unit(vectors.fold(vec2(self.total.vector), |longest, vector| {

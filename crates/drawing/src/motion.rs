@@ -1,4 +1,4 @@
-//! The motion: both vehicles from their approach over the impact to rest, seen from above.
+//! The motion: both vehicles from their approach through the impact to rest, seen from above.
 
 use kurbo::{Affine, BezPath, Point, Rect, Shape as _, Vec2};
 
@@ -25,31 +25,31 @@ use crate::vector::{flipped, unit, vec2};
 
 const NAME: &str = "motion";
 
-/// (px) height of what is drawn, below the title: at least, and at most.
+/// (px) minimum and maximum height of the picture, below the title.
 const LOWEST: f64 = 300.0;
 const HIGHEST: f64 = 760.0;
-/// (px) around the outermost point, for labels: on all sides, and above and below where the height is free.
+/// (px) margin around the outermost point, for labels: on all sides; above and below if the height is free.
 const MARGIN: f64 = 34.0;
 const ABOVE: f64 = 62.0;
 /// (px/m) the largest scale.
 const LARGEST: f64 = 90.0;
-/// (px) of the arrow of the approach, and from it to the vehicle.
+/// (px) length of the approach arrow, and its distance from the vehicle.
 const APPROACH_LENGTH: f64 = 80.0;
 const BEFORE_VEHICLE: f64 = 7.0;
-/// (px) of the arrow uphill.
+/// (px) length of the arrow uphill.
 const UPHILL: f64 = 34.0;
-/// (px) radius of the places at equal times, of the centre of gravity (at least, and at most), and of the
-/// mark of the impact.
+/// (px) radius of the dots at equal times, of the centre of gravity (minimum and maximum), and of the mark of
+/// the impact.
 const AT_TIME: f64 = 2.4;
 const CENTRE: [f64; 2] = [2.0, 4.0];
 const IMPACT: f64 = 6.0;
-/// Outlines between impact and rest, and how far apart they are at least, in lengths of the vehicle. More are
-/// a tangle.
+/// Maximum number of outlines between impact and rest, and their minimum distance in lengths of the vehicle.
+/// More would be a tangle.
 const MOST_OUTLINES: u32 = 6;
 const APART: f64 = 0.6;
-/// Places at equal times on the longest path.
+/// Maximum number of dots at equal times on the longest path.
 const MOST_TIMES: f64 = 9.0;
-/// (px) across a vehicle that has room for its windscreen.
+/// (px) minimum width of a vehicle whose windscreen is drawn.
 const WITH_DETAIL: f64 = 5.0;
 
 const MEASURED_POINT: Symbol = Symbol { marker: Marker::Diamond, is_filled: false };
@@ -59,69 +59,69 @@ const UPHILL_PEN: Pen = Pen { colour: GREY, width: 2.0, dashes: "" };
 
 /// Plan view of the motion of both vehicles.
 ///
-/// Positions are those of one scene with y to the left of x, whatever the axes that are shown.
+/// Positions are those of one scene with y to the left of x, whichever axes are shown.
 #[derive(Clone, Debug, PartialEq)]
 pub struct MotionPicture {
-    /// Of the case.
+    /// Title of the case.
     pub title: String,
-    /// What a reader who cannot see it has to be told.
+    /// The picture described for readers who cannot see it.
     pub description: String,
-    /// What keeps it from being the answer: stands below the title. Mostly empty.
+    /// Why this is not the answer, shown below the title; usually empty.
     pub caveat: String,
-    /// The axes that are shown have y to the right.
+    /// Whether the axes that are shown have y to the right.
     pub is_z_down: bool,
-    /// For readers who are no engineers: no axes, and no abbreviations.
+    /// Whether the picture is for readers who are not engineers: no axes and no abbreviations.
     pub is_plain: bool,
     /// Vehicles 1 and 2, as far as they are known.
     pub vehicles: [Option<MotionVehicle>; 2],
-    /// (m) where the impact was.
+    /// (m) the point of impact.
     pub impact: Option<[f64; 2]>,
-    /// Of the crush plane, from vehicle 2 to vehicle 1; a unit vector. A wall or a pole stands at the place
-    /// of the impact, on its side of this plane; it is drawn where both are known.
+    /// Normal of the crush plane, from vehicle 2 to vehicle 1; a unit vector. A wall or a pole is drawn at
+    /// the point of impact, on its side of this plane, if both are known.
     pub normal: Option<[f64; 2]>,
     /// Parts of the ground, the later ones over the earlier ones.
     pub ground: Vec<GroundZone>,
     /// Up the slope, with its grade.
     pub uphill: Option<SceneArrow>,
-    /// Behind everything.
+    /// Drawn behind everything.
     pub site_plan: Option<SitePlan>,
-    /// Of the scale bar.
+    /// Unit of the scale bar.
     pub length: ScaleUnit,
-    /// Of the time between two dots on a path; its size is in seconds.
+    /// Unit of the time between two dots on a path; its size is in seconds.
     pub time: ScaleUnit,
 }
 
 /// A vehicle that moves, or what it hits.
 #[derive(Clone, Debug, PartialEq)]
 pub struct MotionVehicle {
-    /// What stands at it, where it is at impact.
+    /// Label at its position at impact.
     pub name: String,
-    /// What the legend says of its body.
+    /// Legend entry of its body.
     pub legend: Option<String>,
-    /// What is drawn of it. Where its crush is known, the damaged body is drawn.
+    /// Its shape. If its crush is known, the damaged body is drawn.
     pub body: SceneBody,
     /// (m) its centre of gravity at impact.
     pub cg: [f64; 2],
     /// Its heading at impact; a unit vector.
     pub forward: [f64; 2],
-    /// The direction of its velocity before the impact; `None` where it stood.
+    /// The direction of its velocity before the impact; `None` if it stood still.
     pub approach: Option<SceneArrow>,
     /// From the impact on, in the order of time.
     pub path: Vec<MotionPoint>,
-    /// Where it comes to rest, as computed; `None` where the motion was sought as the one that ends at the
-    /// measured rest, which says nothing of how well both agree.
+    /// Its computed rest position; `None` if the motion was solved for the one that ends at the measured rest
+    /// position, since their agreement then shows nothing.
     pub rest: Option<MotionRest>,
-    /// Where it was found.
+    /// Its measured rest position.
     pub measured_rest: Option<MotionRest>,
     /// Points of its path that were measured.
     pub measured_points: Vec<MeasuredPoint>,
-    /// (m) the marks of its wheels: a line for each stretch on which a wheel slides.
+    /// (m) its tyre marks: a line for each stretch on which a wheel slides.
     pub marks: Vec<Vec<[f64; 2]>>,
     /// (m) the skid marks before the impact, from where each begins to where it ends.
     pub skids: Vec<[[f64; 2]; 2]>,
 }
 
-/// Where a vehicle is at a time.
+/// The pose of a vehicle at a time.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MotionPoint {
     /// (s) since the impact.
@@ -132,23 +132,23 @@ pub struct MotionPoint {
     pub forward: [f64; 2],
 }
 
-/// Where a vehicle came to rest.
+/// The rest position of a vehicle.
 #[derive(Clone, Debug, PartialEq)]
 pub struct MotionRest {
     /// (m) its centre of gravity.
     pub cg: [f64; 2],
-    /// Its heading, where it is known; a unit vector.
+    /// Its heading, if known; a unit vector.
     pub forward: Option<[f64; 2]>,
-    /// What stands at it.
+    /// Its label.
     pub label: String,
 }
 
-/// A point that was measured.
+/// A measured point.
 #[derive(Clone, Debug, PartialEq)]
 pub struct MeasuredPoint {
     /// (m)
     pub at: [f64; 2],
-    /// What stands at it.
+    /// Its label.
     pub label: String,
 }
 
@@ -159,7 +159,7 @@ impl MotionPicture {
         self.draw_within(None).0
     }
 
-    /// Draws it with this part of the scene in its room, or with all that there is; and where everything is.
+    /// Draws this part of the scene, or all of it, and returns where everything is.
     #[must_use]
     pub fn draw_within(&self, viewport: Option<Viewport>) -> (Drawing, PlanView) {
         let widest = Rect::new(EDGE, HEADER, WIDTH - EDGE, HEADER + HIGHEST);
@@ -175,7 +175,7 @@ impl MotionPicture {
         legend::header(&mut canvas, &self.title, &below);
         let mut page = Page { canvas, motion: self, area, view, step: self.step() };
         page.ground();
-        // Marks lie over the vehicle that begins to make them, and below the one that has made them.
+        // Marks lie above the vehicle that begins to make them, and below the one that has made them.
         for layer in
             [Page::skids, Page::at_impact, Page::passing, Page::marks, Page::at_rest, Page::path, Page::edges]
         {
@@ -192,7 +192,7 @@ impl MotionPicture {
         (page.below(), self.plan_view(view, area))
     }
 
-    /// (px) the room that the motion needs of the widest one, and where it is in that.
+    /// (px) the part of the widest area that the motion needs, and its view there.
     fn fitted(&self, widest: Rect) -> (Rect, View) {
         let largest = View::fit(widest.inset((-MARGIN, -ABOVE)), LARGEST, |scale| self.bounds(scale));
         let height = (self.bounds(largest.scale).height() + 2.0 * ABOVE).clamp(LOWEST, HIGHEST);
@@ -221,7 +221,7 @@ impl MotionPicture {
     }
 
     /// Both vehicles at a time (s) since the impact, as far as they are known. Before the impact each drives
-    /// straight on; at the end of its path it rests.
+    /// straight on; from the end of its path on, it rests.
     #[must_use]
     pub fn bodies_at(&self, time: f64) -> [Option<PlanBody>; 2] {
         [0, 1].map(|i| {
@@ -230,7 +230,7 @@ impl MotionPicture {
         })
     }
 
-    /// (s) how long the last vehicle moves after the impact.
+    /// (s) time from the impact until the last vehicle stops.
     #[must_use]
     pub fn duration(&self) -> f64 {
         self.each().filter_map(|(_, vehicle)| Some(vehicle.path.last()?.time)).fold(0.0, f64::max)
@@ -258,7 +258,7 @@ impl MotionPicture {
         }))
     }
 
-    /// (px) what is drawn, around the origin of the scene.
+    /// (px) extent of the picture, around the origin of the scene.
     fn bounds(&self, scale: f64) -> Rect {
         let mut points: Vec<Vec2> = self.impact.iter().map(|&at| vec2(at)).collect();
         let mut arrows = Vec::new();
@@ -287,7 +287,7 @@ impl MotionPicture {
         points.fold(Rect::from_points(first, first), |bounds, point| bounds.union_pt(point))
     }
 
-    /// (units of time) between two places at equal times: a round number.
+    /// (units of time) between two dots at equal times: a round number.
     fn step(&self) -> Option<f64> {
         let size = self.time.size;
         let moving = self.each().filter_map(|(_, vehicle)| Some((vehicle, vehicle.path.last()?)));
@@ -296,7 +296,7 @@ impl MotionPicture {
         let apart = APART * vehicle.length();
         let most = (vehicle.distance() / apart).clamp(1.0, MOST_TIMES);
         let (times, _) = ticks::between(0.0, last.time / size, most);
-        // A path on which there is nothing between its ends has none.
+        // A path without a dot between its ends has none.
         times.get(1).copied().filter(|step| *step < last.time / size)
     }
 }
@@ -322,7 +322,7 @@ impl MotionVehicle {
         }
     }
 
-    /// Where it is at impact, on its path and at rest.
+    /// Its poses at impact, on its path and at rest.
     fn poses(&self) -> impl Iterator<Item = Pose> {
         let rests = [&self.rest, &self.measured_rest].into_iter().flatten();
         std::iter::once(self.at_impact())
@@ -330,7 +330,7 @@ impl MotionVehicle {
             .chain(self.path.iter().map(|point| Pose::new(point.cg, point.forward)))
     }
 
-    /// (m) of the body there.
+    /// (m) corners of the body in this pose.
     fn corners(&self, pose: Pose) -> Vec<Vec2> {
         match &self.body {
             SceneBody::Outline { footprint, .. } => {
@@ -340,7 +340,7 @@ impl MotionVehicle {
         }
     }
 
-    /// (m) of its path.
+    /// (m) length of its path.
     fn distance(&self) -> f64 {
         self.path.windows(2).map(|pair| (vec2(pair[1].cg) - vec2(pair[0].cg)).hypot()).sum()
     }
@@ -349,21 +349,21 @@ impl MotionVehicle {
     fn length(&self) -> f64 {
         match &self.body {
             SceneBody::Outline { footprint, .. } => footprint.length,
-            // What has no outline needs room for its symbol alone.
+            // A body without an outline only needs room for its symbol.
             _ => 1.0,
         }
     }
 
-    /// Where it rests: as computed or, where that was solved for, as measured.
+    /// The drawn rest position: as computed or, if the motion was solved for it, as measured.
     fn drawn_rest(&self) -> Option<&MotionRest> {
         self.rest.as_ref().or(self.measured_rest.as_ref())
     }
 
-    /// Where it passes at equal distances between the impact and the end of its path.
+    /// Its poses at equal distances between the impact and the end of its path.
     fn passing(&self) -> Vec<Pose> {
         let distance = self.distance();
         let spaces = (1..=MOST_OUTLINES + 1).rev();
-        // As many spaces as are not too short.
+        // As many intervals as are long enough.
         let Some(spaces) = spaces.into_iter().find(|&n| distance > APART * self.length() * f64::from(n))
         else {
             return Vec::new();
@@ -372,7 +372,7 @@ impl MotionVehicle {
         (1..spaces).filter_map(|k| self.pose_after(way(k))).collect()
     }
 
-    /// Where it is after a way (m) along its path.
+    /// Its pose after a distance (m) along its path.
     fn pose_after(&self, way: f64) -> Option<Pose> {
         let mut gone = 0.0;
         for pair in self.path.windows(2) {
@@ -389,7 +389,7 @@ impl MotionVehicle {
         None
     }
 
-    /// Where it is at a time (s), between the points of its path along straight lines.
+    /// Its pose at a time (s), with straight lines between the points of its path.
     fn pose_at(&self, time: f64) -> Option<Pose> {
         let after = self.path.partition_point(|point| point.time < time);
         let next = self.path.get(after)?;
@@ -411,7 +411,7 @@ impl MotionVehicle {
         self.pose_at(time).or(end).unwrap_or(impact)
     }
 
-    /// The arrow of the approach, from its tail to its tip: it ends where the vehicle begins.
+    /// The approach arrow, from its tail to its tip, which is where the vehicle begins.
     fn approach_arrow(&self, view: View) -> Option<(Point, Point)> {
         let direction = unit(vec2(self.approach.as_ref()?.vector));
         let pose = self.at_impact();
@@ -431,10 +431,10 @@ impl MotionRest {
 struct Page<'a> {
     canvas: Canvas,
     motion: &'a MotionPicture,
-    /// (px) where the motion is drawn.
+    /// (px) area of the motion.
     area: Rect,
     view: View,
-    /// (units of time) between two places at equal times.
+    /// (units of time) between two dots at equal times.
     step: Option<f64>,
 }
 
@@ -458,7 +458,7 @@ impl Page<'_> {
         }
     }
 
-    /// What is seen of the parts of the ground, with their numbers.
+    /// The visible parts of the ground zones, with their numbers.
     fn zones(&self) -> Vec<(usize, BezPath)> {
         let zones = self.motion.ground.iter().enumerate();
         zones.filter_map(|(k, zone)| Some((k, zone.shape.on_page(self.view, self.area)?))).collect()
@@ -484,7 +484,7 @@ impl Page<'_> {
         self.canvas.keep_off(&body, false);
     }
 
-    /// Its body at impact, or the fixed object that it is.
+    /// Draws its body at impact, or the fixed object.
     fn at_impact(&mut self, vehicle: &MotionVehicle, i: usize) {
         let fixed = match (&vehicle.body, self.motion.contact()) {
             (SceneBody::Outline { footprint, .. }, _) if footprint.shape == Shape::Fixed => {
@@ -524,7 +524,7 @@ impl Page<'_> {
         }
     }
 
-    /// Its outlines at equal distances.
+    /// Draws its outlines at equal distances.
     fn passing(&mut self, vehicle: &MotionVehicle, i: usize) {
         if let SceneBody::Outline { footprint, crush } = &vehicle.body {
             for (k, pose) in vehicle.passing().into_iter().enumerate() {
@@ -536,7 +536,7 @@ impl Page<'_> {
         }
     }
 
-    /// The path of its centre of gravity.
+    /// Draws the path of its centre of gravity.
     fn path(&mut self, vehicle: &MotionVehicle, i: usize) {
         let points: Vec<Point> = vehicle.path.iter().map(|point| self.view.at(vec2(point.cg))).collect();
         if points.len() > 1 {
@@ -548,16 +548,16 @@ impl Page<'_> {
         }
     }
 
-    /// Between the impact and the end of its path.
+    /// Its poses at equal times between the impact and the end of its path.
     fn at_equal_times(&self, vehicle: &MotionVehicle) -> Vec<Pose> {
         let Some(step) = self.step else { return Vec::new() };
         let end = vehicle.path.last().map_or(0.0, |point| point.time) / self.motion.time.size;
-        // That at the end is drawn as the rest.
+        // The one at the end is drawn as the rest position.
         let (times, _) = ticks::between(step, end * (1.0 - 1e-9), end / step);
         times.iter().filter_map(|time| vehicle.pose_at(time * self.motion.time.size)).collect()
     }
 
-    /// What is seen of its front.
+    /// Draws its windscreen or chevron.
     fn detail(&mut self, vehicle: &MotionVehicle, pose: Pose, pen: Pen) {
         let SceneBody::Outline { footprint, crush } = &vehicle.body else { return };
         if footprint.width * self.view.scale < WITH_DETAIL {
@@ -568,7 +568,7 @@ impl Page<'_> {
         self.canvas.path("", &(self.view.place(pose) * front), Some(pen), "none");
     }
 
-    /// Its outlines at impact and at rest, and its approach.
+    /// Draws its outlines at impact and at rest, and its approach.
     fn edges(&mut self, vehicle: &MotionVehicle, i: usize) {
         let at_impact = (format!("impact-{}", i + 1), vehicle.at_impact(), OUTLINE[i]);
         let computed = vehicle.rest.as_ref().and_then(MotionRest::pose);
@@ -585,7 +585,7 @@ impl Page<'_> {
             }
         }
         if !vehicle.is_fixed() {
-            // No larger than that the vehicle is seen around it.
+            // Small enough that the vehicle is visible around it.
             let centre = match &vehicle.body {
                 SceneBody::Outline { footprint, .. } => 0.16 * footprint.width * self.view.scale,
                 _ => CENTRE[1],
@@ -638,7 +638,7 @@ impl Page<'_> {
         self.canvas.label_beside(self.view.at(at), &font::cut(&vehicle.name, SMALL, 240.0), BLACK);
     }
 
-    /// Scales and legend.
+    /// Draws scales and legend.
     fn below(mut self) -> Drawing {
         let motion = self.motion;
         let row = self.area.y1 + 34.0;
@@ -755,7 +755,7 @@ fn with_few_decimals(step: f64) -> String {
     text.trim_end_matches('0').trim_end_matches('.').to_owned()
 }
 
-/// What tells front from rear where a body has no windscreen: an angle that points forward.
+/// The mark that distinguishes front from rear on a body without a windscreen: a chevron that points forward.
 fn chevron(body: &Footprint) -> BezPath {
     let Footprint { length, width, cg_to_front, .. } = *body;
     let behind = cg_to_front - (0.25 * length).min(0.6 * width);

@@ -1,4 +1,4 @@
-//! Numbers of a motion over time, such as speed and yaw rate, one chart below the other.
+//! Numbers of a motion against time, such as speed and yaw rate, one chart below the other.
 
 use kurbo::Rect;
 
@@ -12,41 +12,41 @@ use crate::thin::thinned;
 
 const NAME: &str = "motion-curves";
 
-/// (px) of a chart, and from the top of one to that of the next.
+/// (px) height of a chart, and distance from its top to that of the next.
 const PANEL: f64 = 170.0;
 const NEXT: f64 = 262.0;
-/// Numbers below a chart, and beside it.
+/// Maximum number of tick labels across and upward.
 const MOST: [u8; 2] = [10, 5];
-/// How far a chart reaches beyond its numbers, as a share of what they span.
+/// How far a chart extends beyond its numbers, as a share of their span.
 const BEYOND: f64 = 0.06;
-/// What is smaller than this share of its unit is rounding about zero: a yaw rate of 1e-16 rad/s.
+/// Smaller shares of the unit are rounding errors about zero, such as a yaw rate of 1e-16 rad/s.
 const ROUNDING: f64 = 1e-6;
 
-/// Numbers of both vehicles over the time since the impact.
+/// Numbers of both vehicles against the time since the impact.
 #[derive(Clone, Debug, PartialEq)]
 pub struct MotionCurvesPicture {
-    /// Of the case.
+    /// Title of the case.
     pub title: String,
     /// The line below it.
     pub subtitle: String,
-    /// What keeps it from being the answer: stands below that. Mostly empty.
+    /// Why this is not the answer, shown below the subtitle; usually empty.
     pub caveat: String,
-    /// What a reader who cannot see it has to be told.
+    /// The picture described for readers who cannot see it.
     pub description: String,
-    /// Across; its data are in s.
+    /// The horizontal axis; its data are in s.
     pub time: Axis,
     /// From top to bottom.
     pub panels: Vec<MotionCurves>,
-    /// What the legend says of the curves of vehicles 1 and 2, where they have some.
+    /// Legend entries of the curves of vehicles 1 and 2, if they have any.
     pub legend: [Option<String>; 2],
 }
 
-/// One number over time.
+/// One number against time.
 #[derive(Clone, Debug, PartialEq)]
 pub struct MotionCurves {
-    /// Upward.
+    /// The vertical axis.
     pub upward: Axis,
-    /// Of vehicles 1 and 2: time (s) and number, in the order of time. Empty for what does not move.
+    /// Of vehicles 1 and 2: time (s) and number, in the order of time. Empty for one that does not move.
     pub curves: [Vec<[f64; 2]>; 2],
 }
 
@@ -90,7 +90,7 @@ impl MotionCurvesPicture {
 }
 
 impl MotionCurves {
-    /// From zero or below it to zero or above it.
+    /// The span of the numbers, extended to include zero.
     fn range(&self) -> [f64; 2] {
         let values = self.curves.iter().flatten().map(|[_, value]| *value);
         let values = values.filter(|value| value.abs() >= ROUNDING * self.upward.unit);

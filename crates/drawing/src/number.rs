@@ -25,7 +25,7 @@ pub fn number(value: f64, decimals: usize) -> String {
     }
 }
 
-/// A number with so many significant digits, as a decimal where that is not long.
+/// A number with the given significant digits, as a decimal if that is not long.
 ///
 /// ```
 /// assert_eq!(drawing::significant(1.524, 3), "1.52");
@@ -36,13 +36,13 @@ pub fn significant(value: f64, digits: usize) -> String {
     let scientific = format!("{value:.*e}", digits.saturating_sub(1));
     let exponent = scientific.split_once('e').and_then(|(_, exponent)| exponent.parse::<i32>().ok());
     match exponent.map(|exponent| i32::try_from(digits).unwrap_or(i32::MAX) - 1 - exponent) {
-        // Up to six decimals, and no digits before the point beyond those asked for.
+        // Up to six decimals, and no more digits before the point than asked for.
         Some(decimals @ 0..=6) => format!("{value:.*}", usize::try_from(decimals).unwrap_or_default()),
         _ => scientific,
     }
 }
 
-/// (px) two decimals, as few as are needed.
+/// (px) at most two decimals, as few as are needed.
 pub(crate) fn px(value: f64) -> String {
     let text = format!("{value:.2}");
     let text = text.trim_end_matches('0').trim_end_matches('.');

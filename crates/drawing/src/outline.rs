@@ -1,23 +1,23 @@
-//! Which points of a page lie inside of an outline, for those who ask many times.
+//! Tests whether points of a page lie inside an outline, for many tests of one outline.
 
 use kurbo::{BezPath, Line, PathEl, Point, Rect, Shape as _};
 
-/// (px) between a curve and the chords that stand for it, at most: nobody sees that.
+/// (px) maximum distance between a curve and its chords, too small to be seen.
 const CHORD: f64 = 0.05;
-/// How many neighbours share a box: so many that the boxes are few, so few that a box says something.
+/// Number of neighbours that share a box: enough that the boxes are few, few enough that the boxes are small.
 const FEW: usize = 16;
 
-/// Things on a page in the order in which they came, each with its box.
+/// Things on a page in the order in which they were added, with a box around every few of them.
 ///
-/// Neighbours in that order mostly lie side by side, as the pieces of a line do: a box around each few of
-/// them tells of all of these at once that they lie elsewhere.
+/// Neighbours in that order mostly lie next to each other, as the pieces of a line do, so one test of their
+/// box rules out all of them.
 #[derive(Clone, Debug)]
 pub(crate) struct Neighbours<T> {
     things: Vec<T>,
     boxes: Vec<Rect>,
 }
 
-// Derived, it would ask for a default of what it holds.
+// A derived implementation would require `T: Default`.
 impl<T> Default for Neighbours<T> {
     fn default() -> Self {
         Self { things: Vec::new(), boxes: Vec::new() }
@@ -33,14 +33,14 @@ impl<T> Neighbours<T> {
         self.things.push(thing);
     }
 
-    /// All things in their order, but for those in boxes of which the test says that nothing in them matters.
+    /// All things in their order, except those in boxes that fail the test.
     pub(crate) fn near(&self, matters: impl Fn(Rect) -> bool) -> impl Iterator<Item = &T> {
         let few = self.things.chunks(FEW).zip(&self.boxes);
         few.filter(move |(_, area)| matters(**area)).flat_map(|(few, _)| few)
     }
 }
 
-/// A path as straight edges.
+/// A path flattened to straight edges.
 #[derive(Clone, Debug)]
 pub(crate) struct Outline {
     bounds: Rect,
@@ -51,7 +51,7 @@ impl Outline {
     pub(crate) fn new(path: &BezPath) -> Self {
         let mut edges = Neighbours::default();
         let mut edge = |from: Point, to: Point| {
-            // A level edge is at the side of nothing.
+            // No point lies to the side of a horizontal edge.
             if from.y != to.y {
                 edges.push(Line::new(from, to), Rect::from_points(from, to));
             }
@@ -70,7 +70,7 @@ impl Outline {
         self.bounds
     }
 
-    /// Which of some points of one height lie inside: the outline winds around them.
+    /// Tests which points at one height are inside the outline (winding number).
     pub(crate) fn holds<const N: usize>(&self, y: f64, xs: [f64; N]) -> [bool; N] {
         let mut windings = [0_i32; N];
         for Line { p0, p1 } in self.edges.near(|area| area.y0 <= y && y < area.y1) {
@@ -92,16 +92,16 @@ mod tests {
 
     use super::{Neighbours, Outline};
 
-    /// Shares of one, spread evenly and the same in each run: the fractions of the multiples of two roots
-    /// (Weyl's sequence).
+    /// Evenly spread pairs between zero and one, the same in each run: the fractions of the multiples of two
+    /// roots (Weyl's sequence).
     fn spread(count: u32) -> impl Iterator<Item = [f64; 2]> {
         (1..=count)
             .map(|i| [0.414_213_562_373_095, 0.732_050_807_568_877].map(|root| (root * f64::from(i)).fract()))
     }
 
-    /// The chords stand for the curves: wherever a point lies clear of the outline, both have it on the same
-    /// side. A ring whose hole winds the other way, two circles over each other, and a shape of straight and
-    /// curved edges.
+    /// The chords replace the curves: any point clear of the outline is on the same side of both. Tested for
+    /// a ring whose hole winds the other way, two overlapping circles, and a shape of straight and curved
+    /// edges.
     #[test]
     fn an_outline_holds_what_its_path_holds() {
         let circle = |x: f64, radius: f64| Circle::new((x, 50.0), radius).to_path(1e-3);
@@ -138,7 +138,7 @@ mod tests {
         segment.nearest(at, 1e-6).distance_sq.sqrt()
     }
 
-    /// The boxes leave out nothing that matters, and change no order.
+    /// The boxes leave out nothing that matters, and keep the order.
     #[test]
     fn neighbours_are_as_one_by_one() {
         let mut neighbours = Neighbours::default();

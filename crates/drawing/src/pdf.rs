@@ -1,5 +1,5 @@
-//! From SVG to PDF: one page, with paths as paths and letters as outlines. No date is in it, so that the
-//! bytes are the same at every run.
+//! From SVG to PDF: one page, with paths as paths and letters as outlines. It contains no date, so that the
+//! bytes are the same in every run.
 
 use std::borrow::Cow;
 
@@ -14,9 +14,9 @@ use resvg::usvg::{
 use crate::raster::{self, RenderError};
 use crate::site_plan::{Backdrop, Encoding, OPACITY, SitePlan, SitePlanError};
 
-/// (pt) of a pixel of CSS: 1/96 in.
+/// (pt) size of a CSS pixel: 1/96 in.
 const POINT: f32 = 0.75;
-/// How hard to compress: the usual compromise.
+/// Compression level: the usual compromise.
 const LEVEL: u8 = 6;
 
 const CATALOG: Ref = Ref::new(1);
@@ -24,13 +24,13 @@ const PAGES: Ref = Ref::new(2);
 const PAGE: Ref = Ref::new(3);
 const CONTENT: Ref = Ref::new(4);
 const INFO: Ref = Ref::new(5);
-/// Of the first pattern; the others follow.
+/// The first pattern; the others follow.
 const PATTERN: Ref = Ref::new(6);
-/// The site plan, and how much of it is seen.
+/// The site plan, and its opacity.
 const SITE_PLAN: Name = Name(b"S");
 const FADED: Name = Name(b"G");
 
-/// The top of the page has the given y (px).
+/// The top of the page is at the given y (px).
 pub(crate) fn pdf(
     svg: &str,
     top: f64,
@@ -46,7 +46,7 @@ pub(crate) fn pdf(
 fn document(tree: &Tree, top: f64, backdrop: Option<(&Backdrop, &Picture<'_>)>, title: &str) -> Vec<u8> {
     let [page_width, page_height] = [tree.size().width(), tree.size().height()];
     let (width, height) = (page_width * POINT, page_height * POINT);
-    // The y of a PDF runs upwards.
+    // In a PDF, y points upwards.
     let page_of_svg = Transform::from_row(POINT, 0.0, 0.0, -POINT, 0.0, height);
     let mut painter = Painter { content: Content::new(), patterns: Vec::new() };
     painter.content.transform(row(page_of_svg));
@@ -77,7 +77,7 @@ fn document(tree: &Tree, top: f64, backdrop: Option<(&Backdrop, &Picture<'_>)>, 
         tiling.resources();
         names.push((pattern.name.as_str(), reference));
     }
-    // Behind the patterns.
+    // The numbers after those of the patterns.
     let next = Ref::new(PATTERN.get() + i32::try_from(patterns.len()).unwrap_or_default());
     let (image, faded) = (next, next.next());
     if let Some((backdrop, picture)) = backdrop {
@@ -105,7 +105,7 @@ fn document(tree: &Tree, top: f64, backdrop: Option<(&Backdrop, &Picture<'_>)>, 
     pdf.finish()
 }
 
-/// A pattern where it is used: tiles are laid in the axes of the page.
+/// A pattern in one place: tiles are laid out in the axes of the page.
 struct Tiles<'a> {
     name: String,
     of_svg: &'a Pattern,
@@ -117,7 +117,7 @@ struct Painter<'a> {
     patterns: Vec<Tiles<'a>>,
 }
 
-/// A site plan as a PDF holds it: 8 bits for each part of a colour.
+/// A site plan as stored in a PDF: 8 bits for each colour component.
 struct Picture<'a> {
     samples: Cow<'a, [u8]>,
     filter: Filter,
@@ -151,13 +151,13 @@ impl<'a> Painter<'a> {
         let [a, b, c, d, e, f] = backdrop.page_of_plan().map(|number| number as f32);
         #[expect(clippy::cast_possible_truncation, reason = "a number of the page")]
         let place = Transform::from_row(a, b, c, d, e, f - top as f32);
-        // The unit square of an image in a PDF has its y upwards (ISO 32000-1, 8.9.5.1).
+        // The unit square of an image in a PDF has y upwards (ISO 32000-1, 8.9.5.1).
         let upright = place.pre_concat(Transform::from_row(1.0, 0.0, 0.0, -1.0, 0.0, 1.0));
         self.content.save_state().rect(x, y, width, height).clip_nonzero().end_path();
         self.content.set_parameters(FADED).transform(row(upright)).x_object(SITE_PLAN).restore_state();
     }
 
-    /// `page_of_here` takes the coordinates around the group to those of the page.
+    /// `page_of_here` maps the coordinates around the group to those of the page.
     fn group(&mut self, group: &'a Group, page_of_here: Transform) {
         let inner = page_of_here.pre_concat(group.transform());
         self.content.save_state().transform(row(group.transform()));
@@ -166,7 +166,7 @@ impl<'a> Painter<'a> {
                 Node::Group(group) => self.group(group, inner),
                 Node::Path(path) => self.path(path, inner),
                 Node::Text(text) => self.group(text.flattened(), inner),
-                // No drawing has one.
+                // No drawing contains one.
                 Node::Image(_) => {}
             }
         }
@@ -205,7 +205,7 @@ impl<'a> Painter<'a> {
                 self.content.set_fill_pattern(None, Name(name.as_bytes()));
                 self.patterns.push(Tiles { name, of_svg: pattern, page_of_tile });
             }
-            // No drawing has one.
+            // No drawing contains one.
             Paint::LinearGradient(_) | Paint::RadialGradient(_) => return,
         }
         self.outline(path.data());
@@ -255,7 +255,7 @@ impl<'a> Painter<'a> {
                     here = (to.x, to.y);
                 }
                 PathSegment::QuadTo(by, to) => {
-                    // A cubic curve has its points two thirds of the way to that of the quadratic one.
+                    // The control points of the cubic lie two thirds of the way to that of the quadratic.
                     let third = |from: f32, by: f32| from + (by - from) * (2.0 / 3.0);
                     self.content.cubic_to(
                         third(here.0, by.x),
@@ -279,7 +279,7 @@ impl<'a> Painter<'a> {
     }
 }
 
-/// In six decimals: the sine of a pattern's angle may differ in its last bit from machine to machine.
+/// Rounded to six decimals: the sine of a pattern's angle may differ in its last bit between machines.
 fn row(transform: Transform) -> [f32; 6] {
     let Transform { sx, kx, ky, sy, tx, ty } = transform;
     #[expect(clippy::cast_possible_truncation, reason = "a number of the page, which was one of f32")]
@@ -287,7 +287,7 @@ fn row(transform: Transform) -> [f32; 6] {
     [sx, ky, kx, sy, tx, ty].map(rounded)
 }
 
-/// 0 to 1.
+/// Colour components from 0 to 1.
 fn rgb(Color { red, green, blue }: Color) -> [f32; 3] {
     [red, green, blue].map(|part| f32::from(part) / 255.0)
 }

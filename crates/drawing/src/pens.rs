@@ -22,7 +22,7 @@ const fn pen(colour: &'static str, width: f64, dashes: &'static str) -> Pen {
 }
 
 pub(crate) const OUTLINE: [Pen; 2] = [pen(BLUE, 2.0, ""), pen(VERMILION, 2.0, "")];
-/// The shape of a body before its damage.
+/// The outline of an undamaged body.
 pub(crate) const fn undamaged(i: usize) -> Pen {
     Pen { width: 1.0, dashes: "5 4", ..OUTLINE[i] }
 }
@@ -43,15 +43,15 @@ pub(crate) const GRID: Pen = pen(PALE, 1.0, "");
 pub(crate) const BOUND: Pen = pen(BLACK, 1.6, "6 4");
 /// Where two numbers are equal.
 pub(crate) const EQUALITY: Pen = pen(GREY, 1.4, "7 4");
-/// Of a motion: the path of the CG, and the outlines on the way.
+/// The path of the CG of a motion, and the outlines along it.
 pub(crate) const PATH: [Pen; 2] = [pen(BLUE, 1.8, ""), pen(VERMILION, 1.8, "")];
 pub(crate) const PASSING: [Pen; 2] = [pen("#4a90c2", 1.0, ""), pen("#d9803f", 1.0, "")];
 pub(crate) const APPROACH: Pen = pen(GREEN, 3.0, "");
-/// The outline at rest that was measured.
+/// The measured outline at rest.
 pub(crate) const MEASURED: Pen = pen(BLACK, 1.6, "5 3");
-/// Of a wheel that slides.
+/// The mark of a sliding wheel.
 pub(crate) const MARK: Pen = pen("#333333", 1.2, "");
-/// Of a locked wheel before the impact, as measured.
+/// The measured skid mark of a locked wheel before the impact.
 pub(crate) const SKID: Pen = pen("#333333", 2.4, "3 2");
 pub(crate) const EDGE_OF_GROUND: Pen = pen(GREY, 1.2, "9 3 2 3");
 /// Numbers of vehicles 1 and 2.

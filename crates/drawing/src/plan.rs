@@ -1,4 +1,4 @@
-//! What all plan views share: from the scene to the page, and where fixed objects stand.
+//! Shared by all plan views: the mapping from the scene to the page, and the places of fixed objects.
 
 use kurbo::{Affine, BezPath, Circle, ParamCurve as _, Point, Rect, Shape as _, Vec2};
 
@@ -9,17 +9,17 @@ use crate::footprint::placed;
 use crate::pens::{GREY, Pen, THIN};
 use crate::vector::{flipped, unit, vec2};
 
-/// (m) how far the wall that stands for a fixed object of unknown extent reaches beyond the vehicle at it,
-/// its thickness, and the least length that is drawn.
+/// (m) how far the wall drawn for a fixed object of unknown extent extends beyond the vehicle at it, its
+/// thickness, and its minimum length.
 const WALL: f64 = 0.7;
 const WALL_DEPTH: f64 = 0.5;
 const SHORTEST_WALL: f64 = 0.2;
-/// (m) what of a vehicle lies farther than this beyond the crush plane has no wall in front of it.
+/// (m) parts of a vehicle farther than this beyond the crush plane have no wall in front of them.
 const BEHIND: f64 = 0.1;
 /// (px/m) the smallest scale that is tried.
 const SMALLEST: f64 = 1e-3;
 
-/// Where a vehicle is.
+/// The pose of a vehicle.
 #[derive(Clone, Copy)]
 pub(crate) struct Pose {
     /// (m)
@@ -33,14 +33,14 @@ impl Pose {
         Self { cg: vec2(cg), forward: unit(vec2(forward)) }
     }
 
-    /// (m) from the vehicle's own axes to those of the scene.
+    /// (m) transform from the vehicle's own axes to those of the scene.
     pub(crate) fn in_scene(self) -> Affine {
         let Self { cg, forward } = self;
         Affine::new([forward.x, forward.y, -forward.y, forward.x, cg.x, cg.y])
     }
 }
 
-/// Where the scene lies on the page.
+/// The mapping from the scene to the page.
 #[derive(Clone, Copy)]
 pub(crate) struct View {
     /// (px) of the scene's origin.
@@ -50,8 +50,8 @@ pub(crate) struct View {
 }
 
 impl View {
-    /// At the largest scale, up to `largest` (px/m), at which what is drawn fits into the room (px) and
-    /// stands in its middle. `bounds` gives its extent (px) around the scene's origin at a scale.
+    /// The largest scale up to `largest` (px/m) at which the drawing fits into the room (px), centred in it.
+    /// `bounds` gives its extent (px) around the scene's origin at a scale.
     pub(crate) fn fit(room: Rect, largest: f64, bounds: impl Fn(f64) -> Rect) -> Self {
         let fits = |scale: f64| {
             let bounds = bounds(scale);
@@ -76,18 +76,18 @@ impl View {
         self.origin + flipped(metres) * self.scale
     }
 
-    /// From a vehicle's own axes (m) to the page.
+    /// Transform from a vehicle's own axes (m) to the page.
     pub(crate) fn place(self, pose: Pose) -> Affine {
         placed(pose.forward, self.at(pose.cg), self.scale)
     }
 }
 
-/// Where two bodies touch.
+/// The contact of two bodies.
 #[derive(Clone, Copy)]
 pub(crate) struct Contact {
     /// (m) the contact point C.
     pub(crate) at: Vec2,
-    /// Of the crush plane, from vehicle 2 to vehicle 1; a unit vector.
+    /// Normal of the crush plane, from vehicle 2 to vehicle 1; a unit vector.
     pub(crate) normal: Vec2,
 }
 
@@ -96,7 +96,7 @@ impl Contact {
         Vec2::new(-self.normal.y, self.normal.x)
     }
 
-    /// (m) the corners of the wall that stands for body `i`: on the far side of the crush plane.
+    /// (m) the corners of the wall drawn for body `i`: on the far side of the crush plane.
     pub(crate) fn wall(self, [low, high]: [f64; 2], i: usize) -> [Vec2; 4] {
         let t = self.tangent();
         let away = if i == 0 { self.normal } else { -self.normal };
@@ -109,9 +109,9 @@ impl Contact {
         self.at + self.normal * (if i == 0 { 0.5 } else { -0.5 } * diameter)
     }
 
-    /// (m) how far a wall reaches along t from C: beyond the whole of the other vehicle, but for what of that
-    /// lies beyond the crush plane, where there cannot be a wall. The outlines are those of the bodies in the
-    /// scene (m), where they have one.
+    /// (m) how far a wall extends along t from C: beyond all of the other vehicle, except for its parts
+    /// beyond the crush plane, where there cannot be a wall. `outlines` are those of the bodies in the scene
+    /// (m), if they have one.
     pub(crate) fn wall_ends(self, outlines: [Option<BezPath>; 2]) -> [f64; 2] {
         let (n, t) = (self.normal, self.tangent());
         let (mut ends, mut blocked) = ([-WALL, WALL], Vec::new());
@@ -126,7 +126,7 @@ impl Contact {
             }
         }
         blocked.sort_by(|one, other| one[0].total_cmp(&other[0]));
-        // Of the gaps, the nearest to C and, of several such, the longest.
+        // The gap nearest to C; of several equally near, the longest.
         let (mut low, mut gaps) = (ends[0], Vec::new());
         for [from, to] in blocked.into_iter().chain([[ends[1]; 2]]) {
             if from > low {
@@ -142,7 +142,7 @@ impl Contact {
         gaps.into_iter().min_by(best).unwrap_or_default()
     }
 
-    /// The wall on the page, where it is long enough to be drawn.
+    /// The wall on the page, if it is long enough to be drawn.
     pub(crate) fn drawn_wall(self, ends: [f64; 2], i: usize, view: View) -> Option<BezPath> {
         is_drawn(ends).then(|| polygon(self.wall(ends, i).map(|corner| view.at(corner))))
     }
@@ -152,7 +152,7 @@ impl Contact {
         Circle::new(view.at(self.pole(diameter, i)), 0.5 * diameter * view.scale).to_path(1e-2)
     }
 
-    /// (m) the outline of a pole, or of a wall with these ends; `None` of what has a shape of its own.
+    /// (m) the outline of a pole, or of a wall with these ends; `None` for a body with its own shape.
     pub(crate) fn outline(self, body: &SceneBody, ends: [f64; 2], i: usize) -> Option<BezPath> {
         match body {
             SceneBody::Pole { diameter } => {
@@ -169,7 +169,7 @@ pub(crate) fn is_drawn([low, high]: [f64; 2]) -> bool {
     high - low >= SHORTEST_WALL
 }
 
-/// Through the corners and back to the first.
+/// The closed path through the corners.
 pub(crate) fn polygon(corners: impl IntoIterator<Item = Point>) -> BezPath {
     let mut path = polyline(corners);
     if !path.is_empty() {
@@ -178,7 +178,7 @@ pub(crate) fn polygon(corners: impl IntoIterator<Item = Point>) -> BezPath {
     path
 }
 
-/// From the first point to the last.
+/// The open path from the first point to the last.
 pub(crate) fn polyline(points: impl IntoIterator<Item = Point>) -> BezPath {
     let mut path = BezPath::new();
     for (k, point) in points.into_iter().enumerate() {
@@ -187,7 +187,7 @@ pub(crate) fn polyline(points: impl IntoIterator<Item = Point>) -> BezPath {
     path
 }
 
-/// The axes of the scene, 40 px long.
+/// Draws the axes of the scene, 40 px long.
 pub(crate) fn axes(canvas: &mut Canvas, at: Point, is_z_down: bool) {
     let (end, dy) = if is_z_down { (40.0, 16.0) } else { (-40.0, -8.0) };
     for (name, end, dx, dy) in [("x", Vec2::new(40.0, 0.0), 8.0, 4.0), ("y", Vec2::new(0.0, end), -4.0, dy)] {

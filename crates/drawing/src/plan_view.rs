@@ -1,4 +1,4 @@
-//! Where the parts of a plan view are, for a program that lets somebody move them.
+//! Positions of the parts of a plan view, for a program that lets its user move them.
 
 use kurbo::{BezPath, PathEl, Point, Rect};
 
@@ -6,7 +6,7 @@ use crate::body::SceneBody;
 use crate::footprint::CrushProfile;
 use crate::plan::{Pose, View};
 
-/// (m) how far the sides of an outline may lie from its arcs.
+/// (m) maximum distance between the sides of an outline and its arcs.
 const TOLERANCE: f64 = 0.002;
 
 /// A part of a scene: x to the right, y upwards.
@@ -23,7 +23,7 @@ pub struct Viewport {
 }
 
 impl Viewport {
-    /// Where the room of a page (px) shows this part; `None` of a part that is empty or not finite.
+    /// The view that shows this part in an area of the page (px); `None` if the part is empty or not finite.
     pub(crate) fn view(self, room: Rect) -> Option<View> {
         let Self { left, bottom, right, top } = self;
         let (width, height) = (right - left, top - bottom);
@@ -34,7 +34,7 @@ impl Viewport {
         is_usable.then(|| View { origin: (room.center() - middle).to_point(), scale })
     }
 
-    /// What of the scene is in a room of the page (px).
+    /// The part of the scene in an area of the page (px).
     pub(crate) fn of(view: View, room: Rect) -> Self {
         let View { origin, scale } = view;
         Self {
@@ -46,18 +46,18 @@ impl Viewport {
     }
 }
 
-/// What a plan view shows, and where.
+/// The contents of a plan view, and their positions.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PlanView {
-    /// What of the scene it shows.
+    /// The part of the scene that it shows.
     pub viewport: Viewport,
     /// (px) the origin of the scene on the page, whose y points downwards.
     pub origin: [f64; 2],
     /// (px/m)
     pub scale: f64,
-    /// (m) where the impulse acts.
+    /// (m) the contact point, where the impulse acts.
     pub contact: Option<[f64; 2]>,
-    /// Of the crush plane, from vehicle 2 to vehicle 1; a unit vector.
+    /// Normal of the crush plane, from vehicle 2 to vehicle 1; a unit vector.
     pub normal: Option<[f64; 2]>,
     /// Vehicles 1 and 2 at the impact, as far as they are known.
     pub bodies: [Option<PlanBody>; 2],
@@ -70,13 +70,13 @@ pub struct PlanBody {
     pub cg: [f64; 2],
     /// Its heading; a unit vector.
     pub forward: [f64; 2],
-    /// (m) from its centre of gravity to its front, where its outline is known.
+    /// (m) from its centre of gravity to its front, if its outline is known.
     pub cg_to_front: Option<f64>,
-    /// (m) the corners of what is drawn of it; empty where its shape is not known.
+    /// (m) the corners of its drawn shape; empty if its shape is unknown.
     pub outline: Vec<[f64; 2]>,
-    /// Where its crush was measured.
+    /// The stations of its measured crush.
     pub stations: Vec<PlanStation>,
-    /// (m) where it was found at rest, and its heading there.
+    /// (m) its measured rest position, and its heading there.
     pub rest: Option<([f64; 2], [f64; 2])>,
     /// (m) measured points of its path.
     pub points: Vec<[f64; 2]>,
@@ -87,14 +87,14 @@ pub struct PlanBody {
 pub struct PlanStation {
     /// (m) on the undamaged face.
     pub face: [f64; 2],
-    /// (m) as deep as the crush.
+    /// (m) on the crushed face.
     pub crushed: [f64; 2],
-    /// Out of the vehicle; a unit vector.
+    /// Outward direction of the face; a unit vector.
     pub outward: [f64; 2],
 }
 
 impl PlanBody {
-    /// A body at its place; `other` is the outline (m) of one whose shape hangs on the contact.
+    /// A body in its pose; `other` is the outline (m) of one whose shape depends on the contact.
     pub(crate) fn of(body: &SceneBody, pose: Pose, other: Option<BezPath>) -> Self {
         let there = pose.in_scene();
         let (outline, crush, cg_to_front) = match body {
@@ -133,7 +133,7 @@ fn pair(at: Point) -> [f64; 2] {
     [at.x, at.y]
 }
 
-/// (m) the corners of a closed path, its arcs as short lines.
+/// (m) the corners of a closed path, with its arcs as short lines.
 pub(crate) fn corners(path: &BezPath) -> Vec<[f64; 2]> {
     let mut corners = Vec::new();
     kurbo::flatten(path.iter(), TOLERANCE, |element| match element {

@@ -1,4 +1,4 @@
-//! How many fell into each of some classes that are expected to hold equally many.
+//! The counts of classes that are expected to hold equally many.
 
 use kurbo::Rect;
 
@@ -8,38 +8,38 @@ use crate::finished::Drawing;
 use crate::legend::{self, EDGE, HEADER, Sample, WIDTH};
 use crate::pens::{AXIS, BOUND, FILL, OUTLINE, Pen};
 
-/// (px) of the plot.
+/// (px) area of the plot.
 const PLOT: Rect = Rect::new(EDGE + 48.0, HEADER + 34.0, WIDTH - EDGE - 16.0, HEADER + 334.0);
 /// (px) from the plot to the legend.
 const BELOW: f64 = 58.0;
-/// Numbers below the plot, and beside it.
+/// Maximum number of tick labels across and upward.
 const MOST: [u8; 2] = [11, 6];
-/// How far the upward axis reaches beyond the highest bar.
+/// Height of the upward axis as a multiple of the highest bar.
 const BEYOND: f64 = 1.1;
 const CLASS: Pen = Pen { width: 1.0, ..OUTLINE[0] };
 
-/// A bar for each class, from 0 to 1 across, and what is expected of all.
+/// A bar for each class, from 0 to 1 across, and the count expected of each.
 #[derive(Clone, Debug, PartialEq)]
 pub struct RanksPicture {
     /// The first part of the `id`s in its SVG.
     pub name: &'static str,
-    /// What is counted.
+    /// The numbers that are counted.
     pub title: String,
     /// The lines below it.
     pub subtitle: String,
-    /// What a reader who cannot see it has to be told.
+    /// The picture described for readers who cannot see it.
     pub description: String,
-    /// Across, from 0 to 1.
+    /// The horizontal axis, from 0 to 1.
     pub across: Axis,
-    /// Upward, of the numbers.
+    /// The vertical axis, for the counts.
     pub upward: Axis,
-    /// What each class holds; one class at least.
+    /// The count of each class; at least one class.
     pub counts: Vec<f64>,
-    /// What each is expected to hold.
+    /// The expected count of each class.
     pub expected: f64,
-    /// Where most numbers lie if that is so.
+    /// The range in which most counts lie if the expectation is right.
     pub band: [f64; 2],
-    /// What the legend says of a class, of the line and of the band.
+    /// Legend entries of a class, of the line and of the band.
     pub legend: [String; 3],
 }
 

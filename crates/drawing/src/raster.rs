@@ -16,8 +16,7 @@ pub struct RenderError(pub(crate) String);
 /// Pixels for each unit of the SVG.
 const SCALE: f32 = 2.0;
 
-/// The drawing as resvg reads it, with the one font that the program carries: no font of the machine has a
-/// say in the result.
+/// The drawing as read by resvg, with the built-in font only: the fonts of the machine have no influence.
 pub(crate) fn tree(svg: &str) -> Result<Tree, RenderError> {
     let mut fonts = Database::new();
     fonts.load_font_data(dejavu::sans::regular().to_vec());
@@ -26,7 +25,7 @@ pub(crate) fn tree(svg: &str) -> Result<Tree, RenderError> {
     Tree::from_str(&font::with_known_letters(svg), &options).map_err(|error| RenderError(error.to_string()))
 }
 
-/// The page is white below the SVG. Its top has the given y (px).
+/// The drawing on a white page, whose top is at the given y (px).
 pub(crate) fn png(svg: &str, top: f64, backdrop: Option<&Backdrop>) -> Result<Vec<u8>, RenderError> {
     let tree = tree(svg)?;
     let size =

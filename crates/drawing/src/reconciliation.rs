@@ -1,4 +1,4 @@
-//! The reconciliation: the work that is held against the crush energy, over the speed sought.
+//! The reconciliation: the work that is compared with the crush energy, against the unknown speed.
 
 use kurbo::{BezPath, Point, Rect};
 
@@ -10,55 +10,55 @@ use crate::pens::{BLACK, CURVE, LEVEL, Pen, THIN, WHITE};
 
 const NAME: &str = "reconciliation";
 
-/// (px) of the plot.
+/// (px) area of the plot.
 const PLOT: Rect = Rect::new(EDGE + 92.0, HEADER + 34.0, WIDTH - EDGE - 16.0, HEADER + 418.0);
 /// (px) height of the page.
 const HEIGHT: f64 = HEADER + 556.0;
-/// How far the plot reaches above the highest work of interest.
+/// How far the plot extends above the highest work of interest.
 const ABOVE: f64 = 1.45;
-/// Numbers below the plot, and beside it.
+/// Maximum number of tick labels across and upward.
 const MOST: [u8; 2] = [10, 6];
 /// The root itself.
 const ROOT: Pen = Pen { colour: BLACK, width: 2.0, dashes: "" };
 
-/// The work that is held against the crush energy over the speed sought, with the work that is sought and the
-/// speed at which both are the same.
+/// The work that is compared with the crush energy, against the unknown speed, with the required work and the
+/// speed at which both are equal.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ReconciliationPicture {
-    /// Of the case.
+    /// Title of the case.
     pub title: String,
     /// The line below it.
     pub subtitle: String,
-    /// What keeps it from being the answer: stands below that. Mostly empty.
+    /// Why this is not the answer, shown below the subtitle; usually empty.
     pub caveat: String,
-    /// What a reader who cannot see it has to be told.
+    /// The picture described for readers who cannot see it.
     pub description: String,
-    /// Across; its data are in m/s.
+    /// The horizontal axis; its data are in m/s.
     pub speed: Axis,
-    /// Upward; its data are in J.
+    /// The vertical axis; its data are in J.
     pub work: Axis,
-    /// In the order of the speeds.
+    /// The curve, in the order of the speeds.
     pub curve: Vec<CurvePoint>,
-    /// (m/s, J) where both are the same: the answer.
+    /// (m/s, J) where both are equal: the answer.
     pub found: [f64; 2],
-    /// The speed found.
+    /// Label of the speed found.
     pub found_label: String,
     /// (m/s) other admissible speeds, with their labels.
     pub others: Vec<(f64, String)>,
-    /// (m/s, J) of the root-finder, where there was one.
+    /// (m/s, J) steps of the root finder, if there was one.
     pub steps: Vec<[f64; 2]>,
-    /// The curve and the work sought, as the legend says them.
+    /// Legend entries of the curve and of the required work.
     pub legend: [String; 2],
 }
 
-/// A speed of the curve.
+/// A point of the curve.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CurvePoint {
     /// (m/s)
     pub speed: f64,
-    /// (J) work that is held against the crush energy.
+    /// (J) work that is compared with the crush energy.
     pub work: f64,
-    /// (J) work that is sought.
+    /// (J) required work.
     pub sought: f64,
 }
 
@@ -81,7 +81,7 @@ impl ReconciliationPicture {
         let root = chart.at(self.found[0], self.found[1]);
         canvas.line("", root, Point::new(root.x, PLOT.y1), Pen { dashes: "2 3", ..THIN });
         canvas.dot("root", root, 6.0, None, BLACK);
-        // Over the root: the last steps are all on it.
+        // Drawn over the root: the last steps all lie on it.
         for [speed, work] in &self.steps {
             let top = chart.at(0.0, *work).y.clamp(PLOT.y0, PLOT.y1);
             let at = Point::new(chart.at(*speed, 0.0).x, top);
@@ -108,12 +108,12 @@ impl ReconciliationPicture {
         let across = self.curve.iter().fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], point| {
             [low.min(point.speed), high.max(point.speed)]
         });
-        // Where the work runs away, at a pole, the page does not follow.
+        // The page does not extend to a pole of the work.
         let most = ABOVE * self.curve.iter().map(|point| point.sought).fold(self.found[1], f64::max);
         Chart { area: PLOT, left: EDGE, across, upward: [0.0, most] }
     }
 
-    /// (J) the work sought at a speed between the points of the curve.
+    /// (J) the required work at a speed between the points of the curve.
     fn sought_at(&self, speed: f64) -> f64 {
         self.curve
             .iter()
@@ -121,7 +121,7 @@ impl ReconciliationPicture {
             .map_or(0.0, |point| point.sought)
     }
 
-    /// The curve, where it is within the plot; it is cut exactly at its edge.
+    /// The curve within the plot, cut exactly at the plot's edge.
     fn curve(&self, chart: &Chart, canvas: &mut Canvas, id: &str, pen: Pen, of: fn(&CurvePoint) -> f64) {
         let [low, high] = chart.upward;
         let mut path = BezPath::new();

@@ -1,4 +1,4 @@
-//! Where vehicles would have come to rest, beside where they were found.
+//! Where vehicles would have come to rest, compared with where they were found.
 
 use kurbo::{Point, Rect, Vec2};
 
@@ -11,26 +11,26 @@ use crate::pens::{BLACK, GREY, MEASURED, OUTLINE, Pen};
 use crate::plan::{Pose, View};
 use crate::vector::{flipped, vec2};
 
-/// (px) of the drawing below the title, and the least height of it.
+/// (px) area of the drawing below the title, and its minimum height.
 const ROOM: Rect = Rect::new(EDGE + 8.0, HEADER + 10.0, WIDTH - EDGE - 8.0, HEADER + 530.0);
-/// (px/m) no plan is larger.
+/// (px/m) the largest scale.
 const LARGEST: f64 = 80.0;
-/// (px) of a draw.
+/// (px) radius of the dot of a draw.
 const RADIUS: f64 = 1.6;
 const DRAWS: [&str; 2] = ["#4a90c2", "#d9803f"];
 
-/// A plan view of the rests of two vehicles.
+/// A plan view of the rest positions of two vehicles.
 #[derive(Clone, Debug, PartialEq)]
 pub struct RestsPicture {
     /// The first part of the `id`s in its SVG.
     pub name: &'static str,
-    /// What is shown.
+    /// Its title.
     pub title: String,
     /// The lines below it.
     pub subtitle: String,
-    /// What a reader who cannot see it has to be told.
+    /// The picture described for readers who cannot see it.
     pub description: String,
-    /// (m) where the impact was.
+    /// (m) the point of impact.
     pub impact: [f64; 2],
     /// The vehicles that were followed, each with its number, 0 or 1.
     pub vehicles: Vec<(usize, FoundAtRest)>,
@@ -41,17 +41,17 @@ pub struct RestsPicture {
 /// A vehicle at rest.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FoundAtRest {
-    /// What stands beside it.
+    /// Its label.
     pub label: String,
-    /// Its body; `None` where it is not known.
+    /// Its body; `None` if unknown.
     pub footprint: Option<Footprint>,
-    /// (m) where its CG was found; `None` where that was not measured.
+    /// (m) where its CG was found; `None` if that was not measured.
     pub position: Option<[f64; 2]>,
     /// Its heading there; a unit vector.
     pub forward: [f64; 2],
     /// (m) where it would have come to rest.
     pub draws: Vec<[f64; 2]>,
-    /// What the legend says of the draws.
+    /// Legend entry of the draws.
     pub legend: String,
 }
 
@@ -121,7 +121,7 @@ impl RestsPicture {
         Drawing::new(self.name, self.title.clone(), self.description.clone(), canvas)
     }
 
-    /// (m) what has to fit.
+    /// (m) the extent that has to fit.
     fn bounds(&self) -> Rect {
         let mut bounds = Rect::from_center_size(vec2(self.impact).to_point(), (2.0, 2.0));
         for (_, vehicle) in &self.vehicles {

@@ -1,4 +1,4 @@
-//! Points of one number over another of the same kind, with the line where both are equal.
+//! Points of one number against another of the same kind, with the line where both are equal.
 
 use kurbo::{Point, Rect};
 
@@ -11,19 +11,19 @@ use crate::pens::{BLACK, EQUALITY};
 use crate::symbol::Symbol;
 use crate::ticks;
 
-/// (px) a panel with the numbers to its left, and the plot alone, which is square.
+/// (px) width of a panel with its tick labels, and side of the plot, which is square.
 const PANEL: f64 = 600.0;
 const PLOT: f64 = 536.0;
-/// (px) from the plot to the right end of its panel: the last number of the axis reaches into it.
+/// (px) from the plot to the right end of its panel: the last tick label extends into it.
 const BESIDE: f64 = 16.0;
-/// (px) above the plot, for the title of the upward axis, and for its own where it has one.
+/// (px) above the plot, for the title of the upward axis, and for the panel's own title if it has one.
 const ABOVE: f64 = 34.0;
 const TITLE: f64 = 20.0;
 /// (px) from the plot to the legend.
 const BELOW: f64 = 58.0;
-/// How far the axes reach beyond the greatest number, for the label of its point.
+/// Length of the axes as a multiple of the largest number, for the label of its point.
 const BEYOND: f64 = 1.04;
-/// Numbers of each axis.
+/// Maximum number of tick labels on each axis.
 const MOST: u8 = 8;
 
 /// Panels of points side by side, with the same axes, which begin at zero.
@@ -31,28 +31,28 @@ const MOST: u8 = 8;
 pub struct ScatterPicture {
     /// The first part of the `id`s in its SVG.
     pub name: &'static str,
-    /// What is compared.
+    /// Its title.
     pub title: String,
     /// The line below it.
     pub subtitle: String,
-    /// What a reader who cannot see it has to be told.
+    /// The picture described for readers who cannot see it.
     pub description: String,
-    /// Of every panel.
+    /// The horizontal axis of every panel.
     pub across: Axis,
-    /// Of every panel.
+    /// The vertical axis of every panel.
     pub upward: Axis,
-    /// From the left.
+    /// From left to right.
     pub panels: Vec<ScatterPanel>,
     /// What the symbols stand for.
     pub legend: Vec<(Symbol, String)>,
-    /// What the legend says of the line where both numbers are equal.
+    /// Legend entry of the line where both numbers are equal.
     pub equality: String,
 }
 
-/// A plot of its own.
+/// One plot.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ScatterPanel {
-    /// Stands above it; empty where there is one panel alone.
+    /// Its title; empty if there is only one panel.
     pub title: String,
     /// No coordinate is negative.
     pub points: Vec<ScatterPoint>,
@@ -65,7 +65,7 @@ pub struct ScatterPoint {
     pub at: [f64; 2],
     /// How it is drawn.
     pub symbol: Symbol,
-    /// Stands near it.
+    /// Its label.
     pub label: Option<String>,
 }
 
@@ -100,7 +100,7 @@ impl ScatterPicture {
         Drawing::new(self.name, self.title.clone(), self.description.clone(), canvas)
     }
 
-    /// Where the axes end: at a round number beyond all points.
+    /// The end of both axes: a round number beyond all points.
     fn end(&self) -> f64 {
         let points = self.panels.iter().flat_map(|panel| &panel.points);
         let greatest = points.flat_map(|point| point.at).fold(0.0, f64::max);
@@ -113,7 +113,7 @@ impl ScatterPicture {
 impl ScatterPanel {
     fn draw(&self, canvas: &mut Canvas, chart: &Chart, number: usize, end: f64) {
         canvas.line(&format!("equality-{number}"), chart.at(0.0, 0.0), chart.at(end, end), EQUALITY);
-        // What is hollow hides nothing, so it goes on top.
+        // Hollow symbols hide nothing, so they go on top.
         for is_filled in [true, false] {
             for (k, point) in (1_usize..).zip(&self.points) {
                 if point.symbol.is_filled == is_filled {

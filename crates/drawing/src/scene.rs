@@ -18,60 +18,60 @@ use crate::vector::{flipped, unit, vec2};
 
 const NAME: &str = "scene";
 
-/// (px) height of what is drawn, below the title.
+/// (px) height of the picture, below the title.
 const SCENE: f64 = 520.0;
-/// (px) of the fastest velocity.
+/// (px) length of the fastest velocity.
 const FASTEST: f64 = 150.0;
-/// (px) of the impulse, and of the PDOF.
+/// (px) lengths of the impulse and of the PDOF.
 const IMPULSE_LENGTH: f64 = 120.0;
 const PDOF_LENGTH: f64 = 95.0;
-/// (px) of n and t.
+/// (px) length of n and t.
 const AXES: f64 = 52.0;
 /// (px) radius of C.
 const CONTACT: f64 = 4.5;
-/// (px) white around the outermost point, for labels.
+/// (px) margin around the outermost point, for labels.
 const MARGIN: f64 = 34.0;
-/// (px/m) the largest scale: a small vehicle does not fill the page.
+/// (px/m) the largest scale, so that a small vehicle does not fill the page.
 const LARGEST: f64 = 130.0;
-/// (m/s) below this there is no arrow.
+/// (m/s) slower velocities have no arrow.
 const SLOWEST: f64 = 1e-6;
 
 /// Plan view of both vehicles at impact.
 ///
-/// Vectors are those of the scene with y to the left of x, whatever the axes that are shown; lengths are in
-/// metres from the contact point C.
+/// Vectors are those of the scene with y to the left of x, whichever axes are shown; lengths are in metres
+/// from the contact point C.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ScenePicture {
-    /// Of the case.
+    /// Title of the case.
     pub title: String,
-    /// What a reader who cannot see it has to be told.
+    /// The picture described for readers who cannot see it.
     pub description: String,
-    /// What keeps it from being the answer: stands below the title. Mostly empty.
+    /// Why this is not the answer, shown below the title; usually empty.
     pub caveat: String,
-    /// The axes that are shown have y to the right, and t so.
+    /// Whether the axes that are shown have y, and so t, to the right.
     pub is_z_down: bool,
-    /// For readers who are no engineers: vehicles and their velocities alone.
+    /// Whether the picture is for readers who are not engineers: vehicles and their velocities only.
     pub is_plain: bool,
     /// Vehicles 1 and 2.
     pub vehicles: [SceneVehicle; 2],
-    /// Of the crush plane, from vehicle 2 to vehicle 1; a unit vector.
+    /// Normal of the crush plane, from vehicle 2 to vehicle 1; a unit vector.
     pub normal: [f64; 2],
-    /// On vehicle 1; its direction is drawn. `None` where no speed is known.
+    /// The impulse on vehicle 1; only its direction is drawn. `None` if no speed is known.
     pub impulse: Option<SceneArrow>,
-    /// Of the scale bar.
+    /// Unit of the scale bar.
     pub length: ScaleUnit,
-    /// Of the scale bar of the velocities.
+    /// Unit of the scale bar of the velocities.
     pub speed: ScaleUnit,
 }
 
 /// A vehicle of the scene.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SceneVehicle {
-    /// What stands on it.
+    /// Its label.
     pub name: String,
-    /// What the legend says of its body.
+    /// Legend entry of its body.
     pub legend: Option<String>,
-    /// What is drawn of it.
+    /// Its shape.
     pub body: SceneBody,
     /// (m) its centre of gravity.
     pub cg: [f64; 2],
@@ -79,22 +79,22 @@ pub struct SceneVehicle {
     pub forward: [f64; 2],
     /// Whether it is a fixed object.
     pub is_fixed: bool,
-    /// `None` for a fixed object, and where no speed is known.
+    /// `None` for a fixed object, and if no speed is known.
     pub motion: Option<SceneMotion>,
 }
 
-/// What moves a vehicle, and how.
+/// The velocities of a vehicle, and its PDOF.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SceneMotion {
     /// (m/s) velocity of the CG before the impact.
     pub before: SceneArrow,
-    /// (m/s) the same after it.
+    /// (m/s) velocity of the CG after the impact.
     pub after: SceneArrow,
-    /// From the CG to where the force comes from; a unit vector.
+    /// From the CG towards the origin of the force; a unit vector.
     pub force_from: SceneArrow,
 }
 
-/// A vector with the text that stands at its arrow.
+/// A vector with the label of its arrow.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SceneArrow {
     /// Its components in the scene.
@@ -110,8 +110,8 @@ impl ScenePicture {
         self.draw_within(None).0
     }
 
-    /// Draws it with this part of the scene in its room, or with all that there is; and where everything is.
-    /// The contact point is the origin.
+    /// Draws this part of the scene, or all of it, and returns where everything is. The contact point is the
+    /// origin.
     #[must_use]
     pub fn draw_within(&self, viewport: Option<Viewport>) -> (Drawing, PlanView) {
         let motions = self.vehicles.iter().filter_map(|vehicle| vehicle.motion.as_ref());
@@ -128,8 +128,8 @@ impl ScenePicture {
         let mut page = Page { canvas, scene: self, view, wall: self.wall_ends() };
         let below = format!("Plan view at impact, to scale\n{}", self.caveat);
         legend::header(&mut page.canvas, &self.title, &below);
-        // The bodies lie over each other: all areas first, so that no edge is hidden; and fixed objects below
-        // what drove into them.
+        // The bodies overlap: all areas are drawn first, so that no edge is hidden, and fixed objects below
+        // the vehicles that drove into them.
         for is_fixed in [true, false] {
             for (i, vehicle) in self.vehicles.iter().enumerate() {
                 if vehicle.is_fixed == is_fixed {
@@ -145,7 +145,8 @@ impl ScenePicture {
         }
         if !self.is_plain {
             page.axes();
-            // Before the other values: it has the fewest places, as its arrow is mostly over both vehicles.
+            // Placed before the other values: it has the fewest places, its arrow mostly being on both
+            // vehicles.
             if let (Some(impulse), Some(tip)) = (&self.impulse, page.tip_of_impulse()) {
                 page.canvas.label_beside(tip, &impulse.label, BLACK);
             }
@@ -189,7 +190,7 @@ impl ScenePicture {
         }
     }
 
-    /// C is the origin.
+    /// The view of the scene, with C as the origin.
     fn view(&self, arrows: &Arrows) -> View {
         let room = area().inset(-MARGIN);
         let bounds = |scale: f64| {
@@ -198,7 +199,7 @@ impl ScenePicture {
                 points.extend(self.impulse_arrow());
                 let normal = flipped(vec2(self.normal));
                 let t = Vec2::new(normal.y, -normal.x);
-                // t points to either side, by the axes of the case; the picture is the same.
+                // t points to either side, depending on the axes of the case; the extent is the same.
                 points.extend([normal, t, -t].map(|axis| axis * AXES));
             }
             for (i, vehicle) in self.vehicles.iter().enumerate() {
@@ -238,7 +239,7 @@ impl ScenePicture {
         Contact { at: Vec2::ZERO, normal: vec2(self.normal) }
     }
 
-    /// (px, page) from C.
+    /// (px) the impulse arrow on the page, from C.
     fn impulse_arrow(&self) -> Option<Vec2> {
         let impulse = self.impulse.as_ref()?;
         Some(flipped(unit(vec2(impulse.vector))) * IMPULSE_LENGTH)
@@ -260,19 +261,19 @@ impl SceneVehicle {
     }
 }
 
-/// Where the scene is drawn.
+/// (px) area of the scene.
 fn area() -> Rect {
     Rect::new(EDGE, HEADER, WIDTH - EDGE, HEADER + SCENE)
 }
 
-/// All arrows of the scene, of which only the starting points are to scale.
+/// The lengths of the arrows of the scene: only their starting points are to scale.
 struct Arrows {
     /// (px·s/m)
     per_speed: f64,
 }
 
 impl Arrows {
-    /// (px, page) from a vehicle's CG: its velocities before and after, and the tail of its PDOF arrow.
+    /// (px, page) from a vehicle's CG: velocities before and after, and the tail of the PDOF arrow.
     fn of_vehicle(&self, motion: &SceneMotion) -> [Vec2; 3] {
         let before = flipped(vec2(motion.before.vector)) * self.per_speed;
         let after = flipped(vec2(motion.after.vector)) * self.per_speed;
@@ -284,7 +285,7 @@ struct Page<'a> {
     canvas: Canvas,
     scene: &'a ScenePicture,
     view: View,
-    /// (m) along t from C, where there is a wall.
+    /// (m) ends of the wall along t from C, if there is one.
     wall: [f64; 2],
 }
 
@@ -293,7 +294,7 @@ impl Page<'_> {
         self.view.at(metres)
     }
 
-    /// The crush plane, as far as the page goes.
+    /// Draws the crush plane, as far as the page goes.
     fn plane(&mut self) {
         let n = vec2(self.scene.normal);
         let t = flipped(Vec2::new(-n.y, n.x));
@@ -340,7 +341,7 @@ impl Page<'_> {
         self.canvas.define_stripes("fixed", GREY, PALE, 45, 8.0);
         let fill = self.canvas.pattern("fixed");
         self.canvas.path(&id, &fixed, Some(THIN), &fill);
-        // No letter is legible on stripes.
+        // Letters are illegible on stripes.
         self.canvas.keep_off(&fixed, true);
     }
 
@@ -443,7 +444,7 @@ impl Page<'_> {
         }
     }
 
-    /// The axes of the scene, in a corner.
+    /// Draws the axes of the scene, in a corner.
     fn frame(&mut self) {
         let drop = if self.scene.is_z_down { 64.0 } else { 12.0 };
         let at = Point::new(area().x1 - 62.0, area().y1 - drop);

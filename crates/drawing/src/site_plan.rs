@@ -1,4 +1,4 @@
-//! A site plan or an aerial picture, to scale behind a plan view.
+//! A site plan or an aerial picture, drawn to scale behind a plan view.
 
 use std::fmt;
 use std::sync::Arc;
@@ -18,11 +18,11 @@ use zune_jpeg::zune_core::options::DecoderOptions;
 use crate::number::px;
 use crate::vector::{unit, vec2};
 
-/// How much of the plan is seen: what is drawn over it has to stand out.
+/// Opacity of the plan, low enough that the drawing above it stands out.
 pub(crate) const OPACITY: f32 = 0.5;
 /// 200 MB in memory. Orthophotos of a junction with pixels of 1 cm to 2 cm have fewer.
 const MOST_PIXELS: u64 = 50_000_000;
-/// Up to what a JPEG can say.
+/// (px) the most that a JPEG can have.
 const MOST_SIDE: usize = 65_535;
 
 /// A PNG or a JPEG with its place in the scene.
@@ -30,19 +30,19 @@ const MOST_SIDE: usize = 65_535;
 pub struct SitePlan {
     bytes: Arc<[u8]>,
     encoding: Encoding,
-    /// Across and down.
+    /// (px) across and down.
     pixels: [u32; 2],
     place: PlanPlace,
 }
 
-/// Where a site plan lies in the scene.
+/// The place of a site plan in the scene.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PlanPlace {
-    /// (m) of its lower left corner.
+    /// (m) its lower left corner.
     pub corner: [f64; 2],
     /// From its lower left corner towards its lower right one; a vector of any length but zero.
     pub along: [f64; 2],
-    /// (m) of its lower edge. Its pixels are square.
+    /// (m) length of its lower edge. Its pixels are square.
     pub width: f64,
 }
 
@@ -70,22 +70,22 @@ pub enum SitePlanError {
         width: u32,
         /// (px)
         height: u32,
-        /// The most pixels that are taken.
+        /// The maximum number of pixels.
         most: u64,
     },
-    /// The decoder stopped.
+    /// The decoder failed.
     #[error("the site plan cannot be decoded: {0}")]
     Damaged(String),
-    /// Colours of a printing press.
+    /// Its colours are for printing.
     #[error("the site plan is a JPEG of {0} colour components, such as CMYK; save it as RGB")]
     Components(u8),
     /// Programs disagree on whether such a picture is turned before it is shown.
     #[error("the site plan is to be turned before it is shown (Exif orientation {0}); save it upright")]
     Turned(u16),
-    /// It has no place in the scene.
+    /// Its width gives it no place in the scene.
     #[error("the site plan is {0} m wide; give a width above zero")]
     Width(f64),
-    /// It has no place in the scene.
+    /// Its corner gives it no place in the scene.
     #[error("the lower left corner of the site plan is at ({}, {}) m; give finite coordinates", .0[0], .0[1])]
     Corner([f64; 2]),
     /// It has no direction in the scene.
@@ -103,7 +103,7 @@ pub(crate) enum Encoding {
 }
 
 impl SitePlan {
-    /// From the bytes of a PNG or a JPEG.
+    /// Reads a PNG or a JPEG.
     ///
     /// # Errors
     /// [`SitePlanError`], if it cannot be drawn at that place.
@@ -148,7 +148,7 @@ impl SitePlan {
         self.pixels
     }
 
-    /// Its pixels, on white where it is transparent.
+    /// Its pixels, on white where the picture is transparent.
     pub(crate) fn decoded(&self) -> Result<Pixmap, SitePlanError> {
         let mut pixels = match self.encoding {
             Encoding::Png => {
@@ -157,7 +157,7 @@ impl SitePlan {
             Encoding::Jpeg { .. } => self.decoded_jpeg()?,
         };
         for pixel in pixels.data_mut().chunks_exact_mut(4) {
-            // The colours are multiplied by the opacity already.
+            // The colours are already multiplied by the opacity.
             let white = u8::MAX - pixel[3];
             for part in pixel {
                 *part = part.saturating_add(white);
@@ -178,8 +178,8 @@ impl SitePlan {
             .ok_or_else(|| damaged(&"it has another size than its header says"))
     }
 
-    /// From the unit square, whose y runs downwards as that of a picture, to the scene (m), whose y runs
-    /// upwards.
+    /// Transform from the unit square, whose y points downwards as in a picture, to the scene (m), whose y
+    /// points upwards.
     fn in_scene(&self) -> Affine {
         let PlanPlace { corner, along, width } = self.place;
         let across = unit(vec2(along)) * width;
@@ -217,7 +217,7 @@ fn png_size(bytes: &[u8]) -> Result<[u32; 2], SitePlanError> {
 }
 
 fn jpeg_options() -> DecoderOptions {
-    // The number of pixels is what is limited.
+    // The total number of pixels is limited instead.
     DecoderOptions::default().set_max_width(MOST_SIDE).set_max_height(MOST_SIDE).set_strict_mode(true)
 }
 
@@ -240,14 +240,14 @@ fn jpeg_header(bytes: &[u8]) -> Result<(Encoding, [u32; 2]), SitePlanError> {
     Ok((Encoding::Jpeg { is_grey }, [u32::from(info.width), u32::from(info.height)]))
 }
 
-/// ITU-T T.81, B.2.2: segments, of which that of a frame (SOF) has its height and width.
+/// ITU-T T.81, B.2.2: segments; the frame segment (SOF) contains height and width.
 fn jpeg_size(bytes: &[u8]) -> Option<[u32; 2]> {
     let word = |at: usize| Some(u16::from_be_bytes([*bytes.get(at)?, *bytes.get(at + 1)?]));
     let mut at = 2;
     loop {
         let marker = word(at)?;
         match marker {
-            // Not a frame, though between those that are: DHT, JPG and DAC.
+            // DHT, JPG and DAC lie between the frame markers but are not frames.
             0xffc4 | 0xffc8 | 0xffcc => {}
             0xffc0..=0xffcf => return Some([word(at + 7)?, word(at + 5)?].map(u32::from)),
             0xff00.. => {}
@@ -276,17 +276,17 @@ fn exif_orientation(tiff: &[u8]) -> Option<u16> {
 #[derive(Clone, Debug)]
 pub(crate) struct Backdrop {
     plan: SitePlan,
-    /// From the unit square, whose y runs downwards, to the page (px): what the SVG says.
+    /// Transform from the unit square, whose y points downwards, to the page (px), as written to the SVG.
     page_of_plan: [f64; 6],
-    /// (px) nothing is seen beside this.
+    /// (px) nothing outside this is visible.
     frame: Rect,
 }
 
 impl Backdrop {
-    /// `page_of_scene` takes metres, y upwards, to the page.
+    /// `page_of_scene` maps metres, y upwards, to the page.
     pub(crate) fn new(plan: &SitePlan, page_of_scene: Affine, frame: Rect) -> Self {
         let page_of_plan = (page_of_scene * plan.in_scene()).as_coeffs();
-        // The same in all formats: in hundredths of a pixel, as an SVG has them.
+        // In hundredths of a pixel, as in an SVG, so that all formats agree.
         let page_of_plan = page_of_plan.map(|number| (number * 100.0).round() / 100.0);
         Self { plan: plan.clone(), page_of_plan, frame }
     }
@@ -320,7 +320,7 @@ impl Backdrop {
         )
     }
 
-    /// Onto a page that is white so far. `pixels_of_page` takes the page (px of the SVG) to its pixels.
+    /// Draws it onto a white page. `pixels_of_page` maps the page (px of the SVG) to its pixels.
     pub(crate) fn draw(&self, page: &mut Pixmap, pixels_of_page: Transform) -> Result<(), SitePlanError> {
         let plan = self.plan.decoded()?;
         #[expect(clippy::cast_possible_truncation, reason = "numbers of a page, in hundredths of a pixel")]
@@ -349,8 +349,8 @@ impl Backdrop {
     }
 }
 
-/// Means of k × k pixels, where the page shows less than half as many: a line of the plan that falls between
-/// two pixels of the page would be lost.
+/// Averages k × k pixels if the page shows less than half as many: otherwise a line of the plan that falls
+/// between two pixels of the page would be lost.
 fn shrunk(plan: Pixmap, across: f32) -> Pixmap {
     #[expect(
         clippy::cast_possible_truncation,

@@ -5,11 +5,11 @@ use kurbo::{BezPath, Point, Rect, Vec2};
 use crate::canvas::Canvas;
 use crate::pens::{BLUE, GREEN, PURPLE, Pen, VERMILION};
 
-/// (px) of a circle, and half the size of any symbol with its edge.
+/// (px) radius of a circle, and half the size of any symbol with its edge.
 const RADIUS: f64 = 5.0;
 const HALF: f64 = 7.0;
 
-/// A shape in its colour, filled or hollow.
+/// A filled or hollow shape in its colour.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Symbol {
     /// Its shape.
@@ -18,7 +18,7 @@ pub struct Symbol {
     pub is_filled: bool,
 }
 
-/// Shapes and colours that stay apart in grey and for people with any kind of colour vision.
+/// Shapes and colours that remain distinct in grey and for people with any kind of colour vision.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Marker {
     /// Blue.
@@ -32,7 +32,7 @@ pub enum Marker {
 }
 
 impl Marker {
-    /// All of them.
+    /// All markers.
     pub const ALL: [Self; 4] = [Self::Circle, Self::Square, Self::Triangle, Self::Diamond];
 
     fn colour(self) -> &'static str {
@@ -44,7 +44,7 @@ impl Marker {
         }
     }
 
-    /// (px) around the middle; none of a circle.
+    /// (px) corners around the middle; a circle has none.
     fn corners(self) -> &'static [(f64, f64)] {
         match self {
             Self::Circle => &[],
@@ -56,7 +56,7 @@ impl Marker {
 }
 
 impl Symbol {
-    /// At a point, which no label covers.
+    /// Draws it at a point, which no label covers.
     pub(crate) fn draw(self, canvas: &mut Canvas, id: &str, at: Point) {
         let pen = Pen { colour: self.marker.colour(), width: 1.8, dashes: "" };
         let fill = if self.is_filled { pen.colour } else { "none" };

@@ -2,11 +2,11 @@
 
 use kurbo::{Line, ParamCurveNearest as _, Point};
 
-/// (px) how far the thinned line may be from the given one: less than anybody sees.
+/// (px) maximum distance of the thinned line from the given one, too small to be seen.
 const TOLERANCE: f64 = 0.1;
 
-/// Those of the points through which the line stays where it was (D. Douglas and T. Peucker, *Algorithms for
-/// the reduction of the number of points required to represent a digitized line*, 1973).
+/// A subset of the points that keeps the line in place (D. Douglas and T. Peucker, *Algorithms for the
+/// reduction of the number of points required to represent a digitized line*, 1973).
 pub(crate) fn thinned(points: &[Point]) -> Vec<Point> {
     let Some(last) = points.len().checked_sub(1) else { return Vec::new() };
     let mut is_kept = vec![false; points.len()];
@@ -33,7 +33,7 @@ mod tests {
 
     #[test]
     fn the_line_stays_where_it_was() {
-        // A parabola of 5,000 points, which goes back on itself.
+        // A parabola of 5,000 points that doubles back on itself.
         let points: Vec<Point> = (0..5000)
             .map(|k| f64::from(k) * 0.05)
             .map(|x| Point::new(x, 0.01 * x * x))

@@ -15,14 +15,14 @@ pub(crate) fn round(most: f64) -> (f64, usize) {
     (mantissa * power, decimals)
 }
 
-/// Round numbers from `low` to `high`, not more than `most` steps apart, with the decimals that they need.
+/// Round numbers from `low` to `high`, at most `most` steps apart, with the decimals that they need.
 pub(crate) fn between(low: f64, high: f64, most: f64) -> (Vec<f64>, usize) {
     let least = (high - low) / most;
-    // Between ends that are alike but for rounding, or without bounds, there is nothing to count.
+    // If the ends are equal up to rounding, or unbounded, there is nothing to count.
     if !(least.is_normal() && least > 1e-12 * low.abs().max(high.abs()) && least < 1e300) {
         return (Vec::new(), 0);
     }
-    // The greatest round number below ten times the least, that is still above it.
+    // The smallest round number that is at least the least step.
     let (mut step, mut decimals) = round(least * 9.999);
     for candidate in [least * 4.999, least * 2.499, least * 1.999] {
         let (smaller, smaller_decimals) = round(candidate);

@@ -1,4 +1,4 @@
-//! A tornado: what each input alone does to a result.
+//! A tornado diagram: the effect of each single input on a result.
 
 use kurbo::{Point, Rect};
 
@@ -10,57 +10,57 @@ use crate::pens::{BLACK, FILL, OUTLINE, Pen, THIN};
 
 const NAME: &str = "tornado";
 
-/// (px) how far the longest bar reaches at least.
+/// (px) minimum length of the longest bar.
 const REACH: f64 = 180.0;
 /// (px) from a bar to its label, and from column to column.
 const BESIDE: f64 = 6.0;
 /// (px) from bar to bar, and the height of a bar.
 const STEP: f64 = 24.0;
 const BAR: f64 = 14.0;
-/// (px) from the middle of a line of letters to its base.
+/// (px) from the middle of a line of letters to its baseline.
 const BASE: f64 = 4.5;
 /// (px) below the bars, for the central value.
 const BELOW: f64 = 42.0;
 
-/// Bars from the central value of a result to where an input alone takes it, from the low and from the high
-/// end of its range.
+/// Bars from the central value of a result to the values that a single input gives it, at the low and at the
+/// high end of its range.
 #[derive(Clone, Debug, PartialEq)]
 pub struct TornadoPicture {
     /// The result, with its unit.
     pub title: String,
     /// The lines below it.
     pub subtitle: String,
-    /// What a reader who cannot see it has to be told.
+    /// The picture described for readers who cannot see it.
     pub description: String,
     /// The result with all inputs at their central values.
     pub central: f64,
-    /// What stands below the bars.
+    /// The text below the bars.
     pub central_label: String,
-    /// The change of the result that is drawn as the longest bar. Where it is 0, there are no bars.
+    /// The change of the result that is drawn as the longest bar. If it is 0, there are no bars.
     pub longest: f64,
-    /// From the top.
+    /// From top to bottom.
     pub bars: Vec<TornadoBar>,
-    /// What the legend says of the low and of the high end of an input.
+    /// Legend entries of the low and of the high end of an input.
     pub legend: [String; 2],
 }
 
-/// What an input does.
+/// The effect of an input.
 #[derive(Clone, Debug, PartialEq)]
 pub struct TornadoBar {
-    /// Of the input.
+    /// Name of the input.
     pub name: String,
-    /// The result at the low and at the high end of the input, where it has one.
+    /// The result at the low and at the high end of the input, if it has one.
     pub ends: [Option<f64>; 2],
-    /// Results with their labels, which stand at the end of the bar.
+    /// Results with their labels, which are at the end of the bar.
     pub labels: Vec<(f64, String)>,
-    /// Stands to the right of all bars.
+    /// Text to the right of all bars.
     pub remark: Option<String>,
 }
 
 const LOW: Pen = Pen { width: 1.0, ..OUTLINE[1] };
 const HIGH: Pen = Pen { width: 1.0, ..OUTLINE[0] };
 
-/// (px) where the columns are: names, labels to the left, bars, labels to the right, remarks.
+/// (px) positions of the columns: names, labels to the left, bars, labels to the right, remarks.
 struct Columns {
     /// The right end of the names.
     names: f64,
@@ -125,7 +125,7 @@ impl TornadoPicture {
             columns.middle + share * columns.reach
         };
         let mut drawn = [("low", bar.ends[0], LOW, stripes), ("high", bar.ends[1], HIGH, FILL[0])];
-        // The longer first, so that it does not hide the shorter where both are on one side.
+        // The longer one first, so that it does not hide the shorter one if both are on one side.
         let length = |end: Option<f64>| end.map_or(0.0, |end| (end - self.central).abs());
         drawn.sort_by(|(_, one, ..), (_, other, ..)| length(*other).total_cmp(&length(*one)));
         for (id, end, pen, fill) in drawn {

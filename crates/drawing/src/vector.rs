@@ -1,4 +1,4 @@
-//! Vectors of the scene, and of the page.
+//! Vectors of the scene and of the page.
 
 use kurbo::Vec2;
 
@@ -6,7 +6,7 @@ pub(crate) fn vec2([x, y]: [f64; 2]) -> Vec2 {
     Vec2::new(x, y)
 }
 
-/// From the scene (m, y upwards) to the page (px, y downwards), without the origin.
+/// From the scene (m, y upwards) to the page (px, y downwards), without the translation.
 pub(crate) fn flipped(v: Vec2) -> Vec2 {
     Vec2::new(v.x, -v.y)
 }

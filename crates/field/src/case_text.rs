@@ -10,9 +10,9 @@ use real::elementary::exp;
 use crate::collision::{Layout, TO_FRONT};
 use crate::pair::{Pair, Plane};
 
-/// A number with its unit, or a range where its error is above zero.
+/// A number with its unit, or a range if its error is above zero.
 fn number(value: f64, sd: f64, decimals: usize, unit: &str) -> String {
-    // Without the sign of a zero.
+    // Zero without a sign.
     let shown = |value: f64| {
         let digits = format!("{value:.decimals$}");
         let digits =
@@ -43,13 +43,13 @@ fn roots(fitted: &Fitted, damage: Damage) -> [f64; 2] {
 }
 
 impl Pair {
-    /// The case file of the pair with both speeds unknown, for `deltav estimate`: what is known of it is that
-    /// of [`Pair::collision`], each number with its error. The recorders of the vehicles `given` are
-    /// evidence, no other is.
+    /// The case file of the pair with both speeds unknown, for `deltav estimate`. Its data are those of
+    /// [`Pair::collision`], each number with its error. Only the recorders of the vehicles `given` are
+    /// evidence.
     ///
-    /// Three things differ, and move an interval by a few percent of its width: errors are normal where those
-    /// of the collision are of the logarithm; a number without an error has the small one that an estimate
-    /// assumes of it; and numbers are rounded.
+    /// Three differences move an interval by a few percent of its width: errors are normal where the
+    /// collision has lognormal ones; a number without an error has the small one that an estimate assumes for
+    /// it; and numbers are rounded.
     #[must_use]
     pub fn case_text(&self, fitted: &Fitted, given: &[VehicleId]) -> String {
         let layout = Layout::of(self, fitted);
@@ -85,7 +85,7 @@ impl Pair {
                 format!("width = {}", number(layout.widths[i], 0.0, 3, "m")),
                 format!("depths = \"{depths} cm\""),
                 format!("pdof = {}", number(vehicle.pdof.rem_euclid(2.0 * PI).to_degrees(), 0.0, 0, "deg")),
-                // The energy of the whole damage, as the misfit was fitted to it.
+                // The energy of the whole damage, which the misfit was fitted to.
                 "oblique = \"none\"".to_owned(),
                 format!("[vehicle{}.crush.stiffness]", i + 1),
                 format!("d0 = {}", number(d0, d0 * fitted.no_damage_speed_ln_sd, 2, "N^0.5")),

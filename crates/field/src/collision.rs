@@ -1,4 +1,4 @@
-//! From what an investigator recorded to a collision with unknown speeds.
+//! From an investigator's record to a collision with unknown speeds.
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -13,17 +13,17 @@ use uncertainty::{Distribution, InvalidDistribution};
 
 use crate::pair::{Pair, PairVehicle, Plane};
 
-/// (kg, m, m) mass, length and width of a car in the middle of the fleet: where no size is known, lengths
-/// grow with the cube root of the mass and widths with its sixth root.
+/// (kg, m, m) mass, length and width of an average car of the fleet: if no size is known, lengths grow with
+/// the cube root of the mass and widths with its sixth root.
 const CAR: [f64; 3] = [1650.0, 4.7, 1.8];
 /// (–) radius of gyration by length.
 const YAW_RADIUS: f64 = 0.295;
 /// (–) from the CG to the front, by length.
 pub(crate) const TO_FRONT: f64 = 0.46;
-/// (m) width over which a side is pushed in by what has no front or rear, or is not known.
+/// (m) width of the damage to a side by something without front or rear, or by something unknown.
 const SIDE_WIDTH: f64 = 1.8;
 
-/// What is computed from a vehicle's own data.
+/// The results of a vehicle's own data.
 pub(crate) struct Shape {
     pub(crate) mass: f64,
     pub(crate) yaw_radius: f64,
@@ -78,7 +78,7 @@ fn outward(plane: Plane) -> f64 {
     }
 }
 
-/// Whose plane the crush plane is: that of a side before a rear, and of a rear before a front.
+/// Whose plane is the crush plane: that of a side ranks before a rear, and that of a rear before a front.
 fn rank(plane: Plane) -> u8 {
     match plane {
         Plane::Front => 0,
@@ -87,12 +87,12 @@ fn rank(plane: Plane) -> u8 {
     }
 }
 
-/// How the vehicles met: what the collision and the case file of a pair have in common.
+/// How the vehicles met: common to the collision and the case file of a pair.
 pub(crate) struct Layout {
     pub(crate) shapes: [Shape; 2],
     /// (rad) counter-clockwise from north.
     pub(crate) headings: [f64; 2],
-    /// (rad) their errors: 0 where the scene may be turned with the vehicle.
+    /// (rad) their errors: 0 if the scene may be turned with the vehicle.
     pub(crate) heading_sds: [f64; 2],
     /// (rad) direction of the normal, which points from vehicle 2 to vehicle 1.
     pub(crate) crush_plane: f64,
@@ -124,7 +124,7 @@ impl Layout {
         let [(s1, c1), (s2, c2)] = normals;
         // n points from 2 to 1.
         let crush_plane = atan2(w2 * s2 - w1 * s1, w2 * c2 - w1 * c1);
-        // The scene may be turned, so that the vehicle whose plane it is has no error of its own.
+        // The scene may be turned, so the vehicle whose plane it is has no error of its own.
         let (plane, heading) = (fitted.crush_plane_sd, fitted.heading_sd);
         let (heading_sds, crush_plane_sd) = if first == second {
             // The plane is turned by the mean of both errors.
@@ -134,7 +134,7 @@ impl Layout {
             (if first > second { [0.0, relative] } else { [relative, 0.0] }, plane)
         };
         let width = |i: usize| {
-            // A side is pushed in over the width of what pushed it.
+            // A side is crushed over the width of the other vehicle.
             match (pair.vehicles[i].plane.is_side(), pair.vehicles[1 - i].plane.is_side()) {
                 (false, _) => shapes[i].width,
                 (true, false) => shapes[1 - i].width,
@@ -152,11 +152,10 @@ impl Layout {
 }
 
 impl Pair {
-    /// The collision with both speeds unknown. The recorders of the vehicles `given` are evidence, no other
-    /// is.
+    /// The collision with both speeds unknown. Only the recorders of the vehicles `given` are evidence.
     ///
     /// # Errors
-    /// Where a figure of `fitted` or of the pair makes no distribution.
+    /// If a figure of `fitted` or of the pair is not a valid distribution.
     pub fn collision(&self, fitted: &Fitted, given: &[VehicleId]) -> Result<Collision, InvalidDistribution> {
         let layout = Layout::of(self, fitted);
         let normal = |mean: f64, sd: f64| {
@@ -231,7 +230,7 @@ impl Pair {
         })
     }
 
-    /// [`Pair::collision`], where the crush of one vehicle alone is `known`.
+    /// [`Pair::collision`], if only the crush of one vehicle is `known`.
     ///
     /// # Errors
     /// As [`Pair::collision`].
@@ -247,7 +246,7 @@ impl Pair {
         if self.vehicles[known.index()].plane.is_side()
             && let Some(crush) = &mut collision.vehicles[known.index()].crush
         {
-            // What pushed it in, and over which width, is not known.
+            // The object that crushed it, and the width, are unknown.
             let [mean, mean_square] = layout.shapes[known.index()].depths;
             let narrow = fitted.crush_of(damages[known.index()], SIDE_WIDTH, mean, mean_square);
             *crush = Crush { slope: crush.slope, no_damage_speed: crush.no_damage_speed, ..narrow };

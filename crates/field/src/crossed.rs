@@ -1,7 +1,7 @@
-//! Records of one recorder that were taken for those of each other's events.
+//! Records of one recorder that were assigned to each other's events.
 //!
-//! A recorder stores each impact of a crash, and who reads it says which event of the crash a record is of.
-//! Where two of its records fit both events far better the other way round, which is of which is not known.
+//! A recorder stores each impact of a crash, and its reader assigns each record to an event of the crash. If
+//! two of its records fit both events far better when exchanged, their assignment is unknown.
 
 use std::collections::BTreeMap;
 
@@ -12,12 +12,12 @@ use real::{Real, principal_angle};
 
 use crate::pair::{Pair, PairVehicle};
 
-/// (–) likelihood of the records the other way round, by that of the records as they stand, from which they
-/// are doubted: as large as one of a hundred recorders would have to be taken wrong.
+/// (–) likelihood ratio of exchanged to unexchanged records from which they are doubted: as large as if one
+/// of a hundred recorders had its records exchanged.
 const DOUBTFUL: f64 = 100.0;
 
-/// Both parts of a ΔV that is large enough to be relied on: its size (m/s) and where the force came from
-/// (rad).
+/// Both parts of a ΔV that is large enough to be relied on: its size (m/s) and the direction from which the
+/// force came (rad).
 #[derive(Clone, Copy)]
 struct Record {
     size: f64,
@@ -31,8 +31,8 @@ impl Record {
     }
 }
 
-/// An event of a vehicle, and what it says of a record: the PDOF as coded and, where the other vehicle has a
-/// record, the change of momentum by that.
+/// An event of a vehicle, and its evidence about a record: the coded PDOF and, if the other vehicle has a
+/// record, the change of momentum by that record.
 struct Event<'a> {
     vehicle: &'a PairVehicle,
     other: Option<f64>,
@@ -48,7 +48,7 @@ impl<'a> Event<'a> {
         }
     }
 
-    /// Logarithm of the likelihood of a record, but for a constant.
+    /// Logarithm of the likelihood of a record, up to a constant.
     fn log_likelihood(&self, record: Record) -> f64 {
         let wider = if self.vehicle.plane.is_side() { FITTED.pdof_side_factor } else { 1.0 };
         // Two errors make up each difference.
@@ -84,7 +84,7 @@ pub(crate) fn mark(pairs: &mut [Pair]) {
     }
 }
 
-/// Whether the records of a vehicle fit two of its events far better the other way round.
+/// Whether the records of a vehicle fit two of its events far better when exchanged.
 fn are_crossed(pairs: &[Pair], couple: &[(usize, VehicleId); 2]) -> bool {
     let [a, b] = couple.map(|(place, id)| Event::of(&pairs[place], id));
     let (Some(of_a), Some(of_b)) = (Record::of(a.vehicle), Record::of(b.vehicle)) else { return false };
@@ -135,16 +135,16 @@ mod tests {
         assert_eq!(crash(hit, slap, front, same), [false; 4]);
         assert_eq!(crash(slap, hit, front, same), [true, false, true, false]);
         assert_eq!(crash(slap, hit, front, ["1", "2.0"]), [true, false, true, false]);
-        // From 90° and 75°: the directions alone say too little, and so do the sizes.
+        // From 90° and 75°: the directions alone are too weak, and so are the sizes.
         assert_eq!(crash("0,-8.1", "-7.8,-29", front, same), [true, false, true, false]);
         assert_eq!(crash("0,-8.1", "-7.8,-29", ("F", 330.0, ","), same), [false; 4]);
         assert_eq!(crash("-4.1,-7", "5.2,-29.5", front, same), [false; 4]);
-        // A record of one part has no direction, and a small one none to rely on; without a number nobody is
-        // the same vehicle.
+        // A record of one part has no direction, and a small one none to rely on; without numbers, no two
+        // vehicles are the same.
         assert_eq!(crash(slap, "-15,", front, same), [false; 4]);
         assert_eq!(crash("1.3,-7.8", hit, front, same), [false; 4]);
         assert_eq!(crash(slap, hit, front, ["", ""]), [false; 4]);
-        // Nobody judges them, and the other vehicle has a truth of its own.
+        // Such records are not judged, and the other vehicle has its own truth.
         let pairs = events([[("R", 60.0, slap), front], [("R", 100.0, hit), ("L", 260.0, ",")]], same);
         assert_eq!(pairs.iter().map(|pair| pair.truths().len()).collect::<Vec<_>>(), [1, 0]);
         assert_eq!(pairs[0].is_one_event(), None);

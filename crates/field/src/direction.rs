@@ -1,4 +1,4 @@
-//! How far the direction of a recorder's ΔV is off, fitted on recorders that stored both parts.
+//! The error of the direction of a recorder's ΔV, fitted to recorders that stored both parts.
 
 use evidence::Fitted;
 use real::elementary::ln;
@@ -7,7 +7,7 @@ use real::{Real, principal_angle};
 use crate::error::FieldError;
 use crate::pair::Pair;
 
-/// How far the direction of a recorder's ΔV is off.
+/// The error of the direction of a recorder's ΔV.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DirectionFit {
     /// (rad) scale of its error, Student's t with 2 degrees of freedom, and its standard error.
@@ -16,17 +16,17 @@ pub struct DirectionFit {
     pub recorders: usize,
 }
 
-/// (rad) between these the scale is sought.
+/// (rad) limits between which the scale is sought.
 const ENDS: [f64; 2] = [0.005, 1.0];
-/// Draws of the error of a PDOF: at the middle of as many equal shares.
+/// Draws of the error of a PDOF: at the middles of equal shares of probability.
 const SHARES: usize = 400;
-/// Steps of the search, each of which takes off a third.
+/// Steps of the search, each of which shortens the interval by a third.
 const STEPS: usize = 60;
-/// (–) step of the second derivative by the logarithm of the scale.
+/// (–) step of the second derivative with respect to the logarithm of the scale.
 const STEP: f64 = 0.05;
 
-/// The difference (rad) of the direction by a recorder and the PDOF as coded, and how many times as wide
-/// their errors are.
+/// The difference (rad) between the recorder's direction and the coded PDOF, and the factor by which their
+/// errors are wider.
 struct Apart {
     apart: f64,
     factor: f64,
@@ -38,7 +38,7 @@ fn quantile(share: f64) -> f64 {
     (2.0 * share - 1.0) / Real::sqrt(2.0 * share * (1.0 - share))
 }
 
-/// Density of Student's t with 2 degrees of freedom, but for a constant.
+/// Density of Student's t with 2 degrees of freedom, up to a constant.
 fn density(x: f64, scale: f64) -> f64 {
     let z = x / scale;
     let root = Real::sqrt(1.0 + 0.5 * z * z);
@@ -46,11 +46,11 @@ fn density(x: f64, scale: f64) -> f64 {
 }
 
 /// Fits the scale of the error of a recorder's direction to its difference from the coded PDOF, whose own
-/// error is that of `fitted`: both have Student's t with 2 degrees of freedom, and are wider on sides by the
+/// error is that of `fitted`: both are Student's t with 2 degrees of freedom, and are wider on sides by the
 /// same factor.
 ///
 /// # Errors
-/// [`FieldError::NoDirections`] where no recorder stored both parts of its ΔV.
+/// [`FieldError::NoDirections`] if no recorder stored both parts of its ΔV.
 #[expect(clippy::cast_precision_loss, reason = "numbers of shares are far below 2⁵³")]
 pub fn fit_direction(pairs: &[Pair], fitted: &Fitted) -> Result<DirectionFit, FieldError> {
     let all: Vec<Apart> = pairs
@@ -100,7 +100,7 @@ mod tests {
     use crate::error::FieldError;
     use crate::pair::{Pair, PairVehicle, Plane};
 
-    /// Of recorders whose errors are drawn, with the errors of their PDOFs, the scale is found again.
+    /// For recorders with errors drawn, as those of their PDOFs are, the fit recovers the scale.
     #[test]
     fn the_scale_is_found_again() {
         for (truth, planes) in [(4.0_f64, [Plane::Front, Plane::Rear]), (9.0, [Plane::Left, Plane::Front])] {
@@ -122,7 +122,7 @@ mod tests {
                     direct_offset: None,
                     depths: [0.1; 6],
                     winsmash: [None; 2],
-                    // Forward and to the right, away from where the force came from.
+                    // Forward and to the right, away from the origin of the force.
                     recorder: [Some(-9.0 * shown.cos()), Some(-9.0 * shown.sin())],
                     is_record_doubted: false,
                 }

@@ -1,10 +1,10 @@
-//! What can be wrong with a table of crashes.
+//! Errors of a table of crashes.
 
 /// Why crashes cannot be judged.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum FieldError {
-    /// The file is no table.
+    /// The file is not a table.
     #[error("the file is not a table of comma-separated values with a header")]
     Table(#[from] csv::Error),
     /// A column is missing.
@@ -17,19 +17,19 @@ pub enum FieldError {
         /// Its name.
         column: String,
     },
-    /// A cell is not what it should be.
+    /// A cell does not hold a valid value.
     #[error("line {line}, column {column}: {} is not {wanted}", quoted(.text))]
     Cell {
-        /// Counted from 1, the header.
+        /// Line number, where 1 is the header.
         line: usize,
-        /// Its name.
+        /// The name of its column.
         column: String,
-        /// What it holds.
+        /// Its text.
         text: String,
-        /// What it should hold.
+        /// The required value.
         wanted: &'static str,
     },
-    /// The file has a header alone.
+    /// The file has only a header.
     #[error("the file has no pair of vehicles")]
     NoPairs,
     /// No recorder can be judged.
@@ -47,7 +47,7 @@ pub enum FieldError {
     Estimate {
         /// Number of the crash.
         case: String,
-        /// Why.
+        /// The reason.
         reason: String,
     },
     /// No pair has a crush energy of both vehicles.
@@ -56,12 +56,12 @@ pub enum FieldError {
     /// No recorder has a direction.
     #[error("no recorder of the file stored both MAXDVLONG and MAXDVLAT, of 8 km/h or more together")]
     NoDirections,
-    /// The fit finds no figures.
+    /// The fit finds no maximum.
     #[error(
         "the likelihood of the recorders has no maximum that the fit finds: more pairs or more particles help"
     )]
     NoMaximum,
-    /// The run was ended before there were figures.
+    /// The run was ended before there were results.
     #[error("it was ended before there were figures")]
     Ended,
 }

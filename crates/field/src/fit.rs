@@ -1,4 +1,4 @@
-//! The misfits, fitted on crashes with a recorder.
+//! The misfits, fitted to crashes with a recorder.
 
 use std::collections::BTreeMap;
 
@@ -16,17 +16,17 @@ use crate::pair::Pair;
 /// A figure that is fitted.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Figure {
-    /// (–) how much ln of the crush energy is above that of what the impact took.
+    /// (–) by how much ln of the crush energy exceeds that of the energy absorbed in the impact.
     Bias,
     /// (–) its spread between fronts.
     SpreadOfFronts,
-    /// (–) its spread where a rear was hit.
+    /// (–) its spread for a damaged rear.
     SpreadOfRears,
-    /// (–) its spread where a side was hit.
+    /// (–) its spread for a damaged side.
     SpreadOfSides,
-    /// (–) b₁ of sides by that of fronts.
+    /// (–) ratio of b₁ of sides to that of fronts.
     SlopeOfSides,
-    /// (–) b₁ of rears by that of fronts.
+    /// (–) ratio of b₁ of rears to that of fronts.
     SlopeOfRears,
     /// (–) spread of ln b₁ between vehicles of a kind.
     SlopeSpread,
@@ -34,24 +34,24 @@ pub enum Figure {
     NoDamageOfEnds,
     /// (m/s) b₀ of sides.
     NoDamageOfSides,
-    /// (–) scale of the error of ln of a recorder's ΔV, with that of its mass.
+    /// (–) scale of the error of ln of a recorder's ΔV, including that of its mass.
     RecorderScale,
 }
 
 /// Number of figures.
 const N: usize = 10;
 
-/// Where a figure was thought to be before the fit.
+/// The guess of a figure before the fit.
 #[derive(Clone, Copy, Debug)]
 enum Guess {
-    /// It has a normal error.
+    /// The figure has a normal error.
     Normal { mean: f64, sd: f64 },
-    /// So has its logarithm.
+    /// The logarithm of the figure has a normal error.
     LogNormal { median: f64, ln_sd: f64 },
 }
 
 impl Figure {
-    /// All, in their order.
+    /// All figures, in order.
     pub const ALL: [Self; N] = [
         Self::Bias,
         Self::SpreadOfFronts,
@@ -65,7 +65,7 @@ impl Figure {
         Self::RecorderScale,
     ];
 
-    /// What it is.
+    /// Its description.
     #[must_use]
     pub fn name(self) -> &'static str {
         match self {
@@ -133,7 +133,7 @@ impl Figure {
         }
     }
 
-    /// The number that is varied is the figure or, where it has to be positive, its logarithm.
+    /// Whether the fit varies the logarithm of the figure, which has to be positive, instead of the figure.
     fn is_varied_by_logarithm(self) -> bool {
         self != Self::Bias
     }
@@ -146,7 +146,7 @@ impl Figure {
         if self.is_varied_by_logarithm() { ln(value) } else { value }
     }
 
-    /// dx/dξ of a figure x by the number that is varied.
+    /// dx/dξ of a figure x with respect to the varied number.
     fn slope(self, value: f64) -> f64 {
         if self.is_varied_by_logarithm() { value } else { 1.0 }
     }
@@ -159,7 +159,7 @@ impl Guess {
         }
     }
 
-    /// (–) logarithm of the density, but for its constant.
+    /// (–) logarithm of the density, without its constant.
     fn log_density(self, value: f64) -> f64 {
         let z = match self {
             Self::Normal { mean, sd } => (value - mean) / sd,
@@ -169,7 +169,7 @@ impl Guess {
     }
 }
 
-/// The numbers that are varied.
+/// The varied numbers.
 type Point = SVector<f64, N>;
 type Matrix = SMatrix<f64, N, N>;
 
@@ -191,7 +191,7 @@ fn log_guess(at: &Point) -> f64 {
     densities.map(|(figure, varied)| figure.guess().log_density(figure.value(*varied))).sum()
 }
 
-/// How to fit.
+/// Settings of the fit.
 #[derive(Clone, Debug)]
 pub struct FitOptions {
     /// Number of particles of each island, as in [`Settings`]: a pair has sixteen times as many draws.
@@ -200,10 +200,10 @@ pub struct FitOptions {
     pub seed: u64,
 }
 
-/// Figures that were fitted.
+/// Fitted figures.
 #[derive(Clone, Debug)]
 pub struct FigureFit {
-    /// All figures, with those that were fitted.
+    /// All figures, including those that were not fitted.
     pub fitted: Fitted,
     /// Standard error of each of [`Figure::ALL`], in its unit.
     pub errors: [f64; N],
@@ -213,28 +213,28 @@ pub struct FigureFit {
     pub pairs: usize,
     /// Number of recorders.
     pub recorders: usize,
-    /// (–) how many independent draws the draws of the worst pair are worth.
+    /// (–) effective sample size of the draws of the worst pair.
     pub least_draws: f64,
 }
 
-/// A pair, with draws of its collision from all evidence but the recorders.
+/// A pair, with draws of its collision given all evidence except the recorders.
 struct Drawn<'a> {
     pair: &'a Pair,
     given: Vec<VehicleId>,
     draws: Vec<Draw>,
 }
 
-/// What the figures make a likelihood of: nothing else of an impact depends on them.
+/// The parts of an impact on whose likelihood the figures depend: nothing else depends on them.
 struct Draw {
     /// (J)
     taken: f64,
-    /// (–) ln κ of each vehicle by its spread: a standard normal number, which the spread does not change.
+    /// (–) ln κ of each vehicle divided by its spread: a standard normal number, whatever the spread.
     slopes: [f64; 2],
     /// (–) β of each vehicle.
     no_damage_speeds: [f64; 2],
-    /// (m/s) what recorders without an error store of those given.
+    /// (m/s) values that recorders without an error would store, for the given ones.
     shown: [f64; 2],
-    /// Logarithm of the likelihood of the crush by the figures of the draws.
+    /// Logarithm of the likelihood of the crush with the figures of the draws.
     drawn_by: f64,
 }
 
@@ -284,7 +284,7 @@ impl<'a> Drawn<'a> {
         Ok(Self { pair, given: truths.into_iter().map(|(id, _)| id).collect(), draws })
     }
 
-    /// ln p(recorders | all else), and how many draws with and without the recorders are worth.
+    /// ln p(recorders | all else), and effective sample sizes without and with the recorders.
     fn log_likelihood(&self, fitted: &Fitted) -> Option<(f64, [f64; 2])> {
         let collision = self.pair.collision(fitted, &self.given).ok()?;
         let recorders = collision.observed.vehicles.each_ref().map(|vehicle| vehicle.recorder.delta_v);
@@ -303,10 +303,10 @@ impl<'a> Drawn<'a> {
     }
 }
 
-/// Σ exp x of numbers that may be large.
+/// Σ exp x, for numbers x that may be large.
 struct Sum {
     greatest: f64,
-    /// Σ exp(x − greatest), and of the squares.
+    /// Σ exp(x − greatest), and the sum of the squares.
     sums: [f64; 2],
 }
 
@@ -346,18 +346,18 @@ pub(crate) struct Likelihood<'a> {
     base: Fitted,
 }
 
-/// (–) step of the differences, in what is varied: less than a tenth of its standard error.
+/// (–) step of the differences, in the varied numbers: less than a tenth of the standard error.
 const STEP: f64 = 0.01;
-/// (–) a step that promises less of the logarithm of the likelihood is not worth it: it would change no
-/// figure by more than a fiftieth of its standard error.
+/// (–) a step that promises a smaller increase of the log-likelihood is not taken: it would change no figure
+/// by more than a fiftieth of its standard error.
 const LEAST_GAIN: f64 = 2e-4;
-/// Most steps of one ascent.
+/// Maximum number of steps of one ascent.
 const MOST_STEPS: usize = 30;
-/// (–) what is added to the second derivatives, one after the other, until a step leads upward. At the
-/// maximum they are 10 to 1000.
+/// (–) damping that is added to the second derivatives, one value after the other, until a step leads upward.
+/// At the maximum they are 10 to 1000.
 const DAMPING: [f64; 6] = [0.0, 10.0, 1e2, 1e3, 1e4, 1e5];
 
-/// The logarithm of a likelihood near a point, to its second derivatives.
+/// The log-likelihood near a point, to second order.
 struct Expansion {
     value: f64,
     gradient: Point,
@@ -367,7 +367,7 @@ struct Expansion {
 
 impl<'a> Likelihood<'a> {
     /// # Errors
-    /// Where a pair has no estimate, and where `progress` ends the run.
+    /// If a pair has no estimate, or if `progress` ends the run.
     pub(crate) fn new(
         pairs: &'a [Pair],
         by: &Fitted,
@@ -379,7 +379,7 @@ impl<'a> Likelihood<'a> {
             return Err(FieldError::NothingToJudge { both: false });
         }
         let spans = wanted.iter().map(|pair| Span { samples: 1, work: *pair }).collect();
-        // The draws are a little wider than the figures, so that no draw counts for very many.
+        // The draws are a little wider than the figures, so that no draw has a very large weight.
         let mut wide = *by;
         wide.crush_ln_sd = wide.crush_ln_sd.map(|spread| spread * WIDENED);
         let drawn = in_order(spans, |pair| Drawn::new(pair, &wide, options), progress);
@@ -389,8 +389,7 @@ impl<'a> Likelihood<'a> {
         Ok(Self { drawn: drawn.into_iter().collect::<Result<_, _>>()?, base: *by })
     }
 
-    /// Logarithm of the likelihood of the recorders of the pairs that are used, with the guesses, at each
-    /// point.
+    /// Log-likelihood of the recorders of the pairs that are used, plus that of the guesses, at each point.
     fn at(&self, points: &[Point], is_used: &IsUsed<'_>) -> Vec<f64> {
         let used: Vec<&Drawn<'_>> = self.drawn.iter().filter(|drawn| is_used(drawn.pair)).collect();
         let of_pairs = for_each(&used, |drawn| {
@@ -426,11 +425,11 @@ impl<'a> Likelihood<'a> {
         Expansion { value, gradient, curvature }
     }
 
-    /// The figures of the greatest likelihood with the guesses, by Newton's steps, and the inverse of the
-    /// negative of its second derivatives there.
+    /// The figures that maximise the likelihood times the guesses, by Newton's method, and the inverse of the
+    /// negative second derivatives there.
     ///
     /// # Errors
-    /// Where they are not found.
+    /// If no maximum is found.
     fn maximise(&self, from: &Fitted, is_used: &IsUsed<'_>) -> Result<(Fitted, Matrix), FieldError> {
         let mut at = point(from);
         for _ in 0..MOST_STEPS {
@@ -470,13 +469,13 @@ impl<'a> Likelihood<'a> {
     }
 }
 
-/// Whether a pair counts.
+/// Whether a pair is used.
 type IsUsed<'a> = dyn Fn(&Pair) -> bool + Sync + 'a;
 
-/// (–) spread of the crush energy in the draws by that of the figures.
+/// (–) spread of the crush energy in the draws, relative to that of the figures.
 const WIDENED: f64 = 1.2;
-/// Rounds of draws: the first by the guesses, the others by the figures of the round before. The third moves
-/// no figure by more than the chance of the draws.
+/// Rounds of draws: the first uses the guesses, each later one the figures of the round before. The third
+/// moves no figure by more than the sampling error of the draws.
 const ROUNDS: usize = 3;
 
 fn guesses(base: &Fitted) -> Fitted {
@@ -487,16 +486,16 @@ fn guesses(base: &Fitted) -> Fitted {
     fitted
 }
 
-/// Fits the [`Figure`]s to what recorders stored, given all other evidence of their collisions; the rest of
-/// `base` is left as it is.
+/// Fits the [`Figure`]s to the recorded values, given all other evidence of their collisions; the rest of
+/// `base` is unchanged.
 ///
-/// The figures are those of the greatest Σ ln p(recorders | crush, PDOF, headings), with weak guesses of each
-/// figure. They do not depend on those of `base`. `progress` gets the number of finished pairs and of all,
-/// once for each round of draws.
+/// The figures maximise Σ ln p(recorders | crush, PDOF, headings), with weak guesses of each figure. They do
+/// not depend on those of `base`. `progress` gets the number of finished pairs and of all, once for each
+/// round of draws.
 ///
 /// # Errors
-/// [`FieldError::NothingToJudge`] without recorders, [`FieldError::Estimate`] where a pair has no estimate,
-/// [`FieldError::NoMaximum`], and [`FieldError::Ended`] by `progress`.
+/// [`FieldError::NothingToJudge`] without recorders, [`FieldError::Estimate`] if a pair has no estimate,
+/// [`FieldError::NoMaximum`], and [`FieldError::Ended`] if `progress` ends the run.
 pub fn fit(
     pairs: &[Pair],
     base: &Fitted,
@@ -520,8 +519,8 @@ fn settled<'a>(
     Ok((likelihood.fit(&by)?, likelihood))
 }
 
-/// The fit of all pairs, and what it would have been without the crashes of each of `folds` folds, of which
-/// there are at least two. The fold of a crash is its place in the file, counted by crash, modulo `folds`.
+/// The fit of all pairs, and the fits without the crashes of each of `folds` folds, of which there are at
+/// least two. The fold of a crash is its position in the file, counted by crash, modulo `folds`.
 ///
 /// # Errors
 /// As [`fit`].
@@ -547,7 +546,7 @@ pub fn fit_folds(
     Ok((fit, Folds { of_case, fitted }))
 }
 
-/// Figures for crashes that they have not seen.
+/// Figures for crashes that were not used in their fit.
 #[derive(Clone, Debug)]
 pub struct Folds {
     of_case: BTreeMap<String, usize>,
@@ -555,13 +554,13 @@ pub struct Folds {
 }
 
 impl Folds {
-    /// The figures for a pair: fitted on all folds but that of its crash.
+    /// The figures for a pair: fitted to all folds except that of its crash.
     #[must_use]
     pub fn of(&self, pair: &Pair) -> Option<Fitted> {
         self.fitted.get(*self.of_case.get(&pair.case)?).copied()
     }
 
-    /// The figures of each fold, fitted on all others.
+    /// The figures of each fold, fitted to all others.
     #[must_use]
     pub fn fitted(&self) -> &[Fitted] {
         &self.fitted

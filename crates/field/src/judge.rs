@@ -1,4 +1,4 @@
-//! Estimates against recorders.
+//! Estimates compared with recorders.
 
 use std::collections::BTreeMap;
 use std::ops::ControlFlow;
@@ -12,38 +12,38 @@ use real::elementary::{exp, ln};
 use crate::error::FieldError;
 use crate::pair::{Pair, Plane, Truth};
 
-/// Levels of the intervals that are judged.
+/// Levels of the judged intervals.
 pub const LEVELS: [f64; 3] = [0.5, 0.8, 0.95];
 
-/// How many times as many particles a pair gets at most.
+/// Maximum factor by which the particles of a pair are increased.
 const MOST_TIMES: usize = 4;
 
-/// How to judge.
+/// Settings of the judgement.
 #[derive(Clone, Debug)]
 pub struct Options {
-    /// Number of particles of each island, as in [`Settings`]; it is doubled up to twice where a run does not
+    /// Number of particles of each island, as in [`Settings`]; it is doubled up to twice if a run does not
     /// converge.
     pub particles: usize,
     /// The random seed, of every pair.
     pub seed: u64,
     /// Whether the recorder of one vehicle is given, and the other vehicle is judged.
     pub other: bool,
-    /// Whose crush is known.
+    /// Which crush is known.
     pub crush: KnownCrush,
 }
 
-/// Whose crush an estimate knows.
+/// The vehicles whose crush an estimate knows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum KnownCrush {
     /// That of both vehicles.
     Both,
-    /// That of the vehicle that is judged.
+    /// That of the judged vehicle.
     Judged,
     /// That of the other vehicle.
     Other,
 }
 
-/// What met what.
+/// The surfaces that met.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum PairKind {
     /// Two fronts.
@@ -86,17 +86,17 @@ pub struct Judged {
     pub case: String,
     /// The vehicle.
     pub vehicle: VehicleId,
-    /// What met what.
+    /// The surfaces that met.
     pub kind: PairKind,
-    /// Whether both recorders can be of one collision, as in [`Pair::is_one_event`].
+    /// Whether both recorders can belong to one collision, as in [`Pair::is_one_event`].
     pub is_one_event: Option<bool>,
-    /// What its recorder stored.
+    /// The value that its recorder stored.
     pub truth: Truth,
-    /// (m/s) half of what the estimate expects the recorder to store lies below.
+    /// (m/s) median of the value that the estimate expects the recorder to store.
     pub median: f64,
     /// (m/s) ends of the intervals of the [`LEVELS`].
     pub intervals: [[f64; 2]; 3],
-    /// (–) share of what it expects below the truth.
+    /// (–) probability that it expects below the truth.
     pub below: f64,
     /// (m/s) continuous ranked probability score: ∫ (F − 1{x ≥ truth})² dx.
     pub crps: f64,
@@ -106,7 +106,7 @@ pub struct Judged {
     pub winsmash: Option<f64>,
 }
 
-/// Figures of a group, with their standard errors, by collision.
+/// Figures of a group, with their standard errors, clustered by collision.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Figures {
     /// Number of vehicles.
@@ -115,55 +115,55 @@ pub struct Figures {
     pub collisions: usize,
     /// (–) mean of ln(median/truth).
     pub bias: [f64; 2],
-    /// (–) root mean square of the same.
+    /// (–) root mean square of the same number.
     pub rms: [f64; 2],
     /// (–) share of the truths inside the intervals of the [`LEVELS`]; `None` for a method without intervals.
     pub coverage: Option<[[f64; 2]; 3]>,
-    /// (–) median of the width of the 95 % interval, by the median.
+    /// (–) median ratio of the width of the 95 % interval to the median.
     pub width95: Option<f64>,
     /// (m/s) mean continuous ranked probability score: without intervals, the mean absolute error.
     pub crps: f64,
-    /// Numbers of vehicles by tenths of the share below the truth.
+    /// Numbers of vehicles by tenths of the probability below the truth.
     pub pit: Option<[usize; 10]>,
 }
 
-/// A group of collisions, by both methods.
+/// A group of collisions, judged by both methods.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Group {
-    /// `all`, the name of a kind, or `one-event`: where the recorder of the other vehicle is given, the
-    /// collisions of which both recorders can be.
+    /// `all`, the name of a kind, or `one-event`: if the recorder of the other vehicle is given, the
+    /// collisions to which both recorders can belong.
     pub name: &'static str,
     /// Ours.
     pub ours: Figures,
-    /// WinSMASH's, of the vehicles of which it has a value.
+    /// Those of WinSMASH, for the vehicles with a WinSMASH value.
     pub winsmash: Option<Figures>,
-    /// Ours, of the same vehicles.
+    /// Ours, for the same vehicles.
     pub ours_of_these: Option<Figures>,
 }
 
-/// All vehicles that were judged.
+/// All judged vehicles.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Field {
     /// Whether the other vehicle's recorder was given.
     pub other: bool,
     /// Number of pairs of the file.
     pub pairs: usize,
-    /// How many of them were gone through before the run was ended.
+    /// Number of pairs that were finished before the run was ended.
     pub finished: usize,
-    /// Crash and vehicle of each record that is neither judged nor given, as it may be of another event.
+    /// Crash and vehicle of each record that is neither judged nor given, as it may belong to another event.
     pub doubted: Vec<(String, VehicleId)>,
     /// Each vehicle.
     pub judged: Vec<Judged>,
-    /// All, by kind of collision, and those of one event.
+    /// All collisions, by kind of collision, and those of one event.
     pub groups: Vec<Group>,
 }
 
-/// Estimates each vehicle with a recorder from everything but that recorder. `progress` gets the number of
-/// finished pairs and of all, and may end the run, which then judges those that are finished.
+/// Estimates each vehicle with a recorder from all evidence except that recorder. `progress` gets the number
+/// of finished pairs and of all, and may end the run, which then judges the finished pairs.
 ///
 /// # Errors
-/// [`FieldError::NothingToJudge`], [`FieldError::Ended`] where no pair was finished, and
-/// [`FieldError::Estimate`] where a pair has no estimate.
+/// [`FieldError::NothingToJudge`], [`FieldError::Ended`] if no pair was finished, and
+/// [`FieldError::Estimate`] if a pair has no estimate.
 pub fn judge(
     pairs: &[Pair],
     fitted: &Fitted,
@@ -173,7 +173,7 @@ pub fn judge(
     judge_by(pairs, &|_| *fitted, options, progress)
 }
 
-/// [`judge`], each pair by figures of its own: such as those that have not seen its crash.
+/// [`judge`], with separate figures for each pair, such as those fitted without its crash.
 ///
 /// # Errors
 /// As [`judge`].
@@ -286,13 +286,13 @@ fn vehicles(
         .collect())
 }
 
-/// What a recorder is expected to store: the draws, with the recorder's own error.
+/// The expected value of a recorder: the draws, with the recorder's own error.
 struct Predictive {
     /// F at equal steps of ln ΔV.
     cumulative: Vec<f64>,
 }
 
-/// (–) ln of the least and greatest ΔV (m/s) of the steps.
+/// (–) ln of the smallest and largest ΔV (m/s) of the steps.
 const ENDS: [f64; 2] = [-4.0, 5.0];
 /// Number of steps, of 0.9 %.
 const STEPS: usize = 1000;
@@ -322,7 +322,7 @@ impl Predictive {
         exp(Self::at(count(after - 1) + (share - low) / (high - low)))
     }
 
-    /// (–) share below a ΔV (m/s).
+    /// (–) probability below a ΔV (m/s).
     fn below(&self, delta_v: f64) -> f64 {
         let step = (ln(delta_v) - ENDS[0]) / (ENDS[1] - ENDS[0]) * count(STEPS);
         let before = (0..STEPS).rev().find(|before| count(*before) <= step).unwrap_or(0);
@@ -337,7 +337,7 @@ impl Predictive {
             let (from, to) = (exp(Self::at(count(step))), exp(Self::at(count(step + 1))));
             let below = 0.5 * (ends[0] + ends[1]);
             let square = |indicator: f64| (below - indicator) * (below - indicator);
-            // The step of the truth has a part on each side.
+            // The step that contains the truth has a part on each side.
             let split = truth.clamp(from, to);
             (split - from) * square(0.0) + (to - split) * square(1.0)
         });
@@ -424,7 +424,7 @@ impl Figures {
     }
 }
 
-/// The mean, and its standard error where the vehicles of a collision err together.
+/// The mean, and its standard error if the errors of the vehicles of a collision are correlated.
 fn mean(judged: &[&Judged], values: &[f64]) -> [f64; 2] {
     let n = count(values.len());
     let mean = values.iter().sum::<f64>() / n;

@@ -36,7 +36,7 @@ impl Plane {
 /// One vehicle.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PairVehicle {
-    /// Its number in the crash, by which it is known in another event.
+    /// Its number in the crash, which identifies it in another event.
     pub number: Option<u32>,
     /// (kg) mass without occupants and load.
     pub curb_mass: f64,
@@ -44,7 +44,7 @@ pub struct PairVehicle {
     pub cargo: Option<f64>,
     /// Where it was hit.
     pub plane: Plane,
-    /// (rad) clockwise from its heading, where the force came from.
+    /// (rad) direction from which the force came, clockwise from its heading.
     pub pdof: f64,
     /// (rad) heading at impact, clockwise from north.
     pub heading: Option<f64>,
@@ -60,43 +60,43 @@ pub struct PairVehicle {
     pub winsmash: [Option<f64>; 2],
     /// (m/s) largest ΔV that the recorder stored, forward and to the right.
     pub recorder: [Option<f64>; 2],
-    /// Whether two records of its recorder fit two events of the crash far better the other way round, by the
+    /// Whether two records of its recorder fit two events of the crash far better when exchanged, by the
     /// directions of force and by the momentum that the other vehicle's recorder shows.
     pub is_record_doubted: bool,
 }
 
-/// (kg) of the occupants.
+/// (kg) mass of the occupants.
 const OCCUPANTS: f64 = 75.0;
-/// (kg) no passenger vehicle carries more; NHTSA's codes for unknown loads are larger.
+/// (kg) largest load of any passenger vehicle; NHTSA's codes for unknown loads are larger.
 const MOST_CARGO: f64 = 1000.0;
 
-/// (–) ln of the ratio of the momentum changes by two recorders beyond which these stored two events: four
-/// standard deviations of both, each with about 0.17 and its mass.
+/// (–) ln of the ratio of the momentum changes by two recorders beyond which they stored two events: four
+/// standard deviations of both, each with about 0.17 and the error of its mass.
 const ANOTHER_EVENT: f64 = 1.0;
 
-/// (m/s) recorders do not trigger reliably below.
+/// (m/s) recorders do not trigger reliably below this.
 const LEAST_DELTA_V: f64 = 8.0 / 3.6;
 
-/// What a recorder stored, as far as it can be judged.
+/// The value that a recorder stored, as far as it can be judged.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Truth {
     /// (m/s) its size.
     pub delta_v: f64,
-    /// Whether it is the part along the vehicle alone.
+    /// Whether it is only the part along the vehicle.
     pub is_longitudinal: bool,
-    /// (rad) clockwise from the heading, where the force came from by both parts.
+    /// (rad) direction from which the force came by both parts, clockwise from the heading.
     pub direction: Option<f64>,
 }
 
 impl PairVehicle {
-    /// (kg) with its load and occupants.
+    /// (kg) mass with load and occupants.
     #[must_use]
     pub fn mass(&self) -> f64 {
         self.curb_mass + self.cargo.map_or(0.0, |cargo| cargo.min(MOST_CARGO)) + OCCUPANTS
     }
 
-    /// What its recorder stored: the size of both parts or, for damage to its front or rear, the part along
-    /// it; `None` below 8 km/h, and where it is doubted that the record is of this event.
+    /// The value that its recorder stored: the size of both parts or, for damage to its front or rear, the
+    /// part along the vehicle; `None` below 8 km/h, and if the record may belong to another event.
     #[must_use]
     pub fn truth(&self) -> Option<Truth> {
         if self.is_record_doubted {
@@ -105,7 +105,7 @@ impl PairVehicle {
         let truth = match self.recorder {
             [Some(along), Some(across)] => {
                 let delta_v = (along * along + across * across).sqrt();
-                // ΔV points away from where the force came from; across is positive to the right.
+                // ΔV points away from the origin of the force; across is positive to the right.
                 let direction = Some(atan2(-across, -along));
                 Truth { delta_v, is_longitudinal: false, direction }
             }
@@ -117,7 +117,7 @@ impl PairVehicle {
         (truth.delta_v >= LEAST_DELTA_V).then_some(truth)
     }
 
-    /// (m/s) what WinSMASH says of that.
+    /// (m/s) WinSMASH's value for it.
     #[must_use]
     pub fn by_winsmash(&self, truth: &Truth) -> Option<f64> {
         let [whole, along] = self.winsmash;
@@ -127,15 +127,15 @@ impl PairVehicle {
 }
 
 impl Pair {
-    /// The vehicles of which a recorder can be judged, with what it stored.
+    /// The vehicles whose recorders can be judged, with the stored values.
     #[must_use]
     pub fn truths(&self) -> Vec<(VehicleId, Truth)> {
         let vehicles = VehicleId::ALL.into_iter().zip(&self.vehicles);
         vehicles.filter_map(|(id, vehicle)| Some((id, vehicle.truth()?))).collect()
     }
 
-    /// Whether the recorders of both vehicles can be of one collision: m_1 ΔV_1 = m_2 ΔV_2 within a factor of
-    /// 2.7. `None` where not both can be judged.
+    /// Whether the recorders of both vehicles can belong to one collision: m_1 ΔV_1 = m_2 ΔV_2 within a
+    /// factor of 2.7. `None` if not both can be judged.
     #[must_use]
     pub fn is_one_event(&self) -> Option<bool> {
         let [one, two] = self.vehicles.each_ref().map(|vehicle| {

@@ -6,11 +6,11 @@ use crate::crossed;
 use crate::error::FieldError;
 use crate::pair::{Pair, PairVehicle, Plane};
 
-/// Reads pairs of vehicles, a line each, with the columns of CISS. Where `VEHNO` tells which vehicle of the
-/// crash each is, records that may be of another event are [doubted](PairVehicle::is_record_doubted).
+/// Reads pairs of vehicles, one per line, with the columns of CISS. If `VEHNO` identifies the vehicles of a
+/// crash, records that may belong to another event are [doubted](PairVehicle::is_record_doubted).
 ///
 /// # Errors
-/// Where the file is no table of this form, with the line and the column.
+/// If the file is not a table of this form, with the line and the column.
 pub fn read(text: &str) -> Result<Vec<Pair>, FieldError> {
     let mut reader = csv::Reader::from_reader(text.as_bytes());
     let mut pairs = Vec::new();
@@ -24,7 +24,7 @@ pub fn read(text: &str) -> Result<Vec<Pair>, FieldError> {
     if pairs.is_empty() { Err(FieldError::NoPairs) } else { Ok(pairs) }
 }
 
-/// (kg) of a vehicle, (cm) of a length on it, (°) of an angle, (km/h) of a speed.
+/// (kg) largest mass, (cm) length on a vehicle, (°) angle and (km/h) speed.
 const MOST_MASS: f64 = 100_000.0;
 const MOST_LENGTH: f64 = 3_000.0;
 const MOST_ANGLE: f64 = 720.0;
@@ -55,7 +55,7 @@ impl Cells<'_> {
         }
     }
 
-    /// A number of at most so much, either way: no vehicle has more.
+    /// A number of at most this size, of either sign: no vehicle has more.
     fn at_most(&self, most: f64, column: &str, vehicle: u8) -> Result<Option<f64>, FieldError> {
         match self.maybe(column, vehicle)? {
             Some(number) if number.abs() > most => {
@@ -113,7 +113,7 @@ impl Cells<'_> {
             |column| Ok::<_, FieldError>(self.at_most(MOST_SPEED, column, vehicle)?.map(|kmh| kmh / 3.6));
         let mut depths = [0.0; 6];
         for (depth, column) in depths.iter_mut().zip(["C1", "C2", "C3", "C4", "C5", "C6"]) {
-            // Outward bulges are no crush.
+            // Outward bulges do not count as crush.
             *depth = (self.number(column, vehicle)? / 100.0).max(0.0);
         }
         Ok(PairVehicle {

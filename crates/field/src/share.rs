@@ -1,4 +1,4 @@
-//! How two vehicles share the crush energy, fitted on pairs of which both crush profiles are known.
+//! How two vehicles share the crush energy, fitted to pairs with two known crush profiles.
 
 use evidence::{Crush, Damage, Fitted};
 use real::Real;
@@ -11,11 +11,11 @@ use crate::pair::Pair;
 /// How two vehicles share the crush energy.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ShareFit {
-    /// (–) crush energy of a side by that of the front or rear that it met, in the median, and the standard
-    /// error of its logarithm.
+    /// (–) median ratio of the crush energy of a side to that of the front or rear that it met, and the
+    /// standard error of its logarithm.
     pub side_crush: [f64; 2],
-    /// (–) spread of the logarithm of the crush energy of one vehicle by that of the other, without that of
-    /// their stiffnesses, and its standard error.
+    /// (–) spread of the logarithm of the ratio of the two crush energies, without that of the stiffnesses,
+    /// and its standard error.
     pub ln_sd: [f64; 2],
     /// Number of pairs.
     pub pairs: usize,
@@ -23,16 +23,16 @@ pub struct ShareFit {
 
 /// The shares of one pair.
 struct Shares {
-    /// 1 where the second damage alone is that of a side, −1 where the first alone is, otherwise 0.
+    /// 1 if only the second damage is that of a side, −1 if only the first is, otherwise 0.
     sides: f64,
     /// (–) ln(E₂/E₁), its mean over the stiffnesses.
     mean: f64,
-    /// (–) its variance by the stiffnesses.
+    /// (–) its variance due to the stiffnesses.
     variance: f64,
 }
 
-/// Nodes and weights of Gauss and Hermite for a standard normal number, M. Abramowitz and I. A. Stegun,
-/// *Handbook of Mathematical Functions*, table 25.10, n = 5: x √2 and w/√π.
+/// Nodes and weights of Gauss–Hermite quadrature for a standard normal number, M. Abramowitz and I. A.
+/// Stegun, *Handbook of Mathematical Functions*, table 25.10, n = 5: x √2 and w/√π.
 const NODES: [[f64; 2]; 5] = [
     [-2.856_970_013_872_805_6, 0.011_257_411_327_720_69],
     [-1.355_626_179_974_266, 0.222_075_922_005_612_65],
@@ -41,9 +41,9 @@ const NODES: [[f64; 2]; 5] = [
     [2.856_970_013_872_805_6, 0.011_257_411_327_720_69],
 ];
 
-/// (–) the iteration ends where the variance changes by less than this share.
+/// (–) the iteration ends when the variance changes by less than this share.
 const LEAST_CHANGE: f64 = 1e-12;
-/// Most steps of it: it gains a digit in one or two.
+/// Maximum number of its steps: it gains a digit in one or two.
 const MOST_STEPS: usize = 1000;
 
 /// Mean and variance of ln E over κ and β of the fleet.
@@ -77,13 +77,13 @@ fn shares(pair: &Pair, fitted: &Fitted) -> Option<Shares> {
 
 /// Fits how two vehicles share the crush energy, with the stiffnesses of `fitted`.
 ///
-/// ln(E_2/E_1) = c (s_2 − s_1) + τ z + (stiffnesses), with s = 1 of a side and 0 of an end; c and τ are those
-/// of the greatest likelihood, the stiffnesses being normal of the variance that they give ln E (R. J. Hardy
-/// and S. G. Thompson, Statistics in Medicine 15 (1996) 619, for a random effect beside errors of known
-/// size).
+/// ln(E_2/E_1) = c (s_2 − s_1) + τ z + (stiffnesses), with s = 1 for a side and 0 for an end; c and τ
+/// maximise the likelihood, with the stiffnesses taken as normal with the variance that they give ln E (R. J.
+/// Hardy and S. G. Thompson, Statistics in Medicine 15 (1996) 619, for a random effect besides errors of
+/// known size).
 ///
 /// # Errors
-/// [`FieldError::NoShares`] where no pair has a crush energy of both vehicles.
+/// [`FieldError::NoShares`] if no pair has the crush energies of both vehicles.
 pub fn fit_share(pairs: &[Pair], fitted: &Fitted) -> Result<ShareFit, FieldError> {
     let all: Vec<Shares> = pairs.iter().filter_map(|pair| shares(pair, fitted)).collect();
     let sum = |of: &dyn Fn(&Shares) -> f64| all.iter().map(of).sum::<f64>();

@@ -1,5 +1,5 @@
-//! The motion of a vehicle before and after the impact: what the tables `[vehicleN.before]` and
-//! `[vehicleN.after]` hold.
+//! The motion of a vehicle before and after the impact: the tables `[vehicleN.before]` and
+//! `[vehicleN.after]`.
 
 use std::fmt::Display;
 
@@ -8,18 +8,18 @@ use crate::scene::Place;
 use crate::walk::{Element, Key, Walk};
 use crate::words::word;
 
-/// Between impact and rest: how the vehicle could roll, where it went, and how it left the impact.
+/// Between impact and rest: how the vehicle could roll, its path, and how it left the impact.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct After<T = f64> {
-    /// (–) coefficient of friction on its path, outside of all zones, in place of that of the surface.
+    /// (–) coefficient of friction on its path, outside all zones, in place of that of the surface.
     pub friction: Option<T>,
-    /// What resists the rolling of its wheels.
+    /// The rolling resistance of its wheels.
     pub drag: Option<Drag<T>>,
-    /// How its front wheels are steered; straight where absent.
+    /// How its front wheels are steered; straight if absent.
     pub steer: Option<Steer<T>>,
-    /// Where it came to rest.
+    /// Its rest position.
     pub rest: Option<Rest<T>>,
-    /// Where its centre of gravity passed, from the impact to the rest.
+    /// Points that its centre of gravity passed, from impact to rest.
     pub points: Vec<PathPoint<T>>,
     /// (m/s) speed of the centre of gravity after the impact.
     pub speed: Option<Quantity<T>>,
@@ -39,7 +39,7 @@ pub enum Drag<T = f64> {
 }
 
 impl<T: Copy> Drag<T> {
-    /// That of each wheel: front left, front right, rear left, rear right.
+    /// The drag of each wheel: front left, front right, rear left, rear right.
     #[must_use]
     pub fn wheels(&self) -> [WheelDrag<T>; 4] {
         match self {
@@ -59,7 +59,7 @@ pub enum WheelDrag<T = f64> {
 }
 
 impl WheelDrag {
-    /// The word of the drag that has no number.
+    /// The word for the drag that has no number.
     pub const WORDS: [(&str, Self); 1] = [("locked", Self::Locked)];
 }
 
@@ -68,7 +68,7 @@ impl WheelDrag {
 pub enum Steer<T = f64> {
     /// (rad) angle from the vehicle's axis, in the sense of the axes.
     Held(Quantity<T>),
-    /// Linear between these, and constant outside of them; at least one.
+    /// Linear between these points, and constant outside them; at least one.
     Over(Vec<SteerPoint<T>>),
 }
 
@@ -81,12 +81,12 @@ pub struct SteerPoint<T = f64> {
     pub angle: Quantity<T>,
 }
 
-/// Where a vehicle came to rest.
+/// The rest position of a vehicle.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Rest<T = f64> {
-    /// The place of its centre of gravity.
+    /// The position of its centre of gravity.
     pub place: Place<T>,
-    /// How it stands there.
+    /// Its orientation there.
     pub heading: RestHeading<T>,
 }
 
@@ -104,7 +104,7 @@ pub enum MarkedWheel {
 }
 
 impl MarkedWheel {
-    /// Each under its words, in the order in which a vehicle has its wheels.
+    /// Each with its words, in the order of a vehicle's wheels.
     pub const WORDS: [(&str, Self); 4] = [
         ("front left", Self::FrontLeft),
         ("front right", Self::FrontRight),
@@ -119,25 +119,25 @@ impl MarkedWheel {
     }
 }
 
-/// Where the centre of gravity of a vehicle passed, or one of its wheels.
+/// A point that the centre of gravity of a vehicle passed, or one of its wheels.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PathPoint<T = f64> {
     /// The place.
     pub place: Place<T>,
-    /// (rad) scene angle of its forward axis there, in the sense of the axes, where marks tell it: at the end
-    /// of its rotation, that of the rest.
+    /// (rad) scene angle of its forward axis there, in the sense of the axes, if marks show it: at the end of
+    /// its rotation, that of the rest position.
     pub heading: Option<Quantity<T>>,
-    /// The wheel that passed there, where the place is one of its mark.
+    /// The wheel that passed there, if the point is on its mark.
     pub wheel: Option<MarkedWheel>,
 }
 
-/// How a vehicle stands at rest.
+/// The orientation of a vehicle at rest.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum RestHeading<T = f64> {
-    /// (rad) scene angle of its forward axis, in the sense of the axes. How often and which way it turned is
-    /// not known.
+    /// (rad) scene angle of its forward axis, in the sense of the axes. The number and the direction of its
+    /// turns are unknown.
     Heading(Quantity<T>),
-    /// (rad) by how much it turned since the impact, full turns included, in the sense of the axes.
+    /// (rad) its rotation since the impact, full turns included, in the sense of the axes.
     Turned(Quantity<T>),
 }
 
@@ -146,25 +146,25 @@ pub enum RestHeading<T = f64> {
 pub struct Before<T = f64> {
     /// The marks of its locked wheels, up to the impact.
     pub skid: Skid<T>,
-    /// (m/s) speed where they begin, as a recorder, a tachograph or a camera gives it.
+    /// (m/s) speed at their start, as given by a recorder, a tachograph or a camera.
     pub speed: Option<Quantity<T>>,
 }
 
 /// Skid marks.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Skid<T = f64> {
-    /// How long they are.
+    /// Their length.
     pub begin: SkidBegin<T>,
-    /// (–) coefficient of friction there; that of the surface where absent.
+    /// (–) coefficient of friction there; that of the surface if absent.
     pub friction: Option<T>,
 }
 
-/// How the case tells the length of skid marks.
+/// How the case gives the length of skid marks.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum SkidBegin<T = f64> {
-    /// (m) from where they begin to the impact.
+    /// (m) from their start to the impact.
     Length(Quantity<T>),
-    /// Where the centre of gravity was when they began: they end at its place at the impact.
+    /// The position of the centre of gravity at their start: they end at its position at impact.
     From(Place<T>),
 }
 

@@ -22,7 +22,7 @@ pub enum Axes {
 }
 
 impl Axes {
-    /// Each under its word.
+    /// Each with its word.
     pub const WORDS: [(&str, Self); 2] = [("z-up", Self::ZUp), ("z-down", Self::ZDown)];
 
     /// Its name, such as `"z-up"`.

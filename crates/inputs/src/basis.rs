@@ -1,4 +1,4 @@
-//! What the crush energy is held equal to: `energy_basis` of `[reconstruct]`.
+//! The energy that the crush energy has to equal: `energy_basis` of `[reconstruct]`.
 
 use crash3::EnergyBasis;
 use pim_core::Real;
@@ -10,13 +10,13 @@ use crate::words::word;
 pub const ENERGY_BASES: [(&str, Basis); 2] =
     [("dissipated", Basis::Dissipated), ("absorbed", Basis::Absorbed)];
 
-/// What the crush energy of both vehicles is held equal to.
+/// The energy that the crush energy of both vehicles has to equal.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum Basis<T = f64> {
     /// The work of the normal impulse that the impact dissipates, W_n: the method of SAE 980025.
     #[default]
     Dissipated,
-    /// The work up to the greatest engagement, of which restitution returns a part.
+    /// The work up to maximum engagement, part of which restitution returns.
     Absorbed,
     /// (–) λ, from 0 to 1: W_n + λ W_t, with a share of the work of the tangential impulse.
     TangentialShare(T),
@@ -43,7 +43,7 @@ impl<T: Copy> Basis<T> {
         }
     }
 
-    /// Whether the crush energy is what the crush dissipates or what it absorbs. A share of the tangential
+    /// Whether the crush energy is the energy dissipated or absorbed by the crush. A share of the tangential
     /// work is dissipated.
     #[must_use]
     pub fn energy(self) -> EnergyBasis {
@@ -55,7 +55,7 @@ impl<T: Copy> Basis<T> {
 }
 
 impl<T: Real> Basis<T> {
-    /// (–) λ, the share of the tangential work that the crush takes.
+    /// (–) λ, the share of the tangential work in the crush energy.
     #[inline(always)]
     #[must_use]
     pub fn tangential_share(self) -> T {
@@ -65,7 +65,7 @@ impl<T: Real> Basis<T> {
         }
     }
 
-    /// (J) the work that is held against the crush energy, of the works (J) of both impulses.
+    /// (J) the work that is compared with the crush energy, from the works (J) of both impulses.
     #[must_use]
     pub fn taken_by_crush(self, normal_work: T, tangential_work: T) -> T {
         let share = self.tangential_share();

@@ -1,4 +1,4 @@
-//! What is known of a collision, in the units in which it is given.
+//! The known data of a collision, in the units in which they are given.
 
 mod estimates;
 mod values;
@@ -18,8 +18,8 @@ use crate::text::Text;
 use crate::uncertain::GivenUncertainty;
 use crate::vehicle::GivenVehicle;
 
-/// A whole case: two vehicles, and what is known of the impact. The crate `case` reads it from a file and
-/// writes it.
+/// A whole case: two vehicles, and the known data of the impact. The crate `case` reads and writes it as a
+/// file.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Case<T = f64> {
     /// The title, which heads every report.
@@ -30,9 +30,9 @@ pub struct Case<T = f64> {
     pub report: ReportHead,
     /// `axes` of `[scene]`: the axes in which all numbers of this case are given.
     pub axes: Axes,
-    /// `contact` of `[scene]`: where the impulse of the impact acted, in the coordinates of the survey.
+    /// `contact` of `[scene]`: the point at which the impulse acted, in survey coordinates.
     pub scene_contact: Option<Place<T>>,
-    /// `site_plan` of `[scene]`: what lies behind the motion in drawings.
+    /// `site_plan` of `[scene]`: the background of drawings of the motion.
     pub site_plan: Option<GivenSitePlan>,
     /// `locked_together` of `[scene]`: whether the vehicles left the impact as one.
     pub locked_together: bool,
@@ -46,32 +46,32 @@ pub struct Case<T = f64> {
     pub reconstruct: Option<Reconstruct<T>>,
     /// `[estimate]`.
     pub estimate: Option<GivenEstimate>,
-    /// Which of the numbers are not known exactly, in the order of [`inputs`](Case::inputs). The numbers
+    /// The numbers that are not known exactly, in the order of [`inputs`](Case::inputs). The numbers
     /// themselves are the central values.
     pub ranges: Vec<Range>,
     /// `[uncertainty]`.
     pub uncertainty: GivenUncertainty,
-    /// How far estimates are varied: nothing that the case says, and not at all in the case itself.
+    /// How far estimates are varied: not given by the case, and zero in the case itself.
     pub departures: Departures<T>,
-    /// Which optional words the case leaves out.
+    /// The optional words that the case leaves out.
     pub left_out: LeftOut,
 }
 
-/// What the head of a report says of its making.
+/// The data on the making of a report, for its head.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct ReportHead {
     /// Who made the analysis.
     pub analyst: Option<Text>,
-    /// Of the report.
+    /// The date of the report.
     pub date: Option<Text>,
-    /// The number under which the matter is kept.
+    /// The number of the file.
     pub file_number: Option<Text>,
     /// The number of the report as an exhibit.
     pub exhibit: Option<Text>,
 }
 
-/// Which optional words a case leaves out. The case then holds their defaults, so no result depends on these
-/// flags: they only serve to report what is assumed. A flag is false if the whole table is absent.
+/// The optional words that a case leaves out. The case then holds their defaults, so no result depends on
+/// these flags: they only serve to report assumptions. A flag is false if the whole table is absent.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct LeftOut {
     /// `scene.axes`.
@@ -84,26 +84,26 @@ pub struct LeftOut {
     pub fit: [bool; 2],
 }
 
-/// Which speed to find.
+/// The speed to find, and the energy basis.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Reconstruct<T = f64> {
-    /// What is unknown.
+    /// The unknown speed or speeds.
     pub find: Find,
-    /// What the crush energy is held equal to.
+    /// The energy that the crush energy has to equal.
     pub energy_basis: Basis<T>,
 }
 
 /// The speeds that a reconstruction is to find.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Find {
-    /// One; the other is known.
+    /// One speed; the other is known.
     One(Unknown),
-    /// Those of both vehicles.
+    /// The speeds of both vehicles.
     Both,
 }
 
 impl Find {
-    /// The one that is unknown; `None` where both are.
+    /// The unknown one; `None` if both are.
     #[must_use]
     pub fn unknown(self) -> Option<Unknown> {
         match self {
@@ -112,7 +112,7 @@ impl Find {
         }
     }
 
-    /// Whether the speed of a vehicle is sought.
+    /// Whether the speed of a vehicle is unknown.
     #[must_use]
     pub fn seeks(self, vehicle: VehicleId) -> bool {
         self.unknown().is_none_or(|unknown| unknown.vehicle() == vehicle)
@@ -120,7 +120,7 @@ impl Find {
 }
 
 impl<T: Real> Case<T> {
-    /// (rad) of both vehicles, in the axes of the engine.
+    /// (rad) headings of both vehicles, in the axes of the engine.
     #[must_use]
     pub fn headings(&self) -> [Option<T>; 2] {
         let heading = |vehicle: &GivenVehicle<T>| vehicle.heading.as_ref().map(Quantity::si);

@@ -1,4 +1,4 @@
-//! The body of a vehicle seen from above, as drawings and damage need it.
+//! The body of a vehicle seen from above, for drawings and damage.
 
 use crash3::Side;
 use pim_core::Real;

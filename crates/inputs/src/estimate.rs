@@ -1,4 +1,4 @@
-//! What the program takes from a table or a formula in place of a measurement, and how far that may be off.
+//! Values from a table or a formula in place of measurements, and their uncertainty.
 
 use std::fmt;
 
@@ -11,9 +11,9 @@ use crate::quantity::Quantity;
 ///
 /// From 698 full-width frontal barrier tests of NHTSA, medians A = 64 kN/m and B = 769 kN/m².
 pub const STIFFNESS_LN_SD_A: f64 = 0.38;
-/// (–) the same of ln B.
+/// (–) standard deviation of ln B, likewise.
 pub const STIFFNESS_LN_SD_B: f64 = 0.59;
-/// (–) by how much k of a size class or by Burg's formula may be off, with a probability of
+/// (–) relative error of k of a size class or by Burg's formula, within which it lies with a probability of
 /// [`YAW_RADIUS_CONFIDENCE`].
 pub const YAW_RADIUS_WITHIN: f64 = 0.05;
 /// (–) that probability.
@@ -21,15 +21,15 @@ pub const YAW_RADIUS_CONFIDENCE: f64 = 0.95;
 
 /// (m) standard deviation of the offset of a damage: 1.8 in.
 ///
-/// As that of its length and its depths from 34 pairs of measurements of the same damage: Smith and Noga,
-/// *Accuracy and Sensitivity of CRASH*, SAE 821169 (1982), by Neades, thesis, Table 5.2.
+/// Like those of its length and its depths, from 34 pairs of measurements of the same damage: Smith and Noga,
+/// *Accuracy and Sensitivity of CRASH*, SAE 821169 (1982), cited by Neades, thesis, Table 5.2.
 pub const OFFSET_SD: f64 = 1.8 * 0.0254;
-/// (m) the same of the length of a damage, the `width` of a case: 3.0 in.
+/// (m) standard deviation of the length of a damage, the `width` of a case: 3.0 in.
 pub const DAMAGE_LENGTH_SD: f64 = 3.0 * 0.0254;
-/// (m) the same of a depth of crush: 1.5 in.
+/// (m) standard deviation of a depth of crush: 1.5 in.
 pub const DEPTH_SD: f64 = 1.5 * 0.0254;
 
-/// Where a yaw inertia comes from.
+/// The source of a yaw inertia.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum YawSource {
     /// The case gives it, or the radius of gyration.
@@ -52,10 +52,10 @@ pub enum FaceAxis {
 }
 
 impl FaceAxis {
-    /// Both.
+    /// Both directions.
     pub const ALL: [Self; 2] = [Self::Along, Self::Inward];
 
-    /// Its place in a pair.
+    /// Its index in a pair.
     #[must_use]
     pub fn index(self) -> usize {
         match self {
@@ -65,44 +65,45 @@ impl FaceAxis {
     }
 }
 
-/// How far a contact point that was placed may be off in one direction.
+/// The uncertainty of a placed contact point in one direction.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum ContactSpread {
-    /// (m) standard deviation that it has by itself.
+    /// (m) its own standard deviation.
     Default(f64),
-    /// As far as the ranges that the case gives of the numbers that it follows from.
+    /// That of the ranges given for the numbers that determine it.
     OfInputs,
-    /// Not at all, as the case asks for.
+    /// None, as requested by the case.
     Exact,
 }
 
-/// A value of a vehicle that comes from a table or a formula, or a point that the program placed.
+/// A value of a vehicle from a table or a formula, or a point placed by the program.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Estimate {
-    /// Stiffness of a category: the factor is that of A; B goes with it, as stiff vehicles have more of both.
+    /// Stiffness of a category: the factor is that of A; B varies with it, as both are high in stiff
+    /// vehicles.
     Stiffness {
-        /// Whose.
+        /// The vehicle.
         vehicle: VehicleId,
         /// The category.
         category: u8,
     },
     /// Radius of gyration of a size class, or by Burg's formula.
     YawRadius {
-        /// Whose.
+        /// The vehicle.
         vehicle: VehicleId,
-        /// Where it comes from.
+        /// Its source.
         source: YawSource,
     },
     /// Contact point at the centroid of the damage.
     Contact {
-        /// Whose.
+        /// The vehicle.
         vehicle: VehicleId,
         /// The direction in which it is moved.
         axis: FaceAxis,
     },
 }
 
-/// The path of its factor, or of the distance by which it is moved, among the numbers that may vary.
+/// The path of its factor, or of its displacement, among the numbers that may vary.
 impl fmt::Display for Estimate {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
@@ -126,14 +127,14 @@ impl Estimate {
     }
 }
 
-/// How far the estimates of both vehicles are varied; not at all where there is none.
+/// How far the estimates of both vehicles are varied; `None` if there is no estimate.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Departures<T = f64> {
     /// (–) factor on A of a stiffness category.
     pub stiffness: [Option<T>; 2],
     /// (–) factor on the radius of gyration of a size class or by Burg's formula.
     pub yaw_radius: [Option<T>; 2],
-    /// (m) by how much a contact point that was placed is moved, for each [`FaceAxis`].
+    /// (m) displacement of a placed contact point, for each [`FaceAxis`].
     pub contact: [[Option<Quantity<T>>; 2]; 2],
 }
 

@@ -1,4 +1,4 @@
-//! What is wrong with a case, by its keys.
+//! The faults of a case, by key.
 
 use std::error::Error;
 use std::fmt;
@@ -57,8 +57,8 @@ impl Fault {
             && self.key.ends_with(".after.rest")
     }
 
-    /// What is wrong, in one sentence. `name` gives the reader's name of a purpose, for example the command
-    /// of a program.
+    /// The fault in one sentence. `name` gives the reader's name of a purpose, for example the command of a
+    /// program.
     #[must_use]
     pub fn message(&self, name: impl Fn(Purpose) -> String) -> String {
         match &self.kind {
@@ -103,7 +103,7 @@ impl Faults {
         if list.is_empty() { Ok(()) } else { Err(Self { list }) }
     }
 
-    /// The same, where `purpose` is what needs the missing values, by way of the analysis that missed them.
+    /// The same faults, with `purpose` as the one that needs the missing values through another analysis.
     #[must_use]
     pub fn needed_for(mut self, purpose: Purpose) -> Self {
         for fault in &mut self.list {

@@ -1,4 +1,4 @@
-//! Mass and yaw inertia, in the forms in which they are given.
+//! Mass and yaw inertia, in the forms that a case can give.
 
 use std::fmt::Display;
 

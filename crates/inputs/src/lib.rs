@@ -1,5 +1,5 @@
-//! What is known of a collision: numbers in the units in which they were measured, their ranges, and what an
-//! analysis needs of them.
+//! The known data of a collision: numbers in the units in which they were measured, their ranges, and the
+//! requirements of each analysis.
 //!
 //! ```
 //! use inputs::{Case, Dimension, GivenVehicle, Mass, Quantity};
@@ -19,15 +19,15 @@
 //!
 //! The types: a [`Case`] holds two [`GivenVehicle`]s and a [`GivenImpact`]. Its numbers are [`Quantity`]s,
 //! which keep the unit in which they were given, because reports and errors quote them in that unit;
-//! [`Quantity::si`] is where a unit is converted. [`Case::inputs`] lists the numbers, each under its key, and
-//! [`Case::values`] lists every value. A [`Range`] says how far a number may be off. An [`Estimate`] is what
-//! a table or a formula gives in place of a number, or a contact point that is placed at the damage; its
-//! factor, 1, or the distance by which it is moved, 0, is one of [`Case::variables`] besides the numbers.
-//! [`Case::map`] replaces all of these.
+//! [`Quantity::si`] converts them. [`Case::inputs`] lists the numbers, each under its key, and
+//! [`Case::values`] lists every value. A [`Range`] gives the uncertainty of a number. An [`Estimate`] is a
+//! value from a table or a formula in place of a number, or a contact point placed at the damage; its factor,
+//! 1, or its displacement, 0, is one of [`Case::variables`] besides the numbers. [`Case::map`] replaces all
+//! of these.
 //!
 //! [`Case::reconstruction`], [`Case::collision`] and [`Case::damage`] turn a case into the types of the
 //! engines, for three [`Purpose`]s. A value that is missing, or that an engine refuses, is a [`Fault`] of its
-//! key; a crate that knows where the keys are in a text can show it there.
+//! key; a crate that knows the places of the keys in a text can show it there.
 //!
 //! # What it does not do
 //!

@@ -1,4 +1,4 @@
-//! What the motion after the impact needs of a case, in the types of its engine.
+//! The data for the motion after the impact, in the types of its engine.
 
 use pim_core::{Contact, Motion, Real, VaryingLaw, Vector2, VehicleId};
 use reconcile::Departure;
@@ -14,57 +14,56 @@ use crate::text::Text;
 pub struct MotionInput<T = f64> {
     /// The ground.
     pub surface: SurfaceData<T>,
-    /// Each vehicle; `None` for one that is fixed or absent, or of which the case does not tell enough to
-    /// follow it.
+    /// Each vehicle; `None` if it is fixed or absent, or if the case does not give enough data to follow it.
     pub vehicles: [Option<VehicleMotion<T>>; 2],
 }
 
 /// The ground, in the axes of the engine.
 #[derive(Clone, Debug)]
 pub struct SurfaceData<T = f64> {
-    /// (–) coefficient of friction outside of all zones.
+    /// (–) coefficient of friction outside all zones.
     pub friction: T,
     /// (–) rise per horizontal length along x and along y.
     pub grade: Vector2<T>,
-    /// Parts with a friction of their own; where two overlap, the later one counts.
+    /// Zones with their own friction; where two overlap, the later one counts.
     pub zones: Vec<ZoneData<T>>,
 }
 
 impl<T: Copy> SurfaceData<T> {
-    /// The zones as the engine takes them, for the field of a [`trajectory::Ground`].
+    /// The zones for the field of a [`trajectory::Ground`].
     #[must_use]
     pub fn zones(&self) -> Vec<Zone<'_, T>> {
         self.zones.iter().map(|zone| Zone { region: zone.region.region(), friction: zone.friction }).collect()
     }
 }
 
-/// A part of the ground.
+/// A zone of the ground.
 #[derive(Clone, Debug)]
 pub struct ZoneData<T = f64> {
     /// Its name.
     pub name: Option<Text>,
     /// (–) its coefficient of friction.
     pub friction: T,
-    /// Where it lies.
+    /// Its area.
     pub region: RegionData,
 }
 
-/// Where a part of the ground lies, in the axes of the engine.
+/// The area of a zone, in the axes of the engine.
 #[derive(Clone, Debug)]
 pub enum RegionData {
-    /// All on one side of a straight line.
+    /// Everything on one side of a straight line.
     HalfPlane {
         /// (m) a point of the line.
         point: Vector2<f64>,
         /// (rad) direction at right angles to the line, into the region.
         into: f64,
     },
-    /// (m) the inside of a closed line through these corners.
+    /// (m) the inside of a polygon with these corners.
     Polygon(Vec<Vector2<f64>>),
 }
 
 impl RegionData {
-    /// As the engine takes it.
+    /// The region in the type of the engine.
     #[must_use]
     pub fn region(&self) -> Region<'_> {
         match self {
@@ -74,14 +73,14 @@ impl RegionData {
     }
 }
 
-/// Where the CG of a vehicle passed, or one of its wheels, in the axes of the engine.
+/// A point that the CG of a vehicle passed, or one of its wheels, in the axes of the engine.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PointData<T = f64> {
     /// (m) the place.
     pub position: Vector2<T>,
-    /// (rad) its heading there, where that is known, without full turns.
+    /// (rad) its heading there, if known, without full turns.
     pub heading: Option<T>,
-    /// The wheel, if it is one that passed there.
+    /// The wheel, if a wheel passed there.
     pub wheel: Option<MarkedWheel>,
 }
 
@@ -92,23 +91,24 @@ pub struct VehicleMotion<T = f64> {
     pub chassis: Chassis<T>,
     /// How its front wheels are steered.
     pub steer: SteerData<T>,
-    /// (–) coefficient of friction on its path outside of all zones, where it is not that of the ground.
+    /// (–) coefficient of friction on its path outside all zones, if it differs from that of the ground.
     pub friction: Option<T>,
-    /// (m) place of the CG at the impact: as given, or from that of C. Where the case gives neither C nor any
-    /// place of this vehicle, C is the origin; where it does not tell either how the CG lies to C, the CG is.
+    /// (m) position of the CG at impact: as given, or from that of C. If the case gives neither C nor any
+    /// position of this vehicle, C is the origin; if the position of the CG relative to C is not known
+    /// either, the CG is.
     pub position: Vector2<T>,
     /// (rad) heading at the impact.
     pub heading: T,
-    /// How it left the impact, where the case tells speed and direction.
+    /// How it left the impact, if the case gives speed and direction.
     pub velocity: Option<Departure<T>>,
-    /// Where it came to rest.
+    /// Its rest position.
     pub rest: Option<RestData<T>>,
-    /// (m) places that the CG or a wheel passed, from the impact to the rest.
+    /// (m) points that the CG or a wheel passed, from impact to rest.
     pub points: Vec<PointData<T>>,
 }
 
 impl<T: Copy> VehicleMotion<T> {
-    /// (–) coefficient of friction on its path, outside of all zones.
+    /// (–) coefficient of friction on its path, outside all zones.
     #[must_use]
     pub fn friction_on(&self, surface: &SurfaceData<T>) -> T {
         self.friction.unwrap_or(surface.friction)
@@ -125,7 +125,7 @@ pub enum SteerData<T = f64> {
 }
 
 impl<T: Real> SteerData<T> {
-    /// As the engine takes it.
+    /// The steer in the type of the engine.
     #[must_use]
     pub fn steer(&self) -> Steer<'_, T> {
         match self {
@@ -135,27 +135,27 @@ impl<T: Real> SteerData<T> {
     }
 }
 
-/// Where a vehicle came to rest.
+/// The rest position of a vehicle.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RestData<T = f64> {
     /// (m) place of the CG.
     pub position: Vector2<T>,
-    /// How it stands there.
+    /// Its orientation there.
     pub heading: RestHeadingData<T>,
 }
 
-/// How a vehicle stands at rest.
+/// The orientation of a vehicle at rest.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum RestHeadingData<T = f64> {
-    /// (rad) its heading; any number of full turns may lie before it.
+    /// (rad) its heading; the number of full turns before it is unknown.
     Heading(T),
-    /// (rad) by how much it turned since the impact, full turns included.
+    /// (rad) its rotation since the impact, full turns included.
     Turned(T),
 }
 
 impl<T: Real> RestHeadingData<T> {
-    /// (rad) the heading at rest of a vehicle that had the heading `at_impact` (rad); where only the heading
-    /// is known, without the full turns before it.
+    /// (rad) the heading at rest of a vehicle that had the heading `at_impact` (rad); if only the heading is
+    /// known, without the full turns before it.
     #[must_use]
     pub fn heading(self, at_impact: T) -> T {
         match self {
@@ -164,7 +164,7 @@ impl<T: Real> RestHeadingData<T> {
         }
     }
 
-    /// Whether the full turns before the rest are known.
+    /// Whether the full turns before rest are known.
     #[must_use]
     pub fn turns_are_known(self) -> bool {
         matches!(self, Self::Turned(_))
@@ -180,39 +180,39 @@ pub struct SkidData<T = f64> {
     pub friction: T,
 }
 
-/// A collision whose speeds are sought from how the vehicles left it.
+/// A collision whose speeds are found from how the vehicles left it.
 #[derive(Clone, Debug)]
 pub struct TwoSpeedInput<T = f64> {
-    /// Which speeds.
+    /// The unknown speeds.
     pub sought: Sought<T>,
     /// How much of the contact is known.
     pub geometry: Geometry,
-    /// The contact. Of point masses it has masses and headings alone.
+    /// The contact. For point masses it only has masses and headings.
     pub contact: Contact<T>,
-    /// The impact law; `None` where the contact is not known, or the case gives none.
+    /// The impact law; `None` if the contact is unknown, or the case gives no law.
     pub law: Option<VaryingLaw<T>>,
     /// (rad/s) yaw rates before the impact.
     pub yaw_rates: [T; 2],
     /// The data of each vehicle.
     pub vehicles: [VehicleData<T>; 2],
-    /// The velocity after the impact of each vehicle of which the case gives it. Of every other one that
-    /// moves, `motion` has the rest, or it is locked to one of these.
+    /// The velocity after the impact of each vehicle for which the case gives it. Every other moving vehicle
+    /// has its rest position in `motion`, or is locked to one with a velocity.
     pub departures: [Option<Departure<T>>; 2],
     /// Whether the vehicles left the impact locked together.
     pub locked_together: bool,
-    /// The motion after the impact, of the vehicles that can be followed; `None` where no rest is given and
-    /// the ground is not known.
+    /// The motion after the impact of the vehicles that can be followed; `None` if no rest position is given
+    /// and the ground is unknown.
     pub motion: Option<MotionInput<T>>,
     /// The energy basis.
     pub basis: Basis<T>,
-    /// Whether the crush energy of every vehicle that moves is known. It is where both speeds are sought and
-    /// the approaches are collinear.
+    /// Whether the crush energy of every moving vehicle is known, as required when both speeds are unknown
+    /// and the approaches are collinear.
     pub has_crush: bool,
 }
 
 impl<T: Real> TwoSpeedInput<T> {
-    /// The collision, the vehicles at rest in it but for their yaw rates; `None` where the contact or the law
-    /// is not known.
+    /// The collision, with the vehicles at rest except for their yaw rates; `None` if the contact or the law
+    /// is unknown.
     #[must_use]
     pub fn collision(&self) -> Option<Collision<T>> {
         if self.geometry != Geometry::Given {
@@ -227,21 +227,21 @@ impl<T: Real> TwoSpeedInput<T> {
     }
 }
 
-/// Which speeds are sought from the momentum.
+/// The speeds that are found from the momentum.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Sought<T = f64> {
     /// Both.
     Both,
     /// That of one vehicle.
     Beside {
-        /// Which.
+        /// The vehicle.
         vehicle: VehicleId,
         /// (m/s) the speed of the other along its heading.
         known: T,
     },
     /// That of one vehicle, which hit a fixed object.
     IntoWall {
-        /// Which.
+        /// The vehicle.
         vehicle: VehicleId,
     },
 }
@@ -251,8 +251,8 @@ pub enum Sought<T = f64> {
 pub enum Geometry {
     /// Contact points, yaw inertias and crush plane.
     Given,
-    /// The crush plane at a fixed object alone: the impulse is taken to act towards the CG.
+    /// Only the crush plane at a fixed object: the impulse is assumed to act towards the CG.
     Plane,
-    /// Masses and headings alone.
+    /// Only masses and headings.
     PointMasses,
 }

@@ -7,9 +7,9 @@ use std::fmt;
 pub enum Purpose {
     /// Finds the speed at which the impact dissipates exactly the crush energy.
     Reconstruct,
-    /// Solves the impact, both speeds given.
+    /// Solves the impact with both speeds given.
     Impact,
-    /// CRASH3 from the damage alone.
+    /// CRASH3 from only the damage.
     Crush,
     /// Follows each vehicle from the impact to rest, or back.
     Motion,

@@ -27,7 +27,7 @@ impl<T: Copy> Quantity<T> {
         self.unit
     }
 
-    /// What it measures.
+    /// Its dimension.
     #[must_use]
     pub fn dimension(&self) -> Dimension {
         self.unit.dimension()
@@ -106,7 +106,7 @@ impl fmt::Display for Quantity {
     }
 }
 
-/// Why a number in a unit is no quantity.
+/// Why a number in a unit is not a quantity.
 #[derive(Clone, Debug, PartialEq, Error)]
 pub enum InvalidQuantity {
     /// Not a number, or infinite.

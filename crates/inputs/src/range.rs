@@ -10,13 +10,13 @@ use crate::units::Unit;
 pub struct Range {
     /// Path of the number, as [`Input::path`](crate::Input::path).
     pub path: String,
-    /// How far it may be off.
+    /// Its uncertainty.
     pub spread: Spread,
     /// Its physical bounds.
     pub bounds: Bounds,
 }
 
-/// How far a number may be off. The number itself is kept by the [`Case`](crate::Case), as its central value.
+/// The uncertainty of a number. The number itself is kept by the [`Case`](crate::Case), as its central value.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Spread {
     /// `{ value, sd }`: normally distributed about the central value.
@@ -79,7 +79,7 @@ impl fmt::Display for Amount {
 /// and the ends of the other distributions must lie within.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Bounds {
-    /// Nowhere.
+    /// No bounds.
     None,
     /// Zero or more.
     NotNegative,

@@ -1,6 +1,6 @@
-//! What a recorder stored, what is certain of a speed, and what an estimate assumes: `[vehicleN.recorder]`,
-//! `certain_speed` and `[estimate]`. These numbers are held against the impact and do not enter it, so no
-//! other analysis varies them.
+//! Recorder data, certain speeds and the assumptions of an estimate: `[vehicleN.recorder]`, `certain_speed`
+//! and `[estimate]`. These numbers are compared with the impact and do not enter it, so no other analysis
+//! varies them.
 
 use std::fmt::Display;
 
@@ -8,7 +8,7 @@ use crate::quantity::{Quantity, format_number};
 use crate::walk::{Key, Value, Walk};
 use crate::words::word;
 
-/// What the event data recorder of a vehicle stored.
+/// The data of a vehicle's event data recorder.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Recorder {
     /// (m/s) largest part of ΔV along the vehicle, positive forward.
@@ -17,19 +17,19 @@ pub struct Recorder {
     pub delta_v_lateral: Option<Quantity>,
     /// (%) standard deviation of the error of ΔV.
     pub delta_v_error: Option<f64>,
-    /// (rad) scale of the error of its direction.
+    /// (rad) scale of the error of the direction of ΔV.
     pub direction_error: Option<Quantity>,
     /// (m/s) speed before the impact.
     pub speed: Option<Quantity>,
-    /// (%) standard deviation of its error.
+    /// (%) standard deviation of the error of that speed.
     pub speed_error: Option<f64>,
     /// (rad/s) yaw rate after the impact, in the sense of the axes.
     pub yaw_rate: Option<Quantity>,
-    /// (rad/s) standard deviation of its error.
+    /// (rad/s) standard deviation of the error of that yaw rate.
     pub yaw_rate_error: Option<Quantity>,
 }
 
-/// What is certain of the speed of a vehicle before the impact.
+/// Certain limits of the speed of a vehicle before the impact.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct CertainSpeed {
     /// (m/s) it was not slower.
@@ -38,33 +38,33 @@ pub struct CertainSpeed {
     pub at_most: Option<Quantity>,
 }
 
-/// What an estimate assumes before the evidence.
+/// The assumptions of an estimate before the evidence.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct GivenEstimate {
-    /// How severe the collision may have been.
+    /// The prior for the severity of the collision.
     pub prior: Prior,
-    /// (m/s) median of √(ΔV₁ ΔV₂) before the evidence, in place of that of the field.
+    /// (m/s) median of √(ΔV₁ ΔV₂) before the evidence, in place of the median of the field.
     pub delta_v_median: Option<Quantity>,
-    /// (%) standard deviation of the error of crush energies against what the impact took, in place of that
-    /// of the way in which each was obtained.
+    /// (%) standard deviation of the error of crush energies as measures of the energy absorbed in the
+    /// impact, in place of the default for the method by which each was obtained.
     pub crush_error: Option<f64>,
-    /// (%) what crush shows on average of the energy that the impact took, in place of that of the way in
-    /// which it was obtained.
+    /// (%) average ratio of the crush energy to the energy absorbed in the impact, in place of the default
+    /// for the method by which it was obtained.
     pub crush_bias: Option<f64>,
-    /// (%) part of the error of a computed rest position that grows with the path, of the path.
+    /// (%) part of the error of a computed rest position that is proportional to the path length.
     pub rest_error: Option<f64>,
-    /// (m) part of it that a short path has, too.
+    /// (m) part of that error that even a short path has.
     pub rest_least_error: Option<Quantity>,
     /// (rad) error of a computed heading at rest.
     pub rest_heading_error: Option<Quantity>,
-    /// (%) probability, before the evidence, that a vehicle stood whose speed is unknown.
+    /// (%) probability, before the evidence, that a vehicle of unknown speed stood still.
     pub stood: Option<f64>,
 }
 
-/// How severe a collision may have been, before the evidence.
+/// The severity of a collision before the evidence.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Prior {
-    /// `"field"`: as those of which a vehicle was towed.
+    /// `"field"`: like that of collisions after which a vehicle was towed.
     #[default]
     Field,
     /// `"flat"`: any speed is as likely as any other.
@@ -72,7 +72,7 @@ pub enum Prior {
 }
 
 impl Prior {
-    /// Each under its word.
+    /// Each with its word.
     pub const WORDS: [(&str, Self); 2] = [("field", Self::Field), ("flat", Self::Flat)];
 
     /// Its word.

@@ -1,4 +1,4 @@
-//! Where things lie: places in the scene, and what the table `[surface]` says of the ground.
+//! Places in the scene, and the ground of the table `[surface]`.
 
 use std::fmt::Display;
 
@@ -16,27 +16,27 @@ pub struct Place<T = f64> {
     pub y: Quantity<T>,
 }
 
-/// A picture of the scene from above, to scale: what `site_plan` of `[scene]` holds. Its numbers are exact.
+/// A picture of the scene from above, to scale: `site_plan` of `[scene]`. Its numbers are exact.
 #[derive(Clone, Debug, PartialEq)]
 pub struct GivenSitePlan {
-    /// Of a PNG or a JPEG, counted from the folder of the case file.
+    /// Path of a PNG or a JPEG, relative to the folder of the case file.
     pub file: Text,
-    /// Where its lower left corner lies.
+    /// The position of its lower left corner.
     pub corner: Place,
     /// (m) length of its lower edge.
     pub width: Quantity,
-    /// (rad) from the scene's x axis to its lower edge, in the sense of the axes; 0 where absent.
+    /// (rad) from the scene's x axis to its lower edge, in the sense of the axes; 0 if absent.
     pub angle: Option<Quantity>,
 }
 
-/// The ground: what the table `[surface]` holds.
+/// The ground: the table `[surface]`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Surface<T = f64> {
-    /// (–) coefficient of friction between tyre and ground, outside of all zones.
+    /// (–) coefficient of friction between tyre and ground, outside all zones.
     pub friction: T,
-    /// How the ground slopes; level where absent.
+    /// The slope of the ground; level if absent.
     pub grade: Option<Grade<T>>,
-    /// Parts of the ground with a friction of their own. Where two overlap, the later one counts.
+    /// Zones of the ground with their own friction. Where two overlap, the later one counts.
     pub zones: Vec<SurfaceZone<T>>,
 }
 
@@ -49,28 +49,28 @@ pub struct Grade<T = f64> {
     pub uphill: Quantity<T>,
 }
 
-/// A part of the ground: what an entry of `[[surface.zone]]` holds.
+/// A zone of the ground: an entry of `[[surface.zone]]`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SurfaceZone<T = f64> {
-    /// What it is, such as "wet shoulder".
+    /// Its name, such as "wet shoulder".
     pub name: Option<Text>,
     /// (–) coefficient of friction.
     pub friction: T,
-    /// Where it lies. Its corners are exact.
+    /// Its area. Its corners are exact.
     pub region: SurfaceRegion,
 }
 
-/// Where a zone lies.
+/// The area of a zone.
 #[derive(Clone, Debug, PartialEq)]
 pub enum SurfaceRegion {
-    /// All that lies to one side of a line through two places.
+    /// Everything on one side of a line through two points.
     Beside {
-        /// The two places.
+        /// The two points.
         edge: [Place; 2],
-        /// On which side, going from the first to the second, seen from above.
+        /// The side, going from the first point to the second, seen from above.
         side: EdgeSide,
     },
-    /// What three or more corners enclose.
+    /// The inside of a polygon with three or more corners.
     Polygon(Vec<Place>),
 }
 
@@ -84,7 +84,7 @@ pub enum EdgeSide {
 }
 
 impl EdgeSide {
-    /// Each under its word.
+    /// Each with its word.
     pub const WORDS: [(&str, Self); 2] = [("left", Self::Left), ("right", Self::Right)];
 
     /// Its word.
@@ -136,7 +136,7 @@ impl<U> Walk<'_, U> {
         SurfaceZone { name, friction, region: zone.region.clone() }
     }
 
-    /// Places that do not vary: only their values are told.
+    /// Places that do not vary: their values are only listed.
     fn exact_places(&mut self, list: &dyn Display, places: &[Place]) {
         for (index, place) in places.iter().enumerate() {
             let table = Element(list, index);

@@ -7,26 +7,25 @@ use crate::range::Spread;
 use crate::uncertain::list_of;
 use crate::walk::Origin;
 
-/// What shared errors do to the numbers of a case.
+/// The effects of shared errors on the numbers of a case.
 #[derive(Clone, Debug, Default)]
 pub struct SharedEffects {
     effects: Vec<Effect>,
 }
 
-/// What one error does to one number, by their places among [`Case::variables`].
+/// The effect of one error on one number, by their indices among [`Case::variables`].
 #[derive(Clone, Copy, Debug)]
 struct Effect {
     error: usize,
     number: usize,
-    /// (1/unit) what one unit of an error that is added is in the unit of the number; none of one that
-    /// multiplies.
+    /// (1/unit) one unit of an added error, in the unit of the number; `None` for an error that multiplies.
     added: Option<f64>,
     /// Whether the number is a depth, which is zero or more.
     is_depth: bool,
 }
 
 impl SharedEffects {
-    /// Those of the errors of a case.
+    /// The effects of the errors of a case.
     #[must_use]
     pub fn of(case: &Case) -> Self {
         if case.uncertainty.shared.is_empty() {
@@ -56,7 +55,7 @@ impl SharedEffects {
         self.effects.is_empty()
     }
 
-    /// Whether an error covers the number at a place among [`Case::variables`].
+    /// Whether an error covers the number at an index of [`Case::variables`].
     #[must_use]
     pub fn cover(&self, place: usize) -> bool {
         self.effects.iter().any(|effect| effect.number == place)
@@ -82,16 +81,16 @@ impl SharedEffects {
 }
 
 impl Case {
-    /// Whether the case says how far a number may be off, or one of a list: by a range, or by an error that
-    /// it shares with others.
+    /// Whether the case gives an error for a number, or for one of a list: a range, or an error that it
+    /// shares with others.
     pub(crate) fn has_error(&self, key: &str) -> bool {
         let is_of = |path: &str| path == key || list_of(path) == Some(key);
         let mut shared = self.uncertainty.shared.iter().flat_map(|error| &error.of);
         self.ranges.iter().any(|range| is_of(&range.path)) || shared.any(|path| is_of(path))
     }
 
-    /// The case with other numbers, which are in the order of [`variables`](Self::variables), after the
-    /// errors that they share.
+    /// The case with other numbers, in the order of [`variables`](Self::variables), to which the shared
+    /// errors are applied.
     #[must_use]
     pub fn with_numbers<T: Real>(&self, mut numbers: Vec<T>) -> Case<T> {
         SharedEffects::of(self).apply(&mut numbers);

@@ -1,11 +1,11 @@
-//! Words that somebody else wrote.
+//! Texts written by somebody else.
 
 use std::borrow::Cow;
 use std::fmt;
 
-/// A title, a name, a source or the name of a file. A case file may come from the other side, so
-/// [`Display`](fmt::Display) writes such words as [`shown`] does; [`as_given`](Self::as_given) has each
-/// letter of them.
+/// A title, a name, a source or a file name. A case file may come from the other side, so
+/// [`Display`](fmt::Display) writes such texts as [`shown`] does; [`as_given`](Self::as_given) returns the
+/// exact characters.
 ///
 /// ```
 /// let title = inputs::Text::from("Elm St.\nSpeed of vehicle 1: 20 mph");
@@ -16,7 +16,7 @@ use std::fmt;
 pub struct Text(String);
 
 impl Text {
-    /// Letter by letter.
+    /// The exact characters.
     #[must_use]
     pub fn as_given(&self) -> &str {
         &self.0
@@ -41,8 +41,8 @@ impl fmt::Display for Text {
     }
 }
 
-/// The same text on one line, without a character that would act on the reader's terminal or on the letters
-/// around it: each is replaced with a [`sign`], and one that has no sign with its number, as ⟨U+202E⟩.
+/// The same text on one line, without characters that would act on the reader's terminal or on adjacent
+/// characters: each is replaced by its [`sign`] or, if it has none, by its number, as ⟨U+202E⟩.
 ///
 /// ```
 /// assert_eq!(inputs::shown("\u{1b}[8mhidden\u{202e}"), "␛[8mhidden⟨U+202E⟩");
@@ -63,7 +63,7 @@ pub fn shown(text: &str) -> Cow<'_, str> {
     Cow::Owned(shown)
 }
 
-/// The same of each line of a text, whose line breaks and tabs stay.
+/// The same for each line of a text, keeping line breaks and tabs.
 ///
 /// ```
 /// assert_eq!(inputs::shown_lines("a\r\n\tb\u{1b}\n"), "a\n\tb␛\n");
@@ -75,12 +75,12 @@ pub fn shown_lines(text: &str) -> String {
 }
 
 /// Whether a character acts or hides instead of being read: a control character, a line or paragraph
-/// separator, one that turns the direction of writing (`Bidi_Control` of the Unicode Character Database), or
-/// one that leaves no mark, so that two names that differ look the same (`Default_Ignorable_Code_Point`, the
+/// separator, one that changes the direction of writing (`Bidi_Control` of the Unicode Character Database),
+/// or an invisible one, with which two different names look the same (`Default_Ignorable_Code_Point`, the
 /// braille blank and the anchors of annotations).
 ///
-/// The joiners of Persian, Hindi and emoji (U+200C, U+200D) and the selectors of a glyph (U+FE00 to U+FE0F)
-/// change how their neighbours look, and belong to what is written.
+/// The joiners of Persian, Hindi and emoji (U+200C, U+200D) and the variation selectors (U+FE00 to U+FE0F)
+/// change the shape of their neighbours, and belong to the text.
 #[must_use]
 pub fn acts(letter: char) -> bool {
     letter.is_control()
@@ -113,7 +113,7 @@ fn hides(letter: char) -> bool {
     )
 }
 
-/// The picture that Unicode has for a control character of ASCII, such as ␛ for escape.
+/// The Unicode symbol for an ASCII control character, such as ␛ for escape.
 #[must_use]
 pub fn sign(letter: char) -> Option<char> {
     match u32::from(letter) {
@@ -127,8 +127,8 @@ pub fn sign(letter: char) -> Option<char> {
 mod tests {
     use super::{Text, acts, shown, sign};
 
-    /// Every character of Unicode, with the classes written down from its tables: Cc, `Bidi_Control`, Zl, Zp,
-    /// and `Default_Ignorable_Code_Point` (DerivedCoreProperties.txt) less joiners and selectors of a glyph.
+    /// Every character of Unicode, with the classes copied from its tables: Cc, `Bidi_Control`, Zl, Zp, and
+    /// `Default_Ignorable_Code_Point` (DerivedCoreProperties.txt) less joiners and variation selectors.
     #[test]
     fn no_character_that_acts_is_left_and_no_other_changes() {
         let acting =

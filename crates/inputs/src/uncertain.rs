@@ -1,4 +1,4 @@
-//! What a case says of its uncertainty besides the ranges: the table `[uncertainty]`.
+//! The uncertainty of a case besides the ranges: the table `[uncertainty]`.
 
 use crate::quantity::format_number;
 use crate::range::Spread;
@@ -8,22 +8,22 @@ use crate::walk::{Element, Input, Key, Origin, Value, Walk};
 /// The table `[uncertainty]`.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct GivenUncertainty {
-    /// Keys of estimates that have no spread of their own.
+    /// Keys of estimates that are taken as exact.
     pub exact: Vec<String>,
     /// Errors that several numbers share.
     pub shared: Vec<SharedError>,
 }
 
-/// An error that several numbers share, such as that of a tape with which all of them were measured. Each
-/// sample draws it once: it is added to each of the numbers or, as a percentage, multiplies them, on top of
-/// what the range of a number does.
+/// An error that several numbers share, such as that of the tape with which they were all measured. Each
+/// sample draws it once: it is added to each of the numbers or, as a percentage, multiplies them, in addition
+/// to the range of each number.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SharedError {
     /// Its name.
     pub name: String,
     /// The keys of its numbers; a key of a list means all of its elements.
     pub of: Vec<String>,
-    /// How large it is: [`Spread::Normal`] about zero, or [`Spread::Within`] of each number.
+    /// Its size: [`Spread::Normal`] about zero, or [`Spread::Within`] of each number.
     pub size: Spread,
 }
 
@@ -34,7 +34,7 @@ impl SharedError {
         format!("uncertainty.shared.{}", self.name)
     }
 
-    /// The error itself where it does nothing: 0 in its unit, or the factor 1.
+    /// The error without effect: 0 in its unit, or the factor 1.
     pub(crate) fn central(&self) -> (f64, Option<&'static Unit>) {
         match self.size {
             Spread::Normal { sd } => (0.0, sd.unit),
@@ -54,7 +54,7 @@ pub(crate) fn list_of(path: &str) -> Option<&str> {
 }
 
 impl<U> Walk<'_, U> {
-    /// What `[uncertainty]` says, and the errors that it names. What replaces them is dropped:
+    /// `[uncertainty]` and the errors that it names. Their replacements are dropped:
     /// [`Case::with_numbers`](crate::Case::with_numbers) applies them.
     pub(crate) fn uncertainty(&mut self, uncertainty: &GivenUncertainty) -> GivenUncertainty {
         let GivenUncertainty { exact, shared } = uncertainty;

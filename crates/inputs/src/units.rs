@@ -12,7 +12,7 @@ use std::fmt;
 /// SP 811, appendix B.8).
 pub const STANDARD_GRAVITY: f64 = 9.80665;
 
-/// What a quantity measures. Each key of a case has one dimension.
+/// The dimension of a quantity. Each key of a case has one dimension.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Dimension {
     /// (m) widths, depths, distances.
@@ -35,7 +35,7 @@ pub enum Dimension {
     StiffnessA,
     /// (N/m²) stiffness coefficient B: force per unit width and depth.
     StiffnessB,
-    /// (N) stiffness coefficient G: energy per unit width taken without residual crush.
+    /// (N) stiffness coefficient G: energy per unit width absorbed without residual crush.
     StiffnessG,
     /// (√N) d₀ = A/√B.
     RootForce,
@@ -61,7 +61,7 @@ impl Dimension {
         Self::RootForcePerLength,
     ];
 
-    /// The name with its article, as an error text needs it: "a length", "an angle".
+    /// The name with its article, for error texts: "a length", "an angle".
     #[must_use]
     pub fn name(self) -> &'static str {
         match self {
@@ -176,7 +176,7 @@ impl Unit {
         std::iter::once(self.spelling).chain(self.others.iter().copied())
     }
 
-    /// What one of this unit is in SI.
+    /// The size of this unit in SI.
     #[inline(always)]
     #[must_use]
     pub fn factor(&self) -> f64 {
@@ -189,7 +189,7 @@ impl Unit {
         self.system
     }
 
-    /// What this unit measures.
+    /// The dimension of this unit.
     #[must_use]
     pub fn dimension(&self) -> Dimension {
         self.dimension

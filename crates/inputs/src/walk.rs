@@ -11,14 +11,14 @@ use crate::words::word;
 /// One number of a case.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Input {
-    /// Where it stands, such as `vehicle1.contact.angle`; the first of a list is `vehicle1.crush.depths[1]`,
-    /// the C_1 of the equations.
+    /// Its path, such as `vehicle1.contact.angle`; the first of a list is `vehicle1.crush.depths[1]`, the C_1
+    /// of the equations.
     pub path: String,
     /// The number as written.
     pub number: f64,
-    /// The unit as written; `None` of a coefficient that has none.
+    /// The unit as written; `None` for a coefficient without a unit.
     pub unit: Option<&'static Unit>,
-    /// Where it comes from.
+    /// Its origin.
     pub origin: Origin,
 }
 
@@ -27,14 +27,14 @@ pub struct Variable<'a> {
     pub(crate) path: &'a dyn Display,
     /// The number as written.
     pub number: f64,
-    /// The unit as written; `None` of a coefficient that has none.
+    /// The unit as written; `None` for a coefficient without a unit.
     pub unit: Option<&'static Unit>,
-    /// Where it comes from.
+    /// Its origin.
     pub origin: Origin,
 }
 
 impl Variable<'_> {
-    /// Whether it stands here.
+    /// Whether this is its path.
     #[must_use]
     pub fn is_at(&self, path: &str) -> bool {
         let mut rest = Rest(path);
@@ -42,7 +42,7 @@ impl Variable<'_> {
     }
 }
 
-/// What is left of a text after what was written, as long as that is how it begins.
+/// The rest of a text after a prefix; writing anything else than its next characters fails.
 struct Rest<'a>(&'a str);
 
 impl Write for Rest<'_> {
@@ -52,16 +52,16 @@ impl Write for Rest<'_> {
     }
 }
 
-/// Where a number that may vary comes from.
+/// The origin of a number that may vary.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Origin {
     /// The case gives it.
     Given,
-    /// It is the factor of an estimate, 1 unless it is varied, or the distance by which a contact point that
-    /// was placed is moved, 0 unless it is varied.
+    /// It is the factor of an estimate, 1 unless it is varied, or the displacement of a placed contact point,
+    /// 0 unless it is varied.
     Estimate(Estimate),
-    /// It is the error, by its place among those that numbers of the case share: 0 in its unit or, where it
-    /// is a percentage, the factor 1, unless it is varied.
+    /// It is a shared error, by its index among those of the case: 0 in its unit or, for a percentage, the
+    /// factor 1, unless it is varied.
     Shared(usize),
 }
 
@@ -72,7 +72,7 @@ impl Input {
         self.number * self.factor()
     }
 
-    /// What one of its unit is in SI.
+    /// The size of its unit in SI.
     #[must_use]
     pub fn factor(&self) -> f64 {
         self.unit.map_or(1.0, Unit::factor)
@@ -82,7 +82,7 @@ impl Input {
 /// A value of a case.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Value {
-    /// A number in its unit, or a coefficient without.
+    /// A number in its unit, or a coefficient without a unit.
     Number {
         /// The number as given.
         number: f64,
@@ -134,7 +134,7 @@ impl<'a, U> Walk<'a, U> {
         Self { replace, others }
     }
 
-    /// What takes the place of a number, which need not be one that the case gives.
+    /// The replacement of a number, which need not be given by the case.
     pub(crate) fn replaced(
         &mut self,
         path: &dyn Display,

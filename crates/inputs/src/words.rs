@@ -1,4 +1,4 @@
-//! The words of each choice, in one table that readers, writers and lists share. Enums of this crate have
+//! The words of each choice, in one table shared by readers, writers and lists. Enums of this crate have
 //! theirs as `WORDS`.
 
 use crash3::{ObliqueCorrection, Side};
@@ -23,7 +23,7 @@ pub const OBLIQUE_CORRECTIONS: [(&str, ObliqueCorrection); 4] = [
 pub const UNKNOWNS: [(&str, Unknown); 2] =
     [("vehicle1.speed", Unknown::Speed1), ("vehicle2.speed", Unknown::Speed2)];
 
-/// The words of a table alone.
+/// Only the words of a table.
 #[must_use]
 pub const fn words_of<T, const N: usize>(table: &[(&'static str, T); N]) -> [&'static str; N] {
     let mut words = [""; N];
@@ -60,7 +60,7 @@ mod tests {
     use crate::impact::LawName;
     use crate::vehicle::Kind;
 
-    /// The place of a choice among all of its kind: a new one does not compile before it has one here.
+    /// The index of a choice among all of its kind: a new one does not compile until it has one here.
     trait Place {
         fn place(self) -> usize;
     }

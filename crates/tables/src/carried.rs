@@ -1,4 +1,4 @@
-//! Columns of a table that stand beside the results.
+//! Columns of a table next to the results.
 
 use std::sync::Arc;
 
@@ -7,7 +7,7 @@ use arrow_schema::{Schema, SchemaRef};
 
 use crate::TableError;
 
-/// Columns of a table that are carried over to its results.
+/// Columns of a table that are copied to its results.
 #[derive(Clone, Debug)]
 pub struct Carried {
     places: Vec<usize>,
@@ -15,11 +15,11 @@ pub struct Carried {
 }
 
 impl Carried {
-    /// The columns of a table at these places, and behind them the results.
+    /// The columns of a table at these indices, followed by the results.
     ///
     /// # Errors
-    /// [`TableError::NameOfResult`] where a column has the name of one of the results, and
-    /// [`TableError::Arrow`] where the table has no such place.
+    /// [`TableError::NameOfResult`] if a column has the name of one of the results, and [`TableError::Arrow`]
+    /// if the table has no column at an index.
     pub fn new(table: &Schema, places: Vec<usize>, results: &Schema) -> Result<Self, TableError> {
         let kept = table.project(&places)?;
         if let Some(field) = kept.fields().iter().find(|field| results.field_with_name(field.name()).is_ok())
@@ -31,17 +31,17 @@ impl Carried {
         Ok(Self { places, schema })
     }
 
-    /// The schema of both.
+    /// The schema of both together.
     #[must_use]
     pub fn schema(&self) -> &SchemaRef {
         &self.schema
     }
 
-    /// The carried columns of a batch, and behind them its results.
+    /// The carried columns of a batch, followed by its results.
     ///
     /// # Errors
-    /// [`TableError::Arrow`] where the batch and its results do not have the schemas of the table and of its
-    /// results, or not the same number of rows.
+    /// [`TableError::Arrow`] if the batch and its results do not have the schemas of the table and of its
+    /// results, or differ in their number of rows.
     pub fn beside(&self, batch: &RecordBatch, results: &RecordBatch) -> Result<RecordBatch, TableError> {
         let kept = batch.project(&self.places)?;
         let columns = kept.columns().iter().chain(results.columns()).cloned().collect();

@@ -1,4 +1,4 @@
-//! One column of whatever type holds numbers, texts or flags.
+//! One column, of any type that holds numbers, texts or flags.
 
 use std::ops::Range;
 
@@ -14,7 +14,7 @@ use arrow_array::{
 use arrow_buffer::NullBuffer;
 use arrow_schema::DataType;
 
-/// What stands in one place of a column.
+/// The value in one row of a column.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Cell<'a> {
     Number(f64),
@@ -25,7 +25,7 @@ pub(crate) enum Cell<'a> {
 /// A column without structs or lists.
 pub(crate) struct Column<'a> {
     values: Values<'a>,
-    /// Of a dictionary, the place of each row among the values.
+    /// For a dictionary, the index of each row's value.
     places: Option<Vec<usize>>,
     nulls: Option<NullBuffer>,
 }
@@ -52,7 +52,7 @@ impl<'a> Column<'a> {
         }
     }
 
-    /// Whether it holds texts.
+    /// Whether a column of this type holds texts.
     pub(crate) fn is_text(data_type: &DataType) -> bool {
         match data_type {
             DataType::Dictionary(_, values) => Self::is_text(values),
@@ -62,7 +62,7 @@ impl<'a> Column<'a> {
         }
     }
 
-    /// Whether it holds true and false.
+    /// Whether a column of this type holds true and false.
     pub(crate) fn is_flag(data_type: &DataType) -> bool {
         match data_type {
             DataType::Dictionary(_, values) => Self::is_flag(values),
@@ -70,8 +70,8 @@ impl<'a> Column<'a> {
         }
     }
 
-    /// The column, or nothing where its type is none that [`reads`](Self::reads) knows.
-    /// `gate` has the rows whose struct is null, in which nothing stands.
+    /// The column; `None` if [`reads`](Self::reads) does not know its type. `gate` marks the rows whose
+    /// struct is null, which have no value.
     pub(crate) fn of(array: &'a dyn Array, gate: Option<&NullBuffer>) -> Option<Self> {
         let nulls = NullBuffer::union(array.logical_nulls().as_ref(), gate);
         if let Some(dictionary) = array.as_any_dictionary_opt() {
@@ -113,7 +113,7 @@ impl<'a> Column<'a> {
         Some(Self { values, places: None, nulls })
     }
 
-    /// What stands in a row; nothing where that is null, or a text of blanks.
+    /// The value in a row; `None` if it is null or a blank text.
     pub(crate) fn cell(&self, row: usize) -> Option<Cell<'a>> {
         if self.nulls.as_ref().is_some_and(|nulls| nulls.is_null(row)) {
             return None;
@@ -133,7 +133,7 @@ impl<'a> Column<'a> {
     }
 }
 
-/// Decimal numbers, each as the double that is nearest to it.
+/// Decimal numbers, each as the nearest double.
 fn decimals<D: DecimalType>(array: &PrimitiveArray<D>) -> Vec<f64> {
     let number = |row: usize| {
         if array.is_null(row) { f64::NAN } else { array.value_as_string(row).parse().unwrap_or(f64::NAN) }
@@ -154,7 +154,7 @@ enum Kind<'a> {
 }
 
 impl<'a> Lists<'a> {
-    /// `gate` has the rows whose struct is null, in which nothing stands.
+    /// `gate` marks the rows whose struct is null, which have no value.
     pub(crate) fn of(array: &'a dyn Array, gate: Option<&NullBuffer>) -> Option<Self> {
         let lists = match array.data_type() {
             DataType::List(_) => Kind::Small(array.as_list()),
@@ -165,7 +165,7 @@ impl<'a> Lists<'a> {
         Some(Self { lists, nulls: NullBuffer::union(array.nulls(), gate) })
     }
 
-    /// All that is listed, of all rows.
+    /// The elements of all rows.
     pub(crate) fn values(&self) -> &'a dyn Array {
         match self.lists {
             Kind::Small(list) => list.values().as_ref(),
@@ -174,7 +174,7 @@ impl<'a> Lists<'a> {
         }
     }
 
-    /// The places of what a row lists among [`values`](Self::values); nothing where the row is null.
+    /// The indices of a row's elements in [`values`](Self::values); `None` if the row is null.
     pub(crate) fn places(&self, row: usize) -> Option<Range<usize>> {
         if self.nulls.as_ref().is_some_and(|nulls| nulls.is_null(row)) {
             return None;

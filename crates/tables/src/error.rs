@@ -1,4 +1,4 @@
-//! Why a table cannot be read at all. What is wrong with one row stands in that row.
+//! Why a table cannot be read at all. Errors of a single row are reported in that row.
 
 use arrow_array::RecordBatch;
 use arrow_schema::{ArrowError, DataType};
@@ -8,10 +8,10 @@ use case::{Diagnostics, shown};
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum TableError {
-    /// The template is no part of a case.
+    /// The template is not a part of a case.
     #[error("the template is no part of a case: {}", .0.one_line())]
     Template(Box<Diagnostics>),
-    /// A column looks like a key, and is none.
+    /// A column looks like a key, but is not one.
     #[error("the column \"{}\" is no key of a case: {}", shown(.column), shown(.help))]
     UnknownKey {
         /// Its name, or the path of the field of a struct.
@@ -19,7 +19,7 @@ pub enum TableError {
         /// What to write instead.
         help: String,
     },
-    /// No column gives a key, so that every row would be the template.
+    /// No column gives a key, so every row would be the template.
     #[error(
         "no column of the table is a key of a case, so every row would be the template: its columns are \"{}\"; a \
          key is called like \"vehicle2.speed [mph]\"",
@@ -29,14 +29,14 @@ pub enum TableError {
         /// Their names.
         columns: Vec<String>,
     },
-    /// A column of another type than its key has.
+    /// A column has another type than its key requires.
     #[error("the column \"{}\" has the type {found}, but {wanted}", shown(.column))]
     Type {
         /// Its name, or the path of the field of a struct.
         column: String,
         /// Its type.
         found: DataType,
-        /// What the key needs.
+        /// The type that the key requires.
         wanted: String,
     },
     /// A unit that the key cannot have.
@@ -51,12 +51,12 @@ pub enum TableError {
         /// What to write instead.
         help: String,
     },
-    /// Two columns of one key.
+    /// Two columns give the same key.
     #[error("the columns \"{}\" and \"{}\" both give {key}: leave one out", shown(.first), shown(.second))]
     Twice {
-        /// One.
+        /// One column.
         first: String,
-        /// The other.
+        /// The other column.
         second: String,
         /// The key.
         key: String,
@@ -67,26 +67,26 @@ pub enum TableError {
         /// Its name.
         column: String,
     },
-    /// What a column holds is not what its type says, such as text that is not encoded in UTF-8.
+    /// The contents of a column do not match its type, such as text that is not encoded in UTF-8.
     #[error("the column \"{}\" is damaged: {reason}; text has to be encoded in UTF-8", shown(.column))]
     Damaged {
         /// Its name.
         column: String,
-        /// What the library of Arrow says.
+        /// Arrow's error.
         reason: ArrowError,
     },
-    /// Options that do not fit together, or make no sense.
+    /// Options that contradict each other, or are invalid.
     #[error("{0}")]
     Options(String),
     /// The run was ended.
     #[error("ended after {} of {total} rows", .finished.num_rows())]
     Ended {
-        /// The results of the rows up to the first that was not done.
+        /// The results of the rows before the first unfinished one.
         finished: RecordBatch,
-        /// All.
+        /// Number of all rows.
         total: usize,
     },
-    /// Of the columns themselves.
+    /// An error of Arrow.
     #[error(transparent)]
     Arrow(#[from] ArrowError),
 }

@@ -12,21 +12,21 @@ use crate::shape::Shape;
 /// The metadata of a field with its meaning.
 const DESCRIPTION: &str = "description";
 
-/// What stands in the place of a number.
+/// The type of a number.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Numbers {
     /// A double.
     Plain,
-    /// A struct of `value`, `sd`, `low`, `mode`, `high`, `within` and `confidence`; with `value` alone it is
-    /// a plain number.
+    /// A struct of `value`, `sd`, `low`, `mode`, `high`, `within` and `confidence`; with only `value` it is a
+    /// plain number.
     Ranges,
 }
 
-/// The schema of a table of cases: structs and lists that mirror the case file, with `null` for what a row
-/// does not give. A number with a unit is in SI units, which the metadata `unit` of its field names; the
-/// metadata `description` says what it means.
+/// The schema of a table of cases: structs and lists that mirror the case file, with `null` for keys that a
+/// row does not give. A number with a unit is in SI units, which the metadata `unit` of its field names; the
+/// metadata `description` gives its meaning.
 ///
-/// A table need not have all of it, nor exactly these types: see the [crate](crate).
+/// A table need not have all of these columns, nor exactly these types: see the [crate](crate).
 ///
 /// ```
 /// use tables::{Numbers, case_schema};
@@ -45,7 +45,7 @@ fn fields(shape: Shape, numbers: Numbers) -> Fields {
     shape.keys().filter(|key| is_own(shape, key)).map(|key| field(shape.within(key), key, numbers)).collect()
 }
 
-/// Whether a key stands in the struct of a table that is no range.
+/// Whether a key is in the struct of a table that is not a range.
 fn is_own(shape: Shape, key: &KeyInfo) -> bool {
     match shape {
         Shape::NumberOrTable(keys) => keys.iter().any(|own| own.name == key.name),

@@ -32,7 +32,7 @@
 //!
 //! - **Nested**: structs and lists as in the file, [`case_schema`]: `vehicle1: struct<mass: double, crush:
 //!   struct<side: string, depths: list<double>>>`. Each row can have its own law, side and number of
-//!   stations. A column may have a part of the schema.
+//!   stations. A column may have only part of the schema.
 //! - **Flat**: the path of the key is the name of the column, as the file and all messages write it, with the
 //!   unit in brackets: `vehicle1.mass [lb]`, `vehicle1.crush.depths[1] [in]`, `vehicle2.speed.sd [mph]`.
 //!   Where dots and brackets are in the way (SQL, Spark), the same with two underscores:
@@ -40,9 +40,9 @@
 //!   Two, as keys have single ones in them: `vehicle1_yaw_rate_sd` could be taken apart in several ways, and
 //!   is refused.
 //!
-//! A number without a unit is in SI units and radians. A unit stands in the name of the column, or of the
-//! field of a struct, or in the metadata `unit` of its field. A text can be a quantity as in the file, `"10
-//! mph"`, or a number, which is then in the unit of the column; a text of blanks is null.
+//! A number without a unit is in SI units and radians. A unit is part of the name of the column, or of the
+//! field of a struct, or is in the metadata `unit` of its field. A text can be a quantity as in the file,
+//! `"10 mph"`, or a number, which is then in the unit of the column; a blank text is null.
 //!
 //! | the key has | its column is |
 //! |---|---|
@@ -57,32 +57,32 @@
 //! | a table, a list of tables | a struct, a list of structs |
 //!
 //! Integers of any width, floats, texts in their three encodings, dictionaries of these and nulls are read. A
-//! column whose name begins with that of a table, and which is no key, makes the table refused: a slip there
-//! would be a default in silence. All other columns are the table's own ([`columns_kept`]), and
-//! can stand beside the results ([`Carried`]).
+//! column whose name begins with that of a table but is not a key makes the table invalid: otherwise, a slip
+//! there would silently become a default. All other columns are the table's own ([`columns_kept`]), and can
+//! be added to the results ([`Carried`]).
 //!
 //! # What all rows share
 //!
-//! A [`RowTemplate`] is a part of a case file. What a row gives replaces or completes it: tables key by key,
+//! A [`RowTemplate`] is a part of a case file. The values of a row replace or complete it: tables key by key,
 //! and any other value as a whole, a number with its range. A range without a central value, such as `sd`
-//! alone, is put about the one in the template.
+//! alone, applies to the value in the template.
 //!
 //! # Results
 //!
 //! Columns are named after the keys of the JSON, with underscores for dots: `vehicle1_delta_v`. They are in
 //! SI units and radians, and in the axes of the case. With [`RowOptions::samples`], the results that vary
 //! have `vehicle1_delta_v_p025`, `_median` and `_p975`, the 95 % interval, `_mean` and `_sd`; they are null
-//! in a row of which nothing is uncertain. No type is unsigned, and no name has a dot. `warnings` are the
-//! codes that the glossary explains; `help` says what to write instead of what is wrong. The metadata of the
-//! schema has the version of the program and the options.
+//! in a row without uncertain numbers. No type is unsigned, and no name has a dot. `warnings` are codes that
+//! the glossary explains; `help` says what to write in place of the error. The metadata of the schema has the
+//! version of the program and the options.
 //!
-//! The seed is that of the options, or of the column `seed`: the same row has the same result wherever it
-//! stands, in whatever batch, on any number of threads.
+//! The seed is that of the options, or of the column `seed`: the same row has the same result at any
+//! position, in any batch and on any number of threads.
 //!
 //! # What it does not do
 //!
-//! It reads and writes no files: the program has `deltav table`, and Python its package. It computes nothing
-//! that a case file would not give.
+//! It reads and writes no files: for that there are `deltav table` and the Python package. It computes
+//! nothing that a case file would not give.
 
 mod carried;
 mod column;

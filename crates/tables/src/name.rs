@@ -4,11 +4,11 @@
 
 use case::{Dimension, Unit, read_unit};
 
-/// A name, taken apart.
+/// The parts of a name.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Name {
     pub(crate) steps: Vec<Step>,
-    /// What stands in brackets at the end.
+    /// The text in brackets at the end.
     pub(crate) unit: Option<String>,
 }
 
@@ -16,15 +16,15 @@ pub(crate) struct Name {
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum Step {
     Key(String),
-    /// From zero; a name counts from one.
+    /// Counted from zero; a name counts from one.
     Element(usize),
 }
 
-/// The most elements that columns of their own can have.
+/// The maximum number of elements with columns of their own.
 const MOST_ELEMENTS: usize = 1000;
 
 impl Name {
-    /// The name in its parts; what has no dots and brackets may have a unit as its last step.
+    /// The parts of a name; one without dots and brackets may have a unit as its last step.
     pub(crate) fn of(name: &str) -> Self {
         let name = name.trim();
         let bracketed = name
@@ -59,7 +59,7 @@ fn element(text: &str) -> Option<usize> {
     (1..=MOST_ELEMENTS).contains(&number).then(|| number - 1)
 }
 
-/// The unit of a dimension that a text spells, be it in letters alone: `N_per_cm2`, `lb_ft_s2`.
+/// The unit of a dimension that a text spells, perhaps only in letters: `N_per_cm2`, `lb_ft_s2`.
 pub(crate) fn unit(text: &str, dimension: Dimension) -> Option<&'static Unit> {
     read_unit(text, dimension).or_else(|| read_unit(&text.replace("_per_", "/").replace('_', " "), dimension))
 }

@@ -1,4 +1,4 @@
-//! Which columns give which keys, found once for a table, and the values of each row.
+//! The columns for each key, found once for a table, and the values of each row.
 
 use arrow_array::cast::AsArray as _;
 use arrow_array::{Array, RecordBatch};
@@ -17,25 +17,25 @@ pub(crate) const SEED: &str = "seed";
 /// The metadata of a field with its unit.
 pub(crate) const UNIT: &str = "unit";
 
-/// (bytes) of a text: more than ten thousand depths.
+/// (bytes) longest text: more than ten thousand depths.
 const LONGEST_TEXT: usize = 1 << 17;
 
-/// A column by its name, as an error tells it.
+/// The name of a column in error texts.
 type Called = String;
 
-/// What gives the value of a key.
+/// The columns that give the value of a key.
 struct Part<'a> {
-    /// As in the path of a case.
+    /// The path as in a case.
     path: String,
     key: &'static str,
     shape: Shape,
-    /// The column of the value itself, and those of the other forms of a value that a struct has beside it.
+    /// The column of the value itself, and those of its other forms in a struct.
     whole: Vec<(Called, Whole<'a>)>,
-    /// Those of its keys.
+    /// The parts of its keys.
     keys: Vec<Part<'a>>,
-    /// Those of its elements.
+    /// The parts of its elements.
     elements: Vec<Option<Part<'a>>>,
-    /// Whether nothing says the unit of the column, so that bare numbers in it are SI.
+    /// Whether nothing gives the unit of the column, so that bare numbers in it are SI.
     assumes_unit: bool,
 }
 
@@ -45,7 +45,7 @@ enum Whole<'a> {
     List(Lists<'a>, Box<Part<'a>>),
 }
 
-/// How what stands in a column is taken.
+/// How the cells of a column are read.
 #[derive(Clone, Copy)]
 enum Kind {
     Text,
@@ -53,34 +53,34 @@ enum Kind {
     Number,
     Percent,
     Quantity(&'static Unit),
-    /// A text of several numbers.
+    /// A text with several numbers.
     Numbers,
-    /// The same, with a unit at its end or of the column.
+    /// The same, with a unit at its end or that of the column.
     Quantities(&'static Unit),
-    /// A text of several words.
+    /// A text with several words.
     Names,
 }
 
-/// What the columns of a table give.
+/// The keys that the columns of a table give.
 pub(crate) struct Plan<'a> {
     case: Part<'a>,
     seed: Option<Column<'a>>,
 }
 
-/// What a column is.
+/// The role of a column.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Role {
     /// It gives a key.
     Key,
     Seed,
-    /// It is the table's own.
+    /// It is one of the table's own.
     Other,
 }
 
-/// The columns that give no key: their places.
+/// The indices of the columns that give no key.
 ///
 /// # Errors
-/// [`TableError::UnknownKey`] for one that looks like a key, and [`TableError::NoKey`] where none is one.
+/// [`TableError::UnknownKey`] for one that looks like a key, and [`TableError::NoKey`] if none is one.
 pub(crate) fn others(schema: &Schema) -> Result<Vec<usize>, TableError> {
     let mut others = Vec::new();
     for (place, field) in schema.fields().iter().enumerate() {
@@ -96,8 +96,8 @@ pub(crate) fn others(schema: &Schema) -> Result<Vec<usize>, TableError> {
     Ok(others)
 }
 
-/// The right spelling of a name that differs from a key by capital letters, or that has only the end of one,
-/// as `v2.speed` has.
+/// The right spelling of a name that differs from a key in capital letters, or that only ends like one, as
+/// `v2.speed` does.
 fn meant(name: &str) -> Option<String> {
     let tables = || Shape::case().keys();
     let lower = name.to_lowercase();
@@ -122,7 +122,7 @@ fn meant(name: &str) -> Option<String> {
     (!of.is_empty()).then(|| format!("did you mean {}?", of.join(" or ")))
 }
 
-/// Whether a column gives a key: its name begins with the name of a table of the case.
+/// The role of a column: it gives a key if its name begins with the name of a table of the case.
 fn role(field: &Field) -> Result<Role, TableError> {
     let name = field.name().trim();
     if name == SEED {
@@ -136,7 +136,7 @@ fn role(field: &Field) -> Result<Role, TableError> {
         if of_steps.steps.len() > 1 || (is_table && matches!(field.data_type(), DataType::Struct(_))) {
             return Ok(Role::Key);
         }
-        // A table of the user's own may have a column `source` or `impact`.
+        // A table may have its own column `source` or `impact`.
         let is_text = !is_table && Column::is_text(field.data_type());
         return Ok(if is_text { Role::Key } else { Role::Other });
     }
@@ -144,7 +144,7 @@ fn role(field: &Field) -> Result<Role, TableError> {
         tables().filter(|key| matches!(Shape::case().within(key), Shape::Table(_))).find(|key| {
             let rest = name.strip_prefix(key.name);
             let rest = rest.and_then(|rest| rest.strip_prefix(['_', '.', ' ', '-', '/', ':']));
-            // A table may have a column `impact_type` of its own, but hardly one of a vehicle.
+            // A table may have its own column `impact_type`, but hardly one of a vehicle.
             let mut keys = Shape::case().within(key).keys();
             rest.is_some_and(|rest| {
                 key.name.starts_with("vehicle") || keys.any(|key| rest.starts_with(key.name))
@@ -181,7 +181,7 @@ impl<'a> Part<'a> {
         }
     }
 
-    /// The part of a key, made where there is none yet.
+    /// The part of a key, added if there is none yet.
     fn key(&mut self, key: &'static str, shape: Shape) -> &mut Self {
         let place = self.keys.iter().position(|part| part.key == key).unwrap_or_else(|| {
             let path = if self.path.is_empty() { key.to_owned() } else { format!("{}.{key}", self.path) };
@@ -199,7 +199,7 @@ impl<'a> Part<'a> {
         self.elements[index].get_or_insert_with(|| Self::new(path, "", shape))
     }
 
-    /// The part at the end of a path of a name, and the unit there.
+    /// The part at the end of a path in a name, and the unit there.
     fn at(&mut self, steps: &[Step], called: &str) -> Result<(&mut Self, Option<String>), TableError> {
         let Some((step, rest)) = steps.split_first() else { return Ok((self, None)) };
         match step {
@@ -221,8 +221,8 @@ impl<'a> Part<'a> {
         }
     }
 
-    /// Takes a column, or the field of a struct, for this part. `gate` has the rows in which a struct around
-    /// it is null; `own` is the unit in its name, and `around` that of the range or list around it.
+    /// Assigns a column, or the field of a struct, to this part. `gate` marks the rows in which a struct
+    /// around it is null; `own` is the unit in its name, and `around` that of the range or list around it.
     fn take(
         &mut self,
         called: &str,
@@ -272,7 +272,7 @@ impl<'a> Part<'a> {
         Ok(())
     }
 
-    /// The column as this part reads it.
+    /// The column as read by this part.
     fn whole_of(
         &self,
         called: &str,
@@ -312,7 +312,7 @@ impl<'a> Part<'a> {
         Ok(Whole::One(column, kind))
     }
 
-    /// How a column of this part is taken.
+    /// How a column of this part is read.
     fn kind(&self, called: &str, (own, around): (Option<&str>, Option<&str>)) -> Result<Kind, TableError> {
         let si = |dimension: Dimension| {
             unit(dimension.si_unit(), dimension).ok_or_else(|| unknown(called, "it has no unit".to_owned()))
@@ -341,7 +341,7 @@ impl<'a> Part<'a> {
             Shape::Percent => Kind::Percent,
             Shape::Names => Kind::Names,
             Shape::Numbers => Kind::Numbers,
-            // No column but one of nulls is any of these.
+            // Only a column of nulls can be one of these.
             Shape::Table(_) | Shape::Tables(_) => Kind::Text,
             Shape::Number
             | Shape::Count
@@ -394,8 +394,8 @@ impl<'a> Part<'a> {
         unknown(called, help)
     }
 
-    /// Adds the columns of this part whose bare numbers are taken as SI, with the unit, where one of `rows`
-    /// has any.
+    /// Adds the columns of this part with bare numbers in some of `rows`, which are taken as SI, with their
+    /// unit.
     fn add_assumed(&self, rows: usize, assumed: &mut Vec<(String, &'static str)>) {
         for (called, whole) in self.whole.iter().filter(|_| self.assumes_unit) {
             match whole {
@@ -418,7 +418,7 @@ impl<'a> Part<'a> {
         }
     }
 
-    /// The value in a row; nothing where all is null.
+    /// The value in a row; `None` if everything is null.
     fn value(&self, row: usize) -> Result<Option<Value<'a>>, String> {
         let mut table = ValueTable::new();
         for part in &self.keys {
@@ -452,7 +452,7 @@ impl<'a> Part<'a> {
             (None, _) if table.is_empty() => Ok(None),
             (None, central) => Ok(Some(alone(table, central))),
             (Some((_, value)), _) if table.is_empty() => Ok(Some(match (self.shape, value) {
-                // One word of several stands alone.
+                // One word of several is written without a list.
                 (Shape::Words, Value::List(mut list)) if list.len() == 1 => list.remove(0),
                 (_, value) => value,
             })),
@@ -530,7 +530,7 @@ impl Kind {
     }
 }
 
-/// A list of elements, which ends where no element has a value; nothing where none has.
+/// A list of elements, which ends at the first one without a value; `None` if none has one.
 fn listed<'a>(
     elements: impl Iterator<Item = Result<Option<Value<'a>>, String>>,
     path: &str,
@@ -553,7 +553,7 @@ fn listed<'a>(
     Ok((!list.is_empty()).then_some(Value::List(list)))
 }
 
-/// A range of which only the central value is there is that value.
+/// Reduces a range with only a central value to that value.
 fn alone<'a>(mut table: ValueTable<'a>, central: Option<&'static str>) -> Value<'a> {
     match central {
         Some(central) if table.len() == 1 => match table.remove(central) {
@@ -564,7 +564,7 @@ fn alone<'a>(mut table: ValueTable<'a>, central: Option<&'static str>) -> Value<
     }
 }
 
-/// Whether it can be the central value of a range.
+/// Whether a value can be the central value of a range.
 fn is_amount(value: &Value<'_>) -> bool {
     match value {
         Value::Number(_) | Value::Quantity(..) | Value::Text(_) => true,
@@ -611,14 +611,14 @@ impl<'a> Plan<'a> {
         Ok(Self { case, seed })
     }
 
-    /// The columns whose bare numbers are taken as SI because nothing says their unit, with the unit.
+    /// The columns whose bare numbers are taken as SI because nothing gives their unit, with the unit.
     pub(crate) fn assumed(&self, rows: usize) -> Vec<(String, &'static str)> {
         let mut assumed = Vec::new();
         self.case.add_assumed(rows, &mut assumed);
         assumed
     }
 
-    /// What a row gives.
+    /// The values of a row.
     pub(crate) fn row(&self, row: usize) -> Result<ValueTable<'a>, String> {
         match self.case.value(row)? {
             Some(Value::Table(table)) => Ok(table),
@@ -626,9 +626,9 @@ impl<'a> Plan<'a> {
         }
     }
 
-    /// The seed of a row; nothing where the table has none.
+    /// The seed of a row; `None` if the table has none.
     pub(crate) fn seed(&self, row: usize) -> Result<Option<u64>, String> {
-        /// A double tells all whole numbers up to this apart, 2⁵³.
+        /// Largest whole number up to which doubles are exact, 2⁵³.
         const LAST: f64 = 9_007_199_254_740_992.0;
         let Some(cell) = self.seed.as_ref().and_then(|column| column.cell(row)) else { return Ok(None) };
         let number = match cell {
@@ -649,8 +649,8 @@ impl<'a> Plan<'a> {
     }
 }
 
-/// Adds what a row gives to what all rows share: tables key by key; any other value replaces the one that is
-/// there. A range without a central value is put about the one that is there.
+/// Adds the values of a row to those that all rows share: tables key by key; any other value replaces the
+/// shared one. A range without a central value applies to the shared value.
 pub(crate) fn merge<'a>(shared: &mut ValueTable<'a>, row: ValueTable<'a>) {
     for (key, value) in row {
         match (shared.get_mut(&key), value) {
@@ -681,7 +681,7 @@ fn is_range(table: &ValueTable<'_>) -> bool {
     !is_curve && (range_keys().iter().chain(list_range_keys())).any(|key| table.get(key.name).is_some())
 }
 
-/// Whether it tells how far a number may be off, and not the number.
+/// Whether a table gives the uncertainty of a number, but not the number.
 fn is_spread(table: &ValueTable<'_>) -> bool {
     is_range(table) && ["value", "values", "low", "mode", "high"].iter().all(|key| table.get(key).is_none())
 }

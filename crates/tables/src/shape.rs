@@ -1,17 +1,17 @@
-//! What a key holds, as a column has to give it.
+//! The form of a key's value in a column.
 
 use case::{Dimension, KeyForm, KeyInfo, key_tree, list_range_keys, range_keys};
 
-/// What a key holds. A number with its unit is a number in a column, whose name or metadata has the unit.
+/// The form of a key's value. A number with a unit is a number; the column's name or metadata has the unit.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Shape {
     Text,
-    /// One of a few words.
+    /// One of several words.
     Word,
-    /// One of a few words, or a list of all.
+    /// One of several words, or a list of all.
     Words,
     Flag,
-    /// Of a count, a probability and the numbers of a range.
+    /// A count, a probability or a number of a range.
     Number,
     Count,
     Percent,
@@ -24,11 +24,11 @@ pub(crate) enum Shape {
     Quantity(Dimension),
     UncertainQuantity(Dimension),
     Angle,
-    /// A list of quantities or ranges, or a range of all.
+    /// A list of quantities or ranges, or one range for all.
     UncertainQuantities(Dimension),
     QuantityOrTables(Dimension, &'static [KeyInfo]),
     Wheels,
-    /// A number, a range or a word: that of one wheel.
+    /// A number, a range or a word: the drag of one wheel.
     Wheel,
     Table(&'static [KeyInfo]),
     Tables(&'static [KeyInfo]),
@@ -40,7 +40,7 @@ pub(crate) enum Shape {
 pub(crate) const WORD: &str = "word";
 /// The drag of the four wheels, in a struct.
 pub(crate) const WHEELS: &str = "wheels";
-/// The steer angles over the time, in a struct.
+/// The steer angles against time, in a struct.
 pub(crate) const OVER_TIME: &str = "over_time";
 
 impl Shape {
@@ -49,7 +49,7 @@ impl Shape {
         Self::Table(key_tree())
     }
 
-    /// What a key holds within this.
+    /// The form of a key's value within this one.
     pub(crate) fn within(self, key: &'static KeyInfo) -> Self {
         match &key.form {
             KeyForm::Text => Self::Text,
@@ -75,14 +75,14 @@ impl Shape {
             KeyForm::Value => self.dimension().map_or(Self::Number, Self::Quantity),
             KeyForm::Values => self.dimension().map_or(Self::Numbers, Self::UncertainQuantities),
             KeyForm::Deviation => match self {
-                // An error that several numbers share is in the unit of those, which the column cannot know.
+                // A shared error is in the unit of its numbers, which the column cannot know.
                 Self::Table(_) | Self::Tables(_) => Self::Text,
                 number => number.dimension().map_or(Self::Number, Self::Quantity),
             },
         }
     }
 
-    /// What a number with a unit measures, or each of several.
+    /// The dimension of a number with a unit, or of each of several.
     pub(crate) fn dimension(self) -> Option<Dimension> {
         match self {
             Self::Quantity(dimension)
@@ -111,8 +111,7 @@ impl Shape {
         own.iter().chain(of_range)
     }
 
-    /// Beside its keys, the name in a struct of a value that is neither a number nor a table, and what it
-    /// holds.
+    /// The name, in a struct, of a form that is neither a number nor a table, and its shape.
     pub(crate) fn aside(self) -> Vec<(&'static str, Self)> {
         match self {
             Self::WordOrTable(_) | Self::Wheel => vec![(WORD, Self::Word)],
@@ -123,7 +122,7 @@ impl Shape {
         }
     }
 
-    /// What each of a list holds, where it can be one.
+    /// The form of each element, if it can be a list.
     pub(crate) fn listed(self) -> Option<Self> {
         Some(match self {
             Self::Names => Self::Text,
@@ -136,8 +135,7 @@ impl Shape {
         })
     }
 
-    /// Whether a value of its own can stand beside the keys of its range: it is then the central one, whose
-    /// key this is.
+    /// The key of the central value, if a value without a range can be next to the keys of its range.
     pub(crate) fn central(self) -> Option<&'static str> {
         match self {
             Self::Uncertain
@@ -152,7 +150,7 @@ impl Shape {
         }
     }
 
-    /// What a column of it has to be, in words.
+    /// The required form of its column, in words.
     pub(crate) fn wanted(self) -> &'static str {
         match self {
             Self::Text => "a text is needed",

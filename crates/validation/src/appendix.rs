@@ -11,7 +11,7 @@ use crate::published::{Key, PrintedUnit, Published};
 /// A figure of the paper's appendix.
 #[derive(Clone, Debug, PartialEq)]
 pub struct AppendixFigure {
-    /// What it is.
+    /// Its name.
     pub quantity: String,
     /// The unit in which the paper prints it.
     pub unit: PrintedUnit,
@@ -37,7 +37,7 @@ pub(crate) fn appendix(data: &Data, published: &Published) -> Result<Vec<Appendi
         .collect()
 }
 
-/// Our result (SI); none where the analysis does not have it.
+/// Our result (SI); `None` if the analysis does not give it.
 fn result(analysis: &Analysis, key: Key) -> Option<f64> {
     let outcome = &analysis.impact.as_ref()?.outcome;
     let crash3 = analysis.crash3.as_ref()?;

@@ -1,4 +1,4 @@
-//! Both speeds from how the vehicles left the impact, beside the true ones.
+//! Both speeds found from how the vehicles left the impact, compared with the true ones.
 
 use std::f64::consts::FRAC_PI_2;
 
@@ -14,13 +14,13 @@ use crate::scene::{Collided, Rest, Scene, length_and_direction, polar};
 use crate::staged::Staged;
 use crate::statistics::ErrorRate;
 
-/// (m/s) a vehicle below this speed stood.
+/// (m/s) a vehicle below this speed stood still.
 const STOOD: f64 = 1e-9;
 
-/// (m) an arm for tests of which no point of contact is published: momentum alone makes no use of it.
+/// (m) arm for tests without a published point of contact: momentum alone does not use it.
 const ANY_ARM: f64 = 1.5;
 
-/// What gives both speeds, besides the masses and the headings.
+/// The evidence for both speeds, besides the masses and the headings.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum SpeedEvidence {
     /// The velocities after the impact: the approaches cross.
@@ -34,38 +34,38 @@ pub enum SpeedEvidence {
 pub struct BothSpeedsRow {
     /// The test.
     pub test: u8,
-    /// What gave the speeds.
+    /// The evidence that gave the speeds.
     pub evidence: SpeedEvidence,
     /// (m/s) true speeds along the headings.
     pub true_speeds: [f64; 2],
     /// (m/s) the speeds found.
     pub found: [f64; 2],
-    /// (–) how far the impulses that the two vehicles tell at the true speeds lie apart, as a share of their
-    /// mean: what the published velocities themselves are worth.
+    /// (–) how far the impulses on the two vehicles, as computed from the true speeds, lie apart, as a share
+    /// of their mean: the accuracy of the published velocities.
     pub disagreement: f64,
     /// The misprint that was corrected in the velocities.
     pub erratum: Option<Erratum>,
 }
 
-/// How the velocities after the impact come from rest.
+/// How the velocities after the impact were found from the rest position.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum RestMethod {
-    /// By the motion that leads there: its speed and its direction.
+    /// From the motion that leads there: its speed and its direction.
     Motion,
-    /// By the motion that leads there: its speed, in the published direction.
+    /// From the motion that leads there: its speed, with the published direction.
     MotionDirected,
-    /// By a straight slide along the line that the approaches share.
+    /// From a straight slide along the common line of the approaches.
     Slide,
 }
 
-/// Both speeds of a test from the published rest.
+/// Both speeds of a test from the published rest positions.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FromRestRow {
     /// The test.
     pub test: u8,
     /// How the velocities after the impact were found.
     pub method: RestMethod,
-    /// What gave the speeds before it.
+    /// The evidence that gave the speeds before it.
     pub evidence: SpeedEvidence,
     /// (–) drag of each wheel: the mean of those fitted to the other tests.
     pub drag: f64,
@@ -77,7 +77,7 @@ pub struct FromRestRow {
     pub found: [f64; 2],
 }
 
-/// The error of a speed: in m/s, and as a share of the true speed unless the vehicle stood.
+/// The error of a speed: in m/s, and as a share of the true speed unless the vehicle stood still.
 #[must_use]
 pub fn speed_error(found: f64, true_speed: f64) -> (f64, Option<f64>) {
     let error = found - true_speed;
@@ -89,7 +89,7 @@ pub fn speed_error(found: f64, true_speed: f64) -> (f64, Option<f64>) {
 pub struct BothSpeedErrors {
     /// (m/s) of all.
     pub all: ErrorRate,
-    /// The same as shares of the true speeds of those that moved.
+    /// The same as shares of the true speeds, for the vehicles that moved.
     pub all_relative: ErrorRate,
     /// (m/s) from momentum alone.
     pub momentum: ErrorRate,
@@ -97,7 +97,7 @@ pub struct BothSpeedErrors {
     pub momentum_relative: ErrorRate,
     /// (m/s) from momentum and crush energy.
     pub momentum_and_crush: ErrorRate,
-    /// The same as shares of the true speeds of those that moved.
+    /// The same as shares of the true speeds, for the vehicles that moved.
     pub momentum_and_crush_relative: ErrorRate,
 }
 
@@ -156,8 +156,8 @@ pub(crate) fn both_speeds(scene: &Scene, staged: &[Staged]) -> Result<Vec<BothSp
         .collect()
 }
 
-/// (m/s) both speeds by momentum alone where the approaches cross, else with the crush energy of the
-/// published profiles.
+/// (m/s) both speeds by momentum alone if the approaches cross, else with the crush energy of the published
+/// profiles.
 fn solved(momentum: Momentum, staged: &Staged) -> Result<(SpeedEvidence, [f64; 2]), ValidationError> {
     let failed = |source| ValidationError::Momentum { test: staged.printed.test, source };
     if !momentum.is_collinear() {
@@ -166,7 +166,7 @@ fn solved(momentum: Momentum, staged: &Staged) -> Result<(SpeedEvidence, [f64; 2
     let law = staged.collision()?.law;
     let [e1, e2] = staged.from_profiles;
     let axis = momentum.common_axis();
-    // As everywhere here, the crush energy is the work of the normal impulse alone: λ = 0.
+    // As everywhere here, the crush energy is only the work of the normal impulse: λ = 0.
     let solver = MomentumAndCrush::new(momentum, axis, law.into(), e1 + e2, EnergyBasis::Dissipated, 0.0);
     let answer = solver.and_then(|solver| solver.solve()).map_err(failed)?;
     Ok((SpeedEvidence::MomentumAndCrush, answer.speeds))
@@ -211,8 +211,8 @@ pub(crate) fn from_rest(scene: &Scene, staged: &[Staged]) -> Result<Vec<FromRest
     Ok(rows)
 }
 
-/// Momentum with these velocities after the impact (m/s). No contact point is needed, so that tests without
-/// a published one have any.
+/// Momentum with these velocities after the impact (m/s). It needs no contact point, so tests without a
+/// published one can use it.
 fn momentum_alone(collided: &Collided, velocities: [Vector2<f64>; 2]) -> Result<Momentum, ValidationError> {
     let [one, two] = collided.bodies;
     let [heading_1, heading_2] = collided.headings;
@@ -246,7 +246,7 @@ fn from_slides(
     let mut momentum =
         Momentum { contact: staged.collision()?.contact, yaw_rates: [0.0; 2], after: [still; 2] };
     let axis = momentum.common_axis();
-    // The axis has either sense; both vehicles went on the way that vehicle 1 came.
+    // The axis may point either way; both vehicles went on in the direction of vehicle 1.
     let towards = if axis.dot(&polar(1.0, heading)) < 0.0 { -axis } else { axis };
     momentum.after = after.map(|speed| Departure { velocity: towards * speed, yaw_rate: None });
     let (evidence, found) = solved(momentum, staged)?;

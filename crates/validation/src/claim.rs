@@ -1,14 +1,14 @@
-//! A number beside a printed one, and what is claimed of the two.
+//! A number next to a printed one, and the claim about the two.
 
-/// What is claimed of a [`Cell`].
+/// The claim about a [`Cell`].
 #[derive(Clone, Debug, PartialEq)]
 pub enum Claim {
-    /// It comes out within this tolerance, in the unit of the cell.
+    /// Our number agrees within this tolerance, in the unit of the cell.
     Reproduces {
         /// In the unit of the cell.
         tolerance: f64,
     },
-    /// It is known not to come out, or its inputs are not published: nothing is claimed.
+    /// It is known not to agree, or its inputs are not published: nothing is claimed.
     KnownDifference {
         /// Why, as a clause of a sentence.
         reason: String,
@@ -18,22 +18,22 @@ pub enum Claim {
 /// A misprint that was corrected before the comparison. Marked `ERRATUM` wherever it is shown.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Erratum {
-    /// What stands in print.
+    /// The printed text.
     pub printed: String,
-    /// Why it cannot be meant, as a clause of a sentence.
+    /// Why it cannot be right, as a clause of a sentence.
     pub reason: String,
 }
 
-/// A number of ours beside one of a paper, both in SI units.
+/// A number of ours next to one of a paper, both in SI units.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Cell {
-    /// What the program computes.
+    /// The program's number.
     pub ours: f64,
-    /// What the paper has, with its misprints corrected.
+    /// The paper's number, with its misprints corrected.
     pub paper: f64,
     /// The misprint that was corrected.
     pub erratum: Option<Erratum>,
-    /// What is claimed.
+    /// The claim about the two.
     pub claim: Claim,
 }
 
@@ -50,7 +50,7 @@ impl Cell {
         Self { erratum, ..self }
     }
 
-    /// Ours less the paper's.
+    /// Our number less the paper's.
     #[must_use]
     pub fn difference(&self) -> f64 {
         self.ours - self.paper

@@ -1,15 +1,15 @@
-//! The data that the program carries.
+//! The built-in data.
 
-/// What is compared: texts, so that a reader can change one and see what follows.
+/// The data of the comparison: texts, so that a reader can change one and see the effect.
 #[derive(Clone, Debug)]
 pub struct Data {
-    /// The staged collisions: the number of the test, and its case file.
+    /// The staged collisions: the number of each test, and its case file.
     pub cases: Vec<(u8, &'static str)>,
     /// The case of the paper's appendix.
     pub example: &'static str,
-    /// What the papers print.
+    /// The printed numbers of the papers.
     pub published: &'static str,
-    /// What is published of the motion after the impact.
+    /// The published data on the motion after the impact.
     pub motion: &'static str,
 }
 
@@ -20,7 +20,7 @@ macro_rules! ricsac {
 }
 
 impl Data {
-    /// `ricsac/*.toml` beside `src`, which `fixtures/ricsac` leads to, and [`case::EXAMPLE`], as they were
+    /// `ricsac/*.toml` next to `src`, to which `fixtures/ricsac` links, and [`case::EXAMPLE`], as they were
     /// when the program was built.
     #[must_use]
     pub fn built_in() -> Self {

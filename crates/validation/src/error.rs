@@ -1,4 +1,4 @@
-//! Why there is no validation: faults of the data, never of a comparison.
+//! Why a validation fails: faults of the data, never of a comparison.
 
 use case::Diagnostics;
 use crash3::CrushError;
@@ -9,46 +9,46 @@ use thiserror::Error;
 use trajectory::{NoRest, Unreached};
 use uncertainty::InvalidDistribution;
 
-/// The data are not such that they can be compared. The program's own are.
+/// The data cannot be compared. The built-in data can.
 #[derive(Debug, Error)]
 pub enum ValidationError {
     /// The printed numbers cannot be read.
     #[error("the printed numbers cannot be read: {0}")]
     Published(Box<toml::de::Error>),
-    /// A figure says both or neither of two things.
+    /// A figure with an invalid combination of keys.
     #[error(
         "the figure {quantity:?} needs either `tolerance` or `known`, and `reason` where it has `printed`"
     )]
     Figure {
-        /// Which.
+        /// Its name.
         quantity: String,
     },
     /// A figure that the example's analysis does not have.
     #[error("the analysis of the paper's example has no {quantity}, which the comparison needs")]
     NoFigure {
-        /// Which.
+        /// Its name.
         quantity: String,
     },
-    /// A collision of which there is no case.
+    /// A collision without a case.
     #[error("test {test} is printed, but there is no case of it; the cases are those of tests {known}")]
     NoCase {
-        /// Which.
+        /// Its number.
         test: u8,
-        /// Those that there are.
+        /// The known collisions.
         known: String,
     },
     /// A case lacks what the comparison needs.
     #[error("the case of test {test} has no {what}, which the comparison needs")]
     Incomplete {
-        /// Which.
+        /// The test.
         test: u8,
-        /// What it lacks.
+        /// The missing data.
         what: &'static str,
     },
-    /// A table names a test that is not printed.
+    /// A table names a test without printed numbers.
     #[error("a table is over test {test}, which is not among the collisions")]
     NotPrinted {
-        /// Which.
+        /// The test.
         test: u8,
     },
     /// A case cannot be read.
@@ -60,64 +60,64 @@ pub enum ValidationError {
     /// No speed reconciles crush and impact.
     #[error("test {test}: {source}")]
     Reconcile {
-        /// Of which.
+        /// The test.
         test: u8,
-        /// Why.
+        /// The reason.
         source: ReconcileError,
     },
-    /// A law or a vehicle is not one.
+    /// The inputs of an impact law or of a vehicle are invalid.
     #[error(transparent)]
     Law(#[from] InvalidInput),
     /// CRASH3 has no answer.
     #[error("test {test}: {source}")]
     Crush {
-        /// Of which.
+        /// The test.
         test: u8,
-        /// Why.
+        /// The reason.
         source: CrushError,
     },
     /// A vehicle does not come to rest.
     #[error("test {test}, vehicle {vehicle}: {source}")]
     Motion {
-        /// Of which.
+        /// The test.
         test: u8,
-        /// Which vehicle.
+        /// The vehicle.
         vehicle: VehicleId,
-        /// Why.
+        /// The reason.
         source: NoRest,
     },
-    /// No motion leads to a vehicle's rest.
+    /// No motion leads to a vehicle's rest position.
     #[error("test {test}, vehicle {vehicle}: {source}")]
     Unreached {
-        /// Of which.
+        /// The test.
         test: u8,
-        /// Which vehicle.
+        /// The vehicle.
         vehicle: VehicleId,
-        /// Why.
+        /// The reason.
         source: Unreached,
     },
-    /// An error of what is known makes no distribution.
+    /// The error of an input is not a valid distribution.
     #[error("test {test}: {source}")]
     Prior {
-        /// Of which.
+        /// The test.
         test: u8,
-        /// Why.
+        /// The reason.
         source: InvalidDistribution,
     },
-    /// There are no draws of the posterior.
+    /// The posterior has no draws.
     #[error("test {test}: {source}")]
     Estimate {
-        /// Of which.
+        /// The test.
         test: u8,
-        /// Why.
+        /// The reason.
         source: Box<Failure>,
     },
     /// Momentum does not give both speeds.
     #[error("test {test}: {source}")]
     Momentum {
-        /// Of which.
+        /// The test.
         test: u8,
-        /// Why.
+        /// The reason.
         source: MomentumError,
     },
 }

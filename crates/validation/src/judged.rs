@@ -1,8 +1,8 @@
-//! Both speeds of the staged collisions as a posterior, and whether its intervals hold the true ones.
+//! Both speeds of the staged collisions as a posterior, and whether its intervals contain the true ones.
 //!
-//! What is known of a test: its masses, its headings, its crush profiles and the published motion after the
-//! impact. All that is assumed beyond, [`FITTED`], was fitted on real crashes, none of them staged. What a
-//! staged test has of its own was set before any interval was compared with a true speed:
+//! Known of a test are its masses, its headings, its crush profiles and the published motion after the
+//! impact. All further assumptions, [`FITTED`], were fitted to real crashes, none of them staged. The errors
+//! specific to a staged test were set before any interval was compared with a true speed:
 //!
 //! | quantity | error | why |
 //! |---|---|---|
@@ -13,8 +13,8 @@
 //! | masses, headings, yaw inertias | none | measured, or set by the test |
 //! | stiffness | CRASH3's category as in the case, κ and β with the spread of the field | the fleet of the field is forty years younger |
 //!
-//! The yaw rate has an error for which no source was found: most of it is that of the model, whose impulse
-//! acts at one point. It is fitted to the other ten tests, with their true speeds given.
+//! No source was found for the error of the yaw rate: most of it is that of the model, whose impulse acts at
+//! one point. It is fitted to the other ten tests, with their true speeds given.
 
 use estimate::{DrawnQuantity, Posterior, Settings, Verdict, sample_quietly};
 use evidence::{
@@ -32,27 +32,27 @@ use crate::published::{DEGREE, Published};
 use crate::scene::{Scene, length_and_direction, polar};
 use crate::staged::Staged;
 
-/// (rad/s) spreads of the yaw rate after the impact, of which the likeliest is taken.
+/// (rad/s) candidates for the spread of the yaw rate after the impact; the likeliest is used.
 const YAW_RATE_SDS: [f64; 5] = [0.35, 0.5, 0.7, 1.0, 1.4];
-/// (m/s) a vehicle below this speed stood, which is known.
+/// (m/s) a vehicle below this speed stood still, which is known.
 const STOOD: f64 = 1e-9;
-/// The place of the 95 % interval in a summary.
+/// The index of the 95 % interval in a summary.
 const NINETY_FIVE: usize = 3;
 
-/// The errors of what is known of a test.
+/// The errors of the data of a test.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct AssumedErrors {
     /// (–) spread of the logarithm of a published speed after the impact.
     pub speed_ln_sd: f64,
     /// (rad) spread of its direction.
     pub direction_sd: f64,
-    /// What was fitted on real crashes, but with the spreads of crush plane and contact point, along the
-    /// vehicle and across, of a staged test.
+    /// The figures fitted to real crashes, but with the spreads of crush plane and contact point, along the
+    /// vehicle and across, for a staged test.
     pub fitted: Fitted,
 }
 
 impl AssumedErrors {
-    /// Those of the table above.
+    /// Those in the table above.
     pub const STATED: Self = Self {
         speed_ln_sd: 0.12,
         direction_sd: 8.0 * DEGREE,
@@ -60,7 +60,7 @@ impl AssumedErrors {
     };
 }
 
-/// What is known of the motion after the impact.
+/// The known data on the motion after the impact.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum AfterImpact {
     /// The velocities of both vehicles.
@@ -78,12 +78,12 @@ pub struct JudgedSpeed {
     pub true_speed: f64,
     /// (m/s) half of the posterior lies below.
     pub median: f64,
-    /// (m/s) ends of the interval that has 95 % of it.
+    /// (m/s) ends of the interval that contains 95 % of it.
     pub interval: [f64; 2],
 }
 
 impl JudgedSpeed {
-    /// Whether the interval holds the true speed.
+    /// Whether the interval contains the true speed.
     #[must_use]
     pub fn is_inside(&self) -> bool {
         let [low, high] = self.interval;
@@ -110,10 +110,10 @@ pub struct JudgedTest {
     pub test: u8,
     /// The speeds of the vehicles that moved.
     pub speeds: Vec<JudgedSpeed>,
-    /// (rad/s) spread of the yaw rates after the impact that was fitted to the other tests; `None` where they
-    /// are no evidence.
+    /// (rad/s) spread of the yaw rates after the impact that was fitted to the other tests; `None` if the yaw
+    /// rates are not used as evidence.
     pub yaw_rate_sd: Option<f64>,
-    /// Whether the sampler calls its draws those of the posterior.
+    /// Whether the sampler converged.
     pub converged: bool,
 }
 
@@ -130,7 +130,7 @@ impl JudgedTests {
         self.tests.iter().flat_map(|test| &test.speeds)
     }
 
-    /// How many speeds are inside their intervals.
+    /// Number of speeds inside their intervals.
     #[must_use]
     pub fn inside(&self) -> usize {
         self.speeds().filter(|speed| speed.is_inside()).count()
@@ -152,7 +152,7 @@ impl JudgedTests {
 /// sampler's islands.
 ///
 /// # Errors
-/// Where the data cannot be run, which those built in can, or the sampler has no draws.
+/// If the data cannot be run, which never happens with the built-in data, or the sampler has no draws.
 pub fn judge_speeds(
     data: &Data,
     after_impact: AfterImpact,
@@ -165,7 +165,7 @@ pub fn judge_speeds(
 /// The same with other errors, to see which of them makes the intervals wide.
 ///
 /// # Errors
-/// As for [`judge_speeds`], and where a spread is not positive.
+/// As for [`judge_speeds`], and if a spread is not positive.
 pub fn judge_speeds_assuming(
     data: &Data,
     after_impact: AfterImpact,
@@ -190,7 +190,7 @@ pub fn judge_speeds_assuming(
     Ok(JudgedTests { tests: judged.collect::<Result<_, _>>()? })
 }
 
-/// (rad/s) for each test, the spread of the yaw rates with which the others are likeliest at their true
+/// (rad/s) for each test, the spread of the yaw rates that is likeliest for the other tests at their true
 /// speeds.
 fn yaw_rate_sds_of_others(
     subjects: &[Subject],
@@ -213,7 +213,7 @@ fn yaw_rate_sds_of_others(
     Ok((0..subjects.len()).map(best).collect())
 }
 
-/// What is known of a test, SI units.
+/// The known data of a test, SI units.
 struct Subject {
     test: u8,
     bodies: [BodyNumbers; 2],
@@ -298,8 +298,8 @@ impl Subject {
         })
     }
 
-    /// The collision with both speeds unknown but for that of a vehicle that stood, or with both known. Yaw
-    /// rates after the impact are evidence where they have a spread (rad/s).
+    /// The collision with both speeds unknown, except that of a vehicle that stood still, or with both known.
+    /// Yaw rates after the impact are evidence if they have a spread (rad/s).
     fn collision(
         &self,
         yaw_rate_sd: Option<f64>,
@@ -373,8 +373,8 @@ mod tests {
     use crate::scene::Scene;
     use crate::staged::Staged;
 
-    /// The energy of the profile is the one by `crash3`, where the vehicle is as its kind; with its speeds
-    /// given a test has those speeds.
+    /// The energy of the profile equals that of `crash3` for the vehicle of its kind; with its speeds given,
+    /// a test has those speeds.
     #[test]
     fn a_subject_is_the_test() {
         let data = Data::built_in();

@@ -1,5 +1,5 @@
-//! The program's error rate: its results beside the RICSAC staged collisions and beside what the papers print
-//! of them.
+//! The program's error rate: its results compared with the RICSAC staged collisions and with the numbers that
+//! papers print for them.
 //!
 //! ```
 //! let validation = validation::validate(&validation::Data::built_in())?;
@@ -10,18 +10,18 @@
 //! # Ok::<(), validation::ValidationError>(())
 //! ```
 //!
-//! The types: [`validate`] runs the [`Data`] and gives a [`Validation`], whose tables are made of [`Cell`]s:
-//! a number of ours, the paper's, and a [`Claim`]. What is claimed and fails is listed by
-//! [`Validation::failures`]; what is known not to come out carries its reason, and a misprint of the paper
-//! its [`Erratum`]. [`ErrorRate`] says how far computed velocities are from true ones.
+//! The types: [`validate`] runs the [`Data`] and returns a [`Validation`], whose tables consist of [`Cell`]s:
+//! our number, the paper's, and a [`Claim`]. [`Validation::failures`] lists the claims that fail; a known
+//! difference carries its reason, and a misprint of the paper its [`Erratum`]. [`ErrorRate`] gives the errors
+//! of computed velocities.
 //!
-//! `examples/error_rate.rs` prints how far off each reconstructed speed is.
+//! `examples/error_rate.rs` prints the error of each reconstructed speed.
 //!
-//! # What the comparison is worth
+//! # What the comparison shows
 //!
 //! e and μ of SAE 871993 were fitted to these very tests, and the distances d_1 and d_2 were solved back from
 //! the paper's numbers. So the PIM rows show that the equations are the paper's, not that they predict a
-//! collision. The reconstruction from the published crush profiles is the test of what the program is for.
+//! collision. The reconstruction from the published crush profiles tests the program's purpose.
 //!
 //! # What it does not do
 //!
@@ -63,7 +63,7 @@ use published::Published;
 use scene::Scene;
 use staged::Staged;
 
-/// Everything compared.
+/// All comparisons.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Validation {
     /// The paper's Table 1.
@@ -84,28 +84,28 @@ pub struct Validation {
     pub delta_v_errors: DeltaVErrors,
     /// Reconstructed speeds against true ones.
     pub speed_errors: SpeedErrors,
-    /// The speed of vehicle 1 by the share of the tangential work that the crush takes.
+    /// The speed of vehicle 1, by the share of the tangential work in the crush energy.
     pub by_share: Vec<ShareRow>,
     /// Their relative errors, by share.
     pub share_errors: [ErrorRate; SHARES.len()],
-    /// From the published velocities after the impact to rest.
+    /// The motions from the published velocities after the impact to rest.
     pub motions: Vec<MotionRow>,
-    /// From rest back to them.
+    /// The motions from rest back to those velocities.
     pub returns: Vec<ReturnRow>,
-    /// What simulations of whole collisions reach.
+    /// The accuracy of simulations of whole collisions.
     pub simulations: Vec<Simulation>,
     /// Both speeds from the published velocities after the impact.
     pub both_speeds: Vec<BothSpeedsRow>,
     /// Their errors.
     pub both_speed_errors: BothSpeedErrors,
-    /// Both speeds from the published rest.
+    /// Both speeds from the published rest positions.
     pub from_rest: Vec<FromRestRow>,
 }
 
-/// Runs all collisions and compares.
+/// Runs all collisions and compares the results.
 ///
 /// # Errors
-/// Where the data cannot be run or do not fit together, which those built in can.
+/// If the data cannot be run or do not fit together, which never happens with the built-in data.
 pub fn validate(data: &Data) -> Result<Validation, ValidationError> {
     let published = Published::read(data)?;
     let scene = Scene::read(data)?;
@@ -155,7 +155,7 @@ fn gather<T>(
 }
 
 impl Validation {
-    /// All cells, each with the name of its place.
+    /// All cells, each with the name of its position.
     #[must_use]
     pub fn cells(&self) -> Vec<(String, &Cell)> {
         let mut cells = Vec::new();
@@ -209,13 +209,13 @@ impl Validation {
         cells
     }
 
-    /// The cells that are claimed to reproduce and do not, each with the name of its place.
+    /// The cells that are claimed to reproduce and do not, each with the name of its position.
     #[must_use]
     pub fn failures(&self) -> Vec<(String, &Cell)> {
         self.cells().into_iter().filter(|(_, cell)| cell.fails()).collect()
     }
 
-    /// How many cells are claimed to reproduce.
+    /// Number of cells that are claimed to reproduce.
     #[must_use]
     pub fn claimed(&self) -> usize {
         self.cells().iter().filter(|(_, cell)| cell.is_claimed()).count()

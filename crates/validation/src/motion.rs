@@ -9,14 +9,13 @@ use crate::published::DEGREE;
 use crate::scene::{Collided, Rest, Scene, length_and_direction, polar};
 use crate::staged::Staged;
 
-/// The drag is published nowhere: it was fitted to the distance, to three decimals and with another
-/// integration.
+/// The drag is not published: it was fitted to the distance, to three decimals and with another integration.
 const DISTANCE: f64 = 0.03;
 /// (rad) the turn of the Rabbit in test 6, the one vehicle that spun.
 const TURN: f64 = 5.0 * DEGREE;
-/// Backward after forward.
+/// Tolerance of the speed found backward from our own rest position.
 const ROUND_TRIP: f64 = 0.001;
-/// (rad) what the direction of the way is known to: the diagrams of the tests are read to 5° to 10°.
+/// (rad) accuracy of the direction of the path: the diagrams of the tests can be read to 5° to 10°.
 const DIRECTION: f64 = 5.0 * DEGREE;
 
 const FREE_WHEELS: &str = "the vehicle rolled, and the angle of its front wheels, which nobody held, and the drag of its single wheels are \
@@ -38,20 +37,20 @@ pub struct MotionRow {
     pub drag: f64,
     /// (m) from the impact to rest.
     pub distance: Cell,
-    /// (m) by which the published distance may be off.
+    /// (m) possible error of the published distance.
     pub within: f64,
     /// (m) length of the path.
     pub path: f64,
     /// (s) from the impact to rest.
     pub time: f64,
-    /// (rad) by which it turned on its way, counter-clockwise.
+    /// (rad) turn along its path, counter-clockwise.
     pub turn: Cell,
-    /// (m) from our rest to the point at the published distance in the published direction, where that is
-    /// known.
+    /// (m) from our rest position to the point at the published distance in the published direction, if that
+    /// is known.
     pub miss: Option<f64>,
 }
 
-/// A vehicle followed from its rest back to its velocity after the impact.
+/// A vehicle followed from its rest position back to its velocity after the impact.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ReturnRow {
     /// The test.
@@ -60,13 +59,13 @@ pub struct ReturnRow {
     pub vehicle: VehicleId,
     /// (–) drag of each wheel, fitted to the distance.
     pub drag: f64,
-    /// (m/s) speed found from our own rest, beside the published one from which it was reached.
+    /// (m/s) speed found from our own rest position, compared with the published one that led to it.
     pub round_trip: Cell,
-    /// What leads to the published rest, where its direction is known.
+    /// The motion that leads to the published rest position, if its direction is known.
     pub from_rest: Option<FoundStart>,
 }
 
-/// A velocity after the impact that leads to the published rest, beside the published velocity.
+/// A velocity after the impact that leads to the published rest position, and the published one.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FoundStart {
     /// (m/s) speed.
@@ -75,20 +74,20 @@ pub struct FoundStart {
     pub direction: Cell,
     /// (rad/s) yaw rate, counter-clockwise.
     pub yaw_rate: Cell,
-    /// (m/s) speeds found where the direction of the way is turned by −5° and by +5°, counter-clockwise.
+    /// (m/s) speeds found with the direction of the path turned by −5° and by +5°, counter-clockwise.
     pub turned: [f64; 2],
 }
 
-/// Mean errors of the path that a simulation of whole collisions makes, from before the impact to rest.
+/// Mean errors of the path in a simulation of whole collisions, from before the impact to rest.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Simulation {
     /// Its name.
     pub name: String,
-    /// The least and the greatest of the five tests, as shares of the path.
+    /// The smallest and the largest of the five tests, as shares of the path.
     pub errors: [f64; 2],
 }
 
-/// One vehicle on its way.
+/// One vehicle on its path.
 struct Way<'a> {
     rest: &'a Rest,
     ground: Ground<'static>,
@@ -97,7 +96,7 @@ struct Way<'a> {
     heading: f64,
 }
 
-/// A vehicle's way to rest with a drag (–).
+/// A vehicle's path to rest with a given drag (–).
 fn way<'a>(
     scene: &Scene,
     collided: &Collided,
@@ -141,7 +140,7 @@ impl Way<'_> {
     }
 }
 
-/// (m/s) velocity after the impact that leads to the published rest of a vehicle at a drag (–).
+/// (m/s) velocity after the impact that leads to the published rest position of a vehicle with a drag (–).
 pub(crate) fn velocity_from_rest(
     scene: &Scene,
     collided: &Collided,
@@ -162,8 +161,8 @@ pub(crate) fn simulations(scene: &Scene) -> Vec<Simulation> {
         .collect()
 }
 
-/// Every vehicle whose velocity after the impact and rest are published: to rest, and back where it got there
-/// undisturbed.
+/// Every vehicle with a published velocity after the impact and a published rest position: to rest, and back
+/// if it came to rest undisturbed.
 pub(crate) fn motions(
     scene: &Scene,
     staged: &[Staged],

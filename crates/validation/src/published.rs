@@ -1,4 +1,4 @@
-//! What the papers print, read from `fixtures/ricsac/published.toml`, and the units it is printed in.
+//! The printed numbers of the papers, read from `fixtures/ricsac/published.toml`, and their units.
 
 use pim_core::VehicleId;
 use serde::Deserialize;
@@ -14,7 +14,7 @@ pub const FOOT_POUND: f64 = 0.3048 * 4.448_221_615_260_5;
 /// (rad) one degree.
 pub const DEGREE: f64 = std::f64::consts::PI / 180.0;
 
-/// All of it, in the printed units.
+/// All numbers, in the printed units.
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct Published {
@@ -43,7 +43,7 @@ pub(crate) struct Deviations {
     pub(crate) rms: Vec<f64>,
 }
 
-/// What is printed of one collision.
+/// The printed numbers of one collision.
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct Collision {
@@ -129,7 +129,7 @@ pub(crate) struct Figure {
 impl Figure {
     /// The cell with our value (SI).
     ///
-    /// A figure has either a tolerance or a known difference, and a reason with what is misprinted.
+    /// A figure has either a tolerance or a known difference, and a reason if it is misprinted.
     pub(crate) fn cell(&self, ours: f64) -> Result<Cell, ValidationError> {
         let size = self.unit.size();
         let claim = match (self.tolerance, &self.known) {
@@ -148,7 +148,7 @@ impl Figure {
     }
 }
 
-/// Which result of ours a figure of the appendix stands beside.
+/// The result of ours that corresponds to a figure of the appendix.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub(crate) enum Key {
@@ -224,7 +224,7 @@ pub enum PrintedUnit {
 }
 
 impl PrintedUnit {
-    /// The unit in SI.
+    /// Its size in SI units.
     #[must_use]
     pub fn size(self) -> f64 {
         match self {
@@ -236,7 +236,7 @@ impl PrintedUnit {
         }
     }
 
-    /// How it is written.
+    /// Its symbol.
     #[must_use]
     pub fn name(self) -> &'static str {
         match self {

@@ -1,5 +1,5 @@
-//! The speed of vehicle 1 found from crush energy, beside the true one, and how it depends on what the
-//! analyst chooses.
+//! The speed of vehicle 1 found from crush energy, compared with the true one, and its dependence on the
+//! analyst's choices.
 
 use crate::claim::Cell;
 use crate::error::ValidationError;
@@ -7,7 +7,7 @@ use crate::published::{DEGREE, FOOT_POUND};
 use crate::staged::Staged;
 use crate::statistics::ErrorRate;
 
-/// The energies of SAE 871993 come out within 1 %, and energy goes with the square of speed.
+/// The energies of SAE 871993 agree within 1 %, and energy goes with the square of speed.
 const SPEED: f64 = 0.005;
 
 /// Reconstructions of one test. Vehicle 2's motion, e and μ are those of the test.
@@ -19,7 +19,7 @@ pub struct Reconstruction {
     pub true_speed: f64,
     /// (J) crush energy of both vehicles from the published profiles and CRASH3's stiffness.
     pub crush_energy: f64,
-    /// (m/s) the speed found from it: what `deltav reconstruct` answers.
+    /// (m/s) the speed found from it: the answer of `deltav reconstruct`.
     pub found: f64,
     /// (J) crush energy that the paper's own numbers imply.
     pub implied_energy: f64,
@@ -27,7 +27,7 @@ pub struct Reconstruction {
     pub found_implied: f64,
     /// (J) the loss in the normal direction that SAE 871993 prints for PIM.
     pub printed_normal_loss: f64,
-    /// (m/s) the speed found from it, beside the true one: a round trip through the printed energy.
+    /// (m/s) the speed found from it, compared with the true one: a round trip through the printed energy.
     pub round_trip: Cell,
     /// The choices.
     pub choices: Choices,
@@ -41,22 +41,22 @@ impl Reconstruction {
     }
 }
 
-/// What becomes of the answer where the analyst chooses otherwise. Crush energy from the published profiles.
+/// The answers with other choices of the analyst. Crush energy from the published profiles.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Choices {
     /// (m/s) speed of vehicle 1 with μ = μ_c and e of SAE 871993.
     pub critical: f64,
     /// (m/s) the same with e = 0.
     pub critical_plastic: f64,
-    /// CRASH3's corrected velocity changes with the PDOF turned by −10°, 0 and +10°. The reconstruction takes
-    /// no PDOF.
+    /// CRASH3's corrected velocity changes with the PDOF turned by −10°, 0 and +10°. The reconstruction does
+    /// not use the PDOF.
     pub pdof: [TurnedPdof; 3],
 }
 
-/// CRASH3's answer for a direction of force.
+/// CRASH3's answer for a direction of the force.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TurnedPdof {
-    /// (rad) by which the direction of the impulse is turned, counter-clockwise.
+    /// (rad) rotation of the direction of the impulse, counter-clockwise.
     pub turn: f64,
     /// (m/s) corrected velocity changes.
     pub delta_v: [f64; 2],

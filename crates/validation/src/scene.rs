@@ -1,4 +1,4 @@
-//! What is published of the motion after the impact, read from `fixtures/ricsac/motion/published.toml`.
+//! The published data on the motion after the impact, read from `fixtures/ricsac/motion/published.toml`.
 
 use std::f64::consts::PI;
 
@@ -19,7 +19,7 @@ const FOOT: f64 = 0.3048;
 /// (m/s) one mile per hour.
 const MILE_PER_HOUR: f64 = 0.447_04;
 
-/// All of it, in the printed units.
+/// All data, in the printed units.
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct Scene {
@@ -76,7 +76,7 @@ pub(crate) struct Uncased {
     speeds: [f64; 2],
 }
 
-/// What of a test enters its motion before and after the impact. SI units.
+/// The data of a test for its motion before and after the impact. SI units.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Collided {
     pub(crate) bodies: [Body; 2],
@@ -105,7 +105,7 @@ impl Scene {
         self.rest.iter().find(|rest| rest.test == test && rest.vehicle == vehicle.number())
     }
 
-    /// The vehicles of a test, from its case where there is one.
+    /// The vehicles of a test, from its case if there is one.
     pub(crate) fn collided(&self, staged: &[Staged], test: u8) -> Result<Collided, ValidationError> {
         if let Some(staged) = staged.iter().find(|staged| staged.printed.test == test) {
             let impact = staged.collision()?;
@@ -131,7 +131,7 @@ impl Scene {
         })
     }
 
-    /// (–) the mean of the drags that were fitted to the other tests.
+    /// (–) the mean of the drags fitted to the other tests.
     pub(crate) fn drag_of_others(&self, test: u8) -> f64 {
         let drags: Vec<f64> =
             self.rest.iter().filter(|rest| rest.test != test).filter_map(|rest| rest.drag).collect();
@@ -168,26 +168,26 @@ impl Rest {
         self.distance * FOOT
     }
 
-    /// (m) by which the distance may be off.
+    /// (m) possible error of the distance.
     pub(crate) fn within(&self) -> f64 {
         self.within * FOOT
     }
 
-    /// (–) the drag that was fitted to this distance.
+    /// (–) the drag fitted to this distance.
     pub(crate) fn drag(&self) -> Option<f64> {
         self.drag
     }
 
-    /// (rad) direction of the way after the impact in the scene.
+    /// (rad) direction of the path after the impact in the scene.
     pub(crate) fn direction(&self) -> Option<f64> {
         // Printed from −x towards +y: φ = π − φ'
         self.direction.map(|direction| PI - direction * DEGREE)
     }
 
-    /// (rad) by which the vehicle turned from its heading at the impact, counter-clockwise. None of these
-    /// turned by more than half a revolution.
+    /// (rad) turn of the vehicle from its heading at impact, counter-clockwise. No vehicle turned by more
+    /// than half a revolution.
     pub(crate) fn turn(&self, heading: f64) -> f64 {
-        // Printed in axes with x the other way and z down: ψ = π − ψ'
+        // Printed in axes with x reversed and z down: ψ = π − ψ'
         real::principal_angle(PI - self.heading * DEGREE - heading)
     }
 
@@ -200,8 +200,8 @@ impl Rest {
         Ok(Chassis::new(body, axles, [drag; 4])?)
     }
 
-    /// The rest at the published distance and turn, in a direction (rad), of a vehicle that left the origin
-    /// with a heading (rad).
+    /// The rest position at the published distance and turn, in a direction (rad), of a vehicle that left the
+    /// origin with a heading (rad).
     pub(crate) fn target(&self, direction: f64, heading: f64) -> Target {
         Target {
             position: polar(self.distance(), direction),

@@ -1,4 +1,4 @@
-//! The speed of vehicle 1 where the crush takes a share λ of the tangential work, beside the true one.
+//! The speed of vehicle 1 with a share λ of the tangential work in the crush energy, and the true one.
 
 use reconcile::ReconcileError;
 
@@ -6,7 +6,7 @@ use crate::error::ValidationError;
 use crate::staged::Staged;
 use crate::statistics::ErrorRate;
 
-/// (–) the shares λ that are compared, from the method of the paper to the whole work.
+/// (–) the shares λ that are compared, from the paper's method to all of the work.
 pub const SHARES: [f64; 5] = [0.0, 0.25, 0.5, 0.75, 1.0];
 
 /// The speeds of one test. Crush energy from the published profiles, μ = μ_c and e of SAE 871993.
@@ -16,7 +16,7 @@ pub struct ShareRow {
     pub test: u8,
     /// (m/s) true speed of vehicle 1.
     pub true_speed: f64,
-    /// (m/s) the speed found with each of [`SHARES`]; `None` where no speed gives the crush energy.
+    /// (m/s) the speed found with each of [`SHARES`]; `None` if no speed gives the crush energy.
     pub found: [Option<f64>; SHARES.len()],
 }
 

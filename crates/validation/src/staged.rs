@@ -13,7 +13,7 @@ use crate::Data;
 use crate::error::ValidationError;
 use crate::published::{Collision, FOOT_POUND, speeds};
 
-/// A collision with everything that the tables take from it. SI units.
+/// A collision with all data for the tables. SI units.
 #[derive(Debug)]
 pub(crate) struct Staged {
     pub(crate) printed: Collision,
@@ -21,7 +21,7 @@ pub(crate) struct Staged {
     analysis: Analysis,
     /// (m/s) true speed of vehicle 1.
     pub(crate) true_speed: f64,
-    /// (m/s) the speed that `reconstruct` finds.
+    /// (m/s) the speed found by `reconstruct`.
     pub(crate) found: f64,
     /// (J) crush energies of both vehicles from the published profiles and CRASH3's stiffness.
     pub(crate) from_profiles: [f64; 2],
@@ -29,7 +29,7 @@ pub(crate) struct Staged {
     pub(crate) implied: [f64; 2],
 }
 
-/// What CRASH3 needs of a vehicle.
+/// The data of a vehicle for CRASH3.
 #[derive(Clone, Copy)]
 struct Struck {
     mass: f64,
@@ -92,7 +92,7 @@ impl Staged {
         Ok(self.struck()?.each_ref().map(|vehicle| vehicle.side.into()))
     }
 
-    /// The crush of both vehicles as their profiles and the stiffness of the case have it.
+    /// The crush of both vehicles from their profiles and the stiffness of the case.
     pub(crate) fn crushes(&self) -> Result<[Crush; 2], ValidationError> {
         let crush = |i: usize| {
             let damage = self.analysis.vehicles[i].damage.as_ref().ok_or_else(|| self.incomplete("crush"))?;
@@ -163,8 +163,8 @@ impl Staged {
         Ok(self.crash3([normal_work, 0.0], 0.0)?.uncorrected)
     }
 
-    /// (J) crush energies that the paper's own numbers imply: of each vehicle where Table 3 holds the test;
-    /// else of both together from the uncorrected row of Table 2, shared as the profiles share it.
+    /// (J) crush energies that the paper's own numbers imply: of each vehicle if Table 3 has the test; else
+    /// of both together from the uncorrected row of Table 2, divided as the profiles divide it.
     fn implied_energies(&self) -> Result<[f64; 2], ValidationError> {
         if let Some(table3) = &self.printed.table3 {
             return Ok(table3.implied_energies.map(|energy| energy * FOOT_POUND));
@@ -185,7 +185,7 @@ impl Staged {
         self.speed_with_share(crush_energy, law, 0.0)
     }
 
-    /// (m/s) the same where the crush takes a share λ of the tangential work.
+    /// (m/s) the same if the crush energy includes a share λ of the tangential work.
     pub(crate) fn speed_with_share(
         &self,
         crush_energy: f64,
@@ -209,7 +209,7 @@ impl Staged {
             .map_err(|source| ValidationError::Reconcile { test: self.printed.test, source })
     }
 
-    /// The law of the case with μ = μ_c, and the given restitution where there is one.
+    /// The law of the case with μ = μ_c, and with the given restitution if there is one.
     pub(crate) fn critical(&self, restitution: Option<f64>) -> Result<Law, ValidationError> {
         let restitution = restitution.unwrap_or(self.collision()?.law.restitution());
         Ok(Law::new(restitution, Tangential::Critical)?)
@@ -223,7 +223,7 @@ pub(crate) struct Crash3 {
     pub(crate) corrected: [f64; 2],
 }
 
-/// (m/s) what `deltav reconstruct` answers.
+/// (m/s) the answer of `deltav reconstruct`.
 fn reconstructed(file: &CaseFile, test: u8) -> Result<f64, ValidationError> {
     let found = analysis::reconstruct(&file.case)?.found;
     found.map(|found| found.speed).ok_or(ValidationError::Incomplete { test, what: "speed to find" })

@@ -1,25 +1,25 @@
 //! Root mean square, mean and 95 % limits of errors.
 
-/// How large errors are, in the unit of the errors.
+/// The size of errors, in the unit of the errors.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ErrorRate {
-    /// How many.
+    /// Number of errors.
     pub count: usize,
     /// Root mean square.
     pub rms: f64,
     /// Mean: the bias.
     pub mean: f64,
-    /// The least and the greatest.
+    /// The smallest and the largest.
     pub range: [f64; 2],
     /// Limits within which one more error of the same kind lies with a probability of 95 %, if errors are
     /// independent and normally distributed: mean ± t s √(1 + 1/n).
     pub limits: [f64; 2],
 }
 
-/// Student's t for 95 % two-sided by degrees of freedom from 1 on, to eight decimals: the t at which the
+/// Student's t for 95 % two-sided, by degrees of freedom from 1, to eight decimals: the t at which the
 /// probability A(t|ν) of Abramowitz & Stegun, *Handbook of Mathematical Functions*, 26.7.3 and 26.7.4, is
-/// 0.95. The three decimals that most tables print, such as that of the NIST/SEMATECH e-Handbook of
-/// Statistical Methods, section 1.3.6.7.2, would show in the limits.
+/// 0.95. Three decimals, as in most tables, such as that of the NIST/SEMATECH e-Handbook of Statistical
+/// Methods, section 1.3.6.7.2, would show in the limits.
 const STUDENT: [f64; 30] = [
     12.706_204_74,
     4.302_652_73,
@@ -54,7 +54,7 @@ const STUDENT: [f64; 30] = [
 ];
 
 impl ErrorRate {
-    /// Of at least two and at most 31 errors; else there are no limits and they are not a number.
+    /// The error rate of at least two and at most 31 errors; the limits of fewer or more are not a number.
     #[must_use]
     pub fn of(errors: &[f64]) -> Self {
         #[expect(clippy::cast_precision_loss, reason = "a few dozen errors")]

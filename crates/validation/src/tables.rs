@@ -1,4 +1,4 @@
-//! The tables of the paper, with our numbers beside the printed ones.
+//! The tables of the paper, with our numbers next to the printed ones.
 
 use pim_core::VehicleId;
 
@@ -10,7 +10,7 @@ use crate::statistics::{ErrorRate, rms};
 
 /// (m/s) 0.1 ft/s: the last printed digit of Table 2.
 const TENTH: f64 = 0.1 * FOOT_PER_SECOND;
-/// (m/s) what rounding to that digit can take.
+/// (m/s) largest effect of rounding to that digit.
 const ROUNDED: f64 = 0.05 * FOOT_PER_SECOND;
 /// (m/s) no pair of energies gives the ten numbers of Table 3 of test 4: the best leaves residuals up to
 /// this.
@@ -64,11 +64,11 @@ pub enum DeltaVRow {
 pub struct Table2Row {
     /// The test.
     pub test: u8,
-    /// Which row.
+    /// The row.
     pub row: DeltaVRow,
     /// (m/s) velocity changes of vehicle 1 and vehicle 2.
     pub cells: [Cell; 2],
-    /// (m/s) what was measured.
+    /// (m/s) measured velocity changes.
     pub measured: [f64; 2],
 }
 
@@ -92,7 +92,7 @@ pub(crate) fn table2(staged: &Staged) -> Result<Vec<Table2Row>, ValidationError>
         };
         Table2Row { test, row, cells: [cell(0), cell(1)], measured }
     };
-    // What is printed may itself be off by half a digit.
+    // The printed number may itself be off by half a digit.
     let of_profiles = |paper: f64| Claim::Reproduces { tolerance: PROFILES * paper + ROUNDED };
     let implied_tolerance = if test == 4 { TEST_4_TABLE_2 } else { TENTH };
     Ok(vec![
@@ -159,13 +159,13 @@ pub struct Table1Row {
     pub method: Method,
     /// (m/s) rms error of our own velocity changes; CRASH3's from the published profiles.
     pub ours: f64,
-    /// (m/s) the same of CRASH3 with the energies that the paper's numbers imply.
+    /// (m/s) the same for CRASH3 with the energies that the paper's numbers imply.
     pub ours_implied: Option<f64>,
-    /// (m/s) the rms error of the paper's rows of Table 2, computed here, beside what Table 1 prints.
+    /// (m/s) the rms error of the paper's rows of Table 2, computed here, compared with the one in Table 1.
     pub paper_rows: Cell,
 }
 
-/// (m/s) errors of one row of Table 2: ours and the paper's, each less what was measured.
+/// (m/s) errors of one row of Table 2, ours or the paper's, against the measured values.
 fn errors(table2: &[Table2Row], tests: &[u8], row: DeltaVRow, of: impl Fn(&Cell) -> f64) -> Vec<f64> {
     table2
         .iter()
@@ -235,7 +235,7 @@ pub(crate) fn delta_v_errors(table2: &[Table2Row]) -> DeltaVErrors {
 pub struct Table3Row {
     /// The test.
     pub test: u8,
-    /// (rad) by which the direction of the force is turned, counter-clockwise.
+    /// (rad) rotation of the direction of the force, counter-clockwise.
     pub turn: f64,
     /// (m/s) CRASH3's corrected velocity changes, from the implied energies.
     pub cells: [Cell; 2],
@@ -263,11 +263,11 @@ pub(crate) fn table3(staged: &Staged) -> Result<Vec<Table3Row>, ValidationError>
 pub struct Table3Rms {
     /// The tests.
     pub tests: Vec<u8>,
-    /// (rad) by which the direction of the force is turned, counter-clockwise.
+    /// (rad) rotation of the direction of the force, counter-clockwise.
     pub turn: f64,
     /// (m/s) rms deviation of our own rows from the nominal ones.
     pub ours: f64,
-    /// (m/s) the same of the paper's rows, computed here, beside what is printed.
+    /// (m/s) the same for the paper's rows, computed here, compared with the printed one.
     pub paper_rows: Cell,
 }
 
@@ -303,18 +303,18 @@ pub(crate) fn table3_rms(published: &Published, table3: &[Table3Row]) -> Vec<Tab
     rows
 }
 
-/// The energies of one test beside SAE 871993, Table 1.
+/// The energies of one test compared with SAE 871993, Table 1.
 #[derive(Clone, Debug, PartialEq)]
 pub struct EnergyRow {
     /// The test.
     pub test: u8,
     /// (J) kinetic energy before impact.
     pub initial: Cell,
-    /// (J) taken by the normal impulse.
+    /// (J) work of the normal impulse.
     pub normal: Cell,
-    /// (J) taken by the tangential impulse.
+    /// (J) work of the tangential impulse.
     pub tangential: Cell,
-    /// (J) taken in all.
+    /// (J) total work.
     pub total: Cell,
 }
 

@@ -1,10 +1,10 @@
-//! Which of several motions each vehicle left the impact with: those that agree best with the impulse.
+//! Chooses the motions after the impact, of several possible ones, that agree best with the impulse.
 //!
-//! A rest whose heading alone is known allows several starts, and each combination of a start of either
-//! vehicle gives speeds of its own. What these imply is then known twice: the yaw rates by the impulse at C
-//! and by the way to rest, a restitution that is neither negative nor high, an impulse ratio between 0 and
-//! μ_c, and the crush energy where it did not enter. The residuals r of a combination, and their covariance
-//! Σ by the usual errors of what they follow from, give
+//! A rest position of which only the heading is known allows several starts, and each combination of a start
+//! of either vehicle gives its own speeds. Some implications of these are then known twice: the yaw rates by
+//! the impulse at C and by the path to rest, a restitution that is neither negative nor high, an impulse
+//! ratio between 0 and μ_c, and the crush energy if it was not used. The residuals r of a combination, and
+//! their covariance Σ from the usual errors of their causes, give
 //!
 //! χ² = rᵀ Σ⁻¹ r,  weight ∝ e^(−χ²/2)
 
@@ -24,33 +24,33 @@ use crate::thresholds::{
 };
 use crate::travel::{Origin, Record};
 
-/// What the speeds of a combination are held against.
+/// The evidence with which the speeds of a combination are compared.
 #[derive(Clone, Copy)]
 pub(super) struct Evidence {
     /// (J) crush energy of both vehicles.
     pub(super) crush_energy: Option<f64>,
-    /// What it is held equal to.
+    /// The energy that it has to equal.
     pub(super) basis: Basis,
     /// (–) standard deviation of its logarithm.
     pub(super) crush_ln: f64,
 }
 
-/// What is known twice: Ω_1, Ω_2, e, the impulse ratio, the crush energy.
+/// Number of quantities that are known twice: Ω_1, Ω_2, e, the impulse ratio, the crush energy.
 const KNOWN_TWICE: usize = 5;
-/// What it follows from: size and direction of both velocities after the impact, both yaw rates, C in the
+/// Number of their causes: size and direction of both velocities after the impact, both yaw rates, C in the
 /// axes of both vehicles, the crush plane, and the crush energy.
 const CAUSES: usize = 12;
 
-/// (m/s) a slower approach is taken as this fast where a restitution is judged: such vehicles rebound fully.
+/// (m/s) minimum approach speed in the evaluation of a restitution: slower vehicles rebound fully.
 const SLOWEST_APPROACH: f64 = 3.0;
-/// (–) what an impulse ratio is beyond its limits where the impulse would pull.
+/// (–) excess of the impulse ratio over its limits if the impulse would pull.
 const PULLS: f64 = 2.0;
-/// (–) the least share of the crush energy that the logarithm knows.
+/// (–) minimum share of the crush energy in the logarithm.
 const LEAST_ENERGY: f64 = 0.01;
 
 type Numbers = [f64; KNOWN_TWICE];
 
-/// How far momentum and the rest of the evidence lie apart, and how far they may.
+/// The differences between momentum and the rest of the evidence, and their covariance.
 struct Judged {
     speeds: [f64; 2],
     implied: Implied,
@@ -59,7 +59,7 @@ struct Judged {
     covariance: [Numbers; KNOWN_TWICE],
 }
 
-/// The combination with numbers that are a little different.
+/// The momentum of the combination with slightly different numbers.
 fn varied(momentum: &Momentum, by: &[f64; CAUSES]) -> Option<Momentum> {
     let [speed_1, turn_1, speed_2, turn_2, yaw_1, yaw_2, ahead_1, left_1, ahead_2, left_2, plane, _] = *by;
     let participant = |i: usize, ahead: f64, left: f64| {
@@ -83,8 +83,8 @@ fn varied(momentum: &Momentum, by: &[f64; CAUSES]) -> Option<Momentum> {
     })
 }
 
-/// (m/s) speeds with a momentum that is a little different. Along one line the momentum tells the speed of
-/// the common centre, and the crush energy the speeds relative to it.
+/// (m/s) speeds with a slightly different momentum. Along one line, the momentum gives the speed of the
+/// common centre, and the crush energy the speeds relative to it.
 fn speeds_beside(
     from: (&Momentum, [f64; 2]),
     other: &Momentum,
@@ -105,8 +105,8 @@ fn speeds_beside(
     Ok([0, 1].map(|i| (centre + moved + (along[i] - centre) * (1.0 + relative)) / cosines[i]))
 }
 
-/// How far what the speeds imply lies from what it is held against; of what has an upper and a lower bound,
-/// how far beyond the nearer one, negative within.
+/// The differences between the implications of the speeds and the evidence; for a quantity with an upper and
+/// a lower bound, the distance beyond the nearer bound, negative within.
 fn apart(momentum: &Momentum, implied: &Implied, evidence: &Evidence, restitution: f64) -> Numbers {
     let told = |i: usize| momentum.after[i].yaw_rate.map_or(0.0, |told| implied.yaw_rates[i] - told);
     // e = −U_n/u_n
@@ -151,7 +151,7 @@ impl Judged {
             // v ∝ √E
             if momentum.is_collinear() { 0.5 * evidence.crush_ln } else { 0.0 },
         ];
-        // What the impulse at one point C, the same restitution and one ratio all through leave out.
+        // Errors of the assumptions of an impulse at one point C, a known restitution and a constant ratio.
         let crush = if momentum.is_collinear() { 1.0 } else { evidence.crush_ln };
         let own = [0.0, 0.0, RESTITUTION_ERROR, RATIO_BEYOND, crush];
         let mut covariance = [[0.0; KNOWN_TWICE]; KNOWN_TWICE];
@@ -182,7 +182,7 @@ impl Judged {
         is_finite.then_some(Self { speeds, implied, apart: here, covariance })
     }
 
-    /// χ² of what is known and not met: a bound that is kept says nothing.
+    /// χ² of the quantities that are known and not met: a bound that is kept does not count.
     fn misfit(&self, momentum: &Momentum, evidence: &Evidence) -> f64 {
         let counts = [
             momentum.after[0].yaw_rate.is_some(),
@@ -218,7 +218,7 @@ impl Judged {
     }
 }
 
-/// How far what momentum implies at these speeds (m/s) may lie from the rest of the evidence.
+/// The uncertainty of the implications of momentum at these speeds (m/s) against the other evidence.
 pub(super) fn spread(
     momentum: &Momentum,
     speeds: [f64; 2],
@@ -228,11 +228,11 @@ pub(super) fn spread(
     Judged::new(momentum, speeds, evidence, restitution).map(|judged| judged.spread())
 }
 
-/// A start of a vehicle; `None` of one whose motion is not sought.
+/// A start of a vehicle; `None` if its motion is not searched for.
 type Sought = Option<Start>;
 
-/// Chooses the starts of both vehicles that agree best with the impulse, and keeps their ways in the record.
-/// All combinations, the best first.
+/// Chooses the starts of both vehicles that agree best with the impulse, and keeps their paths in the record.
+/// Returns all combinations, the best first.
 pub(super) fn agreeing(
     posed: &mut Posed,
     record: &mut Record,
@@ -248,7 +248,7 @@ pub(super) fn agreeing(
             }
         }
     }
-    // The order of the starts stays where two agree equally: the least turn first.
+    // If two agree equally, the order of the starts remains: the smallest turn first.
     found.sort_by(|(a, _), (b, _)| a.misfit.total_cmp(&b.misfit));
     let least = found.first().map_or(0.0, |(best, _)| best.misfit);
     // w = e^(−½ (χ² − χ²_min))/Σ
@@ -274,13 +274,13 @@ pub(super) fn agreeing(
     Ok(found.into_iter().map(|(combination, _)| combination).collect())
 }
 
-/// The search of both speeds by the crush energy with another momentum, where there is one.
+/// The search for both speeds by the crush energy with another momentum, if there is one.
 fn again(posed: &Posed, momentum: Momentum, basis: Basis) -> Result<Option<ByCrush>, Failure> {
     let search = posed.by_crush.as_ref().zip(posed.law.clone());
     Ok(search.map(|(by_crush, law)| by_crush.with(momentum, law, basis)).transpose()?)
 }
 
-/// The starts that lead to the rest of a vehicle, the one of the record first.
+/// The starts that lead to the rest position of a vehicle, the one of the record first.
 fn starts(record: &Record, id: VehicleId) -> Vec<Sought> {
     let travel = record.travel[id.index()].as_ref().filter(|travel| travel.origin == Origin::Rest);
     travel.map_or_else(

@@ -1,11 +1,11 @@
-//! What is to be said of how evidence was taken.
+//! Notes on how the evidence was used.
 
-/// What the case gives and the estimate does not use.
+/// Data of the case that the estimate does not use.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Unused {
     /// Its key.
     pub key: String,
-    /// Why.
+    /// The reason.
     pub reason: UnusedReason,
 }
 
@@ -13,7 +13,7 @@ pub struct Unused {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum UnusedReason {
-    /// The speed that is sought.
+    /// The speed is to be found.
     Sought,
     /// A crush that was not measured.
     Inferred,
@@ -29,23 +29,23 @@ pub enum UnusedReason {
     OneWreck,
 }
 
-/// What is to be said of a part of the evidence.
+/// Notes on a part of the evidence.
 #[derive(Debug, Default)]
 pub(super) struct Notes {
-    /// The keys of what has its usual error, as the case gives none, each once.
+    /// The keys of evidence with its default error, as the case gives none, each once.
     pub(super) default_errors: Vec<String>,
     pub(super) unused: Vec<Unused>,
 }
 
 impl Notes {
-    /// Notes that this has its usual error, unless the case gives one.
+    /// Notes that this has its default error, unless the case gives one.
     pub(super) fn default_error(&mut self, is_default: bool, key: String) {
         if is_default && !self.default_errors.contains(&key) {
             self.default_errors.push(key);
         }
     }
 
-    /// What was found, whose notes come after these.
+    /// The result, whose notes are appended to these.
     pub(super) fn take<T>(&mut self, (found, notes): (T, Self)) -> T {
         for key in notes.default_errors {
             self.default_error(true, key);

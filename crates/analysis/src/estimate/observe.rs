@@ -1,4 +1,4 @@
-//! What was observed of a collision, and how far it may be off.
+//! The observations of a collision, and their errors.
 
 mod after;
 mod damage;
@@ -15,16 +15,16 @@ use crate::uncertainty::UncertainInput;
 
 pub(super) use damage::{Crushed, damage, energies, reference};
 
-/// (m/s) scale of the error of a speed of zero: 1 km/h, chosen; what 49 CFR 563 lets a recorder round.
+/// (m/s) scale of the error of a speed of zero: 1 km/h, chosen; the rounding allowed by 49 CFR 563.
 const LEAST_SPEED_ERROR: f64 = 1.0 / 3.6;
-/// (–) a range that is more than this share of its speed is the error of the speed, not of its logarithm.
+/// (–) a range wider than this share of its speed is the error of the speed, not of its logarithm.
 const WIDE_RANGE: f64 = 0.5;
-/// (–) where a side met a side the severity of the field is not known, as it had five such vehicles: its
-/// spread is taken as so many times that of all others.
+/// (–) the severity of the field is unknown for a side against a side, of which it had five vehicles: its
+/// spread is taken as this multiple of that of all others.
 const SIDESWIPE_SPREAD: f64 = 2.0;
 const DEGREE: f64 = std::f64::consts::PI / 180.0;
 
-/// A case in which evidence is looked for.
+/// The case from which evidence is collected.
 #[derive(Clone, Copy)]
 pub(super) struct Scene<'a> {
     pub(super) case: &'a Case,
@@ -39,7 +39,7 @@ pub(super) struct Scene<'a> {
     pub(super) reference: [f64; 2],
 }
 
-/// A vehicle of a case in which evidence is looked for.
+/// A vehicle of the case from which evidence is collected.
 #[derive(Clone, Copy)]
 struct Subject<'a> {
     case: &'a Case,
@@ -102,7 +102,7 @@ fn vehicle(scene: &Scene<'_>, id: VehicleId) -> (ObservedVehicle, Notes) {
     (ObservedVehicle { pdof, after, rest, skid_speed, points, recorder, limits }, notes)
 }
 
-/// What is certain of a speed.
+/// The certain limits of a speed.
 fn limits(subject: Subject<'_>) -> Limits {
     let si = |limit: &Option<Quantity>, none: f64| limit.as_ref().map_or(none, Quantity::si);
     subject.given().certain_speed.as_ref().map_or_else(Limits::default, |certain| Limits {
@@ -111,8 +111,8 @@ fn limits(subject: Subject<'_>) -> Limits {
     })
 }
 
-/// A speed (m/s) that was measured with the range of the case, of which `sd` (m/s) is the standard deviation,
-/// or without one with a `share` of the speed.
+/// A measured speed (m/s), with the range of the case, whose standard deviation is `sd` (m/s), or without a
+/// range, with a `share` of the speed.
 fn measured_speed(value: f64, sd: Option<f64>, share: f64) -> MeasuredSpeed {
     match sd {
         None => MeasuredSpeed { value, ln_sd: share, least: LEAST_SPEED_ERROR },

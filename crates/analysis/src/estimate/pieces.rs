@@ -1,4 +1,4 @@
-//! What each piece of evidence says.
+//! The effect of each piece of evidence.
 
 use std::f64::consts::FRAC_PI_2;
 
@@ -12,63 +12,63 @@ use pim_core::VehicleId;
 use super::outputs::Told;
 use crate::excluded::key;
 
-/// A piece of evidence, and what it does to the answer.
+/// A piece of evidence, and its effect on the answer.
 #[derive(Clone, Debug)]
 pub struct PieceFound {
-    /// Which.
+    /// The piece.
     pub piece: Piece,
     /// Its key in the case.
     pub key: String,
-    /// (m/s) the speeds of the vehicles that move by this piece alone, beside what is known before the
-    /// evidence; `None` where it was not asked for, or where that run did not converge.
+    /// (m/s) the speeds of the moving vehicles by this piece alone, in addition to what is known before the
+    /// evidence; `None` if not requested, or if that run did not converge.
     pub alone: Option<[Option<DrawsSummary>; 2]>,
     /// (m/s) the speeds by all other pieces.
     pub without: Option<[Option<DrawsSummary>; 2]>,
-    /// (–) probability that all other pieces give an observation at least as far off; `None` of a piece that
-    /// is no single measurement, or where it cannot be told.
+    /// (–) probability that all other pieces give an observation at least as far off; `None` if the piece is
+    /// not a single measurement, or if it cannot be computed.
     pub p_value: Option<Estimate>,
-    /// Whether it points the other way than all other pieces say: a direction by more than a right angle, and
-    /// a longitudinal ΔV by its sign.
+    /// Whether it contradicts all other pieces in direction: a direction by more than a right angle, or a
+    /// longitudinal ΔV by its sign.
     pub reversed: bool,
 }
 
-/// Two pieces that may say the same thing twice.
+/// Two pieces that may count the same observation twice.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct SameTwice {
     /// Their keys.
     pub keys: [String; 2],
 }
 
-/// Draws that are there already, from which most of what a piece says can be told.
+/// Existing draws, from which most effects of a piece can be computed.
 #[derive(Clone, Copy)]
 pub(super) struct There<'a> {
-    /// By all evidence.
+    /// Given all evidence.
     pub(super) posterior: &'a Posterior,
-    /// Before it; `None` where that run did not converge.
+    /// Before the evidence; `None` if that run did not converge.
     pub(super) before: Option<&'a Posterior>,
 }
 
-/// Another run that shows what a piece does.
+/// Another run, to show the effect of a piece.
 #[derive(Clone, Debug)]
 pub(super) enum Wanted {
-    /// With these terms alone.
+    /// With only these terms.
     Only(Vec<usize>),
     /// All but this one, from the draws with it.
     Without(usize),
-    /// All but this one, from the prior: where the piece contradicts the rest, too few of the draws with it
-    /// lead there.
+    /// All but this one, from the prior: if the piece contradicts the rest, too few of the draws with it lead
+    /// there.
     WithoutAnew(usize),
 }
 
-/// Runs with other terms; `None` where that fails.
+/// Runs with other terms; `None` if that fails.
 pub(super) type Again<'a> = dyn FnMut(Wanted) -> Option<Posterior> + 'a;
 
-/// The least effective sample size of a run of which only a median and an interval are shown, rounded to few
-/// digits: the ends of the interval are then known to about a quarter of the standard deviation.
+/// Minimum effective sample size of a run that only yields a median and an interval, rounded to few digits:
+/// the ends of the interval are then known to about a quarter of the standard deviation.
 const BESIDE_ESS: f64 = 100.0;
 
-/// Whether a run beside the answer shows a median and an interval: it may be worth fewer draws than an
-/// answer, but must not be wrong otherwise.
+/// Whether an additional run yields a median and an interval: it may have a smaller effective sample size
+/// than an answer, but no other doubts.
 fn suffices(run: &Posterior) -> bool {
     let is_by_few_draws = |doubt: &SamplerDoubt| match doubt {
         SamplerDoubt::FewDraws { ess, .. } => *ess >= BESIDE_ESS,
@@ -84,9 +84,9 @@ fn suffices(run: &Posterior) -> bool {
     }
 }
 
-/// What a piece does to the answer. The speeds by it alone and without it are those of the draws that are
-/// there, under other weights where enough of these count, and of `again` where not; without `again` they are
-/// left out. `always` are the terms that hold in every run.
+/// The effect of a piece on the answer. The speeds by it alone and without it come from the existing draws,
+/// reweighted, if enough of these count, and otherwise from `again`; without `again` they are left out.
+/// `always` are the terms of every run.
 pub(super) fn found(
     (term, piece): (usize, Piece),
     told: &Told<'_>,
@@ -130,9 +130,9 @@ pub(super) fn found(
     PieceFound { piece, key: key(piece), alone, without, p_value, reversed }
 }
 
-/// The motion after the impact is usually found from the rest, and the same rest is then counted twice. A
-/// recorder that stores the speed at the impact stores that before the brakes, too, by the same wheels. And
-/// who codes a PDOF may have read the recorder.
+/// The motion after the impact is usually found from the rest position, which is then counted twice. A
+/// recorder that stores the speed at the impact measures it with the same wheels as the speed before braking.
+/// And the coder of a PDOF may have read the recorder.
 pub(super) fn same_twice(pieces: &[Piece]) -> Vec<SameTwice> {
     let of = |id: VehicleId| {
         [
@@ -157,7 +157,7 @@ mod tests {
     use evidence::Piece;
     use pim_core::VehicleId::{One, Two};
 
-    /// Only where both are there, and of one vehicle.
+    /// Only if both are present, for the same vehicle.
     #[test]
     fn what_says_the_same_twice_is_named() {
         let keys =

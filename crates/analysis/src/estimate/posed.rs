@@ -1,33 +1,33 @@
-//! The collision of a particle, and the speeds that it has in it.
+//! The collision of a particle, and its speeds in it.
 
 use evidence::Speeds;
 use inputs::Basis;
 use pim_core::{Contact, Motion, VaryingLaw, Vector2, VehicleId};
 
-/// How a particle has the speeds that are unknown.
+/// How the values of a particle encode the unknown speeds.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum OpenSpeeds {
     /// Both are in the case.
     None,
     /// That of one vehicle.
     One(VehicleId, Alone),
-    /// Both, each by itself.
+    /// Both, each with its own value.
     Each([Alone; 2]),
     /// Both together.
     Together(Speeds<usize>),
 }
 
-/// How a particle has a speed that is unknown by itself.
+/// How a particle encodes an unknown speed with its own value.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Alone {
-    /// The place of its value.
+    /// The index of its value.
     pub(super) place: usize,
-    /// (m/s) from 0 up to here, the value means that the vehicle stood.
+    /// (m/s) values from 0 to this mean that the vehicle stood still.
     pub(super) standing: f64,
 }
 
 impl Alone {
-    /// (m/s) the speed, where the value is this (m/s).
+    /// (m/s) the speed for this value (m/s).
     #[inline(always)]
     pub(super) fn speed(self, value: f64) -> f64 {
         // v = x below 0, 0 from 0 to w, x − w above
@@ -36,7 +36,7 @@ impl Alone {
 }
 
 impl OpenSpeeds {
-    /// (m/s) the speeds that are unknown, of a particle with these values and headings along `forward`.
+    /// (m/s) the unknown speeds of a particle with these values and headings along `forward`.
     #[inline(always)]
     pub(super) fn along(
         self,
@@ -54,7 +54,7 @@ impl OpenSpeeds {
     }
 }
 
-/// The collision of a particle, with the law that the case gives.
+/// The collision of a particle, with the law of the case.
 pub(super) struct Posed {
     pub(super) contact: Contact,
     pub(super) law: VaryingLaw,

@@ -25,70 +25,69 @@ use crate::excluded::table;
 use crate::failure::Failure;
 use crate::uncertainty::{UncertainInput, inputs};
 
-/// Why a number has the distribution that it has, where the case does not give it.
+/// The reason for the distribution of a number, if the case does not give it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Assumed {
-    /// A heading as it is usually known.
+    /// The usual uncertainty of a heading.
     Heading,
-    /// A crush plane, likewise.
+    /// The usual uncertainty of a crush plane.
     CrushPlane,
-    /// A contact point, likewise.
+    /// The usual uncertainty of a contact point.
     Contact,
-    /// A mass, likewise: Smith and Noga 1982.
+    /// The usual uncertainty of a mass: Smith and Noga 1982.
     Mass,
-    /// What a table or a formula gives, as `uncertainty` varies it.
+    /// A value from a table or a formula, as varied by `uncertainty`.
     Estimate,
     /// Speeds without evidence.
     Speed,
-    /// A coefficient of the impact that the case gives without a range, with the spread that such collisions
-    /// have.
+    /// A coefficient of the impact given without a range, with the spread of such collisions.
     Coefficient,
-    /// The greatest impulse ratio, where the case does not give it.
+    /// The largest impulse ratio, if the case does not give it.
     Friction,
     /// λ.
     TangentialShare,
-    /// The crush energy of a vehicle by that of the other, of real crashes.
+    /// The crush energy of a vehicle from that of the other, as in real crashes.
     OtherCrush,
-    /// The friction of the ground, as it is usually known.
+    /// The usual uncertainty of the friction of the ground.
     Ground,
-    /// The drag of wheels, likewise.
+    /// The usual uncertainty of the drag of wheels.
     Drag,
 }
 
 /// (rad) standard deviation of a heading without a range: 2°.
 const HEADING_SD: f64 = 2.0 * DEGREE;
-/// (rad) of a crush plane without a range: 5°.
+/// (rad) standard deviation of a crush plane without a range: 5°.
 const CRUSH_PLANE_SD: f64 = 5.0 * DEGREE;
-/// (m) of a contact point without a range, in each direction.
+/// (m) standard deviation of a contact point without a range, in each direction.
 const CONTACT_SD: f64 = 0.10;
-/// (kg) of a mass without a range: 65 lb, Smith and Noga, SAE 821169 (1982).
+/// (kg) standard deviation of a mass without a range: 65 lb, Smith and Noga, SAE 821169 (1982).
 const MASS_SD: f64 = 65.0 * 0.453_592_37;
-/// (–) of the logarithm of the friction of the ground.
+/// (–) standard deviation of the logarithm of the friction of the ground.
 const GROUND_LN_SD: f64 = 0.10;
-/// (–) of that of the drag of a vehicle's wheels.
+/// (–) standard deviation of the logarithm of the drag of a vehicle's wheels.
 const DRAG_LN_SD: f64 = 0.30;
-/// (m/s) no vehicle is thought to have been faster.
+/// (m/s) upper limit of the speed of a vehicle in the prior.
 const FASTEST: f64 = 70.0;
-/// (–) of the logarithm of a coefficient of the impact without a range: of e as in the field, of the friction
-/// chosen.
+/// (–) standard deviation of the logarithm of a coefficient of the impact without a range: of e as in the
+/// field, of the friction chosen.
 const RESTITUTION_LN_SD: f64 = FITTED.restitution[3];
 const FRICTION_LN_SD: f64 = FITTED.friction[1];
-/// (%) probability before the evidence that a vehicle stood.
+/// (%) probability before the evidence that a vehicle stood still.
 const STOOD: f64 = 20.0;
 const DEGREE: f64 = std::f64::consts::PI / 180.0;
 
-/// A number that is unknown, before the evidence.
+/// An unknown number, before the evidence.
 pub(super) struct Before {
     pub(super) key: String,
     pub(super) unit: Option<&'static Unit>,
     pub(super) prior: Distribution,
-    /// The same of a speed of a vehicle that does not stand; `None` of every other number.
+    /// The distribution of the speed of a vehicle that does not stand still; `None` for every other number.
     pub(super) moving: Option<Distribution>,
     pub(super) assumed: Option<Assumed>,
 }
 
-/// What an estimate begins with.
+/// The starting point of an estimate.
 pub(super) struct Setup {
     pub(super) prior: Prior,
     pub(super) impacts: CaseImpacts,
@@ -96,16 +95,16 @@ pub(super) struct Setup {
     pub(super) unknown: Vec<Before>,
     pub(super) default_errors: Vec<String>,
     pub(super) unused: Vec<Unused>,
-    /// (–) probability before the evidence that each vehicle stood; 0 where it is certain that it moved, and
-    /// where its speed is known.
+    /// (–) probability before the evidence that each vehicle stood still; 0 if it certainly moved, and if its
+    /// speed is known.
     pub(super) stood: [f64; 2],
-    /// How the crush energy of each vehicle was obtained, where it is evidence.
+    /// How the crush energy of each vehicle was obtained, if it is evidence.
     pub(super) energies: [Option<EnergyMethod>; 2],
     /// (rad) PDOF of both vehicles if the force were normal to the crush plane.
     pub(super) reference: [f64; 2],
 }
 
-/// The unknown numbers as they are found.
+/// The unknown numbers, in the order in which they are found.
 #[derive(Default)]
 struct Unknowns(Vec<Before>);
 
@@ -233,14 +232,14 @@ pub(super) fn of(case: &Case, prior: Option<Prior>) -> Result<Setup, Failure> {
     })
 }
 
-/// What of a case its motion after the impact needs: each particle that is followed copies it.
+/// The parts of a case that its motion after the impact needs: each particle that is followed copies them.
 fn of_motion(case: &Case, variables: &[Input], slots: &[Slot]) -> Varied {
     let mut case = case.clone();
     case.impact = None;
     case.reconstruct = None;
     case.site_plan = None;
     for vehicle in &mut case.vehicles {
-        // Where the contact point is placed on the damage, the motion begins by it.
+        // If the contact point is placed on the damage, the motion needs the damage.
         if !vehicle.places_contact() {
             vehicle.crush = None;
         }
@@ -257,7 +256,7 @@ fn of_motion(case: &Case, variables: &[Input], slots: &[Slot]) -> Varied {
     Varied { case, slots, shared: None }
 }
 
-/// The case with the places of its unknown numbers.
+/// The case with the indices of its unknown numbers.
 fn placed(case: &Case, slots: &[Slot]) -> Case<Number> {
     let mut places = slots.iter();
     case.map_numbers(|number| match places.next() {
@@ -326,7 +325,7 @@ fn block(numbers: Case<Number>, variables: &[Input], slots: &[Slot], speeds: Ope
     Block::new(numbers, speeds, unknown)
 }
 
-/// Whether a number is of the motion before or after the impact alone.
+/// Whether a number only belongs to the motion before or after the impact.
 fn is_beside(path: &str) -> bool {
     let of_chassis = [".wheelbase", ".track", ".cg_to_front_axle"];
     of_chassis.iter().any(|key| path.ends_with(key))
@@ -344,7 +343,7 @@ fn is_beside(path: &str) -> bool {
         .any(|table| path.starts_with(table))
 }
 
-/// The case with a speed for every vehicle, and whose speed is sought.
+/// The case with a speed for every vehicle, and whose speeds are unknown.
 fn with_all_speeds(case: &Case) -> (Case, [bool; 2], Vec<Unused>) {
     let mut case = case.clone();
     let mut unused = Vec::new();
@@ -387,7 +386,7 @@ fn with_all_speeds(case: &Case) -> (Case, [bool; 2], Vec<Unused>) {
     (case, sought, unused)
 }
 
-/// A vehicle of which a velocity tells no more than the direction in which it travelled: a sideslip has that.
+/// Replaces a velocity by its only information, the direction of travel, as a sideslip.
 fn with_course(case: &mut Case, id: VehicleId) {
     let (course, heading) = (case.course(id), case.headings()[id.index()]);
     let sideslip = course.zip(heading).map(|(course, heading)| case.axes.lateral(course - heading));
@@ -397,7 +396,7 @@ fn with_course(case: &mut Case, id: VehicleId) {
     case.ranges.retain(|range| !range.path.starts_with(&of_velocity));
 }
 
-/// Whether a number is held against the impact, and does not enter it.
+/// Whether a number is compared with the impact and does not enter it.
 fn is_observed(path: &str) -> bool {
     let of_vehicle = path.strip_prefix("vehicle1.").or_else(|| path.strip_prefix("vehicle2."));
     of_vehicle.is_some_and(|key| {
@@ -415,8 +414,8 @@ fn is_observed(path: &str) -> bool {
     })
 }
 
-/// What becomes of each number of the case: those with a range are unknown, and some others are known as well
-/// as they usually are.
+/// The treatment of each number of the case: those with a range are unknown, and some others have their usual
+/// uncertainty.
 fn slots(
     case: &Case,
     ranges: &[UncertainInput],
@@ -497,8 +496,8 @@ fn is_ground(path: &str) -> bool {
     of_ground || VehicleId::ALL.into_iter().any(|id| path == path_friction(id))
 }
 
-/// What is known of a coefficient of the impact without a range: its median is the one of the case. A
-/// coefficient of zero is exact, and the numbers of laws other than Brach's are meant as they stand.
+/// The distribution of a coefficient of the impact without a range: its median is the value of the case. A
+/// coefficient of zero is exact, and the numbers of laws other than Brach's are taken as exact.
 fn coefficient(
     input: &Input,
     case: &Case,
@@ -517,7 +516,7 @@ fn coefficient(
     }
 }
 
-/// (SI) how well a number without a range is usually known, where that matters.
+/// (SI) the usual uncertainty of a number without a range, if that matters.
 fn usual_sd(input: &Input, case: &Case, nominal: &Collision) -> Option<(f64, Assumed)> {
     if input.origin != Origin::Given {
         return None;
@@ -528,7 +527,7 @@ fn usual_sd(input: &Input, case: &Case, nominal: &Collision) -> Option<(f64, Ass
     let id = VehicleId::ALL.into_iter().find(|id| input.path.starts_with(table(*id)))?;
     let fixed = case.vehicles[id.index()].fixed;
     match input.path.split_once('.')?.1 {
-        // A wall stands as the crush plane does.
+        // A wall has the heading of the crush plane.
         "heading" if !fixed => Some((HEADING_SD, Assumed::Heading)),
         "mass" => Some((MASS_SD, Assumed::Mass)),
         "weight" => Some((MASS_SD * inputs::STANDARD_GRAVITY, Assumed::Mass)),
@@ -543,8 +542,8 @@ fn usual_sd(input: &Input, case: &Case, nominal: &Collision) -> Option<(f64, Ass
     }
 }
 
-/// Which vehicles are followed to the rest or the points that were measured, and what is not used as they are
-/// not.
+/// Which vehicles are followed to their measured rest position or points, and the data that are not used if
+/// they are not.
 fn followed(case: &Case, motion: Option<&MotionInput>) -> ([bool; 2], Vec<Unused>) {
     let mut unused = Vec::new();
     let followed = VehicleId::ALL.map(|id| {
@@ -560,14 +559,14 @@ fn followed(case: &Case, motion: Option<&MotionInput>) -> ([bool; 2], Vec<Unused
     (followed, unused)
 }
 
-/// What the case leaves open of the impact.
+/// The unknowns of the impact in the case.
 struct Open {
     friction: bool,
     tangential_share: bool,
 }
 
 impl Open {
-    /// `"critical"` gives no greatest impulse ratio. Laws other than Brach's are meant as they stand.
+    /// `"critical"` gives no largest impulse ratio. Laws other than Brach's are taken as exact.
     fn of(case: &Case, ranges: &[UncertainInput]) -> Self {
         let has_range = ranges.iter().any(|range| range.input.path.starts_with("impact.tangential"));
         let law = case.impact.as_ref().map(|impact| &impact.law);
@@ -580,7 +579,7 @@ impl Open {
     }
 }
 
-/// (–) the probability before the evidence that each vehicle stood. Where one stands the other has to move.
+/// (–) the probability before the evidence that each vehicle stood. If one stood, the other moved.
 fn stood(sought: [bool; 2], case: &Case) -> [f64; 2] {
     let given = case.estimate.unwrap_or_default().stood.unwrap_or(STOOD) / 100.0;
     let may_move = |id: VehicleId| {
@@ -639,7 +638,7 @@ fn speeds(
             ));
         }
         let (least, most) = (least.unwrap_or(0.0), most.unwrap_or(FASTEST));
-        // A limit below a standstill says that the vehicle may have moved backward.
+        // A limit below zero means that the vehicle may have moved backward.
         Ok([if most <= least { most - FASTEST } else { least }, most])
     };
     let [limits1, limits2] = VehicleId::ALL.map(limits);

@@ -1,4 +1,4 @@
-//! Estimates of cases of which the answer is known otherwise.
+//! Estimates of cases whose answers are known from elsewhere.
 #![allow(clippy::disallowed_methods, reason = "expected values may differ between machines by rounding")]
 
 use std::collections::BTreeSet;
@@ -29,7 +29,7 @@ fn of(estimated: &Estimated, output: Output) -> &EstimatedOutput {
     estimated.outputs.iter().find(|found| found.output == output).unwrap()
 }
 
-/// Vehicle 1 runs squarely into the rear of vehicle 2, which stands: all of the geometry is known to a hair.
+/// Vehicle 1 runs squarely into the rear of vehicle 2, which stands: the geometry is all but exact.
 const CENTRAL: &str = r#"
 [estimate]
 prior = "flat"
@@ -50,7 +50,7 @@ restitution = { value = 0.1, sd = 0.00001 }
 tangential = { friction = { value = 0.7, sd = 0.0001 } }
 "#;
 
-/// The weighted quantile of a density at equal steps.
+/// The quantile of a density at equal steps.
 fn quantile(density: impl Fn(f64) -> f64, [low, high]: [f64; 2], share: f64) -> f64 {
     let steps = 20_000;
     let at = |k: usize| low + (high - low) * (k as f64 + 0.5) / steps as f64;
@@ -75,8 +75,8 @@ fn assert_is_quantiles(found: &DrawsSummary, density: impl Fn(f64) -> f64, range
     }
 }
 
-/// The error of a speed y beside x, of which the standard deviation is √(σ²y² + (1 km/h)²): the integral
-/// of σ dy/√(σ²y² + a²), in another form than the engine's.
+/// The error of a speed y compared with x, with a standard deviation of √(σ²y² + (1 km/h)²): the integral of
+/// σ dy/√(σ²y² + a²), in another form than the engine's.
 fn scaled(y: f64, x: f64, sd: f64) -> f64 {
     let a = 1.0 / 3.6;
     (sd * y / a).asinh() - (sd * x / a).asinh()
@@ -93,7 +93,7 @@ fn the_speed_after_tells_that_before() {
     assert_is_quantiles(&of(&estimated, speed(VehicleId::One)).posterior, density, [1.0, 70.0]);
 }
 
-/// A quarter of 640 is no number of particles that an island can have.
+/// A quarter of 640 is not a valid number of particles of an island.
 #[test]
 fn every_number_of_particles_that_an_island_can_have_runs() {
     let case = read(&format!("{CENTRAL}[vehicle2.after]\nspeed = \"11 m/s\"\ndirection = \"0 deg\"\n"));
@@ -102,8 +102,8 @@ fn every_number_of_particles_that_an_island_can_have_runs() {
     assert!(estimated.draws_before(speed(VehicleId::One)).is_some());
 }
 
-/// ½ (1 − e²) m₁m₂/(m₁ + m₂) v² = 297 v² J, of which no crush of EES 20 km/h and 30 km/h tells more than the
-/// misfit allows.
+/// ½ (1 − e²) m₁m₂/(m₁ + m₂) v² = 297 v² J, which the crush of EES 20 km/h and 30 km/h only determines within
+/// the misfit.
 #[test]
 fn the_crush_energy_tells_the_speed() {
     let crushes = "[vehicle1.crush]\nees = \"20 km/h\"\n[vehicle2.crush]\nees = \"30 km/h\"\n";
@@ -121,7 +121,7 @@ fn the_crush_energy_tells_the_speed() {
     assert!((crush.posterior.median.value - energy).abs() < 1e-3 * energy);
 }
 
-/// What the crush of vehicle 1 alone says: ½ m EES² and r times that took 297 v² J, where r is log-normal.
+/// The crush of vehicle 1 alone: ½ m EES² and r times that absorbed 297 v² J, where r is log-normal.
 #[test]
 fn the_crush_of_one_vehicle_tells_the_speed() {
     for (known, mass, damage) in [("vehicle1", 1500.0, ""), ("vehicle2", 1000.0, "side = \"rear\"\n")] {
@@ -136,7 +136,7 @@ fn the_crush_of_one_vehicle_tells_the_speed() {
         assert_eq!(ratio.assumed, Some(Assumed::OtherCrush));
         let energy = 0.5 * mass * (25.0_f64 / 3.6).powi(2);
         let (bias, tau) = (0.0, evidence::FITTED.other_crush_ln_sd);
-        // Front against rear: as much in the median.
+        // Front against rear: equal in the median.
         let density = |v: f64| {
             let of_ratio = |z: f64| {
                 let error = (energy * (1.0 + (tau * z).exp()) / (297.0 * v * v)).ln() - bias;
@@ -148,7 +148,7 @@ fn the_crush_of_one_vehicle_tells_the_speed() {
     }
 }
 
-/// Sides take less than the fronts that they meet, and a crush that follows from the other is none.
+/// Sides absorb less than the fronts that they meet, and a crush inferred from the other does not count.
 #[test]
 fn the_ratio_of_the_crush_energies_is_that_of_the_sides_that_met() {
     let median = |text: &str| {
@@ -170,14 +170,14 @@ fn the_ratio_of_the_crush_energies_is_that_of_the_sides_that_met() {
     }
     let both = format!("{CENTRAL}[vehicle1.crush]\nees = \"25 km/h\"\n[vehicle2.crush]\nees = \"25 km/h\"\n");
     assert_eq!(median(&both), None);
-    // Without damage on the one vehicle whose damage is known, there is nothing to compare.
+    // Without damage on the only vehicle whose damage is known, there is nothing to compare.
     let undamaged = CENTRAL.replacen("[vehicle1]", "[vehicle1]\ncrush = \"none\"", 1);
     assert_eq!(median(&undamaged), None);
     assert!(of_case(&undamaged).observed.crush.is_none());
 }
 
 /// A vehicle that is slowed and pushed to its right was hit from ahead on its left: tan α = 5/10, at 11
-/// o'clock. Its own lateral axis points left, or right where z points down.
+/// o'clock. Its own lateral axis points left, or right if z points down.
 #[test]
 fn a_recorder_shows_where_the_force_came_from() {
     for (axes, lateral) in [("", "-5 m/s"), ("[scene]\naxes = \"z-down\"\n", "5 m/s")] {
@@ -190,7 +190,7 @@ fn a_recorder_shows_where_the_force_came_from() {
     }
 }
 
-/// 20 % of a yaw rate and 10 °/s at least, unless the case says otherwise.
+/// 20 % of a yaw rate and at least 10 °/s, unless the case gives another error.
 #[test]
 fn the_error_of_a_recorded_yaw_rate_is_that_of_the_case() {
     for (lines, degrees, assumed) in [
@@ -206,7 +206,7 @@ fn the_error_of_a_recorded_yaw_rate_is_that_of_the_case() {
     }
 }
 
-/// v_b² = v² + 2 μ g d with v = V₂/0.66: the recorder's 25 m/s at the begin of 20 m of marks.
+/// v_b² = v² + 2 μ g d with v = V₂/0.66: the recorder's 25 m/s at the start of 20 m of marks.
 #[test]
 fn the_speed_before_a_skid_tells_that_at_the_impact() {
     let text = format!(
@@ -237,7 +237,7 @@ fn the_speed_before_a_skid_tells_that_at_the_impact() {
     for key in ["vehicle1.before.skid.length", "vehicle1.before.skid.friction"] {
         assert!(keys.contains(&key), "{keys:?}");
     }
-    // On the ground of [surface] it is that of both vehicles.
+    // On the ground of [surface], the friction is that of both vehicles.
     let ground =
         text.replace(", friction = 0.7", "").replace("[impact]", "[surface]\nfriction = 0.7\n[impact]");
     let setup = of_case(&ground);
@@ -245,7 +245,7 @@ fn the_speed_before_a_skid_tells_that_at_the_impact() {
     assert!(setup.impacts.skids[0].unwrap().factor.is_some());
 }
 
-/// Locked wheels take vehicle 2, whose CG was at the origin, 15 m straight on.
+/// Vehicle 2, whose CG was at the origin, slides 15 m straight on with locked wheels.
 const REST: &str = r#"
 [scene]
 contact = { x = "-2 m", y = "0 m" }
@@ -276,7 +276,7 @@ fn the_rest_tells_the_speed() {
     assert_is_quantiles(&of(&estimated, speed(VehicleId::One)).posterior, density, [1.0, 70.0]);
 }
 
-/// Vehicle 2 slides straight on: a mark of its left wheels lies 0.75 m to the left of the way of its CG.
+/// Vehicle 2 slides straight on: a mark of its left wheels lies 0.75 m to the left of the path of its CG.
 #[test]
 fn a_tyre_mark_is_that_of_its_wheel() {
     for (wheel, miss) in [("", 0.75), (", wheel = \"rear left\"", 0.0), (", wheel = \"rear right\"", 1.5)] {
@@ -306,19 +306,19 @@ fn a_recorder_tells_the_speed() {
     );
     let estimated = run(&read(&text), 128).unwrap();
     let density = |v: f64| {
-        // The part of zero errs by 1 km/h, and by a twentieth of the whole.
+        // The error of a zero component is 1 km/h plus a twentieth of the whole.
         let a = (1.0 / 3.6_f64).hypot(0.05 * 0.44 * v);
         let z = ((0.06 * (24.0 / 3.6) / a).asinh() - (0.06 * 0.44 * v / a).asinh()) / 0.06;
         (1.0 + z * z / 3.0).powi(-2) / (0.06_f64 * (24.0 / 3.6)).hypot(a)
     };
     assert_is_quantiles(&of(&estimated, speed(VehicleId::One)).posterior, density, [1.0, 70.0]);
-    // Above the median is half of it.
+    // Half of the probability lies above the median.
     let found = of(&estimated, speed(VehicleId::One)).posterior.median.value;
     let above = estimated.probability_above(speed(VehicleId::One), found).unwrap();
     assert!((above.value - 0.5).abs() < 0.01);
 }
 
-/// A limit cuts the prior off, and the speed that is sought is said not to be used.
+/// A limit truncates the prior, and the given value of the unknown speed is reported as unused.
 #[test]
 fn a_limit_holds() {
     let text = CENTRAL
@@ -346,7 +346,7 @@ fn what_excludes_everything_is_named() {
     assert!(refusal.contains("do not approach each other"), "{refusal}");
 }
 
-/// Of two unknown speeds hardly any lies in a sliver: too few draws to go on from, and the run says so.
+/// Of two unknown speeds hardly any lies in a narrow limit: too few draws to continue, as the run reports.
 #[test]
 fn a_run_that_has_not_converged_says_so() {
     let text = CENTRAL.replace("prior = \"flat\"", "").replace("speed = \"0 km/h\"", "").replacen(
@@ -378,7 +378,7 @@ fn coefficients_without_a_range_are_open() {
     assert!(spread(&estimated) > 0.05);
 }
 
-/// What the motion to rest is asked for, without saying of which proposals it is not needed.
+/// Evidence that always computes the motion to rest, also for proposals that do not need it.
 struct Whole<'a>(&'a Told<'a>);
 
 impl ::estimate::Evidence for Whole<'_> {
@@ -396,7 +396,7 @@ impl ::estimate::Evidence for Whole<'_> {
     }
 }
 
-/// Vehicles are not followed to rest in proposals that are refused without it, and the draws stay the same.
+/// Vehicles are not followed to rest in proposals that are refused anyway, and the draws stay the same.
 #[test]
 fn proposals_that_are_refused_need_no_rest() {
     let after = |x: &str| {
@@ -424,7 +424,7 @@ fn proposals_that_are_refused_need_no_rest() {
     assert_eq!(in_parts.terms(), whole.terms());
 }
 
-/// Friction without a range is that of its key times a factor with an ln-sd of 0.10.
+/// Friction without a range is the value of its key times a factor with an ln-sd of 0.10.
 #[test]
 fn a_ground_of_one_value_has_the_error_of_such_a_value() {
     let text = at_rest(REST).replace("friction = { value = 0.7, sd = 0.00001 }", "friction = 0.7");
@@ -440,7 +440,7 @@ fn a_ground_of_one_value_has_the_error_of_such_a_value() {
     assert_is_quantiles(&of(&estimated, speed(VehicleId::One)).posterior, density, [1.0, 70.0]);
 }
 
-/// With the numbers 1 and 2 for each other, vehicle 2 is the one that drives.
+/// With the vehicle numbers exchanged, vehicle 2 is the one that drives.
 #[test]
 fn the_labels_of_the_vehicles_do_not_matter() {
     let text = format!("{CENTRAL}[vehicle2.after]\nspeed = \"11 m/s\"\ndirection = \"0 deg\"\n");
@@ -463,7 +463,7 @@ fn of_case(text: &str) -> setup::Setup {
     setup::of(&read(text), None).unwrap()
 }
 
-/// What was measured with an error and what the model misses add as variances.
+/// The variances of measurement errors and of model errors add up.
 #[test]
 fn errors_add_as_variances() {
     let crush = |pdof: &str| format!("{CENTRAL}[vehicle1.crush]\nees = \"20 km/h\"\npdof = \"{pdof}\"\n");
@@ -508,7 +508,7 @@ fn a_direction_turns_with_the_axes() {
         let text = format!("[scene]\naxes = \"{axes}\"\n{CENTRAL}[vehicle2.after]\ndirection = \"30 deg\"\n");
         let direction = of_case(&text).observed.vehicles[1].after.direction.unwrap();
         assert!((direction.value.to_degrees() - sign * 30.0).abs() < 1e-9, "{axes}: {direction:?}");
-        // To the right in z-down, to the left in z-up: the rest has the sign that the case gives it.
+        // To the right in z-down, to the left in z-up: the rest position has the sign of the case.
         let rest = REST.replace("y = \"0 m\", heading", "y = \"3 m\", heading");
         let text = at_rest(&rest).replace("[scene]", &format!("[scene]\naxes = \"{axes}\""));
         let text = text.replace(
@@ -540,8 +540,8 @@ fn forces_come_from_where_the_vehicle_was_hit() {
     assert!((pdof.median.value.abs() - std::f64::consts::PI).abs() < 0.1 && high - low < 0.1, "{pdof:?}");
 }
 
-/// V₂ = 0.66 v₁ and ΔV₁ = 0.44 v₁: a recorder that stored what 11 m/s goes with agrees, and one that
-/// stored three times that does not.
+/// V₂ = 0.66 v₁ and ΔV₁ = 0.44 v₁: a recorder that stored the value for 11 m/s agrees, and one that stored
+/// three times that does not.
 #[test]
 fn each_piece_is_judged_by_the_others() {
     for (stored, agrees) in [(7.33, true), (22.0, false)] {
@@ -566,7 +566,7 @@ fn each_piece_is_judged_by_the_others() {
     }
 }
 
-/// The Debug text of what a block of draws of the prior leads to: it tells any two numbers apart.
+/// The Debug text of the impacts of a block of draws of the prior, which shows any difference.
 fn impacts_of(impacts: &impacts::CaseImpacts, seed: u64) -> Vec<String> {
     use evidence::Impacts;
     impacts.impacts(&columns_of(impacts, seed)).iter().map(|impacted| format!("{impacted:?}")).collect()
@@ -634,7 +634,7 @@ energy_basis = { tangential_share = { value = 0.5, sd = 0.2 } }
         "[estimate]\nprior = \"flat\"\n[vehicle1.before]\nspeed = \"70 km/h\"\n\
          [vehicle1.before.skid]\nlength = { value = \"9 m\", sd = \"1 m\" }\nfriction = 0.7\n[impact]",
     );
-    // The friction of the ground with a range, and without one that of the marks of the other vehicle.
+    // The friction of the ground with a range, and that of the marks of the other vehicle without one.
     let skids = fixture.replace(
         "[impact]",
         "[surface]\nfriction = { value = 0.6, sd = 0.1 }\n[vehicle1.before]\nskid = { length = \"30 ft\" }\n\
@@ -697,7 +697,7 @@ fn other_shapes_are_left_to_the_case() {
     assert!(of_case(&shared).impacts.block.is_none());
 }
 
-/// Bias and error are those of the way in which each energy was obtained, and the case may give both.
+/// Bias and error depend on how each energy was obtained, and the case may give both.
 #[test]
 fn a_crush_energy_errs_by_how_it_was_obtained() {
     let depths = |stiffness: &str| {
@@ -719,7 +719,7 @@ fn a_crush_energy_errs_by_how_it_was_obtained() {
             .replace("prior = \"flat\"", &format!("prior = \"flat\"\n{estimate}"));
         of_case(&text).observed.crush.unwrap().0.map(|of| [of.bias, of.shared_ln_sd, of.own_ln_sd])
     };
-    // docs/calibration.md: β = −0.521, σ_c = 0.405 between fronts, and 0.15 of the mean itself.
+    // docs/calibration.md: β = −0.521, σ_c = 0.405 between fronts, and 0.15 for the mean itself.
     let field = [-0.521, 0.405_f64.hypot(0.15), 0.0];
     for (crush, expected) in [
         (&class, field),
@@ -739,8 +739,8 @@ fn a_crush_energy_errs_by_how_it_was_obtained() {
     }
 }
 
-/// The survey of a point and of a rest is part of their errors: √(s² + (s_x² + s_y²)/2), where the computed
-/// path errs by s = 0.5 m and 10 % of 6.2 m, or by what the case says.
+/// The survey of a point and of a rest position is part of their errors: √(s² + (s_x² + s_y²)/2), where the
+/// computed path has an error s of 0.5 m and 10 % of 6.2 m, or as given by the case.
 #[test]
 fn the_range_of_a_point_counts() {
     let sds = |sd: &str, estimate: &str| {
@@ -765,7 +765,7 @@ fn the_range_of_a_point_counts() {
 }
 
 /// Vehicle 2 stands with a probability of 20 % or has any speed up to 70 m/s; V₂ = 0.66 v₁ + 0.34 v₂ was
-/// measured. Where 0.66 v₁ alone is 9.9 m/s: P(0) by a sum over v₂.
+/// measured. With 0.66 v₁ = 9.9 m/s: P(0) by a sum over v₂.
 #[test]
 fn a_vehicle_that_stood_has_a_probability() {
     let case = |after: f64, stood: &str| {
@@ -797,16 +797,16 @@ fn a_vehicle_that_stood_has_a_probability() {
     assert!(certain.draws(speed(VehicleId::Two)).unwrap().iter().all(|v| *v > 0.0));
 }
 
-/// Both speeds unknown: vehicle 1 ran into vehicle 2, which stood with a probability of its own, and none of
-/// the draws has both standing.
+/// Both speeds unknown: vehicle 1 ran into vehicle 2, which has its own probability of standing still, and in
+/// none of the draws do both stand.
 #[test]
 fn of_two_unknown_speeds_each_may_be_zero() {
     let text = CENTRAL.replace("prior = \"flat\"", "").replace("speed = \"0 km/h\"", "");
     let estimated = run(&read(&text), 128).unwrap();
     let [one, two] = estimated.stood.map(Option::unwrap);
     assert_eq!(one.after.value, 0.0, "vehicle 1 has to be faster");
-    // Before it is asked which of them collide, 20 % against the 60 % with both moving, of which less than
-    // half have vehicle 1 faster by 0.3 m/s.
+    // Before taking account of which of them collide, 20 % compared with the 60 % with both moving, of which
+    // less than half have vehicle 1 faster by 0.3 m/s.
     assert!(two.after.value > 0.3 && two.after.value < 0.6, "{two:?}");
     let draws = |id| estimated.draws(speed(id)).unwrap();
     assert!(draws(VehicleId::One).iter().all(|v| *v > 0.0) && draws(VehicleId::Two).contains(&0.0));
@@ -822,8 +822,8 @@ fn judged(text: &str) -> Estimated {
     estimate(&read(text), &plan, &mut |_, _, _| ControlFlow::Continue(())).unwrap()
 }
 
-/// Vehicle 2 is pushed straight on: a direction, a PDOF and a sign that say the opposite contradict, those
-/// that are right agree, and a zero is a number like any other.
+/// Vehicle 2 is pushed straight on: a direction, a PDOF and a sign of the opposite contradict that, the right
+/// ones agree, and zero is a number like any other.
 #[test]
 fn what_points_the_other_way_contradicts() {
     let crush = "[vehicle1.crush]\nside = \"front\"\nees = \"30 km/h\"\n";
@@ -850,7 +850,7 @@ fn what_points_the_other_way_contradicts() {
     assert!(p < 0.01 && reversed, "{p}");
 }
 
-/// Zero is a speed and a ΔV, and what zero cannot tell is named.
+/// Zero is a valid speed and ΔV, and data that zero cannot determine are named.
 #[test]
 fn zero_can_be_observed() {
     let stops = format!(
@@ -888,7 +888,7 @@ fn a_coefficient_without_a_range_is_the_median() {
     assert_eq!(setup.unused, []);
 }
 
-/// Without evidence no speed is told, and with a recorder it is.
+/// Without evidence no speed is determined, and with a recorder it is.
 #[test]
 fn what_the_evidence_does_not_tell_is_said() {
     let text = CENTRAL.replace("prior = \"flat\"", "");
@@ -898,7 +898,7 @@ fn what_the_evidence_does_not_tell_is_said() {
     assert!(of(&told, speed(VehicleId::One)).is_told());
 }
 
-/// A limit in a wrong unit, and one that says nothing but that a vehicle moved backward.
+/// A limit in a wrong unit, and one that only says that a vehicle moved backward.
 #[test]
 fn limits_that_make_no_sense_are_refused() {
     let refusal = |limit: &str| {
@@ -911,8 +911,8 @@ fn limits_that_make_no_sense_are_refused() {
     assert_eq!(refusal("at_least = \"-20 km/h\", at_most = \"0 km/h\""), "");
 }
 
-/// What it takes to estimate two vehicles that came to rest, with all that the pieces say, in likelihoods: a
-/// measure of time that is the same on every machine.
+/// The cost of an estimate of two vehicles that came to rest, with the effects of all pieces, in likelihoods:
+/// a measure of time that is the same on every machine.
 #[test]
 fn two_rests_take_few_likelihoods() {
     let case = read(include_str!("../../../../fixtures/rear-end-rest.toml"));
@@ -925,8 +925,7 @@ fn two_rests_take_few_likelihoods() {
     assert!(estimated.evaluations < 1_200_000, "{}", estimated.evaluations);
 }
 
-/// A vehicle of which no piece that is used tells the way is not followed: its rest then has the most that
-/// the term can be.
+/// A vehicle is not followed if no piece in use needs its path: its rest term then has its maximum.
 #[test]
 fn a_rest_that_is_not_used_needs_no_way() {
     let setup = setup::of(&read(&at_rest(REST)), None).unwrap();
@@ -949,8 +948,8 @@ fn a_rest_that_is_not_used_needs_no_way() {
     assert!(followed.iter().any(|followed| *followed < most - 1.0));
 }
 
-/// The ways of an estimate err little beside what a rest is known to at best, 0.5 m and 10 % of the way:
-/// against ways that were followed a thousand times as closely.
+/// The paths of an estimate have small errors compared with the best accuracy of a rest position, 0.5 m and
+/// 10 % of the path: tested against paths that were followed a thousand times as closely.
 #[test]
 fn ways_are_followed_as_closely_as_a_rest_is_known() {
     use ::uncertainty::random::{bits, unit};
@@ -980,12 +979,12 @@ fn ways_are_followed_as_closely_as_a_rest_is_known() {
         shares.push(apart.norm() / sd);
     }
     shares.sort_by(f64::total_cmp);
-    // 5 % of the error of a rest in 95 % of the ways, and a quarter of it at most.
+    // 5 % of the error of a rest position in 95 % of the paths, and at most a quarter of it.
     assert!(shares[189] < 0.05 && shares[199] < 0.25, "{} {}", shares[189], shares[199]);
 }
 
-/// A contact in the scene, an axle and a rest of which the numbers are unknown are of the motion after the
-/// impact: the impacts of a block need no case for them, and are those of the case.
+/// A contact in the scene, an axle and a rest position with unknown numbers belong to the motion after the
+/// impact: the impacts of a block need no case for them, and equal those of the case.
 #[test]
 fn numbers_of_the_motion_leave_the_block() {
     let text = at_rest(REST)
@@ -1001,7 +1000,7 @@ fn numbers_of_the_motion_leave_the_block() {
     assert!(blocks.iter().any(|impact| impact.contains("is_possible: true")));
 }
 
-/// What a particle copies of the case for its motion after the impact leads to the motion of the whole case.
+/// The parts of the case that a particle copies for its motion lead to the motion of the whole case.
 #[test]
 fn the_motion_needs_no_more_of_the_case() {
     let given = at_rest(REST);
@@ -1019,8 +1018,8 @@ fn the_motion_needs_no_more_of_the_case() {
     }
 }
 
-/// The wheel of a vehicle that spins passes the places where a closely followed way has it, also between the
-/// long steps that a particle takes.
+/// The wheel of a vehicle that spins passes the same places as on a closely followed path, also between the
+/// long steps of a particle.
 #[test]
 fn a_mark_is_sought_between_the_steps() {
     use crate::travel::Scene;

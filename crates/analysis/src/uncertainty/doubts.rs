@@ -1,4 +1,4 @@
-//! Which samples a careful reader would doubt: those of which a single case has a warning.
+//! Samples that a careful reader would doubt: those for which a single case has a warning.
 
 use ::uncertainty::{
     Distribution, InvalidRequest, LANES, Lanes, Propagation, SUCCEEDED, Sampler, Settings, for_each,
@@ -12,28 +12,28 @@ use crate::quantities::{IMPACT_CLOSING_SPEED, SPEED};
 use crate::thresholds::{FAST_CLOSING, HIGH_RESTITUTION};
 use crate::usual::Usual;
 
-/// Samples in which [`Doubt::SeveralSpeeds`] is looked for, the first ones: all speeds of a sample take
-/// longer than its answer. So many are kept of any run.
+/// Number of samples, from the first, that are searched for [`Doubt::SeveralSpeeds`]: all speeds of a sample
+/// take longer than its answer. At least as many are kept of any run.
 const SEARCHED: usize = 4096;
 
-/// Why a sample that has an answer is doubtful. A single case has the warning of [`code`](Self::code).
+/// Why a sample with an answer is doubtful. A single case has the warning of [`code`](Self::code).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Doubt {
     /// The speed found is negative, and that at the central values is not.
     FoundBackward {
-        /// Which vehicle.
+        /// The vehicle.
         vehicle: VehicleId,
     },
     /// A given speed is negative, and its central value is not.
     GivenBackward {
-        /// Which vehicle.
+        /// The vehicle.
         vehicle: VehicleId,
     },
-    /// The speed found is greater than is plausible.
+    /// The speed found is implausibly high.
     FoundTooFast {
-        /// Which vehicle.
+        /// The vehicle.
         vehicle: VehicleId,
-        /// (m/s) the greatest speed that is plausible of its kind.
+        /// (m/s) the highest plausible speed of its kind.
         limit: f64,
     },
     /// More than one speed gives the crush energy.
@@ -55,40 +55,40 @@ impl Doubt {
     }
 }
 
-/// How many samples are doubtful for a reason.
+/// Number of doubtful samples for a reason.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Doubtful {
     /// The reason.
     pub doubt: Doubt,
     /// Number of samples.
     pub samples: usize,
-    /// Of so many samples with an answer that were looked at.
+    /// Number of samples with an answer that were examined.
     pub of: usize,
 }
 
-/// What is counted while the samples are drawn, so that none has to be kept for it.
+/// Counted while the samples are drawn, so that none has to be kept for it.
 #[derive(Debug, Default)]
 pub(super) struct Watched {
     marks: Vec<Mark>,
 }
 
-/// A number of a sample that is doubtful beyond a limit.
+/// A number that makes a sample doubtful beyond a limit.
 #[derive(Clone, Copy, Debug)]
 struct Mark {
     doubt: Doubt,
     number: Watch,
 }
 
-/// Which number, by its place among the outputs or the inputs.
+/// The number, by its index among the outputs or the inputs.
 #[derive(Clone, Copy, Debug)]
 enum Watch {
     /// An output below zero.
     NegativeOutput(usize),
-    /// An output of which the size is above the limit.
+    /// An output larger in size than the limit.
     OutputBeyond(usize, f64),
     /// An input below zero.
     NegativeInput(usize),
-    /// A restitution above usual in a collision at which the output, the closing speed, is high.
+    /// A restitution above the usual one in a collision with a high closing speed, which is the output.
     Restitution { input: usize, closing: usize },
 }
 
@@ -110,7 +110,7 @@ impl Watched {
         for vehicle in VehicleId::ALL {
             let Some(place) = input(&format!("vehicle{vehicle}.speed")) else { continue };
             let UncertainInput { input, distribution, .. } = &inputs[place];
-            // Half of the samples of a speed that is negative itself are no surprise.
+            // If the speed itself is negative, half of its samples are expected to be.
             if input.number >= 0.0 && distribution.quantile(0.0) < 0.0 {
                 watch(Doubt::GivenBackward { vehicle }, Watch::NegativeInput(place));
             }
@@ -127,7 +127,7 @@ impl Watched {
         self.marks.len()
     }
 
-    /// Counts the samples of a block that are marked, each for itself.
+    /// Counts the samples of a block for each mark separately.
     #[inline(always)]
     pub(super) fn tally(&self, inputs: &[Lanes], outputs: &[Lanes], reasons: &[u8], tallies: &mut [usize]) {
         for (Mark { number, .. }, tally) in self.marks.iter().zip(tallies) {
@@ -150,7 +150,7 @@ impl Watched {
     }
 }
 
-/// The samples with an answer whose numbers are marked, without a branch, so that the loop is vectorised.
+/// Number of samples with an answer whose numbers are marked, branch-free, so that the loop is vectorised.
 #[inline(always)]
 fn count(reasons: &[u8], [first, second]: [&Lanes; 2], is_marked: impl Fn(f64, f64) -> bool) -> usize {
     let numbers = first.iter().zip(second);
@@ -161,12 +161,12 @@ fn count(reasons: &[u8], [first, second]: [&Lanes; 2], is_marked: impl Fn(f64, f
     marked.sum()
 }
 
-/// Whether doubts are seen by this output.
+/// Whether this output reveals doubts.
 pub(super) fn reads(output: Output) -> bool {
     output.is(&SPEED) || output.is(&IMPACT_CLOSING_SPEED)
 }
 
-/// The doubtful among the samples that have an answer. The counts are the same for any number of threads, as
+/// The doubtful samples among those with an answer. The counts do not depend on the number of threads, as
 /// they come from the samples alone.
 pub(super) fn doubtful(
     sample: &Sample<'_>,

@@ -1,4 +1,4 @@
-//! Which numbers of a case the samples share: their errors are not in the intervals.
+//! The numbers of a case that all samples share: their errors are not in the intervals.
 
 use inputs::{
     BrachTangential, Case, ContactSpread, Estimate, FaceAxis, ImpactLaw, Input, Origin, SharedEffects,
@@ -8,28 +8,28 @@ use real::Gradient;
 
 use super::UncertainInput;
 
-/// What all samples share.
+/// A value that all samples share.
 #[derive(Clone, Debug, PartialEq)]
 pub struct TakenAsExact {
-    /// Its key, such as `vehicle1.crush.depths`; of an estimate, the key of the value that is estimated.
+    /// Its key, such as `vehicle1.crush.depths`; for an estimate, the key of the estimated value.
     pub key: String,
-    /// What it is.
+    /// The value.
     pub value: ExactValue,
 }
 
-/// A value that all samples share.
+/// The kind of a value that all samples share.
 #[derive(Clone, Debug, PartialEq)]
 pub enum ExactValue {
     /// A number, or the numbers of a list that are not ranges.
     Numbers(Vec<Input>),
-    /// What a table or a formula gives.
+    /// A value from a table or a formula.
     Estimate(Estimate),
-    /// A choice in a word.
+    /// A choice, as a word.
     Word(&'static str),
 }
 
-/// Every number of a case that is neither among the uncertain `inputs`, nor has an error that it shares, nor
-/// is without any part in the results, by the derivatives of these; the numbers of a list together.
+/// Every number of a case that is neither among the uncertain `inputs` nor has a shared error, and that
+/// affects the results according to their derivatives; the numbers of a list together.
 pub(super) fn taken_as_exact(
     case: &Case,
     inputs: &[UncertainInput],
@@ -37,7 +37,7 @@ pub(super) fn taken_as_exact(
 ) -> Vec<TakenAsExact> {
     let shared = SharedEffects::of(case);
     let mut uncertain = inputs.iter().map(|input| &input.input.path).peekable();
-    // A list has a part in the results if one of its numbers has.
+    // A list affects the results if one of its numbers does.
     let mut lists: Vec<(String, ExactValue, bool)> = Vec::new();
     for (place, input) in case.variables().into_iter().enumerate() {
         if uncertain.next_if(|path| **path == input.path).is_some() || shared.cover(place) {
@@ -48,7 +48,7 @@ pub(super) fn taken_as_exact(
         }
         let key = match input.origin {
             Origin::Given => input.path.split('[').next().unwrap_or_default().to_owned(),
-            // Its error is that of the numbers that it follows from.
+            // Its error is that of the numbers that determine it.
             Origin::Estimate(Estimate::Contact { vehicle, axis })
                 if case.contact_spread(vehicle, axis) == ContactSpread::OfInputs =>
             {
@@ -57,11 +57,11 @@ pub(super) fn taken_as_exact(
             Origin::Estimate(estimate) => estimate.key(),
             Origin::Shared(_) => continue,
         };
-        // A friction limit that is not reached has a part in the results too.
+        // A friction limit that is not reached affects the results too.
         let has_part =
             key.starts_with("impact.") || gradients.iter().any(|gradient| gradient.by[place] != 0.0);
         match (lists.last_mut(), input.origin) {
-            // A point is one value, though it may move in two directions.
+            // A point is one value, even if it may move in two directions.
             (Some((last, ExactValue::Estimate(_), point_has_part)), _) if *last == key => {
                 *point_has_part |= has_part;
             }
@@ -85,7 +85,7 @@ pub(super) fn taken_as_exact(
 }
 
 /// Whether a number is the offset of a damage at which the contact point was placed: the error of the point
-/// is that of the offset, from which nothing else follows.
+/// is that of the offset, which affects nothing else.
 fn is_covered_by_contact(case: &Case, input: &Input) -> bool {
     VehicleId::ALL.into_iter().any(|vehicle| {
         case.vehicles[vehicle.index()].places_contact()

@@ -36,7 +36,7 @@ fn reasons_have_codes_of_their_own() {
     assert_eq!(Reason::of_code(::uncertainty::NOT_FINITE), Reason::Other);
 }
 
-/// A case with all that sampling it takes.
+/// A case with everything that is needed to sample it.
 struct Sampled {
     case: Case,
     inputs: Vec<UncertainInput>,
@@ -67,12 +67,12 @@ impl Sampled {
     }
 }
 
-/// A restitution that falls to where most samples have their speed, and changes there.
+/// A restitution curve with a corner where most samples have their speed.
 const CURVE: &str = "{ speeds = [\"4 m/s\", { value = \"18 m/s\", sd = \"1 m/s\" }, \"22 m/s\", \"26 m/s\"], \
                      values = [0.5, { value = 0.3, sd = 0.05 }, 0.25, { value = 0.1, sd = 0.05 }] }";
 const FRICTION: &str = "{ friction = { value = 0.4, sd = 0.1 } }";
 
-/// The paper's example, and the same said in every other way that a block knows.
+/// The paper's example, and the same in every other form that a block supports.
 fn shapes() -> Vec<(&'static str, String)> {
     let changed = |changes: &[(&str, &str)]| {
         changes.iter().fold(UNCERTAIN.to_owned(), |text, (from, to)| {
@@ -90,7 +90,7 @@ fn shapes() -> Vec<(&'static str, String)> {
                      d1 = { value = \"77.5 lb^0.5/ft\", within = \"10 %\", confidence = 0.95 } }";
     let a_b = "stiffness = { A = { value = \"140 lb/in\", sd = \"10 lb/in\" }, B = { value = \"42 psi\", sd = \"4 psi\" } }";
     let a_b_g = "stiffness = { A = { value = \"140 lb/in\", sd = \"10 lb/in\" }, B = \"42 psi\", G = { value = \"233 lb\", sd = \"9 lb\" } }";
-    // Some samples have a limit below A, and some a speed without damage above that of the test.
+    // Some samples have a limit below A, and some a no-damage speed above the test speed.
     let a_b_limit = "stiffness = { A = { value = \"140 lb/in\", sd = \"10 lb/in\" }, B = \"42 psi\", limit = { value = \"300 lb/in\", sd = \"100 lb/in\" } }";
     let test = "stiffness = { test = { mass = { value = \"1500 kg\", sd = \"50 kg\" }, speed = \"56 km/h\", width = { value = \"1.6 m\", sd = \"5 cm\" }, \
                 depths = \"42 50 54 54 50 42 cm\", no_damage_speed = { value = \"30 km/h\", sd = \"20 km/h\" } } }";
@@ -175,7 +175,7 @@ fn shapes() -> Vec<(&'static str, String)> {
         ),
         ("a curve with many points", curve(CURVE, "\"critical\"")),
         ("a curve, absorbed", curve(CURVE, "\"critical\"").replace("\"dissipated\"", "\"absorbed\"")),
-        // Samples whose restitution is none, and samples whose points do not ascend.
+        // Samples with an invalid restitution, and samples whose points do not ascend.
         (
             "a wide curve",
             curve(
@@ -184,7 +184,7 @@ fn shapes() -> Vec<(&'static str, String)> {
                 "\"critical\"",
             ),
         ),
-        // As some samples have the speed where the curve turns.
+        // For some samples, the speed is where the curve turns.
         ("a curve that rises", curve("{ speeds = \"15 22 24 30 m/s\", values = [0.0, 0.7, 0.1, 0.2] }", FRICTION)),
         ("a curve, friction", curve(CURVE, FRICTION)),
         (
@@ -217,7 +217,7 @@ fn shapes() -> Vec<(&'static str, String)> {
                 ("side      = \"front\"", "side = \"rear\""),
             ]),
         ),
-        // Its point orients the normal.
+        // Its point determines the direction of the normal.
         (
             "a fixed object",
             BARRIER.replace(
@@ -253,7 +253,7 @@ fn shapes() -> Vec<(&'static str, String)> {
                 ),
             ]),
         ),
-        // Of these the spreads of the estimates are uncertain, too.
+        // In these, the spreads of the estimates are uncertain, too.
         ("categories and classes", CATEGORIES.replace("{ friction = 0.5 }", "\"critical\"")),
         ("EES and classes", EES.to_owned()),
         (
@@ -287,7 +287,7 @@ fn shapes() -> Vec<(&'static str, String)> {
                 "spacing   = { values = \"11 15 13 12 14 in\", sd = \"5 in\" }",
             )]),
         ),
-        // Samples that do not approach, pull at each other, or whose speed has next to no effect.
+        // Samples that do not approach, that pull at each other, or whose speed has next to no effect.
         (
             "wide",
             changed(&[
@@ -300,7 +300,7 @@ fn shapes() -> Vec<(&'static str, String)> {
     ]
 }
 
-/// The reasons of a block of samples, of which both models have the same, and the same bits of all others.
+/// The reasons of a block of samples, which are the same in both models, as are the bits of all others.
 fn same_bits(
     name: &dyn Display,
     sampled: &Sampled,
@@ -321,7 +321,7 @@ fn same_bits(
     reasons
 }
 
-/// With and without a block, sample by sample: also where it fails, and far out in the ranges.
+/// With and without a block, sample by sample: also if it fails, and far out in the ranges.
 #[test]
 fn a_block_has_the_bits_of_its_samples() {
     let mut reasons_seen = BTreeSet::new();
@@ -350,7 +350,7 @@ fn a_block_has_the_bits_of_its_samples() {
     assert!(reasons_seen.len() > 1, "{reasons_seen:?}");
 }
 
-/// What a block cannot say is left to the single case, for a reason.
+/// Shapes that a block does not support are left to the single case, with a reason.
 #[test]
 fn other_shapes_have_no_block() {
     let given = "yaw_inertia = { value = \"2165 lb ft s^2\", within = \"10 %\", confidence = 0.95 }";
@@ -360,7 +360,7 @@ fn other_shapes_have_no_block() {
     assert_eq!(Sampled::new(&text).sample().block.err(), Some(Alone::Unread));
 }
 
-/// The fixtures that reconstruct a speed or an impact, but for those that have no answer. Each number has a
+/// The fixtures that reconstruct a speed or an impact, except those without an answer. Each number has a
 /// standard deviation of this share of it.
 fn fixtures(share: f64) -> Vec<(String, Sampled)> {
     let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../fixtures");
@@ -384,14 +384,14 @@ fn fixtures(share: f64) -> Vec<(String, Sampled)> {
             })
             .collect();
         let goal = Goal::of(&case);
-        // Of a motion alone there is no impact to solve.
+        // If only the motion is given, there is no impact to solve.
         let has_impact = goal != Goal::Motion && goal.solve(&case).is_ok();
         has_impact.then(|| (name, Sampled::of(case)))
     };
     names.into_iter().filter_map(sampled).collect()
 }
 
-/// Near to the numbers of the fixtures, and so far that many samples have no answer or one of another kind.
+/// Near the numbers of the fixtures, and so far off that many samples have no or another answer.
 #[test]
 fn blocks_of_fixtures_have_the_bits_of_their_samples() {
     let mut reasons_seen = BTreeSet::new();
@@ -415,8 +415,8 @@ fn blocks_of_fixtures_have_the_bits_of_their_samples() {
     assert!(reasons_seen.len() > 3, "{reasons_seen:?}");
 }
 
-/// The fixtures with a range on each of their numbers: which go by blocks, and why the others do not. Whoever
-/// brings a shape over to blocks moves its fixtures in this list.
+/// The fixtures with a range on each of their numbers: which are solved in blocks, and why the others are
+/// not. Adding a shape to the blocks moves its fixtures in this list.
 #[test]
 fn fixtures_go_by_blocks_or_have_a_reason() {
     let mut found: BTreeMap<Option<Alone>, Vec<String>> = BTreeMap::new();
@@ -439,8 +439,7 @@ fn fixtures_go_by_blocks_or_have_a_reason() {
     assert_eq!(found, expected.map(|(why, names)| (why, names.to_owned())), "{found:#?}");
 }
 
-/// The paper's example with other lines in the place of those that begin with a word, at each of both
-/// vehicles.
+/// The paper's example with other lines in place of those that begin with a word, for both vehicles.
 fn with_lines(changes: &[(&str, &str)]) -> String {
     let changed = |line: &str| {
         let change = changes.iter().find(|(word, _)| line.split(' ').next() == Some(word));
@@ -453,7 +452,7 @@ fn with_lines(changes: &[(&str, &str)]) -> String {
     CERTAIN.lines().map(changed).collect()
 }
 
-/// Cases that have every key between them which can be a range.
+/// Cases that together have every key that can be a range.
 fn cases_of_all_keys() -> Vec<String> {
     let stiffness = |form: &str| with_lines(&[("stiffness", &format!("stiffness = {{ {form} }}"))]);
     let zones = |form: &str| stiffness(&format!("zones = [{}]", vec![format!("{{ {form} }}"); 5].join(", ")));
@@ -467,7 +466,7 @@ fn cases_of_all_keys() -> Vec<String> {
     let d0_d1 = "d0 = \"30 lb^0.5\", d1 = \"77.5 lb^0.5/ft\"";
     // A limit that every zone reaches.
     let [g, limit] = ["G = \"450 lb\"", "limit = \"45 kN/m\""];
-    // Vehicle 2 is the one whose speed is sought.
+    // The speed of vehicle 2 is the unknown one.
     let of_speed_2 = |motion: &str| {
         CERTAIN
             .replace("\nspeed  ", "\n# speed")
@@ -553,7 +552,7 @@ fn key_of(path: &str) -> String {
     path.split(['[', ']']).step_by(2).collect()
 }
 
-/// Ends of the keys that a block knows to change nothing.
+/// Ends of the keys that have no effect in a block.
 const IDLE: [&str; 10] = [
     "crush.offset",
     "crush.pdof",
@@ -567,11 +566,11 @@ const IDLE: [&str; 10] = [
     "cg_to_front",
 ];
 
-/// Whatever number of a case is the range: a block gives the bits of its samples and reads that number, or
-/// there is none.
+/// Whichever number of a case is the range: a block either gives the bits of its samples and reads that
+/// number, or is not available.
 #[test]
 fn a_block_ignores_no_key() {
-    // Only a fixed object has a diameter, and no block takes one.
+    // Only a fixed object has a diameter, and no block supports one.
     let is_of_vehicle = |key: &String| !key.ends_with(".diameter");
     let mut missing: BTreeSet<String> = case::number_keys().into_iter().filter(is_of_vehicle).collect();
     let (mut with_block, mut without) = (BTreeSet::new(), BTreeSet::new());
@@ -601,7 +600,7 @@ fn a_block_ignores_no_key() {
                 let mut outputs = vec![Lanes::ZERO; sampled.outputs.len()];
                 let mut reasons = [0; LANES];
                 model.evaluate(Instructions::best(), &columns, &mut outputs, &mut reasons);
-                // What is said of a sample without an answer is not read.
+                // The outputs of a sample without an answer are not read.
                 let of_answer = |column: &Lanes| -> [u64; LANES] {
                     std::array::from_fn(|lane| if reasons[lane] == 0 { column[lane].to_bits() } else { 0 })
                 };
@@ -618,7 +617,7 @@ fn a_block_ignores_no_key() {
     assert!(with_block.contains("vehicle1.crush.spacing") && without.contains("vehicle1.track"));
 }
 
-/// Its outputs are those of the list by which a block is compiled.
+/// Its outputs are those of the list for which a block is compiled.
 #[test]
 fn a_reconstruction_of_two_vehicles_has_the_outputs_of_a_block() {
     for (text, found) in
@@ -629,9 +628,9 @@ fn a_reconstruction_of_two_vehicles_has_the_outputs_of_a_block() {
     }
 }
 
-/// The pin says nothing about being right, which the tests above do. It guarantees the same bits on every
-/// platform, with each instruction set and at every optimisation level. Renew it only for a change that was
-/// meant.
+/// The pin does not show that the result is right, which the tests above do. It guarantees the same bits on
+/// every platform, with each instruction set and at every optimisation level. Renew it only for an intended
+/// change.
 #[test]
 fn bits_of_the_example_are_pinned_for_every_instruction_set() {
     let sampled = Sampled::new(UNCERTAIN);
@@ -640,7 +639,7 @@ fn bits_of_the_example_are_pinned_for_every_instruction_set() {
             let settings = Settings { instructions, ..Settings::new(method, 4096, 1) };
             let done = &mut |_, _| ControlFlow::Continue(());
             let result = propagate(&sampled.sample(), &sampled.distributions(), &settings, done).unwrap();
-            // The outputs that there were first, and those that came after them.
+            // The original outputs, and those added later.
             let columns = result.columns();
             let (first, later) = columns.split_at(9);
             [first, later].map(hash)

@@ -1,4 +1,4 @@
-//! Where everything of a file stands: its tables, its keys, and what is within braces and brackets.
+//! The layout of a file: the places of its tables, its keys, and the contents of braces and brackets.
 
 use std::ops::Range;
 
@@ -6,29 +6,29 @@ use toml_parser::decoder::Encoding;
 use toml_parser::parser::{Event, EventKind, parse_document};
 use toml_parser::{Source, Span};
 
-/// One step of the way to a value.
+/// One step of the path to a value.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) enum Step {
     Key(String),
-    /// Of a list, from 0 on.
+    /// The index of an element, from 0.
     Element(usize),
 }
 
-/// What holds entries.
+/// A part of the file that holds entries.
 #[derive(Clone, Debug)]
 pub(super) struct Container {
     pub(super) kind: Kind,
-    /// Of the table or the list.
+    /// Path of the table or the list.
     pub(super) path: Vec<Step>,
     /// (bytes) from the header to the next one, or from brace to brace.
     pub(super) span: Range<usize>,
-    /// (bytes) the header; empty of all else.
+    /// (bytes) the header; empty if it has none.
     pub(super) header: Range<usize>,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Kind {
-    /// All below a header, or above the first one.
+    /// Everything below a header, or above the first one.
     Section,
     Braces,
     Brackets,
@@ -37,18 +37,18 @@ pub(super) enum Kind {
 /// A key with its value, or an element of a list.
 #[derive(Clone, Debug)]
 pub(super) struct Entry {
-    /// From the top of the file.
+    /// The path from the top of the file.
     pub(super) path: Vec<Step>,
-    /// (bytes) the key as written; empty of an element.
+    /// (bytes) the key as written; empty for an element.
     pub(super) key: Range<usize>,
     /// (bytes)
     pub(super) value: Range<usize>,
-    /// In which container.
+    /// The index of its container.
     pub(super) within: usize,
 }
 
-/// A file in its parts. Containers and entries are in the order of the text, a container's entry behind what
-/// is within it.
+/// The parts of a file. Containers and entries are in the order of the text, and the entry of a container
+/// follows those within it.
 #[derive(Clone, Debug)]
 pub(super) struct Layout {
     pub(super) containers: Vec<Container>,
@@ -56,7 +56,7 @@ pub(super) struct Layout {
 }
 
 impl Layout {
-    /// Of a text that is TOML.
+    /// The layout of a text that is TOML.
     pub(super) fn of(text: &str) -> Self {
         let source = Source::new(text);
         let tokens = source.lex().into_vec();
@@ -96,7 +96,7 @@ impl Layout {
 /// A container that is not closed yet.
 struct Open {
     container: usize,
-    /// Of a list: the place of its next element.
+    /// For a list: the index of its next element.
     next: usize,
 }
 
@@ -113,7 +113,7 @@ struct Reading<'t> {
     open: Vec<Open>,
     /// One for each of `open`.
     keys: Vec<Keys>,
-    /// Where the header that is being read begins.
+    /// The start of the header that is being read.
     header: Option<usize>,
 }
 
@@ -158,7 +158,7 @@ impl Reading<'_> {
         let count = keys.steps.len();
         for (n, step) in keys.steps.into_iter().enumerate() {
             path.push(step);
-            // What stands below a list of tables belongs to its last one.
+            // Keys below a list of tables belong to its last table.
             let elements = self.elements(&path);
             match elements {
                 _ if n + 1 == count && is_element => path.push(Step::Element(elements)),
@@ -176,7 +176,7 @@ impl Reading<'_> {
         self.open = vec![Open { container: self.layout.containers.len() - 1, next: 0 }];
     }
 
-    /// How many tables with this header there are, each with a header of its own.
+    /// Number of tables with this header, each with a header of its own.
     fn elements(&self, path: &[Step]) -> usize {
         let is_one = |section: &&Container| {
             section.path.len() == path.len() + 1

@@ -40,7 +40,7 @@ impl<'t> Reader<'t> {
         Some(Before { skid: Skid { begin, friction }, speed })
     }
 
-    /// A table without a key says nothing.
+    /// Reads the table; one without a key counts as absent.
     pub(super) fn after(&mut self, vehicle: &Table<'t>) -> Option<After> {
         let table = self.child(vehicle, "after", &AFTER)?;
         let after = After {
@@ -69,7 +69,7 @@ impl<'t> Reader<'t> {
         let Some(list) = value.get_ref().as_array() else {
             return self.wheel_drag(after, &place, value).map(Drag::Every);
         };
-        // Every wheel is looked at before the first fault ends it.
+        // Every wheel is read before the first fault ends it.
         let wheels: Vec<Option<WheelDrag>> = list
             .iter()
             .enumerate()

@@ -23,7 +23,7 @@ impl<'t> Reader<'t> {
         if let Some(law) = law {
             self.keys_of_law(table, law, is_default);
         }
-        // Of a law that is not known, all keys are looked at.
+        // If the law is unknown, all keys are read.
         let reads = |key: &str| law.is_none_or(|law| law.uses(key));
         let restitution = if reads("restitution") { self.restitution(table) } else { None };
         let tangential = if reads("tangential") { self.tangential(table) } else { None };
@@ -53,7 +53,7 @@ impl<'t> Reader<'t> {
         })
     }
 
-    /// Whether the law has the keys that it needs, and no others.
+    /// Checks that the law has the keys that it needs, and no others.
     fn keys_of_law(&mut self, table: &Table<'t>, law: LawName, is_default: bool) {
         for key in table.schema.names().filter(|key| table.has(key) && !law.uses(key)) {
             let problem = CaseProblem::KeyOfOtherLaw {
@@ -101,7 +101,7 @@ impl<'t> Reader<'t> {
         Some(Restitution::OfClosingSpeed { speeds, values })
     }
 
-    /// Whether there are closing speeds, and each is more than the one before.
+    /// Checks that there are closing speeds, and that each is greater than the one before.
     fn ascending(&mut self, table: &Table<'t>, speeds: Option<&[Quantity]>) {
         let path = table.path_of("speeds");
         if let Some([]) = speeds {

@@ -20,14 +20,14 @@ const FORMS: &str = "{ value = …, sd = … }, { low = …, high = … }, { low
 const LIST_FORMS: &str = "{ values = …, sd = … } or { values = …, within = \"10 %\", confidence = 0.95 }; if the \
                           uncertainties differ, write a list: [{ value = …, sd = … }, …]";
 
-/// What the numbers of a range are.
+/// The kind of number in a range.
 #[derive(Clone, Copy)]
 enum Kind {
     Quantity(Measure),
     Number(Bounds),
 }
 
-/// Whether a value is a table with a key of a range, and none of a curve of restitution.
+/// Whether a value is a table with a key of a range, and with none of a curve of restitution.
 pub(super) fn is_range(table: &Table<'_>, key: &str) -> bool {
     let entries = table.get(key).and_then(|value| value.get_ref().as_table());
     let has =
@@ -36,7 +36,7 @@ pub(super) fn is_range(table: &Table<'_>, key: &str) -> bool {
 }
 
 impl<'t> Reader<'t> {
-    /// Reports a range where there can be none.
+    /// Reports a range where none is allowed.
     pub(super) fn not_a_range(
         &mut self,
         table: &Table<'t>,
@@ -51,7 +51,7 @@ impl<'t> Reader<'t> {
         None
     }
 
-    /// The central value.
+    /// Reads a range, and returns its central value.
     pub(super) fn range_of_quantity(
         &mut self,
         place: &Place,
@@ -64,7 +64,7 @@ impl<'t> Reader<'t> {
         Quantity::new(central.number, unit).ok()
     }
 
-    /// The central value.
+    /// Reads a range, and returns its central value.
     pub(super) fn range_of_number(
         &mut self,
         place: &Place,
@@ -76,7 +76,7 @@ impl<'t> Reader<'t> {
         Some(central.number)
     }
 
-    /// The central values of several that are known equally well.
+    /// Reads several numbers with one spread, and returns their central values.
     pub(super) fn range_of_quantities(
         &mut self,
         place: &Place,
@@ -98,7 +98,7 @@ impl<'t> Reader<'t> {
             return self.no_range(&table, value, LIST_FORMS);
         }
         let ((list, values), spread) = (values?, spread?);
-        // Once for all, as a text has to be read from its beginning.
+        // Found once for all values, as a text has to be read from its beginning.
         let spans = self.spans_in(list);
         for (index, value) in values.iter().enumerate() {
             let amount = Amount { number: value.number(), unit: Some(value.unit()) };
@@ -361,8 +361,8 @@ impl<'t> Reader<'t> {
     }
 }
 
-/// The number in fifteen digits, as all that are written have them: the middle of 0.2 and 0.4 is 0.3, and not
-/// the 0.300 000 000 000 000 04 that the sum of their halves is.
+/// The number in fifteen digits, like all numbers that are written: the middle of 0.2 and 0.4 is 0.3, not
+/// 0.300 000 000 000 000 04, which is the sum of their halves.
 fn decimal(number: f64) -> f64 {
     format!("{number:.14e}").parse().unwrap_or(number)
 }

@@ -8,13 +8,13 @@ use inputs::{CertainSpeed, GivenEstimate, Prior, Quantity, Recorder};
 
 const EXACT: &str = "a string with a number and a unit: its error stands beside it, as delta_v_error, speed_error or yaw_rate_error";
 const STOOD: &str = "a recorder tells the speed of a vehicle that moved; for one that stood, leave this out and write speed = \"0 km/h\" in the table of the vehicle";
-/// (%) two vehicles that stand do not collide, so that each stood with less than half.
+/// (%) upper limit of the probability that a vehicle stood still: two standing vehicles do not collide.
 const MOST_STOOD: f64 = 50.0;
 const CERTAIN: &str =
     "a string with a number and a unit: a speed that is not certain is `speed` of the vehicle, as a range";
 
 impl<'t> Reader<'t> {
-    /// A table without a key says nothing.
+    /// Reads the table; one without a key counts as absent.
     pub(super) fn recorder(&mut self, vehicle: &Table<'t>) -> Option<Recorder> {
         let table = self.child(vehicle, "recorder", &RECORDER)?;
         let [delta_v_longitudinal, delta_v_lateral, direction_error, yaw_rate, yaw_rate_error] =

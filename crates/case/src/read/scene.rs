@@ -10,7 +10,7 @@ use inputs::{
     Axes, EdgeSide, GivenSitePlan, Grade, Place, Quantity, Surface, SurfaceRegion, SurfaceZone, shown,
 };
 
-/// What is said of a range where none may be.
+/// Error text for a range where none is allowed.
 const EXACT_CORNER: &str = "a string with a number and a unit, because the corners of a zone are exact";
 const EXACT_PLAN: &str = "a string with a number and a unit, because the place of a site plan is exact";
 
@@ -21,7 +21,7 @@ impl<'t> Reader<'t> {
         self.choice_among(scene, "axes", &Axes::WORDS, FORMS)
     }
 
-    /// `contact` of `[scene]`; the outer option is `None` where it is there and wrong.
+    /// `contact` of `[scene]`; the outer option is `None` if it is present but wrong.
     pub(super) fn scene_contact(&mut self, scene: &Table<'t>) -> Option<Option<Place>> {
         const FORMS: &str = "contact = { x = \"12.4 m\", y = \"3.1 m\" }";
         if !scene.has("contact") {
@@ -30,7 +30,7 @@ impl<'t> Reader<'t> {
         self.place_of(scene, "contact", &SCENE_CONTACT, FORMS).map(Some)
     }
 
-    /// `site_plan` of `[scene]`; the outer option is `None` where it is there and wrong.
+    /// `site_plan` of `[scene]`; the outer option is `None` if it is present but wrong.
     pub(super) fn site_plan(&mut self, scene: &Table<'t>) -> Option<Option<GivenSitePlan>> {
         const FORMS: &str = "site_plan = { file = \"aerial.jpg\", corner = { x = \"-20 m\", y = \"-15 m\" }, width = \"60 m\" }";
         const CORNER_FORMS: &str = "corner = { x = \"-20 m\", y = \"-15 m\" }";
@@ -54,7 +54,7 @@ impl<'t> Reader<'t> {
         if has_angle && angle.is_none() {
             return None;
         }
-        // A case from somebody else does not choose what is read of the rest of the computer.
+        // A case from somebody else must not choose files elsewhere on the computer.
         let is_within = |part: Component<'_>| matches!(part, Component::Normal(_) | Component::CurDir);
         if !Path::new(file.as_given()).components().all(is_within) {
             let message = format!("\"{}\" is not in the folder of the case file", table.path_of("file"));
@@ -105,7 +105,7 @@ impl<'t> Reader<'t> {
         const FORMS: &str =
             "a table [[surface.zone]] with friction and polygon, or with friction, edge and side";
         let tables = self.tables(surface, "zone", &SURFACE_ZONE, FORMS, MOST_ZONES)?;
-        // Every zone is looked at before the first fault ends it.
+        // Every zone is read before the first fault ends it.
         let zones: Vec<Option<SurfaceZone>> = tables.iter().map(|table| self.surface_zone(table)).collect();
         zones.into_iter().collect()
     }
@@ -221,13 +221,13 @@ fn at(place: &Place) -> [f64; 2] {
     [place.x.si(), place.y.si()]
 }
 
-/// Whether two straight lines between places have a point in common.
+/// Whether two line segments have a point in common.
 fn cross([a, b]: [[f64; 2]; 2], [c, d]: [[f64; 2]; 2]) -> bool {
     // (q − p) × (r − p): positive where r lies to the left of the line from p to q
     let turn =
         |p: [f64; 2], q: [f64; 2], r: [f64; 2]| (q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0]);
     let (of_c, of_d, of_a, of_b) = (turn(a, b, c), turn(a, b, d), turn(c, d, a), turn(c, d, b));
-    // Where one lies on the line of the other, their extents decide.
+    // If they lie on one line, their extents decide.
     let overlap = |axis: usize| {
         a[axis].min(b[axis]) <= c[axis].max(d[axis]) && c[axis].min(d[axis]) <= a[axis].max(b[axis])
     };

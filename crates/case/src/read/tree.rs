@@ -19,10 +19,10 @@ use crate::toml_slips;
 use crate::units_in_use::UnitsInUse;
 use inputs::{Bounds, Case, Range, format_number};
 
-/// Of so many broken lines the text is looked at: more than are shown.
+/// Maximum number of broken lines that are examined: more than are shown.
 const EXPLAINED: usize = 50;
 
-/// Walks the tree, and remembers where everything stood and what was wrong with it.
+/// Walks the tree, and records the places of everything and the problems.
 pub(super) struct Reader<'t> {
     pub(super) text: &'t str,
     spans: Spans,
@@ -37,7 +37,7 @@ pub(super) struct Table<'t> {
     pub(super) path: String,
     pub(super) schema: &'static Schema,
     entries: &'t Entries<'t>,
-    /// Known keys for which a misspelt one stands: to call them missing as well would be noise.
+    /// Known keys that a misspelt one was meant to be: reporting them as missing too would be noise.
     meant: Vec<&'static str>,
 }
 
@@ -46,12 +46,12 @@ impl<'t> Table<'t> {
         self.entries.get(key)
     }
 
-    /// What its row says that a key measures.
+    /// The measure in the row of a key.
     pub(super) fn measure(&self, key: &str) -> Option<Measure> {
         self.schema.key(key)?.form.measure()
     }
 
-    /// The bounds that its row sets a plain number.
+    /// The bounds in the row of a plain number.
     pub(super) fn bounds(&self, key: &str) -> Option<Bounds> {
         self.schema.key(key)?.form.bounds()
     }
@@ -73,17 +73,17 @@ impl<'t> Table<'t> {
         !self.meant.is_empty()
     }
 
-    /// Whether a misspelt key stands for this one.
+    /// Whether a misspelt key was meant to be this one.
     pub(super) fn means(&self, key: &str) -> bool {
         self.meant.contains(&key)
     }
 
-    /// Where the key itself stands, not its value; nowhere if it is absent.
+    /// The place of the key itself, not of its value; empty if it is absent.
     pub(super) fn key_span(&self, key: &str) -> Span<usize> {
         self.entries.keys().find(|name| name.get_ref() == key).map(Spanned::span).unwrap_or_default()
     }
 
-    /// Those of the keys that are there.
+    /// Those of the keys that are present.
     pub(super) fn given(&self, keys: &[&'static str]) -> Vec<&'static str> {
         keys.iter().copied().filter(|key| self.has(key)).collect()
     }
@@ -97,7 +97,7 @@ impl<'t> Table<'t> {
         [&self.path, ".", key].concat()
     }
 
-    /// How an error text calls the table.
+    /// The name of the table in error texts.
     pub(super) fn label(&self) -> String {
         if self.path.is_empty() { "the top of the file".to_owned() } else { format!("[{}]", self.path) }
     }
@@ -124,7 +124,7 @@ impl<'t> Reader<'t> {
         self.text.get(value.span()).map_or(number, shorten)
     }
 
-    /// The units of the file, looked for at the first error that wants an example.
+    /// The units of the file, found when the first error needs an example.
     pub(super) fn units_in_use(&self) -> &UnitsInUse {
         self.units_in_use.get_or_init(|| UnitsInUse::of(self.document))
     }
@@ -138,7 +138,7 @@ impl<'t> Reader<'t> {
         self.spans.get(path).is_some()
     }
 
-    /// Remembers that a number is uncertain, and where that stands.
+    /// Records that a number is uncertain, and its place.
     pub(super) fn add_range(&mut self, span: Span<usize>, range: Range) {
         self.spans.insert(range.path.clone(), span);
         self.ranges.insert(range.path.clone(), range);
@@ -180,7 +180,7 @@ impl<'t> Reader<'t> {
         None
     }
 
-    /// A table in one line; `forms` is what the value may look like.
+    /// An inline table; `forms` lists the possible forms of the value.
     pub(super) fn inline(
         &mut self,
         parent: &Table<'t>,
@@ -201,7 +201,7 @@ impl<'t> Reader<'t> {
         None
     }
 
-    /// A list of at most so many tables; `forms` is what the value may look like.
+    /// A list of at most `most` tables; `forms` lists the possible forms of the value.
     pub(super) fn tables(
         &mut self,
         parent: &Table<'t>,
@@ -275,7 +275,7 @@ impl<'t> Reader<'t> {
         table
     }
 
-    /// Reports the keys that the table has to have and has not.
+    /// Reports required keys that the table lacks.
     pub(super) fn require(&mut self, table: &Table<'t>, keys: &[&'static str]) {
         for key in keys {
             if !table.has(key) {
@@ -318,10 +318,10 @@ impl<'t> Reader<'t> {
         let mut all = Vec::new();
         let mut broken_lines = BTreeSet::new();
         let mut in_array = false;
-        // (bytes) where an unclosed brace or bracket begins: the parser takes all that follows for its
+        // (bytes) where an unclosed brace or bracket begins: the parser takes everything after it for its
         // content.
         let mut end = usize::MAX;
-        // (bytes) a table whose header stands twice, which is told once.
+        // (bytes) a table with a repeated header, which is reported once.
         let mut double = 0..0;
         for (span, message) in errors {
             let error = ParserError::of(message);
@@ -355,7 +355,7 @@ impl<'t> Reader<'t> {
             };
             all.push(Diagnostic::new(Some(span), problem));
         }
-        // What could not be read may be what seems to be missing.
+        // Keys that seem to be missing may be in the part that could not be read.
         let is_whole = all.is_empty();
         let from_tree = self.problems.into_iter().filter(|diagnostic| {
             let is_missing = matches!(
@@ -381,7 +381,7 @@ impl<'t> Reader<'t> {
     }
 }
 
-/// What a value is, as an error text says it.
+/// The kind of a value, as named in error texts.
 pub(super) fn kind(value: &Node<'_>) -> &'static str {
     match value {
         Node::String(_) => "a string",

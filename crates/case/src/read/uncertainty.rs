@@ -11,14 +11,14 @@ use inputs::{Case, Dimension, GivenUncertainty, Input, SharedError, Spread, Unit
 const SIZES: &str = "`sd = \"1 cm\"`, or `within = \"5 %\"` and `confidence = 0.95`";
 const ERRORS: &str = "shared = [{ name = \"tape\", of = [\"vehicle1.crush.depths\", \"vehicle1.crush.width\"], sd = \"1 cm\" }]";
 
-/// A key of a list, and where it stands.
+/// A key of a list, and its place.
 struct Named {
     key: String,
     span: Span<usize>,
 }
 
 impl<'t> Reader<'t> {
-    /// What the table says of a case of which all else is read.
+    /// Reads the table, after the rest of the case.
     pub(super) fn uncertainty(&mut self, table: &Table<'t>, case: &Case) -> Option<GivenUncertainty> {
         let exact = if table.has("exact") { self.exact(table, case) } else { Some(Vec::new()) };
         let shared = if table.has("shared") { self.shared(table, case) } else { Some(Vec::new()) };
@@ -96,7 +96,7 @@ impl<'t> Reader<'t> {
         Some(SharedError { name: name?, of: of.into_iter().map(|name| name.key).collect(), size })
     }
 
-    /// That of the first number; none of a plain number.
+    /// The dimension of the first number; none for a plain number.
     fn dimension_shared(
         &mut self,
         table: &Table<'t>,
@@ -186,7 +186,7 @@ fn list_of(path: &str) -> &str {
     path.strip_suffix(']').and_then(|path| path.rsplit_once('[')).map_or(path, |(list, _)| list)
 }
 
-/// The unit of the number of a key, or of the first of a list; `None` where there is no such number.
+/// The unit of the number of a key, or of the first of a list; `None` if there is no such number.
 fn unit_of(key: &str, inputs: &[Input]) -> Option<Option<&'static Unit>> {
     inputs.iter().find(|input| input.path == key || list_of(&input.path) == key).map(|input| input.unit)
 }

@@ -21,7 +21,7 @@ use inputs::{Bounds, Dimension, Quantity, Text, Unit, format_number};
 pub(super) struct Place {
     /// Its path.
     pub(super) path: String,
-    /// How an error text calls it.
+    /// Its name in error texts.
     pub(super) name: String,
     /// The line that sets the key.
     pub(super) example: &'static str,
@@ -43,8 +43,8 @@ impl Place {
 }
 
 impl<'t> Reader<'t> {
-    /// A string with its unit, or a range, as the row of its key says; absent is `None`, and what is wrong is
-    /// reported.
+    /// A string with its unit, or a range, as required by the row of its key; `None` if it is absent, and
+    /// also if it is wrong, which is reported.
     pub(super) fn quantity(&mut self, table: &Table<'t>, key: &'static str) -> Option<Quantity> {
         self.quantity_as(table, key, table.measure(key)?)
     }
@@ -103,7 +103,7 @@ impl<'t> Reader<'t> {
     }
 
     /// Several quantities: one string with the unit at its end, a list of strings and ranges, or a table with
-    /// the one or the other and a spread for all.
+    /// either of them and a spread for all.
     pub(super) fn quantities(&mut self, table: &Table<'t>, key: &'static str) -> Option<Vec<Quantity>> {
         let measure = table.measure(key)?;
         let value = table.get(key)?;
@@ -129,13 +129,13 @@ impl<'t> Reader<'t> {
                     return self.bare_numbers(place, value, measure.dimension);
                 }
                 let element = |(index, element): (usize, &'t Spanned<Node<'t>>)| {
-                    // What is no quantity at all is no element, but makes the whole key wrong.
+                    // Anything that is not a quantity makes the whole key wrong, not one element.
                     let of_element = place.element(index);
                     let path = if element.get_ref().is_table() { &of_element.path } else { &place.path };
                     let at = Place { path: path.clone(), ..of_element };
                     self.quantity_or_range(&at, element, measure, "a list of strings")
                 };
-                // Every element is looked at before the first fault ends it.
+                // Every element is read before the first fault ends it.
                 array.iter().enumerate().map(element).collect::<Vec<Option<Quantity>>>()
             }
             _ => {
@@ -147,7 +147,7 @@ impl<'t> Reader<'t> {
         read.into_iter().collect()
     }
 
-    /// A list of numbers alone is one fault, not one for each.
+    /// A list of only numbers is one fault, not one for each number.
     fn bare_numbers<T>(
         &mut self,
         place: &Place,
@@ -238,14 +238,14 @@ impl<'t> Reader<'t> {
         Some(numbers.into_iter().enumerate().map(one).collect())
     }
 
-    /// Where one of several quantities stands, in either form that [`quantities`](Self::quantities) reads.
+    /// The place of one of several quantities, in either form that [`quantities`](Self::quantities) reads.
     pub(super) fn span_of_element(&self, table: &Table<'t>, key: &str, index: usize) -> Range<usize> {
         let Some(value) = table.get(key) else { return Range::default() };
         let values = values_of(value);
         self.spans_in(values).get(index).cloned().unwrap_or(values.span())
     }
 
-    /// Where each of a list of quantities stands, as far as that can be told.
+    /// The place of each quantity of a list, as far as it can be found.
     pub(super) fn spans_in(&self, value: &Spanned<Node<'t>>) -> Vec<Range<usize>> {
         match value.get_ref() {
             Node::Array(array) => array.iter().map(Spanned::span).collect(),
@@ -257,7 +257,7 @@ impl<'t> Reader<'t> {
         }
     }
 
-    /// Where a string begins, if it stands in the file as it reads, without escapes.
+    /// The start of a string, if it is written in the file without escapes.
     fn start_of_text(&self, value: &Spanned<Node<'_>>, text: &str) -> Option<usize> {
         let start = value.span().start + 1;
         (self.text.get(start..start + text.len()) == Some(text)).then_some(start)
@@ -279,7 +279,7 @@ impl<'t> Reader<'t> {
                     Some(hour) => {
                         format!("pdof = \"{hour} deg\" or, as a clock hour, pdof = \"{hour} o'clock\"")
                     }
-                    // The file does not tell its units: the example of the schema would choose a system for
+                    // The file does not show its units: the example of the schema would choose a system for
                     // it.
                     None if !wanted.contains("list")
                         && self.units_in_use().example(&place.path, dimension).is_none() =>
@@ -318,7 +318,7 @@ impl<'t> Reader<'t> {
             Bounds::Positive if value.number() <= 0.0 => CaseProblem::NotPositive { path, value, why },
             Bounds::Positive if value.si() < least => CaseProblem::TooSmall { path, value },
             Bounds::NotNegative | Bounds::Positive => return Some(value),
-            // The last three bound plain numbers alone.
+            // The last three only apply to plain numbers.
             Bounds::None | Bounds::Share | Bounds::BelowOne | Bounds::Coefficient => return Some(value),
         };
         self.report(span, problem);
@@ -332,7 +332,7 @@ impl<'t> Reader<'t> {
         self.number_at(&Place::of_key(table, key), key, value, bounds)
     }
 
-    /// Like [`number`](Self::number), for a value that need not be that of a key.
+    /// Like [`number`](Self::number), for a value that need not belong to a key.
     pub(super) fn number_at(
         &mut self,
         place: &Place,
@@ -346,7 +346,7 @@ impl<'t> Reader<'t> {
         self.certain_number(place, key, value, words(bounds), |number| accepts(bounds, number))
     }
 
-    /// A plain number for which `accepts` holds; `range` says in words what that is.
+    /// A plain number for which `accepts` holds; `range` describes the condition in words.
     pub(super) fn certain_number(
         &mut self,
         place: &Place,
@@ -410,7 +410,7 @@ impl<'t> Reader<'t> {
             self.report(element.span(), problem);
             None
         };
-        // Every element is looked at before the first fault ends it.
+        // Every element is read before the first fault ends it.
         let read: Vec<Option<f64>> = array.iter().enumerate().map(element).collect();
         read.into_iter().collect()
     }
@@ -538,12 +538,12 @@ pub(super) fn accepts(bounds: Bounds, number: f64) -> bool {
     number.is_finite() && (low..=high).contains(&number)
 }
 
-/// The list itself, where it stands beside a spread.
+/// The list itself, also if a table gives it with a spread.
 pub(super) fn values_of<'t>(value: &'t Spanned<Node<'t>>) -> &'t Spanned<Node<'t>> {
     value.get_ref().as_table().and_then(|table| table.get("values")).unwrap_or(value)
 }
 
-/// What a number is that is written with 0x, 0o or 0b.
+/// The kind of a number written with 0x, 0o or 0b.
 const NOT_DECIMAL: &str = "not written in decimal digits";
 
 /// A number in decimal digits without a unit.
@@ -554,7 +554,7 @@ fn plain_number(value: &Node<'_>) -> Option<f64> {
     }
 }
 
-/// A key as an error text names it.
+/// A key as named in error texts.
 pub(super) fn named(path: &str) -> String {
     format!("\"{path}\"")
 }

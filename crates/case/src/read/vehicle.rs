@@ -16,13 +16,13 @@ use inputs::{
     YawInertia, format_number,
 };
 
-/// (–) by how much the width and the sum of the spacing may differ: both are read from a tape.
+/// (–) maximum relative difference between width and sum of the spacing: both are read from a tape.
 const WIDTH_TOLERANCE: f64 = 1e-3;
 
 impl<'t> Reader<'t> {
     pub(super) fn vehicle(&mut self, top: &Table<'t>, key: &'static str) -> Option<GivenVehicle> {
         if !top.has(key) {
-            // The damage of one vehicle alone is a case; each purpose tells whether it needs the other.
+            // The damage of one vehicle is enough for a case; each purpose reports if it needs the other.
             if key == "vehicle2" && top.has("vehicle1") {
                 return Some(GivenVehicle::default());
             }
@@ -103,7 +103,7 @@ impl<'t> Reader<'t> {
     }
 
     fn sideslip(&mut self, vehicle: &Table<'t>) -> Option<Quantity> {
-        // A vector has a direction of its own.
+        // A velocity vector already has a direction.
         self.not_both(vehicle, "velocity", "sideslip");
         self.quantity(vehicle, "sideslip")
     }
@@ -156,7 +156,7 @@ impl<'t> Reader<'t> {
         self.quantity(table, "diameter")
     }
 
-    /// The crush, or its energy alone.
+    /// The crush, or only its energy.
     fn damage(&mut self, vehicle: &Table<'t>) -> (Option<Crush>, Option<KnownEnergy>) {
         const FORMS: &str =
             "a table [vehicle1.crush], or crush = \"none\" for a vehicle without damage that counts";
@@ -234,7 +234,7 @@ impl<'t> Reader<'t> {
         })
     }
 
-    /// Whether depths, widths and their number belong together.
+    /// Checks that depths and widths match, in number and in size.
     fn profile(
         &mut self,
         table: &Table<'t>,
@@ -344,7 +344,7 @@ impl<'t> Reader<'t> {
             }
             ["zones"] => {
                 let zones = self.tables(&table, "zones", &ZONE, ZONE_FORMS, MOST_ZONES)?;
-                // Every zone is looked at before the first fault ends it.
+                // Every zone is read before the first fault ends it.
                 let lines: Vec<Option<StiffnessLine>> =
                     zones.iter().map(|zone| self.stiffness_line(zone, ZONE_FORMS)).collect();
                 lines.into_iter().collect::<Option<_>>().map(StiffnessForm::Zones)
@@ -368,7 +368,7 @@ impl<'t> Reader<'t> {
         });
         let a = self.quantity(table, "A");
         let mut b = slope.and_then(|slope| self.quantity_as(table, "B", slope));
-        // B is exactly zero or a stiffness; next to nothing is neither.
+        // B is exactly zero or a stiffness; a tiny number is neither.
         if let Some(value) = b
             && value.number() != 0.0
             && value.si() < Dimension::StiffnessB.least_positive()
@@ -470,7 +470,7 @@ fn is_like_a_clock(text: &str) -> bool {
     is_cdc || is_time || is_hour || lower.contains("clock")
 }
 
-/// Whether the length stands without the rest of the outline, for the yaw inertia.
+/// Whether the length is given without the rest of the outline, for the yaw inertia.
 fn length_alone(table: &Table<'_>) -> bool {
     table.has("wheelbase") && table.given(&["length", "width", "cg_to_front"]) == ["length"]
 }

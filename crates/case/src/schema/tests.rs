@@ -7,7 +7,7 @@ use inputs::Case;
 
 use super::*;
 
-/// What stands above the tables of keys.
+/// The text above the tables of keys.
 const HEAD: &str = "\
 # The case file
 
@@ -92,7 +92,7 @@ fn link(schema: &Schema) -> String {
     format!("[below](#{anchor})")
 }
 
-/// What holds where the key is left out.
+/// The effect of leaving the key out.
 fn absent(schema: &Schema, key: &Key) -> String {
     let needed = |rule: &Rule| matches!(rule, Rule::Needs(names) if names.contains(&key.name));
     if schema.rules.iter().any(needed) {
@@ -191,7 +191,7 @@ fn the_guide_lists_these_keys() {
     );
 }
 
-/// No table is missing from the page: each that a key leads to has its heading there.
+/// No table is missing from the page: every table of a key has its heading there.
 #[test]
 fn every_table_has_its_place() {
     let page = documentation();
@@ -202,7 +202,7 @@ fn every_table_has_its_place() {
     assert!(anchors.len() > 10);
 }
 
-/// What the page says of an absent key comes true: the default, written out, makes the same case.
+/// The page is right about absent keys: the default, written out, makes the same case.
 #[test]
 fn a_default_written_out_changes_nothing() {
     let paper =
@@ -220,7 +220,7 @@ fn a_default_written_out_changes_nothing() {
         assert_eq!(absent(schema, key), format!("`{value}`"), "{name}");
         let text = paper.replace(header, &format!("{header}\n{name} = {value}"));
         let (with, without) = (read(&text), read(&paper));
-        // But for what is told of it.
+        // Except for the record of absent keys.
         assert_eq!(with, Case { left_out: with.left_out, ..without }, "{name}");
     }
 }

@@ -9,7 +9,7 @@ const MAGNITUDE: &str = r"(?:[0-9]+\.?[0-9]*|\.[0-9]+)";
 /// The same, and not zero.
 const MAGNITUDE_NOT_ZERO: &str = r"(?:0*[1-9][0-9]*\.?[0-9]*|0*\.0*[1-9][0-9]*)";
 const EXPONENT: &str = "(?:[eE][+-]?[0-9]+)?";
-/// What may stand between the units of a product, and is nothing elsewhere.
+/// Allowed between the units of a product, and ignored elsewhere.
 const GAP: &str = r"[\s·⋅*-]";
 
 /// The hour of a clock.
@@ -25,7 +25,7 @@ pub(crate) fn pattern(dimension: Dimension, bounds: Bounds) -> String {
     format!(r"^\s*{}{GAP}*(?:{}){GAP}*$", number(bounds), units(dimension))
 }
 
-/// As many numbers as `least` or more, and the unit of all of them after the last.
+/// At least `least` numbers, with the unit of all of them after the last.
 pub(crate) fn list_pattern(dimension: Dimension, bounds: Bounds, least: usize) -> String {
     let number = number(bounds);
     let more = least.saturating_sub(1);
@@ -54,7 +54,7 @@ fn units(dimension: Dimension) -> String {
     alternatives.join("|")
 }
 
-/// One spelling of the table, and what is forgiven of it.
+/// One spelling of the table, with its accepted variations.
 fn unit(spelling: &str, dimension: Dimension) -> String {
     let mut out = String::new();
     let mut rest = spelling;

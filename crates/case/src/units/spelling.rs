@@ -1,8 +1,8 @@
-//! Spellings: what is forgiven, and which unit a misspelt one was meant to be.
+//! Spellings: which variations are accepted, and which unit a misspelt one was meant to be.
 
 use inputs::{Dimension, Unit};
 
-/// Words that stand for a unit's short form, wherever that form stands: "feet/second" is "ft/s".
+/// Words for a unit's short form, accepted wherever that form is: "feet/second" is "ft/s".
 pub(super) const WORDS: &[(&str, &[&str])] = &[
     ("m", &["meter", "meters", "metre", "metres"]),
     ("ft", &["foot", "feet"]),
@@ -18,7 +18,7 @@ pub(super) const WORDS: &[(&str, &[&str])] = &[
     ("kn", &["knot", "knots"]),
 ];
 
-/// Signs that stand for another way to type the same, replaced in this order.
+/// Signs for other ways to type the same, replaced in this order.
 const SIGNS: &[(&str, &str)] = &[
     ("²", "^2"),
     ("^(1/2)", "^0.5"),
@@ -32,7 +32,7 @@ const SIGNS: &[(&str, &str)] = &[
     ("-", " "),
 ];
 
-/// What becomes of "lbf".
+/// The treatment of "lbf".
 #[derive(Clone, Copy, PartialEq)]
 pub(super) enum Pound {
     /// It stays.
@@ -55,7 +55,7 @@ pub(super) fn normalise(spelling: &str, pound: Pound) -> String {
     }
     while let Some((before, after)) = text.split_once('√') {
         let end = after.find(|c: char| !c.is_alphabetic()).unwrap_or(after.len());
-        // A root of nothing is no unit.
+        // A root of nothing is not a unit.
         if end == 0 {
             break;
         }
@@ -102,14 +102,14 @@ fn short_word(word: &str, pound: Pound) -> &str {
     WORDS.iter().find(|(_, long)| long.iter().any(is_word)).map_or(word, |(short, _)| short)
 }
 
-/// Whether a short form is the one of the table, but for capitals that do not change the meaning.
+/// Whether a short form is the one of the table, apart from capitals that do not change the meaning.
 pub(super) fn is_spelled(known: &str, written: &str, dimension: Dimension) -> bool {
     let is_same =
         |(a, b): (u8, u8)| a == b || a.eq_ignore_ascii_case(&b) && is_free(char::from(a), known, dimension);
     known.len() == written.len() && known.bytes().zip(written.bytes()).all(is_same)
 }
 
-/// Whether a letter of a short form means the same as a capital: m is milli and M is mega, but not in a
+/// Whether a letter of a short form means the same as its capital: m is milli and M is mega, but not in a
 /// speed, where kn is the knot and kN would be a force.
 pub(super) fn is_free(letter: char, form: &str, dimension: Dimension) -> bool {
     letter.is_ascii_alphabetic()
@@ -132,11 +132,11 @@ pub(super) fn is_pound_a_force(known: &str, dimension: Dimension) -> bool {
     }
 }
 
-/// The unit of `dimension` that a misspelt one is sure to be: capitals, spaces, signs or a long word apart,
-/// it has the same letters and digits.
+/// The unit of `dimension` that a misspelt one certainly means: it has the same letters and digits, apart
+/// from capitals, spaces, signs or a long word.
 ///
-/// Another letter or digit more often makes another unit than a slip: "lb ft^2" is no "lb ft s^2", "kN/cm" no
-/// "kN/m" and "fpm" no "fps". A wrong unit that was proposed, and taken, would be an error without a trace.
+/// A different letter or digit is more often another unit than a slip: "lb ft^2" is not "lb ft s^2", "kN/cm"
+/// not "kN/m" and "fpm" not "fps". A wrong suggestion, once accepted, would be an error without a trace.
 pub(crate) fn nearest_unit(spelling: &str, dimension: Dimension) -> Option<&'static Unit> {
     if spelling.len() > crate::nearest::LONGEST {
         return None;
@@ -144,7 +144,7 @@ pub(crate) fn nearest_unit(spelling: &str, dimension: Dimension) -> Option<&'sta
     let letters =
         |text: &str| text.chars().filter(|c| c.is_alphanumeric()).collect::<String>().to_lowercase();
     let wanted = letters(&normalise(&mend_words(spelling), Pound::AsWritten));
-    // "mN" is no slip for "MN": the one is a thousandth of a newton, the other a million.
+    // "mN" is not a slip for "MN": the one is a thousandth of a newton, the other a million.
     let is_meant = |known: &str| letters(known) == wanted && (!known.contains('M') || spelling.contains('M'));
     let mut near = dimension.units().iter().filter(|unit| unit.spellings().any(is_meant));
     match (near.next(), near.next()) {

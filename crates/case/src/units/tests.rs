@@ -102,7 +102,7 @@ fn what_changes_the_meaning_is_not() {
         // A force, and no knots.
         (Speed, "kN"),
         (Speed, "ft s"),
-        // A force by the square of a length, and a mass by a length by the square of a time, are no inertia.
+        // Neither force times length squared nor mass times length times time squared is an inertia.
         (Inertia, "lbf ft^2"),
         (Inertia, "lbm ft s^2"),
         (Inertia, "lb ft"),
@@ -131,7 +131,7 @@ fn the_nearest_unit_is_the_one_that_was_meant() {
     assert_eq!(nearest("Grad", Dimension::Angle), None);
 }
 
-/// Another unit than the one that is near is off by a factor that nobody would notice.
+/// A wrong suggestion of a near unit is off by a factor that nobody would notice.
 #[test]
 fn no_unit_of_another_size_is_proposed() {
     use super::nearest_unit;
@@ -154,7 +154,7 @@ fn no_unit_of_another_size_is_proposed() {
         assert_eq!(read_unit(written, dimension), None, "{written}");
         assert_eq!(nearest_unit(written, dimension), None, "{written}");
     }
-    // Whatever becomes of a unit by one letter or digit more, less or other.
+    // All spellings made from a unit by adding, removing or changing one letter or digit.
     for dimension in Dimension::ALL {
         for unit in dimension.units() {
             let letters: Vec<char> = unit.spelling().chars().collect();

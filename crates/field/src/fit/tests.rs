@@ -50,7 +50,7 @@ fn figures(bias: f64, slope_ln_sd: f64, recorder_ln_scale: f64) -> Fitted {
     Fitted { crush_bias: bias, slope_ln_sd, recorder_ln_scale, ..FITTED }
 }
 
-/// ln p(recorders | all else) by draws of the prior, each with all of its terms.
+/// ln p(recorders | all else) from draws of the prior, each with all of its terms.
 fn by_the_prior(pair: &Pair, fitted: &Fitted) -> f64 {
     let model = Model::new(&pair.collision(fitted, &VehicleId::ALL).unwrap());
     let inputs = &model.leads().unknown().0;
@@ -68,7 +68,7 @@ fn by_the_prior(pair: &Pair, fitted: &Fitted) -> f64 {
                 let terms = terms.iter().zip(model.pieces()).filter(|(_, piece)| is_wanted(**piece));
                 terms.map(|(term, _)| term[lane]).sum::<f64>().exp()
             };
-            // The fit is that of the sizes.
+            // The fit only uses the sizes.
             sums[0] += sum(|piece| !matches!(piece, Piece::RecordedDirection(_)));
             sums[1] += sum(|piece| !matches!(piece, Piece::RecordedDeltaV(_) | Piece::RecordedDirection(_)));
         }
@@ -93,7 +93,7 @@ fn the_likelihood_is_that_of_the_recorders_given_all_else() {
     }
 }
 
-/// The derivatives at a point against those over three times the step.
+/// The derivatives at a point, compared with those over three times the step.
 #[test]
 fn the_expansion_has_the_derivatives() {
     let pairs = [pair("1", [Plane::Front, Plane::Left], 0.25, [Some(6.0), Some(5.0)])];
@@ -115,8 +115,8 @@ fn the_expansion_has_the_derivatives() {
     }
 }
 
-/// What a single pair tells is little: the figures stay where they were thought to be, nearly as unsure.
-/// Where it has no vehicle of a kind, it tells nothing of that.
+/// A single pair is weak evidence: the figures stay near their guesses, nearly as uncertain. For kinds of
+/// vehicle that it lacks, it is no evidence at all.
 #[test]
 fn a_single_pair_hardly_changes_the_guesses() {
     let pairs = [pair("1", [Plane::Front, Plane::Left], 0.25, [Some(6.0), Some(5.0)])];
@@ -136,7 +136,7 @@ fn a_single_pair_hardly_changes_the_guesses() {
     }
 }
 
-/// Independent standard normal numbers, by Box and Muller.
+/// Independent standard normal numbers (Box–Muller).
 fn normals(stream: u64, index: u64) -> [f64; 4] {
     let u = |k: u64| unit(bits(key(stream, &[index]), k));
     let two = |k| {
@@ -147,8 +147,8 @@ fn normals(stream: u64, index: u64) -> [f64; 4] {
     [a, b, c, d]
 }
 
-/// Crashes of which the recorders are drawn from the model: a draw of the collision from all other evidence,
-/// and an error by Student's t.
+/// Crashes whose recorders are drawn from the model: a draw of the collision given all other evidence, and an
+/// error with Student's t.
 fn simulated(truth: &Fitted, count: u64) -> Vec<Pair> {
     let made = |number: u64| {
         let other = [Plane::Left, Plane::Rear, Plane::Front, Plane::Left][(number % 4) as usize];

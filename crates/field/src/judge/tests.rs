@@ -21,8 +21,8 @@ fn one_draw_has_the_recorders_error() {
     }
 }
 
-/// Without an error of its own, a draw's score is the distance; half of two draws lies on each side of what
-/// is between them: ∫ (F − 1)² = (b − a)/4.
+/// Without the recorder's error, the score of a draw is its distance; a value between two draws has half of
+/// them on each side: ∫ (F − 1)² = (b − a)/4.
 #[test]
 fn the_score_of_points_is_their_distance() {
     let exact = Fitted { recorder_ln_scale: 1e-6, ..FITTED };
@@ -65,7 +65,7 @@ fn figures_are_counted_by_collision() {
             && (figures.bias[1] - elementary::sqrt(0.08) / 3.0).abs() < 1e-12
     );
     assert!((figures.rms[0] - elementary::sqrt(0.06)).abs() < 1e-12);
-    // 7.41 lies in the widest interval alone.
+    // 7.41 lies only in the widest interval.
     let inside = figures.coverage.unwrap().map(|[share, _]| share);
     assert_eq!(inside, [1.0 / 3.0, 1.0 / 3.0, 1.0]);
     assert_eq!(figures.width95, Some(1.5));

@@ -35,7 +35,7 @@ fn fleet(slope_ln_sd: f64, no_damage_speed_ln_sd: f64) -> Fitted {
     Fitted { slope: [25.0; 3], no_damage_speed: [0.0; 3], slope_ln_sd, no_damage_speed_ln_sd, ..FITTED }
 }
 
-/// With stiffnesses that are known, c and τ are mean and spread of the logarithms themselves.
+/// With known stiffnesses, c and τ are the mean and the spread of the logarithms themselves.
 #[test]
 fn with_known_stiffnesses_the_figures_are_mean_and_spread() {
     let (front, left, rear) = (Plane::Front, Plane::Left, Plane::Rear);

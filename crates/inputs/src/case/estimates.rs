@@ -1,4 +1,4 @@
-//! What the program estimates in place of what a case does not give.
+//! Estimates in place of data that a case does not give.
 
 use pim_core::VehicleId;
 
@@ -32,17 +32,17 @@ impl<T: Copy + From<f64>> Case<T> {
 }
 
 impl Case {
-    /// How far the contact point of a vehicle may be off, where it is placed at the centroid of the damage.
+    /// The spread of a vehicle's contact point that is placed at the centroid of the damage.
     ///
-    /// Along the face it is as far off as the middle of the damage: by the error of the offset and by half of
-    /// that of the length, since one end that is misjudged moves the middle by half as much. Both are taken
-    /// as independent, which is on the safe side: the error of an end may be in that of the offset already.
-    /// Across the face it is as far off as one depth. The errors of several depths move their centroid by
+    /// Along the face, its error is that of the middle of the damage: the error of the offset and half that
+    /// of the length, since an error at one end moves the middle by half as much. Both are taken as
+    /// independent, which is on the safe side: the error of an end may be part of that of the offset already.
+    /// Across the face, its error is that of one depth. The errors of several depths move their centroid by
     /// less, but they were measured after the impact, and the force acted when the crush was at its deepest.
     ///
-    /// An error that the case gives itself is not counted again. Where the `offset` has one, the middle of
-    /// the damage is off by that alone; an error of `width` or `spacing` replaces that of the length, and one
-    /// of the `depths` the error across the face.
+    /// An error that the case gives itself is not counted again. If the `offset` has one, it is the only
+    /// error of the middle of the damage; an error of `width` or `spacing` replaces that of the length, and
+    /// one of the `depths` the error across the face.
     #[must_use]
     pub fn contact_spread(&self, vehicle: VehicleId, axis: FaceAxis) -> ContactSpread {
         let table = format!("vehicle{vehicle}");

@@ -33,8 +33,8 @@ impl Case {
         inputs
     }
 
-    /// Every number that may vary: those that the case gives, and after them the departures of its
-    /// estimates, and the errors that some of them share.
+    /// Every number that may vary: those that the case gives, then the departures of its estimates, and the
+    /// errors that some numbers share.
     #[must_use]
     pub fn variables(&self) -> Vec<Input> {
         let mut inputs = Vec::new();
@@ -42,8 +42,8 @@ impl Case {
         inputs
     }
 
-    /// Those of the [`variables`](Self::variables) that are wanted, each with its place among all. The others
-    /// have their paths only shown, not built.
+    /// The wanted ones of the [`variables`](Self::variables), each with its index among all. For the others,
+    /// the path is only shown, not built.
     pub fn variables_where(&self, mut wanted: impl FnMut(&Variable<'_>) -> bool) -> Vec<(usize, Input)> {
         let (mut place, mut found) = (0, Vec::new());
         let mut look = |path: &dyn Display, number, unit, origin| {
@@ -128,7 +128,7 @@ impl Case {
 }
 
 impl<U> Walk<'_, U> {
-    /// The departures of the estimates of a case: a factor that is absent is 1, and a distance is 0.
+    /// The departures of the estimates of a case: an absent factor is 1, and an absent distance is 0.
     fn departures(&mut self, case: &Case) -> Departures<U> {
         let Departures { stiffness, yaw_radius, contact } = &case.departures;
         let mut replaced = Departures {
@@ -150,7 +150,7 @@ impl<U> Walk<'_, U> {
                 }
                 Estimate::Contact { vehicle, axis } => {
                     let (vehicle, place) = (vehicle.index(), axis.index());
-                    // In the unit of the offset, without which no point is placed.
+                    // In the unit of the offset; without an offset no point is placed.
                     let offset = case.vehicles[vehicle].crush.as_ref().and_then(|crush| crush.offset);
                     let moved = contact[vehicle][place].or(offset.map(|offset| offset.with(0.0)));
                     replaced.contact[vehicle][place] =

@@ -1,6 +1,6 @@
 use super::{Dimension, STANDARD_GRAVITY};
 
-/// (–) half a unit of the seventh digit, the precision to which SP 811 prints what it does not print exactly.
+/// (–) half a unit of the seventh digit, the precision of values that SP 811 does not print exactly.
 const PRINTED: f64 = 5e-7;
 
 fn factor(dimension: Dimension, spelling: &str) -> f64 {
@@ -18,7 +18,7 @@ fn assert_factor(dimension: Dimension, spelling: &str, expected: f64, tolerance:
 #[test]
 fn factors_agree_with_nist_sp_811() {
     use Dimension::*;
-    // Exact: equal to the last bit but one, which the product of two constants may cost.
+    // Exact: equal except for the last bit, which the product of two constants may cost.
     for (dimension, spelling, exact) in [
         (Length, "ft", 3.048e-1),
         (Length, "in", 2.54e-2),
@@ -65,7 +65,7 @@ fn factors_agree_with_nist_sp_811() {
     }
 }
 
-/// The roots have no row in SP 811: their squares have.
+/// SP 811 has no row for the roots, but one for each of their squares.
 #[test]
 fn squared_roots_agree_with_nist_sp_811() {
     let squared = |dimension, spelling| factor(dimension, spelling) * factor(dimension, spelling);

@@ -1,4 +1,4 @@
-//! How a vehicle left the impact, and where it came to rest.
+//! How a vehicle left the impact, and its rest position.
 
 use evidence::{After, Measured, MeasuredRest};
 use inputs::{Quantity, VehicleMotion};
@@ -9,17 +9,17 @@ use super::{DEGREE, Subject, measured_speed};
 use crate::estimate::notes::{Notes, Unused, UnusedReason};
 use crate::thresholds::{DIRECTION_AFTER_ERROR, SPEED_AFTER_ERROR};
 
-/// (–; rad/s) error of a yaw rate after the impact: a share of it, and at least that of a slow turn.
+/// (–; rad/s) error of a yaw rate after the impact: a share of it, and the minimum, that of a slow turn.
 const YAW_RATE_SHARE: f64 = 0.2;
 const YAW_RATE_LEAST: f64 = 10.0 * DEGREE;
-/// (–; m) error of the simulated rest: a share of the way, and what it has at least.
+/// (–; m) error of the simulated rest position: a share of the path length, and the minimum.
 const REST_SHARE: f64 = 0.10;
 const REST_LEAST: f64 = 0.5;
 /// (rad) error of the heading at rest: a quarter of the turn, between 5° and 15°.
 const REST_HEADING: [f64; 2] = [5.0 * DEGREE, 15.0 * DEGREE];
 const REST_TURN_SHARE: f64 = 0.25;
 
-/// What the case gives of it.
+/// The motion after the impact that the case gives.
 pub(super) fn after(subject: Subject<'_>) -> (After, Notes) {
     let (mut found, mut notes) = (After::default(), Notes::default());
     let Some(after) = &subject.given().after else { return (found, notes) };
@@ -29,7 +29,7 @@ pub(super) fn after(subject: Subject<'_>) -> (After, Notes) {
         notes.default_error(sd.is_none(), subject.key("after.speed"));
         measured_speed(speed.si(), sd, SPEED_AFTER_ERROR)
     });
-    // A vehicle that stands leaves in no direction.
+    // A vehicle that stands still has no direction of departure.
     let leaves = after.speed.as_ref().is_none_or(|speed| speed.si() > 0.0);
     found.direction = after.direction.as_ref().filter(|_| leaves).map(|direction| {
         let sd = subject.sd("after.direction");
@@ -47,13 +47,13 @@ pub(super) fn after(subject: Subject<'_>) -> (After, Notes) {
     (found, notes)
 }
 
-/// Where a vehicle that is followed came to rest, and (m) the errors of the points of its path.
+/// The rest position of a vehicle that is followed, and (m) the errors of the points of its path.
 pub(super) fn rest(subject: Subject<'_>, way: &VehicleMotion) -> ((Option<MeasuredRest>, Vec<f64>), Notes) {
     let given = subject.case.estimate.unwrap_or_default();
     let share = given.rest_error.map_or(REST_SHARE, |percent| percent / 100.0);
     let least = given.rest_least_error.as_ref().map_or(REST_LEAST, Quantity::si);
     let far = |place: Vector2<f64>| least + share * (place - way.position).norm();
-    // Survey and model together.
+    // The errors of survey and model together.
     let both = |model: f64, [x, y]: [f64; 2]| Real::sqrt(model * model + 0.5 * (x * x + y * y));
     let rest = way.rest.as_ref().map(|rest| {
         let surveyed = ["after.rest.x", "after.rest.y"].map(|of| subject.sd(of).unwrap_or_default());
@@ -92,7 +92,7 @@ pub(super) fn rest(subject: Subject<'_>, way: &VehicleMotion) -> ((Option<Measur
     ((rest, points.collect()), notes)
 }
 
-/// (rad/s) the usual error of a yaw rate after the impact (rad/s).
+/// (rad/s) the default error of a yaw rate after the impact (rad/s).
 pub(super) fn yaw_rate_error(rate: f64) -> f64 {
     Real::max(YAW_RATE_SHARE * rate.abs(), YAW_RATE_LEAST)
 }

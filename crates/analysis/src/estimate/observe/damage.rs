@@ -1,4 +1,4 @@
-//! The damage: where each vehicle was hit, from where, and how well its energy is known.
+//! The damage: where each vehicle was hit, from which direction, and how well its energy is known.
 
 use crash3::Side;
 use evidence::{CodedPdof, CrushErrors, Damage, EnergyError, EnergyMethod, FITTED};
@@ -17,19 +17,19 @@ const CRUSH_BIAS_ERROR: f64 = 0.15;
 /// (rad) half of the hour of a clock as a standard deviation, 30°/√12.
 const HOUR_SD: f64 = 30.0 * DEGREE / 3.464_101_615_137_754_6;
 
-/// Whose crush is evidence.
+/// The vehicles whose crush is evidence.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Crushed {
-    /// Nobody's, or there is no damage.
+    /// None, or there is no damage.
     No,
-    /// That of one vehicle that moves, where another moves, too.
+    /// One moving vehicle, of two that move.
     Of(VehicleId),
-    /// That of all vehicles that move.
+    /// All vehicles that move.
     All,
 }
 
 impl Crushed {
-    /// With what is not used of it.
+    /// The crush that is evidence, and the data that are not used.
     pub(crate) fn of(case: &Case, nominal: &Collision) -> (Self, Vec<Unused>) {
         let is_inferred = |id: VehicleId| {
             case.vehicles[id.index()].crush.as_ref().is_some_and(|crush| crush.from_force_balance)
@@ -69,8 +69,8 @@ pub(super) fn movers(case: &Case) -> impl Iterator<Item = VehicleId> {
     VehicleId::ALL.into_iter().filter(|id| !case.vehicles[id.index()].fixed)
 }
 
-/// Where a vehicle was hit: the side that the case gives or, without one, the side that the line at right
-/// angles to the crush plane meets.
+/// Where a vehicle was hit: the side that the case gives or, without one, the side that meets the normal of
+/// the crush plane.
 pub(crate) fn damage(id: VehicleId, nominal: &Collision, reference: [f64; 2]) -> Damage {
     let data = &nominal.vehicles[id.index()];
     let of_crush = data.damage.as_ref().map(|damage| damage.side);
@@ -99,7 +99,7 @@ pub(crate) fn reference(nominal: &Collision) -> [f64; 2] {
     [from(VehicleId::One, 1.0), from(VehicleId::Two, -1.0)]
 }
 
-/// How the crush energy of each vehicle was obtained whose crush is evidence.
+/// How the crush energy of each vehicle was obtained, if its crush is evidence.
 pub(crate) fn energies(crushed: Crushed, case: &Case) -> [Option<EnergyMethod>; 2] {
     VehicleId::ALL.map(|id| {
         let is_evidence = match crushed {
@@ -118,7 +118,7 @@ pub(crate) fn energies(crushed: Crushed, case: &Case) -> [Option<EnergyMethod>; 
     })
 }
 
-/// How far the crush energies are off, by how each was obtained; with what the case gives instead.
+/// The errors of the crush energies, depending on how each was obtained, or as given by the case.
 pub(super) fn crush_errors(
     case: &Case,
     methods: [Option<EnergyMethod>; 2],
@@ -137,7 +137,7 @@ pub(super) fn crush_errors(
         });
         let usual = FITTED.energy_error(method, hit, has_range);
         let shared = match method {
-            // The mean of the misfit has an error, too.
+            // The mean of the misfit has an error as well.
             EnergyMethod::Class => {
                 Real::sqrt(usual.shared_ln_sd * usual.shared_ln_sd + CRUSH_BIAS_ERROR * CRUSH_BIAS_ERROR)
             }
@@ -151,7 +151,7 @@ pub(super) fn crush_errors(
     };
     let errors = match [of(VehicleId::One), of(VehicleId::Two)] {
         [Some(one), Some(two)] => CrushErrors([one, two]),
-        // The energy of the other vehicle is told by that of this one, with all its errors.
+        // The energy of the other vehicle follows from that of this one, with all its errors.
         [Some(known), None] | [None, Some(known)] => {
             let EnergyError { bias, shared_ln_sd, own_ln_sd } = known;
             let whole = Real::sqrt(shared_ln_sd * shared_ln_sd + own_ln_sd * own_ln_sd);
@@ -162,7 +162,7 @@ pub(super) fn crush_errors(
     (errors, notes)
 }
 
-/// The PDOF of a vehicle, with the error that the case gives or its usual one.
+/// The PDOF of a vehicle, with the error that the case gives or the default one.
 pub(super) fn pdof(subject: Subject<'_>, data: &VehicleData) -> (Option<CodedPdof>, Notes) {
     let mut notes = Notes::default();
     let pdof = coded_pdof(data, subject.given()).map(|coded| {

@@ -1,4 +1,4 @@
-//! What a recorder stored.
+//! The data stored by a recorder.
 
 use evidence::{CodedPdof, FITTED, Freedom, Measured, MeasuredSpeed, RecordedDeltaV, RecordedPart, Recorder};
 use inputs::Quantity;
@@ -9,8 +9,8 @@ use super::{LEAST_SPEED_ERROR, Subject};
 use crate::estimate::notes::Notes;
 use crate::thresholds::{RECORDER_DELTA_V_ERROR, RECORDER_SPEED_ERROR};
 
-/// What that of a vehicle stored, with the errors that the case gives or the usual ones. `is_side` says
-/// whether the vehicle was hit on a side.
+/// The recorder data of a vehicle, with the errors that the case gives or the default ones. `is_side` is true
+/// if the vehicle was hit on a side.
 pub(super) fn recorded(subject: Subject<'_>, is_side: bool) -> (Recorder, Notes) {
     let mut notes = Notes::default();
     let Some(recorder) = &subject.given().recorder else { return (Recorder::default(), notes) };
@@ -38,7 +38,7 @@ pub(super) fn recorded(subject: Subject<'_>, is_side: bool) -> (Recorder, Notes)
     let both = recorder.delta_v_longitudinal.zip(recorder.delta_v_lateral);
     let direction = both.filter(|(along, across)| along.si() != 0.0 || across.si() != 0.0).map(|parts| {
         let (along, left) = (parts.0.si(), axes.lateral(parts.1.si()));
-        // Away from where the force came from; clockwise from the heading.
+        // Away from the origin of the force; clockwise from the heading.
         let shown = FITTED.recorded_direction(real::elementary::atan2(left, -along), is_side);
         let given = recorder.direction_error.as_ref().map(Quantity::si);
         CodedPdof { scale: or_default("recorder.direction_error", given, shown.scale), ..shown }

@@ -6,7 +6,7 @@ use super::{Subject, measured_speed};
 use crate::estimate::notes::Notes;
 use crate::thresholds::RECORDER_SPEED_ERROR;
 
-/// The speed where it begins.
+/// The speed at the start of the skid.
 pub(super) fn speed(subject: Subject<'_>) -> (Option<MeasuredSpeed>, Notes) {
     let mut notes = Notes::default();
     let speed = subject.given().before.and_then(|before| before.speed).map(|speed| {
