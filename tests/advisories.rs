@@ -1,9 +1,9 @@
 //! No package of a lock file has a version with a known security advisory, unless `deny.toml` accepts it.
 //!
-//! `cargo deny check advisories` asks the newest database, but needs cargo-deny and the network; this holds
-//! the facts that `tests/advisories.toml` has. From a copy of <https://github.com/RustSec/advisory-db>,
-//! `ADVISORY_DB=/path/to/advisory-db cargo test -p deltav-tests advisories` writes that file anew; without
-//! one, facts may be added by hand and `UPDATE=1` lays them out.
+//! `cargo deny check advisories` uses the newest database, but needs cargo-deny and the network; this test
+//! uses the facts in `tests/advisories.toml`. From a copy of <https://github.com/RustSec/advisory-db>,
+//! `ADVISORY_DB=/path/to/advisory-db cargo test -p deltav-tests advisories` rewrites that file; without a
+//! copy, facts may be added by hand, and `UPDATE=1` formats them.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::ffi::OsStr;
@@ -23,7 +23,7 @@ const HEAD: &str = "\
 # The date of the newest advisory in the copy of the database that was read.
 ";
 
-/// What the database says of versions of one package.
+/// An entry of the database about versions of one package.
 #[derive(Debug, Clone, PartialEq)]
 struct Advisory {
     id: String,
@@ -37,8 +37,8 @@ struct Advisory {
 }
 
 impl Advisory {
-    /// Whether this version has the fault. A version before a release, such as 2.0.0-rc.1, satisfies only a
-    /// requirement that names one of that same release, as everywhere in Cargo: `>= 1.0.0` does not clear it.
+    /// Whether this version is affected. A pre-release, such as 2.0.0-rc.1, satisfies only a requirement that
+    /// names a pre-release of the same version, as everywhere in Cargo: `>= 1.0.0` does not match it.
     fn affects(&self, version: &Version) -> bool {
         let any = |list: &[String]| {
             list.iter().any(|text| {
@@ -53,9 +53,9 @@ impl Advisory {
 /// The facts of `tests/advisories.toml`.
 #[derive(Debug, PartialEq)]
 struct Known {
-    /// The date of the newest advisory in the copy of the database that was read.
+    /// The date of the newest advisory in the copy of the database.
     newest: String,
-    /// The packages that were looked up, whether they have advisories or not.
+    /// The packages looked up, with or without advisories.
     packages: BTreeSet<String>,
     advisories: Vec<Advisory>,
 }
@@ -68,7 +68,7 @@ fn read(path: &str) -> String {
     fs::read_to_string(root().join(path)).unwrap()
 }
 
-/// `tests/advisories.toml`, written anew if that is asked for.
+/// `tests/advisories.toml`, rewritten on request.
 static FACTS: LazyLock<String> = LazyLock::new(|| {
     let path = "tests/advisories.toml";
     let new = if let Some(database) = std::env::var_os("ADVISORY_DB") {
@@ -139,7 +139,7 @@ fn written(known: &Known) -> String {
     text.push_str("packages = [");
     let mut column = usize::MAX;
     for package in &known.packages {
-        // A comma and a space stand between two of a line.
+        // Two names in a line are separated by a comma and a space.
         column = column.saturating_add(package.len() + 4);
         if column > 100 {
             text.push_str("\n    ");
@@ -162,7 +162,7 @@ fn written(known: &Known) -> String {
     text
 }
 
-/// What an advisory of the database says, which is a page with a head in TOML.
+/// An advisory of the database, which is a page with a TOML header.
 fn page(text: &str) -> Advisory {
     let head = text.trim_start().strip_prefix("```toml").and_then(|rest| rest.split_once("\n```"));
     let (head, _) = head.unwrap_or_else(|| panic!("no head in TOML:\n{text}"));
@@ -180,7 +180,7 @@ fn page(text: &str) -> Advisory {
     }
 }
 
-/// What a copy of the database says of these packages.
+/// The entries of a copy of the database about these packages.
 fn looked_up(database: &Path, packages: BTreeSet<String>) -> Known {
     let entries = |folder: &Path| -> Vec<PathBuf> {
         let entries = fs::read_dir(folder).unwrap_or_else(|e| panic!("{}: {e}", folder.display()));
@@ -188,7 +188,7 @@ fn looked_up(database: &Path, packages: BTreeSet<String>) -> Known {
     };
     let folders = entries(&database.join("crates"));
     let pages = folders.iter().flat_map(|folder| entries(folder)).filter(|path| {
-        // Before it has a number, an advisory is only proposed.
+        // An advisory without a number is only proposed.
         path.extension() == Some(OsStr::new("md"))
             && path.file_stem() != Some(OsStr::new("RUSTSEC-0000-0000"))
     });
@@ -198,7 +198,7 @@ fn looked_up(database: &Path, packages: BTreeSet<String>) -> Known {
     Known { newest, advisories: in_order(ours), packages }
 }
 
-/// The packages of a lock file that come from elsewhere.
+/// The external packages of a lock file.
 fn locked(text: &str) -> BTreeSet<(String, Version)> {
     let table = DeTable::parse(text).unwrap();
     let packages = tables(table.get_ref(), "package").into_iter();
@@ -211,7 +211,7 @@ fn locked(text: &str) -> BTreeSet<(String, Version)> {
         .collect()
 }
 
-/// The packages that all lock files have from elsewhere.
+/// The external packages of all lock files.
 fn packages() -> BTreeSet<(String, Version)> {
     let mut packages = BTreeSet::new();
     for file in ["Cargo.lock", "fuzz/Cargo.lock"] {
@@ -234,7 +234,7 @@ fn accepted(text: &str) -> BTreeMap<String, String> {
     list.iter().map(|value| entry(value.get_ref())).collect()
 }
 
-/// What is to be done about these packages, a sentence each.
+/// The complaints about these packages, a sentence each.
 fn complaints(
     packages: &BTreeSet<(String, Version)>,
     known: &Known,
@@ -313,8 +313,8 @@ fn made_up(withdrawn: Option<&str>, patched: &[&str], unaffected: &[&str]) -> Ad
     }
 }
 
-/// The pattern of the database's own example: a fault that came with 0.2 and was mended in 1.2.3, came back
-/// with 1.3.0 and was mended in 1.3.4.
+/// The pattern of the database's own example: a fault introduced in 0.2 and fixed in 1.2.3, reintroduced in
+/// 1.3.0 and fixed in 1.3.4.
 #[test]
 fn a_version_is_affected_unless_it_is_patched_or_never_was() {
     let advisory = made_up(None, &[">= 1.2.3, < 1.3.0", ">= 1.3.4"], &["<= 0.1.2"]);
@@ -332,7 +332,7 @@ fn a_version_is_affected_unless_it_is_patched_or_never_was() {
         ("2.0.0", false),
         // Older than the patch.
         ("1.3.4-rc.1", true),
-        // No requirement names a version before this release.
+        // No requirement names a pre-release of this version.
         ("2.0.0-rc.1", true),
     ] {
         assert_eq!(advisory.affects(&Version::parse(version).unwrap()), affected, "{version}");
@@ -365,7 +365,7 @@ fn each_lapse_is_told() {
     let one = |told: Vec<String>, with: &str| assert!(told.len() == 1 && told[0].contains(with), "{told:#?}");
     assert_eq!(told(&[("made-up", "1.2.3"), ("harmless", "0.0.1")], &[]), [""; 0]);
     one(told(&[("made-up", "1.2.2")], &[]), "made-up 1.2.2: RUSTSEC-2026-9999 (vulnerability)");
-    // Both versions of a package are judged.
+    // Both versions of a package are checked.
     one(told(&[("made-up", "1.2.2"), ("made-up", "1.2.3")], &[]), "made-up 1.2.2");
     assert_eq!(told(&[("made-up", "1.2.2")], &[(id, "is not called")]), [""; 0]);
     one(told(&[("made-up", "1.2.2")], &[(id, " ")]), "without a reason");

@@ -1,11 +1,11 @@
-//! What the benchmarks measure. These stand here because the tests of a package need all that its benchmarks
-//! link.
+//! The subjects of the benchmarks. These tests are here because the tests of a package must build everything
+//! that its benchmarks link.
 
 use crash3::crush_energy;
 use deltav_benches::{Example, FRICTION, TANGENTIAL_CONDITIONS};
 use pim_core::{Regime, Tangential};
 
-/// That both targets measure the paper's example and not something like it: theory, section 7.
+/// Both targets measure exactly the paper's example: theory, section 7.
 #[test]
 fn the_example_is_the_papers() {
     let example = Example::new().unwrap();
@@ -19,12 +19,12 @@ fn the_example_is_the_papers() {
         assert!((answer.speed - 22.869).abs() < 5e-4, "{} m/s", answer.speed);
         assert!((answer.outcome.impulse_ratio - 0.36885).abs() < 5e-6, "{answer:?}");
     }
-    // Friction that is rough enough for the critical ratio gives the critical law's answer.
+    // Friction above the critical ratio gives the critical law's answer.
     let rough = example.problem(FRICTION).unwrap().solve().unwrap();
     assert!((rough.speed - 22.869).abs() < 5e-4, "{} m/s", rough.speed);
 }
 
-/// The place of a condition in the list: one that is new does not compile before it has a place.
+/// The place of a condition in the list: a new one does not compile until it has a place.
 fn place(tangential: Tangential) -> usize {
     match tangential {
         Tangential::Critical => 0,

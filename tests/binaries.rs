@@ -15,7 +15,7 @@ fn packages() -> Vec<(PathBuf, PathBuf)> {
     packages
 }
 
-/// The files of tests, by name without the ending, that no binary has.
+/// The test files, by name without extension, that are in no binary.
 fn left_out(files: &[String], main: &str, manifest: &str) -> Vec<String> {
     let has = |text: &str, line: &str| text.lines().any(|other| other.trim() == line);
     files

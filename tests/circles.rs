@@ -1,9 +1,9 @@
-//! No files of a crate need each other in a circle: each can be read with those below it alone.
+//! There are no dependency cycles between the files of a crate: each can be read with only those below it.
 //!
 //! The arrows are the paths in the sources: `crate::a::b`, `super::`, `self::` and those that begin with a
 //! module declared in the same file. A name that a file re-exports counts as the file that defines it, so
-//! that no circle hides behind the crate root. Tests and what the crate root itself defines do not count, nor
-//! do methods, which have no path.
+//! that no circle hides behind the crate root. Tests and items defined in the crate root do not count, nor do
+//! methods, which have no path.
 
 #![allow(clippy::unwrap_used, reason = "tests")]
 
@@ -11,24 +11,24 @@ use std::collections::{BTreeMap, BTreeSet, VecDeque};
 use std::fs;
 use std::path::Path;
 
-/// The names that lead to a module; none of the crate root.
+/// The names that lead to a module; empty for the crate root.
 type Module = Vec<String>;
 
-/// Where the names are that a file of a crate uses.
+/// The modules of the names that each file of a crate uses.
 type Arrows = BTreeMap<Module, BTreeSet<Module>>;
 
-/// What a file of a crate has of interest here.
+/// The relevant content of a file of a crate.
 #[derive(Default)]
 struct File {
     /// The modules that it declares.
     children: BTreeSet<String>,
-    /// What its `use` gives a name.
+    /// The names given by its `use` declarations.
     names: BTreeMap<String, Vec<String>>,
     /// The paths in it.
     paths: Vec<Vec<String>>,
 }
 
-/// Identifiers, `::` and single characters, without comments and texts.
+/// Identifiers, `::` and single characters, without comments and string literals.
 fn tokens(source: &str) -> Vec<&str> {
     let mut found = Vec::new();
     let mut rest = source;
@@ -60,7 +60,7 @@ fn tokens(source: &str) -> Vec<&str> {
     found
 }
 
-/// (bytes) of a text in quotation marks.
+/// (bytes) length of a string literal in quotation marks.
 fn text(source: &str) -> usize {
     let mut is_escaped = true;
     let end = source.char_indices().find(|&(_, letter)| {
@@ -71,7 +71,7 @@ fn text(source: &str) -> usize {
     end.map_or(source.len(), |(place, _)| place + 1)
 }
 
-/// (bytes) of a text such as `r#"…"#`, if it is one.
+/// (bytes) length of a raw string literal such as `r#"…"#`, if it is one.
 fn raw_text(source: &str) -> Option<usize> {
     let after = source.strip_prefix("br").or_else(|| source.strip_prefix('r'))?;
     let hashes = after.len() - after.trim_start_matches('#').len();
@@ -80,7 +80,7 @@ fn raw_text(source: &str) -> Option<usize> {
     Some(source.len() - inside.len() + end + 1 + hashes)
 }
 
-/// (bytes) of a character, or of the mark alone before the name of a lifetime.
+/// (bytes) length of a character literal, or of the quote before the name of a lifetime.
 fn letter(source: &str) -> usize {
     let mut letters = source.char_indices().skip(1);
     match letters.next() {
@@ -90,7 +90,7 @@ fn letter(source: &str) -> usize {
     }
 }
 
-/// The same without the items that are there for tests alone.
+/// The tokens without the items that exist only for tests.
 fn without_tests<'a>(all: &[&'a str]) -> Vec<&'a str> {
     let marked = ["#", "[", "cfg", "(", "test", ")", "]"];
     let (mut kept, mut place) = (Vec::new(), 0);
@@ -117,8 +117,8 @@ fn without_tests<'a>(all: &[&'a str]) -> Vec<&'a str> {
     kept
 }
 
-/// The paths that begin at a place, one for each leaf of their braces, each with the name that it gives to
-/// its end; and where they end.
+/// The paths that begin at a place, one for each leaf of their braces, each with the name given to its end;
+/// also returns where they end.
 fn leaves(
     all: &[&str],
     mut place: usize,
@@ -185,7 +185,7 @@ fn file(source: &str) -> File {
                 place = leaves(&all, place, &[], &mut found);
                 file.paths.extend(found.into_iter().map(|(path, _)| path));
             }
-            // After two colons that no name is before, a crate.
+            // After two colons without a name before them, a crate.
             ["::", ..] => place = leaves(&all, place + 1, &[], &mut Vec::new()),
             _ => place += 1,
         }
@@ -193,7 +193,7 @@ fn file(source: &str) -> File {
     file
 }
 
-/// The files of a crate from its root on, as far as they are declared.
+/// The declared files of a crate, from its root on.
 fn files(read: impl Fn(&Module) -> String) -> BTreeMap<Module, File> {
     let mut found = BTreeMap::new();
     let mut open = vec![Module::new()];
@@ -213,7 +213,7 @@ fn files_of(folder: &Path) -> BTreeMap<Module, File> {
     })
 }
 
-/// The module that has what a path in another one leads to; `None` where that is another crate.
+/// The module with the target of a path in another one; `None` if it is in another crate.
 fn target(files: &BTreeMap<Module, File>, from: &Module, path: &[String], depth: usize) -> Option<Module> {
     let mut at = from.clone();
     let mut names = path.iter().peekable();
@@ -250,7 +250,7 @@ fn target(files: &BTreeMap<Module, File>, from: &Module, path: &[String], depth:
 }
 
 fn arrows(files: &BTreeMap<Module, File>) -> Arrows {
-    /// Names that are passed on are passed on less often.
+    /// Names are re-exported fewer times than this.
     const DEEPEST: usize = 8;
     let of = |(module, file): (&Module, &File)| {
         let targets = file.paths.iter().filter_map(|path| target(files, module, path, DEEPEST));
@@ -259,7 +259,7 @@ fn arrows(files: &BTreeMap<Module, File>) -> Arrows {
     files.iter().filter(|(module, _)| !module.is_empty()).map(of).collect()
 }
 
-/// The shortest way along the arrows from a module back to it.
+/// The shortest path along the arrows from a module back to it.
 fn circle(arrows: &Arrows, start: &Module) -> Option<Vec<Module>> {
     let mut before: BTreeMap<&Module, &Module> = BTreeMap::new();
     let mut open = VecDeque::from([start]);
@@ -284,9 +284,8 @@ fn circle(arrows: &Arrows, start: &Module) -> Option<Vec<Module>> {
 
 /// A shortest circle, if there is any.
 ///
-/// A module and those inside of it may know each other. So the arrows to the modules around a file are left
-/// out, and then those to the modules inside of it: neither the rest with the one nor that with the other has
-/// a circle.
+/// A module and its submodules may refer to each other. So first the arrows from a file to its enclosing
+/// modules are left out, then those to its submodules: neither of the remaining graphs has a circle.
 fn shortest_circle(files: &BTreeMap<Module, File>) -> Option<String> {
     let all = arrows(files);
     let without = |is_left_out: fn(&Module, &Module) -> bool| {
@@ -328,7 +327,7 @@ fn in_crate(sources: &[(&str, &str)]) -> Option<String> {
 fn circles_are_found() {
     let root = ("", "mod a; mod b; pub use b::{B as C, other};");
     let b = ("b", "pub struct B; fn f() { super::a::g() }");
-    // By the module, by the name that the root gives, among others in braces, and over a third file.
+    // Through the module, through the name in the root, among others in braces, and through a third file.
     for a in ["crate::b::B::new()", "use crate::C;", "use crate::{other as x, C}; fn h() {}", "use super::b;"]
     {
         assert_eq!(in_crate(&[root, ("a", a), b]).as_deref(), Some("a → b → a"), "{a}");
@@ -361,7 +360,7 @@ fn a_module_and_those_inside_of_it_may_know_each_other() {
     let inside = ("a::c", "use super::A; use crate::b;");
     let a = ("a", "mod c; pub use c::C; fn f() { c::g() }");
     assert_eq!(in_crate(&[root, a, inside, ("b", "")]), None);
-    // From the outside neither leads back.
+    // From outside, neither leads back.
     assert_eq!(in_crate(&[root, a, inside, ("b", "use crate::a::A;")]).as_deref(), Some("a → a::c → b → a"));
     assert_eq!(in_crate(&[root, a, inside, ("b", "use crate::a::C;")]).as_deref(), Some("a::c → b → a::c"));
 }

@@ -1,4 +1,4 @@
-//! Comments keep to the line width of the code, which the formatter does not see to.
+//! Comments keep to the line width of the code, which the formatter does not enforce.
 
 #![allow(clippy::unwrap_used, reason = "tests")]
 
@@ -22,7 +22,7 @@ fn sources(folder: &Path, found: &mut Vec<PathBuf>) {
     }
 }
 
-/// Rows of tables and code cannot be broken, nor can a word.
+/// Rows of tables, code and single words cannot be broken.
 fn is_whole(comment: &str) -> bool {
     comment.starts_with("| ")
         || comment.starts_with("let ")

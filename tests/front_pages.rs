@@ -3,7 +3,7 @@
 use std::fs;
 use std::path::Path;
 
-/// The examples on the front page of a crate that rustdoc runs, each in one text.
+/// The examples on the front page of a crate that rustdoc runs, each as one string.
 fn examples(lib: &str) -> Vec<String> {
     let page = lib.lines().filter_map(|line| line.strip_prefix("//!")).map(str::trim_start);
     let mut found = Vec::new();

@@ -1,6 +1,6 @@
 //! Every dependency that is built here has a licence that `deny.toml` allows, and comes from crates.io.
 //!
-//! cargo-deny checks all platforms and more, but has to be installed; this needs cargo alone.
+//! cargo-deny checks all platforms and more, but must be installed; this test needs only cargo.
 
 use std::collections::BTreeSet;
 use std::fs;
@@ -38,13 +38,13 @@ pub(crate) fn packages() -> Vec<Value> {
     metadata["packages"].as_array().unwrap().clone()
 }
 
-/// The packages that are built here and are not of this workspace.
+/// The packages that are built here and do not belong to this workspace.
 fn dependencies() -> Vec<Value> {
     packages().into_iter().filter(|package| !package["source"].is_null()).collect()
 }
 
-/// The licences of an SPDX expression that are used: those of the first alternative all of which is allowed.
-/// The old "MIT/Apache-2.0" is a choice.
+/// The licences chosen from an SPDX expression: those of the first alternative that is wholly allowed. The
+/// old "MIT/Apache-2.0" is a choice.
 fn chosen(expression: &str, allowed: &BTreeSet<String>) -> Option<Vec<String>> {
     let spaced =
         expression.replace('(', " ( ").replace(')', " ) ").replace('/', " OR ").replace(" or ", " OR ");

@@ -1,4 +1,4 @@
-//! Tests across the crates, and of the repository itself, in one binary. Those of one crate stand in its own
+//! Tests across the crates, and of the repository itself, in one binary. Those of one crate are in its own
 //! `tests`.
 
 #[cfg(test)]

@@ -3,7 +3,7 @@
 use std::fs;
 use std::path::Path;
 
-/// What stands between backticks, where it is a path from the root of the repository.
+/// The texts in backticks that are paths from the root of the repository.
 fn paths(text: &str) -> Vec<&str> {
     let folders = ["crates/", "python/", "tests/", "benches/", "fuzz/", "docs/", "fixtures/"];
     let is_path = |code: &&str| folders.iter().any(|folder| code.starts_with(folder)) && !code.contains(' ');
@@ -22,7 +22,7 @@ fn every_file_that_the_maps_name_exists() {
     }
 }
 
-/// A crate that the map leaves out is one that nobody finds.
+/// A crate that is not on the map will not be found.
 #[test]
 fn every_crate_is_on_the_map() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");

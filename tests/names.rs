@@ -4,8 +4,8 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::Path;
 
-/// Names that stand in two crates. The list may become shorter, but not longer: a new type takes a name that
-/// says what it is of.
+/// Names that exist in two crates. The list may become shorter, but not longer: a new type needs a more
+/// specific name.
 const IN_TWO_CRATES: [&str; 23] = [
     "After",
     "Collision",
@@ -52,7 +52,7 @@ fn sources(folder: &Path, named: &mut BTreeSet<String>) {
     }
 }
 
-/// The names that stand in several crates, with the crates.
+/// The names that exist in several crates, with the crates.
 fn shared(crates: &BTreeMap<String, BTreeSet<String>>) -> BTreeMap<String, Vec<String>> {
     let mut homes: BTreeMap<String, Vec<String>> = BTreeMap::new();
     for (home, names) in crates {
@@ -71,7 +71,7 @@ fn a_type_has_one_name_in_the_workspace() {
     for entry in fs::read_dir(root).unwrap() {
         let folder = entry.unwrap().path();
         let home = folder.file_name().unwrap().to_str().unwrap().to_owned();
-        // Nobody uses the types of a program.
+        // The types of a program are not used elsewhere.
         if folder.join("src/lib.rs").exists() {
             let mut names = BTreeSet::new();
             sources(&folder.join("src"), &mut names);

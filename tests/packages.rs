@@ -1,4 +1,5 @@
-//! Every crate can be published: it says what it is, and what it builds from is in its package.
+//! Every crate can be published: its manifest describes it, and its package has all the files that it builds
+//! from.
 //!
 //! `cargo package` builds the packages themselves, but takes minutes; `.ci/run` therefore packs without
 //! building, and this test finds what a build would miss.
@@ -22,7 +23,7 @@ fn folder(package: &Value) -> PathBuf {
     Path::new(package["manifest_path"].as_str().unwrap()).parent().unwrap().to_owned()
 }
 
-/// All files of Rust below a folder that a package ships: tests stay at home (`exclude` in its manifest).
+/// All Rust files below a folder that a package ships: tests are excluded (`exclude` in its manifest).
 fn shipped_code(folder: &Path) -> Vec<PathBuf> {
     let Ok(entries) = fs::read_dir(folder) else {
         return Vec::new();
@@ -41,8 +42,8 @@ fn shipped_code(folder: &Path) -> Vec<PathBuf> {
     files
 }
 
-/// The paths that the `include_str!`, `include_bytes!` and `include!` of a file name, from the folder of its
-/// package on. What a macro adds to a path is left out.
+/// The paths in the `include_str!`, `include_bytes!` and `include!` of a file, from the folder of its
+/// package. Additions by a macro are left out.
 fn included(text: &str, file: &Path) -> Vec<PathBuf> {
     let opens = ["include_str!(", "include_bytes!(", "include!("];
     let after = opens.into_iter().flat_map(|open| text.split(open).skip(1));
@@ -54,7 +55,7 @@ fn included(text: &str, file: &Path) -> Vec<PathBuf> {
         .collect()
 }
 
-/// The path without `.` and `..`, or nothing where it leads above its beginning.
+/// The path without `.` and `..`, or `None` if it leads above its beginning.
 fn plain(path: &Path) -> Option<PathBuf> {
     let mut plain = PathBuf::new();
     for component in path.components() {
@@ -134,8 +135,8 @@ fn every_package_says_what_it_is() {
             let ours = text(folder(&package).join(licence));
             assert_eq!(ours, text(Path::new(env!("CARGO_MANIFEST_DIR")).join("..").join(licence)), "{name}");
         }
-        // A path is for this repository, a version for the registry. What tests alone need may have no
-        // version: a package is without it.
+        // A path is for this repository, a version for the registry. Dependencies of tests need no version: a
+        // package omits them.
         for dependency in package["dependencies"].as_array().unwrap() {
             let is_left_out = dependency["kind"] == "dev" && !dependency["path"].is_null();
             let has_version = dependency["req"] != "*";
@@ -144,14 +145,14 @@ fn every_package_says_what_it_is() {
     }
 }
 
-/// The packages of this workspace that a package names on the registry, for itself or for its tests.
+/// The packages of this workspace that a package needs from the registry, for itself or for its tests.
 fn named(package: &Value) -> Vec<&str> {
     let dependencies = package["dependencies"].as_array().unwrap().iter();
     let ours = dependencies.filter(|one| !one["path"].is_null() && one["req"] != "*");
     ours.map(|one| one["name"].as_str().unwrap()).collect()
 }
 
-/// What cannot be published: a package that names one which is not, or one that leads back to it.
+/// The packages that cannot be published: those that need an unpublished one, or one that leads back to them.
 fn unpublishable(packages: &[Value]) -> Vec<String> {
     let name = |package: &Value| package["name"].as_str().unwrap().to_owned();
     let mut found = Vec::new();
@@ -177,7 +178,7 @@ fn unpublishable(packages: &[Value]) -> Vec<String> {
     found
 }
 
-/// The registry takes a package when all that it names are there, those of its tests too.
+/// The registry accepts a package only if all its dependencies are there, including those of its tests.
 #[test]
 fn no_package_waits_for_itself() {
     assert_eq!(unpublishable(&published()), [""; 0]);

@@ -5,10 +5,10 @@
 //! | `times` | time, by criterion: for people | `cargo bench -p deltav-benches` |
 //! | `instructions` | instructions executed, by gungraun under valgrind: for comparisons | `benches/compare-commits` |
 //!
-//! Both measure the same operations: an impact under each tangential condition, the same with the geometry of
-//! the contact included, a crush energy, a reconciliation in closed form and by the root-finder, the reading
-//! of a case file, a motion to rest and back, many motions to rest at once. The scene as SVG, the sampling of
-//! 31 uncertain inputs, and what comes before its first sample, are timed only.
+//! Both measure the same operations: an impact under each tangential condition, with and without the geometry
+//! of the contact, a crush energy, a reconciliation in closed form and by the root-finder, reading a case
+//! file, a motion to rest and back, many motions to rest at once. The scene as SVG, the sampling of 31
+//! uncertain inputs, and the preparation before the first sample, are only timed.
 //!
 //! # Time
 //!
@@ -19,8 +19,8 @@
 //! cargo bench -p deltav-benches -- --baseline before
 //! ```
 //!
-//! Time on a shared machine swings by 30 %. It tells what a thing costs, not whether a small change made it
-//! slower.
+//! Time on a shared machine varies by 30 %. It shows the cost of an operation, not whether a small change
+//! made it slower.
 //!
 //! # Instructions
 //!
@@ -29,9 +29,9 @@
 //! ```
 //!
 //! compares two commits in one run, and exits with 1 if one of the counts grew by more than the limit. No
-//! count is kept anywhere: counts move with toolchain and CPU, so only two that were taken together can be
-//! compared. It needs valgrind, which is why the target stands behind the feature `instructions`; what else
-//! it needs it installs below `target/`.
+//! counts are stored: they depend on toolchain and CPU, so only those from the same run can be compared. It
+//! needs valgrind, which is why the target requires the feature `instructions`; it installs everything else
+//! that it needs below `target/`.
 
 use crash3::{CrushError, Profile, Stiffness, crush_energy};
 use pim_core::{Body, Contact, InvalidInput, Law, Motion, Participant, Tangential};
@@ -59,7 +59,7 @@ pub const CASE_FILE: (&str, &str) = ("sae-980025.toml", include_str!("../../fixt
 /// the velocity and on wet asphalt, so that it spins and rolls for about six seconds.
 ///
 /// # Errors
-/// Never: its numbers are possible.
+/// None, as its numbers are valid.
 pub fn spin_out() -> Result<(Chassis, Ground<'static>, State), Refused> {
     let axles = Axles { cg_to_front: 1.176, cg_to_rear: 1.273, track: 1.387 };
     let chassis = Chassis::new(Body::new(1190.0, 2263.0)?, axles, [0.062; 4])?;
@@ -71,16 +71,15 @@ pub fn spin_out() -> Result<(Chassis, Ground<'static>, State), Refused> {
     Ok((chassis, Ground::level(0.6), start))
 }
 
-/// Samples of a spin-out like [`spin_out`], with other speeds, drags and friction: between five and seven
-/// seconds to rest.
+/// Variations of [`spin_out`], with other speeds, drags and friction: between five and seven seconds to rest.
 ///
 /// # Errors
-/// None, as long as the numbers here pass the constructors' checks.
+/// None, as its numbers are valid.
 pub fn spin_outs(count: u32) -> Result<Vec<Outset<'static>>, Refused> {
     let (_, _, start) = spin_out()?;
     let axles = Axles { cg_to_front: 1.176, cg_to_rear: 1.273, track: 1.387 };
     let sample = |number: u32| {
-        // Shares from −½ to ½ that fill their cube evenly (Kronecker's sequence).
+        // Numbers from −½ to ½ that fill their cube evenly (Kronecker sequence).
         let share = |step: f64| (f64::from(number) * step) % 1.0 - 0.5;
         let (a, b, c) =
             (share(0.819_172_513_396_164_5), share(0.671_043_606_703_789_3), share(0.549_700_477_901_960_4));
@@ -93,13 +92,13 @@ pub fn spin_outs(count: u32) -> Result<Vec<Outset<'static>>, Refused> {
     (0..count).map(sample).collect()
 }
 
-/// An integration to 1 cm and 0.1° at rest, which 97 of 100 of the [`spin_outs`] hold.
+/// An integration to 1 cm and 0.1° at rest, achieved for 97 of 100 of the [`spin_outs`].
 #[must_use]
 pub fn centimetre() -> Control {
     Control { tolerance: 5e-4, ..Control::default() }
 }
 
-/// The example does not pass a constructor's checks.
+/// A constructor refuses the example.
 #[derive(Debug, thiserror::Error)]
 #[error("the paper's example is refused: {0}")]
 pub enum Refused {
@@ -114,11 +113,11 @@ pub enum Refused {
 /// The paper's example in SI units: a 1994 GMC Jimmy (vehicle 1) meets a 1995 Nissan Altima (vehicle 2).
 #[derive(Clone, Debug)]
 pub struct Example {
-    /// Both vehicles in their places.
+    /// Both vehicles with headings and arms.
     pub participants: [Participant; 2],
     /// (rad) Γ.
     pub crush_plane: f64,
-    /// The contact that these make.
+    /// Their contact.
     pub contact: Contact,
     /// Motions before impact, vehicle 1 at the 75 ft/s that the paper finds.
     pub motions: [Motion; 2],
@@ -130,7 +129,7 @@ impl Example {
     /// The example.
     ///
     /// # Errors
-    /// Where a constructor refuses its values, which would be a change of that constructor.
+    /// If a constructor refuses its values, which would be a change of that constructor.
     pub fn new() -> Result<Self, Refused> {
         // ERRATUM (theory, section 8): the appendix prints θ₁ = 0 with vₓ = −75 ft/s. The heading is 180°.
         let headings = [180.0_f64.to_radians(), 67.0_f64.to_radians()];
@@ -159,15 +158,15 @@ impl Example {
     /// The example's restitution, e = 0.3, with the given tangential condition.
     ///
     /// # Errors
-    /// Where [`Law::new`] refuses the condition.
+    /// If [`Law::new`] refuses the condition.
     pub fn law(tangential: Tangential) -> Result<Law, Refused> {
         Ok(Law::new(0.3, tangential)?)
     }
 
-    /// The search for the speed of vehicle 1 under the given tangential condition.
+    /// The problem of the speed of vehicle 1 under the given tangential condition.
     ///
     /// # Errors
-    /// Where [`Law::new`] refuses the condition.
+    /// If [`Law::new`] refuses the condition.
     pub fn problem(&self, tangential: Tangential) -> Result<Problem, Refused> {
         Ok(Problem {
             contact: self.contact,
@@ -195,21 +194,21 @@ fn damage(depths: [f64; 6], width: f64, d0: f64, d1: f64) -> Result<(Profile, St
     ))
 }
 
-/// The impulse ratio that the paper prints.
+/// The impulse ratio printed in the paper.
 pub const RATIO: Tangential = Tangential::Ratio(0.371);
 /// Nine tenths of the critical ratio, which is 0.36885 in the example.
 pub const FRACTION: Tangential = Tangential::FractionOfCritical(0.9);
-/// Rougher than the critical ratio asks for, so that the surfaces hold at the speed found.
+/// More than the critical ratio, so that the surfaces stick at the speed found.
 pub const FRICTION: Tangential = Tangential::Friction(0.5);
 
-/// The sliding of the example, slowed down by less than a common velocity would take.
+/// The sliding of the example, reduced by less than a common velocity would need.
 pub const VELOCITY_CHANGE: Tangential = Tangential::VelocityChange(-2.0);
-/// A little of the sliding turned round.
+/// A small part of the sliding reversed.
 pub const RESTITUTION: Tangential = Tangential::Restitution(0.1);
-/// Friction that suffices for the normal coefficient along the surface.
+/// Friction that is enough for the normal coefficient along the surface.
 pub const FULL_OR_SLIDING: Tangential = Tangential::FullOrSliding(0.8);
 
-/// Every tangential condition that the law knows, and a name for its benchmark.
+/// Every tangential condition of the law, and a name for its benchmark.
 pub const TANGENTIAL_CONDITIONS: [(&str, Tangential); 7] = [
     ("critical", Tangential::Critical),
     ("ratio", RATIO),

@@ -1,5 +1,5 @@
-//! Stiffness from a barrier test: the fit gives the test's own kinetic energy back, the shortcut through the
-//! mean crush some per cent more.
+//! Stiffness from a barrier test: the fit reproduces the test's kinetic energy, the shortcut through the mean
+//! crush gives some per cent more.
 
 #![allow(clippy::print_stdout, reason = "an example shows its result")]
 

@@ -1,4 +1,4 @@
-//! Crush energy of two measured profiles, and the velocity changes that CRASH3 makes of it.
+//! Crush energy of two measured profiles, and CRASH3's velocity changes for it.
 
 #![allow(clippy::print_stdout, reason = "an example shows its result")]
 
@@ -23,7 +23,7 @@ pub(crate) fn main() -> Result<(), CrushError> {
     println!("crush energy {jimmy:.0} J and {altima:.0} J");
     println!("energy equivalent speed of the Jimmy {:.2} m/s", energy_equivalent_speed(jimmy, 1676.5)?);
 
-    // The force passes the centres of gravity at 0.646 m and 0.592 m: the arms of the example's impulse.
+    // The force passes the centres of gravity at 0.646 m and 0.592 m, the arms of the example's impulse.
     let vehicles = [StruckVehicle::new(1676.5, 3304.1, 0.646)?, StruckVehicle::new(1548.1, 2935.3, 0.592)?];
     let [dv1, dv2] = delta_v(jimmy + altima, vehicles)?;
     println!("ΔV {:.2} ft/s and {:.2} ft/s, for a common normal velocity", dv1 / FOOT, dv2 / FOOT);

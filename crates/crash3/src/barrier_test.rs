@@ -6,8 +6,8 @@ use crate::error::{self, CrushError};
 use crate::profile::Profile;
 use crate::stiffness::Stiffness;
 
-/// A full-width test against a rigid barrier: what it left of the car, and the speed at which it would have
-/// left no crush.
+/// A full-width test against a rigid barrier: the residual crush, and the speed at which there would have
+/// been none.
 #[derive(Clone, Debug, PartialEq)]
 pub struct BarrierTest<T = f64> {
     pub(crate) mass: T,
@@ -21,7 +21,7 @@ impl<T: Real> BarrierTest<T> {
     /// `profile`. At `no_damage_speed` b_0 (m/s) no crush would have remained.
     ///
     /// # Errors
-    /// Where mass or speed is not positive, the speed without damage is negative or not below the test's, or
+    /// If mass or speed is not positive, the speed without damage is negative or not below the test's, or
     /// there is no crush.
     pub fn new(mass: T, speed: T, profile: Profile<T>, no_damage_speed: T) -> Result<Self, CrushError> {
         error::positive("mass", mass.value())?;
@@ -39,16 +39,16 @@ impl<T: Real> BarrierTest<T> {
         Ok(Self { mass, speed, profile, no_damage_speed })
     }
 
-    /// The stiffness with which the test's own profile gives the test's kinetic energy ½ m V² back exactly.
-    /// It gives the energy *absorbed* at maximum engagement: see [`EnergyBasis`](crate::EnergyBasis).
+    /// The stiffness for which the crush energy of the test's profile is exactly its kinetic energy ½ m V².
+    /// That is the energy *absorbed* at maximum engagement: see [`EnergyBasis`](crate::EnergyBasis).
     ///
     /// # Errors
-    /// Where the numbers are so far apart that no finite stiffness follows.
+    /// If the magnitudes differ so much that the stiffness is not finite.
     pub fn fit(&self) -> Result<Stiffness<T>, CrushError> {
         self.stiffness(self.slope())
     }
 
-    /// (1/s) b_1, the slope of the speed over the crush, of [`fit`](Self::fit).
+    /// (1/s) b_1 of [`fit`](Self::fit), the rise of the speed with crush.
     #[must_use]
     pub fn slope(&self) -> T {
         let (b0, v, sums) = (self.no_damage_speed, self.speed, self.profile.sums());
@@ -61,11 +61,11 @@ impl<T: Real> BarrierTest<T> {
     }
 
     /// The common shortcut: the line V = b_0 + b_1 C through the mean crush, b_1 = (V − b_0)/C̄. The
-    /// profile's energy then exceeds that of the test wherever the crush is not uniform, by some per cent for
-    /// the usual profiles: offered for comparison.
+    /// profile's energy then exceeds that of the test unless the crush is uniform, by some per cent for the
+    /// usual profiles. For comparison only.
     ///
     /// # Errors
-    /// Where the numbers are so far apart that no finite stiffness follows.
+    /// If the magnitudes differ so much that the stiffness is not finite.
     pub fn fit_mean(&self) -> Result<Stiffness<T>, CrushError> {
         self.stiffness(self.mean_slope())
     }

@@ -1,5 +1,5 @@
-//! What the types with an invariant are written as: the numbers that their constructors take. Reading goes
-//! through the constructors.
+//! The serialised form of the types with an invariant: the arguments of their constructors. Reading calls the
+//! constructors.
 
 use alloc::vec::Vec;
 
@@ -13,7 +13,7 @@ use crate::error::CrushError;
 use crate::profile::Profile;
 use crate::stiffness::Stiffness;
 
-/// A type that is written and read as another one. The types themselves do not know of this file.
+/// Serialises a type as another one, so that the types themselves do not depend on this file.
 macro_rules! written_as {
     ($type:ident, $data:ident) => {
         impl<T: Real + Serialize> Serialize for $type<T> {

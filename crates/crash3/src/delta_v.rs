@@ -4,7 +4,7 @@ use real::Real;
 
 use crate::error::{self, CrushError};
 
-/// What the velocity change of a vehicle depends on, besides the energy.
+/// The properties of a vehicle that determine its velocity change for a given energy.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct StruckVehicle<T = f64> {
     inverse_mass: T,
@@ -14,11 +14,11 @@ pub struct StruckVehicle<T = f64> {
 }
 
 impl<T: Real> StruckVehicle<T> {
-    /// A vehicle of mass m (kg) and yaw inertia I (kg·m²) that is hit by a force whose line of action passes
-    /// its CG at the distance h = `moment_arm` (m).
+    /// A vehicle of mass m (kg) and yaw inertia I (kg·m²), struck by a force whose line of action passes its
+    /// CG at the distance h = `moment_arm` (m).
     ///
     /// # Errors
-    /// Where the mass or the inertia is not positive, or the arm is not finite.
+    /// If the mass or the inertia is not positive, or the arm is not finite.
     pub fn new(mass: T, yaw_inertia: T, moment_arm: T) -> Result<Self, CrushError> {
         error::positive("mass", mass.value())?;
         error::positive("yaw inertia", yaw_inertia.value())?;
@@ -35,7 +35,7 @@ impl<T: Real> StruckVehicle<T> {
         })
     }
 
-    /// A barrier: it takes no velocity.
+    /// A barrier, which does not move.
     #[must_use]
     pub fn fixed() -> Self {
         Self {
@@ -53,7 +53,8 @@ impl<T: Real> StruckVehicle<T> {
         self.square_radius
     }
 
-    /// γ = k²/(k² + h²): the share of the mass that a force at the distance h from the CG has to move.
+    /// γ = k²/(k² + h²): the fraction of the mass that is effective against a force at the distance h from
+    /// the CG.
     #[inline(always)]
     #[must_use]
     pub fn effective_mass_ratio(&self) -> T {
@@ -61,14 +62,14 @@ impl<T: Real> StruckVehicle<T> {
     }
 }
 
-/// (m/s) ΔV_1 and ΔV_2 for the energy E = E_1 + E_2 (J) of both vehicles' crush, in the common normal
+/// (m/s) ΔV_1 and ΔV_2 for the energy E = E_1 + E_2 (J) of both vehicles' crush, with the common normal
 /// velocity that CRASH3 assumes (e = 0).
 ///
 /// # References
 /// SAE 980025, Eq 6 and Eq 7.
 ///
 /// # Errors
-/// Where the energy is negative or not finite, or both vehicles are fixed.
+/// If the energy is negative or not finite, or both vehicles are fixed.
 pub fn delta_v<T: Real>(energy: T, vehicles: [StruckVehicle<T>; 2]) -> Result<[T; 2], CrushError> {
     error::not_negative("crush energy", energy.value())?;
     let [v1, v2] = vehicles;
@@ -82,18 +83,18 @@ pub fn delta_v<T: Real>(energy: T, vehicles: [StruckVehicle<T>; 2]) -> Result<[T
     Ok([impulse * v1.inverse_mass, impulse * v2.inverse_mass])
 }
 
-/// Which energy the crush stands for.
+/// The energy that the crush represents.
 ///
-/// Matched without a catch-all arm wherever a case differs, so that a new one does not compile before it is
-/// decided there; adding one is a breaking change.
+/// Code that depends on the variant matches without a catch-all arm, so that a new one must be decided there
+/// before it compiles; adding one is a breaking change.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum EnergyBasis {
     /// The energy that the normal impulse dissipated, W_n: SAE 980025.
     #[default]
     Dissipated,
-    /// The energy absorbed at maximum engagement, W_n/(1−e²), part of which comes back as restitution: what
-    /// stiffness coefficients fitted to barrier tests by impact speed give (Ziernicki & Rose, SAE
+    /// The energy absorbed at maximum engagement, W_n/(1−e²), part of which restitution returns: the energy
+    /// given by stiffness coefficients fitted to barrier tests by impact speed (Ziernicki & Rose, SAE
     /// 2005-01-1200).
     Absorbed,
 }
@@ -102,7 +103,7 @@ impl EnergyBasis {
     /// The factor on CRASH3's ΔV (e = 0) that takes the restitution e into account.
     ///
     /// # Errors
-    /// Where e lies outside [0, 1).
+    /// If e lies outside [0, 1).
     pub fn restitution_factor<T: Real>(self, e: T) -> Result<T, CrushError> {
         if !(0.0..1.0).contains(&e.value()) {
             return Err(CrushError::Restitution { value: e.value() });
@@ -115,8 +116,8 @@ impl EnergyBasis {
         })
     }
 
-    /// (J) the energy W_n that the normal impulse has to dissipate when the crush energy of both vehicles is
-    /// `energy` (J) on this basis and the restitution is e.
+    /// (J) the energy W_n that the normal impulse dissipates if the crush energy of both vehicles is `energy`
+    /// (J) on this basis and the restitution is e.
     #[inline(always)]
     #[must_use]
     pub fn dissipated<T: Real>(self, energy: T, e: T) -> T {
@@ -132,7 +133,7 @@ impl EnergyBasis {
 /// (J).
 ///
 /// # Errors
-/// Where the energy is negative, the mass (kg) is not positive, or one of them is not finite.
+/// If the energy is negative, the mass (kg) is not positive, or one of them is not finite.
 pub fn energy_equivalent_speed<T: Real>(energy: T, mass: T) -> Result<T, CrushError> {
     error::not_negative("crush energy", energy.value())?;
     error::positive("mass", mass.value())?;
@@ -144,7 +145,7 @@ pub fn energy_equivalent_speed<T: Real>(energy: T, mass: T) -> Result<T, CrushEr
 /// [`energy_equivalent_speed`].
 ///
 /// # Errors
-/// Where the speed (m/s) is negative, the mass (kg) is not positive, or one of them is not finite.
+/// If the speed (m/s) is negative, the mass (kg) is not positive, or one of them is not finite.
 pub fn energy_of_equivalent_speed<T: Real>(speed: T, mass: T) -> Result<T, CrushError> {
     error::not_negative("energy equivalent speed", speed.value())?;
     error::positive("mass", mass.value())?;

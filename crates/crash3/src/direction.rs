@@ -24,8 +24,7 @@ pub enum Side {
 }
 
 impl Side {
-    /// (rad) direction of the side's outward normal, clockwise from the heading: the PDOF of a force that
-    /// meets it squarely.
+    /// (rad) direction of the side's outward normal, clockwise from the heading: the PDOF of a square hit.
     #[must_use]
     pub fn square_pdof(self) -> f64 {
         match self {
@@ -47,8 +46,8 @@ impl Side {
 }
 
 /// (rad) the PDOF of the other vehicle, in (−π, π], by Newton's third law: the force comes from the opposite
-/// direction of the scene. `pdof` is that of the first of the two `headings` (rad, counter-clockwise), the
-/// result that of the second.
+/// direction of the scene. `pdof` belongs to the first of the two headings (rad, counter-clockwise), the
+/// result to the second.
 #[must_use]
 pub fn opposite_pdof<T: Real>(pdof: T, [own, other]: [T; 2]) -> T {
     // The force on the first comes from the scene angle θ₁ − PDOF₁, that on the second from θ₂ − PDOF₂ = θ₁ −
@@ -66,12 +65,12 @@ pub fn moment_arm<T: Real>([forward, left]: [T; 2], pdof: T) -> T {
     (forward * sin + left * cos).abs()
 }
 
-/// The crush energy of some zones of a profile, one beside the other, and its moments.
+/// The crush energy of adjacent zones of a profile, and its moments.
 ///
-/// Each strip of the damage counts by the energy that crushed it, and lies in the middle of its depth. So the
-/// centroid is drawn to where the damage is deep and to where the structure is stiff. EDCRASH places its
-/// impulse centre so: of the three damages that its manual prints with their centres, none is more than 1 cm
-/// from this centroid, while that of the area is up to 21 cm off.
+/// Each strip of the damage is weighted by the energy that crushed it, and lies at half its depth, so that
+/// deep damage and stiff structure attract the centroid. EDCRASH places its impulse centre in the same way:
+/// the three centres printed in its manual are within 1 cm of this centroid, and up to 21 cm from that of the
+/// area.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct EnergyMoments<T = f64> {
     /// (m) of all zones.
@@ -85,16 +84,16 @@ pub struct EnergyMoments<T = f64> {
 }
 
 impl<T: Real> EnergyMoments<T> {
-    /// Without a zone.
+    /// No zones.
     #[must_use]
     pub fn none() -> Self {
         Self { width: T::ZERO, energy: T::ZERO, moment_along: T::ZERO, moment_deep: T::ZERO }
     }
 
-    /// Those of a profile.
+    /// The moments of a profile.
     ///
     /// # Errors
-    /// Where the number of stiffnesses is not that of the profile's zones.
+    /// If the number of stiffnesses is not that of the profile's zones.
     pub fn of(profile: &Profile<T>, structure: &SideStiffness<T>) -> Result<Self, CrushError> {
         match structure {
             SideStiffness::Uniform(stiffness) => {
@@ -111,7 +110,7 @@ impl<T: Real> EnergyMoments<T> {
         }
     }
 
-    /// With one more zone.
+    /// Adds a zone.
     #[inline(always)]
     #[must_use]
     pub fn with(self, zone: Zone<T>, stiffness: &Stiffness<T>) -> Self {
@@ -139,7 +138,7 @@ impl<T: Real> EnergyMoments<T> {
         }
     }
 
-    /// With a zone of which the energy per width is p_0 + p_1 C + p_2 C²/2.
+    /// Adds a zone with the energy per width p_0 + p_1 C + p_2 C²/2.
     #[inline(always)]
     fn with_strip(self, zone: Zone<T>, [p0, p1, p2]: [T; 3]) -> Self {
         let Zone { width, depths: [c1, c2] } = zone;
@@ -163,7 +162,7 @@ impl<T: Real> EnergyMoments<T> {
     }
 }
 
-/// The face of a vehicle that was damaged, and where on it the damage lies.
+/// The damaged face of a vehicle, and the position of the damage on it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DamagedFace<T = f64> {
     pub(crate) side: Side,
@@ -177,25 +176,25 @@ impl<T: Real> DamagedFace<T> {
     /// rear, forward of the CG on the sides.
     ///
     /// # Errors
-    /// Where the distance is not positive, or the offset is not finite.
+    /// If the distance is not positive, or the offset is not finite.
     pub fn new(side: Side, distance: T, offset: T) -> Result<Self, CrushError> {
         error::positive("distance of the damaged face from the centre of gravity", distance.value())?;
         error::finite("offset of the damage", offset.value())?;
         Ok(Self { side, distance, offset })
     }
 
-    /// (m) the centroid of the damage, each strip of which counts by its [crush energy](EnergyMoments),
-    /// forward and left of the CG: the point through which CRASH3 lets the force act. Depths run from left to
-    /// right on the front and the rear, from rear to front on the sides. Without any crush of a uniform side
-    /// it is the middle of the damage on the face.
+    /// (m) the centroid of the damage, weighted by [crush energy](EnergyMoments), forward and left of the CG:
+    /// the point through which the force acts in CRASH3. Depths run from left to right on the front and the
+    /// rear, from rear to front on the sides. If a uniform side has no crush, it is the middle of the damage
+    /// on the face.
     ///
     /// # Errors
-    /// Where the number of stiffnesses is not that of the profile's zones.
+    /// If the number of stiffnesses is not that of the profile's zones.
     pub fn centroid(&self, profile: &Profile<T>, structure: &SideStiffness<T>) -> Result<[T; 2], CrushError> {
         Ok(self.centroid_of(&EnergyMoments::of(profile, structure)?))
     }
 
-    /// The same of energies that are added up zone by zone.
+    /// The centroid for moments that were added up zone by zone.
     #[inline(always)]
     #[must_use]
     pub fn centroid_of(&self, moments: &EnergyMoments<T>) -> [T; 2] {

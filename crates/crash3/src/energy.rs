@@ -9,8 +9,8 @@ use crate::stiffness::{Saturation, SideStiffness, Stiffness};
 /// (J) the energy that made the crush: the integral of A + B C over depth and width, for a profile that is
 /// linear between its stations.
 ///
-/// ERRATUM (theory, section 8): SAE 980025 prints its Eq 5, the case of six equal stations, with B/6 on the
-/// squares only and 5G outside of L/5. This is the equation as it must read.
+/// ERRATUM (theory, section 8): SAE 980025 prints its Eq 5, for six equally spaced stations, with B/6 on the
+/// squares only and 5G outside L/5. The equation here is the correct one.
 ///
 /// # References
 /// SAE 980025, Eq 5.
@@ -62,13 +62,13 @@ fn flat<T: Real>(
     at_knee + force * ((c1 + c2) / 2.0 - knee)
 }
 
-/// Where along a zone the force per width has reached its saturation.
+/// The part of a zone on which the force per width is saturated.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Yielding<T = f64> {
-    /// Nowhere: it is A + B C.
+    /// Nowhere: the force is A + B C.
     Nowhere,
-    /// All along: it is F_s.
+    /// All along the zone: the force is F_s.
     Throughout(Saturation<T>),
     /// On the deeper part of the zone.
     Partly {
@@ -84,7 +84,7 @@ pub enum Yielding<T = f64> {
 }
 
 impl<T: Real> Zone<T> {
-    /// Where the force per width of this zone has reached its saturation.
+    /// The part of this zone on which the force per width is saturated.
     #[inline(always)]
     #[must_use]
     pub fn yielding(&self, stiffness: &Stiffness<T>) -> Yielding<T> {
@@ -105,10 +105,10 @@ impl<T: Real> Zone<T> {
 }
 
 /// (N) the force at maximum crush, for a force at the angle α (rad) to the normal of the damaged side:
-/// ∫(A + B C) dw / cos α. By Newton's third law both vehicles of a collision should show the same.
+/// ∫(A + B C) dw / cos α. By Newton's third law it should be the same for both vehicles of a collision.
 ///
 /// # Errors
-/// Where |α| ≥ π/2: such a force does not push on the side.
+/// If |α| ≥ π/2: such a force does not push on the side.
 pub fn peak_force<T: Real>(
     profile: &Profile<T>,
     stiffness: &Stiffness<T>,
@@ -123,7 +123,7 @@ pub fn peak_force<T: Real>(
     Ok(force / cos)
 }
 
-/// (N) the share of one zone in [`peak_force`] of a force square to the side.
+/// (N) the share of one zone in [`peak_force`], for a force normal to the side.
 #[inline(always)]
 #[must_use]
 pub fn zone_force<T: Real>(zone: Zone<T>, stiffness: &Stiffness<T>) -> T {
@@ -145,7 +145,7 @@ impl<T: Real> SideStiffness<T> {
     /// the side.
     ///
     /// # Errors
-    /// Where the number of stiffnesses is not that of the profile's zones.
+    /// If the number of stiffnesses is not that of the profile's zones.
     pub fn crush_energy(&self, profile: &Profile<T>) -> Result<T, CrushError> {
         match self {
             Self::Uniform(stiffness) => Ok(crush_energy(profile, stiffness)),
@@ -157,7 +157,7 @@ impl<T: Real> SideStiffness<T> {
     /// side.
     ///
     /// # Errors
-    /// Where the number of stiffnesses is not that of the profile's zones, or |α| ≥ π/2.
+    /// If the number of stiffnesses is not that of the profile's zones, or |α| ≥ π/2.
     pub fn peak_force(&self, profile: &Profile<T>, oblique_angle: T) -> Result<T, CrushError> {
         match self {
             Self::Uniform(stiffness) => peak_force(profile, stiffness, oblique_angle),
@@ -184,37 +184,36 @@ fn sum<T: Real>(
         .fold(T::ZERO, |sum, (zone, stiffness)| sum + of_zone(zone, stiffness)))
 }
 
-/// How the energy of a force that is not normal to the damaged side is corrected: the factor on the energy
-/// for the angle α.
+/// The correction of the crush energy for a force at an angle α to the normal of the damaged side: a factor
+/// on the energy.
 ///
-/// Matched without a catch-all arm wherever a case differs, so that a new one does not compile before it is
-/// decided there; adding one is a breaking change.
+/// Code that depends on the variant matches without a catch-all arm, so that a new one must be decided there
+/// before it compiles; adding one is a breaking change.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum ObliqueCorrection<T = f64> {
     /// 1 + tan²α with |α| limited to 45°, so never more than 2: CRASH3.
     #[default]
     Capped,
-    /// 1 + tan²α whatever α: the paper's tables.
+    /// 1 + tan²α for any α: the paper's tables.
     Uncapped,
     /// No correction.
     None,
     /// 1 + min(|tan α|, μ) |tan α|: the tangential part of the force is limited by the friction coefficient μ
-    /// ≥ 0. After McHenry and McHenry, SAE 861894. That paper could not be consulted for the exact form of
-    /// its correction: this is the form in which it is cited, with the tangential force no greater than the
-    /// one that tan α asks for.
+    /// ≥ 0. After McHenry and McHenry, SAE 861894. The paper was not available to check its exact form: this
+    /// is the form in which others cite it, with a tangential force no greater than tan α requires.
     Friction(T),
     /// 1/cos α: the work of the oblique force along its own line, after Fonda (SAE 1999-01-0106) and SAE
     /// 2006-01-0908.
     Secant,
 }
 
-/// The corrected share of an oblique force's energy.
+/// The factor of an oblique force on the crush energy.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct ObliqueFactor<T = f64> {
-    /// What the crush energy is multiplied with.
+    /// The factor by which the crush energy is multiplied.
     pub factor: T,
     /// Whether CRASH3's limit of 45° was in effect.
     pub capped: bool,
@@ -227,8 +226,8 @@ impl<T: Real> ObliqueCorrection<T> {
     /// SAE 980025, Eq 8.
     ///
     /// # Errors
-    /// Where |α| ≥ π/2: such a force does not push on the side. Without correction every angle is accepted.
-    /// Where the friction coefficient is negative or not finite.
+    /// If |α| ≥ π/2, as such a force does not push on the side (without correction every angle is accepted),
+    /// or if the friction coefficient is negative or not finite.
     pub fn factor(self, oblique_angle: T) -> Result<ObliqueFactor<T>, CrushError> {
         let (factor, capped) = match self {
             Self::None => (T::ONE, false),
@@ -265,7 +264,7 @@ fn one_plus_tan_squared<T: Real>(oblique_angle: T) -> Result<T, CrushError> {
     Ok(T::ONE / (cos * cos))
 }
 
-/// cos α of a force that pushes on the side.
+/// cos α for a force that pushes on the side.
 pub(crate) fn pushing_cosine<T: Real>(oblique_angle: T) -> Result<T, CrushError> {
     let (_, cos) = oblique_angle.sin_cos();
     // A NaN angle fails here too; a cosine that is only rounding at π/2 does not count as pushing.

@@ -1,4 +1,4 @@
-//! What damage data cannot be.
+//! Errors of the damage analysis.
 
 use real::Real;
 
@@ -14,7 +14,7 @@ pub enum CrushError {
         /// Its value, in SI units.
         value: f64,
     },
-    /// Zero or negative where physics asks for a positive number.
+    /// Zero or negative, but must be positive.
     #[error("the {what} is {value}, but must be greater than zero")]
     NotPositive {
         /// Which quantity.
@@ -36,7 +36,7 @@ pub enum CrushError {
         /// Their number.
         stations: usize,
     },
-    /// One spacing lies between each two neighbouring stations.
+    /// There must be one spacing between each two neighbouring stations.
     #[error("{stations} stations need {} spacings between them, but {spacings} are given", .stations - 1)]
     SpacingCount {
         /// Number of stations.
@@ -56,7 +56,7 @@ pub enum CrushError {
         /// (rad) α.
         angle: f64,
     },
-    /// The force cannot be limited to less than it begins with.
+    /// The limit of the force per width is below A, the force at which crush begins.
     #[error(
         "the limit of the force per width is {limit:.0} N/m, but must be at least A = {a:.0} N/m, at which \
          crush begins"
@@ -67,7 +67,7 @@ pub enum CrushError {
         /// (N/m) A.
         a: f64,
     },
-    /// Each zone between two stations has its own stiffness.
+    /// The number of stiffnesses is not that of the zones between stations.
     #[error("the profile has {zones} zones between its stations, but stiffness is given for {stiffnesses}")]
     ZoneCount {
         /// Number of zones.
@@ -92,28 +92,28 @@ pub enum CrushError {
     /// No such CRASH3 stiffness category.
     #[error("CRASH3 has no stiffness category {category} for the {side}: it has {known}")]
     NoCategory {
-        /// As asked for.
+        /// As requested.
         category: u8,
         /// front, rear or side.
         side: &'static str,
-        /// Those that there are.
+        /// The available ones.
         known: &'static str,
     },
     /// No such CRASH3 size class.
     #[error("CRASH3 has no vehicle class {class}: it has {known}")]
     NoClass {
-        /// As asked for.
+        /// As requested.
         class: u8,
-        /// Those that there are.
+        /// The available ones.
         known: &'static str,
     },
-    /// The force balance asks more of a structure than it can bear.
+    /// The force balance requires more than the structure can bear.
     #[error(
         "the force of the other vehicle requires {force_per_width:.0} N/m, more than the limit of \
          {limit:.0} N/m, so the crush cannot be inferred"
     )]
     ForceAboveLimit {
-        /// (N/m) as asked for.
+        /// (N/m) as required.
         force_per_width: f64,
         /// (N/m) F_s.
         limit: f64,
@@ -121,7 +121,7 @@ pub enum CrushError {
     /// With B = 0 every crush has the same force.
     #[error("with B = 0 the force is the same at every depth, so the crush cannot be inferred from it")]
     NoCrushFromForce,
-    /// Not even a crush as deep as the CG and as wide as the side bears the force.
+    /// Even a crush as deep as the CG and as wide as the side cannot bear the force.
     #[error(
         "the force of the other vehicle is {force:.0} N, but the damaged side can bear no more than \
          {most:.0} N, even if it is crushed over its whole length and as deep as the centre of gravity"
@@ -129,7 +129,7 @@ pub enum CrushError {
     ForceTooGreat {
         /// (N) normal to the side.
         force: f64,
-        /// (N) the most that the side bears.
+        /// (N) the greatest force that the side can bear.
         most: f64,
     },
     /// The restitution leaves no dissipated energy, or is not a coefficient of restitution at all.
@@ -138,7 +138,7 @@ pub enum CrushError {
         /// e.
         value: f64,
     },
-    /// Both sides are fixed.
+    /// Both vehicles are fixed.
     #[error("both vehicles are fixed, but at least one must be able to move")]
     BothFixed,
 }

@@ -15,22 +15,22 @@ use crate::stiffness::{Saturation, Stiffness};
 pub struct UniformCrush<T = f64> {
     /// (m) w.
     pub width: T,
-    /// (m) C; zero where the force leaves no residual crush.
+    /// (m) C; zero if the force leaves no residual crush.
     pub depth: T,
     /// (J) its energy.
     pub energy: T,
 }
 
-/// What a force says of a damage whose width is not known.
+/// The possible crush for a force if the width of the damage is unknown.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct CrushRange<T = f64> {
-    /// The least energy: as a rule that of the widest damage.
+    /// The crush of least energy: as a rule the widest.
     pub lowest: UniformCrush<T>,
-    /// The damage of the width taken as nominal, or of the nearest possible one.
+    /// The crush of the nominal width, or of the nearest possible one.
     pub nominal: UniformCrush<T>,
-    /// The greatest energy: as a rule that of the narrowest damage, as deep as the CG.
+    /// The crush of greatest energy: as a rule the narrowest, as deep as the CG.
     pub highest: UniformCrush<T>,
 }
 
@@ -42,7 +42,7 @@ pub struct CrushRange<T = f64> {
 /// structure stores elastically: w G (F cos α/(A w))², which is all of w G at A w.
 ///
 /// # Errors
-/// Where |α| ≥ π/2, the force is negative, the width is not positive, B is zero, or the force per width
+/// If |α| ≥ π/2, the force is negative, the width is not positive, B is zero, or the force per width
 /// exceeds its limit.
 pub fn crush_from_force<T: Real>(
     force: T,
@@ -54,14 +54,14 @@ pub fn crush_from_force<T: Real>(
     of_normal_force(normal_force(force, oblique_angle, stiffness)?, width, stiffness)
 }
 
-/// The same without a width: with the `nominal_width` (m) of the other vehicle's damage, and the bounds of
-/// what is possible. The energy is highest for the narrowest damage, where the crush reaches `deepest` (m),
-/// the distance of the face from the CG. It is lowest for the widest: the `widest` (m) that the side has, or
-/// the width at which no residual crush is left. (A G far above A²/2B moves the bounds to other widths, which
-/// are then found.)
+/// The same for an unknown width: with the `nominal_width` (m) of the other vehicle's damage, and the bounds
+/// of what is possible. The energy is highest for the narrowest damage, at which the crush reaches `deepest`
+/// (m), the distance of the face from the CG. It is lowest for the widest: the width `widest` (m) of the
+/// side, or the width at which no residual crush is left. (If G is far above A²/2B, the bounds lie at other
+/// widths, which are found.)
 ///
 /// # Errors
-/// As [`crush_from_force`], and where the side cannot bear the force however deep it is crushed.
+/// Those of [`crush_from_force`], or if the side cannot bear the force however deep it is crushed.
 pub fn crush_range_from_force<T: Real>(
     force: T,
     oblique_angle: T,
@@ -98,7 +98,7 @@ pub fn crush_range_from_force<T: Real>(
     let deep = UniformCrush { width: narrow, depth: deepest, energy };
     let mut possible =
         vec![of_normal_force(normal, narrow, stiffness)?, of_normal_force(normal, wide, stiffness)?];
-    // A table's G may exceed A²/2B. E(w) = F_n²/2Bw + w (G − A²/2B) then has its least at w = F_n/√(2BG −
+    // A table's G may exceed A²/2B. E(w) = F_n²/2Bw + w (G − A²/2B) then has its minimum at w = F_n/√(2BG −
     // A²).
     let turning = normal / (g * b * 2.0 - a * a).sqrt();
     if narrow.value() < turning.value() && turning.value() < wide.value() {
@@ -133,7 +133,7 @@ fn of_normal_force<T: Real>(
     let (a, b, g) = (stiffness.a(), stiffness.b(), stiffness.g());
     let force_per_width = normal / width;
     if let Some(limit) = stiffness.saturation_force()
-        // A width that was computed from the limit itself is one rounding off.
+        // A width computed from the limit itself may be off by a rounding error.
         && force_per_width.value() > limit.value() * (1.0 + f64::EPSILON * 4.0)
     {
         return Err(CrushError::ForceAboveLimit {

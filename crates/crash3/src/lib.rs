@@ -20,14 +20,14 @@
 //!
 //! The types: a [`Profile`] of depths and a [`Stiffness`] give [`crush_energy`] and [`peak_force`]; an
 //! [`ObliqueCorrection`] raises the energy of a force that is not normal to the damaged [`Side`]; two
-//! [`StruckVehicle`]s turn the sum of both vehicles' energies into [`delta_v`]; [`EnergyBasis`] says what
-//! restitution does to that. Each number may be any [`Real`]; plain `f64` is the default.
+//! [`StruckVehicle`]s turn the sum of both vehicles' energies into [`delta_v`]; [`EnergyBasis`] takes
+//! restitution into account. Each number may be any [`Real`]; plain `f64` is the default.
 //!
 //! A stiffness comes from its coefficients, from a [`BarrierTest`] or from CRASH3's table
-//! ([`Stiffness::from_category`]); a [`SideStiffness`] is one that may differ between the stations. The force
-//! acts through the centroid of the damage on a [`DamagedFace`]. Where only one vehicle could be inspected,
+//! ([`Stiffness::from_category`]); a [`SideStiffness`] may differ from zone to zone. The force acts through
+//! the centroid of the damage on a [`DamagedFace`]. If only one vehicle could be inspected,
 //! [`crush_from_force`] infers the other's crush from the force on both. [`VehicleClass`] and
-//! [`yaw_inertia_burg`] stand in for dimensions and inertia that are not known.
+//! [`yaw_inertia_burg`] replace unknown dimensions and inertia.
 //!
 //! | code | symbol | meaning | unit |
 //! |---|---|---|---|
@@ -36,10 +36,10 @@
 //! | `a`, `b`, `g` | A, B, G | stiffness: force per width A + B C, energy per width G before crush | N/m, N/m², N |
 //! | `area`, `second_moment` | S_1; S_2 | ∫ C and ∫ C²/2 over the width of a [`ProfileSums`] | m²; m³ |
 //! | `mean_depth`, `mean_square_depth` | C̄; Q | mean and mean square of the depth over the width | m; m² |
-//! | `slope` | b_1 | of the speed over the crush in a [`BarrierTest`] | 1/s |
+//! | `slope` | b_1 | rise of the speed with crush in a [`BarrierTest`] | 1/s |
 //! | `saturation_force` | F_s | force per width beyond which A + B C is flat | N/m |
-//! | `d0`, `d1` | d_0, d_1 | the same as A, B and G: A = d_0 d_1, B = d_1², G = d_0²/2 | √N, √N/m |
-//! | `oblique_angle` | α | between the force and the normal of the damaged side | rad |
+//! | `d0`, `d1` | d_0, d_1 | equivalent to A, B and G: A = d_0 d_1, B = d_1², G = d_0²/2 | √N, √N/m |
+//! | `oblique_angle` | α | angle between the force and the normal of the damaged side | rad |
 //! | `pdof` | PDOF | direction from which the force comes, clockwise from the heading | rad |
 //! | `moment_arm` | h | distance from the CG to the force's line of action | m |
 //! | `square_radius` | k² | I/m | m² |
@@ -52,13 +52,13 @@
 //!
 //! | feature | adds |
 //! |---|---|
-//! | `std`, on by default | nothing of its own. Without it the crate is `no_std` and needs `alloc`; results have the same bits |
-//! | `serde` | inputs and results can be written and read, errors and [`StruckVehicle`] cannot. Reading goes through the constructors, so that what cannot be is refused |
+//! | `std`, on by default | nothing. Without it the crate is `no_std` and needs `alloc`; results have the same bits |
+//! | `serde` | serialisation of inputs and results, not of errors and [`StruckVehicle`]. Reading calls the constructors, so that impossible values are refused |
 //!
 //! # What it does not do
 //!
-//! It finds no direction of force: the PDOF is an input (`pim-core` computes it from impulse and momentum).
-//! It knows no units other than SI; CRASH3's tables are converted where they stand.
+//! It does not find the direction of force: the PDOF is an input (`pim-core` computes it from impulse and
+//! momentum). It uses SI units only; the module with CRASH3's tables converts them.
 //!
 //! # References
 //!

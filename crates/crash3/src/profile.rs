@@ -1,4 +1,4 @@
-//! What was measured: depths of crush along the damaged side.
+//! The measured crush depths along the damaged side.
 
 use alloc::vec;
 use alloc::vec::Vec;
@@ -34,7 +34,7 @@ pub fn equal_spacing<T: Real>(width: T, stations: usize) -> T {
 }
 
 impl<T: Real> Zone<T> {
-    /// Whether it can be part of a profile: its width is greater than zero, and no depth is negative.
+    /// Whether the zone can be part of a profile: its width is greater than zero, and no depth is negative.
     #[inline(always)]
     #[must_use]
     pub fn is_valid(&self) -> bool {
@@ -77,8 +77,9 @@ impl<T: Real> Zone<T> {
     }
 }
 
-/// What a profile adds up to. For a stiffness without saturation the crush energy is A S_1 + B S_2 + G L, and
-/// the force normal to the side A L + B S_1; [`crush_energy`](crate::crush_energy) adds them zone by zone.
+/// The integrals of a profile. For a stiffness without saturation the crush energy is A S_1 + B S_2 + G L,
+/// and the force normal to the side A L + B S_1; [`crush_energy`](crate::crush_energy) adds up the zones
+/// instead.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
@@ -111,7 +112,7 @@ impl<T: Real> Profile<T> {
     /// N `depths` (m) at equal spacing over the damage width L = `width` (m): w = L/(N−1).
     ///
     /// # Errors
-    /// Where there are fewer than two stations, a depth is negative, or the width is not positive.
+    /// If there are fewer than two stations, a depth is negative, or the width is not positive.
     pub fn equally_spaced(depths: Vec<T>, width: T) -> Result<Self, CrushError> {
         error::positive("damage width", width.value())?;
         let stations = depths.len();
@@ -124,7 +125,7 @@ impl<T: Real> Profile<T> {
     /// N `depths` (m) with the N−1 `spacings` (m) between their stations.
     ///
     /// # Errors
-    /// Where there are fewer than two stations, the numbers of depths and spacings do not fit, a depth is
+    /// If there are fewer than two stations, the numbers of depths and spacings do not fit, a depth is
     /// negative, or a spacing is not positive.
     pub fn new(depths: Vec<T>, spacings: Vec<T>) -> Result<Self, CrushError> {
         if depths.len() < 2 {

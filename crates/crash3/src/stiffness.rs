@@ -1,4 +1,4 @@
-//! What the structure resists with: force per width as a linear function of crush.
+//! The stiffness of a structure: force per width as a linear function of crush.
 
 use alloc::vec::Vec;
 
@@ -20,7 +20,7 @@ impl<T: Real> Stiffness<T> {
     /// From A (N/m) and B (N/m²), with G = A²/2B (N).
     ///
     /// # Errors
-    /// Where A is negative, B is not positive, or a number is not finite.
+    /// If A is negative, B is not positive, or a number is not finite.
     #[inline(always)]
     pub fn from_ab(a: T, b: T) -> Result<Self, CrushError> {
         if b.value() == 0.0 {
@@ -31,10 +31,10 @@ impl<T: Real> Stiffness<T> {
         Self::from_abg(a, b, a * a / (b * 2.0))
     }
 
-    /// From A (N/m), B (N/m²) and a G (N) of its own, as CRASH3's tables give it.
+    /// From A (N/m), B (N/m²) and an independent G (N), as CRASH3's tables give it.
     ///
     /// # Errors
-    /// Where one of them is negative or not finite.
+    /// If one of them is negative or not finite.
     #[inline(always)]
     pub fn from_abg(a: T, b: T, g: T) -> Result<Self, CrushError> {
         let stiffness = Self { a, b, g, saturation_force: None };
@@ -61,17 +61,17 @@ impl<T: Real> Stiffness<T> {
     /// From d_0 (√N) and d_1 (√N/m), with G = d_0²/2.
     ///
     /// # Errors
-    /// Where one of them is negative or not finite.
+    /// If one of them is negative or not finite.
     #[inline(always)]
     pub fn from_d0_d1(d0: T, d1: T) -> Result<Self, CrushError> {
         // G = d₀²/2
         Self::from_d0_d1_g(d0, d1, d0 * d0 * 0.5)
     }
 
-    /// From d_0 (√N), d_1 (√N/m) and a G (N) of its own.
+    /// From d_0 (√N), d_1 (√N/m) and an independent G (N).
     ///
     /// # Errors
-    /// Where one of them is negative or not finite.
+    /// If one of them is negative or not finite.
     #[inline(always)]
     pub fn from_d0_d1_g(d0: T, d1: T, g: T) -> Result<Self, CrushError> {
         error::not_negative("stiffness d0", d0.value())?;
@@ -101,10 +101,10 @@ impl<T: Real> Stiffness<T> {
         self.g
     }
 
-    /// The same stiffness with a force per width that saturates: it rises no further than `force`, F_s (N/m).
+    /// The same stiffness with a force per width that saturates at `force`, F_s (N/m).
     ///
     /// # Errors
-    /// Where the force is below A or not finite.
+    /// If the force is below A or not finite.
     #[inline(always)]
     pub fn with_saturation_force(self, force: T) -> Result<Self, CrushError> {
         error::finite("limit of the force per width", force.value())?;
@@ -114,8 +114,8 @@ impl<T: Real> Stiffness<T> {
         Ok(Self { saturation_force: Some(force), ..self })
     }
 
-    /// (N/m) F_s, the force per width beyond which the structure yields without a further rise: key `limit`
-    /// of a case.
+    /// (N/m) F_s, the force per width at which the structure yields without a further rise: key `limit` of a
+    /// case.
     #[inline(always)]
     #[must_use]
     pub fn saturation_force(&self) -> Option<T> {
@@ -134,7 +134,7 @@ impl<T: Real> Stiffness<T> {
         }
     }
 
-    /// Where the force per width saturates; `None` where it never does.
+    /// The point at which the force per width saturates; `None` if it never does.
     #[inline(always)]
     #[must_use]
     pub fn saturation(&self) -> Option<Saturation<T>> {
@@ -148,7 +148,7 @@ impl<T: Real> Stiffness<T> {
     }
 }
 
-/// Where the force per width ceases to rise.
+/// The point at which the force per width ceases to rise.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Saturation<T = f64> {
@@ -158,7 +158,7 @@ pub struct Saturation<T = f64> {
     pub depth: T,
 }
 
-/// What a damaged side resists with: the same stiffness all along, or one for each zone between two stations.
+/// The stiffness of a damaged side: uniform, or separate for each zone between two stations.
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(
@@ -171,6 +171,6 @@ pub struct Saturation<T = f64> {
 pub enum SideStiffness<T = f64> {
     /// The same everywhere.
     Uniform(Stiffness<T>),
-    /// One for each interval between neighbouring stations, in their order.
+    /// One for each zone between neighbouring stations, in order.
     Zones(Vec<Stiffness<T>>),
 }

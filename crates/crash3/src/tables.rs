@@ -1,10 +1,10 @@
-//! CRASH3's tables, and estimates, for what is not known of a vehicle. The tables stand here as printed, in
-//! inches and pounds, and become SI units in [`Stiffness::from_category`] and [`VehicleClass::new`], nowhere
-//! else.
+//! CRASH3's tables, and estimates, for unknown properties of a vehicle. The tables are given as printed, in
+//! inches and pounds, and only [`Stiffness::from_category`] and [`VehicleClass::new`] convert them to SI
+//! units.
 //!
-//! Source of both tables: T. D. Day and R. L. Hargens, SAE 870045 (1987), Tables 1 and 2, which give those of
-//! NHTSA's CRASH3. Some digits of the copy that was read are not clear, and were settled by relations that
-//! hold between the numbers of the tables:
+//! Source of both tables: T. D. Day and R. L. Hargens, SAE 870045 (1987), Tables 1 and 2, which reproduce
+//! those of NHTSA's CRASH3. Some digits are unclear in the copy used, and were settled by relations between
+//! the numbers of the tables:
 //!
 //! | where | reads | taken | because |
 //! |---|---|---|---|
@@ -52,13 +52,13 @@ const SIDE: Categories = [
 ];
 
 impl<T: Real> Stiffness<T> {
-    /// CRASH3's stiffness category of a side: A, B and a G of its own.
+    /// CRASH3's stiffness category of a side: A, B and an independent G.
     ///
     /// # References
     /// SAE 870045, Table 1.
     ///
     /// # Errors
-    /// Where the side has no such category.
+    /// If the side has no such category.
     pub fn from_category(side: Side, category: u8) -> Result<Self, CrushError> {
         let (name, table) = match side {
             Side::Front => ("front", &FRONT),
@@ -109,8 +109,8 @@ const CLASSES: [Row; 6] = [
     row([63.7, 229.4, 79.0, 60.1, 65.1, 104.2, 4229.0]),
 ];
 
-/// CRASH3's typical passenger car of a size class. The classes go by wheelbase, from 93 in (2.37 m) of class
-/// 1 to 125 in (3.18 m) of class 6.
+/// CRASH3's typical passenger car of a size class. The classes are ordered by wheelbase, from 93 in (2.37 m)
+/// for class 1 to 125 in (3.18 m) for class 6.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct VehicleClass {
     /// (m) between the axles.
@@ -136,7 +136,7 @@ impl VehicleClass {
     /// SAE 870045, Table 2.
     ///
     /// # Errors
-    /// Where there is no such class.
+    /// If there is no such class.
     pub fn new(class: u8) -> Result<Self, CrushError> {
         let row = usize::from(class).checked_sub(1).and_then(|index| CLASSES.get(index));
         let Some(row) = row else {
@@ -156,17 +156,16 @@ impl VehicleClass {
 
 /// (1) the coefficient of Burg's formula, see [`yaw_inertia_burg`].
 pub const BURG: f64 = 0.1269;
-/// By how much of itself the radius of gyration k may be off where [`yaw_inertia_burg`] or a [`VehicleClass`]
-/// gives it.
+/// Relative uncertainty of a radius of gyration k from [`yaw_inertia_burg`] or a [`VehicleClass`].
 pub const BURG_SPREAD: f64 = 0.05;
 
 /// (kg·m²) yaw inertia of a passenger car of the given `mass` (kg), `wheelbase` (m) and overall `length` (m),
-/// after Burg: I = 0.1269 × mass × wheelbase × length. The radius of gyration that follows is taken to be
-/// right to about [`BURG_SPREAD`]; it is 3 to 15 % below those of CRASH3's older and larger cars
+/// after Burg: I = 0.1269 × mass × wheelbase × length. The resulting radius of gyration is taken to be
+/// accurate to about [`BURG_SPREAD`]; it is 3 to 15 % below those of CRASH3's older and larger cars
 /// ([`VehicleClass`]).
 ///
 /// # Errors
-/// Where one of the three is not positive.
+/// If one of the three is not positive.
 pub fn yaw_inertia_burg<T: Real>(mass: T, wheelbase: T, length: T) -> Result<T, CrushError> {
     error::positive("mass", mass.value())?;
     error::positive("wheelbase", wheelbase.value())?;
@@ -179,7 +178,7 @@ pub fn yaw_inertia_burg<T: Real>(mass: T, wheelbase: T, length: T) -> Result<T, 
 mod tests {
     use super::{CLASSES, FRONT, REAR, SIDE};
 
-    /// The relations by which unclear digits were settled, in every row.
+    /// The relations that settled the unclear digits hold in every row.
     #[test]
     fn the_numbers_of_the_tables_fit_each_other() {
         for [a, b, g] in [FRONT, REAR, SIDE].into_iter().flatten() {

@@ -1,5 +1,5 @@
-//! Crush energy, forces and velocity changes of `crash3`, against integrals, hand calculations and a two-body
-//! impact of its own.
+//! Crush energy, forces and velocity changes of `crash3`, compared with integrals, hand calculations and an
+//! independent two-body impact.
 
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
 
@@ -14,7 +14,7 @@ use proptest::prelude::*;
 
 const NOT_FINITE: [f64; 3] = [f64::NAN, f64::INFINITY, f64::NEG_INFINITY];
 
-/// A profile in plain numbers: depths, and one spacing less.
+/// A profile in plain numbers: the depths, and one spacing fewer.
 pub(crate) type Plain = (Vec<f64>, Vec<f64>);
 
 /// 2 to 12 stations, some of them without crush.
@@ -25,7 +25,7 @@ pub(crate) fn profile() -> impl Strategy<Value = Plain> {
     })
 }
 
-/// A, B and G as stiffness tables have them, G not bound to A and B.
+/// A, B and G as in stiffness tables, with G independent of A and B.
 pub(crate) fn stiffness() -> impl Strategy<Value = (f64, f64, f64)> {
     (0.0..200e3, 0.0..3e6, 0.0..10e3)
 }
@@ -67,7 +67,7 @@ fn the_peak_force_is_the_integral_of_the_force_per_width() {
     });
 }
 
-/// The integrals of C and C²/2 over the width, their means, and energy and force made of them.
+/// The integrals of C and C²/2 over the width, their means, and the energy and force computed from them.
 #[test]
 fn the_sums_of_a_profile_are_integrals_and_give_its_energy_and_force() {
     for_all(5000, 0.9, (profile(), stiffness()), |(plain, (a, b, g))| {
@@ -221,7 +221,7 @@ fn velocity_changes_are_the_paper_s_eq_6_and_eq_7() {
         assert_relative("ΔV_1", dv1, eq6, 1e-13);
         assert_relative("ΔV_2", dv2, eq7, 1e-13);
         assert_relative("m ΔV", m1 * dv1, m2 * dv2, 1e-14);
-        // Labels do not matter.
+        // The numbering of the vehicles does not matter.
         let [swapped2, swapped1] = delta_v(energy, [inertia[1], inertia[0]]).unwrap();
         assert_relative("ΔV_1", swapped1, dv1, 1e-14);
         assert_relative("ΔV_2", swapped2, dv2, 1e-14);
@@ -229,7 +229,7 @@ fn velocity_changes_are_the_paper_s_eq_6_and_eq_7() {
     });
 }
 
-/// Against a barrier all of the energy comes from the one vehicle: ½ γ m ΔV² = E.
+/// Against a barrier all the energy comes from one vehicle: ½ γ m ΔV² = E.
 #[test]
 fn a_barrier_takes_no_velocity() {
     for_all(2000, 1.0, vehicles(), |(masses, inertias, arms, energy)| {
@@ -244,14 +244,14 @@ fn a_barrier_takes_no_velocity() {
     assert_eq!(StruckVehicle::<f64>::fixed().effective_mass_ratio(), 1.0);
 }
 
-/// A collinear impact of two points, from momentum and restitution alone.
+/// A collinear impact of two point masses, from momentum and restitution alone.
 #[test]
 fn restitution_raises_velocity_changes_as_a_two_body_impact_does() {
     let points = ([500.0..40e3, 500.0..40e3], [1.0..60.0, -60.0..0.0], 0.0..0.999);
     for_all(10_000, 1.0, points, |([m1, m2], [v1, v2], e): ([f64; 2], [f64; 2], f64)| {
         let kinetic = |a: f64, b: f64| 0.5 * m1 * a * a + 0.5 * m2 * b * b;
         let common = (m1 * v1 + m2 * v2) / (m1 + m2);
-        // Each body's velocity about the common one is reversed, times e.
+        // Each body's velocity relative to the common one is reversed and multiplied by e.
         let [after1, after2] = [v1, v2].map(|v| common - e * (v - common));
         let absorbed = kinetic(v1, v2) - kinetic(common, common);
         let dissipated = kinetic(v1, v2) - kinetic(after1, after2);
@@ -270,8 +270,8 @@ fn restitution_raises_velocity_changes_as_a_two_body_impact_does() {
     assert_eq!(EnergyBasis::default(), EnergyBasis::Dissipated);
 }
 
-/// The two methods are one where the force is normal to the crush plane: CRASH3 with the energy of an impact
-/// without friction gives its ΔV.
+/// The two methods agree if the force is normal to the crush plane: CRASH3 with the energy of a frictionless
+/// impact gives its ΔV.
 #[test]
 fn crash3_agrees_with_an_impact_without_friction() {
     for_all(10_000, 0.7, scene_under(Just(Tangential::Ratio(0.0))), |scene| {
@@ -295,7 +295,7 @@ fn crash3_agrees_with_an_impact_without_friction() {
             let factor = basis.restitution_factor(e).unwrap();
             let dv = delta_v(energy, [inertia(0), inertia(1)]).unwrap();
             for (dv, expected) in dv.into_iter().zip(outcome.delta_v_magnitude()) {
-                // W_n is known to a rounding of ½ P_n u_n, of which it is the share 1 − e.
+                // W_n is known to a rounding error of ½ P_n u_n, of which it is the fraction 1 − e.
                 assert_close(
                     "ΔV",
                     dv * factor,
@@ -308,7 +308,7 @@ fn crash3_agrees_with_an_impact_without_friction() {
     });
 }
 
-/// The arm of the force that the impact exerts is the one that turns the vehicle: I ΔΩ = m ΔV h.
+/// The arm of the impact force is the one that turns the vehicle: I ΔΩ = m ΔV h.
 #[test]
 fn the_moment_arm_is_the_one_that_the_impact_turns_the_vehicle_with() {
     for_all(10_000, 0.5, oracle::scenes::scene(), |scene: Scene| {
@@ -323,7 +323,7 @@ fn the_moment_arm_is_the_one_that_the_impact_turns_the_vehicle_with() {
             let h = moment_arm([car.distance * cos, car.distance * sin], outcome.pdof()[i]);
             let turn = outcome.after[i].yaw_rate - outcome.before[i].yaw_rate;
             let moment = (turn * car.mass * car.yaw_radius * car.yaw_radius).abs();
-            // Yaw rates of some rad/s are known to 1e-15.
+            // Yaw rates of some rad/s are accurate to 1e-15.
             let inertia = car.mass * car.yaw_radius * car.yaw_radius;
             let yaw = outcome.after[i].yaw_rate.abs() + car.yaw_rate.abs();
             assert_close("m ΔV h", impulse * h, moment, impulse * 6.0 * 1e-12 + inertia * yaw * 1e-14);
@@ -391,7 +391,7 @@ fn the_oblique_factor_is_limited_at_45_degrees() {
         let at_limit = ObliqueCorrection::Capped.factor(angle).unwrap();
         assert_relative("at 45°", at_limit.factor, 2.0, 1e-15);
         assert!(!at_limit.capped);
-        // Nor one rounding beyond.
+        // Nor one rounding error beyond.
         for ulps in [1, 2] {
             let next = f64::from_bits(FRAC_PI_4.to_bits() + ulps);
             assert!(!ObliqueCorrection::Capped.factor(next).unwrap().capped);
@@ -418,7 +418,7 @@ fn a_force_along_or_from_behind_the_side_does_not_push() {
     for angle in [FRAC_PI_2, 3.0] {
         assert_eq!(ObliqueCorrection::None.factor(angle).unwrap().factor, 1.0);
     }
-    // A degree from it still does.
+    // A degree below 90° is still accepted.
     assert!(ObliqueCorrection::Capped.factor(89_f64.to_radians()).is_ok());
     assert_eq!(
         ObliqueCorrection::Capped.factor(2.0).unwrap_err().to_string(),
@@ -594,9 +594,8 @@ fn velocity_changes_refuse_what_no_vehicle_has() {
     }
 }
 
-/// 200 kN on a side of 2 m that begins with 50 kN/m and reaches 850 kN/m where the crush, 1 m deep, is at the
-/// CG: from 0.235 m to 2 m of width are possible. The nominal width is the one given, or the nearest of
-/// these.
+/// 200 kN on a side of 2 m with 50 kN/m at first and 850 kN/m at a depth of 1 m, that of the CG: widths from
+/// 0.235 m to 2 m are possible. The nominal width is the given one, or the nearest of these.
 #[test]
 fn an_inferred_crush_has_the_nearest_possible_width() {
     let stiffness = Stiffness::from_abg(50e3, 800e3, 3125.0).unwrap();
@@ -608,8 +607,8 @@ fn an_inferred_crush_has_the_nearest_possible_width() {
     }
 }
 
-/// Up to G = A²/B = 3125 N the widest damage takes the least energy; a greater G puts the least at F/√(2BG −
-/// A²), and can put the greatest at the widest.
+/// Up to G = A²/B = 3125 N the widest damage takes the least energy; a greater G moves the minimum to F/√(2BG
+/// − A²), and can move the maximum to the widest.
 #[test]
 fn the_least_energy_is_not_always_that_of_the_widest_damage() {
     for (g, least, greatest) in [

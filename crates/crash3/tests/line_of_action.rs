@@ -1,4 +1,5 @@
-//! Where the force acts, from where it comes, and what it says of a vehicle that could not be inspected.
+//! The point and direction of the force, and the crush that it implies for a vehicle that could not be
+//! inspected.
 
 use std::f64::consts::PI;
 
@@ -12,8 +13,8 @@ use proptest::prelude::*;
 
 use crate::crush::{Plain, make, profile};
 
-/// The centroid of the damage from a grid of small squares laid over the vehicle, each of which is damaged or
-/// not. Forward and left.
+/// The centroid of the damage, forward and left, from a grid of small squares over the vehicle, each of which
+/// is damaged or not.
 fn centroid_by_grid(side: Side, distance: f64, offset: f64, (depths, spacings): &Plain) -> [f64; 2] {
     const CELLS: u32 = 300;
     let width: f64 = spacings.iter().sum();
@@ -51,7 +52,7 @@ fn centroid_by_grid(side: Side, distance: f64, offset: f64, (depths, spacings): 
     [forward / count, left / count]
 }
 
-/// A structure whose energy per width is the depth: its centroid is that of the area.
+/// A structure whose energy per width equals the depth: its centroid is that of the area.
 fn even() -> SideStiffness {
     SideStiffness::Uniform(Stiffness::from_abg(1.0, 0.0, 0.0).unwrap())
 }
@@ -65,7 +66,7 @@ fn the_centroid_is_that_of_the_damaged_area() {
             DamagedFace::new(side, distance, offset).unwrap().centroid(&make(&plain), &even()).unwrap();
         let [f, l] = centroid_by_grid(side, distance, offset, &plain);
         let width: f64 = plain.1.iter().sum();
-        // A cell or so, of 300 along each direction.
+        // About one cell of 300 in each direction.
         let cell = width.max(1.5) / 100.0;
         assert_close("forward", forward, f, cell);
         assert_close("left", left, l, cell);
@@ -137,7 +138,7 @@ fn opposite_pdofs_by_hand() {
     assert!((-PI..=PI).contains(&opposite_pdof(1.0, [-700.0, 900.0])));
 }
 
-/// Structures with a G of their own near A²/2B, limited or not, and a width and a depth.
+/// Structures with an independent G near A²/2B, limited or not, and a width and a depth.
 fn uniform() -> impl Strategy<Value = (Stiffness, f64, f64, f64)> {
     (5e3..100e3, 1e5..3e6, 0.9..1.1, 0.3..3.0, 0.0..1.0, -1.2..1.2).prop_map(
         |(a, b, share, width, depth, angle): (f64, f64, f64, f64, f64, f64)| {
@@ -146,7 +147,7 @@ fn uniform() -> impl Strategy<Value = (Stiffness, f64, f64, f64)> {
     )
 }
 
-/// The peak force of a uniform crush gives that crush and its energy back.
+/// The peak force of a uniform crush gives back that crush and its energy.
 #[test]
 fn a_force_gives_the_uniform_crush_back_that_made_it() {
     for_all(3000, 1.0, uniform(), |(stiffness, width, depth, angle)| {
@@ -166,14 +167,14 @@ fn a_force_gives_the_uniform_crush_back_that_made_it() {
 #[test]
 fn a_force_that_leaves_no_crush_is_stored_elastically() {
     let stiffness = Stiffness::from_ab(50e3, 1e6).unwrap();
-    // A w = 75 kN. G = A²/2B = 1250 N: the spring of slope B takes (F/w)²/2B a width.
+    // A w = 75 kN. G = A²/2B = 1250 N: the spring of slope B takes (F/w)²/2B per width.
     let half = crush_from_force(37.5e3, 0.0, 1.5, &stiffness).unwrap();
     assert_eq!(half.depth, 0.0);
     assert_relative("E", half.energy, 1.5 * 25e3_f64.powi(2) / 2e6, 1e-14);
     let all = crush_from_force(75e3, 0.0, 1.5, &stiffness).unwrap();
     assert_eq!(all.depth, 0.0);
     assert_relative("w G", all.energy, 1.5 * 1250.0, 1e-14);
-    // An oblique force of 75 kN pushes with less.
+    // An oblique force of 75 kN has a smaller normal component.
     let oblique = crush_from_force(75e3, 60_f64.to_radians(), 1.5, &stiffness).unwrap();
     assert_relative("oblique", oblique.energy, half.energy, 1e-14);
 }
@@ -194,7 +195,7 @@ fn forces_that_no_crush_bears_are_refused() {
     for (force, width) in [(0.0, 1.5), (-1.0, 1.5), (80e3, 0.0), (f64::NAN, 1.5)] {
         assert!(crush_from_force(force, 0.0, width, &stiffness).is_err());
     }
-    // 200 kN/m over 1.5 m is all that the side bears.
+    // 200 kN/m over 1.5 m is all that the side can bear.
     assert_eq!(
         crush_range_from_force(301e3, 0.0, &stiffness, 1.0, 1.5, 0.9).unwrap_err().to_string(),
         "the force of the other vehicle is 301000 N, but the damaged side can bear no more than 300000 N, even \
@@ -205,11 +206,11 @@ fn forces_that_no_crush_bears_are_refused() {
     }
 }
 
-/// No width between the narrowest and the widest gives an energy beyond the bounds.
+/// No width between the narrowest and the widest gives an energy outside the bounds.
 #[test]
 fn the_bounds_hold_every_width_that_is_possible() {
     let limit = (0.2..1.5, any::<bool>());
-    // A G of its own, from none to four times A²/2B.
+    // An independent G, from zero to four times A²/2B.
     let g = 0.0..4.0;
     for_all(
         1500,
@@ -252,7 +253,7 @@ fn integrated(stiffness: &Stiffness, depth: f64) -> f64 {
     (0..steps).map(|i| force((f64::from(i) + 0.5) * dc) * dc).sum::<f64>() + stiffness.g()
 }
 
-/// The bounds are no wider than what is possible: some width reaches each of them.
+/// The bounds are tight: some width reaches each of them.
 #[test]
 fn the_bounds_are_reached() {
     let shape = (uniform(), (0.2..1.5, any::<bool>()), 0.0..40.0, [0.5..4.0, 0.3..1.5, 0.2..3.0]);
@@ -315,7 +316,7 @@ fn the_bounds_by_hand() {
     assert_relative("widest", weak.lowest.width, 3.0, 1e-14);
     assert_relative("widest", weak.lowest.energy, 3750.0, 1e-13);
     assert_eq!(weak.nominal, weak.lowest);
-    // Limited to 250 kN/m, which 0.2 m reach: as deep as 0.8 m, E/w = 10 + 20 + 250·0.6 + 1.25 kJ/m, over
+    // Limited to 250 kN/m, reached at 0.2 m: at a depth of 0.8 m, E/w = 10 + 20 + 250·0.6 + 1.25 kJ/m, over
     // 600/250 m.
     let limited = stiffness.with_saturation_force(250e3).unwrap();
     let range = crush_range_from_force(600e3, 0.0, &limited, 1.5, 4.0, 0.8).unwrap();
@@ -323,8 +324,8 @@ fn the_bounds_by_hand() {
     assert_relative("highest", range.highest.energy, 2.4 * 181.25e3, 1e-13);
     assert_eq!(range.highest.depth, 0.8);
     assert_relative("lowest", range.lowest.energy, 45e3, 1e-13);
-    // 1.5 m cannot bear it: the nearest width that can is 2.4 m, where 0.2 m of crush are enough: E/w = 10 +
-    // 20 + 1.25 kJ/m.
+    // 1.5 m cannot bear it: the nearest width that can is 2.4 m, with a crush of 0.2 m: E/w = 10 + 20 + 1.25
+    // kJ/m.
     assert_relative("nominal", range.nominal.width, 2.4, 1e-14);
     assert_relative("nominal", range.nominal.energy, 2.4 * 31.25e3, 1e-12);
 }
@@ -348,9 +349,9 @@ struct Staged {
 /// SAE 980025, Table 3, with the misprints of test 5 corrected (theory, section 8). Geometry: Vossou and
 /// Koulocheris (2018); μ: Brach, SAE 871993; masses and inertias: Neades, Appendix D, with the misprint of
 /// test 7's vehicle 2 corrected (771 kg for 1184 kg, which the ratio of the ΔV shows; its inertia is in
-/// proportion). The distances d and the energies are published nowhere: d follows from the other figures of
-/// the paper, the two energies of each test are fitted to the table's ten numbers. So two numbers are tested
-/// against ten.
+/// proportion). The distances d and the energies were never published: d follows from the other figures of
+/// the paper, and the two energies of each test are fitted to the table's ten numbers. So ten numbers test
+/// two.
 const TABLE_3: [Staged; 6] = [
     Staged {
         test: 1,
@@ -500,8 +501,8 @@ fn table_3_of_the_paper_comes_out() {
     }
 }
 
-/// Numerical quadrature (midpoints) of the strips of a damage, each with its energy per width `of` its depth
-/// and its zone: (m) forward and left of the CG.
+/// Numerical quadrature (midpoint rule) over the strips of a damage, with the energy per width `of` depth and
+/// zone: (m) forward and left of the CG.
 fn centroid_by_strips(
     (side, distance, offset): (Side, f64, f64),
     width: f64,
@@ -531,7 +532,7 @@ fn centroid_by_strips(
     }
 }
 
-/// A, B and, with `limit`, F_s as an energy per width: G + A C + B C²/2 until the force is F_s.
+/// Energy per width for A, B and F_s (`limit`): G + A C + B C²/2 until the force is F_s.
 fn energy_per_width([a, b, limit]: [f64; 3], depth: f64) -> f64 {
     let knee = (limit - a) / b;
     let g = a * a / (2.0 * b);
@@ -543,7 +544,7 @@ fn energy_per_width([a, b, limit]: [f64; 3], depth: f64) -> f64 {
 }
 
 /// EDCRASH's tutorial (HVE manuals, EDCRASH chapter 5): its printed impulse centres (cm) are within 1 cm of
-/// those weighted by the energy, and those of the area are not.
+/// the energy-weighted centroids, but not of those of the area.
 #[test]
 fn the_centroid_weighs_the_damage_by_its_energy() {
     const SOFT: [f64; 2] = [24_500.0, 500_000.0];
@@ -581,8 +582,8 @@ fn the_centroid_weighs_the_damage_by_its_energy() {
     }
 }
 
-/// A force that saturates: the knee lies within a zone that deepens, within one that grows shallower, and
-/// not within the third, which yields throughout.
+/// A saturating force: the knee lies within a zone of increasing depth and within one of decreasing depth,
+/// but not in the third, which yields throughout.
 #[test]
 fn the_centroid_weighs_a_force_that_saturates() {
     const LINE: [f64; 3] = [30_000.0, 400_000.0, 150_000.0];

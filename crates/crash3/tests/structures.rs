@@ -1,8 +1,8 @@
-//! Stiffness beyond two coefficients: CRASH3's table, barrier tests, limits and zones; and what estimates a
+//! Stiffness beyond two coefficients: CRASH3's table, barrier tests, limits and zones; and estimates of a
 //! vehicle's data.
 //!
 //! Sources: the sample in NHTSA's CRASH3 user's manual (*the manual*); SAE 870045 for the tables; the
-//! vehicles of the RICSAC collisions as D. Neades's thesis (De Montfort University), Appendix D, gives them.
+//! vehicles of the RICSAC collisions from D. Neades's thesis (De Montfort University), Appendix D.
 
 use crash3::{
     BarrierTest, CrushError, ObliqueCorrection, Profile, Side, SideStiffness, Stiffness, VehicleClass,
@@ -23,8 +23,8 @@ fn inches(depths: &[f64], width: f64) -> Profile {
     Profile::equally_spaced(depths.iter().map(|depth| depth * INCH).collect(), width * INCH).unwrap()
 }
 
-/// The manual's sample. It prints energies from crush that it does not round: 19,245.3 and 31,220.8 ft·lb;
-/// from the rounded crush that it lists, a calculation by hand gives 19,255.15 and 31,099.94.
+/// The manual's sample. Its printed energies, 19,245.3 and 31,220.8 ft·lb, are from unrounded crush; a hand
+/// calculation from the listed, rounded crush gives 19,255.15 and 31,099.94.
 #[test]
 fn the_manual_s_sample_comes_out() {
     let front = Stiffness::from_category(Side::Front, 4).unwrap();
@@ -55,7 +55,7 @@ fn uniform_and_triangular_crush_by_hand() {
     assert_relative("0 to 0.3 m, 6 stations", energy(six), 35_625.0, 1e-14);
 }
 
-/// Neades, Appendix D: A (N/cm), B (N/cm²) of the RICSAC vehicles with the category in which they fall.
+/// Neades, Appendix D: A (N/cm), B (N/cm²) of the RICSAC vehicles with their category.
 #[test]
 fn categories_are_those_of_the_staged_collisions() {
     for (side, category, a, b) in [
@@ -66,11 +66,11 @@ fn categories_are_those_of_the_staged_collisions() {
         (Side::Right, 4, 251.0, 35.0),
     ] {
         let stiffness: Stiffness = Stiffness::from_category(side, category).unwrap();
-        // The source rounds, and cuts off here and there.
+        // The source rounds, and sometimes truncates.
         assert_close("A", stiffness.a() / 100.0, a, 1.01);
         assert_close("B", stiffness.b() / 1e4, b, 1.01);
     }
-    // G is nearly A²/2B in each of them: a digit misread in any of the three would show.
+    // G is nearly A²/2B in each of them, which would reveal a misread digit in any of the three.
     for side in [Side::Front, Side::Rear, Side::Right] {
         for category in 1..=5 {
             let stiffness: Stiffness = Stiffness::from_category(side, category).unwrap();
@@ -100,7 +100,7 @@ fn categories_and_classes_that_do_not_exist_are_refused() {
 }
 
 /// Neades, Appendix D: test mass (kg), yaw inertia (kg·m²), CG to front, CG to rear and width (cm) of four
-/// RICSAC vehicles, with the class from which the thesis has them.
+/// RICSAC vehicles, with the class from which the thesis takes them.
 #[test]
 fn classes_are_those_of_the_staged_collisions() {
     for (class, mass, inertia, front, rear, width) in [
@@ -114,7 +114,7 @@ fn classes_are_those_of_the_staged_collisions() {
         assert_close("rear", (known.length - known.cg_to_front) * 100.0, rear, 0.6);
         assert_close("width", known.width * 100.0, width, 0.6);
     }
-    // Table 2 gives the rear of the body on its own, x_r; and the classes rise in every column.
+    // Table 2 gives the rear of the body separately, x_r; and the classes rise in every column.
     let rears = [83.8, 91.6, 106.4, 114.0, 121.9, 125.2];
     let classes: Vec<VehicleClass> = (1..=6).map(|class| VehicleClass::new(class).unwrap()).collect();
     for (class, rear) in classes.iter().zip(rears) {
@@ -145,7 +145,7 @@ fn burg_s_yaw_inertia_by_hand_and_beside_the_class_table() {
     }
 }
 
-/// A limit between A and what the deepest crush of the profiles asks for.
+/// A limit between A and the force at the deepest crush of the profiles.
 fn limited() -> impl Strategy<Value = (f64, f64, f64, f64)> {
     (stiffness(), 0.0..2.0).prop_map(|((a, b, g), knee)| (a, b, g, a + b * knee))
 }
@@ -154,14 +154,14 @@ fn with_limit((a, b, g, limit): (f64, f64, f64, f64)) -> Stiffness {
     Stiffness::from_abg(a, b, g).unwrap().with_saturation_force(limit).unwrap()
 }
 
-/// ∫ min(A + B c, F_s) dc up to `depth`, by the sum of many thin slices.
+/// ∫ min(A + B c, F_s) dc up to `depth`, as a sum of many thin slices.
 fn slices(depth: f64, force: impl Fn(f64) -> f64) -> f64 {
     const SLICES: u32 = 400;
     let thin = depth / f64::from(SLICES);
     (0..SLICES).map(|i| force((f64::from(i) + 0.5) * thin) * thin).sum()
 }
 
-/// The mean of `f` along a profile, zone by zone, each in many strips.
+/// The mean of `f` along a profile, with each zone in many strips.
 fn strips((depths, spacings): &Plain, f: impl Fn(usize, f64) -> f64) -> f64 {
     const STRIPS: u32 = 200;
     let zone = |i: usize| {
@@ -180,7 +180,7 @@ fn a_limited_force_has_the_energy_of_its_integral() {
         let stiffness = with_limit(line);
         let energy = crush_energy(&make(&plain), &stiffness);
         let expected = strips(&plain, |_, depth| slices(depth, |c| (a + b * c).min(limit)) + g);
-        // Strips and slices miss the curvature and the knee by a share of about 1/SLICES².
+        // The relative error of strips and slices at the curvature and the knee is about 1/SLICES².
         assert_relative("E", energy, expected, 1e-4);
         let force = peak_force(&make(&plain), &stiffness, 0.4).unwrap();
         let expected = strips(&plain, |_, depth| (a + b * depth).min(limit)) / 0.4_f64.cos();
@@ -192,8 +192,8 @@ fn a_limited_force_has_the_energy_of_its_integral() {
 
 #[test]
 fn a_limited_force_is_exact_where_stations_lie_on_the_knee() {
-    // Stations put where the depth crosses the knee leave zones that are wholly linear or wholly flat:
-    // Simpson's rule is exact there.
+    // With stations at the crossings of the knee, each zone is wholly linear or wholly flat, and Simpson's
+    // rule is exact.
     for_all(3000, 1.0, (profile(), limited()), |(plain, line @ (a, b, g, limit))| {
         let knee = (limit - a) / b;
         let (depths, spacings) = &plain;
@@ -302,7 +302,7 @@ fn the_same_stiffness_in_every_zone_is_uniform() {
     assert!(matches!(two.peak_force(&three, 2.0), Err(CrushError::NotPushing { .. })));
 }
 
-/// Profiles with crush somewhere, and a test's mass, speed and share of that speed without damage.
+/// Profiles with some crush, and a test's mass, speed, and fraction of that speed without damage.
 fn barrier_tests() -> impl Strategy<Value = (Plain, f64, f64, f64)> {
     let crushed = profile().prop_filter("crush", |(depths, _)| depths.iter().any(|depth| *depth > 1e-3));
     (crushed, 500.0..3000.0, 3.0..25.0, 0.0..0.95)
@@ -315,12 +315,12 @@ fn a_barrier_test_s_stiffness_gives_its_kinetic_energy_back() {
         let exact = test.fit().unwrap();
         let kinetic = 0.5 * mass * speed * speed;
         assert_relative("½mV²", crush_energy(&make(&plain), &exact), kinetic, 1e-12);
-        // b₀ = A √(w/(m B)), whatever the profile.
+        // b₀ = A √(w/(m B)) for any profile.
         let width: f64 = plain.1.iter().sum();
         assert_close("b₀", exact.a() * (width / (mass * exact.b())).sqrt(), share * speed, 1e-9 * speed);
         // The line V = b₀ + b₁ C whose square is twice the energy per mass and width; A B⁻¹ = b₀/b₁.
         assert_relative("b₁", test.slope(), share * speed * exact.b() / exact.a(), 1e-12);
-        // The mean of squares is not less than the square of the mean.
+        // The mean square is not less than the square of the mean.
         let mean = test.fit_mean().unwrap();
         assert!(crush_energy(&make(&plain), &mean) >= kinetic * (1.0 - 1e-12));
         let mean_depth = over_width(&plain, |depth| depth) / width;
@@ -330,8 +330,8 @@ fn a_barrier_test_s_stiffness_gives_its_kinetic_energy_back() {
     });
 }
 
-/// A uniform crush leaves the shortcut nothing to miss; a front with a usual bow, deepest in the middle, lets
-/// it over-predict by a few per cent.
+/// The shortcut is exact for a uniform crush; for a front with a usual bow, deepest in the middle, it
+/// over-predicts by a few per cent.
 #[test]
 fn the_shortcut_by_mean_crush_over_predicts() {
     let energy_ratio = |depths: Vec<f64>| {
@@ -361,7 +361,7 @@ fn barrier_tests_that_cannot_be_are_refused() {
     assert_eq!(refused.to_string(), "the barrier test left no crush, so no stiffness follows from it");
 }
 
-/// Each correction beside the others, by the functions of the angle that name them.
+/// Each correction, by the function of the angle that names it.
 #[test]
 fn oblique_corrections_by_their_formulas() {
     for_all(2000, 1.0, (-1.5..1.5, 0.0..3.0), |(angle, friction): (f64, f64)| {

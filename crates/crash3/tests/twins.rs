@@ -1,4 +1,4 @@
-//! What loops over many samples call: a plain yes or no where the functions beside it give a reason.
+//! The functions for loops over many samples return a plain validity flag where the others give a reason.
 
 use crash3::{Profile, Zone};
 
@@ -10,7 +10,7 @@ fn zones_of_a_profile() {
         for c1 in ODD.into_iter().chain([0.2]) {
             for c2 in ODD.into_iter().chain([0.4]) {
                 let zone = Zone { width, depths: [c1, c2] };
-                // Two depths that are zero are a possible zone, and no damage.
+                // Two depths of zero are a valid zone without damage.
                 let depths = vec![c1, c2, 0.1];
                 let expected = Profile::new(depths, vec![width, 0.3]).is_ok();
                 assert_eq!(zone.is_valid(), expected, "{zone:?}");

@@ -1,5 +1,5 @@
-//! What is written with the feature `serde` is read again as the same, and what no constructor accepts is
-//! refused.
+//! Values written with the feature `serde` are read back unchanged, and values that no constructor accepts
+//! are refused.
 
 use crash3::{
     BarrierTest, DamagedFace, EnergyBasis, ObliqueCorrection, Profile, Side, SideStiffness, Stiffness,

@@ -1,8 +1,8 @@
 //! Reconstructs a two-vehicle collision from its damage.
 //!
-//! Measured crush gives the energy that the collision took (CRASH3). Planar impact mechanics gives the speed
-//! at which the impact takes just this energy. The method is that of Brach & Brach, SAE 980025 (1998); this
-//! is the example of its appendix:
+//! Measured crush gives the energy absorbed in the collision (CRASH3). Planar impact mechanics gives the
+//! speed at which the impact absorbs exactly this energy. The method is that of Brach & Brach, SAE 980025
+//! (1998); this is the example in its appendix:
 //!
 //! ```
 //! use deltav::prelude::*;
@@ -18,7 +18,7 @@
 //! ```
 //!
 //! The same from numbers, without a case file. All are in SI units and radians; the crush energies are those
-//! that the paper prints:
+//! printed in the paper:
 //!
 //! ```
 //! use deltav::prelude::*;
@@ -39,7 +39,7 @@
 //!
 //! # The crates
 //!
-//! Each is a module here under its own name, and can be taken alone.
+//! Each is a module here under its own name, and can also be used alone.
 //!
 //! | module | what it is |
 //! |---|---|
@@ -48,16 +48,16 @@
 //! | [`trajectory`] | the motion of a vehicle from the impact to rest |
 //! | [`reconcile`] | the speed that makes the two agree |
 //! | [`uncertainty`] | propagates input ranges to the results of any function |
-//! | [`estimate`] | draws from what evidence makes of a prior, and says whether they can be relied on |
-//! | [`evidence`] | what crush, PDOF, velocities after impact and recorders say of both speeds |
-//! | [`inputs`] | what is known of a collision: numbers with units and ranges; what an analysis needs of them |
+//! | [`estimate`] | draws from the posterior of prior and evidence, and shows whether they are reliable |
+//! | [`evidence`] | the likelihood of both speeds given crush, PDOF, velocities after impact and recorders |
+//! | [`inputs`] | the input of an analysis: numbers with units and ranges, and its requirements on them |
 //! | [`case`] | the case file: TOML, its reader and writer, diagnostics |
 //! | [`analysis`] | from these inputs to a finished analysis, with its warnings |
 //! | [`report`] | a finished analysis as text, JSON, HTML, Markdown and drawings |
-//! | [`drawing`] | pictures of a collision and of its numbers, as SVG, PNG and PDF |
-//! | [`validation`] | staged collisions beside what the papers print of them |
-//! | [`field`] | intervals of ΔV, judged by the recorders of real crashes |
-//! | [`real`] | the number that the equations run on, with derivatives |
+//! | [`drawing`] | drawings and plots of a collision, as SVG, PNG and PDF |
+//! | [`validation`] | staged collisions compared with the published results |
+//! | [`field`] | intervals of ΔV, tested against the recorders of real crashes |
+//! | [`real`] | the number type of the equations, with derivatives |
 //!
 //! With the feature `parallel`, [`uncertainty`] and [`estimate`] run on all cores. The results have the same
 //! bits with and without it.
@@ -71,7 +71,7 @@ pub use {
     trajectory, uncertainty, validation,
 };
 
-/// What most reconstructions need: `use deltav::prelude::*;`.
+/// The items that most reconstructions need: `use deltav::prelude::*;`.
 pub mod prelude {
     pub use analysis::{Analysis, Failure, Warning, crush, impact, reconstruct};
     pub use case::{CaseFile, Diagnostics};

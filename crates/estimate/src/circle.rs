@@ -4,11 +4,11 @@ use core::f64::consts::TAU;
 
 use real::elementary::{atan2, sin_cos};
 
-/// Turns the errors of an angle, observed − predicted, into those on a line that is cut where predictions are
-/// rarest: opposite to their mean direction. `turn` is a full turn.
+/// Unrolls the errors of an angle, observed − predicted, onto a line that is cut opposite to the mean
+/// direction of the predictions, where they are rarest. `turn` is a full turn.
 ///
-/// With errors between −½ and ½ turn, an observation opposite to all predictions would lie below half of
-/// them and above the other half, as one in their midst does. Returns the mean error.
+/// With errors between −½ and ½ turn, an observation opposite to all predictions would lie below half of them
+/// and above the other half, like one in their middle. Returns the mean error.
 pub(crate) fn unrolled(errors: &mut [f64], turn: f64) -> f64 {
     let (mut sine, mut cosine) = (0.0, 0.0);
     for error in &*errors {
@@ -16,8 +16,8 @@ pub(crate) fn unrolled(errors: &mut [f64], turn: f64) -> f64 {
         sine += sin;
         cosine += cos;
     }
-    // The mean error, between −½ and ½ turn; that of predictions all around the circle has no direction, and
-    // any will do.
+    // The mean error, between −½ and ½ turn; for predictions all around the circle it is undefined, and any
+    // will do.
     let mean = atan2(sine, cosine) * turn / TAU;
     for error in errors {
         // ε = ε̄ + (ε − ε̄) less full turns
@@ -31,7 +31,8 @@ pub(crate) fn unrolled(errors: &mut [f64], turn: f64) -> f64 {
 mod tests {
     use super::unrolled;
 
-    /// Predictions about 0°, and an observation at 180°: all errors are on one side. About 10°, they stay.
+    /// For predictions about 0° and an observation at 180°, all errors are on one side. Errors about 10° are
+    /// unchanged.
     #[test]
     fn an_observation_opposite_to_all_predictions_is_beyond_all() {
         let mut opposite = [179.0, -178.0, 177.0, -179.0, -179.5];

@@ -1,4 +1,4 @@
-//! Whether the islands agree.
+//! Convergence diagnosis: do the islands agree?
 //!
 //! # References
 //!
@@ -9,27 +9,26 @@ use std::fmt;
 
 use uncertainty::normal::quantiles;
 
-/// The greatest R̂ of a run that has converged (Vehtari et al. 2021).
+/// Maximum R̂ of a converged run (Vehtari et al. 2021).
 pub const R_HAT_LIMIT: f64 = 1.01;
 
-/// The least effective sample size of a run that has converged (Vehtari et al. 2021).
+/// Minimum effective sample size of a converged run (Vehtari et al. 2021).
 pub const ESS_LIMIT: f64 = 400.0;
 
-/// The least effective sample size of a share of 1 % at either end: a mode that only one island has met is
-/// part of it.
+/// Minimum effective sample size of the extreme 1 % at either end, which would include a mode that only one
+/// island has found.
 pub const EXTREME_ESS_LIMIT: f64 = 200.0;
 
-/// (–) the greatest standard deviation of ln Z between islands: beyond it a few of them make up the answer.
+/// (–) maximum standard deviation of ln Z between islands: beyond it a few of them dominate the answer.
 pub const EVIDENCE_LIMIT: f64 = 1.0;
 
-/// The fewest ancestors, counted by their shares, that may hold a mode: its share is then known to a third
-/// of itself.
+/// Minimum effective number of ancestors of a mode: its share is then known to a third.
 pub const ANCESTORS_LIMIT: f64 = 10.0;
 
-/// (–) the greatest share of the particles that may stand still at the end.
+/// (–) maximum fraction of particles without a move at the end.
 pub const UNMOVED_LIMIT: f64 = 0.2;
 
-/// (–) the fewest draws of the prior, of those an island needs, that may be possible.
+/// (–) minimum number of possible draws from the prior, relative to the number that the islands need.
 pub const POSSIBLE_LIMIT: f64 = 1.0;
 
 /// A quantity of a draw.
@@ -50,34 +49,34 @@ impl fmt::Display for DrawnQuantity {
     }
 }
 
-/// A range of a quantity with fewer draws to either side: one of several modes.
+/// One of several modes: a range of a quantity with fewer draws on either side.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Mode {
     /// The quantity.
     pub quantity: DrawnQuantity,
-    /// (unit of the quantity) the least draw in it.
+    /// (unit of the quantity) its least draw.
     pub low: f64,
-    /// (unit of the quantity) the greatest draw in it.
+    /// (unit of the quantity) its greatest draw.
     pub high: f64,
-    /// (–) share of the draws.
+    /// (–) fraction of the draws.
     pub share: f64,
-    /// The draws of the prior that these descend from, counted by their shares: 1/Σ s².
+    /// Effective number of draws from the prior from which these descend: 1/Σ s² with their shares s.
     pub ancestors: f64,
 }
 
-/// How well one quantity is known.
+/// Mixing of one quantity.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Mixing {
     /// The quantity.
     pub quantity: DrawnQuantity,
-    /// (–) R̂ of the ranks, or of the ranks of the distances from the median if it is greater.
+    /// (–) R̂ of the ranks, or of the ranks of the distances from the median, whichever is greater.
     pub r_hat: f64,
-    /// Effective sample size: the least of those of the ranks and of both tails of 5 %.
+    /// Effective sample size: the least of those for the ranks and for both 5 % tails.
     ///
-    /// It follows from how much the islands differ, and is itself uncertain: with 16 islands by a third, so
-    /// that the least over many quantities is about half of what is true of each.
+    /// It follows from the spread between the islands and is itself uncertain: with 16 islands by a third, so
+    /// that the least of many quantities is about half of the true value of each.
     pub ess: f64,
-    /// Effective sample size of the share of 1 % at either end, the lesser of both.
+    /// Effective sample size of the extreme 1 % at either end, the lesser of both.
     pub extreme_ess: f64,
 }
 
@@ -85,23 +84,23 @@ pub struct Mixing {
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum SamplerDoubt {
-    /// Not the whole evidence was taken in.
+    /// Only part of the evidence was used.
     #[error("the evidence is so steep that only {temperature:.1e} of it was reached")]
     Unfinished {
-        /// (–) share that was reached.
+        /// (–) temperature reached.
         temperature: f64,
     },
-    /// The prior hardly ever agrees with the evidence at all.
+    /// The prior hardly ever agrees with the evidence.
     #[error(
         "only {possible} of {drawn} draws of the prior are possible, but {needed} are needed; say in the prior \
          what is impossible"
     )]
     HardlyPossible {
-        /// Number of draws that are possible.
+        /// Number of possible draws.
         possible: usize,
         /// Number of draws.
         drawn: usize,
-        /// Number that all islands need.
+        /// Number needed by all islands.
         needed: usize,
     },
     /// The islands give different evidence.
@@ -123,7 +122,7 @@ pub enum SamplerDoubt {
         /// (–) R̂.
         r_hat: f64,
     },
-    /// The draws are worth too few independent ones.
+    /// The effective sample size is too small.
     #[error(
         "{quantity} has an effective sample size of {ess:.0}, but needs {ESS_LIMIT}; take more particles"
     )]
@@ -133,7 +132,7 @@ pub enum SamplerDoubt {
         /// Effective sample size.
         ess: f64,
     },
-    /// The islands do not agree on how far out a quantity may be.
+    /// The islands disagree on the extremes of a quantity.
     #[error(
         "the greatest or least hundredth of {quantity} has an effective sample size of {ess:.0}, but needs \
          {EXTREME_ESS_LIMIT}, as where few particles have met a mode; take more particles"
@@ -151,10 +150,10 @@ pub enum SamplerDoubt {
         100.0 * .0.share, .0.quantity, .0.low, .0.high, .0.ancestors
     )]
     FewAncestors(Mode),
-    /// Particles that no move leads away from where they are.
+    /// Many particles that no move has changed.
     #[error("{:.0} % of the particles stood still at the end: hardly a move is accepted", 100.0 * .unmoved)]
     StoodStill {
-        /// (–) share of the particles.
+        /// (–) fraction of the particles.
         unmoved: f64,
     },
 }
@@ -164,34 +163,33 @@ pub enum SamplerDoubt {
 pub enum Verdict<'a> {
     /// All islands agree.
     Converged,
-    /// Not, and why. What the draws say is then not an answer.
+    /// They do not, for these reasons. The draws are then not an answer.
     NotConverged(&'a [SamplerDoubt]),
 }
 
-/// What is known of a run.
+/// Diagnostics of a run.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Diagnosis {
-    /// For each value, then for each output.
+    /// Mixing of each value, then of each output.
     pub mixing: Vec<Mixing>,
     /// (–) standard deviation of the log evidence between the islands.
     pub evidence_sd: f64,
-    /// Ranges of values and outputs that fewer draws part from each other.
+    /// Modes: ranges of values and outputs separated by fewer draws.
     pub modes: Vec<Mode>,
-    /// The most steps in temperature of an island.
+    /// Maximum number of temperature steps of an island.
     pub stages: usize,
-    /// How many particles were evaluated.
+    /// Number of particles evaluated.
     pub evaluations: usize,
-    /// (–) share of the proposals accepted at the end by the kind of move that accepts most, in the island
-    /// where that is least.
+    /// (–) final acceptance rate of the kind of move that accepts most, the least of all islands.
     pub acceptance: f64,
-    /// (–) share of the particles that stood still at the end, in the island where it is greatest.
+    /// (–) fraction of the particles without a move at the end, the greatest of all islands.
     pub unmoved: f64,
-    /// (–) mean correlation of the particles with where they were before the moves at the end, in the island
-    /// where it is greatest. It stays high where there are modes, between which no move leads.
+    /// (–) mean correlation of the particles with their positions before the final moves, the greatest of all
+    /// islands. It stays high if no move leads from mode to mode.
     pub memory: f64,
-    /// Number of draws of the prior, and of those that are possible.
+    /// Number of draws from the prior, and of possible ones.
     pub prior_draws: [usize; 2],
-    /// (–) share of the evidence that was reached.
+    /// (–) temperature reached.
     pub temperature: f64,
     pub(crate) doubts: Vec<SamplerDoubt>,
 }
@@ -209,7 +207,7 @@ impl Diagnosis {
         if self.doubts.is_empty() { Verdict::Converged } else { Verdict::NotConverged(&self.doubts) }
     }
 
-    /// Finds what is doubtful; `needed` is the number of particles of all islands.
+    /// Lists the reasons for doubt; `needed` is the number of particles of all islands.
     pub(crate) fn doubt(&mut self, needed: usize) {
         let mut doubts = Vec::new();
         if self.temperature < 1.0 {
@@ -222,7 +220,7 @@ impl Diagnosis {
         if self.evidence_sd > EVIDENCE_LIMIT {
             doubts.push(SamplerDoubt::EvidenceSpread { sd: self.evidence_sd });
         }
-        // One quantity stands for all that suffer from the same.
+        // One quantity represents all with the same problem.
         let worst = self.mixing.iter().max_by(|a, b| a.r_hat.total_cmp(&b.r_hat));
         if let Some(&Mixing { quantity, r_hat, .. }) = worst.filter(|worst| worst.r_hat > R_HAT_LIMIT) {
             doubts.push(SamplerDoubt::Disagreement { quantity, r_hat });
@@ -246,7 +244,7 @@ impl Diagnosis {
     }
 }
 
-/// How well the islands, of `particles` each, agree on a column.
+/// Agreement of the islands, of `particles` each, on a column.
 pub(crate) fn mixing(quantity: DrawnQuantity, column: &[f64], particles: usize) -> Mixing {
     let count = column.len();
     let order = order(column);
@@ -266,7 +264,7 @@ pub(crate) fn mixing(quantity: DrawnQuantity, column: &[f64], particles: usize) 
     Mixing { quantity, r_hat: bulk.r_hat.max(spread.r_hat), ess, extreme_ess }
 }
 
-/// The place of a quantile among `count` values in their order.
+/// The place of a quantile among `count` sorted values.
 #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "between zero and the count")]
 fn place(share: f64, count: usize) -> usize {
     (share * count as f64) as usize
@@ -296,7 +294,7 @@ fn normal_scores(column: &[f64], order: &[usize]) -> Vec<f64> {
     scores
 }
 
-/// How much islands differ beside how much their draws do.
+/// The spread between islands compared with that of their draws.
 struct Agreement {
     r_hat: f64,
     ess: f64,
@@ -317,7 +315,7 @@ impl Agreement {
         let mean = moments.iter().map(|(mean, _)| mean).sum::<f64>() / islands;
         let between = moments.iter().map(|(of, _)| (of - mean) * (of - mean)).sum::<f64>() / (islands - 1.0);
         if within == 0.0 {
-            // One value everywhere, or one in each island.
+            // The value is constant, or constant in each island.
             let agree = between == 0.0;
             return if agree {
                 Self { r_hat: 1.0, ess: count * islands }
@@ -334,10 +332,10 @@ impl Agreement {
     }
 }
 
-/// The parts of a column that valleys separate; none where there is no valley. `line` names the draw of the
-/// prior that each draw descends from.
+/// The parts of a column separated by valleys of the density; empty without a valley. `lines` holds the draw
+/// from the prior from which each draw descends.
 ///
-/// Equal values count as one where valleys are sought: copies of a draw are no mode.
+/// For the valleys equal values count as one, since copies of a draw are not a mode.
 pub(crate) fn modes(quantity: DrawnQuantity, column: &[f64], lines: &[u64]) -> Vec<Mode> {
     let order = order(column);
     let mut sorted: Vec<f64> = order.iter().map(|&draw| column[draw]).collect();
@@ -368,12 +366,12 @@ pub(crate) fn modes(quantity: DrawnQuantity, column: &[f64], lines: &[u64]) -> V
     modes
 }
 
-/// Values below which a part ends, in rising order: beyond the deepest valley, and beyond those to either
+/// Values below which a part ends, in rising order: beyond the deepest valley, then recursively on either
 /// side of it.
 fn valleys(sorted: &[f64], cuts: &mut Vec<f64>) {
-    /// Neighbours that tell a density, and density of the lower peak by that of the valley: by chance the
-    /// ratio of two of some hundred windows reaches half of that. The shorter window finds a mode of few
-    /// draws, if it stands well apart.
+    /// Number of neighbours that give a density, and minimum ratio of the density of the lower peak to that
+    /// of the valley: by chance the ratio of two among some hundred windows reaches half of that. The shorter
+    /// window finds a mode of few draws, if it is well separated.
     const WINDOWS: [(usize, f64); 2] = [(32, 6.0), (8, 25.0)];
     let Some(end) = WINDOWS.iter().find_map(|&(window, ratio)| deepest_valley(sorted, window, ratio)) else {
         return;
@@ -388,7 +386,7 @@ fn deepest_valley(sorted: &[f64], window: usize, ratio: f64) -> Option<usize> {
     if sorted.len() < 3 * window {
         return None;
     }
-    // The span of as many neighbours: what is small where they are dense.
+    // The span of `window` neighbours, which is small where they are dense.
     let spans: Vec<f64> = sorted.windows(window).map(|window| window[window.len() - 1] - window[0]).collect();
     let least = |least: &mut f64, span: &f64| {
         *least = least.min(*span);
@@ -402,7 +400,7 @@ fn deepest_valley(sorted: &[f64], window: usize, ratio: f64) -> Option<usize> {
     if depth(place) < ratio {
         return None;
     }
-    // Behind the widest gap within the window.
+    // Beyond the widest gap within the window.
     let gap = |place: usize| sorted[place + 1] - sorted[place];
     (place..place + window - 1).max_by(|a, b| gap(*a).total_cmp(&gap(*b))).map(|place| place + 1)
 }
@@ -430,7 +428,7 @@ mod tests {
     fn islands_that_agree_have_all_their_draws() {
         let mixing = mixing(DrawnQuantity::Value(0), &normals(1, 4096), 256);
         assert!(mixing.r_hat < 1.005, "{mixing:?}");
-        // 4096, told by 15 differences three times, of which the least counts.
+        // 4096 draws, estimated three times with 15 degrees of freedom; the least counts.
         assert!(mixing.ess > 1300.0, "{mixing:?}");
     }
 
@@ -448,7 +446,7 @@ mod tests {
         assert_eq!((constant.r_hat, constant.ess), (1.0, 4096.0));
     }
 
-    /// No seed finds a valley where there is none, and every mode is found.
+    /// No seed shows a valley where there is none, and every mode is found.
     #[test]
     fn valleys_are_found_where_they_are() {
         let lines: Vec<u64> = (0..4096).map(|draw| draw % 7).collect();
@@ -470,11 +468,11 @@ mod tests {
             }
             let found = modes(DrawnQuantity::Value(0), &column, &lines);
             assert_eq!(found.len(), 2, "{seed}: {found:?}");
-            // Every 33rd of 4096 is 125; all seven lines alike.
+            // Every 33rd of 4096 is 125, from all seven lines equally.
             assert_eq!((found[1].share * 4096.0).round(), 125.0);
             assert!((found[1].ancestors - 7.0).abs() < 0.05, "{found:?}");
 
-            // Ten draws in 4096, well apart.
+            // Ten draws in 4096, well separated.
             let mut column = normals(seed, 4096);
             for value in column.iter_mut().step_by(410) {
                 *value = 8.0 + 0.05 * *value;

@@ -1,4 +1,4 @@
-//! Why there is no answer.
+//! Errors of a run.
 
 use std::fmt;
 
@@ -6,14 +6,14 @@ use uncertainty::Failures;
 
 use crate::limits::{LEAST_ISLANDS, MOST_PARTICLES, PARTICLES_STEP};
 
-/// Why there are no draws.
+/// The reason why there are no draws.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum Failure {
-    /// Nothing is unknown.
+    /// There is no unknown value.
     #[error("there is no unknown value; give at least one value a prior")]
     NothingUnknown,
-    /// A number of particles that cannot be dealt in two halves of whole blocks.
+    /// A number of particles that cannot be divided into two halves of whole blocks.
     #[error(
         "the number of particles of an island must be a multiple of {PARTICLES_STEP} up to \
          {MOST_PARTICLES}, but is {particles}"
@@ -22,7 +22,7 @@ pub enum Failure {
         /// Number of particles.
         particles: usize,
     },
-    /// Too few islands for their differences to tell anything.
+    /// Too few islands for their differences to be meaningful.
     #[error("there must be at least {LEAST_ISLANDS} islands, but there are {islands}")]
     Islands {
         /// Number of islands.
@@ -31,7 +31,7 @@ pub enum Failure {
     /// A piece of evidence that does not exist.
     #[error("there are {terms} pieces of evidence, counted from 0, but number {term} was asked for")]
     NoSuchTerm {
-        /// The number asked for.
+        /// The requested index.
         term: usize,
         /// Number of pieces.
         terms: usize,
@@ -39,24 +39,24 @@ pub enum Failure {
     /// A log-likelihood that is NaN or +∞.
     #[error("the log-likelihood of evidence {term} is {value} at the values {values:?}")]
     NotALikelihood {
-        /// Number of the piece of evidence.
+        /// Index of the piece of evidence.
         term: usize,
-        /// What stands in place of its log-likelihood.
+        /// The value in place of its log-likelihood.
         value: f64,
-        /// (units of the values) where it does.
+        /// (units of the values) the values that give it.
         values: Vec<f64>,
     },
     /// An output that is infinite or NaN.
     #[error("output {output} is {value} at the values {values:?}")]
     NotFinite {
-        /// Number of the output.
+        /// Index of the output.
         output: usize,
-        /// What stands in place of it.
+        /// Its value.
         value: f64,
-        /// (units of the values) where it does.
+        /// (units of the values) the values that give it.
         values: Vec<f64>,
     },
-    /// No draw of the prior, or hardly any, agrees with all evidence.
+    /// No draw from the prior, or hardly any, agrees with all evidence.
     #[error("the evidence excludes what the prior allows: {0}")]
     Impossible(Exclusion),
     /// The caller ended the run.
@@ -69,34 +69,34 @@ pub enum Failure {
     },
 }
 
-/// What excluded the draws of the prior.
+/// The exclusions among the draws from the prior.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Exclusion {
-    /// Number of draws of the prior.
+    /// Number of draws from the prior.
     pub drawn: usize,
-    /// Number of those with a likelihood above zero.
+    /// Number of draws with a likelihood above zero.
     pub possible: usize,
-    /// Number of those of which the model makes nothing, by its reason.
+    /// Number of draws without a result of the model, by its reason.
     pub failures: Failures,
-    /// Number of the other draws that each piece of evidence excludes.
+    /// Number of other draws excluded by each piece of evidence.
     pub by_term: Vec<usize>,
-    /// Number of the other draws that both of two pieces exclude, `[a][b]` for b < a.
+    /// Number of other draws excluded by both of two pieces, `[a][b]` for b < a.
     pub by_both: Vec<Vec<usize>>,
 }
 
-/// The least that excludes every draw.
+/// The smallest cause that excludes every draw.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Culprit {
-    /// The model makes nothing of any draw.
+    /// The model has no result for any draw.
     Model,
-    /// One piece of evidence alone.
+    /// One piece of evidence.
     Term(usize),
-    /// Two pieces, which are possible alone but not together.
+    /// Two pieces that are possible separately but not together.
     Pair(usize, usize),
-    /// It takes three pieces or more.
+    /// Three or more pieces together.
     Together,
-    /// Nothing: some draws are possible, but too few to go on from.
+    /// None: some draws are possible, but too few to continue.
     None,
 }
 
@@ -121,7 +121,7 @@ impl Exclusion {
         }
     }
 
-    /// The least that excludes every draw; of several that do, the first.
+    /// The smallest cause that excludes every draw; of several, the first.
     #[must_use]
     pub fn culprit(&self) -> Culprit {
         if self.possible > 0 {
@@ -167,28 +167,28 @@ impl fmt::Display for Exclusion {
     }
 }
 
-/// Why a piece of evidence cannot be judged.
+/// The reason why draws cannot be reweighted, or a piece of evidence not be checked.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum CannotReweight {
     /// A piece of evidence that does not exist.
     #[error("there are {terms} pieces of evidence, counted from 0, but number {term} was asked for")]
     NoSuchTerm {
-        /// The number asked for.
+        /// The requested index.
         term: usize,
         /// Number of pieces.
         terms: usize,
     },
-    /// A piece that excludes values: without it there would be draws where now there are none.
+    /// A piece that excludes values: without it there would be draws where there are none now.
     #[error("evidence {term} excludes values, so that no weights can bring them back; run again without it")]
     Excludes {
-        /// Number of the piece of evidence.
+        /// Index of the piece of evidence.
         term: usize,
     },
     /// A piece without a residual.
     #[error("evidence {term} has no residual, so that it cannot be compared with a prediction")]
     NoResidual {
-        /// Number of the piece of evidence.
+        /// Index of the piece of evidence.
         term: usize,
     },
 }

@@ -1,4 +1,4 @@
-//! The normal distribution that has the mean and covariance of particles.
+//! The normal distribution with the mean and covariance of particles.
 
 use uncertainty::{LANES, Lanes};
 
@@ -13,12 +13,12 @@ pub(crate) struct Gaussian {
 }
 
 impl Gaussian {
-    /// Of the particles in `blocks`, each of which has a column for each coordinate.
+    /// The normal distribution of the particles in `blocks`, each with a column for each coordinate.
     ///
-    /// So few particles draw the eigenvalues of their covariance apart: what is narrow is found too narrow,
-    /// what is wide too wide, and a normal distribution that has them misses most of the posterior in many
-    /// dimensions. They are put where they belong; where there are too few particles for that, the
-    /// covariance is drawn towards its diagonal.
+    /// The eigenvalues of a sample covariance of few particles are too far apart: narrow directions are found
+    /// too narrow, wide ones too wide, and in many dimensions such a normal distribution misses most of the
+    /// posterior. So the eigenvalues are shrunk; if there are too few particles for that, the covariance is
+    /// shrunk towards its diagonal.
     pub(crate) fn of(blocks: &[&[Lanes]], dimensions: usize) -> Self {
         let count = (blocks.len() * LANES) as f64;
         let mean: Vec<f64> = (0..dimensions)
@@ -93,7 +93,7 @@ impl Gaussian {
     }
 }
 
-/// How many particles there are, each place counted once: resampling leaves several at one.
+/// Number of different particles: resampling leaves several at the same place.
 fn different(blocks: &[&[Lanes]]) -> usize {
     let mut places: Vec<f64> = blocks.iter().filter_map(|block| block.first()).flatten().copied().collect();
     places.sort_by(f64::total_cmp);
@@ -101,8 +101,8 @@ fn different(blocks: &[&[Lanes]]) -> usize {
     places.len()
 }
 
-/// Draws a covariance of `count` particles towards its diagonal by the share d/(d + n), as much as they leave
-/// it undetermined.
+/// Shrinks a covariance of `count` particles towards its diagonal by d/(d + n), the extent to which they
+/// leave it undetermined.
 fn towards_diagonal(triangle: &mut [Vec<f64>], count: f64) {
     let kept = count / (count + triangle.len() as f64);
     for (place, row) in triangle.iter_mut().enumerate() {
@@ -161,7 +161,7 @@ mod tests {
     use super::Gaussian;
     use uncertainty::Lanes;
 
-    /// Points of which mean and covariance are known: (a, 2a + b) for a, b = ±1 in all combinations.
+    /// Points with known mean and covariance: (a, 2a + b) for a, b = ±1 in all combinations.
     #[test]
     fn mean_and_covariance_are_those_of_the_points() {
         let sign = |bit: usize, lane: usize| if lane >> bit & 1 == 0 { 1.0 } else { -1.0 };

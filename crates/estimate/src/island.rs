@@ -1,4 +1,4 @@
-//! One population on its way from the prior to the posterior.
+//! One population of particles, led from the prior to the posterior.
 //!
 //! # References
 //!
@@ -18,41 +18,42 @@ use crate::model::{Evidence, Faded, Hurdle, Prior};
 use crate::moves::{KINDS, Kind, Proposal, Tuning, choose, normals};
 use crate::target::{Evaluation, Target, Wanted};
 
-/// (–) conditional effective sample size, of the particles, that a step in temperature keeps.
+/// (–) conditional effective sample size kept by a temperature step, as a fraction of the particles.
 const KEPT: f64 = 0.5;
 
-/// Draws of the prior, for each particle, after which one that is possible is given up.
+/// Maximum number of draws from the prior per particle in search of possible ones.
 const MOST_DRAWS: usize = 256;
 
-/// More steps in temperature than any evidence needs.
+/// Maximum number of temperature steps, more than any evidence needs.
 const MOST_STAGES: usize = 1000;
 
-/// When particles have moved enough.
+/// Criterion for particles to have moved enough.
 #[derive(Clone, Copy, Debug)]
 struct Enough {
-    /// Fewest rounds of moves, and most.
+    /// Minimum and maximum number of rounds of moves.
     rounds: (usize, usize),
-    /// (–) correlation of every coordinate with where it was.
+    /// (–) maximum correlation of a coordinate with its earlier value.
     correlation: f64,
 }
 
-/// On the way the next moves go on where these end.
+/// Intermediate particles are moved further at the next temperature.
 const ON_THE_WAY: Enough = Enough { rounds: (3, 60), correlation: 0.1 };
 
-/// The last particles are the draws.
+/// The final particles are the draws.
 const AT_THE_END: Enough = Enough { rounds: (9, 240), correlation: 0.1 };
 
-/// Rounds after which a mean correlation that has hardly fallen will not fall: modes do not mix.
+/// Number of rounds after which a mean correlation that has hardly fallen is assumed not to fall: modes do
+/// not mix.
 const PATIENCE: usize = 12;
 
-/// How far the particles still are from forgetting where they were.
+/// Correlation of the particles with their earlier positions.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Memory {
-    /// (–) greatest correlation of a coordinate with where it was.
+    /// (–) greatest correlation of a coordinate with its earlier value.
     pub(crate) greatest: f64,
     /// (–) mean over the coordinates.
     pub(crate) mean: f64,
-    /// (–) share of the particles that have not moved at all.
+    /// (–) fraction of the particles that have not moved at all.
     pub(crate) unmoved: f64,
 }
 
@@ -60,10 +61,10 @@ pub(crate) struct Memory {
 #[derive(Clone, Debug)]
 pub(crate) struct Population {
     dimensions: usize,
-    /// Columns of the first block, of the second, and so on.
+    /// The columns of the first block, then of the second, and so on.
     standard: Vec<Lanes>,
     log_likelihood: Vec<Lanes>,
-    /// For each particle the draw that it descends from, by resampling and by moves that begin where it was.
+    /// For each particle the draw from which it descends, by resampling and by local moves.
     lineage: Vec<[u32; LANES]>,
 }
 
@@ -84,7 +85,7 @@ impl Population {
         self.blocks() * LANES
     }
 
-    /// The first particles of it, as many as `particles` and whole blocks.
+    /// The first `particles` particles, in whole blocks.
     fn first(&self, particles: usize) -> Self {
         let blocks = particles / LANES;
         Self {
@@ -95,7 +96,7 @@ impl Population {
         }
     }
 
-    /// A number for the next draw that descends from nobody.
+    /// The lineage number of the next draw without an ancestor.
     fn newest(&self) -> u32 {
         let newest = self.lineage.iter().flatten().max();
         newest.map_or(0, |newest| newest.wrapping_add(1))
@@ -121,7 +122,7 @@ impl Population {
         (0..self.dimensions).map(of).collect()
     }
 
-    /// How much the particles remember of where they were.
+    /// Correlation of the particles with those `before`.
     fn memory(&self, before: &Self, variances: &[f64]) -> Memory {
         let count = self.particles() as f64;
         let now = self.variances();
@@ -150,8 +151,8 @@ impl Population {
         Memory { greatest, mean: total / variances.len() as f64, unmoved }
     }
 
-    /// Systematic resampling with weights whose mean is 1. Particle i of the result goes to another block
-    /// than i + 1, so that the copies of one are dealt to both halves.
+    /// Systematic resampling with weights of mean 1. Particles i and i + 1 of the result go to different
+    /// blocks, so that the copies of a particle are dealt to both halves.
     fn resample(&mut self, weights: &[Lanes], share: f64) {
         let old = self.clone();
         let blocks = self.blocks();
@@ -170,8 +171,8 @@ impl Population {
     }
 }
 
-/// The particles, as block and lane, that systematic resampling takes: `count` of them at (i + share)·W/count
-/// along the weights laid end to end, W their sum.
+/// The particles (block and lane) selected by systematic resampling: `count` of them, at (i + share)·W/count
+/// along the cumulative weights with the sum W.
 fn sources(weights: &[Lanes], share: f64, count: usize) -> impl Iterator<Item = (usize, usize)> {
     let total: f64 = weights.iter().map(|weights| sum(weights)).sum();
     let mut particles = (0..weights.len()).flat_map(|block| (0..LANES).map(move |lane| (block, lane)));
@@ -184,7 +185,7 @@ fn sources(weights: &[Lanes], share: f64, count: usize) -> impl Iterator<Item = 
         while reached <= place
             && let Some(particle) = current
         {
-            // The last particle with a weight stands in where rounding leads beyond the end.
+            // If rounding leads beyond the end, the last particle with a weight is taken.
             if weights[particle.0][particle.1] > 0.0 {
                 last = current;
             }
@@ -195,10 +196,10 @@ fn sources(weights: &[Lanes], share: f64, count: usize) -> impl Iterator<Item = 
     })
 }
 
-/// What became of an island.
+/// The result of an island.
 #[derive(Clone, Debug)]
 pub(crate) struct Island {
-    /// None where no draw of the prior was possible.
+    /// `None` if no draw from the prior was possible.
     pub(crate) population: Option<Population>,
     pub(crate) log_evidence: f64,
     pub(crate) exclusion: Exclusion,
@@ -206,16 +207,16 @@ pub(crate) struct Island {
     pub(crate) excludes: Vec<bool>,
     pub(crate) stages: usize,
     pub(crate) evaluations: usize,
-    /// (–) the evidence's share that was reached: 1 unless it took too many steps.
+    /// (–) final temperature: 1 unless it took too many steps.
     pub(crate) temperature: f64,
-    /// (–) of the kind of move that accepts most, at the end.
+    /// (–) final acceptance rate of the kind of move that accepts most.
     pub(crate) acceptance: f64,
     pub(crate) memory: Memory,
 }
 
 /// Runs an island.
 ///
-/// `goes_on` receives the temperature before each step to the next one; `None` where it says no.
+/// `goes_on` receives the temperature before each step; the result is `None` if it returns false.
 pub(crate) fn run<P: Prior, E: Evidence>(
     target: &Target<'_, P, E>,
     particles: usize,
@@ -240,7 +241,7 @@ pub(crate) fn run<P: Prior, E: Evidence>(
         memory: Memory::default(),
     };
     if let Some(mut population) = population {
-        // Z₀ = share of the prior that is possible
+        // Z₀ = possible fraction of the prior
         let exclusion = &traveller.exclusion;
         island.log_evidence = ln(exclusion.possible as f64 / exclusion.drawn as f64);
         while island.temperature < 1.0 && island.stages < MOST_STAGES {
@@ -268,8 +269,8 @@ pub(crate) fn run<P: Prior, E: Evidence>(
     Ok(Some(island))
 }
 
-/// Leads an island's population, which holds all evidence of `target`, to the posterior without one of its
-/// terms: the first `particles` of it, while the likelihood of the term fades.
+/// Leads the first `particles` of an island's population, drawn with all evidence of `target`, to the
+/// posterior without one of its terms, while the likelihood of the term fades.
 pub(crate) fn run_without<P: Prior, E: Evidence>(
     target: &Target<'_, P, E>,
     term: usize,
@@ -302,7 +303,7 @@ pub(crate) fn run_without<P: Prior, E: Evidence>(
             break;
         }
         let stage = island.stages as u64;
-        // The logarithm of the weights, for the whole term: −l_k.
+        // The log weights for removing the whole term: −l_k.
         let mut traveller = Traveller::new(&target, key_of_island);
         traveller.weigh_again(&mut population, |evaluation| evaluation.terms[term].map(|l| -l).into())?;
         let step = step_in_temperature(&population, share);
@@ -334,9 +335,9 @@ pub(crate) fn run_without<P: Prior, E: Evidence>(
 struct Step {
     size: f64,
     is_last: bool,
-    /// Weights with the mean 1.
+    /// Weights of mean 1.
     weights: Vec<Lanes>,
-    /// ln of their mean before that: what the evidence gains.
+    /// ln of their mean before normalisation, which is added to the log evidence.
     log_mean: f64,
 }
 
@@ -354,7 +355,7 @@ fn step_in_temperature(population: &Population, rest: f64) -> Step {
         }
         sums
     };
-    // With equal weights before, the conditional effective sample size is (Σ w)²/Σ w².
+    // As the weights were equal before, the conditional effective sample size is (Σ w)²/Σ w².
     let is_kept = |size: f64| {
         let [first, second] = sums(size);
         first * first >= KEPT * count * second
@@ -363,8 +364,8 @@ fn step_in_temperature(population: &Population, rest: f64) -> Step {
     let mut size = rest;
     if !is_last {
         let (mut low, mut high) = (0.0, rest);
-        // By halves until the share of the particles is known to a tenth of a percent. A step may be as small
-        // as a likelihood is steep; then it is the exponent that is searched.
+        // Bisection until the fraction of the particles is known to a tenth of a per cent. For a steep
+        // likelihood the step may be tiny; then the search is over its exponent.
         for _ in 0..200 {
             let middle = if low > 0.0 { 0.5 * (low + high) } else { high * 0.125 };
             if is_kept(middle) {
@@ -376,7 +377,7 @@ fn step_in_temperature(population: &Population, rest: f64) -> Step {
                 break;
             }
         }
-        // Where even the smallest step keeps too little, the likelihood is all but a limit; some step must
+        // If even the smallest step keeps too little, the likelihood is almost a hard limit; some step must
         // be taken.
         size = if low > 0.0 { low } else { high };
     }
@@ -386,7 +387,7 @@ fn step_in_temperature(population: &Population, rest: f64) -> Step {
     Step { size, is_last, weights: weights.collect(), log_mean: ln(mean) + size * best }
 }
 
-/// What an island moves its particles with.
+/// The state with which an island moves its particles.
 struct Traveller<'a, 'b, P, E> {
     target: &'a Target<'b, P, E>,
     key: u64,
@@ -397,7 +398,7 @@ struct Traveller<'a, 'b, P, E> {
     excludes: Vec<bool>,
     evaluations: usize,
     newest: u32,
-    /// Of each half, as it was in a round that is a power of two.
+    /// The distribution of each half, as of the last round that was a power of two.
     references: [Option<Gaussian>; 2],
 }
 
@@ -418,7 +419,7 @@ impl<'a, 'b, P: Prior, E: Evidence> Traveller<'a, 'b, P, E> {
         }
     }
 
-    /// Draws of the prior that are possible; none if there is none among many.
+    /// Draws possible particles from the prior; `None` if many draws give none.
     fn draw_prior(&mut self, particles: usize) -> Result<Option<Population>, Failure> {
         let dimensions = self.target.dimensions();
         let blocks = particles / LANES;
@@ -460,7 +461,7 @@ impl<'a, 'b, P: Prior, E: Evidence> Traveller<'a, 'b, P, E> {
         if found == 0 {
             return Ok(None);
         }
-        // Too few are repeated; their lineage shows it.
+        // If there are too few, they are repeated; their lineage shows it.
         for index in found..particles {
             let (place, into) = (index / LANES, index % LANES);
             let (old, from) = (index % found / LANES, index % found % LANES);
@@ -474,7 +475,7 @@ impl<'a, 'b, P: Prior, E: Evidence> Traveller<'a, 'b, P, E> {
         Ok(Some(population))
     }
 
-    /// Evaluates the particles where they are, and gives each the number that stands for its log-likelihood.
+    /// Re-evaluates the particles, and sets their log-likelihood to the given function of the evaluation.
     fn weigh_again(
         &mut self,
         population: &mut Population,
@@ -487,12 +488,12 @@ impl<'a, 'b, P: Prior, E: Evidence> Traveller<'a, 'b, P, E> {
         Ok(())
     }
 
-    /// (–) of the kind of move that accepts most.
+    /// (–) acceptance rate of the kind of move that accepts most.
     fn acceptance(&self) -> f64 {
         self.tunings.iter().map(|tuning| tuning.acceptance).fold(0.0, f64::max)
     }
 
-    /// Takes out the particles that only what is not used finds impossible; the share that stays.
+    /// Removes the particles that only the unused terms find impossible, and returns the remaining fraction.
     fn possible(&mut self, population: &mut Population) -> Result<f64, Failure> {
         if self.target.used.iter().all(|used| *used) {
             return Ok(1.0);
@@ -510,7 +511,7 @@ impl<'a, 'b, P: Prior, E: Evidence> Traveller<'a, 'b, P, E> {
         Ok(share)
     }
 
-    /// Counts what excluded the draws of the prior of this block.
+    /// Counts the exclusions among this block of draws from the prior.
     fn count_draws(&mut self) {
         self.exclusion.drawn += LANES;
         for lane in 0..LANES {
@@ -540,7 +541,8 @@ impl<'a, 'b, P: Prior, E: Evidence> Traveller<'a, 'b, P, E> {
         self.target.used[term] && self.evaluation.terms[term][lane] == f64::NEG_INFINITY
     }
 
-    /// Moves until the particles have forgotten where they were, or will not.
+    /// Moves the particles until they no longer correlate with their earlier positions, or no progress is
+    /// made.
     fn travel(
         &mut self,
         population: &mut Population,
@@ -554,7 +556,7 @@ impl<'a, 'b, P: Prior, E: Evidence> Traveller<'a, 'b, P, E> {
         let mut memory = Memory { greatest: 1.0, mean: 1.0, unmoved: 1.0 };
         for round in 0..enough.rounds.1 {
             let sequence = key(sequence, &[round as u64]);
-            // What a half looks like changes less and less.
+            // The distribution of a half changes less and less, so it is refreshed ever more rarely.
             if round.count_ones() <= 1 {
                 self.references = [None, None];
             }
@@ -567,7 +569,7 @@ impl<'a, 'b, P: Prior, E: Evidence> Traveller<'a, 'b, P, E> {
             let has_stopped = means.len() >= PATIENCE
                 && means.get(means.len() - PATIENCE).is_some_and(|earlier| earlier - memory.mean < 0.02);
             means.push(memory.mean);
-            // The correlation of independent particles is not zero but 1/√N, to either side.
+            // The correlation of independent particles is not zero but ±1/√N.
             let noise = 2.0 / (population.particles() as f64).sqrt();
             if memory.greatest < enough.correlation + noise || has_stopped {
                 break;
@@ -641,7 +643,7 @@ impl<'a, 'b, P: Prior, E: Evidence> Traveller<'a, 'b, P, E> {
                     }
                     accepted += 1.0;
                     population.log_likelihood[block][lane] = log_likelihood[lane];
-                    // An independent draw descends from nobody.
+                    // An independent draw has no ancestor.
                     if kind == Kind::Reference && scale >= 1.0 {
                         population.lineage[block][lane] = self.newest;
                         self.newest = self.newest.wrapping_add(1);
@@ -668,7 +670,7 @@ impl<'a, 'b, P: Prior, E: Evidence> Traveller<'a, 'b, P, E> {
     }
 }
 
-/// ln of a number between 0 and 1 for each particle from `first` on.
+/// ln of a uniform number between 0 and 1 for each particle from `first` on.
 fn log_shares(sequence: u64, first: u64) -> Lanes {
     let mut shares = Lanes::ZERO;
     for (share, lane) in shares.iter_mut().zip(first..) {
@@ -677,7 +679,7 @@ fn log_shares(sequence: u64, first: u64) -> Lanes {
     shares
 }
 
-/// What a block is moved by.
+/// The data for the moves of a block.
 struct Moves<'a> {
     from: &'a [Lanes],
     others: &'a [&'a [Lanes]],
@@ -728,12 +730,12 @@ mod tests {
                 assert!((count - weight).abs() < 1.0, "{weight} taken {count} times");
             }
         }
-        // Equal weights: each once, in order.
+        // With equal weights each is taken once, in order.
         let all: Vec<_> = sources(&[Lanes::splat(1.0); 2], 0.5, 128).collect();
         assert!(all.iter().enumerate().all(|(i, place)| *place == (i / 64, i % 64)));
     }
 
-    /// A quarter of the particles with a likelihood of 1, the others with next to none.
+    /// A quarter of the particles have the likelihood 1, the others almost none.
     #[test]
     fn a_step_keeps_half_of_the_sample_size() {
         let halves = Lanes::from(std::array::from_fn(|lane| if lane % 4 == 0 { 0.0 } else { -1e6 }));

@@ -1,9 +1,8 @@
-//! Draws from a posterior, and its evidence: what evidence makes of what was known before.
+//! Draws from a Bayesian posterior, and its evidence.
 //!
-//! Tempered sequential Monte Carlo: particles drawn from the prior are led to the posterior in steps, and
-//! weighed, resampled and moved at each. It needs no derivatives, finds several modes, takes a block of
-//! particles at a
-//! time, and says when it has not converged.
+//! Tempered sequential Monte Carlo: particles drawn from the prior are led to the posterior in steps, and are
+//! weighted, resampled and moved in each. The method needs no derivatives, finds several modes, processes
+//! particles in blocks, and reports when it has not converged.
 //!
 //! ```
 //! use estimate::{LikelihoodFunction, Independent, DrawnQuantity, Settings, Verdict, sample_quietly};
@@ -30,45 +29,44 @@
 //!
 //! | item | what it is |
 //! |---|---|
-//! | [`Prior`], [`Independent`] | how standard normal numbers become the unknown values |
+//! | [`Prior`], [`Independent`] | the transform of standard normal numbers into the unknown values |
 //! | [`Evidence`], [`LikelihoodFunction`] | the log-likelihood in terms, one for each piece of evidence; further outputs and residuals |
-//! | [`Hurdle`] | what a proposal has to reach, for evidence of which some terms take long |
-//! | [`Settings`], [`Selection`] | number of particles and islands, seed; which pieces of evidence are used |
-//! | [`sample`] → [`Posterior`] | draws of equal weight, their log evidence, and a [`Verdict`] with its reasons |
+//! | [`Hurdle`] | the condition for accepting a proposal, for evidence with slow terms |
+//! | [`Settings`], [`Selection`] | number of particles and islands, seed, pieces of evidence used |
+//! | [`sample`] → [`Posterior`] | draws of equal weight, the log evidence, and a [`Verdict`] with its reasons |
 //! | [`DrawsSummary`], [`Draws`] | mean, deviation, median, intervals and probabilities, with standard errors |
 //! | [`Posterior::without`] → [`Weights`] | the answer without some pieces of evidence, from the same draws |
-//! | [`sample_without`] | the same by draws of its own, which start from those with all evidence |
-//! | [`Posterior::check`] → [`PieceCheck`] | one piece of evidence against what the rest predicts: a p-value |
-//! | [`Failure`], [`Exclusion`] | why there is no answer, and what excludes what |
+//! | [`sample_without`] | the same with new draws, started from those with all evidence |
+//! | [`Posterior::check`] → [`PieceCheck`] | one piece of evidence compared with the prediction of the rest: a p-value |
+//! | [`Failure`], [`Exclusion`] | the reason why there is no answer, and the evidence that excludes the prior |
 //!
 //! # The method
 //!
-//! Everything happens in a space where the prior is standard normal. Some islands, 16 unless told otherwise,
-//! each lead a population of their own from the prior to the posterior, and know nothing of each other:
-//! so what they tell differs as much as sampling lets it, and all standard errors, R̂ and effective sample
-//! sizes follow from this. `docs/theory.md` in the repository has the equations, section 12.
+//! The sampler works in a space in which the prior is standard normal. Several independent islands, 16 by
+//! default, each lead a population from the prior to the posterior. The spread of their results is that of
+//! sampling; all standard errors, R̂ and effective sample sizes follow from it. `docs/theory.md` in the
+//! repository has the equations, section 12.
 //!
 //! # Guarantees
 //!
 //! - The same prior, evidence and settings give the same bits for any number of threads, with and without the
 //!   feature `parallel`, for any of the [`uncertainty::Instructions`] and in any build profile, if prior and
-//!   evidence do.
-//! - A log-likelihood that is NaN or +∞ ends the run with an error that has the values; it never becomes a
-//!   draw. −∞ and failures of the model are allowed.
-//! - [`Verdict::Converged`] is refused where R̂ is above [`R_HAT_LIMIT`], where an effective sample size is
-//!   below [`ESS_LIMIT`] or, for the extremes, [`EXTREME_ESS_LIMIT`], where the islands' evidence differs by
-//!   more than [`EVIDENCE_LIMIT`], where a mode descends from fewer than [`ANCESTORS_LIMIT`] draws of the
-//!   prior, and where moves or possible draws of the prior are lacking.
+//!   evidence do so.
+//! - A log-likelihood of NaN or +∞ ends the run with an error that holds the values; it never becomes a draw.
+//!   −∞ and failures of the model are allowed.
+//! - [`Verdict::Converged`] is refused if R̂ is above [`R_HAT_LIMIT`], if an effective sample size is below
+//!   [`ESS_LIMIT`] or, for the extremes, [`EXTREME_ESS_LIMIT`], if the islands' evidence differs by more than
+//!   [`EVIDENCE_LIMIT`], if a mode descends from fewer than [`ANCESTORS_LIMIT`] draws from the prior, and if
+//!   there are too few moves or possible draws from the prior.
 //!
 //! # What it does not do
 //!
-//! It does not see a mode that no particle has met: of a mode that has 1e-5 of the prior, where the way there
-//! does not rise, most runs of ten thousand particles know nothing, and their verdict neither. Nor does it
-//! see
-//! that all islands are wrong alike, as where moves at the end have only begun to lead into a mode that no
-//! draw of the prior had met. Take more particles, or a prior that is nearer.
+//! It does not detect a mode that no particle has found: most runs of ten thousand particles, and their
+//! verdict, miss a mode with 1e-5 of the prior if the likelihood does not rise towards it. Nor does it detect
+//! that all islands are wrong in the same way, for example if the final moves have only begun to enter a mode
+//! that no draw from the prior had found. Use more particles, or a prior nearer to the posterior.
 //!
-//! It has no use for derivatives: in hundreds of dimensions, a sampler that has is better. Values have no
+//! It does not use derivatives: in hundreds of dimensions, a sampler that does is better. Values have no
 //! names and no units here.
 
 mod circle;

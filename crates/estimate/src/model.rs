@@ -1,22 +1,21 @@
-//! What is known before the evidence, and what the evidence says.
+//! The prior, and the likelihood of the evidence.
 
 use uncertainty::{Distribution, LANES, Lanes};
 
-/// What is known before the evidence: how independent standard normal numbers become the unknown values.
+/// The prior: transforms independent standard normal numbers into the unknown values.
 ///
-/// [`Independent`] does this for values that are independent of each other. A prior of one's own may let a
-/// value depend on those before it.
+/// [`Independent`] does this for independent values. In a custom prior a value may depend on those before it.
 ///
-/// Mark [`values`](Self::values) `#[inline(always)]`, as [`uncertainty::Model`] says.
+/// Mark [`values`](Self::values) `#[inline(always)]`, as explained at [`uncertainty::Model`].
 pub trait Prior: Sync {
-    /// Number of unknown values, and of the standard normal numbers that they are made of.
+    /// Number of unknown values, and of the standard normal numbers from which they are computed.
     fn values_count(&self) -> usize;
 
     /// Turns a block of standard normal numbers into values, a column for each.
     fn values(&self, standard: &[Lanes], values: &mut [Lanes]);
 }
 
-/// Unknown values that are independent of each other.
+/// Independent unknown values.
 #[derive(Clone, Debug)]
 pub struct Independent(pub Vec<Distribution>);
 
@@ -34,32 +33,29 @@ impl Prior for Independent {
     }
 }
 
-/// What the evidence says of unknown values: a log-likelihood in terms, one for each piece of evidence, for
+/// The evidence: a log-likelihood of the unknown values in terms, one for each piece of evidence, for
 /// [`LANES`] particles at once.
 ///
 /// Each lane must depend only on its own values; then a run has the same bits for any number of threads. If
 /// [`log_likelihood`](Self::log_likelihood) and all functions that it calls are marked `#[inline(always)]`
-/// and cannot panic, its loops over the lanes are vectorised. [`LikelihoodFunction`] makes evidence of a
+/// and cannot panic, its loops over the lanes are vectorised. [`LikelihoodFunction`] makes evidence from a
 /// function of one particle.
 pub trait Evidence: Sync {
     /// Number of pieces of evidence.
     fn terms_count(&self) -> usize;
 
-    /// Writes the logarithm of the likelihood of each piece of evidence, a column for each: −∞ where the
-    /// piece excludes the particle. The constant that makes it a density belongs in it where the log
-    /// evidence is to
-    /// mean something.
+    /// Writes the log-likelihood of each piece of evidence, a column for each: −∞ if the piece excludes the
+    /// particle. It must include the normalising constant if the log evidence is to be meaningful.
     ///
-    /// A particle of which the model makes nothing at all gets a reason from 1 to 254 in `reasons`, which are
-    /// 0 at the start; it is then impossible, whatever its terms.
+    /// A particle for which the model has no result gets a reason from 1 to 254 in `reasons`, which are
+    /// initially 0; it is then impossible, whatever its terms.
     ///
-    /// Neither NaN nor +∞ is a log-likelihood: they end the run with an error.
+    /// NaN and +∞ are not log-likelihoods: they end the run with an error.
     fn log_likelihood(&self, values: &[Lanes], terms: &mut [Lanes], reasons: &mut [u8; LANES]);
 
-    /// The same for the terms that are `used`: the others may be left as they are, and a model of which they
-    /// take long does without them. What makes a particle impossible may then be left out, too, where only
-    /// the terms that are not used would find it: the draws at the end are asked for everything, and those
-    /// that are impossible are taken out.
+    /// The same for the terms that are `used`: the others may be left as they are, so that a model can skip
+    /// slow ones. It may then also miss that a particle is impossible, if only an unused term would show it:
+    /// the final draws are evaluated with all terms, and impossible ones are removed.
     fn log_likelihood_of_used(
         &self,
         values: &[Lanes],
@@ -71,10 +67,10 @@ pub trait Evidence: Sync {
         self.log_likelihood(values, terms, reasons);
     }
 
-    /// The same for proposals, of which nothing matters but those that `hurdle` takes: a model of which some
-    /// terms take long may leave the others without them. Where a proposal is not taken even with the most
-    /// that a term can be, this most may stand in the term's place. Whether it has written the terms; where
-    /// not, [`log_likelihood`](Self::log_likelihood) is asked.
+    /// The same for proposals, of which only those accepted by `hurdle` matter, so that a model can skip slow
+    /// terms for the others: if a proposal is rejected even with the maximum of a term, this maximum may
+    /// replace the term. Returns whether it has written the terms; if not,
+    /// [`log_likelihood`](Self::log_likelihood) is called.
     ///
     /// The draws have the same bits either way.
     fn log_likelihood_of_proposals(
@@ -88,55 +84,55 @@ pub trait Evidence: Sync {
         false
     }
 
-    /// Number of further quantities that are wanted of each draw.
+    /// Number of further outputs of each draw.
     fn outputs_count(&self) -> usize {
         0
     }
 
-    /// What is wanted of each draw beside its values. It is called once for the particles at the end, all of
-    /// which are possible.
+    /// Writes the outputs and residuals of each draw. It is called once for the final particles, all of which
+    /// are possible.
     ///
     /// `outputs` has a column for each output, which must become finite. `residuals` has one for each of
-    /// [`parts`](Self::parts), NaN at the start, for the normal score of what was observed: the standard
-    /// normal number z for which Φ(z) is the probability that the part, were it observed anew with these
-    /// values, would turn out below what was observed. For a normal error this is (observed − predicted)/σ.
-    /// A piece that is no measurement, such as a limit, has none. Of a part on a circle it is the error
-    /// itself, observed − predicted, to any number of full turns.
+    /// [`parts`](Self::parts), initially NaN, for the normal score of the observation: the standard normal
+    /// number z for which Φ(z) is the probability that a new observation with these values would lie below
+    /// the actual one. For a normal error this is (observed − predicted)/σ. A piece that is not a
+    /// measurement, such as a limit, has none. For a part on a circle it is the error itself, observed −
+    /// predicted, up to any number of full turns.
     fn describe(&self, values: &[Lanes], outputs: &mut [Lanes], residuals: &mut [Lanes]) {
         let _ = (values, outputs, residuals);
     }
 
-    /// The numbers of which the pieces of evidence consist, a column of `residuals` for each: one for each
-    /// piece, unless a piece is a vector or an angle.
+    /// The parts of the pieces of evidence, each with a column of `residuals`: one for each piece, unless a
+    /// piece is a vector or an angle.
     fn parts(&self) -> Vec<Part> {
         (0..self.terms_count()).map(Part::of).collect()
     }
 
-    /// The normal score of an error of a part on a circle, which may be greater than half a turn.
+    /// The normal score for an error of a part on a circle, which may be greater than half a turn.
     fn score_on_circle(&self, part: usize, error: f64) -> f64 {
         let _ = part;
         error
     }
 }
 
-/// A number of which a piece of evidence consists.
+/// One number of a piece of evidence.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Part {
-    /// Number of the piece.
+    /// Index of the piece.
     pub term: usize,
-    /// (units of the error) what makes a full turn; `None` of a number that is on no circle.
+    /// (units of the error) a full turn; `None` for a number that is not on a circle.
     pub turn: Option<f64>,
 }
 
 impl Part {
-    /// The only one of a piece, on no circle.
+    /// The only part of a piece, not on a circle.
     #[must_use]
     pub fn of(term: usize) -> Self {
         Self { term, turn: None }
     }
 }
 
-/// Evidence made of a function of one particle.
+/// Evidence from a function of one particle.
 #[derive(Clone, Debug)]
 pub struct LikelihoodFunction<F> {
     terms: usize,
@@ -144,8 +140,8 @@ pub struct LikelihoodFunction<F> {
 }
 
 impl<F: Fn(&[f64], &mut [f64]) -> Result<(), u8> + Sync> LikelihoodFunction<F> {
-    /// The function reads the values of a particle and writes its terms, or fails with a reason from 1 to
-    /// 254.
+    /// Evidence from a function that reads the values of a particle and writes its terms, or fails with a
+    /// reason from 1 to 254.
     pub fn new(terms: usize, function: F) -> Self {
         Self { terms, function }
     }
@@ -175,24 +171,24 @@ impl<F: Fn(&[f64], &mut [f64]) -> Result<(), u8> + Sync> Evidence for Likelihood
     }
 }
 
-/// What the terms of a block of proposals have to reach for these to be accepted (Metropolis and Hastings).
+/// The condition on the terms of a block of proposals for acceptance (Metropolis and Hastings).
 #[derive(Clone, Copy, Debug)]
 pub struct Hurdle<'a> {
     /// For each term, whether it is used.
     pub(crate) used: &'a [bool],
-    /// The term that counts by less than all of it.
+    /// The term that counts only in part.
     pub(crate) faded: Option<Faded>,
     /// (–) β.
     pub(crate) temperature: f64,
-    /// (–) l of the particles where they are.
+    /// (–) l of the present particles.
     pub(crate) before: &'a Lanes,
-    /// (–) ln of the ratio of priors and proposals.
+    /// (–) ln of the ratio of prior and proposal densities.
     pub(crate) log_ratio: &'a Lanes,
-    /// (–) ln of a number that is drawn between 0 and 1.
+    /// (–) ln of a uniform number between 0 and 1.
     pub(crate) log_share: &'a Lanes,
 }
 
-/// A term of which a share counts, while it is taken out of the likelihood.
+/// A term that counts only in part while it is removed from the likelihood.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Faded {
     pub(crate) term: usize,
@@ -207,24 +203,24 @@ impl Hurdle<'_> {
         self.used
     }
 
-    /// Which proposals are accepted where these are their terms. One that is not would neither be with lower
-    /// terms: no rounding changes that.
+    /// Whether each proposal is accepted with these terms. One that is not would not be accepted with lower
+    /// terms either, whatever the rounding.
     #[must_use]
     pub fn takes(&self, terms: &[Lanes]) -> [bool; LANES] {
         let sums = sum_of_used(terms, self.used, self.faded);
         std::array::from_fn(|lane| self.takes_sum(lane, sums[lane]))
     }
 
-    /// Whether a log-likelihood is enough.
+    /// Whether a log-likelihood is high enough.
     #[inline(always)]
     pub(crate) fn takes_sum(&self, lane: usize, log_likelihood: f64) -> bool {
-        // ln α = β (l′ − l) + ln of the ratio of priors and proposals
+        // ln α = β (l′ − l) + ln of the ratio of prior and proposal densities
         let log_ratio = self.temperature * (log_likelihood - self.before[lane]) + self.log_ratio[lane];
         self.log_share[lane] < log_ratio
     }
 }
 
-/// Sum of the terms that are used, of `faded` its share.
+/// Sum of the used terms, with `faded` weighted by its share.
 #[inline(always)]
 pub(crate) fn sum_of_used(terms: &[Lanes], used: &[bool], faded: Option<Faded>) -> Lanes {
     let mut sums = Lanes::ZERO;
@@ -239,7 +235,7 @@ pub(crate) fn sum_of_used(terms: &[Lanes], used: &[bool], faded: Option<Faded>) 
     sums
 }
 
-/// Which pieces of evidence are used.
+/// The pieces of evidence used.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub enum Selection {
     /// All.
@@ -247,7 +243,7 @@ pub enum Selection {
     All,
     /// All but these.
     Without(Vec<usize>),
-    /// These alone.
+    /// Only these.
     Only(Vec<usize>),
 }
 
@@ -262,7 +258,7 @@ impl Selection {
         (0..terms).map(is_used).collect()
     }
 
-    /// The pieces that it names.
+    /// The pieces named by the selection.
     pub(crate) fn named(&self) -> &[usize] {
         match self {
             Self::All => &[],

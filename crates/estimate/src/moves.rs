@@ -1,7 +1,7 @@
-//! Moves of particles that leave a tempered posterior as it is.
+//! Moves of particles that leave a tempered posterior invariant.
 //!
-//! A population is dealt in two halves, and a half moves by what the other, which stands still, tells: so a
-//! move never learns from the particle that it moves.
+//! A population is dealt into two halves, and each half moves according to the other, which is kept fixed, so
+//! that a move never depends on the other moving particles.
 //!
 //! # References
 //!
@@ -21,27 +21,27 @@ use crate::gaussian::Gaussian;
 /// A kind of move.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Kind {
-    /// Towards a draw of the normal distribution of the other half, which it leaves as it is; with a scale of
-    /// 1 it is such a draw.
+    /// Towards a draw of the normal distribution of the other half, which the move leaves invariant; with a
+    /// scale of 1 it is such a draw.
     Reference,
-    /// Along the difference of two particles of the other half; now and then by all of it, which leads from
-    /// mode to mode.
+    /// Along the difference of two particles of the other half; occasionally by the whole difference, which
+    /// leads from mode to mode.
     Difference,
-    /// The same in some of the coordinates.
+    /// The same in a subset of the coordinates.
     Subset,
 }
 
 /// All kinds.
 pub(crate) const KINDS: [Kind; 3] = [Kind::Reference, Kind::Difference, Kind::Subset];
 
-/// How a kind of move has gone lately.
+/// Recent performance of a kind of move.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Tuning {
     ln_scale: f64,
-    /// Mean of the squared distances of late, each coordinate's by its variance and for all particles: what a
-    /// move is worth.
+    /// Recent mean squared distance over all particles, each coordinate relative to its variance: the worth
+    /// of a move.
     gain: f64,
-    /// (–) share of the proposals accepted, of late.
+    /// (–) recent acceptance rate.
     pub(crate) acceptance: f64,
 }
 
@@ -54,13 +54,13 @@ impl Tuning {
         exp(self.ln_scale)
     }
 
-    /// Longer moves where more are accepted than is best, shorter ones where fewer.
+    /// Lengthens the moves if more are accepted than is optimal, and shortens them if fewer.
     pub(crate) fn learn(&mut self, kind: Kind, accepted: f64, gain: f64) {
-        /// (–) of the last move in what is known.
+        /// (–) weight of the last move in the averages.
         const MEMORY: f64 = 0.3;
-        /// ln 1e-4: shorter moves lead nowhere.
+        /// ln 1e-4: shorter moves are useless.
         const LEAST: f64 = -9.2;
-        // About what lets a random walk go farthest (0.23 in many dimensions to 0.44 in one).
+        // Near the optimal acceptance rate of a random walk: 0.23 in many dimensions, 0.44 in one.
         let (best, most) = if kind == Kind::Reference { (0.3, 0.0) } else { (0.25, 1.0) };
         self.ln_scale = (self.ln_scale + (accepted - best)).clamp(LEAST, most);
         self.gain += MEMORY * (gain - self.gain);
@@ -68,9 +68,9 @@ impl Tuning {
     }
 }
 
-/// The kind to try next, for a share in (0, 1): the more often the more it is worth, each at times.
+/// The kind to try next, for a uniform number in (0, 1): in proportion to its worth, but each at times.
 pub(crate) fn choose(tunings: &[Tuning; KINDS.len()], share: f64) -> usize {
-    /// (–) of the mean worth, added to each.
+    /// (–) fraction of the mean worth added to each.
     const FLOOR: f64 = 0.2;
     let total: f64 = tunings.iter().map(|tuning| tuning.gain).sum();
     let floor = FLOOR * total / KINDS.len() as f64;
@@ -99,7 +99,7 @@ pub(crate) fn normals(sequence: u64, first: u64, columns: &mut [Lanes]) {
 /// A proposal for each particle of a block.
 pub(crate) struct Proposal {
     pub(crate) standard: Vec<Lanes>,
-    /// ln of what the ratio of the prior densities and of the chances of moving forth and back is together.
+    /// ln of the ratio of the prior densities times that of the proposal densities back and forth.
     pub(crate) log_ratio: Lanes,
     noise: Vec<Lanes>,
     whitened: Vec<Lanes>,
@@ -111,7 +111,7 @@ impl Proposal {
         Self { standard: columns(), log_ratio: Lanes::ZERO, noise: columns(), whitened: columns() }
     }
 
-    /// From the normal distribution N(m, L Lᵀ) of the other half.
+    /// Proposes from the normal distribution N(m, L Lᵀ) of the other half.
     #[inline(always)]
     pub(crate) fn by_reference(
         &mut self,
@@ -149,14 +149,14 @@ impl Proposal {
         sequence: u64,
         first: u64,
     ) {
-        /// (–) of the moves go by the whole difference.
+        /// (–) fraction of the moves by the whole difference.
         const WHOLE: f64 = 0.1;
-        /// (–) chance of a coordinate to be moved in a subset.
+        /// (–) probability that a coordinate moves in a subset.
         const CHANCE: f64 = 0.3;
         let count = others.len() * LANES;
         let is_subset = kind == Kind::Subset;
         let moved = from.len() as f64 * if is_subset { CHANCE } else { 1.0 };
-        // γ = 2.38/√(2d) is best for a normal distribution (ter Braak 2006).
+        // γ = 2.38/√(2d) is optimal for a normal distribution (ter Braak 2006).
         let best = 2.38 / (2.0 * moved.max(1.0)).sqrt();
         let [pairs, lengths] = [0, 1].map(|purpose| key(sequence, &[u64::MAX, purpose]));
         let mut partners = [[(0, 0); 2]; LANES];
@@ -166,7 +166,7 @@ impl Proposal {
             let place = |index: usize| (index / LANES, index % LANES);
             *partners = [place(a), place(b)];
             let share = unit(bits(lengths, lane));
-            // From a quarter of the length to one and a half of it.
+            // From a quarter to one and a half of the length.
             let within = 0.25 + 1.25 * (share - WHOLE) / (1.0 - WHOLE);
             *length = if share < WHOLE { 1.0 } else { best * scale * within };
         }
@@ -216,7 +216,7 @@ mod tests {
             let [a, b] = two_of(bits(3, index), 5);
             counts[a][b] += 1;
         }
-        // 1000 expected in each of 20 cells, ±4.5 standard deviations.
+        // 1000 are expected in each of 20 cells, ±4.5 standard deviations.
         for (a, row) in counts.iter().enumerate() {
             for (b, count) in row.iter().enumerate() {
                 assert!(if a == b { *count == 0 } else { (860..1140).contains(count) }, "{a} {b} {count}");
@@ -238,7 +238,7 @@ mod tests {
         for index in 0..1000 {
             counts[choose(&tunings, (f64::from(index) + 0.5) / 1000.0)] += 1;
         }
-        // Worth 10, 0 and 1, and a fifth of the mean for each: 10.73, 0.73 and 1.73 of 13.2.
+        // The worths 10, 0 and 1, plus a fifth of their mean for each: 10.73, 0.73 and 1.73 of 13.2.
         assert_eq!(counts, [813, 56, 131]);
     }
 }

@@ -1,4 +1,4 @@
-//! All islands, and what they say together.
+//! Runs all islands, and combines their results.
 
 use std::ops::{ControlFlow, Range};
 use std::sync::{Mutex, PoisonError};
@@ -18,7 +18,7 @@ use crate::settings::Settings;
 use crate::summary::{Draws, DrawsSummary};
 use crate::target::Target;
 
-/// Draws of the posterior, all with the same weight, and what is known of them.
+/// Draws from the posterior with equal weights, and their diagnostics.
 #[derive(Clone, Debug)]
 pub struct Posterior {
     columns: Columns,
@@ -28,9 +28,9 @@ pub struct Posterior {
     used: Vec<bool>,
     excludes: Vec<bool>,
     parts: Vec<Part>,
-    /// (units of the errors) of each part on a circle.
+    /// (units of the errors) mean error of each part on a circle.
     means: Vec<Option<f64>>,
-    /// The particles of each island, and ln Z of it.
+    /// The particles of each island, and its ln Z.
     populations: Vec<(Population, f64)>,
 }
 
@@ -43,18 +43,18 @@ struct Columns {
     residuals: Vec<Vec<f64>>,
 }
 
-/// What a piece of evidence looks like to the rest.
+/// Comparison of a piece of evidence with the prediction of the rest.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PieceCheck {
-    /// (–) probability that the piece, were it observed anew, would turn out below what was observed, by all
-    /// other evidence that is used; of a piece of several parts, of that which is farthest out.
+    /// (–) probability that a new observation of the piece, predicted by all other used evidence, lies below
+    /// the actual one; for a piece of several parts, that of the part farthest out.
     pub below: Estimate,
-    /// (–) probability of an observation at least as far out, to either side: 2 min(below, 1 − below). Of a
-    /// piece of k parts, k times that of the part which is farthest out (Bonferroni), at most 1.
+    /// (–) two-sided probability of an observation at least as far out: 2 min(below, 1 − below). For a piece
+    /// of k parts, k times that of the part farthest out (Bonferroni), at most 1.
     pub p_value: Estimate,
     /// (units of the error) mean of observed − predicted, for a piece on a circle.
     pub mean_on_circle: Option<f64>,
-    /// The weights that take the piece out of the draws; none where it is not in them.
+    /// The weights that remove the piece from the draws; `None` if they do not include it.
     pub weights: Option<Weights>,
 }
 
@@ -68,12 +68,12 @@ impl PieceCheck {
 
 /// Draws from the posterior.
 ///
-/// `progress` receives the number of finished particles and of all particles before each step in temperature
-/// of an island, and may end the run.
+/// `progress` receives the number of finished particles and of all particles before each temperature step of
+/// an island, and may end the run.
 ///
 /// # Errors
-/// If the settings cannot be used, if a log-likelihood is NaN or +∞, if the evidence excludes all that the
-/// prior allows, or if `progress` ended the run.
+/// If the settings are invalid, a log-likelihood is NaN or +∞, the evidence excludes everything that the
+/// prior allows, or `progress` ended the run.
 pub fn sample<P: Prior, E: Evidence>(
     prior: &P,
     evidence: &E,
@@ -108,16 +108,17 @@ pub fn sample<P: Prior, E: Evidence>(
     combine(&target, settings, &islands)
 }
 
-/// How far the islands are, and who hears of it.
+/// Progress of the islands, and its receiver.
 struct Voyage<'a, 'p> {
     progress: &'a mut Progress<'p>,
-    /// (–) of each island: 1 where it has arrived.
+    /// (–) temperature of each island: 1 when it is finished.
     temperatures: Vec<f64>,
     is_ended: bool,
 }
 
 impl Voyage<'_, '_> {
-    /// Tells how many particles have arrived, those on their way by their temperature, and whether to go on.
+    /// Reports the number of finished particles, counting others by their temperature, and returns whether to
+    /// go on.
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "up to all particles")]
     fn goes_on(&mut self, island: usize, temperature: f64, particles: usize) -> bool {
         self.temperatures[island] = temperature;
@@ -140,14 +141,14 @@ pub fn sample_quietly<P: Prior, E: Evidence>(
     sample(prior, evidence, settings, &mut |_, _| ControlFlow::Continue(()))
 }
 
-/// Draws from the posterior without a piece of evidence, from draws with it: of `settings.islands` islands of
-/// `with` the first `settings.particles` each, while the likelihood of the piece fades. This takes fewer
-/// moves than the way from the prior.
+/// Draws from the posterior without a piece of evidence, starting from draws with it: the first
+/// `settings.particles` of each of `settings.islands` islands of `with`, while the likelihood of the piece
+/// fades. This takes fewer moves than starting from the prior.
 ///
-/// `prior` and `evidence` are those of `with`, and so are the pieces that are used.
+/// `prior`, `evidence` and the used pieces must be those of `with`.
 ///
 /// # Errors
-/// As [`sample`]; and where `with` has fewer islands or particles, or does not use the piece.
+/// Those of [`sample`], or if `with` has fewer islands or particles, or does not use the piece.
 pub fn sample_without<P: Prior, E: Evidence>(
     prior: &P,
     evidence: &E,
@@ -171,7 +172,7 @@ pub fn sample_without<P: Prior, E: Evidence>(
     let mut target = Target { prior, evidence, used, faded: None, instructions: settings.instructions };
     let starts: Vec<(u64, &(Population, f64))> = (0..).zip(&with.populations[..settings.islands]).collect();
     let islands = for_each(&starts, |(index, (population, log))| {
-        // Other numbers than those of the run from which it starts.
+        // Random numbers different from those of the run from which it starts.
         let key = key(settings.seed, &[u64::MAX - 1, term as u64, *index]);
         run_without(&target, term, (population, *log), particles, key)
     });
@@ -273,10 +274,10 @@ fn combine<P: Prior, E: Evidence>(
     })
 }
 
-/// What the islands' evidence is together, and what each counts for.
+/// The combined evidence of the islands, and the weight of each.
 struct Together {
     log: Estimate,
-    /// (–) of ln Z.
+    /// (–) standard deviation of ln Z.
     sd: f64,
     /// (–) Z_i/Σ Z.
     shares: Vec<f64>,
@@ -288,7 +289,7 @@ impl Together {
         let logs: Vec<f64> = islands.iter().map(|island| island.log_evidence).collect();
         let best = logs.iter().fold(f64::NEG_INFINITY, |best, log| best.max(*log));
         let evidences: Vec<f64> = logs.iter().map(|log| exp(log - best)).collect();
-        // Z is estimated without bias, ln Z is not: so the mean is that of Z.
+        // The estimate of Z is unbiased, that of ln Z is not, so Z is averaged.
         let mean = evidences.iter().sum::<f64>() / count;
         let variance = |of: &[f64], mean: f64| {
             of.iter().map(|value| (value - mean) * (value - mean)).sum::<f64>() / (count - 1.0)
@@ -302,13 +303,12 @@ impl Together {
         }
     }
 
-    /// As many particles as there are, in their order, those of an island as often as its evidence demands:
-    /// systematic resampling.
+    /// Systematic resampling of all particles, in order, with those of an island weighted by its evidence.
     fn pick(&self, particles: usize, share: f64) -> Vec<usize> {
         let islands = self.shares.len();
         let count = particles * islands;
         let mut picked = Vec::with_capacity(count);
-        // Each particle's part of the draws.
+        // Expected number of draws of each particle.
         let parts = self.shares.iter().map(|share| share * islands as f64);
         let mut reached = 0.0;
         for (island, part) in parts.enumerate() {
@@ -326,7 +326,7 @@ impl Together {
     }
 }
 
-/// What is known of a block of draws.
+/// The columns of a block of draws.
 struct Described {
     values: Vec<Lanes>,
     outputs: Vec<Lanes>,
@@ -401,13 +401,13 @@ impl Posterior {
         &self.columns.outputs
     }
 
-    /// The log-likelihood of each piece of evidence, also of those that are not used, a column for each.
+    /// The log-likelihood of each piece of evidence, used or not, a column for each.
     #[must_use]
     pub fn terms(&self) -> &[Vec<f64>] {
         &self.columns.terms
     }
 
-    /// The residual of each part of the evidence, NaN where it has none, a column for each.
+    /// The residual of each part of the evidence, NaN if it has none, a column for each.
     #[must_use]
     pub fn residuals(&self) -> &[Vec<f64>] {
         &self.columns.residuals
@@ -419,19 +419,19 @@ impl Posterior {
         &self.used
     }
 
-    /// ln Z, Z the probability density of the evidence that is used, by the prior.
+    /// ln Z, with Z the prior probability density of the used evidence.
     #[must_use]
     pub fn log_evidence(&self) -> Estimate {
         self.log_evidence
     }
 
-    /// What is known of the run.
+    /// The diagnostics of the run.
     #[must_use]
     pub fn diagnosis(&self) -> &Diagnosis {
         &self.diagnosis
     }
 
-    /// Whether the run has converged. If not, what the draws say is not an answer.
+    /// Whether the run has converged. If not, the draws are not an answer.
     #[must_use]
     pub fn verdict(&self) -> Verdict<'_> {
         self.diagnosis.verdict()
@@ -455,11 +455,11 @@ impl Posterior {
         self.draws().summary(self.columns.column(quantity))
     }
 
-    /// Weights under which the draws are those of the posterior without some pieces of evidence. Where they
-    /// are not [reliable](Weights::are_reliable), run again with [`crate::Selection::Without`].
+    /// Weights that turn the draws into those of the posterior without some pieces of evidence. If they are
+    /// not [reliable](Weights::are_reliable), run again with [`crate::Selection::Without`].
     ///
     /// # Errors
-    /// Where there is no such piece, or where it excludes values.
+    /// If there is no such piece, or if it excludes values.
     pub fn without(&self, terms: &[usize]) -> Result<Weights, CannotReweight> {
         let mut logarithms = vec![0.0; self.count()];
         for &term in terms {
@@ -479,11 +479,11 @@ impl Posterior {
         Ok(Weights::smoothed(&logarithms))
     }
 
-    /// Weights under which the draws are those of the posterior with a piece of evidence beside what was
-    /// used. Where they are not [reliable](Weights::are_reliable), run again with it.
+    /// Weights that turn the draws into those of the posterior with another piece of evidence in addition to
+    /// those used. If they are not [reliable](Weights::are_reliable), run again with it.
     ///
     /// # Errors
-    /// Where there is no such piece, and where it makes every draw impossible.
+    /// If there is no such piece, or if it makes every draw impossible.
     pub fn with(&self, term: usize) -> Result<Weights, CannotReweight> {
         let terms = self.columns.terms.len();
         let column = self.columns.terms.get(term).ok_or(CannotReweight::NoSuchTerm { term, terms })?;
@@ -496,17 +496,17 @@ impl Posterior {
         Ok(Weights::smoothed(column))
     }
 
-    /// How many independent draws the draws under these weights are worth: of their number by
-    /// [`Draws::effective`] the share that the draws themselves are worth of theirs.
+    /// Effective sample size of the draws with these weights: [`Draws::effective`] times the ratio of the
+    /// effective sample size of the draws to their number.
     #[must_use]
     pub fn worth(&self, weights: &Weights) -> f64 {
         self.weighted(weights).effective() * self.diagnosis.ess() / self.count() as f64
     }
 
-    /// What a piece of evidence looks like to the rest: its place in what the rest predicts.
+    /// Compares a piece of evidence with the prediction of the rest.
     ///
     /// # Errors
-    /// Where there is no such piece, where it has no residual, or where it excludes values.
+    /// If there is no such piece, it has no residual, or it excludes values.
     pub fn check(&self, term: usize) -> Result<PieceCheck, CannotReweight> {
         let weights = self.without(&[term])?;
         let weights = self.used[term].then_some(weights);
@@ -527,7 +527,7 @@ impl Posterior {
         };
         let of_part = |residuals: &Vec<f64>| {
             let below = draws.mean(|draw| share(residuals[draw]));
-            // On its own, since 1 − Φ has no digits left far out.
+            // Computed separately, since 1 − Φ loses all digits far out.
             let above = draws.mean(|draw| share(-residuals[draw]));
             let least = if below.value < above.value { below } else { above };
             (below, least)

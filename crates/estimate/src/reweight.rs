@@ -1,4 +1,4 @@
-//! The answer without a piece of evidence, from the draws with it, and what they say of the piece.
+//! The answer without a piece of evidence, by reweighting the draws with it.
 //!
 //! # References
 //!
@@ -8,34 +8,34 @@
 
 use real::elementary::{exp, ln};
 
-/// (–) the greatest k̂ of weights that can be relied on: up to here their variance is finite.
+/// (–) maximum k̂ of reliable weights: up to here their variance is finite.
 ///
-/// Vehtari et al. allow 0.7. Where a piece of evidence is left out that alone held a value near, the draws
-/// reach only so far into the room that it leaves, and the mean was found wrong by half a standard deviation
-/// at a k̂ of 0.63.
+/// Vehtari et al. allow 0.7. But if the piece left out was the only one that constrained a value, the draws
+/// hardly cover the range that opens up: at a k̂ of 0.63 the mean was found wrong by half a standard
+/// deviation.
 pub const PARETO_LIMIT: f64 = 0.5;
 
-/// Draws need as many in the tail for k̂ to be told.
+/// Minimum number of draws in the tail for an estimate of k̂.
 const LEAST_TAIL: usize = 5;
 
-/// Weights that stand for another posterior.
+/// Weights that turn the draws into those of another posterior.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Weights {
-    /// For each draw; their mean is 1.
+    /// The weight of each draw; their mean is 1.
     pub weights: Vec<f64>,
     /// (–) k̂, the shape of the generalised Pareto distribution of the greatest weights: from 0.5 on their
-    /// variance is infinite. −∞ where all weights are equal.
+    /// variance is infinite. −∞ if all weights are equal.
     pub pareto: f64,
 }
 
 impl Weights {
-    /// Whether what they say can be relied on: k̂ is at most [`PARETO_LIMIT`].
+    /// Whether the weights are reliable: k̂ is at most [`PARETO_LIMIT`].
     #[must_use]
     pub fn are_reliable(&self) -> bool {
         self.pareto <= PARETO_LIMIT
     }
 
-    /// From logarithms of the weights, the greatest of which are smoothed.
+    /// Weights from their logarithms, with the greatest smoothed.
     pub(crate) fn smoothed(logarithms: &[f64]) -> Self {
         let greatest = logarithms.iter().fold(f64::NEG_INFINITY, |greatest, l| greatest.max(*l));
         let mut weights: Vec<f64> = logarithms.iter().map(|l| exp(l - greatest)).collect();
@@ -48,8 +48,8 @@ impl Weights {
     }
 }
 
-/// Replaces the greatest weights by the expected order statistics of the distribution fitted to them, up to
-/// the greatest of them, which is 1; k̂ of it.
+/// Replaces the greatest weights by the expected order statistics of the distribution fitted to them, at most
+/// the greatest weight, which is 1; returns its k̂.
 fn smooth(weights: &mut [f64]) -> f64 {
     let count = weights.len();
     // The lesser of a fifth of the draws and 3√n.
@@ -63,7 +63,7 @@ fn smooth(weights: &mut [f64]) -> f64 {
     let cut = below.last().map_or(0.0, |draw| weights[*draw]);
     let beyond: Vec<f64> = tail.iter().map(|&draw| weights[draw] - cut).collect();
     let Some(pareto) = Pareto::of(&beyond) else {
-        // All weights of the tail are the same: there is nothing to smooth.
+        // All weights of the tail are equal: there is nothing to smooth.
         return f64::NEG_INFINITY;
     };
     for (place, &draw) in tail.iter().enumerate() {
@@ -73,7 +73,7 @@ fn smooth(weights: &mut [f64]) -> f64 {
     pareto.shape
 }
 
-/// A generalised Pareto distribution from zero on.
+/// A generalised Pareto distribution that begins at zero.
 #[derive(Clone, Copy, Debug)]
 struct Pareto {
     /// (–) k.
@@ -82,7 +82,8 @@ struct Pareto {
 }
 
 impl Pareto {
-    /// Of values in rising order, by Zhang and Stephens; k drawn towards ½ as if ten more values said so.
+    /// Fitted to values in rising order, by Zhang and Stephens; k is shrunk towards ½ with the weight of ten
+    /// values.
     fn of(values: &[f64]) -> Option<Self> {
         let count = values.len();
         let greatest = *values.last()?;
@@ -136,7 +137,7 @@ mod tests {
     use super::{Pareto, Weights};
     use real::elementary::{exp, ln};
 
-    /// Values at even shares of distributions of known shape.
+    /// Quantiles at evenly spaced probabilities of distributions of known shape.
     #[test]
     fn shape_and_scale_are_found_again() {
         for shape in [-0.3, 0.2, 0.5, 0.9] {
@@ -144,7 +145,7 @@ mod tests {
                 |place: u32| 2.0 * (exp(-shape * ln(1.0 - (f64::from(place) + 0.5) / 1000.0)) - 1.0) / shape;
             let values: Vec<f64> = (0..1000).map(of).collect();
             let fit = Pareto::of(&values).unwrap();
-            // Before it is drawn to ½ by ten in a thousand.
+            // k before it was shrunk towards ½ by ten in a thousand.
             let found = (fit.shape * 1010.0 - 5.0) / 1000.0;
             assert!((found - shape).abs() < 0.02, "{found} is not {shape}");
             assert!((fit.scale - 2.0).abs() < 0.05, "{}", fit.scale);
@@ -158,7 +159,7 @@ mod tests {
         assert!(weights.are_reliable());
     }
 
-    /// Weights exp(z²/4) of normal z have infinite variance at ½ already and k = ½; exp(0.45 z²) k = 0.9.
+    /// Weights exp(z²/4) of normal z have infinite variance and k = ½; exp(0.45 z²) has k = 0.9.
     #[test]
     fn heavy_tails_are_recognised() {
         let normal = |place: u32| {

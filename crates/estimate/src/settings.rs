@@ -1,4 +1,4 @@
-//! How to sample, and what a run has to show.
+//! Settings of a run.
 
 use uncertainty::Instructions;
 
@@ -6,16 +6,16 @@ use crate::error::Failure;
 use crate::limits::{LEAST_ISLANDS, MOST_PARTICLES, PARTICLES_STEP};
 use crate::model::Selection;
 
-/// The islands of [`Settings::new`], as many as `uncertainty` has replicates.
+/// Number of islands of [`Settings::new`], equal to the number of replicates in `uncertainty`.
 pub const ISLANDS: usize = 16;
 
-/// How to sample.
+/// Settings of the sampler.
 #[derive(Clone, Debug)]
 pub struct Settings {
     /// Number of particles of each island, a multiple of [`PARTICLES_STEP`].
     pub particles: usize,
-    /// Number of islands: populations that know nothing of each other. All together have `islands` ×
-    /// `particles` draws.
+    /// Number of islands, which are independent populations. Together they give `islands` × `particles`
+    /// draws.
     pub islands: usize,
     /// The random seed: the same seed gives the same results.
     pub seed: u64,
@@ -33,7 +33,7 @@ impl Settings {
         Self { particles, islands: ISLANDS, seed, terms: Selection::All, instructions }
     }
 
-    /// Whether an island can have so many particles: a multiple of [`PARTICLES_STEP`] up to
+    /// Whether an island can have this number of particles: a multiple of [`PARTICLES_STEP`] up to
     /// [`MOST_PARTICLES`].
     #[must_use]
     pub fn can_have(particles: usize) -> bool {

@@ -1,4 +1,4 @@
-//! The eigenvalues of a covariance that is known from few draws.
+//! Eigenvalues of a covariance that is estimated from few draws.
 //!
 //! # References
 //!
@@ -10,14 +10,14 @@ use std::f64::consts::PI;
 use nalgebra::{DMatrix, SymmetricEigen};
 use real::elementary::{exp, ln};
 
-/// (–) variance that every coordinate has at least: a deviation of 1e-7 of the prior's.
+/// (–) minimum variance of a coordinate: a standard deviation of 1e-7 of the prior's.
 pub(crate) const FLOOR: f64 = 1e-14;
 
-/// (–) it takes at least this many different draws for each dimension.
+/// (–) minimum number of different draws per dimension.
 const LEAST: f64 = 1.2;
 
-/// The lower triangle of the covariance that `draws` different draws, whose own is `triangle`, most likely
-/// come from, with the eigenvectors of their own; `None` where there are too few of them for their
+/// The lower triangle of the covariance estimated from `draws` different draws with the sample covariance
+/// `triangle`: shrunk eigenvalues with the sample eigenvectors. `None` if there are too few draws for the
 /// dimensions.
 pub(crate) fn eigenvalues(triangle: &[Vec<f64>], draws: usize) -> Option<Vec<Vec<f64>>> {
     let dimensions = triangle.len();
@@ -39,7 +39,7 @@ pub(crate) fn eigenvalues(triangle: &[Vec<f64>], draws: usize) -> Option<Vec<Vec
     Some((0..dimensions).map(|row| (0..=row).map(|column| of(row, column)).collect()).collect())
 }
 
-/// The eigenvalues in place of those of the covariance of `draws` draws.
+/// The shrunk eigenvalues for those of the sample covariance of `draws` draws.
 fn shrunk(sample: &[f64], draws: f64) -> Vec<f64> {
     let root = 5.0_f64.sqrt();
     let count = sample.len() as f64;
@@ -81,9 +81,9 @@ mod tests {
     const DIMENSIONS: usize = 24;
     const DRAWS: usize = 64;
 
-    /// A covariance that is narrow in six directions, none of which is a coordinate.
+    /// A covariance that is narrow in six directions, none along a coordinate.
     fn truth() -> DMatrix<f64> {
-        // Householder's reflection I − 2vvᵀ of diagonal variances.
+        // Householder's reflection I − 2vvᵀ applied to diagonal variances.
         let v = DMatrix::from_fn(DIMENSIONS, 1, |row, _| 1.0 + row as f64).normalize();
         let reflection = DMatrix::identity(DIMENSIONS, DIMENSIONS) - 2.0 * &v * v.transpose();
         let variance = |row: usize| if row.is_multiple_of(4) { 0.0025 } else { 1.0 };
@@ -91,7 +91,7 @@ mod tests {
         &reflection * diagonal * &reflection
     }
 
-    /// The covariance of so many draws of a normal distribution about zero.
+    /// The covariance of `DRAWS` draws from a normal distribution about zero.
     fn of_draws(truth: &DMatrix<f64>, seed: u64) -> DMatrix<f64> {
         let lower = truth.clone().cholesky().unwrap().unpack();
         let columns: Vec<f64> = (0..DRAWS as u64)
@@ -110,8 +110,8 @@ mod tests {
         (0..DIMENSIONS).map(|row| (0..=row).map(|column| matrix[(row, column)]).collect()).collect()
     }
 
-    /// What the shrunk eigenvalues estimate is uᵀ Σ u for the eigenvectors u of the draws and the true Σ:
-    /// they miss it by a fraction of what the eigenvalues of the draws do.
+    /// The shrunk eigenvalues estimate uᵀ Σ u for the sample eigenvectors u and the true Σ, with a fraction
+    /// of the error of the sample eigenvalues.
     #[test]
     fn eigenvalues_are_the_variances_along_their_vectors() {
         let truth = truth();

@@ -1,4 +1,4 @@
-//! Statistics of draws, each with its error from sampling.
+//! Statistics of draws, each with its sampling error.
 
 use std::ops::Range;
 
@@ -7,10 +7,10 @@ use uncertainty::Estimate;
 /// Levels of the intervals of a [`DrawsSummary`].
 pub const LEVELS: [f64; 4] = [0.5, 0.8, 0.9, 0.95];
 
-/// The range between two quantiles, with equal shares beyond either end.
+/// The range between two quantiles, with equal probabilities beyond either end.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DrawsInterval {
-    /// Share of the draws in between.
+    /// Fraction of the draws in between.
     pub level: f64,
     /// (unit of the quantity) lower end.
     pub low: Estimate,
@@ -20,7 +20,7 @@ pub struct DrawsInterval {
 
 /// Statistics of one quantity.
 ///
-/// Standard errors follow from how much the islands differ.
+/// Standard errors follow from the spread between the islands.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DrawsSummary {
     /// (unit of the quantity) mean.
@@ -29,11 +29,11 @@ pub struct DrawsSummary {
     pub sd: Estimate,
     /// (unit of the quantity) median.
     pub median: Estimate,
-    /// At each of [`LEVELS`].
+    /// The intervals at [`LEVELS`].
     pub intervals: [DrawsInterval; LEVELS.len()],
 }
 
-/// Draws, dealt to islands, with equal weights or their own.
+/// Draws in islands, with or without weights.
 #[derive(Clone, Copy, Debug)]
 pub struct Draws<'a> {
     islands: &'a [Range<usize>],
@@ -45,10 +45,10 @@ impl<'a> Draws<'a> {
         Self { islands, weights }
     }
 
-    /// Statistics of a quantity, of which `column` has the value of each draw.
+    /// Statistics of a quantity; `column` has its value for each draw.
     ///
     /// # Panics
-    /// Where the column is shorter than the draws.
+    /// If the column is shorter than the number of draws.
     #[must_use]
     pub fn summary(&self, column: &[f64]) -> DrawsSummary {
         let ordered = Ordered::of(column, |draw| self.weight(draw));
@@ -73,11 +73,11 @@ impl<'a> Draws<'a> {
 
     /// The probability that a quantity is above a limit.
     ///
-    /// Its standard error is at least that of as many independent draws, as if one more draw lay on either
-    /// side: draws that agree do not make anything certain.
+    /// Its standard error is at least that of the same effective number of independent draws with one more on
+    /// either side: unanimous draws do not make anything certain.
     ///
     /// # Panics
-    /// Where the column is shorter than the draws.
+    /// If the column is shorter than the number of draws.
     #[must_use]
     pub fn probability_above(&self, column: &[f64], limit: f64) -> Estimate {
         let share = self.mean(|draw| if column[draw] > limit { 1.0 } else { 0.0 });
@@ -87,8 +87,8 @@ impl<'a> Draws<'a> {
         Estimate { value: share.value, standard_error: share.standard_error.map(|error| error.max(least)) }
     }
 
-    /// Number of draws of equal weight that would tell a mean as well as these, were all independent:
-    /// (Σ w)²/Σ w².
+    /// Number of equally weighted draws that would give a mean with the same accuracy, if all were
+    /// independent: (Σ w)²/Σ w².
     #[must_use]
     pub fn effective(&self) -> f64 {
         let draws = self.islands.iter().cloned().flatten();
@@ -130,7 +130,7 @@ impl<'a> Draws<'a> {
 
     fn quantile(&self, ordered: &Ordered, column: &[f64], share: f64) -> Estimate {
         let value = ordered.quantile(share);
-        // Half of the distance between the quantiles one standard error of the share below it to either side.
+        // Half of the distance between the quantiles at one standard error of the probability on either side.
         let below = self.mean(|draw| if column[draw] <= value { 1.0 } else { 0.0 });
         let error = below.standard_error.map(|error| {
             let least = (share * (1.0 - share) / self.effective()).sqrt();
@@ -141,10 +141,10 @@ impl<'a> Draws<'a> {
     }
 }
 
-/// A column in its order.
+/// A sorted column.
 struct Ordered {
     values: Vec<f64>,
-    /// (–) share of the weights up to the middle of each.
+    /// (–) cumulative weight up to the middle of each value.
     shares: Vec<f64>,
 }
 
@@ -163,7 +163,7 @@ impl Ordered {
         Self { values: draws.iter().map(|&draw| column[draw]).collect(), shares }
     }
 
-    /// Between the two values whose shares enclose it, in proportion.
+    /// Linear interpolation between the two values whose shares enclose it.
     fn quantile(&self, share: f64) -> f64 {
         let above = self.shares.partition_point(|reached| *reached < share);
         let last = self.values.len().saturating_sub(1);
@@ -182,7 +182,7 @@ impl Ordered {
 mod tests {
     use super::Draws;
 
-    /// Twelve numbers in three islands, by hand.
+    /// Twelve numbers in three islands, calculated by hand.
     #[test]
     fn statistics_are_those_by_hand() {
         let column = [1.0, 2.0, 3.0, 6.0, 5.0, 4.0, 7.0, 8.0, 9.0, 12.0, 11.0, 10.0];
@@ -201,7 +201,7 @@ mod tests {
         assert_eq!(summary.intervals[3].low.value, 1.0);
         let above = Draws::new(&islands, None).probability_above(&column, 9.0);
         assert_eq!(above.value, 0.25);
-        // No draw beyond: a standard error all the same. p = 1/14: √(p(1 − p)/14) = 0.0688.
+        // There is a standard error even without a draw beyond. p = 1/14: √(p(1 − p)/14) = 0.0688.
         let never = Draws::new(&islands, None).probability_above(&column, 12.0);
         assert_eq!(never.value, 0.0);
         assert!((never.standard_error.unwrap() - 0.068_83).abs() < 1e-5);

@@ -1,4 +1,4 @@
-//! Evaluating prior and evidence for a block of particles.
+//! Evaluates prior and evidence for a block of particles.
 
 use uncertainty::dispatch;
 use uncertainty::{Instructions, LANES, Lanes};
@@ -6,7 +6,7 @@ use uncertainty::{Instructions, LANES, Lanes};
 use crate::error::Failure;
 use crate::model::{Evidence, Faded, Hurdle, Prior, sum_of_used};
 
-/// Prior and evidence, and which of the evidence is used.
+/// Prior and evidence, and the pieces of evidence used.
 #[derive(Clone, Debug)]
 pub(crate) struct Target<'a, P, E> {
     pub(crate) prior: &'a P,
@@ -16,13 +16,13 @@ pub(crate) struct Target<'a, P, E> {
     pub(crate) instructions: Instructions,
 }
 
-/// What is computed of one block.
+/// The evaluation of one block.
 #[derive(Clone, Debug)]
 pub(crate) struct Evaluation {
     pub(crate) values: Vec<Lanes>,
     pub(crate) terms: Vec<Lanes>,
     pub(crate) reasons: [u8; LANES],
-    /// Sum of the terms that are used; −∞ where the particle is impossible.
+    /// Sum of the used terms; −∞ if the particle is impossible.
     pub(crate) log_likelihood: Lanes,
 }
 
@@ -45,7 +45,7 @@ impl<P: Prior, E: Evidence> Target<'_, P, E> {
         self.evaluate_for(standard, Wanted::All, into)
     }
 
-    /// Evaluates a block of them, with what is wanted.
+    /// Evaluates a block of standard normal numbers, with the terms wanted.
     #[inline(never)]
     pub(crate) fn evaluate_for(
         &self,
@@ -54,7 +54,7 @@ impl<P: Prior, E: Evidence> Target<'_, P, E> {
         into: &mut Evaluation,
     ) -> Result<(), Failure> {
         dispatch!(self.instructions, evaluate_with(self, standard, wanted, into));
-        // A sum with NaN or +∞ in it is one of these, −∞ + ∞ included.
+        // A sum that contains NaN or +∞ is NaN or +∞, even −∞ + ∞.
         let is_likelihood = |sum: &f64| *sum < f64::INFINITY;
         if into.log_likelihood.iter().all(is_likelihood) { Ok(()) } else { Err(self.not_a_likelihood(into)) }
     }
@@ -67,21 +67,21 @@ impl<P: Prior, E: Evidence> Target<'_, P, E> {
         let culprit = used
             .map(|(term, (column, _))| (term, column[lane]))
             .find(|(_, value)| value.is_nan() || *value == f64::INFINITY);
-        // Where each term is finite, their sum has overflown.
+        // If each term is finite, their sum has overflowed.
         let (term, value) = culprit.unwrap_or((0, of.log_likelihood[lane]));
         let values = of.values.iter().map(|column| column[lane]).collect();
         Failure::NotALikelihood { term, value, values }
     }
 }
 
-/// What is wanted of a block.
+/// The terms wanted for a block.
 #[derive(Clone, Copy)]
 pub(crate) enum Wanted<'a> {
     /// All terms.
     All,
-    /// Those that are used.
+    /// The used terms.
     Used,
-    /// Those of the proposals that a hurdle takes.
+    /// The terms of the proposals that a hurdle accepts.
     Taken(&'a Hurdle<'a>),
 }
 

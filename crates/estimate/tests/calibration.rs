@@ -15,8 +15,8 @@ fn normal(seed: u64, index: u64) -> f64 {
     lane[0]
 }
 
-/// What is measured of two speeds and a share: energy, momentum, and the difference of the speeds but for its
-/// sign, of which the posterior has two modes where the others leave them open.
+/// Measurements of two speeds and a fraction: energy, momentum, and the absolute difference of the speeds,
+/// which gives the posterior two modes if the others do not decide.
 fn predicted(values: &[f64]) -> [f64; 3] {
     let [v1, v2, share] = [values[0], values[1], values[2]];
     [0.5 * share * (v1 - v2) * (v1 - v2), v1 + 1.5 * v2, (v1 - v2).abs()]
@@ -24,7 +24,8 @@ fn predicted(values: &[f64]) -> [f64; 3] {
 
 const ERRORS: [f64; 3] = [4.0, 6.0, 3.0];
 
-/// 1000 simulations, 20 ranks, three values: χ² with 19 degrees of freedom is below 36.19 with 99 %.
+/// 1000 simulations, 20 ranks, three values: χ² with 19 degrees of freedom is below 36.19 with a probability
+/// of 99 %.
 ///
 /// Last result: χ² 21.7, 23.0 and 24.2; 964 of the 1000 runs called themselves converged.
 #[test]

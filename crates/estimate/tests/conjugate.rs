@@ -1,4 +1,4 @@
-//! Linear measurements with normal errors of values with a normal prior: everything is known exactly.
+//! Linear measurements with normal errors and a normal prior: the posterior is known exactly.
 
 use std::ops::ControlFlow;
 
@@ -11,7 +11,7 @@ use uncertainty::{Estimate, LANES, Lanes};
 
 use super::{assert_converged, assert_near, ln_normal, standard};
 
-/// y_k = a_k·x + ε_k, ε_k of the deviation σ.
+/// y_k = a_k·x + ε_k, with the standard deviation σ of ε_k.
 struct Linear {
     rows: Vec<Vec<f64>>,
     measured: Vec<f64>,
@@ -19,7 +19,7 @@ struct Linear {
 }
 
 impl Linear {
-    /// Two measurements more than values, in directions that are all different.
+    /// Two more measurements than values, in different directions.
     fn new(dimensions: usize, sd: f64) -> Self {
         let measurements = dimensions + 2;
         let entry = |row: usize, column: usize| {
@@ -35,7 +35,8 @@ impl Linear {
         self.rows[0].len()
     }
 
-    /// Mean and covariance of the posterior from some of the measurements: Λ = 1 + Σ a aᵀ/σ², Λ m = Σ a y/σ².
+    /// Mean and covariance of the posterior given some of the measurements: Λ = 1 + Σ a aᵀ/σ², Λ m = Σ a
+    /// y/σ².
     fn posterior(&self, used: &[usize]) -> (Vec<f64>, Vec<Vec<f64>>) {
         let dimensions = self.dimensions();
         let variance = self.sd * self.sd;
@@ -67,7 +68,7 @@ impl Linear {
         -0.5 * (dot(&self.measured, &solved) + log_determinant + normalisation)
     }
 
-    /// Mean and deviation of measurement k, as the others predict it.
+    /// Mean and standard deviation of measurement k predicted by the others.
     fn prediction(&self, k: usize) -> (f64, f64) {
         let others: Vec<usize> = (0..self.rows.len()).filter(|&other| other != k).collect();
         let (mean, covariance) = self.posterior(&others);
@@ -115,7 +116,7 @@ fn square(count: usize, entry: impl Fn(usize, usize) -> f64) -> Vec<Vec<f64>> {
     (0..count).map(|row| (0..count).map(|column| entry(row, column)).collect()).collect()
 }
 
-/// Solution of a symmetric positive definite system, and ln of its determinant: Gauss's elimination.
+/// Solution of a symmetric positive definite system, and ln of its determinant, by Gaussian elimination.
 fn solve(matrix: &[Vec<f64>], right: &[f64]) -> (Vec<f64>, f64) {
     let mut rows: Vec<Vec<f64>> = matrix.to_vec();
     let mut right = right.to_vec();
@@ -178,8 +179,8 @@ fn mean_covariance_and_evidence_are_exact_in_one_to_twenty_dimensions() {
     }
 }
 
-/// Standard errors are as large as the errors: of 30 seeds, the mean square of error by standard error is
-/// that of Student's t, 15/13, within 4.5 of its own deviations (√(2/30)·1.5).
+/// Standard errors are as large as the errors: over 30 seeds, the mean square of the error divided by the
+/// standard error is that of Student's t, 15/13, within 4.5 of its own standard deviations (√(2/30)·1.5).
 #[test]
 fn standard_errors_are_those_of_repeated_runs() {
     let linear = Linear::new(2, 0.3);
@@ -203,13 +204,13 @@ fn standard_errors_are_those_of_repeated_runs() {
             *sum += z * z / SEEDS as f64;
         }
     }
-    // Those of quantiles and probabilities have a floor, so that they may be too large.
+    // Standard errors of quantiles and probabilities have a floor, so they may be too large.
     for (place, square) in squares.into_iter().enumerate() {
         assert!((0.3..2.9).contains(&square), "{place}: {squares:?}");
     }
 }
 
-/// By weights where they can be relied on, which they know themselves, and by another run.
+/// By weights, if they report that they are reliable, and by another run.
 #[test]
 fn an_answer_without_a_piece_is_that_of_a_run_without_it() {
     let mut by_weights = 0;
@@ -246,7 +247,7 @@ fn an_answer_without_a_piece_is_that_of_a_run_without_it() {
     assert_eq!(alone.used(), [false, true, false, false, false]);
 }
 
-/// A piece beside those that were used, where the weights can be relied on and enough draws count.
+/// With a piece in addition to those used, if the weights are reliable and enough draws count.
 #[test]
 fn an_answer_with_a_piece_is_that_of_both() {
     let mut by_weights = 0;
@@ -270,14 +271,14 @@ fn an_answer_with_a_piece_is_that_of_both() {
                 assert_near(weighted.sd, row[place].sqrt(), 0.1 * row[place].sqrt());
             }
         }
-        // What is in already has no weight.
+        // A piece that is already used changes no weights.
         assert!(without.with(1).unwrap().weights.iter().all(|weight| *weight == 1.0));
         assert_eq!(without.with(5).unwrap_err(), CannotReweight::NoSuchTerm { term: 5, terms: 5 });
     }
     assert!(by_weights >= 4, "only {by_weights} of 6 by weights");
 }
 
-/// The place of a measurement in what the others predict, with the weights and by a run without it.
+/// The place of a measurement in the prediction of the others, with the weights and by a run without it.
 #[test]
 fn a_check_is_the_tail_of_the_prediction() {
     let linear = Linear::new(3, 1.0);
@@ -299,7 +300,7 @@ fn a_check_is_the_tail_of_the_prediction() {
     }
 }
 
-/// Measurements that cannot both be right: an answer between them, and a p-value that says so.
+/// Measurements that cannot both be right: an answer between them, and a small p-value.
 #[test]
 fn contradictory_measurements_have_an_answer_and_a_small_p_value() {
     let mut linear = Linear::new(2, 0.05);
@@ -311,7 +312,7 @@ fn contradictory_measurements_have_an_answer_and_a_small_p_value() {
     let (mean, covariance) = linear.posterior(&[0, 1, 2, 3]);
     assert_near(posterior.summary(DrawnQuantity::Value(0)).mean, mean[0], 0.05 * covariance[0][0].sqrt());
     assert_near(posterior.log_evidence(), linear.log_evidence(), 0.1);
-    // The draws are too far from where they would be without the piece, and the weights know it.
+    // The draws are too far from those without the piece, and the weights report it.
     let check = posterior.check(0).unwrap();
     let (predicted, sd) = linear.prediction(0);
     let exact = 2.0 * cumulative(-((0.5 - predicted) / sd).abs());
@@ -322,8 +323,8 @@ fn contradictory_measurements_have_an_answer_and_a_small_p_value() {
     assert!(again.p_value.value < 1e-6, "{again:?}");
 }
 
-/// Draws that start from those with all pieces, against the exact posterior without one, and its evidence
-/// against a run from the prior.
+/// Draws that start from those with all pieces, compared with the exact posterior without one, and their
+/// evidence with that of a run from the prior.
 #[test]
 fn a_piece_fades_out_of_the_draws() {
     for (sd, seed) in [(0.5, 3), (0.1, 4)] {
@@ -354,7 +355,7 @@ fn a_piece_fades_out_of_the_draws() {
     }
 }
 
-/// What is not used or does not fit the draws is refused.
+/// A piece that is not used, or settings that do not fit the draws, are refused.
 #[test]
 fn only_a_piece_that_is_used_fades() {
     let linear = Linear::new(3, 0.5);
@@ -371,7 +372,7 @@ fn only_a_piece_that_is_used_fades() {
     assert!(matches!(without(0, &many), estimate::Failure::Islands { islands: 17 }));
 }
 
-/// Evidence of which only a piece that is not used finds half of the prior impossible.
+/// Evidence in which only an unused piece excludes half of the prior.
 struct Half;
 
 impl Evidence for Half {
@@ -400,8 +401,8 @@ impl Evidence for Half {
     }
 }
 
-/// Draws that the whole model finds impossible are taken out, and the evidence knows their share: Z is half
-/// of ∫ N(x; 0, 1) exp(−½(x − 1)²) dx = exp(−¼)/√2.
+/// Draws that the whole model finds impossible are removed, and the evidence accounts for their fraction: Z
+/// is half of ∫ N(x; 0, 1) exp(−½(x − 1)²) dx = exp(−¼)/√2.
 #[test]
 fn what_is_impossible_is_taken_out_at_the_end() {
     let settings = Settings { terms: Selection::Only(vec![0]), ..Settings::new(512, 2) };

@@ -16,7 +16,7 @@ fn run(settings: &Settings) -> Posterior {
     sample_quietly(&standard(4), &evidence, settings).unwrap()
 }
 
-/// Everything that a run says, with all its digits.
+/// All results of a run, with all digits.
 fn bits(posterior: &Posterior) -> (Vec<u64>, String) {
     let numbers = posterior.values().iter().chain(posterior.terms()).flatten().map(|x| x.to_bits());
     (numbers.collect(), format!("{:?} {:?}", posterior.log_evidence(), posterior.diagnosis()))
@@ -42,7 +42,7 @@ fn all_instructions_give_the_same_bits() {
     }
 }
 
-/// Evidence that is not used changes nothing but what is told of it.
+/// Unused evidence changes nothing except its own columns.
 #[test]
 fn evidence_that_is_not_used_leaves_the_draws_alone() {
     let settings = Settings { terms: Selection::Only(vec![0]), ..Settings::new(128, 5) };
@@ -55,7 +55,7 @@ fn evidence_that_is_not_used_leaves_the_draws_alone() {
     assert_eq!(only.values(), alone.values());
 }
 
-/// Evidence whose second term is found only of proposals that may be accepted.
+/// Evidence whose second term is computed only for proposals that may be accepted.
 struct InTwoParts {
     left_out: AtomicUsize,
 }
@@ -105,7 +105,7 @@ fn what_is_not_found_of_proposals_in_vain_changes_nothing() {
     });
     let whole = sample_quietly(&standard(3), &whole, &settings).unwrap();
     assert!(bits(&in_parts) == bits(&whole));
-    // Much is spared.
+    // A large part is skipped.
     let left_out = evidence.left_out.into_inner();
     assert!(4 * left_out > whole.diagnosis().evaluations, "{left_out}");
 }

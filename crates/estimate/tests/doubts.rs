@@ -1,4 +1,4 @@
-//! Cases that are made to fool the diagnosis, and what it says.
+//! Cases made to fool the diagnosis, and its verdicts.
 
 use estimate::{
     Culprit, Failure, LikelihoodFunction, Posterior, SamplerDoubt, Settings, Verdict, sample_quietly,
@@ -7,12 +7,12 @@ use real::elementary::{exp, ln};
 
 use super::{ln_normal, posterior, standard};
 
-/// Half of the posterior around −0.5, wide, and half in a mode at `at` of the deviation `sd`, in each of as
-/// many values; with the share of the draws in that mode.
+/// Half of the posterior is wide, around −0.5, and half is a mode at `at` with the standard deviation `sd`,
+/// in all dimensions; also returns the fraction of the draws in that mode.
 fn hidden(dimensions: usize, [at, sd]: [f64; 2], particles: usize, seed: u64) -> (Posterior, f64) {
     let mode = |values: &[f64], mean: f64, sd: f64| {
         let likelihood: f64 = values.iter().map(|value| ln_normal(*value, mean, sd)).sum();
-        // By its own evidence, so that both modes have the same.
+        // Divided by its own evidence, so that both modes have the same.
         likelihood - dimensions as f64 * ln_normal(mean, 0.0, (1.0 + sd * sd).sqrt())
     };
     let evidence = LikelihoodFunction::new(1, |values: &[f64], terms: &mut [f64]| {
@@ -27,11 +27,11 @@ fn hidden(dimensions: usize, [at, sd]: [f64; 2], particles: usize, seed: u64) ->
     (found, share)
 }
 
-/// A mode of a thousandth of the prior or less holds half of the posterior. Where a fiftieth of the draws or
-/// more have found it, but not its half, the run is not called converged.
+/// A mode of a thousandth of the prior or less holds half of the posterior. If at least a fiftieth of the
+/// draws have found it, but not its half, the run is not called converged.
 ///
-/// In one dimension independent proposals lead into such a mode in all islands alike, after the last step in
-/// temperature, and islands that are wrong alike are not told apart.
+/// In one dimension independent proposals lead all islands equally into such a mode, after the last
+/// temperature step, and islands that are equally wrong do not disagree.
 #[test]
 fn a_mode_that_few_particles_found_is_doubted() {
     let (mut doubted, mut missed) = (0, 0);
@@ -57,7 +57,8 @@ fn a_mode_that_few_particles_found_is_doubted() {
     assert!(doubted >= 16, "{doubted} doubted, {missed} missed");
 }
 
-/// The limit of any such method: what no particle has met is not seen, and the verdict does not know it.
+/// The limit of any such method: a mode that no particle has found is missed, and the verdict does not show
+/// it.
 #[test]
 fn a_mode_that_no_particle_has_met_is_not_seen() {
     // The mode has about 1e-7 of the prior.
@@ -67,7 +68,7 @@ fn a_mode_that_no_particle_has_met_is_not_seen() {
     assert!((found.log_evidence().value - ln(0.5)).abs() < 0.1);
 }
 
-/// Enough particles find the same mode, and then it has its half.
+/// Enough particles find the same mode, which then has its half.
 #[test]
 fn enough_particles_find_the_mode() {
     let (found, share) = hidden(1, [3.0, 0.03], 4096, 1);
@@ -88,7 +89,7 @@ fn particles_that_stand_still_are_told() {
     assert!(words.contains("of the particles stood still at the end"), "{words}");
 }
 
-/// Limits that leave 2e-4 of the prior, and 3e-5.
+/// Limits that leave 2e-4 and 3e-5 of the prior.
 #[test]
 fn a_prior_that_hardly_agrees_is_told() {
     let beyond = |limit: f64| {
@@ -106,7 +107,7 @@ fn a_prior_that_hardly_agrees_is_told() {
     assert!(exclusion.possible > 0 && exclusion.to_string().starts_with("only "), "{exclusion}");
 }
 
-/// A funnel: the deviation of four values depends on a fifth, which moves see too late.
+/// A funnel: the standard deviation of four values depends on a fifth, to which the moves adapt too late.
 #[test]
 fn islands_that_disagree_are_told() {
     let found = posterior(&standard(5), 128, |values| {

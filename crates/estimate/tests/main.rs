@@ -18,7 +18,7 @@ fn standard(count: usize) -> Independent {
     Independent(vec![Distribution::normal(0.0, 1.0).unwrap(); count])
 }
 
-/// A run with evidence of one term.
+/// A run with one term of evidence.
 fn posterior(
     prior: &Independent,
     particles: usize,
@@ -37,8 +37,8 @@ fn ln_normal(value: f64, mean: f64, sd: f64) -> f64 {
     -0.5 * z * z - ln(sd) - 0.5 * ln(std::f64::consts::TAU)
 }
 
-/// Within 4.5 of its own standard errors, none of which may be greater than `most`: by Student's t with 15
-/// degrees of freedom one in 2000 is farther out.
+/// Within 4.5 of its own standard errors, which must not exceed `most`: by Student's t with 15 degrees of
+/// freedom one in 2000 is farther out.
 #[track_caller]
 fn assert_near(found: Estimate, exact: f64, most: f64) {
     let error = found.standard_error.unwrap();

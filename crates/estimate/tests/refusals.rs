@@ -1,4 +1,4 @@
-//! Where there is no answer.
+//! Cases without an answer.
 
 use std::ops::ControlFlow;
 
@@ -41,11 +41,11 @@ fn impossible_evidence_is_refused_with_what_excludes_what() {
     assert!(told.contains("evidence 0 and evidence 2 are possible alone, but together"), "{told}");
     let found = exclusion(pair);
     assert_eq!(found.culprit(), Culprit::Pair(0, 2));
-    // Φ(−0.5) and Φ(0.4) of the draws are possible.
+    // The fractions Φ(−0.5) and Φ(0.4) of the draws are possible.
     let share = |term: usize| 1.0 - found.by_term[term] as f64 / found.drawn as f64;
     assert!((share(0) - 0.308_54).abs() < 0.003 && (share(2) - 0.655_42).abs() < 0.003, "{found:?}");
 
-    // Each pair agrees somewhere, all three nowhere.
+    // Each pair is possible somewhere, all three nowhere.
     let three = refusal(3, |x, terms| {
         let place = if x[0] < -0.4 { 0 } else { usize::from(x[0] > 0.4) + 1 };
         for (term, excluded) in terms.iter_mut().zip(0..) {
@@ -61,7 +61,7 @@ fn impossible_evidence_is_refused_with_what_excludes_what() {
     assert_eq!(found.failures[&7], found.drawn);
 }
 
-/// A model that fails for some values is not asked for them again.
+/// Values for which the model fails are impossible.
 #[test]
 fn values_of_which_the_model_makes_nothing_are_impossible() {
     let evidence = LikelihoodFunction::new(1, |x: &[f64], terms: &mut [f64]| {
@@ -84,7 +84,7 @@ fn nan_is_an_error_with_its_values_and_not_a_draw() {
     let Failure::NotALikelihood { term: 1, value, ref values } = failure else { panic!("{failure:?}") };
     assert!(value.is_nan() && values.len() == 2 && values[0] > 1.0);
     assert!(failure.to_string().starts_with("the log-likelihood of evidence 1 is NaN at the values ["));
-    // +∞ is none either, not even beside −∞.
+    // +∞ is not a log-likelihood either, even with −∞.
     let failure = refusal(2, |x, terms| {
         terms.copy_from_slice(&[limit(x[1] < 0.0), f64::INFINITY]);
         Ok(())
@@ -121,7 +121,7 @@ fn the_caller_may_end_a_run() {
         calls += 1;
         if calls > 3 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     });
-    // Whoever ended it is not asked again, and islands that are on their way do not arrive.
+    // After the run has ended, `progress` is not called again, and unfinished islands do not finish.
     assert_eq!(calls, 4);
     assert!(matches!(ended.unwrap_err(), Failure::Ended { finished: 0..4, islands: 16 }));
 }

@@ -47,7 +47,7 @@ fn two_modes_have_their_weights() {
     }
 }
 
-/// The posterior is a ten-thousandth of the prior wide.
+/// The posterior is ten thousand times narrower than the prior.
 #[test]
 fn evidence_may_be_tight() {
     for dimensions in [1, 5, 12] {
@@ -65,7 +65,7 @@ fn evidence_may_be_tight() {
     }
 }
 
-/// A ridge: one sum is known to a thousandth, nothing else.
+/// A ridge: only a sum is known, to a thousandth.
 #[test]
 fn what_is_not_measured_keeps_its_prior() {
     let dimensions = 8;
@@ -84,7 +84,7 @@ fn a_banana_is_bent_as_it_should_be() {
     let sd = 0.05;
     let found = posterior(&standard(2), 1024, |values| ln_normal(values[1], values[0] * values[0] - 0.5, sd));
     assert_converged(&found);
-    // y out of the way: ∫ N(y; 0, 1) N(y; x² − ½, s²) dy = N(x² − ½; 0, 1 + s²)
+    // y integrated out: ∫ N(y; 0, 1) N(y; x² − ½, s²) dy = N(x² − ½; 0, 1 + s²)
     let marginal = |x: f64| density(x) * exp(ln_normal(x * x - 0.5, 0.0, (1.0 + sd * sd).sqrt()));
     let evidence = integral(-8.0, 8.0, marginal);
     assert_near(found.log_evidence(), ln(evidence), 0.06);
@@ -142,14 +142,14 @@ fn what_is_impossible_is_cut_off() {
     assert_near(found.summary(DrawnQuantity::Value(2)).sd, 1.0, 0.03);
 }
 
-/// A likelihood of two heights: where it is flat no move is better than another.
+/// A likelihood with two levels: on a plateau no move is better than another.
 #[test]
 fn a_likelihood_may_be_a_plateau() {
     let found = posterior(&standard(2), 512, |values| {
         if values[0] * values[0] + values[1] * values[1] < 0.04 { 0.0 } else { -40.0 }
     });
     assert_converged(&found);
-    // The prior has 1 − e^(−r²/2) in a circle.
+    // The prior probability of a circle is 1 − e^(−r²/2).
     assert_near(found.log_evidence(), ln(1.0 - exp(-0.02)), 0.15);
     // ⟨r²⟩ = 2 (1 − (1 + q) e^(−q))/(1 − e^(−q)), q = r²/2; half of it for each coordinate.
     let variance = (1.0 - 1.02 * exp(-0.02)) / (1.0 - exp(-0.02));
@@ -181,7 +181,7 @@ fn without_information_the_posterior_is_the_prior() {
     }
 }
 
-/// Without any evidence too.
+/// A run without any evidence.
 #[test]
 fn there_may_be_no_evidence_at_all() {
     let evidence = LikelihoodFunction::new(0, |_: &[f64], _: &mut [f64]| Ok(()));
@@ -190,7 +190,7 @@ fn there_may_be_no_evidence_at_all() {
     assert_near(found.summary(DrawnQuantity::Value(0)).mean, 0.0, 0.05);
 }
 
-/// Evidence eight deviations out of the prior.
+/// Evidence eight standard deviations from the centre of the prior.
 #[test]
 fn evidence_may_lie_far_out_of_the_prior() {
     let found = posterior(&standard(2), 512, |values| ln_normal(values[0], 8.0, 0.1));

@@ -1,4 +1,4 @@
-//! A collision of which some numbers are unknown.
+//! A collision with unknown numbers.
 
 use core::f64::consts::FRAC_PI_2;
 
@@ -10,7 +10,7 @@ use uncertainty::{Distribution, InvalidDistribution};
 use crate::density::Freedom;
 use crate::number::Number;
 
-/// Two vehicles that collide: what is known of them before the evidence, and what was observed.
+/// Two vehicles that collide: the prior knowledge of them, and the observations.
 ///
 /// Headings, velocities and the crush plane are those of a scene with y to the left of x, counter-clockwise
 /// positive.
@@ -18,20 +18,20 @@ use crate::number::Number;
 pub struct Collision<N = Number> {
     /// The vehicles.
     pub vehicles: [Vehicle<N>; 2],
-    /// How fast they were.
+    /// Their speeds.
     pub speeds: Speeds<N>,
     /// (rad) Γ, direction of the line at right angles to the crush plane.
     pub crush_plane: N,
     /// e.
     pub restitution: Restitution<N>,
-    /// (–) μ_max: greatest ratio of the impulses along the crush plane and across it. The sliding ends before
-    /// where less ends it.
+    /// (–) μ_max: greatest ratio of the impulses along the crush plane and across it. If a smaller ratio ends
+    /// the sliding, that one acts.
     pub friction: N,
     /// (–) λ, share of the tangential work that went into crush: E = W_n + λ W_t.
     pub tangential_share: N,
-    /// The crush energy of the one vehicle whose crush is not known; `None` where both are known, or neither.
+    /// The crush energy of the one vehicle whose crush is unknown; `None` if both are known, or neither.
     pub other_crush: Option<OtherCrush<N>>,
-    /// What is held against the impact.
+    /// The observations to compare with the impact.
     pub observed: Observed,
 }
 
@@ -50,54 +50,54 @@ pub struct Vehicle<N = Number> {
     pub crush: Option<Crush<N>>,
 }
 
-/// What is held against the impact of a particle.
+/// The observations to compare with the impact of a particle.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Observed {
-    /// Of each vehicle.
+    /// The observations of each vehicle.
     pub vehicles: [ObservedVehicle; 2],
-    /// How severe such collisions are; `None` where nothing is assumed of it.
+    /// The usual severity of such collisions; `None` if no assumption is made.
     pub severity: Option<Severity>,
-    /// How well crush energy and impact agree; `None` where the crush is no evidence.
+    /// The misfit between crush energy and impact; `None` if the crush is not evidence.
     pub crush: Option<CrushErrors>,
 }
 
-/// What was observed of a vehicle.
+/// The observations of a vehicle.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct ObservedVehicle {
-    /// PDOF as it was coded.
+    /// PDOF as coded.
     pub pdof: Option<CodedPdof>,
-    /// How it left the impact.
+    /// Motion after the impact.
     pub after: After,
-    /// Where it came to rest.
+    /// The rest position and heading.
     pub rest: Option<MeasuredRest>,
-    /// (m/s) speed where its skid before the impact begins.
+    /// (m/s) speed at the beginning of its skid before the impact.
     pub skid_speed: Option<MeasuredSpeed>,
-    /// (m) standard deviation of the error of each point that its CG passed, in the order of the points.
+    /// (m) standard deviation of the error of each point passed by its CG, in the order of the points.
     pub points: Vec<f64>,
-    /// What its recorder stored.
+    /// The data of its recorder.
     pub recorder: Recorder,
-    /// What is certain of its speed.
+    /// Certain limits of its speed.
     pub limits: Limits,
 }
 
-/// Where a vehicle came to rest, with the errors of the survey and of the model of its motion.
+/// The rest position and heading of a vehicle, with the errors of the survey and of the model of its motion.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MeasuredRest {
-    /// (m) place of the CG in the scene.
+    /// (m) position of the CG in the scene.
     pub position: Vector2<f64>,
-    /// (rad) direction in which it lies from the impact: its normal score is that of the error along it.
+    /// (rad) direction of the rest position from the impact: the normal score is that of the error along it.
     pub direction: f64,
-    /// (m) standard deviation of its error, in each direction.
+    /// (m) standard deviation of the error of the position, in each direction.
     pub position_sd: f64,
     /// (rad) heading.
     pub heading: f64,
-    /// Whether full turns are counted in it.
+    /// Whether the heading includes full turns.
     pub turns_are_known: bool,
-    /// (rad) standard deviation of its error.
+    /// (rad) standard deviation of the error of the heading.
     pub heading_sd: f64,
 }
 
-/// What resists the impulse.
+/// Mass and radius of gyration of a vehicle.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct BodyNumbers<N = Number> {
     /// (kg) mass.
@@ -106,37 +106,37 @@ pub struct BodyNumbers<N = Number> {
     pub yaw_radius: N,
 }
 
-/// How fast the vehicles were along their headings.
+/// The speeds of the vehicles along their headings.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Speeds<N = Number> {
-    /// (m/s) each by itself.
+    /// (m/s) each separately.
     Each([N; 2]),
-    /// Neither is known, but that none moved backward.
+    /// Neither is known, except that neither vehicle moved backward.
     Together {
         /// (–) ln c, c = |v₁ − v₂| (m/s) the relative speed of the CGs.
         ln_relative: N,
-        /// (rad) φ between 0 and π/2: v₂/v₁ = tan φ. Below that vehicle 2 stands, above it vehicle 1.
+        /// (rad) φ between 0 and π/2: v₂/v₁ = tan φ. Below 0 vehicle 2 stands, above π/2 vehicle 1.
         split: N,
     },
 }
 
-/// (m/s) slowest and fastest relative speed that is thought of.
+/// (m/s) slowest and fastest relative speed considered.
 const RELATIVE_SPEED: [f64; 2] = [0.3, 120.0];
 
 impl Speeds {
-    /// ln c, of which nothing is known.
+    /// The distribution of ln c without prior knowledge.
     ///
     /// # Errors
-    /// None, as these ends make a distribution.
+    /// None, as these bounds are valid.
     pub fn any_ln_relative() -> Result<Distribution, InvalidDistribution> {
         let [slowest, fastest] = RELATIVE_SPEED;
         Distribution::uniform(ln(slowest), ln(fastest))
     }
 
-    /// φ, where nothing is known but how probable (–) it is that each vehicle stood.
+    /// The distribution of φ if only the probability (–) that each vehicle stood is known.
     ///
     /// # Errors
-    /// Where both stood for certain, or a probability is negative.
+    /// If one of the vehicles certainly stood, or a probability is negative.
     pub fn split_with_standing(stood: [f64; 2]) -> Result<Distribution, InvalidDistribution> {
         // P(φ ≤ 0) = p₂, P(φ ≥ π/2) = p₁
         let moved = 1.0 - stood[0] - stood[1];
@@ -144,17 +144,17 @@ impl Speeds {
         Distribution::uniform(-below, FRAC_PI_2 + above)
     }
 
-    /// φ, of which nothing is known.
+    /// The distribution of φ without prior knowledge.
     ///
     /// # Errors
-    /// None, as these ends make a distribution.
+    /// None, as these bounds are valid.
     pub fn any_split() -> Result<Distribution, InvalidDistribution> {
         Distribution::uniform(0.0, FRAC_PI_2)
     }
 }
 
 impl<N: Copy> Speeds<N> {
-    /// With other numbers in their places.
+    /// Maps the numbers.
     #[inline(always)]
     #[must_use]
     pub fn map<M>(self, mut of: impl FnMut(N) -> M) -> Speeds<M> {
@@ -168,7 +168,7 @@ impl<N: Copy> Speeds<N> {
 }
 
 impl Speeds<f64> {
-    /// (m/s) along the headings, of which `forward` are the unit vectors.
+    /// (m/s) the speeds along the headings, whose unit vectors are `forward`.
     #[inline(always)]
     #[must_use]
     pub fn along(self, forward: [Vector2<f64>; 2]) -> [f64; 2] {
@@ -192,25 +192,25 @@ impl Speeds<f64> {
 /// Coefficient of restitution.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Restitution<N = Number> {
-    /// (–) the same at any speed.
+    /// (–) constant.
     Constant(N),
     /// Falls with the closing speed: e = [`low` + `rise` exp(u_n/`fade`)] · `factor`, at most `most`.
     ByClosingSpeed {
-        /// (–) at high speeds.
+        /// (–) e at high speeds.
         low: f64,
-        /// (–) what is added at a standstill.
+        /// (–) increase at a standstill.
         rise: f64,
-        /// (m/s) closing speed at which e of that is left.
+        /// (m/s) closing speed at which 1/e of the increase is left.
         fade: f64,
-        /// (–) what this collision has of the mean.
+        /// (–) factor of this collision on the mean.
         factor: N,
-        /// (–) no collision has more.
+        /// (–) greatest e.
         most: f64,
     },
 }
 
 impl<N: Copy> Restitution<N> {
-    /// With another number in its place.
+    /// Maps the number.
     #[inline(always)]
     #[must_use]
     pub fn map<M>(self, mut of: impl FnMut(N) -> M) -> Restitution<M> {
@@ -242,32 +242,32 @@ impl Restitution<f64> {
 /// stiffness A = A₀ κ β, B = B₀ κ², G = A²/2B of the vehicle itself.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Crush<N = Number> {
-    /// (J) part of the energy without depth, L G₀.
+    /// (J) constant part of the energy, L G₀.
     pub constant: f64,
-    /// (J) part that grows with the depth, L A₀ C̄.
+    /// (J) part proportional to the depth, L A₀ C̄.
     pub linear: f64,
-    /// (J) part that grows with its square, ½ L B₀ C²̄.
+    /// (J) part proportional to its square, ½ L B₀ C²̄.
     pub square: f64,
-    /// (–) κ, slope of force over depth of this vehicle by that of its kind.
+    /// (–) κ, slope of the force of this vehicle over depth, relative to that of its kind.
     pub slope: N,
-    /// (–) β, no-damage speed of this vehicle by that of its kind.
+    /// (–) β, no-damage speed of this vehicle relative to that of its kind.
     pub no_damage_speed: N,
 }
 
-/// Crush energy of a vehicle whose crush is not known, where that of the other is: E_j = r E_i.
+/// Crush energy of a vehicle of unknown crush, from that of the other: E_j = r E_i.
 ///
-/// The crush of the other vehicle alone is evidence by it: with its share s = 1/(1 + r) of both energies,
+/// It makes the crush of the other vehicle alone evidence: with its share s = 1/(1 + r) of both energies,
 /// ln E_i = ln(W_n + λ W_t) + ln s + b + error.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct OtherCrush<N = Number> {
-    /// The vehicle whose crush is not known.
+    /// The vehicle of unknown crush.
     pub vehicle: VehicleId,
-    /// (–) r, its crush energy by that of the other vehicle.
+    /// (–) r, its crush energy relative to that of the other vehicle.
     pub ratio: N,
 }
 
 impl<N: Copy> OtherCrush<N> {
-    /// With another number in its place.
+    /// Maps the number.
     #[inline(always)]
     #[must_use]
     pub fn map<M>(self, of: impl FnOnce(N) -> M) -> OtherCrush<M> {
@@ -276,7 +276,7 @@ impl<N: Copy> OtherCrush<N> {
 }
 
 impl OtherCrush<f64> {
-    /// (J) crush energies of both vehicles, from that of the other among `known` (J).
+    /// (J) crush energies of both vehicles, with this one from the other of `known` (J).
     #[inline(always)]
     #[must_use]
     pub fn completed(self, known: [f64; 2]) -> [f64; 2] {
@@ -292,32 +292,32 @@ impl OtherCrush<f64> {
 /// ln(E₁ + E₂) = ln(W_n + λ W_t) + b + error.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CrushMisfit {
-    /// (–) b: how much the crush energy is above what the impact took.
+    /// (–) b: mean excess of the crush energy over the energy taken by the impact.
     pub bias: f64,
-    /// (–) standard deviation of the error, which both vehicles share.
+    /// (–) standard deviation of the error, common to both vehicles.
     pub ln_sd: f64,
 }
 
-/// How far the crush energy of one vehicle is from its part of what the impact took. It depends on how the
-/// energy was obtained.
+/// Error of the crush energy of one vehicle relative to its part of the energy taken by the impact. It
+/// depends on how the energy was obtained.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct EnergyError {
-    /// (–) b: how much the logarithm of the crush energy is above that of its part on average.
+    /// (–) b: mean excess of the logarithm of the crush energy over that of its part.
     pub bias: f64,
-    /// (–) c: standard deviation of the error of the method, which it shares with that of the other vehicle.
+    /// (–) c: standard deviation of the error of the method, shared with the other vehicle.
     pub shared_ln_sd: f64,
-    /// (–) o: standard deviation of its own error.
+    /// (–) o: standard deviation of the vehicle's own error.
     pub own_ln_sd: f64,
 }
 
-/// That of both vehicles:
+/// The errors of both vehicles:
 /// ln(E₁ exp(−b₁) + E₂ exp(−b₂)) = ln(W_n + λ W_t) + error, σ² = (w₁ c₁ + w₂ c₂)² + (w₁ o₁)² + (w₂ o₂)²,
 /// w_i the share of vehicle i in the sum on the left.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CrushErrors(pub [EnergyError; 2]);
 
 impl From<CrushMisfit> for CrushErrors {
-    /// Of energies that were obtained alike.
+    /// For energies obtained by the same method.
     fn from(CrushMisfit { bias, ln_sd }: CrushMisfit) -> Self {
         Self([EnergyError { bias, shared_ln_sd: ln_sd, own_ln_sd: 0.0 }; 2])
     }
@@ -326,18 +326,18 @@ impl From<CrushMisfit> for CrushErrors {
 /// ln √(ΔV₁ ΔV₂) is normally distributed.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Severity {
-    /// (m/s) half of the collisions have a smaller mean ΔV.
+    /// (m/s) median of the geometric mean of both ΔV.
     pub median: f64,
     /// (–) standard deviation of the logarithm.
     pub ln_sd: f64,
-    /// (m/s) speeds above some times this are rare: weight exp(−(v₁² + v₂²)/2s²).
+    /// (m/s) s, of which greater multiples are rare: weight exp(−(v₁² + v₂²)/2s²).
     pub speed: f64,
 }
 
-/// PDOF as an investigator saw it, or as a recorder's ΔV shows it.
+/// PDOF as coded by an investigator, or from a recorder's ΔV.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CodedPdof {
-    /// (rad) clockwise from the heading, where the force came from.
+    /// (rad) direction from which the force came, clockwise from the heading.
     pub pdof: f64,
     /// (rad) scale of its error, Student's t with 2 degrees of freedom.
     pub scale: f64,
@@ -346,24 +346,24 @@ pub struct CodedPdof {
 /// A measurement with a normal error.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Measured {
-    /// What was measured.
+    /// The measured value.
     pub value: f64,
     /// Standard deviation of its error.
     pub sd: f64,
 }
 
-/// A speed that was measured, with a normal error of which one part grows with the speed.
+/// A measured speed; part of its normal error is proportional to the speed.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MeasuredSpeed {
-    /// (m/s) what was measured.
+    /// (m/s) the measured speed.
     pub value: f64,
-    /// (–) standard deviation of the part that grows: that of the logarithm.
+    /// (–) standard deviation of the proportional part, which is that of the logarithm.
     pub ln_sd: f64,
-    /// (m/s) standard deviation of the error of a vehicle that stands.
+    /// (m/s) standard deviation of the error for a standing vehicle.
     pub least: f64,
 }
 
-/// How a vehicle left the impact.
+/// Motion of a vehicle after the impact.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct After {
     /// (m/s) speed of the CG.
@@ -374,15 +374,15 @@ pub struct After {
     pub yaw_rate: Option<Measured>,
 }
 
-/// What a recorder stored.
+/// Data stored by a recorder.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Recorder {
     /// Size of ΔV.
     pub delta_v: Option<RecordedDeltaV>,
-    /// The part of ΔV along the vehicle with its sign, of a recorder that stored this part alone: in place of
+    /// The longitudinal component of ΔV with its sign, from a recorder that stored only this one: replaces
     /// [`delta_v`](Self::delta_v).
     pub longitudinal: Option<RecordedPart>,
-    /// Where the force came from by both parts of its ΔV.
+    /// The direction from which the force came, from both components of its ΔV.
     pub direction: Option<CodedPdof>,
     /// (m/s) speed before impact.
     pub speed: Option<MeasuredSpeed>,
@@ -390,40 +390,40 @@ pub struct Recorder {
     pub yaw_rate: Option<Measured>,
 }
 
-/// ΔV that a recorder stored; its logarithm has an error.
+/// ΔV stored by a recorder, with an error of its logarithm.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RecordedDeltaV {
-    /// (m/s) size of what it stored.
+    /// (m/s) stored size.
     pub size: f64,
-    /// Whether it stored the longitudinal part alone.
+    /// Whether it stored only the longitudinal component.
     pub is_longitudinal: bool,
     /// (–) scale of the error of the logarithm, Student's t.
     pub ln_scale: f64,
-    /// (m/s) scale of the error of a ΔV of zero; without one, the logarithm alone errs.
-    pub least: f64,
-    /// Its degrees of freedom.
-    pub freedom: Freedom,
-}
-
-/// The part of ΔV along a vehicle, with its sign, that a recorder stored.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct RecordedPart {
-    /// (m/s) negative where the vehicle was slowed down.
-    pub along: f64,
-    /// (–) scale of the part of the error that grows with it, Student's t.
-    pub ln_scale: f64,
-    /// (m/s) scale of the error of a part of zero, beside what comes from the part across the vehicle.
+    /// (m/s) scale of the error of a ΔV of zero; if zero, only the logarithm has an error.
     pub least: f64,
     /// Degrees of freedom.
     pub freedom: Freedom,
 }
 
-/// What holds for certain.
+/// The longitudinal component of ΔV, with its sign, stored by a recorder.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct RecordedPart {
+    /// (m/s) stored component, negative if the vehicle was slowed down.
+    pub along: f64,
+    /// (–) scale of the proportional part of the error, Student's t.
+    pub ln_scale: f64,
+    /// (m/s) scale of the error at zero, in addition to that from the lateral component.
+    pub least: f64,
+    /// Degrees of freedom.
+    pub freedom: Freedom,
+}
+
+/// Certain limits of a speed.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Limits {
-    /// (m/s) the speed is not below.
+    /// (m/s) lower limit of the speed.
     pub least: f64,
-    /// (m/s) the speed is not above.
+    /// (m/s) upper limit of the speed.
     pub most: f64,
 }
 

@@ -1,4 +1,4 @@
-//! Logarithms of probability densities, and the normal scores of what was observed.
+//! Log densities of errors, and normal scores of observations.
 
 use core::f64::consts::{FRAC_2_PI, PI, SQRT_2};
 
@@ -8,7 +8,7 @@ use real::elementary::{atan2, ln};
 /// ln √(2π).
 const LN_ROOT_TAU: f64 = 0.918_938_533_204_672_8;
 
-/// Of an error `x` of a normal distribution about zero.
+/// Log density of an error `x` with a normal distribution about zero.
 #[inline(always)]
 pub(crate) fn normal(x: f64, sd: f64) -> f64 {
     // ln φ(x/σ)/σ = −x²/2σ² − ln σ√(2π)
@@ -24,11 +24,10 @@ fn arsinh(x: f64) -> f64 {
     if x < 0.0 { -size } else { size }
 }
 
-/// (–) how far a number that was `observed` is off from one that was `predicted`, of which the error has a
-/// part σ that grows with it (–, of its logarithm) and a part a that it has at zero: both have a standard
-/// deviation of σ in what comes out.
+/// (–) error of an `observed` number relative to the `predicted` one. Its error has a proportional part σ (–,
+/// of the logarithm) and a part a at zero; the result is scaled to a standard deviation of σ for both.
 ///
-/// Without a part at zero it is the difference of logarithms.
+/// Without a part at zero it is the difference of the logarithms.
 #[inline(always)]
 pub(crate) fn relative(observed: f64, predicted: f64, ln_sd: f64, at_zero: f64) -> f64 {
     if at_zero > 0.0 {
@@ -41,8 +40,7 @@ pub(crate) fn relative(observed: f64, predicted: f64, ln_sd: f64, at_zero: f64) 
     }
 }
 
-/// Degrees of freedom of a Student's t distribution: few, for errors that are now and then far larger than
-/// usual.
+/// Degrees of freedom of Student's t: few, for errors that are occasionally far larger than usual.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Freedom {
     /// ν = 2.
@@ -52,7 +50,7 @@ pub enum Freedom {
 }
 
 impl Freedom {
-    /// Logarithm of the density at an error `x` about zero.
+    /// Log density of an error `x` about zero.
     #[inline(always)]
     #[must_use]
     pub fn log_density(self, x: f64, scale: f64) -> f64 {
@@ -65,7 +63,7 @@ impl Freedom {
         }
     }
 
-    /// (–) share of the distribution below `z` (–), of scale 1 about zero.
+    /// (–) cumulative probability at `z` (–), for scale 1 about zero.
     #[must_use]
     pub fn share_below(self, z: f64) -> f64 {
         match self {

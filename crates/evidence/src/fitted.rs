@@ -1,4 +1,4 @@
-//! Priors and misfits, with their sources.
+//! Priors and misfits with their sources.
 
 use crash3::Side;
 use uncertainty::{Distribution, InvalidDistribution};
@@ -6,7 +6,7 @@ use uncertainty::{Distribution, InvalidDistribution};
 use crate::collision::{CodedPdof, Crush, CrushMisfit, EnergyError, Restitution, Severity};
 use crate::density::Freedom;
 
-/// Where a vehicle was hit.
+/// The damaged side of a vehicle.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Damage {
     /// Its front.
@@ -27,45 +27,45 @@ impl From<Side> for Damage {
     }
 }
 
-/// How the crush energy of a vehicle was obtained.
+/// The source of the crush energy of a vehicle.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum EnergyMethod {
     /// From the depths, with the stiffness of a class or category of vehicles.
     Class,
-    /// From the depths, with a stiffness that the analyst gives.
+    /// From the depths, with a stiffness given by the analyst.
     Coefficients,
-    /// From the depths, with the stiffness that follows from a barrier test of this car.
+    /// From the depths, with the stiffness from a barrier test of this car.
     Test,
     /// An energy equivalent speed.
     Ees,
 }
 
-/// (–) bias, error that both vehicles share, and own error of a stiffness that the analyst gives. No bias was
-/// ever fitted to such; 0.40 is what is left between fronts of the field once the stiffness of each car is
-/// apart ([`FITTED`]), and with 0.30 it makes the 0.50 of RICSAC, whose stiffnesses were given.
+/// (–) bias, error shared by both vehicles, and own error of a stiffness given by the analyst. No bias was
+/// ever fitted to such; 0.40 is the remaining error between fronts in the field with the stiffness of each
+/// car separated ([`FITTED`]), and with 0.30 it gives the 0.50 of RICSAC, whose stiffnesses were given.
 const COEFFICIENTS: EnergyError = EnergyError { bias: 0.0, shared_ln_sd: 0.40, own_ln_sd: 0.30 };
-/// (–) the same of a test of this car: 13 % in ΔV, 26 % in energy, is what CRASH3 missed in 22 car-to-car
-/// tests that were measured in a laboratory (Lenard and others, 2000).
+/// (–) the same for a test of this car: CRASH3's error was 13 % in ΔV, 26 % in energy, in 22 car-to-car tests
+/// measured in a laboratory (Lenard and others, 2000).
 const TEST: EnergyError = EnergyError { bias: 0.0, shared_ln_sd: 0.26, own_ln_sd: 0.0 };
-/// (–) the same of an EES. It is all the deformation energy by definition, so that it has no bias. Its errors
-/// are chosen: 10 % of the speed, 20 % of the energy, for who compares with a catalogue, and as much again
-/// for each vehicle.
+/// (–) the same for an EES. By definition it includes all deformation energy, so that it has no bias. Its
+/// errors are assumed: 10 % of the speed, 20 % of the energy, for the comparison with a catalogue, and as
+/// much again for each vehicle.
 const EES: EnergyError = EnergyError { bias: 0.0, shared_ln_sd: 0.20, own_ln_sd: 0.20 };
 
-/// What is assumed of a collision of passenger vehicles, and how well the model of it holds.
+/// The assumptions about a collision of passenger vehicles, and the errors of its model.
 ///
-/// docs/calibration.md has the source of each figure, and how the misfits and the stiffnesses were fitted on
-/// real crashes with a recorder.
+/// docs/calibration.md has the source of each figure, and describes how the misfits and stiffnesses were
+/// fitted to real crashes with a recorder.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Fitted {
-    /// How severe collisions are of which a vehicle was towed: its ΔV then has a median of 23 km/h and a
-    /// spread of the logarithm of 0.48, as in the field.
+    /// Severity of collisions in which a vehicle was towed: its ΔV then has a median of 23 km/h and a spread
+    /// of the logarithm of 0.48, as in the field.
     pub severity: Severity,
-    /// (–) how many times as severe those of two fronts are.
+    /// (–) factor on the severity of front-to-front collisions.
     pub front_to_front: f64,
-    /// (–) how far ln of the crush energy is above that of what the impact took.
+    /// (–) mean excess of ln of the crush energy over ln of the energy taken by the impact.
     pub crush_bias: f64,
-    /// (–) its spread: between fronts alone, where a rear was hit, and where a side was.
+    /// (–) its spread: for fronts only, if a rear was hit, and if a side was hit.
     pub crush_ln_sd: [f64; 3],
     /// (1/s) b₁ by damage: front, rear, side.
     pub slope: [f64; 3],
@@ -75,11 +75,11 @@ pub struct Fitted {
     pub no_damage_speed: [f64; 3],
     /// (–) spread of its logarithm.
     pub no_damage_speed_ln_sd: f64,
-    /// (–) crush energy of a side by that of the front or rear that it met: half of the sides have less.
+    /// (–) median ratio of the crush energy of a side to that of the front or rear that struck it.
     pub side_crush: f64,
-    /// (–) spread of the logarithm of the crush energy of one vehicle by that of the other.
+    /// (–) spread of the logarithm of the ratio of the vehicles' crush energies.
     pub other_crush_ln_sd: f64,
-    /// (–) scale of the error of the logarithm of a recorder's ΔV, with its mass.
+    /// (–) scale of the error of the logarithm of a recorder's ΔV, including that of its mass.
     pub recorder_ln_scale: f64,
     /// Its degrees of freedom.
     pub recorder_freedom: Freedom,
@@ -87,10 +87,10 @@ pub struct Fitted {
     pub recorder_direction_scale: f64,
     /// (–) median and spread of the logarithm of the greatest impulse ratio.
     pub friction: [f64; 2],
-    /// (–) mean and spread of λ, before it is cut to 0 to 1.
+    /// (–) mean and spread of λ, before truncation to 0 to 1.
     pub tangential_share: [f64; 2],
-    /// (–) e at high speeds, what is added at a standstill; (m/s) the closing speed at which 1/e of that is
-    /// left; (–) spread of the logarithm of a single collision.
+    /// (–) e at high speeds, its increase at a standstill; (m/s) the closing speed at which 1/e of the
+    /// increase is left; (–) spread of the logarithm for a single collision.
     pub restitution: [f64; 4],
     /// (–) greatest e.
     pub most_restitution: f64,
@@ -104,11 +104,11 @@ pub struct Fitted {
     pub mass_ln_sd: f64,
     /// (rad) scale of the error of a coded PDOF, Student's t with 2 degrees of freedom.
     pub pdof_scale: f64,
-    /// (–) how many times as wide it is for damage to a side; so is that of a recorder's direction.
+    /// (–) factor on this scale, and on that of a recorder's direction, for damage to a side.
     pub pdof_side_factor: f64,
 }
 
-/// The figures fitted on crashes of 2017 (Crash Investigation Sampling System, NHTSA), in November 2026.
+/// The figures fitted to crashes of 2017 (Crash Investigation Sampling System, NHTSA), in November 2026.
 pub const FITTED: Fitted = Fitted {
     severity: Severity { median: 7.36, ln_sd: 0.47, speed: 25.0 },
     front_to_front: 1.42,
@@ -139,22 +139,22 @@ pub const FITTED: Fitted = Fitted {
 const REFERENCE: [f64; 2] = [1600.0, 1.6];
 
 impl Fitted {
-    /// How severe a collision is in which these places were `hit`: of two fronts, or of others.
+    /// Severity of a collision in which these sides were `hit`: two fronts, or others.
     #[must_use]
     pub fn severity_of(&self, hit: &[Damage]) -> Severity {
         let times = if hit == [Damage::Front; 2] { self.front_to_front } else { 1.0 };
         Severity { median: self.severity.median * times, ..self.severity }
     }
 
-    /// How well crush energy and impact agree where these places were `hit`, of one vehicle or of both.
+    /// Misfit between crush energy and impact if these sides were `hit`, of one vehicle or both.
     #[must_use]
     pub fn crush_misfit(&self, hit: &[Damage]) -> CrushMisfit {
         let kind = hit.iter().max().map_or(0, |damage| *damage as usize);
         CrushMisfit { bias: self.crush_bias, ln_sd: self.crush_ln_sd[kind] }
     }
 
-    /// How far the energy of a vehicle is from its part of what the impact took, by how it was obtained.
-    /// Where the case `has_range` of the stiffness or the EES, that is the vehicle's own error.
+    /// Error of the crush energy of a vehicle relative to its part of the energy taken by the impact, by
+    /// method. If the case `has_range` for the stiffness or the EES, that is the vehicle's own error.
     #[must_use]
     pub fn energy_error(&self, method: EnergyMethod, hit: &[Damage], has_range: bool) -> EnergyError {
         let error = match method {
@@ -169,68 +169,69 @@ impl Fitted {
         EnergyError { own_ln_sd: if has_range { 0.0 } else { error.own_ln_sd }, ..error }
     }
 
-    /// A coded PDOF (rad) with its error, where a side was hit or an end.
+    /// A coded PDOF (rad) with its error, for a hit on a side or an end.
     #[must_use]
     pub fn coded(&self, pdof: f64, is_side: bool) -> CodedPdof {
         self.direction(pdof, self.pdof_scale, is_side)
     }
 
-    /// Where the force came from (rad) by a recorder with both parts of ΔV, where a side was hit or an end.
+    /// The direction (rad) from which the force came, from a recorder with both components of ΔV, for a hit
+    /// on a side or an end.
     #[must_use]
     pub fn recorded_direction(&self, pdof: f64, is_side: bool) -> CodedPdof {
         self.direction(pdof, self.recorder_direction_scale, is_side)
     }
 
-    /// A direction (rad) whose error has this scale (rad) where an end was hit, and is wider on a side.
+    /// A direction (rad) whose error has this scale (rad) for a hit on an end, and a wider one on a side.
     fn direction(&self, pdof: f64, scale: f64, is_side: bool) -> CodedPdof {
         CodedPdof { pdof, scale: scale * if is_side { self.pdof_side_factor } else { 1.0 } }
     }
 
-    /// e by closing speed, with the `factor` of a collision.
+    /// e as a function of the closing speed, with the `factor` of a collision.
     #[must_use]
     pub fn restitution_with<N>(&self, factor: N) -> Restitution<N> {
         let [low, rise, fade, _] = self.restitution;
         Restitution::ByClosingSpeed { low, rise, fade, factor, most: self.most_restitution }
     }
 
-    /// Of the factor on e of a collision.
+    /// Distribution of the factor on e of a collision.
     ///
     /// # Errors
-    /// Where the figure makes no distribution.
+    /// If the figure is invalid.
     pub fn restitution_factor(&self) -> Result<Distribution, InvalidDistribution> {
         let [.., ln_sd] = self.restitution;
         Distribution::log_normal(1.0, ln_sd)
     }
 
-    /// Of the greatest impulse ratio.
+    /// Distribution of the greatest impulse ratio.
     ///
     /// # Errors
-    /// Where the figures make no distribution.
+    /// If the figures are invalid.
     pub fn any_friction(&self) -> Result<Distribution, InvalidDistribution> {
         let [median, ln_sd] = self.friction;
         Distribution::log_normal(median, ln_sd)
     }
 
-    /// Of λ.
+    /// Distribution of λ.
     ///
     /// # Errors
-    /// Where the figures make no distribution.
+    /// If the figures are invalid.
     pub fn any_tangential_share(&self) -> Result<Distribution, InvalidDistribution> {
         let [mean, sd] = self.tangential_share;
         Distribution::truncated_normal(mean, sd, 0.0, 1.0)
     }
 
-    /// Of the crush energy of a vehicle by that of the other, of which the crush is `known`.
+    /// Distribution of the ratio of a vehicle's crush energy to that of the other, whose crush is `known`.
     ///
     /// # Errors
-    /// Where the figures make no distribution.
+    /// If the figures are invalid.
     pub fn other_crush(&self, other: Damage, known: Damage) -> Result<Distribution, InvalidDistribution> {
         let of = |damage: Damage| if damage == Damage::Side { self.side_crush } else { 1.0 };
         Distribution::log_normal(of(other) / of(known), self.other_crush_ln_sd)
     }
 
-    /// The crush of a vehicle of which no stiffness is known: `width` (m) of the damage, mean depth (m) and
-    /// mean square depth (m²). `slope` and `no_damage_speed` are left at 1.
+    /// The crush of a vehicle of unknown stiffness, from the `width` (m) of the damage, the mean depth (m)
+    /// and the mean square depth (m²). `slope` and `no_damage_speed` are left at 1.
     #[must_use]
     pub fn crush_of(&self, damage: Damage, width: f64, mean: f64, mean_square: f64) -> Crush {
         let (b0, b1) = (self.no_damage_speed[damage as usize], self.slope[damage as usize]);

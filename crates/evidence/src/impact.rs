@@ -7,20 +7,20 @@ use uncertainty::{LANES, Lanes};
 use crate::collision::{Collision, Crush, Vehicle};
 use crate::number::Slot;
 
-/// (m/s) slower than this along the normal, nothing is crushed.
+/// (m/s) approach speed along the normal below which nothing is crushed.
 pub const LEAST_APPROACH: f64 = 0.3;
 
-/// What the unknown numbers of a collision lead to.
+/// Computes the impacts of the unknown numbers of a collision.
 pub trait Impacts: Sync {
     /// The unknown numbers.
     fn unknown(&self) -> &Independent;
 
-    /// The impact of each of a block of particles, as many as [`uncertainty::LANES`].
+    /// The impact of each particle of a block of [`uncertainty::LANES`].
     fn impacts(&self, values: &[Lanes]) -> Vec<Impacted>;
 
-    /// The same, where a vehicle is followed to rest only in those particles that `wanted` asks for. It is
-    /// asked for each vehicle once the impacts are known, and the other vehicle, where it comes first, has
-    /// been followed. `None` where no vehicle is followed.
+    /// The same, but a vehicle is followed to rest only in the particles selected by `wanted`. That is called
+    /// for each vehicle once the impacts are known and the vehicles before it have been followed. `None` if
+    /// no vehicle is followed.
     fn impacts_as_wanted(
         &self,
         values: &[Lanes],
@@ -38,26 +38,26 @@ pub struct Impacted {
     pub speeds: [f64; 2],
     /// The impact.
     pub outcome: Outcome,
-    /// (J) what the impulses took that should be found in the crush, W_n + λ W_t.
+    /// (J) the energy taken by the impulses that should appear as crush, W_n + λ W_t.
     pub taken: f64,
     /// (J) crush energies.
     pub crush_energies: [f64; 2],
-    /// (m/s) speed where the skid of each vehicle before the impact begins, where there is one.
+    /// (m/s) speed at the beginning of each vehicle's skid before the impact, if there is one.
     pub skid_speeds: [Option<f64>; 2],
-    /// The way of each vehicle to rest, where it is followed.
+    /// The path of each vehicle to rest, if it was followed.
     pub ways: [Option<Way>; 2],
     /// Whether such an impact is possible.
     pub is_possible: bool,
 }
 
-/// The way of a vehicle from the impact to rest.
+/// The path of a vehicle from the impact to rest.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Way {
-    /// (m) place of the CG at rest, in the scene.
+    /// (m) position of the CG at rest, in the scene.
     pub position: Vector2<f64>,
-    /// (rad) heading at rest, with full turns.
+    /// (rad) heading at rest, including full turns.
     pub heading: f64,
-    /// (m) from each point that was observed to the way, where they are nearest.
+    /// (m) least distance of the path from each observed point.
     pub misses: Vec<f64>,
 }
 
@@ -100,7 +100,7 @@ impl Collision<Slot> {
         }
     }
 
-    /// (–) κ and β of each vehicle, as in [`Crush`]; 1 where it has none.
+    /// (–) κ and β of each vehicle, as in [`Crush`]; 1 if it has no crush.
     #[inline(always)]
     pub(crate) fn crush_factors(&self, values: &[Lanes], lane: usize) -> [[f64; 2]; 2] {
         let factors = |vehicle: &Vehicle<Slot>| match &vehicle.crush {
@@ -130,7 +130,7 @@ impl Vehicle<Slot> {
 }
 
 impl<N> Crush<N> {
-    /// (J) energy where κ and β are these.
+    /// (J) energy for the given κ and β.
     #[inline(always)]
     #[must_use]
     pub fn energy(&self, [slope, no_damage]: [f64; 2]) -> f64 {

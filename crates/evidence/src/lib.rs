@@ -1,10 +1,10 @@
-//! What the evidence of a two-vehicle collision says of its speeds.
+//! Estimates the speeds of a two-vehicle collision from its evidence.
 #![doc = include_str!("../README.md")]
 //!
 //! # Example
 //!
-//! A car of 1500 kg ran squarely into the rear of one of 1000 kg that stood, at 15 ± 2 m/s by a witness. By
-//! its path to rest the struck car left the impact at 11 ± 0.66 m/s.
+//! A car of 1500 kg ran squarely into the rear of a standing one of 1000 kg, at 15 ± 2 m/s according to a
+//! witness. According to its path to rest, the struck car left the impact at 11 ± 0.66 m/s.
 //!
 //! ```
 //! use estimate::{DrawnQuantity, Settings, sample_quietly};

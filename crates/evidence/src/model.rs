@@ -1,4 +1,4 @@
-//! The posterior of a collision: prior, and a term for each piece of evidence.
+//! The posterior of a collision: the prior, and a likelihood term for each piece of evidence.
 
 use estimate::{Evidence, Hurdle, Independent, Part, Prior};
 use pim_core::{Vector2, VehicleId};
@@ -14,18 +14,18 @@ use crate::density::{Freedom, normal, relative};
 use crate::impact::{Impacted, Impacts};
 use crate::number::{Number, Slot};
 
-/// A particle whose vehicles do not approach, or of which no impact law makes an impact.
+/// Reason code of a particle whose vehicles do not approach, or for which the impact law has no impact.
 pub const NO_IMPACT: u8 = 1;
 
-/// A piece of evidence, or a part of the prior that is no distribution of one number.
+/// A piece of evidence, or a part of the prior that is not the distribution of one number.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Piece {
-    /// How severe such collisions are: a part of the prior.
+    /// The usual severity of such collisions: a part of the prior.
     Severity,
     /// The crush energy of both vehicles, or of the one whose crush is known.
     Crush,
-    /// PDOF as coded. Those of both vehicles are seen by one investigator, who makes them opposite: only that
-    /// of the smaller error counts.
+    /// PDOF as coded. One investigator codes those of both vehicles and makes them opposite: only the one
+    /// with the smaller error counts.
     Pdof(VehicleId),
     /// Speed after the impact.
     SpeedAfter(VehicleId),
@@ -37,17 +37,17 @@ pub enum Piece {
     RecordedDeltaV(VehicleId),
     /// The direction of the recorder's ΔV.
     RecordedDirection(VehicleId),
-    /// Where it came to rest.
+    /// The rest position and heading.
     Rest(VehicleId),
-    /// The points that its CG passed.
+    /// The points passed by the CG.
     Points(VehicleId),
     /// The recorder's speed before impact.
     RecordedSpeed(VehicleId),
     /// The recorder's yaw rate after the impact.
     RecordedYawRate(VehicleId),
-    /// The speed where its skid before the impact begins.
+    /// The speed at the beginning of the skid before the impact.
     SkidSpeed(VehicleId),
-    /// What is certain of the speed.
+    /// Certain limits of the speed.
     Limits(VehicleId),
 }
 
@@ -58,9 +58,9 @@ pub enum Output {
     Speed(VehicleId),
     /// (m/s) |ΔV|.
     DeltaV(VehicleId),
-    /// (m/s) part of ΔV along the heading.
+    /// (m/s) component of ΔV along the heading.
     LongitudinalDeltaV(VehicleId),
-    /// (m/s) part of ΔV to the left of the heading.
+    /// (m/s) component of ΔV to the left of the heading.
     LateralDeltaV(VehicleId),
     /// (m/s) −u_n.
     ClosingSpeed,
@@ -68,8 +68,8 @@ pub enum Output {
     EnergyLoss,
     /// (–) e.
     Restitution,
-    /// (J) crush energy of both vehicles, with the stiffness of the draw, and the ratio of both where that of
-    /// one alone is known.
+    /// (J) crush energy of both vehicles, with the stiffness of the draw, and the ratio of both if only that
+    /// of one is known.
     CrushEnergy,
 }
 
@@ -93,7 +93,7 @@ impl Output {
         ]
     };
 
-    /// Its place among the columns.
+    /// Its column.
     #[must_use]
     pub fn column(self) -> usize {
         Self::ALL.iter().position(|other| *other == self).unwrap_or(Self::ALL.len())
@@ -124,7 +124,7 @@ pub struct Model<I = Placed> {
     pieces: Vec<Piece>,
 }
 
-/// A collision with the place of each unknown number.
+/// A collision with the index of each unknown number.
 #[derive(Clone, Debug)]
 pub struct Placed {
     collision: Collision<Slot>,
@@ -143,7 +143,7 @@ impl Impacts for Placed {
 }
 
 impl Placed {
-    /// (–) κ and β of each vehicle, as in [`Crush`], of a block of particles; 1 where it has no crush.
+    /// (–) κ and β of each vehicle, as in [`Crush`], for a block of particles; 1 if it has no crush.
     #[must_use]
     pub fn crush_factors(&self, values: &[Lanes]) -> [[[f64; 2]; 2]; LANES] {
         core::array::from_fn(|lane| self.collision.crush_factors(values, lane))
@@ -151,7 +151,7 @@ impl Placed {
 }
 
 impl Model {
-    /// With all evidence that the collision has.
+    /// The model with all evidence of the collision.
     #[must_use]
     pub fn new(collision: &Collision) -> Self {
         let mut unknown = Vec::new();
@@ -164,7 +164,7 @@ impl Model {
 }
 
 impl<I: Impacts> Model<I> {
-    /// What was observed of a collision, against what its unknown numbers lead to.
+    /// The model that compares the observations of a collision with the impacts of its unknown numbers.
     pub fn of(impacts: I, observed: Observed) -> Self {
         let mut pieces = Vec::new();
         pieces.extend(observed.severity.map(|_| Piece::Severity));
@@ -191,19 +191,19 @@ impl<I: Impacts> Model<I> {
         Self { impacts, observed, pieces }
     }
 
-    /// The terms of the likelihood, in their order.
+    /// The terms of the likelihood, in order.
     #[must_use]
     pub fn pieces(&self) -> &[Piece] {
         &self.pieces
     }
 
-    /// What each column of [`score`](Self::score) is.
+    /// The part in each column of [`score`](Self::score).
     #[must_use]
     pub fn parts(&self) -> Vec<Part> {
         self.parts_of_pieces().map(|(term, part)| Part { term, turn: part.turn() }).collect()
     }
 
-    /// The parts of all pieces, with the place of the piece.
+    /// The parts of all pieces, with the index of the piece.
     fn parts_of_pieces(&self) -> impl Iterator<Item = (usize, PartOf)> + '_ {
         let parts = |(term, piece): (usize, &Piece)| {
             let parts = match *piece {
@@ -223,8 +223,8 @@ impl<I: Impacts> Model<I> {
         self.pieces.iter().enumerate().flat_map(parts)
     }
 
-    /// Writes the normal score of each part of the pieces, a column for each, and of an angle its error: NaN
-    /// for the severity, which is no observation, and for points, which are several.
+    /// Writes the normal score of each part of the pieces, or the error of an angle, a column for each: NaN
+    /// for the severity, which is not an observation, and for points, which are several.
     pub fn score(&self, impacts: &[Impacted], residuals: &mut [Lanes]) {
         for (column, (_, part)) in residuals.iter_mut().zip(self.parts_of_pieces()) {
             for (score, impacted) in column.iter_mut().zip(impacts) {
@@ -246,7 +246,7 @@ impl<I: Impacts> Model<I> {
         }
     }
 
-    /// The normal score of an error (rad) of a part that is an angle.
+    /// The normal score for an error (rad) of a part that is an angle.
     fn score_of_angle(&self, part: usize, error: f64) -> f64 {
         let of = |vehicle: &ObservedVehicle, part: PartOf| match part {
             PartOf::Angle(Piece::Pdof(_)) => vehicle.pdof.map(|coded| coded.of(error)),
@@ -261,8 +261,7 @@ impl<I: Impacts> Model<I> {
             .map_or(f64::NAN, Error::score)
     }
 
-    /// The errors of a rest along the path, across it and of the heading; `None` where the vehicle was not
-    /// followed.
+    /// The errors of a rest along the path, across it and in heading; `None` if the vehicle was not followed.
     #[inline(always)]
     fn rest_errors(&self, id: VehicleId, impacted: &Impacted) -> Option<[Error; 3]> {
         let (measured, way) = (self.observed.vehicles[id.index()].rest?, impacted.ways[id.index()].as_ref()?);
@@ -286,14 +285,13 @@ impl<I: Impacts> Model<I> {
         self.pieces.iter().zip(used).any(|(piece, used)| *used && is_of_way(piece))
     }
 
-    /// What the unknown numbers lead to.
+    /// The impacts of the unknown numbers.
     #[must_use]
     pub fn leads(&self) -> &I {
         &self.impacts
     }
 
-    /// Writes the logarithm of the likelihood of each piece; of a way that was not followed, the most that
-    /// it can be.
+    /// Writes the log-likelihood of each piece; for a path that was not followed, its maximum.
     #[inline(always)]
     fn judge(&self, impacts: &[Impacted], terms: &mut [Lanes], reasons: &mut [u8; LANES]) {
         for (reason, impacted) in reasons.iter_mut().zip(impacts) {
@@ -309,7 +307,7 @@ impl<I: Impacts> Model<I> {
         }
     }
 
-    /// The error of what was observed, in what a particle predicts.
+    /// The error of an observation relative to the prediction of a particle.
     #[inline(always)]
     fn error(&self, piece: Piece, impacted: &Impacted) -> Error {
         let vehicle = |id: VehicleId| &self.observed.vehicles[id.index()];
@@ -318,7 +316,7 @@ impl<I: Impacts> Model<I> {
             Piece::Severity => {
                 let Some(severity) = self.observed.severity else { return Error::NONE };
                 let [dv1, dv2] = match impacted.outcome.delta_v_magnitude() {
-                    // A fixed object has none.
+                    // A fixed object has no ΔV.
                     [dv, 0.0] | [0.0, dv] => [dv, dv],
                     both => both,
                 };
@@ -371,7 +369,7 @@ impl<I: Impacts> Model<I> {
                 (Some([along, across, turned]), _) => {
                     Error { potential: across.log_likelihood() + turned.log_likelihood(), ..along }
                 }
-                // Not followed: the most that it can be.
+                // Not followed: the maximum.
                 (None, Some(MeasuredRest { position_sd, heading_sd, .. })) => {
                     let other = normal(0.0, position_sd) + normal(0.0, heading_sd);
                     Error { potential: other, ..Error::normal(0.0, position_sd) }
@@ -384,7 +382,7 @@ impl<I: Impacts> Model<I> {
                     let potential = errors.map(|(sd, miss)| normal(*miss, *sd)).sum();
                     Error { potential, ..Error::NONE }
                 }
-                // The most that it can be.
+                // Not followed: the maximum.
                 None => {
                     let potential = vehicle(id).points.iter().map(|sd| normal(0.0, *sd)).sum();
                     Error { potential, ..Error::NONE }
@@ -400,7 +398,7 @@ impl<I: Impacts> Model<I> {
                 .map_or(Error::NONE, |shown| shown.error(impacted.speeds[id.index()])),
             Piece::SkidSpeed(id) => match (vehicle(id).skid_speed, impacted.skid_speeds[id.index()]) {
                 (Some(measured), Some(speed)) => measured.error(speed),
-                // Without a skid it has no beginning.
+                // Without a skid there is no such speed.
                 (Some(_), None) => Error { potential: f64::NEG_INFINITY, ..Error::NONE },
                 (None, _) => Error::NONE,
             },
@@ -413,14 +411,14 @@ impl<I: Impacts> Model<I> {
     }
 }
 
-/// A part of a piece of evidence that has a p-value of its own.
+/// A part of a piece of evidence with its own p-value.
 #[derive(Clone, Copy, Debug)]
 enum PartOf {
-    /// The piece itself, and of a rest its place along the path.
+    /// The piece itself; for a rest its position along the path.
     Number(Piece),
-    /// The piece itself, which is an angle.
+    /// The piece itself, an angle.
     Angle(Piece),
-    /// The place of a rest across the path.
+    /// The position of a rest across the path.
     Across(VehicleId),
     /// The heading of a rest with its full turns.
     Heading(VehicleId),
@@ -429,12 +427,12 @@ enum PartOf {
 }
 
 impl PartOf {
-    /// (rad) a full turn of what is on a circle.
+    /// (rad) a full turn, for a part on a circle.
     fn turn(self) -> Option<f64> {
         matches!(self, Self::Angle(_) | Self::HeadingOnCircle(_)).then_some(core::f64::consts::TAU)
     }
 
-    /// The vehicle that an angle belongs to.
+    /// The vehicle to which an angle belongs.
     fn vehicle(self) -> Option<VehicleId> {
         match self {
             Self::Angle(Piece::Pdof(id) | Piece::DirectionAfter(id) | Piece::RecordedDirection(id))
@@ -446,13 +444,13 @@ impl PartOf {
     }
 }
 
-/// (–) no ΔV has a smaller part along the vehicle for a recorder.
+/// (–) minimum longitudinal component that a recorder stores, as a fraction of ΔV.
 const LEAST_SHARE: f64 = 0.05;
 
-/// (m/s) what a recorder without an error stores of a ΔV of which `whole` (m/s) is the size and `along` (m/s)
-/// the part along the vehicle.
+/// (m/s) the value that a recorder without error stores for a ΔV with the size `whole` (m/s) and the
+/// longitudinal component `along` (m/s).
 ///
-/// A recorder that stores the part along the vehicle alone has some of the other part as well.
+/// A recorder that stores only the longitudinal component also picks up some of the other.
 #[inline(always)]
 #[must_use]
 pub fn shown_delta_v(whole: f64, along: f64, is_longitudinal: bool) -> f64 {
@@ -460,7 +458,7 @@ pub fn shown_delta_v(whole: f64, along: f64, is_longitudinal: bool) -> f64 {
 }
 
 impl EnergyError {
-    /// (–) what the energy that crush shows is multiplied by.
+    /// (–) the factor that corrects the energy shown by the crush.
     #[must_use]
     pub fn factor(&self) -> f64 {
         exp(-self.bias)
@@ -477,14 +475,14 @@ impl CrushErrors {
         Error::normal(ln(sum / taken) - one.bias, Self::ln_sd([one, two], beside / sum))
     }
 
-    /// (–) logarithm of the likelihood of crush `energies` (J) where the impulses took `taken` (J).
+    /// (–) log-likelihood of crush `energies` (J) if the impulses took `taken` (J).
     #[inline(always)]
     #[must_use]
     pub fn log_likelihood(&self, energies: [f64; 2], taken: f64) -> f64 {
         self.error(energies, taken).log_likelihood()
     }
 
-    /// (–) standard deviation of the error where vehicle 2 has this `share` of the energy.
+    /// (–) standard deviation of the error if vehicle 2 has this `share` of the energy.
     #[inline(always)]
     fn ln_sd([one, two]: [EnergyError; 2], share: f64) -> f64 {
         let shared = one.shared_ln_sd + share * (two.shared_ln_sd - one.shared_ln_sd);
@@ -495,7 +493,7 @@ impl CrushErrors {
 }
 
 impl CodedPdof {
-    /// Where the force came from `pdof` (rad).
+    /// The error if the force came from `pdof` (rad).
     #[inline(always)]
     fn error(&self, pdof: f64) -> Error {
         self.of(principal_angle(self.pdof - pdof))
@@ -509,12 +507,12 @@ impl CodedPdof {
 }
 
 impl MeasuredSpeed {
-    /// Of a vehicle that has this `speed` (m/s).
+    /// The error for a vehicle with this `speed` (m/s).
     #[inline(always)]
     fn error(&self, speed: f64) -> Error {
         let Self { value, ln_sd, least } = *self;
         if least <= 0.0 && speed <= 0.0 {
-            // A vehicle that stands or moves backward has no logarithm of its speed.
+            // The speed of a vehicle that stands or moves backward has no logarithm.
             Error { potential: f64::NEG_INFINITY, ..Error::NONE }
         } else if ln_sd > 0.0 {
             Error::normal(relative(value, speed, ln_sd, least), ln_sd)
@@ -525,14 +523,14 @@ impl MeasuredSpeed {
 }
 
 impl RecordedPart {
-    /// Where the whole ΔV is `whole` (m/s) and its part along the vehicle is `along` (m/s).
+    /// The error for a ΔV with the size `whole` (m/s) and the longitudinal component `along` (m/s).
     #[inline(always)]
     fn error(&self, whole: f64, along: f64) -> Error {
         let Self { along: stored, ln_scale, least, freedom } = *self;
         let across = LEAST_SHARE * whole;
         let at_zero = Real::sqrt(least * least + across * across);
         let width = Real::sqrt(ln_scale * ln_scale * stored * stored + at_zero * at_zero);
-        // dε/dy = σ/√(σ²y² + a²): a depends on the particle, so that this belongs to the density
+        // dε/dy = σ/√(σ²y² + a²): a depends on the particle, so this factor is part of the density
         let potential = ln(ln_scale / width);
         Error { potential, ..Error::student(relative(stored, along, ln_scale, at_zero), ln_scale, freedom) }
     }
@@ -545,8 +543,8 @@ impl RecordedDeltaV {
         Error::student(error, self.ln_scale, self.freedom)
     }
 
-    /// (–) logarithm of its likelihood where a recorder without an error stores `shown` (m/s), as
-    /// [`shown_delta_v`] gives it.
+    /// (–) its log-likelihood if a recorder without error stores `shown` (m/s), as [`shown_delta_v`] gives
+    /// it.
     #[inline(always)]
     #[must_use]
     pub fn log_likelihood(&self, shown: f64) -> f64 {
@@ -559,11 +557,11 @@ impl RecordedDeltaV {
 struct Error {
     error: f64,
     scale: f64,
-    /// Of Student's t; `None` for a normal error.
+    /// Degrees of freedom of Student's t; `None` for a normal error.
     freedom: Option<Freedom>,
     /// Whether it is an observation at all.
     is_observed: bool,
-    /// Logarithm of what multiplies the likelihood beside it.
+    /// Logarithm of a further factor of the likelihood.
     potential: f64,
 }
 
@@ -689,7 +687,7 @@ impl<I: Impacts> Evidence for Model<I> {
 }
 
 impl Collision {
-    /// The collision with the place of each unknown number, and these numbers.
+    /// The collision with the index of each unknown number, which is appended to `unknown`.
     fn placed(&self, unknown: &mut Vec<Distribution>) -> Collision<Slot> {
         let mut place = |number: Number| match number {
             Number::Exact(number) => Slot::Exact(number),
@@ -698,7 +696,7 @@ impl Collision {
                 Slot::At(unknown.len() - 1)
             }
         };
-        // The unknown numbers stand in this order.
+        // This is the order of the unknown numbers.
         let speeds = self.speeds.map(&mut place);
         let restitution = self.restitution.map(&mut place);
         let (crush_plane, friction, tangential_share) =

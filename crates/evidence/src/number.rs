@@ -7,7 +7,7 @@ use uncertainty::{Distribution, Lanes};
 pub enum Number {
     /// Known.
     Exact(f64),
-    /// Unknown, with what is known of it before the evidence.
+    /// Unknown, with its prior distribution.
     Unknown(Distribution),
 }
 
@@ -23,12 +23,12 @@ impl From<Distribution> for Number {
     }
 }
 
-/// Where a particle has a number.
+/// The source of a number of a particle.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Slot {
     /// The same in every particle.
     Exact(f64),
-    /// The place among the unknown values.
+    /// The index among the unknown values.
     At(usize),
 }
 

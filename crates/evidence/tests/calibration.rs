@@ -1,9 +1,9 @@
 //! Simulation-based calibration (S. Talts, M. Betancourt, D. Simpson, A. Vehtari and A. Gelman, 2018):
 //! crashes drawn from the prior, evidence simulated from them, and the rank of the truth among the draws of
-//! the posterior, which is uniform if impact, likelihood and sampler fit together.
+//! the posterior, which is uniform if impact, likelihood and sampler are consistent.
 //!
-//! Truth and evidence are made here: the severity by rejection, every error from its own distribution, not by
-//! the likelihood that is tested.
+//! Truth and evidence are generated here, not by the tested likelihood: the severity by rejection, every
+//! error from its own distribution.
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -21,7 +21,7 @@ use crate::likelihood::vehicle;
 
 const DEGREE: f64 = PI / 180.0;
 
-/// What is ranked.
+/// The outputs that are ranked.
 const OUTPUTS: [Output; 7] = [
     Output::Speed(One),
     Output::Speed(Two),
@@ -35,12 +35,13 @@ const OUTPUTS: [Output; 7] = [
 /// Number of ranks.
 const RANKS: usize = 20;
 
-/// χ² with 19 degrees of freedom: 1 % of the largest of 21, three shapes with seven outputs each, are above.
+/// χ² with 19 degrees of freedom: the largest of 21, three shapes with seven outputs each, is above with a
+/// probability of 1 %.
 const ALL: f64 = 46.12;
-/// 1 % of a single one are above.
+/// A single one is above with a probability of 1 %.
 const SINGLE: f64 = 36.19;
 
-/// Random numbers of one simulation, one after the other.
+/// Sequence of random numbers of one simulation.
 struct Random {
     key: u64,
     next: u64,
@@ -52,19 +53,19 @@ impl Random {
         unit(bits(self.key, self.next))
     }
 
-    /// Box and Muller, of which the library's numbers make no use here.
+    /// Box–Muller, which the library does not use here.
     fn normal(&mut self) -> f64 {
         (-2.0 * self.unit().ln()).sqrt() * (2.0 * PI * self.unit()).cos()
     }
 
-    /// Z/√(χ²/ν), χ² a sum of squares of ν standard normal numbers.
+    /// Z/√(χ²/ν), with χ² the sum of squares of ν standard normal numbers.
     fn student(&mut self, freedom: u32) -> f64 {
         let squares: f64 = (0..freedom).map(|_| self.normal().powi(2)).sum();
         self.normal() / (squares / f64::from(freedom)).sqrt()
     }
 }
 
-/// A kind of crash, with the observations of a true one.
+/// A kind of crash, and how a true one is observed.
 struct Shape {
     collision: Collision,
     observe: fn(&mut Collision, &Impacted, &mut Random),
@@ -78,8 +79,7 @@ fn log_normal(median: f64, ln_sd: f64) -> Number {
     Distribution::log_normal(median, ln_sd).unwrap().into()
 }
 
-/// Two cars of which all is unknown that is unknown of a crash of the field. `contacts` (m) are along the
-/// damaged faces.
+/// Two cars with all the unknown numbers of a crash in the field. `contacts` (m) are along the damaged faces.
 fn usual(masses: [f64; 2], headings: [f64; 2], crush_plane: f64, contacts: [[Number; 2]; 2]) -> Collision {
     let [low, rise, fade, ln_sd] = FITTED.restitution;
     let ([friction, friction_ln_sd], [share, share_sd]) = (FITTED.friction, FITTED.tangential_share);
@@ -120,8 +120,8 @@ fn usual(masses: [f64; 2], headings: [f64; 2], crush_plane: f64, contacts: [[Num
     }
 }
 
-/// Profiles that are as wide as makes the crush energy what it is with its error. The energy is proportional
-/// to the width, so that it is the width that was observed, whatever the stiffness.
+/// Profiles whose width gives the crush energy with its error. The energy is proportional to the width, so
+/// that in effect the width is observed, whatever the stiffness.
 fn crush(hit: [Damage; 2], collision: &mut Collision, truth: &Impacted, random: &mut Random) {
     let misfit = FITTED.crush_misfit(&hit);
     let CrushMisfit { bias, ln_sd } = misfit;
@@ -174,7 +174,7 @@ fn front_and_rear() -> Shape {
                 (truth.outcome.delta_v_magnitude()[0], truth.outcome.delta_v_components()[0][0].abs());
             let ln_scale = FITTED.recorder_ln_scale;
             recorder.delta_v = Some(RecordedDeltaV {
-                // No part is smaller than a twentieth of the whole to a recorder.
+                // A recorder stores no component smaller than a twentieth of the whole.
                 size: along.max(0.05 * whole) * (ln_scale * random.student(3)).exp(),
                 is_longitudinal: true,
                 ln_scale,
@@ -218,7 +218,7 @@ fn front_and_front() -> Shape {
     }
 }
 
-/// A crash from the prior: one that is possible, kept as often as its severity is frequent.
+/// A possible crash from the prior, accepted in proportion to the frequency of its severity.
 fn truth(collision: &Collision, random: &mut Random) -> Impacted {
     let model = Model::new(collision);
     let severity = collision.observed.severity.unwrap();
@@ -248,8 +248,8 @@ fn outputs(truth: &Impacted) -> [f64; OUTPUTS.len()] {
     [v1, v2, dv1, dv2, -outcome.approach.normal, outcome.energy.loss, e]
 }
 
-/// How often the truth of a simulation had each rank, for each of [`OUTPUTS`]; `spoil` changes what the
-/// estimate knows.
+/// Number of simulations in which the truth had each rank, for each of [`OUTPUTS`]; `spoil` changes the input
+/// of the estimate.
 fn ranks(
     shape: &Shape,
     simulations: u64,
@@ -312,7 +312,7 @@ fn ranks_are_uniform_where_two_fronts_meet() {
     assert_calibrated(&front_and_front());
 }
 
-/// A crush misfit that is wrong shows in three hundred crashes.
+/// A wrong crush misfit shows in three hundred crashes.
 #[test]
 #[ignore = "a thousand estimates: minutes with --release, and then -- --ignored --nocapture"]
 fn wrong_errors_are_noticed() {
@@ -321,12 +321,12 @@ fn wrong_errors_are_noticed() {
         println!("χ² {squares:.1?}");
         squares.iter().copied().fold(0.0, f64::max)
     };
-    // Crush that agrees with the impact better than it does.
+    // A crush misfit that is too small.
     let crush = most(&front_and_rear(), |collision| {
         let CrushErrors([EnergyError { bias, shared_ln_sd, .. }, _]) = collision.observed.crush.unwrap();
         collision.observed.crush = Some(CrushMisfit { bias, ln_sd: 0.5 * shared_ln_sd }.into());
     });
-    // Crush without its bias.
+    // A crush misfit without its bias.
     let bias = most(&front_and_side(), |collision| {
         let CrushErrors([EnergyError { shared_ln_sd, .. }, _]) = collision.observed.crush.unwrap();
         collision.observed.crush = Some(CrushMisfit { bias: 0.0, ln_sd: shared_ln_sd }.into());
@@ -335,8 +335,8 @@ fn wrong_errors_are_noticed() {
     assert!(found.iter().all(|square| *square > ALL), "{found:?}");
 }
 
-/// Twenty crashes, of which so many have their speeds in the middle half of the draws as half of twenty does
-/// in all but one of ten thousand runs.
+/// Twenty crashes: the number with speeds in the middle half of the draws is within the range of the heads of
+/// twenty fair coins in all but one of ten thousand runs.
 #[test]
 fn half_of_the_truths_are_in_the_middle_half() {
     let counts = ranks(&front_and_rear(), 20, 4, |_| ());

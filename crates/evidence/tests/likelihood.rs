@@ -1,4 +1,4 @@
-//! Each term against the formula, computed by hand for a central impact.
+//! Each term compared with the formula, computed by hand for a central impact.
 
 use std::f64::consts::PI;
 
@@ -61,7 +61,7 @@ fn normal(z: f64, sd: f64) -> f64 {
 #[test]
 fn the_crush_energy_is_that_of_the_normal_work() {
     let mut collision = rear_end();
-    // Of a profile: 10 + 20 + 15 kJ, κ = 1.1 and β = 0.9 change it to 8.1 + 19.8 + 18.15 kJ.
+    // For a profile: κ = 1.1 and β = 0.9 change 10 + 20 + 15 kJ to 8.1 + 19.8 + 18.15 kJ.
     let crush = |slope: f64, no_damage_speed: f64| Crush {
         constant: 10e3,
         linear: 20e3,
@@ -77,7 +77,7 @@ fn the_crush_energy_is_that_of_the_normal_work() {
     close(term, normal(((energy / 66_825.0_f64).ln() + 0.2) / 0.4, 0.4));
 }
 
-/// Of one vehicle: ln E₁ = ln(W_n + λ W_t) + ln s + b + error, where it has the share s of both energies.
+/// For one vehicle: ln E₁ = ln(W_n + λ W_t) + ln s + b + error, with its share s of both energies.
 #[test]
 fn the_crush_of_one_vehicle_has_its_share_of_the_energy() {
     let crush = Crush {
@@ -103,7 +103,7 @@ fn the_crush_of_one_vehicle_has_its_share_of_the_energy() {
     }
 }
 
-/// The posterior of the speed against a sum over a grid of speeds and ratios.
+/// The posterior of the speed compared with a sum over a grid of speeds and ratios.
 #[test]
 fn the_crush_of_one_vehicle_tells_the_speed() {
     let mut collision = rear_end();
@@ -154,7 +154,7 @@ fn the_crush_of_one_vehicle_tells_the_speed() {
     }
 }
 
-/// A skid that begins at 20 m/s by the particle, and at 21 m/s by a recorder.
+/// A skid that begins at 20 m/s according to the particle, and at 21 m/s according to a recorder.
 #[test]
 fn a_speed_before_the_skid_has_a_normal_error() {
     let observed = || {
@@ -174,7 +174,7 @@ fn a_speed_before_the_skid_has_a_normal_error() {
     }
 }
 
-/// The impact of a collision, with a skid of vehicle 2 that is given.
+/// The impact of a collision, with a given skid of vehicle 2.
 struct Skidded {
     model: Model,
     begins: Option<f64>,
@@ -218,7 +218,7 @@ fn a_recorder_and_a_pdof_have_heavy_tails() {
         ..Recorder::default()
     };
     collision.observed.vehicles[0].pdof = Some(CodedPdof { pdof: 0.2, scale: 0.1 });
-    // The wider of two PDOFs does not count: both are one observation.
+    // The wider of two PDOFs does not count: both are the same observation.
     collision.observed.vehicles[1].pdof = Some(CodedPdof { pdof: PI, scale: 0.15 });
     let terms = terms(&collision);
     let pieces: Vec<Piece> = terms.iter().map(|(piece, _)| *piece).collect();
@@ -231,7 +231,7 @@ fn a_recorder_and_a_pdof_have_heavy_tails() {
     close(terms[2].1, normal((16.0_f64 / 15.0).ln() / 0.05, 0.05));
 }
 
-/// The force on vehicle 1 comes from straight ahead; the recorder shows 0.2 rad, and turns past 180°.
+/// The force on vehicle 1 comes from straight ahead; the recorder shows 0.2 rad, and angles beyond 180°.
 #[test]
 fn the_direction_of_a_recorder_has_heavy_tails() {
     for (id, shown) in [(One, 0.2), (Two, PI + 0.2), (Two, 0.2 - PI)] {
@@ -244,7 +244,7 @@ fn the_direction_of_a_recorder_has_heavy_tails() {
     }
 }
 
-/// The scales of docs/calibration.md: 6° of a PDOF and 5.4° of a recorder, on sides 1.5 times those.
+/// The scales of docs/calibration.md: 6° for a PDOF and 5.4° for a recorder, 1.5 times as much on sides.
 #[test]
 fn directions_err_more_on_sides() {
     for (found, degrees) in [
@@ -296,7 +296,7 @@ fn restitution_falls_with_the_closing_speed() {
 #[test]
 fn together_the_speeds_have_their_relative_speed_and_split() {
     let mut collision = rear_end();
-    // At right angles, with 5 and 12 m/s, they are 13 m/s apart.
+    // At right angles, with 5 and 12 m/s, the relative speed is 13 m/s.
     collision.vehicles[1].heading = (0.5 * PI).into();
     collision.vehicles[1].contact = [0.0.into(), 0.5.into()];
     collision.speeds = Speeds::Together {
@@ -322,7 +322,7 @@ fn vehicles_that_do_not_meet_have_no_impact() {
     assert_eq!(reasons, [1; LANES]);
 }
 
-/// The impact of a collision, with ways that are given.
+/// The impact of a collision, with given paths.
 struct Followed {
     model: Model,
     ways: [Option<Way>; 2],
@@ -378,7 +378,7 @@ fn rests_and_points_have_normal_errors() {
     }
 }
 
-/// A rest that is 2 m farther along the way, however the scene is turned.
+/// A rest 2 m farther along the path, however the scene is turned.
 #[test]
 fn the_score_of_a_rest_is_that_along_the_way() {
     for direction in [0.0, 1.0, 2.5, -2.0_f64] {
@@ -429,8 +429,8 @@ fn a_recorder_stores_no_speed_of_a_vehicle_that_moves_backward() {
     }
 }
 
-/// Energies that were obtained differently: each is divided by its own exp(b), and the errors add up by the
-/// shares, 30 kJ and 20 e^0.5 kJ.
+/// Energies obtained by different methods: each is divided by its own exp(b), and the errors are weighted by
+/// the shares, 30 kJ and 20 e^0.5 kJ.
 #[test]
 fn each_crush_energy_has_its_own_error() {
     let mut collision = rear_end();
@@ -455,7 +455,7 @@ fn each_crush_energy_has_its_own_error() {
     assert!((class.factor() - 1.648_721_270_700_128).abs() < 1e-12);
 }
 
-/// Of energies that were obtained alike the bits are those of one bias and one error.
+/// For energies obtained by the same method the bits are those of one bias and one error.
 #[test]
 fn energies_obtained_alike_have_one_error() {
     let misfit = FITTED.crush_misfit(&[Damage::Front; 2]);
@@ -466,7 +466,7 @@ fn energies_obtained_alike_have_one_error() {
     assert_eq!(found, -0.5 * z * z - real::elementary::ln(misfit.ln_sd) - 0.918_938_533_204_672_8);
 }
 
-/// A longitudinal ΔV of −6.6 m/s and one of 0: Student's t in arsinh, the density in m/s.
+/// A longitudinal ΔV of −6.6 m/s and one of 0: Student's t in arsinh, with the density in m/s.
 #[test]
 fn a_longitudinal_part_has_its_sign() {
     let term = |along: f64| {

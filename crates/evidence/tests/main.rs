@@ -1,4 +1,4 @@
-//! The posterior of a collision against independent calculations.
+//! The posterior of a collision, compared with independent calculations.
 
 #![allow(
     clippy::unwrap_used,

@@ -1,4 +1,4 @@
-//! Draws against a grid over the unknown numbers.
+//! Draws compared with a grid over the unknown numbers.
 
 use estimate::{DrawnQuantity, Settings, sample_quietly};
 use evidence::{CodedPdof, Crush, CrushMisfit, MeasuredSpeed, Model, Number, Output, Speeds};
@@ -20,8 +20,8 @@ fn quantile(grid: &[(f64, f64)], share: f64) -> f64 {
     panic!("the grid ends below {share}")
 }
 
-/// v₁ and v₂ of a rear-end collision from the crush energy and one velocity after the impact, by the
-/// textbook's formulas on a grid.
+/// v₁ and v₂ of a rear-end collision from the crush energy and one velocity after the impact, by textbook
+/// formulas on a grid.
 #[test]
 fn both_speeds_are_those_of_a_grid() {
     let mut collision = rear_end();
@@ -82,7 +82,7 @@ fn both_speeds_are_those_of_a_grid() {
     }
 }
 
-/// Whatever the evidence, a draw's energy is that of its speeds: nothing is lost on the way.
+/// Whatever the evidence, a draw's energy is that of its speeds.
 #[test]
 fn outputs_are_those_of_one_impact() {
     let mut collision = rear_end();

@@ -1,5 +1,5 @@
-//! Seven posteriors against another program with another sampler: `reference/reference.py`, whose result is
-//! `reference/reference.json`.
+//! Seven posteriors compared with another program with another sampler: `reference/reference.py`, whose
+//! result is `reference/reference.json`.
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -48,11 +48,11 @@ fn crush([constant, linear, square]: [f64; 3]) -> Option<Crush> {
     Some(Crush { constant, linear, square, slope, no_damage_speed })
 }
 
-/// The misfits are those of the reference, whatever is fitted anew.
+/// The misfits are those of the reference, independent of later fits.
 const CRUSH: CrushMisfit = CrushMisfit { bias: -0.404, ln_sd: 0.366 };
 const SEVERITY: Severity = Severity { median: 7.36, ln_sd: 0.47, speed: 25.0 };
 
-/// A crash with both speeds unknown; all else is set by the cases.
+/// A crash with both speeds unknown; the cases set everything else.
 fn usual(masses: [Number; 2], yaw_radii: [f64; 2], crushes: [[f64; 3]; 2]) -> Collision {
     let vehicle = |i: usize| {
         let mut vehicle = vehicle(1.0, 0.0);
@@ -179,8 +179,8 @@ fn reference(value: &Value) -> Estimate {
     Estimate { value: number(0), standard_error: Some(number(1)) }
 }
 
-/// (–) by how many combined standard errors two estimates differ, of which as much is left out as a hundredth
-/// of the deviation `sd` of the quantity, where errors of errors count.
+/// (–) difference of two estimates in combined standard errors, less a hundredth of the standard deviation
+/// `sd` of the quantity, below which errors of the errors matter.
 fn apart(ours: Estimate, theirs: Estimate, sd: f64) -> f64 {
     let error = ours.standard_error.unwrap().hypot(theirs.standard_error.unwrap());
     let difference = (ours.value - theirs.value).abs() - 0.01 * sd - 1e-9;

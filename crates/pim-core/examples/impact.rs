@@ -1,5 +1,5 @@
-//! The impact of the paper's example, forward: both speeds are known; what do velocities, yaw rates and
-//! energy become?
+//! The forward impact of the paper's example: both speeds are known; what are the velocities, yaw rates and
+//! energy afterwards?
 
 #![allow(clippy::print_stdout, reason = "an example shows its result")]
 
@@ -7,8 +7,8 @@ use std::error::Error;
 
 use pim_core::{Body, Contact, Law, Motion, Participant, Tangential};
 
-/// Whether a number is the printed one, to half of its last digit and what the rounded data of the paper
-/// bring.
+/// Whether a number is the printed one, within half of its last digit and the effect of the paper's rounded
+/// data.
 fn printed(ours: f64, paper: f64, half_a_digit: f64) -> bool {
     (ours - paper).abs() <= 1.5 * half_a_digit
 }
@@ -42,7 +42,7 @@ pub(crate) fn main() -> Result<(), Box<dyn Error>> {
         100.0 * outcome.energy.loss / outcome.energy.before
     );
 
-    // What the paper prints: −35.3 ft/s, −4.0 rad/s; −37.3 ft/s, 4.1 rad/s; 41.4 %.
+    // The paper prints −35.3 ft/s, −4.0 rad/s; −37.3 ft/s, 4.1 rad/s; 41.4 %.
     let [jimmy, altima] = &outcome.after;
     assert!(printed(jimmy.velocity.x / foot, -35.3, 0.1) && printed(jimmy.yaw_rate, -4.0, 0.05));
     assert!(printed(altima.velocity.x / foot, -37.3, 0.1) && printed(altima.yaw_rate, 4.1, 0.05));

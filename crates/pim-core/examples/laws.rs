@@ -29,7 +29,8 @@ pub(crate) fn main() -> Result<(), Box<dyn Error>> {
         assert!((1676.5 * dv1 - 1548.1 * dv2).abs() < 1e-9);
         delta_v.push(dv1);
     }
-    // The paper's μ_c of 0.371 is below 0.5, so that the limit does not bind, and above 0.2, so that it does.
+    // The paper's μ_c of 0.371 is below the limit of 0.5, which does not bind, and above that of 0.2, which
+    // does.
     assert!((delta_v[0] - delta_v[1]).abs() < 1e-9);
     assert!((delta_v[1] - delta_v[2]).abs() > 0.1);
     Ok(())

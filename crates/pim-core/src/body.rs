@@ -1,4 +1,4 @@
-//! Who collides: bodies, where they stand, how they move.
+//! The colliding bodies, their position and their motion.
 
 use nalgebra::Vector2;
 use real::Real;
@@ -8,8 +8,8 @@ use crate::error::{self, InvalidInput};
 /// A rigid body in the plane: mass and yaw inertia, or fixed to the ground.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Body<T = f64> {
-    // All four are zero for a fixed body, so that the equations need no case of their own for it:
-    // it takes an impulse without moving and carries no kinetic energy.
+    // All four are zero for a fixed body, so that the equations need no special case: it takes an impulse
+    // without moving and has no kinetic energy.
     mass: T,
     yaw_inertia: T,
     inverse_mass: T,
@@ -20,7 +20,7 @@ impl<T: Real> Body<T> {
     /// A vehicle of mass m (kg) and yaw inertia I about its CG (kg·m²).
     ///
     /// # Errors
-    /// Where either is not a finite number greater than zero.
+    /// If either is not a finite number greater than zero.
     #[inline(always)]
     pub fn new(mass: T, yaw_inertia: T) -> Result<Self, InvalidInput> {
         let body = Self::of(mass, yaw_inertia);
@@ -141,13 +141,14 @@ impl<T: Real> Motion<T> {
     }
 }
 
-/// One of the two bodies in its place: heading, course, and the arm from its CG to the contact point C.
+/// One of the two bodies in the collision: its heading, course, and the arm from its CG to the contact point
+/// C.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Participant<T = f64> {
     pub(crate) body: Body<T>,
     /// Unit vector of the body's own forward axis in the scene.
     pub(crate) forward: Vector2<T>,
-    /// Unit vector of the direction in the scene along which its speed before impact counts.
+    /// Unit vector in the scene of the direction of its speed before impact.
     pub(crate) course: Vector2<T>,
     /// r: vector from the CG to C in the scene.
     pub(crate) arm: Vector2<T>,
@@ -158,7 +159,7 @@ impl<T: Real> Participant<T> {
     /// axes.
     ///
     /// # Errors
-    /// Where a number is not finite.
+    /// If a number is not finite.
     #[inline(always)]
     pub fn new(body: Body<T>, heading: T, forward: T, left: T) -> Result<Self, InvalidInput> {
         Self::check(heading, forward, left)?;
@@ -181,11 +182,11 @@ impl<T: Real> Participant<T> {
         Self { body, forward, course: forward, arm }
     }
 
-    /// The same travelling in the direction `course` (rad) of the scene, which without a sideslip is that of
-    /// the heading.
+    /// The same body travelling in the scene direction `course` (rad), which is the heading unless there is
+    /// sideslip.
     ///
     /// # Errors
-    /// Where the number is not finite.
+    /// If the number is not finite.
     #[inline(always)]
     pub fn with_course(self, course: T) -> Result<Self, InvalidInput> {
         error::angle("course", course.value())?;
@@ -200,11 +201,11 @@ impl<T: Real> Participant<T> {
         error::finite("left distance to the contact point", left.value())
     }
 
-    /// The same with the contact point in polar form: `distance` d (m) from the CG, at `angle` φ (rad) from
-    /// the heading θ.
+    /// Like [`new`](Self::new), with the contact point in polar form: `distance` d (m) from the CG, at
+    /// `angle` φ (rad) from the heading θ.
     ///
     /// # Errors
-    /// Where a number is not finite.
+    /// If a number is not finite.
     #[inline(always)]
     pub fn polar(body: Body<T>, heading: T, distance: T, angle: T) -> Result<Self, InvalidInput> {
         error::angle("contact angle", angle.value())?;
@@ -212,8 +213,8 @@ impl<T: Real> Participant<T> {
         Self::new(body, heading, distance * cos, distance * sin)
     }
 
-    /// A barrier of which nothing is known but that it stands there. The crush plane's normal is then
-    /// oriented by the other body's arm alone.
+    /// A barrier without a known geometry. Only the other body's arm then orients the normal of the crush
+    /// plane.
     #[inline(always)]
     #[must_use]
     pub fn barrier() -> Self {
@@ -239,7 +240,7 @@ impl<T: Real> Participant<T> {
         self.forward
     }
 
-    /// Unit vector in the scene frame along which the body's speed before impact counts: its forward axis,
+    /// Unit vector in the scene frame of the direction of the body's speed before impact: its forward axis,
     /// unless it [travels in another direction](Self::with_course).
     #[inline(always)]
     #[must_use]

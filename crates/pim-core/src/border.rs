@@ -5,15 +5,15 @@ use real::Real;
 use crate::contact::{Approach, InverseMass};
 use crate::law::{Law, Regime, Tangential, against};
 
-/// What switches, and at which number.
+/// The quantity that switches the condition, and its value there.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Switch<T = f64> {
-    /// Between the full impulse and sliding: the friction limit that just suffices, |P_t|/P_n of the full
+    /// Between the full impulse and sliding: the friction limit that is just enough, |P_t|/P_n of the full
     /// impulse.
     Limit(T),
-    /// Between two directions of sliding: (m/s) the sliding u_t before impact that leaves none after a
-    /// frictionless one.
+    /// Between two directions of sliding: (m/s) the u_t before impact for which a frictionless impact leaves
+    /// U_t = 0.
     Direction(T),
 }
 
@@ -29,21 +29,21 @@ pub enum Switch<T = f64> {
     ))
 )]
 pub struct Border<T = f64> {
-    /// What switches there.
+    /// The quantity that switches.
     pub switch: Switch<T>,
-    /// The laws, without a limit, whose impulses at this approach are those on either side of the border: of
-    /// [`Switch::Limit`] the full impulse and sliding, of [`Switch::Direction`] sliding as here and the other
-    /// way. The first border is one of μ at this approach; on the way to the second only u_t changes, on
-    /// which an impulse of given ratio does not depend.
+    /// The two laws without a limit that give the impulses on either side of the border at this approach: for
+    /// [`Switch::Limit`] the full impulse and sliding, for [`Switch::Direction`] sliding in this direction
+    /// and in the opposite one. The first border is a value of μ at this approach. The second is a value of
+    /// u_t, on which an impulse of given ratio does not depend.
     pub laws: [Law<T>; 2],
 }
 
 impl<T: Real> Law<T> {
-    /// The borders that the impulse at this approach has: that of the friction limit, if a push gives the
-    /// full impulse; and that of the direction, if the surfaces slide here and on the border. A law without a
-    /// friction limit has none.
+    /// The borders of the impulse at this approach: that of the friction limit, if the full impulse is a
+    /// push, and that of the sliding direction, if the surfaces slide both here and on the border. A law
+    /// without a friction limit has none.
     ///
-    /// Whether the impulse jumps there is seen by comparing the impulses of the two laws, which need not be
+    /// To see whether the impulse jumps there, compare the impulses of the two laws, which need not be
     /// pushes.
     #[must_use]
     pub fn borders(&self, k: &InverseMass<T>, approach: Approach<T>) -> [Option<Border<T>>; 2] {
@@ -60,7 +60,7 @@ impl<T: Real> Law<T> {
             Border { switch: Switch::Limit(needed), laws: [without_limit, sliding] }
         });
         let mut still = approach;
-        // The frictionless impulse does not depend on u_t, so that its U_t changes by as much as u_t does.
+        // The frictionless impulse does not depend on u_t, so U_t changes by as much as u_t.
         still.velocity.tangential = approach.velocity.tangential - free;
         let slides = |at: Approach<T>| self.impulse(k, at).regime == Some(Regime::Sliding);
         let at_turn = (slides(approach) && slides(still)).then(|| {

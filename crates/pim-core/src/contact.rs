@@ -1,4 +1,4 @@
-//! Where two bodies meet: arms, crush plane, and the inverse mass that C feels.
+//! The contact of two bodies: arms, crush plane, and the inverse mass at C.
 
 use core::f64::consts::PI;
 
@@ -8,8 +8,8 @@ use real::Real;
 use crate::body::{Body, Motion, Participant};
 use crate::error::{self, InvalidInput};
 
-/// Below this share of the distance between the CGs, rounding decides on which side of the crush plane they
-/// lie.
+/// Below this fraction of the distance between the CGs, rounding decides on which side of the crush plane
+/// they lie.
 const NORMAL_RESOLUTION: f64 = 1e-12;
 
 /// A vector at C in the axes of the crush plane: along its normal n and along t, which is n turned by +90°.
@@ -52,16 +52,16 @@ pub struct InverseMass<T = f64> {
     pub nt: T,
     /// (1/kg) k_tt.
     pub tt: T,
-    /// (1/(kg·m)) k_nm: normal velocity at C for a unit moment impulse, and relative yaw rate for a unit
-    /// normal impulse.
+    /// (1/(kg·m)) k_nm: normal velocity at C due to a unit moment impulse, and relative yaw rate due to a
+    /// unit normal impulse.
     pub nm: T,
     /// (1/(kg·m)) k_tm: the same for the tangential direction.
     pub tm: T,
-    /// (1/(kg·m²)) k_mm: relative yaw rate for a unit moment impulse.
+    /// (1/(kg·m²)) k_mm: relative yaw rate due to a unit moment impulse.
     pub mm: T,
 }
 
-/// How two bodies approach each other at C.
+/// Relative motion of two bodies at C.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Approach<T = f64> {
@@ -83,7 +83,8 @@ impl<T: Real> InverseMass<T> {
             nn: translation + r1.tangential * r1.tangential * j1 + r2.tangential * r2.tangential * j2,
             nt: -(r1.normal * r1.tangential * j1) - r2.normal * r2.tangential * j2,
             tt: translation + r1.normal * r1.normal * j1 + r2.normal * r2.normal * j2,
-            // A unit moment impulse turns vehicle 1 by 1/I₁ and vehicle 2 by −1/I₂; C moves with them by ρᵢ.
+            // A unit moment impulse gives vehicle 1 the yaw rate 1/I₁ and vehicle 2 −1/I₂; these move C by
+            // ρᵢ.
             nm: -(r1.tangential * j1) - r2.tangential * j2,
             tm: r1.normal * j1 + r2.normal * j2,
             mm: j1 + j2,
@@ -111,7 +112,7 @@ impl<T: Real> InverseMass<T> {
         }
     }
 
-    /// (m/s) its velocity alone.
+    /// (m/s) the relative velocity at C after the impulses.
     #[inline(always)]
     pub(crate) fn separation_velocity(
         &self,
@@ -127,16 +128,16 @@ impl<T: Real> InverseMass<T> {
     }
 }
 
-/// The geometry of a collision: two participants, the crush plane between them, and what follows from these
-/// alone.
+/// The geometry of a collision: two participants, the crush plane between them, and the quantities that
+/// depend on nothing else.
 ///
-/// The same contact serves every velocity and every impact law.
+/// One contact serves all velocities and impact laws.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Contact<T = f64> {
     pub(crate) participants: [Participant<T>; 2],
     /// Γ as given.
     pub(crate) crush_plane: T,
-    /// Whether n points against Γ.
+    /// Whether n is opposite to Γ.
     pub(crate) turned: bool,
     pub(crate) normal: Vector2<T>,
     pub(crate) arms: [NormalTangential<T>; 2],
@@ -145,11 +146,11 @@ pub struct Contact<T = f64> {
 
 impl<T: Real> Contact<T> {
     /// Two participants that meet at C on a crush plane whose normal has the scene angle Γ = `crush_plane`
-    /// (rad). Γ and Γ + π describe the same plane: n is oriented from vehicle 2 towards vehicle 1, n·(r_2 −
+    /// (rad). Γ and Γ + π describe the same plane: n always points from vehicle 2 towards vehicle 1, n·(r_2 −
     /// r_1) > 0.
     ///
     /// # Errors
-    /// Where Γ is not finite, both bodies are fixed, or the normal cannot be oriented.
+    /// If Γ is not finite, both bodies are fixed, or the normal cannot be oriented.
     #[inline(always)]
     pub fn new(participants: [Participant<T>; 2], crush_plane: T) -> Result<Self, InvalidInput> {
         match Self::new_with_validity(participants, crush_plane) {
@@ -180,7 +181,7 @@ impl<T: Real> Contact<T> {
         (Self { participants, crush_plane, turned: !is_ahead, normal, arms, inverse_mass }, can_be)
     }
 
-    /// Why there is no contact.
+    /// The reason why there is no contact.
     #[cold]
     fn impossible([p1, p2]: &[Participant<T>; 2], crush_plane: T) -> InvalidInput {
         match angle(crush_plane) {
@@ -204,14 +205,14 @@ impl<T: Real> Contact<T> {
         self.crush_plane
     }
 
-    /// Whether n points against Γ, because the normal at Γ points from vehicle 1 to vehicle 2.
+    /// Whether n is opposite to Γ, because the normal at Γ points from vehicle 1 to vehicle 2.
     #[inline(always)]
     #[must_use]
     pub fn is_turned(&self) -> bool {
         self.turned
     }
 
-    /// (rad) the scene angle of n, in (−π, π]: Γ, or Γ + π where it is turned.
+    /// (rad) the scene angle of n, in (−π, π]: Γ, or Γ + π if it is turned.
     #[must_use]
     pub fn normal_angle(&self) -> T {
         let turn = if self.turned { PI } else { 0.0 };
@@ -231,7 +232,7 @@ impl<T: Real> Contact<T> {
         self.arms
     }
 
-    /// A scene vector in the axes of the crush plane.
+    /// Resolves a scene vector along the axes of the crush plane.
     #[inline(always)]
     #[must_use]
     pub fn resolve(&self, scene: Vector2<T>) -> NormalTangential<T> {
@@ -245,9 +246,9 @@ impl<T: Real> Contact<T> {
         self.inverse_mass
     }
 
-    /// Whether the crush plane through C lies between the two CGs: n·r_1 < 0 < n·r_2. Where it does not, one
-    /// of the vehicles would be pushed through the plane: the geometry deserves a second look. A barrier has
-    /// no CG that could be on the wrong side.
+    /// Whether the crush plane through C lies between the two CGs: n·r_1 < 0 < n·r_2. If not, one of the
+    /// vehicles would be pushed through the plane, and the geometry should be checked. A barrier has no CG
+    /// that could be on the wrong side.
     #[must_use]
     pub fn separates_centres(&self) -> bool {
         let [p1, p2] = &self.participants;
@@ -255,7 +256,7 @@ impl<T: Real> Contact<T> {
         (p1.body.is_fixed() || r1.normal < T::ZERO) && (p2.body.is_fixed() || r2.normal > T::ZERO)
     }
 
-    /// How the bodies approach each other at C in the given motions.
+    /// The approach at C for the given motions.
     #[inline(always)]
     #[must_use]
     pub fn approach(&self, motions: &[Motion<T>; 2]) -> Approach<T> {
@@ -272,8 +273,8 @@ impl<T: Real> Contact<T> {
         }
     }
 
-    /// The motion of both bodies after vehicle 1 took `impulse` (N·s) at C and `moment` (N·m·s), and vehicle
-    /// 2 their opposites.
+    /// The motion of both bodies after vehicle 1 received `impulse` (N·s) at C and `moment` (N·m·s), and
+    /// vehicle 2 their opposites.
     #[inline(always)]
     pub(crate) fn after(
         &self,

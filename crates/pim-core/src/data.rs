@@ -1,5 +1,5 @@
-//! What the types with an invariant are written as: the numbers that their constructors take. Reading goes
-//! through the constructors.
+//! The serialised form of the types with an invariant: the arguments of their constructors. Reading calls the
+//! constructors.
 
 use alloc::vec::Vec;
 
@@ -14,7 +14,7 @@ use crate::error::{self, InvalidInput};
 use crate::law::{Law, Tangential};
 use crate::restitution::{RestitutionCurve, VaryingLaw};
 
-/// A type that is written and read as another one. The types themselves do not know of this file.
+/// Serialises a type as another one, so that the types themselves do not depend on this file.
 macro_rules! written_as {
     ($type:ident, $data:ident) => {
         impl<T: Real + Serialize> Serialize for $type<T> {
@@ -38,7 +38,7 @@ written_as!(Law, LawData);
 written_as!(RestitutionCurve, RestitutionCurveData);
 written_as!(VaryingLaw, VaryingLawData);
 
-/// The forward axis is a unit vector but for what a text with fewer digits leaves of it.
+/// Bounds of the forward axis' length: a unit vector, within the rounding of a text with few digits.
 const UNIT_LENGTH: [f64; 2] = [1.0 - 1e-6, 1.0 + 1e-6];
 
 #[derive(Serialize, Deserialize)]
@@ -77,7 +77,7 @@ impl<T: Real> TryFrom<BodyData<T>> for Body<T> {
 struct ParticipantData<T> {
     body: Body<T>,
     forward: Vector2<T>,
-    /// That of the forward axis where it is absent.
+    /// The forward axis if absent.
     #[serde(default)]
     course: Option<Vector2<T>>,
     arm: Vector2<T>,

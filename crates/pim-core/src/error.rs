@@ -1,4 +1,4 @@
-//! What can be wrong with a collision, and why an impact has no answer.
+//! Errors: invalid inputs of a collision, and impacts without an answer.
 
 use alloc::format;
 use alloc::string::String;
@@ -19,7 +19,7 @@ pub enum InvalidInput {
         /// Its value, in SI units.
         value: f64,
     },
-    /// Zero or negative where physics asks for a positive number.
+    /// Zero or negative, but must be positive.
     #[error("the {what} is {value}, but must be greater than zero")]
     NotPositive {
         /// Which quantity.
@@ -27,7 +27,7 @@ pub enum InvalidInput {
         /// Its value, in SI units.
         value: f64,
     },
-    /// Outside the interval that the quantity is defined on.
+    /// Outside the interval on which the quantity is defined.
     #[error("the {what} is {value}, but must lie between {low} and {high}")]
     OutOfRange {
         /// Which quantity.
@@ -39,10 +39,10 @@ pub enum InvalidInput {
         /// Largest allowed value.
         high: f64,
     },
-    /// A curve of restitution needs a point.
+    /// A restitution curve needs at least one point.
     #[error("a restitution that depends on the closing speed needs at least one point")]
     NoPoints,
-    /// The speeds of a curve of restitution have to ascend.
+    /// The speeds of a restitution curve must ascend.
     #[error("the closing speeds of a restitution must ascend from zero: {value} m/s follows {before} m/s")]
     NotAscending {
         /// (m/s) the speed before, or zero.
@@ -106,7 +106,7 @@ pub enum ImpactError {
         k_nt: f64,
     },
     /// The tangential condition, such as a common tangential velocity at C, would need P_n ≤ 0: the vehicles
-    /// would have to pull at each other.
+    /// would have to pull on each other.
     #[error(
         "the tangential condition would require the vehicles to pull on each other (P_n = \
          {normal_impulse:.6} N·s), because they slide too fast for this geometry; check the contact points \
@@ -114,7 +114,7 @@ pub enum ImpactError {
          an impulse ratio instead"
     )]
     Pulling {
-        /// (N·s) the normal impulse that the conditions ask for.
+        /// (N·s) the normal impulse that the conditions require.
         normal_impulse: f64,
     },
     /// E_L < 0: the coefficients create energy.
@@ -147,7 +147,7 @@ pub enum ImpactError {
     },
 }
 
-/// The share of a moment impulse, where there is one.
+/// The share of a moment impulse, if there is one.
 fn of_moment(work: f64) -> String {
     if work == 0.0 { String::new() } else { format!(" and {work:.6e} J that of the moment impulse") }
 }

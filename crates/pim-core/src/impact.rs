@@ -1,4 +1,4 @@
-//! The impact itself: from the approach to the motion after it, and where the energy went.
+//! The impact itself: from the approach to the motion after it, with the energy balance.
 
 use nalgebra::Vector2;
 use real::Real;
@@ -9,12 +9,12 @@ use crate::error::{self, ImpactError, InvalidInput};
 use crate::law::{Law, LawImpulse, Regime, Solution};
 use crate::vehicle_id::VehicleId;
 
-/// E_L below zero by more than this share of what the impulses exchange, |P|·(|u| + |U|) in each direction
-/// and the moment's likewise, is energy created; less is rounding. The works themselves are no measure: with
-/// e = 1 and no friction they are nothing but rounding.
+/// The impact creates energy if E_L is below zero by more than this fraction of the energy that the impulses
+/// exchange, |P|·(|u| + |U|) in each direction and likewise for the moment; less is rounding. The works
+/// themselves cannot be the scale: with e = 1 and no friction they are nothing but rounding.
 const ENERGY_ROUNDING: f64 = 1e-12;
 
-/// Everything that an impact does.
+/// The complete result of an impact.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
@@ -28,16 +28,16 @@ const ENERGY_ROUNDING: f64 = 1e-12;
 pub struct Outcome<T = f64> {
     /// (N·s) impulse P on vehicle 1, along n and t. Vehicle 2 receives −P.
     pub impulse: NormalTangential<T>,
-    /// (N·s) the same in the scene frame.
+    /// (N·s) P in the scene frame.
     pub impulse_vector: Vector2<T>,
     /// (N·m·s) moment impulse M on vehicle 1; zero under a law without one.
     pub moment_impulse: T,
-    /// Whether the law's friction limit was reached; `None` under a law without one.
+    /// Whether the law's friction limit was reached; `None` for a law without one.
     pub regime: Option<Regime>,
     /// μ = P_t/P_n.
     pub impulse_ratio: T,
-    /// μ_c: the ratio at which the final tangential velocity at C is zero. `None` where the sliding is so
-    /// fast that no push, however rough the surfaces, could end it.
+    /// μ_c: the ratio at which the final tangential velocity at C is zero. `None` if the surfaces slide so
+    /// fast that no push could stop them, however rough they are.
     pub critical_impulse_ratio: Option<T>,
     /// (m/s) u: velocity of vehicle 1 relative to vehicle 2 at C before impact.
     pub approach: NormalTangential<T>,
@@ -64,7 +64,7 @@ impl<T: Real> Outcome<T> {
         (self.impulse_vector.y + 0.0).atan2(self.impulse_vector.x)
     }
 
-    /// (rad) principal direction of force of both vehicles, see [`pdof`].
+    /// (rad) principal direction of force for both vehicles, see [`pdof`].
     #[inline(always)]
     #[must_use]
     pub fn pdof(&self) -> [T; 2] {
@@ -82,7 +82,7 @@ impl<T: Real> Outcome<T> {
         [ahead_and_left(f1, dv1), ahead_and_left(f2, dv2)]
     }
 
-    /// (m/s) −u_n: how fast the vehicles close along the normal at C.
+    /// (m/s) −u_n: the closing speed along the normal at C.
     #[inline(always)]
     #[must_use]
     pub fn closing_speed(&self) -> T {
@@ -106,7 +106,7 @@ impl<T: Real> Outcome<T> {
 
 /// (rad) principal direction of the force that gives a vehicle `impulse` (N·s, scene frame), for the unit
 /// vector `forward` of its forward axis: the direction *from which* the force comes, clockwise positive from
-/// the heading, in (−π, π]. 0 is struck squarely in front, π/2 from the right.
+/// the heading, in (−π, π]. 0 is a square hit in front, π/2 one from the right.
 #[inline(always)]
 #[must_use]
 pub fn pdof<T: Real>(forward: Vector2<T>, impulse: Vector2<T>) -> T {
@@ -116,7 +116,7 @@ pub fn pdof<T: Real>(forward: Vector2<T>, impulse: Vector2<T>) -> T {
     (left + 0.0).atan2(-ahead)
 }
 
-/// A vector of the scene along the unit vector of a vehicle's forward axis, and to its left.
+/// Resolves a scene vector along a vehicle's forward axis (unit vector) and to its left.
 #[inline(always)]
 fn ahead_and_left<T: Real>(forward: Vector2<T>, vector: Vector2<T>) -> [T; 2] {
     // a·f, and the third component of f × a
@@ -145,8 +145,8 @@ pub struct Energy<T = f64> {
 
 /// (J) W_n: the energy that the normal impulse takes out of the vehicles.
 ///
-/// By Kelvin's theorem an impulse does work equal to itself times the mean of the velocities, before and
-/// after, of its point of application (SAE 980025, Eq 4).
+/// By Kelvin's theorem an impulse does work equal to the impulse times the mean velocity of its point of
+/// application before and after (SAE 980025, Eq 4).
 #[inline(always)]
 #[must_use]
 pub fn normal_work<T: Real>(
@@ -200,11 +200,11 @@ fn representable<T: Real>(what: &'static str, value: T) -> Result<(), ImpactErro
 }
 
 impl<T: Real> Contact<T> {
-    /// What the collision does to both vehicles under `law`, given their motions before it.
+    /// The effect of the collision on both vehicles under `law`, given their motions before it.
     ///
     /// # Errors
-    /// [`ImpactError`]: the vehicles do not approach, the contact jams, they would have to pull at each
-    /// other, the coefficients create energy, or a motion is not one that the body can have.
+    /// [`ImpactError`]: the vehicles do not approach, the contact jams, they would have to pull on each
+    /// other, the coefficients create energy, or a body cannot have the given motion.
     pub fn impact(&self, motions: [Motion<T>; 2], law: &Law<T>) -> Result<Outcome<T>, ImpactError> {
         self.check(&motions)?;
         match self.impact_with_validity(motions, law) {
@@ -213,9 +213,10 @@ impl<T: Real> Contact<T> {
         }
     }
 
-    /// Like [`impact`](Self::impact), but returns what the law's conditions give and a validity flag in place
-    /// of an error, so that loops over many samples vectorise: for bodies and laws of a known kind there is
-    /// no branch. The flag says whether a collision can do that. A fixed body has to be at rest.
+    /// Like [`impact`](Self::impact), but returns the outcome of the law's conditions and a validity flag in
+    /// place of an error, so that loops over many samples vectorise: for bodies and laws of a known kind it
+    /// is branch-free. The flag tells whether a collision can have this outcome. A fixed body must be at
+    /// rest.
     #[inline(always)]
     #[must_use]
     pub fn impact_with_validity(&self, motions: [Motion<T>; 2], law: &Law<T>) -> (Outcome<T>, bool) {
@@ -230,7 +231,7 @@ impl<T: Real> Contact<T> {
         (outcome, possible)
     }
 
-    /// Why what [`impact_with_validity`](Self::impact_with_validity) gives is not possible.
+    /// The reason why the outcome of [`impact_with_validity`](Self::impact_with_validity) is impossible.
     #[cold]
     fn refusal(&self, motions: [Motion<T>; 2], law: &Law<T>) -> ImpactError {
         let approach = self.approach(&motions);

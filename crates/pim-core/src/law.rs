@@ -8,35 +8,35 @@ use crate::error::{self, ImpactError, InvalidInput};
 
 /// The tangential condition of an impact law.
 ///
-/// Matched without a catch-all arm wherever a case differs, so that a new one does not compile before it is
-/// decided there; adding one is a breaking change.
+/// Code that depends on the variant matches without a catch-all arm, so that a new one must be decided there
+/// before it compiles; adding one is a breaking change.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Tangential<T = f64> {
     /// U_t = 0: a common tangential velocity at C after impact, μ = μ_c.
     Critical,
-    /// P_t = μ P_n with μ as given.
+    /// P_t = μ P_n with μ given.
     Ratio(T),
-    /// P_t = f μ_c P_n with 0 ≤ f ≤ 1; f = 0 is without friction, whether or not a push gives μ_c.
+    /// P_t = f μ_c P_n with 0 ≤ f ≤ 1; f = 0 is frictionless, whether or not a push gives μ_c.
     FractionOfCritical(T),
-    /// Coulomb friction: U_t = 0 while friction of at most this coefficient (≥ 0) can hold the surfaces
-    /// together, else they still slide and |P_t| has the limit's size.
+    /// Coulomb friction: U_t = 0 if friction of at most this coefficient (≥ 0) can hold the surfaces
+    /// together, else they keep sliding and |P_t| is at the limit.
     ///
     /// The impulse is continuous in limit and velocities: at the border both regimes have the same ratio
-    /// P_t/P_n, and with it the normal condition has one answer. A moment impulse other than e_m = 0 makes it
-    /// jump: [`with_moment_restitution`](Law::with_moment_restitution).
+    /// P_t/P_n, for which the normal condition has one answer. A moment impulse makes it jump unless e_m = 0:
+    /// see [`with_moment_restitution`](Law::with_moment_restitution).
     Friction(T),
-    /// U_t − u_t as given (m/s).
+    /// U_t − u_t given (m/s).
     VelocityChange(T),
     /// U_t = −e_t u_t with −1 ≤ e_t ≤ 1.
     Restitution(T),
-    /// U_t = −e u_t with the normal coefficient e, while friction of at most this coefficient (≥ 0) can do
-    /// that, else they slide as under [`Friction`](Self::Friction).
+    /// U_t = −e u_t with the normal coefficient e, if friction of at most this coefficient (≥ 0) can achieve
+    /// that; else the surfaces slide as under [`Friction`](Self::Friction).
     ///
-    /// The impulse jumps where the push along the normal turns the sliding round by itself, to less than e
-    /// |u_t|: reversing it all the way then takes a P_t of one sign, and friction against the sliding has the
-    /// other. It jumps at the border of the two regimes, and between two directions of sliding. With e = 0 it
-    /// is continuous. [`Law::borders`] finds the place.
+    /// The impulse jumps if the normal impulse alone reverses the sliding, to less than e |u_t|: full
+    /// reversal then needs a P_t of one sign, and friction against the sliding has the other. It jumps at the
+    /// border of the two regimes, and between two directions of sliding. With e = 0 it is continuous.
+    /// [`Law::borders`] finds the jumps.
     FullOrSliding(T),
 }
 
@@ -50,16 +50,16 @@ pub enum Regime {
     Sliding,
 }
 
-/// An impact law: U_n = −e u_n, one [`Tangential`] condition and, if asked for, a moment impulse.
+/// An impact law: U_n = −e u_n, one [`Tangential`] condition and, optionally, a moment impulse.
 ///
-/// | law | constructor | normal | tangential | when | what it assumes of the tangential direction |
+/// | law | constructor | normal | tangential | when | assumes about the tangential direction |
 /// |---|---|---|---|---|---|
 /// | Brach | [`Law::new`] with [`Critical`](Tangential::Critical) | U_n = −e u_n | U_t = 0 | most collisions that are not sideswipes | the surfaces interlock and end with a common velocity |
-/// | | [`Ratio`](Tangential::Ratio) | | P_t = μ P_n | μ is known, or is to be varied | nothing: the analyst answers for sign and size |
+/// | | [`Ratio`](Tangential::Ratio) | | P_t = μ P_n | μ is known, or is to be varied | nothing: sign and size are the analyst's choice |
 /// | | [`FractionOfCritical`](Tangential::FractionOfCritical) | | P_t = f μ_c P_n | between frictionless and interlocked | the same share of the interlocking impulse at every speed |
 /// | | [`Friction`](Tangential::Friction) | | U_t = 0, or \|P_t\| = μ P_n | sideswipes, barriers | Coulomb friction against the sliding |
 /// | Woolley | [`Law::woolley`] | U_n = 0 | U_t = 0 | heavy engagement | as Brach with e = 0 and μ_c |
-/// | Woolley, sideswipe | [`Law::woolley_sideswipe`] | U_n = 0 | U_t − u_t given | sideswipes of which the scrape tells the change of speed | the change is known and does not depend on the speeds |
+/// | Woolley, sideswipe | [`Law::woolley_sideswipe`] | U_n = 0 | U_t − u_t given | sideswipes with a change of speed known from the scrape | the change is known and does not depend on the speeds |
 /// | Ishikawa | [`Law::ishikawa`] | U_n = −e_n u_n | U_t = −e_t u_t | coefficients fitted to tests | rebound along the surface in proportion to the sliding |
 /// | Kudlich–Slibar | [`Law::kudlich_slibar`] | U_n = −ε u_n | U_t = −ε u_t, or \|P_t\| = μ P_n | general purpose, as simulation programs use it | one coefficient for both directions while friction suffices |
 ///
@@ -75,11 +75,11 @@ pub struct Law<T = f64> {
 }
 
 impl<T: Real> Law<T> {
-    /// The law with coefficient of restitution e and the given tangential condition. With one of the first
-    /// four conditions it is Brach's.
+    /// The law with coefficient of restitution e and the given tangential condition: Brach's, for the first
+    /// four conditions.
     ///
     /// # Errors
-    /// Where e or a fraction lies outside [0, 1], a tangential restitution outside [−1, 1], a friction limit
+    /// If e or a fraction lies outside [0, 1], a tangential restitution outside [−1, 1], a friction limit
     /// is negative, or a number is not finite.
     #[inline(always)]
     pub fn new(restitution: T, tangential: Tangential<T>) -> Result<Self, InvalidInput> {
@@ -126,7 +126,7 @@ impl<T: Real> Law<T> {
     /// one.
     ///
     /// # Errors
-    /// Where the change is not finite.
+    /// If the change is not finite.
     pub fn woolley_sideswipe(tangential_velocity_change: T) -> Result<Self, InvalidInput> {
         Self::new(T::ZERO, Tangential::VelocityChange(tangential_velocity_change))
     }
@@ -134,31 +134,31 @@ impl<T: Real> Law<T> {
     /// Ishikawa: a coefficient of restitution in each direction.
     ///
     /// # Errors
-    /// Where e_n lies outside [0, 1] or e_t outside [−1, 1].
+    /// If e_n lies outside [0, 1] or e_t outside [−1, 1].
     pub fn ishikawa(restitution: T, tangential_restitution: T) -> Result<Self, InvalidInput> {
         Self::new(restitution, Tangential::Restitution(tangential_restitution))
     }
 
-    /// Kudlich–Slibar, as Steffan & Moser use it: one coefficient of restitution for both directions while
-    /// the friction limit allows it.
+    /// Kudlich–Slibar, as Steffan & Moser use it: one coefficient of restitution for both directions if the
+    /// friction limit allows it.
     ///
     /// # Errors
-    /// Where ε lies outside [0, 1] or the friction limit is negative.
+    /// If ε lies outside [0, 1] or the friction limit is negative.
     pub fn kudlich_slibar(restitution: T, friction: T) -> Result<Self, InvalidInput> {
         Self::new(restitution, Tangential::FullOrSliding(friction))
     }
 
     /// The same law with a moment impulse M = (1 + e_m) M_c at C, where M_c is the one that gives a common
-    /// yaw rate: e_m = −1 is none, e_m = 0 a common yaw rate.
+    /// yaw rate: e_m = −1 means no moment impulse, e_m = 0 a common yaw rate.
     ///
-    /// Under a friction limit M, and with it P and the motion after impact, jump where sticking turns into
-    /// sliding. M_c is found under the condition of each regime, U_t = 0 or P_t = ±μ P_n, and these agree at
-    /// the border for the moment M that acts, but not for the whole M_c. They agree for both only where M =
-    /// M_c (e_m = 0) or M = 0 (e_m = −1); theory, section 3, has the size of the jump, and [`Law::borders`]
-    /// finds the place.
+    /// Under a friction limit M, and with it P and the motion after impact, jumps where sticking turns into
+    /// sliding. M_c is computed under the condition of each regime, U_t = 0 or P_t = ±μ P_n. At the border
+    /// the two conditions agree for the acting moment M, but not for the whole M_c. They agree for both only
+    /// if M = M_c (e_m = 0) or M = 0 (e_m = −1). Theory, section 3, gives the size of the jump;
+    /// [`Law::borders`] finds its place.
     ///
     /// # Errors
-    /// Where e_m lies outside [−1, 1].
+    /// If e_m lies outside [−1, 1].
     pub fn with_moment_restitution(self, moment_restitution: T) -> Result<Self, InvalidInput> {
         error::within("moment coefficient of restitution", moment_restitution.value(), -1.0, 1.0)?;
         Ok(Self { moment_restitution, ..self })
@@ -173,7 +173,7 @@ impl<T: Real> Law<T> {
         (Self { moment_restitution, ..self }, is_coefficient)
     }
 
-    /// The same law with another coefficient of restitution, which the caller knows to be one.
+    /// The same law with another coefficient of restitution, which the caller has checked.
     #[inline(always)]
     #[must_use]
     pub fn restituting(self, restitution: T) -> Self {
@@ -194,7 +194,7 @@ impl<T: Real> Law<T> {
         self.tangential
     }
 
-    /// The moment coefficient of restitution e_m; −1 where there is no moment impulse.
+    /// The moment coefficient of restitution e_m; −1 if there is no moment impulse.
     #[inline(always)]
     #[must_use]
     pub fn moment_restitution(&self) -> T {
@@ -208,8 +208,8 @@ impl<T: Real> Law<T> {
         self.moment_restitution != -T::ONE
     }
 
-    /// Whether the impulse is affine in the velocities before impact: no limit switches, and the condition on
-    /// it is linear.
+    /// Whether the impulse is affine in the velocities before impact: its conditions are linear, and no limit
+    /// switches them.
     #[inline(always)]
     #[must_use]
     pub fn is_affine(&self) -> bool {
@@ -224,8 +224,8 @@ impl<T: Real> Law<T> {
         }
     }
 
-    /// The law with the same coefficients of restitution, under which the condition that a friction limit can
-    /// prevent is always met; for a fraction of μ_c, the one that gives μ_c.
+    /// The law with the same coefficients of restitution but no friction limit, so that its tangential
+    /// condition is always met; for a fraction of μ_c, the law that gives μ_c.
     #[inline(always)]
     #[must_use]
     pub fn without_limit(&self) -> Self {
@@ -237,7 +237,7 @@ impl<T: Real> Law<T> {
         Self { tangential, ..*self }
     }
 
-    /// (–) μ of a law under which friction may not suffice.
+    /// (–) μ of a law with a friction limit.
     #[inline(always)]
     #[must_use]
     pub fn friction_limit(&self) -> Option<T> {
@@ -251,9 +251,9 @@ impl<T: Real> Law<T> {
         }
     }
 
-    /// The law that acts in an impact of this regime and impulse ratio: where friction has a limit, the one
-    /// [`without`](Self::without_limit) where friction sufficed, else that of the [ratio](Self::with_ratio)
-    /// at which the surfaces slid. Any other law acts itself.
+    /// The law that acts in an impact of this regime and impulse ratio. For a law with a friction limit, that
+    /// is the one [without a limit](Self::without_limit) if friction sufficed, else that of the
+    /// [ratio](Self::with_ratio) at which the surfaces slid. For any other law it is the law itself.
     #[must_use]
     pub fn acting(&self, regime: Option<Regime>, impulse_ratio: T) -> Self {
         match (self.friction_limit(), regime) {
@@ -272,9 +272,9 @@ impl<T: Real> Law<T> {
         Self { tangential: Tangential::Ratio(mu), ..*self }
     }
 
-    /// The impulse on vehicle 1 that satisfies the conditions, whether or not it is one that a collision can
-    /// have: [`Contact::impact`](crate::Contact::impact) judges that. A search for a speed needs the impulse
-    /// on both sides of that border.
+    /// The impulse on vehicle 1 that satisfies the conditions, whether or not a collision can have it:
+    /// [`Contact::impact`](crate::Contact::impact) checks that. A search for a speed needs the impulse on
+    /// both sides of that border.
     #[inline(always)]
     #[must_use]
     pub fn impulse(&self, k: &InverseMass<T>, approach: Approach<T>) -> LawImpulse<T> {
@@ -293,7 +293,7 @@ impl<T: Real> Law<T> {
             Tangential::Ratio(mu) => (conditions.with_ratio(mu), conditions.critical_direction()),
             Tangential::FractionOfCritical(f) => {
                 let critical = conditions.with_change(-u_t).linear;
-                // No share of μ_c is no friction, also where no push gives μ_c.
+                // A fraction of 0 means no friction, even if no push gives μ_c.
                 let ratio = if self.needs_critical() | (critical.normal > T::ZERO) {
                     f * critical.tangential / critical.normal
                 } else {
@@ -324,20 +324,20 @@ impl<T: Real> Law<T> {
         Conditions { k, approach, restitution: self.restitution, moment: self.moment_restitution }
     }
 
-    /// Whether the law has an impulse that pushes. A fraction of μ_c needs a push that gives μ_c, too.
+    /// Whether the impulse of the law is a push. A fraction of μ_c also needs a push that gives μ_c.
     #[inline(always)]
     pub(crate) fn pushes(&self, solution: &Solution<T>) -> bool {
         (solution.impulse.linear.normal > T::ZERO)
             & ((solution.critical.normal > T::ZERO) | !self.needs_critical())
     }
 
-    /// Whether the law takes a share of μ_c, without which it has no impulse.
+    /// Whether the law takes a fraction of μ_c, and so has no impulse without μ_c.
     #[inline(always)]
     fn needs_critical(&self) -> bool {
         matches!(self.tangential, Tangential::FractionOfCritical(f) if f != T::ZERO)
     }
 
-    /// Why it has none.
+    /// The reason why the law has no impulse that pushes.
     #[cold]
     pub(crate) fn refusal(&self, k: &InverseMass<T>, solution: &Solution<T>) -> ImpactError {
         let impulse = solution.impulse.linear;
@@ -348,7 +348,7 @@ impl<T: Real> Law<T> {
                 (solution.critical, None)
             }
             Tangential::Ratio(mu) => (impulse, Some(mu)),
-            // Where these do not push, they slide.
+            // If these do not push, they slide.
             Tangential::FractionOfCritical(_) | Tangential::Friction(_) | Tangential::FullOrSliding(_) => {
                 (impulse, Some(impulse.tangential / impulse.normal))
             }
@@ -356,7 +356,7 @@ impl<T: Real> Law<T> {
                 (impulse, None)
             }
         };
-        // A moment impulse may pull where nothing jams.
+        // With a moment impulse the vehicles may pull although nothing jams.
         match ratio {
             Some(mu) if k.nn + mu * k.nt <= T::ZERO => {
                 ImpactError::Jam { impulse_ratio: mu.value(), k_nn: k.nn.value(), k_nt: k.nt.value() }
@@ -366,7 +366,7 @@ impl<T: Real> Law<T> {
     }
 }
 
-/// What a law asks for: impulse and moment impulse on vehicle 1; vehicle 2 receives their opposites.
+/// The result of a law: impulse and moment impulse on vehicle 1; vehicle 2 receives their opposites.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
@@ -375,18 +375,18 @@ pub struct LawImpulse<T = f64> {
     pub linear: NormalTangential<T>,
     /// (N·m·s) moment impulse M.
     pub moment: T,
-    /// Whether a friction limit was reached, under a law that has one.
+    /// Whether a friction limit was reached, for a law that has one.
     pub regime: Option<Regime>,
 }
 
-/// The impulse of a law, and beside it the one that the same law asks for to give a common tangential
-/// velocity, up to a positive factor: its ratio is μ_c, if it is a push.
+/// The impulse of a law and, up to a positive factor, the one that would give a common tangential velocity
+/// under the same law: its ratio is μ_c, if it is a push.
 pub(crate) struct Solution<T> {
     pub(crate) impulse: LawImpulse<T>,
     pub(crate) critical: NormalTangential<T>,
 }
 
-/// The conditions that all laws share: the normal one, and the moment's.
+/// The conditions that all laws share: the normal and the moment condition.
 pub(crate) struct Conditions<'a, T> {
     k: &'a InverseMass<T>,
     approach: Approach<T>,
@@ -439,8 +439,8 @@ impl<T: Real> Conditions<'_, T> {
         -((self.restitution + 1.0) * self.approach.velocity.normal)
     }
 
-    /// Adds the moment impulse to an impulse P₀ that meets the conditions without one; per unit of moment,
-    /// `correction` keeps them.
+    /// Adds the moment impulse to an impulse P₀ that meets the conditions without one; `correction`, per unit
+    /// of moment, maintains them.
     #[inline(always)]
     fn with_moment(
         &self,
@@ -467,11 +467,11 @@ impl<T: Real> Conditions<'_, T> {
         }
     }
 
-    /// The `full` impulse if friction of at most `limit` can bring it about, else that of sliding.
+    /// The `full` impulse if friction of at most `limit` can provide it, else that of sliding.
     ///
-    /// The usual rule for the direction of sliding, the sign of μ_c, holds only where μ_c is reached by a
-    /// push. Beyond, μ_c has jumped through infinity to the other sign, and the rule would let friction drive
-    /// the sliding. The direction is against the U_t that there would be without friction.
+    /// The usual rule for the direction of friction, the sign of μ_c, holds only if a push reaches μ_c.
+    /// Beyond that, μ_c has jumped through infinity to the other sign, and the rule would let friction drive
+    /// the sliding. Friction here opposes the U_t of a frictionless impact.
     #[inline(always)]
     fn limited(&self, full: LawImpulse<T>, limit: T) -> LawImpulse<T> {
         let p = full.linear;
@@ -490,7 +490,7 @@ impl<T: Real> Conditions<'_, T> {
     }
 }
 
-/// The impulse ratio of that size which opposes the sliding (m/s).
+/// The impulse ratio of the given size that opposes the sliding (m/s).
 #[inline(always)]
 pub(crate) fn against<T: Real>(sliding: T, size: T) -> T {
     if sliding > T::ZERO { -size } else { size }

@@ -1,4 +1,4 @@
-//! Planar impact mechanics (PIM): what a collision does to two vehicles, from impulse and momentum.
+//! Planar impact mechanics (PIM): the effect of a collision on two vehicles, from impulse and momentum.
 //!
 //! ```
 //! use pim_core::{Body, Contact, Law, Motion, Participant, Tangential};
@@ -17,9 +17,9 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! The types: a [`Body`] in its place is a [`Participant`]; two of them and a crush plane make a [`Contact`];
-//! the contact, two [`Motion`]s and a [`Law`] give an [`Outcome`]. Each number may be any [`Real`]; plain
-//! `f64` is the default. A [`VehicleId`] names one of the two.
+//! The types: a [`Body`] with heading and arm is a [`Participant`]; two of them and a crush plane make a
+//! [`Contact`]; the contact, two [`Motion`]s and a [`Law`] give an [`Outcome`]. Each number may be any
+//! [`Real`]; plain `f64` is the default. A [`VehicleId`] identifies one of the two vehicles.
 //!
 //! # Frames and signs
 //!
@@ -50,15 +50,15 @@
 //! | `critical_impulse_ratio` | μ_c | the ratio that gives U_t = 0 | – |
 //! | `loss` | E_L | kinetic energy taken by the impact | J |
 //! | `normal_work`, `tangential_work` | W_n, W_t | its two parts | J |
-//! | `moment_impulse`, `moment_work` | M, W_m | moment impulse on vehicle 1, and the part of the loss that it takes | N·m·s, J |
+//! | `moment_impulse`, `moment_work` | M, W_m | moment impulse on vehicle 1, and its part of the loss | N·m·s, J |
 //! | `mirrored` | | the same in axes of the other handedness: y to the right, clockwise positive, t on the other side of n | |
 //! | `pdof` | PDOF | direction from which the force comes, clockwise from the heading | rad |
 //!
 //! # Which impact law?
 //!
-//! [`Law`] has the table: each row's two conditions, its source, when it fits, and what it assumes of the
-//! tangential direction. Where restitution depends on the closing speed, a [`RestitutionCurve`] makes the law
-//! a [`VaryingLaw`].
+//! The table at [`Law`] has the two conditions of each law, its source, when it fits, and what it assumes
+//! about the tangential direction. If restitution depends on the closing speed, a [`RestitutionCurve`] makes
+//! the law a [`VaryingLaw`].
 //!
 //! `examples/impact.rs` is the paper's impact forward, `examples/laws.rs` one geometry under several laws.
 //!
@@ -66,20 +66,20 @@
 //!
 //! | feature | adds |
 //! |---|---|
-//! | `std`, on by default | nothing of its own. Without it the crate is `no_std` and needs `alloc`; results have the same bits |
-//! | `serde` | inputs and results can be written and read, errors cannot. Reading goes through the constructors, so that what cannot be is refused |
+//! | `std`, on by default | nothing. Without it the crate is `no_std` and needs `alloc`; results have the same bits |
+//! | `serde` | serialisation of inputs and results, not of errors. Reading calls the constructors, so that impossible values are refused |
 //!
 //! # What it does not do
 //!
 //! No crush (see `crash3`), no search for an unknown speed (see `reconcile`), no motion before or after the
-//! impact, no units other than SI, no third dimension: roll, pitch and suspension forces are outside of
-//! planar impact mechanics.
+//! impact, no units other than SI, no third dimension: roll, pitch and suspension forces are outside planar
+//! impact mechanics.
 //!
 //! # References
 //!
 //! R. M. Brach and R. M. Brach, *Crush Energy and Planar Impact Mechanics for Accident Reconstruction*, SAE
-//! 980025 (1998), called *the paper*. Its printed equations have misprints; what stands here was derived
-//! afresh, and departures from print are marked `ERRATUM`.
+//! 980025 (1998), called *the paper*. Some of its equations are misprinted; those here were derived afresh,
+//! and departures from print are marked `ERRATUM`.
 
 #![cfg_attr(not(feature = "std"), no_std)]
 

@@ -1,10 +1,9 @@
-//! The same collision in a mirror along x: what it is in axes of the other handedness, with y to the right
-//! and clockwise positive.
+//! The same collision mirrored along x: in axes of the other handedness, with y to the right and clockwise
+//! positive.
 //!
-//! The equations hold in both. y and t components, angles, yaw rates and moments change their signs, and with
-//! them the impulse ratio; x and n components, energies and all coefficients that are shares of something do
-//! not. Only a PDOF is clockwise in any axes, so that [`Outcome::pdof`] of a mirrored outcome is minus that
-//! of the outcome itself.
+//! The equations hold in both. y and t components, angles, yaw rates, moments and the impulse ratio change
+//! sign; x and n components, energies and all other coefficients do not. Only a PDOF is clockwise in any
+//! axes, so that [`Outcome::pdof`] of a mirrored outcome is minus that of the outcome itself.
 
 use nalgebra::Vector2;
 use real::Real;
@@ -61,7 +60,8 @@ impl<T: Real> Contact<T> {
             turned: self.turned,
             normal: across(self.normal),
             arms: self.arms.map(|arm| arm.mirrored()),
-            // A product of n and t changes its sign, and so does one of n and a moment; t and moment both do.
+            // A product of n and t changes sign, as does one of n and the moment; one of t and the moment
+            // does not.
             inverse_mass: InverseMass { nn, nt: flipped(nt), tt, nm: flipped(nm), tm, mm },
         }
     }

@@ -1,4 +1,4 @@
-//! Restitution that depends on how fast the vehicles close.
+//! Restitution that depends on the closing speed.
 
 use alloc::vec::Vec;
 
@@ -10,8 +10,7 @@ use crate::law::Law;
 /// The coefficient of restitution as a function of the closing speed −u_n: linear between the points,
 /// constant outside.
 ///
-/// Restitution falls with closing speed, so a reconstruction in which the speed is not known cannot know it
-/// beforehand.
+/// Restitution falls with closing speed, so a reconstruction of an unknown speed cannot assume it beforehand.
 #[derive(Clone, Debug, PartialEq)]
 pub struct RestitutionCurve<T = f64> {
     /// (closing speed in m/s, e), by ascending speed.
@@ -22,7 +21,7 @@ impl<T: Real> RestitutionCurve<T> {
     /// Through points (closing speed in m/s, coefficient of restitution).
     ///
     /// # Errors
-    /// Where there is no point, the speeds do not ascend from zero or more, or a coefficient lies outside [0,
+    /// If there is no point, the speeds do not ascend from zero or more, or a coefficient lies outside [0,
     /// 1].
     pub fn new(points: Vec<(T, T)>) -> Result<Self, InvalidInput> {
         if points.is_empty() {
@@ -46,8 +45,8 @@ impl<T: Real> RestitutionCurve<T> {
         &self.points
     }
 
-    /// The points (closing speed in m/s, coefficient of restitution) next to a closing speed (m/s): the last
-    /// of those that are not above it, and the first that is.
+    /// The points (closing speed in m/s, coefficient of restitution) on either side of a closing speed (m/s):
+    /// the last that is not above it, and the first that is.
     #[must_use]
     pub fn around(&self, closing_speed: T) -> [Option<(T, T)>; 2] {
         let next = self.points.partition_point(|(speed, _)| *speed <= closing_speed);
@@ -75,7 +74,7 @@ impl<T: Real> RestitutionCurve<T> {
         match self.around(closing_speed) {
             [Some(from), Some(to)] => Self::between([from, to], closing_speed),
             [Some((_, e)), None] | [None, Some((_, e))] => e,
-            // The constructor sees to it that there is a point.
+            // The constructor ensures that there is a point.
             [None, None] => T::ZERO,
         }
     }
@@ -127,14 +126,14 @@ impl<T: Real> VaryingLaw<T> {
         }
     }
 
-    /// The law itself; where it has a curve, with the restitution of the first point.
+    /// The law itself; if it has a curve, with the restitution of the first point.
     #[inline(always)]
     #[must_use]
     pub fn nominal(&self) -> Law<T> {
         self.nominal
     }
 
-    /// The restitution by closing speed, where it varies.
+    /// The restitution by closing speed, if it varies.
     #[inline(always)]
     #[must_use]
     pub fn curve(&self) -> Option<&RestitutionCurve<T>> {

@@ -1,11 +1,11 @@
-//! The two vehicles told apart.
+//! Identifies one of the two vehicles.
 
 use core::fmt::{self, Display, Formatter};
 
 /// One of the two vehicles of a collision.
 ///
-/// Vehicle 1 stands first in every pair `[T; 2]`, where its [`index`](Self::index) is 0. In words and in data
-/// it has the [`number`](Self::number) 1, which is also what [`Display`] prints.
+/// Vehicle 1 comes first in every pair `[T; 2]`, with [`index`](Self::index) 0. In text and data it has the
+/// [`number`](Self::number) 1, which [`Display`] prints.
 ///
 /// ```
 /// use pim_core::VehicleId;
@@ -29,7 +29,7 @@ impl VehicleId {
     /// Both, in their order.
     pub const ALL: [Self; 2] = [Self::One, Self::Two];
 
-    /// 0 or 1: the place in a pair.
+    /// 0 or 1: the index in a pair.
     #[inline(always)]
     #[must_use]
     pub const fn index(self) -> usize {
@@ -39,7 +39,7 @@ impl VehicleId {
         }
     }
 
-    /// 1 or 2: the number in words and in data. It is no `usize`, so that it cannot be taken for the
+    /// 1 or 2: the number in text and data. Not a `usize`, so that it cannot be mistaken for the
     /// [`index`](Self::index).
     #[must_use]
     pub const fn number(self) -> u8 {
@@ -49,7 +49,7 @@ impl VehicleId {
         }
     }
 
-    /// The vehicle that this one meets.
+    /// The vehicle that this one collides with.
     #[must_use]
     pub const fn other(self) -> Self {
         match self {

@@ -1,5 +1,5 @@
-//! Every impact of random collisions is the one that the brute-force solution of the oracle has, and is
-//! refused where that has none.
+//! Every impact of random collisions agrees with the oracle's brute-force solution, and is refused if there
+//! is none.
 
 use std::f64::consts::PI;
 
@@ -47,7 +47,7 @@ fn impact_is_the_brute_force_solution() {
                     Tangential::Friction(limit) | Tangential::FullOrSliding(limit) => {
                         assert_close("|μ|", impulse_ratio.abs(), limit, limit * 1e-12);
                     }
-                    // A share of μ_c jams only where the moment impulse is what makes μ_c a push.
+                    // A fraction of μ_c jams only if it takes the moment impulse to make μ_c a push.
                     Tangential::FractionOfCritical(_) => assert!(scene.moment > -1.0),
                     law => panic!("{law:?} gives no ratio"),
                 }
@@ -86,7 +86,7 @@ fn vehicles_that_do_not_approach_have_no_impact() {
     });
 }
 
-/// The oracle itself on a case that needs no computer: equal point masses, head-on, with e = ½ and no
+/// The oracle itself, on a case that can be solved by hand: equal point masses, head-on, with e = ½ and no
 /// friction.
 #[test]
 fn the_oracle_knows_a_textbook_impact() {

@@ -1,4 +1,4 @@
-//! Friction opposes sliding: also where the critical ratio is beyond reach.
+//! Friction opposes sliding, even if the critical ratio cannot be reached.
 
 use oracle::compare::assert_close;
 use oracle::scenes::{Car, Scene, for_all, scene_under};
@@ -16,7 +16,7 @@ fn friction_never_drives_the_sliding() {
         let scale = Scale::of(&scene, &effects);
         // P_t U_t ≤ 0: zero where the surfaces stick.
         assert!(effects.impulse[1] * effects.separation[1] <= scale.work * 1e-12, "{effects:?}");
-        // Sliding takes all the friction there is.
+        // Sliding uses all the available friction.
         if effects.separation[1].abs() > scale.velocity * 1e-9 {
             assert_close("|μ|", effects.ratio.abs(), limit, limit * 1e-12);
         }
@@ -24,7 +24,7 @@ fn friction_never_drives_the_sliding() {
     });
 }
 
-/// A friction law always has exactly one answer: no geometry jams against friction that opposes the sliding.
+/// A friction law always has exactly one answer: no geometry jams if friction opposes the sliding.
 #[test]
 fn friction_leaves_no_collision_without_an_impulse() {
     let law = (0.0..3.0).prop_map(Tangential::Friction);
@@ -39,7 +39,7 @@ fn friction_leaves_no_collision_without_an_impulse() {
 /// Unit mass and unit radius of gyration, C one metre ahead and one to the left of the CG; a wall along x.
 ///
 /// Its arms along n and t are r_n = −1, r_t = 1, so that by hand k_nn = 2, k_nt = 1, k_tt = 2 and det K = 3.
-/// It comes in with u = (−1, −8).
+/// It approaches with u = (−1, −8).
 pub(crate) fn steep_sideswipe(tangential: Tangential) -> Scene {
     let wall = Car {
         fixed: true,
@@ -51,7 +51,7 @@ pub(crate) fn steep_sideswipe(tangential: Tangential) -> Scene {
         velocity: [0.0; 2],
         yaw_rate: 0.0,
     };
-    // n = +y, t = −x: C lies at (−1, −1) of the CG, and the velocity (8, −1) is u_n = −1, u_t = −8.
+    // n = +y, t = −x: C lies at (−1, −1) from the CG, and the velocity (8, −1) gives u_n = −1, u_t = −8.
     let car = Car {
         fixed: false,
         distance: 2_f64.sqrt(),
@@ -68,20 +68,20 @@ pub(crate) fn steep_sideswipe(tangential: Tangential) -> Scene {
     }
 }
 
-/// ERRATUM (theory, section 3): sign(μ_c) min(|μ_c|, μ_max) holds only where μ_c is reached by a push.
+/// ERRATUM (theory, section 3): sign(μ_c) min(|μ_c|, μ_max) holds only if a push reaches μ_c.
 #[test]
 fn the_sign_of_an_unreachable_critical_ratio_is_the_wrong_one() {
     let limit = 0.5;
     let scene = steep_sideswipe(Tangential::Friction(limit));
 
-    // U = 0 asks for P = −K⁻¹u = −⅓ (2·(−1) − 1·(−8), −1·(−1) + 2·(−8)) = (−2, 5): a pull, with μ_c = −2.5.
+    // U = 0 requires P = −K⁻¹u = −⅓ (2·(−1) − 1·(−8), −1·(−1) + 2·(−8)) = (−2, 5): a pull, with μ_c = −2.5.
     let sticking = solve(&scene, Condition::CommonTangential);
     assert_close("P_n", sticking.impulse[0], -2.0, 1e-12);
     assert_close("μ_c", sticking.ratio, -2.5, 1e-12);
     assert!(matches!(verdict(&Scene { tangential: Tangential::Critical, ..scene }), Verdict::Pulling(_)));
 
     // The rule gives μ = −½: P_n = 1/(k_nn + μ k_nt) = 2/3, P_t = −1/3, U_t = −8 + 2/3 − 2/3 = −8. Friction
-    // pushes the way it slides.
+    // pushes in the direction of sliding.
     let by_rule = sticking.ratio.signum() * sticking.ratio.abs().min(limit);
     let driven = Scene { tangential: Tangential::Ratio(by_rule), ..scene }.impact();
     let energy_created = matches!(driven, Err(pim_core::ImpactError::EnergyCreated { tangential_work, .. })

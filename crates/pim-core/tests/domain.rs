@@ -1,12 +1,12 @@
-//! What the random collisions cover.
+//! Coverage of the random collisions.
 
 use oracle::scenes::{Scene, scene};
 use pim_core::Tangential;
 use proptest::prelude::*;
 use proptest::test_runner::{Config, RngAlgorithm, RngSeed, TestRng, TestRunner};
 
-/// The domain is what it says: every tangential condition, barriers on both sides, crush planes that need to
-/// be turned and others, and most collisions have an impact.
+/// The domain includes every tangential condition, barriers on both sides, and crush planes with and without
+/// a turned normal; and most collisions have an impact.
 #[test]
 fn random_collisions_cover_the_domain() {
     let mut runner = TestRunner::new_with_rng(

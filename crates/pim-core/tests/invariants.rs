@@ -1,5 +1,5 @@
-//! What holds for every collision: conservation, the laws' own conditions, and independence from frame,
-//! labels and handedness.
+//! Invariants of every collision: conservation, the laws' own conditions, and independence of frame,
+//! numbering and handedness.
 
 use std::f64::consts::{FRAC_PI_2, PI};
 use std::mem::discriminant;
@@ -10,10 +10,10 @@ use oracle::{ENERGY_UNDECIDED, Effects, Scale, arm, assert_same, cross, kinetic_
 use pim_core::{Contact, ImpactError, Law, Motion, Outcome, Participant, Regime, Tangential, Vector2, pdof};
 use proptest::prelude::*;
 
-/// Rounding, relative to what rounding can grow to.
+/// Rounding, relative to the scale of the quantity.
 const ROUNDING: f64 = 1e-12;
 
-/// The outcome and its scale, where there is an impact.
+/// The outcome and its scale, if there is an impact.
 fn impact(scene: &Scene) -> Option<(Outcome, Effects, Scale)> {
     let outcome = scene.impact().ok()?;
     let effects = Effects::from(&outcome);
@@ -57,12 +57,12 @@ fn free_bodies_keep_their_momentum() {
         let mut moment_size = 0.0;
         for (i, car) in scene.cars.iter().enumerate() {
             let inertia = car.mass * car.yaw_radius * car.yaw_radius;
-            // The CG lies at C − r; moments are about a point that has nothing to do with the collision.
+            // The CG lies at C − r; moments are about an arbitrary point.
             let lever = [c[0] - arm(car)[0] - origin[0], c[1] - arm(car)[1] - origin[1]];
             let change = [0, 1].map(|axis| car.mass * (effects.velocities[i][axis] - car.velocity[axis]));
             linear = [linear[0] + change[0], linear[1] + change[1]];
             angular += cross(lever, change) + inertia * (effects.yaw_rates[i] - car.yaw_rate);
-            // A velocity is good to a rounding of its scale, a momentum to that times its mass.
+            // A velocity is accurate to a rounding error of its scale, a momentum to that times the mass.
             size += car.mass * scale.velocity;
             moment_size +=
                 car.mass * scale.velocity * lever[0].hypot(lever[1]) + inertia * scale.yaw_rates[i];
@@ -116,7 +116,7 @@ fn the_normal_velocity_is_reversed_by_the_restitution() {
     });
 }
 
-/// K, which turns impulses into the motion of C, against the motions of the vehicles themselves.
+/// K, which relates impulses to the motion of C, compared with the motions of the vehicles themselves.
 #[test]
 fn the_contact_moves_after_the_impact_as_the_vehicles_do() {
     for_all(5000, 0.7, scene(), |scene| {
@@ -186,7 +186,7 @@ fn without_restitution_a_common_velocity_is_common() {
     for_all(5000, 0.8, scene_under(law), |scene| {
         let scene = Scene { restitution: 0.0, ..scene };
         let Some((outcome, _, scale)) = impact(&scene) else { return false };
-        // The velocity of each vehicle's own material at C, in the scene: V + Ω×r.
+        // The velocity of each vehicle's material at C, in the scene: V + Ω×r.
         let [a, b] = [0, 1].map(|i| {
             let [x, y] = arm(&scene.cars[i]);
             let after = outcome.after[i];
@@ -199,7 +199,7 @@ fn without_restitution_a_common_velocity_is_common() {
     });
 }
 
-/// An elastic impact without friction takes no energy: rounding must not make it one that creates energy.
+/// An elastic impact without friction takes no energy: rounding must not turn that into created energy.
 #[test]
 fn an_elastic_impact_without_friction_is_possible() {
     let law = prop_oneof![
@@ -222,7 +222,7 @@ fn an_elastic_impact_without_friction_is_possible() {
     });
 }
 
-/// Compares a collision with the same one in another guise: `change` takes its effects there.
+/// Compares a collision with an equivalent one: `change` transforms its effects.
 #[track_caller]
 fn assert_equivalent(scene: &Scene, other: &Scene, change: impl Fn(&Effects, &Effects) -> Effects) -> bool {
     match (scene.impact(), other.impact()) {
@@ -281,7 +281,7 @@ fn the_speed_of_the_scene_does_not_matter() {
         let other = scene.with_cars(|car| Car { velocity: boost(car.velocity), ..car });
         assert_equivalent(&scene, &other, |effects, boosted| Effects {
             velocities: effects.velocities.map(boost),
-            // Kinetic energy depends on the frame; what is lost of it does not.
+            // Kinetic energy depends on the frame; its loss does not.
             energy_before: boosted.energy_before,
             energy_after: boosted.energy_after,
             ..*effects
@@ -296,7 +296,7 @@ fn the_labels_of_the_vehicles_do_not_matter() {
         let other = Scene { cars: [b, a], ..scene };
         let swap = |[a, b]: [[f64; 2]; 2]| [b, a];
         assert_equivalent(&scene, &other, |effects, _| Effects {
-            // n, t, the force and the relative velocity all turn about: their components stay.
+            // n, t, the force and the relative velocity are all reversed: their components are unchanged.
             moment: -effects.moment,
             impulse_vector: effects.impulse_vector.map(|p| -p),
             impulse_direction: effects.impulse_direction + PI,
@@ -422,7 +422,7 @@ fn the_normal_points_from_vehicle_2_to_vehicle_1() {
     });
 }
 
-/// A barrier of which nothing is known: n points from it to the other vehicle's CG.
+/// A barrier without known geometry: n points from it to the other vehicle's CG.
 #[test]
 fn a_barrier_without_a_place_orients_the_normal_by_the_other_vehicle() {
     for_all(5000, 0.6, scene(), |mut scene| {
@@ -464,8 +464,7 @@ fn the_forces_on_the_vehicles_are_opposite() {
     });
 }
 
-/// A car at rest that points east, and one that hits the point of it at (`forward`, `left`) on the given
-/// course.
+/// A car at rest that points east, struck at (`forward`, `left`) by one on the given course.
 fn struck(forward: f64, left: f64, course: f64) -> Scene {
     let target = Car {
         fixed: false,
@@ -494,12 +493,11 @@ fn pdof_is_clockwise_from_the_heading() {
         ("from the right, by a car that goes north", struck(0.0, -0.9, FRAC_PI_2), FRAC_PI_2),
         ("from the left, by a car that goes south", struck(0.0, 0.9, -FRAC_PI_2), -FRAC_PI_2),
         ("from behind", struck(-2.0, 0.0, 0.0), PI),
-        // North-west bound: it comes from the south-east, which is ahead and to the right.
+        // The other car goes north-west: the force comes from the south-east, ahead and to the right.
         ("at the right front corner", struck(1.8, -0.9, 0.75 * PI), PI / 4.0),
     ] {
         let outcome = scene.impact().unwrap();
-        // The corner's force need not be normal to the plane; its own direction is what the bullet car feels
-        // in front.
+        // The force at the corner need not be normal to the plane, so its direction is known only roughly.
         let corner = what == "at the right front corner";
         let tolerance = if corner { 0.5 } else { ROUNDING };
         assert_direction(what, outcome.pdof()[0], pdof, tolerance);
@@ -507,7 +505,7 @@ fn pdof_is_clockwise_from_the_heading() {
     }
 }
 
-/// A push from straight behind is +180°, on both sides of which the angle jumps.
+/// A push from straight behind is at +180°, where the angle jumps.
 #[test]
 fn pdof_from_behind_is_plus_180_degrees() {
     let body = *struck(-2.0, 0.0, 0.0).cars[0].participant().body();

@@ -1,4 +1,4 @@
-//! Where a friction limit makes the impulse jump, and where it does not.
+//! Jumps of the impulse at a friction limit, and where there are none.
 
 use oracle::compare::{assert_close, assert_relative};
 use oracle::scenes::{Scene, for_all, scene, scene_under};
@@ -6,7 +6,7 @@ use oracle::{Condition, solve};
 use pim_core::{Approach, Border, Law, NormalTangential, Switch, Tangential};
 use proptest::prelude::*;
 
-/// The borders of the scene's law, each with the impulses on its sides.
+/// The borders of the scene's law, each with the impulses on both sides.
 fn borders(scene: &Scene) -> Vec<(Border, [NormalTangential; 2])> {
     let (k, approach) = at(scene);
     let borders = scene.law().borders(&k, approach).into_iter().flatten();
@@ -26,8 +26,8 @@ fn distance(a: NormalTangential, b: NormalTangential) -> f64 {
     (a.normal - b.normal).hypot(a.tangential - b.tangential)
 }
 
-/// theory, section 3: without a moment impulse, both regimes have one impulse at their border, and the
-/// direction of sliding turns where nothing slides.
+/// Theory, section 3: without a moment impulse, both regimes have the same impulse at their border, and the
+/// direction of sliding reverses where nothing slides.
 #[test]
 fn coulomb_friction_is_continuous_without_a_moment() {
     let law = (0.0..1.5).prop_map(Tangential::Friction);
@@ -102,7 +102,7 @@ fn a_common_yaw_rate_is_continuous() {
     });
     for_all(20_000, 0.7, any, |scene| {
         let all = borders(&scene);
-        // A moment may pull, and what pulls is no impact.
+        // With a moment impulse the vehicles may pull, which is not an impact.
         for (border, [one, other]) in all.iter().filter(|(_, sides)| sides.iter().all(|p| p.normal > 0.0)) {
             assert!(distance(*one, *other) <= size(*one) * 1e-6, "{border:?} {one:?} {other:?}");
         }
@@ -110,8 +110,8 @@ fn a_common_yaw_rate_is_continuous() {
     });
 }
 
-/// theory, section 3: Kudlich and Slibar's law jumps just where the push turns the sliding round to less than
-/// ε |u_t|.
+/// Theory, section 3: Kudlich and Slibar's law jumps exactly where the normal impulse reverses the sliding to
+/// less than ε |u_t|.
 #[test]
 fn kudlich_slibar_jumps_where_the_signs_differ() {
     let law = (0.0..1.0).prop_map(Tangential::FullOrSliding);
@@ -123,7 +123,7 @@ fn kudlich_slibar_jumps_where_the_signs_differ() {
             let full = solve(&scene, Condition::Full);
             let scale = u_t.abs() + v_t.abs();
             let opposite = u_t * v_t < 0.0 && v_t.abs() < scene.restitution * u_t.abs();
-            // Where neither is zero by rounding.
+            // Only if neither is zero to rounding.
             if opposite != differ || v_t.abs() < 1e-6 * scale || full.impulse[0] <= 0.0 {
                 return false;
             }

@@ -1,4 +1,4 @@
-//! How the impact laws are related to each other, and each of them by hand.
+//! Relations between the impact laws, and each of them by hand.
 
 use oracle::compare::{assert_close, assert_relative};
 use oracle::scenes::{Car, Scene, for_all, moment, scene, scene_under};
@@ -10,13 +10,13 @@ use crate::coulomb::steep_sideswipe;
 
 const ROUNDING: f64 = 1e-12;
 
-/// The outcome under a law that is made otherwise than the scene's.
+/// The outcome under a law other than the scene's.
 fn impact(scene: &Scene, law: Law) -> Option<Outcome> {
     scene.contact().impact(scene.motions(), &law).ok()
 }
 
-/// The same to the last bit, but for μ_c, which a law that asks for it has from its impulse and the others
-/// compute beside it.
+/// Equal to the last bit, except for μ_c, which a law that needs it takes from its impulse, while the others
+/// compute it separately.
 #[track_caller]
 fn assert_equal(a: &Outcome, b: &Outcome) {
     let mut same = *a;
@@ -150,7 +150,7 @@ fn the_moment_is_in_proportion_to_one_plus_its_restitution() {
     });
 }
 
-/// A central head-on impact at 10 m/s each: the yaw rates of ±1 rad/s have nothing to do with the rest.
+/// A central head-on impact at 10 m/s each: the yaw rates of ±1 rad/s do not affect the rest.
 #[test]
 fn a_moment_by_hand() {
     let car = Car {
@@ -185,7 +185,7 @@ fn a_moment_by_hand() {
     }
 }
 
-/// Nothing but a spin that the moment turns about: rounding must not make it one that creates energy.
+/// Only a spin that the moment reverses: rounding must not turn it into created energy.
 #[test]
 fn an_elastic_moment_is_possible() {
     for_all(5000, 1.0, (-50.0..50.0, -50.0..50.0, 0.5..4.0, 1e-9..1e-3), |(one, two, radius, speed)| {
@@ -240,8 +240,7 @@ fn a_full_and_a_sliding_impact_by_hand() {
     assert_relative("U_t", sliding.separation.tangential, 0.125, 1e-12);
 }
 
-/// 1 + ε times the impulse that leaves no velocity is the one that leaves −ε u: the oracle's two ways to a
-/// full impact.
+/// 1 + ε times the impulse that leaves no velocity is the one that leaves −ε u: the oracle has both methods.
 #[test]
 fn the_oracle_s_full_impact_reverses_both_components() {
     for_all(2000, 1.0, scene_under(Just(Tangential::FullOrSliding(1e9))), |scene| {
@@ -252,7 +251,7 @@ fn the_oracle_s_full_impact_reverses_both_components() {
     });
 }
 
-/// What a law is made of can be asked for, and changed one at a time.
+/// The parameters of a law can be read, and changed one at a time.
 #[test]
 fn a_law_with_another_ratio() {
     let law = Law::new(0.2, Tangential::Friction(0.4)).unwrap().with_moment_restitution(-0.3).unwrap();
@@ -265,7 +264,7 @@ fn a_law_with_another_ratio() {
     assert!(!Law::<f64>::woolley().has_moment());
 }
 
-/// An impulse along −x has the direction π, not −π, whatever the sign of the nothing across it.
+/// An impulse along −x has the direction π, not −π, whatever the sign of the zero across it.
 #[test]
 fn an_impulse_backwards_is_at_half_a_turn() {
     let body = Body::new(1500.0, 2700.0).unwrap();

@@ -1,6 +1,6 @@
 //! The tests of the impact, in one binary.
 //!
-//! What is expected comes from a source, a hand calculation, or [`oracle`], which solves the raw equations of
+//! Expected values come from a source, a hand calculation, or [`oracle`], which solves the raw equations of
 //! impulse and momentum for random collisions.
 
 #![expect(clippy::disallowed_methods, reason = "what is expected shares no function with what is tested")]

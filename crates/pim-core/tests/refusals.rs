@@ -1,4 +1,4 @@
-//! What bodies, contacts, laws and impacts refuse, and that the refusal says enough to act on it.
+//! Refusals of bodies, contacts, laws and impacts, and the advice in them.
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -90,22 +90,22 @@ fn two_barriers_do_not_collide() {
 
 #[test]
 fn a_normal_across_the_centres_has_no_direction() {
-    // Both CGs on the x axis: the normal along y points to neither.
+    // Both CGs lie on the x axis: the normal along y points to neither.
     let places =
         [Participant::new(car(), 0.0, 2.0, 0.0).unwrap(), Participant::new(car(), PI, 2.0, 0.0).unwrap()];
     assert_eq!(
         Contact::new(places, FRAC_PI_2),
         Err(InvalidInput::NormalUndefined { crush_plane: FRAC_PI_2 })
     );
-    // Nor does any normal, where both CGs are at C.
+    // Nor does any normal if both CGs are at C.
     let at_c = Participant::new(car(), 0.0, 0.0, 0.0).unwrap();
     assert!(matches!(Contact::new([at_c, at_c], 0.3), Err(InvalidInput::NormalUndefined { .. })));
-    // A ten-millionth of a radian is direction enough.
+    // A ten-millionth of a radian is enough.
     assert!(Contact::new(places, FRAC_PI_2 - 1e-7).is_ok());
 }
 
-/// Whatever the distance of the CGs and its direction, a normal within 1e-12 rad of the plane across them has
-/// no direction.
+/// A normal within 1e-12 rad of perpendicular to the line between the CGs has no direction, whatever the
+/// length and direction of that line.
 #[test]
 fn how_near_to_across_a_normal_may_be() {
     for size in [0.05, 1.0, 30.0] {
@@ -121,13 +121,13 @@ fn how_near_to_across_a_normal_may_be() {
             assert!(at(2e-13).is_err() && at(-2e-13).is_err(), "{size} {direction}");
         }
     }
-    // A barrier has no say in it, and does not make two.
+    // A barrier does not count as a second CG.
     let aside = Participant::new(car(), 0.0, 2.0, 0.0).unwrap();
     let refused = Contact::new([aside, Participant::barrier()], FRAC_PI_2);
     assert!(matches!(refused, Err(InvalidInput::NormalUndefined { .. })), "{refused:?}");
 }
 
-/// A CG on the plane itself is on neither side of it.
+/// A CG on the plane is on neither side of it.
 #[test]
 fn a_plane_through_a_centre_does_not_separate() {
     let ahead = Participant::new(car(), PI, 2.0, 0.0).unwrap();
@@ -140,7 +140,7 @@ fn a_plane_through_a_centre_does_not_separate() {
 }
 
 /// C at (−1, −1) m of the CG of a body with unit mass and inertia, a wall along y ahead of it: k_nn = k_tt =
-/// 2, det K = 3, and |k_nt| = 1. All numbers are small integers, so that the borders are met exactly.
+/// 2, det K = 3, and |k_nt| = 1. All numbers are small integers, so that the borders are hit exactly.
 fn exact(velocity: [f64; 2], yaw_rate: f64) -> (Contact, [Motion; 2]) {
     let body = Body::new(1.0, 1.0).unwrap();
     let places = [Participant::new(body, 0.0, -1.0, -1.0).unwrap(), Participant::barrier()];
@@ -148,7 +148,7 @@ fn exact(velocity: [f64; 2], yaw_rate: f64) -> (Contact, [Motion; 2]) {
     (Contact::new(places, 0.0).unwrap(), [motion, Motion::rest()])
 }
 
-/// u_n = 0 exactly, and sliding against which a common velocity would push: they do not approach.
+/// u_n = 0 exactly, with sliding for which a common velocity would need a push: the vehicles do not approach.
 #[test]
 fn sliding_along_each_other_is_no_approach() {
     let law = Law::new(0.0, Tangential::Critical).unwrap();
@@ -160,8 +160,9 @@ fn sliding_along_each_other_is_no_approach() {
     }
 }
 
-/// Where a common tangential velocity takes P_n = 0 exactly, it is no push: the law is refused, and another's
-/// outcome has no μ_c. A share of that μ_c is refused too, but none of it is without friction.
+/// If a common tangential velocity takes P_n = 0 exactly, it is not a push: the law is refused, and the
+/// outcome of another law has no μ_c. A fraction of that μ_c is refused too, except for 0, which is
+/// frictionless.
 #[test]
 fn no_push_is_no_critical_ratio() {
     let critical = Law::new(0.0, Tangential::Critical).unwrap();
@@ -184,7 +185,7 @@ fn no_push_is_no_critical_ratio() {
             let frictionless = Law::new(0.0, Tangential::Ratio(0.0)).unwrap();
             let outcome = contact.impact(motions, &frictionless).unwrap();
             assert_eq!(outcome.critical_impulse_ratio, None);
-            // μ_c = P_t/0, of which 0 would not be a number.
+            // μ_c = P_t/0, and 0 times that would be NaN.
             let none = Law::new(0.0, Tangential::FractionOfCritical(0.0)).unwrap();
             assert_eq!(contact.impact(motions, &none), Ok(outcome));
         }
@@ -192,8 +193,8 @@ fn no_push_is_no_critical_ratio() {
     assert!(looked > 0);
 }
 
-/// f = 0 is without friction in every scene, also where the critical condition pulls, with and without a
-/// moment impulse: the impact, or the refusal, of μ = 0.
+/// f = 0 is frictionless in every scene, even if the critical condition pulls, with and without a moment
+/// impulse: it gives the impact, or the refusal, of μ = 0.
 #[test]
 fn no_share_of_the_critical_ratio_is_no_friction() {
     let pulls = std::cell::Cell::new(0);
@@ -220,7 +221,7 @@ fn no_share_of_the_critical_ratio_is_no_friction() {
     assert!(pulls.get() > 500, "{}", pulls.get());
 }
 
-/// By f the impulse moves only where a push gives μ_c; the other derivatives at f = 0 are those at μ = 0.
+/// The impulse depends on f only if a push gives μ_c; the other derivatives at f = 0 are those at μ = 0.
 #[test]
 fn the_derivatives_without_friction_are_numbers() {
     let outcome = |across: f64, tangential: fn(Traced) -> Tangential<Traced>| {
@@ -272,7 +273,7 @@ fn rounding_may_create_energy_and_nothing_else() {
             };
             Law::new(1.0, tangential).unwrap().with_moment_restitution(moment).unwrap()
         };
-        // The loss over the exchange, and whether the impact is possible.
+        // The loss relative to the exchanged energy, and whether the impact is possible.
         let at = |excess: f64| {
             let (outcome, possible) = contact.impact_with_validity(scene.motions(), &law(excess));
             let (p, u, v) = (outcome.impulse, outcome.approach, outcome.separation);
@@ -284,7 +285,7 @@ fn rounding_may_create_energy_and_nothing_else() {
             }
             (outcome.energy.loss / exchanged, possible)
         };
-        // As much too much as makes the loss this share of the exchange.
+        // The excess of the impulse for which the loss is this fraction of the exchanged energy.
         let excess = |share: f64| {
             let far = [1e-3, -1e-3, 1.0, -1.0].into_iter().find(|&x| at(x).0 < -1e-6)?;
             let (mut within, mut beyond) = (0.0, far);
@@ -311,7 +312,7 @@ fn rounding_may_create_energy_and_nothing_else() {
     assert!(spun.get() > 100, "{spun:?}");
 }
 
-/// The work of a moment impulse is named where there is one.
+/// The work of a moment impulse is named if there is one.
 #[test]
 fn created_energy_is_told_by_its_works() {
     let text = |moment_work: f64| {
@@ -414,7 +415,7 @@ fn numbers_beyond_double_precision_are_no_impact() {
             "{result:?}"
         );
     }
-    // The vehicles approach at 20 m/s, in a scene whose own speed has no square.
+    // The vehicles approach at 20 m/s, in a scene that moves so fast that the square of its speed overflows.
     let boosted = towards_each_other()
         .map(|motion| Motion { velocity: motion.velocity + Vector2::new(0.0, 1e200), ..motion });
     let result = head_on().impact(boosted, &law);
@@ -424,7 +425,7 @@ fn numbers_beyond_double_precision_are_no_impact() {
     );
 }
 
-/// The jam's message names the ratio at which it ends: a little to the other side of it there is an impulse.
+/// The message of a jam names the ratio at which it ends: slightly beyond it there is an impulse.
 #[test]
 fn a_jam_ends_where_its_message_says() {
     use proptest::prelude::*;
@@ -446,7 +447,8 @@ fn a_jam_ends_where_its_message_says() {
     });
 }
 
-/// A frictionless push is always possible: no refusal but the energy's, and with e = 0 not even that.
+/// A frictionless push is always possible: only created energy is refused, and with e = 0 not even that
+/// occurs.
 #[test]
 fn a_frictionless_plastic_impact_is_always_possible() {
     use proptest::prelude::*;

@@ -1,4 +1,4 @@
-//! Restitution that depends on the closing speed: the curve, and the laws that it makes.
+//! Restitution that depends on the closing speed: the curve, and laws with it.
 
 use oracle::compare::assert_close;
 use pim_core::{InvalidInput, Law, RestitutionCurve, Tangential, VaryingLaw};

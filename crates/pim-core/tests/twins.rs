@@ -1,5 +1,5 @@
-//! What loops over many samples call: the same answers as the functions that give a reason, and a plain yes
-//! or no.
+//! The functions for loops over many samples give the same answers as those with a reason, and a plain
+//! validity flag.
 
 use oracle::scenes::{any_scene, for_all};
 use pim_core::{Body, Contact, Law, Participant, Tangential};

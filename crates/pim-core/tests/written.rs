@@ -1,5 +1,5 @@
-//! What is written with the feature `serde` is read again as the same, and what no constructor accepts is
-//! refused.
+//! Values written with the feature `serde` are read back unchanged, and values that no constructor accepts
+//! are refused.
 
 use oracle::scenes::{any_scene, for_all};
 use oracle::written::{assert_again, assert_refused};
@@ -36,7 +36,7 @@ fn a_law_is_written_by_the_names_of_its_coefficients() {
     let varying = law.with_restitution_curve(curve);
     assert_again(&varying);
     assert_again(&VaryingLaw::from(law));
-    // The curve goes before the number of the law.
+    // The curve takes precedence over the law's own number.
     let other = json!({ "law": written, "curve": { "points": [[2.0, 0.5], [6.0, 0.25]] } });
     assert_eq!(from_value::<VaryingLaw>(other).unwrap(), varying);
     let body = to_value([Body::fixed(), Body::new(1500.0, 2700.0).unwrap()]).unwrap();

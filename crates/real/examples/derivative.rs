@@ -1,7 +1,7 @@
-//! The exact derivative of a formula by one of its inputs: write it once over `Real`, evaluate it on
-//! `Duals`.
+//! The exact derivative of a formula with respect to one of its inputs: write it once over `Real`, evaluate
+//! it on `Duals`.
 //!
-//! How much does the EES of the paper's GMC Jimmy move with its crush energy?
+//! How much does the EES of the paper's GMC Jimmy change with its crush energy?
 
 #![allow(clippy::print_stdout, reason = "an example shows its result")]
 

@@ -1,16 +1,16 @@
-//! A number among numbers near to it.
+//! A number together with numbers near it.
 
 use core::cmp::Ordering;
 use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
 
 use crate::Real;
 
-/// A number and, beside it, what `N` − 1 others become that started near it: their differences by how far
-/// apart they started are its derivatives, nearly, in less time than [`Duals`] take for exact ones.
+/// A number and `N` − 1 others that started near it: their differences, divided by the initial ones,
+/// approximate its derivatives in less time than [`Duals`] take for the exact ones.
 ///
-/// The number itself, the first of the lanes, has the bits that it has alone, and all comparisons are its
-/// own: the others go through the same branches, and where a program chooses lengths of steps by the values
-/// of numbers, they take the same steps. So differences show none of the jumps that runs apart would have.
+/// The number itself is the first lane and has the same bits as on its own. All comparisons use it, so that
+/// the others take the same branches and, in an integrator, the same step lengths. Their differences
+/// therefore have none of the jumps that separate runs would have.
 ///
 /// ```
 /// use real::{Bundle, Real};
@@ -23,7 +23,7 @@ use crate::Real;
 /// [`Duals`]: crate::Duals
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Bundle<const N: usize> {
-    /// The number itself, and those near it.
+    /// The number itself, then those near it.
     pub lanes: [f64; N],
 }
 
@@ -62,7 +62,7 @@ impl<const N: usize> Neg for Bundle<N> {
     }
 }
 
-/// An operator of two numbers, and of a number and an `f64` on its right.
+/// An operator on two numbers, and on a number with an `f64` on its right.
 macro_rules! operator {
     ($Op:ident $op:ident $Assign:ident $assign:ident) => {
         impl<const N: usize> $Op for Bundle<N> {
@@ -101,7 +101,7 @@ impl<const N: usize> Real for Bundle<N> {
     const ZERO: Self = Self { lanes: [0.0; N] };
     const ONE: Self = Self { lanes: [1.0; N] };
 
-    /// The first lane; NaN where there is none.
+    /// The first lane; NaN if there is none.
     #[inline(always)]
     fn value(self) -> f64 {
         self.lanes.first().copied().unwrap_or(f64::NAN)
@@ -165,7 +165,7 @@ mod tests {
     use crate::duals::tests::formula;
     use crate::{Duals, Real};
 
-    /// Each lane has the bits of a run alone, and their differences are the derivatives.
+    /// Each lane has the bits of a separate run, and their differences give the derivatives.
     #[test]
     fn differences_are_derivatives() {
         let apart = 1e-7;
@@ -179,7 +179,7 @@ mod tests {
         }
     }
 
-    /// The others go where the first goes, whatever they are themselves.
+    /// The other lanes follow the branches of the first, whatever their own values.
     #[test]
     fn comparisons_are_those_of_the_first() {
         let (a, b) = (Bundle { lanes: [-1.0, 5.0] }, Bundle { lanes: [2.0, 3.0] });

@@ -1,4 +1,4 @@
-//! A number that carries its derivatives by several inputs.
+//! A number that carries its derivatives with respect to several inputs (dual number).
 
 use core::array;
 use core::cmp::Ordering;
@@ -6,8 +6,8 @@ use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAss
 
 use crate::Real;
 
-/// A value and its derivatives with respect to `N` inputs: an equation over [`Real`] evaluated on it is
-/// differentiated exactly, by the rules of calculus and not by differences.
+/// A value and its derivatives with respect to `N` inputs: an equation over [`Real`] is differentiated
+/// exactly, by the rules of calculus and not by differences.
 ///
 /// ```
 /// use real::{Duals, Real};
@@ -20,18 +20,18 @@ use crate::Real;
 pub struct Duals<const N: usize> {
     /// The number itself.
     pub value: f64,
-    /// d/dx of it, for each input x.
+    /// Its derivative with respect to each input.
     pub derivatives: [f64; N],
 }
 
 impl<const N: usize> Duals<N> {
-    /// The input of this number, counted from 0: its own derivative is 1.
+    /// The input with this `number`, counted from 0: its own derivative is 1.
     #[must_use]
     pub fn variable(value: f64, number: usize) -> Self {
         Self { value, derivatives: array::from_fn(|i| if i == number { 1.0 } else { 0.0 }) }
     }
 
-    /// A value, and its derivatives by a rule for each.
+    /// A value, with the derivative with respect to each input from a rule.
     #[inline(always)]
     fn with(value: f64, derivative: impl Fn(usize) -> f64) -> Self {
         let mut derivatives = [0.0; N];
@@ -66,7 +66,7 @@ impl<const N: usize> Neg for Duals<N> {
     }
 }
 
-/// An operator of two numbers, and of a number and an `f64` on its right.
+/// An operator on two numbers, and on a number with an `f64` on its right.
 macro_rules! operator {
     (
         $Op:ident $op:ident $Assign:ident $assign:ident:
@@ -184,7 +184,7 @@ pub(crate) mod tests {
     use super::Duals;
     use crate::Real;
 
-    /// Each operation, of numbers that all depend on both inputs.
+    /// Each operation, on numbers that all depend on both inputs.
     pub(crate) fn formula<T: Real>(x: T, y: T) -> T {
         let (sin, cos) = (x * 3.0 - y).sin_cos();
         let mut z = (sin / (x + 2.0) - cos * y + 3.0).sqrt().atan2(x);
@@ -195,7 +195,7 @@ pub(crate) mod tests {
         z.min(x + 7.0).max(-x) + (z - 9.0).abs()
     }
 
-    /// Functions with derivatives that are known, at x = 0.7.
+    /// Functions with known derivatives, at x = 0.7.
     #[test]
     fn derivatives_follow_the_rules() {
         let x = Duals::<1>::variable(0.7, 0);
@@ -225,7 +225,7 @@ pub(crate) mod tests {
         }
     }
 
-    /// One number with two derivatives is two with one, to the bit.
+    /// One number with two derivatives equals two numbers with one each, to the bit.
     #[test]
     fn each_derivative_is_the_one_alone() {
         for (x, y) in [(0.3, 0.8), (0.9, 1.7), (1.4, 0.1)] {

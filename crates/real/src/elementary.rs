@@ -2,7 +2,7 @@
 //!
 //! Made of + − × ÷, comparisons, selects and bit operations only: no table, no branch, no fused
 //! multiplication, no call. A plain loop over an array is therefore vectorised, and each lane has the bits of
-//! a call alone.
+//! a single call.
 //!
 //! # References
 //!
@@ -21,8 +21,8 @@ use core::f64::consts::{FRAC_2_PI, FRAC_PI_2, FRAC_PI_4, LOG2_E, SQRT_2};
 /// Up to here the multiples of the parts of π/2 are exact.
 pub const SIN_COS_LIMIT: f64 = 1_048_576.0 * FRAC_PI_2;
 
-/// 1.5·2⁵²: the spacing of `f64` is 1 from here on, so adding it rounds to an integer, which then stands in
-/// the lowest bits.
+/// 1.5·2⁵²: the spacing of `f64` is 1 from here on, so adding it rounds to an integer, held in the lowest
+/// bits.
 const TO_INTEGER: f64 = 6_755_399_441_055_744.0;
 
 // π/2 in four parts (fdlibm `e_rem_pio2.c`). The first three end in 22, 21 and 25 zero bits, so their
@@ -64,11 +64,11 @@ const A10: f64 = f64::from_bits(0x3F90_AD3A_E322_DA11);
 /// π/4 − [`FRAC_PI_4`] (fdlibm `s_atan.c`).
 const FRAC_PI_4_TAIL: f64 = f64::from_bits(0x3C81_A626_3314_5C07);
 
-/// Ratio from which [`atan2`] measures from the diagonal: where the polynomial ends.
+/// Ratio above which [`atan2`] measures the angle from the diagonal: the end of the polynomial's interval.
 const FOLD: f64 = 0.4375;
 
-// [`atan2`] scales its arguments, by a power of two and so exactly, where a sum could overflow or a product
-// of low bits underflow.
+// [`atan2`] scales its arguments by a power of two, and so exactly, if a sum could overflow or a product of
+// low bits underflow.
 const TWO_TO_1000: f64 = f64::from_bits(0x7E70_0000_0000_0000);
 const TWO_TO_200: f64 = f64::from_bits(0x4C70_0000_0000_0000);
 const TWO_TO_MINUS_100: f64 = f64::from_bits(0x39B0_0000_0000_0000);
@@ -98,13 +98,13 @@ const P3: f64 = f64::from_bits(0x3F11_566A_AF25_DE2C);
 const P4: f64 = f64::from_bits(0xBEBB_BD41_C5D2_6BF1);
 const P5: f64 = f64::from_bits(0x3E66_3769_72BE_A4D0);
 
-/// Beyond ±[`EXP_LIMIT`] the exponential is infinite or zero: ln of the greatest `f64` is 709.8, of the half
-/// of the least −745.2.
+/// Beyond ±[`EXP_LIMIT`] the exponential is infinite or zero: ln of the greatest `f64` is 709.8, and of half
+/// the smallest −745.2.
 const EXP_LIMIT: f64 = 746.0;
 
 /// 2⁵⁴: makes every subnormal number normal.
 const TWO_TO_54: f64 = f64::from_bits(0x4350_0000_0000_0000);
-/// 2⁵²: in its mantissa an exponent becomes a number.
+/// 2⁵²: exponent bits put into its mantissa become a number.
 const TWO_TO_52: f64 = f64::from_bits(0x4330_0000_0000_0000);
 
 const MANTISSA_BITS: u64 = (1 << 52) - 1;
@@ -112,7 +112,7 @@ const SIGN_BIT: u64 = 1 << 63;
 
 /// Sine and cosine of an angle in radians.
 ///
-/// For |x| ≤ [`SIN_COS_LIMIT`] each is within 1 ulp of the exact value, next to the multiples of π/2 too; the
+/// For |x| ≤ [`SIN_COS_LIMIT`] each is within 1 ulp of the exact value, even near the multiples of π/2; the
 /// greatest error found was below 0.8 ulp, near the odd multiples of π/4. Beyond the limit, and for
 /// infinities and NaN, both are NaN. sin(−x) = −sin x and cos(−x) = cos x to the bit; sin(−0) = −0.
 #[inline(always)]
@@ -142,8 +142,8 @@ pub fn sin_cos(x: f64) -> (f64, f64) {
 
 /// x − n·π/2 as a sum of two numbers, for 0 ≤ x ≤ [`SIN_COS_LIMIT`] and n the integer nearest to x·2/π.
 ///
-/// No `f64` in this range is nearer than 2⁻⁶¹ to a multiple of π/2; what is left there is still good to more
-/// than 53 bits.
+/// No `f64` in this range is nearer than 2⁻⁶¹ to a multiple of π/2; the remainder is still good to more than
+/// 53 bits there.
 #[inline(always)]
 fn reduce(x: f64, n: f64) -> (f64, f64) {
     // Exact: the two are within a factor of two of each other.
@@ -187,11 +187,11 @@ fn cos_kernel(r: f64, r_tail: f64) -> f64 {
 
 /// Angle in radians, in [−π, π], of the vector `(x, y)`.
 ///
-/// Within 1 ulp of the exact value for all finite arguments, however great, small or unequal: nothing
-/// overflows on the way, and nothing is lost to underflow that the result can hold. The greatest error found
-/// was below 0.7 ulp, where the ratio is near 7/16. Zeros and infinities give what IEEE 754 and C ask of
-/// `atan2`, with their signs: atan2(±0, −0) = ±π, atan2(±∞, −∞) = ±3π/4. NaN in either gives NaN. atan2(−y,
-/// x) = −atan2(y, x) to the bit.
+/// Within 1 ulp of the exact value for all finite arguments, however great, small or unequal: no intermediate
+/// result overflows, and underflow loses nothing that the result can hold. The greatest error found was below
+/// 0.7 ulp, for ratios near 7/16. Zeros and infinities, with their signs, give what IEEE 754 and C specify
+/// for `atan2`: atan2(±0, −0) = ±π, atan2(±∞, −∞) = ±3π/4. NaN in either gives NaN. atan2(−y, x) = −atan2(y,
+/// x) to the bit.
 #[inline(always)]
 #[must_use]
 pub fn atan2(y: f64, x: f64) -> f64 {
@@ -206,7 +206,7 @@ pub fn atan2(y: f64, x: f64) -> f64 {
     let t = p / q;
     let z = t * t;
 
-    // Without what the rounding of the quotient loses, the error just below a power of two would pass 1 ulp.
+    // Without the rounding error of the quotient, the error just below a power of two would exceed 1 ulp.
     // t′ = ((p + p′) − t·(q + q′))/q
     let t_tail = ((residual(p, t, q) + p_tail) - t * q_tail) / q;
     // Below 2⁻³⁰ the rounded quotient is the rounded angle already, and the residual could underflow.
@@ -238,7 +238,7 @@ pub fn atan2(y: f64, x: f64) -> f64 {
 /// Natural logarithm.
 ///
 /// Within 1 ulp of the exact value for all positive finite arguments, subnormal ones too; the greatest error
-/// found was below 0.7 ulp. −∞ of either zero, NaN below zero and of NaN, +∞ of +∞.
+/// found was below 0.7 ulp. −∞ for either zero, NaN for negative numbers and NaN, +∞ for +∞.
 #[inline(always)]
 #[must_use]
 pub fn ln(x: f64) -> f64 {
@@ -273,8 +273,8 @@ pub fn ln(x: f64) -> f64 {
 
 /// eˣ.
 ///
-/// Within 1 ulp of the exact value for all arguments, also where it is subnormal; the greatest error found
-/// was below 0.95 ulp. Infinite above 709.78, zero below −745.13, NaN of NaN.
+/// Within 1 ulp of the exact value for all arguments, even if it is subnormal; the greatest error found was
+/// below 0.95 ulp. Infinite above 709.78, zero below −745.13, NaN for NaN.
 #[inline(always)]
 #[must_use]
 pub fn exp(x: f64) -> f64 {
@@ -293,16 +293,16 @@ pub fn exp(x: f64) -> f64 {
     let c = r - z * (P1 + z * (P2 + z * (P3 + z * (P4 + z * P5))));
     let power = 1.0 + (high - (low - r * c / (2.0 - c)));
 
-    // 2ᵏ in two factors, since it may be beyond the normal numbers where eˣ is not. Only the second product
-    // is rounded. 2ᵏ = 2ᵏ′·2ᵏ″, k′ = ⌊k/2⌋, k″ = k − k′
+    // 2ᵏ in two factors, since it may lie outside the normal numbers although eˣ does not. Only the second
+    // product is rounded. 2ᵏ = 2ᵏ′·2ᵏ″, k′ = ⌊k/2⌋, k″ = k − k′
     let halves = shifted.to_bits().wrapping_sub(TO_INTEGER.to_bits()).wrapping_add(2046);
     let first = f64::from_bits((halves >> 1) << 52);
     let second = f64::from_bits((halves - (halves >> 1)) << 52);
     power * first * second
 }
 
-/// √x, rounded correctly: the bits of the processor's own, for where there is no standard library to reach
-/// that. NaN below zero, −0 of −0.
+/// √x, rounded correctly: the same bits as the processor's instruction, for builds without the standard
+/// library. NaN below zero, −0 for −0.
 #[must_use]
 pub fn sqrt(x: f64) -> f64 {
     if x.is_nan() || x < 0.0 {
@@ -320,7 +320,8 @@ pub fn sqrt(x: f64) -> f64 {
     let square = mantissa << (56 + (exponent & 1));
     let half = (exponent - (exponent & 1)) / 2 - 28;
     let root = square.isqrt();
-    // The last bit says whether anything is left: with it the conversion rounds as if the root were exact.
+    // The last bit (sticky bit) is set if there is a remainder: with it the conversion rounds as if the root
+    // were exact.
     let sticky = u128::from(root * root != square);
     #[expect(clippy::cast_precision_loss, reason = "it is the rounding that is wanted")]
     let rounded = (root << 1 | sticky) as f64;
@@ -328,23 +329,23 @@ pub fn sqrt(x: f64) -> f64 {
     rounded * f64::from_bits((half + 1023 - 1024 - 1) << 52)
 }
 
-/// The least integer that is not below x: exact, with the sign of x where it is zero. Infinities and NaN stay
-/// what they are.
+/// The least integer that is not below x: exact, with the sign of x if it is zero. Infinities and NaN are
+/// returned unchanged.
 #[inline(always)]
 #[must_use]
 pub fn ceil(x: f64) -> f64 {
     let size = x.abs();
-    // Beyond 2⁵² every number is an integer; below, the sum has no room for a fraction.
+    // Beyond 2⁵² every number is an integer; below, the sum rounds to an integer.
     let nearest = if size < TWO_TO_52 { (size + TWO_TO_52) - TWO_TO_52 } else { size };
     let nearest = nearest.copysign(x);
     if nearest < x { (nearest + 1.0).copysign(x) } else { nearest }
 }
 
-/// Two numbers with the ratio of `least` ≤ `most`, such that a sum of them is finite and a product with their
-/// ratio keeps its low bits.
+/// Scales `least` ≤ `most` together so that their sum is finite and a product with their ratio keeps its low
+/// bits.
 ///
-/// Two infinities count as equal, two zeros as 0/1. Where `most` is finite the scaling is exact, except where
-/// the ratio is below the smallest `f64` in any case.
+/// Two infinities count as equal, two zeros as 0/1. If `most` is finite the scaling is exact, unless the
+/// ratio is below the smallest `f64` anyway.
 #[inline(always)]
 fn scale(least: f64, most: f64) -> (f64, f64) {
     let factor = if most > TWO_TO_1000 { TWO_TO_MINUS_100 } else { 1.0 };
@@ -354,7 +355,7 @@ fn scale(least: f64, most: f64) -> (f64, f64) {
     if most == f64::INFINITY { infinite } else { finite }
 }
 
-/// a + b as the rounded sum and what rounding lost (Dekker).
+/// a + b as the rounded sum and its rounding error (Dekker).
 ///
 /// Needs a to be a multiple of the last place of b (Rump, Ogita, Oishi), as it is for |a| ≥ |b| and for a =
 /// 0.

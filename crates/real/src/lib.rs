@@ -1,5 +1,5 @@
-//! The number that an equation runs on: a formula written once over [`Real`] serves plain `f64`, loops that
-//! the compiler vectorises, and numbers that carry their derivatives.
+//! The number type of the equations: a formula written once over [`Real`] serves plain `f64`, loops that the
+//! compiler vectorises, and numbers that carry their derivatives.
 //!
 //! ```
 //! use real::Real;
@@ -24,9 +24,9 @@
 //! | item | is |
 //! |---|---|
 //! | [`Real`] | the operations that the equations use; implemented for `f64`, [`Duals`], [`Bundle`] and [`Traced`] |
-//! | [`Duals`] | a number that carries its derivatives by one input or a few |
-//! | [`Bundle`] | a number among others near it, whose differences tell its derivatives in less time |
-//! | [`gradients`], [`Traced`] | the derivatives by all inputs at once, of a formula that is evaluated on numbers that remember what they were computed from |
+//! | [`Duals`] | a number that carries its derivatives with respect to one input or a few |
+//! | [`Bundle`] | a number with others near it, whose differences approximate its derivatives in less time |
+//! | [`gradients`], [`Traced`] | the derivatives of a formula with respect to all inputs at once (reverse mode), by recording how each number was computed |
 //! | [`elementary::sin_cos`] | sine and cosine of an angle in radians, up to [`elementary::SIN_COS_LIMIT`] |
 //! | [`elementary::atan2`] | angle of a vector in radians, over all of `f64` |
 //! | [`principal_angle`] | the same direction in (−π, π] |
@@ -38,15 +38,15 @@
 //! The C library picks its sine by the CPU it finds, so the standard library's last digit changes from
 //! machine to machine. The functions here are made of + − × ÷, comparisons and bit operations, √ is rounded
 //! correctly by IEEE 754, and nothing is fused, so a result has the same bits on every CPU and in every build
-//! profile, alone or in a vectorised loop. Two things are outside of the promise: the sign and payload of a
-//! NaN, and 32-bit x86 without SSE2, whose registers hold more than an `f64`.
+//! profile, alone or in a vectorised loop. Two things are not promised: the sign and payload of a NaN, and
+//! 32-bit x86 without SSE2, whose registers hold more than an `f64`.
 //!
 //! # A trap
 //!
 //! On a plain `f64`, `x.sin_cos()` and `y.atan2(x)` are the *standard library's* methods, even where [`Real`]
-//! is in scope: inherent methods win, and so do `f64::min` and `f64::max`, which lose a NaN. Inside a
-//! function generic over `T: Real` the same spelling is ours. Where the type is `f64`, write
-//! `Real::sin_cos(x)` or [`elementary::sin_cos`]`(x)`.
+//! is in scope: inherent methods win. So do `f64::min` and `f64::max`, which lose a NaN. In a function
+//! generic over `T: Real` the same spelling calls ours. If the type is `f64`, write `Real::sin_cos(x)` or
+//! [`elementary::sin_cos`]`(x)`.
 //!
 //! `examples/derivative.rs` differentiates a formula.
 //!
@@ -81,16 +81,16 @@ pub use traced::{Gradient, Traced, gradients};
 use core::fmt::Debug;
 use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
 
-/// A real number: what the equations compute with.
+/// A real number, as the equations use it.
 ///
 /// Constants enter by `From<f64>` or stand as `f64` on the right of an operator. Angles are in radians.
-/// Nothing panics: an operation without an answer gives NaN, and NaN goes through every operation here to the
+/// Nothing panics: an operation without an answer gives NaN, and every operation here passes NaN on to the
 /// result, where the caller turns it into an error.
 ///
 /// Implementations mark every function `#[inline(always)]` and select instead of branching, so that a loop
 /// over samples is vectorised.
 ///
-/// The trait is sealed: the equations rely on numbers that behave as these do, and a later version may ask
+/// The trait is sealed: the equations rely on the behaviour of these types, and a later version may require
 /// more of them.
 pub trait Real:
     sealed::Sealed
@@ -121,7 +121,7 @@ pub trait Real:
     /// 1.
     const ONE: Self;
 
-    /// The number itself, without what else it carries (derivatives).
+    /// The number itself, without the derivatives it carries.
     fn value(self) -> f64;
 
     /// √x; NaN below zero, and −0 of −0.
@@ -147,16 +147,16 @@ pub trait Real:
     /// which would hide it.
     fn max(self, other: Self) -> Self;
 
-    /// Neither infinite nor NaN, in anything it carries.
+    /// Whether the number and everything it carries is neither infinite nor NaN.
     fn is_finite(self) -> bool;
 
-    /// Whether it is 0 in everything it carries. Where it is, a term that it multiplies can be left out;
-    /// where it merely equals 0, that would drop the derivative of the term.
+    /// Whether the number and everything it carries is 0, so that a term multiplied by it can be left out. If
+    /// only its value is 0, that would drop the derivative of the term.
     fn is_constant_zero(self) -> bool;
 }
 
 mod sealed {
-    /// What nobody outside of this crate can implement.
+    /// Cannot be implemented outside of this crate.
     pub trait Sealed {}
 
     impl Sealed for f64 {}
@@ -219,8 +219,8 @@ impl Real for f64 {
 
     #[inline(always)]
     fn is_finite(self) -> bool {
-        // The same as f64::is_finite. That and a test of the sign become tests of bits, which cost vectors
-        // three times as much as these comparisons.
+        // The same as f64::is_finite, which together with a test of the sign compiles to tests of bits. In
+        // vectors those cost three times as much as these comparisons.
         self.abs() <= Self::MAX
     }
 
@@ -235,7 +235,7 @@ mod tests {
     use super::{Real, elementary};
     use core::f64::consts::PI;
 
-    /// Every operation of the trait through the generic spelling, which is the one that equations use.
+    /// Every operation of the trait in its generic spelling, as the equations use it.
     fn constants_on_the_right<T: Real>(x: T) -> T {
         let mut y = -(((x + 1.0) * 2.0 - 3.0) / 4.0);
         y += T::ONE;

@@ -1,4 +1,4 @@
-//! A number that remembers what it was computed from.
+//! A number that records how it was computed (reverse-mode differentiation).
 
 use core::cell::RefCell;
 use core::cmp::Ordering;
@@ -6,11 +6,11 @@ use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAss
 
 use crate::Real;
 
-/// A number inside of [`gradients`]. Everything computed from it is written down, so that the derivatives by
+/// A number within [`gradients`]. Every operation on it is recorded, so that the derivatives with respect to
 /// all inputs follow at once.
 ///
-/// It belongs to the call that made it, and to its thread: after that call it is a constant, and a call
-/// inside of that one must not use it.
+/// It belongs to the call that made it and to the thread of that call. Afterwards it is a constant, and a
+/// nested call must not use it.
 #[derive(Clone, Copy, Debug)]
 pub struct Traced {
     value: f64,
@@ -21,8 +21,8 @@ pub struct Traced {
 /// The place of a number that does not depend on any input.
 const CONSTANT: usize = usize::MAX;
 
-/// How one number was computed: from which two, and its derivatives by them. [`CONSTANT`] where there is
-/// none.
+/// How one number was computed: its two operands ([`CONSTANT`] if there is none) and the derivatives with
+/// respect to them.
 struct Step {
     of: [usize; 2],
     by: [f64; 2],
@@ -39,15 +39,15 @@ std::thread_local! {
 pub struct Gradient {
     /// The result itself.
     pub value: f64,
-    /// d/dx of it for each input, in their order.
+    /// Its derivative with respect to each input, in the order of the inputs.
     pub by: Vec<f64>,
 }
 
-/// Evaluates a formula once, and differentiates each result by every input, however many these are.
+/// Evaluates a formula once, and differentiates each result with respect to every input.
 ///
-/// Where there are few inputs, [`Duals`](crate::Duals) are quicker. The time taken here does not grow
-/// with their number: each result costs some times what the formula costs. The record takes 32 bytes for each
-/// operation of the formula.
+/// For few inputs, [`Duals`](crate::Duals) are quicker. The time taken here does not grow with the number of
+/// inputs: each result takes a few times as long as the formula. The record takes 32 bytes per operation of
+/// the formula.
 ///
 /// ```
 /// // SAE 980025, appendix: the GMC Jimmy of 3696 lb took 1.02e5 N·m of crush. Its energy equivalent speed:
@@ -64,7 +64,7 @@ pub struct Gradient {
 /// ```
 ///
 /// # Errors
-/// What the formula returns.
+/// Those of the formula.
 pub fn gradients<E>(
     inputs: &[f64],
     formula: impl FnOnce(&[Traced]) -> Result<Vec<Traced>, E>,
@@ -72,7 +72,7 @@ pub fn gradients<E>(
     let traced: Vec<Traced> =
         inputs.iter().enumerate().map(|(place, &value)| Traced { value, place }).collect();
     let record = inputs.iter().map(|_| Step { of: [CONSTANT; 2], by: [0.0; 2] }).collect();
-    // A formula that asks for gradients itself finds its own record again afterwards.
+    // A formula may call `gradients` itself; its own record is put back afterwards.
     let outer = RECORD.replace(Some(record));
     let results = formula(&traced);
     let record = RECORD.replace(outer).unwrap_or_default();
@@ -80,7 +80,7 @@ pub fn gradients<E>(
 }
 
 impl Traced {
-    /// A number computed from two others, with its derivatives by them.
+    /// A number computed from two others, with the derivatives with respect to them.
     #[inline]
     fn computed(value: f64, of: [Self; 2], by: [f64; 2]) -> Self {
         let of = of.map(|number| number.place);
@@ -90,7 +90,7 @@ impl Traced {
         Self { value, place: written(Step { of, by }) }
     }
 
-    /// The same of one other.
+    /// A number computed from one other.
     #[inline]
     fn computed_from(value: f64, of: Self, by: f64) -> Self {
         Self::computed(value, [of, Self::ZERO], [by, 0.0])
@@ -104,7 +104,7 @@ impl Traced {
         }
         for (place, step) in record.iter().enumerate().skip(inputs).rev() {
             let of_result = by[place];
-            // What the result does not depend on may have an infinite derivative.
+            // A number on which the result does not depend may have an infinite derivative.
             if of_result == 0.0 {
                 continue;
             }
@@ -120,8 +120,8 @@ impl Traced {
     }
 }
 
-/// Writes a step into the record: its place there. A call, as every operation of every formula writes one:
-/// translated at each place, the pushes are most of the program.
+/// Appends a step to the record and returns its place. Not inlined: every operation of every formula appends
+/// one, and the inlined pushes would be most of the program.
 #[inline(never)]
 fn written(step: Step) -> usize {
     let place = RECORD.with_borrow_mut(|record| {
@@ -160,7 +160,7 @@ impl Neg for Traced {
     }
 }
 
-/// An operator of two numbers, and of a number and an `f64` on its right.
+/// An operator on two numbers, and on a number with an `f64` on its right.
 macro_rules! operator {
     ($Op:ident $op:ident $Assign:ident $assign:ident: |$x:ident, $y:ident| $value:expr, $by:expr) => {
         impl $Op for Traced {
@@ -266,7 +266,7 @@ mod tests {
     use super::{Gradient, Traced, gradients};
     use crate::{Duals, Real};
 
-    /// Every operation, of three numbers.
+    /// Every operation, on three numbers.
     fn formulas<T: Real>([x, y, z]: [T; 3]) -> Vec<T> {
         let (sin, cos) = (x * 3.0).sin_cos();
         let mut sum = (sin / (y + 2.0) - cos * z).abs().sqrt().atan2(x);
@@ -303,8 +303,7 @@ mod tests {
         gradients(&inputs, |inputs| Ok::<_, ()>(formula(inputs.try_into().unwrap()))).unwrap()
     }
 
-    /// [`Duals`]' derivatives are those of the other direction, and stand in their own tests against known
-    /// ones.
+    /// [`Duals`] differentiate in forward mode; their own tests compare them with known derivatives.
     #[test]
     fn all_derivatives_at_once_are_those_by_one_input_at_a_time() {
         for inputs in [[0.7, 1.3, -0.4], [1.4, 0.2, 2.5], [0.1, 3.0, 1.0]] {

@@ -1,4 +1,4 @@
-//! Sine, cosine, arctangent, logarithm and exponential against 256-bit arithmetic, their identities and
+//! Sine, cosine, arctangent, logarithm and exponential compared with 256-bit arithmetic, their identities and
 //! special values, and their bits.
 #![expect(clippy::unwrap_used, reason = "clippy's exemption for tests leaves out the helpers beside them")]
 #![expect(clippy::disallowed_methods, reason = "powers of two are exact")]
@@ -9,17 +9,18 @@ use real::elementary::{SIN_COS_LIMIT, atan2, ceil, exp, ln, sin_cos, sqrt};
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, LN_2, PI, SQRT_2};
 use std::hint::black_box;
 
-/// (ulp) what the documentation of `sin_cos` says was found.
+/// (ulp) greatest error documented for `sin_cos`.
 const SIN_COS_BOUND: f64 = 0.8;
-/// (ulp) what the documentation of `atan2` says was found.
+/// (ulp) greatest error documented for `atan2`.
 const ATAN2_BOUND: f64 = 0.7;
 
-/// (ulp) what the documentation of `ln` says was found.
+/// (ulp) greatest error documented for `ln`.
 const LN_BOUND: f64 = 0.7;
-/// (ulp) what the documentation of `exp` says was found.
+/// (ulp) greatest error documented for `exp`.
 const EXP_BOUND: f64 = 0.95;
 
-/// (bit) of the reference values: 53, and what cancels next to a multiple of π/2, twice over.
+/// (bit) precision of the reference values: twice the 53 bits and those that cancel next to a multiple of
+/// π/2.
 const PRECISION: usize = 256;
 const NEAREST: RoundingMode = RoundingMode::ToEven;
 
@@ -27,8 +28,8 @@ fn big(x: f64) -> BigFloat {
     if x == 0.0 || !x.is_subnormal() {
         return BigFloat::from_f64(x, PRECISION);
     }
-    // astro-float-num 0.3.7 reads a subnormal number as half of what it is, so it gets a normal one and the
-    // exponent afterwards.
+    // astro-float-num 0.3.7 reads a subnormal number as half of its value, so it is given a normal one, and
+    // the exponent afterwards.
     let mut scaled = BigFloat::from_f64(x * 2.0_f64.powi(200), PRECISION);
     scaled.set_exponent(scaled.exponent().unwrap() - 200);
     scaled
@@ -49,7 +50,7 @@ fn ulps(value: f64, exact: &BigFloat) -> f64 {
     leading / word.exp2() * f64::from(difference.exponent().unwrap() - last_place).exp2()
 }
 
-/// The greatest error met, and where.
+/// The greatest error found, and its argument.
 struct Worst<A> {
     ulps: f64,
     at: Option<A>,
@@ -69,8 +70,8 @@ impl<A: Copy + std::fmt::Debug> Worst<A> {
         }
     }
 
-    /// Below the bound, and not for want of samples: some error must be at least the half ulp of a rounding,
-    /// nearly.
+    /// Below the bound, but not for lack of samples: some error must be nearly half an ulp, that of a
+    /// rounding.
     fn assert_below(&self, bound: f64) {
         let Self { ulps, at, count } = self;
         assert!(*ulps <= bound, "{ulps} ulp at {at:?} passes the bound of {bound}");
@@ -94,7 +95,7 @@ impl Oracle {
         Self { constants, pi }
     }
 
-    /// Error of the sine and of the cosine, the greater.
+    /// The greater of the errors of sine and cosine.
     fn sin_cos_error(&mut self, x: f64) -> f64 {
         let (sin, cos) = sin_cos(x);
         let sin_exact = big(x).sin(PRECISION, NEAREST, &mut self.constants);
@@ -218,7 +219,7 @@ fn sin_cos_where_the_quadrant_changes() {
     worst.assert_below(SIN_COS_BOUND);
 }
 
-/// Where r is nearest to ±π/4, the roundings of r² and r³ weigh most.
+/// For r nearest to ±π/4 the roundings of r² and r³ matter most.
 #[test]
 fn sin_cos_where_the_error_peaks() {
     let mut oracle = Oracle::new();
@@ -277,8 +278,8 @@ fn sin_cos_of_special_values() {
     assert_eq!(bits(sin_cos(0.0)), bits((0.0, 1.0)));
     assert_eq!(bits(sin_cos(-0.0)), bits((-0.0, 1.0)));
     assert_eq!(sin_cos(f64::from_bits(1)), (f64::from_bits(1), 1.0));
-    // What the f64 nearest to π, 3.141592653589793115997963468544…, lacks of π =
-    // 3.141592653589793238462643383279… (OEIS A000796).
+    // The difference of π = 3.141592653589793238462643383279… (OEIS A000796) from the nearest f64,
+    // 3.141592653589793115997963468544….
     assert_eq!(sin_cos(PI), (1.224_646_799_147_353_2e-16, -1.0));
     assert_eq!(sin_cos(FRAC_PI_2), (1.0, 6.123_233_995_736_766e-17));
 
@@ -300,7 +301,7 @@ fn atan2_in_all_directions() {
     for _ in 0..20_000 {
         let (y, x) = (random.signed_unit(), random.signed_unit());
         worst.note((y, x), oracle.atan2_error(y, x));
-        // Ratios to 2³⁰, where the quotient is corrected and where it is not.
+        // Ratios up to 2³⁰, with and without correction of the quotient.
         let (y, x) = (random.with_exponent(1007, 1039), random.with_exponent(1007, 1039));
         worst.note((y, x), oracle.atan2_error(y, x));
     }
@@ -321,7 +322,7 @@ fn atan2_of_the_greatest_and_the_least_numbers() {
     }
     for _ in 0..2000 {
         let (y, x) = (random.finite(), random.finite());
-        // Where the angle itself is below the least f64, the oracle has no last place to offer.
+        // If the angle itself is below the least f64, the oracle has no last place.
         if y.abs().log2() - x.abs().log2() > -1074.0 || x < 0.0 {
             worst.note((y, x), oracle.atan2_error(y, x));
         }
@@ -339,13 +340,12 @@ fn atan2_whose_angle_is_subnormal() {
         let shift = random.bits() % 51;
         let (y, x) = (random.with_exponent(400, 400), random.with_exponent(1422, 1422 + shift).abs());
         worst.note((y, x), oracle.atan2_error(y, x));
-        // A subnormal number over one near 1: here a correction of the quotient would itself be lost to
-        // underflow.
+        // A subnormal number over one near 1: a correction of the quotient would be lost to underflow.
         let (y, x) = (random.with_exponent(0, 2), random.with_exponent(1022, 1026).abs());
         worst.note((y, x), oracle.atan2_error(y, x));
     }
     worst.assert_below(ATAN2_BOUND);
-    // 2⁻¹⁰⁷⁴/2 is a tie, which goes to even; what is below it goes to zero, with the sign of y.
+    // 2⁻¹⁰⁷⁴/2 is a tie, which goes to even; smaller values go to zero, with the sign of y.
     assert_eq!(atan2(f64::from_bits(3), 2.0), f64::from_bits(2));
     assert_eq!(atan2(-f64::MIN_POSITIVE, f64::MAX).to_bits(), (-0.0_f64).to_bits());
 }
@@ -370,7 +370,7 @@ fn atan2_where_the_formula_changes() {
     worst.assert_below(ATAN2_BOUND);
 }
 
-/// Next to the fold the polynomial has its longest way, and its roundings weigh most.
+/// Next to the fold the polynomial's argument is greatest, and its roundings matter most.
 #[test]
 fn atan2_where_the_error_peaks() {
     let mut oracle = Oracle::new();
@@ -428,7 +428,7 @@ fn ln_of_all_positive_numbers() {
     let mut worst = Worst::new();
     let mut random = Random(10);
     for _ in 0..20_000 {
-        // From the least subnormal number to the greatest of all, and then the subnormal ones alone.
+        // From the least subnormal number to the greatest of all, then only subnormal ones.
         let x = random.with_exponent(0, 2046).abs();
         worst.note(x, oracle.ln_error(x));
         let x = random.with_exponent(0, 0).abs();
@@ -507,14 +507,14 @@ fn ln_and_exp_of_special_values() {
     assert!(exp(f64::NAN).is_nan());
 }
 
-/// Any bits at all: infinities, NaN and subnormal numbers too.
-/// IEEE 754 asks for the correctly rounded root, and processors give it.
+/// Arbitrary bits, including infinities, NaN and subnormal numbers.
+/// IEEE 754 requires the correctly rounded root, and processors give it.
 #[test]
 fn sqrt_is_that_of_the_processor() {
     let mut random = Random(12);
     let special = [0.0, 1.0, 2.0, 4.0, 1.0_f64.next_up(), 1.0_f64.next_down(), f64::MAX, f64::INFINITY];
     let least = [f64::MIN_POSITIVE, f64::MIN_POSITIVE.next_down(), f64::from_bits(1), f64::from_bits(3)];
-    // Squares, whose roots are exact, and what lies beside them.
+    // Squares, whose roots are exact, and their neighbours.
     let squares: Vec<f64> = (0..20_000)
         .map(|_| random.with_exponent(700, 1300).abs())
         .map(|x| f64::from_bits(x.to_bits() & !((1 << 27) - 1)))
@@ -585,13 +585,13 @@ proptest! {
     #[test]
     fn arctangent_undoes_sine_and_cosine(angle in -PI..PI, length in 1e-300..1e300) {
         let (sin, cos) = sin_cos(angle);
-        // Each of the roundings turns the vector by less than ε; an ulp of the angle is at most 2ε.
+        // Each rounding turns the vector by less than ε; an ulp of the angle is at most 2ε.
         prop_assert!((atan2(length * sin, length * cos) - angle).abs() <= 4.0 * f64::EPSILON);
     }
 
     #[test]
     fn logarithm_undoes_exponential(x in -700.0..700.0_f64) {
-        // An ulp of the power moves its logarithm by at most ε, and the logarithm is rounded itself.
+        // An ulp of the power moves its logarithm by at most ε, and the logarithm itself is rounded.
         prop_assert!((ln(exp(x)) - x).abs() <= 2.0 * f64::EPSILON * (1.0 + x.abs()));
     }
 
@@ -634,11 +634,11 @@ fn the_hash_is_right() {
     assert_eq!(fnv1a(FNV_START, b"foobar"), 0x8594_4171_F739_67E8);
 }
 
-/// The pins say nothing about accuracy, which the tests above measure. They guarantee that the bits stay: 100
-/// 000 sines and cosines and 100 000 arctangents, logarithms and exponentials each are the same on every
-/// platform, at every optimisation level and after every change of compiler. A red pin means that reports
-/// made before and after (or here and there) may differ in their last digits: find out why, and renew it only
-/// for a change of the functions that was meant.
+/// The pins do not test accuracy, which the tests above measure. They guarantee unchanged bits: 100 000 sines
+/// and cosines and 100 000 arctangents, logarithms and exponentials each are the same on every platform, at
+/// every optimisation level and after every change of compiler. A failing pin means that reports from
+/// different versions or machines may differ in their last digits: find out why, and renew it only for an
+/// intended change of the functions.
 #[test]
 fn bits_are_pinned() {
     let mut random = Random(0x5EED);

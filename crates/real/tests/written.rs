@@ -1,4 +1,4 @@
-//! What is written with the feature `serde` is read again as the same.
+//! Values written with the feature `serde` are read back unchanged.
 
 use oracle::written::assert_again;
 use serde_json::{json, to_value};

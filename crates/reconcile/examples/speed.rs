@@ -1,4 +1,4 @@
-//! The speed at which the impact takes the crush energy, on both energy bases.
+//! The speed at which the impact absorbs the crush energy, on both energy bases.
 
 #![allow(clippy::print_stdout, reason = "an example shows its result")]
 
@@ -30,13 +30,13 @@ pub(crate) fn main() -> Result<(), Box<dyn Error>> {
         };
         let answer = problem.solve()?;
         println!("{basis:?}: {:.2} m/s, of {} admissible", answer.speed, answer.admissible);
-        // What was sought is what the impact does.
+        // The impact does the work that was sought.
         assert!((answer.outcome.energy.normal_work - problem.normal_work_sought()).abs() < 1e-6);
         speeds.push(answer.speed);
     }
     // The paper takes the energy as dissipated and prints 22.9 m/s.
     assert!((speeds[0] - 22.9).abs() <= 0.05);
-    // Of absorbed energy, restitution gives e² back, so that less has to be brought along.
+    // Restitution returns e² of the absorbed energy, so a lower speed is enough.
     assert!(speeds[1] < speeds[0]);
     Ok(())
 }

@@ -1,4 +1,4 @@
-//! What a search for the speed finds.
+//! The result of a search for the speed.
 
 use pim_core::{Law, Outcome, Real};
 
@@ -6,10 +6,10 @@ use crate::brent::MAX_STEPS;
 use crate::error::ReconcileError;
 use crate::problem::Problem;
 
-/// (m/s) no vehicle is faster: beyond, a root is one of the equations alone.
+/// (m/s) no vehicle is faster: roots beyond are solutions of the equations only.
 pub const FASTEST: f64 = 1000.0;
 
-/// The answer: the speed, and the impact that it makes.
+/// The answer: the speed, and its impact.
 #[derive(Clone, Copy, Debug)]
 #[non_exhaustive]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
@@ -21,20 +21,19 @@ pub const FASTEST: f64 = 1000.0;
     ))
 )]
 pub struct Reconciliation<T = f64> {
-    /// (m/s) the speed found, along the vehicle's course. Of several admissible speeds, the one with the
+    /// (m/s) the speed found, along the vehicle's course: of several admissible speeds, the one with the
     /// slowest approach.
     pub speed: T,
-    /// How many speeds are admissible: [`Problem::speeds`] lists them.
+    /// Number of admissible speeds, which [`Problem::speeds`] lists.
     pub admissible: usize,
-    /// The law at the speed found: the given one, with the restitution of this closing speed where that
-    /// varies.
+    /// The law at the speed found: the given one, with the restitution at this closing speed if it varies.
     pub law: Law<T>,
-    /// The law without a friction limit that acts at the speed found, see [`Law::acting`]: `law` itself where
-    /// that has no limit.
+    /// The law without a friction limit that acts at the speed found, see [`Law::acting`]: `law` itself if it
+    /// has no limit.
     pub acting: Law<T>,
     /// The impact at the speed found.
     pub outcome: Outcome<T>,
-    /// (J) the work that was sought, W_n + λ W_t: the crush energy on the basis `dissipated`.
+    /// (J) the work sought, W_n + λ W_t: the crush energy on the basis `dissipated`.
     pub normal_work: T,
     /// How the speed was found.
     pub method: SolutionMethod,
@@ -42,13 +41,13 @@ pub struct Reconciliation<T = f64> {
 
 /// How a speed was found.
 ///
-/// Matched without a catch-all arm wherever a case differs, so that a new one does not compile before it is
-/// decided there; adding one is a breaking change.
+/// Code that depends on the variant matches without a catch-all arm, so that a new one must be decided there
+/// before it compiles; adding one is a breaking change.
 #[derive(Clone, Copy, Debug)]
 #[expect(clippy::large_enum_variant, reason = "a box would be an allocation")]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum SolutionMethod {
-    /// W_n is quadratic in the speed, or is so piece by piece.
+    /// W_n is quadratic in the speed, possibly piecewise.
     ClosedForm,
     /// Newton's method or Brent's.
     RootFinder(Iterations),
@@ -77,11 +76,11 @@ impl core::fmt::Debug for Iterations {
     }
 }
 
-/// What a search keeps of its steps.
+/// The record that a search keeps of its steps.
 pub(crate) trait Trail {
     fn none() -> Self;
 
-    /// One more, which is computed only where it is kept.
+    /// Adds a step, which is computed only if it is kept.
     fn push(&mut self, step: impl FnOnce() -> Iteration);
 }
 
@@ -98,7 +97,7 @@ impl Trail for Iterations {
     }
 }
 
-/// Nothing: with its steps an answer is a kilobyte.
+/// Keeps nothing: with its steps an answer takes a kilobyte.
 impl Trail for () {
     fn none() -> Self {}
 
@@ -106,14 +105,14 @@ impl Trail for () {
 }
 
 impl Iterations {
-    /// The steps in the order in which they were made.
+    /// The steps in order.
     #[must_use]
     pub fn as_slice(&self) -> &[Iteration] {
         &self.steps[..self.count]
     }
 }
 
-/// A list of the steps, as many as there are.
+/// Written as a list of the steps taken.
 #[cfg(feature = "serde")]
 impl serde::Serialize for Iterations {
     fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
@@ -152,13 +151,13 @@ impl<'de> serde::de::Visitor<'de> for Steps {
     }
 }
 
-/// Whether a speed is one of the equations alone.
+/// Whether no vehicle can have this speed.
 #[inline(always)]
 pub(crate) fn is_too_fast<T: Real>(speed: T) -> bool {
     speed.abs() > T::from(FASTEST)
 }
 
-/// The answer of a search, with what is kept of its steps.
+/// The answer of a search, with its recorded steps.
 pub(crate) struct Found<T, S> {
     pub(crate) speed: T,
     admissible: usize,
@@ -181,15 +180,15 @@ impl<T: Real, S> Found<T, S> {
     }
 }
 
-/// Which speeds a search is for.
+/// The speeds that a search has to find.
 #[derive(Clone, Copy, PartialEq)]
 pub(crate) enum Wanted {
     First,
-    /// The first, and how many there are.
+    /// The first, and the number of all.
     All,
 }
 
-/// Judges the speeds that give the energy, in the order of their approach.
+/// Checks the speeds that give the energy, in the order of their approach speeds.
 pub(crate) struct Search<'a, T, S> {
     problem: &'a Problem<T>,
     wanted: Wanted,
@@ -224,7 +223,7 @@ impl<'a, T: Real, S> Search<'a, T, S> {
         }
     }
 
-    /// Whether what is wanted is found.
+    /// Whether the search has found all that is wanted.
     pub(crate) fn is_done(&self) -> bool {
         self.wanted == Wanted::First && self.first.is_some()
     }

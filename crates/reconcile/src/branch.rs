@@ -1,4 +1,4 @@
-//! The laws without a limit of which one acts.
+//! The law without a limit that acts in a piece.
 
 use pim_core::Law;
 

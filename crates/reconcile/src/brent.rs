@@ -2,12 +2,12 @@
 
 use real::Real;
 
-/// Most evaluations that [`brent`] makes beyond the two at the ends of the bracket. Halving alone resolves a
-/// bracket to double precision in 53 steps, and interpolation that is of no use leaves that many.
+/// Maximum number of evaluations in [`brent`] after the two at the ends of the bracket. Halving alone
+/// resolves a bracket to double precision in 53 steps, and useless interpolations leave that many.
 pub const MAX_STEPS: usize = 64;
 
-/// 2⁶⁰: more than this many times its resolution is a bracket that halving has to begin with at once, to be
-/// done two steps before the last.
+/// 2⁶⁰: a bracket longer than this many times its resolution must be halved at once, for halving to finish
+/// two steps before the last.
 const HALVING_REACH: f64 = (1_u64 << (MAX_STEPS - 4)) as f64;
 
 /// Why there is no root.
@@ -18,7 +18,7 @@ pub enum RootError {
         /// Values at the ends.
         ends: [f64; 2],
     },
-    /// [`MAX_STEPS`] were not enough.
+    /// [`MAX_STEPS`] evaluations were not enough.
     NotConverged {
         /// Last point tried.
         last: f64,
@@ -30,15 +30,15 @@ pub enum RootError {
 /// A root of `f` between `a` and `b`, at which `f` must have opposite signs; an end that is a root is
 /// returned at once.
 ///
-/// Guarantee: the root stays bracketed throughout, and the answer lies within `tolerance`, plus 4 units of
-/// rounding of its size, of a change of sign. Every evaluation between the ends goes to `observe` as (x,
-/// f(x)).
+/// Guarantee: the root stays bracketed throughout, and the answer lies within `tolerance`, plus four rounding
+/// units of its magnitude, of a change of sign. Every evaluation between the ends is passed to `observe` as
+/// (x, f(x)).
 ///
 /// # References
 /// R. P. Brent, *Algorithms for Minimization without Derivatives* (1973), chapter 4.
 ///
 /// # Errors
-/// [`RootError`] where the signs are equal or a value is NaN, or where [`MAX_STEPS`] do not reach the
+/// [`RootError`] if the signs are equal, a value is NaN, or [`MAX_STEPS`] evaluations do not reach the
 /// tolerance.
 pub fn brent(
     f: impl Fn(f64) -> f64,
@@ -50,7 +50,7 @@ pub fn brent(
     brent_between(f, ends, tolerance, observe)
 }
 
-/// The same between ends whose values are known: each is (x, f(x)).
+/// Like [`brent`], with known values at the ends: each is (x, f(x)).
 pub(crate) fn brent_between(
     f: impl Fn(f64) -> f64,
     [(mut a, mut fa), (mut b, mut fb)]: [(f64, f64); 2],
@@ -86,7 +86,7 @@ pub(crate) fn brent_between(
         if half.abs() <= resolution || fb == 0.0 {
             return Ok(b);
         }
-        // Brent's own bound on the steps is the square of that of halving.
+        // Brent's own bound on the number of steps is the square of that of halving.
         let must_halve = half.abs() > resolution * halving_reach;
         halving_reach *= 0.5;
         let (trial, reach) = if must_halve || previous_step.abs() < resolution || fa.abs() <= fb.abs() {
@@ -94,7 +94,8 @@ pub(crate) fn brent_between(
         } else {
             let interpolated = interpolate([a, b, c], [fa, fb, fc]);
             let limit = (1.5 * half).abs() - 0.5 * resolution;
-            // Towards c, not past three quarters of the way, and less than half the step before last.
+            // Towards c, at most three quarters of the distance to it, and less than half the step before
+            // last.
             if interpolated * half > 0.0
                 && interpolated.abs() < limit
                 && 2.0 * interpolated.abs() < previous_step.abs()
@@ -120,9 +121,9 @@ pub(crate) fn brent_between(
 /// The ends of a narrowed bracket are within this factor of each other, 2^¼.
 const NARROW: f64 = 1.189_207_115_002_721;
 
-/// A bracket of the same change of sign with ends of nearly one size, from one whose lower end is zero or
-/// more; each end is (x, f(x)). [`brent`] resolves a root relative to its size, and may need more than
-/// [`MAX_STEPS`] for one that is small beside its bracket.
+/// Narrows a bracket with a lower end of zero or more until its ends have nearly the same size; each end is
+/// (x, f(x)). [`brent`] resolves a root relative to its size, and may need more than [`MAX_STEPS`] if the
+/// root is small compared with its bracket.
 pub(crate) fn narrowed(f: impl Fn(f64) -> f64, [mut low, mut high]: [(f64, f64); 2]) -> [(f64, f64); 2] {
     let below = low.1 < 0.0;
     while high.0 > NARROW * low.0 {
@@ -140,7 +141,7 @@ pub(crate) fn narrowed(f: impl Fn(f64) -> f64, [mut low, mut high]: [(f64, f64);
     [low, high]
 }
 
-/// The step from b at which the inverse parabola through the three points (a secant where a = c) is zero.
+/// The step from b to the zero of the inverse parabola through the three points (a secant if a = c).
 fn interpolate([a, b, c]: [f64; 3], [fa, fb, fc]: [f64; 3]) -> f64 {
     let s = fb / fa;
     let (p, q) = if a == c {

@@ -1,4 +1,4 @@
-//! The speed in closed form, where W_n is quadratic in it.
+//! The speed in closed form, for laws under which W_n is quadratic in it.
 
 use pim_core::{ImpactError, Law, LawImpulse, Outcome, Real, Tangential};
 
@@ -7,21 +7,21 @@ use crate::error::ReconcileError;
 use crate::posed::Posed;
 use crate::problem::Problem;
 
-/// Two roots within this relative distance of each other, of which one is that of a law that does not act
-/// there, are one at the border of two laws.
+/// Two roots within this relative distance, one of which belongs to a law that does not act there, are the
+/// same root at the border of two laws.
 const SAME: f64 = 1e-6;
 
-/// A law that does not act at a root of its own has the border there where the law that does act misses the
-/// value sought by no more than this share, which is rounding.
+/// A law that does not act at its own root has a border there if the law that does act misses the value
+/// sought by at most this fraction, which is rounding.
 const AT_BORDER: f64 = 1e-12;
 
-/// Roots within this relative distance of each other are one. Rounding decides whether a quadratic has two
-/// that near, and moves by less than that a root at the border of two laws, which both then have.
+/// Roots within this relative distance are the same root. Rounding decides whether a quadratic has two roots
+/// that close, and moves a root that two laws share at their border by less.
 const APART: f64 = 1e-9;
 
 impl<T: Real> Problem<T> {
-    /// The answer in closed form, or `None` where W_n is not quadratic in the speed, not even piece by piece:
-    /// a fraction of μ_c makes it cubic, and a restitution that varies changes what is sought.
+    /// The answer in closed form, or `None` if W_n is not quadratic in the speed, not even piecewise: a
+    /// fraction of μ_c makes it cubic, and a varying restitution changes the value sought.
     ///
     /// # Errors
     /// [`ReconcileError`].
@@ -33,25 +33,25 @@ impl<T: Real> Problem<T> {
         })
     }
 
-    /// W_n as a quadratic of the approach speed under the law that [acts](Reconciliation::acting), or `None`
-    /// under one that has a limit or takes a fraction of μ_c: what the closed form is solved from.
+    /// W_n as a quadratic in the approach speed under the law that [acts](Reconciliation::acting), from which
+    /// the closed form is solved; `None` for a law with a limit or a fraction of μ_c.
     #[must_use]
     pub fn quadratic(&self, acting: &Law<T>) -> Option<Quadratic<T>> {
         acting.is_affine().then(|| Posed { problem: self, line: self.line() }.quadratic(acting))
     }
 
-    /// Impulse and sliding over the approach speed, or `None` as for [`quadratic`](Self::quadratic): what a
-    /// share of the tangential work adds to that.
+    /// Impulse and sliding as functions of the approach speed, which a share of the tangential work adds to
+    /// the [`quadratic`](Self::quadratic); `None` for the same laws.
     #[must_use]
     pub fn affine_impact(&self, acting: &Law<T>) -> Option<AffineImpact<T>> {
         acting.is_affine().then(|| Posed { problem: self, line: self.line() }.affine_impact(acting))
     }
 
-    /// Like [`solve`](Problem::solve), but in place of an error it returns a validity flag, so that loops
-    /// over many samples vectorise: the speed with the slowest approach that a closed form or a cubic with
-    /// one root gives, its impact, and whether a collision can be so. Where the flag is set, the answer has
-    /// the same bits. It is not set wherever `solve` may still find one: under a law that takes a search, at
-    /// a faster approach, or where rounding decides whether friction suffices.
+    /// Like [`solve`](Problem::solve), but returns a validity flag in place of an error, so that loops over
+    /// many samples vectorise: the speed with the slowest approach from a closed form or a cubic with one
+    /// root, its impact, and whether a collision can have it. If the flag is set, the answer has the same
+    /// bits. If it is not, `solve` may still find an answer: by a search, at a faster approach, or if
+    /// rounding decides whether friction suffices.
     #[inline(always)]
     #[must_use]
     pub fn solve_with_validity(&self) -> (T, Outcome<T>, bool) {
@@ -59,9 +59,9 @@ impl<T: Real> Problem<T> {
         (speed, outcome, is_answer)
     }
 
-    /// Like [`solve_with_validity`](Self::solve_with_validity), with a second flag: whether `solve` surely
-    /// has no answer, as at the only speed that gives the crush energy no push has the critical ratio, of
-    /// which the law takes a fraction.
+    /// Like [`solve_with_validity`](Self::solve_with_validity), with a second flag: whether `solve` certainly
+    /// has no answer, because no push has the critical ratio, of which the law takes a fraction, at the only
+    /// speed that gives the crush energy.
     #[inline(always)]
     #[must_use]
     pub fn solve_with_verdict(&self) -> (T, Outcome<T>, [bool; 2]) {
@@ -77,7 +77,7 @@ impl<T: Real> Problem<T> {
         (speed, outcome, [is_answer, is_considered & pulls])
     }
 
-    /// Whether W_n is quadratic in the speed, at all speeds or piece by piece.
+    /// Whether W_n is quadratic in the speed, at all speeds or piecewise.
     #[inline(always)]
     pub(crate) fn has_closed_form(&self) -> bool {
         let law = self.law.nominal();
@@ -86,7 +86,7 @@ impl<T: Real> Problem<T> {
 }
 
 impl<T: Real> Posed<'_, T> {
-    /// The speed that an approach speed belongs to, the impact at it, and whether that can be the answer.
+    /// The speed that gives an approach speed, its impact, and whether it can be the answer.
     #[inline(always)]
     pub(crate) fn answer_at(self, x: T) -> (T, Outcome<T>, bool) {
         let Self { problem, line } = self;
@@ -107,7 +107,7 @@ impl<T: Real> Posed<'_, T> {
         }
     }
 
-    /// The answer among some approach speeds.
+    /// Selects the answer among approach speeds.
     #[inline(always)]
     fn judged(
         self,
@@ -124,7 +124,7 @@ impl<T: Real> Posed<'_, T> {
                 break;
             }
         }
-        // A jam leaves no root at all: say so rather than that none was found.
+        // A jam leaves no root at all: report the jam rather than that no root was found.
         let law = problem.law.nominal();
         if !has_root
             && let Tangential::Ratio(_) = law.tangential()
@@ -145,7 +145,7 @@ impl<T: Real> Posed<'_, T> {
         }
     }
 
-    /// The same under a friction limit.
+    /// The approach speeds at which W_n has the value sought, under a friction limit.
     fn approaches_under(self, law: &Law<T>, limit: T) -> Approaches<T> {
         let mut approaches = Approaches::none();
         let mut at_borders = Approaches::none();
@@ -165,8 +165,8 @@ impl<T: Real> Posed<'_, T> {
         approaches
     }
 
-    /// The slowest of these, or the only one under a law that has a cubic; something that is [no
-    /// root](is_root) under any other law, where there is none, or where rounding decides which they are.
+    /// The slowest of the approach speeds, or the only root of a cubic. The result is [no root](is_root)
+    /// under any other law, if there is none, or if rounding decides which law acts.
     #[inline(always)]
     fn slowest_approach(self) -> T {
         if !self.problem.has_closed_form() {
@@ -178,7 +178,7 @@ impl<T: Real> Posed<'_, T> {
             return if is_root(low) { low } else { high };
         };
         let [sticking, pushed, pulled] = branches(&law, limit);
-        // A loop over them would not become one over lanes.
+        // A loop over the branches would keep the caller's loop from vectorising.
         let [a, b, c] = [
             self.slowest_of(&law, &sticking),
             self.slowest_of(&law, &pushed),
@@ -187,8 +187,8 @@ impl<T: Real> Posed<'_, T> {
         a.min(b).min(c)
     }
 
-    /// The slowest approach speed at which one of the [`branches`] of a law with a limit acts; infinite where
-    /// there is none, zero where rounding decides.
+    /// The slowest approach speed at which one of the [`branches`] of a law with a limit acts; infinite if
+    /// there is none, zero if rounding decides.
     #[inline(always)]
     fn slowest_of(self, law: &Law<T>, acting: &Law<T>) -> T {
         let [a, b] = self.quadratic(acting).roots();
@@ -202,8 +202,8 @@ impl<T: Real> Posed<'_, T> {
         if is_root(x) & is_at_border { T::ZERO } else { speed }
     }
 
-    /// Of one of the [`branches`] of a law with a limit, at an approach speed that is a root of it: whether
-    /// it acts there, and whether it does not by rounding alone.
+    /// Whether one of the [`branches`] of a law with a limit acts at its root x, and whether only rounding
+    /// keeps it from acting.
     #[inline(always)]
     fn acts(self, law: &Law<T>, acting: &Law<T>, x: T) -> [bool; 2] {
         let (own, other) = (self.impulse_at(law, x), self.impulse_at(acting, x));
@@ -246,7 +246,7 @@ impl<T: Real> Posed<'_, T> {
         }
     }
 
-    // Methods and not closures: a closure may stay a call, and a loop with a call does not vectorise.
+    // Methods, because a closure may not be inlined, and a loop with a call does not vectorise.
 
     #[inline(always)]
     pub(crate) fn impulse_at(self, law: &Law<T>, x: T) -> LawImpulse<T> {
@@ -260,8 +260,8 @@ impl<T: Real> Posed<'_, T> {
     }
 }
 
-/// Impulse and sliding under a law without a limit, at the approach speed x = −u_n in which both are affine.
-/// Of each, the value where the vehicles just touch and the growth with x.
+/// Impulse and sliding under a law without a limit, both affine in the approach speed x = −u_n: for each the
+/// value at x = 0, where the vehicles just touch, and the slope.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct AffineImpact<T = f64> {
@@ -283,25 +283,25 @@ impl<T: Real> AffineImpact<T> {
     }
 }
 
-/// The condition on the approach speed x = −u_n where P_n is affine in it, P_n = α x + β.
+/// The condition on the approach speed x = −u_n under a law for which P_n is affine in it, P_n = α x + β.
 ///
-/// With W_n = ½ (1−e) x P_n it is α x² + β x = c. Where the crush takes a share λ of the tangential work,
+/// With W_n = ½ (1−e) x P_n it is α x² + β x = c. If the crush takes a share λ of the tangential work,
 /// 2 λ W_t/(1−e) = −λ/(1−e) (α_t x + β_t)(η x + ζ) is added to the left side, with the numbers of an
-/// [`AffineImpact`]; the coefficients below have that in them.
+/// [`AffineImpact`]; the coefficients below include it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Quadratic<T = f64> {
     /// (kg) α = dP_n/dx.
     pub alpha: T,
-    /// (N·s) β = P_n where the vehicles just touch, x = 0.
+    /// (N·s) β = P_n at x = 0, where the vehicles just touch.
     pub beta: T,
     /// (J) c = 2 W_n/(1−e), with the normal work sought.
     pub c: T,
 }
 
 impl<T: Real> Quadratic<T> {
-    /// (m/s) the approach speeds that solve it, the lesser first; not numbers where there are none, and of no
-    /// use where not positive.
+    /// (m/s) the approach speeds that solve it, the lesser first; NaN if there are none, and meaningless
+    /// unless positive.
     #[inline(always)]
     fn roots(&self) -> [T; 2] {
         let Self { alpha, beta, c } = *self;
@@ -314,13 +314,13 @@ impl<T: Real> Quadratic<T> {
     }
 }
 
-/// The laws without a limit of which one acts in every impact under a law with this friction limit.
+/// The laws without a limit, one of which acts in any impact under a law with this friction limit.
 #[inline(always)]
 fn branches<T: Real>(law: &Law<T>, limit: T) -> [Law<T>; 3] {
     [law.without_limit(), law.with_ratio(-limit), law.with_ratio(limit)]
 }
 
-/// Approach speeds in ascending order, two for each law without a limit at most.
+/// Approach speeds in ascending order, at most two for each law without a limit.
 #[derive(Clone, Copy)]
 pub(crate) struct Approaches<T> {
     speeds: [T; 6],
@@ -332,7 +332,7 @@ impl<T: Real> Approaches<T> {
         Self { speeds: [T::ZERO; 6], count: 0 }
     }
 
-    /// The two that solve a quadratic, as far as they are roots.
+    /// The solutions of a quadratic that are roots.
     #[inline(always)]
     fn of(ascending: [T; 2]) -> Self {
         let mut approaches = Self::none();
@@ -349,8 +349,7 @@ impl<T: Real> Approaches<T> {
         self.count > 1
     }
 
-    /// One more, unless there is one no farther from it than that relative distance: of those the slower
-    /// stays.
+    /// Adds one, unless there is another within the given relative distance: of the two the slower is kept.
     fn insert(&mut self, x: T, apart: f64) {
         let there = &mut self.speeds[..self.count];
         if let Some(other) = there.iter_mut().find(|other| (**other - x).abs() <= x * apart) {
@@ -375,7 +374,7 @@ impl<T> IntoIterator for Approaches<T> {
     }
 }
 
-/// Whether this is the approach speed of a collision.
+/// Whether a collision can have this approach speed.
 #[inline(always)]
 fn is_root<T: Real>(x: T) -> bool {
     (x > T::ZERO) & x.is_finite()

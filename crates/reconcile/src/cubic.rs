@@ -1,13 +1,13 @@
-//! The speed under a fraction of μ_c without a moment impulse, where a cubic gives it.
+//! The speed under a fraction of μ_c without a moment impulse, as the root of a cubic.
 //!
 //! With the critical impulse c and d = k_nn c_n + f k_nt c_t, both affine in the approach speed x, P_n = c_n
 //! (1+e) x/d, so that W_n = ½ (1−e) x P_n has the value sought where
 //!
 //! ½ (1−e²) x² c_n − W_n d = 0
 //!
-//! Only where the critical impulse is a push, c_n > 0, is there a fraction of its ratio. By Descartes' rule
-//! one root alone lies there if the coefficients about the end of that range change sign once. Nearly all
-//! collisions are so; the others are left to [`Posed::roots`].
+//! A fraction of μ_c exists only if the critical impulse is a push, c_n > 0. By Descartes' rule that range
+//! has exactly one root if the coefficients about its end change sign once. This holds for nearly all
+//! collisions; the others are left to [`Posed::roots`].
 
 use pim_core::{Law, NormalTangential, Real, Tangential};
 
@@ -16,9 +16,9 @@ use crate::posed::Posed;
 use crate::root::{CONVERGED, Root, STEPS};
 
 impl Posed<'_> {
-    /// The only root, if that is known, with what is kept of the steps.
+    /// The only root, if it is known to be the only one, with the recorded steps.
     pub(crate) fn only_root<S: Trail>(self) -> Option<Root<S>> {
-        // Without friction there is no cubic; it would be solved in vain.
+        // Without friction there is no cubic to solve.
         if !matches!(self.problem.law.nominal().tangential(), Tangential::FractionOfCritical(f) if f > 0.0) {
             return None;
         }
@@ -26,7 +26,7 @@ impl Posed<'_> {
         if x.is_nan() || x <= 0.0 { None } else { Some(self.root_at_the_end_of(way, x)) }
     }
 
-    /// A root with what is kept of the way by which Newton's method found it.
+    /// A root with the recorded steps of Newton's method.
     pub(crate) fn root_at_the_end_of<S: Trail>(self, way: [f64; STEPS], x: f64) -> Root<S> {
         let (mut steps, mut before) = (S::none(), f64::NAN);
         for tried in way.into_iter().take_while(|tried| core::mem::replace(&mut before, *tried) != *tried) {
@@ -40,9 +40,9 @@ impl Posed<'_> {
 }
 
 impl<T: Real> Posed<'_, T> {
-    /// The only approach speed at which W_n has the value sought, and the way there; not a number, or no
-    /// positive one, where the law has no cubic, signs leave open whether it has one root alone, or Newton's
-    /// method does not converge.
+    /// The only approach speed at which W_n has the value sought, and the steps to it; NaN or not positive if
+    /// the law has no cubic, the signs do not show that the root is unique, or Newton's method does not
+    /// converge.
     #[inline(always)]
     pub(crate) fn root_of_cubic(self) -> (T, [T; STEPS]) {
         let nothing = (T::ZERO, [T::ZERO; STEPS]);
@@ -98,21 +98,20 @@ struct Cubic<T> {
 }
 
 impl<T: Real> Cubic<T> {
-    /// The approach speed from which on the critical impulse is a push, zero if there is none such.
+    /// The approach speed above which the critical impulse is a push; zero if there is none.
     #[inline(always)]
     fn first_push(&self) -> T {
         let [p_0, p_1] = self.push;
         if (p_0 < T::ZERO) & (p_1 > T::ZERO) { -p_0 / p_1 } else { T::ZERO }
     }
 
-    /// Whether there is one root alone above that: the coefficients that are not zero change sign once
-    /// (Descartes).
+    /// Whether there is exactly one root above `low`: the nonzero coefficients change sign once (Descartes).
     #[inline(always)]
     fn has_one_root_above(&self, low: T) -> bool {
         let [p_0, p_1] = self.push;
         let [j_0, j_1] = self.jam;
         // N(low + y) = (low + y)² (p + p₁ y) − (j + j₁ y)
-        // p is zero but for rounding where low is not.
+        // If low is not zero, p is, but for rounding.
         let p = if low > T::ZERO { T::ZERO } else { p_0 };
         let j = j_0 + j_1 * low;
         let third = p_1 > T::ZERO;
@@ -123,7 +122,7 @@ impl<T: Real> Cubic<T> {
         (p_1 != T::ZERO) & (a | b | c) & !(a & b) & !(a & c) & !(b & c)
     }
 
-    /// The root if d/c_n were the same at all approach speeds as at this one.
+    /// The root if d/c_n had the value at this approach speed at all others.
     #[inline(always)]
     fn with_friction_as_at(&self, x: T) -> T {
         let [p_0, p_1] = self.push;
@@ -131,7 +130,7 @@ impl<T: Real> Cubic<T> {
         ((j_0 + j_1 * x) / (p_0 + p_1 * x)).sqrt()
     }
 
-    /// (m/s) how far the polynomial's tangent leads from its root: N/N′.
+    /// (m/s) Newton's step N/N′ of the polynomial.
     #[inline(always)]
     fn newton(&self, x: T) -> T {
         let [p_0, p_1] = self.push;
@@ -142,7 +141,7 @@ impl<T: Real> Cubic<T> {
     }
 }
 
-/// Whether a coefficient is positive, or zero after one that is.
+/// Whether a coefficient is positive, or zero and the one before it counts as positive.
 #[inline(always)]
 fn sign_after<T: Real>(before: bool, c: T) -> bool {
     (c > T::ZERO) | ((c == T::ZERO) & before)
@@ -152,7 +151,7 @@ fn sign_after<T: Real>(before: bool, c: T) -> bool {
 mod tests {
     use super::*;
 
-    /// A polynomial all of whose roots are real has as many positive ones as changes of sign (Descartes).
+    /// A polynomial with only real roots has as many positive ones as changes of sign (Descartes).
     #[test]
     fn one_root_above_is_told_from_none_two_and_three() {
         let roots = [-7.0, -2.0, -0.5, 0.25, 1.0, 3.0, 11.0];
@@ -169,7 +168,7 @@ mod tests {
                     let above = [a, b, c].iter().filter(|root| **root > low).count();
                     assert_eq!(cubic.has_one_root_above(low), above == 1, "{a} {b} {c}");
                     counts[above] += 1;
-                    // With the signs changed the critical impulse is no push at fast approaches.
+                    // With reversed signs the critical impulse is no push at fast approaches.
                     let falling = Cubic { push: push.map(|c| -c), jam: jam.map(|c| -c) };
                     assert_eq!(falling.first_push(), 0.0);
                     let positive = [a, b, c].iter().filter(|root| **root > 0.0).count();

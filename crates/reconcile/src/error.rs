@@ -1,4 +1,4 @@
-//! Why no speed reconciles the crush energy with the impact.
+//! Errors: no speed reconciles the crush energy with the impact.
 
 use core::fmt::{self, Display};
 
@@ -9,7 +9,7 @@ use pim_core::{ImpactError, InvalidInput, VehicleId};
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum ReconcileError {
-    /// There is nothing to match.
+    /// There is no crush energy to match.
     #[error(
         "the crush energy is {energy} J, but must be greater than zero, because without crush there is no \
          speed to find; check \
@@ -28,7 +28,7 @@ pub enum ReconcileError {
         /// e.
         restitution: f64,
     },
-    /// The crush cannot take that share of the tangential work.
+    /// The crush cannot take this share of the tangential work.
     #[error(
         "the tangential share is {share}, but must lie between 0 and 1, and be 0 on the basis `absorbed`; \
          it is the share of the tangential work that the crush takes"
@@ -58,8 +58,8 @@ pub enum ReconcileError {
         /// Cosine of the angle between heading and normal.
         cosine: f64,
     },
-    /// W_n + λ W_t stays away from the crush energy at every speed of a vehicle (at most 1000 m/s) at which
-    /// the vehicles approach.
+    /// W_n + λ W_t does not reach the crush energy at any speed (up to 1000 m/s) at which the vehicles
+    /// approach.
     #[error(
         "no speed of vehicle {vehicle} up to 1000 m/s makes {} equal to {energy:.1} J while \
          the vehicles approach and push; check the contact points, the crush plane, the headings, the yaw rates, the \
@@ -74,14 +74,14 @@ pub enum ReconcileError {
         /// (–) λ.
         tangential_share: f64,
     },
-    /// A speed gives the energy, but no impact can happen like this.
+    /// A speed gives the energy, but the impact at that speed is impossible.
     #[error("at {speed:.4} m/s vehicle {vehicle} would give the crush energy, but: {reason}")]
     Inadmissible {
         /// Which vehicle.
         vehicle: VehicleId,
         /// (m/s) the speed.
         speed: f64,
-        /// What is wrong with the impact at that speed.
+        /// The reason why the impact at that speed is impossible.
         reason: ImpactError,
     },
     /// No impact is possible at any speed.
@@ -96,12 +96,12 @@ pub enum ReconcileError {
     NotConverged {
         /// (m/s) last speed tried.
         last: f64,
-        /// (J) what is missing there.
+        /// (J) the residual there.
         residual: f64,
     },
 }
 
-/// W_n + λ W_t in words, of the share λ.
+/// W_n + λ W_t in words, for the share λ.
 pub(crate) struct WorkSought(pub(crate) f64);
 
 impl Display for WorkSought {

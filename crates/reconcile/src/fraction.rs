@@ -1,10 +1,10 @@
-//! The impulse under a fraction of μ_c, as polynomials of some kind.
+//! The impulse under a fraction of μ_c, generic over the type of polynomial.
 
 use pim_core::InverseMass;
 
 use crate::polynomial::Ring;
 
-/// Numerators of P_n, P_t and M, and the denominator that they share: polynomials of some kind.
+/// Numerators of P_n, P_t and M, and their common denominator, as polynomials.
 pub(crate) struct Fraction<P> {
     pub(crate) push: P,
     pub(crate) slide: P,
@@ -18,13 +18,13 @@ pub(crate) struct Critical<P> {
     pub(crate) tangential: P,
 }
 
-/// Under a fraction f of μ_c.
+/// The polynomials whose zeros are jams under a fraction f of μ_c.
 pub(crate) struct Jams<P> {
-    /// d = k_nn c_n + f k_nt c_t: the contact jams where it is zero.
+    /// d = k_nn c_n + f k_nt c_t: the contact jams at its zero.
     pub(crate) normal: P,
     /// n = k_nm c_n + f k_tm c_t
     turn: P,
-    /// g = k_mm d − k_nm n: where it is zero, no moment impulse gives a common yaw rate.
+    /// g = k_mm d − k_nm n: at its zero no moment impulse gives a common yaw rate.
     pub(crate) moment: P,
 }
 

@@ -1,17 +1,17 @@
-//! The approach speeds at which W_n has the value sought, of a stretch of linear e in which signs alone
+//! The approach speeds at which W_n has the value sought, in a stretch of linear e in which signs alone
 //! isolate them.
 //!
 //! Under a law without a limit P_n is affine in the approach speed x and affine in e: P_n = p₀ + p_x x + e
 //! (p_e + p_ex x). A stretch is a line in the plane of x and e. On it the Bernstein coefficients of x, e and
-//! P_n are their values at its ends, and at the other two corners of the rectangle about it. Sums of products
+//! P_n are their values at its ends and at the other two corners of the enclosing rectangle. Sums of products
 //! of these are the Bernstein coefficients of
 //!
 //! F = ½ (1−e) x P_n − E on the basis `dissipated`, and F = ½ x P_n − (1+e) E on the basis `absorbed`.
 //!
-//! F has no root in the stretch if they do not change their sign, and one if they do so once (Descartes):
-//! that one is found by Newton's method. Under a friction limit each of the three laws of which one acts has
-//! such an F, and a root counts where its law acts. So are nearly all stretches searched, or halves of them;
-//! what this leaves open is left to the polynomials of the stretch's [pieces](crate::pieces).
+//! F has no root in the stretch if they do not change sign, and one if they change sign once (Descartes),
+//! which Newton's method finds. Under a friction limit each of the three possible laws has such an F, and a
+//! root counts if its law acts there. Nearly all stretches, or halves of them, are searched in this way; the
+//! rest are left to the polynomials of the stretch's [pieces](crate::pieces).
 
 use crash3::EnergyBasis;
 use pim_core::{InverseMass, Law, LawImpulse};
@@ -23,18 +23,17 @@ use crate::posed::Posed;
 use crate::root::{CONVERGED, STEPS};
 use crate::stretch::Stretch;
 
-/// A root has the energy sought within this share, which is rounding.
+/// Relative tolerance of the energy at a root, for rounding.
 const ENERGY_MATCH: f64 = 1e-12;
 
-/// A root of a law that does not act there misses the energy sought by more than this share under the law
-/// that does; less may be the rounding of a root at the border of two laws.
+/// If a law does not act at its root, the law that does misses the energy sought by more than this fraction;
+/// less may be the rounding of a root at the border of two laws.
 const ELSEWHERE: f64 = 1e-9;
 
-/// Two roots are farther apart than this relative distance; nearer, they may be one at the border of two
-/// laws.
+/// Minimum relative distance of two roots; closer ones may be one root at the border of two laws.
 const APART: f64 = 1e-9;
 
-/// What the search in a stretch needs of a problem.
+/// The data of a problem that the search in a stretch needs.
 #[derive(Clone, Copy)]
 pub(crate) struct Meeting {
     pub(crate) inverse_mass: InverseMass,
@@ -42,11 +41,11 @@ pub(crate) struct Meeting {
     /// (J)
     pub(crate) crush_energy: f64,
     pub(crate) basis: EnergyBasis,
-    /// (m/s) an approach speed of the size of a root.
+    /// (m/s) an approach speed of a root's order of magnitude.
     pub(crate) size: f64,
 }
 
-/// P_n under a law without a limit, over the approach speed x and e.
+/// P_n under a law without a limit, as a function of the approach speed x and e.
 #[derive(Clone, Copy)]
 pub(crate) struct Push {
     /// (N·s) p₀ and p_e.
@@ -65,7 +64,7 @@ impl Push {
         p_0 + p_x * x + e * (p_e + p_ex * x)
     }
 
-    /// (N·s) no less than any sum of its parts, up to an approach speed.
+    /// (N·s) an upper bound of the sum of its absolute terms up to an approach speed.
     #[inline(always)]
     fn size(&self, x: f64) -> f64 {
         let [p_0, p_e] = self.at_rest.map(f64::abs);
@@ -79,7 +78,7 @@ impl Push {
 pub(crate) struct Isolated {
     /// (m/s)
     pub(crate) x: f64,
-    /// The way there.
+    /// The steps to it.
     pub(crate) way: [f64; STEPS],
 }
 
@@ -89,22 +88,22 @@ impl Isolated {
     }
 }
 
-/// P_n under each of the laws without a limit of which one acts.
+/// P_n under each of the laws without a limit that may act.
 pub(crate) type Pushes = [Option<(Branch, Push)>; 3];
 
-/// How often the Bernstein coefficients of a polynomial change sign.
+/// Sign changes of the Bernstein coefficients of a polynomial.
 #[derive(Clone, Copy)]
 pub(crate) struct Changes {
-    /// Surely not at all.
+    /// Certainly none.
     pub(crate) none: bool,
-    /// Surely once.
+    /// Certainly exactly one.
     pub(crate) one: bool,
-    /// Whether rounding decides over none of the signs.
+    /// Whether all signs are certain despite rounding.
     pub(crate) is_sure: bool,
 }
 
 impl Changes {
-    /// Of these coefficients, of which rounding may decide over the sign of one no greater than `least`.
+    /// Counts the changes of these coefficients; the sign of one no greater than `least` is left to rounding.
     #[inline(always)]
     pub(crate) fn of([a, b, c, d, e]: [f64; 5], least: f64) -> Self {
         let is_sure =
@@ -112,20 +111,19 @@ impl Changes {
         let [a, b, c, d, e] = [a < 0.0, b < 0.0, c < 0.0, d < 0.0, e < 0.0];
         let (p, q, r, s) = (a != b, b != c, c != d, d != e);
         let none = !(p | q | r | s);
-        // Of an odd number of changes one alone if neither two of the first pair nor of the second, nor one
-        // of each.
+        // An odd number of changes is one unless both of the first pair or both of the second are changes.
         let one = (p ^ q ^ r ^ s) & !(p & q) & !(r & s);
         Self { none: is_sure & none, one: is_sure & one, is_sure }
     }
 }
 
-/// What a stretch has of roots.
+/// The roots of a stretch, as far as signs show them.
 pub(crate) enum Signs {
-    /// These.
+    /// The roots, isolated.
     Isolated(Roots),
-    /// Perhaps more than one under one law: fewer in each half.
+    /// Perhaps more than one under one law: halves may have fewer.
     Several,
-    /// Rounding may decide which.
+    /// Left to rounding.
     Unsure,
 }
 
@@ -205,7 +203,7 @@ impl Meeting {
         }
     }
 
-    /// (J) F = ½ w x P_n − s: what is sought, s.
+    /// (J) F = ½ w x P_n − s: the value sought s at the restitution e.
     #[inline(always)]
     pub(crate) fn sought(&self, e: f64) -> f64 {
         match self.basis {
@@ -214,13 +212,13 @@ impl Meeting {
         }
     }
 
-    /// The root in a stretch in which F changes its sign once, and whether it is found.
+    /// The root in a stretch in which F changes sign once, and whether it was found.
     #[inline(always)]
     pub(crate) fn isolated(&self, stretch: &Stretch, push: &Push) -> (Isolated, bool) {
         let [low, high] = stretch.range;
         let mut x = self.size.max(low).min(high);
         let e = stretch.restitution_at(x);
-        // The root if P_n/x and e were the same at all approach speeds as at this one.
+        // The root if P_n/x and e had their values at this approach speed at all others.
         let share = self.sought(e) / (0.5 * self.factor(e) * x * push.at(x, e));
         x = (x * real::Real::sqrt(share)).max(low).min(high);
         let mut way = [x; STEPS];
@@ -234,7 +232,7 @@ impl Meeting {
         (Isolated { x, way }, is_found)
     }
 
-    /// (m/s) F/F′, how far the tangent leads from the root.
+    /// (m/s) Newton's step F/F′.
     #[inline(always)]
     fn newton(&self, stretch: &Stretch, push: &Push, x: f64) -> f64 {
         let (e, rise) = (stretch.restitution_at(x), stretch.rise);
@@ -253,7 +251,7 @@ impl Meeting {
         (0.5 * w * x * p - self.sought(e)) / slope
     }
 
-    /// How often the Bernstein coefficients of F change sign in a stretch.
+    /// Sign changes of the Bernstein coefficients of F in a stretch.
     #[inline(always)]
     pub(crate) fn changes(&self, stretch: &Stretch, push: &Push) -> Changes {
         let [x_0, x_1] = stretch.range;
@@ -275,8 +273,8 @@ impl Meeting {
         Changes::of([a, b, c, d, e], least)
     }
 
-    /// Of a root under a branch of the law: whether the branch acts there, so that it is one of the law, and
-    /// whether that is sure.
+    /// Whether a branch of the law acts at its root x, so that x is a root of the law, and whether that is
+    /// certain.
     #[inline(always)]
     pub(crate) fn acts(&self, stretch: &Stretch, law: &Law, branch: Branch, x: f64) -> [bool; 2] {
         let e = stretch.restitution_at(x);
@@ -292,7 +290,7 @@ impl Meeting {
         [acts, is_sure]
     }
 
-    /// What a stretch has of roots.
+    /// The roots of a stretch, as far as signs show them.
     pub(crate) fn signs(&self, stretch: &Stretch, law: &Law, pushes: &Pushes) -> Signs {
         let mut roots = Roots::none();
         for (branch, push) in pushes.iter().flatten() {
@@ -316,19 +314,19 @@ impl Meeting {
     }
 }
 
-/// Where friction suffices.
+/// The branch in which friction suffices.
 #[inline(always)]
 pub(crate) fn full(_: &Law) -> Branch {
     Branch::Full
 }
 
-/// Where the surfaces slide one way.
+/// The branch in which the surfaces slide in one direction.
 #[inline(always)]
 pub(crate) fn against(law: &Law) -> Branch {
     Branch::Ratio(law.friction_limit().map_or(0.0, |limit| -limit))
 }
 
-/// Where they slide the other way.
+/// The branch in which they slide in the other direction.
 #[inline(always)]
 pub(crate) fn along(law: &Law) -> Branch {
     Branch::Ratio(law.friction_limit().unwrap_or(0.0))

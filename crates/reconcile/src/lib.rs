@@ -1,4 +1,4 @@
-//! Finds the speed that makes the work of the normal impulse equal the crush energy, and both speeds from the
+//! Finds the speed at which the work of the normal impulse equals the crush energy, and both speeds from the
 //! momentum after impact.
 //!
 //! ```
@@ -29,17 +29,18 @@
 //!
 //! The types: a [`Problem`] is a collision with one [`Unknown`] speed; solving it gives a [`Reconciliation`],
 //! which holds the speed, the impact at that speed, and the [`SolutionMethod`] that found it.
-//! [`Problem::speeds`] lists all admissible speeds. The numbers on the way to a closed form are
-//! [`Problem::line`], and under the law that acts [`Problem::quadratic`] and [`Problem::affine_impact`].
+//! [`Problem::speeds`] lists all admissible speeds. The intermediate results of a closed form are
+//! [`Problem::line`] and, under the law that acts, [`Problem::quadratic`] and [`Problem::affine_impact`].
 //!
-//! Where neither speed is known, but both velocities after impact are, a [`Momentum`] gives both speeds if
-//! the approaches cross, and a [`MomentumAndCrush`] if they are collinear. [`Implied`] is what is then known
-//! twice. A [`MomentumBesideCrush`] weighs momentum that gives both speeds against the crush energy.
+//! If both velocities after impact are known but neither speed before it, a [`Momentum`] gives both speeds
+//! for crossing approaches, and a [`MomentumAndCrush`] for collinear ones. [`Implied`] holds the numbers that
+//! are then overdetermined. A [`MomentumBesideCrush`] weighs the momentum of crossing approaches against the
+//! crush energy.
 //!
 //! | code | symbol | meaning | unit |
 //! |---|---|---|---|
 //! | `x` | x = −u_n | approach speed | m/s |
-//! | `slope` | c_n, c_t | du/ds, by the speed s that is sought | – |
+//! | `slope` | c_n, c_t | du/ds, with the speed s sought | – |
 //! | `at_rest` | u_n0, u_t,rest | u at the speed s = 0 | m/s |
 //! | `tangential_slope` | τ | du_t/dx | – |
 //! | `tangential_at_zero_approach` | u_t0 | u_t at x = 0 | m/s |
@@ -49,22 +50,21 @@
 //! | `tangential` | α_t, β_t | P_t = α_t x + β_t | kg, N·s |
 //! | `sliding` | η, ζ | u_t + U_t = η x + ζ | –, m/s |
 //! | `tangential_share` | λ | share of the tangential work that the crush takes | – |
-//! | `axis` | â | unit vector along which momentum is kept | – |
-//! | `relative` | σ | relative speed of the CGs along the line of speeds that the momentum allows | m/s |
+//! | `axis` | â | unit vector along which momentum is conserved | – |
+//! | `relative` | σ | relative speed of the CGs, along the line of speeds that the momentum allows | m/s |
 //!
 //! # Guarantees
 //!
 //! - The relative velocity at C is affine in the speed. Under an impact law without a limit, W_n is then
 //!   quadratic in it and the answer is a closed form. Under a friction limit it is one of three such
-//!   quadratics, that of sticking or of sliding one way or the other, and a root of one is a speed where that
-//!   law [acts](Reconciliation::acting). Under a restitution that depends on the closing speed, signs isolate
-//!   the roots of nearly all collisions, and Newton's method finds them. Under a fraction of μ_c, and where
-//!   signs leave roots open, W_n is a ratio of polynomials piece by piece; their extrema isolate the roots,
-//!   which Brent's method ([`brent`]) finds. All agree to 1e-10 where they apply.
-//! - An admissible speed is one of at most 1000 m/s at which the vehicles approach, push, and lose energy.
-//!   All are found, however many and however near to each other; the answer is the one with the slowest
-//!   approach.
-//! - [`Problem::residual`] gives the exact derivatives of a root, on numbers that carry their derivative.
+//!   quadratics, for sticking and for sliding in either direction, and a root of one counts if that law
+//!   [acts](Reconciliation::acting) there. Under a restitution that depends on the closing speed, signs
+//!   isolate the roots of nearly all collisions, and Newton's method finds them. Under a fraction of μ_c, and
+//!   if signs do not isolate the roots, W_n is piecewise a ratio of polynomials; the extrema isolate the
+//!   roots, which Brent's method ([`brent`]) finds. All methods agree to 1e-10 where they apply.
+//! - An admissible speed is at most 1000 m/s, and the vehicles approach, push and lose energy at it. All are
+//!   found, however many and however close together; the answer is the one with the slowest approach.
+//! - [`Problem::residual`], on numbers that carry their derivatives, gives the exact derivatives of a root.
 //! - Nothing is allocated.
 //!
 //! `examples/speed.rs` finds the paper's speed on both energy bases.
@@ -73,14 +73,14 @@
 //!
 //! | feature | adds |
 //! |---|---|
-//! | `std`, on by default | nothing of its own. Without it the crate is `no_std`; its engines need `alloc`; results have the same bits |
-//! | `serde` | problems and answers can be written and read, errors cannot |
+//! | `std`, on by default | nothing. Without it the crate is `no_std`; its engines need `alloc`; results have the same bits |
+//! | `serde` | serialisation of problems and answers, not of errors |
 //!
 //! # What it does not do
 //!
-//! Speeds are along the courses, which are the headings where no vehicle has a sideslip. It does not measure
-//! crush (see `crash3`), nor does it find the velocities after impact from rest positions: [`Momentum`] takes
-//! them as given.
+//! Speeds are along the courses, which are the headings unless a vehicle has sideslip. The crate does not
+//! evaluate crush (see `crash3`), nor find the velocities after impact from rest positions: [`Momentum`]
+//! takes them as given.
 
 #![cfg_attr(not(feature = "std"), no_std)]
 

@@ -1,4 +1,4 @@
-//! How the unknown speed moves the relative velocity at C.
+//! The relative velocity at C as a function of the unknown speed.
 
 use pim_core::{Approach, NormalTangential, Real};
 
@@ -8,11 +8,11 @@ use pim_core::{Approach, NormalTangential, Real};
 #[non_exhaustive]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct ApproachLine<T = f64> {
-    /// (m/s) u with the vehicle whose speed is sought at rest but for its yaw rate, s = 0.
+    /// (m/s) u for s = 0, with the vehicle whose speed is sought at rest but for its yaw rate.
     pub at_rest: NormalTangential<T>,
     /// (–) du/ds.
     pub slope: NormalTangential<T>,
-    /// (rad/s) ω_1 − ω_2, which the speed leaves alone.
+    /// (rad/s) ω_1 − ω_2, which does not depend on the speed.
     pub relative_yaw_rate: T,
 }
 
@@ -25,7 +25,7 @@ impl<T: Real> ApproachLine<T> {
         -self.slope.tangential / self.slope.normal
     }
 
-    /// (m/s) u_t0, the tangential velocity where the vehicles just touch, x = 0.
+    /// (m/s) u_t0, the tangential velocity at x = 0, where the vehicles just touch.
     #[inline(always)]
     #[must_use]
     pub fn tangential_at_zero_approach(&self) -> T {
@@ -33,7 +33,7 @@ impl<T: Real> ApproachLine<T> {
         self.at_rest.tangential + self.at_rest.normal * self.tangential_slope()
     }
 
-    /// How the vehicles approach at the approach speed x (m/s).
+    /// The approach of the vehicles at the approach speed x (m/s).
     #[inline(always)]
     #[must_use]
     pub fn at(&self, x: T) -> Approach<T> {

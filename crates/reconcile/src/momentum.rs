@@ -16,18 +16,18 @@ pub use error::MomentumError;
 pub use implied::Implied;
 pub use weighed::{EvidenceErrors, MomentumBesideCrush, WeighedSpeeds};
 
-/// (rad) 10°. Approaches whose directions, or those of one and the opposite of the other, differ by no more
-/// are collinear: EDCRASH's rule (its manual, chapter 2). At this angle an error of the momentum across the
-/// axis is 1/sin 10° = 5.8 times as large in the speeds.
+/// (rad) 10°. Approaches are collinear if their directions, or one direction and the opposite of the other,
+/// differ by no more: EDCRASH's rule (its manual, chapter 2). At this angle an error of the momentum across
+/// the axis is magnified by 1/sin 10° = 5.8 in the speeds.
 pub const COLLINEAR: f64 = 0.174_532_925_199_432_95;
 
 /// sin 10°.
 const COLLINEAR_SINE: f64 = 0.173_648_177_666_930_35;
 
-/// Headings of 170° and 180° differ by 10° but for their rounding, which is far below this share.
+/// Headings of 170° and 180° differ by 10° but for rounding, which is relatively far below this.
 const SINE_ROUNDING: f64 = 1e-9;
 
-/// How a vehicle left the impact.
+/// Motion of a vehicle after the impact.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(
@@ -40,23 +40,23 @@ const SINE_ROUNDING: f64 = 1e-9;
 pub struct Departure<T = f64> {
     /// (m/s) V, the velocity of the CG after impact in the scene frame.
     pub velocity: Vector2<T>,
-    /// (rad/s) Ω, the yaw rate after impact, where it is known.
+    /// (rad/s) Ω, the yaw rate after impact, if known.
     pub yaw_rate: Option<T>,
 }
 
-/// A collision of which neither speed is known, but how both vehicles left it: from rest positions, from
-/// marks or as given.
+/// A collision with two unknown speeds and known motions after it, from rest positions, from marks or as
+/// given.
 ///
-/// No force from outside counts during the impact, so the vehicles take out of it the momentum that they
-/// brought. Each moved along its course ê_i, which its [`Contact`] has:
+/// External forces are negligible during the impact, so momentum is conserved. Each vehicle moved along its
+/// course ê_i, which is part of the [`Contact`]:
 ///
 /// m_1 v_1 ê_1 + m_2 v_2 ê_2 = m_1 V_1 + m_2 V_2
 ///
-/// In the plane these are two equations for two speeds. [`speeds`](Self::speeds) solves them where the
-/// approaches cross. Where they are collinear, one equation is left, and [`MomentumAndCrush`] takes the crush
-/// energy for the other. [`implied`](Self::implied) is what follows from the speeds beside them.
+/// In the plane these are two equations for two speeds. [`speeds`](Self::speeds) solves them if the
+/// approaches cross. If they are collinear, one equation is left, and [`MomentumAndCrush`] replaces the other
+/// by the crush energy. [`implied`](Self::implied) gives everything else that follows from the speeds.
 ///
-/// Any values may stand here; [`check`](Self::check) says whether they can be used.
+/// The fields may hold any values; [`check`](Self::check) tests whether they are valid.
 ///
 /// ```
 /// use pim_core::{Body, Contact, Participant, Vector2};
@@ -89,7 +89,7 @@ pub struct Momentum<T = f64> {
     pub contact: Contact<T>,
     /// (rad/s) yaw rates before impact.
     pub yaw_rates: [T; 2],
-    /// How the vehicles left the impact.
+    /// Motions of the vehicles after the impact.
     pub after: [Departure<T>; 2],
 }
 
@@ -136,8 +136,8 @@ impl<T: Real> Momentum<T> {
         cross(e1, e2).atan2(dot(e1, e2))
     }
 
-    /// (–) the sine of that angle: how well momentum alone tells the speeds. An error δp of the momentum
-    /// moves the speed of vehicle i by up to δp/(m_i |sine|).
+    /// (–) the sine of that angle, which shows how well momentum alone determines the speeds. An error δp of
+    /// the momentum moves the speed of vehicle i by up to δp/(m_i |sine|).
     #[inline(always)]
     #[must_use]
     pub fn sine(&self) -> T {
@@ -145,15 +145,15 @@ impl<T: Real> Momentum<T> {
         cross(e1, e2)
     }
 
-    /// Whether the courses lie within [`COLLINEAR`] of one line, so that momentum alone does not tell both
-    /// speeds.
+    /// Whether the courses lie within [`COLLINEAR`] of one line, so that momentum alone does not determine
+    /// both speeds.
     #[inline(always)]
     #[must_use]
     pub fn is_collinear(&self) -> bool {
         self.sine().abs() <= T::from(COLLINEAR_SINE * (1.0 + SINE_ROUNDING))
     }
 
-    /// Unit vector of the line that collinear approaches share: it halves the angle between the courses, or
+    /// Unit vector of the common line of collinear approaches: it bisects the angle between the courses, or
     /// between one and the opposite of the other.
     #[must_use]
     pub fn common_axis(&self) -> Vector2<T> {
@@ -166,7 +166,7 @@ impl<T: Real> Momentum<T> {
     /// (m/s) both speeds along the courses, from momentum alone.
     ///
     /// # Errors
-    /// Where [`check`](Self::check) finds one, or the approaches are collinear.
+    /// Those of [`check`](Self::check), or if the approaches are collinear.
     pub fn speeds(&self) -> Result<[T; 2], MomentumError> {
         self.check()?;
         if self.is_collinear() {
@@ -185,11 +185,11 @@ impl<T: Real> Momentum<T> {
     }
 
     /// (m/s) the speed of one vehicle along its course, from the momentum along this course and the `known`
-    /// speed (m/s) of the other: whatever the angle between the courses. Momentum across is left as a check.
+    /// speed (m/s) of the other, for any angle between the courses. The momentum across the course remains as
+    /// a check.
     ///
     /// # Errors
-    /// Where [`check`](Self::check) finds one, the known speed is not finite, or the other is none of a
-    /// vehicle.
+    /// Those of [`check`](Self::check), or if the known speed is not finite or no vehicle can have the other.
     pub fn speed_beside(&self, unknown: VehicleId, known: T) -> Result<T, MomentumError> {
         self.check()?;
         finite("speed of the other vehicle", known)?;
@@ -199,9 +199,8 @@ impl<T: Real> Momentum<T> {
         possible(unknown, dot(self.total() - e[j] * (m[j] * known), e[i]) / m[i])
     }
 
-    /// (N·s) the momentum across the heading of one vehicle that the vehicles had after the impact and not
-    /// before it, at these speeds (m/s): positive to the left of the heading. Where all is measured without
-    /// error it is zero.
+    /// (N·s) the momentum across the heading of one vehicle after the impact less that before it, at these
+    /// speeds (m/s): positive to the left of the heading. It would be zero without measurement errors.
     #[must_use]
     pub fn surplus_across(&self, vehicle: VehicleId, speeds: [T; 2]) -> T {
         let (m, e) = (self.masses(), self.courses());
@@ -210,8 +209,8 @@ impl<T: Real> Momentum<T> {
         cross(e[vehicle.index()], self.total() - before)
     }
 
-    /// (N·s) standard deviation of that surplus, where each velocity after the impact has an independent
-    /// error of its size, a share of it, and of its direction (rad).
+    /// (N·s) standard deviation of that surplus, if each velocity after the impact has independent errors of
+    /// its size (as a fraction of it) and of its direction (rad).
     #[must_use]
     pub fn spread_across(&self, vehicle: VehicleId, share: f64, direction: f64) -> T {
         let (m, e) = (self.masses(), self.courses()[vehicle.index()]);
@@ -224,11 +223,11 @@ impl<T: Real> Momentum<T> {
         (variance(0) + variance(1)).sqrt()
     }
 
-    /// The same of point masses: the impulse of these speeds (m/s) acts along the line of their centres, so
-    /// that it turns neither vehicle, and its line is the normal of the crush plane.
+    /// The same collision between point masses: the impulse at these speeds (m/s) acts along the line between
+    /// the CGs and turns neither vehicle, and this line is the normal of the crush plane.
     ///
     /// # Errors
-    /// Where the velocities do not change.
+    /// If the velocities do not change.
     pub fn central(&self, speeds: [T; 2]) -> Result<Self, MomentumError> {
         let before = self.motions_at(speeds);
         let m = self.masses();
@@ -263,7 +262,7 @@ impl<T: Real> Momentum<T> {
     }
 }
 
-/// (m/s) a speed, where a vehicle can have it.
+/// (m/s) a speed, if a vehicle can have it.
 fn possible<T: Real>(vehicle: VehicleId, speed: T) -> Result<T, MomentumError> {
     if speed.is_finite() && !is_too_fast(speed) {
         Ok(speed)
@@ -272,16 +271,16 @@ fn possible<T: Real>(vehicle: VehicleId, speed: T) -> Result<T, MomentumError> {
     }
 }
 
-/// Both bodies with their headings, C on the line between their centres along the unit vector n, which points
-/// from vehicle 2 to vehicle 1: the impulse turns neither.
+/// Both bodies with their headings, and C on the line between their CGs along the unit vector n, which points
+/// from vehicle 2 to vehicle 1, so that the impulse turns neither.
 ///
 /// # Errors
-/// Where a number is not finite.
+/// If a number is not finite.
 pub fn central_contact<T: Real>(
     participants: &[Participant<T>; 2],
     normal: Vector2<T>,
 ) -> Result<Contact<T>, InvalidInput> {
-    // Any distance does: r × P = 0.
+    // Any distance will do: r × P = 0.
     let placed = |i: usize, arm: Vector2<T>| {
         let (body, forward) = (participants[i].body(), participants[i].forward());
         let heading = forward.y.atan2(forward.x);
@@ -291,21 +290,20 @@ pub fn central_contact<T: Real>(
     Contact::new([one, two], normal.y.atan2(normal.x))
 }
 
-/// Two vehicles of which only mass (kg) and heading (rad) are known, as if their centres met: for
-/// [`Momentum::speeds`] and [`Momentum::speed_beside`], which need no more. `None` for the mass of a fixed
-/// object.
+/// Two vehicles of known mass (kg) and heading (rad), as if their CGs met: for [`Momentum::speeds`] and
+/// [`Momentum::speed_beside`], which need no more. `None` stands for the mass of a fixed object.
 ///
 /// # Errors
-/// Where a mass or a heading is impossible.
+/// If a mass or a heading is impossible.
 pub fn point_masses<T: Real>(masses: [Option<T>; 2], headings: [T; 2]) -> Result<Contact<T>, InvalidInput> {
     let body = |i: usize| match masses[i] {
-        // Any yaw inertia does: nothing turns.
+        // Any yaw inertia will do: nothing turns.
         Some(mass) => Body::new(mass, mass),
         None => Ok(Body::fixed()),
     };
     let placed = |i: usize| Participant::new(body(i)?, headings[i], T::ZERO, T::ZERO);
     let participants = [placed(0)?, placed(1)?];
-    // A line that turns with the scene: any does.
+    // Any line that turns with the scene will do.
     central_contact(&participants, -participants[0].forward())
 }
 

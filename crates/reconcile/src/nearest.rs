@@ -1,4 +1,4 @@
-//! How near a problem without an answer comes to one.
+//! The nearest impact to a problem without an answer.
 
 use core::iter::{once, successors};
 
@@ -8,18 +8,18 @@ use crate::answer::Iteration;
 use crate::posed::Posed;
 use crate::problem::Problem;
 
-/// The scan of approach speeds goes from this share of the one that a frictionless impact would need …
+/// The scan of approach speeds goes from this fraction of the one that a frictionless impact would need …
 const SCAN_START: f64 = 1.0 / 1024.0;
 /// … by this factor, 2^¹⁄₃₂, …
 const SCAN_RATIO: f64 = 1.021_897_148_654_116_7;
 /// … to 1024 times that speed.
 const SCAN_SAMPLES: usize = 641;
-/// The best of the samples is narrowed by thirds, (2/3)⁴⁴ ≈ 2⁻²⁶: there W_n is as near as at its turn but for
-/// rounding.
+/// The range about the best sample is narrowed by thirds, (2/3)⁴⁴ ≈ 2⁻²⁶, which locates the extremum of W_n
+/// to rounding.
 const TURN_STEPS: usize = 44;
 
 impl Problem {
-    /// (J) W_n + λ W_t of an impact.
+    /// (J) W_n + λ W_t of an impact, which is compared with the crush energy.
     fn held_against_crush(&self, outcome: &Outcome) -> f64 {
         let tangential = if self.tangential_share == 0.0 {
             0.0
@@ -29,16 +29,15 @@ impl Problem {
         outcome.energy.normal_work + tangential
     }
 
-    /// How near a problem without an answer comes to one, to tell beside
-    /// [`NotReached`](crate::ReconcileError::NotReached): of all impacts that can happen, that whose normal
-    /// work is nearest to the one sought, by a scan of the approach speed.
+    /// The possible impact whose normal work is nearest to the one sought, to report with
+    /// [`NotReached`](crate::ReconcileError::NotReached). It is found by a scan of the approach speed.
     ///
     /// # Errors
-    /// Why none can happen: the reason at the approach speed that a frictionless impact would need.
+    /// If no impact is possible: the reason at the approach speed that a frictionless impact would need.
     pub fn nearest(&self) -> Result<Iteration, ImpactError> {
         let posed = Posed { problem: self, line: self.line() };
         let frictionless = posed.frictionless_approach_speed();
-        // As a share, so that under a curve of restitution each speed is held against what is sought there.
+        // Relative, because under a restitution curve the value sought depends on the speed.
         let miss = |x: f64| match self.impact(posed.line.speed(x)) {
             Ok((law, outcome)) => (self.held_against_crush(&outcome) / self.sought(&law) - 1.0).abs(),
             Err(_) => f64::INFINITY,

@@ -1,10 +1,10 @@
 //! All approach speeds at which W_n has the value sought.
 //!
 //! The relative velocity at C is affine in the approach speed x = −u_n, and e is linear in x between two
-//! points of a restitution curve. So the range of x falls into *stretches* of linear e, and these into
-//! *pieces* in which one law without a limit holds: a piece ends where sliding begins, ends or turns, where
-//! the contact jams, or where the law ceases to push. Within a piece W_n minus the value sought is a ratio of
-//! polynomials of x:
+//! points of a restitution curve. So the range of x is divided into *stretches* of linear e, and each stretch
+//! into *pieces* in which one law without a limit holds: a piece ends where sliding begins, ends or reverses,
+//! where the contact jams, or where the law ceases to push. Within a piece W_n minus the value sought is a
+//! ratio of polynomials in x:
 //!
 //! | law | P_n | degree of the numerator, e constant | e linear |
 //! |---|---|---:|---:|
@@ -12,17 +12,17 @@
 //! | fraction of μ_c | c_n (1+e) x / d | 3 | 6 |
 //! | fraction of μ_c with a moment impulse | see [`Posed::fraction_of_critical`] | 4 | 8 |
 //!
-//! Where the crush takes a share λ of the tangential work, W_n + λ W_t has the denominator squared, and the
+//! If the crush takes a share λ of the tangential work, W_n + λ W_t has the denominator squared, and the
 //! degrees of the numerator are 2 and 4, 4 and 8, 6 and 12.
 //!
-//! Where signs isolate the roots of a whole stretch at once, none of this is needed: see
+//! None of this is needed if signs isolate the roots of a whole stretch at once: see
 //! [`isolated`](crate::isolated).
 //!
-//! The extrema of the numerator part each piece so that each part has at most one root (Rolle), unless the
-//! signs of its Bernstein coefficients say that the piece has no more than one (Descartes). Brent's method
-//! finds that root of the numerator, and from there the one of the law's own W_n, unless a chord about the
-//! first already leads there. A jump of W_n from one
-//! piece to the next is no change of sign within a piece, so it is never taken for a root.
+//! The extrema of the numerator divide each piece into parts with at most one root each (Rolle), unless the
+//! signs of its Bernstein coefficients show that the whole piece has at most one (Descartes). Brent's method
+//! finds that root of the numerator, and from it the root of the law's own W_n, unless a chord about the
+//! first already gives it. A jump of W_n from one piece to the next is no change of sign within a piece, so
+//! it is never taken for a root.
 
 use crash3::EnergyBasis;
 use pim_core::{LawImpulse, Regime, RestitutionCurve, Tangential};
@@ -40,26 +40,26 @@ use crate::root::Root;
 use crate::stretch::{Parts, Stretch};
 
 /// Under a fraction of μ_c the contact may jam at the end of a piece, where W_n is infinite: its sign is
-/// taken at this relative distance, far above rounding.
+/// evaluated at this relative distance from the end, far above rounding.
 const BESIDE_A_JAM: f64 = 1e-12;
 
-/// A root of the numerator is known to this share of itself, far above rounding.
+/// Relative half-width of the bracket about a root of the numerator, far above rounding.
 const ABOUT: f64 = 1e-10;
 
-/// Where a chord of length 2 [`ABOUT`] misses the root by no more than this share of what its ends miss, its
-/// zero is the root but for rounding.
+/// If the residual at the zero of a chord of length 2 [`ABOUT`] is at most this fraction of that at its ends,
+/// the zero is the root but for rounding.
 const STRAIGHT: f64 = 1e-5;
 
-/// A root has the energy sought within this share. Rounding of the speed moves W_n by more only nearer than
-/// 1e-9 to a jam; a change of sign by rounding on the wrong side of a jam or a jump leaves far more.
+/// Relative tolerance of the energy at a root. Rounding of the speed moves W_n by more only nearer than 1e-9
+/// to a jam; a change of sign by rounding on the wrong side of a jam or a jump misses by far more.
 const ENERGY_MATCH: f64 = 1e-6;
 
-/// What signs isolate the roots of a part by.
+/// The polynomials whose signs isolate the roots of a part.
 enum Isolating {
     Pushes(Pushes),
-    /// It gives the parts, too.
+    /// It also gives the parts.
     Quartic(Quartic),
-    /// By nothing: pieces do.
+    /// None: the pieces isolate them.
     Nothing,
 }
 
@@ -71,27 +71,27 @@ struct Part {
     branch: Branch,
     /// The numerator of W_n less the value sought.
     excess: Polynomial,
-    /// Its changes of sign in the piece, if they are sure.
+    /// Its number of changes of sign in the piece, if certain.
     changes: Option<usize>,
 }
 
 /// Approach speeds between which W_n less the value sought changes its sign once, under one branch of the
 /// law.
 struct Bracket {
-    /// Each with what is missing there (J).
+    /// Each with the residual there (J).
     ends: [(f64, f64); 2],
     branch: Branch,
 }
 
 impl Bracket {
-    /// Where the chord between the ends of a narrow bracket is zero.
+    /// The zero of the chord between the ends of a narrow bracket.
     fn chord(&self) -> Option<f64> {
         let [(low, at_low), (high, at_high)] = self.ends;
         let is_narrow = high - low <= 3.0 * ABOUT * low;
         is_narrow.then(|| low + (high - low) * (at_low / (at_low - at_high)))
     }
 
-    /// (J) what is missing at an end, at most.
+    /// (J) the greater residual of the two ends.
     fn height(&self) -> f64 {
         let [(_, at_low), (_, at_high)] = self.ends;
         at_low.abs().max(at_high.abs())
@@ -111,7 +111,7 @@ impl<'a> Posed<'a> {
         let mut isolated = Roots::none();
         let mut by_pieces = None;
         let mut last = f64::NAN;
-        // Adapters of iterators would be a kilobyte that each stretch copies several times.
+        // Iterator adapters would take a kilobyte, copied several times for each stretch.
         core::iter::from_fn(move || {
             loop {
                 if let Some(root) = only.take() {
@@ -156,7 +156,7 @@ impl<'a> Posed<'a> {
             .filter_map(move |bracket| self.root(&bracket).transpose())
     }
 
-    /// What signs are taken of.
+    /// The polynomials whose signs are examined.
     fn isolating(self, meeting: &Meeting) -> Isolating {
         match (self.pushes(meeting), self.quartic(meeting)) {
             (Some(pushes), _) => Isolating::Pushes(pushes),
@@ -165,8 +165,7 @@ impl<'a> Posed<'a> {
         }
     }
 
-    /// P_n under the laws without a limit of which one acts in every impact; `None` where one of them is not
-    /// affine.
+    /// P_n under each law without a limit that may act in an impact; `None` if one of them is not affine.
     pub(crate) fn pushes(self, meeting: &Meeting) -> Option<Pushes> {
         if self.problem.tangential_share != 0.0 {
             return None;
@@ -188,14 +187,14 @@ impl<'a> Posed<'a> {
         }
     }
 
-    /// The ranges in which e is linear, as far as the vehicles approach and the unknown is no faster than
+    /// The ranges in which e is linear, limited to approaching vehicles and an unknown speed of at most
     /// [`FASTEST`].
     pub(crate) fn stretches(self) -> impl Iterator<Item = Stretch> + use<'a> {
         let law = &self.problem.law;
         let points = law.curve().map_or(&[][..], RestitutionCurve::points);
         let reach = self.reach();
         let size = self.frictionless_approach_speed();
-        // Outside of the points e is constant.
+        // Outside the points e is constant.
         let constant = move |e: f64, range: [f64; 2]| Stretch::constant(e, size, range);
         let first = points.first().map_or(f64::INFINITY, |&(x, _)| x);
         let before = constant(law.nominal().restitution(), [0.0, first]);
@@ -204,7 +203,7 @@ impl<'a> Posed<'a> {
             _ => None,
         });
         let after = points.last().map(|&(x, e)| constant(e, [x, f64::INFINITY]));
-        // With e = 1 throughout the push does no work.
+        // With e = 1 throughout, the normal impulse does no work.
         let has_share = self.problem.tangential_share != 0.0;
         core::iter::once(before)
             .chain(between)
@@ -213,7 +212,7 @@ impl<'a> Posed<'a> {
             .filter(move |stretch| stretch.has_length() && (has_share || !stretch.is_elastic()))
     }
 
-    /// (m/s) the least and the greatest approach speed that a speed of at most [`FASTEST`] makes.
+    /// (m/s) the lowest and the highest approach speed for a speed of at most [`FASTEST`].
     #[inline(always)]
     pub(crate) fn reach(self) -> [f64; 2] {
         // x = −(u_n(s=0) + s w_n)
@@ -232,13 +231,13 @@ impl<'a> Posed<'a> {
         })
     }
 
-    /// Where one piece of a stretch ends and the next begins.
+    /// The borders between the pieces of a stretch.
     fn borders(self, stretch: &Stretch) -> Points {
         let interval = stretch.interval();
         let roots = |polynomial: Polynomial| polynomial.roots(interval);
         match self.problem.law.nominal().tangential() {
-            // Friction suffices between P_t = −limit P_n and P_t = limit P_n; beyond, it turns about where
-            // the sliding does.
+            // Friction suffices between P_t = −limit P_n and P_t = limit P_n; beyond, it reverses where the
+            // sliding does.
             Tangential::Friction(limit) | Tangential::FullOrSliding(limit) => {
                 let full = stretch.corners(&self.problem.law.nominal(), |law, x| {
                     self.impulse_at(&law.without_limit(), x).linear
@@ -272,7 +271,7 @@ impl<'a> Posed<'a> {
         }
     }
 
-    /// The law that holds in a piece, told from its middle.
+    /// The law that holds in a piece, determined in its middle.
     fn branch(self, x: f64) -> Branch {
         match self.problem.law.nominal().tangential() {
             Tangential::Friction(limit) | Tangential::FullOrSliding(limit) => {
@@ -288,9 +287,9 @@ impl<'a> Posed<'a> {
         }
     }
 
-    /// Under f = 0 there is no friction. Under f = 1 the ratio is μ_c and nothing jams, where the moment
-    /// impulse is none or M_c; any other moment impulse differs between the law that gives μ_c and a ratio of
-    /// that size.
+    /// With f = 0 there is no friction. With f = 1 the ratio is μ_c and nothing jams, if the moment impulse
+    /// is zero or M_c; any other moment impulse differs between the law that gives μ_c and a ratio of that
+    /// size.
     fn branch_of_fraction(self, f: f64) -> Branch {
         let moment = self.problem.law.nominal().moment_restitution();
         if f == 0.0 {
@@ -302,8 +301,8 @@ impl<'a> Posed<'a> {
         }
     }
 
-    /// What a search in a piece begins with; `None` where signs say that it has no root, as most pieces of a
-    /// curve have none.
+    /// The starting data of the search in a piece; `None` if signs show that it has no root, as for most
+    /// pieces of a curve.
     fn part(self, stretch: Stretch, piece: [f64; 2]) -> Option<Part> {
         let branch = self.branch(stretch.approach_speed(0.5 * (piece[0] + piece[1])));
         let excess = self.excess(&stretch, branch);
@@ -311,7 +310,7 @@ impl<'a> Posed<'a> {
         (changes != Some(0)).then_some(Part { stretch, piece, branch, excess, changes })
     }
 
-    /// Where W_n passes the value sought within a piece.
+    /// Brackets of the points at which W_n passes the value sought within a piece.
     fn brackets(self, part: Part) -> impl Iterator<Item = Bracket> + use<'a> {
         let Part { stretch, piece, branch, excess, changes } = part;
         let [mut low, mut high] = piece.map(|t| stretch.approach_speed(t));
@@ -328,7 +327,7 @@ impl<'a> Posed<'a> {
             .into_iter()
             .map(move |t| (t, speed(t)))
             .chain([(piece[1], high)])
-            // Between two jams next to each other rounding leaves nothing.
+            // Rounding may leave nothing between two adjacent jams.
             .take_while(move |_| low < high)
             .filter_map(move |to| {
                 let [(left, least), (right, most)] = [from, to];
@@ -343,7 +342,7 @@ impl<'a> Posed<'a> {
             })
     }
 
-    /// The ends of a bracket about a root of the numerator, if W_n passes the value sought between them.
+    /// The ends of a bracket about a root of the numerator, if W_n passes the value sought within it.
     fn about(self, branch: Branch, root: f64) -> Option<[(f64, f64); 2]> {
         let ends = [1.0 - ABOUT, 1.0 + ABOUT].map(|factor| {
             let x = root * factor;
@@ -386,7 +385,7 @@ impl<'a> Posed<'a> {
         match (self.problem.basis, tangential) {
             // ½ (1−e) x P_n − E
             (EnergyBasis::Dissipated, None) => stretch.one_plus(-1.0) * work + sought,
-            // ½ (1−e) x P_n − ½ λ P_t (u_t + U_t) − E, of which the second has the divisor squared
+            // ½ (1−e) x P_n − ½ λ P_t (u_t + U_t) − E, whose second term has the divisor squared
             (EnergyBasis::Dissipated, Some(tangential)) => {
                 (stretch.one_plus(-1.0) * work + sought) * divisor + -0.5 * share * tangential
             }
@@ -395,8 +394,8 @@ impl<'a> Posed<'a> {
         }
     }
 
-    /// P_n, P_t = μ P_n and M under a fraction of μ_c as numerators over one denominator, with the critical
-    /// impulse c, μ = f c_t/c_n, d = k_nn c_n + f k_nt c_t and n = k_nm c_n + f k_tm c_t:
+    /// P_n, P_t = μ P_n and M under a fraction of μ_c as numerators over a common denominator, with the
+    /// critical impulse c, μ = f c_t/c_n, d = k_nn c_n + f k_nt c_t and n = k_nm c_n + f k_tm c_t:
     ///
     /// - P_n = c_n (1+e) x / d without a moment impulse,
     /// - P_n = c_n [(1+e) x g + (1+e_m) k_nm (s d + (1+e) x n)] / (d g) with one, where s = ω₁ − ω₂ and g =
@@ -438,7 +437,8 @@ impl<'a> Posed<'a> {
     /// (J) W_n + λ W_t at the approach speed x less the value sought, as a crush energy on the basis.
     fn missing(self, branch: Branch, x: f64) -> f64 {
         let law = branch.law(&self.problem.law.at(x));
-        // Where the vehicles just touch the push does no work, whatever the quotient of two zeros.
+        // If the vehicles just touch, the normal impulse does no work, whatever the quotient of two zeros
+        // gives.
         let work = if x == 0.0 && self.problem.tangential_share == 0.0 {
             0.0
         } else {
@@ -453,7 +453,7 @@ impl<'a> Posed<'a> {
         work - self.problem.crush_energy
     }
 
-    /// The root in a bracket; `None` where rounding has made a bracket beside a jump.
+    /// The root in a bracket; `None` if the bracket results from rounding next to a jump.
     fn root<S: Trail>(self, bracket: &Bracket) -> Result<Option<Root<S>>, ReconcileError> {
         let mut steps = S::none();
         let mut observe = |x: f64, residual: f64| {

@@ -11,7 +11,7 @@ pub(crate) const DEGREE: usize = 12;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Polynomial {
     coefficients: [f64; DEGREE + 1],
-    /// Of the coefficients beyond this index none is used.
+    /// Coefficients beyond this index are not used.
     degree: usize,
 }
 
@@ -43,24 +43,24 @@ impl Polynomial {
         Self { coefficients, degree: self.degree - order }
     }
 
-    /// Points in ascending order that part the interval so that the polynomial is monotonic between two
+    /// Points in ascending order that divide the interval so that the polynomial is monotonic between
     /// neighbours: its extrema strictly inside.
     ///
     /// By Rolle's theorem a polynomial has at most one root between two neighbouring roots of its derivative.
     /// So the roots of the derivative of order n − 1, a line, isolate those of the next lower order, and so
-    /// on up to the first derivative. None can be missed but by rounding, which decides only where an
+    /// on up to the first derivative. None can be missed except by rounding, which matters only if an
     /// extremum and a root coincide.
     pub(crate) fn extrema(&self, interval: [f64; 2]) -> Points {
         if self.degree == 0 { Points::none() } else { self.derivative(1).roots(interval) }
     }
 
-    /// How often the Bernstein coefficients of an interval change sign. The polynomial has no more roots
-    /// inside, and an even number fewer if it has fewer (Descartes). `None` where rounding could decide over
-    /// one of the signs.
+    /// Number of sign changes of the Bernstein coefficients of an interval. The polynomial has that many
+    /// roots inside, or fewer by an even number (Descartes). `None` if rounding could decide one of the
+    /// signs.
     pub(crate) fn changes(&self, [low, high]: [f64; 2]) -> Option<usize> {
         let (n, length) = (self.degree, high - low);
         let bernstein = bernstein(self.coefficients, n, [low, length]);
-        // No less than the sizes of what a Bernstein coefficient is a sum of.
+        // An upper bound of the sum of the absolute terms of any Bernstein coefficient.
         let reach = low.abs() + length;
         let size = self.coefficients().iter().rev().fold(0.0, |size, c| size * reach + c.abs());
         let (mut changes, mut before) = (0, 0.0);
@@ -77,7 +77,7 @@ impl Polynomial {
     /// The roots in the interval at which the sign changes, in ascending order.
     pub(crate) fn roots(&self, interval: [f64; 2]) -> Points {
         let mut points = Points::none();
-        // Less than this takes the derivatives of a parabola.
+        // This would cost more than the derivatives of a parabola.
         if self.degree > 2 {
             match self.changes(interval) {
                 Some(0) => return points,
@@ -91,7 +91,7 @@ impl Polynomial {
         self.roots_between(interval, points)
     }
 
-    /// The roots in the interval, in which the given points isolate them.
+    /// The roots in the interval, isolated by the given points.
     fn roots_between(&self, [low, high]: [f64; 2], isolating: Points) -> Points {
         let mut roots = Points::none();
         let mut left = (low, self.at(low));
@@ -105,7 +105,7 @@ impl Polynomial {
         roots
     }
 
-    /// That of the degree 2.
+    /// The root of a polynomial of degree 2.
     fn quadratic_root(&self, [(_, at_low), _]: [(f64, f64); 2]) -> f64 {
         let [c, b, a] = [0, 1, 2].map(|i| self.coefficients[i]);
         // a t² + b t + c rises at (−b + √(b² − 4 a c))/(2 a), and falls at the other root.
@@ -115,9 +115,9 @@ impl Polynomial {
         if b * root > 0.0 { 2.0 * c / (-b - root) } else { (root - b) / (2.0 * a) }
     }
 
-    /// The root in an interval that has one at most; `None` where the sign does not change. It is sought by
-    /// Newton's method, from a point or, where that lies outside, from where the chord is zero; and in the
-    /// interval if that leaves it.
+    /// The root in an interval that has at most one; `None` if the sign does not change. Newton's method
+    /// starts from the given point or, if that lies outside, from the zero of the chord; if it leaves the
+    /// interval, a bracketed search follows.
     pub(crate) fn root_in(&self, interval: [f64; 2], from: f64) -> Option<f64> {
         let ends = interval.map(|t| (t, self.at(t)));
         let [(low, at_low), (high, at_high)] = ends;
@@ -131,7 +131,7 @@ impl Polynomial {
         })
     }
 
-    /// A root near a point, if Newton's method converges at once.
+    /// A root near a point, if Newton's method converges within a few steps.
     fn newton(&self, mut t: f64) -> Option<f64> {
         for _ in 0..NEWTON_STEPS {
             let (mut value, mut slope) = (0.0, 0.0);
@@ -166,8 +166,8 @@ impl Polynomial {
     }
 }
 
-/// The Bernstein coefficients of a polynomial of degree n with these coefficients, in the interval of that
-/// length from `low` on.
+/// The Bernstein coefficients of a polynomial of degree n with these coefficients, in the interval of the
+/// given length that begins at `low`.
 #[inline(always)]
 pub(crate) fn bernstein<const M: usize>(
     mut shifted: [f64; M],
@@ -193,17 +193,17 @@ pub(crate) fn bernstein<const M: usize>(
     coefficients
 }
 
-/// More steps than Newton's method takes from a few times the root.
+/// More steps than Newton's method needs from a start of a few times the root.
 const NEWTON_STEPS: usize = 12;
 
-/// The last step is at most this share of the root: the error left is its square.
+/// The last step is at most this fraction of the root: the remaining error is its square.
 const NEWTON_CONVERGED: f64 = 1e-9;
 
-/// A Bernstein coefficient nearer to zero than this share of what it is a sum of may have either sign:
+/// A Bernstein coefficient smaller than this fraction of the sum of its absolute terms may have either sign:
 /// rounding changes it by less than a hundredth of that.
 pub(crate) const SIGN_IS_SURE: f64 = 1e-12;
 
-/// C(n, k), up to [`DEGREE`]; zero where k > n.
+/// C(n, k), up to [`DEGREE`]; zero if k > n.
 #[inline(always)]
 fn binomial(n: usize, k: usize) -> f64 {
     /// Pascal's triangle.
@@ -239,7 +239,7 @@ impl core::ops::Add for Polynomial {
 impl core::ops::Mul for Polynomial {
     type Output = Self;
 
-    /// The degrees must not add up to more than [`DEGREE`]: what is beyond is left out.
+    /// The degrees must not add up to more than [`DEGREE`]: higher terms are dropped.
     fn mul(self, other: Self) -> Self {
         debug_assert!(self.degree + other.degree <= DEGREE, "degrees {} and {}", self.degree, other.degree);
         let mut coefficients = [0.0; DEGREE + 1];
@@ -260,7 +260,7 @@ impl core::ops::Mul<Polynomial> for f64 {
     }
 }
 
-/// Polynomials of some kind.
+/// Arithmetic of polynomials.
 pub(crate) trait Ring: Copy + core::ops::Add<Output = Self> + core::ops::Mul<Output = Self> {
     /// This one, multiplied by a number.
     fn by(self, factor: f64) -> Self;
@@ -272,7 +272,7 @@ impl Ring for Polynomial {
     }
 }
 
-/// A few numbers without an allocation: the roots of one polynomial, or of several of a lower degree.
+/// A short list without allocation: the roots of one polynomial, or of several of lower degree.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Points {
     values: [f64; DEGREE],
@@ -291,7 +291,7 @@ impl Points {
         }
     }
 
-    /// These and the others in ascending order, [`DEGREE`] of them at most.
+    /// Both lists in ascending order, at most [`DEGREE`] numbers.
     pub(crate) fn merged(mut self, others: Self) -> Self {
         for value in others {
             self.push(value);
@@ -310,8 +310,7 @@ impl IntoIterator for Points {
     }
 }
 
-/// Whether the sign changes between two values; zero counts as positive, and what is not a number has no
-/// sign.
+/// Whether the sign changes between two values; zero counts as positive, and NaN has no sign.
 pub(crate) fn opposite(a: f64, b: f64) -> bool {
     (a < 0.0 && b >= 0.0) || (a >= 0.0 && b < 0.0)
 }

@@ -1,4 +1,4 @@
-//! A problem for which a speed can be sought.
+//! A problem that can be solved for a speed.
 
 use real::Real;
 
@@ -6,7 +6,7 @@ use crate::error::ReconcileError;
 use crate::line::ApproachLine;
 use crate::problem::Problem;
 
-/// A problem that makes sense, and what every search in it needs.
+/// A valid problem, with the data that every search needs.
 #[derive(Clone, Copy)]
 pub(crate) struct Posed<'a, T = f64> {
     pub(crate) problem: &'a Problem<T>,
@@ -14,8 +14,8 @@ pub(crate) struct Posed<'a, T = f64> {
 }
 
 impl<T: Real> Posed<'_, T> {
-    /// (m/s) the approach speed at which a frictionless and plastic impact absorbs the crush energy: whatever
-    /// the law, that of a root is of this size.
+    /// (m/s) the approach speed at which a frictionless, plastic impact absorbs the crush energy: under any
+    /// law the approach speed of a root is of this order of magnitude.
     #[inline(always)]
     pub(crate) fn frictionless_approach_speed(self) -> T {
         // x² = 2 E k_nn
@@ -24,7 +24,7 @@ impl<T: Real> Posed<'_, T> {
 }
 
 impl<T: Real> Problem<T> {
-    /// The problem with what every search needs, if a speed can be sought.
+    /// The problem with the data that every search needs, if it is valid.
     #[inline(always)]
     pub(crate) fn posed(&self) -> Result<Posed<'_, T>, ReconcileError> {
         let posed = Posed { problem: self, line: self.line() };

@@ -1,4 +1,4 @@
-//! A collision of which one speed is unknown.
+//! A collision with one unknown speed.
 
 use crash3::EnergyBasis;
 use pim_core::{
@@ -9,11 +9,11 @@ use pim_core::{
 use crate::error::ReconcileError;
 use crate::line::ApproachLine;
 
-/// Where the cosine between course and crush plane normal is below this, rounding of the angles decides what
-/// the speed does.
+/// If the cosine between course and crush plane normal is below this, rounding of the angles decides the
+/// effect of the speed.
 const LEAST_COSINE: f64 = 1e-9;
 
-/// Which vehicle's speed along its course is sought.
+/// The speed sought: that of one vehicle along its course.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Unknown {
@@ -34,14 +34,15 @@ impl Unknown {
         }
     }
 
-    /// 0 or 1: the place of that vehicle in a pair.
+    /// 0 or 1: the index of that vehicle in a pair.
     #[inline(always)]
     #[must_use]
     pub const fn index(self) -> usize {
         self.vehicle().index()
     }
 
-    /// Of both vehicles, what belongs to this one. An index would not be resolved in a loop over samples.
+    /// The element of a pair that belongs to this vehicle. An index would not be resolved in a loop over
+    /// samples.
     #[inline(always)]
     fn of<V>(self, [one, two]: [V; 2]) -> V {
         match self {
@@ -50,7 +51,7 @@ impl Unknown {
         }
     }
 
-    /// Both motions, this vehicle's velocity replaced.
+    /// Both motions, with this vehicle's velocity replaced.
     #[inline(always)]
     fn with_velocity<T: Real>(self, [one, two]: [Motion<T>; 2], velocity: Vector2<T>) -> [Motion<T>; 2] {
         match self {
@@ -60,11 +61,11 @@ impl Unknown {
     }
 }
 
-/// A collision of which one speed is unknown and the crush energy is known: the speed of `unknown` along its
-/// course shall make W_n equal the crush energy on `basis`.
+/// A collision with one unknown speed and known crush energy: the speed of `unknown` along its course must
+/// make W_n equal to the crush energy on `basis`.
 ///
-/// Any values may stand here. [`check`](Self::check) says whether they make a problem; [`solve`](Self::solve)
-/// begins with that.
+/// The fields may hold any values. [`check`](Self::check) tests whether they make a valid problem;
+/// [`solve`](Self::solve) calls it first.
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(
@@ -77,27 +78,28 @@ impl Unknown {
 pub struct Problem<T = f64> {
     /// The geometry.
     pub contact: Contact<T>,
-    /// The impact law. One whose restitution depends on the closing speed is solved by the root-finder alone.
+    /// The impact law. If its restitution depends on the closing speed, only the root-finder solves the
+    /// problem.
     pub law: VaryingLaw<T>,
     /// Motions before impact. The velocity of the vehicle whose speed is sought is not used; its yaw rate is.
     pub motions: [Motion<T>; 2],
-    /// Whose speed is sought.
+    /// The vehicle whose speed is sought.
     pub unknown: Unknown,
     /// (J) crush energy of both vehicles.
     pub crush_energy: T,
-    /// What the crush energy stands for.
+    /// The energy that the crush represents.
     pub basis: EnergyBasis,
-    /// (–) λ, from 0 to 1: the share of the tangential work W_t that the crush takes beside the normal work,
-    /// so that W_n + λ W_t equals the crush energy. 0 is the method of SAE 980025, and the only one on the
-    /// basis `absorbed`.
+    /// (–) λ, from 0 to 1: the share of the tangential work W_t that the crush takes in addition to the
+    /// normal work, so that W_n + λ W_t equals the crush energy. 0 is the method of SAE 980025, and the only
+    /// value allowed on the basis `absorbed`.
     pub tangential_share: T,
 }
 
 impl<T: Real> Problem<T> {
-    /// Whether a speed can be sought at all.
+    /// Whether the problem is valid.
     ///
     /// # Errors
-    /// Where the vehicle is fixed, the crush energy is not positive, e = 1, or the speed has no effect on
+    /// If the vehicle is fixed, the crush energy is not positive, e = 1, or the speed has no effect on
     /// u_n.
     #[inline(always)]
     pub fn check(&self) -> Result<(), ReconcileError> {
@@ -114,7 +116,7 @@ impl<T: Real> Problem<T> {
             & (slope.normal.abs() >= T::from(LEAST_COSINE))
     }
 
-    /// Whether λ is one that the basis can have.
+    /// Whether the basis allows this λ.
     #[inline(always)]
     pub(crate) fn has_tangential_share(&self) -> bool {
         let share = self.tangential_share;
@@ -125,7 +127,7 @@ impl<T: Real> Problem<T> {
         (share >= T::ZERO) & (share <= most) & share.is_finite()
     }
 
-    /// Why a problem makes no sense.
+    /// The reason why the problem is not valid.
     #[cold]
     pub(crate) fn refusal(&self) -> ReconcileError {
         let vehicle = self.unknown.vehicle();
@@ -144,14 +146,14 @@ impl<T: Real> Problem<T> {
         }
     }
 
-    /// How the relative velocity at C depends on the speed.
+    /// The relative velocity at C as a function of the speed.
     #[inline(always)]
     #[must_use]
     pub fn line(&self) -> ApproachLine<T> {
         let at_rest = self.unknown.with_velocity(self.motions, Vector2::new(T::ZERO, T::ZERO));
         let Approach { velocity: at_rest, relative_yaw_rate } = self.contact.approach(&at_rest);
         let course = self.contact.resolve(self.unknown.of(*self.contact.participants()).course());
-        // u is vehicle 1 relative to vehicle 2, so that vehicle 2's speed counts against it.
+        // u is vehicle 1 relative to vehicle 2, so vehicle 2's speed enters with the opposite sign.
         let slope = match self.unknown {
             Unknown::Speed1 => course,
             Unknown::Speed2 => NormalTangential { normal: -course.normal, tangential: -course.tangential },
@@ -165,14 +167,14 @@ impl<T: Real> Problem<T> {
         self.line().speed(T::ZERO)
     }
 
-    /// (J) the normal work sought, of which λ W_t may be a part; under a curve of restitution, that for its
-    /// first point.
+    /// (J) the normal work sought, which may include λ W_t; under a restitution curve, that for its first
+    /// point.
     #[must_use]
     pub fn normal_work_sought(&self) -> T {
         self.sought(&self.law.nominal())
     }
 
-    /// (J) the same under a law.
+    /// (J) the normal work sought under a law.
     #[inline(always)]
     pub(crate) fn sought(&self, law: &Law<T>) -> T {
         self.basis.dissipated(self.crush_energy, law.restitution())
@@ -186,8 +188,8 @@ impl<T: Real> Problem<T> {
         self.unknown.with_velocity(self.motions, course * speed)
     }
 
-    /// (J) W_n at the given speed (m/s), by the law's conditions alone: negative or not a number where no
-    /// impact can happen.
+    /// (J) W_n at the given speed (m/s), by the law's conditions alone: negative or NaN if no impact is
+    /// possible.
     #[inline(always)]
     #[must_use]
     pub fn normal_work(&self, speed: T) -> T {
@@ -195,7 +197,7 @@ impl<T: Real> Problem<T> {
         self.work_at(&self.law.at(-approach.velocity.normal), approach)
     }
 
-    /// (J) W_n + λ W_t at the given speed (m/s), in the same way: what is held against the crush energy.
+    /// (J) W_n + λ W_t at the given speed (m/s), likewise: the work compared with the crush energy.
     #[inline(always)]
     #[must_use]
     pub fn crush_work(&self, speed: T) -> T {
@@ -203,9 +205,9 @@ impl<T: Real> Problem<T> {
         self.crush_work_at(&self.law.at(-approach.velocity.normal), approach)
     }
 
-    /// (J) what W_n + λ W_t at the given speed (m/s) is above the work sought there: zero at every root.
-    /// Its derivatives by an input p and by the speed are those of the root, ds/dp = −(∂/∂p)/(∂/∂s), whatever
-    /// method found it.
+    /// (J) W_n + λ W_t at the given speed (m/s) less the work sought there: zero at every root. Its
+    /// derivatives with respect to an input p and to the speed give those of the root, ds/dp =
+    /// −(∂/∂p)/(∂/∂s), whatever method found it.
     #[inline(always)]
     #[must_use]
     pub fn residual(&self, speed: T) -> T {
@@ -225,7 +227,7 @@ impl<T: Real> Problem<T> {
         self.contact.impact(motions, &law).map(|outcome| (law, outcome))
     }
 
-    /// (J) W_n + λ W_t under a law: what is held against the crush energy.
+    /// (J) W_n + λ W_t under a law: the work compared with the crush energy.
     #[inline(always)]
     pub(crate) fn crush_work_at(&self, law: &Law<T>, approach: Approach<T>) -> T {
         let normal = self.work_at(law, approach);

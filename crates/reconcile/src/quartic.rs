@@ -1,10 +1,10 @@
-//! The speeds under a fraction of μ_c with a moment impulse, as far as signs isolate them.
+//! The speeds under a fraction of μ_c with a moment impulse, if signs isolate them.
 //!
 //! With a constant e, W_n less the value sought is a quotient whose numerator has degree 4 in the approach
-//! speed, see [`fraction_with_moment`]. W_n has the value sought only where the numerator is zero, so that
-//! no speed is missed. As in [`isolated`](crate::isolated), the signs of the numerator's Bernstein
-//! coefficients show whether a range of approach speeds has no root, one, or perhaps several; a range that
-//! may have several is halved. The ranges end where the critical impulse stops pushing and where the
+//! speed, see [`fraction_with_moment`]. W_n has the value sought only if the numerator is zero, so that no
+//! speed is missed. As in [`isolated`](crate::isolated), the signs of the numerator's Bernstein coefficients
+//! show whether a range of approach speeds has no root, one, or perhaps several; a range that may have
+//! several is halved. The ranges end where the critical impulse stops pushing and where the
 //! contact jams, because most roots lie between these speeds, and at some multiples of the
 //! [size](Meeting::size) of a root.
 
@@ -20,15 +20,15 @@ use crate::posed::Posed;
 use crate::root::{CONVERGED, STEPS};
 use crate::stretch::Stretch;
 
-/// Times the [size](Meeting::size) of a root: most roots are slower, …
+/// Multiple of the [size](Meeting::size) of a root: most roots are slower, …
 const NEAR: f64 = 2.0;
-/// … and beyond rounding would hide the signs of slower approaches.
+/// … and in a longer range rounding would hide the signs of slower approaches.
 const FAR: f64 = 32.0;
 
-/// From where the chord of such a part of a part is zero, Newton's method leads to its root.
+/// After this many halvings, Newton's method converges from the zero of the chord.
 const HALVINGS_BEFORE_NEWTON: usize = 4;
 
-/// A polynomial of no higher degree than 4: what goes beyond is left out.
+/// A polynomial of degree 4 at most: higher terms are dropped.
 #[derive(Clone, Copy)]
 struct Polynomial([f64; Quartic::COEFFICIENTS]);
 
@@ -73,15 +73,15 @@ impl Ring for Polynomial {
     }
 }
 
-/// The numerator of F = ½ w x P_n − s as a polynomial of t, x = size t, and where the parts begin that are
-/// searched first.
+/// The numerator of F = ½ w x P_n − s as a polynomial in t, x = size t, and the ends of the parts searched
+/// first.
 pub(crate) struct Quartic {
     coefficients: [f64; Self::COEFFICIENTS],
     /// All approach speeds.
     stretch: Stretch,
-    /// (m/s) where the parts begin and end, in ascending order; some of them may have no length.
+    /// (m/s) the ends of the parts, in ascending order; some parts may have no length.
     ends: [f64; Self::PARTS + 1],
-    /// How many parts are given.
+    /// Number of parts already returned.
     given: usize,
 }
 
@@ -89,11 +89,11 @@ impl Quartic {
     const COEFFICIENTS: usize = 5;
     const PARTS: usize = 6;
 
-    /// Whether the law is one that has such a numerator.
+    /// Whether the law has such a numerator.
     fn is_of(law: &Law) -> bool {
         let e_m = law.moment_restitution();
-        // Without a share and with the whole of μ_c the law is another one, and with a common yaw rate
-        // numerator and denominator have a common factor.
+        // With f = 0 and f = 1 the law is another one, and with a common yaw rate numerator and denominator
+        // have a common factor.
         match law.tangential() {
             Tangential::FractionOfCritical(f) => (f != 0.0) & (f != 1.0) & (e_m != 0.0) & (e_m != -1.0),
             _ => false,
@@ -132,17 +132,17 @@ impl Quartic {
         Self { coefficients: numerator.0, stretch, ends, given: 0 }
     }
 
-    /// How often the Bernstein coefficients change sign in a range of approach speeds.
+    /// Sign changes of the Bernstein coefficients in a range of approach speeds.
     fn changes(&self, size: f64, range: [f64; 2]) -> Changes {
         let [low, high] = range.map(|x| x / size);
-        // No less than the sizes of what a Bernstein coefficient is a sum of.
+        // An upper bound of the sum of the absolute terms of any Bernstein coefficient.
         let reach = low.abs() + (high - low);
         let [least, _] = at(self.coefficients.map(f64::abs), reach);
         let coefficients = bernstein(self.coefficients, Self::COEFFICIENTS - 1, [low, high - low]);
         Changes::of(coefficients, least * SIGN_IS_SURE)
     }
 
-    /// The root in a range in which the sign changes once, and whether it is found.
+    /// The root in a range with one change of sign, and whether it was found.
     fn isolated(&self, size: f64, range: [f64; 2]) -> (Isolated, bool) {
         let [low, high] = range.map(|x| x / size);
         let (mut left, mut right) =
@@ -157,7 +157,7 @@ impl Quartic {
             }
         }
         let ([from, at_from], [to, at_to]) = (left, right);
-        // Where the chord is zero.
+        // The zero of the chord.
         let mut t = from + (to - from) * (at_from / (at_from - at_to));
         let mut way = [size * t; STEPS];
         let mut step = t;
@@ -171,7 +171,7 @@ impl Quartic {
         (Isolated { x: size * t, way }, is_found)
     }
 
-    /// What a part of the approach speeds has of roots.
+    /// The roots in a part of the approach speeds, as far as signs show them.
     pub(crate) fn signs(&self, meeting: &Meeting, part: &Stretch, law: &Law) -> Signs {
         let changes = self.changes(meeting.size, part.range);
         let mut roots = Roots::none();
@@ -211,7 +211,7 @@ fn at([a, b, c, d, e]: [f64; Quartic::COEFFICIENTS], t: f64) -> [f64; 2] {
 }
 
 impl Posed<'_> {
-    /// Where the law has one.
+    /// The quartic of the problem, if the law has one.
     pub(crate) fn quartic(self, meeting: &Meeting) -> Option<Quartic> {
         let law = self.problem.law.nominal();
         let is_constant = self.problem.law.curve().is_none() && self.problem.tangential_share == 0.0;

@@ -9,7 +9,7 @@ use crate::problem::Problem;
 use crate::root::Root;
 
 impl<'a> Posed<'a> {
-    /// The answer by root-finding, with what is kept of the steps.
+    /// The answer by root-finding, with the recorded steps.
     pub(crate) fn search<S: Trail>(self, wanted: Wanted) -> Result<Found<f64, S>, ReconcileError> {
         let mut search = Search::new(self.problem, wanted);
         for root in self.roots() {
@@ -31,7 +31,8 @@ impl<'a> Posed<'a> {
         self.admissible(closed.into_iter().flatten().chain(searched.into_iter().flatten()))
     }
 
-    /// Whether there is more than one of these: a search, which is large, is not moved where there is none.
+    /// Whether there is more than one admissible speed, without moving a search, which is large, unless
+    /// needed.
     fn has_several_speeds(self) -> bool {
         if self.problem.has_closed_form() {
             let approaches = self.approaches();
@@ -45,7 +46,7 @@ impl<'a> Posed<'a> {
         self.roots::<()>().filter_map(Result::ok).map(|root| root.x)
     }
 
-    /// The speeds at those of the approach speeds that are admissible.
+    /// The speeds of the admissible approach speeds.
     fn admissible<I: Iterator<Item = f64>>(self, approaches: I) -> impl Iterator<Item = f64> + use<'a, I> {
         let speeds = approaches.map(move |x| self.line.speed(x));
         speeds.filter(move |&speed| !is_too_fast(speed) && self.problem.impact(speed).is_ok())
@@ -53,8 +54,7 @@ impl<'a> Posed<'a> {
 }
 
 impl Problem {
-    /// The speed that reconciles impact and crush: in closed form where there is one, else by the
-    /// root-finder.
+    /// The speed that reconciles impact and crush: in closed form if there is one, else by the root-finder.
     ///
     /// # Errors
     /// [`ReconcileError`].
@@ -67,8 +67,8 @@ impl Problem {
         })
     }
 
-    /// The speed (m/s) that [`solve`](Self::solve) finds, and the impact at it: the same bits in less time,
-    /// as no step of the search is kept, and no other speed is sought.
+    /// The speed (m/s) that [`solve`](Self::solve) finds, and its impact: the same bits in less time, as no
+    /// steps are recorded and no other speeds are sought.
     ///
     /// # Errors
     /// [`ReconcileError`].
@@ -84,11 +84,11 @@ impl Problem {
 
     /// The answer by root-finding alone, which serves every law.
     ///
-    /// Guarantee: no speed of at most [`FASTEST`](crate::FASTEST) is missed, and none is counted twice, but
-    /// where rounding decides whether it exists. W_n less the value sought is a ratio of polynomials of the
-    /// approach speed within the pieces in which one regime of the law holds and e is linear. The signs of
-    /// its Bernstein coefficients say that a range has one root at most, or the extrema of the numerator
-    /// isolate its roots; Newton's method or Brent's finds each.
+    /// Guarantee: no speed of at most [`FASTEST`](crate::FASTEST) is missed, and none is counted twice,
+    /// unless rounding decides whether it exists. Within each piece, in which one regime of the law holds and
+    /// e is linear, W_n less the value sought is a ratio of polynomials in the approach speed. Either the
+    /// signs of Bernstein coefficients show that a range has at most one root, or the extrema of the
+    /// numerator isolate its roots; Newton's method or Brent's finds each.
     ///
     /// # Errors
     /// [`ReconcileError`].
@@ -96,8 +96,8 @@ impl Problem {
         Ok(self.posed()?.search(Wanted::All)?.reconciling(self, SolutionMethod::RootFinder))
     }
 
-    /// (m/s) the admissible speeds, from the slowest approach to the fastest, however many; none where
-    /// [`check`](Self::check) refuses the problem. The first is that of [`solve`](Self::solve).
+    /// (m/s) all admissible speeds, from the slowest approach to the fastest; none if [`check`](Self::check)
+    /// refuses the problem. The first is that of [`solve`](Self::solve).
     pub fn speeds(&self) -> impl Iterator<Item = f64> {
         self.posed().into_iter().flat_map(Posed::speeds)
     }

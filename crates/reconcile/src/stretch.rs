@@ -25,13 +25,13 @@ impl Stretch {
         Self { start: from, length, restitution: [e0, e1], rise: (e1 - e0) / length, range: [from, to] }
     }
 
-    /// Of one restitution.
+    /// A stretch of constant restitution.
     #[inline(always)]
     pub(crate) fn constant(e: f64, size: f64, range: [f64; 2]) -> Self {
         Self { start: 0.0, length: size, restitution: [e; 2], rise: 0.0, range }
     }
 
-    /// As far as the approach speeds reach.
+    /// The part within the given approach speeds.
     #[inline(always)]
     pub(crate) fn within(self, [least, most]: [f64; 2]) -> Self {
         let [from, to] = self.range;
@@ -51,7 +51,7 @@ impl Stretch {
         (e0 == 1.0) & (e1 == 1.0)
     }
 
-    /// (m/s) where a range is halved.
+    /// (m/s) the middle of a range.
     #[inline(always)]
     pub(crate) fn middle([low, high]: [f64; 2]) -> f64 {
         0.5 * (low + high)
@@ -93,12 +93,12 @@ impl Stretch {
         }
     }
 
-    /// The polynomial of t of something that is affine in x and affine in e.
+    /// A quantity that is affine in x and affine in e, as a polynomial in t.
     pub(crate) fn polynomial(&self, law: &Law, value: impl Fn(&Law, f64) -> f64) -> Polynomial {
         self.corners(law, value).polynomial(|value| *value)
     }
 
-    /// Something at both ends of the stretch, under the law with the restitution of each.
+    /// A quantity at both ends of the stretch, under the law with the restitution of each end.
     pub(crate) fn corners<V>(&self, law: &Law, value: impl Fn(&Law, f64) -> V) -> Corners<V> {
         let ends = [self.start, self.start + self.length];
         let [from, to] = self.restitution;
@@ -110,18 +110,17 @@ impl Stretch {
     }
 }
 
-/// A stretch in parts, of which the slowest is searched first and halved where it may have several roots.
+/// A stretch in parts: the slowest is searched first, and halved if it may have several roots.
 pub(crate) struct Parts {
     stretch: Option<Stretch>,
-    /// (m/s) where the slowest part begins.
+    /// (m/s) the beginning of the slowest part.
     low: f64,
-    /// (m/s) where each part ends, the fastest first.
+    /// (m/s) the end of each part, the fastest first.
     ends: [f64; HALVINGS + 1],
     count: usize,
 }
 
-/// A part is no shorter than this power of a half of its stretch: two roots that are nearer to each other
-/// take the polynomials of its pieces.
+/// A stretch is halved at most this many times: roots closer together need the polynomials of its pieces.
 const HALVINGS: usize = 5;
 
 impl Parts {
@@ -140,7 +139,7 @@ impl Parts {
         self.stretch.map(|stretch| Stretch { range: [self.low, high], ..stretch })
     }
 
-    /// Whether the slowest part is now its slower half.
+    /// Halves the slowest part if possible, and returns whether it did.
     pub(crate) fn halve(&mut self) -> bool {
         let (Some(high), true) = (self.ends[..self.count].last(), self.count <= HALVINGS) else {
             return false;
@@ -150,7 +149,7 @@ impl Parts {
         true
     }
 
-    /// The slowest part is searched.
+    /// Marks the slowest part as searched.
     pub(crate) fn finish(&mut self) {
         if let Some(high) = self.ends[..self.count].last() {
             self.low = *high;
@@ -159,14 +158,14 @@ impl Parts {
     }
 }
 
-/// Something at t = 0 and t = 1, under the law of either; of one law where both are the same.
+/// A quantity at t = 0 and t = 1, under the law of each end; for one law only if both are the same.
 pub(crate) struct Corners<V> {
     from: [V; 2],
     to: Option<[V; 2]>,
 }
 
 impl<V> Corners<V> {
-    /// The polynomial of t of a part that is affine in x and affine in e.
+    /// A component that is affine in x and affine in e, as a polynomial in t.
     pub(crate) fn polynomial(&self, part: impl Fn(&V) -> f64) -> Polynomial {
         let [a, b] = self.from.each_ref().map(&part);
         let Some(to) = &self.to else { return Polynomial::new([a, b - a]) };

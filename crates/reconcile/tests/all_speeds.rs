@@ -1,13 +1,14 @@
-//! All speeds at which a collision takes the crush energy, against a dense scan by an engine of its own.
+//! All speeds at which a collision takes the crush energy, compared with a dense scan by an independent
+//! engine.
 //!
-//! The engine solves for the impulses in generalised coordinates and knows nothing of the program's laws; the
-//! scan is of more than 20,000 approach speeds for each case. By hand, in some minutes:
+//! The engine solves for the impulses in generalised coordinates and shares nothing with the program's laws;
+//! the scan has more than 20,000 approach speeds for each case. Run it manually, in some minutes:
 //!
 //! `cargo test --release -p deltav-tests all_speeds -- --ignored --nocapture`
 //!
-//! Each prints a line: cases, roots, missed (speeds that the program does not give), spurious (that it gives
-//! and the scan does not), miscounted (where the number of speeds is wrong, or the answer is not the slowest
-//! approach) and undecided (where rounding decides, so that nothing is compared).
+//! Each test prints a line: cases, roots, missed (speeds that the program does not find), spurious (found by
+//! the program but not by the scan), miscounted (the number of speeds is wrong, or the answer is not the
+//! slowest approach) and undecided (rounding decides, so that nothing is compared).
 
 mod draws;
 mod engine;
@@ -23,7 +24,7 @@ use self::draws::{Draws, Sought, sought};
 use self::engine::Judgement;
 use self::scan::Scan;
 
-/// What the program says: the answer, how many speeds there are, and the speeds.
+/// The program's results: the answer, the number of speeds, and the speeds.
 struct Given {
     answer: f64,
     count: usize,
@@ -35,7 +36,7 @@ fn given(problem: &Problem) -> Result<Given, ReconcileError> {
     Ok(Given { answer: answer.speed, count: answer.admissible, speeds: problem.speeds().collect() })
 }
 
-/// The random cases are the same at every run, unless `PROPTEST_RNG_SEED` asks for others.
+/// The random cases are the same in every run, unless `PROPTEST_RNG_SEED` is set.
 fn seed() -> u64 {
     std::env::var("PROPTEST_RNG_SEED").ok().and_then(|seed| seed.parse().ok()).unwrap_or(980_025)
 }
@@ -49,7 +50,7 @@ struct Tally {
     spurious: usize,
     miscounted: usize,
     undecided: usize,
-    /// The first cases that went wrong.
+    /// The first failing cases.
     wrong: Vec<String>,
 }
 
@@ -69,7 +70,7 @@ impl Tally {
             Ok(found) => (found.count, Some(found.answer), &found.speeds[..]),
             Err(_) => (0, None, &[][..]),
         };
-        // (m/s) how well a root of a scan is known as a speed.
+        // (m/s) accuracy of a root of the scan as a speed.
         let tolerance = |speed: f64| {
             let x = scan.engine.approach_speed(speed);
             (3e-8 * x + 1e-12 * (scan.engine.size + x)) / scan.engine.slope[0].abs()
@@ -168,7 +169,7 @@ fn all_speeds_near_turns_jumps_and_knots_are_found() {
     tally.assert_complete("aimed", 0.1);
 }
 
-/// The same in small, with a coarser grid.
+/// A smaller run with a coarser grid.
 #[test]
 fn all_speeds_of_some_random_collisions_are_found() {
     random_cases(400, 4).assert_complete("random", 0.03);
@@ -179,7 +180,7 @@ fn all_speeds_near_some_turns_jumps_and_knots_are_found() {
     aimed_cases(400, 4).assert_complete("aimed", 0.1);
 }
 
-/// The engine of the scan is the oracle, which solves nine raw equations.
+/// The engine of the scan agrees with the oracle, which solves nine raw equations.
 #[test]
 fn the_engine_agrees_with_the_oracle() {
     let (mut possible, mut impossible) = (0, 0);
@@ -193,7 +194,7 @@ fn the_engine_agrees_with_the_oracle() {
         }
         let mut scene = sought.at(speed);
         if scene.tangential == Tangential::FractionOfCritical(0.0) {
-            // Without friction, whatever the critical condition would ask for.
+            // Without friction, whatever the critical condition would require.
             scene = scene.under(Tangential::Ratio(0.0));
         }
         let state = scan.engine.state(x);

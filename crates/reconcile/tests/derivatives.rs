@@ -1,4 +1,4 @@
-//! The equations carry derivatives: [`Duals`] in place of `f64`.
+//! Derivatives of the equations, with [`Duals`] in place of `f64`.
 
 use crash3::{EnergyBasis, Profile, Stiffness, StruckVehicle, crush_energy, delta_v};
 use pim_core::{Body, Contact, Law, Motion, Participant, Real, Tangential};
@@ -7,11 +7,11 @@ use reconcile::Unknown;
 
 use crate::reconciliation::posed;
 
-/// What the derivatives are taken by: restitution, mass of vehicle 1, crush plane, heading of vehicle 2,
+/// The inputs of the derivatives: restitution, mass of vehicle 1, crush plane, heading of vehicle 2,
 /// stiffness B.
 const INPUTS: [f64; 5] = [0.3, 1676.5, -0.4014, 1.1694, 633e3];
 
-/// Everything that the chain from damage to motion gives, at the inputs of [`INPUTS`].
+/// All results of the chain from damage to motion, at the inputs of [`INPUTS`].
 fn chain<T: Real>(
     [restitution, mass, crush_plane, heading, b]: [T; 5],
     tangential: Tangential<T>,
@@ -76,8 +76,8 @@ fn derivatives_are_differences_in_the_limit() {
             for i in 0..values.len() {
                 assert_eq!(duals[i].value.to_bits(), values[i].to_bits(), "value {i}");
                 let difference = (8.0 * (high[i] - low[i]) - (high2[i] - low2[i])) / (12.0 * step);
-                // A change of the input by itself changes the output by this much: the scale of a derivative
-                // near zero.
+                // A change of the input by its own size changes the output by this much: the scale of a
+                // derivative near zero.
                 let scale = scales[i] / INPUTS[input].abs();
                 let [derivative] = duals[i].derivatives;
                 let error = (derivative - difference).abs();

@@ -1,7 +1,7 @@
 //! The tests of the speed at which the impact takes the crush energy, in one binary.
 //!
-//! What is expected comes from the paper, with its misprints corrected as docs/theory.md has them, from the
-//! impact that is undone, or from scans of [`oracle`]'s impacts.
+//! Expected values come from the paper, with its misprints corrected as in docs/theory.md, from the impact
+//! that is undone, or from scans of [`oracle`]'s impacts.
 
 #![expect(clippy::disallowed_methods, reason = "what is expected shares no function with what is tested")]
 

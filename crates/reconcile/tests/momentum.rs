@@ -1,4 +1,4 @@
-//! Both speeds from momentum, against the impacts that it undoes.
+//! Both speeds from momentum, compared with the impacts that it undoes.
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -22,7 +22,7 @@ struct Crash {
 }
 
 impl Crash {
-    /// The collision at these speeds, the other way round if the vehicles would separate.
+    /// The collision at these speeds, reversed if the vehicles would separate.
     fn of(scene: Scene, speeds: [f64; 2]) -> Option<Self> {
         let at = |speeds: [f64; 2]| scene.at_speed(0, speeds[0]).at_speed(1, speeds[1]);
         let moving = at(speeds);
@@ -43,7 +43,7 @@ impl Crash {
         momentum(&self.scene, &self.effects)
     }
 
-    /// (m/s) the scale of rounding in the speed of each vehicle, where the sine is 1.
+    /// (m/s) the scale of rounding in the speed of each vehicle, for a sine of 1.
     fn scale(&self) -> [f64; 2] {
         let [m1, m2] = self.scene.cars.map(|car| car.mass);
         let [a, b] = self.effects.velocities.map(|v| v[0].hypot(v[1]));
@@ -78,7 +78,7 @@ fn crash(turn: impl Strategy<Value = f64>) -> impl Strategy<Value = (Scene, [f64
     )
 }
 
-/// Labels exchanged: P acts on the other vehicle, n and t turn round.
+/// Vehicles exchanged: P acts on the other vehicle, n and t are reversed.
 fn swapped(m: &Momentum, crush_plane: f64) -> Momentum {
     let [one, two] = *m.contact.participants();
     let ([w1, w2], [a1, a2]) = (m.yaw_rates, m.after);
@@ -121,7 +121,7 @@ fn momentum_undoes_an_impact() {
     });
 }
 
-/// Where one speed is known, the other follows at any angle, along one line too.
+/// If one speed is known, the other follows at any angle, even along one line.
 #[test]
 fn momentum_beside_a_known_speed_undoes_an_impact() {
     for_all(10_000, 0.5, crash(-PI..PI), |(scene, speeds)| {
@@ -136,8 +136,8 @@ fn momentum_beside_a_known_speed_undoes_an_impact() {
     });
 }
 
-/// By hand: 1500 kg and 1000 kg leave together at 12 m/s along x, but 1000 kg also at 3 m/s across. The part
-/// across is not taken for speed.
+/// By hand: 1500 kg and 1000 kg leave together at 12 m/s along x, but the 1000 kg also at 3 m/s across. The
+/// transverse component does not affect the speed.
 #[test]
 fn momentum_across_the_heading_is_not_taken_for_speed() {
     let one = Participant::new(Body::new(1500.0, 2500.0).unwrap(), 0.0, 2.0, 0.0).unwrap();
@@ -181,7 +181,7 @@ fn approaches_within_ten_degrees_of_a_line_are_collinear() {
     }
 }
 
-/// Where the impulse is the whole interaction, its effects are those of the oracle.
+/// If the impulse is the whole interaction, its effects are those of the oracle.
 #[test]
 fn what_the_speeds_imply_is_what_the_impact_did() {
     for_all(10_000, 0.4, crash(-PI..PI), |(scene, speeds)| {
@@ -229,7 +229,7 @@ fn what_the_speeds_imply_is_what_the_impact_did() {
                 assert_close("μ_c", implied.critical_impulse_ratio.unwrap(), critical, 1e-5);
             }
         }
-        // Without yaw rates after impact those of P take their place, which are the same.
+        // Without yaw rates after impact those from P are used, which are the same.
         let unknown = m.after.map(|departure| Departure { yaw_rate: None, ..departure });
         let blind = Momentum { after: unknown, ..m }.implied(crash.speeds).unwrap();
         assert_close("E_L", blind.energy_loss, effects.loss, energy);
@@ -237,14 +237,14 @@ fn what_the_speeds_imply_is_what_the_impact_did() {
         let Implied { impulse_ratio, pdof, .. } = mirrored(&m).implied(crash.speeds).unwrap().mirrored();
         assert_eq!(impulse_ratio.is_some(), implied.impulse_ratio.is_some());
         for (mirrored, pdof) in pdof.into_iter().zip(implied.pdof) {
-            // The force on the mirrored collision comes from the other side.
+            // In the mirrored collision the force comes from the other side.
             assert_direction("PDOF", -mirrored, pdof, 1e-8);
         }
         true
     });
 }
 
-/// W_n at a pair of speeds, if that is an impact.
+/// W_n at a pair of speeds, if there is an impact.
 fn work(scene: &Scene, speeds: [f64; 2]) -> Option<f64> {
     match verdict(&scene.at_speed(0, speeds[0]).at_speed(1, speeds[1])) {
         Verdict::Impact(effects) => Some(effects.normal_work),
@@ -259,7 +259,7 @@ fn momentum_along_an_axis_and_crush_undo_an_impact() {
         1 => Just(PI),
         4 => -0.17..0.17,
         4 => (-0.17..0.17).prop_map(|turn| PI + turn),
-        // Any axis serves where the approaches cross.
+        // Any axis will do if the approaches cross.
         2 => -PI..PI,
     ];
     for_all(400, 0.4, (crash(near), -0.5..0.5), |((scene, speeds), tilt)| {
@@ -292,7 +292,7 @@ fn momentum_along_an_axis_and_crush_undo_an_impact() {
         let answer = solver.solve().unwrap();
         assert_eq!(answer.speeds, found[0]);
         assert_eq!(answer.admissible, found.len());
-        // Beside an extremum of W_n a speed is known to the root of what the energy is known to.
+        // Near an extremum of W_n the accuracy of a speed is the square root of that of the energy.
         let step = 1e-3;
         let steep = |v1: f64| match (work(&scene, pair(v1 - step)), work(&scene, pair(v1 + step))) {
             (Some(a), Some(b)) => ((b - a) / energy).abs() > 1e-6,
@@ -329,9 +329,8 @@ fn momentum_along_an_axis_and_crush_undo_an_impact() {
     });
 }
 
-/// Two vehicles of 1200 and 1800 kg on one line, C on it, the second with this heading.
 /// S of section 10, from the definition: errors along and across each velocity, the work by the brute-force
-/// solve. Infinite where no impact can happen.
+/// solution. Infinite if no impact is possible.
 fn sum_of_squares(
     crash: &Crash,
     (energy, share): (f64, f64),
@@ -362,7 +361,7 @@ fn sum_of_squares(
 }
 
 /// The crush energy is that of the impact times a factor, so that momentum and damage do not agree. A search
-/// on ever finer grids about the answer and about the speeds of momentum finds no smaller sum.
+/// on ever finer grids about the answer and about the speeds from momentum finds no smaller sum.
 #[test]
 fn momentum_beside_crush_has_the_least_sum_of_squares() {
     let smooth = prop_oneof![
@@ -377,7 +376,7 @@ fn momentum_beside_crush_has_the_least_sum_of_squares() {
         let (speed, direction, crush_ln, factor, share) = errors;
         let m = crash.momentum();
         let work = crash.effects.normal_work + share * crash.effects.tangential_work;
-        // Where momentum tells little, or one vehicle stops, the grid would have to be finer.
+        // If momentum determines little, or one vehicle stops, the grid would have to be finer.
         if m.sine().abs() < 0.3 || work < 100.0 || crash.speeds.iter().any(|speed| speed.abs() < 5.0) {
             return false;
         }
@@ -420,8 +419,8 @@ fn momentum_beside_crush_has_the_least_sum_of_squares() {
     });
 }
 
-/// The weights decide: a crush energy of any size gives the speeds of momentum, and velocities of any size
-/// give the crush energy.
+/// The weights decide: with a crush energy of no weight the speeds are those of momentum, and with velocities
+/// of no weight they give the crush energy.
 #[test]
 fn what_is_exact_holds_beside_what_is_not() {
     let body = Body::new(1500.0, 2500.0).unwrap();
@@ -464,7 +463,7 @@ fn what_is_exact_holds_beside_what_is_not() {
         }
     }
     assert!(new(1e5, law, 0.0, errors).is_none());
-    // The other way round the vehicles separate.
+    // With reversed velocities the vehicles separate.
     let apart =
         Momentum { after: momentum.after.map(|d| Departure { velocity: -d.velocity, ..d }), ..momentum };
     let on = (EnergyBasis::Dissipated, 0.0);
@@ -472,6 +471,7 @@ fn what_is_exact_holds_beside_what_is_not() {
     assert!(matches!(refused, Err(MomentumError::Inadmissible { .. })));
 }
 
+/// Two vehicles of 1200 and 1800 kg on one line, with C on it; `turn` is the angle between their headings.
 fn in_line(heading: f64, turn: f64, after: [f64; 2], yaw_known: bool) -> Momentum {
     let body = |mass: f64| Body::new(mass, 2.0 * mass).unwrap();
     let struck = if turn == 0.0 { -2.0 } else { 2.0 };
@@ -485,7 +485,7 @@ fn in_line(heading: f64, turn: f64, after: [f64; 2], yaw_known: bool) -> Momentu
     }
 }
 
-/// By hand. Central and on one line: E = ½ m̄ (1−e²) σ², m̄ = 720 kg; the speeds share the momentum.
+/// By hand, central and on one line: E = ½ m̄ (1−e²) σ², m̄ = 720 kg; the speeds share the momentum.
 #[test]
 fn rear_end_and_head_on_by_hand() {
     for step in -18..18 {
@@ -501,7 +501,7 @@ fn rear_end_and_head_on_by_hand() {
             // V_i = common velocity ∓ e σ m_j/M
             let common = 1200.0 * 15.0 / 3000.0;
             let after = [common - e * closing * 0.6, common + e * closing * 0.4];
-            // The second vehicle's heading and its speed both turn round.
+            // The second vehicle's heading and its speed are both reversed.
             for turn in [0.0, PI] {
                 let m = in_line(heading, turn, after, true);
                 for law in [Tangential::Critical, Tangential::Friction(0.5)] {
@@ -533,7 +533,7 @@ fn rear_end_and_head_on_by_hand() {
     assert_close("v_2", v2, 5.0, 1e-12);
 }
 
-/// By hand: 1200 kg at 5 m/s into a wall, and 0.5 m/s out of it. The impulse is that of the vehicle alone.
+/// By hand: 1200 kg hit a wall at 5 m/s and leave it at 0.5 m/s. The impulse is that of the vehicle alone.
 #[test]
 fn a_fixed_object_takes_the_momentum() {
     let car = Participant::new(Body::new(1200.0, 2400.0).unwrap(), 0.0, 2.0, 0.0).unwrap();
@@ -608,7 +608,7 @@ fn what_has_no_answer_says_why() {
         MomentumAndCrush::new(sideswipe, axis, law(), 1e4, basis, 0.0),
         Err(MomentumError::AlongCrushPlane { .. })
     ));
-    // A text names what to change.
+    // An error text names what to change.
     for (error, part) in [
         (fixed, "vehicle 2 is fixed"),
         (MomentumError::Collinear { angle: 3.0_f64.to_radians() }, "3.00°"),
@@ -622,7 +622,7 @@ fn what_has_no_answer_says_why() {
     }
 }
 
-/// Speeds and what they imply, as functions of what the derivatives are taken by: masses, heading 2, V_1x,
+/// Speeds and their implications, as functions of the inputs of the derivatives: masses, heading 2, V_1x,
 /// V_2y, Ω_1, crush energy, axis, e.
 fn chain<T: Real>([m1, m2, heading, vx, vy, yaw, energy, axis, e]: [T; 9]) -> Vec<T> {
     let t = |x: f64| T::from(x);
@@ -686,7 +686,7 @@ fn derivatives_are_differences_in_the_limit() {
     }
 }
 
-/// A search that no closed form serves hands out the derivatives of its residual.
+/// A search without a closed form gives the derivatives of its residual.
 #[test]
 fn derivatives_under_a_friction_limit() {
     let solver = |energy: f64| {

@@ -1,5 +1,5 @@
 //! The equations of SAE 980025 in its own symbols, with its misprints corrected (docs/theory.md, sections 3,
-//! 4 and 8), against the matrix form of `pim-core`; and each misprinted one, to show that it is one.
+//! 4 and 8), compared with the matrix form of `pim-core`; and each misprinted one, to show that it is wrong.
 //!
 //! The paper's equations are for vehicles without yaw rate before impact.
 
@@ -41,7 +41,7 @@ impl Paper {
         ];
         // m̄/(mᵢ kᵢ²)
         let (s1, s2) = (reduced_mass * one.inverse_yaw_inertia(), reduced_mass * two.inverse_yaw_inertia());
-        // The plane's own axes, oriented or not: u_n and u_t change their signs together.
+        // The axes of the plane, oriented or not: u_n and u_t change sign together.
         let (sin, cos) = scene.crush_plane.sin_cos();
         let [x, y] = [0, 1].map(|axis| one.velocity[axis] - two.velocity[axis]);
         let (u_n, u_t) = (x * cos + y * sin, y * cos - x * sin);
@@ -57,33 +57,33 @@ impl Paper {
         }
     }
 
-    /// Eq 2, mended.
+    /// Eq 2, corrected.
     fn q(&self, mu: f64) -> f64 {
         // 1/q = A − μ B
         1.0 / (self.a - mu * self.b)
     }
 
-    /// The ratio at which the tangential velocities end up equal.
+    /// The ratio at which the final tangential velocities are equal.
     fn critical_ratio(&self) -> f64 {
         let Self { a, b, c, e, r, .. } = self;
         // μ_c = [r A + (1+e) B] / [(1+e)(1+C) + r B]
         (r * a + (1.0 + e) * b) / ((1.0 + e) * (1.0 + c) + r * b)
     }
 
-    /// What stands in braces in the mended Eq 3, and below the fraction bar in the mended Eq 1.
+    /// The term in braces in the corrected Eq 3, and in the denominator of the corrected Eq 1.
     fn braces(&self, mu: f64) -> f64 {
         let Self { b, c, e, r, .. } = self;
         // (1−e) + 2 μ r − (1+e) μ q [ μ(1+C) − B ]
         (1.0 - e) + 2.0 * mu * r - (1.0 + e) * mu * self.q(mu) * (mu * (1.0 + c) - b)
     }
 
-    /// Eq 3, mended.
+    /// Eq 3, corrected.
     fn energy_loss(&self, mu: f64) -> f64 {
         // E_L = ½ m̄ q u_n² (1+e) {…}
         0.5 * self.reduced_mass * self.q(mu) * self.u_n.powi(2) * (1.0 + self.e) * self.braces(mu)
     }
 
-    /// Eq 1, mended.
+    /// Eq 1, corrected.
     fn momentum_change(&self, mu: f64, energy_loss: f64) -> f64 {
         // |mᵢ ΔVᵢ| = √( 2 m̄ (1+μ²)(1+e) q E_L / {…} )
         (2.0 * self.reduced_mass * (1.0 + mu * mu) * (1.0 + self.e) * self.q(mu) * energy_loss
@@ -122,7 +122,7 @@ fn the_mended_equations_are_those_of_the_matrix() {
         assert_close("P_n", p_n, expected, scale.impulse * 1e-10);
         assert_close("W_n", outcome.energy.normal_work, paper.normal_work(mu), scale.work * 1e-10);
         assert_close("E_L", outcome.energy.loss, paper.energy_loss(mu), scale.work * 1e-10);
-        // Eq 1 divides the loss by the braces: where both vanish it says nothing.
+        // Eq 1 divides the loss by the braces: if both vanish, it is indeterminate.
         if paper.braces(mu) < 1e-3 {
             return false;
         }
@@ -143,7 +143,7 @@ fn the_paper_s_arms_are_the_arms_in_the_axes_of_the_crush_plane() {
         let contact = scene.contact();
         let [d_a, d_b, d_c, d_d] = Paper::of(&scene).arms;
         let n = contact.normal();
-        // The paper does not turn n: with the other normal all four change their sign.
+        // The paper does not orient n: with the other normal all four change sign.
         let sign =
             if n.x * scene.crush_plane.cos() + n.y * scene.crush_plane.sin() > 0.0 { 1.0 } else { -1.0 };
         let [r1, r2] = contact.arms();
@@ -172,7 +172,7 @@ fn the_matrix_holds_the_paper_s_coefficients() {
     });
 }
 
-/// The example of the appendix in the paper's symbols.
+/// The example in the appendix, in the paper's symbols.
 fn example() -> (Scene, Outcome, Paper) {
     let outcome = reconciliation().outcome;
     let car = |weight: f64, inertia: f64, heading: f64, distance: f64, angle: f64, i: usize| {
@@ -200,8 +200,8 @@ fn example() -> (Scene, Outcome, Paper) {
     (scene, outcome, paper)
 }
 
-/// ERRATUM, Eq 1: printed with (1+μ) for (1+μ²), and with −μ²r/μ_c for what the braces have. That is the same
-/// for B = 0, or at μ = μ_c if that is not the text's r/(1+e) either.
+/// ERRATUM, Eq 1: printed with (1+μ) for (1+μ²), and with −μ²r/μ_c for the term in braces. That is equal for
+/// B = 0, or at μ = μ_c if this is not the text's r/(1+e) either.
 #[test]
 fn eq_1_as_printed_is_not_the_momentum_change() {
     let (scene, at_critical, paper) = example();
@@ -229,7 +229,7 @@ fn eq_1_as_printed_is_not_the_momentum_change() {
     }
     let critical = paper.critical_ratio();
     assert_relative("the denominator", denominator(critical, critical), paper.braces(critical), 1e-12);
-    // For B = 0 the two denominators are one: a central impact.
+    // For B = 0, a central impact, the two denominators are equal.
     let (scene, paper) = central();
     let mu = 0.5 * paper.critical_ratio();
     let printed = (1.0 - paper.e) + 2.0 * mu * paper.r - mu * mu * paper.r / paper.critical_ratio();
@@ -237,7 +237,7 @@ fn eq_1_as_printed_is_not_the_momentum_change() {
     assert!(approach(&scene)[0] < 0.0);
 }
 
-/// C on the line between the CGs, which is normal to the crush plane: arms along n only, and none across it.
+/// C on the line between the CGs, which is normal to the crush plane: the arms are along n.
 fn central() -> (Scene, Paper) {
     let car = Car {
         fixed: false,
@@ -258,8 +258,8 @@ fn central() -> (Scene, Paper) {
         moment: -1.0,
     }
     .approaching();
-    // Point masses: C at both CGs but for a millimetre that orients the normal, and that is left out of the
-    // paper's arms.
+    // Point masses: C at both CGs except for a millimetre that orients the normal, omitted in the paper's
+    // arms.
     let point = scene.with_cars(|car| Car { distance: 0.0, ..car });
     (scene, Paper::of(&point))
 }
@@ -319,13 +319,13 @@ fn the_printed_critical_ratio_is_that_of_a_central_impact() {
     assert_relative("μ_c", paper.critical_ratio(), critical, 1e-10);
     assert!((printed / critical - 1.0).abs() > 0.1, "{printed} {critical}");
     let (scene, paper) = central();
-    // The millimetre of arm is worth (0.001/1.4)².
+    // The effect of the millimetre of arm is (0.001/1.4)².
     let critical = scene.impact().unwrap().critical_impulse_ratio.unwrap();
     assert_relative("μ_c of a central impact", critical, paper.r / (1.0 + paper.e), 1e-6);
     assert_relative("μ_c of a central impact", paper.critical_ratio(), paper.r / (1.0 + paper.e), 1e-14);
 }
 
-/// ERRATUM, Eq 5: printed with B/6 on the squares only and 5G outside of L/5. Taken literally, in feet and
+/// ERRATUM, Eq 5: printed with B/6 on the squares only and 5G outside L/5. Taken literally, in feet and
 /// pounds, it gives vehicle 1 of the example 80.4 kJ instead of 102.2 kJ.
 #[test]
 fn eq_5_as_printed_is_not_the_crush_energy() {

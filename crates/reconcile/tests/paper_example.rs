@@ -1,8 +1,8 @@
-//! The example of SAE 980025 (its section "Using PIM and CRASH3 in combination" and its appendix), from its
-//! own US units.
+//! The example of SAE 980025 (its section "Using PIM and CRASH3 in combination" and its appendix), in its
+//! original US units.
 //!
-//! Expected are the figures that the corrected equations give, and the paper's where its print is right.
-//! Where it is not, `ERRATUM` says so and the test shows the difference.
+//! The expected figures are those of the corrected equations, and the paper's where they are right. Where
+//! they are not, `ERRATUM` marks it and the test shows the difference.
 
 use crash3::{
     EnergyBasis, ObliqueCorrection, Profile, Stiffness, StruckVehicle, crush_energy, delta_v, moment_arm,
@@ -24,7 +24,7 @@ const GRAVITY: f64 = 9.80665;
 /// (N) the weight of 0.45359237 kg.
 pub(crate) const POUND_FORCE: f64 = 0.453_592_37 * GRAVITY;
 
-/// Of vehicle 1 and vehicle 2, as the appendix has them.
+/// Vehicle 1 and vehicle 2, as in the appendix.
 const WEIGHTS: [f64; 2] = [3696.0, 3413.0];
 const INERTIAS: [f64; 2] = [2437.0, 2165.0];
 /// ERRATUM: the appendix prints θ₁ = 0 with v_x = −75 ft/s: the vehicle's heading is 180°.
@@ -64,7 +64,7 @@ fn stiffness(i: usize) -> Stiffness {
     Stiffness::from_d0_d1(D0[i] * POUND_FORCE.sqrt(), D1[i] * POUND_FORCE.sqrt() / FOOT).unwrap()
 }
 
-/// (J) of vehicle 1 and vehicle 2.
+/// (J) crush energies of vehicle 1 and vehicle 2.
 fn energies() -> [f64; 2] {
     [0, 1].map(|i| {
         let depths = DEPTHS[i].map(|depth| depth * INCH).to_vec();
@@ -83,7 +83,7 @@ pub(crate) fn reconciliation() -> Reconciliation {
     problem().solve().unwrap()
 }
 
-/// h of both vehicles, for the direction of the impulse that the impact has.
+/// h of both vehicles, for the direction of the impact's impulse.
 fn moment_arms() -> [f64; 2] {
     let outcome = reconciliation().outcome;
     [0, 1].map(|i| {
@@ -164,7 +164,7 @@ fn the_impact_is_the_one_that_the_paper_prints() {
     assert_printed(dv1 / MPH, "27.18");
     assert_printed(dv2 / MPH, "29.44");
     assert_printed(dv2 / MPH, "29.4");
-    // 27.1 is what the paper cuts 27.18 to.
+    // The paper truncates 27.18 to 27.1.
     assert_close("the paper's ΔV_1", dv1 / MPH, 27.1, 0.1);
     assert_close("the paper's ΔV_1", dv1, 12.12, 0.035);
     assert_close("the paper's ΔV_2", dv2, 13.13, 0.035);
@@ -176,14 +176,14 @@ fn the_impact_is_the_one_that_the_paper_prints() {
     assert_relative("the paper's resultant", outcome.impulse_vector.norm(), 20_313.0, 0.004);
 }
 
-/// ERRATUM: the appendix prints v_2x = −5.7 and V_2y = −15.5 ft/s. Only with the other sign of both does the
-/// system keep its momentum.
+/// ERRATUM: the appendix prints v_2x = −5.7 and V_2y = −15.5 ft/s. Only with the other sign of both is
+/// momentum conserved.
 #[test]
 fn the_signs_of_vehicle_2_are_those_that_balance_the_momentum() {
     let change = |weight: f64, before: f64, after: f64| weight * (after - before);
     let x = |v2x: f64| change(3696.0, -75.0, -35.3) + change(3413.0, v2x, -37.3);
     let y = |v2y: f64| change(3696.0, 0.0, -1.8) + change(3413.0, 13.5, v2y);
-    // In lb ft/s, of some 147,000 exchanged; a tenth of a ft/s is 350.
+    // In lb ft/s, out of some 147,000 exchanged; a tenth of a ft/s is 350.
     assert!(x(5.7).abs() < 700.0 && y(15.5).abs() < 700.0, "{} {}", x(5.7), y(15.5));
     assert!(x(-5.7).abs() > 30_000.0 && y(-15.5).abs() > 90_000.0);
     let [_, before] = reconciliation().outcome.before;
@@ -204,7 +204,7 @@ fn crash3_alone_needs_the_arms() {
     let [dv1, dv2] = delta_v(energy, [inertia(0, h1), inertia(1, h2)]).unwrap();
     assert_printed(dv1 / FOOT, "26.9");
     assert_printed(dv2 / FOOT, "29.2");
-    // The paper's arms are not stated: with h₂ = 1.215 ft its figures come out.
+    // The paper does not state its arms: h₂ = 1.215 ft reproduces its figures.
     let [dv1, dv2] = delta_v(energy, [inertia(0, h1), inertia(1, 1.215 * FOOT)]).unwrap();
     assert_printed(dv1 / FOOT, "27.6");
     assert_printed(dv2 / FOOT, "29.9");
@@ -234,8 +234,8 @@ fn the_corrected_energies_follow_from_the_paper_s_angles() {
     assert_printed(factor(30.0), "1.333");
 }
 
-/// The basis is a choice: energy absorbed at maximum engagement asks for less dissipated, and so for less
-/// speed.
+/// The basis is a choice: if the energy is that absorbed at maximum engagement, less is dissipated, and the
+/// speed is lower.
 #[test]
 fn absorbed_energy_asks_for_a_lower_speed() {
     let [e1, e2] = energies();

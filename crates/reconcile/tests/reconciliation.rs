@@ -1,5 +1,5 @@
-//! The speed that makes the normal work equal the crush energy, against the impacts that it undoes and the
-//! roots that [`oracle`] gives.
+//! The speed at which the normal work equals the crush energy, compared with the impacts that it undoes and
+//! the roots of [`oracle`].
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -13,7 +13,7 @@ use pim_core::{
 use proptest::prelude::*;
 use reconcile::{EnergyBasis, MAX_STEPS, Problem, Quadratic, ReconcileError, SolutionMethod, Unknown};
 
-/// A problem, or why it makes none.
+/// A problem, or the reason why it is not valid.
 pub(crate) fn posed<T: Real>(
     contact: Contact<T>,
     law: Law<T>,
@@ -33,7 +33,7 @@ pub(crate) fn with_curve(problem: &Problem, curve: &RestitutionCurve) -> Problem
     Problem { law, ..problem.clone() }
 }
 
-/// A collision of which one vehicle moves along its heading, at a speed to be found.
+/// A collision in which one vehicle moves along its heading, at a speed to be found.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Case {
     pub(crate) scene: Scene,
@@ -51,20 +51,20 @@ impl Case {
         self.scene.at_speed(self.car(), speed)
     }
 
-    /// The problem to which the crush energy of both vehicles is the one that dissipates `normal_work`.
+    /// The problem whose crush energy corresponds to the given `normal_work`.
     pub(crate) fn problem(&self, normal_work: f64) -> Problem {
         let e = self.scene.restitution;
         let energy = match self.basis {
             EnergyBasis::Dissipated => normal_work,
             EnergyBasis::Absorbed => normal_work / (1.0 - e * e),
         };
-        // What the velocity of the unknown is must not matter.
+        // The velocity of the unknown must not matter.
         let scene = self.at(f64::MAX);
         posed(scene.contact(), scene.law(), scene.motions(), self.unknown, energy, self.basis).unwrap()
     }
 
-    /// (m/s) how well a speed can be known: the size of what u_n is a difference of, over what a speed of 1
-    /// m/s adds to u_n.
+    /// (m/s) scale of rounding in a speed: the size of the terms of u_n, divided by the change of u_n per
+    /// m/s.
     pub(crate) fn speed_scale(&self) -> f64 {
         let size: f64 = self
             .scene
@@ -102,7 +102,7 @@ pub(crate) fn case(tangential: impl Strategy<Value = Tangential>) -> impl Strate
     (scene(), tangential, unknown, basis, restitution, -60.0..60.0).prop_map(
         |(scene, tangential, unknown, basis, restitution, speed)| {
             let mut scene = Scene { restitution, ..scene }.under(tangential);
-            // A barrier's speed cannot be sought: seek the other's.
+            // A barrier has no speed to find, so the other vehicle's is sought.
             let unknown = match (scene.cars[0].fixed, scene.cars[1].fixed) {
                 (true, _) => Unknown::Speed2,
                 (_, true) => Unknown::Speed1,
@@ -120,8 +120,8 @@ pub(crate) fn all_laws() -> impl Strategy<Value = Tangential> {
     oracle::scenes::tangential()
 }
 
-/// Whether the original speed can be told from its neighbours to 1e-9: not where the vehicle hardly moves
-/// along the normal, nor where W_n has an extremum.
+/// Whether the original speed can be distinguished from its neighbours to 1e-9: not if the vehicle hardly
+/// moves along the normal, nor at an extremum of W_n.
 fn is_well_conditioned(case: &Case, work: f64) -> bool {
     let step = 1e-4 * case.speed_scale() * approach(&case.scene)[0].abs().min(1.0);
     let change = match (case.work(case.speed + step), case.work(case.speed - step)) {
@@ -170,13 +170,13 @@ fn the_answer_gives_the_energy_back() {
         assert_eq!(answer.admissible, speeds.len());
         assert_eq!(answer.speed, speeds[0]);
         assert_eq!(answer.outcome.before, problem.motions_at(answer.speed));
-        // What it answers is what the impact does at that speed.
+        // The answer agrees with the impact at that speed.
         let expected = case.at(answer.speed).impact().unwrap();
         let (dv, expected) = (answer.outcome.delta_v_magnitude(), expected.delta_v_magnitude());
         for i in 0..2 {
             assert_close("ΔV", dv[i], expected[i], 1e-9 * case.speed_scale() * size);
         }
-        // From the slowest approach to the fastest, each with that energy.
+        // The speeds go from the slowest approach to the fastest, each with that energy.
         let approaches: Vec<f64> = speeds.iter().map(|&speed| -approach(&case.at(speed))[0]).collect();
         assert!(approaches.is_sorted(), "{approaches:?}");
         for speed in speeds {
@@ -193,9 +193,8 @@ fn the_answer_gives_the_energy_back() {
     });
 }
 
-/// The admissible speeds of a case, each found from the raw equations: with one regime of the law given, P_n
-/// and u_n are affine in the speed, and W_n = −½ (1−e) u_n P_n is a quadratic in it. `None` where rounding
-/// decides.
+/// The admissible speeds of a case, from the raw equations: in one regime of the law P_n and u_n are affine
+/// in the speed, and W_n = −½ (1−e) u_n P_n is quadratic in it. `None` if rounding decides.
 fn expected_roots(case: &Case, normal_work: f64) -> Option<Vec<f64>> {
     let regimes = match case.scene.tangential {
         Tangential::Critical => vec![Condition::CommonTangential],
@@ -228,14 +227,14 @@ fn expected_roots(case: &Case, normal_work: f64) -> Option<Vec<f64>> {
         }
         let q = -0.5 * (b + discriminant.sqrt().copysign(b));
         for speed in [q / a, c / q].into_iter().filter(|speed| speed.abs() <= 1000.0) {
-            // A product of differences that leave less than a millionth of their terms decides nothing.
+            // A product of differences smaller than a millionth of their terms is undecided.
             let left = |part: [f64; 2]| {
                 (part[0] + part[1] * speed).abs() / (part[0].abs() + (part[1] * speed).abs())
             };
             if left(u) < 1e-6 || left(p) < 1e-6 {
                 return None;
             }
-            // The law must be in this regime there, and the impact possible.
+            // The law must be in this regime there, and the impact must be possible.
             if case.work(speed).is_some_and(|work| (work / normal_work - 1.0).abs() < 1e-6) {
                 roots.push(speed);
             }
@@ -244,13 +243,12 @@ fn expected_roots(case: &Case, normal_work: f64) -> Option<Vec<f64>> {
     Some(sorted(case, roots))
 }
 
-/// The same by brute force where W_n is no quadratic: changes of sign on a fine grid, halved until nothing is
-/// left between.
+/// The same by brute force if W_n is not quadratic: changes of sign on a fine grid, bisected to the last bit.
 fn scanned_roots(case: &Case, normal_work: f64) -> Vec<f64> {
     let (slope, touch) = (case.slope(), approach(&case.at(0.0))[0]);
     let speed = |x: f64| -(x + touch) / slope;
-    // Whether or not energy is created, W_n is a function of the approach speed x; where no push is possible
-    // no work is done.
+    // Whether or not energy is created, W_n is a function of the approach speed x; without a possible push it
+    // is zero.
     let missing = |x: f64| match verdict(&case.at(speed(x))) {
         Verdict::Impact(effects) | Verdict::EnergyCreated(effects) => effects.normal_work - normal_work,
         _ => -normal_work,
@@ -288,16 +286,16 @@ fn sorted(case: &Case, mut roots: Vec<f64>) -> Vec<f64> {
     roots
 }
 
-/// Whether the numbers of roots can be compared: no two of them so near that rounding decides whether they
-/// exist, none beyond the root-finder's scan, and none at the border of what is possible.
+/// Whether the numbers of roots can be compared: no two so close that rounding decides whether they exist,
+/// none beyond the root-finder's range, and none at the border of the possible.
 fn is_decided(case: &Case, normal_work: f64, roots: &[f64]) -> bool {
     let frictionless = case.frictionless(normal_work);
     let x = |speed: f64| -approach(&case.at(speed))[0];
     let apart = roots.windows(2).all(|pair| (x(pair[1]) / x(pair[0]) - 1.0).abs() > 1e-3);
-    // With a moment impulse P_n is a difference, of which a small energy keeps few digits.
+    // With a moment impulse P_n is a difference, which keeps few digits at a small energy.
     let reach = if case.scene.moment == -1.0 { 1000.0 } else { 30.0 };
     let within = roots.iter().all(|&speed| x(speed) < reach * frictionless);
-    // The same energy but for a millionth has the same number of roots.
+    // Energies that differ by a millionth have the same number of roots.
     let stable = [1.0 - 1e-6, 1.0 + 1e-6]
         .into_iter()
         .all(|factor| expected_roots(case, normal_work * factor).is_some_and(|all| all.len() == roots.len()));
@@ -332,7 +330,7 @@ fn assert_roots(case: &Case, normal_work: f64) -> Option<usize> {
     Some(expected.len())
 }
 
-/// Over random energies, the roots are the oracle's: their number and their values.
+/// For random energies the number and values of the roots are those of the oracle.
 #[track_caller]
 fn assert_all_roots(cases: u32, least_kept: f64, case: impl Strategy<Value = Case>) {
     for_all(cases, least_kept, (case, -3.0..3.0), |(case, exponent)| {
@@ -411,7 +409,7 @@ fn closed_form_and_root_finder_agree() {
         (0.0..1.5).prop_map(Tangential::Friction),
         (0.0..1.5).prop_map(Tangential::FullOrSliding),
     ];
-    // The scenes of Brach's laws have a moment impulse as often as none.
+    // Half of the scenes with Brach's laws have a moment impulse.
     for_all(8000, 0.5, (case(laws), -3.0..3.0), |(case, exponent): (Case, f64)| {
         let work = solve(&case.scene.without_moment(), Condition::Ratio(0.0)).normal_work * exponent.exp();
         if !expected_roots(&case, work).is_some_and(|expected| is_decided(&case, work, &expected)) {
@@ -433,8 +431,8 @@ fn closed_form_and_root_finder_agree() {
     });
 }
 
-/// A friction limit that is just the ratio of the full impulse: rounding alone decides whether friction
-/// suffices, or neither law would act at its own root. The speed is found whatever it decides.
+/// A friction limit equal to the ratio of the full impulse: rounding alone decides whether friction suffices,
+/// or neither law might act at its own root. The speed is found in any case.
 #[test]
 fn a_speed_at_the_border_of_sticking_and_sliding_is_found() {
     for_all(20000, 0.3, case(Just(Tangential::Critical)), |case: Case| {
@@ -444,7 +442,7 @@ fn a_speed_at_the_border_of_sticking_and_sliding_is_found() {
         let problem = Case { scene: at_limit, ..case }.problem(outcome.energy.normal_work);
         let scale = case.speed_scale() + case.speed.abs();
         let is_it = |speed: f64| (speed - case.speed).abs() < 1e-6 * scale;
-        // Where W_n hardly changes with the speed, rounding moves it farther than this.
+        // If W_n hardly changes with the speed, rounding moves it farther than this.
         let near = [-1e-3, 1e-3].map(|share| problem.normal_work(case.speed + share * scale));
         let rise = (near[1] - near[0]).abs();
         if rise.is_nan() || rise <= 1e-6 * outcome.energy.normal_work || outcome.impulse_ratio == 0.0 {
@@ -472,12 +470,12 @@ fn only_laws_with_a_quadratic_have_a_closed_form() {
     }
 }
 
-/// Unit mass and unit radius of gyration, C at r = (−1, −1) of the CG, a wall along x below it, a heading of
-/// 3 across for 1 down, e = 0.
+/// Unit mass and unit radius of gyration, C at r = (−1, −1) from the CG, a wall along x below it, a heading
+/// of 3 across to 1 down, e = 0.
 ///
 /// By hand, along n = +y and t = −x: k_nn = k_tt = 2, k_nt = 1, det K = 3. With the yaw rate ω, u = −(ω +
-/// s/√10, ω + 3s/√10); in the approach speed x = ω + s/√10 that is u_t = 2ω − 3x, so that a common velocity
-/// takes P_n = (2x + u_t)/3 = (2ω − x)/3 and W_n = x (2ω − x)/6.
+/// s/√10, ω + 3s/√10); in the approach speed x = ω + s/√10 this gives u_t = 2ω − 3x, so that a common
+/// velocity takes P_n = (2x + u_t)/3 = (2ω − x)/3 and W_n = x (2ω − x)/6.
 fn against_a_wall(law: Tangential, yaw_rate: f64, energy: f64) -> Result<Problem, ReconcileError> {
     let heading = f64::atan2(-1.0, 3.0);
     let car = Car {
@@ -523,7 +521,7 @@ fn the_numbers_on_the_way_by_hand() {
     assert_eq!(mirrored.relative_yaw_rate, -5.0);
 }
 
-/// Each impact lies on the line and on P_n = α x + β, and x meets the quadratic.
+/// Each impact lies on the line and on P_n = α x + β, and x solves the quadratic.
 #[test]
 fn the_numbers_on_the_way_are_those_of_the_impact() {
     for_all(5000, 0.2, case(all_laws()), |case| {
@@ -582,7 +580,7 @@ fn a_common_velocity_may_have_two_speeds_or_none() {
 }
 
 /// W_n = x (2 ω − x)/6 is at most ω²/6, at x = ω, where the car does not move along its heading. It pushes
-/// from x = 0 to x = 2 ω, and with ω ≤ 0 never.
+/// from x = 0 to x = 2 ω, and never for ω ≤ 0.
 #[test]
 fn what_cannot_be_reached_is_told_how_near_it_comes() {
     for yaw_rate in [0.01_f64, 3.0, 5.0, 400.0] {
@@ -642,8 +640,8 @@ fn a_speed_that_creates_energy_is_refused_by_name() {
     }
 }
 
-/// No size is built into the search: toys and trains, creeping and as fast as may be, nearly elastic or not
-/// at all.
+/// The search has no built-in scale: toys and trains, creeping or at the maximum speed, nearly elastic or
+/// plastic.
 #[test]
 fn the_search_has_no_scale_of_its_own() {
     for mass in [1e-6, 1500.0, 1e9] {
@@ -662,8 +660,8 @@ fn the_search_has_no_scale_of_its_own() {
     }
 }
 
-/// With the yaw rate 50 the work rises so steeply that 0.1 mJ is there at x = 3 µm/s, long before the first
-/// sample: x (100 − x)/6.
+/// With the yaw rate 50 the work x (100 − x)/6 rises so steeply that it reaches 0.1 mJ at x = 3 µm/s, long
+/// before the first sample.
 #[test]
 fn a_speed_below_the_first_sample_is_found() {
     let problem = against_a_wall(Tangential::Critical, 50.0, 1e-4).unwrap();
@@ -673,7 +671,7 @@ fn a_speed_below_the_first_sample_is_found() {
     }
 }
 
-/// The steps print as the list that they are.
+/// The steps are printed as a list.
 #[test]
 fn the_steps_of_a_search_are_printed() {
     let answer = against_a_wall(Tangential::Critical, 5.0, 1.5).unwrap().root_finder().unwrap();
@@ -750,9 +748,8 @@ fn a_central_impact_by_hand() {
     assert_eq!([Unknown::Speed1.index(), Unknown::Speed2.index()], [0, 1]);
 }
 
-/// Between the speeds at which friction holds the surfaces together W_n has a hump that is narrower than a
-/// step of the scan: three speeds give the same energy, and the mirror image of the collision has the same
-/// three.
+/// Between the speeds at which friction holds the surfaces together, W_n has a hump narrower than a step of
+/// the scan: three speeds give the same energy, and the mirrored collision has the same three.
 #[test]
 fn friction_may_have_three_speeds_close_together() {
     let truck = Car {

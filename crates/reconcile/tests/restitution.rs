@@ -1,4 +1,4 @@
-//! Restitution that depends on the closing speed: the curve, and the speeds that it leads to.
+//! Restitution that depends on the closing speed: the curve, and the resulting speeds.
 
 use std::f64::consts::PI;
 
@@ -15,7 +15,7 @@ fn curve(points: &[(f64, f64)]) -> RestitutionCurve {
     RestitutionCurve::new(points.to_vec()).unwrap()
 }
 
-/// Interpolation once more, from the points alone.
+/// Independent interpolation, from the points alone.
 fn interpolated(points: &[(f64, f64)], x: f64) -> f64 {
     let first = points[0];
     let last = points[points.len() - 1];
@@ -81,7 +81,7 @@ fn the_speed_under_a_curve_is_that_of_the_restitution_there() {
         assert_eq!(answer.admissible, speeds.len());
         let nearest = speeds.iter().map(|speed| (speed - case.speed).abs()).fold(f64::INFINITY, f64::min);
         assert!(nearest <= 1e-8 * case.speed_scale(), "{nearest} {speeds:?}");
-        // Whatever it answers has the energy, by the raw equations.
+        // Any answer has the energy, by the raw equations.
         let there = at(&case, &points, answer.speed);
         assert_close("e", answer.law.restitution(), there.restitution, 1e-9);
         let e = there.restitution;
@@ -137,7 +137,7 @@ fn a_curve_by_hand() {
     }
 }
 
-/// A curve that is 1 up to 5 m/s and 0.6 at 10 m/s: below, nothing is dissipated, whatever is absorbed.
+/// A curve that is 1 up to 5 m/s and 0.6 at 10 m/s: below 5 m/s nothing is dissipated, whatever is absorbed.
 #[test]
 fn where_the_restitution_is_one_there_is_no_speed() {
     let elastic = curve(&[(5.0, 1.0), (15.0, 0.2)]);
@@ -146,7 +146,7 @@ fn where_the_restitution_is_one_there_is_no_speed() {
         assert_eq!(answer.admissible, 1);
         assert_relative("the speed", answer.speed, 10.0, 1e-12);
     }
-    // A little above 5 m/s, where e = 1 − 0.08 (v − 5): nothing of the curve's elastic part hides it.
+    // A little above 5 m/s, where e = 1 − 0.08 (v − 5): the elastic part of the curve does not hide the root.
     for above in [1e-4, 1e-3, 2e-3, 3e-3, 5e-3, 0.01, 0.02] {
         let e: f64 = 1.0 - 0.08 * above;
         let absorbed = 375.0 * (5.0 + above) * (5.0 + above);
@@ -183,8 +183,8 @@ fn a_narrow_peak_of_a_curve_is_not_overlooked() {
     }
 }
 
-/// A jam is a jam at every speed, with or without a curve; another refusal at one speed is none of the
-/// others'.
+/// A jam occurs at every speed, with or without a curve; other refusals at one speed do not apply to the
+/// rest.
 #[test]
 fn a_refusal_at_one_speed_is_not_a_jam() {
     let problem = head_on(places(PI), Unknown::Speed1, 0.3, 1e5).unwrap();

@@ -28,7 +28,7 @@ fn textbook_roots() {
         for bracket in [[a, b], [b, a]] {
             let (found, steps) = solve(f, bracket);
             assert_close("the root", found.unwrap(), root, 4.0 * f64::EPSILON * root.abs());
-            // Faster than halving, which takes 53.
+            // Faster than bisection, which takes 53 steps.
             assert!(!steps.is_empty() && steps.len() <= 14, "{} steps", steps.len());
             for (x, y) in steps {
                 assert!((a..=b).contains(&x));
@@ -45,7 +45,7 @@ fn an_end_that_is_a_root_is_returned_at_once() {
         assert_eq!(found, Ok(2.0));
         assert!(steps.is_empty());
     }
-    // Also where the sign does not change.
+    // Even if the sign does not change.
     assert_eq!(solve(|x| (x - 2.0) * (x - 2.0), [2.0, 5.0]).0, Ok(2.0));
 }
 
@@ -65,7 +65,7 @@ fn nan_is_no_bracket_and_no_answer() {
     assert!(matches!(found, Err(RootError::NotConverged { residual, .. }) if residual.is_nan()), "{found:?}");
 }
 
-/// Interpolation is of no use on these: the answer is still there, and in a bounded number of steps.
+/// Interpolation is useless here, but the answer is still found in a bounded number of steps.
 #[test]
 fn hard_functions_take_bounded_steps() {
     let jump = |x: f64| if x < 0.7 { -1.0 } else { 1e6 };
@@ -81,8 +81,8 @@ fn hard_functions_take_bounded_steps() {
 
 #[test]
 fn every_bracket_gets_an_answer() {
-    // A cubic with a triple, a double or three roots, a jump added: f changes its sign between the ends
-    // whatever it does inside.
+    // A cubic with a triple, a double or three roots, plus a jump: f changes sign between the ends whatever
+    // happens inside.
     let cubic = ([-1.0..1.0, -1.0..1.0, -1.0..1.0], -1.0..1.0, 0.0..10.0);
     for_all(20_000, 0.3, cubic, |([p, q, r], at, height): ([f64; 3], f64, f64)| {
         let f = |x: f64| (x - p) * (x - q) * (x - r) + if x > at { height } else { 0.0 };
@@ -98,11 +98,11 @@ fn every_bracket_gets_an_answer() {
             assert!(low <= x && x <= high, "{x} is outside of {low} to {high}");
             bracket.set(if (y < 0.0) == (ends[0] < 0.0) { [x, high] } else { [low, x] });
         };
-        // A root at zero has no relative distance.
+        // A root at zero has no relative accuracy.
         let tolerance = 1e-15;
         let root = brent(f, [-1.0, 1.0], tolerance, observe).unwrap();
         assert!(count.get() <= MAX_STEPS);
-        // The sign changes within the stated distance.
+        // The sign changes within the guaranteed distance.
         let near = 4.0 * f64::EPSILON * root.abs() + tolerance;
         let (low, high) = (f((root - near).max(-1.0)), f((root + near).min(1.0)));
         assert!(
@@ -115,8 +115,8 @@ fn every_bracket_gets_an_answer() {
 }
 
 /// The points at which Brent's own procedure `zero` evaluates the function between the ends, and its answer:
-/// section 4.6 of his book, in the book's names. Beside it, `halvings` halves the bracket where only that can
-/// still end within so many steps.
+/// section 4.6 of his book, with the book's names. In addition, the bracket is halved if only that can still
+/// end within `halvings` steps.
 fn published(
     f: &dyn Fn(f64) -> f64,
     [mut a, mut b]: [f64; 2],
@@ -183,7 +183,7 @@ fn published(
     }
 }
 
-/// Step by step the method is Brent's, to rounding: secants, parabolas, refused steps and halvings.
+/// Step by step the method is Brent's, to rounding: secants, parabolas, rejected steps and bisections.
 #[test]
 fn every_step_is_the_published_one() {
     let shape = ([-1.0..1.0, -1.0..1.0, -1.0..1.0], 0..5, -1.0..1.0, -14.0..-0.3);
@@ -203,7 +203,7 @@ fn every_step_is_the_published_one() {
         let (expected, points) = published(&f, [-1.0, 1.0], 0.5 * tolerance, 60);
         let mut steps = Vec::new();
         let root = brent(f, [-1.0, 1.0], tolerance, |x, y| steps.push((x, y))).unwrap();
-        // Rounding decides where the last digits of the function are all that is left of it.
+        // Rounding decides once only the last digits of the function are left.
         let decided = points.iter().take_while(|(_, y)| y.abs() > 1e-11).count();
         assert!(steps.len() >= decided, "{steps:?} {points:?}");
         for (step, point) in steps.iter().zip(&points[..decided]) {

@@ -9,7 +9,7 @@ use reconcile::{EnergyBasis, Problem, ReconcileError, SolutionMethod};
 
 use crate::reconciliation::{Case, all_laws, case, with_curve};
 
-/// What the oracle holds against the crush energy.
+/// The oracle's work to compare with the crush energy.
 fn taken(effects: &Effects, share: f64) -> f64 {
     effects.normal_work + share * effects.tangential_work
 }
@@ -23,7 +23,7 @@ fn share() -> impl Strategy<Value = f64> {
     prop_oneof![1 => Just(1.0), 6 => 0.0..1.0]
 }
 
-/// The search finds what the oracle finds, under the restitution that `at` gives a scene.
+/// Whether the search finds the same speeds as the oracle, under the restitution of a curve if there is one.
 fn undoes(case: &Case, share: f64, curve: Option<&RestitutionCurve>) -> bool {
     let at = |speed: f64| {
         let scene = case.at(speed);
@@ -41,7 +41,7 @@ fn undoes(case: &Case, share: f64, curve: Option<&RestitutionCurve>) -> bool {
     let plain = problem(case, share, energy);
     let problem = curve.map_or(plain.clone(), |curve| with_curve(&plain, curve));
     let found: Vec<f64> = problem.speeds().collect();
-    // Beside an extremum or a jump a speed is not known as well.
+    // Near an extremum or a jump a speed is less accurate.
     let step = 1e-3;
     let steep = |speed: f64| match (work(speed - step), work(speed), work(speed + step)) {
         (Some(a), Some(b), Some(c)) => {

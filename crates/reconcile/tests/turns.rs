@@ -1,5 +1,4 @@
-//! Energies that W_n hardly reaches, or hardly falls below, before it turns: two speeds close together, or
-//! none.
+//! Energies near an extremum of W_n: two speeds close together, or none.
 
 use oracle::compare::assert_relative;
 use oracle::scenes::for_all;
@@ -35,7 +34,7 @@ fn two_speeds_about_the_greatest_work_under_a_curve() {
             for root in [slow, fast] {
                 let there = e0 + (1.0 - e0) * root / v1;
                 assert_relative("W_n", 375.0 * root * root * (1.0 - there * there), energy, 1e-9);
-                // The work at a speed is that under the restitution of that speed.
+                // The work at a speed is that with the restitution at that speed.
                 assert_relative("W_n", problem.normal_work(root), energy, 1e-9);
                 assert!((problem.residual(root) / energy).abs() < 1e-9);
             }
@@ -49,8 +48,8 @@ fn two_speeds_about_the_greatest_work_under_a_curve() {
     }
 }
 
-/// The approach speeds and values at which a function turns, by brute force: a grid from `low` to `high`,
-/// each triple whose middle is the highest or lowest narrowed by thirds.
+/// The extrema of a function, by brute force: a grid from `low` to `high`, with each triple whose middle is
+/// the highest or lowest narrowed by thirds.
 fn turns(f: &dyn Fn(f64) -> f64, [low, high]: [f64; 2]) -> Vec<[f64; 3]> {
     let ratio: f64 = 1.01;
     let xs: Vec<f64> =
@@ -79,7 +78,7 @@ fn turns(f: &dyn Fn(f64) -> f64, [low, high]: [f64; 2]) -> Vec<[f64; 3]> {
     found
 }
 
-/// Where `f` changes its sign between `a` and `b`, by halving.
+/// The point at which `f` changes sign between `a` and `b`, by bisection.
 fn change(f: &dyn Fn(f64) -> f64, [mut a, mut b]: [f64; 2]) -> Option<f64> {
     let sign = f(a) < 0.0;
     if (f(b) < 0.0) == sign {
@@ -96,7 +95,7 @@ fn change(f: &dyn Fn(f64) -> f64, [mut a, mut b]: [f64; 2]) -> Option<f64> {
     Some(0.5 * (a + b))
 }
 
-/// Whether both speeds are found just on this side of each turn of W_n; nothing where it does not turn.
+/// Whether both speeds are found just on this side of each extremum of W_n; `None` if there is no extremum.
 fn finds_both(case: &Case, share: f64) -> Option<bool> {
     if case.slope().abs() < 0.02 {
         return None;
@@ -109,7 +108,7 @@ fn finds_both(case: &Case, share: f64) -> Option<bool> {
     let mut all = None;
     for [before, x, after] in turns(&work, [scale / 50.0, scale * 50.0]) {
         let top = work(x);
-        // A turn at a pole, or one that rounding makes, is none.
+        // An extremum at a pole, or one caused by rounding, does not count.
         if !(top > 1e-6 * pushed && top < 1e6 * pushed && speed(x).abs() < 900.0) {
             continue;
         }
@@ -118,14 +117,14 @@ fn finds_both(case: &Case, share: f64) -> Option<bool> {
         if outside.iter().any(|y| (y / top - 1.0).abs() < 1e-9 || (y < &top) != is_maximum) {
             continue;
         }
-        // A hundredth of the way from the turn to the nearer end.
+        // The fraction `share` of the difference from the extremum to the nearer end.
         let near = if is_maximum { outside[0].max(outside[1]) } else { outside[0].min(outside[1]) };
         let energy = top + share * (near - top);
         let missing = |x: f64| work(x) - energy;
         let (Some(slow), Some(fast)) = (change(&missing, [before, x]), change(&missing, [x, after])) else {
             continue;
         };
-        // Where the sliding turns about, W_n jumps past the energy.
+        // Where the sliding reverses, W_n jumps past the energy.
         if [slow, fast].iter().any(|&x| missing(x).abs() > 1e-7 * energy) {
             continue;
         }

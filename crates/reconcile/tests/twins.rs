@@ -1,5 +1,5 @@
-//! What loops over many samples call: the same answers as the functions that give a reason, and a plain yes
-//! or no.
+//! The functions for loops over many samples give the same answers as those with a reason, and a plain
+//! validity flag.
 
 use std::cell::Cell;
 
@@ -17,7 +17,8 @@ fn solved(case: &Case, problem: &Problem) -> bool {
             assert_eq!(speed.to_bits(), answer.speed.to_bits());
             assert_eq!(outcome, answer.outcome);
         }
-        // It may miss what only the root-finder or a faster approach gives, or what rounding decides over.
+        // It may miss an answer that only the root-finder or a faster approach gives, or that rounding
+        // decides.
         Ok(answer) => {
             let line = problem.line();
             let approach = -(line.at_rest.normal + line.slope.normal * speed);
@@ -32,7 +33,7 @@ fn solved(case: &Case, problem: &Problem) -> bool {
     possible
 }
 
-/// Whether it is told at once that the vehicles would have to pull; if so, the search says the same.
+/// Whether the verdict is at once that the vehicles would have to pull; if so, the search agrees.
 fn tells_that_it_pulls(problem: &Problem) -> bool {
     let (.., [_, pulls]) = problem.solve_with_verdict();
     let why = problem.solve().err();
@@ -42,7 +43,7 @@ fn tells_that_it_pulls(problem: &Problem) -> bool {
     pulls
 }
 
-/// Where the only speed needs a share of a critical impulse that would pull.
+/// The only speed needs a fraction of a critical impulse that would pull.
 #[test]
 fn a_critical_impulse_that_would_pull() {
     let car = |heading: f64, left: f64| {
@@ -77,7 +78,7 @@ fn reconciliations() {
         let Ok(outcome) = case.scene.impact() else { return false };
         let problem = case.problem(outcome.energy.normal_work * exponent.exp());
         let possible = solved(&case, &problem);
-        // Under a curve there is no closed form.
+        // With a curve there is no closed form.
         let curve = RestitutionCurve::new(vec![(0.0, case.scene.restitution)]).unwrap();
         assert!(!with_curve(&problem, &curve).solve_with_validity().2);
         let has_cubic = matches!(case.scene.tangential, Tangential::FractionOfCritical(_));
@@ -90,7 +91,7 @@ fn reconciliations() {
     assert!(with_limit.get() > 500 && with_cubic.get() > 100, "{with_limit:?} {with_cubic:?}");
 }
 
-/// 1000 m/s is the fastest speed that is an answer, for both.
+/// 1000 m/s is the fastest admissible speed, for both.
 #[test]
 fn nobody_is_faster_than_a_kilometre_per_second() {
     let car = Participant::new(Body::new(1500.0, 2700.0).unwrap(), 0.0, 2.0, 0.0).unwrap();

@@ -1,4 +1,4 @@
-//! What is written with the feature `serde` is read again as the same.
+//! Values written with the feature `serde` are read back unchanged.
 
 use std::cell::Cell;
 
@@ -10,7 +10,8 @@ use serde_json::{Value, from_value, json, to_value};
 
 use crate::reconciliation::{Case, all_laws, case, with_curve};
 
-/// A problem that was read gives the answer of the one that was written, bit by bit; and so does the answer.
+/// A problem read back gives the same answer as the one written, bit for bit; the answer is read back
+/// unchanged, too.
 #[test]
 fn problems_and_answers() {
     let (closed, searched) = (Cell::new(0), Cell::new(0));

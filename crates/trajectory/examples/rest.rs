@@ -1,4 +1,4 @@
-//! A staged collision's vehicle from the impact to rest, and from its rest back.
+//! A vehicle of a staged collision, from the impact to rest and back.
 
 #![allow(clippy::print_stdout, reason = "an example shows its result")]
 
@@ -29,11 +29,11 @@ pub(crate) fn main() -> Result<(), Box<dyn Error>> {
         );
     })?;
     println!("at rest after {:.2} s and {:.2} m", rest.time, rest.distance);
-    // On the ground it was 21.5 ft away, turned by 123° (SAE 2004-01-1207).
+    // In the test it came to rest 21.5 ft away, turned by 123° (SAE 2004-01-1207).
     assert!((rest.position.norm() / 0.3048 - 21.5).abs() < 1.0);
     assert!(((rest.heading - start.heading).to_degrees() + 123.0).abs() < 5.0);
 
-    // What motion leads there? A turn the other way round, too.
+    // Which motions lead there? A turn the other way round does, too.
     let target = Target { position: rest.position, heading: rest.heading, turns_known: false, via: None };
     let starts =
         to_start(&rabbit, Steer::straight(), &ground, start.position, start.heading, &target, &control)?;
@@ -47,7 +47,7 @@ pub(crate) fn main() -> Result<(), Box<dyn Error>> {
         );
     }
     let likeliest = starts.first().ok_or("a rest that was reached has a start")?;
-    // A rest that is known to 1 mm tells the velocity to some cm/s.
+    // A rest known to 1 mm determines the velocity to some cm/s.
     assert!((likeliest.motion.velocity - start.motion.velocity).norm() < 0.05);
     Ok(())
 }

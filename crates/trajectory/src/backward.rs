@@ -1,4 +1,4 @@
-//! From rest back to the motion after the impact.
+//! The motion after the impact, from the rest position.
 
 use core::f64::consts::TAU;
 
@@ -15,67 +15,68 @@ use crate::ground::Ground;
 use crate::state::{Control, Rest, State};
 use crate::steer::Steer;
 
-/// Most starts that are told apart.
+/// Maximum number of distinct starts.
 pub const MOST_STARTS: usize = 8;
 
-/// A rest within as many tolerances of a step, in place and by the turn of the wheelbase, counts as reached:
-/// the integration knows it no better, and jumps by as much where it chooses another step.
+/// Number of step tolerances within which a rest counts as reached, in position and by the turn of the
+/// wheelbase: the integration is no more accurate, and jumps by as much when it chooses other steps.
 pub const REACHED: f64 = 10.0;
 
-/// (m) where Newton's method stops, far below what counts, so that starts do not differ by where it stopped.
+/// (m) miss at which Newton's method stops, far below the required accuracy, so that starts do not depend on
+/// where it stopped.
 const FINE: f64 = 1e-9;
 
-/// (m) down to here the search contents itself with a coarse integration.
+/// (m) miss down to which the search uses a coarse integration.
 const COARSE: f64 = 0.05;
 
-/// Two starts nearer to each other than this share of their speed are one.
+/// Two starts that differ by less than this fraction of their speed are the same.
 const SAME: f64 = 1e-4;
 
-/// Rounds of Newton's method, of which a good seed needs five to ten.
+/// Maximum number of rounds of Newton's method; a good seed needs five to ten.
 const MOST_ROUNDS: usize = 15;
 
-/// Full steps near the rest that may end beyond a jump.
+/// Maximum number of full steps near the rest that may end beyond a jump.
 const MOST_JUMPS: usize = 12;
 
-/// Jumps after which the slopes are computed anew.
+/// Numbers of jumps after which the slopes are recomputed.
 const RENEWED: [usize; 2] = [2, 5];
 
-/// Steps go round where one leads back to where one of the last began, by this share of its length.
+/// Steps cycle if one ends within this fraction of its length from the start of one of the last.
 const BACK: f64 = 0.2;
 
-/// Where the steps have met a jump, a rest that misses by as many tolerances is as good as any.
+/// Number of tolerances within which a rest is accepted once the steps have met a jump.
 const SETTLED: f64 = 5.0;
 
-/// As many of the last steps are looked at.
+/// Number of last steps examined for a cycle.
 const LONGEST_ROUND: usize = 6;
 
-/// Motions tried to come near by Marquard's closed form; five are usual.
+/// Maximum number of motions tried with Marquard's closed form to approach the rest; five are usual.
 const MOST_APPROACHES: usize = 10;
 
-/// (m) as near it has to come, for Newton's method to go on from there.
+/// (m) miss from which Newton's method can continue.
 const LED: f64 = 1.0;
 
-/// (m) and so near it need not come nearer.
+/// (m) miss at which the closed form need not come closer.
 const APPROACHED: f64 = 0.1;
 
-/// What it is told changes by no more at once: ln of the distance, angle and turn (rad).
+/// Maximum change per step of the inputs of the closed form: ln of the distance, angle and turn (rad).
 const LONGEST_CHANGE: f64 = 0.7;
 
-/// Share of the motion that others differ by whose differences tell the slopes. Of 108 slopes the median is
-/// off by 1e-6 of itself then, the worst by 6e-5. Nearer, rounding tells; further off, the curvature where a
-/// wheel all but stops.
+/// Relative distance of the motions whose differences give the slopes. With it, the median relative error of
+/// 108 slopes is 1e-6, the greatest 6e-5. Smaller distances suffer from rounding, greater ones from the
+/// curvature where a wheel almost stops.
 const NEAR: f64 = 1e-10;
 
-/// Full steps lead astray where they miss by this many times [`COARSE`].
+/// Full steps have gone astray if they miss by this many times [`COARSE`].
 const FAR: f64 = 20.0;
 
 /// Steps after which a coarse integration is given up: it takes some fifty.
 const MOST_COARSE_STEPS: u32 = 2000;
 
-/// Where the search begins: shares of Marquard's speed and yaw rate, and an angle (rad) from the direct way.
+/// Seeds of the search: factors on Marquard's speed and yaw rate, and an angle (rad) from the direct path.
 ///
-/// A vehicle that rolls out was slower than in his two phases, and went off to the side where its wheels
-/// caught.
+/// A vehicle that rolls out was slower than in his two phases, and went off to the side when its wheels
+/// gripped.
 const SEEDS: [[f64; 3]; 7] = [
     [1.0, 1.0, 0.0],
     [0.8, 1.4, 0.0],
@@ -86,23 +87,23 @@ const SEEDS: [[f64; 3]; 7] = [
     [0.6, 2.0, -0.8],
 ];
 
-/// Angles (rad) of the wider search, and its shares of Marquard's speed and yaw rate.
+/// Angles (rad) of the wider search, and its factors on Marquard's speed and yaw rate.
 const WIDER: [f64; 7] = [0.0, 0.25, -0.25, 0.6, -0.6, 1.2, -1.2];
 const WIDER_SHARES: [[f64; 2]; 6] = [[1.0, 1.5], [0.8, 0.5], [1.2, 1.0], [0.5, 1.0], [0.5, 3.0], [1.4, 2.0]];
 
-/// Where the vehicle came to rest.
+/// The rest position and heading of the vehicle.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Target {
-    /// (m) place of the CG in the scene.
+    /// (m) position of the CG in the scene.
     pub position: Vector2<f64>,
     /// (rad) heading in the scene.
     pub heading: f64,
-    /// Whether full turns on the way are known, and `heading` counts them on from the heading at separation.
-    /// Without, all starts whose headings at rest differ from it by full turns are sought, up to one and a
-    /// half revolutions.
+    /// Whether the number of full turns is known and included in `heading`, counted from the heading at
+    /// separation. If not, all starts are sought whose headings at rest differ from it by full turns, up to
+    /// one and a half revolutions.
     pub turns_known: bool,
-    /// (m) a point that the CG passed on its way, such as the end of a mark; it orders the starts.
+    /// (m) a point on the path of the CG, such as the end of a mark; it orders the starts.
     pub via: Option<Vector2<f64>>,
 }
 
@@ -111,17 +112,17 @@ pub struct Target {
 pub struct StartMotion {
     /// Velocity and yaw rate at separation.
     pub motion: Motion<f64>,
-    /// (rad) how far the vehicle turns on its way.
+    /// (rad) turn of the vehicle on its path.
     pub turn: f64,
-    /// (m) what its rest misses the target by: in place, and by the turn of the wheelbase.
+    /// (m) miss of its rest from the target, in position and by the turn of the wheelbase.
     pub miss: f64,
-    /// (m) how far its path passes from the point of the target.
+    /// (m) distance of its path from the point `via` of the target.
     pub via_miss: Option<f64>,
     /// Its rest.
     pub rest: Rest<f64>,
 }
 
-/// The starts that lead to a rest, the likeliest first: nearest to the point on the path where one is given,
+/// The starts that lead to a rest, the likeliest first: nearest to the point on the path if one is given,
 /// then with the least turn.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Starts {
@@ -129,18 +130,18 @@ pub struct Starts {
 }
 
 impl Starts {
-    /// The likeliest.
+    /// The likeliest start.
     #[must_use]
     pub fn first(&self) -> Option<&StartMotion> {
         self.iter().next()
     }
 
-    /// All of them.
+    /// All starts.
     pub fn iter(&self) -> impl Iterator<Item = &StartMotion> {
         self.found.iter().flatten()
     }
 
-    /// Puts one in its place, unless it is there already or the list is full of likelier ones.
+    /// Inserts a start in order, unless it is already there or the list is full of likelier ones.
     fn insert(&mut self, departure: StartMotion) {
         if self.iter().any(|other| same(&other.motion, &departure.motion)) {
             return;
@@ -160,13 +161,13 @@ impl Starts {
     }
 }
 
-/// Whether two motions are the same but for where the search stopped.
+/// Whether two motions are the same to the accuracy of the search.
 fn same(a: &Motion, b: &Motion) -> bool {
     let (dv, speed) = (a.velocity - b.velocity, a.velocity.x.abs() + a.velocity.y.abs() + a.yaw_rate.abs());
     dv.x.abs() + dv.y.abs() + (a.yaw_rate - b.yaw_rate).abs() <= SAME * speed
 }
 
-/// Why no motion leads to the rest.
+/// The reason why no motion leads to the rest.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum Unreached {
@@ -179,20 +180,20 @@ pub enum Unreached {
     /// None of the motions tried comes to rest at all.
     #[error("no motion tried comes to rest: {0}")]
     NeverRests(NoRest),
-    /// The nearest motion misses.
+    /// Even the nearest motion misses the rest.
     #[error(
         "no motion after the impact leads to this rest: the nearest, at {:.3} m/s and {:.3} rad/s, comes to rest \
          {:.3} m from it; check the rest, the drag of the wheels, the friction and the steer",
         speed(.motion), .motion.yaw_rate, .miss
     )]
     Missed {
-        /// What comes nearest.
+        /// The motion that comes nearest.
         motion: Motion<f64>,
-        /// (m) where it comes to rest.
+        /// (m) its rest position.
         position: Vector2<f64>,
-        /// (rad) and with which heading.
+        /// (rad) its heading at rest.
         heading: f64,
-        /// (m) what that misses by, in place and by the turn of the wheelbase.
+        /// (m) its miss, in position and by the turn of the wheelbase.
         miss: f64,
     },
 }
@@ -203,16 +204,16 @@ fn speed(motion: &Motion) -> f64 {
     root(v.x * v.x + v.y * v.y)
 }
 
-/// Finds every motion after the impact that brings a vehicle from where the vehicles separated, at `position`
-/// (m) with `heading` (rad), to the rest of `target`.
+/// Finds every motion after the impact that brings a vehicle from separation, at `position` (m) with
+/// `heading` (rad), to the rest of `target`.
 ///
-/// It solves [`to_rest`] for velocity and yaw rate: near by what Marquard's closed form errs by, then by
-/// Newton's method, with slopes from motions beside it that take the same steps; where that fails, from
-/// motions around the closed form. Several motions lead to most rests: with a turn the short way and the long
-/// way round, and once more.
+/// It solves [`to_rest`] for velocity and yaw rate: first by correcting the errors of Marquard's closed form,
+/// then by Newton's method, with slopes from nearby motions that take the same steps; if that fails, from
+/// seeds around the closed form. Several motions lead to most rests: with the shorter turn, the longer one
+/// the other way round, and one full turn more.
 ///
 /// # Errors
-/// [`Unreached::Missed`] where none is found, with the nearest.
+/// [`Unreached::Missed`] if none is found, with the nearest.
 pub fn to_start(
     chassis: &Chassis,
     steer: Steer<'_, f64>,
@@ -225,14 +226,14 @@ pub fn to_start(
     Search::new(chassis, steer, ground, position, heading, target, control)?.run()
 }
 
-/// Finds one motion that leads to the rest of `target`, the one near to a `guess`: for a rest that differs
-/// little from one whose start is known, as in samples of uncertain inputs. It takes one run of Newton's
-/// method from the guess; only where that fails it searches as [`to_start`] does, and takes the likeliest.
+/// Finds the motion near a `guess` that leads to the rest of `target`: for a rest that differs little from
+/// one with a known start, as in samples of uncertain inputs. It runs Newton's method once from the guess;
+/// only if that fails, it searches as [`to_start`] does, and takes the likeliest.
 ///
-/// The heading of the target should count full turns, so that the motion turns by as much as the guess does.
+/// The heading of the target should include full turns, so that the motion turns as far as the guess.
 ///
 /// # Errors
-/// [`Unreached::Missed`] where none is found, with the nearest.
+/// [`Unreached::Missed`] if none is found, with the nearest.
 #[expect(clippy::too_many_arguments, reason = "those of `to_start`, and the guess")]
 pub fn to_start_near(
     chassis: &Chassis,
@@ -266,19 +267,19 @@ struct Search<'a> {
     target: &'a Target,
     control: &'a Control,
     coarse: Control,
-    /// Whether slopes are exact, and steps that go round are taken to the last.
+    /// Whether slopes are exact, and cycling steps are not cut short.
     patient: bool,
 }
 
-/// How the miss changes with v_x, v_y and ω: a column for each.
+/// Derivatives of the miss with respect to v_x, v_y and ω: a column for each.
 type Columns = [[f64; 3]; 3];
 
-/// A motion that was tried.
+/// A motion tried.
 #[derive(Clone, Copy)]
 struct Try {
     /// (m/s, m/s, rad/s)
     w: [f64; 3],
-    /// (m, m, m) what the rest misses along x, along y, and by the turn of the wheelbase.
+    /// (m, m, m) miss of the rest along x, along y, and by the turn of the wheelbase.
     miss: [f64; 3],
     rest: Rest<f64>,
 }
@@ -326,8 +327,8 @@ impl<'a> Search<'a> {
         })
     }
 
-    /// All starts. A rest that is missed is sought once more, from the seeds alone, with exact slopes:
-    /// refusals are rare, and what Newton's method meets among the jumps is chance.
+    /// Finds all starts. If the rest is missed, the search is repeated with exact slopes: misses are rare,
+    /// and it is chance where Newton's method ends among the jumps.
     fn run(mut self) -> Result<Starts, Unreached> {
         let first = self.search();
         let Err(Unreached::Missed { miss: least, .. }) = first else { return first };
@@ -345,7 +346,7 @@ impl<'a> Search<'a> {
         let turns = if self.target.turns_known {
             [Some(turn), None, None]
         } else {
-            // The other way round, and once more round.
+            // The turn the other way round, and one full turn more.
             let other = least - TAU.copysign(least);
             [Some(least), Some(other), Some(least + TAU.copysign(least))]
         };
@@ -356,10 +357,10 @@ impl<'a> Search<'a> {
         let mut starts = Starts { found: [None; MOST_STARTS] };
         let mut nearest: Option<Try> = None;
         let mut refusal = None;
-        // The wider search is for rests that the first does not find at all.
+        // The wider search is for rests without any start in the first.
         let wider = WIDER.into_iter().flat_map(|angle| WIDER_SHARES.map(|[v, omega]| [v, omega, angle]));
         let seeds = SEEDS.into_iter().map(|seed| (false, Some(seed)));
-        // What the closed form leads to comes first.
+        // The approach by the closed form comes first.
         let all = [(false, None)].into_iter().chain(seeds).chain(wider.map(|seed| (true, Some(seed))));
         for turn in turns.into_iter().flatten() {
             for (wide, seed) in all.clone() {
@@ -399,7 +400,7 @@ impl<'a> Search<'a> {
         }
     }
 
-    /// Marquard's start, changed as the seed says.
+    /// Marquard's start, modified by the seed.
     fn seed(&self, way: Vector2<f64>, turn: f64, [speed, yaw_rate, angle]: [f64; 3]) -> Option<[f64; 3]> {
         let distance = root(way.x * way.x + way.y * way.y);
         let body = self.chassis.body();
@@ -424,7 +425,7 @@ impl<'a> Search<'a> {
         }
     }
 
-    /// (m) by how much a rest misses the target.
+    /// (m) miss of a rest from the target.
     fn miss<T: Real>(&self, rest: &Rest<T>, turn: f64) -> [T; 3] {
         let target = self.target.position;
         let turned = rest.heading - (self.heading + turn);
@@ -436,12 +437,12 @@ impl<'a> Search<'a> {
         Ok(Try { w, miss: self.miss(&rest, turn), rest })
     }
 
-    /// The same, with how the miss changes with the motion.
+    /// Tries a motion, with the derivatives of the miss with respect to it.
     fn with_slopes(&self, w: [f64; 3], turn: f64, control: &Control) -> Result<(Try, Columns), NoRest> {
         if self.patient { self.derived(w, turn, control) } else { self.differenced(w, turn, control) }
     }
 
-    /// By derivatives, exactly.
+    /// Exact slopes, by derivatives.
     fn derived(&self, w: [f64; 3], turn: f64, control: &Control) -> Result<(Try, Columns), NoRest> {
         let dual: Chassis<Duals<3>> = self.chassis.constant();
         let [x, y, omega] = [0, 1, 2].map(|i| Duals::variable(w[i], i));
@@ -451,7 +452,7 @@ impl<'a> Search<'a> {
         Ok((Try { w, miss: miss.map(Real::value), rest: rest.values() }, columns))
     }
 
-    /// By differences from motions so near that they take the same steps, in a third of the time.
+    /// Slopes by differences from motions so near that they take the same steps, in a third of the time.
     fn differenced(&self, w: [f64; 3], turn: f64, control: &Control) -> Result<(Try, Columns), NoRest> {
         let apart = NEAR * norm(w);
         let [x, y, omega] = [0, 1, 2].map(|i| {
@@ -466,14 +467,14 @@ impl<'a> Search<'a> {
         Ok((Try { w, miss: miss.map(Real::value), rest: rest.values() }, columns))
     }
 
-    /// A motion that comes near to the rest, where Marquard's closed form leads there.
+    /// A motion that comes near the rest, if Marquard's closed form leads to one.
     ///
-    /// It errs by much the same for motions like each other. So it is told another way and another turn than
-    /// those sought, which are changed by what the rest misses: at first as if the miss followed them one to
-    /// one, then by what the changes did (Broyden). No derivatives are needed.
+    /// Its error is much the same for similar motions. So its inputs, path and turn, are corrected by the
+    /// miss of the rest: at first as if the miss followed the inputs one to one, then by the effect of
+    /// earlier corrections (Broyden). No derivatives are needed.
     fn approach(&self, way: Vector2<f64>, turn: f64) -> Option<Try> {
         let square = way.x * way.x + way.y * way.y;
-        // ln of the distance by that of the rest, angle (rad) from the direct way, turn (rad).
+        // ln of the distance relative to that of the rest, angle (rad) from the direct path, turn (rad).
         let mut told = [0.0, 0.0, turn];
         let mut columns = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
         let mut before: Option<([f64; 3], [f64; 3])> = None;
@@ -506,12 +507,13 @@ impl<'a> Search<'a> {
         nearest.filter(|nearest| nearest.size() <= LED)
     }
 
-    /// Newton's method from a motion. The motion that comes nearest.
+    /// Newton's method from a motion; returns the motion that comes nearest.
     fn newton(&self, w: [f64; 3], turn: f64) -> Result<Try, NoRest> {
         self.newton_from(self.attempt(w, turn, &self.coarse)?, turn, COARSE)
     }
 
-    /// The same from one that was tried coarsely, and so again until its rest misses by `enough` (m).
+    /// The same from a motion already tried coarsely, with coarse steps until its rest misses by `enough`
+    /// (m).
     fn newton_from(&self, from: Try, turn: f64, enough: f64) -> Result<Try, NoRest> {
         let near = self.damped(from, turn, &self.coarse, enough)?;
         let (here, columns) = self.with_slopes(near.w, turn, self.control)?;
@@ -527,7 +529,7 @@ impl<'a> Search<'a> {
         Ok(self.settled(here, columns, turn))
     }
 
-    /// Newton's method with steps that miss less and less, until the rest misses by `enough` (m).
+    /// Newton's method with damped steps that reduce the miss, until it is at most `enough` (m).
     fn damped(&self, from: Try, turn: f64, control: &Control, enough: f64) -> Result<Try, NoRest> {
         let mut here = from;
         let mut known: Option<Columns> = None;
@@ -555,10 +557,10 @@ impl<'a> Search<'a> {
         Ok(here)
     }
 
-    /// The nearest of some full steps from a motion that is nearly there. Where the integration chooses other
-    /// steps, the rest jumps by some tolerances, and the way to the motion sought may lead over a greater
-    /// miss. It ends where a step has met a jump and the best rest is as good as any, and where the steps
-    /// lead back to where one began: then they go round between jumps.
+    /// The best of several full steps from a motion that is nearly there. When the integration chooses other
+    /// steps, the rest jumps by some tolerances, and the path to the motion sought may pass through a greater
+    /// miss. It ends when a step has met a jump and the best rest is accepted, or when the steps return to
+    /// where one began and so cycle between jumps.
     fn settled(&self, from: Try, mut columns: Columns, turn: f64) -> Try {
         let (mut here, mut best) = (from, from);
         let mut past = [[f64::INFINITY; 3]; LONGEST_ROUND];
@@ -578,7 +580,7 @@ impl<'a> Search<'a> {
             if next.size() > FAR * COARSE {
                 break;
             }
-            // As many steps of the integration: the rest changed smoothly, and tells the slope.
+            // With the same number of integration steps the rest changed smoothly and gives the slope.
             let no_jump = next.size() <= 0.3 * here.size() || next.rest.steps == here.rest.steps;
             if no_jump && !renew {
                 columns = updated(columns, step, [0, 1, 2].map(|i| next.miss[i] - here.miss[i]));
@@ -602,7 +604,7 @@ impl<'a> Search<'a> {
         best
     }
 
-    /// A step that changes the motion by half of itself at most.
+    /// Limits a step to half of the motion.
     fn bounded(&self, step: [f64; 3], w: [f64; 3]) -> [f64; 3] {
         let lever = self.chassis.wheelbase() / 2.0;
         let size = |[x, y, omega]: [f64; 3]| norm([x, y, omega * lever]);
@@ -611,7 +613,7 @@ impl<'a> Search<'a> {
         step.map(|step| step * factor)
     }
 
-    /// The motion on the way of a step that misses less, and its share of the step.
+    /// A motion along a step that misses by less, and its fraction of the step.
     fn descend(&self, here: &Try, step: [f64; 3], turn: f64, control: &Control) -> Option<(Try, f64)> {
         let mut factor = 1.0;
         for _ in 0..6 {
@@ -637,7 +639,7 @@ impl<'a> Search<'a> {
         }
     }
 
-    /// (m) how near a path passes to a point.
+    /// (m) distance of a path from a point.
     fn passes(&self, w: [f64; 3], point: Vector2<f64>) -> f64 {
         let mut least = f64::INFINITY;
         let mut before: Option<Vector2<f64>> = None;
@@ -683,7 +685,7 @@ fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
-/// Newton's step: columns · step = −miss (Cramer), or nothing where the columns lie in a plane.
+/// Newton's step: columns · step = −miss (Cramer), or `None` if the columns lie in a plane.
 fn solve([a, b, c]: Columns, miss: [f64; 3]) -> Option<[f64; 3]> {
     let determinant = dot(a, cross(b, c));
     let step =
@@ -715,7 +717,8 @@ mod tests {
         Chassis::new(Body::new(1500.0, 2500.0).unwrap(), axles, [drag; 4]).unwrap()
     }
 
-    /// Hands on a search back from each of some rests, with the way and the turn to it.
+    /// Passes on a search back from each of several rests, with its start, and the path and the turn to the
+    /// rest.
     fn searches(mut each: impl FnMut(&Search<'_>, [f64; 3], Vector2<f64>, f64)) {
         let (ground, control) = (Ground::level(0.7), Control::default());
         let (position, heading) = (Vector2::new(1.0, -2.0), 0.4);
@@ -737,7 +740,7 @@ mod tests {
         }
     }
 
-    /// The motion that led to the rest misses by nothing, and differences are what derivatives are.
+    /// The motion that led to the rest has no miss, and differences agree with derivatives.
     #[test]
     fn slopes_are_derivatives() {
         searches(|search, w, _, turn| {
@@ -751,7 +754,7 @@ mod tests {
         });
     }
 
-    /// The approach ends as near as it is asked to, but for one rest in five.
+    /// The approach comes as near as required for at least four rests in five.
     #[test]
     fn the_closed_form_leads_near() {
         let (mut reached, mut all) = (0, 0);

@@ -1,4 +1,4 @@
-//! Many motions at once.
+//! Follows many motions to rest at once, in vector lanes.
 
 use fearless_simd::{Level, Simd};
 use pim_core::{InvalidInput, Motion};
@@ -16,19 +16,19 @@ use crate::state::{Control, Rest, State};
 use crate::steer::Steer;
 use crate::step::{Phase, Start, Steering};
 
-/// Motions whose state is kept at once: in the cache.
+/// Number of motions whose state is kept at once, so that it fits into the cache.
 const CHUNK: usize = 256;
 
-/// What a vehicle sets out with to its rest.
+/// The inputs of one motion to rest.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Outset<'a> {
     /// The vehicle.
     pub chassis: Chassis,
     /// (rad) angle of its front wheels.
     pub steer: Steer<'a>,
-    /// What it stands on.
+    /// The ground it moves on.
     pub ground: Ground<'a>,
-    /// Where it starts, and how it moves there.
+    /// Its position and motion at the start.
     pub start: State,
 }
 
@@ -37,18 +37,18 @@ impl Outset<'_> {
         to_rest(&self.chassis, self.steer, &self.ground, &self.start, control, |_| {})
     }
 
-    /// Whether a lane can follow it.
+    /// Whether a lane can follow the motion.
     fn fits(&self) -> bool {
         matches!(self.steer, Steer::Held(_))
     }
 }
 
-/// Follows many vehicles to rest, and hands the number of each and its rest to `take`, in any order: a rest
-/// has the bits that [`to_rest`] gives, whatever the other motions are.
+/// Follows many vehicles to rest, and passes the index and the rest of each to `take`, in any order. A rest
+/// has the same bits as from [`to_rest`], whatever the other motions are.
 ///
-/// Eight motions at a time go through the vector instructions that the processor has, each with steps of its
-/// own; where one is at rest, the next takes its place. A step in which a wheel comes onto another zone of
-/// the ground, a motion with a steer angle that changes, and one without a rest are followed one by one.
+/// Eight motions at a time are followed with the processor's vector instructions, each with its own steps;
+/// when one is at rest, the next takes its lane. A step in which a wheel enters another zone of the ground, a
+/// motion with a varying steer angle, and one without a rest are computed one by one.
 pub fn to_rests(
     outsets: &[Outset<'_>],
     control: &Control,
@@ -65,10 +65,10 @@ pub fn to_rests(
     }
 }
 
-/// Follows the motions of a chunk with the vector instructions that the processor has.
+/// Follows the motions of a chunk with the processor's vector instructions.
 ///
-/// Apart from [`to_rests`], which is compiled in every crate that calls it: this takes the compiler long. So
-/// SSE4.2, which gains little over SSE2, has no code of its own.
+/// Separate from [`to_rests`], which is compiled in every crate that calls it, because this takes long to
+/// compile. For the same reason SSE4.2, which gains little over SSE2, has no code of its own.
 fn follow_all(control: &Control, outsets: &[Outset<'_>], parked: &mut [Parked]) {
     let level = Level::new();
     #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
@@ -96,35 +96,35 @@ fn follow_with<S: Simd>(simd: S, control: &Control, outsets: &[Outset<'_>], park
     );
 }
 
-/// What is to be done with a motion.
+/// The next task for a motion.
 #[derive(Clone, Copy, PartialEq)]
 enum Task {
-    /// Steps of the explicit method, or of the implicit one.
+    /// Steps of the explicit or of the implicit method.
     Step { implicit: bool },
-    /// The last way.
+    /// The final phase, in closed form.
     Fade,
-    /// A run of its own.
+    /// A separate run.
     Alone,
 }
 
-/// A motion that is followed, or one in each lane.
+/// A motion under way, or one in each lane.
 #[derive(Clone, Copy)]
 struct Course<T: Number> {
     now: Progress<T>,
     direction: Direction<T>,
     acceleration: Acceleration<T>,
     pace: Pace<T>,
-    /// (s) as the outlook tells.
+    /// (s) time to rest according to the outlook.
     to_rest: T,
     /// (s) length of the step to try.
     length: T,
-    /// 1 where a longer step was tried in vain, else 0.
+    /// 1 if a longer step was rejected, else 0.
     again: T,
     /// Steps tried.
     steps: T,
 }
 
-/// Numbers of a [`Course`].
+/// Number of values in a [`Course`].
 const NUMBERS: usize = 25;
 
 impl<T: Number<Plain = T>> Course<T> {
@@ -172,7 +172,7 @@ impl<T: Number<Plain = T>> Course<T> {
             steps,
         ] = numbers;
         let phase = Phase { q: [x, y, heading], w: [vx, vy, omega] };
-        // Which tyres slide is for the record, which nobody keeps here.
+        // Only a record of the path needs to know which tyres slide, and there is none here.
         let sliding = [x.below(x); 4];
         Self {
             now: Progress { phase, time, distance, work, speed },
@@ -187,13 +187,13 @@ impl<T: Number<Plain = T>> Course<T> {
     }
 }
 
-/// A motion that no lane follows at the moment.
+/// A motion that no lane follows at present.
 #[derive(Clone, Copy)]
 struct Parked {
     task: Task,
     given: [f64; GIVEN_NUMBERS],
     course: [f64; NUMBERS],
-    /// The zone under each wheel, and (m) from the CG to the farthest.
+    /// The zone under each wheel, and (m) the distance from the CG to the farthest wheel.
     zones: [usize; 4],
     radius: f64,
 }
@@ -216,10 +216,10 @@ impl Parked {
         Ok(Self::of(run, moment, control))
     }
 
-    /// A motion where it is; one whose last way meets a border takes that step first.
+    /// The present state of a motion; if its final phase would cross a border, it takes that step first.
     fn of(mut run: Run<'_, f64, f64>, mut moment: Moment<f64>, control: &Control) -> Self {
         let outlook = loop {
-            // Who comes onto another zone again and again would go on for ever.
+            // A motion that enters one zone after another would never end.
             if run.steps >= control.most_steps || run.now.time >= control.longest_time {
                 return Self::ALONE;
             }
@@ -249,7 +249,7 @@ impl Parked {
         Self { task, given: given.numbers(), course: course.numbers(), zones, radius }
     }
 
-    /// The motion by itself, and where it is.
+    /// A separate run of the motion, and its present state.
     fn run<'a>(&self, outset: &'a Outset<'a>, control: &'a Control) -> (Run<'a, f64, f64>, Course<f64>) {
         let Outset { chassis, steer, ground, start } = outset;
         let (given, course) = (Given::of(self.given), Course::of(self.course));
@@ -279,7 +279,7 @@ impl Parked {
     }
 }
 
-/// What does not change on the way.
+/// The constants of a motion.
 #[derive(Clone, Copy)]
 struct Given<T> {
     field: Field<T>,
@@ -288,7 +288,7 @@ struct Given<T> {
     lever: T,
 }
 
-/// Numbers of a [`Given`].
+/// Number of values in a [`Given`].
 const GIVEN_NUMBERS: usize = FIELD_NUMBERS + 3;
 
 impl<T: Number<Plain = T>> Given<T> {
@@ -310,7 +310,7 @@ impl Given<f64> {
 }
 
 impl<S: Simd> Course<Lanes<S>> {
-    /// Tries a step in each lane. Where only the last way is left after it.
+    /// Tries a step in each lane. Returns the lanes that have only the final phase left after it.
     #[inline(always)]
     fn step(&mut self, given: &Given<Lanes<S>>, control: &Control, implicit: bool) -> Mask<S> {
         let Given { field, steer, lever } = given;
@@ -323,7 +323,7 @@ impl<S: Simd> Course<Lanes<S>> {
         let (zero, one, infinity) = (h.constant(0.0), h.constant(1.0), h.constant(f64::INFINITY));
         let forward = field.product(trial.end.w, phase.w).at_least(zero);
         let accepted = Lanes::both(Lanes::both(one.at_least(error), trial.is_finite()), forward);
-        // Where the step is taken.
+        // The lanes that accept the step.
         let mut pace = self.pace;
         pace.accept(h, error, self.again.at_least(one));
         let then = now.after(&trial, h);
@@ -342,7 +342,7 @@ impl<S: Simd> Course<Lanes<S>> {
             again: zero,
             steps,
         };
-        // Where it is tried again.
+        // The lanes that try again.
         let shorter = Lanes::select(error.below(infinity), Pace::shorter(h, error), h * 0.1);
         let again = Self { length: shorter, again: one, steps, ..*self };
         let mut numbers = again.numbers();
@@ -354,7 +354,7 @@ impl<S: Simd> Course<Lanes<S>> {
     }
 }
 
-/// Lets lanes take the steps of one method, until no motion needs another.
+/// Takes steps of one method in all lanes, until no motion needs another.
 #[inline(always)]
 fn follow<S: Simd>(
     simd: S,
@@ -381,12 +381,12 @@ fn follow<S: Simd>(
         let given = Given::of(board.given);
         let (steps, time) = (course.steps.constant(most_steps), course.steps.constant(control.longest_time));
         let shortest = course.steps.constant(SHORTEST);
-        // A lane that goes on with numbers which the others have not seen ends this round.
+        // A lane that continues with values changed outside the vector loop ends this round.
         let mut goes_on = false;
         while !goes_on && !board.wants_more() {
             let (busy, watched) = (board.busy(), board.watched());
             let mut crossings = [const { None }; LANES];
-            // Until a lane has done what it can, they need not be looked at one by one.
+            // The lanes need not be examined one by one until one of them is done.
             let (before, fades, stiff, done) = loop {
                 let before = course;
                 let fades = course.step(&given, control, implicit);
@@ -425,14 +425,14 @@ fn follow<S: Simd>(
     }
 }
 
-/// Which motion each lane follows, and with which numbers.
+/// The motion that each lane follows, and its values.
 struct Board<'a, S: Simd> {
     outsets: &'a [Outset<'a>],
     control: &'a Control,
     parked: &'a mut [Parked],
-    /// What the lanes do.
+    /// The task of the lanes.
     task: Task,
-    /// The next motion to look at.
+    /// The next motion to examine.
     next: usize,
     follows: [Option<usize>; LANES],
     given: [Lanes<S>; GIVEN_NUMBERS],
@@ -440,20 +440,20 @@ struct Board<'a, S: Simd> {
 }
 
 impl<S: Simd> Board<'_, S> {
-    /// A bit of each lane that follows a motion.
+    /// Bit mask of the lanes that follow a motion.
     #[inline(always)]
     fn busy(&self) -> u64 {
         (0..LANES).fold(0, |bits, lane| bits | u64::from(self.follows[lane].is_some()) << lane)
     }
 
-    /// Whether no lane follows a motion, or one does not while there are more.
+    /// Whether all lanes are free, or one is and more motions are left.
     #[inline(always)]
     fn wants_more(&self) -> bool {
         let busy = self.busy();
         busy == 0 || (busy != (1 << LANES) - 1 && self.next < self.parked.len())
     }
 
-    /// Gives a lane the next motion that has the task.
+    /// Loads the next motion with this task into a lane.
     #[inline(always)]
     fn load(&mut self, lane: usize) {
         while let Some(parked) = self.parked.get(self.next) {
@@ -469,8 +469,8 @@ impl<S: Simd> Board<'_, S> {
         }
     }
 
-    /// Gives lanes without a motion the next ones, and where there is none lets them double one that has a
-    /// motion. Whether there is one.
+    /// Loads the next motions into the free lanes; if none is left, a free lane duplicates a busy one.
+    /// Returns whether any lane is busy.
     #[inline(always)]
     fn fill(&mut self) -> bool {
         for lane in 0..LANES {
@@ -489,15 +489,15 @@ impl<S: Simd> Board<'_, S> {
         true
     }
 
-    /// A bit of each lane that follows a motion over ground with zones.
+    /// Bit mask of the lanes that follow a motion over ground with zones.
     #[inline(always)]
     fn watched(&self) -> u64 {
         let has_zones = |number: usize| !self.outsets[number].ground.zones.is_empty();
         (0..LANES).fold(0, |bits, lane| bits | u64::from(self.follows[lane].is_some_and(has_zones)) << lane)
     }
 
-    /// Where in the steps of the `watched` lanes a wheel comes onto another zone, and a bit of each lane in
-    /// which one does.
+    /// Finds where a wheel enters another zone in the steps of the `watched` lanes, and returns the bit mask
+    /// of those lanes.
     #[inline(never)]
     fn crosses(
         &self,
@@ -516,7 +516,7 @@ impl<S: Simd> Board<'_, S> {
         let mut crosses = 0;
         for (lane, crossing) in crossings.iter_mut().enumerate() {
             let Some(number) = self.follows[lane].filter(|_| watched >> lane & 1 == 1) else { continue };
-            // A step that is tried again leads nowhere yet.
+            // A rejected step leads nowhere yet.
             if after.again.get(lane) != 0.0 {
                 continue;
             }
@@ -529,7 +529,7 @@ impl<S: Simd> Board<'_, S> {
         crosses
     }
 
-    /// Takes the step of a lane by itself, up to the border. Whether the lane goes on.
+    /// Takes the step of one lane separately, up to the border. Returns whether the lane goes on.
     #[inline(never)]
     fn cross(
         &mut self,
@@ -543,7 +543,7 @@ impl<S: Simd> Board<'_, S> {
         let (mut run, course) = self.parked[number].run(&self.outsets[number], self.control);
         let Course { direction, acceleration, length, .. } = course;
         let start = run.start(Moment { direction, acceleration });
-        // The whole step was tried, and how long the next may be follows from it.
+        // The whole step was tried, and determines the length of the next.
         run.steps += 1;
         let [paced, error, _] = after.pace.numbers().map(|cells| cells.get(lane));
         let [_, _, stiff] = run.pace.numbers();
@@ -552,7 +552,7 @@ impl<S: Simd> Board<'_, S> {
         self.go_on(lane, Parked::of(run, moment, self.control))
     }
 
-    /// Asks whether the last way of a lane meets a border. Whether the lane goes on.
+    /// Checks whether the final phase of a lane crosses a border. Returns whether the lane goes on.
     #[inline(never)]
     fn look_ahead(&mut self, lane: usize) -> bool {
         let Some(number) = self.follows[lane] else { return false };
@@ -562,7 +562,7 @@ impl<S: Simd> Board<'_, S> {
         self.go_on(lane, Parked::of(run, Moment { direction, acceleration }, self.control))
     }
 
-    /// Gives a lane its motion where that is now, if there is more of it for the lane to do.
+    /// Stores the present state of a lane's motion, and puts it back into the lane if its task is the same.
     fn go_on(&mut self, lane: usize, now: Parked) -> bool {
         let Some(number) = self.follows[lane] else { return false };
         self.parked[number] = now;
@@ -584,7 +584,7 @@ impl<S: Simd> Board<'_, S> {
         }
     }
 
-    /// Puts away the motion of a lane.
+    /// Stores the motion of a lane and frees the lane.
     #[inline(always)]
     fn park(&mut self, lane: usize, task: Task) {
         if let Some(number) = self.follows[lane].take() {

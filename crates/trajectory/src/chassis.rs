@@ -5,10 +5,10 @@ use real::Real;
 
 use crate::check;
 
-/// (–) greatest drag of a wheel: no tyre grips as well, so that it is locked on any ground.
+/// (–) greatest drag of a wheel: no tyre has that much grip, so the wheel is locked on any ground.
 pub const GREATEST_DRAG: f64 = 2.0;
 
-/// Where the axles are. The wheels of an axle share its load.
+/// Position of the axles. The wheels of an axle share its load.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Axles<T = f64> {
@@ -16,11 +16,11 @@ pub struct Axles<T = f64> {
     pub cg_to_front: T,
     /// (m) b, from the CG back to the rear axle.
     pub cg_to_rear: T,
-    /// (m) between the middles of the left and right tyres.
+    /// (m) between the centres of the left and right tyres.
     pub track: T,
 }
 
-/// One wheel in its place.
+/// Position and load of one wheel.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Wheel<T = f64> {
     /// (m) from the CG along the vehicle's axis.
@@ -29,9 +29,10 @@ pub struct Wheel<T = f64> {
     pub left: T,
     /// (–) share of the vehicle's weight.
     pub load: T,
-    /// (–) d, share of its load that resists rolling. At the friction of the ground and above, it is locked.
+    /// (–) d, rolling resistance as a fraction of its load. At the friction of the ground and above, the
+    /// wheel is locked.
     pub drag: T,
-    /// Whether it turns with the steering.
+    /// Whether it is steered.
     pub steered: bool,
 }
 
@@ -46,7 +47,7 @@ impl<T: Real> Chassis<T> {
     /// A body on its axles, with the drag of each wheel: front left, front right, rear left, rear right.
     ///
     /// # Errors
-    /// Where the body is fixed, a length is not a finite number greater than zero, or a drag is outside of 0
+    /// If the body is fixed, a length is not a finite number greater than zero, or a drag is outside of 0
     /// to [`GREATEST_DRAG`].
     pub fn new(body: Body<T>, axles: Axles<T>, drag: [T; 4]) -> Result<Self, InvalidInput> {
         let Axles { cg_to_front: a, cg_to_rear: b, track } = axles;
@@ -57,7 +58,7 @@ impl<T: Real> Chassis<T> {
         for drag in drag {
             check::within("drag of a wheel", drag.value(), 0.0, GREATEST_DRAG)?;
         }
-        // Moments about the other axle, half of it on each side: b/2L in front, a/2L at the rear.
+        // From moments about the other axle, half on each side: b/2L in front, a/2L at the rear.
         let (front, rear) = (b / (a + b) * 0.5, a / (a + b) * 0.5);
         let half = track * 0.5;
         let [front_left, front_right, rear_left, rear_right] = drag;
@@ -88,8 +89,7 @@ impl<T: Real> Chassis<T> {
         self.wheels[0].forward - self.wheels[2].forward
     }
 
-    /// (m) places of the wheels in the scene, where the CG is at `position` (m) and the vehicle points to
-    /// `heading` (rad).
+    /// (m) positions of the wheels in the scene, with the CG at `position` (m) and the given `heading` (rad).
     #[must_use]
     pub fn wheel_positions(&self, position: Vector2<T>, heading: T) -> [Vector2<T>; 4] {
         let (sin, cos) = heading.sin_cos();
@@ -98,7 +98,7 @@ impl<T: Real> Chassis<T> {
         })
     }
 
-    /// The same in other numbers, without derivatives.
+    /// The same chassis in another number type, without derivatives.
     pub(crate) fn constant<U: Real>(&self) -> Chassis<U> {
         let plain = |x: T| U::from(x.value());
         let body = Body::new_with_validity(plain(self.body.mass()), plain(self.body.yaw_inertia())).0;

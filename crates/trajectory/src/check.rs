@@ -1,4 +1,4 @@
-//! What no chassis, ground or start can have.
+//! Checks of the numbers of chassis, ground and start.
 
 use pim_core::InvalidInput;
 use real::elementary::SIN_COS_LIMIT;

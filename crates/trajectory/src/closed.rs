@@ -1,5 +1,5 @@
 //! Closed forms: a straight slide, a spin in Marquard's two phases, a skid before the impact, and EDCRASH's
-//! rule for which of the first two applies.
+//! rule for choosing between slide and spin.
 //!
 //! ```
 //! use trajectory::closed::{SPIN_SIDESLIP, Slide, spins};
@@ -25,19 +25,19 @@ use crate::ground::{GREATEST_FRICTION, GREATEST_GRADE};
 /// (rad) a vehicle that departs with more sideslip than this, 10°, spins (EDCRASH manual, chapter 4).
 pub const SPIN_SIDESLIP: f64 = PI / 18.0;
 
-/// (rad) what a turn may exceed that of the wheels by before it counts as a spin: 10°, as for the sideslip.
-/// The manual gives none, and without one a vehicle with straight wheels that turned by 1° would have spun.
+/// (rad) excess of a turn over that of the wheels above which it counts as a spin: 10°, as for the sideslip.
+/// The manual gives none, but without one a vehicle with straight wheels that turned by 1° would have spun.
 pub const SPIN_TURN: f64 = SPIN_SIDESLIP;
 
-/// A straight way on one ground on which the vehicle only loses speed: to rest, or before the impact.
+/// A straight path on uniform ground on which the vehicle only loses speed: to rest, or before the impact.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Slide<T = f64> {
     /// (–) μ.
     pub friction: T,
-    /// (–) f, the share of the friction that the wheels use: 1 where all are locked.
+    /// (–) f, the fraction of the friction that the wheels use: 1 if all are locked.
     pub drag_share: T,
-    /// (–) G, rise per horizontal length along the way, negative downhill.
+    /// (–) G, rise per horizontal length along the path, negative downhill.
     pub grade: T,
     /// (m) S, along the ground.
     pub distance: T,
@@ -52,21 +52,22 @@ impl<T: Real> Slide<T> {
         check::within("length of the way", self.distance.value(), 0.0, f64::MAX)
     }
 
-    /// (m/s²) how fast the speed falls; negative where it grows downhill.
+    /// (m/s²) the deceleration; negative if the speed grows downhill.
     ///
     /// # Errors
-    /// Where a number is impossible.
+    /// If a number is impossible.
     pub fn deceleration(&self) -> Result<T, InvalidInput> {
         self.check()?;
         // a = g (μ f + G)/√(1 + G²)
         Ok((self.friction * self.drag_share + self.grade) * GRAVITY / (self.grade * self.grade + 1.0).sqrt())
     }
 
-    /// (m/s) V, the speed where the way begins, of a vehicle with the speed `at_end` (m/s), 0 at rest.
+    /// (m/s) V, the speed at the beginning of the path, of a vehicle with the speed `at_end` (m/s), 0 at
+    /// rest.
     ///
     /// # Errors
-    /// Where a number is impossible: a speed below zero, or a downhill way on which a vehicle gains more than
-    /// it has at the end.
+    /// If a number is impossible, such as a speed below zero, or a downhill path on which a vehicle gains
+    /// more than its speed at the end.
     pub fn speed_at_start(&self, at_end: T) -> Result<T, InvalidInput> {
         check::within("speed at the end of the way", at_end.value(), 0.0, f64::MAX)?;
         // V² = v² + 2 a S; on the level and to rest V = √(2 μ g f S)
@@ -82,7 +83,7 @@ impl<T: Real> Slide<T> {
 pub struct Spin<T = f64> {
     /// (–) μ.
     pub friction: T,
-    /// (m) S, way of the CG.
+    /// (m) S, length of the path of the CG.
     pub distance: T,
     /// (rad) Δψ, change of the heading, counter-clockwise positive.
     pub turn: T,
@@ -92,7 +93,7 @@ pub struct Spin<T = f64> {
     pub wheelbase: T,
 }
 
-/// How a vehicle that spun to rest set out.
+/// Initial motion of a vehicle that spun to rest.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct SpinStart<T = f64> {
@@ -105,14 +106,14 @@ pub struct SpinStart<T = f64> {
 }
 
 impl<T: Real> Spin<T> {
-    /// Marquard's two phases, as McHenry uses them: while the vehicle slips sideways its speed falls, while
-    /// it rolls its yaw rate falls, and both end together.
+    /// Marquard's two phases, as McHenry uses them: the speed falls while the vehicle slips sideways, the yaw
+    /// rate while it rolls, and both reach zero together.
     ///
-    /// It is meant for spins with wheels that turn. Where the wheels are locked or the vehicle rolls out
-    /// after its spin, [`to_start`](crate::to_start) follows the motion itself.
+    /// It is meant for spins with rolling wheels. If the wheels are locked or the vehicle rolls out after its
+    /// spin, use [`to_start`](crate::to_start), which follows the motion itself.
     ///
     /// # Errors
-    /// Where a number is impossible: without a way and without a turn nothing moved.
+    /// If a number is impossible, or both path and turn are zero.
     pub fn start(&self) -> Result<SpinStart<T>, InvalidInput> {
         check::positive("friction", self.friction.value())?;
         check::within("friction", self.friction.value(), 0.0, GREATEST_FRICTION)?;
@@ -130,14 +131,14 @@ impl<T: Real> Spin<T> {
     }
 }
 
-/// EDCRASH's rule: a vehicle spins where it departs with more than [`SPIN_SIDESLIP`], or where its heading
-/// changes on its way to rest by more than its wheelbase and steer angle allow, here by [`SPIN_TURN`] more.
+/// EDCRASH's rule: a vehicle spins if it departs with more than [`SPIN_SIDESLIP`], or if its heading changes
+/// on its path to rest by more than its wheelbase and steer angle allow, here by [`SPIN_TURN`] more.
 ///
 /// `sideslip` is the angle (rad) from the heading to the direction of departure, `turn` the change of the
-/// heading (rad), `distance` the length of the way (m), `steer` the angle (rad) of the front wheels.
+/// heading (rad), `distance` the length of the path (m), `steer` the angle (rad) of the front wheels.
 ///
 /// # Errors
-/// Where a number is impossible.
+/// If a number is impossible.
 pub fn spins(
     sideslip: f64,
     turn: f64,
@@ -150,10 +151,10 @@ pub fn spins(
     check::within("length of the way", distance, 0.0, f64::MAX)?;
     check::positive("wheelbase", wheelbase)?;
     check::within("steer angle", steer, -FRAC_PI_2, FRAC_PI_2)?;
-    // A vehicle that rolls turns by Δψ = S tan δ/L.
+    // A rolling vehicle turns by Δψ = S tan δ/L.
     let (sin, cos) = real::elementary::sin_cos(steer);
     let rolled = distance * sin / (wheelbase * cos);
-    // What the turn has beyond the interval from 0 to that, either way.
+    // The excess of the turn beyond the interval from 0 to that, on either side.
     let beyond = Real::max(turn - Real::max(rolled, 0.0), Real::min(rolled, 0.0) - turn);
     Ok(real::principal_angle(sideslip).abs() > SPIN_SIDESLIP || beyond > SPIN_TURN)
 }

@@ -1,4 +1,4 @@
-//! Why a motion has no rest.
+//! Errors of a motion that does not come to rest.
 
 use pim_core::InvalidInput;
 
@@ -11,48 +11,48 @@ pub enum NoRest {
     /// An input is impossible.
     #[error(transparent)]
     Invalid(#[from] InvalidInput),
-    /// It rolls on.
+    /// The vehicle keeps moving.
     #[error(
         "after {time:.1} s the vehicle still moves at {:.3} m/s; check the drag of its wheels, the friction and the \
          grade", speed(.state)
     )]
     StillMoving {
-        /// (s) how long it was followed.
+        /// (s) time for which it was followed.
         time: f64,
-        /// Where it is then.
+        /// Its state then.
         state: State,
     },
-    /// It stops on a grade that pulls harder than its wheels hold.
+    /// The vehicle stops on a grade that pulls harder than its wheels hold.
     #[error(
         "after {time:.2} s the vehicle stops on a grade that pulls with {pull:.3} of its weight along its axis, \
          while its wheels hold {hold:.3}: it rolls back; check the grade, or give its wheels more drag"
     )]
     RollsBack {
-        /// (s) when it stopped.
+        /// (s) time at which it stopped.
         time: f64,
-        /// Where it stopped.
+        /// Its state at the stop.
         state: State,
         /// (–) pull of the grade, as a fraction of the weight.
         pull: f64,
-        /// (–) what the wheels hold, as a fraction of the weight.
+        /// (–) pull that the wheels hold, as a fraction of the weight.
         hold: f64,
     },
-    /// It stops on a grade on which its tyres slide.
+    /// The vehicle stops on a grade on which its tyres slide.
     #[error(
         "after {time:.2} s the vehicle stops on a grade that pulls with {pull:.3} of its weight, while the \
          friction of its tyres holds {hold:.3}: it slides down; check the grade and the friction"
     )]
     SlidesDown {
-        /// (s) when it stopped.
+        /// (s) time at which it stopped.
         time: f64,
-        /// Where it stopped.
+        /// Its state at the stop.
         state: State,
         /// (–) pull of the grade, as a fraction of the weight.
         pull: f64,
-        /// (–) what the tyres hold, as a fraction of the weight.
+        /// (–) pull that the tyres hold, as a fraction of the weight.
         hold: f64,
     },
-    /// The integration needs more steps than it may take.
+    /// The integration needs more steps than allowed.
     #[error(
         "the motion needs more than {steps} steps: at {time:.2} s the vehicle still moves at {:.3} m/s; allow \
          more steps or a greater tolerance", speed(.state)
@@ -62,7 +62,7 @@ pub enum NoRest {
         steps: u32,
         /// (s) time reached.
         time: f64,
-        /// Where it is then.
+        /// Its state then.
         state: State,
     },
 }

@@ -1,4 +1,4 @@
-//! The accelerations of a vehicle by its motion.
+//! The accelerations of a vehicle as a function of its motion.
 
 use real::Real;
 
@@ -12,7 +12,7 @@ use crate::tyre::{self, CORNERING_STIFFNESS, FADING, Slip, Slope, Tyre};
 /// (m/s²) standard gravity (ISO 80000-3).
 pub const GRAVITY: f64 = 9.806_65;
 
-/// Two wheels on their ground.
+/// The two wheels of an axle on their ground.
 #[derive(Clone, Copy, Debug)]
 struct Axle<T> {
     /// (m) from the CG.
@@ -21,15 +21,15 @@ struct Axle<T> {
     right: Tyre<T>,
 }
 
-/// A vehicle on its ground, by its mass.
+/// A vehicle on its ground, per unit mass.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Field<T> {
-    /// With the wheels that are steered.
+    /// The axle with the steered wheels.
     front: Axle<T>,
     rear: Axle<T>,
-    /// (m) from the middle to the wheels on either side.
+    /// (m) from the centre line to the wheels on either side.
     half_track: T,
-    /// (m/s²) along the plane, downhill.
+    /// (m/s²) component of gravity along the plane, downhill.
     pub(crate) gravity: [T; 2],
     /// (1/m²) m/I.
     inverse_radius_squared: T,
@@ -37,22 +37,22 @@ pub(crate) struct Field<T> {
     pub(crate) radius_squared: T,
 }
 
-/// What the forces do at one moment.
+/// The effect of the forces at one instant.
 #[derive(Clone, Copy)]
 pub(crate) struct Acceleration<T: Number> {
     /// (m/s², m/s², rad/s²) rates of (v_x, v_y, ω).
     pub(crate) rates: [T; 3],
     /// (W/kg) power of the tyres' forces, negative.
     pub(crate) power: T,
-    /// (1/s) how fast the forces change with the motion, at most about.
+    /// (1/s) approximate maximum of the change of the forces with the motion.
     pub(crate) stiffness: T::Plain,
     pub(crate) sliding: [T::Mask; 4],
-    /// Which wheels are locked: the sum of 1, 2, 4 and 8 for them.
+    /// The locked wheels, as the sum of their numbers 1, 2, 4 and 8.
     pub(crate) locked: T::Plain,
 }
 
 impl<T: Real> Field<T> {
-    /// With each wheel on the zone of this number.
+    /// The field with each wheel on the given zone.
     pub(crate) fn new<G: Real>(chassis: &Chassis<T>, ground: &Ground<'_, G>, zones: [usize; 4]) -> Self
     where
         T: From<G>,
@@ -77,8 +77,7 @@ impl<T: Real> Field<T> {
         }
     }
 
-    /// (m/s²) what the wheels hold at rest against a pull along the vehicle's axis, and against one in any
-    /// direction.
+    /// (m/s²) the pull that the wheels resist at rest, along the vehicle's axis and in any direction.
     pub(crate) fn hold(&self) -> [f64; 2] {
         let tyres = [&self.front.left, &self.front.right, &self.rear.left, &self.rear.right];
         tyres.into_iter().fold([0.0; 2], |[rolling, sliding], tyre| {
@@ -88,7 +87,7 @@ impl<T: Real> Field<T> {
     }
 }
 
-/// Numbers of a [`Field`].
+/// Number of values in a [`Field`].
 #[cfg(feature = "std")]
 pub(crate) const FIELD_NUMBERS: usize = 2 * AXLE_NUMBERS + 5;
 #[cfg(feature = "std")]
@@ -131,7 +130,7 @@ impl<T: Number> Field<T> {
         numbers
     }
 
-    /// Of these numbers.
+    /// The field with these values.
     #[inline(always)]
     pub(crate) fn of(numbers: [T; FIELD_NUMBERS]) -> Self {
         let mut front = [numbers[0]; AXLE_NUMBERS];
@@ -162,7 +161,7 @@ impl<T: Number> Axle<T> {
 }
 
 impl<T: Number> Field<T> {
-    /// Without derivatives.
+    /// The field without derivatives.
     #[inline(always)]
     pub(crate) fn plain(&self) -> Field<T::Plain> {
         Field {
@@ -175,23 +174,24 @@ impl<T: Number> Field<T> {
         }
     }
 
-    /// (m²/s²) twice the kinetic energy by the mass.
+    /// (m²/s²) twice the kinetic energy per unit mass.
     #[inline(always)]
     pub(crate) fn energy(&self, w: [T; 3]) -> T {
         self.product(w, w)
     }
 
-    /// The product of two motions that gives twice the kinetic energy of one by the mass.
+    /// The inner product of two motions; that of a motion with itself is twice its kinetic energy per unit
+    /// mass.
     #[inline(always)]
     pub(crate) fn product(&self, a: [T; 3], b: [T; 3]) -> T {
         // v·v′ + k² ω ω′
         a[0] * b[0] + a[1] * b[1] + self.radius_squared * a[2] * b[2]
     }
 
-    /// (m²/s²) square of the slip below which a wheel's friction fades.
+    /// (m²/s²) square of the slip speed below which a wheel's friction fades.
     #[inline(always)]
     fn fading_squared(&self, w: [T; 3]) -> T {
-        // ε² V² = ε² (v² + k² ω²); above zero, so that a vehicle at rest feels no force
+        // ε² V² = ε² (v² + k² ω²); kept above zero, so that no force acts on a vehicle at rest
         self.energy(w) * (FADING * FADING) + f64::MIN_POSITIVE
     }
 
@@ -224,7 +224,7 @@ impl<T: Number> Field<T> {
         let Self { front, rear, .. } = self;
         let [front_left, front_right, rear_left, rear_right] =
             tyre::grips(self.slips([u, v, omega], steer), self.fading_squared(w));
-        // The forces of an axle, and by how much the left one is more, from its wheels' axes to the
+        // The forces of an axle, and the excess of the left one, turned from its wheels' axes to the
         // vehicle's.
         let [front_forward, front_left_force, front_more] = {
             let Direction { sin, cos } = steer;
@@ -257,7 +257,7 @@ impl<T: Number> Field<T> {
         Acceleration { rates, power, stiffness, sliding, locked }
     }
 
-    /// How the accelerations change with (v_x, v_y, ω), roughly.
+    /// Rough derivatives of the accelerations with respect to (v_x, v_y, ω).
     #[inline(always)]
     pub(crate) fn slope(&self, heading: Direction<T>, w: [T; 3], steer: Direction<T>) -> Matrix<T> {
         let Direction { sin, cos } = heading;
@@ -278,12 +278,12 @@ impl<T: Number> Field<T> {
         turned(body, sin, cos)
     }
 
-    /// How the wheels slip where the vehicle moves with (u, v) (m/s) forward and left and turns with ω
+    /// The slip of the wheels of a vehicle that moves with (u, v) (m/s) forward and left and turns with ω
     /// (rad/s).
     #[inline(always)]
     fn slips(&self, [u, v, omega]: [T; 3], steer: Direction<T>) -> [Slip<'_, T>; 4] {
         let Self { front, rear, half_track, .. } = self;
-        // v_w = v + ω × r: at the middle of an axle, and what a wheel has beyond it
+        // v_w = v + ω × r: at the centre of an axle, and the difference of a wheel from it
         let swing = omega * *half_track;
         let Direction { sin, cos } = steer;
         let across = v + omega * front.forward;
@@ -300,8 +300,8 @@ impl<T: Number> Field<T> {
 }
 
 impl<T: Number> Slope<T> {
-    /// What the wheel at `place` (m), forward and left of the CG, has of the accelerations by (u, v, ω), in
-    /// the vehicle's axes.
+    /// The contribution of the wheel at (`ahead`, `aside`) (m), forward and left of the CG, to the
+    /// derivatives of the accelerations with respect to (u, v, ω), in the vehicle's axes.
     #[inline(always)]
     fn in_vehicle(&self, [ahead, aside]: [T; 2], steer: Direction<T>, by_inertia: T) -> Matrix<T> {
         let [[uu, uv], [vu, vv]] = self.rows;
@@ -320,8 +320,7 @@ impl<T: Number> Slope<T> {
 /// Rows of a matrix that acts on (v_x, v_y, ω).
 pub(crate) type Matrix<T> = [[T; 3]; 3];
 
-/// A matrix that acts on a motion in the vehicle's axes, as one that acts on it in those of the scene: R A
-/// Rᵀ.
+/// Transforms a matrix from the vehicle's axes to those of the scene: R A Rᵀ.
 #[inline(always)]
 fn turned<T: Number>(a: Matrix<T>, sin: T, cos: T) -> Matrix<T> {
     let rows = [three(|j| cos * a[0][j] - sin * a[1][j]), three(|j| sin * a[0][j] + cos * a[1][j]), a[2]];
@@ -331,7 +330,7 @@ fn turned<T: Number>(a: Matrix<T>, sin: T, cos: T) -> Matrix<T> {
     })
 }
 
-/// (1 − γh A)⁻¹, of the `step` γh; not finite where there is none.
+/// (1 − γh A)⁻¹, with the `step` γh; not finite if there is none.
 #[inline(always)]
 pub(crate) fn resolvent<T: Number>(a: Matrix<T>, step: T) -> Matrix<T> {
     let m = three(|i| three(|j| -(step * a[i][j]) + f64::from(u8::from(i == j))));

@@ -1,4 +1,4 @@
-//! The zones of ground under the wheels, and where a wheel comes onto another.
+//! The zones of ground under the wheels, and the points at which a wheel enters another.
 
 use real::Real;
 
@@ -9,22 +9,22 @@ use crate::number::Direction;
 use crate::state::cubic;
 use crate::step::Phase;
 
-/// (m) wheels are asked for their zone at least as often on their way, where a border is near.
+/// (m) maximum distance between checks of a wheel's zone near a border.
 const LOOKOUT: f64 = 0.25;
 
-/// (m) how far ahead a wheel that stands on a border is asked for its zone.
+/// (m) distance ahead of a wheel on a border at which its zone is looked up.
 const AHEAD: f64 = 1e-9;
 
-/// Share of a step to which a crossing is narrowed on its cubic.
+/// Fraction of a step to which a crossing is narrowed on its cubic.
 const NARROW: f64 = 1e-6;
 
-/// Share of a step in which no crossing is looked for.
+/// Fraction of a step below which it is not divided further to look for crossings.
 const SHORTEST: f64 = 1e-3;
 
-/// Rounds in which a crossing is sought by straight lines; then by halves.
+/// Rounds in which a crossing is sought along straight lines; after that by bisection.
 const MOST_LINES: u32 = 8;
 
-/// What a vehicle stands on.
+/// The ground under a vehicle.
 #[derive(Clone, Copy)]
 pub(crate) struct Footing<'a, T, G> {
     pub(crate) chassis: &'a Chassis<T>,
@@ -35,22 +35,22 @@ pub(crate) struct Footing<'a, T, G> {
     pub(crate) zones: [usize; 4],
 }
 
-/// Where a vehicle is, with the sine and cosine of its heading.
+/// Position and motion of a vehicle, with the sine and cosine of its heading.
 #[derive(Clone, Copy)]
 pub(crate) struct Pose {
     pub(crate) phase: Phase<f64>,
     pub(crate) direction: Direction<f64>,
 }
 
-/// Where a wheel first comes onto another zone.
+/// The point at which a wheel first enters another zone.
 pub(crate) struct Crossing {
-    /// Share of the step, just after it.
+    /// Fraction of the step, just after the border.
     pub(crate) share: f64,
     pub(crate) wheel: usize,
     pub(crate) border: Edge,
 }
 
-/// The places (m) of the wheels at a share of a step.
+/// The positions (m) of the wheels at a fraction of a step.
 #[derive(Clone, Copy)]
 struct Stand {
     share: f64,
@@ -58,7 +58,7 @@ struct Stand {
 }
 
 impl<'a, T: Real, G: Real> Footing<'a, T, G> {
-    /// Outside of all zones.
+    /// The footing outside all zones.
     pub(crate) fn new(chassis: &'a Chassis<T>, ground: &'a Ground<'a, G>) -> Self {
         let radius = chassis.wheels().iter().fold(0.0, |radius, wheel| {
             let (forward, left) = (wheel.forward.value(), wheel.left.value());
@@ -67,20 +67,19 @@ impl<'a, T: Real, G: Real> Footing<'a, T, G> {
         Self { chassis, ground, radius, zones: [0; 4] }
     }
 
-    /// Whether the ground is everywhere the same.
+    /// Whether the ground is uniform.
     pub(crate) fn is_even(&self) -> bool {
         self.ground.zones.is_empty()
     }
 
-    /// Asks the ground what lies just ahead of each wheel of a vehicle with this kinetic energy (m²/s²),
-    /// twice that by the mass.
+    /// Finds the zone just ahead of each wheel; `energy` (m²/s²) is twice the kinetic energy per unit mass.
     pub(crate) fn find(&mut self, now: Phase<f64>, energy: f64) {
         let ahead = if energy > 0.0 { AHEAD / root(energy) } else { 0.0 };
         let [x, y, heading] = [0, 1, 2].map(|i| now.q[i] + now.w[i] * ahead);
         self.zones = self.zones_of(self.wheels([x, y], Direction::of(heading)));
     }
 
-    /// Where in a step that takes `h` (s) a wheel first stands on another zone.
+    /// The point in a step of `h` (s) at which a wheel first stands on another zone.
     pub(crate) fn crossing(&self, from: Pose, to: Pose, h: f64) -> Option<Crossing> {
         let (first, last) = (from.phase, to.phase);
         if self.is_far_from_borders(first, last, h) {
@@ -91,7 +90,7 @@ impl<'a, T: Real, G: Real> Footing<'a, T, G> {
             Stand { share, wheels: self.wheels([of(0), of(1)], Direction::of(of(2))) }
         };
         let fastest = |w: [f64; 3]| root(w[0] * w[0] + w[1] * w[1]) + w[2].abs() * self.radius;
-        // (m) a wheel is not much faster on its way than at one of its ends.
+        // (m) a wheel is not much faster within a step than at its ends.
         let way = 1.25 * h * Real::max(fastest(first.w), fastest(last.w));
         let end = |share: f64, Pose { phase, direction }: Pose| Stand {
             share,
@@ -100,7 +99,7 @@ impl<'a, T: Real, G: Real> Footing<'a, T, G> {
         self.first(&at, way, end(0.0, from), end(1.0, to))
     }
 
-    /// The first crossing between two places; a wheel goes at most `way` (m) in a whole step.
+    /// The first crossing between two positions; a wheel moves at most `way` (m) in a whole step.
     fn first(&self, at: &impl Fn(f64) -> Stand, way: f64, before: Stand, after: Stand) -> Option<Crossing> {
         let width = after.share - before.share;
         if self.is_clear(width * way, &before, &after) {
@@ -114,8 +113,8 @@ impl<'a, T: Real, G: Real> Footing<'a, T, G> {
         self.first(at, way, before, middle).or_else(|| self.first(at, way, middle, after))
     }
 
-    /// Whether each wheel stays on its side of all borders between two places that lie a `way` (m) apart:
-    /// to a border and back it would be longer.
+    /// Whether each wheel stays on its side of all borders between two positions along a path of length `way`
+    /// (m): the path to a border and on would be longer.
     fn is_clear(&self, way: f64, before: &Stand, after: &Stand) -> bool {
         self.ground.zones.iter().all(|zone| {
             before.wheels.iter().zip(&after.wheels).all(|(from, to)| {
@@ -136,7 +135,7 @@ impl<'a, T: Real, G: Real> Footing<'a, T, G> {
         wheels.map(|wheel| self.ground.zone_at(wheel))
     }
 
-    /// Whether no wheel can meet a border on the cubic between these places, which takes `h` (s).
+    /// Whether no wheel can meet a border on the cubic between these positions, which takes `h` (s).
     fn is_far_from_borders(&self, from: Phase<f64>, to: Phase<f64>, h: f64) -> bool {
         let length = |x: f64, y: f64| root(x * x + y * y);
         // From the start of the cubic, whose weights of both velocities are at most 4/27:
@@ -148,8 +147,8 @@ impl<'a, T: Real, G: Real> Footing<'a, T, G> {
         self.ground.zones.iter().all(|zone| zone.region.distance_to_border(center) > reach)
     }
 
-    /// The first crossing between two places: narrowed by straight lines to the borders, to both sides of
-    /// where the first of them is met, and by halves where that does not help.
+    /// The first crossing between two positions: narrowed to both sides of the first intersection of straight
+    /// lines with the borders, or else by bisection.
     fn narrowed(&self, at: &impl Fn(f64) -> Stand, mut before: Stand, mut after: Stand) -> Option<Crossing> {
         let mut round = 0;
         while after.share - before.share > NARROW {
@@ -175,7 +174,8 @@ impl<'a, T: Real, G: Real> Footing<'a, T, G> {
         Some(Crossing { share: after.share, wheel, border })
     }
 
-    /// The share of the way between two places at which a wheel first meets a border on a straight line.
+    /// The fraction of the path between two positions at which a wheel first meets a border along a straight
+    /// line.
     fn met(&self, before: &Stand, after: &Stand) -> Option<f64> {
         let of = |i: usize| {
             let (from, to) = (before.wheels[i], after.wheels[i]);
@@ -193,7 +193,7 @@ impl<'a, T: Real, G: Real> Footing<'a, T, G> {
         (0..4).filter(move |&i| zones[i] != self.zones[i])
     }
 
-    /// The line between two points on different zones, which is nearest to the latter.
+    /// The edge between two points on different zones that is nearest to the latter.
     fn border(&self, from: [f64; 2], to: [f64; 2]) -> Option<Edge> {
         let mut zones = self.ground.zones.iter();
         let zone = zones.rfind(|zone| zone.region.contains(from) != zone.region.contains(to))?;

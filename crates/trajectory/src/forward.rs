@@ -1,4 +1,4 @@
-//! From the impact to rest.
+//! The motion from the impact to rest.
 
 use pim_core::{InvalidInput, Motion, Vector2};
 use real::{Real, elementary};
@@ -15,14 +15,14 @@ use crate::state::{Control, MotionEnergy, Rest, Sample, State};
 use crate::steer::Steer;
 use crate::step::{Phase, Start, Steering, Step};
 
-/// Follows a vehicle from its `start` to rest, and hands a [`Sample`] at the start, after each step and at
+/// Follows a vehicle from its `start` to rest, and passes a [`Sample`] at the start, after each step and at
 /// rest to `record`.
 ///
-/// The last part, in which the motion only fades without changing its direction, is one step with the closed
-/// form: a straight slide on one ground takes no other, and is exact.
+/// The final phase, in which the motion only fades without changing its direction, is one step in closed
+/// form. A straight slide on uniform ground takes no other step, and is exact.
 ///
 /// # Errors
-/// [`NoRest::Invalid`] where a number is impossible; the others where the vehicle does not come to rest.
+/// [`NoRest::Invalid`] if a number is impossible; the others if the vehicle does not come to rest.
 pub fn to_rest<T: Real>(
     chassis: &Chassis<T>,
     steer: Steer<'_, T>,
@@ -34,7 +34,8 @@ pub fn to_rest<T: Real>(
     follow::<T, T>(chassis, steer, ground, start, control, record)
 }
 
-/// [`to_rest`] over a ground and with a steering whose numbers may carry less than those of the motion.
+/// [`to_rest`] with ground and steering in a number type that may carry fewer derivatives than that of the
+/// motion.
 pub(crate) fn follow<T: Real + From<G>, G: Real>(
     chassis: &Chassis<T>,
     steer: Steer<'_, G>,
@@ -51,7 +52,7 @@ pub(crate) fn follow<T: Real + From<G>, G: Real>(
         let time = run.now.time.value();
         let outlook = run.outlook(&moment.acceleration);
         let fades = outlook.fades && run.stays(outlook.to_rest);
-        // A vehicle that hardly anything holds back fades for hours.
+        // A vehicle with hardly any resistance fades for hours.
         let end = if fades { time + outlook.to_rest } else { time };
         if end > control.longest_time || (end >= control.longest_time && !fades) {
             return Err(NoRest::StillMoving { time, state: run.state().values() });
@@ -93,7 +94,7 @@ pub(crate) struct Run<'a, T, G> {
     pub(crate) pace: Pace<f64>,
 }
 
-/// Direction and acceleration where a motion is.
+/// Direction and acceleration at the present state of a motion.
 #[derive(Clone, Copy)]
 pub(crate) struct Moment<T: Real> {
     pub(crate) direction: Direction<T>,
@@ -118,7 +119,7 @@ impl<'a, T: Real + From<G>, G: Real> Run<'a, T, G> {
         Ok(run)
     }
 
-    /// The same, of checked inputs, with what [`new`](Self::new) makes of them.
+    /// The same for checked inputs, with the data that [`new`](Self::new) derives from them.
     pub(crate) fn on(
         chassis: &'a Chassis<T>,
         steer: Steer<'a, G>,
@@ -147,7 +148,7 @@ impl<'a, T: Real + From<G>, G: Real> Run<'a, T, G> {
         }
     }
 
-    /// (m²/s²) twice the kinetic energy by the mass.
+    /// (m²/s²) twice the kinetic energy per unit mass.
     pub(crate) fn energy(&self) -> T {
         self.field.energy(self.now.phase.w)
     }
@@ -181,12 +182,12 @@ impl<'a, T: Real + From<G>, G: Real> Run<'a, T, G> {
         }
     }
 
-    /// (m) how far from the CG a turn shows.
+    /// (m) length that converts a turn into a distance.
     pub(crate) fn lever(&self) -> f64 {
         self.chassis.wheelbase().value()
     }
 
-    /// Whether neither the ground nor the steering changes on the last way, which takes `time` (s).
+    /// Whether neither the ground nor the steering changes in the final phase, which takes `time` (s).
     pub(crate) fn stays(&self, time: f64) -> bool {
         let now = self.now.time.value();
         if self.steer.next_change(now).is_some_and(|change| change.value() < now + time) {
@@ -201,7 +202,7 @@ impl<'a, T: Real + From<G>, G: Real> Run<'a, T, G> {
         self.footing.crossing(pose(now), pose(Phase { q, w: [0.0; 3] }), time).is_none()
     }
 
-    /// The last way, in closed form.
+    /// The final phase, in closed form.
     pub(crate) fn fade(&mut self, acceleration: &Acceleration<T>) {
         let w = self.now.phase.w;
         let energy = self.field.energy(w);
@@ -215,7 +216,7 @@ impl<'a, T: Real + From<G>, G: Real> Run<'a, T, G> {
         self.steps += 1;
     }
 
-    /// Whether the vehicle, at rest, stays there.
+    /// Checks that the vehicle stays at rest.
     pub(crate) fn holds(&self) -> Result<(), NoRest> {
         let [gx, gy] = self.field.gravity.map(Real::value);
         if gx == 0.0 && gy == 0.0 {
@@ -270,7 +271,7 @@ impl<'a, T: Real + From<G>, G: Real> Run<'a, T, G> {
             let trial = start.step(&self.field, |time| self.steering.at(time), length);
             let error = error_squared(&trial, to_rest, self.lever(), self.control);
             let reverses = self.field.product(trial.end.w, phase.w).value() < 0.0;
-            // An error that is not a number is none that is small.
+            // The comparison is false for a NaN error, which is not small.
             let close = error <= 1.0 && trial.is_finite();
             let last_try = h < SHORTEST || self.steps >= self.control.most_steps;
             if (reverses || !close) && !last_try {
@@ -282,7 +283,7 @@ impl<'a, T: Real + From<G>, G: Real> Run<'a, T, G> {
         }
     }
 
-    /// Goes where a step leads, or up to the first border on its way.
+    /// Moves to the end of a step, or to the first border before it.
     #[inline(always)]
     fn take(&mut self, start: &Start<T>, trial: &Step<T>, length: T, error: f64, again: bool) -> Moment<T> {
         self.pace.accept(length.value(), error, again);
@@ -309,7 +310,7 @@ impl<'a, T: Real + From<G>, G: Real> Run<'a, T, G> {
         Start { time, phase, direction, acceleration, slope }
     }
 
-    /// Asks the ground what lies just ahead of each wheel.
+    /// Finds the zone just ahead of each wheel.
     fn find_zones(&mut self) {
         if self.footing.is_even() {
             return;
@@ -319,7 +320,7 @@ impl<'a, T: Real + From<G>, G: Real> Run<'a, T, G> {
         self.field = Field::new(self.chassis, self.ground, self.footing.zones);
     }
 
-    /// Goes to where a wheel comes onto another zone in a step of `h` (s).
+    /// Moves to the point at which a wheel enters another zone in a step of `h` (s).
     pub(crate) fn cross(&mut self, start: &Start<T>, crossing: &Crossing, h: f64) -> Moment<T> {
         let (step, length) = self.up_to_border(start, crossing, h);
         self.now = self.now.after(&step, length);
@@ -330,7 +331,8 @@ impl<'a, T: Real + From<G>, G: Real> Run<'a, T, G> {
     /// The step that ends at the border, and its length (s).
     fn up_to_border(&mut self, start: &Start<T>, crossing: &Crossing, h: f64) -> (Step<T>, T) {
         let &Crossing { share, wheel, border } = crossing;
-        // The cubic is not the step: Newton's method on the step itself, the last time with derivatives.
+        // The crossing was found on the cubic: Newton's method corrects it on the step itself, the last time
+        // with derivatives.
         let mut length = T::from(share * h);
         for round in 0..MOST_ROUNDS {
             let short = self.short(start, length);
@@ -339,7 +341,7 @@ impl<'a, T: Real + From<G>, G: Real> Run<'a, T, G> {
             let distance = border.distance(place);
             let rate = border.rate(velocity).value();
             let next = length - distance / rate;
-            // Grazing, where the border is not crossed at all.
+            // The wheel only grazes the border.
             if !(next.value() > 0.0 && next.value() <= h) {
                 return (short, length);
             }
@@ -351,7 +353,7 @@ impl<'a, T: Real + From<G>, G: Real> Run<'a, T, G> {
         (self.short(start, length), length)
     }
 
-    /// A step that ends at a border. Apart from the step of [`advance`](Self::advance), which is inlined: few
+    /// A step that ends at a border. Separate from the inlined step of [`advance`](Self::advance), as few
     /// motions need this one.
     #[cold]
     #[inline(never)]
@@ -360,21 +362,21 @@ impl<'a, T: Real + From<G>, G: Real> Run<'a, T, G> {
     }
 }
 
-/// (s) a step as short as this is taken whatever its error.
+/// (s) a step shorter than this is accepted whatever its error.
 pub(crate) const SHORTEST: f64 = 1e-9;
 
-/// Rounds of Newton's method to a border; two suffice where the path is smooth.
+/// Maximum number of rounds of Newton's method to a border; two suffice on a smooth path.
 const MOST_ROUNDS: u32 = 8;
 
-/// (m) from so near, a round of Newton's method leads onto the border but for rounding: its error falls with
-/// the square.
+/// (m) from this distance one round of Newton's method reaches the border to rounding, as its error falls
+/// quadratically.
 const ON_THE_BORDER: f64 = 1e-7;
 
 fn plain<T: Real>(phase: Phase<T>) -> Phase<f64> {
     Phase { q: phase.q.map(Real::value), w: phase.w.map(Real::value) }
 }
 
-/// Place and velocity of a wheel.
+/// Position and velocity of a wheel.
 fn wheel_at<T: Real>(chassis: &Chassis<T>, phase: &Phase<T>, wheel: usize) -> [[T; 2]; 2] {
     let ([x, y, heading], [vx, vy, omega]) = (phase.q, phase.w);
     let (sin, cos) = heading.sin_cos();

@@ -1,4 +1,4 @@
-//! What the wheels stand on.
+//! The ground under the wheels.
 
 use pim_core::{InvalidInput, Vector2};
 use real::{Real, elementary};
@@ -8,15 +8,15 @@ use crate::check;
 /// (–) greatest friction of a ground.
 pub const GREATEST_FRICTION: f64 = 2.0;
 
-/// (–) greatest rise per length of a ground, either way: 45°.
+/// (–) greatest rise per length of a ground, up or down: 45°.
 pub const GREATEST_GRADE: f64 = 1.0;
 
-/// A plane with friction, which may differ by zones.
+/// A plane with friction, which may differ from zone to zone.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Ground<'a, T = f64> {
-    /// (–) μ of tyres on it, outside of the zones.
+    /// (–) μ of tyres on it, outside the zones.
     pub friction: T,
-    /// Where the friction is another. Where zones overlap, the later one counts.
+    /// The zones of different friction. If zones overlap, the later one counts.
     pub zones: &'a [Zone<'a, T>],
     /// (–) rise per horizontal length along x and along y. All distances are measured along the plane.
     pub grade: Vector2<T>,
@@ -25,7 +25,7 @@ pub struct Ground<'a, T = f64> {
 /// A part of the ground with its own friction.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Zone<'a, T = f64> {
-    /// Where it is.
+    /// Its region.
     pub region: Region<'a>,
     /// (–) μ of tyres on it.
     pub friction: T,
@@ -34,29 +34,29 @@ pub struct Zone<'a, T = f64> {
 /// A part of the plane.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Region<'a> {
-    /// All on one side of a straight line.
+    /// Everything on one side of a straight line.
     HalfPlane {
         /// (m) a point of the line.
         point: Vector2<f64>,
         /// (–) unit vector at right angles to the line, into the region.
         into: Vector2<f64>,
     },
-    /// The inside of a closed line through these corners (m), either way round.
+    /// The inside of the polygon with these corners (m), in either direction.
     Polygon(&'a [Vector2<f64>]),
 }
 
 impl<T: Real> Ground<'_, T> {
-    /// Level ground of one friction.
+    /// Level ground of uniform friction.
     #[must_use]
     pub fn level(friction: T) -> Self {
         Self { friction, zones: &[], grade: Vector2::new(T::ZERO, T::ZERO) }
     }
 
-    /// Whether every number is one that a ground can have.
+    /// Checks that a ground can have every number.
     ///
     /// # Errors
-    /// Where a friction is not above 0 and at most [`GREATEST_FRICTION`], a grade steeper than
-    /// [`GREATEST_GRADE`], a place not finite, or a polygon has fewer than three corners.
+    /// If a friction is not above 0 and at most [`GREATEST_FRICTION`], a grade is steeper than
+    /// [`GREATEST_GRADE`], a position is not finite, or a polygon has fewer than three corners.
     pub fn check(&self) -> Result<(), InvalidInput> {
         friction(self.friction)?;
         check::within("grade along x", self.grade.x.value(), -GREATEST_GRADE, GREATEST_GRADE)?;
@@ -68,7 +68,7 @@ impl<T: Real> Ground<'_, T> {
         Ok(())
     }
 
-    /// The number of the zone at a point, counted from 1; 0 is outside of all.
+    /// The number of the zone at a point, counted from 1; 0 is outside all zones.
     pub(crate) fn zone_at(&self, point: [f64; 2]) -> usize {
         self.zones.iter().rposition(|zone| zone.region.contains(point)).map_or(0, |place| place + 1)
     }
@@ -81,10 +81,10 @@ impl<T: Real> Ground<'_, T> {
     }
 }
 
-/// (–) by so much the length of a unit vector may err.
+/// (–) tolerance of the length of a unit vector.
 const UNIT: f64 = 1e-9;
 
-/// Refuses a friction that no ground has.
+/// Refuses a friction that no ground can have.
 fn friction<T: Real>(friction: T) -> Result<(), InvalidInput> {
     check::positive("friction of the ground", friction.value())?;
     check::within("friction of the ground", friction.value(), 0.0, GREATEST_FRICTION)
@@ -103,14 +103,14 @@ impl Edge {
         (x - self.point[0]) * self.normal[0] + (y - self.point[1]) * self.normal[1]
     }
 
-    /// (m/s) how fast a point with this velocity moves to the side of the normal.
+    /// (m/s) speed of a point with this velocity along the normal.
     pub(crate) fn rate<T: Real>(&self, [vx, vy]: [T; 2]) -> T {
         vx * self.normal[0] + vy * self.normal[1]
     }
 }
 
 impl Region<'_> {
-    /// One side of a straight line through a point (m), in the direction `into` (rad) at right angles to it.
+    /// One side of a straight line through a point (m); the direction `into` (rad) is at right angles to it.
     #[must_use]
     pub fn half_plane(point: Vector2<f64>, into: f64) -> Self {
         let (sin, cos) = elementary::sin_cos(into);
@@ -132,7 +132,7 @@ impl Region<'_> {
         }
     }
 
-    /// Whether a point lies in it.
+    /// Whether a point lies in the region.
     pub(crate) fn contains(&self, [x, y]: [f64; 2]) -> bool {
         match *self {
             Self::HalfPlane { point, into } => (x - point.x) * into.x + (y - point.y) * into.y > 0.0,
@@ -145,7 +145,7 @@ impl Region<'_> {
         }
     }
 
-    /// (m) from a point to its border: positive inside, negative outside.
+    /// (m) distance of a point from the border: positive inside, negative outside.
     pub(crate) fn depth(&self, point: [f64; 2]) -> f64 {
         match *self {
             Self::HalfPlane { point: on, into } => (point[0] - on.x) * into.x + (point[1] - on.y) * into.y,
@@ -156,17 +156,17 @@ impl Region<'_> {
         }
     }
 
-    /// (m) from a point to its border.
+    /// (m) distance of a point from the border.
     pub(crate) fn distance_to_border(&self, point: [f64; 2]) -> f64 {
         self.nearest(point).map_or(f64::INFINITY, |(distance, _)| distance)
     }
 
-    /// The part of its border that is nearest to a point.
+    /// The edge nearest to a point.
     pub(crate) fn nearest_edge(&self, point: [f64; 2]) -> Option<Edge> {
         self.nearest(point).map(|(_, edge)| edge)
     }
 
-    /// The same with its distance (m).
+    /// The edge nearest to a point, with its distance (m).
     fn nearest(&self, [x, y]: [f64; 2]) -> Option<(f64, Edge)> {
         match *self {
             Self::HalfPlane { point, into } => {
@@ -204,7 +204,7 @@ fn corner(point: Vector2<f64>) -> Result<(), InvalidInput> {
     check::finite("corner of a zone along y", point.y)
 }
 
-/// The sides of a polygon, the last of which leads back to the first corner.
+/// The sides of a polygon, including the one from the last corner to the first.
 fn sides(corners: &[Vector2<f64>]) -> impl Iterator<Item = [Vector2<f64>; 2]> {
     let before = corners.last().into_iter().chain(corners);
     before.zip(corners).map(|(&from, &to)| [from, to])

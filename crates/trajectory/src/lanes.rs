@@ -1,4 +1,4 @@
-//! A number for each of eight motions.
+//! Vectors with one number for each of eight motions.
 
 use core::fmt::Debug;
 use core::ops::{Add, AddAssign, Div, Mul, Neg, Sub};
@@ -10,14 +10,14 @@ use real::elementary;
 
 use crate::number::{Number, of_inverse_root, of_root};
 
-/// Motions that are followed at once.
+/// Number of motions followed at once.
 pub(crate) const LANES: usize = 8;
 
-/// A number of each lane. Each has the bits of the same operation on a plain number.
+/// One number per lane. Each has the same bits as the same operation on a plain number.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Lanes<S: Simd>(f64x8<S>);
 
-/// A bit of each lane.
+/// One bit per lane.
 #[derive(Clone, Copy)]
 pub(crate) struct Mask<S: Simd>(mask64x8<S>);
 
@@ -51,7 +51,7 @@ impl<S: Simd> Mask<S> {
         self.0.any_true()
     }
 
-    /// A bit of each lane, the first lane in the lowest.
+    /// One bit per lane, the first lane in the lowest bit.
     #[inline(always)]
     pub(crate) fn bits(self) -> u64 {
         self.0.to_bitmask()
@@ -101,7 +101,7 @@ impl<S: Simd> AddAssign for Lanes<S> {
 impl<S: Simd> Number for Lanes<S> {
     type Plain = Self;
     type Mask = Mask<S>;
-    /// A function on its own has the instructions that every processor of the kind has, of two numbers each.
+    /// A separate function is compiled for the baseline instruction set, whose vectors hold two numbers.
     const CALLS: bool = <S::f64s as SimdBase<S>>::LEN == 2;
 
     #[inline(always)]

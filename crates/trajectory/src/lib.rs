@@ -1,4 +1,4 @@
-//! The motion of a vehicle between the impact and where it came to rest.
+//! The motion of a vehicle from the impact to its rest position.
 //!
 //! ```
 //! use trajectory::{Axles, Body, Chassis, Control, Ground, Motion, State, Steer, Vector2, to_rest};
@@ -21,47 +21,48 @@
 //!
 //! The types: a [`Body`] on its [`Axles`], with the drag of each [`Wheel`], is a [`Chassis`]. It stands on a
 //! [`Ground`], which may have [`Zone`]s and a grade, with a [`Steer`] angle of its front wheels. [`to_rest`]
-//! follows it from a [`State`] to its [`Rest`] and hands out a [`Sample`] after each step; [`to_start`] finds
-//! every motion that leads to a [`Target`], as [`Starts`]. `to_rests` follows many, each an `Outset`, eight
-//! at a time. The closed forms are in [`closed`].
+//! follows it from a [`State`] to its [`Rest`] and passes on a [`Sample`] after each step; [`to_start`] finds
+//! every motion that leads to a [`Target`], as [`Starts`]. `to_rests` follows many motions, each an `Outset`,
+//! eight at a time. The closed forms are in [`closed`].
 //!
 //! Frames and signs are those of `pim_core`: y to the left of x, angles and yaw rates counter-clockwise.
-//! Wheels come as front left, front right, rear left, rear right. The equations are in theory, section 11.
+//! Wheels are ordered front left, front right, rear left, rear right. The equations are in theory, section
+//! 11.
 //!
 //! | code | symbol | meaning | unit |
 //! |---|---|---|---|
 //! | `cg_to_front`, `cg_to_rear` | a, b | from the CG to the axles | m |
-//! | `load` | F_z/W | share of the weight on a wheel | – |
-//! | `drag` | d | share of its load that resists rolling; at the friction and above, the wheel is locked | – |
-//! | `friction` | μ | of tyres on the ground | – |
+//! | `load` | F_z/W | fraction of the weight on a wheel | – |
+//! | `drag` | d | rolling resistance as a fraction of the load; at the friction and above, the wheel is locked | – |
+//! | `friction` | μ | friction of tyres on the ground | – |
 //! | `grade` | G = tan θ | rise per horizontal length | – |
-//! | `heading`, `turn` | ψ, Δψ | counted on through full turns | rad |
+//! | `heading`, `turn` | ψ, Δψ | including full turns | rad |
 //!
 //! # Which drag, which friction?
 //!
-//! As shares of the friction (EDCRASH's manual; so times μ for `drag`): a tyre that rolls 0.01/μ, one partly
-//! flat 0.013/μ, a damaged wheel 0 to 1, an engine in high gear 0.15/μ to 0.20/μ, in low gear 0.2/μ to 0.4/μ,
-//! on the driven wheels. The vehicles of the staged RICSAC collisions 3 and 6 came to rest where they did
-//! with 0.047 to 0.091 on all wheels. Dry travelled asphalt has 0.60 to 0.80 below 30 mph and 0.55 to 0.70
-//! above, wet 0.50 to 0.80 and 0.45 to 0.75, loose gravel 0.40 to 0.70, packed snow 0.30 to 0.55, smooth ice
-//! 0.10 to 0.25.
+//! As fractions of the friction (EDCRASH's manual; multiply by μ for `drag`): a rolling tyre 0.01/μ, a partly
+//! flat one 0.013/μ, a damaged wheel 0 to 1, an engine in high gear 0.15/μ to 0.20/μ, in low gear 0.2/μ to
+//! 0.4/μ, on the driven wheels. The vehicles of the staged RICSAC collisions 3 and 6 reach their rest
+//! positions with 0.047 to 0.091 on all wheels. Dry travelled asphalt has 0.60 to 0.80 below 30 mph and 0.55
+//! to 0.70 above, wet 0.50 to 0.80 and 0.45 to 0.75, loose gravel 0.40 to 0.70, packed snow 0.30 to 0.55,
+//! smooth ice 0.10 to 0.25.
 //!
 //! # Guarantees
 //!
-//! - Straight slides, free rolling and spins about the centre agree with their closed forms to 1e-9, on a
-//!   grade and over changing ground too.
+//! - Straight slides, free rolling and spins about the centre agree with their closed forms to 1e-9, even on
+//!   a grade and over changing ground.
 //! - With the default [`Control`] the rest of 950 of 1000 random spin-outs of five to seven seconds is exact
 //!   to 4 mm and 0.03°, of 992 to 1 cm and 0.1°, of all to 7 cm and 0.4°. With a tolerance of 5e-4, which
 //!   takes two thirds of the steps, that of 869 is exact to 1 cm and 0.1°, and of 974 of 1000 that spin like
-//!   RICSAC 6. Four times the steps make it 100 times better. [`MotionEnergy::remainder`] tells the error of
+//!   RICSAC 6. Four times the steps make it 100 times better. [`MotionEnergy::remainder`] shows the error of
 //!   each run.
 //! - Of 300 vehicles that roll far, up to 700 m at drags of 0.005 to 0.05, the rest is exact to 0.03 % of the
-//!   path; of 300 that do so with the front wheels steered by up to 6°, to 0.1 % for 285, to 0.13 % for all.
-//! - [`to_start`] found a start for each of 1000 random rests: for 539 the one that had led there, to 1e-6,
-//!   for the others some that come to rest within 1 mm.
-//! - A motion followed among others has the bits of one followed alone.
-//! - Nothing is allocated, and the numbers may carry derivatives: the moments at which wheels cross borders
-//!   carry theirs.
+//!   path; of 300 with the front wheels steered by up to 6°, to 0.1 % for 285 and to 0.13 % for all.
+//! - [`to_start`] found a start for each of 1000 random rests: for 539 the original one, to 1e-6, for the
+//!   others one that comes to rest within 1 mm.
+//! - A motion followed together with others has the same bits as one followed alone.
+//! - Nothing is allocated, and the numbers may carry derivatives, which include those of the times at which
+//!   wheels cross borders.
 //!
 //! `examples/rest.rs` follows a vehicle to rest and back.
 //!
@@ -70,13 +71,13 @@
 //! | feature | adds |
 //! |---|---|
 //! | `std`, on by default | `to_rests`. Without it the crate is `no_std`; results have the same bits |
-//! | `serde` | plain inputs, states and rests can be written and read, a chassis and errors cannot |
+//! | `serde` | serialisation of plain inputs, states and rests, not of a chassis or errors |
 //!
 //! # What it does not do
 //!
 //! No roll, pitch or load transfer, no curbs, poles or second impacts, no trailers, no driver. A region of
-//! ground that a wheel crosses in less than 0.25 m may be overlooked. [`to_start`] looks for one start to
-//! each turn of the vehicle; where two motions with the same turn lead to one rest, it finds either.
+//! ground that a wheel crosses in less than 0.25 m may be overlooked. [`to_start`] looks for one start for
+//! each turn of the vehicle; if two motions with the same turn lead to one rest, it finds either.
 
 #![cfg_attr(not(feature = "std"), no_std)]
 

@@ -1,10 +1,10 @@
-//! What tyres, field and steps compute with: any [`Real`].
+//! The numbers of tyres, field and steps: any [`Real`], or lanes.
 
 use core::ops::{Add, AddAssign, Div, Mul, Neg, Sub};
 
 use real::Real;
 
-/// What the equations of the motion ask of a number. They choose by masks, never by branches.
+/// The operations that the equations of motion need. They select by masks and are branch-free.
 pub(crate) trait Number:
     Copy
     + Neg<Output = Self>
@@ -19,11 +19,11 @@ pub(crate) trait Number:
 {
     /// The number without derivatives.
     type Plain: Number<Plain = Self::Plain, Mask = Self::Mask>;
-    /// The answer to a comparison.
+    /// The result of a comparison.
     type Mask: Copy;
-    /// Whether the forces are worth a call: where a number carries derivatives they are thousands of
-    /// instructions, and a step that has them eight times takes the compiler most of a minute. Lanes are
-    /// lost without inlining.
+    /// Whether the forces are a function call. For a number with derivatives they are thousands of
+    /// instructions, and a step that inlines them eight times takes the compiler most of a minute. Lanes need
+    /// inlining.
     const CALLS: bool;
 
     fn plain(self) -> Self::Plain;
@@ -62,20 +62,20 @@ pub(crate) trait Number:
         Self::select_mask(one, one, other)
     }
 
-    /// √ of √ … of a number above zero, as often as `halvings` says, without derivatives. It may be off by
-    /// some percent.
+    /// The square root applied `halvings` times to a positive number, without derivatives. It may be off by
+    /// some per cent.
     fn rough_root(self, halvings: u32) -> Self;
 
-    /// 1 by that root, as roughly.
+    /// The reciprocal of that root, as roughly.
     fn rough_inverse_root(self, halvings: u32) -> Self;
 
     /// The number, which is not negative, with the sign of `other`.
     fn with_sign_of(self, other: Self) -> Self;
 
-    /// The second where either is not a number.
+    /// `other` if either is NaN.
     fn lesser(self, other: Self) -> Self;
 
-    /// The second where either is not a number.
+    /// `other` if either is NaN.
     fn greater(self, other: Self) -> Self;
 
     /// 1/x.
@@ -84,15 +84,15 @@ pub(crate) trait Number:
         self.constant(1.0) / self
     }
 
-    /// What the mask says of a single number; nothing of lanes.
+    /// The mask as a `bool` for a single number; `None` for lanes.
     fn certain(mask: Self::Mask) -> Option<bool>;
 
-    /// Whether the mask holds for any.
+    /// Whether the mask holds in any lane.
     fn any(mask: Self::Mask) -> bool;
 }
 
-/// The second where the mask holds, the third elsewhere. A single number computes but one of them. It is a
-/// macro because closures are not inlined for certain, and what lanes compute has to be.
+/// Selects `$yes` where the mask holds, else `$no`. A single number evaluates only one of them. It is a macro
+/// because closures are not always inlined, and the computation of lanes must be.
 macro_rules! choose {
     ($T:ty, $mask:expr, $yes:expr, $no:expr $(,)?) => {{
         let mask = $mask;
@@ -105,7 +105,7 @@ macro_rules! choose {
 }
 pub(crate) use choose;
 
-/// The same where the mask holds for hardly any: lanes compute the second only where one needs it.
+/// The same for a mask that rarely holds: lanes evaluate `$rare` only if one of them needs it.
 macro_rules! rarely {
     ($T:ty, $mask:expr, $rare:expr, $usual:expr $(,)?) => {{
         let mask = $mask;
@@ -125,7 +125,7 @@ macro_rules! rarely {
 }
 pub(crate) use rarely;
 
-/// What can be chosen by a mask.
+/// A value that a mask can select.
 pub(crate) trait Choice<T: Number> {
     fn select(mask: T::Mask, yes: Self, no: Self) -> Self;
 }
@@ -230,14 +230,14 @@ impl<T: Real> Number for T {
     }
 }
 
-/// The bits of a number count nearly as its logarithm does: those of a root of x are those of x, shifted, and
-/// these.
+/// The bits of a number, as an integer, are nearly linear in its logarithm: those of a root of x are those of
+/// x, shifted, plus these.
 #[inline(always)]
 pub(crate) const fn of_root(halvings: u32) -> u64 {
     ONE - (ONE >> halvings)
 }
 
-/// The bits of 1 by such a root, and those of x, shifted, together.
+/// The sum of the bits of the reciprocal of such a root and of those of x, shifted.
 #[inline(always)]
 pub(crate) const fn of_inverse_root(halvings: u32) -> u64 {
     ONE + (ONE >> halvings)
@@ -245,8 +245,8 @@ pub(crate) const fn of_inverse_root(halvings: u32) -> u64 {
 
 const ONE: u64 = 1.0_f64.to_bits();
 
-/// Sine and cosine of an angle (rad) within a step, where the terms that are left out, x⁹/9! and x⁸/8!, are
-/// far below the error of the step.
+/// Sine and cosine of an angle (rad) within a step: the omitted terms, x⁹/9! and x⁸/8!, are far below the
+/// error of the step.
 #[inline(always)]
 pub(crate) fn direction_within_step<T: Number>(x: T) -> Direction<T> {
     rarely!(T, x.abs().plain().at_least(x.plain().constant(SMALL_TURN)), Direction::of(x), {
@@ -259,7 +259,7 @@ pub(crate) fn direction_within_step<T: Number>(x: T) -> Direction<T> {
     },)
 }
 
-/// Sine and cosine of an angle (rad), by their series where it is small.
+/// Sine and cosine of an angle (rad), by their series if it is small.
 #[inline(always)]
 pub(crate) fn direction_of_turn<T: Number>(x: T) -> Direction<T> {
     rarely!(T, x.abs().plain().at_least(x.plain().constant(SMALL_TURN)), Direction::of(x), {
@@ -297,7 +297,7 @@ impl<T: Number> Direction<T> {
         Direction { sin: self.sin.plain(), cos: self.cos.plain() }
     }
 
-    /// That of the sum of two angles.
+    /// Sine and cosine of the sum of two angles.
     #[inline(always)]
     pub(crate) fn turned(self, by: Self) -> Self {
         Self { sin: self.sin * by.cos + self.cos * by.sin, cos: self.cos * by.cos - self.sin * by.sin }
@@ -314,7 +314,7 @@ impl<T: Number> Choice<T> for Direction<T> {
     }
 }
 
-/// (rad) up to here the terms that the series leave out, x¹⁵/15! and x¹⁴/14!, are below the rounding of 1.
+/// (rad) up to here the omitted terms of the series, x¹⁵/15! and x¹⁴/14!, are below the rounding of 1.
 const SMALL_TURN: f64 = 0.5;
 
 const INVERSE_FACTORIALS: [f64; 14] = {

@@ -1,39 +1,39 @@
-//! How far a motion has come, how far it is to rest, and how long its next step may be.
+//! The progress of a motion, its outlook to rest, and the length of its next step.
 
 use crate::field::{Acceleration, Field, GRAVITY};
 use crate::number::{Number, choose, rarely, three};
 use crate::state::Control;
 use crate::step::{Phase, Step};
 
-/// A step longer than this by the stiffness of the tyres is left to the implicit method. The explicit one is
+/// A step is stiff if its length times the stiffness of the tyres is at least this. The explicit method is
 /// stable up to 2.5.
 const STIFF: f64 = 2.0;
 
-/// As many steps in a row have to be stiff: a wheel that only changes the direction of its slip is so for a
-/// moment.
+/// Number of consecutive stiff steps after which the implicit method takes over: a wheel whose slip changes
+/// direction is stiff only for a moment.
 const STIFF_STEPS: f64 = 2.0;
 
-/// Share of the time to rest, if the forces stayed as they are, that a step may take.
+/// Fraction that a step may take of the time to rest under unchanged forces.
 const SHARE_OF_THE_REST: f64 = 0.8;
 
-/// Share of its estimate by which a step errs in which no wheel begins or ceases to be locked. The estimate
-/// is of order 2, the step of order 3; where the forces bend, it errs by all of it.
+/// Fraction of the estimated error that counts if no wheel begins or ceases to be locked in the step. The
+/// estimate is of order 2, the step of order 3; at a kink of the forces all of it counts.
 const SMOOTH: f64 = 0.5;
 
-/// (s) an error of the motion across the heading, and of the yaw rate, is forgotten after this: the tyres
-/// straighten a vehicle that rolls.
+/// (s) time in which an error of the motion across the heading, and of the yaw rate, decays: the tyres
+/// straighten a rolling vehicle.
 const FORGOTTEN: f64 = 1.0;
 
-/// (m) a last way below this is straight if what turns the motion now turns it by little.
+/// (m) a remaining path shorter than this counts as straight if the forces hardly turn the motion.
 const SHORT: f64 = 0.3;
 
-/// Rounding of an acceleration by its size.
+/// Relative rounding error of an acceleration.
 const ROUNDING: f64 = 1e-13;
 
-/// (m/s²) what turns a motion that is straight but for rounding is surely less.
+/// (m/s²) upper bound of the transverse acceleration of a motion that is straight but for rounding.
 const NEARLY_STRAIGHT: f64 = 1e-10;
 
-/// Squares of errors by the tolerance below these count as much, of this step and of the one before.
+/// Lower bounds of the squared relative errors of this step and of the one before.
 const LEAST_SQUARE: f64 = 1e-16;
 const LEAST_SQUARE_BEFORE: f64 = 1e-8;
 
@@ -60,12 +60,12 @@ impl<T: Number> Progress<T> {
         Self { phase, time: zero, distance: zero, work: zero, speed: length([u, v]) }
     }
 
-    /// After a step of the length `h` (s).
+    /// The progress after a step of the length `h` (s).
     #[inline(always)]
     pub(crate) fn after(&self, step: &Step<T>, h: T) -> Self {
         let ([x0, y0, _], [x1, y1, _]) = (self.phase.q, step.end.q);
         let ([u0, v0, _], [u1, v1, _]) = (self.phase.w, step.end.w);
-        // Simpson's rule with the velocity in the middle of the cubic: S = (h|v₀| + |6Δ − h(v₀ + v₁)| +
+        // Simpson's rule with the velocity at the midpoint of the cubic: S = (h|v₀| + |6Δ − h(v₀ + v₁)| +
         // h|v₁|)/6
         let middle = [(x1 - x0) * 6.0 - h * (u0 + u1), (y1 - y0) * 6.0 - h * (v0 + v1)];
         let speed = length([u1, v1]);
@@ -79,7 +79,7 @@ impl<T: Number> Progress<T> {
         }
     }
 
-    /// At rest, after the last way in closed form, which takes `time` (s).
+    /// The progress at rest, after the final phase in closed form, which takes `time` (s).
     #[inline(always)]
     pub(crate) fn faded(&self, acceleration: &Acceleration<T>, time: T) -> Self {
         let Phase { q, w } = self.phase;
@@ -90,14 +90,15 @@ impl<T: Number> Progress<T> {
             phase: Phase { q: three(|i| q[i] + w[i] * half), w: [rest; 3] },
             time: self.time + time,
             distance: self.distance + self.speed * half,
-            // The forces keep their directions while the motion shortens, so their power falls as it does.
+            // The forces keep their directions while the motion fades, so their power falls in proportion to
+            // the speed.
             work: self.work + acceleration.power * half,
             speed: rest,
         }
     }
 }
 
-/// Length of a vector, zero with zero derivatives where it vanishes.
+/// Length of a vector; zero with zero derivatives for the zero vector.
 #[inline(always)]
 fn length<T: Number>([x, y]: [T; 2]) -> T {
     let square = x * x + y * y;
@@ -105,17 +106,17 @@ fn length<T: Number>([x, y]: [T; 2]) -> T {
     choose!(T, zero.below(square), square.sqrt(), zero)
 }
 
-/// What lies ahead of a motion, if the forces only shorten it.
+/// The rest of a motion if the forces only slow it down.
 #[derive(Clone, Copy)]
 pub(crate) struct Outlook<P: Number> {
-    /// (s) how long the vehicle then needs to rest; infinite where it does not lose speed.
+    /// (s) the time to rest in that case; infinite if the vehicle does not lose speed.
     pub(crate) to_rest: P,
-    /// Whether that is so, as far as it can be told.
+    /// Whether the forces only slow it down, to within the tolerance.
     pub(crate) fades: P::Mask,
 }
 
 impl<P: Number<Plain = P>> Outlook<P> {
-    /// For a motion `w` with its `rates` of change; `lever` (m) is how far from the CG a turn shows.
+    /// For a motion `w` with its `rates` of change; `lever` (m) converts a turn into a distance.
     #[inline(always)]
     pub(crate) fn new(field: &Field<P>, w: [P; 3], rates: [P; 3], lever: P, control: &Control) -> Self {
         let (energy, power) = (field.energy(w), field.product(rates, w));
@@ -133,10 +134,10 @@ impl<P: Number<Plain = P>> Outlook<P> {
         let negligible = size_squared.below(most(control.tolerance / 10.0));
         let closed = if control.closed_end { SHORT } else { 0.0 };
         let short = size_squared.below(most(closed));
-        // What turns the motion: a⊥ = a − (a·w/w²) w, here times w²
+        // The acceleration that turns the motion: a⊥ = a − (a·w/w²) w, here times w²
         let [ax, ay, alpha] = three(|i| energy * rates[i] - power * w[i]);
         let across_squared = ax * ax + ay * ay;
-        // Longer ways have to be straight but for rounding; most are far from it.
+        // A longer path must be straight but for rounding; most are far from it.
         let nearly = if control.closed_end { NEARLY_STRAIGHT } else { 0.0 };
         let straight = across_squared.below(most(nearly) * (energy * energy));
         let excess = rarely!(
@@ -144,7 +145,7 @@ impl<P: Number<Plain = P>> Outlook<P> {
             P::one_of(short, straight),
             {
                 let strength = (rates[0] * rates[0] + rates[1] * rates[1]).sqrt();
-                // The forces turn with the vehicle, which a pure spin has none to feel.
+                // The forces turn with the vehicle; in a pure spin there are none.
                 let carried = P::select(zero.below(way_squared), strength * turn, zero);
                 let (across, alpha) = (across_squared.sqrt() / energy, alpha.abs() / energy);
                 let miss = P::greater(across + carried, alpha * lever) * (t * half);
@@ -159,26 +160,27 @@ impl<P: Number<Plain = P>> Outlook<P> {
     }
 }
 
-/// How long a step may be, and by which method it goes.
+/// Step length control, and the choice of the method.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Pace<P> {
     /// (s) length to try next.
     pub(crate) length: P,
-    /// Square of the error of the last step by the tolerance.
+    /// Square of the error of the last step relative to the tolerance.
     before: P,
-    /// Steps in a row that were stiff; from [`STIFF_STEPS`] on the method is the implicit one for good.
+    /// Number of consecutive stiff steps; after [`STIFF_STEPS`] the integrator switches permanently to the
+    /// implicit method.
     stiff: P,
 }
 
 impl<P: Number<Plain = P>> Pace<P> {
-    /// That of the first step, in numbers like `one`.
+    /// The pace of the first step, in the number type of `one`.
     #[inline(always)]
     pub(crate) fn new(one: P) -> Self {
         // A first guess, which the first error corrects.
         Self { length: one.constant(0.05), before: one.constant(1.0), stiff: one.constant(0.0) }
     }
 
-    /// All of it, for [`of`](Self::of).
+    /// All values, for [`of`](Self::of).
     #[cfg(feature = "std")]
     #[inline(always)]
     pub(crate) fn numbers(&self) -> [P; 3] {
@@ -196,15 +198,15 @@ impl<P: Number<Plain = P>> Pace<P> {
         self.stiff.at_least(self.stiff.constant(STIFF_STEPS))
     }
 
-    /// (s) length of the next step, where the vehicle may go on for `to_rest` and `left` (s).
+    /// (s) length of the next step, limited by the time to rest `to_rest` (s) and the time `left` (s).
     #[inline(always)]
     pub(crate) fn next(&self, to_rest: P, left: P, control: &Control) -> P {
         let most = P::lesser(to_rest * SHARE_OF_THE_REST, left);
         P::lesser(P::lesser(self.length, most), most.constant(control.longest_step))
     }
 
-    /// After a step of the length `h` (s) with the square of its error by the tolerance; `again` where a
-    /// longer one was tried before.
+    /// Records an accepted step of the length `h` (s), with the square of its error relative to the
+    /// tolerance; `again` if a longer step was rejected before.
     #[inline(always)]
     pub(crate) fn accept(&mut self, h: P, error_squared: P, again: P::Mask) {
         let now = P::greater(error_squared, h.constant(LEAST_SQUARE));
@@ -216,15 +218,15 @@ impl<P: Number<Plain = P>> Pace<P> {
         self.before = P::greater(now, h.constant(LEAST_SQUARE_BEFORE));
     }
 
-    /// The length (s) to try instead of `h`, with which the square of the error was so much.
+    /// The length (s) to try after a step of `h` (s) was rejected with this squared error.
     #[inline(always)]
     pub(crate) fn shorter(h: P, error_squared: P) -> P {
-        // Where the forces bend, the error falls as h² only.
+        // At a kink of the forces the error falls only as h².
         let shrink = error_squared.rough_inverse_root(2) * 0.85;
         h * P::greater(P::lesser(shrink, h.constant(0.9)), h.constant(0.1))
     }
 
-    /// Counts the step as stiff or not, by the stiffness (1/s) where it ended.
+    /// Counts stiff steps, by the stiffness (1/s) at the end of the step.
     #[inline(always)]
     pub(crate) fn count(&mut self, stiffness: P) {
         let is_stiff = (stiffness * self.length).at_least(stiffness.constant(STIFF));
@@ -233,8 +235,8 @@ impl<P: Number<Plain = P>> Pace<P> {
     }
 }
 
-/// Square of what a step adds to the error at rest by the tolerance, where the vehicle goes on for about
-/// `to_rest` (s).
+/// Square of the error that a step adds to the rest, relative to the tolerance, if the vehicle takes about
+/// `to_rest` (s) more.
 #[inline(always)]
 pub(crate) fn error_squared<T: Number>(
     step: &Step<T>,
@@ -246,7 +248,7 @@ pub(crate) fn error_squared<T: Number>(
     let [x, y, heading] = three(|i| step.error_q[i].abs() + step.error_w[i].abs() * left);
     let swing = heading * lever;
     let square = T::Plain::greater(x * x + y * y, swing * swing);
-    // What the speed errs by, no tyre takes away: δs = δu t/2 with δu = δw·w/|w|
+    // The tyres do not reduce an error of the speed: δs = δu t/2 with δu = δw·w/|w|
     let [u, v, _] = step.end.w.map(|part| part.plain());
     let gain = step.error_w[0] * u + step.error_w[1] * v;
     let left = T::Plain::lesser(to_rest, to_rest.constant(control.longest_time)) * 0.5;

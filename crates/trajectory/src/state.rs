@@ -1,9 +1,9 @@
-//! Where the vehicle is, what was recorded on its way, and how it ended.
+//! The state of a vehicle, the record of its path, and its rest.
 
 use pim_core::{Motion, Vector2};
 use real::Real;
 
-/// Place and motion of a vehicle.
+/// Position and motion of a vehicle.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(
@@ -14,9 +14,9 @@ use real::Real;
     ))
 )]
 pub struct State<T = f64> {
-    /// (m) place of the CG in the scene.
+    /// (m) position of the CG in the scene.
     pub position: Vector2<T>,
-    /// (rad) heading in the scene, counted on through full turns.
+    /// (rad) heading in the scene, including full turns.
     pub heading: T,
     /// Velocity and yaw rate.
     pub motion: Motion<T>,
@@ -35,24 +35,24 @@ impl<T: Real> State<T> {
     }
 }
 
-/// One moment on the way.
+/// One instant of the motion.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Sample<T = f64> {
     /// (s) since the start.
     pub time: T,
     /// (m) length of the path since the start.
     pub distance: T,
-    /// Place and motion.
+    /// Position and motion.
     pub state: State<T>,
-    /// Which tyres slide and leave marks: front left, front right, rear left, rear right.
+    /// Whether each tyre slides and leaves marks: front left, front right, rear left, rear right.
     pub sliding: [bool; 4],
     /// (–) friction of the ground under each wheel.
     pub friction: [T; 4],
 }
 
 impl<T: Real> Sample<T> {
-    /// Place and motion at a time (s) between this sample and the `next`, by the cubic through both places
-    /// with both velocities.
+    /// Position and motion at a time (s) between this sample and the `next`, by the cubic with the positions
+    /// and velocities of both.
     #[must_use]
     pub fn between(&self, next: &Self, time: T) -> State<T> {
         let span = next.time - self.time;
@@ -71,7 +71,7 @@ impl<T: Real> Sample<T> {
     }
 }
 
-/// Value and rate, at the share `s` of a span of time, of the cubic with these values and rates at its ends
+/// Value and rate, at the fraction `s` of a time span, of the cubic with these values and rates at its ends
 /// (Hermite).
 #[inline(always)]
 pub(crate) fn cubic<T: Real>(s: T, span: T, [p0, p1]: [T; 2], [v0, v1]: [T; 2]) -> (T, T) {
@@ -83,7 +83,7 @@ pub(crate) fn cubic<T: Real>(s: T, span: T, [p0, p1]: [T; 2], [v0, v1]: [T; 2]) 
     (value, rate)
 }
 
-/// Where the kinetic energy went.
+/// The energy balance of the motion.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct MotionEnergy<T = f64> {
@@ -93,24 +93,24 @@ pub struct MotionEnergy<T = f64> {
     pub friction: T,
     /// (J) given by the grade, negative uphill.
     pub grade: T,
-    /// (J) what the three above leave: the error of the integration.
+    /// (J) remainder of the balance of the three above: the error of the integration.
     pub remainder: T,
 }
 
-/// How a vehicle came to rest.
+/// The rest of a vehicle, and its motion to it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Rest<T = f64> {
-    /// (m) place of the CG in the scene.
+    /// (m) position of the CG in the scene.
     pub position: Vector2<T>,
-    /// (rad) heading in the scene, counted on from the start through full turns.
+    /// (rad) heading in the scene, including full turns since the start.
     pub heading: T,
     /// (s) since the start.
     pub time: T,
     /// (m) length of the path of the CG.
     pub distance: T,
-    /// Where the kinetic energy went.
+    /// The energy balance of the motion.
     pub energy: MotionEnergy<T>,
-    /// Steps of the integration, with those that were tried in vain.
+    /// Steps of the integration, including rejected ones.
     pub steps: u32,
 }
 
@@ -134,27 +134,26 @@ impl<T: Real> Rest<T> {
     }
 }
 
-/// How closely, and how long, to follow a motion.
+/// Accuracy and limits of the integration.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Control {
-    /// (m) what a step may add to the error of the rest position, and of each wheel there.
+    /// (m) error that a step may add to the rest position of the CG and of each wheel.
     pub tolerance: f64,
-    /// (s) a vehicle that still moves then is given up.
+    /// (s) time after which a moving vehicle is given up.
     pub longest_time: f64,
     /// (s) longest step, for a fine record of the path.
     pub longest_step: f64,
     /// Steps after which a motion is given up.
     pub most_steps: u32,
-    /// Whether the last part, in which the motion only fades, is taken in one step with the closed form. Its
-    /// derivatives are those of motions that fade in the same way: a straight roll has none of that across
-    /// it, where the tyres would act. So exact derivatives need steps down to the rest.
+    /// Whether the final phase, in which the motion only fades, is one step in closed form. Its derivatives
+    /// are those of motions that fade in the same way: those of a straight roll lack the tyre forces across
+    /// it. So exact derivatives need steps down to rest.
     pub closed_end: bool,
 }
 
 impl Default for Control {
-    /// About 1 mm at rest, and five minutes at most: as long as a wheel that nothing holds takes to stop from
-    /// 30 m/s.
+    /// About 1 mm at rest, and at most five minutes, in which freely rolling wheels stop from 30 m/s.
     fn default() -> Self {
         Self { tolerance: 1e-4, longest_time: 300.0, longest_step: 1.0, most_steps: 20_000, closed_end: true }
     }

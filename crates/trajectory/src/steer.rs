@@ -10,10 +10,10 @@ use crate::check;
 /// (rad) steer angle of the front wheels, counter-clockwise from the vehicle's axis.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Steer<'a, T = f64> {
-    /// The same all the time.
+    /// Constant.
     Held(T),
-    /// Angles (rad) at times (s) that ascend, counted from the start of the motion: linear between them, and
-    /// held before the first and after the last.
+    /// Angles (rad) at ascending times (s) from the start of the motion: linear between them, and constant
+    /// before the first and after the last.
     Over(&'a [(T, T)]),
 }
 
@@ -24,10 +24,10 @@ impl<T: Real> Steer<'_, T> {
         Self::Held(T::ZERO)
     }
 
-    /// Whether every number is one that a steering can have.
+    /// Checks that a steering can have every number.
     ///
     /// # Errors
-    /// Where an angle is not within ±90°, or the times do not ascend.
+    /// If an angle is not within ±90°, or the times do not ascend.
     pub fn check(&self) -> Result<(), InvalidInput> {
         let angle = |angle: T| check::within("steer angle", angle.value(), -FRAC_PI_2, FRAC_PI_2);
         match *self {
@@ -49,7 +49,7 @@ impl<T: Real> Steer<'_, T> {
         self.angle(time)
     }
 
-    /// The same at a time that carries more than the angles do.
+    /// The angle at a time that carries more derivatives than the angles.
     pub(crate) fn angle<U: Real + From<T>>(&self, time: U) -> U {
         match *self {
             Self::Held(held) => held.into(),
@@ -67,7 +67,7 @@ impl<T: Real> Steer<'_, T> {
         }
     }
 
-    /// (s) when the rate of steering changes next after a time (s).
+    /// (s) the next time after `time` (s) at which the rate of steering changes.
     pub(crate) fn next_change(&self, time: f64) -> Option<T> {
         match *self {
             Self::Held(_) => None,

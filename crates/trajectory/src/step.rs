@@ -1,10 +1,11 @@
-//! One step of the integration, by one of two methods of order 3 that estimate their error by one of order 2.
+//! One step of the integration, by one of two methods of order 3 with an embedded error estimate of order 2.
 //!
-//! Both estimate well where a wheel begins to slide or to roll, and the forces bend: there a method of higher
-//! order, which counts on smooth forces, errs by more than it tells. While the vehicle spins, the method is
-//! explicit. Tyres stiffen as it slows: the rates with which a rolling vehicle straightens are about 9g/u,
-//! and an explicit method then takes hundreds of steps to the rest. So the last part is left to one that is
-//! linearly implicit and L-stable, and as a W-method keeps its order with a rough matrix of derivatives.
+//! Both estimate well at the kinks of the forces, where a wheel begins to slide or to roll: there a method of
+//! higher order, which relies on smooth forces, underestimates its error. While the vehicle spins, the method
+//! is explicit. The equations become stiff as the vehicle slows: the rates at which a rolling vehicle
+//! straightens are about 9g/u, and an explicit method then takes hundreds of steps to the rest. So the last
+//! part uses a linearly implicit, L-stable method, a W-method that keeps its order with a rough matrix of
+//! derivatives.
 
 use real::Real;
 
@@ -32,11 +33,11 @@ const WEIGHTS: [f64; 4] =
 /// b̂_i of order 2.
 const EMBEDDED: [f64; 4] = [0.378_109_031_458_193_7, -0.096_042_292_212_423_18, 0.5, 0.217_933_260_754_229_5];
 
-/// What b_i differ by from b̂_i.
+/// b_i − b̂_i.
 const IMPLICIT_ERROR: [f64; 4] =
     [WEIGHTS[0] - EMBEDDED[0], WEIGHTS[1] - EMBEDDED[1], WEIGHTS[2] - EMBEDDED[2], WEIGHTS[3] - EMBEDDED[3]];
 
-/// Place and motion as the integration has them.
+/// Position and motion as integrated.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Phase<T> {
     /// (m, m, rad) x, y, ψ.
@@ -45,11 +46,11 @@ pub(crate) struct Phase<T> {
     pub(crate) w: [T; 3],
 }
 
-/// Where a step leads.
+/// The result of a step.
 #[derive(Clone, Copy)]
 pub(crate) struct Step<T: Number> {
     pub(crate) end: Phase<T>,
-    /// The direction of the heading and the acceleration there.
+    /// The direction of the heading and the acceleration at the end.
     pub(crate) there: (Direction<T>, Acceleration<T>),
     /// Whether the same wheels are locked at the end as at the start.
     pub(crate) smooth: T::Mask,
@@ -61,7 +62,7 @@ pub(crate) struct Step<T: Number> {
     pub(crate) error_w: [T::Plain; 3],
 }
 
-/// The steering, with what can be computed once.
+/// The steering, with constants computed once.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Steering<'a, T, G> {
     Held(Direction<T>),
@@ -86,20 +87,20 @@ impl<'a, T: Real + From<G>, G: Real> Steering<'a, T, G> {
     }
 }
 
-/// Where a step begins.
+/// The beginning of a step.
 #[derive(Clone, Copy)]
 pub(crate) struct Start<T: Number> {
     pub(crate) time: T,
     pub(crate) phase: Phase<T>,
-    /// That of the heading.
+    /// Sine and cosine of the heading.
     pub(crate) direction: Direction<T>,
     pub(crate) acceleration: Acceleration<T>,
-    /// (1/s) the derivatives of the accelerations by (v_x, v_y, ω), roughly, for the implicit method.
+    /// (1/s) rough derivatives of the accelerations with respect to (v_x, v_y, ω), for the implicit method.
     pub(crate) slope: Option<Matrix<T::Plain>>,
 }
 
 impl<T: Number> Step<T> {
-    /// Whether place and heading are numbers.
+    /// Whether position and heading are finite.
     #[inline(always)]
     pub(crate) fn is_finite(&self) -> T::Mask {
         let [x, y, heading] = self.end.q;
@@ -109,7 +110,7 @@ impl<T: Number> Step<T> {
 }
 
 impl<T: Number> Start<T> {
-    /// A step of the length `h` (s), by the implicit method where there is a slope.
+    /// A step of the length `h` (s), by the implicit method if there is a slope.
     #[inline(always)]
     pub(crate) fn step(&self, field: &Field<T>, steer: impl Fn(T) -> Direction<T>, h: T) -> Step<T> {
         match &self.slope {
@@ -125,7 +126,7 @@ impl<T: Number> Start<T> {
         difference.below(difference.constant(0.5))
     }
 
-    /// The acceleration `elapsed` (s) into the step, where the heading has turned by `turn` (rad) and the
+    /// The acceleration `elapsed` (s) into the step, after the heading has turned by `turn` (rad) and the
     /// motion has become `w`.
     #[inline(always)]
     fn stage(
@@ -139,13 +140,13 @@ impl<T: Number> Start<T> {
         field.acceleration(self.heading(turn), w, steer(self.time + elapsed))
     }
 
-    /// The direction of the heading at a stage of the step, where it has turned by `turn` (rad).
+    /// The direction of the heading at a stage of the step, after a turn by `turn` (rad).
     #[inline(always)]
     fn heading(&self, turn: T) -> Direction<T> {
         self.direction.turned(direction_within_step(turn))
     }
 
-    /// The same at the end of the step, as exactly as numbers are.
+    /// The direction at the end of the step, to rounding.
     #[inline(always)]
     fn last_heading(&self, turn: T) -> Direction<T> {
         self.direction.turned(direction_of_turn(turn))
@@ -156,7 +157,7 @@ impl<T: Number> Start<T> {
     fn explicit(&self, field: &Field<T>, steer: impl Fn(T) -> Direction<T>, h: T) -> Step<T> {
         let Phase { q, w: w1 } = self.phase;
         let (a1, p1) = (self.acceleration.rates, self.acceleration.power);
-        // Headings need no forces of their own stage: computed before, they do not wait for them.
+        // The headings do not depend on the forces of their own stage, so they are computed before them.
         // w₂ = w₁ + h a₁/2
         let (half, most) = (h * 0.5, h * 0.75);
         let w2 = three(|i| w1[i] + half * a1[i]);
@@ -247,28 +248,29 @@ fn combined<T: Number>(h: T, k: [T; 4], by: &[f64; 4]) -> T {
     h * ((k[0] * by[0] + k[1] * by[1]) + (k[2] * by[2] + k[3] * by[3]))
 }
 
-/// What the stages of the implicit method share.
+/// Data shared by the stages of the implicit method.
 struct Solver<T: Number> {
     /// (1 − γhJ)⁻¹
     matrix: Matrix<T::Plain>,
     h: T,
 }
 
-/// k_i of the places and of the motion.
+/// k_i of the position and of the motion.
 struct Slopes<T> {
     q: [T; 3],
     w: [T; 3],
 }
 
 impl<T: Number> Solver<T> {
-    /// Those of a stage with the motion `at` and its `rates`, to which the stages before have `carried` g_i.
+    /// The slopes of a stage with the motion `at` and its `rates`, with g_i `carried` from the earlier
+    /// stages.
     #[inline(always)]
     fn slopes(&self, at: [T; 3], rates: [T; 3], carried: [T; 3]) -> Slopes<T> {
         // k_i = (1 − γhJ)⁻¹ (f(Y_i) + g_i) − g_i
         let [a, b, c] = three(|i| rates[i] + carried[i]);
         let m = &self.matrix;
         let sum = three(|i| a.scaled(m[i][0]) + b.scaled(m[i][1]) + c.scaled(m[i][2]));
-        // For the places J is exactly 1: k_i = w_i + h Σ γ_ij k_j of the motion
+        // For the position J is exactly 1: k_i = w_i + h Σ γ_ij k_j of the motion
         let q = three(|i| at[i] + self.h * (sum[i] * GAMMA));
         Slopes { q, w: three(|i| sum[i] - carried[i]) }
     }

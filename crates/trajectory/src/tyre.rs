@@ -2,34 +2,35 @@
 
 use crate::number::{Choice, Number, choose, four, rarely};
 
-/// (1/rad) cornering stiffness of a tyre by its load: 9 F_z per radian (EDSMAC4's tables have 8 to 11).
+/// (1/rad) cornering stiffness of a tyre relative to its load: 9 F_z per radian (EDSMAC4's tables have 8 to
+/// 11).
 pub const CORNERING_STIFFNESS: f64 = 9.0;
 
-/// Where a wheel slips slower than this share of the vehicle's speed, its friction fades to nothing, so that
-/// it has a direction at every moment.
+/// Fraction of the vehicle's speed: the friction of a wheel that slips slower fades to zero with the slip, so
+/// that it always has a direction.
 ///
-/// A vehicle that spins about one of its wheels would otherwise turn the force there by half a revolution at
-/// once. A share, and not a speed, leaves the forces independent of the size of the motion.
+/// Otherwise the force at a wheel about which the vehicle spins would reverse at once. A fraction, rather
+/// than a speed, keeps the forces independent of the magnitude of the motion.
 pub(crate) const FADING: f64 = 0.01;
 
-/// What a tyre can do on its ground. Its forces are by the mass of the vehicle.
+/// The properties of a tyre on its ground. Its forces are per unit mass of the vehicle.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Tyre<T> {
     /// (m/s²) μ F_z
     pub(crate) friction: T,
     /// (m/s²) d F_z
     pub(crate) drag: T,
-    /// (m/s²) F_y,max, zero where the wheel is locked.
+    /// (m/s²) F_y,max, zero for a locked wheel.
     pub(crate) most: T,
     /// (m/s²) C_α
     pub(crate) cornering: T,
-    /// (–) q by the tangent of the slip angle, C_α/(3 F_y,max); infinite where the wheel is locked.
+    /// (–) q over the tangent of the slip angle, C_α/(3 F_y,max); infinite for a locked wheel.
     pub(crate) bend: T,
-    /// (–) (d/μ)²: where u²/S² is not more, the wheel is locked.
+    /// (–) (d/μ)²: the wheel is locked if u²/S² is not greater.
     pub(crate) locking: T,
 }
 
-/// Numbers of a [`Tyre`].
+/// Number of values in a [`Tyre`].
 #[cfg(feature = "std")]
 pub(crate) const TYRE_NUMBERS: usize = 6;
 
@@ -44,7 +45,7 @@ impl<T: Number> Tyre<T> {
         Self { friction, drag, most, cornering, bend, locking: share * share }
     }
 
-    /// Without derivatives.
+    /// The tyre without derivatives.
     #[inline(always)]
     pub(crate) fn plain(&self) -> Tyre<T::Plain> {
         let Self { friction, drag, most, cornering, bend, locking } = *self;
@@ -72,17 +73,17 @@ impl<T: Number> Tyre<T> {
     }
 }
 
-/// A tyre's force on the ground by the mass of the vehicle, in the wheel's own axes: with the way of the
-/// wheel, so that the ground pushes against it.
+/// A tyre's force on the ground per unit mass of the vehicle, in the wheel's own axes: in the direction of
+/// slip, so that the ground pushes the wheel the other way.
 #[derive(Clone, Copy)]
 pub(crate) struct Grip<T: Number> {
     /// (m/s²) along the wheel.
     pub(crate) forward: T,
     /// (m/s²) to its left.
     pub(crate) left: T,
-    /// (1/s) how fast the force changes with the motion of the wheel.
+    /// (1/s) change of the force with the motion of the wheel.
     pub(crate) stiffness: T::Plain,
-    /// Whether all of the tread slides: it leaves a mark.
+    /// Whether the whole tread slides and leaves a mark.
     pub(crate) sliding: T::Mask,
     /// Whether the wheel is locked.
     pub(crate) locked: T::Mask,
@@ -115,18 +116,19 @@ impl<T: Number> Slip<'_, T> {
         self.u * self.u + self.v * self.v
     }
 
-    /// Whether the wheel is locked, above the slip below which friction fades.
+    /// Whether the wheel is locked, if it slips too fast for friction to fade.
     ///
-    /// A brake holds a wheel no faster than the ground drags it: a wheel is locked where its drag is more
-    /// than friction against the slip would give along it. Slipping sideways, every wheel is then as good as
-    /// locked, and the force is continuous where u changes its sign. EDSMAC4's −sgn(u) d F_z jumps there.
+    /// A brake cannot hold a wheel against more drag than the ground provides: a wheel is locked if its drag
+    /// exceeds the component along it of friction against the slip. Slipping sideways, every wheel is then
+    /// practically locked, and the force is continuous where u changes sign. EDSMAC4's −sgn(u) d F_z jumps
+    /// there.
     #[inline(always)]
     fn is_locked(&self, squared: T) -> T::Mask {
         // (d/μ)² S² ≥ u²
         (self.tyre.locking * squared).at_least(self.u * self.u)
     }
 
-    /// The force above that slip; `by_speed` (s/m) is 1/S of a locked wheel and 1/|u| of another.
+    /// The force without fading; `by_speed` (s/m) is 1/S for a locked wheel and 1/|u| for another.
     #[inline(always)]
     fn grip(&self, locked: T::Mask, by_speed: T) -> Grip<T> {
         choose!(
@@ -137,7 +139,7 @@ impl<T: Number> Slip<'_, T> {
         )
     }
 
-    /// The force below that slip, whose square is `fading_squared` ((m/s)²).
+    /// The force below the slip speed at which friction fades, whose square is `fading_squared` ((m/s)²).
     #[inline(always)]
     fn faded(&self, squared: T, fading_squared: T) -> Grip<T> {
         let Self { u, v, tyre } = *self;
@@ -154,16 +156,16 @@ impl<T: Number> Slip<'_, T> {
     }
 }
 
-/// The forces of four tyres, where friction fades below a slip whose square is `fading_squared` ((m/s)²).
+/// The forces of four tyres; friction fades below a slip speed whose square is `fading_squared` ((m/s)²).
 ///
-/// Four at once, so that lanes look only once whether any of them needs what few need.
+/// Four at once, so that lanes check only once whether any of them needs the rare case.
 #[inline(always)]
 pub(crate) fn grips<T: Number>(slips: [Slip<'_, T>; 4], fading_squared: T) -> [Grip<T>; 4] {
     let squared = four(|i| slips[i].squared());
     let locked = four(|i| slips[i].is_locked(squared[i]));
     let by_speed = inverse_speeds(&slips, squared, locked);
-    // A closure as large as these is otherwise compiled on its own, without the vector instructions of its
-    // caller, and then takes a call for each operation.
+    // A closure this large would otherwise be compiled separately, without the vector instructions of its
+    // caller, and would need a call for each operation.
     let grips = four(
         #[inline(always)]
         |i| slips[i].grip(locked[i], by_speed[i]),
@@ -179,10 +181,10 @@ pub(crate) fn grips<T: Number>(slips: [Slip<'_, T>; 4], fading_squared: T) -> [G
     }
 }
 
-/// (m/s) least speed that anything is divided by; a wheel as slow as this is dealt with otherwise.
+/// (m/s) smallest divisor; slower wheels take the fading case.
 const LEAST_SPEED: f64 = 1e-150;
 
-/// (s/m) 1/S of the locked wheels and 1/|u| of the others.
+/// (s/m) 1/S for the locked wheels and 1/|u| for the others.
 #[inline(always)]
 fn inverse_speeds<T: Number>(slips: &[Slip<'_, T>; 4], squared: [T; 4], locked: [T::Mask; 4]) -> [T; 4] {
     let speeds = speeds(slips, squared, locked);
@@ -192,7 +194,7 @@ fn inverse_speeds<T: Number>(slips: &[Slip<'_, T>; 4], squared: [T; 4], locked: 
     [front * speeds[1], front * speeds[0], rear * speeds[3], rear * speeds[2]]
 }
 
-/// (m/s) S of the locked wheels and |u| of the others.
+/// (m/s) S for the locked wheels and |u| for the others.
 #[inline(always)]
 fn speeds<T: Number>(slips: &[Slip<'_, T>; 4], squared: [T; 4], locked: [T::Mask; 4]) -> [T; 4] {
     let [a, b, c, d] = locked;
@@ -204,21 +206,21 @@ fn speeds<T: Number>(slips: &[Slip<'_, T>; 4], squared: [T; 4], locked: [T::Mask
     if T::certain(a).is_some() || T::any(two) {
         return four(|i| choose!(T, locked[i], squared[i].sqrt(), slips[i].u.abs()));
     }
-    // Where no lane has two of them, one root serves all wheels.
+    // If no lane has two locked wheels, one root serves all wheels.
     let select = |mask: T::Mask, yes: T, no: T| <T as Number>::select(mask, yes, no);
     let square = select(a, squared[0], select(b, squared[1], select(c, squared[2], squared[3])));
     let root = square.sqrt();
     four(|i| select(locked[i], root, slips[i].u.abs()))
 }
 
-/// (1/s) friction by slip where it fades.
+/// (1/s) fading friction divided by slip.
 #[inline(always)]
 fn faded<T: Number>(tyre: &Tyre<T>, slip_squared: T, fading_squared: T) -> T {
-    // μ′/S = 2μ εV/(S² + ε²V²), so that μ′ goes over into μ without a bend at S = εV
+    // μ′/S = 2μ εV/(S² + ε²V²), so that μ′ joins μ without a kink at S = εV
     tyre.friction * (fading_squared.sqrt() * 2.0) / (slip_squared + fading_squared)
 }
 
-/// √x, zero below zero, with zero derivatives there and at zero.
+/// √x; zero with zero derivatives for x ≤ 0.
 #[inline(always)]
 fn root<T: Number>(x: T) -> T {
     let zero = x.constant(0.0);
@@ -233,10 +235,10 @@ fn dragged<T: Number>(u: T, v: T, by_slip: T, locked: T::Mask) -> Grip<T> {
     Grip { forward: by_slip * u, left: by_slip * v, stiffness, sliding: locked, locked }
 }
 
-/// The force of a wheel that turns; `by_speed` (s/m) is 1/|u|.
+/// The force of a rolling wheel; `by_speed` (s/m) is 1/|u|.
 #[inline(always)]
 fn rolling<T: Number>(u: T, v: T, by_speed: T, tyre: &Tyre<T>, locked: T::Mask) -> Grip<T> {
-    // 1 − |q|, q = C_α tan α/(3 F_y,max), until all of the tread slides
+    // 1 − |q|, q = C_α tan α/(3 F_y,max), until the whole tread slides
     let part = v.abs() * by_speed * tyre.bend;
     let one = u.constant(1.0);
     let adhesion = one - part;
@@ -255,7 +257,7 @@ fn rolling<T: Number>(u: T, v: T, by_speed: T, tyre: &Tyre<T>, locked: T::Mask) 
     }
 }
 
-/// (1/s) how the force by the mass of the vehicle changes with the motion of the wheel.
+/// (1/s) derivatives of the force, per unit mass of the vehicle, with respect to the motion of the wheel.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Slope<T> {
     /// [[∂F_x/∂u, ∂F_x/∂v], [∂F_y/∂u, ∂F_y/∂v]]
@@ -270,8 +272,8 @@ impl<T: Number> Choice<T> for Slope<T> {
     }
 }
 
-/// The slopes of [`grips`]. They steer the implicit method, which needs them only roughly: where friction
-/// fades they are taken as if the force pointed to the slip.
+/// The slopes of [`grips`], for the implicit method, which needs them only roughly: fading friction is
+/// treated as if the force pointed along the slip.
 #[inline(always)]
 pub(crate) fn slopes<T: Number>(slips: [Slip<'_, T>; 4], fading_squared: T) -> [Slope<T>; 4] {
     let squared = four(|i| slips[i].squared());

@@ -1,4 +1,4 @@
-//! Backward after forward.
+//! The search back from rests of forward runs.
 
 use trajectory::{
     Chassis, Control, Ground, REACHED, Region, StartMotion, State, Steer, Target, Unreached, Vector2, Zone,
@@ -7,7 +7,7 @@ use trajectory::{
 
 use crate::scenes::{car, random, start, turned_car};
 
-/// The start itself is found again, or others that lead to the same rest; the forward run is the judge.
+/// The start itself is found again, or others that lead to the same rest, as a forward run shows.
 #[test]
 fn a_start_of_every_rest_is_found() {
     let mut random = random(18);
@@ -40,12 +40,12 @@ fn a_start_of_every_rest_is_found() {
         }
     }
     assert!(same > 500, "{same} the same, {other} others");
-    // The search goes on until a rest is missed by half as much, but where its steps go round.
+    // The search goes on until a rest is missed by half as much, unless its steps cycle.
     assert!(rough < 5, "{rough} are missed by more than half of what counts as reached");
 }
 
-/// Of a thousand spin-outs with low drag and a thousand with steer, these are missed unless a rest that was
-/// missed is sought once more.
+/// Of a thousand spin-outs with low drag and a thousand with steer, these are missed unless the search is
+/// repeated.
 #[test]
 fn what_is_missed_once_is_sought_again() {
     let control = Control::default();
@@ -77,7 +77,7 @@ fn what_is_missed_once_is_sought_again() {
     }
 }
 
-/// Derivatives go through the borders of zones.
+/// Derivatives are carried across the borders of zones.
 #[test]
 fn a_start_is_found_over_changing_ground() {
     let chassis = car([0.3; 4]);
@@ -97,7 +97,7 @@ fn a_start_is_found_over_changing_ground() {
     assert!((found.motion.yaw_rate - start.motion.yaw_rate).abs() < 1e-6, "{found:?}");
 }
 
-/// A point of the path tells starts apart that lead to the same rest.
+/// A point of the path distinguishes starts that lead to the same rest.
 #[test]
 fn the_start_past_the_point_comes_first() {
     let chassis = car([0.1; 4]);

@@ -40,7 +40,7 @@ fn each_motion_has_the_bits_of_a_run_alone() {
         Control::default(),
         Control { tolerance: 5e-4, ..Control::default() },
         Control { closed_end: false, ..Control::default() },
-        // Some have no rest then.
+        // With these, some have no rest.
         Control { longest_time: 2.0, ..Control::default() },
         Control { most_steps: 60, ..Control::default() },
     ] {
@@ -48,7 +48,7 @@ fn each_motion_has_the_bits_of_a_run_alone() {
     }
 }
 
-/// Lines, strips and polygons of other friction in the way, one over another, on level ground and on grades.
+/// Overlapping lines, strips and polygons of different friction in the path, on level ground and on grades.
 #[test]
 fn motions_over_zones_have_the_bits_of_runs_alone() {
     let mut random = random(37);
@@ -85,7 +85,7 @@ fn motions_over_zones_have_the_bits_of_runs_alone() {
     ] {
         assert!(at_once(&outsets, &control) == one_by_one(&outsets, &control), "{control:?}");
     }
-    // The zones matter to most of them.
+    // The zones affect most of them.
     let (with, mut without) = (one_by_one(&outsets, &plain), outsets.clone());
     for outset in &mut without {
         outset.ground.zones = &[];
@@ -94,7 +94,7 @@ fn motions_over_zones_have_the_bits_of_runs_alone() {
     assert!(changed > 100, "{changed}");
 }
 
-/// Over a hundred stripes, a metre each, a motion takes more steps than are allowed while it crosses them.
+/// A motion that crosses a hundred stripes of a metre each takes more steps than are allowed.
 #[test]
 fn many_borders_end_like_those_of_a_run_alone() {
     let stripes: Vec<[Vector2<f64>; 4]> = (-50..50)
@@ -123,7 +123,7 @@ fn many_borders_end_like_those_of_a_run_alone() {
     assert!(few.iter().filter(|rest| matches!(rest, Err(NoRest::TooManySteps { .. }))).count() > 10);
 }
 
-/// Whatever the number of motions, and their order.
+/// For any number and order of motions.
 #[test]
 fn a_motion_does_not_depend_on_its_neighbours() {
     let (outsets, control) = (outsets(70), Control::default());
@@ -135,7 +135,7 @@ fn a_motion_does_not_depend_on_its_neighbours() {
     assert!(at_once(&turned, &control).iter().rev().eq(&all));
 }
 
-/// What lanes do not follow, or not all the way, stands among what they do.
+/// Motions that lanes do not follow, or not to the end, among those that they do.
 #[test]
 fn zones_steering_and_errors_stand_among_others() {
     let zones = [Zone { region: Region::half_plane(Vector2::new(4.0, 0.0), 0.3), friction: 0.35 }];

@@ -1,4 +1,4 @@
-//! Motions that have a closed form, written down here a second time.
+//! Motions with a closed form, formulated independently here.
 
 use std::f64::consts::FRAC_PI_2;
 
@@ -31,7 +31,7 @@ fn a_straight_slide_with_locked_wheels() {
     }
 }
 
-/// What hardly anything holds back rolls on for hours, which is no rest.
+/// A vehicle with hardly any resistance rolls for hours, which is no rest.
 #[test]
 fn a_vehicle_without_drag_does_not_come_to_rest() {
     let start = start(0.3, [8.0, 2.0], 0.1);
@@ -105,7 +105,7 @@ fn a_grade_holds_or_moves_the_vehicle() {
             |_| {},
         )
     };
-    // Drag of 6 % of the load on the wheels holds where tan θ is less.
+    // A drag of 6 % of the load on the wheels holds if tan θ is less.
     assert!(up(0.059, 0.06, 0.7, 5.0).is_ok() && up(0.059, 0.06, 0.7, 0.0).is_ok());
     assert!(matches!(up(0.061, 0.06, 0.7, 5.0), Err(NoRest::RollsBack { .. })));
     assert!(matches!(up(0.061, 0.06, 0.7, 0.0), Err(NoRest::RollsBack { .. })));
@@ -113,8 +113,7 @@ fn a_grade_holds_or_moves_the_vehicle() {
     assert!(matches!(up(-0.1, 0.06, 0.7, 5.0), Err(NoRest::StillMoving { .. })));
 }
 
-/// Two wheels after the other come onto the slippery part: v² falls by 2 g S (μ's mean over the load) each
-/// time.
+/// One axle after the other enters the slippery part: v² falls by 2 g S (μ's mean over the load) each time.
 #[test]
 fn ground_that_changes() {
     let corners = [(8.0, -3.0), (30.0, -3.0), (30.0, 3.0), (8.0, 3.0)].map(|(x, y)| Vector2::new(x, y));
@@ -137,7 +136,7 @@ fn ground_that_changes() {
     }
 }
 
-/// The same turned by a quarter, where the later of two zones counts.
+/// The same turned by a quarter turn, with two zones of which the later counts.
 #[test]
 fn the_later_zone_counts() {
     let slippery = Zone { region: Region::half_plane(Vector2::new(0.0, -50.0), FRAC_PI_2), friction: 0.1 };
@@ -149,7 +148,7 @@ fn the_later_zone_counts() {
     assert!((way(&[rough, slippery]) - 81.0 / (0.2 * GRAVITY)).abs() < 1e-9);
 }
 
-/// Marquard's two phases run by hand: friction slows the speed while sideways, the yaw rate while in line.
+/// Marquard's two phases by hand: friction reduces the speed while sideways, the yaw rate while in line.
 #[test]
 fn a_spin_in_two_phases() {
     let (friction, yaw_radius, wheelbase) = (0.7, 1.3, 2.6);

@@ -16,7 +16,7 @@ fn run(chassis: &Chassis, ground: &Ground<'_>, start: &State, tolerance: f64) ->
     (rest.unwrap(), samples)
 }
 
-/// The forces of the tyres, written down a second time in angles, without the fading near standstill.
+/// An independent formulation of the tyre forces, in angles, without the fading near standstill.
 fn accelerations(chassis: &Chassis, friction: f64, state: &State) -> [f64; 3] {
     let (sin, cos) = state.heading.sin_cos();
     let Motion { velocity, yaw_rate } = state.motion;
@@ -39,7 +39,7 @@ fn accelerations(chassis: &Chassis, friction: f64, state: &State) -> [f64; 3] {
     sum
 }
 
-/// An explicit method of order 4 with short steps, and the forces above, for the first second.
+/// An explicit method of order 4 with short steps and the forces above, for the first second.
 #[test]
 fn an_independent_integration_agrees() {
     let mut random = random(3);
@@ -115,7 +115,7 @@ fn energy_and_momentum_balance() {
         assert!(energy.remainder.abs() < 1e-4 * energy.start, "{n}: {energy:?}");
         let balance = energy.start + energy.grade - energy.friction - energy.remainder;
         assert!(balance.abs() < 1e-9 * energy.start);
-        // Impulse and way: Δq = ∫ w dt by the trapezoidal rule with its end correction.
+        // Velocity and path: Δq = ∫ w dt by the trapezoidal rule with its end correction.
         let mut way = Vector2::new(0.0, 0.0);
         for pair in samples.windows(2) {
             let middle = pair[0].between(&pair[1], (pair[0].time + pair[1].time) / 2.0).motion.velocity;
@@ -167,8 +167,8 @@ fn turned_and_mirrored_scenes_agree() {
     }
 }
 
-/// Vehicles that roll far with little drag after their spin has died out, two of them in a curve. What the
-/// guarantees of the crate say: of the rest position to a thousandth of the path.
+/// Vehicles that roll far with little drag after their spin has died out, two of them in a curve. The
+/// guarantee of the crate: the rest position is accurate to a thousandth of the path.
 #[test]
 fn long_roll_outs_are_exact_to_a_thousandth_of_the_path() {
     let light = crate::scenes::car([0.02, 0.01, 0.01, 0.01]);

@@ -10,7 +10,7 @@ const FOOT: f64 = 0.3048;
 /// One vehicle of a staged collision: mass and inertia of its CRASH3 class (Neades, Appendix D), the class's
 /// axles and track (SAE 870045, Table 2, in inches), motion after impact (Vossou & Koulocheris 2018;
 /// test 6.2 has −3.14 rad/s),
-/// distance from impact to rest (SAE 2004-01-1207, Table 8, in ft), and the drag that gives it about.
+/// distance from impact to rest (SAE 2004-01-1207, Table 8, in ft), and the drag that approximately gives it.
 struct Staged {
     name: &'static str,
     mass: f64,
@@ -95,7 +95,7 @@ fn the_vehicles_go_as_far_as_they_did() {
     }
 }
 
-/// Test 6: the Rabbit stood 123° further on the ground, and turns by 120° at this drag.
+/// Test 6: the Rabbit turned by 123° in the test, and turns by 120° at this drag.
 #[test]
 fn the_rabbit_turns_as_far_as_it_did() {
     let staged = &STAGED[3];

@@ -1,4 +1,4 @@
-//! Vehicles and starts that several tests share.
+//! Vehicles and starts shared by several tests.
 
 use trajectory::{Axles, Body, Chassis, Ground, Motion, State, Vector2};
 
@@ -28,8 +28,8 @@ pub(crate) fn random(mut state: u64) -> impl FnMut() -> f64 {
     }
 }
 
-/// A spin-out at random: any direction, 3 to 18 m/s, up to 4 rad/s either way; wheels that roll, drag or are
-/// locked.
+/// A random spin-out: any direction, 3 to 18 m/s, up to 4 rad/s in either direction; wheels that roll, drag
+/// or are locked.
 pub(crate) fn turned_car(random: &mut impl FnMut() -> f64) -> (Chassis, State, Ground<'static>) {
     let drag = [0; 4].map(|_| if random() < 0.2 { 1.0 } else { 0.02 + 0.3 * random() });
     let (speed, direction) = (3.0 + 15.0 * random(), 6.3 * random());

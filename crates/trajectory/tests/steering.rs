@@ -1,10 +1,10 @@
-//! Steer angles, held and over time.
+//! Steer angles, constant and as functions of time.
 
 use trajectory::{Control, GRAVITY, Ground, Steer, to_rest};
 
 use crate::scenes::{car, start};
 
-/// A vehicle that rolls slowly follows its wheels: it turns by S tan δ/L, S the way of the rear axle.
+/// A slowly rolling vehicle follows its wheels: it turns by S tan δ/L, with S the path of the rear axle.
 #[test]
 fn a_rolling_vehicle_follows_its_wheels() {
     let (steer, v, drag) = (0.1_f64, 3.0_f64, 0.05);
@@ -17,7 +17,7 @@ fn a_rolling_vehicle_follows_its_wheels() {
         let turn = sign * rest.distance * f64::tan(steer) / chassis.wheelbase();
         assert!((rest.heading / turn - 1.0).abs() < 0.03, "{rest:?}, {turn}");
         assert!((rest.distance / (v * v / (2.0 * drag * GRAVITY)) - 1.0).abs() < 0.03, "{rest:?}");
-        // The same angle over time is the same motion.
+        // The same angle given over time is the same motion.
         let points = [(0.0, sign * steer), (1.0, sign * steer), (9.0, sign * steer)];
         let over =
             to_rest(&chassis, Steer::Over(&points), &ground, &start, &Control::default(), |_| {}).unwrap();

@@ -1,4 +1,5 @@
-//! Ranges through any function: here a ΔV by conservation of momentum, from two masses and a closing speed.
+//! Propagation of ranges through any function: here a ΔV by conservation of momentum, from two masses and a
+//! closing speed.
 
 #![allow(clippy::print_stdout, reason = "an example shows its result")]
 
@@ -20,7 +21,7 @@ pub(crate) fn main() -> Result<(), Box<dyn Error>> {
         y[0] = x[1] / (x[0] + x[1]) * x[2];
         Ok(())
     });
-    // Points that fill the space evenly need fewer samples; the same seed gives the same bytes.
+    // Points that fill the space evenly need fewer samples; the same seed gives the same bits.
     let settings = Settings::new(SamplingMethod::Sobol, 16_384, 1);
     let result = propagate(&model, &inputs, &settings, &mut |_, _| ControlFlow::Continue(()))?;
     let summary = result.summaries()[0].ok_or("no sample has an answer")?;

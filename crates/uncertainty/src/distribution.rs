@@ -1,4 +1,4 @@
-//! Distributions of inputs, made from numbers that an engineer can give.
+//! Distributions of inputs, defined by numbers that an engineer can give.
 
 use real::elementary::exp;
 
@@ -8,13 +8,13 @@ use crate::normal::{self, NormalPair, Tails};
 use crate::points::independent;
 use crate::random::{bits, bits_of_block, key, unit};
 
-/// The least share of a normal distribution that its bounds may leave.
+/// Minimum probability of a normal distribution between its bounds.
 ///
 /// If they leave less, nearly all of the distribution is impossible, so the value, the deviation or the
 /// bounds are wrong.
 pub const MIN_KEPT: f64 = 1e-6;
 
-/// The shape, with the numbers it was made from.
+/// The shape of a distribution, with its parameters.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum Shape {
@@ -27,7 +27,7 @@ pub enum Shape {
     },
     /// A median times a factor whose logarithm is normally distributed.
     LogNormal {
-        /// (unit of the input) half of the values lie below it.
+        /// (unit of the input) the median.
         median: f64,
         /// (–) σ of the natural logarithm.
         ln_sd: f64,
@@ -39,7 +39,7 @@ pub enum Shape {
         /// (unit of the input) greatest value.
         high: f64,
     },
-    /// Between two bounds, likeliest at a value between.
+    /// Triangular between two bounds, likeliest at a value between.
     Triangular {
         /// (unit of the input) least value.
         low: f64,
@@ -50,14 +50,14 @@ pub enum Shape {
     },
 }
 
-/// Bounds that cut a normal distribution.
+/// Bounds that truncate a normal distribution.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Truncation {
     /// (unit of the input) least value, or −∞.
     pub low: f64,
     /// (unit of the input) greatest value, or +∞.
     pub high: f64,
-    /// Share of the normal distribution between the bounds; 1 if they are too far out to matter.
+    /// Probability of the normal distribution between the bounds; 1 if they are too far out to matter.
     pub kept: f64,
 }
 
@@ -69,19 +69,19 @@ pub struct Distribution {
     transform: Transform,
 }
 
-/// How a share u in (0, 1) becomes a value.
+/// The transform of a uniform number u in (0, 1) into a value.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Transform {
-    /// centre + scale·Φ⁻¹(start + span·u), with 1 − u for u where mirrored, held in [low, high].
+    /// centre + scale·Φ⁻¹(start + span·u), with 1 − u for u if mirrored, clamped to [low, high].
     ///
-    /// Bounds above the mean are mirrored to below it, where Φ keeps its digits. No Φ⁻¹ within ±reach leads
-    /// out of the bounds.
+    /// Bounds above the mean are mirrored to below it, where Φ loses no digits. Values of Φ⁻¹ within ±reach
+    /// stay within the bounds.
     Normal { centre: f64, scale: f64, start: f64, span: f64, mirrored: bool, low: f64, high: f64, reach: f64 },
     /// median·exp(scale·Φ⁻¹(u)).
     LogNormal { median: f64, scale: f64 },
-    /// low + span·u, held below high.
+    /// low + span·u, at most high.
     Uniform { low: f64, span: f64, high: f64 },
-    /// low + √(u·rise) up to the mode's share, high − √((1 − u)·fall) from there on.
+    /// low + √(u·rise) for u below `share`, that of the mode, else high − √((1 − u)·fall).
     Triangular { low: f64, high: f64, rise: f64, fall: f64, share: f64 },
 }
 
@@ -89,7 +89,7 @@ impl Distribution {
     /// Normal, with mean and standard deviation.
     ///
     /// # Errors
-    /// Where a number is not finite or `sd` is not greater than zero.
+    /// If a number is not finite or `sd` is not greater than zero.
     pub fn normal(mean: f64, sd: f64) -> Result<Self, InvalidDistribution> {
         for (name, value) in [("mean", mean), ("standard deviation", sd)] {
             finite(name, value)?;
@@ -120,8 +120,8 @@ impl Distribution {
     /// after it. Either bound may be infinite.
     ///
     /// # Errors
-    /// As [`normal`](Self::normal); where a bound is NaN or `low` is not below `high`; where the bounds leave
-    /// a share below [`MIN_KEPT`].
+    /// Those of [`normal`](Self::normal), or if a bound is NaN, `low` is not below `high`, or the probability
+    /// between them is below [`MIN_KEPT`].
     pub fn truncated_normal(mean: f64, sd: f64, low: f64, high: f64) -> Result<Self, InvalidDistribution> {
         let whole = Self::normal(mean, sd)?;
         for (name, value) in [("lower bound", low), ("upper bound", high)] {
@@ -151,7 +151,7 @@ impl Distribution {
     /// deviation `ln_sd`. All values are greater than zero.
     ///
     /// # Errors
-    /// Where a number is not finite, or not greater than zero.
+    /// If a number is not finite, or not greater than zero.
     pub fn log_normal(median: f64, ln_sd: f64) -> Result<Self, InvalidDistribution> {
         finite("median", median)?;
         finite("standard deviation", ln_sd)?;
@@ -171,7 +171,7 @@ impl Distribution {
     /// Uniform between two bounds.
     ///
     /// # Errors
-    /// Where a number is not finite or `low` is not below `high`.
+    /// If a number is not finite or `low` is not below `high`.
     pub fn uniform(low: f64, high: f64) -> Result<Self, InvalidDistribution> {
         bounds(low, high)?;
         let transform = Transform::Uniform { low, span: high - low, high };
@@ -181,7 +181,7 @@ impl Distribution {
     /// Triangular between two bounds, likeliest at the mode, which may equal a bound.
     ///
     /// # Errors
-    /// Where a number is not finite, `low` is not below `high` or the mode is outside.
+    /// If a number is not finite, `low` is not below `high` or the mode is outside.
     pub fn triangular(low: f64, mode: f64, high: f64) -> Result<Self, InvalidDistribution> {
         finite("mode", mode)?;
         bounds(low, high)?;
@@ -197,19 +197,19 @@ impl Distribution {
         Ok(Self { shape: Shape::Triangular { low, mode, high }, truncation: None, transform })
     }
 
-    /// The shape and the numbers it was made from.
+    /// The shape and its parameters.
     #[must_use]
     pub fn shape(&self) -> Shape {
         self.shape
     }
 
-    /// The bounds that truncate a normal distribution, for a report to mention them.
+    /// The bounds that truncate a normal distribution, for reports.
     #[must_use]
     pub fn truncation(&self) -> Option<Truncation> {
         self.truncation
     }
 
-    /// (unit of the input) the value below which a share `u` of the distribution lies, for 0 ≤ u ≤ 1.
+    /// (unit of the input) the quantile at the probability `u`, for 0 ≤ u ≤ 1.
     #[must_use]
     pub fn quantile(&self, u: f64) -> f64 {
         let mut lanes = [u];
@@ -217,10 +217,11 @@ impl Distribution {
         lanes[0]
     }
 
-    /// Standard normal numbers become values: each the quantile at the number's share, (unit of the input).
+    /// Turns standard normal numbers into values (unit of the input): each is the quantile at the probability
+    /// of the number.
     ///
-    /// A normal or log-normal distribution takes them as they are, so that it has no end; the others see
-    /// nothing beyond 8.2 standard deviations.
+    /// Normal and log-normal distributions use the numbers directly, so that they are unbounded; the others
+    /// clip them at 8.2 standard deviations.
     #[inline(always)]
     pub fn from_standard_normals<const N: usize>(&self, lanes: &mut [f64; N]) {
         match self.transform {
@@ -279,9 +280,9 @@ impl Distribution {
         }
     }
 
-    /// Independent values from a random sequence, from the sample `first` on: its shares as
-    /// [`transform`](Self::transform) turns them into values, but for normal and log-normal distributions, of
-    /// which [`normal::box_muller`] makes the numbers.
+    /// Independent values from a random sequence, from the sample `first` on: uniform numbers turned into
+    /// values by [`transform`](Self::transform), or, for normal and log-normal distributions, by
+    /// [`normal::box_muller`].
     #[inline(always)]
     pub(crate) fn draw(&self, key: u64, first: u64, lanes: &mut Lanes) {
         match self.transform {
@@ -301,7 +302,7 @@ impl Distribution {
         }
     }
 
-    /// Redraws the values that lie beyond a bound, if any does.
+    /// Redraws the values beyond a bound, if there are any.
     #[cold]
     #[inline(never)]
     fn draw_again(&self, sequence: u64, first: u64, lanes: &mut Lanes) {
@@ -314,14 +315,14 @@ impl Distribution {
         independent(sequence, first, &mut shares);
         for (index, lane) in lanes.iter_mut().enumerate() {
             if is_cut(*lane) {
-                // A share that has nothing to do with the two that led out of the bounds.
+                // A uniform number independent of the two that led out of the bounds.
                 let pair = [shares[index % HALF], shares[index % HALF + HALF]];
                 *lane = self.quantile(unit(bits(key(pair[0].to_bits(), &[pair[1].to_bits()]), index as u64)));
             }
         }
     }
 
-    /// Turns shares in (0, 1) into values. A lane gets the same bits as a single call.
+    /// Turns uniform numbers in (0, 1) into values. A lane gets the same bits as a single call.
     #[inline(always)]
     pub(crate) fn transform<const N: usize>(&self, lanes: &mut [f64; N]) {
         if self.prepare(lanes) {
@@ -330,7 +331,7 @@ impl Distribution {
         self.finish(lanes);
     }
 
-    /// The same for a column of each input, as many times over as there are columns.
+    /// The same for columns of all inputs, repeating the inputs for all columns.
     #[inline(always)]
     pub(crate) fn transform_all(inputs: &[Self], columns: &mut [Lanes]) {
         let mut tails = Tails::new();
@@ -350,8 +351,8 @@ impl Distribution {
         }
     }
 
-    /// Shares become those of the standard normal distribution, of which [`finish`](Self::finish) expects the
-    /// quantiles; `false` where it expects the shares as they are.
+    /// Turns uniform numbers into probabilities of the standard normal distribution, whose quantiles
+    /// [`finish`](Self::finish) expects; `false` if it expects the uniform numbers unchanged.
     #[inline(always)]
     fn prepare<const N: usize>(&self, lanes: &mut [f64; N]) -> bool {
         match self.transform {
@@ -405,7 +406,7 @@ impl Distribution {
     }
 }
 
-/// A number comes to a place among the columns, counted from the first lane of the first one.
+/// Puts a number at a place in the columns, counted from the first lane of the first column.
 #[inline(always)]
 fn put(columns: &mut [Lanes], place: usize, number: f64) {
     if let Some(column) = columns.get_mut(place / LANES) {
@@ -415,8 +416,8 @@ fn put(columns: &mut [Lanes], place: usize, number: f64) {
 
 const HALF: usize = LANES / 2;
 
-/// What `value` makes of independent standard normal numbers, in one loop from the random bits on, and
-/// whether a pair of them lies farther out than the reach.
+/// Draws independent standard normal numbers, transformed by `value` in the same loop, and returns whether a
+/// pair of them lies beyond the reach.
 #[inline(always)]
 fn draw_normal(key: u64, first: u64, lanes: &mut Lanes, reach: f64, value: impl Fn(f64) -> f64) -> bool {
     let (ones, others) = lanes.split_at_mut(HALF);
@@ -430,9 +431,9 @@ fn draw_normal(key: u64, first: u64, lanes: &mut Lanes, reach: f64, value: impl 
     is_beyond
 }
 
-/// Standard deviations around the mean that surely lie inside of the bounds.
+/// Number of standard deviations around the mean that certainly lie within the bounds.
 fn reach(mean: f64, sd: f64, low: f64, high: f64) -> f64 {
-    /// What rounding may take away.
+    /// Allowance for rounding.
     const SURELY: f64 = 1.0 - 1e-9;
     SURELY * (mean - low).min(high - mean) / sd
 }
@@ -458,7 +459,7 @@ mod tests {
     use crate::model::{LANES, Lanes};
     use crate::random::{bits, unit};
 
-    /// So many normal numbers that those in the tails fill the room for them several times over, with other
+    /// Enough normal numbers for those in the tails to fill their room several times over, with other
     /// distributions in between.
     #[test]
     fn columns_together_have_the_bits_of_each_alone() {

@@ -2,7 +2,7 @@
 
 use crate::limits::{MAX_SAMPLES, MIN_SAMPLES};
 
-/// Why a distribution cannot be made.
+/// The reason why a distribution is invalid.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum InvalidDistribution {
@@ -49,31 +49,31 @@ pub enum InvalidDistribution {
         /// (unit of the input) upper bound.
         high: f64,
     },
-    /// Bounds that cut away all but [`crate::MIN_KEPT`] of the distribution.
+    /// Bounds that leave less than [`crate::MIN_KEPT`] of the distribution.
     #[error(
         "a value of {mean} with a standard deviation of {sd} lies between {low} and {high} with a \
          probability of only {kept:.1e}; \
          check the value and its deviation"
     )]
     NothingKept {
-        /// (unit of the input) mean before the cut.
+        /// (unit of the input) mean before truncation.
         mean: f64,
-        /// (unit of the input) standard deviation before the cut.
+        /// (unit of the input) standard deviation before truncation.
         sd: f64,
         /// (unit of the input) lower bound.
         low: f64,
         /// (unit of the input) upper bound.
         high: f64,
-        /// Share between the bounds.
+        /// Probability between the bounds.
         kept: f64,
     },
 }
 
-/// Why a propagation cannot begin.
+/// The reason why a propagation cannot begin.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum InvalidRequest {
-    /// Nothing is uncertain.
+    /// No input is uncertain.
     #[error("there is no uncertain input; give at least one input as a range")]
     NoInputs,
     /// More inputs than there are direction numbers for Sobol' points.
@@ -84,7 +84,7 @@ pub enum InvalidRequest {
     TooManyInputs {
         /// Number of inputs.
         inputs: usize,
-        /// The most there may be.
+        /// Maximum number of inputs.
         limit: usize,
     },
     /// A number of samples that is too small to be useful.
@@ -93,7 +93,7 @@ pub enum InvalidRequest {
         /// Number of samples.
         samples: usize,
     },
-    /// More samples than memory is promised for.
+    /// More samples than the memory limit allows.
     #[error(
         "the number of samples must be between {MIN_SAMPLES} and {MAX_SAMPLES}, but is {samples}: each result \
          would take {} MB of memory, and the standard error of an end of its 95 % interval would fall only \
@@ -115,7 +115,7 @@ pub enum InvalidRequest {
     /// Two lists that belong together differ in length.
     #[error("there must be one {what} for each of the {expected} inputs, but there are {given}")]
     Length {
-        /// What the list holds.
+        /// The content of the list.
         what: &'static str,
         /// Number of inputs.
         expected: usize,

@@ -3,11 +3,11 @@
 //! # References
 //!
 //! JCGM 100:2008, *Evaluation of measurement data – Guide to the expression of uncertainty in measurement*,
-//! Eq 10 (inputs that do not depend on each other).
+//! Eq 10 (independent inputs).
 
 use crate::error::InvalidRequest;
 
-/// Share of the sampled standard deviation by which the first-order one may differ: 10 %.
+/// Relative difference allowed between the first-order and the sampled standard deviation: 10 %.
 pub const FIRST_ORDER_LIMIT: f64 = 0.1;
 
 /// Combined uncertainty of an output from its derivatives.
@@ -15,12 +15,12 @@ pub const FIRST_ORDER_LIMIT: f64 = 0.1;
 pub struct FirstOrder {
     /// (unit of the output) combined standard deviation.
     pub sd: f64,
-    /// Part of each input in the variance. Their sum is 1, or 0 where nothing varies.
+    /// Fraction of the variance due to each input. Their sum is 1, or 0 if nothing varies.
     pub shares: Vec<f64>,
 }
 
 impl FirstOrder {
-    /// From the derivative of the output by each input, and the input's standard deviation.
+    /// From the derivative of the output with respect to each input, and the input's standard deviation.
     ///
     /// # Errors
     /// If the lists differ in length.
@@ -37,7 +37,7 @@ impl FirstOrder {
     }
 
     /// Whether a sampled standard deviation differs by more than [`FIRST_ORDER_LIMIT`], so that the output is
-    /// no straight line over the range of its inputs. NaN differs from everything.
+    /// not linear over the range of its inputs. NaN differs from everything.
     #[must_use]
     pub fn differs(&self, sampled_sd: f64) -> bool {
         let agrees = (self.sd - sampled_sd).abs() <= FIRST_ORDER_LIMIT * sampled_sd;

@@ -1,4 +1,4 @@
-//! Propagates the uncertainty of the inputs of any function to its outputs, and shows which input matters.
+//! Propagates the uncertainty of the inputs of any function to its outputs, and ranks the inputs.
 //!
 //! ```
 //! use std::ops::ControlFlow;
@@ -41,7 +41,7 @@
 //! | [`tornado`] → [`Tornado`] | one input at a time, from low to high |
 //! | [`FirstOrder`] | propagation by derivatives, and whether it differs from the samples |
 //! | [`Sampler`] | the inputs of the samples, generated again |
-//! | [`random`], [`normal`], [`in_order`], [`for_each`] | what it is made of, for other engines: random bits by index, standard normal numbers, work shared among threads |
+//! | [`random`], [`normal`], [`in_order`], [`for_each`] | building blocks for other engines: random bits by index, standard normal numbers, work shared among threads |
 //!
 //! # Guarantees
 //!
@@ -49,13 +49,13 @@
 //!   feature `parallel`, for any of the [`Instructions`] and in any build profile. Nothing here calls the
 //!   mathematical functions of the platform; a model that does has its own bits.
 //! - Every point depends only on the seed, the number of the input and the number of the sample; Latin
-//!   hypercube and Sobol' points also depend on how many inputs and samples there are. All distributions use
-//!   their inverse transform, so every method works with every distribution; only independent points become
-//!   normal numbers by Box–Muller, which is faster.
+//!   hypercube and Sobol' points also depend on the number of inputs and samples. All distributions use their
+//!   inverse transform, so every method works with every distribution; only independent points are turned
+//!   into normal numbers by Box–Muller, which is faster.
 //! - Samples without an answer are counted by reason. An output that is infinite or NaN counts as a failure.
-//! - A run that is ended early leaves the first samples of the whole run, evenly from all replicates.
+//! - A run that is ended early returns the first samples of the whole run, evenly from all replicates.
 //! - Medians and intervals are exact order statistics.
-//! - Every output of every sample is kept, eight bytes each, and no input: [`MAX_SAMPLES`] samples of
+//! - Every output of every sample is kept, eight bytes each, but no input: [`MAX_SAMPLES`] samples of
 //!   thirteen outputs take a gigabyte.
 //!
 //! # Threads
@@ -63,7 +63,8 @@
 //! With the feature `parallel`, the work is shared among the threads of rayon's current pool:
 //! `ThreadPool::install` chooses another.
 //!
-//! `examples/propagate.rs` sends ranges through a function and compares with the propagation by hand.
+//! `examples/propagate.rs` propagates ranges through a function and compares the result with a hand
+//! calculation.
 //!
 //! # What it does not do
 //!

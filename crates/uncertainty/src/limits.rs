@@ -1,13 +1,13 @@
-//! How many samples there can be.
+//! Limits of the number of samples.
 
 use crate::model::LANES;
 
-/// Number of point sets that the samples are dealt to.
+/// Number of point sets to which the samples are dealt.
 pub const REPLICATES: usize = 16;
 
-/// The least number of samples: one block, four points of each replicate.
+/// Minimum number of samples: one block, four points of each replicate.
 pub const MIN_SAMPLES: usize = LANES;
 
-/// The greatest number of samples, all of which are kept, and of rows of [`crate::sensitivity`]. With so many
+/// Maximum number of samples, all of which are kept, and of rows of [`crate::sensitivity`]. At this number
 /// the standard error of an end of a 95 % interval is below a thousandth of the standard deviation.
 pub const MAX_SAMPLES: usize = 10_000_000;

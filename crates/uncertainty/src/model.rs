@@ -11,19 +11,19 @@ use crate::run::Instructions;
 /// Number of samples that a model receives at once.
 pub const LANES: usize = 64;
 
-/// One number of each sample of a block: an array aligned to a cache line, so that none of its vectors lies
-/// across two lines.
+/// One number for each sample of a block, in an array aligned to cache lines, so that no vector spans two
+/// lines.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[repr(align(64))]
 pub struct Lanes<T = f64>([T; LANES]);
 
 impl Lanes {
-    /// A zero in each.
+    /// All zeros.
     pub const ZERO: Self = Self::splat(0.0);
 }
 
 impl<T: Copy> Lanes<T> {
-    /// The same number in each.
+    /// The same number in each lane.
     #[inline(always)]
     #[must_use]
     pub const fn splat(number: T) -> Self {
@@ -74,46 +74,45 @@ impl<'a, T> IntoIterator for &'a mut Lanes<T> {
     }
 }
 
-/// The reason code of a sample that has an answer.
+/// The reason code of a sample with an answer.
 pub const SUCCEEDED: u8 = 0;
 
 /// The reason code of a sample that the model accepted although an output is infinite or NaN. The model's own
-/// codes lie between.
+/// codes lie between [`SUCCEEDED`] and this.
 pub const NOT_FINITE: u8 = u8::MAX;
 
-/// How many samples failed, by reason code.
+/// Number of failed samples, by reason code.
 pub type Failures = BTreeMap<u8, usize>;
 
 /// A function of the inputs that is evaluated for [`LANES`] samples at once.
 ///
 /// If [`evaluate`](Self::evaluate) and all functions that it calls are marked `#[inline(always)]` and cannot
-/// panic, it is compiled for each instruction set that [`crate::Instructions`] knows, and its loop over the
-/// lanes is vectorised. Each lane must depend only on its own inputs; then the results have the same bits for
-/// any number of threads. [`Function`] turns a function of one sample into a model.
+/// panic, it is compiled for each instruction set of [`crate::Instructions`], and its loop over the lanes is
+/// vectorised. Each lane must depend only on its own inputs; then the results have the same bits for any
+/// number of threads. [`Function`] turns a function of one sample into a model.
 pub trait Model: Sync {
     /// Number of outputs.
     fn outputs(&self) -> usize;
 
-    /// How many of the outputs, the first ones, are kept and summarised: all, unless some are there for other
-    /// ends.
+    /// Number of outputs, from the first, that are kept and summarised: all, unless some serve other
+    /// purposes.
     fn summarised(&self) -> usize {
         self.outputs()
     }
 
-    /// How many counts of samples the model keeps: none, unless it has something to count.
+    /// Number of counters that the model keeps: none by default.
     fn tallies(&self) -> usize {
         0
     }
 
-    /// Adds to its counts those of the samples of a block. There are as many as `reasons`, of which all that
-    /// failed have one; the outputs of these are not to be read. It is compiled as
-    /// [`evaluate`](Self::evaluate) is.
+    /// Adds the samples of a block to the counters. There is one sample for each of `reasons`; the outputs of
+    /// failed samples must not be read. It is compiled like [`evaluate`](Self::evaluate).
     fn tally(&self, _inputs: &[Lanes], _outputs: &[Lanes], _reasons: &[u8], _tallies: &mut [usize]) {}
 
     /// Evaluates a block: `inputs` and `outputs` hold a column for each input and output. A sample without an
-    /// answer gets a reason from 1 to 254 in `reasons`, which are [`SUCCEEDED`] at the start; its outputs are
-    /// then ignored. The `instructions` are those that this is compiled for: parts of a large model are
-    /// quicker to compile as functions of their own, each for the instructions that it is given.
+    /// answer gets a reason from 1 to 254 in `reasons`, which are initially [`SUCCEEDED`]; its outputs are
+    /// then ignored. The `instructions` are those for which this function is compiled: a large model compiles
+    /// faster if its parts are separate functions that are dispatched to the same instructions.
     fn evaluate(
         &self,
         instructions: Instructions,
@@ -123,7 +122,7 @@ pub trait Model: Sync {
     );
 }
 
-/// A model made of a function of one sample.
+/// A model from a function of one sample.
 #[derive(Clone, Debug)]
 pub struct Function<F> {
     outputs: usize,
@@ -131,8 +130,8 @@ pub struct Function<F> {
 }
 
 impl<F: Fn(&[f64], &mut [f64]) -> Result<(), u8> + Sync> Function<F> {
-    /// The function reads the inputs of a sample and writes its outputs, or fails with a reason from 1 to
-    /// 254.
+    /// A model from a function that reads the inputs of a sample and writes its outputs, or fails with a
+    /// reason from 1 to 254.
     pub fn new(outputs: usize, function: F) -> Self {
         Self { outputs, function }
     }
@@ -169,10 +168,10 @@ impl<F: Fn(&[f64], &mut [f64]) -> Result<(), u8> + Sync> Model for Function<F> {
     }
 }
 
-/// Evaluates a block, and marks the samples whose outputs are not all finite. The outputs of samples that
-/// failed become NaN.
+/// Evaluates a block, and marks the samples whose outputs are not all finite. The outputs of failed samples
+/// become NaN.
 ///
-/// All that samples comes through here: a model is compiled once for each instruction set.
+/// All sampling calls this function, so that a model is compiled only once for each instruction set.
 #[inline(never)]
 pub(crate) fn evaluate<M: Model>(
     instructions: Instructions,
@@ -209,7 +208,7 @@ fn evaluate_with<M: Model>(
     }
 }
 
-/// Adds to the counts of the model those of a block.
+/// Adds the samples of a block to the counters of the model.
 #[inline(never)]
 pub(crate) fn tally<M: Model>(
     instructions: Instructions,
@@ -221,7 +220,7 @@ pub(crate) fn tally<M: Model>(
     dispatch!(instructions, model.tally(inputs, outputs, reasons, tallies));
 }
 
-/// Counts the reasons of samples that failed.
+/// Counts the reasons of failed samples.
 pub(crate) fn count_failures(failures: &mut Failures, reasons: &[u8]) {
     for &reason in reasons {
         if reason != SUCCEEDED {

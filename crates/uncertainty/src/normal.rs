@@ -7,8 +7,8 @@
 //! Annals of Mathematical Statistics 29 (1958). G. Marsaglia, *Evaluating the normal distribution*, Journal
 //! of Statistical Software 11 (2004): the series. M. Abramowitz and I. A. Stegun, *Handbook of Mathematical
 //! Functions* (1964): 26.2.14, the continued fraction; 25.4.30, Gauss's quadrature. J. F. Hart et al.,
-//! *Computer Approximations* (1968), with the coefficients as G. West, *Better approximations to cumulative
-//! normal functions*, Wilmott Magazine (2005), prints them: shares of lanes.
+//! *Computer Approximations* (1968), with the coefficients printed in G. West, *Better approximations to
+//! cumulative normal functions*, Wilmott Magazine (2005): probabilities of lanes.
 
 use std::f64::consts::{FRAC_1_SQRT_2, FRAC_PI_2, LN_2, PI};
 
@@ -80,9 +80,9 @@ const F: [f64; 8] = [
 
 /// z with Φ(z) = p for each p, 0 < p < 1; −∞ at 0, +∞ at 1.
 ///
-/// Within 1e-15 of the exact value, relative to it. The middle, which holds 85 % of all shares, costs one
-/// division; it is done for all lanes, and then the tails again, gathered together, with their logarithm,
-/// root and division. Each loop is free of branches and so vectorised.
+/// Within a relative error of 1e-15. The middle, with 85 % of all probabilities, costs one division and is
+/// evaluated for all lanes; the tails are then gathered and evaluated again, with logarithm, root and
+/// division. Each loop is branch-free and so vectorised.
 #[inline(always)]
 pub fn quantiles<const N: usize>(lanes: &mut [f64; N]) {
     let mut tails = Tails::new();
@@ -90,21 +90,21 @@ pub fn quantiles<const N: usize>(lanes: &mut [f64; N]) {
     tails.settle(|lane, quantile| lanes[lane % N] = quantile);
 }
 
-/// Shares in the tails, gathered from several columns, so that the vectors of their loop are full.
+/// Probabilities in the tails, gathered from several columns, so that their loop has full vectors.
 pub(crate) struct Tails {
     shares: [f64; ROOM],
-    /// Where they come from.
+    /// The places that they come from.
     places: [usize; ROOM],
     count: usize,
 }
 
-/// Room for those of a column beside as many that wait.
+/// Room for the tails of a column and as many that wait.
 const ROOM: usize = 2 * LANES;
 
-/// Shares in the tails that are done in one loop.
+/// Number of tails evaluated in one loop.
 const GROUP: usize = 16;
 
-/// A share in a tail, for a lane that none has reached yet.
+/// A probability in a tail, for lanes without one.
 const ANY: f64 = 0.05;
 
 impl Tails {
@@ -113,24 +113,24 @@ impl Tails {
         Self { shares: [ANY; ROOM], places: [0; ROOM], count: 0 }
     }
 
-    /// Whether there may be no room for those of another column.
+    /// Whether there may be no room for the tails of another column.
     #[inline(always)]
     pub(crate) fn are_many(&self) -> bool {
         self.count > ROOM - LANES
     }
 
-    /// The shares of a column become quantiles, but for those in a tail, which wait; the column begins at the
-    /// place `first` of what they are [settled](Self::settle) in.
+    /// Turns the probabilities of a column into quantiles, except for those in a tail, which wait until they
+    /// are [settled](Self::settle). The column begins at the place `first` of their destination.
     #[inline(always)]
     pub(crate) fn gather<const N: usize>(&mut self, lanes: &mut [f64; N], first: usize) {
         const { assert!(N <= LANES && LANES <= 64) };
-        // A bit for each lane in a tail, so that only these are gone through.
+        // A bit for each lane in a tail, so that the loop visits only these.
         let mut in_tail = 0_u64;
         for (lane, share) in lanes.iter().enumerate() {
             in_tail |= u64::from((share - 0.5).abs() > MIDDLE) << lane;
         }
-        // Never beyond the ends: the remainders are only there to say so, since a check of bounds could
-        // panic, and nothing that can is vectorised.
+        // The indices never exceed the bounds: the remainders only tell the compiler so, since a bounds check
+        // could panic and would prevent vectorisation.
         let mut count = self.count;
         while in_tail != 0 {
             let lane = in_tail.trailing_zeros() as usize;
@@ -145,7 +145,7 @@ impl Tails {
         }
     }
 
-    /// Puts the quantiles of those that fill groups into their places. The others wait.
+    /// Puts the quantiles of all full groups into their places. The others wait.
     #[inline(always)]
     pub(crate) fn settle_groups(&mut self, put: impl FnMut(usize, f64)) {
         let count = self.count.min(ROOM);
@@ -156,14 +156,14 @@ impl Tails {
         self.count = count - settled;
     }
 
-    /// Puts the quantile of each that waits into its place.
+    /// Puts the quantiles of all waiting tails into their places.
     #[inline(always)]
     pub(crate) fn settle(&mut self, put: impl FnMut(usize, f64)) {
         self.settle_first(self.count.min(ROOM), put);
         self.count = 0;
     }
 
-    /// The last group may be filled up with others, which are put nowhere.
+    /// The last group may be filled up with other values, whose quantiles are discarded.
     #[inline(always)]
     fn settle_first(&self, count: usize, mut put: impl FnMut(usize, f64)) {
         let (groups, _) = self.shares.as_chunks::<GROUP>();
@@ -202,14 +202,14 @@ fn middle(p: f64) -> f64 {
 /// r = √(−ln p) up to which AS 241 uses its second fraction.
 const FAR: f64 = 5.0;
 
-/// r = √(−ln p) of the share p beyond a quantile.
+/// r = √(−ln p) for the probability p beyond a quantile.
 #[inline(always)]
 fn root_of_tail(p: f64) -> f64 {
     let share = if p < 0.5 { p } else { 1.0 - p };
     (-ln(share)).sqrt()
 }
 
-/// z for |p − ½| > [`MIDDLE`], and whether it lies so far out that it is wrong.
+/// z for |p − ½| > [`MIDDLE`], and whether p is so far out that z is wrong.
 #[inline(always)]
 fn tail(p: f64) -> (f64, bool) {
     let r = root_of_tail(p);
@@ -218,14 +218,14 @@ fn tail(p: f64) -> (f64, bool) {
     ((polynomial(&C, x) / polynomial(&D, x)).copysign(p - 0.5), r > FAR)
 }
 
-/// Puts those right that lie far out: one of 3·10¹⁰.
+/// Corrects the quantiles that lie far out: one in 3·10¹⁰.
 #[cold]
 #[inline(never)]
 fn far_tails(shares: &[f64; GROUP], quantiles: &mut [f64; GROUP]) {
     for (quantile, &p) in quantiles.iter_mut().zip(shares) {
         let r = root_of_tail(p);
         if r > FAR {
-            // |z| = E(r − 5)/F(r − 5), which is ∞/∞ where no share is left.
+            // |z| = E(r − 5)/F(r − 5), which is ∞/∞ if the probability is zero.
             let x = r - 5.0;
             let z = if r.is_finite() { polynomial(&E, x) / polynomial(&F, x) } else { f64::INFINITY };
             *quantile = z.copysign(p - 0.5);
@@ -240,11 +240,11 @@ fn polynomial(coefficients: &[f64; 8], x: f64) -> f64 {
     c0 + x * (c1 + x * (c2 + x * (c3 + x * (c4 + x * (c5 + x * (c6 + x * c7))))))
 }
 
-/// Independent shares in (0, 1) become independent standard normal numbers: each of the first half of the
-/// lanes and its counterpart of the second half become two.
+/// Turns independent uniform numbers in (0, 1) into independent standard normal numbers: each in the first
+/// half of the lanes and its counterpart in the second half become two.
 ///
-/// Quicker than [`quantiles`], but a number is no longer the quantile of one share, which only independent
-/// points do without.
+/// Faster than [`quantiles`], but only for independent points, because a number is no longer the quantile of
+/// one uniform number.
 #[inline(always)]
 pub fn box_muller(lanes: &mut Lanes) {
     let (radii, turns) = lanes.split_at_mut(LANES / 2);
@@ -256,12 +256,12 @@ pub fn box_muller(lanes: &mut Lanes) {
 /// Two independent standard normal numbers.
 pub(crate) struct NormalPair {
     pub(crate) numbers: [f64; 2],
-    /// √(z₁² + z₂²), beyond which neither of them lies.
+    /// √(z₁² + z₂²), a bound of both.
     pub(crate) radius: f64,
 }
 
 impl NormalPair {
-    /// Of two independent shares.
+    /// From two independent uniform numbers.
     #[inline(always)]
     pub(crate) fn of([first, second]: [f64; 2]) -> Self {
         // z₁ = √(−2 ln u₁) cos 2πu₂,  z₂ = √(−2 ln u₁) sin 2πu₂
@@ -271,8 +271,8 @@ impl NormalPair {
     }
 }
 
-// The functions of `real` are good to the last digit everywhere. A random number needs neither, and these
-// take half the time.
+// The functions of `real` are accurate to the last digit for all arguments. Random numbers need neither, and
+// these take half the time.
 
 /// (2 artanh s − 2s)/s³ in powers of s², |s| ≤ 0.1716: Chebyshev interpolation, good to 3e-16 of 2 artanh s.
 const LN: [f64; 6] = [
@@ -306,11 +306,11 @@ const COS: [f64; 7] = [
     4.655_296_187_486_762_3e-7,
 ];
 
-/// −2 ln u for a share u, 2⁻⁵³ ≤ u < 1, within 1e-15 of it, relative to it.
+/// −2 ln u for 2⁻⁵³ ≤ u < 1, within a relative error of 1e-15.
 #[inline(always)]
 fn minus_two_ln_of_share(u: f64) -> f64 {
     const FRACTION: u64 = (1 << 52) - 1;
-    /// 2⁵²: in its fraction an exponent becomes a number.
+    /// 2⁵²: exponent bits put into its fraction become a number.
     const TO_NUMBER: f64 = 4_503_599_627_370_496.0;
     // u = 2ᵏ·m, √½ ≤ m < √2
     let shifted = u.to_bits().wrapping_add(1.0_f64.to_bits() - FRAC_1_SQRT_2.to_bits());
@@ -324,10 +324,10 @@ fn minus_two_ln_of_share(u: f64) -> f64 {
     k * (-2.0 * LN_2) + s * (z * series - 4.0)
 }
 
-/// sin 2πu and cos 2πu for a share u, within 1e-15.
+/// sin 2πu and cos 2πu for u in [0, 1], within 1e-15.
 #[inline(always)]
 fn sin_cos_of_turn(u: f64) -> (f64, f64) {
-    /// 1.5·2⁵²: adding it rounds to an integer, which then stands in the lowest bits.
+    /// 1.5·2⁵²: adding it rounds to an integer, held in the lowest bits.
     const TO_INTEGER: f64 = 6_755_399_441_055_744.0;
     // 2πu = (n + f)·π/2, |f| ≤ ½
     let shifted = 4.0 * u + TO_INTEGER;
@@ -350,11 +350,10 @@ fn density(z: f64) -> f64 {
     exp(-0.5 * z * z) / (2.0 * PI).sqrt()
 }
 
-/// Φ(z), within 1e-14 of the exact value, relative to it, where z < 0 (far out where its square is rounded,
-/// z²·1e-16).
+/// Φ(z), within a relative error of 1e-14 for z < 0 (far out z²·1e-16, from the rounding of z²).
 #[must_use]
 pub fn cumulative(z: f64) -> f64 {
-    /// From here on the continued fraction settles faster than the series loses digits.
+    /// From here on the continued fraction converges faster than the series loses digits.
     const TAIL: f64 = 1.5;
     if z > 0.0 {
         return 1.0 - cumulative(-z);
@@ -373,11 +372,11 @@ pub fn cumulative(z: f64) -> f64 {
     // Φ(−t) = φ(t)/(t + 1/(t + 2/(t + 3/(t + …))))
     let t = -z;
     let density = density(t);
-    // Bounds so far out are common: a mass is greater than zero.
+    // Bounds this far out are common, such as that a mass is greater than zero.
     if density == 0.0 {
         return 0.0;
     }
-    // 200 levels are good to 1e-16 at t = 1.5, and the farther out, the fewer it takes.
+    // 200 levels give 1e-16 at t = 1.5; fewer are enough farther out.
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "between 20 and 220")]
     let enough = (450.0 / (t * t) + 20.0) as u8;
     let levels = (1..=enough.min(200)).rev();
@@ -408,11 +407,11 @@ const Q: [f64; 8] = [
 /// t from which a continued fraction takes over.
 const SHARE_TAIL: f64 = 7.071_067_811_865_47;
 
-/// Standard normal numbers become their shares Φ(z), at least 2⁻⁵³ and at most 1 − 2⁻⁵³, as
-/// [`crate::random::unit`] gives them.
+/// Turns standard normal numbers into their probabilities Φ(z), at least 2⁻⁵³ and at most 1 − 2⁻⁵³, like
+/// those of [`crate::random::unit`].
 ///
-/// Within 1e-14 of the exact value; where z < 0, relative to it, within 1e-11 down to −4.5, 1e-8 down to −7
-/// and 1e-7 below. Free of branches and so vectorised.
+/// Within 1e-14 of the exact value; for z < 0 within a relative error of 1e-11 down to −4.5, 1e-8 down to −7
+/// and 1e-7 below. Branch-free and so vectorised.
 #[inline(always)]
 pub fn shares<const N: usize>(lanes: &mut [f64; N]) {
     /// (–) 2⁻⁵³.
@@ -430,16 +429,16 @@ pub fn shares<const N: usize>(lanes: &mut [f64; N]) {
     }
 }
 
-/// Mean and standard deviation of a standard normal variable that is known to lie in [low, high].
+/// Mean and standard deviation of a standard normal variable truncated to [low, high].
 ///
-/// Where the interval holds all within one standard deviation, in closed form. Elsewhere by quadrature, whose
-/// terms are all positive: the differences of the closed form cancel where the interval is narrow or far out.
+/// In closed form if the interval includes all within one standard deviation. Otherwise by quadrature, whose
+/// terms are all positive: the differences of the closed form cancel if the interval is narrow or far out.
 pub(crate) fn truncated_moments(low: f64, high: f64) -> (f64, f64) {
     if low > -1.0 || high < 1.0 {
         return moments_by_quadrature(low, high);
     }
     let share = 1.0 - (cumulative(low) + cumulative(-high));
-    // φ(z), and zφ(z), which at an infinite bound is 0.
+    // φ(z), and zφ(z), which is 0 at an infinite bound.
     let [at_low, at_high] = [low, high].map(density);
     let [times_low, times_high] =
         [(low, at_low), (high, at_high)].map(|(z, at)| if at > 0.0 { z * at } else { 0.0 });
@@ -450,13 +449,13 @@ pub(crate) fn truncated_moments(low: f64, high: f64) -> (f64, f64) {
 }
 
 fn moments_by_quadrature(low: f64, high: f64) -> (f64, f64) {
-    /// What lies farther out than this has no weight beside a kept share of [`crate::MIN_KEPT`].
+    /// Beyond this the density is negligible compared with a kept probability of [`crate::MIN_KEPT`].
     const REACH: f64 = 12.0;
     const PANELS: u8 = 128;
     let (low, high) = (low.max(-REACH), high.min(REACH));
     let half = 0.5 * (high - low) / f64::from(PANELS);
 
-    // Nodes ±⅓√(5 ± 2√(10/7)) and 0, weights (322 ∓ 13√70)/900 and 128/225 of Gauss's quadrature.
+    // Gauss's quadrature: nodes ±⅓√(5 ± 2√(10/7)) and 0, weights (322 ∓ 13√70)/900 and 128/225.
     let root = 2.0 * (10.0_f64 / 7.0).sqrt();
     let (near, far) = ((5.0 - root).sqrt() / 3.0, (5.0 + root).sqrt() / 3.0);
     let root = 13.0 * 70.0_f64.sqrt();
@@ -469,7 +468,7 @@ fn moments_by_quadrature(low: f64, high: f64) -> (f64, f64) {
         (far, far_weight),
     ];
 
-    // ∫ f(z)·e^(−z²/2) dz, but for a factor
+    // ∫ f(z)·e^(−z²/2) dz, up to a factor
     let integral = |f: &dyn Fn(f64) -> f64| {
         let mut sum = 0.0;
         for panel in 0..PANELS {
@@ -482,7 +481,7 @@ fn moments_by_quadrature(low: f64, high: f64) -> (f64, f64) {
         sum
     };
     let mass = integral(&|_| 1.0);
-    // From the likeliest place, so that no digits are lost where the interval is narrow and far from zero.
+    // Relative to the mode, so that no digits are lost if the interval is narrow and far from zero.
     let centre = 0.0_f64.clamp(low, high);
     let mean = centre + integral(&|z| z - centre) / mass;
     let variance = integral(&|z| (z - mean) * (z - mean)) / mass;
@@ -507,7 +506,7 @@ mod tests {
         assert!((value - exact).abs() <= relative * exact.abs(), "{value} is not {exact}");
     }
 
-    /// Values by mpmath 1.3 with 40 digits, of the `f64` nearest to the p printed.
+    /// Values by mpmath 1.3 with 40 digits, for the `f64` nearest to the printed p.
     #[test]
     fn quantiles_are_those_of_forty_digits() {
         let table = [
@@ -560,7 +559,8 @@ mod tests {
         assert_eq!((cumulative(f64::NEG_INFINITY), cumulative(f64::INFINITY)), (0.0, 1.0));
     }
 
-    /// Against the series and the continued fraction, which share nothing with Hart's fraction.
+    /// Compared with the series and the continued fraction, which have nothing in common with Hart's
+    /// fraction.
     #[test]
     fn shares_of_lanes_are_cumulative_shares() {
         for step in -8_000..=8_000 {
@@ -582,7 +582,7 @@ mod tests {
         assert_eq!(lanes, [least, 1.0 - least, 0.5, least, 1.0 - least]);
     }
 
-    /// Any number of tails among the lanes, anywhere.
+    /// Any number of tails, in any lanes.
     #[test]
     fn a_lane_of_a_block_has_the_bits_of_a_call() {
         for tails in 0..=64 {
@@ -596,7 +596,7 @@ mod tests {
         }
     }
 
-    /// Beside the functions of `real`, which have tests of their own.
+    /// Compared with the functions of `real`, which have their own tests.
     #[test]
     fn logarithm_and_turn_of_a_share_are_those_of_real() {
         let ends = [f64::EPSILON / 2.0, 0.5_f64.sqrt(), 0.25, 0.5, 0.75, 1.0 - f64::EPSILON / 2.0];
@@ -631,7 +631,7 @@ mod tests {
             (1.0, 1.5, 1.224_338_737_657_778_706_2, 0.142_368_996_501_650_052_64),
             (-infinity, -2.0, -2.373_215_532_822_840_867_3, 0.338_051_919_701_813_343_58),
             (3.0, 4.0, 3.260_454_285_590_021_153_9, 0.221_986_021_581_074_170_07),
-            // Both sides of where the closed form takes over.
+            // Both sides of the limit of the closed form.
             (-1.0, 1.5, 0.145_187_447_152_526_173_160, 0.644_736_385_011_261_303_960),
             (-0.75, 3.0, 0.384_322_332_340_415_376_110, 0.736_564_640_008_173_111_944),
             (-1.25, infinity, 0.204_225_458_898_676_755_199, 0.838_456_998_488_460_913_953),
@@ -648,7 +648,7 @@ mod tests {
         let (mean, sd) = truncated_moments(-3.0, 3.0);
         assert!(mean.abs() < 1e-15);
         assert_near(sd, 0.986_578_392_558_108_621_27, 1e-14);
-        // Bounds that nothing reaches.
+        // Bounds too far out to matter.
         for bounds in [(-infinity, infinity), (-50.0, infinity), (-40.0, 60.0)] {
             assert_eq!(truncated_moments(bounds.0, bounds.1), (0.0, 1.0));
         }

@@ -1,11 +1,10 @@
-//! Points in the unit cube, each from its index alone: shares between 0 and 1 for every input of every
+//! Points in the unit cube, each from its index alone: a number between 0 and 1 for every input of every
 //! sample.
 //!
 //! Samples are dealt in turn to [`REPLICATES`] point sets: sample j is point ⌊j/16⌋ of set j mod 16. Each set
-//! is random by itself, so the spread of a result between the sets gives its standard error. Every whole
-//! number of blocks from the beginning has the same number of points from each set. Latin hypercube sets are
-//! independent of each other. So are Sobol' sets, except for correlations between two inputs, which cancel
-//! among them.
+//! is random, so the spread of a result between the sets gives its standard error. Any whole number of blocks
+//! from the beginning has the same number of points from each set. Latin hypercube sets are independent of
+//! each other. So are Sobol' sets, except for correlations between two inputs, which cancel among them.
 //!
 //! # References
 //!
@@ -24,30 +23,30 @@ use sobol::Sobol;
 
 pub use sobol::MAX_INPUTS as MAX_SOBOL_INPUTS;
 
-/// How points are distributed.
+/// The sampling method: how points are distributed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum SamplingMethod {
     /// Independent points.
     MonteCarlo,
-    /// In every replicate, each input has exactly one point in each of as many equal strata as there are
-    /// points.
+    /// In every replicate, each input is divided into as many equal strata as there are points, with exactly
+    /// one point in each.
     LatinHypercube,
     /// Sobol' points with Owen's scrambling, except for the first digits, which are shifted. They work best
-    /// for a power of two of samples; otherwise a part of the points of each replicate is less even, and so
-    /// are pairs of inputs.
+    /// if the number of samples is a power of two; otherwise some points of each replicate, and pairs of
+    /// inputs, are less evenly spread.
     Sobol,
 }
 
 impl SamplingMethod {
-    /// Each under its name.
+    /// Each method with its name.
     pub const WORDS: [(&str, Self); 3] = [
         (Self::MonteCarlo.name(), Self::MonteCarlo),
         (Self::LatinHypercube.name(), Self::LatinHypercube),
         (Self::Sobol.name(), Self::Sobol),
     ];
 
-    /// As the command line has it.
+    /// The name on the command line.
     #[must_use]
     pub const fn name(self) -> &'static str {
         match self {
@@ -64,7 +63,7 @@ pub(crate) struct Points {
     inputs: Inputs,
 }
 
-/// What the points of each input follow from.
+/// The data that determine the points of each input.
 #[derive(Clone, Debug)]
 enum Inputs {
     MonteCarlo(Vec<u64>),
@@ -89,7 +88,7 @@ impl Points {
             return Err(InvalidRequest::TooManySamples { samples });
         }
         let count = samples as u64;
-        // The numbers 1 to 5 keep the sequences of the methods apart under one seed.
+        // The numbers 1 to 5 give the methods different sequences for one seed.
         let all = 0..inputs;
         let inputs = match method {
             SamplingMethod::MonteCarlo => {
@@ -114,7 +113,7 @@ impl Points {
         Ok(Self { inputs })
     }
 
-    /// The random sequence of each input, where any point is independent of all others.
+    /// The random sequence of each input, if all points are independent.
     #[inline(always)]
     pub(crate) fn sequences(&self) -> Option<&[u64]> {
         match &self.inputs {
@@ -123,8 +122,8 @@ impl Points {
         }
     }
 
-    /// The shares of a block of samples, a column for each input. Lanes beyond the last sample hold some
-    /// point or other.
+    /// The points of a block of samples, a column for each input. Lanes beyond the last sample hold arbitrary
+    /// points.
     #[inline(always)]
     pub(crate) fn fill(&self, block: u64, columns: &mut [Lanes]) {
         let first = block * LANES as u64;
@@ -148,7 +147,7 @@ impl Points {
     }
 }
 
-/// Shares of a random sequence, from the sample `first` on.
+/// Uniform numbers of a random sequence, from the sample `first` on.
 #[inline(always)]
 pub(crate) fn independent(key: u64, first: u64, shares: &mut Lanes) {
     for (share, bits) in shares.iter_mut().zip(bits_of_block(key, first)) {
@@ -159,11 +158,11 @@ pub(crate) fn independent(key: u64, first: u64, shares: &mut Lanes) {
 /// Points of each replicate in a block.
 const POINTS: usize = LANES / REPLICATES;
 
-/// A number for each lane of a block, the same for all lanes of a replicate: flat, so that each loop over
-/// lanes is vectorised as it stands.
+/// A number for each lane of a block, the same for all lanes of a replicate: a flat array, so that each loop
+/// over lanes is vectorised directly.
 type Words = Lanes<u32>;
 
-/// Which point of its replicate a lane has, of those in the block.
+/// The index of each lane's point among those of its replicate in the block.
 const ROWS: [u32; LANES] = {
     let mut rows = [0; LANES];
     let mut lane = REPLICATES;
@@ -178,7 +177,7 @@ fn words(of_replicate: impl Fn(usize) -> u32) -> [u32; LANES] {
     std::array::from_fn(|lane| of_replicate(lane % REPLICATES))
 }
 
-/// How many points the replicate of each lane has, and what a permutation of so many strata needs.
+/// Number of points in the replicate of each lane, and the constants of a permutation of that many strata.
 #[derive(Clone, Copy, Debug)]
 struct Counts {
     counts: Words,
@@ -200,23 +199,23 @@ impl Counts {
     }
 }
 
-/// Inputs whose places inside a stratum come from the same random bits.
+/// Number of inputs whose places within a stratum come from the same random bits.
 const TOGETHER: usize = 3;
 
 /// Latin hypercube points of up to three inputs.
 #[derive(Clone, Debug)]
 struct Three {
     inputs: Vec<Strata>,
-    /// Where in their strata the points lie.
+    /// Key of the places of the points in their strata.
     places: u64,
 }
 
 impl Three {
-    /// The shares of a block that begins at the sample `first`.
+    /// The points of a block that begins at the sample `first`.
     #[inline(always)]
     fn fill(&self, first: u64, of: &Counts, columns: &mut [Lanes]) {
-        /// (bit) with a stratum's number of up to 28 bits below the 53 of an `f64`, so that their sum is
-        /// exact.
+        /// (bit) together with the number of a stratum, up to 28 bits, fewer than the 53 of an `f64`, so that
+        /// their sum is exact.
         const PLACE_BITS: u32 = 20;
         const PLACES: f64 = (1_u64 << PLACE_BITS) as f64;
         #[expect(clippy::cast_possible_truncation, reason = "at most 2²⁸")]
@@ -229,7 +228,7 @@ impl Three {
             let strata = strata.of_block(index, of);
             for lane in 0..LANES {
                 let place = f64::from((words[lane] >> (64 - PLACE_BITS)) as u32);
-                // u = (π(i) + (k + ½)·2⁻²⁰)/n, in its stratum however the product is rounded
+                // u = (π(i) + (k + ½)·2⁻²⁰)/n, within its stratum for any rounding of the product
                 let inside = (f64::from(strata[lane]) + (place + 0.5) / PLACES) * of.widths[lane];
                 shares[lane] = if index + ROWS[lane] < of.counts[lane] { inside } else { 0.5 };
                 // The next input takes the next bits.
@@ -239,8 +238,8 @@ impl Three {
     }
 }
 
-/// Latin hypercube points of one input, but for their places in the strata: what the rounds of the
-/// permutation of each replicate add and multiply by, each of which fills a cache line.
+/// Latin hypercube points of one input, without their places in the strata: the summands and factors of the
+/// rounds of each replicate's permutation, each filling a cache line.
 #[derive(Clone, Copy, Debug)]
 #[repr(align(64))]
 struct Strata {
@@ -259,10 +258,10 @@ impl Strata {
 
     /// The strata of the points from `index` on.
     ///
-    /// All lanes walk their permutations together, until the last has come below its count.
+    /// All lanes walk their permutations together, until the last is below its count.
     #[inline(always)]
     fn of_block(&self, index: u32, of: &Counts) -> Words {
-        // From an index that no point has, the walk might never come back.
+        // From an index without a point, the walk might never end.
         let mut strata = Lanes::splat(0);
         for lane in 0..LANES {
             let row = index + ROWS[lane];
@@ -291,7 +290,7 @@ impl Strata {
         let (rows, _) = places.as_chunks_mut::<REPLICATES>();
         for row in rows {
             for own in 0..REPLICATES {
-                // All rounds in one loop: a compiler would unroll a shorter one before it could vectorise it.
+                // All rounds in one loop: the compiler would unroll a shorter one instead of vectorising it.
                 let mut place = row[own];
                 for [add, multiply] in &self.rounds {
                     place = turned(place, [add[own], multiply[own]], (masks[own], shifts[own]));
@@ -305,7 +304,7 @@ impl Strata {
 
 const ROUNDS: usize = 4;
 
-/// What each round of a permutation adds and multiplies by.
+/// The summand and the factor of each round of a permutation.
 #[expect(clippy::cast_possible_truncation, reason = "the halves of a word")]
 fn rounds(key: u64) -> [[u32; 2]; ROUNDS] {
     std::array::from_fn(|round| {
@@ -314,24 +313,24 @@ fn rounds(key: u64) -> [[u32; 2]; ROUNDS] {
     })
 }
 
-/// Ones for the bits that a count needs, and half of their number.
+/// A mask of the bits that a count needs, and half of their number.
 fn mask_and_shift(count: u32) -> (u32, u32) {
     let mask = count.next_power_of_two() - 1;
     (mask, (mask.count_ones() / 2).max(1))
 }
 
-/// A round of a permutation of all numbers below a power of two. Adding, multiplying by an odd number and
-/// folding the high bits into the low ones can each be undone.
+/// A round of a permutation of all numbers below a power of two: adding, multiplying by an odd number and
+/// folding the high bits into the low ones are each invertible.
 #[inline(always)]
 fn turned(place: u32, [add, multiply]: [u32; 2], (mask, shift): (u32, u32)) -> u32 {
-    // What overflows into higher bits does not come back into the lower ones.
+    // Overflow into higher bits does not affect the lower ones.
     let place = place.wrapping_add(add).wrapping_mul(multiply) & mask;
     place ^ (place >> shift)
 }
 
 /// The place of `index` in a random permutation of 0, 1, … `count` − 1, which is at most 2²⁸.
 ///
-/// A bijection of the numbers of as many bits as `count` needs, walked until it comes back below `count`:
+/// A bijection of the numbers with as many bits as `count` needs, repeated until the result is below `count`:
 /// less than two steps on average (J. Black and P. Rogaway, *Ciphers with arbitrary finite domains*, CT-RSA
 /// 2002: cycle walking).
 fn permuted(index: u32, count: u32, key: u64) -> u32 {

@@ -25,13 +25,13 @@ impl Propagation {
         self.requested
     }
 
-    /// Number of samples evaluated: fewer than requested where the run was ended early.
+    /// Number of samples evaluated: fewer than requested if the run was ended early.
     #[must_use]
     pub fn evaluated(&self) -> usize {
         self.reasons.len()
     }
 
-    /// Number of samples that have an answer. Only these are summarised.
+    /// Number of samples with an answer. Only these are summarised.
     #[must_use]
     pub fn succeeded(&self) -> usize {
         self.evaluated() - self.failures().values().sum::<usize>()
@@ -43,33 +43,33 @@ impl Propagation {
         &self.totals.failures
     }
 
-    /// What the model [counted](Model::tally).
+    /// The model's [counts](Model::tally).
     #[must_use]
     pub fn tallies(&self) -> &[usize] {
         &self.totals.tallies
     }
 
-    /// Reason code of each sample; [`SUCCEEDED`] where it has an answer.
+    /// Reason code of each sample; [`SUCCEEDED`] if it has an answer.
     #[must_use]
     pub fn reasons(&self) -> &[u8] {
         &self.reasons
     }
 
-    /// The samples of each output that is [summarised](Model::summarised), NaN where the sample failed.
+    /// The samples of each [summarised](Model::summarised) output, NaN for failed samples.
     #[must_use]
     pub fn columns(&self) -> &[Vec<f64>] {
         &self.columns
     }
 
-    /// Statistics of each output that is [summarised](Model::summarised); `None` where fewer than two samples
-    /// have an answer.
+    /// Statistics of each [summarised](Model::summarised) output; `None` if fewer than two samples have an
+    /// answer.
     #[must_use]
     pub fn summaries(&self) -> &[Option<Summary>] {
         &self.summaries
     }
 
-    /// The histogram of an output. `None` where its middle 99 % do not differ, where fewer than two samples
-    /// have an answer, and where there is no such output.
+    /// The histogram of an output. `None` if its middle 99 % are equal, if fewer than two samples have an
+    /// answer, or if there is no such output.
     #[must_use]
     pub fn histogram(&self, output: usize, classes: Classes) -> Option<Histogram> {
         let summary = (*self.summaries.get(output)?)?;
@@ -77,7 +77,7 @@ impl Propagation {
     }
 }
 
-/// Evaluates the model for samples of its inputs, and keeps the outputs: eight bytes for each of them.
+/// Evaluates the model for samples of its inputs, and keeps the outputs, eight bytes each.
 ///
 /// `progress` receives the number of finished samples and may end the run early; the result then holds the
 /// first samples of the whole run.
@@ -107,7 +107,7 @@ pub fn propagate<M: Model>(
 /// Samples that a thread takes at a time.
 const SPAN: usize = 64 * LANES;
 
-/// Fills the columns and the reasons, up to where the run is ended.
+/// Fills the columns and the reasons, until the run ends.
 fn evaluate<M: Model>(
     model: &M,
     sampler: &Sampler<'_>,
@@ -128,7 +128,7 @@ fn evaluate<M: Model>(
     totals
 }
 
-/// Where the results of some blocks go.
+/// The destination of the results of a span of blocks.
 struct Part<'c> {
     first_block: u64,
     outputs: Vec<&'c mut [f64]>,
@@ -157,7 +157,7 @@ impl Part<'_> {
     }
 }
 
-/// What is counted of samples that are done.
+/// Totals over finished samples.
 #[derive(Clone, Debug)]
 struct Totals {
     samples: usize,
@@ -166,7 +166,7 @@ struct Totals {
 }
 
 impl Totals {
-    /// Of no sample.
+    /// Totals without samples.
     fn of(model: &impl Model) -> Self {
         Self { samples: 0, failures: Failures::new(), tallies: vec![0; model.tallies()] }
     }

@@ -31,8 +31,8 @@ fn mixed(state: u64) -> u64 {
     z ^ (z >> 31)
 }
 
-/// How far the state of each lane of a block is from that of the first lane. A sum with it spares each lane a
-/// product of 64 bits, at which vectors are slow.
+/// Difference of the state of each lane of a block from that of the first lane. Adding it saves a 64-bit
+/// multiplication in each lane, which is slow in vectors.
 static STEPS: [u64; LANES] = {
     let mut steps = [0; LANES];
     let mut lane = 1;
@@ -50,7 +50,7 @@ pub(crate) fn bits_of_block(key: u64, first: u64) -> impl Iterator<Item = u64> {
     STEPS.iter().map(move |step| mixed(first.wrapping_add(*step)))
 }
 
-/// A sequence's key, from the seed and what the sequence is for.
+/// A sequence's key, from the seed and the purpose of the sequence.
 #[must_use]
 pub fn key(seed: u64, path: &[u64]) -> u64 {
     path.iter().fold(bits(seed, 0), |key, &step| bits(key, step))
@@ -58,7 +58,7 @@ pub fn key(seed: u64, path: &[u64]) -> u64 {
 
 /// The leading 52 bits as a number in (0, 1): the middle of one of 2⁵² equal cells.
 ///
-/// Never 0 or 1, and 1 − u is exact. The least is 2⁻⁵³, where a normal quantile is 8.2 standard deviations
+/// Never 0 or 1, and 1 − u is exact. The least is 2⁻⁵³, at which a normal quantile is 8.2 standard deviations
 /// below the mean.
 #[inline(always)]
 #[must_use]

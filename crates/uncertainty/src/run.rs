@@ -1,12 +1,12 @@
-//! Running spans of samples: in order, on one thread or several, with the instructions that the CPU has.
+//! Runs spans of samples in order, on one thread or several, with the CPU's instruction sets.
 
 use std::ops::ControlFlow;
 use std::sync::{Mutex, PoisonError};
 
 use fearless_simd::Level;
 
-/// An instruction set of this CPU, for which a model's loops are compiled. All give the same bits; they
-/// differ in speed.
+/// An instruction set of this CPU, for which a model's loops are compiled. All give the same bits and differ
+/// only in speed.
 #[derive(Clone, Copy, Debug)]
 pub struct Instructions(Level);
 
@@ -17,7 +17,7 @@ impl Instructions {
         Self(Level::new())
     }
 
-    /// All that this CPU has, the best first, for tests that compare them.
+    /// All instruction sets of this CPU, the best first, for tests that compare them.
     #[must_use]
     pub fn available() -> Vec<Self> {
         let best = Level::new();
@@ -32,18 +32,18 @@ impl Instructions {
         others.into_iter().flatten().map(Self).collect()
     }
 
-    /// For [`dispatch!`](crate::dispatch).
+    /// The level for [`dispatch!`](crate::dispatch).
     #[must_use]
     pub fn level(self) -> Level {
         self.0
     }
 }
 
-/// Evaluates a call with the given [`Instructions`]. It must be one call of a function that is
-/// `#[inline(always)]`: anything else, a closure too, would be compiled for the baseline instruction set.
+/// Evaluates a call with the given [`Instructions`]. It must be a single call of an `#[inline(always)]`
+/// function: anything else, even a closure, would be compiled for the baseline instruction set.
 ///
-/// SSE4.2 gains little over the baseline of x86-64, and has no code of its own: each copy of a model takes a
-/// compiler long.
+/// SSE4.2 gains little over the baseline of x86-64 and has no code of its own, because each copy of a model
+/// takes long to compile.
 #[macro_export]
 macro_rules! dispatch {
     ($instructions:expr, $call:expr) => {{
@@ -80,29 +80,29 @@ impl Default for Instructions {
 }
 
 /// Receives the number of finished samples and of all samples whenever a span of some thousand samples
-/// begins, and ends the run with [`ControlFlow::Break`]. It may be called from any thread, but by only one at
-/// a time.
+/// begins, and ends the run by returning [`ControlFlow::Break`]. It may be called from any thread, but only
+/// by one at a time.
 pub type Progress<'a> = dyn FnMut(usize, usize) -> ControlFlow<()> + Send + 'a;
 
-/// A span of work, and how many samples it holds.
+/// A span of work, with its number of samples.
 #[derive(Clone, Copy, Debug)]
 pub struct Span<S> {
     /// Number of samples.
     pub samples: usize,
-    /// What is to be done.
+    /// The work.
     pub work: S,
 }
 
-/// What the workers share.
+/// State shared by the workers.
 struct Queue<'a, I> {
     waiting: I,
     done: usize,
     progress: &'a mut Progress<'a>,
 }
 
-/// Does the spans in their order until `progress` breaks, and returns their results in order.
+/// Runs the spans in order until `progress` breaks, and returns their results in order.
 ///
-/// A span that is begun is finished. So what comes back belongs to the first spans, without a gap.
+/// A span that has begun is finished, so the results are those of the first spans, without a gap.
 pub fn in_order<S: Send, T: Send>(
     spans: Vec<Span<S>>,
     work: impl Fn(S) -> T + Sync,
@@ -121,7 +121,7 @@ pub fn in_order<S: Send, T: Send>(
             queue.done += finished;
             let done = queue.done;
             if queue.waiting.len() == 0 || (queue.progress)(done, total).is_break() {
-                // Nobody begins another span.
+                // No worker begins another span.
                 queue.waiting.by_ref().for_each(drop);
                 break;
             }
@@ -147,8 +147,8 @@ pub fn for_each<S: Send, T: Send>(
     in_order(spans, work, &mut |_, _| ControlFlow::Continue(()))
 }
 
-/// The results of both: the second one begins after the first, or beside it on another thread where this one
-/// is of rayon's. To hand both to rayon's threads from elsewhere, and to wait, may take longer than they do.
+/// The results of both: the second runs after the first, or in parallel with it if this is one of rayon's
+/// threads. Handing both to rayon from another thread, and waiting, may take longer than running them.
 pub fn join<A: Send, B: Send>(first: impl FnOnce() -> A + Send, second: impl FnOnce() -> B + Send) -> (A, B) {
     #[cfg(feature = "parallel")]
     if rayon::current_thread_index().is_some() {
@@ -169,7 +169,7 @@ fn workers() -> usize {
 
 #[cfg(feature = "parallel")]
 fn on_threads(workers: usize, worker: &(impl Fn() + Sync)) {
-    // A thread that is none of rayon's would hand even this to one of them, and wait.
+    // A thread outside rayon would hand even this to one of rayon's, and wait.
     if workers <= 1 {
         worker();
         return;

@@ -8,14 +8,14 @@ use crate::model::{LANES, Lanes, Model, evaluate};
 use crate::points::{Points, SamplingMethod};
 use crate::run::Instructions;
 
-/// How to sample.
+/// Settings of the sampling.
 #[derive(Clone, Copy, Debug)]
 pub struct Settings {
     /// Number of samples, or of rows for [`crate::sensitivity`].
     pub samples: usize,
     /// The random seed: the same seed gives the same results.
     pub seed: u64,
-    /// How points are distributed.
+    /// The sampling method.
     pub method: SamplingMethod,
     /// The instruction set, which does not change the results.
     pub instructions: Instructions,
@@ -29,8 +29,8 @@ impl Settings {
     }
 }
 
-/// Generates the inputs of the samples of [`crate::propagate`] again, for a caller that writes them to a
-/// file: the propagation keeps the outputs alone.
+/// Regenerates the inputs of the samples of [`crate::propagate`], for a caller that writes them to a file:
+/// the propagation keeps only the outputs.
 #[derive(Clone, Debug)]
 pub struct Sampler<'a> {
     inputs: &'a [Distribution],
@@ -56,13 +56,14 @@ impl<'a> Sampler<'a> {
         self.instructions
     }
 
-    /// Inputs of the samples `block`·[`crate::LANES`] and following, a column for each input. Lanes beyond
-    /// the last sample hold some value or other.
+    /// Inputs of the samples from `block`·[`crate::LANES`] on, a column for each input. Lanes beyond the last
+    /// sample hold arbitrary values.
     pub fn fill(&self, block: u64, columns: &mut [Lanes]) {
         fill(self.instructions, &self.points, self.inputs, block, columns);
     }
 
-    /// The same, and the outputs and reason codes of the model for them, a column for each output.
+    /// Fills the inputs likewise, and returns the model's reason codes; `outputs` has a column for each
+    /// output.
     pub fn evaluate<M: Model>(
         &self,
         model: &M,
@@ -76,7 +77,7 @@ impl<'a> Sampler<'a> {
     }
 }
 
-/// A block of points becomes values of the inputs, as many times over as there are columns for.
+/// Turns a block of points into values of the inputs, repeating the inputs for all columns.
 pub(crate) fn fill(
     instructions: Instructions,
     points: &Points,

@@ -1,4 +1,4 @@
-//! How much each input contributes to the variance of an output.
+//! The contribution of each input to the variance of an output.
 //!
 //! # References
 //!
@@ -21,18 +21,17 @@ use crate::sampler::{Settings, fill};
 /// Student's t for a two-sided 95 % interval with 15 degrees of freedom, one less than the replicates.
 const STUDENT_95: f64 = 2.131_449_545_559_323;
 
-/// Blocks that one thread takes at a time, where there are not too many spans then.
+/// Number of blocks that a thread takes at a time, unless there would be too many spans.
 const SPAN_BLOCKS: usize = 16;
-/// The most spans: the sums of each are kept until all are done.
+/// Maximum number of spans: the sums of each are kept until all are done.
 const MAX_SPANS: usize = 256;
 
 /// A sensitivity index and its standard error.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Index {
-    /// Share of the variance. From few samples it may come out below 0 or above 1, by as much as the standard
-    /// error says.
+    /// Fraction of the variance. With few samples it may lie below 0 or above 1, by about the standard error.
     pub value: f64,
-    /// Its standard error, by the jackknife over [`REPLICATES`] groups of rows; `None` where a group has no
+    /// Its standard error, by the jackknife over [`REPLICATES`] groups of rows; `None` if a group has no
     /// rows.
     pub standard_error: Option<f64>,
 }
@@ -49,10 +48,10 @@ impl Index {
 /// Indices of one input for one output.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Indices {
-    /// Sᵢ: the share of the variance that would vanish if this input alone were known.
+    /// Sᵢ: the fraction of the variance that would vanish if only this input were known.
     pub first_order: Index,
-    /// Tᵢ: the share that would remain if all others were known; greater than Sᵢ by what this input does
-    /// together with others.
+    /// Tᵢ: the fraction that would remain if all others were known; greater than Sᵢ by the interactions of
+    /// this input with others.
     pub total: Index,
 }
 
@@ -74,7 +73,7 @@ impl SobolIndices {
         self.requested
     }
 
-    /// Number of rows evaluated: fewer than requested where the run was ended early.
+    /// Number of rows evaluated: fewer than requested if the run was ended early.
     #[must_use]
     pub fn rows(&self) -> usize {
         self.rows
@@ -108,8 +107,9 @@ impl SobolIndices {
 
 /// Variance-based sensitivity: evaluates the model inputs + 2 times in each of `settings.samples` rows.
 ///
-/// A row is two independent samples A and B, and for each input the sample A with this one input from B. For
-/// Sobol' points a power of two of rows is best; they need two dimensions for each input.
+/// A row consists of two independent samples A and B, and for each input the sample A with this one input
+/// from B. Sobol' points work best if the number of rows is a power of two; they need two dimensions for each
+/// input.
 ///
 /// # Errors
 /// If there are no inputs or too many, or if the number of rows is out of range.
@@ -164,8 +164,8 @@ pub fn sensitivity<M: Model>(
     })
 }
 
-/// The outputs with all inputs at their medians: somewhere near the middle, so that squares of what differs
-/// from them lose no digits.
+/// The outputs with all inputs at their medians, a central value: squares of the differences from it lose no
+/// digits.
 fn shifts<M: Model>(instructions: Instructions, model: &M, inputs: &[Distribution]) -> Vec<f64> {
     let columns: Vec<Lanes> = inputs.iter().map(|input| Lanes::splat(input.quantile(0.5))).collect();
     let mut outputs = vec![Lanes::ZERO; model.outputs()];
@@ -174,7 +174,7 @@ fn shifts<M: Model>(instructions: Instructions, model: &M, inputs: &[Distributio
     outputs.iter().map(|column| if reasons[0] == SUCCEEDED { column[0] } else { 0.0 }).collect()
 }
 
-/// What all rows have in common.
+/// Data common to all rows.
 struct Design<'a, M> {
     model: &'a M,
     inputs: &'a [Distribution],
@@ -228,7 +228,7 @@ impl<M: Model> Design<'_, M> {
     }
 }
 
-/// What a number of rows adds up to.
+/// Sums over a number of rows.
 struct Part {
     rows: usize,
     failures: Failures,
@@ -253,7 +253,7 @@ impl Part {
     }
 }
 
-/// Sums of one output, for each group of rows apart.
+/// Sums of one output, separate for each group of rows.
 #[derive(Clone)]
 struct Sums {
     groups: Vec<Group>,
@@ -344,7 +344,7 @@ impl Sums {
             sum
         };
         let whole = sum_without(None);
-        // What rounding leaves of an output that does not vary.
+        // Rounding noise in the variance of a constant output.
         let noise = whole.squares * 1e-14 / (2.0 * whole.rows);
         if whole.rows < 2.0 || whole.variance() <= noise {
             return None;

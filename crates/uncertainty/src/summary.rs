@@ -17,22 +17,22 @@ pub use histogram::{Classes, Histogram};
 /// Levels of the intervals of a [`Summary`].
 pub const LEVELS: [f64; 4] = [0.5, 0.9, 0.95, 0.99];
 
-/// A standard error of a quantile needs as many samples expected beyond it.
+/// Minimum expected number of samples beyond a quantile for a standard error of it.
 const TAIL_SAMPLES: f64 = 5.0;
 
-/// A statistic and how well the samples tell it.
+/// A statistic and its standard error.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Estimate {
     /// (unit of the output) the statistic.
     pub value: f64,
-    /// (unit of the output) its standard error from sampling; `None` where there are too few samples to tell.
+    /// (unit of the output) its standard error from sampling; `None` if there are too few samples.
     pub standard_error: Option<f64>,
 }
 
-/// The range between two quantiles, with equal shares beyond either end.
+/// The range between two quantiles, with equal probabilities beyond either end.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Interval {
-    /// Share of the samples in between.
+    /// Fraction of the samples in between.
     pub level: f64,
     /// (unit of the output) lower end.
     pub low: Estimate,
@@ -43,15 +43,15 @@ pub struct Interval {
 /// Statistics of one output.
 ///
 /// Monte Carlo: the standard error of the mean is s/√n, that of s follows from the fourth moment, that of a
-/// quantile from the order statistics one binomial standard deviation of the count to either side.
+/// quantile from the order statistics at one binomial standard deviation of the count on either side.
 ///
 /// Latin hypercube and Sobol': the standard errors of the mean and of s follow from their spread between the
 /// [`REPLICATES`] point sets, s/√16. That of a quantile is half of the distance between the order statistics
-/// to either side of it, as for Monte Carlo, but as far away as the numbers of samples below the quantile,
-/// which differ between the replicates, tell: by their standard error and one place more. The spread of the
-/// replicates' own quantiles would not do: where one input rules the result, they keep to their strata, and
-/// the quantile of all samples does not. With 15 degrees of freedom all these are themselves uncertain by a
-/// fifth.
+/// on either side of it, as for Monte Carlo, but their distance in places is the standard error of the number
+/// of samples below the quantile, from its spread between the replicates, plus one. The spread of the
+/// replicates' own quantiles would be wrong: if one input dominates the result, they stay in their strata,
+/// and the quantile of all samples does not. With 15 degrees of freedom all these are themselves uncertain by
+/// a fifth.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Summary {
     /// Number of samples that succeeded.
@@ -62,18 +62,18 @@ pub struct Summary {
     pub sd: Estimate,
     /// (unit of the output) median.
     pub median: Estimate,
-    /// At each of [`LEVELS`].
+    /// The intervals at [`LEVELS`].
     pub intervals: [Interval; LEVELS.len()],
 }
 
-/// The probabilities of the median and of the ends of the intervals, lower and upper in turn.
+/// Probabilities of the median and of the ends of the intervals, lower and upper in turn.
 const PROBABILITIES: [f64; QUANTILES] = [0.5, 0.25, 0.75, 0.05, 0.95, 0.025, 0.975, 0.005, 0.995];
-/// Number of them.
+/// Number of quantiles.
 const QUANTILES: usize = 1 + 2 * LEVELS.len();
 
 impl Summary {
-    /// Of a column in which NaN stands for samples that failed; of samples that are dealt to replicates in
-    /// turn, or of independent ones. `None` where fewer than two have an answer.
+    /// The statistics of a column in which NaN stands for failed samples, either dealt to replicates in turn
+    /// or independent. `None` if fewer than two have an answer.
     pub(crate) fn of(column: &[f64], is_replicated: bool) -> Option<Self> {
         let mut values: Vec<f64> = column.iter().copied().filter(|value| !value.is_nan()).collect();
         let count = values.len();
@@ -83,7 +83,7 @@ impl Summary {
         let places = PROBABILITIES.map(|probability| Place::of(probability, count));
         let order = Order::of(&mut values, places.iter().flat_map(Place::wanted));
         let quantiles = places.each_ref().map(|place| place.value(&order));
-        // Deviations are counted from the median.
+        // Moments are shifted by the median.
         let [centre, ..] = quantiles;
         let replicates = powers_of_replicates(column, centre);
         let moments = Powers::of_all(&replicates).moments(centre);
@@ -121,7 +121,7 @@ impl Summary {
     }
 }
 
-/// The values at some places of a column in its order.
+/// Selected order statistics of a column.
 struct Order {
     /// Ascending.
     places: Vec<usize>,
@@ -129,7 +129,7 @@ struct Order {
 }
 
 impl Order {
-    /// The values are put in another order.
+    /// Selects the wanted places; reorders the values.
     fn of(values: &mut [f64], wanted: impl Iterator<Item = usize>) -> Self {
         let mut places: Vec<usize> = wanted.collect();
         places.sort_unstable();
@@ -139,14 +139,14 @@ impl Order {
         Self { places, values: found }
     }
 
-    /// At a place that was wanted.
+    /// The value at one of the wanted places.
     fn at(&self, place: usize) -> f64 {
         self.places.binary_search(&place).map_or(f64::NAN, |index| self.values[index])
     }
 }
 
-/// The values at ascending places, of values the least of which has the place `first` of all: the middle
-/// place parts the others in two.
+/// Selects the values at ascending places; the least of `values` has the place `first` in the column. The
+/// middle place divides the others in two.
 fn select(values: &mut [f64], first: usize, places: &[usize], found: &mut [f64]) {
     let middle = places.len() / 2;
     let Some(place) = places.get(middle) else { return };
@@ -156,7 +156,7 @@ fn select(values: &mut [f64], first: usize, places: &[usize], found: &mut [f64])
     select(above, place + 1, &places[middle + 1..], &mut found[middle + 1..]);
 }
 
-/// Where a quantile stands among the ordered values.
+/// The place of a quantile among the ordered values.
 #[derive(Debug)]
 struct Place {
     below: usize,
@@ -200,14 +200,14 @@ fn tail_is_populated(probability: f64, count: usize) -> bool {
 }
 
 impl Place {
-    /// Its value, once those that it [wants](Self::wanted) are known.
+    /// Its value, from the order statistics that it [wants](Self::wanted).
     fn value(&self, order: &Order) -> f64 {
         let (low, high) = (order.at(self.below), order.at(self.above));
         // Q = x₍ₖ₎ + (h − k)·(x₍ₖ₊₁₎ − x₍ₖ₎)
         low + (high - low) * self.part
     }
 
-    /// Half of the distance between the order statistics to either side, where there are enough samples.
+    /// Half of the distance between the order statistics on either side, if there are enough samples.
     fn half_distance(&self, order: &Order) -> Option<f64> {
         self.around.map(|(before, after)| 0.5 * (order.at(after) - order.at(before)))
     }
@@ -240,7 +240,7 @@ impl Errors {
     }
 }
 
-/// How many samples of each replicate lie below each quantile.
+/// Number of samples of each replicate below each quantile.
 #[derive(Debug)]
 struct Below {
     /// Twice the number below, so that a value at the quantile itself counts by half.
@@ -248,7 +248,7 @@ struct Below {
 }
 
 impl Below {
-    /// Of samples in their order. NaN is in no count.
+    /// Counts a column in sample order, without NaN.
     fn of(column: &[f64], quantiles: &[f64; QUANTILES]) -> Self {
         let mut twice = [[0; REPLICATES]; QUANTILES];
         for row in column.chunks(REPLICATES) {
@@ -261,8 +261,8 @@ impl Below {
         Self { twice }
     }
 
-    /// How far from its place among the ordered values each quantile may be, given how many samples each
-    /// replicate has.
+    /// Standard error of the place of each quantile among the ordered values, given the number of samples of
+    /// each replicate.
     fn deviations(&self, counts: &[u64; REPLICATES]) -> [f64; QUANTILES] {
         let all = counts.iter().sum::<u64>() as f64;
         self.twice.map(|twice| {
@@ -277,7 +277,7 @@ impl Below {
         })
     }
 
-    /// The places so far before and after each quantile.
+    /// The places at that distance before and after each quantile.
     fn ends(&self, counts: &[u64; REPLICATES]) -> [[Place; 2]; QUANTILES] {
         let count = usize::try_from(counts.iter().sum::<u64>()).unwrap_or(usize::MAX);
         let last = (count - 1) as f64;
@@ -290,7 +290,7 @@ impl Below {
     }
 }
 
-/// s/√R over the replicates.
+/// s/√R, with s from the replicates.
 fn error_of_mean(of_replicates: &[f64; REPLICATES]) -> f64 {
     let count = REPLICATES as f64;
     let mean = of_replicates.iter().sum::<f64>() / count;

@@ -5,7 +5,7 @@ use crate::error::InvalidRequest;
 use crate::model::{LANES, Lanes, Model, SUCCEEDED, evaluate};
 use crate::run::Instructions;
 
-/// The default of a tornado's two probabilities: the ends of a 95 % interval.
+/// The default probabilities of a tornado: the ends of a 95 % interval.
 pub const TORNADO_PROBABILITIES: [f64; 2] = [0.025, 0.975];
 
 /// The outputs with an input at one end of its range.
@@ -20,17 +20,16 @@ pub struct End {
 /// The effect of one input while all others keep their central values.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Bar {
-    /// Number of the input, from 0.
+    /// Index of the input.
     pub input: usize,
-    /// At the lower probability.
+    /// The end at the lower probability.
     pub low: End,
-    /// At the upper probability.
+    /// The end at the upper probability.
     pub high: End,
 }
 
 impl Bar {
-    /// (unit of the output) change of an output from the low to the high end; `None` where an end has no
-    /// answer.
+    /// (unit of the output) change of an output from the low to the high end; `None` if an end has no answer.
     #[must_use]
     pub fn swing(&self, output: usize) -> Option<f64> {
         match (&self.low.outputs, &self.high.outputs) {
@@ -40,7 +39,7 @@ impl Bar {
     }
 }
 
-/// Bars of all inputs, in their order, and the outputs at the central values.
+/// The bars of all inputs, in order, and the outputs at the central values.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Tornado {
     /// The outputs with all inputs at their central values, or the reason why there are none.
@@ -50,8 +49,8 @@ pub struct Tornado {
 }
 
 impl Tornado {
-    /// The bars in the order of a drawing for one output: those without an answer first, then from the
-    /// longest to the shortest.
+    /// The bars in plotting order for one output: those without an answer first, then from the longest to the
+    /// shortest.
     #[must_use]
     pub fn ranked(&self, output: usize) -> Vec<&Bar> {
         let mut bars: Vec<&Bar> = self.bars.iter().collect();

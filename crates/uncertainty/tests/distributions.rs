@@ -1,4 +1,4 @@
-//! Distributions: exact moments and quantiles, what they refuse, and samples of them.
+//! Distributions: exact moments and quantiles, refusals, and samples.
 #![expect(clippy::excessive_precision, reason = "constants as they were computed, with all their digits")]
 #![expect(clippy::disallowed_methods, reason = "an independent formula, no bits of which are compared")]
 
@@ -23,7 +23,7 @@ fn normal_quantiles_and_moments() {
     assert_eq!(normal.truncation(), None);
 }
 
-/// Exact: the ends of any interval of a uniform distribution are linear in the share, of a triangular one
+/// Exact: the quantiles of a uniform distribution are linear in the probability, those of a triangular one
 /// square roots of it.
 #[test]
 fn uniform_and_triangular_quantiles_and_moments() {
@@ -43,15 +43,15 @@ fn uniform_and_triangular_quantiles_and_moments() {
     // σ² = (0 + 1 + 16 − 0 − 0 − 4)/18
     assert_near(triangular.sd(), (13.0_f64 / 18.0).sqrt(), 1e-15);
 
-    // The mode may stand on a bound.
+    // The mode may lie on a bound.
     let rising = Distribution::triangular(0.0, 2.0, 2.0).unwrap();
     assert_eq!((rising.quantile(0.25), rising.quantile(1.0)), (1.0, 2.0));
     let falling = Distribution::triangular(0.0, 0.0, 2.0).unwrap();
     assert_eq!((falling.quantile(0.75), falling.quantile(0.0)), (1.0, 0.0));
 }
 
-/// Against an integration of the density by the midpoint rule, which uses neither a formula of the moments
-/// nor the inverse of the normal distribution.
+/// Compared with an integration of the density by the midpoint rule, which uses neither formulas of the
+/// moments nor the inverse of the normal distribution.
 #[test]
 fn log_normal_quantiles_and_moments() {
     for (median, ln_sd) in [(1.0, 0.38), (2.5, 0.59), (0.1, 0.05)] {
@@ -105,7 +105,7 @@ fn truncated_normal_moments_and_quantiles() {
             assert_near(truncated.truncation().unwrap().kept, kept, 1e-12);
             assert_near(truncated.mean(), place + scale * mean, 1e-13);
             assert_near(truncated.sd(), scale * sd, 1e-13);
-            // Up to the rounding of the share near its ends, where the density is least.
+            // Up to the rounding of the probability near its ends, where the density is least.
             let (least, most) = (truncated.quantile(0.0), truncated.quantile(1.0));
             if low.is_finite() {
                 assert_near(least, low, 1e-12);
@@ -122,7 +122,7 @@ fn truncated_normal_moments_and_quantiles() {
         let whole = Distribution::normal(0.0, 1.0).unwrap();
         assert_near(half.quantile(share), -whole.quantile((1.0 - share) / 2.0), 1e-15);
     }
-    // Bounds that nobody notices.
+    // Bounds without effect.
     let wide = Distribution::truncated_normal(5.0, 0.1, 0.0, infinity).unwrap();
     assert_eq!(wide.truncation().unwrap().kept, 1.0);
     assert_near(wide.sd(), 0.1, 1e-13);
@@ -150,14 +150,15 @@ fn what_makes_no_distribution_is_refused() {
     }
     assert!(Distribution::truncated_normal(0.0, 1.0, f64::NAN, 1.0).is_err());
     assert!(Distribution::truncated_normal(0.0, 1.0, 1.0, 1.0).is_err());
-    // Φ(−5) = 2.9e-7 is below the least share, Φ(−4.7) = 1.3e-6 above.
+    // Φ(−5) = 2.9e-7 is below the minimum probability, Φ(−4.7) = 1.3e-6 above.
     let refused = Distribution::truncated_normal(0.0, 1.0, 5.0, f64::INFINITY).unwrap_err();
     let text = refused.to_string();
     assert!(text.contains("between 5 and inf with a probability of only 2.9e-7"), "{text}");
     assert!(Distribution::truncated_normal(0.0, 1.0, 4.7, f64::INFINITY).is_ok());
 }
 
-/// Samples of each distribution against its own cumulative shares, written out here: Kolmogorov and Smirnov.
+/// Samples of each distribution compared with its cumulative distribution, written out here
+/// (Kolmogorov–Smirnov).
 #[test]
 fn samples_follow_their_distribution() {
     let inputs = [
@@ -208,8 +209,8 @@ fn samples_follow_their_distribution() {
     }
 }
 
-/// Box–Muller makes two numbers of two shares, which stand half a block apart: neither they nor their squares
-/// are correlated, within a block or from input to input.
+/// Box–Muller turns two uniform numbers into two normal ones, half a block apart: neither they nor their
+/// squares are correlated, within a block or from input to input.
 #[test]
 fn normal_samples_are_independent() {
     let inputs = [Distribution::normal(0.0, 1.0).unwrap(), Distribution::normal(0.0, 1.0).unwrap()];
@@ -235,7 +236,7 @@ fn normal_samples_are_independent() {
     }
 }
 
-/// However near one of them is, and where the mean lies outside.
+/// However close a bound is, even if the mean lies outside.
 #[test]
 fn no_independent_sample_leaves_its_bounds() {
     let infinity = f64::INFINITY;

@@ -19,7 +19,7 @@ fn normal(mean: f64, sd: f64) -> Distribution {
     Distribution::normal(mean, sd).unwrap()
 }
 
-/// 3x₀ − 2x₁ + 10 and x₀: by blocks, as a vectorised model is.
+/// 3x₀ − 2x₁ + 10 and x₀, in blocks like a vectorised model.
 struct Linear;
 
 impl Model for Linear {
@@ -36,7 +36,7 @@ impl Model for Linear {
     }
 }
 
-/// Of N(1, 1) and N(2, 2): mean 3 − 4 + 10 = 9, standard deviation √(9 + 16) = 5, quantiles 9 ± 5z.
+/// For N(1, 1) and N(2, 2): mean 3 − 4 + 10 = 9, standard deviation √(9 + 16) = 5, quantiles 9 ± 5z.
 #[test]
 fn a_linear_model_is_exact_within_its_standard_errors() {
     for method in METHODS {
@@ -60,7 +60,7 @@ fn a_linear_model_is_exact_within_its_standard_errors() {
     }
 }
 
-/// What is stated as a standard error must be what repetition with other seeds shows.
+/// A stated standard error must agree with repetitions with other seeds.
 #[test]
 fn standard_errors_are_the_spread_over_seeds() {
     let seeds = 200;
@@ -85,15 +85,15 @@ fn standard_errors_are_the_spread_over_seeds() {
             let mean = list.iter().map(|(value, _)| value).sum::<f64>() / count;
             let spread = list.iter().map(|(value, _)| (value - mean).powi(2)).sum::<f64>() / (count - 1.0);
             let stated = list.iter().map(|(_, error)| error * error).sum::<f64>() / count;
-            // The spread of 200 is uncertain by 1/√400 = 5 %, four times over; to the error of a quantile
-            // belongs a place more.
+            // The spread of 200 is uncertain by 1/√400 = 5 %, times four; the error of a quantile includes
+            // one place more.
             let ratio = (stated / spread).sqrt();
             assert!((0.8..1.25).contains(&ratio), "{method:?}, estimate {number}: {ratio}");
         }
     }
 }
 
-/// Ratio of the spread of the 2.5 %, 50 % and 97.5 % quantile over so many seeds to their stated errors.
+/// Ratio of the spread of the 2.5 %, 50 % and 97.5 % quantile over the seeds to their stated errors.
 fn ratios<M: Model>(model: &M, inputs: &[Distribution], method: SamplingMethod, samples: usize) -> [f64; 3] {
     let seeds: u64 = 100;
     let mut estimates = [(); 3].map(|()| Vec::new());
@@ -113,10 +113,10 @@ fn ratios<M: Model>(model: &M, inputs: &[Distribution], method: SamplingMethod, 
     })
 }
 
-/// Where one input rules the result, its strata do, and the quantiles of the replicates tell nothing of the
-/// quantile of all samples. The spread over 100 seeds is uncertain by 7 %, three times over. Where the
-/// quantile lies between two strata of all replicates, as the median of a power of two does, the one place
-/// that is always allowed for is more than twice what is needed.
+/// If one input dominates the result, its strata determine it, and the quantiles of the replicates do not
+/// show the error of the quantile of all samples. The spread over 100 seeds is uncertain by 7 %, times three.
+/// If the quantile lies between two strata of all replicates, like the median of a power of two, the one
+/// place that is always added is more than twice what is needed.
 #[test]
 fn errors_of_quantiles_are_honest_where_one_input_rules() {
     let alone = Function::new(1, |x: &[f64], y: &mut [f64]| {
@@ -138,7 +138,7 @@ fn errors_of_quantiles_are_honest_where_one_input_rules() {
     }
 }
 
-/// Many inputs, some of which act together: the errors are those of chance.
+/// Many inputs, some of which interact: the errors are those of chance.
 #[test]
 fn errors_of_quantiles_are_honest_with_many_inputs() {
     let model = Function::new(1, |x: &[f64], y: &mut [f64]| {
@@ -153,7 +153,7 @@ fn errors_of_quantiles_are_honest_with_many_inputs() {
     }
 }
 
-/// On a smooth function, Latin hypercube and Sobol' points must do better than chance, by far.
+/// On a smooth function, Latin hypercube and Sobol' points must be far better than chance.
 #[test]
 fn even_points_converge_faster() {
     let inputs = vec![Distribution::uniform(0.0, 1.0).unwrap(); 5];
@@ -176,21 +176,21 @@ fn even_points_converge_faster() {
     let [chance, latin, sobol] = METHODS.map(|method| error(method, 1 << 14));
     assert!(latin < chance / 3.0, "{latin}, by chance {chance}");
     assert!(sobol < chance / 50.0, "{sobol}, by chance {chance}");
-    // Four times the points halve an error by chance, and divide that of scrambled Sobol' points by nearly 8
-    // (Owen 1997).
+    // Four times as many points halve an error of chance, and divide that of scrambled Sobol' points by
+    // nearly 8 (Owen 1997).
     let finer = error(SamplingMethod::Sobol, 1 << 16);
     assert!(finer < sobol / 4.0, "{finer} after {sobol}");
 }
 
 #[test]
 fn failures_are_counted_by_reason() {
-    // √x fails below 0 with reason 3, and above 0.75 it forgets to say so.
+    // √x fails below 0 with reason 3; above 0.75 it gives no number but does not report it.
     let inputs = [Distribution::uniform(-1.0, 1.0).unwrap()];
     let model = Function::new(1, |x: &[f64], y: &mut [f64]| {
         y[0] = if x[0] > 0.75 { f64::NAN } else { x[0].sqrt() };
         if x[0] < 0.0 { Err(3) } else { Ok(()) }
     });
-    // Sixteen replicates of 64 strata each: exactly half fail, and an eighth is not finite.
+    // Sixteen replicates of 64 strata each: exactly half fail, and an eighth are not finite.
     let settings = Settings::new(SamplingMethod::LatinHypercube, 1024, 2);
     let result = run(&model, &inputs, &settings);
     assert_eq!(result.failures().iter().collect::<Vec<_>>(), [(&3, &512), (&NOT_FINITE, &128)]);
@@ -198,7 +198,7 @@ fn failures_are_counted_by_reason() {
     assert_eq!(result.summaries()[0].unwrap().samples, 384);
     assert!(result.summaries()[0].unwrap().mean.value < 0.75_f64.sqrt());
 
-    // The sampler makes the inputs again, and the reasons fit them.
+    // The sampler regenerates the inputs, and the reasons match them.
     let sampler = Sampler::new(&inputs, &settings).unwrap();
     let mut columns = [Lanes::ZERO];
     for (block, reasons) in result.reasons().chunks(LANES).enumerate() {
@@ -293,9 +293,9 @@ impl Model for Mixed {
     }
 }
 
-/// The pins say nothing about being right, which the tests above do. They guarantee that the bits stay the
-/// same on every platform, for any number of threads, for each instruction set, with and without the feature
-/// `parallel`, and at every optimisation level. Renew them only for a change that was meant.
+/// The pins do not test correctness, which the tests above do. They guarantee the same bits on every
+/// platform, for any number of threads, for each instruction set, with and without the feature `parallel`,
+/// and at every optimisation level. Renew them only for an intended change.
 #[test]
 fn bits_are_pinned_for_every_instruction_set() {
     let available = Instructions::available();
@@ -315,7 +315,7 @@ fn bits_are_pinned_for_every_instruction_set() {
     assert_eq!(hashes, pins, "{hashes:#018X?}");
 }
 
-/// Needs the feature `parallel`, which the benchmarks switch on for the whole workspace.
+/// Needs the feature `parallel`, which the benchmarks enable for the whole workspace.
 #[cfg(feature = "parallel")]
 #[test]
 fn any_number_of_threads_gives_the_same_bits() {

@@ -1,4 +1,4 @@
-//! Sensitivity indices and tornado, against functions whose answers are known.
+//! Sensitivity indices and tornado, for functions with known answers.
 #![expect(clippy::unwrap_used, reason = "clippy's exemption for tests leaves out the helpers beside them")]
 #![expect(
     clippy::disallowed_methods,
@@ -19,7 +19,7 @@ fn run<M: Model>(model: &M, inputs: &[Distribution], settings: &Settings) -> Sob
     sensitivity(model, inputs, settings, &mut |_, _| ControlFlow::Continue(())).unwrap()
 }
 
-/// Within the stated errors, which must themselves be below a limit. Student's t with 15 degrees of freedom
+/// Within five stated errors, which must themselves be below a limit. Student's t with 15 degrees of freedom
 /// is beyond 5 once in 6000.
 fn assert_indices(found: &[Indices], exact: &[(f64, f64)], limit: f64) {
     assert_eq!(found.len(), exact.len());
@@ -57,8 +57,8 @@ fn the_ishigami_function_has_its_indices() {
     }
 }
 
-/// y = Σ cᵢxᵢ: Sᵢ = Tᵢ = (cᵢσᵢ)²/Σ(cᵢσᵢ)², which is the first-order share too. Far from zero, so that
-/// careless squares would lose their digits.
+/// y = Σ cᵢxᵢ: Sᵢ = Tᵢ = (cᵢσᵢ)²/Σ(cᵢσᵢ)², which is also the first-order share. Far from zero, so that naive
+/// squares would lose digits.
 #[test]
 fn a_linear_model_has_the_shares_of_first_order() {
     let inputs = [
@@ -84,7 +84,7 @@ fn a_linear_model_has_the_shares_of_first_order() {
     }
 }
 
-/// The intervals must hold the exact index as often as they say: of 200 seeds and six indices at 95 %.
+/// The intervals must hold the exact index as often as stated: for 200 seeds and six indices at 95 %.
 #[test]
 fn confidence_intervals_hold_the_exact_index() {
     let inputs = [Distribution::normal(0.0, 1.0).unwrap(); 3];
@@ -107,13 +107,12 @@ fn confidence_intervals_hold_the_exact_index() {
             }
         }
         let share = held / all;
-        // 1200 that are not independent: at the least 200, √(0.05·0.95/200) = 1.5 %.
+        // 1200 that are not independent, but count as at least 200: √(0.05·0.95/200) = 1.5 %.
         assert!((0.9..0.99).contains(&share), "{method:?}: {share}");
     }
 }
 
-/// Fails where x₀ > 0.5, and is not finite where x₁ > 0.9: rows in which A, B or any mixture fails are left
-/// out.
+/// Fails for x₀ > 0.5, and is not finite for x₁ > 0.9: rows in which A, B or any mixture fails are left out.
 #[test]
 fn rows_with_failures_are_left_out_and_counted() {
     let inputs = [Distribution::uniform(0.0, 1.0).unwrap(); 2];
@@ -123,15 +122,15 @@ fn rows_with_failures_are_left_out_and_counted() {
     });
     let rows = 1 << 14;
     let result = run(&model, &inputs, &Settings::new(SamplingMethod::MonteCarlo, rows, 3));
-    // A row is good where both x₀ are below 0.5 and both x₁ below 0.9.
+    // A row is complete if both x₀ are below 0.5 and both x₁ below 0.9.
     let expected = rows as f64 * 0.25 * 0.81;
     let deviation = (expected * (1.0 - 0.25 * 0.81)).sqrt();
     assert!((result.used() as f64 - expected).abs() < 5.0 * deviation, "{}", result.used());
-    // Of four evaluations a row, half fail, and of the others a tenth.
+    // Of four evaluations per row, half fail, and a tenth of the others are not finite.
     let (failed, infinite) = (result.failures()[&5] as f64, result.failures()[&NOT_FINITE] as f64);
     assert!((failed / result.evaluations() as f64 - 0.5).abs() < 0.02);
     assert!((infinite / result.evaluations() as f64 - 0.05).abs() < 0.01);
-    // What is left is uniform on [0, 0.5] × [0, 0.9]: shares 25 and 81 of 106.
+    // The rest is uniform on [0, 0.5] × [0, 0.9]: shares 25 and 81 of 106.
     let exact = [(25.0 / 106.0, 25.0 / 106.0), (81.0 / 106.0, 81.0 / 106.0)];
     assert_indices(result.indices()[0].as_ref().unwrap(), &exact, 0.05);
 

@@ -1,4 +1,4 @@
-//! Comparisons, none of which a NaN can pass.
+//! Comparisons that fail for NaN.
 
 /// Asserts |actual − expected| ≤ tolerance.
 #[track_caller]
@@ -20,15 +20,15 @@ pub fn assert_relative(what: &str, actual: f64, expected: f64, tolerance: f64) {
 #[track_caller]
 pub fn assert_direction(what: &str, actual: f64, expected: f64, tolerance: f64) {
     let turn = actual - expected;
-    // Sine and cosine together: the sine alone would take a half turn for none.
+    // Sine and cosine together: the sine alone would accept a half turn.
     assert!(
         turn.sin().abs() <= tolerance && turn.cos() > 0.0,
         "{what}: {actual} rad is not the direction {expected} rad within {tolerance:e}"
     );
 }
 
-/// Asserts that `value` is what was printed, to the last digit of `printed`, which may carry an exponent:
-/// within half a unit there.
+/// Asserts that `value` agrees with the print to half a unit of the last digit of `printed`, which may have
+/// an exponent.
 #[track_caller]
 pub fn assert_printed(value: f64, printed: &str) {
     assert!(agrees_with_print(value, printed), "{value} does not print as {printed}");

@@ -1,11 +1,11 @@
-//! An independent brute-force solve of the equations of impulse and momentum, in scene coordinates.
+//! An independent brute-force solution of the equations of impulse and momentum, in scene coordinates.
 //!
 //! Nine unknowns, V₁x V₁y Ω₁ V₂x V₂y Ω₂ Px Py M, and nine equations: linear and angular momentum of each
-//! vehicle, one normal and one tangential condition, and one on the moment impulse. Nothing here knows the
-//! matrix K or the ratio μ_c, except what says how much rounding may grow.
+//! vehicle, one normal and one tangential condition, and one on the moment impulse. Nothing here uses the
+//! matrix K or the ratio μ_c, except the estimate of rounding.
 //!
-//! [`scenes`] draws random collisions for it, the same at every run; `PROPTEST_RNG_SEED=2 cargo test` draws
-//! others. The tests of an engine stand in its own `tests` and take both from here.
+//! [`scenes`] draws random collisions for it, the same in every run; `PROPTEST_RNG_SEED=2 cargo test` draws
+//! others. The tests of an engine are in its own `tests` and use both.
 
 #![allow(
     clippy::unwrap_used,
@@ -56,7 +56,7 @@ fn along_normal(scene: &Scene) -> f64 {
     dot([scene.crush_plane.cos(), scene.crush_plane.sin()], [r2[0] - r1[0], r2[1] - r1[1]])
 }
 
-/// (m) how far the CGs lie apart along the normal.
+/// (m) distance of the CGs along the normal.
 pub fn orientation(scene: &Scene) -> f64 {
     along_normal(scene).abs()
 }
@@ -94,10 +94,10 @@ enum MomentCondition {
     CommonYaw,
 }
 
-/// Everything that an impact does, in plain numbers.
+/// All results of an impact, in plain numbers.
 #[derive(Clone, Copy, Debug)]
 pub struct Effects {
-    /// Along n and t, as are the next two.
+    /// Along n and t, like the next two.
     pub impulse: Vector,
     pub approach: Vector,
     pub separation: Vector,
@@ -144,7 +144,7 @@ impl From<&Outcome> for Effects {
     }
 }
 
-/// What becomes of a collision.
+/// The result of a collision.
 #[derive(Clone, Copy, Debug)]
 pub enum Verdict {
     Impact(Effects),
@@ -152,17 +152,17 @@ pub enum Verdict {
     NotApproaching,
     /// P_t = μ P_n would need P_n ≤ 0.
     Jam,
-    /// The conditions would need this P_n ≤ 0, and not because of a jam.
+    /// The conditions would need this P_n ≤ 0, but not because of a jam.
     Pulling(f64),
     /// The kinetic energy would rise.
     EnergyCreated(Effects),
 }
 
-/// (m/s) the speeds at which a work (J), `None` where there is no impact, is the energy (J): a scan in steps
-/// of 0.1 m/s up to `fastest` (m/s) either way, and bisection.
+/// (m/s) the speeds at which a work (J; `None` without an impact) equals the energy (J): a scan in steps of
+/// 0.1 m/s up to `fastest` (m/s) in both directions, and bisection.
 pub fn scanned(work: &dyn Fn(f64) -> Option<f64>, energy: f64, fastest: i32) -> Vec<f64> {
     let missing = |speed: f64| work(speed).map(|work| work - energy);
-    // No step falls on a speed that a scene is likely to have.
+    // No step coincides with a likely speed of a scene.
     let speed = |step: i32| f64::from(step) * 0.1 + 0.0137;
     let mut found = Vec::new();
     for step in -10 * fastest..10 * fastest {
@@ -179,7 +179,7 @@ pub fn scanned(work: &dyn Fn(f64) -> Option<f64>, energy: f64, fastest: i32) -> 
                 None => break,
             }
         }
-        // A jump of the work is no root.
+        // A jump of the work is not a root.
         if missing(low).is_some_and(|left| left.abs() < 1e-6 * energy) {
             found.push(low);
         }
@@ -215,7 +215,7 @@ fn eliminate<const N: usize>(mut a: [[f64; N]; N], mut b: [f64; N]) -> [f64; N] 
     x
 }
 
-/// (J) kinetic energy of a car that moves like this.
+/// (J) kinetic energy of a car with this motion.
 pub fn kinetic_energy(car: &Car, velocity: Vector, yaw_rate: f64) -> f64 {
     if car.fixed {
         0.0
@@ -245,7 +245,7 @@ fn solve_with(scene: &Scene, condition: Condition, moment: MomentCondition) -> E
         [axis[0], axis[1], cross(r1, axis), -axis[0], -axis[1], -cross(r2, axis), 0.0, 0.0, 0.0]
     };
     let along = |[x, y]: Vector| [0.0, 0.0, 0.0, 0.0, 0.0, 0.0, x, y, 0.0];
-    // The impulse is counted in multiples of this, so that all columns are of one size.
+    // The unit of the impulse, chosen so that all columns have the same order of magnitude.
     let unit = 1.0 / (c1.inverse_mass() + c2.inverse_mass());
     let [w1, w2] = [c1.inverse_mass() * unit, c2.inverse_mass() * unit];
     let [j1, j2] = [c1.inverse_yaw_inertia() * unit, c2.inverse_yaw_inertia() * unit];
@@ -298,13 +298,13 @@ fn solve_with(scene: &Scene, condition: Condition, moment: MomentCondition) -> E
     let velocities = [[v1x, v1y], [v2x, v2y]];
     let yaw_rates = [o1, o2];
     let impulse = [dot(p, n), dot(p, t)];
-    // The force on vehicle 1 comes from where −P points, that on vehicle 2 from where P points.
+    // The force on vehicle 1 comes from the direction of −P, that on vehicle 2 from the direction of P.
     let from = [(-p[1]).atan2(-p[0]), p[1].atan2(p[0])];
     let energy_before =
         scene.cars.iter().map(|car| kinetic_energy(car, car.velocity, car.yaw_rate)).sum::<f64>();
     let energy_after =
         (0..2).map(|i| kinetic_energy(&scene.cars[i], velocities[i], yaw_rates[i])).sum::<f64>();
-    // Kelvin: the impulse times the mean of the velocities before and after of the points on which it acts.
+    // Kelvin: the impulse times the mean velocity of its point of application before and after.
     let work = |i: usize| -0.5 * impulse[i] * (u[i] + separation[i]);
     let moment = m * unit;
     Effects {
@@ -336,16 +336,16 @@ fn clockwise(angle: f64) -> f64 {
     PI - (PI - angle).rem_euclid(2.0 * PI)
 }
 
-/// Coulomb's law with the coefficient `limit`: the surfaces stick where friction can hold them, else they
-/// slide and friction opposes that. Which condition holds, and the motion.
+/// Coulomb's law with the coefficient `limit`: the surfaces stick if friction can hold them, else they slide
+/// and friction opposes that. Returns the condition that holds, and the motion.
 pub fn coulomb(scene: &Scene, limit: f64) -> Option<(Condition, Effects)> {
     let sticking = solve(scene, Condition::CommonTangential);
     if sticking.impulse[0] > 0.0 && sticking.impulse[1].abs() <= limit * sticking.impulse[0] {
         return Some((Condition::CommonTangential, sticking));
     }
     if scene.moment != -1.0 {
-        // Part of a moment makes the answer a mixture of two, and only the direction without friction is
-        // defined for that.
+        // With part of a moment impulse the answer is a mixture of two, for which only the direction without
+        // friction is defined.
         return Some(sliding(scene, limit));
     }
     [limit, -limit].into_iter().map(Condition::Ratio).find_map(|condition| {
@@ -356,16 +356,15 @@ pub fn coulomb(scene: &Scene, limit: f64) -> Option<(Condition, Effects)> {
     })
 }
 
-/// Sliding with |P_t| = `limit` P_n, against the tangential velocity that there would be after an impact
-/// without friction.
+/// Sliding with |P_t| = `limit` P_n, against the tangential velocity after a frictionless impact.
 fn sliding(scene: &Scene, limit: f64) -> (Condition, Effects) {
     let without_friction = solve(scene, Condition::Ratio(0.0)).separation[1];
     let condition = Condition::Ratio(if without_friction > 0.0 { -limit } else { limit });
     (condition, solve(scene, condition))
 }
 
-/// Kudlich and Slibar's law with ε = e: the full impact where friction allows it, else sliding. Which
-/// condition holds, and the motion.
+/// Kudlich and Slibar's law with ε = e: the full impact if friction allows it, else sliding. Returns the
+/// condition that holds, and the motion.
 pub fn kudlich_slibar(scene: &Scene, limit: f64) -> (Condition, Effects) {
     let full = solve(scene, Condition::Full);
     if full.impulse[0] > 0.0 && full.impulse[1].abs() <= limit * full.impulse[0] {
@@ -374,7 +373,7 @@ pub fn kudlich_slibar(scene: &Scene, limit: f64) -> (Condition, Effects) {
     sliding(scene, limit)
 }
 
-/// What becomes of the collision under the scene's law.
+/// The result of the collision under the scene's law.
 pub fn verdict(scene: &Scene) -> Verdict {
     if approach(scene)[0] >= 0.0 {
         return Verdict::NotApproaching;
@@ -399,7 +398,7 @@ pub fn verdict(scene: &Scene) -> Verdict {
     };
     let effects = Effects { critical_ratio: pushes.then_some(sticking.ratio), ..effects };
     if !(effects.impulse[0] > 0.0 && effects.impulse[0].is_finite()) {
-        // A jam is one without a moment impulse too.
+        // A jam also occurs without a moment impulse.
         let plain = solve(&scene.without_moment(), condition).impulse[0];
         if matches!(condition, Condition::Ratio(_)) && !(plain > 0.0 && plain.is_finite()) {
             Verdict::Jam
@@ -413,8 +412,8 @@ pub fn verdict(scene: &Scene) -> Verdict {
     }
 }
 
-/// What each output is compared against: its natural size, times how much the geometry can make rounding
-/// grow.
+/// The scale of comparison of each output: its natural size, times the growth of rounding due to the
+/// geometry.
 #[derive(Clone, Copy, Debug)]
 pub struct Scale {
     pub velocity: f64,
@@ -449,7 +448,7 @@ impl Scale {
             .sum();
         let change =
             if let Tangential::VelocityChange(change) = scene.tangential { change.abs() } else { 0.0 };
-        // μ_c is a quotient of two differences; its denominator is this large against its terms.
+        // μ_c is a quotient of two differences, whose denominator may be small compared with its terms.
         let critical = velocity * (one_plus_e * tt + nt.abs()) / (one_plus_e * u[0] * tt - u[1] * nt).abs();
         let critical_ratio = critical * (1.0 + nn / tt + effects.critical_ratio.unwrap_or(0.0).abs());
         let given = |mu: f64| (nn + (mu * nt).abs()) / (nn + mu * nt).abs();
@@ -501,7 +500,7 @@ impl Scale {
         }
     }
 
-    /// The larger of each, for a comparison of two collisions.
+    /// The larger of each scale, for a comparison of two collisions.
     pub fn max(self, other: Self) -> Self {
         Self {
             velocity: self.velocity.max(other.velocity),
@@ -517,13 +516,13 @@ impl Scale {
     }
 }
 
-/// What a moment impulse adds to a [`Scale`].
+/// The contribution of a moment impulse to a [`Scale`].
 struct Turning {
     /// (N·m·s) size of the moment impulse.
     moment: f64,
-    /// (N·s) size of the impulse that keeps the conditions in spite of it.
+    /// (N·s) size of the impulse that maintains the conditions with it.
     impulse: f64,
-    /// How much it can make rounding grow in μ, and in μ_c.
+    /// Growth of rounding in μ, and in μ_c.
     growth: f64,
     critical_growth: f64,
 }
@@ -565,7 +564,7 @@ impl Turning {
     }
 }
 
-/// Asserts that all outputs agree within the share `tolerance` of their scale.
+/// Asserts that all outputs agree within `tolerance` relative to their scale.
 #[track_caller]
 pub fn assert_same(actual: &Effects, expected: &Effects, scale: &Scale, tolerance: f64) {
     let pair = |what: &str, actual: Vector, expected: Vector, scale: f64| {
@@ -581,7 +580,7 @@ pub fn assert_same(actual: &Effects, expected: &Effects, scale: &Scale, toleranc
         pair("velocity", actual.velocities[i], expected.velocities[i], scale.velocity);
         pair("delta-V", actual.delta_v[i], expected.delta_v[i], scale.velocity);
         assert_close("yaw rate", actual.yaw_rates[i], expected.yaw_rates[i], scale.yaw_rates[i] * tolerance);
-        // The direction of an impulse is lost where the impulse is.
+        // The direction of an impulse is lost if the impulse is.
         if scale.direction * tolerance < 0.1 {
             assert_direction("PDOF", actual.pdof[i], expected.pdof[i], scale.direction * tolerance);
         }
@@ -612,6 +611,6 @@ pub fn assert_same(actual: &Effects, expected: &Effects, scale: &Scale, toleranc
     assert_close("W_t", actual.tangential_work, expected.tangential_work, scale.work * tolerance);
 }
 
-/// Where the change of energy is less than this share of its scale, rounding decides whether the coefficients
+/// If the change of energy is less than this fraction of its scale, rounding decides whether the coefficients
 /// create energy.
 pub const ENERGY_UNDECIDED: f64 = 1e-12;

@@ -60,7 +60,7 @@ pub struct Scene {
     pub crush_plane: f64,
     pub restitution: f64,
     pub tangential: Tangential,
-    /// e_m: −1 is no moment impulse.
+    /// e_m: −1 means no moment impulse.
     pub moment: f64,
 }
 
@@ -85,7 +85,7 @@ impl Scene {
         self.cars.iter().any(|car| car.fixed)
     }
 
-    /// The same under another tangential condition. A moment impulse belongs to Brach's.
+    /// The same under another tangential condition. Only Brach's have a moment impulse.
     pub fn under(self, tangential: Tangential) -> Self {
         Self { tangential, moment: if is_brach(&tangential) { self.moment } else { -1.0 }, ..self }
     }
@@ -104,7 +104,7 @@ impl Scene {
         self
     }
 
-    /// The same film run so that the contact points approach each other.
+    /// The same collision, with time reversed if needed so that the contact points approach each other.
     pub fn approaching(self) -> Self {
         if crate::approach(&self)[0] < 0.0 {
             self
@@ -114,7 +114,7 @@ impl Scene {
     }
 }
 
-/// From 500 kg to 40 t, as many light as heavy.
+/// From 500 kg to 40 t, log-uniform.
 fn mass() -> impl Strategy<Value = f64> {
     (500_f64.ln()..40_000_f64.ln()).prop_map(f64::exp)
 }
@@ -143,7 +143,7 @@ fn car() -> impl Strategy<Value = Car> {
     )
 }
 
-/// One of ten collisions has a barrier as vehicle 1, one as vehicle 2.
+/// One in ten collisions has a barrier as vehicle 1, and one in ten as vehicle 2.
 fn barrier() -> impl Strategy<Value = Option<usize>> {
     prop_oneof![8 => Just(None), 1 => Just(Some(0)), 1 => Just(Some(1))]
 }
@@ -163,12 +163,12 @@ pub fn is_brach(tangential: &Tangential) -> bool {
     )
 }
 
-/// e_m, with its borders; half of them none.
+/// e_m, with its limits; half of them without a moment impulse.
 pub fn moment() -> impl Strategy<Value = f64> {
     prop_oneof![6 => Just(-1.0), 1 => Just(0.0), 1 => Just(1.0), 4 => -1.0..1.0]
 }
 
-/// All tangential conditions, with the borders of their coefficients.
+/// All tangential conditions, with the limits of their coefficients.
 pub fn tangential() -> impl Strategy<Value = Tangential> {
     prop_oneof![
         5 => Just(Tangential::Critical),
@@ -205,13 +205,13 @@ pub fn scene() -> impl Strategy<Value = Scene> {
     any_scene().prop_map(Scene::approaching)
 }
 
-/// The same under one of the laws with the given tangential conditions, without a moment impulse.
+/// The same under a law with one of the given tangential conditions, without a moment impulse.
 pub fn scene_under(law: impl Strategy<Value = Tangential>) -> impl Strategy<Value = Scene> {
     (scene(), law).prop_map(|(scene, tangential)| scene.under(tangential).without_moment())
 }
 
-/// Runs `test` on `cases` values. It returns whether the value was one that it says something about, and at
-/// least the share `least_kept` of them must be.
+/// Runs `test` on `cases` values. It returns whether it applies to the value, which must be so for at least
+/// the fraction `least_kept`.
 #[track_caller]
 pub fn for_all<S: Strategy<Value: Debug>>(
     cases: u32,
@@ -220,8 +220,8 @@ pub fn for_all<S: Strategy<Value: Debug>>(
     test: impl Fn(S::Value) -> bool,
 ) {
     let kept = Cell::new(0_u32);
-    // A failure prints the smallest input that fails, to the last bit: that belongs into a test, not into a
-    // file of seeds. One commit, one verdict: new samples are drawn where PROPTEST_RNG_SEED asks for them.
+    // A failure prints the smallest failing input to the last bit: that belongs in a test, not in a file of
+    // seeds. For the same verdict on the same commit, new samples are drawn only if PROPTEST_RNG_SEED is set.
     let rng_seed = match Config::default().rng_seed {
         RngSeed::Random => RngSeed::Fixed(980_025),
         asked => asked,

@@ -1,4 +1,4 @@
-//! What is written and read again.
+//! Writing values and reading them back.
 
 use std::fmt::Debug;
 
@@ -6,18 +6,18 @@ use serde::Serialize;
 use serde::de::DeserializeOwned;
 use serde_json::{Value, from_value, to_value};
 
-/// Through a tree of values, which keeps every bit of a number.
+/// Writes and reads a value through a tree of values, which keeps every bit of a number.
 pub fn again<T: Serialize + DeserializeOwned>(value: &T) -> T {
     from_value(to_value(value).unwrap()).unwrap()
 }
 
-/// Asserts that a value that is written and read is the same.
+/// Asserts that a value is read back unchanged.
 #[track_caller]
 pub fn assert_again<T: Serialize + DeserializeOwned + PartialEq + Debug>(value: &T) {
     assert_eq!(again(value), *value);
 }
 
-/// Asserts that what is written like this is refused, with these words.
+/// Asserts that this written form is refused, with these words.
 #[track_caller]
 pub fn assert_refused<T: DeserializeOwned + Debug>(written: Value, what: &str) {
     let refusal = from_value::<T>(written).unwrap_err().to_string();

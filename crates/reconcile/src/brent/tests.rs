@@ -1,6 +1,6 @@
 use super::*;
 
-/// Narrows a bracket of which the values are not known yet, and sees to it that those of its ends are.
+/// Narrows a bracket after evaluating f at its ends, and checks the values returned for the new ends.
 #[track_caller]
 fn narrow(f: impl Fn(f64) -> f64, bracket: [f64; 2]) -> [f64; 2] {
     narrowed(&f, bracket.map(|x| (x, f(x)))).map(|(x, value)| {
@@ -9,7 +9,7 @@ fn narrow(f: impl Fn(f64) -> f64, bracket: [f64; 2]) -> [f64; 2] {
     })
 }
 
-/// The ends of what is left of a bracket, which must hold the change of sign of x − root or of root − x.
+/// Checks that a narrowed bracket holds the change of sign of x − root and of root − x.
 #[track_caller]
 fn assert_narrowed(root: f64, bracket: [f64; 2]) {
     for sign in [1.0, -1.0] {
@@ -31,7 +31,7 @@ fn a_narrowed_bracket_has_the_root_and_ends_of_one_size() {
 
 #[test]
 fn a_root_at_an_end_stays_in_the_narrowed_bracket() {
-    // Zero counts as positive, so that only a falling line changes its sign from its root on.
+    // Zero counts as positive, so that only a falling line still changes sign to the right of its root.
     let [low, high] = narrow(|x| 1.0 - x, [1.0, 8.0]);
     assert!(low == 1.0 && high <= 1.19, "{low} {high}");
     assert_narrowed(8.0, [1.0, 8.0]);
@@ -44,7 +44,7 @@ fn a_bracket_that_is_narrow_is_left_alone() {
     assert_eq!(narrow(|x| x - 1.1, [1.0, 1.15]), [1.0, 1.15]);
 }
 
-/// Nothing is between zero and the least number.
+/// There is nothing between zero and the smallest positive number.
 #[test]
 fn a_root_at_zero_ends_the_narrowing() {
     assert_eq!(narrow(|x| -x, [0.0, 1.0])[0], 0.0);

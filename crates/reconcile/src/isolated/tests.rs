@@ -55,7 +55,7 @@ fn problem(draws: &mut Draws) -> Problem {
     Problem { contact, law, motions, unknown: Unknown::Speed1, crush_energy, basis, tangential_share: 0.0 }
 }
 
-/// What signs isolate is what the polynomials find piece by piece, in every stretch of random curves.
+/// Signs isolate the same roots as the polynomials find piece by piece, in every stretch of random curves.
 #[test]
 fn isolated_roots_are_those_of_the_pieces() {
     let mut draws = Draws(22);
@@ -84,11 +84,11 @@ fn isolated_roots_are_those_of_the_pieces() {
             }
         }
     }
-    // Nearly all stretches are done.
+    // Signs isolate the roots of nearly all stretches.
     assert!(none > 50_000 && one > 10_000 && (500..2000).contains(&several), "{none} {one} {several}");
 }
 
-/// All roots of a problem, whose stretches are halved where signs leave several open, are those by pieces.
+/// With stretches halved if they may have several roots, the roots of a problem are those found by pieces.
 #[test]
 fn halving_loses_no_root() {
     let mut draws = Draws(1995);
@@ -139,7 +139,7 @@ fn sign_of_f(meeting: &Meeting, stretch: &Stretch, push: &Push, x: f64) -> bool 
     }
 }
 
-/// The roots of a problem, however they are found, against those of its pieces without a halving.
+/// Compares the roots of a problem, however found, with those of its pieces without halving.
 fn assert_all_roots(problem: &Problem) -> usize {
     let posed = Posed { problem, line: problem.line() };
     let x = |root: Result<Root<()>, _>| root.unwrap().x;
@@ -160,7 +160,7 @@ fn fraction(draws: &mut Draws) -> Problem {
     Problem { law: law.unwrap().into(), ..problem(draws) }
 }
 
-/// A fraction of μ_c with a moment impulse: the signs decide how many roots nearly every range has.
+/// A fraction of μ_c with a moment impulse: signs determine the number of roots in nearly every range.
 #[test]
 fn roots_of_a_quartic_are_those_of_the_pieces() {
     let mut draws = Draws(1987);

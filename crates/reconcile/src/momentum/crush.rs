@@ -9,37 +9,37 @@ use crate::momentum::error::MomentumError;
 use crate::momentum::{Momentum, cross, dot};
 use crate::problem::{Problem, Unknown};
 
-/// An axis may differ from a unit vector by rounding, not by more.
+/// An axis may differ from a unit vector only by rounding.
 const UNIT: f64 = 1e-9;
 
-/// Where both courses have less than this cosine with the axis, rounding of the angles decides what the
-/// speeds do.
+/// If both courses have less than this cosine with the axis, rounding of the angles decides the effect of the
+/// speeds.
 const LEAST_COSINE: f64 = 1e-9;
 
-/// Momentum along one axis and the crush energy: two equations for both speeds, whatever the angle between
-/// the courses. Momentum across the axis is left as a check.
+/// Momentum along one axis and the crush energy: two equations for both speeds, for any angle between the
+/// courses. The momentum across the axis remains as a check.
 ///
-/// The momentum allows a line of pairs of speeds. Along it the relative velocity of the CGs changes in one
-/// direction only, by the *relative speed* σ:
+/// The momentum restricts the pairs of speeds to a line. Along it the relative velocity of the CGs changes in
+/// one direction only, by the *relative speed* σ:
 ///
 /// a_1 v_1 + a_2 v_2 = p·â,  a_i = m_i ê_i·â
 /// v_1 = (p·â ê_2·ŵ + a_2 σ)/|d|,  v_2 = (p·â ê_1·ŵ − a_1 σ)/|d|,  d = a_2 ê_1 + a_1 ê_2,  ŵ = d/|d|
 ///
-/// An impact depends on the relative velocity alone. So σ is the unknown of a [`Problem`], which finds all of
-/// its values; with it stand the two speeds. For courses along one line, σ is the closing speed, which the
-/// crush energy then gives whatever the momentum.
+/// An impact depends only on the relative velocity. So σ is the unknown of a [`Problem`], which finds all its
+/// values, and σ gives the two speeds. For courses along one line, σ is the closing speed, which then follows
+/// from the crush energy alone.
 #[derive(Clone, Debug, PartialEq)]
 pub struct MomentumAndCrush<T = f64> {
     momentum: Momentum<T>,
-    /// v₁ and v₂ at σ = 0, and by σ.
+    /// v₁ and v₂ at σ = 0, and their derivatives with respect to σ.
     base: [T; 2],
     slope: [T; 2],
-    /// Vehicle 1 moves along ŵ by σ; vehicle 2 has, with the opposite sign, the part of the relative velocity
-    /// that does not change.
+    /// Vehicle 1 moves along ŵ with the speed σ; vehicle 2 has, with the opposite sign, the constant part of
+    /// the relative velocity.
     problem: Problem<T>,
 }
 
-/// The answer: both speeds, and the impact that they make.
+/// The answer: both speeds, and their impact.
 #[derive(Clone, Copy, Debug)]
 #[non_exhaustive]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
@@ -51,32 +51,31 @@ pub struct MomentumAndCrush<T = f64> {
     ))
 )]
 pub struct BothSpeeds<T = f64> {
-    /// (m/s) the speeds found, along the courses. Of several admissible pairs, the one with the slowest
+    /// (m/s) the speeds found, along the courses: of several admissible pairs, the one with the slowest
     /// approach.
     pub speeds: [T; 2],
-    /// (m/s) σ, the relative speed that goes with them.
+    /// (m/s) σ, their relative speed.
     pub relative: T,
-    /// How many pairs are admissible: [`MomentumAndCrush::speeds`] lists them.
+    /// Number of admissible pairs, which [`MomentumAndCrush::speeds`] lists.
     pub admissible: usize,
     /// The law at the speeds found.
     pub law: Law<T>,
     /// The impact at the speeds found.
     pub outcome: Outcome<T>,
-    /// (J) the work that was sought, W_n + λ W_t.
+    /// (J) the work sought, W_n + λ W_t.
     pub normal_work: T,
     /// How the speeds were found. The speed of a step is the relative speed σ.
     pub method: SolutionMethod,
 }
 
 impl<T: Real> MomentumAndCrush<T> {
-    /// Both speeds shall give the momentum its part along `axis`, a unit vector of the scene, and the normal
-    /// impulse, with the share λ of the tangential one, the work that the crush energy (J) of both vehicles
-    /// stands for on `basis`. For collinear
+    /// Both speeds must give the component of the momentum along `axis`, a unit vector of the scene, and the
+    /// work W_n + λ W_t that the crush energy (J) of both vehicles represents on `basis`. For collinear
     /// approaches the axis is [`Momentum::common_axis`].
     ///
     /// # Errors
-    /// Where [`Momentum::check`] finds one, the axis is no unit vector or at right angles to both courses,
-    /// the speeds have no effect on u_n, the crush energy is not positive, or e = 1.
+    /// Those of [`Momentum::check`], or if the axis is no unit vector or at right angles to both courses, the
+    /// speeds have no effect on u_n, the crush energy is not positive, or e = 1.
     pub fn new(
         momentum: Momentum<T>,
         axis: Vector2<T>,
@@ -134,8 +133,8 @@ impl<T: Real> MomentumAndCrush<T> {
         &self.momentum
     }
 
-    /// The search for the relative speed σ: vehicle 1 of this problem moves as vehicle 1 does relative to
-    /// vehicle 2. Its [`residual`](Problem::residual) gives the exact derivatives of σ, and with
+    /// The problem of the relative speed σ: its vehicle 1 moves as vehicle 1 does relative to vehicle 2. Its
+    /// [`residual`](Problem::residual) gives the exact derivatives of σ, and with
     /// [`speeds_at`](Self::speeds_at) those of both speeds.
     #[must_use]
     pub fn problem(&self) -> &Problem<T> {
@@ -174,12 +173,12 @@ impl<T: Real> MomentumAndCrush<T> {
         Ok(BothSpeeds { speeds, relative, admissible, law, outcome, normal_work, method })
     }
 
-    /// The refusal of the search, in terms of both speeds.
+    /// The error of the search, in terms of both speeds.
     #[cold]
     fn refusal(&self, error: ReconcileError) -> MomentumError {
         let speeds = |relative: f64| self.speeds_at(T::from(relative)).map(Real::value);
         match error {
-            // That both vehicles can move was seen to before the search.
+            // The constructor has checked that both vehicles can move.
             ReconcileError::Fixed { .. } => MomentumError::Fixed { vehicle: VehicleId::One },
             ReconcileError::NoCrushEnergy { energy } => MomentumError::NoCrushEnergy { energy },
             ReconcileError::NoRestitutionLoss { restitution } => {
@@ -212,9 +211,8 @@ impl MomentumAndCrush {
         self.answer(self.problem.solve())
     }
 
-    /// (m/s) the admissible pairs of speeds, from the slowest approach to the fastest, however many: all
-    /// whose relative speed is at most [`FASTEST`](crate::FASTEST). The first is that of
-    /// [`solve`](Self::solve).
+    /// (m/s) all admissible pairs of speeds with a relative speed of at most [`FASTEST`](crate::FASTEST),
+    /// from the slowest approach to the fastest. The first is that of [`solve`](Self::solve).
     pub fn speeds(&self) -> impl Iterator<Item = [f64; 2]> {
         self.problem.speeds().map(|relative| self.speeds_at(relative))
     }

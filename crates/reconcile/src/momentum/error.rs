@@ -1,4 +1,4 @@
-//! Why both speeds have no answer.
+//! Errors of the search for both speeds.
 
 use crash3::EnergyBasis;
 use pim_core::{ImpactError, InvalidInput, VehicleId};
@@ -6,7 +6,7 @@ use pim_core::{ImpactError, InvalidInput, VehicleId};
 use crate::answer::FASTEST;
 use crate::error::WorkSought;
 
-/// Why momentum, with the crush energy or without, does not give both speeds.
+/// The reason why momentum, with or without the crush energy, does not give both speeds.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum MomentumError {
@@ -22,7 +22,7 @@ pub enum MomentumError {
     /// An input is impossible.
     #[error(transparent)]
     Invalid(#[from] InvalidInput),
-    /// The directions of travel lie too near to one line for momentum alone.
+    /// The directions of travel are too close to one line for momentum alone.
     #[error(
         "the directions of travel differ by {:.2}°, which is within 10° of one line, so momentum alone does not tell both \
          speeds; use momentum along this line together with the crush energy", .angle.to_degrees()
@@ -31,7 +31,7 @@ pub enum MomentumError {
         /// (rad) the angle from the course of vehicle 1 to that of vehicle 2.
         angle: f64,
     },
-    /// No vehicle is so fast: a number of the case is in the wrong unit.
+    /// No vehicle is that fast: a number of the case is in the wrong unit.
     #[error(
         "momentum gives vehicle {vehicle} a speed of {speed:.4e} m/s, and no vehicle is faster than {FASTEST:.0} \
          m/s; check the masses and the motion after the impact, and their units"
@@ -42,13 +42,13 @@ pub enum MomentumError {
         /// (m/s) the speed.
         speed: f64,
     },
-    /// Nothing was exchanged.
+    /// The velocities do not change, so there was no impulse.
     #[error(
         "at the speeds that momentum gives, neither velocity changes in the impact, so there was none; check \
          the directions and speeds after the impact"
     )]
     NoImpulse,
-    /// The way out of a wall does not tell the way in.
+    /// The motion after the impact with a wall does not determine the speed before it.
     #[error(
         "with a restitution of {restitution} the speed after the impact with a fixed object hardly depends on \
          the speed before it: 1 m/s before makes {slope:.3} m/s after; give the crush of vehicle {vehicle} to \
@@ -59,10 +59,10 @@ pub enum MomentumError {
         vehicle: VehicleId,
         /// (–) e.
         restitution: f64,
-        /// (–) by how much the speed after follows the one before, along the normal.
+        /// (–) change of the speed after the impact per change of the speed before it, along the normal.
         slope: f64,
     },
-    /// It would move away from what it hit.
+    /// The vehicle would move away from the object that it hit.
     #[error(
         "to leave the fixed object like this, vehicle {vehicle} would have come at {speed:.4} m/s along its \
          heading, which does not lead into it; check the direction after the impact, the heading and the crush \
@@ -74,7 +74,7 @@ pub enum MomentumError {
         /// (m/s) the speed.
         speed: f64,
     },
-    /// The axis is not a direction.
+    /// The axis is not a unit vector.
     #[error("the axis of the momentum is a vector of length {length}, but must be of length 1")]
     NoAxis {
         /// (–) its length.
@@ -89,7 +89,7 @@ pub enum MomentumError {
         /// Cosines of the angles between the headings and the axis.
         cosines: [f64; 2],
     },
-    /// The vehicles approach along the crush plane, at any speeds that the momentum allows.
+    /// The vehicles approach along the crush plane, at all speeds that the momentum allows.
     #[error(
         "the speeds that the momentum allows differ by a velocity along the crush plane (at 90° to its normal \
          but for a cosine of {cosine:.1e}), so the crush energy does not tell which they are; check the \
@@ -99,7 +99,7 @@ pub enum MomentumError {
         /// Cosine of the angle between that velocity and the normal.
         cosine: f64,
     },
-    /// There is no second equation.
+    /// Without crush energy there is no second equation.
     #[error(
         "the crush energy is {energy} J, but must be greater than zero to give the speeds; check the depths \
          and the stiffness of both vehicles"
@@ -117,7 +117,7 @@ pub enum MomentumError {
         /// e.
         restitution: f64,
     },
-    /// The crush cannot take that share of the tangential work.
+    /// The crush cannot take this share of the tangential work.
     #[error(
         "the tangential share is {share}, but must lie between 0 and 1, and be 0 on the basis `absorbed`; \
          it is the share of the tangential work that the crush takes"
@@ -128,7 +128,7 @@ pub enum MomentumError {
         /// The basis.
         basis: EnergyBasis,
     },
-    /// W_n + λ W_t stays away from the crush energy at all speeds that the momentum allows.
+    /// W_n + λ W_t does not reach the crush energy at any speeds that the momentum allows.
     #[error(
         "no speeds with this momentum make {} equal to {energy:.1} J while the \
          vehicles approach and push; check the velocities after impact, the crush energy, the crush plane and \
@@ -141,7 +141,7 @@ pub enum MomentumError {
         /// (–) λ.
         tangential_share: f64,
     },
-    /// Speeds give momentum and energy, but no impact can happen like this.
+    /// Speeds give momentum and energy, but the impact at these speeds is impossible.
     #[error(
         "at {:.4} and {:.4} m/s the vehicles would have the momentum and the crush energy, but: {reason}",
         .speeds[0], .speeds[1]
@@ -149,7 +149,7 @@ pub enum MomentumError {
     Inadmissible {
         /// (m/s) the speeds.
         speeds: [f64; 2],
-        /// What is wrong with the impact at these speeds.
+        /// The reason why the impact at these speeds is impossible.
         reason: ImpactError,
     },
     /// No impact is possible at any speeds with this momentum.
@@ -163,7 +163,7 @@ pub enum MomentumError {
     NotConverged {
         /// (m/s) the last speeds tried.
         speeds: [f64; 2],
-        /// (J) what is missing there.
+        /// (J) the residual there.
         residual: f64,
     },
 }

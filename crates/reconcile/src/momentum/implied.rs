@@ -1,21 +1,21 @@
-//! What both speeds imply beside what gave them.
+//! Results that follow from both speeds and the velocities after impact.
 
 use pim_core::{Motion, NormalTangential, Real, Vector2, normal_work, pdof};
 
 use crate::momentum::{Momentum, cross, error::MomentumError};
 
-/// What follows from the speeds before impact and the velocities after it. More is known then than was
-/// needed: each number here can be held against another source.
+/// The results that follow from the speeds before impact and the velocities after it. The collision is then
+/// overdetermined: each number here can be compared with another source.
 ///
-/// | number | to hold against |
+/// | number | compare with |
 /// |---|---|
-/// | [`impulses`](Self::impulses) | each other: where both speeds come from momentum they are equal |
-/// | [`impulse_ratio`](Self::impulse_ratio) | μ_c, which it does not pass, and 0, whose side is that against the sliding |
-/// | [`pdof`](Self::pdof) | the direction that the damage shows |
+/// | [`impulses`](Self::impulses) | each other: if both speeds come from momentum they are equal |
+/// | [`impulse_ratio`](Self::impulse_ratio) | μ_c, which it does not exceed, and 0: it has the sign that opposes the sliding |
+/// | [`pdof`](Self::pdof) | the direction shown by the damage |
 /// | [`normal_work`](Self::normal_work) | the crush energy |
-/// | [`energy_loss`](Self::energy_loss) | the crush energy, which it exceeds where sliding took a part |
-/// | [`restitution`](Self::restitution), [`separation`](Self::separation) | the impact law, and what the motions at C are |
-/// | [`yaw_rates`](Self::yaw_rates) | the yaw rates that rest positions or recorders tell |
+/// | [`energy_loss`](Self::energy_loss) | the crush energy, which it exceeds if sliding took a part |
+/// | [`restitution`](Self::restitution), [`separation`](Self::separation) | the impact law, and the motions at C |
+/// | [`yaw_rates`](Self::yaw_rates) | the yaw rates from rest positions or recorders |
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
@@ -29,15 +29,15 @@ use crate::momentum::{Momentum, cross, error::MomentumError};
 pub struct Implied<T = f64> {
     /// The motions before impact.
     pub before: [Motion<T>; 2],
-    /// (N·s) the impulse on vehicle 1 in the scene frame, as each vehicle's velocities tell it.
+    /// (N·s) the impulse on vehicle 1 in the scene frame, from each vehicle's velocities.
     pub impulses: [Vector2<T>; 2],
     /// (N·s) P, their mean.
     pub impulse_vector: Vector2<T>,
     /// (N·s) P along n and t.
     pub impulse: NormalTangential<T>,
-    /// (–) P_t/P_n; `None` where P does not push.
+    /// (–) P_t/P_n; `None` if P does not push.
     pub impulse_ratio: Option<T>,
-    /// (–) μ_c, the ratio that gives U_t = 0 with the same change of u_n; `None` where no push gives that.
+    /// (–) μ_c, the ratio that gives U_t = 0 with the same change of u_n; `None` if no push gives that.
     pub critical_impulse_ratio: Option<T>,
     /// (m/s) ΔV vectors V − v of the two CGs in the scene frame.
     pub delta_v: [Vector2<T>; 2],
@@ -45,37 +45,37 @@ pub struct Implied<T = f64> {
     pub pdof: [T; 2],
     /// (m/s) u, velocity of vehicle 1 relative to vehicle 2 at C before impact.
     pub approach: NormalTangential<T>,
-    /// (m/s) U, the same after impact: of the velocities and of the yaw rates that are known; where neither
-    /// yaw rate is, after the impulse P at C.
+    /// (m/s) U, the same after impact: from the velocities and the known yaw rates; if neither is known, from
+    /// the impulse P at C.
     pub separation: NormalTangential<T>,
-    /// (–) −U_n/u_n with this U; `None` where the vehicles do not approach.
+    /// (–) −U_n/u_n with this U; `None` if the vehicles do not approach.
     pub restitution: Option<T>,
     /// (rad/s) Ω, the yaw rates after the impulse P at C.
     pub yaw_rates: [T; 2],
-    /// The motions after impact: a yaw rate that is not known is the one that P gives.
+    /// The motions after impact: an unknown yaw rate is the one that P gives.
     pub after: [Motion<T>; 2],
-    /// (m/s) U of these motions, where both yaw rates are known.
+    /// (m/s) U of these motions, if both yaw rates are known.
     pub departure: Option<NormalTangential<T>>,
     /// (–) −U_n/u_n with that U.
     pub departure_restitution: Option<T>,
-    /// Whether a yaw rate after the impact is known, so that [`separation`](Self::separation) is that of the
-    /// motions; else it is that of the impulse at C, which the vehicles were free to turn under.
+    /// Whether a yaw rate after the impact is known, so that [`separation`](Self::separation) comes from the
+    /// motions; else it comes from the impulse at C, with both vehicles free to turn.
     pub is_yaw_known: bool,
     /// (J) W_n, the energy taken by the normal impulse.
     pub normal_work: T,
     /// (J) W_t, the energy taken by the tangential impulse.
     pub tangential_work: T,
-    /// (J) E_L, the kinetic energy before less that after impact. A yaw rate after impact that is not known
-    /// is here the one that P gives.
+    /// (J) E_L, the kinetic energy before less that after impact, with an unknown yaw rate as P gives it.
     pub energy_loss: T,
 }
 
 impl<T: Real> Momentum<T> {
-    /// What the speeds (m/s) imply, whatever gave them. P acts at C alone: a moment impulse is not told apart
-    /// from another point of contact. A fixed object tells no impulse of its own.
+    /// The results that follow from the speeds (m/s), whatever their source. P acts at C only: a moment
+    /// impulse cannot be distinguished from another point of contact. A fixed object gives no impulse of its
+    /// own.
     ///
     /// # Errors
-    /// Where [`check`](Momentum::check) finds one other than a fixed object, or a speed is not finite.
+    /// Those of [`check`](Momentum::check) except for a fixed object, or if a speed is not finite.
     pub fn implied(&self, speeds: [T; 2]) -> Result<Implied<T>, MomentumError> {
         self.check_numbers()?;
         super::finite("speed of vehicle 1", speeds[0])?;
@@ -120,7 +120,7 @@ impl<T: Real> Momentum<T> {
         // E_L = T_before − T_after
         let energy_loss = (bodies[0].kinetic_energy(&before[0]) - bodies[0].kinetic_energy(&after[0]))
             + (bodies[1].kinetic_energy(&before[1]) - bodies[1].kinetic_energy(&after[1]));
-        // A PDOF counts from the heading, whatever the course.
+        // A PDOF is measured from the heading, whatever the course.
         let [f1, f2] = self.contact.participants().each_ref().map(|participant| participant.forward());
         Ok(Implied {
             before,
@@ -146,8 +146,8 @@ impl<T: Real> Momentum<T> {
         })
     }
 
-    /// The ratio of the impulse that would have ended the sliding, U_t = 0, with the same U_n, if that is a
-    /// push; U_t (m/s) as it was.
+    /// The ratio of the impulse that would have ended the sliding, U_t = 0, with the same U_n, if it is a
+    /// push; `sliding` is the actual U_t (m/s).
     fn critical_ratio(&self, p: NormalTangential<T>, sliding: T) -> Option<T> {
         let k = self.contact.inverse_mass();
         let det = k.nn * k.tt - k.nt * k.nt;
@@ -159,13 +159,13 @@ impl<T: Real> Momentum<T> {
     }
 }
 
-/// P_t/P_n of a push.
+/// P_t/P_n, if P pushes.
 fn ratio<T: Real>(p: NormalTangential<T>) -> Option<T> {
     (p.normal > T::ZERO).then(|| p.tangential / p.normal)
 }
 
 impl<T: Real> Implied<T> {
-    /// (N·s) how far the impulses that the two vehicles tell lie apart.
+    /// (N·s) size of the difference between the impulses from the two vehicles.
     #[must_use]
     pub fn disagreement(&self) -> T {
         let apart = self.impulses[0] - self.impulses[1];
@@ -189,7 +189,7 @@ impl<T: Real> Implied<T> {
             impulse_ratio: self.impulse_ratio.map(flipped),
             critical_impulse_ratio: self.critical_impulse_ratio.map(flipped),
             delta_v: self.delta_v.map(across),
-            // Clockwise on the face of a clock in either axes.
+            // Clockwise in either axes.
             pdof: self.pdof,
             approach: self.approach.mirrored(),
             separation: self.separation.mirrored(),

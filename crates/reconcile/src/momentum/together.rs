@@ -5,13 +5,13 @@ use pim_core::{Real, Vector2};
 use crate::momentum::{Departure, Momentum, cross, dot};
 
 impl<T: Real> Momentum<T> {
-    /// The same, of vehicles locked together whose one velocity V is that of their common CG: they turn with
-    /// one yaw rate, which the momentum about that CG gives, and each CG moves as a point of one body.
+    /// The same for vehicles locked together, with the velocity V of their common CG: they turn with one yaw
+    /// rate, from the angular momentum about that CG, and each CG moves as a point of one body.
     ///
     /// (I_1 + I_2 + m̄ d²) Ω = I_1 ω_1 + I_2 ω_2 + m̄ d × (v_1 − v_2),  m̄ = m_1 m_2/(m_1 + m_2)
     /// V_1 = V + Ω × d m_2/(m_1 + m_2),  V_2 = V − Ω × d m_1/(m_1 + m_2),  d from CG 2 to CG 1
     ///
-    /// Momentum is the same, and so are the speeds (m/s) that it gave.
+    /// The momentum is unchanged, and so are the speeds (m/s) from it.
     #[must_use]
     pub fn locked_together(&self, speeds: [T; 2]) -> Self {
         let bodies = self.contact.participants().each_ref().map(|participant| *participant.body());
@@ -32,8 +32,7 @@ impl<T: Real> Momentum<T> {
         Self { after: [at(m2 / whole), at(-(m1 / whole))], ..*self }
     }
 
-    /// The same, of vehicles that left as one body with one velocity, which is that of either CG: it did not
-    /// turn.
+    /// The same for vehicles that left as one body without turning, so that both CGs have one velocity.
     ///
     /// V_1 = V_2 = (m_1 V_1 + m_2 V_2)/(m_1 + m_2),  Ω = 0
     #[must_use]
@@ -43,8 +42,9 @@ impl<T: Real> Momentum<T> {
         Self { after: [common; 2], ..*self }
     }
 
-    /// Whether the vehicles left as one body, each CG within so much (m/s) of a point of it and with yaw
-    /// rates within so much (rad/s); without yaw rates, with one velocity.
+    /// Whether the vehicles left as one body: the velocities of the CGs agree with those of points of it
+    /// within `within` (m/s), and the yaw rates with each other within `within` (rad/s). Without yaw rates,
+    /// the velocities must agree.
     #[must_use]
     pub fn is_of_one_body(&self, within: f64) -> bool {
         let [one, two] = &self.after;
@@ -58,7 +58,7 @@ impl<T: Real> Momentum<T> {
         differs <= within && x * x + y * y <= within * within
     }
 
-    /// (m) from CG 2 to CG 1: both see C, at r_1 and at r_2.
+    /// (m) from CG 2 to CG 1: r_2 − r_1, as both arms end at C.
     pub(super) fn between(&self) -> Vector2<T> {
         let [one, two] = self.contact.participants().each_ref().map(|participant| participant.arm());
         two - one
@@ -71,8 +71,8 @@ pub(super) fn turned<T: Real>(d: Vector2<T>, yaw_rate: T) -> Vector2<T> {
 }
 
 impl<T: Real> Departure<T> {
-    /// How a vehicle left the impact that was locked to one that left it like this, where its CG lies at
-    /// `apart` (m) from that one's: as a point of the same body. Without a yaw rate, with the same velocity.
+    /// Motion after the impact of a vehicle locked to the one with this motion, its CG at `apart` (m) from
+    /// that one's: it moves as a point of the same body; without a yaw rate, with the same velocity.
     #[must_use]
     pub fn of_locked(&self, apart: Vector2<T>) -> Self {
         // V₂ = V₁ + Ω × d

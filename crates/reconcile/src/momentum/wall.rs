@@ -1,32 +1,32 @@
-//! The speed into a fixed object, from the way out of it.
+//! The speed into a fixed object, from the motion after the impact.
 
 use pim_core::{Motion, Real, VehicleId};
 
 use crate::momentum::{Momentum, MomentumError, cross, possible};
 
-/// (–) the least by which the speed along the normal after the impact follows that before it: an error of
-/// the former is then 50 times as large in the latter, and more would be no answer.
+/// (–) minimum slope of U_n + e u_n as a function of the speed before impact: at this slope an error after
+/// the impact is magnified 50 times before it, and more would make the answer useless.
 const LEAST_SLOPE: f64 = 0.02;
 
 impl<T: Real> Momentum<T> {
-    /// (m/s) the speed of a vehicle along its heading before it hit a fixed object, from how it left that and
-    /// the restitution e at C. The object takes momentum, so that momentum alone tells nothing; what its
-    /// impulse P was follows from the velocities of the vehicle, and the condition at C is linear in the
-    /// speed v:
+    /// (m/s) the speed of a vehicle along its heading before it hit a fixed object, from its motion
+    /// afterwards and the restitution e at C. The object takes momentum, so that momentum alone does not give
+    /// the speed; the impulse P follows from the velocities of the vehicle, and the condition at C is linear
+    /// in the speed v:
     ///
-    /// U_n(v) + e u_n(v) = 0,  P = m (V − v ê),  Ω = ω + r × P/I where Ω is not known
+    /// U_n(v) + e u_n(v) = 0,  P = m (V − v ê),  Ω = ω + r × P/I if Ω is unknown
     ///
-    /// Central, this is v_n = −V_n/e.
+    /// For a central impact this is v_n = −V_n/e.
     ///
     /// # Errors
-    /// Where the other body is not fixed or a number not finite, the speed after hardly depends on that
-    /// before, or the vehicle would not approach.
+    /// If the other body is not fixed, a number is not finite, the speed after the impact hardly depends on
+    /// that before, or the vehicle would not approach.
     pub fn speed_into_wall(&self, vehicle: VehicleId, restitution: T) -> Result<T, MomentumError> {
         self.check_numbers()?;
         let i = vehicle.index();
         let participant = &self.contact.participants()[i];
         let (body, arm, forward) = (participant.body(), participant.arm(), participant.forward());
-        // Of both bodies the one is at rest before and after.
+        // The other body is at rest before and after.
         let pair = |motion: Motion<T>| {
             let mut motions = [Motion::rest(); 2];
             motions[i] = motion;

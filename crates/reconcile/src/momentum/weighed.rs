@@ -1,4 +1,4 @@
-//! Both speeds from the whole momentum and the crush energy, which together are more than is needed.
+//! Both speeds from the whole momentum and the crush energy, an overdetermined system.
 
 use crash3::EnergyBasis;
 use pim_core::{ImpactError, InvalidInput, Law, Outcome, VaryingLaw, Vector2};
@@ -8,24 +8,24 @@ use crate::momentum::error::MomentumError;
 use crate::momentum::{Momentum, dot};
 use crate::problem::{Problem, Unknown};
 
-/// Steps of the search at most: five are usual.
+/// Maximum number of steps of the search: five are usual.
 const STEPS: usize = 60;
 
-/// How often a step is halved that does not lower the sum of squares.
+/// Maximum number of times a step is halved when it does not reduce the sum of squares.
 const HALVINGS: usize = 40;
 
-/// A step that moves the momentum by less than this share of it is the last one.
+/// The search ends with a step that moves the momentum by less than this fraction.
 const LAST_STEP: f64 = 1e-12;
 
-/// The share of the momentum over which a derivative of ln E is taken. Rounding adds 1e-16 over this to it,
-/// and the third derivative the square of this.
+/// Relative step of the momentum for a derivative of ln E by differences. Rounding adds an error of 1e-16
+/// divided by this, the third derivative one of this squared.
 const DIFFERENCE: f64 = 1e-5;
 
-/// How uncertain the velocities after the impact and the crush energy are, as standard deviations.
+/// Standard deviations of the velocities after the impact and of the crush energy.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct EvidenceErrors {
-    /// (–) σ_V, of the size of a velocity after the impact, as a share of it.
+    /// (–) σ_V, of the size of a velocity after the impact, as a fraction of it.
     pub speed: f64,
     /// (rad) σ_δ, of its direction.
     pub direction: f64,
@@ -33,23 +33,22 @@ pub struct EvidenceErrors {
     pub crush_ln: f64,
 }
 
-/// Momentum and the crush energy where the approaches cross: three equations for two speeds, each of which
-/// holds as far as its error lets it.
+/// Momentum and the crush energy for crossing approaches: three equations for two speeds, weighed by their
+/// errors.
 ///
-/// [`Momentum::speeds`] are those of the momentum alone. An impact at any speeds needs a crush energy E(v_1,
-/// v_2). Sought are the speeds with the least sum of squares
+/// [`Momentum::speeds`] are those of the momentum alone. An impact at the speeds v_1 and v_2 needs a crush
+/// energy E(v_1, v_2). The answer minimises the sum of squares
 ///
 /// S = (q − p)ᵀ Σ⁻¹ (q − p) + [ln E(v_1, v_2) − ln E_c]²/σ_c²,  q = m_1 v_1 ê_1 + m_2 v_2 ê_2
 /// Σ = Σ_i m_i² (σ_V² V_i V_iᵀ + σ_δ² V_i⊥ V_i⊥ᵀ)
 ///
-/// with the momentum p after the impact, the crush energy E_c as measured, and V⊥, which is V turned by 90°.
-/// The nearer the approaches come to one line, the less momentum tells of how its part along the line is
-/// divided, and the more the crush energy decides, as it does alone in
-/// [`MomentumAndCrush`](crate::MomentumAndCrush).
+/// with the momentum p after the impact, the measured crush energy E_c, and V⊥, which is V turned by 90°. The
+/// closer the approaches are to one line, the less momentum determines how the part along the line is
+/// divided, and the more weight the crush energy has, as in [`MomentumAndCrush`](crate::MomentumAndCrush).
 #[derive(Clone, Debug, PartialEq)]
 pub struct MomentumBesideCrush {
     momentum: Momentum,
-    /// The impact at any speeds, and the crush energy. The motions in it are those of momentum alone.
+    /// The impact law and the crush energy; its motions are those of momentum alone.
     problem: Problem,
     errors: EvidenceErrors,
 }
@@ -61,7 +60,7 @@ pub struct MomentumBesideCrush {
 pub struct WeighedSpeeds {
     /// (m/s) the speeds found, along the courses.
     pub speeds: [f64; 2],
-    /// (–) √S: how many standard deviations momentum and crush energy lie apart.
+    /// (–) √S: the disagreement of momentum and crush energy, in standard deviations.
     pub apart: f64,
     /// The law, with the restitution at this closing speed.
     pub law: Law,
@@ -69,7 +68,7 @@ pub struct WeighedSpeeds {
     pub outcome: Outcome,
 }
 
-/// Speeds that are tried.
+/// Trial speeds.
 #[derive(Clone, Copy)]
 struct Trial {
     /// w in q = p + Σ w.
@@ -83,12 +82,12 @@ struct Trial {
 }
 
 impl MomentumBesideCrush {
-    /// `crush_energy` (J) of both vehicles on `basis`, where the crush takes the share λ of the tangential
-    /// work, as in [`Problem`].
+    /// Takes the `crush_energy` (J) of both vehicles on `basis`; the crush takes the share λ of the
+    /// tangential work, as in [`Problem`].
     ///
     /// # Errors
-    /// Where [`Momentum::speeds`] has one, the crush energy or an error is not positive, e = 1, or the basis
-    /// cannot have this λ.
+    /// Those of [`Momentum::speeds`], or if the crush energy or a standard deviation is not positive, e = 1,
+    /// or the basis does not allow this λ.
     pub fn new(
         momentum: Momentum,
         law: VaryingLaw,
@@ -121,12 +120,12 @@ impl MomentumBesideCrush {
         }
     }
 
-    /// The speeds with the least sum of squares, sought downhill from those of momentum alone. Where E has a
-    /// kink, because the law changes its branch, the search may end beside the least.
+    /// The speeds with the least sum of squares, by a descent from those of momentum alone. At a kink of E,
+    /// where the law changes its branch, the search may end next to the minimum.
     ///
     /// # Errors
-    /// [`MomentumError::Inadmissible`] where no impact can happen at the speeds of momentum alone, or at
-    /// those found.
+    /// [`MomentumError::Inadmissible`] if no impact is possible at the speeds of momentum alone, or at those
+    /// found.
     pub fn solve(&self) -> Result<WeighedSpeeds, MomentumError> {
         let p = self.momentum.total();
         let covariance = self.covariance();
@@ -149,7 +148,7 @@ impl MomentumBesideCrush {
         self.answer(&here)
     }
 
-    /// What lies lower along a step of the weight, the whole step if it does.
+    /// The whole step of the weight if it reduces the sum of squares, else the largest halving that does.
     fn downhill(&self, here: &Trial, step: Vector2<f64>) -> Option<Trial> {
         let mut part = 1.0;
         for _ in 0..HALVINGS {
@@ -181,8 +180,8 @@ impl MomentumBesideCrush {
         Vector2::new(along(Vector2::new(h, 0.0)), along(Vector2::new(0.0, h)))
     }
 
-    /// (J) E at a momentum q (kg·m/s), by the law's conditions alone: NaN where the vehicles do not approach
-    /// and push.
+    /// (J) E at a momentum q (kg·m/s), by the law's conditions alone: NaN if the vehicles do not approach and
+    /// push.
     fn crush_energy(&self, total: Vector2<f64>) -> f64 {
         let before = self.momentum.motions_at(self.momentum.speeds_with(total));
         let approach = self.momentum.contact.approach(&before);
@@ -191,7 +190,7 @@ impl MomentumBesideCrush {
         if closing <= 0.0 || self.problem.work_at(&law, approach) <= 0.0 {
             return f64::NAN;
         }
-        // W_n + λ W_t, of E the part that is dissipated
+        // E = (W_n + λ W_t)/(W_n + λ W_t at E = 1 J)
         self.problem.crush_work_at(&law, approach) / self.problem.basis.dissipated(1.0, law.restitution())
     }
 
@@ -208,7 +207,7 @@ impl MomentumBesideCrush {
         Ok(WeighedSpeeds { speeds, apart: elementary::sqrt(trial.sum), law, outcome })
     }
 
-    /// (kg²·m²/s²) Σ, of the error of p.
+    /// (kg²·m²/s²) Σ, the covariance of p.
     fn covariance(&self) -> Covariance {
         let mut sum = Covariance { xx: 0.0, xy: 0.0, yy: 0.0 };
         for (m, after) in self.momentum.masses().into_iter().zip(&self.momentum.after) {

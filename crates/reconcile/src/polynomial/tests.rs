@@ -19,7 +19,7 @@ fn the_roots_of_a_product_are_those_of_its_factors() {
     for count in 1..=DEGREE {
         let polynomial = with_roots(&roots[..count]);
         assert_points(polynomial.roots([-1.0, 2.0]), &roots[..count], 1e-9);
-        // Outside of the interval there is none.
+        // There is none outside the interval.
         assert_points(polynomial.roots([2.0, 3.0]), &[], 0.0);
         assert_points(polynomial.roots([-2.0, -0.7]), &roots[..1], 1e-9);
     }
@@ -72,8 +72,8 @@ fn points_merge_in_order() {
     assert_points(merged, &[0.1, 0.3, 0.5], 1e-15);
 }
 
-/// Of the factors' roots as many lie in an interval as the signs allow, and where they allow one, or none,
-/// that is what lies there.
+/// No more of the factors' roots lie in an interval than the signs allow; if they allow one or none, exactly
+/// that many do.
 #[test]
 fn the_changes_of_sign_bound_the_number_of_roots() {
     let roots = [-0.9, -0.5, -0.49, 0.01, 0.3, 0.31, 0.8, 1.1, 1.3, 1.5, 1.7, 1.9];
@@ -101,7 +101,7 @@ fn the_changes_of_sign_bound_the_number_of_roots() {
     assert!(exact > 500 && more > 100 && open < 100, "{exact} {more} {open}");
 }
 
-/// A root at an end leaves its sign to rounding, and so does what is not a number.
+/// A root at an end leaves the sign there to rounding; a NaN has none.
 #[test]
 fn a_sign_that_rounding_decides_is_left_open() {
     let polynomial = with_roots(&[0.1, 0.7, 3.0]);
@@ -111,7 +111,7 @@ fn a_sign_that_rounding_decides_is_left_open() {
     assert_eq!(polynomial.changes([0.0, 0.5]), Some(1));
 }
 
-/// From beside the root, and from where Newton's method leaves the interval.
+/// Starting near the root, and from points at which Newton's method leaves the interval.
 #[test]
 fn a_root_is_found_from_anywhere() {
     let polynomial = with_roots(&[-2.0, 0.6, 5.0]);

@@ -1,4 +1,4 @@
-//! Random collisions of which one speed is sought, the same at every run.
+//! Random collisions with one unknown speed, the same in every run.
 
 use std::f64::consts::PI;
 
@@ -13,7 +13,7 @@ use crate::reconciliation::{posed, with_curve};
 pub(crate) struct Draws(u64);
 
 impl Draws {
-    /// The sequence of case `index` under a seed: no case depends on how many numbers another one drew.
+    /// The sequence of case `index` for a seed: no case depends on the number of draws of another.
     pub(crate) fn new(seed: u64, index: u64) -> Self {
         let mut draws = Self(seed ^ index.wrapping_mul(0xD1B5_4A32_D192_ED03));
         draws.0 = draws.bits();
@@ -27,7 +27,7 @@ impl Draws {
         z ^ (z >> 31)
     }
 
-    /// In [0, 1).
+    /// Uniform in [0, 1).
     fn unit(&mut self) -> f64 {
         // The leading 52 bits as the mantissa of 1 + k·2⁻⁵².
         f64::from_bits(1.0_f64.to_bits() | (self.bits() >> 12)) - 1.0
@@ -37,12 +37,12 @@ impl Draws {
         low + (high - low) * self.unit()
     }
 
-    /// As many small as large ones.
+    /// Log-uniform.
     pub(crate) fn log_between(&mut self, low: f64, high: f64) -> f64 {
         self.between(low.ln(), high.ln()).exp()
     }
 
-    /// True this often.
+    /// True with this probability.
     pub(crate) fn chance(&mut self, share: f64) -> bool {
         self.unit() < share
     }
@@ -56,20 +56,20 @@ impl Draws {
     }
 }
 
-/// A collision of which one vehicle moves along its heading at a speed that is sought, in plain numbers.
+/// A collision in which one vehicle moves along its heading at an unknown speed, in plain numbers.
 #[derive(Clone, Debug)]
 pub(crate) struct Sought {
-    /// The velocity of the vehicle whose speed is sought means nothing; its restitution neither, where there
-    /// is a curve.
+    /// The velocity of the vehicle whose speed is sought is not used, nor is the restitution if there is a
+    /// curve.
     pub(crate) scene: Scene,
-    /// (closing speed in m/s, e); empty where the restitution is the scene's.
+    /// (closing speed in m/s, e); empty if the restitution is the scene's.
     pub(crate) curve: Vec<(f64, f64)>,
     pub(crate) unknown: Unknown,
     pub(crate) basis: EnergyBasis,
 }
 
 impl Sought {
-    /// What the program finds for a crush energy (J): whatever `look` takes from the problem.
+    /// The program's result for a crush energy (J), which `look` extracts from the problem.
     pub(crate) fn ask<R>(
         &self,
         energy: f64,
@@ -108,8 +108,7 @@ impl Sought {
     }
 }
 
-/// Any collision of which a speed can be sought: every law, with and without moment impulse, curve, barrier
-/// and yaw.
+/// Any valid collision: every law, with and without moment impulse, curve, barrier and yaw.
 pub(crate) fn sought(draws: &mut Draws) -> Sought {
     loop {
         let mut scene = scene(draws);
@@ -121,7 +120,7 @@ pub(crate) fn sought(draws: &mut Draws) -> Sought {
         let unknown = [Unknown::Speed1, Unknown::Speed2][moving];
         let basis = [EnergyBasis::Dissipated, EnergyBasis::Absorbed][draws.below(2)];
         let curve = if draws.chance(0.5) { curve(draws) } else { Vec::new() };
-        // How much of a speed along the heading is along the normal: that of the approach at 1 and at 0 m/s.
+        // The component along the normal of a speed of 1 m/s along the heading.
         let slope = approach(&scene.at_speed(moving, 1.0))[0] - approach(&scene.at_speed(moving, 0.0))[0];
         if orientation(&scene) > 1e-3 && slope.abs() > 0.02 {
             return Sought { scene, curve, unknown, basis };

@@ -1,4 +1,4 @@
-//! W_n and what a collision can have, by a linear solve for the impulses P_n, P_t and M in generalised
+//! W_n and the possibility of a collision, by a linear solve for the impulses P_n, P_t and M in generalised
 //! coordinates.
 //!
 //! The two vehicles are six coordinates, q = (x₁, y₁, θ₁, x₂, y₂, θ₂), with the inverse masses m⁻¹ on the
@@ -11,16 +11,16 @@ use reconcile::EnergyBasis;
 
 use super::draws::Sought;
 
-/// What decides between regimes, by its sign.
+/// Number of quantities whose signs decide between regimes.
 pub(crate) const SIGNALS: usize = 6;
 
-/// Rounding: E_L below zero by more than this share of what the impulses exchange is energy created.
+/// Rounding: energy is created if E_L is below zero by more than this fraction of the exchanged energy.
 const ENERGY_ROUNDING: f64 = 1e-12;
 
 /// Nearer than this to a border, rounding decides on which side of it a collision is.
 pub(crate) const UNDECIDED: f64 = 1e-9;
 
-/// (m/s) the fastest speed that is a vehicle's.
+/// (m/s) the fastest speed of a vehicle.
 pub(crate) const FASTEST: f64 = 1000.0;
 
 type Triple = [f64; 3];
@@ -29,13 +29,13 @@ fn dot(a: Triple, b: Triple) -> f64 {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
-/// The sum of the sizes of what [`dot`] adds.
+/// The sum of the absolute terms of [`dot`].
 fn size(a: Triple, b: Triple) -> f64 {
     (a[0] * b[0]).abs() + (a[1] * b[1]).abs() + (a[2] * b[2]).abs()
 }
 
-/// Solves a·x = b by elimination with partial pivoting. Also det a as a share of the product of the rows'
-/// sizes.
+/// Solves a·x = b by elimination with partial pivoting. Also returns det a relative to the product of the
+/// sizes of the rows.
 fn eliminate<const N: usize>(mut a: [[f64; N]; N], mut b: [f64; N]) -> ([f64; N], f64) {
     let mut determinant = 1.0;
     for (row, b) in a.iter_mut().zip(&mut b) {
@@ -83,11 +83,11 @@ enum Row {
     Ratio(f64),
 }
 
-/// The impulses that meet the conditions, linear in what these ask for: U_n − u_n, U_t − u_t and ω₁ − ω₂.
+/// The impulses that meet the conditions, linear in the required U_n − u_n, U_t − u_t and ω₁ − ω₂.
 #[derive(Clone, Copy)]
 struct Response {
     rows: [Triple; 3],
-    /// Of the two conditions on P, and of these with Ω₁ = Ω₂: zero where the contact jams.
+    /// Determinants of the two conditions on P, and of these with Ω₁ = Ω₂: zero if the contact jams.
     determinants: [f64; 2],
 }
 
@@ -105,16 +105,16 @@ pub(crate) struct State {
     pub(crate) before: Triple,
     /// P_n, P_t and M.
     pub(crate) impulse: Triple,
-    /// How large the terms of P_n are against it.
+    /// Size of the terms of P_n relative to P_n.
     growth: f64,
     pub(crate) signals: [f64; SIGNALS],
-    /// The nearest of what must not be zero, as a share of its terms.
+    /// The smallest of the numbers that must not be zero, relative to its terms.
     jam: f64,
-    /// Of a fraction of μ_c: the P_n that gives μ_c, as a share of its terms.
+    /// For a fraction of μ_c: the P_n that gives μ_c, relative to its terms.
     critical: Option<f64>,
 }
 
-/// Whether a collision can be like this.
+/// Whether such a collision is possible.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Judgement {
     Possible,
@@ -125,10 +125,10 @@ pub(crate) enum Judgement {
 pub(crate) struct Engine {
     /// J D Jᵀ.
     compliance: [Triple; 3],
-    /// u at the speed 0, and what a speed of 1 m/s adds.
+    /// u at the speed 0, and its change per m/s.
     at_rest: Triple,
     pub(crate) slope: Triple,
-    /// (m/s) the size of what u is a difference of.
+    /// (m/s) the size of the terms of u.
     pub(crate) size: f64,
     sought: Sought,
     full: Response,
@@ -187,7 +187,7 @@ impl Engine {
         engine
     }
 
-    /// How the impulses under one tangential condition depend on what is asked for.
+    /// The impulses under one tangential condition as functions of the required changes.
     fn response(&self, row: Row) -> Response {
         let mut determinants = [1.0; 2];
         let columns = [0, 1, 2].map(|i| {
@@ -203,7 +203,7 @@ impl Engine {
     /// The impulses for U_n − u_n, U_t − u_t (unless the ratio is given) and ω₁ − ω₂.
     fn solve(&self, row: Row, [normal, tangential, spin]: Triple) -> (Triple, [f64; 2]) {
         let [along_n, along_t, turning] = self.compliance;
-        // P_n counts as one, so that the determinant of a ratio is that of k_nn + μ k_nt.
+        // The coefficient of P_n is one, so that the determinant for a ratio is that of k_nn + μ k_nt.
         let (condition, value) = match row {
             Row::Change => (along_t, tangential),
             Row::Ratio(mu) => ([-mu, 1.0, 0.0], 0.0),
@@ -267,7 +267,7 @@ impl Engine {
                     [full[0], response.determinants[0], response.determinants[1]];
                 state(&response, asked(0.0))
             }
-            // No share of μ_c is no friction, whatever μ_c.
+            // A fraction of 0 means no friction, whatever μ_c.
             Tangential::FractionOfCritical(_) => state(&self.free, asked(0.0)),
             Tangential::Friction(limit) | Tangential::FullOrSliding(limit) => {
                 let asked_full = if let Tangential::Friction(_) = self.sought.scene.tangential {
@@ -276,7 +276,7 @@ impl Engine {
                     asked(-(1.0 + e) * before[1])
                 };
                 let full = self.full.to(asked_full);
-                // What would be left of the sliding without friction.
+                // The sliding that would remain without friction.
                 let free = before[1] + dot(self.compliance[1], self.free.to(asked(0.0)));
                 [signals[2], signals[3], signals[4], signals[5]] =
                     [full[0], full[1] - limit * full[0], full[1] + limit * full[0], free];
@@ -295,7 +295,7 @@ impl Engine {
         state
     }
 
-    /// (J) the crush energy that this collision takes on the basis: W_n, or W_n/(1−e²).
+    /// (J) the crush energy of this collision on the basis: W_n, or W_n/(1−e²).
     pub(crate) fn energy(&self, x: f64, state: &State) -> f64 {
         let e = state.restitution;
         if e == 1.0 {
@@ -309,7 +309,7 @@ impl Engine {
         }
     }
 
-    /// E_L and what the impulses exchange.
+    /// E_L and the energy that the impulses exchange.
     pub(crate) fn loss(&self, state: &State) -> [f64; 2] {
         let after = [0, 1, 2].map(|i| state.before[i] + dot(self.compliance[i], state.impulse));
         // E_L = −½ Σ P (u + U)

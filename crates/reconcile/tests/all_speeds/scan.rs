@@ -3,27 +3,27 @@
 use super::draws::{Draws, Sought};
 use super::engine::{Engine, FASTEST, Judgement, SIGNALS, State, UNDECIDED};
 
-/// Samples on a geometric and on a linear grid over all speeds, and between two knots of a curve.
+/// Number of samples on a geometric and on a linear grid over all speeds, and between two knots of a curve.
 const GEOMETRIC: u32 = 10_000;
 const LINEAR: u32 = 10_000;
 const BETWEEN_KNOTS: u32 = 64;
-/// The least approach speed of the geometric grid, as a share of the greatest.
+/// The least approach speed of the geometric grid, relative to the greatest.
 const LEAST: f64 = 1e-8;
 /// Relative distance of the samples on both sides of a knot.
 const BESIDE: f64 = 1e-12;
-/// Samples at each side of a border, each four times nearer to it than the one before.
+/// Number of samples on each side of a border, each four times nearer to it than the one before.
 const CLUSTER: i32 = 16;
-/// A sign change is a root where the energy is met to this share: where it is a jump or a pole, it is not.
+/// A sign change is a root if the energy is met to this relative accuracy, otherwise a jump or a pole.
 const MET: f64 = 1e-6;
-/// Two roots nearer than this to each other are one for rounding.
+/// Relative distance below which rounding cannot distinguish two roots.
 const APART: f64 = 1e-7;
-/// Golden sections: 0.618⁶⁰ ≈ 3e-13.
+/// Number of golden sections: 0.618⁶⁰ ≈ 3e-13.
 const SECTIONS: usize = 60;
 
 #[derive(Clone, Copy, Debug)]
 struct Sample {
     x: f64,
-    /// The crush energy that the collision takes at this speed.
+    /// The crush energy of the collision at this speed.
     energy: f64,
     signals: [f64; SIGNALS],
 }
@@ -34,7 +34,7 @@ impl Sample {
     }
 }
 
-/// What W_n looks like over all speeds, whatever the energy sought.
+/// W_n at all speeds, for any energy sought.
 pub(crate) struct Scan {
     pub(crate) engine: Engine,
     samples: Vec<Sample>,
@@ -42,12 +42,12 @@ pub(crate) struct Scan {
     borders: Vec<[f64; 2]>,
 }
 
-/// What a search for an energy expects.
+/// The expected result of a search for an energy.
 #[derive(Debug, Default)]
 pub(crate) struct Expected {
     /// (m/s) approach speeds of all possible collisions, ascending.
     pub(crate) approaches: Vec<f64>,
-    /// Why rounding decides, where it does.
+    /// The reason why rounding decides, if it does.
     pub(crate) undecided: Option<&'static str>,
 }
 
@@ -55,7 +55,7 @@ impl Scan {
     pub(crate) fn new(sought: &Sought, density: u32) -> Option<Self> {
         let engine = Engine::new(sought);
         let ends = [engine.approach_speed(-FASTEST), engine.approach_speed(FASTEST)];
-        // A little beyond, for the border itself is to be seen.
+        // Slightly beyond, so that the border itself is included.
         let (low, high) = (ends[0].min(ends[1]).max(0.0), ends[0].max(ends[1]) * 1.001);
         if high <= 0.0 {
             return None;
@@ -104,7 +104,7 @@ impl Scan {
         xs
     }
 
-    /// Adds both sides of every change of regime, and samples that close in on them.
+    /// Adds both sides of every change of regime, and samples that approach them.
     fn refine_borders(&mut self) {
         let mut more: Vec<f64> = Vec::new();
         // A signal that touches zero between samples changes the regime twice.
@@ -160,7 +160,7 @@ impl Scan {
                 pairs.push([points[i - 1], *point]);
             }
         }
-        // Where the energy is nearly met between samples of one sign, a turn may reach it.
+        // If the energy is nearly met between samples of one sign, an extremum may reach it.
         for (samples, triple) in self.samples.windows(3).zip(points.windows(3)) {
             if !(samples[0].is_in_regime_of(&samples[1]) && samples[1].is_in_regime_of(&samples[2])) {
                 continue;
@@ -195,7 +195,7 @@ impl Scan {
             }
         }
         expected.approaches.sort_by(f64::total_cmp);
-        // What u_n is a difference of limits how well a slow approach is known.
+        // The terms of u_n limit the accuracy of a slow approach.
         let resolution = |x: f64| 1e-13 * self.engine.size / x;
         for pair in expected.approaches.windows(2) {
             if pair[1] - pair[0] < pair[1] * (APART + resolution(pair[1])) {
@@ -216,8 +216,8 @@ impl Scan {
         expected
     }
 
-    /// A crush energy within a relative 1e-1 … 1e-6 of that at a turn of W_n, on either side of a border or
-    /// at a knot, if there is any at which a collision can be.
+    /// A crush energy within a relative 1e-1 … 1e-6 of that at an extremum of W_n, on either side of a border
+    /// or at a knot, if a collision is possible there.
     pub(crate) fn aim(&self, draws: &mut Draws) -> Option<f64> {
         let possible = |x: &f64| {
             let energy = self.energy(*x);
@@ -231,12 +231,12 @@ impl Scan {
         let turns: Vec<f64> = turns.filter(possible).collect();
         let mut aims: Vec<f64> = self.engine.curve().iter().map(|&(x, _)| x).collect();
         for &[a, b] in &self.borders {
-            // Beside a pole the energy is what it is at this distance from it.
+            // Near a pole the energy is that at this distance from it.
             let offset = 10_f64.powf(draws.between(-6.0, -1.0));
             aims.extend([a, b, a * (1.0 - offset), b * (1.0 + offset)]);
         }
         aims.retain(possible);
-        // There are fewer turns than there are sides of borders.
+        // There are fewer extrema than sides of borders.
         if !turns.is_empty() && (aims.is_empty() || draws.chance(0.6)) {
             aims = turns;
         }
@@ -247,7 +247,7 @@ impl Scan {
         Some(energy * (1.0 + draws.sign() * 10_f64.powf(draws.between(-6.0, -1.0))))
     }
 
-    /// A crush energy that a collision takes at some speed, or now and then any energy.
+    /// A crush energy of a collision at some speed, or occasionally any energy.
     pub(crate) fn any_energy(&self, draws: &mut Draws) -> f64 {
         let high = self.samples[self.samples.len() - 1].x;
         if draws.chance(0.9) {
@@ -268,12 +268,12 @@ fn opposite(a: f64, b: f64) -> bool {
     (a < 0.0 && b >= 0.0) || (a >= 0.0 && b < 0.0)
 }
 
-/// Samples from the middle between two numbers towards the first, but not at either.
+/// Samples between two numbers that approach the first, but not at either.
 fn cluster(from: f64, to: f64) -> impl Iterator<Item = f64> {
     (1..=CLUSTER).map(move |k| from + (to - from) * 0.25_f64.powi(k))
 }
 
-/// The neighbouring numbers between which what holds at the first end ends.
+/// The neighbouring numbers between which the condition of the first end ceases to hold.
 fn halve([mut a, mut b]: [f64; 2], holds: impl Fn(f64) -> bool) -> [f64; 2] {
     let first = holds(a);
     loop {
@@ -289,13 +289,13 @@ fn halve([mut a, mut b]: [f64; 2], holds: impl Fn(f64) -> bool) -> [f64; 2] {
     }
 }
 
-/// Where a function comes nearest to zero between two samples of one sign.
+/// The point at which a function is nearest to zero between two samples of one sign.
 enum Dip {
-    /// Nowhere but at the ends.
+    /// At one of the ends.
     None,
-    /// It has the other sign here.
+    /// The function has the other sign here.
     Crosses(f64),
-    /// It is no nearer to zero than here.
+    /// The function does not reach zero, and is nearest here.
     Touches(f64, f64),
 }
 

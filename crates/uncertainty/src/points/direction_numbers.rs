@@ -1,4 +1,4 @@
-//! Direction numbers of Sobol' points for the inputs from the second on.
+//! Direction numbers of Sobol' points, for all inputs but the first.
 //!
 //! # References
 //!
@@ -6,7 +6,7 @@
 //! Comput. 30 (2008): the set `new-joe-kuo-6`, its first 255 rows, copyright 2008 Frances Y. Kuo and Stephen
 //! Joe.
 
-/// A primitive polynomial over the integers modulo 2, and as many initial numbers mₖ as its degree.
+/// A primitive polynomial over the integers modulo 2, and its initial numbers mₖ, as many as its degree.
 type Row = (u32, &'static [u32]);
 
 #[rustfmt::skip]

@@ -1,13 +1,13 @@
 //! Scrambled Sobol' points.
 //!
-//! Each replicate takes the same first points of the sequence and scrambles them by itself. But so few points
-//! of so many inputs are not even in every pair of inputs: of 64 points, two inputs out of 31 often have the
-//! same first digit throughout, or one has in the first place the digit that the other has in the second.
-//! Scrambling turns the sign of such a correlation and leaves its size, and 16 random signs do not cancel.
+//! Each replicate takes the same first points of the sequence and scrambles them separately. But few points
+//! in many dimensions are not evenly spread in every pair of inputs: among 64 points, two inputs out of 31
+//! often have the same first digit throughout, or the first digit of one is the second of the other.
+//! Scrambling changes the sign of such a correlation but not its size, and 16 random signs do not cancel.
 //! Therefore the first digits are only shifted, by bits that are random in every replicate, but chosen
-//! together for digits that coincide: of any two of these, the bits agree in eight replicates and differ in
-//! eight, so that the correlations cancel. What depends on one input alone, or on three, still varies between
-//! any two replicates as if they were independent, so that the spread between them is that of chance.
+//! together for coinciding digits: the bits of any two of these agree in eight replicates and differ in
+//! eight, so that the correlations cancel. Effects of one input, or of three, still vary between any two
+//! replicates as if they were independent, so that their spread is that of chance.
 //!
 //! # References
 //!
@@ -24,18 +24,17 @@ use super::{POINTS, REPLICATES, permuted};
 use crate::model::Lanes;
 use crate::random::{bits, key, unit};
 
-/// The most inputs that the direction numbers serve. The first needs none.
+/// Maximum number of inputs for which there are direction numbers. The first needs none.
 pub const MAX_INPUTS: usize = DIRECTION_NUMBERS.len() + 1;
 
-/// Enough for 2²⁸ points of a replicate, more than [`MAX_SAMPLES`](crate::MAX_SAMPLES) take.
+/// Enough for 2²⁸ points per replicate, more than [`MAX_SAMPLES`](crate::MAX_SAMPLES) need.
 const DIRECTIONS: usize = 28;
 
 // Even, and 2 modulo 4, so that each bit depends on the next lower one. Digits of π (as Blowfish takes them),
 // but for the last two bits.
 const FOLDS: [u64; 3] = [0x243F_6A88_85A3_08D2, 0x1319_8A2E_0370_7346, 0xA409_3822_299F_31D2];
 
-/// The most digits that are shifted. What is left of a correlation where only later ones coincide is below
-/// 3/64.
+/// Maximum number of digits that are shifted. If only later ones coincide, the correlation is below 3/64.
 pub(super) const SHIFTED: usize = 4;
 
 /// Points of one input.
@@ -43,28 +42,28 @@ pub(super) const SHIFTED: usize = 4;
 pub(super) struct Sobol {
     /// Direction numbers, the first binary digit in the lowest bit.
     directions: [u64; DIRECTIONS],
-    /// What the scrambling of each replicate adds and multiplies.
+    /// The summands and factors of each replicate's scrambling.
     keys: [[u64; REPLICATES]; 4],
-    /// Ones in the digits that are shifted.
+    /// Bit mask of the shifted digits.
     shifted: u64,
-    /// What they are shifted by in each replicate.
+    /// The shifts of these digits in each replicate.
     shifts: [u64; REPLICATES],
 }
 
 impl Sobol {
-    /// All inputs, of which each replicate has `points` points. `seeds` has one for each input, and one for
-    /// what they have in common.
+    /// All inputs, with `points` points in each replicate. `seeds` has one seed for each input; `common` is
+    /// the seed for what they share.
     pub(super) fn all(seeds: &[u64], common: u64, points: u64) -> Vec<Self> {
         let mut all: Vec<_> = seeds.iter().enumerate().map(|(input, &seed)| Self::new(input, seed)).collect();
-        // As many points as are in the greatest power of two. Digits beyond those that tell these apart would
-        // be shifted alike in all of them.
+        // Digits are shifted only as far as they distinguish the points, up to the greatest power of two of
+        // them. Later ones would be shifted equally in all points.
         let places = (points.max(1).ilog2() as usize).min(DIRECTIONS);
         let digits = SHIFTED.min(places);
         for input in &mut all {
             input.shifted = (1 << digits) - 1;
         }
 
-        // Digits that are the same, sums of the same places of the index, stand together.
+        // Groups digits that coincide, being sums of the same places of the index.
         let mut coinciding: Vec<_> = (0..all.len())
             .flat_map(|input| (0..digits).map(move |digit| (input, digit)))
             .map(|(input, digit)| (sum_of(&all[input].directions[..places], digit), input, digit))
@@ -99,10 +98,10 @@ impl Sobol {
         Self { directions: directions(input), keys, shifted: 0, shifts: [0; REPLICATES] }
     }
 
-    /// The points from `index` on, which is the first of a block, scrambled for each replicate.
+    /// The points of the block that begins at `index`, scrambled for each replicate.
     #[inline(always)]
     pub(super) fn fill(&self, index: u64, shares: &mut Lanes) {
-        // A block begins at a multiple of its points: the indices differ in their last places alone.
+        // A block begins at a multiple of its points, so the indices differ only in their last places.
         let common = point(&self.directions, index);
         let [add, multiply, add_again, multiply_again] = &self.keys;
         let (groups, _) = shares.as_chunks_mut::<REPLICATES>();
@@ -110,8 +109,8 @@ impl Sobol {
             let digits = common ^ last_places(&self.directions, place);
             let first = digits & self.shifted;
             for (replicate, share) in group.iter_mut().enumerate() {
-                // Digit 1 is the lowest bit here: nothing flows from a higher bit to a lower one, so that
-                // points that agree in their first digits still do, and are told apart by the next as before.
+                // Digit 1 is the lowest bit here: no higher bit affects a lower one, so that points that
+                // agree in their first digits still do, and the next digit distinguishes them as before.
                 let mut word = digits;
                 word ^= word.wrapping_mul(FOLDS[0]);
                 word = word.wrapping_add(add[replicate]).wrapping_mul(multiply[replicate]);
@@ -125,11 +124,11 @@ impl Sobol {
     }
 }
 
-/// The rows of the matrix of signs (−1)^|row ∧ column| in the order in which they are given out. No four of
-/// the first six multiply to one, which would be a sign that all replicates have in common.
+/// The rows of the matrix of signs (−1)^|row ∧ column| in the order of assignment. No four of the first six
+/// multiply to one, which would be a sign common to all replicates.
 const ROWS: [u64; REPLICATES] = [0, 1, 2, 4, 8, 15, 3, 5, 6, 9, 10, 12, 7, 11, 13, 14];
 
-/// The places of the index that a digit is the sum of, modulo 2.
+/// The places of the index whose sum modulo 2 is the digit.
 fn sum_of(directions: &[u64], digit: usize) -> u64 {
     directions.iter().rev().fold(0, |places, direction| places << 1 | (direction >> digit) & 1)
 }
@@ -139,13 +138,13 @@ fn sum_of(directions: &[u64], digit: usize) -> u64 {
 fn point(directions: &[u64; DIRECTIONS], index: u64) -> u64 {
     let mut digits = 0;
     for (place, direction) in directions.iter().enumerate() {
-        // All ones where the digit is one.
+        // All ones if the digit is one.
         digits ^= direction & ((index >> place) & 1).wrapping_neg();
     }
     digits
 }
 
-/// What the two last places of an index add to its point.
+/// The contribution of the two last places of an index to its point.
 #[inline(always)]
 fn last_places(directions: &[u64; DIRECTIONS], place: u64) -> u64 {
     let [last, last_but_one, ..] = directions;

@@ -6,7 +6,7 @@ use crate::random::{bits, key};
 const METHODS: [SamplingMethod; 3] =
     [SamplingMethod::MonteCarlo, SamplingMethod::LatinHypercube, SamplingMethod::Sobol];
 
-/// Shares of each input, a column for each.
+/// Points of each input, a column for each.
 fn columns(method: SamplingMethod, seed: u64, inputs: usize, samples: usize) -> Vec<Vec<f64>> {
     let points = Points::new(method, seed, inputs, samples).unwrap();
     let mut columns = vec![Vec::new(); inputs];
@@ -34,8 +34,8 @@ fn permutations_are_bijections() {
     }
 }
 
-/// Over many keys each index must go everywhere alike: χ² with 15² degrees of freedom (rows and columns are
-/// fixed), mean 225, standard deviation √450 = 21.2.
+/// Over many keys each index must go to every place equally often: χ² with 15² degrees of freedom (rows and
+/// columns are fixed), mean 225, standard deviation √450 = 21.2.
 #[test]
 fn permutations_are_fair() {
     const COUNT: usize = 16;
@@ -54,7 +54,7 @@ fn permutations_are_fair() {
 
 #[test]
 fn latin_hypercube_has_one_point_in_each_stratum_of_each_replicate() {
-    // Also where the replicates are not of equal size.
+    // Also with replicates of unequal size.
     for samples in [64, 65, 1000, 4096, 10_007] {
         for column in columns(SamplingMethod::LatinHypercube, 5, 3, samples) {
             for replicate in 0..REPLICATES {
@@ -68,7 +68,7 @@ fn latin_hypercube_has_one_point_in_each_stratum_of_each_replicate() {
     }
 }
 
-/// A block walks its permutations together; each share is that of its sample alone, to the last bit.
+/// A block walks its permutations together; each point is that of its sample alone, to the last bit.
 #[test]
 fn latin_hypercube_points_are_as_one_by_one() {
     for samples in [64, 65, 1000, 4096, 10_007, 66_000] {
@@ -90,7 +90,8 @@ fn latin_hypercube_points_are_as_one_by_one() {
     }
 }
 
-/// The greatest distance between the distribution of the points and the uniform one, times √n.
+/// The greatest distance between the distribution of the points and the uniform one (Kolmogorov–Smirnov),
+/// times √n.
 fn kolmogorov_smirnov(mut column: Vec<f64>) -> f64 {
     column.sort_unstable_by(f64::total_cmp);
     let count = column.len() as f64;
@@ -108,7 +109,7 @@ fn all_points_are_uniform() {
             for column in columns(method, seed, 8, 20_000) {
                 assert!(column.iter().all(|share| *share > 0.0 && *share < 1.0));
                 let distance = kolmogorov_smirnov(column);
-                // Kolmogorov: beyond 2.2 once in 8000. The stratified ones keep far below 1.
+                // Kolmogorov: beyond 2.2 once in 8000. Stratified points stay far below 1.
                 let limit = if method == SamplingMethod::MonteCarlo { 2.2 } else { 0.2 };
                 assert!(distance < limit, "{method:?}: {distance}");
                 assert!(
@@ -140,14 +141,14 @@ fn inputs_and_neighbouring_samples_are_not_correlated() {
                 assert!(correlation(&first[1..], &first[..samples - 1]).abs() < limit, "{method:?}");
             }
         }
-        // Another seed, other points; for scrambled ones the mean over 16 replicates, each as below.
+        // Another seed gives other points; for scrambled ones the mean over 16 replicates, each as below.
         let others = self::columns(method, 12, 2, samples);
         let limit = if method == SamplingMethod::Sobol { 5.0 * (0.6_f64 / 16.0).sqrt() } else { limit };
         assert!(correlation(&columns[0], &others[0]).abs() < limit, "{method:?}");
     }
 }
 
-/// Each replicate must be independent of the others, or their spread would tell nothing.
+/// Each replicate must be independent of the others, or their spread would be meaningless.
 #[test]
 fn replicates_are_not_correlated() {
     let (samples, inputs) = (1 << 14, 8);
@@ -164,8 +165,8 @@ fn replicates_are_not_correlated() {
             }
         }
         assert_eq!(correlations.len(), pairs);
-        // Variance of one: 1/n, but for Sobol' points that of the bits which shift the first four digits, Σ
-        // (3/4ᵏ)² = 0.6, and next to nothing of the others.
+        // Variance of a correlation: 1/n, but for Sobol' points that of the bits that shift the first four
+        // digits, Σ (3/4ᵏ)² = 0.6, and next to nothing from the others.
         let variance = if method == SamplingMethod::Sobol { 0.6 } else { REPLICATES as f64 / samples as f64 };
         let mean = correlations.iter().sum::<f64>() / pairs as f64;
         let squares = correlations.iter().map(|correlation| correlation * correlation).sum::<f64>();
@@ -175,9 +176,9 @@ fn replicates_are_not_correlated() {
     }
 }
 
-/// Of 1,024 samples in 16 replicates, 465 pairs of inputs; 32,131 of 2,048. One scrambled set of 1,024 Sobol'
-/// points has up to 0.05; replicates that are scrambled without regard to each other have 0.4, and chance has
-/// 1/√n = 0.031, of which the greatest of 465 is more than three.
+/// 465 pairs of inputs with 1,024 samples in 16 replicates; 32,131 pairs with 2,048. One scrambled set of
+/// 1,024 Sobol' points has up to 0.05, independently scrambled replicates have 0.4, and chance has 1/√n =
+/// 0.031, the greatest of 465 being more than three times that.
 #[test]
 fn pairs_of_sobol_inputs_are_hardly_correlated() {
     let greatest = |method, seed, inputs, samples| {
@@ -203,13 +204,13 @@ fn pairs_of_sobol_inputs_are_hardly_correlated() {
     assert!(many < 0.05, "{many}");
 }
 
-/// What cancels for two digits must not hide from the spread between the replicates what three do: the
+/// The cancellation for two digits must not hide the effect of three from the spread between replicates: the
 /// product of their signs is often the same for all points of a replicate, and then it must be a coin for
-/// each.
+/// each replicate.
 #[test]
 fn products_of_three_sobol_digits_vary_between_the_replicates() {
     let seeds = 40;
-    // Of each seed, the first and second digits of 31 inputs, of the 64 points of each replicate.
+    // For each seed, the first and second digits of 31 inputs for the 64 points of each replicate.
     let digits: Vec<Vec<[u64; REPLICATES]>> = (0..seeds)
         .map(|seed| {
             let pack = |(column, digit): (&Vec<f64>, f64)| {
@@ -246,8 +247,8 @@ fn products_of_three_sobol_digits_vary_between_the_replicates() {
         }
     }
     assert!(varying > 100, "{varying}");
-    // A variance from 40 seeds is uncertain by √(2/40) = 0.22; of some hundred the greatest is beyond 1 by
-    // four times that.
+    // A variance from 40 seeds is uncertain by √(2/40) = 0.22; the greatest of some hundred exceeds 1 by four
+    // times that.
     assert!(worst < 3.0, "{worst} of {varying}");
 }
 

@@ -36,7 +36,7 @@ impl Model for Mixed {
         1
     }
 
-    /// The samples with an answer of which the output that nobody asked for is negative.
+    /// Counts the samples with an answer whose last output, which is not summarised, is negative.
     fn tally(&self, _: &[Lanes], outputs: &[Lanes], reasons: &[u8], tallies: &mut [usize]) {
         let samples = reasons.iter().zip(&outputs[4]);
         tallies[0] += samples.filter(|(reason, a)| **reason == SUCCEEDED && **a < 0.0).count();
@@ -51,7 +51,7 @@ fn run(settings: &Settings) -> Propagation {
     propagate(&Mixed, &inputs(), settings, &mut |_, _| ControlFlow::Continue(())).unwrap()
 }
 
-/// Needs the feature `parallel`, which the benchmarks switch on for the whole workspace.
+/// Needs the feature `parallel`, which the benchmarks enable for the whole workspace.
 #[cfg(feature = "parallel")]
 #[test]
 fn any_number_of_threads_gives_the_same_bits() {
@@ -68,8 +68,8 @@ fn any_number_of_threads_gives_the_same_bits() {
     }
 }
 
-/// All that is kept, beside the model of one sample: a column for each output that is summarised, NaN where
-/// the sample failed, histograms of all that vary, and what was counted.
+/// All results, compared with the model of one sample: a column for each summarised output, NaN for failed
+/// samples, histograms of all outputs that vary, and the counts.
 #[test]
 fn all_samples_are_kept() {
     for (_, method) in SamplingMethod::WORDS {

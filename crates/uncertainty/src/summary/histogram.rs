@@ -1,24 +1,24 @@
-//! How many samples lie in each of some classes.
+//! Histogram of the samples of an output.
 
 use crate::dispatch;
 
 use super::Summary;
 use crate::run::{Instructions, for_each};
 
-/// How many classes a [`Histogram`] has.
+/// Number of classes of a [`Histogram`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Classes {
-    /// 15, for a text.
+    /// 15, for text.
     Coarse,
-    /// 40, for a picture.
+    /// 40, for a plot.
     Fine,
 }
 
 impl Classes {
-    /// All that there are.
+    /// All variants.
     pub const ALL: [Self; 2] = [Self::Coarse, Self::Fine];
 
-    /// Their number.
+    /// The number of classes.
     #[must_use]
     pub fn count(self) -> u8 {
         match self {
@@ -28,7 +28,7 @@ impl Classes {
     }
 }
 
-/// How many samples lie in each of some classes of the same width, which hold the middle 99 %.
+/// Number of samples in each class; the classes have the same width and cover the middle 99 %.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Histogram {
     /// (unit of the output) lower end of the first class.
@@ -44,7 +44,7 @@ pub struct Histogram {
 }
 
 impl Histogram {
-    /// Of nothing yet, for the middle 99 % of a summary; `None` where its ends do not differ.
+    /// An empty histogram for the middle 99 % of a summary; `None` if the ends of that range are equal.
     fn new(summary: &Summary, classes: Classes) -> Option<Self> {
         let [.., widest] = summary.intervals;
         Self::between([widest.low.value, widest.high.value], classes)
@@ -57,7 +57,7 @@ impl Histogram {
         is_wide.then(|| Self { low, width, counts: counts(), outside: [0; 2], high, classes })
     }
 
-    /// Of a column in which NaN stands for samples that failed.
+    /// The histogram of a column in which NaN stands for failed samples.
     pub(crate) fn of(column: &[f64], summary: &Summary, classes: Classes) -> Option<Self> {
         /// Values that one thread takes at a time.
         const AT_ONCE: usize = 1 << 16;
@@ -73,7 +73,7 @@ impl Histogram {
         Some(histogram)
     }
 
-    /// What another one has counted, of the same classes.
+    /// Adds the counts of another histogram with the same classes.
     fn join(&mut self, more: &Self) {
         let own = self.counts.iter_mut().chain(&mut self.outside);
         for (count, more) in own.zip(more.counts.iter().chain(&more.outside)) {
@@ -81,17 +81,17 @@ impl Histogram {
         }
     }
 
-    /// More of such a column.
+    /// Adds more values of such a column.
     fn add(&mut self, values: &[f64]) {
         dispatch!(Instructions::best(), self.add_with(values));
     }
 
     #[inline(always)]
     fn add_with(&mut self, values: &[f64]) {
-        /// Values whose places are found together, by a loop of its own that is vectorised.
+        /// Number of values whose places are computed together, in a separate vectorised loop.
         const AHEAD: usize = 64;
-        // Below the first class, each class, above the last one, and what is not a number. The counts of
-        // neighbouring values stand apart, as a count that was just written is not ready yet.
+        // Below the first class, each class, above the last one, and NaN. Neighbouring values have separate
+        // counts, because a count that was just written is not yet available.
         let classes = self.classes.count();
         let mut counts = [[0_usize; PLACES]; 4];
         for values in values.chunks(AHEAD) {
@@ -113,8 +113,7 @@ impl Histogram {
         }
     }
 
-    /// 0 below the first class, from 1 on the classes, and after them what lies above, and what is not a
-    /// number.
+    /// 0 below the first class, from 1 on the classes, then above the last class, then NaN.
     #[inline(always)]
     fn place(&self, value: f64, classes: u8) -> u8 {
         let class = (value - self.low) / self.width;
@@ -129,7 +128,7 @@ impl Histogram {
     }
 }
 
-/// More than the classes and three.
+/// More than the number of classes plus three.
 const PLACES: usize = 64;
 
 #[cfg(test)]
@@ -137,8 +136,8 @@ mod tests {
     use super::{Classes, Histogram};
     use crate::random::{bits, unit};
 
-    /// Values at the ends of the classes and right beside them, beyond the ends, and not a number: beside a
-    /// search for the class one by one.
+    /// Values at the ends of the classes and next to them, beyond the range, and NaN, compared with a linear
+    /// search for the class.
     #[test]
     fn every_value_is_in_its_class() {
         for classes in Classes::ALL {

@@ -1,12 +1,12 @@
-//! Moments of a column, from sums that are made span by span.
+//! Moments of a column, from sums over spans.
 
 use crate::limits::REPLICATES;
 
-/// Values that are added up together, whole rows of replicates: their sum is then added to that of the spans
-/// before, so that rounding does not grow with their number.
+/// Number of values summed at once, in whole rows of replicates. Their sum is then added to that of the
+/// earlier spans, so that rounding does not grow with the number of values.
 const SPAN: usize = 256 * REPLICATES;
 
-/// How many values there are, and Σ(x − c)ᵏ for k = 1 … 4, where c is a value in their middle.
+/// Number of values, and the shifted moments Σ(x − c)ᵏ for k = 1 … 4, where c is a central value.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct Powers {
     pub(super) count: u64,
@@ -40,7 +40,7 @@ impl Powers {
         let square = shift * shift;
         let fourth_powers =
             fourth - 4.0 * (shift * third) + 6.0 * (square * second) - 3.0 * (square * (shift * first));
-        // Rounding may leave less than nothing; a sum beyond the greatest number stays beyond it.
+        // Rounding may make a sum negative; a sum that overflowed stays infinite.
         let above = |sum: f64, of: f64| if of.is_finite() { sum.max(0.0) } else { of };
         Moments {
             count: usize::try_from(self.count).unwrap_or(usize::MAX),
@@ -51,7 +51,7 @@ impl Powers {
     }
 }
 
-/// Number, mean and sums of powers of the deviations from it.
+/// Number of values, mean, and sums of powers of the deviations from it.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Moments {
     pub(super) count: usize,
@@ -67,7 +67,7 @@ impl Moments {
     }
 }
 
-/// The powers of each replicate; samples are dealt to the replicates in turn. NaN is in none.
+/// The sums of each replicate; samples are dealt to the replicates in turn. NaN is left out.
 pub(super) fn powers_of_replicates(column: &[f64], centre: f64) -> [Powers; REPLICATES] {
     let mut all = [Powers::default(); REPLICATES];
     for span in column.chunks(SPAN) {
@@ -98,8 +98,8 @@ mod tests {
     use crate::limits::REPLICATES;
     use crate::random::{bits, unit};
 
-    /// Beside sums of the deviations from the mean itself, with a centre beside it, values that are missing,
-    /// and a length that is no multiple of anything.
+    /// Compared with sums of the deviations from the mean itself, with a centre next to it, missing values,
+    /// and a length that is not a multiple of the block sizes.
     #[test]
     fn moments_are_those_of_deviations_from_the_mean() {
         for (missing, spread) in [(0.0, 1.0), (0.2, 1.0), (0.2, 1e-6)] {

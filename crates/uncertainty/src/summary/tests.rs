@@ -6,13 +6,13 @@ fn of_column(column: &[f64], method: SamplingMethod) -> Option<Summary> {
     Summary::of(column, method != SamplingMethod::MonteCarlo)
 }
 
-/// 0, 1, … 100 in disorder.
+/// 0, 1, … 100, shuffled.
 fn hundred() -> Vec<f64> {
     (0..=100).map(|index| f64::from(index * 37 % 101)).collect()
 }
 
-/// Of 0, 1, … 100 the quantile at p is 100p by any type that interpolates like NumPy's; the variance is n(n +
-/// 1)/12, n = 101.
+/// For 0, 1, … 100 the quantile at p is 100p by any type that interpolates like NumPy's, and the variance is
+/// n(n + 1)/12, n = 101.
 #[test]
 fn the_statistics_of_a_hundred_numbers() {
     let summary = of_column(&hundred(), SamplingMethod::MonteCarlo).unwrap();
@@ -28,7 +28,7 @@ fn the_statistics_of_a_hundred_numbers() {
     }
     // Median: √(101/4) = 5.02, so the order statistics 45 and 55, half of whose distance is 5.
     assert_eq!(summary.median.standard_error, Some(5.0));
-    // At 5 % five values lie below, at 2.5 % not.
+    // Five values lie below the 5 % quantile, fewer below that of 2.5 %.
     assert!(summary.intervals[1].low.standard_error.is_some());
     assert_eq!(summary.intervals[2].low.standard_error, None);
     // s/√n = √(n(n + 1)/12/n) = √(102/12)
@@ -59,7 +59,7 @@ fn a_constant_has_no_uncertainty() {
     }
 }
 
-/// Replicate r holds the number r throughout: s = √(16·17/12) of the numbers 0 … 15, over √16.
+/// Every value of replicate r is r: s = √(16·17/12) for the numbers 0 … 15, divided by √16.
 #[test]
 fn replicates_give_the_standard_error() {
     let column: Vec<f64> = (0..16_000).map(|index| f64::from(index % 16)).collect();
@@ -67,20 +67,20 @@ fn replicates_give_the_standard_error() {
     let expected = (16.0_f64 * 17.0 / 12.0).sqrt() / 4.0;
     assert!((summary.mean.standard_error.unwrap() - expected).abs() < 1e-13);
     assert_eq!(summary.sd.standard_error, Some(0.0));
-    // No replicate but one.
+    // Only one replicate has values.
     let mut lonely = vec![f64::NAN; 1600];
     lonely.iter_mut().step_by(16).for_each(|value| *value = 1.0);
     let lonely = of_column(&lonely, SamplingMethod::Sobol).unwrap();
     assert_eq!((lonely.mean.standard_error, lonely.median.standard_error), (None, None));
 }
 
-/// A thousand values of each replicate. The median is 7.5: all of eight replicates lie below and none of the
-/// others, which differ from the mean of 500 by 500. So √(16/15·16·500² + 1) = 2065.6 places before and after
-/// place 7999.5: 5933.9 and 10065.1, of values 5 and 10. The lower quartile, place 3999.75, is 3 + ¾: four
-/// replicates below, 4·750² + 12·250² = 3·10⁶, √(16/15·3·10⁶ + 1) = 1788.9 places: 2210.9 and 5788.6, values
-/// 2 and 5. With the value at the quantile itself in one replicate, half of that counts: at 2.5 %, place
-/// 399.975 of value 0, 500 of replicate 0 lie below, and the mean is 31.25: √(16/15·(468.75² + 15·31.25²) +
-/// 1) = 500.0: from place 0 to 900 all are 0.
+/// A thousand values in each replicate. The median is 7.5: all values of eight replicates lie below and none
+/// of the others, so that the counts differ from their mean of 500 by 500. So √(16/15·16·500² + 1) = 2065.6
+/// places before and after place 7999.5: 5933.9 and 10065.1, of values 5 and 10. The lower quartile, place
+/// 3999.75, is 3 + ¾: four replicates below, 4·750² + 12·250² = 3·10⁶, √(16/15·3·10⁶ + 1) = 1788.9 places:
+/// 2210.9 and 5788.6, values 2 and 5. A value at the quantile itself counts by half: at 2.5 %, place 399.975
+/// of value 0, 500 of replicate 0 lie below, and the mean is 31.25: √(16/15·(468.75² + 15·31.25²) + 1) =
+/// 500.0: from place 0 to 900 all are 0.
 #[test]
 fn numbers_below_a_quantile_give_its_standard_error() {
     let column: Vec<f64> = (0..16_000).map(|index| f64::from(index % 16)).collect();
@@ -91,7 +91,7 @@ fn numbers_below_a_quantile_give_its_standard_error() {
             .map(|(value, error)| Estimate { value, standard_error: Some(error) });
         assert_eq!(found, expected);
     }
-    // Replicates alike, 0 … 99 in each: nothing but the one place, which is between n + 1 and n − 1 in
+    // Equal replicates, 0 … 99 in each: only the one place is left, which lies between n + 1 and n − 1 in
     // sixteen equal values each.
     let column: Vec<f64> = (0..1600).map(|index| f64::from(index / 16)).collect();
     let summary = of_column(&column, SamplingMethod::Sobol).unwrap();
@@ -106,7 +106,7 @@ fn numbers_below_a_quantile_give_its_standard_error() {
     );
 }
 
-/// The value that this share of the ordered values lies below, as NumPy has it.
+/// The quantile of sorted values, as defined by NumPy.
 #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a place among the values")]
 fn quantile(sorted: &[f64], share: f64) -> f64 {
     let position = (sorted.len() - 1) as f64 * share;
@@ -115,9 +115,9 @@ fn quantile(sorted: &[f64], share: f64) -> f64 {
     before + (after - before) * (position - position.floor())
 }
 
-/// Values spread evenly, with a long tail, in three clumps, half of them alike, all alike but a few, all
-/// alike, subnormal, of both zeros, and first small and then large: beside a full sort, with samples that
-/// failed and without.
+/// Values spread evenly, with a long tail, in three clusters, half of them equal, all but a few equal, all
+/// equal, subnormal, of both zeros, and first small and then large, compared with a full sort, with and
+/// without failed samples.
 #[test]
 fn quantiles_are_those_of_a_full_sort() {
     let kinds: [fn(f64, u64) -> f64; 9] = [

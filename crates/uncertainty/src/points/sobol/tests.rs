@@ -8,14 +8,15 @@ fn plain(input: usize, index: u64) -> f64 {
     point(&directions(input), index).reverse_bits() as f64 / 2.0_f64.powi(64)
 }
 
-/// The inputs of replicates of so many points.
+/// The inputs of replicates with this number of points.
 fn all(inputs: usize, seed: u64, points: u64) -> Vec<Sobol> {
     let seeds: Vec<u64> = (1..=inputs as u64).map(|input| key(seed, &[input])).collect();
     Sobol::all(&seeds, seed, points)
 }
 
 /// Points 1 to 3 in any dimension begin with ½, and points 4 to 7 of the first dimensions are printed in S.
-/// Joe and F. Y. Kuo, *Notes on generating Sobol' sequences* (2008), in Gray-code order; here by index.
+/// Joe and F. Y. Kuo, *Notes on generating Sobol' sequences* (2008), in Gray-code order; here they are in
+/// index order.
 #[test]
 fn the_first_points_are_those_of_sobol() {
     let first: Vec<f64> = (0..8).map(|index| plain(0, index)).collect();
@@ -56,13 +57,12 @@ fn the_polynomials_are_primitive_and_differ() {
     }
 }
 
-/// Sobol's property A, which Joe and Kuo say holds for their first 1111 dimensions: the first digits of the
-/// first d direction numbers in d dimensions are linearly independent, so that the first 2ᵈ points have one
-/// in each of the halves' products.
+/// Sobol's property A, which according to Joe and Kuo holds for their first 1111 dimensions: the first digits
+/// of the first d direction numbers in d dimensions are linearly independent, so that each of the 2ᵈ orthants
+/// of the cube contains one of the first 2ᵈ points.
 #[test]
 fn property_a_holds_as_joe_and_kuo_say() {
-    // With more dimensions than direction numbers here, the matrix is not square; take as many as there are
-    // numbers, from each place on.
+    // With more dimensions than direction numbers the matrix would not be square.
     for dimensions in 1..=DIRECTIONS {
         let rows = (0..dimensions).map(|input| {
             directions(input)[..dimensions].iter().fold(0, |row, direction| (row << 1) | (direction & 1))
@@ -77,7 +77,7 @@ fn property_a_holds_as_joe_and_kuo_say() {
     }
 }
 
-/// FNV-1a over the table as it was taken from Joe and Kuo's file: the tests above do not see each digit.
+/// FNV-1a over the table as copied from Joe and Kuo's file: the tests above do not check every digit.
 #[test]
 fn the_table_is_unchanged() {
     assert_eq!(MAX_INPUTS, 256);
@@ -90,7 +90,7 @@ fn the_table_is_unchanged() {
     assert_eq!(hash, 0x9778_A5D1_26C9_A245, "0x{hash:016X}");
 }
 
-/// The point at an index, out of its block.
+/// The point at an index, taken from its block.
 fn fill(sobol: &Sobol, index: u64, shares: &mut [f64; REPLICATES]) {
     let mut block = Lanes::ZERO;
     let place = index % POINTS as u64;
@@ -98,8 +98,7 @@ fn fill(sobol: &Sobol, index: u64, shares: &mut [f64; REPLICATES]) {
     shares.copy_from_slice(block.chunks(REPLICATES).nth(place as usize).unwrap());
 }
 
-/// Every power-of-two block of points has one point in each of as many equal intervals, scrambled or not, in
-/// every input.
+/// In every input, a block of 2ᵏ points has one point in each of 2ᵏ equal intervals, scrambled or not.
 #[test]
 fn each_block_is_stratified_in_every_input() {
     for (input, sobol) in all(MAX_INPUTS, 77, 512).into_iter().enumerate() {
@@ -121,8 +120,8 @@ fn each_block_is_stratified_in_every_input() {
     }
 }
 
-/// The first two inputs are a (0, 2)-sequence (Sobol' 1967): one point in each elementary rectangle, whatever
-/// its shape, scrambled too.
+/// The first two inputs are a (0, 2)-sequence (Sobol' 1967): one point in each elementary rectangle of any
+/// shape, even when scrambled.
 #[test]
 fn the_first_two_inputs_fill_every_elementary_rectangle() {
     let [first, second] = all(2, 3, 256).try_into().unwrap();
@@ -149,13 +148,13 @@ fn the_first_two_inputs_fill_every_elementary_rectangle() {
     }
 }
 
-/// Owen's scrambling moves each point to anywhere, and takes every branch of the tree of digits with its own
-/// coin.
+/// Owen's scrambling may move a point anywhere, and tosses a separate coin at each branch of the tree of
+/// digits.
 #[test]
 fn scrambling_is_uniform_and_its_coins_are_independent() {
     let seeds = 4096_u64;
     let mut shares = [0.0; REPLICATES];
-    // Whether digit k (from 1) of the points with the first digits 0… and 1… is turned.
+    // Counts how often digit k (from 1) of the points with the first digits 0… and 1… is flipped.
     let mut turned = [[0_u32; 12]; 2];
     let mut both = [0_u32; 12];
     let mut sum = 0.0;
@@ -175,17 +174,18 @@ fn scrambling_is_uniform_and_its_coins_are_independent() {
             both[number] += u32::from(zero == one);
         }
     }
-    // Five standard deviations of a fair coin's count, √(n/4) each, and of a uniform mean, 1/√(12n).
+    // Five standard deviations of the count of a fair coin, √(n/4), and of the mean of uniform numbers,
+    // 1/√(12n).
     let limit = 5.0 * (seeds as f64 / 4.0).sqrt();
     let fair = |count: u32| (f64::from(count) - seeds as f64 / 2.0).abs() < limit;
     assert!(turned.iter().flatten().all(|&count| fair(count)), "{turned:?}");
-    // The first digit has one coin: never equal. All others have one each.
+    // Both points share the coin of the first digit; all others have separate coins.
     assert_eq!(both[0], 0);
     assert!(both[1..].iter().all(|&count| fair(count)), "{both:?}");
     assert!((sum / seeds as f64 - 0.5).abs() < 5.0 / (12.0 * seeds as f64).sqrt());
 }
 
-/// Bits of the digits of two inputs that coincide agree in half of the replicates; all others are coins.
+/// The bits that shift coinciding digits of two inputs agree in half of the replicates; all others are coins.
 #[test]
 fn shifts_of_digits_that_coincide_are_orthogonal() {
     let (inputs, places) = (31, 6);
@@ -220,13 +220,13 @@ fn shifts_of_digits_that_coincide_are_orthogonal() {
         }
     }
     assert!(coinciding > 50 * seeds, "{coinciding}");
-    // 16 coins: variance 4. Of their share of ones, ¼ over 31·4·16·50 = 99,200.
+    // 16 coins have variance 4, their fraction of ones ¼ over 31·4·16·50 = 99,200.
     assert!((squares / others - 4.0).abs() < 0.1, "{}", squares / others);
     let all = (patterns.len() * REPLICATES) as f64 * seeds as f64;
     assert!((ones / all - 0.5).abs() < 5.0 * (0.25 / all).sqrt(), "{}", ones / all);
 }
 
-/// Digits beyond those that tell the points apart are left to the scrambling, which takes another coin for
+/// Digits beyond those that distinguish the points are left to the scrambling, which tosses another coin for
 /// each point.
 #[test]
 fn few_points_have_few_digits_shifted() {
