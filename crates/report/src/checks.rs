@@ -7,7 +7,7 @@ use crate::document::Table;
 use crate::units::{Measure, Units, number};
 use crate::{basis, words};
 
-/// All checks of the analysis, where it has any. Where one is not passed, a warning below them says more.
+/// All checks of the analysis; `None` without any. A warning below explains each failed one.
 pub(crate) fn table(analysis: &Seen, units: Units) -> Option<Table> {
     let mut table = Table::of_two("Consistency checks", ["found", "limit", "verdict"]);
     for check in &analysis.checks {
@@ -90,7 +90,7 @@ pub(crate) fn said(check: &Check, analysis: &Seen, units: Units) -> [String; 3] 
             let plain = |si: f64| units.plain(Measure::YawRateDegrees, si);
             (
                 format!("momentum: Ω of vehicle {vehicle}"),
-                format!("{}, and {} as told", plain(implied), degrees(told)),
+                format!("{}, evidence: {}", plain(implied), degrees(told)),
                 format!("{} apart", degrees(check.limit)),
             )
         }

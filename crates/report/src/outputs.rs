@@ -1,4 +1,4 @@
-//! What outputs and reasons are called, and in which units outputs are printed.
+//! The names of outputs and reasons, and the units in which outputs are printed.
 
 use analysis::{Kind, Output, Reason, WayNumber, quantity};
 use case::{Estimate, FaceAxis, Input, Origin, YawSource};
@@ -22,8 +22,7 @@ pub fn reason_name(reason: Reason) -> &'static str {
     }
 }
 
-/// What a reader calls a number that may vary: the path of what the file gives, and words for what it does
-/// not.
+/// The name of a number that may vary: its path if the file gives it, otherwise words.
 pub(crate) fn input_name(input: &Input) -> String {
     match input.origin {
         Origin::Given => input.path.clone(),
@@ -34,7 +33,7 @@ pub(crate) fn input_name(input: &Input) -> String {
     }
 }
 
-/// What an estimate comes from.
+/// The source of an estimate.
 pub(crate) fn estimate_source(estimate: Estimate) -> String {
     match estimate {
         Estimate::Stiffness { category, .. } => format!("category {category}"),
@@ -75,7 +74,7 @@ pub(crate) fn printed(kind: Kind) -> Option<Measure> {
     }
 }
 
-/// An output, as a heading calls it.
+/// The name of an output in a heading.
 pub(crate) fn output_name(output: Output) -> String {
     let name = quantity(output.key()).map_or_else(|| output.key(), |row| row.name);
     let mut letters = name.chars();
@@ -89,12 +88,12 @@ pub(crate) fn output_name(output: Output) -> String {
     format!("{first}{}{of}{along}", letters.as_str())
 }
 
-/// What an output is printed in, a speed in the unit of the equations.
+/// The quantity as which an output is printed, a speed in the unit of the equations.
 pub(crate) fn output_quantity(output: Output) -> Measure {
     quantity(output.key()).and_then(|row| printed(row.kind)).unwrap_or(Measure::Speed)
 }
 
-/// In a picture: people read speeds in mph and km/h.
+/// The same in a picture, where people read speeds in mph and km/h.
 pub(crate) fn pictured(output: Output) -> Measure {
     match output_quantity(output) {
         Measure::Speed => Measure::RoadSpeed,

@@ -9,8 +9,8 @@ use super::csv::CsvStyle;
 use crate::outputs::reason_name;
 
 /// Writes a line for each sample: its number, why it has no answer, its uncertain inputs and its outputs, in
-/// SI units and radians. Outputs that there are not are empty. Numbers are the shortest that read back as the
-/// same, in the style of the spreadsheet. Samples that a large run did not keep are computed again.
+/// SI units and radians. Missing outputs are empty. Numbers are the shortest that read back as the same, in
+/// the style of the spreadsheet. Samples that a large run did not keep are computed again.
 ///
 /// # Errors
 /// Where `out` cannot be written to.

@@ -14,11 +14,12 @@ use super::{identified, pretty, title};
 #[derive(Serialize)]
 struct Document<'a> {
     title: &'a str,
-    /// Those of the inputs and of the turned directions.
+    /// The axes of the inputs and of the turned directions.
     axes: &'static str,
     derivatives: Vec<DerivativeBlock<'a>>,
     pdof_sweep: Vec<SweepBlock>,
-    /// What the file gives in place of what would follow from the direction: kept in every row of the sweep.
+    /// Values that the file gives although they would follow from the direction: kept in every row of the
+    /// sweep.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pdof_sweep_held: Vec<String>,
     /// The same, turned with the direction.
@@ -33,7 +34,7 @@ struct Document<'a> {
 struct DerivativeBlock<'a> {
     output: String,
     input: &'a str,
-    /// In words, of what is no key of the file.
+    /// In words, if it is not a key of the file.
     #[serde(skip_serializing_if = "Option::is_none")]
     name: Option<String>,
     value: f64,
@@ -106,7 +107,7 @@ pub fn sensitivity_json(file: &CaseFile, sensitivity: &Sensitivity) -> Result<St
     pretty(&identified(file, document))
 }
 
-/// The vehicles in the sweep of whose damage the file gives something.
+/// The vehicles in the sweep for whose damage the file gives a value.
 pub(crate) fn given_in_sweep(
     sensitivity: &Sensitivity,
     given: fn(&DamageData) -> Option<f64>,

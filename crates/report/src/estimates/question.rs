@@ -1,4 +1,4 @@
-//! Reads a question that is put to an estimate.
+//! Reads a question to an estimate.
 
 use analysis::{EstimateOutput, Kind};
 use case::{Dimension, read_quantity};
@@ -10,7 +10,7 @@ impl Question {
     /// Reads a question such as `vehicle1.speed 50 km/h`: one of the results of the case, and a limit.
     ///
     /// # Errors
-    /// A sentence, where the case has no such result, and where the limit has not the unit of one.
+    /// A sentence if the case has no such result, or if the unit of the limit does not fit it.
     pub fn read(text: &str, outputs: &[EstimateOutput]) -> Result<Self, String> {
         let text = text.trim();
         let (key, limit) = text.split_once(char::is_whitespace).unwrap_or((text, ""));
@@ -38,9 +38,9 @@ fn limit_of(text: &str, kind: Kind) -> Result<f64, String> {
         Kind::Angle => Dimension::Angle,
         Kind::YawRate => Dimension::YawRate,
         Kind::Time => Dimension::Time,
-        // No result of an estimate is one.
+        // No result of an estimate is of these kinds.
         Kind::Impulse | Kind::MomentImpulse | Kind::Force => {
-            return Err("no limit can be given of this result".to_owned());
+            return Err("no limit can be given for this result".to_owned());
         }
     };
     let quantity = read_quantity(text, dimension);
