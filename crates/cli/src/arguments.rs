@@ -45,10 +45,10 @@ pub(crate) enum Command {
     /// Find the speed from damage or momentum, and all that follows
     #[command(
         before_help = "The program varies the speed that `find` of [reconstruct] names until the impact \
-            takes the crush energy of both vehicles. If there is no damage, momentum and the motion after \
-            the impact give the speed, as they give both if `find` names both. If the case has more \
-            evidence than that, or its checks refute the answer, all the evidence is weighed as in \
-            `deltav estimate` and leads the report, above the exact solutions.\n\n\
+            dissipates the crush energy of both vehicles. If there is no damage, momentum and the motion \
+            after the impact give the speed, as they give both if `find` names both. If the case has more \
+            evidence than that, or its checks refute the answer, all the evidence is weighed as in `deltav \
+            estimate` and leads the report, above the exact solutions.\n\n\
             Several files give one row each. A file without an answer has the error in its row.",
         after_help = "Examples:\n  deltav reconstruct fixtures/sae-980025.toml --units si\n  \
             deltav reconstruct fixtures/sae-980025.toml --format html -o report.html\n  \
@@ -111,8 +111,8 @@ pub(crate) enum Command {
         before_help = "Shows how much the answer depends on the choice of impact law. The case is solved \
             under its own law and under Brach's, Woolley's, Ishikawa's and Kudlich–Slibar's, with its own \
             coefficients where they apply and stated assumptions elsewhere. If it has [reconstruct], the \
-            damage and how the vehicles left the impact, a first table has the answers of damage alone, \
-            of momentum alone, and of both together.\n\n\
+            damage and how the vehicles left the impact, a first table has the answers by damage alone, by \
+            momentum alone, and by both together.\n\n\
             Several files give one row for each law of each case as csv, one line for each case as jsonl.",
         after_help = "Examples:\n  deltav compare fixtures/sae-980025.toml\n  \
             deltav compare fixtures/rear-end-rest.toml\n\n\
@@ -193,11 +193,11 @@ pub(crate) enum Command {
     Draw(DrawArguments),
     /// Measure the program's error rate on staged collisions
     #[command(
-        before_help = "Compares eleven RICSAC staged collisions with what the papers print of them: each \
+        before_help = "Compares eleven RICSAC staged collisions with what the papers print about them: each \
             number is claimed to reproduce within a tolerance, or listed with the reason why it does not. \
-            Then reconstructs the speed of each from its crush, and shows the error rate. It reads no \
-            file: the data were built in. With --field FILE it judges intervals of ΔV by the recorders of \
-            real crashes in that table instead.",
+            Then reconstructs the speed of each from its crush, and shows the error rate. It reads no file: \
+            the data are built in. With --field FILE it judges intervals of ΔV by the recorders of real \
+            crashes in that table instead.",
         after_help = "Examples:\n  deltav validate\n  deltav validate --format json -o validation.json\n  \
             deltav validate --format markdown -o docs/validation.md --plots docs\n  \
             deltav validate --field ciss-pairs.csv\n  deltav validate --field ciss-pairs.csv --other \
@@ -407,7 +407,7 @@ pub(crate) struct ReportArguments {
     #[command(flatten)]
     pub(crate) cases: CasesArguments,
 
-    /// With html: a report that holds the program, to change its numbers
+    /// With html: embed the program, so that readers can change numbers
     #[arg(long)]
     pub(crate) live: bool,
 
@@ -574,7 +574,7 @@ pub(crate) enum What {
     Energy,
     /// Plan view from approach through impact to rest, with the marks of the wheels
     Motion,
-    /// Speed, yaw rate and heading over the time from the impact to rest
+    /// Speed, yaw rate and heading over time, from the impact to rest
     MotionCurves,
     /// The momentum polygon: momenta before and after the impact, tip to tail
     Momentum,
@@ -743,7 +743,7 @@ pub(crate) struct EstimateArguments {
     #[arg(long, value_enum, hide_possible_values = true)]
     pub(crate) prior: Option<EstimatePrior>,
 
-    /// Leave out what each piece of evidence says, which takes most of the time
+    /// Skip the answers for each piece of evidence, which take most of the time
     #[arg(long)]
     pub(crate) no_pieces: bool,
 
@@ -762,9 +762,9 @@ pub(crate) struct EstimateArguments {
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub(crate) enum EstimatePrior {
-    /// As collisions of which a vehicle was towed
+    /// As severe as collisions after which a vehicle was towed
     Field,
-    /// Any speed is as likely as any other
+    /// All speeds are equally likely
     Flat,
 }
 
@@ -844,7 +844,7 @@ pub(crate) struct TableArguments {
 pub(crate) enum TableJob {
     /// The speed at which impact and crush agree
     Reconstruct,
-    /// What the impact does, both speeds given
+    /// The impact at two given speeds
     Impact,
     /// CRASH3: energies and ΔV from the damage alone
     Crush,
