@@ -31,7 +31,7 @@ pub(crate) fn said(check: &Check, analysis: &Seen, units: Units) -> [String; 3] 
             ("PDOFs from opposite".to_owned(), angle(check.value), angle(check.limit))
         }
         CheckedQuantity::DamageEnergy { .. } => {
-            // As much of the crush energy as W_n should be.
+            // The part of the crush energy that W_n should equal.
             let label = match analysis.basis {
                 Basis::Dissipated => "normal work and crush energy".to_owned(),
                 Basis::Absorbed => "normal work and (1 − e²) E".to_owned(),
@@ -42,7 +42,7 @@ pub(crate) fn said(check: &Check, analysis: &Seen, units: Units) -> [String; 3] 
             (label, percent(check.value), percent(check.limit))
         }
         CheckedQuantity::Restitution => {
-            // Where they close slowly there is no limit, and no check.
+            // At a low closing speed there is no limit, and no check.
             let closing = analysis.exchange().map_or(0.0, |exchange| exchange.closing_speed);
             let [closing, fast] = [closing, FAST_CLOSING].map(|si| units.road_speed(si));
             (

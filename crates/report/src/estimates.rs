@@ -18,7 +18,7 @@ use crate::worth::{BARRIER_TESTS, SMITH_NOGA, STAGED_MOTION};
 /// What a reader asked an estimate for.
 #[derive(Clone, Debug)]
 pub struct Asked {
-    /// How it was made.
+    /// The plan by which it was made.
     pub plan: EstimatePlan,
     /// Probabilities to report.
     pub questions: Vec<Question>,
@@ -352,7 +352,7 @@ pub(crate) fn unused(reason: UnusedReason, key: &str) -> [String; 2] {
             "a speed above zero, or leave it out",
         ],
         UnusedReason::OneWreck => [
-            "in each draw the vehicles separate after the impact, by its law",
+            "in each draw the vehicles separate after the impact, as its law requires",
             "nothing: `deltav reconstruct` uses it",
         ],
         UnusedReason::OtherPdof => [

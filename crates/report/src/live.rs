@@ -8,15 +8,15 @@ use serde::Serialize;
 use crate::data::sha256;
 use crate::words::file_name;
 
-/// Where the page takes a report.
+/// The place for a report in the page.
 const SLOT: &str = "<script type=\"application/json\" id=\"deltav-live\">null</script>";
-/// Where it says which engine it has.
+/// The beginning of the tag that names the engine in the page.
 const ENGINE: &str = "<meta name=\"deltav-engine\" content=\"";
 
 /// Why a report cannot be put into a page.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum NotLive {
-    /// It has not exactly one place for a report.
+    /// It does not have exactly one place for a report.
     #[error(
         "this is not the page deltav.html: it has no place for a report; take the one that belongs to the program"
     )]
@@ -30,9 +30,9 @@ pub enum NotLive {
 
 #[derive(Serialize)]
 struct Live<'a> {
-    /// Of the case file.
+    /// Name of the case file.
     name: &'a str,
-    /// The case file.
+    /// Text of the case file.
     text: &'a str,
     report_base64: String,
     report_sha256: String,

@@ -233,7 +233,7 @@ pub fn drawing(
     }
 }
 
-/// Draws the scene for readers who are no engineers, such as a jury: the vehicles by name, and their speeds
+/// Draws the scene for readers who are not engineers, such as a jury: the vehicles by name, and their speeds
 /// before and after the impact in words; no symbols, axes or forces. If the case has more evidence than an
 /// exact solution uses, the speeds are those of all the evidence, `weighed`, or none if that has no answer.
 ///
@@ -261,7 +261,7 @@ pub fn motion_on(
     Ok(motion::picture(&file.case, analysis, units, site_plan)?.draw())
 }
 
-/// The same for readers who are no engineers, with the speeds of [`plain_scene`].
+/// The same for readers who are not engineers, with the speeds of [`plain_scene`].
 ///
 /// # Errors
 /// [`DrawingError`]: the analysis follows no vehicle to rest.
@@ -293,7 +293,7 @@ fn with_caveat(description: String, caveat: &str) -> String {
     if caveat.is_empty() { description } else { format!("{description} {caveat}") }
 }
 
-/// The speed before the impact for readers who are no engineers.
+/// The speed before the impact for readers who are not engineers.
 #[derive(Clone, Copy)]
 enum PlainSpeed<'a> {
     /// That of the exact solution, which is the answer.

@@ -1,5 +1,5 @@
-//! What was understood of a case, in words: ranges, units, choices, and what is assumed where the file says
-//! nothing.
+//! A case as the program understood it, in words: ranges, units, choices, and what is assumed where the file
+//! says nothing.
 
 use analysis::{Assumption, AxleMeasure};
 use case::{

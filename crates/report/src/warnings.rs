@@ -22,7 +22,7 @@ pub(crate) fn block(warnings: &[SeenWarning], units: Units) -> Block {
     Block::Warnings { warnings: warnings.iter().map(sentence).collect(), more: MORE }
 }
 
-/// The warnings of an analysis alone; nothing where it has none.
+/// The warnings of an analysis alone; empty if it has none.
 #[must_use]
 pub fn warnings(case: &Case, analysis: &Analysis, units: Units) -> Document {
     let mut page = Document::new();

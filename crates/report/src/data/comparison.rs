@@ -75,7 +75,7 @@ struct Document<'a> {
     /// The answers by damage, by momentum and by both.
     #[serde(skip_serializing_if = "Option::is_none")]
     evidence: Option<EvidenceBlock>,
-    /// Of the case as it stands.
+    /// Those of the case as it stands.
     warnings: Vec<WarningBlock>,
 }
 
@@ -299,7 +299,7 @@ fn crash3_row(row: &Correction) -> Row {
 /// row is the case's own law, and the differences are from it. Shares are of the initial kinetic energy.
 ///
 /// # Errors
-/// Where serialisation fails, which no comparison causes.
+/// If serialisation fails, which no comparison causes.
 pub fn comparison_json(file: &CaseFile, comparison: &Comparison) -> Result<String, serde_json::Error> {
     pretty(&identified(file, document(&file.case, comparison)))
 }

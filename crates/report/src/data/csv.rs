@@ -55,7 +55,7 @@ pub struct Csv {
     pub table: Table,
     /// The units of its numbers.
     pub units: Units,
-    /// How a spreadsheet reads it.
+    /// The style that the spreadsheet reads.
     pub style: CsvStyle,
 }
 
@@ -270,7 +270,7 @@ fn of_comparisons() -> Vec<(String, Column)> {
     let place = |name: &str, place: &str| (name.to_owned(), Column::Place(place.to_owned()));
     let mut columns = vec![
         place("file", "/file"),
-        // That of the file, or of the law.
+        // The error of the file, or of the law.
         place("error", "/error"),
         place("law_error", "/rows/#/error"),
         place("title", "/title"),

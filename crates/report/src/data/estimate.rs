@@ -36,7 +36,7 @@ struct Document<'a> {
     outputs: InOrder<OutputBlock>,
     questions: Vec<QuestionBlock>,
     pieces: Vec<PieceBlock<'a>>,
-    /// How far crush energies are off, of vehicle 1 and 2; `null` where the crush is no evidence.
+    /// The error of the crush energies of vehicle 1 and 2; `null` if the crush is not evidence.
     crush: Option<[Option<CrushBlock>; 2]>,
     /// How probable it is that vehicle 1 and 2 stood; `null` for one that did not, or whose speed is known.
     stood: [Option<StoodBlock>; 2],
@@ -290,7 +290,7 @@ fn reason_name(reason: UnusedReason) -> &'static str {
 /// radians. If the run has not converged, everything after the evidence is `null`.
 ///
 /// # Errors
-/// Where serialisation fails, which no estimate causes.
+/// If serialisation fails, which no estimate causes.
 pub fn estimate_json(
     file: &CaseFile,
     estimated: &Estimated,
@@ -379,7 +379,7 @@ pub fn draw_columns(estimated: &Estimated) -> Vec<DrawColumn<'_>> {
 /// spreadsheet.
 ///
 /// # Errors
-/// Where `out` cannot be written to.
+/// If `out` cannot be written to.
 pub fn write_draws(estimated: &Estimated, style: CsvStyle, out: &mut dyn Write) -> io::Result<()> {
     let next = style.separator();
     let columns = draw_columns(estimated);

@@ -67,7 +67,7 @@ struct AssumptionBlock {
 /// units), `choices`, `assumptions` and `warnings`. SI units here are those with the factor 1: m, kg, N, rad.
 ///
 /// # Errors
-/// Where serialisation fails, which no judgement causes.
+/// If serialisation fails, which no judgement causes.
 pub fn judgement_json(file: &CaseFile, judgement: &Judgement) -> Result<String, serde_json::Error> {
     let case = &file.case;
     let mut ranges = case.ranges.iter().peekable();

@@ -13,7 +13,7 @@ use crate::outputs::reason_name;
 /// the style of the spreadsheet. Samples that a large run did not keep are computed again.
 ///
 /// # Errors
-/// Where `out` cannot be written to.
+/// If `out` cannot be written to.
 pub fn write_samples(uncertainty: &Uncertainty, style: CsvStyle, out: &mut dyn Write) -> io::Result<()> {
     let next = style.separator();
     let inputs = &uncertainty.inputs;

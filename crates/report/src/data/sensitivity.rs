@@ -22,10 +22,10 @@ struct Document<'a> {
     /// sweep.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pdof_sweep_held: Vec<String>,
-    /// The same, turned with the direction.
+    /// The same, but turned with the direction.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pdof_sweep_turned: Vec<String>,
-    /// Of the case as it stands.
+    /// Those of the case as it stands.
     warnings: Vec<WarningBlock>,
 }
 
@@ -65,7 +65,7 @@ struct SweepBlock {
 /// which they are ranked.
 ///
 /// # Errors
-/// Where serialisation fails, which no sensitivity causes.
+/// If serialisation fails, which no sensitivity causes.
 pub fn sensitivity_json(file: &CaseFile, sensitivity: &Sensitivity) -> Result<String, serde_json::Error> {
     let case = &file.case;
     let paths = |key: &str, vehicles: Vec<VehicleId>| -> Vec<String> {

@@ -35,7 +35,7 @@ struct Document<'a> {
     sensitivity: Vec<IndexBlock<'a>>,
     #[serde(skip_serializing_if = "Option::is_none")]
     index_rows: Option<RowsBlock>,
-    /// Of the case as it stands.
+    /// Those of the case as it stands.
     warnings: Vec<WarningBlock>,
 }
 
@@ -178,7 +178,7 @@ struct IndexBlock<'a> {
 /// evaluated; `sensitivity` is that of the first output, and each output has its own.
 ///
 /// # Errors
-/// Where serialisation fails, which no uncertainty causes.
+/// If serialisation fails, which no uncertainty causes.
 pub fn uncertainty_json(file: &CaseFile, uncertainty: &Uncertainty) -> Result<String, serde_json::Error> {
     pretty(&identified(file, document(&file.case, uncertainty)))
 }

@@ -37,8 +37,8 @@ fn number_of(count: usize) -> String {
     number(count as f64, 0)
 }
 
-/// How probable each value of a result is, before the evidence and after it. `None` where it does not vary,
-/// and where the run has not converged.
+/// How probable each value of a result is, before the evidence and after it. `None` if it does not vary, or
+/// if the run has not converged.
 #[must_use]
 pub fn density(
     case: &Case,
@@ -153,7 +153,7 @@ fn curve(draws: &[f64], summary: &DrawsSummary, ess: f64, ends: Option<[f64; 2]>
     Some(points.collect())
 }
 
-/// Both speeds at once. `None` where one of them is known, and where the run has not converged.
+/// Both speeds at once. `None` if one of them is known, or if the run has not converged.
 #[must_use]
 pub fn joint_speeds(case: &Case, estimated: &Estimated, asked: &Asked, units: Units) -> Option<Drawing> {
     Some(joint_picture(case, estimated, asked, units)?.draw())
@@ -254,8 +254,8 @@ fn place(value: f64, [low, _]: [f64; 2], step: f64) -> usize {
     ((value - low) / step).floor().clamp(0.0, LAST) as usize
 }
 
-/// Where the vehicles come to rest in the draws, and where they were found. `None` where none is followed,
-/// and where the run has not converged.
+/// Where the vehicles come to rest in the draws, and where they were found. `None` if none is followed, or if
+/// the run has not converged.
 #[must_use]
 pub fn rests(case: &Case, estimated: &Estimated, asked: &Asked, units: Units) -> Option<Drawing> {
     Some(rests_picture(case, estimated, asked, units)?.draw())
@@ -318,8 +318,7 @@ fn footprint(dimensions: Dimensions, kind: Kind) -> Footprint {
     Footprint { length, width, cg_to_front, shape }
 }
 
-/// All pictures of an estimate below each other. `None` where no result varies, and where the run has not
-/// converged.
+/// All pictures of an estimate below each other. `None` if no result varies, or if the run has not converged.
 #[must_use]
 pub fn estimate_pictures(case: &Case, estimated: &Estimated, asked: &Asked, units: Units) -> Option<Drawing> {
     let drawings: Vec<(String, Drawing)> = all(case, estimated, asked, units)

@@ -22,7 +22,7 @@ const STANDING: f64 = 1.0 / 3.6;
 /// The number of parts drawn for each step of the integration, which may be a second long.
 const PARTS: u32 = 12;
 
-/// For readers who are no engineers.
+/// For readers who are not engineers.
 pub(super) fn plain(
     case: &Case,
     analysis: &Analysis,
@@ -43,7 +43,7 @@ pub(super) fn picture(
     drawn(case, analysis, units, None, site_plan)
 }
 
-/// With plain speeds, for readers who are no engineers.
+/// With plain speeds, for readers who are not engineers.
 fn drawn(
     case: &Case,
     analysis: &Analysis,

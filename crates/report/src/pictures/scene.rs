@@ -11,7 +11,7 @@ use crate::Units;
 use crate::axes;
 use crate::units::Measure;
 
-/// The same for readers who are no engineers: vehicles and their speeds before and after, in words.
+/// The same for readers who are not engineers: vehicles and their speeds before and after, in words.
 pub(super) fn plain(
     case: &Case,
     analysis: &Analysis,

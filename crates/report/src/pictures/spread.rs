@@ -32,14 +32,14 @@ fn origin(case: &Case, uncertainty: &Uncertainty) -> String {
     )
 }
 
-/// With commas.
+/// A count with commas.
 #[expect(clippy::cast_precision_loss, reason = "a count to print")]
 fn number_of(count: usize) -> String {
     number(count as f64, 0)
 }
 
-/// The middle 99 % of the samples of an output, with its 95 % interval and its central value. `None` where
-/// the samples do not differ, and where there is no such output.
+/// The middle 99 % of the samples of an output, with its 95 % interval and its central value. `None` if the
+/// samples do not differ, or if there is no such output.
 #[must_use]
 pub fn histogram(case: &Case, uncertainty: &Uncertainty, place: usize, units: Units) -> Option<Drawing> {
     Some(histogram_picture(case, uncertainty, place, units)?.draw())

@@ -27,7 +27,7 @@ pub(super) enum DrawnOutline {
 
 impl Body {
     /// The vehicle's own outline, else that of the CRASH3 class whose radius of gyration is nearest; `None`
-    /// for what is not like a car of a class.
+    /// if the vehicle is not like a car of a class.
     pub(super) fn of(given: &GivenVehicle, vehicle: &Vehicle) -> Option<Self> {
         let shape = match given.kind.unwrap_or_default() {
             _ if given.fixed => Shape::Fixed,

@@ -30,8 +30,8 @@ const ISLANDS: usize = ::estimate::ISLANDS;
 /// Unknown numbers that no table shows.
 const HIDDEN: [&str; 2] = ["ln_relative_speed", "speed_split"];
 
-/// The speeds with their intervals, what each piece of evidence says and whether it agrees with the rest, and
-/// what is assumed. No interval stands in it where the run has not converged.
+/// The speeds with their intervals, the answers by each piece of evidence and whether it agrees with the
+/// rest, and what is assumed. If the run has not converged, it has no interval.
 #[must_use]
 pub fn estimate(case: &Case, estimated: &Estimated, asked: &Asked, units: Units) -> Document {
     let mut page = Page { estimated, asked, units, document: Document::new() };

@@ -1,5 +1,5 @@
-//! The headline of a reconstruction: an exact solution of what is just determined; all the evidence weighed
-//! where there is more, with the exact solutions beneath and what speaks against each.
+//! The headline of a reconstruction: the exact solution if the case is just determined; all the evidence
+//! weighed if there is more, with the exact solutions beneath and what speaks against each.
 
 use analysis::{MISSED, Overdetermined, Seen, Solution, Weighed};
 use pim_core::VehicleId;

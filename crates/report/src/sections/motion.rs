@@ -33,7 +33,7 @@ pub(crate) fn how(both: &BothFound, analysis: &Seen, units: Units) -> String {
     how
 }
 
-/// What both speeds follow from.
+/// The evidence from which both speeds follow.
 fn found_by(both: &BothFound, analysis: &Seen, units: Units) -> String {
     let evidence = match origins(analysis)[..] {
         [one, two] if one.is_by_rest() && two.is_by_rest() => "the rest positions of both vehicles tell",

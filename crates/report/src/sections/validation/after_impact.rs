@@ -15,7 +15,7 @@ fn degrees(angle: f64, decimals: usize) -> String {
     format!("{}°", signed(angle / DEGREE, decimals))
 }
 
-/// In m/s, and in % where the vehicle moved.
+/// The error in m/s, and in % if the vehicle moved.
 fn error(found: f64, true_speed: f64) -> [String; 2] {
     let (error, share) = speed_error(found, true_speed);
     [signed(error, 2), share.map(|share| signed(100.0 * share, 1)).unwrap_or_default()]
