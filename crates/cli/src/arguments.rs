@@ -146,10 +146,10 @@ pub(crate) enum Question {
     /// Find the speed from damage or momentum, and all that follows
     #[command(
         before_help = "The program varies the speed that `find` of [reconstruct] names until the impact \
-            takes the crush energy of both vehicles. If there is no damage, momentum and the motion after \
-            the impact give the speed, as they give both if `find` names both. If the case has more \
-            evidence than that, or its checks refute the answer, all the evidence is weighed as in \
-            `deltav estimate` and leads the report, above the exact solutions.\n\n\
+            dissipates the crush energy of both vehicles. If there is no damage, momentum and the motion \
+            after the impact give the speed, as they give both if `find` names both. If the case has more \
+            evidence than that, or its checks refute the answer, all the evidence is weighed as in `deltav \
+            estimate` and leads the report, above the exact solutions.\n\n\
             Several files give one row each. A file without an answer has the error in its row.",
         after_help = "Examples:\n  deltav reconstruct fixtures/sae-980025.toml --units si\n  \
             deltav reconstruct fixtures/sae-980025.toml --format html -o report.html\n  \
@@ -212,8 +212,8 @@ pub(crate) enum Question {
         before_help = "Shows how much the answer depends on the choice of impact law. The case is solved \
             under its own law and under Brach's, Woolley's, Ishikawa's and Kudlich–Slibar's, with its own \
             coefficients where they apply and stated assumptions elsewhere. If it has [reconstruct], the \
-            damage and how the vehicles left the impact, a first table has the answers of damage alone, \
-            of momentum alone, and of both together.\n\n\
+            damage and how the vehicles left the impact, a first table has the answers by damage alone, by \
+            momentum alone, and by both together.\n\n\
             Several files give one row for each law of each case as csv, one line for each case as jsonl.",
         after_help = "Examples:\n  deltav compare fixtures/sae-980025.toml\n  \
             deltav compare fixtures/rear-end-rest.toml\n\n\
@@ -577,7 +577,7 @@ pub(crate) struct ReportArguments {
     #[command(flatten)]
     pub(crate) cases: CasesArguments,
 
-    /// With html: a report that holds the program, to change its numbers
+    /// With html: embed the program, so that readers can change numbers
     #[arg(long)]
     pub(crate) live: bool,
 
@@ -833,7 +833,7 @@ pub(crate) struct EstimateArguments {
     #[arg(long, value_parser = one_of(priors()), hide_possible_values = true)]
     pub(crate) prior: Option<Prior>,
 
-    /// Leave out what each piece of evidence says, which takes most of the time
+    /// Skip the answers for each piece of evidence, which take most of the time
     #[arg(long)]
     pub(crate) no_pieces: bool,
 

@@ -1,4 +1,4 @@
-//! What words say of the axes.
+//! The axes in words.
 
 use case::Axes;
 
@@ -18,7 +18,7 @@ pub(crate) fn sense(axes: Axes) -> &'static str {
     }
 }
 
-/// What a reader has to know of the signs.
+/// What a reader has to know about the signs.
 pub(crate) fn conventions(axes: Axes) -> &'static str {
     match axes {
         Axes::ZUp => "Angles and yaw rates are counter-clockwise positive, PDOF and α clockwise",

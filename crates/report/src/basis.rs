@@ -1,20 +1,20 @@
-//! The energy basis in words: what is held equal to the crush energy.
+//! The energy basis in words: the work that equals the crush energy.
 
 use case::Basis;
 
 use crate::units::number;
 
-/// `50 %`, of a share of 0.5.
+/// `50 %` for a share of 0.5.
 fn percent(share: f64) -> String {
     format!("{} %", short(100.0 * share, 2))
 }
 
-/// Rounded, without the zeros at its end.
+/// Rounded, without trailing zeros.
 fn short(value: f64, decimals: usize) -> String {
     number(value, decimals).trim_end_matches('0').trim_end_matches('.').to_owned()
 }
 
-/// The basis and, of a share of the tangential work, how large that is: `tangential-share, 50 %`.
+/// The basis and, for a share of the tangential work, its size: `tangential-share, 50 %`.
 pub(crate) fn named(basis: Basis) -> String {
     match basis {
         Basis::TangentialShare(share) => format!("{}, {}", basis.name(), percent(share)),
@@ -22,7 +22,7 @@ pub(crate) fn named(basis: Basis) -> String {
     }
 }
 
-/// The work that is held against the crush energy.
+/// The work that is compared with the crush energy.
 pub(crate) fn work(basis: Basis) -> String {
     match basis {
         Basis::TangentialShare(share) => {
@@ -35,12 +35,12 @@ pub(crate) fn work(basis: Basis) -> String {
     }
 }
 
-/// The same of the share λ alone.
+/// The same for the share λ alone.
 pub(crate) fn work_of_share(share: f64) -> String {
     work(if share == 0.0 { Basis::Dissipated } else { Basis::TangentialShare(share) })
 }
 
-/// What the crush takes of the tangential work: `50 % of the tangential work`.
+/// The part of the tangential work that the crush takes: `50 % of the tangential work`.
 pub(crate) fn share(basis: Basis) -> Option<String> {
     match basis {
         Basis::TangentialShare(share) => Some(format!("{} of the tangential work", percent(share))),

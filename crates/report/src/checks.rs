@@ -7,7 +7,7 @@ use crate::document::Table;
 use crate::units::{Measure, Units, number};
 use crate::{basis, words};
 
-/// All checks of the analysis, where it has any. Where one is not passed, a warning below them says more.
+/// All checks of the analysis; `None` without any. A warning below explains each failed one.
 pub(crate) fn table(analysis: &Seen, units: Units) -> Option<Table> {
     let mut table = Table::of_two("Consistency checks", ["found", "limit", "verdict"]);
     for check in &analysis.checks {
@@ -31,7 +31,7 @@ pub(crate) fn said(check: &Check, analysis: &Seen, units: Units) -> [String; 3] 
             ("PDOFs from opposite".to_owned(), angle(check.value), angle(check.limit))
         }
         CheckedQuantity::DamageEnergy { .. } => {
-            // As much of the crush energy as W_n should be.
+            // The part of the crush energy that W_n should equal.
             let label = match analysis.basis {
                 Basis::Dissipated => "normal work and crush energy".to_owned(),
                 Basis::Absorbed => "normal work and (1 − e²) E".to_owned(),
@@ -42,7 +42,7 @@ pub(crate) fn said(check: &Check, analysis: &Seen, units: Units) -> [String; 3] 
             (label, percent(check.value), percent(check.limit))
         }
         CheckedQuantity::Restitution => {
-            // Where they close slowly there is no limit, and no check.
+            // At a low closing speed there is no limit, and no check.
             let closing = analysis.exchange().map_or(0.0, |exchange| exchange.closing_speed);
             let [closing, fast] = [closing, FAST_CLOSING].map(|si| units.road_speed(si));
             (
@@ -90,7 +90,7 @@ pub(crate) fn said(check: &Check, analysis: &Seen, units: Units) -> [String; 3] 
             let plain = |si: f64| units.plain(Measure::YawRateDegrees, si);
             (
                 format!("momentum: Ω of vehicle {vehicle}"),
-                format!("{}, and {} as told", plain(implied), degrees(told)),
+                format!("{}, evidence: {}", plain(implied), degrees(told)),
                 format!("{} apart", degrees(check.limit)),
             )
         }

@@ -25,10 +25,10 @@ fn title(case: &Case) -> &str {
     case.title.as_ref().map_or("", Text::as_given)
 }
 
-/// What came of a case, with what it takes to get it again: the program and the file.
+/// The results of a case, with what reproduces them: the program and the file.
 #[derive(Serialize)]
 struct Identified<'a, T> {
-    /// Of one among several.
+    /// The file of a case among several.
     #[serde(skip_serializing_if = "Option::is_none")]
     file: Option<&'a str>,
     #[serde(flatten)]

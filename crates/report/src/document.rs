@@ -1,5 +1,5 @@
-//! What a command has to say, before it is decided how it looks: the parts of a document, which the sections
-//! fill and the writers write.
+//! The content of a document, independent of its format: the sections fill its parts, and the writers write
+//! them.
 
 use std::fmt;
 use std::sync::Arc;
@@ -15,17 +15,17 @@ use crate::words;
 #[derive(Clone, Debug)]
 pub struct Document {
     pub(crate) blocks: Vec<Block>,
-    /// Of a line of text: the fewest that its tables need, and the most that they use.
+    /// (columns) of a line of text: the fewest that its tables need, and the most that they use.
     pub(crate) columns: [usize; 2],
 }
 
-/// Columns of a page of text, where no terminal says otherwise.
+/// (columns) of a page of text, unless a terminal says otherwise.
 pub(crate) const LINE: usize = 98;
 
 /// A part of a document.
 #[derive(Clone, Debug)]
 pub(crate) enum Block {
-    /// Of the whole, and where the case is from.
+    /// The title of the document, and the source of the case.
     Title {
         title: String,
         source: Option<String>,
@@ -33,17 +33,17 @@ pub(crate) enum Block {
     Heading(String),
     Subheading(String),
     Paragraph(String),
-    /// What was found, a line each, and how.
+    /// The findings, one line each, and the method.
     Answer {
         found: Vec<String>,
         how: String,
     },
-    /// How many warnings there are; they stand under the heading of this name.
+    /// The number of warnings; they stand under this heading.
     Notice {
         count: String,
         heading: Option<&'static str>,
     },
-    /// Codes and sentences, with what stands under them.
+    /// Codes and sentences, with a note below them.
     Warnings {
         warnings: Vec<(&'static str, String)>,
         more: &'static str,
@@ -56,32 +56,32 @@ pub(crate) enum Block {
         title: &'static str,
         facts: Vec<(&'static str, String)>,
     },
-    /// Words and what is said of them, which may take several lines.
+    /// Names and their explanations, which may take several lines.
     Entries(Vec<(String, String)>),
     Table(Table),
     Steps(StepGroup),
     Drawing(Box<Drawing>),
-    /// A drawing in HTML; elsewhere the table that says the same, where there is one.
+    /// A drawing in HTML; in other formats the equivalent table, if there is one.
     Chart {
-        /// Its own among the drawings of the page, for [`Drawing::svg_named`].
+        /// Unique among the drawings of the page, for [`Drawing::svg_named`].
         name: String,
         drawing: Undrawn,
         instead: Option<Table>,
     },
-    /// A drawing that is a file of its own beside a page of Markdown.
+    /// A drawing that is a file of its own next to a page of Markdown.
     Picture {
         file: &'static str,
         says: &'static str,
         drawing: Box<Drawing>,
     },
-    /// A text to be kept letter by letter.
+    /// A text to keep verbatim.
     Listing {
         language: &'static str,
         text: String,
     },
 }
 
-/// A drawing that is made where it is shown, as only HTML shows it.
+/// A drawing that is made on demand, because only HTML shows it.
 #[derive(Clone)]
 pub(crate) struct Undrawn(Arc<dyn Fn() -> Drawing + Send + Sync>);
 
@@ -104,11 +104,11 @@ impl fmt::Debug for Undrawn {
 /// Rows under named columns.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Table {
-    /// Of the table; without one the first column has a name of its own.
+    /// Empty if the first column has a name of its own.
     pub(crate) title: String,
     pub(crate) columns: Vec<Column>,
     pub(crate) rows: Vec<Row>,
-    /// Sentences on the table, right below it.
+    /// Sentences about the table, right below it.
     pub(crate) notes: Vec<String>,
 }
 
@@ -124,32 +124,33 @@ pub(crate) struct Column {
 /// What the cells of a column are.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Cells {
-    /// They begin at the left.
+    /// Left-aligned.
     Words,
-    /// They end at the right.
+    /// Right-aligned.
     Numbers,
-    /// Bars of letters, of which each blank counts.
+    /// Bars of characters, in which every blank counts.
     Bars,
 }
 
-/// How wide a column of a text is.
+/// The width of a column of text.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Width {
-    /// So many columns, with the blanks to the next.
+    /// This many characters, including the blanks before the next column.
     Fixed(usize),
-    /// As its longest cell, at least so many where there is room for them, and two blanks to the next.
+    /// As its longest cell, at least this many characters if there is room, and two blanks before the next
+    /// column.
     Fit(usize),
-    /// What the others leave, divided among all that share it.
+    /// The width that the others leave, divided among all columns with this width.
     Share,
 }
 
 #[derive(Clone, Debug)]
 pub(crate) enum Row {
-    /// One for each column; a cell may have several lines.
+    /// One cell for each column; a cell may have several lines.
     Cells(Vec<String>),
     /// A value that belongs to all columns between the first and the last.
     Shared { label: String, value: String, source: String },
-    /// A sentence on the row above.
+    /// A sentence about the row above.
     Detail(String),
 }
 
@@ -180,7 +181,7 @@ impl Column {
     }
 }
 
-/// What stands for a value that there is not.
+/// The placeholder for a missing value.
 pub(crate) const NONE: &str = "–";
 
 impl Table {
@@ -188,7 +189,7 @@ impl Table {
         Self { title: title.into(), columns: columns.into(), rows: Vec::new(), notes: Vec::new() }
     }
 
-    /// Of values of both vehicles, or of any two things, with their source.
+    /// A table of values for both vehicles, or for any two things, with their source.
     pub(crate) fn of_two(title: &str, [first, second, source]: [&str; 3]) -> Self {
         Self::new(
             title,
@@ -209,7 +210,7 @@ impl Table {
         self.rows.push(Row::Cells(cells.into()));
     }
 
-    /// A row of which each vehicle has a value or a dash; none where neither has one.
+    /// A row with a value or a dash for each vehicle; no row if neither has a value.
     pub(crate) fn pair(&mut self, label: &str, values: [Option<String>; 2], source: &str) {
         if values.iter().any(Option::is_some) {
             let [first, second] = values.map(|value| value.unwrap_or_else(|| NONE.to_owned()));
@@ -282,8 +283,8 @@ impl Document {
         self.push(Block::Paragraph(words.into()));
     }
 
-    /// Adds another document as one of its parts: without the title and the warnings of that, and with its
-    /// headings one level lower.
+    /// Adds another document as one of its parts: without its title and warnings, and with its headings one
+    /// level lower.
     pub(crate) fn part(&mut self, heading: &str, part: Self) {
         self.heading(heading);
         self.blocks.extend(part.blocks.into_iter().filter_map(|block| match block {
@@ -293,7 +294,7 @@ impl Document {
         }));
     }
 
-    /// What was found, a line each; none of a document that has many answers.
+    /// The findings, one line each; empty if the document has many answers.
     #[must_use]
     pub fn headline(&self) -> &[String] {
         let answers = self.blocks.iter().find_map(|block| match block {

@@ -15,7 +15,7 @@ pub(crate) fn notes(analysis: &Seen, units: Units) -> Vec<String> {
     let energy = &exchange.energy;
     let mut notes = Vec::new();
     let printed = |si: f64| units.format(Measure::Energy, si);
-    // A zero of rounding is no work.
+    // A rounded zero is no work.
     if printed(energy.tangential_work).starts_with('-') {
         let is_warned =
             analysis.warnings.iter().any(|seen| matches!(seen.warning(), Warning::SlidingDriven { .. }));

@@ -1,5 +1,5 @@
-//! What an estimate was asked, and what its results, unknown numbers, pieces of evidence and doubts are
-//! called.
+//! The questions to an estimate, and the names of its results, unknown numbers, pieces of evidence and
+//! doubts.
 
 mod question;
 
@@ -14,12 +14,12 @@ use crate::outputs::{output_name, printed};
 use crate::units::{Measure, Units, number, significant};
 use crate::worth::{BARRIER_TESTS, SMITH_NOGA, STAGED_MOTION};
 
-/// What a reader asked of an estimate.
+/// What a reader asked an estimate for.
 #[derive(Clone, Debug)]
 pub struct Asked {
-    /// How it was made.
+    /// The plan by which it was made.
     pub plan: EstimatePlan,
-    /// Probabilities to tell.
+    /// Probabilities to report.
     pub questions: Vec<Question>,
 }
 
@@ -67,23 +67,22 @@ pub(crate) fn told_speed(found: &EstimatedOutput, units: Units) -> String {
     } else {
         format!("{interval} {unit}")
     };
-    // The median of so wide an interval down to zero would be read as a speed that was found.
+    // A reader would take the median of such a wide interval down to zero for a speed that was found.
     let is_far_below = low == 0.0 && (1e-9..high / FAR_ABOVE).contains(&found.posterior.median.value);
     match (found.is_told(), is_far_below) {
         (true, true) => format!("{range} (95 %)"),
         (true, false) => format!("{median} {unit} (95 %: {range})"),
-        (false, _) => format!("the evidence does not tell (95 %: {range})"),
+        (false, _) => format!("not determined by the evidence (95 %: {range})"),
     }
 }
 
-/// (–) where an interval begins at zero and its end is more than this many times the median, only its end is
-/// shown.
+/// (–) if an interval begins at zero and ends above this many times the median, only its end is shown.
 const FAR_ABOVE: f64 = 4.0;
 
-/// (–) probability that any of the pieces is warned of, where all are right: the least p-value has to be
-/// below its share of it (Holm).
+/// (–) probability that any piece raises a warning if all are right: the least p-value has to be below its
+/// share of this (Holm).
 pub(crate) const DOUBTFUL: f64 = 0.05;
-/// (–) of those that are warned of, one with a p-value below this contradicts the rest.
+/// (–) a piece that raises a warning and has a p-value below this contradicts the rest.
 pub(crate) const CONTRADICTS: f64 = 0.01;
 
 #[expect(clippy::cast_precision_loss, reason = "a number of pieces")]
@@ -91,7 +90,7 @@ fn times(count: usize) -> f64 {
     count as f64
 }
 
-/// What all other evidence makes of a piece.
+/// The verdict of all other evidence on a piece.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Agreement {
     Agrees,
@@ -100,8 +99,8 @@ pub(crate) enum Agreement {
 }
 
 impl Agreement {
-    /// Of each piece, with its p-value times as many as are no less than it (S. Holm, Scandinavian Journal of
-    /// Statistics 6, 1979), at most 1; `None` where it has none.
+    /// The verdict on each piece, with its p-value times the number of p-values that are no smaller (S. Holm,
+    /// Scandinavian Journal of Statistics 6, 1979), at most 1; `None` without a p-value.
     pub(crate) fn of_all(pieces: &[PieceFound]) -> Vec<Option<(Self, f64)>> {
         let mut order: Vec<(usize, f64)> = pieces
             .iter()
@@ -163,7 +162,7 @@ pub(crate) fn unknown_key(unknown: &UnknownNumber) -> String {
     if is_factor(unknown) { format!("{}.factor", unknown.key) } else { unknown.key.clone() }
 }
 
-/// What one of its unit is in SI.
+/// (SI) the size of its unit.
 pub(crate) fn factor(unknown: &UnknownNumber) -> f64 {
     unknown.unit.map_or(1.0, case::Unit::factor)
 }
@@ -188,14 +187,14 @@ pub(crate) fn piece_name(piece: Piece) -> String {
     format!("{name}, vehicle {vehicle}")
 }
 
-/// The error of a piece of evidence as the estimate has it, in words; `None` of what has none.
+/// The error that the estimate gives a piece of evidence, in words; `None` if it has none.
 pub(crate) fn error(piece: Piece, observed: &Observed, units: Units) -> Option<String> {
     let of = |id: VehicleId| &observed.vehicles[id.index()];
     let percent = |share: f64| format!("{} %", significant(100.0 * share, 2));
     let angle = |si: f64| units.format(Measure::Angle, si);
     let rate = |si: f64| units.format(Measure::YawRateDegrees, si);
     let length = |si: f64| units.format(Measure::Length, si);
-    // A speed of zero errs, too.
+    // A speed of zero has an error, too.
     let at_zero = |least: f64| match least {
         least if least > 0.0 => format!(", and {} at zero", units.format(Measure::RoadSpeed, least)),
         _ => String::new(),
@@ -243,7 +242,7 @@ pub(crate) fn error(piece: Piece, observed: &Observed, units: Units) -> Option<S
     })
 }
 
-/// How far crush energies may be off, and what they are multiplied by before.
+/// The error of crush energies, and the factor by which they are multiplied before.
 fn crush_error(CrushErrors([one, two]): &CrushErrors) -> String {
     let of = |error: &EnergyError| {
         let own = match error.own_ln_sd {
@@ -251,7 +250,7 @@ fn crush_error(CrushErrors([one, two]): &CrushErrors) -> String {
             _ => String::new(),
         };
         format!(
-            "std. dev. {}{own} of ln, after × {}",
+            "std. dev. {}{own} of ln, after multiplying by {}",
             significant(error.shared_ln_sd, 2),
             significant(error.factor(), 3)
         )
@@ -259,7 +258,7 @@ fn crush_error(CrushErrors([one, two]): &CrushErrors) -> String {
     if one == two { of(one) } else { format!("vehicle 1: {}; vehicle 2: {}", of(one), of(two)) }
 }
 
-/// What is done with the energy that crush shows, for each way in which it was obtained, and why.
+/// The correction and the error of crush energies, for each method that gave one, and why.
 pub(crate) fn crush_words(estimated: &Estimated) -> Vec<String> {
     let Some(CrushErrors(errors)) = estimated.observed.crush else { return Vec::new() };
     let is_default = |key: &str| estimated.default_errors.iter().any(|defaulted| defaulted == key);
@@ -291,8 +290,8 @@ pub(crate) fn crush_words(estimated: &Estimated) -> Vec<String> {
             (false, _) => "Their error is `crush_error` of the case.",
             (true, EnergyMethod::Class) => "Their error is that of crashes with recorders.",
             (true, EnergyMethod::Coefficients) => {
-                "Their error is what is left in the field where the stiffness of the car is apart and, where the \
-                 case gives no range of it, that of the stiffness (RICSAC)."
+                "Their error is the part found in real crashes that is not due to the stiffness and, where \
+                 the case gives no range of it, that of the stiffness (RICSAC)."
             }
             (true, EnergyMethod::Test) => "Their error is that of CRASH3 on car-to-car tests (Lenard 2000).",
             (true, EnergyMethod::Ees) => {
@@ -321,7 +320,7 @@ pub(crate) fn error_key(piece: &PieceFound) -> Option<String> {
     })
 }
 
-/// Why what the case gives is not used, and what to write instead.
+/// Why the estimate does not use a value of the case, and what to write instead.
 pub(crate) fn unused(reason: UnusedReason, key: &str) -> [String; 2] {
     let vehicle = key.split('.').next().unwrap_or_default();
     let [why, instead] = match reason {
@@ -333,7 +332,7 @@ pub(crate) fn unused(reason: UnusedReason, key: &str) -> [String; 2] {
             "its own depths, or leave it out",
         ],
         UnusedReason::NoEnergy => [
-            "the crush of both vehicles took no energy, and zero tells no speed",
+            "the crush of both vehicles took no energy, and no speed follows from zero",
             "depths or an EES above zero; crush = \"none\" where there is no damage",
         ],
         UnusedReason::NoDirection => [
@@ -341,11 +340,11 @@ pub(crate) fn unused(reason: UnusedReason, key: &str) -> [String; 2] {
             "a speed above zero, or leave it out",
         ],
         UnusedReason::OneWreck => [
-            "in each draw the vehicles part after the impact, as its law has it",
+            "in each draw the vehicles separate after the impact, as its law requires",
             "nothing: `deltav reconstruct` uses it",
         ],
         UnusedReason::OtherPdof => [
-            "both PDOFs are one observation, and that of the smaller error counts",
+            "both PDOFs are one observation, and the one with the smaller error counts",
             "nothing: it is counted once",
         ],
         UnusedReason::NotFollowed => {
@@ -354,19 +353,19 @@ pub(crate) fn unused(reason: UnusedReason, key: &str) -> [String; 2] {
                 format!("`friction` of [surface] and `drag` of [{vehicle}.after]"),
             ];
         }
-        _ => ["the estimate has no use for it", "nothing"],
+        _ => ["the estimate does not use it", "nothing"],
     };
     [why, instead].map(str::to_owned)
 }
 
-/// The source of what is assumed of an unknown number.
+/// The source of the assumption about an unknown number.
 pub(crate) fn source(unknown: &UnknownNumber, assumed: Assumed) -> &'static str {
     match assumed {
         Assumed::Heading | Assumed::CrushPlane | Assumed::Contact => "how well it is usually known; chosen",
         Assumed::Mass => SMITH_NOGA,
         Assumed::Estimate if unknown.key.contains("stiffness") => BARRIER_TESTS,
         Assumed::Estimate => "as `deltav uncertainty` varies it",
-        Assumed::Speed => "any speed, before what is said of the severity; chosen",
+        Assumed::Speed => "any speed, before the severity is applied; chosen",
         Assumed::Coefficient if unknown.key == "impact.restitution" => {
             "about the value of the case; spread: Brach, Smith and Tsongas, Rose"
         }
@@ -394,7 +393,7 @@ pub(crate) fn doubt_code(doubt: &SamplerDoubt) -> &'static str {
     }
 }
 
-/// The key of what a doubt is about.
+/// The key of the quantity that a doubt is about.
 pub(crate) fn doubted(doubt: &SamplerDoubt, estimated: &Estimated) -> Option<String> {
     let quantity = match doubt {
         SamplerDoubt::Disagreement { quantity, .. }
@@ -414,19 +413,19 @@ pub(crate) fn doubt_words(doubt: &SamplerDoubt, estimated: &Estimated) -> String
     let key = doubted(doubt, estimated).unwrap_or_default();
     match doubt {
         SamplerDoubt::Unfinished { temperature } => format!(
-            "the particles took in only {} % of the evidence, which is too sharp for them",
+            "the sampler could use only {} % of the evidence, which is too precise for it",
             significant(100.0 * temperature, 2)
         ),
         SamplerDoubt::HardlyPossible { possible, drawn, .. } => {
-            format!("of {drawn} collisions drawn before the evidence only {possible} are possible at all")
+            format!("of {drawn} collisions drawn before the evidence, only {possible} are possible at all")
         }
         SamplerDoubt::EvidenceSpread { .. } => {
-            "independent runs differ in how well the evidence fits, so that few of them make up the answer"
+            "independent runs differ in how well the evidence fits, so that few of them dominate the answer"
                 .to_owned()
         }
         SamplerDoubt::Disagreement { r_hat, .. } => {
             format!(
-                "independent runs disagree on `{key}` (R̂ is {}, at most 1.01 will do)",
+                "independent runs disagree on `{key}` (R̂ is {}, and may be at most 1.01)",
                 significant(*r_hat, 4)
             )
         }
@@ -439,11 +438,12 @@ pub(crate) fn doubt_words(doubt: &SamplerDoubt, estimated: &Estimated) -> String
             ::estimate::EXTREME_ESS_LIMIT
         ),
         SamplerDoubt::FewAncestors(mode) => format!(
-            "{} % of the draws have `{key}` apart from the rest, and few draws before the evidence led there",
+            "{} % of the draws form a separate cluster in `{key}` that draws before the evidence rarely \
+            reach",
             significant(100.0 * mode.share, 2)
         ),
         SamplerDoubt::StoodStill { unmoved } => {
-            format!("{} % of the particles stood still at the end", significant(100.0 * unmoved, 2))
+            format!("{} % of the particles did not move at the end", significant(100.0 * unmoved, 2))
         }
         other => other.to_string(),
     }

@@ -73,7 +73,7 @@ fn excluded(impossible: &Impossible) -> String {
         [_, _] => "check both, and give the one that is less certain a larger error or leave it out",
         _ if impossible.together => "check the units and signs of each, and give larger errors",
         _ if impossible.exclusion.possible > 0 => {
-            "say what is certain less narrowly, and check the headings, contact points and crush plane"
+            "state what is certain less narrowly, and check the headings, contact points and crush plane"
         }
         _ => "check the headings, the contact points and the crush plane, which is the angle of its normal",
     };
@@ -93,7 +93,7 @@ fn of_estimate(refusal: &NoDraws) -> String {
              widest ranges narrower"
                 .to_owned()
         }
-        // Of the settings.
+        // Faulty settings.
         _ => refusal.to_string(),
     }
 }
@@ -105,13 +105,13 @@ fn of_reconciliation(refusal: &ReconcileError, units: Units) -> String {
             not_reached(*vehicle, [*energy, *tangential_share], "", units)
         }
         ReconcileError::NoCrushEnergy { energy } => format!(
-            "the crush energy is {}, but must be greater than zero, because without crush the impact tells no speed; \
-             check the depths and the stiffness of both vehicles. If neither was damaged, momentum gives the speed: say in \
-             [vehicle1.after] and [vehicle2.after] how they left the impact",
+            "the crush energy is {}, but must be greater than zero, because without crush no speed follows \
+             from the impact; check the depths and the stiffness of both vehicles. If neither was damaged, \
+             momentum gives the speed: say in [vehicle1.after] and [vehicle2.after] how they left the impact",
             units.format(Measure::Energy, *energy)
         ),
         ReconcileError::Inadmissible { vehicle, speed: si, reason } => format!(
-            "at {} vehicle {vehicle} would give the crush energy, but: {}",
+            "at {} vehicle {vehicle} would match the crush energy, but {}",
             units.speed(*si),
             of_impact(reason, units)
         ),
@@ -127,7 +127,7 @@ fn of_reconciliation(refusal: &ReconcileError, units: Units) -> String {
             units.speed(*last),
             units.format(Measure::Energy, *residual)
         ),
-        // Without a quantity.
+        // No quantity to convert.
         _ => refusal.to_string(),
     }
 }
@@ -142,7 +142,7 @@ fn not_reached(vehicle: VehicleId, [energy, share]: [f64; 2], nearest: &str, uni
     )
 }
 
-/// It is a judgement, and has no decimals.
+/// The limit is a judgement, so it has no decimals.
 fn fastest(units: Units) -> String {
     format!("{} {}", number(units.value(Measure::Speed, FASTEST), 0), units.name(Measure::Speed))
 }
@@ -152,9 +152,10 @@ fn of_momentum(refusal: &MomentumError, units: Units) -> String {
         |[v1, v2]: [f64; 2]| format!("{} of vehicle 1 and {} of vehicle 2", units.speed(v1), units.speed(v2));
     match refusal {
         MomentumError::NoCrushEnergy { energy } => format!(
-            "the crush energy is {}, but must be greater than zero, because momentum alone does not tell both \
-             speeds where the headings lie within {}° of one line; give the damage of the vehicles, or, where one stood \
-             or its speed is known, that speed, and find = \"vehicle1.speed\" or \"vehicle2.speed\"",
+            "the crush energy is {}, but must be greater than zero, because momentum alone does not give \
+             both speeds where the headings lie within {}° of one line; give the damage of the vehicles, or, \
+             where one stood or its speed is known, that speed, and find = \"vehicle1.speed\" or \
+             \"vehicle2.speed\"",
             units.format(Measure::Energy, *energy),
             number(COLLINEAR.to_degrees(), 0)
         ),
@@ -166,7 +167,7 @@ fn of_momentum(refusal: &MomentumError, units: Units) -> String {
             units.format(Measure::Energy, *energy)
         ),
         MomentumError::Inadmissible { speeds: found, reason } => format!(
-            "{} would give the momentum and the crush energy, but: {}",
+            "{} would match both the momentum and the crush energy, but {}",
             speeds(*found),
             of_impact(reason, units)
         ),
@@ -188,7 +189,7 @@ fn of_momentum(refusal: &MomentumError, units: Units) -> String {
             units.speed(*speed)
         ),
         MomentumError::Impact(reason) => of_impact(reason, units),
-        // Without a quantity.
+        // No quantity to convert.
         _ => refusal.to_string(),
     }
 }
@@ -209,7 +210,7 @@ fn no_rest(vehicle: VehicleId, reason: &NoRest, units: Units) -> String {
             time(*after),
             speed(state)
         ),
-        // Without a quantity that has other units.
+        // No quantity that has other units.
         _ => format!("vehicle {vehicle} does not come to rest: {reason}"),
     }
 }
@@ -228,7 +229,7 @@ fn no_start(vehicle: VehicleId, reason: &Unreached, units: Units) -> String {
             units.format(Measure::Length, *miss)
         ),
         Unreached::NeverRests(reason) => no_rest(vehicle, reason, units),
-        // Without a quantity.
+        // No quantity to convert.
         _ => format!("no motion after the impact brings vehicle {vehicle} to its rest: {reason}"),
     }
 }
@@ -268,7 +269,7 @@ fn of_impact(refusal: &ImpactError, units: Units) -> String {
                 energy(*tangential_work)
             )
         }
-        // Without a quantity.
+        // No quantity to convert.
         _ => refusal.to_string(),
     }
 }
@@ -288,7 +289,7 @@ fn of_crush(refusal: &CrushError, units: Units) -> String {
             units.format(Measure::Force, *force),
             units.format(Measure::Force, *most)
         ),
-        // Without a quantity, or one that the reader refuses at its place in the file.
+        // No quantity, or one that the reader of the file has already refused.
         _ => refusal.to_string(),
     }
 }

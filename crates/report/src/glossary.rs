@@ -8,7 +8,7 @@ const GLOSSARY: &str = include_str!("../glossary.md");
 /// One entry of the glossary.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Topic {
-    /// What it is about.
+    /// The term that it explains.
     pub name: &'static str,
     /// The heading that it stands under.
     pub group: &'static str,
@@ -19,7 +19,7 @@ pub struct Topic {
 }
 
 impl Topic {
-    /// Other topics that the text calls by name, in the order of the glossary.
+    /// Other topics that the text mentions by name, in the order of the glossary.
     #[must_use]
     pub fn see_also(&self) -> Vec<&'static str> {
         let text = words(self.text);

@@ -86,7 +86,7 @@ pub(crate) fn friction_limits(row: &Correction) -> Option<[f64; 2]> {
     }
 }
 
-/// The factor on the crush energy of an oblique force.
+/// The factor on the crush energy for an oblique force.
 pub(crate) fn factor(row: &Correction) -> String {
     let [first, _] = row.corrections;
     match (first, friction_limits(row)) {
@@ -101,7 +101,7 @@ pub(crate) fn factor(row: &Correction) -> String {
     }
 }
 
-/// |tan α| min(|tan α|, μ) and 1, in the columns that a label has.
+/// 1 + |tan α| min(|tan α|, μ), short enough for a label.
 pub(crate) fn friction_factor(mu: &dyn std::fmt::Display) -> String {
     format!("1+min(tan²α,{mu}|tanα|)")
 }

@@ -12,17 +12,17 @@
 //! # }
 //! ```
 //!
-//! What a command has to say is a [`Document`], which writes itself as text, as Markdown and as HTML:
+//! The output of a command is a [`Document`], which writes itself as text, as Markdown and as HTML:
 //! [`results`], where every figure names its equation; [`handover`], the report to hand over, with the
 //! [`steps`] (every result with its equation and the numbers in it), all drawings and the case file;
 //! [`comparison`], [`sensitivity`], [`uncertainty()`], [`estimate()`], [`judgement`] and [`validation()`];
 //! [`warnings`] alone; [`explanation`] of a term, symbol, key or warning, from glossary.md.
 //!
-//! The same for programs is data in SI units and radians, with keys that are kept: [`json`],
-//! [`comparison_json`] and so on; of many cases a [`Csv`] gives a line each for a spreadsheet, and
-//! [`jsonl_row`] for a program; [`write_samples`] gives the samples of an uncertainty.
+//! Programs get the same as data in SI units and radians, with stable keys: [`json`], [`comparison_json`] and
+//! so on. For many cases, [`Csv`] writes a line each for a spreadsheet, and [`jsonl_row`] for a program;
+//! [`write_samples`] writes the samples of an uncertainty.
 //!
-//! [`message`] is the sentence of a warning and [`no_answer`] that of a case without an answer. All speak the
+//! [`message`] is the sentence of a warning and [`no_answer`] that of a case without an answer. All use the
 //! [`Axes`](case::Axes) of the case, which each document names, and the [`Units`] of the reader. Results are
 //! converted to other units here and nowhere else.
 //!
@@ -40,7 +40,7 @@
 //! energy. A [`Drawing`] is SVG, PNG or PDF; the crate `drawing` makes all of them.
 //!
 //! [`histogram`] and [`tornado`] plot an uncertainty, [`density`], [`joint_speeds`] and [`rests`] an
-//! estimate, [`estimate_pictures`] all of that below each other, [`computed_against_measured`] and
+//! estimate, [`estimate_pictures`] all of these below each other, [`computed_against_measured`] and
 //! [`reconstructed_speed`] the validation, [`estimated_against_recorded`] and [`ranks_of_recorders`] the
 //! judgement by recorders.
 //!
@@ -50,8 +50,8 @@
 //!
 //! # What it does not do
 //!
-//! It computes nothing that the analysis does not hold, but the sums that a step of the report shows on the
-//! way. No terminal, no files.
+//! It computes nothing that the analysis does not hold, except for the intermediate sums of a step. It uses
+//! no terminal and no files.
 //!
 //! # Inside
 //!

@@ -1,5 +1,4 @@
-//! A report with the program in it: the page of the program, into which the report as it was handed over is
-//! put.
+//! A report with the program in it: the page of the program, which embeds the report as it was handed over.
 
 use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD;
@@ -9,15 +8,15 @@ use serde::Serialize;
 use crate::data::sha256;
 use crate::words::file_name;
 
-/// Where the page takes a report.
+/// The place for a report in the page.
 const SLOT: &str = "<script type=\"application/json\" id=\"deltav-live\">null</script>";
-/// Where it says which engine it has.
+/// The beginning of the tag that names the engine in the page.
 const ENGINE: &str = "<meta name=\"deltav-engine\" content=\"";
 
 /// Why a report cannot be put into a page.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum NotLive {
-    /// It has not exactly one place for a report.
+    /// It does not have exactly one place for a report.
     #[error(
         "this is not the page deltav.html: it has no place for a report; take the one that belongs to the program"
     )]
@@ -31,20 +30,20 @@ pub enum NotLive {
 
 #[derive(Serialize)]
 struct Live<'a> {
-    /// Of the case file.
+    /// Name of the case file.
     name: &'a str,
-    /// The case file.
+    /// Text of the case file.
     text: &'a str,
     report_base64: String,
     report_sha256: String,
     engine_sha256: &'a str,
 }
 
-/// The page `deltav.html` with a report in it, letter for letter, and with the case that it is on, so that
-/// its reader can change a number and see what follows. It names the SHA-256 of the report and of the engine.
+/// The page `deltav.html` with a report in it, verbatim, and with its case, so that its reader can change a
+/// number and see what follows. It names the SHA-256 of the report and of the engine.
 ///
 /// # Errors
-/// [`NotLive`]: of what is no such page.
+/// [`NotLive`] if this is not that page.
 pub fn live(page: &str, report: &str, file: &CaseFile) -> Result<String, NotLive> {
     let (before, after) = page.split_once(SLOT).ok_or(NotLive::NoSlot)?;
     if after.contains(SLOT) {
@@ -60,13 +59,13 @@ pub fn live(page: &str, report: &str, file: &CaseFile) -> Result<String, NotLive
         report_sha256: sha256(report.as_bytes()),
         engine_sha256: engine.filter(is_digest).ok_or(NotLive::NoEngine)?,
     };
-    // All of it is text, which can be written.
+    // All of it is text, so this cannot fail.
     let json = serde_json::to_string(&live).unwrap_or_else(|_| "null".to_owned());
     let slot = SLOT.replace("null", &inert(&json));
     Ok([before, &slot, after].concat())
 }
 
-/// JSON that means the same, and in which no text can end the element of a page that it stands in.
+/// Equivalent JSON in which no text can end the element of the page that contains it.
 fn inert(json: &str) -> String {
     let mut out = String::with_capacity(json.len());
     for letter in json.chars() {
@@ -102,7 +101,7 @@ mod tests {
         CaseFile::parse("cases/my case.toml", text).unwrap()
     }
 
-    /// What a browser takes for the text of the script: all up to the first end of an element.
+    /// What a browser takes for the text of the script: everything up to the first end of an element.
     fn filled(live: &str) -> Value {
         let (_, rest) = live.split_once("id=\"deltav-live\">").unwrap();
         let (json, after) = rest.split_once("</script").unwrap();

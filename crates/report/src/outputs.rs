@@ -1,4 +1,4 @@
-//! What outputs and reasons are called, and in which units outputs are printed.
+//! The names of outputs and reasons, and the units in which outputs are printed.
 
 use analysis::quantities::SKID_SPEED;
 use analysis::{Kind, Output, Reason};
@@ -23,8 +23,7 @@ pub fn reason_name(reason: Reason) -> &'static str {
     }
 }
 
-/// What a reader calls a number that may vary: the path of what the file gives, and words for what it does
-/// not.
+/// The name of a number that may vary: its path if the file gives it, otherwise words.
 pub(crate) fn input_name(input: &Input) -> String {
     match input.origin {
         Origin::Given => input.path.clone(),
@@ -35,7 +34,7 @@ pub(crate) fn input_name(input: &Input) -> String {
     }
 }
 
-/// What an estimate comes from.
+/// The source of an estimate.
 pub(crate) fn estimate_source(estimate: Estimate) -> String {
     match estimate {
         Estimate::Stiffness { category, .. } => format!("category {category}"),
@@ -76,7 +75,7 @@ pub(crate) fn printed(kind: Kind) -> Option<Measure> {
     }
 }
 
-/// An output, as a heading calls it.
+/// The name of an output in a heading.
 pub(crate) fn output_name(output: Output) -> String {
     let row = output.quantity();
     let of = match output.vehicle() {
@@ -99,7 +98,7 @@ pub(crate) fn output_name(output: Output) -> String {
     format!("{first}{}{of}{along}", letters.as_str())
 }
 
-/// What an output is printed in, a speed in the unit of the equations.
+/// The quantity as which an output is printed, a speed in the unit of the equations.
 pub(crate) fn output_quantity(output: Output) -> Measure {
     printed(output.quantity().kind).unwrap_or(Measure::Speed)
 }

@@ -42,9 +42,9 @@ pub enum Subject {
     Reconciliation,
     /// Where the initial kinetic energy went.
     Energy,
-    /// Plan view of both vehicles from the approach over the impact to rest.
+    /// Plan view of both vehicles from the approach through the impact to rest.
     Motion,
-    /// Speed, yaw rate and heading of both vehicles over the time from the impact to rest.
+    /// Speed, yaw rate and heading of both vehicles over time, from the impact to rest.
     MotionCurves,
     /// The momenta of both vehicles before and after the impact, tip to tail.
     Momentum,
@@ -76,23 +76,22 @@ impl Subject {
         }
     }
 
-    /// The analysis of a case that it is drawn of: the furthest that the case allows or, where that does not
+    /// The analysis of a case from which it is drawn: the furthest that the case allows or, if that does not
     /// have it, the motion after the impact or the geometry alone.
     ///
     /// # Errors
-    /// Where the case has no such analysis; [`obstacle`](Self::obstacle) tells what it lacks for this
-    /// subject.
+    /// Where the case has no such analysis; [`obstacle`](Self::obstacle) says what it lacks for this subject.
     pub fn analysis(self, case: &Case) -> Result<Analysis, Failure> {
         let furthest = analysis::furthest(case);
         match (self, &furthest) {
-            // What a case lacks for an impact does not keep its motion after the impact from being drawn.
+            // What a case lacks for an impact does not prevent a drawing of its motion after the impact,
             (Self::Motion | Self::MotionCurves, Ok(analysis))
                 if analysis.travel.iter().any(Option::is_some) =>
             {
                 furthest
             }
             (Self::Motion | Self::MotionCurves, _) => analysis::motion(case),
-            // Nor does it keep its vehicles from being drawn where they touched.
+            // nor of its vehicles where they touched.
             (Self::Scene, Ok(analysis)) if analysis.impact.is_none() => analysis::geometry(case).or(furthest),
             (Self::Scene | Self::Damage, Err(Failure::Case(_))) => analysis::geometry(case).or(furthest),
             _ => furthest,
@@ -173,7 +172,7 @@ pub enum DrawingError {
         /// What was asked for.
         subject: Subject,
     },
-    /// A fixed object hands the momentum on to the ground.
+    /// A fixed object passes the momentum on to the ground.
     #[error(
         "there is no momentum polygon to draw: vehicle {vehicle} is a fixed object, and the ground takes the momentum"
     )]
@@ -196,8 +195,8 @@ pub enum DrawingError {
     TwoSpeeds,
     /// No vehicle is followed to rest.
     #[error(
-        "there is no {} to draw: the case says nothing of the path to rest; give it [surface] friction and [vehicle1.after] with drag, and \
-         with rest or with speed, direction and yaw_rate", subject.name()
+        "there is no {} to draw: the case says nothing about the path to rest; give it [surface] friction \
+         and [vehicle1.after] with drag, and with rest or with speed, direction and yaw_rate", subject.name()
     )]
     NoMotion {
         /// What was asked for.
@@ -235,9 +234,9 @@ pub fn drawing(
     }
 }
 
-/// Draws the scene for readers who are no engineers, such as a jury: the vehicles by name, and their speeds
-/// before and after the impact in words; no symbols, axes or forces. Of a case with more evidence than an
-/// exact solution uses, the speeds are those of all the evidence, `weighed`; none without an answer by that.
+/// Draws the scene for readers who are not engineers, such as a jury: the vehicles by name, and their speeds
+/// before and after the impact in words; no symbols, axes or forces. If the case has more evidence than an
+/// exact solution uses, the speeds are those of all the evidence, `weighed`, or none if that has no answer.
 ///
 /// # Errors
 /// [`DrawingError`]: the analysis has no impact.
@@ -263,7 +262,7 @@ pub fn motion_on(
     Ok(motion::picture(&file.case, analysis, units, site_plan)?.draw())
 }
 
-/// The same for readers who are no engineers, with the speeds of [`plain_scene`].
+/// The same for readers who are not engineers, with the speeds of [`plain_scene`].
 ///
 /// # Errors
 /// [`DrawingError`]: the analysis follows no vehicle to rest.
@@ -277,7 +276,7 @@ pub fn plain_motion(
     Ok(motion::plain(&file.case, analysis, weighed, units, site_plan)?.draw())
 }
 
-/// What keeps the drawing of an exact solution from being the answer; empty where the solution is that.
+/// Why the drawing of an exact solution is not the answer; empty if it is.
 fn caveat(analysis: &Analysis) -> String {
     let Some(why) = analysis.overdetermined() else { return String::new() };
     let reason = if !why.refuted_by.is_empty() {
@@ -290,17 +289,17 @@ fn caveat(analysis: &Analysis) -> String {
     format!("Exact solution by {}, not the answer: {reason}.", words::solution(analysis.solved_by()))
 }
 
-/// A description with what keeps the drawing from being the answer.
+/// A description with the caveat of the drawing.
 fn with_caveat(description: String, caveat: &str) -> String {
     if caveat.is_empty() { description } else { format!("{description} {caveat}") }
 }
 
-/// The speed before the impact for readers who are no engineers.
+/// The speed before the impact for readers who are not engineers.
 #[derive(Clone, Copy)]
 enum PlainSpeed<'a> {
     /// That of the exact solution, which is the answer.
     Exact,
-    /// What all the evidence says of it.
+    /// The estimate from all the evidence.
     Weighed(&'a EstimatedOutput),
     /// The case gives it.
     Given,
@@ -333,7 +332,7 @@ impl<'a> PlainSpeed<'a> {
         }
     }
 
-    /// (m/s) along the heading; `None` where the evidence does not tell it.
+    /// (m/s) along the heading; `None` if the evidence does not determine it.
     fn along(self, exact: f64) -> Option<f64> {
         match self {
             Self::Exact | Self::Given => Some(exact),
@@ -343,7 +342,7 @@ impl<'a> PlainSpeed<'a> {
         }
     }
 
-    /// What stands below the title of a drawing with the speeds of both vehicles.
+    /// The caveat below the title of a drawing with the speeds of both vehicles.
     fn caveat(speeds: [Self; 2]) -> &'static str {
         if speeds.iter().any(|speed| matches!(speed, Self::Weighed(_))) {
             "Speeds by all the evidence together, each with the range that contains it with a probability of 95 %."
@@ -355,13 +354,12 @@ impl<'a> PlainSpeed<'a> {
     }
 }
 
-/// Draws the scene or the motion with a part of the scene in its room, or with all that there is, and tells
-/// where everything in it is: in metres, y to the left of x whatever the axes of the case. In a scene the
-/// contact point is the origin.
+/// Draws the scene or the motion, all of it or the part within a viewport, and returns the places of
+/// everything in it: in metres, y to the left of x whatever the axes of the case. In a scene the contact
+/// point is the origin.
 ///
 /// # Errors
-/// [`DrawingError`]: the analysis has nothing of this kind; of another subject than these two, that it has no
-/// motion.
+/// [`DrawingError`]: the analysis has nothing of this kind; for any other subject, that it has no motion.
 pub fn plan_view(
     file: &CaseFile,
     analysis: &Analysis,
@@ -385,8 +383,8 @@ pub struct Frames {
     pub frames: Vec<(f64, [Option<PlanBody>; 2])>,
 }
 
-/// Where both vehicles are, in the same places as the drawing of the motion has them; `times` chooses the
-/// times (s) since the impact, knowing how long the motion lasts.
+/// The positions of both vehicles, as in the drawing of the motion; `times` chooses the times (s) since the
+/// impact from the duration (s) of the motion.
 ///
 /// # Errors
 /// [`DrawingError::NoMotion`].
@@ -418,7 +416,7 @@ pub fn site_plan(
     SitePlan::new(picture, PlanPlace { corner: [x, axes.lateral(y)], along: [cos, sin], width })
 }
 
-/// The site plan that a case names, of which the caller has read the file; `None` where it names none.
+/// The site plan that a case names, from its file as the caller read it; `None` if it names none.
 ///
 /// # Errors
 /// [`SitePlanError`].

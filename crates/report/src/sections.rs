@@ -1,4 +1,4 @@
-//! What each command has to say, as a document.
+//! The document of each command.
 
 mod chosen;
 pub(crate) mod comparison;

@@ -2,10 +2,10 @@
 //! calculator can check.
 //!
 //! All numbers of a substitution are in coherent units of the reader, SI or ft, lb, s and slug, and in
-//! degrees, but for those of the file that it converts, and in the axes of the case: the equations hold in
-//! either handedness. The result is repeated as the other tables of the report have it. A number that is not
-//! exact is printed with at least six significant digits, one with five or fewer is exact; each printed
-//! result follows from the printed numbers within their rounding.
+//! degrees, except for numbers of the file that it converts, and in the axes of the case: the equations hold
+//! in either handedness. The result is repeated in the units of the other tables of the report. A number that
+//! is not exact is printed with at least six significant digits, one with five or fewer is exact; each
+//! printed result follows from the printed numbers within their rounding.
 
 mod collision;
 mod crash3;
@@ -41,12 +41,12 @@ pub struct Step {
     pub unit: &'static str,
     /// The result as printed, without its unit.
     pub printed: String,
-    /// The result as the rest of the report has it, like `24.71 ft/s = 16.85 mph`; `None` where that is no
-    /// other unit than its own.
+    /// The result in the units of the rest of the report, like `24.71 ft/s = 16.85 mph`; `None` if these are
+    /// its own.
     pub repeated: Option<String>,
-    /// What it is in the units of the reader, where `unit` alone does not tell.
+    /// Its quantity in the units of the reader, if `unit` alone does not determine it.
     quantity: Option<Measure>,
-    /// The number of the file that it is, which needs no equation where its unit is the one of the others.
+    /// The number of the file that it repeats; it needs no equation if it has the unit of the equations.
     input: Option<Quantity>,
     /// Where the equation stands: `Eq 5` of SAE 980025, or `theory 3`, a section of docs/theory.md. For a
     /// value without one, where it comes from: `input`, or a table.
@@ -54,7 +54,7 @@ pub struct Step {
 }
 
 impl Step {
-    /// The step, which is in SI units, in those of the reader.
+    /// Converts the step from SI units to those of the reader.
     fn for_reader(self, units: Units) -> Self {
         let quantity = self.quantity.or_else(|| quantity(self.unit));
         let (size, unit) = units.coherent(self.unit);
@@ -80,13 +80,14 @@ impl Step {
         }
     }
 
-    /// Which is not what its unit alone would say.
+    /// Sets a quantity other than that of its unit alone.
     fn of(self, quantity: Measure) -> Self {
         Self { quantity: Some(quantity), ..self }
     }
 }
 
-/// What has the unit in most steps. Sums on the way, such as an area, are in no other unit anywhere.
+/// The quantity that has the unit in most steps. Intermediate sums, such as an area, have no other unit
+/// anywhere.
 fn quantity(unit: &str) -> Option<Measure> {
     Some(match unit {
         "m/s" => Measure::Speed,
@@ -160,7 +161,7 @@ fn step(
     }
 }
 
-/// A number of the case or of a table, as it goes into the equations.
+/// A number of the case or of a table, as the equations use it.
 fn given(
     name: impl Into<String>,
     symbol: impl Into<String>,

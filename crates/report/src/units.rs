@@ -5,7 +5,7 @@ use std::f64::consts::PI;
 pub(crate) use ::drawing::{number, significant};
 use case::{Case, Dimension, UnitSystem};
 
-/// The units that text speaks.
+/// The units of a text.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Units {
     /// m/s, km/h, N, J, kg, m.
@@ -65,7 +65,7 @@ pub enum Measure {
     Angle,
     /// rad/s
     YawRate,
-    /// rad/s, in °/s: no digit of it is below the second decimal of rad/s
+    /// rad/s, in °/s without decimals: no finer than the second decimal of rad/s
     YawRateDegrees,
     /// J
     Energy,
@@ -167,8 +167,8 @@ impl Units {
         self.display(quantity).decimals
     }
 
-    /// The unit of a coherent system in which the steps have what the equations have in an SI unit: its size
-    /// (SI) and its name. In US units these are the foot, the pound-force, the second and the slug.
+    /// The coherent unit that the steps use in place of an SI unit of the equations: its size (SI) and its
+    /// name. In US units these are the foot, the pound-force, the second and the slug.
     pub(crate) fn coherent(self, unit: &str) -> (f64, &str) {
         if self != Self::Us {
             return (1.0, unit);
@@ -224,12 +224,12 @@ impl Units {
         format!("({}, {}) {name}", number(x / size, decimals), number(y / size, decimals))
     }
 
-    /// A yaw rate as the equations have it and as people see it, like `-3.98 rad/s = -228 °/s`.
+    /// A yaw rate as the equations use it and as people read it, like `-3.98 rad/s = -228 °/s`.
     pub(crate) fn yaw_rate(self, si: f64) -> String {
         format!("{} = {}", self.format(Measure::YawRate, si), self.format(Measure::YawRateDegrees, si))
     }
 
-    /// A speed as drivers know it and as the equations have it, like `51.16 mph (75.03 ft/s)`.
+    /// A speed as drivers know it and as the equations use it, like `51.16 mph (75.03 ft/s)`.
     pub(crate) fn speed(self, si: f64) -> String {
         format!("{} ({})", self.road_speed(si), self.format(Measure::Speed, si))
     }

@@ -12,7 +12,7 @@ use crate::document::{Block, Document};
 use crate::units::{FOOT, Measure, Units, number};
 use crate::{axes, basis, words};
 
-/// Where more is said of a warning.
+/// Where to read more about a warning.
 const MORE: &str = "`deltav explain CODE` says what a warning means for the answer and what to check; the code is in \
                     brackets.";
 
@@ -22,7 +22,7 @@ pub(crate) fn block(warnings: &[SeenWarning], units: Units) -> Block {
     Block::Warnings { warnings: warnings.iter().map(sentence).collect(), more: MORE }
 }
 
-/// The warnings of an analysis alone; nothing where it has none.
+/// The warnings of an analysis alone; empty if it has none.
 #[must_use]
 pub fn warnings(case: &Case, analysis: &Analysis, units: Units) -> Document {
     let mut page = Document::new();
@@ -30,7 +30,7 @@ pub fn warnings(case: &Case, analysis: &Analysis, units: Units) -> Document {
     page
 }
 
-/// The same, for what is made of an analysis: nothing where it has no warnings.
+/// The same for documents made from an analysis: empty if it has no warnings.
 pub(crate) fn of_analysis(analysis: &Analysis, case: &Case, units: Units) -> Vec<Block> {
     let warnings = analysis.seen(case.axes).warnings;
     let warned = (!warnings.is_empty()).then(|| block(&warnings, units));
@@ -49,8 +49,8 @@ pub(crate) fn left_aside(keys: &[String]) -> Option<Block> {
     (!keys.is_empty()).then(|| Block::Paragraph(words()))
 }
 
-/// How many there are, for the top of a report, with the heading that they stand under; nothing where all are
-/// of the kind that most cases have.
+/// The number of warnings for the top of a report, with the heading that lists them; `None` if all are of a
+/// kind that most cases have.
 pub(crate) fn notice(warnings: &[SeenWarning], heading: Option<&'static str>) -> Option<Block> {
     if warnings.iter().all(|seen| seen.warning().is_common()) {
         return None;
@@ -77,7 +77,7 @@ fn spread_of_contact([along, across]: [ContactSpread; 2], units: Units) -> Strin
     format!("`uncertainty` moves it along the face {} and across it {}", by(along), by(across))
 }
 
-/// Why there is no such restitution.
+/// Why such a restitution is impossible.
 fn why_not(restitution: f64) -> &'static str {
     if restitution < 0.0 {
         "below 0 the vehicles would have passed through each other"
@@ -86,7 +86,7 @@ fn why_not(restitution: f64) -> &'static str {
     }
 }
 
-/// A check that momentum does not pass.
+/// A failed check of momentum, in words.
 pub(crate) fn momentum_differs(check: &Check, units: Units) -> String {
     let angle = |si: f64| units.format(Measure::Angle, si);
     let energy = |si: f64| units.format(Measure::Energy, si);
@@ -150,7 +150,7 @@ pub(crate) fn momentum_differs(check: &Check, units: Units) -> String {
     }
 }
 
-/// What the warning says, in the units of the reader.
+/// The sentence of a warning, in the units of the reader.
 #[must_use]
 pub fn message(seen: &SeenWarning, units: Units) -> String {
     let (warning, axes) = (seen.warning(), seen.axes());
@@ -198,7 +198,7 @@ pub fn message(seen: &SeenWarning, units: Units) -> String {
         Warning::MomentumDiffers { checks } => {
             let said: Vec<String> = checks.iter().map(|check| momentum_differs(check, units)).collect();
             format!(
-                "what the velocities after the impact imply does not agree with the rest of the evidence: {}; \
+                "the velocities after the impact do not agree with the rest of the evidence: {}; \
                  check the rest positions, the drag and the friction, and then the damage, the contact \
                  points and the crush plane",
                 said.join("; ")
@@ -237,8 +237,8 @@ pub fn message(seen: &SeenWarning, units: Units) -> String {
             number(100.0 * POINT_MISSED, 0)
         ),
         Warning::RestMissed { vehicle, miss, share } => format!(
-            "the way that is taken for vehicle {vehicle} ends {} from its rest as measured, {} % of the way, \
-             and no motion with little yaw leads nearer; its speed after the impact is as doubtful: check the \
+            "the path taken for vehicle {vehicle} ends {} from its rest as measured, {} % of the path, \
+             and no motion with little yaw ends nearer; its speed after the impact is as doubtful: check the \
              rest, the heading at rest, the drag and the steer",
             units.format(Measure::Length, *miss),
             number(100.0 * share, 0)
@@ -277,9 +277,9 @@ pub fn message(seen: &SeenWarning, units: Units) -> String {
             )
         }
         Warning::MovesBackward { vehicle, speed: si, found: true } => format!(
-            "the speed found for vehicle {vehicle} is {}, so it would have moved backwards; one that stood comes \
-             out so where the inputs are a little off; otherwise check the heading, the crush energy and what \
-             was measured after the impact",
+            "the speed found for vehicle {vehicle} is {}, so it would have moved backwards; so does a \
+             vehicle that stood if the inputs are slightly off; otherwise check the heading, the crush \
+             energy and what was measured after the impact",
             speed(*si)
         ),
         Warning::MovesBackward { vehicle, speed: si, found: false } => format!(
@@ -345,8 +345,8 @@ pub fn message(seen: &SeenWarning, units: Units) -> String {
             )
         }
         Warning::ContactApart { distance, with_scene } => format!(
-            "the contact point lies in two places, {} apart: {}; check the places, the headings and the contact points of the vehicles, which \
-             touched in one point",
+            "the contact point lies in two places, {} apart: {}; check the places, the headings and the \
+             contact points: the vehicles touched in one point",
             units.format(Measure::Length, *distance),
             if *with_scene {
                 "where [scene] has it, and where the `position` of a vehicle and its contact point put it"
@@ -356,8 +356,8 @@ pub fn message(seen: &SeenWarning, units: Units) -> String {
         ),
         Warning::ContactPlaced { vehicle, point: [forward, aside], spread } => format!(
             "the file gives no contact point of vehicle {vehicle}: C was placed at the centroid of its damage, \
-             {} forward and {} {} of the centre of gravity, as side, width, depths and offset of the damage \
-             and the outline tell it; {}",
+             {} forward and {} {} of the centre of gravity, from side, width, depths and offset of the \
+             damage and the outline; {}",
             units.format(Measure::Length, *forward),
             units.format(Measure::Length, *aside),
             axes::side_of_y(axes),
@@ -570,7 +570,7 @@ pub fn message(seen: &SeenWarning, units: Units) -> String {
     }
 }
 
-/// The remedy for a vehicle that is no car, of which the file does not say so; `kinds` are those that fit.
+/// The remedy if the vehicle is not a car, but the file does not say so; `kinds` are those that fit.
 fn say_what_it_is(kinds: &[Kind]) -> String {
     let words: Vec<String> = kinds.iter().map(|kind| format!("`kind = \"{}\"`", kind.name())).collect();
     match words.join(" or ") {
@@ -579,7 +579,7 @@ fn say_what_it_is(kinds: &[Kind]) -> String {
     }
 }
 
-/// What to check where a stiffness cannot be that of a car.
+/// What to check if a stiffness is implausible for a car.
 fn stiffness_check(source: StiffnessSource) -> &'static str {
     match source {
         StiffnessSource::Coefficients | StiffnessSource::Zones => {

@@ -1,4 +1,4 @@
-//! Names of what the engines tell apart, and what is said of a stiffness and a speed: below all that writes a
+//! Names for what the engines distinguish, and words for stiffnesses and speeds, for all that writes a
 //! document.
 
 use std::ffi::OsStr;
@@ -20,19 +20,19 @@ pub static PROGRAM: Program = Program {
     explains_two_speeds: Some("`deltav explain two unknown speeds`"),
 };
 
-/// What every document and drawing is headed with.
+/// The title of every document and drawing.
 pub(crate) fn title(case: &Case) -> String {
     case.title.as_ref().map_or_else(|| "Untitled case".to_owned(), Text::to_string)
 }
 
-/// How far a way passes from a point, and from the heading there.
+/// By how much a path misses a point, and the heading there.
 pub(crate) fn pass(pass: &Pass, units: Units) -> String {
     let miss = units.format(Measure::Length, pass.miss);
     let turned = pass.turned.map(|turned| format!(", {}", units.format(Measure::Angle, turned)));
     format!("{miss}{}", turned.unwrap_or_default())
 }
 
-/// The name of a case file without its folders, which are of no concern to whom it is handed to.
+/// The name of a case file without its folders, which do not concern its recipient.
 pub(crate) fn file_name(name: &Text) -> Text {
     let last = Path::new(name.as_given()).file_name().and_then(OsStr::to_str);
     last.map_or_else(|| name.clone(), Text::from)
@@ -50,7 +50,7 @@ pub(crate) fn find_names(find: Find) -> String {
     }
 }
 
-/// Whether damage is laid off from the vehicle's axis, and not from beside its CG.
+/// Whether the offset of damage is counted from the vehicle's axis, and not from beside its CG.
 pub(crate) fn is_end(side: Side) -> bool {
     matches!(side, Side::Front | Side::Rear)
 }
@@ -64,7 +64,7 @@ pub(crate) fn side_name(side: Side) -> &'static str {
     word(&SIDES, &side)
 }
 
-/// What a vehicle is, with its article.
+/// The kind of a vehicle, with its article.
 pub(crate) fn kind_name(kind: Kind) -> &'static str {
     match kind {
         Kind::Car => "a car",
@@ -111,7 +111,7 @@ pub(crate) fn regime_name(regime: Regime) -> &'static str {
     }
 }
 
-/// What evidence is called that an answer does not use.
+/// The name of evidence that an answer does not use.
 pub(crate) fn evident(evidence: Evident) -> &'static str {
     match evidence {
         Evident::RecordedSpeed => "the recorder's speed",
@@ -126,7 +126,7 @@ pub(crate) fn evident(evidence: Evident) -> &'static str {
     }
 }
 
-/// What an exact solution was found by.
+/// The evidence that gave an exact solution.
 pub(crate) fn solution(by: EvidenceMethod) -> &'static str {
     match by {
         EvidenceMethod::DamageAndSpeed { .. } => "damage and the given speed",

@@ -1,10 +1,11 @@
-//! How well numbers of a case are usually known: what an interval leaves out where they are taken as exact.
+//! How well numbers of a case are usually known: the error that an interval leaves out if they are taken as
+//! exact.
 
-/// What is known of how good a number is.
+/// How well a number is usually known.
 pub(crate) struct Worth {
-    /// What the error usually is.
+    /// Its usual error.
     pub(crate) error: &'static str,
-    /// Where that is from.
+    /// The source of that.
     pub(crate) source: &'static str,
 }
 
@@ -13,7 +14,7 @@ pub(crate) const STAGED_MOTION: &str =
     "simulated motions of the RICSAC tests 3 and 6 against the measured ones";
 pub(crate) const BARRIER_TESTS: &str = "698 full-width frontal barrier tests of NHTSA";
 
-/// Of the key of a number, or of a list of numbers.
+/// For the key of a number, or of a list of numbers.
 pub(crate) fn worth(key: &str) -> Option<Worth> {
     let in_vehicle = key.split_once('.').filter(|(table, _)| table.starts_with("vehicle"));
     let key = in_vehicle.map_or(key, |(_, key)| key);

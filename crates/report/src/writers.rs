@@ -15,7 +15,7 @@ impl Document {
         self.text_within(LINE)
     }
 
-    /// Text for lines of so many columns, as far as its tables allow.
+    /// Text with lines of this many columns, as far as its tables allow.
     #[must_use]
     pub fn text_within(&self, columns: usize) -> String {
         text::write(&self.blocks, self.line(columns), false)
@@ -33,7 +33,7 @@ impl Document {
         columns.clamp(least, most)
     }
 
-    /// Markdown (`CommonMark` with tables). Drawings are not in it: what they show stands in words.
+    /// Markdown (`CommonMark` with tables). Words take the place of drawings.
     #[must_use]
     pub fn markdown(&self) -> String {
         markdown::write(&self.blocks)
@@ -52,7 +52,7 @@ impl Document {
     }
 }
 
-/// Whether only HTML has a block: a picture that says what tables say too.
+/// Whether a block appears only in HTML: a picture of what tables say as well.
 fn is_for_html_alone(block: &Block) -> bool {
     matches!(block, Block::Chart { instead: None, .. })
 }
@@ -78,14 +78,13 @@ fn step_lines(step: &Step) -> Vec<String> {
     lines
 }
 
-/// The name of a heading in a link: what GitHub, GitLab and Pandoc make of it.
+/// The anchor of a heading for links, as GitHub, GitLab and Pandoc form it.
 fn anchor(heading: &str) -> String {
     let kept = heading.chars().filter(|c| c.is_alphanumeric() || matches!(c, ' ' | '-' | '_'));
     kept.flat_map(char::to_lowercase).map(|c| if c == ' ' { '-' } else { c }).collect()
 }
 
-/// The parts of a sentence in turn, and which of them is code: all of it is words where a backtick has no
-/// other.
+/// The parts of a sentence in order, and whether each is code; with an unpaired backtick none is.
 fn code_spans(text: &str) -> Vec<(&str, bool)> {
     if text.matches('`').count() % 2 == 1 {
         return vec![(text, false)];

@@ -55,9 +55,10 @@ impl<'t> Reader<'t> {
         };
         if table.has("speed") && !table.has("direction") && !table.means("direction") {
             let message = format!("{} gives \"speed\", but not \"direction\"", table.label());
-            let help = "add the direction in which the CG moved after the impact, as in direction = \"35 deg\"; the speed before the impact \
-                        stands in the table of the vehicle"
-                .to_owned();
+            let help =
+                "add the direction in which the CG moved after the impact, as in direction = \"35 deg\"; \
+                        the speed before the impact belongs in the table of the vehicle"
+                    .to_owned();
             self.report_path(&table.path_of("speed"), CaseProblem::Fault { message, help: Some(help) });
         }
         (after != After::default()).then_some(after)

@@ -121,7 +121,7 @@ impl<'t> Reader<'t> {
         let nested =
             list.get_ref().as_array().and_then(|list| list.iter().find(|one| one.get_ref().is_table()));
         if let Some(nested) = nested {
-            let wanted = "a list of strings, because the spread beside it applies to all";
+            let wanted = "a list of strings, because the spread next to it applies to all";
             let found = kind(nested.get_ref());
             let example = RANGE_OF_LIST.example("values");
             self.report(

@@ -11,7 +11,7 @@ const STOOD: &str = "a recorder tells the speed of a vehicle that moved; for one
 /// (%) upper limit of the probability that a vehicle stood still: two standing vehicles do not collide.
 const MOST_STOOD: f64 = 50.0;
 const CERTAIN: &str =
-    "a string with a number and a unit: a speed that is not certain is `speed` of the vehicle, as a range";
+    "a string with a number and a unit: an uncertain speed belongs in `speed` of the vehicle, as a range";
 
 impl<'t> Reader<'t> {
     /// Reads the table; one without a key counts as absent.
@@ -63,7 +63,7 @@ impl<'t> Reader<'t> {
         {
             let path = table.path_of("at_least");
             let message = format!("\"{path}\" is not below `at_most`");
-            let help = Some("a speed that is known exactly is `speed` of the vehicle".to_owned());
+            let help = Some("a speed that is known exactly belongs in `speed` of the vehicle".to_owned());
             self.report_path(&path, CaseProblem::Fault { message, help });
             return None;
         }
@@ -71,8 +71,7 @@ impl<'t> Reader<'t> {
     }
 
     pub(super) fn estimate(&mut self, table: &Table<'t>) -> GivenEstimate {
-        const EXACT_PRIOR: &str =
-            "a string with a number and a unit: the spread about it is that of the field";
+        const EXACT_PRIOR: &str = "a string with a number and a unit: its spread is that of real crashes";
         const EXACT_ERROR: &str = "a string with a number and a unit: an error has no range";
         GivenEstimate {
             prior: self.choice(table, "prior", &Prior::WORDS).unwrap_or_default(),

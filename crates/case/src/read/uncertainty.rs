@@ -36,7 +36,8 @@ impl<'t> Reader<'t> {
                 continue;
             }
             let help = if known.is_empty() {
-                "nothing of this case is estimated, and every number that is no range is exact: remove this entry"
+                "this case estimates nothing, and numbers without a range are already exact: remove \
+                 this entry"
                     .to_owned()
             } else {
                 let quoted: Vec<String> = known.iter().map(|key| format!("\"{key}\"")).collect();
@@ -77,7 +78,7 @@ impl<'t> Reader<'t> {
                 return Some(name.to_owned());
             }
             let message =
-                "the name of a shared error has a character that is no letter and no digit".to_owned();
+                "the name of a shared error has a character that is neither a letter nor a digit".to_owned();
             let help = Some("write a name of letters, digits, spaces, hyphens and underscores".to_owned());
             self.report_path(&table.path_of("name"), CaseProblem::Fault { message, help });
             None

@@ -17,7 +17,7 @@ use crate::law;
 use crate::units::{Measure, Units, number};
 use crate::words::regime_name;
 
-/// One row of the table, in SI units and radians. What a row cannot have is left out.
+/// One row of the table, in SI units and radians. Values that a row cannot have are left out.
 #[derive(Default, Serialize)]
 pub(crate) struct Row {
     pub(crate) law: &'static str,
@@ -32,7 +32,7 @@ pub(crate) struct Row {
     pub(crate) values: Values,
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(crate) found_difference: Option<f64>,
-    /// Of both speeds, where both are sought.
+    /// For both speeds, where both are sought.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(crate) speeds_difference: Option<[f64; 2]>,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -69,13 +69,13 @@ pub(crate) struct Values {
 #[derive(Serialize)]
 struct Document<'a> {
     title: &'a str,
-    /// Those of the yaw rates and the signed coefficients.
+    /// The axes of the yaw rates and the signed coefficients.
     axes: &'static str,
     rows: Vec<Row>,
-    /// What the damage, the momentum and both together say.
+    /// The answers by damage, by momentum and by both.
     #[serde(skip_serializing_if = "Option::is_none")]
     evidence: Option<EvidenceBlock>,
-    /// Of the case as it stands.
+    /// Those of the case as it stands.
     warnings: Vec<WarningBlock>,
 }
 
@@ -90,7 +90,7 @@ pub(crate) struct EvidenceBlock {
     pub(crate) momentum_and_damage: EvidenceRow,
 }
 
-/// What one kind of evidence says, in SI units, or why it does not.
+/// The answer by one kind of evidence, in SI units, or why there is none.
 #[derive(Default, Serialize)]
 pub(crate) struct EvidenceRow {
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -99,7 +99,7 @@ pub(crate) struct EvidenceRow {
     pub(crate) delta_v: Option<[f64; 2]>,
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(crate) closing_speed: Option<f64>,
-    /// (J) that the impact would need.
+    /// (J) crush energy that the impact would need.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(crate) crush_energy_needed: Option<f64>,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -115,7 +115,7 @@ pub(crate) struct EvidenceRow {
     pub(crate) error: String,
 }
 
-/// The answers by evidence, in the units of the reader where they are in words.
+/// The answers by evidence, with words in the units of the reader.
 pub(crate) fn evidence(by: &ByEvidence, units: Units) -> EvidenceBlock {
     let row = |answer: &Result<EvidenceAnswer, NoEvidence>| match answer {
         Ok(answer) => EvidenceRow {
@@ -261,7 +261,7 @@ fn values(analysis: &Seen) -> Values {
         analysis::Values::Shared(value) => value,
         analysis::Values::Pair(_) => None,
     };
-    // What each law makes of the speeds, whatever gave them.
+    // By the law itself, whatever gave the speeds.
     let energy = &outcome.energy;
     let share = |work: f64| Some(work / energy.before + 0.0).filter(|share| share.is_finite());
     Values {
@@ -296,15 +296,15 @@ fn crash3_row(row: &Correction) -> Row {
 
 /// The comparison as indented JSON, ending in a line break: `{"title": …, "rows": [{"law": …, "found": …,
 /// "delta_v": […], …}], "evidence": {"damage": {…}, "momentum": {…}, "momentum_and_damage": {…}}}`. The first
-/// row is the case's own law, and the differences are to it. Shares are of the initial kinetic energy.
+/// row is the case's own law, and the differences are from it. Shares are of the initial kinetic energy.
 ///
 /// # Errors
-/// Where serialisation fails, which no comparison causes.
+/// If serialisation fails, which no comparison causes.
 pub fn comparison_json(file: &CaseFile, comparison: &Comparison) -> Result<String, serde_json::Error> {
     pretty(&identified(file, document(&file.case, comparison)))
 }
 
-/// What the JSON says.
+/// The content of the JSON.
 pub(crate) fn document<'a>(case: &'a Case, comparison: &Comparison) -> impl Serialize + use<'a> {
     Document {
         title: title(case),

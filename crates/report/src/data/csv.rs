@@ -15,7 +15,7 @@ use super::{
 use crate::units::{Measure, Units};
 use crate::words::file_name;
 
-/// What came of one file.
+/// The result of one file.
 #[derive(Clone, Copy, Debug)]
 pub struct Row<'a> {
     /// The name of the file.
@@ -53,22 +53,22 @@ pub struct Csv {
     pub table: Table,
     /// The units of its numbers.
     pub units: Units,
-    /// How a spreadsheet reads it.
+    /// The style that the spreadsheet reads.
     pub style: CsvStyle,
 }
 
 /// What the rows of a [`Csv`] are. The [`RowAnswer`] of each row is of this kind.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Table {
-    /// One analysis in each.
+    /// One analysis per row.
     Analyses,
-    /// One law of one case in each.
+    /// One law of one case per row.
     Comparisons,
-    /// The intervals of one case in each.
+    /// The intervals of one case per row.
     Uncertainties,
 }
 
-/// How numbers and columns are told apart.
+/// The separator of columns and the decimal mark.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum CsvStyle {
     /// Commas between the columns, and a decimal point (RFC 4180).
@@ -105,13 +105,13 @@ impl CsvStyle {
     }
 }
 
-/// Why a row cannot be written; no analysis causes that.
+/// Why a row cannot be written, which no analysis causes.
 #[derive(Debug, thiserror::Error)]
 pub enum RowError {
-    /// Not as JSON.
+    /// It cannot be written as JSON.
     #[error(transparent)]
     Json(#[from] serde_json::Error),
-    /// Not as CSV.
+    /// It cannot be written as CSV.
     #[error(transparent)]
     Csv(#[from] csv::Error),
 }
@@ -128,7 +128,7 @@ const fn text(name: &'static str, place: &'static str, before: &'static str) -> 
     Text { name, place, before }
 }
 
-/// Those that are there once.
+/// Columns of the whole case.
 const SHARED: [Text; 9] = [
     text("file", "/file", "found.value"),
     text("error", "/error", "found.value"),
@@ -141,7 +141,7 @@ const SHARED: [Text; 9] = [
     text("impact.regime", "/impact/regime", "impact.restitution"),
 ];
 
-/// Those of each vehicle: the place has `#` for the number of the vehicle.
+/// Columns of each vehicle: the place has `#` for the number of the vehicle.
 const VEHICLE: [Text; 4] = [
     text("name", "/vehicle#/name", "speed"),
     text("fixed", "/vehicle#/fixed", "speed"),
@@ -149,24 +149,24 @@ const VEHICLE: [Text; 4] = [
     text("crush_source", "/vehicle#/crush_source", "crush_energy"),
 ];
 
-/// What stands in a column.
+/// The content of a column.
 enum Column {
-    /// What the JSON document has at this place.
+    /// The value at this place in the JSON document.
     Place(String),
-    /// The number that it has there, in SI units.
+    /// The number at this place, in SI units.
     Number(String),
-    /// How many samples of all have no answer.
+    /// The share of the samples without an answer.
     FailedShare,
-    /// That numbers are ranges, where the row has their central values.
+    /// A note that the row has the central values of ranges.
     Ranges,
-    /// The codes of all warnings, with spaces between them, as `vehicle2.burg-inertia` where one is of one
+    /// The codes of all warnings, with spaces between them; `vehicle2.burg-inertia` if one is about one
     /// vehicle.
     Warnings,
     /// A quantity of the collision, or of this vehicle.
     Quantity(&'static OutputQuantity, Option<VehicleId>),
 }
 
-/// The columns: names in SI units, and what stands in them. Made once, as each row asks for them.
+/// The columns: names in SI units, and contents. Made once, because each row needs them.
 fn columns(table: Table) -> &'static [(String, Column)] {
     static ANALYSES: LazyLock<Vec<(String, Column)>> = LazyLock::new(|| made(Table::Analyses));
     static COMPARISONS: LazyLock<Vec<(String, Column)>> = LazyLock::new(|| made(Table::Comparisons));
@@ -248,7 +248,7 @@ const COMPARISON: [(&str, &str); 24] = [
     ("vehicle2.friction", "friction/1"),
 ];
 
-/// What each kind of evidence says: the same in all rows of a case.
+/// The kinds of evidence, whose answers are the same in all rows of a case.
 const EVIDENCE: [&str; 3] = ["damage", "momentum", "momentum_and_damage"];
 
 /// The columns of each, with their places in it.
@@ -268,7 +268,7 @@ fn of_comparisons() -> Vec<(String, Column)> {
     let place = |name: &str, place: &str| (name.to_owned(), Column::Place(place.to_owned()));
     let mut columns = vec![
         place("file", "/file"),
-        // That of the file, or of the law.
+        // The error of the file, or of the law.
         place("error", "/error"),
         place("law_error", "/rows/#/error"),
         place("title", "/title"),
@@ -316,7 +316,7 @@ fn of_uncertainties() -> Vec<(String, Column)> {
     columns
 }
 
-/// What the name of a column in SI units ends in.
+/// The end of the name of a column in SI units.
 fn unit(kind: Kind) -> &'static str {
     match kind {
         Kind::Ratio => "",
@@ -332,8 +332,7 @@ fn unit(kind: Kind) -> &'static str {
     }
 }
 
-/// What the names of columns end in, in SI and in US units, and what it is the unit of. There is one column
-/// for a speed: mph.
+/// The ends of the names of columns in SI and in US units, and the quantity. A speed has one column, in mph.
 const UNITS: [(&str, &str, Measure); 9] = [
     ("(m/s)", "(mph)", Measure::RoadSpeed),
     ("(m)", "(ft)", Measure::Length),
@@ -346,7 +345,7 @@ const UNITS: [(&str, &str, Measure); 9] = [
     ("(s)", "(s)", Measure::Time),
 ];
 
-/// Where the values of a column are converted: its name without the unit, the unit, and what it is of.
+/// For a column whose values are converted: its name without the unit, the unit, and the quantity.
 fn converted(name: &str, units: Units) -> Option<(&str, &'static str, Measure)> {
     let find = || {
         UNITS.iter().find_map(|&(si, us, quantity)| name.strip_suffix(si).map(|bare| (bare, us, quantity)))
@@ -382,13 +381,13 @@ impl Csv {
 
     /// The line of a file under the [`header`](Self::header), or one for each law: RFC 4180, but for the
     /// plain line feed at its end. SI units and radians, or US units with speeds in mph and degrees. Each
-    /// number is the shortest that reads back as the same; there is nothing where there is no value.
+    /// number is the shortest that reads back as the same; a missing value is empty.
     ///
     /// A spreadsheet runs a cell that begins with `=`, `+`, `-`, `@`, one of their full-width forms, tab,
     /// line feed or carriage return as a formula, and titles and names come from whoever wrote the file. Such
-    /// a text, never a number, has an apostrophe before it: the spreadsheet shows a text, and a program takes
-    /// the apostrophe away. Control characters are [shown](case::shown). [`jsonl_row`] has all texts as they
-    /// are.
+    /// a text, never a number, has an apostrophe before it: the spreadsheet shows a text, and a program can
+    /// remove the apostrophe. Control characters are [shown](case::shown). [`jsonl_row`] has all texts as
+    /// they are.
     ///
     /// # Errors
     /// [`RowError`], which no answer causes.
@@ -453,7 +452,7 @@ impl Csv {
         let mut writer = csv::WriterBuilder::new().delimiter(separator).from_writer(Vec::new());
         writer.write_record(cells)?;
         let bytes = writer.into_inner().map_err(|error| csv::Error::from(error.into_error()))?;
-        // What went in was text, and so is what comes out.
+        // The input was text, and so is the output.
         Ok(String::from_utf8_lossy(&bytes).into_owned())
     }
 }
@@ -489,11 +488,11 @@ struct RefusedFile<'a> {
     case: Option<CaseBlock>,
 }
 
-/// How much of an answer a row has room for.
+/// How much of an answer a row holds.
 #[derive(Clone, Copy, Debug)]
 enum Detail {
     All,
-    /// What columns are made from.
+    /// Only what columns are made from.
     Results,
 }
 
@@ -529,7 +528,7 @@ fn of_file(name: &str, file: &CaseFile, document: impl Serialize) -> Result<Valu
     serde_json::to_value(Identified { file: Some(name), ..identified(file, document) })
 }
 
-/// A text as a spreadsheet should show it, and not run it: see [`Csv::row`].
+/// A text that a spreadsheet shows and does not run as a formula: see [`Csv::row`].
 #[must_use]
 pub fn no_formula(text: &str) -> String {
     // The list of the Open Worldwide Application Security Project (OWASP, CSV Injection).

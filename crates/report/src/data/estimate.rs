@@ -20,12 +20,12 @@ use crate::estimates::{
 #[derive(Serialize)]
 struct Document<'a> {
     title: &'a str,
-    /// Those of the inputs.
+    /// The axes of the inputs.
     axes: &'static str,
-    /// Before the evidence.
+    /// The kind of prior.
     prior: &'static str,
     seed: u64,
-    /// As asked, of each of the islands; doubled where the run did not converge.
+    /// As asked for, per island; doubled where the run did not converge.
     particles: usize,
     draws: usize,
     converged: bool,
@@ -36,9 +36,9 @@ struct Document<'a> {
     outputs: InOrder<OutputBlock>,
     questions: Vec<QuestionBlock>,
     pieces: Vec<PieceBlock<'a>>,
-    /// How far crush energies are off, of vehicle 1 and 2; `null` where the crush is no evidence.
+    /// The error of the crush energies of vehicle 1 and 2; `null` if the crush is not evidence.
     crush: Option<[Option<CrushBlock>; 2]>,
-    /// How probable it is that vehicle 1 and 2 stood; `null` of one that did not, or whose speed is known.
+    /// How probable it is that vehicle 1 and 2 stood; `null` for one that did not, or whose speed is known.
     stood: [Option<StoodBlock>; 2],
     same_twice: Vec<&'a [String; 2]>,
     unknown: Vec<UnknownBlock>,
@@ -56,7 +56,7 @@ struct DoubtBlock {
 
 #[derive(Serialize)]
 struct OutputBlock {
-    /// Whether the evidence tells it.
+    /// Whether the evidence determines it.
     told: Option<bool>,
     /// `null` where the run before the evidence has not converged.
     prior: Option<PriorBlock>,
@@ -67,7 +67,7 @@ struct OutputBlock {
     interval95: Option<[f64; 2]>,
     mean: Option<f64>,
     sd: Option<f64>,
-    /// From the sampling itself.
+    /// Standard errors due to the sampling.
     standard_error: Option<ErrorBlock>,
 }
 
@@ -94,15 +94,15 @@ struct QuestionBlock {
     standard_error: Option<f64>,
 }
 
-/// What a piece says of the speeds, vehicle 1 and 2: alone, and without it. `null` where that was not asked
-/// for or has not converged.
+/// The speeds of vehicle 1 and 2 by a piece alone, and without it. `null` if that was not asked for or has
+/// not converged.
 #[derive(Serialize)]
 struct PieceBlock<'a> {
     key: &'a str,
     alone: Option<[Option<PriorBlock>; 2]>,
     without: Option<[Option<PriorBlock>; 2]>,
     p_value: Option<f64>,
-    /// Times as many as are no less than it, of all pieces: what the verdict is by.
+    /// The p-value after Holm's correction, which decides the verdict.
     adjusted_p_value: Option<f64>,
     /// Whether it points the other way than the rest says.
     reversed: bool,
@@ -153,7 +153,7 @@ impl StoodBlock {
 #[derive(Serialize)]
 struct UnknownBlock {
     key: String,
-    /// Whether the case does not give what is known of it before the evidence.
+    /// Whether its prior is assumed, because the case does not give it.
     assumed: bool,
     prior: DistributionBlock,
     posterior: Option<PosteriorBlock>,
@@ -287,10 +287,10 @@ fn reason_name(reason: UnusedReason) -> &'static str {
 
 /// The estimate as indented JSON, ending in a line break: `outputs` with prior, median and intervals of each
 /// result, `converged` and `ess`, the `pieces` of evidence, `questions` and `unknown` numbers. SI units and
-/// radians. Where the run has not converged, what it says after the evidence is `null`.
+/// radians. If the run has not converged, everything after the evidence is `null`.
 ///
 /// # Errors
-/// Where serialisation fails, which no estimate causes.
+/// If serialisation fails, which no estimate causes.
 pub fn estimate_json(
     file: &CaseFile,
     estimated: &Estimated,
@@ -349,13 +349,14 @@ pub fn estimate_json(
 pub struct DrawColumn<'a> {
     /// The key of an unknown number or of a result.
     pub key: String,
-    /// The size in SI of the unit of the values.
+    /// (SI) the size of the unit of the values.
     pub factor: f64,
     /// A value for each draw.
     pub values: &'a [f64],
 }
 
-/// The draws of an estimate: the unknown numbers and the results. What is a result as well stands once.
+/// The draws of an estimate: the unknown numbers and the results. A number that is also a result appears
+/// once.
 #[must_use]
 pub fn draw_columns(estimated: &Estimated) -> Vec<DrawColumn<'_>> {
     let results = estimated.outputs.iter().zip(estimated.posterior.outputs());
@@ -373,12 +374,12 @@ pub fn draw_columns(estimated: &Estimated) -> Vec<DrawColumn<'_>> {
     columns
 }
 
-/// Writes a line for each draw: its number, the unknown numbers and the results, in SI units and radians.
-/// All draws count the same. Numbers are the shortest that read back as the same, in the style of the
+/// Writes a line for each draw: its number, the unknown numbers and the results, in SI units and radians. All
+/// draws have the same weight. Numbers are the shortest that read back as the same, in the style of the
 /// spreadsheet.
 ///
 /// # Errors
-/// Where `out` cannot be written to.
+/// If `out` cannot be written to.
 pub fn write_draws(estimated: &Estimated, style: CsvStyle, out: &mut dyn Write) -> io::Result<()> {
     let next = style.separator();
     let columns = draw_columns(estimated);

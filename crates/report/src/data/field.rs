@@ -109,7 +109,7 @@ impl<'a> JudgedBlock<'a> {
 /// `bias`, `rms`, `coverage`, `width95` and `crps` (m/s), the records that are left out, and every vehicle.
 ///
 /// # Errors
-/// Where the JSON cannot be written.
+/// If the JSON cannot be written.
 pub fn field_json(field: &Field) -> Result<String, serde_json::Error> {
     pretty(&Document {
         other: field.other,

@@ -12,8 +12,8 @@ use crate::words;
 /// The answer of a case.
 #[derive(Serialize)]
 pub(crate) struct HeadlineBlock {
-    /// `exact`, `estimate`, or `none` where the case has more evidence than an exact solution uses and that
-    /// was not weighed, or where the run did not converge.
+    /// `exact`, `estimate`, or `none` if the case has more evidence than an exact solution uses and it was
+    /// not weighed, or if the run did not converge.
     by: &'static str,
     /// Why the exact solution is not the answer.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -23,7 +23,7 @@ pub(crate) struct HeadlineBlock {
     /// Evidence that all the rest contradicts.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     contradicting: Vec<String>,
-    /// Evidence of which the rest is doubtful.
+    /// Evidence that the rest doubts.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     doubtful: Vec<String>,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -49,18 +49,18 @@ struct FiguresBlock {
 struct FigureBlock {
     /// As solved, or the median.
     value: Option<f64>,
-    /// Of all the evidence with its errors and those of the method.
+    /// By all the evidence, with its errors and those of the method.
     #[serde(skip_serializing_if = "Option::is_none")]
     interval95: Option<[f64; 2]>,
 }
 
-/// What a part of the evidence says when it is taken as exact.
+/// The solution by a part of the evidence, taken as exact.
 #[derive(Serialize)]
 pub(crate) struct SolutionBlock {
     by: &'static str,
     speeds: [Option<f64>; 2],
     delta_v: [Option<f64>; 2],
-    /// Those outside of the interval of 95 % by all the evidence.
+    /// Speeds and ΔV outside of the 95 % interval by all the evidence.
     outside: Vec<String>,
     /// The codes of its checks that fail.
     failed: Vec<&'static str>,
@@ -77,7 +77,7 @@ impl WhyBlock {
 }
 
 impl HeadlineBlock {
-    /// Of a reconstruction; `None` of any other analysis.
+    /// For a reconstruction; `None` for any other analysis.
     pub(crate) fn of(analysis: &Analysis, weighed: Option<&Weighed>) -> Option<Self> {
         if analysis.found.is_none() && analysis.both.is_none() {
             return None;

@@ -14,7 +14,7 @@ use crate::units::Units;
 #[derive(Serialize)]
 struct Document<'a> {
     title: &'a str,
-    /// Those of all signed values: `z-up` or `z-down`.
+    /// The axes of all signed values: `z-up` or `z-down`.
     axes: &'static str,
     commands: Vec<CommandBlock>,
     /// The command that answers most with what the case has.
@@ -33,7 +33,7 @@ struct CommandBlock {
     /// Keys of evidence that its exact answer does not use.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     left_aside: Vec<String>,
-    /// Of `draw`: what can be drawn, by the values of its option `--what`.
+    /// For `draw`: what can be drawn, by the values of its option `--what`.
     #[serde(skip_serializing_if = "Option::is_none")]
     draws: Option<Vec<&'static str>>,
 }
@@ -64,11 +64,10 @@ struct AssumptionBlock {
 }
 
 /// The judgement as indented JSON, ending in a line break: `commands`, `inputs` (as written, in SI and in US
-/// units), `choices`, `assumptions` and `warnings`. SI units here are those with a plain 1 before them: m,
-/// kg, N, rad.
+/// units), `choices`, `assumptions` and `warnings`. SI units here are those with the factor 1: m, kg, N, rad.
 ///
 /// # Errors
-/// Where serialisation fails, which no judgement causes.
+/// If serialisation fails, which no judgement causes.
 pub fn judgement_json(file: &CaseFile, judgement: &Judgement) -> Result<String, serde_json::Error> {
     let case = &file.case;
     let mut ranges = case.ranges.iter().peekable();
@@ -79,7 +78,7 @@ pub fn judgement_json(file: &CaseFile, judgement: &Judgement) -> Result<String, 
             .abilities
             .iter()
             .map(|Ability { purpose, obstacle, left_aside, .. }| {
-                // Where something can be drawn, what the rest lacks is no obstacle.
+                // If something can be drawn, what other drawings lack is no obstacle.
                 let draws = (*purpose == Purpose::Draw).then(|| drawn(case, judgement));
                 let obstacle =
                     obstacle.as_ref().filter(|_| draws.as_ref().is_none_or(|draws| draws.is_empty()));

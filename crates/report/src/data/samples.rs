@@ -9,11 +9,11 @@ use super::csv::CsvStyle;
 use crate::outputs::reason_name;
 
 /// Writes a line for each sample: its number, why it has no answer, its uncertain inputs and its outputs, in
-/// SI units and radians. Outputs that there are not are empty. Numbers are the shortest that read back as the
-/// same, in the style of the spreadsheet. Samples that a large run did not keep are computed again.
+/// SI units and radians. Missing outputs are empty. Numbers are the shortest that read back as the same, in
+/// the style of the spreadsheet. Samples that a large run did not keep are computed again.
 ///
 /// # Errors
-/// Where `out` cannot be written to.
+/// If `out` cannot be written to.
 pub fn write_samples(uncertainty: &Uncertainty, style: CsvStyle, out: &mut dyn Write) -> io::Result<()> {
     let next = style.separator();
     let inputs = &uncertainty.inputs;

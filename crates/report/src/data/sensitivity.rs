@@ -14,17 +14,18 @@ use super::{identified, pretty, title};
 #[derive(Serialize)]
 struct Document<'a> {
     title: &'a str,
-    /// Those of the inputs and of the turned directions.
+    /// The axes of the inputs and of the turned directions.
     axes: &'static str,
     derivatives: Vec<DerivativeBlock<'a>>,
     pdof_sweep: Vec<SweepBlock>,
-    /// What the file gives in place of what would follow from the direction: kept in every row of the sweep.
+    /// Values that the file gives although they would follow from the direction: kept in every row of the
+    /// sweep.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pdof_sweep_held: Vec<String>,
-    /// The same, turned with the direction.
+    /// The same, but turned with the direction.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pdof_sweep_turned: Vec<String>,
-    /// Of the case as it stands.
+    /// Those of the case as it stands.
     warnings: Vec<WarningBlock>,
 }
 
@@ -33,7 +34,7 @@ struct Document<'a> {
 struct DerivativeBlock<'a> {
     output: String,
     input: &'a str,
-    /// In words, of what is no key of the file.
+    /// In words, if it is not a key of the file.
     #[serde(skip_serializing_if = "Option::is_none")]
     name: Option<String>,
     value: f64,
@@ -64,7 +65,7 @@ struct SweepBlock {
 /// which they are ranked.
 ///
 /// # Errors
-/// Where serialisation fails, which no sensitivity causes.
+/// If serialisation fails, which no sensitivity causes.
 pub fn sensitivity_json(file: &CaseFile, sensitivity: &Sensitivity) -> Result<String, serde_json::Error> {
     let case = &file.case;
     let paths = |key: &str, vehicles: Vec<VehicleId>| -> Vec<String> {
@@ -106,7 +107,7 @@ pub fn sensitivity_json(file: &CaseFile, sensitivity: &Sensitivity) -> Result<St
     pretty(&identified(file, document))
 }
 
-/// The vehicles in the sweep of whose damage the file gives something.
+/// The vehicles in the sweep for whose damage the file gives a value.
 pub(crate) fn given_in_sweep(
     sensitivity: &Sensitivity,
     given: fn(&DamageData) -> Option<f64>,

@@ -26,7 +26,7 @@ impl Entry {
 /// `also` (its other names), `text` (Markdown) and `see_also`, the terms of other topics that the text uses.
 ///
 /// # Errors
-/// Where serialisation fails, which no topic causes.
+/// If serialisation fails, which no topic causes.
 pub fn topic_json(topic: &'static Topic) -> Result<String, serde_json::Error> {
     pretty(&Entry::new(topic))
 }
@@ -34,7 +34,7 @@ pub fn topic_json(topic: &'static Topic) -> Result<String, serde_json::Error> {
 /// All topics as a list of what [`topic_json`] gives, in the order of the glossary.
 ///
 /// # Errors
-/// Where serialisation fails, which no topic causes.
+/// If serialisation fails, which no topic causes.
 pub fn topics_json() -> Result<String, serde_json::Error> {
     let entries: Vec<Entry> = topics().iter().map(Entry::new).collect();
     pretty(&entries)

@@ -1,4 +1,4 @@
-//! As JSON for programs.
+//! An uncertainty as JSON.
 
 use std::collections::BTreeMap;
 
@@ -17,7 +17,7 @@ use crate::worth::worth;
 #[derive(Serialize)]
 struct Document<'a> {
     title: &'a str,
-    /// Those of the inputs.
+    /// The axes of the inputs.
     axes: &'static str,
     samples: usize,
     requested: usize,
@@ -25,17 +25,17 @@ struct Document<'a> {
     method: &'static str,
     succeeded: usize,
     failed: BTreeMap<&'static str, usize>,
-    /// Samples with an answer of which a single case would be warned.
+    /// Samples with an answer that would raise a warning as a single case.
     doubtful: Vec<DoubtfulBlock>,
     inputs: Vec<InputBlock<'a>>,
     /// What all samples share, so that no interval contains its error.
     taken_as_exact: Vec<ExactBlock<'a>>,
     outputs: InOrder<OutputBlock<'a>>,
-    /// Of the first output.
+    /// Those of the first output.
     sensitivity: Vec<IndexBlock<'a>>,
     #[serde(skip_serializing_if = "Option::is_none")]
     index_rows: Option<RowsBlock>,
-    /// Of the case as it stands.
+    /// Those of the case as it stands.
     warnings: Vec<WarningBlock>,
 }
 
@@ -95,7 +95,7 @@ impl<T: Serialize> Serialize for InOrder<T> {
 #[derive(Serialize)]
 struct InputBlock<'a> {
     input: &'a str,
-    /// In words, of what is no key of the file.
+    /// In words, if it is not a key of the file.
     #[serde(skip_serializing_if = "Option::is_none")]
     name: Option<String>,
     distribution: &'static str,
@@ -134,7 +134,7 @@ struct OutputBlock<'a> {
     sensitivity: Vec<IndexBlock<'a>>,
 }
 
-/// From the sampling itself.
+/// Standard errors due to the sampling.
 #[derive(Serialize)]
 struct ErrorBlock {
     mean: Option<f64>,
@@ -178,18 +178,18 @@ struct IndexBlock<'a> {
 /// evaluated; `sensitivity` is that of the first output, and each output has its own.
 ///
 /// # Errors
-/// Where serialisation fails, which no uncertainty causes.
+/// If serialisation fails, which no uncertainty causes.
 pub fn uncertainty_json(file: &CaseFile, uncertainty: &Uncertainty) -> Result<String, serde_json::Error> {
     pretty(&identified(file, document(&file.case, uncertainty)))
 }
 
-/// What the JSON says.
+/// The content of the JSON.
 pub(crate) fn document<'a>(case: &'a Case, uncertainty: &'a Uncertainty) -> impl Serialize + use<'a> {
     let Uncertainty { inputs, taken_as_exact, tornado, .. } = uncertainty;
     of_inputs(case, uncertainty, inputs, taken_as_exact, &tornado.bars)
 }
 
-/// What a table of results has room for: nothing of what each input is and does.
+/// The part for a table of results: without the inputs and their effects.
 pub(crate) fn results<'a>(case: &'a Case, uncertainty: &'a Uncertainty) -> impl Serialize + use<'a> {
     of_inputs(case, uncertainty, &[], &[], &[])
 }

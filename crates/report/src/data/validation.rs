@@ -338,7 +338,7 @@ fn row_name(row: DeltaVRow) -> &'static str {
 /// The comparison as indented JSON, ending in a line break.
 ///
 /// # Errors
-/// Where serialisation fails, which no comparison causes.
+/// If serialisation fails, which no comparison causes.
 pub fn validation_json(validation: &Validation) -> Result<String, serde_json::Error> {
     let dv = &validation.delta_v_errors;
     let speed = &validation.speed_errors;

@@ -1,4 +1,4 @@
-//! Reads a question that is put to an estimate.
+//! Reads a question to an estimate.
 
 use analysis::{Kind, Output};
 use case::{Dimension, read_quantity};
@@ -38,9 +38,9 @@ fn limit_of(text: &str, kind: Kind) -> Result<f64, String> {
         Kind::Angle => Dimension::Angle,
         Kind::YawRate => Dimension::YawRate,
         Kind::Time => Dimension::Time,
-        // No result of an estimate is one.
+        // No result of an estimate is of these kinds.
         Kind::Impulse | Kind::MomentImpulse | Kind::Force => {
-            return Err("no limit can be given of this result".to_owned());
+            return Err("no limit can be given for this result".to_owned());
         }
     };
     let quantity = read_quantity(text, dimension);

@@ -11,7 +11,7 @@ use crate::Units;
 use crate::units::Measure;
 use crate::words;
 
-/// Stations whose depths the caption lists; of more it says between what they lie.
+/// Maximum number of stations whose depths the caption lists; for more it gives their range.
 const LISTED: usize = 50;
 /// (m) how far damage may reach beyond an outline before the caption says so: bodies have no sharp corners.
 const BEYOND: f64 = 0.1;
@@ -48,7 +48,7 @@ fn caption(
 ) -> Vec<String> {
     let side = vehicle.crush.as_ref().map_or("", |crush| words::side_name(crush.side));
     let width = units.format(Measure::Crush, damage.width);
-    // The unit does not go to a line of its own.
+    // Keeps the unit on the line of the last number.
     let unit = &format!(" {}", units.name(Measure::Crush));
     let crush = match &damage.inferred {
         Some(inferred) => format!(
@@ -72,8 +72,8 @@ fn caption(
     let energy = units.format(Measure::Energy, damage.crush_energy);
     let mut sentences = vec![format!("Damage: {crush}."), format!("Crush energy {energy}.")];
     let Some(body) = body else {
-        let alone = "The outline is not known, and the profile is drawn alone: length, width and cg_to_front \
-                     put it in its place.";
+        let alone = "The outline is not known, so the profile is drawn alone: give length, width and \
+        cg_to_front to put it in its place.";
         sentences.push(alone.to_owned());
         return sentences;
     };

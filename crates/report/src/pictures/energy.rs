@@ -23,14 +23,14 @@ pub(super) fn picture(case: &Case, analysis: &Analysis, units: Units) -> Result<
         value: format!("{} ({} %)", units.format(Measure::Energy, joule), share(joule)),
         remark: None,
     };
-    // What it means that the work is negative, where it is so as printed: not for the rounding of zero.
+    // A remark on work that is negative as printed, which a rounded zero is not.
     let driven = |bar: EnergyBar, what: &str| EnergyBar {
         remark: share(bar.energy).starts_with('-').then(|| what.to_owned()),
         ..bar
     };
     let mut losses = Vec::new();
     // Both vehicles share the normal work as their crush energies do, which add up to it in a reconstruction
-    // on the basis `dissipated`: there alone it is the crush energy.
+    // on the basis `dissipated`: only there it is the crush energy.
     if total > 0.0 {
         let work = if is_crush(total, energy.normal_work) { "crush of" } else { "normal work," };
         for (id, loss) in VehicleId::ALL.into_iter().zip([Loss::Vehicle1, Loss::Vehicle2]) {

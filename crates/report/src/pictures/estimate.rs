@@ -1,4 +1,4 @@
-//! Densities of an estimate, both speeds at once, and where the vehicles would have come to rest.
+//! Densities of an estimate, both speeds at once, and the rest positions of the draws.
 
 use ::drawing::{
     Axis, DensityPicture, Drawing, Footprint, FoundAtRest, JointPicture, RestsPicture, Shape, ValueMark,
@@ -17,12 +17,12 @@ use crate::units::{Measure, Units, number};
 /// Points of a curve, and places of a grid along each axis.
 const POINTS: usize = 240;
 const PLACES: usize = 96;
-/// The most draws that a picture shows.
+/// Maximum number of draws in a picture.
 const SHOWN: usize = 1200;
-/// Bandwidth of a biweight kernel by that of a normal one that smooths as much.
+/// (–) ratio of the bandwidth of a biweight kernel to that of a normal one that smooths as much.
 const BIWEIGHT: f64 = 2.62;
 
-/// What the numbers can be reproduced from.
+/// What reproduces the numbers.
 fn origin(case: &Case, estimated: &Estimated, asked: &Asked) -> String {
     format!(
         "{}. deltav {}, {} draws, seed {}",
@@ -38,8 +38,8 @@ fn number_of(count: usize) -> String {
     number(count as f64, 0)
 }
 
-/// How probable each value of a result is, before the evidence and after it. `None` where it does not vary,
-/// and where the run has not converged.
+/// How probable each value of a result is, before the evidence and after it. `None` if it does not vary, or
+/// if the run has not converged.
 #[must_use]
 pub fn density(
     case: &Case,
@@ -64,7 +64,7 @@ fn density_picture(
     let summary = &found.posterior;
     let own = curve(draws, summary, estimated.ess(), None)?;
     let ends = [own.first()?[0], own.last()?[0]];
-    // As much of what was known before as does not make the answer too narrow.
+    // As much of the prior as does not make the answer too narrow.
     let wide = before.zip(found.prior.as_ref()).map(|(draws, prior)| {
         let [low, high] = [prior.intervals[2].low.value, prior.intervals[2].high.value];
         let most = 1.5 * (ends[1] - ends[0]);
@@ -78,7 +78,7 @@ fn density_picture(
     let [low, high] = [summary.intervals[3].low.value, summary.intervals[3].high.value];
     let mark = |value: f64, lead: &str| ValueMark { value, lead: lead.to_owned() };
     let per = measure.map_or_else(String::new, |measure| format!(" per {}", units.name(measure)));
-    // Of the unit of the reader, in per cent.
+    // Per unit of the reader, in per cent.
     let share = 0.01 / unit;
     Some(DensityPicture {
         name: "density",
@@ -107,7 +107,7 @@ fn answer(estimated: &Estimated, output: Output) -> Option<&EstimatedOutput> {
     estimated.output(output).filter(|found| estimated.doubts().is_empty() && found.varies())
 }
 
-/// (unit of the draws) how far a kernel reaches that smooths draws worth so many independent ones.
+/// (unit of the draws) the reach of a kernel for draws that are worth `independent` independent ones.
 fn bandwidth(summary: &DrawsSummary, independent: f64, power: f64) -> f64 {
     let half = &summary.intervals[0];
     let spread = Real::min(summary.sd.value, (half.high.value - half.low.value) / 1.349);
@@ -136,7 +136,7 @@ fn curve(draws: &[f64], summary: &DrawsSummary, ess: f64, ends: Option<[f64; 2]>
     };
     #[expect(clippy::cast_precision_loss, reason = "counts below 2^53")]
     let (steps, count) = ((POINTS - 1) as f64, draws.len() as f64);
-    // Where nothing is below zero, what the kernel leaves there is folded back.
+    // If no draw is below zero, the part of a kernel below zero is reflected.
     let is_bounded = sorted.first().is_some_and(|least| *least >= 0.0);
     let low = if is_bounded { low.max(0.0) } else { low };
     let density = |x: f64| -> f64 {
@@ -153,7 +153,7 @@ fn curve(draws: &[f64], summary: &DrawsSummary, ess: f64, ends: Option<[f64; 2]>
     Some(points.collect())
 }
 
-/// Both speeds at once. `None` where one of them is known, and where the run has not converged.
+/// Both speeds at once. `None` if one of them is known, or if the run has not converged.
 #[must_use]
 pub fn joint_speeds(case: &Case, estimated: &Estimated, asked: &Asked, units: Units) -> Option<Drawing> {
     Some(joint_picture(case, estimated, asked, units)?.draw())
@@ -203,7 +203,7 @@ fn joint_picture(case: &Case, estimated: &Estimated, asked: &Asked, units: Units
     })
 }
 
-/// A density at places of equal distance.
+/// A density on an equally spaced grid.
 struct Grid {
     rows: Vec<Vec<f64>>,
     ends: [[f64; 2]; 2],
@@ -237,7 +237,7 @@ impl Grid {
         Self { rows, ends }
     }
 
-    /// At the nearest place.
+    /// The density at the nearest place of the grid.
     fn density(&self, at: [f64; 2]) -> f64 {
         let [i, j] = [0, 1].map(|axis| {
             let [low, high] = self.ends[axis];
@@ -254,8 +254,8 @@ fn place(value: f64, [low, _]: [f64; 2], step: f64) -> usize {
     ((value - low) / step).floor().clamp(0.0, LAST) as usize
 }
 
-/// Where the vehicles come to rest in the draws, and where they were found. `None` where none is followed,
-/// and where the run has not converged.
+/// Where the vehicles come to rest in the draws, and where they were found. `None` if none is followed, or if
+/// the run has not converged.
 #[must_use]
 pub fn rests(case: &Case, estimated: &Estimated, asked: &Asked, units: Units) -> Option<Drawing> {
     Some(rests_picture(case, estimated, asked, units)?.draw())
@@ -318,8 +318,7 @@ fn footprint(dimensions: Dimensions, kind: Kind) -> Footprint {
     Footprint { length, width, cg_to_front, shape }
 }
 
-/// All pictures of an estimate below each other. `None` where no result varies, and where the run has not
-/// converged.
+/// All pictures of an estimate below each other. `None` if no result varies, or if the run has not converged.
 #[must_use]
 pub fn estimate_pictures(case: &Case, estimated: &Estimated, asked: &Asked, units: Units) -> Option<Drawing> {
     let drawings: Vec<(String, Drawing)> = all(case, estimated, asked, units)

@@ -17,7 +17,7 @@ fn symbol(kind: PairKind) -> Symbol {
     Symbol { marker: Marker::ALL[place % Marker::ALL.len()], is_filled: false }
 }
 
-/// Estimated against recorded ΔV (km/h), and WinSMASH's beside it where the file has it. The same bytes at
+/// Estimated against recorded ΔV (km/h), and WinSMASH's next to it if the file has it. The same bytes at
 /// every run.
 #[must_use]
 pub fn estimated_against_recorded(field: &Field) -> Drawing {
@@ -69,8 +69,8 @@ fn given(field: &Field) -> &'static str {
     if field.other { ", with the recorder of the other vehicle given" } else { "" }
 }
 
-/// How many recorders stored less than what the estimate expects below a tenth, two tenths and so on. The
-/// same bytes at every run.
+/// A histogram, in tenths, of the rank of each recorded ΔV in the distribution that the estimate predicts for
+/// it. The same bytes at every run.
 #[must_use]
 #[expect(clippy::cast_precision_loss, reason = "counts of vehicles are far below 2⁵³")]
 pub fn ranks_of_recorders(field: &Field) -> Drawing {
@@ -82,7 +82,7 @@ pub fn ranks_of_recorders(field: &Field) -> Drawing {
     let listed: Vec<String> = counts.iter().map(usize::to_string).collect();
     RanksPicture {
         name: "ranks-of-recorders",
-        title: "Where recorders lie in what was expected of them".to_owned(),
+        title: "Where recorders lie in the predicted distributions".to_owned(),
         subtitle: format!(
             "{n} vehicles{}. If intervals contain recorders as often as they say, all bars are about equally high.",
             given(field)

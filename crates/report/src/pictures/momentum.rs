@@ -31,7 +31,7 @@ pub(super) fn picture(
         label: format!("{symbol} {}", size(vector)),
     };
     let gap = left - total;
-    // Rounding is no gap.
+    // A gap by rounding is none.
     let is_closed = units.plain(Measure::Momentum, gap.norm()) == units.plain(Measure::Momentum, 0.0);
     let change = delta_v[0] * masses[0];
     let speed = |velocity: Vector2<f64>| units.format(Measure::RoadSpeed, velocity.norm());

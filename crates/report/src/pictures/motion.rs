@@ -1,4 +1,4 @@
-//! The motion: both vehicles from their approach over the impact to rest, seen from above; and its speeds
+//! The motion: both vehicles from their approach through the impact to rest, seen from above; and its speeds
 //! over time.
 
 use ::drawing::{
@@ -16,13 +16,13 @@ use super::{DrawingError, PlainSpeed, Subject, caveat, scale_unit, title, with_c
 use crate::Units;
 use crate::units::{Measure, number};
 
-/// (m/s) a speed found that is no more, 1 km/h, is that of a vehicle that stood.
+/// (m/s) a vehicle stood if the speed found is at most this, 1 km/h.
 const STANDING: f64 = 1.0 / 3.6;
 
-/// Of each step of the integration, so many parts are drawn: a step may be a second long.
+/// The number of parts drawn for each step of the integration, which may be a second long.
 const PARTS: u32 = 12;
 
-/// For readers who are no engineers.
+/// For readers who are not engineers.
 pub(super) fn plain(
     case: &Case,
     analysis: &Analysis,
@@ -43,7 +43,7 @@ pub(super) fn picture(
     drawn(case, analysis, units, None, site_plan)
 }
 
-/// With plain speeds, for readers who are no engineers.
+/// With plain speeds, for readers who are not engineers.
 fn drawn(
     case: &Case,
     analysis: &Analysis,
@@ -74,7 +74,7 @@ fn drawn(
     })
 }
 
-/// Where the impulse acts (m), as the drawing of the motion has it; the origin where the case does not say.
+/// (m) where the impulse acts in the drawing of the motion; the origin if the case does not say.
 pub fn place_of_impact(case: &Case) -> [f64; 2] {
     case.contact_place().map_or([0.0; 2], Into::into)
 }
@@ -217,7 +217,7 @@ struct Pose {
     approach: Option<Vector2<f64>>,
 }
 
-/// The skid marks before the impact, straight up to where the wheels are then; one of the CG where these are
+/// The skid marks before the impact, straight up to the wheels at the impact; one of the CG if the wheels are
 /// not known.
 fn skids(case: &Case, travel: Option<&Travel>, id: VehicleId, pose: Pose) -> Vec<[[f64; 2]; 2]> {
     let Some(skid) = case.skids()[id.index()] else { return Vec::new() };
@@ -227,8 +227,8 @@ fn skids(case: &Case, travel: Option<&Travel>, id: VehicleId, pose: Pose) -> Vec
         Some(SkidBegin::From(place)) => Some(Vector2::new(place.x.si(), case.axes.lateral(place.y.si()))),
         _ => None,
     };
-    // From where the marks begin to where they end; else as the vehicle moved or, where that is not known, as
-    // it pointed.
+    // From the start of the marks to their end; else along the direction of travel or, if that is not known,
+    // the heading.
     let along = from.map(|from| cg - from).or(pose.approach).filter(|way| way.norm() > 0.0);
     let along = along.unwrap_or(Vector2::from(pose.forward));
     let way = along * (skid.length / along.norm());
@@ -247,7 +247,7 @@ fn direction(heading: f64) -> [f64; 2] {
 /// A time (s), the state then, and which wheels slide.
 type Moment = (f64, State, [bool; 4]);
 
-/// The way at more moments than the integration chose.
+/// The path at more moments than the steps of the integration.
 fn dense(travel: &Travel) -> Vec<Moment> {
     let mut moments = Vec::new();
     for pair in travel.samples.windows(2) {
@@ -285,7 +285,7 @@ fn marks(travel: &Travel, moments: &[Moment]) -> Vec<Vec<[f64; 2]>> {
 
 fn description(analysis: &Analysis, units: Units) -> String {
     let mut sentences =
-        vec!["Both vehicles from above, from the approach over the impact to rest, to scale.".to_owned()];
+        vec!["Both vehicles from above, from approach through impact to rest, to scale.".to_owned()];
     for (id, travel) in VehicleId::ALL.into_iter().zip(&analysis.travel) {
         let Some(travel) = travel else { continue };
         sentences.push(format!(

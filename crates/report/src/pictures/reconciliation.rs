@@ -1,4 +1,4 @@
-//! The reconciliation: the work that is held against the crush energy, over the speed sought.
+//! The reconciliation: the work that is compared with the crush energy, over the speed sought.
 
 use ::drawing::{Axis, CurvePoint, ReconciliationPicture};
 use analysis::{Analysis, first_push, work_curve};
@@ -29,15 +29,15 @@ pub(super) fn picture(
     };
     let answer = units.road_speed(found.speed);
     let energy = units.format(Measure::Energy, found.normal_work);
-    // What is sought may depend on the speed: an inferred crush, or a basis that restitution has a part in.
+    // The work sought may depend on the speed: with an inferred crush, or a basis that involves restitution.
     let varies = curve.iter().any(|point| units.format(Measure::Energy, point.sought) != energy);
     let there = if varies { " at the speed found" } else { "" };
     let speed = |si: f64| units.format(Measure::RoadSpeed, si);
     let touch = speed(curve.first().map_or(0.0, |point| point.speed));
-    // An interval whose ends look the same is none to the reader.
+    // An interval whose ends are printed alike is none to the reader.
     let begins = first_push(&file.case, &curve)?.filter(|&begins| speed(begins) != touch);
     let begins = match (begins, analysis.basis) {
-        // There P_n is a push, but sliding works too.
+        // There P_n is a push, but sliding does work as well.
         (begins, Basis::TangentialShare(_)) => format!(
             "It begins at {}, {},",
             begins.map_or_else(|| touch.clone(), speed),
@@ -83,7 +83,8 @@ pub(super) fn picture(
             .iter()
             .map(|point| CurvePoint {
                 speed: point.speed,
-                // Where the normal impulse would be a pull, no impact can happen, whatever the sliding works.
+                // Where the normal impulse would be a pull, no impact can happen, whatever work the sliding
+                // does.
                 work: if point.normal_work < 0.0 { point.normal_work } else { point.crush_work },
                 sought: point.sought,
             })

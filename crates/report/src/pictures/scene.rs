@@ -11,7 +11,7 @@ use crate::Units;
 use crate::axes;
 use crate::units::Measure;
 
-/// The same for readers who are no engineers: vehicles and their speeds before and after, in words.
+/// The same for readers who are not engineers: vehicles and their speeds before and after, in words.
 pub(super) fn plain(
     case: &Case,
     analysis: &Analysis,
@@ -45,7 +45,8 @@ pub(super) fn plain(
                 return Some(SceneMotion { before, after, ..motion });
             }
             description.push(format!("Speed of {name} {before}."));
-            // A speed is that along the heading; what follows from it after the impact is not known as well.
+            // Only the speed along the heading is known so well; the velocity after the impact, which follows
+            // from it, is not.
             let along = speed.along(exact).filter(|along| *along != 0.0)?;
             let vector = vehicle.forward.map(|part| part * along);
             let after = SceneArrow { vector: [0.0; 2], label: String::new() };
@@ -58,7 +59,7 @@ pub(super) fn plain(
     Ok(ScenePicture { is_plain: true, description, caveat, vehicles, ..picture })
 }
 
-/// Without arrows where the analysis has the geometry alone.
+/// The scene, without arrows if the analysis has only the geometry.
 pub(super) fn picture(case: &Case, analysis: &Analysis, units: Units) -> Result<ScenePicture, DrawingError> {
     let no_scene = DrawingError::NoImpact { subject: Subject::Scene };
     if analysis.both.as_ref().is_some_and(|both| both.geometry != Geometry::Given) {
@@ -130,7 +131,7 @@ fn vehicle(
     }
 }
 
-/// With its crush where that was measured.
+/// The body of a vehicle, with its crush if that was measured.
 pub(super) fn scene_body(
     case: &Case,
     vehicle: &analysis::Vehicle,
@@ -173,7 +174,7 @@ fn length(vector: Vector2<f64>) -> f64 {
     (vector.x * vector.x + vector.y * vector.y).sqrt()
 }
 
-/// In the axes of the case, and so is the impact.
+/// In the axes of the case, as is `analysis`.
 fn description(case: &Case, analysis: &Seen, units: Units) -> String {
     let exchange = analysis.exchange();
     let mut sentences = vec!["Both vehicles from above at the moment of impact, to scale.".to_owned()];

@@ -9,17 +9,17 @@ use super::title;
 use crate::outputs::{input_name, output_name, pictured};
 use crate::units::{Units, number, significant};
 
-/// Bars of a tornado, the longest.
+/// Maximum number of bars of a tornado, the longest.
 const BARS: usize = 20;
 const NO_ANSWER: &str = "no answer at an end";
 
-/// An output and what to call it.
+/// An output and its name.
 fn output(uncertainty: &Uncertainty, place: usize, units: Units) -> Option<(&UncertainOutput, String)> {
     let output = uncertainty.outputs.get(place)?;
     Some((output, format!("{}, {}", output_name(output.output), units.name(pictured(output.output)))))
 }
 
-/// What the numbers of a plot can be reproduced from: the line below its own.
+/// The second line of a subtitle: what reproduces the numbers of the plot.
 fn origin(case: &Case, uncertainty: &Uncertainty) -> String {
     let settings = &uncertainty.settings;
     format!(
@@ -32,14 +32,14 @@ fn origin(case: &Case, uncertainty: &Uncertainty) -> String {
     )
 }
 
-/// With commas.
+/// A count with commas.
 #[expect(clippy::cast_precision_loss, reason = "a count to print")]
 fn number_of(count: usize) -> String {
     number(count as f64, 0)
 }
 
-/// The middle 99 % of the samples of an output, with its 95 % interval and its central value. `None` where
-/// the samples do not differ, and where there is no such output.
+/// The middle 99 % of the samples of an output, with its 95 % interval and its central value. `None` if the
+/// samples do not differ, or if there is no such output.
 #[must_use]
 pub fn histogram(case: &Case, uncertainty: &Uncertainty, place: usize, units: Units) -> Option<Drawing> {
     Some(histogram_picture(case, uncertainty, place, units)?.draw())
@@ -122,7 +122,7 @@ pub(crate) fn tornado_picture(
             }
         })
         .collect();
-    // Bars for what changes no digit would show rounding as if it were an effect.
+    // Bars for inputs that change no printed digit would show rounding as an effect.
     let changes = bars.iter().flat_map(|bar| bar.ends).flatten().filter(|end| print(*end) != printed);
     let longest = changes.map(|end| (end - output.central).abs()).fold(0.0, f64::max);
     let same = if longest == 0.0 { "; no input alone changes it as printed" } else { "" };
@@ -168,7 +168,7 @@ fn input_with_range(input: &UncertainInput, bar: &Bar) -> String {
     format!("{name}: {low} to {high}{unit}")
 }
 
-/// Keys of the case file below a vehicle or a table, and what a reader who does not know the file calls them.
+/// Keys of the case file below a vehicle or a table, and their names for a reader who does not know the file.
 /// Others are read as they are spelled.
 const WORDS: [(&str, &str); 13] = [
     ("yaw_radius", "radius of gyration"),
@@ -207,9 +207,8 @@ fn input_in_words(path: &str) -> String {
     format!("{name}{of}")
 }
 
-/// The labels of a bar of a tornado from what its two ends give to the central value: each with the end that
-/// it stands at. Two ends that are printed alike have one label, and so have two on one side, where the
-/// shorter part of the bar lies on the longer one.
+/// The labels of a bar of a tornado, each with the end at which it stands. Two ends that are printed alike
+/// share one label, as do two on one side, where the shorter part of the bar lies on the longer one.
 fn of_bar(ends: [Option<f64>; 2], central: f64, print: impl Fn(f64) -> String) -> Vec<(f64, String)> {
     if let [Some(low), Some(high)] = ends {
         let longer = if (low - central).abs() > (high - central).abs() { low } else { high };

@@ -21,7 +21,7 @@ fn differences(points: &[ScatterPoint], Axis { unit, .. }: &Axis) -> String {
     format!("{} points, differences from {} to {}", points.len(), number(least, 1), number(most, 1))
 }
 
-/// Computed against measured ΔV (ft/s) of all vehicles, PIM beside CRASH3. The same bytes at every run.
+/// Computed against measured ΔV (ft/s) of all vehicles, PIM next to CRASH3. The same bytes at every run.
 #[must_use]
 pub fn computed_against_measured(validation: &Validation) -> Drawing {
     // One marker for each geometry of Table 1, where each method has a row.

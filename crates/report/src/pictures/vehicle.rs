@@ -14,7 +14,7 @@ pub(super) struct Body {
     shape: Shape,
 }
 
-/// Where an outline is from.
+/// The source of an outline.
 #[derive(Clone, Copy)]
 pub(super) enum DrawnOutline {
     /// The file gives it.
@@ -27,7 +27,7 @@ pub(super) enum DrawnOutline {
 
 impl Body {
     /// The vehicle's own outline, else that of the CRASH3 class whose radius of gyration is nearest; `None`
-    /// for what is not like a car of a class.
+    /// if the vehicle is not like a car of a class.
     pub(super) fn of(given: &GivenVehicle, vehicle: &Vehicle) -> Option<Self> {
         let shape = match given.kind.unwrap_or_default() {
             _ if given.fixed => Shape::Fixed,
@@ -49,7 +49,7 @@ impl Body {
         Some(Self { dimensions, outline: DrawnOutline::Nearest(class), shape })
     }
 
-    /// For the drawing.
+    /// The outline for the drawing.
     pub(super) fn footprint(&self) -> Footprint {
         let Dimensions { length, width, cg_to_front, .. } = self.dimensions;
         Footprint { length, width, cg_to_front, shape: self.shape }
@@ -72,8 +72,8 @@ impl Body {
     }
 }
 
-/// Where the crush of vehicle `i` lies, whose damaged face is `face` (m) from its CG, or from any place where
-/// its outline is not known.
+/// The crush of vehicle `i` in its place: its damaged face is `face` (m) from its CG, or from an arbitrary
+/// point if its outline is not known.
 pub(super) fn profile(
     case: &Case,
     vehicle: &Vehicle,

@@ -55,7 +55,7 @@ impl Chosen<'_> {
         table.pair(x.label, cells, x.source);
     }
 
-    /// A row of one vector, which is neither vehicle's, with the keys `key.x` and `key.y`.
+    /// A row of one vector that belongs to neither vehicle, with the keys `key.x` and `key.y`.
     pub(crate) fn shared_vector(self, table: &mut Table, key: &str) {
         let [Some(x), Some(y)] = ["x", "y"].map(|axis| quantity(&format!("{key}.{axis}"))) else { return };
         if let [[Some(first), _], [Some(second), _]] = [x, y].map(|row| self.values(row)) {
@@ -78,7 +78,7 @@ impl Chosen<'_> {
         table.pair(n.label, cells, n.source);
     }
 
-    /// A row of a number that is neither vehicle's.
+    /// A row of a number that belongs to neither vehicle.
     pub(crate) fn shared(self, table: &mut Table, key: &str) {
         self.shared_with(table, key, |value| value);
     }
@@ -101,7 +101,7 @@ impl Chosen<'_> {
     }
 }
 
-/// The label of a quantity, which is its key where it has no row.
+/// The label of a quantity; its key if it has no row.
 pub(crate) fn label(key: &'static str) -> &'static str {
     quantity(key).map_or(key, |row| row.label)
 }

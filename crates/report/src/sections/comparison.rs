@@ -12,10 +12,10 @@ use crate::{axes, warnings};
 const NAME: usize = 34;
 const COLUMN: usize = 7;
 
-/// (columns) of the names of what evidence says.
+/// (columns) of the labels of answers by evidence.
 const SAID: usize = 26;
 
-/// The comparison as tables: what each kind of evidence says, where the case has more than one; then the
+/// The comparison as tables: the answer by each kind of evidence, if the case has more than one; then the
 /// answers of all laws, the coefficients behind them, and the warnings of the case as it stands.
 #[must_use]
 pub fn comparison(case: &Case, comparison: &Comparison, units: Units) -> Document {
@@ -49,7 +49,7 @@ pub fn comparison(case: &Case, comparison: &Comparison, units: Units) -> Documen
         };
         let delta_v = [1, 2].map(|vehicle| of_vehicle("delta_v", vehicle));
         if seeks_both {
-            // CRASH3 knows no speeds.
+            // CRASH3 gives no speeds.
             let speeds = answered().filter(|row| row.values.speeds.is_some());
             page.push(table(
                 &with_change(&[1, 2].map(speed_of)),
@@ -98,7 +98,7 @@ pub fn comparison(case: &Case, comparison: &Comparison, units: Units) -> Documen
             (of_vehicle("final_yaw_rate", 2), radians),
             (String::new(), degrees),
         ],
-        // CRASH3 knows no rotation.
+        // CRASH3 gives no rotation.
         answered().filter(|row| row.values.final_yaw_rate.is_some()).map(|row| {
             let cells = [0, 1].map(|i| rates.map(|rate| plain(rate, of(row.values.final_yaw_rate, i))));
             (row.law, cells.concat())
@@ -122,7 +122,7 @@ pub fn comparison(case: &Case, comparison: &Comparison, units: Units) -> Documen
     page
 }
 
-/// What the damage, the momentum and both together say, and how, or why they do not.
+/// The answers by damage, by momentum and by both, each with its method or why it has none.
 fn by_evidence(page: &mut Document, by: &EvidenceBlock, units: Units) {
     let columns: [(&str, &EvidenceRow); 3] = [
         ("damage only", &by.damage),
@@ -165,7 +165,7 @@ fn coefficients(row: &Row) -> String {
     format!("{}{sliding}{assumed}", row.coefficients)
 }
 
-/// As the table of results has it.
+/// The symbol in the table of results.
 fn symbol(key: &str) -> &'static str {
     quantity(key).map_or("", |row| row.symbol)
 }

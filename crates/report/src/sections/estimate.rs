@@ -1,4 +1,4 @@
-//! What all the evidence of a case says.
+//! The estimate from all the evidence of a case.
 
 use ::estimate::DrawsSummary;
 use ::uncertainty::{Distribution, Shape};
@@ -24,15 +24,15 @@ use crate::writers::wrap::wrapped;
 
 /// (columns) of an end of an interval, with the blank before it.
 const END: usize = 9;
-/// Decimals beyond which no figure goes.
+/// Maximum number of decimals of a figure.
 const MOST_DECIMALS: usize = 6;
 /// Islands of particles.
 const ISLANDS: usize = ::estimate::ISLANDS;
-/// What is in no list of a case.
+/// Unknown numbers that no table shows.
 const HIDDEN: [&str; 2] = ["ln_relative_speed", "speed_split"];
 
-/// The speeds with their intervals, what each piece of evidence says and whether it agrees with the rest, and
-/// what is assumed. No interval stands in it where the run has not converged.
+/// The speeds with their intervals, the answers by each piece of evidence and whether it agrees with the
+/// rest, and what is assumed. If the run has not converged, it has no interval.
 #[must_use]
 pub fn estimate(case: &Case, estimated: &Estimated, asked: &Asked, units: Units) -> Document {
     let mut page = Page { estimated, asked, units, document: Document::of_case(case) };
@@ -58,8 +58,8 @@ pub fn estimate(case: &Case, estimated: &Estimated, asked: &Asked, units: Units)
 /// (–) a probability below this is not worth a line.
 const WORTH_A_LINE: f64 = 0.005;
 
-/// What leads the estimate: the speeds with their intervals, or why there are none; and the evidence that the
-/// rest contradicts.
+/// The head of the estimate: the speeds with their intervals, or why there are none; and the evidence that
+/// the rest contradicts.
 pub(crate) fn headline(estimated: &Estimated, asked: &Asked, units: Units) -> Vec<Block> {
     let mut page = Page { estimated, asked, units, document: Document::new() };
     page.lead();
@@ -90,7 +90,7 @@ impl<'a> Page<'a> {
         self.estimated.output(wanted)
     }
 
-    /// (SI) with enough decimals for the standard deviation of the result.
+    /// An SI value with enough decimals for the standard deviation of the result.
     fn figure(&self, of: &EstimatedOutput, si: f64) -> String {
         let measure = measure(of.output);
         let decimals = match measure {
@@ -341,7 +341,7 @@ impl<'a> Page<'a> {
             .into_iter()
             .filter(|vehicle| self.find(SPEED.of_vehicle(*vehicle)).is_some())
             .collect();
-        // The speeds say nothing where they are known.
+        // Known speeds would say nothing.
         let sought: Vec<VehicleId> = movers
             .into_iter()
             .filter(|vehicle| {
@@ -450,7 +450,7 @@ impl<'a> Page<'a> {
         self.document.push(table);
     }
 
-    /// What the case does not give, and is not known exactly all the same.
+    /// Numbers that the case does not give with their spread, and that are not known exactly.
     fn assumed(&mut self) {
         let mut table = Table::new(
             "Assumed",
@@ -493,7 +493,7 @@ impl<'a> Page<'a> {
         self.document.paragraph(words);
     }
 
-    /// What is known of a number before the evidence, in words.
+    /// The prior of a number, in words.
     fn prior(&self, unknown: &UnknownNumber, assumed: Assumed) -> String {
         let prior = &unknown.prior;
         match (assumed, prior.shape()) {
@@ -589,13 +589,13 @@ fn with_sign(p: f64) -> String {
     if value.starts_with('<') { format!("p {value}") } else { format!("p = {value}") }
 }
 
-/// In the unit of the case.
+/// A value in the unit of the case.
 fn with_unit(unknown: &UnknownNumber, value: f64) -> String {
     let value = significant(value, 4);
     unknown.unit.map_or_else(|| value.clone(), |unit| format!("{value} {unit}"))
 }
 
-/// Where a normal distribution ends.
+/// The limits of a truncated normal distribution, in words.
 fn cut(prior: &Distribution) -> String {
     match prior.truncation() {
         Some(cut) if cut.low.is_finite() && cut.high.is_finite() => {
@@ -610,7 +610,7 @@ fn short(figure: String) -> String {
     if figure.chars().count() >= END { figure.replace(',', "") } else { figure }
 }
 
-/// Words in lines of so many columns, for the cell of a table.
+/// Words in lines of at most `columns` columns, for the cell of a table.
 fn folded(words: &str, columns: usize) -> String {
     wrapped(words, columns).trim_end().to_owned()
 }

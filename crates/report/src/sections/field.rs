@@ -1,4 +1,4 @@
-//! How the intervals of ΔV fare against recorders.
+//! How the intervals of ΔV compare with recorders.
 
 use std::collections::BTreeSet;
 
@@ -47,7 +47,7 @@ pub fn field(field: &Field, file: &str) -> Document {
         ));
     }
     if !field.doubted.is_empty() {
-        // A vehicle has a record of either event.
+        // A vehicle has a record of each event.
         let recorders =
             field.doubted.iter().map(|(case, vehicle)| format!("vehicle {vehicle} of crash {case}"));
         let recorders: Vec<_> = recorders.collect::<BTreeSet<_>>().into_iter().collect();
@@ -131,7 +131,7 @@ fn errors(field: &Field) -> Table {
     table
 }
 
-/// Letters of the longest bar.
+/// (columns) of the longest bar.
 const LONGEST: usize = 40;
 
 fn tenths(field: &Field) -> Table {

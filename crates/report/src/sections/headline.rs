@@ -1,5 +1,5 @@
-//! The headline of a reconstruction: an exact solution of what is just determined; all the evidence weighed
-//! where there is more, with the exact solutions beneath and what speaks against each.
+//! The headline of a reconstruction: the exact solution if the case is just determined; all the evidence
+//! weighed if there is more, with the exact solutions beneath and what speaks against each.
 
 use analysis::{MISSED, Overdetermined, Seen, Solution, Weighed};
 use pim_core::VehicleId;
@@ -10,7 +10,7 @@ use crate::estimates::Asked;
 use crate::units::{Measure, Units};
 use crate::words;
 
-/// What a document of a reconstruction is headed with.
+/// What leads a document of a reconstruction.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Headline<'a> {
     /// The exact solution: the case just determines it.
@@ -21,7 +21,7 @@ pub(crate) enum Headline<'a> {
     Weighed(&'a Weighed),
 }
 
-/// Over what the exact solution rests on, where it is not the answer.
+/// The heading of the details of an exact solution that is not the answer.
 pub(crate) const DETAIL: &str = "The exact solution in detail";
 
 /// (columns) of the name of a solution, and of a speed.
@@ -166,7 +166,7 @@ fn against(solution: &Solution, weighed: &Weighed, analysis: &Seen, units: Units
             .collect::<Vec<_>>()
     };
     let outside = [of("speed", speeds), of("ΔV", changes)].concat();
-    // What is no answer has no interval to lie outside of.
+    // Without an answer there is no interval to lie outside of.
     if !outside.is_empty() && weighed.is_answer() {
         reasons.push(format!("outside of the 95 % interval by all the evidence: {}", outside.join(", ")));
     }

@@ -10,13 +10,13 @@ use crate::understood::{amount, choices, converted, message, shown, spread};
 use crate::units::Units;
 use crate::{warnings, words};
 
-/// Over the numbers of the file.
+/// The heading of the numbers of the file.
 pub(crate) const NUMBERS: &str = "Numbers as understood";
-/// Over what the file says in words.
+/// The heading of the words of the file.
 pub(crate) const CHOICES: &str = "Choices";
 /// Heading of the assumptions: values that the file does not give.
 pub(crate) const ASSUMED: &str = "Assumed, because the file does not say";
-/// (columns) of the keys that are usual.
+/// (columns) of usual keys.
 const KEY: usize = 36;
 /// (columns) of what the file says.
 const WRITTEN: usize = 22;
@@ -77,7 +77,7 @@ fn commands(file: &CaseFile, judgement: &Judgement) -> Table {
             }
             continue;
         };
-        // It lacks what another lacks, which was told there.
+        // It lacks what another command lacks, which was reported there.
         let is_told = on != purpose
             && judgement
                 .abilities
@@ -88,7 +88,7 @@ fn commands(file: &CaseFile, judgement: &Judgement) -> Table {
             continue;
         }
         table.row([purpose.to_string(), "cannot run".to_owned()]);
-        // What helps with both vehicles is said once, after the last that it helps with.
+        // Help that applies to both vehicles is given once, after the last problem that it solves.
         let problems: Vec<_> = file
             .diagnostics(obstacle, &PROGRAM)
             .list()

@@ -33,7 +33,7 @@ pub(crate) fn how(both: &BothFound, analysis: &Seen, units: Units) -> String {
     how
 }
 
-/// What both speeds follow from.
+/// The evidence from which both speeds follow.
 fn found_by(both: &BothFound, analysis: &Seen, units: Units) -> String {
     let evidence = match origins(analysis)[..] {
         [one, two] if one.is_by_rest() && two.is_by_rest() => "the rest positions of both vehicles tell",
@@ -82,7 +82,7 @@ fn found_by(both: &BothFound, analysis: &Seen, units: Units) -> String {
     }
 }
 
-/// What is not known where only masses and headings are given.
+/// A note on what is unknown if only masses and headings are given.
 fn point_masses(both: &BothFound) -> &'static str {
     match both.geometry {
         Geometry::PointMasses => {
@@ -98,7 +98,7 @@ fn origins(analysis: &Seen) -> Vec<TravelOrigin> {
     analysis.travel.iter().flatten().map(|travel| travel.origin).collect()
 }
 
-/// The line that a motion alone leads with.
+/// The headline of a motion alone.
 pub(crate) fn answer(id: VehicleId, travel: &Travel, units: Units) -> String {
     let length = |si: f64| units.format(Measure::Length, si);
     let turn = units.format(Measure::Angle, travel.rest.heading - travel.start.heading);
@@ -116,7 +116,7 @@ pub(crate) fn answer(id: VehicleId, travel: &Travel, units: Units) -> String {
     }
 }
 
-/// What a reader of a case with skid marks and a grade has to know; `None` of one without both.
+/// A note for a case with both skid marks and a grade; otherwise `None`.
 pub(crate) fn skids_on_a_grade(case: &Case, analysis: &Seen) -> Option<String> {
     let is_graded = case.surface.as_ref().is_some_and(|surface| surface.grade.is_some());
     (is_graded && analysis.skids.iter().any(Option::is_some)).then(|| {
@@ -127,7 +127,7 @@ pub(crate) fn skids_on_a_grade(case: &Case, analysis: &Seen) -> Option<String> {
     })
 }
 
-/// What a motion alone rests on.
+/// The method of a motion alone.
 pub(crate) fn method(analysis: &Seen, units: Units) -> String {
     let mut how = "Each vehicle is one rigid body on four wheels, which roll, skid or slide on the ground \
                    (theory 11)."
@@ -207,8 +207,8 @@ pub(crate) fn momentum(analysis: &Seen, both: &BothFound, units: Units) -> [Tabl
     [whole, of_vehicles]
 }
 
-/// What the impact law of the case makes of the speeds that momentum gave, beside what the evidence tells;
-/// nothing where momentum did not give them, or the case has no law.
+/// What the impact law of the case predicts from the speeds that momentum gave, next to the evidence; `None`
+/// if momentum did not give them, or the case has no law.
 pub(crate) fn law_check(analysis: &Seen, units: Units) -> Option<[Table; 2]> {
     let (law, told) = (analysis.law_check()?, analysis.exchange()?);
     let outcome = &law.outcome;
@@ -230,8 +230,8 @@ pub(crate) fn law_check(analysis: &Seen, units: Units) -> Option<[Table; 2]> {
     Some([whole, of_vehicles])
 }
 
-/// Each combination of starts that leads to the rests, where there are several: those that are at all likely,
-/// and what speaks against each.
+/// The most likely combinations of starts that lead to the rests, and what speaks against each; `None` unless
+/// there are several.
 pub(crate) fn combinations(both: &BothFound, units: Units) -> Option<Table> {
     if both.combinations.len() < 2 {
         return None;
@@ -269,10 +269,10 @@ pub(crate) fn combinations(both: &BothFound, units: Units) -> Option<Table> {
     Some(table)
 }
 
-/// Combinations that are listed at most: the weight of those beyond is nearly nothing.
+/// Maximum number of listed combinations: further ones have almost no weight.
 const LISTED: usize = 6;
 
-/// The way to rest of both vehicles; nothing where none is followed.
+/// The path to rest of both vehicles; empty if none is followed.
 pub(crate) fn tables(analysis: &Seen, units: Units) -> Vec<Table> {
     if analysis.travel.iter().all(Option::is_none) {
         return Vec::new();
@@ -310,7 +310,7 @@ pub(crate) fn tables(analysis: &Seen, units: Units) -> Vec<Table> {
     };
     way.pair("heading at rest as measured", each(&heading), "");
     let miss = |travel: &Travel| {
-        // A start that was sought as the one that leads there says nothing by that it does.
+        // A start that was solved for leads to the rest by construction.
         if travel.origin == TravelOrigin::Rest {
             return Some("none: solved for".to_owned());
         }

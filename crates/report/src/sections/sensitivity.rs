@@ -40,10 +40,10 @@ pub fn sensitivity(case: &Case, sensitivity: &Sensitivity, units: Units) -> Docu
     page
 }
 
-/// A change smaller than this share of the largest one of its result is the rounding of zero.
+/// A change smaller than this share of the largest one of its result is a rounded zero.
 const ROUNDING: f64 = 1e-12;
 
-/// (SI) by how much a result moves with one of an input's own units, or with the whole of it where that is
+/// (SI) by how much a result changes with one of an input's own units, or with all of the input if that is
 /// more.
 fn size(row: &Derivative) -> f64 {
     (row.value * row.input.factor()).abs() * row.input.number.abs().max(1.0)
@@ -109,7 +109,7 @@ fn sweep(sensitivity: &Sensitivity, units: Units, case: &Case) -> Table {
         ],
     );
     for row in &sensitivity.pdof_sweep {
-        // What is fixed has no ΔV.
+        // A fixed object has no ΔV.
         for (n, vehicle) in [0, 1].into_iter().filter(|vehicle| !case.vehicles[*vehicle].fixed).enumerate() {
             let [change, first, second] =
                 if n == 0 { turned(row, units) } else { [const { String::new() }; 3] };

@@ -3,7 +3,7 @@
 use crate::document::{Block, Document};
 use crate::glossary::{Topic, topics};
 
-/// (columns) of lines that are read with ease.
+/// (columns) of lines that are easy to read.
 const COLUMNS: [usize; 2] = [40, 100];
 
 /// A topic: its names and its text.

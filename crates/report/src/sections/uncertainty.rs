@@ -1,4 +1,4 @@
-//! The spread of the results that ranges in the case cause.
+//! The spread of the results due to ranges in the case.
 
 use std::f64::consts::PI;
 
@@ -27,15 +27,15 @@ use crate::worth::{BARRIER_TESTS, SMITH_NOGA, Worth, worth};
 const LONGEST: usize = 50;
 /// (columns) to each side of a tornado's middle.
 const SIDE: usize = 13;
-/// Bars of the tornado: beyond them none is worth a line.
+/// Maximum number of bars of a tornado; further ones are not worth a line.
 const BARS: usize = 15;
 /// (columns) of an end of an interval, without the blank before it.
 const END: usize = 8;
-/// Decimals beyond which no figure goes.
+/// Maximum number of decimals of a figure.
 const MOST_DECIMALS: usize = 6;
 /// How a default spread is switched off.
 const SWITCH_OFF: &str = "List the key under `exact` in [uncertainty] to switch this off.";
-/// (–) a cut that takes less away is not worth a line.
+/// (–) a cut that removes less is not worth a line.
 const NOTICED_CUT: f64 = 1e-6;
 
 /// The summary of each output as tables and bars, what drives them, and the warnings of the case as it
@@ -133,7 +133,7 @@ impl<'a> Page<'a> {
         REASONS.into_iter().filter_map(of).collect()
     }
 
-    /// How many samples a single case would be warned of.
+    /// How many samples would raise a warning as a single case.
     fn doubts(&self) -> Vec<String> {
         let of = |doubtful: &Doubtful| {
             #[expect(clippy::cast_precision_loss, reason = "a share for people")]
@@ -184,12 +184,12 @@ impl<'a> Page<'a> {
         format!("{}, {}", output_name(output.output), self.units.name(quantity))
     }
 
-    /// What a speed is repeated in.
+    /// The quantity as which a speed is repeated.
     fn beside(output: &UncertainOutput) -> Option<Measure> {
         (output_quantity(output.output) == Measure::Speed).then_some(Measure::Speed)
     }
 
-    /// ± the standard error, in the unit of the value, in at most so many columns.
+    /// ± the standard error, in the unit of the value, in fewer than `columns` characters.
     fn error(&self, output: &UncertainOutput, estimate: Estimate, columns: usize) -> String {
         estimate.standard_error.map_or_else(String::new, |error| {
             let error = self.units.value(pictured(output.output), error);
@@ -314,7 +314,7 @@ impl<'a> Page<'a> {
         self.turned();
     }
 
-    /// Of each PDOF whose intervals go through straight from behind.
+    /// A note on each PDOF whose intervals pass through straight from behind.
     fn turned(&mut self) {
         for (output, summary) in self.rows() {
             let Some(summary) = summary.filter(|_| output.output.is(&PDOF)) else {
@@ -332,7 +332,7 @@ impl<'a> Page<'a> {
         }
     }
 
-    /// Of the first output.
+    /// The histogram of the first output.
     fn histogram(&mut self) {
         let Some(&(output, Some(summary))) = self.rows().first() else { return };
         if !output.varies(summary.sd.value) {
@@ -372,8 +372,8 @@ impl<'a> Page<'a> {
         outputs.filter(|(place, output)| *place == 0 || is_speed(output)).map(|(place, _)| place).collect()
     }
 
-    /// Where there are pictures: of the speed of the other vehicle and of both ΔV, besides that of the first
-    /// output.
+    /// In pictures only: the histograms of the other vehicle's speed and of both ΔV, besides that of the
+    /// first output.
     fn more_histograms(&mut self) {
         for (place, (output, _)) in self.rows().into_iter().enumerate().skip(1) {
             if (output.output.is(&SPEED) || output.output.is(&DELTA_V))
@@ -521,7 +521,7 @@ impl<'a> Page<'a> {
         }
     }
 
-    /// What has a spread although the file gives no range.
+    /// Inputs that have a spread although the file gives no range.
     fn default_spreads(&mut self) {
         let (mut stiffness, mut yaw_radius, mut contact) = (Vec::new(), Vec::new(), Vec::new());
         let mut times = [1.0; 2];
@@ -592,7 +592,7 @@ impl<'a> Page<'a> {
         ));
     }
 
-    /// What all samples share.
+    /// Values that all samples share.
     fn taken_as_exact(&mut self) {
         let exact = &self.uncertainty.taken_as_exact;
         if exact.is_empty() {
@@ -742,7 +742,7 @@ fn bar(count: usize, most: usize) -> String {
     format!("{}{}", "█".repeat(eighths / 8), EIGHTHS[eighths % 8])
 }
 
-/// Both ends of a bar beside the central value, on [`SIDE`] columns to each side.
+/// Both ends of a bar around the central value, on [`SIDE`] columns to each side.
 fn both_sides(bar: &Bar, place: usize, central: f64, longest: f64) -> String {
     let mut left = [' '; SIDE];
     let mut right = [' '; SIDE];
@@ -753,7 +753,7 @@ fn both_sides(bar: &Bar, place: usize, central: f64, longest: f64) -> String {
         #[expect(clippy::cast_precision_loss, reason = "a small number")]
         let columns = (share.abs() * SIDE as f64).round() as usize;
         let side = if share < 0.0 { &mut left } else { &mut right };
-        // Where both ends move it to one side, the shorter stands before the longer.
+        // If both ends lie on one side, the first one drawn keeps its columns.
         for place in side.iter_mut().take(columns) {
             *place = if *place == ' ' { fill } else { *place };
         }

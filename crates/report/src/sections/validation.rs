@@ -11,7 +11,7 @@ use crate::document::{Block, Column, Document, Table, Width};
 use crate::pictures::{computed_against_measured, reconstructed_speed};
 use crate::units::{Measure, Units, number};
 
-/// Reasons and misprints, numbered in the order in which the page comes upon them.
+/// Reasons and misprints, numbered in the order in which they appear on the page.
 #[derive(Default)]
 struct Notes(Vec<String>);
 
@@ -30,7 +30,7 @@ impl Notes {
         format!("ERRATUM [{}]", self.number(&note))
     }
 
-    /// What is claimed of one or more cells that belong together, tolerances in a unit of the given size.
+    /// The claims for one or more cells that belong together, with tolerances in a unit of the given size.
     fn claim(&mut self, cells: &[&Cell], size: f64, decimals: usize) -> String {
         let mut parts: Vec<String> = Vec::new();
         for cell in cells {
@@ -66,7 +66,7 @@ fn sentence(reason: &str) -> String {
     format!("{first}{}.", characters.as_str())
 }
 
-/// With a plus before what is positive.
+/// With a plus sign if positive.
 pub(super) fn signed(value: f64, decimals: usize) -> String {
     let plain = number(value, decimals);
     let positive = !plain.starts_with('-') && plain.bytes().any(|b| (b'1'..=b'9').contains(&b));
@@ -97,7 +97,7 @@ fn tests(tests: &[u8]) -> String {
     tests.iter().map(u8::to_string).collect::<Vec<_>>().join(", ")
 }
 
-/// A table of numbers, of which the first columns are words; so is the last where it has claims.
+/// A table of numbers whose first columns are words, as is the last if it has claims.
 fn table(words: usize, claims: bool, header: &[&str], rows: Vec<Vec<String>>) -> Block {
     let column = |(i, name): (usize, &&str)| {
         let is_words = i < words || claims && i + 1 == header.len();
@@ -145,8 +145,8 @@ pub fn validation_headline(validation: &Validation, units: Units) -> String {
     )
 }
 
-/// How far both speeds are from the true ones where neither is given: a sentence beside the headline, of
-/// another task from other evidence.
+/// How far both speeds are from the true ones if neither is given: a second headline, for another task with
+/// other evidence.
 #[must_use]
 pub fn both_speeds_headline(validation: &Validation, units: Units) -> String {
     let errors = &validation.both_speed_errors;
@@ -582,10 +582,12 @@ fn reconstruction(validation: &Validation, notes: &mut Notes) -> Vec<Block> {
         heading("Reconstruction: speed of vehicle 1 (m/s) from crush energy (kJ)"),
         paragraph(
             "The reconciler is given the motion of vehicle 2, e and μ of the test, and a crush energy E of \
-             both vehicles, and finds the speed of \
-             vehicle 1 at which the normal impulse takes E. First from E of the published profiles with CRASH3's stiffness: what `deltav \
-             reconstruct fixtures/ricsac/NN.toml` answers, and the error rate of the method. Then from E that the paper's CRASH3 row implies. \
-             Last from the normal loss that SAE 871993 prints for the impact, a round trip that has to find the true speed within 0.5 %. The error is in m/s and in % of the true speed.",
+             both vehicles, and finds the speed of vehicle 1 at which the normal impulse dissipates E. First \
+             from E of the published profiles with CRASH3's stiffness: what `deltav reconstruct \
+             fixtures/ricsac/NN.toml` answers, and the error rate of the method. Then from E that the \
+             paper's CRASH3 row implies. Last from the normal loss that SAE 871993 prints for the impact, a \
+             round trip that has to find the true speed within 0.5 %. The error is in m/s and in % of the \
+             true speed.",
         ),
         table(
             1,
@@ -673,9 +675,10 @@ fn by_share(validation: &Validation) -> Vec<Block> {
         paragraph(
             "The speed of vehicle 1 (m/s, with its error) from the published profiles with μ = μ_c and e of SAE 871993, where the crush energy \
              is W_n + λ W_t: `energy_basis = { tangential_share = λ }`. λ = 0 is the paper's method. The λ with the least rms error is the \
-             best for these tests and was looked for on them, so this table does not show how well it predicts others, and no λ is right \
-             for all: tests 1, 6 and 7, in which much energy went into sliding, need a large one, and tests 8 and 10 come out slower the larger it is. \
-             A λ that leaves a test without an answer has no rms.",
+             best for these tests and was fitted to them, so this table does not show how well it predicts \
+             others, and no λ is right for all: tests 1, 6 and 7, in which much energy went into sliding, \
+             need a large one, and tests 8 and 10 come out slower the larger it is. A λ that leaves a test \
+             without an answer has no rms.",
         ),
         table(1, false, &header, rows),
     ]
@@ -688,10 +691,11 @@ fn sources() -> Vec<Block> {
             "\"The paper\": R. M. Brach and R. M. Brach, Crush Energy and Planar Impact Mechanics for Accident Reconstruction, SAE 980025 (1998), Tables 1 to 3 \
              and the appendix. SAE 871993: R. M. Brach (1987), Table 1. The inputs are the case files in fixtures/ricsac, where the source of each value, \
              and whether it is published, corrected or solved back, stands beside it; fixtures/README.md names the sources. Test 2 is in none of \
-             the papers' tables: its accelerometers failed. What is published of the motion after the impact stands in \
-             fixtures/ricsac/motion/published.toml: velocities from Vossou & Koulocheris (Mobility & Vehicle Mechanics 44(3), 2018), rest from T. D. Day, \
-             SAE 2004-01-1207, directions from Jones & Baum by way of Neades' thesis. docs/theory.md has the equations, and in its section 8 the misprints of the paper's equations. \
-             `deltav validate --format markdown` writes this page.",
+             the papers' tables: its accelerometers failed. Published data on the motion after the impact \
+             are in fixtures/ricsac/motion/published.toml: velocities from Vossou & Koulocheris (Mobility & \
+             Vehicle Mechanics 44(3), 2018), rest from T. D. Day, SAE 2004-01-1207, directions from Jones & \
+             Baum via Neades' thesis. docs/theory.md has the equations, and in its section 8 the misprints \
+             of the paper's equations. `deltav validate --format markdown` writes this page.",
         ),
     ]
 }

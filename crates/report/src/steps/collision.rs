@@ -12,7 +12,7 @@ use pim_core::VehicleId;
 
 use super::{StepGroup, group};
 
-/// The numbers that most steps share.
+/// The data that most steps share.
 struct Collision<'a> {
     case: &'a Case,
     analysis: &'a Seen,

@@ -30,7 +30,7 @@ pub(super) fn groups(case: &Case, analysis: &Seen) -> Vec<StepGroup> {
     groups
 }
 
-/// The symbol of the PDOF that CRASH3 uses: that of the impulse has one of its own, above.
+/// The symbol of the PDOF that CRASH3 uses, which differs from that of the impulse above.
 fn pdof_symbol(vehicle: &Vehicle, i: VehicleId) -> String {
     match (vehicle.subject.pdof(), vehicle.subject.pdof_follows()) {
         (Some(_), true) => format!("PDOF_opposite,{i}"),
@@ -39,7 +39,7 @@ fn pdof_symbol(vehicle: &Vehicle, i: VehicleId) -> String {
     }
 }
 
-/// The PDOF that the file gives for the vehicle or, by that of the other, for the force opposite to it.
+/// The PDOF that the file gives for the vehicle or, if it gives that of the other vehicle, the opposite one.
 fn pdof_of_file(vehicle: &Vehicle, has_impulse: bool, i: VehicleId) -> Option<Step> {
     let pdof = vehicle.subject.pdof()?;
     let (what, source) = if vehicle.subject.pdof_follows() {
@@ -96,7 +96,7 @@ fn oblique(
     steps
 }
 
-/// α (rad), from the PDOF and that of a square hit where it follows from them.
+/// α (rad), from the PDOF and that of a square hit if it follows from them.
 fn oblique_angle(pdofs: Option<(f64, f64)>, alpha: f64, pdof_symbol: &str, i: VehicleId) -> Step {
     let name = format!("angle of the force to the normal of the damaged side, vehicle {i}");
     match pdofs {

@@ -70,7 +70,7 @@ fn energy(vehicle: &Vehicle, damage: &Damage, crush: &Crush, i: VehicleId) -> Ve
     steps
 }
 
-/// An energy that is given alone, by its speed, or that of a vehicle without damage.
+/// An energy that is given directly, as a speed, or that of a vehicle without damage.
 fn energy_alone(vehicle: &Vehicle, i: VehicleId) -> Option<Vec<Step>> {
     let (inertia, energy) = vehicle.subject.inertia.zip(vehicle.energy)?;
     if vehicle.subject.energy?.ees.is_none() {
@@ -96,7 +96,7 @@ fn energy_alone(vehicle: &Vehicle, i: VehicleId) -> Option<Vec<Step>> {
     Some(vec![ees, crush_energy])
 }
 
-/// The speeds that stand for energies: b_0 where the stiffness is the same all along, and EES.
+/// The speeds that stand for energies: b_0 if one stiffness holds along the side, and EES.
 fn speeds(vehicle: &Vehicle, damage: &Damage, i: VehicleId) -> Vec<Step> {
     let Some(inertia) = vehicle.subject.inertia else { return Vec::new() };
     let mut steps = Vec::new();
@@ -140,7 +140,7 @@ pub(super) fn total(analysis: &Seen, crush_energy: f64, source: &'static str) ->
     step(name, "E", symbols.join(" + "), numbers.join(" + "), crush_energy, "J", source)
 }
 
-/// What the impact has to take.
+/// The work that the impact has to do.
 fn sought(analysis: &Seen) -> Vec<Step> {
     let Some(found) = &analysis.found else { return Vec::new() };
     let both = total(analysis, found.crush_energy, "Eq 4, 5");

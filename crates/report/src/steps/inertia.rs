@@ -1,4 +1,4 @@
-//! Mass and yaw inertia, from what the file says of them.
+//! Mass and yaw inertia, from what the file says about them.
 
 use analysis::{Seen, Vehicle};
 use case::{Case, Mass, Quantity, STANDARD_GRAVITY, YawInertia, YawSource};
@@ -15,14 +15,14 @@ pub(super) fn groups(case: &Case, analysis: &Seen) -> Vec<StepGroup> {
     vec![group("Mass and yaw inertia", steps)]
 }
 
-/// A number of the file, converted where its unit is not the one of the reader's equations.
+/// A number of the file, converted if its unit is not that of the reader's equations.
 fn input(name: String, symbol: String, quantity: &Quantity, unit: &'static str) -> Step {
     let formula = format!("as given, in {}", name_of(unit));
     let step = step(name, symbol, formula, converted(quantity, unit), quantity.si(), unit, "input");
     Step { input: Some(*quantity), ..step }
 }
 
-/// A mass in kg: a weight over the standard gravity, by which the program divides too.
+/// A mass in kg: a weight divided by the standard gravity, as in the program.
 pub(super) fn mass(written: &Mass, name: String, of: &str) -> Step {
     let symbol = format!("m_{of}");
     match written {

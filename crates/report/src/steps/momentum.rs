@@ -1,4 +1,4 @@
-//! Both speeds from momentum, the closed forms of the ways to rest, and skid marks.
+//! Both speeds from momentum, the closed forms of the paths to rest, and skid marks.
 
 use analysis::{BothFound, BothMethod, ClosedForm, Seen, Travel};
 use case::{Basis, Case, STANDARD_GRAVITY};
@@ -34,7 +34,7 @@ impl Momentum<'_> {
         self.case.vehicles[k.index()].heading.as_ref().map_or(0.0, case::Quantity::si)
     }
 
-    /// How the vehicles left the impact: what a simulation found has no equation to put numbers into.
+    /// How the vehicles left the impact: a result of a simulation has no equation to put numbers into.
     fn departures(&self) -> Vec<Step> {
         let mut steps = Vec::new();
         for k in VehicleId::ALL.into_iter().filter(|k| self.analysis.moves(*k)) {
@@ -133,7 +133,7 @@ impl Momentum<'_> {
         steps
     }
 
-    /// The speed along the heading of one vehicle, beside that of the other.
+    /// The speed along the heading of one vehicle, if that of the other is known.
     fn beside(&self, other: VehicleId) -> Vec<Step> {
         let k = other.other();
         let total = self.both.momentum.total();
@@ -273,7 +273,7 @@ impl Momentum<'_> {
     }
 }
 
-/// The closed forms of the ways to rest, and the skid marks before the impact.
+/// The closed forms of the paths to rest, and the skid marks before the impact.
 pub(super) fn ways(analysis: &Seen) -> Vec<StepGroup> {
     let mut groups = Vec::new();
     for k in VehicleId::ALL {

@@ -1,4 +1,4 @@
-//! Numbers of a substitution, which wait for the units of the reader.
+//! Numbers of a substitution, kept until the units of the reader are known.
 //!
 //! The steps put numbers in SI units into their equations. All equations hold in any coherent system of
 //! units, so a reader of US units gets the same steps in ft, lb, s and slug (lb·s²/ft). Until the system is
@@ -8,7 +8,7 @@ use case::Quantity;
 
 use crate::units::{Units, significant};
 
-/// Begin and end of a number that waits, and what is between its parts. No text of a step has them.
+/// The marks of such a number: begin, separator of its parts, and end. No text of a step contains them.
 const BEGIN: char = '\u{e000}';
 const NEXT: char = '\u{e001}';
 const END: char = '\u{e002}';
@@ -23,7 +23,7 @@ pub(super) fn p(value: f64, unit: &str) -> String {
     format!("{BEGIN}p{NEXT}{value:e}{NEXT}{unit}{END}")
 }
 
-/// A number of the file in the unit of the equations: `3300 lb · 0.453592 kg/lb`, or as it is where the file
+/// A number of the file in the unit of the equations: `3300 lb · 0.453592 kg/lb`, or unchanged if the file
 /// has that unit.
 pub(super) fn converted(quantity: &Quantity, unit: &str) -> String {
     let own = quantity.unit().spelling().replace(' ', "·").replace("^2", "²");
@@ -85,7 +85,7 @@ pub(super) fn is_coherent(quantity: &Quantity, unit: &str, units: Units) -> bool
     is_one(quantity.unit().factor() / units.coherent(unit).0)
 }
 
-/// But for the rounding of a product of factors.
+/// Whether a factor is 1, except for the rounding of a product of factors.
 fn is_one(factor: f64) -> bool {
     (factor - 1.0).abs() < 1e-12
 }
@@ -102,14 +102,14 @@ fn with_unit(value: f64, unit: &str) -> String {
     if unit.is_empty() { digits(value) } else { format!("{}\u{a0}{unit}", digits(value)) }
 }
 
-/// (digits) that say that a number is rounded.
+/// (digits) of a rounded number.
 const DIGITS: usize = 6;
 
-/// What is smaller is the rounding of a zero: no quantity of a collision is as small in SI units.
+/// A smaller number is a rounded zero: no quantity of a collision is so small in SI units.
 const NOTHING: f64 = 1e-12;
 
-/// A number as it is printed: exact where that takes fewer than six digits, else with six. What a conversion
-/// of units leaves in the thirteenth digit does not count.
+/// A number as printed: exact if that takes fewer than six digits, else with six. The error of a unit
+/// conversion in the thirteenth digit does not count.
 pub(crate) fn digits(value: f64) -> String {
     let value = if value.abs() < NOTHING { 0.0 } else { value };
     let text = match format!("{value:.11e}").parse::<f64>() {
@@ -119,7 +119,7 @@ pub(crate) fn digits(value: f64) -> String {
     text.replace('-', "−")
 }
 
-/// What is smaller has more than two zeros behind the point.
+/// A smaller number has more than two zeros after the point.
 const LONG: f64 = 1e-3;
 
 fn is_short(value: f64) -> bool {
@@ -128,7 +128,7 @@ fn is_short(value: f64) -> bool {
     digits < DIGITS && (value == 0.0 || (1e-5..1e6).contains(&value.abs()))
 }
 
-/// Six significant digits; a factor of a power of ten only where the number would be long.
+/// Six significant digits, with a power of ten only where the number would be long.
 fn rounded(value: f64) -> String {
     if (1e5..1e12).contains(&value.abs()) {
         return format!("{value:.0}");
@@ -138,7 +138,7 @@ fn rounded(value: f64) -> String {
         if !text.contains('e') {
             return text;
         }
-        // Behind the point stand zeros, and then all six.
+        // Zeros after the point, and then all six digits.
         let zeros = if value.abs() < 0.01 { 2 } else { 1 };
         return format!("{value:.*}", DIGITS + zeros);
     }

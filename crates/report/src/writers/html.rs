@@ -221,7 +221,7 @@ fn is_number(column: &Column) -> bool {
     column.cells == Cells::Numbers
 }
 
-/// Each on a line of its own.
+/// Each line on a line of its own.
 fn lines(text: &str) -> Markup {
     html! {
         @for (i, line) in text.lines().enumerate() {
@@ -268,7 +268,7 @@ fn step(step: &Step) -> Markup {
     }
 }
 
-/// The key of an input has underscores of its own.
+/// The label of a row: the underscores of a key stay.
 fn subscripts_of_row(text: &str) -> Markup {
     if text.contains('.') && !text.contains(' ') {
         html! { code { (text) } }
@@ -277,7 +277,7 @@ fn subscripts_of_row(text: &str) -> Markup {
     }
 }
 
-/// A sentence of the program: what it has between backticks is code.
+/// A sentence of the program: text in backticks is code.
 fn prose(text: &str) -> Markup {
     html! {
         @for (part, is_code) in code_spans(text) {
@@ -286,8 +286,8 @@ fn prose(text: &str) -> Markup {
     }
 }
 
-/// What follows an underscore, lowered: letters and digits, then such after a comma or a plus without a
-/// blank. The underscores of a key, such as `crush_plane`, stay.
+/// Sets what follows an underscore as a subscript: letters and digits, and more of them after a comma or a
+/// plus without a blank. The underscores of a key, such as `crush_plane`, stay.
 fn subscripts(text: &str) -> Markup {
     let mut begin = 0;
     let mut parts = Vec::new();
@@ -313,7 +313,7 @@ fn is_key(text: &str) -> bool {
     word.len() >= 3 && word.bytes().all(|letter| letter.is_ascii_lowercase())
 }
 
-/// (bytes) how much of a text belongs to the subscript with which it begins.
+/// (bytes) of the subscript with which a text begins.
 fn subscript(text: &str) -> usize {
     let mut end = 0;
     let mut letters = text.char_indices().peekable();

@@ -106,7 +106,7 @@ fn listing(language: &str, text: &str) -> String {
     format!("{fence}{language}\n{text}{end}{fence}\n")
 }
 
-/// A sentence of the program: what it has between backticks stays code.
+/// A sentence of the program: text in backticks stays code.
 fn prose(text: &str) -> String {
     let parts = code_spans(text);
     parts
@@ -115,8 +115,8 @@ fn prose(text: &str) -> String {
         .collect()
 }
 
-/// Characters that Markdown would take as its own; a line of a table ends with the line. The number of a note
-/// stays as it is.
+/// Escapes the characters that Markdown would interpret. A row of a table is one line, so line breaks become
+/// blanks. The number of a note stays as it is.
 fn escaped(text: &str) -> String {
     let mut out = String::new();
     let mut rest = text;
@@ -137,7 +137,7 @@ fn escaped(text: &str) -> String {
     out
 }
 
-/// (bytes) of a number in brackets at the beginning that is no link.
+/// (bytes) of a leading number in brackets that is not a link.
 fn note(text: &str) -> Option<usize> {
     let (digits, after) = text.strip_prefix('[')?.split_once(']')?;
     let is_number = !digits.is_empty() && digits.bytes().all(|digit| digit.is_ascii_digit());

@@ -8,12 +8,12 @@ use crate::steps::StepGroup;
 /// Codes of ECMA-48.
 const BOLD: &str = "1";
 const YELLOW: &str = "33";
-/// Blanks of a detail, and of the further lines of a list.
+/// (columns) indent of a detail.
 const INDENT: usize = 4;
-/// (columns) of the words of entries, with the blanks behind them.
+/// (columns) of the names of entries, including the blanks after them.
 const WORDS: usize = 38;
 
-/// The document in lines of so many columns; for a terminal, headings and answers stand out.
+/// The document in lines of `line` columns; on a terminal, headings and answers stand out.
 pub(crate) fn write(blocks: &[Block], line: usize, terminal: bool) -> String {
     let mut page = Page { line, terminal, out: String::new() };
     let mut before = None;
@@ -32,7 +32,7 @@ struct Page {
 }
 
 impl Page {
-    /// Lines that stand out on a terminal.
+    /// Writes lines that stand out on a terminal.
     fn marked(&mut self, code: &str, lines: &str) {
         for line in lines.lines() {
             let line = line.trim_end();
@@ -145,7 +145,7 @@ impl Page {
         }
     }
 
-    /// The heading above has a rule already.
+    /// Writes a table; `has_rule` if the heading above it has a rule already.
     fn table(&mut self, table: &Table, has_rule: bool) {
         let columns = places(table, self.line);
         let mut names: Vec<String> = table.columns.iter().map(|column| column.name.clone()).collect();
@@ -192,7 +192,7 @@ impl Page {
 
     fn shared(&mut self, [label, value, source]: [&String; 3], columns: &[Place]) {
         let (Some(second), Some(last)) = (columns.get(1), columns.last()) else { return };
-        // A value that is longer than a line goes on below itself.
+        // A value that is longer than a line continues below.
         if source.is_empty() && second.start + value.chars().count() > self.line {
             self.out.push_str(&hanging(&format!("{label:<width$}", width = second.start), value, self.line));
             return;
@@ -209,7 +209,7 @@ fn is_beneath_a_heading(block: &Block, before: Option<&Block>) -> bool {
     matches!((before, block), (Some(Block::Heading(_)), Block::Table(table)) if table.title.is_empty())
 }
 
-/// Where a column stands.
+/// The place of a column in a line.
 #[derive(Clone, Copy, Debug)]
 struct Place {
     start: usize,
@@ -217,11 +217,11 @@ struct Place {
     cells: Cells,
 }
 
-/// The columns of a table in a line of so many.
+/// The places of the columns of a table in a line of `line` columns.
 fn places(table: &Table, line: usize) -> Vec<Place> {
     let longest = |i: usize, column: &Column| {
         let of_row = |row: &Row| match row {
-            // What stands below its first line has the columns behind it to itself.
+            // The lines below the first have the following columns to themselves.
             Row::Cells(cells) => {
                 cells.get(i).and_then(|cell| cell.lines().next()).map_or(0, |line| line.chars().count())
             }
@@ -281,13 +281,13 @@ fn laid_out(cells: &[String], columns: &[Place], line: usize) -> String {
         };
         let least = match place.cells {
             _ if used == 0 => 0,
-            // Figures are told apart by one blank, words by two.
+            // One blank separates figures, two separate words.
             Cells::Numbers => used + 1,
             Cells::Words | Cells::Bars => used + 2,
         };
         let mut start = wanted.max(least);
-        // A first cell that is too long has a line of its own, as have words that a figure would run into;
-        // and what would go beyond a line is on the next.
+        // A first cell that is too long gets a line of its own, as do words that a figure would run into; a
+        // cell that would exceed the line starts the next.
         let runs_into = used + 2 > wanted && (is_label || is_words && place.cells == Cells::Numbers);
         if used > 0 && (runs_into || start > wanted && start + width > line) {
             out.push_str(current.trim_end());
@@ -297,7 +297,7 @@ fn laid_out(cells: &[String], columns: &[Place], line: usize) -> String {
         current.push_str(&" ".repeat(start.saturating_sub(used)));
         let is_last = i + 1 == columns.len() && place.cells == Cells::Words;
         if is_last && start + width > line {
-            // The last words of a line go on below themselves.
+            // The last words of a line continue below.
             let lines = hanging(&" ".repeat(start), cell, line);
             current.push_str(lines.trim());
         } else {

@@ -1,11 +1,11 @@
 //! Text broken into lines.
 
-/// A paragraph in lines of at most so many columns, as far as its words allow, ending in a line break.
+/// A paragraph in lines of at most `line` columns, as far as its words allow, ending in a line break.
 pub(crate) fn wrapped(text: &str, line: usize) -> String {
     hanging("", text, line)
 }
 
-/// The text behind a head that its further lines are indented by, ending in a line break.
+/// The text after a head, with further lines indented by its width, ending in a line break.
 pub(crate) fn hanging(head: &str, text: &str, line: usize) -> String {
     let indent = head.chars().count();
     let mut lines = head.to_owned();

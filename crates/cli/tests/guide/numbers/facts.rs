@@ -261,7 +261,7 @@ fn estimate(ledger: &mut Ledger) {
     ledger.quoted("errs by 10 % of the path", &guide, "per cent of the path. 10 % if left out");
     ledger.quoted("path and 0.5 m", &guide, "0.5 m if left out");
     ledger.quoted("between 5° and 15°", &guide, "but 5° to 15°, if left out");
-    ledger.quoted("with 20 % before", &guide, "20 % if left out; from 0 %");
+    ledger.quoted("of 20 % before", &guide, "20 % if left out; from 0 %");
     ledger.cited("part of 1 km/h at zero", "LEAST_SPEED_ERROR of deltav-analysis");
     ledger.made(format!("wider than {} % of", number(100.0 * analysis::TOLD_BELOW, 0)));
 }

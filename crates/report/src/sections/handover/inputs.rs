@@ -1,5 +1,4 @@
-//! The inputs: every number of the file in the file's own unit and in SI, what it says in words, and what is
-//! assumed.
+//! The inputs: every number of the file in the file's own unit and in SI, its words, and what is assumed.
 
 use analysis::{Analysis, Assumption};
 use case::{CaseFile, Input};
@@ -10,7 +9,7 @@ use crate::steps::digits;
 use crate::understood;
 use crate::units::Units;
 
-/// Those that have rows.
+/// The tables that have rows.
 pub(super) fn tables(file: &CaseFile, analysis: &Analysis, units: Units) -> Vec<Table> {
     let pairs = |title: &str, [key, value]: [&str; 2], rows: Vec<(String, String)>| {
         let mut table = Table::new(title, [key, value].map(|name| Column::words(name, Width::Fit(0))));
@@ -31,7 +30,7 @@ pub(super) fn tables(file: &CaseFile, analysis: &Analysis, units: Units) -> Vec<
     tables
 }
 
-/// Whether the analysis rests on the assumption: one of damage alone has no impact, a forward one seeks no
+/// Whether the analysis depends on the assumption: one of damage alone has no impact, a forward one seeks no
 /// speed, and not every vehicle is followed to rest.
 fn is_of(assumption: &Assumption, analysis: &Analysis) -> bool {
     match assumption {
@@ -49,11 +48,11 @@ fn is_of(assumption: &Assumption, analysis: &Analysis) -> bool {
     }
 }
 
-/// A row of the numbers: the stations of a profile stand in one, as in the file.
+/// A row of the numbers: the stations of a profile share one, as in the file.
 struct Row {
     path: String,
     own: Vec<String>,
-    /// What is known of each, empty where nothing is.
+    /// The range of each number, empty without one.
     spreads: Vec<String>,
     si: Vec<String>,
 }

@@ -1,4 +1,4 @@
-//! What the page says of the motion after the impact, and of both speeds from it.
+//! The motion after the impact, and both speeds from it.
 
 use validation::{DEGREE, MotionRow, RestMethod, SpeedEvidence, Validation, speed_error};
 
@@ -15,7 +15,7 @@ fn degrees(angle: f64, decimals: usize) -> String {
     format!("{}°", signed(angle / DEGREE, decimals))
 }
 
-/// In m/s, and in % where the vehicle moved.
+/// The error in m/s, and in % if the vehicle moved.
 fn error(found: f64, true_speed: f64) -> [String; 2] {
     let (error, share) = speed_error(found, true_speed);
     [signed(error, 2), share.map(|share| signed(100.0 * share, 1)).unwrap_or_default()]
@@ -136,10 +136,12 @@ pub(super) fn returns(validation: &Validation, notes: &mut Notes) -> Vec<Block> 
         paragraph(
             "The same vehicles backward, with the same drag. From our own rest the published speed V (m/s) has to come out again, which \
              checks the search. From the published rest of test 6 (distance, direction and turn), the speed found, \
-             that with the way turned clockwise and counter-clockwise by 5°, the direction in the scene and the yaw rate (rad/s), each beside \
-             the published one. The drag being fitted, the speed is not even an independent prediction. Still it is missed: a spin that ends in rolling reaches nearly the same rest from \
-             very different velocities. A rest that is known to a few degrees does not tell the velocity of such a vehicle; a \
-             direction of departure, a mark or the impact itself has to.",
+             that with the path turned clockwise and counter-clockwise by 5°, the direction in the scene and \
+             the yaw rate (rad/s), each next to the published one. As the drag is fitted, the speed is not \
+             even an independent prediction. It is missed all the same: a spin that ends in rolling reaches \
+             nearly the same rest from very different velocities. A rest that is known to a few degrees does \
+             not determine the velocity of such a vehicle; a direction of departure, a mark or the impact \
+             itself has to.",
         ),
         table(
             1,
@@ -249,9 +251,10 @@ pub(super) fn from_rest(validation: &Validation) -> Vec<Block> {
         paragraph(format!(
             "No error rate is claimed from three collisions. With the direction given, or on a straight line, the {} speeds are off by \
              {least} to {most} m/s. The motion alone, without a direction, even has vehicle 2 of test 6 drive backwards. \
-             Not tried, because it needs what is not published: the closed form of a spin (where the rotation ended), the path over a point on it, and \
-             the rest of test 10, where both vehicles were struck again. In test 2 the rest \
-             positions and distances of SAE 2004-01-1207 fit no common place of the impact, and only the distances are used.",
+             Not tried, because it needs unpublished data: the closed form of a spin (where the rotation \
+             ended), the path over a point on it, and the rest of test 10, where both vehicles were struck \
+             again. In test 2 the rest positions and distances of SAE 2004-01-1207 fit no common place of \
+             the impact, and only the distances are used.",
             errors.len(),
         )),
     ]

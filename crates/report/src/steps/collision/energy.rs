@@ -31,7 +31,7 @@ impl Collision<'_> {
         steps
     }
 
-    /// What the crush takes of both works, where it was sought.
+    /// The part of both works that the crush takes, if that was sought.
     fn taken_by_crush(&self) -> Option<Step> {
         let Basis::TangentialShare(share) = self.analysis.basis else { return None };
         let found = self.analysis.found.as_ref()?;

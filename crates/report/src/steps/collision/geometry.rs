@@ -1,4 +1,4 @@
-//! Where the vehicles touch, and the inverse mass that C feels.
+//! Where the vehicles touch, and the inverse mass at C.
 
 use case::{Axes, ContactPoint, Quantity};
 use crash3::{EnergyMoments, Side, SideStiffness, Stiffness};
@@ -9,7 +9,7 @@ use super::super::{Step, angle, digits, given, n, p, step};
 use super::Collision;
 use crate::{axes, words};
 
-/// How K is built up: a symbol, its sum over the vehicles in symbols and in numbers, its value and unit.
+/// An entry of K: its symbol, its sum over the vehicles in symbols and in numbers, its value and unit.
 type Entry = (&'static str, (String, String), f64, &'static str);
 
 impl Collision<'_> {
@@ -229,7 +229,7 @@ impl Collision<'_> {
         steps
     }
 
-    /// What an impulse does to the velocity at C.
+    /// The effect of an impulse on the velocity at C.
     fn translation(&self) -> [Entry; 3] {
         let (k, arms) = (self.impact.contact.inverse_mass(), self.impact.contact.arms());
         let nn = self.sum(&|i| format!("1/m_{i} + r_{i}t²/I_{i}"), &|i, m, inertia| {
@@ -245,7 +245,7 @@ impl Collision<'_> {
         [("k_nn", nn, k.nn, "1/kg"), ("k_nt", nt, k.nt, "1/kg"), ("k_tt", tt, k.tt, "1/kg")]
     }
 
-    /// What a moment impulse does to it.
+    /// The effect of a moment impulse on it.
     fn rotation(&self) -> [Entry; 2] {
         let (k, arms) = (self.impact.contact.inverse_mass(), self.impact.contact.arms());
         let nm = self.sum(&|i| format!("(−r_{i}t)/I_{i}"), &|i, _, inertia| {
@@ -258,7 +258,7 @@ impl Collision<'_> {
     }
 }
 
-/// That of the zone behind station `index`, from 0.
+/// The stiffness of the zone after station `index`, from 0.
 fn stiffness_of_zone(structure: &SideStiffness, index: usize) -> Option<&Stiffness> {
     match structure {
         SideStiffness::Uniform(stiffness) => Some(stiffness),
@@ -266,7 +266,7 @@ fn stiffness_of_zone(structure: &SideStiffness, index: usize) -> Option<&Stiffne
     }
 }
 
-/// (m) where a moment (J·m) of an energy (J) lies; 0 where there is none.
+/// (m) the centroid of an energy (J) with this first moment (J·m); 0 without energy.
 fn at(moment: f64, energy: f64) -> f64 {
     if energy > 0.0 { moment / energy } else { 0.0 }
 }

@@ -1,4 +1,4 @@
-//! The impulse at C, and what is left of the relative velocity.
+//! The impulse at C, and the relative velocity that remains.
 
 use pim_core::{Regime, Tangential};
 
@@ -16,7 +16,7 @@ impl Collision<'_> {
         let Some(curve) = self.impact.given_law.curve() else { return plain("coefficient of restitution") };
         let normal = self.impact.outcome.approach.normal;
         let [Some((slow, e_slow)), Some((fast, e_fast))] = curve.around(-normal) else {
-            return plain("coefficient of restitution, of the nearer end of its curve");
+            return plain("coefficient of restitution, at the nearer end of its curve");
         };
         step(
             "coefficient of restitution, between two points (a, b) of its curve",

@@ -86,7 +86,7 @@ impl Collision<'_> {
         (formula, numbers)
     }
 
-    /// The motion of a vehicle after the impact, its ΔV and PDOF; nothing of a fixed object.
+    /// The motion of a vehicle after the impact, its ΔV and PDOF; empty for a fixed object.
     pub(super) fn motion(&self, k: VehicleId) -> Vec<Step> {
         let Some((mass, inertia)) = self.inertia[k.index()] else { return Vec::new() };
         let mut steps = self.velocity_after(k, mass).to_vec();

@@ -14,26 +14,26 @@ type Written = (&'static str, String);
 /// The normal impulse P_n = α x + β over the approach speed.
 struct Push {
     alpha: Written,
-    /// `None` where β is zero whatever the approach.
+    /// `None` if β is zero for every approach speed.
     beta: Option<Written>,
 }
 
-/// What a share of the tangential work needs beside that: P_t = α_t x + β_t and u_t + U_t = η x + ζ.
+/// The further terms for a share of the tangential work: P_t = α_t x + β_t and u_t + U_t = η x + ζ.
 struct Slide {
     alpha: Written,
-    /// `None` where β_t is zero whatever the approach.
+    /// `None` if β_t is zero for every approach speed.
     beta: Option<Written>,
     eta: Written,
     zeta: Written,
 }
 
 impl Collision<'_> {
-    /// The speed found: in closed form where the reader can follow that, else as what the work of the normal
-    /// impulse below confirms.
+    /// The speed found: in closed form where the reader can follow that, else as a value that the work of the
+    /// normal impulse below confirms.
     pub(super) fn speed(&self, found: &Found) -> Vec<Step> {
         let unsolved = || vec![self.solved(found, "", String::new())];
         let Some(quadratic) = &found.quadratic else { return unsolved() };
-        // With α > 0 and c > 0, only the approach that the sign below gives is positive.
+        // With α > 0 and c > 0, only the root with the sign used below is positive.
         if found.admissible.len() != 1 || quadratic.alpha <= 0.0 || quadratic.c <= 0.0 {
             return unsolved();
         }
@@ -179,7 +179,7 @@ impl Collision<'_> {
         let minus = if k == VehicleId::One { "" } else { "−" };
         let turn = format!("({} − {})", angle(self.heading(k)), angle(self.gamma));
         [("n", "cos", slope.normal), ("t", "sin", slope.tangential)].map(|(axis, function, value)| {
-            // A number and a minus before it stand in one pair of parentheses.
+            // A number and the minus before it share one pair of parentheses.
             let numbers = if minus.is_empty() {
                 format!("{function}{turn}")
             } else {
@@ -207,7 +207,7 @@ impl Collision<'_> {
         step(name, symbol, formula, numbers, value, "m/s", "theory 1")
     }
 
-    /// How u_t goes with the approach speed.
+    /// How u_t depends on the approach speed.
     fn tangential(&self, found: &Found) -> [Step; 3] {
         let line = &found.line;
         let (at_rest, slope, tau) = (line.at_rest, line.slope, line.tangential_slope());

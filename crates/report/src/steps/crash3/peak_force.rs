@@ -7,7 +7,7 @@ use super::super::damage::share_below;
 use super::super::{Step, angle, n, step};
 use crate::units::Measure;
 
-/// Of the whole side where the same line holds all along, else zone by zone; the peak force (N), and α (rad).
+/// For the whole side if one line holds along it, else zone by zone, from the peak force (N) and α (rad).
 pub(super) fn steps(
     structure: &SideStiffness,
     profile: &Profile,
@@ -52,7 +52,7 @@ pub(super) fn steps(
     steps
 }
 
-/// Square to the side: α stands below the sum.
+/// Square to the side: the sum is divided by cos α.
 fn of_zone(zone: Zone, stiffness: &Stiffness, i: VehicleId, j: usize) -> Step {
     let (formula, per_width) = force_per_width(zone, stiffness);
     step(

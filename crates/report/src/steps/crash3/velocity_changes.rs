@@ -45,7 +45,7 @@ pub(super) fn steps(analysis: &Seen, axes: Axes) -> Vec<Step> {
     steps
 }
 
-/// h, from the contact point or the centroid where it follows from that.
+/// h, from the contact point or the centroid if it follows from that.
 fn moment_arm(analysis: &Seen, crash3: &Crash3, k: VehicleId, axes: Axes) -> Step {
     let (vehicle, arm) = (&analysis.vehicles[k.index()], crash3.moment_arm[k.index()]);
     // Across the force, which comes from the PDOF, clockwise in any axes.
@@ -99,7 +99,7 @@ fn effective_mass(crash3: &Crash3, Movable { id: k, mass, yaw_inertia }: Movable
     ]
 }
 
-/// Which crush energy the velocity changes follow from.
+/// The crush energy from which the velocity changes follow.
 #[derive(Clone, Copy)]
 enum Energy {
     Uncorrected,
@@ -108,7 +108,7 @@ enum Energy {
 
 /// ΔV of each vehicle, with a common normal velocity.
 fn changes(crash3: &Crash3, vehicles: &[Movable], energy: Energy) -> Vec<Step> {
-    // The impulse has a ΔV_1 of its own.
+    // ΔV_1 is that of the impulse.
     let (name, prime, symbol, energy, delta_v) = match energy {
         Energy::Uncorrected => ("uncorrected", "", "ΔV_CRASH3,", crash3.crush_energy, crash3.delta_v),
         Energy::Corrected { energy, delta_v } => {
@@ -167,7 +167,7 @@ fn corrected_total(analysis: &Seen, crush_energy: f64) -> Step {
         .zip(&analysis.vehicles)
         .filter_map(|(i, vehicle)| vehicle.corrected_crush_energy().map(|energy| (vehicle, i, energy)))
         .map(|(vehicle, i, energy)| {
-            // An energy that is given alone has no correction.
+            // An energy that is given directly has no correction.
             let corrected = if vehicle.energy.is_some() { "" } else { "'" };
             (format!("E{corrected}_{i}"), n(energy, "J"))
         })

@@ -64,14 +64,14 @@ struct Slope {
     value: f64,
 }
 
-/// The mean of a term of both ends of each zone, in numbers. The stations are equally spaced, so that the
-/// zones weigh the same.
+/// The mean over the zones of a term of their two ends, in numbers. The stations are equally spaced, so that
+/// the zones weigh the same.
 fn mean(depths: &[f64], term: impl Fn(f64, f64) -> String) -> String {
     let terms: Vec<String> = depths.windows(2).map(|ends| term(ends[0], ends[1])).collect();
     format!("({}) / {}", terms.join(" + "), terms.len())
 }
 
-/// The slope with which the test's profile gives the test's energy back, in symbols and in numbers.
+/// The slope with which the test's profile reproduces the test's energy, in symbols and in numbers.
 fn exact([v, b0]: [f64; 2], mean: f64, square: f64, i: VehicleId) -> (String, String) {
     let [b0, v, square] = [p(b0, "m/s"), p(v, "m/s"), n(square, "m²")];
     (

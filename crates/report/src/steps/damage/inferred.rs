@@ -45,7 +45,7 @@ fn crushed(damage: &Damage, inferred: &Inferred, stiffness: &Stiffness, i: Vehic
         "theory 5",
     );
     let (name, symbol) = (format!("crush energy of vehicle {i}"), format!("E_{i}"));
-    // At its limit the force per width no longer tells the depth.
+    // At its limit the force per width no longer determines the depth.
     let limited = stiffness.saturation_force().is_some_and(|limit| a + b * depth > limit * (1.0 + 1e-9));
     let energy = if limited {
         given(name, symbol, damage.crush_energy, "J", "theory 5")

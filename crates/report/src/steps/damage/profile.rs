@@ -34,7 +34,7 @@ pub(super) fn moments(profile: &Profile, i: VehicleId) -> [Step; 2] {
     ]
 }
 
-/// The same stiffness all along and no saturation: from the moments of the profile.
+/// With one stiffness along the side and no saturation: from the moments of the profile.
 pub(super) fn whole(profile: &Profile, stiffness: &Stiffness, energy: f64, i: VehicleId) -> [Step; 1] {
     let sums = profile.sums();
     [step(
@@ -140,8 +140,8 @@ fn rising(stiffness: &Stiffness, [c1, c2]: [f64; 2]) -> String {
     )
 }
 
-/// The same where the force has reached its limit: the energy at the knee, (A + F_s) C_s/2, and what the flat
-/// part adds.
+/// The same where the force has reached its limit: the energy at the knee, (A + F_s) C_s/2, and that of the
+/// flat part.
 fn flat(stiffness: &Stiffness, Saturation { force, depth: knee }: Saturation, [c1, c2]: [f64; 2]) -> String {
     let (force, knee) = (n(force, "N/m"), n(knee, "m"));
     format!(

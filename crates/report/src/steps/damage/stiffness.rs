@@ -1,4 +1,4 @@
-//! A, B and G, as they follow from what the file gives.
+//! A, B and G from the stiffness in the file.
 
 use case::{StiffnessForm, StiffnessLine};
 use crash3::{SideStiffness, Stiffness};
@@ -83,7 +83,7 @@ fn of_roots(stiffness: &Stiffness, [d0, d1]: [f64; 2], i: &str, whose: &str) -> 
     ]
 }
 
-/// A, B and G as CRASH3's table has them.
+/// A, B and G from CRASH3's table.
 fn of_category(stiffness: &Stiffness, category: u8, i: VehicleId) -> Vec<Step> {
     [("A", stiffness.a(), "N/m"), ("B", stiffness.b(), "N/m²"), ("G", stiffness.g(), "N")]
         .map(|(what, value, unit)| {
