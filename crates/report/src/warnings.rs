@@ -277,9 +277,9 @@ pub fn message(seen: &SeenWarning, units: Units) -> String {
             )
         }
         Warning::MovesBackward { vehicle, speed: si, found: true } => format!(
-            "the speed found for vehicle {vehicle} is {}, so it would have moved backwards; so does a \
-             vehicle that stood if the inputs are slightly off; otherwise check the heading, the crush \
-             energy and what was measured after the impact",
+            "the speed found for vehicle {vehicle} is {}, so it would have moved backwards; a vehicle that stood \
+             comes out like this if the inputs are slightly off; otherwise check the heading, the crush energy \
+             and what was measured after the impact",
             speed(*si)
         ),
         Warning::MovesBackward { vehicle, speed: si, found: false } => format!(
