@@ -1,6 +1,7 @@
 //! What each command has to say, as a document.
 
 mod chosen;
+pub(crate) mod claims;
 pub(crate) mod comparison;
 pub(crate) mod estimate;
 pub(crate) mod field;

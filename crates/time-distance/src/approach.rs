@@ -53,7 +53,10 @@ pub fn approach<T: Real>(end: &Approach<T>, phase: Phase<T>) -> Result<Approach<
             check::finite("acceleration before the impact", acceleration.value())?;
             // v₀² = v² − 2 a s
             let square = end.speed * end.speed - acceleration * distance * 2.0;
-            check::not_negative("square of the speed where a phase before the impact begins", square.value())?;
+            check::not_negative(
+                "square of the speed where a phase before the impact begins",
+                square.value(),
+            )?;
             let speed = if square.value() > 0.0 { square.sqrt() } else { T::ZERO };
             // t = 2 s/(v₀ + v), which needs no acceleration
             let sum = speed + end.speed;

@@ -93,9 +93,8 @@ impl<T: Real> Occupancy<T> {
     #[must_use]
     pub fn overlaps(&self, other: &Self) -> bool {
         let (Some(own), Some(others)) = (self.enters, other.enters) else { return false };
-        let leaves_before = |leaves: Option<T>, enters: T| {
-            leaves.is_some_and(|leaves| leaves.value() <= enters.value())
-        };
+        let leaves_before =
+            |leaves: Option<T>, enters: T| leaves.is_some_and(|leaves| leaves.value() <= enters.value());
         !leaves_before(self.leaves, others) && !leaves_before(other.leaves, own)
     }
 }

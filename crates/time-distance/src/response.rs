@@ -337,7 +337,8 @@ impl<T: Real> Response<T> {
         }
         let left = distance - speed * self.delay();
         // v²/2a − q a = s − v τ with q = t_S²/24 or t_S²/8: a = v²/(s − v τ + √((s − v τ)² + 2 q v²))
-        let q = self.swell * self.swell
+        let q = self.swell
+            * self.swell
             * match self.form {
                 Swell::Linear => 1.0 / 24.0,
                 Swell::Half => 0.125,

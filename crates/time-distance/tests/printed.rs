@@ -8,7 +8,10 @@ use toml::{Table, Value};
 
 /// Those that this crate has nothing for, and why.
 const NOT_COVERED: &[(&str, &str)] = &[
-    ("sicher-motorrad-swell-table", "its swell brakes at full deceleration over half its time, a convention of its own"),
+    (
+        "sicher-motorrad-swell-table",
+        "its swell brakes at full deceleration over half its time, a convention of its own",
+    ),
     ("docente-100kmh", "a rule of thumb of its own divisor: its equivalent deceleration is used elsewhere"),
     ("kneifel-impact-influence", "only squares of differences, with inputs that the page hides"),
 ];
@@ -38,7 +41,9 @@ struct Example(Table);
 
 impl Example {
     fn all(&self, table: &str, key: &str) -> Vec<f64> {
-        let found = self.0[table].get(key).unwrap_or_else(|| panic!("{}: {table}.{key}", self.0["id"].as_str().unwrap_or_default()));
+        let found = self.0[table]
+            .get(key)
+            .unwrap_or_else(|| panic!("{}: {table}.{key}", self.0["id"].as_str().unwrap_or_default()));
         numbers(found)
     }
 
@@ -52,7 +57,11 @@ impl Example {
         let expected = self.all("recomputed", key);
         assert_eq!(expected.len(), found.len(), "{} {key}", self.0["id"].as_str().unwrap_or_default());
         for (expected, found) in expected.iter().zip(found) {
-            assert!((expected - found).abs() < 1.5e-6 * expected.abs().max(1.0), "{} {key}: {found} {expected}", self.0["id"].as_str().unwrap_or_default());
+            assert!(
+                (expected - found).abs() < 1.5e-6 * expected.abs().max(1.0),
+                "{} {key}: {found} {expected}",
+                self.0["id"].as_str().unwrap_or_default()
+            );
         }
     }
 
@@ -62,7 +71,11 @@ impl Example {
         let expected = self.all("printed", key);
         assert_eq!(expected.len(), found.len(), "{} {key}", self.0["id"].as_str().unwrap_or_default());
         for (expected, found) in expected.iter().zip(found) {
-            assert!((expected - found).abs() <= half_digit, "{} {key}: {found} {expected}", self.0["id"].as_str().unwrap_or_default());
+            assert!(
+                (expected - found).abs() <= half_digit,
+                "{} {key}: {found} {expected}",
+                self.0["id"].as_str().unwrap_or_default()
+            );
         }
     }
 }
@@ -86,14 +99,17 @@ fn skid(distance: f64, deceleration: f64, at_end: f64) -> f64 {
 }
 
 fn check(id: &str, e: &Example) {
-    let each = |key: &str, f: &dyn Fn(f64) -> f64| e.all("inputs", key).into_iter().map(f).collect::<Vec<f64>>();
+    let each =
+        |key: &str, f: &dyn Fn(f64) -> f64| e.all("inputs", key).into_iter().map(f).collect::<Vec<f64>>();
     match id {
         "edgen-bus-timeline" => {
             let (x, v) = (e.all("inputs", "x_ft"), e.all("inputs", "speed_mph"));
             let end = Leg { speed: v[2] * MPH, ..Leg::at_rest(0.0, 0.0) };
             let full = (v[1] * MPH).powi(2) / (2.0 * (x[2] - x[1]) * FT);
-            let braked = approach(&end, Phase::Over { distance: (x[2] - x[1]) * FT, acceleration: -full }).unwrap();
-            let steady = approach(&braked, Phase::Over { distance: (x[1] - x[0]) * FT, acceleration: 0.0 }).unwrap();
+            let braked =
+                approach(&end, Phase::Over { distance: (x[2] - x[1]) * FT, acceleration: -full }).unwrap();
+            let steady =
+                approach(&braked, Phase::Over { distance: (x[1] - x[0]) * FT, acceleration: 0.0 }).unwrap();
             e.is("t_s", &[0.0, braked.time - steady.time, -steady.time]);
             e.is("braking_ftps2", &[full / FT]);
         }
@@ -198,7 +214,8 @@ fn check(id: &str, e: &Example) {
             assert!((t - e.all("recomputed", "reaction_s_for_13m")[0]).abs() < 1e-5, "{t}");
         }
         "highway-code-table" => {
-            let [t, a] = ["equivalent_reaction_s", "equivalent_decel_mps2"].map(|key| e.all("recomputed", key)[0]);
+            let [t, a] =
+                ["equivalent_reaction_s", "equivalent_decel_mps2"].map(|key| e.all("recomputed", key)[0]);
             let within = |key: &str, found: Vec<f64>| {
                 for (expected, found) in e.all("recomputed", key).into_iter().zip(found) {
                     assert!((expected - found).abs() < 1e-4, "{key} {expected} {found}");
@@ -212,7 +229,9 @@ fn check(id: &str, e: &Example) {
         }
         "brake-trl-extra" => {
             let [from, to] = [e.input("reaction_s_from"), e.input("reaction_s_to")];
-            let extra = |v: f64| response(to, 7.0).stopping_distance(v * MPH) - response(from, 7.0).stopping_distance(v * MPH);
+            let extra = |v: f64| {
+                response(to, 7.0).stopping_distance(v * MPH) - response(from, 7.0).stopping_distance(v * MPH)
+            };
             e.is("extra_m", &each("speed_mph", &extra));
         }
         "ssd-60mph" => {
@@ -238,7 +257,11 @@ fn check(id: &str, e: &Example) {
             let car = Party { front: 0.0, rear: e.input("vehicle_length_ft"), width: 0.0 };
             let street = Party { front: 0.0, rear: 0.0, width: e.input("width_ft") };
             let crossing = Crossing::new(std::f64::consts::FRAC_PI_2, [car, street]).unwrap();
-            let legs = [Leg { speed: e.input("speed_15_mph") * 1.47, position: -e.input("width_ft") / 2.0, ..Leg::at_rest(0.0, 0.0) }];
+            let legs = [Leg {
+                speed: e.input("speed_15_mph") * 1.47,
+                position: -e.input("width_ft") / 2.0,
+                ..Leg::at_rest(0.0, 0.0)
+            }];
             let leaves = crossing.occupancy(0, &Course::new(&legs).unwrap()).leaves.unwrap();
             assert!((leaves - e.all("recomputed", "all_red_s")[0]).abs() < 1e-5, "{leaves}");
         }
@@ -293,21 +316,33 @@ fn check(id: &str, e: &Example) {
         "van-crosses-lanes" => {
             let legs = [Leg { acceleration: e.input("accel_mps2"), ..Leg::at_rest(0.0, 0.0) }];
             let course = Course::new(&legs).unwrap();
-            let times = each("lanes", &|n| course.reaches(e.input("vehicle_length_m") + n * e.input("lane_m")).unwrap());
+            let times = each("lanes", &|n| {
+                course.reaches(e.input("vehicle_length_m") + n * e.input("lane_m")).unwrap()
+            });
             e.is("time_s", &times);
-            e.is("other_travel_m", &times.iter().map(|t| t * e.input("other_speed_mph") * MPH).collect::<Vec<f64>>());
+            e.is(
+                "other_travel_m",
+                &times.iter().map(|t| t * e.input("other_speed_mph") * MPH).collect::<Vec<f64>>(),
+            );
         }
         "george-bill-crossing" => {
             let legs = response(0.0, e.input("george_decel_ftps2")).legs(e.input("george_speed_ftps"));
             let at = Course::new(&legs).unwrap().at(2.0);
             e.is("george_speed_at_2s_ftps", &[at.speed]);
             e.is("george_travel_at_2s_ft", &[at.position]);
-            e.is("george_stops_past_crossing_ft", &[legs[3].position - e.input("george_centre_to_crossing_ft")]);
+            e.is(
+                "george_stops_past_crossing_ft",
+                &[legs[3].position - e.input("george_centre_to_crossing_ft")],
+            );
         }
         "two-cars-meet" => {
             // One from rest, the other towards it from the gap.
             let a = [Leg { acceleration: e.input("a_accel_mps2"), ..Leg::at_rest(0.0, 0.0) }];
-            let b = [Leg { speed: -e.input("b_speed_mps"), position: e.input("gap_m"), ..Leg::at_rest(0.0, 0.0) }];
+            let b = [Leg {
+                speed: -e.input("b_speed_mps"),
+                position: e.input("gap_m"),
+                ..Leg::at_rest(0.0, 0.0)
+            }];
             let (one, other) = (Course::new(&a).unwrap(), Course::new(&b).unwrap());
             let t = e.all("recomputed", "time_s")[0];
             let gap = least_gap(&one, &other, [0.0, t]);
@@ -319,7 +354,11 @@ fn check(id: &str, e: &Example) {
             let of = |t: f64, braked: f64| response(t, v * v / (2.0 * braked)).legs(v);
             let lead = of(0.0, e.input("lead_braking_m"));
             let follow = of(e.input("reaction_s"), e.input("follow_braking_m"));
-            let gap = least_gap(&Course::new(&follow).unwrap(), &Course::new(&lead).unwrap(), [0.0, follow[3].time]);
+            let gap = least_gap(
+                &Course::new(&follow).unwrap(),
+                &Course::new(&lead).unwrap(),
+                [0.0, follow[3].time],
+            );
             e.is("gap_m", &[-gap.distance]);
         }
         "queensland-dry-table" => {
@@ -345,10 +384,13 @@ fn check(id: &str, e: &Example) {
         }
         "vivoinsicurezza-reaction" => {
             let speeds = e.all("inputs", "speed_kmh");
-            let found = speeds.iter().zip(e.all("inputs", "reaction_s")).map(|(v, t)| reaction_part(v * KMH, t));
+            let found =
+                speeds.iter().zip(e.all("inputs", "reaction_s")).map(|(v, t)| reaction_part(v * KMH, t));
             e.is("distance_m", &found.collect::<Vec<f64>>());
         }
-        "vae-50kmh-1.5s" => e.is("distance_m", &[reaction_part(e.input("speed_kmh") * KMH, e.input("reaction_s"))]),
+        "vae-50kmh-1.5s" => {
+            e.is("distance_m", &[reaction_part(e.input("speed_kmh") * KMH, e.input("reaction_s"))])
+        }
         "numbat-50kmh" => {
             let r = response(e.input("reaction_s"), e.input("decel_g") * G);
             e.is("stopping_m", &[r.stopping_distance(e.input("speed_kmh") * KMH)]);
@@ -394,15 +436,24 @@ fn skid_of(parts: &[f64]) -> f64 {
 
 /// Rules that are a reaction time and a deceleration by other names.
 fn rules_of_thumb(id: &str, e: &Example) {
-    let each = |key: &str, f: &dyn Fn(f64) -> f64| e.all("inputs", key).into_iter().map(f).collect::<Vec<f64>>();
+    let each =
+        |key: &str, f: &dyn Fn(f64) -> f64| e.all("inputs", key).into_iter().map(f).collect::<Vec<f64>>();
     // s = (v/10)·3 and (v/10)² or half of it, v in km/h and s in m.
     let (t, normal) = (0.3 * 3.6, 1.0 / (2.0 * 0.01 * 3.6 * 3.6));
     match id {
         "faustformel-50-100" => {
             e.is("equivalent_reaction_s", &[t]);
             e.is("equivalent_decel_normal_mps2", &[normal]);
-            e.prints("stopping_normal_m", &each("speed_kmh", &|v| response(t, normal).stopping_distance(v * KMH)), 1e-9);
-            e.prints("stopping_emergency_m", &each("speed_kmh", &|v| response(t, 2.0 * normal).stopping_distance(v * KMH)), 1e-9);
+            e.prints(
+                "stopping_normal_m",
+                &each("speed_kmh", &|v| response(t, normal).stopping_distance(v * KMH)),
+                1e-9,
+            );
+            e.prints(
+                "stopping_emergency_m",
+                &each("speed_kmh", &|v| response(t, 2.0 * normal).stopping_distance(v * KMH)),
+                1e-9,
+            );
         }
         "helpster-60" => {
             let r = response(t, 2.0 * normal);
