@@ -17,7 +17,7 @@ use ::estimate::{
     Verdict, sample, sample_without,
 };
 use ::uncertainty::{Distribution, Estimate, InvalidDistribution};
-use evidence::{EnergyMethod, Model, Observed, Piece};
+use evidence::{EnergyMethod, Model, Observed, Piece, TestedClass};
 use inputs::{Case, Unit};
 use pim_core::VehicleId;
 
@@ -61,6 +61,9 @@ pub struct Estimated {
     pub observed: Observed,
     /// How the crush energy of each vehicle was obtained, if it is evidence.
     pub energies: [Option<EnergyMethod>; 2],
+    /// The class of real collisions on which intervals of such estimates were judged; `None` where nothing
+    /// like it was.
+    pub tested: Option<&'static TestedClass>,
     /// Whether each vehicle may have stood still, if its speed is unknown.
     pub stood: [Option<Stood>; 2],
     /// The keys of errors that the case does not give.
@@ -255,7 +258,7 @@ pub fn estimate(
 ) -> Result<Estimated, Failure> {
     let setup = setup::of(case, plan.prior)?;
     let (observed, default_errors, unused) = (setup.observed.clone(), setup.default_errors, setup.unused);
-    let (assumed, energies) = (setup.stood, setup.energies);
+    let (assumed, energies, hit) = (setup.stood, setup.energies, setup.hit);
     let model = Model::of(setup.impacts, setup.observed);
     let told = Told::new(&model, case.axes, setup.reference);
     let evaluations = AtomicUsize::new(0);
@@ -378,11 +381,14 @@ pub fn estimate(
         pieces.push(found);
     }
     let same_twice = pieces::same_twice(model.pieces());
+    let tested = hit.filter(|_| setup.prior == inputs::Prior::Field);
+    let tested = tested.and_then(|hit| TestedClass::of(hit, energies, model.pieces()));
     let missed = missed(&model, &posterior);
     Ok(Estimated {
         prior: setup.prior,
         observed,
         energies,
+        tested,
         stood,
         default_errors,
         unknown,

@@ -84,7 +84,7 @@ pub(crate) enum Command {
         after_help = "Examples:\n  deltav validate\n  deltav validate --format json -o validation.json\n  \
             deltav validate --format markdown -o docs/validation.md --plots docs\n  \
             deltav validate --field ciss-pairs.csv\n  deltav validate --field ciss-pairs.csv --other \
-            --format json\n\n\
+            --format json\n  deltav validate --field ciss-pairs.csv --judge DVTOTAL\n\n\
             Exit status: 0 every claimed number reproduces; 1 at least one does not. With --field: 0 \
             done.\n\n\
             More: `deltav explain error rate`, `deltav explain field data`."
@@ -922,6 +922,11 @@ pub(crate) struct ValidateArguments {
     /// Give the recorder of one vehicle, and judge the other vehicle
     #[arg(long, requires = "field")]
     pub(crate) other: bool,
+
+    /// Judge the ΔV (km/h) of another program by the same recorders, in the columns COLUMN_1 and COLUMN_2 of
+    /// FILE, and its 95 % intervals if LOW,HIGH name their ends
+    #[arg(long, value_name = "COLUMN[,LOW,HIGH]", requires = "field", conflicts_with_all = ["other", "plots"])]
+    pub(crate) judge: Option<field::ClaimColumns>,
 
     /// Random seed
     #[arg(long, value_name = "SEED", default_value_t = 1, value_parser = seed, requires = "field")]

@@ -64,6 +64,13 @@ fn validate_field(path: &Path, arguments: &ValidateArguments) -> Result<()> {
     let text = String::from_utf8(bytes)
         .with_context(|| format!("{name} is no text in UTF-8: save the table as CSV, encoded in UTF-8"))?;
     let pairs = field::read(&text).with_context(|| name.clone())?;
+    if let Some(columns) = &arguments.judge {
+        let claims = field::judge_claims(&text, &pairs, columns).with_context(|| name.clone())?;
+        let document = || Ok(report::claims(&claims, &name));
+        return present_as(arguments.format, arguments.output.file(), document, || {
+            report::claims_json(&claims)
+        });
+    }
     let options = field::Options {
         particles: PARTICLES_OF_PAIR,
         seed: arguments.seed,
@@ -131,6 +138,7 @@ mod tests {
             output,
             field: None,
             other: false,
+            judge: None,
             seed: 1,
             threads: None,
             plots: None,

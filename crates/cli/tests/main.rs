@@ -6,6 +6,7 @@ mod changes;
 mod drawn;
 mod estimate;
 mod examples;
+mod field;
 mod guide;
 mod hostile;
 mod json;

@@ -49,6 +49,7 @@ mod fitted;
 mod impact;
 mod model;
 mod number;
+mod tested;
 
 pub use collision::{
     After, BodyNumbers, CodedPdof, Collision, Crush, CrushErrors, CrushMisfit, EnergyError, Limits, Measured,
@@ -60,3 +61,4 @@ pub use fitted::{Damage, EnergyMethod, FITTED, Fitted};
 pub use impact::{Impacted, Impacts, LEAST_APPROACH, Way};
 pub use model::{Model, NO_IMPACT, Output, Piece, Placed, shown_delta_v};
 pub use number::Number;
+pub use tested::TestedClass;

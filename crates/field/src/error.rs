@@ -17,6 +17,26 @@ pub enum FieldError {
         /// Its name.
         column: String,
     },
+    /// A column of the program that is judged is missing.
+    #[error("there is no column {column}: give the names of the program's columns without _1 and _2")]
+    NoClaimColumn {
+        /// Its name.
+        column: String,
+    },
+    /// Columns that are no list of one or three names.
+    #[error(
+        "\"{text}\" names no columns: write COLUMN, or COLUMN,LOW,HIGH for a program with 95 % intervals"
+    )]
+    ClaimColumns {
+        /// What was given.
+        text: String,
+    },
+    /// A program that claims nothing where a recorder is.
+    #[error("no vehicle of the file has both a recorder that can be judged and a ΔV in {column}")]
+    NoClaims {
+        /// The column of its ΔV.
+        column: String,
+    },
     /// A cell does not hold a valid value.
     #[error("line {line}, column {column}: {} is not {wanted}", quoted(.text))]
     Cell {

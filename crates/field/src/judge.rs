@@ -1,6 +1,6 @@
 //! Estimates compared with recorders.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::ops::ControlFlow;
 
 use estimate::{Settings, Verdict, sample_quietly};
@@ -68,7 +68,7 @@ impl PairKind {
         }
     }
 
-    fn of(pair: &Pair) -> Self {
+    pub(crate) fn of(pair: &Pair) -> Self {
         let [one, two] = pair.vehicles.each_ref().map(|vehicle| vehicle.plane);
         match (one, two) {
             (Plane::Front, Plane::Front) => Self::FrontFront,
@@ -366,13 +366,14 @@ impl Group {
 impl Figures {
     fn of_intervals(judged: &[&Judged]) -> Option<Self> {
         let errors: Vec<f64> = judged.iter().map(|judged| ln(judged.median / judged.truth.delta_v)).collect();
-        let mut figures = Self::of(judged, &errors)?;
+        let cases = cases(judged);
+        let mut figures = Self::of(&cases, &errors)?;
         let inside = |level: usize| {
             let is_inside = judged.iter().map(|judged| {
                 let [low, high] = judged.intervals[level];
                 f64::from(u8::from((low..=high).contains(&judged.truth.delta_v)))
             });
-            mean(judged, &is_inside.collect::<Vec<_>>())
+            mean(&cases, &is_inside.collect::<Vec<_>>())
         };
         figures.coverage = Some([0, 1, 2].map(inside));
         let mut widths: Vec<f64> = judged
@@ -392,28 +393,33 @@ impl Figures {
     }
 
     fn of_points(judged: &[&Judged]) -> Option<Self> {
-        let values = || judged.iter().filter_map(|judged| Some((judged.winsmash?, judged.truth.delta_v)));
-        let errors: Vec<f64> = values().map(|(ours, truth)| ln(ours / truth)).collect();
-        let mut figures = Self::of(judged, &errors)?;
-        figures.crps = values().map(|(ours, truth)| (ours - truth).abs()).sum::<f64>() / count(errors.len());
+        let values = judged
+            .iter()
+            .filter_map(|judged| Some((judged.case.as_str(), judged.winsmash?, judged.truth.delta_v)));
+        Self::of_values(&values.collect::<Vec<_>>())
+    }
+
+    /// Of single values: the crash, the value (m/s) and the truth (m/s).
+    pub(crate) fn of_values(rows: &[(&str, f64, f64)]) -> Option<Self> {
+        let cases: Vec<&str> = rows.iter().map(|(case, _, _)| *case).collect();
+        let errors: Vec<f64> = rows.iter().map(|(_, value, truth)| ln(value / truth)).collect();
+        let mut figures = Self::of(&cases, &errors)?;
+        let distances = rows.iter().map(|(_, value, truth)| (value - truth).abs());
+        figures.crps = distances.sum::<f64>() / count(rows.len());
         Some(figures)
     }
 
-    fn of(judged: &[&Judged], errors: &[f64]) -> Option<Self> {
-        if judged.is_empty() {
+    fn of(cases: &[&str], errors: &[f64]) -> Option<Self> {
+        if cases.is_empty() {
             return None;
         }
         let squares: Vec<f64> = errors.iter().map(|error| error * error).collect();
-        let [square, deviation] = mean(judged, &squares);
+        let [square, deviation] = mean(cases, &squares);
         let rms = Real::sqrt(square);
         Some(Self {
-            n: judged.len(),
-            collisions: judged
-                .iter()
-                .map(|judged| &judged.case)
-                .collect::<std::collections::BTreeSet<_>>()
-                .len(),
-            bias: mean(judged, errors),
+            n: cases.len(),
+            collisions: cases.iter().collect::<BTreeSet<_>>().len(),
+            bias: mean(cases, errors),
             // d√x = dx/2√x
             rms: [rms, if rms > 0.0 { 0.5 * deviation / rms } else { 0.0 }],
             coverage: None,
@@ -424,13 +430,18 @@ impl Figures {
     }
 }
 
+/// The crash of each.
+fn cases<'a>(judged: &[&'a Judged]) -> Vec<&'a str> {
+    judged.iter().map(|judged| judged.case.as_str()).collect()
+}
+
 /// The mean, and its standard error if the errors of the vehicles of a collision are correlated.
-fn mean(judged: &[&Judged], values: &[f64]) -> [f64; 2] {
+pub(crate) fn mean(cases: &[&str], values: &[f64]) -> [f64; 2] {
     let n = count(values.len());
     let mean = values.iter().sum::<f64>() / n;
     let mut collisions: BTreeMap<&str, f64> = BTreeMap::new();
-    for (judged, value) in judged.iter().zip(values) {
-        *collisions.entry(&judged.case).or_default() += value - mean;
+    for (case, value) in cases.iter().zip(values) {
+        *collisions.entry(case).or_default() += value - mean;
     }
     let square: f64 = collisions.values().map(|sum| sum * sum).sum();
     [mean, Real::sqrt(square) / n]

@@ -29,6 +29,7 @@
 //! ```
 
 mod case_text;
+mod claim;
 mod collision;
 mod crossed;
 mod direction;
@@ -39,6 +40,7 @@ mod pair;
 mod read;
 mod share;
 
+pub use claim::{Claim, ClaimColumns, ClaimGroup, Claims, JudgedClaim, judge_claims};
 pub use direction::{DirectionFit, fit_direction};
 pub use error::FieldError;
 pub use fit::{Figure, FigureFit, FitOptions, Folds, fit, fit_folds};

@@ -2,6 +2,9 @@
 
 use std::collections::HashMap;
 
+use pim_core::VehicleId;
+
+use crate::claim::{Claim, ClaimColumns};
 use crate::crossed;
 use crate::error::FieldError;
 use crate::pair::{Pair, PairVehicle, Plane};
@@ -12,12 +15,10 @@ use crate::pair::{Pair, PairVehicle, Plane};
 /// # Errors
 /// If the file is not a table of this form, with the line and the column.
 pub fn read(text: &str) -> Result<Vec<Pair>, FieldError> {
-    let mut reader = csv::Reader::from_reader(text.as_bytes());
     let mut pairs = Vec::new();
-    for (index, line) in reader.deserialize().enumerate() {
-        let columns: HashMap<String, String> = line?;
-        let cells = Cells { line: index + 2, columns: &columns };
-        let case = columns.get("CASEID").ok_or(FieldError::NoColumn { column: "CASEID".to_owned() })?;
+    for cells in cells(text)? {
+        let case = cells.columns.get("CASEID");
+        let case = case.ok_or(FieldError::NoColumn { column: "CASEID".to_owned() })?;
         pairs.push(Pair { case: case.clone(), vehicles: [cells.vehicle(1)?, cells.vehicle(2)?] });
     }
     crossed::mark(&mut pairs);
@@ -30,12 +31,19 @@ const MOST_LENGTH: f64 = 3_000.0;
 const MOST_ANGLE: f64 = 720.0;
 const MOST_SPEED: f64 = 500.0;
 
-struct Cells<'a> {
-    line: usize,
-    columns: &'a HashMap<String, String>,
+/// The lines of a table, by the names of their columns.
+pub(crate) fn cells(text: &str) -> Result<Vec<Cells>, FieldError> {
+    let mut reader = csv::Reader::from_reader(text.as_bytes());
+    let lines = reader.deserialize().enumerate();
+    lines.map(|(index, columns)| Ok(Cells { line: index + 2, columns: columns? })).collect()
 }
 
-impl Cells<'_> {
+pub(crate) struct Cells {
+    line: usize,
+    columns: HashMap<String, String>,
+}
+
+impl Cells {
     fn text(&self, column: &str, vehicle: u8) -> Result<&str, FieldError> {
         let column = format!("{column}_{vehicle}");
         match self.columns.get(&column) {
@@ -90,6 +98,41 @@ impl Cells<'_> {
                 self.refusal("VEHNO", vehicle, text, "a whole number, or nothing where it is missing")
             }),
         }
+    }
+
+    /// What a program claims of a vehicle; `None` where its cell is empty.
+    pub(crate) fn claim(
+        &self,
+        columns: &ClaimColumns,
+        vehicle: VehicleId,
+    ) -> Result<Option<Claim>, FieldError> {
+        let vehicle = if vehicle == VehicleId::One { 1 } else { 2 };
+        let kmh = |column: &str| {
+            let number = self.at_most(MOST_SPEED, column, vehicle).map_err(|error| match error {
+                FieldError::NoColumn { column } => FieldError::NoClaimColumn { column },
+                error => error,
+            })?;
+            Ok::<_, FieldError>(number.map(|kmh| kmh.abs() / 3.6))
+        };
+        let Some(delta_v) = kmh(&columns.value)? else { return Ok(None) };
+        if delta_v <= 0.0 {
+            let wanted =
+                "a ΔV that can be compared: it must not be 0; leave the cell empty where there is none";
+            let text = self.text(&columns.value, vehicle)?;
+            return Err(self.refusal(&columns.value, vehicle, text, wanted));
+        }
+        let Some([low, high]) = &columns.ends else { return Ok(Some(Claim { delta_v, interval: None })) };
+        let missing = |column: &str| {
+            self.refusal(column, vehicle, "", "an end of the interval of a ΔV that the line has")
+        };
+        let ends = [kmh(low)?.ok_or_else(|| missing(low))?, kmh(high)?.ok_or_else(|| missing(high))?];
+        // Both ends of a longitudinal ΔV may be negative, the greater size first.
+        let interval = [ends[0].min(ends[1]), ends[0].max(ends[1])];
+        if !(interval[0]..=interval[1]).contains(&delta_v) {
+            let wanted = "an end of an interval that contains its own value";
+            return Err(self.refusal(low, vehicle, self.text(low, vehicle)?, wanted));
+        }
+        Ok(Some(Claim { delta_v, interval: Some(interval) }))
     }
 
     fn vehicle(&self, vehicle: u8) -> Result<PairVehicle, FieldError> {

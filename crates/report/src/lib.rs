@@ -83,6 +83,7 @@ mod writers;
 pub use ::drawing::{
     Drawing, PictureFormat, PlanBody, PlanStation, PlanView, SitePlan, SitePlanError, Viewport,
 };
+pub use data::claims::claims_json;
 pub use data::comparison::comparison_json;
 pub use data::csv::{Csv, CsvStyle, Refused, Row, RowAnswer, RowError, Table, jsonl_row, no_formula};
 pub use data::estimate::{DrawColumn, draw_columns, estimate_json, write_draws};
@@ -106,6 +107,7 @@ pub use pictures::{
     estimated_against_recorded, frames, histogram, joint_speeds, motion_on, place_of_impact, plain_motion,
     plain_scene, plan_view, ranks_of_recorders, reconstructed_speed, rests, site_plan, site_plan_of, tornado,
 };
+pub use sections::claims::claims;
 pub use sections::comparison::comparison;
 pub use sections::estimate::estimate;
 pub use sections::field::field;

@@ -1,6 +1,7 @@
 //! The document of each command.
 
 mod chosen;
+pub(crate) mod claims;
 pub(crate) mod comparison;
 pub(crate) mod estimate;
 pub(crate) mod field;

@@ -988,6 +988,25 @@ class EstimatedOutput(Record):
     """From the sampling itself."""
 
 
+class Tested(Record):
+    """Real collisions on which intervals were judged."""
+
+    code: str
+    """Its name, such as ``"front-side"``."""
+    collisions: str
+    """Which collisions, with which evidence."""
+    quantity: str
+    """What was judged: ``"ΔV"`` or ``"speed"``."""
+    n: int
+    """How many of these."""
+    inside95: float
+    """(–) share of the true values inside their 95 % intervals."""
+    rms: float | None
+    """(–) root mean square of ln(median/truth)."""
+    source: str
+    """The data, and how far they were blind."""
+
+
 class Question(Record):
     """How probable it is that a result is above a limit."""
 
@@ -1113,6 +1132,8 @@ class _Estimate(_Document):
     """What each piece of evidence says."""
     crush: tuple[CrushError | None, CrushError | None] | None
     """How far the crush energies of both may be off; None where the crush is no evidence."""
+    tested: Tested | None
+    """The class of real collisions on which such intervals were judged; None where nothing like it was."""
     stood: tuple[Stood | None, Stood | None]
     """How probable it is that each vehicle stood; None of one that did not, or whose speed is known."""
     same_twice: tuple[tuple[str, str], ...]

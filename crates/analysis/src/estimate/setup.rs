@@ -100,6 +100,8 @@ pub(super) struct Setup {
     pub(super) stood: [f64; 2],
     /// How the crush energy of each vehicle was obtained, if it is evidence.
     pub(super) energies: [Option<EnergyMethod>; 2],
+    /// Where both vehicles were hit, where both move and neither speed is known.
+    pub(super) hit: Option<[Damage; 2]>,
     /// (rad) PDOF of both vehicles if the force were normal to the crush plane.
     pub(super) reference: [f64; 2],
 }
@@ -176,6 +178,12 @@ pub(super) fn of(case: &Case, prior: Option<Prior>) -> Result<Setup, Failure> {
         }
         Crushed::All | Crushed::No => None,
     };
+    let is_open = |id: VehicleId| {
+        let vehicle = &case.vehicles[id.index()];
+        !vehicle.fixed && vehicle.motion.is_none()
+    };
+    let hit = VehicleId::ALL.into_iter().all(is_open);
+    let hit = hit.then(|| VehicleId::ALL.map(|id| damage(id, &nominal, reference)));
     let (observed, notes) = observe(&Scene {
         case: &case,
         prior,
@@ -228,6 +236,7 @@ pub(super) fn of(case: &Case, prior: Option<Prior>) -> Result<Setup, Failure> {
         unused,
         stood,
         energies,
+        hit,
         reference,
     })
 }

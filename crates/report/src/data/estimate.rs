@@ -6,7 +6,7 @@ use ::estimate::{DrawsSummary, SamplerDoubt};
 use ::uncertainty::{Distribution, Estimate, Shape};
 use analysis::{Estimated, EstimatedOutput, PieceFound, Stood, UnknownNumber, UnusedReason};
 use case::CaseFile;
-use evidence::{CrushErrors, EnergyError, EnergyMethod};
+use evidence::{CrushErrors, EnergyError, EnergyMethod, TestedClass};
 use pim_core::VehicleId;
 use serde::Serialize;
 
@@ -38,6 +38,8 @@ struct Document<'a> {
     pieces: Vec<PieceBlock<'a>>,
     /// The error of the crush energies of vehicle 1 and 2; `null` if the crush is not evidence.
     crush: Option<[Option<CrushBlock>; 2]>,
+    /// The class of real collisions on which such intervals were judged; `null` where nothing like it was.
+    tested: Option<TestedBlock>,
     /// How probable it is that vehicle 1 and 2 stood; `null` for one that did not, or whose speed is known.
     stood: [Option<StoodBlock>; 2],
     same_twice: Vec<&'a [String; 2]>,
@@ -107,6 +109,25 @@ struct PieceBlock<'a> {
     /// Whether it points the other way than the rest says.
     reversed: bool,
     verdict: Option<&'static str>,
+}
+
+/// Real collisions on which intervals were judged.
+#[derive(Serialize)]
+struct TestedBlock {
+    code: &'static str,
+    collisions: &'static str,
+    quantity: &'static str,
+    n: u32,
+    inside95: f64,
+    rms: Option<f64>,
+    source: &'static str,
+}
+
+impl TestedBlock {
+    fn of(class: &TestedClass) -> Self {
+        let TestedClass { code, collisions, quantity, n, inside95, rms, source } = *class;
+        Self { code, collisions, quantity, n, inside95, rms, source }
+    }
 }
 
 /// How the crush energy of a vehicle was obtained, and its error in ln.
@@ -331,6 +352,7 @@ pub fn estimate_json(
                     estimated.energies[id.index()].map(|method| CrushBlock::of(method, &errors[id.index()]))
                 })
             }),
+            tested: estimated.tested.map(TestedBlock::of),
             stood: estimated.stood.map(|stood| stood.map(|stood| StoodBlock::of(stood, is_answer))),
             same_twice: estimated.same_twice.iter().map(|same| &same.keys).collect(),
             unknown: estimated.unknown.iter().map(|unknown| UnknownBlock::of(unknown, is_answer)).collect(),

@@ -25,7 +25,7 @@ struct LeftOutBlock<'a> {
 }
 
 #[derive(Serialize)]
-struct FiguresBlock {
+pub(super) struct FiguresBlock {
     n: usize,
     collisions: usize,
     bias: f64,
@@ -62,7 +62,7 @@ struct JudgedBlock<'a> {
 }
 
 impl FiguresBlock {
-    fn of(figures: &Figures) -> Self {
+    pub(super) fn of(figures: &Figures) -> Self {
         let level = |level: f64| format!("{:.0}", 100.0 * level);
         let part = |place: usize| {
             let coverage = figures.coverage?;

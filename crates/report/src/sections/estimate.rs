@@ -7,7 +7,7 @@ use analysis::{
     Assumed, Estimated, EstimatedOutput, Output, PieceFound, Stood, TOLD_BELOW, UnknownNumber, Weighed,
 };
 use case::{Case, Prior};
-use evidence::Piece;
+use evidence::{Piece, TestedClass};
 use pim_core::VehicleId;
 
 use super::uncertainty::{decimals_of, grouped};
@@ -76,6 +76,24 @@ pub(crate) fn pictures(case: &Case, weighed: &Weighed, units: Units) -> Vec<Bloc
     let mut page = Page { estimated, asked: &asked, units, document: Document::new() };
     page.pictures(case);
     page.document.blocks
+}
+
+/// On which real collisions such an interval was judged.
+fn tested(class: Option<&TestedClass>) -> String {
+    let Some(TestedClass { collisions, quantity, n, inside95, rms, source, code: _ }) = class else {
+        return "No real collisions of this kind with this evidence were judged, so how often such an interval is right \
+                is known from simulated ones alone."
+            .to_owned();
+    };
+    let off = rms.map_or_else(String::new, |rms| {
+        format!(", and the median was off by {} % (rms)", number(100.0 * rms, 0))
+    });
+    // Eighteen of nineteen is no percentage with a decimal.
+    let share = number(100.0 * inside95, usize::from(*n >= 100));
+    format!(
+        "Judged on real collisions in which {collisions}: the 95 % interval held {share} % of {n} values of {quantity}{off} \
+         ({source})."
+    )
 }
 
 struct Page<'a> {
@@ -172,6 +190,7 @@ impl<'a> Page<'a> {
         if !stood.is_empty() {
             self.document.push(Block::List(stood));
         }
+        self.document.paragraph(tested(self.estimated.tested));
     }
 
     /// Why there is no answer, and what to do.

@@ -72,7 +72,7 @@ pub fn field(field: &Field, file: &str) -> Document {
     document
 }
 
-fn percent([value, error]: [f64; 2]) -> String {
+pub(super) fn percent([value, error]: [f64; 2]) -> String {
     format!("{} ± {}", number(100.0 * value, 1), number(100.0 * error, 1))
 }
 

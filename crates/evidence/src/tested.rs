@@ -1,0 +1,198 @@
+//! On which real collisions the intervals of an estimate were tested.
+
+use crate::fitted::{Damage, EnergyMethod};
+use crate::model::Piece;
+
+/// A class of real collisions on which estimates were judged.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct TestedClass {
+    /// A name to be found by.
+    pub code: &'static str,
+    /// Which collisions, with which evidence.
+    pub collisions: &'static str,
+    /// What was judged: a ΔV or a speed.
+    pub quantity: &'static str,
+    /// How many of them.
+    pub n: u32,
+    /// (–) share of the true values inside their 95 % intervals.
+    pub inside95: f64,
+    /// (–) root mean square of ln(median/truth), where it is known.
+    pub rms: Option<f64>,
+    /// The data, and how far they were blind.
+    pub source: &'static str,
+}
+
+const HELD_OUT: &str = "CISS 2017, each crash judged with figures fitted on others";
+const SEEN: &str = "CISS 2017, on which the figures were fitted";
+
+/// docs/calibration.md, section Result.
+const FRONTS: TestedClass = TestedClass {
+    code: "two-fronts",
+    collisions: "two fronts met, by the crush of both and the PDOF",
+    quantity: "ΔV",
+    n: 64,
+    inside95: 0.953,
+    rms: Some(0.298),
+    source: HELD_OUT,
+};
+const FRONT_SIDE: TestedClass = TestedClass {
+    code: "front-side",
+    collisions: "a front met a side, by the crush of both and the PDOF",
+    quantity: "ΔV",
+    n: 172,
+    inside95: 0.953,
+    rms: Some(0.324),
+    source: HELD_OUT,
+};
+const FRONT_REAR: TestedClass = TestedClass {
+    code: "front-rear",
+    collisions: "a front met a rear, by the crush of both and the PDOF",
+    quantity: "ΔV",
+    n: 107,
+    inside95: 0.916,
+    rms: Some(0.337),
+    source: HELD_OUT,
+};
+const WITH_RECORDER: TestedClass = TestedClass {
+    code: "recorder",
+    collisions: "the recorder of the other vehicle was known, beside crush and PDOF",
+    quantity: "ΔV",
+    n: 104,
+    inside95: 0.933,
+    rms: Some(0.249),
+    source: HELD_OUT,
+};
+const ONE_CRUSH: TestedClass = TestedClass {
+    code: "one-crush",
+    collisions: "the crush of one vehicle alone was known",
+    quantity: "ΔV",
+    n: 348,
+    inside95: 0.945,
+    rms: Some(0.366),
+    source: SEEN,
+};
+/// The same, section Staged collisions.
+const AFTER: TestedClass = TestedClass {
+    code: "velocities-after",
+    collisions: "the velocities after the impact were known, beside crush",
+    quantity: "speed",
+    n: 19,
+    inside95: 18.0 / 19.0,
+    rms: None,
+    source: "RICSAC's staged collisions, which the figures have not seen",
+};
+
+impl TestedClass {
+    /// All of them.
+    pub const ALL: [Self; 6] = [FRONTS, FRONT_SIDE, FRONT_REAR, WITH_RECORDER, ONE_CRUSH, AFTER];
+
+    /// The class to which an estimate belongs, of two vehicles whose speeds are both unknown and whose severity
+    /// is that of the field; `None` where no such collisions with such evidence were judged.
+    ///
+    /// `hit` is where the vehicles were hit, `energies` how the crush energy of each was obtained, `pieces` all
+    /// evidence.
+    #[must_use]
+    pub fn of(
+        hit: [Damage; 2],
+        energies: [Option<EnergyMethod>; 2],
+        pieces: &[Piece],
+    ) -> Option<&'static Self> {
+        let is_tested = |method: Option<EnergyMethod>| {
+            matches!(method, None | Some(EnergyMethod::Class | EnergyMethod::Coefficients))
+        };
+        if !energies.into_iter().all(is_tested) || energies == [None; 2] {
+            return None;
+        }
+        let (mut after, mut recorders) = (false, [false; 2]);
+        for piece in pieces {
+            match piece {
+                Piece::Severity | Piece::Crush | Piece::Pdof(_) => {}
+                Piece::SpeedAfter(_) | Piece::DirectionAfter(_) | Piece::YawRateAfter(_) => after = true,
+                Piece::RecordedDeltaV(id) | Piece::RecordedDirection(id) => recorders[id.index()] = true,
+                Piece::Rest(_)
+                | Piece::Points(_)
+                | Piece::RecordedSpeed(_)
+                | Piece::RecordedYawRate(_)
+                | Piece::SkidSpeed(_)
+                | Piece::Limits(_) => return None,
+            }
+        }
+        let is_of_class = energies.into_iter().flatten().all(|method| method == EnergyMethod::Class);
+        let have_both = energies.into_iter().all(|method| method.is_some());
+        match (after, recorders) {
+            (true, [false, false]) if have_both => Some(&AFTER),
+            // The field's stiffness is that of a class.
+            _ if !is_of_class || after => None,
+            (false, [true, false] | [false, true]) if have_both => Some(&WITH_RECORDER),
+            (false, [false, false]) if !have_both => Some(&ONE_CRUSH),
+            (false, [false, false]) => match hit {
+                [Damage::Front, Damage::Front] => Some(&FRONTS),
+                [Damage::Front, Damage::Side] | [Damage::Side, Damage::Front] => Some(&FRONT_SIDE),
+                [Damage::Front, Damage::Rear] | [Damage::Rear, Damage::Front] => Some(&FRONT_REAR),
+                _ => None,
+            },
+            _ => None,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use pim_core::VehicleId::{One, Two};
+
+    use super::TestedClass;
+    use crate::fitted::{Damage, EnergyMethod};
+    use crate::model::Piece;
+
+    const CLASS: Option<EnergyMethod> = Some(EnergyMethod::Class);
+
+    fn code(hit: [Damage; 2], energies: [Option<EnergyMethod>; 2], pieces: &[Piece]) -> Option<&'static str> {
+        TestedClass::of(hit, energies, pieces).map(|class| class.code)
+    }
+
+    #[test]
+    fn an_estimate_belongs_to_what_was_judged_or_to_nothing() {
+        use Damage::{Front, Rear, Side};
+        let crush = [Piece::Severity, Piece::Crush, Piece::Pdof(One)];
+        assert_eq!(code([Front, Side], [CLASS; 2], &crush), Some("front-side"));
+        assert_eq!(code([Side, Front], [CLASS; 2], &crush), Some("front-side"));
+        assert_eq!(code([Rear, Front], [CLASS; 2], &crush), Some("front-rear"));
+        assert_eq!(code([Front, Front], [CLASS; 2], &crush), Some("two-fronts"));
+        assert_eq!(code([Side, Side], [CLASS; 2], &crush), None);
+        assert_eq!(code([Front, Side], [CLASS, None], &crush), Some("one-crush"));
+        let with = |piece: Piece| [&crush[..], &[piece]].concat();
+        assert_eq!(code([Front, Side], [CLASS; 2], &with(Piece::RecordedDeltaV(Two))), Some("recorder"));
+        let both = [&with(Piece::RecordedDeltaV(Two))[..], &[Piece::RecordedDeltaV(One)]].concat();
+        assert_eq!(code([Front, Side], [CLASS; 2], &both), None);
+        let given = Some(EnergyMethod::Coefficients);
+        assert_eq!(code([Front, Side], [given; 2], &with(Piece::SpeedAfter(One))), Some("velocities-after"));
+        assert_eq!(code([Front, Side], [given; 2], &crush), None);
+        assert_eq!(code([Front, Side], [Some(EnergyMethod::Ees), CLASS], &crush), None);
+        for piece in [Piece::Rest(One), Piece::RecordedSpeed(Two), Piece::SkidSpeed(One), Piece::Limits(One)]
+        {
+            assert_eq!(code([Front, Side], [CLASS; 2], &with(piece)), None, "{piece:?}");
+        }
+        assert_eq!(code([Front, Side], [None; 2], &crush[..1]), None);
+    }
+
+    /// The figures are those that docs/calibration.md prints.
+    #[test]
+    fn figures_are_those_of_the_calibration() {
+        let page = include_str!("../../../docs/calibration.md");
+        for (class, start) in [
+            ("two-fronts", "| two fronts | 64 |"),
+            ("front-side", "| front and side | 172 |"),
+            ("front-rear", "| front and rear | 107 |"),
+            ("recorder", "| all, the other vehicle's recorder given | 104 |"),
+            ("one-crush", "| the vehicle that is judged | 348 |"),
+        ] {
+            let class = TestedClass::ALL.into_iter().find(|found| found.code == class);
+            let line = page.lines().find(|line| line.starts_with(start));
+            let (Some(class), Some(line)) = (class, line) else { panic!("{start}") };
+            assert!(line.contains(&format!("| {:.1} ± ", 100.0 * class.inside95)), "{line}");
+            assert!(line.contains(&format!(" {:.3}", class.rms.unwrap_or_default())), "{line}");
+            assert!(start.contains(&class.n.to_string()));
+        }
+        assert!(page.contains("| crush, speeds and directions after the impact | 18 of 19 |"));
+    }
+}

@@ -1,0 +1,155 @@
+//! The ΔV that another program claims, judged by the same recorders.
+
+use std::str::FromStr;
+
+use pim_core::VehicleId;
+
+use crate::error::FieldError;
+use crate::judge::{Figures, PairKind};
+use crate::pair::{Pair, Truth};
+use crate::read::cells;
+
+/// The columns of a program, without `_1` and `_2`: its ΔV, and the ends of its 95 % interval where it has one.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct ClaimColumns {
+    /// The column of ΔV.
+    pub value: String,
+    /// The columns of the lower and the upper end.
+    pub ends: Option<[String; 2]>,
+}
+
+impl FromStr for ClaimColumns {
+    type Err = FieldError;
+
+    /// From `COLUMN` or `COLUMN,LOW,HIGH`.
+    fn from_str(text: &str) -> Result<Self, FieldError> {
+        let names: Vec<String> = text.split(',').map(|name| name.trim().to_owned()).collect();
+        if names.iter().any(String::is_empty) {
+            return Err(FieldError::ClaimColumns { text: text.to_owned() });
+        }
+        match <[String; 3]>::try_from(names) {
+            Ok([value, low, high]) => Ok(Self { value, ends: Some([low, high]) }),
+            Err(names) => match <[String; 1]>::try_from(names) {
+                Ok([value]) => Ok(Self { value, ends: None }),
+                Err(_) => Err(FieldError::ClaimColumns { text: text.to_owned() }),
+            },
+        }
+    }
+}
+
+/// What a program claims of a vehicle.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Claim {
+    /// (m/s) ΔV.
+    pub delta_v: f64,
+    /// (m/s) ends of its 95 % interval.
+    pub interval: Option<[f64; 2]>,
+}
+
+/// A claim beside what the recorder stored.
+#[derive(Clone, Debug, PartialEq)]
+pub struct JudgedClaim {
+    /// Number of the crash.
+    pub case: String,
+    /// The vehicle.
+    pub vehicle: VehicleId,
+    /// What met what.
+    pub kind: PairKind,
+    /// What its recorder stored.
+    pub truth: Truth,
+    /// What the program claims.
+    pub claim: Claim,
+}
+
+/// The figures of a group of claims.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ClaimGroup {
+    /// `all`, or the name of a kind.
+    pub name: &'static str,
+    /// As for a value without intervals.
+    pub figures: Figures,
+    /// (–) share of the recorders inside the 95 % intervals, with its standard error.
+    pub coverage95: Option<[f64; 2]>,
+    /// (m/s) mean interval score of the 95 % intervals: their width, and 40 times what they miss by (Gneiting &
+    /// Raftery 2007, equation 43).
+    pub interval_score: Option<f64>,
+}
+
+/// All claims of a program.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Claims {
+    /// Which columns.
+    pub columns: ClaimColumns,
+    /// Number of pairs of the file.
+    pub pairs: usize,
+    /// Vehicles with a recorder of which the program claims nothing.
+    pub unclaimed: usize,
+    /// Each claim that is judged.
+    pub judged: Vec<JudgedClaim>,
+    /// All, and by kind of collision.
+    pub groups: Vec<ClaimGroup>,
+}
+
+/// Judges the columns of another program (km/h) by the recorders of the same pairs as
+/// [`judge`](crate::judge): where a recorder stored both parts the claim is the size of ΔV, where it stored the
+/// longitudinal part alone it is the size of that part. `text` is the table of which `pairs` were read.
+///
+/// # Errors
+/// Where a column is missing, a cell is no plausible number, an interval does not contain its own value, or no
+/// vehicle has both a claim and a recorder.
+pub fn judge_claims(text: &str, pairs: &[Pair], columns: &ClaimColumns) -> Result<Claims, FieldError> {
+    let mut judged = Vec::new();
+    let mut unclaimed = 0;
+    for (pair, cells) in pairs.iter().zip(cells(text)?) {
+        for (vehicle, truth) in pair.truths() {
+            let Some(claim) = cells.claim(columns, vehicle)? else {
+                unclaimed += 1;
+                continue;
+            };
+            let (case, kind) = (pair.case.clone(), PairKind::of(pair));
+            judged.push(JudgedClaim { case, vehicle, kind, truth, claim });
+        }
+    }
+    if judged.is_empty() {
+        return Err(FieldError::NoClaims { column: columns.value.clone() });
+    }
+    let kinds = [PairKind::FrontFront, PairKind::FrontSide, PairKind::FrontRear, PairKind::Other];
+    let group = |name, of: &dyn Fn(&JudgedClaim) -> bool| {
+        let all: Vec<&JudgedClaim> = judged.iter().filter(|judged| of(judged)).collect();
+        ClaimGroup::of(name, &all)
+    };
+    let mut groups: Vec<ClaimGroup> = group("all", &|_| true).into_iter().collect();
+    groups.extend(kinds.iter().filter_map(|kind| group(kind.name(), &|judged| judged.kind == *kind)));
+    Ok(Claims { columns: columns.clone(), pairs: pairs.len(), unclaimed, judged, groups })
+}
+
+/// (–) 2/α of the interval score, at α = 5 %.
+const MISS: f64 = 40.0;
+
+impl ClaimGroup {
+    fn of(name: &'static str, judged: &[&JudgedClaim]) -> Option<Self> {
+        let rows = judged.iter();
+        let rows = rows.map(|judged| (judged.case.as_str(), judged.claim.delta_v, judged.truth.delta_v));
+        let figures = Figures::of_values(&rows.collect::<Vec<_>>())?;
+        let scored = judged.iter().map(|judged| {
+            let [low, high] = judged.claim.interval?;
+            let truth = judged.truth.delta_v;
+            let missed = (low - truth).max(truth - high).max(0.0);
+            let is_inside = f64::from(u8::from(missed <= 0.0));
+            Some((judged.case.as_str(), is_inside, high - low + MISS * missed))
+        });
+        let scored: Option<Vec<(&str, f64, f64)>> = scored.collect();
+        let coverage95 = scored.as_ref().map(|scored| {
+            let (cases, inside): (Vec<&str>, Vec<f64>) = scored.iter().map(|row| (row.0, row.1)).unzip();
+            crate::judge::mean(&cases, &inside)
+        });
+        let interval_score = scored.map(|scored| {
+            let (cases, scores): (Vec<&str>, Vec<f64>) = scored.iter().map(|row| (row.0, row.2)).unzip();
+            crate::judge::mean(&cases, &scores)[0]
+        });
+        Some(Self { name, figures, coverage95, interval_score })
+    }
+}
+
+#[cfg(test)]
+mod tests;

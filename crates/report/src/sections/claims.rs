@@ -1,0 +1,59 @@
+//! How another program fares against recorders.
+
+use field::{ClaimGroup, Claims};
+
+use super::field::percent;
+use crate::document::{Block, Column, Document, NONE, Table, Width};
+use crate::units::number;
+
+/// The ΔV of another program against what recorders stored.
+#[must_use]
+pub fn claims(claims: &Claims, file: &str) -> Document {
+    let mut document = Document::new();
+    document.push(Block::Title {
+        title: format!("ΔV by {} against ΔV by recorder", claims.columns.value),
+        source: Some(file.to_owned()),
+    });
+    let n = claims.judged.len();
+    document.paragraph(format!(
+        "The file has {} pairs. {n} of its vehicles have both a recorder that can be judged and a ΔV in the column {}; \
+         {} have a recorder alone. The recorders are those that the program's own estimates are judged by.",
+        claims.pairs, claims.columns.value, claims.unclaimed
+    ));
+    let mut columns = vec![
+        Column::words("Against recorder", Width::Fixed(20)),
+        Column::numbers("vehicles", Width::Fit(8)),
+        Column::numbers("bias of ln", Width::Fit(16)),
+        Column::numbers("rms of ln", Width::Fit(16)),
+        Column::numbers("CRPS", Width::Fit(6)).unit("km/h"),
+    ];
+    let has_intervals = claims.columns.ends.is_some();
+    if has_intervals {
+        columns.push(Column::numbers("in 95 %", Width::Fit(11)).unit("%"));
+        columns.push(Column::numbers("interval score", Width::Fit(14)).unit("km/h"));
+    }
+    let mut table = Table::new("", columns);
+    for ClaimGroup { name, figures, coverage95, interval_score } in &claims.groups {
+        let with = |[value, error]: [f64; 2]| format!("{} ± {}", number(value, 3), number(error, 3));
+        let mut cells = vec![
+            (*name).to_owned(),
+            figures.n.to_string(),
+            with(figures.bias),
+            with(figures.rms),
+            number(3.6 * figures.crps, 2),
+        ];
+        if has_intervals {
+            cells.push(coverage95.map_or(NONE.to_owned(), percent));
+            cells.push(interval_score.map_or(NONE.to_owned(), |score| number(3.6 * score, 1)));
+        }
+        table.cells(cells);
+    }
+    document.push(table);
+    document.paragraph(
+        "bias: mean of ln(claimed/recorder). rms: root mean square of the same. ± is a standard error that counts \
+         collisions, not vehicles. CRPS of a single value: the mean absolute error. Interval score: the width of the \
+         95 % interval, and 40 times the distance by which it misses the recorder (Gneiting & Raftery 2007); less is \
+         better.",
+    );
+    document
+}

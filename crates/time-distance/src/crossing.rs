@@ -1,0 +1,100 @@
+//! Where two paths cross, and who is in the zone when.
+
+use pim_core::InvalidInput;
+use real::Real;
+
+use crate::check;
+use crate::course::Course;
+
+/// A road user on a straight path.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub struct Party<T = f64> {
+    /// (m) from the point whose path is given to the front.
+    pub front: T,
+    /// (m) from that point to the rear.
+    pub rear: T,
+    /// (m) width.
+    pub width: T,
+}
+
+/// Two straight paths that cross.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub struct Crossing<T = f64> {
+    /// (rad) angle between the directions of travel.
+    angle: T,
+    parties: [Party<T>; 2],
+}
+
+/// When a road user is in the zone that both sweep.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Occupancy<T = f64> {
+    /// (s) its front enters; `None` where it never does.
+    pub enters: Option<T>,
+    /// (s) its rear has left; `None` where it stays.
+    pub leaves: Option<T>,
+}
+
+impl<T: Real> Crossing<T> {
+    /// From the angle (rad) between the directions and the outlines.
+    ///
+    /// # Errors
+    /// Where the paths are parallel, an outline is impossible, or a number is not finite.
+    pub fn new(angle: T, parties: [Party<T>; 2]) -> Result<Self, InvalidInput> {
+        check::finite("angle between the paths", angle.value())?;
+        let (sin, _) = angle.sin_cos();
+        check::positive("sine of the angle between the paths", sin.abs().value())?;
+        for party in &parties {
+            check::not_negative("distance to the front", party.front.value())?;
+            check::not_negative("distance to the rear", party.rear.value())?;
+            check::not_negative("width", party.width.value())?;
+        }
+        Ok(Self { angle, parties })
+    }
+
+    /// (m) half the length, along the path of party 0 or 1, of the parallelogram that both sweep; its middle is
+    /// where the paths cross.
+    #[must_use]
+    pub fn half_zone(&self, party: usize) -> T {
+        let [one, two] = &self.parties;
+        let (own, other) = if party == 0 { (one.width, two.width) } else { (two.width, one.width) };
+        let (sin, cos) = self.angle.sin_cos();
+        // (w_other + w_own |cos θ|)/(2 |sin θ|)
+        (other + own * cos.abs()) / (sin.abs() * 2.0)
+    }
+
+    /// When party 0 or 1 is in the zone, on a course whose positions count from the crossing of the paths.
+    #[must_use]
+    pub fn occupancy(&self, party: usize, course: &Course<'_, T>) -> Occupancy<T> {
+        let half = self.half_zone(party);
+        let [one, two] = &self.parties;
+        let outline = if party == 0 { one } else { two };
+        Occupancy {
+            enters: course.reaches(-half - outline.front),
+            leaves: course.reaches(half + outline.rear),
+        }
+    }
+}
+
+impl<T: Real> Occupancy<T> {
+    /// (s) by how much this one leaves before the other enters; negative where both are in the zone together.
+    /// `None` where the other never enters.
+    #[must_use]
+    pub fn margin_before(&self, other: &Self) -> Option<T> {
+        let enters = other.enters?;
+        Some(match self.leaves {
+            Some(leaves) => enters - leaves,
+            None => T::from(f64::NEG_INFINITY),
+        })
+    }
+
+    /// Whether both are ever in the zone together.
+    #[must_use]
+    pub fn overlaps(&self, other: &Self) -> bool {
+        let (Some(own), Some(others)) = (self.enters, other.enters) else { return false };
+        let leaves_before =
+            |leaves: Option<T>, enters: T| leaves.is_some_and(|leaves| leaves.value() <= enters.value());
+        !leaves_before(self.leaves, others) && !leaves_before(other.leaves, own)
+    }
+}

@@ -1,0 +1,126 @@
+//! Courses, crossings, gaps and sight beside brute force.
+
+use proptest::prelude::*;
+use time_distance::{
+    Course, Crossing, Leg, Party, Phase, Response, Swell, Vector2, approach, first_sight, least_gap, sees,
+};
+
+fn rest() -> Leg {
+    Leg::at_rest(0.0, 0.0)
+}
+
+/// A pedestrian at 1.4 m/s, 5 m on the road of which the first is hidden (EVIDENCE: 4 m, 2 s walking at 2 m/s,
+/// 1 s running at 4).
+#[test]
+fn a_walk_takes_its_time() {
+    for (speed, expected) in [(2.0, 2.0), (4.0, 1.0)] {
+        let legs = [Leg { speed, ..rest() }];
+        assert_eq!(Course::new(&legs).unwrap().reaches(4.0), Some(expected));
+    }
+    let still = [rest()];
+    let still = Course::new(&still).unwrap();
+    assert_eq!((still.reaches(1.0), still.reaches(0.0)), (None, Some(0.0)));
+}
+
+/// 12 m of skid at 7 m/s² to 20 km/h, before it 0.8 s at the same speed.
+#[test]
+fn an_approach_is_followed_backwards() {
+    let impact = Leg { speed: 20.0 / 3.6, ..rest() };
+    let skid = approach(&impact, Phase::Over { distance: 12.0, acceleration: -7.0 }).unwrap();
+    let v = ((20.0 / 3.6_f64).powi(2) + 2.0 * 7.0 * 12.0).sqrt();
+    assert!((skid.speed - v).abs() < 1e-12 && (skid.position + 12.0).abs() < 1e-12);
+    assert!((skid.time + (v - 20.0 / 3.6) / 7.0).abs() < 1e-12);
+    let before = approach(&skid, Phase::For { time: 0.8, acceleration: 0.0 }).unwrap();
+    assert!((before.position - (skid.position - 0.8 * v)).abs() < 1e-12);
+    // It sets out from a stop: v²/2a, v/a.
+    let start = approach(&impact, Phase::FromRest { acceleration: 1.5 }).unwrap();
+    assert!((start.position + (20.0 / 3.6_f64).powi(2) / 3.0).abs() < 1e-12);
+    assert!((start.time + 20.0 / 3.6 / 1.5).abs() < 1e-12 && start.speed == 0.0);
+    // Followed forward it is there again.
+    let again = skid.after(-skid.time);
+    assert!((again.speed - impact.speed).abs() < 1e-12 && again.position.abs() < 1e-12);
+    // What cannot be.
+    assert!(approach(&impact, Phase::Over { distance: 12.0, acceleration: 7.0 }).is_err());
+    assert!(approach(&impact, Phase::For { time: 60.0, acceleration: 1.5 }).is_err());
+    assert!(approach(&rest(), Phase::Over { distance: 1.0, acceleration: 0.0 }).is_err());
+    assert!(approach(&impact, Phase::From { speed: 1.0, acceleration: -1.0 }).is_err());
+}
+
+proptest! {
+    /// Both outlines are turned and moved in small steps: while any of their points are in both strips' common
+    /// part, the zone is occupied.
+    #[test]
+    fn a_zone_is_what_both_sweep(angle in 0.3..2.8_f64, w1 in 0.5..3.0_f64, w2 in 0.5..3.0_f64) {
+        let of = |width| Party { front: 2.0, rear: 1.5, width };
+        let crossing = Crossing::new(angle, [of(w1), of(w2)]).unwrap();
+        for party in 0..2 {
+            let (own, other) = if party == 0 { (w1, w2) } else { (w2, w1) };
+            // Points of the own strip that lie in the other's: the extreme along the own path.
+            let mut most = 0.0_f64;
+            for i in 0..=2000 {
+                let y = own * (f64::from(i) / 2000.0 - 0.5);
+                // |x sin θ − y cos θ| ≤ w/2
+                let x = (other / 2.0 + (y * angle.cos()).abs()) / angle.sin().abs();
+                most = most.max(x);
+            }
+            prop_assert!((crossing.half_zone(party) - most).abs() < 1e-9, "{} {}", crossing.half_zone(party), most);
+        }
+        // The other way round is the same.
+        let turned = Crossing::new(-angle, [of(w1), of(w2)]).unwrap();
+        prop_assert!((turned.half_zone(0) - crossing.half_zone(0)).abs() < 1e-12);
+    }
+
+    #[test]
+    fn the_least_gap_is_that_of_small_steps(
+        v1 in 1.0..40.0_f64, v2 in 0.0..40.0_f64, r1 in 0.0..2.0_f64, r2 in 0.0..1.0_f64, swell in 0.01..0.5_f64,
+        a1 in 2.0..9.0_f64, a2 in 2.0..9.0_f64, gap in 0.0..60.0_f64,
+    ) {
+        let one = Response::new(r1, swell, a1, Swell::Linear).unwrap().legs(v1);
+        let two = Response::new(r2, swell, a2, Swell::Linear).unwrap().legs(v2);
+        let two = two.map(|leg| Leg { position: leg.position + gap, ..leg });
+        let (behind, ahead) = (Course::new(&one).unwrap(), Course::new(&two).unwrap());
+        let end = one[3].time.max(two[3].time);
+        let found = least_gap(&behind, &ahead, [0.0, end]);
+        let mut least = f64::INFINITY;
+        for step in 0..=4000 {
+            let t = end * f64::from(step) / 4000.0;
+            least = least.min(ahead.at(t).position - behind.at(t).position);
+        }
+        prop_assert!(found.distance <= least + 1e-9, "{} {}", found.distance, least);
+        prop_assert!(least - found.distance < 1e-3, "{} {}", found.distance, least);
+        let at = ahead.at(found.time).position - behind.at(found.time).position;
+        prop_assert!((at - found.distance).abs() < 1e-9);
+    }
+}
+
+/// A corner of a house: a pedestrian steps out behind it.
+#[test]
+fn a_corner_hides_until_the_line_is_free() {
+    let p = |x, y| Vector2::new(x, y);
+    let house = [p(0.0, 3.0), p(10.0, 3.0), p(10.0, 20.0), p(0.0, 20.0)];
+    // The car drives along y = 0, the pedestrian waits at (12, 5) and sees it past the corner (10, 3): the line
+    // of slope 1 meets y = 0 at x = 7.
+    let positions = |t: f64| [p(-20.0 + 10.0 * t, 0.0), p(12.0, 5.0)];
+    let seen = first_sight(positions, &[&house], [0.0, 5.0], 50).unwrap();
+    assert!((seen - 2.7).abs() < 1e-9, "{seen}");
+    assert!(sees(p(8.0, 0.0), p(12.0, 5.0), &house) && !sees(p(6.0, 0.0), p(12.0, 5.0), &house));
+    // Inside of it nothing is seen, and nothing hides without an outline.
+    assert!(!sees(p(1.0, 4.0), p(2.0, 5.0), &house) && sees(p(0.0, 0.0), p(1.0, 0.0), &[]));
+    let behind = |_: f64| [p(-20.0, 4.0), p(30.0, 4.0)];
+    assert_eq!(first_sight(behind, &[&house], [0.0, 5.0], 50), None);
+}
+
+/// George and Bill (printed example): no collision in time, though not in space.
+#[test]
+fn who_is_in_the_zone_when() {
+    let car = Party { front: 6.5, rear: 6.5, width: 7.0 };
+    let crossing = Crossing::new(std::f64::consts::FRAC_PI_2, [car, car]).unwrap();
+    let response = Response::new(0.0, 0.0, 30.0, Swell::Linear).unwrap();
+    let george = response.legs(100.0).map(|leg| Leg { position: leg.position - 125.0, ..leg });
+    let bill = [Leg { speed: 30.0, position: -150.0, ..rest() }];
+    let (george, bill) = (Course::new(&george).unwrap(), Course::new(&bill).unwrap());
+    let [george, bill] = [crossing.occupancy(0, &george), crossing.occupancy(1, &bill)];
+    assert!((george.leaves.unwrap() - 1.880_367).abs() < 1e-6, "{george:?}");
+    assert!((bill.enters.unwrap() - 4.666_667).abs() < 1e-6, "{bill:?}");
+    assert!((george.margin_before(&bill).unwrap() - 2.7863).abs() < 1e-4 && !george.overlaps(&bill));
+}

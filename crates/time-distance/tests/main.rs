@@ -1,0 +1,10 @@
+//! Time and distance: printed examples, a simulation in small steps, inverses.
+
+#![expect(clippy::disallowed_methods, reason = "what is expected shares no function with what is tested")]
+
+#[cfg(test)]
+mod closed_forms;
+#[cfg(test)]
+mod courses;
+#[cfg(test)]
+mod printed;
