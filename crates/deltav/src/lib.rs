@@ -46,6 +46,7 @@
 //! | [`pim_core`] | planar impact mechanics: bodies, contact, impact law, outcome; frames and signs are drawn there |
 //! | [`crash3`] | CRASH3 damage: profile, stiffness, crush energy, ΔV |
 //! | [`trajectory`] | the motion of a vehicle from the impact to rest |
+//! | [`time_distance`] | reaction, braking and sight before a collision |
 //! | [`reconcile`] | the speed that makes the two agree |
 //! | [`uncertainty`] | propagates input ranges to the results of any function |
 //! | [`estimate`] | draws from the posterior of prior and evidence, and shows whether they are reliable |
@@ -68,7 +69,7 @@
 
 pub use {
     analysis, case, crash3, drawing, estimate, evidence, field, inputs, pim_core, real, reconcile, report,
-    trajectory, uncertainty, validation,
+    time_distance, trajectory, uncertainty, validation,
 };
 
 /// The items that most reconstructions need: `use deltav::prelude::*;`.

@@ -22,6 +22,8 @@
 //! and who is in it when, [`least_gap`] how close one vehicle comes to another ahead of it, and [`sees`] and
 //! [`first_sight`] what obstacles hide.
 //!
+//! `examples/avoidable.rs` asks whether a collision was avoidable.
+//!
 //! | code | symbol | meaning | unit |
 //! |---|---|---|---|
 //! | `reaction` | t_R | from the demand to the first effect of the brakes | s |

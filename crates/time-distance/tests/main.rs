@@ -7,4 +7,6 @@ mod closed_forms;
 #[cfg(test)]
 mod courses;
 #[cfg(test)]
+mod examples;
+#[cfg(test)]
 mod printed;
