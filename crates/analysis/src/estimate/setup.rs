@@ -4,7 +4,7 @@ use std::f64::consts::FRAC_PI_2;
 
 use ::estimate::Independent;
 use ::uncertainty::Distribution;
-use evidence::{EnergyMethod, FITTED, Observed, OtherCrush, Speeds};
+use evidence::{Damage, EnergyMethod, FITTED, Observed, OtherCrush, Speeds};
 use inputs::{
     BrachTangential, Case, Collision, Dimension, Fault, FaultKind, Faults, Find, GivenVehicle, ImpactLaw,
     Input, MotionInput, Origin, Prior, Purpose, Quantity, Reconstruct, SharedEffects, SkidBegin, Unit,
