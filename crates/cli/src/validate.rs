@@ -67,9 +67,7 @@ fn validate_field(path: &Path, arguments: &ValidateArguments) -> Result<()> {
     if let Some(columns) = &arguments.judge {
         let claims = field::judge_claims(&text, &pairs, columns).with_context(|| name.clone())?;
         let document = || Ok(report::claims(&claims, &name));
-        return present_as(arguments.format, arguments.output.file(), document, || {
-            report::claims_json(&claims)
-        });
+        return present(arguments.format, arguments.output.file(), document, || report::claims_json(&claims));
     }
     let options = field::Options {
         particles: PARTICLES_OF_PAIR,
