@@ -26,12 +26,12 @@ fn each_quantity_that_samples_or_draws_read_stands_in_a_list_once() {
     }
 }
 
-/// The two columns of a row say the same: what samples read of the answer is what tables read of the analysis.
+/// The columns of a row say the same: what samples read of the answer is what tables read of the analysis.
 #[test]
 fn samples_read_what_the_tables_show() {
     let mut seen_keys = BTreeSet::new();
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../fixtures");
-    let mut paths: Vec<_> = ["", "laws", "roots"]
+    let mut paths: Vec<_> = ["", "laws", "motion", "roots"]
         .iter()
         .flat_map(|name| fs::read_dir(folder.join(name)).unwrap().map(|entry| entry.unwrap().path()))
         .filter(|path| path.extension().is_some_and(|extension| extension == "toml"))
