@@ -2,6 +2,7 @@
 
 use std::sync::LazyLock;
 
+use analysis::quantities::{CRUSH_ENERGY, FOUND_VALUE, IMPACT_RESTITUTION, SPEED};
 use analysis::{Analysis, Comparison, Kind, Output, OutputQuantity, QUANTITIES, Uncertainty};
 use case::{CaseFile, shown};
 use pim_core::VehicleId;
@@ -121,32 +122,32 @@ pub enum RowError {
 struct Text {
     name: &'static str,
     place: &'static str,
-    before: &'static str,
+    before: &'static OutputQuantity,
 }
 
-const fn text(name: &'static str, place: &'static str, before: &'static str) -> Text {
+const fn text(name: &'static str, place: &'static str, before: &'static OutputQuantity) -> Text {
     Text { name, place, before }
 }
 
 /// Columns of the whole case.
 const SHARED: [Text; 9] = [
-    text("file", "/file", "found.value"),
-    text("error", "/error", "found.value"),
-    text("title", "/title", "found.value"),
-    text("axes", "/axes", "found.value"),
-    text("found.quantity", "/found/quantity", "found.value"),
-    text("found.admissible_roots", "/found/admissible_roots", "impact.restitution"),
-    text("energy_basis", "/energy_basis", "impact.restitution"),
-    text("impact.law", "/impact/law", "impact.restitution"),
-    text("impact.regime", "/impact/regime", "impact.restitution"),
+    text("file", "/file", &FOUND_VALUE),
+    text("error", "/error", &FOUND_VALUE),
+    text("title", "/title", &FOUND_VALUE),
+    text("axes", "/axes", &FOUND_VALUE),
+    text("found.quantity", "/found/quantity", &FOUND_VALUE),
+    text("found.admissible_roots", "/found/admissible_roots", &IMPACT_RESTITUTION),
+    text("energy_basis", "/energy_basis", &IMPACT_RESTITUTION),
+    text("impact.law", "/impact/law", &IMPACT_RESTITUTION),
+    text("impact.regime", "/impact/regime", &IMPACT_RESTITUTION),
 ];
 
 /// Columns of each vehicle: the place has `#` for the number of the vehicle.
 const VEHICLE: [Text; 4] = [
-    text("name", "/vehicle#/name", "speed"),
-    text("fixed", "/vehicle#/fixed", "speed"),
-    text("stiffness_source", "/vehicle#/stiffness_source", "crush_energy"),
-    text("crush_source", "/vehicle#/crush_source", "crush_energy"),
+    text("name", "/vehicle#/name", &SPEED),
+    text("fixed", "/vehicle#/fixed", &SPEED),
+    text("stiffness_source", "/vehicle#/stiffness_source", &CRUSH_ENERGY),
+    text("crush_source", "/vehicle#/crush_source", &CRUSH_ENERGY),
 ];
 
 /// The content of a column.
@@ -205,7 +206,7 @@ fn of_analyses() -> Vec<(String, Column)> {
         let prefix = vehicle.map_or_else(String::new, |id| format!("vehicle{id}."));
         let number = vehicle.map_or_else(String::new, |id| id.to_string());
         for quantity in QUANTITIES.iter().filter(|quantity| quantity.is_of_vehicle() == vehicle.is_some()) {
-            for text in texts.iter().filter(|text| text.before == quantity.key) {
+            for text in texts.iter().filter(|text| text.before.key == quantity.key) {
                 let place = text.place.replace('#', &number);
                 columns.push((format!("{prefix}{}", text.name), Column::Place(place)));
             }
@@ -515,7 +516,7 @@ fn document(Row { file: name, answer }: Row<'_>, detail: Detail) -> Result<Value
     };
     let case = &file.case;
     match answer {
-        RowAnswer::Analysis(analysis) => of_file(name, file, json::document(case, analysis)),
+        RowAnswer::Analysis(analysis) => of_file(name, file, json::document(case, analysis)?),
         RowAnswer::Comparison(comparison) => of_file(name, file, comparison::document(case, comparison)),
         RowAnswer::Uncertainty(found) => match detail {
             Detail::All => of_file(name, file, uncertainty::document(case, found)),

@@ -1,13 +1,20 @@
-//! A finished analysis as JSON, in SI units and radians.
+//! A finished analysis as JSON, in SI units and radians: each quantity at the pointer of its row, and beside
+//! the quantities what is none.
 
-use analysis::{
-    Analysis, BothFound, BothMethod, Check, Combination, Exchange, Impact, Pass, Seen, SeenWarning, Travel,
-    TravelOrigin, Weighed,
+use analysis::quantities::{
+    IMPACT_CLOSING_SPEED, IMPACT_CRITICAL_IMPULSE_RATIO, IMPACT_IMPULSE_RATIO, IMPACT_NORMAL_IMPULSE,
+    IMPACT_RESTITUTION, MOMENTUM_CRITICAL_IMPULSE_RATIO, MOMENTUM_ENERGY_LOSS, MOMENTUM_IMPULSE_RATIO,
+    MOMENTUM_NORMAL_WORK, MOMENTUM_RESTITUTION,
 };
-use case::{Basis, Case, CaseFile, Geometry, MarkedWheel, PointData};
+use analysis::{
+    Analysis, BothFound, BothMethod, Check, Combination, Correction, Found, OutputQuantity, Pass, QUANTITIES,
+    Seen, SeenWarning, Travel, TravelOrigin, Values, Weighed,
+};
+use case::{Basis, Case, CaseFile, MarkedWheel, PointData};
 use pim_core::VehicleId;
 use reconcile::Unknown;
-use serde::{Serialize, Serializer};
+use serde::Serialize;
+use serde_json::{Value, json};
 use trajectory::Sample;
 
 use super::headline::{HeadlineBlock, SolutionBlock};
@@ -17,8 +24,9 @@ use crate::law;
 use crate::warnings;
 use crate::words;
 
+/// What stands before the blocks of quantities.
 #[derive(Serialize)]
-struct Document<'a> {
+struct Head<'a> {
     title: &'a str,
     /// Those of all signed values: `z-up` or `z-down`.
     axes: &'static str,
@@ -40,18 +48,6 @@ struct Document<'a> {
     #[serde(skip_serializing_if = "Vec::is_empty")]
     solution_warnings: Vec<WarningBlock>,
     checks: Vec<CheckBlock>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    found: Option<Found>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    momentum: Option<MomentumBlock>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    impact: Option<ImpactBlock>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    law_check: Option<LawCheckBlock>,
-    vehicle1: VehicleBlock,
-    vehicle2: VehicleBlock,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    crash3: Option<Crash3Block>,
 }
 
 #[derive(Serialize)]
@@ -86,117 +82,6 @@ impl WarningBlock {
     }
 }
 
-/// One speed, or a list of both: as `reconstruct.find` of the case.
-enum Found {
-    One(FoundBlock),
-    Both([FoundBlock; 2]),
-}
-
-impl Serialize for Found {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        match self {
-            Self::One(found) => found.serialize(serializer),
-            Self::Both(found) => found.serialize(serializer),
-        }
-    }
-}
-
-/// What both speeds and the velocities after the impact imply, without an impact law.
-#[derive(Serialize)]
-struct MomentumBlock {
-    /// From the heading of vehicle 1 to that of vehicle 2.
-    approach_angle: f64,
-    impulse: [f64; 2],
-    /// How far the impulses that the two vehicles tell lie apart.
-    disagreement: f64,
-    restitution: Option<f64>,
-    /// Of the CGs towards each other.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    cg_closing_speed: Option<f64>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    cg_restitution: Option<f64>,
-    /// These along n and t, and the yaw rates, are not known of point masses.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    impulse_ratio: Option<Option<f64>>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    critical_impulse_ratio: Option<Option<f64>>,
-    energy_loss: f64,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    normal_work: Option<f64>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    tangential_work: Option<f64>,
-    delta_v: OfMovable,
-    pdof: OfMovable,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    final_yaw_rate: Option<OfMovable>,
-    /// Each start of vehicle 1 with each of vehicle 2 that leads to the rests, the one that is used first.
-    #[serde(skip_serializing_if = "Vec::is_empty")]
-    combinations: Vec<CombinationBlock>,
-}
-
-/// A start of each vehicle that leads to its rest, and how well the two agree with the impulse.
-#[derive(Serialize)]
-struct CombinationBlock {
-    /// Along the headings.
-    speeds: [f64; 2],
-    /// After the impact.
-    velocities: [[f64; 2]; 2],
-    /// After the impact; none of a vehicle of which it is not known.
-    yaw_rates: [Option<f64>; 2],
-    /// On the way to rest; none of a vehicle that is not followed.
-    turns: [Option<f64>; 2],
-    /// χ² of what the speeds imply against what else is known.
-    misfit: f64,
-    weight: f64,
-    /// Codes of the checks that it does not pass.
-    against: Vec<&'static str>,
-}
-
-/// Skid marks before the impact.
-#[derive(Serialize)]
-struct InferredBlock {
-    depth: f64,
-    width: f64,
-}
-
-#[derive(Serialize)]
-struct SkidBlock {
-    /// Where they begin.
-    speed: f64,
-}
-
-#[derive(Serialize)]
-struct StartBlock {
-    /// `impact`, `given` or `rest`: what it comes from.
-    source: &'static str,
-    speed: f64,
-    direction: f64,
-    yaw_rate: f64,
-}
-
-#[derive(Serialize)]
-struct RestBlock {
-    x: f64,
-    y: f64,
-    /// Counted on from the heading at the impact through full turns.
-    heading: f64,
-    time: f64,
-    distance: f64,
-}
-
-/// A moment of the way to rest.
-#[derive(Serialize)]
-struct PathBlock {
-    time: f64,
-    x: f64,
-    y: f64,
-    heading: f64,
-    velocity: [f64; 2],
-    yaw_rate: f64,
-    /// Front left, front right, rear left, rear right.
-    sliding: [bool; 4],
-}
-
 #[derive(Serialize)]
 struct FoundBlock {
     quantity: &'static str,
@@ -217,129 +102,6 @@ struct IterationBlock {
     crush_work: Option<f64>,
 }
 
-/// What the impact law makes of speeds that momentum gave.
-#[derive(Serialize)]
-struct LawCheckBlock {
-    law: &'static str,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    regime: Option<&'static str>,
-    restitution: f64,
-    energy_loss: f64,
-    delta_v: OfMovable,
-    /// By how much more than by momentum.
-    delta_v_difference: OfMovable,
-    final_speed: OfMovable,
-    final_yaw_rate: OfMovable,
-    pdof: OfMovable,
-}
-
-#[derive(Serialize)]
-struct ImpactBlock {
-    #[serde(skip_serializing_if = "Option::is_none")]
-    law: Option<&'static str>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    regime: Option<&'static str>,
-    /// `null` where vehicles do not close by momentum.
-    restitution: Option<f64>,
-    /// These along n and t are not known of point masses.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    impulse_ratio: Option<Option<f64>>,
-    /// `null` where no push, however rough the surfaces, could end the sliding.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    critical_impulse_ratio: Option<Option<f64>>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    normal_impulse: Option<f64>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    tangential_impulse: Option<f64>,
-    impulse: [f64; 2],
-    impulse_direction: f64,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    normal: Option<[f64; 2]>,
-    closing_speed: f64,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    normal_velocity: Option<[f64; 2]>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    tangential_velocity: Option<[f64; 2]>,
-    initial_energy: f64,
-    final_energy: f64,
-    energy_loss: f64,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    normal_work: Option<f64>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    tangential_work: Option<f64>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    moment_impulse: Option<f64>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    moment_work: Option<f64>,
-}
-
-/// Of a vehicle, or of a fixed object. Keys that do not apply are left out.
-#[derive(Serialize)]
-struct VehicleBlock {
-    #[serde(skip_serializing_if = "Option::is_none")]
-    name: Option<String>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    fixed: Option<bool>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    speed: Option<f64>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    velocity: Option<[f64; 2]>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    yaw_rate: Option<f64>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    final_velocity: Option<[f64; 2]>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    final_yaw_rate: Option<f64>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    final_speed: Option<f64>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    delta_v: Option<f64>,
-    /// Forward.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    delta_v_longitudinal: Option<f64>,
-    /// Along the y axis.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    delta_v_lateral: Option<f64>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    delta_v_vector: Option<[f64; 2]>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pdof: Option<f64>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    stiffness_source: Option<String>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    crush_source: Option<&'static str>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    crush_energy: Option<f64>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    crush_energy_bounds: Option<[f64; 2]>,
-    /// (m) depth and width of a crush that was inferred from the force on the other vehicle.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    inferred_crush: Option<InferredBlock>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    oblique_angle: Option<f64>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    oblique_factor: Option<f64>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    corrected_crush_energy: Option<f64>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    ees: Option<f64>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    peak_force: Option<f64>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    no_damage_speed: Option<f64>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    skid: Option<SkidBlock>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    start: Option<StartBlock>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    rest: Option<RestBlock>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    path: Option<Vec<PathBlock>>,
-    /// How the way passes the points of the case.
-    #[serde(skip_serializing_if = "Vec::is_empty")]
-    points: Vec<PointBlock>,
-}
-
 #[derive(Serialize)]
 struct PointBlock {
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -347,21 +109,6 @@ struct PointBlock {
     miss: f64,
     #[serde(skip_serializing_if = "Option::is_none")]
     turned: Option<f64>,
-}
-
-#[derive(Serialize)]
-struct Crash3Block {
-    crush_energy: f64,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    corrected_crush_energy: Option<f64>,
-    moment_arm: OfMovable,
-    effective_mass_ratio: [f64; 2],
-    delta_v: OfMovable,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    corrected_delta_v: Option<OfMovable>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    restitution_factor: Option<f64>,
-    corrections: Vec<CorrectionBlock>,
 }
 
 /// CRASH3's answer under one correction for oblique forces.
@@ -376,12 +123,92 @@ struct CorrectionBlock {
     delta_v: OfMovable,
 }
 
+/// Quantities that are `null` instead of absent where they have no value, although another one has: vehicles
+/// do not close, the impulse does not push, or no push could end the sliding.
+const NULL_BESIDE: [(&OutputQuantity, &OutputQuantity); 6] = [
+    (&IMPACT_RESTITUTION, &IMPACT_CLOSING_SPEED),
+    (&IMPACT_IMPULSE_RATIO, &IMPACT_NORMAL_IMPULSE),
+    (&IMPACT_CRITICAL_IMPULSE_RATIO, &IMPACT_NORMAL_IMPULSE),
+    (&MOMENTUM_RESTITUTION, &MOMENTUM_ENERGY_LOSS),
+    (&MOMENTUM_IMPULSE_RATIO, &MOMENTUM_NORMAL_WORK),
+    (&MOMENTUM_CRITICAL_IMPULSE_RATIO, &MOMENTUM_NORMAL_WORK),
+];
+
+/// The order of the keys of an impact. Here and below, a key that is not listed follows.
+const IMPACT: [&str; 20] = [
+    "law",
+    "regime",
+    "restitution",
+    "impulse_ratio",
+    "critical_impulse_ratio",
+    "normal_impulse",
+    "tangential_impulse",
+    "impulse",
+    "impulse_direction",
+    "normal",
+    "closing_speed",
+    "normal_velocity",
+    "tangential_velocity",
+    "initial_energy",
+    "final_energy",
+    "energy_loss",
+    "normal_work",
+    "tangential_work",
+    "moment_impulse",
+    "moment_work",
+];
+
+/// The order of the keys of a vehicle, or of a fixed object.
+const VEHICLE: [&str; 29] = [
+    "name",
+    "fixed",
+    "speed",
+    "velocity",
+    "yaw_rate",
+    "final_velocity",
+    "final_yaw_rate",
+    "final_speed",
+    "delta_v",
+    "delta_v_longitudinal",
+    "delta_v_lateral",
+    "delta_v_vector",
+    "pdof",
+    "stiffness_source",
+    "crush_source",
+    "crush_energy",
+    "crush_energy_bounds",
+    "inferred_crush",
+    "oblique_angle",
+    "oblique_factor",
+    "corrected_crush_energy",
+    "ees",
+    "peak_force",
+    "no_damage_speed",
+    "skid",
+    "start",
+    "rest",
+    "path",
+    "points",
+];
+
+/// The order of the keys of CRASH3's answer.
+const CRASH3: [&str; 8] = [
+    "crush_energy",
+    "corrected_crush_energy",
+    "moment_arm",
+    "effective_mass_ratio",
+    "delta_v",
+    "corrected_delta_v",
+    "restitution_factor",
+    "corrections",
+];
+
 /// The analysis as indented JSON, ending in a line break.
 ///
 /// # Errors
 /// Where serialisation fails, which no analysis causes.
 pub fn json(file: &CaseFile, analysis: &Analysis) -> Result<String, serde_json::Error> {
-    pretty(&identified(file, document(&file.case, analysis)))
+    pretty(&identified(file, document(&file.case, analysis)?))
 }
 
 /// The same of a case with more evidence than its exact solution uses: its headline is by all of it.
@@ -393,44 +220,104 @@ pub fn weighed_json(
     analysis: &Analysis,
     weighed: &Weighed,
 ) -> Result<String, serde_json::Error> {
-    pretty(&identified(file, headed(&file.case, analysis, Some(weighed))))
+    pretty(&identified(file, headed(&file.case, analysis, Some(weighed))?))
 }
 
 /// What the JSON says.
-pub(crate) fn document<'a>(case: &'a Case, analysis: &Analysis) -> impl Serialize + use<'a> {
+pub(crate) fn document(case: &Case, analysis: &Analysis) -> Result<Value, serde_json::Error> {
     headed(case, analysis, None)
 }
 
-fn headed<'a>(case: &'a Case, analysis: &Analysis, weighed: Option<&Weighed>) -> Document<'a> {
-    let headline = HeadlineBlock::of(analysis, weighed);
+fn headed(case: &Case, analysis: &Analysis, weighed: Option<&Weighed>) -> Result<Value, serde_json::Error> {
+    let seen = &analysis.seen(case.axes);
+    let mut document = serde_json::to_value(head(case, analysis, seen, weighed))?;
+    for (place, value) in others(case, seen)? {
+        put(&mut document, &place, value);
+    }
+    for quantity in QUANTITIES {
+        for (place, value) in numbers(quantity, seen) {
+            put(&mut document, &place, value);
+        }
+    }
+    if let Some(both) = seen.both.as_ref().filter(|both| !both.combinations.is_empty()) {
+        put(&mut document, "/momentum/combinations", both.combinations.iter().map(combination).collect());
+    }
+    for (block, keys) in
+        [("impact", &IMPACT[..]), ("vehicle1", &VEHICLE), ("vehicle2", &VEHICLE), ("crash3", &CRASH3)]
+    {
+        if let Some(Value::Object(block)) = document.get_mut(block) {
+            let mut entries: Vec<(String, Value)> = std::mem::take(block).into_iter().collect();
+            entries
+                .sort_by_key(|(key, _)| keys.iter().position(|listed| listed == key).unwrap_or(keys.len()));
+            block.extend(entries);
+        }
+    }
+    Ok(document)
+}
+
+/// Puts a value at its place (RFC 6901), with the objects and lists on the way there. What a list lacks
+/// before it is `null`.
+fn put(document: &mut Value, place: &str, value: Value) {
+    let mut at = document;
+    for token in place.split('/').skip(1) {
+        let number = token.parse::<usize>();
+        if at.is_null() {
+            *at = if number.is_ok() { json!([]) } else { json!({}) };
+        }
+        at = match (at, number) {
+            (Value::Array(elements), Ok(number)) => {
+                elements.resize(elements.len().max(number + 1), Value::Null);
+                &mut elements[number]
+            }
+            (Value::Object(keys), _) => keys.entry(token).or_insert(Value::Null),
+            _ => return,
+        };
+    }
+    *at = value;
+}
+
+/// The numbers of a quantity, each with its place.
+fn numbers(quantity: &OutputQuantity, seen: &Seen) -> Vec<(String, Value)> {
+    match quantity.values(seen) {
+        Values::Shared(None) => {
+            let is_null = NULL_BESIDE
+                .iter()
+                .any(|(one, beside)| one.key == quantity.key && beside.values(seen) != Values::Shared(None));
+            if is_null { vec![(quantity.pointer.to_owned(), Value::Null)] } else { Vec::new() }
+        }
+        Values::Shared(Some(value)) => vec![(quantity.pointer.to_owned(), value.into())],
+        Values::Pair([None, None]) => Vec::new(),
+        Values::Pair(values) => {
+            // A list has both, and `null` of a fixed object.
+            let is_list = quantity.pointer.ends_with('%');
+            let place = |id: VehicleId| {
+                quantity.pointer.replace('#', &id.to_string()).replace('%', &id.index().to_string())
+            };
+            let of = |id: VehicleId| Some(values[id.index()]).filter(|value| is_list || value.is_some());
+            VehicleId::ALL.into_iter().filter_map(|id| Some((place(id), of(id)?.into()))).collect()
+        }
+    }
+}
+
+fn head<'a>(case: &'a Case, analysis: &Analysis, seen: &Seen, weighed: Option<&Weighed>) -> Head<'a> {
     let is_exact = weighed.is_none();
-    let analysis = &analysis.seen(case.axes);
-    let [vehicle1, vehicle2] = VehicleId::ALL.map(|id| vehicle(case, analysis, id));
-    let share = match analysis.basis {
-        Basis::TangentialShare(share) => Some(share),
-        Basis::Dissipated | Basis::Absorbed => None,
+    let warnings = |is_wanted: &dyn Fn(&SeenWarning) -> bool| {
+        seen.warnings.iter().filter(|warning| is_wanted(warning)).map(WarningBlock::new).collect()
     };
-    Document {
+    Head {
         title: title(case),
         axes: case.axes.name(),
-        headline,
+        headline: HeadlineBlock::of(analysis, weighed),
         solutions: SolutionBlock::all(weighed),
-        left_aside: analysis.left_aside.clone(),
-        energy_basis: analysis.basis.name(),
-        tangential_share: share,
-        warnings: analysis
-            .warnings
-            .iter()
-            .filter(|seen| is_exact || !seen.warning().is_of_exact_solution())
-            .map(WarningBlock::new)
-            .collect(),
-        solution_warnings: analysis
-            .warnings
-            .iter()
-            .filter(|seen| !is_exact && seen.warning().is_of_exact_solution())
-            .map(WarningBlock::new)
-            .collect(),
-        checks: analysis
+        left_aside: seen.left_aside.clone(),
+        energy_basis: seen.basis.name(),
+        tangential_share: match seen.basis {
+            Basis::TangentialShare(share) => Some(share),
+            Basis::Dissipated | Basis::Absorbed => None,
+        },
+        warnings: warnings(&|seen| is_exact || !seen.warning().is_of_exact_solution()),
+        solution_warnings: warnings(&|seen| !is_exact && seen.warning().is_of_exact_solution()),
+        checks: seen
             .checks
             .iter()
             .map(|check| CheckBlock {
@@ -441,60 +328,118 @@ fn headed<'a>(case: &'a Case, analysis: &Analysis, weighed: Option<&Weighed>) ->
                 passed: check.passed(),
             })
             .collect(),
-        found: found(analysis),
-        momentum: analysis.both.as_ref().map(|both| momentum(case, both)),
-        impact: analysis.exchange().map(|of| exchanged(case, analysis, &of)),
-        law_check: analysis.law_check().map(|law| law_check(case, analysis, law)),
-        vehicle1,
-        vehicle2,
-        crash3: analysis.crash3.as_ref().map(|crash3| Crash3Block {
-            crush_energy: crash3.crush_energy,
-            corrected_crush_energy: crash3.corrected.map(|corrected| corrected.crush_energy),
-            moment_arm: of_movable(case, crash3.moment_arm),
-            effective_mass_ratio: crash3.effective_mass_ratio,
-            delta_v: of_movable(case, crash3.delta_v),
-            corrected_delta_v: crash3.corrected.map(|corrected| of_movable(case, corrected.delta_v)),
-            restitution_factor: crash3.restitution_factor,
-            corrections: crash3
-                .corrections
-                .iter()
-                .map(|row| CorrectionBlock {
-                    oblique: law::row_name(row),
-                    friction: law::friction_limits(row).map(|limits| of_movable(case, limits)),
-                    factor: row.factor,
-                    crush_energy: row.crush_energy,
-                    delta_v: of_movable(case, row.delta_v),
-                })
-                .collect(),
-        }),
     }
 }
 
-fn found(analysis: &Seen) -> Option<Found> {
-    if let Some(found) = &analysis.found {
-        return Some(Found::One(FoundBlock {
-            quantity: words::unknown_name(found.unknown),
-            value: plain(found.speed),
-            admissible_roots: found.admissible.len(),
-            roots: found.admissible.iter().copied().map(plain).collect(),
-            method: if found.iterations.is_some() { "root finder" } else { "closed form" },
-            iterations: found
-                .iterations
-                .iter()
-                .flatten()
-                .map(|step| {
-                    let work = Some(plain(step.normal_work));
-                    let has_share = matches!(analysis.basis, Basis::TangentialShare(_));
-                    IterationBlock {
-                        speed: plain(step.speed),
-                        normal_work: work.filter(|_| !has_share),
-                        crush_work: work.filter(|_| has_share),
-                    }
-                })
-                .collect(),
-        }));
+/// What is no number of a row, each with its place. The blocks get their order here.
+fn others(case: &Case, seen: &Seen) -> Result<Vec<(String, Value)>, serde_json::Error> {
+    let mut others = Vec::new();
+    let mut add = |place: &str, value: Value| others.push((place.to_owned(), value));
+    match (&seen.found, &seen.both) {
+        (Some(found), _) => add("/found", serde_json::to_value(one_found(seen, found))?),
+        (None, Some(both)) => add("/found", both_found(both)?),
+        (None, None) => {}
     }
-    let both = analysis.both.as_ref()?;
+    if seen.both.is_some() {
+        add("/momentum", json!({}));
+    }
+    if seen.exchange().is_some() {
+        add("/impact", json!({}));
+    }
+    if let Some(impact) = &seen.impact {
+        // Where momentum gave the speeds, the law is held against them.
+        let block = if seen.law_check().is_some() { "/law_check" } else { "/impact" };
+        let law = case.impact.as_ref().map_or("brach", |given| given.law.name());
+        add(&format!("{block}/law"), law.into());
+        if let Some(regime) = impact.outcome.regime {
+            add(&format!("{block}/regime"), words::regime_name(regime).into());
+        }
+    }
+    for id in VehicleId::ALL {
+        for (place, value) in of_vehicle(case, seen, id)? {
+            add(&format!("/vehicle{id}{place}"), value);
+        }
+    }
+    if let Some(crash3) = &seen.crash3 {
+        let row = |row: &Correction| CorrectionBlock {
+            oblique: law::row_name(row),
+            friction: law::friction_limits(row).map(|limits| of_movable(case, limits)),
+            factor: row.factor,
+            crush_energy: row.crush_energy,
+            delta_v: of_movable(case, row.delta_v),
+        };
+        let rows: Vec<CorrectionBlock> = crash3.corrections.iter().map(row).collect();
+        add("/crash3/corrections", serde_json::to_value(rows)?);
+    }
+    Ok(others)
+}
+
+/// What is no number of a row of a vehicle, each with its place in the block.
+fn of_vehicle(
+    case: &Case,
+    seen: &Seen,
+    id: VehicleId,
+) -> Result<impl Iterator<Item = (&'static str, Value)>, serde_json::Error> {
+    let (given, vehicle) = (&case.vehicles[id.index()], &seen.vehicles[id.index()]);
+    let inferred = vehicle.damage.as_ref().and_then(|damage| damage.inferred);
+    let travel = seen.travel[id.index()].as_ref();
+    let points = travel.map(points).filter(|points| !points.is_empty());
+    let others = [
+        Some(("", json!({}))),
+        given.name.as_ref().map(|name| ("/name", name.as_given().into())),
+        given.fixed.then(|| ("/fixed", true.into())),
+        vehicle.subject.damage.as_ref().map(|damage| {
+            ("/stiffness_source", words::stiffness_source(damage.stiffness_source, damage.side).into())
+        }),
+        words::crush_source(vehicle).map(|source| ("/crush_source", source.into())),
+        inferred.map(|inferred| {
+            // (m) from the force on the other vehicle
+            ("/inferred_crush", json!({ "depth": inferred.crush.depth, "width": inferred.crush.width }))
+        }),
+        travel.map(|travel| ("/start/source", start_source(travel.origin).into())),
+        travel.map(|travel| ("/path", travel.samples.iter().map(moment).collect())),
+        points.map(|points| Ok(("/points", serde_json::to_value(points)?))).transpose()?,
+    ];
+    Ok(others.into_iter().flatten())
+}
+
+/// What the start of a path comes from.
+fn start_source(origin: TravelOrigin) -> &'static str {
+    match origin {
+        TravelOrigin::Impact => "impact",
+        TravelOrigin::Given => "given",
+        TravelOrigin::Rest => "rest",
+        TravelOrigin::StraightRest => "straight rest",
+    }
+}
+
+/// The one speed that the crush energy gives.
+fn one_found(seen: &Seen, found: &Found) -> FoundBlock {
+    let has_share = matches!(seen.basis, Basis::TangentialShare(_));
+    FoundBlock {
+        quantity: words::unknown_name(found.unknown),
+        value: plain(found.speed),
+        admissible_roots: found.admissible.len(),
+        roots: found.admissible.iter().copied().map(plain).collect(),
+        method: if found.iterations.is_some() { "root finder" } else { "closed form" },
+        iterations: found
+            .iterations
+            .iter()
+            .flatten()
+            .map(|step| {
+                let work = Some(plain(step.normal_work));
+                IterationBlock {
+                    speed: plain(step.speed),
+                    normal_work: work.filter(|_| !has_share),
+                    crush_work: work.filter(|_| has_share),
+                }
+            })
+            .collect(),
+    }
+}
+
+/// One speed, or a list of both: as `reconstruct.find` of the case.
+fn both_found(both: &BothFound) -> Result<Value, serde_json::Error> {
     let of = |unknown: Unknown| {
         let value = plain(both.speeds[unknown.index()]);
         let (method, roots) = match &both.method {
@@ -515,60 +460,48 @@ fn found(analysis: &Seen) -> Option<Found> {
             iterations: Vec::new(),
         }
     };
-    Some(match both.sought() {
-        Some(VehicleId::One) => Found::One(of(Unknown::Speed1)),
-        Some(VehicleId::Two) => Found::One(of(Unknown::Speed2)),
-        None => Found::Both([of(Unknown::Speed1), of(Unknown::Speed2)]),
+    match both.sought() {
+        Some(VehicleId::One) => serde_json::to_value(of(Unknown::Speed1)),
+        Some(VehicleId::Two) => serde_json::to_value(of(Unknown::Speed2)),
+        None => serde_json::to_value([of(Unknown::Speed1), of(Unknown::Speed2)]),
+    }
+}
+
+/// A start of each vehicle that leads to its rest, and how well the two agree with the impulse. The first is
+/// the one that is used.
+fn combination(combination: &Combination) -> Value {
+    json!({
+        // Along the headings.
+        "speeds": plain_pair(combination.speeds),
+        // After the impact; the yaw rate of a vehicle of which it is not known is null.
+        "velocities": combination.after.map(|departure| plain_pair(departure.velocity.into())),
+        "yaw_rates": combination.after.map(|departure| departure.yaw_rate.map(plain)),
+        // On the path to rest; null of a vehicle that is not followed.
+        "turns": combination.turns.map(|turn| turn.map(plain)),
+        // χ² of what the speeds imply against what else is known.
+        "misfit": combination.misfit,
+        "weight": combination.weight,
+        // Codes of the checks that it does not pass.
+        "against": combination.against.iter().map(Check::code).collect::<Vec<_>>(),
     })
 }
 
-fn momentum(case: &Case, both: &BothFound) -> MomentumBlock {
-    let implied = &both.implied;
-    let is_contact = both.geometry != Geometry::PointMasses;
-    MomentumBlock {
-        approach_angle: plain(both.momentum.angle()),
-        impulse: plain_pair(implied.impulse_vector.into()),
-        disagreement: implied.disagreement(),
-        restitution: implied.restitution.map(plain),
-        cg_closing_speed: both.cg_line.map(|line| plain(line.closing_speed)),
-        cg_restitution: both.cg_line.and_then(|line| line.restitution).map(plain),
-        impulse_ratio: is_contact.then(|| implied.impulse_ratio.map(plain)),
-        critical_impulse_ratio: is_contact.then(|| implied.critical_impulse_ratio.map(plain)),
-        energy_loss: plain(implied.energy_loss),
-        normal_work: is_contact.then(|| plain(implied.normal_work)),
-        tangential_work: is_contact.then(|| plain(implied.tangential_work)),
-        delta_v: of_movable(case, implied.delta_v.map(|change| change.norm())),
-        pdof: of_movable(case, plain_pair(implied.pdof)),
-        final_yaw_rate: is_contact.then(|| of_movable(case, plain_pair(implied.yaw_rates))),
-        combinations: both.combinations.iter().map(combination).collect(),
-    }
+/// A moment of the path to rest.
+fn moment(sample: &Sample) -> Value {
+    let state = &sample.state;
+    json!({
+        "time": sample.time,
+        "x": plain(state.position.x),
+        "y": plain(state.position.y),
+        "heading": plain(state.heading),
+        "velocity": plain_pair(state.motion.velocity.into()),
+        "yaw_rate": plain(state.motion.yaw_rate),
+        // Front left, front right, rear left, rear right.
+        "sliding": sample.sliding,
+    })
 }
 
-fn combination(combination: &Combination) -> CombinationBlock {
-    CombinationBlock {
-        speeds: plain_pair(combination.speeds),
-        velocities: combination.after.map(|departure| plain_pair(departure.velocity.into())),
-        yaw_rates: combination.after.map(|departure| departure.yaw_rate.map(plain)),
-        turns: combination.turns.map(|turn| turn.map(plain)),
-        misfit: combination.misfit,
-        weight: combination.weight,
-        against: combination.against.iter().map(Check::code).collect(),
-    }
-}
-
-fn path(travel: &Travel) -> Vec<PathBlock> {
-    let moment = |sample: &Sample| PathBlock {
-        time: sample.time,
-        x: plain(sample.state.position.x),
-        y: plain(sample.state.position.y),
-        heading: plain(sample.state.heading),
-        velocity: plain_pair(sample.state.motion.velocity.into()),
-        yaw_rate: plain(sample.state.motion.yaw_rate),
-        sliding: sample.sliding,
-    };
-    travel.samples.iter().map(moment).collect()
-}
-
+/// How a path passes the points of the case.
 fn points(travel: &Travel) -> Vec<PointBlock> {
     let point = |(pass, point): (&Pass, &PointData)| PointBlock {
         wheel: point.wheel.map(MarkedWheel::name),
@@ -576,123 +509,6 @@ fn points(travel: &Travel) -> Vec<PointBlock> {
         turned: pass.turned.map(plain),
     };
     travel.passes.iter().zip(&travel.points).map(point).collect()
-}
-
-/// What the impact did, by what gave the speeds.
-fn exchanged(case: &Case, analysis: &Seen, of: &Exchange) -> ImpactBlock {
-    let law = analysis.impact.as_ref().filter(|_| analysis.law_check().is_none());
-    block(case, of, law)
-}
-
-fn block(case: &Case, of: &Exchange, law: Option<&Impact>) -> ImpactBlock {
-    let moment = law.filter(|impact| impact.law.has_moment()).map(|impact| &impact.outcome);
-    let contact = of.at_contact.as_ref();
-    let name = || case.impact.as_ref().map_or("brach", |given| given.law.name());
-    ImpactBlock {
-        law: law.map(|_| name()),
-        regime: law.and_then(|impact| impact.outcome.regime).map(words::regime_name),
-        restitution: of.restitution.map(plain),
-        impulse_ratio: contact.map(|contact| contact.impulse_ratio.map(plain)),
-        critical_impulse_ratio: contact.map(|contact| contact.critical_impulse_ratio.map(plain)),
-        normal_impulse: contact.map(|contact| contact.impulse.normal),
-        tangential_impulse: contact.map(|contact| plain(contact.impulse.tangential)),
-        impulse: plain_pair(of.impulse_vector.into()),
-        impulse_direction: plain(of.impulse_direction()),
-        normal: contact.map(|contact| plain_pair(contact.normal.into())),
-        closing_speed: of.closing_speed,
-        normal_velocity: contact.map(|contact| plain_pair(contact.velocities.map(|u| u.normal))),
-        tangential_velocity: contact.map(|contact| plain_pair(contact.velocities.map(|u| u.tangential))),
-        initial_energy: of.energy.before,
-        final_energy: of.energy.after,
-        energy_loss: plain(of.energy.loss),
-        normal_work: contact.map(|_| plain(of.energy.normal_work)),
-        tangential_work: contact.map(|_| plain(of.energy.tangential_work)),
-        moment_impulse: moment.map(|outcome| plain(outcome.moment_impulse)),
-        moment_work: moment.map(|outcome| plain(outcome.energy.moment_work)),
-    }
-}
-
-fn law_check(case: &Case, analysis: &Seen, law: &Impact) -> LawCheckBlock {
-    let outcome = &law.outcome;
-    let by_law = outcome.delta_v_magnitude();
-    let told = analysis.both.as_ref().map_or(by_law, |both| both.delta_v);
-    LawCheckBlock {
-        law: case.impact.as_ref().map_or("brach", |given| given.law.name()),
-        regime: outcome.regime.map(words::regime_name),
-        restitution: law.law.restitution(),
-        energy_loss: plain(outcome.energy.loss),
-        delta_v: of_movable(case, by_law),
-        delta_v_difference: of_movable(case, [by_law[0] - told[0], by_law[1] - told[1]].map(plain)),
-        final_speed: of_movable(case, outcome.after.map(|motion| motion.velocity.norm())),
-        final_yaw_rate: of_movable(case, outcome.after.map(|motion| plain(motion.yaw_rate))),
-        pdof: of_movable(case, law.pdof.map(plain)),
-    }
-}
-
-fn vehicle(case: &Case, analysis: &Seen, id: VehicleId) -> VehicleBlock {
-    let i = id.index();
-    let fixed = case.vehicles[i].fixed;
-    let moves = analysis.exchange().filter(|_| !fixed);
-    let damage = analysis.vehicles[i].damage.as_ref();
-    let oblique = damage.and_then(|damage| damage.oblique);
-    let of = &analysis.vehicles[i];
-    let given_pdof = of.crash3_pdof();
-    let travel = analysis.travel[i].as_ref();
-    VehicleBlock {
-        name: case.vehicles[i].name.as_ref().map(|name| name.as_given().to_owned()),
-        fixed: fixed.then_some(true),
-        speed: moves.map(|_| plain(analysis.speed(id))),
-        velocity: moves.map(|of| plain_pair(of.before[i].velocity.into())),
-        yaw_rate: moves.map(|of| plain(of.before[i].yaw_rate)),
-        final_velocity: moves.map(|of| plain_pair(of.velocities[i].into())),
-        final_yaw_rate: moves.and_then(|of| of.yaw_rates[i]).map(plain),
-        final_speed: moves.map(|of| of.velocities[i].norm()),
-        delta_v: moves.map(|of| of.delta_v[i].norm()),
-        delta_v_longitudinal: moves.map(|of| plain(of.delta_v_components[i][0])),
-        delta_v_lateral: moves.map(|of| plain(of.delta_v_components[i][1])),
-        delta_v_vector: moves.map(|of| plain_pair(of.delta_v[i].into())),
-        pdof: moves.map(|exchange| exchange.pdof[i]).or(given_pdof).map(plain),
-        stiffness_source: analysis.vehicles[i]
-            .subject
-            .damage
-            .as_ref()
-            .map(|given| words::stiffness_source(given.stiffness_source, given.side)),
-        crush_source: words::crush_source(of),
-        crush_energy: of.crush_energy(),
-        crush_energy_bounds: damage
-            .and_then(|damage| damage.inferred?.range)
-            .map(|range| [range.lowest.energy, range.highest.energy]),
-        inferred_crush: damage
-            .and_then(|damage| damage.inferred)
-            .map(|inferred| InferredBlock { depth: inferred.crush.depth, width: inferred.crush.width }),
-        oblique_angle: damage.and_then(|damage| damage.oblique_angle).map(plain),
-        oblique_factor: oblique.map(|oblique| oblique.factor.factor),
-        corrected_crush_energy: of.corrected_crush_energy(),
-        ees: of.ees(),
-        peak_force: oblique.map(|oblique| oblique.peak_force),
-        no_damage_speed: analysis.vehicles[i].no_damage_speed(),
-        skid: analysis.skids[i].map(|skid| SkidBlock { speed: skid.speed }),
-        start: travel.map(|travel| StartBlock {
-            source: match travel.origin {
-                TravelOrigin::Impact => "impact",
-                TravelOrigin::Given => "given",
-                TravelOrigin::Rest => "rest",
-                TravelOrigin::StraightRest => "straight rest",
-            },
-            speed: travel.start.motion.velocity.norm(),
-            direction: plain(travel.direction()),
-            yaw_rate: plain(travel.start.motion.yaw_rate),
-        }),
-        rest: travel.map(|travel| RestBlock {
-            x: plain(travel.rest.position.x),
-            y: plain(travel.rest.position.y),
-            heading: plain(travel.rest.heading),
-            time: travel.rest.time,
-            distance: travel.rest.distance,
-        }),
-        path: travel.map(path),
-        points: travel.map_or_else(Vec::new, points),
-    }
 }
 
 /// What only a vehicle has that can move: `None` of a fixed object.
@@ -709,4 +525,28 @@ fn plain(value: f64) -> f64 {
 
 fn plain_pair(values: [f64; 2]) -> [f64; 2] {
     values.map(plain)
+}
+
+#[cfg(test)]
+mod tests {
+    use serde_json::{Value, json};
+
+    use super::put;
+
+    #[test]
+    fn a_value_stands_at_its_pointer() {
+        let mut document = json!({ "axes": "z-up" });
+        put(&mut document, "/vehicle2/velocity/0", 3.0.into());
+        put(&mut document, "/vehicle2/velocity/1", 4.0.into());
+        // What is known of the second vehicle alone.
+        put(&mut document, "/crash3/moment_arm/1", 0.5.into());
+        put(&mut document, "/impact/restitution", Value::Null);
+        let expected = json!({
+            "axes": "z-up",
+            "vehicle2": { "velocity": [3.0, 4.0] },
+            "crash3": { "moment_arm": [null, 0.5] },
+            "impact": { "restitution": null },
+        });
+        assert_eq!(document.to_string(), expected.to_string());
+    }
 }
