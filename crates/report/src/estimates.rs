@@ -10,7 +10,6 @@ use analysis::{
 use evidence::{CrushErrors, EnergyError, EnergyMethod, MeasuredSpeed, Observed, Piece};
 use pim_core::VehicleId;
 
-use crate::outputs::{output_name, printed};
 use crate::units::{Measure, Units, number, significant};
 use crate::worth::{BARRIER_TESTS, SMITH_NOGA, STAGED_MOTION};
 
@@ -131,25 +130,6 @@ impl Agreement {
             Self::Contradicts => "contradicts",
         }
     }
-}
-
-/// In what it is printed: speeds as drivers know them; none of a pure number.
-pub(crate) fn measure(output: Output) -> Option<Measure> {
-    match printed(output.quantity().kind) {
-        Some(Measure::Speed) => Some(Measure::RoadSpeed),
-        other => other,
-    }
-}
-
-/// An SI value in the units of the reader.
-pub(crate) fn value(measure: Option<Measure>, units: Units, si: f64) -> f64 {
-    measure.map_or(si, |measure| units.value(measure, si))
-}
-
-/// The name with its unit.
-pub(crate) fn label(output: Output, units: Units) -> String {
-    let name = output_name(output);
-    measure(output).map_or_else(|| name.clone(), |measure| format!("{name}, {}", units.name(measure)))
 }
 
 /// Whether the unknown number is a factor on what its key names.

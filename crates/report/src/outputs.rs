@@ -4,7 +4,7 @@ use analysis::quantities::SKID_SPEED;
 use analysis::{Kind, Output, Reason};
 use case::{Estimate, FaceAxis, Input, Origin, YawSource};
 
-use crate::units::Measure;
+use crate::units::{Measure, Units};
 
 /// Why a sample has no answer: the key of the JSON and of the samples.
 #[must_use]
@@ -59,19 +59,19 @@ pub(crate) fn estimate_name(estimate: Estimate) -> String {
     }
 }
 
-/// The quantity in which a kind of number is printed; none for a pure number.
-pub(crate) fn printed(kind: Kind) -> Option<Measure> {
+/// What a kind of number is printed in.
+pub(crate) fn printed(kind: Kind) -> Measure {
     match kind {
-        Kind::Ratio => None,
-        Kind::Speed => Some(Measure::Speed),
-        Kind::Length => Some(Measure::Length),
-        Kind::Angle => Some(Measure::Angle),
-        Kind::YawRate => Some(Measure::YawRate),
-        Kind::Energy => Some(Measure::Energy),
-        Kind::Impulse => Some(Measure::Impulse),
-        Kind::MomentImpulse => Some(Measure::MomentImpulse),
-        Kind::Force => Some(Measure::Force),
-        Kind::Time => Some(Measure::Time),
+        Kind::Ratio => Measure::Ratio,
+        Kind::Speed => Measure::Speed,
+        Kind::Length => Measure::Length,
+        Kind::Angle => Measure::Angle,
+        Kind::YawRate => Measure::YawRate,
+        Kind::Energy => Measure::Energy,
+        Kind::Impulse => Measure::Impulse,
+        Kind::MomentImpulse => Measure::MomentImpulse,
+        Kind::Force => Measure::Force,
+        Kind::Time => Measure::Time,
     }
 }
 
@@ -100,7 +100,7 @@ pub(crate) fn output_name(output: Output) -> String {
 
 /// The quantity as which an output is printed, a speed in the unit of the equations.
 pub(crate) fn output_quantity(output: Output) -> Measure {
-    printed(output.quantity().kind).unwrap_or(Measure::Speed)
+    printed(output.quantity().kind)
 }
 
 /// The same, a speed as people read it: in km/h or mph.
@@ -108,5 +108,14 @@ pub(crate) fn pictured(output: Output) -> Measure {
     match output_quantity(output) {
         Measure::Speed => Measure::RoadSpeed,
         other => other,
+    }
+}
+
+/// An output and its unit, as an axis or a row is called.
+pub(crate) fn label(output: Output, measure: Measure, units: Units) -> String {
+    let name = output_name(output);
+    match units.name(measure) {
+        "" => name,
+        unit => format!("{name}, {unit}"),
     }
 }

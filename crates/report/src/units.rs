@@ -49,6 +49,8 @@ fn are_speeds_in_mph(case: &Case) -> bool {
 /// A quantity that can be printed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Measure {
+    /// Without unit
+    Ratio,
     /// m/s
     Speed,
     /// m/s, as drivers know it: in km/h or mph
@@ -103,6 +105,7 @@ impl Units {
 
     fn display(self, quantity: Measure) -> Display {
         match (quantity, self) {
+            (Measure::Ratio, _) => unit("", 1.0, 4),
             (Measure::Speed, Self::Si | Self::Uk) => unit("m/s", 1.0, 2),
             (Measure::Speed, Self::Us) => unit("ft/s", FOOT, 2),
             (Measure::RoadSpeed, Self::Si) => unit("km/h", 1.0 / 3.6, 1),
@@ -143,7 +146,7 @@ impl Units {
     #[must_use]
     pub fn format(self, quantity: Measure, si: f64) -> String {
         let Display { name, size, decimals } = self.display(quantity);
-        let space = if name == "°" { "" } else { " " };
+        let space = if name.is_empty() || name == "°" { "" } else { " " };
         format!("{}{space}{name}", number(si / size, decimals))
     }
 
@@ -221,7 +224,8 @@ impl Units {
     #[must_use]
     pub fn format_vector(self, quantity: Measure, [x, y]: [f64; 2]) -> String {
         let Display { name, size, decimals } = self.display(quantity);
-        format!("({}, {}) {name}", number(x / size, decimals), number(y / size, decimals))
+        let vector = format!("({}, {})", number(x / size, decimals), number(y / size, decimals));
+        if name.is_empty() { vector } else { format!("{vector} {name}") }
     }
 
     /// A yaw rate as the equations use it and as people read it, like `-3.98 rad/s = -228 °/s`.

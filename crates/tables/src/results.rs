@@ -3,6 +3,10 @@
 use std::collections::HashMap;
 use std::sync::{Arc, LazyLock};
 
+use analysis::quantities::{
+    CORRECTED_CRUSH_ENERGY, CRUSH_ENERGY, CRUSH_ENERGY_BOUNDS_HIGH, CRUSH_ENERGY_BOUNDS_LOW, EES,
+    NO_DAMAGE_SPEED, OBLIQUE_ANGLE, OBLIQUE_FACTOR, PDOF, PEAK_FORCE,
+};
 use analysis::{Analysis, Estimated, Output, OutputQuantity, QUANTITIES, Samples, Seen};
 use arrow_array::builder::{BooleanBuilder, Float64Builder, Int64Builder, ListBuilder, StringBuilder};
 use arrow_array::{ArrayRef, RecordBatch};
@@ -15,17 +19,17 @@ use crate::error::TableError;
 use crate::job::{Job, RowOptions};
 
 /// The quantities of a vehicle that damage alone gives, beside all those of CRASH3.
-const OF_DAMAGE: [&str; 10] = [
-    "pdof",
-    "crush_energy",
-    "crush_energy_bounds.low",
-    "crush_energy_bounds.high",
-    "ees",
-    "oblique_angle",
-    "oblique_factor",
-    "corrected_crush_energy",
-    "peak_force",
-    "no_damage_speed",
+const OF_DAMAGE: [OutputQuantity; 10] = [
+    PDOF,
+    CRUSH_ENERGY,
+    CRUSH_ENERGY_BOUNDS_LOW,
+    CRUSH_ENERGY_BOUNDS_HIGH,
+    EES,
+    OBLIQUE_ANGLE,
+    OBLIQUE_FACTOR,
+    CORRECTED_CRUSH_ENERGY,
+    PEAK_FORCE,
+    NO_DAMAGE_SPEED,
 ];
 
 /// The statistics of an interval, in the order of their columns.
@@ -118,7 +122,9 @@ fn columns(job: Job, samples: Option<usize>) -> Vec<(String, What)> {
         }
     }
     let is_wanted = |quantity: &&OutputQuantity| {
-        job != Job::Crush || quantity.key.starts_with("crash3.") || OF_DAMAGE.contains(&quantity.key)
+        job != Job::Crush
+            || quantity.key.starts_with("crash3.")
+            || OF_DAMAGE.iter().any(|row| row.key == quantity.key)
     };
     let wanted = || QUANTITIES.iter().filter(is_wanted);
     for quantity in wanted().filter(|quantity| !quantity.is_of_vehicle()) {

@@ -2,9 +2,8 @@
 
 use std::f64::consts::E;
 
-use analysis::{
-    ByEvidence, Comparison, Correction, EvidenceAnswer, EvidenceMethod, NoEvidence, Seen, quantity,
-};
+use analysis::quantities::FOUND_VALUE;
+use analysis::{ByEvidence, Comparison, Correction, EvidenceAnswer, EvidenceMethod, NoEvidence, Seen};
 use case::{Case, CaseFile};
 use crash3::ObliqueCorrection;
 use pim_core::Real;
@@ -257,15 +256,11 @@ fn values(analysis: &Seen) -> Values {
         };
     };
     let outcome = &impact.outcome;
-    let of_collision = |key: &str| match quantity(key)?.values(analysis) {
-        analysis::Values::Shared(value) => value,
-        analysis::Values::Pair(_) => None,
-    };
-    // By the law itself, whatever gave the speeds.
+    // What each law makes of the speeds, whatever gave them.
     let energy = &outcome.energy;
     let share = |work: f64| Some(work / energy.before + 0.0).filter(|share| share.is_finite());
     Values {
-        found: of_collision("found.value"),
+        found: FOUND_VALUE.value(analysis, None),
         speeds: analysis.both.as_ref().map(|both| both.speeds),
         regime: outcome.regime.map(regime_name),
         // Those of a fixed object are zero.

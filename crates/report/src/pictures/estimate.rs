@@ -11,7 +11,8 @@ use pim_core::{Real, VehicleId};
 
 use super::{scale_unit, title};
 use crate::document::Undrawn;
-use crate::estimates::{Asked, label, measure};
+use crate::estimates::Asked;
+use crate::outputs::{label, pictured};
 use crate::units::{Measure, Units, number};
 
 /// Points of a curve, and places of a grid along each axis.
@@ -71,14 +72,17 @@ fn density_picture(
         (draws, prior, [ends[0].min(low).max(ends[0] - most), ends[1].max(high).min(ends[1] + most)])
     });
     let before = wide.and_then(|(draws, prior, ends)| curve(draws, prior, estimated.ess(), Some(ends)));
-    let measure = measure(output);
-    let unit = measure.map_or(1.0, |measure| units.size(measure));
-    let label = label(output, units);
-    let decimals = measure.map_or(3, |measure| units.decimals(measure).min(1));
+    let measure = pictured(output);
+    let unit = units.size(measure);
+    let label = label(output, measure, units);
+    let decimals = if measure == Measure::Ratio { 3 } else { units.decimals(measure).min(1) };
     let [low, high] = [summary.intervals[3].low.value, summary.intervals[3].high.value];
     let mark = |value: f64, lead: &str| ValueMark { value, lead: lead.to_owned() };
-    let per = measure.map_or_else(String::new, |measure| format!(" per {}", units.name(measure)));
-    // Per unit of the reader, in per cent.
+    let per = match units.name(measure) {
+        "" => String::new(),
+        unit => format!(" per {unit}"),
+    };
+    // Of the unit of the reader, in per cent.
     let share = 0.01 / unit;
     Some(DensityPicture {
         name: "density",
@@ -181,7 +185,10 @@ fn joint_picture(case: &Case, estimated: &Estimated, asked: &Asked, units: Units
         |draw: &[f64; 2]| (0..2).all(|axis| ends[axis][0] < draw[axis] && draw[axis] < ends[axis][1]);
     let step = columns[0].len().div_ceil(SHOWN).max(1);
     let draws = columns[0].iter().zip(columns[1]).step_by(step).map(|(x, y)| [*x, *y]);
-    let axis = |output| Axis { title: label(output, units), unit: units.size(Measure::RoadSpeed) };
+    let axis = |output| Axis {
+        title: label(output, Measure::RoadSpeed, units),
+        unit: units.size(Measure::RoadSpeed),
+    };
     let speed = |summary: &DrawsSummary| units.format(Measure::RoadSpeed, summary.median.value);
     Some(JointPicture {
         name: "joint-speeds",

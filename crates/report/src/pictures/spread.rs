@@ -6,7 +6,7 @@ use analysis::{UncertainInput, UncertainOutput, Uncertainty};
 use case::{Case, Origin};
 
 use super::title;
-use crate::outputs::{input_name, output_name, pictured};
+use crate::outputs::{input_name, label, pictured};
 use crate::units::{Units, number, significant};
 
 /// Maximum number of bars of a tornado, the longest.
@@ -16,7 +16,7 @@ const NO_ANSWER: &str = "no answer at an end";
 /// An output and its name.
 fn output(uncertainty: &Uncertainty, place: usize, units: Units) -> Option<(&UncertainOutput, String)> {
     let output = uncertainty.outputs.get(place)?;
-    Some((output, format!("{}, {}", output_name(output.output), units.name(pictured(output.output)))))
+    Some((output, label(output.output, pictured(output.output), units)))
 }
 
 /// The second line of a subtitle: what reproduces the numbers of the plot.

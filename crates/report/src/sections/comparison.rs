@@ -1,6 +1,9 @@
 //! The answers of several laws side by side.
 
-use analysis::{Comparison, quantity};
+use analysis::quantities::{
+    DELTA_V, FINAL_YAW_RATE, IMPACT_ENERGY_LOSS, IMPACT_NORMAL_WORK, IMPACT_TANGENTIAL_WORK, PDOF,
+};
+use analysis::{Comparison, OutputQuantity};
 use case::Case;
 
 use crate::data::comparison::{EvidenceBlock, EvidenceRow, Row, evidence, rows};
@@ -47,7 +50,7 @@ pub fn comparison(case: &Case, comparison: &Comparison, units: Units) -> Documen
         let with_change = |names: &[String]| -> Vec<(String, &str)> {
             names.iter().flat_map(|name| [(name.clone(), speed), (String::new(), "change")]).collect()
         };
-        let delta_v = [1, 2].map(|vehicle| of_vehicle("delta_v", vehicle));
+        let delta_v = [1, 2].map(|vehicle| of_vehicle(&DELTA_V, vehicle));
         if seeks_both {
             // CRASH3 gives no speeds.
             let speeds = answered().filter(|row| row.values.speeds.is_some());
@@ -70,11 +73,11 @@ pub fn comparison(case: &Case, comparison: &Comparison, units: Units) -> Documen
     }
     page.push(table(
         &[
-            (of_vehicle("pdof", 1), "°"),
-            (of_vehicle("pdof", 2), "°"),
-            (symbol("impact.energy_loss").to_owned(), name(Measure::Energy)),
-            (symbol("impact.normal_work").to_owned(), "%"),
-            (symbol("impact.tangential_work").to_owned(), "%"),
+            (of_vehicle(&PDOF, 1), "°"),
+            (of_vehicle(&PDOF, 2), "°"),
+            (IMPACT_ENERGY_LOSS.symbol.to_owned(), name(Measure::Energy)),
+            (IMPACT_NORMAL_WORK.symbol.to_owned(), "%"),
+            (IMPACT_TANGENTIAL_WORK.symbol.to_owned(), "%"),
         ],
         answered().map(|row| {
             let share = |share: Option<f64>| share.map(|share| number(100.0 * share, 1));
@@ -93,9 +96,9 @@ pub fn comparison(case: &Case, comparison: &Comparison, units: Units) -> Documen
     let [radians, degrees] = rates.map(name);
     page.push(table(
         &[
-            (of_vehicle("final_yaw_rate", 1), radians),
+            (of_vehicle(&FINAL_YAW_RATE, 1), radians),
             (String::new(), degrees),
-            (of_vehicle("final_yaw_rate", 2), radians),
+            (of_vehicle(&FINAL_YAW_RATE, 2), radians),
             (String::new(), degrees),
         ],
         // CRASH3 gives no rotation.
@@ -165,14 +168,9 @@ fn coefficients(row: &Row) -> String {
     format!("{}{sliding}{assumed}", row.coefficients)
 }
 
-/// The symbol in the table of results.
-fn symbol(key: &str) -> &'static str {
-    quantity(key).map_or("", |row| row.symbol)
-}
-
 /// The symbol with the number of the vehicle.
-fn of_vehicle(key: &str, vehicle: u8) -> String {
-    format!("{} {vehicle}", symbol(key))
+fn of_vehicle(row: &OutputQuantity, vehicle: u8) -> String {
+    format!("{} {vehicle}", row.symbol)
 }
 
 /// Numbers of several laws, under a name and a unit.

@@ -14,10 +14,10 @@ use super::uncertainty::{decimals_of, grouped};
 use crate::document::{Block, Column, Document, NONE, Table, Width};
 use crate::estimates::{
     Agreement, Asked, CONTRADICTS, DOUBTFUL, EIGHTY, HALF, NINETY, Question, WIDEST, crush_words,
-    doubt_words, ends, error, error_key, is_factor, label, measure, median_and_interval, piece_name, source,
-    told_speed, unknown_key, unused, value,
+    doubt_words, ends, error, error_key, is_factor, median_and_interval, piece_name, source, told_speed,
+    unknown_key, unused,
 };
-use crate::outputs::output_name;
+use crate::outputs::{label, output_name, pictured};
 use crate::pictures;
 use crate::units::{Measure, Units, number, significant};
 use crate::writers::wrap::wrapped;
@@ -110,12 +110,13 @@ impl<'a> Page<'a> {
 
     /// An SI value with enough decimals for the standard deviation of the result.
     fn figure(&self, of: &EstimatedOutput, si: f64) -> String {
-        let measure = measure(of.output);
-        let decimals = match measure {
-            Some(measure) if !of.varies() => self.units.decimals(measure),
-            _ => decimals_of(value(measure, self.units, of.posterior.sd.value)).min(MOST_DECIMALS),
+        let measure = pictured(of.output);
+        let decimals = if of.varies() || measure == Measure::Ratio {
+            decimals_of(self.units.value(measure, of.posterior.sd.value)).min(MOST_DECIMALS)
+        } else {
+            self.units.decimals(measure)
         };
-        number(value(measure, self.units, si), decimals)
+        number(self.units.value(measure, si), decimals)
     }
 
     /// Median and 95 % interval of a speed, with one decimal.
@@ -285,9 +286,9 @@ impl<'a> Page<'a> {
             let error = probability
                 .standard_error
                 .map_or_else(String::new, |error| format!(" ± {}", significant(100.0 * error, 1)));
-            let limit = match measure(question.output) {
-                Some(measure) => self.units.format(measure, question.limit),
-                None => number(question.limit, 3),
+            let limit = match pictured(question.output) {
+                Measure::Ratio => number(question.limit, 3),
+                measure => self.units.format(measure, question.limit),
             };
             Some(format!(
                 "{} above {limit}: probability {}{error} %.",
@@ -322,7 +323,7 @@ impl<'a> Page<'a> {
             };
             let before = output.prior.as_ref().map_or([NONE; 3].map(str::to_owned), of);
             let after = of(&output.posterior);
-            let label = label(output.output, self.units);
+            let label = label(output.output, pictured(output.output), self.units);
             table.cells(std::iter::once(label).chain(after).chain(before));
         }
         self.document.push(table);
@@ -345,7 +346,9 @@ impl<'a> Page<'a> {
         for output in &self.estimated.outputs {
             let cells = [HALF, EIGHTY, NINETY].map(|place| ends(&output.posterior, place)).concat();
             let cells = cells.into_iter().map(|si| short(self.figure(output, si)));
-            table.cells(std::iter::once(label(output.output, self.units)).chain(cells));
+            table.cells(
+                std::iter::once(label(output.output, pictured(output.output), self.units)).chain(cells),
+            );
         }
         self.document.push(table);
     }

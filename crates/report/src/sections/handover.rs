@@ -3,7 +3,7 @@
 mod inputs;
 
 use ::drawing::{Drawing, SitePlan};
-use analysis::quantities::{DELTA_V, SPEED};
+use analysis::quantities as rows;
 use analysis::{
     Analysis, EnergyBalance, Estimated, Output, Seen, SeenWarning, Sensitivity, UncertainInput,
     UncertainOutput, Uncertainty, Weighed, is_estimated_beside,
@@ -280,18 +280,20 @@ fn answer(case: &Case, analysis: &Analysis, supplements: Supplements<'_>, units:
         VehicleId::ALL
             .into_iter()
             .filter(|&id| analysis.moves(id))
-            .map(|id| format!("ΔV of vehicle {id}: {}.", said(DELTA_V.of_vehicle(id), values[id.index()])))
+            .map(|id| {
+                format!("ΔV of vehicle {id}: {}.", said(rows::DELTA_V.of_vehicle(id), values[id.index()]))
+            })
             .collect::<Vec<_>>()
     };
     let mut found = Vec::new();
     if let Some(answer) = &analysis.found {
         let vehicle = answer.unknown.vehicle();
-        let speed = said(SPEED.of_vehicle(vehicle), answer.speed);
+        let speed = said(rows::SPEED.of_vehicle(vehicle), answer.speed);
         found.push(format!("Speed of vehicle {vehicle} before impact: {speed}."));
     }
     if let Some(both) = &analysis.both {
         for vehicle in both.vehicles() {
-            let speed = said(SPEED.of_vehicle(vehicle), both.speeds[vehicle.index()]);
+            let speed = said(rows::SPEED.of_vehicle(vehicle), both.speeds[vehicle.index()]);
             found.push(format!("Speed of vehicle {vehicle} before impact: {speed}."));
         }
     }
@@ -310,7 +312,7 @@ fn answer(case: &Case, analysis: &Analysis, supplements: Supplements<'_>, units:
     }
     // Inputs that move none of these figures leave them without one.
     let has_interval = |uncertainty: &&Uncertainty| {
-        let of = |vehicle| [SPEED.of_vehicle(vehicle), DELTA_V.of_vehicle(vehicle)];
+        let of = |vehicle| [rows::SPEED.of_vehicle(vehicle), rows::DELTA_V.of_vehicle(vehicle)];
         let mut outputs = VehicleId::ALL.into_iter().flat_map(of);
         outputs.any(|output| interval(uncertainty, output, units).is_some())
     };
@@ -397,8 +399,8 @@ pub fn uncertain_headline(uncertainty: &Uncertainty, units: Units) -> Vec<String
     }
     let line = |output: &UncertainOutput| {
         let name = match output.output {
-            speed if speed.is(&SPEED) => format!("{} before impact", output_name(speed)),
-            change if change.is(&DELTA_V) => output_name(change),
+            speed if speed.is(&rows::SPEED) => format!("{} before impact", output_name(speed)),
+            change if change.is(&rows::DELTA_V) => output_name(change),
             _ => return None,
         };
         let interval = interval(uncertainty, output.output, units)?;
@@ -507,31 +509,37 @@ fn results(analysis: &Seen, units: Units) -> Table {
     let chosen = Chosen { analysis, units };
     let mut table = of_vehicles("Results at a glance");
     if analysis.exchange().is_some() {
-        chosen.pair(&mut table, "skid.speed");
-        chosen.pair(&mut table, "speed");
-        chosen.pair(&mut table, "final_speed");
-        chosen.vectors(&mut table, "final_velocity");
-        for key in ["final_yaw_rate", "delta_v", "delta_v_longitudinal", "delta_v_lateral", "pdof"] {
-            chosen.pair(&mut table, key);
+        chosen.pair(&mut table, &rows::SKID_SPEED);
+        chosen.pair(&mut table, &rows::SPEED);
+        chosen.pair(&mut table, &rows::FINAL_SPEED);
+        chosen.vectors(&mut table, [&rows::FINAL_VELOCITY_X, &rows::FINAL_VELOCITY_Y]);
+        for row in [
+            &rows::FINAL_YAW_RATE,
+            &rows::DELTA_V,
+            &rows::DELTA_V_LONGITUDINAL,
+            &rows::DELTA_V_LATERAL,
+            &rows::PDOF,
+        ] {
+            chosen.pair(&mut table, row);
         }
     }
-    chosen.pair(&mut table, "crush_energy");
-    chosen.pair(&mut table, "ees");
+    chosen.pair(&mut table, &rows::CRUSH_ENERGY);
+    chosen.pair(&mut table, &rows::EES);
     table
 }
 
 fn energy_balance(analysis: &Seen, of: &EnergyBalance, units: Units) -> Table {
     let mut table = Table::of_two("Energy balance", ["energy", "share of the initial energy", "source"]);
-    for key in [
-        "impact.initial_energy",
-        "impact.normal_work",
-        "impact.tangential_work",
-        "impact.moment_work",
-        "impact.energy_loss",
-        "impact.final_energy",
+    for row in [
+        &rows::IMPACT_INITIAL_ENERGY,
+        &rows::IMPACT_NORMAL_WORK,
+        &rows::IMPACT_TANGENTIAL_WORK,
+        &rows::IMPACT_MOMENT_WORK,
+        &rows::IMPACT_ENERGY_LOSS,
+        &rows::IMPACT_FINAL_ENERGY,
     ] {
         let share = |si: f64| energy::share(si, of);
-        Chosen { analysis, units }.energy(&mut table, key, "", share);
+        Chosen { analysis, units }.energy(&mut table, row, "", share);
     }
     table.notes = energy::notes(analysis, units);
     table

@@ -1,5 +1,6 @@
 //! The motion after the impact in words and tables.
 
+use analysis::quantities as rows;
 use analysis::{BothFound, BothMethod, ClosedForm, Seen, Travel, TravelOrigin};
 use case::{Basis, Case, Geometry, RestHeadingData};
 use pim_core::VehicleId;
@@ -167,26 +168,26 @@ pub(crate) fn method(analysis: &Seen, units: Units) -> String {
 pub(crate) fn momentum(analysis: &Seen, both: &BothFound, units: Units) -> [Table; 2] {
     let chosen = Chosen { analysis, units };
     let mut whole = Table::of_two("Momentum", ["", "", "source"]);
-    for key in [
-        "momentum.approach_angle",
-        "momentum.cg_closing_speed",
-        "momentum.cg_restitution",
-        "momentum.restitution",
-        "momentum.impulse_ratio",
+    for row in [
+        &rows::MOMENTUM_APPROACH_ANGLE,
+        &rows::MOMENTUM_CG_CLOSING_SPEED,
+        &rows::MOMENTUM_CG_RESTITUTION,
+        &rows::MOMENTUM_RESTITUTION,
+        &rows::MOMENTUM_IMPULSE_RATIO,
     ] {
-        chosen.shared(&mut whole, key);
+        chosen.shared(&mut whole, row);
     }
-    chosen.shared(&mut whole, "momentum.critical_impulse_ratio");
-    chosen.shared_vector(&mut whole, "momentum.impulse");
+    chosen.shared(&mut whole, &rows::MOMENTUM_CRITICAL_IMPULSE_RATIO);
+    chosen.shared_vector(&mut whole, [&rows::MOMENTUM_IMPULSE_X, &rows::MOMENTUM_IMPULSE_Y]);
     if matches!(both.method, BothMethod::MomentumAndCrush { .. } | BothMethod::MomentumAndSpeed { .. }) {
-        chosen.shared(&mut whole, "momentum.disagreement");
+        chosen.shared(&mut whole, &rows::MOMENTUM_DISAGREEMENT);
     }
-    for key in ["momentum.energy_loss", "momentum.normal_work", "momentum.tangential_work"] {
-        chosen.shared(&mut whole, key);
+    for row in [&rows::MOMENTUM_ENERGY_LOSS, &rows::MOMENTUM_NORMAL_WORK, &rows::MOMENTUM_TANGENTIAL_WORK] {
+        chosen.shared(&mut whole, row);
     }
     let mut of_vehicles = Table::of_two("Momentum by vehicle", ["vehicle 1", "vehicle 2", "source"]);
-    for key in ["momentum.delta_v", "momentum.pdof", "momentum.final_yaw_rate"] {
-        chosen.pair(&mut of_vehicles, key);
+    for row in [&rows::MOMENTUM_DELTA_V, &rows::MOMENTUM_PDOF, &rows::MOMENTUM_FINAL_YAW_RATE] {
+        chosen.pair(&mut of_vehicles, row);
     }
     let mut note =
         "These figures follow from the speeds found and the velocities after the impact alone.".to_owned();
@@ -214,12 +215,18 @@ pub(crate) fn law_check(analysis: &Seen, units: Units) -> Option<[Table; 2]> {
     let outcome = &law.outcome;
     let chosen = Chosen { analysis, units };
     let mut whole = Table::of_two("Check: the impact law", ["", "", "source"]);
-    for key in ["restitution", "energy_loss"] {
-        chosen.shared(&mut whole, &format!("law_check.{key}"));
+    for row in [&rows::LAW_CHECK_RESTITUTION, &rows::LAW_CHECK_ENERGY_LOSS] {
+        chosen.shared(&mut whole, row);
     }
     let mut of_vehicles = Table::of_two("Check: the law by vehicle", ["vehicle 1", "vehicle 2", "source"]);
-    for key in ["delta_v", "delta_v_difference", "final_speed", "final_yaw_rate", "pdof"] {
-        chosen.pair(&mut of_vehicles, &format!("law_check.{key}"));
+    for row in [
+        &rows::LAW_CHECK_DELTA_V,
+        &rows::LAW_CHECK_DELTA_V_DIFFERENCE,
+        &rows::LAW_CHECK_FINAL_SPEED,
+        &rows::LAW_CHECK_FINAL_YAW_RATE,
+        &rows::LAW_CHECK_PDOF,
+    ] {
+        chosen.pair(&mut of_vehicles, row);
     }
     of_vehicles.notes.push(format!(
         "What the impact law of the case makes of the speeds found. It would lose {}, and momentum tells {}. No result rests \
@@ -289,14 +296,20 @@ pub(crate) fn tables(analysis: &Seen, units: Units) -> Vec<Table> {
         })
     };
     way.pair("start from", each(&origin), "");
-    for key in ["start.speed", "start.direction", "start.yaw_rate", "rest.distance", "rest.time"] {
-        chosen.pair(&mut way, key);
+    for row in [
+        &rows::START_SPEED,
+        &rows::START_DIRECTION,
+        &rows::START_YAW_RATE,
+        &rows::REST_DISTANCE,
+        &rows::REST_TIME,
+    ] {
+        chosen.pair(&mut way, row);
     }
     let turn =
         |travel: &Travel| Some(units.format(Measure::Angle, travel.rest.heading - travel.start.heading));
     way.pair("turn on the path", each(&turn), "theory 11");
-    chosen.vectors(&mut way, "rest");
-    chosen.pair(&mut way, "rest.heading");
+    chosen.vectors(&mut way, [&rows::REST_X, &rows::REST_Y]);
+    chosen.pair(&mut way, &rows::REST_HEADING);
     let measured = |travel: &Travel| {
         let position = travel.measured.as_ref()?.position;
         Some(units.format_vector(Measure::Length, position.into()))

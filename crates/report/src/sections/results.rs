@@ -1,5 +1,6 @@
 //! A finished analysis as text for the terminal and the file.
 
+use analysis::quantities as rows;
 use analysis::{
     Analysis, BothFound, Crash3, Damage, EnergyBalance, Exchange, Found, Inferred, Seen, SeenWarning, Weighed,
 };
@@ -7,7 +8,7 @@ use case::{Axes, Basis, Case, Pdof, Text, Velocity, YawSource};
 use crash3::{SideStiffness, Stiffness, UniformCrush};
 use pim_core::{Regime, VehicleId};
 
-use super::chosen::{Chosen, label};
+use super::chosen::Chosen;
 use super::headline::{DETAIL, Headline};
 use super::motion;
 use crate::document::{Block, Document, Table};
@@ -351,7 +352,7 @@ impl Page<'_> {
         );
         table.pair("CG to the front", known(&|i| dimensions(i).map(|d| length(d.cg_to_front))), "");
         self.stiffness(analysis, &mut table);
-        Chosen { analysis, units }.pair(&mut table, "no_damage_speed");
+        Chosen { analysis, units }.pair(&mut table, &rows::NO_DAMAGE_SPEED);
         self.document.push(table);
         self.shared_inputs(case, analysis);
     }
@@ -433,24 +434,24 @@ impl Page<'_> {
         // Momentum tells neither a moment nor whether friction sufficed.
         let impact = analysis.impact.as_ref().filter(|_| analysis.law_check().is_none());
         let mut table = Table::of_two("Impact", ["along n", "along t", "source"]);
-        for keys in [
-            ["impact.normal_velocity.before", "impact.tangential_velocity.before"],
-            ["impact.normal_velocity.after", "impact.tangential_velocity.after"],
-            ["impact.normal_impulse", "impact.tangential_impulse"],
+        for pair in [
+            [&rows::IMPACT_NORMAL_VELOCITY_BEFORE, &rows::IMPACT_TANGENTIAL_VELOCITY_BEFORE],
+            [&rows::IMPACT_NORMAL_VELOCITY_AFTER, &rows::IMPACT_TANGENTIAL_VELOCITY_AFTER],
+            [&rows::IMPACT_NORMAL_IMPULSE, &rows::IMPACT_TANGENTIAL_IMPULSE],
         ] {
             if exchange.at_contact.is_some() {
-                chosen.along(&mut table, keys);
+                chosen.along(&mut table, pair);
             }
         }
         if exchange.at_contact.is_some() {
             self.document.push(table);
         }
         let mut table = Table::of_two("Impact as a whole", ["", "", "source"]);
-        chosen.shared(&mut table, "impact.moment_impulse");
+        chosen.shared(&mut table, &rows::IMPACT_MOMENT_IMPULSE);
         // As many digits as the coefficient has, which the case gives; that of a curve has no end.
         if let Some(e) = exchange.restitution {
             let e = (e * 1e4).round() / 1e4 + 0.0;
-            chosen.shared_with(&mut table, "impact.restitution", |_| e.to_string());
+            chosen.shared_with(&mut table, &rows::IMPACT_RESTITUTION, |_| e.to_string());
         }
         if let Some(regime) = impact.and_then(|impact| impact.outcome.regime) {
             let regime = match regime {
@@ -459,32 +460,40 @@ impl Page<'_> {
             };
             table.shared("friction", regime, "theory 3");
         }
-        chosen.shared(&mut table, "impact.impulse_ratio");
-        chosen.shared(&mut table, "impact.critical_impulse_ratio");
+        chosen.shared(&mut table, &rows::IMPACT_IMPULSE_RATIO);
+        chosen.shared(&mut table, &rows::IMPACT_CRITICAL_IMPULSE_RATIO);
         if impact.is_some_and(|impact| impact.outcome.critical_impulse_ratio.is_none()) {
-            let label = label("impact.critical_impulse_ratio");
+            let label = rows::IMPACT_CRITICAL_IMPULSE_RATIO.label;
             table.shared(label, "none: no push can end the sliding", "theory 3");
         }
-        chosen.shared(&mut table, "impact.closing_speed");
-        chosen.shared_with(&mut table, "impact.impulse_direction", |angle| format!("{angle} in the scene"));
-        chosen.shared_vector(&mut table, "impact.impulse");
-        chosen.shared_vector(&mut table, "impact.normal");
+        chosen.shared(&mut table, &rows::IMPACT_CLOSING_SPEED);
+        chosen.shared_with(&mut table, &rows::IMPACT_IMPULSE_DIRECTION, |angle| {
+            format!("{angle} in the scene")
+        });
+        chosen.shared_vector(&mut table, [&rows::IMPACT_IMPULSE_X, &rows::IMPACT_IMPULSE_Y]);
+        chosen.shared_vector(&mut table, [&rows::IMPACT_NORMAL_X, &rows::IMPACT_NORMAL_Y]);
         self.document.push(table);
     }
 
     fn motion(&mut self, analysis: &Seen) {
         let chosen = Chosen { analysis, units: self.units };
         let mut table = Table::of_two("Motion", SOURCED);
-        chosen.pair(&mut table, "skid.speed");
-        chosen.pair(&mut table, "speed");
-        chosen.vectors(&mut table, "velocity");
-        chosen.pair(&mut table, "final_speed");
-        chosen.vectors(&mut table, "final_velocity");
-        for key in ["yaw_rate", "final_yaw_rate", "delta_v", "delta_v_longitudinal", "delta_v_lateral"] {
-            chosen.pair(&mut table, key);
+        chosen.pair(&mut table, &rows::SKID_SPEED);
+        chosen.pair(&mut table, &rows::SPEED);
+        chosen.vectors(&mut table, [&rows::VELOCITY_X, &rows::VELOCITY_Y]);
+        chosen.pair(&mut table, &rows::FINAL_SPEED);
+        chosen.vectors(&mut table, [&rows::FINAL_VELOCITY_X, &rows::FINAL_VELOCITY_Y]);
+        for row in [
+            &rows::YAW_RATE,
+            &rows::FINAL_YAW_RATE,
+            &rows::DELTA_V,
+            &rows::DELTA_V_LONGITUDINAL,
+            &rows::DELTA_V_LATERAL,
+        ] {
+            chosen.pair(&mut table, row);
         }
-        chosen.vectors(&mut table, "delta_v");
-        chosen.pair(&mut table, "pdof");
+        chosen.vectors(&mut table, [&rows::DELTA_V_X, &rows::DELTA_V_Y]);
+        chosen.pair(&mut table, &rows::PDOF);
         self.document.push(table);
     }
 
@@ -492,15 +501,15 @@ impl Page<'_> {
         let chosen = Chosen { analysis, units: self.units };
         let mut table = Table::of_two("Energy", ["", "share of initial", "source"]);
         let share = |si: f64| crate::energy::share(si, energy);
-        for (key, indent) in [
-            ("impact.initial_energy", ""),
-            ("impact.final_energy", ""),
-            ("impact.energy_loss", ""),
-            ("impact.normal_work", "  "),
-            ("impact.tangential_work", "  "),
-            ("impact.moment_work", "  "),
+        for (row, indent) in [
+            (&rows::IMPACT_INITIAL_ENERGY, ""),
+            (&rows::IMPACT_FINAL_ENERGY, ""),
+            (&rows::IMPACT_ENERGY_LOSS, ""),
+            (&rows::IMPACT_NORMAL_WORK, "  "),
+            (&rows::IMPACT_TANGENTIAL_WORK, "  "),
+            (&rows::IMPACT_MOMENT_WORK, "  "),
         ] {
-            chosen.energy(&mut table, key, indent, share);
+            chosen.energy(&mut table, row, indent, share);
         }
         table.notes = crate::energy::notes(analysis, self.units);
         self.document.push(table);
@@ -524,25 +533,25 @@ impl Page<'_> {
                 let range = d.inferred?.range?;
                 Some(format!("{} to {}", energy(range.lowest.energy), energy(range.highest.energy)))
             };
-            table.pair(label("crush_energy_bounds.low"), each(&bounds), "theory 5");
+            table.pair(rows::CRUSH_ENERGY_BOUNDS_LOW.label, each(&bounds), "theory 5");
         }
-        chosen.pair(&mut table, "crush_energy");
+        chosen.pair(&mut table, &rows::CRUSH_ENERGY);
         // That of the impulse stands above; here is the one that the file puts in its place.
         let is_given = |i: usize| analysis.vehicles[i].subject.pdof().is_some();
         let is_alone = analysis.exchange().is_none();
         if is_alone || [0, 1].into_iter().any(is_given) {
-            let label = if is_alone { label("pdof") } else { "PDOF that CRASH3 uses" };
+            let label = if is_alone { rows::PDOF.label } else { "PDOF that CRASH3 uses" };
             let pdof = |i: usize| Some(units.format(Measure::Angle, analysis.vehicles[i].crash3_pdof()?));
             table.pair(label, [0, 1].map(pdof), "theory 5");
         }
-        chosen.pair(&mut table, "ees");
-        chosen.pair(&mut table, "oblique_angle");
-        chosen.pair_with(&mut table, "oblique_factor", |i, factor| {
+        chosen.pair(&mut table, &rows::EES);
+        chosen.pair(&mut table, &rows::OBLIQUE_ANGLE);
+        chosen.pair_with(&mut table, &rows::OBLIQUE_FACTOR, |i, factor| {
             let is_capped = damage[i].and_then(|d| d.oblique).is_some_and(|oblique| oblique.factor.capped);
             if is_capped { format!("{factor} (capped)") } else { factor }
         });
-        chosen.pair(&mut table, "corrected_crush_energy");
-        chosen.pair(&mut table, "peak_force");
+        chosen.pair(&mut table, &rows::CORRECTED_CRUSH_ENERGY);
+        chosen.pair(&mut table, &rows::PEAK_FORCE);
         self.document.push(table);
     }
 
@@ -551,9 +560,9 @@ impl Page<'_> {
         let units = self.units;
         let chosen = Chosen { analysis, units };
         let mut table = Table::of_two("CRASH3's own answer", ["", "", "source"]);
-        chosen.shared(&mut table, "crash3.crush_energy");
-        chosen.shared(&mut table, "crash3.corrected_crush_energy");
-        chosen.shared_with(&mut table, "crash3.restitution_factor", |factor| {
+        chosen.shared(&mut table, &rows::CRASH3_CRUSH_ENERGY);
+        chosen.shared(&mut table, &rows::CRASH3_CORRECTED_CRUSH_ENERGY);
+        chosen.shared_with(&mut table, &rows::CRASH3_RESTITUTION_FACTOR, |factor| {
             let assumed = if case.reconstruct.is_none() { ", assumed" } else { "" };
             format!("{factor} (energy basis: {}{assumed})", basis::named(basis))
         });
@@ -575,14 +584,14 @@ impl Page<'_> {
             [known(0, first), known(1, second)]
         };
         let speeds = |delta_v: [f64; 2], factor: f64| pair(delta_v.map(|dv| units.speed(dv * factor)));
-        chosen.pair(&mut table, "crash3.moment_arm");
-        chosen.pair(&mut table, "crash3.effective_mass_ratio");
-        chosen.pair(&mut table, "crash3.delta_v");
+        chosen.pair(&mut table, &rows::CRASH3_MOMENT_ARM);
+        chosen.pair(&mut table, &rows::CRASH3_EFFECTIVE_MASS_RATIO);
+        chosen.pair(&mut table, &rows::CRASH3_DELTA_V);
         if let Some(factor) = crash3.restitution_factor {
             table.pair("ΔV uncorrected, restitution", speeds(crash3.delta_v, factor), "theory 5");
         }
         if let Some(corrected) = crash3.corrected {
-            chosen.pair(&mut table, "crash3.corrected_delta_v");
+            chosen.pair(&mut table, &rows::CRASH3_CORRECTED_DELTA_V);
             if let Some(factor) = crash3.restitution_factor {
                 table.pair("ΔV corrected, restitution", speeds(corrected.delta_v, factor), "theory 5");
             }

@@ -16,7 +16,9 @@ use case::{
 use crash3::principal_angle;
 
 use crate::document::{Block, Column, Document, NONE, Table, Undrawn, Width};
-use crate::outputs::{estimate_name, estimate_source, input_name, output_name, output_quantity, pictured};
+use crate::outputs::{
+    estimate_name, estimate_source, input_name, label, output_name, output_quantity, pictured,
+};
 use crate::pictures;
 use crate::units::{Measure, Units, number, significant};
 use crate::warnings;
@@ -181,7 +183,7 @@ impl<'a> Page<'a> {
     }
 
     fn label(&self, output: &UncertainOutput, quantity: Measure) -> String {
-        format!("{}, {}", output_name(output.output), self.units.name(quantity))
+        label(output.output, quantity, self.units)
     }
 
     /// The quantity as which a speed is repeated.
