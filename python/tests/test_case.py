@@ -163,3 +163,30 @@ def test_a_wrong_request_gets_a_sentence(ask: Any, error: type[Exception], says:
 def test_a_certain_case_has_nothing_to_propagate() -> None:
     with pytest.raises(deltav.CaseError, match="nothing is uncertain"):
         deltav.Case.example().uncertainty()
+
+
+def test_a_site_plan_is_no_link(tmp_path: pathlib.Path) -> None:
+    """A case comes from others: what it names lies in its folder, as for the program."""
+    text = (FIXTURES / "rear-end-rest.toml").read_text("utf-8")
+    plan = 'site_plan = { file = "plan.png", corner = { x = "-20 m", y = "-15 m" }, width = "60 m" }\n'
+    folder = tmp_path / "case"
+    folder.mkdir()
+    (folder / "case.toml").write_text(text.replace("\n[scene]\n", f"\n[scene]\n{plan}"), "utf-8")
+    (tmp_path / "elsewhere.png").write_bytes(deltav.Case.example().draw().png())
+    (folder / "plan.png").symlink_to(tmp_path / "elsewhere.png")
+    with pytest.raises(deltav.CaseError, match="the site plan plan.png is a link"):
+        deltav.Case.read(folder / "case.toml").draw("motion")
+
+
+def test_a_result_is_pickled_with_what_was_asked() -> None:
+    case = deltav.Case.read(FIXTURES / "sae-980025-uncertain.toml")
+    for result in [
+        case.uncertainty(64, seed=2**64 - 1, method="sobol", sobol=64),
+        case.sensitivity(pdof_step=2.5, pdof_steps=1),
+        case.estimate(particles=128, prior="flat", pieces=False, above=["vehicle1.speed 50 km/h"]),
+        case.check(),
+    ]:
+        again = pickle.loads(pickle.dumps(result))
+        assert type(again) is type(result) and again.to_json() == result.to_json()
+        # The text is not pickled: what was asked gives it again.
+        assert again.text() == result.text()

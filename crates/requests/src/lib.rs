@@ -18,10 +18,11 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! A [`Request`] is a command with its options, each command having one type of them: [`Request::read`] takes
-//! them by their names, and [`Request::check`] refuses what no case could be asked. An [`Answer`] is what [`Request::answer`] finds; it has a [document](Answer::document), what
-//! is [handed over](Answer::page), its [JSON](Answer::json), a [row](Answer::row) among those of many cases,
-//! and the [samples](Answer::write_samples) of what is drawn.
+//! A [`Request`] is a command with its options, which have a type for each command. [`Request::read`] takes
+//! them by their names, and [`Request::check`] refuses those that fit no case. [`Request::answer`] finds an
+//! [`Answer`], which has a [document](Answer::document), a [report to hand over](Answer::page), its
+//! [JSON](Answer::json), a [row](Answer::row) among those of many cases, and its
+//! [samples](Answer::write_samples).
 //!
 //! [`DrawingRequest`] draws a subject of a case, [`plots`] an uncertainty, and [`site_plan_beside`] reads the
 //! picture behind a motion. [`RowRefusal`] says on one line why a row has no answer.
@@ -170,7 +171,7 @@ impl Request {
         })
     }
 
-    /// The answer of what takes no long: without progress, and on this thread. Nothing where it does.
+    /// The answer of a quick command, on this thread and without progress; nothing if it takes long.
     pub fn at_once(&self, case: &Case) -> Option<Result<Answer, Unanswered>> {
         let quietly = &mut |_, _, _| ControlFlow::Continue(());
         match self {

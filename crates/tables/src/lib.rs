@@ -24,7 +24,8 @@
 //!
 //! Each row goes through the reader of case files and the functions of `analysis`: its results have the same
 //! bits as those of the program on the same case, and what is wrong with it is told in the same sentence,
-//! with its key. [`run`] does any [`Job`]; [`reconstruct`] is short for one. [`result_schema`] tells the columns of results without data.
+//! with its key. [`run`] does any [`Job`]; [`reconstruct`] is short for one.
+//! [`result_schema`] tells the columns of results without data.
 //!
 //! # Columns of cases
 //!

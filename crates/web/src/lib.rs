@@ -81,8 +81,8 @@ pub fn check(text: &str, name: Option<String>) -> String {
     check::check(text, name.as_deref()).to_string()
 }
 
-/// The answer of a command: `reconstruct`, `impact`, `motion`, `crush`, `check`, `compare` or `sensitivity`; an
-/// empty one is the most complete that the case allows.
+/// The answer of a quick command: `reconstruct`, `impact`, `motion`, `crush`, `check`, `compare` or
+/// `sensitivity`. An empty one is the most complete that the case allows.
 ///
 /// `{ ok: true, command, headline, html, text, json, csv, warnings: [{ code, message, vehicle, keys }] }`, or
 /// `{ ok: false, problems, message }`. `json` is byte for byte what the program writes; `csv` is `null` where
@@ -228,14 +228,14 @@ impl Run {
 
     /// Runs a command, with `options` of which each may be left out:
     ///
-    /// - `uncertainty`, what the ranges of the case make of its answer: `{ samples, seed, method:
-    ///   "monte-carlo" | "latin-hypercube" | "sobol", indices }`;
-    /// - `estimate`, the speeds from all evidence: `{ particles, seed, prior: "field" | "flat", pieces, above:
-    ///   [question] }`;
-    /// - `reconstruct`, an exact solution with what its report has beside it, all the evidence weighed where
-    ///   the case has more than that solution uses, and the errors of the method where it has ranges: `{
-    ///   method }`, of which `false` leaves out the latter, which take as long as the first;
-    /// - each that [`answer()`] takes.
+    /// - `uncertainty` propagates the ranges of the case: `{ samples, seed, method: "monte-carlo" |
+    ///   "latin-hypercube" | "sobol", indices }`;
+    /// - `estimate` finds the speeds from all evidence: `{ particles, seed, prior: "field" | "flat", pieces,
+    ///   above: [question] }`;
+    /// - `reconstruct` finds an exact solution. If the case has more evidence than that uses, it weighs all
+    ///   of it; else, if the case has ranges, it finds the intervals with the errors of the method, which `{
+    ///   method: false }` leaves out, as they take as long as the first;
+    /// - every command that [`answer()`] takes.
     ///
     /// `{ ok: true, converged, headline, html }`, or `{ ok: false, problems, message }`. The rest is made
     /// when it is asked for: [`pictures`](Self::pictures), [`html`](Self::html), [`text`](Self::text),
