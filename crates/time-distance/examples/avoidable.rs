@@ -1,12 +1,12 @@
 //! A pedestrian steps onto the road 30 m ahead of a car at 60 km/h. Was the collision avoidable at 50 km/h?
 
+#![allow(clippy::print_stdout, reason = "an example shows its result")]
+
 use time_distance::{InvalidInput, Response, Swell};
 
 const KMH: f64 = 1.0 / 3.6;
 
-/// # Errors
-/// Never: the inputs are possible.
-pub fn main() -> Result<(), InvalidInput> {
+pub(crate) fn main() -> Result<(), InvalidInput> {
     let response = Response::new(1.0, 0.2, 7.5, Swell::Linear)?;
     let (place, driven, limit) = (30.0, 60.0 * KMH, 50.0 * KMH);
     let spatial = response.speed_to_stop_within(place);
