@@ -214,7 +214,7 @@ pub fn json(file: &CaseFile, analysis: &Analysis) -> Result<String, serde_json::
 /// The same of a case with more evidence than its exact solution uses: its headline is by all of it.
 ///
 /// # Errors
-/// As [`json`].
+/// As [`json()`].
 pub fn weighed_json(
     file: &CaseFile,
     analysis: &Analysis,
