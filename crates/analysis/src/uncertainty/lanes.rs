@@ -306,8 +306,12 @@ impl Block {
         lane: usize,
     ) -> Result<Problem, Reason> {
         let crush_energy = columns.crush_energy(lane);
-        let collision = self.collisions.collision(columns, inputs, lane).filter(|_| !crush_energy.is_nan());
-        let Some((contact, law, motions)) = collision else { return Err(self.fault(inputs, lane)) };
+        if crush_energy.is_nan() {
+            return Err(self.fault(inputs, lane));
+        }
+        let Some((contact, law, motions)) = self.collisions.collision(columns, inputs, lane) else {
+            return Err(self.fault(inputs, lane));
+        };
         let tangential_share = share.map_or(0.0, |share| share.at(inputs, lane));
         Ok(Problem { contact, law, motions, unknown, crush_energy, basis, tangential_share })
     }
@@ -346,6 +350,7 @@ impl AtOnce {
         Some(Self { restitution, condition })
     }
 }
+
 /// Number of outputs of a reconstruction of two vehicles: with one more or fewer of them, the list in
 /// [`answer`] does not compile.
 const OUTPUTS: usize = Output::of_two_vehicles(VehicleId::One, Axes::ZUp).len();
