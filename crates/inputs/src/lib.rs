@@ -27,8 +27,8 @@
 //!
 //! [`Case::impact_form`] tells what enters an impact, on any numbers: what each key means for it stands
 //! there alone. [`Case::reconstruction`], [`Case::collision`] and [`Case::damage`] turn a case into the types
-//! of the engines, for three [`Purpose`]s. A value that is missing, or that an engine refuses, is a [`Fault`] of its
-//! key; a crate that knows where the keys are in a text can show it there.
+//! of the engines, for three [`Purpose`]s. A value that is missing, or that an engine refuses, is a [`Fault`]
+//! of its key; a crate that knows where the keys are in a text can show it there.
 //!
 //! # What it does not do
 //!
