@@ -149,8 +149,13 @@ impl Collisions {
         let law = self.case.impact.as_ref()?.law.map(|number| number.at(inputs, lane));
         let law = law.of_engine(self.case.axes).ok()?;
         let (contact, motions, is_contact) = columns.contact(lane);
-        let contact = columns.with_courses(contact, lane)?;
-        is_contact.then_some((contact, law, motions))
+        if !is_contact {
+            return None;
+        }
+        if columns.vehicles.iter().all(|vehicle| vehicle.course.is_none()) {
+            return Some((contact, law, motions));
+        }
+        Some((columns.with_courses(&contact, lane)?, law, motions))
     }
 
     /// Why the engine refuses the stiffnesses of one lane.
@@ -191,10 +196,7 @@ impl Columns {
 
     /// The contact of one lane where each vehicle travels in its direction; `None` where the engine refuses
     /// that.
-    fn with_courses(&self, contact: Contact, lane: usize) -> Option<Contact> {
-        if self.vehicles.iter().all(|vehicle| vehicle.course.is_none()) {
-            return Some(contact);
-        }
+    fn with_courses(&self, contact: &Contact, lane: usize) -> Option<Contact> {
         let [p1, p2] = *contact.participants();
         let [c1, c2] = self.vehicles.each_ref().map(|vehicle| vehicle.course()[lane]);
         Contact::new([p1.with_course(c1).ok()?, p2.with_course(c2).ok()?], self.crush_plane[lane]).ok()
@@ -337,17 +339,31 @@ fn place(
     let DamageForm::Measured(crush) = damage else { return };
     let mut moments = [EnergyMoments::none(); LANES];
     let mut zones = ZoneColumns::NOTHING;
-    for (number, [first, second]) in crush.zones().enumerate() {
+    for (number, ends) in crush.zones().enumerate() {
         zones.fill(crush, number, inputs);
-        each_lane!(inputs, lane, first second => {
-            let (zone, stiffness) = zones.at::<true>(lane, [first.si(), second.si()]);
-            moments[lane] = moments[lane].with(zone, &stiffness);
-        });
+        if zones.has_limit {
+            add_moments::<true>(&zones, ends, inputs, &mut moments);
+        } else {
+            add_moments::<false>(&zones, ends, inputs, &mut moments);
+        }
     }
     for lane in 0..LANES {
         let placed = placed.map(|number| number.at(inputs, lane));
         [forward[lane], left[lane]] = placed.point(axes, &moments[lane]).unwrap_or([f64::NAN; 2]);
     }
+}
+
+/// Adds a zone without a limit of the force, or with one.
+fn add_moments<const LIMITED: bool>(
+    zones: &ZoneColumns,
+    [first, second]: [Quantity<Number>; 2],
+    inputs: &[Lanes],
+    moments: &mut [EnergyMoments; LANES],
+) {
+    each_lane!(inputs, lane, first second => {
+        let (zone, stiffness) = zones.at::<LIMITED>(lane, [first.si(), second.si()]);
+        moments[lane] = moments[lane].with(zone, &stiffness);
+    });
 }
 
 /// (J) the crush energy; not a number where the engine refuses the damage.
@@ -445,12 +461,15 @@ impl ZoneColumns {
             _ if zone > 0 => {}
             StiffnessForm::Line(line) => self.resist(*line, inputs),
             StiffnessForm::Category(category) => {
-                let known = Stiffness::from_category(crush.crush.side, *category);
-                let mut one = None;
-                let factors = crush.factor.map(|factor| factor.column(inputs, &mut one));
-                for lane in 0..LANES {
-                    let factor = factors.map(|factors| factors[lane]);
-                    self.put(lane, known.and_then(|known| scaled_stiffness(known, factor)));
+                match (Stiffness::from_category(crush.crush.side, *category), crush.factor) {
+                    (Ok(known), Some(factor)) => {
+                        let mut one = None;
+                        let factors = factor.column(inputs, &mut one);
+                        for lane in 0..LANES {
+                            self.put(lane, scaled_stiffness(known, Some(factors[lane])));
+                        }
+                    }
+                    (known, _) => (0..LANES).for_each(|lane| self.put(lane, known)),
                 }
             }
             StiffnessForm::Test(test) => {
@@ -481,11 +500,8 @@ impl ZoneColumns {
     fn at<const LIMITED: bool>(&self, lane: usize, depths: [f64; 2]) -> (Zone, Stiffness) {
         let [a, b, g, limit] = &self.stiffness;
         let (rising, _) = Stiffness::from_abg_with_validity(a[lane], b[lane], g[lane]);
-        let stiffness = if LIMITED && self.has_limit {
-            rising.with_saturation_force(limit[lane]).unwrap_or(rising)
-        } else {
-            rising
-        };
+        let limited = if LIMITED { rising.with_saturation_force(limit[lane]) } else { Ok(rising) };
+        let stiffness = limited.unwrap_or(rising);
         (Zone { width: self.width[lane], depths }, stiffness)
     }
 }

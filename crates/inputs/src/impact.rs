@@ -164,8 +164,7 @@ impl<T: Copy> ImpactLaw<T> {
                 moment_restitution: moment_restitution.map(number),
             },
             Self::Woolley { tangential_velocity_change } => ImpactLaw::Woolley {
-                tangential_velocity_change: tangential_velocity_change
-                    .map(|change| change.with(number(change.number()))),
+                tangential_velocity_change: tangential_velocity_change.map(|change| change.map(number)),
             },
             Self::Ishikawa { restitution, tangential_restitution } => ImpactLaw::Ishikawa {
                 restitution: restitution.map(&mut number),
@@ -241,7 +240,7 @@ impl<T: Copy> Restitution<T> {
         match self {
             Self::Constant(e) => Restitution::Constant(number(*e)),
             Self::OfClosingSpeed { speeds, values } => Restitution::OfClosingSpeed {
-                speeds: speeds.iter().map(|speed| speed.with(number(speed.number()))).collect(),
+                speeds: speeds.iter().map(|speed| speed.map(&mut number)).collect(),
                 values: values.iter().map(|e| number(*e)).collect(),
             },
         }

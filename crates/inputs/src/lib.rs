@@ -25,9 +25,10 @@
 //! 1, or its displacement, 0, is one of [`Case::variables`] besides the numbers. [`Case::map`] replaces all
 //! of these.
 //!
-//! [`Case::reconstruction`], [`Case::collision`] and [`Case::damage`] turn a case into the types of the
-//! engines, for three [`Purpose`]s. A value that is missing, or that an engine refuses, is a [`Fault`] of its
-//! key; a crate that knows the places of the keys in a text can show it there.
+//! [`Case::impact_form`] returns the inputs of an impact, on any numbers: the meaning of each key for it is
+//! defined there alone. [`Case::reconstruction`], [`Case::collision`] and [`Case::damage`] turn a case into the
+//! types of the engines, for three [`Purpose`]s. A value that is missing, or that an engine refuses, is a
+//! [`Fault`] of its key; a crate that knows the places of the keys in a text can show it there.
 //!
 //! # What it does not do
 //!

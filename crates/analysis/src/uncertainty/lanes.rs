@@ -307,8 +307,12 @@ impl Block {
         lane: usize,
     ) -> Result<Problem, Reason> {
         let crush_energy = columns.crush_energy(lane);
-        let collision = self.collisions.collision(columns, inputs, lane).filter(|_| !crush_energy.is_nan());
-        let Some((contact, law, motions)) = collision else { return Err(self.fault(inputs, lane)) };
+        if crush_energy.is_nan() {
+            return Err(self.fault(inputs, lane));
+        }
+        let Some((contact, law, motions)) = self.collisions.collision(columns, inputs, lane) else {
+            return Err(self.fault(inputs, lane));
+        };
         let tangential_share = share.map_or(0.0, |share| share.at(inputs, lane));
         Ok(Problem { contact, law, motions, unknown, crush_energy, basis, tangential_share })
     }
