@@ -1,6 +1,7 @@
 //! `deltav validate --field FILE --judge COLUMN`: another program by the same recorders.
 
 #![allow(clippy::unwrap_used, reason = "helpers of tests fail by panicking")]
+#![expect(clippy::disallowed_methods, reason = "what is expected shares no function with what is tested")]
 
 use std::fs;
 use std::path::PathBuf;

@@ -389,7 +389,7 @@ fn check(id: &str, e: &Example) {
             e.is("distance_m", &found.collect::<Vec<f64>>());
         }
         "vae-50kmh-1.5s" => {
-            e.is("distance_m", &[reaction_part(e.input("speed_kmh") * KMH, e.input("reaction_s"))])
+            e.is("distance_m", &[reaction_part(e.input("speed_kmh") * KMH, e.input("reaction_s"))]);
         }
         "numbat-50kmh" => {
             let r = response(e.input("reaction_s"), e.input("decel_g") * G);

@@ -1,4 +1,5 @@
 #![allow(clippy::unwrap_used, reason = "tests fail by panicking")]
+#![expect(clippy::disallowed_methods, reason = "what is expected shares no function with what is tested")]
 
 use super::{ClaimColumns, judge_claims};
 use crate::error::FieldError;
