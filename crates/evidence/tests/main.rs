@@ -15,3 +15,4 @@ mod calibration;
 mod likelihood;
 mod posterior;
 mod reference;
+mod tested;

@@ -7,9 +7,10 @@ use pim_core::VehicleId;
 use crate::error::FieldError;
 use crate::judge::{Figures, PairKind};
 use crate::pair::{Pair, Truth};
-use crate::read::cells;
+use crate::read::{Cells, MOST_SPEED, cells};
 
-/// The columns of a program, without `_1` and `_2`: its ΔV, and the ends of its 95 % interval where it has one.
+/// The columns of a program, without `_1` and `_2`: its ΔV, and the ends of its 95 % interval where it has
+/// one.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct ClaimColumns {
     /// The column of ΔV.
@@ -39,7 +40,7 @@ impl FromStr for ClaimColumns {
 
 /// What a program claims of a vehicle.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Claim {
+pub struct ProgramClaim {
     /// (m/s) ΔV.
     pub delta_v: f64,
     /// (m/s) ends of its 95 % interval.
@@ -58,7 +59,7 @@ pub struct JudgedClaim {
     /// What its recorder stored.
     pub truth: Truth,
     /// What the program claims.
-    pub claim: Claim,
+    pub claim: ProgramClaim,
 }
 
 /// The figures of a group of claims.
@@ -70,8 +71,8 @@ pub struct ClaimGroup {
     pub figures: Figures,
     /// (–) share of the recorders inside the 95 % intervals, with its standard error.
     pub coverage95: Option<[f64; 2]>,
-    /// (m/s) mean interval score of the 95 % intervals: their width, and 40 times what they miss by (Gneiting &
-    /// Raftery 2007, equation 43).
+    /// (m/s) mean interval score of the 95 % intervals: their width, and 40 times what they miss by (Gneiting
+    /// & Raftery 2007, equation 43).
     pub interval_score: Option<f64>,
 }
 
@@ -91,8 +92,8 @@ pub struct Claims {
 }
 
 /// Judges the columns of another program (km/h) by the recorders of the same pairs as
-/// [`judge`](crate::judge): where a recorder stored both parts the claim is the size of ΔV, where it stored the
-/// longitudinal part alone it is the size of that part. `text` is the table of which `pairs` were read.
+/// [`judge`](crate::judge): where a recorder stored both parts the claim is the size of ΔV, where it stored
+/// the longitudinal part alone it is the size of that part. `text` is the table of which `pairs` were read.
 ///
 /// # Errors
 /// Where a column is missing, a cell is no plausible number, an interval does not contain its own value, or no
@@ -121,6 +122,41 @@ pub fn judge_claims(text: &str, pairs: &[Pair], columns: &ClaimColumns) -> Resul
     let mut groups: Vec<ClaimGroup> = group("all", &|_| true).into_iter().collect();
     groups.extend(kinds.iter().filter_map(|kind| group(kind.name(), &|judged| judged.kind == *kind)));
     Ok(Claims { columns: columns.clone(), pairs: pairs.len(), unclaimed, judged, groups })
+}
+
+impl Cells {
+    /// What a program claims of a vehicle; `None` where its cell is empty.
+    fn claim(&self, columns: &ClaimColumns, vehicle: VehicleId) -> Result<Option<ProgramClaim>, FieldError> {
+        let vehicle = if vehicle == VehicleId::One { 1 } else { 2 };
+        let kmh = |column: &str| {
+            let number = self.at_most(MOST_SPEED, column, vehicle).map_err(|error| match error {
+                FieldError::NoColumn { column } => FieldError::NoClaimColumn { column },
+                error => error,
+            })?;
+            Ok::<_, FieldError>(number.map(|kmh| kmh.abs() / 3.6))
+        };
+        let Some(delta_v) = kmh(&columns.value)? else { return Ok(None) };
+        if delta_v <= 0.0 {
+            let wanted =
+                "a ΔV that can be compared: it must not be 0; leave the cell empty where there is none";
+            let text = self.text(&columns.value, vehicle)?;
+            return Err(self.refusal(&columns.value, vehicle, text, wanted));
+        }
+        let Some([low, high]) = &columns.ends else {
+            return Ok(Some(ProgramClaim { delta_v, interval: None }));
+        };
+        let missing = |column: &str| {
+            self.refusal(column, vehicle, "", "an end of the interval of a ΔV that the line has")
+        };
+        let ends = [kmh(low)?.ok_or_else(|| missing(low))?, kmh(high)?.ok_or_else(|| missing(high))?];
+        // Both ends of a longitudinal ΔV may be negative, the greater size first.
+        let interval = [ends[0].min(ends[1]), ends[0].max(ends[1])];
+        if !(interval[0]..=interval[1]).contains(&delta_v) {
+            let wanted = "an end of an interval that contains its own value";
+            return Err(self.refusal(low, vehicle, self.text(low, vehicle)?, wanted));
+        }
+        Ok(Some(ProgramClaim { delta_v, interval: Some(interval) }))
+    }
 }
 
 /// (–) 2/α of the interval score, at α = 5 %.

@@ -40,7 +40,7 @@ mod pair;
 mod read;
 mod share;
 
-pub use claim::{Claim, ClaimColumns, ClaimGroup, Claims, JudgedClaim, judge_claims};
+pub use claim::{ClaimColumns, ClaimGroup, Claims, JudgedClaim, ProgramClaim, judge_claims};
 pub use direction::{DirectionFit, fit_direction};
 pub use error::FieldError;
 pub use fit::{Figure, FigureFit, FitOptions, Folds, fit, fit_folds};

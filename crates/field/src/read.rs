@@ -2,9 +2,6 @@
 
 use std::collections::HashMap;
 
-use pim_core::VehicleId;
-
-use crate::claim::{Claim, ClaimColumns};
 use crate::crossed;
 use crate::error::FieldError;
 use crate::pair::{Pair, PairVehicle, Plane};
@@ -29,7 +26,7 @@ pub fn read(text: &str) -> Result<Vec<Pair>, FieldError> {
 const MOST_MASS: f64 = 100_000.0;
 const MOST_LENGTH: f64 = 3_000.0;
 const MOST_ANGLE: f64 = 720.0;
-const MOST_SPEED: f64 = 500.0;
+pub(crate) const MOST_SPEED: f64 = 500.0;
 
 /// The lines of a table, by the names of their columns.
 pub(crate) fn cells(text: &str) -> Result<Vec<Cells>, FieldError> {
@@ -44,7 +41,7 @@ pub(crate) struct Cells {
 }
 
 impl Cells {
-    fn text(&self, column: &str, vehicle: u8) -> Result<&str, FieldError> {
+    pub(crate) fn text(&self, column: &str, vehicle: u8) -> Result<&str, FieldError> {
         let column = format!("{column}_{vehicle}");
         match self.columns.get(&column) {
             Some(text) => Ok(text.trim()),
@@ -64,7 +61,7 @@ impl Cells {
     }
 
     /// A number of at most this size, of either sign: no vehicle has more.
-    fn at_most(&self, most: f64, column: &str, vehicle: u8) -> Result<Option<f64>, FieldError> {
+    pub(crate) fn at_most(&self, most: f64, column: &str, vehicle: u8) -> Result<Option<f64>, FieldError> {
         match self.maybe(column, vehicle)? {
             Some(number) if number.abs() > most => {
                 let wanted = "a plausible number in this column: correct it, or leave its line out";
@@ -84,7 +81,7 @@ impl Cells {
         self.at_most(most, column, vehicle)?.ok_or_else(|| self.refusal(column, vehicle, "", wanted))
     }
 
-    fn refusal(&self, column: &str, vehicle: u8, text: &str, wanted: &'static str) -> FieldError {
+    pub(crate) fn refusal(&self, column: &str, vehicle: u8, text: &str, wanted: &'static str) -> FieldError {
         let (line, column, text) = (self.line, format!("{column}_{vehicle}"), text.to_owned());
         FieldError::Cell { line, column, text, wanted }
     }
@@ -98,41 +95,6 @@ impl Cells {
                 self.refusal("VEHNO", vehicle, text, "a whole number, or nothing where it is missing")
             }),
         }
-    }
-
-    /// What a program claims of a vehicle; `None` where its cell is empty.
-    pub(crate) fn claim(
-        &self,
-        columns: &ClaimColumns,
-        vehicle: VehicleId,
-    ) -> Result<Option<Claim>, FieldError> {
-        let vehicle = if vehicle == VehicleId::One { 1 } else { 2 };
-        let kmh = |column: &str| {
-            let number = self.at_most(MOST_SPEED, column, vehicle).map_err(|error| match error {
-                FieldError::NoColumn { column } => FieldError::NoClaimColumn { column },
-                error => error,
-            })?;
-            Ok::<_, FieldError>(number.map(|kmh| kmh.abs() / 3.6))
-        };
-        let Some(delta_v) = kmh(&columns.value)? else { return Ok(None) };
-        if delta_v <= 0.0 {
-            let wanted =
-                "a ΔV that can be compared: it must not be 0; leave the cell empty where there is none";
-            let text = self.text(&columns.value, vehicle)?;
-            return Err(self.refusal(&columns.value, vehicle, text, wanted));
-        }
-        let Some([low, high]) = &columns.ends else { return Ok(Some(Claim { delta_v, interval: None })) };
-        let missing = |column: &str| {
-            self.refusal(column, vehicle, "", "an end of the interval of a ΔV that the line has")
-        };
-        let ends = [kmh(low)?.ok_or_else(|| missing(low))?, kmh(high)?.ok_or_else(|| missing(high))?];
-        // Both ends of a longitudinal ΔV may be negative, the greater size first.
-        let interval = [ends[0].min(ends[1]), ends[0].max(ends[1])];
-        if !(interval[0]..=interval[1]).contains(&delta_v) {
-            let wanted = "an end of an interval that contains its own value";
-            return Err(self.refusal(low, vehicle, self.text(low, vehicle)?, wanted));
-        }
-        Ok(Some(Claim { delta_v, interval: Some(interval) }))
     }
 
     fn vehicle(&self, vehicle: u8) -> Result<PairVehicle, FieldError> {

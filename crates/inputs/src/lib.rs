@@ -26,8 +26,8 @@
 //! of these.
 //!
 //! [`Case::impact_form`] returns the inputs of an impact, on any numbers: the meaning of each key for it is
-//! defined there alone. [`Case::reconstruction`], [`Case::collision`] and [`Case::damage`] turn a case into the
-//! types of the engines, for three [`Purpose`]s. A value that is missing, or that an engine refuses, is a
+//! defined there alone. [`Case::reconstruction`], [`Case::collision`] and [`Case::damage`] turn a case into
+//! the types of the engines, for three [`Purpose`]s. A value that is missing, or that an engine refuses, is a
 //! [`Fault`] of its key; a crate that knows the places of the keys in a text can show it there.
 //!
 //! # What it does not do

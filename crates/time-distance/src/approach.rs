@@ -38,15 +38,13 @@ pub enum Phase<T = f64> {
     },
 }
 
-/// The state of a vehicle before the impact: counted from there, so time and position are negative.
-pub type Approach<T> = Leg<T>;
-
-/// The beginning of a phase of which the end is known.
+/// The beginning of a phase of which the end is known. Time and position of the impact are zero, so those
+/// before it are negative.
 ///
 /// # Errors
 /// Where a number is impossible: a negative length, a speed that would have been negative, an acceleration that
 /// does not lead from one speed to the other.
-pub fn approach<T: Real>(end: &Approach<T>, phase: Phase<T>) -> Result<Approach<T>, InvalidInput> {
+pub fn approach<T: Real>(end: &Leg<T>, phase: Phase<T>) -> Result<Leg<T>, InvalidInput> {
     let (speed, time, acceleration) = match phase {
         Phase::Over { distance, acceleration } => {
             check::not_negative("length of a phase before the impact", distance.value())?;

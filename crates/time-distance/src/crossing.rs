@@ -53,8 +53,8 @@ impl<T: Real> Crossing<T> {
         Ok(Self { angle, parties })
     }
 
-    /// (m) half the length, along the path of party 0 or 1, of the parallelogram that both sweep; its middle is
-    /// where the paths cross.
+    /// (m) half the length, along the path of party 0 or 1, of the parallelogram that both sweep; its middle
+    /// is where the paths cross.
     #[must_use]
     pub fn half_zone(&self, party: usize) -> T {
         let [one, two] = &self.parties;

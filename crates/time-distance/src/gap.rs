@@ -15,9 +15,9 @@ pub struct Gap<T = f64> {
     pub closing: T,
 }
 
-/// The least gap between `behind` and `ahead` from time `from` (s) to `to` (s), where the gap at a time is the
-/// difference of their positions. It has to be looked for during the motion: two vehicles that stand apart in the
-/// end may have met before.
+/// The least gap between `behind` and `ahead` from time `from` (s) to `to` (s), where the gap at a time is
+/// the difference of their positions. It has to be looked for during the motion: two vehicles that stand
+/// apart in the end may have met before.
 #[must_use]
 pub fn least_gap<T: Real>(behind: &Course<'_, T>, ahead: &Course<'_, T>, [from, to]: [T; 2]) -> Gap<T> {
     let gap_at = |time: T| {

@@ -7,18 +7,18 @@
 //! let response = Response::new(0.8, 0.2, 7.5, Swell::Linear)?;
 //! let speed = 50.0 / 3.6;
 //! assert!((response.stopping_distance(speed) - 25.35).abs() < 0.01);
-//! // The danger could be seen 20 m ahead: the vehicle hits it at 33.5 km/h, and would have stopped from
-//! // 42.9 km/h.
-//! assert!((response.speed_after(speed, 20.0) * 3.6 - 33.5).abs() < 0.1);
-//! assert!((response.speed_to_stop_within(20.0) * 3.6 - 42.9).abs() < 0.1);
+//! // The danger could be seen 20 m ahead: the vehicle hits it at 32.2 km/h, and would have stopped from
+//! // 42.6 km/h.
+//! assert!((response.speed_after(speed, 20.0) * 3.6 - 32.2).abs() < 0.1);
+//! assert!((response.speed_to_stop_within(20.0) * 3.6 - 42.6).abs() < 0.1);
 //! # Ok::<(), time_distance::InvalidInput>(())
 //! ```
 //!
-//! A [`Response`] is what a driver does from the reaction demand on, the moment at which the danger could first
-//! be recognized: a reaction at constant speed, a swell in which the brakes take hold, then a constant
-//! deceleration to a stop. Its methods are closed forms. [`Response::legs`] gives the same motion as [`Leg`]s,
-//! stretches of constant jerk, of which a [`Course`] consists: that of a vehicle before the impact
-//! ([`Approach`]), of a driver who brakes, of a pedestrian. [`Crossing`] has the zone in which two paths meet
+//! A [`Response`] is what a driver does from the reaction demand on, the moment at which the danger could
+//! first be recognized: a reaction at constant speed, a swell in which the brakes take hold, then a constant
+//! deceleration to a stop. Its methods are closed forms. [`Response::legs`] gives the same motion as
+//! [`Leg`]s, stretches of constant jerk, of which a [`Course`] consists: that of a vehicle before the impact
+//! ([`approach`]), of a driver who brakes, of a pedestrian. [`Crossing`] has the zone in which two paths meet
 //! and who is in it when, [`least_gap`] how close one vehicle comes to another ahead of it, and [`sees`] and
 //! [`first_sight`] what obstacles hide.
 //!
@@ -64,7 +64,7 @@ mod gap;
 mod response;
 mod sight;
 
-pub use approach::{Approach, Phase, approach};
+pub use approach::{Phase, approach};
 pub use course::{Course, Leg};
 pub use crossing::{Crossing, Occupancy, Party};
 pub use gap::{Gap, least_gap};

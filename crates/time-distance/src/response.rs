@@ -97,8 +97,8 @@ impl<T: Real> Response<T> {
         Self { deceleration, ..self }
     }
 
-    /// (s) τ: the time that counts as driven at full speed, t_R + t_S/2 where the swell brakes, all of t_R + t_S
-    /// where it does not.
+    /// (s) τ: the time that counts as driven at full speed, t_R + t_S/2 where the swell brakes, all of t_R +
+    /// t_S where it does not.
     #[must_use]
     pub fn delay(&self) -> T {
         match self.form {
@@ -318,8 +318,8 @@ impl<T: Real> Response<T> {
         }
     }
 
-    /// (m/s²) the least deceleration that stops the vehicle within a distance; `None` where the reaction alone
-    /// takes all of it.
+    /// (m/s²) the least deceleration that stops the vehicle within a distance; `None` where the reaction
+    /// alone takes all of it.
     #[must_use]
     pub fn deceleration_to_stop_within(&self, speed: T, distance: T) -> Option<T> {
         let braked = distance - speed * self.reaction;
@@ -411,8 +411,8 @@ impl<T: Real> Response<T> {
     }
 
     /// (m/s) the greatest speed with which the vehicle is at a distance no earlier than a time (s) after the
-    /// demand: the temporal avoidance speed, where the other party has then just cleared the danger zone. It is
-    /// never less than [the speed from which it stops before](Self::speed_to_stop_within).
+    /// demand: the temporal avoidance speed, where the other party has then just cleared the danger zone. It
+    /// is never less than [the speed from which it stops before](Self::speed_to_stop_within).
     ///
     /// The distance must be positive; a time of zero or less has no such speed, and gives infinity.
     #[must_use]

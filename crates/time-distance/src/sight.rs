@@ -5,8 +5,8 @@ use pim_core::Vector2;
 /// Halvings after which a moment is known to the last bit.
 const MOST_HALVINGS: usize = 100;
 
-/// Whether the line from one point to another is free of an obstacle: the outline, a polygon, whose corners come in
-/// their order. A line that only touches it is free.
+/// Whether the line from one point to another is free of an obstacle: the outline, a polygon, whose corners
+/// come in their order. A line that only touches it is free.
 #[must_use]
 pub fn sees(from: Vector2<f64>, to: Vector2<f64>, outline: &[Vector2<f64>]) -> bool {
     let Some(last) = outline.last() else { return true };
@@ -21,9 +21,9 @@ pub fn sees(from: Vector2<f64>, to: Vector2<f64>, outline: &[Vector2<f64>]) -> b
     !(contains(outline, from) && contains(outline, to))
 }
 
-/// (s) the first moment, from `from` (s) to `to` (s), from which on one road user sees the other until it does
-/// not any more; `None` where it never does. The positions at a time are those of the two; the sight is asked in
-/// `steps` equal steps, and its moment is found between two of them.
+/// (s) the first moment, from `from` (s) to `to` (s), from which on one road user sees the other until it
+/// does not any more; `None` where it never does. The positions at a time are those of the two; the sight is
+/// asked in `steps` equal steps, and its moment is found between two of them.
 pub fn first_sight(
     positions: impl Fn(f64) -> [Vector2<f64>; 2],
     obstacles: &[&[Vector2<f64>]],

@@ -9,8 +9,8 @@ fn rest() -> Leg {
     Leg::at_rest(0.0, 0.0)
 }
 
-/// A pedestrian at 1.4 m/s, 5 m on the road of which the first is hidden (EVIDENCE: 4 m, 2 s walking at 2 m/s,
-/// 1 s running at 4).
+/// A pedestrian at 1.4 m/s, 5 m on the road of which the first is hidden (EVIDENCE: 4 m, 2 s walking at 2
+/// m/s, 1 s running at 4).
 #[test]
 fn a_walk_takes_its_time() {
     for (speed, expected) in [(2.0, 2.0), (4.0, 1.0)] {
@@ -47,8 +47,8 @@ fn an_approach_is_followed_backwards() {
 }
 
 proptest! {
-    /// Both outlines are turned and moved in small steps: while any of their points are in both strips' common
-    /// part, the zone is occupied.
+    /// Both outlines are turned and moved in small steps: while any of their points are in both strips'
+    /// common part, the zone is occupied.
     #[test]
     fn a_zone_is_what_both_sweep(angle in 0.3..2.8_f64, w1 in 0.5..3.0_f64, w2 in 0.5..3.0_f64) {
         let of = |width| Party { front: 2.0, rear: 1.5, width };
@@ -98,8 +98,8 @@ proptest! {
 fn a_corner_hides_until_the_line_is_free() {
     let p = |x, y| Vector2::new(x, y);
     let house = [p(0.0, 3.0), p(10.0, 3.0), p(10.0, 20.0), p(0.0, 20.0)];
-    // The car drives along y = 0, the pedestrian waits at (12, 5) and sees it past the corner (10, 3): the line
-    // of slope 1 meets y = 0 at x = 7.
+    // The car drives along y = 0, the pedestrian waits at (12, 5) and sees it past the corner (10, 3): the
+    // line of slope 1 meets y = 0 at x = 7.
     let positions = |t: f64| [p(-20.0 + 10.0 * t, 0.0), p(12.0, 5.0)];
     let seen = first_sight(positions, &[&house], [0.0, 5.0], 50).unwrap();
     assert!((seen - 2.7).abs() < 1e-9, "{seen}");

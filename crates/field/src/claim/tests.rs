@@ -27,8 +27,8 @@ const COLUMNS: [&str; 19] = [
     "OURS",
 ];
 
-/// Pairs of two fronts whose vehicle 1 has a recorder of 30 and 40 km/h, so 50, and a claim of `claims` km/h with
-/// an interval between `ends`; vehicle 2 has neither.
+/// Pairs of two fronts whose vehicle 1 has a recorder of 30 and 40 km/h, so 50, and a claim of `claims` km/h
+/// with an interval between `ends`; vehicle 2 has neither.
 fn table(rows: &[(&str, &str, &str)]) -> String {
     let names = |vehicle: u8| COLUMNS.map(|column| format!("{column}_{vehicle}")).join(",");
     let mut text = format!("CASEID,{},{},LOW_1,HIGH_1,LOW_2,HIGH_2\n", names(1), names(2));

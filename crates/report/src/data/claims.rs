@@ -63,8 +63,8 @@ impl<'a> ClaimBlock<'a> {
     }
 }
 
-/// The judgement as JSON: `groups`, all and by kind of collision, each with `n`, `bias`, `rms`, `crps` (m/s) and,
-/// where the program has intervals, `coverage95` and `interval_score` (m/s); and every vehicle.
+/// The judgement as JSON: `groups`, all and by kind of collision, each with `n`, `bias`, `rms`, `crps` (m/s)
+/// and, where the program has intervals, `coverage95` and `interval_score` (m/s); and every vehicle.
 ///
 /// # Errors
 /// Where the JSON cannot be written.
