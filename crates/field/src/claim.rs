@@ -96,7 +96,7 @@ pub struct Claims {
 /// the longitudinal part alone it is the size of that part. `text` is the table of which `pairs` were read.
 ///
 /// # Errors
-/// Where a column is missing, a cell is no plausible number, an interval does not contain its own value, or no
+/// If a column is missing, a cell is no plausible number, an interval does not contain its own value, or no
 /// vehicle has both a claim and a recorder.
 pub fn judge_claims(text: &str, pairs: &[Pair], columns: &ClaimColumns) -> Result<Claims, FieldError> {
     let mut judged = Vec::new();

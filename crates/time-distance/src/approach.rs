@@ -42,8 +42,8 @@ pub enum Phase<T = f64> {
 /// before it are negative.
 ///
 /// # Errors
-/// Where a number is impossible: a negative length, a speed that would have been negative, an acceleration that
-/// does not lead from one speed to the other.
+/// If a number is impossible: a negative length, a speed that would have been negative, an acceleration
+/// that does not lead from one speed to the other.
 pub fn approach<T: Real>(end: &Leg<T>, phase: Phase<T>) -> Result<Leg<T>, InvalidInput> {
     let (speed, time, acceleration) = match phase {
         Phase::Over { distance, acceleration } => {
