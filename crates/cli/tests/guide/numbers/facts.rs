@@ -49,7 +49,7 @@ fn readme(ledger: &mut Ledger) {
         "user and system time, and elapsed time, of the first command in a fresh clone by Rust 1.95 on x86-64",
     );
     ledger.cited(
-        "compiles … 14 minutes … 7 minutes … 2.4 GB",
+        "compiles … 14 minutes … 7 minutes … 4.1 GB",
         "user and system time of `cargo test --workspace --no-run` by Rust 1.95 on x86-64, and `du -sh target` afterwards",
     );
     let calibration = page("docs/calibration.md");
