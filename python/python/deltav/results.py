@@ -998,7 +998,7 @@ class Tested(Record):
     quantity: str
     """What was judged: ``"ΔV"`` or ``"speed"``."""
     n: int
-    """How many of these."""
+    """(–) how many of these."""
     inside95: float
     """(–) share of the true values inside their 95 % intervals."""
     rms: float | None
