@@ -3,7 +3,8 @@
 use nalgebra::Vector2;
 use real::Real;
 
-use crate::error::{self, InvalidInput};
+use crate::check;
+use crate::error::InvalidInput;
 
 /// A rigid body in the plane: mass and yaw inertia, or fixed to the ground.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -44,8 +45,8 @@ impl<T: Real> Body<T> {
 
     #[inline(always)]
     fn check(&self) -> Result<(), InvalidInput> {
-        error::positive("mass", self.mass.value())?;
-        error::positive("yaw inertia", self.yaw_inertia.value())
+        check::positive("mass", self.mass.value())?;
+        check::positive("yaw inertia", self.yaw_inertia.value())
     }
 
     /// A barrier, pole or wall: 1/m = 0 and 1/I = 0.
@@ -189,16 +190,16 @@ impl<T: Real> Participant<T> {
     /// If the number is not finite.
     #[inline(always)]
     pub fn with_course(self, course: T) -> Result<Self, InvalidInput> {
-        error::angle("course", course.value())?;
+        check::angle("course", course.value())?;
         let (sin, cos) = course.sin_cos();
         Ok(Self { course: Vector2::new(cos, sin), ..self })
     }
 
     #[inline(always)]
     fn check(heading: T, forward: T, left: T) -> Result<(), InvalidInput> {
-        error::angle("heading", heading.value())?;
-        error::finite("forward distance to the contact point", forward.value())?;
-        error::finite("left distance to the contact point", left.value())
+        check::angle("heading", heading.value())?;
+        check::finite("forward distance to the contact point", forward.value())?;
+        check::finite("left distance to the contact point", left.value())
     }
 
     /// Like [`new`](Self::new), with the contact point in polar form: `distance` d (m) from the CG, at
@@ -208,7 +209,7 @@ impl<T: Real> Participant<T> {
     /// If a number is not finite.
     #[inline(always)]
     pub fn polar(body: Body<T>, heading: T, distance: T, angle: T) -> Result<Self, InvalidInput> {
-        error::angle("contact angle", angle.value())?;
+        check::angle("contact angle", angle.value())?;
         let (sin, cos) = angle.sin_cos();
         Self::new(body, heading, distance * cos, distance * sin)
     }

@@ -6,7 +6,8 @@ use nalgebra::Vector2;
 use real::Real;
 
 use crate::body::{Body, Motion, Participant};
-use crate::error::{self, InvalidInput};
+use crate::check;
+use crate::error::InvalidInput;
 
 /// Below this fraction of the distance between the CGs, rounding decides on which side of the crush plane
 /// they lie.
@@ -303,5 +304,5 @@ impl<T: Real> Contact<T> {
 
 #[inline(always)]
 fn angle<T: Real>(crush_plane: T) -> Result<(), InvalidInput> {
-    error::angle("crush plane angle", crush_plane.value())
+    check::angle("crush plane angle", crush_plane.value())
 }

@@ -9,8 +9,9 @@ use serde::de::Error as _;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
 use crate::body::{Body, Participant};
+use crate::check;
 use crate::contact::Contact;
-use crate::error::{self, InvalidInput};
+use crate::error::InvalidInput;
 use crate::law::{Law, Tangential};
 use crate::restitution::{RestitutionCurve, VaryingLaw};
 
@@ -97,10 +98,10 @@ impl<T: Real> TryFrom<ParticipantData<T>> for Participant<T> {
         let course = course.unwrap_or(forward);
         let length = |vector: Vector2<T>| (vector.x * vector.x + vector.y * vector.y).sqrt().value();
         let [low, high] = UNIT_LENGTH;
-        error::within("length of the forward axis", length(forward), low, high)?;
-        error::within("length of the course", length(course), low, high)?;
-        error::finite("distance to the contact point along x", arm.x.value())?;
-        error::finite("distance to the contact point along y", arm.y.value())?;
+        check::within("length of the forward axis", length(forward), low, high)?;
+        check::within("length of the course", length(course), low, high)?;
+        check::finite("distance to the contact point along x", arm.x.value())?;
+        check::finite("distance to the contact point along y", arm.y.value())?;
         Ok(Self { body, forward, course, arm })
     }
 }

@@ -3,8 +3,6 @@
 use alloc::format;
 use alloc::string::String;
 
-use real::Real;
-
 use crate::vehicle_id::VehicleId;
 
 /// An input that no body, contact or law can have.
@@ -150,34 +148,4 @@ pub enum ImpactError {
 /// The share of a moment impulse, if there is one.
 fn of_moment(work: f64) -> String {
     if work == 0.0 { String::new() } else { format!(" and {work:.6e} J that of the moment impulse") }
-}
-
-/// Refuses NaN and infinities.
-#[inline(always)]
-pub(crate) fn finite(what: &'static str, value: f64) -> Result<(), InvalidInput> {
-    if Real::is_finite(value) { Ok(()) } else { Err(InvalidInput::NotFinite { what, value }) }
-}
-
-/// Refuses all but finite numbers greater than zero.
-#[inline(always)]
-pub(crate) fn positive(what: &'static str, value: f64) -> Result<(), InvalidInput> {
-    finite(what, value)?;
-    if value > 0.0 { Ok(()) } else { Err(InvalidInput::NotPositive { what, value }) }
-}
-
-/// Refuses all but numbers from `low` to `high`.
-#[inline(always)]
-pub(crate) fn within(what: &'static str, value: f64, low: f64, high: f64) -> Result<(), InvalidInput> {
-    finite(what, value)?;
-    if (low..=high).contains(&value) {
-        Ok(())
-    } else {
-        Err(InvalidInput::OutOfRange { what, value, low, high })
-    }
-}
-
-/// Refuses angles that are not finite or lie beyond what [`real::Real::sin_cos`] reduces exactly.
-#[inline(always)]
-pub(crate) fn angle(what: &'static str, value: f64) -> Result<(), InvalidInput> {
-    within(what, value, -real::elementary::SIN_COS_LIMIT, real::elementary::SIN_COS_LIMIT)
 }

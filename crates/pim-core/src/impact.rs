@@ -4,8 +4,9 @@ use nalgebra::Vector2;
 use real::Real;
 
 use crate::body::Motion;
+use crate::check;
 use crate::contact::{Contact, NormalTangential};
-use crate::error::{self, ImpactError, InvalidInput};
+use crate::error::{ImpactError, InvalidInput};
 use crate::law::{Law, LawImpulse, Regime, Solution};
 use crate::vehicle_id::VehicleId;
 
@@ -263,9 +264,9 @@ impl<T: Real> Contact<T> {
 
     fn check(&self, motions: &[Motion<T>; 2]) -> Result<(), InvalidInput> {
         for ((participant, motion), body) in self.participants().iter().zip(motions).zip(VehicleId::ALL) {
-            error::finite("velocity along x", motion.velocity.x.value())?;
-            error::finite("velocity along y", motion.velocity.y.value())?;
-            error::finite("yaw rate", motion.yaw_rate.value())?;
+            check::finite("velocity along x", motion.velocity.x.value())?;
+            check::finite("velocity along y", motion.velocity.y.value())?;
+            check::finite("yaw rate", motion.yaw_rate.value())?;
             if participant.body().is_fixed() && *motion != Motion::rest() {
                 return Err(InvalidInput::FixedBodyMoves { body });
             }

@@ -3,8 +3,9 @@
 
 use real::Real;
 
+use crate::check;
 use crate::contact::{Approach, InverseMass, NormalTangential};
-use crate::error::{self, ImpactError, InvalidInput};
+use crate::error::{ImpactError, InvalidInput};
 
 /// The tangential condition of an impact law.
 ///
@@ -99,19 +100,19 @@ impl<T: Real> Law<T> {
 
     #[inline(always)]
     fn check(&self) -> Result<(), InvalidInput> {
-        error::within("coefficient of restitution", self.restitution.value(), 0.0, 1.0)?;
+        check::within("coefficient of restitution", self.restitution.value(), 0.0, 1.0)?;
         match self.tangential {
             Tangential::Critical => Ok(()),
-            Tangential::Ratio(mu) => error::finite("impulse ratio", mu.value()),
+            Tangential::Ratio(mu) => check::finite("impulse ratio", mu.value()),
             Tangential::FractionOfCritical(f) => {
-                error::within("fraction of the critical impulse ratio", f.value(), 0.0, 1.0)
+                check::within("fraction of the critical impulse ratio", f.value(), 0.0, 1.0)
             }
             Tangential::Friction(limit) | Tangential::FullOrSliding(limit) => {
-                error::within("friction limit", limit.value(), 0.0, f64::MAX)
+                check::within("friction limit", limit.value(), 0.0, f64::MAX)
             }
-            Tangential::VelocityChange(change) => error::finite("tangential velocity change", change.value()),
+            Tangential::VelocityChange(change) => check::finite("tangential velocity change", change.value()),
             Tangential::Restitution(e_t) => {
-                error::within("tangential coefficient of restitution", e_t.value(), -1.0, 1.0)
+                check::within("tangential coefficient of restitution", e_t.value(), -1.0, 1.0)
             }
         }
     }
@@ -160,7 +161,7 @@ impl<T: Real> Law<T> {
     /// # Errors
     /// If e_m lies outside [−1, 1].
     pub fn with_moment_restitution(self, moment_restitution: T) -> Result<Self, InvalidInput> {
-        error::within("moment coefficient of restitution", moment_restitution.value(), -1.0, 1.0)?;
+        check::within("moment coefficient of restitution", moment_restitution.value(), -1.0, 1.0)?;
         Ok(Self { moment_restitution, ..self })
     }
 

@@ -87,6 +87,7 @@ extern crate alloc;
 
 mod body;
 mod border;
+pub mod check;
 mod contact;
 #[cfg(feature = "serde")]
 mod data;

@@ -4,7 +4,8 @@ use alloc::vec::Vec;
 
 use real::Real;
 
-use crate::error::{self, InvalidInput};
+use crate::check;
+use crate::error::InvalidInput;
 use crate::law::Law;
 
 /// The coefficient of restitution as a function of the closing speed −u_n: linear between the points,
@@ -29,8 +30,8 @@ impl<T: Real> RestitutionCurve<T> {
         }
         let mut before = 0.0;
         for (i, (speed, e)) in points.iter().enumerate() {
-            error::finite("closing speed of a restitution", speed.value())?;
-            error::within("coefficient of restitution", e.value(), 0.0, 1.0)?;
+            check::finite("closing speed of a restitution", speed.value())?;
+            check::within("coefficient of restitution", e.value(), 0.0, 1.0)?;
             if speed.value() < before || (i > 0 && speed.value() == before) {
                 return Err(InvalidInput::NotAscending { before, value: speed.value() });
             }

@@ -3,8 +3,8 @@
 use pim_core::InvalidInput;
 use real::Real;
 
-use crate::check;
 use crate::course::Leg;
+use pim_core::check;
 
 /// A stretch of constant acceleration before the impact.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -47,27 +47,31 @@ pub enum Phase<T = f64> {
 pub fn approach<T: Real>(end: &Leg<T>, phase: Phase<T>) -> Result<Leg<T>, InvalidInput> {
     let (speed, time, acceleration) = match phase {
         Phase::Over { distance, acceleration } => {
-            check::not_negative("length of a phase before the impact", distance.value())?;
+            check::within("length of a phase before the impact", distance.value(), 0.0, f64::MAX)?;
             check::finite("acceleration before the impact", acceleration.value())?;
             // v₀² = v² − 2 a s
             let square = end.speed * end.speed - acceleration * distance * 2.0;
-            check::not_negative(
+            check::within(
                 "square of the speed where a phase before the impact begins",
                 square.value(),
+                0.0,
+                f64::MAX,
             )?;
             let speed = if square.value() > 0.0 { square.sqrt() } else { T::ZERO };
             // t = 2 s/(v₀ + v), which needs no acceleration
             let sum = speed + end.speed;
-            let is_moving = distance.value() <= 0.0 || sum.value() > 0.0;
-            check::positive("speed over a phase before the impact", if is_moving { 1.0 } else { 0.0 })?;
+            if distance.value() > 0.0 && sum.value() <= 0.0 {
+                let what = "speed over a phase before the impact";
+                return Err(InvalidInput::NotPositive { what, value: sum.value() });
+            }
             let time = if sum.value() > 0.0 { distance * 2.0 / sum } else { T::ZERO };
             (speed, time, acceleration)
         }
         Phase::For { time, acceleration } => {
-            check::not_negative("duration of a phase before the impact", time.value())?;
+            check::within("duration of a phase before the impact", time.value(), 0.0, f64::MAX)?;
             check::finite("acceleration before the impact", acceleration.value())?;
             let speed = end.speed - acceleration * time;
-            check::not_negative("speed where a phase before the impact begins", speed.value())?;
+            check::within("speed where a phase before the impact begins", speed.value(), 0.0, f64::MAX)?;
             (speed, time, acceleration)
         }
         Phase::FromRest { acceleration } => {
@@ -75,10 +79,10 @@ pub fn approach<T: Real>(end: &Leg<T>, phase: Phase<T>) -> Result<Leg<T>, Invali
             (T::ZERO, end.speed / acceleration, acceleration)
         }
         Phase::From { speed, acceleration } => {
-            check::not_negative("speed where a phase before the impact begins", speed.value())?;
+            check::within("speed where a phase before the impact begins", speed.value(), 0.0, f64::MAX)?;
             check::finite("acceleration before the impact", acceleration.value())?;
             let time = (end.speed - speed) / acceleration;
-            check::not_negative("duration of a phase before the impact", time.value())?;
+            check::within("duration of a phase before the impact", time.value(), 0.0, f64::MAX)?;
             (speed, time, acceleration)
         }
     };

@@ -3,8 +3,8 @@
 use pim_core::InvalidInput;
 use real::Real;
 
-use crate::check;
 use crate::course::Course;
+use pim_core::check;
 
 /// A road user on a straight path.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -46,9 +46,9 @@ impl<T: Real> Crossing<T> {
         let (sin, _) = angle.sin_cos();
         check::positive("sine of the angle between the paths", sin.abs().value())?;
         for party in &parties {
-            check::not_negative("distance to the front", party.front.value())?;
-            check::not_negative("distance to the rear", party.rear.value())?;
-            check::not_negative("width", party.width.value())?;
+            check::within("distance to the front", party.front.value(), 0.0, f64::MAX)?;
+            check::within("distance to the rear", party.rear.value(), 0.0, f64::MAX)?;
+            check::within("width", party.width.value(), 0.0, f64::MAX)?;
         }
         Ok(Self { angle, parties })
     }

@@ -57,7 +57,6 @@
 #![cfg_attr(not(feature = "std"), no_std)]
 
 mod approach;
-mod check;
 mod course;
 mod crossing;
 mod gap;

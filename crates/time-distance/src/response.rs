@@ -3,8 +3,8 @@
 use pim_core::InvalidInput;
 use real::Real;
 
-use crate::check;
 use crate::course::Leg;
+use pim_core::check;
 
 /// Iterations after which Newton's method has long converged: it is quadratic, and started on the side from
 /// which it cannot overshoot.
@@ -55,8 +55,8 @@ impl<T: Real> Response<T> {
     /// # Errors
     /// Where a time is negative, the deceleration is not positive, or a number is not finite.
     pub fn new(reaction: T, swell: T, deceleration: T, form: Swell) -> Result<Self, InvalidInput> {
-        check::not_negative("reaction time", reaction.value())?;
-        check::not_negative("swell of the brakes", swell.value())?;
+        check::within("reaction time", reaction.value(), 0.0, f64::MAX)?;
+        check::within("swell of the brakes", swell.value(), 0.0, f64::MAX)?;
         check::positive("deceleration", deceleration.value())?;
         Ok(Self { reaction, swell, deceleration, form })
     }

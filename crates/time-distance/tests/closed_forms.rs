@@ -141,14 +141,14 @@ proptest! {
         let wide = |x: f64| D::from(x);
         let of = |v: f64| {
             let response = Response::new(reaction, swell, full, form).unwrap();
-            let place = share * stop_of(reaction, swell, full, form, share, 1.0 * 30.0);
+            let place = share * response.stopping_distance(30.0);
             [
                 response.stopping_distance(v), response.speed_after(v, place),
                 response.arrival(v, place).unwrap_or(0.0), response.speed_to_stop_within(v),
             ]
         };
         let response = Response::new(wide(reaction), wide(swell), wide(full), form).unwrap();
-        let place = share * stop_of(reaction, swell, full, form, share, 30.0);
+        let place = share * Response::new(reaction, swell, full, form).unwrap().stopping_distance(30.0);
         let input = D::variable(v, 0);
         let found = [
             response.stopping_distance(input), response.speed_after(input, wide(place)),
@@ -166,11 +166,6 @@ proptest! {
             }
         }
     }
-}
-
-/// (m) some place, whatever the speed.
-fn stop_of(reaction: f64, swell: f64, full: f64, form: Swell, _share: f64, v: f64) -> f64 {
-    Response::new(reaction, swell, full, form).unwrap().stopping_distance(v)
 }
 
 #[test]

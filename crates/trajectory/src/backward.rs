@@ -6,7 +6,6 @@ use pim_core::{InvalidInput, Motion, Vector2};
 use real::{Bundle, Duals, Real, elementary, principal_angle};
 
 use crate::chassis::Chassis;
-use crate::check;
 use crate::closed::Spin;
 use crate::error::NoRest;
 use crate::field::root;
@@ -14,6 +13,7 @@ use crate::forward::{follow, to_rest};
 use crate::ground::Ground;
 use crate::state::{Control, Rest, State};
 use crate::steer::Steer;
+use pim_core::check;
 
 /// Maximum number of distinct starts.
 pub const MOST_STARTS: usize = 8;

@@ -3,7 +3,7 @@
 use pim_core::{Body, InvalidInput, Vector2};
 use real::Real;
 
-use crate::check;
+use pim_core::check;
 
 /// (–) greatest drag of a wheel: no tyre has that much grip, so the wheel is locked on any ground.
 pub const GREATEST_DRAG: f64 = 2.0;

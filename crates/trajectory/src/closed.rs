@@ -18,9 +18,9 @@ use core::f64::consts::{FRAC_PI_2, PI};
 use pim_core::InvalidInput;
 use real::Real;
 
-use crate::check;
 use crate::field::GRAVITY;
 use crate::ground::{GREATEST_FRICTION, GREATEST_GRADE};
+use pim_core::check;
 
 /// (rad) a vehicle that departs with more sideslip than this, 10°, spins (EDCRASH manual, chapter 4).
 pub const SPIN_SIDESLIP: f64 = PI / 18.0;

@@ -4,7 +4,6 @@ use pim_core::{InvalidInput, Motion, Vector2};
 use real::{Real, elementary};
 
 use crate::chassis::Chassis;
-use crate::check;
 use crate::error::NoRest;
 use crate::field::{Acceleration, Field, GRAVITY, root};
 use crate::footing::{Crossing, Footing, Pose};
@@ -14,6 +13,7 @@ use crate::progress::{Outlook, Pace, Progress, error_squared};
 use crate::state::{Control, MotionEnergy, Rest, Sample, State};
 use crate::steer::Steer;
 use crate::step::{Phase, Start, Steering, Step};
+use pim_core::check;
 
 /// Follows a vehicle from its `start` to rest, and passes a [`Sample`] at the start, after each step and at
 /// rest to `record`.

@@ -3,7 +3,7 @@
 use pim_core::{InvalidInput, Vector2};
 use real::{Real, elementary};
 
-use crate::check;
+use pim_core::check;
 
 /// (–) greatest friction of a ground.
 pub const GREATEST_FRICTION: f64 = 2.0;

@@ -85,7 +85,6 @@ mod backward;
 #[cfg(feature = "std")]
 mod block;
 mod chassis;
-mod check;
 pub mod closed;
 mod error;
 mod field;

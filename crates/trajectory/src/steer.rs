@@ -5,7 +5,7 @@ use core::f64::consts::FRAC_PI_2;
 use pim_core::InvalidInput;
 use real::Real;
 
-use crate::check;
+use pim_core::check;
 
 /// (rad) steer angle of the front wheels, counter-clockwise from the vehicle's axis.
 #[derive(Clone, Copy, Debug, PartialEq)]
