@@ -1,5 +1,4 @@
-//! What a command asks of cases: `deltav reconstruct`, `impact` and all others that take a case file and
-//! report on it.
+//! The commands that take a case file and report on it: `deltav reconstruct`, `impact` and the others.
 
 use std::io::{self, BufWriter};
 use std::path::Path;
@@ -34,7 +33,7 @@ pub(crate) fn report(asked: Asked) -> Result<()> {
     let (answer, pool) = answer(&request, &file.case, threads)?;
     let mut answer = found(answer, &file, units)?;
     has_outputs(&request, &answer)?;
-    // Nobody needs an answer without a headline, or samples that are no answer.
+    // Neither a live report without a headline nor samples without an answer are of use.
     let unweighed = match &mut answer {
         Answer::Analysis(solved) => solved.unweighed.take(),
         _ => None,
@@ -93,17 +92,19 @@ fn is_number(path: &Path) -> bool {
     path.to_str().is_some_and(|name| name.parse::<f64>().is_ok())
 }
 
-/// The answer, and the pool of threads of what takes long.
+/// The answer, and the pool of threads if it took long.
 fn answer(
     request: &Request,
     case: &Case,
     threads: Option<u16>,
 ) -> Result<(Result<Answer, Unanswered>, Option<ThreadPool>)> {
-    if let Some(answer) = request.at_once(case) {
-        return Ok((answer, None));
+    match request.begin(case) {
+        Ok(answer) => Ok((answer, None)),
+        Err(begun) => {
+            let pool = pool(threads)?;
+            Ok((in_pool(&pool, |progress| begun.finish(case, progress))?, Some(pool)))
+        }
     }
-    let pool = pool(threads)?;
-    Ok((in_pool(&pool, |progress| request.answer(case, progress))?, Some(pool)))
 }
 
 /// Refuses results that the case does not have.
@@ -140,7 +141,7 @@ fn handed_over(path: &Path, file: &CaseFile, answer: &Answer, units: Units) -> R
     })
 }
 
-/// Draws with the threads that there are.
+/// Draws with the threads of the pool, if there is one.
 fn installed<T: Send>(pool: Option<&ThreadPool>, draw: impl FnOnce() -> T + Send) -> T {
     match pool {
         Some(pool) => pool.install(draw),

@@ -1,5 +1,5 @@
-//! What may be asked of a collision, and the answer: once for the program, the package for Python and the
-//! page, which add arguments, files, threads and a view of how far it is.
+//! The questions about a collision and their answers, once for the program, the Python package and the page,
+//! which add arguments, files, threads and the display of progress.
 //!
 //! ```
 //! use std::ops::ControlFlow;
@@ -34,7 +34,7 @@
 //!
 //! # What it does not do
 //!
-//! It computes nothing itself, and knows no terminal, no Python and no browser.
+//! It computes nothing itself, and depends on no terminal, no Python and no browser.
 
 mod estimate;
 mod options;
@@ -46,7 +46,6 @@ mod solved;
 mod uncertainty;
 
 use std::io::{self, Write};
-use std::ops::ControlFlow;
 
 use analysis::{Comparison, Judgement, Sensitivity, Uncertainty};
 use case::{Case, CaseFile};
@@ -62,9 +61,9 @@ pub use sensitivity::SensitivityOptions;
 pub use solved::{ReconstructOptions, SolvedCase, weigh};
 pub use uncertainty::{UncertaintyOptions, plots};
 
-/// A command that answers for a case, with its options: enough to get the answer again, to the last bit.
+/// A command that answers for a case, with its options: enough to repeat the answer to the last bit.
 ///
-/// It is written as its command and its options, which [`read`](Self::read) takes.
+/// It is serialised as its command and its options, which [`read`](Self::read) takes.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[non_exhaustive]
 #[serde(tag = "command", content = "options", rename_all = "lowercase")]
@@ -77,19 +76,47 @@ pub enum Request {
     Motion,
     /// CRASH3 alone.
     Crush,
-    /// What the case allows, without solving it.
+    /// The commands that the case allows, without solving it.
     Check,
     /// The answers of every impact law.
     Compare,
     /// How much the answer depends on each input.
     Sensitivity(SensitivityOptions),
-    /// What the ranges of the case make of its results.
+    /// The intervals of the results that follow from the ranges of the case.
     Uncertainty(UncertaintyOptions),
     /// The speeds from all evidence.
     Estimate(EstimateOptions),
 }
 
-/// What a [`Request`] finds.
+/// A [`Request`] that takes long, with what was found of it so far.
+#[derive(Debug)]
+pub enum Begun<'a> {
+    /// Its exact solution is found.
+    Reconstruct(&'a ReconstructOptions, Box<SolvedCase>),
+    /// Nothing yet.
+    Uncertainty(&'a UncertaintyOptions),
+    /// Nothing yet.
+    Estimate(&'a EstimateOptions),
+}
+
+impl Begun<'_> {
+    /// The answer for the same case. It reports its progress, and runs on the threads of the rayon pool in
+    /// which it is called if the features `parallel` of the crates below are on; its bits depend on neither.
+    ///
+    /// # Errors
+    /// [`Unanswered`].
+    pub fn finish(self, case: &Case, progress: &mut RequestProgress<'_>) -> Result<Answer, Unanswered> {
+        Ok(match self {
+            Self::Reconstruct(options, solved) => {
+                Answer::Analysis(Box::new(solved.completed(options, case, progress)))
+            }
+            Self::Uncertainty(options) => Answer::Uncertainty(Box::new(options.answer(case, progress)?)),
+            Self::Estimate(options) => Answer::Estimate(Box::new(options.answer(case, progress)?)),
+        })
+    }
+}
+
+/// The answer to a [`Request`].
 #[derive(Debug)]
 #[non_exhaustive]
 pub enum Answer {
@@ -114,10 +141,10 @@ impl From<analysis::Analysis> for Answer {
 }
 
 impl Request {
-    /// A command by its name, with its options by theirs.
+    /// The request for a command, by its name and the names of its options.
     ///
     /// # Errors
-    /// [`OptionError`] where no command has this name, and for options that cannot be read.
+    /// [`OptionError`] if no command has this name, or an option cannot be read.
     pub fn read(command: &str, options: &RequestOptions) -> Result<Self, OptionError> {
         Ok(match command {
             "reconstruct" => Self::Reconstruct(ReconstructOptions::read(options)),
@@ -133,10 +160,10 @@ impl Request {
         })
     }
 
-    /// Refuses what no case could be asked.
+    /// Refuses options that no case could have.
     ///
     /// # Errors
-    /// [`OptionError`], with what to give instead.
+    /// [`OptionError`], with a valid value to give instead.
     pub fn check(&self) -> Result<(), OptionError> {
         match self {
             Self::Sensitivity(options) => options.check(),
@@ -147,46 +174,49 @@ impl Request {
         }
     }
 
-    /// The answer. What takes long tells how far it is, and runs on the threads of the rayon pool in which
-    /// this is called, where the features `parallel` of the crates below are on; its bits depend on neither.
+    /// The answer: [begun](Self::begin) and, if that is not all, [finished](Begun::finish).
     ///
     /// # Errors
     /// [`Unanswered`].
     pub fn answer(&self, case: &Case, progress: &mut RequestProgress<'_>) -> Result<Answer, Unanswered> {
-        Ok(match self {
-            Self::Reconstruct(options) => {
-                let solved = SolvedCase::from(analysis::reconstruct(case)?);
-                Answer::Analysis(Box::new(solved.completed(options, case, progress)))
-            }
-            Self::Impact => analysis::impact(case)?.into(),
-            Self::Motion => analysis::motion(case)?.into(),
-            Self::Crush => analysis::crush(case)?.into(),
-            Self::Check => Answer::Judgement(Box::new(analysis::judge(case))),
-            Self::Compare => Answer::Comparison(Box::new(analysis::compare(case)?)),
-            Self::Sensitivity(options) => {
-                Answer::Sensitivity(Box::new(analysis::sensitivity(case, options.sweep())?))
-            }
-            Self::Uncertainty(options) => Answer::Uncertainty(Box::new(options.answer(case, progress)?)),
-            Self::Estimate(options) => Answer::Estimate(Box::new(options.answer(case, progress)?)),
-        })
-    }
-
-    /// The answer of a quick command, on this thread and without progress; nothing if it takes long.
-    pub fn at_once(&self, case: &Case) -> Option<Result<Answer, Unanswered>> {
-        let quietly = &mut |_, _, _| ControlFlow::Continue(());
-        match self {
-            Self::Uncertainty(_) | Self::Estimate(_) => None,
-            Self::Reconstruct(options) => match analysis::reconstruct(case).map(SolvedCase::from) {
-                Ok(solved) if solved.leaves_open(options, case) => None,
-                Ok(solved) => Some(Ok(Answer::Analysis(Box::new(solved)))),
-                Err(failure) => Some(Err(failure.into())),
-            },
-            Self::Impact | Self::Motion | Self::Crush => Some(self.answer(case, quietly)),
-            Self::Check | Self::Compare | Self::Sensitivity(_) => Some(self.answer(case, quietly)),
+        match self.begin(case) {
+            Ok(answer) => answer,
+            Err(begun) => begun.finish(case, progress),
         }
     }
 
-    /// The rows that it gives, one or more for each case; none of what is about one case alone.
+    /// The answer of a quick command, on this thread and without progress.
+    ///
+    /// # Errors
+    /// [`Begun`] if the answer takes long.
+    pub fn begin(&self, case: &Case) -> Result<Result<Answer, Unanswered>, Begun<'_>> {
+        let answer = match self {
+            Self::Uncertainty(options) => return Err(Begun::Uncertainty(options)),
+            Self::Estimate(options) => return Err(Begun::Estimate(options)),
+            Self::Reconstruct(options) => match analysis::reconstruct(case) {
+                Ok(exact) => {
+                    let solved = Box::new(SolvedCase::from(exact));
+                    if solved.leaves_open(options, case) {
+                        return Err(Begun::Reconstruct(options, solved));
+                    }
+                    Ok(Answer::Analysis(solved))
+                }
+                Err(failure) => Err(failure),
+            },
+            Self::Impact => analysis::impact(case).map(Answer::from),
+            Self::Motion => analysis::motion(case).map(Answer::from),
+            Self::Crush => analysis::crush(case).map(Answer::from),
+            Self::Check => Ok(Answer::Judgement(Box::new(analysis::judge(case)))),
+            Self::Compare => analysis::compare(case).map(|found| Answer::Comparison(Box::new(found))),
+            Self::Sensitivity(options) => {
+                let found = analysis::sensitivity(case, options.sweep());
+                found.map(|found| Answer::Sensitivity(Box::new(found)))
+            }
+        };
+        Ok(answer.map_err(Unanswered::from))
+    }
+
+    /// The table of its rows, one or more for each case; `None` for a command about a single case.
     #[must_use]
     pub fn rows(&self) -> Option<Table> {
         match self {
@@ -197,7 +227,7 @@ impl Request {
         }
     }
 
-    /// The same for a row, which has room for an exact solution alone.
+    /// The request for a row, which has room only for an exact solution.
     #[must_use]
     pub fn of_row(&self) -> Self {
         match self {
@@ -208,7 +238,7 @@ impl Request {
 }
 
 impl Answer {
-    /// What the program prints.
+    /// The document that the program prints.
     #[must_use]
     pub fn document(&self, file: &CaseFile, units: Units) -> Document {
         let case = &file.case;
@@ -222,7 +252,7 @@ impl Answer {
         }
     }
 
-    /// What is handed over: of an analysis the report with all steps and drawings, of all else the document.
+    /// The report to hand over: for an analysis with all steps and drawings, otherwise the document.
     ///
     /// # Errors
     /// [`NoPage`].
@@ -248,7 +278,7 @@ impl Answer {
     /// The JSON document: SI units and radians, with keys that are kept.
     ///
     /// # Errors
-    /// None is known.
+    /// If serialisation fails, which no answer causes.
     pub fn json(&self, file: &CaseFile) -> Result<String, serde_json::Error> {
         match self {
             Self::Analysis(solved) => solved.json(file),
@@ -260,7 +290,7 @@ impl Answer {
         }
     }
 
-    /// What a row holds; nothing where [`Request::rows`] has none.
+    /// The content of its row; `None` if [`Request::rows`] has no table.
     #[must_use]
     pub fn row(&self) -> Option<RowAnswer<'_>> {
         match self {
@@ -271,7 +301,7 @@ impl Answer {
         }
     }
 
-    /// What is read first of its document: of an uncertainty the intervals.
+    /// The first lines of its document; for an uncertainty, the intervals.
     #[must_use]
     pub fn headline(&self, document: &Document, units: Units) -> Vec<String> {
         match self {
@@ -280,8 +310,8 @@ impl Answer {
         }
     }
 
-    /// Why it is no answer: the evidence contradicts itself, or the run has not converged. The document says
-    /// more.
+    /// The reason why it is not an answer: the evidence contradicts itself, or the run has not converged. The
+    /// document says more.
     #[must_use]
     pub fn no_answer(&self) -> Option<&'static str> {
         match self {
@@ -294,7 +324,8 @@ impl Answer {
         }
     }
 
-    /// Writes the samples or draws as CSV; nothing of what is [no answer](Self::no_answer), or has none.
+    /// Writes the samples or draws as CSV; nothing if it is [not an answer](Self::no_answer) or has no
+    /// samples.
     ///
     /// # Errors
     /// Those of the output.

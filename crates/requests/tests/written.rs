@@ -119,7 +119,7 @@ fn an_answer_has_what_its_request_promises() {
         assert_eq!(found.row().is_some(), request.rows().is_some(), "{command}");
         assert!(found.json(file).unwrap().contains("\"sha256\": \""), "{command}");
         assert!(found.document(file, Units::Si).text().len() > 100, "{command}");
-        let at_once = request.at_once(&file.case).map(|found| found.unwrap().json(file).unwrap());
+        let at_once = request.begin(&file.case).ok().map(|found| found.unwrap().json(file).unwrap());
         let takes_long = ["uncertainty", "estimate"].contains(&command);
         assert_eq!(at_once, (!takes_long).then(|| found.json(file).unwrap()), "{command}");
         assert_eq!(found.shows_site_plan(), command == "motion", "{command}");
@@ -134,11 +134,9 @@ fn an_answer_has_what_its_request_promises() {
 fn more_evidence_is_weighed_where_it_is_asked_for() {
     let over = file("edcrash-tutorial.toml");
     let exact = read("reconstruct", "");
-    assert!(
-        matches!(exact.at_once(&over.case), Some(Ok(Answer::Analysis(solved))) if solved.weighed.is_none())
-    );
+    assert!(matches!(exact.begin(&over.case), Ok(Ok(Answer::Analysis(solved))) if solved.weighed.is_none()));
     let weighed = read("reconstruct", r#"{"weigh":true}"#);
-    assert!(weighed.at_once(&over.case).is_none());
+    assert!(weighed.begin(&over.case).is_err());
     let row = weighed.of_row();
     assert_eq!(row, exact);
     let found = answer(&weighed, &over).unwrap();

@@ -18,7 +18,7 @@ fn solved<'a>(given: &Given, command: &'a str) -> Result<(&'a str, Request, Answ
     let command = if command.is_empty() { case.furthest_purpose().name() } else { command };
     let request = Request::read(command, &RequestOptions::default())?;
     // What takes long is for a worker.
-    let answer = request.at_once(case).ok_or_else(|| OptionError::Command(command.to_owned()))?;
+    let answer = request.begin(case).map_err(|_| OptionError::Command(command.to_owned()))?;
     let answer = given.found(answer)?;
     Ok((command, request, answer))
 }
