@@ -114,13 +114,12 @@ pub fn judge_claims(text: &str, pairs: &[Pair], columns: &ClaimColumns) -> Resul
     if judged.is_empty() {
         return Err(FieldError::NoClaims { column: columns.value.clone() });
     }
-    let kinds = [PairKind::FrontFront, PairKind::FrontSide, PairKind::FrontRear, PairKind::Other];
     let group = |name, of: &dyn Fn(&JudgedClaim) -> bool| {
         let all: Vec<&JudgedClaim> = judged.iter().filter(|judged| of(judged)).collect();
         ClaimGroup::of(name, &all)
     };
     let mut groups: Vec<ClaimGroup> = group("all", &|_| true).into_iter().collect();
-    groups.extend(kinds.iter().filter_map(|kind| group(kind.name(), &|judged| judged.kind == *kind)));
+    groups.extend(PairKind::ALL.iter().filter_map(|kind| group(kind.name(), &|judged| judged.kind == *kind)));
     Ok(Claims { columns: columns.clone(), pairs: pairs.len(), unclaimed, judged, groups })
 }
 

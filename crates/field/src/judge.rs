@@ -57,6 +57,9 @@ pub enum PairKind {
 }
 
 impl PairKind {
+    /// All of them, in the order of the tables.
+    pub const ALL: [Self; 4] = [Self::FrontFront, Self::FrontSide, Self::FrontRear, Self::Other];
+
     /// Its name.
     #[must_use]
     pub fn name(self) -> &'static str {
@@ -213,13 +216,12 @@ pub fn judge_by(
     if judged.is_empty() {
         return Err(FieldError::NothingToJudge { both: options.other });
     }
-    let kinds = [PairKind::FrontFront, PairKind::FrontSide, PairKind::FrontRear, PairKind::Other];
     let group = |name, of: &dyn Fn(&Judged) -> bool| {
         let all: Vec<&Judged> = judged.iter().filter(|judged| of(judged)).collect();
         Group::of(name, &all)
     };
     let mut groups: Vec<Group> = group("all", &|_| true).into_iter().collect();
-    groups.extend(kinds.iter().filter_map(|kind| group(kind.name(), &|judged| judged.kind == *kind)));
+    groups.extend(PairKind::ALL.iter().filter_map(|kind| group(kind.name(), &|judged| judged.kind == *kind)));
     if options.other {
         groups.extend(group("one-event", &|judged| judged.is_one_event == Some(true)));
     }

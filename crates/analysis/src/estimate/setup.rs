@@ -8,7 +8,7 @@ use evidence::{Damage, EnergyMethod, FITTED, Observed, OtherCrush, Speeds};
 use inputs::{
     BrachTangential, Case, Collision, Dimension, Fault, FaultKind, Faults, Find, GivenVehicle, ImpactLaw,
     Input, MotionInput, Origin, Prior, Purpose, Quantity, Reconstruct, SharedEffects, SkidBegin, Unit,
-    Velocity,
+    Velocity, YawForm,
 };
 use pim_core::VehicleId;
 use real::Real;
@@ -321,11 +321,8 @@ fn skid_friction(id: VehicleId) -> String {
 
 /// The case for a block of particles at once.
 fn block(numbers: Case<Number>, variables: &[Input], slots: &[Slot], speeds: OpenSpeeds) -> Option<Block> {
-    // Burg's formula takes the yaw inertia from the wheelbase, where neither it nor a class is given.
-    let is_by_burg = |id: &VehicleId| {
-        let vehicle = &numbers.vehicles[id.index()];
-        vehicle.yaw.is_none() && vehicle.class.is_none()
-    };
+    // Burg's formula takes the yaw inertia from the wheelbase.
+    let is_by_burg = |id: &VehicleId| matches!(numbers.vehicle_form(*id).yaw, Some(YawForm::Burg { .. }));
     let by_burg = VehicleId::ALL.into_iter().filter(is_by_burg);
     let wheelbases: Vec<String> = by_burg.map(|id| format!("{}.wheelbase", table(id))).collect();
     let is_read = |path: &String| !is_beside(path) || wheelbases.contains(path);

@@ -81,8 +81,8 @@ pub(crate) fn pictures(case: &Case, weighed: &Weighed, units: Units) -> Vec<Bloc
 /// On which real collisions such an interval was judged.
 fn tested(class: Option<&TestedClass>) -> String {
     let Some(TestedClass { collisions, quantity, n, inside95, rms, source, code: _ }) = class else {
-        return "No real collisions of this kind with this evidence were judged, so how often such an interval is right \
-                is known from simulated ones alone."
+        return "No real collisions of this kind were judged with this evidence, so no crash shows how often such an \
+                interval is right."
             .to_owned();
     };
     let off = rms.map_or_else(String::new, |rms| {

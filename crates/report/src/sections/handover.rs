@@ -321,7 +321,7 @@ fn answer(case: &Case, analysis: &Analysis, supplements: Supplements<'_>, units:
             let by_all = if of_method.is_some() {
                 "The first interval has the errors of the method and the usual errors of all inputs. "
                     .to_owned()
-            } else if !is_estimated_beside(case) {
+            } else if supplements.weighed.is_none() && !is_estimated_beside(case) {
                 "The surface has so many zones that the interval with the errors of the method takes minutes, so this \
                      report goes without it: `deltav estimate` computes it. "
                     .to_owned()
