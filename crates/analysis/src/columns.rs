@@ -1,9 +1,8 @@
 //! The collisions of a block of samples or particles, as columns.
 //!
-//! Each goes through the functions through which a single case goes, in the same order, so that it has the
-//! same bits. What a case says of its vehicles and their damage becomes columns, and there is nothing between
-//! these functions that keeps a compiler from vectorising the loop over the lanes: no allocation, no error,
-//! no branch.
+//! Each collision is computed by the same functions as a single case, in the same order, and so has the same
+//! bits. The data of the vehicles and their damage become columns. Nothing between these functions keeps the
+//! compiler from vectorising the loop over the lanes: no allocation, no error, no branch.
 
 use std::collections::BTreeSet;
 
@@ -27,7 +26,7 @@ pub(crate) enum Number {
     Uncertain(usize),
 }
 
-/// A number that is none of the columns.
+/// The column of a number that has none.
 static NO_NUMBERS: Lanes = Lanes::splat(f64::NAN);
 
 impl From<f64> for Number {
@@ -42,7 +41,7 @@ impl Number {
         *self.column(inputs, &mut None)
     }
 
-    /// The same without a copy: the column of an input where it lies, or `known`, which then has the number.
+    /// The same without a copy: a reference to the column of an input, or to `known`, filled with the number.
     #[inline(always)]
     fn column<'a>(self, inputs: &'a [Lanes], known: &'a mut Option<Lanes>) -> &'a Lanes {
         match self {
@@ -51,7 +50,7 @@ impl Number {
         }
     }
 
-    /// In one lane.
+    /// Its value in one lane.
     pub(crate) fn at(self, inputs: &[Lanes], lane: usize) -> f64 {
         match self {
             Self::Known(number) => number,
@@ -64,7 +63,7 @@ impl Number {
     }
 }
 
-/// How many of these numbers are uncertain, each once.
+/// The number of different columns among these numbers.
 pub(crate) fn uncertain_places(numbers: impl IntoIterator<Item = Number>) -> usize {
     let place = |number| match number {
         Number::Known(_) => None,
@@ -73,8 +72,8 @@ pub(crate) fn uncertain_places(numbers: impl IntoIterator<Item = Number>) -> usi
     numbers.into_iter().filter_map(place).collect::<BTreeSet<usize>>().len()
 }
 
-/// Runs `$body` in each lane, where each `$form`, which holds [`Number`]s, holds the numbers of that lane. It
-/// is a macro because a closure would be compiled for the least of the instructions.
+/// Runs `$body` in each lane, with each `$form` of [`Number`]s converted to the numbers of that lane. A
+/// macro, because a closure would be compiled for the baseline instruction set.
 macro_rules! each_lane {
     ($inputs:expr, $lane:ident, $($form:ident)+ => $body:expr) => {{
         $(
@@ -92,20 +91,20 @@ macro_rules! each_lane {
     }};
 }
 
-/// Of the forms that are read so, those of a line have the most numbers: A, B, G and a limit.
+/// The most numbers of a form that is read like this: A, B, G and the limit of a stiffness line.
 const MOST_NUMBERS: usize = 4;
 
-/// What a quantity is in SI, in each lane.
+/// The value of a quantity in SI, in each lane.
 #[inline(always)]
 pub(crate) fn si(quantity: Quantity<Number>, inputs: &[Lanes], column: &mut Lanes) {
     each_lane!(inputs, lane, quantity => column[lane] = quantity.si());
 }
 
-/// A case of which the collisions of a block can be posed at once.
+/// A case whose collisions can be posed a block at a time.
 #[derive(Debug)]
 pub(crate) struct Collisions {
     case: Case<Number>,
-    /// Whose speeds are sought.
+    /// Whether the speed of each vehicle is unknown.
     sought: [bool; 2],
 }
 
@@ -114,13 +113,13 @@ impl Collisions {
         Self { case, sought }
     }
 
-    /// What enters their impacts; `None` where the case lacks something of it.
+    /// The inputs of their impacts; `None` if the case lacks one.
     pub(crate) fn form(&self) -> Option<ImpactForm<'_, Number>> {
         self.case.impact_form(self.sought)
     }
 
-    /// Poses a block, in place of [nothing](Columns::NOTHING): each column is written where it stays, as
-    /// together they are some kilobytes.
+    /// Poses a block into columns that hold [nothing](Columns::NOTHING) yet: in place, because together they
+    /// are some kilobytes.
     #[inline(always)]
     pub(crate) fn pose(&self, inputs: &[Lanes], columns: &mut Columns) {
         let Some(ImpactForm { axes, vehicles: [one, two], crush_plane: given, law: _, basis: _ }) =
@@ -138,7 +137,7 @@ impl Collisions {
         refuse_face(&two, inputs, e2);
     }
 
-    /// The collision of one lane; `None` where the engine refuses something of it.
+    /// The collision of one lane; `None` if the engine refuses it.
     #[inline(always)]
     pub(crate) fn collision(
         &self,
@@ -158,7 +157,7 @@ impl Collisions {
         Some((columns.with_courses(&contact, lane)?, law, motions))
     }
 
-    /// Why the engine refuses the stiffnesses of one lane.
+    /// The engine's reasons for refusing the stiffnesses of one lane.
     pub(crate) fn refused_stiffnesses(
         &self,
         inputs: &[Lanes],
@@ -175,35 +174,34 @@ impl Collisions {
 pub(crate) struct Columns {
     pub(crate) vehicles: [VehicleColumns; 2],
     crush_plane: Lanes,
-    /// (J) of each vehicle; not a number where the engine refuses something of its damage.
+    /// (J) the crush energy of each vehicle; NaN if the engine refuses its damage.
     pub(crate) crush_energies: [Lanes; 2],
 }
 
 impl Columns {
-    /// Zeros, which cost the least to make.
+    /// Zeros, which are the cheapest to make.
     pub(crate) const NOTHING: Self = Self {
         vehicles: [VehicleColumns::NOTHING; 2],
         crush_plane: Lanes::ZERO,
         crush_energies: [Lanes::ZERO; 2],
     };
 
-    /// (J) of both vehicles of one lane.
+    /// (J) the crush energy of both vehicles in one lane.
     #[inline(always)]
     pub(crate) fn crush_energy(&self, lane: usize) -> f64 {
         let [one, two] = &self.crush_energies;
         one[lane] + two[lane]
     }
 
-    /// The contact of one lane where each vehicle travels in its direction; `None` where the engine refuses
-    /// that.
+    /// The contact of one lane with the direction of travel of each vehicle; `None` if the engine refuses it.
     fn with_courses(&self, contact: &Contact, lane: usize) -> Option<Contact> {
         let [p1, p2] = *contact.participants();
         let [c1, c2] = self.vehicles.each_ref().map(|vehicle| vehicle.course()[lane]);
         Contact::new([p1.with_course(c1).ok()?, p2.with_course(c2).ok()?], self.crush_plane[lane]).ok()
     }
 
-    /// The contact of one lane and the motions before it, and whether there is one: of vehicles that travel
-    /// in the directions of their headings.
+    /// The contact of one lane, the motions before it, and whether it is valid, for vehicles that travel
+    /// along their headings.
     #[inline(always)]
     pub(crate) fn contact(&self, lane: usize) -> (Contact, [Motion; 2], bool) {
         let [v1, v2] = &self.vehicles;
@@ -213,13 +211,13 @@ impl Columns {
     }
 }
 
-/// A vehicle of each lane, or a fixed object.
+/// A vehicle or a fixed object, in each lane.
 pub(crate) struct VehicleColumns {
     is_fixed: bool,
     mass: Lanes,
     yaw_inertia: Lanes,
     heading: Lanes,
-    /// The direction of travel, where it is not that of the heading.
+    /// The direction of travel, if it is not the heading.
     course: Option<Lanes>,
     forward: Lanes,
     left: Lanes,
@@ -245,8 +243,8 @@ impl VehicleColumns {
         }
     };
 
-    /// [Nothing](Self::NOTHING) becomes this vehicle. A fixed object without a point of contact is a
-    /// [barrier](Participant::barrier), with its point in its centre of gravity.
+    /// Fills columns that hold [nothing](Self::NOTHING) yet with this vehicle. A fixed object without a
+    /// contact point is a [barrier](Participant::barrier), whose point is its centre of gravity.
     #[inline(always)]
     fn fill(&mut self, axes: Axes, vehicle: &VehicleForm<'_, Number>, inputs: &[Lanes]) {
         let Self {
@@ -302,7 +300,7 @@ impl VehicleColumns {
         }
     }
 
-    /// (rad) the direction in which it travels.
+    /// (rad) its direction of travel.
     pub(crate) fn course(&self) -> &Lanes {
         self.course.as_ref().unwrap_or(&self.heading)
     }
@@ -326,8 +324,8 @@ impl VehicleColumns {
     }
 }
 
-/// (m) a contact point that is placed on a damage, forward and left of the centre of gravity. Where the
-/// damage is refused, its energy tells so.
+/// (m) a contact point that is placed on a damage, forward and left of the centre of gravity. A refused
+/// damage shows in its energy, which is NaN.
 #[inline(never)]
 fn place(
     axes: Axes,
@@ -353,7 +351,7 @@ fn place(
     }
 }
 
-/// Adds a zone without a limit of the force, or with one.
+/// Adds a zone, without or with a limit of the force.
 fn add_moments<const LIMITED: bool>(
     zones: &ZoneColumns,
     [first, second]: [Quantity<Number>; 2],
@@ -366,7 +364,7 @@ fn add_moments<const LIMITED: bool>(
     });
 }
 
-/// (J) the crush energy; not a number where the engine refuses the damage.
+/// (J) the crush energy; NaN if the engine refuses the damage.
 #[inline(always)]
 fn crush_energy(damage: &DamageForm<'_, Number>, inputs: &[Lanes], mass: &Lanes, energy: &mut Lanes) {
     match *damage {
@@ -388,7 +386,7 @@ fn crush_energy(damage: &DamageForm<'_, Number>, inputs: &[Lanes], mass: &Lanes,
     }
 }
 
-/// (J) adds the energy of a zone without a limit of the force, or with one.
+/// (J) adds the energy of a zone, without or with a limit of the force.
 #[inline(always)]
 fn add<const LIMITED: bool>(
     zones: &ZoneColumns,
@@ -403,14 +401,14 @@ fn add<const LIMITED: bool>(
     });
 }
 
-/// Compiled once: a limit branches, and gains nothing from a copy for each instruction set.
+/// Compiled once: the limit is a branch, so a copy for each instruction set gains nothing.
 #[inline(never)]
 fn add_limited(zones: &ZoneColumns, ends: [Quantity<Number>; 2], inputs: &[Lanes], energy: &mut Lanes) {
     add::<true>(zones, ends, inputs, energy);
 }
 
-/// (J) no crush energy where the engine refuses the place of a damaged side. Where the damage lies along its
-/// side changes nothing.
+/// (J) sets the crush energy to NaN where the engine refuses the position of the damaged side. The offset
+/// along the side changes nothing.
 #[inline(always)]
 fn refuse_face(vehicle: &VehicleForm<'_, Number>, inputs: &[Lanes], energy: &mut Lanes) {
     if let (DamageForm::Measured(crush), Some(body)) = (vehicle.damage, vehicle.body)
@@ -425,10 +423,10 @@ fn refuse_face(vehicle: &VehicleForm<'_, Number>, inputs: &[Lanes], energy: &mut
     }
 }
 
-/// The zones of a crush, one after the other: width and stiffness of one of them.
+/// The width and stiffness of one zone of a crush at a time.
 struct ZoneColumns {
     width: Lanes,
-    /// A, B, G and the limit of the force; not numbers where there is no such stiffness.
+    /// A, B, G and the limit of the force; NaN if there is no such stiffness.
     stiffness: [Lanes; 4],
     has_limit: bool,
 }
@@ -436,7 +434,7 @@ struct ZoneColumns {
 impl ZoneColumns {
     const NOTHING: Self = Self { width: Lanes::ZERO, stiffness: [Lanes::ZERO; 4], has_limit: false };
 
-    /// A zone comes in place of that before it.
+    /// Replaces the previous zone by this one.
     #[inline(always)]
     fn fill(&mut self, crush: &CrushForm<'_, Number>, zone: usize, inputs: &[Lanes]) {
         let width = &mut self.width;
@@ -457,7 +455,7 @@ impl ZoneColumns {
                 Some(line) => self.resist(*line, inputs),
                 None => self.stiffness = [NO_NUMBERS; 4],
             },
-            // They resist alike.
+            // All zones have the same stiffness.
             _ if zone > 0 => {}
             StiffnessForm::Line(line) => self.resist(*line, inputs),
             StiffnessForm::Category(category) => {
@@ -495,7 +493,7 @@ impl ZoneColumns {
         };
     }
 
-    /// The zone of one lane, and its stiffness.
+    /// The zone and its stiffness in one lane.
     #[inline(always)]
     fn at<const LIMITED: bool>(&self, lane: usize, depths: [f64; 2]) -> (Zone, Stiffness) {
         let [a, b, g, limit] = &self.stiffness;

@@ -1,5 +1,4 @@
-//! What an output is: its row, how analyses, samples, derivatives and draws read it, and of which vehicle it
-//! is.
+//! An output: its row, how analyses, samples, derivatives and draws read it, and its vehicle.
 
 use evidence::Impacted;
 use inputs::Axes;
@@ -29,16 +28,16 @@ pub struct OutputQuantity {
     pub kind: Kind,
     /// Equation n of SAE 980025 or section n of docs/theory.md; empty if it needs no equation.
     pub source: &'static str,
-    /// What it belongs to, and how to read it. Lateral and rotational numbers are in the axes of the
+    /// Its owner, and how to read it. Lateral and rotational numbers are in the axes of the
     /// analysis.
     pub of: Of,
     /// How samples read it.
     pub(crate) sampled: Reading<f64>,
     /// How derivatives read it.
     pub(crate) traced: Reading<Traced>,
-    /// How the draws of an estimate read it, where that is not as samples do.
+    /// How the draws of an estimate read it, if not like samples.
     pub(crate) drawn: Option<fn(&Impacted, VehicleId) -> f64>,
-    /// Whether samples and draws read it in the axes of the engine, so that z-down axes turn its sign.
+    /// Whether samples and draws read it in the axes of the engine, so that z-down axes change its sign.
     pub(crate) is_lateral: bool,
     /// Whether it is a direction, which is the same after a full turn.
     pub(crate) is_direction: bool,
@@ -92,21 +91,21 @@ pub enum Values {
     Pair([Option<f64>; 2]),
 }
 
-/// How a quantity is read from the answer of a case, on plain numbers or on those with derivatives, in the
-/// axes of the engine. That of the collision ignores the vehicle.
+/// How a quantity is read from the answer of a case, with plain numbers or with derivatives, in the axes of
+/// the engine. A quantity of the collision ignores the vehicle.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Reading<T> {
-    /// A finished analysis alone has it: no range can be put on it.
+    /// Only a finished analysis has it: it has no interval.
     No,
-    /// It is a speed that was found.
+    /// A speed that was found.
     Found,
-    /// From the impact; the second function is for speeds by momentum, where no law made the impact.
+    /// From the impact; the second function is for speeds by momentum, which need no impact law.
     OfImpact(fn(&Outcome<T>, VehicleId) -> T, Option<fn(&Implied<T>, VehicleId) -> T>),
     /// From the path to rest.
     OfPath(PathPart, fn(&Way<T>) -> T),
 }
 
-/// Which part of a path to rest a number is of.
+/// The part of a path to rest to which a number belongs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum PathPart {
     Start,
@@ -115,7 +114,7 @@ pub(crate) enum PathPart {
 }
 
 impl PathPart {
-    /// Whether it is a result of a path: neither a start that the case gives, nor a rest that was measured.
+    /// Whether it is a result of the path, and neither a given start nor a measured rest position.
     pub(crate) fn results_from(self, origin: Origin) -> bool {
         match origin {
             Origin::Impact => true,
@@ -126,7 +125,7 @@ impl PathPart {
 }
 
 impl<T: Real> Reading<T> {
-    /// Not a number where the answer has none.
+    /// NaN if the answer has none.
     fn of_answer(self, answer: &Answer<T>, vehicle: VehicleId) -> T {
         let value = match self {
             Self::No => None,
@@ -142,7 +141,7 @@ impl<T: Real> Reading<T> {
 }
 
 impl OutputQuantity {
-    /// A row that a finished analysis alone has.
+    /// A row that only a finished analysis has.
     pub(crate) const fn new(
         [key, pointer]: [&'static str; 2],
         [name, label, symbol, source]: [&'static str; 4],
@@ -197,7 +196,7 @@ impl OutputQuantity {
         }
     }
 
-    /// Its value of a vehicle, or that of the collision.
+    /// Its value for a vehicle, or that of the collision.
     #[must_use]
     pub fn value(&self, analysis: &Seen, vehicle: Option<VehicleId>) -> Option<f64> {
         match self.values(analysis) {
@@ -212,20 +211,20 @@ impl OutputQuantity {
         matches!(self.of, Of::Vehicle(_))
     }
 
-    /// Whether it is one of a path to rest.
+    /// Whether it belongs to a path to rest.
     #[must_use]
     pub fn is_of_path(&self) -> bool {
         matches!(self.sampled, Reading::OfPath(..))
     }
 
-    /// That of a vehicle.
+    /// The output of this quantity for a vehicle.
     #[inline(always)]
     #[must_use]
     pub const fn of_vehicle(&'static self, vehicle: VehicleId) -> Output {
         Output { quantity: self, vehicle: Some(vehicle) }
     }
 
-    /// That of the collision; of a quantity of the vehicles, the one of both together.
+    /// The output of this quantity for the collision, or for both vehicles together.
     #[inline(always)]
     #[must_use]
     pub const fn of_collision(&'static self) -> Output {
@@ -233,7 +232,7 @@ impl OutputQuantity {
     }
 }
 
-/// A result that is differentiated, sampled or drawn: a quantity, and of which vehicle.
+/// A result that is differentiated, sampled or drawn: a quantity and its vehicle.
 #[derive(Clone, Copy, Debug)]
 pub struct Output {
     quantity: &'static OutputQuantity,
@@ -255,13 +254,13 @@ impl Output {
         self.quantity
     }
 
-    /// The vehicle that it belongs to; none for one of the collision.
+    /// The vehicle that it belongs to; `None` for the collision.
     #[must_use]
     pub fn vehicle(self) -> Option<VehicleId> {
         self.vehicle
     }
 
-    /// Whether it is this quantity, of whichever vehicle.
+    /// Whether it is this quantity, for either vehicle.
     #[must_use]
     pub fn is(self, quantity: &OutputQuantity) -> bool {
         self.quantity.key == quantity.key
@@ -280,7 +279,7 @@ impl Output {
         self.vehicle.map_or_else(|| key.to_owned(), |vehicle| format!("vehicle{vehicle}.{key}"))
     }
 
-    /// What is read of the collision is that of any vehicle.
+    /// The vehicle to read; a quantity of the collision ignores it.
     #[inline(always)]
     fn id(self) -> VehicleId {
         self.vehicle.unwrap_or(VehicleId::One)
@@ -291,7 +290,7 @@ impl Output {
         if self.quantity.is_lateral { axes.lateral(value) } else { value }
     }
 
-    /// (SI) its value in the answer of a case; not a number where that has none.
+    /// (SI) its value in the answer of a case; NaN if that has none.
     pub(crate) fn of_answer(self, answer: &Answer, axes: Axes) -> f64 {
         self.in_axes(axes, self.quantity.sampled.of_answer(answer, self.id()))
     }
@@ -301,7 +300,7 @@ impl Output {
         self.in_axes(axes, self.quantity.traced.of_answer(answer, self.id()))
     }
 
-    /// (SI) its value in an impact, which tells nothing of the path after it; `found` is the speed found.
+    /// (SI) its value in an impact, NaN for the path after it; `found` is the speed found.
     #[inline(always)]
     pub(crate) fn of_impact(self, axes: Axes, found: f64, outcome: &Outcome) -> f64 {
         match self.quantity.sampled {

@@ -27,7 +27,7 @@ pub fn quantity(key: &str) -> Option<&'static OutputQuantity> {
 }
 
 /// The outputs of an impact, the speed of the vehicle that is `$found` first: an array of `$value` for each
-/// `$output`. A macro, as a loop over them would not be inlined where blocks of samples are solved.
+/// `$output`. A macro, because a loop would not be inlined in the solution of blocks of samples.
 macro_rules! of_impact {
     ($found:expr, $output:ident => $value:expr) => {
         $crate::quantities::of_impact! {
@@ -56,25 +56,25 @@ macro_rules! of_impact {
 }
 pub(crate) use of_impact;
 
-/// How many there are.
+/// The number of outputs of an impact.
 pub(crate) const OUTPUTS: usize = of_impact!(VehicleId::One, _output => ()).len();
 
-/// Those of a path to rest.
+/// The outputs of a path to rest.
 const OF_PATH: &[OutputQuantity] =
     &[START_SPEED, START_DIRECTION, START_YAW_RATE, REST_X, REST_Y, REST_HEADING, REST_DISTANCE, REST_TIME];
 
-/// Each of some quantities of one vehicle, then of the other.
+/// The outputs of these quantities, first for vehicle 1, then for vehicle 2.
 fn each(quantities: &'static [OutputQuantity]) -> impl Iterator<Item = Output> {
     VehicleId::ALL.into_iter().flat_map(|id| quantities.iter().map(move |quantity| quantity.of_vehicle(id)))
 }
 
 impl Output {
-    /// Those of a reconstruction of two vehicles, `found` the one whose speed is sought.
+    /// The outputs of a reconstruction of two vehicles, where the speed of `found` is unknown.
     pub(crate) const fn of_two_vehicles(found: VehicleId) -> [Self; OUTPUTS] {
         of_impact!(found, output => output)
     }
 
-    /// All that there are, for the speed of either vehicle: those on which ranges can be put.
+    /// All outputs that can have an interval, whichever speed is unknown.
     #[must_use]
     pub fn all() -> Vec<Self> {
         let [_, others @ ..] = Self::of_two_vehicles(VehicleId::One);
@@ -106,7 +106,7 @@ impl Output {
         Self::all().into_iter().filter(is_result).collect()
     }
 
-    /// All that an estimate can have, in the order in which it tells them.
+    /// All outputs that an estimate can have, in the order of its tables.
     #[must_use]
     pub fn drawn() -> Vec<Self> {
         let quantities: &[OutputQuantity] = &[SPEED, DELTA_V, DELTA_V_LONGITUDINAL, DELTA_V_LATERAL, PDOF];
@@ -141,17 +141,17 @@ fn at_contact(analysis: &Seen) -> Option<AtContact> {
     analysis.exchange()?.at_contact
 }
 
-/// What the impact did, where the vehicle takes part in it as one that can move.
+/// The exchange of a vehicle in the impact; `None` for a fixed object.
 fn motion(analysis: &Seen, id: VehicleId) -> Option<Exchange> {
     analysis.exchange().filter(|_| analysis.moves(id))
 }
 
-/// What the impact law makes of speeds by momentum, of a vehicle that can move.
+/// The impact by the law at speeds from momentum; `None` for a fixed object.
 fn checked(analysis: &Seen, id: VehicleId) -> Option<&Impact> {
     analysis.law_check().filter(|_| analysis.moves(id))
 }
 
-/// The moment impulse and its work, under a law with one; momentum does not tell one.
+/// The outcome with the moment impulse and its work, under a law with one; momentum does not give them.
 fn moment(analysis: &Seen) -> Option<&Outcome> {
     let impact = analysis.impact.as_ref().filter(|_| analysis.law_check().is_none())?;
     impact.law.has_moment().then_some(&impact.outcome)
@@ -174,17 +174,17 @@ fn crash3(analysis: &Seen) -> Option<&Crash3> {
     analysis.crash3.as_ref()
 }
 
-/// CRASH3's answer, for a vehicle that can move.
+/// CRASH3's answer; `None` for a fixed object.
 fn moved(analysis: &Seen, id: VehicleId) -> Option<&Crash3> {
     crash3(analysis).filter(|_| analysis.moves(id))
 }
 
-/// What follows from both speeds and the motions after the impact.
+/// The consequences of both speeds and the motions after the impact.
 fn implied(analysis: &Seen) -> Option<&Implied> {
     Some(&analysis.both.as_ref()?.implied)
 }
 
-/// The same, where the contact is known.
+/// The same, if the contact is known.
 fn implied_at_contact(analysis: &Seen) -> Option<&Implied> {
     let both = analysis.both.as_ref().filter(|both| both.geometry != Geometry::PointMasses)?;
     Some(&both.implied)
@@ -194,14 +194,14 @@ fn travel(analysis: &Seen, id: VehicleId) -> Option<&Travel> {
     analysis.travel[id.index()].as_ref()
 }
 
-/// (rad) that of a vehicle that stays where it is is zero.
+/// (rad) the direction at the start; zero for a vehicle that does not move.
 fn start_direction<T: Real>(path: &Way<T>) -> T {
     let velocity = path.start.velocity;
     let stays = velocity.x == T::ZERO && velocity.y == T::ZERO;
     if stays { T::ZERO } else { velocity.y.atan2(velocity.x) }
 }
 
-/// (m, m, rad) where a vehicle of a draw came to rest; zeros of one that is not followed.
+/// (m, m, rad) the rest position and heading of a vehicle in a draw; zeros if it is not followed.
 fn end(impacted: &Impacted, id: VehicleId) -> [f64; 3] {
     let path = impacted.ways[id.index()].as_ref();
     path.map_or([0.0; 3], |path| [path.position.x, path.position.y, path.heading])

@@ -1,9 +1,9 @@
-//! What enters an impact, in the form in which a case gives it.
+//! The inputs of an impact, as a case gives them.
 //!
-//! What a key means for the impact stands here, once. A form holds the numbers that go together, whatever
-//! they are: plain ones, ones with derivatives, or the places of numbers in a block of samples. `map` makes a
-//! form of other numbers. A form of numbers that can be computed with gives what the engines take, without
-//! allocating; where there is no such thing, it tells why.
+//! The meaning of each key for the impact is defined here alone. A form holds numbers of any type: plain
+//! ones, ones with derivatives, or places of columns in a block of samples. `map` converts it to another
+//! type. If its numbers can be computed with, a form computes the inputs of the engines without allocating,
+//! or returns the reason why it cannot.
 
 use std::slice;
 
@@ -26,7 +26,7 @@ use crate::vehicle::{ContactPoint, GivenVehicle, Kind, Outline, Velocity};
 /// An impact of two vehicles.
 #[derive(Clone, Copy, Debug)]
 pub struct ImpactForm<'a, N = f64> {
-    /// In which all its numbers are given.
+    /// The axes in which all its numbers are given.
     pub axes: Axes,
     /// Both vehicles.
     pub vehicles: [VehicleForm<'a, N>; 2],
@@ -34,11 +34,11 @@ pub struct ImpactForm<'a, N = f64> {
     pub crush_plane: Quantity<N>,
     /// The impact law.
     pub law: &'a ImpactLaw<N>,
-    /// What the crush energy is held equal to.
+    /// The work that the crush energy equals.
     pub basis: Basis<N>,
 }
 
-/// A vehicle, or a fixed object, of which the impact reads heading and contact point alone.
+/// A vehicle, or a fixed object, which has only a heading and a contact point.
 #[derive(Clone, Copy, Debug)]
 pub struct VehicleForm<'a, N = f64> {
     given: &'a GivenVehicle<N>,
@@ -52,9 +52,9 @@ pub struct VehicleForm<'a, N = f64> {
     pub body: Option<Outline<N>>,
     /// The point where the impulse acts.
     pub contact: Option<ContactForm<N>>,
-    /// (rad) its heading. That of a fixed object orients the point of contact alone.
+    /// (rad) its heading. The heading of a fixed object only orients its contact point.
     pub heading: Option<Quantity<N>>,
-    /// The direction in which it travels, where it is not that of the heading.
+    /// Its direction of travel, if that is not its heading.
     pub course: Option<CourseForm<N>>,
     /// Its velocity before the impact.
     pub velocity: Option<Velocity<N>>,
@@ -64,7 +64,7 @@ pub struct VehicleForm<'a, N = f64> {
     pub damage: DamageForm<'a, N>,
 }
 
-/// Where the yaw inertia of a vehicle comes from.
+/// The source of the yaw inertia of a vehicle.
 #[derive(Clone, Copy, Debug)]
 pub enum YawForm<N = f64> {
     /// The case gives it.
@@ -89,7 +89,7 @@ pub enum YawForm<N = f64> {
     },
 }
 
-/// Where the contact point of a vehicle comes from.
+/// The source of the contact point of a vehicle.
 #[derive(Clone, Copy, Debug)]
 pub enum ContactForm<N = f64> {
     /// The case gives it.
@@ -108,13 +108,13 @@ pub struct PlacedContact<N = f64> {
     moved: [Option<Quantity<N>>; 2],
 }
 
-/// A direction of travel before the impact, along which the speed of a vehicle counts.
+/// The direction of travel before the impact, along which the speed of a vehicle is measured.
 #[derive(Clone, Copy, Debug)]
 pub enum CourseForm<N = f64> {
-    /// (rad) from the heading to it.
+    /// (rad) the angle from the heading to the direction of travel.
     Sideslip(Quantity<N>),
-    /// That of a velocity in the scene, of a vehicle whose speed is sought. One that moves backward counts
-    /// its speed against it.
+    /// The direction of a velocity in the scene, for a vehicle whose speed is unknown. The speed of a vehicle
+    /// that moves backward is negative.
     Along {
         /// (m/s) along the scene's x.
         x: Quantity<N>,
@@ -123,12 +123,12 @@ pub enum CourseForm<N = f64> {
     },
 }
 
-/// What is known of a damage.
+/// The known data of a damage.
 #[derive(Clone, Copy, Debug)]
 pub enum DamageForm<'a, N = f64> {
     /// Nothing.
     Unknown,
-    /// There is none, or none whose energy counts.
+    /// There is no damage, or its energy does not count.
     Undamaged,
     /// (m/s) its energy equivalent speed.
     Ees(Quantity<N>),
@@ -143,43 +143,43 @@ pub enum DamageForm<'a, N = f64> {
 pub struct CrushForm<'a, N = f64> {
     /// As given.
     pub crush: &'a Crush<N>,
-    /// (–) the factor on the stiffness of a category, where it is one.
+    /// (–) the factor on the stiffness, if that is of a category.
     pub factor: Option<N>,
 }
 
-/// How far the stations of a crush lie apart.
+/// The spacing of the stations of a crush.
 #[derive(Clone, Copy, Debug)]
 pub enum WidthsForm<'a, N = f64> {
-    /// (m) equally, over this width.
+    /// (m) equal zones over this width.
     Equal(&'a Quantity<N>),
-    /// (m) each zone has its own width.
+    /// (m) the width of each zone.
     Each(&'a [Quantity<N>]),
 }
 
 impl<N: Copy + From<f64>> Case<N> {
-    /// What enters the impact, where the speeds of some vehicles are `sought`; `None` where the case lacks
-    /// something of it.
+    /// The inputs of the impact if the speeds of the `sought` vehicles are unknown; `None` if the case lacks
+    /// one.
     #[must_use]
     pub fn impact_form(&self, sought: [bool; 2]) -> Option<ImpactForm<'_, N>> {
-        // Without `..`, as in the functions below: a new key does not compile before somebody has decided
-        // whether the impact depends on it.
+        // Without `..`, as in the functions below: with a new key this does not compile until somebody
+        // decides whether the impact depends on it.
         let Self {
             title: _,
             locked_together: _,
             source: _,
             report: _,
             axes,
-            // These are for the motion after the impact.
+            // Only the motion after the impact depends on these.
             scene_contact: _,
             site_plan: _,
             surface: _,
             vehicles: _,
             impact,
             reconstruct,
-            // It is for estimates alone.
+            // Only estimates use it.
             estimate: _,
             ranges: _,
-            // The numbers have the errors that they share.
+            // Shared errors are already in the numbers.
             uncertainty: _,
             departures: _,
             left_out: _,
@@ -203,7 +203,7 @@ impl<N: Copy + From<f64>> Case<N> {
         Some(ImpactForm { axes: *axes, vehicles, crush_plane: *crush_plane, law, basis })
     }
 
-    /// What a vehicle brings into the impact, as far as the case gives it.
+    /// The inputs of a vehicle, as far as the case gives them.
     #[must_use]
     pub fn vehicle_form(&self, id: VehicleId) -> VehicleForm<'_, N> {
         let given = &self.vehicles[id.index()];
@@ -215,7 +215,7 @@ impl<N: Copy + From<f64>> Case<N> {
             yaw: _,
             class: _,
             wheelbase: _,
-            // These are for drawings, warnings and the motion before and after the impact.
+            // Drawings, warnings and the motion before and after the impact use these.
             track: _,
             cg_to_front_axle: _,
             length: _,
@@ -225,14 +225,14 @@ impl<N: Copy + From<f64>> Case<N> {
             after: _,
             outline: _,
             heading,
-            // These tell the direction of travel.
+            // The direction of travel follows from this.
             sideslip: _,
             contact: _,
             motion,
             yaw_rate,
             crush,
             energy,
-            // These are for comparison and estimates.
+            // Comparison and estimates use these.
             recorder: _,
             certain_speed: _,
         } = given;
@@ -268,7 +268,7 @@ impl<N: Copy + From<f64>> Case<N> {
         VehicleForm {
             mass: None,
             yaw: None,
-            // Without a point nothing is to be oriented.
+            // Without a point there is nothing to orient.
             heading: heading.filter(|_| contact.is_some()),
             course: None,
             velocity: None,
@@ -280,7 +280,7 @@ impl<N: Copy + From<f64>> Case<N> {
 }
 
 impl<N: Copy> Case<N> {
-    /// The direction in which a vehicle travels; `None` where it is that of the heading.
+    /// The direction of travel of a vehicle; `None` if it is the heading.
     pub(crate) fn course_form(&self, id: VehicleId) -> Option<CourseForm<N>> {
         let given = &self.vehicles[id.index()];
         if let Some(sideslip) = given.sideslip {
@@ -298,8 +298,8 @@ impl<N: Copy> Case<N> {
 }
 
 impl<N: Copy> GivenVehicle<N> {
-    /// Where its yaw inertia comes from: what is given takes precedence over the class, and the class over
-    /// Burg's formula, which is for cars. `None` where nothing tells it.
+    /// The source of its yaw inertia: a given value takes precedence over the class, and the class over
+    /// Burg's formula, which is for cars. `None` if there is none.
     pub(crate) fn yaw_form(&self, factor: N) -> Option<YawForm<N>> {
         if let Some(yaw) = self.yaw {
             return Some(YawForm::Given(yaw));
@@ -334,7 +334,7 @@ impl<N: Copy + From<f64>> GivenVehicle<N> {
 }
 
 impl<N: Copy> YawForm<N> {
-    /// The same without its numbers.
+    /// The source without its numbers.
     #[must_use]
     pub fn source(&self) -> YawSource {
         match self {
@@ -364,7 +364,7 @@ impl<T: Real> YawForm<T> {
     /// (kg·m²) the yaw inertia of a vehicle of the given mass (kg).
     ///
     /// # Errors
-    /// Where mass, wheelbase or length is none for Burg's formula.
+    /// If Burg's formula cannot take the mass, the wheelbase or the length.
     #[inline(always)]
     pub fn kg_m2(&self, mass: T) -> Result<T, CrushError> {
         match *self {
@@ -395,8 +395,8 @@ impl<N: Copy> CourseForm<N> {
 }
 
 impl<T: Real> CourseForm<T> {
-    /// (rad) the direction of a vehicle with a heading (rad), both in the axes of the engine; `None` where
-    /// the velocity has none.
+    /// (rad) the direction of a vehicle with this heading (rad), both in the axes of the engine; `None` if
+    /// the velocity is zero.
     #[must_use]
     pub fn rad(&self, axes: Axes, heading: T) -> Option<T> {
         match self {
@@ -442,11 +442,11 @@ impl<N: Copy> PlacedContact<N> {
 }
 
 impl<T: Real> PlacedContact<T> {
-    /// (m) the point, forward and left of the CG: the centroid of the damage, which is moved as a whole along
-    /// the face and inward, and its centroid with it.
+    /// (m) the point, forward and left of the CG: the centroid of the damage after the whole damage was moved
+    /// along the face and inward.
     ///
     /// # Errors
-    /// Where the face then lies behind the CG, or a number is not finite.
+    /// If the face then lies behind the CG, or a number is not finite.
     pub fn point(&self, axes: Axes, moments: &EnergyMoments<T>) -> Result<[T; 2], CrushError> {
         let [along, inward] = self.moved.map(|moved| moved.map_or(T::ZERO, |moved| moved.si()));
         let [offset, along] = [self.offset.si(), along].map(|distance| axes.along_face(self.side, distance));
@@ -457,8 +457,8 @@ impl<T: Real> PlacedContact<T> {
 }
 
 impl<'a, N: Copy> CrushForm<'a, N> {
-    /// How far its stations lie apart; the width is that of a drawing where each zone has its own. `None`
-    /// where nothing tells it.
+    /// The spacing of its stations. If each zone has its own width, the whole width is only for drawings.
+    /// `None` if the case gives neither.
     #[must_use]
     pub fn widths(&self) -> Option<WidthsForm<'a, N>> {
         match (&self.crush.spacing, &self.crush.width) {
@@ -468,7 +468,7 @@ impl<'a, N: Copy> CrushForm<'a, N> {
         }
     }
 
-    /// Of each zone the depths at its ends, from the first zone on.
+    /// The depths at both ends of each zone, in order.
     pub fn zones(self) -> impl Iterator<Item = [Quantity<N>; 2]> {
         let depths = &self.crush.depths;
         depths.iter().zip(depths.iter().skip(1)).map(|(one, other)| [*one, *other])
@@ -476,10 +476,10 @@ impl<'a, N: Copy> CrushForm<'a, N> {
 }
 
 impl<T: Real> CrushForm<'_, T> {
-    /// The depths along the side; `None` where nothing tells how far the stations lie apart.
+    /// The depths along the side; `None` if the spacing of the stations is unknown.
     ///
     /// # Errors
-    /// Where it is no profile.
+    /// If they are no valid profile.
     pub fn profile(&self) -> Option<Result<Profile<T>, CrushError>> {
         let depths = self.crush.depths.iter().map(Quantity::si).collect();
         Some(match self.widths()? {
@@ -488,7 +488,7 @@ impl<T: Real> CrushForm<'_, T> {
         })
     }
 
-    /// What the side resists with.
+    /// The stiffness of the side.
     ///
     /// # Errors
     /// If the coefficients, the category or the test are impossible.
@@ -501,7 +501,8 @@ impl<T: Real> CrushForm<'_, T> {
 }
 
 impl<N: Copy> ImpactForm<'_, N> {
-    /// Every number on which the impact depends, and those of its vehicles that are known to change nothing.
+    /// Every number on which the impact depends, and the numbers of its vehicles that certainly change
+    /// nothing.
     #[must_use]
     pub fn numbers(&self) -> Vec<N> {
         let Self { axes: _, vehicles, crush_plane, law, basis } = self;
@@ -537,11 +538,11 @@ impl<N: Copy> VehicleForm<'_, N> {
         if *fixed {
             return;
         }
-        // It changes nothing but where the damaged side lies, which is refused behind the CG.
+        // The outline only affects whether the damaged side lies behind the CG, which is refused.
         for quantity in given.outline.iter().flat_map(Outline::quantities) {
             read(quantity.number());
         }
-        // Neither do these: how the force acted.
+        // The direction of the force changes nothing.
         let ees = given.energy.as_ref().and_then(KnownEnergy::ees);
         let of_ees = ees.map_or([None; 2], |ees| [ees.moment_arm, ees.pdof.and_then(Pdof::angle)]);
         for quantity in of_ees.into_iter().flatten() {
@@ -559,7 +560,7 @@ impl<N: Copy> CrushForm<'_, N> {
             depths,
             spacing: _,
             stiffness,
-            // These are for CRASH3's own answer, and for a contact point that is placed.
+            // CRASH3's own answer and a placed contact point use these.
             offset,
             pdof,
             oblique_angle,

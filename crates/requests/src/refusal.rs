@@ -5,7 +5,7 @@ use case::{CaseFile, Diagnostics, Program, shown};
 use report::{DrawingError, Units};
 use validation::ValidationError;
 
-/// Why a request has no answer.
+/// The reason why a request has no answer.
 #[derive(Debug, thiserror::Error)]
 pub enum Unanswered {
     /// The case has none.
@@ -21,10 +21,10 @@ pub enum Unanswered {
     },
 }
 
-/// Why there is no report to hand over.
+/// The reason why there is no report to hand over.
 #[derive(Debug, thiserror::Error)]
 pub enum NoPage {
-    /// What stands beside the answer cannot be found.
+    /// The additions to the answer cannot be computed.
     #[error(transparent)]
     Failure(#[from] Failure),
     /// A drawing cannot be made.
@@ -35,7 +35,7 @@ pub enum NoPage {
     Validation(#[from] ValidationError),
 }
 
-/// Why a row has no answer, and what to write instead, each on one line.
+/// The reason why a row has no answer, and what to write instead, each on one line.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct RowRefusal {
     /// What is wrong, and where.

@@ -1,4 +1,4 @@
-//! An exact solution, and what a report has beside it.
+//! An exact solution, and what a report adds to it.
 
 use std::io::{self, Write};
 
@@ -13,13 +13,13 @@ use crate::options::RequestOptions;
 use crate::progress::{RequestProgress, counted, of_estimate};
 use crate::refusal::NoPage;
 
-/// What a reconstruction has besides its exact solution; by default nothing.
+/// What a reconstruction adds to its exact solution; by default nothing.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize)]
 pub struct ReconstructOptions {
-    /// All the evidence weighed, where the case has more than its exact solution uses.
+    /// All the evidence weighed, if the case has more than its exact solution uses.
     pub weigh: bool,
-    /// The intervals with the errors of the method, where the exact solution is the answer and the case has
-    /// ranges: intervals by the ranges alone would be read as those of all.
+    /// The intervals with the errors of the method, if the exact solution is the answer and the case has
+    /// ranges: intervals by the ranges alone would be read as the whole uncertainty.
     pub method: bool,
 }
 
@@ -28,14 +28,14 @@ impl ReconstructOptions {
         Self { weigh: options.flag("weigh", false), method: options.flag("method", false) }
     }
 
-    /// Whether the case gets intervals with the errors of the method: not where these take minutes, which the
-    /// report then says.
+    /// Whether the case gets intervals with the errors of the method. If they would take minutes, the report
+    /// says so instead.
     fn has_method(&self, case: &Case) -> bool {
         self.method && analysis::is_uncertain(case) && analysis::is_estimated_beside(case)
     }
 }
 
-/// All the evidence of a case of which `exact` is the exact solution; `None` where that is the answer.
+/// All the evidence of a case, weighed, where `exact` is its exact solution; `None` if that is the answer.
 ///
 /// # Errors
 /// [`Failure`].
@@ -52,11 +52,11 @@ pub fn weigh(
 pub struct SolvedCase {
     /// The exact solution.
     pub analysis: Analysis,
-    /// All the evidence, where it was weighed.
+    /// All the evidence, if it was weighed.
     pub weighed: Option<Weighed>,
-    /// Why it could not be, where it was to be.
+    /// The reason why it could not be weighed, if that was asked for.
     pub unweighed: Option<Failure>,
-    /// The intervals with the errors of the method, where the exact solution is the answer.
+    /// The intervals with the errors of the method, if the exact solution is the answer.
     pub estimated: Option<Estimated>,
 }
 
@@ -90,7 +90,7 @@ impl SolvedCase {
         self
     }
 
-    /// Why the answer is none, where the evidence was weighed.
+    /// The reason why weighing the evidence gave no answer.
     pub(crate) fn no_answer(&self) -> Option<&'static str> {
         let weighed = self.weighed.as_ref().filter(|weighed| !weighed.is_answer())?;
         Some(match weighed.estimated.doubts().is_empty() {

@@ -1,7 +1,7 @@
 //! The collisions of a block of particles, without a case for each.
 //!
-//! They are posed in [columns](crate::columns), as those of samples are. What has another shape, and every
-//! particle of which the engine refuses something, is left to the case.
+//! They are posed in [columns](crate::columns), like those of samples. Other shapes of case, and particles
+//! that the engine refuses, are left to the single case.
 
 use ::uncertainty::Lanes;
 use inputs::{Basis, Case, DamageForm};
@@ -10,7 +10,7 @@ use pim_core::{Motion, VehicleId};
 use super::posed::{OpenSpeeds, Posed};
 use crate::columns::{Collisions, Columns, Number, uncertain_places};
 
-/// A case of which a block of particles can be posed at once.
+/// A case whose particles can be posed a block at a time.
 #[derive(Debug)]
 pub(super) struct Block {
     collisions: Collisions,
@@ -19,8 +19,8 @@ pub(super) struct Block {
 }
 
 impl Block {
-    /// `None` where particles are left to the case: where it has another shape, or where one of its unknown
-    /// numbers, of which `unknown` enter the impact, is none that a block reads.
+    /// `None` if the case has another shape, or if a block does not read one of the `unknown` numbers that
+    /// enter the impact: particles are then left to the single case.
     pub(super) fn new(case: Case<Number>, speeds: OpenSpeeds, unknown: usize) -> Option<Self> {
         let sought = VehicleId::ALL.map(|id| match speeds {
             OpenSpeeds::None => false,
@@ -42,7 +42,7 @@ impl Block {
         columns
     }
 
-    /// The collision of a particle; `None` where the engine refuses something of it.
+    /// The collision of a particle; `None` if the engine refuses it.
     pub(super) fn of(&self, columns: &Columns, values: &[Lanes], lane: usize) -> Option<Posed> {
         let (contact, law, mut motions) = self.collisions.collision(columns, values, lane)?;
         let of = |place: usize| values.get(place).map_or(f64::NAN, |column| column[lane]);
@@ -55,7 +55,7 @@ impl Block {
             }
         }
         let [first, second] = columns.crush_energies.each_ref().map(|energy| energy[lane]);
-        // As those of a case: the sum of both, and what the first leaves of it.
+        // As in a single case: the sum of both, and the difference to the first.
         let crush_energies = [first, first + second - first];
         let is_whole = first.is_finite() & second.is_finite();
         let basis = self.basis.map(|number| number.at(values, lane));

@@ -1,12 +1,12 @@
 //! A block of samples of a reconstruction or an impact at once.
 //!
-//! The collisions of all samples are posed in [columns](crate::columns). Under the commonest laws the speed
-//! has a closed form, which is found for all samples at once. Under any other law, and where a sample has no
-//! such answer, the samples are solved from these columns one after the other. That saves what costs a
-//! single case most, which is the case itself.
+//! The collisions of all samples are posed in [columns](crate::columns). Under the most common laws the speed
+//! has a closed form, which is evaluated for all samples at once. Under any other law, and for a sample
+//! without such an answer, the samples are solved from these columns one after the other. That avoids
+//! building a case for each sample, which is most of the cost of a single case.
 //!
-//! What a block cannot say is left to the single case: each [`Alone`], and of an impact a sample whose damage
-//! the engine refuses.
+//! Cases that a block cannot handle are left to the single case: each [`Alone`], and samples of an impact
+//! whose damage the engine refuses.
 
 use ::uncertainty::dispatch;
 use ::uncertainty::{Instructions, LANES, Lanes, SUCCEEDED};
@@ -23,46 +23,46 @@ use crate::found::refused;
 use crate::output::Output;
 use crate::quantities::{OUTPUTS, of_impact};
 
-/// Why the samples of a case are solved one by one, each as a case of its own.
+/// The reason why the samples of a case are solved one by one, each as a case of its own.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) enum Alone {
-    /// It asks for both speeds, which are found from the momentum: that comes from the ways to rest.
+    /// It asks for both speeds, which follow from the momentum after the impact, and so from the paths to
+    /// rest.
     BothSpeeds,
-    /// It follows vehicles to rest or back: what a sample costs then is its way, not its case.
+    /// It follows vehicles to rest or back: the path then costs far more than the case.
     Ways,
-    /// The damage of a vehicle is not known, or follows from the other's.
+    /// The damage of a vehicle is unknown, or follows from the other's.
     NoDamage,
-    /// What a case has to give is missing, or a result is asked for that an impact does not have.
+    /// An input is missing, or a requested result is not one of an impact.
     Incomplete,
-    /// A range of a number that it does not read: one that no result depends on and that is not known to be
-    /// idle.
+    /// A number with a range is not read: no result depends on it, but that is not certain.
     Unread,
 }
 
-/// A case of which a block of samples can be solved at once.
+/// A case whose samples can be solved a block at a time.
 #[derive(Debug)]
 pub(super) struct Block {
     axes: Axes,
     collisions: Collisions,
-    /// What is sought, if not the impact at the speeds that are given.
+    /// The unknown speed; `None` for an impact at given speeds.
     sought: Option<Sought>,
-    /// Where the speed has a closed form.
+    /// The law, if the speed has a closed form.
     at_once: Option<AtOnce>,
-    /// The place of each output among all that there are, and (SI) the central values of these, 0 where one
-    /// is not wanted.
+    /// The place of each requested output among all outputs, and (SI) the central values of all, 0 for those
+    /// that are not requested.
     places: Vec<usize>,
     central: [f64; OUTPUTS],
 }
 
-/// A law under which a speed is found for all samples at once. The others are solved one sample after the
-/// other, which takes twice as long: a loop for each would take a compiler many times as long.
+/// A law under which the speeds of all samples are found at once. Under other laws the samples are solved one
+/// after the other, which takes twice as long; a loop for each law would multiply the compile time.
 #[derive(Clone, Copy, Debug)]
 struct AtOnce {
     restitution: Number,
     condition: Condition,
 }
 
-/// What such a law asks for along the crush plane.
+/// The condition of such a law along the crush plane.
 #[derive(Clone, Copy, Debug)]
 enum Condition {
     /// e_t: zero, U_t = 0, where the law asks for a common tangential velocity.
@@ -81,8 +81,10 @@ struct Sought {
 }
 
 impl Block {
-    /// Why the case is left to [`Sample`](super::Sample), if it is: where it has another shape, or where one
-    /// of its `uncertain` numbers, so many, is none that a block reads.
+    /// The block of a case with this number of `uncertain` numbers.
+    ///
+    /// # Errors
+    /// [`Alone`] if the case is left to [`Sample`](super::Sample).
     pub(super) fn new(
         case: Case<Number>,
         uncertain: usize,
@@ -102,7 +104,7 @@ impl Block {
                 },
             }),
         };
-        // Vehicles that are followed to rest have outputs that a block does not compute.
+        // A block does not compute the outputs of vehicles that are followed to rest.
         let has_drag =
             |vehicle: &GivenVehicle<Number>| vehicle.after.as_ref().is_some_and(|after| after.drag.is_some());
         if case.surface.is_some() && case.vehicles.iter().any(has_drag) {
@@ -136,8 +138,8 @@ impl Block {
         Ok(Self { axes, collisions, sought, at_once, places, central: of_all })
     }
 
-    /// Solves a block, and tells of each sample whether it is settled: that is its answer, or it has none for
-    /// the reason that is noted.
+    /// Solves a block. Returns whether each sample is settled, with an answer or with a reason why it has
+    /// none.
     #[inline(always)]
     pub(super) fn evaluate(
         &self,
@@ -169,7 +171,7 @@ impl Block {
         settled
     }
 
-    /// How many of these samples of a block have more than one speed that gives their crush energy.
+    /// The number of these samples that have more than one speed for their crush energy.
     #[inline(never)]
     pub(super) fn several_speeds(
         &self,
@@ -187,8 +189,8 @@ impl Block {
         lanes.filter(has_several).count()
     }
 
-    /// Which samples are settled, and why those have no answer that have none. A function of its own for each
-    /// condition and instruction set: all in one would take a compiler many times as long.
+    /// Whether each sample is settled, and the reasons of those without an answer. A separate function for
+    /// each condition and instruction set, because a single one would multiply the compile time.
     #[inline(never)]
     fn at_once(
         &self,
@@ -209,7 +211,7 @@ impl Block {
         columns: &Columns,
         outputs: &mut [Lanes],
     ) -> ([bool; LANES], [u8; LANES]) {
-        // On the stack of this function, so that the compiler knows that no column is part of another.
+        // On the stack of this function, so that the compiler knows that the columns do not overlap.
         let mut values = [Lanes::ZERO; OUTPUTS];
         let (mut settled, mut reasons) = ([false; LANES], [SUCCEEDED; LANES]);
         for lane in 0..LANES {
@@ -235,9 +237,9 @@ impl Block {
         (settled, reasons)
     }
 
-    /// Solves those samples that are not `settled` one after the other.
+    /// Solves the samples that are not `settled` one after the other.
     ///
-    /// Compiled once: it gains nothing from a copy for each instruction set.
+    /// Compiled once: a copy for each instruction set gains nothing.
     #[inline(never)]
     fn in_turn(
         &self,
@@ -268,10 +270,10 @@ impl Block {
         }
     }
 
-    /// The speed of a sample, not a number where none is asked for, and its impact.
+    /// The speed of a sample, NaN if none is unknown, and its impact.
     ///
     /// # Errors
-    /// Why there is none; `None` where the single case has to tell.
+    /// The reason why there is none; `None` if only the single case can find it.
     fn solve(
         &self,
         columns: &Columns,
@@ -285,8 +287,7 @@ impl Block {
         let Some((contact, law, motions)) = self.collisions.collision(columns, inputs, lane) else {
             return Err(Some(self.fault(inputs, lane)));
         };
-        // A damage of which the engine refuses something has no energy. Of one whose energy is known an
-        // impact asks nothing.
+        // A refused damage has no energy. An impact at given speeds does not use the energy.
         if columns.crush_energy(lane).is_nan() {
             return Err(None);
         }
@@ -317,7 +318,7 @@ impl Block {
         Ok(Problem { contact, law, motions, unknown, crush_energy, basis, tangential_share })
     }
 
-    /// Why the engine refuses something of a sample while it takes it in.
+    /// The reason why the engine refuses the inputs of a sample.
     #[cold]
     fn fault(&self, inputs: &[Lanes], lane: usize) -> Reason {
         Reason::of_structures(self.collisions.refused_stiffnesses(inputs, lane))
@@ -325,7 +326,7 @@ impl Block {
 }
 
 impl AtOnce {
-    /// Of no curve of restitution, no moment impulse and no share of the tangential work.
+    /// `None` for a curve of restitution, a moment impulse or a share of the tangential work.
     fn new(sought: &Sought, law: &ImpactLaw<Number>) -> Option<Self> {
         let zero = Number::Known(0.0);
         if sought.share.is_some() {

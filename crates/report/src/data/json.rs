@@ -1,5 +1,5 @@
-//! A finished analysis as JSON, in SI units and radians: each quantity at the pointer of its row, and beside
-//! the quantities what is none.
+//! A finished analysis as JSON, in SI units and radians: each quantity at the pointer of its row, and all
+//! that is not a quantity.
 
 use analysis::quantities::{
     IMPACT_CLOSING_SPEED, IMPACT_CRITICAL_IMPULSE_RATIO, IMPACT_IMPULSE_RATIO, IMPACT_NORMAL_IMPULSE,
@@ -24,27 +24,27 @@ use crate::law;
 use crate::warnings;
 use crate::words;
 
-/// What stands before the blocks of quantities.
+/// The keys before the blocks of quantities.
 #[derive(Serialize)]
 struct Head<'a> {
     title: &'a str,
-    /// Those of all signed values: `z-up` or `z-down`.
+    /// The axes of all signed values: `z-up` or `z-down`.
     axes: &'static str,
-    /// The answer of a reconstruction, and what it is by.
+    /// The answer of a reconstruction, and its method.
     #[serde(skip_serializing_if = "Option::is_none")]
     headline: Option<HeadlineBlock>,
-    /// Where all the evidence was weighed: what its parts say, each taken as exact.
+    /// If all the evidence was weighed: the answers by its parts, each taken as exact.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     solutions: Vec<SolutionBlock>,
     /// Keys of evidence that the numbers below do not use.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     left_aside: Vec<String>,
     energy_basis: &'static str,
-    /// Where the basis is one.
+    /// λ, if the basis has one.
     #[serde(skip_serializing_if = "Option::is_none")]
     tangential_share: Option<f64>,
     warnings: Vec<WarningBlock>,
-    /// What speaks against the exact solution, where all the evidence was weighed.
+    /// The warnings about the exact solution, if all the evidence was weighed.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     solution_warnings: Vec<WarningBlock>,
     checks: Vec<CheckBlock>,
@@ -75,7 +75,7 @@ impl WarningBlock {
         Self { code: warning.code(), vehicle: warning.vehicle().map(VehicleId::number), message }
     }
 
-    /// Those of an analysis.
+    /// The warnings of an analysis.
     pub(crate) fn all(analysis: &Analysis, case: &Case) -> Vec<Self> {
         let seen = analysis.seen(case.axes);
         seen.warnings.iter().map(Self::new).collect()
@@ -97,7 +97,7 @@ struct IterationBlock {
     speed: f64,
     #[serde(skip_serializing_if = "Option::is_none")]
     normal_work: Option<f64>,
-    /// W_n + λ W_t, where the basis is a share of the tangential work.
+    /// W_n + λ W_t, if the basis is a share of the tangential work.
     #[serde(skip_serializing_if = "Option::is_none")]
     crush_work: Option<f64>,
 }
@@ -115,7 +115,7 @@ struct PointBlock {
 #[derive(Serialize)]
 struct CorrectionBlock {
     oblique: &'static str,
-    /// The limits by vehicle, of the friction-limited correction.
+    /// The friction limit of each vehicle, for the friction-limited correction.
     #[serde(skip_serializing_if = "Option::is_none")]
     friction: Option<OfMovable>,
     factor: [f64; 2],
@@ -123,8 +123,8 @@ struct CorrectionBlock {
     delta_v: OfMovable,
 }
 
-/// Quantities that are `null` instead of absent where they have no value, although another one has: vehicles
-/// do not close, the impulse does not push, or no push could end the sliding.
+/// Quantities that are `null` instead of absent if they have no value but the second quantity has one: the
+/// vehicles do not close, the impulse does not push, or no push could end the sliding.
 const NULL_BESIDE: [(&OutputQuantity, &OutputQuantity); 6] = [
     (&IMPACT_RESTITUTION, &IMPACT_CLOSING_SPEED),
     (&IMPACT_IMPULSE_RATIO, &IMPACT_NORMAL_IMPULSE),
@@ -134,7 +134,7 @@ const NULL_BESIDE: [(&OutputQuantity, &OutputQuantity); 6] = [
     (&MOMENTUM_CRITICAL_IMPULSE_RATIO, &MOMENTUM_NORMAL_WORK),
 ];
 
-/// The order of the keys of an impact. Here and below, a key that is not listed follows.
+/// The order of the keys of an impact. Here and below, keys that are not listed come last.
 const IMPACT: [&str; 20] = [
     "law",
     "regime",
@@ -206,12 +206,12 @@ const CRASH3: [&str; 8] = [
 /// The analysis as indented JSON, ending in a line break.
 ///
 /// # Errors
-/// Where serialisation fails, which no analysis causes.
+/// If serialisation fails, which no analysis causes.
 pub fn json(file: &CaseFile, analysis: &Analysis) -> Result<String, serde_json::Error> {
     pretty(&identified(file, document(&file.case, analysis)?))
 }
 
-/// The same of a case with more evidence than its exact solution uses: its headline is by all of it.
+/// The same for a case with more evidence than its exact solution uses: its headline weighs all of it.
 ///
 /// # Errors
 /// As [`json()`].
@@ -223,7 +223,7 @@ pub fn weighed_json(
     pretty(&identified(file, headed(&file.case, analysis, Some(weighed))?))
 }
 
-/// What the JSON says.
+/// The JSON document of an analysis.
 pub(crate) fn document(case: &Case, analysis: &Analysis) -> Result<Value, serde_json::Error> {
     headed(case, analysis, None)
 }
@@ -255,8 +255,8 @@ fn headed(case: &Case, analysis: &Analysis, weighed: Option<&Weighed>) -> Result
     Ok(document)
 }
 
-/// Puts a value at its place (RFC 6901), with the objects and lists on the way there. What a list lacks
-/// before it is `null`.
+/// Puts a value at its place (RFC 6901), and creates the objects and lists that contain it. Missing elements
+/// of a list are `null`.
 fn put(document: &mut Value, place: &str, value: Value) {
     let mut at = document;
     for token in place.split('/').skip(1) {
