@@ -692,7 +692,7 @@ pub(crate) static ESTIMATE: Schema = Schema {
             "prior",
             "prior = \"field\"",
             Form::Words(&words_of(&Prior::WORDS)),
-            "How severe the collision may have been. `\"field\"` (the default): as collisions of which a vehicle was towed; `\"flat\"`: every speed is as likely as any other.",
+            "How severe the collision may have been. `\"field\"` (the default): as severe as collisions after which a vehicle was towed; `\"flat\"`: every speed is as likely as any other.",
         ),
         key(
             "delta_v_median",

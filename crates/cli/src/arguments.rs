@@ -76,11 +76,11 @@ pub(crate) enum Command {
     Draw(DrawArguments),
     /// Measure the program's error rate on staged collisions
     #[command(
-        before_help = "Compares eleven RICSAC staged collisions with what the papers print of them: each \
+        before_help = "Compares eleven RICSAC staged collisions with what the papers print about them: each \
             number is claimed to reproduce within a tolerance, or listed with the reason why it does not. \
-            Then reconstructs the speed of each from its crush, and shows the error rate. It reads no \
-            file: the data were built in. With --field FILE it judges intervals of ΔV by the recorders of \
-            real crashes in that table instead.",
+            Then reconstructs the speed of each from its crush, and shows the error rate. It reads no file: \
+            the data are built in. With --field FILE it judges intervals of ΔV by the recorders of real \
+            crashes in that table instead; with --judge, the ΔV of another program.",
         after_help = "Examples:\n  deltav validate\n  deltav validate --format json -o validation.json\n  \
             deltav validate --format markdown -o docs/validation.md --plots docs\n  \
             deltav validate --field ciss-pairs.csv\n  deltav validate --field ciss-pairs.csv --other \
@@ -419,7 +419,8 @@ fn methods() -> Vec<Word<SamplingMethod>> {
 }
 
 fn priors() -> Vec<Word<Prior>> {
-    let meanings = ["As collisions of which a vehicle was towed", "Any speed is as likely as any other"];
+    let meanings =
+        ["As severe as collisions after which a vehicle was towed", "All speeds are equally likely"];
     meaning(Prior::WORDS, meanings)
 }
 
@@ -443,7 +444,7 @@ fn drawings() -> Vec<Word<What>> {
         (Subject::Reconciliation, "Work of the normal impulse against the speed sought"),
         (Subject::Energy, "Where the initial kinetic energy went"),
         (Subject::Motion, "Plan view from approach through impact to rest, with the marks of the wheels"),
-        (Subject::MotionCurves, "Speed, yaw rate and heading over the time from the impact to rest"),
+        (Subject::MotionCurves, "Speed, yaw rate and heading over time, from the impact to rest"),
         (Subject::Momentum, "The momentum polygon: momenta before and after the impact, tip to tail"),
     ];
     let estimate =
@@ -923,8 +924,8 @@ pub(crate) struct ValidateArguments {
     #[arg(long, requires = "field")]
     pub(crate) other: bool,
 
-    /// Judge the ΔV (km/h) of another program by the same recorders, in the columns COLUMN_1 and COLUMN_2 of
-    /// FILE, and its 95 % intervals if LOW,HIGH name their ends
+    /// Judge another program instead: its ΔV (km/h) in the columns COLUMN_1 and COLUMN_2 of FILE, and the ends
+    /// of its 95 % intervals in LOW_1, HIGH_1, LOW_2 and HIGH_2
     #[arg(long, value_name = "COLUMN[,LOW,HIGH]", requires = "field", conflicts_with_all = ["other", "plots"])]
     pub(crate) judge: Option<field::ClaimColumns>,
 

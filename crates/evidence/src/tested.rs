@@ -22,13 +22,13 @@ pub struct TestedClass {
     pub source: &'static str,
 }
 
-const HELD_OUT: &str = "CISS 2017, each crash judged with figures fitted on others";
-const SEEN: &str = "CISS 2017, on which the figures were fitted";
+const HELD_OUT: &str = "CISS 2017, each crash judged with figures fitted to other crashes";
+const SEEN: &str = "CISS 2017, to which the figures were fitted";
 
 /// docs/calibration.md, section Result.
 const FRONTS: TestedClass = TestedClass {
     code: "two-fronts",
-    collisions: "two fronts met, by the crush of both and the PDOF",
+    collisions: "two fronts met, and the crush of both and the PDOF were known",
     quantity: "ΔV",
     n: 64,
     inside95: 0.953,
@@ -37,7 +37,7 @@ const FRONTS: TestedClass = TestedClass {
 };
 const FRONT_SIDE: TestedClass = TestedClass {
     code: "front-side",
-    collisions: "a front met a side, by the crush of both and the PDOF",
+    collisions: "a front met a side, and the crush of both and the PDOF were known",
     quantity: "ΔV",
     n: 172,
     inside95: 0.953,
@@ -46,7 +46,7 @@ const FRONT_SIDE: TestedClass = TestedClass {
 };
 const FRONT_REAR: TestedClass = TestedClass {
     code: "front-rear",
-    collisions: "a front met a rear, by the crush of both and the PDOF",
+    collisions: "a front met a rear, and the crush of both and the PDOF were known",
     quantity: "ΔV",
     n: 107,
     inside95: 0.916,
@@ -55,7 +55,7 @@ const FRONT_REAR: TestedClass = TestedClass {
 };
 const WITH_RECORDER: TestedClass = TestedClass {
     code: "recorder",
-    collisions: "the recorder of the other vehicle was known, beside crush and PDOF",
+    collisions: "the recorder of the other vehicle was known as well as crush and PDOF",
     quantity: "ΔV",
     n: 104,
     inside95: 0.933,
@@ -74,12 +74,12 @@ const ONE_CRUSH: TestedClass = TestedClass {
 /// The same, section Staged collisions.
 const AFTER: TestedClass = TestedClass {
     code: "velocities-after",
-    collisions: "the velocities after the impact were known, beside crush",
+    collisions: "the velocities after the impact were known as well as the crush",
     quantity: "speed",
     n: 19,
     inside95: 18.0 / 19.0,
     rms: None,
-    source: "RICSAC's staged collisions, which the figures have not seen",
+    source: "RICSAC's staged collisions, to which no figure was fitted",
 };
 
 impl TestedClass {

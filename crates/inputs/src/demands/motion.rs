@@ -631,7 +631,7 @@ impl<T: Real> Demand<'_, T> {
                     format_args!("{}.crush", table(id)),
                     &format!(
                         "the damage of both vehicles: their headings are {degrees:.0}° apart, within 10° of one line, and along one line \
-                         momentum alone does not tell one speed from the other; a table with side, width, depths and stiffness, or `ees`; or \
+                         momentum alone does not distinguish one speed from the other; a table with side, width, depths and stiffness, or `ees`; or \
                          `crush = \"none\"` in [{}], if the other vehicle alone was damaged. Without damage: {speed}",
                         table(id)
                     ),

@@ -24,7 +24,7 @@ pub enum MomentumError {
     Invalid(#[from] InvalidInput),
     /// The directions of travel are too close to one line for momentum alone.
     #[error(
-        "the directions of travel differ by {:.2}°, which is within 10° of one line, so momentum alone does not tell both \
+        "the directions of travel differ by {:.2}°, which is within 10° of one line, so momentum alone does not give both \
          speeds; use momentum along this line together with the crush energy", .angle.to_degrees()
     )]
     Collinear {
@@ -92,7 +92,7 @@ pub enum MomentumError {
     /// The vehicles approach along the crush plane, at all speeds that the momentum allows.
     #[error(
         "the speeds that the momentum allows differ by a velocity along the crush plane (at 90° to its normal \
-         but for a cosine of {cosine:.1e}), so the crush energy does not tell which they are; check the \
+         but for a cosine of {cosine:.1e}), so the crush energy does not determine them; check the \
          headings and the crush plane"
     )]
     AlongCrushPlane {

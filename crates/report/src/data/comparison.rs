@@ -200,7 +200,7 @@ fn no_evidence(reason: &NoEvidence, units: Units) -> String {
                 .to_owned()
         }
         NoEvidence::NeedsSpeed { angle: si } => format!(
-            "no answer: the headings differ by {}, within 10° of one line, where momentum alone does not tell one speed \
+            "no answer: the headings differ by {}, within 10° of one line, where momentum alone does not distinguish one speed \
              from the other. With the speed of one vehicle it gives that of the other",
             angle(*si)
         ),

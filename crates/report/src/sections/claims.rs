@@ -17,7 +17,8 @@ pub fn claims(claims: &Claims, file: &str) -> Document {
     let n = claims.judged.len();
     document.paragraph(format!(
         "The file has {} pairs. {n} of its vehicles have both a recorder that can be judged and a ΔV in the column {}; \
-         {} have a recorder alone. The recorders are those that the program's own estimates are judged by.",
+         {} have only a recorder. `deltav validate --field FILE` judges the program's own estimates by the same \
+         recorders.",
         claims.pairs, claims.columns.value, claims.unclaimed
     ));
     let mut columns = vec![
@@ -51,9 +52,13 @@ pub fn claims(claims: &Claims, file: &str) -> Document {
     document.push(table);
     document.paragraph(
         "bias: mean of ln(claimed/recorder). rms: root mean square of the same. ± is a standard error that counts \
-         collisions, not vehicles. CRPS of a single value: the mean absolute error. Interval score: the width of the \
-         95 % interval, and 40 times the distance by which it misses the recorder (Gneiting & Raftery 2007); less is \
-         better.",
+         collisions, not vehicles. CRPS: for a single value, the mean absolute error.",
     );
+    if has_intervals {
+        document.paragraph(
+            "Interval score: the width of the 95 % interval, plus 40 times the distance by which it misses the recorder \
+             (Gneiting & Raftery 2007); less is better.",
+        );
+    }
     document
 }

@@ -86,13 +86,13 @@ fn tested(class: Option<&TestedClass>) -> String {
             .to_owned();
     };
     let off = rms.map_or_else(String::new, |rms| {
-        format!(", and the median was off by {} % (rms)", number(100.0 * rms, 0))
+        format!(", and the median was off by {} % rms", number(100.0 * rms, 0))
     });
     // Eighteen of nineteen is no percentage with a decimal.
     let share = number(100.0 * inside95, usize::from(*n >= 100));
     format!(
-        "Judged on real collisions in which {collisions}: the 95 % interval held {share} % of {n} values of {quantity}{off} \
-         ({source})."
+        "Judged on real collisions in which {collisions}: the 95 % interval contained {share} % of {n} measured values of \
+         {quantity}{off}. Data: {source}."
     )
 }
 
@@ -183,7 +183,7 @@ impl<'a> Page<'a> {
         self.document.push(Block::Answer { found, how });
         if untold {
             self.document.paragraph(format!(
-                "The evidence does not tell a speed whose interval is nearly as wide as before the evidence, more \
+                "The evidence does not determine a speed whose interval is nearly as wide as before the evidence, more \
                  than {} % of it: the interval then shows what was assumed of such collisions.",
                 number(100.0 * TOLD_BELOW, 0)
             ));
@@ -328,7 +328,7 @@ impl<'a> Page<'a> {
         }
         self.document.push(table);
         let mut words =
-            "\"Before\" is what such collisions are without this evidence, but within what is certain."
+            "\"Before\" shows such collisions without this evidence, within the limits that are certain."
                 .to_owned();
         if self.estimated.outputs.iter().any(|output| output.prior.is_none()) {
             words.push_str(" The run without evidence has not converged, so nothing stands there.");
@@ -507,8 +507,8 @@ impl<'a> Page<'a> {
         }
         let words = match self.estimated.prior {
             Prior::Field => {
-                "The severity is that of collisions of which a vehicle was towed; `--prior flat`, or `prior = \"flat\"` \
-                 in [estimate], takes every speed for as likely as any other."
+                "The severity is that of collisions after which a vehicle was towed; `--prior flat`, or `prior = \"flat\"` \
+                 in [estimate], makes every speed equally likely."
             }
             Prior::Flat => "Every speed is as likely as any other before the evidence, as asked for.",
         };

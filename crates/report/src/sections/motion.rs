@@ -26,7 +26,7 @@ pub(crate) fn how(both: &BothFound, analysis: &Seen, units: Units) -> String {
         both.rivals().map(|other| other.speeds.map(|speed| units.speed(speed)).join(" and ")).collect();
     if !rivals.is_empty() {
         how.push_str(&format!(
-            " The evidence does not tell it from another: {} would agree about as well. Do not rely on these \
+            " The evidence does not distinguish it from another: {} would agree about as well. Do not rely on these \
              speeds before a mark or a witness tells which way the vehicles turned.",
             rivals.join(", or ")
         ));
@@ -74,7 +74,7 @@ fn found_by(both: &BothFound, analysis: &Seen, units: Units) -> String {
                 Basis::TangentialShare(_) => format!(", which equals {}", basis::work(analysis.basis)),
             };
             format!(
-                "The headings differ by {angle}, within {}° of one line, where momentum alone does not tell both \
+                "The headings differ by {angle}, within {}° of one line, where momentum alone does not give both \
                  speeds. They follow from momentum along that line and {left}, and from the crush energy, \
                  {energy} (theory 10){stands_for}. {pairs}.",
                 number(COLLINEAR.to_degrees(), 0)
