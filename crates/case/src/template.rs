@@ -59,6 +59,43 @@ macro_rules! named {
     };
 }
 
+impl Template {
+    /// The case file in SI units but for its speeds, which are in mph, as on the roads of the United Kingdom. It
+    /// does not state what it finds: speeds rounded in mph are not quite those in km/h.
+    #[must_use]
+    pub fn text_with_mph(self) -> String {
+        let line = |line: &str| {
+            match line {
+            stated if stated.starts_with("# As it stands") => {
+                "# With `--units uk`, every command prints speeds in mph, even where none stands in the file.\n".to_owned()
+            }
+            line => in_mph(line),
+        }
+        };
+        self.text(UnitSystem::Si).split_inclusive('\n').map(line).collect()
+    }
+}
+
+/// A line with its numbers in km/h as the nearest whole numbers in mph.
+fn in_mph(line: &str) -> String {
+    const KMH: &str = " km/h";
+    let mut out = String::with_capacity(line.len());
+    let mut rest = line;
+    while let Some(end) = rest.find(KMH) {
+        let start = rest[..end].rfind(|c: char| !c.is_ascii_digit()).map_or(0, |at| at + 1);
+        match rest[start..end].parse::<f64>() {
+            // 1 mph = 1.609344 km/h, by definition of the mile
+            Ok(kmh) => {
+                out.push_str(&rest[..start]);
+                out.push_str(&format!("{:.0} mph", kmh / 1.609_344));
+            }
+            Err(_) => out.push_str(&rest[..end + KMH.len()]),
+        }
+        rest = &rest[end + KMH.len()..];
+    }
+    out + rest
+}
+
 named! {
     FrontSide "front-side",
     HeadOn "head-on",

@@ -4,7 +4,7 @@ use std::ffi::{OsStr, OsString};
 use std::path::{Path, PathBuf};
 
 use analysis::EstimatePlan;
-use case::{Dimension, Prior, Quantity, Template, UnitSystem, read_quantity};
+use case::{Dimension, Prior, Quantity, Template, read_quantity};
 use clap::builder::{
     MapValueParser, PathBufValueParser, PossibleValue, PossibleValuesParser, StringValueParser,
     TypedValueParser, ValueParserFactory,
@@ -80,7 +80,8 @@ pub(crate) enum Command {
             number is claimed to reproduce within a tolerance, or listed with the reason why it does not. \
             Then reconstructs the speed of each from its crush, and shows the error rate. It reads no file: \
             the data are built in. With --field FILE it judges intervals of ΔV by the recorders of real \
-            crashes in that table instead; with --judge, the ΔV of another program.",
+            crashes in that table instead; with --judge, the ΔV of another program. With --recorders FILE it \
+            judges speeds before the impact.",
         after_help = "Examples:\n  deltav validate\n  deltav validate --format json -o validation.json\n  \
             deltav validate --format markdown -o docs/validation.md --plots docs\n  \
             deltav validate --field ciss-pairs.csv\n  deltav validate --field ciss-pairs.csv --other \
@@ -453,8 +454,11 @@ fn drawings() -> Vec<Word<What>> {
     of_subjects.into_iter().chain([estimate]).collect()
 }
 
-const CASE_UNITS: [Word<UnitSystem>; 2] =
-    [("si", "kg, m, cm, km/h", UnitSystem::Si), ("us", "lb, in, mph", UnitSystem::Us)];
+const CASE_UNITS: [Word<Units>; 3] = [
+    ("si", "kg, m, cm, km/h", Units::Si),
+    ("us", "lb, in, mph", Units::Us),
+    ("uk", "kg, m, cm, mph", Units::Uk),
+];
 
 const UNITS: [Word<Units>; 3] = [
     ("us", "ft/s, mph, lb, ft·lb, in", Units::Us),
@@ -624,9 +628,9 @@ pub(crate) struct NewArguments {
     #[arg(long, value_parser = one_of(templates()), default_value = "front-side", hide_possible_values = true)]
     pub(crate) template: Template,
 
-    /// si (kg, m, cm, km/h) or us (lb, in, mph)
+    /// si (kg, m, cm, km/h), us (lb, in, mph), or uk (kg, m, cm, mph)
     #[arg(long, value_parser = one_of(CASE_UNITS), default_value = "si", hide_possible_values = true)]
-    pub(crate) units: UnitSystem,
+    pub(crate) units: Units,
 
     /// Write to FILE, which must not exist, instead of standard output
     #[arg(short, long, value_name = "FILE", default_value = "-", hide_default_value = true)]
@@ -907,6 +911,7 @@ pub(crate) struct TableArguments {
 }
 
 #[derive(Debug, Args)]
+#[command(group = clap::ArgGroup::new("real crashes").args(["field", "recorders"]))]
 pub(crate) struct ValidateArguments {
     /// text, json (SI units, radians), html or markdown
     #[arg(long, value_enum, default_value_t = Format::Text, hide_possible_values = true)]
@@ -920,21 +925,25 @@ pub(crate) struct ValidateArguments {
     #[arg(long, value_name = "FILE")]
     pub(crate) field: Option<PathBuf>,
 
+    /// Judge speeds before the impact by recorders of real crashes in FILE (CSV)
+    #[arg(long, value_name = "FILE", conflicts_with_all = ["field", "plots"])]
+    pub(crate) recorders: Option<PathBuf>,
+
     /// Give the recorder of one vehicle, and judge the other vehicle
     #[arg(long, requires = "field")]
     pub(crate) other: bool,
 
-    /// Judge another program instead: its ΔV (km/h) in the columns COLUMN_1 and COLUMN_2 of FILE, and the ends
-    /// of its 95 % intervals in LOW_1, HIGH_1, LOW_2 and HIGH_2
+    /// Judge another program instead: its ΔV (km/h) in the columns COLUMN_1 and COLUMN_2 of FILE, and the
+    /// ends of its 95 % intervals in LOW_1, HIGH_1, LOW_2 and HIGH_2
     #[arg(long, value_name = "COLUMN[,LOW,HIGH]", requires = "field", conflicts_with_all = ["other", "plots"])]
     pub(crate) judge: Option<field::ClaimColumns>,
 
     /// Random seed
-    #[arg(long, value_name = "SEED", default_value_t = 1, value_parser = seed, requires = "field")]
+    #[arg(long, value_name = "SEED", default_value_t = 1, value_parser = seed, requires = "real crashes")]
     pub(crate) seed: u64,
 
     /// Number of threads [default: one for each processor]
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024), requires = "field")]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024), requires = "real crashes")]
     pub(crate) threads: Option<u16>,
 
     /// Also write the plots into DIR, made if needed

@@ -1,8 +1,11 @@
 //! `deltav new`.
 
+use std::borrow::Cow;
 use std::io::ErrorKind;
 
 use anyhow::{Context as _, Result, bail};
+use case::UnitSystem;
+use report::Units;
 
 use crate::arguments::NewArguments;
 use crate::files::{named, write};
@@ -10,8 +13,13 @@ use crate::outputs;
 use crate::sink;
 
 pub(crate) fn new(arguments: &NewArguments) -> Result<()> {
-    let text = arguments.template.text(arguments.units);
-    let Some(path) = arguments.output.file() else { return write(None, text) };
+    let template = arguments.template;
+    let text = match arguments.units {
+        Units::Si => Cow::from(template.text(UnitSystem::Si)),
+        Units::Us => Cow::from(template.text(UnitSystem::Us)),
+        Units::Uk => Cow::from(template.text_with_mph()),
+    };
+    let Some(path) = arguments.output.file() else { return write(None, &*text) };
     outputs::has_folder("-o", path)?;
     let name = named(path);
     match sink::create_new(path, text.as_bytes()) {

@@ -190,7 +190,7 @@ fn files(command: &Command) -> Files<'_> {
             folder: None,
         },
         Command::Validate(arguments) => Files {
-            inputs: Input::of("the table", &arguments.field).collect(),
+            inputs: Input::of("the table", arguments.field.iter().chain(&arguments.recorders)).collect(),
             outputs: output(arguments.output.file(), ending(arguments.format, PAGE)),
             folder: arguments.plots.as_deref().map(|path| Folder {
                 option: "--plots",

@@ -42,16 +42,19 @@ pub(crate) fn validate(arguments: &ValidateArguments) -> Result<()> {
     if let Some(path) = &arguments.field {
         return validate_field(path, arguments);
     }
+    if let Some(path) = &arguments.recorders {
+        return validate_recorders(path, arguments);
+    }
     show(&validation::validate(&Data::built_in())?, arguments)
 }
 
 /// Particles of an island, of which a pair has sixteen: the intervals of 350 vehicles need no more.
 const PARTICLES_OF_PAIR: usize = 128;
 
-fn validate_field(path: &Path, arguments: &ValidateArguments) -> Result<()> {
+/// The text of a table of crashes.
+fn table(path: &Path, name: &str) -> Result<String> {
     /// (bytes) a table of all crashes that NHTSA has sampled is smaller.
     const LARGEST_TABLE: usize = 1 << 28;
-    let name = named(path).to_string();
     if path.is_dir() {
         anyhow::bail!("{name} is a folder: name the table in it");
     }
@@ -61,8 +64,38 @@ fn validate_field(path: &Path, arguments: &ValidateArguments) -> Result<()> {
     if bytes.len() > LARGEST_TABLE {
         anyhow::bail!("{name} is larger than {} MB: split it", LARGEST_TABLE >> 20);
     }
-    let text = String::from_utf8(bytes)
-        .with_context(|| format!("{name} is no text in UTF-8: save the table as CSV, encoded in UTF-8"))?;
+    String::from_utf8(bytes)
+        .with_context(|| format!("{name} is no text in UTF-8: save the table as CSV, encoded in UTF-8"))
+}
+
+/// Particles of an island for a speed: few crashes have two recorders, so they can be more.
+const PARTICLES_OF_SPEED: usize = 256;
+
+fn validate_recorders(path: &Path, arguments: &ValidateArguments) -> Result<()> {
+    let name = named(path).to_string();
+    let rows = field::read_recorders(&table(path, &name)?).with_context(|| name.clone())?;
+    let options = field::Options {
+        particles: PARTICLES_OF_SPEED,
+        seed: arguments.seed,
+        other: true,
+        crush: field::KnownCrush::Both,
+    };
+    let mut progress = Progress::new()?;
+    let judged = pool(arguments.threads)?.install(|| {
+        field::judge_recorders(&rows, &evidence::FITTED, &options, &mut |done, total| {
+            progress.at("pairs", done, total)
+        })
+    });
+    let judged = judged.with_context(|| name.clone())?;
+    let document = || Ok(report::recorders(&judged, &name));
+    present(arguments.format, arguments.output.file(), document, || report::recorders_json(&judged))?;
+    let (done, total) = (judged.finished, judged.rows);
+    if done < total { Err(Incomplete::EndedPairs { done, total }.into()) } else { Ok(()) }
+}
+
+fn validate_field(path: &Path, arguments: &ValidateArguments) -> Result<()> {
+    let name = named(path).to_string();
+    let text = table(path, &name)?;
     let pairs = field::read(&text).with_context(|| name.clone())?;
     if let Some(columns) = &arguments.judge {
         let claims = field::judge_claims(&text, &pairs, columns).with_context(|| name.clone())?;
@@ -135,6 +168,7 @@ mod tests {
             format: Format::Text,
             output,
             field: None,
+            recorders: None,
             other: false,
             judge: None,
             seed: 1,

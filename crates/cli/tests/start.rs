@@ -320,3 +320,34 @@ fn every_command_has_a_manual_page() {
     let message = String::from_utf8(nowhere.stderr).unwrap();
     assert!(message.contains("deltav.1/folder cannot be made a folder: "), "{message}");
 }
+
+/// The file for the United Kingdom is that in SI units, with its speeds in whole miles per hour.
+#[test]
+fn the_templates_with_mph_are_those_in_si_units_but_for_speeds() {
+    for template in TEMPLATES {
+        let si = printed(&["new", "--template", template]);
+        let path = temporary(&format!("{template}-uk.toml"));
+        let name = path.to_str().unwrap();
+        printed(&["new", "--template", template, "--units", "uk", "-o", name]);
+        let uk = fs::read_to_string(&path).unwrap();
+        assert!(!uk.contains("km/h"), "{template}");
+        assert_eq!(si.lines().count(), uk.lines().count(), "{template}");
+        for (si, uk) in si.lines().zip(uk.lines()).filter(|(si, _)| !si.starts_with("# As it stands")) {
+            let [kilometres, miles]: [Vec<f64>; 2] = [(si, " km/h"), (uk, " mph")].map(|(line, unit)| {
+                let parts: Vec<&str> = line.split(unit).collect();
+                let before = parts[..parts.len() - 1].iter();
+                before.map(|part| part.rsplit(['"', ' ']).next().unwrap().parse().unwrap()).collect()
+            });
+            assert_eq!(kilometres.len(), miles.len(), "{uk}");
+            for (kilometres, miles) in kilometres.iter().zip(&miles) {
+                // (km) a mile, exactly
+                assert!((kilometres - 1.609344 * miles).abs() <= 0.8047, "{uk}");
+            }
+            if kilometres.is_empty() {
+                assert_eq!(si, uk);
+            }
+        }
+        let command = if template == "one-vehicle" { "crush" } else { "reconstruct" };
+        assert!(printed(&[command, name, "--units", "uk"]).contains(" mph"), "{template}");
+    }
+}

@@ -42,7 +42,8 @@ impl Shape {
         let mass = vehicle.mass();
         let [car, length, width] = CAR;
         let scale = exp(ln(mass / car) / 3.0);
-        let (length, width) = (length * scale, width * Real::sqrt(scale));
+        let length = vehicle.length.unwrap_or(length * scale);
+        let width = vehicle.width.unwrap_or(width * Real::sqrt(scale));
         // C̄ and C²̄ of straight lines between the stations
         let spans = || vehicle.depths.windows(2);
         let mean = spans().map(|ends| 0.5 * (ends[0] + ends[1])).sum::<f64>() / 5.0;

@@ -114,6 +114,8 @@ mod tests {
                     number: None,
                     curb_mass: 1500.0,
                     cargo: None,
+                    length: None,
+                    width: None,
                     plane: planes[i],
                     pdof: from + factor * FITTED.pdof_scale * error(1),
                     heading: None,

@@ -17,6 +17,16 @@ pub enum FieldError {
         /// Its name.
         column: String,
     },
+    /// A column of a table of recorders is missing.
+    #[error(
+        "there is no column {column}; --recorders needs CASEID and, with _1 and _2 for the vehicles, CURBWT, CARGOWT, \
+         CDCPLANE, PDOF, HEADINGANG, FIELDL, DIRECTL, DIRECTD, C1 to C6, DVTOTAL, DVLONG, MAXDVLONG, MAXDVLAT, \
+         V_T0_KMH, V_T0_AT_S and BRAKE_T0, with commas between the columns"
+    )]
+    NoRecorderColumn {
+        /// Its name.
+        column: String,
+    },
     /// A column of the program that is judged is missing.
     #[error("there is no column {column}: give the names of the program's columns without _1 and _2")]
     NoClaimColumn {

@@ -3,8 +3,8 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::ops::ControlFlow;
 
-use estimate::{Settings, Verdict, sample_quietly};
-use evidence::{Fitted, Model, Output, shown_delta_v};
+use estimate::{Posterior, Settings, Verdict, sample_quietly};
+use evidence::{Collision, Fitted, Model, Output, shown_delta_v};
 use pim_core::VehicleId;
 use real::Real;
 use real::elementary::{exp, ln};
@@ -234,6 +234,21 @@ pub fn judge_by(
     Ok(Field { other, pairs: pairs.len(), finished, doubted, judged, groups })
 }
 
+/// The posterior of a collision, and whether its run converged; the reason in words if there is none.
+pub(crate) fn posterior(collision: &Collision, options: &Options) -> Result<(Posterior, bool), String> {
+    let model = Model::new(collision);
+    let mut particles = options.particles;
+    loop {
+        let settings = Settings::new(particles, options.seed);
+        let posterior = sample_quietly(&model, &model, &settings).map_err(|failure| failure.to_string())?;
+        let converged = matches!(posterior.verdict(), Verdict::Converged);
+        if converged || particles >= MOST_TIMES * options.particles {
+            return Ok((posterior, converged));
+        }
+        particles *= 2;
+    }
+}
+
 /// Vehicles of one estimate.
 fn vehicles(
     pair: &Pair,
@@ -249,18 +264,7 @@ fn vehicles(
         _ => pair.collision(fitted, given),
     };
     let collision = collision.map_err(|error| refused(error.to_string()))?;
-    let model = Model::new(&collision);
-    let mut particles = options.particles;
-    let (posterior, converged) = loop {
-        let settings = Settings::new(particles, options.seed);
-        let posterior =
-            sample_quietly(&model, &model, &settings).map_err(|failure| refused(failure.to_string()))?;
-        let converged = matches!(posterior.verdict(), Verdict::Converged);
-        if converged || particles >= MOST_TIMES * options.particles {
-            break (posterior, converged);
-        }
-        particles *= 2;
-    };
+    let (posterior, converged) = posterior(&collision, options).map_err(refused)?;
     let column = |output: Output| posterior.outputs().get(output.column()).map_or(&[][..], Vec::as_slice);
     Ok(wanted
         .iter()

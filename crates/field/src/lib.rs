@@ -38,6 +38,8 @@ mod fit;
 mod judge;
 mod pair;
 mod read;
+mod recorded;
+mod recorders;
 mod share;
 
 pub use claim::{ClaimColumns, ClaimGroup, Claims, JudgedClaim, ProgramClaim, judge_claims};
@@ -47,4 +49,9 @@ pub use fit::{Figure, FigureFit, FitOptions, Folds, fit, fit_folds};
 pub use judge::{Field, Figures, Group, Judged, KnownCrush, LEVELS, Options, PairKind, judge, judge_by};
 pub use pair::{Pair, PairVehicle, Plane, Truth};
 pub use read::read;
+pub use recorded::{LastSpeed, RecordedPair, RecorderRow, read_recorders};
+pub use recorders::{
+    DeltaVFigures, DoubtedRecord, JudgedDeltaV, JudgedSpeed, Recorders, SpeedFigures, WidthPart,
+    judge_recorders,
+};
 pub use share::{ShareFit, fit_share};

@@ -42,6 +42,10 @@ pub struct PairVehicle {
     pub curb_mass: f64,
     /// (kg) load.
     pub cargo: Option<f64>,
+    /// (m) its length.
+    pub length: Option<f64>,
+    /// (m) its width.
+    pub width: Option<f64>,
     /// Where it was hit.
     pub plane: Plane,
     /// (rad) direction from which the force came, clockwise from its heading.

@@ -14,9 +14,9 @@ use crate::pair::{Pair, PairVehicle, Plane};
 pub fn read(text: &str) -> Result<Vec<Pair>, FieldError> {
     let mut pairs = Vec::new();
     for cells in cells(text)? {
-        let case = cells.columns.get("CASEID");
-        let case = case.ok_or(FieldError::NoColumn { column: "CASEID".to_owned() })?;
-        pairs.push(Pair { case: case.clone(), vehicles: [cells.vehicle(1)?, cells.vehicle(2)?] });
+        let case = cells.case()?.to_owned();
+        let vehicle = |vehicle| cells.vehicle_with(vehicle, cells.depths(vehicle)?);
+        pairs.push(Pair { case, vehicles: [vehicle(1)?, vehicle(2)?] });
     }
     crossed::mark(&mut pairs);
     if pairs.is_empty() { Err(FieldError::NoPairs) } else { Ok(pairs) }
@@ -41,6 +41,12 @@ pub(crate) struct Cells {
 }
 
 impl Cells {
+    /// The number of the crash.
+    pub(crate) fn case(&self) -> Result<&str, FieldError> {
+        let case = self.columns.get("CASEID").map(String::as_str);
+        case.ok_or(FieldError::NoColumn { column: "CASEID".to_owned() })
+    }
+
     pub(crate) fn text(&self, column: &str, vehicle: u8) -> Result<&str, FieldError> {
         let column = format!("{column}_{vehicle}");
         match self.columns.get(&column) {
@@ -97,7 +103,18 @@ impl Cells {
         }
     }
 
-    fn vehicle(&self, vehicle: u8) -> Result<PairVehicle, FieldError> {
+    /// (m) the depths of a vehicle.
+    pub(crate) fn depths(&self, vehicle: u8) -> Result<[f64; 6], FieldError> {
+        let mut depths = [0.0; 6];
+        for (depth, column) in depths.iter_mut().zip(["C1", "C2", "C3", "C4", "C5", "C6"]) {
+            // Outward bulges do not count as crush.
+            *depth = (self.number(column, vehicle)? / 100.0).max(0.0);
+        }
+        Ok(depths)
+    }
+
+    /// A vehicle with these depths (m).
+    pub(crate) fn vehicle_with(&self, vehicle: u8, depths: [f64; 6]) -> Result<PairVehicle, FieldError> {
         let plane = match self.text("CDCPLANE", vehicle)? {
             "F" => Plane::Front,
             "B" => Plane::Rear,
@@ -116,17 +133,19 @@ impl Cells {
             |column| Ok::<_, FieldError>(self.at_most(MOST_LENGTH, column, vehicle)?.map(|cm| cm / 100.0));
         let kmh =
             |column| Ok::<_, FieldError>(self.at_most(MOST_SPEED, column, vehicle)?.map(|kmh| kmh / 3.6));
-        let mut depths = [0.0; 6];
-        for (depth, column) in depths.iter_mut().zip(["C1", "C2", "C3", "C4", "C5", "C6"]) {
-            // Outward bulges do not count as crush.
-            *depth = (self.number(column, vehicle)? / 100.0).max(0.0);
-        }
+        // Columns that a table may lack.
+        let size = |column| match self.text(column, vehicle) {
+            Ok(_) => Ok(centimetres(column)?.filter(|metres| *metres > 0.0)),
+            Err(_) => Ok::<_, FieldError>(None),
+        };
         Ok(PairVehicle {
             number: self.vehicle_number(vehicle)?,
             curb_mass,
             // NHTSA's codes for unknown loads are above any load.
             cargo: self.at_most(MOST_MASS, "CARGOWT", vehicle)?,
             plane,
+            length: size("OAL")?,
+            width: size("MAXWIDTH")?,
             pdof: self.number("PDOF", vehicle)?.to_radians(),
             // NHTSA's codes for missing headings are above 360.
             heading: self.maybe("HEADINGANG", vehicle)?.filter(|h| h.abs() <= 360.0).map(f64::to_radians),

@@ -32,6 +32,8 @@ fn pair(case: &str, planes: [Plane; 2], depth: f64, recorders: [Option<f64>; 2])
         number: None,
         curb_mass: [1400.0, 1700.0][i],
         cargo: None,
+        length: None,
+        width: None,
         plane: planes[i],
         pdof: f64::to_radians(angles[i][1]),
         heading: Some(f64::to_radians(angles[i][0])),

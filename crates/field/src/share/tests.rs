@@ -16,6 +16,8 @@ fn pair(planes: [Plane; 2], depths: [f64; 2]) -> Pair {
         number: None,
         curb_mass: 1500.0,
         cargo: None,
+        length: None,
+        width: None,
         plane: planes[i],
         pdof: 0.0,
         heading: Some(0.0),

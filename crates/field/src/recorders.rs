@@ -1,0 +1,435 @@
+//! Speeds before impact and ΔV by all other evidence, judged by what recorders stored.
+
+use std::ops::ControlFlow;
+
+use evidence::{Collision, CrushErrors, Fitted, MeasuredSpeed, Output, shown_delta_v};
+use pim_core::VehicleId;
+use real::Real;
+use real::elementary::{ln, sin_cos};
+use uncertainty::{Distribution, InvalidDistribution};
+
+use crate::error::FieldError;
+use crate::judge::{LEVELS, Options, posterior};
+use crate::pair::Truth;
+use crate::recorded::{LastSpeed, RecordedPair, RecorderRow};
+
+/// A quantity of one vehicle, estimated and stored.
+#[derive(Clone, Debug, PartialEq)]
+pub struct JudgedSpeed {
+    /// Number of the crash.
+    pub case: String,
+    /// The vehicle.
+    pub vehicle: VehicleId,
+    /// (m/s) the last speed that its recorder stored.
+    pub recorded: f64,
+    /// (m/s) median of the value that the estimate expects the recorder to have stored.
+    pub median: f64,
+    /// (m/s) ends of the intervals of the [`LEVELS`].
+    pub intervals: [[f64; 2]; 3],
+    /// Whether the run converged.
+    pub converged: bool,
+}
+
+/// ΔV of one vehicle from the speeds of both recorders.
+#[derive(Clone, Debug, PartialEq)]
+pub struct JudgedDeltaV {
+    /// Number of the crash.
+    pub case: String,
+    /// The vehicle.
+    pub vehicle: VehicleId,
+    /// What its recorder stored.
+    pub truth: Truth,
+    /// (m/s) median of the estimate.
+    pub median: f64,
+}
+
+/// A record that is hardly of the impact that the row describes.
+#[derive(Clone, Debug, PartialEq)]
+pub struct DoubtedRecord {
+    /// Number of the crash.
+    pub case: String,
+    /// The vehicle.
+    pub vehicle: VehicleId,
+    /// (m/s) ΔV that it stored.
+    pub stored: f64,
+    /// (m/s) ΔV to a common velocity from the speeds of both recorders.
+    pub common: f64,
+}
+
+/// A part of the evidence that [`judge_recorders`] makes exact, to show how much of a width it is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum WidthPart {
+    /// The headings and the direction of the crush plane.
+    Headings,
+    /// The contact point.
+    Contact,
+    /// The crush energy.
+    Crush,
+    /// The other vehicle's recorder.
+    Recorder,
+}
+
+impl WidthPart {
+    /// All of them.
+    pub const ALL: [Self; 4] = [Self::Headings, Self::Contact, Self::Crush, Self::Recorder];
+
+    /// Its name.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Headings => "headings",
+            Self::Contact => "contact",
+            Self::Crush => "crush",
+            Self::Recorder => "recorder",
+        }
+    }
+}
+
+/// Figures of the speeds.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct SpeedFigures {
+    /// Number of vehicles.
+    pub n: usize,
+    /// (m/s) mean of median − recorded.
+    pub bias: Option<f64>,
+    /// (m/s) root mean square of the same.
+    pub rms: Option<f64>,
+    /// (–) share of the recorded speeds inside the intervals of the [`LEVELS`].
+    pub coverage: Option<[f64; 3]>,
+    /// (m/s) median of half the widths of the 95 % intervals.
+    pub half_width: Option<f64>,
+    /// (m/s) the same with a part of the evidence exact.
+    pub half_width_without: Vec<(WidthPart, f64)>,
+}
+
+/// Figures of ΔV from the speeds.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct DeltaVFigures {
+    /// Number of vehicles.
+    pub n: usize,
+    /// (–) mean of ln(median/stored).
+    pub bias: Option<f64>,
+    /// (–) root mean square of the same.
+    pub rms: Option<f64>,
+}
+
+/// All of a table.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Recorders {
+    /// Number of rows.
+    pub rows: usize,
+    /// Number of rows that were finished before the run was ended.
+    pub finished: usize,
+    /// The speed of each vehicle by all evidence but its recorder.
+    pub speeds: Vec<JudgedSpeed>,
+    /// Their figures.
+    pub other_speed: SpeedFigures,
+    /// ΔV of each vehicle by all evidence but the ΔV of recorders.
+    pub delta_vs: Vec<JudgedDeltaV>,
+    /// Their figures.
+    pub delta_v_from_speeds: DeltaVFigures,
+    /// Crash and reason of each row that cannot be judged.
+    pub refused: Vec<(String, String)>,
+    /// The records that are neither judged nor evidence.
+    pub doubted: Vec<DoubtedRecord>,
+}
+
+/// (–) |ln| of the ratio of a stored ΔV to that of a common velocity beyond which it is doubted: seven times
+/// the rms of 17 records (0.153, CIREN), and more than a sideswipe between a full impact and no impact at
+/// all keeps of its ΔV.
+const ANOTHER_IMPACT: f64 = 1.0;
+
+impl LastSpeed {
+    fn as_evidence(&self, exact: bool) -> MeasuredSpeed {
+        let [mean, sd] = self.to_impact();
+        MeasuredSpeed { value: self.speed + mean, ln_sd: 0.0, least: if exact { 0.1 * sd } else { sd } }
+    }
+
+    /// (m/s) the speed at impact that it shows.
+    fn at_impact(&self) -> f64 {
+        (self.speed + self.to_impact()[0]).max(0.0)
+    }
+}
+
+impl RecordedPair {
+    /// (m/s) the ΔV of both from the recorded speeds to one common velocity, if the headings are known:
+    /// ΔV_i = m_j |v_2 − v_1|/(m_1 + m_2); positive in the sense that the recorder of each stores, forward
+    /// and to the right.
+    #[must_use]
+    pub fn to_common_velocity(&self) -> Option<[[f64; 2]; 2]> {
+        let [one, two] = &self.pair.vehicles;
+        let headings = [one.heading?, two.heading?];
+        // Clockwise from north: x north, y east.
+        let velocity = |i: usize| {
+            let (sin, cos) = sin_cos(headings[i]);
+            let speed = self.last[i].at_impact();
+            [speed * cos, speed * sin]
+        };
+        let [v1, v2] = [velocity(0), velocity(1)];
+        let masses = [one.mass(), two.mass()];
+        let sum = masses[0] + masses[1];
+        Some([0, 1].map(|i| {
+            let sign = if i == 0 { 1.0 } else { -1.0 };
+            let share = sign * masses[1 - i] / sum;
+            let [north, east] = [(v2[0] - v1[0]) * share, (v2[1] - v1[1]) * share];
+            let (sin, cos) = sin_cos(headings[i]);
+            [north * cos + east * sin, east * cos - north * sin]
+        }))
+    }
+
+    /// The records that are hardly of this impact.
+    fn doubted(&self) -> Vec<DoubtedRecord> {
+        let Some(common) = self.to_common_velocity() else { return Vec::new() };
+        let of = |id: VehicleId| {
+            let truth = self.pair.vehicles[id.index()].truth()?;
+            let [along, across] = common[id.index()];
+            let whole = Real::sqrt(along * along + across * across);
+            let shown = shown_delta_v(whole, along, truth.is_longitudinal);
+            let is_far = shown > 0.0 && ln(truth.delta_v / shown).abs() > ANOTHER_IMPACT;
+            let (case, stored) = (self.pair.case.clone(), truth.delta_v);
+            is_far.then_some(DoubtedRecord { case, vehicle: id, stored, common: shown })
+        };
+        VehicleId::ALL.into_iter().filter_map(of).collect()
+    }
+
+    /// The collision whose ΔV of the vehicles `given`, and speeds of the vehicles `with_speed`, are evidence,
+    /// with a part of the evidence exact.
+    fn collision(
+        &self,
+        fitted: &Fitted,
+        given: &[VehicleId],
+        with_speed: &[VehicleId],
+        exact: Option<WidthPart>,
+    ) -> Result<Collision, InvalidDistribution> {
+        let mut fitted = *fitted;
+        match exact {
+            Some(WidthPart::Headings) => (fitted.heading_sd, fitted.crush_plane_sd) = (0.0, 0.0),
+            Some(WidthPart::Contact) => fitted.contact_sd = 0.0,
+            Some(WidthPart::Recorder) => fitted.recorder_ln_scale *= 0.1,
+            Some(WidthPart::Crush) | None => {}
+        }
+        let known = match self.is_measured {
+            [true, false] => Some(VehicleId::One),
+            [false, true] => Some(VehicleId::Two),
+            _ => None,
+        };
+        let mut collision = match known {
+            Some(known) => self.pair.collision_by_crush_of(known, &fitted, given)?,
+            None => self.pair.collision(&fitted, given)?,
+        };
+        for id in with_speed {
+            let speed = self.last[id.index()].as_evidence(exact == Some(WidthPart::Recorder));
+            collision.observed.vehicles[id.index()].recorder.speed = Some(speed);
+        }
+        if exact == Some(WidthPart::Crush) {
+            collision.observed.crush = collision.observed.crush.map(|CrushErrors(errors)| {
+                CrushErrors(errors.map(|mut error| {
+                    error.shared_ln_sd *= 0.1;
+                    error.own_ln_sd *= 0.1;
+                    error
+                }))
+            });
+        }
+        Ok(collision)
+    }
+}
+
+/// (m/s) quantiles of the value that a recorder stores for speeds at impact, with its own error.
+struct Stored(Vec<f64>);
+
+impl Stored {
+    fn of(draws: &[f64], last: &LastSpeed) -> Result<Self, InvalidDistribution> {
+        /// Steps of the recorder's error, of equal probability.
+        const STEPS: u8 = 20;
+        let [mean, sd] = last.to_impact();
+        let error = Distribution::normal(mean, sd)?;
+        let errors = (0..STEPS).map(|step| error.quantile((f64::from(step) + 0.5) / f64::from(STEPS)));
+        let errors: Vec<f64> = errors.collect();
+        // A recorder stores no speed below 0.
+        let stored = draws.iter().flat_map(|draw| errors.iter().map(move |error| (draw - error).max(0.0)));
+        let mut stored: Vec<f64> = stored.collect();
+        stored.sort_by(f64::total_cmp);
+        Ok(Self(stored))
+    }
+
+    fn quantile(&self, share: f64) -> f64 {
+        #[expect(
+            clippy::cast_possible_truncation,
+            clippy::cast_sign_loss,
+            clippy::cast_precision_loss,
+            reason = "an index into a list that is held in memory"
+        )]
+        let index = (share * self.0.len() as f64) as usize;
+        self.0[index.min(self.0.len() - 1)]
+    }
+}
+
+fn median(mut values: Vec<f64>) -> Option<f64> {
+    values.sort_by(f64::total_cmp);
+    let half = values.len() / 2;
+    if values.is_empty() {
+        None
+    } else if values.len() % 2 == 1 {
+        values.get(half).copied()
+    } else {
+        Some(0.5 * (values[half - 1] + values[half]))
+    }
+}
+
+/// Mean and root mean square.
+fn moments(errors: impl Iterator<Item = f64>) -> Option<[f64; 2]> {
+    let (mut n, mut sum, mut squares) = (0.0, 0.0, 0.0);
+    for error in errors {
+        n += 1.0;
+        sum += error;
+        squares += error * error;
+    }
+    (n > 0.0).then(|| [sum / n, Real::sqrt(squares / n)])
+}
+
+/// Estimates, for each crash whose two recorders stored a speed before the impact, the speed of each vehicle
+/// from all evidence but its own recorder, and ΔV of both from all evidence but the ΔV of recorders.
+/// `progress` gets the number of finished rows and of all, and may end the run, which then judges the
+/// finished rows.
+///
+/// # Errors
+/// [`FieldError::Ended`] if no row was finished, and [`FieldError::Estimate`] if a pair has no estimate.
+pub fn judge_recorders(
+    rows: &[RecorderRow],
+    fitted: &Fitted,
+    options: &Options,
+    progress: &mut (dyn FnMut(usize, usize) -> ControlFlow<()> + Send),
+) -> Result<Recorders, FieldError> {
+    let mut found = Recorders {
+        rows: rows.len(),
+        finished: rows.len(),
+        speeds: Vec::new(),
+        other_speed: SpeedFigures::default(),
+        delta_vs: Vec::new(),
+        delta_v_from_speeds: DeltaVFigures::default(),
+        refused: Vec::new(),
+        doubted: Vec::new(),
+    };
+    let mut halves: [Vec<f64>; 4] = Default::default();
+    for (done, row) in rows.iter().enumerate() {
+        if progress(done, rows.len()).is_break() {
+            found.finished = done;
+            break;
+        }
+        let pair = match &row.pair {
+            Ok(pair) => pair,
+            Err(reason) => {
+                found.refused.push((row.case.clone(), reason.clone()));
+                continue;
+            }
+        };
+        let doubted = pair.doubted();
+        if !doubted.is_empty() {
+            // The speed of a record of another impact is not that before this one, either.
+            found.doubted.extend(doubted);
+            continue;
+        }
+        for id in VehicleId::ALL {
+            let judged = pair.speed(id, fitted, options, None)?;
+            for (part, halves) in WidthPart::ALL.into_iter().zip(&mut halves) {
+                halves.push(pair.speed(id, fitted, options, Some(part))?.half_width());
+            }
+            found.speeds.push(judged);
+        }
+        found.delta_vs.extend(pair.delta_vs(fitted, options)?);
+    }
+    if found.finished == 0 && found.rows > 0 {
+        return Err(FieldError::Ended);
+    }
+    found.other_speed = SpeedFigures::of(&found.speeds, halves);
+    let errors = found.delta_vs.iter().map(|judged| ln(judged.median / judged.truth.delta_v));
+    let figures = moments(errors);
+    found.delta_v_from_speeds = DeltaVFigures {
+        n: found.delta_vs.len(),
+        bias: figures.map(|[bias, _]| bias),
+        rms: figures.map(|[_, rms]| rms),
+    };
+    Ok(found)
+}
+
+impl JudgedSpeed {
+    fn half_width(&self) -> f64 {
+        let [low, high] = self.intervals[2];
+        0.5 * (high - low)
+    }
+}
+
+impl SpeedFigures {
+    fn of(speeds: &[JudgedSpeed], halves: [Vec<f64>; 4]) -> Self {
+        let figures = moments(speeds.iter().map(|judged| judged.median - judged.recorded));
+        let inside = |level: usize| {
+            let is_inside = speeds.iter().map(|judged| {
+                let [low, high] = judged.intervals[level];
+                f64::from(u8::from((low..=high).contains(&judged.recorded)))
+            });
+            moments(is_inside).map_or(0.0, |[share, _]| share)
+        };
+        Self {
+            n: speeds.len(),
+            bias: figures.map(|[bias, _]| bias),
+            rms: figures.map(|[_, rms]| rms),
+            coverage: figures.map(|_| [0, 1, 2].map(inside)),
+            half_width: median(speeds.iter().map(JudgedSpeed::half_width).collect()),
+            half_width_without: WidthPart::ALL
+                .into_iter()
+                .zip(halves)
+                .filter_map(|(part, halves)| Some((part, median(halves)?)))
+                .collect(),
+        }
+    }
+}
+
+impl RecordedPair {
+    /// The speed of a vehicle by all evidence but its own recorder.
+    fn speed(
+        &self,
+        id: VehicleId,
+        fitted: &Fitted,
+        options: &Options,
+        exact: Option<WidthPart>,
+    ) -> Result<JudgedSpeed, FieldError> {
+        let refused = |reason: String| FieldError::Estimate { case: self.pair.case.clone(), reason };
+        let other = [id.other()];
+        let collision = self.collision(fitted, &other, &other, exact);
+        let collision = collision.map_err(|error| refused(error.to_string()))?;
+        let (posterior, converged) = posterior(&collision, options).map_err(refused)?;
+        let draws = posterior.outputs().get(Output::Speed(id).column()).map_or(&[][..], Vec::as_slice);
+        let last = &self.last[id.index()];
+        let stored = Stored::of(draws, last).map_err(|error| refused(error.to_string()))?;
+        Ok(JudgedSpeed {
+            case: self.pair.case.clone(),
+            vehicle: id,
+            recorded: last.speed,
+            median: stored.quantile(0.5),
+            intervals: LEVELS
+                .map(|level| [0.5 * (1.0 - level), 0.5 * (1.0 + level)].map(|share| stored.quantile(share))),
+            converged,
+        })
+    }
+
+    /// ΔV of the vehicles with a recorder, by all evidence but the ΔV of recorders.
+    fn delta_vs(&self, fitted: &Fitted, options: &Options) -> Result<Vec<JudgedDeltaV>, FieldError> {
+        let refused = |reason: String| FieldError::Estimate { case: self.pair.case.clone(), reason };
+        let truths = self.pair.truths();
+        if truths.is_empty() {
+            return Ok(Vec::new());
+        }
+        let collision = self.collision(fitted, &[], &VehicleId::ALL, None);
+        let collision = collision.map_err(|error| refused(error.to_string()))?;
+        let (posterior, _) = posterior(&collision, options).map_err(refused)?;
+        let column = |output: Output| posterior.outputs().get(output.column()).map_or(&[][..], Vec::as_slice);
+        let judged = truths.into_iter().filter_map(|(vehicle, truth)| {
+            let whole = column(Output::DeltaV(vehicle)).iter();
+            let draws = whole.zip(column(Output::LongitudinalDeltaV(vehicle)));
+            let shown = draws.map(|(&whole, &along)| shown_delta_v(whole, along, truth.is_longitudinal));
+            let median = median(shown.collect())?;
+            Some(JudgedDeltaV { case: self.pair.case.clone(), vehicle, truth, median })
+        });
+        Ok(judged.collect())
+    }
+}
