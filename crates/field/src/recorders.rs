@@ -39,7 +39,9 @@ pub struct JudgedDeltaV {
     pub vehicle: VehicleId,
     /// What its recorder stored.
     pub truth: Truth,
-    /// (m/s) median of the estimate.
+    /// (m/s) by momentum to one common velocity.
+    pub common: f64,
+    /// (m/s) median of the estimate by all evidence but the ΔV of recorders.
     pub median: f64,
 }
 
@@ -124,10 +126,12 @@ pub struct Recorders {
     pub speeds: Vec<JudgedSpeed>,
     /// Their figures.
     pub other_speed: SpeedFigures,
-    /// ΔV of each vehicle by all evidence but the ΔV of recorders.
+    /// ΔV of each vehicle from the speeds of both recorders.
     pub delta_vs: Vec<JudgedDeltaV>,
-    /// Their figures.
+    /// Their figures by momentum to one common velocity.
     pub delta_v_from_speeds: DeltaVFigures,
+    /// Their figures by the estimate.
+    pub delta_v_by_estimate: DeltaVFigures,
     /// Crash and reason of each row that cannot be judged.
     pub refused: Vec<(String, String)>,
     /// The records that are neither judged nor evidence.
@@ -177,19 +181,27 @@ impl RecordedPair {
         }))
     }
 
-    /// The records that are hardly of this impact.
-    fn doubted(&self) -> Vec<DoubtedRecord> {
+    /// The vehicles whose recorders can be judged, with the stored values and those to one common velocity
+    /// (m/s).
+    fn compared(&self) -> Vec<(VehicleId, Truth, f64)> {
         let Some(common) = self.to_common_velocity() else { return Vec::new() };
-        let of = |id: VehicleId| {
-            let truth = self.pair.vehicles[id.index()].truth()?;
+        let shown = |(id, truth): (VehicleId, Truth)| {
             let [along, across] = common[id.index()];
             let whole = Real::sqrt(along * along + across * across);
-            let shown = shown_delta_v(whole, along, truth.is_longitudinal);
-            let is_far = shown > 0.0 && ln(truth.delta_v / shown).abs() > ANOTHER_IMPACT;
-            let (case, stored) = (self.pair.case.clone(), truth.delta_v);
-            is_far.then_some(DoubtedRecord { case, vehicle: id, stored, common: shown })
+            (id, truth, shown_delta_v(whole, along, truth.is_longitudinal))
         };
-        VehicleId::ALL.into_iter().filter_map(of).collect()
+        self.pair.truths().into_iter().map(shown).filter(|(.., common)| *common > 0.0).collect()
+    }
+
+    /// The records that are hardly of this impact.
+    fn doubted(&self) -> Vec<DoubtedRecord> {
+        let compared = self.compared().into_iter();
+        let far = compared.filter(|(_, truth, common)| ln(truth.delta_v / common).abs() > ANOTHER_IMPACT);
+        far.map(|(vehicle, truth, common)| {
+            let (case, stored) = (self.pair.case.clone(), truth.delta_v);
+            DoubtedRecord { case, vehicle, stored, common }
+        })
+        .collect()
     }
 
     /// The collision whose ΔV of the vehicles `given`, and speeds of the vehicles `with_speed`, are evidence,
@@ -288,7 +300,8 @@ fn moments(errors: impl Iterator<Item = f64>) -> Option<[f64; 2]> {
 }
 
 /// Estimates, for each crash whose two recorders stored a speed before the impact, the speed of each vehicle
-/// from all evidence but its own recorder, and ΔV of both from all evidence but the ΔV of recorders.
+/// from all evidence but its own recorder, and ΔV of both from both speeds: by momentum to one common velocity,
+/// and by the estimate.
 /// `progress` gets the number of finished rows and of all, and may end the run, which then judges the
 /// finished rows.
 ///
@@ -307,6 +320,7 @@ pub fn judge_recorders(
         other_speed: SpeedFigures::default(),
         delta_vs: Vec::new(),
         delta_v_from_speeds: DeltaVFigures::default(),
+        delta_v_by_estimate: DeltaVFigures::default(),
         refused: Vec::new(),
         doubted: Vec::new(),
     };
@@ -342,13 +356,8 @@ pub fn judge_recorders(
         return Err(FieldError::Ended);
     }
     found.other_speed = SpeedFigures::of(&found.speeds, halves);
-    let errors = found.delta_vs.iter().map(|judged| ln(judged.median / judged.truth.delta_v));
-    let figures = moments(errors);
-    found.delta_v_from_speeds = DeltaVFigures {
-        n: found.delta_vs.len(),
-        bias: figures.map(|[bias, _]| bias),
-        rms: figures.map(|[_, rms]| rms),
-    };
+    found.delta_v_from_speeds = DeltaVFigures::of(&found.delta_vs, |judged| judged.common);
+    found.delta_v_by_estimate = DeltaVFigures::of(&found.delta_vs, |judged| judged.median);
     Ok(found)
 }
 
@@ -356,6 +365,13 @@ impl JudgedSpeed {
     fn half_width(&self) -> f64 {
         let [low, high] = self.intervals[2];
         0.5 * (high - low)
+    }
+}
+
+impl DeltaVFigures {
+    fn of(judged: &[JudgedDeltaV], value: impl Fn(&JudgedDeltaV) -> f64) -> Self {
+        let figures = moments(judged.iter().map(|judged| ln(value(judged) / judged.truth.delta_v)));
+        Self { n: judged.len(), bias: figures.map(|[bias, _]| bias), rms: figures.map(|[_, rms]| rms) }
     }
 }
 
@@ -412,24 +428,27 @@ impl RecordedPair {
         })
     }
 
-    /// ΔV of the vehicles with a recorder, by all evidence but the ΔV of recorders.
+    /// ΔV of the vehicles with a recorder, from the speeds of both recorders.
     fn delta_vs(&self, fitted: &Fitted, options: &Options) -> Result<Vec<JudgedDeltaV>, FieldError> {
         let refused = |reason: String| FieldError::Estimate { case: self.pair.case.clone(), reason };
-        let truths = self.pair.truths();
-        if truths.is_empty() {
+        let compared = self.compared();
+        if compared.is_empty() {
             return Ok(Vec::new());
         }
         let collision = self.collision(fitted, &[], &VehicleId::ALL, None);
         let collision = collision.map_err(|error| refused(error.to_string()))?;
         let (posterior, _) = posterior(&collision, options).map_err(refused)?;
         let column = |output: Output| posterior.outputs().get(output.column()).map_or(&[][..], Vec::as_slice);
-        let judged = truths.into_iter().filter_map(|(vehicle, truth)| {
+        let judged = compared.into_iter().filter_map(|(vehicle, truth, common)| {
             let whole = column(Output::DeltaV(vehicle)).iter();
             let draws = whole.zip(column(Output::LongitudinalDeltaV(vehicle)));
             let shown = draws.map(|(&whole, &along)| shown_delta_v(whole, along, truth.is_longitudinal));
             let median = median(shown.collect())?;
-            Some(JudgedDeltaV { case: self.pair.case.clone(), vehicle, truth, median })
+            Some(JudgedDeltaV { case: self.pair.case.clone(), vehicle, truth, common, median })
         });
         Ok(judged.collect())
     }
 }
+
+#[cfg(test)]
+mod tests;

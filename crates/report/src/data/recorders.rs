@@ -16,6 +16,7 @@ struct Document<'a> {
     finished: usize,
     other_speed: SpeedBlock,
     delta_v_from_speeds: DeltaVBlock,
+    delta_v_by_estimate: DeltaVBlock,
     refused: Vec<RefusedBlock<'a>>,
     doubted: Vec<DoubtedBlock<'a>>,
     judged: Vec<JudgedBlock<'a>>,
@@ -70,6 +71,7 @@ struct JudgedDeltaVBlock<'a> {
     vehicle: usize,
     recorder: f64,
     longitudinal: bool,
+    common_velocity: f64,
     median: f64,
 }
 
@@ -135,24 +137,27 @@ impl<'a> JudgedDeltaVBlock<'a> {
             vehicle: judged.vehicle.index() + 1,
             recorder: KMH * judged.truth.delta_v,
             longitudinal: judged.truth.is_longitudinal,
+            common_velocity: KMH * judged.common,
             median: KMH * judged.median,
         }
     }
 }
 
 /// The judgement as JSON, speeds in km/h: `other_speed`, of each vehicle by all evidence but its own recorder,
-/// `delta_v_from_speeds` (its `bias` and `rms` are of the logarithm), the rows that cannot be judged, the
+/// `delta_v_from_speeds`, by momentum to one common velocity, and `delta_v_by_estimate` (`bias` and `rms` are
+/// of the logarithm), the rows that cannot be judged, the
 /// records that are doubted, and every vehicle.
 ///
 /// # Errors
 /// If the JSON cannot be written.
 pub fn recorders_json(recorders: &Recorders) -> Result<String, serde_json::Error> {
-    let DeltaVFigures { n, bias, rms } = recorders.delta_v_from_speeds;
+    let delta_v = |DeltaVFigures { n, bias, rms }| DeltaVBlock { n, bias, rms };
     pretty(&Document {
         rows: recorders.rows,
         finished: recorders.finished,
         other_speed: SpeedBlock::of(&recorders.other_speed),
-        delta_v_from_speeds: DeltaVBlock { n, bias, rms },
+        delta_v_from_speeds: delta_v(recorders.delta_v_from_speeds),
+        delta_v_by_estimate: delta_v(recorders.delta_v_by_estimate),
         refused: recorders.refused.iter().map(|(case, reason)| RefusedBlock { case, reason }).collect(),
         doubted: recorders.doubted.iter().map(DoubtedBlock::of).collect(),
         judged: recorders.speeds.iter().map(JudgedBlock::of).collect(),

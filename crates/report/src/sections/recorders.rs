@@ -49,15 +49,24 @@ pub fn recorders(recorders: &Recorders, file: &str) -> Document {
             parts.collect::<Vec<_>>().join(", ")
         ));
     }
-    document.paragraph(match (delta_vs.bias, delta_vs.rms) {
-        (Some(bias), Some(rms)) => format!(
-            "ΔV from the speeds of both recorders: {} vehicles, mean of ln(estimated/stored) {}, root mean square {}.",
-            delta_vs.n,
-            number(bias, 3),
-            number(rms, 3)
-        ),
-        _ => "No ΔV can be compared with the speeds of both recorders.".to_owned(),
-    });
+    if delta_vs.n > 0 {
+        let columns = vec![
+            Column::words("Method", Width::Fixed(34)),
+            Column::numbers("vehicles", Width::Fit(8)),
+            Column::numbers("bias of ln", Width::Fit(10)),
+            Column::numbers("rms of ln", Width::Fit(10)),
+        ];
+        let mut table = Table::new("ΔV from the speeds of both recorders", columns);
+        for (method, figures) in [
+            ("momentum to one common velocity", delta_vs),
+            ("estimate, with crush and PDOF", &recorders.delta_v_by_estimate),
+        ] {
+            let figure = |figure: Option<f64>| figure.map_or(NONE.to_owned(), |figure| number(figure, 3));
+            let figures = [figures.n.to_string(), figure(figures.bias), figure(figures.rms)];
+            table.cells([method.to_owned()].into_iter().chain(figures));
+        }
+        document.push(table);
+    }
     if !recorders.speeds.is_empty() {
         let columns = vec![
             Column::words("Crash", Width::Fit(8)),
