@@ -25,6 +25,7 @@ pub fn recorders(recorders: &Recorders, file: &str) -> Document {
     let kmh = |speed: Option<f64>| speed.map_or(NONE.to_owned(), |speed| number(3.6 * speed, 1));
     if let Some([half, eighty, most]) = speeds.coverage {
         let columns = vec![
+            Column::words("", Width::Fixed(26)),
             Column::numbers("vehicles", Width::Fit(8)),
             Column::numbers("bias", Width::Fit(8)).unit("km/h"),
             Column::numbers("rms", Width::Fit(8)).unit("km/h"),
@@ -33,10 +34,11 @@ pub fn recorders(recorders: &Recorders, file: &str) -> Document {
             Column::numbers("in 95 %", Width::Fit(8)).unit("%"),
             Column::numbers("half width", Width::Fit(10)).unit("km/h"),
         ];
-        let mut table = Table::new("Speed of a vehicle by all other evidence", columns);
+        let mut table = Table::new("Speed of a vehicle", columns);
         let share = |share: f64| number(100.0 * share, 1);
         let shares = [half, eighty, most].map(share);
-        let mut cells = vec![speeds.n.to_string(), kmh(speeds.bias), kmh(speeds.rms)];
+        let mut cells =
+            vec!["by all other evidence".to_owned(), speeds.n.to_string(), kmh(speeds.bias), kmh(speeds.rms)];
         cells.extend(shares);
         cells.push(kmh(speeds.half_width));
         table.cells(cells);
@@ -51,7 +53,7 @@ pub fn recorders(recorders: &Recorders, file: &str) -> Document {
     }
     if delta_vs.n > 0 {
         let columns = vec![
-            Column::words("Method", Width::Fixed(34)),
+            Column::words("", Width::Fixed(38)),
             Column::numbers("vehicles", Width::Fit(8)),
             Column::numbers("bias of ln", Width::Fit(10)),
             Column::numbers("rms of ln", Width::Fit(10)),
@@ -76,7 +78,7 @@ pub fn recorders(recorders: &Recorders, file: &str) -> Document {
             Column::numbers("95 % from", Width::Fit(9)).unit("km/h"),
             Column::numbers("to", Width::Fit(6)).unit("km/h"),
         ];
-        let mut table = Table::new("Each vehicle", columns);
+        let mut table = Table::new("", columns);
         for judged in &recorders.speeds {
             let [low, high] = judged.intervals[2];
             let mut cells = vec![judged.case.clone(), (judged.vehicle.index() + 1).to_string()];
