@@ -68,5 +68,5 @@ pub use pulse::{
     CrashPulse, PulseFault, PulseRule, PulseSample, PulseSpan, delta_v_at_center, force_direction,
 };
 pub use table::{CellDoubt, NoValue, RecorderTable, TableColumn, TextLayout, TextPlace, TextRefusal};
-pub use text::read_tables;
+pub use text::{columns_table, read_tables};
 pub use which::{EventRecord, KnownImpact, MatchErrors, Mismatch, RecordMatch, match_records};

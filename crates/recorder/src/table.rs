@@ -34,6 +34,8 @@ pub enum TextLayout {
     ColumnAfterColumn,
     /// A quantity in each row, a time in each column.
     Transposed,
+    /// Columns that stand apart.
+    Columns,
 }
 
 impl TextLayout {
@@ -49,6 +51,7 @@ impl TextLayout {
             Self::RowAfterRow => "one value in each line, row after row",
             Self::ColumnAfterColumn => "one value in each line, column after column",
             Self::Transposed => "one quantity in each row",
+            Self::Columns => "a list for each column",
         }
     }
 }
@@ -229,7 +232,7 @@ pub enum TextRefusal {
         units: String,
     },
     /// As many values as headings are needed.
-    #[error("{place}: {found} values, where the heading names {expected}: {columns}")]
+    #[error("{place}: {found} values, where {expected} are needed: {columns}")]
     Uneven {
         /// Of the first value of the row.
         place: TextPlace,
@@ -263,6 +266,16 @@ pub enum TextRefusal {
 }
 
 impl TextRefusal {
+    /// Without its place, for who shows that otherwise.
+    #[must_use]
+    pub fn message(&self) -> String {
+        let whole = self.to_string();
+        match self.place() {
+            Some(place) => whole.replacen(&format!("{place}: "), "", 1),
+            None => whole,
+        }
+    }
+
     /// Where in the text, if it is of a place.
     #[must_use]
     pub fn place(&self) -> Option<TextPlace> {

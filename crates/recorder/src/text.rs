@@ -1,12 +1,14 @@
 //! Reads a recorder's table from text: CSV, or what one copies out of a printed report.
 
+mod columns;
 mod delimited;
 mod flowing;
 mod heads;
 mod raw;
 mod tokens;
 
-use crate::table::{RecorderTable, TextRefusal};
+use crate::channel::Channel;
+use crate::table::{RecorderTable, TextPlace, TextRefusal};
 
 /// The tables of a text, each recognised by the words and the units of its headings.
 ///
@@ -33,4 +35,25 @@ pub fn read_tables(text: &str) -> Result<Vec<RecorderTable>, TextRefusal> {
         return Err(TextRefusal::NoHeading);
     }
     raw.into_iter().map(raw::finish).collect()
+}
+
+/// The table of columns that stand apart, each a text of values with their unit behind them: `"-1 -0.5 0 s"`,
+/// and without one for a switch, `"off on on"`.
+///
+/// # Errors
+///
+/// [`TextRefusal`] with the channel of which it is. Its place is one in the text of this channel.
+pub fn columns_table(columns: &[(Channel, &str)]) -> Result<RecorderTable, (Channel, TextRefusal)> {
+    let raw = columns::table(columns);
+    let of_time = raw.columns.iter().find(|(head, _)| head.channel == Channel::Time);
+    let expected = of_time.map_or(0, |(_, cells)| cells.len());
+    for (head, cells) in &raw.columns {
+        head.unit().map_err(|refusal| (head.channel, refusal))?;
+        if cells.len() != expected && of_time.is_some() {
+            let place = cells.last().map_or(TextPlace { line: 1, column: 1 }, |cell| cell.place);
+            let columns = "as many as there are times".to_owned();
+            return Err((head.channel, TextRefusal::Uneven { place, found: cells.len(), expected, columns }));
+        }
+    }
+    raw::finish(raw).map_err(|refusal| (Channel::Time, refusal))
 }

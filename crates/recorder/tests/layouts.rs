@@ -1,6 +1,9 @@
 //! Tables in the layouts of printed reports, with invented numbers, as they copy out of a PDF.
 
-use recorder::{Channel, CrashPulse, NoValue, PreCrash, RecorderTable, TextLayout, TextRefusal, read_tables};
+use recorder::{
+    Channel, CrashPulse, NoValue, PreCrash, RecorderTable, TextLayout, TextRefusal, columns_table,
+    read_tables,
+};
 
 fn one(text: &str) -> RecorderTable {
     let mut tables = read_tables(text).unwrap();
@@ -305,4 +308,35 @@ fn what_gives_no_table_is_refused_with_its_place() {
         assert_eq!(place(text), Some(at), "{text}: {}", refused(text));
         assert!(refused(text).to_string().contains(word), "{text}: {}", refused(text));
     }
+}
+
+#[test]
+fn a_title_that_names_a_quantity_is_no_column() {
+    let text =
+        "Longitudinal delta-V, 0 to 250 ms\nTime (ms)\nDelta-V, longitudinal\n(km/h)\n0 0\n10 -4\n20 -9\n";
+    let table = one(text);
+    assert_eq!(values(&table, Channel::Time, 1.0), [0.0, 0.01, 0.02]);
+    assert_eq!(values(&table, Channel::DeltaVLongitudinal, KMH), [0.0, -4.0, -9.0]);
+}
+
+#[test]
+fn columns_that_stand_apart() {
+    let table = columns_table(&[
+        (Channel::Time, "-1 -0.5 0 s"),
+        (Channel::Speed, "60 58 255 km/h"),
+        (Channel::Brake, "off on on"),
+    ]);
+    let table = table.unwrap();
+    assert_eq!(values(&table, Channel::Time, 1.0), [-1.0, -0.5, 0.0]);
+    assert_eq!(table.values(Channel::Speed)[2], None);
+    assert_eq!(table.doubts[0].place.column, 7);
+    assert_eq!(values(&table, Channel::Brake, 1.0), [0.0, 1.0, 1.0]);
+    let refused = |columns: &[(Channel, &str)]| columns_table(columns).unwrap_err();
+    let (channel, refusal) = refused(&[(Channel::Time, "-1 0 s"), (Channel::Speed, "60 58 40 km/h")]);
+    assert_eq!((channel, refusal.place().unwrap().column), (Channel::Speed, 7));
+    let (channel, refusal) = refused(&[(Channel::Time, "-1 0 s"), (Channel::Speed, "60 58")]);
+    assert_eq!(channel, Channel::Speed);
+    assert!(refusal.message().starts_with("the heading \"speed\" has no unit"), "{}", refusal.message());
+    let (channel, refusal) = refused(&[(Channel::Time, "-1 0 -2 s"), (Channel::Speed, "6 5 4 km/h")]);
+    assert_eq!((channel, refusal.place().unwrap().column), (Channel::Time, 4));
 }

@@ -73,6 +73,17 @@ fn braking_with_a_gap_is_that_of_a_simulation() {
     // The account is of all of the variance, and of all that the mean is moved by.
     let whole: f64 = found.parts.iter().map(|part| part.variance).sum();
     assert!((whole.sqrt() / sd - 1.0).abs() < 0.01, "{whole} {sd}");
+    // The age alone: Var(a (g + ℓ)) − Var(a) g², by the same draws.
+    let mut numbers = Numbers(8);
+    let [mut with, mut without] = [Vec::new(), Vec::new()];
+    for _ in 0..200_000 {
+        let acceleration = numbers.uniform(-0.75 * 9.80665, 0.0);
+        with.push(acceleration * (0.5 + numbers.uniform(0.0, 0.1)));
+        without.push(acceleration * 0.5);
+    }
+    let age = moments(&with)[1].powi(2) - moments(&without)[1].powi(2);
+    let part = found.parts.iter().find(|part| part.source == SpeedErrorSource::Latency).unwrap();
+    assert!((part.variance / age - 1.0).abs() < 0.03, "{} {age}", part.variance);
     let shift: f64 = found.parts.iter().map(|part| part.shift).sum();
     assert!((stored + shift - mean).abs() < 0.01);
     let largest = found.parts.iter().max_by(|a, b| a.variance.total_cmp(&b.variance)).unwrap();
