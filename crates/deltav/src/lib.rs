@@ -47,6 +47,7 @@
 //! | [`crash3`] | CRASH3 damage: profile, stiffness, crush energy, ΔV |
 //! | [`trajectory`] | the motion of a vehicle from the impact to rest |
 //! | [`time_distance`] | reaction, braking and sight before a collision |
+//! | [`recorder`] | what an event data recorder says: its table, speed at impact and pulse |
 //! | [`reconcile`] | the speed that makes the two agree |
 //! | [`uncertainty`] | propagates input ranges to the results of any function |
 //! | [`estimate`] | draws from the posterior of prior and evidence, and shows whether they are reliable |
@@ -68,7 +69,7 @@
 //! It adds nothing to these crates. No rollover, no occupant loads.
 
 pub use {
-    analysis, case, crash3, drawing, estimate, evidence, field, inputs, pim_core, real, reconcile, report,
+    analysis, case, crash3, drawing, estimate, evidence, field, inputs, pim_core, real, reconcile, recorder, report,
     time_distance, trajectory, uncertainty, validation,
 };
 

@@ -1,0 +1,445 @@
+//! The quantities of a recorder's table, the headings by which they are recognised, and their units.
+
+/// A quantity that a recorder stores over time.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Channel {
+    /// (s) time, 0 at the impact or at what started the record.
+    Time,
+    /// (m/s) indicated speed.
+    Speed,
+    /// (%) accelerator pedal.
+    Accelerator,
+    /// (%) engine throttle.
+    Throttle,
+    /// (rev/min) engine speed.
+    EngineSpeed,
+    /// (1 on, 0 off) service brake.
+    Brake,
+    /// (1 active, 0 not) antilock braking.
+    Abs,
+    /// (1 active, 0 not) stability control.
+    Stability,
+    /// (rad) steering wheel.
+    Steering,
+    /// (rad/s) yaw rate.
+    YawRate,
+    /// (m/s) ΔV along the vehicle since t = 0.
+    DeltaVLongitudinal,
+    /// (m/s) ΔV across the vehicle since t = 0.
+    DeltaVLateral,
+    /// (m/s²) acceleration along the vehicle.
+    AccelerationLongitudinal,
+    /// (m/s²) acceleration across the vehicle.
+    AccelerationLateral,
+    /// What no other entry is of: a column that is known and not read.
+    Other,
+}
+
+/// What a number of a channel measures, which decides the units that it may have.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Dimension {
+    Time,
+    Speed,
+    Percent,
+    Revolutions,
+    Switch,
+    Angle,
+    AngularRate,
+    Acceleration,
+    Voltage,
+    None,
+}
+
+/// A unit of a heading.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ChannelUnit {
+    /// As reports write it.
+    pub name: &'static str,
+    dimension: Dimension,
+    /// (SI per unit) what one of it is.
+    pub factor: f64,
+}
+
+const KMH: f64 = 1.0 / 3.6;
+/// (m/s) 1 mile per hour, by definition.
+const MPH: f64 = 0.44704;
+/// (m/s²) g, by definition.
+pub(crate) const GRAVITY: f64 = 9.80665;
+const DEGREE: f64 = std::f64::consts::PI / 180.0;
+
+const fn unit(name: &'static str, dimension: Dimension, factor: f64) -> ChannelUnit {
+    ChannelUnit { name, dimension, factor }
+}
+
+/// Spellings of units, in lower case and without brackets.
+const UNITS: &[(&[&str], ChannelUnit)] = &[
+    (&["s", "sec", "secs", "second", "seconds", "sek"], unit("s", Dimension::Time, 1.0)),
+    (&["ms", "msec", "msecs", "millisecond", "milliseconds"], unit("ms", Dimension::Time, 1e-3)),
+    (&["km/h", "kmh", "kph", "km/hr", "kmph"], unit("km/h", Dimension::Speed, KMH)),
+    (&["mph", "mi/h"], unit("mph", Dimension::Speed, MPH)),
+    (&["m/s"], unit("m/s", Dimension::Speed, 1.0)),
+    (&["ft/s", "fps"], unit("ft/s", Dimension::Speed, 0.3048)),
+    (&["%", "pct", "percent"], unit("%", Dimension::Percent, 1.0)),
+    (&["rpm", "1/min", "r/min", "u/min", "rev/min"], unit("rpm", Dimension::Revolutions, 1.0)),
+    (&["deg", "degree", "degrees", "°", "grad"], unit("deg", Dimension::Angle, DEGREE)),
+    (&["rad"], unit("rad", Dimension::Angle, 1.0)),
+    (
+        &["deg/s", "deg/sec", "degrees/s", "degrees/sec", "degree/sec", "°/s", "°/sec"],
+        unit("deg/s", Dimension::AngularRate, DEGREE),
+    ),
+    (&["rad/s"], unit("rad/s", Dimension::AngularRate, 1.0)),
+    (&["g", "g's", "gs"], unit("g", Dimension::Acceleration, GRAVITY)),
+    (&["v", "volt", "volts"], unit("V", Dimension::Voltage, 1.0)),
+    (&["m/s²", "m/s2", "m/s^2", "m/sec²", "m/sec^2"], unit("m/s²", Dimension::Acceleration, 1.0)),
+];
+
+const SWITCH: ChannelUnit = unit("on/off", Dimension::Switch, 1.0);
+const RPM: ChannelUnit = unit("rpm", Dimension::Revolutions, 1.0);
+const PERCENT: ChannelUnit = unit("%", Dimension::Percent, 1.0);
+const NONE: ChannelUnit = unit("", Dimension::None, 1.0);
+
+/// Headings in lower case, word by word, hyphens and underscores as spaces. The longest that fits is taken.
+const HEADINGS: &[(Channel, &[&str])] = &[
+    (
+        Channel::Time,
+        &["times", "time", "ptime", "time stamp", "time before impact", "zeit", "pre crash time"],
+    ),
+    (
+        Channel::Speed,
+        &[
+            "speed vehicle indicated",
+            "vehicle indicated speed",
+            "indicated vehicle speed",
+            "vehicle speed",
+            "speed vehicle",
+            "speed",
+            "geschwindigkeit",
+            "fahrgeschwindigkeit",
+        ],
+    ),
+    (
+        Channel::Accelerator,
+        &[
+            "accelerator pedal position",
+            "accelerator pedal",
+            "accel pedal",
+            "accelerator rate",
+            "accelerator",
+            "pedal",
+            "gaspedal",
+        ],
+    ),
+    (
+        Channel::Throttle,
+        &["engine throttle", "throttle position", "throttle valve", "throttle", "drosselklappe"],
+    ),
+    (
+        Channel::EngineSpeed,
+        &["engine rpm", "engine speed", "engine speed rpm", "engine speed combustion", "rpm", "drehzahl"],
+    ),
+    (
+        Channel::Brake,
+        &[
+            "service brake",
+            "brake switch circuit status",
+            "brake switch circuit state",
+            "brake switch circuit",
+            "brake switch",
+            "brake status",
+            "service brake status",
+            "brake",
+            "braking",
+            "betriebsbremse",
+            "bremse",
+        ],
+    ),
+    (
+        Channel::Abs,
+        &["abs activity", "abs active", "abs status", "antilock brake system", "antilock brakes", "abs"],
+    ),
+    (
+        Channel::Stability,
+        &[
+            "stability control",
+            "stability control status",
+            "electronic stability control",
+            "stability",
+            "esc",
+            "esp",
+            "vsc",
+        ],
+    ),
+    (
+        Channel::Steering,
+        &[
+            "steering wheel angle",
+            "steering input",
+            "steering angle",
+            "steering wheel",
+            "steering",
+            "steer",
+            "lenkwinkel",
+            "lenkradwinkel",
+        ],
+    ),
+    (Channel::YawRate, &["yaw rate", "yaw velocity", "vehicle yaw rate", "gierrate"]),
+    (
+        Channel::DeltaVLongitudinal,
+        &[
+            "delta v longitudinal",
+            "longitudinal delta v",
+            "deltav longitudinal",
+            "longitudinal deltav",
+            "longitudinal cumulative delta v",
+            "cumulative longitudinal delta v",
+            "delta v long",
+            "long delta v",
+            "dv longitudinal",
+            "dv long",
+            "δv longitudinal",
+            "longitudinal δv",
+            "longitudinal velocity change",
+            "sdm adjusted velocity change",
+            "sdm recorded velocity change",
+            "adjusted velocity change",
+            "recorded velocity change",
+            "velocity change",
+            "delta v",
+        ],
+    ),
+    (
+        Channel::DeltaVLateral,
+        &[
+            "delta v lateral",
+            "lateral delta v",
+            "deltav lateral",
+            "lateral deltav",
+            "lateral cumulative delta v",
+            "cumulative lateral delta v",
+            "delta v lat",
+            "lat delta v",
+            "dv lateral",
+            "dv lat",
+            "δv lateral",
+            "lateral δv",
+            "lateral velocity change",
+        ],
+    ),
+    (
+        Channel::AccelerationLongitudinal,
+        &[
+            "longitudinal acceleration",
+            "acceleration longitudinal",
+            "longitudinal accel",
+            "long acceleration",
+            "long accel",
+        ],
+    ),
+    (
+        Channel::AccelerationLateral,
+        &["lateral acceleration", "acceleration lateral", "lateral accel", "lat acceleration", "lat accel"],
+    ),
+    (
+        Channel::Other,
+        &[
+            "parking brake",
+            "brake pressure",
+            "brake oil pressure",
+            "master cylinder pressure",
+            "cruise control",
+            "cruise control status",
+            "speed control",
+            "traction control",
+            "wheel speed",
+            "shift position",
+            "gear position",
+            "gear",
+            "roll angle",
+            "vehicle roll angle",
+            "roll rate",
+            "maximum delta v longitudinal",
+            "maximum delta v lateral",
+            "maximum delta v",
+            "normal acceleration",
+            "motor rpm",
+            "motor speed",
+            "brake lamp",
+            "tire pressure",
+            "tyre pressure",
+            "sequential shift range",
+            "drive mode",
+            "seat belt",
+            "safety belt",
+            "collision avoidance",
+        ],
+    ),
+];
+
+impl Channel {
+    /// All that are read, in the order in which a report shows them.
+    pub const READ: [Self; 14] = [
+        Self::Time,
+        Self::Speed,
+        Self::Accelerator,
+        Self::Throttle,
+        Self::EngineSpeed,
+        Self::Brake,
+        Self::Abs,
+        Self::Stability,
+        Self::Steering,
+        Self::YawRate,
+        Self::DeltaVLongitudinal,
+        Self::DeltaVLateral,
+        Self::AccelerationLongitudinal,
+        Self::AccelerationLateral,
+    ];
+
+    /// What a report calls it.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Time => "time",
+            Self::Speed => "speed",
+            Self::Accelerator => "accelerator pedal",
+            Self::Throttle => "engine throttle",
+            Self::EngineSpeed => "engine speed",
+            Self::Brake => "service brake",
+            Self::Abs => "ABS",
+            Self::Stability => "stability control",
+            Self::Steering => "steering wheel",
+            Self::YawRate => "yaw rate",
+            Self::DeltaVLongitudinal => "longitudinal ΔV",
+            Self::DeltaVLateral => "lateral ΔV",
+            Self::AccelerationLongitudinal => "longitudinal acceleration",
+            Self::AccelerationLateral => "lateral acceleration",
+            Self::Other => "not read",
+        }
+    }
+
+    /// The column's key in JSON, CSV and the case file.
+    #[must_use]
+    pub fn key(self) -> &'static str {
+        match self {
+            Self::Time => "time",
+            Self::Speed => "speed",
+            Self::Accelerator => "accelerator",
+            Self::Throttle => "throttle",
+            Self::EngineSpeed => "engine_speed",
+            Self::Brake => "brake",
+            Self::Abs => "abs",
+            Self::Stability => "stability",
+            Self::Steering => "steering",
+            Self::YawRate => "yaw_rate",
+            Self::DeltaVLongitudinal => "delta_v_longitudinal",
+            Self::DeltaVLateral => "delta_v_lateral",
+            Self::AccelerationLongitudinal => "acceleration_longitudinal",
+            Self::AccelerationLateral => "acceleration_lateral",
+            Self::Other => "other",
+        }
+    }
+
+    fn dimension(self) -> Dimension {
+        match self {
+            Self::Time => Dimension::Time,
+            Self::Speed | Self::DeltaVLongitudinal | Self::DeltaVLateral => Dimension::Speed,
+            Self::Accelerator | Self::Throttle => Dimension::Percent,
+            Self::EngineSpeed => Dimension::Revolutions,
+            Self::Brake | Self::Abs | Self::Stability => Dimension::Switch,
+            Self::Steering => Dimension::Angle,
+            Self::YawRate => Dimension::AngularRate,
+            Self::AccelerationLongitudinal | Self::AccelerationLateral => Dimension::Acceleration,
+            Self::Other => Dimension::None,
+        }
+    }
+
+    /// Whether its values are on and off.
+    #[must_use]
+    pub fn is_switch(self) -> bool {
+        self.dimension() == Dimension::Switch
+    }
+
+    /// The unit that needs no mention in a heading.
+    pub(crate) fn own_unit(self) -> Option<ChannelUnit> {
+        match self.dimension() {
+            Dimension::Switch => Some(SWITCH),
+            Dimension::Revolutions => Some(RPM),
+            Dimension::Percent => Some(PERCENT),
+            Dimension::None => Some(NONE),
+            _ => None,
+        }
+    }
+
+    /// Units that a heading may give it, for messages.
+    #[must_use]
+    pub fn units(self) -> Vec<&'static str> {
+        let dimension = self.dimension();
+        UNITS.iter().filter(|(_, unit)| unit.dimension == dimension).map(|(_, unit)| unit.name).collect()
+    }
+
+    /// Whether these units say that a sensor's voltage was stored, and not the quantity.
+    pub(crate) fn is_voltage(self, units: &[ChannelUnit]) -> bool {
+        units.iter().any(|unit| unit.dimension == Dimension::Voltage)
+            && !units.iter().any(|unit| self.takes(unit))
+    }
+
+    /// Whether a value of this unit may stand for it.
+    pub(crate) fn takes(self, unit: &ChannelUnit) -> bool {
+        self.dimension() == unit.dimension
+    }
+
+    /// (SI) the least and the greatest that a recorder stores of it, beyond which a number is none.
+    pub(crate) fn range(self) -> [f64; 2] {
+        match self {
+            Self::Time => [-60.0, 60.0],
+            Self::Speed => [0.0, 400.0 * KMH],
+            Self::Accelerator | Self::Throttle => [0.0, 100.0],
+            Self::EngineSpeed => [0.0, 16_000.0],
+            Self::Brake | Self::Abs | Self::Stability => [0.0, 1.0],
+            Self::Steering => [-1500.0 * DEGREE, 1500.0 * DEGREE],
+            Self::YawRate => [-400.0 * DEGREE, 400.0 * DEGREE],
+            Self::DeltaVLongitudinal | Self::DeltaVLateral => [-250.0 * KMH, 250.0 * KMH],
+            Self::AccelerationLongitudinal | Self::AccelerationLateral => [-500.0 * GRAVITY, 500.0 * GRAVITY],
+            Self::Other => [f64::NEG_INFINITY, f64::INFINITY],
+        }
+    }
+
+    /// The stored numbers that mean "no value", each with what one of them is worth (SI): 254 and 255 where a
+    /// byte has no sign, 126, 127 and −128 where it has one (49 CFR 563 and UN R160 store 1 km/h in a byte).
+    pub(crate) fn codes(self) -> (&'static [f64], f64) {
+        match self {
+            Self::Speed => (&[254.0, 255.0], KMH),
+            Self::Accelerator | Self::Throttle => (&[126.0, 127.0, 254.0, 255.0, -128.0], 1.0),
+            Self::EngineSpeed => (&[254.0, 255.0], 64.0),
+            Self::Brake | Self::Abs | Self::Stability => (&[126.0, 127.0, 254.0, 255.0, -128.0], 1.0),
+            Self::DeltaVLongitudinal | Self::DeltaVLateral => (&[126.0, 127.0, -128.0], KMH),
+            _ => (&[], 1.0),
+        }
+    }
+}
+
+/// The words of a heading for comparison: lower case, hyphens, underscores and punctuation as spaces.
+pub(crate) fn plain(word: &str) -> String {
+    let dashes = ['-', '_', '‑', '–', ',', ';', ':', '"', '.', '*'];
+    word.to_lowercase().replace('∆', "δ").replace(dashes, " ")
+}
+
+/// The channel whose heading begins at the first of these words, and the number of words it takes.
+pub(crate) fn heading_at(words: &[&str]) -> Option<(Channel, usize)> {
+    let mut best: Option<(Channel, usize)> = None;
+    for (channel, headings) in HEADINGS {
+        for heading in *headings {
+            let count = heading.split(' ').count();
+            let fits = heading.split(' ').zip(words).filter(|(own, word)| own == *word).count() == count;
+            if fits && words.len() >= count && best.is_none_or(|(_, longest)| count > longest) {
+                best = Some((*channel, count));
+            }
+        }
+    }
+    best
+}
+
+/// The unit that a word of a heading names.
+pub(crate) fn unit_of(word: &str) -> Option<ChannelUnit> {
+    let bare = word.trim_matches(|c: char| "()[],;:\"".contains(c)).to_lowercase();
+    UNITS.iter().find(|(spellings, _)| spellings.contains(&bare.as_str())).map(|(_, unit)| *unit)
+}

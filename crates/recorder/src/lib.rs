@@ -1,0 +1,72 @@
+//! What an event data recorder says of a collision.
+//!
+//! ```
+//! use recorder::{ImpactSpeed, ImpactSpeedErrors, PreCrash, SpeedLimits, read_tables};
+//!
+//! let text = "Times (sec)  Speed, Vehicle Indicated MPH [km/h]  Service Brake (On, Off)\n\
+//!             -1.0 37 [60] Off\n\
+//!             -0.5 37 [59] On\n\
+//!             0.0 31 [50] On\n";
+//! let tables = read_tables(text)?;
+//! let record = PreCrash::from_table(&tables[0])?;
+//!
+//! // Between −1 s and 0 s it drove 15.8 m if its speed was straight between the samples.
+//! let distance = record.distance(-1.0, 0.0, &SpeedLimits::default());
+//! assert!((distance.between - 15.83).abs() < 0.01);
+//! assert!(distance.at_least < distance.right && distance.left < distance.at_most);
+//!
+//! // It braked at 5 m/s², so that the wheels slipped: the vehicle was faster than the 50 km/h stored.
+//! let speed = ImpactSpeed::of(&record, &ImpactSpeedErrors::default())?;
+//! assert!((speed.mean * 3.6 - 51.4).abs() < 0.3);
+//! let [slowest, fastest] = speed.interval(0.95).map(|speed| speed * 3.6);
+//! assert!(slowest > 46.0 && fastest < 56.0);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! [`read_tables`] reads CSV or text copied out of a printed report into [`RecorderTable`]s, each column
+//! recognised by its heading and unit, each cell without a value told with its place. [`PreCrash`] is what was
+//! stored before the impact, with the distance between samples within [`DistanceBounds`]; [`ImpactSpeed`] the
+//! speed at t = 0 as a distribution, of which [`SpeedErrorPart`] says what comes from where; [`CrashPulse`] is
+//! ΔV over time, with its beginning and end by [`PulseRule`]; [`match_records`] says which record is of which
+//! impact.
+//!
+//! | code | symbol | meaning | unit |
+//! |---|---|---|---|
+//! | `step` | | step in which speeds are stored | m/s |
+//! | `gap` | g | from the last sample to t = 0 | s |
+//! | `latency` | ℓ | age of a stored speed | s |
+//! | `slip_low` | | what slip takes off the speed in hard braking | m/s |
+//! | `deceleration` | f | greatest fall of the speed between samples | m/s² |
+//!
+//! # Guarantees
+//!
+//! - The distance driven lies within [`DistanceBounds`], whatever the speed does between samples, as long as it
+//!   keeps [`SpeedLimits`].
+//! - A table is read or refused with a place; no number is guessed.
+//! - The same input gives the same bits on every machine.
+//!
+//! # What it does not do
+//!
+//! It reads no proprietary binary file, and knows no case: lateral signs and yaw rates stay in the sense of the
+//! recorder until the caller turns them.
+
+mod channel;
+mod impact_speed;
+mod pre_crash;
+mod pulse;
+mod spread;
+mod table;
+mod text;
+mod which;
+
+pub use channel::{Channel, ChannelUnit};
+pub use impact_speed::{
+    ImpactSpeed, ImpactSpeedErrors, SpeedErrorOutOfRange, SpeedErrorPart, SpeedErrorSource, SteepFall,
+};
+pub use pre_crash::{DistanceBounds, PreCrash, PreCrashFault, PreCrashSample, SpeedLimits};
+pub use pulse::{
+    CrashPulse, PulseFault, PulseRule, PulseSample, PulseSpan, delta_v_at_center, force_direction,
+};
+pub use table::{CellDoubt, NoValue, RecorderTable, TableColumn, TextLayout, TextPlace, TextRefusal};
+pub use text::{columns_table, read_tables};
+pub use which::{EventRecord, KnownImpact, MatchErrors, Mismatch, RecordMatch, match_records};

@@ -1,0 +1,271 @@
+//! What a recorder stored before the impact, and the distance travelled between its samples.
+
+use crate::channel::{Channel, GRAVITY};
+use crate::table::RecorderTable;
+
+/// What a recorder stored at one time.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct PreCrashSample {
+    /// (s) time, negative before the impact.
+    pub time: f64,
+    /// (m/s) indicated speed.
+    pub speed: Option<f64>,
+    /// Whether the service brake was on.
+    pub brake: Option<bool>,
+    /// Whether the antilock brakes were at work.
+    pub abs: Option<bool>,
+    /// (%) accelerator pedal.
+    pub accelerator: Option<f64>,
+    /// (%) engine throttle.
+    pub throttle: Option<f64>,
+    /// (rev/min) engine speed.
+    pub engine_speed: Option<f64>,
+    /// (rad) steering wheel, in the sense that the recorder has.
+    pub steering: Option<f64>,
+    /// (rad/s) yaw rate, in the sense that the recorder has.
+    pub yaw_rate: Option<f64>,
+}
+
+/// The samples before an impact, whose times rise.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PreCrash {
+    samples: Vec<PreCrashSample>,
+}
+
+/// Why samples are no record before an impact.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum PreCrashFault {
+    /// No sample at all.
+    #[error("the record has no sample")]
+    NoSample,
+    /// No sample with a speed.
+    #[error("none of the {samples} samples has a speed")]
+    NoSpeed {
+        /// How many there are.
+        samples: usize,
+    },
+    /// A time or a value that is no number.
+    #[error("sample {sample}: a time, speed or other value is not a finite number")]
+    NotFinite {
+        /// From 1.
+        sample: usize,
+    },
+    /// A speed below zero.
+    #[error("sample {sample}: the speed {speed} m/s is negative; a recorder stores speeds without a sign")]
+    NegativeSpeed {
+        /// From 1.
+        sample: usize,
+        /// (m/s) the speed.
+        speed: f64,
+    },
+    /// Times that do not rise.
+    #[error("sample {sample}: its time {time} s is not later than {before} s of the one before it")]
+    TimesTurn {
+        /// From 1.
+        sample: usize,
+        /// (s) its time.
+        time: f64,
+        /// (s) the time before.
+        before: f64,
+    },
+    /// A time after the impact.
+    #[error(
+        "sample {sample}: {time} s is after the impact at 0; times before it are negative, or count down to 0"
+    )]
+    AfterImpact {
+        /// From 1.
+        sample: usize,
+        /// (s) its time.
+        time: f64,
+    },
+}
+
+/// How the speed may change between samples, and how exactly it was stored.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SpeedLimits {
+    /// (m/s) greatest error of a stored speed, either way. 0.5 km/h: 49 CFR 563 and UN R160 have it stored in
+    /// steps of 1 km/h.
+    pub rounding: f64,
+    /// (m/s²) greatest deceleration, positive: 1 g.
+    pub deceleration: f64,
+    /// (m/s²) greatest acceleration: 1 g, since a wheel that regains its grip under ABS is as quick.
+    pub acceleration: f64,
+}
+
+impl Default for SpeedLimits {
+    fn default() -> Self {
+        Self { rounding: 0.5 / 3.6, deceleration: GRAVITY, acceleration: GRAVITY }
+    }
+}
+
+/// (m) a distance between two samples: bounds that always hold, and the three sums that practice prints.
+///
+/// `at_least` and `at_most` hold for every course of the speed that keeps [`SpeedLimits`]: between samples the
+/// speed need be neither monotonic nor straight. The sums `left` and `right` bound the distance only of a
+/// speed that falls, or rises, throughout and is not rounded.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct DistanceBounds {
+    /// (m) the least.
+    pub at_least: f64,
+    /// (m) each speed held until the next sample: the left sum.
+    pub left: f64,
+    /// (m) straight between the samples: the trapezium.
+    pub between: f64,
+    /// (m) each speed held since the sample before: the right sum.
+    pub right: f64,
+    /// (m) the greatest.
+    pub at_most: f64,
+}
+
+impl DistanceBounds {
+    fn plus(self, other: Self) -> Self {
+        Self {
+            at_least: self.at_least + other.at_least,
+            left: self.left + other.left,
+            between: self.between + other.between,
+            right: self.right + other.right,
+            at_most: self.at_most + other.at_most,
+        }
+    }
+}
+
+/// (m) area below a line that starts at `speed` and falls by `slope`, where it is above zero, within `time`.
+fn falling(speed: f64, slope: f64, time: f64) -> f64 {
+    let speed = speed.max(0.0);
+    let end = (speed - slope * time).max(0.0);
+    if slope <= 0.0 {
+        return speed * time;
+    }
+    // s = (v² − v_e²) / 2a
+    (speed * speed - end * end) / (2.0 * slope)
+}
+
+/// (m) area below a line that starts at `speed` and rises by `slope` within `time`.
+fn rising(speed: f64, slope: f64, time: f64) -> f64 {
+    // s = v t + a t²/2
+    speed * time + 0.5 * slope * time * time
+}
+
+/// The distance in `step` (s) between two speeds (m/s).
+fn within(step: f64, [first, last]: [f64; 2], limits: &SpeedLimits) -> DistanceBounds {
+    let error = limits.rounding;
+    // A change beyond the limits happened nevertheless: they widen to it.
+    let change = last - first;
+    let fall = limits.deceleration.max((-change - 2.0 * error) / step).max(1e-9);
+    let rise = limits.acceleration.max((change - 2.0 * error) / step).max(1e-9);
+    // The quickest course rises from the first sample, and falls to the last: v₁ + e + r t = v₂ + e + f (h − t)
+    let turn = ((change + fall * step) / (rise + fall)).clamp(0.0, step);
+    let at_most = rising(first + error, rise, turn) + rising(last + error, fall, step - turn);
+    // The slowest falls first, and rises to the last, but never below zero: v₁ − e − f t = v₂ − e − r (h − t)
+    let turn = ((rise * step - change) / (rise + fall)).clamp(0.0, step);
+    let at_least = falling(first - error, fall, turn) + falling(last - error, rise, step - turn);
+    let (left, right) = (first * step, last * step);
+    DistanceBounds { at_least, left, between: 0.5 * (left + right), right, at_most }
+}
+
+impl PreCrash {
+    /// A record of these samples.
+    ///
+    /// # Errors
+    ///
+    /// [`PreCrashFault`] names the sample.
+    pub fn new(samples: Vec<PreCrashSample>) -> Result<Self, PreCrashFault> {
+        if samples.is_empty() {
+            return Err(PreCrashFault::NoSample);
+        }
+        let mut before = f64::NEG_INFINITY;
+        for (k, one) in samples.iter().enumerate() {
+            let sample = k + 1;
+            let numbers =
+                [one.speed, one.accelerator, one.throttle, one.engine_speed, one.steering, one.yaw_rate];
+            if !one.time.is_finite() || numbers.iter().flatten().any(|value| !value.is_finite()) {
+                return Err(PreCrashFault::NotFinite { sample });
+            }
+            if let Some(speed) = one.speed.filter(|speed| *speed < 0.0) {
+                return Err(PreCrashFault::NegativeSpeed { sample, speed });
+            }
+            if one.time <= before {
+                return Err(PreCrashFault::TimesTurn { sample, time: one.time, before });
+            }
+            if one.time > 0.0 {
+                return Err(PreCrashFault::AfterImpact { sample, time: one.time });
+            }
+            before = one.time;
+        }
+        if samples.iter().all(|sample| sample.speed.is_none()) {
+            return Err(PreCrashFault::NoSpeed { samples: samples.len() });
+        }
+        Ok(Self { samples })
+    }
+
+    /// The record in a table that was read from a text.
+    ///
+    /// # Errors
+    ///
+    /// As [`PreCrash::new`].
+    pub fn from_table(table: &RecorderTable) -> Result<Self, PreCrashFault> {
+        let times = table.times();
+        let numbers = |channel| table.values(channel);
+        let switches = |channel| -> Vec<Option<bool>> {
+            table.values(channel).into_iter().map(|value| value.map(|on| on > 0.5)).collect()
+        };
+        let (speed, brake, abs) = (numbers(Channel::Speed), switches(Channel::Brake), switches(Channel::Abs));
+        let (accelerator, throttle) = (numbers(Channel::Accelerator), numbers(Channel::Throttle));
+        let (engine_speed, steering) = (numbers(Channel::EngineSpeed), numbers(Channel::Steering));
+        let yaw_rate = numbers(Channel::YawRate);
+        let sample = |(k, time): (usize, f64)| PreCrashSample {
+            time,
+            speed: speed[k],
+            brake: brake[k],
+            abs: abs[k],
+            accelerator: accelerator[k],
+            throttle: throttle[k],
+            engine_speed: engine_speed[k],
+            steering: steering[k],
+            yaw_rate: yaw_rate[k],
+        };
+        Self::new(times.into_iter().enumerate().map(sample).collect())
+    }
+
+    /// The samples, the earliest first.
+    #[must_use]
+    pub fn samples(&self) -> &[PreCrashSample] {
+        &self.samples
+    }
+
+    /// The samples that have a speed, with it (m/s).
+    pub fn speeds(&self) -> impl Iterator<Item = (&PreCrashSample, f64)> {
+        self.samples.iter().filter_map(|sample| sample.speed.map(|speed| (sample, speed)))
+    }
+
+    /// The distance from the first sample with a speed at or after `from` (s) to the last at or before `to`
+    /// (s). Samples without a speed are passed over, which widens the bounds.
+    #[must_use]
+    pub fn distance(&self, from: f64, to: f64, limits: &SpeedLimits) -> DistanceBounds {
+        let within_times: Vec<(f64, f64)> = self
+            .speeds()
+            .map(|(sample, speed)| (sample.time, speed))
+            .filter(|(time, _)| (from..=to).contains(time))
+            .collect();
+        within_times.windows(2).fold(DistanceBounds::default(), |sum, pair| {
+            let [(begin, first), (end, last)] = [pair[0], pair[1]];
+            sum.plus(within(end - begin, [first, last], limits))
+        })
+    }
+
+    /// The distance from each sample with a speed to the last of them, the earliest first, with its time (s).
+    #[must_use]
+    pub fn distances_to_last(&self, limits: &SpeedLimits) -> Vec<(f64, DistanceBounds)> {
+        let points: Vec<(f64, f64)> = self.speeds().map(|(sample, speed)| (sample.time, speed)).collect();
+        let mut found = Vec::with_capacity(points.len());
+        let mut sum = DistanceBounds::default();
+        for k in (0..points.len()).rev() {
+            if let Some(next) = points.get(k + 1) {
+                sum = sum.plus(within(next.0 - points[k].0, [points[k].1, next.1], limits));
+            }
+            found.push((points[k].0, sum));
+        }
+        found.reverse();
+        found
+    }
+}

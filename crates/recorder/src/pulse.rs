@@ -1,0 +1,325 @@
+//! The pulse: ΔV over time, where it begins and ends, and whether the record holds all of it.
+
+use real::elementary::atan2;
+
+use crate::channel::{Channel, GRAVITY};
+use crate::table::RecorderTable;
+
+/// ΔV since the beginning of the record.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct PulseSample {
+    /// (s) time.
+    pub time: f64,
+    /// (m/s) ΔV along the vehicle, positive forward.
+    pub longitudinal: Option<f64>,
+    /// (m/s) ΔV across the vehicle, positive to the right as recorders have it (SAE J1733), unless it was turned.
+    pub lateral: Option<f64>,
+}
+
+/// ΔV over time, as a recorder stored it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct CrashPulse {
+    samples: Vec<PulseSample>,
+}
+
+/// Why samples are no pulse.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum PulseFault {
+    /// Fewer than two samples with a ΔV.
+    #[error("a pulse needs two samples with a ΔV, and has {found}")]
+    TooFew {
+        /// How many there are.
+        found: usize,
+    },
+    /// A value that is no number.
+    #[error("sample {sample}: a time or ΔV is not a finite number")]
+    NotFinite {
+        /// From 1.
+        sample: usize,
+    },
+    /// Times that do not rise.
+    #[error("sample {sample}: its time {time} s is not later than {before} s of the one before it")]
+    TimesTurn {
+        /// From 1.
+        sample: usize,
+        /// (s) its time.
+        time: f64,
+        /// (s) the time before.
+        before: f64,
+    },
+}
+
+/// By which rule a pulse begins and ends.
+///
+/// Annex E of ISO/TR 12353-3:2013 computes `t_0` and `t_end` by methods A, B and C; its text is not public, so
+/// that the rules here have names of their own. [`PulseRule::Change`] is that of 49 CFR 563.5 and UN R160.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum PulseRule {
+    /// The impact goes on while ΔV changes by more than `change` (m/s) in each `window` (s): 0.8 km/h in 20 ms
+    /// in 49 CFR 563.5 and UN R160.
+    Change {
+        /// (m/s) the change.
+        change: f64,
+        /// (s) in which time.
+        window: f64,
+    },
+    /// The impact goes on while the acceleration is above this one (m/s²).
+    Acceleration(f64),
+    /// It begins as by [`PulseRule::CHANGE`], and ends when the resultant ΔV is greatest: before the rebound of
+    /// the vehicles from each other is lost in what follows.
+    GreatestDeltaV,
+}
+
+impl PulseRule {
+    /// That of 49 CFR 563.5: 0.8 km/h in 20 ms.
+    pub const CHANGE: Self = Self::Change { change: 0.8 / 3.6, window: 0.02 };
+    /// 2 g, which no tyre has.
+    pub const TWO_G: Self = Self::Acceleration(2.0 * GRAVITY);
+    /// All three, in the order in which a report has them.
+    pub const ALL: [Self; 3] = [Self::CHANGE, Self::TWO_G, Self::GreatestDeltaV];
+
+    /// In words.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Change { .. } => "change of ΔV (49 CFR 563.5)",
+            Self::Acceleration(_) => "acceleration above a threshold",
+            Self::GreatestDeltaV => "greatest ΔV",
+        }
+    }
+
+    /// Its key in JSON.
+    #[must_use]
+    pub fn key(self) -> &'static str {
+        match self {
+            Self::Change { .. } => "change",
+            Self::Acceleration(_) => "acceleration",
+            Self::GreatestDeltaV => "greatest_delta_v",
+        }
+    }
+}
+
+/// The part of a record that is of the impact.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PulseSpan {
+    /// By which rule.
+    pub rule: PulseRule,
+    /// (s) where the impact begins.
+    pub start: f64,
+    /// (s) where it ends, or the record does.
+    pub end: f64,
+    /// (m/s) longitudinal ΔV from start to end, and lateral ΔV.
+    pub delta_v: [Option<f64>; 2],
+    /// Whether the impact ends within the record. If not, ΔV is a lower bound.
+    pub complete: bool,
+}
+
+impl PulseSpan {
+    /// (m/s) resultant of what was recorded.
+    #[must_use]
+    pub fn resultant(&self) -> f64 {
+        let [x, y] = self.delta_v.map(|part| part.unwrap_or(0.0));
+        (x * x + y * y).sqrt()
+    }
+}
+
+/// (m/s) ΔV at the center of gravity, from that of a recorder at (`x`, `y`) (m) from it and the change of the
+/// yaw rate (rad/s), all in one right-handed frame of the vehicle.
+#[must_use]
+pub fn delta_v_at_center([along, across]: [f64; 2], yaw_change: f64, [x, y]: [f64; 2]) -> [f64; 2] {
+    // ΔV = ΔV_r − ΔΩ × r
+    [along + yaw_change * y, across - yaw_change * x]
+}
+
+/// (rad) principal direction of force of a ΔV: where the force comes from, clockwise from the front of the
+/// vehicle, if lateral ΔV is positive to the right.
+#[must_use]
+pub fn force_direction([along, to_the_right]: [f64; 2]) -> f64 {
+    // θ = atan2(−ΔV_y, −ΔV_x); without a minus zero, whose angle would be −π
+    atan2(0.0 - to_the_right, 0.0 - along)
+}
+
+impl CrashPulse {
+    /// A pulse of these samples; those without a ΔV are dropped.
+    ///
+    /// # Errors
+    ///
+    /// [`PulseFault`] names the sample.
+    pub fn new(samples: Vec<PulseSample>) -> Result<Self, PulseFault> {
+        let mut before = f64::NEG_INFINITY;
+        for (k, one) in samples.iter().enumerate() {
+            let parts = [one.longitudinal, one.lateral];
+            if !one.time.is_finite() || parts.iter().flatten().any(|part| !part.is_finite()) {
+                return Err(PulseFault::NotFinite { sample: k + 1 });
+            }
+            if one.time <= before {
+                return Err(PulseFault::TimesTurn { sample: k + 1, time: one.time, before });
+            }
+            before = one.time;
+        }
+        // A recorder of one axis has nothing on the other; of one with both, a sample needs both.
+        let has =
+            |of: fn(&PulseSample) -> Option<f64>| samples.iter().filter(|one| of(one).is_some()).count() >= 2;
+        let (along, across) = (has(|one| one.longitudinal), has(|one| one.lateral));
+        let whole = |one: &PulseSample| {
+            (along || across) && (!along || one.longitudinal.is_some()) && (!across || one.lateral.is_some())
+        };
+        let kept: Vec<PulseSample> = samples
+            .iter()
+            .filter(|one| whole(one))
+            .map(|one| PulseSample {
+                longitudinal: one.longitudinal.filter(|_| along),
+                lateral: one.lateral.filter(|_| across),
+                ..*one
+            })
+            .collect();
+        if kept.len() < 2 {
+            let found = samples.iter().filter(|one| one.longitudinal.or(one.lateral).is_some()).count();
+            // With two samples of either axis, and none of both, no two are whole.
+            return Err(PulseFault::TooFew { found: found.min(1) });
+        }
+        Ok(Self { samples: kept })
+    }
+
+    /// The pulse in a table that was read from a text.
+    ///
+    /// # Errors
+    ///
+    /// As [`CrashPulse::new`].
+    pub fn from_table(table: &RecorderTable) -> Result<Self, PulseFault> {
+        let (along, across) =
+            (table.values(Channel::DeltaVLongitudinal), table.values(Channel::DeltaVLateral));
+        let sample = |(k, time)| PulseSample { time, longitudinal: along[k], lateral: across[k] };
+        Self::new(table.times().into_iter().enumerate().map(sample).collect())
+    }
+
+    /// One pulse of the tables of both axes: at the times of `self`, with what `other` has between its own.
+    #[must_use]
+    pub fn with(&self, other: &Self) -> Self {
+        let at = |time: f64, of: fn(&PulseSample) -> Option<f64>| {
+            let pair = other.samples.windows(2).find(|pair| (pair[0].time..=pair[1].time).contains(&time))?;
+            let [before, after] = [of(&pair[0])?, of(&pair[1])?];
+            let share = (time - pair[0].time) / (pair[1].time - pair[0].time);
+            Some(before + (after - before) * share)
+        };
+        let joined = |one: &PulseSample| PulseSample {
+            time: one.time,
+            longitudinal: one.longitudinal.or_else(|| at(one.time, |one| one.longitudinal)),
+            lateral: one.lateral.or_else(|| at(one.time, |one| one.lateral)),
+        };
+        let samples: Vec<PulseSample> = self.samples.iter().map(joined).collect();
+        Self::new(samples).unwrap_or_else(|_| self.clone())
+    }
+
+    /// The samples, the earliest first.
+    #[must_use]
+    pub fn samples(&self) -> &[PulseSample] {
+        &self.samples
+    }
+
+    /// (m/s) the resultant ΔV from one sample to another.
+    fn change(&self, from: usize, to: usize) -> f64 {
+        let [first, last] = [&self.samples[from], &self.samples[to]];
+        let part = |of: fn(&PulseSample) -> Option<f64>| of(last).unwrap_or(0.0) - of(first).unwrap_or(0.0);
+        let (x, y) = (part(|one| one.longitudinal), part(|one| one.lateral));
+        (x * x + y * y).sqrt()
+    }
+
+    /// The time in the middle of each two samples (s), with the accelerations along and across (m/s²) by the
+    /// difference of their ΔV.
+    #[must_use]
+    pub fn accelerations(&self) -> Vec<(f64, [Option<f64>; 2])> {
+        let of_pair = |pair: &[PulseSample]| {
+            let step = pair[1].time - pair[0].time;
+            // a = ΔV' / Δt
+            let part = |of: fn(&PulseSample) -> Option<f64>| Some((of(&pair[1])? - of(&pair[0])?) / step);
+            (0.5 * (pair[0].time + pair[1].time), [part(|one| one.longitudinal), part(|one| one.lateral)])
+        };
+        self.samples.windows(2).map(of_pair).collect()
+    }
+
+    /// The time of each sample (s), with the principal direction of force of ΔV until then (rad), where ΔV is
+    /// at least `least` (m/s): of less the rounding decides.
+    #[must_use]
+    pub fn force_directions(&self, least: f64) -> Vec<(f64, f64)> {
+        let direction = |one: &PulseSample| {
+            let [x, y] = [one.longitudinal?, one.lateral?];
+            (x * x + y * y >= least * least).then(|| (one.time, force_direction([x, y])))
+        };
+        self.samples.iter().filter_map(direction).collect()
+    }
+
+    /// Which steps between samples are of the impact.
+    fn active(&self, rule: PulseRule) -> Vec<bool> {
+        let steps = 0..self.samples.len() - 1;
+        match rule {
+            PulseRule::Acceleration(least) => {
+                let step = |k: usize| self.samples[k + 1].time - self.samples[k].time;
+                steps.map(|k| self.change(k, k + 1) / step(k) > least).collect()
+            }
+            PulseRule::Change { change, window } => {
+                let mut active = vec![false; self.samples.len() - 1];
+                for from in steps {
+                    let begin = self.samples[from].time;
+                    // Samples 10 ms apart are 20 ms apart up to rounding.
+                    let end = begin + window * (1.0 + 1e-9) + 1e-9;
+                    let to =
+                        self.samples.iter().rposition(|one| one.time <= end).unwrap_or(from).max(from + 1);
+                    if self.change(from, to) > change {
+                        active[from..to].iter_mut().for_each(|step| *step = true);
+                    }
+                }
+                active
+            }
+            PulseRule::GreatestDeltaV => self.active(PulseRule::CHANGE),
+        }
+    }
+
+    /// The part of the record that is of the impact: from the first to the last of its steps that change ΔV.
+    /// `None` if none does.
+    #[must_use]
+    pub fn span(&self, rule: PulseRule) -> Option<PulseSpan> {
+        let active = self.active(rule);
+        let first = active.iter().position(|step| *step)?;
+        let last = active.iter().rposition(|step| *step)? + 1;
+        let ends_within = last < self.samples.len() - 1;
+        let end = match rule {
+            PulseRule::GreatestDeltaV => {
+                let greatest = (first..=last).fold(first, |best, k| {
+                    if self.change(first, k) > self.change(first, best) { k } else { best }
+                });
+                greatest
+            }
+            _ => last,
+        };
+        // A maximum that lies before the end of the record is one, if ΔV then falls by more than it is rounded.
+        let past = self.change(first, end) - self.change(first, self.samples.len() - 1);
+        let complete = match rule {
+            PulseRule::GreatestDeltaV => ends_within || (end < self.samples.len() - 1 && past > TURNED),
+            _ => ends_within,
+        };
+        let [from, to] = [self.samples[first], self.samples[end]];
+        let part = |of: fn(&PulseSample) -> Option<f64>| Some(of(&to)? - of(&from).unwrap_or(0.0));
+        // What was stored at the first sample counts, too, where the record begins within the impact.
+        let begun = |of: fn(&PulseSample) -> Option<f64>| if first == 0 { of(&to) } else { part(of) };
+        let delta_v = [begun(|one| one.longitudinal), begun(|one| one.lateral)];
+        Some(PulseSpan { rule, start: from.time, end: to.time, delta_v, complete })
+    }
+
+    /// (m/s) the resultant ΔV at the last sample, since the beginning of the record.
+    #[must_use]
+    pub fn at_end(&self) -> [Option<f64>; 2] {
+        let last = self.samples.last().copied().unwrap_or_default();
+        [last.longitudinal, last.lateral]
+    }
+
+    /// Whether the record ends before the impact does: ΔV still changes at its end by the rule of 49 CFR 563.5.
+    /// Its ΔV is then a lower bound.
+    #[must_use]
+    pub fn is_cut(&self) -> bool {
+        self.span(PulseRule::CHANGE).is_some_and(|span| !span.complete)
+    }
+}
+
+/// (m/s) 2 km/h, twice the step in which ΔV is stored: by so much ΔV has to fall after a maximum that is one.
+const TURNED: f64 = 2.0 / 3.6;

@@ -1,0 +1,293 @@
+//! What was read from a text: columns, what each heading was taken for, and what a cell did not say.
+
+use std::fmt;
+
+use crate::channel::{Channel, ChannelUnit};
+
+/// A place in a text, from 1.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
+pub struct TextPlace {
+    /// Line.
+    pub line: usize,
+    /// Column, in characters.
+    pub column: usize,
+}
+
+impl fmt::Display for TextPlace {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "line {}, column {}", self.line, self.column)
+    }
+}
+
+/// How a text holds its table.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum TextLayout {
+    /// Fields with this character between them.
+    Delimited(char),
+    /// Columns with two spaces or more between them.
+    Aligned,
+    /// A row in each line, words and values with single spaces.
+    RowLines,
+    /// The values of a row one below the other, row after row.
+    RowAfterRow,
+    /// The values of a column one below the other, column after column.
+    ColumnAfterColumn,
+    /// A quantity in each row, a time in each column.
+    Transposed,
+    /// Columns that stand apart.
+    Columns,
+}
+
+impl TextLayout {
+    /// In words.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Delimited(',') => "columns with commas between them",
+            Self::Delimited(';') => "columns with semicolons between them",
+            Self::Delimited(_) => "columns with tabs between them",
+            Self::Aligned => "aligned columns",
+            Self::RowLines => "one row in each line",
+            Self::RowAfterRow => "one value in each line, row after row",
+            Self::ColumnAfterColumn => "one value in each line, column after column",
+            Self::Transposed => "one quantity in each row",
+            Self::Columns => "a list for each column",
+        }
+    }
+}
+
+/// A column of a table, read.
+#[derive(Clone, Debug, PartialEq)]
+pub struct TableColumn {
+    /// As the text has it.
+    pub heading: String,
+    /// What it was taken for.
+    pub channel: Channel,
+    /// The unit of the numbers that were read.
+    pub unit: ChannelUnit,
+    /// Of the heading.
+    pub place: TextPlace,
+    /// (SI) one for each row, `None` where the cell says none.
+    pub values: Vec<Option<f64>>,
+}
+
+/// Why a cell has no value.
+#[derive(Clone, Debug, PartialEq)]
+pub enum NoValue {
+    /// It is empty.
+    Empty,
+    /// A word that says so: `Invalid`, `SNA`.
+    Word(String),
+    /// A number with which a recorder says that it has none: 255.
+    Code(String),
+    /// Beyond what a recorder stores.
+    OutOfRange {
+        /// As printed.
+        printed: String,
+        /// (unit of the column) the least and the greatest.
+        range: [f64; 2],
+    },
+    /// Neither a number nor, for a switch, on or off.
+    Unreadable(String),
+    /// The step to the next row is longer than those before and after it.
+    SampleMissing {
+        /// (s) to the next row.
+        gap: f64,
+        /// (s) the other steps.
+        step: f64,
+    },
+}
+
+impl fmt::Display for NoValue {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Empty => write!(f, "the cell is empty"),
+            Self::Word(word) => write!(f, "the recorder says \"{word}\""),
+            Self::Code(code) => write!(f, "{code} is the recorder's code for \"no value\""),
+            Self::OutOfRange { printed, range: [least, greatest] } => {
+                write!(f, "{printed} is not between {least:.0} and {greatest:.0}, so no recorder stored it")
+            }
+            Self::Unreadable(text) => write!(f, "\"{text}\" is no value of this column"),
+            Self::SampleMissing { gap, step } => {
+                write!(f, "{gap:.3} s to the next row, {step:.3} s between the others: a sample is missing")
+            }
+        }
+    }
+}
+
+/// A cell without a value, and why.
+#[derive(Clone, Debug, PartialEq)]
+pub struct CellDoubt {
+    /// Where it stands.
+    pub place: TextPlace,
+    /// Its column.
+    pub channel: Channel,
+    /// Why.
+    pub reason: NoValue,
+}
+
+impl fmt::Display for CellDoubt {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}, {}: {}", self.place, self.channel.name(), self.reason)
+    }
+}
+
+/// A table of a recorder: times rise, values are SI.
+#[derive(Clone, Debug, PartialEq)]
+pub struct RecorderTable {
+    /// How the text holds it.
+    pub layout: TextLayout,
+    /// Those recognised, the time first.
+    pub columns: Vec<TableColumn>,
+    /// Headings that were not taken for a quantity, or for one that stood already.
+    pub ignored: Vec<(String, TextPlace)>,
+    /// Cells without a value.
+    pub doubts: Vec<CellDoubt>,
+    /// Whether the text gives times before the impact as positive numbers.
+    pub counted_down: bool,
+}
+
+impl RecorderTable {
+    /// The column of a channel.
+    #[must_use]
+    pub fn column(&self, channel: Channel) -> Option<&TableColumn> {
+        self.columns.iter().find(|column| column.channel == channel)
+    }
+
+    /// (s) the times, which rise.
+    #[must_use]
+    pub fn times(&self) -> Vec<f64> {
+        let time = self.column(Channel::Time);
+        time.map(|column| column.values.iter().flatten().copied().collect()).unwrap_or_default()
+    }
+
+    /// (SI) the values of a channel, all `None` where the table has no such column.
+    #[must_use]
+    pub fn values(&self, channel: Channel) -> Vec<Option<f64>> {
+        let rows = self.columns.first().map_or(0, |column| column.values.len());
+        self.column(channel).map_or_else(|| vec![None; rows], |column| column.values.clone())
+    }
+
+    /// Whether it has speeds before the impact.
+    #[must_use]
+    pub fn is_pre_crash(&self) -> bool {
+        self.column(Channel::Speed).is_some()
+    }
+
+    /// Whether it has ΔV over time.
+    #[must_use]
+    pub fn is_pulse(&self) -> bool {
+        self.column(Channel::DeltaVLongitudinal).is_some() || self.column(Channel::DeltaVLateral).is_some()
+    }
+}
+
+/// Why a text gives no table.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum TextRefusal {
+    /// Nothing but blanks.
+    #[error("the text is empty: copy the table with its heading")]
+    Empty,
+    /// No heading with a time and a quantity.
+    #[error(
+        "no heading names a time and a quantity, such as \"Time (s)\" and \"Speed (km/h)\": copy the table with \
+         its heading"
+    )]
+    NoHeading,
+    /// Quantities without times.
+    #[error("{place}: \"{heading}\" stands here without times: copy the column or row of times, too")]
+    NoTime {
+        /// The first heading.
+        heading: String,
+        /// Where it stands.
+        place: TextPlace,
+    },
+    /// Times without a quantity.
+    #[error("{place}: no quantity beside the times was recognised; known are {known}")]
+    NoQuantity {
+        /// Of the heading of the times.
+        place: TextPlace,
+        /// Some headings.
+        known: &'static str,
+    },
+    /// A heading without rows.
+    #[error("{place}: no values follow the heading \"{heading}\"")]
+    NoRows {
+        /// The heading.
+        heading: String,
+        /// Where it stands.
+        place: TextPlace,
+    },
+    /// A heading with no unit, or with an unknown one.
+    #[error(
+        "{place}: the heading \"{heading}\" has no unit that is known for a {channel}: write one of {units}"
+    )]
+    Unit {
+        /// The heading.
+        heading: String,
+        /// Where it stands.
+        place: TextPlace,
+        /// What it was taken for.
+        channel: &'static str,
+        /// Those that it may have.
+        units: String,
+    },
+    /// As many values as headings are needed.
+    #[error("{place}: {found} values, where {expected} are needed: {columns}")]
+    Uneven {
+        /// Of the first value of the row.
+        place: TextPlace,
+        /// Values.
+        found: usize,
+        /// Headings.
+        expected: usize,
+        /// What the headings were taken for.
+        columns: String,
+    },
+    /// A row without a time.
+    #[error("{place}: \"{text}\" is no time")]
+    TimeUnreadable {
+        /// Where it stands.
+        place: TextPlace,
+        /// What stands there.
+        text: String,
+    },
+    /// Times that turn.
+    #[error("{place}: the time {time} s follows {before} s, where the times before it {sense}")]
+    TimesTurn {
+        /// Where it stands.
+        place: TextPlace,
+        /// (s) the time.
+        time: f64,
+        /// (s) the one before.
+        before: f64,
+        /// `rise` or `fall`.
+        sense: &'static str,
+    },
+}
+
+impl TextRefusal {
+    /// Without its place, for who shows that otherwise.
+    #[must_use]
+    pub fn message(&self) -> String {
+        let whole = self.to_string();
+        match self.place() {
+            Some(place) => whole.replacen(&format!("{place}: "), "", 1),
+            None => whole,
+        }
+    }
+
+    /// Where in the text, if it is of a place.
+    #[must_use]
+    pub fn place(&self) -> Option<TextPlace> {
+        match self {
+            Self::Empty | Self::NoHeading => None,
+            Self::NoTime { place, .. }
+            | Self::NoQuantity { place, .. }
+            | Self::NoRows { place, .. }
+            | Self::Unit { place, .. }
+            | Self::Uneven { place, .. }
+            | Self::TimeUnreadable { place, .. }
+            | Self::TimesTurn { place, .. } => Some(*place),
+        }
+    }
+}

@@ -1,0 +1,59 @@
+//! Reads a recorder's table from text: CSV, or what one copies out of a printed report.
+
+mod columns;
+mod delimited;
+mod flowing;
+mod heads;
+mod raw;
+mod tokens;
+
+use crate::channel::Channel;
+use crate::table::{RecorderTable, TextPlace, TextRefusal};
+
+/// The tables of a text, each recognised by the words and the units of its headings.
+///
+/// The text is CSV with commas, semicolons, tabs or aligned columns, or it is copied out of a printed report:
+/// a row in each line, or a value in each line, row after row or column after column, or a quantity in each
+/// row with the times across. A heading may be split over lines. Of `50 [81]` below `MPH [km/h]` the number in
+/// brackets is read, which is the stored one. Values are converted to SI, and times rise in what is returned.
+///
+/// # Errors
+///
+/// [`TextRefusal`] says what is missing and where. A cell without a value does not refuse the table: it is
+/// `None` in its column and told in [`RecorderTable::doubts`].
+pub fn read_tables(text: &str) -> Result<Vec<RecorderTable>, TextRefusal> {
+    if text.trim().is_empty() {
+        return Err(TextRefusal::Empty);
+    }
+    // A mark of the order of bytes, and blanks that do not break, are of the word processor.
+    let text = text.trim_start_matches('\u{feff}').replace(['\u{a0}', '\u{202f}'], " ");
+    let raw = match delimited::layout(&text) {
+        Some(layout) => delimited::tables(&text, layout)?,
+        None => flowing::tables(&text)?,
+    };
+    if raw.is_empty() {
+        return Err(TextRefusal::NoHeading);
+    }
+    raw.into_iter().map(raw::finish).collect()
+}
+
+/// The table of columns that stand apart, each a text of values with their unit behind them: `"-1 -0.5 0 s"`,
+/// and without one for a switch, `"off on on"`.
+///
+/// # Errors
+///
+/// [`TextRefusal`] with the channel of which it is. Its place is one in the text of this channel.
+pub fn columns_table(columns: &[(Channel, &str)]) -> Result<RecorderTable, (Channel, TextRefusal)> {
+    let raw = columns::table(columns);
+    let of_time = raw.columns.iter().find(|(head, _)| head.channel == Channel::Time);
+    let expected = of_time.map_or(0, |(_, cells)| cells.len());
+    for (head, cells) in &raw.columns {
+        head.unit().map_err(|refusal| (head.channel, refusal))?;
+        if cells.len() != expected && of_time.is_some() {
+            let place = cells.last().map_or(TextPlace { line: 1, column: 1 }, |cell| cell.place);
+            let columns = "as many as there are times".to_owned();
+            return Err((head.channel, TextRefusal::Uneven { place, found: cells.len(), expected, columns }));
+        }
+    }
+    raw::finish(raw).map_err(|refusal| (Channel::Time, refusal))
+}

@@ -1,0 +1,31 @@
+//! Columns that stand apart, each with its unit behind its values: `"-1 -0.5 0 s"`.
+
+use super::heads::Head;
+use super::raw::RawTable;
+use super::tokens::{Piece, Token, line};
+use crate::channel::{Channel, unit_of};
+use crate::table::{TextLayout, TextPlace};
+
+/// The table of columns of these channels. Places are those in the text of each.
+pub(crate) fn table(columns: &[(Channel, &str)]) -> RawTable {
+    let column = |(channel, text): &(Channel, &str)| {
+        let mut cells = Vec::new();
+        let mut units = Vec::new();
+        for (k, content) in text.lines().enumerate() {
+            for piece in line(content, k + 1) {
+                match piece {
+                    Piece::Value(token) => cells.push(token),
+                    Piece::Word(word) => match unit_of(&word.text) {
+                        Some(unit) => units.push(unit),
+                        // What is neither a value nor a unit is a cell that says nothing.
+                        None => cells.push(Token { text: word.text, bracket: None, place: word.place }),
+                    },
+                }
+            }
+        }
+        let place = TextPlace { line: 1, column: 1 };
+        (Head { text: channel.key().to_owned(), channel: *channel, units, place }, cells)
+    };
+    let columns = columns.iter().map(column).collect();
+    RawTable { layout: TextLayout::Columns, columns, ignored: Vec::new() }
+}

@@ -1,0 +1,275 @@
+//! Text with a character between its fields, or two spaces.
+
+use super::heads::{Head, heads};
+use super::raw::RawTable;
+use super::tokens::{Token, Word, is_value, number};
+use crate::channel::Channel;
+use crate::table::{TextLayout, TextPlace, TextRefusal};
+
+/// A field of a line.
+#[derive(Clone, Debug)]
+struct Field {
+    text: String,
+    place: TextPlace,
+}
+
+/// The fields of a line, quotes taken off.
+fn fields(line: &str, number: usize, layout: TextLayout) -> Vec<Field> {
+    let mut found = Vec::new();
+    let (mut text, mut column, mut first, mut quoted) = (String::new(), 0, 1, false);
+    let mut letters = line.chars().peekable();
+    let mut close = |text: &mut String, first: usize| {
+        let lead = text.chars().take_while(|letter| letter.is_whitespace()).count();
+        let place = TextPlace { line: number, column: first + lead };
+        found.push(Field { text: text.trim().to_owned(), place });
+        text.clear();
+    };
+    while let Some(letter) = letters.next() {
+        column += 1;
+        let ends = match layout {
+            TextLayout::Delimited(delimiter) => letter == delimiter,
+            _ => letter == ' ' && letters.peek() == Some(&' ') && !text.is_empty(),
+        };
+        match letter {
+            '"' => quoted = !quoted,
+            _ if ends && !quoted => {
+                close(&mut text, first);
+                first = column + 1;
+                while layout == TextLayout::Aligned && letters.peek() == Some(&' ') {
+                    letters.next();
+                    column += 1;
+                    first = column + 1;
+                }
+            }
+            ' ' if text.is_empty() && layout == TextLayout::Aligned => first = column + 1,
+            _ => text.push(letter),
+        }
+    }
+    close(&mut text, first);
+    if layout == TextLayout::Aligned {
+        while found.last().is_some_and(|field| field.text.is_empty()) {
+            found.pop();
+        }
+    }
+    found
+}
+
+/// A value as a field has it: `50 [81]`, `0 (TRG)`.
+fn token(field: &Field) -> Token {
+    let place = field.place;
+    let text = field.text.trim_end_matches("(TRG)").trim();
+    if text.eq_ignore_ascii_case("trg") {
+        return Token { text: "0".to_owned(), bracket: None, place };
+    }
+    match text.split_once('[') {
+        Some((value, bracket)) => Token {
+            text: value.trim().to_owned(),
+            bracket: Some(bracket.trim_end_matches(']').trim().to_owned()),
+            place,
+        },
+        None => Token { text: text.to_owned(), bracket: None, place },
+    }
+}
+
+fn holds_values(fields: &[Field]) -> bool {
+    let mut filled = fields.iter().filter(|field| !field.text.is_empty()).peekable();
+    filled.peek().is_some()
+        && filled.all(|field| {
+            let token = token(field);
+            is_value(&token.text) || (token.text.is_empty() && token.bracket.is_some())
+        })
+}
+
+/// What a heading of one column names: the first quantity in it.
+fn head(text: &str, place: TextPlace) -> Option<Head> {
+    let whole = text.trim().to_lowercase();
+    let is_time =
+        matches!(whole.as_str(), "ms" | "msec" | "s" | "sec" | "t" | "t (s)" | "t [s]" | "t (ms)" | "t [ms]");
+    let text = if is_time { format!("Time {text}") } else { text.to_owned() };
+    let mut words = Vec::new();
+    let mut depth = 0_i32;
+    for piece in text.split_whitespace().flat_map(split_opening) {
+        let opens = piece.contains(['(', '[']);
+        let within = depth > 0 || opens;
+        for letter in piece.chars() {
+            depth += i32::from("([".contains(letter)) - i32::from(")]".contains(letter));
+        }
+        depth = depth.max(0);
+        words.push(Word { text: piece, within, place });
+    }
+    let mut all = heads(&words).into_iter();
+    let mut first = all.next()?;
+    // A heading of one column is one, whatever else its words name.
+    for other in all {
+        first.units.extend(other.units);
+        first.text = format!("{} {}", first.text, other.text);
+    }
+    Some(first)
+}
+
+/// `Speed(km/h)` as two words.
+fn split_opening(piece: &str) -> Vec<String> {
+    match piece.find(['(', '[']).filter(|from| *from > 0) {
+        Some(from) => vec![piece[..from].to_owned(), piece[from..].to_owned()],
+        None => vec![piece.to_owned()],
+    }
+}
+
+/// The lines that are not empty and no comment.
+fn lines(text: &str) -> impl Iterator<Item = (usize, &str)> {
+    let numbered = text.lines().enumerate().map(|(k, line)| (k + 1, line));
+    numbered.filter(|(_, line)| !line.trim().is_empty() && !line.trim_start().starts_with('#'))
+}
+
+/// Whether this is how the fields of the text are divided: its heading names a time, and its lines of values
+/// have as many fields as the heading.
+fn divides(text: &str, layout: TextLayout) -> bool {
+    let rows: Vec<Vec<Field>> = lines(text).map(|(number, line)| fields(line, number, layout)).collect();
+    let named =
+        |fields: &[Field]| fields.len() >= 2 && fields.iter().any(|field| is_time(&field.text, field.place));
+    let Some(heading) = rows.iter().find(|fields| named(fields) && !holds_values(fields)) else {
+        return false;
+    };
+    let values: Vec<&Vec<Field>> = rows.iter().filter(|fields| holds_values(fields)).collect();
+    if is_transposed(&rows) {
+        return true;
+    }
+    let width = heading.len();
+    !values.is_empty() && values.iter().filter(|fields| fields.len() == width).count() * 2 > values.len()
+}
+
+/// Whether the lines begin with a quantity and go on with its values.
+fn is_transposed(rows: &[Vec<Field>]) -> bool {
+    let begins = |fields: &&Vec<Field>| label(fields).is_some_and(|(_, values)| values.len() >= 2);
+    let count = rows.iter().filter(begins).count();
+    count >= 2 && rows.iter().filter(|fields| holds_values(fields)).count() == 0
+}
+
+/// A quantity at the beginning of a line, and the values behind it.
+fn label(fields: &[Field]) -> Option<(Head, &[Field])> {
+    let first = fields.iter().position(|field| {
+        let token = token(field);
+        is_value(&token.text) || token.text.is_empty()
+    })?;
+    let text: Vec<&str> = fields[..first].iter().map(|field| field.text.as_str()).collect();
+    let found = head(&text.join(" "), fields.first()?.place)?;
+    holds_values(&fields[first..]).then_some((found, &fields[first..]))
+}
+
+/// The layout by fields that the text has, if it has one.
+pub(crate) fn layout(text: &str) -> Option<TextLayout> {
+    let candidates = [
+        TextLayout::Delimited('\t'),
+        TextLayout::Delimited(';'),
+        TextLayout::Delimited(','),
+        TextLayout::Aligned,
+    ];
+    candidates.into_iter().find(|layout| divides(text, *layout))
+}
+
+/// The tables of a text with this layout.
+pub(crate) fn tables(text: &str, layout: TextLayout) -> Result<Vec<RawTable>, TextRefusal> {
+    let rows: Vec<Vec<Field>> = lines(text).map(|(number, line)| fields(line, number, layout)).collect();
+    if is_transposed(&rows) {
+        return Ok(transposed(&rows));
+    }
+    let mut found: Vec<RawTable> = Vec::new();
+    let mut heading: Vec<(String, TextPlace)> = Vec::new();
+    for fields in rows {
+        let filled = fields.iter().filter(|field| !field.text.is_empty()).count();
+        let time = match (heading.is_empty(), found.last()) {
+            (true, Some(table)) => table.columns.iter().position(|(head, _)| head.channel == Channel::Time),
+            _ => heading.iter().position(|(text, place)| is_time(text, *place)),
+        };
+        if holds_values(&fields) || time.is_some_and(|time| is_row(&fields, time)) {
+            if !heading.is_empty() {
+                found.push(begun(&heading, layout));
+                heading.clear();
+            }
+            if let Some(table) = found.last_mut() {
+                add_row(table, &fields)?;
+            }
+        } else if filled >= 2 {
+            for (k, field) in fields.iter().enumerate() {
+                match heading.get_mut(k) {
+                    Some((text, _)) if field.text.is_empty() || text.is_empty() => text.push_str(&field.text),
+                    Some((text, _)) => *text = format!("{text} {}", field.text),
+                    None => heading.push((field.text.clone(), field.place)),
+                }
+            }
+        }
+    }
+    if found.is_empty() {
+        let all = begun(&heading, layout);
+        let first = all.columns.first();
+        return Err(first.map_or(TextRefusal::NoHeading, |(head, _)| TextRefusal::NoRows {
+            heading: head.text.clone(),
+            place: head.place,
+        }));
+    }
+    for table in &mut found {
+        close(table);
+    }
+    Ok(found)
+}
+
+/// Whether a line with an unknown word in it is a row nevertheless: it has a number for a time.
+fn is_row(fields: &[Field], time: usize) -> bool {
+    fields.get(time).is_some_and(|field| number(&token(field).text, false).is_some())
+}
+
+fn is_time(text: &str, place: TextPlace) -> bool {
+    head(text, place).is_some_and(|head| head.channel == Channel::Time)
+}
+
+/// A table with its headings. Those not recognised stay as columns that are not read, so that each cell has one.
+fn begun(heading: &[(String, TextPlace)], layout: TextLayout) -> RawTable {
+    let column = |(text, place): &(String, TextPlace)| {
+        let unread = Head { text: text.clone(), channel: Channel::Other, units: Vec::new(), place: *place };
+        let mut found = head(text, *place).unwrap_or(unread);
+        found.text.clone_from(text);
+        (found, Vec::new())
+    };
+    RawTable { layout, columns: heading.iter().map(column).collect(), ignored: Vec::new() }
+}
+
+fn add_row(table: &mut RawTable, fields: &[Field]) -> Result<(), TextRefusal> {
+    let width = table.columns.len();
+    let found = fields.iter().rposition(|field| !field.text.is_empty()).map_or(0, |last| last + 1);
+    if found > width {
+        let names: Vec<&str> = table.columns.iter().map(|(head, _)| head.channel.name()).collect();
+        let place = fields.first().map_or_else(TextPlace::default, |field| field.place);
+        return Err(TextRefusal::Uneven { place, found, expected: width, columns: names.join(", ") });
+    }
+    let end = fields.last().map_or_else(TextPlace::default, |field| field.place);
+    let absent = Field { text: String::new(), place: end };
+    for (k, (_, cells)) in table.columns.iter_mut().enumerate() {
+        cells.push(token(fields.get(k).unwrap_or(&absent)));
+    }
+    Ok(())
+}
+
+/// Takes the columns that are not read out of the table.
+fn close(table: &mut RawTable) {
+    let (unread, columns) =
+        std::mem::take(&mut table.columns).into_iter().partition(|(head, _)| head.channel == Channel::Other);
+    table.columns = columns;
+    let unread: Vec<(Head, Vec<Token>)> = unread;
+    let named = unread.into_iter().filter(|(head, _)| !head.text.is_empty());
+    table.ignored.extend(named.map(|(head, _)| (head.text, head.place)));
+}
+
+fn transposed(rows: &[Vec<Field>]) -> Vec<RawTable> {
+    let mut found: Vec<RawTable> = Vec::new();
+    for fields in rows {
+        let Some((head, values)) = label(fields) else { continue };
+        if head.channel == Channel::Time || found.is_empty() {
+            let layout = TextLayout::Transposed;
+            found.push(RawTable { layout, columns: Vec::new(), ignored: Vec::new() });
+        }
+        if let Some(table) = found.last_mut() {
+            table.columns.push((head, values.iter().map(token).collect()));
+        }
+    }
+    found
+}

@@ -1,0 +1,171 @@
+//! Which record is of which impact, by direction, size and sequence.
+
+use std::f64::consts::PI;
+
+use real::elementary::{exp, ln};
+use real::principal_angle;
+
+/// An impact as it is known without the recorder.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct KnownImpact {
+    /// (rad) principal direction of force, clockwise from the front of the vehicle.
+    pub force_direction: Option<f64>,
+    /// (m/s) ΔV, from crush or momentum.
+    pub delta_v: Option<f64>,
+}
+
+/// A record of a recorder, as far as it tells impacts apart.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct EventRecord {
+    /// (rad) principal direction of force of its ΔV; `None` if it has one axis alone.
+    pub force_direction: Option<f64>,
+    /// (m/s) its ΔV.
+    pub delta_v: Option<f64>,
+    /// Whether the record holds the whole impact. If not, ΔV is a lower bound.
+    pub complete: bool,
+}
+
+/// How far records and impacts may differ.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct MatchErrors {
+    /// (rad) standard deviation of the difference of directions: 20°.
+    pub direction: f64,
+    /// (1) standard deviation of the difference of ln ΔV: 0.45. The recorder's part is small, and ΔV from crush
+    /// has most of it.
+    pub size: f64,
+    /// (1) probability before all evidence that a record is of none of the impacts: 0.1.
+    pub of_none: f64,
+}
+
+impl Default for MatchErrors {
+    fn default() -> Self {
+        Self { direction: 20_f64.to_radians(), size: 0.45, of_none: 0.1 }
+    }
+}
+
+/// Why a record cannot be of an impact.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Mismatch {
+    /// The directions of force differ.
+    Direction {
+        /// (rad) by how much.
+        difference: f64,
+    },
+    /// The record's ΔV is so many times that of the impact.
+    Size {
+        /// (1) how many times.
+        ratio: f64,
+    },
+}
+
+impl std::fmt::Display for Mismatch {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            Self::Direction { difference } => {
+                write!(f, "its force comes from a direction that differs by {:.0}°", difference.to_degrees())
+            }
+            Self::Size { ratio } if *ratio < 1.0 => {
+                write!(f, "its ΔV is {:.0} % of the impact's", ratio * 100.0)
+            }
+            Self::Size { ratio } => write!(f, "its ΔV is {ratio:.1} times the impact's"),
+        }
+    }
+}
+
+/// What a record may be of.
+#[derive(Clone, Debug, PartialEq)]
+pub struct RecordMatch {
+    /// (1) probability of each impact.
+    pub impacts: Vec<f64>,
+    /// (1) probability that it is of none of them.
+    pub none: f64,
+    /// For each impact, why the record cannot be of it.
+    pub cannot: Vec<Option<Mismatch>>,
+}
+
+/// (1) a difference of this many standard deviations excludes an impact.
+const EXCLUDED: f64 = 4.0;
+/// (1) share of directions that are wrong by any angle: of mistakes in the coding.
+const ANY_DIRECTION: f64 = 0.02;
+/// (1) range of ln ΔV over which a record of none of the impacts lies: from 2 to 110 km/h.
+const SIZES: f64 = 4.0;
+
+/// The difference in standard deviations of direction and size, as far as both are known.
+fn differences(record: &EventRecord, impact: &KnownImpact, errors: &MatchErrors) -> [Option<f64>; 2] {
+    let direction = record
+        .force_direction
+        .zip(impact.force_direction)
+        .map(|(own, other)| principal_angle(own - other).abs() / errors.direction);
+    let size = record.delta_v.zip(impact.delta_v).filter(|(own, other)| *own > 0.0 && *other > 0.0).map(
+        |(own, other)| {
+            let difference = ln(own / other) / errors.size;
+            // A lower bound may be smaller by any factor.
+            if record.complete { difference } else { difference.max(0.0) }
+        },
+    );
+    [direction, size]
+}
+
+/// The likelihood of a record if it is of this impact, relative to that if it is of none.
+fn likelihood(record: &EventRecord, impact: &KnownImpact, errors: &MatchErrors) -> f64 {
+    let [direction, size] = differences(record, impact, errors);
+    let normal = |z: f64, sd: f64| exp(-0.5 * z * z) / (sd * (2.0 * PI).sqrt());
+    let of_direction = direction.map_or(1.0, |z| {
+        // p = (1 − ε) N(z)/σ + ε/2π, over 1/2π
+        ((1.0 - ANY_DIRECTION) * normal(z, errors.direction) + ANY_DIRECTION / (2.0 * PI)) * 2.0 * PI
+    });
+    let of_size = size.map_or(1.0, |z| normal(z, errors.size) * SIZES);
+    of_direction * of_size
+}
+
+/// Which of the impacts each record is of.
+///
+/// Impacts and records stand in the order of time. No two records are of one impact, and of two records the
+/// later is of the later impact; a record may be of none. Every such assignment is weighed.
+#[must_use]
+pub fn match_records(
+    records: &[EventRecord],
+    impacts: &[KnownImpact],
+    errors: &MatchErrors,
+) -> Vec<RecordMatch> {
+    let (n, m) = (records.len(), impacts.len());
+    let of_impact = (1.0 - errors.of_none) / crate::spread::count(m.max(1));
+    let weight = |k: usize, j: usize| of_impact * likelihood(&records[k], &impacts[j], errors);
+    // Sums over the assignments of the records before k to impacts before j, and of those from k to those from j.
+    let mut before = vec![vec![1.0; m + 1]; n + 1];
+    for k in 0..n {
+        for j in 0..=m {
+            let matched: f64 = (0..j).map(|i| before[k][i] * weight(k, i)).sum();
+            before[k + 1][j] = before[k][j] * errors.of_none + matched;
+        }
+    }
+    let mut after = vec![vec![1.0; m + 1]; n + 1];
+    for k in (0..n).rev() {
+        for j in 0..=m {
+            let matched: f64 = (j..m).map(|i| weight(k, i) * after[k + 1][i + 1]).sum();
+            after[k][j] = errors.of_none * after[k + 1][j] + matched;
+        }
+    }
+    let whole = before[n][m];
+    let one = |k: usize| {
+        let impacts_of: Vec<f64> = (0..m)
+            .map(
+                |j| if whole > 0.0 { before[k][j] * weight(k, j) * after[k + 1][j + 1] / whole } else { 0.0 },
+            )
+            .collect();
+        let none = (1.0 - impacts_of.iter().sum::<f64>()).clamp(0.0, 1.0);
+        let cannot = impacts.iter().map(|impact| mismatch(&records[k], impact, errors)).collect();
+        RecordMatch { impacts: impacts_of, none, cannot }
+    };
+    (0..n).map(one).collect()
+}
+
+/// Why this record cannot be of this impact.
+fn mismatch(record: &EventRecord, impact: &KnownImpact, errors: &MatchErrors) -> Option<Mismatch> {
+    let [direction, size] = differences(record, impact, errors);
+    if let Some(z) = direction.filter(|z| *z > EXCLUDED) {
+        return Some(Mismatch::Direction { difference: z * errors.direction });
+    }
+    let z = size.filter(|z| z.abs() > EXCLUDED)?;
+    Some(Mismatch::Size { ratio: exp(z * errors.size) })
+}

@@ -1,0 +1,342 @@
+//! Tables in the layouts of printed reports, with invented numbers, as they copy out of a PDF.
+
+use recorder::{
+    Channel, CrashPulse, NoValue, PreCrash, RecorderTable, TextLayout, TextRefusal, columns_table,
+    read_tables,
+};
+
+fn one(text: &str) -> RecorderTable {
+    let mut tables = read_tables(text).unwrap();
+    assert_eq!(tables.len(), 1, "{tables:?}");
+    tables.remove(0)
+}
+
+/// The values of a channel in a unit of so much.
+fn values(table: &RecorderTable, channel: Channel, unit: f64) -> Vec<f64> {
+    table.values(channel).into_iter().map(|value| (value.unwrap() / unit * 1e6).round() / 1e6).collect()
+}
+
+const KMH: f64 = 1.0 / 3.6;
+const DEGREE: f64 = std::f64::consts::PI / 180.0;
+
+/// Bosch CDR: a row in each line, the heading broken over lines, mph with km/h in brackets.
+const BOSCH: &str = "\
+Pre-Crash Data -5 to 0 sec [2 samples/sec] (First Record)
+Times
+(sec)
+Speed, Vehicle
+Indicated
+MPH [km/h]
+Accelerator
+Pedal, % Full
+(%)
+Service Brake
+(On, Off)
+Engine RPM
+ABS Activity
+(Engaged,
+Non-Engaged)
+Stability
+Control
+(On, Off)
+Steering Wheel
+Angle
+(degrees)
+-2.0 50 [81] 22 1,900 Off Non-Engaged On 0.0
+-1.5 50 [80] 0 1,700 Off Non-Engaged On -2.5
+-1.0 48 [77] 0 1,500 On Non-Engaged On -5.0
+-0.5 40 [64] 0 1,300 On Engaged On -12.5
+0.0 32 [52] 0 1,200 On Engaged On Invalid
+";
+
+#[test]
+fn bosch_with_the_columns_in_another_order_than_the_values_is_told() {
+    // The brake's heading stands before that of the engine, its values behind them: no switch says 1,900.
+    let table = one(BOSCH);
+    let wrong: Vec<_> = table.doubts.iter().filter(|doubt| doubt.channel == Channel::Brake).collect();
+    assert_eq!(wrong.len(), 5);
+    assert_eq!((wrong[0].place.line, wrong[0].place.column), (22, 17));
+}
+
+fn bosch() -> String {
+    BOSCH.replace("Service Brake\n(On, Off)\nEngine RPM\n", "Engine RPM\nService Brake\n(On, Off)\n")
+}
+
+fn is_bosch(table: &RecorderTable) {
+    assert_eq!(values(table, Channel::Time, 1.0), [-2.0, -1.5, -1.0, -0.5, 0.0]);
+    assert_eq!(values(table, Channel::Speed, KMH), [81.0, 80.0, 77.0, 64.0, 52.0]);
+    assert_eq!(values(table, Channel::Accelerator, 1.0), [22.0, 0.0, 0.0, 0.0, 0.0]);
+    assert_eq!(values(table, Channel::EngineSpeed, 1.0), [1900.0, 1700.0, 1500.0, 1300.0, 1200.0]);
+    assert_eq!(values(table, Channel::Brake, 1.0), [0.0, 0.0, 1.0, 1.0, 1.0]);
+    assert_eq!(values(table, Channel::Abs, 1.0), [0.0, 0.0, 0.0, 1.0, 1.0]);
+    assert_eq!(values(table, Channel::Stability, 1.0), [1.0; 5]);
+    let steering = table.values(Channel::Steering);
+    assert_eq!(steering[3].map(|angle| angle / DEGREE), Some(-12.5));
+    assert_eq!(steering[4], None);
+    assert_eq!(table.doubts.len(), 1, "{:?}", table.doubts);
+    assert_eq!(table.doubts[0].reason, NoValue::Word("Invalid".into()));
+    assert_eq!(table.column(Channel::Speed).unwrap().unit.name, "km/h");
+}
+
+#[test]
+fn bosch_with_a_row_in_each_line() {
+    let table = one(&bosch());
+    assert_eq!(table.layout, TextLayout::RowLines);
+    is_bosch(&table);
+    let record = PreCrash::from_table(&table).unwrap();
+    assert_eq!(record.samples()[4].abs, Some(true));
+}
+
+#[test]
+fn bosch_with_a_value_in_each_line_and_a_footer_between() {
+    let text = bosch();
+    let (heading, rows) = text.split_at(text.find("-2.0").unwrap());
+    let rows = rows.replace(" [", "_[").replace(' ', "\n").replace("_[", " [");
+    let rows = rows.replacen("-1.0\n", "CDR File Information\nPage 3 of 12 Printed on: Monday\n-1.0\n", 1);
+    let table = one(&format!("{heading}{rows}"));
+    assert_eq!(table.layout, TextLayout::RowAfterRow);
+    is_bosch(&table);
+}
+
+#[test]
+fn bosch_with_column_after_column() {
+    let text = bosch();
+    let (heading, rows) = text.split_at(text.find("-2.0").unwrap());
+    let rows = rows.replace(" [", "_[");
+    let rows: Vec<Vec<&str>> = rows.lines().map(|row| row.split(' ').collect()).collect();
+    let columns: Vec<String> =
+        (0..8).flat_map(|k| rows.iter().map(move |row| row[k].replace("_[", " ["))).collect();
+    let table = one(&format!("{heading}{}", columns.join("\n")));
+    assert_eq!(table.layout, TextLayout::ColumnAfterColumn);
+    is_bosch(&table);
+}
+
+#[test]
+fn bosch_delta_v_of_both_axes() {
+    let text = "\
+Longitudinal Crash Pulse (First Record)
+Time
+(msec)
+Delta-V, longitudinal
+(MPH)
+Delta-V, longitudinal
+(km/h)
+0 0.0 0.0
+10 -1.2 -2.0
+20 -5.6 -9.0
+30 -9.9 -16.0
+40 -11.2 -18.0
+Lateral Crash Pulse (First Record)
+Time
+(msec)
+Delta-V, lateral
+(MPH)
+Delta-V, lateral
+(km/h)
+0 0.0 0.0
+10 0.6 1.0
+20 1.9 3.0
+30 2.5 4.0
+40 78.9 127.0
+";
+    let tables = read_tables(text).unwrap();
+    assert_eq!(tables.len(), 2);
+    assert_eq!(values(&tables[0], Channel::Time, 1.0), [0.0, 0.01, 0.02, 0.03, 0.04]);
+    let printed: Vec<f64> = values(&tables[0], Channel::DeltaVLongitudinal, 0.44704);
+    assert_eq!(printed, [0.0, -1.2, -5.6, -9.9, -11.2]);
+    // 78.9 mph are 127 km/h: the code for no value.
+    assert_eq!(tables[1].doubts[0].reason, NoValue::Code("78.9".into()));
+    assert_eq!((tables[1].doubts[0].place.line, tables[1].doubts[0].place.column), (24, 4));
+    let [along, across] = [0, 1].map(|k| CrashPulse::from_table(&tables[k]).unwrap());
+    let both = along.with(&across);
+    assert_eq!(both.samples().len(), 4);
+    assert!((both.samples()[3].lateral.unwrap() - 2.5 * 0.44704).abs() < 1e-12);
+}
+
+/// Toyota: a quantity in each row, and times across that end with the trigger.
+const TOYOTA: &str = "\
+Pre-Crash Data, -5 to 0 seconds (Most Recent Event, TRG 2)
+Time (sec) -4.6 -3.6 -2.6 -1.6 -0.6 0 (TRG)
+Vehicle Speed (MPH [km/h]) 36 [58] 35 [56] 35 [56] 32 [52] 22 [36] 17 [28]
+Brake Switch OFF OFF OFF ON ON ON
+Accelerator Rate (V) 0.78 0.78 0.78 0.78 0.78 0.78
+Engine RPM (RPM) 1,200 1,200 1,200 800 800 400
+";
+
+#[test]
+fn toyota_with_times_across() {
+    // Volts of the pedal's sensor are no share of it: the row has a unit that is not known for it.
+    let error = read_tables(TOYOTA);
+    let table = error.map_or_else(|error| panic!("{error}"), |mut tables| tables.remove(0));
+    assert_eq!(table.layout, TextLayout::Transposed);
+    is_toyota(&table);
+}
+
+fn is_toyota(table: &RecorderTable) {
+    assert_eq!(values(table, Channel::Time, 1.0), [-4.6, -3.6, -2.6, -1.6, -0.6, 0.0]);
+    assert_eq!(values(table, Channel::Speed, KMH), [58.0, 56.0, 56.0, 52.0, 36.0, 28.0]);
+    assert_eq!(values(table, Channel::Brake, 1.0), [0.0, 0.0, 0.0, 1.0, 1.0, 1.0]);
+    assert_eq!(values(table, Channel::EngineSpeed, 1.0), [1200.0, 1200.0, 1200.0, 800.0, 800.0, 400.0]);
+    assert!(table.column(Channel::Accelerator).is_none());
+}
+
+#[test]
+fn toyota_with_each_label_above_its_values() {
+    let text = TOYOTA
+        .replace(") -4.6", ")\n-4.6")
+        .replace("]) 36", "])\n36")
+        .replace("Speed (MPH", "Speed\n(MPH")
+        .replace("h OFF OFF", "h\nOFF\nOFF")
+        .replace(") 1,200", ")\n1,200\n")
+        .replace("0 (TRG)", "0\n(TRG)");
+    is_toyota(&one(&text));
+}
+
+/// UN R160: a table of the data elements in their order, with semicolons and decimal commas.
+const R160: &str = "\
+Data element;Time;Speed, vehicle indicated;Engine throttle, % full (or accelerator pedal, % full);Service brake, on/off;\
+ABS activity;Steering input;Longitudinal acceleration;Maker's counter
+;s;km/h;%;;;deg;g;
+;-1,5;63;12;off;not active;-5;-0,05;7
+;-1,0;63;0;off;not active;-5;-0,10;7
+;-0,5;61;0;on;active;0;-0,85;8
+;0,0;255;0;on;active;5;-1,00;8
+";
+
+#[test]
+fn un_r160_with_semicolons() {
+    let table = one(R160);
+    assert_eq!(table.layout, TextLayout::Delimited(';'));
+    assert_eq!(values(&table, Channel::Time, 1.0), [-1.5, -1.0, -0.5, 0.0]);
+    assert_eq!(table.values(Channel::Speed)[2].map(|speed| (speed * 3.6).round()), Some(61.0));
+    assert_eq!(table.values(Channel::Speed)[3], None);
+    assert_eq!(table.doubts[0].reason, NoValue::Code("255".into()));
+    assert_eq!((table.doubts[0].place.line, table.doubts[0].place.column), (6, 6));
+    assert_eq!(values(&table, Channel::Throttle, 1.0), [12.0, 0.0, 0.0, 0.0]);
+    assert_eq!(values(&table, Channel::Abs, 1.0), [0.0, 0.0, 1.0, 1.0]);
+    assert_eq!(values(&table, Channel::Steering, DEGREE), [-5.0, -5.0, 0.0, 5.0]);
+    assert_eq!(values(&table, Channel::AccelerationLongitudinal, 9.80665), [-0.05, -0.1, -0.85, -1.0]);
+    assert!(table.ignored.iter().any(|(heading, _)| heading == "Maker's counter"), "{:?}", table.ignored);
+}
+
+#[test]
+fn un_r160_out_of_a_pdf_with_tabs_commas_and_aligned_columns() {
+    let csv = "time_s,speed_kmh,brake,\"Longitudinal delta-V (km/h)\"\n0.5,63,0,0\n1.0,60,1,-1\n";
+    let rows = [
+        ("\t", TextLayout::Delimited('\t')),
+        (",", TextLayout::Delimited(',')),
+        ("   ", TextLayout::Aligned),
+    ];
+    for (between, layout) in rows {
+        let table = one(&csv.replace(',', between).replace('"', if between == "," { "\"" } else { "" }));
+        assert_eq!(table.layout, layout);
+        assert_eq!(values(&table, Channel::Speed, KMH), [63.0, 60.0]);
+        assert_eq!(values(&table, Channel::DeltaVLongitudinal, KMH), [0.0, -1.0]);
+        assert_eq!(values(&table, Channel::Brake, 1.0), [0.0, 1.0]);
+    }
+    let across = "Time (s);-1;-0.5;0\nVehicle speed (km/h);50;48;SNA\nBrake;off;on;on\n";
+    let table = one(across);
+    assert_eq!(table.layout, TextLayout::Transposed);
+    assert_eq!(table.values(Channel::Speed)[2], None);
+    assert_eq!(values(&table, Channel::Brake, 1.0), [0.0, 1.0, 1.0]);
+}
+
+#[test]
+fn times_that_count_down_or_run_backward_rise_in_what_is_read() {
+    let table = one("Time (s),Speed (km/h)\n1.0,50\n0.5,48\n0.0,40\n");
+    assert!(table.counted_down);
+    assert_eq!(values(&table, Channel::Time, 1.0), [-1.0, -0.5, 0.0]);
+    assert_eq!(values(&table, Channel::Speed, KMH), [50.0, 48.0, 40.0]);
+    let table = one("Time (s),Speed (km/h)\n0,40\n-0.5,48\n-1.0,50\n");
+    assert!(!table.counted_down);
+    assert_eq!(values(&table, Channel::Speed, KMH), [50.0, 48.0, 40.0]);
+}
+
+#[test]
+fn what_is_no_value_is_told_with_its_place() {
+    let text = "Time (s),Speed (km/h),Accelerator (%),Brake,Engine rpm,Longitudinal delta-V (km/h)\n\
+                -2.0,254,101,maybe,16320,126\n\
+                -1.5,255,127,7,N/A,-128\n\
+                -1.0,Data Not Available,-128,on,,127\n\
+                0.0,50,0,off,900,0\n\
+                0.5,50,0,off,900,0\n";
+    let table = one(text);
+    let told: Vec<String> = table.doubts.iter().map(ToString::to_string).collect();
+    let expected = [
+        ((2, 6), "254"),
+        ((2, 10), "101"),
+        ((2, 14), "maybe"),
+        ((2, 20), "16320"),
+        ((2, 26), "126"),
+        ((3, 6), "255"),
+        ((3, 10), "127"),
+        ((3, 14), "7"),
+        ((3, 16), "N/A"),
+        ((3, 20), "-128"),
+        ((4, 1), "a sample is missing"),
+        ((4, 6), "Data Not Available"),
+        ((4, 25), "-128"),
+        ((4, 33), "empty"),
+        ((4, 34), "127"),
+    ];
+    assert_eq!(told.len(), expected.len(), "{told:#?}");
+    for (doubt, ((line, column), word)) in told.iter().zip(expected) {
+        assert!(doubt.starts_with(&format!("line {line}, column {column}, ")), "{doubt}");
+        assert!(doubt.contains(word), "{doubt}");
+    }
+}
+
+#[test]
+fn what_gives_no_table_is_refused_with_its_place() {
+    let refused = |text: &str| read_tables(text).unwrap_err();
+    assert_eq!(refused(" \n "), TextRefusal::Empty);
+    assert_eq!(refused("The weather was fine.\n1 2 3\n"), TextRefusal::NoHeading);
+    let place = |text: &str| refused(text).place().map(|place| (place.line, place.column));
+    for (text, at, word) in [
+        ("Time (s),Speed (knots)\n0,3\n", (1, 10), "mph"),
+        ("Time,Speed (km/h)\n0,3\n", (1, 1), "ms"),
+        ("Time (s),Speed (km/h)\n-1,3\n-2,3\n0,3\n", (3, 1), "follows -1"),
+        ("Time (s),Speed (km/h)\n-1,3\n-1,3\n0,3\n", (3, 1), "rise"),
+        ("Time (s),Speed (km/h)\n-1,3\nInvalid,3\n0,3\n", (3, 1), "Invalid"),
+        ("Time (s),Weather (km/h)\n-1,3\n0,3\n", (1, 1), "known are"),
+        ("Time (s),Speed (km/h)\n-1,3,4\n0,3\n0.5,3\n", (2, 1), "3 values"),
+        ("Time (s) Speed (km/h) Brake\n-1 50 on\n-0.5 48\n0 40 on\n", (3, 1), "2 values"),
+        ("Time (s) -1 -0.5 0\nVehicle speed (km/h) 50 48\n", (2, 22), "2 values"),
+        ("Vehicle speed (km/h) 50 48\nBrake on off on\n", (1, 1), "without times"),
+        ("Time (s) Speed (km/h) Brake\n", (1, 1), "no values"),
+    ] {
+        assert_eq!(place(text), Some(at), "{text}: {}", refused(text));
+        assert!(refused(text).to_string().contains(word), "{text}: {}", refused(text));
+    }
+}
+
+#[test]
+fn a_title_that_names_a_quantity_is_no_column() {
+    let text =
+        "Longitudinal delta-V, 0 to 250 ms\nTime (ms)\nDelta-V, longitudinal\n(km/h)\n0 0\n10 -4\n20 -9\n";
+    let table = one(text);
+    assert_eq!(values(&table, Channel::Time, 1.0), [0.0, 0.01, 0.02]);
+    assert_eq!(values(&table, Channel::DeltaVLongitudinal, KMH), [0.0, -4.0, -9.0]);
+}
+
+#[test]
+fn columns_that_stand_apart() {
+    let table = columns_table(&[
+        (Channel::Time, "-1 -0.5 0 s"),
+        (Channel::Speed, "60 58 255 km/h"),
+        (Channel::Brake, "off on on"),
+    ]);
+    let table = table.unwrap();
+    assert_eq!(values(&table, Channel::Time, 1.0), [-1.0, -0.5, 0.0]);
+    assert_eq!(table.values(Channel::Speed)[2], None);
+    assert_eq!(table.doubts[0].place.column, 7);
+    assert_eq!(values(&table, Channel::Brake, 1.0), [0.0, 1.0, 1.0]);
+    let refused = |columns: &[(Channel, &str)]| columns_table(columns).unwrap_err();
+    let (channel, refusal) = refused(&[(Channel::Time, "-1 0 s"), (Channel::Speed, "60 58 40 km/h")]);
+    assert_eq!((channel, refusal.place().unwrap().column), (Channel::Speed, 7));
+    let (channel, refusal) = refused(&[(Channel::Time, "-1 0 s"), (Channel::Speed, "60 58")]);
+    assert_eq!(channel, Channel::Speed);
+    assert!(refusal.message().starts_with("the heading \"speed\" has no unit"), "{}", refusal.message());
+    let (channel, refusal) = refused(&[(Channel::Time, "-1 0 -2 s"), (Channel::Speed, "6 5 4 km/h")]);
+    assert_eq!((channel, refusal.place().unwrap().column), (Channel::Time, 4));
+}

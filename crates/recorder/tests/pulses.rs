@@ -1,0 +1,148 @@
+//! Where a pulse begins and ends, and what of it is at the center of gravity.
+
+use recorder::{
+    CrashPulse, EventRecord, KnownImpact, MatchErrors, Mismatch, PulseFault, PulseRule, PulseSample,
+    delta_v_at_center, force_direction, match_records,
+};
+
+const KMH: f64 = 1.0 / 3.6;
+
+/// A half sine of acceleration between `start` and `start + 0.1` s with this ΔV, sampled every `step` until `end`.
+fn half_sine(delta_v: f64, start: f64, step: f64, end: f64) -> CrashPulse {
+    let count = (end / step).round() as usize;
+    let sample = |k: usize| {
+        let time = step * k as f64;
+        let share = ((time - start) / 0.1).clamp(0.0, 1.0);
+        // ∫ sin = (1 − cos π s) / 2
+        let value = delta_v * 0.5 * (1.0 - (std::f64::consts::PI * share).cos());
+        PulseSample { time, longitudinal: Some(-value), lateral: None }
+    };
+    CrashPulse::new((0..=count).map(sample).collect()).unwrap()
+}
+
+#[test]
+fn a_half_sine_begins_and_ends_where_it_does() {
+    let pulse = half_sine(50.0 * KMH, 0.03, 0.01, 0.25);
+    for rule in PulseRule::ALL {
+        let span = pulse.span(rule).unwrap();
+        assert!(span.complete, "{rule:?}");
+        assert!((span.start - 0.03).abs() < 0.021 && (span.end - 0.13).abs() < 0.021, "{span:?}");
+        assert!((span.resultant() - 50.0 * KMH).abs() < 1.5 * KMH, "{span:?}");
+        assert_eq!(span.delta_v[1], None);
+    }
+    assert!(!pulse.is_cut());
+    // 50 km/h in a half sine of 0.1 s has its greatest acceleration, π/2 of the mean, in its middle.
+    let greatest =
+        pulse.accelerations().into_iter().map(|(_, [along, _])| -along.unwrap()).fold(0.0, f64::max);
+    assert!((greatest / (50.0 * KMH / 0.1 * std::f64::consts::PI / 2.0) - 1.0).abs() < 0.02);
+}
+
+#[test]
+fn a_record_that_ends_within_the_impact_is_a_lower_bound() {
+    let pulse = half_sine(50.0 * KMH, 0.0, 0.01, 0.07);
+    let span = pulse.span(PulseRule::CHANGE).unwrap();
+    assert!(!span.complete && pulse.is_cut());
+    assert!(span.resultant() < 45.0 * KMH);
+    assert!(!pulse.span(PulseRule::GreatestDeltaV).unwrap().complete);
+    // One that changes by 0.7 km/h in 20 ms has ended, and one that never moves has no impact.
+    let flat = CrashPulse::new(
+        (0..20)
+            .map(|k| PulseSample { time: 0.01 * f64::from(k), longitudinal: Some(0.0), lateral: None })
+            .collect(),
+    );
+    assert_eq!(flat.unwrap().span(PulseRule::CHANGE), None);
+}
+
+/// IIHS CF09009: longitudinal ΔV is greatest at 58 ms with −20.40 mph, and −16.60 at the end of the record at 78 ms.
+#[test]
+fn iihs_cf09009_ends_before_the_impact_does() {
+    let mph = 0.44704;
+    let sample = |k: u32| {
+        let time = 0.002 * f64::from(k);
+        let value = if time <= 0.058 { 20.40 * time / 0.058 } else { 20.40 - 3.80 * (time - 0.058) / 0.02 };
+        PulseSample { time, longitudinal: Some(-value * mph), lateral: None }
+    };
+    let pulse = CrashPulse::new((0..40).map(sample).collect()).unwrap();
+    assert!(pulse.is_cut());
+    let at_end = pulse.at_end()[0].unwrap();
+    assert!((at_end + 16.60 * mph).abs() < 1e-9, "{at_end}");
+    let greatest = pulse.span(PulseRule::GreatestDeltaV).unwrap();
+    assert!((greatest.end - 0.058).abs() < 1e-9 && greatest.complete);
+}
+
+#[test]
+fn delta_v_at_the_center_is_less_the_rotation() {
+    // A recorder 1 m ahead of the center, hit so that the vehicle turns by 3 rad/s to the left: it gets 3 m/s more
+    // to the left than the center.
+    assert_eq!(delta_v_at_center([-5.0, 5.0], 3.0, [1.0, 0.0]), [-5.0, 2.0]);
+    // 1 m to the left of the center, the rotation takes 3 m/s off the forward speed of the recorder.
+    assert_eq!(delta_v_at_center([-5.0, 5.0], 3.0, [0.0, 1.0]), [-2.0, 5.0]);
+}
+
+#[test]
+fn forces_come_from_where_the_clock_says() {
+    let degrees = |delta_v| force_direction(delta_v).to_degrees();
+    // Slowed: 12 o'clock. Pushed to the left: from 3 o'clock. Pushed forward: from 6.
+    assert!((degrees([-5.0, 0.0]) - 0.0).abs() < 1e-9);
+    assert!((degrees([0.0, -5.0]) - 90.0).abs() < 1e-9);
+    assert!((degrees([5.0, 0.0]).abs() - 180.0).abs() < 1e-9);
+    assert!((degrees([-5.0, -5.0]) - 45.0).abs() < 1e-9);
+}
+
+#[test]
+fn what_is_no_pulse_is_refused() {
+    let sample = |time: f64, along: f64| PulseSample { time, longitudinal: Some(along), lateral: None };
+    assert_eq!(CrashPulse::new(vec![sample(0.0, 1.0)]), Err(PulseFault::TooFew { found: 1 }));
+    assert_eq!(
+        CrashPulse::new(vec![sample(0.0, 1.0), sample(0.0, 1.0)]),
+        Err(PulseFault::TimesTurn { sample: 2, time: 0.0, before: 0.0 })
+    );
+    assert_eq!(
+        CrashPulse::new(vec![sample(0.0, 1.0), sample(0.1, f64::NAN)]),
+        Err(PulseFault::NotFinite { sample: 2 })
+    );
+}
+
+/// Crash 29357: a record of 9 km/h, where common velocity asks for 71.
+#[test]
+fn a_record_of_another_impact_is_none_of_this() {
+    let errors = MatchErrors::default();
+    let impact = KnownImpact { force_direction: Some(0.0), delta_v: Some(71.0 * KMH) };
+    let record = |delta_v: f64, complete| EventRecord {
+        force_direction: None,
+        delta_v: Some(delta_v * KMH),
+        complete,
+    };
+    let found = match_records(&[record(9.0, true)], &[impact], &errors).remove(0);
+    assert!(found.none > 0.99, "{found:?}");
+    let Some(Mismatch::Size { ratio }) = found.cannot[0] else { panic!("{found:?}") };
+    assert!((ratio - 9.0 / 71.0).abs() < 1e-9);
+    // The beginning of a record that was cut may be that small.
+    assert_eq!(match_records(&[record(9.0, false)], &[impact], &errors)[0].cannot, [None]);
+    assert!(match_records(&[record(65.0, true)], &[impact], &errors)[0].impacts[0] > 0.9);
+}
+
+/// Two records and two impacts, all assignments counted by hand: both in order, one of them, none.
+#[test]
+fn records_are_matched_in_order() {
+    let errors = MatchErrors::default();
+    let at = |degrees: f64| Some(degrees.to_radians());
+    let impacts = [0.0, 90.0].map(|degrees| KnownImpact { force_direction: at(degrees), delta_v: None });
+    let records = [5.0, 80.0].map(|degrees| EventRecord {
+        force_direction: at(degrees),
+        delta_v: None,
+        complete: true,
+    });
+    let found = match_records(&records, &impacts, &errors);
+    assert!(found[0].impacts[0] > 0.95 && found[1].impacts[1] > 0.95, "{found:?}");
+    assert!(matches!(found[0].cannot[..], [None, Some(Mismatch::Direction { .. })]));
+    for one in &found {
+        assert!((one.impacts.iter().sum::<f64>() + one.none - 1.0).abs() < 1e-12);
+    }
+    // Nothing known: of one record and two impacts each is as likely.
+    let blank = match_records(&[EventRecord::default()], &[KnownImpact::default(); 2], &errors).remove(0);
+    assert!((blank.impacts[0] - 0.45).abs() < 1e-12 && (blank.none - 0.1).abs() < 1e-12, "{blank:?}");
+    // Two records the wrong way round cannot both be of their impact: the order decides that one is of none.
+    let turned = match_records(&[records[1], records[0]], &impacts, &errors);
+    assert!(turned[0].impacts[1] + turned[1].impacts[0] < 1.02, "{turned:?}");
+}

@@ -1,0 +1,87 @@
+//! All records of CIREN's crashes with a recorder are read, or refused with a reason.
+
+use std::collections::BTreeMap;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use recorder::{CrashPulse, ImpactSpeed, ImpactSpeedErrors, PreCrash, PulseRule, read_tables};
+
+/// The field data, which is not part of the repository: beside it, or where `FIELD_DATA` says.
+fn data(file: &str) -> Option<String> {
+    let beside = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../../shared/data");
+    let folder = std::env::var_os("FIELD_DATA").map_or(beside, PathBuf::from);
+    let text = fs::read_to_string(folder.join(file)).ok();
+    if text.is_none() {
+        println!("{file} is not here: set FIELD_DATA to the folder that has it. Skipped.");
+    }
+    text
+}
+
+/// The text of each record, with this heading, from the given columns; by case, vehicle, record and event.
+fn records(text: &str, heading: &str, columns: &[usize]) -> BTreeMap<String, String> {
+    let mut found: BTreeMap<String, String> = BTreeMap::new();
+    for line in text.lines().skip(1) {
+        let fields: Vec<&str> = line.split(',').collect();
+        let of = [0, 1, 2, 3].map(|k| fields[k]).join("/") + "/" + fields[fields.len() - 1];
+        let row: Vec<&str> = columns.iter().map(|k| fields[*k]).collect();
+        let record = found.entry(of).or_insert_with(|| format!("{heading}\n"));
+        record.push_str(&row.join(","));
+        record.push('\n');
+    }
+    found
+}
+
+#[test]
+fn every_record_before_an_impact_is_read_or_refused() {
+    let Some(text) = data("ciren-precrash.csv") else { return };
+    let heading = "PTIME (s),brake,pedal_pct,speed_kmh,steer_deg,throttle_pct";
+    let all = records(&text, heading, &[4, 5, 6, 7, 8, 9]);
+    assert_eq!(all.len(), 210);
+    let (mut read, mut refused) = (0, BTreeMap::new());
+    for (name, text) in &all {
+        let tables = read_tables(text).unwrap_or_else(|error| panic!("{name}: {error}"));
+        // What is stored is what is printed, to the last sample.
+        let printed = text.lines().skip(1).filter(|line| line.split(',').nth(3) != Some("")).count();
+        match PreCrash::from_table(&tables[0]) {
+            Ok(record) => {
+                read += 1;
+                assert_eq!(record.speeds().count(), printed, "{name}");
+                let speed = ImpactSpeed::of(&record, &ImpactSpeedErrors::default()).unwrap();
+                let [low, high] = speed.interval(0.95);
+                assert!(low <= speed.mean && speed.mean <= high && speed.sd > 0.0, "{name}: {speed:?}");
+            }
+            Err(error) => {
+                assert_eq!(printed, 0, "{name}: {error}");
+                *refused.entry(error.to_string()).or_insert(0) += 1;
+            }
+        }
+    }
+    println!("{read} read, refused: {refused:#?}");
+    assert_eq!(read + refused.values().sum::<usize>(), all.len());
+    assert!(refused.keys().all(|reason| reason.contains("has a speed")));
+}
+
+#[test]
+fn every_pulse_is_read_or_refused() {
+    let Some(text) = data("ciren-pulse.csv") else { return };
+    let all = records(&text, "ms,dv_lat_kmh,dv_long_kmh", &[4, 5, 6]);
+    assert_eq!(all.len(), 158);
+    let (mut read, mut cut, mut refused) = (0, 0, Vec::new());
+    for (name, text) in &all {
+        let tables = read_tables(text).unwrap_or_else(|error| panic!("{name}: {error}"));
+        match CrashPulse::from_table(&tables[0]) {
+            Ok(pulse) => {
+                read += 1;
+                cut += usize::from(pulse.is_cut());
+                for rule in PulseRule::ALL {
+                    let Some(span) = pulse.span(rule) else { continue };
+                    assert!(span.start < span.end || span.resultant() == 0.0, "{name}: {span:?}");
+                }
+            }
+            Err(error) => refused.push(format!("{name}: {error}")),
+        }
+    }
+    println!("{read} read, {cut} end before the impact does; refused: {refused:#?}");
+    assert_eq!(read + refused.len(), all.len());
+    assert!(refused.len() < 8, "{refused:#?}");
+}
