@@ -84,6 +84,7 @@ pub fn compare(case: &Case) -> Result<Comparison, Failure> {
 /// # Errors
 /// [`Failure`] if the case has no answer.
 pub fn sensitivity(case: &Case, sweep: Sweep) -> Result<Sensitivity, Failure> {
+    let case = &*case.without_avoid();
     let Sensitivity { nominal, derivatives, pdof_sweep } = sensitivity::sensitivity(case, sweep)?;
     Ok(Sensitivity { nominal: with_weighing(case, nominal), derivatives, pdof_sweep })
 }
@@ -119,6 +120,7 @@ pub fn uncertainty_of(
     wanted: &dyn Fn(Output) -> bool,
     progress: &mut (dyn FnMut(Stage, usize, usize) -> ControlFlow<()> + Send),
 ) -> Result<Uncertainty, Failure> {
+    let case = &*case.without_avoid();
     let found = uncertainty::uncertainty_of(case, plan, wanted, progress)?;
     Ok(Uncertainty { nominal: with_weighing(case, found.nominal), ..found })
 }

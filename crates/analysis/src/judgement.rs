@@ -360,6 +360,15 @@ pub fn judge(case: &Case) -> Judgement {
         of(Purpose::Sensitivity, differentiated),
         of(Purpose::Draw, furthest),
     ]);
+    if case.avoid.is_some() {
+        let purpose = Purpose::Avoid;
+        abilities.push(Ability {
+            purpose,
+            on: purpose,
+            obstacle: case.avoidance().err(),
+            left_aside: Vec::new(),
+        });
+    }
     Judgement { abilities, assumptions, warnings }
 }
 

@@ -38,6 +38,7 @@
 
 mod analysis;
 mod aside;
+mod avoid;
 mod beside;
 mod both;
 mod check;
@@ -83,6 +84,10 @@ pub use self::evidence::{ByEvidence, EvidenceAnswer, EvidenceMethod, NoEvidence}
 pub use self::uncertainty::{
     Doubt, Doubtful, ExactValue, Plan, REASONS, Reason, SampleBlock, Samples, Stage, TakenAsExact,
     UncertainInput, UncertainOutput, Uncertainty, is_searched_back, is_uncertain, samples,
+};
+pub use avoid::{
+    ActualRun, AvoidChance, AvoidCourse, AvoidInfluence, AvoidInterval, AvoidPlan, AvoidRun, AvoidScene,
+    AvoidStage, Avoidance, Enough, Hypothesis, SpeedSource, Unbraked, avoid, without_source,
 };
 pub use beside::{BACKWARD_SAMPLES, Beside, SAMPLES, beside, is_estimated_beside, usual_samples};
 pub use check::{Check, CheckedQuantity};

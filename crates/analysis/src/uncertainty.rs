@@ -406,6 +406,7 @@ pub fn samples(
     settings: &Settings,
     progress: &mut Progress<'_>,
 ) -> Result<Option<Samples>, Failure> {
+    let case = &*case.without_avoid();
     let inputs = any_inputs(case)?;
     if inputs.is_empty() {
         return Ok(None);
@@ -423,7 +424,7 @@ pub fn samples(
 /// an error that numbers share.
 #[must_use]
 pub fn is_uncertain(case: &Case) -> bool {
-    any_inputs(case).map_or(true, |inputs| !inputs.is_empty())
+    any_inputs(&case.without_avoid()).map_or(true, |inputs| !inputs.is_empty())
 }
 
 /// Whether each sample of [`uncertainty()`](crate::uncertainty()) is traced back from a rest position, which
@@ -439,12 +440,12 @@ pub fn is_searched_back(case: &Case) -> bool {
 
 /// The ranges of the case and the spreads of its estimates, in the types of the engine: at least one.
 pub(crate) fn inputs(case: &Case) -> Result<Vec<UncertainInput>, Faults> {
-    let inputs = any_inputs(case)?;
+    let inputs = any_inputs(&case.without_avoid())?;
     if inputs.is_empty() { Err(no_range(case).into()) } else { Ok(inputs) }
 }
 
 /// The same, but possibly none.
-fn any_inputs(case: &Case) -> Result<Vec<UncertainInput>, Faults> {
+pub(crate) fn any_inputs(case: &Case) -> Result<Vec<UncertainInput>, Faults> {
     let mut ranges = case.ranges.iter();
     let mut inputs = Vec::new();
     let mut faults = Vec::new();

@@ -1,5 +1,6 @@
 //! The tests of a case analysed, in one binary.
 
+mod avoid;
 mod both_speeds;
 mod checks;
 mod choice;

@@ -6,8 +6,8 @@ use serde_json::{Map, Value, json};
 use toml::de::{DeTable, DeValue};
 
 use crate::schema::{
-    Condition, Form, Key, KeysOfLaw, MOST_STATIONS, MOST_ZONES, RANGE, RANGE_OF_LIST, Rule, Schema, TOP,
-    VEHICLE, WHEELS,
+    Condition, Form, Key, KeysOfLaw, MOST_STATIONS, MOST_ZONES, RANGE, RANGE_OF_LIST, Rule, SOURCED_RANGE,
+    Schema, TOP, VEHICLE, WHEELS,
 };
 use crate::units::{HOUR, list_pattern, pattern, percent_pattern};
 use inputs::{Bounds, Dimension, LawName, Unit};
@@ -102,7 +102,13 @@ impl Generator {
             let then = match (schemas, of) {
                 // They are the same for all ranges.
                 ([schema], Some(_)) => {
-                    let name = if std::ptr::eq(*schema, &RANGE_OF_LIST) { "range_of_list" } else { "range" };
+                    let name = if std::ptr::eq(*schema, &RANGE_OF_LIST) {
+                        "range_of_list"
+                    } else if std::ptr::eq(*schema, &SOURCED_RANGE) {
+                        "sourced_range"
+                    } else {
+                        "range"
+                    };
                     self.ranges.entry(name).or_insert(rules);
                     json!({ "$ref": format!("#/$defs/{name}") })
                 }
@@ -165,6 +171,12 @@ impl Generator {
             }
             Form::Quantity(dimension, bounds) => self.quantity_or_range(dimension, bounds),
             Form::Exact(dimension, bounds) => self.quantity(dimension, bounds),
+            Form::Sourced(dimension, bounds) => {
+                let mut node =
+                    object(json!({ "type": ["string", "object"], "pattern": pattern(dimension, bounds) }));
+                node.extend(self.content(&[&SOURCED_RANGE], Some(Kind::Quantity(dimension, bounds))));
+                node
+            }
             Form::QuantityOrTables(dimension, bounds, schema) => {
                 let mut node = self.quantity_or_range(dimension, bounds);
                 node.insert("type".into(), json!(["string", "object", "array"]));

@@ -2,7 +2,7 @@
 
 use std::sync::OnceLock;
 
-use crate::schema::{Form, RANGE, RANGE_OF_LIST, Rule, Schema, TOP, VEHICLE};
+use crate::schema::{Form, RANGE, RANGE_OF_LIST, Rule, SOURCED_RANGE, Schema, TOP, VEHICLE};
 use inputs::{Bounds, Dimension};
 
 /// A key of a case file.
@@ -174,6 +174,7 @@ fn below(form: Form) -> Vec<&'static Schema> {
             vec![&RANGE]
         }
         Form::QuantityOrTables(_, _, schema) | Form::NumberOrTable(_, schema) => vec![&RANGE, schema],
+        Form::Sourced(..) => vec![&SOURCED_RANGE],
         Form::Quantities(..) => vec![&RANGE_OF_LIST, &RANGE],
         _ => Vec::new(),
     }
@@ -189,7 +190,7 @@ fn form(form: Form) -> KeyForm {
         Form::Keys(_) => KeyForm::Names,
         Form::Number(_) => KeyForm::Number,
         Form::Numbers(_) => KeyForm::Numbers,
-        Form::Quantity(dimension, _) => KeyForm::Quantity(dimension),
+        Form::Quantity(dimension, _) | Form::Sourced(dimension, _) => KeyForm::Quantity(dimension),
         Form::Exact(dimension, _) => KeyForm::Exact(dimension),
         Form::Quantities(dimension, ..) => KeyForm::Quantities(dimension),
         Form::QuantityOrTables(dimension, _, schema) => KeyForm::QuantityOrTables(dimension, keys_of(schema)),

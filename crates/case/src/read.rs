@@ -1,6 +1,7 @@
 //! Reads a case: from TOML to a spanned tree, and from the tree to a [`Case`], collecting every problem.
 
 mod after;
+mod avoid;
 mod impact;
 mod range;
 mod recorder;
@@ -19,7 +20,7 @@ use crate::other_files;
 use crate::program::Program;
 use crate::quantity::shorten;
 use crate::schema::{
-    ENERGY_BASIS, ESTIMATE, IMPACT, MOST_RANGES, RECONSTRUCT, REPORT, SCENE, SURFACE, TOP, UNCERTAINTY,
+    AVOID, ENERGY_BASIS, ESTIMATE, IMPACT, MOST_RANGES, RECONSTRUCT, REPORT, SCENE, SURFACE, TOP, UNCERTAINTY,
 };
 use crate::source::{Source, Spans};
 use crate::value::ValueTable;
@@ -219,6 +220,7 @@ impl<'t> Reader<'t> {
         let reconstruct = self.child(&top, "reconstruct", &RECONSTRUCT).map(|table| self.reconstruct(&table));
 
         let estimate = self.child(&top, "estimate", &ESTIMATE).map(|table| self.estimate(&table));
+        let avoid = self.child(&top, "avoid", &AVOID).map(|table| self.avoid(&table));
 
         let vehicles = [first?, second?];
         let find = reconstruct.flatten().map(|reconstruct| reconstruct.find);
@@ -251,6 +253,7 @@ impl<'t> Reader<'t> {
             impact,
             reconstruct,
             estimate,
+            avoid,
             ranges: Vec::new(),
             departures: Departures::default(),
             uncertainty: GivenUncertainty::default(),

@@ -4,7 +4,8 @@ use crate::nearest::join;
 use crate::units::read_unit;
 use inputs::{
     Axes, Bounds, BrachTangential, Dimension, ENERGY_BASES, EdgeSide, Fit, Kind, LawName, MarkedWheel,
-    OBLIQUE_CORRECTIONS, Prior, SIDES, UNDAMAGED, UNKNOWNS, WheelDrag, words_of,
+    OBLIQUE_CORRECTIONS, OtherParty, Prior, SIDES, SUBJECTS, SWELLS, UNDAMAGED, UNKNOWNS, WheelDrag,
+    words_of,
 };
 
 /// The largest number of stations: far more than any scan of a vehicle gives.
@@ -74,6 +75,8 @@ pub(crate) enum Form {
     Quantity(Dimension, Bounds),
     /// A number with its unit, and never a range.
     Exact(Dimension, Bounds),
+    /// A number with its unit, a range, or either with its source.
+    Sourced(Dimension, Bounds),
     /// Several numbers with their unit, at least as many as the last field gives.
     Quantities(Dimension, Bounds, usize),
     /// A number with its unit, a range, or a list of tables.
@@ -126,6 +129,7 @@ impl Form {
         let (dimension, bounds) = match self {
             Self::Quantity(dimension, bounds)
             | Self::Exact(dimension, bounds)
+            | Self::Sourced(dimension, bounds)
             | Self::Quantities(dimension, bounds, _)
             | Self::QuantityOrTables(dimension, bounds, _) => (dimension, bounds),
             Self::AngleOrHour => (Dimension::Angle, Bounds::None),
@@ -221,9 +225,10 @@ pub(crate) static TOP: Schema = Schema {
         table("impact", "[impact]", &IMPACT),
         table("reconstruct", "[reconstruct]", &RECONSTRUCT),
         table("estimate", "[estimate]", &ESTIMATE),
+        table("avoid", "[avoid]", &AVOID),
         table("uncertainty", "[uncertainty]", &UNCERTAINTY),
     ],
-    rules: &[Rule::Needs(&["vehicle1"])],
+    rules: &[Rule::NeedsIf(&[Lacks("avoid")], &["vehicle1"])],
 };
 
 pub(crate) static REPORT: Schema = Schema {
@@ -738,6 +743,145 @@ pub(crate) static ESTIMATE: Schema = Schema {
         ),
     ],
     rules: &[],
+};
+
+pub(crate) static AVOID: Schema = Schema {
+    place: "[avoid]",
+    text: "Whether the collision was avoidable. `deltav avoid` asks what the driver of one vehicle could have done; no other command uses it. Each number may have a range and a source, which the report shows.",
+    keys: &[
+        key(
+            "vehicle",
+            "vehicle = \"vehicle1\"",
+            Form::Words(&words_of(&SUBJECTS)),
+            "Vehicle whose driver is asked about. Vehicle 1 if left out.",
+        ),
+        key(
+            "speed",
+            "speed = { value = \"62 km/h\", source = \"recorder\" }",
+            Form::Sourced(Dimension::Speed, POSITIVE),
+            "Speed of that vehicle at the reaction demand. Without it, the speed at the impact counts, which the table of the vehicle gives or the rest of the case tells; with skid marks before the impact, the speed before them follows.",
+        ),
+        key(
+            "limit",
+            "limit = { value = \"50 km/h\", source = \"built-up area\" }",
+            Form::Sourced(Dimension::Speed, POSITIVE),
+            "Speed for which it is asked. The permitted one, or another that you want to know about.",
+        ),
+        key(
+            "reaction_time",
+            "reaction_time = { value = \"1.0 s\", sd = \"0.2 s\", source = \"Dettinger 2008\" }",
+            Form::Sourced(Dimension::Time, NOT_NEGATIVE),
+            "Time from the reaction demand to the first effect of the brakes. None is assumed: `deltav new --template avoid` lists choices with their sources.",
+        ),
+        key(
+            "swell",
+            "swell = \"0.2 s\"",
+            Form::Sourced(Dimension::Time, NOT_NEGATIVE),
+            "Time in which the brakes take hold, from their first effect to the full deceleration. 0 if left out, which the report says.",
+        ),
+        key(
+            "swell_form",
+            "swell_form = \"linear\"",
+            Form::Words(&words_of(&SWELLS)),
+            "How the deceleration grows in the swell. `\"linear\"` (the default); `\"half\"`: half the full deceleration throughout; `\"full speed\"`: none, as if the swell were part of the reaction. Conventions differ, and the answer with them.",
+        ),
+        key(
+            "deceleration",
+            "deceleration = { value = \"7.5 m/s^2\", source = \"brake test on site\" }",
+            Form::Sourced(Dimension::Acceleration, POSITIVE),
+            "Full deceleration that the driver could have reached. None is assumed.",
+        ),
+        table("demand", "demand = { distance = \"30 m\" }", &AVOID_DEMAND),
+        table("clear", "clear = { distance = \"2.4 m\", speed = \"1.4 m/s\" }", &AVOID_CLEAR),
+        key(
+            "other_party",
+            "other_party = \"pedestrian\"",
+            Form::Words(&words_of(&OtherParty::WORDS)),
+            "What the other party is. The report and the diagram name it.",
+        ),
+        key(
+            "unbraked",
+            "unbraked = true",
+            Form::Flag,
+            "Known not to have braked before the impact. Otherwise a vehicle whose `speed` is given here is taken to have reacted and braked as the other keys say, if it then still reaches the place.",
+        ),
+    ],
+    rules: &[],
+};
+
+pub(crate) static AVOID_DEMAND: Schema = Schema {
+    place: "demand = { … } of [avoid]",
+    text: "Reaction demand: where or when the danger could first be recognized. Give `distance`, `time` or `other`, and say why in `reason`.",
+    keys: &[
+        key(
+            "distance",
+            "distance = \"30 m\"",
+            Form::Sourced(Dimension::Length, POSITIVE),
+            "How far the vehicle then was from the place of the impact, along its path.",
+        ),
+        key(
+            "time",
+            "time = \"2.1 s\"",
+            Form::Sourced(Dimension::Time, POSITIVE),
+            "How long before the impact that was.",
+        ),
+        table(
+            "other",
+            "other = { distance = \"4 m\", speed = { low = \"1.2 m/s\", high = \"2.0 m/s\" } }",
+            &AVOID_OTHER,
+        ),
+        key(
+            "reason",
+            "reason = \"the pedestrian steps from behind the parked van\"",
+            Form::Text,
+            "Why the danger could be recognized then, and not before.",
+        ),
+    ],
+    rules: &[Rule::OneOf(&[
+        form(&["distance"], &["reason"]),
+        form(&["time"], &["reason"]),
+        form(&["other"], &["reason"]),
+    ])],
+};
+
+pub(crate) static AVOID_OTHER: Schema = Schema {
+    place: "other = { … } of demand",
+    text: "Way of the other party from the reaction demand to the impact. Its time is the distance divided by the speed.",
+    keys: &[
+        key(
+            "distance",
+            "distance = \"4 m\"",
+            Form::Sourced(Dimension::Length, POSITIVE),
+            "How far the other party went, from where it was recognizable to the place of the impact.",
+        ),
+        key(
+            "speed",
+            "speed = { low = \"1.2 m/s\", high = \"2.0 m/s\" }",
+            Form::Sourced(Dimension::Speed, POSITIVE),
+            "How fast it went there.",
+        ),
+    ],
+    rules: &[Rule::Needs(&["distance", "speed"])],
+};
+
+pub(crate) static AVOID_CLEAR: Schema = Schema {
+    place: "clear = { … } of [avoid]",
+    text: "Way of the other party out of the danger zone. Give it only if it is certain that the other moved and would not have stopped: whether the vehicle would have come late enough is asked only then.",
+    keys: &[
+        key(
+            "distance",
+            "distance = \"2.4 m\"",
+            Form::Sourced(Dimension::Length, POSITIVE),
+            "How far it still had to go at the impact until it had left the zone, its own length or body included.",
+        ),
+        key(
+            "speed",
+            "speed = \"1.4 m/s\"",
+            Form::Sourced(Dimension::Speed, POSITIVE),
+            "How fast it would have gone on. One that stops never clears the zone: leave `clear` out then.",
+        ),
+    ],
+    rules: &[Rule::Needs(&["distance", "speed"])],
 };
 
 pub(crate) static BEFORE: Schema = Schema {
@@ -1432,48 +1576,76 @@ pub(crate) static RESTITUTION: Schema = Schema {
     rules: &[Rule::Needs(&["speeds", "values"])],
 };
 
-/// The range of one quantity; the example of a key also serves for the amounts of its range.
+// The keys of a range; the example of a key also serves for the amounts of its range.
+const RANGE_VALUE: Key = key("value", "{ value = …, sd = … }", Form::Value, "Central value.");
+const RANGE_SD: Key = key(
+    "sd",
+    "{ value = …, sd = … }",
+    Form::Deviation,
+    "Standard deviation. With `value`, it makes a normal distribution.",
+);
+const RANGE_LOW: Key = key("low", "{ low = …, high = … }", Form::Value, "Least value.");
+const RANGE_MODE: Key = key(
+    "mode",
+    "{ low = …, mode = …, high = … }",
+    Form::Value,
+    "Likeliest value. With `low` and `high`, it makes a triangular distribution.",
+);
+const RANGE_HIGH: Key = key(
+    "high",
+    "{ low = …, high = … }",
+    Form::Value,
+    "Greatest value. With only `low`, every value between the two is equally likely.",
+);
+const RANGE_WITHIN: Key = key(
+    "within",
+    "within = \"10 %\"",
+    Form::Percent,
+    "Greatest deviation from the value, in per cent of it, with the probability `confidence`. The distribution is normal.",
+);
+const RANGE_CONFIDENCE: Key = key(
+    "confidence",
+    "confidence = 0.95",
+    Form::Probability,
+    "Probability that the number lies within that deviation. More than 0 and less than 1.",
+);
+
+/// The range of one quantity.
 pub(crate) static RANGE: Schema = Schema {
     place: "a range",
     text: "A number that is not known exactly.",
-    keys: &[
-        key("value", "{ value = …, sd = … }", Form::Value, "Central value."),
-        key(
-            "sd",
-            "{ value = …, sd = … }",
-            Form::Deviation,
-            "Standard deviation. With `value`, it makes a normal distribution.",
-        ),
-        key("low", "{ low = …, high = … }", Form::Value, "Least value."),
-        key(
-            "mode",
-            "{ low = …, mode = …, high = … }",
-            Form::Value,
-            "Likeliest value. With `low` and `high`, it makes a triangular distribution.",
-        ),
-        key(
-            "high",
-            "{ low = …, high = … }",
-            Form::Value,
-            "Greatest value. With only `low`, every value between the two is equally likely.",
-        ),
-        key(
-            "within",
-            "within = \"10 %\"",
-            Form::Percent,
-            "Greatest deviation from the value, in per cent of it, with the probability `confidence`. The distribution is normal.",
-        ),
-        key(
-            "confidence",
-            "confidence = 0.95",
-            Form::Probability,
-            "Probability that the number lies within that deviation. More than 0 and less than 1.",
-        ),
-    ],
+    keys: &[RANGE_VALUE, RANGE_SD, RANGE_LOW, RANGE_MODE, RANGE_HIGH, RANGE_WITHIN, RANGE_CONFIDENCE],
     rules: &[Rule::OneOf(&[
         form(&["value", "sd"], &[]),
         form(&["value", "within", "confidence"], &[]),
         form(&["low", "high"], &["mode"]),
+    ])],
+};
+
+/// The same with its source, or a number with its source.
+pub(crate) static SOURCED_RANGE: Schema = Schema {
+    place: "a range with its source",
+    text: "A number, or one that is not known exactly, with its source.",
+    keys: &[
+        RANGE_VALUE,
+        RANGE_SD,
+        RANGE_LOW,
+        RANGE_MODE,
+        RANGE_HIGH,
+        RANGE_WITHIN,
+        RANGE_CONFIDENCE,
+        key(
+            "source",
+            "source = \"Dettinger 2008\"",
+            Form::Text,
+            "Where the number comes from. The report shows it.",
+        ),
+    ],
+    rules: &[Rule::OneOf(&[
+        form(&["value", "source"], &[]),
+        form(&["value", "sd"], &["source"]),
+        form(&["value", "within", "confidence"], &["source"]),
+        form(&["low", "high"], &["mode", "source"]),
     ])],
 };
 
@@ -1505,7 +1677,7 @@ pub(crate) static RANGE_OF_LIST: Schema = Schema {
     rules: &[Rule::OneOf(&[form(&["values", "sd"], &[]), form(&["values", "within", "confidence"], &[])])],
 };
 
-static ALL: [&Schema; 20] = [
+static ALL: [&Schema; 24] = [
     &TOP,
     &REPORT,
     &SCENE,
@@ -1526,6 +1698,10 @@ static ALL: [&Schema; 20] = [
     &RECORDER,
     &CERTAIN_SPEED,
     &ESTIMATE,
+    &AVOID,
+    &AVOID_DEMAND,
+    &AVOID_OTHER,
+    &AVOID_CLEAR,
 ];
 
 /// The path of every key of a case file, tables included: `scene`, `scene.axes`, `vehicle1`, …,
@@ -1557,6 +1733,7 @@ pub fn number_keys() -> Vec<String> {
         Form::Number(_)
         | Form::Numbers(_)
         | Form::Quantity(..)
+        | Form::Sourced(..)
         | Form::Quantities(..)
         | Form::QuantityOrTables(..)
         | Form::Wheels(..)

@@ -33,6 +33,8 @@ pub enum Template {
     HeavyTruck,
     /// The damage of one vehicle alone.
     OneVehicle,
+    /// Whether a collision with a pedestrian was avoidable.
+    Avoid,
 }
 
 /// Gives each template its name and the files of that name.
@@ -40,7 +42,7 @@ macro_rules! named {
     ($($template:ident $name:literal),+) => {
         impl Template {
             /// Each under its name in one word.
-            pub const WORDS: [(&str, Self); 10] = [$(($name, Self::$template)),+];
+            pub const WORDS: [(&str, Self); 11] = [$(($name, Self::$template)),+];
 
             /// The case file in the given unit system. Its numbers are round in those units, so the two files
             /// describe two similar collisions, not the same one.
@@ -106,5 +108,6 @@ named! {
     Sideswipe "sideswipe",
     Ees "ees",
     HeavyTruck "heavy-truck",
-    OneVehicle "one-vehicle"
+    OneVehicle "one-vehicle",
+    Avoid "avoid"
 }

@@ -23,9 +23,11 @@ pub fn to_toml(case: &Case) -> String {
     let ranges: BTreeMap<&str, Spread> =
         case.ranges.iter().map(|range| (range.path.as_str(), range.spread)).collect();
     let mut top = Table::default();
-    // Both vehicles are needed, even if nothing is known about one.
+    // A vehicle is needed, even if nothing is known about it, unless the case only asks about avoidability.
     for rule in TOP.rules {
-        if let Rule::Needs(keys) = rule {
+        if let Rule::NeedsIf(_, keys) = rule
+            && case.avoid.is_none()
+        {
             top.extend(keys.iter().map(|key| ((*key).to_owned(), Node::Table(Table::default()))));
         }
     }
@@ -52,6 +54,8 @@ type Table = BTreeMap<String, Node>;
 enum Node {
     /// A number, and its spread if it is uncertain.
     Number(Amount, Option<Spread>),
+    /// The same with its source, as it is written.
+    Sourced(Amount, Option<Spread>, String),
     /// Any other value, as it is written.
     Word(String),
     List(Vec<Node>),
@@ -92,8 +96,13 @@ fn insert(table: &mut Table, path: &str, leaf: Node) {
 }
 
 fn insert_into(node: &mut Node, rest: &str, leaf: Node) {
-    if let Node::Table(table) = node {
-        insert(table, rest, leaf);
+    match (&mut *node, leaf) {
+        (Node::Table(table), leaf) => insert(table, rest, leaf),
+        // The source of a number comes after the number.
+        (Node::Number(amount, spread), Node::Word(source)) => {
+            *node = Node::Sourced(*amount, *spread, source);
+        }
+        _ => {}
     }
 }
 
@@ -145,6 +154,13 @@ fn write_section(path: &str, schema: &'static Schema, table: &Table, sections: &
 fn written(node: &Node, schema: &'static Schema) -> String {
     match node {
         Node::Number(value, spread) => amount(*value, spread.as_ref()),
+        Node::Sourced(value, spread, source) => {
+            let value = amount(*value, spread.as_ref());
+            match value.strip_suffix(" }") {
+                Some(range) => format!("{range}, source = {source} }}"),
+                None => format!("{{ value = {value}, source = {source} }}"),
+            }
+        }
         Node::Word(word) => word.clone(),
         Node::List(elements) => list(elements, schema),
         Node::Table(table) => {

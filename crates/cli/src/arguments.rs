@@ -12,7 +12,9 @@ use clap::builder::{
 use clap::{Arg, Args, CommandFactory as _, FromArgMatches as _, Parser, Subcommand, ValueEnum};
 use clap_complete::Shell;
 use report::{CsvStyle, PictureFormat, Subject, Units};
-use requests::{EstimateOptions, ReconstructOptions, Request, SensitivityOptions, UncertaintyOptions};
+use requests::{
+    AvoidOptions, EstimateOptions, ReconstructOptions, Request, SensitivityOptions, UncertaintyOptions,
+};
 use tables::Job;
 use uncertainty::{InvalidRequest, MAX_SAMPLES, MIN_SAMPLES, SamplingMethod};
 
@@ -265,6 +267,22 @@ pub(crate) enum Question {
             p-value`."
     )]
     Estimate(EstimateArguments),
+    /// Ask whether the collision was avoidable: at the limit, in time
+    #[command(
+        before_help = "What the driver of one vehicle did from the reaction demand on, where the danger \
+            could first be recognized, and what a lower speed, a timely reaction and full braking would \
+            have made of it: whether the vehicle stops before the place of the impact (in space), or comes \
+            when the other party has left it (in time), the speeds that just avoid it, and what is left of \
+            the limit. Ranges and evidence of the speed give the probability. The case has a table \
+            [avoid], and may consist of it alone. No reaction time and no deceleration is assumed.",
+        after_help = "Examples:\n  deltav new --template avoid -o case.toml\n  \
+            deltav avoid case.toml\n  \
+            deltav avoid case.toml --format html -o report.html\n  \
+            deltav avoid fixtures/avoid/pedestrian.toml --format json\n\n\
+            Exit status: 0 done; 1 no answer, or not converged; 2 wrong case file or command line.\n\n\
+            More: `deltav explain avoidability`, `deltav explain reaction demand`."
+    )]
+    Avoid(AvoidArguments),
 }
 
 impl Asked {
@@ -312,6 +330,11 @@ impl From<Question> for Asked {
                 let asked = Self::of(Request::Estimate(options), cases);
                 Self { samples_out: arguments.samples_out, ..asked }
             }
+            Question::Avoid(AvoidArguments { arguments, samples, seed, exact, threads }) => {
+                let samples = samples.unwrap_or(AvoidOptions::default().samples);
+                let cases = CasesArguments { threads, ..arguments.into() };
+                Self::of(Request::Avoid(AvoidOptions { samples, seed, exact }), cases)
+            }
         }
     }
 }
@@ -319,7 +342,7 @@ impl From<Question> for Asked {
 /// The commands as `deltav --help` lists them, each in one group.
 pub(crate) const GROUPS: [(&str, &[&str]); 3] = [
     ("Do the job", &["new", "check", "reconstruct", "estimate", "impact", "motion", "crush", "table"]),
-    ("Look closer", &["compare", "sensitivity", "uncertainty", "draw", "validate"]),
+    ("Look closer", &["avoid", "compare", "sensitivity", "uncertainty", "draw", "validate"]),
     ("Utilities", &["explain", "schema", "completions", "man", "help"]),
 ];
 
@@ -406,6 +429,7 @@ fn templates() -> Vec<Word<Template>> {
         "Two cars whose energy equivalent speeds (EES) are known",
         "A car against the rear of a heavy truck (lorry)",
         "One vehicle with its damage, for `deltav crush`",
+        "Whether a collision was avoidable, for `deltav avoid`",
     ];
     meaning(Template::WORDS, meanings)
 }
@@ -435,8 +459,28 @@ fn jobs() -> Vec<Word<Job>> {
     meaning(Job::WORDS, meanings)
 }
 
-/// What can be drawn; without a subject an estimate.
-pub(crate) type What = Option<Subject>;
+/// What can be drawn.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum What {
+    /// A subject of an analysis.
+    Subject(Subject),
+    /// An estimate.
+    Estimate,
+    /// Distance against time, from the reaction demand.
+    PathTime,
+    /// The probability that the collision is avoided.
+    Chance,
+}
+
+impl What {
+    /// The subject of an analysis, if it is one.
+    pub(crate) fn subject(self) -> Option<Subject> {
+        match self {
+            Self::Subject(subject) => Some(subject),
+            Self::Estimate | Self::PathTime | Self::Chance => None,
+        }
+    }
+}
 
 fn drawings() -> Vec<Word<What>> {
     let of_subjects = [
@@ -448,10 +492,17 @@ fn drawings() -> Vec<Word<What>> {
         (Subject::MotionCurves, "Speed, yaw rate and heading over time, from the impact to rest"),
         (Subject::Momentum, "The momentum polygon: momenta before and after the impact, tip to tail"),
     ];
-    let estimate =
-        ("estimate", "How probable speeds and rest positions are, as `deltav estimate` finds them", None);
-    let of_subjects = of_subjects.map(|(subject, meaning)| (subject.name(), meaning, Some(subject)));
-    of_subjects.into_iter().chain([estimate]).collect()
+    let others = [
+        (
+            "estimate",
+            "How probable speeds and rest positions are, as `deltav estimate` finds them",
+            What::Estimate,
+        ),
+        ("path-time", "Distance against time before the impact, of `deltav avoid`", What::PathTime),
+        ("chance", "Probability that the collision is avoided, against the speed", What::Chance),
+    ];
+    let of_subjects = of_subjects.map(|(subject, meaning)| (subject.name(), meaning, What::Subject(subject)));
+    of_subjects.into_iter().chain(others).collect()
 }
 
 const CASE_UNITS: [Word<Units>; 3] = [
@@ -853,6 +904,28 @@ pub(crate) struct EstimateArguments {
     /// international [default], or european (semicolons, decimal commas)
     #[arg(long, value_name = "STYLE", value_parser = one_of(CSV_STYLES), default_value = "international", hide_default_value = true, hide_possible_values = true, requires = "samples_out")]
     pub(crate) csv_style: CsvStyle,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct AvoidArguments {
+    #[command(flatten)]
+    pub(crate) arguments: Arguments,
+
+    /// Number of samples, where numbers have ranges [default: 100000]
+    #[arg(long, value_name = "N", value_parser = samples)]
+    pub(crate) samples: Option<usize>,
+
+    /// Random seed
+    #[arg(long, value_name = "SEED", default_value_t = 1, value_parser = seed)]
+    pub(crate) seed: u64,
+
+    /// Take the speed of the exact solution, even if there is more evidence
+    #[arg(long)]
+    pub(crate) exact: bool,
+
+    /// Number of threads [default: one for each processor]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
+    pub(crate) threads: Option<u16>,
 }
 
 fn particles(text: &str) -> Result<usize, String> {

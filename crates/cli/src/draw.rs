@@ -7,9 +7,12 @@ use analysis::{Analysis, Weighed};
 use anyhow::{Context as _, Result, bail};
 use case::{Axes, CaseFile, Quantity};
 use report::{Drawing, DrawingError, PROGRAM, PictureFormat, SitePlan, Subject, Units};
-use requests::{DrawingRequest, EstimateAnswer, EstimateOptions, read_picture, site_plan_beside};
+use requests::{
+    Answer, AvoidOptions, DrawingRequest, EstimateAnswer, EstimateOptions, Request, read_picture,
+    site_plan_beside,
+};
 
-use crate::arguments::DrawArguments;
+use crate::arguments::{DrawArguments, What};
 use crate::files::{case_file, named};
 use crate::pictures::write_picture;
 use crate::present::{NoAnswer, answered, found, units};
@@ -18,7 +21,7 @@ use crate::threads::{in_pool, pool};
 pub(crate) fn draw(arguments: &DrawArguments) -> Result<()> {
     let path = arguments.output.file();
     let format = format_of(path)?;
-    let subject = arguments.what;
+    let subject = arguments.what.subject();
     let plain = arguments.plain;
     if plain && !subject.is_some_and(|subject| DrawingRequest { subject, plain }.can_be()) {
         bail!("--plain is a form of the scene and of the motion: give --what scene, or leave out --plain");
@@ -32,7 +35,13 @@ pub(crate) fn draw(arguments: &DrawArguments) -> Result<()> {
         given => given,
     };
     let units = units(arguments.units, &file);
-    let Some(subject) = subject else { return write_picture(path, &estimate(&file, units)?, format) };
+    let subject = match arguments.what {
+        What::Subject(subject) => subject,
+        What::Estimate => return write_picture(path, &estimate(&file, units)?, format),
+        what @ (What::PathTime | What::Chance) => {
+            return write_picture(path, &avoided(&file, units, what == What::Chance)?, format);
+        }
+    };
     if let Some(obstacle) = subject.obstacle(&file.case) {
         return cannot_draw(obstacle, &file, units);
     }
@@ -104,6 +113,19 @@ fn estimate(file: &CaseFile, units: Units) -> Result<Drawing> {
     let drawing = report::estimate_pictures(&file.case, &estimated, &asked, units);
     let message = "there is no estimate to draw: the case gives both speeds and follows no vehicle to rest; leave out the speed that is sought";
     drawing.ok_or_else(|| NoAnswer(message.to_owned()).into())
+}
+
+/// A picture of avoidability as it is without options.
+fn avoided(file: &CaseFile, units: Units, is_chance: bool) -> Result<Drawing> {
+    let request = Request::Avoid(AvoidOptions::default());
+    let answer = in_pool(&pool(None)?, |progress| request.answer(&file.case, progress))?;
+    let Answer::Avoidance(found) = found(answer, file, units)? else { bail!("the answer has no picture") };
+    if !is_chance {
+        return Ok(report::path_time(&file.case, &found, units));
+    }
+    let message =
+        "there is no probability to draw: no number of the case is a range, and no evidence tells the speed";
+    report::avoided_from(&file.case, &found, units).ok_or_else(|| NoAnswer(message.to_owned()).into())
 }
 
 /// Says what a case lacks for a drawing, and what else can be drawn of it.

@@ -37,6 +37,8 @@
 //! | [`EnergyPicture`] | where the initial kinetic energy went |
 //! | [`ReconciliationPicture`] | work of the normal impulse against the unknown speed |
 //! | [`HistogramPicture`] | how a result is distributed, with its interval and its central value |
+//! | [`PathTimePicture`] | distance against time before a collision, of what happened and what would have |
+//! | [`ChancePicture`] | a probability against a number, with its band |
 //! | [`DensityPicture`] | the probability density of a result, before and after evidence |
 //! | [`JointPicture`] | draws of two results at once, with the regions that hold most of them |
 //! | [`RestsPicture`] | where vehicles would have come to rest, compared with where they were found |
@@ -68,6 +70,7 @@
 
 mod body;
 mod canvas;
+mod chance;
 mod chart;
 mod damage;
 mod density;
@@ -86,6 +89,7 @@ mod motion;
 mod motion_curves;
 mod number;
 mod outline;
+mod path_time;
 mod pdf;
 mod pens;
 mod plan;
@@ -104,6 +108,7 @@ mod tornado;
 mod vector;
 
 pub use body::SceneBody;
+pub use chance::ChancePicture;
 pub use chart::Axis;
 pub use damage::{DamagePicture, DamagedVehicle};
 pub use density::DensityPicture;
@@ -119,6 +124,7 @@ pub use momentum::MomentumPicture;
 pub use motion::{MeasuredPoint, MotionPicture, MotionPoint, MotionRest, MotionVehicle};
 pub use motion_curves::{MotionCurves, MotionCurvesPicture};
 pub use number::{number, significant};
+pub use path_time::{PathTimeCourse, PathTimePicture};
 pub use plan_view::{PlanBody, PlanStation, PlanView, Viewport};
 pub use ranks::RanksPicture;
 pub use raster::RenderError;

@@ -6,6 +6,7 @@ mod values;
 use pim_core::{Real, VehicleId};
 use reconcile::Unknown;
 
+use crate::avoid::Avoid;
 use crate::axes::Axes;
 use crate::basis::Basis;
 use crate::estimate::Departures;
@@ -46,6 +47,8 @@ pub struct Case<T = f64> {
     pub reconstruct: Option<Reconstruct<T>>,
     /// `[estimate]`.
     pub estimate: Option<GivenEstimate>,
+    /// `[avoid]`.
+    pub avoid: Option<Avoid<T>>,
     /// The numbers that are not known exactly, in the order of [`inputs`](Case::inputs). The numbers
     /// themselves are the central values.
     pub ranges: Vec<Range>,

@@ -1,5 +1,6 @@
 //! Turns a case into the types of the engines, and reports what each purpose needs and does not find.
 
+mod avoid;
 mod collision;
 mod contradictions;
 mod crush;
@@ -175,7 +176,15 @@ struct Demand<'a, T> {
 impl<'a, T: Real> Demand<'a, T> {
     fn new(case: &'a Case<T>, purpose: Purpose) -> Self {
         let find = case.reconstruct.as_ref().map(|reconstruct| reconstruct.find);
-        let faults = contradictions(&case.vehicles, find);
+        let mut faults = contradictions(&case.vehicles, find);
+        // A case may consist of `[avoid]` alone.
+        if case.avoid.is_some() && case.vehicles.iter().all(GivenVehicle::is_absent) {
+            faults.push(Fault {
+                key: "vehicle1".to_owned(),
+                kind: FaultKind::Missing { needed_for: purpose },
+                advice: Some("give the table `[vehicle1]`, and `[vehicle2]` for an impact".to_owned()),
+            });
+        }
         Self { case, purpose, is_of_point_masses: false, faults }
     }
 

@@ -178,6 +178,8 @@ impl<N: Copy + From<f64>> Case<N> {
             reconstruct,
             // Only estimates use it.
             estimate: _,
+            // What happened before the impact.
+            avoid: _,
             ranges: _,
             // Shared errors are already in the numbers.
             uncertainty: _,

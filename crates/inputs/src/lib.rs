@@ -41,6 +41,7 @@
 //! Publication 811 (2008), appendix B.8: the factors.
 
 mod after;
+mod avoid;
 mod axes;
 mod basis;
 mod case;
@@ -70,6 +71,10 @@ mod words;
 pub use after::{
     After, Before, Drag, MarkedWheel, PathPoint, Rest, RestHeading, Skid, SkidBegin, Steer, SteerPoint,
     WheelDrag,
+};
+pub use avoid::{
+    Avoid, AvoidForm, BrakingForm, Clear, DemandForm, GivenDemand, OtherParty, SUBJECTS, SWELLS, Sourced,
+    SpeedForm,
 };
 pub use axes::Axes;
 pub use basis::{Basis, ENERGY_BASES};

@@ -23,6 +23,8 @@ pub enum Purpose {
     Sensitivity,
     /// Draws the answer.
     Draw,
+    /// Asks whether the collision was avoidable.
+    Avoid,
 }
 
 impl Purpose {
@@ -39,6 +41,7 @@ impl Purpose {
             Self::Compare => "compare",
             Self::Sensitivity => "sensitivity",
             Self::Draw => "draw",
+            Self::Avoid => "avoid",
         }
     }
 }

@@ -29,6 +29,8 @@ pub enum Dimension {
     YawRate,
     /// (s) time.
     Time,
+    /// (m/s²) acceleration.
+    Acceleration,
     /// (kg·m²) yaw moment of inertia.
     Inertia,
     /// (N/m) stiffness coefficient A: force per unit width at which crush begins.
@@ -45,7 +47,7 @@ pub enum Dimension {
 
 impl Dimension {
     /// All dimensions, in the order of the unit table.
-    pub const ALL: [Self; 13] = [
+    pub const ALL: [Self; 14] = [
         Self::Length,
         Self::Mass,
         Self::Weight,
@@ -53,6 +55,7 @@ impl Dimension {
         Self::Angle,
         Self::YawRate,
         Self::Time,
+        Self::Acceleration,
         Self::Inertia,
         Self::StiffnessA,
         Self::StiffnessB,
@@ -72,6 +75,7 @@ impl Dimension {
             Self::Angle => "an angle",
             Self::YawRate => "a yaw rate",
             Self::Time => "a time",
+            Self::Acceleration => "an acceleration",
             Self::Inertia => "a moment of inertia",
             Self::StiffnessA => "a stiffness A",
             Self::StiffnessB => "a stiffness B",
@@ -101,7 +105,7 @@ impl Dimension {
             Self::Length => 1e3,
             Self::Mass => 1e6,
             Self::Weight => 1e7,
-            Self::Speed | Self::YawRate | Self::Time => 1e3,
+            Self::Speed | Self::YawRate | Self::Time | Self::Acceleration => 1e3,
             Self::Angle => 1e5 * table::DEGREE,
             Self::Inertia => 1e9,
             Self::StiffnessA | Self::StiffnessG => 1e8,
@@ -120,6 +124,7 @@ impl Dimension {
             Self::Mass => 1e-3,
             Self::Weight => 1e-2,
             Self::Speed | Self::YawRate | Self::Angle | Self::Time => 1e-9,
+            Self::Acceleration => 1e-6,
             Self::Inertia => 1e-9,
             Self::StiffnessA | Self::StiffnessB | Self::StiffnessG => 1e-3,
             Self::RootForce | Self::RootForcePerLength => 1e-3,

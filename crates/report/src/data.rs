@@ -1,6 +1,7 @@
 //! Results as data for programs: JSON in SI units and radians, CSV, samples. No sentence for people is
 //! written here.
 
+pub(crate) mod avoid;
 pub(crate) mod claims;
 pub(crate) mod comparison;
 pub(crate) mod csv;

@@ -83,6 +83,7 @@ mod writers;
 pub use ::drawing::{
     Drawing, PictureFormat, PlanBody, PlanStation, PlanView, SitePlan, SitePlanError, Viewport,
 };
+pub use data::avoid::avoid_json;
 pub use data::claims::claims_json;
 pub use data::comparison::comparison_json;
 pub use data::csv::{Csv, CsvStyle, Refused, Row, RowAnswer, RowError, Table, jsonl_row, no_formula};
@@ -104,10 +105,12 @@ pub use glossary::{Topic, UnknownTopic, topic, topics};
 pub use live::{NotLive, live};
 pub use outputs::reason_name;
 pub use pictures::{
-    DrawingError, Frames, Subject, computed_against_measured, density, drawing, estimate_pictures,
-    estimated_against_recorded, frames, histogram, joint_speeds, motion_on, place_of_impact, plain_motion,
-    plain_scene, plan_view, ranks_of_recorders, reconstructed_speed, rests, site_plan, site_plan_of, tornado,
+    DrawingError, Frames, Subject, avoided_from, computed_against_measured, density, drawing,
+    estimate_pictures, estimated_against_recorded, frames, histogram, joint_speeds, motion_on, path_time,
+    place_of_impact, plain_motion, plain_scene, plan_view, ranks_of_recorders, reconstructed_speed, rests,
+    site_plan, site_plan_of, tornado,
 };
+pub use sections::avoid::avoid;
 pub use sections::claims::claims;
 pub use sections::comparison::comparison;
 pub use sections::estimate::estimate;

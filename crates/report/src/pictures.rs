@@ -1,5 +1,6 @@
 //! All pictures: what they show, in the units of the reader. The crate `drawing` draws them.
 
+pub(crate) mod avoid;
 mod damage;
 mod energy;
 pub(crate) mod estimate;
@@ -12,6 +13,7 @@ mod spread;
 mod staged;
 mod vehicle;
 
+pub use avoid::{avoided_from, path_time};
 pub use estimate::{density, estimate_pictures, joint_speeds, rests};
 pub use field::{estimated_against_recorded, ranks_of_recorders};
 pub use motion::place_of_impact;

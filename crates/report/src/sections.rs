@@ -1,5 +1,6 @@
 //! The document of each command.
 
+pub(crate) mod avoid;
 mod chosen;
 pub(crate) mod claims;
 pub(crate) mod comparison;

@@ -42,6 +42,7 @@ fn usual(dimension: Dimension, in_crush: bool, system: UnitSystem) -> &'static s
         Dimension::StiffnessA => ("N/cm", "lb/in"),
         Dimension::StiffnessB => ("N/cm^2", "lb/in^2"),
         Dimension::Time => ("s", "s"),
+        Dimension::Acceleration => ("m/s^2", "ft/s^2"),
         Dimension::RootForce => ("N^0.5", "lb^0.5"),
         Dimension::RootForcePerLength => ("N^0.5/cm", "lb^0.5/in"),
     };

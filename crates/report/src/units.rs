@@ -81,6 +81,10 @@ pub enum Measure {
     Force,
     /// s
     Time,
+    /// m, along a path before the impact, as it is measured on a road
+    Way,
+    /// m/s²
+    Acceleration,
     /// N/m
     StiffnessA,
     /// N/m²
@@ -133,6 +137,10 @@ impl Units {
             (Measure::Force, Self::Si | Self::Uk) => unit("kN", 1000.0, 1),
             (Measure::Force, Self::Us) => unit("lb", POUND_FORCE, 0),
             (Measure::Time, _) => unit("s", 1.0, 2),
+            (Measure::Way, Self::Si | Self::Uk) => unit("m", 1.0, 2),
+            (Measure::Way, Self::Us) => unit("ft", FOOT, 1),
+            (Measure::Acceleration, Self::Si | Self::Uk) => unit("m/s²", 1.0, 2),
+            (Measure::Acceleration, Self::Us) => unit("ft/s²", FOOT, 1),
             (Measure::StiffnessA, Self::Si | Self::Uk) => unit("N/cm", 100.0, 1),
             (Measure::StiffnessA, Self::Us) => unit("lb/in", POUND_FORCE / INCH, 1),
             (Measure::StiffnessB, Self::Si | Self::Uk) => unit("N/cm²", 10_000.0, 2),

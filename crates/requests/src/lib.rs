@@ -36,6 +36,7 @@
 //!
 //! It computes nothing itself, and depends on no terminal, no Python and no browser.
 
+mod avoid;
 mod estimate;
 mod options;
 mod picture;
@@ -47,11 +48,12 @@ mod uncertainty;
 
 use std::io::{self, Write};
 
-use analysis::{Comparison, Judgement, Sensitivity, Uncertainty};
+use analysis::{Avoidance, Comparison, Judgement, Sensitivity, Uncertainty};
 use case::{Case, CaseFile};
 use report::{CsvStyle, Document, RowAnswer, SitePlan, Table, Units};
 use serde::Serialize;
 
+pub use avoid::AvoidOptions;
 pub use estimate::{EstimateAnswer, EstimateOptions};
 pub use options::{OptionError, RequestOptions};
 pub use picture::{DrawingRequest, plan_path, read_picture, site_plan_beside};
@@ -86,6 +88,8 @@ pub enum Request {
     Uncertainty(UncertaintyOptions),
     /// The speeds from all evidence.
     Estimate(EstimateOptions),
+    /// Whether the collision was avoidable.
+    Avoid(AvoidOptions),
 }
 
 /// A [`Request`] that takes long, with what was found of it so far.
@@ -97,6 +101,8 @@ pub enum Begun<'a> {
     Uncertainty(&'a UncertaintyOptions),
     /// Nothing yet.
     Estimate(&'a EstimateOptions),
+    /// Nothing yet.
+    Avoid(&'a AvoidOptions),
 }
 
 impl Begun<'_> {
@@ -112,6 +118,7 @@ impl Begun<'_> {
             }
             Self::Uncertainty(options) => Answer::Uncertainty(Box::new(options.answer(case, progress)?)),
             Self::Estimate(options) => Answer::Estimate(Box::new(options.answer(case, progress)?)),
+            Self::Avoid(options) => Answer::Avoidance(Box::new(options.answer(case, progress)?)),
         })
     }
 }
@@ -132,6 +139,8 @@ pub enum Answer {
     Uncertainty(Box<Uncertainty>),
     /// Of [`Request::Estimate`].
     Estimate(Box<EstimateAnswer>),
+    /// Of [`Request::Avoid`].
+    Avoidance(Box<Avoidance>),
 }
 
 impl From<analysis::Analysis> for Answer {
@@ -156,6 +165,7 @@ impl Request {
             "sensitivity" => Self::Sensitivity(SensitivityOptions::read(options)?),
             "uncertainty" => Self::Uncertainty(UncertaintyOptions::read(options)?),
             "estimate" => Self::Estimate(EstimateOptions::read(options)?),
+            "avoid" => Self::Avoid(AvoidOptions::read(options)?),
             other => return Err(OptionError::Command(other.to_owned())),
         })
     }
@@ -169,6 +179,7 @@ impl Request {
             Self::Sensitivity(options) => options.check(),
             Self::Uncertainty(options) => options.check(),
             Self::Estimate(options) => options.check(),
+            Self::Avoid(options) => options.check(),
             Self::Reconstruct(_) | Self::Impact | Self::Motion | Self::Crush => Ok(()),
             Self::Check | Self::Compare => Ok(()),
         }
@@ -193,6 +204,7 @@ impl Request {
         let answer = match self {
             Self::Uncertainty(options) => return Err(Begun::Uncertainty(options)),
             Self::Estimate(options) => return Err(Begun::Estimate(options)),
+            Self::Avoid(options) => return Err(Begun::Avoid(options)),
             Self::Reconstruct(options) => match analysis::reconstruct(case) {
                 Ok(exact) => {
                     let solved = Box::new(SolvedCase::from(exact));
@@ -223,7 +235,7 @@ impl Request {
             Self::Reconstruct(_) | Self::Impact | Self::Motion | Self::Crush => Some(Table::Analyses),
             Self::Compare => Some(Table::Comparisons),
             Self::Uncertainty(_) => Some(Table::Uncertainties),
-            Self::Check | Self::Sensitivity(_) | Self::Estimate(_) => None,
+            Self::Check | Self::Sensitivity(_) | Self::Estimate(_) | Self::Avoid(_) => None,
         }
     }
 
@@ -249,6 +261,7 @@ impl Answer {
             Self::Sensitivity(sensitivity) => report::sensitivity(case, sensitivity, units),
             Self::Uncertainty(uncertainty) => report::uncertainty(case, uncertainty, units),
             Self::Estimate(answer) => report::estimate(case, &answer.estimated, &answer.asked, units),
+            Self::Avoidance(found) => report::avoid(case, found, units),
         }
     }
 
@@ -287,6 +300,7 @@ impl Answer {
             Self::Sensitivity(sensitivity) => report::sensitivity_json(file, sensitivity),
             Self::Uncertainty(uncertainty) => report::uncertainty_json(file, uncertainty),
             Self::Estimate(answer) => report::estimate_json(file, &answer.estimated, &answer.asked),
+            Self::Avoidance(found) => report::avoid_json(file, found),
         }
     }
 
@@ -297,7 +311,7 @@ impl Answer {
             Self::Analysis(solved) => Some(RowAnswer::Analysis(&solved.analysis)),
             Self::Comparison(comparison) => Some(RowAnswer::Comparison(comparison)),
             Self::Uncertainty(uncertainty) => Some(RowAnswer::Uncertainty(uncertainty)),
-            Self::Judgement(_) | Self::Sensitivity(_) | Self::Estimate(_) => None,
+            Self::Judgement(_) | Self::Sensitivity(_) | Self::Estimate(_) | Self::Avoidance(_) => None,
         }
     }
 
@@ -319,8 +333,11 @@ impl Answer {
             Self::Estimate(answer) if !answer.estimated.doubts().is_empty() => {
                 Some("the run has not converged: the report says why, and has no intervals")
             }
+            Self::Avoidance(found) if found.is_unconverged => Some(
+                "the evidence of the speed was weighed, but the run has not converged: there is no probability",
+            ),
             Self::Judgement(_) | Self::Comparison(_) | Self::Sensitivity(_) => None,
-            Self::Uncertainty(_) | Self::Estimate(_) => None,
+            Self::Uncertainty(_) | Self::Estimate(_) | Self::Avoidance(_) => None,
         }
     }
 
@@ -337,7 +354,7 @@ impl Answer {
             Self::Analysis(solved) => solved.write_draws(style, out),
             Self::Uncertainty(uncertainty) => report::write_samples(uncertainty, style, out),
             Self::Estimate(answer) => report::write_draws(&answer.estimated, style, out),
-            Self::Judgement(_) | Self::Comparison(_) | Self::Sensitivity(_) => Ok(()),
+            Self::Judgement(_) | Self::Comparison(_) | Self::Sensitivity(_) | Self::Avoidance(_) => Ok(()),
         }
     }
 }

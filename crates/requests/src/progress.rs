@@ -19,12 +19,14 @@ pub(crate) fn counted(stage: Stage) -> &'static str {
 pub(crate) fn of_estimate<'a>(
     progress: &'a mut RequestProgress<'_>,
 ) -> impl FnMut(EstimateStage, usize, usize) -> ControlFlow<()> + Send + 'a {
-    |stage, done, total| {
-        let counted = match stage {
-            EstimateStage::All => "particles",
-            EstimateStage::Prior => "particles before the evidence",
-            EstimateStage::Piece => "pieces of evidence",
-        };
-        progress(counted, done, total)
+    |stage, done, total| progress(counted_of_estimate(stage), done, total)
+}
+
+/// What is counted while evidence is weighed.
+pub(crate) fn counted_of_estimate(stage: EstimateStage) -> &'static str {
+    match stage {
+        EstimateStage::All => "particles",
+        EstimateStage::Prior => "particles before the evidence",
+        EstimateStage::Piece => "pieces of evidence",
     }
 }

@@ -21,6 +21,7 @@ pub(crate) static PAGE: Program = Program {
             Purpose::Compare => "the comparison of the laws",
             Purpose::Sensitivity => "the sensitivity",
             Purpose::Draw => "the drawing",
+            Purpose::Avoid => "the avoidability",
         }
         .to_owned()
     },

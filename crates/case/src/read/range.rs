@@ -11,12 +11,14 @@ use crate::case_problem::CaseProblem;
 use crate::node::Node;
 use crate::number::split_number;
 use crate::quantity::shorten;
-use crate::schema::{Measure, RANGE, RANGE_OF_LIST, RESTITUTION, Schema};
+use crate::schema::{Measure, RANGE, RANGE_OF_LIST, RESTITUTION, SOURCED_RANGE, Schema};
 use crate::units_in_use::usual_units;
-use inputs::{Amount, Bounds, Dimension, Quantity, Range, Spread};
+use inputs::{Amount, Bounds, Dimension, Quantity, Range, Sourced, Spread};
 
 const FORMS: &str = "{ value = …, sd = … }, { low = …, high = … }, { low = …, mode = …, high = … } or \
                      { value = …, within = \"10 %\", confidence = 0.95 }";
+const SOURCED_FORMS: &str = "{ value = …, source = … }, { value = …, sd = … }, { low = …, high = … }, { low = …, mode = …, high = … } \
+                             or { value = …, within = \"10 %\", confidence = 0.95 }, each with or without a `source`";
 const LIST_FORMS: &str = "{ values = …, sd = … } or { values = …, within = \"10 %\", confidence = 0.95 }; if the \
                           uncertainties differ, write a list: [{ value = …, sd = … }, …]";
 
@@ -58,7 +60,8 @@ impl<'t> Reader<'t> {
         value: &'t Spanned<Node<'t>>,
         measure: Measure,
     ) -> Option<Quantity> {
-        let (central, spread) = self.range(place, value, Kind::Quantity(measure))?;
+        let table = self.range_table(place, value, &RANGE)?;
+        let (central, spread) = self.range(&table, place, value, Kind::Quantity(measure))?;
         let unit = central.unit?;
         self.add_range(value.span(), Range { path: place.path.clone(), spread, bounds: measure.bounds });
         Quantity::new(central.number, unit).ok()
@@ -71,9 +74,35 @@ impl<'t> Reader<'t> {
         value: &'t Spanned<Node<'t>>,
         bounds: Bounds,
     ) -> Option<f64> {
-        let (central, spread) = self.range(place, value, Kind::Number(bounds))?;
+        let table = self.range_table(place, value, &RANGE)?;
+        let (central, spread) = self.range(&table, place, value, Kind::Number(bounds))?;
         self.add_range(value.span(), Range { path: place.path.clone(), spread, bounds });
         Some(central.number)
+    }
+
+    /// Reads a quantity with its source, whether it is a range or not.
+    pub(super) fn sourced(&mut self, table: &Table<'t>, key: &'static str) -> Option<Sourced> {
+        let (measure, value) = (table.measure(key)?, table.get(key)?);
+        let place = Place::of_key(table, key);
+        if !value.get_ref().is_table() {
+            let wanted = "a string with a number and a unit";
+            let quantity = self.certain_quantity(&place, value, measure, wanted)?;
+            return Some(Sourced { quantity, source: None });
+        }
+        let range = self.range_table(&place, value, &SOURCED_RANGE)?;
+        let source = self.text(&range, "source");
+        let kind = Kind::Quantity(measure);
+        if let ["value", "source"] =
+            range.given(&["value", "source", "sd", "low", "mode", "high", "within", "confidence"])[..]
+        {
+            let central = self.amount(&range, "value", kind)?;
+            let quantity = Quantity::new(central.number, central.unit?).ok()?;
+            return Some(Sourced { quantity, source });
+        }
+        let (central, spread) = self.range(&range, &place, value, kind)?;
+        self.add_range(value.span(), Range { path: place.path.clone(), spread, bounds: measure.bounds });
+        let quantity = Quantity::new(central.number, central.unit?).ok()?;
+        Some(Sourced { quantity, source })
     }
 
     /// Reads several numbers with one spread, and returns their central values.
@@ -143,11 +172,16 @@ impl<'t> Reader<'t> {
         Some(self.open(place.path.clone(), entries, schema))
     }
 
-    fn range(&mut self, place: &Place, value: &'t Spanned<Node<'t>>, kind: Kind) -> Option<(Amount, Spread)> {
-        let table = self.range_table(place, value, &RANGE)?;
-        let central = self.amount(&table, "value", kind);
-        let spread = self.spread_about(&table, kind);
-        let [low, mode, high] = ["low", "mode", "high"].map(|key| self.amount(&table, key, kind));
+    fn range(
+        &mut self,
+        table: &Table<'t>,
+        place: &Place,
+        value: &'t Spanned<Node<'t>>,
+        kind: Kind,
+    ) -> Option<(Amount, Spread)> {
+        let central = self.amount(table, "value", kind);
+        let spread = self.spread_about(table, kind);
+        let [low, mode, high] = ["low", "mode", "high"].map(|key| self.amount(table, key, kind));
         match table.given(&["value", "sd", "low", "mode", "high", "within", "confidence"])[..] {
             ["value", "sd"] | ["value", "within", "confidence"] => {
                 let (central, spread) = (central?, spread?);
@@ -174,7 +208,8 @@ impl<'t> Reader<'t> {
                 }
                 Some((mode, Spread::Triangular { low, high }))
             }
-            _ => self.no_range(&table, value, FORMS),
+            _ if table.schema.has("source") => self.no_range(table, value, SOURCED_FORMS),
+            _ => self.no_range(table, value, FORMS),
         }
     }
 

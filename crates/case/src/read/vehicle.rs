@@ -23,7 +23,8 @@ impl<'t> Reader<'t> {
     pub(super) fn vehicle(&mut self, top: &Table<'t>, key: &'static str) -> Option<GivenVehicle> {
         if !top.has(key) {
             // The damage of one vehicle is enough for a case; each purpose reports if it needs the other.
-            if key == "vehicle2" && top.has("vehicle1") {
+            // A case may also consist of `[avoid]` alone.
+            if key == "vehicle2" && top.has("vehicle1") || top.has("avoid") {
                 return Some(GivenVehicle::default());
             }
             self.missing(top, key);

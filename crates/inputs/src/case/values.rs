@@ -111,6 +111,8 @@ impl Case {
             departures: walk.departures(self),
             uncertainty: walk.uncertainty(&self.uncertainty),
             left_out: self.left_out,
+            // After all numbers of the collision, whose places do not depend on it.
+            avoid: self.avoid.as_ref().map(|avoid| walk.avoid(avoid)),
         }
     }
 

@@ -79,6 +79,11 @@ rows! { TIME, Time:
     "s" [], 1.0, BOTH;
     "ms" [], 0.001, BOTH;
 }
+rows! { ACCELERATION, Acceleration:
+    "m/s^2" [], 1.0, SI;
+    "g" [], STANDARD_GRAVITY, BOTH;
+    "ft/s^2" [], FOOT, US;
+}
 rows! { INERTIA, Inertia:
     "kg m^2" ["m^2 kg"], 1.0, SI;
     "slug ft^2" ["ft^2 slug"], SLUG * FOOT * FOOT, US;
@@ -131,6 +136,7 @@ pub(super) fn units(dimension: Dimension) -> &'static [Unit] {
         Dimension::Angle => ANGLE,
         Dimension::YawRate => YAW_RATE,
         Dimension::Time => TIME,
+        Dimension::Acceleration => ACCELERATION,
         Dimension::Inertia => INERTIA,
         Dimension::StiffnessA => STIFFNESS_A,
         Dimension::StiffnessB => STIFFNESS_B,

@@ -1,0 +1,500 @@
+//! Whether the collision was avoidable: what the driver of one vehicle did, what another speed, reaction or
+//! braking would have made of it, and how probable that is.
+
+mod chance;
+mod scene;
+
+use std::collections::BTreeSet;
+use std::ops::ControlFlow;
+
+use ::uncertainty::{SamplingMethod, Settings};
+use inputs::{
+    Avoid, AvoidForm, Case, DemandForm, Dimension, Fault, FaultKind, Faults, Find, Quantity, SpeedForm,
+    Velocity, format_number,
+};
+use pim_core::VehicleId;
+use time_distance::Response;
+
+pub use chance::{AvoidChance, AvoidInfluence, AvoidInterval};
+use chance::{Speeds, chance};
+use scene::Unposed;
+pub use scene::{ActualRun, AvoidCourse, AvoidScene, Unbraked};
+
+use crate::analysis::Analysis;
+use crate::beside::{SAMPLES, is_estimated_beside, usual_samples};
+use crate::columns::Number;
+use crate::commands::{reconstruct, uncertainty_of};
+use crate::estimate::{EstimatePlan, EstimateStage, Estimated, estimate};
+use crate::failure::Failure;
+use crate::output::Output;
+use crate::quantities::SPEED;
+use crate::solve;
+use crate::uncertainty::{Plan, Stage, UncertainInput, any_inputs};
+
+/// How to ask whether a collision was avoidable.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct AvoidPlan {
+    /// Number of samples, where ranges make the answer uncertain.
+    pub samples: usize,
+    /// The random seed: the same seed gives the same results.
+    pub seed: u64,
+    /// Whether the exact solution gives a speed that is sought, even where there is more evidence.
+    pub exact: bool,
+}
+
+impl Default for AvoidPlan {
+    fn default() -> Self {
+        Self { samples: SAMPLES, seed: 1, exact: false }
+    }
+}
+
+/// The stage that [`avoid`] has reached.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum AvoidStage {
+    /// All evidence of the speed.
+    Estimate(EstimateStage),
+    /// The samples of the speed.
+    Samples(Stage),
+}
+
+/// Whether a collision was avoidable.
+#[derive(Clone, Debug)]
+pub struct Avoidance {
+    /// The vehicle whose driver is asked about.
+    pub vehicle: VehicleId,
+    /// Where its speed comes from.
+    pub speed_from: SpeedSource,
+    /// The scene, at the central values.
+    pub scene: AvoidScene,
+    /// The actual run first, then the others.
+    pub runs: Vec<AvoidRun>,
+    /// What would have been enough.
+    pub enough: Enough,
+    /// How probable it is; `None` if nothing is uncertain.
+    pub chance: Option<AvoidChance>,
+    /// Whether the evidence was weighed, but the run did not converge, so that there is no probability.
+    pub is_unconverged: bool,
+}
+
+/// Where the speed of the vehicle comes from.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum SpeedSource {
+    /// `speed` of `[avoid]`.
+    AtDemand,
+    /// `speed` of the vehicle.
+    AtImpact,
+    /// The exact solution of the collision.
+    Reconstructed,
+    /// The median by all evidence.
+    Estimated,
+}
+
+/// A question of what would have been.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Hypothesis {
+    /// What happened.
+    Actual,
+    /// The speed lowered to the limit, and all else as it was.
+    LimitOnly,
+    /// At the speed driven, the reaction in time, and the braking as it was.
+    ReactionInTime,
+    /// At the speed driven, the reaction as it was, and the braking full.
+    FullBraking,
+    /// At the speed driven, the reaction in time and the braking full.
+    ReactionAndBraking,
+    /// At the limit, the reaction in time and the braking full.
+    All,
+}
+
+/// A run up to the place of the impact.
+#[derive(Clone, Copy, Debug)]
+pub struct AvoidRun {
+    /// What it supposes.
+    pub hypothesis: Hypothesis,
+    /// How the vehicle moves.
+    pub course: AvoidCourse,
+    /// (m/s) speed at the place of the impact; 0 if it stops before.
+    pub collision_speed: f64,
+    /// (s) when it is there, after the demand; `None` if it stops before.
+    pub arrival: Option<f64>,
+    /// Whether it comes after the other party has left the danger zone; `None` if that is not asked.
+    pub is_late_enough: Option<bool>,
+    /// (m/s) ΔV of both vehicles from an impact with that speed; `None` without an impact in the case.
+    pub delta_v: Option<[f64; 2]>,
+}
+
+impl AvoidRun {
+    /// Whether it stops before the place of the impact.
+    #[must_use]
+    pub fn stops_before(&self) -> bool {
+        self.collision_speed <= 0.0
+    }
+
+    /// Whether there is no collision.
+    #[must_use]
+    pub fn is_avoided(&self) -> bool {
+        self.stops_before() || self.is_late_enough == Some(true)
+    }
+}
+
+/// What would have been enough to avoid the collision.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Enough {
+    /// (m/s) the speed.
+    pub speed: f64,
+    /// (m/s²) at the speed driven and with the reaction time of `[avoid]`, the deceleration; `None` if none
+    /// is.
+    pub deceleration: Option<f64>,
+    /// (s) at the speed driven and with the deceleration of `[avoid]`, the longest reaction time; `None` if
+    /// none is.
+    pub reaction: Option<f64>,
+}
+
+impl Avoidance {
+    /// The run of a hypothesis; `None` if it is one of the others.
+    #[must_use]
+    pub fn run(&self, hypothesis: Hypothesis) -> Option<&AvoidRun> {
+        self.runs.iter().find(|run| run.hypothesis == hypothesis)
+    }
+
+    /// (s) by how much the reaction was later than `[avoid]` allows; `None` if it is not known.
+    #[must_use]
+    pub fn delay(&self) -> Option<f64> {
+        match self.scene.actual {
+            ActualRun::Skidded(slowed) => Some(slowed.reaction() - self.scene.response.reaction()),
+            ActualRun::Responded | ActualRun::Unbraked(_) => None,
+        }
+    }
+}
+
+/// Whether the collision of a case was avoidable.
+///
+/// # Errors
+/// [`Failure`] if the case lacks something or contradicts itself, or if its speed is sought and not found.
+pub fn avoid(
+    case: &Case,
+    plan: &AvoidPlan,
+    progress: &mut (dyn FnMut(AvoidStage, usize, usize) -> ControlFlow<()> + Send),
+) -> Result<Avoidance, Failure> {
+    let form = case.avoidance()?;
+    let told = match form.speed {
+        SpeedForm::Sought => Some(Told::of(case, form.vehicle, plan, progress)?),
+        SpeedForm::AtDemand(_) | SpeedForm::AtImpact(_) => None,
+    };
+    let speed_from = match (&form.speed, &told) {
+        (SpeedForm::AtDemand(_), _) => SpeedSource::AtDemand,
+        (_, None) => SpeedSource::AtImpact,
+        (_, Some(told)) => told.from,
+    };
+    let at_impact = told.as_ref().map(|told| told.speed);
+    let scene = AvoidScene::pose(&form, at_impact).map_err(|refusal| unposed(&form, refusal))?;
+    let chance = of_ranges(case, told.as_ref(), plan)?;
+    let is_above = |speed: f64| scene.limit > speed;
+    if chance
+        .as_ref()
+        .map_or(is_above(scene.speed), |chance| chance.above_limit <= 0.0 && is_above(scene.speed))
+    {
+        return Err(limit_above(&form, &scene).into());
+    }
+    let other = told.as_ref().and_then(|told| told.other);
+    let runs = runs(&scene, &|speed| delta_v(case, form.vehicle, speed, other));
+    let enough = Enough {
+        speed: scene.just_avoiding(),
+        deceleration: scene.response.deceleration_to_stop_within(scene.speed, scene.distance),
+        reaction: scene.response.reaction_to_stop_within(scene.speed, scene.distance),
+    };
+    let is_unconverged = told.as_ref().is_some_and(Told::is_unconverged);
+    Ok(Avoidance { vehicle: form.vehicle, speed_from, scene, runs, enough, chance, is_unconverged })
+}
+
+/// The speed at the impact that the rest of the case tells.
+struct Told {
+    from: SpeedSource,
+    /// (m/s) of the vehicle.
+    speed: f64,
+    /// (m/s) of the other one, if that is found too.
+    other: Option<f64>,
+    estimated: Option<Box<Estimated>>,
+    /// (m/s) samples of the speed by the ranges of the case.
+    sampled: Option<Vec<f64>>,
+}
+
+impl Told {
+    fn of(
+        case: &Case,
+        vehicle: VehicleId,
+        plan: &AvoidPlan,
+        progress: &mut (dyn FnMut(AvoidStage, usize, usize) -> ControlFlow<()> + Send),
+    ) -> Result<Self, Failure> {
+        let alone = &*case.without_avoid();
+        let exact = if alone.reconstruct.is_some() { Some(reconstruct(alone)) } else { None };
+        let leads = |exact: &Analysis| plan.exact || exact.overdetermined().is_none();
+        let exact = match exact {
+            Some(Ok(exact)) if leads(&exact) => Some(exact),
+            Some(Err(failure)) if plan.exact => return Err(failure),
+            _ => None,
+        };
+        let mut estimated = None;
+        let mut refusal = None;
+        if !plan.exact && (exact.is_none() || is_estimated_beside(alone)) {
+            let how = EstimatePlan {
+                particles: EstimatePlan::PARTICLES,
+                seed: plan.seed,
+                prior: None,
+                pieces: false,
+            };
+            let at = &mut |stage, done, total| progress(AvoidStage::Estimate(stage), done, total);
+            match estimate(alone, &how, at) {
+                Ok(found) => estimated = Some(Box::new(found)),
+                Err(failure) => refusal = Some(failure),
+            }
+        }
+        let output = |of: VehicleId| -> Option<f64> {
+            Some(estimated.as_ref()?.output(SPEED.of_vehicle(of))?.posterior.median.value)
+        };
+        if let Some(exact) = exact {
+            let speed = exact.speed(vehicle);
+            let seeks_both = alone.reconstruct.is_some_and(|reconstruct| reconstruct.find == Find::Both);
+            let other = seeks_both.then(|| exact.speed(vehicle.other()));
+            let sampled = if estimated.is_none() { sampled(alone, vehicle, plan, progress)? } else { None };
+            return Ok(Self { from: SpeedSource::Reconstructed, speed, other, estimated, sampled });
+        }
+        match (output(vehicle), refusal) {
+            (Some(speed), _) => {
+                let other = output(vehicle.other());
+                Ok(Self { from: SpeedSource::Estimated, speed, other, estimated, sampled: None })
+            }
+            (None, Some(failure)) if alone.reconstruct.is_some() || alone.impact.is_some() => Err(failure),
+            (None, _) => Err(no_speed(vehicle).into()),
+        }
+    }
+
+    fn is_unconverged(&self) -> bool {
+        self.estimated.as_ref().is_some_and(|estimated| !estimated.doubts().is_empty())
+    }
+}
+
+/// The speeds of a vehicle by the ranges of the case; `None` if nothing is uncertain.
+fn sampled(
+    case: &Case,
+    vehicle: VehicleId,
+    plan: &AvoidPlan,
+    progress: &mut (dyn FnMut(AvoidStage, usize, usize) -> ControlFlow<()> + Send),
+) -> Result<Option<Vec<f64>>, Failure> {
+    if !crate::uncertainty::is_uncertain(case) {
+        return Ok(None);
+    }
+    let samples = plan.samples.min(usual_samples(case));
+    let settings = Settings::new(SamplingMethod::MonteCarlo, samples, plan.seed);
+    let wanted = |output: Output| output.path() == SPEED.of_vehicle(vehicle).path();
+    let at = &mut |stage, done, total| progress(AvoidStage::Samples(stage), done, total);
+    let found = uncertainty_of(case, &Plan { settings, index_rows: None }, &wanted, at)?;
+    let column = found.propagation.columns().first().map(Vec::as_slice).unwrap_or_default();
+    let reasons = found.propagation.reasons();
+    let known = column.iter().zip(reasons);
+    Ok(Some(known.map(|(speed, reason)| if *reason == 0 { *speed } else { f64::NAN }).collect()))
+}
+
+/// The probability that the ranges of `[avoid]` and the evidence of the speed make; `None` if nothing is
+/// uncertain.
+fn of_ranges(case: &Case, told: Option<&Told>, plan: &AvoidPlan) -> Result<Option<AvoidChance>, Failure> {
+    let is_ours = |key: &String| key.starts_with("avoid.");
+    if case.uncertainty.shared.iter().any(|error| error.of.iter().any(is_ours)) {
+        let reason = "a number of [avoid] cannot share an error with others".to_owned();
+        let advice = Some("give each a range of its own".to_owned());
+        let kind = FaultKind::Refused { reason };
+        return Err(Faults::from(Fault { key: "uncertainty.shared".to_owned(), kind, advice }).into());
+    }
+    let inputs = any_inputs(case)?;
+    let mut uncertain = inputs.iter().map(|input| input.place).enumerate().peekable();
+    let mut place = 0;
+    let numbers = case.map_numbers(|number| {
+        let input = uncertain.next_if(|(_, of)| *of == place).map(|(input, _)| input);
+        place += 1;
+        input.map_or(Number::Known(number), Number::Uncertain)
+    });
+    let Some(form) = numbers.avoid_form() else { return Ok(None) };
+    let mut used = BTreeSet::new();
+    form.map(|number| {
+        if let Number::Uncertain(input) = number {
+            used.insert(input);
+        }
+    });
+    let used: Vec<usize> = used.into_iter().collect();
+    let form = form.map(|number| match number {
+        Number::Uncertain(input) => used.binary_search(&input).map_or(number, Number::Uncertain),
+        known @ Number::Known(_) => known,
+    });
+    let inputs: Vec<UncertainInput> = used.iter().filter_map(|input| inputs.get(*input)).cloned().collect();
+    let estimated = told.and_then(|told| told.estimated.as_deref());
+    if estimated.is_some_and(|estimated| !estimated.doubts().is_empty()) {
+        return Ok(None);
+    }
+    let draws = estimated.and_then(|estimated| estimated.draws(SPEED.of_vehicle(case.avoid_subject())));
+    let speeds = draws.or_else(|| told.and_then(|told| told.sampled.as_deref()));
+    let central: Vec<f64>;
+    let speeds = match (speeds, told) {
+        (Some(speeds), _) => Some(speeds),
+        (None, Some(told)) if !inputs.is_empty() => {
+            central = vec![told.speed; plan.samples];
+            Some(central.as_slice())
+        }
+        (None, _) => None,
+    };
+    if inputs.is_empty() && speeds.is_none() {
+        return Ok(None);
+    }
+    let speeds = speeds.map(|speeds| Speeds { speeds, estimated: draws.and(estimated) });
+    chance(&form, &inputs, speeds.as_ref(), [plan.samples as u64, plan.seed])
+}
+
+/// The actual run, and those of the hypotheses that differ from it.
+fn runs(scene: &AvoidScene, delta_v: &dyn Fn(f64) -> Option<[f64; 2]>) -> Vec<AvoidRun> {
+    let AvoidScene { speed, limit, distance, time, response, clears_after, .. } = *scene;
+    let actual = scene.course();
+    let run = |hypothesis, course: AvoidCourse| {
+        let collision_speed =
+            if hypothesis == Hypothesis::Actual { scene.at_impact } else { course.speed_at(distance) };
+        let arrival = if hypothesis == Hypothesis::Actual { Some(time) } else { course.arrival(distance) };
+        let clears = clears_after.filter(|_| hypothesis != Hypothesis::Actual).map(|after| time + after);
+        let is_late_enough =
+            clears.map(|clears| arrival.is_none_or(|arrival| arrival >= clears * (1.0 - ROUNDING)));
+        AvoidRun {
+            hypothesis,
+            course,
+            collision_speed,
+            arrival,
+            is_late_enough,
+            delta_v: delta_v(collision_speed),
+        }
+    };
+    let with = |speed: f64, response: Response| AvoidCourse { speed, response: Some(response) };
+    let mut runs = vec![run(Hypothesis::Actual, actual)];
+    match scene.actual {
+        ActualRun::Responded => {}
+        ActualRun::Unbraked(_) => {
+            runs.push(run(Hypothesis::LimitOnly, AvoidCourse { speed: limit, response: None }));
+            runs.push(run(Hypothesis::ReactionAndBraking, with(speed, response)));
+        }
+        ActualRun::Skidded(slowed) => {
+            runs.push(run(Hypothesis::LimitOnly, with(limit, slowed)));
+            let in_time = slowed.with_reaction(response.reaction());
+            runs.push(run(Hypothesis::ReactionInTime, with(speed, in_time)));
+            let full = response.with_reaction(slowed.reaction());
+            runs.push(run(Hypothesis::FullBraking, with(speed, full)));
+            runs.push(run(Hypothesis::ReactionAndBraking, with(speed, response)));
+        }
+    }
+    runs.push(run(Hypothesis::All, with(limit, response)));
+    runs
+}
+
+/// (–) rounding of a time that is equal to another.
+const ROUNDING: f64 = 1e-12;
+
+/// (m/s) ΔV of both vehicles, if the vehicle comes to the impact with `speed` (m/s) and the other one as it
+/// did; zero if it does not come to it. `None` without an impact in the case.
+fn delta_v(case: &Case, vehicle: VehicleId, speed: f64, other: Option<f64>) -> Option<[f64; 2]> {
+    case.impact.as_ref()?;
+    if speed <= 0.0 {
+        return Some([0.0; 2]);
+    }
+    let mut case = case.without_avoid().into_owned();
+    case.reconstruct = None;
+    let given = |speed| Quantity::from_si(speed, Dimension::Speed).ok().map(Velocity::Speed);
+    case.vehicles[vehicle.index()].motion = given(speed);
+    if let Some(other) = other {
+        case.vehicles[vehicle.other().index()].motion = given(other);
+    }
+    solve::impact(&case).ok().map(|analysis| analysis.delta_v())
+}
+
+/// What is wrong with numbers that make no scene.
+fn unposed(form: &AvoidForm, refusal: Unposed) -> Failure {
+    let table = format!("vehicle{}", form.vehicle);
+    let (key, reason, advice) = match refusal {
+        Unposed::BrakedBefore { distance, time } => {
+            let (key, when, given) = match &form.demand {
+                DemandForm::Distance(given) => {
+                    ("avoid.demand.distance", in_unit_of(given, distance), given.to_string())
+                }
+                DemandForm::Time(given) => ("avoid.demand.time", in_unit_of(given, time), given.to_string()),
+                DemandForm::Other([way, speed]) => (
+                    "avoid.demand.other",
+                    format!("{} s", rounded(time)),
+                    format!("{} s", rounded(way.si() / speed.si())),
+                ),
+            };
+            let reason = format!(
+                "the brakes took effect {when} before the impact, and so before the reaction demand, which is {given} before it"
+            );
+            let advice = "a driver cannot react before there is something to see: give an earlier demand, or check \
+                          the skid and the speed at the impact";
+            (key.to_owned(), reason, advice.to_owned())
+        }
+        Unposed::SkidTooLong => (
+            format!("{table}.before.skid"),
+            "from the speed of [avoid], this skid ends before the impact".to_owned(),
+            "check its length and friction; or leave `speed` out of [avoid], and give that at the impact"
+                .to_owned(),
+        ),
+        Unposed::Stands => (
+            format!("{table}.speed"),
+            format!(
+                "[{table}] did not move forward at the impact, so that its driver could not have avoided it by braking"
+            ),
+            format!("ask about the other: vehicle = \"vehicle{}\" in [avoid]", form.vehicle.other()),
+        ),
+        Unposed::Engine(refusal) => {
+            ("avoid".to_owned(), refusal.to_string(), "check the numbers of [avoid]".to_owned())
+        }
+    };
+    Faults::from(Fault { key, kind: FaultKind::Refused { reason }, advice: Some(advice) }).into()
+}
+
+fn limit_above(form: &AvoidForm, scene: &AvoidScene) -> Faults {
+    let speed = match &form.speed {
+        SpeedForm::AtDemand(speed) => speed.to_string(),
+        _ => in_unit_of(&form.limit, scene.speed),
+    };
+    let reason = format!("the limit, {}, is above the speed driven, {speed}", form.limit);
+    let advice =
+        "give a speed below it: [avoid] asks what a lower one would have changed; what the driver could \
+                  have done at the speed driven stands in the same report"
+            .to_owned();
+    Fault { key: "avoid.limit".to_owned(), kind: FaultKind::Refused { reason }, advice: Some(advice) }.into()
+}
+
+fn no_speed(vehicle: VehicleId) -> Faults {
+    let reason = format!("nothing in the case tells the speed of [vehicle{vehicle}]");
+    let advice = format!(
+        "give `speed` in [avoid], that at the reaction demand, or `speed` in [vehicle{vehicle}], that at the impact"
+    );
+    Fault { key: "avoid".to_owned(), kind: FaultKind::Refused { reason }, advice: Some(advice) }.into()
+}
+
+/// A value in SI, in the unit of another of its kind.
+fn in_unit_of(like: &Quantity, si: f64) -> String {
+    format!("{} {}", rounded(si / like.unit().factor()), like.unit())
+}
+
+/// Four digits.
+fn rounded(number: f64) -> String {
+    format!("{number:.3e}").parse().map_or_else(|_| number.to_string(), format_number)
+}
+
+/// The numbers of `[avoid]` without a source.
+#[must_use]
+pub fn without_source(avoid: &Avoid) -> Vec<&'static str> {
+    let given = [
+        ("speed", &avoid.speed),
+        ("limit", &avoid.limit),
+        ("reaction_time", &avoid.reaction_time),
+        ("swell", &avoid.swell),
+        ("deceleration", &avoid.deceleration),
+    ];
+    let lacks = |(key, sourced): (&'static str, &Option<inputs::Sourced>)| {
+        sourced.as_ref().filter(|sourced| sourced.source.is_none()).map(|_| key)
+    };
+    given.into_iter().filter_map(lacks).collect()
+}

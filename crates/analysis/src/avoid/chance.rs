@@ -1,0 +1,240 @@
+//! How probable it is that the collision was avoidable: the scene again for each sample of its numbers.
+
+use ::uncertainty::{Distribution, LANES, Lanes, Sampler, SamplingMethod, Settings, random};
+use inputs::{AvoidForm, Input};
+
+use super::scene::AvoidScene;
+use crate::columns::Number;
+use crate::estimate::Estimated;
+use crate::failure::Failure;
+use crate::uncertainty::UncertainInput;
+
+/// How probable it is that the collision was avoidable.
+#[derive(Clone, Debug)]
+pub struct AvoidChance {
+    /// Number of samples.
+    pub samples: usize,
+    /// Number of samples whose numbers are those of a scene, from which everything below comes.
+    pub possible: usize,
+    /// (–) number of independent samples that would be as accurate.
+    pub effective: f64,
+    /// (–) that the collision is avoided if the speed is lowered to the limit.
+    pub avoided_at_limit: f64,
+    /// (–) that the vehicle then stops before the place of the impact.
+    pub stopped_at_limit: f64,
+    /// (–) that the vehicle was faster than the limit.
+    pub above_limit: f64,
+    /// (–) standard error of `avoided_at_limit` from sampling.
+    pub mc_error: f64,
+    /// (m/s) speed at the demand.
+    pub speed: AvoidInterval,
+    /// (m/s) the speed that is avoiding in space.
+    pub spatial: AvoidInterval,
+    /// (m/s) the speed that is avoiding in time, if that is asked.
+    pub temporal: Option<AvoidInterval>,
+    /// (m/s) what is left of the limit at the place of the impact.
+    pub left_at_limit: AvoidInterval,
+    /// (m) from the demand to the place of the impact.
+    pub distance: AvoidInterval,
+    /// (s) from the demand to the impact.
+    pub time: AvoidInterval,
+    /// What moves the probability, the most influential first.
+    pub influences: Vec<AvoidInfluence>,
+    /// (m/s) the greatest avoiding speeds of the samples, ascending.
+    avoiding: Vec<f64>,
+}
+
+/// A median, and an interval with a probability of 95 %.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct AvoidInterval {
+    /// (SI) its lower end.
+    pub low: f64,
+    /// (SI) the median.
+    pub median: f64,
+    /// (SI) its upper end.
+    pub high: f64,
+}
+
+/// How much an uncertain number moves the probability that the collision is avoided at the limit.
+#[derive(Clone, Debug)]
+pub struct AvoidInfluence {
+    /// The number; `None` for the speed that the rest of the case tells.
+    pub input: Option<Input>,
+    /// (–) the probability among the samples in which the number is above its median, less that among the
+    /// others.
+    pub difference: f64,
+}
+
+/// (–) probability of an interval.
+const LEVEL: f64 = 0.95;
+/// (–) standard deviations of a normal error on each side of 95 %.
+const Z_95: f64 = 1.96;
+/// The purpose of the sequences of random numbers: those of the rest of the case have another.
+const PURPOSE: u64 = 0x0061_766F_6964;
+
+/// Speeds at the impact (m/s) that the rest of the case tells, one for each sample; NaN for one without an
+/// answer.
+pub(super) struct Speeds<'a> {
+    pub(super) speeds: &'a [f64],
+    /// Their estimate, which knows how independent they are.
+    pub(super) estimated: Option<&'a Estimated>,
+}
+
+/// The samples of the uncertain numbers, or one for each of the speeds.
+pub(super) fn chance(
+    form: &AvoidForm<Number>,
+    inputs: &[UncertainInput],
+    speeds: Option<&Speeds<'_>>,
+    [samples, seed]: [u64; 2],
+) -> Result<Option<AvoidChance>, Failure> {
+    let given = usize::try_from(samples).unwrap_or(usize::MAX);
+    let samples = speeds.map_or(given, |speeds| speeds.speeds.len());
+    let distributions: Vec<Distribution> = inputs.iter().map(|input| input.distribution).collect();
+    let settings = Settings::new(SamplingMethod::MonteCarlo, samples, random::key(seed, &[PURPOSE]));
+    let sampler = if inputs.is_empty() { None } else { Some(Sampler::new(&distributions, &settings)?) };
+    let mut columns = vec![Lanes::ZERO; inputs.len()];
+    let mut drawn: Vec<Vec<f64>> = vec![Vec::with_capacity(samples); inputs.len()];
+    let mut scenes: Vec<Option<AvoidScene>> = Vec::with_capacity(samples);
+    for (block, first) in (0..).zip((0..samples).step_by(LANES)) {
+        if let Some(sampler) = &sampler {
+            sampler.fill(block, &mut columns);
+        }
+        let lanes = LANES.min(samples - first);
+        for (kept, column) in drawn.iter_mut().zip(&columns) {
+            kept.extend_from_slice(&column[..lanes]);
+        }
+        scenes.extend((0..lanes).map(|lane| {
+            let speed = speeds.and_then(|speeds| speeds.speeds.get(first + lane).copied());
+            AvoidScene::pose(&form.map(|number| number.at(&columns, lane)), speed).ok()
+        }));
+    }
+    let told = speeds.map(|speeds| speeds.speeds);
+    let varying = inputs.iter().map(|input| Some(&input.input)).zip(drawn.iter().map(Vec::as_slice));
+    let varying: Vec<_> = varying.chain(told.map(|speeds| (None, speeds))).collect();
+    Ok(of_scenes(&scenes, &varying, speeds.and_then(|speeds| speeds.estimated)))
+}
+
+fn of_scenes(
+    scenes: &[Option<AvoidScene>],
+    varying: &[(Option<&Input>, &[f64])],
+    estimated: Option<&Estimated>,
+) -> Option<AvoidChance> {
+    let posed: Vec<&AvoidScene> = scenes.iter().flatten().collect();
+    if posed.is_empty() {
+        return None;
+    }
+    let avoiding: Vec<Option<f64>> =
+        scenes.iter().map(|scene| scene.as_ref().map(AvoidScene::just_avoiding)).collect();
+    let is_avoided: Vec<Option<bool>> = scenes
+        .iter()
+        .zip(&avoiding)
+        .map(|(scene, avoiding)| Some(scene.as_ref()?.limit <= (*avoiding)?))
+        .collect();
+    let share = |count: usize| ratio(count, posed.len());
+    let avoided = is_avoided.iter().flatten().filter(|is| **is).count();
+    let avoided_at_limit = share(avoided);
+    // As for one success and one failure more, so that the error of a probability of 1 is not 0.
+    let smoothed = ratio(avoided + 1, posed.len() + 2);
+    let independent = (smoothed * (1.0 - smoothed) / ratio(posed.len(), 1)).sqrt();
+    // Draws of an estimate depend on each other.
+    let of_draws = estimated.and_then(|estimated| {
+        let told = |draw: usize| matches!(is_avoided.get(draw), Some(Some(true)));
+        estimated.posterior.draws().mean(|draw| if told(draw) { 1.0 } else { 0.0 }).standard_error
+    });
+    let mc_error = of_draws.unwrap_or(0.0).max(independent);
+    let interval =
+        |of: &dyn Fn(&AvoidScene) -> f64| AvoidInterval::of(posed.iter().map(|scene| of(scene)).collect());
+    let mut influences: Vec<AvoidInfluence> = varying
+        .iter()
+        .map(|(input, values)| AvoidInfluence {
+            input: input.cloned(),
+            difference: difference(values, &is_avoided),
+        })
+        .collect();
+    influences.sort_by(|a, b| b.difference.abs().total_cmp(&a.difference.abs()));
+    let mut greatest: Vec<f64> = avoiding.into_iter().flatten().collect();
+    greatest.sort_by(f64::total_cmp);
+    let has_temporal = posed.first().is_some_and(|scene| scene.clears_after.is_some());
+    Some(AvoidChance {
+        samples: scenes.len(),
+        possible: posed.len(),
+        effective: smoothed * (1.0 - smoothed) / (mc_error * mc_error),
+        avoided_at_limit,
+        stopped_at_limit: share(posed.iter().filter(|scene| scene.limit <= scene.spatial()).count()),
+        above_limit: share(posed.iter().filter(|scene| scene.speed > scene.limit).count()),
+        mc_error,
+        speed: interval(&|scene| scene.speed),
+        spatial: interval(&AvoidScene::spatial),
+        temporal: has_temporal.then(|| interval(&|scene| scene.temporal().unwrap_or(f64::NAN))),
+        left_at_limit: interval(&AvoidScene::left_at_limit),
+        distance: interval(&|scene| scene.distance),
+        time: interval(&|scene| scene.time),
+        influences,
+        avoiding: greatest,
+    })
+}
+
+impl AvoidChance {
+    /// (–) the probability that the collision is avoided from a speed (m/s), and the ends of the interval in
+    /// which that probability lies with 95 %, as far as the number of samples goes.
+    #[must_use]
+    pub fn avoided_from(&self, speed: f64) -> [f64; 3] {
+        let below = self.avoiding.partition_point(|avoiding| *avoiding < speed);
+        let avoided = self.avoiding.len() - below;
+        let probability = ratio(avoided, self.avoiding.len());
+        let smoothed = ratio(avoided + 1, self.avoiding.len() + 2);
+        let error = Z_95 * (smoothed * (1.0 - smoothed) / self.effective.max(1.0)).sqrt();
+        [
+            (smoothed - error).max(0.0).min(probability),
+            probability,
+            (smoothed + error).min(1.0).max(probability),
+        ]
+    }
+
+    /// (m/s) speeds that hold nearly all of the greatest avoiding ones.
+    #[must_use]
+    pub fn avoiding_range(&self) -> [f64; 2] {
+        [0.001, 0.999].map(|probability| quantile(&self.avoiding, probability))
+    }
+}
+
+impl AvoidInterval {
+    fn of(mut values: Vec<f64>) -> Self {
+        values.sort_by(f64::total_cmp);
+        let [low, median, high] =
+            [(1.0 - LEVEL) / 2.0, 0.5, (1.0 + LEVEL) / 2.0].map(|probability| quantile(&values, probability));
+        Self { low, median, high }
+    }
+}
+
+/// The order statistic of sorted values.
+fn quantile(sorted: &[f64], probability: f64) -> f64 {
+    #[allow(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "a share of the number of values, which is not negative"
+    )]
+    let place = (probability * ratio(sorted.len(), 1)) as usize;
+    sorted.get(place.min(sorted.len().saturating_sub(1))).copied().unwrap_or(f64::NAN)
+}
+
+#[allow(clippy::cast_precision_loss, reason = "numbers of samples are small")]
+fn ratio(count: usize, of: usize) -> f64 {
+    count as f64 / of as f64
+}
+
+/// The share of avoided ones among those with a value above the median, less that among the others. Equal
+/// values are dealt by their order, which has nothing to do with them.
+fn difference(values: &[f64], is_avoided: &[Option<bool>]) -> f64 {
+    let known = values.iter().zip(is_avoided).enumerate();
+    let mut known: Vec<(f64, usize, bool)> =
+        known.filter_map(|(place, (value, is))| Some((*value, place, (*is)?))).collect();
+    let half = known.len() / 2;
+    if half == 0 {
+        return 0.0;
+    }
+    known.select_nth_unstable_by(half, |a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
+    let share = |part: &[(f64, usize, bool)]| ratio(part.iter().filter(|(_, _, is)| *is).count(), part.len());
+    let (below, above) = known.split_at(half);
+    share(above) - share(below)
+}

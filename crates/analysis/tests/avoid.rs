@@ -1,0 +1,225 @@
+//! Avoidability: probabilities against simulated crashes, and what moves a whole case.
+
+#![allow(clippy::unwrap_used, reason = "helpers of tests fail by panicking")]
+#![allow(clippy::disallowed_methods, reason = "an independent simulation needs no equal bits")]
+
+use std::f64::consts::TAU;
+use std::ops::ControlFlow;
+
+use analysis::{ActualRun, AvoidPlan, Avoidance, Failure, Hypothesis, SpeedSource, avoid};
+use case::{Case, CaseFile};
+
+fn parsed(text: &str) -> Case {
+    CaseFile::parse("avoid.toml", text).unwrap().case
+}
+
+fn asked(text: &str) -> Avoidance {
+    asked_with(text, AvoidPlan::default()).unwrap()
+}
+
+fn asked_with(text: &str, plan: AvoidPlan) -> Result<Avoidance, Failure> {
+    avoid(&parsed(text), &plan, &mut |_, _, _| ControlFlow::Continue(()))
+}
+
+/// Numbers at random that have nothing to do with those of the program: a multiplicative generator (Lehmer).
+struct Random(u64);
+
+impl Random {
+    fn unit(&mut self) -> f64 {
+        self.0 = self.0 * 48_271 % 2_147_483_647;
+        #[expect(clippy::cast_precision_loss, reason = "below 2^31")]
+        let unit = self.0 as f64 / 2_147_483_647.0;
+        unit
+    }
+
+    fn between(&mut self, low: f64, high: f64) -> f64 {
+        low + (high - low) * self.unit()
+    }
+
+    fn normal(&mut self, mean: f64, sd: f64) -> f64 {
+        let (u, v) = (self.unit(), self.unit());
+        mean + sd * (-2.0 * u.ln()).sqrt() * (TAU * v).cos()
+    }
+}
+
+/// A vehicle in small steps: the speed at a distance, and when it is there; `None` if it stops before.
+fn stepped(speed: f64, [reaction, swell, deceleration]: [f64; 3], distance: f64) -> Option<[f64; 2]> {
+    const STEP: f64 = 1e-4;
+    let (mut v, mut s, mut t) = (speed, 0.0, 0.0);
+    while s < distance {
+        let braking = t + 0.5 * STEP - reaction;
+        let share = if braking <= 0.0 { 0.0 } else { (braking / swell).min(1.0) };
+        let next = v - share * deceleration * STEP;
+        if next <= 0.0 {
+            return None;
+        }
+        s += 0.5 * (v + next) * STEP;
+        (v, t) = (next, t + STEP);
+    }
+    Some([v, t])
+}
+
+/// 1,000 crashes, each with true numbers out of the ranges that its case states, and so with an outcome at
+/// the limit that is known: among those told a probability, the share that was avoided is that probability.
+/// χ² over ten classes, at 1 %: 23.2.
+#[test]
+fn told_probabilities_are_those_of_simulated_crashes() {
+    const CLASSES: usize = 10;
+    let mut random = Random(20_261_127);
+    let (mut count, mut told, mut variance, mut avoided) =
+        ([0_usize; CLASSES], [0.0; CLASSES], [0.0; CLASSES], [0.0; CLASSES]);
+    let limit = 50.0 / 3.6;
+    for crash in 0..1_000 {
+        // What the case states …
+        let speed = random.between(15.0, 25.0);
+        let time = random.between(1.2, 3.0);
+        let has_clear = crash % 2 == 0;
+        let way = random.between(0.5, 4.0);
+        let clear = if has_clear {
+            format!("clear = {{ distance = \"{way} m\", speed = {{ low = \"1 m/s\", high = \"2 m/s\" }} }}")
+        } else {
+            String::new()
+        };
+        let text = format!(
+            r#"
+            [avoid]
+            speed = {{ value = "{speed} m/s", sd = "1 m/s" }}
+            limit = "50 km/h"
+            reaction_time = {{ low = "0.5 s", high = "1.2 s" }}
+            swell = "0.2 s"
+            deceleration = {{ value = "7.2 m/s^2", sd = "0.6 m/s^2" }}
+            demand = {{ time = {{ value = "{time} s", sd = "0.15 s" }} }}
+            unbraked = true
+            {clear}
+            "#
+        );
+        let plan = AvoidPlan { samples: 2_000, seed: crash, exact: false };
+        let chance = asked_with(&text, plan).unwrap().chance.unwrap();
+        // … and what was true.
+        let speed = random.normal(speed, 1.0);
+        let time = random.normal(time, 0.15);
+        let driver = [random.between(0.5, 1.2), 0.2, random.normal(7.2, 0.6)];
+        let clears = time + way / random.between(1.0, 2.0);
+        let arrives = stepped(limit, driver, speed * time);
+        let is_avoided = arrives.is_none_or(|[_, arrival]| has_clear && arrival >= clears);
+
+        let p = chance.avoided_at_limit;
+        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "ten classes")]
+        let class = ((p * 10.0) as usize).min(CLASSES - 1);
+        count[class] += 1;
+        told[class] += p;
+        variance[class] += p * (1.0 - p);
+        avoided[class] += if is_avoided { 1.0 } else { 0.0 };
+    }
+    let classes = (0..CLASSES).filter(|class| variance[*class] > 1.0);
+    let chi2: f64 = classes.map(|k| (avoided[k] - told[k]).powi(2) / variance[k]).sum();
+    assert!(chi2 < 23.2, "χ² {chi2}: {count:?} told {told:?}, avoided {avoided:?}");
+    assert!(count.iter().all(|count| *count >= 20), "{count:?}");
+}
+
+const PEDESTRIAN: &str = include_str!("../../../fixtures/avoid/pedestrian.toml");
+const SKID: &str = include_str!("../../../fixtures/avoid/skid.toml");
+
+/// The run of a skid, backwards by hand: v_0 = √(v_c² + 2 μ g s) + μ g t_S/2.
+#[test]
+fn a_skid_gives_the_speed_at_the_demand_and_the_reaction() {
+    let found = asked(SKID);
+    let a = 0.65 * 9.80665;
+    let full = (100.0_f64 + 2.0 * a * 12.0).sqrt();
+    let speed = full + a * 0.1;
+    assert!((found.scene.speed - speed).abs() < 1e-9);
+    // Braked: the swell at v_0 less a t_S²/6, and the skid.
+    let braked = speed * 0.2 - a * 0.04 / 6.0 + 12.0;
+    let braking = 0.2 + (full - 10.0) / a;
+    let reaction = (36.0 - braked) / speed;
+    let ActualRun::Skidded(slowed) = found.scene.actual else { unreachable!("a skid") };
+    assert!((slowed.reaction() - reaction).abs() < 1e-9);
+    assert!((found.scene.time - braking - reaction).abs() < 1e-9);
+    assert!((found.delay().unwrap() - (reaction - 0.85)).abs() < 1e-9);
+    // A simulation in steps ends at the impact with the speed that is given there.
+    let [at_impact, time] = stepped(speed, [reaction, 0.2, a], 36.0).unwrap();
+    assert!((at_impact - 10.0).abs() < 1e-3 && (time - found.scene.time).abs() < 1e-3);
+    assert_eq!(found.speed_from, SpeedSource::AtImpact);
+    // Each other run, in steps.
+    for run in &found.runs {
+        let response = run.course.response.unwrap();
+        let driver = [response.reaction(), 0.2, response.deceleration()];
+        match stepped(run.course.speed, driver, 36.0) {
+            Some([speed, arrival]) => {
+                assert!((run.collision_speed - speed).abs() < 1e-2, "{:?}", run.hypothesis);
+                assert!((run.arrival.unwrap() - arrival).abs() < 1e-2, "{:?}", run.hypothesis);
+            }
+            None => assert!(run.stops_before() && run.arrival.is_none(), "{:?}", run.hypothesis),
+        }
+    }
+    assert_eq!(found.runs.len(), 6);
+    assert!(found.run(Hypothesis::LimitOnly).is_some());
+}
+
+/// With the same seed the same bits; the probability does not depend on the rest of the file.
+#[test]
+fn samples_are_the_same_for_the_same_seed() {
+    let [one, same, other] = [1, 1, 2].map(|seed| {
+        let plan = AvoidPlan { seed, ..AvoidPlan::default() };
+        asked_with(SKID, plan).unwrap().chance.unwrap()
+    });
+    assert_eq!(one.avoided_at_limit.to_bits(), same.avoided_at_limit.to_bits());
+    assert_eq!(one.speed, same.speed);
+    assert_ne!(one.speed, other.speed);
+    assert!((one.avoided_at_limit - other.avoided_at_limit).abs() < 5.0 * (one.mc_error + other.mc_error));
+}
+
+#[test]
+fn other_analyses_do_not_see_the_question() {
+    let alone = include_str!("../../../fixtures/sae-980025-uncertain.toml");
+    let asked = format!(
+        "{alone}\n[avoid]\nlimit = \"30 mph\"\nreaction_time = {{ low = \"1 s\", high = \"2 s\" }}\ndeceleration = \"0.7 g\"\n\
+         demand = {{ distance = {{ value = \"100 ft\", sd = \"5 ft\" }} }}\n"
+    );
+    let [alone, asked] = [alone, &asked].map(parsed);
+    let settings = uncertainty::Settings::new(uncertainty::SamplingMethod::MonteCarlo, 640, 1);
+    let of = |case: &Case| {
+        let plan = analysis::Plan { settings, index_rows: None };
+        analysis::uncertainty(case, &plan, &mut |_, _, _| ControlFlow::Continue(())).unwrap()
+    };
+    let [alone, asked] = [of(&alone), of(&asked)];
+    assert_eq!(alone.inputs.len(), asked.inputs.len());
+    assert_eq!(alone.propagation.columns(), asked.propagation.columns());
+}
+
+/// A pedestrian case has no vehicles, and no other analysis takes it for one.
+#[test]
+fn a_case_of_avoidability_alone_is_nothing_else() {
+    let case = parsed(PEDESTRIAN);
+    assert!(case.vehicles.iter().all(inputs::GivenVehicle::is_absent));
+    for refused in [
+        analysis::reconstruct(&case).err(),
+        analysis::impact(&case).err(),
+        analysis::crush(&case).err(),
+        analysis::motion(&case).err(),
+    ] {
+        let Some(Failure::Case(faults)) = refused else { unreachable!("no vehicle") };
+        assert!(faults.list().iter().any(|fault| fault.key == "vehicle1"), "{faults}");
+    }
+    assert!(asked(PEDESTRIAN).chance.is_none());
+}
+
+/// The ΔV that is left is that of the impact with the lower speed.
+#[test]
+fn what_is_left_comes_from_the_impact() {
+    let impact = include_str!("../../../fixtures/sae-980025-impact.toml");
+    let text = format!(
+        "{impact}\n[avoid]\nlimit = \"45 mph\"\nreaction_time = \"1.5 s\"\ndeceleration = \"0.7 g\"\n\
+         demand = {{ distance = \"150 ft\" }}\n"
+    );
+    let found = asked(&text);
+    let run = found.run(Hypothesis::All).unwrap();
+    assert!(run.collision_speed > 0.0);
+    let mut slower = parsed(impact);
+    let speed = inputs::Quantity::from_si(run.collision_speed, inputs::Dimension::Speed).unwrap();
+    slower.vehicles[0].motion = Some(inputs::Velocity::Speed(speed));
+    let expected = analysis::impact(&slower).unwrap().delta_v();
+    assert_eq!(run.delta_v.unwrap().map(f64::to_bits), expected.map(f64::to_bits));
+    let own = analysis::impact(&parsed(impact)).unwrap().delta_v();
+    assert!(own[0] > expected[0]);
+}

@@ -1,0 +1,57 @@
+//! `[avoid]`.
+
+use super::tree::{Reader, Table};
+use crate::schema::{AVOID_CLEAR, AVOID_DEMAND, AVOID_OTHER};
+use inputs::{Avoid, Clear, GivenDemand, OtherParty, SUBJECTS, SWELLS, Text};
+
+impl<'t> Reader<'t> {
+    pub(super) fn avoid(&mut self, table: &Table<'t>) -> Avoid {
+        let (demand, demand_reason) = self.demand(table);
+        Avoid {
+            vehicle: self.choice(table, "vehicle", &SUBJECTS),
+            speed: self.sourced(table, "speed"),
+            limit: self.sourced(table, "limit"),
+            reaction_time: self.sourced(table, "reaction_time"),
+            swell: self.sourced(table, "swell"),
+            swell_form: self.choice(table, "swell_form", &SWELLS),
+            deceleration: self.sourced(table, "deceleration"),
+            demand,
+            demand_reason,
+            clear: self.clear(table),
+            other_party: self.choice(table, "other_party", &OtherParty::WORDS),
+            unbraked: self.flag(table, "unbraked"),
+        }
+    }
+
+    fn demand(&mut self, avoid: &Table<'t>) -> (Option<GivenDemand>, Option<Text>) {
+        const FORMS: &str = "demand = { distance = \"30 m\" }, { time = \"2.1 s\" } or { other = { distance = \"4 m\", speed = \"1.5 m/s\" } }";
+        const OTHER: &str =
+            "other = { distance = \"4 m\", speed = { low = \"1.2 m/s\", high = \"2.0 m/s\" } }";
+        let Some(table) = self.inline(avoid, "demand", &AVOID_DEMAND, "a table in braces", FORMS) else {
+            return (None, None);
+        };
+        let reason = self.text(&table, "reason");
+        let [distance, time] = ["distance", "time"].map(|key| self.sourced(&table, key));
+        let demand = match table.given(&["distance", "time", "other"])[..] {
+            ["distance"] => distance.map(GivenDemand::Distance),
+            ["time"] => time.map(GivenDemand::Time),
+            ["other"] => {
+                self.inline(&table, "other", &AVOID_OTHER, "a table in braces", OTHER).and_then(|other| {
+                    self.require(&other, &["distance", "speed"]);
+                    let [distance, speed] = ["distance", "speed"].map(|key| self.sourced(&other, key));
+                    Some(GivenDemand::Other { distance: distance?, speed: speed? })
+                })
+            }
+            _ => self.no_form(&table, FORMS),
+        };
+        (demand, reason)
+    }
+
+    fn clear(&mut self, avoid: &Table<'t>) -> Option<Clear> {
+        const FORMS: &str = "clear = { distance = \"2.4 m\", speed = \"1.4 m/s\" }";
+        let table = self.inline(avoid, "clear", &AVOID_CLEAR, "a table in braces", FORMS)?;
+        self.require(&table, &["distance", "speed"]);
+        let [distance, speed] = ["distance", "speed"].map(|key| self.sourced(&table, key));
+        Some(Clear { distance: distance?, speed: speed? })
+    }
+}

@@ -1,0 +1,143 @@
+//! Distance against time before a collision: what a vehicle did and what it would have done, the way of the
+//! other party, and the place of the impact.
+
+use kurbo::{Point, Rect};
+
+use crate::canvas::Canvas;
+use crate::chart::{Axis, Chart};
+use crate::finished::Drawing;
+use crate::legend::{self, EDGE, HEADER, Sample, WIDTH};
+use crate::pens::{BLACK, BOUND, COURSES, GREY, OTHER_WAY, PLACE, Pen, ZONE};
+use crate::plan::polyline;
+use crate::thin::thinned;
+
+const NAME: &str = "path-time";
+/// (px) area of the plot.
+const PLOT: Rect = Rect::new(EDGE + 62.0, HEADER + 34.0, WIDTH - EDGE - 16.0, HEADER + 474.0);
+/// (px) from the plot to the legend.
+const BELOW: f64 = 58.0;
+/// Maximum number of tick labels across and upward.
+const MOST: [u8; 2] = [10, 8];
+/// (px) height of the bar in which the other party is in the danger zone.
+const BAR: f64 = 12.0;
+
+/// Distance against time, from the reaction demand to the place of the impact and beyond.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PathTimePicture {
+    /// Title of the case.
+    pub title: String,
+    /// The lines below it.
+    pub subtitle: String,
+    /// The picture described for readers who cannot see it.
+    pub description: String,
+    /// The horizontal axis; its data are in s from the reaction demand.
+    pub time: Axis,
+    /// The vertical axis; its data are in m from the place of the impact, negative before it.
+    pub way: Axis,
+    /// (s) where the plot ends.
+    pub until: f64,
+    /// (m) the ends of the vertical axis.
+    pub reach: [f64; 2],
+    /// The runs of the vehicle, the actual one first, at most as many as there are pens.
+    pub courses: Vec<PathTimeCourse>,
+    /// The way of the other party along its own path, if it is known, with its legend.
+    pub other: Option<(Vec<[f64; 2]>, String)>,
+    /// (s) from when to when the other party is in the danger zone, which need not end within the plot, with
+    /// its legend.
+    pub zone: ([f64; 2], String),
+    /// (s) the impact, with its label.
+    pub impact: (f64, String),
+    /// The label of the reaction demand.
+    pub demand: String,
+    /// The legend of the places at which brakes take effect.
+    pub brakes: String,
+}
+
+/// A run of the vehicle.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PathTimeCourse {
+    /// Its legend.
+    pub legend: String,
+    /// (s, m) in the order of time.
+    pub points: Vec<[f64; 2]>,
+    /// (s, m) where the brakes take effect, if they do.
+    pub brakes: Option<[f64; 2]>,
+}
+
+impl PathTimePicture {
+    /// Maximum number of runs.
+    pub const MOST_COURSES: usize = COURSES.len();
+
+    /// Draws it.
+    #[must_use]
+    pub fn draw(&self) -> Drawing {
+        let mut entries: Vec<(Sample, String)> = self
+            .courses
+            .iter()
+            .zip(COURSES)
+            .map(|(course, pen)| (Sample::Line(pen), course.legend.clone()))
+            .collect();
+        if let Some((_, legend)) = &self.other {
+            entries.push((Sample::Line(OTHER_WAY), legend.clone()));
+        }
+        entries.push((Sample::Box(Pen { width: 1.0, ..OTHER_WAY }, ZONE.to_owned()), self.zone.1.clone()));
+        if self.courses.iter().any(|course| course.brakes.is_some()) {
+            entries
+                .push((Sample::Dot(Some(Pen { width: 1.6, ..COURSES[0] }), "#ffffff"), self.brakes.clone()));
+        }
+        let height = PLOT.y1 + BELOW + legend::height(entries.len(), 2) + 6.0;
+        let mut canvas = Canvas::new(NAME, WIDTH, height);
+        legend::header(&mut canvas, &self.title, &self.subtitle);
+        let chart = Chart { area: PLOT, left: EDGE, across: [0.0, self.until], upward: self.reach };
+        chart.draw(&mut canvas, &self.time, &self.way, MOST);
+
+        let [from, to] = self.zone.0.map(|time| chart.at(time.clamp(0.0, self.until), 0.0));
+        let bar = Rect::new(from.x, from.y - BAR, to.x.max(from.x + 1.0), to.y);
+        canvas.rect("zone", bar, Some(Pen { width: 1.0, dashes: "", ..OTHER_WAY }), ZONE);
+        canvas.line("place", chart.at(0.0, 0.0), chart.at(self.until, 0.0), PLACE);
+        if let Some((points, _)) = &self.other {
+            canvas.path("other", &polyline(self.within(points, &chart)), Some(OTHER_WAY), "none");
+        }
+        // The actual run lies on top.
+        for (k, (course, pen)) in self.courses.iter().zip(COURSES).enumerate().rev() {
+            let points = self.within(&course.points, &chart);
+            canvas.path(&format!("course-{}", k + 1), &polyline(thinned(&points)), Some(pen), "none");
+        }
+        for (k, (course, pen)) in self.courses.iter().zip(COURSES).enumerate().rev() {
+            let is_within = |at: &[f64; 2]| at[0] <= self.until && at[1] <= self.reach[1];
+            if let Some([time, way]) = course.brakes.filter(is_within) {
+                let ring = Pen { width: 1.6, dashes: "", ..pen };
+                canvas.dot(&format!("brakes-{}", k + 1), chart.at(time, way), 4.0, Some(ring), "#ffffff");
+            }
+        }
+        let at = chart.at(self.impact.0, 0.0);
+        canvas.dot("impact", at, 5.0, None, BLACK);
+        canvas.label(at, &self.impact.1, BLACK);
+        let demand = chart
+            .at(0.0, self.courses.first().and_then(|course| course.points.first()).map_or(0.0, |at| at[1]));
+        canvas.dot("demand", demand, 5.0, None, GREY);
+        canvas.line("demand-line", chart.at(0.0, self.reach[0]), chart.at(0.0, self.reach[1]), BOUND);
+        canvas.label(demand, &self.demand, BLACK);
+        canvas.place_labels(PLOT.inset(-2.0));
+        legend::legend(&mut canvas, PLOT.y1 + BELOW, 2, &entries);
+        let title = format!("{}: {}", self.title, self.subtitle.lines().next().unwrap_or_default());
+        Drawing::new(NAME, title, self.description.clone(), canvas)
+    }
+
+    /// The points of a line within the plot, cut at its upper end.
+    fn within(&self, points: &[[f64; 2]], chart: &Chart) -> Vec<Point> {
+        let highest = self.reach[1];
+        let mut kept = Vec::with_capacity(points.len());
+        for (k, &[time, way]) in points.iter().enumerate() {
+            if way > highest {
+                if let Some([before, below]) = k.checked_sub(1).and_then(|k| points.get(k)).copied() {
+                    let share = (highest - below) / (way - below);
+                    kept.push(chart.at(before + share * (time - before), highest));
+                }
+                break;
+            }
+            kept.push(chart.at(time.min(self.until), way.max(self.reach[0])));
+        }
+        kept
+    }
+}

@@ -1,0 +1,294 @@
+//! Whether the collision was avoidable: the table `[avoid]`.
+
+use std::borrow::Cow;
+use std::fmt::Display;
+
+use pim_core::VehicleId;
+use time_distance::Swell;
+
+use crate::case::Case;
+use crate::quantity::Quantity;
+use crate::text::Text;
+use crate::vehicle::Velocity;
+use crate::walk::{Key, Walk};
+use crate::words::word;
+
+/// `avoid.vehicle`.
+pub const SUBJECTS: [(&str, VehicleId); 2] = [("vehicle1", VehicleId::One), ("vehicle2", VehicleId::Two)];
+
+/// `avoid.swell_form`.
+pub const SWELLS: [(&str, Swell); 3] =
+    [("linear", Swell::Linear), ("half", Swell::Half), ("full speed", Swell::FullSpeed)];
+
+/// Whether the collision was avoidable: what the driver of one vehicle could have done.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Avoid<T = f64> {
+    /// The vehicle whose driver is asked about; vehicle 1 if absent.
+    pub vehicle: Option<VehicleId>,
+    /// (m/s) its speed at the reaction demand.
+    pub speed: Option<Sourced<T>>,
+    /// (m/s) the speed for which it is asked, such as the limit.
+    pub limit: Option<Sourced<T>>,
+    /// (s) from the demand to the first effect of the brakes.
+    pub reaction_time: Option<Sourced<T>>,
+    /// (s) from there to the full deceleration; 0 if absent.
+    pub swell: Option<Sourced<T>>,
+    /// How the deceleration grows in the swell; linearly if absent.
+    pub swell_form: Option<Swell>,
+    /// (m/s²) full deceleration, positive.
+    pub deceleration: Option<Sourced<T>>,
+    /// Where or when the danger could first be recognized.
+    pub demand: Option<GivenDemand<T>>,
+    /// Why the demand was there.
+    pub demand_reason: Option<Text>,
+    /// The rest of the other party's way out of the danger zone.
+    pub clear: Option<Clear<T>>,
+    /// What the other party is.
+    pub other_party: Option<OtherParty>,
+    /// Whether the vehicle is known not to have braked before the impact.
+    pub unbraked: bool,
+}
+
+/// A number with its unit, and where it comes from.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Sourced<T = f64> {
+    /// The number.
+    pub quantity: Quantity<T>,
+    /// Where it comes from.
+    pub source: Option<Text>,
+}
+
+/// Where or when the danger could first be recognized.
+#[derive(Clone, Debug, PartialEq)]
+pub enum GivenDemand<T = f64> {
+    /// (m) distance of the vehicle before the impact.
+    Distance(Sourced<T>),
+    /// (s) time before the impact.
+    Time(Sourced<T>),
+    /// The time that the other party took to the impact.
+    Other {
+        /// (m) its distance to the place of the impact.
+        distance: Sourced<T>,
+        /// (m/s) its speed.
+        speed: Sourced<T>,
+    },
+}
+
+/// The way of the other party out of the danger zone.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Clear<T = f64> {
+    /// (m) from its place at the impact until it has left the zone, its own length or body included.
+    pub distance: Sourced<T>,
+    /// (m/s) its speed.
+    pub speed: Sourced<T>,
+}
+
+/// What the other party is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum OtherParty {
+    /// `"pedestrian"`.
+    Pedestrian,
+    /// `"cyclist"`.
+    Cyclist,
+    /// `"vehicle"`.
+    Vehicle,
+}
+
+impl OtherParty {
+    /// Each with its word.
+    pub const WORDS: [(&str, Self); 3] =
+        [("pedestrian", Self::Pedestrian), ("cyclist", Self::Cyclist), ("vehicle", Self::Vehicle)];
+
+    /// Its word.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        word(&Self::WORDS, &self)
+    }
+}
+
+/// The numbers of the question whether the collision was avoidable, on any numbers.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct AvoidForm<T = f64> {
+    /// The vehicle whose driver is asked about.
+    pub vehicle: VehicleId,
+    /// Its speed.
+    pub speed: SpeedForm<T>,
+    /// (m/s) the speed for which it is asked.
+    pub limit: Quantity<T>,
+    /// (s) from the demand to the first effect of the brakes.
+    pub reaction_time: Quantity<T>,
+    /// (s) from there to the full deceleration.
+    pub swell: Option<Quantity<T>>,
+    /// How the deceleration grows in the swell.
+    pub swell_form: Swell,
+    /// (m/s²) full deceleration.
+    pub deceleration: Quantity<T>,
+    /// Where or when the danger could first be recognized.
+    pub demand: DemandForm<T>,
+    /// (m) the other party's way out of the danger zone, and (m/s) its speed.
+    pub clear: Option<[Quantity<T>; 2]>,
+    /// How the vehicle came to the impact.
+    pub braking: BrakingForm<T>,
+}
+
+/// How the speed of the vehicle is known.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum SpeedForm<T = f64> {
+    /// (m/s) at the reaction demand.
+    AtDemand(Quantity<T>),
+    /// (m/s) just before the impact.
+    AtImpact(Quantity<T>),
+    /// Just before the impact, where the rest of the case tells it.
+    Sought,
+}
+
+/// Where or when the danger could first be recognized.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum DemandForm<T = f64> {
+    /// (m) distance of the vehicle before the impact.
+    Distance(Quantity<T>),
+    /// (s) time before the impact.
+    Time(Quantity<T>),
+    /// (m) the other party's distance to the place of the impact, and (m/s) its speed.
+    Other([Quantity<T>; 2]),
+}
+
+/// How a vehicle came to the impact.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum BrakingForm<T = f64> {
+    /// Nothing is known of it.
+    Unknown,
+    /// It did not brake.
+    Unbraked,
+    /// Its wheels skidded up to the impact.
+    Skid {
+        /// (m) length of the marks.
+        length: Quantity<T>,
+        /// (–) friction.
+        friction: T,
+    },
+}
+
+impl<T: Copy> AvoidForm<T> {
+    /// The same on other numbers, which come in the order of the fields.
+    pub fn map<U>(self, mut number: impl FnMut(T) -> U) -> AvoidForm<U> {
+        let mut of = |quantity: Quantity<T>| quantity.map(&mut number);
+        AvoidForm {
+            vehicle: self.vehicle,
+            speed: match self.speed {
+                SpeedForm::AtDemand(speed) => SpeedForm::AtDemand(of(speed)),
+                SpeedForm::AtImpact(speed) => SpeedForm::AtImpact(of(speed)),
+                SpeedForm::Sought => SpeedForm::Sought,
+            },
+            limit: of(self.limit),
+            reaction_time: of(self.reaction_time),
+            swell: self.swell.map(&mut of),
+            swell_form: self.swell_form,
+            deceleration: of(self.deceleration),
+            demand: match self.demand {
+                DemandForm::Distance(distance) => DemandForm::Distance(of(distance)),
+                DemandForm::Time(time) => DemandForm::Time(of(time)),
+                DemandForm::Other(way) => DemandForm::Other(way.map(&mut of)),
+            },
+            clear: self.clear.map(|way| way.map(&mut of)),
+            braking: match self.braking {
+                BrakingForm::Unknown => BrakingForm::Unknown,
+                BrakingForm::Unbraked => BrakingForm::Unbraked,
+                BrakingForm::Skid { length, friction } => {
+                    BrakingForm::Skid { length: of(length), friction: number(friction) }
+                }
+            },
+        }
+    }
+}
+
+impl<T: Copy> Case<T> {
+    /// The vehicle whose driver `[avoid]` asks about.
+    #[must_use]
+    pub fn avoid_subject(&self) -> VehicleId {
+        self.avoid.as_ref().and_then(|avoid| avoid.vehicle).unwrap_or(VehicleId::One)
+    }
+
+    /// The speed of that vehicle, and how it is known. What is to be found is not given, even if the file has
+    /// it.
+    #[must_use]
+    pub fn avoid_speed(&self) -> SpeedForm<T> {
+        let subject = self.avoid_subject();
+        if let Some(speed) = self.avoid.as_ref().and_then(|avoid| avoid.speed.as_ref()) {
+            return SpeedForm::AtDemand(speed.quantity);
+        }
+        let is_sought = self.reconstruct.as_ref().is_some_and(|reconstruct| reconstruct.find.seeks(subject));
+        match &self.vehicles[subject.index()].motion {
+            Some(Velocity::Speed(speed)) if !is_sought => SpeedForm::AtImpact(*speed),
+            _ => SpeedForm::Sought,
+        }
+    }
+}
+
+impl Case {
+    /// The collision without the question of `[avoid]`, whose numbers no other analysis uses.
+    #[must_use]
+    pub fn without_avoid(&self) -> Cow<'_, Self> {
+        if self.avoid.is_none() {
+            return Cow::Borrowed(self);
+        }
+        let mut case = Self { avoid: None, ..self.clone() };
+        case.ranges.retain(|range| !range.path.starts_with("avoid."));
+        for error in &mut case.uncertainty.shared {
+            error.of.retain(|key| !key.starts_with("avoid."));
+        }
+        Cow::Owned(case)
+    }
+}
+
+impl<U> Walk<'_, U> {
+    pub(crate) fn avoid(&mut self, avoid: &Avoid) -> Avoid<U> {
+        let at = |key| Key(&"avoid", key);
+        Avoid {
+            vehicle: avoid.vehicle.map(|vehicle| self.choice(&at("vehicle"), &SUBJECTS, vehicle)),
+            speed: self.sourced_if(&at("speed"), avoid.speed.as_ref()),
+            limit: self.sourced_if(&at("limit"), avoid.limit.as_ref()),
+            reaction_time: self.sourced_if(&at("reaction_time"), avoid.reaction_time.as_ref()),
+            swell: self.sourced_if(&at("swell"), avoid.swell.as_ref()),
+            swell_form: avoid.swell_form.map(|form| self.choice(&at("swell_form"), &SWELLS, form)),
+            deceleration: self.sourced_if(&at("deceleration"), avoid.deceleration.as_ref()),
+            demand: avoid.demand.as_ref().map(|demand| self.demand(&at("demand"), demand)),
+            demand_reason: self.text(&"avoid.demand.reason", avoid.demand_reason.as_ref()),
+            clear: avoid.clear.as_ref().map(|Clear { distance, speed }| Clear {
+                distance: self.sourced(&Key(&at("clear"), "distance"), distance),
+                speed: self.sourced(&Key(&at("clear"), "speed"), speed),
+            }),
+            other_party: avoid
+                .other_party
+                .map(|party| self.choice(&at("other_party"), &OtherParty::WORDS, party)),
+            unbraked: self.flag(&at("unbraked"), avoid.unbraked),
+        }
+    }
+
+    fn demand(&mut self, path: &dyn Display, demand: &GivenDemand) -> GivenDemand<U> {
+        match demand {
+            GivenDemand::Distance(distance) => {
+                GivenDemand::Distance(self.sourced(&Key(path, "distance"), distance))
+            }
+            GivenDemand::Time(time) => GivenDemand::Time(self.sourced(&Key(path, "time"), time)),
+            GivenDemand::Other { distance, speed } => {
+                let other = Key(path, "other");
+                GivenDemand::Other {
+                    distance: self.sourced(&Key(&other, "distance"), distance),
+                    speed: self.sourced(&Key(&other, "speed"), speed),
+                }
+            }
+        }
+    }
+
+    fn sourced_if(&mut self, path: &dyn Display, sourced: Option<&Sourced>) -> Option<Sourced<U>> {
+        sourced.map(|sourced| self.sourced(path, sourced))
+    }
+
+    fn sourced(&mut self, path: &dyn Display, Sourced { quantity, source }: &Sourced) -> Sourced<U> {
+        Sourced {
+            quantity: self.quantity(path, quantity),
+            source: self.text(&Key(path, "source"), source.as_ref()),
+        }
+    }
+}

@@ -1,0 +1,166 @@
+//! What the question whether the collision was avoidable needs.
+
+use super::{Demand, table};
+use crate::after::SkidBegin;
+use crate::avoid::{Avoid, AvoidForm, BrakingForm, Clear, DemandForm, GivenDemand, Sourced, SpeedForm};
+use crate::case::Case;
+use crate::fault::{Fault, FaultKind, Faults};
+use crate::purpose::Purpose;
+
+/// What to write for a reaction time; none is assumed, as none is right for every driver and danger.
+const REACTION: &str = "`reaction_time`, as in reaction_time = { low = \"0.7 s\", high = \"1.4 s\", source = \"Dettinger 2008, with all of the swell\" } \
+     or { value = \"1.25 s\", sd = \"0.46 s\", source = \"brake lamps in traffic, Ergonomics 1993\" }; 1.5 s and 2.5 s (AASHTO) are conventions, \
+     and `deltav new --template avoid` lists more choices with their sources";
+/// The same for a deceleration.
+const DECELERATION: &str = "`deceleration`, as in deceleration = { value = \"7.5 m/s^2\", source = \"…\" }: the friction of the ground times g where \
+     the wheels lock or ABS works, about 6 to 8 m/s^2 on dry asphalt (EDCRASH manual: friction 0.55 to 0.80 where it is travelled)";
+const DEMAND: &str = "`demand`, where or when the danger could first be recognized: demand = { distance = \"30 m\" } of this vehicle before \
+     the impact, { time = \"2.1 s\" }, or by the way of the other party { other = { distance = \"4 m\", speed = \"1.5 m/s\" } }";
+const LIMIT: &str =
+    "`limit`, the speed for which you ask, as in limit = { value = \"50 km/h\", source = \"built-up area\" }";
+
+impl Case {
+    /// The numbers of `[avoid]`, with every number that the question needs.
+    ///
+    /// # Errors
+    /// Every value that is missing or contradicts another, each with its key.
+    pub fn avoidance(&self) -> Result<AvoidForm, Faults> {
+        let mut demand =
+            Demand { case: self, purpose: Purpose::Avoid, is_of_point_masses: false, faults: Vec::new() };
+        let Some(avoid) = &self.avoid else {
+            demand.missing("avoid", "the table `[avoid]`: `deltav new --template avoid` writes one");
+            return demand.finish(None);
+        };
+        demand.of_speed(avoid);
+        let form = self.avoid_form();
+        for (is_given, key, example) in [
+            (avoid.limit.is_some(), "avoid.limit", LIMIT),
+            (avoid.reaction_time.is_some(), "avoid.reaction_time", REACTION),
+            (avoid.deceleration.is_some(), "avoid.deceleration", DECELERATION),
+            (avoid.demand.is_some(), "avoid.demand", DEMAND),
+        ] {
+            if !is_given {
+                demand.missing(key, example);
+            }
+        }
+        demand.of_skid(avoid);
+        demand.finish(form)
+    }
+}
+
+impl<T: Copy> Case<T> {
+    /// The numbers of `[avoid]`; `None` if some are missing, which [`avoidance`](Case::avoidance) reports.
+    #[must_use]
+    pub fn avoid_form(&self) -> Option<AvoidForm<T>> {
+        let of = |sourced: &Option<Sourced<T>>| sourced.as_ref().map(|sourced| sourced.quantity);
+        let avoid = self.avoid.as_ref()?;
+        let vehicle = self.avoid_subject();
+        let skid = self.vehicles[vehicle.index()].before.as_ref().map(|before| &before.skid);
+        let braking = match skid {
+            _ if avoid.unbraked => BrakingForm::Unbraked,
+            None => BrakingForm::Unknown,
+            Some(skid) => {
+                let SkidBegin::Length(length) = skid.begin else { return None };
+                let of_ground = self.surface.as_ref().map(|surface| surface.friction);
+                BrakingForm::Skid { length, friction: skid.friction.or(of_ground)? }
+            }
+        };
+        let demand = match avoid.demand.as_ref()? {
+            GivenDemand::Distance(distance) => DemandForm::Distance(distance.quantity),
+            GivenDemand::Time(time) => DemandForm::Time(time.quantity),
+            GivenDemand::Other { distance, speed } => DemandForm::Other([distance.quantity, speed.quantity]),
+        };
+        let clear = avoid.clear.as_ref();
+        Some(AvoidForm {
+            vehicle,
+            speed: self.avoid_speed(),
+            limit: of(&avoid.limit)?,
+            reaction_time: of(&avoid.reaction_time)?,
+            swell: of(&avoid.swell),
+            swell_form: avoid.swell_form.unwrap_or_default(),
+            deceleration: of(&avoid.deceleration)?,
+            demand,
+            clear: clear.map(|Clear { distance, speed }| [distance.quantity, speed.quantity]),
+            braking,
+        })
+    }
+}
+
+impl Demand<'_, f64> {
+    fn of_speed(&mut self, avoid: &Avoid) {
+        let vehicle = self.case.avoid_subject();
+        let given = &self.case.vehicles[vehicle.index()];
+        let table = table(vehicle);
+        if given.fixed {
+            let advice =
+                format!("name the vehicle that moved, as in vehicle = \"{}\"", super::table(vehicle.other()));
+            self.refuse_avoid(
+                "avoid.vehicle",
+                format!("[avoid] asks about [{table}], which is fixed"),
+                advice,
+            );
+            return;
+        }
+        let sought = self.case.reconstruct.is_some_and(|reconstruct| reconstruct.find.seeks(vehicle));
+        match (self.case.avoid_speed(), &given.motion) {
+            (SpeedForm::AtDemand(_), Some(_)) if !sought => {
+                let reason = format!(
+                    "the speed of [{table}] is given twice: here at the reaction demand, and in [{table}] at the impact"
+                );
+                let advice = "remove one of the two; with the speed at the impact, `skid` of its table `before` gives that at the demand".to_owned();
+                self.refuse_avoid("avoid.speed", reason, advice);
+            }
+            (SpeedForm::Sought, Some(_)) if !sought => {
+                let reason = format!("[avoid] needs the speed of [{table}] as one number");
+                let advice =
+                    format!("write `speed` in [{table}] in place of `velocity`, or `speed` in [avoid]");
+                self.refuse_avoid(&format!("{table}.velocity"), reason, advice);
+            }
+            (SpeedForm::Sought, None) if given.is_absent() => {
+                self.missing(
+                    "avoid.speed",
+                    "`speed` in [avoid], that at the reaction demand, as in speed = \"62 km/h\"; \
+                     or describe the vehicle, and its damage or marks tell the speed",
+                );
+            }
+            _ => {}
+        }
+        if let SpeedForm::AtDemand(speed) | SpeedForm::AtImpact(speed) = self.case.avoid_speed()
+            && speed.number() <= 0.0
+            && avoid.speed.is_none()
+        {
+            let reason = format!(
+                "[{table}] did not move forward at the impact, so that its driver could not have avoided it by braking"
+            );
+            let advice = format!("ask about the other: vehicle = \"{}\"", super::table(vehicle.other()));
+            self.refuse_avoid(&format!("{table}.speed"), reason, advice);
+        }
+    }
+
+    fn of_skid(&mut self, avoid: &Avoid) {
+        let vehicle = self.case.avoid_subject();
+        let Some(before) = &self.case.vehicles[vehicle.index()].before else { return };
+        let path = format!("{}.before.skid", table(vehicle));
+        if avoid.unbraked {
+            let reason =
+                "`unbraked` says that the vehicle did not brake, but its table `before` has skid marks";
+            self.refuse_avoid("avoid.unbraked", reason.to_owned(), format!("remove it, or `{path}`"));
+        }
+        if matches!(before.skid.begin, SkidBegin::From(_)) {
+            let reason = "[avoid] needs the length of the skid, and not the place where it began";
+            self.refuse_avoid(
+                &path,
+                reason.to_owned(),
+                "write skid = { length = \"18 m\", friction = 0.7 }".to_owned(),
+            );
+        }
+        if before.skid.friction.is_none() && self.case.surface.is_none() {
+            self.missing(format_args!("{path}.friction"), "`friction` of the skid, or that of [surface]");
+        }
+    }
+
+    fn refuse_avoid(&mut self, key: &str, reason: String, advice: String) {
+        let kind = FaultKind::Refused { reason };
+        self.faults.push(Fault { key: key.to_owned(), kind, advice: Some(advice) });
+    }
+}

@@ -1,0 +1,238 @@
+//! Whether the collision was avoidable, as JSON.
+
+use analysis::{
+    ActualRun, AvoidChance, AvoidInterval, AvoidRun, Avoidance, Hypothesis, SpeedSource, Unbraked,
+};
+use case::{CaseFile, SWELLS, word};
+use serde::Serialize;
+
+use super::json::{OfMovable, of_movable};
+use super::{identified, pretty, title};
+
+#[derive(Serialize)]
+struct Document<'a> {
+    title: &'a str,
+    avoid: AvoidBlock,
+}
+
+/// SI.
+#[derive(Serialize)]
+struct AvoidBlock {
+    vehicle: u8,
+    speed: f64,
+    speed_source: &'static str,
+    limit: f64,
+    demand: DemandBlock,
+    stopping_distance: f64,
+    spatial: KindBlock,
+    temporal: Option<KindBlock>,
+    at_limit: AtLimitBlock,
+    probability: Option<ProbabilityBlock>,
+    response: ResponseBlock,
+    actual: &'static str,
+    reaction_late_by: Option<f64>,
+    runs: Vec<RunBlock>,
+    enough: EnoughBlock,
+    intervals: Option<IntervalsBlock>,
+}
+
+#[derive(Serialize)]
+struct DemandBlock {
+    distance: f64,
+    time: f64,
+}
+
+#[derive(Serialize)]
+struct KindBlock {
+    speed: f64,
+    avoidable_at_limit: bool,
+}
+
+#[derive(Serialize)]
+struct AtLimitBlock {
+    collision_speed: f64,
+    delta_v: Option<OfMovable>,
+}
+
+#[derive(Serialize)]
+struct ProbabilityBlock {
+    avoided_at_limit: f64,
+    above_limit: f64,
+    mc_error: f64,
+    stopped_at_limit: f64,
+    samples: usize,
+    possible: usize,
+    influences: Vec<InfluenceBlock>,
+}
+
+#[derive(Serialize)]
+struct InfluenceBlock {
+    input: String,
+    difference: f64,
+}
+
+#[derive(Serialize)]
+struct ResponseBlock {
+    reaction_time: f64,
+    swell: f64,
+    swell_form: &'static str,
+    deceleration: f64,
+}
+
+#[derive(Serialize)]
+struct RunBlock {
+    hypothesis: &'static str,
+    speed: f64,
+    reaction_time: Option<f64>,
+    deceleration: Option<f64>,
+    stopping_distance: Option<f64>,
+    collision_speed: f64,
+    arrival: Option<f64>,
+    stops_before: bool,
+    late_enough: Option<bool>,
+    delta_v: Option<OfMovable>,
+}
+
+#[derive(Serialize)]
+struct EnoughBlock {
+    speed: f64,
+    deceleration: Option<f64>,
+    reaction_time: Option<f64>,
+}
+
+/// The median and the ends of a 95 % interval.
+#[derive(Serialize)]
+struct IntervalBlock {
+    low: f64,
+    median: f64,
+    high: f64,
+}
+
+#[derive(Serialize)]
+struct IntervalsBlock {
+    speed: IntervalBlock,
+    demand_distance: IntervalBlock,
+    demand_time: IntervalBlock,
+    spatial_speed: IntervalBlock,
+    temporal_speed: Option<IntervalBlock>,
+    collision_speed_at_limit: IntervalBlock,
+}
+
+/// Whether the collision was avoidable, as indented JSON, ending in a line break: `{"avoid": {"speed": …,
+/// "demand": {"distance": …, "time": …}, "spatial": {"speed": …, "avoidable_at_limit": …}, …}}`.
+///
+/// # Errors
+/// If serialisation fails, which no answer causes.
+pub fn avoid_json(file: &CaseFile, found: &Avoidance) -> Result<String, serde_json::Error> {
+    let case = &file.case;
+    let delta_v = |run: &AvoidRun| run.delta_v.map(|delta_v| of_movable(case, delta_v));
+    let scene = &found.scene;
+    let response = scene.response;
+    let of = |speed: f64| KindBlock { speed, avoidable_at_limit: scene.limit <= speed };
+    let run = |run: &AvoidRun| RunBlock {
+        hypothesis: hypothesis(run.hypothesis),
+        speed: run.course.speed,
+        reaction_time: run.course.response.map(|response| response.reaction()),
+        deceleration: run.course.response.map(|response| response.deceleration()),
+        stopping_distance: run.course.stop(),
+        collision_speed: run.collision_speed,
+        arrival: run.arrival,
+        stops_before: run.stops_before(),
+        late_enough: run.is_late_enough,
+        delta_v: delta_v(run),
+    };
+    let document = Document {
+        title: title(case),
+        avoid: AvoidBlock {
+            vehicle: found.vehicle.number(),
+            speed: scene.speed,
+            speed_source: match found.speed_from {
+                SpeedSource::AtDemand => "avoid",
+                SpeedSource::AtImpact => "vehicle",
+                SpeedSource::Reconstructed => "reconstruct",
+                SpeedSource::Estimated => "estimate",
+            },
+            limit: scene.limit,
+            demand: DemandBlock { distance: scene.distance, time: scene.time },
+            stopping_distance: response.stopping_distance(scene.speed),
+            spatial: of(scene.spatial()),
+            temporal: scene.temporal().map(of),
+            at_limit: AtLimitBlock {
+                collision_speed: scene.left_at_limit(),
+                delta_v: found.run(Hypothesis::All).and_then(delta_v),
+            },
+            probability: found.chance.as_ref().map(probability),
+            response: ResponseBlock {
+                reaction_time: response.reaction(),
+                swell: response.swell(),
+                swell_form: word(&SWELLS, &response.form()),
+                deceleration: response.deceleration(),
+            },
+            actual: match scene.actual {
+                ActualRun::Responded => "responded",
+                ActualRun::Unbraked(Unbraked::Stated) => "unbraked",
+                ActualRun::Unbraked(Unbraked::NothingKnown) => "taken as unbraked",
+                ActualRun::Unbraked(Unbraked::WouldHaveStopped) => "late or not at all",
+                ActualRun::Skidded(_) => "skidded",
+            },
+            reaction_late_by: found.delay(),
+            runs: found.runs.iter().map(run).collect(),
+            enough: EnoughBlock {
+                speed: found.enough.speed,
+                deceleration: found.enough.deceleration,
+                reaction_time: found.enough.reaction,
+            },
+            intervals: found.chance.as_ref().map(intervals),
+        },
+    };
+    pretty(&identified(file, document))
+}
+
+/// The word of a hypothesis in the JSON.
+fn hypothesis(hypothesis: Hypothesis) -> &'static str {
+    match hypothesis {
+        Hypothesis::Actual => "actual",
+        Hypothesis::LimitOnly => "limit only",
+        Hypothesis::ReactionInTime => "reaction in time",
+        Hypothesis::FullBraking => "full braking",
+        Hypothesis::ReactionAndBraking => "reaction in time and full braking",
+        Hypothesis::All => "limit, reaction in time and full braking",
+    }
+}
+
+fn probability(chance: &AvoidChance) -> ProbabilityBlock {
+    ProbabilityBlock {
+        avoided_at_limit: chance.avoided_at_limit,
+        above_limit: chance.above_limit,
+        mc_error: chance.mc_error,
+        stopped_at_limit: chance.stopped_at_limit,
+        samples: chance.samples,
+        possible: chance.possible,
+        influences: chance
+            .influences
+            .iter()
+            .map(|influence| InfluenceBlock {
+                input: influence
+                    .input
+                    .as_ref()
+                    .map_or_else(|| "speed".to_owned(), crate::outputs::input_name),
+                difference: influence.difference,
+            })
+            .collect(),
+    }
+}
+
+fn intervals(chance: &AvoidChance) -> IntervalsBlock {
+    let of = |interval: &AvoidInterval| {
+        let AvoidInterval { low, median, high } = *interval;
+        IntervalBlock { low, median, high }
+    };
+    IntervalsBlock {
+        speed: of(&chance.speed),
+        demand_distance: of(&chance.distance),
+        demand_time: of(&chance.time),
+        spatial_speed: of(&chance.spatial),
+        temporal_speed: chance.temporal.as_ref().map(of),
+        collision_speed_at_limit: of(&chance.left_at_limit),
+    }
+}

@@ -1,0 +1,163 @@
+//! What the pictures of avoidability show.
+
+use ::drawing::{Axis, ChancePicture, Drawing, PathTimeCourse, PathTimePicture, ValueMark};
+use analysis::{AvoidRun, Avoidance, Hypothesis};
+use case::{Case, GivenDemand, OtherParty};
+
+use crate::units::{Measure, Units, number};
+use crate::words::title;
+
+/// Points of a run.
+const POINTS: u32 = 240;
+/// Points of the curve of the probability.
+const SPEEDS: u32 = 160;
+/// How far the plot goes beyond what it shows, as a share of it.
+const BEYOND: f64 = 0.08;
+/// (m) and beyond the place of the impact, at least.
+const LEAST_BEYOND: f64 = 3.0;
+
+/// Draws distance against time: what happened and what would have, with the other party, the reaction demand
+/// and the place of the impact.
+#[must_use]
+pub fn path_time(case: &Case, found: &Avoidance, units: Units) -> Drawing {
+    path_time_picture(case, found, units).draw()
+}
+
+/// Draws the probability that the collision is avoided against the speed; `None` if nothing is uncertain.
+#[must_use]
+pub fn avoided_from(case: &Case, found: &Avoidance, units: Units) -> Option<Drawing> {
+    Some(chance_picture(case, found, units)?.draw())
+}
+
+/// The name of a run in the legend.
+fn legend(run: &AvoidRun, units: Units) -> String {
+    let speed = units.road_speed(run.course.speed);
+    let says = match run.hypothesis {
+        Hypothesis::Actual => "what happened",
+        Hypothesis::LimitOnly => "lower speed, all else as it was",
+        Hypothesis::ReactionInTime => "reaction in time",
+        Hypothesis::FullBraking => "full braking",
+        Hypothesis::ReactionAndBraking => "reaction in time, full braking",
+        Hypothesis::All => "lower speed, reaction in time, full braking",
+    };
+    format!("{speed}: {says}")
+}
+
+pub(crate) fn path_time_picture(case: &Case, found: &Avoidance, units: Units) -> PathTimePicture {
+    let scene = &found.scene;
+    let party = match case.avoid.as_ref().and_then(|avoid| avoid.other_party) {
+        Some(OtherParty::Pedestrian) => "pedestrian",
+        Some(OtherParty::Cyclist) => "cyclist",
+        Some(OtherParty::Vehicle) => "other vehicle",
+        None => "other party",
+    };
+    let clears = scene.clears_after.map(|after| scene.time + after);
+    let ends = found.runs.iter().map(|run| match (run.arrival, run.course.response) {
+        (Some(arrival), _) => arrival,
+        (None, Some(response)) => response.stopping_time(run.course.speed),
+        (None, None) => scene.time,
+    });
+    let last = ends.chain(clears).fold(scene.time, f64::max);
+    let until = last * (1.0 + 2.0 * BEYOND);
+    let beyond = (scene.distance * BEYOND).max(LEAST_BEYOND);
+    let courses = found
+        .runs
+        .iter()
+        .map(|run| {
+            let at = |time: f64| [time, run.course.position(time) - scene.distance];
+            let points = (0..=POINTS).map(|k| at(until * f64::from(k) / f64::from(POINTS))).collect();
+            let brakes = run.course.response.map(|response| at(response.reaction()));
+            PathTimeCourse { legend: legend(run, units), points, brakes }
+        })
+        .take(PathTimePicture::MOST_COURSES)
+        .collect();
+    let given = case.avoid.as_ref();
+    let since = match given.and_then(|avoid| avoid.demand.as_ref()) {
+        Some(GivenDemand::Other { distance, .. }) => Some(distance.quantity.si()),
+        _ => None,
+    };
+    let out = given.and_then(|avoid| avoid.clear.as_ref()).map(|clear| clear.distance.quantity.si());
+    let other = (since.is_some() || out.is_some()).then(|| {
+        let mut points = Vec::new();
+        points.extend(since.map(|distance| [0.0, -distance]));
+        points.push([scene.time, 0.0]);
+        points.extend(out.zip(clears).map(|(distance, time)| [time, distance]));
+        (points, format!("{party}, along its own path"))
+    });
+    let highest = out.unwrap_or(0.0).max(beyond) + 0.5 * beyond;
+    let zone = match clears {
+        Some(clears) => {
+            ([scene.time, clears], format!("{party} in the danger zone, until it has cleared it"))
+        }
+        None => ([scene.time, until], format!("{party} in the danger zone; not known to clear it")),
+    };
+    let [distance, time] = [(Measure::Way, scene.distance), (Measure::Time, scene.time)]
+        .map(|(measure, value)| units.format(measure, value));
+    let axis = |words: &str, measure| Axis {
+        title: format!("{words}, {}", units.name(measure)),
+        unit: units.size(measure),
+    };
+    PathTimePicture {
+        title: title(case),
+        subtitle: format!("Distance and time of vehicle {} before the impact", found.vehicle),
+        description: format!(
+            "Distance against time. The reaction demand is {distance} and {time} before the impact. {}",
+            found.runs.iter().map(|run| outcome(run, units)).collect::<Vec<_>>().join(" ")
+        ),
+        time: axis("time since the reaction demand", Measure::Time),
+        way: axis("distance to the place of the impact", Measure::Way),
+        until,
+        reach: [-scene.distance - beyond, highest],
+        courses,
+        other,
+        zone,
+        impact: (scene.time, format!("impact: {time}, {}", units.road_speed(scene.at_impact))),
+        demand: format!("reaction demand, {distance} before the impact"),
+        brakes: "brakes take effect".to_owned(),
+    }
+}
+
+/// One run in a sentence.
+fn outcome(run: &AvoidRun, units: Units) -> String {
+    let name = legend(run, units);
+    if run.stops_before() {
+        return format!("{name}: stops before the place.");
+    }
+    let late = if run.is_late_enough == Some(true) { ", after it is clear" } else { "" };
+    format!("{name}: at the place with {}{late}.", units.road_speed(run.collision_speed))
+}
+
+pub(crate) fn chance_picture(case: &Case, found: &Avoidance, units: Units) -> Option<ChancePicture> {
+    let chance = found.chance.as_ref()?;
+    let [low, high] = chance.avoiding_range();
+    let scene = &found.scene;
+    let ends = [
+        low.min(scene.limit).min(scene.speed) * (1.0 - BEYOND),
+        high.max(scene.limit).max(scene.speed) * (1.0 + BEYOND),
+    ];
+    let at = |k: u32| ends[0] + (ends[1] - ends[0]) * f64::from(k) / f64::from(SPEEDS);
+    let points = (0..=SPEEDS).map(at).map(|speed| {
+        let [low, probability, high] = chance.avoided_from(speed);
+        [speed, low, probability, high]
+    });
+    let mark = |value: f64, lead: &str| ValueMark { value, lead: lead.to_owned() };
+    let limit = number(chance.avoided_at_limit, 3);
+    Some(ChancePicture {
+        title: title(case),
+        subtitle: "Probability that the collision is avoided, against the speed at the reaction demand"
+            .to_owned(),
+        description: format!(
+            "The probability falls with the speed. At the limit of {} it is {limit}.",
+            units.road_speed(scene.limit)
+        ),
+        across: Axis {
+            title: format!("speed, {}", units.name(Measure::RoadSpeed)),
+            unit: units.size(Measure::RoadSpeed),
+        },
+        decimals: 1,
+        upward: Axis { title: "probability that it is avoided".to_owned(), unit: 1.0 },
+        points: points.collect(),
+        marks: vec![mark(scene.limit, "limit:"), mark(scene.speed, "driven:")],
+        legend: ["probability", "where it lies, as far as the sampling goes (95 %)"].map(str::to_owned),
+    })
+}

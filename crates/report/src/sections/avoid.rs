@@ -1,0 +1,489 @@
+//! Whether the collision was avoidable.
+
+use analysis::{
+    ActualRun, AvoidChance, AvoidInterval, AvoidRun, AvoidScene, Avoidance, Hypothesis, SpeedSource, Unbraked,
+};
+use case::{Avoid, Case, Clear, GivenDemand, OtherParty, Sourced};
+use time_distance::Swell;
+
+use crate::document::{Block, Column, Document, NONE, Table, Undrawn, Width};
+use crate::outputs::input_name;
+use crate::pictures::avoid::{chance_picture, path_time_picture};
+use crate::understood::{amount, spread};
+use crate::units::{Measure, Units, number};
+
+/// What avoidability is not.
+const NO_GUILT: &str = "Avoidability is a matter of physics. It says nothing of guilt: whether the driver had to reckon with the danger, had to \
+                        drive slower or could have been expected to react, is for the court.";
+
+/// What the driver did and could have done, side by side, with the inputs, their sources and the conventions.
+#[must_use]
+pub fn avoid(case: &Case, found: &Avoidance, units: Units) -> Document {
+    let mut page = Document::of_case(case);
+    page.push(Block::Answer { found: answer(case, found, units), how: how(found) });
+    let Some(given) = &case.avoid else { return page };
+    page.push(inputs(case, given, found, units));
+    page.heading("Reaction demand");
+    page.paragraph(demand(given, found, units));
+    page.push(runs(case, found, units));
+    let picture = path_time_picture(case, found, units);
+    page.push(Block::Chart {
+        name: "path-time".to_owned(),
+        drawing: Undrawn::new(move || picture.draw()),
+        instead: None,
+    });
+    for note in on_the_runs(found, units) {
+        page.paragraph(note);
+    }
+    page.push(just_avoiding(found, units));
+    page.push(enough(found, units));
+    if let Some(chance) = &found.chance {
+        page.push(probability(chance, units));
+        if let Some(picture) = chance_picture(case, found, units) {
+            let drawing = Undrawn::new(move || picture.draw());
+            page.push(Block::Chart { name: "chance".to_owned(), drawing, instead: None });
+        }
+        page.push(influences(chance));
+    }
+    if found.is_unconverged {
+        page.paragraph(
+            "The evidence of the speed was weighed, but the run has not converged: there is no probability. `deltav \
+             estimate` says why.",
+        );
+    }
+    page.heading("Definitions and limits");
+    page.push(Block::List(definitions(case, found)));
+    page
+}
+
+/// The word for the other party.
+fn party(case: &Case) -> &'static str {
+    match case.avoid.as_ref().and_then(|avoid| avoid.other_party) {
+        Some(OtherParty::Pedestrian) => "the pedestrian",
+        Some(OtherParty::Cyclist) => "the cyclist",
+        Some(OtherParty::Vehicle) => "the other vehicle",
+        None => "the other party",
+    }
+}
+
+fn answer(case: &Case, found: &Avoidance, units: Units) -> Vec<String> {
+    let scene = &found.scene;
+    let limit = units.road_speed(scene.limit);
+    let mut lines = vec![format!(
+        "vehicle {} at the reaction demand: {}, {} and {} before the impact",
+        found.vehicle,
+        units.speed(scene.speed),
+        units.format(Measure::Way, scene.distance),
+        units.format(Measure::Time, scene.time),
+    )];
+    let stop = scene.response.stopping_distance(scene.limit);
+    lines.push(if scene.limit <= scene.spatial() {
+        format!(
+            "avoidable in space at {limit}: it stops {} before the place of the impact",
+            units.format(Measure::Way, scene.distance - stop)
+        )
+    } else {
+        format!(
+            "not avoidable in space at {limit}: it reaches the place of the impact with {}",
+            units.road_speed(scene.left_at_limit())
+        )
+    });
+    if let Some(temporal) = scene.temporal() {
+        let is = if scene.limit <= temporal { "avoidable" } else { "not avoidable" };
+        lines.push(format!(
+            "{is} in time at {limit}: {} clears the danger zone {} after the demand, the vehicle {}",
+            party(case),
+            units.format(Measure::Time, scene.time + scene.clears_after.unwrap_or(0.0)),
+            match scene.response.arrival(scene.limit, scene.distance) {
+                Some(arrival) => format!("comes after {}", units.format(Measure::Time, arrival)),
+                None => "stops before".to_owned(),
+            }
+        ));
+    }
+    lines.push(format!("just avoided from {} or less", units.road_speed(found.enough.speed)));
+    if let Some(chance) = &found.chance {
+        lines.push(format!(
+            "probability that it is avoided at {limit}: {} ± {}; that it was driven faster than that: {}",
+            number(chance.avoided_at_limit, 3),
+            number(chance.mc_error, 3),
+            number(chance.above_limit, 3),
+        ));
+    }
+    lines
+}
+
+fn how(found: &Avoidance) -> String {
+    let speed = match found.speed_from {
+        SpeedSource::AtDemand => "the speed is that of [avoid]",
+        SpeedSource::AtImpact => "the speed at the impact is that of the case",
+        SpeedSource::Reconstructed => "the speed at the impact is that of `deltav reconstruct`",
+        SpeedSource::Estimated => {
+            "the speed at the impact is the median of `deltav estimate`, by all evidence"
+        }
+    };
+    format!("time and distance from the reaction demand (theory 11); {speed}")
+}
+
+fn inputs(case: &Case, given: &Avoid, found: &Avoidance, units: Units) -> Table {
+    let mut table = Table::new(
+        "Inputs",
+        [
+            Column::words("", Width::Fixed(25)),
+            Column::words("value", Width::Fixed(14)),
+            Column::words("range", Width::Fixed(22)),
+            Column::words("source", Width::Share),
+        ],
+    );
+    let mut row = |label: &str, key: &str, sourced: &Sourced| {
+        let range =
+            case.ranges.iter().find(|range| range.path == key).map_or_else(|| NONE.to_owned(), spread);
+        let source = sourced.source.as_ref().map_or_else(|| "none given".to_owned(), ToString::to_string);
+        let quantity = &sourced.quantity;
+        table.row([label.to_owned(), amount(quantity.number(), Some(quantity.unit())), range, source]);
+    };
+    for (label, key, sourced) in [
+        ("speed at the demand", "avoid.speed", &given.speed),
+        ("limit", "avoid.limit", &given.limit),
+        ("reaction time t_R", "avoid.reaction_time", &given.reaction_time),
+        ("swell of the brakes t_S", "avoid.swell", &given.swell),
+        ("full deceleration a", "avoid.deceleration", &given.deceleration),
+    ] {
+        if let Some(sourced) = sourced {
+            row(label, key, sourced);
+        }
+    }
+    match &given.demand {
+        Some(GivenDemand::Distance(distance)) => row("demand: distance", "avoid.demand.distance", distance),
+        Some(GivenDemand::Time(time)) => row("demand: time", "avoid.demand.time", time),
+        Some(GivenDemand::Other { distance, speed }) => {
+            row("demand: other's way", "avoid.demand.other.distance", distance);
+            row("demand: other's speed", "avoid.demand.other.speed", speed);
+        }
+        None => {}
+    }
+    if let Some(Clear { distance, speed }) = &given.clear {
+        row("way out of the zone", "avoid.clear.distance", distance);
+        row("speed on that way", "avoid.clear.speed", speed);
+    }
+    if given.swell.is_none() {
+        table.notes.push("The swell of the brakes is 0, as the case gives none.".to_owned());
+    }
+    if given.speed.is_none() {
+        table.notes.push(format!(
+            "The speed at the impact, {}, is not an input of [avoid].",
+            units.road_speed(found.scene.at_impact)
+        ));
+    }
+    let missing = analysis::without_source(given);
+    if !missing.is_empty() {
+        table.notes.push(format!(
+            "Without a source: {}. An input without an origin is worth little before a court.",
+            missing.join(", ")
+        ));
+    }
+    table
+}
+
+fn demand(given: &Avoid, found: &Avoidance, units: Units) -> String {
+    let scene = &found.scene;
+    let [distance, time] = [(Measure::Way, scene.distance), (Measure::Time, scene.time)]
+        .map(|(measure, value)| units.format(measure, value));
+    let by = match &given.demand {
+        Some(GivenDemand::Other { distance, speed }) => format!(
+            " It follows from the way of the other party, {} at {}.",
+            distance.quantity, speed.quantity
+        ),
+        _ => String::new(),
+    };
+    let reason = given.demand_reason.as_ref().map_or_else(
+        || " The case does not say why (`reason` of `demand`).".to_owned(),
+        |reason| format!(" The reason: {reason}."),
+    );
+    format!(
+        "The danger could first be recognized when the vehicle was {distance} and {time} before the impact.{by}{reason} Every run \
+         below begins there."
+    )
+}
+
+/// The name of a run in the head of the table, in two lines.
+fn name(hypothesis: Hypothesis) -> [&'static str; 2] {
+    match hypothesis {
+        Hypothesis::Actual => ["what", "happened"],
+        Hypothesis::LimitOnly => ["at the limit,", "else as it was"],
+        Hypothesis::ReactionInTime => ["reaction", "in time"],
+        Hypothesis::FullBraking => ["full", "braking"],
+        Hypothesis::ReactionAndBraking => ["reaction and", "braking"],
+        Hypothesis::All => ["limit, reaction", "and braking"],
+    }
+}
+
+fn runs(case: &Case, found: &Avoidance, units: Units) -> Table {
+    let columns = found.runs.iter().map(|run| {
+        let [first, second] = name(run.hypothesis);
+        Column::numbers(first, Width::Fit(0)).unit(second)
+    });
+    let first = Column::words("", Width::Fit(24));
+    let mut table = Table::new(
+        "What happened, and what would have",
+        std::iter::once(first).chain(columns).collect::<Vec<_>>(),
+    );
+    let mut row = |label: String, of: &dyn Fn(&AvoidRun) -> Option<String>| {
+        let cells: Vec<Option<String>> = found.runs.iter().map(of).collect();
+        if cells.iter().any(Option::is_some) {
+            let cells = cells.into_iter().map(|cell| cell.unwrap_or_else(|| NONE.to_owned()));
+            table.cells(std::iter::once(label).chain(cells));
+        }
+    };
+    let label = |words: &str, measure| format!("{words}, {}", units.name(measure));
+    let distance = found.scene.distance;
+    row(label("speed at the demand", Measure::RoadSpeed), &|run| {
+        Some(units.plain(Measure::RoadSpeed, run.course.speed))
+    });
+    row(label("reaction time", Measure::Time), &|run| {
+        Some(units.plain(Measure::Time, run.course.response?.reaction()))
+    });
+    row(label("deceleration", Measure::Acceleration), &|run| {
+        Some(units.plain(Measure::Acceleration, run.course.response?.deceleration()))
+    });
+    row(label("way of the reaction", Measure::Way), &|run| {
+        Some(units.plain(Measure::Way, run.course.speed * run.course.response?.reaction()))
+    });
+    row(label("stopping distance", Measure::Way), &|run| Some(units.plain(Measure::Way, run.course.stop()?)));
+    row(label("stops before the place", Measure::Way), &|run| {
+        run.stops_before()
+            .then(|| units.plain(Measure::Way, distance - run.course.stop().unwrap_or(distance)))
+    });
+    row(label("speed at the place", Measure::RoadSpeed), &|run| {
+        Some(units.plain(Measure::RoadSpeed, run.collision_speed))
+    });
+    row(label("time to the place", Measure::Time), &|run| Some(units.plain(Measure::Time, run.arrival?)));
+    for (index, _) in case.vehicles.iter().enumerate().filter(|(_, vehicle)| !vehicle.fixed) {
+        row(label(&format!("ΔV of vehicle {}", index + 1), Measure::RoadSpeed), &|run| {
+            Some(units.plain(Measure::RoadSpeed, run.delta_v?[index]))
+        });
+    }
+    row("avoided".to_owned(), &|run| {
+        Some(if run.hypothesis == Hypothesis::Actual {
+            NONE.to_owned()
+        } else if run.stops_before() {
+            "in space".to_owned()
+        } else if run.is_late_enough == Some(true) {
+            "in time".to_owned()
+        } else {
+            "no".to_owned()
+        })
+    });
+    table
+}
+
+/// How the actual run is known, and whose reaction was late.
+fn on_the_runs(found: &Avoidance, units: Units) -> Vec<String> {
+    let AvoidScene { response, actual, distance, speed, .. } = &found.scene;
+    let time = |seconds: f64| units.format(Measure::Time, seconds.abs());
+    match actual {
+        ActualRun::Responded => vec![
+            "Nothing in the case says how the vehicle came to the impact. It is taken to have reacted and braked as the inputs say, so that \
+             its reaction was in time and its braking full. `unbraked = true`, the speed at the impact or skid marks tell \
+             otherwise."
+                .to_owned(),
+        ],
+        ActualRun::Unbraked(why) => {
+            let why = match why {
+                Unbraked::Stated => "The case says that the vehicle did not brake before the impact.".to_owned(),
+                Unbraked::NothingKnown => {
+                    "The case gives the speed at the impact, and nothing that says that the vehicle braked before it: it is taken to have come \
+                     with that speed from the demand on."
+                        .to_owned()
+                }
+                Unbraked::WouldHaveStopped => format!(
+                    "With the reaction and braking of the inputs, the vehicle would have stopped after {}, before the place of the \
+                     impact. So its driver reacted later, or not at all; it is taken to have come unbraked.",
+                    units.format(Measure::Way, response.stopping_distance(*speed))
+                ),
+            };
+            let late = response.reaction_to_stop_within(*speed, *distance).map(|longest| {
+                format!(
+                    " At the speed driven, a reaction of up to {} would have been in time, {} longer than that of the inputs.",
+                    time(longest),
+                    time((longest - response.reaction()).max(0.0))
+                )
+            });
+            vec![why + &late.unwrap_or_default()]
+        }
+        ActualRun::Skidded(slowed) => {
+            let late = slowed.reaction() - response.reaction();
+            let compared = if late >= 0.0 { "later" } else { "earlier" };
+            vec![format!(
+                "The skid says when the brakes took hold: {} after the demand, {} {compared} than with the reaction time of the \
+                 inputs. The deceleration of the skid, {}, is that of its friction.",
+                time(slowed.reaction()),
+                time(late),
+                units.format(Measure::Acceleration, slowed.deceleration()),
+            )]
+        }
+    }
+}
+
+fn just_avoiding(found: &Avoidance, units: Units) -> Table {
+    let mut table = Table::new(
+        "Speeds that just avoid it",
+        [
+            Column::words("", Width::Fixed(44)),
+            Column::numbers("speed", Width::Fixed(14)).unit(units.name(Measure::RoadSpeed)),
+            Column::numbers("95 % interval", Width::Fixed(20)).unit(units.name(Measure::RoadSpeed)),
+            Column::words("at the limit", Width::Fixed(18)),
+        ],
+    );
+    let chance = found.chance.as_ref();
+    let scene = &found.scene;
+    let mut row = |label: &str, speed: f64, interval: Option<&AvoidInterval>, is: &str| {
+        let ends = interval.map(|AvoidInterval { low, high, .. }| {
+            let [low, high] = [low, high].map(|end| units.plain(Measure::RoadSpeed, *end));
+            format!("{low} to {high}")
+        });
+        table.row([
+            label.to_owned(),
+            units.plain(Measure::RoadSpeed, speed),
+            ends.unwrap_or_else(|| NONE.to_owned()),
+            is.to_owned(),
+        ]);
+    };
+    let avoidable = |speed: f64| if scene.limit <= speed { "avoidable" } else { "not avoidable" };
+    let spatial = scene.spatial();
+    row(
+        "in space: it stops before the place",
+        spatial,
+        chance.map(|chance| &chance.spatial),
+        avoidable(spatial),
+    );
+    if let Some(temporal) = scene.temporal() {
+        let interval = chance.and_then(|chance| chance.temporal.as_ref());
+        row("in time: it comes when the zone is clear", temporal, interval, avoidable(temporal));
+    }
+    row("driven", scene.speed, chance.map(|chance| &chance.speed), "");
+    row(
+        "left at the place, from the limit",
+        scene.left_at_limit(),
+        chance.map(|chance| &chance.left_at_limit),
+        "",
+    );
+    if scene.temporal().is_none() {
+        table.notes.push(
+            "Whether it was avoidable in time is not asked, as the case has no `clear`: it takes that the other party certainly moved \
+             and would not have stopped."
+                .to_owned(),
+        );
+    }
+    table
+}
+
+fn enough(found: &Avoidance, units: Units) -> Block {
+    let none = || "nothing would have been enough".to_owned();
+    let enough = &found.enough;
+    let of = |measure, value: Option<f64>, word: &str| {
+        value.map_or_else(none, |value| format!("{word} {}", units.format(measure, value)))
+    };
+    Block::Facts {
+        title: "What would have been enough, each alone",
+        facts: vec![
+            ("Speed, in space or in time", of(Measure::RoadSpeed, Some(enough.speed), "at most")),
+            ("Deceleration, at the speed driven", of(Measure::Acceleration, enough.deceleration, "at least")),
+            ("Reaction time, at the speed driven", of(Measure::Time, enough.reaction, "at most")),
+        ],
+    }
+}
+
+fn probability(chance: &AvoidChance, units: Units) -> Table {
+    let mut table = Table::new(
+        "Probability",
+        [
+            Column::words("", Width::Fixed(56)),
+            Column::numbers("", Width::Fixed(12)),
+            Column::words("", Width::Share),
+        ],
+    );
+    let mut row = |label: &str, value: f64, error: String| {
+        table.row([label.to_owned(), number(value, 3), error]);
+    };
+    row(
+        "avoided, had it been driven at the limit",
+        chance.avoided_at_limit,
+        format!("± {}", number(chance.mc_error, 4)),
+    );
+    row("… as it stops before the place of the impact", chance.stopped_at_limit, String::new());
+    row("driven faster than the limit", chance.above_limit, String::new());
+    table.notes.push(format!(
+        "The share of {} samples of all that is uncertain in which no collision follows when the speed is lowered to the limit and all else \
+         is kept (Davis 2003). ± is the error of the sampling. The demand was {} to {} and {} to {} before the impact (95 %).",
+        chance.possible,
+        units.format(Measure::Way, chance.distance.low),
+        units.format(Measure::Way, chance.distance.high),
+        units.format(Measure::Time, chance.time.low),
+        units.format(Measure::Time, chance.time.high),
+    ));
+    if chance.possible < chance.samples {
+        table.notes.push(format!(
+            "{} more samples are no scene, such as brakes before the demand, and do not count.",
+            chance.samples - chance.possible
+        ));
+    }
+    table
+}
+
+fn influences(chance: &AvoidChance) -> Table {
+    let mut table = Table::new(
+        "What moves it most",
+        [Column::words("", Width::Fixed(56)), Column::numbers("difference", Width::Fixed(12))],
+    );
+    for influence in &chance.influences {
+        let name =
+            influence.input.as_ref().map_or_else(|| "the speed, by the evidence".to_owned(), input_name);
+        table.row([name, number(influence.difference, 3)]);
+    }
+    table.notes.push(
+        "The probability that it is avoided at the limit, among the samples in which the number is above its median, less that among the \
+         others."
+            .to_owned(),
+    );
+    table
+}
+
+fn definitions(case: &Case, found: &Avoidance) -> Vec<String> {
+    let form = match found.scene.response.form() {
+        Swell::Linear => {
+            "the deceleration grows evenly from zero over the swell: S = v (t_R + t_S/2) + v²/2a − a t_S²/24"
+        }
+        Swell::Half => {
+            "half the full deceleration acts during the swell: S = v (t_R + t_S/2) + v²/2a − a t_S²/8"
+        }
+        Swell::FullSpeed => "the swell is driven at full speed: S = v (t_R + t_S) + v²/2a",
+    };
+    let mut list = vec![
+        format!("Convention of the swell: {form}. Others give other speeds."),
+        "Avoidable in space: at that speed and with a timely reaction, the vehicle stops before the place of the impact.".to_owned(),
+        format!(
+            "Avoidable in time: it comes so much later that {} has left the danger zone. It comes second to avoidable in space, and only \
+             where it is certain that the other moved and could not stop.",
+            party(case)
+        ),
+        "Distances count from the reaction demand, not from the reaction; the demand is the place where the danger could first be recognized."
+            .to_owned(),
+    ];
+    if found.scene.temporal().is_some()
+        && case.avoid.as_ref().is_some_and(|avoid| avoid.other_party == Some(OtherParty::Pedestrian))
+    {
+        list.push(
+            "A pedestrian may freeze, run or turn back: avoidability in time is doubtful for pedestrians."
+                .to_owned(),
+        );
+    }
+    if found.runs.iter().any(|run| run.delta_v.is_some()) {
+        list.push(
+            "ΔV is that of the impact solved again with the lower speed, and all else of it as it was; the other party comes to the place at \
+             another time, which is left aside."
+                .to_owned(),
+        );
+    }
+    list.push(NO_GUILT.to_owned());
+    list
+}
