@@ -69,8 +69,8 @@
 //! It adds nothing to these crates. No rollover, no occupant loads.
 
 pub use {
-    analysis, case, crash3, drawing, estimate, evidence, field, inputs, pim_core, real, reconcile, recorder, report,
-    time_distance, trajectory, uncertainty, validation,
+    analysis, case, crash3, drawing, estimate, evidence, field, inputs, pim_core, real, reconcile, recorder,
+    report, time_distance, trajectory, uncertainty, validation,
 };
 
 /// The items that most reconstructions need: `use deltav::prelude::*;`.

@@ -21,7 +21,7 @@ pub enum FieldError {
     #[error(
         "there is no column {column}; --recorders needs CASEID and, with _1 and _2 for the vehicles, CURBWT, CARGOWT, \
          CDCPLANE, PDOF, HEADINGANG, FIELDL, DIRECTL, DIRECTD, C1 to C6, DVTOTAL, DVLONG, MAXDVLONG, MAXDVLAT, \
-         V_T0_KMH, V_T0_AT_S and BRAKE_T0, with commas between the columns"
+         V_T0_KMH, V_T0_AT_S, V_1S_KMH and BRAKE_T0, with commas between the columns"
     )]
     NoRecorderColumn {
         /// Its name.

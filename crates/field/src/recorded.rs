@@ -1,7 +1,7 @@
 //! Pairs whose recorders both stored a speed before the impact, and their tables.
 
 use pim_core::VehicleId;
-use real::Real;
+use recorder::{ImpactSpeed, ImpactSpeedErrors, PreCrash, PreCrashSample};
 
 use crate::error::FieldError;
 use crate::pair::{Pair, PairVehicle};
@@ -36,41 +36,28 @@ pub struct LastSpeed {
     pub gap: f64,
     /// Whether the brake was on; `None` where this was not stored.
     pub braked: Option<bool>,
+    /// (s, m/s) a speed about a second before the impact, with the time from it to the impact.
+    pub before: Option<(f64, f64)>,
 }
 
-/// (m/s²) deceleration of a full braking on a dry road.
-const FULL_BRAKING: f64 = 7.5;
-/// (m/s²) largest change of speed without brakes: the engine's drag and a full throttle of an average car.
-const UNBRAKED: f64 = 2.0;
-/// (m/s) mean by which a recorder reads low under full braking, as the wheels slip, and its standard
-/// deviation: −3 km/h in the mean of hard ABS braking, at worst −6.8 km/h (18 runs against GPS).
-const SLIP: [f64; 2] = [1.5 / 3.6, 1.5 / 3.6];
-/// (–) the part by which a recorder reads low at a steady speed, and its standard deviation with that of the
-/// tyres' size: −1.4 % in the mean, within 2.5 % in 99 of 100 (the same runs).
-const STEADY: [f64; 2] = [0.014, 0.01];
-/// (m/s) standard deviation by rounding to whole miles per hour.
-const ROUNDING: f64 = 0.447 / 3.464;
-
 impl LastSpeed {
-    /// (m/s) mean and standard deviation of the speed at impact less the stored one.
+    /// (m/s) mean and standard deviation of the speed at impact less the stored one, with the usual errors of
+    /// a recorder.
     #[must_use]
     pub fn to_impact(&self) -> [f64; 2] {
-        let Self { speed, gap, braked } = *self;
-        let [slip, slip_sd] = if braked == Some(false) { [0.0; 2] } else { SLIP };
-        let change = match braked {
-            Some(true) => [-FULL_BRAKING, 0.0],
-            Some(false) => [-UNBRAKED, UNBRAKED],
-            None => [-FULL_BRAKING, UNBRAKED],
+        let sample = |time: f64, speed: f64, brake| PreCrashSample {
+            time,
+            speed: Some(speed),
+            brake,
+            ..PreCrashSample::default()
         };
-        // A vehicle that brakes stands at last.
-        let [least, most] = change.map(|a| (a * gap).max(-speed));
-        let mean = 0.5 * (least + most) + slip + STEADY[0] * speed;
-        // (b − a)²/12 is the variance of a uniform distribution.
-        let square = (most - least) * (most - least) / 12.0
-            + slip_sd * slip_sd
-            + STEADY[1] * speed * (STEADY[1] * speed)
-            + ROUNDING * ROUNDING;
-        [mean, Real::sqrt(square)]
+        let before = self.before.map(|(time, speed)| sample(-time, speed, None));
+        let samples = before.into_iter().chain([sample(-self.gap, self.speed, self.braked)]);
+        let record = PreCrash::new(samples.collect());
+        let found =
+            record.ok().and_then(|record| ImpactSpeed::of(&record, &ImpactSpeedErrors::default()).ok());
+        // The reader takes only samples that make a record.
+        found.map_or([0.0; 2], |found| [found.mean - found.stored, found.sd])
     }
 }
 
@@ -151,10 +138,12 @@ impl Cells {
             vehicle_found.plane.is_side() || lengths.into_iter().flatten().any(|length| length > 0.0);
         let gap = self.at_most(MOST_GAP, "V_T0_AT_S", vehicle)?.map_or(0.0, f64::abs);
         let brake = self.at_most(MOST_SPEED, "BRAKE_T0", vehicle)?;
+        let before = self.at_most(MOST_SPEED, "V_1S_KMH", vehicle)?.filter(|speed| *speed >= 0.0);
+        let before = before.filter(|_| gap < 1.0).map(|speed| (1.0, speed / 3.6));
         Ok(Ok(Found {
             is_measured: has_width && depths.iter().any(|depth| *depth > 0.0),
             vehicle: vehicle_found,
-            last: LastSpeed { speed: speed / 3.6, gap, braked: brake.map(|brake| brake > 0.0) },
+            last: LastSpeed { speed: speed / 3.6, gap, braked: brake.map(|brake| brake > 0.0), before },
         }))
     }
 }

@@ -4,7 +4,7 @@ use super::*;
 use crate::recorded::read_recorders;
 
 /// A head-on impact along one line, by default: 1425 kg + 75 kg each, both at 36 km/h.
-const COLUMNS: [(&str, &str); 42] = [
+const COLUMNS: [(&str, &str); 44] = [
     ("CASEID", "7"),
     ("CURBWT_1", "1425"),
     ("CARGOWT_1", ""),
@@ -26,6 +26,7 @@ const COLUMNS: [(&str, &str); 42] = [
     ("MAXDVLAT_1", "0"),
     ("V_T0_KMH_1", "36"),
     ("V_T0_AT_S_1", "0"),
+    ("V_1S_KMH_1", "36"),
     ("BRAKE_T0_1", "0"),
     ("CURBWT_2", "1425"),
     ("CARGOWT_2", ""),
@@ -46,6 +47,7 @@ const COLUMNS: [(&str, &str); 42] = [
     ("MAXDVLONG_2", "-36"),
     ("V_T0_KMH_2", "36"),
     ("V_T0_AT_S_2", "0"),
+    ("V_1S_KMH_2", "36"),
     ("BRAKE_T0_2", "0"),
 ];
 
@@ -64,39 +66,39 @@ fn row(changes: &[(&str, &str)]) -> Result<RecordedPair, String> {
 }
 
 #[test]
-fn the_speed_at_impact_follows_from_the_last_sample() {
-    let last = |gap, braked| LastSpeed { speed: 20.0, gap, braked }.to_impact();
-    // By hand, m/s: steady, 1.4 % of 20 low; at most 2 m/s² either way for 0.5 s.
-    let [mean, sd] = last(0.5, Some(false));
-    assert!((mean - 0.28).abs() < 1e-12, "{mean}");
-    // √((2 · 0.5)²·2²/12/2² …): uniform over 2 m/s, 1 % of 20, rounding to 1 mph.
-    assert!((sd * sd - (4.0 / 12.0 + 0.04 + 0.447 * 0.447 / 12.0)).abs() < 1e-4, "{sd}");
-    // Braked: 7.5 m/s² for 0.5 s at most, and slip of 1.5 km/h.
-    let [mean, _] = last(0.5, Some(true));
-    assert!((mean - (0.28 + 1.5 / 3.6 - 0.5 * 3.75)).abs() < 1e-12, "{mean}");
-    // A vehicle that brakes for 10 s stands.
-    let [mean, _] = last(10.0, Some(true));
-    assert!((mean - (0.28 + 1.5 / 3.6 - 10.0)).abs() < 1e-12, "{mean}");
-    // Unknown brakes: between both.
-    let [unknown, wide] = last(0.5, None);
-    assert!(unknown < 0.28 && wide > sd, "{unknown} {wide}");
+fn the_speed_at_impact_follows_from_the_last_samples() {
+    let last = |gap, braked| {
+        let [mean, sd] = LastSpeed { speed: 20.0, gap, braked, before: Some((1.0, 20.0)) }.to_impact();
+        assert!(sd > 0.1 && sd < 3.0, "{sd}");
+        mean
+    };
+    // A recorder reads 1.4 % low while the wheels roll: 0.28 m/s.
+    assert!((last(0.0, Some(false)) - 0.28).abs() < 0.02, "{}", last(0.0, Some(false)));
+    // Half a second of braking takes at most 0.75 g · 0.5 s = 3.7 m/s.
+    let braked = last(0.5, Some(true));
+    assert!(braked < 0.28 && braked > 0.28 - 3.7, "{braked}");
+    // The stored speed is the only one that counts where it is exact.
+    assert!(last(0.5, Some(false)) > braked);
 }
 
 #[test]
 fn a_common_velocity_shares_the_closing_speed_by_the_masses() {
-    // 1.4 % low each: 36 · 1.014 km/h. Head-on, equal masses: each stops.
+    // Each is 1.4 % low. Head-on, equal masses: each stops.
     let pair = row(&[]).unwrap();
+    let speed = 36.0 + 3.6 * pair.last[0].to_impact()[0];
+    assert!((speed - 36.504).abs() < 0.05, "{speed}");
     let [one, two] = pair.to_common_velocity().unwrap();
     for [along, across] in [one, two] {
-        assert!((3.6 * along + 36.504).abs() < 1e-9 && across.abs() < 1e-9, "{along} {across}");
+        assert!((3.6 * along + speed).abs() < 1e-9 && across.abs() < 1e-9, "{along} {across}");
     }
-    // At a right angle, vehicle 2 to the east and three times as heavy: ΔV_1 = 3/4 (v_2 − v_1), forward −27.378,
-    // to the right +27.378.
+    // At a right angle, vehicle 2 to the east and three times as heavy: ΔV_1 = 3/4 (v_2 − v_1), as much
+    // back as to the right.
     let pair = row(&[("HEADINGANG_2", "90"), ("CURBWT_2", "4425")]).unwrap();
     let [[along, across], [second, left]] = pair.to_common_velocity().unwrap().map(|dv| dv.map(|v| 3.6 * v));
-    assert!((along + 27.378).abs() < 1e-9 && (across - 27.378).abs() < 1e-9, "{along} {across}");
+    let (most, least) = (0.75 * speed, 0.25 * speed);
+    assert!((along + most).abs() < 1e-9 && (across - most).abs() < 1e-9, "{along} {across}");
     // ΔV_2 = 1/4 (v_1 − v_2): back, and north is to the left of a vehicle that goes east.
-    assert!((second + 9.126).abs() < 1e-9 && (left + 9.126).abs() < 1e-9, "{second} {left}");
+    assert!((second + least).abs() < 1e-9 && (left + least).abs() < 1e-9, "{second} {left}");
 }
 
 #[test]
@@ -105,7 +107,7 @@ fn a_record_of_another_impact_is_doubted() {
     // ln(36.5/9) = 1.4
     let doubted = row(&[("MAXDVLONG_2", "-9")]).unwrap().doubted();
     assert_eq!(doubted.iter().map(|record| record.vehicle).collect::<Vec<_>>(), [VehicleId::Two]);
-    assert!((3.6 * doubted[0].common - 36.504).abs() < 1e-9);
+    assert!((3.6 * doubted[0].common - 36.504).abs() < 0.05);
 }
 
 #[test]
@@ -145,7 +147,7 @@ fn speeds_are_judged_by_the_evidence_beside_the_own_recorder() {
     assert_eq!(judged.other_speed.coverage.map(|[.., most]| most), Some(1.0));
     let by_momentum = judged.delta_v_from_speeds;
     // ln 1.014
-    assert!((by_momentum.bias.unwrap() - 0.013_903).abs() < 1e-6, "{by_momentum:?}");
+    assert!((by_momentum.bias.unwrap() - 0.013_9).abs() < 0.001_5, "{by_momentum:?}");
     let exact = &judged.other_speed.half_width_without;
     assert!(
         exact.iter().all(|(_, width)| *width < 1.05 * judged.other_speed.half_width.unwrap()),
