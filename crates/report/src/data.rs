@@ -9,6 +9,7 @@ pub(crate) mod field;
 pub(crate) mod headline;
 pub(crate) mod json;
 pub(crate) mod judgement;
+pub(crate) mod recorder;
 pub(crate) mod samples;
 pub(crate) mod sensitivity;
 pub(crate) mod topics;

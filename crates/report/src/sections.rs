@@ -9,6 +9,7 @@ pub(crate) mod handover;
 pub(crate) mod headline;
 pub(crate) mod judgement;
 pub(crate) mod motion;
+pub(crate) mod recorder;
 pub(crate) mod results;
 pub(crate) mod sensitivity;
 pub(crate) mod topics;

@@ -40,6 +40,7 @@ mod estimate;
 mod options;
 mod picture;
 mod progress;
+mod records;
 mod refusal;
 mod sensitivity;
 mod solved;
@@ -47,7 +48,7 @@ mod uncertainty;
 
 use std::io::{self, Write};
 
-use analysis::{Comparison, Judgement, Sensitivity, Uncertainty};
+use analysis::{Comparison, Judgement, RecorderReading, Sensitivity, Uncertainty};
 use case::{Case, CaseFile};
 use report::{CsvStyle, Document, RowAnswer, SitePlan, Table, Units};
 use serde::Serialize;
@@ -56,6 +57,7 @@ pub use estimate::{EstimateAnswer, EstimateOptions};
 pub use options::{OptionError, RequestOptions};
 pub use picture::{DrawingRequest, plan_path, read_picture, site_plan_beside};
 pub use progress::RequestProgress;
+pub use records::read_records_beside;
 pub use refusal::{NoPage, RowRefusal, Unanswered};
 pub use sensitivity::SensitivityOptions;
 pub use solved::{ReconstructOptions, SolvedCase, weigh};
@@ -80,6 +82,8 @@ pub enum Request {
     Check,
     /// The answers of every impact law.
     Compare,
+    /// What the recorders say alone.
+    Recorder,
     /// How much the answer depends on each input.
     Sensitivity(SensitivityOptions),
     /// The intervals of the results that follow from the ranges of the case.
@@ -126,6 +130,8 @@ pub enum Answer {
     Judgement(Box<Judgement>),
     /// Of [`Request::Compare`].
     Comparison(Box<Comparison>),
+    /// Of [`Request::Recorder`].
+    Recorders(Box<RecorderReading>),
     /// Of [`Request::Sensitivity`].
     Sensitivity(Box<Sensitivity>),
     /// Of [`Request::Uncertainty`].
@@ -153,6 +159,7 @@ impl Request {
             "crush" => Self::Crush,
             "check" => Self::Check,
             "compare" => Self::Compare,
+            "recorder" => Self::Recorder,
             "sensitivity" => Self::Sensitivity(SensitivityOptions::read(options)?),
             "uncertainty" => Self::Uncertainty(UncertaintyOptions::read(options)?),
             "estimate" => Self::Estimate(EstimateOptions::read(options)?),
@@ -170,7 +177,7 @@ impl Request {
             Self::Uncertainty(options) => options.check(),
             Self::Estimate(options) => options.check(),
             Self::Reconstruct(_) | Self::Impact | Self::Motion | Self::Crush => Ok(()),
-            Self::Check | Self::Compare => Ok(()),
+            Self::Check | Self::Compare | Self::Recorder => Ok(()),
         }
     }
 
@@ -208,6 +215,7 @@ impl Request {
             Self::Crush => analysis::crush(case).map(Answer::from),
             Self::Check => Ok(Answer::Judgement(Box::new(analysis::judge(case)))),
             Self::Compare => analysis::compare(case).map(|found| Answer::Comparison(Box::new(found))),
+            Self::Recorder => analysis::recorders(case).map(|found| Answer::Recorders(Box::new(found))),
             Self::Sensitivity(options) => {
                 let found = analysis::sensitivity(case, options.sweep());
                 found.map(|found| Answer::Sensitivity(Box::new(found)))
@@ -223,7 +231,7 @@ impl Request {
             Self::Reconstruct(_) | Self::Impact | Self::Motion | Self::Crush => Some(Table::Analyses),
             Self::Compare => Some(Table::Comparisons),
             Self::Uncertainty(_) => Some(Table::Uncertainties),
-            Self::Check | Self::Sensitivity(_) | Self::Estimate(_) => None,
+            Self::Check | Self::Recorder | Self::Sensitivity(_) | Self::Estimate(_) => None,
         }
     }
 
@@ -246,6 +254,7 @@ impl Answer {
             Self::Analysis(solved) => solved.document(case, units),
             Self::Judgement(judgement) => report::judgement(file, judgement, units),
             Self::Comparison(comparison) => report::comparison(case, comparison, units),
+            Self::Recorders(reading) => report::recorders(file, reading, units),
             Self::Sensitivity(sensitivity) => report::sensitivity(case, sensitivity, units),
             Self::Uncertainty(uncertainty) => report::uncertainty(case, uncertainty, units),
             Self::Estimate(answer) => report::estimate(case, &answer.estimated, &answer.asked, units),
@@ -284,6 +293,7 @@ impl Answer {
             Self::Analysis(solved) => solved.json(file),
             Self::Judgement(judgement) => report::judgement_json(file, judgement),
             Self::Comparison(comparison) => report::comparison_json(file, comparison),
+            Self::Recorders(reading) => report::recorders_json(file, reading),
             Self::Sensitivity(sensitivity) => report::sensitivity_json(file, sensitivity),
             Self::Uncertainty(uncertainty) => report::uncertainty_json(file, uncertainty),
             Self::Estimate(answer) => report::estimate_json(file, &answer.estimated, &answer.asked),
@@ -297,7 +307,7 @@ impl Answer {
             Self::Analysis(solved) => Some(RowAnswer::Analysis(&solved.analysis)),
             Self::Comparison(comparison) => Some(RowAnswer::Comparison(comparison)),
             Self::Uncertainty(uncertainty) => Some(RowAnswer::Uncertainty(uncertainty)),
-            Self::Judgement(_) | Self::Sensitivity(_) | Self::Estimate(_) => None,
+            Self::Judgement(_) | Self::Recorders(_) | Self::Sensitivity(_) | Self::Estimate(_) => None,
         }
     }
 
@@ -319,12 +329,12 @@ impl Answer {
             Self::Estimate(answer) if !answer.estimated.doubts().is_empty() => {
                 Some("the run has not converged: the report says why, and has no intervals")
             }
-            Self::Judgement(_) | Self::Comparison(_) | Self::Sensitivity(_) => None,
+            Self::Judgement(_) | Self::Comparison(_) | Self::Recorders(_) | Self::Sensitivity(_) => None,
             Self::Uncertainty(_) | Self::Estimate(_) => None,
         }
     }
 
-    /// Writes the samples or draws as CSV; nothing if it is [not an answer](Self::no_answer) or has no
+    /// Writes the samples or draws as CSV, of recorders what they stored before the impact; nothing if it is [not an answer](Self::no_answer) or has no
     /// samples.
     ///
     /// # Errors
@@ -337,6 +347,7 @@ impl Answer {
             Self::Analysis(solved) => solved.write_draws(style, out),
             Self::Uncertainty(uncertainty) => report::write_samples(uncertainty, style, out),
             Self::Estimate(answer) => report::write_draws(&answer.estimated, style, out),
+            Self::Recorders(reading) => report::write_records(reading, style, out),
             Self::Judgement(_) | Self::Comparison(_) | Self::Sensitivity(_) => Ok(()),
         }
     }
