@@ -13,7 +13,7 @@ use pyo3::types::{PyBytes, PyDict, PyInt, PyString, PyTuple};
 use report::{SitePlan, Subject, Units};
 use requests::{
     DrawingRequest, EstimateOptions, ReconstructOptions, Request, SensitivityOptions, UncertaintyOptions,
-    site_plan_beside,
+    read_records_beside, site_plan_beside,
 };
 use uncertainty::SamplingMethod;
 
@@ -102,8 +102,15 @@ impl Given {
         bytes: &[u8],
         path: Option<PathBuf>,
     ) -> PyResult<PyCase> {
-        let file =
-            py.detach(|| CaseFile::parse_bytes(name, bytes)).map_err(|errors| wrong_case(py, errors))?;
+        let read = || {
+            let mut file = CaseFile::parse_bytes(name, bytes)?;
+            // A case from a text alone has no folder in which a file could lie.
+            if let Some(path) = &path {
+                read_records_beside(path, &mut file, &METHODS)?;
+            }
+            Ok(file)
+        };
+        let file = py.detach(read).map_err(|errors| wrong_case(py, errors))?;
         Ok(PyCase(Arc::new(Self { file, path })))
     }
 

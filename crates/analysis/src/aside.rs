@@ -83,6 +83,8 @@ pub(crate) fn left_aside(case: &Case, used: Used) -> Vec<String> {
             add(recorder.delta_v_longitudinal.is_some(), "recorder.delta_v_longitudinal");
             add(recorder.delta_v_lateral.is_some(), "recorder.delta_v_lateral");
             add(recorder.yaw_rate.is_some(), "recorder.yaw_rate");
+            add(recorder.pre_crash.is_some(), "recorder.pre_crash");
+            add(recorder.pulse.is_some(), "recorder.pulse");
         }
     }
     keys
@@ -112,25 +114,27 @@ pub(crate) fn contradictions(case: &Case, analysis: &Analysis, used: Used) -> Ve
         };
         let share = |percent: Option<f64>, usual: f64| percent.map_or(usual, |percent| percent / 100.0);
         if let Some(recorder) = &vehicle.recorder {
-            if let Some(given) = recorder.speed.as_ref().map(Quantity::si) {
-                let error = share(recorder.speed_error, RECORDER_SPEED_ERROR);
-                if differs(given, speed, error) {
-                    add(Evident::RecordedSpeed, given, speed);
+            let ground = case.surface.as_ref().map(|surface| surface.friction);
+            if let Some(told) = recorder.tells_speed(ground) {
+                let error = told.error.unwrap_or(RECORDER_SPEED_ERROR);
+                if differs(told.speed, speed, error) {
+                    let evidence =
+                        if told.is_of_table { Evident::TabledSpeed } else { Evident::RecordedSpeed };
+                    add(evidence, told.speed, speed);
                 }
             }
             let error = share(recorder.delta_v_error, RECORDER_DELTA_V_ERROR);
             let [along, left] = exchange.delta_v_components[place];
+            let told = recorder.tells_delta_v(case.axes);
+            let is_of_table = told.is_some_and(|told| told.is_of_table);
+            let [longitudinal, lateral] = if is_of_table {
+                [Evident::PulseLongitudinal, Evident::PulseLateral]
+            } else {
+                [Evident::RecordedLongitudinal, Evident::RecordedLateral]
+            };
             let parts = [
-                (
-                    Evident::RecordedLongitudinal,
-                    recorder.delta_v_longitudinal.as_ref().map(Quantity::si),
-                    along,
-                ),
-                (
-                    Evident::RecordedLateral,
-                    recorder.delta_v_lateral.as_ref().map(|given| case.axes.lateral(given.si())),
-                    left,
-                ),
+                (longitudinal, told.and_then(|told| told.along), along),
+                (lateral, told.and_then(|told| told.left), left),
             ];
             // The error of a component is that of the whole: a direction is not known better than a size.
             let whole =

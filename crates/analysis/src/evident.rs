@@ -10,6 +10,12 @@ pub enum Evident {
     RecordedLongitudinal,
     /// (m/s) the recorder's ΔV across the vehicle.
     RecordedLateral,
+    /// (m/s) the speed at impact by the recorder's table.
+    TabledSpeed,
+    /// (m/s) ΔV along the vehicle by the recorder's pulse.
+    PulseLongitudinal,
+    /// (m/s) ΔV across the vehicle by the recorder's pulse.
+    PulseLateral,
     /// (m/s) the speed at the start of its skid.
     SkidSpeed,
     /// (m/s) the speed after the impact.
@@ -30,6 +36,8 @@ impl Evident {
             Self::RecordedSpeed => "recorder.speed",
             Self::RecordedLongitudinal => "recorder.delta_v_longitudinal",
             Self::RecordedLateral => "recorder.delta_v_lateral",
+            Self::TabledSpeed => "recorder.pre_crash",
+            Self::PulseLongitudinal | Self::PulseLateral => "recorder.pulse",
             Self::SkidSpeed => "before.speed",
             Self::SpeedAfter => "after.speed",
             Self::DirectionAfter => "after.direction",
@@ -40,6 +48,6 @@ impl Evident {
 
     /// Whether its sign is that of the lateral axis.
     pub(crate) fn is_lateral(self) -> bool {
-        matches!(self, Self::RecordedLateral | Self::DirectionAfter)
+        matches!(self, Self::RecordedLateral | Self::PulseLateral | Self::DirectionAfter)
     }
 }

@@ -16,6 +16,7 @@ mod judgement;
 mod momentum_asked;
 mod plausibility;
 mod public_cases;
+mod recorders;
 mod sensitivity;
 mod tangential_share;
 mod to_rest;

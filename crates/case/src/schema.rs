@@ -611,7 +611,7 @@ pub(crate) static POSITION: Schema = Schema {
 
 pub(crate) static RECORDER: Schema = Schema {
     place: "[vehicle1.recorder] or [vehicle2.recorder]",
-    text: "What the event data recorder of the vehicle stored. `deltav estimate` holds it against the impact; no other command uses it.",
+    text: "What the event data recorder of the vehicle stored. `deltav recorder` shows what it says alone, and `deltav estimate` holds it against the impact; no other command uses it.",
     keys: &[
         key(
             "delta_v_longitudinal",
@@ -661,12 +661,216 @@ pub(crate) static RECORDER: Schema = Schema {
             Form::Exact(Dimension::YawRate, POSITIVE),
             "Error of the recorded yaw rate, as a standard deviation. 20 % of it if left out, and at least 10 °/s.",
         ),
+        table("pre_crash", "pre_crash = { file = \"edr.csv\" }", &PRE_CRASH),
+        table("pulse", "pulse = { file = \"pulse.csv\" }", &PULSE),
+        table("at", "at = { x = \"-0.3 m\", y = \"0 m\" }", &RECORDER_AT),
+        table("errors", "errors = { slip_low = \"3 km/h\", friction = \"75 %\" }", &RECORDER_ERRORS),
     ],
     rules: &[
+        Rule::NeverIf(Has("pre_crash"), &["speed"]),
+        Rule::NeverIf(Has("pulse"), &["delta_v_longitudinal", "delta_v_lateral"]),
         Rule::NeedsIf(&[Has("delta_v_lateral")], &["delta_v_longitudinal"]),
         Rule::NeedsIf(&[Has("direction_error")], &["delta_v_lateral"]),
         Rule::NeedsIf(&[Has("yaw_rate_error")], &["yaw_rate"]),
     ],
+};
+
+pub(crate) static PRE_CRASH: Schema = Schema {
+    place: "pre_crash = { … } of [vehicle1.recorder] or [vehicle2.recorder]",
+    text: "What the recorder stored before the impact: speeds over time and, where it has them, brake, ABS and others. From the last of them follow the speed at impact and its error, in place of `speed`.",
+    keys: &[
+        key(
+            "text",
+            "text = \"Time (s) -0.5 0\\nVehicle speed (km/h) 58 47\"",
+            Form::Text,
+            "A table as text, in three double quotes: copied out of a printed report, or the lines of a CSV. Columns are recognised by their headings and units, and `deltav recorder` shows what each was taken for.",
+        ),
+        key(
+            "file",
+            "file = \"edr.csv\"",
+            Form::Text,
+            "Name of a text with the table, such as a CSV. It is looked for in the folder of the case file, or in a folder within that.",
+        ),
+        key(
+            "time",
+            "time = \"-1 -0.5 0 s\"",
+            Form::Text,
+            "Times of the values of the other columns, in one text with their unit behind them. 0 is the impact.",
+        ),
+        key(
+            "speed",
+            "speed = \"60 58 47 km/h\"",
+            Form::Text,
+            "Speeds that the recorder stored, in one text with their unit behind them. A value that it does not have is `-`.",
+        ),
+        key("brake", "brake = \"off on on\"", Form::Text, "Whether the service brake was on, for each time."),
+        key(
+            "abs",
+            "abs = \"off off on\"",
+            Form::Text,
+            "Whether the antilock brakes were at work, for each time.",
+        ),
+        key("stability", "stability = \"on on on\"", Form::Text, "Stability control, for each time."),
+        key("accelerator", "accelerator = \"12 0 0 %\"", Form::Text, "Accelerator pedal, for each time."),
+        key("throttle", "throttle = \"12 0 0 %\"", Form::Text, "Engine throttle, for each time."),
+        key(
+            "engine_speed",
+            "engine_speed = \"1900 1700 1500 rpm\"",
+            Form::Text,
+            "Engine speed, for each time.",
+        ),
+        key(
+            "steering",
+            "steering = \"0 -5 -12.5 deg\"",
+            Form::Text,
+            "Angle of the steering wheel, for each time, in the sense that the report has.",
+        ),
+        key(
+            "yaw_rate",
+            "yaw_rate = \"0 -2 -8 deg/s\"",
+            Form::Text,
+            "Yaw rate before the impact, for each time, in the sense that the report has.",
+        ),
+    ],
+    rules: &[Rule::OneOf(&[
+        form(&["text"], &[]),
+        form(&["file"], &[]),
+        form(
+            &["time", "speed"],
+            &["brake", "abs", "stability", "accelerator", "throttle", "engine_speed", "steering", "yaw_rate"],
+        ),
+    ])],
+};
+
+pub(crate) static PULSE: Schema = Schema {
+    place: "pulse = { … } of [vehicle1.recorder] or [vehicle2.recorder]",
+    text: "ΔV over time, as the recorder stored it. From it follow ΔV, and whether the record ends before the impact does, in place of `delta_v_longitudinal` and `delta_v_lateral`.",
+    keys: &[
+        key(
+            "text",
+            "text = \"Time (ms) 0 10 20\\nLongitudinal delta-V (km/h) 0 -4 -9\"",
+            Form::Text,
+            "A table as text, in three double quotes: copied out of a printed report, or the lines of a CSV. Columns are recognised by their headings and units, and `deltav recorder` shows what each was taken for.",
+        ),
+        key(
+            "file",
+            "file = \"edr.csv\"",
+            Form::Text,
+            "Name of a text with the table, such as a CSV. It is looked for in the folder of the case file, or in a folder within that.",
+        ),
+        key(
+            "time",
+            "time = \"0 10 20 ms\"",
+            Form::Text,
+            "Times of the values of the other columns, in one text with their unit behind them. 0 is the impact.",
+        ),
+        key(
+            "delta_v_longitudinal",
+            "delta_v_longitudinal = \"0 -4 -9 km/h\"",
+            Form::Text,
+            "ΔV along the vehicle until each time, in one text with its unit behind the values. Negative where the vehicle was slowed down.",
+        ),
+        key(
+            "delta_v_lateral",
+            "delta_v_lateral = \"0 1 2 km/h\"",
+            Form::Text,
+            "ΔV across the vehicle until each time. Positive to the right, as recorders store it, whatever the axes.",
+        ),
+    ],
+    rules: &[Rule::OneOf(&[
+        form(&["text"], &[]),
+        form(&["file"], &[]),
+        form(&["time"], &["delta_v_longitudinal", "delta_v_lateral"]),
+    ])],
+};
+
+pub(crate) static RECORDER_AT: Schema = Schema {
+    place: "at = { … } of [vehicle1.recorder] or [vehicle2.recorder]",
+    text: "Where the recorder is, from the CG. A recorder away from it stores a ΔV that is that of the CG and that of the rotation; with `yaw_rate`, ΔV of `pulse` is taken to the CG.",
+    keys: &[
+        key("x", "x = \"-0.3 m\"", Form::Exact(Dimension::Length, ANY), "Distance forward from the CG."),
+        key(
+            "y",
+            "y = \"0 m\"",
+            Form::Exact(Dimension::Length, ANY),
+            "Distance to the left of the CG, or to the right with `axes = \"z-down\"`.",
+        ),
+    ],
+    rules: &[Rule::Needs(&["x", "y"])],
+};
+
+pub(crate) static RECORDER_ERRORS: Schema = Schema {
+    place: "errors = { … } of [vehicle1.recorder] or [vehicle2.recorder]",
+    text: "Errors of a stored speed as the speed at impact. Each has a default, which `deltav recorder` shows with its source.",
+    keys: &[
+        key(
+            "step",
+            "step = \"1 km/h\"",
+            Form::Exact(Dimension::Speed, NOT_NEGATIVE),
+            "Step in which speeds are stored, to the nearest. 1 km/h if left out, as in 49 CFR 563 and UN R160.",
+        ),
+        key(
+            "steady_low",
+            "steady_low = \"1.4 %\"",
+            Form::Percent,
+            "How much too low a stored speed is in steady driving, as a share of it. 1.4 % if left out, the mean of 18 runs of a 2010 Ford Flex against GPS.",
+        ),
+        key(
+            "steady_sd",
+            "steady_sd = \"0.43 %\"",
+            Form::Percent,
+            "Standard deviation of that share. 0.43 % if left out, from the same runs.",
+        ),
+        key(
+            "tyre_sd",
+            "tyre_sd = \"0.7 %\"",
+            Form::Percent,
+            "Standard deviation of the share by which worn or other tyres change a stored speed. 0.7 % if left out.",
+        ),
+        key(
+            "slip_low",
+            "slip_low = \"3 km/h\"",
+            Form::Exact(Dimension::Speed, NOT_NEGATIVE),
+            "How much too low a stored speed is in hard braking, as the wheels slip. 3 km/h if left out, the mean of the same 18 runs with ABS.",
+        ),
+        key(
+            "slip_sd",
+            "slip_sd = \"2.1 km/h\"",
+            Form::Exact(Dimension::Speed, NOT_NEGATIVE),
+            "Standard deviation of that. 2.1 km/h if left out, so that the worst of 18 runs is 6.8 km/h.",
+        ),
+        key(
+            "friction",
+            "friction = \"75 %\"",
+            Form::Percent,
+            "Drag factor of hard braking between the last sample and the impact. That of [surface] if left out, or 75 %.",
+        ),
+        key(
+            "coasting",
+            "coasting = \"10 %\"",
+            Form::Percent,
+            "Greatest acceleration and deceleration with the brake off, in per cent of g. 1 m/s² if left out.",
+        ),
+        key(
+            "brake_comes_on",
+            "brake_comes_on = \"25 %\"",
+            Form::Percent,
+            "Probability that the brake, off in the last sample, came on within half a second after it. 25 % if left out.",
+        ),
+        key(
+            "latency",
+            "latency = \"0.1 s\"",
+            Form::Exact(Dimension::Time, NOT_NEGATIVE),
+            "Greatest age of a stored speed at the time that the report gives for it. 0.1 s if left out.",
+        ),
+        key(
+            "last_is_of_impact",
+            "last_is_of_impact = \"50 %\"",
+            Form::Percent,
+            "Probability that a last speed that fell by more than g allows is of the impact itself, or slip, so that the sample before it counts. 50 % if left out.",
+        ),
+    ],
+    rules: &[],
 };
 
 pub(crate) static CERTAIN_SPEED: Schema = Schema {
@@ -1677,7 +1881,7 @@ pub(crate) static RANGE_OF_LIST: Schema = Schema {
     rules: &[Rule::OneOf(&[form(&["values", "sd"], &[]), form(&["values", "within", "confidence"], &[])])],
 };
 
-static ALL: [&Schema; 24] = [
+static ALL: [&Schema; 28] = [
     &TOP,
     &REPORT,
     &SCENE,
@@ -1696,6 +1900,10 @@ static ALL: [&Schema; 24] = [
     &BEFORE,
     &AFTER,
     &RECORDER,
+    &PRE_CRASH,
+    &PULSE,
+    &RECORDER_AT,
+    &RECORDER_ERRORS,
     &CERTAIN_SPEED,
     &ESTIMATE,
     &AVOID,

@@ -5,6 +5,7 @@ use std::ops::Range;
 use std::sync::OnceLock;
 
 use inputs::Text;
+use recorder::TextPlace;
 use toml::de::DeTable;
 
 use crate::node::Entries;
@@ -94,6 +95,18 @@ impl Source {
         self.spans.get(path)
     }
 
+    /// Line and column, from 1, of a place within the text that is the value of a key; `None` if it is written
+    /// with escapes, or the source is no text.
+    #[must_use]
+    pub fn place_in_text(&self, path: &str, text: &str, place: TextPlace) -> Option<TextPlace> {
+        let source = self.text.as_deref()?;
+        let at = span_in_text(source, &self.span(path)?, text, place)?.start;
+        let before = source.get(..at)?;
+        let line = 1 + before.matches('\n').count();
+        let column = 1 + before.rsplit('\n').next().unwrap_or_default().chars().count();
+        Some(TextPlace { line, column })
+    }
+
     /// (bytes) every key and table in the text, with its place as in [`span`](Self::span), in the order of
     /// their names.
     pub fn spans(&self) -> impl Iterator<Item = (&str, Range<usize>)> {
@@ -106,4 +119,22 @@ impl Source {
     pub fn nearest_span(&self, path: &str) -> Option<Range<usize>> {
         self.spans.nearest(path)
     }
+}
+
+/// (bytes) the piece at a place of a text that stands as a string within `span` of the source; `None` if the
+/// string is written with escapes.
+pub(crate) fn span_in_text(
+    source: &str,
+    span: &Range<usize>,
+    text: &str,
+    place: TextPlace,
+) -> Option<Range<usize>> {
+    let start = span.start + source.get(span.clone())?.find(text)?;
+    let before: usize = text.split_inclusive('\n').take(place.line.saturating_sub(1)).map(str::len).sum();
+    let line = text.get(before..)?.lines().next().unwrap_or_default();
+    let from: usize = line.chars().take(place.column.saturating_sub(1)).map(char::len_utf8).sum();
+    let rest = line.get(from..)?;
+    let length = rest.find([' ', '\t', ',', ';']).unwrap_or(rest.len()).max(1);
+    let begin = (start + before + from).min(span.end);
+    Some(begin..(begin + length).min(span.end).max(begin))
 }

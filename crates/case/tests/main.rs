@@ -8,4 +8,5 @@ mod guide;
 mod invalid;
 mod large;
 mod motion;
+mod recorders;
 mod schema;

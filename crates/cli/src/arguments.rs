@@ -223,6 +223,21 @@ pub(crate) enum Question {
             More: `deltav explain impact law`, `deltav explain two unknown speeds`, `deltav explain rows`."
     )]
     Compare(CasesArguments),
+    /// Show what the event data recorders say alone
+    #[command(
+        before_help = "Reads the table of a recorder from the case, from a CSV beside it, or as it copies out \
+            of a printed report (`pre_crash` and `pulse` of [vehicle1.recorder]). Prints what each heading was \
+            taken for, and each cell without a value with its place; the distance between the samples, with \
+            bounds that always hold; the speed at impact with its interval and what its error comes from; \
+            where the pulse begins and ends, its ΔV, and whether the record ends before the impact does. \
+            HTML has the curves.",
+        after_help = "Examples:\n  deltav recorder fixtures/recorder.toml\n  \
+            deltav recorder fixtures/recorder.toml --format html -o recorder.html\n  \
+            deltav recorder fixtures/recorder.toml --samples-out path.csv\n\n\
+            Exit status: 0 done; 1 no answer; 2 wrong case file, or no table of a recorder in it.\n\n\
+            More: `deltav explain recorder`."
+    )]
+    Recorder(RecorderArguments),
     /// Show how sensitive the answer is to each input
     #[command(
         before_help = "For a case with [reconstruct], prints the exact derivatives of the speed found and \
@@ -309,6 +324,10 @@ impl From<Question> for Asked {
             Question::Crush(report) => Self::report(Request::Crush, report),
             Question::Check(arguments) => Self::of(Request::Check, arguments),
             Question::Compare(cases) => Self::of(Request::Compare, cases),
+            Question::Recorder(arguments) => {
+                let cases = CasesArguments { csv_style: arguments.csv_style, ..arguments.arguments.into() };
+                Self { samples_out: arguments.samples_out, ..Self::of(Request::Recorder, cases) }
+            }
             Question::Sensitivity(SensitivityArguments { arguments, pdof_step, pdof_steps }) => {
                 Self::of(Request::Sensitivity(SensitivityOptions { pdof_step, pdof_steps }), arguments)
             }
@@ -342,7 +361,7 @@ impl From<Question> for Asked {
 /// The commands as `deltav --help` lists them, each in one group.
 pub(crate) const GROUPS: [(&str, &[&str]); 3] = [
     ("Do the job", &["new", "check", "reconstruct", "estimate", "impact", "motion", "crush", "table"]),
-    ("Look closer", &["avoid", "compare", "sensitivity", "uncertainty", "draw", "validate"]),
+    ("Look closer", &["recorder", "avoid", "compare", "sensitivity", "uncertainty", "draw", "validate"]),
     ("Utilities", &["explain", "schema", "completions", "man", "help"]),
 ];
 
@@ -746,6 +765,20 @@ pub(crate) struct DrawArguments {
     /// Write to FILE (.svg, .png, .pdf) [default: SVG to standard output]
     #[arg(short, long, value_name = "FILE", default_value = "-", hide_default_value = true)]
     pub(crate) output: Destination,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct RecorderArguments {
+    #[command(flatten)]
+    pub(crate) arguments: Arguments,
+
+    /// Also write the samples with their distances, path against time, to FILE as CSV (SI units, radians)
+    #[arg(long, value_name = "FILE")]
+    pub(crate) samples_out: Option<PathBuf>,
+
+    /// international [default], or european (semicolons, decimal commas)
+    #[arg(long, value_name = "STYLE", value_parser = one_of(CSV_STYLES), default_value = "international", hide_default_value = true, hide_possible_values = true, requires = "samples_out")]
+    pub(crate) csv_style: CsvStyle,
 }
 
 #[derive(Debug, Args)]

@@ -11,7 +11,7 @@ use anyhow::{Context as _, Result};
 use case::CaseFile;
 use rayon::ThreadPool;
 use report::{Csv, PROGRAM, Refused, Row, RowError};
-use requests::{Request, RowRefusal};
+use requests::{Request, RowRefusal, read_records_beside};
 
 use crate::files::{named, read};
 use crate::progress::Progress;
@@ -177,7 +177,8 @@ fn row(path: &Path, request: &Request, format: Rows) -> Written {
     let unread = |error: &anyhow::Error| RowRefusal::sentence(&format!("{error:#}"));
     let answer = read.as_ref().map_err(unread).and_then(|(name, bytes)| {
         let of_case = |errors| RowRefusal::of_case(errors, &PROGRAM);
-        let file = CaseFile::parse_bytes(name, bytes).map_err(of_case)?;
+        let mut file = CaseFile::parse_bytes(name, bytes).map_err(of_case)?;
+        read_records_beside(path, &mut file, &PROGRAM).map_err(of_case)?;
         let answer = request.answer(&file.case, &mut |_, _, _| ControlFlow::Continue(()));
         let answer = answer.map_err(|refused| RowRefusal::of(&refused, &file, &PROGRAM))?;
         Ok((file, answer))

@@ -6,12 +6,16 @@ use std::path::Path;
 
 use anyhow::{Context as _, Result};
 use case::{CaseFile, Text};
+use requests::read_records_beside;
 
 use crate::sink::Sink;
 
 pub(crate) fn case_file(path: &Path) -> Result<CaseFile> {
     let (name, bytes) = read(path)?;
-    Ok(CaseFile::parse_bytes(&name, &bytes).map_err(|errors| errors.in_words_of(&report::PROGRAM))?)
+    let mut file =
+        CaseFile::parse_bytes(&name, &bytes).map_err(|errors| errors.in_words_of(&report::PROGRAM))?;
+    read_records_beside(path, &mut file, &report::PROGRAM)?;
+    Ok(file)
 }
 
 /// A path as messages write it.

@@ -87,8 +87,8 @@ fn validate_recorders(path: &Path, arguments: &ValidateArguments) -> Result<()> 
         })
     });
     let judged = judged.with_context(|| name.clone())?;
-    let document = || Ok(report::recorders(&judged, &name));
-    present(arguments.format, arguments.output.file(), document, || report::recorders_json(&judged))?;
+    let document = || Ok(report::judged_recorders(&judged, &name));
+    present(arguments.format, arguments.output.file(), document, || report::judged_recorders_json(&judged))?;
     let (done, total) = (judged.finished, judged.rows);
     if done < total { Err(Incomplete::EndedPairs { done, total }.into()) } else { Ok(()) }
 }

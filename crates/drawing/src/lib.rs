@@ -31,6 +31,7 @@
 //! |---|---|
 //! | [`ScenePicture`] | both vehicles at impact, seen from above |
 //! | [`MotionPicture`] | the motion from approach through impact to rest, on a site plan if there is one |
+//! | [`RecordCurvesPicture`] | what a recorder stored over time and distance |
 //! | [`MotionCurvesPicture`] | numbers of that motion against time |
 //! | [`MomentumPicture`] | the momenta before and after the impact, tip to tail |
 //! | [`DamagePicture`] | each damaged vehicle with its crush profile in place |
@@ -97,6 +98,7 @@ mod plan_view;
 mod ranks;
 mod raster;
 mod reconciliation;
+mod record_curves;
 mod rests;
 mod scatter;
 mod scene;
@@ -129,6 +131,7 @@ pub use plan_view::{PlanBody, PlanStation, PlanView, Viewport};
 pub use ranks::RanksPicture;
 pub use raster::RenderError;
 pub use reconciliation::{CurvePoint, ReconciliationPicture};
+pub use record_curves::{RecordCurves, RecordCurvesPicture};
 pub use rests::{FoundAtRest, RestsPicture};
 pub use scatter::{ScatterPanel, ScatterPicture, ScatterPoint};
 pub use scene::{SceneArrow, SceneMotion, ScenePicture, SceneVehicle};

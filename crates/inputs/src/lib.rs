@@ -58,6 +58,7 @@ mod motion;
 mod purpose;
 mod quantity;
 mod range;
+mod recorded;
 mod recorder;
 mod scene;
 mod shared;
@@ -68,6 +69,7 @@ mod vehicle;
 mod walk;
 mod words;
 
+pub use self::recorder::{CertainSpeed, GivenEstimate, Prior, Recorder, RecordersDeltaV, RecordersSpeed};
 pub use after::{
     After, Before, Drag, MarkedWheel, PathPoint, Rest, RestHeading, Skid, SkidBegin, Steer, SteerPoint,
     WheelDrag,
@@ -104,7 +106,7 @@ pub use motion::{
 pub use purpose::Purpose;
 pub use quantity::{InvalidQuantity, Quantity, format_number};
 pub use range::{Amount, Bounds, Range, Spread};
-pub use recorder::{CertainSpeed, GivenEstimate, Prior, Recorder};
+pub use recorded::{GivenPreCrash, GivenPulse, GivenSpeedErrors, RecorderMount, SeriesRefusal, SeriesSource};
 pub use scene::{EdgeSide, GivenSitePlan, Grade, Place, Surface, SurfaceRegion, SurfaceZone};
 pub use shared::SharedEffects;
 pub use text::{Text, acts, shown, shown_lines, sign};

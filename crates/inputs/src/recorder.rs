@@ -3,13 +3,18 @@
 //! varies them.
 
 use std::fmt::Display;
+use std::sync::Arc;
 
+use recorder::ImpactSpeed;
+
+use crate::axes::Axes;
 use crate::quantity::{Quantity, format_number};
+use crate::recorded::{GivenPreCrash, GivenPulse, GivenSpeedErrors, RecorderMount};
 use crate::walk::{Key, Value, Walk};
 use crate::words::word;
 
 /// The data of a vehicle's event data recorder.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Recorder {
     /// (m/s) largest part of ΔV along the vehicle, positive forward.
     pub delta_v_longitudinal: Option<Quantity>,
@@ -27,6 +32,87 @@ pub struct Recorder {
     pub yaw_rate: Option<Quantity>,
     /// (rad/s) standard deviation of the error of that yaw rate.
     pub yaw_rate_error: Option<Quantity>,
+    /// What it stored before the impact.
+    pub pre_crash: Option<Arc<GivenPreCrash>>,
+    /// ΔV over time.
+    pub pulse: Option<Arc<GivenPulse>>,
+    /// Where it is in the vehicle; at the centre of gravity where absent.
+    pub at: Option<RecorderMount>,
+    /// The errors of a stored speed.
+    pub errors: GivenSpeedErrors,
+}
+
+/// (m/s) 2 km/h: a vehicle below stood or crawled, and its error is no share of its speed.
+const STOOD: f64 = 2.0 / 3.6;
+
+/// The speed at impact as a recorder tells it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct RecordersSpeed {
+    /// (m/s) the speed.
+    pub speed: f64,
+    /// (–) standard deviation of its error as a share of it; `None` where the case leaves it to a default.
+    pub error: Option<f64>,
+    /// Whether it follows from the table before the impact, and is not given as a number.
+    pub is_of_table: bool,
+}
+
+/// ΔV as a recorder tells it, seen along and to the left of the vehicle.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct RecordersDeltaV {
+    /// (m/s) along the vehicle, positive forward.
+    pub along: Option<f64>,
+    /// (m/s) across the vehicle, positive to the left.
+    pub left: Option<f64>,
+    /// Whether it follows from the pulse, and is not given as numbers.
+    pub is_of_table: bool,
+}
+
+impl Recorder {
+    /// The distribution of the speed at impact by the table before the impact; `ground` (–) is the friction of
+    /// the surface, if the case gives it. `None` without a table.
+    #[must_use]
+    pub fn impact_speed(&self, ground: Option<f64>) -> Option<ImpactSpeed> {
+        let record = self.pre_crash.as_ref()?.record.as_ref()?;
+        // The reader of a case refuses errors out of their range.
+        ImpactSpeed::of(record, &self.errors.errors(ground)).ok()
+    }
+
+    /// The speed at impact: as given or, where it is not, by the table before the impact. `None` also of a
+    /// vehicle that stood or crawled by the table.
+    #[must_use]
+    pub fn tells_speed(&self, ground: Option<f64>) -> Option<RecordersSpeed> {
+        let given = self.speed_error.map(|percent| percent / 100.0);
+        if let Some(speed) = &self.speed {
+            return Some(RecordersSpeed { speed: speed.si(), error: given, is_of_table: false });
+        }
+        let found = self.impact_speed(ground).filter(|found| found.mean >= STOOD)?;
+        let error = given.or(Some(found.sd / found.mean));
+        Some(RecordersSpeed { speed: found.mean, error, is_of_table: true })
+    }
+
+    /// ΔV: as given or, where it is not, by the pulse if that ends within the record. A recorder away from the
+    /// centre of gravity is taken there by the yaw rate after the impact, if the case gives both.
+    #[must_use]
+    pub fn tells_delta_v(&self, axes: Axes) -> Option<RecordersDeltaV> {
+        if self.delta_v_longitudinal.is_some() || self.delta_v_lateral.is_some() {
+            let along = self.delta_v_longitudinal.as_ref().map(Quantity::si);
+            let left = self.delta_v_lateral.as_ref().map(|across| axes.lateral(across.si()));
+            return Some(RecordersDeltaV { along, left, is_of_table: false });
+        }
+        let span = self.pulse.as_ref()?.greatest().filter(|span| span.complete)?;
+        // A recorder stores what is to the right as positive.
+        let [along, left] = [span.delta_v[0], span.delta_v[1].map(|right| -right)];
+        let turned = self.yaw_rate.as_ref().map(|rate| axes.lateral(rate.si()));
+        let (along, left) = match (along, left, self.at, turned) {
+            (Some(along), Some(left), Some(at), Some(turned)) => {
+                let place = [at.x.si(), axes.lateral(at.y.si())];
+                let [along, left] = recorder::delta_v_at_center([along, left], turned, place);
+                (Some(along), Some(left))
+            }
+            _ => (along, left),
+        };
+        Some(RecordersDeltaV { along, left, is_of_table: true })
+    }
 }
 
 /// Certain limits of the speed of a vehicle before the impact.
@@ -105,7 +191,17 @@ impl<U> Walk<'_, U> {
         self.percent_if(&at("speed_error"), recorder.speed_error);
         self.exact_if(&at("yaw_rate"), recorder.yaw_rate.as_ref());
         self.exact_if(&at("yaw_rate_error"), recorder.yaw_rate_error.as_ref());
-        *recorder
+        if let Some(pre_crash) = &recorder.pre_crash {
+            self.series(&at("pre_crash"), &pre_crash.source);
+        }
+        if let Some(pulse) = &recorder.pulse {
+            self.series(&at("pulse"), &pulse.source);
+        }
+        if let Some(mount) = &recorder.at {
+            self.mount(&at("at"), mount);
+        }
+        self.speed_errors(&at("errors"), &recorder.errors);
+        recorder.clone()
     }
 
     pub(crate) fn certain_speed(&mut self, table: &dyn Display, certain: &CertainSpeed) -> CertainSpeed {

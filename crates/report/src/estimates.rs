@@ -323,6 +323,14 @@ pub(crate) fn unused(reason: UnusedReason, key: &str) -> [String; 2] {
             "in each draw the vehicles separate after the impact, as its law requires",
             "nothing: `deltav reconstruct` uses it",
         ],
+        UnusedReason::RecordEnds => [
+            "the record ends before the impact does, or has no impact: its ΔV is a lower bound",
+            "nothing: `deltav recorder` shows what it holds",
+        ],
+        UnusedReason::StoodByRecord => [
+            "by it the vehicle stood or crawled, and the error of such a speed is no share of it",
+            "speed = \"0 km/h\" in the table of the vehicle",
+        ],
         UnusedReason::OtherPdof => [
             "both PDOFs are one observation, and the one with the smaller error counts",
             "nothing: it is counted once",

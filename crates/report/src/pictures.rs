@@ -8,6 +8,7 @@ mod field;
 mod momentum;
 mod motion;
 mod reconciliation;
+pub(crate) mod recorder;
 mod scene;
 mod spread;
 mod staged;

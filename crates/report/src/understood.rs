@@ -8,8 +8,9 @@ use case::{
 };
 use crash3::ObliqueCorrection;
 use pim_core::VehicleId;
+use recorder::{Channel, RecorderTable};
 
-use crate::units::{Measure, Units, significant};
+use crate::units::{Measure, Units, number, significant};
 use crate::words;
 
 pub(crate) fn spread(range: &Range) -> String {
@@ -105,6 +106,17 @@ pub(crate) fn choices(case: &Case) -> Vec<(String, String)> {
                 }
             }
             None => {}
+        }
+        if let Some(recorder) = &vehicle.recorder {
+            let before = recorder
+                .pre_crash
+                .iter()
+                .filter_map(|given| Some(("recorder.pre_crash", given.table.as_ref()?)));
+            let pulse =
+                recorder.pulse.iter().flat_map(|given| &given.tables).map(|table| ("recorder.pulse", table));
+            for (key, table) in before.chain(pulse) {
+                say(key, recognised_in_words(table));
+            }
         }
         let Some(crush) = &vehicle.crush else { continue };
         say("crush.side", words::side_name(crush.side).to_owned());
@@ -241,4 +253,32 @@ pub(crate) fn message(assumption: &Assumption, units: Units) -> String {
             "dissipated: the crush energy is the energy that the normal impulse dissipates".to_owned()
         }
     }
+}
+
+/// What was recognised in a table, on one line.
+pub(crate) fn recognised_in_words(table: &RecorderTable) -> String {
+    let times = table.times();
+    let [first, last] = [times.first(), times.last()].map(|time| time.copied().unwrap_or_default());
+    let columns: Vec<String> = table
+        .columns
+        .iter()
+        .filter(|column| column.channel != Channel::Time)
+        .map(|column| {
+            let unit =
+                if column.channel.is_switch() { String::new() } else { format!(" in {}", column.unit.name) };
+            format!("{}{unit}", column.channel.name())
+        })
+        .collect();
+    let lost = match table.doubts.len() {
+        0 => String::new(),
+        1 => "; 1 cell without a value".to_owned(),
+        count => format!("; {count} cells without a value"),
+    };
+    format!(
+        "{} times from {} to {} s; {}{lost}",
+        times.len(),
+        number(first, 2),
+        number(last, 2),
+        columns.join(", ")
+    )
 }

@@ -41,6 +41,7 @@ mod estimate;
 mod options;
 mod picture;
 mod progress;
+mod records;
 mod refusal;
 mod sensitivity;
 mod solved;
@@ -48,7 +49,7 @@ mod uncertainty;
 
 use std::io::{self, Write};
 
-use analysis::{Avoidance, Comparison, Judgement, Sensitivity, Uncertainty};
+use analysis::{Avoidance, Comparison, Judgement, RecorderReading, Sensitivity, Uncertainty};
 use case::{Case, CaseFile};
 use report::{CsvStyle, Document, RowAnswer, SitePlan, Table, Units};
 use serde::Serialize;
@@ -58,6 +59,7 @@ pub use estimate::{EstimateAnswer, EstimateOptions};
 pub use options::{OptionError, RequestOptions};
 pub use picture::{DrawingRequest, plan_path, read_picture, site_plan_beside};
 pub use progress::RequestProgress;
+pub use records::read_records_beside;
 pub use refusal::{NoPage, RowRefusal, Unanswered};
 pub use sensitivity::SensitivityOptions;
 pub use solved::{ReconstructOptions, SolvedCase, weigh};
@@ -82,6 +84,8 @@ pub enum Request {
     Check,
     /// The answers of every impact law.
     Compare,
+    /// What the recorders say alone.
+    Recorder,
     /// How much the answer depends on each input.
     Sensitivity(SensitivityOptions),
     /// The intervals of the results that follow from the ranges of the case.
@@ -133,6 +137,8 @@ pub enum Answer {
     Judgement(Box<Judgement>),
     /// Of [`Request::Compare`].
     Comparison(Box<Comparison>),
+    /// Of [`Request::Recorder`].
+    Recorders(Box<RecorderReading>),
     /// Of [`Request::Sensitivity`].
     Sensitivity(Box<Sensitivity>),
     /// Of [`Request::Uncertainty`].
@@ -162,6 +168,7 @@ impl Request {
             "crush" => Self::Crush,
             "check" => Self::Check,
             "compare" => Self::Compare,
+            "recorder" => Self::Recorder,
             "sensitivity" => Self::Sensitivity(SensitivityOptions::read(options)?),
             "uncertainty" => Self::Uncertainty(UncertaintyOptions::read(options)?),
             "estimate" => Self::Estimate(EstimateOptions::read(options)?),
@@ -181,7 +188,7 @@ impl Request {
             Self::Estimate(options) => options.check(),
             Self::Avoid(options) => options.check(),
             Self::Reconstruct(_) | Self::Impact | Self::Motion | Self::Crush => Ok(()),
-            Self::Check | Self::Compare => Ok(()),
+            Self::Check | Self::Compare | Self::Recorder => Ok(()),
         }
     }
 
@@ -220,6 +227,7 @@ impl Request {
             Self::Crush => analysis::crush(case).map(Answer::from),
             Self::Check => Ok(Answer::Judgement(Box::new(analysis::judge(case)))),
             Self::Compare => analysis::compare(case).map(|found| Answer::Comparison(Box::new(found))),
+            Self::Recorder => analysis::recorders(case).map(|found| Answer::Recorders(Box::new(found))),
             Self::Sensitivity(options) => {
                 let found = analysis::sensitivity(case, options.sweep());
                 found.map(|found| Answer::Sensitivity(Box::new(found)))
@@ -235,7 +243,7 @@ impl Request {
             Self::Reconstruct(_) | Self::Impact | Self::Motion | Self::Crush => Some(Table::Analyses),
             Self::Compare => Some(Table::Comparisons),
             Self::Uncertainty(_) => Some(Table::Uncertainties),
-            Self::Check | Self::Sensitivity(_) | Self::Estimate(_) | Self::Avoid(_) => None,
+            Self::Check | Self::Recorder | Self::Sensitivity(_) | Self::Estimate(_) | Self::Avoid(_) => None,
         }
     }
 
@@ -258,6 +266,7 @@ impl Answer {
             Self::Analysis(solved) => solved.document(case, units),
             Self::Judgement(judgement) => report::judgement(file, judgement, units),
             Self::Comparison(comparison) => report::comparison(case, comparison, units),
+            Self::Recorders(reading) => report::recorders(file, reading, units),
             Self::Sensitivity(sensitivity) => report::sensitivity(case, sensitivity, units),
             Self::Uncertainty(uncertainty) => report::uncertainty(case, uncertainty, units),
             Self::Estimate(answer) => report::estimate(case, &answer.estimated, &answer.asked, units),
@@ -297,6 +306,7 @@ impl Answer {
             Self::Analysis(solved) => solved.json(file),
             Self::Judgement(judgement) => report::judgement_json(file, judgement),
             Self::Comparison(comparison) => report::comparison_json(file, comparison),
+            Self::Recorders(reading) => report::recorders_json(file, reading),
             Self::Sensitivity(sensitivity) => report::sensitivity_json(file, sensitivity),
             Self::Uncertainty(uncertainty) => report::uncertainty_json(file, uncertainty),
             Self::Estimate(answer) => report::estimate_json(file, &answer.estimated, &answer.asked),
@@ -311,7 +321,11 @@ impl Answer {
             Self::Analysis(solved) => Some(RowAnswer::Analysis(&solved.analysis)),
             Self::Comparison(comparison) => Some(RowAnswer::Comparison(comparison)),
             Self::Uncertainty(uncertainty) => Some(RowAnswer::Uncertainty(uncertainty)),
-            Self::Judgement(_) | Self::Sensitivity(_) | Self::Estimate(_) | Self::Avoidance(_) => None,
+            Self::Judgement(_)
+            | Self::Recorders(_)
+            | Self::Sensitivity(_)
+            | Self::Estimate(_)
+            | Self::Avoidance(_) => None,
         }
     }
 
@@ -336,12 +350,12 @@ impl Answer {
             Self::Avoidance(found) if found.is_unconverged => Some(
                 "the evidence of the speed was weighed, but the run has not converged: there is no probability",
             ),
-            Self::Judgement(_) | Self::Comparison(_) | Self::Sensitivity(_) => None,
+            Self::Judgement(_) | Self::Comparison(_) | Self::Recorders(_) | Self::Sensitivity(_) => None,
             Self::Uncertainty(_) | Self::Estimate(_) | Self::Avoidance(_) => None,
         }
     }
 
-    /// Writes the samples or draws as CSV; nothing if it is [not an answer](Self::no_answer) or has no
+    /// Writes the samples or draws as CSV, of recorders what they stored before the impact; nothing if it is [not an answer](Self::no_answer) or has no
     /// samples.
     ///
     /// # Errors
@@ -354,6 +368,7 @@ impl Answer {
             Self::Analysis(solved) => solved.write_draws(style, out),
             Self::Uncertainty(uncertainty) => report::write_samples(uncertainty, style, out),
             Self::Estimate(answer) => report::write_draws(&answer.estimated, style, out),
+            Self::Recorders(reading) => report::write_records(reading, style, out),
             Self::Judgement(_) | Self::Comparison(_) | Self::Sensitivity(_) | Self::Avoidance(_) => Ok(()),
         }
     }

@@ -7,13 +7,14 @@ use report::{PROGRAM, Units};
 use requests::{Answer, OptionError, Request, RequestOptions, RowRefusal, Unanswered};
 use uncertainty::SamplingMethod;
 
-const COMMANDS: [&str; 9] = [
+const COMMANDS: [&str; 10] = [
     "reconstruct",
     "impact",
     "motion",
     "crush",
     "check",
     "compare",
+    "recorder",
     "sensitivity",
     "uncertainty",
     "estimate",

@@ -27,6 +27,10 @@ pub enum UnusedReason {
     NoDirection,
     /// That the vehicles left as one wreck.
     OneWreck,
+    /// A pulse that ends before the impact does, so that its ΔV is a lower bound; or without an impact.
+    RecordEnds,
+    /// The table of a vehicle that stood or crawled.
+    StoodByRecord,
 }
 
 /// Notes on a part of the evidence.

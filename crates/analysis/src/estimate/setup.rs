@@ -133,6 +133,7 @@ impl Unknowns {
 }
 
 pub(super) fn of(case: &Case, prior: Option<Prior>) -> Result<Setup, Failure> {
+    crate::recorded::is_read(case)?;
     let given = case.estimate.unwrap_or_default();
     let prior = prior.unwrap_or(given.prior);
     let (mut case, sought, mut unused) = with_all_speeds(case);
@@ -587,6 +588,7 @@ impl Open {
 
 /// (–) the probability before the evidence that each vehicle stood. If one stood, the other moved.
 fn stood(sought: [bool; 2], case: &Case) -> [f64; 2] {
+    let ground = case.surface.as_ref().map(|surface| surface.friction);
     let given = case.estimate.unwrap_or_default().stood.unwrap_or(STOOD) / 100.0;
     let may_move = |id: VehicleId| {
         let vehicle = &case.vehicles[id.index()];
@@ -599,7 +601,7 @@ fn stood(sought: [bool; 2], case: &Case) -> [f64; 2] {
         let at_most = vehicle.certain_speed.and_then(|certain| certain.at_most);
         let certainly_moved = at_least.is_some_and(|speed| speed.si() > 0.0)
             || at_most.is_some_and(|speed| speed.si() < 0.0)
-            || vehicle.recorder.is_some_and(|recorder| recorder.speed.is_some());
+            || vehicle.recorder.as_ref().is_some_and(|recorder| recorder.tells_speed(ground).is_some());
         let may_stand = sought[id.index()] && may_move(id.other()) && !certainly_moved;
         if may_stand { given } else { 0.0 }
     })

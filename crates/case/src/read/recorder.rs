@@ -1,10 +1,44 @@
 //! `[vehicleN.recorder]`, `certain_speed` of a vehicle, and `[estimate]`.
 
+use std::sync::Arc;
+
+use recorder::Channel;
+
 use super::tree::{Reader, Table};
 use super::values::Place as Position;
 use crate::case_problem::CaseProblem;
-use crate::schema::{CERTAIN_SPEED, RECORDER};
-use inputs::{CertainSpeed, GivenEstimate, Prior, Quantity, Recorder};
+use crate::schema::{CERTAIN_SPEED, PRE_CRASH, PULSE, RECORDER, RECORDER_AT, RECORDER_ERRORS};
+use crate::source::span_in_text;
+use inputs::{
+    CertainSpeed, GivenEstimate, GivenPreCrash, GivenPulse, GivenSpeedErrors, Prior, Quantity, Recorder,
+    RecorderMount, SeriesRefusal, SeriesSource, Text,
+};
+
+/// The columns of `pre_crash`, and those of `pulse`.
+const BEFORE_IMPACT: [(&str, Channel); 10] = [
+    ("time", Channel::Time),
+    ("speed", Channel::Speed),
+    ("brake", Channel::Brake),
+    ("abs", Channel::Abs),
+    ("stability", Channel::Stability),
+    ("accelerator", Channel::Accelerator),
+    ("throttle", Channel::Throttle),
+    ("engine_speed", Channel::EngineSpeed),
+    ("steering", Channel::Steering),
+    ("yaw_rate", Channel::YawRate),
+];
+const DURING_IMPACT: [(&str, Channel); 3] = [
+    ("time", Channel::Time),
+    ("delta_v_longitudinal", Channel::DeltaVLongitudinal),
+    ("delta_v_lateral", Channel::DeltaVLateral),
+];
+
+/// (%) limits of the errors of a recorder.
+const MOST_SHARE: f64 = 20.0;
+const MOST_FRICTION: f64 = 150.0;
+const MOST_PROBABLE: f64 = 100.0;
+const PLACE: &str = "a string with a number and a unit: the place of a recorder has no range";
+const ERROR: &str = "a string with a number and a unit: an error has no range";
 
 const EXACT: &str = "a string with a number and a unit: its error stands beside it, as delta_v_error, speed_error or yaw_rate_error";
 const STOOD: &str = "a recorder tells the speed of a vehicle that moved; for one that stood, leave this out and write speed = \"0 km/h\" in the table of the vehicle";
@@ -35,6 +69,25 @@ impl<'t> Reader<'t> {
                 self.missing(&table, needed);
             }
         }
+        let pre_crash = self.pre_crash(&table);
+        let pulse = self.pulse(&table);
+        let excluded = [
+            ("pre_crash", "speed", "the speed at impact follows from the table: leave one of them out"),
+            ("pulse", "delta_v_longitudinal", "ΔV follows from the pulse: leave one of them out"),
+            ("pulse", "delta_v_lateral", "ΔV follows from the pulse: leave one of them out"),
+        ];
+        for (of_table, key, help) in excluded {
+            if table.has(of_table) && table.has(key) {
+                let message = format!("\"{}\" and `{of_table}` say the same twice", table.path_of(key));
+                self.report_path(
+                    &table.path_of(key),
+                    CaseProblem::Fault { message, help: Some(help.to_owned()) },
+                );
+            }
+        }
+        let at = self.child(&table, "at", &RECORDER_AT).and_then(|table| self.mount(&table));
+        let errors = self.child(&table, "errors", &RECORDER_ERRORS);
+        let errors = errors.map_or_else(GivenSpeedErrors::default, |table| self.speed_errors(&table));
         let recorder = Recorder {
             delta_v_longitudinal,
             delta_v_lateral,
@@ -44,8 +97,114 @@ impl<'t> Reader<'t> {
             speed_error,
             yaw_rate,
             yaw_rate_error,
+            pre_crash,
+            pulse,
+            at,
+            errors,
         };
         (recorder != Recorder::default()).then_some(recorder)
+    }
+
+    fn mount(&mut self, table: &Table<'t>) -> Option<RecorderMount> {
+        self.require(table, &["x", "y"]);
+        let [x, y] = ["x", "y"].map(|key| self.exact_quantity(table, key, PLACE));
+        Some(RecorderMount { x: x?, y: y? })
+    }
+
+    fn speed_errors(&mut self, table: &Table<'t>) -> GivenSpeedErrors {
+        let [step, slip_low, slip_sd, latency] =
+            ["step", "slip_low", "slip_sd", "latency"].map(|key| self.exact_quantity(table, key, ERROR));
+        let [steady_low, steady_sd, tyre_sd] =
+            ["steady_low", "steady_sd", "tyre_sd"].map(|key| self.percent_below(table, key, MOST_SHARE));
+        let [friction, coasting] =
+            ["friction", "coasting"].map(|key| self.percent_below(table, key, MOST_FRICTION));
+        let [brake_comes_on, last_is_of_impact] =
+            ["brake_comes_on", "last_is_of_impact"].map(|key| self.percent_below(table, key, MOST_PROBABLE));
+        let errors = GivenSpeedErrors {
+            step,
+            steady_low,
+            steady_sd,
+            tyre_sd,
+            slip_low,
+            slip_sd,
+            friction,
+            coasting,
+            brake_comes_on,
+            latency,
+            last_is_of_impact,
+        };
+        if let Err(refusal) = errors.errors(None).check() {
+            let message = format!("\"{}\" is too large", table.path_of(refusal.name));
+            let help = Some("it is an error of a speed at impact, of the size in its example".to_owned());
+            self.report_path(&table.path_of(refusal.name), CaseProblem::Fault { message, help });
+        }
+        errors
+    }
+
+    /// The source of a table, in one of its three forms.
+    fn series(
+        &mut self,
+        table: &Table<'t>,
+        columns: &[(&'static str, Channel)],
+        forms: &'static str,
+    ) -> Option<SeriesSource> {
+        let own = table.given(&["text", "file"]);
+        let listed: Vec<&(&'static str, Channel)> =
+            columns.iter().filter(|(key, _)| table.has(key)).collect();
+        match (own.as_slice(), listed.len()) {
+            (["text"], 0) => self.text(table, "text").map(SeriesSource::Text),
+            (["file"], 0) => self.text(table, "file").map(SeriesSource::File),
+            ([], 2..) if table.has("time") => {
+                let columns: Vec<Option<(Channel, Text)>> = listed
+                    .into_iter()
+                    .map(|(key, channel)| Some((*channel, self.text(table, key)?)))
+                    .collect();
+                columns.into_iter().collect::<Option<_>>().map(SeriesSource::Columns)
+            }
+            _ => self.no_form(table, forms),
+        }
+    }
+
+    fn pre_crash(&mut self, recorder: &Table<'t>) -> Option<Arc<GivenPreCrash>> {
+        const FORMS: &str = "pre_crash = { file = \"edr.csv\" }, { text = \"\"\"…\"\"\" } or { time = \"-1 -0.5 0 s\", speed = \"60 58 47 km/h\", brake = \"off on on\" }";
+        let table = self.inline(recorder, "pre_crash", &PRE_CRASH, "a table in braces", FORMS)?;
+        let source = self.series(&table, &BEFORE_IMPACT, FORMS)?;
+        match GivenPreCrash::read(source) {
+            Ok(read) => Some(Arc::new(read)),
+            Err(refusal) => self.series_refused(&table, &refusal),
+        }
+    }
+
+    fn pulse(&mut self, recorder: &Table<'t>) -> Option<Arc<GivenPulse>> {
+        const FORMS: &str = "pulse = { file = \"pulse.csv\" }, { text = \"\"\"…\"\"\" } or { time = \"0 10 20 ms\", delta_v_longitudinal = \"0 -4 -9 km/h\" }";
+        let table = self.inline(recorder, "pulse", &PULSE, "a table in braces", FORMS)?;
+        let source = self.series(&table, &DURING_IMPACT, FORMS)?;
+        match GivenPulse::read(source) {
+            Ok(read) => Some(Arc::new(read)),
+            Err(refusal) => self.series_refused(&table, &refusal),
+        }
+    }
+
+    /// Reports a table that cannot be read, at the place in the text that is wrong.
+    fn series_refused<T>(&mut self, table: &Table<'t>, refusal: &SeriesRefusal) -> Option<T> {
+        let (key, place) = match refusal {
+            SeriesRefusal::Text(refusal) => ("text", refusal.place()),
+            SeriesRefusal::Column(channel, refusal) => (channel.key(), refusal.place()),
+            SeriesRefusal::NoneOfKind { .. } | SeriesRefusal::PreCrash(_) | SeriesRefusal::Pulse(_) => {
+                (if table.has("text") { "text" } else { "time" }, None)
+            }
+        };
+        let problem = CaseProblem::Fault { message: refusal.to_string(), help: None };
+        let span = table.get(key).map(|value| {
+            let span = value.span();
+            let of_place = value.get_ref().as_str().zip(place);
+            of_place.and_then(|(text, place)| span_in_text(self.text, &span, text, place)).unwrap_or(span)
+        });
+        match span {
+            Some(span) => self.report(span, problem),
+            None => self.report_path(&table.path, problem),
+        }
+        None
     }
 
     pub(super) fn certain_speed(&mut self, vehicle: &Table<'t>) -> Option<CertainSpeed> {

@@ -26,6 +26,7 @@ fn meant(word: &str) -> Vec<&str> {
             "motion",
             "crush",
             "check",
+            "recorder",
             "compare",
             "sensitivity",
             "uncertainty",

@@ -6,7 +6,7 @@ use real::Real;
 
 use super::after::yaw_rate_error;
 use super::{LEAST_SPEED_ERROR, Subject};
-use crate::estimate::notes::Notes;
+use crate::estimate::notes::{Notes, Unused, UnusedReason};
 use crate::thresholds::{RECORDER_DELTA_V_ERROR, RECORDER_SPEED_ERROR};
 
 /// The recorder data of a vehicle, with the errors that the case gives or the default ones. `is_side` is true
@@ -22,12 +22,14 @@ pub(super) fn recorded(subject: Subject<'_>, is_side: bool) -> (Recorder, Notes)
         })
     };
     let share = |percent: Option<f64>| percent.map(|percent| percent / 100.0);
+    let told = recorder.tells_delta_v(axes);
+    let [along, left] = [told.and_then(|told| told.along), told.and_then(|told| told.left)];
     let (mut delta_v, mut longitudinal) = (None, None);
-    if let Some(along) = recorder.delta_v_longitudinal.as_ref().map(Quantity::si) {
+    if let Some(along) = along {
         let ln_scale =
             or_default("recorder.delta_v_error", share(recorder.delta_v_error), RECORDER_DELTA_V_ERROR);
         let (least, freedom) = (LEAST_SPEED_ERROR, Freedom::Three);
-        match recorder.delta_v_lateral.as_ref().map(Quantity::si) {
+        match left {
             Some(across) => {
                 let size = Real::sqrt(along * along + across * across);
                 delta_v = Some(RecordedDeltaV { size, is_longitudinal: false, ln_scale, least, freedom });
@@ -35,23 +37,31 @@ pub(super) fn recorded(subject: Subject<'_>, is_side: bool) -> (Recorder, Notes)
             None => longitudinal = Some(RecordedPart { along, ln_scale, least, freedom }),
         }
     }
-    let both = recorder.delta_v_longitudinal.zip(recorder.delta_v_lateral);
-    let direction = both.filter(|(along, across)| along.si() != 0.0 || across.si() != 0.0).map(|parts| {
-        let (along, left) = (parts.0.si(), axes.lateral(parts.1.si()));
+    let both = along.zip(left);
+    let direction = both.filter(|(along, left)| *along != 0.0 || *left != 0.0).map(|(along, left)| {
         // Away from the origin of the force; clockwise from the heading.
         let shown = FITTED.recorded_direction(real::elementary::atan2(left, -along), is_side);
         let given = recorder.direction_error.as_ref().map(Quantity::si);
         CodedPdof { scale: or_default("recorder.direction_error", given, shown.scale), ..shown }
     });
-    let speed = recorder.speed.as_ref().map(|speed| MeasuredSpeed {
-        value: speed.si(),
-        ln_sd: or_default("recorder.speed_error", share(recorder.speed_error), RECORDER_SPEED_ERROR),
-        least: LEAST_SPEED_ERROR,
+    let speed = recorder.tells_speed(subject.ground()).map(|told| MeasuredSpeed {
+        value: told.speed,
+        ln_sd: or_default("recorder.speed_error", told.error, RECORDER_SPEED_ERROR),
+        // The table has its own rounding; a number may have been rounded again.
+        least: if told.is_of_table { 0.0 } else { LEAST_SPEED_ERROR },
     });
     let yaw_rate = recorder.yaw_rate.as_ref().map(|rate| {
         let value = axes.lateral(rate.si());
         let given = recorder.yaw_rate_error.as_ref().map(Quantity::si);
         Measured { value, sd: or_default("recorder.yaw_rate_error", given, yaw_rate_error(value)) }
     });
+    if recorder.pulse.is_some() && told.is_none() {
+        notes.unused.push(Unused { key: subject.key("recorder.pulse"), reason: UnusedReason::RecordEnds });
+    }
+    if recorder.pre_crash.is_some() && speed.is_none() {
+        notes
+            .unused
+            .push(Unused { key: subject.key("recorder.pre_crash"), reason: UnusedReason::StoodByRecord });
+    }
     (Recorder { delta_v, longitudinal, direction, speed, yaw_rate }, notes)
 }

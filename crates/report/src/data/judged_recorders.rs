@@ -150,7 +150,7 @@ impl<'a> JudgedDeltaVBlock<'a> {
 ///
 /// # Errors
 /// If the JSON cannot be written.
-pub fn recorders_json(recorders: &Recorders) -> Result<String, serde_json::Error> {
+pub fn judged_recorders_json(recorders: &Recorders) -> Result<String, serde_json::Error> {
     let delta_v = |DeltaVFigures { n, bias, rms }| DeltaVBlock { n, bias, rms };
     pretty(&Document {
         rows: recorders.rows,

@@ -2,13 +2,13 @@
 
 use field::Recorders;
 
-use crate::data::recorders::doubt;
+use crate::data::judged_recorders::doubt;
 use crate::document::{Block, Column, Document, NONE, Table, Width};
 use crate::units::number;
 
 /// The speeds and the ΔV of a table of crashes against what recorders stored.
 #[must_use]
-pub fn recorders(recorders: &Recorders, file: &str) -> Document {
+pub fn judged_recorders(recorders: &Recorders, file: &str) -> Document {
     let mut document = Document::new();
     document.push(Block::Title {
         title: "Speeds before the impact against recorders".to_owned(),

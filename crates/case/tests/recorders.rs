@@ -1,0 +1,99 @@
+//! The tables of `[vehicleN.recorder]`: read, written back, and refused at the place in the text that is wrong.
+
+use case::{CaseFile, SeriesSource, to_toml};
+
+/// A case whose vehicle 1 has these lines in its recorder.
+fn of(lines: &str) -> String {
+    format!("[vehicle1.recorder]\n{lines}\n[vehicle2]\nfixed = true\n")
+}
+
+fn read(lines: &str) -> CaseFile {
+    CaseFile::parse("case.toml", &of(lines)).unwrap_or_else(|errors| panic!("{errors}"))
+}
+
+fn refused(lines: &str) -> String {
+    CaseFile::parse("case.toml", &of(lines)).unwrap_err().to_string()
+}
+
+const PASTED: &str = "pre_crash = { text = \"\"\"\nTimes (sec) Speed (km/h) Brake\n-1.0 60 off\n-0.5 58 on\n0.0 47 Invalid\n\"\"\" }";
+
+#[test]
+fn a_pasted_table_lists_and_a_file_are_read_and_written_back() {
+    let lists = "pre_crash = { time = \"-1 -0.5 0 s\", speed = \"60 58 47 km/h\", brake = \"off on -\" }";
+    for lines in [PASTED, lists] {
+        let file = read(lines);
+        let recorder = file.case.vehicles[0].recorder.as_ref().unwrap();
+        let given = recorder.pre_crash.as_ref().unwrap();
+        let speeds: Vec<f64> =
+            given.record.as_ref().unwrap().speeds().map(|(_, speed)| (speed * 3.6).round()).collect();
+        assert_eq!(speeds, [60.0, 58.0, 47.0]);
+        assert_eq!(given.table.as_ref().unwrap().doubts.len(), 1);
+        let again = CaseFile::parse("again.toml", &to_toml(&file.case)).unwrap();
+        assert_eq!(again.case, file.case);
+    }
+    let file = read(
+        "pre_crash = { file = \"edr.csv\" }\npulse = { time = \"0 10 20 ms\", delta_v_longitudinal = \"0 -4 -9 km/h\" }\nat = { x = \"-20 cm\", y = \"0 m\" }\nerrors = { slip_low = \"4 km/h\", friction = \"60 %\" }",
+    );
+    let recorder = file.case.vehicles[0].recorder.as_ref().unwrap();
+    let before = recorder.pre_crash.as_ref().unwrap();
+    assert!(matches!(before.source, SeriesSource::File(_)) && before.record.is_none());
+    // 60 %, and not that of a surface; a slip of 4 km/h.
+    let errors = recorder.errors.errors(Some(0.8));
+    assert_eq!((errors.friction, errors.slip_low * 3.6), (0.6, 4.0));
+    assert_eq!(recorder.errors.errors(None).latency, 0.1);
+    assert_eq!(CaseFile::parse("again.toml", &to_toml(&file.case)).unwrap().case, file.case);
+}
+
+/// The place of a cell of a pasted text is that in the case file.
+#[test]
+fn a_cell_without_a_value_has_its_place_in_the_case() {
+    let file = read(PASTED);
+    let given = file.case.vehicles[0].recorder.as_ref().unwrap().pre_crash.clone().unwrap();
+    let SeriesSource::Text(text) = &given.source else { panic!("{:?}", given.source) };
+    let place = given.table.as_ref().unwrap().doubts[0].place;
+    let at = file.source.place_in_text("vehicle1.recorder.pre_crash.text", text.as_given(), place).unwrap();
+    let line = file.source.text().lines().nth(at.line - 1).unwrap();
+    assert_eq!((line, at.column), ("0.0 47 Invalid", 8));
+}
+
+#[test]
+fn what_is_wrong_in_a_table_is_told_at_its_place() {
+    for (lines, place, words) in [
+        (
+            "pre_crash = { text = \"\"\"\nTime (s),Speed (knots)\n-1,3\n0,3\n\"\"\" }",
+            "case.toml:3:10",
+            "knots",
+        ),
+        (
+            "pre_crash = { text = \"\"\"\nTime (s),Speed (km/h)\n-1,3\n-2,3\n0,3\n\"\"\" }",
+            "case.toml:5:1",
+            "follows -1",
+        ),
+        ("pre_crash = { time = \"-1 0 s\", speed = \"60 58 47 km/h\" }", "case.toml:2:48", "3 values"),
+        ("pre_crash = { time = \"-1 0 s\", speed = \"60 58\" }", "case.toml:2:42", "no unit"),
+        (
+            "pre_crash = { text = \"Time (ms) 0 10\\nLongitudinal delta-V (km/h) 0 -4\" }",
+            "case.toml:2:22",
+            "no table of speeds",
+        ),
+        (
+            "pulse = { text = \"Time (s) -1 0\\nVehicle speed (km/h) 60 58\" }",
+            "case.toml:2:18",
+            "no table of ΔV",
+        ),
+        ("pre_crash = { time = \"-1 0 s\" }", "case.toml:2:13", "pre_crash"),
+        ("pre_crash = { text = \"a\", file = \"b\" }", "case.toml:2:13", "pre_crash"),
+        ("speed = \"50 km/h\"\npre_crash = { file = \"edr.csv\" }", "case.toml:2:9", "say the same twice"),
+        (
+            "delta_v_longitudinal = \"-9 km/h\"\npulse = { file = \"edr.csv\" }",
+            "case.toml:2:24",
+            "say the same twice",
+        ),
+        ("at = { x = \"1 m\" }", "case.toml:2:6", "y"),
+        ("errors = { step = \"50 km/h\" }", "case.toml:2:19", "too large"),
+        ("errors = { friction = \"200 %\" }", "case.toml:2:23", "less than 150"),
+    ] {
+        let error = refused(lines);
+        assert!(error.contains(place) && error.contains(words), "{lines}: {error}");
+    }
+}

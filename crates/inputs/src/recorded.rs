@@ -1,0 +1,277 @@
+//! The tables of a recorder: what it stored before the impact and during it.
+
+use std::fmt::Display;
+
+use recorder::{
+    Channel, CrashPulse, ImpactSpeedErrors, PreCrash, PreCrashFault, PulseFault, PulseRule, PulseSpan,
+    RecorderTable, TextRefusal, columns_table, read_tables,
+};
+
+use crate::quantity::Quantity;
+use crate::text::Text;
+use crate::walk::{Key, Value, Walk};
+
+/// Where the table of a recorder comes from.
+#[derive(Clone, Debug, PartialEq)]
+pub enum SeriesSource {
+    /// `text`: copied out of a printed report, or the lines of a CSV.
+    Text(Text),
+    /// `file`: the name of a text beside the case.
+    File(Text),
+    /// `time`, `speed` and so on: a text of values with their unit for each column.
+    Columns(Vec<(Channel, Text)>),
+}
+
+/// Why a table is none that a case can use.
+#[derive(Clone, Debug, PartialEq)]
+pub enum SeriesRefusal {
+    /// The text cannot be read.
+    Text(TextRefusal),
+    /// The column cannot be read.
+    Column(Channel, TextRefusal),
+    /// The text has tables, but none of this kind.
+    NoneOfKind {
+        /// What was wanted, in words.
+        wanted: &'static str,
+    },
+    /// What was read is no record before an impact.
+    PreCrash(PreCrashFault),
+    /// What was read is no pulse.
+    Pulse(PulseFault),
+}
+
+impl Display for SeriesRefusal {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            Self::Text(refusal) | Self::Column(_, refusal) => f.write_str(&refusal.message()),
+            Self::NoneOfKind { wanted } => write!(f, "no table of {wanted} was recognised"),
+            Self::PreCrash(fault) => fault.fmt(f),
+            Self::Pulse(fault) => fault.fmt(f),
+        }
+    }
+}
+
+/// `pre_crash` of `[vehicleN.recorder]`: what was stored before the impact.
+#[derive(Clone, Debug, PartialEq)]
+pub struct GivenPreCrash {
+    /// Where it comes from.
+    pub source: SeriesSource,
+    /// What was recognised in it; `None` for a file that is not read yet.
+    pub table: Option<RecorderTable>,
+    /// The samples; `None` for a file that is not read yet.
+    pub record: Option<PreCrash>,
+}
+
+/// `pulse` of `[vehicleN.recorder]`: ΔV over time. Lateral ΔV is positive to the right, as recorders store it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct GivenPulse {
+    /// Where it comes from.
+    pub source: SeriesSource,
+    /// What was recognised in it: one table for both axes, or one for each. Empty for a file that is not read
+    /// yet.
+    pub tables: Vec<RecorderTable>,
+    /// ΔV over time; `None` for a file that is not read yet.
+    pub pulse: Option<CrashPulse>,
+}
+
+impl SeriesSource {
+    fn tables(&self) -> Result<Option<Vec<RecorderTable>>, SeriesRefusal> {
+        match self {
+            Self::Text(text) => read_tables(text.as_given()).map(Some).map_err(SeriesRefusal::Text),
+            Self::File(_) => Ok(None),
+            Self::Columns(columns) => {
+                let columns: Vec<(Channel, &str)> =
+                    columns.iter().map(|(channel, text)| (*channel, text.as_given())).collect();
+                let table = columns_table(&columns);
+                table
+                    .map(|table| Some(vec![table]))
+                    .map_err(|(of, refusal)| SeriesRefusal::Column(of, refusal))
+            }
+        }
+    }
+}
+
+impl GivenPreCrash {
+    /// Reads its table, unless that is in a file.
+    ///
+    /// # Errors
+    ///
+    /// [`SeriesRefusal`].
+    pub fn read(source: SeriesSource) -> Result<Self, SeriesRefusal> {
+        let Some(tables) = source.tables()? else { return Ok(Self { source, table: None, record: None }) };
+        Self::of(source, tables)
+    }
+
+    /// Reads its table from the text of its file.
+    ///
+    /// # Errors
+    ///
+    /// As [`read`](Self::read).
+    pub fn read_file(&self, text: &str) -> Result<Self, SeriesRefusal> {
+        Self::of(self.source.clone(), read_tables(text).map_err(SeriesRefusal::Text)?)
+    }
+
+    fn of(source: SeriesSource, tables: Vec<RecorderTable>) -> Result<Self, SeriesRefusal> {
+        const WANTED: &str = "speeds before the impact, with times and speeds,";
+        let found = tables.into_iter().find(RecorderTable::is_pre_crash);
+        let table = found.ok_or(SeriesRefusal::NoneOfKind { wanted: WANTED })?;
+        let record = PreCrash::from_table(&table).map_err(SeriesRefusal::PreCrash)?;
+        Ok(Self { source, table: Some(table), record: Some(record) })
+    }
+}
+
+impl GivenPulse {
+    /// Reads its tables, unless they are in a file.
+    ///
+    /// # Errors
+    ///
+    /// [`SeriesRefusal`].
+    pub fn read(source: SeriesSource) -> Result<Self, SeriesRefusal> {
+        let Some(tables) = source.tables()? else {
+            return Ok(Self { source, tables: Vec::new(), pulse: None });
+        };
+        Self::of(source, tables)
+    }
+
+    /// Reads its tables from the text of its file.
+    ///
+    /// # Errors
+    ///
+    /// As [`read`](Self::read).
+    pub fn read_file(&self, text: &str) -> Result<Self, SeriesRefusal> {
+        Self::of(self.source.clone(), read_tables(text).map_err(SeriesRefusal::Text)?)
+    }
+
+    fn of(source: SeriesSource, tables: Vec<RecorderTable>) -> Result<Self, SeriesRefusal> {
+        const WANTED: &str = "ΔV over time, with times and a longitudinal or lateral ΔV,";
+        let tables: Vec<RecorderTable> = tables.into_iter().filter(RecorderTable::is_pulse).collect();
+        let along = tables.iter().find(|table| table.column(Channel::DeltaVLongitudinal).is_some());
+        let across = tables.iter().find(|table| table.column(Channel::DeltaVLateral).is_some());
+        let first = along.or(across).ok_or(SeriesRefusal::NoneOfKind { wanted: WANTED })?;
+        let mut pulse = CrashPulse::from_table(first).map_err(SeriesRefusal::Pulse)?;
+        if let Some(across) = across.filter(|across| !std::ptr::eq(*across, first)) {
+            pulse = pulse.with(&CrashPulse::from_table(across).map_err(SeriesRefusal::Pulse)?);
+        }
+        Ok(Self { source, tables, pulse: Some(pulse) })
+    }
+
+    /// The part of the record that is of the impact, up to the greatest ΔV.
+    #[must_use]
+    pub fn greatest(&self) -> Option<PulseSpan> {
+        self.pulse.as_ref()?.span(PulseRule::GreatestDeltaV)
+    }
+}
+
+/// `at` of `[vehicleN.recorder]`: where the recorder is.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct RecorderMount {
+    /// (m) from the centre of gravity forward.
+    pub x: Quantity,
+    /// (m) from the centre of gravity across, in the sense of the axes.
+    pub y: Quantity,
+}
+
+/// `errors` of `[vehicleN.recorder]`: those of the stored speed as the speed at impact, in place of the
+/// defaults of [`ImpactSpeedErrors`].
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct GivenSpeedErrors {
+    /// (m/s) step in which speeds are stored.
+    pub step: Option<Quantity>,
+    /// (%) by what share a speed is too low while the wheels roll.
+    pub steady_low: Option<f64>,
+    /// (%) standard deviation of that share.
+    pub steady_sd: Option<f64>,
+    /// (%) standard deviation of the share by which worn or other tyres change a speed.
+    pub tyre_sd: Option<f64>,
+    /// (m/s) by how much a speed is too low in hard braking.
+    pub slip_low: Option<Quantity>,
+    /// (m/s) standard deviation of that.
+    pub slip_sd: Option<Quantity>,
+    /// (%) drag factor of hard braking.
+    pub friction: Option<f64>,
+    /// (% of g) greatest acceleration and deceleration with the brake off.
+    pub coasting: Option<f64>,
+    /// (%) probability that the brake came on within half a second of the gap.
+    pub brake_comes_on: Option<f64>,
+    /// (s) greatest age of a stored speed.
+    pub latency: Option<Quantity>,
+    /// (%) probability that a last speed that fell by more than g is of the impact itself.
+    pub last_is_of_impact: Option<f64>,
+}
+
+/// (m/s²) g.
+const GRAVITY: f64 = 9.80665;
+
+impl GivenSpeedErrors {
+    /// The errors with the defaults for what is not given; the drag factor is that of the ground, if the case
+    /// gives it.
+    #[must_use]
+    pub fn errors(&self, ground: Option<f64>) -> ImpactSpeedErrors {
+        let usual = ImpactSpeedErrors::default();
+        let si = |given: Option<Quantity>, usual: f64| given.as_ref().map_or(usual, Quantity::si);
+        let share = |given: Option<f64>, usual: f64| given.map_or(usual, |percent| percent / 100.0);
+        ImpactSpeedErrors {
+            step: si(self.step, usual.step),
+            steady_low: share(self.steady_low, usual.steady_low),
+            steady_sd: share(self.steady_sd, usual.steady_sd),
+            tyre_sd: share(self.tyre_sd, usual.tyre_sd),
+            slip_low: si(self.slip_low, usual.slip_low),
+            slip_sd: si(self.slip_sd, usual.slip_sd),
+            friction: share(self.friction, ground.unwrap_or(usual.friction)),
+            coasting: self.coasting.map_or(usual.coasting, |percent| percent / 100.0 * GRAVITY),
+            brake_comes_on: share(self.brake_comes_on, usual.brake_comes_on),
+            latency: si(self.latency, usual.latency),
+            last_is_of_impact: share(self.last_is_of_impact, usual.last_is_of_impact),
+        }
+    }
+}
+
+impl<U> Walk<'_, U> {
+    pub(crate) fn series(&mut self, table: &dyn Display, source: &SeriesSource) {
+        let mut text = |key: &str, text: &Text| {
+            self.text(&Key(table, key), Some(text));
+        };
+        match source {
+            SeriesSource::Text(given) => text("text", given),
+            SeriesSource::File(given) => text("file", given),
+            SeriesSource::Columns(columns) => {
+                for (channel, given) in columns {
+                    text(channel.key(), given);
+                }
+            }
+        }
+    }
+
+    pub(crate) fn mount(&mut self, table: &dyn Display, mount: &RecorderMount) {
+        self.exact(&Key(table, "x"), &mount.x);
+        self.exact(&Key(table, "y"), &mount.y);
+    }
+
+    pub(crate) fn speed_errors(&mut self, table: &dyn Display, errors: &GivenSpeedErrors) {
+        let quantities = [
+            ("step", errors.step),
+            ("slip_low", errors.slip_low),
+            ("slip_sd", errors.slip_sd),
+            ("latency", errors.latency),
+        ];
+        for (key, quantity) in quantities {
+            if let Some(quantity) = &quantity {
+                self.exact(&Key(table, key), quantity);
+            }
+        }
+        let shares = [
+            ("steady_low", errors.steady_low),
+            ("steady_sd", errors.steady_sd),
+            ("tyre_sd", errors.tyre_sd),
+            ("friction", errors.friction),
+            ("coasting", errors.coasting),
+            ("brake_comes_on", errors.brake_comes_on),
+            ("last_is_of_impact", errors.last_is_of_impact),
+        ];
+        for (key, share) in shares {
+            if let Some(share) = share {
+                self.other(&Key(table, key), || Value::Text(format!("{} %", crate::format_number(share))));
+            }
+        }
+    }
+}

@@ -1,0 +1,100 @@
+//! What a recorder stored, as curves.
+
+use ::drawing::{Axis, RecordCurves, RecordCurvesPicture};
+use analysis::{RecorderReading, VehicleReading};
+use case::{Case, Recorder};
+use pim_core::VehicleId;
+use recorder::PulseRule;
+
+use crate::units::{Measure, Units};
+use crate::words;
+
+fn axis(title: &str, unit: &str, size: f64) -> Axis {
+    Axis { title: format!("{title}, {unit}"), unit: size }
+}
+
+fn of(measure: Measure, title: &str, units: Units) -> Axis {
+    axis(title, units.name(measure), units.size(measure))
+}
+
+/// The samples of a vehicle over time and over distance, and its pulse; `None` if there is nothing to draw.
+pub(crate) fn curves(
+    case: &Case,
+    id: VehicleId,
+    recorder: &Recorder,
+    found: &VehicleReading,
+    units: Units,
+) -> Option<RecordCurvesPicture> {
+    let mut panels = Vec::new();
+    let record = recorder.pre_crash.as_ref().and_then(|given| given.record.as_ref());
+    if let Some(record) = record {
+        let over_time = |of: fn(&recorder::PreCrashSample) -> Option<f64>| -> Vec<[f64; 2]> {
+            record.samples().iter().filter_map(|one| Some([one.time, of(one)?])).collect()
+        };
+        let time = || axis("time before the impact", "s", 1.0);
+        let mut add = |across: Axis, upward: Axis, curve: Vec<[f64; 2]>| {
+            if curve.len() > 1 {
+                panels.push(RecordCurves { across, upward, curves: [curve, Vec::new()], marks: Vec::new() });
+            }
+        };
+        add(time(), of(Measure::RoadSpeed, "speed", units), over_time(|one| one.speed));
+        let brake = over_time(|one| one.brake.map(|on| if on { 1.0 } else { 0.0 }));
+        add(time(), axis("service brake", "1 on, 0 off", 1.0), brake);
+        add(time(), of(Measure::Angle, "steering wheel", units), over_time(|one| one.steering));
+        let over_distance: Vec<[f64; 2]> = found
+            .distances
+            .iter()
+            .filter_map(|(time, bounds)| {
+                let sample = record.samples().iter().find(|one| one.time == *time)?;
+                Some([-bounds.between, sample.speed?])
+            })
+            .collect();
+        let across = of(Measure::Length, "distance before the last sample", units);
+        add(across, of(Measure::RoadSpeed, "speed", units), over_distance);
+    }
+    let pulse = recorder.pulse.as_ref().and_then(|given| given.pulse.as_ref());
+    if let Some(pulse) = pulse {
+        let part = |of: fn(&recorder::PulseSample) -> Option<f64>| -> Vec<[f64; 2]> {
+            pulse.samples().iter().filter_map(|one| Some([one.time, of(one)?])).collect()
+        };
+        let marks = found.spans.iter().find(|span| span.rule == PulseRule::CHANGE);
+        panels.push(RecordCurves {
+            across: axis("time", "ms", 1e-3),
+            upward: of(Measure::RoadSpeed, "ΔV", units),
+            curves: [part(|one| one.longitudinal), part(|one| one.lateral)],
+            marks: marks.map(|span| vec![span.start, span.end]).unwrap_or_default(),
+        });
+    }
+    let names = pulse.map(|_| ["longitudinal, and other numbers", "lateral, positive to the right"]);
+    (!panels.is_empty()).then(|| RecordCurvesPicture {
+        title: words::title(case),
+        subtitle: format!("what the recorder of vehicle {id} stored"),
+        description: format!("Speed, brake and steering before the impact and ΔV during it, vehicle {id}"),
+        panels,
+        legend: names.map_or([None, None], |names| names.map(|name| Some(name.to_owned()))),
+    })
+}
+
+/// The paths of both vehicles on one clock, if both have a record before the impact.
+pub(crate) fn both(case: &Case, reading: &RecorderReading, units: Units) -> Option<RecordCurvesPicture> {
+    let path = |id: VehicleId| -> Option<Vec<[f64; 2]>> {
+        let found = reading.vehicles[id.index()].as_ref()?;
+        let path: Vec<[f64; 2]> =
+            found.distances.iter().map(|(time, bounds)| [*time, bounds.between]).collect();
+        (path.len() > 1).then_some(path)
+    };
+    let panel = RecordCurves {
+        across: axis("time before the impact", "s", 1.0),
+        upward: of(Measure::Length, "distance to the last sample", units),
+        curves: [path(VehicleId::One)?, path(VehicleId::Two)?],
+        marks: Vec::new(),
+    };
+    Some(RecordCurvesPicture {
+        title: words::title(case),
+        subtitle: "distance of both vehicles to the impact over time".to_owned(),
+        description: "Distance of both vehicles to their last sample over the time before the impact"
+            .to_owned(),
+        panels: vec![panel],
+        legend: [1, 2].map(|k| Some(format!("vehicle {k}"))),
+    })
+}

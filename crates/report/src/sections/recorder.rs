@@ -1,0 +1,362 @@
+//! What the recorders of a case say alone.
+
+use analysis::{RecorderReading, VehicleReading};
+use case::{CaseFile, SeriesSource};
+use pim_core::VehicleId;
+use recorder::{PreCrash, PulseRule, PulseSpan, RecorderTable, SpeedErrorSource, force_direction};
+
+use crate::document::{Block, Column, Document, NONE, Table, Width};
+use crate::pictures::recorder as pictures;
+use crate::units::{Measure, Units, number};
+
+/// The recorders of a case: what was recognised, the samples with the distances between them, the speed at
+/// impact with the account of its error, and the pulse.
+#[must_use]
+pub fn recorders(file: &CaseFile, reading: &RecorderReading, units: Units) -> Document {
+    let case = &file.case;
+    let mut page = Document::of_case(case);
+    let found: Vec<String> = read_of(reading).flat_map(|(id, found)| headline(id, found, units)).collect();
+    page.push(Block::Answer { found, how: "by the recorder alone".to_owned() });
+    for (id, found) in read_of(reading) {
+        let recorder = &found.recorder;
+        page.heading(format!("Vehicle {id}"));
+        before(&mut page, file, id, found, units);
+        pulse(&mut page, file, id, found, units);
+        if let Some(picture) = pictures::curves(case, id, recorder, found, units) {
+            let drawing = crate::document::Undrawn::new(move || picture.draw());
+            page.push(Block::Chart { name: format!("recorder-{id}"), drawing, instead: None });
+        }
+    }
+    if let Some(picture) = pictures::both(case, reading, units) {
+        page.heading("Both vehicles on one clock");
+        page.paragraph(
+            "Both records end at the impact, and 0 is one time for both. The distance is that to the last sample of each, \
+             straight between its samples.",
+        );
+        let drawing = crate::document::Undrawn::new(move || picture.draw());
+        page.push(Block::Chart { name: "recorders".to_owned(), drawing, instead: None });
+    }
+    page
+}
+
+/// The vehicles that have a table, with what was found.
+fn read_of(reading: &RecorderReading) -> impl Iterator<Item = (VehicleId, &VehicleReading)> {
+    VehicleId::ALL.into_iter().filter_map(|id| Some((id, reading.vehicles[id.index()].as_ref()?)))
+}
+
+fn headline(id: VehicleId, found: &VehicleReading, units: Units) -> Vec<String> {
+    let road = |si: f64| units.format(Measure::RoadSpeed, si);
+    let mut lines = Vec::new();
+    if let Some(speed) = &found.speed {
+        let [low, high] = speed.interval(0.95);
+        lines.push(format!(
+            "Vehicle {id} drove {} at the impact; with 95 % between {} and {}",
+            road(speed.mean),
+            units.plain(Measure::RoadSpeed, low),
+            road(high)
+        ));
+    }
+    if let Some(span) = leading(&found.spans) {
+        let size = road(span.resultant());
+        lines.push(if span.complete {
+            format!("Vehicle {id} changed its velocity by {size} until {}", milliseconds(span.end))
+        } else {
+            format!(
+                "Vehicle {id} changed its velocity by at least {size}: its record ends before the impact does"
+            )
+        });
+    }
+    lines
+}
+
+/// The span that leads: that to the greatest ΔV.
+fn leading(spans: &[PulseSpan]) -> Option<&PulseSpan> {
+    spans.iter().find(|span| span.rule == PulseRule::GreatestDeltaV)
+}
+
+fn milliseconds(time: f64) -> String {
+    format!("{} ms", number(time * 1000.0, 0))
+}
+
+/// What each heading was taken for, and the cells without a value.
+fn recognised(page: &mut Document, file: &CaseFile, key: &str, source: &SeriesSource, table: &RecorderTable) {
+    let mut rows = Table::new(
+        "Recognised",
+        [
+            Column::words("heading", Width::Fit(30)),
+            Column::words("read as", Width::Fit(18)),
+            Column::words("unit", Width::Fit(6)),
+            Column::numbers("values", Width::Fit(8)),
+        ],
+    );
+    for column in &table.columns {
+        let filled = column.values.iter().flatten().count();
+        rows.row([
+            case::shown(&column.heading).into_owned(),
+            column.channel.name().to_owned(),
+            column.unit.name.to_owned(),
+            format!("{filled} of {}", column.values.len()),
+        ]);
+    }
+    for (heading, _) in &table.ignored {
+        rows.row([
+            case::shown(heading).into_owned(),
+            "not read".to_owned(),
+            NONE.to_owned(),
+            NONE.to_owned(),
+        ]);
+    }
+    rows.notes.push(format!("{}: {}.", from(source), table.layout.name()));
+    page.push(rows);
+    if table.counted_down {
+        page.paragraph("Its times count down to the impact, and are read as negative.");
+    }
+    if !table.doubts.is_empty() {
+        let place = |doubt: &recorder::CellDoubt| match source {
+            SeriesSource::Text(text) => {
+                file.source.place_in_text(&format!("{key}.text"), text.as_given(), doubt.place)
+            }
+            SeriesSource::Columns(columns) => {
+                columns.iter().find(|(channel, _)| *channel == doubt.channel).and_then(|(channel, text)| {
+                    file.source.place_in_text(
+                        &format!("{key}.{}", channel.key()),
+                        text.as_given(),
+                        doubt.place,
+                    )
+                })
+            }
+            SeriesSource::File(_) => None,
+        };
+        let doubts = table.doubts.iter().map(|doubt| {
+            let at = place(doubt).unwrap_or(doubt.place);
+            format!("{at}, {}: {}", doubt.channel.name(), case::shown(&doubt.reason.to_string()))
+        });
+        page.paragraph("Without a value, and left out:");
+        page.push(Block::List(doubts.collect()));
+    }
+}
+
+/// Where a table comes from.
+fn from(source: &SeriesSource) -> String {
+    match source {
+        SeriesSource::Text(_) => "From the text in the case".to_owned(),
+        SeriesSource::File(name) => format!("From the file {name}"),
+        SeriesSource::Columns(_) => "From the lists in the case".to_owned(),
+    }
+}
+
+fn before(page: &mut Document, file: &CaseFile, id: VehicleId, found: &VehicleReading, units: Units) {
+    let Some(given) = &found.recorder.pre_crash else { return };
+    let (Some(table), Some(record)) = (&given.table, &given.record) else { return };
+    page.push(Block::Subheading("Before the impact".to_owned()));
+    recognised(page, file, &format!("vehicle{id}.recorder.pre_crash"), &given.source, table);
+    page.push(samples(record, found, units));
+    page.paragraph(
+        "The distance is that to the last sample. It lies between \"at least\" and \"at most\" for every course of the speed \
+         that changes by 1 g at most, either way, and whose stored values are rounded to 1 km/h. \"Left\" holds each speed until the \
+         next sample and \"right\" since the one before; \"between\" is straight. A speed that reads low, as in braking, makes all of \
+         them too short.",
+    );
+    if let Some(speed) = &found.speed {
+        page.push(account(speed, found, units));
+        if let Some(fall) = &speed.steep_fall {
+            page.paragraph(format!(
+                "The last speed is {} below that of {} s, a deceleration of {} g, which no tyre gives: the wheels slipped, \
+                 or the sample is of the impact itself. Both are weighed, the latter with {} %.",
+                units.format(Measure::RoadSpeed, fall.speed - speed.stored),
+                number(fall.time, 2),
+                number(fall.deceleration / 9.80665, 2),
+                number(100.0 * found.errors.last_is_of_impact, 0),
+            ));
+        }
+    }
+}
+
+/// The samples, with the distance from each to the last.
+fn samples(record: &PreCrash, found: &VehicleReading, units: Units) -> Table {
+    let (speed, length) = (units.name(Measure::RoadSpeed), units.name(Measure::Length));
+    let samples = record.samples();
+    let mut columns = vec![
+        Column::numbers("time", Width::Fixed(7)).unit("s"),
+        Column::numbers("speed", Width::Fixed(8)).unit(speed),
+    ];
+    // Columns that the record does not have stay out.
+    let has = |of: fn(&recorder::PreCrashSample) -> bool| samples.iter().any(of);
+    let shown = [
+        has(|one| one.brake.is_some()),
+        has(|one| one.abs.is_some()),
+        has(|one| one.accelerator.or(one.throttle).is_some()),
+        has(|one| one.steering.is_some()),
+    ];
+    let optional = [
+        Column::words("brake", Width::Fixed(7)),
+        Column::words("ABS", Width::Fixed(5)),
+        Column::numbers("pedal", Width::Fixed(7)).unit("%"),
+        Column::numbers("steering", Width::Fixed(10)).unit("°"),
+    ];
+    columns.extend(optional.into_iter().zip(shown).filter(|(_, shown)| *shown).map(|(column, _)| column));
+    for name in ["at least", "right", "between", "left", "at most"] {
+        columns.push(Column::numbers(name, Width::Fixed(10)).unit(length));
+    }
+    let mut table = Table::new("Samples", columns);
+    let switch = |on: Option<bool>| on.map_or(NONE, |on| if on { "on" } else { "off" }).to_owned();
+    for sample in samples {
+        let mut cells = vec![number(sample.time, 2)];
+        cells.push(sample.speed.map_or(NONE.to_owned(), |si| units.plain(Measure::RoadSpeed, si)));
+        let optional = [
+            switch(sample.brake),
+            switch(sample.abs),
+            sample.accelerator.or(sample.throttle).map_or(NONE.to_owned(), |percent| number(percent, 0)),
+            sample.steering.map_or(NONE.to_owned(), |angle| number(angle.to_degrees(), 1)),
+        ];
+        cells.extend(optional.into_iter().zip(shown).filter(|(_, shown)| *shown).map(|(cell, _)| cell));
+        let bounds = found.distances.iter().find(|(time, _)| *time == sample.time).map(|(_, bounds)| bounds);
+        let parts = bounds.map(|one| [one.at_least, one.right, one.between, one.left, one.at_most]);
+        let metres = |si: f64| number(units.value(Measure::Length, si), 1);
+        cells.extend(parts.map_or_else(|| vec![NONE.to_owned(); 5], |parts| parts.map(metres).to_vec()));
+        table.cells(cells);
+    }
+    table
+}
+
+/// The speed at impact, and what its error comes from.
+fn account(speed: &recorder::ImpactSpeed, found: &VehicleReading, units: Units) -> Table {
+    let unit = units.name(Measure::RoadSpeed);
+    let plain = |si: f64| units.plain(Measure::RoadSpeed, si);
+    let mut table = Table::new(
+        "Speed at impact",
+        [
+            Column::words("", Width::Fit(44)),
+            Column::numbers("changes it by", Width::Fixed(15)).unit(unit),
+            Column::numbers("sd", Width::Fixed(9)).unit(unit),
+            Column::numbers("of the variance", Width::Fixed(17)).unit("%"),
+        ],
+    );
+    let whole: f64 = speed.parts.iter().map(|part| part.variance).sum();
+    table.row([
+        format!("stored at {} s", number(speed.time, 2)),
+        plain(speed.stored),
+        NONE.to_owned(),
+        NONE.to_owned(),
+    ]);
+    for part in &speed.parts {
+        let share = if whole > 0.0 { part.variance / whole } else { 0.0 };
+        table.row([
+            part.source.name().to_owned(),
+            units.signed(Measure::RoadSpeed, part.shift),
+            plain(part.variance.sqrt()),
+            number(100.0 * share, 0),
+        ]);
+    }
+    table.row(["at the impact".to_owned(), plain(speed.mean), plain(speed.sd), "100".to_owned()]);
+    let errors = &found.errors;
+    let kmh = |si: f64| units.format(Measure::RoadSpeed, si);
+    let percent = |share: f64| number(100.0 * share, 2);
+    table.notes.push(format!(
+        "Rounding: to {}. Slip: {} % ± {} % low in steady driving, {} ± {} low in hard braking (18 runs of a 2010 Ford Flex \
+         against GPS), and between them by the deceleration before the last sample. Tyres: ± {} %.",
+        kmh(errors.step),
+        percent(errors.steady_low),
+        percent(errors.steady_sd),
+        kmh(errors.slip_low),
+        kmh(errors.slip_sd),
+        percent(errors.tyre_sd),
+    ));
+    table.notes.push(format!(
+        "From the last sample to the impact: braked by anything up to {} g with the brake on, within ± {} g with it off; it \
+         came on with {} % in each half second. A stored speed is up to {} s old. Each is a key of `errors`.",
+        number(errors.friction, 2),
+        number(errors.coasting / 9.80665, 2),
+        number(100.0 * errors.brake_comes_on, 0),
+        number(errors.latency, 2),
+    ));
+    if speed.parts.iter().any(|part| part.source == SpeedErrorSource::LastSample) {
+        table.notes.push("The stored speed may be that of the impact itself: see below.".to_owned());
+    }
+    table
+}
+
+fn pulse(page: &mut Document, file: &CaseFile, id: VehicleId, found: &VehicleReading, units: Units) {
+    let recorder = &found.recorder;
+    let Some(given) = &recorder.pulse else { return };
+    page.push(Block::Subheading("During the impact".to_owned()));
+    for table in &given.tables {
+        recognised(page, file, &format!("vehicle{id}.recorder.pulse"), &given.source, table);
+    }
+    if found.spans.is_empty() {
+        page.paragraph("The pulse has no impact: ΔV changes nowhere by more than 0.8 km/h in 20 ms.");
+        return;
+    }
+    let unit = units.name(Measure::RoadSpeed);
+    let delta_v = |name: &str| Column::numbers(name, Width::Fixed(14)).unit(unit);
+    let mut table = Table::new(
+        "Pulse",
+        [
+            Column::words("by", Width::Fit(32)),
+            Column::numbers("from", Width::Fixed(7)).unit("ms"),
+            Column::numbers("to", Width::Fixed(7)).unit("ms"),
+            delta_v("longitudinal"),
+            delta_v("lateral"),
+            delta_v("ΔV"),
+            Column::numbers("PDOF", Width::Fixed(7)).unit("°"),
+            Column::words("", Width::Fit(12)),
+        ],
+    );
+    for span in &found.spans {
+        let part = |si: Option<f64>| si.map_or(NONE.to_owned(), |si| units.signed(Measure::RoadSpeed, si));
+        let direction = match span.delta_v {
+            [Some(along), Some(across)] => number(force_direction([along, across]).to_degrees(), 0),
+            _ => NONE.to_owned(),
+        };
+        table.row([
+            span.rule.name().to_owned(),
+            number(span.start * 1000.0, 0),
+            number(span.end * 1000.0, 0),
+            part(span.delta_v[0]),
+            part(span.delta_v[1]),
+            units.plain(Measure::RoadSpeed, span.resultant()),
+            direction,
+            if span.complete { "complete" } else { "cut off" }.to_owned(),
+        ]);
+    }
+    table.notes.push(
+        "ISO/TR 12353-3 determines the beginning and the end by methods A, B and C. These rules are that of 49 CFR 563.5 and \
+         UN R160 (ΔV changes by more than 0.8 km/h in 20 ms), an acceleration above 2 g, and the greatest ΔV within the first. \
+         Lateral ΔV is positive to the right; PDOF is where the force comes from, clockwise from the front."
+            .to_owned(),
+    );
+    page.push(table);
+    if found.is_cut {
+        page.paragraph(
+            "ΔV still changes where the record ends, so that the impact may go on: its ΔV is a lower bound unless it has \
+             fallen from its greatest value.",
+        );
+    }
+    if let Some(span) = leading(&found.spans) {
+        let alone = match span.delta_v {
+            [Some(_), None] => {
+                "Only longitudinal ΔV was stored: in an oblique impact the whole ΔV is greater."
+            }
+            [None, Some(_)] => "Only lateral ΔV was stored: in an oblique impact the whole ΔV is greater.",
+            _ => "",
+        };
+        if !alone.is_empty() {
+            page.paragraph(alone);
+        }
+    }
+    if let (Some(at), Some(told)) = (recorder.at, found.delta_v) {
+        let words = match (recorder.yaw_rate, told.along, told.left) {
+            (Some(_), Some(along), Some(left)) => format!(
+                "The recorder is {} ahead of the centre of gravity and {} to its side. At the centre of gravity ΔV is {} along \
+                 the vehicle and {} to its left (ΔV − ΔΩ × r).",
+                at.x,
+                at.y,
+                units.format(Measure::RoadSpeed, along),
+                units.format(Measure::RoadSpeed, left)
+            ),
+            _ => "ΔV is that of the recorder's place: with `yaw_rate` and both axes it is taken to the centre of gravity."
+                .to_owned(),
+        };
+        page.paragraph(words);
+    }
+}

@@ -1,0 +1,103 @@
+//! `recorder`: the tables of recorders, in a case and beside it.
+
+use std::fs;
+use std::ops::ControlFlow;
+use std::path::Path;
+
+use case::CaseFile;
+use report::{CsvStyle, PROGRAM, Units};
+use requests::{Answer, Request, RequestOptions, Unanswered, read_records_beside};
+
+fn fixture() -> CaseFile {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../fixtures/recorder.toml");
+    CaseFile::parse("recorder.toml", &fs::read_to_string(path).unwrap()).unwrap()
+}
+
+fn asked(file: &CaseFile) -> Result<Answer, Unanswered> {
+    let request = Request::read("recorder", &RequestOptions::default()).unwrap();
+    request.answer(&file.case, &mut |_, _, _| ControlFlow::Continue(()))
+}
+
+#[test]
+fn a_recorder_is_shown_in_every_format() {
+    let file = fixture();
+    let answer = asked(&file).unwrap();
+    let page = answer.document(&file, Units::Si);
+    let text = page.text();
+    for words in [
+        "at the impact",
+        "MPH [km/h]",
+        "service brake",
+        "\"Invalid\"",
+        "at least",
+        "49 CFR 563.5",
+        "complete",
+    ] {
+        assert!(text.contains(words), "{words}: {text}");
+    }
+    // The place of the cell is that in the case file.
+    let line =
+        1 + file.source.text().lines().position(|line| line.ends_with("On Non-Engaged Invalid")).unwrap();
+    assert!(text.contains(&format!("line {line}, column")), "{text}");
+    assert!(page.html().contains("<svg") && page.html().contains("distance of both vehicles"));
+    let json: serde_json::Value = serde_json::from_str(&answer.json(&file).unwrap()).unwrap();
+    let speed = &json["vehicles"][0]["speed_at_impact"];
+    assert!((speed["stored"].as_f64().unwrap() * 3.6 - 48.0).abs() < 1e-9);
+    assert!(speed["mean"].as_f64() > speed["stored"].as_f64(), "braked wheels read low");
+    let low = speed["interval_95"][0].as_f64().unwrap() * 3.6;
+    let high = speed["interval_95"][1].as_f64().unwrap() * 3.6;
+    assert!(low > 42.0 && low < 48.0 && high > 50.0 && high < 56.0, "{low} {high}");
+    let pulse = &json["vehicles"][1]["pulse"];
+    assert_eq!(pulse["ends_before_impact"], false);
+    // 9 km/h along and 26 across
+    let size = pulse["spans"][2]["delta_v"].as_f64().unwrap() * 3.6;
+    assert!((size - 757_f64.sqrt()).abs() < 0.6, "{size}");
+    let mut csv = Vec::new();
+    answer.write_samples(CsvStyle::International, &mut csv).unwrap();
+    let csv = String::from_utf8(csv).unwrap();
+    assert_eq!(csv.lines().count(), 1 + 6 + 5);
+    assert!(csv.lines().nth(1).unwrap().starts_with("1,-2.5,16.38"), "{csv}");
+    // Of the last sample no distance is left.
+    assert!(csv.lines().nth(6).unwrap().ends_with(",0,0,0"), "{csv}");
+}
+
+#[test]
+fn a_case_without_a_table_says_what_to_give() {
+    let file = CaseFile::parse("case.toml", "[vehicle1]\n[vehicle2]\nfixed = true\n").unwrap();
+    let Err(Unanswered::Failure(analysis::Failure::Case(faults))) = asked(&file) else { panic!() };
+    let said = file.diagnostics(&faults, &PROGRAM).to_string();
+    assert!(said.contains("no vehicle has a table of a recorder") && said.contains("pre_crash = "), "{said}");
+}
+
+#[test]
+fn files_beside_a_case_are_read_or_refused() {
+    let folder = std::env::temp_dir().join(format!("deltav-records-{}", std::process::id()));
+    fs::create_dir_all(&folder).unwrap();
+    let case = folder.join("case.toml");
+    let with = |name: &str| {
+        let text =
+            format!("[vehicle1.recorder]\npre_crash = {{ file = \"{name}\" }}\n[vehicle2]\nfixed = true\n");
+        let mut file = CaseFile::parse("case.toml", &text).unwrap();
+        let read = read_records_beside(&case, &mut file, &PROGRAM);
+        (file, read)
+    };
+    fs::write(folder.join("edr.csv"), "Time (s),Speed (km/h)\n-1,60\n0,50\n").unwrap();
+    fs::write(folder.join("bad.csv"), "Time (s),Speed (km/h)\n-1,60\n0,50,4\n").unwrap();
+    let (file, read) = with("edr.csv");
+    read.unwrap();
+    assert!(asked(&file).is_ok());
+    for (name, words) in [
+        ("bad.csv", "bad.csv:3:1: 3 values"),
+        ("absent.csv", "cannot read absent.csv"),
+        ("../edr.csv", "outside the folder"),
+        ("/etc/hostname", "outside the folder"),
+        (".", "no file"),
+    ] {
+        let (file, read) = with(name);
+        let error = read.unwrap_err().to_string();
+        assert!(error.contains(words) && error.contains("case.toml:2:"), "{name}: {error}");
+        // What nobody read is no answer either.
+        assert!(asked(&file).is_err());
+    }
+    fs::remove_dir_all(&folder).unwrap();
+}
