@@ -130,7 +130,7 @@ fn what_runs_runs_and_what_does_not_lacks_something() {
                 Purpose::Sensitivity => analysis::sensitivity(&file, sweep).err(),
                 Purpose::Draw => analysis::furthest(&file).err(),
                 Purpose::Motion => analysis::motion(&file).err(),
-                Purpose::Uncertainty | Purpose::Estimate => continue,
+                Purpose::Uncertainty | Purpose::Estimate | Purpose::Avoid => continue,
             };
             assert_eq!(obstacle.is_none(), failure.is_none(), "{purpose}: {failure:?}");
         }

@@ -30,6 +30,7 @@ fn meant(word: &str) -> Vec<&str> {
             "sensitivity",
             "uncertainty",
             "estimate",
+            "avoid",
             "table",
             "draw",
             "validate",
