@@ -5,15 +5,15 @@ use std::io::Read as _;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use analysis::{Analysis, EstimatePlan};
+use analysis::{Analysis, AvoidPlan, EstimatePlan};
 use case::{CaseFile, Prior};
 use pyo3::exceptions::{PyOSError, PyTypeError, PyValueError};
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyDict, PyInt, PyString, PyTuple};
 use report::{SitePlan, Subject, Units};
 use requests::{
-    DrawingRequest, EstimateOptions, ReconstructOptions, Request, SensitivityOptions, UncertaintyOptions,
-    read_records_beside, site_plan_beside,
+    AvoidOptions, DrawingRequest, EstimateOptions, ReconstructOptions, Request, SensitivityOptions,
+    UncertaintyOptions, read_records_beside, site_plan_beside,
 };
 use uncertainty::SamplingMethod;
 
@@ -644,6 +644,61 @@ impl PyCase {
         let prior = prior.map(|prior| chosen("prior", &prior, &Prior::WORDS)).transpose()?;
         let options = EstimateOptions { particles: particles.0, seed: seed.0, prior, pieces, above };
         self.asked(py, Request::Estimate(options), threads.map(|threads| threads.0))
+    }
+
+    /// Whether the collision was avoidable: at the limit, with a reaction in time, with full braking.
+    ///
+    /// Parameters
+    /// ----------
+    /// samples : int
+    ///     (–) where numbers of the case are ranges.
+    /// seed : int
+    ///     (–) of the random numbers; the same seed gives the same bits.
+    /// exact : bool
+    ///     Take the speed of the exact solution, even if there is more evidence.
+    /// threads : int, optional
+    ///     Without it one for each processor. The bits do not depend on it.
+    ///
+    /// Returns
+    /// -------
+    /// Result
+    ///     With ``avoid``: ``speed``, ``demand``, ``spatial``, ``temporal``, ``at_limit``, ``probability`` and
+    ///     ``runs``; SI units.
+    ///
+    /// Raises
+    /// ------
+    /// ValueError
+    ///     For a number that cannot be.
+    /// CaseError
+    ///     Where the case lacks what it needs, such as a reaction time; the text says what.
+    /// NoAnswerError
+    ///     Where no collision can be like it.
+    ///
+    /// Examples
+    /// --------
+    /// >>> case = deltav.Case.from_dict({"avoid": {
+    /// ...     "speed": "50 km/h",
+    /// ...     "limit": "30 km/h",
+    /// ...     "reaction_time": "1 s",
+    /// ...     "deceleration": "6.5 m/s^2",
+    /// ...     "demand": {"distance": "20 m"},
+    /// ... }})
+    /// >>> print(f"{case.avoid()['avoid']['spatial']['speed'] * 3.6:.1f} km/h")
+    /// 39.2 km/h
+    #[pyo3(
+        signature = (*, samples = Whole(AvoidPlan::SAMPLES), seed = Whole(1), exact = false, threads = None),
+        text_signature = "($self, *, samples=100000, seed=1, exact=False, threads=None)"
+    )]
+    fn avoid<'py>(
+        &self,
+        py: Python<'py>,
+        samples: Whole<usize>,
+        seed: Whole<u64>,
+        exact: bool,
+        threads: Option<Whole<usize>>,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        let options = AvoidOptions { samples: samples.0, seed: seed.0, exact };
+        self.asked(py, Request::Avoid(options), threads.map(|threads| threads.0))
     }
 
     /// Draws the most complete analysis that the case allows.

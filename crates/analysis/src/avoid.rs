@@ -42,9 +42,14 @@ pub struct AvoidPlan {
     pub exact: bool,
 }
 
+impl AvoidPlan {
+    /// Default number of samples.
+    pub const SAMPLES: usize = SAMPLES;
+}
+
 impl Default for AvoidPlan {
     fn default() -> Self {
-        Self { samples: SAMPLES, seed: 1, exact: false }
+        Self { samples: Self::SAMPLES, seed: 1, exact: false }
     }
 }
 

@@ -1,5 +1,6 @@
 //! The tests of the program, in one binary; what needs a process of its own stands beside it.
 
+mod avoid;
 mod batch;
 #[path = "../../case/tests/changes.rs"]
 mod changes;

@@ -38,7 +38,7 @@ pub struct PathTimePicture {
     pub until: f64,
     /// (m) the ends of the vertical axis.
     pub reach: [f64; 2],
-    /// The runs of the vehicle, the actual one first, at most as many as there are pens.
+    /// The runs of the vehicle, the actual one first.
     pub courses: Vec<PathTimeCourse>,
     /// The way of the other party along its own path, if it is known, with its legend.
     pub other: Option<(Vec<[f64; 2]>, String)>,
@@ -58,25 +58,29 @@ pub struct PathTimePicture {
 pub struct PathTimeCourse {
     /// Its legend.
     pub legend: String,
+    /// Which of [`PENS`](PathTimePicture::PENS) pens draws it; 0 is that of the actual run.
+    pub pen: usize,
     /// (s, m) in the order of time.
     pub points: Vec<[f64; 2]>,
     /// (s, m) where the brakes take effect, if they do.
     pub brakes: Option<[f64; 2]>,
 }
 
+impl PathTimeCourse {
+    fn pen(&self) -> Pen {
+        COURSES[self.pen.min(COURSES.len() - 1)]
+    }
+}
+
 impl PathTimePicture {
-    /// Maximum number of runs.
-    pub const MOST_COURSES: usize = COURSES.len();
+    /// Number of pens for runs.
+    pub const PENS: usize = COURSES.len();
 
     /// Draws it.
     #[must_use]
     pub fn draw(&self) -> Drawing {
-        let mut entries: Vec<(Sample, String)> = self
-            .courses
-            .iter()
-            .zip(COURSES)
-            .map(|(course, pen)| (Sample::Line(pen), course.legend.clone()))
-            .collect();
+        let runs = self.courses.iter().map(|course| (Sample::Line(course.pen()), course.legend.clone()));
+        let mut entries: Vec<(Sample, String)> = runs.collect();
         if let Some((_, legend)) = &self.other {
             entries.push((Sample::Line(OTHER_WAY), legend.clone()));
         }
@@ -99,14 +103,19 @@ impl PathTimePicture {
             canvas.path("other", &polyline(self.within(points, &chart)), Some(OTHER_WAY), "none");
         }
         // The actual run lies on top.
-        for (k, (course, pen)) in self.courses.iter().zip(COURSES).enumerate().rev() {
+        for (k, course) in self.courses.iter().enumerate().rev() {
             let points = self.within(&course.points, &chart);
-            canvas.path(&format!("course-{}", k + 1), &polyline(thinned(&points)), Some(pen), "none");
+            canvas.path(
+                &format!("course-{}", k + 1),
+                &polyline(thinned(&points)),
+                Some(course.pen()),
+                "none",
+            );
         }
-        for (k, (course, pen)) in self.courses.iter().zip(COURSES).enumerate().rev() {
+        for (k, course) in self.courses.iter().enumerate().rev() {
             let is_within = |at: &[f64; 2]| at[0] <= self.until && at[1] <= self.reach[1];
             if let Some([time, way]) = course.brakes.filter(is_within) {
-                let ring = Pen { width: 1.6, dashes: "", ..pen };
+                let ring = Pen { width: 1.6, dashes: "", ..course.pen() };
                 canvas.dot(&format!("brakes-{}", k + 1), chart.at(time, way), 4.0, Some(ring), "#ffffff");
             }
         }

@@ -1,11 +1,11 @@
 //! Pictures of invented figures: what is drawn is what was given, and can be read.
 
 use drawing::{
-    Axis, CrushProfile, CurvePoint, DamagePicture, DamagedVehicle, DensityPicture, Drawing, EnergyBar,
-    EnergyPicture, Footprint, FoundAtRest, HistogramPicture, JointPicture, Loss, Marker, MomentumPicture,
-    RanksPicture, ReconciliationPicture, RestsPicture, ScaleUnit, ScatterPanel, ScatterPicture, ScatterPoint,
-    SceneArrow, SceneBody, SceneMotion, ScenePicture, SceneVehicle, Shape, Symbol, TornadoBar,
-    TornadoPicture, ValueMark,
+    Axis, ChancePicture, CrushProfile, CurvePoint, DamagePicture, DamagedVehicle, DensityPicture, Drawing,
+    EnergyBar, EnergyPicture, Footprint, FoundAtRest, HistogramPicture, JointPicture, Loss, Marker,
+    MomentumPicture, PathTimeCourse, PathTimePicture, RanksPicture, ReconciliationPicture, RestsPicture,
+    ScaleUnit, ScatterPanel, ScatterPicture, ScatterPoint, SceneArrow, SceneBody, SceneMotion, ScenePicture,
+    SceneVehicle, Shape, Symbol, TornadoBar, TornadoPicture, ValueMark,
 };
 
 use crate::reader::{Reader, area, attribute, number, scales};
@@ -794,4 +794,88 @@ fn momenta_stand_tip_to_tail() {
     let still = momentum([[0.0; 2]; 4]).draw().svg();
     reader.readable("still", &still);
     assert!(!still.contains("NaN") && !still.contains("inf"));
+}
+
+fn path_time() -> PathTimePicture {
+    // Unbraked at 15 m/s, and from 10 m/s to a stop after 26 m.
+    let stops = |time: f64| if time < 3.2 { [time, 10.0 * time - 30.0] } else { [time, -4.0] };
+    let course = |legend: &str, pen: usize, points: Vec<[f64; 2]>, brakes: Option<[f64; 2]>| PathTimeCourse {
+        legend: text(legend),
+        pen,
+        points,
+        brakes,
+    };
+    PathTimePicture {
+        title: text("A <pedestrian>"),
+        subtitle: text("Distance and time"),
+        description: text("The vehicle would have stopped."),
+        time: axis("time, s", 1.0),
+        way: axis("way, m", 1.0),
+        until: 4.0,
+        reach: [-33.0, 6.0],
+        courses: vec![
+            course("what happened", 0, vec![[0.0, -30.0], [2.0, 0.0]], None),
+            course(
+                "at the limit",
+                5,
+                (0..=8).map(|k| stops(0.5 * f64::from(k))).collect(),
+                Some([1.0, -20.0]),
+            ),
+        ],
+        other: Some((vec![[0.0, -3.0], [2.0, 0.0], [3.5, 2.4]], text("pedestrian"))),
+        zone: ([2.0, 3.5], text("in the zone")),
+        impact: (2.0, text("impact")),
+        demand: text("reaction demand"),
+        brakes: text("brakes take effect"),
+    }
+}
+
+/// Lines end where their numbers do, on the scales of the axes, and the zone lies on the place of the impact.
+#[test]
+fn a_path_time_diagram_is_to_scale() {
+    let svg = path_time().draw().svg();
+    for id in ["course-1", "course-2", "other", "zone", "place", "impact", "demand", "brakes-2"] {
+        assert!(svg.contains(&format!("id=\"path-time-{id}\"")), "{id}");
+    }
+    assert!(!svg.contains("path-time-brakes-1"));
+    let element = |id: &str| {
+        let from = svg.find(&format!("id=\"path-time-{id}\"")).unwrap();
+        let start = svg[..from].rfind('<').unwrap();
+        svg[start..].split('>').next().unwrap().to_owned()
+    };
+    let value = |id: &str, key: &str| -> f64 {
+        element(id).split(&format!(" {key}=\"")).nth(1).unwrap().split('"').next().unwrap().parse().unwrap()
+    };
+    // The impact lies half-way along the time, on the line of the place.
+    let [left, right] = ["x1", "x2"].map(|key| value("place", key));
+    assert!((value("impact", "cx") - (left + right) / 2.0).abs() < PIXEL);
+    assert!((value("impact", "cy") - value("place", "y1")).abs() < PIXEL);
+    // 30 m of 39 m lie between the demand and the place.
+    let [top, bottom] = ["y2", "y1"].map(|key| value("demand-line", key));
+    let share = (value("demand", "cy") - value("place", "y1")) / (bottom - top);
+    assert!((share - 30.0 / 39.0).abs() < 1e-3, "{share}");
+    let [from, wide] = ["x", "width"].map(|key| value("zone", key));
+    assert!((wide / (right - left) - 1.5 / 4.0).abs() < 1e-3);
+    assert!((from - value("impact", "cx")).abs() < PIXEL);
+}
+
+#[test]
+fn a_probability_falls_within_its_band() {
+    let point = |speed: f64, probability: f64| [speed, probability - 0.1, probability, probability + 0.1];
+    let picture = ChancePicture {
+        title: text("Pedestrian"),
+        subtitle: text("Probability"),
+        description: text("It falls."),
+        across: axis("speed, km/h", KM_PER_HOUR),
+        decimals: 1,
+        upward: axis("probability", 1.0),
+        points: vec![point(10.0, 0.9), point(15.0, 0.5), point(20.0, 0.1)],
+        marks: vec![ValueMark { value: 50.0 * KM_PER_HOUR, lead: text("limit:") }],
+        legend: ["probability", "band"].map(text),
+    };
+    let svg = picture.draw().svg();
+    for id in ["chance-curve", "chance-band", "chance-mark-1"] {
+        assert!(svg.contains(&format!("id=\"{id}\"")), "{id}");
+    }
+    assert!(svg.contains("limit: 50.0"), "{svg}");
 }

@@ -56,6 +56,9 @@ class Case:
         above: Sequence[str] = (),
         threads: int | None = None,
     ) -> Estimate: ...
+    def avoid(
+        self, *, samples: int = 100000, seed: int = 1, exact: bool = False, threads: int | None = None
+    ) -> Result: ...
     def draw(self, what: _What = "scene", *, units: _Units | None = None, plain: bool = False) -> Drawing: ...
 
 class Result(results._Document):

@@ -18,10 +18,12 @@ pub struct AvoidChance {
     pub possible: usize,
     /// (–) number of independent samples that would be as accurate.
     pub effective: f64,
-    /// (–) that the collision is avoided if the speed is lowered to the limit.
+    /// (–) that the collision is avoided at the limit, with the reaction and the braking of `[avoid]`.
     pub avoided_at_limit: f64,
     /// (–) that the vehicle then stops before the place of the impact.
     pub stopped_at_limit: f64,
+    /// (–) that the collision is avoided at the limit with the reaction and the braking of the actual run.
+    pub avoided_else_as_it_was: f64,
     /// (–) that the vehicle was faster than the limit.
     pub above_limit: f64,
     /// (–) standard error of `avoided_at_limit` from sampling.
@@ -151,6 +153,7 @@ fn of_scenes(
             difference: difference(values, &is_avoided),
         })
         .collect();
+    influences.retain(|influence| influence.difference != 0.0);
     influences.sort_by(|a, b| b.difference.abs().total_cmp(&a.difference.abs()));
     let mut greatest: Vec<f64> = avoiding.into_iter().flatten().collect();
     greatest.sort_by(f64::total_cmp);
@@ -160,6 +163,7 @@ fn of_scenes(
         possible: posed.len(),
         effective: smoothed * (1.0 - smoothed) / (mc_error * mc_error),
         avoided_at_limit,
+        avoided_else_as_it_was: share(posed.iter().filter(|scene| scene.is_avoided_else_as_it_was()).count()),
         stopped_at_limit: share(posed.iter().filter(|scene| scene.limit <= scene.spatial()).count()),
         above_limit: share(posed.iter().filter(|scene| scene.speed > scene.limit).count()),
         mc_error,

@@ -238,6 +238,19 @@ impl AvoidScene {
         self.response.speed_after(self.limit, self.distance)
     }
 
+    /// Whether the collision is avoided at the limit, with the reaction and the braking of the actual run.
+    #[must_use]
+    pub fn is_avoided_else_as_it_was(&self) -> bool {
+        let course = AvoidCourse { speed: self.limit, ..self.course() };
+        let clears = self.clears_after.map(|after| self.time + after);
+        match course.arrival(self.distance) {
+            Some(arrival) if course.speed_at(self.distance) > 0.0 => {
+                clears.is_some_and(|clears| arrival >= clears)
+            }
+            _ => true,
+        }
+    }
+
     /// What the vehicle did.
     #[must_use]
     pub fn course(&self) -> AvoidCourse {

@@ -31,6 +31,7 @@ fn meant(word: &str) -> Vec<&str> {
             "sensitivity",
             "uncertainty",
             "estimate",
+            "avoid",
             "table",
             "draw",
             "validate",

@@ -9,7 +9,7 @@ use case::{CaseFile, CaseProblem, Dimension};
 use crate::guide::prose::{Page, page, pages, root};
 
 /// Where a piece of a case file can stand.
-const TABLES: [&str; 12] = [
+const TABLES: [&str; 13] = [
     "[scene]",
     "[vehicle1]",
     "[vehicle1.contact]",
@@ -22,6 +22,7 @@ const TABLES: [&str; 12] = [
     "[vehicle1.before]",
     "[vehicle1.after]",
     "[estimate]",
+    "[avoid]",
 ];
 
 /// Keys whose value can be a table, each in its own table.

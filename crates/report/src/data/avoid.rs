@@ -12,6 +12,7 @@ use super::{identified, pretty, title};
 #[derive(Serialize)]
 struct Document<'a> {
     title: &'a str,
+    axes: &'static str,
     avoid: AvoidBlock,
 }
 
@@ -60,6 +61,7 @@ struct ProbabilityBlock {
     above_limit: f64,
     mc_error: f64,
     stopped_at_limit: f64,
+    avoided_at_limit_else_as_it_was: f64,
     samples: usize,
     possible: usize,
     influences: Vec<InfluenceBlock>,
@@ -143,6 +145,7 @@ pub fn avoid_json(file: &CaseFile, found: &Avoidance) -> Result<String, serde_js
     };
     let document = Document {
         title: title(case),
+        axes: case.axes.name(),
         avoid: AvoidBlock {
             vehicle: found.vehicle.number(),
             speed: scene.speed,
@@ -206,6 +209,7 @@ fn probability(chance: &AvoidChance) -> ProbabilityBlock {
         above_limit: chance.above_limit,
         mc_error: chance.mc_error,
         stopped_at_limit: chance.stopped_at_limit,
+        avoided_at_limit_else_as_it_was: chance.avoided_else_as_it_was,
         samples: chance.samples,
         possible: chance.possible,
         influences: chance

@@ -29,6 +29,18 @@ pub fn avoided_from(case: &Case, found: &Avoidance, units: Units) -> Option<Draw
     Some(chance_picture(case, found, units)?.draw())
 }
 
+/// The pen of a run.
+fn pen(hypothesis: Hypothesis) -> usize {
+    match hypothesis {
+        Hypothesis::Actual => 0,
+        Hypothesis::LimitOnly => 1,
+        Hypothesis::ReactionInTime => 2,
+        Hypothesis::FullBraking => 3,
+        Hypothesis::ReactionAndBraking => 4,
+        Hypothesis::All => 5,
+    }
+}
+
 /// The name of a run in the legend.
 fn legend(run: &AvoidRun, units: Units) -> String {
     let speed = units.road_speed(run.course.speed);
@@ -65,11 +77,13 @@ pub(crate) fn path_time_picture(case: &Case, found: &Avoidance, units: Units) ->
         .iter()
         .map(|run| {
             let at = |time: f64| [time, run.course.position(time) - scene.distance];
-            let points = (0..=POINTS).map(|k| at(until * f64::from(k) / f64::from(POINTS))).collect();
-            let brakes = run.course.response.map(|response| at(response.reaction()));
-            PathTimeCourse { legend: legend(run, units), points, brakes }
+            // A run that ends in the collision ends there.
+            let end = run.arrival.filter(|_| !run.is_avoided()).unwrap_or(until);
+            let points = (0..=POINTS).map(|k| at(end * f64::from(k) / f64::from(POINTS))).collect();
+            let reaction = run.course.response.map(|response| response.reaction());
+            let brakes = reaction.filter(|time| *time <= end).map(at);
+            PathTimeCourse { legend: legend(run, units), pen: pen(run.hypothesis), points, brakes }
         })
-        .take(PathTimePicture::MOST_COURSES)
         .collect();
     let given = case.avoid.as_ref();
     let since = match given.and_then(|avoid| avoid.demand.as_ref()) {

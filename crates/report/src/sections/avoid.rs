@@ -43,7 +43,9 @@ pub fn avoid(case: &Case, found: &Avoidance, units: Units) -> Document {
             let drawing = Undrawn::new(move || picture.draw());
             page.push(Block::Chart { name: "chance".to_owned(), drawing, instead: None });
         }
-        page.push(influences(chance));
+        if !chance.influences.is_empty() {
+            page.push(influences(chance));
+        }
     }
     if found.is_unconverged {
         page.paragraph(
@@ -88,7 +90,8 @@ fn answer(case: &Case, found: &Avoidance, units: Units) -> Vec<String> {
             units.road_speed(scene.left_at_limit())
         )
     });
-    if let Some(temporal) = scene.temporal() {
+    // One that stops before the place is not late, but never comes.
+    if let Some(temporal) = scene.temporal().filter(|_| scene.limit > scene.spatial()) {
         let is = if scene.limit <= temporal { "avoidable" } else { "not avoidable" };
         lines.push(format!(
             "{is} in time at {limit}: {} clears the danger zone {} after the demand, the vehicle {}",
@@ -121,7 +124,7 @@ fn how(found: &Avoidance) -> String {
             "the speed at the impact is the median of `deltav estimate`, by all evidence"
         }
     };
-    format!("time and distance from the reaction demand (theory 11); {speed}")
+    format!("time and distance from the reaction demand (theory 13); {speed}")
 }
 
 fn inputs(case: &Case, given: &Avoid, found: &Avoidance, units: Units) -> Table {
@@ -302,10 +305,12 @@ fn on_the_runs(found: &Avoidance, units: Units) -> Vec<String> {
                 ),
             };
             let late = response.reaction_to_stop_within(*speed, *distance).map(|longest| {
+                let by = longest - response.reaction();
+                let compared = if by >= 0.0 { "longer" } else { "shorter" };
                 format!(
-                    " At the speed driven, a reaction of up to {} would have been in time, {} longer than that of the inputs.",
+                    " At the speed driven, a reaction of up to {} would have been in time, {} {compared} than that of the inputs.",
                     time(longest),
-                    time((longest - response.reaction()).max(0.0))
+                    time(by)
                 )
             });
             vec![why + &late.unwrap_or_default()]
@@ -397,7 +402,7 @@ fn probability(chance: &AvoidChance, units: Units) -> Table {
     let mut table = Table::new(
         "Probability",
         [
-            Column::words("", Width::Fixed(56)),
+            Column::words("", Width::Fixed(60)),
             Column::numbers("", Width::Fixed(12)),
             Column::words("", Width::Share),
         ],
@@ -406,15 +411,16 @@ fn probability(chance: &AvoidChance, units: Units) -> Table {
         table.row([label.to_owned(), number(value, 3), error]);
     };
     row(
-        "avoided, had it been driven at the limit",
+        "avoided at the limit, reaction and braking of the inputs",
         chance.avoided_at_limit,
         format!("± {}", number(chance.mc_error, 4)),
     );
     row("… as it stops before the place of the impact", chance.stopped_at_limit, String::new());
+    row("avoided at the limit, all else as it was", chance.avoided_else_as_it_was, String::new());
     row("driven faster than the limit", chance.above_limit, String::new());
     table.notes.push(format!(
-        "The share of {} samples of all that is uncertain in which no collision follows when the speed is lowered to the limit and all else \
-         is kept (Davis 2003). ± is the error of the sampling. The demand was {} to {} and {} to {} before the impact (95 %).",
+        "The share of {} samples of all that is uncertain in which no collision follows when the speed is lowered to the limit. With all else \
+         kept, it is that of Davis 2003. ± is the error of the sampling. The demand was {} to {} and {} to {} before the impact (95 %).",
         chance.possible,
         units.format(Measure::Way, chance.distance.low),
         units.format(Measure::Way, chance.distance.high),

@@ -1,0 +1,284 @@
+//! `deltav avoid`: printed examples through the case file, the keys of its JSON, and what it refuses.
+
+#![allow(clippy::unwrap_used, clippy::panic, reason = "helpers of tests fail by panicking")]
+
+use std::fs;
+use std::path::PathBuf;
+use std::process::{Command, Output};
+
+use serde_json::Value;
+
+const KMH: f64 = 1.0 / 3.6;
+
+fn temporary(name: &str) -> PathBuf {
+    let folder = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("avoid");
+    fs::create_dir_all(&folder).unwrap();
+    folder.join(name)
+}
+
+fn written(name: &str, case: &str) -> String {
+    let path = temporary(name);
+    fs::write(&path, case).unwrap();
+    path.display().to_string()
+}
+
+fn deltav(arguments: &[&str]) -> Output {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_deltav"));
+    command.args(arguments).env("DELTAV_PROGRESS", "off").output().unwrap()
+}
+
+/// The block `avoid` of the JSON.
+#[track_caller]
+fn avoid(name: &str, case: &str) -> Value {
+    let output = deltav(&["avoid", &written(name, case), "--format", "json"]);
+    assert_eq!((output.status.code(), &*String::from_utf8_lossy(&output.stderr)), (Some(0), ""));
+    let document: Value = serde_json::from_slice(&output.stdout).unwrap();
+    document["avoid"].clone()
+}
+
+fn number(value: &Value, pointer: &str) -> f64 {
+    value.pointer(pointer).and_then(Value::as_f64).unwrap_or_else(|| panic!("{pointer}: {value}"))
+}
+
+#[track_caller]
+fn near(value: &Value, pointer: &str, expected: f64, tolerance: f64) {
+    let found = number(value, pointer);
+    assert!((found - expected).abs() <= tolerance, "{pointer}: {found}, not {expected}");
+}
+
+/// tp-lernen-100kmh-50m: 100 km/h, 1.0 s, 7 m/s², 50 m: stops after 82.89 m, not avoidable; recomputed, it
+/// hits with 77.25 km/h and would have stopped from 73.32 km/h.
+#[test]
+fn a_printed_stop_on_a_road() {
+    let found = avoid(
+        "tp-lernen.toml",
+        r#"
+        [avoid]
+        speed = "100 km/h"
+        limit = "80 km/h"
+        reaction_time = "1 s"
+        deceleration = "7 m/s^2"
+        demand = { distance = "50 m" }
+        "#,
+    );
+    near(&found, "/stopping_distance", 82.89, 0.005);
+    near(&found, "/spatial/speed", 73.324_312 * KMH, 1e-6);
+    assert_eq!(found["spatial"]["avoidable_at_limit"], false);
+    assert_eq!(found["temporal"], Value::Null);
+    assert_eq!(found["probability"], Value::Null);
+    assert_eq!(found["at_limit"]["delta_v"], Value::Null);
+    near(&found, "/runs/0/collision_speed", 77.252_832 * KMH, 1e-6);
+    assert_eq!(found["actual"], "responded");
+}
+
+/// sicher-auto-30-50: 1.0 s, 6.5 m/s², 20 m: 13.7 m and no collision from 30 km/h, 38.3 km/h from 50 km/h
+/// after 1.5 s; recomputed, 39.19 km/h just avoid it.
+#[test]
+fn a_printed_comparison_of_two_speeds() {
+    let found = avoid(
+        "sicher-auto.toml",
+        r#"
+        [avoid]
+        speed = "50 km/h"
+        limit = "30 km/h"
+        reaction_time = "1 s"
+        deceleration = "6.5 m/s^2"
+        demand = { distance = "20 m" }
+        "#,
+    );
+    near(&found, "/speed", 50.0 * KMH, 1e-12);
+    near(&found, "/demand/distance", 20.0, 1e-12);
+    near(&found, "/demand/time", 1.498_043, 1e-6);
+    near(&found, "/stopping_distance", 28.727_445, 1e-6);
+    near(&found, "/runs/0/collision_speed", 38.3 * KMH, 0.05 * KMH);
+    near(&found, "/spatial/speed", 39.187_219 * KMH, 1e-6);
+    assert_eq!(found["spatial"]["avoidable_at_limit"], true);
+    near(&found, "/at_limit/collision_speed", 0.0, 0.0);
+}
+
+/// george-bill-crossing: 100 ft/s, 30 ft/s² at once, 125 ft to the crossing; the other enters it after 4.67 s
+/// and the car has left it after 1.88 s. Seen from the other side: the one with 30 ft/s that comes to the
+/// crossing, 150 ft ahead, in 5 s is late enough by far.
+#[test]
+fn a_printed_crossing_is_avoided_in_time_only() {
+    let found = avoid(
+        "george-bill.toml",
+        r#"
+        [avoid]
+        speed = "100 ft/s"
+        limit = "90 ft/s"
+        reaction_time = "0 s"
+        deceleration = "30 ft/s^2"
+        demand = { distance = "125 ft" }
+        clear = { distance = "10 ft", speed = "30 ft/s" }
+        "#,
+    );
+    // 166.7 ft to the stop, and so not in space.
+    near(&found, "/stopping_distance", 166.666_667 * 0.3048, 1e-6);
+    assert_eq!(found["spatial"]["avoidable_at_limit"], false);
+    // By hand: T = (100 − √(100² − 2·30·125))/30 = 1.6667 s, and 1/3 s more until it is clear; then
+    // v_t = (125 + 15·2²)/2 = 92.5 ft/s.
+    near(&found, "/demand/time", 5.0 / 3.0, 1e-9);
+    near(&found, "/temporal/speed", 92.5 * 0.3048, 1e-9);
+    assert_eq!(found["temporal"]["avoidable_at_limit"], true);
+}
+
+/// Haufe's conventions: the same numbers, the swell at full speed, linear and at half.
+#[test]
+fn the_convention_of_the_swell_changes_the_stopping_distance() {
+    for (form, stops) in [("full speed", 26.75), ("linear", 25.35), ("half", 25.32)] {
+        let case = format!(
+            r#"
+            [avoid]
+            speed = "50 km/h"
+            limit = "30 km/h"
+            reaction_time = "0.8 s"
+            swell = "0.2 s"
+            swell_form = "{form}"
+            deceleration = "7.5 m/s^2"
+            demand = {{ distance = "20 m" }}
+            "#
+        );
+        near(&avoid("haufe.toml", &case), "/stopping_distance", stops, 0.005);
+    }
+}
+
+/// A case that is right, each line of which can be replaced.
+const RIGHT: [(&str, &str); 5] = [
+    ("speed", "speed = \"60 km/h\""),
+    ("limit", "limit = \"50 km/h\""),
+    ("reaction_time", "reaction_time = \"1 s\""),
+    ("deceleration", "deceleration = \"7 m/s^2\""),
+    ("demand", "demand = { distance = \"30 m\" }"),
+];
+
+#[track_caller]
+fn refused(name: &str, key: &str, line: &str, more: &str, says: &[&str]) {
+    let lines = RIGHT.map(|(of, right)| if of == key { line } else { right });
+    let case = format!("[avoid]\n{}\n{more}", lines.join("\n"));
+    let output = deltav(&["avoid", &written(name, &case)]);
+    let message = String::from_utf8_lossy(&output.stderr).into_owned();
+    assert_eq!(output.status.code(), Some(2), "{message}");
+    for words in says {
+        assert!(message.contains(words), "{words:?} is not in: {message}");
+    }
+    assert!(message.contains(&format!("{name}:")), "{message}");
+}
+
+#[test]
+fn bad_input_gets_a_sentence_with_its_place() {
+    refused(
+        "t.toml",
+        "reaction_time",
+        "",
+        "",
+        &["`avoid.reaction_time` is missing", "Dettinger", "t.toml:1:1"],
+    );
+    refused("a.toml", "deceleration", "", "", &["`avoid.deceleration` is missing", "m/s^2", "friction"]);
+    refused("d.toml", "demand", "", "", &["`avoid.demand` is missing", "first be recognized"]);
+    refused("v.toml", "speed", "", "", &["`avoid.speed` is missing"]);
+    let above = &["the limit, 80 km/h, is above the speed driven, 60 km/h", "l.toml:3:9"];
+    refused("l.toml", "limit", "limit = \"80 km/h\"", "", above);
+    let never = "clear = { distance = \"2 m\", speed = \"0 m/s\" }";
+    refused("c.toml", "", "", never, &["clear.speed", "must be greater than zero", "c.toml:7:37"]);
+    refused("r.toml", "reaction_time", "reaction_time = \"-0.5 s\"", "", &["reaction_time", "negative"]);
+    // The brakes took hold 36 m before the impact, and the demand is at 30 m.
+    let skid = "\n[vehicle1.before]\nskid = { length = \"34 m\", friction = 0.7 }\n";
+    refused("b.toml", "speed", "", &format!("{skid}[vehicle1]\nspeed = \"5 m/s\"\n"), &[]);
+    let early = &["the brakes took effect 34 m before the impact", "b.toml:6:23"];
+    let case = format!(
+        "[avoid]\n\nlimit = \"50 km/h\"\nreaction_time = \"1 s\"\ndeceleration = \"7 m/s^2\"\ndemand = {{ distance = \"30 m\" }}\n\
+         [vehicle1]\nspeed = \"5 m/s\"\n{skid}"
+    );
+    let output = deltav(&["avoid", &written("b.toml", &case)]);
+    let message = String::from_utf8_lossy(&output.stderr).into_owned();
+    for words in early {
+        assert!(message.contains(words), "{message}");
+    }
+    let twice = "\n[vehicle1]\nspeed = \"40 km/h\"\n";
+    refused("2.toml", "", "", twice, &["given twice", "2.toml:2:9"]);
+    let output = deltav(&["avoid", &written("n.toml", "[vehicle1]\nmass = \"1 t\"\n")]);
+    assert!(String::from_utf8_lossy(&output.stderr).contains("`avoid` is missing: `deltav avoid` needs it"));
+}
+
+#[test]
+fn a_vehicle_that_would_have_stopped_reacted_late() {
+    let found = avoid(
+        "late.toml",
+        r#"
+        [avoid]
+        speed = "30 km/h"
+        limit = "25 km/h"
+        reaction_time = "1 s"
+        deceleration = "6.5 m/s^2"
+        demand = { distance = "20 m" }
+        "#,
+    );
+    assert_eq!(found["actual"], "late or not at all");
+    near(&found, "/demand/time", 20.0 / (30.0 * KMH), 1e-12);
+    // 20 m less 5.34 m of braking, at 30 km/h
+    near(&found, "/enough/reaction_time", (20.0 - 5.341_88) / (30.0 * KMH), 1e-5);
+}
+
+/// The twelve things that a report shows.
+#[test]
+fn the_report_shows_all_that_it_should() {
+    let path = temporary("report.toml");
+    let name = path.to_str().unwrap();
+    for units in ["si", "us"] {
+        let _ = fs::remove_file(&path);
+        assert!(deltav(&["new", "--template", "avoid", "--units", units, "-o", name]).status.success());
+        let output = deltav(&["avoid", name, "--format", "html"]);
+        assert_eq!(String::from_utf8_lossy(&output.stderr), "");
+        let html = String::from_utf8(output.stdout).unwrap();
+        for words in [
+            "visible once past the front of the parked van",
+            "EDCRASH manual",
+            "without the swell",
+            "What happened, and what would have",
+            "in space",
+            "in time",
+            "just avoid",
+            "stops before the place",
+            "Probability",
+            "Davis 2003",
+            "says nothing of guilt",
+            "Convention of the swell",
+            "path-time",
+            "doubtful for pedestrians",
+        ] {
+            assert!(
+                html.contains(words) || units == "us" && words == "without the swell",
+                "{units}: {words}"
+            );
+        }
+        // What the template states of itself.
+        let text = fs::read_to_string(&path).unwrap();
+        let stated = text.split("just avoided from ").nth(1).unwrap().split_whitespace().next().unwrap();
+        let found = deltav(&["avoid", name, "--format", "json"]);
+        let document: Value = serde_json::from_slice(&found.stdout).unwrap();
+        let size = if units == "si" { KMH } else { 0.447_04 };
+        let speed = number(&document, "/avoid/enough/speed") / size;
+        assert_eq!(format!("{speed:.1}"), stated, "{units}");
+    }
+}
+
+/// The speed from the evidence of the collision: the draws of the estimate make the probability.
+#[test]
+fn evidence_makes_a_probability() {
+    let case = concat!(env!("CARGO_MANIFEST_DIR"), "/../../fixtures/avoid/evidence.toml");
+    let output = deltav(&["avoid", case, "--format", "json"]);
+    assert_eq!(String::from_utf8_lossy(&output.stderr), "");
+    let document: Value = serde_json::from_slice(&output.stdout).unwrap();
+    let found = &document["avoid"];
+    assert_eq!(found["speed_source"], "estimate");
+    // `deltav estimate` with the same seed says how probable it is that the vehicle was above the limit.
+    let alone = concat!(env!("CARGO_MANIFEST_DIR"), "/../../fixtures/estimate.toml");
+    let question =
+        ["estimate", alone, "--no-pieces", "--above", "vehicle1.speed 50 km/h", "--format", "json"];
+    let estimated: Value = serde_json::from_slice(&deltav(&question).stdout).unwrap();
+    let above = number(&estimated, "/questions/0/probability");
+    near(found, "/probability/above_limit", above, 1e-12);
+    assert!(number(found, "/probability/mc_error") > 0.0);
+    assert!(found["at_limit"]["delta_v"].is_array());
+}
