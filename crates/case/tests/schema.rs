@@ -229,6 +229,7 @@ fn every_key_says_what_it_is() {
             "impact",
             "reconstruct",
             "estimate",
+            "avoid",
             "uncertainty",
         ];
         let is_table = tables.iter().any(|table| path == *table || path.ends_with(&format!(".{table}")));

@@ -279,7 +279,7 @@ pub(crate) enum Question {
             deltav avoid case.toml --format html -o report.html\n  \
             deltav avoid fixtures/avoid/pedestrian.toml --format json\n\n\
             Exit status: 0 done; 1 no answer, or not converged; 2 wrong case file or command line.\n\n\
-            More: `deltav explain avoidability`, `deltav explain reaction demand`."
+            More: `deltav explain time and distance`, `deltav explain reaction demand`."
     )]
     Avoid(AvoidArguments),
 }
@@ -997,8 +997,8 @@ pub(crate) struct ValidateArguments {
     #[arg(long, requires = "field")]
     pub(crate) other: bool,
 
-    /// Judge another program instead: its ΔV (km/h) in the columns COLUMN_1 and COLUMN_2 of FILE, and the ends
-    /// of its 95 % intervals in LOW_1, HIGH_1, LOW_2 and HIGH_2
+    /// Judge another program instead: its ΔV (km/h) in the columns COLUMN_1 and COLUMN_2 of FILE, and the
+    /// ends of its 95 % intervals in LOW_1, HIGH_1, LOW_2 and HIGH_2
     #[arg(long, value_name = "COLUMN[,LOW,HIGH]", requires = "field", conflicts_with_all = ["other", "plots"])]
     pub(crate) judge: Option<field::ClaimColumns>,
 
