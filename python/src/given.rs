@@ -662,8 +662,8 @@ impl PyCase {
     /// Returns
     /// -------
     /// Result
-    ///     With ``avoid``: ``speed``, ``demand``, ``spatial``, ``temporal``, ``at_limit``, ``probability`` and
-    ///     ``runs``; SI units.
+    ///     With ``avoid``: ``speed``, ``demand``, ``spatial``, ``temporal``, ``at_limit``,
+    ///     ``probability`` and ``runs``; SI units.
     ///
     /// Raises
     /// ------

@@ -52,6 +52,8 @@ pub enum KeyForm {
     Numbers,
     /// A number with its unit, or a range.
     Quantity(Dimension),
+    /// A number with its unit, or a range, either with its source: [`sourced_range_keys`].
+    Sourced(Dimension),
     /// A number with its unit.
     Exact(Dimension),
     /// Several numbers with their unit, each of which can be a range, or one range of all:
@@ -102,6 +104,13 @@ pub fn key_tree() -> &'static [KeyInfo] {
 pub fn range_keys() -> &'static [KeyInfo] {
     static KEYS: OnceLock<Vec<KeyInfo>> = OnceLock::new();
     KEYS.get_or_init(|| keys_of(&RANGE))
+}
+
+/// The keys of a range with its source: those of [`range_keys`] and `source`.
+#[must_use]
+pub fn sourced_range_keys() -> &'static [KeyInfo] {
+    static KEYS: OnceLock<Vec<KeyInfo>> = OnceLock::new();
+    KEYS.get_or_init(|| keys_of(&SOURCED_RANGE))
 }
 
 /// The keys of a range of several numbers: `values`, `sd`, `within` and `confidence`.
@@ -190,7 +199,8 @@ fn form(form: Form) -> KeyForm {
         Form::Keys(_) => KeyForm::Names,
         Form::Number(_) => KeyForm::Number,
         Form::Numbers(_) => KeyForm::Numbers,
-        Form::Quantity(dimension, _) | Form::Sourced(dimension, _) => KeyForm::Quantity(dimension),
+        Form::Quantity(dimension, _) => KeyForm::Quantity(dimension),
+        Form::Sourced(dimension, _) => KeyForm::Sourced(dimension),
         Form::Exact(dimension, _) => KeyForm::Exact(dimension),
         Form::Quantities(dimension, ..) => KeyForm::Quantities(dimension),
         Form::QuantityOrTables(dimension, _, schema) => KeyForm::QuantityOrTables(dimension, keys_of(schema)),

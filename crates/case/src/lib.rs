@@ -191,7 +191,7 @@ pub const EXAMPLE: &str = include_str!("../sae-980025.toml");
 pub use case_problem::CaseProblem;
 pub use diagnostic::{Diagnostic, Diagnostics, Problem};
 pub use json_schema::json_schema;
-pub use keys::{KeyForm, KeyInfo, key_tree, list_range_keys, range_keys};
+pub use keys::{KeyForm, KeyInfo, key_tree, list_range_keys, range_keys, sourced_range_keys};
 pub use nearest::nearest_names;
 pub use program::Program;
 pub use quantity::{QuantityError, read_quantity};

@@ -1,5 +1,6 @@
 //! The tests of the case file, in one binary.
 
+mod avoid;
 mod cases;
 mod changes;
 mod edit;

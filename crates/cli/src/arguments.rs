@@ -295,7 +295,7 @@ pub(crate) enum Question {
             deltav avoid case.toml --format html -o report.html\n  \
             deltav avoid fixtures/avoid/pedestrian.toml --format json\n\n\
             Exit status: 0 done; 1 no answer, or not converged; 2 wrong case file or command line.\n\n\
-            More: `deltav explain avoidability`, `deltav explain reaction demand`."
+            More: `deltav explain time and distance`, `deltav explain reaction demand`."
     )]
     Avoid(AvoidArguments),
 }

@@ -573,6 +573,7 @@ fn add_keys(keys: &[KeyInfo], within: &str, lines: &mut String) {
 fn held(form: &KeyForm) -> (Option<&'static str>, String) {
     let unit = match form {
         KeyForm::Quantity(dimension)
+        | KeyForm::Sourced(dimension)
         | KeyForm::Exact(dimension)
         | KeyForm::Quantities(dimension)
         | KeyForm::QuantityOrTables(dimension, _) => Some(dimension.si_unit()),
@@ -580,7 +581,7 @@ fn held(form: &KeyForm) -> (Option<&'static str>, String) {
         _ => None,
     };
     let what = match form {
-        KeyForm::Quantity(_) | KeyForm::Number | KeyForm::QuantityOrTables(..) => {
+        KeyForm::Quantity(_) | KeyForm::Sourced(_) | KeyForm::Number | KeyForm::QuantityOrTables(..) => {
             "number or range".to_owned()
         }
         KeyForm::NumberOrTable(_) => "number, range or its keys".to_owned(),

@@ -1,15 +1,12 @@
 //! Whether the collision was avoidable: the table `[avoid]`.
 
-use std::borrow::Cow;
 use std::fmt::Display;
 
 use pim_core::VehicleId;
 use time_distance::Swell;
 
-use crate::case::Case;
 use crate::quantity::Quantity;
 use crate::text::Text;
-use crate::vehicle::Velocity;
 use crate::walk::{Key, Walk};
 use crate::words::word;
 
@@ -199,45 +196,6 @@ impl<T: Copy> AvoidForm<T> {
                 }
             },
         }
-    }
-}
-
-impl<T: Copy> Case<T> {
-    /// The vehicle whose driver `[avoid]` asks about.
-    #[must_use]
-    pub fn avoid_subject(&self) -> VehicleId {
-        self.avoid.as_ref().and_then(|avoid| avoid.vehicle).unwrap_or(VehicleId::One)
-    }
-
-    /// The speed of that vehicle, and how it is known. What is to be found is not given, even if the file has
-    /// it.
-    #[must_use]
-    pub fn avoid_speed(&self) -> SpeedForm<T> {
-        let subject = self.avoid_subject();
-        if let Some(speed) = self.avoid.as_ref().and_then(|avoid| avoid.speed.as_ref()) {
-            return SpeedForm::AtDemand(speed.quantity);
-        }
-        let is_sought = self.reconstruct.as_ref().is_some_and(|reconstruct| reconstruct.find.seeks(subject));
-        match &self.vehicles[subject.index()].motion {
-            Some(Velocity::Speed(speed)) if !is_sought => SpeedForm::AtImpact(*speed),
-            _ => SpeedForm::Sought,
-        }
-    }
-}
-
-impl Case {
-    /// The collision without the question of `[avoid]`, whose numbers no other analysis uses.
-    #[must_use]
-    pub fn without_avoid(&self) -> Cow<'_, Self> {
-        if self.avoid.is_none() {
-            return Cow::Borrowed(self);
-        }
-        let mut case = Self { avoid: None, ..self.clone() };
-        case.ranges.retain(|range| !range.path.starts_with("avoid."));
-        for error in &mut case.uncertainty.shared {
-            error.of.retain(|key| !key.starts_with("avoid."));
-        }
-        Cow::Owned(case)
     }
 }
 

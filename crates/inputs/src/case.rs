@@ -1,5 +1,6 @@
 //! The known data of a collision, in the units in which they are given.
 
+mod avoidance;
 mod estimates;
 mod values;
 

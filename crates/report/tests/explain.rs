@@ -287,9 +287,10 @@ fn the_words_of_the_trade_are_explained() {
         ("contact point", "impulse center; impulse centre; center of impulse"),
         (
             "time and distance",
-            "avoid; avoidance; speed limit; reaction time; perception-reaction time; sight; sight distance; \
-             time to collision; TTC; stopping distance; visibility",
+            "avoid; avoidance; speed limit; sight; sight distance; time to collision; TTC; visibility",
         ),
+        ("reaction time", "reaction time; perception-reaction time"),
+        ("stopping distance", "stopping distance; braking distance"),
         ("impulse ratio", "impulse ratio; mu"),
         ("closing speed", "closing velocity; approach speed; closing speed"),
         ("ΔV", "change in velocity; crash severity; delta v; delta-v"),

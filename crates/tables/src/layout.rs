@@ -74,7 +74,7 @@ fn data_type(shape: Shape, numbers: Numbers) -> DataType {
         Shape::Count => DataType::Int64,
         Shape::Number | Shape::Percent | Shape::Quantity(_) => DataType::Float64,
         Shape::Names | Shape::Words => list(DataType::Utf8),
-        Shape::Uncertain | Shape::UncertainQuantity(_) => match numbers {
+        Shape::Uncertain | Shape::UncertainQuantity(_) | Shape::Sourced(_) => match numbers {
             Numbers::Plain => DataType::Float64,
             Numbers::Ranges => DataType::Struct(fields(shape, numbers)),
         },

@@ -329,6 +329,7 @@ impl<'a> Part<'a> {
         let kind = match self.shape {
             Shape::Quantity(dimension)
             | Shape::UncertainQuantity(dimension)
+            | Shape::Sourced(dimension)
             | Shape::QuantityOrTables(dimension, _) => {
                 return of(dimension).map(Kind::Quantity);
             }

@@ -1,6 +1,6 @@
 //! The form of a key's value in a column.
 
-use case::{Dimension, KeyForm, KeyInfo, key_tree, list_range_keys, range_keys};
+use case::{Dimension, KeyForm, KeyInfo, key_tree, list_range_keys, range_keys, sourced_range_keys};
 
 /// The form of a key's value. A number with a unit is a number; the column's name or metadata has the unit.
 #[derive(Clone, Copy, Debug)]
@@ -23,6 +23,8 @@ pub(crate) enum Shape {
     Numbers,
     Quantity(Dimension),
     UncertainQuantity(Dimension),
+    /// The same, which may have a source.
+    Sourced(Dimension),
     Angle,
     /// A list of quantities or ranges, or one range for all.
     UncertainQuantities(Dimension),
@@ -62,6 +64,7 @@ impl Shape {
             KeyForm::Number => Self::Uncertain,
             KeyForm::Numbers => Self::Numbers,
             KeyForm::Quantity(dimension) => Self::UncertainQuantity(*dimension),
+            KeyForm::Sourced(dimension) => Self::Sourced(*dimension),
             KeyForm::Exact(dimension) => Self::Quantity(*dimension),
             KeyForm::Quantities(dimension) => Self::UncertainQuantities(*dimension),
             KeyForm::QuantityOrTables(dimension, keys) => Self::QuantityOrTables(*dimension, keys),
@@ -87,6 +90,7 @@ impl Shape {
         match self {
             Self::Quantity(dimension)
             | Self::UncertainQuantity(dimension)
+            | Self::Sourced(dimension)
             | Self::UncertainQuantities(dimension)
             | Self::QuantityOrTables(dimension, _) => Some(dimension),
             Self::Angle => Some(Dimension::Angle),
@@ -105,6 +109,7 @@ impl Shape {
             | Self::QuantityOrTables(..)
             | Self::Wheels
             | Self::Wheel => (&[], range_keys()),
+            Self::Sourced(_) => (&[], sourced_range_keys()),
             Self::UncertainQuantities(_) => (&[], list_range_keys()),
             _ => (&[], &[]),
         };
@@ -140,6 +145,7 @@ impl Shape {
         match self {
             Self::Uncertain
             | Self::UncertainQuantity(_)
+            | Self::Sourced(_)
             | Self::Angle
             | Self::QuantityOrTables(..)
             | Self::Wheels
@@ -158,9 +164,11 @@ impl Shape {
             Self::Flag => "true or false is needed",
             Self::Number | Self::Count | Self::Percent => "a number is needed",
             Self::Names => "a list of texts is needed",
-            Self::Uncertain | Self::UncertainQuantity(_) | Self::Quantity(_) | Self::Angle => {
-                "a number is needed, or a struct such as {value, sd} or {low, high}"
-            }
+            Self::Uncertain
+            | Self::UncertainQuantity(_)
+            | Self::Sourced(_)
+            | Self::Quantity(_)
+            | Self::Angle => "a number is needed, or a struct such as {value, sd} or {low, high}",
             Self::Numbers | Self::UncertainQuantities(_) => {
                 "a list of numbers is needed, or a text such as \"0.54 0.52 0.35\""
             }

@@ -359,7 +359,7 @@ fn no_table_is_the_template_in_silence() {
         ("v2.speed", "\"vehicle1.speed\" or \"vehicle2.speed\""),
         ("car__speed", "\"vehicle1.speed\""),
         ("note", "no column of the table is a key of a case"),
-        ("id;vehicle2.speed [mph]", "did you mean \"vehicle1.speed\" or \"vehicle2.speed\"?"),
+        ("id;vehicle2.speed [mph]", "did you mean \"vehicle1.speed\" or \"vehicle2.speed\""),
         ("\u{1b}[31mred", "␛[31mred"),
     ] {
         let message = refusal(vec![(column, one())]);

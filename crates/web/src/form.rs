@@ -75,7 +75,7 @@ fn kind(form: &KeyForm) -> (&'static str, bool) {
         KeyForm::Names => ("names", false),
         KeyForm::Number | KeyForm::NumberOrTable(_) => ("number", true),
         KeyForm::Numbers => ("numbers", true),
-        KeyForm::Quantity(_) | KeyForm::QuantityOrTables(..) => ("quantity", true),
+        KeyForm::Quantity(_) | KeyForm::Sourced(_) | KeyForm::QuantityOrTables(..) => ("quantity", true),
         KeyForm::Exact(_) => ("quantity", false),
         KeyForm::Quantities(_) => ("quantities", true),
         KeyForm::Wheels(_) => ("wheels", true),
@@ -91,6 +91,7 @@ fn kind(form: &KeyForm) -> (&'static str, bool) {
 fn dimension(form: &KeyForm) -> Option<Dimension> {
     match form {
         KeyForm::Quantity(dimension)
+        | KeyForm::Sourced(dimension)
         | KeyForm::Exact(dimension)
         | KeyForm::Quantities(dimension)
         | KeyForm::QuantityOrTables(dimension, _) => Some(*dimension),

@@ -1,0 +1,90 @@
+//! `[avoid]`: what is read of it, and written back.
+
+#![allow(clippy::unwrap_used, clippy::panic, reason = "helpers of tests fail by panicking")]
+
+use case::{Case, CaseFile, GivenDemand, Spread, to_toml};
+
+fn read(text: &str) -> Case {
+    CaseFile::parse("avoid.toml", text).unwrap_or_else(|errors| panic!("{errors}")).case
+}
+
+fn refused(text: &str) -> String {
+    CaseFile::parse("avoid.toml", text).unwrap_err().to_string()
+}
+
+const FORMS: &str = r#"
+    [avoid]
+    vehicle = "vehicle2"
+    speed = { value = "62 km/h", sd = "2 km/h" }
+    limit = { value = "50 km/h", source = "a \"sign\"" }
+    reaction_time = { low = "0.5 s", mode = "0.8 s", high = "1.2 s", source = "Dettinger 2008" }
+    swell = "0.2 s"
+    swell_form = "full speed"
+    deceleration = { value = "0.7 g", within = "10 %", confidence = 0.95, source = "drag sled" }
+    other_party = "cyclist"
+    unbraked = true
+    clear = { distance = "2.4 m", speed = { low = "3 m/s", high = "5 m/s" } }
+
+    [avoid.demand]
+    reason = "round the corner"
+    other = { distance = { value = "4 m", source = "survey" }, speed = "4 m/s" }
+"#;
+
+#[test]
+fn each_form_is_read_and_written_back() {
+    let case = read(FORMS);
+    let avoid = case.avoid.as_ref().unwrap();
+    let deceleration = avoid.deceleration.as_ref().unwrap();
+    // 0.7 of the standard gravity
+    assert!((deceleration.quantity.si() - 0.7 * 9.80665).abs() < 1e-12);
+    assert_eq!(deceleration.source.as_ref().unwrap().as_given(), "drag sled");
+    assert_eq!(avoid.limit.as_ref().unwrap().source.as_ref().unwrap().as_given(), "a \"sign\"");
+    assert!(avoid.swell.as_ref().unwrap().source.is_none());
+    assert!(matches!(&avoid.demand, Some(GivenDemand::Other { distance, .. }) if distance.source.is_some()));
+    let paths: Vec<&str> = case.ranges.iter().map(|range| range.path.as_str()).collect();
+    let expected = ["avoid.speed", "avoid.reaction_time", "avoid.deceleration", "avoid.clear.speed"];
+    assert_eq!(paths, expected);
+    assert!(matches!(case.ranges[1].spread, Spread::Triangular { .. }));
+    let written = to_toml(&case);
+    assert_eq!(read(&written), case, "{written}");
+    // Nothing is written of vehicles that are not there.
+    assert!(!written.contains("[vehicle"), "{written}");
+}
+
+#[test]
+fn fixtures_are_written_back() {
+    for text in [
+        include_str!("../../../fixtures/avoid/pedestrian.toml"),
+        include_str!("../../../fixtures/avoid/skid.toml"),
+        include_str!("../../../fixtures/avoid/evidence.toml"),
+    ] {
+        let case = read(text);
+        assert_eq!(read(&to_toml(&case)), case);
+        assert!(case.avoidance().is_ok());
+        assert!(case.without_avoid().avoid.is_none());
+    }
+}
+
+#[test]
+fn what_cannot_be_read_is_told_with_its_place() {
+    for (line, says) in [
+        ("speed = 62", "avoid.toml:2:9"),
+        ("limit = { value = \"50 km/h\" }", "source"),
+        ("limit = { source = \"a sign\" }", "source"),
+        ("reaction_time = { value = \"1 s\", sorce = \"x\" }", "did you mean \"source\""),
+        ("deceleration = \"7 m/s\"", "m/s^2"),
+        ("demand = { distance = \"30 m\", time = \"2 s\" }", "demand"),
+        ("demand = { other = { distance = \"4 m\" } }", "speed"),
+        ("clear = { distance = \"2 m\" }", "speed"),
+        ("swell_form = \"lineer\"", "did you mean \"linear\""),
+        ("vehicle = \"vehicle3\"", "vehicle1"),
+        ("reaction = \"1 s\"", "reaction_time"),
+    ] {
+        let message = refused(&format!("[avoid]\n{line}\n"));
+        assert!(message.contains(says) && message.contains("avoid.toml:2:"), "{line}: {message}");
+    }
+    // Without the table, a vehicle is needed as before.
+    assert!(refused("title = \"nothing\"").contains("vehicle1"));
+    // A source belongs to the numbers of this table alone.
+    assert!(refused("[vehicle1]\nspeed = { value = \"10 m/s\", sd = \"1 m/s\", source = \"x\" }").contains("source"));
+}

@@ -1,0 +1,48 @@
+//! The vehicle and the speed that `[avoid]` asks about, and the collision without the question.
+
+use std::borrow::Cow;
+
+use pim_core::VehicleId;
+
+use super::Case;
+use crate::avoid::SpeedForm;
+use crate::vehicle::Velocity;
+
+impl<T: Copy> Case<T> {
+    /// The vehicle whose driver `[avoid]` asks about.
+    #[must_use]
+    pub fn avoid_subject(&self) -> VehicleId {
+        self.avoid.as_ref().and_then(|avoid| avoid.vehicle).unwrap_or(VehicleId::One)
+    }
+
+    /// The speed of that vehicle, and how it is known. What is to be found is not given, even if the file has
+    /// it.
+    #[must_use]
+    pub fn avoid_speed(&self) -> SpeedForm<T> {
+        let subject = self.avoid_subject();
+        if let Some(speed) = self.avoid.as_ref().and_then(|avoid| avoid.speed.as_ref()) {
+            return SpeedForm::AtDemand(speed.quantity);
+        }
+        let is_sought = self.reconstruct.as_ref().is_some_and(|reconstruct| reconstruct.find.seeks(subject));
+        match &self.vehicles[subject.index()].motion {
+            Some(Velocity::Speed(speed)) if !is_sought => SpeedForm::AtImpact(*speed),
+            _ => SpeedForm::Sought,
+        }
+    }
+}
+
+impl Case {
+    /// The collision without the question of `[avoid]`, whose numbers no other analysis uses.
+    #[must_use]
+    pub fn without_avoid(&self) -> Cow<'_, Self> {
+        if self.avoid.is_none() {
+            return Cow::Borrowed(self);
+        }
+        let mut case = Self { avoid: None, ..self.clone() };
+        case.ranges.retain(|range| !range.path.starts_with("avoid."));
+        for error in &mut case.uncertainty.shared {
+            error.of.retain(|key| !key.starts_with("avoid."));
+        }
+        Cow::Owned(case)
+    }
+}
