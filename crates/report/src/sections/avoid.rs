@@ -72,7 +72,7 @@ fn answer(case: &Case, found: &Avoidance, units: Units) -> Vec<String> {
     let scene = &found.scene;
     let limit = units.road_speed(scene.limit);
     let mut lines = vec![format!(
-        "vehicle {} at the reaction demand: {}, {} and {} before the impact",
+        "Vehicle {} at the reaction demand: {}, {} and {} before the impact",
         found.vehicle,
         units.speed(scene.speed),
         units.format(Measure::Way, scene.distance),
@@ -81,18 +81,18 @@ fn answer(case: &Case, found: &Avoidance, units: Units) -> Vec<String> {
     let stop = scene.response.stopping_distance(scene.limit);
     lines.push(if scene.limit <= scene.spatial() {
         format!(
-            "avoidable in space at {limit}: it stops {} before the place of the impact",
+            "Avoidable in space at {limit}: it stops {} before the place of the impact",
             units.format(Measure::Way, scene.distance - stop)
         )
     } else {
         format!(
-            "not avoidable in space at {limit}: it reaches the place of the impact with {}",
+            "Not avoidable in space at {limit}: it reaches the place of the impact with {}",
             units.road_speed(scene.left_at_limit())
         )
     });
     // One that stops before the place is not late, but never comes.
     if let Some(temporal) = scene.temporal().filter(|_| scene.limit > scene.spatial()) {
-        let is = if scene.limit <= temporal { "avoidable" } else { "not avoidable" };
+        let is = if scene.limit <= temporal { "Avoidable" } else { "Not avoidable" };
         lines.push(format!(
             "{is} in time at {limit}: {} clears the danger zone {} after the demand, the vehicle {}",
             party(case),
@@ -103,10 +103,10 @@ fn answer(case: &Case, found: &Avoidance, units: Units) -> Vec<String> {
             }
         ));
     }
-    lines.push(format!("just avoided from {} or less", units.road_speed(found.enough.speed)));
+    lines.push(format!("Highest speed that avoids it: {}", units.road_speed(found.enough.speed)));
     if let Some(chance) = &found.chance {
         lines.push(format!(
-            "probability that it is avoided at {limit}: {} ± {}; that it was driven faster than that: {}",
+            "Probability that it is avoided at {limit}: {} ± {}; that the vehicle was faster than that: {}",
             number(chance.avoided_at_limit, 3),
             number(chance.mc_error, 3),
             number(chance.above_limit, 3),
@@ -117,14 +117,14 @@ fn answer(case: &Case, found: &Avoidance, units: Units) -> Vec<String> {
 
 fn how(found: &Avoidance) -> String {
     let speed = match found.speed_from {
-        SpeedSource::AtDemand => "the speed is that of [avoid]",
-        SpeedSource::AtImpact => "the speed at the impact is that of the case",
-        SpeedSource::Reconstructed => "the speed at the impact is that of `deltav reconstruct`",
+        SpeedSource::AtDemand => "The speed is that of [avoid]",
+        SpeedSource::AtImpact => "The speed at the impact is that of the case",
+        SpeedSource::Reconstructed => "The speed at the impact is that of `deltav reconstruct`",
         SpeedSource::Estimated => {
-            "the speed at the impact is the median of `deltav estimate`, by all evidence"
+            "The speed at the impact is the median of `deltav estimate`, by all evidence"
         }
     };
-    format!("time and distance from the reaction demand (theory 13); {speed}")
+    format!("Time and distance count from the reaction demand (theory 13). {speed}.")
 }
 
 fn inputs(case: &Case, given: &Avoid, found: &Avoidance, units: Units) -> Table {
