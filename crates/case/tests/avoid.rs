@@ -86,5 +86,8 @@ fn what_cannot_be_read_is_told_with_its_place() {
     // Without the table, a vehicle is needed as before.
     assert!(refused("title = \"nothing\"").contains("vehicle1"));
     // A source belongs to the numbers of this table alone.
-    assert!(refused("[vehicle1]\nspeed = { value = \"10 m/s\", sd = \"1 m/s\", source = \"x\" }").contains("source"));
+    assert!(
+        refused("[vehicle1]\nspeed = { value = \"10 m/s\", sd = \"1 m/s\", source = \"x\" }")
+            .contains("source")
+    );
 }

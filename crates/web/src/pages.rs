@@ -12,9 +12,8 @@ pub(crate) fn templates() -> Value {
     let mut templates = vec![template("sae-980025", EXAMPLE, EXAMPLE)];
     // The page does not ask whether a collision was avoidable.
     let shown = Template::WORDS.into_iter().filter(|(_, one)| *one != Template::Avoid);
-    templates.extend(
-        shown.map(|(name, one)| template(name, one.text(UnitSystem::Si), one.text(UnitSystem::Us))),
-    );
+    templates
+        .extend(shown.map(|(name, one)| template(name, one.text(UnitSystem::Si), one.text(UnitSystem::Us))));
     Value::Array(templates)
 }
 
