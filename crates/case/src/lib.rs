@@ -56,6 +56,7 @@
 //! | … Woolley | nothing more or, for a sideswipe, `tangential_velocity_change` |
 //! | … Ishikawa | `restitution`; `tangential_restitution`, −1 to 1 |
 //! | … Kudlich–Slibar | `restitution`; `friction`, zero or more |
+//! | `[avoid]` | `vehicle`; `speed` at the reaction demand; `limit`; `reaction_time`; `swell`, `swell_form`: `"linear"` (the default), `"half"`, `"full speed"`; `deceleration`; `demand = { distance }`, `{ time }` or `{ other = { distance, speed } }`, each with `reason`; `clear = { distance, speed }`; `other_party`: `"pedestrian"`, `"cyclist"`, `"vehicle"`; `unbraked = true`. Each number can have a `source`: `{ value, source }`, or beside a range. A file with this table needs no vehicle |
 //! | `[reconstruct]` | `find`: `"vehicle1.speed"`, `"vehicle2.speed"`, or the list of both; `energy_basis`: `"dissipated"` (the default), `"absorbed"`, `{ tangential_share }` |
 //!
 //! A `restitution` is a number from 0 to 1 or, if it depends on the closing speed, `{ speeds = "2 5 10 20

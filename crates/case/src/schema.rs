@@ -1021,7 +1021,7 @@ pub(crate) static AVOID_DEMAND: Schema = Schema {
             "distance",
             "distance = \"30 m\"",
             Form::Sourced(Dimension::Length, POSITIVE),
-            "How far the vehicle then was from the place of the impact, along its path.",
+            "Distance of the vehicle to the place of the impact. Along its path.",
         ),
         key(
             "time",
@@ -1056,7 +1056,7 @@ pub(crate) static AVOID_OTHER: Schema = Schema {
             "distance",
             "distance = \"4 m\"",
             Form::Sourced(Dimension::Length, POSITIVE),
-            "How far the other party went, from where it was recognizable to the place of the impact.",
+            "Way of the other party. From where it was recognizable to the place of the impact.",
         ),
         key(
             "speed",
@@ -1076,7 +1076,7 @@ pub(crate) static AVOID_CLEAR: Schema = Schema {
             "distance",
             "distance = \"2.4 m\"",
             Form::Sourced(Dimension::Length, POSITIVE),
-            "How far it still had to go at the impact until it had left the zone, its own length or body included.",
+            "Way that it still had to go at the impact. Until it had left the zone, its own length or body included.",
         ),
         key(
             "speed",

@@ -32,8 +32,7 @@ use uncertainty::{InvalidRequest, MAX_SAMPLES, MIN_SAMPLES, SamplingMethod};
         example.",
     after_help = "Exit status: 0 done; 1 no answer, or a claim of validate fails; 2 wrong case file or \
         command line.\n\n\
-        Which command: `deltav explain which command`. If neither speed is known, or evidence disagrees: \
-        `deltav estimate`."
+        Which command: `deltav explain which command`. If neither speed is known: `deltav estimate`."
 )]
 pub(crate) enum Command {
     /// Write a commented case file to start from

@@ -3,8 +3,8 @@
 
 use analysis::{Assumption, AxleMeasure};
 use case::{
-    BrachTangential, Case, Dimension, Fit, ImpactLaw, Input, KnownEnergy, Pdof, Range, Spread, StiffnessForm,
-    UNDAMAGED, Unit, UnitSystem, word,
+    BrachTangential, Case, Dimension, Fit, ImpactLaw, Input, KnownEnergy, Pdof, Range, SUBJECTS, SWELLS,
+    Spread, StiffnessForm, UNDAMAGED, Unit, UnitSystem, word,
 };
 use crash3::ObliqueCorrection;
 use pim_core::VehicleId;
@@ -150,6 +150,17 @@ pub(crate) fn choices(case: &Case) -> Vec<(String, String)> {
         choices.push(("reconstruct.find".to_owned(), words::find_names(reconstruct.find)));
         // The number of a share stands among the numbers.
         choices.push(("reconstruct.energy_basis".to_owned(), reconstruct.energy_basis.name().to_owned()));
+    }
+    if let Some(avoid) = &case.avoid {
+        choices.push(("avoid.vehicle".to_owned(), word(&SUBJECTS, &case.avoid_subject()).to_owned()));
+        let form = avoid.swell_form.unwrap_or_default();
+        choices.push(("avoid.swell_form".to_owned(), word(&SWELLS, &form).to_owned()));
+        if let Some(party) = avoid.other_party {
+            choices.push(("avoid.other_party".to_owned(), party.name().to_owned()));
+        }
+        if avoid.unbraked {
+            choices.push(("avoid.unbraked".to_owned(), "true".to_owned()));
+        }
     }
     choices
 }

@@ -123,7 +123,7 @@ impl AvoidScene {
             SpeedForm::AtImpact(speed) => (None, Some(speed.si())),
             SpeedForm::Sought => (None, at_impact),
         };
-        if at_demand.or(at_impact).is_none_or(|speed| !(speed > 0.0)) {
+        if !at_demand.or(at_impact).is_some_and(|speed| speed > 0.0) {
             return Err(Unposed::Stands);
         }
         let clears_after = form.clear.as_ref().map(|[distance, speed]| distance.si() / speed.si());
@@ -143,8 +143,9 @@ impl AvoidScene {
                 partly.skidded(form, slowed, length.si(), [at_demand, at_impact])
             }
             (BrakingForm::Unknown, Some(speed), _) => Ok(partly.responded(form, speed)),
-            (BrakingForm::Unbraked, Some(speed), _) => Ok(partly.unbraked(form, speed, Unbraked::Stated)),
-            (BrakingForm::Unbraked, None, Some(speed)) => Ok(partly.unbraked(form, speed, Unbraked::Stated)),
+            (BrakingForm::Unbraked, Some(speed), _) | (BrakingForm::Unbraked, None, Some(speed)) => {
+                Ok(partly.unbraked(form, speed, Unbraked::Stated))
+            }
             (BrakingForm::Unknown, None, Some(speed)) => {
                 Ok(partly.unbraked(form, speed, Unbraked::NothingKnown))
             }

@@ -150,9 +150,14 @@ fn documentation() -> String {
         &RECONSTRUCT,
         &ENERGY_BASIS,
         &ESTIMATE,
+        &AVOID,
+        &AVOID_DEMAND,
+        &AVOID_OTHER,
+        &AVOID_CLEAR,
         &UNCERTAINTY,
         &SHARED,
         &RANGE,
+        &SOURCED_RANGE,
         &RANGE_OF_LIST,
     ];
     for schema in tables {
