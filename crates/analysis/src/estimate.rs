@@ -259,6 +259,7 @@ pub fn estimate(
     let setup = setup::of(case, plan.prior)?;
     let (observed, default_errors, unused) = (setup.observed.clone(), setup.default_errors, setup.unused);
     let (assumed, energies, hit) = (setup.stood, setup.energies, setup.hit);
+    let is_with_object = setup.is_with_object;
     let model = Model::of(setup.impacts, setup.observed);
     let told = Told::new(&model, case.axes, setup.reference);
     let evaluations = AtomicUsize::new(0);
@@ -381,8 +382,12 @@ pub fn estimate(
         pieces.push(found);
     }
     let same_twice = pieces::same_twice(model.pieces());
-    let tested = hit.filter(|_| setup.prior == inputs::Prior::Field);
-    let tested = tested.and_then(|hit| TestedClass::of(hit, energies, model.pieces()));
+    let tested = match hit {
+        _ if setup.prior != inputs::Prior::Field => None,
+        Some(hit) => TestedClass::of(hit, energies, model.pieces()),
+        None if is_with_object => TestedClass::of_object(energies, model.pieces()),
+        None => None,
+    };
     let missed = missed(&model, &posterior);
     Ok(Estimated {
         prior: setup.prior,

@@ -96,24 +96,28 @@ fn validate_recorders(path: &Path, arguments: &ValidateArguments) -> Result<()> 
 fn validate_field(path: &Path, arguments: &ValidateArguments) -> Result<()> {
     let name = named(path).to_string();
     let text = table(path, &name)?;
-    let pairs = field::read(&text).with_context(|| name.clone())?;
-    if let Some(columns) = &arguments.judge {
-        let claims = field::judge_claims(&text, &pairs, columns).with_context(|| name.clone())?;
-        let document = || Ok(report::claims(&claims, &name));
-        return present(arguments.format, arguments.output.file(), document, || report::claims_json(&claims));
-    }
     let options = field::Options {
         particles: PARTICLES_OF_PAIR,
         seed: arguments.seed,
         other: arguments.other,
         crush: field::KnownCrush::Both,
     };
-    let mut progress = Progress::new()?;
-    let judged = pool(arguments.threads)?.install(|| {
-        field::judge(&pairs, &evidence::FITTED, &options, &mut |done, total| {
-            progress.at("pairs", done, total)
-        })
-    });
+    let judged = if let Some(crashes) = field::read_objects(&text).with_context(|| name.clone())? {
+        let refused = [("--other", arguments.other), ("--judge", arguments.judge.is_some())];
+        if let Some((option, _)) = refused.into_iter().find(|(_, is_asked)| *is_asked) {
+            return Err(field::FieldError::NotOfObjects { option }).with_context(|| name.clone());
+        }
+        judged(&crashes, &options, arguments)?
+    } else {
+        let pairs = field::read(&text).with_context(|| name.clone())?;
+        if let Some(columns) = &arguments.judge {
+            let claims = field::judge_claims(&text, &pairs, columns).with_context(|| name.clone())?;
+            let document = || Ok(report::claims(&claims, &name));
+            let json = || report::claims_json(&claims);
+            return present(arguments.format, arguments.output.file(), document, json);
+        }
+        judged(&pairs, &options, arguments)?
+    };
     let judged = judged.with_context(|| name.clone())?;
     let document = || Ok(report::field(&judged, &name));
     present(arguments.format, arguments.output.file(), document, || report::field_json(&judged))?;
@@ -121,6 +125,20 @@ fn validate_field(path: &Path, arguments: &ValidateArguments) -> Result<()> {
     write_plots(FIELD_PLOTS, plots, arguments)?;
     let (done, total) = (judged.finished, judged.pairs);
     if done < total { Err(Incomplete::EndedPairs { done, total }.into()) } else { Ok(()) }
+}
+
+/// The judgement of crashes, with a view of how far it is.
+fn judged<C: field::Crash>(
+    crashes: &[C],
+    options: &field::Options,
+    arguments: &ValidateArguments,
+) -> Result<Result<field::Field, field::FieldError>> {
+    let mut progress = Progress::new()?;
+    Ok(pool(arguments.threads)?.install(|| {
+        field::judge(crashes, &evidence::FITTED, options, &mut |done, total| {
+            progress.at(if C::IS_WITH_OBJECT { "vehicles" } else { "pairs" }, done, total)
+        })
+    }))
 }
 
 fn write_plots<const N: usize>(

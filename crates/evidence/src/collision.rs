@@ -8,6 +8,7 @@ use real::elementary::{exp, ln, sin_cos};
 use uncertainty::{Distribution, InvalidDistribution};
 
 use crate::density::Freedom;
+use crate::figures::CrushFigures;
 use crate::number::Number;
 
 /// Two vehicles that collide: the prior knowledge of them, and the observations.
@@ -59,6 +60,23 @@ pub struct Observed {
     pub severity: Option<Severity>,
     /// The misfit between crush energy and impact; `None` if the crush is not evidence.
     pub crush: Option<CrushErrors>,
+    /// The errors of the fitted figures behind the crush energies; `None` if none was fitted, or if they are
+    /// taken as exact.
+    pub figures: Option<CrushFigures>,
+}
+
+impl Observed {
+    /// (–) standard deviation of the error of ln of a vehicle's crush energy that both vehicles share, with
+    /// that of a fitted bias; `None` if the crush is not evidence.
+    #[must_use]
+    pub fn shared_ln_sd(&self, vehicle: VehicleId) -> Option<f64> {
+        let CrushErrors(errors) = self.crush?;
+        let (misfit, of_bias) = (
+            errors[vehicle.index()].shared_ln_sd,
+            self.figures.map_or(0.0, |figures| figures.bias_sd(vehicle)),
+        );
+        Some(Real::sqrt(misfit * misfit + of_bias * of_bias))
+    }
 }
 
 /// The observations of a vehicle.
@@ -332,6 +350,16 @@ pub struct Severity {
     pub ln_sd: f64,
     /// (m/s) s, of which greater multiples are rare: weight exp(−(v₁² + v₂²)/2s²).
     pub speed: f64,
+}
+
+impl Severity {
+    /// This severity of a vehicle whose speed is uniform before it: the median of its ΔV is again this one.
+    #[must_use]
+    pub fn of_uniform_speed(self) -> Self {
+        let Self { median, ln_sd, speed } = self;
+        // A uniform v has a density ~ v of ln v, and v N(ln v; μ, σ²) ~ N(ln v; μ + σ², σ²).
+        Self { median: median * exp(-ln_sd * ln_sd), ln_sd, speed }
+    }
 }
 
 /// PDOF as coded by an investigator, or from a recorder's ΔV.

@@ -6,7 +6,7 @@ use real::Real;
 use real::elementary::{atan2, ln};
 
 /// ln √(2π).
-const LN_ROOT_TAU: f64 = 0.918_938_533_204_672_8;
+pub(crate) const LN_ROOT_TAU: f64 = 0.918_938_533_204_672_8;
 
 /// Log density of an error `x` with a normal distribution about zero.
 #[inline(always)]

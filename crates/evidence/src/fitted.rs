@@ -1,10 +1,12 @@
 //! Priors and misfits with their sources.
 
 use crash3::Side;
+use real::Real;
 use uncertainty::{Distribution, InvalidDistribution};
 
 use crate::collision::{CodedPdof, Crush, CrushMisfit, EnergyError, Restitution, Severity};
 use crate::density::Freedom;
+use crate::figures::{CRUSH_FIGURES, CrushFigures, OfVehicle};
 
 /// The damaged side of a vehicle.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -106,7 +108,107 @@ pub struct Fitted {
     pub pdof_scale: f64,
     /// (–) factor on this scale, and on that of a recorder's direction, for damage to a side.
     pub pdof_side_factor: f64,
+    /// The figures of collisions with a fixed object.
+    pub objects: ObjectFigures,
+    /// The errors of the figures that were fitted.
+    pub errors: FigureErrors,
 }
+
+/// The figures of collisions with a fixed object.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ObjectFigures {
+    /// Severity: of the one vehicle.
+    pub severity: Severity,
+    /// Misfit between crush energy and impact.
+    pub misfit: CrushMisfit,
+    /// (–) covariance of its bias and of the logarithm of its spread.
+    pub covariance: [[f64; 2]; 2],
+}
+
+impl ObjectFigures {
+    /// The errors of the bias and of the spread, as far as the crush energy depends on them; `None` if they
+    /// are taken as exact.
+    #[must_use]
+    pub fn figures(&self, behind: [Behind; 2]) -> Option<CrushFigures> {
+        let [[bias, both], [_, spread]] = self.covariance;
+        let spread_ln_sd = Real::sqrt(spread);
+        if spread_ln_sd <= 0.0 || behind.into_iter().all(Behind::is_exact) {
+            return None;
+        }
+        let vehicles = behind.map(|behind| {
+            let (has_bias, has_spread) = behind.misfit();
+            OfVehicle { bias: has_bias.then_some(0), has_spread, ..OfVehicle::default() }
+        });
+        let (mut drift, mut covariance) = ([0.0; CRUSH_FIGURES], [[0.0; CRUSH_FIGURES]; CRUSH_FIGURES]);
+        drift[0] = both / spread_ln_sd;
+        covariance[0][0] = bias - drift[0] * drift[0];
+        Some(CrushFigures { vehicles, spread_ln_sd, drift, covariance })
+    }
+}
+
+/// Number of fitted figures whose errors count.
+pub const FIGURES: usize = 9;
+
+/// The errors of fitted figures.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct FigureErrors {
+    /// (–) covariance of the bias of the crush energy and of the logarithms of: its spread for fronts, for a
+    /// rear and for a side; b₁ of sides and of rears, relative to that of fronts; the spread of b₁ between
+    /// vehicles; b₀ of fronts and rears, and of sides.
+    pub covariance: [[f64; FIGURES]; FIGURES],
+    /// (–) standard error of ln of the median severity, and of ln of the factor for two fronts: 0.47/√n of
+    /// the 287 collisions and of the 50 of two fronts from which they are.
+    pub severity: [f64; 2],
+    /// (–) standard error of ln of the ratio of the crush energy of a side to that of a front or rear.
+    pub side_crush: f64,
+}
+
+impl FigureErrors {
+    /// The figures as exact.
+    pub const NONE: Self =
+        Self { covariance: [[0.0; FIGURES]; FIGURES], severity: [0.0; 2], side_crush: 0.0 };
+
+    /// Whether a figure behind the crush energies has an error.
+    fn has_crush(&self) -> bool {
+        self.covariance.iter().flatten().any(|entry| *entry != 0.0)
+    }
+}
+
+/// What a crush energy was computed with.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Behind {
+    /// Nothing that was fitted.
+    Nothing,
+    /// Numbers of the case, but the fitted bias or the fitted spread of the misfit.
+    Misfit {
+        /// Whether the bias was fitted.
+        bias: bool,
+        /// Whether the spread was fitted.
+        spread: bool,
+    },
+    /// The fitted stiffness of this kind of damage, bias and spread.
+    Stiffness(Damage),
+}
+
+impl Behind {
+    fn is_exact(self) -> bool {
+        self.misfit() == (false, false)
+    }
+
+    /// Whether the bias and the spread of the misfit were fitted.
+    fn misfit(self) -> (bool, bool) {
+        match self {
+            Self::Nothing => (false, false),
+            Self::Misfit { bias, spread } => (bias, spread),
+            Self::Stiffness(_) => (true, true),
+        }
+    }
+}
+
+/// The places of the figures in [`FigureErrors::covariance`]: those on which ln E − β depends, in the order
+/// of [`CrushFigures`], and those of the spreads.
+const BESIDE_SPREADS: [usize; CRUSH_FIGURES] = [0, 4, 5, 6, 7, 8];
+const SPREADS: [usize; 3] = [1, 2, 3];
 
 /// The figures fitted to crashes of 2017 (Crash Investigation Sampling System, NHTSA), in November 2026.
 pub const FITTED: Fitted = Fitted {
@@ -133,7 +235,32 @@ pub const FITTED: Fitted = Fitted {
     mass_ln_sd: 0.03,
     pdof_scale: 0.104_719_755_119_659_77,
     pdof_side_factor: 1.5,
+    objects: ObjectFigures {
+        severity: Severity { median: 7.7, ln_sd: 0.83, speed: 25.0 },
+        misfit: CrushMisfit { bias: -0.770, ln_sd: 1.470 },
+        covariance: [[0.059_07, -0.008_01], [-0.008_01, 0.024_70]],
+    },
+    errors: FigureErrors {
+        covariance: [
+            [0.02542, -0.00955, -0.02202, -0.01025, 0.01470, -0.00133, -0.00791, 0.02657, 0.00534],
+            [-0.00955, 0.07034, 0.00954, 0.00499, -0.00489, 0.00410, -0.00860, -0.01610, 0.00352],
+            [-0.02202, 0.00954, 0.06716, 0.01208, -0.01138, 0.02241, 0.00598, -0.02521, -0.00441],
+            [-0.01025, 0.00499, 0.01208, 0.04747, 0.00542, 0.00274, -0.01145, -0.01120, -0.01208],
+            [0.01470, -0.00489, -0.01138, 0.00542, 0.02470, 0.00087, -0.00096, 0.01382, -0.01723],
+            [-0.00133, 0.00410, 0.02241, 0.00274, 0.00087, 0.02938, 0.00245, -0.00762, 0.00442],
+            [-0.00791, -0.00860, 0.00598, -0.01145, -0.00096, 0.00245, 0.11381, -0.01002, -0.00220],
+            [0.02657, -0.01610, -0.02521, -0.01120, 0.01382, -0.00762, -0.01002, 0.03742, -0.00328],
+            [0.00534, 0.00352, -0.00441, -0.01208, -0.01723, 0.00442, -0.00220, -0.00328, 0.07919],
+        ],
+        severity: [0.028, 0.066],
+        side_crush: 0.089,
+    },
 };
+
+/// Whose spread of the misfit counts if these sides were hit: 0 fronts alone, 1 a rear, 2 a side.
+fn kind(hit: &[Damage]) -> usize {
+    hit.iter().max().map_or(0, |damage| *damage as usize)
+}
 
 /// (kg, m) mass and width to which the stiffness of the fleet refers.
 const REFERENCE: [f64; 2] = [1600.0, 1.6];
@@ -142,24 +269,68 @@ impl Fitted {
     /// Severity of a collision in which these sides were `hit`: two fronts, or others.
     #[must_use]
     pub fn severity_of(&self, hit: &[Damage]) -> Severity {
-        let times = if hit == [Damage::Front; 2] { self.front_to_front } else { 1.0 };
-        Severity { median: self.severity.median * times, ..self.severity }
+        let is_front_to_front = hit == [Damage::Front; 2];
+        let times = if is_front_to_front { self.front_to_front } else { 1.0 };
+        let [of_median, of_factor] = self.errors.severity;
+        let of_factor = if is_front_to_front { of_factor } else { 0.0 };
+        let Severity { median, ln_sd, speed } = self.severity;
+        // The errors of the median are normal as well: σ² + σ_m² + σ_f²
+        let ln_sd = Real::sqrt(ln_sd * ln_sd + of_median * of_median + of_factor * of_factor);
+        Severity { median: median * times, ln_sd, speed }
     }
 
     /// Misfit between crush energy and impact if these sides were `hit`, of one vehicle or both.
     #[must_use]
     pub fn crush_misfit(&self, hit: &[Damage]) -> CrushMisfit {
-        let kind = hit.iter().max().map_or(0, |damage| *damage as usize);
-        CrushMisfit { bias: self.crush_bias, ln_sd: self.crush_ln_sd[kind] }
+        CrushMisfit { bias: self.crush_bias, ln_sd: self.crush_ln_sd[kind(hit)] }
+    }
+
+    /// The errors of the figures behind the crush energies if these sides were `hit`, of one vehicle or both.
+    /// `None` if they depend on nothing that was fitted, or if all figures are taken as exact.
+    #[must_use]
+    pub fn crush_figures(&self, hit: &[Damage], behind: [Behind; 2]) -> Option<CrushFigures> {
+        let is_exact =
+            |behind| matches!(behind, Behind::Nothing | Behind::Misfit { bias: false, spread: false });
+        if !self.errors.has_crush() || behind.into_iter().all(is_exact) {
+            return None;
+        }
+        let vehicles = behind.map(|behind| match behind {
+            Behind::Nothing => OfVehicle::default(),
+            Behind::Misfit { bias, spread } => {
+                OfVehicle { bias: bias.then_some(0), has_spread: spread, ..OfVehicle::default() }
+            }
+            Behind::Stiffness(damage) => {
+                // b₁ of fronts is from barrier tests.
+                let (slope, no_damage_speed) = match damage {
+                    Damage::Front => (None, 4),
+                    Damage::Rear => (Some(2), 4),
+                    Damage::Side => (Some(1), 5),
+                };
+                let no_damage_speed = Some(no_damage_speed);
+                OfVehicle { bias: Some(0), slope, slope_spread: Some(3), no_damage_speed, has_spread: true }
+            }
+        });
+        let all = &self.errors.covariance;
+        let spread = SPREADS[kind(hit)];
+        let spread_ln_sd = Real::sqrt(all[spread][spread]);
+        // Given ln σ, the mean of the others moves by d = cov/s for each s of it, and d dᵀ is no longer in
+        // their covariance.
+        let drift =
+            BESIDE_SPREADS.map(|k| if spread_ln_sd > 0.0 { all[k][spread] / spread_ln_sd } else { 0.0 });
+        let row = |k: usize| {
+            core::array::from_fn(|l| all[BESIDE_SPREADS[k]][BESIDE_SPREADS[l]] - drift[k] * drift[l])
+        };
+        Some(CrushFigures { vehicles, spread_ln_sd, drift, covariance: core::array::from_fn(row) })
     }
 
     /// Error of the crush energy of a vehicle relative to its part of the energy taken by the impact, by
-    /// method. If the case `has_range` for the stiffness or the EES, that is the vehicle's own error.
+    /// method, with the `misfit` of a class stiffness. If the case `has_range` for the stiffness or the EES,
+    /// that is the vehicle's own error.
     #[must_use]
-    pub fn energy_error(&self, method: EnergyMethod, hit: &[Damage], has_range: bool) -> EnergyError {
+    pub fn energy_error(&self, method: EnergyMethod, misfit: CrushMisfit, has_range: bool) -> EnergyError {
         let error = match method {
             EnergyMethod::Class => {
-                let CrushMisfit { bias, ln_sd } = self.crush_misfit(hit);
+                let CrushMisfit { bias, ln_sd } = misfit;
                 EnergyError { bias, shared_ln_sd: ln_sd, own_ln_sd: 0.0 }
             }
             EnergyMethod::Coefficients => COEFFICIENTS,
@@ -227,7 +398,11 @@ impl Fitted {
     /// If the figures are invalid.
     pub fn other_crush(&self, other: Damage, known: Damage) -> Result<Distribution, InvalidDistribution> {
         let of = |damage: Damage| if damage == Damage::Side { self.side_crush } else { 1.0 };
-        Distribution::log_normal(of(other) / of(known), self.other_crush_ln_sd)
+        let differ = (other == Damage::Side) != (known == Damage::Side);
+        let of_median = if differ { self.errors.side_crush } else { 0.0 };
+        // The median's own error: σ² + σ_m²
+        let ln_sd = self.other_crush_ln_sd;
+        Distribution::log_normal(of(other) / of(known), Real::sqrt(ln_sd * ln_sd + of_median * of_median))
     }
 
     /// The crush of a vehicle of unknown stiffness, from the `width` (m) of the damage, the mean depth (m)

@@ -2,9 +2,11 @@
 
 use estimate::Independent;
 use pim_core::{Body, Contact, Law, Motion, Outcome, Participant, Tangential, Vector2, VehicleId};
+use real::elementary::ln;
 use uncertainty::{LANES, Lanes};
 
 use crate::collision::{Collision, Crush, Vehicle};
+use crate::figures::CrushChange;
 use crate::number::Slot;
 
 /// (m/s) approach speed along the normal below which nothing is crushed.
@@ -42,6 +44,8 @@ pub struct Impacted {
     pub taken: f64,
     /// (J) crush energies.
     pub crush_energies: [f64; 2],
+    /// The changes of the crush energies with fitted figures; zero where no figure behind them was fitted.
+    pub crush_changes: [CrushChange; 2],
     /// (m/s) speed at the beginning of each vehicle's skid before the impact, if there is one.
     pub skid_speeds: [Option<f64>; 2],
     /// The path of each vehicle to rest, if it was followed.
@@ -87,6 +91,7 @@ impl Collision<Slot> {
         let energy = |i: usize| self.vehicles[i].crush.as_ref().map_or(0.0, |crush| crush.energy(factors[i]));
         let known = [energy(0), energy(1)];
         let crush_energies = self.other_crush.map_or(known, |other| other.map(of).completed(known));
+        let crush_changes = self.crush_changes(factors);
         let is_possible =
             is_1 & is_2 & is_contact & is_law & is_impact & (closing > LEAST_APPROACH) & (taken > 0.0);
         Impacted {
@@ -94,9 +99,24 @@ impl Collision<Slot> {
             outcome,
             taken,
             crush_energies,
+            crush_changes,
             skid_speeds: [None, None],
             ways: [None, None],
             is_possible,
+        }
+    }
+
+    /// How the crush energies change with fitted figures, for κ and β of each vehicle.
+    #[inline(always)]
+    fn crush_changes(&self, factors: [[f64; 2]; 2]) -> [CrushChange; 2] {
+        if self.observed.figures.is_none() {
+            return [CrushChange::default(); 2];
+        }
+        let change = |i: usize| self.vehicles[i].crush.as_ref().map(|crush| crush.change(factors[i]));
+        match [change(0), change(1)] {
+            // The energy of the other vehicle follows from that of this one.
+            [Some(known), None] | [None, Some(known)] => [known; 2],
+            [one, two] => [one.unwrap_or_default(), two.unwrap_or_default()],
         }
     }
 
@@ -136,5 +156,19 @@ impl<N> Crush<N> {
     pub fn energy(&self, [slope, no_damage]: [f64; 2]) -> f64 {
         // E = L (G₀ β² + A₀ C̄ κ β + ½ B₀ C²̄ κ²)
         self.constant * no_damage * no_damage + self.linear * slope * no_damage + self.square * slope * slope
+    }
+
+    /// The changes of the energy with the figures behind it, for the given κ and β.
+    #[inline(always)]
+    #[must_use]
+    pub fn change(&self, factors: [f64; 2]) -> CrushChange {
+        let [slope, no_damage] = factors;
+        let (constant, linear) = (self.constant * no_damage * no_damage, self.linear * slope * no_damage);
+        // ∂ ln E/∂ ln b₀ = (2 L G₀ β² + L A₀ C̄ κ β)/E; that by ln b₁ is the rest to 2, as E ~ (b₀ + b₁ C)²
+        let energy = self.energy(factors);
+        let of_no_damage = if energy > 0.0 { (2.0 * constant + linear) / energy } else { 0.0 };
+        let of_slope = 2.0 - of_no_damage;
+        // κ = exp(τ z), so ∂ ln κ/∂ ln τ = ln κ
+        CrushChange { slope: of_slope, slope_spread: of_slope * ln(slope), no_damage_speed: of_no_damage }
     }
 }

@@ -45,6 +45,7 @@
 
 mod collision;
 mod density;
+mod figures;
 mod fitted;
 mod impact;
 mod model;
@@ -57,7 +58,8 @@ pub use collision::{
     Recorder, Restitution, Severity, Speeds, Vehicle,
 };
 pub use density::Freedom;
-pub use fitted::{Damage, EnergyMethod, FITTED, Fitted};
+pub use figures::{CRUSH_FIGURES, CrushChange, CrushFigures, OfVehicle};
+pub use fitted::{Behind, Damage, EnergyMethod, FIGURES, FITTED, FigureErrors, Fitted, ObjectFigures};
 pub use impact::{Impacted, Impacts, LEAST_APPROACH, Way};
 pub use model::{Model, NO_IMPACT, Output, Piece, Placed, shown_delta_v};
 pub use number::Number;

@@ -11,6 +11,7 @@ use crate::collision::{
     MeasuredSpeed, Observed, ObservedVehicle, RecordedDeltaV, RecordedPart, Vehicle,
 };
 use crate::density::{Freedom, normal, relative};
+use crate::figures::{CrushChange, CrushFigures, Mixture};
 use crate::impact::{Impacted, Impacts};
 use crate::number::{Number, Slot};
 
@@ -230,6 +231,7 @@ impl<I: Impacts> Model<I> {
             for (score, impacted) in column.iter_mut().zip(impacts) {
                 *score = match part {
                     PartOf::Number(Piece::Severity) => f64::NAN,
+                    PartOf::Number(Piece::Crush) => self.score_of_crush(impacted),
                     PartOf::Number(piece) => self.error(piece, impacted).score(),
                     PartOf::Angle(piece) => self.error(piece, impacted).error,
                     PartOf::Across(id) => {
@@ -243,6 +245,16 @@ impl<I: Impacts> Model<I> {
                     }
                 };
             }
+        }
+    }
+
+    /// The normal score of the crush energies.
+    fn score_of_crush(&self, impacted: &Impacted) -> f64 {
+        match (&self.observed.crush, &self.observed.figures) {
+            (Some(misfit), Some(figures)) => misfit
+                .mixture(figures, &impacted.crush_changes, impacted.crush_energies, impacted.taken)
+                .score(),
+            _ => self.error(Piece::Crush, impacted).score(),
         }
     }
 
@@ -329,7 +341,14 @@ impl<I: Impacts> Model<I> {
             }
             Piece::Crush => {
                 let Some(misfit) = self.observed.crush else { return Error::NONE };
-                misfit.error(impacted.crush_energies, impacted.taken)
+                let (energies, taken) = (impacted.crush_energies, impacted.taken);
+                match &self.observed.figures {
+                    None => misfit.error(energies, taken),
+                    Some(figures) => {
+                        let mixture = misfit.mixture(figures, &impacted.crush_changes, energies, taken);
+                        Error { potential: mixture.log_density(), ..Error::NONE }
+                    }
+                }
             }
             Piece::Pdof(id) => {
                 vehicle(id).pdof.map_or(Error::NONE, |coded| coded.error(impacted.outcome.pdof()[id.index()]))
@@ -466,13 +485,41 @@ impl EnergyError {
 }
 
 impl CrushErrors {
+    /// (–) the error, and the share of vehicle 2 in the energy.
     #[inline(always)]
-    fn error(&self, [e1, e2]: [f64; 2], taken: f64) -> Error {
+    fn excess(&self, [e1, e2]: [f64; 2], taken: f64) -> [f64; 2] {
         let Self([one, two]) = *self;
         let beside = if one.bias == two.bias { e2 } else { e2 * exp(one.bias - two.bias) };
         let sum = e1 + beside;
         // ε = ln[(E₁ + E₂ exp(b₁ − b₂))/(W_n + λ W_t)] − b₁
-        Error::normal(ln(sum / taken) - one.bias, Self::ln_sd([one, two], beside / sum))
+        [ln(sum / taken) - one.bias, beside / sum]
+    }
+
+    #[inline(always)]
+    fn error(&self, energies: [f64; 2], taken: f64) -> Error {
+        let [error, share] = self.excess(energies, taken);
+        Error::normal(error, Self::ln_sd(self.0, share))
+    }
+
+    /// The error with those of the figures behind the energies.
+    #[inline(always)]
+    fn mixture(
+        &self,
+        figures: &CrushFigures,
+        changes: &[CrushChange; 2],
+        energies: [f64; 2],
+        taken: f64,
+    ) -> Mixture {
+        let [error, share] = self.excess(energies, taken);
+        let [first, second] = figures.vehicles.map(|vehicle| vehicle.has_spread);
+        figures.mixture(error, share, changes, |factor| {
+            let of = |error: EnergyError, has_spread: bool| {
+                let times = if has_spread { factor } else { 1.0 };
+                EnergyError { shared_ln_sd: error.shared_ln_sd * times, ..error }
+            };
+            let [one, two] = self.0;
+            Self::ln_sd([of(one, first), of(two, second)], share)
+        })
     }
 
     /// (–) log-likelihood of crush `energies` (J) if the impulses took `taken` (J).

@@ -12,6 +12,7 @@
 )]
 
 mod calibration;
+mod figures;
 mod likelihood;
 mod posterior;
 mod reference;

@@ -12,6 +12,7 @@ fn figures_are_those_of_the_calibration() {
         ("front-rear", "| front and rear | 107 |"),
         ("recorder", "| all, the other vehicle's recorder given | 104 |"),
         ("one-crush", "| the vehicle that is judged | 348 |"),
+        ("fixed-object", "| fixed objects, all | 94 |"),
     ] {
         let class = TestedClass::ALL.into_iter().find(|found| found.code == class);
         let line = page.lines().find(|line| line.starts_with(start));

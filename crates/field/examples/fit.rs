@@ -7,9 +7,10 @@
 
 use std::ops::ControlFlow;
 
-use evidence::{FITTED, Fitted};
+use evidence::{FITTED, Fitted, ObjectFigures};
 use field::{
-    Field, Figure, FitOptions, KnownCrush, Options, fit, fit_direction, fit_folds, fit_share, judge_by, read,
+    Crash, Field, FieldError, FigureFit, FitOptions, Folds, KnownCrush, Options, fit, fit_direction,
+    fit_folds, fit_share, judge_by, read, read_objects,
 };
 
 /// Particles of each island: of the draws behind the fit, and of those behind each judgement.
@@ -23,35 +24,25 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         [path, option, folds] if option == "--folds" => (path, Some(folds.parse()?)),
         _ => return Err("give a file of pairs with the columns of CISS, and --folds 5 if wanted".into()),
     };
-    let pairs = read(&std::fs::read_to_string(path)?)?;
-    let mut progress = |done: usize, all: usize| {
-        if done.is_multiple_of(100) {
-            eprintln!("{done} of {all} pairs");
-        }
-        ControlFlow::Continue(())
-    };
-    let options = FitOptions { particles: PARTICLES[0], seed: SEED };
-    let (fit, folds) = match folds {
-        None => (fit(&pairs, &FITTED, &options, &mut progress)?, None),
-        Some(folds) => {
-            let (fit, folds) = fit_folds(&pairs, &FITTED, folds, &options, &mut progress)?;
-            (fit, Some(folds))
-        }
-    };
-    println!("{} recorders in {} pairs, ln p {:.2}", fit.recorders, fit.pairs, fit.log_likelihood);
-    println!("Draws of a pair are worth {:.0} independent ones or more.\n", fit.least_draws);
-    for (figure, error) in Figure::ALL.into_iter().zip(fit.errors) {
-        print!("{:<56}{:>7.3} ± {:.3}", figure.name(), figure.of(&fit.fitted), error);
-        for fitted in folds.iter().flat_map(|folds| folds.fitted()) {
-            print!("{:>8.3}", figure.of(fitted));
-        }
-        println!();
+    let text = std::fs::read_to_string(path)?;
+    if let Some(crashes) = read_objects(&text)? {
+        let (fit, folds) = fitted(&crashes, folds)?;
+        let ObjectFigures { severity, misfit, covariance } = fit.fitted.objects;
+        println!("\n{severity:.3?}\n{misfit:.3?}\ncovariance: {covariance:.5?}");
+        return held_out(&crashes, &fit, folds.as_ref(), &[false]);
     }
+    let pairs = read(&text)?;
+    let (fit, folds) = fitted(&pairs, folds)?;
     let Fitted { crush_bias, crush_ln_sd, slope, slope_ln_sd, no_damage_speed, recorder_ln_scale, .. } =
         fit.fitted;
     println!("\ncrush_bias: {crush_bias:.3},\ncrush_ln_sd: {crush_ln_sd:.3?},");
     println!("slope: {slope:.1?},\nslope_ln_sd: {slope_ln_sd:.2},");
     println!("no_damage_speed: {no_damage_speed:.2?},\nrecorder_ln_scale: {recorder_ln_scale:.3},");
+    println!("covariance: [");
+    for row in fit.fitted.errors.covariance {
+        println!("    {row:.5?},");
+    }
+    println!("],");
     let share = fit_share(&pairs, &fit.fitted)?;
     let ([side, side_error], [ln_sd, error]) = (share.side_crush, share.ln_sd);
     println!("\nshares of the crush energy in {} pairs", share.pairs);
@@ -60,12 +51,51 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let direction = fit_direction(&pairs, &fit.fitted)?;
     let [scale, error] = direction.scale.map(f64::to_degrees);
     println!("\ndirections of {} recorders: scale {scale:.2}° ± {error:.2}°", direction.recorders);
-    if let Some(folds) = folds {
-        for other in [false, true] {
-            let options = Options { particles: PARTICLES[1], seed: SEED, other, crush: KnownCrush::Both };
-            let of = |pair: &_| folds.of(pair).unwrap_or(fit.fitted);
-            print(&judge_by(&pairs, &of, &options, &mut progress)?);
+    held_out(&pairs, &fit, folds.as_ref(), &[false, true])
+}
+
+fn progress(done: usize, all: usize) -> ControlFlow<()> {
+    if done.is_multiple_of(100) {
+        eprintln!("{done} of {all}");
+    }
+    ControlFlow::Continue(())
+}
+
+/// The fit of all crashes, printed, and those without each fold.
+fn fitted<C: Crash>(crashes: &[C], folds: Option<usize>) -> Result<(FigureFit, Option<Folds>), FieldError> {
+    let options = FitOptions { particles: PARTICLES[0], seed: SEED };
+    let (fit, folds) = match folds {
+        None => (fit(crashes, &FITTED, &options, &mut progress)?, None),
+        Some(folds) => {
+            let (fit, folds) = fit_folds(crashes, &FITTED, folds, &options, &mut progress)?;
+            (fit, Some(folds))
         }
+    };
+    println!("{} recorders in {} crashes, ln p {:.2}", fit.recorders, fit.pairs, fit.log_likelihood);
+    println!("Draws of a crash are worth {:.0} independent ones or more.\n", fit.least_draws);
+    println!("figure, standard error clustered by crash, by the second derivatives alone, without each fold");
+    for ((figure, error), of_model) in fit.figures.iter().zip(&fit.errors).zip(&fit.errors_of_model) {
+        print!("{:<56}{:>7.3} ± {error:.3} {of_model:.3}", figure.name(), figure.of(&fit.fitted));
+        for fitted in folds.iter().flat_map(|folds| folds.fitted()) {
+            print!("{:>8.3}", figure.of(fitted));
+        }
+        println!();
+    }
+    Ok((fit, folds))
+}
+
+/// Judges each crash with the figures that have not seen it.
+fn held_out<C: Crash>(
+    crashes: &[C],
+    fit: &FigureFit,
+    folds: Option<&Folds>,
+    others: &[bool],
+) -> Result<(), Box<dyn std::error::Error>> {
+    let Some(folds) = folds else { return Ok(()) };
+    for other in others {
+        let options = Options { particles: PARTICLES[1], seed: SEED, other: *other, crush: KnownCrush::Both };
+        let of = |crash: &_| folds.of(crash).unwrap_or(fit.fitted);
+        print(&judge_by(crashes, &of, &options, &mut progress)?);
     }
     Ok(())
 }
@@ -82,6 +112,12 @@ fn print(field: &Field) {
             print!("{:>7.1} ± {:>4.1}", 100.0 * inside, 100.0 * error);
         }
         let ([bias, _], [rms, error]) = (group.ours.bias, group.ours.rms);
-        println!("{bias:>+8.3}{rms:>8.3} ± {error:.3}{:>12.2}", 3.6 * group.ours.crps);
+        print!("{bias:>+8.3}{rms:>8.3} ± {error:.3}{:>12.2}", 3.6 * group.ours.crps);
+        match &group.winsmash {
+            Some(theirs) => {
+                println!("   WinSMASH {}{:>+8.3}{:>8.3}", theirs.n, theirs.bias[0], theirs.rms[0])
+            }
+            None => println!(),
+        }
     }
 }

@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use evidence::{Damage, Fitted};
+use evidence::{Behind, Damage, Fitted};
 use pim_core::VehicleId;
 use real::Real;
 use real::elementary::exp;
@@ -40,6 +40,27 @@ fn roots(fitted: &Fitted, damage: Damage) -> [f64; 2] {
     let of_a_metre = fitted.crush_of(damage, 1.0, 1.0, 1.0);
     // G = ½ d₀², B = d₁²
     [of_a_metre.constant, of_a_metre.square].map(|energy| Real::sqrt(2.0 * energy))
+}
+
+/// (–) the misfit of the crush energy with the errors of the figures behind it, for vehicles as stiff as most
+/// of their kind.
+fn whole_misfit(layout: &Layout, fitted: &Fitted) -> f64 {
+    let hit = layout.damages;
+    let misfit = fitted.crush_misfit(&hit).ln_sd;
+    let crushes = [0, 1].map(|i| {
+        let [mean, mean_square] = layout.shapes[i].depths;
+        fitted.crush_of(hit[i], layout.widths[i], mean, mean_square)
+    });
+    let usual = [1.0; 2];
+    let energies = crushes.map(|crush| crush.energy(usual));
+    let whole = energies.iter().sum::<f64>();
+    match fitted.crush_figures(&hit, hit.map(Behind::Stiffness)) {
+        Some(figures) if whole > 0.0 => {
+            let of_figures = figures.ln_sd(energies[1] / whole, &crushes.map(|crush| crush.change(usual)));
+            Real::sqrt(misfit * misfit + of_figures * of_figures)
+        }
+        _ => misfit,
+    }
 }
 
 impl Pair {
@@ -112,7 +133,8 @@ impl Pair {
             "tangential = \"critical\"".to_owned(),
             String::new(),
             "[estimate]".to_owned(),
-            format!("crush_error = \"{:.1} %\"", 100.0 * fitted.crush_misfit(&layout.damages).ln_sd),
+            // The case file cannot say that figures have errors, so that these are part of the misfit.
+            format!("crush_error = \"{:.1} %\"", 100.0 * whole_misfit(&layout, fitted)),
             format!("crush_bias = \"{:.1} %\"", 100.0 * exp(fitted.crush_misfit(&layout.damages).bias)),
             "stood = \"0 %\"".to_owned(),
             String::new(),

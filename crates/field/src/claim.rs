@@ -4,8 +4,9 @@ use std::str::FromStr;
 
 use pim_core::VehicleId;
 
+use crate::crash::{Crash as _, PairKind};
 use crate::error::FieldError;
-use crate::judge::{Figures, PairKind};
+use crate::judge::Figures;
 use crate::pair::{Pair, Truth};
 use crate::read::{Cells, MOST_SPEED, cells};
 
@@ -107,7 +108,7 @@ pub fn judge_claims(text: &str, pairs: &[Pair], columns: &ClaimColumns) -> Resul
                 unclaimed += 1;
                 continue;
             };
-            let (case, kind) = (pair.case.clone(), PairKind::of(pair));
+            let (case, kind) = (pair.case.clone(), pair.kind());
             judged.push(JudgedClaim { case, vehicle, kind, truth, claim });
         }
     }
@@ -126,7 +127,7 @@ pub fn judge_claims(text: &str, pairs: &[Pair], columns: &ClaimColumns) -> Resul
 impl Cells {
     /// What a program claims of a vehicle; `None` where its cell is empty.
     fn claim(&self, columns: &ClaimColumns, vehicle: VehicleId) -> Result<Option<ProgramClaim>, FieldError> {
-        let vehicle = if vehicle == VehicleId::One { 1 } else { 2 };
+        let vehicle = Some(if vehicle == VehicleId::One { 1 } else { 2 });
         let kmh = |column: &str| {
             let number = self.at_most(MOST_SPEED, column, vehicle).map_err(|error| match error {
                 FieldError::NoColumn { column } => FieldError::NoClaimColumn { column },

@@ -3,7 +3,7 @@
 use std::f64::consts::{FRAC_PI_2, PI};
 
 use evidence::{
-    BodyNumbers, Collision, Crush, Damage, Fitted, Number, Observed, ObservedVehicle, OtherCrush,
+    Behind, BodyNumbers, Collision, Crush, Damage, Fitted, Number, Observed, ObservedVehicle, OtherCrush,
     RecordedDeltaV, Recorder, Speeds, Vehicle as Subject,
 };
 use pim_core::VehicleId;
@@ -11,6 +11,8 @@ use real::Real;
 use real::elementary::{atan2, exp, ln, sin_cos};
 use uncertainty::{Distribution, InvalidDistribution};
 
+use crate::crash::{Crash, PairKind};
+use crate::figure::Figure;
 use crate::pair::{Pair, PairVehicle, Plane};
 
 /// (kg, m, m) mass, length and width of an average car of the fleet: if no size is known, lengths grow with
@@ -32,13 +34,13 @@ pub(crate) struct Shape {
     /// (m) contact point ahead of the CG and to its left.
     pub(crate) contact: [f64; 2],
     /// (m) width of its own damage.
-    width: f64,
+    pub(crate) width: f64,
     /// (m, m²) mean and mean square depth.
     pub(crate) depths: [f64; 2],
 }
 
 impl Shape {
-    fn of(vehicle: &PairVehicle) -> Self {
+    pub(crate) fn of(vehicle: &PairVehicle) -> Self {
         let mass = vehicle.mass();
         let [car, length, width] = CAR;
         let scale = exp(ln(mass / car) / 3.0);
@@ -69,8 +71,17 @@ impl Shape {
     }
 }
 
+/// Where a vehicle was hit.
+pub(crate) fn damage(plane: Plane) -> Damage {
+    match plane {
+        Plane::Front => Damage::Front,
+        Plane::Rear => Damage::Rear,
+        Plane::Left | Plane::Right => Damage::Side,
+    }
+}
+
 /// (rad) from the heading, counter-clockwise, to the normal that points out of the plane.
-fn outward(plane: Plane) -> f64 {
+pub(crate) fn outward(plane: Plane) -> f64 {
     match plane {
         Plane::Front => 0.0,
         Plane::Rear => PI,
@@ -143,12 +154,113 @@ impl Layout {
             }
         };
         let widths = [0, 1].map(width);
-        let damages = pair.vehicles.each_ref().map(|vehicle| match vehicle.plane {
-            Plane::Front => Damage::Front,
-            Plane::Rear => Damage::Rear,
-            Plane::Left | Plane::Right => Damage::Side,
-        });
+        let damages = pair.vehicles.each_ref().map(|vehicle| damage(vehicle.plane));
         Self { shapes, headings, heading_sds, crush_plane, crush_plane_sd, widths, damages }
+    }
+}
+
+/// A number with a normal error, or without one.
+pub(crate) fn normal(mean: f64, sd: f64) -> Result<Number, InvalidDistribution> {
+    if sd > 0.0 { Distribution::normal(mean, sd).map(Number::Unknown) } else { Ok(Number::Exact(mean)) }
+}
+
+/// A vehicle in the scene.
+pub(crate) struct Placed<'a> {
+    pub(crate) vehicle: &'a PairVehicle,
+    pub(crate) shape: &'a Shape,
+    /// (rad) heading, and its error.
+    pub(crate) heading: [f64; 2],
+    pub(crate) damage: Damage,
+    /// (m) width over which it was crushed.
+    pub(crate) width: f64,
+}
+
+impl Placed<'_> {
+    /// The vehicle of a collision.
+    pub(crate) fn vehicle(&self, fitted: &Fitted) -> Result<Subject, InvalidDistribution> {
+        let factor = |ln_sd| Distribution::log_normal(1.0, ln_sd).map(Number::Unknown);
+        let shape = self.shape;
+        let [mean, mean_square] = shape.depths;
+        let mut crush = fitted.crush_of(self.damage, self.width, mean, mean_square);
+        crush.slope = factor(fitted.slope_ln_sd)?;
+        crush.no_damage_speed = factor(fitted.no_damage_speed_ln_sd)?;
+        let [ahead, left] = shape.contact;
+        let contact = if self.vehicle.plane.is_side() {
+            [normal(ahead, fitted.contact_sd)?, left.into()]
+        } else {
+            [ahead.into(), normal(left, fitted.contact_sd)?]
+        };
+        let [heading, heading_sd] = self.heading;
+        Ok(Subject {
+            body: Some(BodyNumbers {
+                mass: Distribution::log_normal(shape.mass, fitted.mass_ln_sd)?.into(),
+                yaw_radius: shape.yaw_radius.into(),
+            }),
+            heading: normal(heading, heading_sd)?,
+            contact,
+            yaw_rate: 0.0.into(),
+            crush: Some(crush),
+        })
+    }
+}
+
+/// What was observed of a vehicle: its PDOF if that is known, and its recorder if that is given.
+pub(crate) fn observed(
+    vehicle: &PairVehicle,
+    is_given: bool,
+    has_pdof: bool,
+    fitted: &Fitted,
+) -> ObservedVehicle {
+    let recorded = vehicle.truth().filter(|_| is_given);
+    ObservedVehicle {
+        pdof: has_pdof.then(|| fitted.coded(vehicle.pdof, vehicle.plane.is_side())),
+        recorder: Recorder {
+            delta_v: recorded.map(|truth| RecordedDeltaV {
+                size: truth.delta_v,
+                is_longitudinal: truth.is_longitudinal,
+                ln_scale: fitted.recorder_ln_scale,
+                least: 0.0,
+                freedom: fitted.recorder_freedom,
+            }),
+            direction: recorded
+                .and_then(|truth| truth.direction)
+                .map(|from| fitted.recorded_direction(from, vehicle.plane.is_side())),
+            ..Recorder::default()
+        },
+        ..ObservedVehicle::default()
+    }
+}
+
+impl Crash for Pair {
+    const FIGURES: &'static [Figure] = &Figure::ALL;
+    const IS_WITH_OBJECT: bool = false;
+
+    fn case(&self) -> &str {
+        &self.case
+    }
+
+    fn vehicle(&self, id: VehicleId) -> Option<&PairVehicle> {
+        Some(&self.vehicles[id.index()])
+    }
+
+    fn kind(&self) -> PairKind {
+        PairKind::of(self.vehicles.each_ref().map(|vehicle| vehicle.plane))
+    }
+
+    fn is_one_event(&self) -> Option<bool> {
+        Pair::is_one_event(self)
+    }
+
+    fn known(
+        &self,
+        crushed: Option<VehicleId>,
+        fitted: &Fitted,
+        given: &[VehicleId],
+    ) -> Result<Collision, InvalidDistribution> {
+        match crushed {
+            None => self.collision(fitted, given),
+            Some(known) => self.collision_by_crush_of(known, fitted, given),
+        }
     }
 }
 
@@ -159,61 +271,21 @@ impl Pair {
     /// If a figure of `fitted` or of the pair is not a valid distribution.
     pub fn collision(&self, fitted: &Fitted, given: &[VehicleId]) -> Result<Collision, InvalidDistribution> {
         let layout = Layout::of(self, fitted);
-        let normal = |mean: f64, sd: f64| {
-            if sd > 0.0 {
-                Distribution::normal(mean, sd).map(Number::Unknown)
-            } else {
-                Ok(Number::Exact(mean))
-            }
-        };
-        let factor = |ln_sd| Distribution::log_normal(1.0, ln_sd).map(Number::Unknown);
-        let subject = |id: VehicleId| {
+        let of = |id: VehicleId| {
             let i = id.index();
-            let (vehicle, shape) = (&self.vehicles[i], &layout.shapes[i]);
-            let [mean, mean_square] = shape.depths;
-            let mut crush = fitted.crush_of(layout.damages[i], layout.widths[i], mean, mean_square);
-            crush.slope = factor(fitted.slope_ln_sd)?;
-            crush.no_damage_speed = factor(fitted.no_damage_speed_ln_sd)?;
-            let [ahead, left] = shape.contact;
-            let contact = if vehicle.plane.is_side() {
-                [normal(ahead, fitted.contact_sd)?, left.into()]
-            } else {
-                [ahead.into(), normal(left, fitted.contact_sd)?]
+            let subject = Placed {
+                vehicle: &self.vehicles[i],
+                shape: &layout.shapes[i],
+                heading: [layout.headings[i], layout.heading_sds[i]],
+                damage: layout.damages[i],
+                width: layout.widths[i],
             };
-            Ok::<_, InvalidDistribution>(Subject {
-                body: Some(BodyNumbers {
-                    mass: Distribution::log_normal(shape.mass, fitted.mass_ln_sd)?.into(),
-                    yaw_radius: shape.yaw_radius.into(),
-                }),
-                heading: normal(layout.headings[i], layout.heading_sds[i])?,
-                contact,
-                yaw_rate: 0.0.into(),
-                crush: Some(crush),
-            })
+            subject.vehicle(fitted)
         };
-        let observed = |id: VehicleId| {
-            let vehicle = &self.vehicles[id.index()];
-            let recorded = vehicle.truth().filter(|_| given.contains(&id));
-            ObservedVehicle {
-                pdof: Some(fitted.coded(vehicle.pdof, vehicle.plane.is_side())),
-                recorder: Recorder {
-                    delta_v: recorded.map(|truth| RecordedDeltaV {
-                        size: truth.delta_v,
-                        is_longitudinal: truth.is_longitudinal,
-                        ln_scale: fitted.recorder_ln_scale,
-                        least: 0.0,
-                        freedom: fitted.recorder_freedom,
-                    }),
-                    direction: recorded
-                        .and_then(|truth| truth.direction)
-                        .map(|from| fitted.recorded_direction(from, vehicle.plane.is_side())),
-                    ..Recorder::default()
-                },
-                ..ObservedVehicle::default()
-            }
-        };
+        let observed =
+            |id: VehicleId| observed(&self.vehicles[id.index()], given.contains(&id), true, fitted);
         Ok(Collision {
-            vehicles: [subject(VehicleId::One)?, subject(VehicleId::Two)?],
+            vehicles: [of(VehicleId::One)?, of(VehicleId::Two)?],
             speeds: Speeds::Together {
                 ln_relative: Speeds::any_ln_relative()?.into(),
                 split: Speeds::any_split()?.into(),
@@ -227,6 +299,7 @@ impl Pair {
                 vehicles: VehicleId::ALL.map(observed),
                 severity: Some(fitted.severity_of(&layout.damages)),
                 crush: Some(fitted.crush_misfit(&layout.damages).into()),
+                figures: fitted.crush_figures(&layout.damages, layout.damages.map(Behind::Stiffness)),
             },
         })
     }
@@ -253,6 +326,9 @@ impl Pair {
             *crush = Crush { slope: crush.slope, no_damage_speed: crush.no_damage_speed, ..narrow };
         }
         collision.vehicles[other.index()].crush = None;
+        // The energy of the other vehicle follows from that of this one, with all its errors.
+        collision.observed.figures =
+            fitted.crush_figures(&damages, [Behind::Stiffness(damages[known.index()]); 2]);
         let ratio = fitted.other_crush(damages[other.index()], damages[known.index()])?;
         collision.other_crush = Some(OtherCrush { vehicle: other, ratio: ratio.into() });
         Ok(collision)

@@ -62,6 +62,17 @@ pub enum FieldError {
     /// The file has only a header.
     #[error("the file has no pair of vehicles")]
     NoPairs,
+    /// No vehicle struck a fixed object with its front.
+    #[error("no line of the file has a front (CDCPLANE F) that struck an object")]
+    NoObjects,
+    /// A question about two vehicles to a table of vehicles that struck objects.
+    #[error(
+        "{option} needs a table of pairs of vehicles: this one has vehicles that struck an object (OBJCONT)"
+    )]
+    NotOfObjects {
+        /// The option of the command line.
+        option: &'static str,
+    },
     /// No recorder can be judged.
     #[error(
         "no vehicle of the file can be judged: that takes MAXDVLONG and MAXDVLAT, or MAXDVLONG and damage to front or \

@@ -3,191 +3,39 @@
 use std::collections::BTreeMap;
 
 use estimate::{Settings, sample_quietly};
-use evidence::{Collision, CrushErrors, Fitted, Impacts, Model, shown_delta_v};
-use nalgebra::{SMatrix, SVector};
+use evidence::{
+    Collision, CrushErrors, FIGURES, FigureErrors, Fitted, Impacts, Model, ObjectFigures, Severity,
+    shown_delta_v,
+};
+use nalgebra::{DMatrix, DVector};
 use pim_core::VehicleId;
 use real::Real;
 use real::elementary::{exp, ln};
 use uncertainty::{LANES, Lanes, Progress, Span, for_each, in_order};
 
+use crate::crash::Crash;
 use crate::error::FieldError;
-use crate::pair::Pair;
-
-/// A figure that is fitted.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Figure {
-    /// (–) by how much ln of the crush energy exceeds that of the energy absorbed in the impact.
-    Bias,
-    /// (–) its spread between fronts.
-    SpreadOfFronts,
-    /// (–) its spread for a damaged rear.
-    SpreadOfRears,
-    /// (–) its spread for a damaged side.
-    SpreadOfSides,
-    /// (–) ratio of b₁ of sides to that of fronts.
-    SlopeOfSides,
-    /// (–) ratio of b₁ of rears to that of fronts.
-    SlopeOfRears,
-    /// (–) spread of ln b₁ between vehicles of a kind.
-    SlopeSpread,
-    /// (m/s) b₀ of fronts and rears.
-    NoDamageOfEnds,
-    /// (m/s) b₀ of sides.
-    NoDamageOfSides,
-    /// (–) scale of the error of ln of a recorder's ΔV, including that of its mass.
-    RecorderScale,
-}
-
-/// Number of figures.
-const N: usize = 10;
-
-/// The guess of a figure before the fit.
-#[derive(Clone, Copy, Debug)]
-enum Guess {
-    /// The figure has a normal error.
-    Normal { mean: f64, sd: f64 },
-    /// The logarithm of the figure has a normal error.
-    LogNormal { median: f64, ln_sd: f64 },
-}
-
-impl Figure {
-    /// All figures, in order.
-    pub const ALL: [Self; N] = [
-        Self::Bias,
-        Self::SpreadOfFronts,
-        Self::SpreadOfRears,
-        Self::SpreadOfSides,
-        Self::SlopeOfSides,
-        Self::SlopeOfRears,
-        Self::SlopeSpread,
-        Self::NoDamageOfEnds,
-        Self::NoDamageOfSides,
-        Self::RecorderScale,
-    ];
-
-    /// Its description.
-    #[must_use]
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Bias => "β, crush energy above what the impact took, ln",
-            Self::SpreadOfFronts => "σ_c, its spread between fronts, ln",
-            Self::SpreadOfRears => "σ_c where a rear was hit, ln",
-            Self::SpreadOfSides => "σ_c where a side was hit, ln",
-            Self::SlopeOfSides => "b_1 of sides, by that of fronts",
-            Self::SlopeOfRears => "b_1 of rears, by that of fronts",
-            Self::SlopeSpread => "spread of b_1 between vehicles of a kind, ln",
-            Self::NoDamageOfEnds => "b_0 of fronts and rears, m/s",
-            Self::NoDamageOfSides => "b_0 of sides, m/s",
-            Self::RecorderScale => "scale of a recorder's error with that of its mass, ln",
-        }
-    }
-
-    /// Its value.
-    #[must_use]
-    pub fn of(self, fitted: &Fitted) -> f64 {
-        let ([front, rear, side], [end, _, flank]) = (fitted.slope, fitted.no_damage_speed);
-        match self {
-            Self::Bias => fitted.crush_bias,
-            Self::SpreadOfFronts => fitted.crush_ln_sd[0],
-            Self::SpreadOfRears => fitted.crush_ln_sd[1],
-            Self::SpreadOfSides => fitted.crush_ln_sd[2],
-            Self::SlopeOfSides => side / front,
-            Self::SlopeOfRears => rear / front,
-            Self::SlopeSpread => fitted.slope_ln_sd,
-            Self::NoDamageOfEnds => end,
-            Self::NoDamageOfSides => flank,
-            Self::RecorderScale => fitted.recorder_ln_scale,
-        }
-    }
-
-    fn set(self, value: f64, fitted: &mut Fitted) {
-        let (front, speeds) = (fitted.slope[0], &mut fitted.no_damage_speed);
-        match self {
-            Self::Bias => fitted.crush_bias = value,
-            Self::SpreadOfFronts => fitted.crush_ln_sd[0] = value,
-            Self::SpreadOfRears => fitted.crush_ln_sd[1] = value,
-            Self::SpreadOfSides => fitted.crush_ln_sd[2] = value,
-            Self::SlopeOfSides => fitted.slope[2] = value * front,
-            Self::SlopeOfRears => fitted.slope[1] = value * front,
-            Self::SlopeSpread => fitted.slope_ln_sd = value,
-            Self::NoDamageOfEnds => *speeds = [value, value, speeds[2]],
-            Self::NoDamageOfSides => speeds[2] = value,
-            Self::RecorderScale => fitted.recorder_ln_scale = value,
-        }
-    }
-
-    fn guess(self) -> Guess {
-        match self {
-            Self::Bias => Guess::Normal { mean: 0.0, sd: 1.0 },
-            Self::SpreadOfFronts | Self::SpreadOfRears | Self::SpreadOfSides => {
-                Guess::LogNormal { median: 0.5, ln_sd: 0.5 }
-            }
-            Self::SlopeOfSides | Self::SlopeOfRears => Guess::LogNormal { median: 1.0, ln_sd: 0.5 },
-            // Half of the spread of ln B between 698 fronts in barrier tests.
-            Self::SlopeSpread => Guess::Normal { mean: 0.295, sd: 0.1 },
-            // The customary 8 km/h.
-            Self::NoDamageOfEnds | Self::NoDamageOfSides => {
-                Guess::LogNormal { median: 8.0 / 3.6, ln_sd: 0.4 }
-            }
-            Self::RecorderScale => Guess::LogNormal { median: 0.13, ln_sd: 0.5 },
-        }
-    }
-
-    /// Whether the fit varies the logarithm of the figure, which has to be positive, instead of the figure.
-    fn is_varied_by_logarithm(self) -> bool {
-        self != Self::Bias
-    }
-
-    fn value(self, varied: f64) -> f64 {
-        if self.is_varied_by_logarithm() { exp(varied) } else { varied }
-    }
-
-    fn varied(self, value: f64) -> f64 {
-        if self.is_varied_by_logarithm() { ln(value) } else { value }
-    }
-
-    /// dx/dξ of a figure x with respect to the varied number.
-    fn slope(self, value: f64) -> f64 {
-        if self.is_varied_by_logarithm() { value } else { 1.0 }
-    }
-}
-
-impl Guess {
-    fn middle(self) -> f64 {
-        match self {
-            Self::Normal { mean: middle, .. } | Self::LogNormal { median: middle, .. } => middle,
-        }
-    }
-
-    /// (–) logarithm of the density, without its constant.
-    fn log_density(self, value: f64) -> f64 {
-        let z = match self {
-            Self::Normal { mean, sd } => (value - mean) / sd,
-            Self::LogNormal { median, ln_sd } => ln(value / median) / ln_sd,
-        };
-        -0.5 * z * z
-    }
-}
+use crate::figure::Figure;
 
 /// The varied numbers.
-type Point = SVector<f64, N>;
-type Matrix = SMatrix<f64, N, N>;
+type Point = DVector<f64>;
+type Matrix = DMatrix<f64>;
 
-fn point(fitted: &Fitted) -> Point {
-    Point::from_fn(|row, _| Figure::ALL[row].varied(Figure::ALL[row].of(fitted)))
+fn point(set: &[Figure], fitted: &Fitted) -> Point {
+    Point::from_iterator(set.len(), set.iter().map(|figure| figure.varied(figure.of(fitted))))
 }
 
-fn figures(at: &Point, base: &Fitted) -> Fitted {
+fn figures(set: &[Figure], at: &Point, base: &Fitted) -> Fitted {
     let mut fitted = *base;
-    for (figure, varied) in Figure::ALL.into_iter().zip(at.iter()) {
+    for (figure, varied) in set.iter().zip(at.iter()) {
         figure.set(figure.value(*varied), &mut fitted);
     }
     fitted
 }
 
 /// (–) ln of the density of all guesses.
-fn log_guess(at: &Point) -> f64 {
-    let densities = Figure::ALL.into_iter().zip(at.iter());
+fn log_guess(set: &[Figure], at: &Point) -> f64 {
+    let densities = set.iter().zip(at.iter());
     densities.map(|(figure, varied)| figure.guess().log_density(figure.value(*varied))).sum()
 }
 
@@ -205,8 +53,12 @@ pub struct FitOptions {
 pub struct FigureFit {
     /// All figures, including those that were not fitted.
     pub fitted: Fitted,
-    /// Standard error of each of [`Figure::ALL`], in its unit.
-    pub errors: [f64; N],
+    /// The figures that were fitted.
+    pub figures: &'static [Figure],
+    /// Standard error of each, in its unit, clustered by crash.
+    pub errors: Vec<f64>,
+    /// The same if each crash were as the model says: by the second derivatives alone.
+    pub errors_of_model: Vec<f64>,
     /// (–) Σ ln p(recorders | all else).
     pub log_likelihood: f64,
     /// Number of pairs with a recorder.
@@ -218,8 +70,8 @@ pub struct FigureFit {
 }
 
 /// A pair, with draws of its collision given all evidence except the recorders.
-struct Drawn<'a> {
-    pair: &'a Pair,
+struct Drawn<'a, C> {
+    pair: &'a C,
     given: Vec<VehicleId>,
     draws: Vec<Draw>,
 }
@@ -234,27 +86,34 @@ struct Draw {
     no_damage_speeds: [f64; 2],
     /// (m/s) values that recorders without an error would store, for the given ones.
     shown: [f64; 2],
-    /// Logarithm of the likelihood of the crush with the figures of the draws.
+    /// (m/s) geometric mean of both ΔV, as in [`Severity`](evidence::Severity).
+    severity: f64,
+    /// Logarithm of the likelihood of the crush and of the density of the severity with the figures of the
+    /// draws.
     drawn_by: f64,
 }
 
 impl Draw {
-    /// Logarithm of the likelihood of the crush.
+    /// Logarithm of the likelihood of the crush and of the density of the severity.
     fn crush(&self, collision: &Collision, slope_ln_sd: f64) -> f64 {
         let energy = |i: usize| {
             let factors = [exp(slope_ln_sd * self.slopes[i]), self.no_damage_speeds[i]];
             collision.vehicles[i].crush.map_or(0.0, |crush| crush.energy(factors))
         };
         let misfit = |errors: CrushErrors| errors.log_likelihood([energy(0), energy(1)], self.taken);
-        collision.observed.crush.map_or(0.0, misfit)
+        let severity = |of: Severity| {
+            let z = ln(self.severity / of.median) / of.ln_sd;
+            -0.5 * z * z - ln(of.ln_sd)
+        };
+        collision.observed.crush.map_or(0.0, misfit) + collision.observed.severity.map_or(0.0, severity)
     }
 }
 
-impl<'a> Drawn<'a> {
-    fn new(pair: &'a Pair, by: &Fitted, options: &FitOptions) -> Result<Self, FieldError> {
-        let refused = |reason: String| FieldError::Estimate { case: pair.case.clone(), reason };
+impl<'a, C: Crash> Drawn<'a, C> {
+    fn new(pair: &'a C, by: &Fitted, options: &FitOptions) -> Result<Self, FieldError> {
+        let refused = |reason: String| FieldError::Estimate { case: pair.case().to_owned(), reason };
         let truths = pair.truths();
-        let collision = pair.collision(by, &[]).map_err(|error| refused(error.to_string()))?;
+        let collision = pair.known(None, by, &[]).map_err(|error| refused(error.to_string()))?;
         let model = Model::new(&collision);
         let settings = Settings::new(options.particles, options.seed);
         let posterior =
@@ -270,6 +129,7 @@ impl<'a> Drawn<'a> {
                     slopes: factors.map(|[slope, _]| ln(slope) / by.slope_ln_sd),
                     no_damage_speeds: factors.map(|[_, no_damage_speed]| no_damage_speed),
                     shown: [0.0; 2],
+                    severity: severity(impacted.outcome.delta_v_magnitude()),
                     drawn_by: 0.0,
                 };
                 for (id, truth) in &truths {
@@ -286,7 +146,7 @@ impl<'a> Drawn<'a> {
 
     /// ln p(recorders | all else), and effective sample sizes without and with the recorders.
     fn log_likelihood(&self, fitted: &Fitted) -> Option<(f64, [f64; 2])> {
-        let collision = self.pair.collision(fitted, &self.given).ok()?;
+        let collision = self.pair.known(None, fitted, &self.given).ok()?;
         let recorders = collision.observed.vehicles.each_ref().map(|vehicle| vehicle.recorder.delta_v);
         let recorders =
             || recorders.iter().enumerate().filter_map(|(i, recorder)| Some((i, recorder.as_ref()?)));
@@ -340,9 +200,17 @@ impl Sum {
     }
 }
 
-/// Draws of all pairs with a recorder.
-pub(crate) struct Likelihood<'a> {
-    drawn: Vec<Drawn<'a>>,
+/// (m/s) geometric mean of both ΔV; that of the vehicle if the other is a fixed object.
+fn severity(delta_v: [f64; 2]) -> f64 {
+    match delta_v {
+        [one, 0.0] | [0.0, one] => one,
+        [one, two] => Real::sqrt(one * two),
+    }
+}
+
+/// Draws of all crashes with a recorder.
+pub(crate) struct Likelihood<'a, C> {
+    drawn: Vec<Drawn<'a, C>>,
     base: Fitted,
 }
 
@@ -357,6 +225,16 @@ const MOST_STEPS: usize = 30;
 /// At the maximum they are 10 to 1000.
 const DAMPING: [f64; 6] = [0.0, 10.0, 1e2, 1e3, 1e4, 1e5];
 
+/// Figures that maximise the likelihood times the guesses, with the covariance of the varied numbers.
+struct Maximum {
+    fitted: Fitted,
+    /// By the gradients of the crashes, whatever their distribution (P. J. Huber, Proceedings of the Fifth
+    /// Berkeley Symposium 1 (1967) 221).
+    clustered: Matrix,
+    /// By the second derivatives alone.
+    of_model: Matrix,
+}
+
 /// The log-likelihood near a point, to second order.
 struct Expansion {
     value: f64,
@@ -365,57 +243,82 @@ struct Expansion {
     curvature: Matrix,
 }
 
-impl<'a> Likelihood<'a> {
+impl<'a, C: Crash> Likelihood<'a, C> {
     /// # Errors
     /// If a pair has no estimate, or if `progress` ends the run.
     pub(crate) fn new(
-        pairs: &'a [Pair],
+        pairs: &'a [C],
         by: &Fitted,
         options: &FitOptions,
         progress: &mut Progress<'_>,
     ) -> Result<Self, FieldError> {
-        let wanted: Vec<&Pair> = pairs.iter().filter(|pair| !pair.truths().is_empty()).collect();
+        let wanted: Vec<&C> = pairs.iter().filter(|pair| !pair.truths().is_empty()).collect();
         if wanted.is_empty() {
             return Err(FieldError::NothingToJudge { both: false });
         }
         let spans = wanted.iter().map(|pair| Span { samples: 1, work: *pair }).collect();
         // The draws are a little wider than the figures, so that no draw has a very large weight.
-        let mut wide = *by;
+        let mut wide = exact(by);
         wide.crush_ln_sd = wide.crush_ln_sd.map(|spread| spread * WIDENED);
+        wide.objects.misfit.ln_sd *= WIDENED;
         let drawn = in_order(spans, |pair| Drawn::new(pair, &wide, options), progress);
         if drawn.len() < wanted.len() {
             return Err(FieldError::Ended);
         }
-        Ok(Self { drawn: drawn.into_iter().collect::<Result<_, _>>()?, base: *by })
+        Ok(Self { drawn: drawn.into_iter().collect::<Result<_, _>>()?, base: exact(by) })
+    }
+
+    /// Log-likelihood of the recorders of each pair that is used, at each point.
+    fn of_pairs(&self, points: &[Point], is_used: &IsUsed<'_, C>) -> Vec<Vec<f64>> {
+        let used: Vec<&Drawn<'_, C>> = self.drawn.iter().filter(|drawn| is_used(drawn.pair)).collect();
+        for_each(&used, |drawn| {
+            let ln_p = |point| drawn.log_likelihood(&figures(C::FIGURES, point, &self.base));
+            points.iter().map(|point| ln_p(point).map_or(f64::NEG_INFINITY, |(ln_p, _)| ln_p)).collect()
+        })
+    }
+
+    /// The sum over the crashes that are used of g gᵀ, with g the gradient of the log-likelihood of a crash.
+    fn spread_of_gradients(&self, at: &Point, is_used: &IsUsed<'_, C>) -> Matrix {
+        let n = C::FIGURES.len();
+        let points: Vec<Point> = (0..n).flat_map(|k| [at + step(n, k), at - step(n, k)]).collect();
+        let of_pairs = self.of_pairs(&points, is_used);
+        let used = self.drawn.iter().filter(|drawn| is_used(drawn.pair));
+        let mut of_crashes: BTreeMap<&str, Point> = BTreeMap::new();
+        for (drawn, values) in used.zip(&of_pairs) {
+            // ∂f/∂ξ = (f₊ − f₋)/2h
+            let gradient = Point::from_fn(n, |k, _| (values[2 * k] - values[2 * k + 1]) / (2.0 * STEP));
+            *of_crashes.entry(drawn.pair.case()).or_insert_with(|| Point::zeros(n)) += gradient;
+        }
+        let squares = of_crashes.values().map(|gradient| gradient * gradient.transpose());
+        squares.fold(Matrix::zeros(n, n), |sum, square| sum + square)
     }
 
     /// Log-likelihood of the recorders of the pairs that are used, plus that of the guesses, at each point.
-    fn at(&self, points: &[Point], is_used: &IsUsed<'_>) -> Vec<f64> {
-        let used: Vec<&Drawn<'_>> = self.drawn.iter().filter(|drawn| is_used(drawn.pair)).collect();
-        let of_pairs = for_each(&used, |drawn| {
-            let ln_p = |point| drawn.log_likelihood(&figures(point, &self.base));
-            points.iter().map(|point| ln_p(point).map_or(f64::NEG_INFINITY, |(ln_p, _)| ln_p)).collect()
-        });
+    fn at(&self, points: &[Point], is_used: &IsUsed<'_, C>) -> Vec<f64> {
+        let of_pairs = self.of_pairs(points, is_used);
         let sum = |place: usize| of_pairs.iter().map(|of_pair: &Vec<f64>| of_pair[place]).sum::<f64>();
-        points.iter().enumerate().map(|(place, point)| sum(place) + log_guess(point)).collect()
+        points.iter().enumerate().map(|(place, point)| sum(place) + log_guess(C::FIGURES, point)).collect()
     }
 
-    fn expansion(&self, at: &Point, is_used: &IsUsed<'_>) -> Expansion {
-        let couples: Vec<(usize, usize)> = (0..N).flat_map(|k| (0..k).map(move |l| (k, l))).collect();
-        let mut points = vec![*at];
-        points.extend((0..N).flat_map(|k| [at + step(k), at - step(k)]));
-        points.extend(couples.iter().flat_map(|&(k, l)| [at + step(k) + step(l), at - step(k) - step(l)]));
+    fn expansion(&self, at: &Point, is_used: &IsUsed<'_, C>) -> Expansion {
+        let n = C::FIGURES.len();
+        let couples: Vec<(usize, usize)> = (0..n).flat_map(|k| (0..k).map(move |l| (k, l))).collect();
+        let mut points = vec![at.clone()];
+        points.extend((0..n).flat_map(|k| [at + step(n, k), at - step(n, k)]));
+        points.extend(
+            couples.iter().flat_map(|&(k, l)| [at + step(n, k) + step(n, l), at - step(n, k) - step(n, l)]),
+        );
         let values = self.at(&points, is_used);
         let value = values[0];
         // f₊ and f₋ along each axis, and along both of a couple
-        let [along, across] = [1..=2 * N, 2 * N + 1..=2 * (N + couples.len())]
+        let [along, across] = [1..=2 * n, 2 * n + 1..=2 * (n + couples.len())]
             .map(|range| values[range].chunks(2).map(|ends| [ends[0], ends[1]]).collect::<Vec<_>>());
         // ∂f/∂ξ = (f₊ − f₋)/2h
-        let gradient = Point::from_fn(|k, _| (along[k][0] - along[k][1]) / (2.0 * STEP));
+        let gradient = Point::from_fn(n, |k, _| (along[k][0] - along[k][1]) / (2.0 * STEP));
         // ∂²f/∂ξ² = (f₊ + f₋ − 2f)/h²
         let square = STEP * STEP;
         let own = |k: usize| along[k][0] + along[k][1] - 2.0 * value;
-        let mut curvature = Matrix::from_diagonal(&Point::from_fn(|k, _| -own(k) / square));
+        let mut curvature = Matrix::from_diagonal(&Point::from_fn(n, |k, _| -own(k) / square));
         for (&(k, l), [plus, minus]) in couples.iter().zip(across) {
             // (∂_k + ∂_l)² = ∂_k² + ∂_l² + 2 ∂_k ∂_l
             let both = plus + minus - 2.0 * value;
@@ -425,42 +328,59 @@ impl<'a> Likelihood<'a> {
         Expansion { value, gradient, curvature }
     }
 
-    /// The figures that maximise the likelihood times the guesses, by Newton's method, and the inverse of the
-    /// negative second derivatives there.
+    /// The figures that maximise the likelihood times the guesses, by Newton's method.
     ///
     /// # Errors
     /// If no maximum is found.
-    fn maximise(&self, from: &Fitted, is_used: &IsUsed<'_>) -> Result<(Fitted, Matrix), FieldError> {
-        let mut at = point(from);
+    fn maximise(&self, from: &Fitted, is_used: &IsUsed<'_, C>) -> Result<Maximum, FieldError> {
+        let mut at = point(C::FIGURES, from);
+        let n = C::FIGURES.len();
         for _ in 0..MOST_STEPS {
             let Expansion { value, gradient, curvature } = self.expansion(&at, is_used);
-            if let Some(triangle) = curvature.cholesky()
+            if let Some(triangle) = curvature.clone().cholesky()
                 && gradient.dot(&triangle.solve(&gradient)) < LEAST_GAIN
             {
-                return Ok((figures(&at, &self.base), triangle.inverse()));
+                return Ok(self.maximum(&at, &triangle.inverse(), is_used));
             }
             let better = DAMPING.into_iter().find_map(|damping| {
-                let triangle = (curvature + Matrix::identity() * damping).cholesky()?;
-                let tried = at + triangle.solve(&gradient);
-                (self.at(&[tried], is_used)[0] > value).then_some(tried)
+                let triangle = (&curvature + Matrix::identity(n, n) * damping).cholesky()?;
+                let tried = &at + triangle.solve(&gradient);
+                (self.at(std::slice::from_ref(&tried), is_used)[0] > value).then_some(tried)
             });
             at = better.ok_or(FieldError::NoMaximum)?;
         }
         Err(FieldError::NoMaximum)
     }
 
+    /// The figures at the maximum with their errors, where `of_model` is the inverse of the negative second
+    /// derivatives.
+    fn maximum(&self, at: &Point, of_model: &Matrix, is_used: &IsUsed<'_, C>) -> Maximum {
+        let mut fitted = figures(C::FIGURES, at, &self.base);
+        let information = C::FIGURES.iter().map(|figure| figure.guess().information(figure.of(&fitted)));
+        let information = Point::from_iterator(C::FIGURES.len(), information);
+        let spread = self.spread_of_gradients(at, is_used) + Matrix::from_diagonal(&information);
+        // H⁻¹ (Σ g gᵀ + P) H⁻¹
+        let clustered = of_model * spread * of_model;
+        keep(&clustered, C::FIGURES, &mut fitted);
+        Maximum { fitted, clustered, of_model: of_model.clone() }
+    }
+
     fn fit(&self, from: &Fitted) -> Result<FigureFit, FieldError> {
-        let all = |_: &Pair| true;
-        let (fitted, covariance) = self.maximise(from, &all)?;
-        let errors = std::array::from_fn(|k| {
-            let figure = Figure::ALL[k];
-            figure.slope(figure.of(&fitted)) * Real::sqrt(covariance[(k, k)])
-        });
+        let Maximum { fitted, clustered, of_model } = self.maximise(from, &|_| true)?;
+        let errors = |covariance: &Matrix| {
+            let of = |(k, figure): (usize, &Figure)| {
+                figure.slope(figure.of(&fitted)) * Real::sqrt(covariance[(k, k)])
+            };
+            C::FIGURES.iter().enumerate().map(of).collect()
+        };
+        let (errors, errors_of_model) = (errors(&clustered), errors(&of_model));
         let of_pairs = for_each(&self.drawn, |drawn| drawn.log_likelihood(&fitted));
         let worths = of_pairs.iter().flatten().flat_map(|(_, worths)| worths);
         Ok(FigureFit {
             fitted,
+            figures: C::FIGURES,
             errors,
+            errors_of_model,
             log_likelihood: of_pairs.iter().flatten().map(|(ln_p, _)| ln_p).sum(),
             pairs: self.drawn.len(),
             recorders: self.drawn.iter().map(|drawn| drawn.given.len()).sum(),
@@ -470,7 +390,7 @@ impl<'a> Likelihood<'a> {
 }
 
 /// Whether a pair is used.
-type IsUsed<'a> = dyn Fn(&Pair) -> bool + Sync + 'a;
+type IsUsed<'a, C> = dyn Fn(&C) -> bool + Sync + 'a;
 
 /// (–) spread of the crush energy in the draws, relative to that of the figures.
 const WIDENED: f64 = 1.2;
@@ -478,16 +398,33 @@ const WIDENED: f64 = 1.2;
 /// moves no figure by more than the sampling error of the draws.
 const ROUNDS: usize = 3;
 
-fn guesses(base: &Fitted) -> Fitted {
-    let mut fitted = *base;
-    for figure in Figure::ALL {
+/// The same figures, taken as exact: the fit asks what follows from each value.
+fn exact(fitted: &Fitted) -> Fitted {
+    let errors = FigureErrors { covariance: [[0.0; FIGURES]; FIGURES], ..fitted.errors };
+    let objects = ObjectFigures { covariance: [[0.0; 2]; 2], ..fitted.objects };
+    Fitted { errors, objects, ..*fitted }
+}
+
+/// Keeps the covariance of the varied numbers as the errors of their figures.
+fn keep(covariance: &Matrix, set: &[Figure], fitted: &mut Fitted) {
+    let entry = |one: usize, two: usize| covariance[(one, two)];
+    if set == Figure::ALL {
+        fitted.errors.covariance = std::array::from_fn(|k| std::array::from_fn(|l| entry(k, l)));
+    } else {
+        fitted.objects.covariance = std::array::from_fn(|k| std::array::from_fn(|l| entry(k, l)));
+    }
+}
+
+fn guesses(set: &[Figure], base: &Fitted) -> Fitted {
+    let mut fitted = exact(base);
+    for figure in set {
         figure.set(figure.guess().middle(), &mut fitted);
     }
     fitted
 }
 
-/// Fits the [`Figure`]s to the recorded values, given all other evidence of their collisions; the rest of
-/// `base` is unchanged.
+/// Fits the [`Figure`]s of such crashes to the recorded values, given all other evidence of their
+/// collisions; the rest of `base` is unchanged.
 ///
 /// The figures maximise Σ ln p(recorders | crush, PDOF, headings), with weak guesses of each figure. They do
 /// not depend on those of `base`. `progress` gets the number of finished pairs and of all, once for each
@@ -496,8 +433,8 @@ fn guesses(base: &Fitted) -> Fitted {
 /// # Errors
 /// [`FieldError::NothingToJudge`] without recorders, [`FieldError::Estimate`] if a pair has no estimate,
 /// [`FieldError::NoMaximum`], and [`FieldError::Ended`] if `progress` ends the run.
-pub fn fit(
-    pairs: &[Pair],
+pub fn fit<C: Crash>(
+    pairs: &[C],
     base: &Fitted,
     options: &FitOptions,
     progress: &mut Progress<'_>,
@@ -505,13 +442,13 @@ pub fn fit(
     Ok(settled(pairs, base, options, progress)?.0)
 }
 
-fn settled<'a>(
-    pairs: &'a [Pair],
+fn settled<'a, C: Crash>(
+    pairs: &'a [C],
     base: &Fitted,
     options: &FitOptions,
     progress: &mut Progress<'_>,
-) -> Result<(FigureFit, Likelihood<'a>), FieldError> {
-    let mut by = guesses(base);
+) -> Result<(FigureFit, Likelihood<'a, C>), FieldError> {
+    let mut by = guesses(C::FIGURES, base);
     for _ in 1..ROUNDS {
         by = Likelihood::new(pairs, &by, options, progress)?.fit(&by)?.fitted;
     }
@@ -524,8 +461,8 @@ fn settled<'a>(
 ///
 /// # Errors
 /// As [`fit`].
-pub fn fit_folds(
-    pairs: &[Pair],
+pub fn fit_folds<C: Crash>(
+    pairs: &[C],
     base: &Fitted,
     folds: usize,
     options: &FitOptions,
@@ -535,12 +472,12 @@ pub fn fit_folds(
     let mut of_case: BTreeMap<String, usize> = BTreeMap::new();
     for pair in pairs {
         let next = of_case.len() % folds;
-        of_case.entry(pair.case.clone()).or_insert(next);
+        of_case.entry(pair.case().to_owned()).or_insert(next);
     }
     let (fit, likelihood) = settled(pairs, base, options, progress)?;
     let without = |fold: usize| {
-        let is_used = |pair: &Pair| of_case.get(&pair.case).is_none_or(|of| *of != fold);
-        likelihood.maximise(&fit.fitted, &is_used).map(|(fitted, _)| fitted)
+        let is_used = |pair: &C| of_case.get(pair.case()).is_none_or(|of| *of != fold);
+        likelihood.maximise(&fit.fitted, &is_used).map(|maximum| maximum.fitted)
     };
     let fitted = (0..folds).map(without).collect::<Result<_, _>>()?;
     Ok((fit, Folds { of_case, fitted }))
@@ -554,10 +491,10 @@ pub struct Folds {
 }
 
 impl Folds {
-    /// The figures for a pair: fitted to all folds except that of its crash.
+    /// The figures for a crash: fitted to all folds except its own.
     #[must_use]
-    pub fn of(&self, pair: &Pair) -> Option<Fitted> {
-        self.fitted.get(*self.of_case.get(&pair.case)?).copied()
+    pub fn of(&self, crash: &impl Crash) -> Option<Fitted> {
+        self.fitted.get(*self.of_case.get(crash.case())?).copied()
     }
 
     /// The figures of each fold, fitted to all others.
@@ -567,8 +504,8 @@ impl Folds {
     }
 }
 
-fn step(k: usize) -> Point {
-    let mut step = Point::zeros();
+fn step(n: usize, k: usize) -> Point {
+    let mut step = Point::zeros(n);
     step[k] = STEP;
     step
 }

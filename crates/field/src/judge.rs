@@ -9,8 +9,9 @@ use pim_core::VehicleId;
 use real::Real;
 use real::elementary::{exp, ln};
 
+use crate::crash::{Crash, KnownCrush, PairKind};
 use crate::error::FieldError;
-use crate::pair::{Pair, Plane, Truth};
+use crate::pair::Truth;
 
 /// Levels of the judged intervals.
 pub const LEVELS: [f64; 3] = [0.5, 0.8, 0.95];
@@ -32,56 +33,6 @@ pub struct Options {
     pub crush: KnownCrush,
 }
 
-/// The vehicles whose crush an estimate knows.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum KnownCrush {
-    /// That of both vehicles.
-    Both,
-    /// That of the judged vehicle.
-    Judged,
-    /// That of the other vehicle.
-    Other,
-}
-
-/// The surfaces that met.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum PairKind {
-    /// Two fronts.
-    FrontFront,
-    /// A front and a side.
-    FrontSide,
-    /// A front and a rear.
-    FrontRear,
-    /// Anything else.
-    Other,
-}
-
-impl PairKind {
-    /// All of them, in the order of the tables.
-    pub const ALL: [Self; 4] = [Self::FrontFront, Self::FrontSide, Self::FrontRear, Self::Other];
-
-    /// Its name.
-    #[must_use]
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::FrontFront => "front-front",
-            Self::FrontSide => "front-side",
-            Self::FrontRear => "front-rear",
-            Self::Other => "other",
-        }
-    }
-
-    pub(crate) fn of(pair: &Pair) -> Self {
-        let [one, two] = pair.vehicles.each_ref().map(|vehicle| vehicle.plane);
-        match (one, two) {
-            (Plane::Front, Plane::Front) => Self::FrontFront,
-            (Plane::Front, side) | (side, Plane::Front) if side.is_side() => Self::FrontSide,
-            (Plane::Front, Plane::Rear) | (Plane::Rear, Plane::Front) => Self::FrontRear,
-            _ => Self::Other,
-        }
-    }
-}
-
 /// One vehicle, estimated without its recorder.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Judged {
@@ -91,7 +42,8 @@ pub struct Judged {
     pub vehicle: VehicleId,
     /// The surfaces that met.
     pub kind: PairKind,
-    /// Whether both recorders can belong to one collision, as in [`Pair::is_one_event`].
+    /// Whether both recorders can belong to one collision, as in
+    /// [`Pair::is_one_event`](crate::Pair::is_one_event).
     pub is_one_event: Option<bool>,
     /// The value that its recorder stored.
     pub truth: Truth,
@@ -149,7 +101,9 @@ pub struct Group {
 pub struct Field {
     /// Whether the other vehicle's recorder was given.
     pub other: bool,
-    /// Number of pairs of the file.
+    /// Whether each vehicle struck a fixed object, and no other vehicle.
+    pub objects: bool,
+    /// Number of pairs of the file, or of vehicles that struck a fixed object.
     pub pairs: usize,
     /// Number of pairs that were finished before the run was ended.
     pub finished: usize,
@@ -167,8 +121,8 @@ pub struct Field {
 /// # Errors
 /// [`FieldError::NothingToJudge`], [`FieldError::Ended`] if no pair was finished, and
 /// [`FieldError::Estimate`] if a pair has no estimate.
-pub fn judge(
-    pairs: &[Pair],
+pub fn judge<C: Crash>(
+    pairs: &[C],
     fitted: &Fitted,
     options: &Options,
     progress: &mut (dyn FnMut(usize, usize) -> ControlFlow<()> + Send),
@@ -180,9 +134,9 @@ pub fn judge(
 ///
 /// # Errors
 /// As [`judge`].
-pub fn judge_by(
-    pairs: &[Pair],
-    fitted: &dyn Fn(&Pair) -> Fitted,
+pub fn judge_by<C: Crash>(
+    pairs: &[C],
+    fitted: &dyn Fn(&C) -> Fitted,
     options: &Options,
     progress: &mut (dyn FnMut(usize, usize) -> ControlFlow<()> + Send),
 ) -> Result<Field, FieldError> {
@@ -226,12 +180,11 @@ pub fn judge_by(
         groups.extend(group("one-event", &|judged| judged.is_one_event == Some(true)));
     }
     let doubted = pairs[..finished].iter().flat_map(|pair| {
-        let of_pair = VehicleId::ALL.into_iter().zip(&pair.vehicles);
-        let of_pair = of_pair.filter(|(_, vehicle)| vehicle.is_record_doubted);
-        of_pair.map(|(id, _)| (pair.case.clone(), id))
+        let is_doubted = |id: &VehicleId| pair.vehicle(*id).is_some_and(|vehicle| vehicle.is_record_doubted);
+        VehicleId::ALL.into_iter().filter(is_doubted).map(|id| (pair.case().to_owned(), id))
     });
-    let (other, doubted) = (options.other, doubted.collect());
-    Ok(Field { other, pairs: pairs.len(), finished, doubted, judged, groups })
+    let (other, doubted, objects) = (options.other, doubted.collect(), C::IS_WITH_OBJECT);
+    Ok(Field { other, objects, pairs: pairs.len(), finished, doubted, judged, groups })
 }
 
 /// The posterior of a collision, and whether its run converged; the reason in words if there is none.
@@ -250,18 +203,18 @@ pub(crate) fn posterior(collision: &Collision, options: &Options) -> Result<(Pos
 }
 
 /// Vehicles of one estimate.
-fn vehicles(
-    pair: &Pair,
+fn vehicles<C: Crash>(
+    pair: &C,
     fitted: &Fitted,
     options: &Options,
     given: &[VehicleId],
     wanted: &[(VehicleId, Truth)],
 ) -> Result<Vec<Judged>, FieldError> {
-    let refused = |reason: String| FieldError::Estimate { case: pair.case.clone(), reason };
+    let refused = |reason: String| FieldError::Estimate { case: pair.case().to_owned(), reason };
     let collision = match (options.crush, wanted) {
-        (KnownCrush::Judged, [(judged, _), ..]) => pair.collision_by_crush_of(*judged, fitted, given),
-        (KnownCrush::Other, [(judged, _), ..]) => pair.collision_by_crush_of(judged.other(), fitted, given),
-        _ => pair.collision(fitted, given),
+        (KnownCrush::Judged, [(judged, _), ..]) => pair.known(Some(*judged), fitted, given),
+        (KnownCrush::Other, [(judged, _), ..]) => pair.known(Some(judged.other()), fitted, given),
+        _ => pair.known(None, fitted, given),
     };
     let collision = collision.map_err(|error| refused(error.to_string()))?;
     let (posterior, converged) = posterior(&collision, options).map_err(refused)?;
@@ -274,9 +227,9 @@ fn vehicles(
             let shown = draws.map(|(&whole, &along)| ln(shown_delta_v(whole, along, truth.is_longitudinal)));
             let predictive = Predictive::of(&shown.collect::<Vec<_>>(), fitted);
             Judged {
-                case: pair.case.clone(),
+                case: pair.case().to_owned(),
                 vehicle,
-                kind: PairKind::of(pair),
+                kind: pair.kind(),
                 is_one_event: pair.is_one_event(),
                 truth,
                 median: predictive.quantile(0.5),
@@ -286,7 +239,7 @@ fn vehicles(
                 below: predictive.below(truth.delta_v),
                 crps: predictive.crps(truth.delta_v),
                 converged,
-                winsmash: pair.vehicles[vehicle.index()].by_winsmash(&truth),
+                winsmash: pair.vehicle(vehicle).and_then(|vehicle| vehicle.by_winsmash(&truth)),
             }
         })
         .collect())

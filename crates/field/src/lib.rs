@@ -31,11 +31,14 @@
 mod case_text;
 mod claim;
 mod collision;
+mod crash;
 mod crossed;
 mod direction;
 mod error;
+mod figure;
 mod fit;
 mod judge;
+mod object;
 mod pair;
 mod read;
 mod recorded;
@@ -43,12 +46,15 @@ mod recorders;
 mod share;
 
 pub use claim::{ClaimColumns, ClaimGroup, Claims, JudgedClaim, ProgramClaim, judge_claims};
+pub use crash::{Crash, KnownCrush, PairKind};
 pub use direction::{DirectionFit, fit_direction};
 pub use error::FieldError;
-pub use fit::{Figure, FigureFit, FitOptions, Folds, fit, fit_folds};
-pub use judge::{Field, Figures, Group, Judged, KnownCrush, LEVELS, Options, PairKind, judge, judge_by};
+pub use figure::Figure;
+pub use fit::{FigureFit, FitOptions, Folds, fit, fit_folds};
+pub use judge::{Field, Figures, Group, Judged, LEVELS, Options, judge, judge_by};
+pub use object::ObjectCrash;
 pub use pair::{Pair, PairVehicle, Plane, Truth};
-pub use read::read;
+pub use read::{read, read_objects};
 pub use recorded::{LastSpeed, RecordedPair, RecorderRow, read_recorders};
 pub use recorders::{
     DeltaVFigures, DoubtedRecord, JudgedDeltaV, JudgedSpeed, Recorders, SpeedFigures, WidthPart,

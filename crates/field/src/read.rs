@@ -4,6 +4,7 @@ use std::collections::HashMap;
 
 use crate::crossed;
 use crate::error::FieldError;
+use crate::object::{ObjectCrash, kind_of_object};
 use crate::pair::{Pair, PairVehicle, Plane};
 
 /// Reads pairs of vehicles, one per line, with the columns of CISS. If `VEHNO` identifies the vehicles of a
@@ -15,11 +16,52 @@ pub fn read(text: &str) -> Result<Vec<Pair>, FieldError> {
     let mut pairs = Vec::new();
     for cells in cells(text)? {
         let case = cells.case()?.to_owned();
-        let vehicle = |vehicle| cells.vehicle_with(vehicle, cells.depths(vehicle)?);
+        let vehicle = |vehicle| {
+            let vehicle = Some(vehicle);
+            cells.vehicle_with(vehicle, true, cells.depths(vehicle)?)
+        };
         pairs.push(Pair { case, vehicles: [vehicle(1)?, vehicle(2)?] });
     }
     crossed::mark(&mut pairs);
     if pairs.is_empty() { Err(FieldError::NoPairs) } else { Ok(pairs) }
+}
+
+/// Reads vehicles that struck a fixed object, one per line, with the columns of CISS; `None` if the table is
+/// not one of these, as it has no column OBJCONT. Only damage to the front is read: a vehicle that met an
+/// object with its side or its rear did not travel along its heading, and which way it did is not known.
+///
+/// # Errors
+/// If the file is not a table of this form, with the line and the column.
+pub fn read_objects(text: &str) -> Result<Option<Vec<ObjectCrash>>, FieldError> {
+    if !csv::Reader::from_reader(text.as_bytes()).headers()?.iter().any(|column| column == OBJECT) {
+        return Ok(None);
+    }
+    let mut crashes = Vec::new();
+    for cells in cells(text)? {
+        let code = cells.text(OBJECT, None)?;
+        let case = cells.case()?;
+        if cells.text("CDCPLANE", None)? != "F" {
+            continue;
+        }
+        let code = whole(code).ok_or_else(|| cells.refusal(OBJECT, None, code, "a whole number"))?;
+        let has_pdof = cells.at_most(MOST_ANGLE, "PDOF", None)?.is_some();
+        crashes.push(ObjectCrash {
+            case: case.to_owned(),
+            vehicle: cells.vehicle_with(None, has_pdof, cells.depths(None)?)?,
+            has_pdof,
+            kind: kind_of_object(code),
+        });
+    }
+    if crashes.is_empty() { Err(FieldError::NoObjects) } else { Ok(Some(crashes)) }
+}
+
+/// The column that says what a vehicle struck.
+const OBJECT: &str = "OBJCONT";
+
+/// A whole number. Tables whose columns have gaps tend to write 1 as 1.0.
+fn whole(text: &str) -> Option<u32> {
+    let text = text.trim();
+    text.strip_suffix(".0").unwrap_or(text).parse().ok()
 }
 
 /// (kg) largest mass, (cm) length on a vehicle, (°) angle and (km/h) speed.
@@ -35,6 +77,11 @@ pub(crate) fn cells(text: &str) -> Result<Vec<Cells>, FieldError> {
     lines.map(|(index, columns)| Ok(Cells { line: index + 2, columns: columns? })).collect()
 }
 
+/// The column of a vehicle of a pair, or of the one vehicle.
+fn named(column: &str, vehicle: Option<u8>) -> String {
+    vehicle.map_or_else(|| column.to_owned(), |vehicle| format!("{column}_{vehicle}"))
+}
+
 pub(crate) struct Cells {
     line: usize,
     columns: HashMap<String, String>,
@@ -47,15 +94,15 @@ impl Cells {
         case.ok_or(FieldError::NoColumn { column: "CASEID".to_owned() })
     }
 
-    pub(crate) fn text(&self, column: &str, vehicle: u8) -> Result<&str, FieldError> {
-        let column = format!("{column}_{vehicle}");
+    pub(crate) fn text(&self, column: &str, vehicle: Option<u8>) -> Result<&str, FieldError> {
+        let column = named(column, vehicle);
         match self.columns.get(&column) {
             Some(text) => Ok(text.trim()),
             None => Err(FieldError::NoColumn { column }),
         }
     }
 
-    fn maybe(&self, column: &str, vehicle: u8) -> Result<Option<f64>, FieldError> {
+    fn maybe(&self, column: &str, vehicle: Option<u8>) -> Result<Option<f64>, FieldError> {
         let text = self.text(column, vehicle)?;
         if text.is_empty() {
             return Ok(None);
@@ -67,7 +114,12 @@ impl Cells {
     }
 
     /// A number of at most this size, of either sign: no vehicle has more.
-    pub(crate) fn at_most(&self, most: f64, column: &str, vehicle: u8) -> Result<Option<f64>, FieldError> {
+    pub(crate) fn at_most(
+        &self,
+        most: f64,
+        column: &str,
+        vehicle: Option<u8>,
+    ) -> Result<Option<f64>, FieldError> {
         match self.maybe(column, vehicle)? {
             Some(number) if number.abs() > most => {
                 let wanted = "a plausible number in this column: correct it, or leave its line out";
@@ -77,7 +129,7 @@ impl Cells {
         }
     }
 
-    fn number(&self, column: &str, vehicle: u8) -> Result<f64, FieldError> {
+    fn number(&self, column: &str, vehicle: Option<u8>) -> Result<f64, FieldError> {
         let wanted = "a number: without it the pair cannot be judged, so leave its line out";
         let most = match column {
             "CURBWT" => MOST_MASS,
@@ -87,24 +139,29 @@ impl Cells {
         self.at_most(most, column, vehicle)?.ok_or_else(|| self.refusal(column, vehicle, "", wanted))
     }
 
-    pub(crate) fn refusal(&self, column: &str, vehicle: u8, text: &str, wanted: &'static str) -> FieldError {
-        let (line, column, text) = (self.line, format!("{column}_{vehicle}"), text.to_owned());
+    pub(crate) fn refusal(
+        &self,
+        column: &str,
+        vehicle: Option<u8>,
+        text: &str,
+        wanted: &'static str,
+    ) -> FieldError {
+        let (line, column, text) = (self.line, named(column, vehicle), text.to_owned());
         FieldError::Cell { line, column, text, wanted }
     }
 
     /// Its number in the crash; `None` without the column.
-    fn vehicle_number(&self, vehicle: u8) -> Result<Option<u32>, FieldError> {
+    fn vehicle_number(&self, vehicle: Option<u8>) -> Result<Option<u32>, FieldError> {
         match self.text("VEHNO", vehicle) {
             Err(_) | Ok("") => Ok(None),
-            // Tables whose columns have gaps tend to write 1 as 1.0.
-            Ok(text) => text.strip_suffix(".0").unwrap_or(text).parse().map(Some).map_err(|_| {
+            Ok(text) => whole(text).map(Some).ok_or_else(|| {
                 self.refusal("VEHNO", vehicle, text, "a whole number, or nothing where it is missing")
             }),
         }
     }
 
     /// (m) the depths of a vehicle.
-    pub(crate) fn depths(&self, vehicle: u8) -> Result<[f64; 6], FieldError> {
+    pub(crate) fn depths(&self, vehicle: Option<u8>) -> Result<[f64; 6], FieldError> {
         let mut depths = [0.0; 6];
         for (depth, column) in depths.iter_mut().zip(["C1", "C2", "C3", "C4", "C5", "C6"]) {
             // Outward bulges do not count as crush.
@@ -114,7 +171,12 @@ impl Cells {
     }
 
     /// A vehicle with these depths (m).
-    pub(crate) fn vehicle_with(&self, vehicle: u8, depths: [f64; 6]) -> Result<PairVehicle, FieldError> {
+    pub(crate) fn vehicle_with(
+        &self,
+        vehicle: Option<u8>,
+        has_pdof: bool,
+        depths: [f64; 6],
+    ) -> Result<PairVehicle, FieldError> {
         let plane = match self.text("CDCPLANE", vehicle)? {
             "F" => Plane::Front,
             "B" => Plane::Rear,
@@ -146,7 +208,7 @@ impl Cells {
             plane,
             length: size("OAL")?,
             width: size("MAXWIDTH")?,
-            pdof: self.number("PDOF", vehicle)?.to_radians(),
+            pdof: if has_pdof { self.number("PDOF", vehicle)?.to_radians() } else { 0.0 },
             // NHTSA's codes for missing headings are above 360.
             heading: self.maybe("HEADINGANG", vehicle)?.filter(|h| h.abs() <= 360.0).map(f64::to_radians),
             field_length: centimetres("FIELDL")?,

@@ -106,22 +106,23 @@ impl Cells {
     }
 
     fn found(&self, id: VehicleId) -> Result<Result<Found, String>, FieldError> {
-        let vehicle = if id == VehicleId::One { 1 } else { 2 };
+        let number = if id == VehicleId::One { 1 } else { 2 };
+        let vehicle = Some(number);
         let speed = self.at_most(MOST_SPEED, "V_T0_KMH", vehicle)?;
         let Some(speed) = speed.filter(|speed| *speed >= 0.0) else {
-            return Ok(Err(format!("the recorder of vehicle {vehicle} stored no speed before the impact")));
+            return Ok(Err(format!("the recorder of vehicle {number} stored no speed before the impact")));
         };
         for (column, what) in
             [("CURBWT", "mass"), ("CDCPLANE", "damaged plane"), ("PDOF", "PDOF"), ("HEADINGANG", "heading")]
         {
             if self.text(column, vehicle)?.is_empty() {
-                return Ok(Err(format!("the {what} of vehicle {vehicle} is missing ({column}_{vehicle})")));
+                return Ok(Err(format!("the {what} of vehicle {number} is missing ({column}_{number})")));
             }
         }
         let plane = self.text("CDCPLANE", vehicle)?;
         if !["F", "B", "L", "R"].contains(&plane) {
             return Ok(Err(format!(
-                "the damage of vehicle {vehicle} is to plane {plane}, not to F, B, L or R"
+                "the damage of vehicle {number} is to plane {plane}, not to F, B, L or R"
             )));
         }
         let mut are_measured = true;
@@ -129,9 +130,9 @@ impl Cells {
             are_measured &= !self.text(column, vehicle)?.is_empty();
         }
         let depths = if are_measured { self.depths(vehicle)? } else { [0.0; 6] };
-        let vehicle_found = self.vehicle_with(vehicle, depths)?;
+        let vehicle_found = self.vehicle_with(vehicle, true, depths)?;
         if vehicle_found.heading.is_none() {
-            return Ok(Err(format!("the heading of vehicle {vehicle} is missing (HEADINGANG_{vehicle})")));
+            return Ok(Err(format!("the heading of vehicle {number} is missing (HEADINGANG_{number})")));
         }
         let lengths = [vehicle_found.field_length, vehicle_found.direct_length];
         let has_width =

@@ -8,6 +8,7 @@ use real::Real;
 use real::elementary::{ln, sin_cos};
 use uncertainty::{Distribution, InvalidDistribution};
 
+use crate::crash::Crash as _;
 use crate::error::FieldError;
 use crate::judge::{LEVELS, Options, posterior};
 use crate::pair::Truth;
@@ -225,10 +226,7 @@ impl RecordedPair {
             [false, true] => Some(VehicleId::Two),
             _ => None,
         };
-        let mut collision = match known {
-            Some(known) => self.pair.collision_by_crush_of(known, &fitted, given)?,
-            None => self.pair.collision(&fitted, given)?,
-        };
+        let mut collision = self.pair.known(known, &fitted, given)?;
         for id in with_speed {
             let speed = self.last[id.index()].as_evidence(exact == Some(WidthPart::Recorder));
             collision.observed.vehicles[id.index()].recorder.speed = Some(speed);

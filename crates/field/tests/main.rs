@@ -6,8 +6,8 @@ use std::f64::consts::PI;
 use std::ops::ControlFlow;
 
 use estimate::Evidence;
-use evidence::{FITTED, Model, Number};
-use field::{KnownCrush, Options, PairKind, Plane, judge, read};
+use evidence::{CrushMisfit, FITTED, Fitted, Model, Number, ObjectFigures, Severity};
+use field::{Crash as _, KnownCrush, Options, PairKind, Plane, judge, read, read_objects};
 use pim_core::VehicleId;
 
 /// A front against a side at right angles; made up. Vehicle 1 drives north, vehicle 2 west.
@@ -211,4 +211,85 @@ fn an_ended_judgement_says_so() {
     assert_eq!((judged.pairs, judged.finished, judged.judged.len()), (3, 2, 2));
     assert_eq!(until(3).unwrap().finished, 3);
     assert!(matches!(until(0), Err(FieldError::Ended)));
+}
+
+/// Fronts against a pole, a wall and an animal, and a side against a tree; made up.
+const OBJECTS: &str = "CASEID,OBJCONT,CURBWT,CARGOWT,CDCPLANE,PDOF,HEADINGANG,FIELDL,DIRECTL,DIRECTD,C1,C2,C3,C4,C5,C6,DVTOTAL,DVLONG,MAXDVLONG,MAXDVLAT
+1,51,1500,,F,,,120,150,-20,30,30,30,30,30,30,30,-29,-40,
+2,58.0,1500,,F,10,,150,150,0,30,30,30,30,30,30,,,-30,40
+3,42,1500,,L,270,,90,90,0,9,9,9,9,9,9,,,3,30
+4,76,1500,,F,0,,150,150,0,9,9,9,9,9,9,,,-7,
+";
+
+#[test]
+fn fronts_that_struck_an_object_are_read() {
+    let crashes = read_objects(OBJECTS).unwrap().unwrap();
+    let of: Vec<_> = crashes.iter().map(|crash| (crash.case(), crash.kind(), crash.has_pdof)).collect();
+    let expected = [
+        ("1", PairKind::TreeOrPole, false),
+        ("2", PairKind::BarrierOrWall, true),
+        ("4", PairKind::OtherObject, true),
+    ];
+    assert_eq!(of, expected);
+    // 40 km/h along; √(30² + 40²) km/h; too small to be judged.
+    let truths: Vec<_> =
+        crashes.iter().map(|crash| crash.truths().first().map(|of| of.1.delta_v * 3.6)).collect();
+    assert!((truths[0].unwrap() - 40.0).abs() < 1e-9 && (truths[1].unwrap() - 50.0).abs() < 1e-9);
+    assert_eq!(truths[2], None);
+    // A table of pairs is none of objects, with lines or without.
+    assert_eq!(read_objects(&table(LINE)).unwrap(), None);
+    assert_eq!(read_objects(&format!("{HEADER}\n")).unwrap(), None);
+    for (from, to, said) in [
+        ("1,51,", "1,pole,", "line 2, column OBJCONT: \"pole\" is not a whole number"),
+        ("1,51,1500,", "1,51,,", "line 2, column CURBWT: the empty cell is not a number"),
+        ("C1,", "D1,", "there is no column C1;"),
+    ] {
+        let error = read_objects(&OBJECTS.replacen(from, to, 1)).unwrap_err().to_string();
+        assert!(error.contains(said), "{error}");
+    }
+    let sides: String =
+        OBJECTS.lines().filter(|line| !line.contains(",F,")).map(|line| format!("{line}\n")).collect();
+    assert!(read_objects(&sides).unwrap_err().to_string().contains("no line of the file has a front"));
+}
+
+/// With hardly any error but that of the speed, all crush energy is that of the speed: ½ m v² = E.
+#[test]
+fn an_object_takes_no_energy_and_does_not_move() {
+    let objects = ObjectFigures {
+        severity: Severity { median: 10.0, ln_sd: 3.0, speed: 1e3 },
+        misfit: CrushMisfit { bias: 0.0, ln_sd: 0.02 },
+        covariance: [[0.0; 2]; 2],
+    };
+    let fitted = Fitted {
+        objects,
+        slope_ln_sd: 1e-3,
+        no_damage_speed_ln_sd: 1e-3,
+        restitution: [1e-4, 0.0, 5.0, 1e-3],
+        crush_plane_sd: 1e-3,
+        contact_sd: 1e-3,
+        mass_ln_sd: 1e-3,
+        recorder_ln_scale: 0.01,
+        ..FITTED
+    };
+    let options = Options { particles: 128, seed: 1, other: false, crush: KnownCrush::Both };
+    let crashes = read_objects(&OBJECTS.replace("150,150,0,30", "150,150,0,20")).unwrap().unwrap();
+    let field = judge(&crashes, &fitted, &options, &mut |_, _| ControlFlow::Continue(())).unwrap();
+    assert!(field.objects && field.judged.len() == 2);
+    // ½ m₀/w₀ w (b₀ + b₁ C)², with m₀/w₀ = 1000 kg/m, w = 1.5 m, b₀ = 2.22 m/s, b₁ = 27.7 1/s, C = 30 cm
+    let energy = 0.5 * 1000.0 * 1.5 * (2.22_f64 + 27.7 * 0.3).powi(2);
+    let speed = (2.0 * energy / 1575.0).sqrt();
+    // The pole was struck 20 cm to the left of the middle, so that the car also turns: k = 0.295 · 4.63 m.
+    let shown = field.judged[0].median;
+    assert!(shown < speed && shown > 0.96 * speed, "{shown} {speed}");
+    let names: Vec<_> = field.groups.iter().map(|group| group.name).collect();
+    assert_eq!(names, ["all", "tree-pole", "barrier-wall"]);
+    // WinSMASH's 29 km/h along the vehicle.
+    assert!((field.judged[0].winsmash.unwrap() - 29.0 / 3.6).abs() < 1e-12);
+    // More energy than the impulse took, where the bias says so: ΔV falls by its half.
+    let biased = Fitted {
+        objects: ObjectFigures { misfit: CrushMisfit { bias: 0.5, ln_sd: 0.02 }, ..objects },
+        ..fitted
+    };
+    let lower = judge(&crashes, &biased, &options, &mut |_, _| ControlFlow::Continue(())).unwrap();
+    assert!(((lower.judged[0].median / shown).ln() + 0.25).abs() < 0.01);
 }

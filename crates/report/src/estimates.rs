@@ -185,7 +185,7 @@ pub(crate) fn error(piece: Piece, observed: &Observed, units: Units) -> Option<S
     };
     Some(match piece {
         Piece::Severity | Piece::Limits(_) => return None,
-        Piece::Crush => crush_error(&observed.crush?),
+        Piece::Crush => crush_error(observed)?,
         Piece::Pdof(id) => {
             format!("scale {}, Student's t with 2 degrees of freedom", angle(of(id).pdof?.scale))
         }
@@ -223,19 +223,22 @@ pub(crate) fn error(piece: Piece, observed: &Observed, units: Units) -> Option<S
 }
 
 /// The error of crush energies, and the factor by which they are multiplied before.
-fn crush_error(CrushErrors([one, two]): &CrushErrors) -> String {
-    let of = |error: &EnergyError| {
+fn crush_error(observed: &Observed) -> Option<String> {
+    let CrushErrors([one, two]) = observed.crush?;
+    let [first, second] = VehicleId::ALL.map(|id| observed.shared_ln_sd(id));
+    let of = |error: &EnergyError, shared: f64| {
         let own = match error.own_ln_sd {
             own if own > 0.0 => format!(" for both and {} of its own", significant(own, 2)),
             _ => String::new(),
         };
         format!(
             "std. dev. {}{own} of ln, after multiplying by {}",
-            significant(error.shared_ln_sd, 2),
+            significant(shared, 2),
             significant(error.factor(), 3)
         )
     };
-    if one == two { of(one) } else { format!("vehicle 1: {}; vehicle 2: {}", of(one), of(two)) }
+    let [one, two] = [of(&one, first?), of(&two, second?)];
+    Some(if one == two { one } else { format!("vehicle 1: {one}; vehicle 2: {two}") })
 }
 
 /// The correction and the error of crush energies, for each method that gave one, and why.

@@ -18,8 +18,8 @@
 
 use estimate::{DrawnQuantity, Posterior, Settings, Verdict, sample_quietly};
 use evidence::{
-    After, BodyNumbers, Collision, Crush, Damage, FITTED, Fitted, Measured, MeasuredSpeed, Model, Number,
-    Observed, ObservedVehicle, Output, Speeds, Vehicle,
+    After, Behind, BodyNumbers, Collision, Crush, Damage, FITTED, Fitted, Measured, MeasuredSpeed, Model,
+    Number, Observed, ObservedVehicle, Output, Speeds, Vehicle,
 };
 use pim_core::{Motion, VehicleId};
 use real::Real;
@@ -356,6 +356,7 @@ impl Subject {
                 vehicles: [observed(0), observed(1)],
                 severity: Some(fitted.severity_of(&self.hit)),
                 crush: Some(fitted.crush_misfit(&self.hit).into()),
+                figures: fitted.crush_figures(&self.hit, [Behind::Misfit { bias: true, spread: true }; 2]),
             },
         })
     }

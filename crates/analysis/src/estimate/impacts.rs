@@ -2,7 +2,7 @@
 
 use ::estimate::Independent;
 use ::uncertainty::{LANES, Lanes};
-use evidence::{Impacted, Impacts, LEAST_APPROACH, OtherCrush, Way};
+use evidence::{CrushChange, Impacted, Impacts, LEAST_APPROACH, OtherCrush, Way};
 use inputs::{Basis, Case, Collision, Dimension, MotionInput, Quantity, SharedEffects, SkidData, Velocity};
 use pim_core::{Law, Motion, Outcome, Tangential, Vector2, VehicleId};
 use real::elementary::sin_cos;
@@ -131,6 +131,7 @@ impl CaseImpacts {
             outcome,
             taken: 0.0,
             crush_energies: [0.0; 2],
+            crush_changes: [CrushChange::default(); 2],
             skid_speeds: [None, None],
             ways: [None, None],
             is_possible: false,
@@ -248,7 +249,18 @@ impl CaseImpacts {
         }
         let is_possible = taken > 0.0;
         let ways = [None, None];
-        Some(Impacted { speeds, outcome, taken, crush_energies, skid_speeds, ways, is_possible })
+        // The stiffness is that of the case, which was not fitted.
+        let crush_changes = [CrushChange::default(); 2];
+        Some(Impacted {
+            speeds,
+            outcome,
+            taken,
+            crush_energies,
+            crush_changes,
+            skid_speeds,
+            ways,
+            is_possible,
+        })
     }
 }
 

@@ -13,7 +13,7 @@ use super::notes::{Notes, Unused, UnusedReason};
 use crate::excluded::table;
 use crate::uncertainty::UncertainInput;
 
-pub(super) use damage::{Crushed, damage, energies, reference};
+pub(super) use damage::{Crushed, damage, energies, is_with_object, reference};
 
 /// (m/s) scale of the error of a speed of zero: 1 km/h, chosen; the rounding allowed by 49 CFR 563.
 const LEAST_SPEED_ERROR: f64 = 1.0 / 3.6;
@@ -82,13 +82,20 @@ pub(super) fn observe(scene: &Scene<'_>) -> (Observed, Notes) {
     }
     let given = case.estimate.unwrap_or_default();
     let hit: Vec<Damage> = damage::movers(case).map(|id| damage(id, nominal, reference)).collect();
-    let usual = FITTED.severity_of(&hit);
+    let of_object = is_with_object(case, &hit);
+    let usual = if of_object { FITTED.objects.severity } else { FITTED.severity_of(&hit) };
     let median = given.delta_v_median.as_ref().map_or(usual.median, Quantity::si);
     let times = if hit == [Damage::Side; 2] { SIDESWIPE_SPREAD } else { 1.0 };
     let severity = Severity { median, ln_sd: usual.ln_sd * times, ..usual };
-    let crush = (crushed != Crushed::No)
-        .then(|| notes.take(damage::crush_errors(case, energies(crushed, case), ranges, &hit)));
-    (Observed { vehicles, severity: (prior == Prior::Field).then_some(severity), crush }, notes)
+    let severity = if of_object { severity.of_uniform_speed() } else { severity };
+    let crush = (crushed != Crushed::No).then(|| {
+        let (errors, figures, found) =
+            damage::crush_errors(case, energies(crushed, case), ranges, &hit, of_object);
+        (notes.take((errors, found)), figures)
+    });
+    let severity = (prior == Prior::Field).then_some(severity);
+    let figures = crush.and_then(|(_, figures)| figures);
+    (Observed { vehicles, severity, crush: crush.map(|(errors, _)| errors), figures }, notes)
 }
 
 /// The evidence of one vehicle.

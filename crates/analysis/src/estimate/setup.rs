@@ -17,7 +17,7 @@ use reconcile::Unknown;
 use super::block::Block;
 use super::impacts::{CaseImpacts, SkidNumbers, Slot, Varied};
 use super::notes::{Unused, UnusedReason};
-use super::observe::{Crushed, Scene, damage, energies, observe, reference};
+use super::observe::{Crushed, Scene, damage, energies, is_with_object, observe, reference};
 use super::of_number;
 use super::posed::{Alone, OpenSpeeds};
 use crate::columns::Number;
@@ -102,6 +102,8 @@ pub(super) struct Setup {
     pub(super) energies: [Option<EnergyMethod>; 2],
     /// Where both vehicles were hit, where both move and neither speed is known.
     pub(super) hit: Option<[Damage; 2]>,
+    /// Whether the front of a vehicle of unknown speed met a fixed object.
+    pub(super) is_with_object: bool,
     /// (rad) PDOF of both vehicles if the force were normal to the crush plane.
     pub(super) reference: [f64; 2],
 }
@@ -185,6 +187,12 @@ pub(super) fn of(case: &Case, prior: Option<Prior>) -> Result<Setup, Failure> {
     };
     let hit = VehicleId::ALL.into_iter().all(is_open);
     let hit = hit.then(|| VehicleId::ALL.map(|id| damage(id, &nominal, reference)));
+    let hit_of_movers: Vec<Damage> = VehicleId::ALL
+        .into_iter()
+        .filter(|id| !case.vehicles[id.index()].fixed)
+        .map(|id| damage(id, &nominal, reference))
+        .collect();
+    let is_with_object = sought != [false; 2] && is_with_object(&case, &hit_of_movers);
     let (observed, notes) = observe(&Scene {
         case: &case,
         prior,
@@ -238,6 +246,7 @@ pub(super) fn of(case: &Case, prior: Option<Prior>) -> Result<Setup, Failure> {
         stood,
         energies,
         hit,
+        is_with_object,
         reference,
     })
 }

@@ -719,8 +719,8 @@ fn a_crush_energy_errs_by_how_it_was_obtained() {
             .replace("prior = \"flat\"", &format!("prior = \"flat\"\n{estimate}"));
         of_case(&text).observed.crush.unwrap().0.map(|of| [of.bias, of.shared_ln_sd, of.own_ln_sd])
     };
-    // docs/calibration.md: β = −0.521, σ_c = 0.405 between fronts, and 0.15 for the mean itself.
-    let field = [-0.521, 0.405_f64.hypot(0.15), 0.0];
+    // docs/calibration.md: β = −0.521, σ_c = 0.405 between fronts.
+    let field = [-0.521, 0.405, 0.0];
     for (crush, expected) in [
         (&class, field),
         (&given, [0.0, 0.40, 0.30]),
@@ -1066,4 +1066,34 @@ fn a_block_of_any_case_is_its_cases() {
     }
     let unseen: Vec<&str> = FORMS.into_iter().filter(|form| !seen.contains(form)).collect();
     assert!(unseen.is_empty(), "{unseen:?}");
+}
+
+/// A front against a barrier: the misfit, its errors and the severity are those of crashes into fixed
+/// objects, whose median is that of a vehicle although its speed is uniform before.
+#[test]
+fn a_front_against_a_barrier_has_figures_of_its_own() {
+    let text = |side: &str, other: &str, estimate: &str| {
+        format!(
+            "[vehicle1]\nmass = \"1500 kg\"\nyaw_radius = \"1.4 m\"\nheading = \"0 deg\"\nlength = \"4.4 m\"\n\
+             width = \"1.76 m\"\ncg_to_front = \"2.05 m\"\ncontact = {{ x = \"1.9 m\", y = \"0 m\" }}\n\
+             [vehicle1.crush]\nside = \"{side}\"\nwidth = \"150 cm\"\ndepths = \"30 30 cm\"\noblique = \"none\"\n\
+             stiffness = {{ category = 3 }}\n[vehicle2]\n{other}[impact]\ncrush_plane = \"180 deg\"\n\
+             restitution = 0.1\ntangential = \"critical\"\n[estimate]\nprior = \"field\"\n{estimate}"
+        )
+    };
+    let object = evidence::FITTED.objects;
+    let setup = of_case(&text("front", "fixed = true\n", ""));
+    let (errors, figures) = (setup.observed.crush.unwrap().0[0], setup.observed.figures.unwrap());
+    assert_eq!([errors.bias, errors.shared_ln_sd], [object.misfit.bias, object.misfit.ln_sd]);
+    assert!((figures.bias_sd(VehicleId::One) - object.covariance[0][0].sqrt()).abs() < 1e-12);
+    // ∫ v N(ln v; μ, σ) d ln v has its median at exp(μ + σ²).
+    let severity = setup.observed.severity.unwrap();
+    let median = severity.median * (severity.ln_sd * severity.ln_sd).exp();
+    assert!((median - object.severity.median).abs() < 1e-9, "{median}");
+    // What the case gives was not fitted.
+    let given = of_case(&text("front", "fixed = true\n", "crush_bias = \"60 %\"\ncrush_error = \"50 %\"\n"));
+    assert_eq!(given.observed.figures, None);
+    // A side against an object was not fitted to such crashes.
+    let side = of_case(&text("left", "fixed = true\n", ""));
+    assert_eq!(side.observed.crush.unwrap().0[0].bias, evidence::FITTED.crush_bias);
 }

@@ -12,12 +12,13 @@
 use std::ops::ControlFlow;
 
 use estimate::{Evidence, Settings, sample_quietly};
-use evidence::{FITTED, Fitted, Impacts, Model, Output, Piece, shown_delta_v};
+use evidence::{FITTED, FigureErrors, Fitted, Impacts, Model, Output, Piece, shown_delta_v};
 use pim_core::VehicleId;
 use uncertainty::random::{bits, key, unit};
 use uncertainty::{LANES, Lanes, Sampler, SamplingMethod};
 
-use super::{Drawn, Figure, FitOptions, Guess, Likelihood, N, fit, point, step};
+use super::{Drawn, FitOptions, Likelihood, fit, point, step};
+use crate::figure::{Figure, Guess};
 use crate::pair::{Pair, PairVehicle, Plane};
 
 /// Made-up damage of two cars, with what their recorders stored (m/s).
@@ -49,7 +50,7 @@ fn pair(case: &str, planes: [Plane; 2], depth: f64, recorders: [Option<f64>; 2])
 }
 
 fn figures(bias: f64, slope_ln_sd: f64, recorder_ln_scale: f64) -> Fitted {
-    Fitted { crush_bias: bias, slope_ln_sd, recorder_ln_scale, ..FITTED }
+    Fitted { crush_bias: bias, slope_ln_sd, recorder_ln_scale, errors: FigureErrors::NONE, ..FITTED }
 }
 
 /// ln p(recorders | all else) from draws of the prior, each with all of its terms.
@@ -102,17 +103,19 @@ fn the_expansion_has_the_derivatives() {
     let options = FitOptions { particles: 128, seed: 1 };
     let likelihood =
         Likelihood::new(&pairs, &FITTED, &options, &mut |_, _| ControlFlow::Continue(())).unwrap();
-    let at = point(&FITTED);
+    let at = point(&Figure::ALL, &FITTED);
     let expansion = likelihood.expansion(&at, &|_| true);
     let value = |point| likelihood.at(&[point], &|_| true)[0];
-    for k in 0..N {
-        for l in 0..N {
-            let (a, b) = (step(k) * 3.0, step(l) * 3.0);
-            let second =
-                (value(at + a + b) - value(at + a - b) - value(at - a + b) + value(at - a - b)) / 0.0036;
+    let n = Figure::ALL.len();
+    for k in 0..n {
+        for l in 0..n {
+            let (a, b) = (step(n, k) * 3.0, step(n, l) * 3.0);
+            let second = (value(&at + &a + &b) - value(&at + &a - &b) - value(&at - &a + &b)
+                + value(&at - &a - &b))
+                / 0.0036;
             assert!((expansion.curvature[(k, l)] + second).abs() < 0.03 * (1.0 + second.abs()), "{k} {l}");
         }
-        let slope = (value(at + step(k) * 3.0) - value(at - step(k) * 3.0)) / 0.06;
+        let slope = (value(&at + step(n, k) * 3.0) - value(&at - step(n, k) * 3.0)) / 0.06;
         assert!((expansion.gradient[k] - slope).abs() < 0.02 * (1.0 + slope.abs()), "{k}");
     }
 }
@@ -125,7 +128,7 @@ fn a_single_pair_hardly_changes_the_guesses() {
     let options = FitOptions { particles: 128, seed: 1 };
     let fit = fit(&pairs, &FITTED, &options, &mut |_, _| ControlFlow::Continue(())).unwrap();
     assert_eq!((fit.pairs, fit.recorders), (1, 2));
-    for (figure, error) in Figure::ALL.into_iter().zip(fit.errors) {
+    for (figure, error) in Figure::ALL.into_iter().zip(fit.errors_of_model.iter().copied()) {
         let value = figure.of(&fit.fitted);
         let (moved, error, sd) = match figure.guess() {
             Guess::Normal { mean, sd } => (value - mean, error, sd),
@@ -178,6 +181,7 @@ fn simulated(truth: &Fitted, count: u64) -> Vec<Pair> {
 #[ignore = "takes some minutes"]
 fn simulated_crashes_give_the_figures_that_they_were_drawn_with() {
     let mut truth = FITTED;
+    truth.errors = FigureErrors::NONE;
     truth.crush_bias = 0.3;
     truth.crush_ln_sd = [0.2, 0.45, 0.3];
     truth.slope = [27.7, 35.0, 22.0];
@@ -188,7 +192,7 @@ fn simulated_crashes_give_the_figures_that_they_were_drawn_with() {
     let options = FitOptions { particles: 128, seed: 7 };
     let fit = fit(&pairs, &FITTED, &options, &mut |_, _| ControlFlow::Continue(())).unwrap();
     let mut squares = 0.0;
-    for (figure, error) in Figure::ALL.into_iter().zip(fit.errors) {
+    for (figure, error) in Figure::ALL.into_iter().zip(fit.errors.iter().copied()) {
         let (ours, exact) = (figure.of(&fit.fitted), figure.of(&truth));
         println!("{:<56} {exact:>6.3} {ours:>7.3} ± {error:.3}", figure.name());
         assert!((ours - exact).abs() < 3.0 * error, "{figure:?}");
@@ -196,4 +200,20 @@ fn simulated_crashes_give_the_figures_that_they_were_drawn_with() {
     }
     // χ² of 10: 99.9 % are below 29.6.
     assert!(squares < 29.6, "{squares}");
+}
+
+/// Two pairs alike: as two crashes their gradients add as squares, and as one crash as numbers.
+#[test]
+fn the_errors_count_crashes() {
+    let of = |case| pair(case, [Plane::Front, Plane::Left], 0.25, [Some(6.0), Some(5.0)]);
+    let options = FitOptions { particles: 128, seed: 1 };
+    let spread = |pairs: &[Pair]| {
+        let likelihood =
+            Likelihood::new(pairs, &FITTED, &options, &mut |_, _| ControlFlow::Continue(())).unwrap();
+        likelihood.spread_of_gradients(&point(&Figure::ALL, &FITTED), &|_| true)
+    };
+    let one = spread(&[of("1")]);
+    assert!(one[(0, 0)] > 1e-4, "{one}");
+    assert!((spread(&[of("1"), of("2")]) - &one * 2.0).abs().max() < 1e-9);
+    assert!((spread(&[of("1"), of("1")]) - &one * 4.0).abs().max() < 1e-9);
 }

@@ -140,14 +140,14 @@ struct CrushBlock {
 }
 
 impl CrushBlock {
-    fn of(method: EnergyMethod, error: &EnergyError) -> Self {
+    fn of(method: EnergyMethod, error: &EnergyError, shared_sd: f64) -> Self {
         let method = match method {
             EnergyMethod::Class => "class",
             EnergyMethod::Coefficients => "coefficients",
             EnergyMethod::Test => "test",
             EnergyMethod::Ees => "ees",
         };
-        Self { method, bias: error.bias, shared_sd: error.shared_ln_sd, own_sd: error.own_ln_sd }
+        Self { method, bias: error.bias, shared_sd, own_sd: error.own_ln_sd }
     }
 }
 
@@ -351,7 +351,9 @@ pub fn estimate_json(
                 .collect(),
             crush: estimated.observed.crush.map(|CrushErrors(errors)| {
                 VehicleId::ALL.map(|id| {
-                    estimated.energies[id.index()].map(|method| CrushBlock::of(method, &errors[id.index()]))
+                    let method = estimated.energies[id.index()]?;
+                    let shared_sd = estimated.observed.shared_ln_sd(id)?;
+                    Some(CrushBlock::of(method, &errors[id.index()], shared_sd))
                 })
             }),
             tested: estimated.tested.map(TestedBlock::of),

@@ -10,6 +10,7 @@ use super::pretty;
 #[derive(Serialize)]
 struct Document<'a> {
     other: bool,
+    objects: bool,
     pairs: usize,
     finished: usize,
     groups: BTreeMap<&'a str, FiguresBlock>,
@@ -113,6 +114,7 @@ impl<'a> JudgedBlock<'a> {
 pub fn field_json(field: &Field) -> Result<String, serde_json::Error> {
     pretty(&Document {
         other: field.other,
+        objects: field.objects,
         pairs: field.pairs,
         finished: field.finished,
         groups: field.groups.iter().map(|group| (group.name, FiguresBlock::of(&group.ours))).collect(),

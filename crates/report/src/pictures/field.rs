@@ -9,11 +9,8 @@ use crate::units::number;
 /// (m/s)
 const KM_PER_HOUR: f64 = 1.0 / 3.6;
 
-const KINDS: [PairKind; 4] =
-    [PairKind::FrontFront, PairKind::FrontSide, PairKind::FrontRear, PairKind::Other];
-
 fn symbol(kind: PairKind) -> Symbol {
-    let place = KINDS.iter().position(|other| *other == kind).unwrap_or_default();
+    let place = PairKind::ALL.iter().position(|other| *other == kind).unwrap_or_default();
     Symbol { marker: Marker::ALL[place % Marker::ALL.len()], is_filled: false }
 }
 
@@ -59,7 +56,11 @@ pub fn estimated_against_recorded(field: &Field) -> Drawing {
         across: axis("recorded"),
         upward: axis("estimated"),
         panels,
-        legend: KINDS.into_iter().filter(has).map(|kind| (symbol(kind), kind.name().to_owned())).collect(),
+        legend: PairKind::ALL
+            .into_iter()
+            .filter(has)
+            .map(|kind| (symbol(kind), kind.name().to_owned()))
+            .collect(),
         equality: "estimated equals recorded".to_owned(),
     }
     .draw()

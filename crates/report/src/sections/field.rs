@@ -17,20 +17,31 @@ pub fn field(field: &Field, file: &str) -> Document {
     });
     let all = field.groups.first();
     let (n, collisions) = all.map_or((0, 0), |group| (group.ours.n, group.ours.collisions));
-    let evidence = if field.other {
-        "the damage, the headings, the PDOF, the masses, and the recorder of the other vehicle"
+    let rows = if field.objects { "vehicles" } else { "pairs" };
+    if field.objects {
+        document.paragraph(format!(
+            "The program estimated the ΔV of {n} vehicles whose front struck an object, in {collisions} collisions, \
+             of {} in the file, from the damage, the PDOF and the mass. The recorder is no evidence. The speed is \
+             unknown, and the object does not move and takes no energy. The intervals are those of what the recorder \
+             should store, with its own error. Lines of other damage than that of a front are not read.",
+            field.pairs
+        ));
     } else {
-        "the damage, the headings, the PDOF and the masses"
-    };
-    document.paragraph(format!(
-        "The program estimated the ΔV of {n} vehicles in {collisions} collisions, of {} pairs in the file, from \
-         {evidence}. The recorder of the judged vehicle is no evidence. Both speeds are unknown. The intervals \
-         are those of what the recorder should store, with its own error.",
-        field.pairs
-    ));
+        let evidence = if field.other {
+            "the damage, the headings, the PDOF, the masses, and the recorder of the other vehicle"
+        } else {
+            "the damage, the headings, the PDOF and the masses"
+        };
+        document.paragraph(format!(
+            "The program estimated the ΔV of {n} vehicles in {collisions} collisions, of {} pairs in the file, from \
+             {evidence}. The recorder of the judged vehicle is no evidence. Both speeds are unknown. The intervals \
+             are those of what the recorder should store, with its own error.",
+            field.pairs
+        ));
+    }
     if field.finished < field.pairs {
         document.paragraph(format!(
-            "Ended early: only the first {} pairs of the file were gone through. All figures are of these alone.",
+            "Ended early: only the first {} {rows} of the file were gone through. All figures are of these alone.",
             field.finished
         ));
     }

@@ -1,7 +1,7 @@
 //! The damage: where each vehicle was hit, from which direction, and how well its energy is known.
 
 use crash3::Side;
-use evidence::{CodedPdof, CrushErrors, Damage, EnergyError, EnergyMethod, FITTED};
+use evidence::{Behind, CodedPdof, CrushErrors, CrushFigures, Damage, EnergyError, EnergyMethod, FITTED};
 use inputs::{Case, Collision, GivenVehicle, KnownEnergy, StiffnessForm, VehicleData};
 use pim_core::VehicleId;
 use real::Real;
@@ -12,8 +12,6 @@ use crate::estimate::notes::{Notes, Unused, UnusedReason};
 use crate::excluded::table;
 use crate::uncertainty::UncertainInput;
 
-/// (–) standard error of the mean of the crush misfit, which is part of the error of a single case.
-const CRUSH_BIAS_ERROR: f64 = 0.15;
 /// (rad) half of the hour of a clock as a standard deviation, 30°/√12.
 const HOUR_SD: f64 = 30.0 * DEGREE / 3.464_101_615_137_754_6;
 
@@ -62,6 +60,12 @@ impl Crushed {
         };
         (crushed, unused)
     }
+}
+
+/// Whether the front of a vehicle met a fixed object, as in the crashes to which the figures of these were
+/// fitted.
+pub(crate) fn is_with_object(case: &Case, hit: &[Damage]) -> bool {
+    case.vehicles.iter().any(|vehicle| vehicle.fixed) && hit == [Damage::Front]
 }
 
 /// The vehicles that can move.
@@ -118,34 +122,30 @@ pub(crate) fn energies(crushed: Crushed, case: &Case) -> [Option<EnergyMethod>; 
     })
 }
 
-/// The errors of the crush energies, depending on how each was obtained, or as given by the case.
+/// The errors of the crush energies, depending on how each was obtained, or as given by the case, and those
+/// of the fitted figures among them.
 pub(super) fn crush_errors(
     case: &Case,
     methods: [Option<EnergyMethod>; 2],
     ranges: &[UncertainInput],
     hit: &[Damage],
-) -> (CrushErrors, Notes) {
+    is_with_object: bool,
+) -> (CrushErrors, Option<CrushFigures>, Notes) {
     let mut notes = Notes::default();
     let given = case.estimate.unwrap_or_default();
     notes.default_error(given.crush_error.is_none(), "estimate.crush_error".to_owned());
     notes.default_error(given.crush_bias.is_none(), "estimate.crush_bias".to_owned());
+    let misfit = if is_with_object { FITTED.objects.misfit } else { FITTED.crush_misfit(hit) };
     let of = |id: VehicleId| {
         let method = methods[id.index()]?;
         let has_range = ranges.iter().any(|range| {
             let of_crush = range.input.path.strip_prefix(&format!("{}.crush.", table(id)));
             of_crush.is_some_and(|key| key.starts_with("stiffness") || key.starts_with("ees"))
         });
-        let usual = FITTED.energy_error(method, hit, has_range);
-        let shared = match method {
-            // The mean of the misfit has an error as well.
-            EnergyMethod::Class => {
-                Real::sqrt(usual.shared_ln_sd * usual.shared_ln_sd + CRUSH_BIAS_ERROR * CRUSH_BIAS_ERROR)
-            }
-            _ => usual.shared_ln_sd,
-        };
+        let usual = FITTED.energy_error(method, misfit, has_range);
         Some(EnergyError {
             bias: given.crush_bias.map_or(usual.bias, |shown| real::elementary::ln(shown / 100.0)),
-            shared_ln_sd: given.crush_error.map_or(shared, |percent| percent / 100.0),
+            shared_ln_sd: given.crush_error.map_or(usual.shared_ln_sd, |percent| percent / 100.0),
             own_ln_sd: if given.crush_error.is_some() { 0.0 } else { usual.own_ln_sd },
         })
     };
@@ -157,9 +157,22 @@ pub(super) fn crush_errors(
             let whole = Real::sqrt(shared_ln_sd * shared_ln_sd + own_ln_sd * own_ln_sd);
             CrushErrors([EnergyError { bias, shared_ln_sd: whole, own_ln_sd: 0.0 }; 2])
         }
-        [None, None] => FITTED.crush_misfit(hit).into(),
+        [None, None] => misfit.into(),
     };
-    (errors, notes)
+    // Only the misfit of a class stiffness was fitted.
+    let behind = |method: Option<EnergyMethod>| match method {
+        Some(EnergyMethod::Class) => {
+            Behind::Misfit { bias: given.crush_bias.is_none(), spread: given.crush_error.is_none() }
+        }
+        _ => Behind::Nothing,
+    };
+    let behind = match methods {
+        [Some(_), Some(_)] => methods.map(behind),
+        [known, None] | [None, known] => [behind(known); 2],
+    };
+    let figures =
+        if is_with_object { FITTED.objects.figures(behind) } else { FITTED.crush_figures(hit, behind) };
+    (errors, figures, notes)
 }
 
 /// The PDOF of a vehicle, with the error that the case gives or the default one.
