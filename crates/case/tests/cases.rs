@@ -1436,6 +1436,7 @@ fn any_recorder() -> impl Strategy<Value = Recorder> {
                 speed_error,
                 yaw_rate: yaw_rate.map(|(rate, _)| rate),
                 yaw_rate_error: yaw_rate.and_then(|(_, error)| error),
+                ..Recorder::default()
             }
         },
     )
