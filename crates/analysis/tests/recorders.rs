@@ -77,8 +77,8 @@ fn an_estimate_takes_the_table_as_evidence() {
     assert_eq!(evidence(&whole.replace("-40 -49 -49 -49", "-40 -49 -59 -69")), [""; 0]);
 }
 
-/// A recorder 1 m ahead of the centre of gravity; the vehicle then turns to the left by 90 °/s = π/2 rad/s: what it
-/// stored to the left is by π/2 m/s too much.
+/// A recorder 1 m ahead of the centre of gravity; the vehicle then turns to the left by 90 °/s = π/2 rad/s:
+/// what it stored to the left is by π/2 m/s too much.
 #[test]
 fn a_recorder_away_from_the_centre_is_taken_there() {
     let file = head_on(

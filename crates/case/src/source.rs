@@ -95,8 +95,8 @@ impl Source {
         self.spans.get(path)
     }
 
-    /// Line and column, from 1, of a place within the text that is the value of a key; `None` if it is written
-    /// with escapes, or the source is no text.
+    /// Line and column, from 1, of a place within the text that is the value of a key; `None` if it is
+    /// written with escapes, or the source is no text.
     #[must_use]
     pub fn place_in_text(&self, path: &str, text: &str, place: TextPlace) -> Option<TextPlace> {
         let source = self.text.as_deref()?;

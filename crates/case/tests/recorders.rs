@@ -1,4 +1,5 @@
-//! The tables of `[vehicleN.recorder]`: read, written back, and refused at the place in the text that is wrong.
+//! The tables of `[vehicleN.recorder]`: read, written back, and refused at the place in the text that is
+//! wrong.
 
 use case::{CaseFile, SeriesSource, to_toml};
 
@@ -69,8 +70,8 @@ fn what_is_wrong_in_a_table_is_told_at_its_place() {
             "case.toml:5:1",
             "follows -1",
         ),
-        ("pre_crash = { time = \"-1 0 s\", speed = \"60 58 47 km/h\" }", "case.toml:2:48", "3 values"),
-        ("pre_crash = { time = \"-1 0 s\", speed = \"60 58\" }", "case.toml:2:42", "no unit"),
+        ("pre_crash = { time = \"-1 0 s\", speed = \"60 58 47 km/h\" }", "case.toml:2:47", "3 values"),
+        ("pre_crash = { time = \"-1 0 s\", speed = \"60 58\" }", "case.toml:2:41", "no unit"),
         (
             "pre_crash = { text = \"Time (ms) 0 10\\nLongitudinal delta-V (km/h) 0 -4\" }",
             "case.toml:2:22",

@@ -62,7 +62,8 @@ pub struct GivenPreCrash {
     pub record: Option<PreCrash>,
 }
 
-/// `pulse` of `[vehicleN.recorder]`: ΔV over time. Lateral ΔV is positive to the right, as recorders store it.
+/// `pulse` of `[vehicleN.recorder]`: ΔV over time. Lateral ΔV is positive to the right, as recorders store
+/// it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct GivenPulse {
     /// Where it comes from.

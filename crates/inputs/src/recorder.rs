@@ -68,8 +68,8 @@ pub struct RecordersDeltaV {
 }
 
 impl Recorder {
-    /// The distribution of the speed at impact by the table before the impact; `ground` (–) is the friction of
-    /// the surface, if the case gives it. `None` without a table.
+    /// The distribution of the speed at impact by the table before the impact; `ground` (–) is the friction
+    /// of the surface, if the case gives it. `None` without a table.
     #[must_use]
     pub fn impact_speed(&self, ground: Option<f64>) -> Option<ImpactSpeed> {
         let record = self.pre_crash.as_ref()?.record.as_ref()?;
@@ -90,8 +90,8 @@ impl Recorder {
         Some(RecordersSpeed { speed: found.mean, error, is_of_table: true })
     }
 
-    /// ΔV: as given or, where it is not, by the pulse if that ends within the record. A recorder away from the
-    /// centre of gravity is taken there by the yaw rate after the impact, if the case gives both.
+    /// ΔV: as given or, where it is not, by the pulse if that ends within the record. A recorder away from
+    /// the centre of gravity is taken there by the yaw rate after the impact, if the case gives both.
     #[must_use]
     pub fn tells_delta_v(&self, axes: Axes) -> Option<RecordersDeltaV> {
         if self.delta_v_longitudinal.is_some() || self.delta_v_lateral.is_some() {

@@ -12,13 +12,13 @@ const KMH: f64 = 1.0 / 3.6;
 pub struct ImpactSpeedErrors {
     /// (m/s) step in which speeds are stored, to the nearest: 1 km/h in 49 CFR 563 and UN R160.
     pub step: f64,
-    /// (1) by what share of itself the speed is too low while the wheels roll: 1.4 % in the mean (18 runs of a
-    /// 2010 Ford Flex against GPS, steady at 113 km/h).
+    /// (1) by what share of itself the speed is too low while the wheels roll: 1.4 % in the mean (18 runs of
+    /// a 2010 Ford Flex against GPS, steady at 113 km/h).
     pub steady_low: f64,
     /// (1) standard deviation of that share: 0.43 %, from "within 2.5 % at 99 %" of the same runs.
     pub steady_sd: f64,
-    /// (1) standard deviation of the share by which worn or other tyres change the speed: 0.7 %. 7 mm of tread
-    /// are 2.2 % of a radius of 320 mm; worn by any part of that, the standard deviation is 0.6 %.
+    /// (1) standard deviation of the share by which worn or other tyres change the speed: 0.7 %. 7 mm of
+    /// tread are 2.2 % of a radius of 320 mm; worn by any part of that, the standard deviation is 0.6 %.
     pub tyre_sd: f64,
     /// (m/s) by how much the speed is too low in hard braking, with ABS at work: 3 km/h in the mean of the
     /// same runs.
@@ -32,8 +32,8 @@ pub struct ImpactSpeedErrors {
     pub coasting: f64,
     /// (1) probability that the brake, off in the last sample, came on in the gap: 0.25 in each half second.
     pub brake_comes_on: f64,
-    /// (s) greatest age of a stored speed at the time that the record gives for it: 0.1 s, at any part of it. The
-    /// wheels' control unit sends it every 10 to 100 ms, and the recorder takes the last one that came.
+    /// (s) greatest age of a stored speed at the time that the record gives for it: 0.1 s, at any part of it.
+    /// The wheels' control unit sends it every 10 to 100 ms, and the recorder takes the last one that came.
     pub latency: f64,
     /// (1) probability that a last speed that fell by more than `g` allows is not that of the vehicle before
     /// the impact: 0.5. It is then slip, or the impact itself, and the sample before it counts.

@@ -24,11 +24,11 @@
 //! ```
 //!
 //! [`read_tables`] reads CSV or text copied out of a printed report into [`RecorderTable`]s, each column
-//! recognised by its heading and unit, each cell without a value told with its place. [`PreCrash`] is what was
-//! stored before the impact, with the distance between samples within [`DistanceBounds`]; [`ImpactSpeed`] the
-//! speed at t = 0 as a distribution, of which [`SpeedErrorPart`] says what comes from where; [`CrashPulse`] is
-//! ΔV over time, with its beginning and end by [`PulseRule`]; [`match_records`] says which record is of which
-//! impact.
+//! recognised by its heading and unit, each cell without a value told with its place. [`PreCrash`] is what
+//! was stored before the impact, with the distance between samples within [`DistanceBounds`]; [`ImpactSpeed`]
+//! the speed at t = 0 as a distribution, of which [`SpeedErrorPart`] says what comes from where;
+//! [`CrashPulse`] is ΔV over time, with its beginning and end by [`PulseRule`]; [`match_records`] says which
+//! record is of which impact.
 //!
 //! | code | symbol | meaning | unit |
 //! |---|---|---|---|
@@ -40,15 +40,15 @@
 //!
 //! # Guarantees
 //!
-//! - The distance driven lies within [`DistanceBounds`], whatever the speed does between samples, as long as it
-//!   keeps [`SpeedLimits`].
+//! - The distance driven lies within [`DistanceBounds`], whatever the speed does between samples, as long
+//!   as it keeps [`SpeedLimits`].
 //! - A table is read or refused with a place; no number is guessed.
 //! - The same input gives the same bits on every machine.
 //!
 //! # What it does not do
 //!
-//! It reads no proprietary binary file, and knows no case: lateral signs and yaw rates stay in the sense of the
-//! recorder until the caller turns them.
+//! It reads no proprietary binary file, and knows no case: lateral signs and yaw rates stay in the sense of
+//! the recorder until the caller turns them.
 
 mod channel;
 mod impact_speed;

@@ -100,9 +100,9 @@ impl Default for SpeedLimits {
 
 /// (m) a distance between two samples: bounds that always hold, and the three sums that practice prints.
 ///
-/// `at_least` and `at_most` hold for every course of the speed that keeps [`SpeedLimits`]: between samples the
-/// speed need be neither monotonic nor straight. The sums `left` and `right` bound the distance only of a
-/// speed that falls, or rises, throughout and is not rounded.
+/// `at_least` and `at_most` hold for every course of the speed that keeps [`SpeedLimits`]: between samples
+/// the speed need be neither monotonic nor straight. The sums `left` and `right` bound the distance only of
+/// a speed that falls, or rises, throughout and is not rounded.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct DistanceBounds {
     /// (m) the least.
@@ -153,7 +153,8 @@ fn within(step: f64, [first, last]: [f64; 2], limits: &SpeedLimits) -> DistanceB
     let change = last - first;
     let fall = limits.deceleration.max((-change - 2.0 * error) / step).max(1e-9);
     let rise = limits.acceleration.max((change - 2.0 * error) / step).max(1e-9);
-    // The quickest course rises from the first sample, and falls to the last: v₁ + e + r t = v₂ + e + f (h − t)
+    // The quickest course rises from the first sample, and falls to the last: v₁ + e + r t = v₂ + e + f (h −
+    // t)
     let turn = ((change + fall * step) / (rise + fall)).clamp(0.0, step);
     let at_most = rising(first + error, rise, turn) + rising(last + error, fall, step - turn);
     // The slowest falls first, and rises to the last, but never below zero: v₁ − e − f t = v₂ − e − r (h − t)

@@ -12,7 +12,8 @@ pub struct PulseSample {
     pub time: f64,
     /// (m/s) ΔV along the vehicle, positive forward.
     pub longitudinal: Option<f64>,
-    /// (m/s) ΔV across the vehicle, positive to the right as recorders have it (SAE J1733), unless it was turned.
+    /// (m/s) ΔV across the vehicle, positive to the right as recorders have it (SAE J1733), unless it was
+    /// turned.
     pub lateral: Option<f64>,
 }
 
@@ -51,28 +52,28 @@ pub enum PulseFault {
 
 /// By which rule a pulse begins and ends.
 ///
-/// Annex E of ISO/TR 12353-3:2013 computes `t_0` and `t_end` by methods A, B and C; its text is not public, so
-/// that the rules here have names of their own. [`PulseRule::Change`] is that of 49 CFR 563.5 and UN R160.
+/// Annex E of ISO/TR 12353-3:2013 computes `t_0` and `t_end` by methods A, B and C; its text is not public,
+/// so that the rules here have names of their own. [`PulseRule::Change`] is that of 49 CFR 563.5 and UN R160.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum PulseRule {
-    /// The impact goes on while ΔV changes by more than `change` (m/s) in each `window` (s): 0.8 km/h in 20 ms
-    /// in 49 CFR 563.5 and UN R160.
+    /// The impact goes on while ΔV changes by more than `change` (m/s) in each `window` (s): 0.8 km/h in 20
+    /// ms in 49 CFR 563.5 and UN R160.
     Change {
         /// (m/s) the change.
         change: f64,
         /// (s) in which time.
         window: f64,
     },
-    /// The impact goes on while the acceleration is above this one (m/s²).
+    /// The impact goes on while the acceleration, in the mean of 20 ms, is above this one (m/s²).
     Acceleration(f64),
-    /// It begins as by [`PulseRule::CHANGE`], and ends when the resultant ΔV is greatest: before the rebound of
-    /// the vehicles from each other is lost in what follows.
+    /// It begins as by [`PulseRule::CHANGE`], and ends when the resultant ΔV is greatest: before the rebound
+    /// of the vehicles from each other is lost in what follows.
     GreatestDeltaV,
 }
 
 impl PulseRule {
     /// That of 49 CFR 563.5: 0.8 km/h in 20 ms.
-    pub const CHANGE: Self = Self::Change { change: 0.8 / 3.6, window: 0.02 };
+    pub const CHANGE: Self = Self::Change { change: 0.8 / 3.6, window: WINDOW };
     /// 2 g, which no tyre has.
     pub const TWO_G: Self = Self::Acceleration(2.0 * GRAVITY);
     /// All three, in the order in which a report has them.
@@ -82,8 +83,8 @@ impl PulseRule {
     #[must_use]
     pub fn name(self) -> &'static str {
         match self {
-            Self::Change { .. } => "change of ΔV (49 CFR 563.5)",
-            Self::Acceleration(_) => "acceleration above a threshold",
+            Self::Change { .. } => "change of ΔV, 49 CFR 563.5",
+            Self::Acceleration(_) => "acceleration in 20 ms",
             Self::GreatestDeltaV => "greatest ΔV",
         }
     }
@@ -249,39 +250,43 @@ impl CrashPulse {
         self.samples.iter().filter_map(direction).collect()
     }
 
+    /// Which steps between samples are in a time of `window` (s) in which ΔV changes by more than `change`
+    /// (m/s).
+    fn changing(&self, change: f64, window: f64) -> Vec<bool> {
+        let steps = self.samples.len() - 1;
+        let mut active = vec![false; steps];
+        for from in 0..steps {
+            // Samples 10 ms apart are 20 ms apart up to rounding.
+            let end = self.samples[from].time + window * (1.0 + 1e-9) + 1e-9;
+            let to = self.samples.iter().rposition(|one| one.time <= end).unwrap_or(from).max(from + 1);
+            if self.change(from, to) > change {
+                active[from..to].iter_mut().for_each(|step| *step = true);
+            }
+        }
+        active
+    }
+
     /// Which steps between samples are of the impact.
     fn active(&self, rule: PulseRule) -> Vec<bool> {
-        let steps = 0..self.samples.len() - 1;
         match rule {
-            PulseRule::Acceleration(least) => {
-                let step = |k: usize| self.samples[k + 1].time - self.samples[k].time;
-                steps.map(|k| self.change(k, k + 1) / step(k) > least).collect()
-            }
-            PulseRule::Change { change, window } => {
-                let mut active = vec![false; self.samples.len() - 1];
-                for from in steps {
-                    let begin = self.samples[from].time;
-                    // Samples 10 ms apart are 20 ms apart up to rounding.
-                    let end = begin + window * (1.0 + 1e-9) + 1e-9;
-                    let to =
-                        self.samples.iter().rposition(|one| one.time <= end).unwrap_or(from).max(from + 1);
-                    if self.change(from, to) > change {
-                        active[from..to].iter_mut().for_each(|step| *step = true);
-                    }
-                }
-                active
-            }
+            // Over a window, too: between two samples 10 ms apart, rounding to 1 km/h alone is 2.8 g.
+            PulseRule::Acceleration(least) => self.changing(least * WINDOW, WINDOW),
+            PulseRule::Change { change, window } => self.changing(change, window),
             PulseRule::GreatestDeltaV => self.active(PulseRule::CHANGE),
         }
     }
 
-    /// The part of the record that is of the impact: from the first to the last of its steps that change ΔV.
-    /// `None` if none does.
+    /// The part of the record that is of the impact: from the first of its steps that change ΔV to where they
+    /// end by the rule, for the first time by that of 49 CFR 563.5. `None` if none changes it.
     #[must_use]
     pub fn span(&self, rule: PulseRule) -> Option<PulseSpan> {
         let active = self.active(rule);
         let first = active.iter().position(|step| *step)?;
-        let last = active.iter().rposition(|step| *step)? + 1;
+        let last = match rule {
+            // "End of event": where ΔV no longer changes, and not where its last digit flickers afterwards.
+            PulseRule::Change { .. } => first + active[first..].iter().take_while(|step| **step).count(),
+            _ => active.iter().rposition(|step| *step)? + 1,
+        };
         let ends_within = last < self.samples.len() - 1;
         let end = match rule {
             PulseRule::GreatestDeltaV => {
@@ -292,7 +297,8 @@ impl CrashPulse {
             }
             _ => last,
         };
-        // A maximum that lies before the end of the record is one, if ΔV then falls by more than it is rounded.
+        // A maximum that lies before the end of the record is one, if ΔV then falls by more than it is
+        // rounded.
         let past = self.change(first, end) - self.change(first, self.samples.len() - 1);
         let complete = match rule {
             PulseRule::GreatestDeltaV => ends_within || (end < self.samples.len() - 1 && past > TURNED),
@@ -313,13 +319,16 @@ impl CrashPulse {
         [last.longitudinal, last.lateral]
     }
 
-    /// Whether the record ends before the impact does: ΔV still changes at its end by the rule of 49 CFR 563.5.
-    /// Its ΔV is then a lower bound.
+    /// Whether the record ends before the impact does: ΔV still changes at its end by the rule of 49 CFR
+    /// 563.5. Its ΔV is then a lower bound.
     #[must_use]
     pub fn is_cut(&self) -> bool {
-        self.span(PulseRule::CHANGE).is_some_and(|span| !span.complete)
+        self.active(PulseRule::CHANGE).last() == Some(&true)
     }
 }
+
+/// (s) the time in which a pulse changes or does not: that of 49 CFR 563.5.
+const WINDOW: f64 = 0.02;
 
 /// (m/s) 2 km/h, twice the step in which ΔV is stored: by so much ΔV has to fall after a maximum that is one.
 const TURNED: f64 = 2.0 / 3.6;

@@ -14,8 +14,9 @@ use crate::table::{RecorderTable, TextPlace, TextRefusal};
 ///
 /// The text is CSV with commas, semicolons, tabs or aligned columns, or it is copied out of a printed report:
 /// a row in each line, or a value in each line, row after row or column after column, or a quantity in each
-/// row with the times across. A heading may be split over lines. Of `50 [81]` below `MPH [km/h]` the number in
-/// brackets is read, which is the stored one. Values are converted to SI, and times rise in what is returned.
+/// row with the times across. A heading may be split over lines. Of `50 [81]` below `MPH [km/h]` the number
+/// in brackets is read, which is the stored one. Values are converted to SI, and times rise in what is
+/// returned.
 ///
 /// # Errors
 ///

@@ -30,8 +30,8 @@ pub struct EventRecord {
 pub struct MatchErrors {
     /// (rad) standard deviation of the difference of directions: 20°.
     pub direction: f64,
-    /// (1) standard deviation of the difference of ln ΔV: 0.45. The recorder's part is small, and ΔV from crush
-    /// has most of it.
+    /// (1) standard deviation of the difference of ln ΔV: 0.45. The recorder's part is small, and ΔV from
+    /// crush has most of it.
     pub size: f64,
     /// (1) probability before all evidence that a record is of none of the impacts: 0.1.
     pub of_none: f64,
@@ -131,7 +131,8 @@ pub fn match_records(
     let (n, m) = (records.len(), impacts.len());
     let of_impact = (1.0 - errors.of_none) / crate::spread::count(m.max(1));
     let weight = |k: usize, j: usize| of_impact * likelihood(&records[k], &impacts[j], errors);
-    // Sums over the assignments of the records before k to impacts before j, and of those from k to those from j.
+    // Sums over the assignments of the records before k to impacts before j, and of those from k to those
+    // from j.
     let mut before = vec![vec![1.0; m + 1]; n + 1];
     for k in 0..n {
         for j in 0..=m {

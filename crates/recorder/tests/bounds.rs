@@ -55,8 +55,8 @@ proptest! {
     }
 }
 
-/// Two samples 1 s apart at 20 m/s, without rounding. The quickest course rises for half a second at 1 g and falls
-/// again: 20 + g/4 m; the slowest is as far below.
+/// Two samples 1 s apart at 20 m/s, without rounding. The quickest course rises for half a second at 1 g and
+/// falls again: 20 + g/4 m; the slowest is as far below.
 #[test]
 fn bounds_of_two_equal_speeds() {
     let sample =

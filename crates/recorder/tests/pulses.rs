@@ -7,17 +7,18 @@ use recorder::{
 
 const KMH: f64 = 1.0 / 3.6;
 
-/// A half sine of acceleration between `start` and `start + 0.1` s with this ΔV, sampled every `step` until `end`.
+/// A half sine of acceleration between `start` and `start + 0.1` s with this ΔV, sampled every `step` until
+/// `end`.
 fn half_sine(delta_v: f64, start: f64, step: f64, end: f64) -> CrashPulse {
-    let count = (end / step).round() as usize;
-    let sample = |k: usize| {
-        let time = step * k as f64;
+    let sample = |k: u32| {
+        let time = step * f64::from(k);
         let share = ((time - start) / 0.1).clamp(0.0, 1.0);
         // ∫ sin = (1 − cos π s) / 2
         let value = delta_v * 0.5 * (1.0 - (std::f64::consts::PI * share).cos());
         PulseSample { time, longitudinal: Some(-value), lateral: None }
     };
-    CrashPulse::new((0..=count).map(sample).collect()).unwrap()
+    let within = |k: &u32| step * f64::from(*k) <= end + 1e-9;
+    CrashPulse::new((0..).take_while(within).map(sample).collect()).unwrap()
 }
 
 #[test]
@@ -53,7 +54,26 @@ fn a_record_that_ends_within_the_impact_is_a_lower_bound() {
     assert_eq!(flat.unwrap().span(PulseRule::CHANGE), None);
 }
 
-/// IIHS CF09009: longitudinal ΔV is greatest at 58 ms with −20.40 mph, and −16.60 at the end of the record at 78 ms.
+/// A last digit that flickers after the impact is no impact: it ends where ΔV no longer changes.
+#[test]
+fn a_flickering_digit_does_not_prolong_an_impact() {
+    let stored =
+        [0.0, 6.0, 18.0, 30.0, 41.0, 47.0, 50.0, 50.0, 50.0, 50.0, 51.0, 50.0, 50.0, 50.0, 50.0, 50.0];
+    let samples = (0_u32..).zip(stored).map(|(k, value)| PulseSample {
+        time: 0.01 * f64::from(k),
+        longitudinal: Some(-value * KMH),
+        lateral: None,
+    });
+    let pulse = CrashPulse::new(samples.collect()).unwrap();
+    for rule in [PulseRule::CHANGE, PulseRule::TWO_G] {
+        let span = pulse.span(rule).unwrap();
+        assert!((span.end - 0.07).abs() < 0.011 && span.complete, "{span:?}");
+    }
+    assert!(!pulse.is_cut());
+}
+
+/// IIHS CF09009: longitudinal ΔV is greatest at 58 ms with −20.40 mph, and −16.60 at the end of the record at
+/// 78 ms.
 #[test]
 fn iihs_cf09009_ends_before_the_impact_does() {
     let mph = 0.44704;
@@ -72,8 +92,8 @@ fn iihs_cf09009_ends_before_the_impact_does() {
 
 #[test]
 fn delta_v_at_the_center_is_less_the_rotation() {
-    // A recorder 1 m ahead of the center, hit so that the vehicle turns by 3 rad/s to the left: it gets 3 m/s more
-    // to the left than the center.
+    // A recorder 1 m ahead of the center, hit so that the vehicle turns by 3 rad/s to the left: it gets 3 m/s
+    // more to the left than the center.
     assert_eq!(delta_v_at_center([-5.0, 5.0], 3.0, [1.0, 0.0]), [-5.0, 2.0]);
     // 1 m to the left of the center, the rotation takes 3 m/s off the forward speed of the recorder.
     assert_eq!(delta_v_at_center([-5.0, 5.0], 3.0, [0.0, 1.0]), [-2.0, 5.0]);

@@ -355,8 +355,8 @@ impl Answer {
         }
     }
 
-    /// Writes the samples or draws as CSV, of recorders what they stored before the impact; nothing if it is [not an answer](Self::no_answer) or has no
-    /// samples.
+    /// Writes the samples or draws as CSV, of recorders what they stored before the impact; nothing if it is
+    /// [not an answer](Self::no_answer) or has no samples.
     ///
     /// # Errors
     /// Those of the output.

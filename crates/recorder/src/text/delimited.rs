@@ -135,7 +135,7 @@ fn divides(text: &str, layout: TextLayout) -> bool {
         return true;
     }
     let width = heading.len();
-    !values.is_empty() && values.iter().filter(|fields| fields.len() == width).count() * 2 > values.len()
+    !values.is_empty() && values.iter().filter(|fields| fields.len() == width).count() * 2 >= values.len()
 }
 
 /// Whether the lines begin with a quantity and go on with its values.
@@ -222,7 +222,8 @@ fn is_time(text: &str, place: TextPlace) -> bool {
     head(text, place).is_some_and(|head| head.channel == Channel::Time)
 }
 
-/// A table with its headings. Those not recognised stay as columns that are not read, so that each cell has one.
+/// A table with its headings. Those not recognised stay as columns that are not read, so that each cell has
+/// one.
 fn begun(heading: &[(String, TextPlace)], layout: TextLayout) -> RawTable {
     let column = |(text, place): &(String, TextPlace)| {
         let unread = Head { text: text.clone(), channel: Channel::Other, units: Vec::new(), place: *place };

@@ -1,4 +1,5 @@
-//! Text as it copies out of a printed report: lines of words and values without a sure character between them.
+//! Text as it copies out of a printed report: lines of words and values without a sure character between
+//! them.
 
 use super::heads::{Head, heads};
 use super::raw::RawTable;

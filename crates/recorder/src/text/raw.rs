@@ -20,7 +20,8 @@ const KNOWN: &str = "speed, accelerator pedal, engine throttle, engine rpm, serv
 /// (share of a step) a step this much longer than its equal neighbours has lost a sample.
 const LOST: f64 = 1.5;
 
-/// (code) how near a printed number has to be to a code, once it is converted: reports print a tenth of a mile.
+/// (code) how near a printed number has to be to a code, once it is converted: reports print a tenth of a
+/// mile.
 const NEAR_CODE: f64 = 0.09;
 
 /// The value of a cell, or why it has none.

@@ -129,10 +129,10 @@ struct AccelerationBlock {
     lateral: Option<f64>,
 }
 
-/// The recorders as indented JSON, ending in a line break: `{"vehicles": [{"recognised": […], "speed_at_impact":
-/// {"mean": …, "sd": …, "interval_95": […], "parts": […]}, "samples": […], "pulse": {"ends_before_impact": …,
-/// "spans": […]}}, null]}`. SI and radians; lateral ΔV of the pulse is positive to the right, as recorders have
-/// it, and `delta_v_at_center` is along the vehicle and to its left.
+/// The recorders as indented JSON, ending in a line break: `{"vehicles": [{"recognised": […],
+/// "speed_at_impact": {"mean": …, "sd": …, "interval_95": […], "parts": […]}, "samples": […], "pulse":
+/// {"ends_before_impact": …, "spans": […]}}, null]}`. SI and radians; lateral ΔV of the pulse is positive to
+/// the right, as recorders have it, and `delta_v_at_center` is along the vehicle and to its left.
 ///
 /// # Errors
 /// If serialisation fails, which no record causes.

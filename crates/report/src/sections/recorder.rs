@@ -292,12 +292,12 @@ fn pulse(page: &mut Document, file: &CaseFile, id: VehicleId, found: &VehicleRea
     let mut table = Table::new(
         "Pulse",
         [
-            Column::words("by", Width::Fit(32)),
+            Column::words("by", Width::Fit(28)),
             Column::numbers("from", Width::Fixed(7)).unit("ms"),
             Column::numbers("to", Width::Fixed(7)).unit("ms"),
             delta_v("longitudinal"),
             delta_v("lateral"),
-            delta_v("ΔV"),
+            Column::numbers("ΔV", Width::Fixed(9)).unit(unit),
             Column::numbers("PDOF", Width::Fixed(7)).unit("°"),
             Column::words("", Width::Fit(12)),
         ],
