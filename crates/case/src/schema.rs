@@ -710,7 +710,12 @@ pub(crate) static PRE_CRASH: Schema = Schema {
             Form::Text,
             "Antilock brakes. `on` where they were at work, for each time.",
         ),
-        key("stability", "stability = \"on on on\"", Form::Text, "Stability control. `on` where it was at work, for each time."),
+        key(
+            "stability",
+            "stability = \"on on on\"",
+            Form::Text,
+            "Stability control. `on` where it was at work, for each time.",
+        ),
         key("accelerator", "accelerator = \"12 0 0 %\"", Form::Text, "Accelerator pedal. For each time."),
         key("throttle", "throttle = \"12 0 0 %\"", Form::Text, "Engine throttle. For each time."),
         key(
@@ -788,7 +793,12 @@ pub(crate) static RECORDER_AT: Schema = Schema {
     place: "at = { … } of [vehicle1.recorder] or [vehicle2.recorder]",
     text: "Place of the recorder. From the CG: a recorder away from it stores a ΔV that is that of the CG and that of the rotation; with `yaw_rate`, ΔV of `pulse` is taken to the CG.",
     keys: &[
-        key("x", "x = \"-0.3 m\"", Form::Exact(Dimension::Length, ANY), "Distance forward from the CG. Negative behind it."),
+        key(
+            "x",
+            "x = \"-0.3 m\"",
+            Form::Exact(Dimension::Length, ANY),
+            "Distance forward from the CG. Negative behind it.",
+        ),
         key(
             "y",
             "y = \"0 m\"",

@@ -16,7 +16,7 @@ pub fn recorders(file: &CaseFile, reading: &RecorderReading, units: Units) -> Do
     let case = &file.case;
     let mut page = Document::of_case(case);
     let found: Vec<String> = read_of(reading).flat_map(|(id, found)| headline(id, found, units)).collect();
-    page.push(Block::Answer { found, how: "by the recorder alone".to_owned() });
+    page.push(Block::Answer { found, how: "By the recorders alone.".to_owned() });
     for (id, found) in read_of(reading) {
         let recorder = &found.recorder;
         page.heading(format!("Vehicle {id}"));
@@ -50,7 +50,7 @@ fn headline(id: VehicleId, found: &VehicleReading, units: Units) -> Vec<String> 
     if let Some(speed) = &found.speed {
         let [low, high] = speed.interval(0.95);
         lines.push(format!(
-            "Vehicle {id} drove {} at the impact; with 95 % between {} and {}",
+            "Speed of vehicle {id} at the impact: {} (95 %: {} to {})",
             road(speed.mean),
             units.plain(Measure::RoadSpeed, low),
             road(high)
@@ -59,11 +59,9 @@ fn headline(id: VehicleId, found: &VehicleReading, units: Units) -> Vec<String> 
     if let Some(span) = leading(&found.spans) {
         let size = road(span.resultant());
         lines.push(if span.complete {
-            format!("Vehicle {id} changed its velocity by {size} until {}", milliseconds(span.end))
+            format!("ΔV of vehicle {id}: {size}, at {}", milliseconds(span.end))
         } else {
-            format!(
-                "Vehicle {id} changed its velocity by at least {size}: its record ends before the impact does"
-            )
+            format!("ΔV of vehicle {id}: at least {size}, as its record ends before the impact does")
         });
     }
     lines
