@@ -1570,7 +1570,7 @@ pub(crate) static CONTACT: Schema = Schema {
             "y",
             "y = \"-0.73 m\"",
             Form::Quantity(Dimension::Length, ANY),
-            "Distance to the left of the CG. To the right with `axes = \"z-down\"`. Negative on the other side.",
+            "Distance to the left of the CG, or to the right with `axes = \"z-down\"`. Negative on the other side.",
         ),
     ],
     rules: &[Rule::OneOf(&[form(&["distance", "angle"], &[]), form(&["x", "y"], &[])])],

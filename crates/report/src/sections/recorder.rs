@@ -319,7 +319,7 @@ fn pulse(page: &mut Document, file: &CaseFile, id: VehicleId, found: &VehicleRea
     }
     table.notes.push(
         "ISO/TR 12353-3 determines the beginning and the end by methods A, B and C. These rules are that of 49 CFR 563.5 and \
-         UN R160 (ΔV changes by more than 0.8 km/h in 20 ms), an acceleration above 2 g, and the greatest ΔV within the first. \
+         UN R160 (ΔV changes by more than 0.8 km/h in 20 ms), a mean acceleration above 2 g in 20 ms, and the greatest ΔV within the first. \
          Lateral ΔV is positive to the right; PDOF is where the force comes from, clockwise from the front."
             .to_owned(),
     );
