@@ -73,8 +73,8 @@ fn told_probabilities_are_those_of_simulated_crashes() {
         // What the case states …
         let speed = random.between(15.0, 20.0);
         let time = random.between(0.9, 1.9);
-        let has_clear = crash % 4 == 0;
-        let way = random.between(0.5, 4.0);
+        let has_clear = crash % 2 == 0;
+        let way = random.between(0.2, 1.2);
         let clear = if has_clear {
             format!("clear = {{ distance = \"{way} m\", speed = {{ low = \"1 m/s\", high = \"2 m/s\" }} }}")
         } else {

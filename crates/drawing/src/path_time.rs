@@ -97,6 +97,7 @@ impl PathTimePicture {
 
         let [from, to] = self.zone.0.map(|time| chart.at(time.clamp(0.0, self.until), 0.0));
         let bar = Rect::new(from.x, from.y - BAR, to.x.max(from.x + 1.0), to.y);
+        canvas.protect(bar);
         canvas.rect("zone", bar, Some(Pen { width: 1.0, dashes: "", ..OTHER_WAY }), ZONE);
         canvas.line("place", chart.at(0.0, 0.0), chart.at(self.until, 0.0), PLACE);
         if let Some((points, _)) = &self.other {
