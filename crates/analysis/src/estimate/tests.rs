@@ -921,8 +921,9 @@ fn two_rests_take_few_likelihoods() {
     assert!(estimated.doubts().is_empty() && estimated.ess() >= 1000.0, "{}", estimated.ess());
     assert!(estimated.pieces.iter().all(|piece| piece.alone.is_some() && piece.without.is_some()));
     let all = estimated.posterior.diagnosis().evaluations;
-    assert!(all < 500_000, "{all}");
-    assert!(estimated.evaluations < 1_200_000, "{}", estimated.evaluations);
+    // With the errors of the figures 530,000 to 580,000 by the seed, and without them 390,000 to 420,000.
+    assert!(all < 620_000, "{all}");
+    assert!(estimated.evaluations < 1_500_000, "{}", estimated.evaluations);
 }
 
 /// A vehicle is not followed if no piece in use needs its path: its rest term then has its maximum.
