@@ -1,5 +1,7 @@
 //! A recorder's table as evidence, and what disagrees with it.
 
+#![allow(clippy::unwrap_used, clippy::panic, reason = "helpers of tests fail by panicking")]
+
 use analysis::{Evident, Warning, estimate_evidence, impact, recorders};
 use case::CaseFile;
 

@@ -1,6 +1,8 @@
 //! The tables of `[vehicleN.recorder]`: read, written back, and refused at the place in the text that is
 //! wrong.
 
+#![allow(clippy::unwrap_used, clippy::panic, reason = "helpers of tests fail by panicking")]
+
 use case::{CaseFile, SeriesSource, to_toml};
 
 /// A case whose vehicle 1 has these lines in its recorder.

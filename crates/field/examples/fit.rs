@@ -115,7 +115,7 @@ fn print(field: &Field) {
         print!("{bias:>+8.3}{rms:>8.3} ± {error:.3}{:>12.2}", 3.6 * group.ours.crps);
         match &group.winsmash {
             Some(theirs) => {
-                println!("   WinSMASH {}{:>+8.3}{:>8.3}", theirs.n, theirs.bias[0], theirs.rms[0])
+                println!("   WinSMASH {}{:>+8.3}{:>8.3}", theirs.n, theirs.bias[0], theirs.rms[0]);
             }
             None => println!(),
         }

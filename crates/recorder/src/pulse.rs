@@ -289,12 +289,9 @@ impl CrashPulse {
         };
         let ends_within = last < self.samples.len() - 1;
         let end = match rule {
-            PulseRule::GreatestDeltaV => {
-                let greatest = (first..=last).fold(first, |best, k| {
-                    if self.change(first, k) > self.change(first, best) { k } else { best }
-                });
-                greatest
-            }
+            PulseRule::GreatestDeltaV => (first..=last).fold(first, |best, k| {
+                if self.change(first, k) > self.change(first, best) { k } else { best }
+            }),
             _ => last,
         };
         // A maximum that lies before the end of the record is one, if ΔV then falls by more than it is

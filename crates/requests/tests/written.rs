@@ -7,7 +7,7 @@ use report::{PROGRAM, Units};
 use requests::{Answer, OptionError, Request, RequestOptions, RowRefusal, Unanswered};
 use uncertainty::SamplingMethod;
 
-const COMMANDS: [&str; 10] = [
+const COMMANDS: [&str; 11] = [
     "reconstruct",
     "impact",
     "motion",

@@ -140,7 +140,7 @@ fn of_rows(mut segment: Segment) -> Result<RawTable, TextRefusal> {
         let found = if broken { flat.len() % width } else { odd_count(&counts, width) };
         TextRefusal::Uneven { place, found, expected: width, columns: names.join(", ") }
     };
-    if flat.len() % width != 0 {
+    if !flat.len().is_multiple_of(width) {
         return Err(uneven());
     }
     let rows = flat.len() / width;
@@ -181,7 +181,8 @@ fn repeated(heads: &[Head]) -> usize {
     let next = all.iter().skip(1).position(|channel| *channel == Channel::Time).map(|k| k + 1);
     match next {
         Some(period)
-            if all.len() % period == 0 && all.chunks(period).all(|group| *group == all[..period]) =>
+            if all.len().is_multiple_of(period)
+                && all.chunks(period).all(|group| *group == all[..period]) =>
         {
             period
         }
