@@ -277,7 +277,7 @@ fn an_object_takes_no_energy_and_does_not_move() {
     let field = judge(&crashes, &fitted, &options, &mut |_, _| ControlFlow::Continue(())).unwrap();
     assert!(field.objects && field.judged.len() == 2);
     // ½ m₀/w₀ w (b₀ + b₁ C)², with m₀/w₀ = 1000 kg/m, w = 1.5 m, b₀ = 2.22 m/s, b₁ = 27.7 1/s, C = 30 cm
-    let root = 2.22 + 27.7 * 0.3;
+    let root = 2.22_f64 + 27.7 * 0.3;
     let energy = 0.5 * 1000.0 * 1.5 * root * root;
     let speed = (2.0 * energy / 1575.0).sqrt();
     // The pole was struck 20 cm to the left of the middle, so that the car also turns: k = 0.295 · 4.63 m.
