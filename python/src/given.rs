@@ -646,6 +646,32 @@ impl PyCase {
         self.asked(py, Request::Estimate(options), threads.map(|threads| threads.0))
     }
 
+    /// What the event data recorders say alone: the speed at impact with its error, the distance travelled
+    /// between samples, the pulse.
+    ///
+    /// Returns
+    /// -------
+    /// Result
+    ///     With ``vehicles``, a record or ``None`` for each: ``recognised``, ``speed_at_impact``,
+    ///     ``samples`` and ``pulse``; SI units.
+    ///
+    /// Raises
+    /// ------
+    /// CaseError
+    ///     Where the case has no table of a recorder; the text says what to write.
+    ///
+    /// Examples
+    /// --------
+    /// >>> table = {"time": "-1 -0.5 0 s", "speed": "58 58 58 km/h", "brake": "off off off"}
+    /// >>> case = deltav.Case.from_dict({
+    /// ...     "vehicle1": {"recorder": {"pre_crash": table}}, "vehicle2": {"fixed": True}})
+    /// >>> speed = case.recorder()["vehicles"][0]["speed_at_impact"]
+    /// >>> print(f"{speed['stored'] * 3.6:.0f} km/h stored, {speed['mean'] * 3.6:.0f} driven")
+    /// 58 km/h stored, 59 driven
+    fn recorder<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        self.asked(py, Request::Recorder, None)
+    }
+
     /// Whether the collision was avoidable: at the limit, with a reaction in time, with full braking.
     ///
     /// Parameters

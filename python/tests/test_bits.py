@@ -26,6 +26,7 @@ COMMANDS = {
         ["--particles", "128", "--seed", "7", "--prior", "flat", "--no-pieces", "--above", "vehicle1.speed 50 km/h"],
         {"particles": 128, "seed": 7, "prior": "flat", "pieces": False, "above": ["vehicle1.speed 50 km/h"]},
     ),
+    "recorder": ([], {}),
     "avoid": (["--samples", "640", "--seed", "7"], {"samples": 640, "seed": 7}),
 }
 
