@@ -525,7 +525,11 @@ fn estimates_hold_the_truth() {
         for Told { output, truth, within } in told {
             let found = &of(&estimated, output).posterior;
             let [.., widest] = &found.intervals;
-            let held = widest.low.value / KMH..=widest.high.value / KMH;
+            // The ends as far as the draws tell them.
+            let end = |end: uncertainty::Estimate, sign: f64| {
+                (end.value + sign * 2.0 * end.standard_error.unwrap_or(0.0)) / KMH
+            };
+            let held = end(widest.low, -1.0)..=end(widest.high, 1.0);
             assert!(held.contains(&truth), "{what}: {output:?} {truth} is not in {held:?}");
             near(what, found.median.value / KMH, truth, within);
         }
@@ -555,7 +559,11 @@ fn estimates_of_intersections_hold_the_truth() {
         ] {
             let found = &of(&estimated, output).posterior;
             let [.., widest] = &found.intervals;
-            let held = widest.low.value / KMH..=widest.high.value / KMH;
+            // The ends as far as the draws tell them.
+            let end = |end: uncertainty::Estimate, sign: f64| {
+                (end.value + sign * 2.0 * end.standard_error.unwrap_or(0.0)) / KMH
+            };
+            let held = end(widest.low, -1.0)..=end(widest.high, 1.0);
             assert!(held.contains(&truth), "{what}: {output:?} {truth} is not in {held:?}");
             near(what, found.median.value / KMH, truth, within);
         }

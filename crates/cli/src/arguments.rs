@@ -26,10 +26,8 @@ use uncertainty::{InvalidRequest, MAX_SAMPLES, MIN_SAMPLES, SamplingMethod};
     version,
     subcommand_required = true,
     arg_required_else_help = true,
-    before_help = "CRASH3 turns the damage of both vehicles into an energy, and planar impact mechanics \
-        finds the speed at which the impact dissipates exactly that energy (Brach & Brach, SAE 980025). A \
-        case is a TOML file: `deltav new` writes a template, and fixtures/sae-980025.toml is the paper's \
-        example.",
+    before_help = "It finds the speed at which the impact dissipates the energy of the damage (Brach & Brach, \
+        SAE 980025). A case is a TOML file: `deltav new` writes one, fixtures/sae-980025.toml is the paper's.",
     after_help = "Exit status: 0 done; 1 no answer, or a claim of validate fails; 2 wrong case file or \
         command line.\n\n\
         Which command: `deltav explain which command`. If neither speed is known: `deltav estimate`."

@@ -254,8 +254,7 @@ fn the_report_shows_all_that_it_should() {
         }
         // What the template states of itself.
         let text = fs::read_to_string(&path).unwrap();
-        let stated =
-            text.split("Highest speed that avoids it: ").nth(1).unwrap().split_whitespace().next().unwrap();
+        let stated = text.split("just avoided from ").nth(1).unwrap().split_whitespace().next().unwrap();
         let found = deltav(&["avoid", name, "--format", "json"]);
         let document: Value = serde_json::from_slice(&found.stdout).unwrap();
         let size = if units == "si" { KMH } else { 0.447_04 };

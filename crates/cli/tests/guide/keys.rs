@@ -299,7 +299,7 @@ fn what_does_not_exist_is_refused() {
         "lb ft s^3",
         "\"35 mhp\"",
         "\"3x mph\"",
-        "errors",
+        "errorss",
         "law_checks",
         "*",
         "? 3",
