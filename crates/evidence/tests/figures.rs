@@ -112,7 +112,7 @@ fn the_crush_term_is_the_mean_over_the_figures() {
             off_alone = off_alone.max((term(&alone) - exact).abs());
         }
         // Without the errors it is another density.
-        assert!(off_alone > 2.0 * off, "{hit:?} {off} {off_alone}");
+        assert!(off_alone > 1.3 * off, "{hit:?} {off} {off_alone}");
     }
 }
 

@@ -57,7 +57,7 @@ pub use pair::{Pair, PairVehicle, Plane, Truth};
 pub use read::{read, read_objects};
 pub use recorded::{LastSpeed, RecordedPair, RecorderRow, read_recorders};
 pub use recorders::{
-    DeltaVFigures, DoubtedRecord, JudgedDeltaV, JudgedSpeed, Recorders, SpeedFigures, WidthPart,
+    DeltaVFigures, DoubtedRecord, JudgedDeltaV, JudgedRecord, Recorders, SpeedFigures, WidthPart,
     judge_recorders,
 };
 pub use share::{ShareFit, fit_share};

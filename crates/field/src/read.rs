@@ -18,7 +18,7 @@ pub fn read(text: &str) -> Result<Vec<Pair>, FieldError> {
         let case = cells.case()?.to_owned();
         let vehicle = |vehicle| {
             let vehicle = Some(vehicle);
-            cells.vehicle_with(vehicle, true, cells.depths(vehicle)?)
+            cells.vehicle_with(vehicle, true, || cells.depths(vehicle))
         };
         pairs.push(Pair { case, vehicles: [vehicle(1)?, vehicle(2)?] });
     }
@@ -47,7 +47,7 @@ pub fn read_objects(text: &str) -> Result<Option<Vec<ObjectCrash>>, FieldError> 
         let has_pdof = cells.at_most(MOST_ANGLE, "PDOF", None)?.is_some();
         crashes.push(ObjectCrash {
             case: case.to_owned(),
-            vehicle: cells.vehicle_with(None, has_pdof, cells.depths(None)?)?,
+            vehicle: cells.vehicle_with(None, has_pdof, || cells.depths(None))?,
             has_pdof,
             kind: kind_of_object(code),
         });
@@ -175,7 +175,7 @@ impl Cells {
         &self,
         vehicle: Option<u8>,
         has_pdof: bool,
-        depths: [f64; 6],
+        depths: impl FnOnce() -> Result<[f64; 6], FieldError>,
     ) -> Result<PairVehicle, FieldError> {
         let plane = match self.text("CDCPLANE", vehicle)? {
             "F" => Plane::Front,
@@ -195,6 +195,7 @@ impl Cells {
             |column| Ok::<_, FieldError>(self.at_most(MOST_LENGTH, column, vehicle)?.map(|cm| cm / 100.0));
         let kmh =
             |column| Ok::<_, FieldError>(self.at_most(MOST_SPEED, column, vehicle)?.map(|kmh| kmh / 3.6));
+        let depths = depths()?;
         // Columns that a table may lack.
         let size = |column| match self.text(column, vehicle) {
             Ok(_) => Ok(centimetres(column)?.filter(|metres| *metres > 0.0)),

@@ -130,7 +130,7 @@ impl Cells {
             are_measured &= !self.text(column, vehicle)?.is_empty();
         }
         let depths = if are_measured { self.depths(vehicle)? } else { [0.0; 6] };
-        let vehicle_found = self.vehicle_with(vehicle, true, depths)?;
+        let vehicle_found = self.vehicle_with(vehicle, true, || Ok(depths))?;
         if vehicle_found.heading.is_none() {
             return Ok(Err(format!("the heading of vehicle {number} is missing (HEADINGANG_{number})")));
         }

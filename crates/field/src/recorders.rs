@@ -16,7 +16,7 @@ use crate::recorded::{LastSpeed, RecordedPair, RecorderRow};
 
 /// A quantity of one vehicle, estimated and stored.
 #[derive(Clone, Debug, PartialEq)]
-pub struct JudgedSpeed {
+pub struct JudgedRecord {
     /// Number of the crash.
     pub case: String,
     /// The vehicle.
@@ -124,7 +124,7 @@ pub struct Recorders {
     /// Number of rows that were finished before the run was ended.
     pub finished: usize,
     /// The speed of each vehicle by all evidence but its recorder.
-    pub speeds: Vec<JudgedSpeed>,
+    pub speeds: Vec<JudgedRecord>,
     /// Their figures.
     pub other_speed: SpeedFigures,
     /// ΔV of each vehicle from the speeds of both recorders.
@@ -298,8 +298,8 @@ fn moments(errors: impl Iterator<Item = f64>) -> Option<[f64; 2]> {
 }
 
 /// Estimates, for each crash whose two recorders stored a speed before the impact, the speed of each vehicle
-/// from all evidence but its own recorder, and ΔV of both from both speeds: by momentum to one common velocity,
-/// and by the estimate.
+/// from all evidence but its own recorder, and ΔV of both from both speeds: by momentum to one common
+/// velocity, and by the estimate.
 /// `progress` gets the number of finished rows and of all, and may end the run, which then judges the
 /// finished rows.
 ///
@@ -359,7 +359,7 @@ pub fn judge_recorders(
     Ok(found)
 }
 
-impl JudgedSpeed {
+impl JudgedRecord {
     fn half_width(&self) -> f64 {
         let [low, high] = self.intervals[2];
         0.5 * (high - low)
@@ -374,7 +374,7 @@ impl DeltaVFigures {
 }
 
 impl SpeedFigures {
-    fn of(speeds: &[JudgedSpeed], halves: [Vec<f64>; 4]) -> Self {
+    fn of(speeds: &[JudgedRecord], halves: [Vec<f64>; 4]) -> Self {
         let figures = moments(speeds.iter().map(|judged| judged.median - judged.recorded));
         let inside = |level: usize| {
             let is_inside = speeds.iter().map(|judged| {
@@ -388,7 +388,7 @@ impl SpeedFigures {
             bias: figures.map(|[bias, _]| bias),
             rms: figures.map(|[_, rms]| rms),
             coverage: figures.map(|_| [0, 1, 2].map(inside)),
-            half_width: median(speeds.iter().map(JudgedSpeed::half_width).collect()),
+            half_width: median(speeds.iter().map(JudgedRecord::half_width).collect()),
             half_width_without: WidthPart::ALL
                 .into_iter()
                 .zip(halves)
@@ -406,7 +406,7 @@ impl RecordedPair {
         fitted: &Fitted,
         options: &Options,
         exact: Option<WidthPart>,
-    ) -> Result<JudgedSpeed, FieldError> {
+    ) -> Result<JudgedRecord, FieldError> {
         let refused = |reason: String| FieldError::Estimate { case: self.pair.case.clone(), reason };
         let other = [id.other()];
         let collision = self.collision(fitted, &other, &other, exact);
@@ -415,7 +415,7 @@ impl RecordedPair {
         let draws = posterior.outputs().get(Output::Speed(id).column()).map_or(&[][..], Vec::as_slice);
         let last = &self.last[id.index()];
         let stored = Stored::of(draws, last).map_err(|error| refused(error.to_string()))?;
-        Ok(JudgedSpeed {
+        Ok(JudgedRecord {
             case: self.pair.case.clone(),
             vehicle: id,
             recorded: last.speed,

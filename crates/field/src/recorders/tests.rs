@@ -138,8 +138,8 @@ fn speeds_are_judged_by_the_evidence_beside_the_own_recorder() {
         judge_recorders(&rows, &evidence::FITTED, &options, &mut |_, _| ControlFlow::Continue(())).unwrap();
     assert_eq!((judged.speeds.len(), judged.delta_vs.len()), (2, 2));
     for speed in &judged.speeds {
-        // By hand: m_1 ΔV_1 = m_2 ΔV_2, so 36 km/h of the other vehicle's ΔV is a closing speed of 72 km/h or a
-        // little less with restitution, and the other vehicle drove 36 of it.
+        // By hand: m_1 ΔV_1 = m_2 ΔV_2, so 36 km/h of the other vehicle's ΔV is a closing speed of 72 km/h or
+        // a little less with restitution, and the other vehicle drove 36 of it.
         let [low, high] = speed.intervals[2].map(|v| 3.6 * v);
         assert!(low < 36.0 && high > 36.0 && high - low < 60.0, "{speed:?}");
         assert!((3.6 * speed.median - 36.0).abs() < 12.0, "{speed:?}");

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use field::{DeltaVFigures, DoubtedRecord, JudgedDeltaV, JudgedSpeed, LEVELS, Recorders, SpeedFigures};
+use field::{DeltaVFigures, DoubtedRecord, JudgedDeltaV, JudgedRecord, LEVELS, Recorders, SpeedFigures};
 use serde::Serialize;
 
 use super::pretty;
@@ -115,7 +115,7 @@ pub(crate) fn doubt(record: &DoubtedRecord) -> String {
 }
 
 impl<'a> JudgedBlock<'a> {
-    fn of(judged: &'a JudgedSpeed) -> Self {
+    fn of(judged: &'a JudgedRecord) -> Self {
         let [interval50, interval80, interval95] = judged.intervals.map(|ends| ends.map(|end| KMH * end));
         Self {
             case: &judged.case,
@@ -143,9 +143,9 @@ impl<'a> JudgedDeltaVBlock<'a> {
     }
 }
 
-/// The judgement as JSON, speeds in km/h: `other_speed`, of each vehicle by all evidence but its own recorder,
-/// `delta_v_from_speeds`, by momentum to one common velocity, and `delta_v_by_estimate` (`bias` and `rms` are
-/// of the logarithm), the rows that cannot be judged, the
+/// The judgement as JSON, speeds in km/h: `other_speed`, of each vehicle by all evidence but its own
+/// recorder, `delta_v_from_speeds`, by momentum to one common velocity, and `delta_v_by_estimate` (`bias` and
+/// `rms` are of the logarithm), the rows that cannot be judged, the
 /// records that are doubted, and every vehicle.
 ///
 /// # Errors
