@@ -289,7 +289,7 @@ impl ImpactSpeed {
         let steep = deceleration.filter(|slowed| allowed(*slowed) > GRAVITY);
         let coasts = [-errors.coasting, errors.coasting];
         let leg = |time: f64, stored: f64, brake: Option<bool>, abs: Option<bool>, slowed: f64| {
-            let gap = (-time).max(0.0);
+            let gap = if time < 0.0 { -time } else { 0.0 };
             let share = if hard > 0.0 { (slowed / hard).clamp(0.0, 1.0) } else { 0.0 };
             let slips = match (abs, brake) {
                 (Some(true), _) => 1.0,
@@ -356,7 +356,9 @@ fn parts(legs: &[(f64, Leg)], errors: &ImpactSpeedErrors) -> Vec<SpeedErrorPart>
             let sum = |of: fn(&SpeedErrorPart) -> f64| -> f64 {
                 each.iter().map(|(weight, _, parts)| weight * of(&parts[k])).sum()
             };
-            SpeedErrorPart { source: part.source, shift: sum(|p| p.shift), variance: sum(|p| p.variance) }
+            // Zero has no sign, on no machine.
+            let shift = sum(|p| p.shift) + 0.0;
+            SpeedErrorPart { source: part.source, shift, variance: sum(|p| p.variance) }
         })
         .collect();
     if each.len() > 1 {
@@ -389,7 +391,7 @@ fn draws(legs: &[(f64, Leg)], errors: &ImpactSpeedErrors) -> Draws {
             share -= weight;
         }
         // No vehicle drives backward into its record.
-        chosen.draw(&point, errors).max(0.0)
+        chosen.draw(&point, errors).max(0.0) + 0.0
     };
     Draws::new((0..POINTS).map(draw).collect())
 }

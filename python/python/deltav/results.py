@@ -1219,6 +1219,8 @@ class JudgedVehicle(Record):
 class _Coverage:
     other: bool
     """Whether each was estimated with the recorder of the other vehicle."""
+    objects: bool
+    """Whether each vehicle struck a fixed object, and no other vehicle."""
     pairs: int
     """(–) number of pairs that were read."""
     finished: int
