@@ -107,7 +107,7 @@ export const texts = {
       "deltav reconstructs the speeds of a two-vehicle collision from crush damage and planar impact mechanics.",
       "Everything is computed in this page. It needs no network, and its security policy forbids every connection: nothing that you enter leaves this computer.",
       "The engine is the one of the program of the same name, and gives the same numbers to the last bit.",
-      "The program can do some things that this page cannot: tables of many cases, the validation with its plots, several files at once, drawings as PDF, other steps of the force direction in the sensitivity, other results than speeds and ΔV in the probability of an estimate.",
+      "The program can do some things that this page cannot: what recorders say alone, whether a collision was avoidable, tables of many cases, the validation with its plots, several files at once, drawings as PDF, other steps of the force direction in the sensitivity, other results than speeds and ΔV in the probability of an estimate.",
     ],
     engine: "SHA-256 of the engine:",
     licences: "Licences of what this page contains",
