@@ -34,13 +34,13 @@ impl Stepped {
         let (mut s, mut t, mut v) = (0.0, 0.0, speed);
         loop {
             let next = corners.into_iter().find(|corner| *corner > t).unwrap_or(f64::INFINITY);
-            // Just behind a corner and before the next.
             let whole = (next - t).min(1e-3_f64.max((next - t) / 400.0)).min(0.01);
             let state = |h: f64| {
-                let (a0, a1) = (self.deceleration(t + h * 1e-9), self.deceleration(t + h * (1.0 - 1e-9)));
-                // Simpson over a linear deceleration is exact.
-                let v1 = v - (a0 + a1) / 2.0 * h;
-                let s1 = s + v * h - (a0 / 3.0 + a1 / 6.0) * h * h;
+                // A quarter from either end, as the ends of a short step are at a corner but for rounding.
+                let (a, b) = (self.deceleration(t + h * 0.25), self.deceleration(t + h * 0.75));
+                // Exact for a linear deceleration.
+                let v1 = v - (a + b) / 2.0 * h;
+                let s1 = s + v * h - (5.0 * a + b) / 12.0 * h * h;
                 (s1, v1)
             };
             let is_end = |h: f64| {
