@@ -675,28 +675,24 @@ pub(crate) static RECORDER: Schema = Schema {
     ],
 };
 
+/// The keys that a table of a recorder has before the impact and during it.
+const RECORDER_FILE: Key = key(
+    "file",
+    "file = \"edr.csv\"",
+    Form::Text,
+    "Name of a file with the table. A CSV or another text; it is looked for in the folder of the case file, or in a folder within that.",
+);
+const RECORDER_TEXT: &str = "Table as text, in three double quotes. Copied from a printed report, or the lines of a CSV. Columns are recognised by their headings and units, and `deltav recorder` shows what each was taken for.";
+const RECORDER_TIMES: &str =
+    "Times of the samples. All in one text, with their unit at the end; 0 is the impact.";
+
 pub(crate) static PRE_CRASH: Schema = Schema {
     place: "pre_crash = { … } of [vehicle1.recorder] or [vehicle2.recorder]",
     text: "Samples before the impact. Speeds over time and, where the recorder has them, brake, ABS and others. From the last of them follow the speed at impact and its error, in place of `speed`.",
     keys: &[
-        key(
-            "text",
-            "text = \"Time (s) -0.5 0\\nVehicle speed (km/h) 58 47\"",
-            Form::Text,
-            "Table as text. It stands in three double quotes, as it copies out of a printed report, or is the lines of a CSV. Columns are recognised by their headings and units, and `deltav recorder` shows what each was taken for.",
-        ),
-        key(
-            "file",
-            "file = \"edr.csv\"",
-            Form::Text,
-            "Name of a file with the table. A CSV or another text; it is looked for in the folder of the case file, or in a folder within that.",
-        ),
-        key(
-            "time",
-            "time = \"-1 -0.5 0 s\"",
-            Form::Text,
-            "Times of the samples. In one text with their unit behind them; 0 is the impact.",
-        ),
+        key("text", "text = \"Time (s) -0.5 0\\nVehicle speed (km/h) 58 47\"", Form::Text, RECORDER_TEXT),
+        RECORDER_FILE,
+        key("time", "time = \"-1 -0.5 0 s\"", Form::Text, RECORDER_TIMES),
         key(
             "speed",
             "speed = \"60 58 47 km/h\"",
@@ -755,20 +751,10 @@ pub(crate) static PULSE: Schema = Schema {
             "text",
             "text = \"Time (ms) 0 10 20\\nLongitudinal delta-V (km/h) 0 -4 -9\"",
             Form::Text,
-            "Table as text. It stands in three double quotes, as it copies out of a printed report, or is the lines of a CSV. Columns are recognised by their headings and units, and `deltav recorder` shows what each was taken for.",
+            RECORDER_TEXT,
         ),
-        key(
-            "file",
-            "file = \"edr.csv\"",
-            Form::Text,
-            "Name of a file with the table. A CSV or another text; it is looked for in the folder of the case file, or in a folder within that.",
-        ),
-        key(
-            "time",
-            "time = \"0 10 20 ms\"",
-            Form::Text,
-            "Times of the samples. In one text with their unit behind them; 0 is the impact.",
-        ),
+        RECORDER_FILE,
+        key("time", "time = \"0 10 20 ms\"", Form::Text, RECORDER_TIMES),
         key(
             "delta_v_longitudinal",
             "delta_v_longitudinal = \"0 -4 -9 km/h\"",

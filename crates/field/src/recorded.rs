@@ -32,32 +32,28 @@ pub struct RecordedPair {
 pub struct LastSpeed {
     /// (m/s) the speed.
     pub speed: f64,
-    /// (s) the time from it to the impact, by the recorder.
-    pub gap: f64,
-    /// Whether the brake was on; `None` where this was not stored.
-    pub braked: Option<bool>,
-    /// (s, m/s) a speed about a second before the impact, with the time from it to the impact.
-    pub before: Option<(f64, f64)>,
+    /// (m/s) mean and standard deviation of the speed at impact less this one, with the usual errors of a
+    /// recorder.
+    pub to_impact: [f64; 2],
 }
 
 impl LastSpeed {
-    /// (m/s) mean and standard deviation of the speed at impact less the stored one, with the usual errors of
-    /// a recorder.
+    /// From the last stored `speed` (m/s), the time `gap` (s) from it to the impact, whether the vehicle
+    /// `braked`, and a speed (m/s) `before`, with the time (s) from it to the impact; `None` if these make no
+    /// record.
     #[must_use]
-    pub fn to_impact(&self) -> [f64; 2] {
+    pub fn of(speed: f64, gap: f64, braked: Option<bool>, before: Option<(f64, f64)>) -> Option<Self> {
         let sample = |time: f64, speed: f64, brake| PreCrashSample {
             time,
             speed: Some(speed),
             brake,
             ..PreCrashSample::default()
         };
-        let before = self.before.map(|(time, speed)| sample(-time, speed, None));
-        let samples = before.into_iter().chain([sample(-self.gap, self.speed, self.braked)]);
-        let record = PreCrash::new(samples.collect());
-        let found =
-            record.ok().and_then(|record| ImpactSpeed::of(&record, &ImpactSpeedErrors::default()).ok());
-        // The reader takes only samples that make a record.
-        found.map_or([0.0; 2], |found| [found.mean - found.stored, found.sd])
+        let before = before.map(|(time, speed)| sample(-time, speed, None));
+        let samples = before.into_iter().chain([sample(-gap, speed, braked)]);
+        let record = PreCrash::new(samples.collect()).ok()?;
+        let found = ImpactSpeed::of(&record, &ImpactSpeedErrors::default()).ok()?;
+        Some(Self { speed, to_impact: [found.mean - found.stored, found.sd] })
     }
 }
 
@@ -141,10 +137,14 @@ impl Cells {
         let brake = self.at_most(MOST_SPEED, "BRAKE_T0", vehicle)?;
         let before = self.at_most(MOST_SPEED, "V_1S_KMH", vehicle)?.filter(|speed| *speed >= 0.0);
         let before = before.filter(|_| gap < 1.0).map(|speed| (1.0, speed / 3.6));
+        let braked = brake.map(|brake| brake > 0.0);
+        let Some(last) = LastSpeed::of(speed / 3.6, gap, braked, before) else {
+            return Ok(Err(format!("the last samples of the recorder of vehicle {number} make no record")));
+        };
         Ok(Ok(Found {
             is_measured: has_width && depths.iter().any(|depth| *depth > 0.0),
             vehicle: vehicle_found,
-            last: LastSpeed { speed: speed / 3.6, gap, braked: brake.map(|brake| brake > 0.0), before },
+            last,
         }))
     }
 }

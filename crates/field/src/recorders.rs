@@ -146,13 +146,13 @@ const ANOTHER_IMPACT: f64 = 1.0;
 
 impl LastSpeed {
     fn as_evidence(&self, exact: bool) -> MeasuredSpeed {
-        let [mean, sd] = self.to_impact();
+        let [mean, sd] = self.to_impact;
         MeasuredSpeed { value: self.speed + mean, ln_sd: 0.0, least: if exact { 0.1 * sd } else { sd } }
     }
 
     /// (m/s) the speed at impact that it shows.
     fn at_impact(&self) -> f64 {
-        (self.speed + self.to_impact()[0]).max(0.0)
+        (self.speed + self.to_impact[0]).max(0.0)
     }
 }
 
@@ -251,7 +251,7 @@ impl Stored {
     fn of(draws: &[f64], last: &LastSpeed) -> Result<Self, InvalidDistribution> {
         /// Steps of the recorder's error, of equal probability.
         const STEPS: u8 = 20;
-        let [mean, sd] = last.to_impact();
+        let [mean, sd] = last.to_impact;
         let error = Distribution::normal(mean, sd)?;
         let errors = (0..STEPS).map(|step| error.quantile((f64::from(step) + 0.5) / f64::from(STEPS)));
         let errors: Vec<f64> = errors.collect();

@@ -178,13 +178,13 @@ pub struct RecorderMount {
 pub struct GivenSpeedErrors {
     /// (m/s) step in which speeds are stored.
     pub step: Option<Quantity>,
-    /// (%) by what share a speed is too low while the wheels roll.
+    /// (%) fraction by which a speed reads low while the wheels roll.
     pub steady_low: Option<f64>,
     /// (%) standard deviation of that share.
     pub steady_sd: Option<f64>,
     /// (%) standard deviation of the share by which worn or other tyres change a speed.
     pub tyre_sd: Option<f64>,
-    /// (m/s) by how much a speed is too low in hard braking.
+    /// (m/s) how much a speed reads low in hard braking.
     pub slip_low: Option<Quantity>,
     /// (m/s) standard deviation of that.
     pub slip_sd: Option<Quantity>,

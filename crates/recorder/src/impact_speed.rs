@@ -1,8 +1,10 @@
 //! The speed at the impact as a distribution, from the last samples before it.
 
+use uncertainty::normal::quantiles;
+
 use crate::channel::GRAVITY;
 use crate::pre_crash::PreCrash;
-use crate::spread::{Draws, normal_quantile, radical_point};
+use crate::spread::{Draws, radical_point};
 
 /// (km/h) in m/s.
 const KMH: f64 = 1.0 / 3.6;
@@ -12,16 +14,16 @@ const KMH: f64 = 1.0 / 3.6;
 pub struct ImpactSpeedErrors {
     /// (m/s) step in which speeds are stored, to the nearest: 1 km/h in 49 CFR 563 and UN R160.
     pub step: f64,
-    /// (1) by what share of itself the speed is too low while the wheels roll: 1.4 % in the mean (18 runs of
+    /// (1) fraction by which the speed reads low while the wheels roll: 1.4 % on average (18 runs of
     /// a 2010 Ford Flex against GPS, steady at 113 km/h).
     pub steady_low: f64,
     /// (1) standard deviation of that share: 0.43 %, from "within 2.5 % at 99 %" of the same runs.
     pub steady_sd: f64,
-    /// (1) standard deviation of the share by which worn or other tyres change the speed: 0.7 %. 7 mm of
-    /// tread are 2.2 % of a radius of 320 mm; worn by any part of that, the standard deviation is 0.6 %.
+    /// (1) standard deviation of the fraction by which worn or different tyres change the speed: 0.7 %. 7 mm
+    /// of tread are 2.2 % of a radius of 320 mm; worn by any part of that, the standard deviation is 0.6 %.
     pub tyre_sd: f64,
-    /// (m/s) by how much the speed is too low in hard braking, with ABS at work: 3 km/h in the mean of the
-    /// same runs.
+    /// (m/s) how much the speed reads low in hard braking with ABS at work: 3 km/h on average over the same
+    /// runs.
     pub slip_low: f64,
     /// (m/s) standard deviation of that: 2.1 km/h. The worst of 18 runs was 6.8 km/h, 3.8 above the mean, and
     /// the greatest of 18 normal numbers lies 1.82 standard deviations above it.
@@ -254,8 +256,10 @@ impl Leg {
         let between = |[least, greatest]: [f64; 2], share: f64| least + (greatest - least) * share;
         let [slip, slip_sd] = self.slip(errors);
         let rounding = between([-0.5 * errors.step, 0.5 * errors.step], point[0]);
-        let slip = slip + slip_sd * normal_quantile(point[1]);
-        let tyres = self.stored * errors.tyre_sd * normal_quantile(point[2]);
+        let mut normal = [point[1], point[2]];
+        quantiles(&mut normal);
+        let slip = slip + slip_sd * normal[0];
+        let tyres = self.stored * errors.tyre_sd * normal[1];
         let age = errors.latency * point[3];
         let acceleration = if point[4] < self.braked {
             between(self.brakes, point[4] / self.braked)

@@ -64,7 +64,7 @@ pub enum PulseRule {
         /// (s) in which time.
         window: f64,
     },
-    /// The impact goes on while the acceleration, in the mean of 20 ms, is above this one (m/s²).
+    /// The impact lasts as long as the acceleration, averaged over 20 ms, is above this one (m/s²).
     Acceleration(f64),
     /// It begins as by [`PulseRule::CHANGE`], and ends when the resultant ΔV is greatest: before the rebound
     /// of the vehicles from each other is lost in what follows.

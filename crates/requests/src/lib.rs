@@ -348,7 +348,7 @@ impl Answer {
                 Some("the run has not converged: the report says why, and has no intervals")
             }
             Self::Avoidance(found) if found.is_unconverged => Some(
-                "the evidence of the speed was weighed, but the run has not converged: there is no probability",
+                "the evidence for the speed was weighed, but the run did not converge, so there is no probability",
             ),
             Self::Judgement(_) | Self::Comparison(_) | Self::Recorders(_) | Self::Sensitivity(_) => None,
             Self::Uncertainty(_) | Self::Estimate(_) | Self::Avoidance(_) => None,

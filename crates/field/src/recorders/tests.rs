@@ -68,7 +68,7 @@ fn row(changes: &[(&str, &str)]) -> Result<RecordedPair, String> {
 #[test]
 fn the_speed_at_impact_follows_from_the_last_samples() {
     let last = |gap, braked| {
-        let [mean, sd] = LastSpeed { speed: 20.0, gap, braked, before: Some((1.0, 20.0)) }.to_impact();
+        let [mean, sd] = LastSpeed::of(20.0, gap, braked, Some((1.0, 20.0))).unwrap().to_impact;
         assert!(sd > 0.1 && sd < 3.0, "{sd}");
         mean
     };
@@ -85,7 +85,7 @@ fn the_speed_at_impact_follows_from_the_last_samples() {
 fn a_common_velocity_shares_the_closing_speed_by_the_masses() {
     // Each is 1.4 % low. Head-on, equal masses: each stops.
     let pair = row(&[]).unwrap();
-    let speed = 36.0 + 3.6 * pair.last[0].to_impact()[0];
+    let speed = 36.0 + 3.6 * pair.last[0].to_impact[0];
     assert!((speed - 36.504).abs() < 0.05, "{speed}");
     let [one, two] = pair.to_common_velocity().unwrap();
     for [along, across] in [one, two] {

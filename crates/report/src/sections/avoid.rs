@@ -49,7 +49,7 @@ pub fn avoid(case: &Case, found: &Avoidance, units: Units) -> Document {
     }
     if found.is_unconverged {
         page.paragraph(
-            "The evidence of the speed was weighed, but the run has not converged: there is no probability. `deltav \
+            "The evidence for the speed was weighed, but the run did not converge, so there is no probability. `deltav \
              estimate` says why.",
         );
     }
