@@ -323,8 +323,12 @@ pub(crate) fn unused(reason: UnusedReason, key: &str) -> [String; 2] {
             "a speed above zero, or leave it out",
         ],
         UnusedReason::OneWreck => [
-            "in each draw the vehicles separate after the impact, as its law requires",
-            "nothing: `deltav reconstruct` uses it",
+            "vehicles locked together do not rebound (e = 0) and do not slip on each other at the end (μ = μ_c)",
+            "nothing: `locked_together` decides it",
+        ],
+        UnusedReason::OtherLaw => [
+            "its law, not Brach's, decides whether the vehicles separate",
+            "law = \"brach\" in [impact], or no law",
         ],
         UnusedReason::RecordEnds => [
             "the record ends before the impact does, or has no impact: its ΔV is a lower bound",

@@ -25,8 +25,10 @@ pub enum UnusedReason {
     NotFollowed,
     /// The direction of a vehicle that stood after the impact.
     NoDirection,
-    /// That the vehicles left as one wreck.
+    /// A coefficient of the impact of vehicles that left as one wreck.
     OneWreck,
+    /// That the vehicles left as one wreck, where the law is another one than Brach's.
+    OtherLaw,
     /// A pulse that ends before the impact does, so that its ΔV is a lower bound; or without an impact.
     RecordEnds,
     /// The table of a vehicle that stood or crawled.

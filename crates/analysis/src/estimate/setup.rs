@@ -7,8 +7,8 @@ use ::uncertainty::Distribution;
 use evidence::{Damage, EnergyMethod, FITTED, Observed, OtherCrush, Speeds};
 use inputs::{
     BrachTangential, Case, Collision, Dimension, Fault, FaultKind, Faults, Find, GivenVehicle, ImpactLaw,
-    Input, MotionInput, Origin, Prior, Purpose, Quantity, Reconstruct, SharedEffects, SkidBegin, Unit,
-    Velocity, YawForm,
+    Input, MotionInput, Origin, Prior, Purpose, Quantity, Reconstruct, Restitution, SharedEffects, SkidBegin,
+    Unit, Velocity, YawForm,
 };
 use pim_core::VehicleId;
 use real::Real;
@@ -364,7 +364,7 @@ fn with_all_speeds(case: &Case) -> (Case, [bool; 2], Vec<Unused>) {
     let mut case = case.clone();
     let mut unused = Vec::new();
     if case.locked_together {
-        unused.push(Unused { key: "scene.locked_together".to_owned(), reason: UnusedReason::OneWreck });
+        unused.extend(as_one_wreck(&mut case));
     }
     let find = case.reconstruct.map(|reconstruct| reconstruct.find);
     let mut sought = [false; 2];
@@ -400,6 +400,31 @@ fn with_all_speeds(case: &Case) -> (Case, [bool; 2], Vec<Unused>) {
         case.reconstruct = Some(Reconstruct { find, energy_basis: energy_basis.unwrap_or_default() });
     }
     (case, sought, unused)
+}
+
+/// Vehicles that leave as one do not rebound, and their surfaces do not slip on each other at the end: e = 0
+/// and μ = μ_c, whatever the case gives. The result is what is not used for it; it is the key itself for an
+/// impact by another law than Brach's.
+fn as_one_wreck(case: &mut Case) -> Vec<Unused> {
+    let unused = |key: &str, reason| Unused { key: key.to_owned(), reason };
+    let Some(ImpactLaw::Brach { restitution, tangential, moment_restitution: None }) =
+        case.impact.as_mut().map(|impact| &mut impact.law)
+    else {
+        return vec![unused("scene.locked_together", UnusedReason::OtherLaw)];
+    };
+    let mut given = Vec::new();
+    if *restitution != Restitution::Constant(0.0) {
+        given.push(unused("impact.restitution", UnusedReason::OneWreck));
+        *restitution = Restitution::Constant(0.0);
+    }
+    if *tangential != BrachTangential::Critical {
+        given.push(unused("impact.tangential", UnusedReason::OneWreck));
+        *tangential = BrachTangential::Critical;
+    }
+    case.ranges.retain(|range| {
+        !range.path.starts_with("impact.restitution") && !range.path.starts_with("impact.tangential")
+    });
+    given
 }
 
 /// Replaces a velocity by its only information, the direction of travel, as a sideslip.
@@ -582,7 +607,7 @@ struct Open {
 }
 
 impl Open {
-    /// `"critical"` gives no largest impulse ratio. Laws other than Brach's are taken as exact.
+    /// `"critical"` gives no largest impulse ratio, and one wreck has none. Laws other than Brach's are taken as exact.
     fn of(case: &Case, ranges: &[UncertainInput]) -> Self {
         let has_range = ranges.iter().any(|range| range.input.path.starts_with("impact.tangential"));
         let law = case.impact.as_ref().map(|impact| &impact.law);
@@ -591,7 +616,8 @@ impl Open {
             Some(ImpactLaw::Brach { tangential: BrachTangential::Critical, moment_restitution: None, .. })
         );
         let is_said = case.reconstruct.is_some() && !case.left_out.energy_basis;
-        Self { friction: is_critical && !has_range, tangential_share: !is_said }
+        let is_open = is_critical && !has_range && !case.locked_together;
+        Self { friction: is_open, tangential_share: !is_said }
     }
 }
 

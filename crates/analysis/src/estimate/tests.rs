@@ -1098,3 +1098,25 @@ fn a_front_against_a_barrier_has_figures_of_its_own() {
     let side = of_case(&text("left", "fixed = true\n", ""));
     assert_eq!(side.observed.crush.unwrap().0[0].bias, evidence::FITTED.crush_bias);
 }
+
+/// The median of vehicle 1's speed behind the wreck of two cars of 1500 and 1000 kg that left at 12 m/s.
+fn behind_the_wreck(scene: &str) -> (f64, Vec<Unused>) {
+    let after = "after = { speed = { value = \"12 m/s\", sd = \"0.001 m/s\" }, direction = \"0 deg\" }";
+    let text = CENTRAL.replace("speed = \"0 km/h\"", &format!("speed = \"0 km/h\"\n{after}"));
+    let estimated = run(&read(&format!("{scene}{text}")), 256).unwrap();
+    let median = of(&estimated, speed(VehicleId::One)).posterior.median.value;
+    (median, estimated.unused)
+}
+
+#[test]
+fn locked_together_is_common_velocity() {
+    // (m_1 + m_2) V = m_1 v_1, whatever the restitution of the case; without the key V = (1 + e) m_1 v_1/(m_1 + m_2)
+    let (one_wreck, unused) = behind_the_wreck("[scene]\nlocked_together = true\n");
+    assert!((one_wreck - 20.0).abs() < 0.02, "{one_wreck}");
+    let keys: Vec<&str> = unused.iter().map(|unused| unused.key.as_str()).collect();
+    assert_eq!(keys, ["impact.restitution", "impact.tangential"]);
+    assert!(unused.iter().all(|unused| unused.reason == UnusedReason::OneWreck));
+    let (apart, unused) = behind_the_wreck("");
+    assert!((apart - 20.0 / 1.1).abs() < 0.02, "{apart}");
+    assert!(unused.is_empty());
+}

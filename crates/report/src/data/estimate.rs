@@ -300,6 +300,7 @@ fn reason_name(reason: UnusedReason) -> &'static str {
         UnusedReason::NoEnergy => "no_energy",
         UnusedReason::NoDirection => "no_direction",
         UnusedReason::OneWreck => "one_wreck",
+        UnusedReason::OtherLaw => "other_law",
         UnusedReason::RecordEnds => "record_ends",
         UnusedReason::StoodByRecord => "stood_by_record",
         UnusedReason::OtherPdof => "other_pdof",
