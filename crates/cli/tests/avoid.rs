@@ -282,3 +282,14 @@ fn evidence_makes_a_probability() {
     assert!(number(found, "/probability/mc_error") > 0.0);
     assert!(found["at_limit"]["delta_v"].is_array());
 }
+
+#[test]
+fn no_vehicle_brakes_with_seven_g() {
+    refused(
+        "seven-g.toml",
+        "deceleration",
+        "deceleration = \"75 m/s^2\"",
+        "",
+        &["no vehicle brakes with 7.6 g", "at most 2 g, 19.6 m/s^2", "decimal point"],
+    );
+}

@@ -340,3 +340,12 @@ fn columns_that_stand_apart() {
     let (channel, refusal) = refused(&[(Channel::Time, "-1 0 -2 s"), (Channel::Speed, "6 5 4 km/h")]);
     assert_eq!((channel, refusal.place().unwrap().column), (Channel::Time, 4));
 }
+
+#[test]
+fn velocity_is_speed_and_its_change_is_not() {
+    let speeds = one("Time (s)  Velocity (km/h)\n-2 60\n-1 55\n0 50\n");
+    assert_eq!(values(&speeds, Channel::Speed, KMH), [60.0, 55.0, 50.0]);
+    let change = one("Time (ms)  Velocity Change (km/h)\n0 0\n10 -5\n20 -9\n");
+    assert!(change.column(Channel::Speed).is_none());
+    assert_eq!(values(&change, Channel::DeltaVLongitudinal, KMH), [0.0, -5.0, -9.0]);
+}

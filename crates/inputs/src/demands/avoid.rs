@@ -1,11 +1,14 @@
 //! What the question whether the collision was avoidable needs.
 
+use trajectory::GREATEST_FRICTION;
+
 use super::{Demand, table};
 use crate::after::SkidBegin;
 use crate::avoid::{Avoid, AvoidForm, BrakingForm, Clear, DemandForm, GivenDemand, Sourced, SpeedForm};
 use crate::case::Case;
 use crate::fault::{Fault, FaultKind, Faults};
 use crate::purpose::Purpose;
+use crate::units::STANDARD_GRAVITY;
 
 /// What to write for a reaction time; none is assumed, as none is right for every driver and danger.
 const REACTION: &str = "`reaction_time`, as in reaction_time = { low = \"0.7 s\", high = \"1.4 s\", source = \"Dettinger 2008, with all of the swell\" } \
@@ -43,6 +46,7 @@ impl Case {
                 demand.missing(key, example);
             }
         }
+        demand.of_deceleration(avoid);
         demand.of_skid(avoid);
         demand.finish(form)
     }
@@ -87,6 +91,21 @@ impl<T: Copy> Case<T> {
 }
 
 impl Demand<'_, f64> {
+    /// Refuses a deceleration that no vehicle reaches.
+    fn of_deceleration(&mut self, avoid: &Avoid) {
+        let Some(given) = avoid.deceleration.as_ref() else { return };
+        let share = given.quantity.si() / STANDARD_GRAVITY;
+        if share > GREATEST_FRICTION {
+            let reason = format!(
+                "no vehicle brakes with {share:.1} g: [avoid] takes a deceleration of at most {GREATEST_FRICTION} g, \
+                 {:.1} m/s^2",
+                GREATEST_FRICTION * STANDARD_GRAVITY
+            );
+            let advice = "check the unit and the decimal point: cars on dry asphalt reach 7 to 10 m/s^2";
+            self.refuse_avoid("avoid.deceleration", reason, advice.to_owned());
+        }
+    }
+
     fn of_speed(&mut self, avoid: &Avoid) {
         let vehicle = self.case.avoid_subject();
         let given = &self.case.vehicles[vehicle.index()];
