@@ -8,9 +8,24 @@ windows=$(realpath "${2:-${CARGO_TARGET_DIR:-target}/x86_64-pc-windows-gnu/relea
 wine=$(command -v wine64 || command -v wine || { ls /usr/lib/wine/wine64 2>/dev/null; } || true)
 [[ -n $wine ]] || { echo "Wine is not installed: Debian has it as wine64" >&2; exit 2; }
 work=$(mktemp -d)
-export WINEPREFIX=$work/wine WINEDEBUG=-all WINEDLLOVERRIDES="mscoree,mshtml=" DELTAV_PROGRESS=off
+export WINEPREFIX=$work/wine WINEDEBUG=-all WINEDLLOVERRIDES="mscoree,mshtml=;bcryptprimitives=n,b" DELTAV_PROGRESS=off
 trap 'WINEPREFIX=$work/wine wineserver -k 2>/dev/null || true; rm -rf "$work"' EXIT
 timeout 300 "$wine" wineboot --init >/dev/null 2>&1 || true
+
+# Rust's library takes random numbers for its hash maps from a library that Windows has and Wine has from version 8.9 on.
+if ! "$wine" "$windows" --version >/dev/null 2>&1; then
+    echo "This Wine has no bcryptprimitives.dll: one is made for it"
+    cat >"$work/prng.c" <<'END'
+#include <windows.h>
+BOOLEAN NTAPI SystemFunction036(PVOID, ULONG);
+__declspec(dllexport) BOOL WINAPI ProcessPrng(PBYTE to, SIZE_T length) { return SystemFunction036(to, (ULONG)length); }
+END
+    mkdir "$work/program"
+    cp "$windows" "$work/program/deltav.exe"
+    windows=$work/program/deltav.exe
+    x86_64-w64-mingw32-gcc -shared -o "$work/program/bcryptprimitives.dll" "$work/prng.c" -ladvapi32
+    "$wine" "$windows" --version >/dev/null
+fi
 
 compared=0 bytes=0 differ=0
 # Runs both with the same arguments, and compares what they print, what they complain of and how they end. Line ends may differ.

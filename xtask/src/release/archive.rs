@@ -92,15 +92,16 @@ pub(super) fn tar(place: &Place, folder: &Path, name: &str) -> Result<()> {
         let time = time.ok().and_then(|text| String::from_utf8(text).ok()).unwrap_or_default();
         let time = if time.trim().is_empty() { "0" } else { time.trim() };
         pack.args(["--sort=name", "--owner=0", "--group=0", "--numeric-owner", "--format=gnu"])
+            // gzip would write the time.
+            .arg("--use-compress-program=gzip -n")
             .arg(format!("--mtime=@{time}"))
             .arg(format!("--transform=s,^\\.,{name},"));
-        pack.arg("-C").arg(folder).arg("-czf").arg(&archive).arg(".");
+        pack.arg("-C").arg(folder).arg("-cf").arg(&archive).arg(".");
     } else {
         let (above, last) = parted(folder)?;
         pack.arg("-C").arg(above).arg("-czf").arg(&archive).arg(last);
     }
-    // gzip would write the time.
-    run(pack.env("GZIP", "-n"))?;
+    run(&mut pack)?;
     say(&format!("{}", archive.display()))
 }
 
