@@ -1,5 +1,5 @@
-//! What leads to a release: the book has every page, and the workflows only run what anyone can run, with actions
-//! that nobody can exchange.
+//! What leads to a release: the book has every page, and the workflows only run what anyone can run, with
+//! actions that nobody can exchange.
 
 use std::fs;
 use std::path::{Path, PathBuf};

@@ -1,5 +1,5 @@
-//! Builds what cargo alone does not: `cargo run -p xtask -- web` builds the engine for a browser, `… same-bits`
-//! compares it with the program, `… book` builds the book, and `… release` what a release hands out.
+//! Builds what cargo alone does not: `cargo run -p xtask -- web` builds the engine for a browser, `…
+//! same-bits` compares it with the program, `… book` builds the book, and `… release` what a release hands out.
 
 mod book;
 mod release;

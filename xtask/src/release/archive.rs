@@ -65,9 +65,9 @@ pub(super) fn program(place: &Place) -> Result<Vec<String>> {
         ));
     }
     if is_windows {
-        zip(place, &folder, &name)?
+        zip(place, &folder, &name)?;
     } else {
-        tar(place, &folder, &name)?
+        tar(place, &folder, &name)?;
     }
     Ok(left_out)
 }

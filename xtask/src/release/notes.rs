@@ -8,7 +8,7 @@ pub(super) fn of(changes: &str, version: &str) -> String {
         is_heading(line) && name.strip_prefix(version).is_some_and(|rest| !rest.starts_with(['.', '-']))
     };
     let lines: Vec<&str> = changes.lines().collect();
-    let begin = lines.iter().position(|line| is_ours(line));
+    let begin = lines.iter().position(is_ours);
     let rest = begin.map_or_else(
         || lines.iter().skip_while(|line| line.starts_with("# ")).copied().collect::<Vec<_>>(),
         |begin| lines[begin + 1..].to_vec(),
@@ -23,7 +23,8 @@ mod tests {
 
     #[test]
     fn the_notes_are_the_section_of_the_version() {
-        let changes = "# Changelog\n\nFrom the start.\n\n## [0.2.0.1] x\n\n- no\n\n## [0.2.0] - 2026\n\n- new\n\n## 0.1.0\n- old";
+        let changes = "# Changelog\n\nFrom the start.\n\n## [0.2.0.1] x\n\n- no\n\n## [0.2.0] - 2026\n\n\
+            - new\n\n## 0.1.0\n- old";
         assert_eq!(of(changes, "0.2.0"), "- new");
         assert_eq!(of(changes, "0.1.0"), "- old");
         assert_eq!(of(changes, "9.0.0"), "From the start.");
