@@ -23,3 +23,5 @@ mod maps;
 mod names;
 #[cfg(test)]
 mod packages;
+#[cfg(test)]
+mod releases;

@@ -1,8 +1,11 @@
-//! Builds what cargo alone does not: `cargo run -p xtask -- web` builds the engine for a browser, and `…
-//! same-bits` compares it with the program.
+//! Builds what cargo alone does not: `cargo run -p xtask -- web` builds the engine for a browser, `…
+//! same-bits` compares it with the program, `… book` builds the book, and `… release` what a release hands out.
 
-use std::env;
-use std::ffi::OsString;
+mod book;
+mod release;
+mod tools;
+mod windows;
+
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -10,6 +13,8 @@ use std::process::Command;
 use anyhow::{Context as _, Result, ensure};
 use clap::Parser;
 use wasm_bindgen_cli_support::Bindgen;
+
+use crate::tools::{cargo, target_folder};
 
 /// What there is to do.
 #[derive(Debug, Parser)]
@@ -31,6 +36,16 @@ enum Task {
         #[arg(long, value_name = "FOLDER")]
         engine: Option<PathBuf>,
     },
+    /// Build the book from the pages in docs, and check its links; needs mdbook
+    Book {
+        /// The folder to write into [default: target/book/html]
+        #[arg(long, value_name = "FOLDER")]
+        out: Option<PathBuf>,
+    },
+    /// Build the program for Windows, and compare it under Wine with that for Linux
+    Windows,
+    /// Build what a release hands out, or publish the crates
+    Release(release::Options),
 }
 
 const TARGET: &str = "wasm32-unknown-unknown";
@@ -42,6 +57,9 @@ fn main() -> Result<()> {
     match Task::parse() {
         Task::Web { out } => web(&root, &folder(out)),
         Task::SameBits { program, engine } => same_bits(&root, &folder(engine), &program),
+        Task::Book { out } => book::build(&root, out.as_deref()),
+        Task::Windows => windows::compare(&root),
+        Task::Release(options) => release::run_release(&root, &options),
     }
 }
 
@@ -95,13 +113,4 @@ fn cases_in(folder: &Path, cases: &mut Vec<PathBuf>) -> Result<()> {
         }
     }
     Ok(())
-}
-
-fn cargo() -> OsString {
-    env::var_os("CARGO").unwrap_or_else(|| "cargo".into())
-}
-
-/// Where cargo builds.
-fn target_folder(root: &Path) -> PathBuf {
-    env::var_os("CARGO_TARGET_DIR").map_or_else(|| root.join("target"), PathBuf::from)
 }
