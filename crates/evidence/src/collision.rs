@@ -400,6 +400,8 @@ pub struct After {
     pub direction: Option<Measured>,
     /// (rad/s) yaw rate.
     pub yaw_rate: Option<Measured>,
+    /// Whether speed and direction are those of the common CG of both vehicles, which left as one.
+    pub of_common_cg: bool,
 }
 
 /// Data stored by a recorder.

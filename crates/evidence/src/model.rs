@@ -1,7 +1,7 @@
 //! The posterior of a collision: the prior, and a likelihood term for each piece of evidence.
 
 use estimate::{Evidence, Hurdle, Independent, Part, Prior};
-use pim_core::{Vector2, VehicleId};
+use pim_core::{Outcome, Vector2, VehicleId};
 use real::elementary::{atan2, exp, ln, sin_cos};
 use real::{Real, principal_angle};
 use uncertainty::{Distribution, LANES, Lanes};
@@ -324,6 +324,9 @@ impl<I: Impacts> Model<I> {
     fn error(&self, piece: Piece, impacted: &Impacted) -> Error {
         let vehicle = |id: VehicleId| &self.observed.vehicles[id.index()];
         let after = |id: VehicleId| impacted.outcome.after[id.index()];
+        let leaves = |id: VehicleId| {
+            if vehicle(id).after.of_common_cg { of_common_cg(&impacted.outcome) } else { after(id).velocity }
+        };
         match piece {
             Piece::Severity => {
                 let Some(severity) = self.observed.severity else { return Error::NONE };
@@ -358,12 +361,12 @@ impl<I: Impacts> Model<I> {
                 recorded.map_or(Error::NONE, |shown| shown.error(impacted.outcome.pdof()[id.index()]))
             }
             Piece::SpeedAfter(id) => match vehicle(id).after.speed {
-                Some(measured) => measured.error(length(after(id).velocity)),
+                Some(measured) => measured.error(length(leaves(id))),
                 None => Error::NONE,
             },
             Piece::DirectionAfter(id) => match vehicle(id).after.direction {
                 Some(Measured { value, sd }) => {
-                    let velocity = after(id).velocity;
+                    let velocity = leaves(id);
                     Error::normal(principal_angle(value - atan2(velocity.y, velocity.x)), sd)
                 }
                 None => Error::NONE,
@@ -647,6 +650,13 @@ impl Error {
             }
         }
     }
+}
+
+/// (m/s) velocity of the common CG of both vehicles after the impact. The masses are inversely proportional to
+/// the sizes of ΔV: V = (|ΔV₂| V₁ + |ΔV₁| V₂)/(|ΔV₁| + |ΔV₂|).
+fn of_common_cg(outcome: &Outcome) -> Vector2<f64> {
+    let ([one, two], [dv1, dv2]) = (outcome.after, outcome.delta_v_magnitude());
+    (one.velocity * dv2 + two.velocity * dv1) * (1.0 / (dv1 + dv2))
 }
 
 fn length(vector: Vector2<f64>) -> f64 {

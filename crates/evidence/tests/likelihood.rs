@@ -198,6 +198,7 @@ fn velocities_after_the_impact_have_normal_errors() {
         speed: Some(MeasuredSpeed { value: 11.0, ln_sd: 0.12, least: 0.0 }),
         direction: Some(Measured { value: 2.0 * PI - 0.1, sd: 0.14 }),
         yaw_rate: Some(Measured { value: 0.3, sd: 0.2 }),
+        of_common_cg: false,
     };
     let terms = terms(&collision);
     let pieces: Vec<Piece> = terms.iter().map(|(piece, _)| *piece).collect();

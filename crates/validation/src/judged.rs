@@ -332,6 +332,7 @@ impl Subject {
                 speed: Some(MeasuredSpeed { value: speed, ln_sd: speed_ln_sd, least: 0.0 }),
                 direction: Some(Measured { value: direction, sd: direction_sd }),
                 yaw_rate: yaw_rate_sd.map(|sd| Measured { value: self.after[i].yaw_rate, sd }),
+                of_common_cg: false,
             };
             ObservedVehicle { after, ..ObservedVehicle::default() }
         };

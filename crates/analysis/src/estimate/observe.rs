@@ -56,12 +56,12 @@ impl<'a> Subject<'a> {
         format!("{}.{of}", table(self.id))
     }
 
-    /// (SI) the standard deviation of the range of a number, if it has one.
     /// (–) friction of the ground, if the case gives it.
     fn ground(self) -> Option<f64> {
         self.case.surface.as_ref().map(|surface| surface.friction)
     }
 
+    /// (SI) the standard deviation of the range of a number, if it has one.
     fn sd(self, of: &str) -> Option<f64> {
         let key = self.key(of);
         let range = self.ranges.iter().find(|range| range.input.path == key)?;

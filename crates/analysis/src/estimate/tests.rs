@@ -1120,3 +1120,39 @@ fn locked_together_is_common_velocity() {
     assert!((apart - 20.0 / 1.1).abs() < 0.02, "{apart}");
     assert!(unused.is_empty());
 }
+
+#[test]
+fn the_velocity_of_a_wreck_is_that_of_its_cg() {
+    // A crossing off both CGs, so the wreck turns, and neither CG moves as the common one.
+    let case = r#"
+[scene]
+locked_together = true
+[estimate]
+prior = "flat"
+[vehicle1]
+mass = { value = "1135 kg", sd = "0.01 kg" }
+heading = { value = "180 deg", sd = "0.01 deg" }
+yaw_radius = "1.3 m"
+contact = { x = { value = "2 m", sd = "1 mm" }, y = { value = "0.2 m", sd = "1 mm" } }
+after = { speed = { value = "19.8 m/s", sd = "0.02 m/s" }, direction = { value = "150 deg", sd = "0.05 deg" } }
+[vehicle2]
+mass = { value = "1300 kg", sd = "0.01 kg" }
+heading = { value = "90 deg", sd = "0.01 deg" }
+yaw_radius = "1.35 m"
+contact = { x = { value = "1 m", sd = "1 mm" }, y = { value = "0.8 m", sd = "1 mm" } }
+[impact]
+crush_plane = { value = "0 deg", sd = "0.01 deg" }
+restitution = 0.3
+tangential = { friction = 0.5 }
+[reconstruct]
+find = ["vehicle1.speed", "vehicle2.speed"]
+"#;
+    let estimated = run(&read(case), 512).unwrap();
+    // m_1 v_1 = −(m_1 + m_2) V cos 150°, m_2 v_2 = (m_1 + m_2) V sin 150°
+    let momentum = 2435.0 * 19.8;
+    let expected = [momentum * 0.75_f64.sqrt() / 1135.0, momentum * 0.5 / 1300.0];
+    for id in VehicleId::ALL {
+        let found = of(&estimated, speed(id)).posterior.median.value;
+        assert!((found - expected[id.index()]).abs() < 0.1, "{id:?}: {found}, not {expected:?}");
+    }
+}

@@ -44,6 +44,10 @@ pub(super) fn after(subject: Subject<'_>) -> (After, Notes) {
         notes.default_error(sd.is_none(), subject.key("after.yaw_rate"));
         Measured { value, sd: sd.unwrap_or(yaw_rate_error(value)) }
     });
+    // Without a yaw rate, the velocity of one of the two is that of the wreck.
+    let other = &subject.case.vehicles[subject.id.other().index()];
+    let is_alone = other.after.as_ref().is_none_or(|other| other.speed.is_none());
+    found.of_common_cg = subject.case.locked_together && is_alone && after.yaw_rate.is_none();
     (found, notes)
 }
 
