@@ -607,7 +607,8 @@ struct Open {
 }
 
 impl Open {
-    /// `"critical"` gives no largest impulse ratio, and one wreck has none. Laws other than Brach's are taken as exact.
+    /// `"critical"` gives no largest impulse ratio, and one wreck has none. Laws other than Brach's are taken
+    /// as exact.
     fn of(case: &Case, ranges: &[UncertainInput]) -> Self {
         let has_range = ranges.iter().any(|range| range.input.path.starts_with("impact.tangential"));
         let law = case.impact.as_ref().map(|impact| &impact.law);

@@ -1110,7 +1110,8 @@ fn behind_the_wreck(scene: &str) -> (f64, Vec<Unused>) {
 
 #[test]
 fn locked_together_is_common_velocity() {
-    // (m_1 + m_2) V = m_1 v_1, whatever the restitution of the case; without the key V = (1 + e) m_1 v_1/(m_1 + m_2)
+    // (m_1 + m_2) V = m_1 v_1, whatever the restitution of the case; without the key
+    // (m_1 + m_2) V_2 = (1 + e) m_1 v_1
     let (one_wreck, unused) = behind_the_wreck("[scene]\nlocked_together = true\n");
     assert!((one_wreck - 20.0).abs() < 0.02, "{one_wreck}");
     let keys: Vec<&str> = unused.iter().map(|unused| unused.key.as_str()).collect();
