@@ -652,8 +652,8 @@ impl Error {
     }
 }
 
-/// (m/s) velocity of the common CG of both vehicles after the impact. The masses are inversely proportional to
-/// the sizes of ΔV: V = (|ΔV₂| V₁ + |ΔV₁| V₂)/(|ΔV₁| + |ΔV₂|).
+/// (m/s) velocity of the common CG of both vehicles after the impact. The masses are inversely proportional
+/// to the sizes of ΔV: V = (|ΔV₂| V₁ + |ΔV₁| V₂)/(|ΔV₁| + |ΔV₂|).
 fn of_common_cg(outcome: &Outcome) -> Vector2<f64> {
     let ([one, two], [dv1, dv2]) = (outcome.after, outcome.delta_v_magnitude());
     (one.velocity * dv2 + two.velocity * dv1) * (1.0 / (dv1 + dv2))
