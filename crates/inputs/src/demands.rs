@@ -197,9 +197,9 @@ impl<'a, T: Real> Demand<'a, T> {
         });
     }
 
-    fn given<V: Copy>(&mut self, value: Option<V>, key: impl Display, example: &str) -> Option<V> {
+    fn given<V: Copy>(&mut self, value: Option<V>, key: impl Display, example: impl Display) -> Option<V> {
         if value.is_none() {
-            self.missing(key, example);
+            self.missing(key, &example.to_string());
         }
         value
     }

@@ -6,7 +6,7 @@ use pim_core::{InvalidInput, Motion};
 use crate::chassis::Chassis;
 use crate::error::NoRest;
 use crate::field::{Acceleration, FIELD_NUMBERS, Field};
-use crate::footing::{Crossing, Footing, Pose};
+use crate::footing::{Crossing, Footing, Pose, farthest};
 use crate::forward::{Moment, Run, SHORTEST, to_rest};
 use crate::ground::Ground;
 use crate::lanes::{LANES, Lanes, Mask};
@@ -212,7 +212,7 @@ impl Parked {
             return Ok(Self::ALONE);
         }
         let run = Run::new(&outset.chassis, outset.steer, &outset.ground, &outset.start, control)?;
-        let moment = run.moment();
+        let moment = run.moment(run.direction());
         Ok(Self::of(run, moment, control))
     }
 
@@ -326,7 +326,7 @@ impl<S: Simd> Course<Lanes<S>> {
         // The lanes that accept the step.
         let mut pace = self.pace;
         pace.accept(h, error, self.again.at_least(one));
-        let then = now.after(&trial, h);
+        let then = now.after(trial.end, trial.work, h);
         let (direction, acceleration) = trial.there;
         pace.count(acceleration.stiffness);
         let outlook = Outlook::new(field, then.phase.w, acceleration.rates, *lever, control);
@@ -374,6 +374,7 @@ fn follow<S: Simd>(
         follows: [None; LANES],
         given: [zero; GIVEN_NUMBERS],
         courses: [zero; NUMBERS],
+        clearance: zero,
     };
     let most_steps = f64::from(control.most_steps);
     while board.fill() {
@@ -392,7 +393,10 @@ fn follow<S: Simd>(
                 let fades = course.step(&given, control, implicit);
                 let crosses = match watched {
                     0 => 0,
-                    watched => board.crosses(watched, &before, &course, &mut crossings),
+                    watched => {
+                        let near = board.approach(&before, &course) & watched;
+                        board.crosses(near, &before, &course, &mut crossings)
+                    }
                 };
                 let stiff = course.pace.is_implicit();
                 let ended = Lanes::one_of(course.now.time.at_least(time), course.steps.at_least(steps));
@@ -437,6 +441,8 @@ struct Board<'a, S: Simd> {
     follows: [Option<usize>; LANES],
     given: [Lanes<S>; GIVEN_NUMBERS],
     courses: [Lanes<S>; NUMBERS],
+    /// (m) how far each can go without a wheel that meets a border, at least.
+    clearance: Lanes<S>,
 }
 
 impl<S: Simd> Board<'_, S> {
@@ -496,12 +502,20 @@ impl<S: Simd> Board<'_, S> {
         (0..LANES).fold(0, |bits, lane| bits | u64::from(self.follows[lane].is_some_and(has_zones)) << lane)
     }
 
-    /// Finds where a wheel enters another zone in the steps of the `watched` lanes, and returns the bit mask
-    /// of those lanes.
+    /// Takes a step off the clearance, and returns the bit mask of the lanes that have none left.
+    #[inline(always)]
+    fn approach(&mut self, before: &Course<Lanes<S>>, after: &Course<Lanes<S>>) -> u64 {
+        let zero = before.length.constant(0.0);
+        self.clearance = self.clearance - farthest(before.now.phase, after.now.phase, before.length);
+        zero.at_least(self.clearance).bits()
+    }
+
+    /// Finds where a wheel enters another zone in the steps of the lanes that are `near` a border, and returns
+    /// the bit mask of those that do.
     #[inline(never)]
     fn crosses(
-        &self,
-        watched: u64,
+        &mut self,
+        near: u64,
         before: &Course<Lanes<S>>,
         after: &Course<Lanes<S>>,
         crossings: &mut [Option<Crossing>; LANES],
@@ -515,7 +529,7 @@ impl<S: Simd> Board<'_, S> {
         };
         let mut crosses = 0;
         for (lane, crossing) in crossings.iter_mut().enumerate() {
-            let Some(number) = self.follows[lane].filter(|_| watched >> lane & 1 == 1) else { continue };
+            let Some(number) = self.follows[lane].filter(|_| near >> lane & 1 == 1) else { continue };
             // A rejected step leads nowhere yet.
             if after.again.get(lane) != 0.0 {
                 continue;
@@ -523,7 +537,9 @@ impl<S: Simd> Board<'_, S> {
             let Outset { chassis, ground, .. } = &self.outsets[number];
             let Parked { zones, radius, .. } = self.parked[number];
             let footing = Footing { chassis, ground, radius, zones };
-            *crossing = footing.crossing(pose(before, lane), pose(after, lane), before.length.get(lane));
+            let end = pose(after, lane);
+            *crossing = footing.crossing(pose(before, lane), end, before.length.get(lane));
+            self.clearance.put(lane, footing.clearance(end.phase));
             crosses |= u64::from(crossing.is_some()) << lane;
         }
         crosses
@@ -576,6 +592,7 @@ impl<S: Simd> Board<'_, S> {
 
     #[inline(always)]
     fn put(&mut self, lane: usize, parked: &Parked) {
+        self.clearance.put(lane, 0.0);
         for (cells, number) in self.given.iter_mut().zip(parked.given) {
             cells.put(lane, number);
         }

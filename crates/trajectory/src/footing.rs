@@ -4,8 +4,8 @@ use real::Real;
 
 use crate::chassis::Chassis;
 use crate::field::root;
-use crate::ground::{Edge, Ground};
-use crate::number::Direction;
+use crate::ground::{Edge, Ground, ON_BORDER, Passage};
+use crate::number::{Direction, Number, direction_of_turn};
 use crate::state::cubic;
 use crate::step::Phase;
 
@@ -21,8 +21,11 @@ const NARROW: f64 = 1e-6;
 /// Fraction of a step below which it is not divided further to look for crossings.
 const SHORTEST: f64 = 1e-3;
 
-/// Rounds in which a crossing is sought along straight lines; after that by bisection.
-const MOST_LINES: u32 = 8;
+/// Rounds in which a crossing is sought on the cubics of the distances; after that by bisection.
+const MOST_CUBICS: u32 = 8;
+
+/// Rounds of Newton's method on such a cubic, from its chord.
+const ROUNDS_ON_CUBIC: u32 = 3;
 
 /// The ground under a vehicle.
 #[derive(Clone, Copy)]
@@ -50,11 +53,33 @@ pub(crate) struct Crossing {
     pub(crate) border: Edge,
 }
 
-/// The positions (m) of the wheels at a fraction of a step.
+/// The wheels at a fraction of a step.
 #[derive(Clone, Copy)]
 struct Stand {
     share: f64,
+    /// (m) position of the CG.
+    center: [f64; 2],
+    /// (m, m, rad) motion in a whole step at this rate.
+    motion: [f64; 3],
+    /// (m) their positions.
     wheels: [[f64; 2]; 4],
+}
+
+impl Stand {
+    /// (m) what a wheel goes in a whole step at this rate.
+    fn rate(&self, wheel: usize) -> [f64; 2] {
+        let ([x, y], [cx, cy], [vx, vy, omega]) = (self.wheels[wheel], self.center, self.motion);
+        [vx - omega * (y - cy), vy + omega * (x - cx)]
+    }
+}
+
+/// Bounds of the path of any wheel in a whole step.
+#[derive(Clone, Copy)]
+struct Path {
+    /// (m) its length.
+    way: f64,
+    /// (m) its distance from the straight line between its ends.
+    bow: f64,
 }
 
 impl<'a, T: Real, G: Real> Footing<'a, T, G> {
@@ -73,55 +98,79 @@ impl<'a, T: Real, G: Real> Footing<'a, T, G> {
     }
 
     /// Finds the zone just ahead of each wheel; `energy` (m²/s²) is twice the kinetic energy per unit mass.
-    pub(crate) fn find(&mut self, now: Phase<f64>, energy: f64) {
+    pub(crate) fn find(&mut self, Pose { phase: now, direction }: Pose, energy: f64) {
         let ahead = if energy > 0.0 { AHEAD / root(energy) } else { 0.0 };
-        let [x, y, heading] = [0, 1, 2].map(|i| now.q[i] + now.w[i] * ahead);
-        self.zones = self.zones_of(self.wheels([x, y], Direction::of(heading)));
+        let [x, y] = [0, 1].map(|i| now.q[i] + now.w[i] * ahead);
+        let direction = direction.turned(direction_of_turn(now.w[2] * ahead));
+        self.zones = self.zones_of(self.wheels([x, y], direction));
     }
 
     /// The point in a step of `h` (s) at which a wheel first stands on another zone.
     pub(crate) fn crossing(&self, from: Pose, to: Pose, h: f64) -> Option<Crossing> {
         let (first, last) = (from.phase, to.phase);
-        if self.is_far_from_borders(first, last, h) {
+        if self.clearance(first) > farthest(first, last, h) {
             return None;
         }
+        let ways = [0, 1, 2].map(|i| [first.w[i] * h, last.w[i] * h]);
+        let stand = |share: f64, q: [f64; 3], motion: [f64; 3], direction: Direction<f64>| {
+            let center = [q[0], q[1]];
+            Stand { share, center, motion, wheels: self.wheels(center, direction) }
+        };
         let at = |share: f64| {
-            let of = |i: usize| cubic(share, h, [first.q[i], last.q[i]], [first.w[i], last.w[i]]).0;
-            Stand { share, wheels: self.wheels([of(0), of(1)], Direction::of(of(2))) }
+            let of = [0, 1, 2].map(|i| cubic(share, 1.0, [first.q[i], last.q[i]], ways[i]));
+            let q = of.map(|(value, _)| value);
+            let direction = from.direction.turned(direction_of_turn(q[2] - first.q[2]));
+            stand(share, q, of.map(|(_, rate)| rate), direction)
         };
-        let fastest = |w: [f64; 3]| root(w[0] * w[0] + w[1] * w[1]) + w[2].abs() * self.radius;
-        // (m) a wheel is not much faster within a step than at its ends.
-        let way = 1.25 * h * Real::max(fastest(first.w), fastest(last.w));
-        let end = |share: f64, Pose { phase, direction }: Pose| Stand {
-            share,
-            wheels: self.wheels([phase.q[0], phase.q[1]], direction),
-        };
-        self.first(&at, way, end(0.0, from), end(1.0, to))
+        let path = Path { way: self.most_way(first, last, h), bow: self.most_bow(first, last, h) };
+        let before = stand(0.0, first.q, ways.map(|[start, _]| start), from.direction);
+        let after = stand(1.0, last.q, ways.map(|[_, end]| end), to.direction);
+        self.first(&at, path, before, after)
     }
 
-    /// The first crossing between two positions; a wheel moves at most `way` (m) in a whole step.
-    fn first(&self, at: &impl Fn(f64) -> Stand, way: f64, before: Stand, after: Stand) -> Option<Crossing> {
+    /// The first crossing between two positions on the path of a step.
+    fn first(&self, at: &impl Fn(f64) -> Stand, path: Path, before: Stand, after: Stand) -> Option<Crossing> {
         let width = after.share - before.share;
-        if self.is_clear(width * way, &before, &after) {
-            return None;
-        }
-        if width * way <= LOOKOUT || width < SHORTEST {
+        // The bow of a part of a path shrinks with the square of its length.
+        let passage = self.passage(width * width * path.bow + ON_BORDER, &before, &after);
+        if passage != Passage::Unknown || width * path.way <= LOOKOUT || width < SHORTEST {
             let is_same = self.zones_of(after.wheels) == self.zones;
             return if is_same { None } else { self.narrowed(at, before, after) };
         }
         let middle = at(0.5 * (before.share + after.share));
-        self.first(at, way, before, middle).or_else(|| self.first(at, way, middle, after))
+        self.first(at, path, before, middle).or_else(|| self.first(at, path, middle, after))
     }
 
-    /// Whether each wheel stays on its side of all borders between two positions along a path of length `way`
-    /// (m): the path to a border and on would be longer.
-    fn is_clear(&self, way: f64, before: &Stand, after: &Stand) -> bool {
-        self.ground.zones.iter().all(|zone| {
-            before.wheels.iter().zip(&after.wheels).all(|(from, to)| {
-                let (from, to) = (zone.region.depth(*from), zone.region.depth(*to));
-                from * to > 0.0 && from.abs() + to.abs() > way
-            })
-        })
+    /// What is sure of the path of every wheel between two positions, which leaves the straight line by at
+    /// most `bow` (m). Where no border is crossed twice, a wheel that ends on its zone has never left it: what
+    /// it entered it is still in.
+    fn passage(&self, bow: f64, before: &Stand, after: &Stand) -> Passage {
+        let ways = || before.wheels.iter().zip(&after.wheels);
+        let zones = self.ground.zones.iter();
+        let all = zones.flat_map(|zone| ways().map(|(from, to)| zone.region.passage(*from, *to, bow)));
+        all.max().unwrap_or(Passage::Clear)
+    }
+
+    /// (m) the longest way of a wheel in a step of `h` (s): it is not much faster within a step than at its
+    /// ends.
+    fn most_way(&self, first: Phase<f64>, last: Phase<f64>, h: f64) -> f64 {
+        let fastest = |w: [f64; 3]| length(w[0], w[1]) + w[2].abs() * self.radius;
+        1.25 * h * Real::max(fastest(first.w), fastest(last.w))
+    }
+
+    /// (m) the greatest distance of a wheel on the cubic of a step of `h` (s) from the straight line between
+    /// its positions at the ends.
+    fn most_bow(&self, first: Phase<f64>, last: Phase<f64>, h: f64) -> f64 {
+        let rise = [0, 1, 2].map(|i| last.q[i] - first.q[i]);
+        // By the fraction of the step: p″ = h (±4 w₀ ± 2 w₁) ∓ 6Δ at the ends, and linear between them
+        let at_start = [0, 1, 2].map(|i| 6.0 * rise[i] - h * (4.0 * first.w[i] + 2.0 * last.w[i]));
+        let at_end = [0, 1, 2].map(|i| h * (2.0 * first.w[i] + 4.0 * last.w[i]) - 6.0 * rise[i]);
+        let center = Real::max(length(at_start[0], at_start[1]), length(at_end[0], at_end[1]));
+        let spin = Real::max(at_start[2].abs(), at_end[2].abs());
+        // |ψ′| ≤ h max(|ω₀|, |ω₁|) + 3/2 |Δψ|, from the weights of the cubic's ends
+        let turn = h * Real::max(first.w[2].abs(), last.w[2].abs()) + 1.5 * rise[2].abs();
+        // |P″| ≤ |c″| + r (|ψ″| + ψ′²), and a path with |P″| ≤ M leaves its chord by at most M/8
+        0.125 * (center + self.radius * (spin + turn * turn))
     }
 
     fn wheels(&self, [x, y]: [f64; 2], Direction { sin, cos }: Direction<f64>) -> [[f64; 2]; 4] {
@@ -135,25 +184,20 @@ impl<'a, T: Real, G: Real> Footing<'a, T, G> {
         wheels.map(|wheel| self.ground.zone_at(wheel))
     }
 
-    /// Whether no wheel can meet a border on the cubic between these positions, which takes `h` (s).
-    fn is_far_from_borders(&self, from: Phase<f64>, to: Phase<f64>, h: f64) -> bool {
-        let length = |x: f64, y: f64| root(x * x + y * y);
-        // From the start of the cubic, whose weights of both velocities are at most 4/27:
-        // |q − q₀| ≤ |q₁ − q₀| + 4/27 h (|w₀| + |w₁|)
-        let speeds = length(from.w[0], from.w[1]) + length(to.w[0], to.w[1]);
-        let way = length(to.q[0] - from.q[0], to.q[1] - from.q[1]) + 4.0 / 27.0 * h * speeds;
-        let reach = way + self.radius + AHEAD;
-        let center = [from.q[0], from.q[1]];
-        self.ground.zones.iter().all(|zone| zone.region.distance_to_border(center) > reach)
+    /// (m) how far the vehicle can go from here without a wheel that meets a border.
+    pub(crate) fn clearance(&self, now: Phase<f64>) -> f64 {
+        let center = [now.q[0], now.q[1]];
+        let distances = self.ground.zones.iter().map(|zone| zone.region.distance_to_border(center));
+        distances.fold(f64::INFINITY, Real::min) - self.radius - AHEAD
     }
 
-    /// The first crossing between two positions: narrowed to both sides of the first intersection of straight
-    /// lines with the borders, or else by bisection.
+    /// The first crossing between two positions: narrowed to both sides of the point at which a wheel first
+    /// meets a border by the cubics of the distances, or else by bisection.
     fn narrowed(&self, at: &impl Fn(f64) -> Stand, mut before: Stand, mut after: Stand) -> Option<Crossing> {
         let mut round = 0;
         while after.share - before.share > NARROW {
             let width = after.share - before.share;
-            let guess = if round < MOST_LINES { self.met(&before, &after) } else { None };
+            let guess = if round < MOST_CUBICS { self.met(&before, &after) } else { None };
             let probes = match guess {
                 Some(share) => {
                     let middle = before.share + share * width;
@@ -174,14 +218,19 @@ impl<'a, T: Real, G: Real> Footing<'a, T, G> {
         Some(Crossing { share: after.share, wheel, border })
     }
 
-    /// The fraction of the path between two positions at which a wheel first meets a border along a straight
-    /// line.
+    /// The fraction of the path between two positions at which a wheel first meets a border, by the cubic of
+    /// its distance from it.
     fn met(&self, before: &Stand, after: &Stand) -> Option<f64> {
+        let width = after.share - before.share;
         let of = |i: usize| {
-            let (from, to) = (before.wheels[i], after.wheels[i]);
-            let border = self.border(from, to)?;
-            let (before, after) = (border.distance(from), border.distance(to));
-            let share = before / (before - after);
+            let border = self.border(before.wheels[i], after.wheels[i])?;
+            let ends = [before, after].map(|stand| border.distance(stand.wheels[i]));
+            let rates = [before, after].map(|stand| width * border.rate(stand.rate(i)));
+            let mut share = ends[0] / (ends[0] - ends[1]);
+            for _ in 0..ROUNDS_ON_CUBIC {
+                let (distance, rate) = cubic(share, 1.0, ends, rates);
+                share -= distance / rate;
+            }
             (0.0..=1.0).contains(&share).then_some(share)
         };
         self.changed(after).filter_map(of).min_by(f64::total_cmp)
@@ -199,4 +248,17 @@ impl<'a, T: Real, G: Real> Footing<'a, T, G> {
         let zone = zones.rfind(|zone| zone.region.contains(from) != zone.region.contains(to))?;
         zone.region.nearest_edge(to)
     }
+}
+
+/// (m) farthest distance from the start on the cubic between these positions, which takes `h` (s).
+#[inline(always)]
+pub(crate) fn farthest<T: Number>(from: Phase<T>, to: Phase<T>, h: T) -> T {
+    let length = |x: T, y: T| (x * x + y * y).sqrt();
+    // The weights of both velocities on the cubic are at most 4/27: |q − q₀| ≤ |q₁ − q₀| + 4/27 h (|w₀| + |w₁|)
+    let speeds = length(from.w[0], from.w[1]) + length(to.w[0], to.w[1]);
+    length(to.q[0] - from.q[0], to.q[1] - from.q[1]) + h * speeds * (4.0 / 27.0)
+}
+
+fn length(x: f64, y: f64) -> f64 {
+    root(x * x + y * y)
 }

@@ -109,6 +109,16 @@ impl Edge {
     }
 }
 
+/// What is sure of a path.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(crate) enum Passage {
+    /// It meets no border.
+    Clear,
+    /// It crosses each border at most once.
+    Once,
+    Unknown,
+}
+
 impl Region<'_> {
     /// One side of a straight line through a point (m); the direction `into` (rad) is at right angles to it.
     #[must_use]
@@ -145,13 +155,22 @@ impl Region<'_> {
         }
     }
 
-    /// (m) distance of a point from the border: positive inside, negative outside.
-    pub(crate) fn depth(&self, point: [f64; 2]) -> f64 {
+    /// What is sure of a smooth path from one point to another, which leaves the straight line between them by
+    /// at most `bow` (m). It may start on the border.
+    pub(crate) fn passage(&self, from: [f64; 2], to: [f64; 2], bow: f64) -> Passage {
         match *self {
-            Self::HalfPlane { point: on, into } => (point[0] - on.x) * into.x + (point[1] - on.y) * into.y,
-            Self::Polygon(_) => {
-                let distance = self.distance_to_border(point);
-                if self.contains(point) { distance } else { -distance }
+            Self::HalfPlane { point, into } => {
+                let edge = Edge { point: [point.x, point.y], normal: [into.x, into.y] };
+                let ends = [edge.distance(from), edge.distance(to)];
+                match () {
+                    () if keeps_side(ends, bow) => Passage::Clear,
+                    () if is_monotone(ends, bow) => Passage::Once,
+                    () => Passage::Unknown,
+                }
+            }
+            Self::Polygon(corners) => {
+                let is_clear = sides(corners).all(|[a, b]| is_apart([from, to], [a.into(), b.into()], bow));
+                if is_clear { Passage::Clear } else { Passage::Unknown }
             }
         }
     }
@@ -197,6 +216,49 @@ impl Region<'_> {
             }
         }
     }
+}
+
+/// (m) a point this far from a border may be on either side of it: rounding decides.
+pub(crate) const ON_BORDER: f64 = 1e-9;
+
+/// Whether a path whose ends lie so far (m) from a line stays on one side of it, if it leaves the straight
+/// line between its ends by at most `bow` (m) and has no kink. It may start on the line.
+fn keeps_side([from, to]: [f64; 2], bow: f64) -> bool {
+    let (from, to) = (from * 1.0_f64.copysign(to), to.abs());
+    // d(t) ≥ (1 − t) d₀ + t d₁ − 4 t (1 − t) b, which is positive throughout if both ends are above b. It is
+    // at least (1 − t) d₀ + t (d₁ − 4 b).
+    (from > bow && to > bow) || (from >= -ON_BORDER && to > 4.0 * bow)
+}
+
+/// Whether a path whose ends lie so far (m) from a line comes ever nearer to it, or goes ever farther: its
+/// rate differs from the mean one by at most four times its `bow`.
+fn is_monotone([from, to]: [f64; 2], bow: f64) -> bool {
+    (to - from).abs() > 4.0 * bow
+}
+
+/// Whether a path from one point to another is shown to keep clear of a side of a polygon: it keeps to one
+/// side of its line, or has nothing beside it, or the whole side lies beyond the path.
+fn is_apart([from, to]: [[f64; 2]; 2], [start, end]: [[f64; 2]; 2], bow: f64) -> bool {
+    let along = [end[0] - start[0], end[1] - start[1]];
+    let length = elementary::sqrt(along[0] * along[0] + along[1] * along[1]);
+    if length == 0.0 {
+        return true;
+    }
+    let along = along.map(|part| part / length);
+    let ahead = |[x, y]: [f64; 2]| (x - start[0]) * along[0] + (y - start[1]) * along[1];
+    let aside = |[x, y]: [f64; 2]| (y - start[1]) * along[0] - (x - start[0]) * along[1];
+    let places = [ahead(from), ahead(to)];
+    if keeps_side([aside(from), aside(to)], bow)
+        || places.iter().all(|place| *place < -bow)
+        || places.iter().all(|place| *place > length + bow)
+    {
+        return true;
+    }
+    let way = [to[0] - from[0], to[1] - from[1]];
+    let gap = bow * elementary::sqrt(way[0] * way[0] + way[1] * way[1]);
+    let across = |[x, y]: [f64; 2]| way[0] * (y - from[1]) - way[1] * (x - from[0]);
+    let (one, other) = (across(start), across(end));
+    (one > gap && other > gap) || (one < -gap && other < -gap)
 }
 
 fn corner(point: Vector2<f64>) -> Result<(), InvalidInput> {

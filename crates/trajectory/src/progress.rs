@@ -60,21 +60,22 @@ impl<T: Number> Progress<T> {
         Self { phase, time: zero, distance: zero, work: zero, speed: length([u, v]) }
     }
 
-    /// The progress after a step of the length `h` (s).
+    /// The progress after a step of the length `h` (s) to `end`, in which the tyres' forces did so much `work`
+    /// (J/kg).
     #[inline(always)]
-    pub(crate) fn after(&self, step: &Step<T>, h: T) -> Self {
-        let ([x0, y0, _], [x1, y1, _]) = (self.phase.q, step.end.q);
-        let ([u0, v0, _], [u1, v1, _]) = (self.phase.w, step.end.w);
+    pub(crate) fn after(&self, end: Phase<T>, work: T, h: T) -> Self {
+        let ([x0, y0, _], [x1, y1, _]) = (self.phase.q, end.q);
+        let ([u0, v0, _], [u1, v1, _]) = (self.phase.w, end.w);
         // Simpson's rule with the velocity at the midpoint of the cubic: S = (h|v₀| + |6Δ − h(v₀ + v₁)| +
         // h|v₁|)/6
         let middle = [(x1 - x0) * 6.0 - h * (u0 + u1), (y1 - y0) * 6.0 - h * (v0 + v1)];
         let speed = length([u1, v1]);
         let ways = h * (self.speed + speed) + length(middle);
         Self {
-            phase: step.end,
+            phase: end,
             time: self.time + h,
             distance: self.distance + ways * (1.0 / 6.0),
-            work: self.work + step.work,
+            work: self.work + work,
             speed,
         }
     }

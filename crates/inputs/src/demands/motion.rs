@@ -492,18 +492,18 @@ impl<T: Real> Demand<'_, T> {
         let wheelbase = self.given(
             wheelbase,
             format_args!("{table}.wheelbase"),
-            &format!("`wheelbase = \"2.62 m\"`{or_class}"),
+            format_args!("`wheelbase = \"2.62 m\"`{or_class}"),
         );
         let track = given(&vehicle.track).or(class.map(|class| T::from(class.track)));
         let track =
-            self.given(track, format_args!("{table}.track"), &format!("`track = \"1.50 m\"`{or_class}"));
+            self.given(track, format_args!("{table}.track"), format_args!("`track = \"1.50 m\"`{or_class}"));
         // a = l · a_c/l_c of the class
         let share = class.map(|class| class.cg_to_front_axle / class.wheelbase);
         let of_class = share.zip(wheelbase).map(|(share, wheelbase)| wheelbase * share);
         let cg_to_front = self.given(
             given(&vehicle.cg_to_front_axle).or(of_class),
             format_args!("{table}.cg_to_front_axle"),
-            &format!("`cg_to_front_axle = \"1.10 m\"`{or_class}"),
+            format_args!("`cg_to_front_axle = \"1.10 m\"`{or_class}"),
         );
         let (wheelbase, track, cg_to_front) = (wheelbase?, track?, cg_to_front?);
         if cg_to_front.value() >= wheelbase.value() {
