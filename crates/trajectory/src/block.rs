@@ -249,19 +249,24 @@ impl Parked {
         Self { task, given: given.numbers(), course: course.numbers(), zones, radius }
     }
 
-    /// A separate run of the motion, and its present state.
-    fn run<'a>(&self, outset: &'a Outset<'a>, control: &'a Control) -> (Run<'a, f64, f64>, Course<f64>) {
+    /// A separate run of the motion from this state.
+    fn run<'a>(
+        &self,
+        outset: &'a Outset<'a>,
+        course: &Course<f64>,
+        control: &'a Control,
+    ) -> Run<'a, f64, f64> {
         let Outset { chassis, steer, ground, start } = outset;
-        let (given, course) = (Given::of(self.given), Course::of(self.course));
+        let given = Given::of(self.given);
         let steering = Steering::Held(given.steer);
-        let mut run = Run::on(chassis, *steer, ground, start, control, steering, given.field);
-        run.footing.zones = self.zones;
+        let footing = Footing { chassis, ground, radius: self.radius, zones: self.zones };
+        let mut run = Run::on(footing, *steer, start, control, steering, given.field);
         run.now = course.now;
         run.pace = course.pace;
         #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "it counts steps")]
         let steps = course.steps as u32;
         run.steps = steps;
-        (run, course)
+        run
     }
 
     fn rest(&self, outset: &Outset<'_>, control: &Control) -> Result<Rest, NoRest> {
@@ -270,7 +275,7 @@ impl Parked {
         if self.task != Task::Fade || late || course.steps >= f64::from(control.most_steps) {
             return outset.alone(control);
         }
-        let (mut run, course) = self.run(outset, control);
+        let mut run = self.run(outset, &course, control);
         let Motion { velocity, yaw_rate } = outset.start.motion;
         let energy = run.field.energy([velocity.x, velocity.y, yaw_rate]);
         run.fade(&course.acceleration);
@@ -310,6 +315,48 @@ impl Given<f64> {
 }
 
 impl<S: Simd> Course<Lanes<S>> {
+    /// The motion of one lane.
+    #[inline(always)]
+    fn lane(&self, lane: usize) -> Course<f64> {
+        let of = |cells: &Lanes<S>| cells.get(lane);
+        let Progress { phase, time, distance, work, speed } = &self.now;
+        let Acceleration { rates, power, stiffness, sliding: _, locked } = &self.acceleration;
+        let phase = Phase { q: phase.q.each_ref().map(of), w: phase.w.each_ref().map(of) };
+        Course {
+            now: Progress {
+                phase,
+                time: of(time),
+                distance: of(distance),
+                work: of(work),
+                speed: of(speed),
+            },
+            direction: Direction { sin: of(&self.direction.sin), cos: of(&self.direction.cos) },
+            acceleration: Acceleration {
+                rates: rates.each_ref().map(of),
+                power: of(power),
+                stiffness: of(stiffness),
+                sliding: [false; 4],
+                locked: of(locked),
+            },
+            pace: Pace::of(self.pace.numbers().each_ref().map(of)),
+            to_rest: of(&self.to_rest),
+            length: of(&self.length),
+            again: of(&self.again),
+            steps: of(&self.steps),
+        }
+    }
+
+    /// Position and motion of one lane.
+    #[inline(always)]
+    fn pose(&self, lane: usize) -> Pose {
+        let of = |cells: &Lanes<S>| cells.get(lane);
+        let (Phase { q, w }, Direction { sin, cos }) = (&self.now.phase, &self.direction);
+        Pose {
+            phase: Phase { q: q.each_ref().map(of), w: w.each_ref().map(of) },
+            direction: Direction { sin: of(sin), cos: of(cos) },
+        }
+    }
+
     /// Tries a step in each lane. Returns the lanes that have only the final phase left after it.
     #[inline(always)]
     fn step(&mut self, given: &Given<Lanes<S>>, control: &Control, implicit: bool) -> Mask<S> {
@@ -520,13 +567,6 @@ impl<S: Simd> Board<'_, S> {
         after: &Course<Lanes<S>>,
         crossings: &mut [Option<Crossing>; LANES],
     ) -> u64 {
-        let pose = |course: &Course<Lanes<S>>, lane: usize| {
-            let (Phase { q, w }, Direction { sin, cos }) = (course.now.phase, course.direction);
-            Pose {
-                phase: Phase { q: q.map(|cells| cells.get(lane)), w: w.map(|cells| cells.get(lane)) },
-                direction: Direction { sin: sin.get(lane), cos: cos.get(lane) },
-            }
-        };
         let mut crosses = 0;
         for (lane, crossing) in crossings.iter_mut().enumerate() {
             let Some(number) = self.follows[lane].filter(|_| near >> lane & 1 == 1) else { continue };
@@ -537,8 +577,8 @@ impl<S: Simd> Board<'_, S> {
             let Outset { chassis, ground, .. } = &self.outsets[number];
             let Parked { zones, radius, .. } = self.parked[number];
             let footing = Footing { chassis, ground, radius, zones };
-            let end = pose(after, lane);
-            *crossing = footing.crossing(pose(before, lane), end, before.length.get(lane));
+            let end = after.pose(lane);
+            *crossing = footing.crossing(before.pose(lane), end, before.length.get(lane));
             self.clearance.put(lane, footing.clearance(end.phase));
             crosses |= u64::from(crossing.is_some()) << lane;
         }
@@ -555,13 +595,13 @@ impl<S: Simd> Board<'_, S> {
         after: &Course<Lanes<S>>,
     ) -> bool {
         let Some(number) = self.follows[lane] else { return false };
-        self.parked[number].course = before.numbers().map(|cells| cells.get(lane));
-        let (mut run, course) = self.parked[number].run(&self.outsets[number], self.control);
+        let course = before.lane(lane);
+        let mut run = self.parked[number].run(&self.outsets[number], &course, self.control);
         let Course { direction, acceleration, length, .. } = course;
         let start = run.start(Moment { direction, acceleration });
         // The whole step was tried, and determines the length of the next.
         run.steps += 1;
-        let [paced, error, _] = after.pace.numbers().map(|cells| cells.get(lane));
+        let [paced, error, _] = after.pace.numbers().each_ref().map(|cells| cells.get(lane));
         let [_, _, stiff] = run.pace.numbers();
         run.pace = Pace::of([paced, error, stiff]);
         let moment = run.cross(&start, crossing, length);
@@ -572,8 +612,8 @@ impl<S: Simd> Board<'_, S> {
     #[inline(never)]
     fn look_ahead(&mut self, lane: usize) -> bool {
         let Some(number) = self.follows[lane] else { return false };
-        self.parked[number].course = self.courses.map(|cells| cells.get(lane));
-        let (run, course) = self.parked[number].run(&self.outsets[number], self.control);
+        let course = Course::of(self.courses.each_ref().map(|cells| cells.get(lane)));
+        let run = self.parked[number].run(&self.outsets[number], &course, self.control);
         let Course { direction, acceleration, .. } = course;
         self.go_on(lane, Parked::of(run, Moment { direction, acceleration }, self.control))
     }

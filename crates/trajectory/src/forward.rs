@@ -114,16 +114,16 @@ impl<'a, T: Real + From<G>, G: Real> Run<'a, T, G> {
         steer.check()?;
         ground.check()?;
         let field = Field::new(chassis, ground, [0; 4]);
-        let mut run = Self::on(chassis, steer, ground, start, control, Steering::new(steer), field);
+        let footing = Footing::new(chassis, ground);
+        let mut run = Self::on(footing, steer, start, control, Steering::new(steer), field);
         run.find_zones(run.direction());
         Ok(run)
     }
 
     /// The same for checked inputs, with the data that [`new`](Self::new) derives from them.
     pub(crate) fn on(
-        chassis: &'a Chassis<T>,
+        footing: Footing<'a, T, G>,
         steer: Steer<'a, G>,
-        ground: &'a Ground<'a, G>,
         start: &State<T>,
         control: &'a Control,
         steering: Steering<'a, T, G>,
@@ -135,13 +135,13 @@ impl<'a, T: Real + From<G>, G: Real> Run<'a, T, G> {
             w: [velocity.x, velocity.y, yaw_rate],
         };
         Self {
-            chassis,
-            ground,
+            chassis: footing.chassis,
+            ground: footing.ground,
             steer,
             steering,
             control,
             field,
-            footing: Footing::new(chassis, ground),
+            footing,
             now: Progress::new(phase),
             steps: 0,
             pace: Pace::new(1.0),

@@ -239,6 +239,14 @@ fn is_monotone([from, to]: [f64; 2], bow: f64) -> bool {
 /// Whether a path from one point to another is shown to keep clear of a side of a polygon: it keeps to one
 /// side of its line, or has nothing beside it, or the whole side lies beyond the path.
 fn is_apart([from, to]: [[f64; 2]; 2], [start, end]: [[f64; 2]; 2], bow: f64) -> bool {
+    // Most sides are far away, along an axis of the scene.
+    let is_beside = |i: usize| {
+        let (low, high) = (start[i].min(end[i]) - bow, start[i].max(end[i]) + bow);
+        (from[i] < low && to[i] < low) || (from[i] > high && to[i] > high)
+    };
+    if is_beside(0) || is_beside(1) {
+        return true;
+    }
     let along = [end[0] - start[0], end[1] - start[1]];
     let length = elementary::sqrt(along[0] * along[0] + along[1] * along[1]);
     if length == 0.0 {
