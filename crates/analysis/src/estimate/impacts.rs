@@ -279,7 +279,9 @@ fn pose(case: &Case) -> Option<Posed> {
 fn follow(id: VehicleId, wanted: [bool; LANES], motions: &[Option<MotionInput>], impacts: &mut [Impacted]) {
     let zones: Vec<Vec<Zone<'_>>> = motions
         .iter()
-        .map(|motion| motion.as_ref().map_or_else(Vec::new, |motion| motion.surface.zones()))
+        .zip(wanted)
+        .map(|(motion, wanted)| motion.as_ref().filter(|_| wanted))
+        .map(|motion| motion.map_or_else(Vec::new, |motion| motion.surface.zones()))
         .collect();
     let mut lanes = Vec::with_capacity(LANES);
     let mut outsets = Vec::with_capacity(LANES);
@@ -320,8 +322,9 @@ pub(super) const WAY_TOLERANCE: f64 = 5e-3;
 
 /// (m) from each point that was observed to the way.
 fn misses(input: &MotionInput, id: VehicleId, start: Motion) -> Vec<f64> {
-    let scene = Scene::new(&input.surface);
-    let passes =
-        input.vehicles[id.index()].as_ref().and_then(|way| scene.passes(id, way, start, WAY_TOLERANCE).ok());
+    let Some(way) = input.vehicles[id.index()].as_ref().filter(|way| !way.points.is_empty()) else {
+        return Vec::new();
+    };
+    let passes = Scene::new(&input.surface).passes(id, way, start, WAY_TOLERANCE);
     passes.unwrap_or_default().iter().map(|pass| pass.miss).collect()
 }
