@@ -323,13 +323,7 @@ impl<S: Simd> Course<Lanes<S>> {
         let Acceleration { rates, power, stiffness, sliding: _, locked } = &self.acceleration;
         let phase = Phase { q: phase.q.each_ref().map(of), w: phase.w.each_ref().map(of) };
         Course {
-            now: Progress {
-                phase,
-                time: of(time),
-                distance: of(distance),
-                work: of(work),
-                speed: of(speed),
-            },
+            now: Progress { phase, time: of(time), distance: of(distance), work: of(work), speed: of(speed) },
             direction: Direction { sin: of(&self.direction.sin), cos: of(&self.direction.cos) },
             acceleration: Acceleration {
                 rates: rates.each_ref().map(of),

@@ -167,8 +167,8 @@ impl<'a, T: Real, G: Real> Footing<'a, T, G> {
         let at_end = [0, 1, 2].map(|i| h * (2.0 * first.w[i] + 4.0 * last.w[i]) - 6.0 * rise[i]);
         let center = Real::max(length(at_start[0], at_start[1]), length(at_end[0], at_end[1]));
         let spin = Real::max(at_start[2].abs(), at_end[2].abs());
-        // |ψ′| ≤ h max(|ω₀|, |ω₁|) + 3/2 |Δψ|, from the weights of the cubic's ends
-        let turn = h * Real::max(first.w[2].abs(), last.w[2].abs()) + 1.5 * rise[2].abs();
+        // |ψ′| ≤ h max(|ω₀|, |ω₁|) + ½ |ψ″|, as every place is half of the step or less from an end
+        let turn = h * Real::max(first.w[2].abs(), last.w[2].abs()) + 0.5 * spin;
         // |P″| ≤ |c″| + r (|ψ″| + ψ′²), and a path with |P″| ≤ M leaves its chord by at most M/8
         0.125 * (center + self.radius * (spin + turn * turn))
     }
@@ -261,4 +261,144 @@ pub(crate) fn farthest<T: Number>(from: Phase<T>, to: Phase<T>, h: T) -> T {
 
 fn length(x: f64, y: f64) -> f64 {
     root(x * x + y * y)
+}
+
+#[cfg(test)]
+mod tests {
+    use pim_core::{Body, Vector2};
+    use proptest::prelude::*;
+
+    use super::{Footing, Passage, cubic, farthest};
+    use crate::chassis::{Axles, Chassis};
+    use crate::ground::{Ground, ON_BORDER, Region};
+    use crate::number::Direction;
+    use crate::step::Phase;
+
+    /// Places on a path at which its wheels are looked at.
+    const PLACES: u32 = 400;
+
+    fn chassis() -> Chassis {
+        let axles = Axles { cg_to_front: 1.1, cg_to_rear: 1.5, track: 1.5 };
+        Chassis::new(Body::new(1300.0, 2100.0).unwrap(), axles, [0.1; 4]).unwrap()
+    }
+
+    /// Ends of a step from the origin, and its length. Some are nearly those of a parabola, some turn back.
+    fn step() -> impl Strategy<Value = ([Phase<f64>; 2], f64)> {
+        let three = || [-1.0..1.0, -1.0..1.0, -1.0..1.0_f64];
+        let sizes = (0.0..20.0_f64, 0.0..8.0_f64, prop_oneof![Just(0.1), Just(10.0)], 0.002..0.1_f64);
+        (-3.2..3.2_f64, three(), three(), three(), sizes).prop_map(
+            |(heading, motion, change, off, (speed, yaw_rate, odd, h))| {
+                let q = [0.0, 0.0, heading];
+                let w = [0, 1, 2].map(|i| motion[i] * if i == 2 { yaw_rate } else { speed });
+                // Accelerations of up to 10 m/s² and 10 rad/s²
+                let a = change.map(|part| 10.0 * part);
+                let end = [0, 1, 2].map(|i| q[i] + h * (w[i] + 0.5 * h * a[i] + h * odd * off[i]));
+                let last = [0, 1, 2].map(|i| w[i] + h * a[i]);
+                ([Phase { q, w }, Phase { q: end, w: last }], h)
+            },
+        )
+    }
+
+    /// Where the wheels are at a fraction of the step.
+    fn at(footing: &Footing<'_, f64, f64>, [from, to]: [Phase<f64>; 2], h: f64, share: f64) -> [[f64; 2]; 4] {
+        let q = [0, 1, 2].map(|i| cubic(share, h, [from.q[i], to.q[i]], [from.w[i], to.w[i]]).0);
+        footing.wheels([q[0], q[1]], Direction::of(q[2]))
+    }
+
+    fn length([x, y]: [f64; 2]) -> f64 {
+        x.hypot(y)
+    }
+
+    fn between([x0, y0]: [f64; 2], [x1, y1]: [f64; 2], share: f64) -> [f64; 2] {
+        [x0 + share * (x1 - x0), y0 + share * (y1 - y0)]
+    }
+
+    fn apart([x0, y0]: [f64; 2], [x1, y1]: [f64; 2]) -> f64 {
+        length([x1 - x0, y1 - y0])
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(3000))]
+
+        /// No wheel leaves its chord by more than the bow, and none comes farther than said.
+        #[test]
+        fn bounds_of_a_path_hold((ends, h) in step()) {
+            let (chassis, ground) = (chassis(), Ground::level(0.7));
+            let footing = Footing::new(&chassis, &ground);
+            let [from, to] = ends;
+            let (first, last) = (at(&footing, ends, h, 0.0), at(&footing, ends, h, 1.0));
+            let (mut bow, mut far): (f64, f64) = (0.0, 0.0);
+            for k in 0..=PLACES {
+                let share = f64::from(k) / f64::from(PLACES);
+                let wheels = at(&footing, ends, h, share);
+                for (i, wheel) in wheels.iter().enumerate() {
+                    bow = bow.max(apart(*wheel, between(first[i], last[i], share)));
+                    far = far.max(length(*wheel) - footing.radius);
+                }
+            }
+            let (most_bow, farthest) = (footing.most_bow(from, to, h), farthest(from, to, h));
+            prop_assert!(bow <= most_bow + 1e-12, "{bow} {most_bow}");
+            prop_assert!(far <= farthest + 1e-12, "{far} {farthest}");
+        }
+
+        /// What is said of the passage of a border holds at many places of the path, with the curvature that the
+        /// path really has, and with a border where a wheel starts.
+        #[test]
+        fn a_path_passes_a_border_as_said(
+            (ends, h) in step(),
+            (is_half, angle, off) in (any::<bool>(), -3.2..3.2_f64, prop_oneof![Just(0.0), -0.3..0.3_f64]),
+        ) {
+            let (chassis, ground) = (chassis(), Ground::level(0.7));
+            let footing = Footing::new(&chassis, &ground);
+            let places = |k: u32| at(&footing, ends, h, f64::from(k) / f64::from(PLACES));
+            let (first, last) = (places(0), places(PLACES));
+            let (sin, cos) = angle.sin_cos();
+            let along = |ahead: f64, aside: f64| {
+                let ahead = ahead + off;
+                Vector2::new(first[0][0] + ahead * cos - aside * sin, first[0][1] + ahead * sin + aside * cos)
+            };
+            let corners = [along(0.0, -0.5), along(0.1, -0.5), along(0.1, 0.5), along(0.0, 0.5)];
+            let region = match is_half {
+                true => Region::half_plane(along(0.0, 0.0), angle),
+                false => Region::Polygon(&corners),
+            };
+            for wheel in 0..4 {
+                let path: Vec<[f64; 2]> = (0..=PLACES).map(|k| places(k)[wheel]).collect();
+                // |P″|/8, from second differences.
+                let bows = path.windows(3).map(|three| {
+                    let bend = [0, 1].map(|i| three[0][i] - 2.0 * three[1][i] + three[2][i]);
+                    0.125 * length(bend) * f64::from(PLACES * PLACES)
+                });
+                let bow = bows.fold(0.0, f64::max);
+                // On which side the wheel starts, rounding decides.
+                let sides = path[1..].windows(2).filter(|two| region.contains(two[0]) != region.contains(two[1]));
+                let changes = sides.count();
+                match region.passage(first[wheel], last[wheel], 1.01 * bow + ON_BORDER) {
+                    Passage::Clear => prop_assert_eq!(changes, 0),
+                    Passage::Once => prop_assert!(changes <= 1),
+                    Passage::Unknown => {}
+                }
+            }
+        }
+    }
+
+    /// A path of a metre beside a border, at any distance that is worth a look, is found clear; one that
+    /// crosses it plainly is found to do so once.
+    #[test]
+    fn a_plain_path_is_not_left_unknown() {
+        let region = Region::half_plane(Vector2::new(0.0, 0.0), 0.0);
+        assert_eq!(region.passage([0.02, 0.0], [0.02, 1.0], 0.01), Passage::Clear);
+        assert_eq!(region.passage([0.0, 0.0], [0.5, 1.0], 0.1), Passage::Clear);
+        assert_eq!(region.passage([-0.5, 0.0], [0.5, 1.0], 0.1), Passage::Once);
+        assert_eq!(region.passage([0.02, 0.0], [0.02, 1.0], 0.03), Passage::Unknown);
+        // d = −0.1 + 0.2 t ± 4 b t (1 − t) has a rate of 0 at an end if b = 0.05.
+        assert_eq!(region.passage([-0.1, 0.0], [0.1, 1.0], 0.049), Passage::Once);
+        assert_eq!(region.passage([-0.1, 0.0], [0.1, 1.0], 0.051), Passage::Unknown);
+        let stripe = [[0.0, 0.0], [1.0, 0.0], [1.0, 4.0], [0.0, 4.0]].map(|[x, y]| Vector2::new(x, y));
+        let stripe = Region::Polygon(&stripe);
+        assert_eq!(stripe.passage([0.5, 0.5], [0.5, 3.0], 0.1), Passage::Clear);
+        assert_eq!(stripe.passage([1.5, -0.5], [3.0, 3.0], 0.1), Passage::Clear);
+        assert_eq!(stripe.passage([-0.5, 4.0], [2.5, 7.5], 0.05), Passage::Clear);
+        assert_eq!(stripe.passage([-0.5, 1.0], [1.5, 1.0], 0.1), Passage::Unknown);
+    }
 }
