@@ -306,7 +306,7 @@ mod tests {
     }
 
     fn length([x, y]: [f64; 2]) -> f64 {
-        x.hypot(y)
+        super::length(x, y)
     }
 
     fn between([x0, y0]: [f64; 2], [x1, y1]: [f64; 2], share: f64) -> [f64; 2] {
@@ -352,7 +352,7 @@ mod tests {
             let footing = Footing::new(&chassis, &ground);
             let places = |k: u32| at(&footing, ends, h, f64::from(k) / f64::from(PLACES));
             let (first, last) = (places(0), places(PLACES));
-            let (sin, cos) = angle.sin_cos();
+            let Direction { sin, cos } = Direction::of(angle);
             let along = |ahead: f64, aside: f64| {
                 let ahead = ahead + off;
                 Vector2::new(first[0][0] + ahead * cos - aside * sin, first[0][1] + ahead * sin + aside * cos)
