@@ -8,6 +8,7 @@ mod draw;
 mod explain;
 mod files;
 mod live;
+mod long_texts;
 mod new;
 mod outputs;
 mod pages;

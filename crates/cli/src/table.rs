@@ -28,6 +28,7 @@ use tables::{
 use crate::arguments::TableArguments;
 use crate::batch::{Incomplete, is_broken_pipe};
 use crate::files::{named, read_text, write};
+use crate::long_texts::{LONGEST, shortened};
 use crate::progress::Progress;
 use crate::sink::Sink;
 use crate::threads::pool;
@@ -96,7 +97,7 @@ fn rows(
         let mut progress = progress.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
         progress.at("rows", rows, total.unwrap_or(rows))
     };
-    let mut said_units = false;
+    let (mut said_units, mut left_out) = (false, 0);
     while let Some((batch, faults)) = input.next()? {
         if !said_units {
             say_units(&batch)?;
@@ -112,7 +113,8 @@ fn rows(
         };
         done += results.num_rows();
         failed += results.column_by_name("error").map_or(0, |errors| errors.len() - errors.null_count());
-        let these = batch.slice(0, results.num_rows());
+        let (these, shortened) = shortened(&batch.slice(0, results.num_rows()), &input.kept)?;
+        left_out += shortened;
         out.write(&carried.beside(&these, &results)?).with_context(cannot)?;
         if ended {
             // A table that was there before is worth more than an empty one.
@@ -124,6 +126,11 @@ fn rows(
         }
     }
     out.finish().with_context(cannot)?;
+    if left_out > 0 {
+        note(&format!(
+            "note: {left_out} texts longer than {LONGEST} bytes are not carried over; a remark stands in their place"
+        ));
+    }
     if failed > 0 { Err(Incomplete::FailedRows { failed, total: done }.into()) } else { Ok(()) }
 }
 
