@@ -1,7 +1,7 @@
 //! Whether the collision was avoidable, as JSON.
 
 use analysis::{
-    ActualRun, AvoidChance, AvoidInterval, AvoidRun, Avoidance, Hypothesis, SpeedSource, Unbraked,
+    ActualRun, AvoidChance, AvoidInterval, AvoidRun, Avoidance, Hypothesis, SpeedSource, Unbraked, View,
 };
 use case::{CaseFile, SWELLS, word};
 use serde::Serialize;
@@ -24,6 +24,7 @@ struct AvoidBlock {
     speed_source: &'static str,
     limit: f64,
     demand: DemandBlock,
+    sight: Option<SightBlock>,
     stopping_distance: f64,
     spatial: KindBlock,
     temporal: Option<KindBlock>,
@@ -41,6 +42,15 @@ struct AvoidBlock {
 struct DemandBlock {
     distance: f64,
     time: f64,
+}
+
+#[derive(Serialize)]
+struct SightBlock {
+    time: f64,
+    distance_subject: f64,
+    distance_other: f64,
+    hidden_by: Option<usize>,
+    seen_earlier: Option<f64>,
 }
 
 #[derive(Serialize)]
@@ -118,6 +128,15 @@ struct IntervalsBlock {
     spatial_speed: IntervalBlock,
     temporal_speed: Option<IntervalBlock>,
     collision_speed_at_limit: IntervalBlock,
+    sight: Option<SightIntervalsBlock>,
+}
+
+#[derive(Serialize)]
+struct SightIntervalsBlock {
+    time: IntervalBlock,
+    distance_subject: IntervalBlock,
+    distance_other: IntervalBlock,
+    never_hidden: f64,
 }
 
 /// Whether the collision was avoidable, as indented JSON, ending in a line break: `{"avoid": {"speed": …,
@@ -157,6 +176,7 @@ pub fn avoid_json(file: &CaseFile, found: &Avoidance) -> Result<String, serde_js
             },
             limit: scene.limit,
             demand: DemandBlock { distance: scene.distance, time: scene.time },
+            sight: sight(found),
             stopping_distance: response.stopping_distance(scene.speed),
             spatial: of(scene.spatial()),
             temporal: scene.temporal().map(of),
@@ -189,6 +209,17 @@ pub fn avoid_json(file: &CaseFile, found: &Avoidance) -> Result<String, serde_js
         },
     };
     pretty(&identified(file, document))
+}
+
+fn sight(found: &Avoidance) -> Option<SightBlock> {
+    let View::Free(sight) = found.scene.view else { return None };
+    Some(SightBlock {
+        time: sight.time,
+        distance_subject: sight.distance_subject,
+        distance_other: sight.distance_other,
+        hidden_by: found.hiding.and_then(|hiding| hiding.by).map(|index| index + 1),
+        seen_earlier: found.hiding.and_then(|hiding| hiding.seen_earlier),
+    })
 }
 
 /// The word of a hypothesis in the JSON.
@@ -238,5 +269,11 @@ fn intervals(chance: &AvoidChance) -> IntervalsBlock {
         spatial_speed: of(&chance.spatial),
         temporal_speed: chance.temporal.as_ref().map(of),
         collision_speed_at_limit: of(&chance.left_at_limit),
+        sight: chance.sight.as_ref().map(|sight| SightIntervalsBlock {
+            time: of(&sight.time),
+            distance_subject: of(&sight.distance_subject),
+            distance_other: of(&sight.distance_other),
+            never_hidden: sight.never_hidden,
+        }),
     }
 }
