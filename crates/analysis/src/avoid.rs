@@ -76,6 +76,8 @@ pub struct Avoidance {
     pub scene: AvoidScene,
     /// The actual run first, then the others.
     pub runs: Vec<AvoidRun>,
+    /// The limit with one of the other two, where these can differ: the rest of all combinations.
+    pub more_runs: Vec<AvoidRun>,
     /// What would have been enough.
     pub enough: Enough,
     /// How the other party was hidden, if it was.
@@ -114,6 +116,10 @@ pub enum Hypothesis {
     FullBraking,
     /// At the speed driven, the reaction in time and the braking full.
     ReactionAndBraking,
+    /// At the limit, the reaction in time, and the braking as it was.
+    LimitAndReaction,
+    /// At the limit, the reaction as it was, and the braking full.
+    LimitAndBraking,
     /// At the limit, the reaction in time and the braking full.
     All,
 }
@@ -160,13 +166,17 @@ pub struct Enough {
     /// (s) at the speed driven and with the deceleration of `[avoid]`, the longest reaction time; `None` if
     /// none is.
     pub reaction: Option<f64>,
+    /// (m/s²) the deceleration at the limit, likewise.
+    pub deceleration_at_limit: Option<f64>,
+    /// (s) the longest reaction time at the limit, likewise.
+    pub reaction_at_limit: Option<f64>,
 }
 
 impl Avoidance {
     /// The run of a hypothesis; `None` if it is one of the others.
     #[must_use]
     pub fn run(&self, hypothesis: Hypothesis) -> Option<&AvoidRun> {
-        self.runs.iter().find(|run| run.hypothesis == hypothesis)
+        self.runs.iter().chain(&self.more_runs).find(|run| run.hypothesis == hypothesis)
     }
 
     /// (m) where the driver's eye and the visible point of the other party were on the actual run, at a time
@@ -230,15 +240,28 @@ pub fn avoid(
         return Err(limit_above(&form, &scene).into());
     }
     let other = told.as_ref().and_then(|told| told.other);
-    let runs = runs(&scene, &|speed| delta_v(case, form.vehicle, speed, other));
+    let [runs, more_runs] = runs(&scene, &|speed| delta_v(case, form.vehicle, speed, other));
     let enough = Enough {
         speed: scene.just_avoiding(),
         deceleration: scene.response.deceleration_to_stop_within(scene.speed, scene.distance),
         reaction: scene.response.reaction_to_stop_within(scene.speed, scene.distance),
+        deceleration_at_limit: scene.response.deceleration_to_stop_within(scene.limit, scene.distance),
+        reaction_at_limit: scene.response.reaction_to_stop_within(scene.limit, scene.distance),
     };
     let is_unconverged = told.as_ref().is_some_and(Told::is_unconverged);
     let vehicle = form.vehicle;
-    Ok(Avoidance { vehicle, speed_from, scene, runs, enough, hiding, ways, chance, is_unconverged })
+    Ok(Avoidance {
+        vehicle,
+        speed_from,
+        scene,
+        runs,
+        more_runs,
+        enough,
+        hiding,
+        ways,
+        chance,
+        is_unconverged,
+    })
 }
 
 /// The speed at the impact that the rest of the case tells.
@@ -387,8 +410,8 @@ fn of_ranges(
     chance(&form, &inputs, speeds.as_ref(), obstacles, [plan.samples as u64, plan.seed])
 }
 
-/// The actual run, and those of the hypotheses that differ from it.
-fn runs(scene: &AvoidScene, delta_v: &dyn Fn(f64) -> Option<[f64; 2]>) -> Vec<AvoidRun> {
+/// The actual run, those of the hypotheses that differ from it, and the rest of all combinations.
+fn runs(scene: &AvoidScene, delta_v: &dyn Fn(f64) -> Option<[f64; 2]>) -> [Vec<AvoidRun>; 2] {
     let AvoidScene { speed, limit, distance, time, response, clears_after, .. } = *scene;
     let actual = scene.course();
     let run = |hypothesis, course: AvoidCourse| {
@@ -409,6 +432,7 @@ fn runs(scene: &AvoidScene, delta_v: &dyn Fn(f64) -> Option<[f64; 2]>) -> Vec<Av
     };
     let with = |speed: f64, response: Response| AvoidCourse { speed, response: Some(response) };
     let mut runs = vec![run(Hypothesis::Actual, actual)];
+    let mut more = Vec::new();
     match scene.actual {
         ActualRun::Responded => {}
         ActualRun::Unbraked(_) => {
@@ -422,10 +446,12 @@ fn runs(scene: &AvoidScene, delta_v: &dyn Fn(f64) -> Option<[f64; 2]>) -> Vec<Av
             let full = response.with_reaction(slowed.reaction());
             runs.push(run(Hypothesis::FullBraking, with(speed, full)));
             runs.push(run(Hypothesis::ReactionAndBraking, with(speed, response)));
+            more.push(run(Hypothesis::LimitAndReaction, with(limit, in_time)));
+            more.push(run(Hypothesis::LimitAndBraking, with(limit, full)));
         }
     }
     runs.push(run(Hypothesis::All, with(limit, response)));
-    runs
+    [runs, more]
 }
 
 /// (–) rounding of a time that is equal to another.

@@ -110,6 +110,8 @@ struct EnoughBlock {
     speed: f64,
     deceleration: Option<f64>,
     reaction_time: Option<f64>,
+    deceleration_at_limit: Option<f64>,
+    reaction_time_at_limit: Option<f64>,
 }
 
 /// The median and the ends of a 95 % interval.
@@ -199,11 +201,13 @@ pub fn avoid_json(file: &CaseFile, found: &Avoidance) -> Result<String, serde_js
                 ActualRun::Skidded(_) => "skidded",
             },
             reaction_late_by: found.delay(),
-            runs: found.runs.iter().map(run).collect(),
+            runs: found.runs.iter().chain(&found.more_runs).map(run).collect(),
             enough: EnoughBlock {
                 speed: found.enough.speed,
                 deceleration: found.enough.deceleration,
                 reaction_time: found.enough.reaction,
+                deceleration_at_limit: found.enough.deceleration_at_limit,
+                reaction_time_at_limit: found.enough.reaction_at_limit,
             },
             intervals: found.chance.as_ref().map(intervals),
         },
@@ -230,6 +234,8 @@ fn hypothesis(hypothesis: Hypothesis) -> &'static str {
         Hypothesis::ReactionInTime => "reaction in time",
         Hypothesis::FullBraking => "full braking",
         Hypothesis::ReactionAndBraking => "reaction in time and full braking",
+        Hypothesis::LimitAndReaction => "limit and reaction in time",
+        Hypothesis::LimitAndBraking => "limit and full braking",
         Hypothesis::All => "limit, reaction in time and full braking",
     }
 }

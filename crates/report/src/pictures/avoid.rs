@@ -44,7 +44,7 @@ fn pen(hypothesis: Hypothesis) -> usize {
         Hypothesis::ReactionInTime => 2,
         Hypothesis::FullBraking => 3,
         Hypothesis::ReactionAndBraking => 4,
-        Hypothesis::All => 5,
+        Hypothesis::LimitAndReaction | Hypothesis::LimitAndBraking | Hypothesis::All => 5,
     }
 }
 
@@ -57,6 +57,8 @@ fn legend(run: &AvoidRun, units: Units) -> String {
         Hypothesis::ReactionInTime => "reaction in time",
         Hypothesis::FullBraking => "full braking",
         Hypothesis::ReactionAndBraking => "reaction in time, full braking",
+        Hypothesis::LimitAndReaction => "lower speed, reaction in time",
+        Hypothesis::LimitAndBraking => "lower speed, full braking",
         Hypothesis::All => "lower speed, reaction in time, full braking",
     };
     format!("{speed}: {says}")

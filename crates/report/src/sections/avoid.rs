@@ -34,6 +34,9 @@ pub fn avoid(case: &Case, found: &Avoidance, units: Units) -> Document {
         drawing: Undrawn::new(move || picture.draw()),
         instead: None,
     });
+    if !found.more_runs.is_empty() {
+        page.push(combinations(found, units));
+    }
     for note in on_the_runs(found, units) {
         page.paragraph(note);
     }
@@ -369,6 +372,8 @@ fn name(hypothesis: Hypothesis) -> [&'static str; 2] {
         Hypothesis::ReactionInTime => ["reaction", "in time"],
         Hypothesis::FullBraking => ["full", "braking"],
         Hypothesis::ReactionAndBraking => ["reaction and", "braking"],
+        Hypothesis::LimitAndReaction => ["limit and", "reaction"],
+        Hypothesis::LimitAndBraking => ["limit and", "braking"],
         Hypothesis::All => ["limit, reaction", "and braking"],
     }
 }
@@ -419,16 +424,44 @@ fn runs(case: &Case, found: &Avoidance, units: Units) -> Table {
         });
     }
     row("avoided".to_owned(), &|run| {
-        Some(if run.hypothesis == Hypothesis::Actual {
-            NONE.to_owned()
-        } else if run.stops_before() {
-            "in space".to_owned()
-        } else if run.is_late_enough == Some(true) {
-            "in time".to_owned()
-        } else {
-            "no".to_owned()
-        })
+        Some(if run.hypothesis == Hypothesis::Actual { NONE } else { avoided(run) }.to_owned())
     });
+    table
+}
+
+/// How a run avoids the collision.
+fn avoided(run: &AvoidRun) -> &'static str {
+    match (run.stops_before(), run.is_late_enough) {
+        (true, _) => "in space",
+        (false, Some(true)) => "in time",
+        (false, _) => "no",
+    }
+}
+
+/// Every combination of the limit, the reaction in time and full braking, in the order of how many it takes.
+fn combinations(found: &Avoidance, units: Units) -> Table {
+    let mut table = Table::new(
+        "Each alone and together",
+        [
+            Column::words("", Width::Fixed(44)),
+            Column::numbers("speed at the place", Width::Fixed(20)).unit(units.name(Measure::RoadSpeed)),
+            Column::words("avoided", Width::Fixed(18)),
+        ],
+    );
+    for (hypothesis, label) in [
+        (Hypothesis::LimitOnly, "the limit"),
+        (Hypothesis::ReactionInTime, "reaction in time"),
+        (Hypothesis::FullBraking, "full braking"),
+        (Hypothesis::LimitAndReaction, "the limit and reaction in time"),
+        (Hypothesis::LimitAndBraking, "the limit and full braking"),
+        (Hypothesis::ReactionAndBraking, "reaction in time and full braking"),
+        (Hypothesis::All, "all three"),
+    ] {
+        if let Some(run) = found.run(hypothesis) {
+            let speed = units.plain(Measure::RoadSpeed, run.collision_speed);
+            table.row([label.to_owned(), speed, avoided(run).to_owned()]);
+        }
+    }
     table
 }
 
@@ -542,11 +575,17 @@ fn enough(found: &Avoidance, units: Units) -> Block {
         value.map_or_else(none, |value| format!("{word} {}", units.format(measure, value)))
     };
     Block::Facts {
-        title: "What would have been enough, each alone",
+        title: "What would have been enough",
         facts: vec![
             ("Speed, in space or in time", of(Measure::RoadSpeed, Some(enough.speed), "at most")),
             ("Deceleration, at the speed driven", of(Measure::Acceleration, enough.deceleration, "at least")),
             ("Reaction time, at the speed driven", of(Measure::Time, enough.reaction, "at most")),
+            (
+                "Deceleration, at the limit",
+                of(Measure::Acceleration, enough.deceleration_at_limit, "at least"),
+            ),
+            ("Reaction time, at the limit", of(Measure::Time, enough.reaction_at_limit, "at most")),
+            ("The other one not entering", "no collision, whatever the vehicle does".to_owned()),
         ],
     }
 }
