@@ -8,6 +8,7 @@ use std::ops::ControlFlow;
 
 use analysis::{ActualRun, AvoidPlan, Avoidance, Failure, Hypothesis, Sight, SpeedSource, View, avoid};
 use case::{Case, CaseFile};
+use drawing::{Axis, Marker, ScatterPanel, ScatterPicture, ScatterPoint, Symbol};
 
 fn parsed(text: &str) -> Case {
     CaseFile::parse("avoid.toml", text).unwrap().case
@@ -115,6 +116,58 @@ fn told_probabilities_are_those_of_simulated_crashes() {
     let chi2: f64 = classes.map(|k| (avoided[k] - told[k]).powi(2) / variance[k]).sum();
     assert!(chi2 < 23.2, "χ² {chi2}: {count:?} told {told:?}, avoided {avoided:?}");
     assert!(count.iter().all(|count| *count >= 20), "{count:?}");
+    assert_drawn(&reliability(&count, [&told, &avoided, &variance]));
+}
+
+/// The reliability diagram of docs/calibration.md.
+fn reliability(count: &[usize], [told, avoided, variance]: [&[f64]; 3]) -> String {
+    let axis = |title: &str| Axis { title: title.to_owned(), unit: 1.0 };
+    let filled = Symbol { marker: Marker::Circle, is_filled: true };
+    let hollow = Symbol { marker: Marker::Diamond, is_filled: false };
+    let points = count.iter().zip(told).zip(avoided).zip(variance);
+    let points = points.flat_map(|(((count, told), avoided), variance)| {
+        #[expect(clippy::cast_precision_loss, reason = "1,000 crashes")]
+        let share = |sum: f64| sum / *count as f64;
+        let error = 1.96 * variance.sqrt();
+        let at = |of: f64, symbol, label| ScatterPoint {
+            at: [share(*told), share(of).clamp(0.0, 1.0)],
+            symbol,
+            label,
+        };
+        [
+            at(*told - error, hollow, None),
+            at(*told + error, hollow, None),
+            at(*avoided, filled, Some(count.to_string())),
+        ]
+    });
+    ScatterPicture {
+        name: "reliability",
+        title: "Probability of avoidance: told, and come true".to_owned(),
+        subtitle: "1,000 simulated crashes in ten classes of what they were told, labelled with their number."
+            .to_owned(),
+        description: "In each class, the share of crashes that the limit would have avoided is about the probability told."
+            .to_owned(),
+        across: axis("mean of the probabilities told"),
+        upward: axis("share avoided"),
+        panels: vec![ScatterPanel { title: String::new(), points: points.collect() }],
+        legend: vec![
+            (filled, "share avoided".to_owned()),
+            (hollow, "where it lies with 95 % if the probabilities are right".to_owned()),
+        ],
+        equality: "as told".to_owned(),
+    }
+    .draw()
+    .svg()
+}
+
+#[track_caller]
+fn assert_drawn(now: &str) {
+    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../docs/images/avoid-reliability.svg");
+    if std::env::var_os("UPDATE").is_some() {
+        std::fs::write(path, now).unwrap();
+    }
+    let kept = std::fs::read_to_string(path).unwrap_or_default();
+    assert!(kept == now, "{path} is not current: write it anew with UPDATE=1 cargo test -p deltav-analysis");
 }
 
 const PEDESTRIAN: &str = include_str!("../../../fixtures/avoid/pedestrian.toml");
