@@ -3,6 +3,7 @@
 
 mod chance;
 mod scene;
+mod sight;
 
 use std::collections::BTreeSet;
 use std::ops::ControlFlow;
@@ -15,10 +16,12 @@ use inputs::{
 use pim_core::VehicleId;
 use time_distance::Response;
 
-pub use chance::{AvoidChance, AvoidInfluence, AvoidInterval};
+pub use chance::{AvoidChance, AvoidInfluence, AvoidInterval, SightIntervals};
 use chance::{Speeds, chance};
 use scene::Unposed;
 pub use scene::{ActualRun, AvoidCourse, AvoidScene, Unbraked};
+pub use sight::{Hiding, SIGHT_LOOK_BACK, Sight, View};
+use sight::{Outlines, Ways};
 
 use crate::analysis::Analysis;
 use crate::beside::{SAMPLES, is_estimated_beside, usual_samples};
@@ -73,8 +76,14 @@ pub struct Avoidance {
     pub scene: AvoidScene,
     /// The actual run first, then the others.
     pub runs: Vec<AvoidRun>,
+    /// The limit with one of the other two, where these can differ: the rest of all combinations.
+    pub more_runs: Vec<AvoidRun>,
     /// What would have been enough.
     pub enough: Enough,
+    /// How the other party was hidden, if it was.
+    pub hiding: Option<Hiding>,
+    /// The ways of both in the scene, if there are obstacles.
+    ways: Option<Ways>,
     /// How probable it is; `None` if nothing is uncertain.
     pub chance: Option<AvoidChance>,
     /// Whether the evidence was weighed, but the run did not converge, so that there is no probability.
@@ -107,6 +116,10 @@ pub enum Hypothesis {
     FullBraking,
     /// At the speed driven, the reaction in time and the braking full.
     ReactionAndBraking,
+    /// At the limit, the reaction in time, and the braking as it was.
+    LimitAndReaction,
+    /// At the limit, the reaction as it was, and the braking full.
+    LimitAndBraking,
     /// At the limit, the reaction in time and the braking full.
     All,
 }
@@ -153,13 +166,25 @@ pub struct Enough {
     /// (s) at the speed driven and with the deceleration of `[avoid]`, the longest reaction time; `None` if
     /// none is.
     pub reaction: Option<f64>,
+    /// (m/s²) the deceleration at the limit, likewise.
+    pub deceleration_at_limit: Option<f64>,
+    /// (s) the longest reaction time at the limit, likewise.
+    pub reaction_at_limit: Option<f64>,
 }
 
 impl Avoidance {
     /// The run of a hypothesis; `None` if it is one of the others.
     #[must_use]
     pub fn run(&self, hypothesis: Hypothesis) -> Option<&AvoidRun> {
-        self.runs.iter().find(|run| run.hypothesis == hypothesis)
+        self.runs.iter().chain(&self.more_runs).find(|run| run.hypothesis == hypothesis)
+    }
+
+    /// (m) where the driver's eye and the visible point of the other party were on the actual run, at a time
+    /// (s) before the impact, in the coordinates of the scene; `None` without obstacles.
+    #[must_use]
+    pub fn eye_and_point(&self, time: f64) -> Option<[[f64; 2]; 2]> {
+        let ways = self.ways?;
+        Some(ways.of_scene(&self.scene, time).map(|at| [at.x, at.y]))
     }
 
     /// (s) by how much the reaction was later than `[avoid]` allows; `None` if it is not known.
@@ -192,8 +217,21 @@ pub fn avoid(
         (_, Some(told)) => told.from,
     };
     let at_impact = told.as_ref().map(|told| told.speed);
-    let scene = AvoidScene::pose(&form, at_impact).map_err(|refusal| unposed(&form, refusal))?;
-    let chance = of_ranges(case, told.as_ref(), plan)?;
+    let given = case.avoid.iter().flat_map(|avoid| &avoid.obstacles);
+    let outlines: Vec<_> = given.map(sight::corners).collect();
+    let obstacles: Vec<&[_]> = outlines.iter().map(Vec::as_slice).collect();
+    let ways = form.sight.as_ref().map(Ways::of);
+    if let Some(index) = ways.and_then(|ways| ways.hides_the_impact(&obstacles)) {
+        return Err(hides_the_impact(case, index).into());
+    }
+    let scene = AvoidScene::pose(&form, at_impact, &obstacles).map_err(|refusal| unposed(&form, refusal))?;
+    let hiding = match (scene.view, ways) {
+        (View::Free(sight), Some(ways)) => {
+            Some(ways.hiding(&scene, &sight, &obstacles).map_err(|index| holds_the_eye(case, index))?)
+        }
+        _ => None,
+    };
+    let chance = of_ranges(case, told.as_ref(), &obstacles, plan)?;
     let is_above = |speed: f64| scene.limit > speed;
     if chance
         .as_ref()
@@ -202,14 +240,28 @@ pub fn avoid(
         return Err(limit_above(&form, &scene).into());
     }
     let other = told.as_ref().and_then(|told| told.other);
-    let runs = runs(&scene, &|speed| delta_v(case, form.vehicle, speed, other));
+    let [runs, more_runs] = runs(&scene, &|speed| delta_v(case, form.vehicle, speed, other));
     let enough = Enough {
         speed: scene.just_avoiding(),
         deceleration: scene.response.deceleration_to_stop_within(scene.speed, scene.distance),
         reaction: scene.response.reaction_to_stop_within(scene.speed, scene.distance),
+        deceleration_at_limit: scene.response.deceleration_to_stop_within(scene.limit, scene.distance),
+        reaction_at_limit: scene.response.reaction_to_stop_within(scene.limit, scene.distance),
     };
     let is_unconverged = told.as_ref().is_some_and(Told::is_unconverged);
-    Ok(Avoidance { vehicle: form.vehicle, speed_from, scene, runs, enough, chance, is_unconverged })
+    let vehicle = form.vehicle;
+    Ok(Avoidance {
+        vehicle,
+        speed_from,
+        scene,
+        runs,
+        more_runs,
+        enough,
+        hiding,
+        ways,
+        chance,
+        is_unconverged,
+    })
 }
 
 /// The speed at the impact that the rest of the case tells.
@@ -302,7 +354,12 @@ fn sampled(
 
 /// The probability that the ranges of `[avoid]` and the evidence of the speed make; `None` if nothing is
 /// uncertain.
-fn of_ranges(case: &Case, told: Option<&Told>, plan: &AvoidPlan) -> Result<Option<AvoidChance>, Failure> {
+fn of_ranges(
+    case: &Case,
+    told: Option<&Told>,
+    obstacles: Outlines<'_>,
+    plan: &AvoidPlan,
+) -> Result<Option<AvoidChance>, Failure> {
     let is_ours = |key: &String| key.starts_with("avoid.");
     if case.uncertainty.shared.iter().any(|error| error.of.iter().any(is_ours)) {
         let reason = "a number of [avoid] cannot share an error with others".to_owned();
@@ -350,11 +407,11 @@ fn of_ranges(case: &Case, told: Option<&Told>, plan: &AvoidPlan) -> Result<Optio
         return Ok(None);
     }
     let speeds = speeds.map(|speeds| Speeds { speeds, estimated: draws.and(estimated) });
-    chance(&form, &inputs, speeds.as_ref(), [plan.samples as u64, plan.seed])
+    chance(&form, &inputs, speeds.as_ref(), obstacles, [plan.samples as u64, plan.seed])
 }
 
-/// The actual run, and those of the hypotheses that differ from it.
-fn runs(scene: &AvoidScene, delta_v: &dyn Fn(f64) -> Option<[f64; 2]>) -> Vec<AvoidRun> {
+/// The actual run, those of the hypotheses that differ from it, and the rest of all combinations.
+fn runs(scene: &AvoidScene, delta_v: &dyn Fn(f64) -> Option<[f64; 2]>) -> [Vec<AvoidRun>; 2] {
     let AvoidScene { speed, limit, distance, time, response, clears_after, .. } = *scene;
     let actual = scene.course();
     let run = |hypothesis, course: AvoidCourse| {
@@ -375,6 +432,7 @@ fn runs(scene: &AvoidScene, delta_v: &dyn Fn(f64) -> Option<[f64; 2]>) -> Vec<Av
     };
     let with = |speed: f64, response: Response| AvoidCourse { speed, response: Some(response) };
     let mut runs = vec![run(Hypothesis::Actual, actual)];
+    let mut more = Vec::new();
     match scene.actual {
         ActualRun::Responded => {}
         ActualRun::Unbraked(_) => {
@@ -388,10 +446,12 @@ fn runs(scene: &AvoidScene, delta_v: &dyn Fn(f64) -> Option<[f64; 2]>) -> Vec<Av
             let full = response.with_reaction(slowed.reaction());
             runs.push(run(Hypothesis::FullBraking, with(speed, full)));
             runs.push(run(Hypothesis::ReactionAndBraking, with(speed, response)));
+            more.push(run(Hypothesis::LimitAndReaction, with(limit, in_time)));
+            more.push(run(Hypothesis::LimitAndBraking, with(limit, full)));
         }
     }
     runs.push(run(Hypothesis::All, with(limit, response)));
-    runs
+    [runs, more]
 }
 
 /// (–) rounding of a time that is equal to another.
@@ -424,14 +484,20 @@ fn unposed(form: &AvoidForm, refusal: Unposed) -> Failure {
                     ("avoid.demand.distance", in_unit_of(given, distance), given.to_string())
                 }
                 DemandForm::Time(given) => ("avoid.demand.time", in_unit_of(given, time), given.to_string()),
+                DemandForm::Sight => (
+                    "avoid.demand.sight",
+                    format!("{} s", rounded(time)),
+                    "the moment at which the view became free".to_owned(),
+                ),
                 DemandForm::Other([way, speed]) => (
                     "avoid.demand.other",
                     format!("{} s", rounded(time)),
                     format!("{} s", rounded(way.si() / speed.si())),
                 ),
             };
+            let is = if form.demand == DemandForm::Sight { given } else { format!("{given} before it") };
             let reason = format!(
-                "the brakes took effect {when} before the impact, and so before the reaction demand, which is {given} before it"
+                "the brakes took effect {when} before the impact, and so before the reaction demand, which is {is}"
             );
             let advice = "a driver cannot react before there is something to see: give an earlier demand, or check \
                           the skid and the speed at the impact";
@@ -450,11 +516,53 @@ fn unposed(form: &AvoidForm, refusal: Unposed) -> Failure {
             ),
             format!("ask about the other: vehicle = \"vehicle{}\" in [avoid]", form.vehicle.other()),
         ),
+        Unposed::NeverHidden => (
+            "avoid.demand.sight".to_owned(),
+            format!(
+                "no obstacle hides the other party in the {SIGHT_LOOK_BACK} s before the impact, so that the demand cannot be the moment at \
+                 which it comes into sight"
+            ),
+            "check the corners of [[avoid.obstacle]] and the directions in [avoid.sight], or give `demand` by distance or time".to_owned(),
+        ),
+        Unposed::HiddenAtImpact => (
+            "avoid.obstacle".to_owned(),
+            "an obstacle hides the other party at the impact".to_owned(),
+            "check the corners of [[avoid.obstacle]], and `eye` and `point` of [avoid.sight]".to_owned(),
+        ),
         Unposed::Engine(refusal) => {
             ("avoid".to_owned(), refusal.to_string(), "check the numbers of [avoid]".to_owned())
         }
     };
     Faults::from(Fault { key, kind: FaultKind::Refused { reason }, advice: Some(advice) }).into()
+}
+
+fn hides_the_impact(case: &Case, index: usize) -> Faults {
+    let reason = format!(
+        "{} lies on the place of the impact, or between the driver's eye and the other party there",
+        obstacle_name(case, index)
+    );
+    of_obstacle(index, reason)
+}
+
+fn holds_the_eye(case: &Case, index: usize) -> Faults {
+    let reason = format!(
+        "the way of the driver's eye to the impact leads through {}, which would hide everything",
+        obstacle_name(case, index)
+    );
+    of_obstacle(index, reason)
+}
+
+fn of_obstacle(index: usize, reason: String) -> Faults {
+    let key = format!("avoid.obstacle[{}]", index + 1);
+    let advice = "check its corners, and `eye`, `point` and the directions in [avoid.sight]: all are in the coordinates of the scene";
+    Fault { key, kind: FaultKind::Refused { reason }, advice: Some(advice.to_owned()) }.into()
+}
+
+/// How a sentence calls an obstacle.
+#[must_use]
+pub fn obstacle_name(case: &Case, index: usize) -> String {
+    let name = case.avoid.as_ref().and_then(|avoid| avoid.obstacles.get(index)?.name.as_ref());
+    name.map_or_else(|| format!("obstacle {}", index + 1), |name| format!("the obstacle \"{name}\""))
 }
 
 fn limit_above(form: &AvoidForm, scene: &AvoidScene) -> Faults {

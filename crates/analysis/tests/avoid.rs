@@ -6,8 +6,9 @@
 use std::f64::consts::TAU;
 use std::ops::ControlFlow;
 
-use analysis::{ActualRun, AvoidPlan, Avoidance, Failure, Hypothesis, SpeedSource, avoid};
+use analysis::{ActualRun, AvoidPlan, Avoidance, Failure, Hypothesis, Sight, SpeedSource, View, avoid};
 use case::{Case, CaseFile};
+use drawing::{Axis, Marker, ScatterPanel, ScatterPicture, ScatterPoint, Symbol};
 
 fn parsed(text: &str) -> Case {
     CaseFile::parse("avoid.toml", text).unwrap().case
@@ -115,6 +116,58 @@ fn told_probabilities_are_those_of_simulated_crashes() {
     let chi2: f64 = classes.map(|k| (avoided[k] - told[k]).powi(2) / variance[k]).sum();
     assert!(chi2 < 23.2, "χ² {chi2}: {count:?} told {told:?}, avoided {avoided:?}");
     assert!(count.iter().all(|count| *count >= 20), "{count:?}");
+    assert_drawn(&reliability(&count, [&told, &avoided, &variance]));
+}
+
+/// The reliability diagram of docs/calibration.md.
+fn reliability(count: &[usize], [told, avoided, variance]: [&[f64]; 3]) -> String {
+    let axis = |title: &str| Axis { title: title.to_owned(), unit: 1.0 };
+    let filled = Symbol { marker: Marker::Circle, is_filled: true };
+    let hollow = Symbol { marker: Marker::Diamond, is_filled: false };
+    let points = count.iter().zip(told).zip(avoided).zip(variance);
+    let points = points.flat_map(|(((count, told), avoided), variance)| {
+        #[expect(clippy::cast_precision_loss, reason = "1,000 crashes")]
+        let share = |sum: f64| sum / *count as f64;
+        let error = 1.96 * variance.sqrt();
+        let at = |of: f64, symbol, label| ScatterPoint {
+            at: [share(*told), share(of).clamp(0.0, 1.0)],
+            symbol,
+            label,
+        };
+        [
+            at(*told - error, hollow, None),
+            at(*told + error, hollow, None),
+            at(*avoided, filled, Some(count.to_string())),
+        ]
+    });
+    ScatterPicture {
+        name: "reliability",
+        title: "Probability of avoidance: told, and come true".to_owned(),
+        subtitle: "1,000 simulated crashes in ten classes of what they were told, labelled with their number."
+            .to_owned(),
+        description: "In each class, the share of crashes that the limit would have avoided is about the probability told."
+            .to_owned(),
+        across: axis("mean of the probabilities told"),
+        upward: axis("share avoided"),
+        panels: vec![ScatterPanel { title: String::new(), points: points.collect() }],
+        legend: vec![
+            (filled, "share avoided".to_owned()),
+            (hollow, "where it lies with 95 % if the probabilities are right".to_owned()),
+        ],
+        equality: "as told".to_owned(),
+    }
+    .draw()
+    .svg()
+}
+
+#[track_caller]
+fn assert_drawn(now: &str) {
+    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../docs/images/avoid-reliability.svg");
+    if std::env::var_os("UPDATE").is_some() {
+        std::fs::write(path, now).unwrap();
+    }
+    let kept = std::fs::read_to_string(path).unwrap_or_default();
+    assert!(kept == now, "{path} is not current: write it anew with UPDATE=1 cargo test -p deltav-analysis");
 }
 
 const PEDESTRIAN: &str = include_str!("../../../fixtures/avoid/pedestrian.toml");
@@ -222,4 +275,155 @@ fn what_is_left_comes_from_the_impact() {
     assert_eq!(run.delta_v.unwrap().map(f64::to_bits), expected.map(f64::to_bits));
     let own = analysis::impact(&parsed(impact)).unwrap().delta_v();
     assert!(own[0] > expected[0]);
+}
+
+/// Every combination of the limit, the reaction in time and full braking, each against small steps.
+#[test]
+fn combinations_agree_with_steps() {
+    let text = r#"
+        [vehicle1]
+        speed = "10 m/s"
+        [vehicle1.before]
+        skid = { length = "12 m", friction = 0.6 }
+        [avoid]
+        limit = "50 km/h"
+        reaction_time = "0.8 s"
+        swell = "0.2 s"
+        deceleration = "7.5 m/s^2"
+        demand = { distance = "33 m" }
+    "#;
+    let found = asked(text);
+    let ActualRun::Skidded(slowed) = found.scene.actual else { unreachable!("{:?}", found.scene.actual) };
+    let (late, skidded, driven, limit) = (slowed.reaction(), 0.6 * 9.80665, found.scene.speed, 50.0 / 3.6);
+    assert!(late > 0.8);
+    for (hypothesis, speed, reaction, deceleration) in [
+        (Hypothesis::LimitOnly, limit, late, skidded),
+        (Hypothesis::ReactionInTime, driven, 0.8, skidded),
+        (Hypothesis::FullBraking, driven, late, 7.5),
+        (Hypothesis::LimitAndReaction, limit, 0.8, skidded),
+        (Hypothesis::LimitAndBraking, limit, late, 7.5),
+        (Hypothesis::ReactionAndBraking, driven, 0.8, 7.5),
+        (Hypothesis::All, limit, 0.8, 7.5),
+    ] {
+        let run = found.run(hypothesis).unwrap();
+        let expected = stepped(speed, [reaction, 0.2, deceleration], 33.0).map_or(0.0, |[speed, _]| speed);
+        assert!(
+            (run.collision_speed - expected).abs() < 2e-2,
+            "{hypothesis:?} {} {expected}",
+            run.collision_speed
+        );
+    }
+    // What would have been enough at the limit, by hand: v²/2a + v t_R + v t_S/2 − a t_S²/24 = 33 m.
+    let reaction = found.enough.reaction_at_limit.unwrap();
+    let way = limit * (reaction + 0.1) + limit * limit / 15.0 - 7.5 * 0.04 / 24.0;
+    assert!((way - 33.0).abs() < 1e-9, "{way}");
+    let a = found.enough.deceleration_at_limit.unwrap();
+    let way = limit * 0.9 + limit * limit / (2.0 * a) - a * 0.04 / 24.0;
+    assert!((way - 33.0).abs() < 1e-9, "{way}");
+}
+
+/// The case of a pedestrian behind a van, with other lines in `[avoid]` and before it.
+fn behind_a_van(before: &str, lines: &str) -> String {
+    format!(
+        r#"
+        {before}
+        [avoid]
+        limit = "30 km/h"
+        reaction_time = "0.8 s"
+        swell = "0.2 s"
+        deceleration = "7.5 m/s^2"
+        {lines}
+        [avoid.sight]
+        eye = {{ x = "-2 m", y = "0 m" }}
+        heading = "0 deg"
+        other_heading = "90 deg"
+        other_speed = "1.5 m/s"
+        [[avoid.obstacle]]
+        polygon = [{{ x = "-8 m", y = "-1.8 m" }}, {{ x = "-3 m", y = "-1.8 m" }}, {{ x = "-3 m", y = "-3.8 m" }}, {{ x = "-8 m", y = "-3.8 m" }}]
+        "#
+    )
+}
+
+fn free(found: &Avoidance) -> Sight {
+    let View::Free(sight) = found.scene.view else { unreachable!("{:?}", found.scene.view) };
+    sight
+}
+
+/// The line from the eye (−2 − s, 0) to the pedestrian (0, −u t) passes the corner (−3, −1.8) of the van where
+/// u t (s − 1) = 1.8 (s + 2).
+fn passes_the_corner(way: f64, time: f64) -> f64 {
+    1.5 * time * (way - 1.0) - 1.8 * (way + 2.0)
+}
+
+/// Unbraked at 15 m/s: 22.5 t² − 28.5 t − 3.6 = 0, by hand.
+#[test]
+fn the_view_becomes_free_where_the_line_passes_the_corner() {
+    let expected = (28.5 + 1_136.25_f64.sqrt()) / 45.0;
+    let unbraked = "speed = \"15 m/s\"\nunbraked = true\ndemand = ";
+    for demand in ["{ sight = true }", "{ time = \"1.2 s\" }", "{ distance = \"40 m\" }"] {
+        let found = asked(&behind_a_van("", &format!("{unbraked}{demand}")));
+        let sight = free(&found);
+        assert!((sight.time - expected).abs() < 1e-9, "{demand}: {sight:?}");
+        assert!((sight.distance_subject - 15.0 * expected).abs() < 1e-8, "{demand}: {sight:?}");
+        assert!((sight.distance_other - 1.5 * expected).abs() < 1e-9, "{demand}: {sight:?}");
+        assert!(!found.hiding.unwrap().is_inside);
+        assert_eq!(found.hiding.unwrap().by, Some(0));
+        assert_eq!(found.scene.time < expected, demand.contains("time"), "{demand}");
+    }
+    // The same scene from the other side of the axes.
+    let text = behind_a_van("[scene]\naxes = \"z-down\"", &format!("{unbraked}{{ sight = true }}"));
+    let mirrored = text.replace("y = \"-", "y = \"").replace("\"90 deg\"", "\"-90 deg\"");
+    assert!((free(&asked(&mirrored)).time - expected).abs() < 1e-9);
+    // Turned by 180°.
+    let turned = text
+        .replace("= \"-", "= \"+")
+        .replace("= \"2 m", "= \"-2 m")
+        .replace("heading = \"0 deg", "heading = \"180 deg")
+        .replace("\"90 deg", "\"-90 deg")
+        .replace("x = \"+", "x = \"")
+        .replace("y = \"+", "y = \"");
+    assert!((free(&asked(&turned)).time - expected).abs() < 1e-9, "{turned}");
+}
+
+/// A driver who brakes as soon as the view is free reaches the place later than without: found by stepping
+/// the demand back until the line passes the corner.
+#[test]
+fn the_demand_by_sight_agrees_with_steps() {
+    let found = asked(&behind_a_van("", "speed = \"15 m/s\"\ndemand = { sight = true }"));
+    assert_eq!(found.scene.actual, ActualRun::Responded);
+    let way = (1..).map(|k| 1e-3 * f64::from(k)).skip(5_000).find(|way| {
+        let [_, time] = stepped(15.0, [0.8, 0.2, 7.5], *way).unwrap();
+        passes_the_corner(*way, time) > 0.0
+    });
+    assert!((found.scene.distance - way.unwrap()).abs() < 2e-3, "{} {way:?}", found.scene.distance);
+    assert!(passes_the_corner(found.scene.distance, found.scene.time).abs() < 1e-6);
+    assert_eq!(free(&found).distance_subject.to_bits(), found.scene.distance.to_bits());
+    // A skid up to the impact: by hand, 10 m at 0.7 g to 10 m/s.
+    let skid =
+        "[vehicle1]\nspeed = \"10 m/s\"\n[vehicle1.before]\nskid = { length = \"10 m\", friction = 0.7 }";
+    let found = asked(&behind_a_van(skid, "demand = { sight = true }"));
+    let sight = free(&found);
+    assert!(passes_the_corner(sight.distance_subject, sight.time).abs() < 1e-6, "{sight:?}");
+    assert!((found.scene.time - sight.time).abs() < 1e-12);
+    let a = 0.7 * 9.80665;
+    // The swell lasts 0.2 s with a mean of a/2, and loses a/10.
+    let begins = (100.0 + 2.0 * a * 10.0_f64).sqrt();
+    let swell = 0.2 * (begins + a * 0.1) - a * 0.04 / 6.0;
+    let braked = (begins - 10.0) / a + 0.2;
+    let expected = 10.0 + swell + (begins + a * 0.1) * (sight.time - braked);
+    assert!((sight.distance_subject - expected).abs() < 1e-9, "{} {expected}", sight.distance_subject);
+}
+
+/// Samples: each has its own moment, and their median is about that of the central values.
+#[test]
+fn ranges_give_the_sight_an_interval() {
+    let text = behind_a_van("", "speed = \"15 m/s\"\nunbraked = true\ndemand = { sight = true }")
+        .replace("\"1.5 m/s\"", "{ low = \"1.2 m/s\", high = \"1.8 m/s\" }");
+    let found = asked_with(&text, AvoidPlan { samples: 4_000, ..AvoidPlan::default() }).unwrap();
+    let sight = found.chance.as_ref().unwrap().sight.unwrap();
+    // By hand, as above: 15 u t² − (u + 27) t − 3.6 = 0 at the ends of 95 % of the range, 1.215 and 1.785.
+    let at = |u: f64| ((u + 27.0) + ((u + 27.0) * (u + 27.0) + 216.0 * u).sqrt()) / (30.0 * u);
+    assert!((sight.time.low - at(1.785)).abs() < 0.01, "{sight:?}");
+    assert!((sight.time.high - at(1.215)).abs() < 0.01, "{sight:?}");
+    assert_eq!(sight.never_hidden, 0.0);
 }

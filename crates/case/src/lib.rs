@@ -56,7 +56,7 @@
 //! | … Woolley | nothing more or, for a sideswipe, `tangential_velocity_change` |
 //! | … Ishikawa | `restitution`; `tangential_restitution`, −1 to 1 |
 //! | … Kudlich–Slibar | `restitution`; `friction`, zero or more |
-//! | `[avoid]` | `vehicle`; `speed` at the reaction demand; `limit`; `reaction_time`; `swell`, `swell_form`: `"linear"` (the default), `"half"`, `"full speed"`; `deceleration`; `demand = { distance }`, `{ time }` or `{ other = { distance, speed } }`, each with `reason`; `clear = { distance, speed }`; `other_party`: `"pedestrian"`, `"cyclist"`, `"vehicle"`; `unbraked = true`. Each number can have a `source`: `{ value, source }`, or beside a range. A file with this table needs no vehicle |
+//! | `[avoid]` | `vehicle`; `speed` at the reaction demand; `limit`; `reaction_time`; `swell`, `swell_form`: `"linear"` (the default), `"half"`, `"full speed"`; `deceleration`; `demand = { distance }`, `{ time }`, `{ other = { distance, speed } }` or `{ sight = true }`, each with `reason`; `clear = { distance, speed }`; `other_party`: `"pedestrian"`, `"cyclist"`, `"vehicle"`; `unbraked = true`; `sight = { eye, heading, point, other_heading, other_speed }`, each place `{ x, y }`; `obstacle`, a list of what hides the other party: `{ name, source, polygon }`. Each number can have a `source`: `{ value, source }`, or beside a range. A file with this table needs no vehicle |
 //! | `[reconstruct]` | `find`: `"vehicle1.speed"`, `"vehicle2.speed"`, or the list of both; `energy_basis`: `"dissipated"` (the default), `"absorbed"`, `{ tangential_share }` |
 //!
 //! A `restitution` is a number from 0 to 1 or, if it depends on the closing speed, `{ speeds = "2 5 10 20
@@ -210,13 +210,14 @@ pub use inputs::{
     ContactPoint, ContactSpread, Crush, CrushOnly, DAMAGE_LENGTH_SD, DEPTH_SD, DamageData, Departures,
     Dimension, Dimensions, Drag, ENERGY_BASES, EdgeSide, EnergyData, Estimate, Evidence, FaceAxis, Fault,
     FaultKind, Faults, Find, Fit, Geometry, GivenDemand, GivenEes, GivenImpact, GivenPreCrash, GivenPulse,
-    GivenSitePlan, GivenTest, GivenVehicle, Grade, ImpactInput, ImpactLaw, InertiaData, InferredWidth, Input,
-    Kind, KnownEnergy, LawName, LeftOut, MarkedWheel, Mass, OBLIQUE_CORRECTIONS, OFFSET_SD, Origin,
-    OtherParty, Outline, PathPoint, Pdof, Place, PointData, Prior, Purpose, Quantity, Range, Reconstruct,
-    ReconstructionInput, Recorder, RegionData, ReportHead, Rest, RestHeading, RestHeadingData, Restitution,
-    SIDES, STANDARD_GRAVITY, STIFFNESS_LN_SD_A, STIFFNESS_LN_SD_B, SUBJECTS, SWELLS, SeriesRefusal,
-    SeriesSource, Skid, SkidBegin, Sourced, Spread, Steer, SteerPoint, StiffnessForm, StiffnessLine,
-    StiffnessSource, Surface, SurfaceData, SurfaceRegion, SurfaceZone, Text, UNDAMAGED, UNKNOWNS, Unit,
-    UnitSystem, VehicleData, Velocity, WheelDrag, YAW_RADIUS_CONFIDENCE, YAW_RADIUS_WITHIN, YawInertia,
-    YawSource, ZoneData, acts, shown, shown_lines, word,
+    GivenSight, GivenSitePlan, GivenTest, GivenVehicle, Grade, ImpactInput, ImpactLaw, InertiaData,
+    InferredWidth, Input, Kind, KnownEnergy, LawName, LeftOut, MarkedWheel, Mass, OBLIQUE_CORRECTIONS,
+    OFFSET_SD, Obstacle, Origin, OtherParty, Outline, PathPoint, Pdof, Place, PlaceForm, PointData, Prior,
+    Purpose, Quantity, Range, Reconstruct, ReconstructionInput, Recorder, RegionData, ReportHead, Rest,
+    RestHeading, RestHeadingData, Restitution, SIDES, STANDARD_GRAVITY, STIFFNESS_LN_SD_A, STIFFNESS_LN_SD_B,
+    SUBJECTS, SWELLS, SeriesRefusal, SeriesSource, SightForm, Skid, SkidBegin, Sourced, Spread, Steer,
+    SteerPoint, StiffnessForm, StiffnessLine, StiffnessSource, Surface, SurfaceData, SurfaceRegion,
+    SurfaceZone, Text, UNDAMAGED, UNKNOWNS, Unit, UnitSystem, VehicleData, Velocity, WheelDrag,
+    YAW_RADIUS_CONFIDENCE, YAW_RADIUS_WITHIN, YawInertia, YawSource, ZoneData, acts, shown, shown_lines,
+    word,
 };

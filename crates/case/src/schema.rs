@@ -415,8 +415,8 @@ pub(crate) static SURFACE_ZONE: Schema = Schema {
 };
 
 pub(crate) static CORNER: Schema = Schema {
-    place: "a corner of a zone",
-    text: "A place on the edge of a zone. It is exact: no range is possible.",
+    place: "a corner of a zone or obstacle",
+    text: "A place on the edge of a zone or an obstacle. It is exact: no range is possible.",
     keys: &[
         key(
             "x",
@@ -1005,13 +1005,76 @@ pub(crate) static AVOID: Schema = Schema {
             Form::Flag,
             "Known not to have braked before the impact. Otherwise a vehicle whose `speed` is given here is taken to have reacted and braked as the other keys say, if it then still reaches the place.",
         ),
+        table("sight", "[avoid.sight]", &AVOID_SIGHT),
+        key(
+            "obstacle",
+            "obstacle = [{ name = \"parked van\", source = \"survey\", polygon = [{ x = \"-8 m\", y = \"-1.8 m\" }, { x = \"-3 m\", y = \"-1.8 m\" }, { x = \"-3 m\", y = \"-3.8 m\" }, { x = \"-8 m\", y = \"-3.8 m\" }] }]",
+            Form::Tables(&OBSTACLE),
+            "What hides the other party, such as a parked van, a house or a hedge. The report then says since when the view was free.",
+        ),
     ],
     rules: &[],
 };
 
+pub(crate) static AVOID_SIGHT: Schema = Schema {
+    place: "[avoid.sight]",
+    text: "Where the driver is and what there is to see, at the impact. Both come to it on a straight way, the other party at constant speed. It matters only with `obstacle`.",
+    keys: &[
+        table("eye", "eye = { x = \"-1.9 m\", y = \"0.4 m\" }", &SIGHT_PLACE),
+        key(
+            "heading",
+            "heading = \"0 deg\"",
+            Form::Sourced(Dimension::Angle, ANY),
+            "Direction in which the vehicle drives. The angle from the x axis of the scene; the `heading` of the vehicle if left out.",
+        ),
+        table("point", "point = { x = \"0 m\", y = \"0 m\" }", &SIGHT_PLACE),
+        key(
+            "other_heading",
+            "other_heading = \"90 deg\"",
+            Form::Sourced(Dimension::Angle, ANY),
+            "Direction in which the other party moves. The `heading` of the other vehicle if left out.",
+        ),
+        key(
+            "other_speed",
+            "other_speed = { low = \"1.2 m/s\", high = \"2.0 m/s\" }",
+            Form::Sourced(Dimension::Speed, NOT_NEGATIVE),
+            "How fast the other party moves. That of `other` in `demand`, of `clear` or of the other vehicle if left out.",
+        ),
+    ],
+    rules: &[],
+};
+
+pub(crate) static SIGHT_PLACE: Schema = Schema {
+    place: "eye or point of [avoid.sight]",
+    text: "The driver's eye, or the part of the other party that the driver sees first; both at the impact, in the coordinates of the scene. If left out, it is the `position` of the vehicle, or else the `contact` of [scene], or else the origin.",
+    keys: &[PLACE_X, PLACE_Y],
+    rules: &[Rule::Needs(&["x", "y"])],
+};
+
+pub(crate) static OBSTACLE: Schema = Schema {
+    place: "[[avoid.obstacle]]",
+    text: "Something that nobody sees through. It stands still.",
+    keys: &[
+        key(
+            "name",
+            "name = \"parked van\"",
+            Form::Text,
+            "Name of the obstacle. Reports and drawings use it.",
+        ),
+        key("source", "source = \"survey\"", Form::Text, "Where its corners come from."),
+        key(
+            "polygon",
+            "polygon = [{ x = \"-8 m\", y = \"-1.8 m\" }, { x = \"-3 m\", y = \"-1.8 m\" }, { x = \"-3 m\", y = \"-3.8 m\" }]",
+            Form::Tables(&CORNER),
+            "Corners of the obstacle, three or more, in their order along its outline. The outline must not cross itself.",
+        ),
+    ],
+    rules: &[Rule::Needs(&["polygon"])],
+};
+
 pub(crate) static AVOID_DEMAND: Schema = Schema {
     place: "demand = { … } of [avoid]",
-    text: "Reaction demand: where or when the danger could first be recognized. Give `distance`, `time` or `other`, and say why in `reason`.",
+    text: "Reaction demand: where or when the danger could first be recognized. Give `distance`, `time`, `other` or `sight`, and say why in `reason`.",
     keys: &[
         key(
             "distance",
@@ -1030,6 +1093,7 @@ pub(crate) static AVOID_DEMAND: Schema = Schema {
             "other = { distance = \"4 m\", speed = { low = \"1.2 m/s\", high = \"2.0 m/s\" } }",
             &AVOID_OTHER,
         ),
+        key("sight", "sight = true", Form::Flag, "As soon as no `obstacle` hides the other party any more."),
         key(
             "reason",
             "reason = \"the pedestrian steps from behind the parked van\"",
@@ -1041,6 +1105,7 @@ pub(crate) static AVOID_DEMAND: Schema = Schema {
         form(&["distance"], &["reason"]),
         form(&["time"], &["reason"]),
         form(&["other"], &["reason"]),
+        form(&["sight"], &["reason"]),
     ])],
 };
 

@@ -52,11 +52,42 @@ fn each_form_is_read_and_written_back() {
 }
 
 #[test]
+fn obstacles_and_the_sight_are_read_and_written_back() {
+    let text = include_str!("../../../fixtures/avoid/sight.toml");
+    let case = read(text);
+    let avoid = case.avoid.as_ref().unwrap();
+    assert_eq!(avoid.demand, Some(GivenDemand::Sight));
+    let [van] = &avoid.obstacles[..] else { panic!("{:?}", avoid.obstacles) };
+    let corners: Vec<[f64; 2]> = van.polygon.iter().map(|place| [place.x.si(), place.y.si()]).collect();
+    assert_eq!(corners, [[-8.0, -1.8], [-3.0, -1.8], [-3.0, -3.8], [-8.0, -3.8]]);
+    assert_eq!(avoid.sight.eye.as_ref().unwrap().x.si(), -2.0);
+    let paths: Vec<&str> = case.ranges.iter().map(|range| range.path.as_str()).collect();
+    assert_eq!(paths, ["avoid.reaction_time", "avoid.sight.other_speed"]);
+    let form = case.avoidance().unwrap().sight.unwrap();
+    assert_eq!((form.heading.si(), form.other_speed.si()), (0.0, 1.6));
+    for (line, says) in [
+        ("[[avoid.obstacle]]\nname = \"van\"", "polygon"),
+        (
+            "[[avoid.obstacle]]\npolygon = [{ x = \"0 m\", y = \"0 m\" }, { x = \"1 m\", y = \"0 m\" }]",
+            "\"avoid.obstacle[1].polygon\" has 2 corners, but an obstacle needs three or more",
+        ),
+        ("demand = { sight = false }", "sight = true"),
+        ("demand = { sight = true, time = \"1 s\" }", "demand"),
+        ("[avoid.sight]\neye = { x = \"1 m\" }", "y"),
+        ("[avoid.sight]\neyes = { x = \"1 m\", y = \"0 m\" }", "did you mean \"eye\""),
+    ] {
+        let message = refused(&format!("[avoid]\n{line}\n"));
+        assert!(message.contains(says) && message.contains("avoid.toml:"), "{line}: {message}");
+    }
+}
+
+#[test]
 fn fixtures_are_written_back() {
     for text in [
         include_str!("../../../fixtures/avoid/pedestrian.toml"),
         include_str!("../../../fixtures/avoid/skid.toml"),
         include_str!("../../../fixtures/avoid/evidence.toml"),
+        include_str!("../../../fixtures/avoid/sight.toml"),
     ] {
         let case = read(text);
         assert_eq!(read(&to_toml(&case)), case);

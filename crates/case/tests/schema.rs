@@ -230,6 +230,7 @@ fn every_key_says_what_it_is() {
             "reconstruct",
             "estimate",
             "avoid",
+            "sight",
             "uncertainty",
         ];
         let is_table = tables.iter().any(|table| path == *table || path.ends_with(&format!(".{table}")));

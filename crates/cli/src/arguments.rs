@@ -486,6 +486,8 @@ pub(crate) enum What {
     PathTime,
     /// The probability that the collision is avoided.
     Chance,
+    /// What obstacles hide before the collision.
+    Sight,
 }
 
 impl What {
@@ -493,7 +495,7 @@ impl What {
     pub(crate) fn subject(self) -> Option<Subject> {
         match self {
             Self::Subject(subject) => Some(subject),
-            Self::Estimate | Self::PathTime | Self::Chance => None,
+            Self::Estimate | Self::PathTime | Self::Chance | Self::Sight => None,
         }
     }
 }
@@ -516,6 +518,7 @@ fn drawings() -> Vec<Word<What>> {
         ),
         ("path-time", "Distance against time before the impact, of `deltav avoid`", What::PathTime),
         ("chance", "Probability that the collision is avoided, against the speed", What::Chance),
+        ("sight", "What obstacles hide before the impact, seen from above", What::Sight),
     ];
     let of_subjects = of_subjects.map(|(subject, meaning)| (subject.name(), meaning, What::Subject(subject)));
     of_subjects.into_iter().chain(others).collect()

@@ -38,8 +38,8 @@ pub(crate) fn draw(arguments: &DrawArguments) -> Result<()> {
     let subject = match arguments.what {
         What::Subject(subject) => subject,
         What::Estimate => return write_picture(path, &estimate(&file, units)?, format),
-        what @ (What::PathTime | What::Chance) => {
-            return write_picture(path, &avoided(&file, units, what == What::Chance)?, format);
+        what @ (What::PathTime | What::Chance | What::Sight) => {
+            return write_picture(path, &avoided(&file, units, what)?, format);
         }
     };
     if let Some(obstacle) = subject.obstacle(&file.case) {
@@ -116,16 +116,22 @@ fn estimate(file: &CaseFile, units: Units) -> Result<Drawing> {
 }
 
 /// A picture of avoidability as it is without options.
-fn avoided(file: &CaseFile, units: Units, is_chance: bool) -> Result<Drawing> {
+fn avoided(file: &CaseFile, units: Units, what: What) -> Result<Drawing> {
     let request = Request::Avoid(AvoidOptions::default());
     let answer = in_pool(&pool(None)?, |progress| request.answer(&file.case, progress))?;
     let Answer::Avoidance(found) = found(answer, file, units)? else { bail!("the answer has no picture") };
-    if !is_chance {
-        return Ok(report::path_time(&file.case, &found, units));
-    }
-    let message =
-        "there is no probability to draw: no number of the case is a range, and no evidence tells the speed";
-    report::avoided_from(&file.case, &found, units).ok_or_else(|| NoAnswer(message.to_owned()).into())
+    let (drawing, message) = match what {
+        What::Chance => (
+            report::avoided_from(&file.case, &found, units),
+            "there is no probability to draw: no number of the case is a range, and no evidence tells the speed",
+        ),
+        What::Sight => (
+            report::sight(&file.case, &found, units),
+            "there is no sight to draw: the case has no [[avoid.obstacle]]",
+        ),
+        _ => return Ok(report::path_time(&file.case, &found, units)),
+    };
+    drawing.ok_or_else(|| NoAnswer(message.to_owned()).into())
 }
 
 /// Says what a case lacks for a drawing, and what else can be drawn of it.

@@ -293,3 +293,103 @@ fn no_vehicle_brakes_with_seven_g() {
         &["no vehicle brakes with 7.6 g", "at most 2 g, 19.6 m/s^2", "decimal point"],
     );
 }
+
+const OBSTACLE: &str = "[[avoid.obstacle]]\nname = \"van\"\npolygon = [{ x = \"-8 m\", y = \"-1.8 m\" }, { x = \"-3 m\", y = \"-1.8 m\" }, { x = \"-3 m\", y = \"-3.8 m\" }, { x = \"-8 m\", y = \"-3.8 m\" }]\n";
+const WAYS: &str =
+    "[avoid.sight]\nheading = \"0 deg\"\nother_heading = \"90 deg\"\nother_speed = \"1.5 m/s\"\n";
+
+#[test]
+fn the_sight_is_told_and_drawn() {
+    let case = concat!(env!("CARGO_MANIFEST_DIR"), "/../../fixtures/avoid/sight.toml");
+    let output = deltav(&["avoid", case, "--samples", "2000", "--format", "json"]);
+    assert_eq!(String::from_utf8_lossy(&output.stderr), "");
+    let document: Value = serde_json::from_slice(&output.stdout).unwrap();
+    let found = &document["avoid"];
+    // What the keys say of each other.
+    let [time, subject] = ["/sight/time", "/sight/distance_subject"].map(|key| number(found, key));
+    assert_eq!(number(found, "/demand/time").to_bits(), time.to_bits());
+    assert_eq!(number(found, "/demand/distance").to_bits(), subject.to_bits());
+    near(found, "/sight/distance_other", 1.6 * time, 1e-12);
+    assert_eq!(found["sight"]["hidden_by"], 1);
+    let [low, high] = ["low", "high"].map(|end| number(found, &format!("/intervals/sight/time/{end}")));
+    assert!(low < time && time < high);
+    let html = deltav(&["avoid", case, "--samples", "2000", "--format", "html"]).stdout;
+    let html = String::from_utf8(html).unwrap();
+    for words in
+        ["parked van", "source: survey", "the view becomes free", "id=\"sight-obstacle-1\"", "as given"]
+    {
+        assert!(html.contains(words), "{words}");
+    }
+    let svg = String::from_utf8(deltav(&["draw", case, "--what", "sight"]).stdout).unwrap();
+    assert!(svg.contains("id=\"sight-line\"") && svg.contains("parked van"));
+    let none = concat!(env!("CARGO_MANIFEST_DIR"), "/../../fixtures/avoid/pedestrian.toml");
+    let message = deltav(&["draw", none, "--what", "sight"]).stderr;
+    assert!(String::from_utf8_lossy(&message).contains("no [[avoid.obstacle]]"));
+}
+
+#[test]
+fn a_sight_that_cannot_be_gets_a_sentence() {
+    let sight = "demand = { sight = true }";
+    refused("s1.toml", "demand", sight, "", &["`avoid.obstacle` is missing", "polygon = "]);
+    refused("s2.toml", "", "", WAYS, &["`avoid.obstacle` is missing"]);
+    let lacks = &[
+        "`avoid.sight.heading` is missing",
+        "`avoid.sight.other_heading` is missing",
+        "`avoid.sight.other_speed` is missing",
+    ];
+    refused("s3.toml", "demand", sight, OBSTACLE, lacks);
+    let moved = |x: &str, y: &str| {
+        let mut text = OBSTACLE.to_owned();
+        for (from, to) in [
+            ("-8 m", format!("{x}5 m")),
+            ("-3 m", format!("{x}0 m")),
+            ("-1.8 m", format!("{y}1 m")),
+            ("-3.8 m", format!("{y}3 m")),
+        ] {
+            text = text.replace(from, &to);
+        }
+        format!("{WAYS}{text}")
+    };
+    // Around the origin, which is the place of the impact.
+    let over = format!("{WAYS}{}", OBSTACLE.replace("-3 m", "3 m").replace("-1.8 m", "1.8 m"));
+    refused(
+        "s4.toml",
+        "demand",
+        sight,
+        &over,
+        &["the obstacle \"van\" lies on the place of the impact", "s4.toml:11:1"],
+    );
+    // Across the way of the car, 25 m to 20 m before the impact.
+    let across = format!(
+        "{WAYS}{}",
+        OBSTACLE.replace("-8 m", "-25 m").replace("-3 m", "-20 m").replace("-1.8 m", "1.8 m")
+    );
+    refused(
+        "s5.toml",
+        "demand",
+        sight,
+        &across,
+        &["driver's eye", "leads through the obstacle \"van\"", "s5.toml:11:1"],
+    );
+    // Far beyond the impact.
+    refused(
+        "s6.toml",
+        "demand",
+        sight,
+        &moved("1", "7"),
+        &["no obstacle hides the other party in the 10 s", "s6.toml:6:20"],
+    );
+    let open = format!("[avoid]\n{}\n{}", RIGHT.map(|(_, line)| line).join("\n"), moved("1", "7"));
+    let output = deltav(&["avoid", &written("s7.toml", &open)]);
+    let text = String::from_utf8_lossy(&output.stdout).into_owned();
+    assert!(text.contains("The obstacles hide the other party at no time in the 10 s"), "{text}");
+    // A skid of 34 m before the view became free, 20.7 m before the impact.
+    let skid =
+        "[vehicle1]\nspeed = \"5 m/s\"\n[vehicle1.before]\nskid = { length = \"34 m\", friction = 0.7 }\n";
+    let early = format!(
+        "{skid}[avoid]\nlimit = \"50 km/h\"\nreaction_time = \"1 s\"\ndeceleration = \"7 m/s^2\"\n{sight}\n{WAYS}{OBSTACLE}"
+    );
+    let output = deltav(&["avoid", &written("s8.toml", &early)]);
+    let message = String::from_utf8_lossy(&output.stderr).into_owned();
+    assert!(message.contains("which is the moment at which the view became free"), "{message}");
+}

@@ -6,8 +6,9 @@ use pim_core::VehicleId;
 use time_distance::Swell;
 
 use crate::quantity::Quantity;
+use crate::scene::Place;
 use crate::text::Text;
-use crate::walk::{Key, Walk};
+use crate::walk::{Element, Key, Walk};
 use crate::words::word;
 
 /// `avoid.vehicle`.
@@ -44,6 +45,52 @@ pub struct Avoid<T = f64> {
     pub other_party: Option<OtherParty>,
     /// Whether the vehicle is known not to have braked before the impact.
     pub unbraked: bool,
+    /// From where the driver looks at what, where obstacles hide it.
+    pub sight: GivenSight<T>,
+    /// What hides the other party.
+    pub obstacles: Vec<Obstacle>,
+}
+
+/// From where the driver looks at what: `[avoid.sight]`. All places are in the coordinates of the scene.
+#[derive(Clone, Debug, PartialEq)]
+pub struct GivenSight<T = f64> {
+    /// The driver's eye at the impact; the position of the vehicle if absent.
+    pub eye: Option<Place<T>>,
+    /// (rad) the direction of the vehicle's way to the impact; its heading if absent.
+    pub heading: Option<Sourced<T>>,
+    /// What the driver sees of the other party, at the impact; that one's position if absent.
+    pub point: Option<Place<T>>,
+    /// (rad) the direction of the other party's way to the impact; its heading if absent.
+    pub other_heading: Option<Sourced<T>>,
+    /// (m/s) the other party's speed on that way; that of the demand, of `clear` or of its vehicle if absent.
+    pub other_speed: Option<Sourced<T>>,
+}
+
+impl<T> Default for GivenSight<T> {
+    fn default() -> Self {
+        Self { eye: None, heading: None, point: None, other_heading: None, other_speed: None }
+    }
+}
+
+impl<T> GivenSight<T> {
+    /// Whether nothing of it is given.
+    #[must_use]
+    pub fn is_absent(&self) -> bool {
+        let Self { eye, heading, point, other_heading, other_speed } = self;
+        let is_placed = eye.is_some() || point.is_some();
+        !is_placed && heading.is_none() && other_heading.is_none() && other_speed.is_none()
+    }
+}
+
+/// Something that nobody sees through: an entry of `[[avoid.obstacle]]`.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Obstacle {
+    /// Its name, such as "parked van".
+    pub name: Option<Text>,
+    /// Where its corners come from.
+    pub source: Option<Text>,
+    /// Three or more corners in their order. They are exact.
+    pub polygon: Vec<Place>,
 }
 
 /// A number with its unit, and where it comes from.
@@ -69,6 +116,8 @@ pub enum GivenDemand<T = f64> {
         /// (m/s) its speed.
         speed: Sourced<T>,
     },
+    /// Since when no obstacle has hidden the other party.
+    Sight,
 }
 
 /// The way of the other party out of the danger zone.
@@ -126,6 +175,57 @@ pub struct AvoidForm<T = f64> {
     pub clear: Option<[Quantity<T>; 2]>,
     /// How the vehicle came to the impact.
     pub braking: BrakingForm<T>,
+    /// From where the driver looks at what, if there are obstacles.
+    pub sight: Option<SightForm<T>>,
+}
+
+/// From where the driver looks at what, with every number that this needs.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SightForm<T = f64> {
+    /// The driver's eye at the impact.
+    pub eye: PlaceForm<T>,
+    /// (rad) the direction of the vehicle's way to the impact.
+    pub heading: Quantity<T>,
+    /// What the driver sees of the other party, at the impact.
+    pub point: PlaceForm<T>,
+    /// (rad) the direction of the other party's way to the impact.
+    pub other_heading: Quantity<T>,
+    /// (m/s) the other party's speed on that way.
+    pub other_speed: Quantity<T>,
+}
+
+/// A place at the impact, and how it is known.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum PlaceForm<T = f64> {
+    /// `[avoid.sight]` gives it.
+    Given(Place<T>),
+    /// The centre of gravity of the vehicle, which its table gives.
+    Position(Place<T>),
+    /// The contact point of `[scene]`.
+    Contact(Place<T>),
+    /// The origin of the scene, as nothing else is given.
+    Origin,
+}
+
+impl<T> PlaceForm<T> {
+    /// The place; `None` for the origin.
+    #[must_use]
+    pub fn place(&self) -> Option<&Place<T>> {
+        match self {
+            Self::Given(place) | Self::Position(place) | Self::Contact(place) => Some(place),
+            Self::Origin => None,
+        }
+    }
+
+    fn map<U>(self, mut of: impl FnMut(Quantity<T>) -> Quantity<U>) -> PlaceForm<U> {
+        let mut place = |Place { x, y }: Place<T>| Place { x: of(x), y: of(y) };
+        match self {
+            Self::Given(at) => PlaceForm::Given(place(at)),
+            Self::Position(at) => PlaceForm::Position(place(at)),
+            Self::Contact(at) => PlaceForm::Contact(place(at)),
+            Self::Origin => PlaceForm::Origin,
+        }
+    }
 }
 
 /// How the speed of the vehicle is known.
@@ -148,6 +248,8 @@ pub enum DemandForm<T = f64> {
     Time(Quantity<T>),
     /// (m) the other party's distance to the place of the impact, and (m/s) its speed.
     Other([Quantity<T>; 2]),
+    /// Since when no obstacle has hidden the other party.
+    Sight,
 }
 
 /// How a vehicle came to the impact.
@@ -186,8 +288,16 @@ impl<T: Copy> AvoidForm<T> {
                 DemandForm::Distance(distance) => DemandForm::Distance(of(distance)),
                 DemandForm::Time(time) => DemandForm::Time(of(time)),
                 DemandForm::Other(way) => DemandForm::Other(way.map(&mut of)),
+                DemandForm::Sight => DemandForm::Sight,
             },
             clear: self.clear.map(|way| way.map(&mut of)),
+            sight: self.sight.map(|sight| SightForm {
+                eye: sight.eye.map(&mut of),
+                heading: of(sight.heading),
+                point: sight.point.map(&mut of),
+                other_heading: of(sight.other_heading),
+                other_speed: of(sight.other_speed),
+            }),
             braking: match self.braking {
                 BrakingForm::Unknown => BrakingForm::Unknown,
                 BrakingForm::Unbraked => BrakingForm::Unbraked,
@@ -220,7 +330,30 @@ impl<U> Walk<'_, U> {
                 .other_party
                 .map(|party| self.choice(&at("other_party"), &OtherParty::WORDS, party)),
             unbraked: self.flag(&at("unbraked"), avoid.unbraked),
+            sight: self.sight(&at("sight"), &avoid.sight),
+            obstacles: self.obstacles(&avoid.obstacles),
         }
+    }
+
+    fn sight(&mut self, path: &dyn Display, sight: &GivenSight) -> GivenSight<U> {
+        let at = |key| Key(path, key);
+        GivenSight {
+            eye: sight.eye.as_ref().map(|eye| self.place(&at("eye"), eye)),
+            heading: self.sourced_if(&at("heading"), sight.heading.as_ref()),
+            point: sight.point.as_ref().map(|point| self.place(&at("point"), point)),
+            other_heading: self.sourced_if(&at("other_heading"), sight.other_heading.as_ref()),
+            other_speed: self.sourced_if(&at("other_speed"), sight.other_speed.as_ref()),
+        }
+    }
+
+    fn obstacles(&mut self, obstacles: &[Obstacle]) -> Vec<Obstacle> {
+        for (index, Obstacle { name, source, polygon }) in obstacles.iter().enumerate() {
+            let table = Element(&"avoid.obstacle", index);
+            self.text(&Key(&table, "name"), name.as_ref());
+            self.text(&Key(&table, "source"), source.as_ref());
+            self.exact_places(&Key(&table, "polygon"), polygon);
+        }
+        obstacles.to_vec()
     }
 
     fn demand(&mut self, path: &dyn Display, demand: &GivenDemand) -> GivenDemand<U> {
@@ -235,6 +368,10 @@ impl<U> Walk<'_, U> {
                     distance: self.sourced(&Key(&other, "distance"), distance),
                     speed: self.sourced(&Key(&other, "speed"), speed),
                 }
+            }
+            GivenDemand::Sight => {
+                self.flag(&Key(path, "sight"), true);
+                GivenDemand::Sight
             }
         }
     }

@@ -75,8 +75,8 @@ pub use after::{
     WheelDrag,
 };
 pub use avoid::{
-    Avoid, AvoidForm, BrakingForm, Clear, DemandForm, GivenDemand, OtherParty, SUBJECTS, SWELLS, Sourced,
-    SpeedForm,
+    Avoid, AvoidForm, BrakingForm, Clear, DemandForm, GivenDemand, GivenSight, Obstacle, OtherParty,
+    PlaceForm, SUBJECTS, SWELLS, SightForm, Sourced, SpeedForm,
 };
 pub use axes::Axes;
 pub use basis::{Basis, ENERGY_BASES};

@@ -137,7 +137,7 @@ impl<U> Walk<'_, U> {
     }
 
     /// Places that do not vary: their values are only listed.
-    fn exact_places(&mut self, list: &dyn Display, places: &[Place]) {
+    pub(crate) fn exact_places(&mut self, list: &dyn Display, places: &[Place]) {
         for (index, place) in places.iter().enumerate() {
             let table = Element(list, index);
             self.exact(&Key(&table, "x"), &place.x);

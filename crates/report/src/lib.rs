@@ -109,7 +109,7 @@ pub use pictures::{
     DrawingError, Frames, Subject, avoided_from, computed_against_measured, density, drawing,
     estimate_pictures, estimated_against_recorded, frames, histogram, joint_speeds, motion_on, path_time,
     place_of_impact, plain_motion, plain_scene, plan_view, ranks_of_recorders, reconstructed_speed, rests,
-    site_plan, site_plan_of, tornado,
+    sight, site_plan, site_plan_of, tornado,
 };
 pub use sections::avoid::avoid;
 pub use sections::claims::claims;

@@ -19,8 +19,8 @@
 //! deceleration to a stop. Its methods are closed forms. [`Response::legs`] gives the same motion as
 //! [`Leg`]s, stretches of constant jerk, of which a [`Course`] consists: that of a vehicle before the impact
 //! ([`approach`]), of a driver who brakes, of a pedestrian. [`Crossing`] has the zone in which two paths meet
-//! and who is in it when, [`least_gap`] how close one vehicle comes to another ahead of it, and [`sees`] and
-//! [`first_sight`] what obstacles hide.
+//! and who is in it when, [`least_gap`] how close one vehicle comes to another ahead of it, and [`sees`],
+//! [`first_sight`] and [`free_since`] what obstacles hide.
 //!
 //! `examples/avoidable.rs` asks whether a collision was avoidable.
 //!
@@ -70,4 +70,4 @@ pub use gap::{Gap, least_gap};
 pub use pim_core::{InvalidInput, Vector2};
 pub use real::Real;
 pub use response::{Demand, Response, Swell};
-pub use sight::{first_sight, sees};
+pub use sight::{first_sight, free_since, sees};

@@ -30,16 +30,40 @@ pub fn first_sight(
     [from, to]: [f64; 2],
     steps: u32,
 ) -> Option<f64> {
-    let is_seen = |time: f64| {
-        let [one, other] = positions(time);
-        obstacles.iter().all(|outline| sees(one, other, outline))
-    };
+    let is_seen = |time: f64| is_seen(positions(time), obstacles);
     let at = |step: u32| from + (to - from) * f64::from(step) / f64::from(steps.max(1));
     if is_seen(from) {
         return Some(from);
     }
     let first = (1..=steps.max(1)).find(|&step| is_seen(at(step)))?;
-    let (mut hidden, mut seen) = (at(first - 1), at(first));
+    Some(between(at(first - 1), at(first), is_seen))
+}
+
+/// (s) since when one road user has seen the other without a break, at the time `to` (s); `from` (s) where it
+/// has all the time since then, and `None` where it does not at `to`. The sight is asked as by
+/// [`first_sight`].
+pub fn free_since(
+    positions: impl Fn(f64) -> [Vector2<f64>; 2],
+    obstacles: &[&[Vector2<f64>]],
+    [from, to]: [f64; 2],
+    steps: u32,
+) -> Option<f64> {
+    let is_seen = |time: f64| is_seen(positions(time), obstacles);
+    let at = |step: u32| from + (to - from) * f64::from(step) / f64::from(steps.max(1));
+    let last = (0..=steps.max(1)).rev().find(|&step| !is_seen(at(step)));
+    match last {
+        None => Some(from),
+        Some(last) if last >= steps.max(1) => None,
+        Some(last) => Some(between(at(last), at(last + 1), is_seen)),
+    }
+}
+
+fn is_seen([one, other]: [Vector2<f64>; 2], obstacles: &[&[Vector2<f64>]]) -> bool {
+    obstacles.iter().all(|outline| sees(one, other, outline))
+}
+
+/// The moment between one at which it is hidden and one at which it is seen.
+fn between(mut hidden: f64, mut seen: f64, is_seen: impl Fn(f64) -> bool) -> f64 {
     for _ in 0..MOST_HALVINGS {
         let middle = f64::midpoint(hidden, seen);
         if middle <= hidden || middle >= seen {
@@ -47,7 +71,7 @@ pub fn first_sight(
         }
         if is_seen(middle) { seen = middle } else { hidden = middle }
     }
-    Some(seen)
+    seen
 }
 
 /// Twice the area of the triangle, positive where it runs counter-clockwise.

@@ -2,7 +2,8 @@
 
 use proptest::prelude::*;
 use time_distance::{
-    Course, Crossing, Leg, Party, Phase, Response, Swell, Vector2, approach, first_sight, least_gap, sees,
+    Course, Crossing, Leg, Party, Phase, Response, Swell, Vector2, approach, first_sight, free_since,
+    least_gap, sees,
 };
 
 fn rest() -> Leg {
@@ -106,6 +107,15 @@ fn a_corner_hides_until_the_line_is_free() {
     assert!(sees(p(8.0, 0.0), p(12.0, 5.0), &house) && !sees(p(6.0, 0.0), p(12.0, 5.0), &house));
     // Inside of it nothing is seen, and nothing hides without an outline.
     assert!(!sees(p(1.0, 4.0), p(2.0, 5.0), &house) && sees(p(0.0, 0.0), p(1.0, 0.0), &[]));
+    // Free from the left of the house, hidden by it, and free again: what counts is the last time.
+    let wide = |t: f64| [p(-20.0 + 10.0 * t, 0.0), p(12.0 - 20.0 * (5.0 - t), 5.0)];
+    // At 0 s the other one is at (−88, 5), left of the house.
+    assert_eq!(first_sight(wide, &[&house], [0.0, 5.0], 500), Some(0.0));
+    // It then goes through the house, and comes out of it at x = 10: −88 + 20 t = 10.
+    let free = free_since(wide, &[&house], [0.0, 5.0], 500).unwrap();
+    assert!((free - 4.9).abs() < 1e-9, "{free}");
+    assert_eq!(free_since(wide, &[], [0.0, 5.0], 500), Some(0.0));
+    assert_eq!(free_since(wide, &[&house], [0.0, 4.0], 500), None);
     let behind = |_: f64| [p(-20.0, 4.0), p(30.0, 4.0)];
     assert_eq!(first_sight(behind, &[&house], [0.0, 5.0], 50), None);
 }

@@ -10,3 +10,5 @@ mod courses;
 mod examples;
 #[cfg(test)]
 mod printed;
+#[cfg(test)]
+mod recorded;

@@ -4,6 +4,7 @@ use ::uncertainty::{Distribution, LANES, Lanes, Sampler, SamplingMethod, Setting
 use inputs::{AvoidForm, Input};
 
 use super::scene::AvoidScene;
+use super::sight::{Outlines, Sight, View};
 use crate::columns::Number;
 use crate::estimate::Estimated;
 use crate::failure::Failure;
@@ -40,6 +41,8 @@ pub struct AvoidChance {
     pub distance: AvoidInterval,
     /// (s) from the demand to the impact.
     pub time: AvoidInterval,
+    /// Since when the view is free, if obstacles hide the other party.
+    pub sight: Option<SightIntervals>,
     /// What moves the probability, the most influential first.
     pub influences: Vec<AvoidInfluence>,
     /// (m/s) the greatest avoiding speeds of the samples, ascending.
@@ -55,6 +58,19 @@ pub struct AvoidInterval {
     pub median: f64,
     /// (SI) its upper end.
     pub high: f64,
+}
+
+/// Since when the view is free, among the samples in which something hides the other party before.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SightIntervals {
+    /// (s) before the impact.
+    pub time: AvoidInterval,
+    /// (m) the way of the vehicle from there to the impact.
+    pub distance_subject: AvoidInterval,
+    /// (m) the way of the other party from there to the impact.
+    pub distance_other: AvoidInterval,
+    /// (–) share of samples in which nothing hides it in the time that is looked at.
+    pub never_hidden: f64,
 }
 
 /// How much an uncertain number moves the probability that the collision is avoided at the limit.
@@ -87,6 +103,7 @@ pub(super) fn chance(
     form: &AvoidForm<Number>,
     inputs: &[UncertainInput],
     speeds: Option<&Speeds<'_>>,
+    obstacles: Outlines<'_>,
     [samples, seed]: [u64; 2],
 ) -> Result<Option<AvoidChance>, Failure> {
     let given = usize::try_from(samples).unwrap_or(usize::MAX);
@@ -107,7 +124,7 @@ pub(super) fn chance(
         }
         scenes.extend((0..lanes).map(|lane| {
             let speed = speeds.and_then(|speeds| speeds.speeds.get(first + lane).copied());
-            AvoidScene::pose(&form.map(|number| number.at(&columns, lane)), speed).ok()
+            AvoidScene::pose(&form.map(|number| number.at(&columns, lane)), speed, obstacles).ok()
         }));
     }
     let told = speeds.map(|speeds| speeds.speeds);
@@ -173,8 +190,24 @@ fn of_scenes(
         left_at_limit: interval(&AvoidScene::left_at_limit),
         distance: interval(&|scene| scene.distance),
         time: interval(&|scene| scene.time),
+        sight: of_sights(&posed),
         influences,
         avoiding: greatest,
+    })
+}
+
+fn of_sights(posed: &[&AvoidScene]) -> Option<SightIntervals> {
+    let free = |scene: &&AvoidScene| match scene.view {
+        View::Free(sight) => Some(sight),
+        View::Open | View::NeverHidden => None,
+    };
+    let sights: Vec<Sight> = posed.iter().filter_map(free).collect();
+    let of = |of: fn(&Sight) -> f64| AvoidInterval::of(sights.iter().map(of).collect());
+    (!sights.is_empty()).then(|| SightIntervals {
+        time: of(|sight| sight.time),
+        distance_subject: of(|sight| sight.distance_subject),
+        distance_other: of(|sight| sight.distance_other),
+        never_hidden: ratio(posed.len() - sights.len(), posed.len()),
     })
 }
 

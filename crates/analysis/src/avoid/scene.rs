@@ -4,6 +4,8 @@ use inputs::{AvoidForm, BrakingForm, DemandForm, Quantity, STANDARD_GRAVITY, Spe
 use pim_core::InvalidInput;
 use time_distance::{Course, Leg, Response};
 
+use super::sight::{Outlines, View, Ways};
+
 /// How the vehicle came to the impact.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum ActualRun {
@@ -46,6 +48,17 @@ pub struct AvoidScene {
     pub clears_after: Option<f64>,
     /// What the driver did.
     pub actual: ActualRun,
+    /// What obstacles do to the view.
+    pub view: View,
+}
+
+/// From where or when on a scene counts.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum Since {
+    /// (m) distance of the vehicle before the impact.
+    Distance(f64),
+    /// (s) time before the impact.
+    Time(f64),
 }
 
 /// Why the numbers are not those of a scene.
@@ -62,6 +75,10 @@ pub(crate) enum Unposed {
     SkidTooLong,
     /// The vehicle did not move forward.
     Stands,
+    /// Obstacles hide nothing before the impact, so that their end is no demand.
+    NeverHidden,
+    /// An obstacle hides the other party at the impact.
+    HiddenAtImpact,
     /// The engine refuses a number.
     Engine(InvalidInput),
 }
@@ -114,7 +131,27 @@ impl AvoidCourse {
 
 impl AvoidScene {
     /// The scene of these numbers, whose speed is `at_impact` (m/s) if it is sought.
-    pub(crate) fn pose(form: &AvoidForm, at_impact: Option<f64>) -> Result<Self, Unposed> {
+    pub(crate) fn pose(
+        form: &AvoidForm,
+        at_impact: Option<f64>,
+        obstacles: Outlines<'_>,
+    ) -> Result<Self, Unposed> {
+        let ways = form.sight.as_ref().map(Ways::of);
+        let (since, of_sight) = match (given_demand(form), &ways) {
+            (Some(since), _) => (since, None),
+            (None, None) => return Err(Unposed::NeverHidden),
+            (None, Some(ways)) => (ways.demand(form, at_impact, obstacles)?, Some(ways)),
+        };
+        let scene = Self::since(form, at_impact, since)?;
+        let view = match (of_sight, &ways) {
+            (Some(ways), _) => View::Free(ways.sight(scene.distance, scene.time)),
+            (None, Some(ways)) => ways.view(&scene, obstacles)?,
+            (None, None) => View::Open,
+        };
+        Ok(Self { view, ..scene })
+    }
+
+    pub(crate) fn since(form: &AvoidForm, at_impact: Option<f64>, since: Since) -> Result<Self, Unposed> {
         let swell = form.swell.as_ref().map_or(0.0, Quantity::si);
         let of = |reaction, deceleration| Response::new(reaction, swell, deceleration, form.swell_form);
         let response = of(form.reaction_time.si(), form.deceleration.si())?;
@@ -136,49 +173,50 @@ impl AvoidScene {
             response,
             clears_after,
             actual: ActualRun::Responded,
+            view: View::Open,
         };
         match (&form.braking, at_demand, at_impact) {
             (BrakingForm::Skid { length, friction }, at_demand, at_impact) => {
                 let slowed = of(response.reaction(), friction * STANDARD_GRAVITY)?;
-                partly.skidded(form, slowed, length.si(), [at_demand, at_impact])
+                partly.skidded(since, slowed, length.si(), [at_demand, at_impact])
             }
-            (BrakingForm::Unknown, Some(speed), _) => Ok(partly.responded(form, speed)),
+            (BrakingForm::Unknown, Some(speed), _) => Ok(partly.responded(since, speed)),
             (BrakingForm::Unbraked, Some(speed), _) | (BrakingForm::Unbraked, None, Some(speed)) => {
-                Ok(partly.unbraked(form, speed, Unbraked::Stated))
+                Ok(partly.unbraked(since, speed, Unbraked::Stated))
             }
             (BrakingForm::Unknown, None, Some(speed)) => {
-                Ok(partly.unbraked(form, speed, Unbraked::NothingKnown))
+                Ok(partly.unbraked(since, speed, Unbraked::NothingKnown))
             }
             (_, None, None) => Err(Unposed::Stands),
         }
     }
 
     /// With the reaction and braking of `[avoid]`; without braking, if the vehicle would then have stopped.
-    fn responded(self, form: &AvoidForm, speed: f64) -> Self {
+    fn responded(self, since: Since, speed: f64) -> Self {
         let course = AvoidCourse { speed, response: Some(self.response) };
         let stops = Unbraked::WouldHaveStopped;
-        let (distance, time) = match demand(form) {
-            (Some(distance), _) => match course.arrival(distance) {
+        let (distance, time) = match since {
+            Since::Distance(distance) => match course.arrival(distance) {
                 Some(time) if course.speed_at(distance) > 0.0 => (distance, time),
-                _ => return self.unbraked(form, speed, stops),
+                _ => return self.unbraked(since, speed, stops),
             },
-            (None, time) if time < self.response.stopping_time(speed) => (course.position(time), time),
-            (None, _) => return self.unbraked(form, speed, stops),
+            Since::Time(time) if time < self.response.stopping_time(speed) => (course.position(time), time),
+            Since::Time(_) => return self.unbraked(since, speed, stops),
         };
         Self { speed, at_impact: course.speed_at(distance), distance, time, ..self }
     }
 
-    fn unbraked(self, form: &AvoidForm, speed: f64, why: Unbraked) -> Self {
-        let (distance, time) = match demand(form) {
-            (Some(distance), _) => (distance, distance / speed),
-            (None, time) => (speed * time, time),
+    fn unbraked(self, since: Since, speed: f64, why: Unbraked) -> Self {
+        let (distance, time) = match since {
+            Since::Distance(distance) => (distance, distance / speed),
+            Since::Time(time) => (speed * time, time),
         };
         Self { speed, at_impact: speed, distance, time, actual: ActualRun::Unbraked(why), ..self }
     }
 
     fn skidded(
         self,
-        form: &AvoidForm,
+        since: Since,
         slowed: Response,
         length: f64,
         [at_demand, at_impact]: [Option<f64>; 2],
@@ -202,9 +240,9 @@ impl AvoidScene {
         // From the first effect of the brakes to the impact.
         let braked = before.distance - before.speed * slowed.reaction();
         let braking = before.time - slowed.reaction();
-        let (distance, time) = match demand(form) {
-            (Some(distance), _) => (distance, braking + (distance - braked) / speed),
-            (None, time) => (braked + speed * (time - braking), time),
+        let (distance, time) = match since {
+            Since::Distance(distance) => (distance, braking + (distance - braked) / speed),
+            Since::Time(time) => (braked + speed * (time - braking), time),
         };
         if distance < braked || time < braking {
             return Err(Unposed::BrakedBefore { distance: braked, time: braking });
@@ -264,11 +302,12 @@ impl AvoidScene {
     }
 }
 
-/// (m) the distance of the demand, or (s) its time.
-fn demand(form: &AvoidForm) -> (Option<f64>, f64) {
+/// Where or when the demand is; `None` if obstacles decide.
+fn given_demand(form: &AvoidForm) -> Option<Since> {
     match &form.demand {
-        DemandForm::Distance(distance) => (Some(distance.si()), 0.0),
-        DemandForm::Time(time) => (None, time.si()),
-        DemandForm::Other([distance, speed]) => (None, distance.si() / speed.si()),
+        DemandForm::Distance(distance) => Some(Since::Distance(distance.si())),
+        DemandForm::Time(time) => Some(Since::Time(time.si())),
+        DemandForm::Other([distance, speed]) => Some(Since::Time(distance.si() / speed.si())),
+        DemandForm::Sight => None,
     }
 }

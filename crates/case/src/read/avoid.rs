@@ -1,8 +1,9 @@
 //! `[avoid]`.
 
+use super::scene::OF_OBSTACLE;
 use super::tree::{Reader, Table};
-use crate::schema::{AVOID_CLEAR, AVOID_DEMAND, AVOID_OTHER};
-use inputs::{Avoid, Clear, GivenDemand, OtherParty, SUBJECTS, SWELLS, Text};
+use crate::schema::{AVOID_CLEAR, AVOID_DEMAND, AVOID_OTHER, AVOID_SIGHT, MOST_ZONES, OBSTACLE, SIGHT_PLACE};
+use inputs::{Avoid, Clear, GivenDemand, GivenSight, Obstacle, OtherParty, SUBJECTS, SWELLS, Text};
 
 impl<'t> Reader<'t> {
     pub(super) fn avoid(&mut self, table: &Table<'t>) -> Avoid {
@@ -20,11 +21,37 @@ impl<'t> Reader<'t> {
             clear: self.clear(table),
             other_party: self.choice(table, "other_party", &OtherParty::WORDS),
             unbraked: self.flag(table, "unbraked"),
+            sight: self.sight(table),
+            obstacles: self.obstacles(table),
         }
     }
 
+    fn sight(&mut self, avoid: &Table<'t>) -> GivenSight {
+        const PLACE: &str = "{ x = \"-1.2 m\", y = \"0.4 m\" }";
+        let Some(table) = self.child(avoid, "sight", &AVOID_SIGHT) else { return GivenSight::default() };
+        GivenSight {
+            eye: self.place_of(&table, "eye", &SIGHT_PLACE, PLACE),
+            heading: self.sourced(&table, "heading"),
+            point: self.place_of(&table, "point", &SIGHT_PLACE, PLACE),
+            other_heading: self.sourced(&table, "other_heading"),
+            other_speed: self.sourced(&table, "other_speed"),
+        }
+    }
+
+    fn obstacles(&mut self, avoid: &Table<'t>) -> Vec<Obstacle> {
+        const FORMS: &str = "a table [[avoid.obstacle]] with polygon";
+        let tables = self.tables(avoid, "obstacle", &OBSTACLE, FORMS, MOST_ZONES).unwrap_or_default();
+        tables.iter().filter_map(|table| self.obstacle(table)).collect()
+    }
+
+    fn obstacle(&mut self, table: &Table<'t>) -> Option<Obstacle> {
+        self.require(table, &["polygon"]);
+        let [name, source] = ["name", "source"].map(|key| self.text(table, key));
+        Some(Obstacle { name, source, polygon: self.polygon(table, OF_OBSTACLE)? })
+    }
+
     fn demand(&mut self, avoid: &Table<'t>) -> (Option<GivenDemand>, Option<Text>) {
-        const FORMS: &str = "demand = { distance = \"30 m\" }, { time = \"2.1 s\" } or { other = { distance = \"4 m\", speed = \"1.5 m/s\" } }";
+        const FORMS: &str = "demand = { distance = \"30 m\" }, { time = \"2.1 s\" }, { other = { distance = \"4 m\", speed = \"1.5 m/s\" } } or { sight = true }";
         const OTHER: &str =
             "other = { distance = \"4 m\", speed = { low = \"1.2 m/s\", high = \"2.0 m/s\" } }";
         let Some(table) = self.inline(avoid, "demand", &AVOID_DEMAND, "a table in braces", FORMS) else {
@@ -32,7 +59,9 @@ impl<'t> Reader<'t> {
         };
         let reason = self.text(&table, "reason");
         let [distance, time] = ["distance", "time"].map(|key| self.sourced(&table, key));
-        let demand = match table.given(&["distance", "time", "other"])[..] {
+        let is_sight = self.flag(&table, "sight");
+        let demand = match table.given(&["distance", "time", "other", "sight"])[..] {
+            ["sight"] if is_sight => Some(GivenDemand::Sight),
             ["distance"] => distance.map(GivenDemand::Distance),
             ["time"] => time.map(GivenDemand::Time),
             ["other"] => {

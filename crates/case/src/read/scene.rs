@@ -11,7 +11,17 @@ use inputs::{
 };
 
 /// Error text for a range where none is allowed.
-const EXACT_CORNER: &str = "a string with a number and a unit, because the corners of a zone are exact";
+const EXACT_CORNER: &str = "a string with a number and a unit, because corners are exact";
+/// What has corners, and what else would describe it.
+#[derive(Clone, Copy)]
+pub(super) struct Shape {
+    name: &'static str,
+    instead: &'static str,
+}
+
+const OF_ZONE: Shape =
+    Shape { name: "a zone", instead: "; for a zone with one straight edge, write edge and side" };
+pub(super) const OF_OBSTACLE: Shape = Shape { name: "an obstacle", instead: "" };
 const EXACT_PLAN: &str = "a string with a number and a unit, because the place of a site plan is exact";
 
 impl<'t> Reader<'t> {
@@ -119,13 +129,19 @@ impl<'t> Reader<'t> {
         let edge = self.corners(table, "edge");
         let side = self.choice(table, "side", &EdgeSide::WORDS);
         let region = match table.given(&["friction", "polygon", "edge", "side"])[..] {
-            ["friction", "polygon"] => SurfaceRegion::Polygon(self.outlined(table, polygon?)?),
+            ["friction", "polygon"] => SurfaceRegion::Polygon(self.outlined(table, polygon?, OF_ZONE)?),
             ["friction", "edge", "side"] => {
                 SurfaceRegion::Beside { edge: self.edge(table, &edge?)?, side: side? }
             }
             _ => return self.no_form(table, FORMS),
         };
         Some(SurfaceZone { name, friction: friction?, region })
+    }
+
+    /// The corners of `polygon`, of which `shape` has three or more.
+    pub(super) fn polygon(&mut self, table: &Table<'t>, shape: Shape) -> Option<Vec<Place>> {
+        let corners = self.corners(table, "polygon")?;
+        self.outlined(table, corners, shape)
     }
 
     fn corners(&mut self, zone: &Table<'t>, key: &'static str) -> Option<Vec<Place>> {
@@ -169,14 +185,14 @@ impl<'t> Reader<'t> {
     }
 
     /// The corners, if they enclose a part of the ground.
-    fn outlined(&mut self, zone: &Table<'t>, corners: Vec<Place>) -> Option<Vec<Place>> {
+    fn outlined(&mut self, zone: &Table<'t>, corners: Vec<Place>, shape: Shape) -> Option<Vec<Place>> {
         let path = zone.path_of("polygon");
         let places: Vec<[f64; 2]> = corners.iter().map(at).collect();
         let count = places.len();
         if count < 3 {
-            let message = format!("\"{path}\" has {count} corners, but a zone needs three or more");
-            let help = "give all corners, in their order along the outline; for a zone with one straight edge, write edge and side";
-            return self.refuse_at(zone, "polygon", message, help);
+            let message = format!("\"{path}\" has {count} corners, but {} needs three or more", shape.name);
+            let help = format!("give all corners, in their order along the outline{}", shape.instead);
+            return self.refuse_at(zone, "polygon", message, &help);
         }
         let side = |index: usize| [places[index], places[(index + 1) % count]];
         if let Some(index) = (0..count).find(|index| side(*index)[0] == side(*index)[1]) {

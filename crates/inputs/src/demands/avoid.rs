@@ -4,11 +4,16 @@ use trajectory::GREATEST_FRICTION;
 
 use super::{Demand, table};
 use crate::after::SkidBegin;
-use crate::avoid::{Avoid, AvoidForm, BrakingForm, Clear, DemandForm, GivenDemand, Sourced, SpeedForm};
+use crate::avoid::{
+    Avoid, AvoidForm, BrakingForm, Clear, DemandForm, GivenDemand, PlaceForm, SightForm, Sourced, SpeedForm,
+};
 use crate::case::Case;
 use crate::fault::{Fault, FaultKind, Faults};
 use crate::purpose::Purpose;
+use crate::quantity::Quantity;
+use crate::scene::Place;
 use crate::units::STANDARD_GRAVITY;
+use crate::vehicle::{GivenVehicle, Velocity};
 
 /// What to write for a reaction time; none is assumed, as none is right for every driver and danger.
 const REACTION: &str = "`reaction_time`, as in reaction_time = { low = \"0.7 s\", high = \"1.4 s\", source = \"Dettinger 2008, with all of the swell\" } \
@@ -18,7 +23,10 @@ const REACTION: &str = "`reaction_time`, as in reaction_time = { low = \"0.7 s\"
 const DECELERATION: &str = "`deceleration`, as in deceleration = { value = \"7.5 m/s^2\", source = \"…\" }: the friction of the ground times g where \
      the wheels lock or ABS works, about 6 to 8 m/s^2 on dry asphalt (EDCRASH manual: friction 0.55 to 0.80 where it is travelled)";
 const DEMAND: &str = "`demand`, where or when the danger could first be recognized: demand = { distance = \"30 m\" } of this vehicle before \
-     the impact, { time = \"2.1 s\" }, or by the way of the other party { other = { distance = \"4 m\", speed = \"1.5 m/s\" } }";
+     the impact, { time = \"2.1 s\" }, by the way of the other party { other = { distance = \"4 m\", speed = \"1.5 m/s\" } }, \
+     or by what hides it: { sight = true }";
+const OBSTACLE: &str = "`[[avoid.obstacle]]`, what hides the other party, as in polygon = [{ x = \"-8 m\", y = \"-1.8 m\" }, \
+     { x = \"-3 m\", y = \"-1.8 m\" }, { x = \"-3 m\", y = \"-3.8 m\" }]; without one, give `demand` by distance or time, and no [avoid.sight]";
 const LIMIT: &str =
     "`limit`, the speed for which you ask, as in limit = { value = \"50 km/h\", source = \"built-up area\" }";
 
@@ -48,6 +56,7 @@ impl Case {
         }
         demand.of_deceleration(avoid);
         demand.of_skid(avoid);
+        demand.of_sight(avoid);
         demand.finish(form)
     }
 }
@@ -73,7 +82,10 @@ impl<T: Copy> Case<T> {
             GivenDemand::Distance(distance) => DemandForm::Distance(distance.quantity),
             GivenDemand::Time(time) => DemandForm::Time(time.quantity),
             GivenDemand::Other { distance, speed } => DemandForm::Other([distance.quantity, speed.quantity]),
+            GivenDemand::Sight => DemandForm::Sight,
         };
+        let has_obstacle = !avoid.obstacles.is_empty();
+        let sight = if has_obstacle { Some(self.sight_form(avoid)?) } else { None };
         let clear = avoid.clear.as_ref();
         Some(AvoidForm {
             vehicle,
@@ -86,7 +98,55 @@ impl<T: Copy> Case<T> {
             demand,
             clear: clear.map(|Clear { distance, speed }| [distance.quantity, speed.quantity]),
             braking,
+            sight,
         })
+    }
+
+    fn sight_form(&self, avoid: &Avoid<T>) -> Option<SightForm<T>> {
+        let [subject, other] = self.avoid_parties();
+        let place = |given: &Option<Place<T>>, of: &GivenVehicle<T>| match (given, &of.position) {
+            (Some(place), _) => PlaceForm::Given(*place),
+            (None, Some(place)) => PlaceForm::Position(*place),
+            (None, None) => self.scene_contact.map_or(PlaceForm::Origin, PlaceForm::Contact),
+        };
+        let [heading, other_heading] = self.sight_headings(avoid);
+        Some(SightForm {
+            eye: place(&avoid.sight.eye, subject),
+            heading: heading?,
+            point: place(&avoid.sight.point, other),
+            other_heading: other_heading?,
+            other_speed: self.other_speed(avoid)?,
+        })
+    }
+
+    /// The vehicle that `[avoid]` asks about, and the other one.
+    fn avoid_parties(&self) -> [&GivenVehicle<T>; 2] {
+        let subject = self.avoid_subject();
+        [subject, subject.other()].map(|of| &self.vehicles[of.index()])
+    }
+
+    /// (rad) the directions of both ways to the impact.
+    fn sight_headings(&self, avoid: &Avoid<T>) -> [Option<Quantity<T>>; 2] {
+        let [subject, other] = self.avoid_parties();
+        let of = |given: &Option<Sourced<T>>, vehicle: &GivenVehicle<T>| {
+            given.as_ref().map(|given| given.quantity).or(vehicle.heading)
+        };
+        [of(&avoid.sight.heading, subject), of(&avoid.sight.other_heading, other)]
+    }
+
+    /// (m/s) how fast the other party moves.
+    fn other_speed(&self, avoid: &Avoid<T>) -> Option<Quantity<T>> {
+        let subject = self.avoid_subject();
+        let is_sought = self.reconstruct.as_ref().is_some_and(|sought| sought.find.seeks(subject.other()));
+        let given = match (&avoid.sight.other_speed, &avoid.demand, &avoid.clear) {
+            (Some(speed), ..) | (None, Some(GivenDemand::Other { speed, .. }), _) => Some(speed),
+            (None, _, clear) => clear.as_ref().map(|clear| &clear.speed),
+        };
+        match (given, &self.vehicles[subject.other().index()].motion) {
+            (Some(speed), _) => Some(speed.quantity),
+            (None, Some(Velocity::Speed(speed))) if !is_sought => Some(*speed),
+            (None, _) => None,
+        }
     }
 }
 
@@ -175,6 +235,38 @@ impl Demand<'_, f64> {
         }
         if before.skid.friction.is_none() && self.case.surface.is_none() {
             self.missing(format_args!("{path}.friction"), "`friction` of the skid, or that of [surface]");
+        }
+    }
+
+    fn of_sight(&mut self, avoid: &Avoid) {
+        if avoid.obstacles.is_empty() {
+            if matches!(avoid.demand, Some(GivenDemand::Sight)) || !avoid.sight.is_absent() {
+                self.missing("avoid.obstacle", OBSTACLE);
+            }
+            return;
+        }
+        let [heading, other_heading] = self.case.sight_headings(avoid);
+        let speed = self.case.other_speed(avoid);
+        for (is_given, key, example) in [
+            (
+                heading.is_some(),
+                "avoid.sight.heading",
+                "`heading`, the direction in which the vehicle drives, as in heading = \"0 deg\"",
+            ),
+            (
+                other_heading.is_some(),
+                "avoid.sight.other_heading",
+                "`other_heading`, the direction in which the other party moves, as in other_heading = \"90 deg\"",
+            ),
+            (
+                speed.is_some(),
+                "avoid.sight.other_speed",
+                "`other_speed`, how fast the other party moves, as in other_speed = \"1.5 m/s\"",
+            ),
+        ] {
+            if !is_given {
+                self.missing(key, example);
+            }
         }
     }
 

@@ -1,7 +1,7 @@
 //! Whether the collision was avoidable, as JSON.
 
 use analysis::{
-    ActualRun, AvoidChance, AvoidInterval, AvoidRun, Avoidance, Hypothesis, SpeedSource, Unbraked,
+    ActualRun, AvoidChance, AvoidInterval, AvoidRun, Avoidance, Hypothesis, SpeedSource, Unbraked, View,
 };
 use case::{CaseFile, SWELLS, word};
 use serde::Serialize;
@@ -24,6 +24,7 @@ struct AvoidBlock {
     speed_source: &'static str,
     limit: f64,
     demand: DemandBlock,
+    sight: Option<SightBlock>,
     stopping_distance: f64,
     spatial: KindBlock,
     temporal: Option<KindBlock>,
@@ -41,6 +42,15 @@ struct AvoidBlock {
 struct DemandBlock {
     distance: f64,
     time: f64,
+}
+
+#[derive(Serialize)]
+struct SightBlock {
+    time: f64,
+    distance_subject: f64,
+    distance_other: f64,
+    hidden_by: Option<usize>,
+    seen_earlier: Option<f64>,
 }
 
 #[derive(Serialize)]
@@ -100,6 +110,8 @@ struct EnoughBlock {
     speed: f64,
     deceleration: Option<f64>,
     reaction_time: Option<f64>,
+    deceleration_at_limit: Option<f64>,
+    reaction_time_at_limit: Option<f64>,
 }
 
 /// The median and the ends of a 95 % interval.
@@ -118,6 +130,15 @@ struct IntervalsBlock {
     spatial_speed: IntervalBlock,
     temporal_speed: Option<IntervalBlock>,
     collision_speed_at_limit: IntervalBlock,
+    sight: Option<SightIntervalsBlock>,
+}
+
+#[derive(Serialize)]
+struct SightIntervalsBlock {
+    time: IntervalBlock,
+    distance_subject: IntervalBlock,
+    distance_other: IntervalBlock,
+    never_hidden: f64,
 }
 
 /// Whether the collision was avoidable, as indented JSON, ending in a line break: `{"avoid": {"speed": …,
@@ -157,6 +178,7 @@ pub fn avoid_json(file: &CaseFile, found: &Avoidance) -> Result<String, serde_js
             },
             limit: scene.limit,
             demand: DemandBlock { distance: scene.distance, time: scene.time },
+            sight: sight(found),
             stopping_distance: response.stopping_distance(scene.speed),
             spatial: of(scene.spatial()),
             temporal: scene.temporal().map(of),
@@ -179,16 +201,29 @@ pub fn avoid_json(file: &CaseFile, found: &Avoidance) -> Result<String, serde_js
                 ActualRun::Skidded(_) => "skidded",
             },
             reaction_late_by: found.delay(),
-            runs: found.runs.iter().map(run).collect(),
+            runs: found.runs.iter().chain(&found.more_runs).map(run).collect(),
             enough: EnoughBlock {
                 speed: found.enough.speed,
                 deceleration: found.enough.deceleration,
                 reaction_time: found.enough.reaction,
+                deceleration_at_limit: found.enough.deceleration_at_limit,
+                reaction_time_at_limit: found.enough.reaction_at_limit,
             },
             intervals: found.chance.as_ref().map(intervals),
         },
     };
     pretty(&identified(file, document))
+}
+
+fn sight(found: &Avoidance) -> Option<SightBlock> {
+    let View::Free(sight) = found.scene.view else { return None };
+    Some(SightBlock {
+        time: sight.time,
+        distance_subject: sight.distance_subject,
+        distance_other: sight.distance_other,
+        hidden_by: found.hiding.and_then(|hiding| hiding.by).map(|index| index + 1),
+        seen_earlier: found.hiding.and_then(|hiding| hiding.seen_earlier),
+    })
 }
 
 /// The word of a hypothesis in the JSON.
@@ -199,6 +234,8 @@ fn hypothesis(hypothesis: Hypothesis) -> &'static str {
         Hypothesis::ReactionInTime => "reaction in time",
         Hypothesis::FullBraking => "full braking",
         Hypothesis::ReactionAndBraking => "reaction in time and full braking",
+        Hypothesis::LimitAndReaction => "limit and reaction in time",
+        Hypothesis::LimitAndBraking => "limit and full braking",
         Hypothesis::All => "limit, reaction in time and full braking",
     }
 }
@@ -238,5 +275,11 @@ fn intervals(chance: &AvoidChance) -> IntervalsBlock {
         spatial_speed: of(&chance.spatial),
         temporal_speed: chance.temporal.as_ref().map(of),
         collision_speed_at_limit: of(&chance.left_at_limit),
+        sight: chance.sight.as_ref().map(|sight| SightIntervalsBlock {
+            time: of(&sight.time),
+            distance_subject: of(&sight.distance_subject),
+            distance_other: of(&sight.distance_other),
+            never_hidden: sight.never_hidden,
+        }),
     }
 }

@@ -1,9 +1,10 @@
 //! What the pictures of avoidability show.
 
-use ::drawing::{Axis, ChancePicture, Drawing, PathTimeCourse, PathTimePicture, ValueMark};
-use analysis::{AvoidRun, Avoidance, Hypothesis};
+use ::drawing::{Axis, ChancePicture, Drawing, PathTimeCourse, PathTimePicture, SightPicture, ValueMark};
+use analysis::{AvoidRun, Avoidance, Hypothesis, View, obstacle_name};
 use case::{Case, GivenDemand, OtherParty};
 
+use super::scale_unit;
 use crate::units::{Measure, Units, number};
 use crate::words::title;
 
@@ -29,6 +30,12 @@ pub fn avoided_from(case: &Case, found: &Avoidance, units: Units) -> Option<Draw
     Some(chance_picture(case, found, units)?.draw())
 }
 
+/// Draws the obstacles, the ways of both to the impact and the line of sight; `None` without obstacles.
+#[must_use]
+pub fn sight(case: &Case, found: &Avoidance, units: Units) -> Option<Drawing> {
+    Some(sight_picture(case, found, units)?.draw())
+}
+
 /// The pen of a run.
 fn pen(hypothesis: Hypothesis) -> usize {
     match hypothesis {
@@ -37,7 +44,7 @@ fn pen(hypothesis: Hypothesis) -> usize {
         Hypothesis::ReactionInTime => 2,
         Hypothesis::FullBraking => 3,
         Hypothesis::ReactionAndBraking => 4,
-        Hypothesis::All => 5,
+        Hypothesis::LimitAndReaction | Hypothesis::LimitAndBraking | Hypothesis::All => 5,
     }
 }
 
@@ -50,19 +57,25 @@ fn legend(run: &AvoidRun, units: Units) -> String {
         Hypothesis::ReactionInTime => "reaction in time",
         Hypothesis::FullBraking => "full braking",
         Hypothesis::ReactionAndBraking => "reaction in time, full braking",
+        Hypothesis::LimitAndReaction => "lower speed, reaction in time",
+        Hypothesis::LimitAndBraking => "lower speed, full braking",
         Hypothesis::All => "lower speed, reaction in time, full braking",
     };
     format!("{speed}: {says}")
 }
 
-pub(crate) fn path_time_picture(case: &Case, found: &Avoidance, units: Units) -> PathTimePicture {
-    let scene = &found.scene;
-    let party = match case.avoid.as_ref().and_then(|avoid| avoid.other_party) {
+fn party(case: &Case) -> &'static str {
+    match case.avoid.as_ref().and_then(|avoid| avoid.other_party) {
         Some(OtherParty::Pedestrian) => "pedestrian",
         Some(OtherParty::Cyclist) => "cyclist",
         Some(OtherParty::Vehicle) => "other vehicle",
         None => "other party",
-    };
+    }
+}
+
+pub(crate) fn path_time_picture(case: &Case, found: &Avoidance, units: Units) -> PathTimePicture {
+    let scene = &found.scene;
+    let party = party(case);
     let clears = scene.clears_after.map(|after| scene.time + after);
     let ends = found.runs.iter().map(|run| match (run.arrival, run.course.response) {
         (Some(arrival), _) => arrival,
@@ -129,6 +142,53 @@ pub(crate) fn path_time_picture(case: &Case, found: &Avoidance, units: Units) ->
         demand: format!("reaction demand, {distance} before the impact"),
         brakes: "brakes take effect".to_owned(),
     }
+}
+
+/// (s) between two places of the ways.
+const APART: f64 = 0.5;
+/// How many of them are shown beyond the demand and the free view.
+const MORE: f64 = 1.0;
+
+pub(crate) fn sight_picture(case: &Case, found: &Avoidance, units: Units) -> Option<SightPicture> {
+    let obstacles = &case.avoid.as_ref()?.obstacles;
+    found.eye_and_point(0.0)?;
+    // In axes with y to the left of x.
+    let shown = |[x, y]: [f64; 2]| [x, case.axes.lateral(y)];
+    let free = match found.scene.view {
+        View::Free(sight) => Some(sight),
+        View::Open | View::NeverHidden => None,
+    };
+    let first = ((free.map_or(0.0, |sight| sight.time).max(found.scene.time) / APART).ceil() + MORE) * APART;
+    let times = std::iter::successors(Some(first), |time| (*time > 0.0).then(|| time - APART));
+    let way = |of: usize| -> Vec<([f64; 2], String)> {
+        let at = |time: f64| Some((shown(found.eye_and_point(time)?[of]), units.format(Measure::Time, time)));
+        times.clone().filter_map(at).collect()
+    };
+    let corners = |index: usize| -> Vec<[f64; 2]> {
+        let places = obstacles.get(index).map_or(&[][..], |obstacle| &obstacle.polygon);
+        places.iter().map(|place| shown([place.x.si(), place.y.si()])).collect()
+    };
+    let name = |index: usize| {
+        let given = obstacles.get(index).and_then(|obstacle| obstacle.name.as_ref());
+        given.map_or_else(|| obstacle_name(case, index), ToString::to_string)
+    };
+    let line = free.and_then(|sight| {
+        let ends = found.eye_and_point(sight.time)?.map(shown);
+        let time = units.format(Measure::Time, sight.time);
+        Some((ends, format!("the view becomes free, {time} before the impact")))
+    });
+    let says = line.as_ref().map_or("The obstacles hide nothing.", |(_, says)| says);
+    let party = party(case);
+    Some(SightPicture {
+        title: title(case),
+        subtitle: "What the obstacles hide: places each half second, with the time to the impact".to_owned(),
+        description: format!("Obstacles and the ways of both to the impact, seen from above: {says}."),
+        obstacles: (0..obstacles.len()).map(|index| (corners(index), name(index))).collect(),
+        ways: [way(0), way(1)],
+        legend: [format!("eye of the driver of vehicle {}", found.vehicle), format!("{party}")],
+        line,
+        scale: scale_unit(units, Measure::Way),
+    })
 }
 
 /// One run in a sentence.

@@ -1,14 +1,15 @@
 //! Whether the collision was avoidable.
 
 use analysis::{
-    ActualRun, AvoidChance, AvoidInterval, AvoidRun, AvoidScene, Avoidance, Hypothesis, SpeedSource, Unbraked,
+    ActualRun, AvoidChance, AvoidInterval, AvoidRun, AvoidScene, Avoidance, Hiding, Hypothesis,
+    SIGHT_LOOK_BACK, Sight, SpeedSource, Unbraked, View, obstacle_name,
 };
-use case::{Avoid, Case, Clear, GivenDemand, OtherParty, Sourced};
+use case::{Avoid, Case, Clear, GivenDemand, OtherParty, PlaceForm, Sourced};
 use time_distance::Swell;
 
 use crate::document::{Block, Column, Document, NONE, Table, Undrawn, Width};
 use crate::outputs::input_name;
-use crate::pictures::avoid::{chance_picture, path_time_picture};
+use crate::pictures::avoid::{chance_picture, path_time_picture, sight_picture};
 use crate::understood::{amount, spread};
 use crate::units::{Measure, Units, number};
 
@@ -25,6 +26,7 @@ pub fn avoid(case: &Case, found: &Avoidance, units: Units) -> Document {
     page.push(inputs(case, given, found, units));
     page.heading("Reaction demand");
     page.paragraph(demand(given, found, units));
+    sight(&mut page, case, found, units);
     page.push(runs(case, found, units));
     let picture = path_time_picture(case, found, units);
     page.push(Block::Chart {
@@ -32,6 +34,9 @@ pub fn avoid(case: &Case, found: &Avoidance, units: Units) -> Document {
         drawing: Undrawn::new(move || picture.draw()),
         instead: None,
     });
+    if !found.more_runs.is_empty() {
+        page.push(combinations(found, units));
+    }
     for note in on_the_runs(found, units) {
         page.paragraph(note);
     }
@@ -103,6 +108,13 @@ fn answer(case: &Case, found: &Avoidance, units: Units) -> Vec<String> {
             }
         ));
     }
+    if let View::Free(sight) = scene.view {
+        lines.push(format!(
+            "In sight without a break: for {} before the impact, from {} away on",
+            units.format(Measure::Time, sight.time),
+            units.format(Measure::Way, sight.distance_subject),
+        ));
+    }
     lines.push(format!("Highest speed that avoids it: {}", units.road_speed(found.enough.speed)));
     if let Some(chance) = &found.chance {
         lines.push(format!(
@@ -150,6 +162,9 @@ fn inputs(case: &Case, given: &Avoid, found: &Avoidance, units: Units) -> Table 
         ("reaction time t_R", "avoid.reaction_time", &given.reaction_time),
         ("swell of the brakes t_S", "avoid.swell", &given.swell),
         ("full deceleration a", "avoid.deceleration", &given.deceleration),
+        ("sight: heading", "avoid.sight.heading", &given.sight.heading),
+        ("sight: other's heading", "avoid.sight.other_heading", &given.sight.other_heading),
+        ("sight: other's speed", "avoid.sight.other_speed", &given.sight.other_speed),
     ] {
         if let Some(sourced) = sourced {
             row(label, key, sourced);
@@ -162,7 +177,7 @@ fn inputs(case: &Case, given: &Avoid, found: &Avoidance, units: Units) -> Table 
             row("demand: other's way", "avoid.demand.other.distance", distance);
             row("demand: other's speed", "avoid.demand.other.speed", speed);
         }
-        None => {}
+        Some(GivenDemand::Sight) | None => {}
     }
     if let Some(Clear { distance, speed }) = &given.clear {
         row("way out of the zone", "avoid.clear.distance", distance);
@@ -196,10 +211,20 @@ fn demand(given: &Avoid, found: &Avoidance, units: Units) -> String {
             " It follows from the way of the other party, {} at {}.",
             distance.quantity, speed.quantity
         ),
+        Some(GivenDemand::Sight) => {
+            " It is the moment from which no obstacle hides the other party.".to_owned()
+        }
         _ => String::new(),
     };
+    let is_sight = matches!(given.demand, Some(GivenDemand::Sight));
     let reason = given.demand_reason.as_ref().map_or_else(
-        || " The case does not say why (`reason` of `demand`).".to_owned(),
+        || {
+            if is_sight {
+                String::new()
+            } else {
+                " The case does not say why (`reason` of `demand`).".to_owned()
+            }
+        },
         |reason| format!(" The reason: {reason}."),
     );
     format!(
@@ -207,6 +232,137 @@ fn demand(given: &Avoid, found: &Avoidance, units: Units) -> String {
          below begins there."
     )
 }
+
+/// Since when the view was free, and how that is known.
+fn sight(page: &mut Document, case: &Case, found: &Avoidance, units: Units) {
+    match found.scene.view {
+        View::Open => return,
+        View::NeverHidden => {
+            page.heading("Sight");
+            page.paragraph(format!(
+                "The obstacles hide {} at no time in the {SIGHT_LOOK_BACK} s before the impact.",
+                party(case)
+            ));
+        }
+        View::Free(sight) => {
+            page.push(free(case, found, &sight, units));
+            page.paragraph(view_and_demand(found, &sight, units));
+        }
+    }
+    page.paragraph(ways(case));
+    if let Some(picture) = sight_picture(case, found, units) {
+        let drawing = Undrawn::new(move || picture.draw());
+        page.push(Block::Chart { name: "sight".to_owned(), drawing, instead: None });
+    }
+}
+
+fn free(case: &Case, found: &Avoidance, sight: &Sight, units: Units) -> Table {
+    let mut table = Table::new(
+        "Sight",
+        [
+            Column::words("", Width::Fixed(44)),
+            Column::numbers("", Width::Fixed(14)),
+            Column::numbers("95 % interval", Width::Fixed(20)),
+        ],
+    );
+    let intervals = found.chance.as_ref().and_then(|chance| chance.sight.as_ref());
+    let mut row = |label: String, measure, value: f64, interval: Option<&AvoidInterval>| {
+        let ends = interval.map(|AvoidInterval { low, high, .. }| {
+            let [low, high] = [low, high].map(|end| units.plain(measure, *end));
+            format!("{low} to {high}")
+        });
+        table.row([label, units.format(measure, value), ends.unwrap_or_else(|| NONE.to_owned())]);
+    };
+    row(
+        "the view is free before the impact for".to_owned(),
+        Measure::Time,
+        sight.time,
+        intervals.map(|of| &of.time),
+    );
+    row(
+        format!("way of vehicle {} in this time", found.vehicle),
+        Measure::Way,
+        sight.distance_subject,
+        intervals.map(|of| &of.distance_subject),
+    );
+    row(
+        format!("way of {} in this time", party(case)),
+        Measure::Way,
+        sight.distance_other,
+        intervals.map(|of| &of.distance_other),
+    );
+    table.notes.extend(hidden(case, found.hiding.as_ref(), units));
+    if let Some(share) = intervals.map(|of| of.never_hidden).filter(|share| *share > 0.0) {
+        table.notes.push(format!(
+            "In {} of the samples, the obstacles hide nothing in the {SIGHT_LOOK_BACK} s before the impact; the intervals are those of the \
+             others.",
+            number(share, 3)
+        ));
+    }
+    table
+}
+
+/// What hid the other party until then.
+fn hidden(case: &Case, hiding: Option<&Hiding>, units: Units) -> Vec<String> {
+    let Some(hiding) = hiding else { return Vec::new() };
+    let by = hiding.by.map(|index| {
+        let name = obstacle_name(case, index);
+        let source = case.avoid.as_ref().and_then(|avoid| avoid.obstacles.get(index)?.source.as_ref());
+        let source =
+            source.map_or_else(|| "no source given".to_owned(), |source| format!("source: {source}"));
+        let party = party(case);
+        if hiding.is_inside {
+            format!("Until then, {party} was within {name} ({source}).")
+        } else {
+            format!("Until then, {name} hid {party} ({source}).")
+        }
+    });
+    let earlier = hiding.seen_earlier.map(|time| {
+        let since =
+            if time >= SIGHT_LOOK_BACK { String::new() } else { format!(", first {} before the impact", units.format(Measure::Time, time)) };
+        format!("Before it was hidden, the view was free as well{since}; the time looked at is {SIGHT_LOOK_BACK} s.")
+    });
+    by.into_iter().chain(earlier).collect()
+}
+
+fn view_and_demand(found: &Avoidance, sight: &Sight, units: Units) -> String {
+    let by = found.scene.time - sight.time;
+    let time = units.format(Measure::Time, by.abs());
+    if by.abs() <= SAME_MOMENT {
+        "The reaction demand is that moment.".to_owned()
+    } else if by > 0.0 {
+        format!(
+            "The reaction demand is {time} earlier than that: the driver is taken to have recognized the danger by something else. Check it, \
+             or write demand = {{ sight = true }}."
+        )
+    } else {
+        format!("The reaction demand is {time} later than that.")
+    }
+}
+
+/// From where to where the driver looks.
+fn ways(case: &Case) -> String {
+    let Some(form) = case.avoid_form().and_then(|form| form.sight) else { return String::new() };
+    let how = |form: &PlaceForm| match form {
+        PlaceForm::Given(_) => "as given",
+        PlaceForm::Position(_) => "the centre of gravity of the vehicle",
+        PlaceForm::Contact(_) => "the point of contact",
+        PlaceForm::Origin => "the origin of the scene, as no place is given",
+    };
+    format!(
+        "The driver's eye at the impact is {}, what there is to see of {} is {}. Both come to the impact on straight ways, in the directions \
+         {} and {}, the other party at a constant {}.",
+        how(&form.eye),
+        party(case),
+        how(&form.point),
+        form.heading,
+        form.other_heading,
+        form.other_speed,
+    )
+}
+
+/// (s) two moments are taken to be the same.
+const SAME_MOMENT: f64 = 1e-6;
 
 /// The name of a run in the head of the table, in two lines.
 fn name(hypothesis: Hypothesis) -> [&'static str; 2] {
@@ -216,6 +372,8 @@ fn name(hypothesis: Hypothesis) -> [&'static str; 2] {
         Hypothesis::ReactionInTime => ["reaction", "in time"],
         Hypothesis::FullBraking => ["full", "braking"],
         Hypothesis::ReactionAndBraking => ["reaction and", "braking"],
+        Hypothesis::LimitAndReaction => ["limit and", "reaction"],
+        Hypothesis::LimitAndBraking => ["limit and", "braking"],
         Hypothesis::All => ["limit, reaction", "and braking"],
     }
 }
@@ -266,16 +424,44 @@ fn runs(case: &Case, found: &Avoidance, units: Units) -> Table {
         });
     }
     row("avoided".to_owned(), &|run| {
-        Some(if run.hypothesis == Hypothesis::Actual {
-            NONE.to_owned()
-        } else if run.stops_before() {
-            "in space".to_owned()
-        } else if run.is_late_enough == Some(true) {
-            "in time".to_owned()
-        } else {
-            "no".to_owned()
-        })
+        Some(if run.hypothesis == Hypothesis::Actual { NONE } else { avoided(run) }.to_owned())
     });
+    table
+}
+
+/// How a run avoids the collision.
+fn avoided(run: &AvoidRun) -> &'static str {
+    match (run.stops_before(), run.is_late_enough) {
+        (true, _) => "in space",
+        (false, Some(true)) => "in time",
+        (false, _) => "no",
+    }
+}
+
+/// Every combination of the limit, the reaction in time and full braking, in the order of how many it takes.
+fn combinations(found: &Avoidance, units: Units) -> Table {
+    let mut table = Table::new(
+        "Each alone and together",
+        [
+            Column::words("", Width::Fixed(44)),
+            Column::numbers("speed at the place", Width::Fixed(20)).unit(units.name(Measure::RoadSpeed)),
+            Column::words("avoided", Width::Fixed(18)),
+        ],
+    );
+    for (hypothesis, label) in [
+        (Hypothesis::LimitOnly, "the limit"),
+        (Hypothesis::ReactionInTime, "reaction in time"),
+        (Hypothesis::FullBraking, "full braking"),
+        (Hypothesis::LimitAndReaction, "the limit and reaction in time"),
+        (Hypothesis::LimitAndBraking, "the limit and full braking"),
+        (Hypothesis::ReactionAndBraking, "reaction in time and full braking"),
+        (Hypothesis::All, "all three"),
+    ] {
+        if let Some(run) = found.run(hypothesis) {
+            let speed = units.plain(Measure::RoadSpeed, run.collision_speed);
+            table.row([label.to_owned(), speed, avoided(run).to_owned()]);
+        }
+    }
     table
 }
 
@@ -389,11 +575,17 @@ fn enough(found: &Avoidance, units: Units) -> Block {
         value.map_or_else(none, |value| format!("{word} {}", units.format(measure, value)))
     };
     Block::Facts {
-        title: "What would have been enough, each alone",
+        title: "What would have been enough",
         facts: vec![
             ("Speed, in space or in time", of(Measure::RoadSpeed, Some(enough.speed), "at most")),
             ("Deceleration, at the speed driven", of(Measure::Acceleration, enough.deceleration, "at least")),
             ("Reaction time, at the speed driven", of(Measure::Time, enough.reaction, "at most")),
+            (
+                "Deceleration, at the limit",
+                of(Measure::Acceleration, enough.deceleration_at_limit, "at least"),
+            ),
+            ("Reaction time, at the limit", of(Measure::Time, enough.reaction_at_limit, "at most")),
+            ("The other one not entering", "no collision, whatever the vehicle does".to_owned()),
         ],
     }
 }

@@ -1,0 +1,175 @@
+//! Since when the driver could see the other party.
+
+use inputs::{AvoidForm, BrakingForm, Obstacle, Place, PlaceForm, Quantity, SightForm, SpeedForm};
+use pim_core::Vector2;
+use real::Real;
+use time_distance::{first_sight, free_since, sees};
+
+use super::scene::{AvoidScene, Since, Unposed};
+
+/// (s) how far before the impact the sight is asked.
+pub const SIGHT_LOOK_BACK: f64 = 10.0;
+/// Steps in which it is asked: one each 0.05 s.
+const STEPS: u32 = 200;
+/// (s) before the view is free, something hides the other party.
+const JUST_BEFORE: f64 = 1e-6;
+
+/// Since when the view of the other party has been free, without a break up to the impact.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Sight {
+    /// (s) before the impact.
+    pub time: f64,
+    /// (m) the way of the vehicle from there to the impact.
+    pub distance_subject: f64,
+    /// (m) the way of the other party from there to the impact.
+    pub distance_other: f64,
+}
+
+/// What obstacles do to the view.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum View {
+    /// There are none.
+    Open,
+    /// They hide nothing in the [time before the impact](SIGHT_LOOK_BACK) that is looked at.
+    NeverHidden,
+    /// They hide the other party until then.
+    Free(Sight),
+}
+
+/// How the other party was hidden.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Hiding {
+    /// The obstacle that hid it last, by its index.
+    pub by: Option<usize>,
+    /// Whether it came out of that obstacle.
+    pub is_inside: bool,
+    /// (s) before the impact, the first moment in the time looked at at which it was in sight, before it was
+    /// hidden.
+    pub seen_earlier: Option<f64>,
+}
+
+/// The outlines of obstacles (m), each with its corners in their order.
+pub(crate) type Outlines<'a> = &'a [&'a [Vector2<f64>]];
+
+pub(crate) fn corners(obstacle: &Obstacle) -> Vec<Vector2<f64>> {
+    obstacle.polygon.iter().map(at).collect()
+}
+
+fn at(place: &Place) -> Vector2<f64> {
+    Vector2::new(place.x.si(), place.y.si())
+}
+
+/// The straight ways of both to the impact.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Ways {
+    /// (m) the eye and the visible point at the impact.
+    ends: [Vector2<f64>; 2],
+    /// Unit vectors.
+    along: [Vector2<f64>; 2],
+    /// (m/s) of the other party.
+    other_speed: f64,
+}
+
+impl Ways {
+    pub(crate) fn of(form: &SightForm) -> Self {
+        let end = |form: &PlaceForm| form.place().map_or(Vector2::new(0.0, 0.0), at);
+        let along = |heading: &Quantity| {
+            let (sin, cos) = Real::sin_cos(heading.si());
+            Vector2::new(cos, sin)
+        };
+        Self {
+            ends: [end(&form.eye), end(&form.point)],
+            along: [along(&form.heading), along(&form.other_heading)],
+            other_speed: form.other_speed.si(),
+        }
+    }
+
+    /// (m) the eye and the visible point, where the vehicle has `way` (m) and both have `time` (s) to go.
+    pub(crate) fn before(&self, way: f64, time: f64) -> [Vector2<f64>; 2] {
+        let [[eye, point], [along, other]] = [self.ends, self.along];
+        let back = |end: Vector2<f64>, along: Vector2<f64>, way: f64| {
+            Vector2::new(end.x - along.x * way, end.y - along.y * way)
+        };
+        [back(eye, along, way), back(point, other, self.other_speed * time)]
+    }
+
+    /// The same at a time (s) before the impact, on the actual run.
+    pub(crate) fn of_scene(&self, scene: &AvoidScene, time: f64) -> [Vector2<f64>; 2] {
+        self.before(way_before(scene, time), time)
+    }
+
+    /// The view on the actual run.
+    pub(crate) fn view(&self, scene: &AvoidScene, obstacles: Outlines<'_>) -> Result<View, Unposed> {
+        let positions = |since: f64| self.of_scene(scene, -since);
+        let free = free_since(positions, obstacles, [-SIGHT_LOOK_BACK, 0.0], STEPS);
+        let time = -free.ok_or(Unposed::HiddenAtImpact)?;
+        if time >= SIGHT_LOOK_BACK {
+            return Ok(View::NeverHidden);
+        }
+        Ok(View::Free(self.sight(way_before(scene, time), time)))
+    }
+
+    pub(crate) fn sight(&self, way: f64, time: f64) -> Sight {
+        Sight { time, distance_subject: way, distance_other: self.other_speed * time }
+    }
+
+    /// When the view became free, from which on the driver reacts.
+    pub(crate) fn demand(
+        &self,
+        form: &AvoidForm,
+        at_impact: Option<f64>,
+        obstacles: Outlines<'_>,
+    ) -> Result<Since, Unposed> {
+        if let (BrakingForm::Unknown, SpeedForm::AtDemand(speed)) = (&form.braking, &form.speed) {
+            // The driver brakes in reaction to it, so that the place decides when the impact is.
+            let farthest = speed.si() * SIGHT_LOOK_BACK;
+            let scene = |way: f64| AvoidScene::since(form, at_impact, Since::Distance(way));
+            let positions = |since: f64| self.before(-since, scene(-since).map_or(0.0, |scene| scene.time));
+            let free = free_since(positions, obstacles, [-farthest, 0.0], STEPS);
+            let way = -free.ok_or(Unposed::HiddenAtImpact)?;
+            return if way < farthest { Ok(Since::Distance(way)) } else { Err(Unposed::NeverHidden) };
+        }
+        let early = AvoidScene::since(form, at_impact, Since::Time(SIGHT_LOOK_BACK))?;
+        match self.view(&early, obstacles)? {
+            View::Free(sight) => Ok(Since::Time(sight.time)),
+            View::Open | View::NeverHidden => Err(Unposed::NeverHidden),
+        }
+    }
+
+    /// How the other party was hidden before the view was free; an error with the obstacle (by its index) in
+    /// which the driver's eye would have been.
+    pub(crate) fn hiding(
+        &self,
+        scene: &AvoidScene,
+        sight: &Sight,
+        obstacles: Outlines<'_>,
+    ) -> Result<Hiding, usize> {
+        let [eye, point] = self.of_scene(scene, sight.time + JUST_BEFORE);
+        let is_within = |place: Vector2<f64>, outline: &[Vector2<f64>]| !sees(place, place, outline);
+        if let Some(index) = obstacles.iter().position(|outline| is_within(eye, outline)) {
+            return Err(index);
+        }
+        let by = obstacles.iter().position(|outline| !sees(eye, point, outline));
+        let outline = by.and_then(|index| obstacles.get(index));
+        let positions = |since: f64| self.of_scene(scene, -since);
+        let looked_at = [-SIGHT_LOOK_BACK, -sight.time - JUST_BEFORE];
+        Ok(Hiding {
+            by,
+            is_inside: outline.is_some_and(|outline| is_within(point, outline)),
+            seen_earlier: first_sight(positions, obstacles, looked_at, STEPS).map(|since| -since),
+        })
+    }
+
+    /// The obstacle on the place of the impact, or between the eye and the visible point there.
+    pub(crate) fn hides_the_impact(&self, obstacles: Outlines<'_>) -> Option<usize> {
+        let [eye, point] = self.ends;
+        obstacles.iter().position(|outline| !sees(eye, point, outline))
+    }
+}
+
+/// (m) what the vehicle has to go at a time (s) before the impact, on the actual run.
+fn way_before(scene: &AvoidScene, time: f64) -> f64 {
+    let since = scene.time - time;
+    let gone = if since < 0.0 { scene.speed * since } else { scene.course().position(since) };
+    scene.distance - gone
+}
