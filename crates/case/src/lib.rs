@@ -216,7 +216,7 @@ pub use inputs::{
     ReconstructionInput, Recorder, RegionData, ReportHead, Rest, RestHeading, RestHeadingData, Restitution,
     SIDES, STANDARD_GRAVITY, STIFFNESS_LN_SD_A, STIFFNESS_LN_SD_B, SUBJECTS, SWELLS, SeriesRefusal,
     SeriesSource, Skid, SkidBegin, Sourced, Spread, Steer, SteerPoint, StiffnessForm, StiffnessLine,
-    StiffnessSource, Surface, SurfaceData, SurfaceRegion, SurfaceZone, Text, UNDAMAGED, UNKNOWNS, Unit,
-    UnitSystem, VehicleData, Velocity, WheelDrag, YAW_RADIUS_CONFIDENCE, YAW_RADIUS_WITHIN, YawInertia,
-    YawSource, ZoneData, acts, shown, shown_lines, word,
+    StiffnessSource, StoredRecord, Surface, SurfaceData, SurfaceRegion, SurfaceZone, Text, UNDAMAGED,
+    UNKNOWNS, Unit, UnitSystem, VehicleData, Velocity, WheelDrag, YAW_RADIUS_CONFIDENCE, YAW_RADIUS_WITHIN,
+    YawInertia, YawSource, ZoneData, acts, shown, shown_lines, word,
 };

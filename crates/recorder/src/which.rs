@@ -2,8 +2,10 @@
 
 use std::f64::consts::PI;
 
-use real::elementary::{exp, ln};
+use real::elementary::{exp, ln, sin_cos};
 use real::principal_angle;
+
+use crate::pulse::force_direction;
 
 /// An impact as it is known without the recorder.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -23,6 +25,46 @@ pub struct EventRecord {
     pub delta_v: Option<f64>,
     /// Whether the record holds the whole impact. If not, ΔV is a lower bound.
     pub complete: bool,
+}
+
+/// (1) the least cosine of a direction to the axis of a recorder for which a ΔV along that axis tells the
+/// whole: of 60°.
+const LEAST_COSINE: f64 = 0.5;
+
+impl EventRecord {
+    /// A record of these parts of ΔV (m/s), positive forward and to the right.
+    ///
+    /// Of a recorder with one axis, the other part is taken to be that of the direction of this impact, or of
+    /// its mirror image if the sign is the other one. Where the direction is unknown, or more than 60° off
+    /// the axis, what was stored is a lower bound.
+    #[must_use]
+    pub fn new(delta_v: [Option<f64>; 2], complete: bool, impact: &KnownImpact) -> Self {
+        let one_axis = |part: f64, axis: f64| {
+            let bound = Self { force_direction: None, delta_v: Some(part.abs()), complete: false };
+            let Some(direction) = impact.force_direction else { return bound };
+            let (_, cosine) = sin_cos(direction - axis);
+            if cosine.abs() < LEAST_COSINE {
+                return bound;
+            }
+            // ΔV = −|ΔV| cos(θ − θ_axis) along the axis; the mirror image of θ is 2 θ_axis + π − θ.
+            let mirrored = principal_angle(2.0 * axis + PI - direction);
+            Self {
+                force_direction: Some(if part * cosine > 0.0 { mirrored } else { direction }),
+                delta_v: Some(part.abs() / cosine.abs()),
+                complete,
+            }
+        };
+        match delta_v {
+            [Some(along), Some(right)] => Self {
+                force_direction: Some(force_direction([along, right])),
+                delta_v: Some((along * along + right * right).sqrt()),
+                complete,
+            },
+            [Some(along), None] => one_axis(along, 0.0),
+            [None, Some(right)] => one_axis(right, 0.5 * PI),
+            [None, None] => Self { complete, ..Self::default() },
+        }
+    }
 }
 
 /// How far records and impacts may differ.

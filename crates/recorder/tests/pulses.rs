@@ -236,3 +236,28 @@ fn a_reversed_direction_alone_excludes_nothing() {
     assert_eq!(found.cannot, [None]);
     assert_eq!(RecordMatch::words(found.impacts[0]), "may be of this impact");
 }
+
+/// ΔV of 40 km/h from 30° right of the front is −34.64 along the vehicle and −20 across it.
+#[test]
+fn a_record_of_one_axis_is_seen_in_the_direction_of_the_impact() {
+    let at = |degrees: f64| KnownImpact { force_direction: Some(degrees.to_radians()), delta_v: None };
+    let (along, across) = (40.0 * KMH * 30_f64.to_radians().cos(), 20.0 * KMH);
+    let both = EventRecord::new([Some(-along), Some(-across)], true, &at(180.0));
+    let longitudinal = EventRecord::new([Some(-along), None], true, &at(30.0));
+    for record in [both, longitudinal] {
+        assert!((record.delta_v.unwrap() - 40.0 * KMH).abs() < 1e-9 && record.complete, "{record:?}");
+        assert!((record.force_direction.unwrap().to_degrees() - 30.0).abs() < 1e-9, "{record:?}");
+    }
+    // Pushed forward: from 30° right of the rear, which is 150°. And one across, from the left: −60°.
+    let pushed = EventRecord::new([Some(along), None], true, &at(30.0));
+    assert!((pushed.force_direction.unwrap().to_degrees() - 150.0).abs() < 1e-9, "{pushed:?}");
+    let struck = EventRecord::new([None, Some(along)], true, &at(60.0));
+    assert!((struck.force_direction.unwrap().to_degrees() + 60.0).abs() < 1e-9, "{struck:?}");
+    // Of an impact from 80° the longitudinal part tells little, and without a direction nothing tells more.
+    for impact in [at(80.0), KnownImpact::default()] {
+        let bound = EventRecord::new([Some(-along), None], true, &impact);
+        assert_eq!((bound.force_direction, bound.complete), (None, false));
+        assert_eq!(bound.delta_v, Some(along));
+    }
+    assert_eq!(EventRecord::new([None, None], true, &at(0.0)).delta_v, None);
+}

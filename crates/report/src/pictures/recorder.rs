@@ -78,7 +78,7 @@ pub(crate) fn curves(
 /// The paths of both vehicles on one clock, if both have a record before the impact.
 pub(crate) fn both(case: &Case, reading: &RecorderReading, units: Units) -> Option<RecordCurvesPicture> {
     let path = |id: VehicleId| -> Option<Vec<[f64; 2]>> {
-        let found = reading.vehicles[id.index()].as_ref()?;
+        let found = reading.vehicles[id.index()].as_ref().filter(|found| found.of_impact.is_taken)?;
         let path: Vec<[f64; 2]> =
             found.distances.iter().map(|(time, bounds)| [*time, bounds.between]).collect();
         (path.len() > 1).then_some(path)
