@@ -757,6 +757,12 @@ const RECORDER_FILE: Key = key(
     Form::Text,
     "Name of a file with the table. A CSV or another text; it is looked for in the folder of the case file, or in a folder within that.",
 );
+const RECORDER_ROWS: Key = key(
+    "rows",
+    "rows = \"CASEID 30123, VEHNO 1, EDREVENTNO 2\"",
+    Form::Text,
+    "Rows of one record. Of a long table of NHTSA (EDRPRECRASH, EDRPOSTCRASH), which has a row for each value and may hold several records: columns with the value that each has to have.",
+);
 const RECORDER_TEXT: &str = "Table as text, in three double quotes. Copied from a printed report, or the lines of a CSV. Columns are recognised by their headings and units, and `deltav recorder` shows what each was taken for.";
 const RECORDER_TIMES: &str =
     "Times of the samples. All in one text, with their unit at the end; 0 is the impact.";
@@ -767,6 +773,7 @@ pub(crate) static PRE_CRASH: Schema = Schema {
     keys: &[
         key("text", "text = \"Time (s) -0.5 0\\nVehicle speed (km/h) 58 47\"", Form::Text, RECORDER_TEXT),
         RECORDER_FILE,
+        RECORDER_ROWS,
         key("time", "time = \"-1 -0.5 0 s\"", Form::Text, RECORDER_TIMES),
         key(
             "speed",
@@ -809,8 +816,8 @@ pub(crate) static PRE_CRASH: Schema = Schema {
         ),
     ],
     rules: &[Rule::OneOf(&[
-        form(&["text"], &[]),
-        form(&["file"], &[]),
+        form(&["text"], &["rows"]),
+        form(&["file"], &["rows"]),
         form(
             &["time", "speed"],
             &["brake", "abs", "stability", "accelerator", "throttle", "engine_speed", "steering", "yaw_rate"],
@@ -829,6 +836,7 @@ pub(crate) static PULSE: Schema = Schema {
             RECORDER_TEXT,
         ),
         RECORDER_FILE,
+        RECORDER_ROWS,
         key("time", "time = \"0 10 20 ms\"", Form::Text, RECORDER_TIMES),
         key(
             "delta_v_longitudinal",
@@ -844,8 +852,8 @@ pub(crate) static PULSE: Schema = Schema {
         ),
     ],
     rules: &[Rule::OneOf(&[
-        form(&["text"], &[]),
-        form(&["file"], &[]),
+        form(&["text"], &["rows"]),
+        form(&["file"], &["rows"]),
         form(&["time"], &["delta_v_longitudinal", "delta_v_lateral"]),
     ])],
 };

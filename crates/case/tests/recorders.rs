@@ -141,3 +141,21 @@ fn records_that_say_too_much_or_nothing_are_refused_at_their_place() {
         assert!(error.contains(place) && error.contains(words), "{lines}: {error}");
     }
 }
+
+/// A record of a long table of NHTSA, chosen by `rows`, in the case or beside it.
+#[test]
+fn rows_of_a_long_table_are_chosen() {
+    const LONG: &str =
+        "VEHNO,EDREVENTNO,PCODE,PTIME,PVALUE\n1,1,1010,-1,58\n1,1,1010,0,40\n1,2,1010,-1,41\n1,2,1010,0,39\n";
+    let of = |rows: &str| format!("pre_crash = {{ text = \"\"\"\n{LONG}\"\"\"{rows} }}");
+    let file = read(&of(", rows = \"EDREVENTNO 2\""));
+    let given = file.case.vehicles[0].recorder.as_ref().unwrap().pre_crash.clone().unwrap();
+    let speeds: Vec<f64> = given.record.as_ref().unwrap().speeds().map(|(_, speed)| speed * 3.6).collect();
+    assert!((speeds[0] - 41.0).abs() < 1e-9 && (speeds[1] - 39.0).abs() < 1e-9, "{speeds:?}");
+    assert_eq!(CaseFile::parse("again.toml", &to_toml(&file.case)).unwrap().case, file.case);
+    assert!(refused(&of("")).contains("rows = \"EDREVENTNO 1\""));
+    let wrong = refused(&of(", rows = \"EDREVENTNO 7\""));
+    assert!(wrong.contains("no row has EDREVENTNO 7") && wrong.contains("case.toml:8:"), "{wrong}");
+    let lists = "pre_crash = { time = \"-1 0 s\", speed = \"60 58 km/h\", rows = \"VEHNO 1\" }";
+    assert!(refused(lists).contains("pre_crash"));
+}

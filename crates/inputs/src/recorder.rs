@@ -224,10 +224,10 @@ impl<U> Walk<'_, U> {
         self.exact_if(&at("yaw_rate"), recorder.yaw_rate.as_ref());
         self.exact_if(&at("yaw_rate_error"), recorder.yaw_rate_error.as_ref());
         if let Some(pre_crash) = &recorder.pre_crash {
-            self.series(&at("pre_crash"), &pre_crash.source);
+            self.series(&at("pre_crash"), &pre_crash.source, pre_crash.rows.as_ref());
         }
         if let Some(pulse) = &recorder.pulse {
-            self.series(&at("pulse"), &pulse.source);
+            self.series(&at("pulse"), &pulse.source, pulse.rows.as_ref());
         }
         self.flag(&at("incomplete"), recorder.incomplete);
         if let Some(mount) = &recorder.at {

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use recorder::Channel;
+use recorder::{Channel, TextRefusal};
 
 use super::tree::{Reader, Table};
 use super::values::Place as Position;
@@ -197,7 +197,7 @@ impl<'t> Reader<'t> {
         match (own.as_slice(), listed.len()) {
             (["text"], 0) => self.text(table, "text").map(SeriesSource::Text),
             (["file"], 0) => self.text(table, "file").map(SeriesSource::File),
-            ([], 2..) if table.has("time") => {
+            ([], 2..) if table.has("time") && !table.has("rows") => {
                 let columns: Vec<Option<(Channel, Text)>> = listed
                     .into_iter()
                     .map(|(key, channel)| Some((*channel, self.text(table, key)?)))
@@ -212,7 +212,8 @@ impl<'t> Reader<'t> {
         const FORMS: &str = "pre_crash = { file = \"edr.csv\" }, { text = \"\"\"…\"\"\" } or { time = \"-1 -0.5 0 s\", speed = \"60 58 47 km/h\", brake = \"off on on\" }";
         let table = self.inline(recorder, "pre_crash", &PRE_CRASH, "a table in braces", FORMS)?;
         let source = self.series(&table, &BEFORE_IMPACT, FORMS)?;
-        match GivenPreCrash::read(source) {
+        let rows = self.text(&table, "rows");
+        match GivenPreCrash::read(source, rows) {
             Ok(read) => Some(Arc::new(read)),
             Err(refusal) => self.series_refused(&table, &refusal),
         }
@@ -222,7 +223,8 @@ impl<'t> Reader<'t> {
         const FORMS: &str = "pulse = { file = \"pulse.csv\" }, { text = \"\"\"…\"\"\" } or { time = \"0 10 20 ms\", delta_v_longitudinal = \"0 -4 -9 km/h\" }";
         let table = self.inline(recorder, "pulse", &PULSE, "a table in braces", FORMS)?;
         let source = self.series(&table, &DURING_IMPACT, FORMS)?;
-        match GivenPulse::read(source) {
+        let rows = self.text(&table, "rows");
+        match GivenPulse::read(source, rows) {
             Ok(read) => Some(Arc::new(read)),
             Err(refusal) => self.series_refused(&table, &refusal),
         }
@@ -231,6 +233,9 @@ impl<'t> Reader<'t> {
     /// Reports a table that cannot be read, at the place in the text that is wrong.
     fn series_refused<T>(&mut self, table: &Table<'t>, refusal: &SeriesRefusal) -> Option<T> {
         let (key, place) = match refusal {
+            SeriesRefusal::Text(
+                TextRefusal::NoSuchRows { .. } | TextRefusal::NoColumn { .. } | TextRefusal::NotLong,
+            ) => ("rows", None),
             SeriesRefusal::Text(refusal) => ("text", refusal.place()),
             SeriesRefusal::Column(channel, refusal) => (channel.key(), refusal.place()),
             SeriesRefusal::NoneOfKind { .. } | SeriesRefusal::PreCrash(_) | SeriesRefusal::Pulse(_) => {

@@ -8,13 +8,13 @@ use crate::table::{TextLayout, TextPlace, TextRefusal};
 
 /// A field of a line.
 #[derive(Clone, Debug)]
-struct Field {
-    text: String,
-    place: TextPlace,
+pub(super) struct Field {
+    pub(super) text: String,
+    pub(super) place: TextPlace,
 }
 
 /// The fields of a line, quotes taken off.
-fn fields(line: &str, number: usize, layout: TextLayout) -> Vec<Field> {
+pub(super) fn fields(line: &str, number: usize, layout: TextLayout) -> Vec<Field> {
     let mut found = Vec::new();
     let (mut text, mut column, mut first, mut quoted) = (String::new(), 0, 1, false);
     let mut letters = line.chars().peekable();
@@ -116,7 +116,7 @@ fn split_opening(piece: &str) -> Vec<String> {
 }
 
 /// The lines that are not empty and no comment.
-fn lines(text: &str) -> impl Iterator<Item = (usize, &str)> {
+pub(super) fn lines(text: &str) -> impl Iterator<Item = (usize, &str)> {
     let numbered = text.lines().enumerate().map(|(k, line)| (k + 1, line));
     numbered.filter(|(_, line)| !line.trim().is_empty() && !line.trim_start().starts_with('#'))
 }

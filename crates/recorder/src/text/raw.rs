@@ -24,6 +24,9 @@ const LOST: f64 = 1.5;
 /// mile.
 const NEAR_CODE: f64 = 0.09;
 
+/// What the tables of NHTSA have in place of a value that is not reported, or is unknown.
+const OF_NHTSA: [f64; 2] = [99_996.0, 99_997.0];
+
 /// The value of a cell, or why it has none.
 fn value(token: &Token, channel: Channel, units: (ChannelUnit, Option<ChannelUnit>)) -> Result<f64, NoValue> {
     let (text, unit) = match (&token.bracket, units.1) {
@@ -46,7 +49,7 @@ fn value(token: &Token, channel: Channel, units: (ChannelUnit, Option<ChannelUni
     let si = printed * unit.factor;
     let (codes, worth) = channel.codes();
     let is_code = |code: &f64| (printed - code).abs() < 1e-9 || (si / worth - code).abs() < NEAR_CODE;
-    if codes.iter().any(is_code) {
+    if codes.iter().any(is_code) || OF_NHTSA.contains(&printed) {
         return Err(NoValue::Code(text.to_owned()));
     }
     let [least, greatest] = channel.range();
