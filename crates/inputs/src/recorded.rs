@@ -33,6 +33,8 @@ pub enum SeriesRefusal {
     NoneOfKind {
         /// What was wanted, in words.
         wanted: &'static str,
+        /// The headings of the tables, with what they were taken for.
+        found: String,
     },
     /// What was read is no record before an impact.
     PreCrash(PreCrashFault),
@@ -44,7 +46,9 @@ impl Display for SeriesRefusal {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         match self {
             Self::Text(refusal) | Self::Column(_, refusal) => f.write_str(&refusal.message()),
-            Self::NoneOfKind { wanted } => write!(f, "no table of {wanted} was recognised"),
+            Self::NoneOfKind { wanted, found } => {
+                write!(f, "no table of {wanted} was recognised; read were {found}")
+            }
             Self::PreCrash(fault) => fault.fmt(f),
             Self::Pulse(fault) => fault.fmt(f),
         }
@@ -101,6 +105,12 @@ impl SeriesSource {
     }
 }
 
+/// The refusal of tables of which none is of the kind that is wanted.
+fn none_of_kind(wanted: &'static str, tables: &[RecorderTable]) -> SeriesRefusal {
+    let found = tables.iter().map(RecorderTable::headings).collect::<Vec<_>>().join("; ");
+    SeriesRefusal::NoneOfKind { wanted, found }
+}
+
 impl GivenPreCrash {
     /// Reads its table, unless that is in a file.
     ///
@@ -129,8 +139,9 @@ impl GivenPreCrash {
         tables: Vec<RecorderTable>,
     ) -> Result<Self, SeriesRefusal> {
         const WANTED: &str = "speeds before the impact, with times and speeds,";
+        let none = none_of_kind(WANTED, &tables);
         let found = tables.into_iter().find(RecorderTable::is_pre_crash);
-        let table = found.ok_or(SeriesRefusal::NoneOfKind { wanted: WANTED })?;
+        let table = found.ok_or(none)?;
         let record = PreCrash::from_table(&table).map_err(SeriesRefusal::PreCrash)?;
         Ok(Self { source, rows, table: Some(table), record: Some(record) })
     }
@@ -164,10 +175,11 @@ impl GivenPulse {
         tables: Vec<RecorderTable>,
     ) -> Result<Self, SeriesRefusal> {
         const WANTED: &str = "ΔV over time, with times and a longitudinal or lateral ΔV,";
+        let none = none_of_kind(WANTED, &tables);
         let tables: Vec<RecorderTable> = tables.into_iter().filter(RecorderTable::is_pulse).collect();
         let along = tables.iter().find(|table| table.column(Channel::DeltaVLongitudinal).is_some());
         let across = tables.iter().find(|table| table.column(Channel::DeltaVLateral).is_some());
-        let first = along.or(across).ok_or(SeriesRefusal::NoneOfKind { wanted: WANTED })?;
+        let first = along.or(across).ok_or(none)?;
         let mut pulse = CrashPulse::from_table(first).map_err(SeriesRefusal::Pulse)?;
         if let Some(across) = across.filter(|across| !std::ptr::eq(*across, first)) {
             pulse = pulse.with(&CrashPulse::from_table(across).map_err(SeriesRefusal::Pulse)?);

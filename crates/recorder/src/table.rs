@@ -171,6 +171,19 @@ impl RecorderTable {
         self.column(channel).map_or_else(|| vec![None; rows], |column| column.values.clone())
     }
 
+    /// The headings that were read, with what they were taken for, and those that were not, in words.
+    #[must_use]
+    pub fn headings(&self) -> String {
+        let read =
+            self.columns.iter().map(|column| format!("\"{}\" as {}", column.heading, column.channel.name()));
+        let mut words = read.collect::<Vec<_>>().join(", ");
+        if !self.ignored.is_empty() {
+            let unread: Vec<String> = self.ignored.iter().map(|(text, _)| format!("\"{text}\"")).collect();
+            words = format!("{words}; not read were {}", unread.join(", "));
+        }
+        words
+    }
+
     /// Whether it has speeds before the impact.
     #[must_use]
     pub fn is_pre_crash(&self) -> bool {
@@ -193,9 +206,12 @@ pub enum TextRefusal {
     /// No heading with a time and a quantity.
     #[error(
         "no heading names a time and a quantity, such as \"Time (s)\" and \"Speed (km/h)\": copy the table with \
-         its heading"
+         its heading; the text begins with \"{begins}\""
     )]
-    NoHeading,
+    NoHeading {
+        /// The beginning of its first line.
+        begins: String,
+    },
     /// Quantities without times.
     #[error("{place}: \"{heading}\" stands here without times: copy the column or row of times, too")]
     NoTime {
@@ -205,10 +221,12 @@ pub enum TextRefusal {
         place: TextPlace,
     },
     /// Times without a quantity.
-    #[error("{place}: no quantity beside the times was recognised; known are {known}")]
+    #[error("{place}: no quantity beside the times was recognised{found}; known are {known}")]
     NoQuantity {
         /// Of the heading of the times.
         place: TextPlace,
+        /// The headings beside them, to follow the words before.
+        found: String,
         /// Some headings.
         known: &'static str,
     },
@@ -317,7 +335,7 @@ impl TextRefusal {
     pub fn place(&self) -> Option<TextPlace> {
         match self {
             Self::Empty
-            | Self::NoHeading
+            | Self::NoHeading { .. }
             | Self::SeveralRecords { .. }
             | Self::NoSuchRows { .. }
             | Self::NoColumn { .. }

@@ -52,9 +52,18 @@ pub fn read_rows(text: &str, rows: &str) -> Result<Vec<RecorderTable>, TextRefus
         None => flowing::tables(&text)?,
     };
     if raw.is_empty() {
-        return Err(TextRefusal::NoHeading);
+        return Err(no_heading(&text));
     }
     raw.into_iter().map(raw::finish).collect()
+}
+
+/// (characters) of the beginning of a text in a message.
+const BEGINNING: usize = 60;
+
+/// Refuses a text without a heading, and shows where it begins.
+fn no_heading(text: &str) -> TextRefusal {
+    let line = text.lines().map(str::trim).find(|line| !line.is_empty()).unwrap_or_default();
+    TextRefusal::NoHeading { begins: line.chars().take(BEGINNING).collect() }
 }
 
 /// The table in SI, with what was doubted before it.

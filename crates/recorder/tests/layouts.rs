@@ -290,7 +290,8 @@ fn what_is_no_value_is_told_with_its_place() {
 fn what_gives_no_table_is_refused_with_its_place() {
     let refused = |text: &str| read_tables(text).unwrap_err();
     assert_eq!(refused(" \n "), TextRefusal::Empty);
-    assert_eq!(refused("The weather was fine.\n1 2 3\n"), TextRefusal::NoHeading);
+    let begins = "The weather was fine.".to_owned();
+    assert_eq!(refused("The weather was fine.\n1 2 3\n"), TextRefusal::NoHeading { begins });
     let place = |text: &str| refused(text).place().map(|place| (place.line, place.column));
     for (text, at, word) in [
         ("Time (s),Speed (knots)\n0,3\n", (1, 10), "mph"),
@@ -418,5 +419,74 @@ fn rows_of_several_records_or_of_none_are_refused() {
     let bad = LONG.replace("1,1,1010,-0.5,51", "1,1,1010,soon,51");
     assert!(
         read_rows(&bad, "VEHNO 1, EDREVENTNO 1").unwrap_err().to_string().contains("\"soon\" is no time")
+    );
+}
+
+/// The data elements of 49 CFR 563.7 (tables I and II) and of Annex 4 of UN R160 that are series, in their
+/// words, and others that reports print, each in a CSV with times.
+#[test]
+fn headings_of_rules_and_reports_are_recognised() {
+    for (channel, headings) in [
+        (
+            Channel::Speed,
+            "Speed, vehicle indicated (km/h)|Vehicle speed [mph]|Indicated speed (km/h)|Road speed (km/h)|Geschwindigkeit (km/h)",
+        ),
+        (
+            Channel::Throttle,
+            "Engine throttle, per cent full (%)|Engine throttle, % full|Throttle opening (%)",
+        ),
+        (Channel::Accelerator, "Accelerator pedal, per cent full (%)|Accelerator Opening Ratio (%)"),
+        (Channel::Brake, "Service brake, on/off|Brake Switch|Brake pedal status (on/off)|Service brakes"),
+        (Channel::EngineSpeed, "Engine rpm|Engine RPM (RPM)|Motordrehzahl (1/min)"),
+        (
+            Channel::Abs,
+            "ABS activity|Anti-lock braking system activity|Anti-lock brake system|Antilock braking system (on/off)",
+        ),
+        (Channel::Stability, "Stability control|Electronic Stability Control Status|VDC"),
+        (Channel::Steering, "Steering input (deg)|Steering wheel angle (degrees)|Steering wheel input (deg)"),
+        (Channel::YawRate, "Yaw rate (deg/s)|Yaw angular velocity (deg/sec)"),
+        (
+            Channel::DeltaVLongitudinal,
+            "Delta-V, longitudinal (km/h)|Longitudinal change in velocity (mph)|Cumulative delta-V, longitudinal (km/h)",
+        ),
+        (Channel::DeltaVLateral, "Delta-V, lateral (km/h)|Lateral change in velocity (mph)"),
+        (Channel::AccelerationLongitudinal, "Longitudinal acceleration (g)"),
+        (Channel::AccelerationLateral, "Lateral acceleration (g)"),
+        (
+            Channel::Other,
+            "Wheel speed (km/h)|Wheel speed, front left (km/h)|Normal acceleration (g)|Vehicle roll angle (deg)|Speed limit (km/h)|\
+             Time, maximum delta-V, longitudinal (ms)|Maximum delta-V, longitudinal (km/h)|Ignition cycle, crash|Set speed (km/h)|\
+             Adaptive cruise control|Tyre pressure|Brake pressure (bar)|Colour",
+        ),
+    ] {
+        for heading in headings.split('|') {
+            // The speed beside it is of the table, and the heading in quotes, as it may have a comma.
+            let known = if channel == Channel::Speed { "Yaw rate (deg/s)" } else { "Speed (km/h)" };
+            let text = format!("Time (s),{known},\"{heading}\"\n-1,1,1\n0,1,0\n");
+            let table = one(&text);
+            let found = table.columns.iter().find(|column| column.heading == heading);
+            let found = found.map_or(Channel::Other, |column| column.channel);
+            assert_eq!(found, channel, "{heading}: {table:?}");
+            assert_eq!(table.ignored.len(), usize::from(channel == Channel::Other), "{heading}: {table:?}");
+        }
+    }
+}
+
+/// A refusal says which headings there are, and which are known.
+#[test]
+fn a_refusal_names_the_headings() {
+    let refused = |text: &str| read_tables(text).unwrap_err().to_string();
+    let said = refused("Time (s),Wheel speed (km/h),Colour\n-1,50,3\n0,40,4\n");
+    for words in ["in \"Wheel speed (km/h)\", \"Colour\"", "known are speed, accelerator pedal"] {
+        assert!(said.contains(words), "{said}");
+    }
+    let said = refused("a;b\n1;2\n3;4\n");
+    assert!(said.contains("begins with \"a;b\""), "{said}");
+    let across = "Time (s),-1,-0.5,0\nVehicle speed (km/h),60,58,47\nMood,1,2,3\n";
+    assert_eq!(one(across).ignored.len(), 1);
+    let headings = one("Time (s),Speed (km/h),Wheel speed (km/h)\n-1,50,49\n0,40,39\n").headings();
+    assert_eq!(
+        headings,
+        "\"Time (s)\" as time, \"Speed (km/h)\" as speed; not read were \"Wheel speed (km/h)\""
     );
 }

@@ -202,10 +202,10 @@ pub(crate) fn tables(text: &str, layout: TextLayout) -> Result<Vec<RawTable>, Te
     if found.is_empty() {
         let all = begun(&heading, layout);
         let first = all.columns.first();
-        return Err(first.map_or(TextRefusal::NoHeading, |(head, _)| TextRefusal::NoRows {
-            heading: head.text.clone(),
-            place: head.place,
-        }));
+        return Err(match first {
+            Some((head, _)) => TextRefusal::NoRows { heading: head.text.clone(), place: head.place },
+            None => super::no_heading(text),
+        });
     }
     for table in &mut found {
         close(table);
@@ -263,7 +263,14 @@ fn close(table: &mut RawTable) {
 fn transposed(rows: &[Vec<Field>]) -> Vec<RawTable> {
     let mut found: Vec<RawTable> = Vec::new();
     for fields in rows {
-        let Some((head, values)) = label(fields) else { continue };
+        let Some((head, values)) = label(fields) else {
+            if let (Some(table), Some(first)) =
+                (found.last_mut(), fields.first().filter(|_| fields.len() > 2))
+            {
+                table.ignored.push((first.text.clone(), first.place));
+            }
+            continue;
+        };
         if head.channel == Channel::Time || found.is_empty() {
             let layout = TextLayout::Transposed;
             found.push(RawTable { layout, columns: Vec::new(), ignored: Vec::new() });

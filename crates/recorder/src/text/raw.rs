@@ -104,7 +104,9 @@ pub(crate) fn finish(raw: RawTable) -> Result<RecorderTable, TextRefusal> {
     let Some(time) = columns.iter().position(|(head, _)| head.channel == Channel::Time) else {
         return Err(match columns.first() {
             Some((head, _)) => TextRefusal::NoTime { heading: head.text.clone(), place: head.place },
-            None => TextRefusal::NoHeading,
+            None => TextRefusal::NoHeading {
+                begins: ignored.into_iter().next().map(|(text, _)| text).unwrap_or_default(),
+            },
         });
     };
     let (time_head, time_cells) = &columns[time];
@@ -163,7 +165,9 @@ pub(crate) fn finish(raw: RawTable) -> Result<RecorderTable, TextRefusal> {
         read.push(TableColumn { heading, channel, unit, place, values });
     }
     if read.len() == 1 {
-        return Err(TextRefusal::NoQuantity { place: time_head.place, known: KNOWN });
+        let headings: Vec<String> = ignored.iter().map(|(text, _)| format!("\"{text}\"")).collect();
+        let found = if headings.is_empty() { String::new() } else { format!(" in {}", headings.join(", ")) };
+        return Err(TextRefusal::NoQuantity { place: time_head.place, found, known: KNOWN });
     }
     doubts.sort_by_key(|doubt| doubt.place);
     Ok(RecorderTable { layout, columns: read, ignored, doubts, counted_down })
