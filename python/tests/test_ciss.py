@@ -400,3 +400,34 @@ def test_the_pairs_of_2017_come_back_from_tables_that_have_them(tmp_path: pathli
     pairs = deltav.ciss.pairs(tmp_path)
     ordered = sorted(expected, key=lambda pair: (pair["CASEID"], pair["EVENTNO"]))
     assert list(pairs) == ordered and pairs.left_out == {}
+
+
+def long_tables(folder: pathlib.Path) -> None:
+    before, during = [], []
+    for event, speeds in ((1, (60, 52)), (2, (41, 33))):
+        key = {"CASEID": 7, "VEHNO": 1, "EDRSUMMNO": 1, "EDREVENTNO": event}
+        before += [key | {"PCODE": 1010, "PTIME": time, "PVALUE": speed} for time, speed in zip((-1.0, 0.0), speeds)]
+        before += [key | {"PCODE": 1050, "PTIME": 0.0, "PVALUE": 888}]
+    for time, change in ((0, 0), (50, -12), (100, -15), (150, -15)):
+        during.append(key | {"PCODE": 2010, "PTIME": time, "PVALUE": change})
+    during.append(key | {"VEHNO": 2, "PCODE": 2010, "PTIME": 0, "PVALUE": 0})
+    write(folder, "EDRPRECRASH", before)
+    write(folder, "EDRPOSTCRASH", during)
+
+
+def test_records_of_a_recorder_come_from_the_zip_as_downloaded(tmp_path: pathlib.Path) -> None:
+    folder = tmp_path / "tables"
+    folder.mkdir()
+    long_tables(folder)
+    archive = pathlib.Path(shutil.make_archive(str(tmp_path / "CISS_2020"), "zip", folder))
+    records = deltav.ciss.records(archive, 7, 1)
+    assert records == deltav.ciss.records(folder, 7, 1)
+    assert [sorted(record) for record in records] == [["pre_crash"], ["pre_crash", "pulse"]]
+    # 888 rev/min is a number, and no code.
+    assert "1050,0.0,888" in records[0]["pre_crash"]["text"]
+    vehicles = {"vehicle1": {"recorder": {"records": records}}, "vehicle2": {"fixed": True}}
+    [found, _] = deltav.Case.from_dict(vehicles).recorder()["vehicles"]
+    stored = [one["speed_at_impact"]["stored"] * 3.6 for one in (found, *found["other_records"])]
+    assert sorted(round(speed) for speed in stored) == [33, 52]
+    with pytest.raises(ValueError, match="vehicle 3 in crash 7 has no record"):
+        deltav.ciss.records(folder, 7, 3)

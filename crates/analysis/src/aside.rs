@@ -11,6 +11,7 @@ use reconcile::COLLINEAR;
 use crate::analysis::Analysis;
 use crate::evident::Evident;
 use crate::found::Found;
+use crate::recorded::with_records_of_impact;
 use crate::speeds::BothMethod;
 use crate::thresholds::{
     DIRECTION_AFTER_ERROR, RECORDER_DELTA_V_ERROR, RECORDER_SPEED_ERROR, SPEED_AFTER_ERROR,
@@ -85,6 +86,7 @@ pub(crate) fn left_aside(case: &Case, used: Used) -> Vec<String> {
             add(recorder.yaw_rate.is_some(), "recorder.yaw_rate");
             add(recorder.pre_crash.is_some(), "recorder.pre_crash");
             add(recorder.pulse.is_some(), "recorder.pulse");
+            add(!recorder.records.is_empty(), "recorder.records");
         }
     }
     keys
@@ -99,6 +101,8 @@ fn has_crush(vehicle: &GivenVehicle) -> bool {
 /// The contradictions between evidence of the case and an impact whose speeds (m/s) were found without it.
 pub(crate) fn contradictions(case: &Case, analysis: &Analysis, used: Used) -> Vec<Warning> {
     let Some(exchange) = analysis.exchange() else { return Vec::new() };
+    let (case, _) = with_records_of_impact(case);
+    let case = case.as_ref();
     let mut warnings = Vec::new();
     for (id, vehicle) in VehicleId::ALL.into_iter().zip(&case.vehicles) {
         if vehicle.fixed || vehicle.is_absent() {

@@ -15,6 +15,7 @@ use crate::estimate::estimate_evidence;
 use crate::failure::Failure;
 use crate::goal::Goal;
 use crate::impact::closing_speed;
+use crate::recorded::{OfImpact, told_records};
 use crate::solve::furthest_solver;
 use crate::uncertainty;
 use crate::vehicle::{NOTHING, Vehicle};
@@ -32,6 +33,9 @@ pub struct Judgement {
     /// The warnings that need no answer, in the axes of the engine; [`Warning::seen`] converts them to
     /// those of a reader.
     pub warnings: Vec<Warning>,
+    /// The records of recorders under their keys, where there are several of a vehicle, or where the only
+    /// one is hardly of this impact.
+    pub records: Vec<(String, OfImpact)>,
 }
 
 /// Whether a case has everything that a purpose needs. Whether it also has an answer is only known when it is
@@ -369,7 +373,7 @@ pub fn judge(case: &Case) -> Judgement {
             left_aside: Vec::new(),
         });
     }
-    Judgement { abilities, assumptions, warnings }
+    Judgement { abilities, assumptions, warnings, records: told_records(case) }
 }
 
 /// Whether a case has keys that only an estimate reads.

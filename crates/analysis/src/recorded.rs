@@ -1,9 +1,15 @@
-//! What the recorders of a case say alone.
+//! What the recorders of a case say alone, and which of their records is of its impact.
 
-use inputs::{Case, Fault, FaultKind, Recorder, RecordersDeltaV, SeriesSource};
+use std::borrow::Cow;
+
+use inputs::{Case, Fault, FaultKind, KnownEnergy, Pdof, Quantity, Recorder, RecordersDeltaV, SeriesSource};
 use pim_core::VehicleId;
-use recorder::{DistanceBounds, ImpactSpeed, ImpactSpeedErrors, PulseRule, PulseSpan, SpeedLimits};
+use recorder::{
+    DistanceBounds, EventRecord, ImpactSpeed, ImpactSpeedErrors, KnownImpact, MatchErrors, Mismatch,
+    PulseRule, PulseSpan, SpeedLimits, match_records,
+};
 
+use crate::damage;
 use crate::failure::Failure;
 
 /// What the recorders of both vehicles say alone.
@@ -13,9 +19,13 @@ pub struct RecorderReading {
     pub vehicles: [Option<VehicleReading>; 2],
 }
 
-/// What the recorder of a vehicle says alone.
+/// What the recorder of a vehicle says alone: one record of it, that of the impact if it has several.
 #[derive(Clone, Debug, PartialEq)]
 pub struct VehicleReading {
+    /// Whether this record is of the impact of the case.
+    pub of_impact: OfImpact,
+    /// The other records, in the order of time.
+    pub others: Vec<VehicleReading>,
     /// Its table and its keys.
     pub recorder: Recorder,
     /// The speed at impact, by the table before it.
@@ -34,23 +44,155 @@ pub struct VehicleReading {
     pub force_directions: Vec<(f64, f64)>,
 }
 
+/// Whether a record is of the impact of the case.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct OfImpact {
+    /// Its place among several, from 1; `None` if it is the only one.
+    pub number: Option<usize>,
+    /// (s) its time since the record before it, as the recorder has it.
+    pub since_previous: Option<f64>,
+    /// What tells it apart.
+    pub event: EventRecord,
+    /// The impact as the damage shows it.
+    pub impact: KnownImpact,
+    /// (1) probability that it is of this impact.
+    pub probability: f64,
+    /// Why it cannot be, if it cannot.
+    pub cannot: Option<Mismatch>,
+    /// Whether it is taken for the record of this impact: the only one is, and of several the one that is
+    /// more likely than not.
+    pub is_taken: bool,
+}
+
+/// (1) the least probability with which one of several records is taken for that of the impact.
+const TAKEN: f64 = 0.5;
+
+/// (rad) the PDOF that the case gives for a vehicle.
+fn given_pdof(case: &Case, id: VehicleId) -> Option<f64> {
+    let vehicle = &case.vehicles[id.index()];
+    let of_crush = vehicle.crush.as_ref().and_then(|crush| crush.pdof.as_ref());
+    let of_energy = vehicle.energy.as_ref().and_then(KnownEnergy::ees).and_then(|given| given.pdof.as_ref());
+    of_crush.or(of_energy).map(Pdof::rad)
+}
+
+/// The impact of the case as the damage of both vehicles shows it: its ΔV by CRASH3, if the case has what
+/// that needs, and its direction.
+fn known_impact(case: &Case, id: VehicleId) -> KnownImpact {
+    let given = given_pdof(case, id);
+    let assessed = case.damage().ok().and_then(|input| {
+        let vehicles = damage::assess(input.vehicles, [None, None]).ok()?;
+        Some((vehicles, input.basis.energy(), input.restitution))
+    });
+    let Some((vehicles, basis, restitution)) = assessed else {
+        return KnownImpact { force_direction: given, delta_v: None };
+    };
+    let pdof = vehicles[id.index()].damage.as_ref().and_then(|damage| damage.pdof);
+    let found = damage::crash3(&vehicles, basis, restitution).ok().flatten();
+    let delta_v = found.map(|found| {
+        let whole = found.corrected.map_or(found.delta_v, |corrected| corrected.delta_v)[id.index()];
+        whole * found.restitution_factor.unwrap_or(1.0)
+    });
+    KnownImpact { force_direction: given.or(pdof), delta_v: delta_v.filter(|delta_v| *delta_v > 0.0) }
+}
+
+/// The records of a vehicle, each as that of a recorder with one, and whether it is of the impact.
+fn records(case: &Case, id: VehicleId, recorder: &Recorder) -> Vec<(Recorder, OfImpact)> {
+    let impact = known_impact(case, id);
+    let stored: Vec<Recorder> = if recorder.records.is_empty() {
+        vec![recorder.clone()]
+    } else {
+        (0..recorder.records.len()).filter_map(|index| recorder.record(index)).collect()
+    };
+    let events: Vec<EventRecord> = stored.iter().map(|one| one.event(case.axes, &impact)).collect();
+    let found = match_records(&events, &[impact], &MatchErrors::default());
+    let probabilities: Vec<f64> = found.iter().map(|found| found.impacts[0]).collect();
+    let greatest = probabilities.iter().copied().fold(TAKEN, f64::max);
+    let of_impact = |k: usize| OfImpact {
+        number: (!recorder.records.is_empty()).then_some(k + 1),
+        since_previous: recorder.records.get(k).and_then(|one| one.since_previous.as_ref()).map(Quantity::si),
+        event: events[k],
+        impact,
+        probability: probabilities[k],
+        cannot: found[k].cannot[0],
+        is_taken: recorder.records.is_empty() || probabilities[k] >= greatest,
+    };
+    stored.into_iter().enumerate().map(|(k, one)| (one, of_impact(k))).collect()
+}
+
+/// (1) below this probability even the only record of a vehicle is told not to be of the impact.
+const DOUBTED: f64 = 0.2;
+
+impl OfImpact {
+    /// The key of the record in the case.
+    #[must_use]
+    pub fn key(&self, id: VehicleId) -> String {
+        let table = format!("vehicle{}.recorder", id.number());
+        self.number.map_or_else(|| table.clone(), |number| format!("{table}.records[{number}]"))
+    }
+
+    /// Whether a reader is to know: where there are several records, or the only one is hardly of the impact.
+    #[must_use]
+    pub fn is_told(&self) -> bool {
+        self.number.is_some() || self.probability < DOUBTED
+    }
+}
+
+/// The records of a case under their keys, as far as a reader is to know whether they are of its impact.
+pub(crate) fn told_records(case: &Case) -> Vec<(String, OfImpact)> {
+    let of_vehicle = |id: VehicleId| {
+        let recorder = case.vehicles[id.index()].recorder.as_ref();
+        let found = recorder.map(|recorder| records(case, id, recorder)).unwrap_or_default();
+        let told = found.into_iter().map(|(_, of_impact)| of_impact).filter(OfImpact::is_told);
+        told.map(move |one| (one.key(id), one))
+    };
+    VehicleId::ALL.into_iter().flat_map(of_vehicle).collect()
+}
+
+/// The case with the record of its impact alone in each recorder, and the keys of the records that it leaves
+/// aside. A recorder of which no record is likely to be of the impact is left out.
+pub(crate) fn with_records_of_impact(case: &Case) -> (Cow<'_, Case>, Vec<String>) {
+    let several = |id: &VehicleId| {
+        case.vehicles[id.index()].recorder.as_ref().is_some_and(|recorder| !recorder.records.is_empty())
+    };
+    let (mut chosen, mut aside) = (Cow::Borrowed(case), Vec::new());
+    for id in VehicleId::ALL.into_iter().filter(several) {
+        let Some(recorder) = &case.vehicles[id.index()].recorder else { continue };
+        let mut taken = None;
+        for (record, of_impact) in records(case, id, recorder) {
+            if of_impact.is_taken && taken.is_none() {
+                taken = Some(record);
+            } else {
+                aside.push(of_impact.key(id));
+            }
+        }
+        chosen.to_mut().vehicles[id.index()].recorder = taken;
+    }
+    (chosen, aside)
+}
+
 /// (m/s) 5 km/h: of a smaller ΔV its rounding to 1 km/h decides the direction.
 const LEAST_OF_DIRECTION: f64 = 5.0 / 3.6;
 
 /// The keys of recorder files that were not read.
 fn unread(case: &Case) -> Option<(String, String)> {
-    let of = |id: VehicleId, key: &str, source: &SeriesSource, is_read: bool| match source {
-        SeriesSource::File(name) if !is_read => {
-            Some((format!("vehicle{}.recorder.{key}.file", id.number()), name.to_string()))
-        }
+    let of = |table: &str, key: &str, source: &SeriesSource, is_read: bool| match source {
+        SeriesSource::File(name) if !is_read => Some((format!("{table}.{key}.file"), name.to_string())),
         _ => None,
+    };
+    let of_record = |table: &str, record: &Recorder| {
+        let before = record.pre_crash.as_ref();
+        let before = before.and_then(|given| of(table, "pre_crash", &given.source, given.record.is_some()));
+        let pulse = record.pulse.as_ref();
+        before.or_else(|| pulse.and_then(|given| of(table, "pulse", &given.source, given.pulse.is_some())))
     };
     VehicleId::ALL.into_iter().find_map(|id| {
         let recorder = case.vehicles[id.index()].recorder.as_ref()?;
-        let before = recorder.pre_crash.as_ref();
-        let before = before.and_then(|given| of(id, "pre_crash", &given.source, given.record.is_some()));
-        let pulse = recorder.pulse.as_ref();
-        before.or_else(|| pulse.and_then(|given| of(id, "pulse", &given.source, given.pulse.is_some())))
+        let table = format!("vehicle{}.recorder", id.number());
+        let of_several = || {
+            let mut records = recorder.records.iter().enumerate();
+            records.find_map(|(k, one)| of_record(&format!("{table}.records[{}]", k + 1), &one.stored))
+        };
+        of_record(&table, recorder).or_else(of_several)
     })
 }
 
@@ -71,10 +213,19 @@ pub(crate) fn is_read(case: &Case) -> Result<(), Failure> {
 pub fn recorders(case: &Case) -> Result<RecorderReading, Failure> {
     is_read(case)?;
     let ground = case.surface.as_ref().map(|surface| surface.friction);
-    let vehicles = case.vehicles.each_ref().map(|vehicle| {
-        let recorder = vehicle.recorder.as_ref()?;
+    let vehicles = VehicleId::ALL.map(|id| {
+        let recorder = case.vehicles[id.index()].recorder.as_ref()?;
         let has_table = recorder.pre_crash.is_some() || recorder.pulse.is_some();
-        has_table.then(|| reading(recorder, ground, case))
+        if !has_table && recorder.records.is_empty() {
+            return None;
+        }
+        let of_record = |(record, of_impact)| reading(record, of_impact, ground, case);
+        let mut readings: Vec<VehicleReading> =
+            records(case, id, recorder).into_iter().map(of_record).collect();
+        // Where none is taken, the first leads.
+        let leading = readings.iter().position(|one| one.of_impact.is_taken).unwrap_or(0);
+        let first = readings.remove(leading);
+        Some(VehicleReading { others: readings, ..first })
     });
     if vehicles.iter().all(Option::is_none) {
         let reason = "no vehicle has a table of a recorder".to_owned();
@@ -92,11 +243,12 @@ pub fn recorders(case: &Case) -> Result<RecorderReading, Failure> {
     Ok(RecorderReading { vehicles })
 }
 
-fn reading(recorder: &Recorder, ground: Option<f64>, case: &Case) -> VehicleReading {
+fn reading(recorder: Recorder, of_impact: OfImpact, ground: Option<f64>, case: &Case) -> VehicleReading {
     let record = recorder.pre_crash.as_ref().and_then(|given| given.record.as_ref());
     let pulse = recorder.pulse.as_ref().and_then(|given| given.pulse.as_ref());
     VehicleReading {
-        recorder: recorder.clone(),
+        of_impact,
+        others: Vec::new(),
         speed: recorder.impact_speed(ground),
         errors: recorder.errors.errors(ground),
         distances: record.map(|record| record.distances_to_last(&SpeedLimits::default())).unwrap_or_default(),
@@ -106,5 +258,6 @@ fn reading(recorder: &Recorder, ground: Option<f64>, case: &Case) -> VehicleRead
         is_cut: pulse.is_some_and(recorder::CrashPulse::is_cut),
         delta_v: recorder.tells_delta_v(case.axes).filter(|told| told.is_of_table),
         force_directions: pulse.map(|pulse| pulse.force_directions(LEAST_OF_DIRECTION)).unwrap_or_default(),
+        recorder,
     }
 }

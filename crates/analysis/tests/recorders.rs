@@ -2,7 +2,9 @@
 
 #![allow(clippy::unwrap_used, clippy::panic, reason = "helpers of tests fail by panicking")]
 
-use analysis::{Evident, Warning, estimate_evidence, impact, recorders};
+use analysis::{
+    EstimatePlan, Evident, UnusedReason, Warning, estimate, estimate_evidence, impact, judge, recorders,
+};
 use case::CaseFile;
 
 /// Two cars that meet front to front along one line.
@@ -90,4 +92,80 @@ fn a_recorder_away_from_the_centre_is_taken_there() {
     let told = file.case.vehicles[0].recorder.as_ref().unwrap().tells_delta_v(file.case.axes).unwrap();
     assert!((told.along.unwrap() + 49.0 / 3.6).abs() < 1e-9);
     assert!((told.left.unwrap() - (10.0 / 3.6 - std::f64::consts::FRAC_PI_2)).abs() < 1e-9, "{told:?}");
+}
+
+/// Front to front, both with 40 cm of crush: CRASH3's ΔV of both is near 45 km/h, from straight ahead.
+fn crushed(recorder: &str) -> CaseFile {
+    let crush = "crush = { side = \"front\", width = \"150 cm\", depths = \"40 40 cm\", stiffness = { category = 3 }, pdof = \"0 deg\" }\n";
+    let text = head_on(recorder).source.text().replace("contact =", &format!("{crush}contact ="));
+    CaseFile::parse("case.toml", &text).unwrap_or_else(|errors| panic!("{errors}"))
+}
+
+const TWO_RECORDS: &str = "records = [\n\
+    { delta_v_longitudinal = \"7 km/h\", delta_v_lateral = \"0 km/h\", speed = \"52 km/h\" },\n\
+    { since_previous = \"0.9 s\", delta_v_longitudinal = \"-44 km/h\", delta_v_lateral = \"1 km/h\", speed = \"50 km/h\" },\n\
+    ]";
+
+/// A small push from behind, and then the impact: the second record is of it.
+#[test]
+fn the_record_of_the_impact_is_found_by_direction_and_size() {
+    let file = crushed(TWO_RECORDS);
+    let reading = recorders(&file.case).unwrap();
+    let found = reading.vehicles[0].as_ref().unwrap();
+    assert_eq!((found.of_impact.number, found.of_impact.is_taken), (Some(2), true));
+    assert_eq!(found.of_impact.since_previous, Some(0.9));
+    let known = found.of_impact.impact;
+    assert!((30.0..60.0).contains(&(known.delta_v.unwrap() * 3.6)), "{known:?}");
+    assert!(found.of_impact.probability > 0.95 && found.of_impact.cannot.is_none());
+    let other = &found.others[0].of_impact;
+    assert!(other.probability < 0.01 && other.cannot.is_some() && !other.is_taken, "{other:?}");
+    // An estimate uses that one, and says so of the other.
+    let evidence = estimate_evidence(&file.case).unwrap();
+    assert!(evidence.contains(&"vehicle1.recorder.speed".to_owned()), "{evidence:?}");
+    let told: Vec<String> = judge(&file.case).records.into_iter().map(|(key, _)| key).collect();
+    assert_eq!(told, ["vehicle1.recorder.records[1]", "vehicle1.recorder.records[2]"]);
+}
+
+/// The answer is that of the record alone, to the last digit.
+#[test]
+fn an_estimate_uses_the_record_of_the_impact_alone() {
+    let answered = |recorder: &str| {
+        let text = crushed(recorder).source.text().to_owned();
+        let text = text.replace("\nspeed = \"50 km/h\"\n", "\n").replace("\nspeed = \"40 km/h\"\n", "\n");
+        let file = CaseFile::parse("case.toml", &text).unwrap();
+        let plan = EstimatePlan { particles: 256, seed: 1, prior: None, pieces: false };
+        let found = estimate(&file.case, &plan, &mut |_, _, _| std::ops::ControlFlow::Continue(())).unwrap();
+        let answers: Vec<String> = found.outputs.iter().map(|one| format!("{:?}", one.posterior)).collect();
+        (answers, found.unused)
+    };
+    let alone = "delta_v_longitudinal = \"-44 km/h\"\ndelta_v_lateral = \"1 km/h\"\nspeed = \"50 km/h\" ";
+    let (answers, unused) = answered(TWO_RECORDS);
+    assert_eq!(answers, answered(alone).0);
+    let other: Vec<&str> = unused
+        .iter()
+        .filter(|one| one.reason == UnusedReason::OtherImpact)
+        .map(|one| one.key.as_str())
+        .collect();
+    assert_eq!(other, ["vehicle1.recorder.records[1]"]);
+}
+
+/// Nothing tells the records apart: each is of the impact with 0.09/0.19, and none is used.
+#[test]
+fn where_nothing_tells_records_apart_none_is_used() {
+    let file = head_on("records = [{ speed = \"50 km/h\" }, { speed = \"30 km/h\" }]");
+    let reading = recorders(&file.case).unwrap();
+    let found = reading.vehicles[0].as_ref().unwrap();
+    assert!((found.of_impact.probability - 0.09 / 0.19).abs() < 1e-12 && !found.of_impact.is_taken);
+    assert_eq!(differs(&file), []);
+    // A single one is of the impact, unless the damage contradicts it.
+    let alone = recorders(&head_on("records = [{ speed = \"65 km/h\" }]").case).unwrap();
+    assert!(alone.vehicles[0].as_ref().unwrap().of_impact.is_taken);
+    assert_eq!(differs(&head_on("records = [{ speed = \"65 km/h\" }]")), [Evident::RecordedSpeed]);
+    let small = crushed("delta_v_longitudinal = \"-5 km/h\"\ndelta_v_lateral = \"0 km/h\"");
+    let told = judge(&small.case).records;
+    assert!(
+        matches!(&told[..], [(key, one)] if key == "vehicle1.recorder" && one.cannot.is_some()),
+        "{told:?}"
+    );
+    assert!(judge(&crushed("delta_v_longitudinal = \"-40 km/h\"").case).records.is_empty());
 }

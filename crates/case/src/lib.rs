@@ -216,8 +216,8 @@ pub use inputs::{
     Purpose, Quantity, Range, Reconstruct, ReconstructionInput, Recorder, RegionData, ReportHead, Rest,
     RestHeading, RestHeadingData, Restitution, SIDES, STANDARD_GRAVITY, STIFFNESS_LN_SD_A, STIFFNESS_LN_SD_B,
     SUBJECTS, SWELLS, SeriesRefusal, SeriesSource, SightForm, Skid, SkidBegin, Sourced, Spread, Steer,
-    SteerPoint, StiffnessForm, StiffnessLine, StiffnessSource, Surface, SurfaceData, SurfaceRegion,
-    SurfaceZone, Text, UNDAMAGED, UNKNOWNS, Unit, UnitSystem, VehicleData, Velocity, WheelDrag,
-    YAW_RADIUS_CONFIDENCE, YAW_RADIUS_WITHIN, YawInertia, YawSource, ZoneData, acts, shown, shown_lines,
-    word,
+    SteerPoint, StiffnessForm, StiffnessLine, StiffnessSource, StoredRecord, Surface, SurfaceData,
+    SurfaceRegion, SurfaceZone, Text, UNDAMAGED, UNKNOWNS, Unit, UnitSystem, VehicleData, Velocity,
+    WheelDrag, YAW_RADIUS_CONFIDENCE, YAW_RADIUS_WITHIN, YawInertia, YawSource, ZoneData, acts, shown,
+    shown_lines, word,
 };

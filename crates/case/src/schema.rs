@@ -22,6 +22,7 @@ pub(crate) const WHEELS: usize = 4;
 pub(crate) const MOST_RANGES: usize = 500;
 
 /// One key.
+#[derive(Clone, Copy)]
 pub(crate) struct Key {
     pub(crate) name: &'static str,
     /// The line that sets it.
@@ -609,62 +610,136 @@ pub(crate) static POSITION: Schema = Schema {
     rules: &[Rule::Needs(&["x", "y"])],
 };
 
+/// The keys of a record.
+const STORED: [Key; 11] = [
+    key(
+        "delta_v_longitudinal",
+        "delta_v_longitudinal = \"-24 km/h\"",
+        Form::Exact(Dimension::Speed, ANY),
+        "Largest ΔV along the vehicle. Negative where the vehicle was slowed down.",
+    ),
+    key(
+        "delta_v_lateral",
+        "delta_v_lateral = \"7 km/h\"",
+        Form::Exact(Dimension::Speed, ANY),
+        "Largest ΔV across the vehicle. Positive to the left, or to the right with `axes = \"z-down\"`. With the part along the vehicle it tells where the force came from.",
+    ),
+    key(
+        "delta_v_error",
+        "delta_v_error = \"8 %\"",
+        Form::Percent,
+        "Error of the recorded ΔV, as a standard deviation in per cent. 8 % if left out.",
+    ),
+    key(
+        "direction_error",
+        "direction_error = \"6 deg\"",
+        Form::Exact(Dimension::Angle, POSITIVE),
+        "Error of the direction of the recorded ΔV, of which both parts have to be given. 5.3° if left out, 8.0° where a side was hit.",
+    ),
+    key(
+        "speed",
+        "speed = \"55 km/h\"",
+        Form::Exact(Dimension::Speed, POSITIVE),
+        "Speed just before the impact. Leave it out for a vehicle that stood, and write `speed = \"0 km/h\"` of the vehicle.",
+    ),
+    key(
+        "speed_error",
+        "speed_error = \"4 %\"",
+        Form::Percent,
+        "Error of the recorded speed, as a standard deviation in per cent. 4 % if left out; wheels that lock or spin make it larger.",
+    ),
+    key(
+        "yaw_rate",
+        "yaw_rate = \"90 deg/s\"",
+        Form::Exact(Dimension::YawRate, ANY),
+        "Yaw rate just after the impact. Positive counter-clockwise, seen from above, or clockwise with `axes = \"z-down\"`.",
+    ),
+    key(
+        "yaw_rate_error",
+        "yaw_rate_error = \"15 deg/s\"",
+        Form::Exact(Dimension::YawRate, POSITIVE),
+        "Error of the recorded yaw rate, as a standard deviation. 20 % of it if left out, and at least 10 °/s.",
+    ),
+    table("pre_crash", "pre_crash = { file = \"edr.csv\" }", &PRE_CRASH),
+    table("pulse", "pulse = { file = \"pulse.csv\" }", &PULSE),
+    key(
+        "incomplete",
+        "incomplete = true",
+        Form::Flag,
+        "A record that the recorder did not finish. Its report says so; ΔV of it is a lower bound, and no evidence. A pulse that ends before the impact does is found without it.",
+    ),
+];
+
 pub(crate) static RECORDER: Schema = Schema {
     place: "[vehicle1.recorder] or [vehicle2.recorder]",
     text: "What the event data recorder of the vehicle stored. `deltav recorder` shows what it says alone, and `deltav estimate` holds it against the impact; no other command uses it.",
     keys: &[
+        STORED[0],
+        STORED[1],
+        STORED[2],
+        STORED[3],
+        STORED[4],
+        STORED[5],
+        STORED[6],
+        STORED[7],
+        STORED[8],
+        STORED[9],
+        STORED[10],
         key(
-            "delta_v_longitudinal",
-            "delta_v_longitudinal = \"-24 km/h\"",
-            Form::Exact(Dimension::Speed, ANY),
-            "Largest ΔV along the vehicle. Negative where the vehicle was slowed down.",
+            "records",
+            "records = [{ speed = \"55 km/h\" }, { since_previous = \"0.8 s\", speed = \"41 km/h\" }]",
+            Form::Tables(&RECORD),
+            "Several records. In the order of time, in place of the keys of one: `deltav recorder` says which is of the impact of this case, by the direction and the size of its ΔV, and `deltav estimate` uses that one.",
         ),
-        key(
-            "delta_v_lateral",
-            "delta_v_lateral = \"7 km/h\"",
-            Form::Exact(Dimension::Speed, ANY),
-            "Largest ΔV across the vehicle. Positive to the left, or to the right with `axes = \"z-down\"`. With the part along the vehicle it tells where the force came from.",
-        ),
-        key(
-            "delta_v_error",
-            "delta_v_error = \"8 %\"",
-            Form::Percent,
-            "Error of the recorded ΔV, as a standard deviation in per cent. 8 % if left out.",
-        ),
-        key(
-            "direction_error",
-            "direction_error = \"6 deg\"",
-            Form::Exact(Dimension::Angle, POSITIVE),
-            "Error of the direction of the recorded ΔV, of which both parts have to be given. 5.3° if left out, 8.0° where a side was hit.",
-        ),
-        key(
-            "speed",
-            "speed = \"55 km/h\"",
-            Form::Exact(Dimension::Speed, POSITIVE),
-            "Speed just before the impact. Leave it out for a vehicle that stood, and write `speed = \"0 km/h\"` of the vehicle.",
-        ),
-        key(
-            "speed_error",
-            "speed_error = \"4 %\"",
-            Form::Percent,
-            "Error of the recorded speed, as a standard deviation in per cent. 4 % if left out; wheels that lock or spin make it larger.",
-        ),
-        key(
-            "yaw_rate",
-            "yaw_rate = \"90 deg/s\"",
-            Form::Exact(Dimension::YawRate, ANY),
-            "Yaw rate just after the impact. Positive counter-clockwise, seen from above, or clockwise with `axes = \"z-down\"`.",
-        ),
-        key(
-            "yaw_rate_error",
-            "yaw_rate_error = \"15 deg/s\"",
-            Form::Exact(Dimension::YawRate, POSITIVE),
-            "Error of the recorded yaw rate, as a standard deviation. 20 % of it if left out, and at least 10 °/s.",
-        ),
-        table("pre_crash", "pre_crash = { file = \"edr.csv\" }", &PRE_CRASH),
-        table("pulse", "pulse = { file = \"pulse.csv\" }", &PULSE),
         table("at", "at = { x = \"-0.3 m\", y = \"0 m\" }", &RECORDER_AT),
         table("errors", "errors = { slip_low = \"3 km/h\", friction = \"75 %\" }", &RECORDER_ERRORS),
+    ],
+    rules: &[
+        Rule::NeverIf(Has("records"), &KEYS_OF_RECORD),
+        Rule::NeverIf(Has("pre_crash"), &["speed"]),
+        Rule::NeverIf(Has("pulse"), &["delta_v_longitudinal", "delta_v_lateral"]),
+        Rule::NeedsIf(&[Has("delta_v_lateral")], &["delta_v_longitudinal"]),
+        Rule::NeedsIf(&[Has("direction_error")], &["delta_v_lateral"]),
+        Rule::NeedsIf(&[Has("yaw_rate_error")], &["yaw_rate"]),
+    ],
+};
+
+/// The keys of one record, which do not stand beside several.
+pub(crate) static KEYS_OF_RECORD: [&str; 11] = [
+    "delta_v_longitudinal",
+    "delta_v_lateral",
+    "delta_v_error",
+    "direction_error",
+    "speed",
+    "speed_error",
+    "yaw_rate",
+    "yaw_rate_error",
+    "pre_crash",
+    "pulse",
+    "incomplete",
+];
+
+pub(crate) static RECORD: Schema = Schema {
+    place: "[[vehicle1.recorder.records]] or [[vehicle2.recorder.records]]",
+    text: "One of several records of a recorder. With the keys of a single one; `at` and `errors` are those of the recorder.",
+    keys: &[
+        key(
+            "since_previous",
+            "since_previous = \"0.8 s\"",
+            Form::Exact(Dimension::Time, NOT_NEGATIVE),
+            "Time since the record before it. As the recorder stored it, from one trigger to the next.",
+        ),
+        STORED[0],
+        STORED[1],
+        STORED[2],
+        STORED[3],
+        STORED[4],
+        STORED[5],
+        STORED[6],
+        STORED[7],
+        STORED[8],
+        STORED[9],
+        STORED[10],
     ],
     rules: &[
         Rule::NeverIf(Has("pre_crash"), &["speed"]),
@@ -682,6 +757,12 @@ const RECORDER_FILE: Key = key(
     Form::Text,
     "Name of a file with the table. A CSV or another text; it is looked for in the folder of the case file, or in a folder within that.",
 );
+const RECORDER_ROWS: Key = key(
+    "rows",
+    "rows = \"CASEID 30123, VEHNO 1, EDREVENTNO 2\"",
+    Form::Text,
+    "Rows of one record. Of a long table of NHTSA (EDRPRECRASH, EDRPOSTCRASH), which has a row for each value and may hold several records: columns with the value that each has to have.",
+);
 const RECORDER_TEXT: &str = "Table as text, in three double quotes. Copied from a printed report, or the lines of a CSV. Columns are recognised by their headings and units, and `deltav recorder` shows what each was taken for.";
 const RECORDER_TIMES: &str =
     "Times of the samples. All in one text, with their unit at the end; 0 is the impact.";
@@ -692,6 +773,7 @@ pub(crate) static PRE_CRASH: Schema = Schema {
     keys: &[
         key("text", "text = \"Time (s) -0.5 0\\nVehicle speed (km/h) 58 47\"", Form::Text, RECORDER_TEXT),
         RECORDER_FILE,
+        RECORDER_ROWS,
         key("time", "time = \"-1 -0.5 0 s\"", Form::Text, RECORDER_TIMES),
         key(
             "speed",
@@ -734,8 +816,8 @@ pub(crate) static PRE_CRASH: Schema = Schema {
         ),
     ],
     rules: &[Rule::OneOf(&[
-        form(&["text"], &[]),
-        form(&["file"], &[]),
+        form(&["text"], &["rows"]),
+        form(&["file"], &["rows"]),
         form(
             &["time", "speed"],
             &["brake", "abs", "stability", "accelerator", "throttle", "engine_speed", "steering", "yaw_rate"],
@@ -754,6 +836,7 @@ pub(crate) static PULSE: Schema = Schema {
             RECORDER_TEXT,
         ),
         RECORDER_FILE,
+        RECORDER_ROWS,
         key("time", "time = \"0 10 20 ms\"", Form::Text, RECORDER_TIMES),
         key(
             "delta_v_longitudinal",
@@ -769,8 +852,8 @@ pub(crate) static PULSE: Schema = Schema {
         ),
     ],
     rules: &[Rule::OneOf(&[
-        form(&["text"], &[]),
-        form(&["file"], &[]),
+        form(&["text"], &["rows"]),
+        form(&["file"], &["rows"]),
         form(&["time"], &["delta_v_longitudinal", "delta_v_lateral"]),
     ])],
 };
@@ -1942,7 +2025,7 @@ pub(crate) static RANGE_OF_LIST: Schema = Schema {
     rules: &[Rule::OneOf(&[form(&["values", "sd"], &[]), form(&["values", "within", "confidence"], &[])])],
 };
 
-static ALL: [&Schema; 28] = [
+static ALL: [&Schema; 29] = [
     &TOP,
     &REPORT,
     &SCENE,
@@ -1961,6 +2044,7 @@ static ALL: [&Schema; 28] = [
     &BEFORE,
     &AFTER,
     &RECORDER,
+    &RECORD,
     &PRE_CRASH,
     &PULSE,
     &RECORDER_AT,

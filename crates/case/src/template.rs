@@ -35,6 +35,8 @@ pub enum Template {
     OneVehicle,
     /// Whether a collision with a pedestrian was avoidable.
     Avoid,
+    /// Two cars whose event data recorders stored the seconds before the impact.
+    Recorder,
 }
 
 /// Gives each template its name and the files of that name.
@@ -42,7 +44,7 @@ macro_rules! named {
     ($($template:ident $name:literal),+) => {
         impl Template {
             /// Each under its name in one word.
-            pub const WORDS: [(&str, Self); 11] = [$(($name, Self::$template)),+];
+            pub const WORDS: [(&str, Self); 12] = [$(($name, Self::$template)),+];
 
             /// The case file in the given unit system. Its numbers are round in those units, so the two files
             /// describe two similar collisions, not the same one.
@@ -78,21 +80,21 @@ impl Template {
     }
 }
 
-/// A line with its numbers in km/h as the nearest whole numbers in mph.
+/// A line with its numbers in km/h, alone or in a list, as the nearest whole numbers in mph.
 fn in_mph(line: &str) -> String {
     const KMH: &str = " km/h";
+    let is_of_list = |c: char| c.is_ascii_digit() || matches!(c, ' ' | '-');
     let mut out = String::with_capacity(line.len());
     let mut rest = line;
     while let Some(end) = rest.find(KMH) {
-        let start = rest[..end].rfind(|c: char| !c.is_ascii_digit()).map_or(0, |at| at + 1);
-        match rest[start..end].parse::<f64>() {
+        let before = rest[..end].trim_end_matches(is_of_list);
+        let numbers = rest[before.len()..end].split(' ').map(|number| {
             // 1 mph = 1.609344 km/h, by definition of the mile
-            Ok(kmh) => {
-                out.push_str(&rest[..start]);
-                out.push_str(&format!("{:.0} mph", kmh / 1.609_344));
-            }
-            Err(_) => out.push_str(&rest[..end + KMH.len()]),
-        }
+            number.parse::<f64>().map_or(number.to_owned(), |kmh| format!("{:.0}", kmh / 1.609_344))
+        });
+        out.push_str(before);
+        out.push_str(&numbers.collect::<Vec<_>>().join(" "));
+        out.push_str(" mph");
         rest = &rest[end + KMH.len()..];
     }
     out + rest
@@ -109,5 +111,6 @@ named! {
     Ees "ees",
     HeavyTruck "heavy-truck",
     OneVehicle "one-vehicle",
-    Avoid "avoid"
+    Avoid "avoid",
+    Recorder "recorder"
 }

@@ -100,3 +100,62 @@ fn what_is_wrong_in_a_table_is_told_at_its_place() {
         assert!(error.contains(place) && error.contains(words), "{lines}: {error}");
     }
 }
+
+#[test]
+fn several_records_are_read_and_written_back() {
+    let lines = format!(
+        "at = {{ x = \"-20 cm\", y = \"0 m\" }}\n[[vehicle1.recorder.records]]\n{PASTED}\ndelta_v_longitudinal = \"-30 km/h\"\n\
+         [[vehicle1.recorder.records]]\nsince_previous = \"800 ms\"\nincomplete = true\nspeed = \"12 km/h\"\n\
+         pulse = {{ time = \"0 10 20 ms\", delta_v_longitudinal = \"0 -4 -9 km/h\" }}"
+    );
+    let file = read(&lines);
+    let recorder = file.case.vehicles[0].recorder.as_ref().unwrap();
+    assert!(recorder.pre_crash.is_none() && recorder.records.len() == 2);
+    let [first, second] = [0, 1].map(|index| recorder.record(index).unwrap());
+    // The place of the recorder is that of both.
+    assert!(first.at.is_some() && first.at == second.at && recorder.records[0].stored.at.is_none());
+    assert_eq!(first.pre_crash.as_ref().unwrap().record.as_ref().unwrap().speeds().count(), 3);
+    assert!((first.tells_delta_v(file.case.axes).unwrap().along.unwrap() * 3.6 + 30.0).abs() < 1e-9);
+    assert_eq!(recorder.records[1].since_previous.unwrap().si(), 0.8);
+    // One that was not finished gives no ΔV, and its speed stays.
+    assert_eq!(second.tells_delta_v(file.case.axes), None);
+    assert!(second.tells_speed(None).is_some());
+    assert_eq!(CaseFile::parse("again.toml", &to_toml(&file.case)).unwrap().case, file.case);
+}
+
+#[test]
+fn records_that_say_too_much_or_nothing_are_refused_at_their_place() {
+    for (lines, place, words) in [
+        ("speed = \"50 km/h\"\nrecords = [{ speed = \"40 km/h\" }]", "case.toml:2:9", "is of one record"),
+        ("records = []", "case.toml:2:11", "an empty list"),
+        ("records = [{ since_previous = \"1 s\", speed = \"40 km/h\" }]", "case.toml:2:31", "none before it"),
+        (
+            "records = [{ speed = \"4 km/h\", pre_crash = { file = \"edr.csv\" } }]",
+            "case.toml:2:22",
+            "say the same twice",
+        ),
+        ("records = [{ at = { x = \"1 m\" } }]", "case.toml:2:14", "unknown key"),
+        ("records = [{ pre_crash = { time = \"-1 0 s\", speed = \"60 58 47 km/h\" } }]", "2:60", "3 values"),
+    ] {
+        let error = refused(lines);
+        assert!(error.contains(place) && error.contains(words), "{lines}: {error}");
+    }
+}
+
+/// A record of a long table of NHTSA, chosen by `rows`, in the case or beside it.
+#[test]
+fn rows_of_a_long_table_are_chosen() {
+    const LONG: &str =
+        "VEHNO,EDREVENTNO,PCODE,PTIME,PVALUE\n1,1,1010,-1,58\n1,1,1010,0,40\n1,2,1010,-1,41\n1,2,1010,0,39\n";
+    let of = |rows: &str| format!("pre_crash = {{ text = \"\"\"\n{LONG}\"\"\"{rows} }}");
+    let file = read(&of(", rows = \"EDREVENTNO 2\""));
+    let given = file.case.vehicles[0].recorder.as_ref().unwrap().pre_crash.clone().unwrap();
+    let speeds: Vec<f64> = given.record.as_ref().unwrap().speeds().map(|(_, speed)| speed * 3.6).collect();
+    assert!((speeds[0] - 41.0).abs() < 1e-9 && (speeds[1] - 39.0).abs() < 1e-9, "{speeds:?}");
+    assert_eq!(CaseFile::parse("again.toml", &to_toml(&file.case)).unwrap().case, file.case);
+    assert!(refused(&of("")).contains("rows = \"EDREVENTNO 1\""));
+    let wrong = refused(&of(", rows = \"EDREVENTNO 7\""));
+    assert!(wrong.contains("no row has EDREVENTNO 7") && wrong.contains("case.toml:8:"), "{wrong}");
+    let lists = "pre_crash = { time = \"-1 0 s\", speed = \"60 58 km/h\", rows = \"VEHNO 1\" }";
+    assert!(refused(lists).contains("pre_crash"));
+}

@@ -227,8 +227,9 @@ pub(crate) enum Question {
             taken for, and each cell without a value with its place; the distance between the samples, with \
             bounds that always hold; the speed at impact with its interval and what its error comes from; \
             where the pulse begins and ends, its ΔV, and whether the record ends before the impact does. \
-            HTML has the curves.",
-        after_help = "Examples:\n  deltav recorder fixtures/recorder.toml\n  \
+            Of several records (`records`) it says which is of this impact. HTML has the curves.",
+        after_help = "Examples:\n  deltav new --template recorder -o case.toml\n  \
+            deltav recorder fixtures/recorder.toml\n  \
             deltav recorder fixtures/recorder.toml --format html -o recorder.html\n  \
             deltav recorder fixtures/recorder.toml --samples-out path.csv\n\n\
             Exit status: 0 done; 1 no answer; 2 wrong case file, or no table of a recorder in it.\n\n\
@@ -446,6 +447,7 @@ fn templates() -> Vec<Word<Template>> {
         "A car against the rear of a heavy truck (lorry)",
         "One vehicle with its damage, for `deltav crush`",
         "Whether a collision was avoidable, for `deltav avoid`",
+        "Two cars with event data recorders, for `deltav recorder`",
     ];
     meaning(Template::WORDS, meanings)
 }

@@ -351,3 +351,31 @@ fn the_templates_with_mph_are_those_in_si_units_but_for_speeds() {
         assert!(printed(&[command, name, "--units", "uk"]).contains(" mph"), "{template}");
     }
 }
+
+/// What the template of a recorder states is what `recorder` prints, and every command reads it. In mph, the
+/// lists of km/h are lists of mph.
+#[test]
+fn the_template_of_a_recorder_finds_what_it_states() {
+    for (units, unit) in [("si", "km/h"), ("us", "mph"), ("uk", "mph")] {
+        let path = temporary(&format!("recorder-{units}.toml"));
+        let name = path.to_str().unwrap();
+        printed(&["new", "--template", "recorder", "--units", units, "-o", name]);
+        let text = fs::read_to_string(&path).unwrap();
+        assert!(text.lines().all(|line| line.chars().count() <= 125 && line.trim_end() == line), "{units}");
+        let found = printed(&["recorder", name, "--units", units]);
+        let speed = found.split("Speed of vehicle 1 at the impact: ").nth(1).unwrap();
+        let speed = speed.split(" (").next().unwrap();
+        assert!(speed.ends_with(unit), "{units}: {speed}");
+        if units != "uk" {
+            assert!(
+                text.contains(&format!("# As it stands, it finds car 1 at {speed}.")),
+                "{units}: {speed}"
+            );
+        }
+        assert!(found.contains("Pulse") && found.contains("complete"), "{found}");
+        let check = printed(&["check", name]);
+        assert!(check.contains("vehicle1.recorder.pre_crash") && check.contains("No warnings"), "{check}");
+        // 1 mph = 1.609344 km/h: 12 14 16 18 20 km/h, and no list of which one number was turned.
+        assert_eq!(text.contains("\"7 9 10 11 12 mph\""), units != "si", "{units}");
+    }
+}

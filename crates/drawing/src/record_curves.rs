@@ -84,6 +84,19 @@ impl RecordCurvesPicture {
 }
 
 impl RecordCurves {
+    /// The points of a switch as steps: each state lasts until the next sample says another.
+    #[must_use]
+    pub fn steps(samples: &[[f64; 2]]) -> Vec<[f64; 2]> {
+        let mut points: Vec<[f64; 2]> = Vec::with_capacity(2 * samples.len());
+        for &[x, y] in samples {
+            if let Some(&[_, before]) = points.last().filter(|[_, before]| *before != y) {
+                points.push([x, before]);
+            }
+            points.push([x, y]);
+        }
+        points
+    }
+
     /// The span of one coordinate; upward it includes zero.
     fn range(&self, coordinate: usize, unit: f64) -> [f64; 2] {
         let values = self.curves.iter().flatten().map(|point| point[coordinate]);
@@ -96,5 +109,23 @@ impl RecordCurves {
         }
         let beyond = |end: f64| if end == 0.0 || coordinate == 0 { 0.0 } else { BEYOND * span };
         [low - beyond(low), high + beyond(high)]
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::RecordCurves;
+
+    /// Off at −1 s and on at 0: off until 0, and no ramp.
+    #[test]
+    fn a_switch_is_drawn_in_steps() {
+        let samples = [[-2.0, 0.0], [-1.0, 0.0], [0.0, 1.0], [1.0, 1.0], [2.0, 0.0]];
+        let steps = RecordCurves::steps(&samples);
+        assert!(
+            steps.windows(2).all(|pair| pair[0][0] == pair[1][0] || pair[0][1] == pair[1][1]),
+            "{steps:?}"
+        );
+        assert_eq!(steps[2..4], [[0.0, 0.0], [0.0, 1.0]]);
+        assert!(samples.iter().all(|sample| steps.contains(sample)));
     }
 }

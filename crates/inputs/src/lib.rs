@@ -69,7 +69,9 @@ mod vehicle;
 mod walk;
 mod words;
 
-pub use self::recorder::{CertainSpeed, GivenEstimate, Prior, Recorder, RecordersDeltaV, RecordersSpeed};
+pub use self::recorder::{
+    CertainSpeed, GivenEstimate, Prior, Recorder, RecordersDeltaV, RecordersSpeed, StoredRecord,
+};
 pub use after::{
     After, Before, Drag, MarkedWheel, PathPoint, Rest, RestHeading, Skid, SkidBegin, Steer, SteerPoint,
     WheelDrag,

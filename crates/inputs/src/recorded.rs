@@ -4,7 +4,7 @@ use std::fmt::Display;
 
 use recorder::{
     Channel, CrashPulse, ImpactSpeedErrors, PreCrash, PreCrashFault, PulseFault, PulseRule, PulseSpan,
-    RecorderTable, TextRefusal, columns_table, read_tables,
+    RecorderTable, TextRefusal, columns_table, read_rows,
 };
 
 use crate::quantity::Quantity;
@@ -33,6 +33,8 @@ pub enum SeriesRefusal {
     NoneOfKind {
         /// What was wanted, in words.
         wanted: &'static str,
+        /// The headings of the tables, with what they were taken for.
+        found: String,
     },
     /// What was read is no record before an impact.
     PreCrash(PreCrashFault),
@@ -44,7 +46,9 @@ impl Display for SeriesRefusal {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         match self {
             Self::Text(refusal) | Self::Column(_, refusal) => f.write_str(&refusal.message()),
-            Self::NoneOfKind { wanted } => write!(f, "no table of {wanted} was recognised"),
+            Self::NoneOfKind { wanted, found } => {
+                write!(f, "no table of {wanted} was recognised; read were {found}")
+            }
             Self::PreCrash(fault) => fault.fmt(f),
             Self::Pulse(fault) => fault.fmt(f),
         }
@@ -56,6 +60,8 @@ impl Display for SeriesRefusal {
 pub struct GivenPreCrash {
     /// Where it comes from.
     pub source: SeriesSource,
+    /// Which rows of a long table of NHTSA: `VEHNO 1, EDREVENTNO 2`.
+    pub rows: Option<Text>,
     /// What was recognised in it; `None` for a file that is not read yet.
     pub table: Option<RecorderTable>,
     /// The samples; `None` for a file that is not read yet.
@@ -68,6 +74,8 @@ pub struct GivenPreCrash {
 pub struct GivenPulse {
     /// Where it comes from.
     pub source: SeriesSource,
+    /// Which rows of a long table of NHTSA: `VEHNO 1, EDREVENTNO 2`.
+    pub rows: Option<Text>,
     /// What was recognised in it: one table for both axes, or one for each. Empty for a file that is not read
     /// yet.
     pub tables: Vec<RecorderTable>,
@@ -75,10 +83,15 @@ pub struct GivenPulse {
     pub pulse: Option<CrashPulse>,
 }
 
+/// The tables of a text, of these rows if it is a long table.
+fn of_text(text: &str, rows: Option<&Text>) -> Result<Vec<RecorderTable>, SeriesRefusal> {
+    read_rows(text, rows.map_or("", Text::as_given)).map_err(SeriesRefusal::Text)
+}
+
 impl SeriesSource {
-    fn tables(&self) -> Result<Option<Vec<RecorderTable>>, SeriesRefusal> {
+    fn tables(&self, rows: Option<&Text>) -> Result<Option<Vec<RecorderTable>>, SeriesRefusal> {
         match self {
-            Self::Text(text) => read_tables(text.as_given()).map(Some).map_err(SeriesRefusal::Text),
+            Self::Text(text) => of_text(text.as_given(), rows).map(Some),
             Self::File(_) => Ok(None),
             Self::Columns(columns) => {
                 let columns: Vec<(Channel, &str)> =
@@ -92,15 +105,23 @@ impl SeriesSource {
     }
 }
 
+/// The refusal of tables of which none is of the kind that is wanted.
+fn none_of_kind(wanted: &'static str, tables: &[RecorderTable]) -> SeriesRefusal {
+    let found = tables.iter().map(RecorderTable::headings).collect::<Vec<_>>().join("; ");
+    SeriesRefusal::NoneOfKind { wanted, found }
+}
+
 impl GivenPreCrash {
     /// Reads its table, unless that is in a file.
     ///
     /// # Errors
     ///
     /// [`SeriesRefusal`].
-    pub fn read(source: SeriesSource) -> Result<Self, SeriesRefusal> {
-        let Some(tables) = source.tables()? else { return Ok(Self { source, table: None, record: None }) };
-        Self::of(source, tables)
+    pub fn read(source: SeriesSource, rows: Option<Text>) -> Result<Self, SeriesRefusal> {
+        match source.tables(rows.as_ref())? {
+            Some(tables) => Self::of(source, rows, tables),
+            None => Ok(Self { source, rows, table: None, record: None }),
+        }
     }
 
     /// Reads its table from the text of its file.
@@ -109,15 +130,20 @@ impl GivenPreCrash {
     ///
     /// As [`read`](Self::read).
     pub fn read_file(&self, text: &str) -> Result<Self, SeriesRefusal> {
-        Self::of(self.source.clone(), read_tables(text).map_err(SeriesRefusal::Text)?)
+        Self::of(self.source.clone(), self.rows.clone(), of_text(text, self.rows.as_ref())?)
     }
 
-    fn of(source: SeriesSource, tables: Vec<RecorderTable>) -> Result<Self, SeriesRefusal> {
+    fn of(
+        source: SeriesSource,
+        rows: Option<Text>,
+        tables: Vec<RecorderTable>,
+    ) -> Result<Self, SeriesRefusal> {
         const WANTED: &str = "speeds before the impact, with times and speeds,";
+        let none = none_of_kind(WANTED, &tables);
         let found = tables.into_iter().find(RecorderTable::is_pre_crash);
-        let table = found.ok_or(SeriesRefusal::NoneOfKind { wanted: WANTED })?;
+        let table = found.ok_or(none)?;
         let record = PreCrash::from_table(&table).map_err(SeriesRefusal::PreCrash)?;
-        Ok(Self { source, table: Some(table), record: Some(record) })
+        Ok(Self { source, rows, table: Some(table), record: Some(record) })
     }
 }
 
@@ -127,11 +153,11 @@ impl GivenPulse {
     /// # Errors
     ///
     /// [`SeriesRefusal`].
-    pub fn read(source: SeriesSource) -> Result<Self, SeriesRefusal> {
-        let Some(tables) = source.tables()? else {
-            return Ok(Self { source, tables: Vec::new(), pulse: None });
-        };
-        Self::of(source, tables)
+    pub fn read(source: SeriesSource, rows: Option<Text>) -> Result<Self, SeriesRefusal> {
+        match source.tables(rows.as_ref())? {
+            Some(tables) => Self::of(source, rows, tables),
+            None => Ok(Self { source, rows, tables: Vec::new(), pulse: None }),
+        }
     }
 
     /// Reads its tables from the text of its file.
@@ -140,20 +166,25 @@ impl GivenPulse {
     ///
     /// As [`read`](Self::read).
     pub fn read_file(&self, text: &str) -> Result<Self, SeriesRefusal> {
-        Self::of(self.source.clone(), read_tables(text).map_err(SeriesRefusal::Text)?)
+        Self::of(self.source.clone(), self.rows.clone(), of_text(text, self.rows.as_ref())?)
     }
 
-    fn of(source: SeriesSource, tables: Vec<RecorderTable>) -> Result<Self, SeriesRefusal> {
+    fn of(
+        source: SeriesSource,
+        rows: Option<Text>,
+        tables: Vec<RecorderTable>,
+    ) -> Result<Self, SeriesRefusal> {
         const WANTED: &str = "ΔV over time, with times and a longitudinal or lateral ΔV,";
+        let none = none_of_kind(WANTED, &tables);
         let tables: Vec<RecorderTable> = tables.into_iter().filter(RecorderTable::is_pulse).collect();
         let along = tables.iter().find(|table| table.column(Channel::DeltaVLongitudinal).is_some());
         let across = tables.iter().find(|table| table.column(Channel::DeltaVLateral).is_some());
-        let first = along.or(across).ok_or(SeriesRefusal::NoneOfKind { wanted: WANTED })?;
+        let first = along.or(across).ok_or(none)?;
         let mut pulse = CrashPulse::from_table(first).map_err(SeriesRefusal::Pulse)?;
         if let Some(across) = across.filter(|across| !std::ptr::eq(*across, first)) {
             pulse = pulse.with(&CrashPulse::from_table(across).map_err(SeriesRefusal::Pulse)?);
         }
-        Ok(Self { source, tables, pulse: Some(pulse) })
+        Ok(Self { source, rows, tables, pulse: Some(pulse) })
     }
 
     /// The part of the record that is of the impact, up to the greatest ΔV.
@@ -228,7 +259,7 @@ impl GivenSpeedErrors {
 }
 
 impl<U> Walk<'_, U> {
-    pub(crate) fn series(&mut self, table: &dyn Display, source: &SeriesSource) {
+    pub(crate) fn series(&mut self, table: &dyn Display, source: &SeriesSource, rows: Option<&Text>) {
         let mut text = |key: &str, text: &Text| {
             self.text(&Key(table, key), Some(text));
         };
@@ -241,6 +272,7 @@ impl<U> Walk<'_, U> {
                 }
             }
         }
+        self.text(&Key(table, "rows"), rows);
     }
 
     pub(crate) fn mount(&mut self, table: &dyn Display, mount: &RecorderMount) {

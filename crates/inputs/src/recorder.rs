@@ -5,12 +5,12 @@
 use std::fmt::Display;
 use std::sync::Arc;
 
-use recorder::ImpactSpeed;
+use recorder::{EventRecord, ImpactSpeed, KnownImpact};
 
 use crate::axes::Axes;
 use crate::quantity::{Quantity, format_number};
 use crate::recorded::{GivenPreCrash, GivenPulse, GivenSpeedErrors, RecorderMount};
-use crate::walk::{Key, Value, Walk};
+use crate::walk::{Element, Key, Value, Walk};
 use crate::words::word;
 
 /// The data of a vehicle's event data recorder.
@@ -36,10 +36,23 @@ pub struct Recorder {
     pub pre_crash: Option<Arc<GivenPreCrash>>,
     /// ΔV over time.
     pub pulse: Option<Arc<GivenPulse>>,
+    /// Whether the recorder did not finish the record, so that its ΔV is a lower bound.
+    pub incomplete: bool,
     /// Where it is in the vehicle; at the centre of gravity where absent.
     pub at: Option<RecorderMount>,
     /// The errors of a stored speed.
     pub errors: GivenSpeedErrors,
+    /// Several records, in the order of time, in place of the one above.
+    pub records: Vec<StoredRecord>,
+}
+
+/// One of several records of a recorder.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct StoredRecord {
+    /// What it holds; `at` and `errors` are those of the recorder, and not here.
+    pub stored: Recorder,
+    /// (s) from the record before it.
+    pub since_previous: Option<Quantity>,
 }
 
 /// (m/s) 2 km/h: a vehicle below stood or crawled, and its error is no share of its speed.
@@ -94,12 +107,31 @@ impl Recorder {
     /// the centre of gravity is taken there by the yaw rate after the impact, if the case gives both.
     #[must_use]
     pub fn tells_delta_v(&self, axes: Axes) -> Option<RecordersDeltaV> {
+        self.delta_v(axes).filter(|(_, complete)| *complete).map(|(told, _)| told)
+    }
+
+    /// One of several records, as the record of a recorder that has one.
+    #[must_use]
+    pub fn record(&self, index: usize) -> Option<Self> {
+        let stored = self.records.get(index)?.stored.clone();
+        Some(Self { at: self.at, errors: self.errors, ..stored })
+    }
+
+    /// Its record as far as that tells impacts apart, seen beside this one.
+    #[must_use]
+    pub fn event(&self, axes: Axes, impact: &KnownImpact) -> EventRecord {
+        let Some((told, complete)) = self.delta_v(axes) else { return EventRecord::default() };
+        EventRecord::new([told.along, told.left.map(|left| -left)], complete, impact)
+    }
+
+    /// ΔV, and whether the record holds all of it.
+    fn delta_v(&self, axes: Axes) -> Option<(RecordersDeltaV, bool)> {
         if self.delta_v_longitudinal.is_some() || self.delta_v_lateral.is_some() {
             let along = self.delta_v_longitudinal.as_ref().map(Quantity::si);
             let left = self.delta_v_lateral.as_ref().map(|across| axes.lateral(across.si()));
-            return Some(RecordersDeltaV { along, left, is_of_table: false });
+            return Some((RecordersDeltaV { along, left, is_of_table: false }, !self.incomplete));
         }
-        let span = self.pulse.as_ref()?.greatest().filter(|span| span.complete)?;
+        let span = self.pulse.as_ref()?.greatest()?;
         // A recorder stores what is to the right as positive.
         let [along, left] = [span.delta_v[0], span.delta_v[1].map(|right| -right)];
         let turned = self.yaw_rate.as_ref().map(|rate| axes.lateral(rate.si()));
@@ -111,7 +143,7 @@ impl Recorder {
             }
             _ => (along, left),
         };
-        Some(RecordersDeltaV { along, left, is_of_table: true })
+        Some((RecordersDeltaV { along, left, is_of_table: true }, span.complete && !self.incomplete))
     }
 }
 
@@ -192,15 +224,22 @@ impl<U> Walk<'_, U> {
         self.exact_if(&at("yaw_rate"), recorder.yaw_rate.as_ref());
         self.exact_if(&at("yaw_rate_error"), recorder.yaw_rate_error.as_ref());
         if let Some(pre_crash) = &recorder.pre_crash {
-            self.series(&at("pre_crash"), &pre_crash.source);
+            self.series(&at("pre_crash"), &pre_crash.source, pre_crash.rows.as_ref());
         }
         if let Some(pulse) = &recorder.pulse {
-            self.series(&at("pulse"), &pulse.source);
+            self.series(&at("pulse"), &pulse.source, pulse.rows.as_ref());
         }
+        self.flag(&at("incomplete"), recorder.incomplete);
         if let Some(mount) = &recorder.at {
             self.mount(&at("at"), mount);
         }
         self.speed_errors(&at("errors"), &recorder.errors);
+        let records = at("records");
+        for (index, record) in recorder.records.iter().enumerate() {
+            let table = Element(&records, index);
+            self.exact_if(&Key(&table, "since_previous"), record.since_previous.as_ref());
+            self.recorder(&table, &record.stored);
+        }
         recorder.clone()
     }
 

@@ -24,7 +24,8 @@
 //! ```
 //!
 //! [`read_tables`] reads CSV or text copied out of a printed report into [`RecorderTable`]s, each column
-//! recognised by its heading and unit, each cell without a value told with its place. [`PreCrash`] is what
+//! recognised by its heading and unit, each cell without a value told with its place; [`read_rows`] chooses a
+//! record of NHTSA's long tables. [`PreCrash`] is what
 //! was stored before the impact, with the distance between samples within [`DistanceBounds`]; [`ImpactSpeed`]
 //! the speed at t = 0 as a distribution, of which [`SpeedErrorPart`] says what comes from where;
 //! [`CrashPulse`] is ΔV over time, with its beginning and end by [`PulseRule`]; [`match_records`] says which
@@ -68,5 +69,5 @@ pub use pulse::{
     CrashPulse, PulseFault, PulseRule, PulseSample, PulseSpan, delta_v_at_center, force_direction,
 };
 pub use table::{CellDoubt, NoValue, RecorderTable, TableColumn, TextLayout, TextPlace, TextRefusal};
-pub use text::{columns_table, read_tables};
+pub use text::{columns_table, read_rows, read_tables};
 pub use which::{EventRecord, KnownImpact, MatchErrors, Mismatch, RecordMatch, match_records};

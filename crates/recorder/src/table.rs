@@ -34,6 +34,8 @@ pub enum TextLayout {
     ColumnAfterColumn,
     /// A quantity in each row, a time in each column.
     Transposed,
+    /// A value in each row, as in the tables of NHTSA.
+    Long,
     /// Columns that stand apart.
     Columns,
 }
@@ -51,6 +53,7 @@ impl TextLayout {
             Self::RowAfterRow => "one value in each line, row after row",
             Self::ColumnAfterColumn => "one value in each line, column after column",
             Self::Transposed => "one quantity in each row",
+            Self::Long => "one value in each row, by the codes of NHTSA",
             Self::Columns => "a list for each column",
         }
     }
@@ -168,6 +171,19 @@ impl RecorderTable {
         self.column(channel).map_or_else(|| vec![None; rows], |column| column.values.clone())
     }
 
+    /// The headings that were read, with what they were taken for, and those that were not, in words.
+    #[must_use]
+    pub fn headings(&self) -> String {
+        let read =
+            self.columns.iter().map(|column| format!("\"{}\" as {}", column.heading, column.channel.name()));
+        let mut words = read.collect::<Vec<_>>().join(", ");
+        if !self.ignored.is_empty() {
+            let unread: Vec<String> = self.ignored.iter().map(|(text, _)| format!("\"{text}\"")).collect();
+            words = format!("{words}; not read were {}", unread.join(", "));
+        }
+        words
+    }
+
     /// Whether it has speeds before the impact.
     #[must_use]
     pub fn is_pre_crash(&self) -> bool {
@@ -190,9 +206,12 @@ pub enum TextRefusal {
     /// No heading with a time and a quantity.
     #[error(
         "no heading names a time and a quantity, such as \"Time (s)\" and \"Speed (km/h)\": copy the table with \
-         its heading"
+         its heading; the text begins with \"{begins}\""
     )]
-    NoHeading,
+    NoHeading {
+        /// The beginning of its first line.
+        begins: String,
+    },
     /// Quantities without times.
     #[error("{place}: \"{heading}\" stands here without times: copy the column or row of times, too")]
     NoTime {
@@ -202,10 +221,12 @@ pub enum TextRefusal {
         place: TextPlace,
     },
     /// Times without a quantity.
-    #[error("{place}: no quantity beside the times was recognised; known are {known}")]
+    #[error("{place}: no quantity beside the times was recognised{found}; known are {known}")]
     NoQuantity {
         /// Of the heading of the times.
         place: TextPlace,
+        /// The headings beside them, to follow the words before.
+        found: String,
         /// Some headings.
         known: &'static str,
     },
@@ -243,6 +264,39 @@ pub enum TextRefusal {
         /// What the headings were taken for.
         columns: String,
     },
+    /// Rows of several records.
+    #[error("the table holds several records: {records}; choose one with rows = \"{example}\"")]
+    SeveralRecords {
+        /// The columns with several values, and these.
+        records: String,
+        /// Rows of one.
+        example: String,
+    },
+    /// No row with this value.
+    #[error("no row has {name} {value}; there are {known}")]
+    NoSuchRows {
+        /// The column.
+        name: String,
+        /// The value.
+        value: String,
+        /// Those that there are.
+        known: String,
+    },
+    /// A column by which no rows are chosen.
+    #[error(
+        "rows are not chosen by {name}; write one of {known} with its value, such as \"VEHNO 1, EDREVENTNO 2\""
+    )]
+    NoColumn {
+        /// What was written.
+        name: String,
+        /// The columns by which they are.
+        known: String,
+    },
+    /// Rows of a table whose rows are times.
+    #[error(
+        "rows are chosen from a table of NHTSA with PCODE, PTIME and PVALUE, and this is none: leave `rows` out"
+    )]
+    NotLong,
     /// A row without a time.
     #[error("{place}: \"{text}\" is no time")]
     TimeUnreadable {
@@ -280,7 +334,12 @@ impl TextRefusal {
     #[must_use]
     pub fn place(&self) -> Option<TextPlace> {
         match self {
-            Self::Empty | Self::NoHeading => None,
+            Self::Empty
+            | Self::NoHeading { .. }
+            | Self::SeveralRecords { .. }
+            | Self::NoSuchRows { .. }
+            | Self::NoColumn { .. }
+            | Self::NotLong => None,
             Self::NoTime { place, .. }
             | Self::NoQuantity { place, .. }
             | Self::NoRows { place, .. }

@@ -4,11 +4,12 @@ mod columns;
 mod delimited;
 mod flowing;
 mod heads;
+mod long;
 mod raw;
 mod tokens;
 
 use crate::channel::Channel;
-use crate::table::{RecorderTable, TextPlace, TextRefusal};
+use crate::table::{CellDoubt, RecorderTable, TextPlace, TextRefusal};
 
 /// The tables of a text, each recognised by the words and the units of its headings.
 ///
@@ -23,19 +24,54 @@ use crate::table::{RecorderTable, TextPlace, TextRefusal};
 /// [`TextRefusal`] says what is missing and where. A cell without a value does not refuse the table: it is
 /// `None` in its column and told in [`RecorderTable::doubts`].
 pub fn read_tables(text: &str) -> Result<Vec<RecorderTable>, TextRefusal> {
+    read_rows(text, "")
+}
+
+/// As [`read_tables`], of the rows with these values: `VEHNO 1, EDREVENTNO 2`.
+///
+/// That is for the long tables of NHTSA, EDRPRECRASH and EDRPOSTCRASH, in which each value has a row, and a
+/// file may hold several records. The columns `PCODE`, `PTIME` and `PVALUE` tell them from other texts.
+///
+/// # Errors
+///
+/// As [`read_tables`]; also if the rows are of several records, or if there are none.
+pub fn read_rows(text: &str, rows: &str) -> Result<Vec<RecorderTable>, TextRefusal> {
     if text.trim().is_empty() {
         return Err(TextRefusal::Empty);
     }
     // A mark of the order of bytes, and blanks that do not break, are of the word processor.
     let text = text.trim_start_matches('\u{feff}').replace(['\u{a0}', '\u{202f}'], " ");
+    if let Some(long) = long::tables(&text, rows)? {
+        return long.into_iter().map(|(raw, doubts)| finish_with(raw, doubts)).collect();
+    }
+    if !rows.trim().is_empty() {
+        return Err(TextRefusal::NotLong);
+    }
     let raw = match delimited::layout(&text) {
         Some(layout) => delimited::tables(&text, layout)?,
         None => flowing::tables(&text)?,
     };
     if raw.is_empty() {
-        return Err(TextRefusal::NoHeading);
+        return Err(no_heading(&text));
     }
     raw.into_iter().map(raw::finish).collect()
+}
+
+/// (characters) of the beginning of a text in a message.
+const BEGINNING: usize = 60;
+
+/// Refuses a text without a heading, and shows where it begins.
+fn no_heading(text: &str) -> TextRefusal {
+    let line = text.lines().map(str::trim).find(|line| !line.is_empty()).unwrap_or_default();
+    TextRefusal::NoHeading { begins: line.chars().take(BEGINNING).collect() }
+}
+
+/// The table in SI, with what was doubted before it.
+fn finish_with(raw: raw::RawTable, doubts: Vec<CellDoubt>) -> Result<RecorderTable, TextRefusal> {
+    let mut table = raw::finish(raw)?;
+    table.doubts.extend(doubts);
+    table.doubts.sort_by_key(|doubt| doubt.place);
+    Ok(table)
 }
 
 /// The table of columns that stand apart, each a text of values with their unit behind them: `"-1 -0.5 0 s"`,

@@ -2,8 +2,10 @@
 
 use std::f64::consts::PI;
 
-use real::elementary::{exp, ln};
+use real::elementary::{exp, ln, sin_cos};
 use real::principal_angle;
+
+use crate::pulse::force_direction;
 
 /// An impact as it is known without the recorder.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -23,6 +25,46 @@ pub struct EventRecord {
     pub delta_v: Option<f64>,
     /// Whether the record holds the whole impact. If not, ΔV is a lower bound.
     pub complete: bool,
+}
+
+/// (1) the least cosine of a direction to the axis of a recorder for which a ΔV along that axis tells the
+/// whole: of 60°.
+const LEAST_COSINE: f64 = 0.5;
+
+impl EventRecord {
+    /// A record of these parts of ΔV (m/s), positive forward and to the right.
+    ///
+    /// Of a recorder with one axis, the other part is taken to be that of the direction of this impact, or of
+    /// its mirror image if the sign is the other one. Where the direction is unknown, or more than 60° off
+    /// the axis, what was stored is a lower bound.
+    #[must_use]
+    pub fn new(delta_v: [Option<f64>; 2], complete: bool, impact: &KnownImpact) -> Self {
+        let one_axis = |part: f64, axis: f64| {
+            let bound = Self { force_direction: None, delta_v: Some(part.abs()), complete: false };
+            let Some(direction) = impact.force_direction else { return bound };
+            let (_, cosine) = sin_cos(direction - axis);
+            if cosine.abs() < LEAST_COSINE {
+                return bound;
+            }
+            // ΔV = −|ΔV| cos(θ − θ_axis) along the axis; the mirror image of θ is 2 θ_axis + π − θ.
+            let mirrored = principal_angle(2.0 * axis + PI - direction);
+            Self {
+                force_direction: Some(if part * cosine > 0.0 { mirrored } else { direction }),
+                delta_v: Some(part.abs() / cosine.abs()),
+                complete,
+            }
+        };
+        match delta_v {
+            [Some(along), Some(right)] => Self {
+                force_direction: Some(force_direction([along, right])),
+                delta_v: Some((along * along + right * right).sqrt()),
+                complete,
+            },
+            [Some(along), None] => one_axis(along, 0.0),
+            [None, Some(right)] => one_axis(right, 0.5 * PI),
+            [None, None] => Self { complete, ..Self::default() },
+        }
+    }
 }
 
 /// How far records and impacts may differ.
@@ -56,6 +98,8 @@ pub enum Mismatch {
         /// (1) how many times.
         ratio: f64,
     },
+    /// Neither differs by much, but the other records and impacts, in their order, fit so much better.
+    Others,
 }
 
 impl std::fmt::Display for Mismatch {
@@ -68,6 +112,7 @@ impl std::fmt::Display for Mismatch {
                 write!(f, "its ΔV is {:.0} % of the impact's", ratio * 100.0)
             }
             Self::Size { ratio } => write!(f, "its ΔV is {ratio:.1} times the impact's"),
+            Self::Others => write!(f, "the other records and impacts, in their order, fit far better"),
         }
     }
 }
@@ -79,12 +124,32 @@ pub struct RecordMatch {
     pub impacts: Vec<f64>,
     /// (1) probability that it is of none of them.
     pub none: f64,
-    /// For each impact, why the record cannot be of it.
+    /// For each impact, why the record cannot be of it: `Some` where its probability is below
+    /// [`EXCLUDED`](Self::EXCLUDED), and only there.
     pub cannot: Vec<Option<Mismatch>>,
 }
 
-/// (1) a difference of this many standard deviations excludes an impact.
-const EXCLUDED: f64 = 4.0;
+impl RecordMatch {
+    /// (1) a record cannot be of an impact if the probability that it is lies below this: 1 %.
+    pub const EXCLUDED: f64 = 0.01;
+    /// (1) and it is of the impact if the probability lies above this: 95 %.
+    pub const CERTAIN: f64 = 0.95;
+
+    /// What a probability that a record is of an impact means, to follow "this record".
+    #[must_use]
+    pub fn words(probability: f64) -> &'static str {
+        match probability {
+            p if p < Self::EXCLUDED => "cannot be of this impact",
+            p if p < 0.2 => "is probably not of this impact",
+            p if p <= 0.8 => "may be of this impact",
+            p if p <= Self::CERTAIN => "is probably of this impact",
+            _ => "is of this impact",
+        }
+    }
+}
+
+/// (1) a difference of this many standard deviations is a reason.
+const NOTABLE: f64 = 2.0;
 /// (1) share of directions that are wrong by any angle: of mistakes in the coding.
 const ANY_DIRECTION: f64 = 0.02;
 /// (1) range of ln ΔV over which a record of none of the impacts lies: from 2 to 110 km/h.
@@ -155,18 +220,23 @@ pub fn match_records(
             )
             .collect();
         let none = (1.0 - impacts_of.iter().sum::<f64>()).clamp(0.0, 1.0);
-        let cannot = impacts.iter().map(|impact| mismatch(&records[k], impact, errors)).collect();
+        let is_excluded = |j: &usize| impacts_of[*j] < RecordMatch::EXCLUDED;
+        let reason = |j: usize| mismatch(&records[k], &impacts[j], errors);
+        let cannot = (0..m).map(|j| Some(j).filter(is_excluded).map(reason)).collect();
         RecordMatch { impacts: impacts_of, none, cannot }
     };
     (0..n).map(one).collect()
 }
 
-/// Why this record cannot be of this impact.
-fn mismatch(record: &EventRecord, impact: &KnownImpact, errors: &MatchErrors) -> Option<Mismatch> {
-    let [direction, size] = differences(record, impact, errors);
-    if let Some(z) = direction.filter(|z| *z > EXCLUDED) {
-        return Some(Mismatch::Direction { difference: z * errors.direction });
+/// Why this record cannot be of this impact: the larger of the differences.
+fn mismatch(record: &EventRecord, impact: &KnownImpact, errors: &MatchErrors) -> Mismatch {
+    let [direction, size] =
+        differences(record, impact, errors).map(|z| z.filter(|z| z.abs() > NOTABLE).unwrap_or(0.0));
+    if direction == 0.0 && size == 0.0 {
+        Mismatch::Others
+    } else if direction >= size.abs() {
+        Mismatch::Direction { difference: direction * errors.direction }
+    } else {
+        Mismatch::Size { ratio: exp(size * errors.size) }
     }
-    let z = size.filter(|z| z.abs() > EXCLUDED)?;
-    Some(Mismatch::Size { ratio: exp(z * errors.size) })
 }

@@ -1,7 +1,7 @@
 //! Tables in the layouts of printed reports, with invented numbers, as they copy out of a PDF.
 
 use recorder::{
-    Channel, CrashPulse, NoValue, PreCrash, RecorderTable, TextLayout, TextRefusal, columns_table,
+    Channel, CrashPulse, NoValue, PreCrash, RecorderTable, TextLayout, TextRefusal, columns_table, read_rows,
     read_tables,
 };
 
@@ -290,7 +290,8 @@ fn what_is_no_value_is_told_with_its_place() {
 fn what_gives_no_table_is_refused_with_its_place() {
     let refused = |text: &str| read_tables(text).unwrap_err();
     assert_eq!(refused(" \n "), TextRefusal::Empty);
-    assert_eq!(refused("The weather was fine.\n1 2 3\n"), TextRefusal::NoHeading);
+    let begins = "The weather was fine.".to_owned();
+    assert_eq!(refused("The weather was fine.\n1 2 3\n"), TextRefusal::NoHeading { begins });
     let place = |text: &str| refused(text).place().map(|place| (place.line, place.column));
     for (text, at, word) in [
         ("Time (s),Speed (knots)\n0,3\n", (1, 10), "mph"),
@@ -348,4 +349,144 @@ fn velocity_is_speed_and_its_change_is_not() {
     let change = one("Time (ms)  Velocity Change (km/h)\n0 0\n10 -5\n20 -9\n");
     assert!(change.column(Channel::Speed).is_none());
     assert_eq!(values(&change, Channel::DeltaVLongitudinal, KMH), [0.0, -5.0, -9.0]);
+}
+
+/// Two records of a vehicle and one of another, as NHTSA publishes them: one row for each value.
+const LONG: &str = "\
+CASEID,VEHNO,EDRSUMMNO,EDREVENTNO,PCODE,PTIME,PVALUE,CASEWGT
+30123,1,1,1,1010,-1.0,58,12.5
+30123,1,1,1,1010,-0.5,51,12.5
+30123,1,1,1,1010,0.0,40,12.5
+30123,1,1,1,1040,-1.0,0,12.5
+30123,1,1,1,1040,0.0,1,12.5
+30123,1,1,1,1080,-1.0,99997,12.5
+30123,1,1,1,1010,9996,33,12.5
+30123,1,1,1,1090,0.0,5,12.5
+30123,1,1,2,1010,-1.0,41,12.5
+30123,1,1,2,1010,0.0,39,12.5
+30123,2,1,1,1010,-1.0,20,12.5
+30123,2,1,1,2010,0,0,12.5
+30123,2,1,1,2010,20,-11,12.5
+30123,2,1,1,2020,20,3,12.5
+";
+
+#[test]
+fn a_long_table_of_nhtsa_is_read_by_its_codes() {
+    let tables = read_rows(LONG, "VEHNO 1, EDREVENTNO 1").unwrap();
+    assert_eq!(tables.len(), 1);
+    let table = &tables[0];
+    assert_eq!(table.times(), [-1.0, -0.5, 0.0]);
+    let kmh = |value: &Option<f64>| value.map(|si| (si * 36.0).round() / 10.0);
+    let speeds: Vec<Option<f64>> = table.values(Channel::Speed).iter().map(kmh).collect();
+    assert_eq!(speeds, [Some(58.0), Some(51.0), Some(40.0)]);
+    assert_eq!(table.values(Channel::Brake), [Some(0.0), None, Some(1.0)]);
+    assert_eq!(table.values(Channel::Steering), [None; 3]);
+    assert_eq!(table.ignored.iter().map(|(text, _)| text.as_str()).collect::<Vec<_>>(), ["PCODE 1090"]);
+    let doubts: Vec<String> = table.doubts.iter().map(ToString::to_string).collect();
+    for told in [
+        "line 7, column 23, steering wheel: 99997 is the recorder's code",
+        "line 8, column 18, time: 9996 is the recorder's code",
+    ] {
+        assert!(doubts.iter().any(|doubt| doubt.starts_with(told)), "{told}: {doubts:#?}");
+    }
+    // Both tables of a record in one text: times before the impact are in s, those within it in ms.
+    let tables = read_rows(LONG, "CASEID = 30123, vehno = 2").unwrap();
+    assert_eq!(tables.len(), 2);
+    assert!(tables[0].is_pre_crash() && tables[1].is_pulse());
+    assert_eq!(tables[1].times(), [0.0, 0.02]);
+    let along = tables[1].values(Channel::DeltaVLongitudinal);
+    assert!((along[1].unwrap() * 3.6 + 11.0).abs() < 1e-9, "{along:?}");
+}
+
+#[test]
+fn rows_of_several_records_or_of_none_are_refused() {
+    let wide = "Time (s),Speed (km/h)\n-1,60\n0,50\n";
+    for (text, rows, words) in [
+        (LONG, "", "VEHNO 1, 2 and EDREVENTNO 1, 2; choose one with rows = \"VEHNO 1, EDREVENTNO 1\""),
+        (LONG, "VEHNO 1", "EDREVENTNO 1, 2; choose one with rows = \"EDREVENTNO 1\""),
+        (LONG, "VEHNO 1, EDREVENTNO 3", "no row has EDREVENTNO 3; there are 1, 2"),
+        (LONG, "PCODE 1010", "by PCODE; write one of CASEID, VEHNO, EDRSUMMNO, EDREVENTNO"),
+        (wide, "VEHNO 1", "this is none: leave `rows` out"),
+    ] {
+        let refusal = read_rows(text, rows).unwrap_err().to_string();
+        assert!(refusal.contains(words), "{rows}: {refusal}");
+    }
+    // A time twice in one record, and one that is none.
+    let twice = LONG.replace("1,1,1010,-0.5,51", "1,1,1010,-1.0,51");
+    assert!(
+        read_rows(&twice, "VEHNO 1, EDREVENTNO 1").unwrap_err().to_string().starts_with("line 3, column 18")
+    );
+    let bad = LONG.replace("1,1,1010,-0.5,51", "1,1,1010,soon,51");
+    assert!(
+        read_rows(&bad, "VEHNO 1, EDREVENTNO 1").unwrap_err().to_string().contains("\"soon\" is no time")
+    );
+}
+
+/// The data elements of 49 CFR 563.7 (tables I and II) and of Annex 4 of UN R160 that are series, in their
+/// words, and others that reports print, each in a CSV with times.
+#[test]
+fn headings_of_rules_and_reports_are_recognised() {
+    for (channel, headings) in [
+        (
+            Channel::Speed,
+            "Speed, vehicle indicated (km/h)|Vehicle speed [mph]|Indicated speed (km/h)|Road speed (km/h)|Geschwindigkeit (km/h)",
+        ),
+        (
+            Channel::Throttle,
+            "Engine throttle, per cent full (%)|Engine throttle, % full|Throttle opening (%)",
+        ),
+        (Channel::Accelerator, "Accelerator pedal, per cent full (%)|Accelerator Opening Ratio (%)"),
+        (Channel::Brake, "Service brake, on/off|Brake Switch|Brake pedal status (on/off)|Service brakes"),
+        (Channel::EngineSpeed, "Engine rpm|Engine RPM (RPM)|Motordrehzahl (1/min)"),
+        (
+            Channel::Abs,
+            "ABS activity|Anti-lock braking system activity|Anti-lock brake system|Antilock braking system (on/off)",
+        ),
+        (Channel::Stability, "Stability control|Electronic Stability Control Status|VDC"),
+        (Channel::Steering, "Steering input (deg)|Steering wheel angle (degrees)|Steering wheel input (deg)"),
+        (Channel::YawRate, "Yaw rate (deg/s)|Yaw angular velocity (deg/sec)"),
+        (
+            Channel::DeltaVLongitudinal,
+            "Delta-V, longitudinal (km/h)|Longitudinal change in velocity (mph)|Cumulative delta-V, longitudinal (km/h)",
+        ),
+        (Channel::DeltaVLateral, "Delta-V, lateral (km/h)|Lateral change in velocity (mph)"),
+        (Channel::AccelerationLongitudinal, "Longitudinal acceleration (g)"),
+        (Channel::AccelerationLateral, "Lateral acceleration (g)"),
+        (
+            Channel::Other,
+            "Wheel speed (km/h)|Wheel speed, front left (km/h)|Normal acceleration (g)|Vehicle roll angle (deg)|Speed limit (km/h)|\
+             Time, maximum delta-V, longitudinal (ms)|Maximum delta-V, longitudinal (km/h)|Ignition cycle, crash|Set speed (km/h)|\
+             Adaptive cruise control|Tyre pressure|Brake pressure (bar)|Colour",
+        ),
+    ] {
+        for heading in headings.split('|') {
+            // The speed beside it is of the table, and the heading in quotes, as it may have a comma.
+            let known = if channel == Channel::Speed { "Yaw rate (deg/s)" } else { "Speed (km/h)" };
+            let text = format!("Time (s),{known},\"{heading}\"\n-1,1,1\n0,1,0\n");
+            let table = one(&text);
+            let found = table.columns.iter().find(|column| column.heading == heading);
+            let found = found.map_or(Channel::Other, |column| column.channel);
+            assert_eq!(found, channel, "{heading}: {table:?}");
+            assert_eq!(table.ignored.len(), usize::from(channel == Channel::Other), "{heading}: {table:?}");
+        }
+    }
+}
+
+/// A refusal says which headings there are, and which are known.
+#[test]
+fn a_refusal_names_the_headings() {
+    let refused = |text: &str| read_tables(text).unwrap_err().to_string();
+    let said = refused("Time (s),Wheel speed (km/h),Colour\n-1,50,3\n0,40,4\n");
+    for words in ["in \"Wheel speed (km/h)\", \"Colour\"", "known are speed, accelerator pedal"] {
+        assert!(said.contains(words), "{said}");
+    }
+    let said = refused("a;b\n1;2\n3;4\n");
+    assert!(said.contains("begins with \"a;b\""), "{said}");
+    let across = "Time (s),-1,-0.5,0\nVehicle speed (km/h),60,58,47\nMood,1,2,3\n";
+    assert_eq!(one(across).ignored.len(), 1);
+    let headings = one("Time (s),Speed (km/h),Wheel speed (km/h)\n-1,50,49\n0,40,39\n").headings();
+    assert_eq!(
+        headings,
+        "\"Time (s)\" as time, \"Speed (km/h)\" as speed; not read were \"Wheel speed (km/h)\""
+    );
 }

@@ -1,8 +1,10 @@
 //! Where a pulse begins and ends, and what of it is at the center of gravity.
 
+use proptest::prelude::{Strategy, any, prop, prop_assert, prop_assert_eq, proptest};
+use proptest::test_runner::Config;
 use recorder::{
     CrashPulse, EventRecord, KnownImpact, MatchErrors, Mismatch, PulseFault, PulseRule, PulseSample,
-    delta_v_at_center, force_direction, match_records,
+    RecordMatch, delta_v_at_center, force_direction, match_records,
 };
 
 const KMH: f64 = 1.0 / 3.6;
@@ -165,4 +167,97 @@ fn records_are_matched_in_order() {
     // Two records the wrong way round cannot both be of their impact: the order decides that one is of none.
     let turned = match_records(&[records[1], records[0]], &impacts, &errors);
     assert!(turned[0].impacts[1] + turned[1].impacts[0] < 1.02, "{turned:?}");
+}
+
+fn any_impact() -> impl Strategy<Value = KnownImpact> {
+    let direction = proptest::option::of(-3.1..3.1_f64);
+    (direction, proptest::option::of(2.0..110.0_f64)).prop_map(|(force_direction, delta_v)| KnownImpact {
+        force_direction,
+        delta_v: delta_v.map(|delta_v| delta_v * KMH),
+    })
+}
+
+fn any_record() -> impl Strategy<Value = EventRecord> {
+    (any_impact(), any::<bool>()).prop_map(|(impact, complete)| EventRecord {
+        force_direction: impact.force_direction,
+        delta_v: impact.delta_v,
+        complete,
+    })
+}
+
+proptest! {
+    #![proptest_config(Config { cases: 20_000, failure_persistence: None, ..Config::default() })]
+
+    /// "Cannot" is said where the probability is below 1 %, and nowhere else.
+    #[test]
+    fn the_words_follow_from_the_probability(
+        records in prop::collection::vec(any_record(), 1..4),
+        impacts in prop::collection::vec(any_impact(), 1..4),
+    ) {
+        for (record, found) in records.iter().zip(match_records(&records, &impacts, &MatchErrors::default())) {
+            for ((probability, cannot), impact) in found.impacts.iter().zip(&found.cannot).zip(&impacts) {
+                prop_assert_eq!(cannot.is_some(), *probability < 0.01, "{:?}", found);
+                prop_assert_eq!(cannot.is_some(), RecordMatch::words(*probability).starts_with("cannot"));
+                // The reason is the larger difference, in multiples of 20° and of 0.45 in ln ΔV.
+                let turned = |a: f64, b: f64| (a - b).abs().min(std::f64::consts::TAU - (a - b).abs());
+                let direction = record.force_direction.zip(impact.force_direction);
+                let direction = direction.map_or(0.0, |(a, b)| turned(a, b).to_degrees() / 20.0);
+                let size = record.delta_v.zip(impact.delta_v).map_or(0.0, |(a, b)| (a / b).ln() / 0.45);
+                let size = if record.complete { size.abs() } else { size.max(0.0) };
+                match cannot {
+                    Some(Mismatch::Direction { difference }) => {
+                        prop_assert!(direction > 2.0 && direction >= size - 1e-9);
+                        prop_assert!((difference.to_degrees() / 20.0 - direction).abs() < 1e-9);
+                    }
+                    Some(Mismatch::Size { ratio }) => {
+                        prop_assert!(size > 2.0 && size >= direction - 1e-9);
+                        prop_assert!((ratio.ln().abs() / 0.45 - size).abs() < 1e-9);
+                    }
+                    Some(Mismatch::Others) => prop_assert!(direction <= 2.0 + 1e-9 && size <= 2.0 + 1e-9),
+                    None => {}
+                }
+            }
+        }
+    }
+}
+
+/// From behind instead of from the front, with the very size: 0.9 · L / (0.9 · L + 0.1) with
+/// L = 0.02 · 4/(0.45 √(2π)) is 39 %, which is no "cannot".
+#[test]
+fn a_reversed_direction_alone_excludes_nothing() {
+    let impact = KnownImpact { force_direction: Some(0.0), delta_v: Some(40.0 * KMH) };
+    let record = EventRecord {
+        force_direction: Some(std::f64::consts::PI),
+        delta_v: Some(40.0 * KMH),
+        complete: true,
+    };
+    let found = match_records(&[record], &[impact], &MatchErrors::default()).remove(0);
+    assert!((found.impacts[0] - 0.390).abs() < 0.001, "{found:?}");
+    assert_eq!(found.cannot, [None]);
+    assert_eq!(RecordMatch::words(found.impacts[0]), "may be of this impact");
+}
+
+/// ΔV of 40 km/h from 30° right of the front is −34.64 along the vehicle and −20 across it.
+#[test]
+fn a_record_of_one_axis_is_seen_in_the_direction_of_the_impact() {
+    let at = |degrees: f64| KnownImpact { force_direction: Some(degrees.to_radians()), delta_v: None };
+    let (along, across) = (40.0 * KMH * 30_f64.to_radians().cos(), 20.0 * KMH);
+    let both = EventRecord::new([Some(-along), Some(-across)], true, &at(180.0));
+    let longitudinal = EventRecord::new([Some(-along), None], true, &at(30.0));
+    for record in [both, longitudinal] {
+        assert!((record.delta_v.unwrap() - 40.0 * KMH).abs() < 1e-9 && record.complete, "{record:?}");
+        assert!((record.force_direction.unwrap().to_degrees() - 30.0).abs() < 1e-9, "{record:?}");
+    }
+    // Pushed forward: from 30° right of the rear, which is 150°. And one across, from the left: −60°.
+    let pushed = EventRecord::new([Some(along), None], true, &at(30.0));
+    assert!((pushed.force_direction.unwrap().to_degrees() - 150.0).abs() < 1e-9, "{pushed:?}");
+    let struck = EventRecord::new([None, Some(along)], true, &at(60.0));
+    assert!((struck.force_direction.unwrap().to_degrees() + 60.0).abs() < 1e-9, "{struck:?}");
+    // Of an impact from 80° the longitudinal part tells little, and without a direction nothing tells more.
+    for impact in [at(80.0), KnownImpact::default()] {
+        let bound = EventRecord::new([Some(-along), None], true, &impact);
+        assert_eq!((bound.force_direction, bound.complete), (None, false));
+        assert_eq!(bound.delta_v, Some(along));
+    }
+    assert_eq!(EventRecord::new([None, None], true, &at(0.0)).delta_v, None);
 }

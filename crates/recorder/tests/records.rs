@@ -4,7 +4,9 @@ use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use recorder::{CrashPulse, ImpactSpeed, ImpactSpeedErrors, PreCrash, PulseRule, read_tables};
+use recorder::{
+    Channel, CrashPulse, ImpactSpeed, ImpactSpeedErrors, PreCrash, PulseRule, read_rows, read_tables,
+};
 
 /// The field data, which is not part of the repository: beside it, or where `FIELD_DATA` says.
 fn data(file: &str) -> Option<String> {
@@ -84,4 +86,31 @@ fn every_pulse_is_read_or_refused() {
     println!("{read} read, {cut} end before the impact does; refused: {refused:#?}");
     assert_eq!(read + refused.len(), all.len());
     assert!(refused.len() < 8, "{refused:#?}");
+}
+
+/// The same records with a row for each value, all of a file in one text, give the same series.
+#[test]
+fn the_long_tables_give_the_series_of_the_wide_ones() {
+    let Some(text) = data("ciren-precrash.csv") else { return };
+    let heading = "PTIME (s),brake,pedal_pct,speed_kmh,steer_deg,throttle_pct";
+    let all = records(&text, heading, &[4, 5, 6, 7, 8, 9]);
+    let names = ["CASEID", "VEHNO", "EDRSUMMNO", "EDREVENTNO"];
+    let codes = [(5, 1040), (6, 1030), (7, 1010), (8, 1080), (9, 1020)];
+    let rows = text.lines().skip(1).flat_map(|line| {
+        let fields: Vec<String> = line.split(',').map(str::to_owned).collect();
+        codes.map(|(column, code)| {
+            format!("{},{code},{},{}\n", fields[..4].join(","), fields[4], fields[column])
+        })
+    });
+    let long = format!("{},PCODE,PTIME,PVALUE\n{}", names.join(","), rows.collect::<String>());
+    for (name, wide) in all.iter().take(40) {
+        let of = names.iter().zip(name.split('/')).map(|(name, value)| format!("{name} {value}"));
+        let of: Vec<String> = of.collect();
+        let found = read_rows(&long, &of.join(", ")).unwrap_or_else(|error| panic!("{name}: {error}"));
+        let expected = &read_tables(wide).unwrap()[0];
+        assert_eq!(found[0].times(), expected.times(), "{name}");
+        for channel in [Channel::Speed, Channel::Brake, Channel::Steering, Channel::Throttle] {
+            assert_eq!(found[0].values(channel), expected.values(channel), "{name} {channel:?}");
+        }
+    }
 }

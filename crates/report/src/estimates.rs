@@ -334,6 +334,10 @@ pub(crate) fn unused(reason: UnusedReason, key: &str) -> [String; 2] {
             "the record ends before the impact does, or has no impact: its ΔV is a lower bound",
             "nothing: `deltav recorder` shows what it holds",
         ],
+        UnusedReason::OtherImpact => [
+            "it is not likely to be of this impact, or less likely than another record",
+            "this record alone, without `records`, if it is: `deltav recorder` weighs them",
+        ],
         UnusedReason::StoodByRecord => [
             "by it the vehicle stood or crawled, and the error of such a speed is no share of it",
             "speed = \"0 km/h\" in the table of the vehicle",

@@ -3,8 +3,8 @@
 
 use analysis::{Assumption, AxleMeasure};
 use case::{
-    BrachTangential, Case, Dimension, Fit, ImpactLaw, Input, KnownEnergy, Pdof, Range, SUBJECTS, SWELLS,
-    Spread, StiffnessForm, UNDAMAGED, Unit, UnitSystem, word,
+    BrachTangential, Case, Dimension, Fit, ImpactLaw, Input, KnownEnergy, Pdof, Range, Recorder, SUBJECTS,
+    SWELLS, Spread, StiffnessForm, UNDAMAGED, Unit, UnitSystem, word,
 };
 use crash3::ObliqueCorrection;
 use pim_core::VehicleId;
@@ -108,14 +108,13 @@ pub(crate) fn choices(case: &Case) -> Vec<(String, String)> {
             None => {}
         }
         if let Some(recorder) = &vehicle.recorder {
-            let before = recorder
-                .pre_crash
-                .iter()
-                .filter_map(|given| Some(("recorder.pre_crash", given.table.as_ref()?)));
-            let pulse =
-                recorder.pulse.iter().flat_map(|given| &given.tables).map(|table| ("recorder.pulse", table));
-            for (key, table) in before.chain(pulse) {
-                say(key, recognised_in_words(table));
+            for (key, words) in tables(recorder, "recorder") {
+                say(&key, words);
+            }
+            for (k, one) in recorder.records.iter().enumerate() {
+                for (key, words) in tables(&one.stored, &format!("recorder.records[{}]", k + 1)) {
+                    say(&key, words);
+                }
             }
         }
         let Some(crush) = &vehicle.crush else { continue };
@@ -264,6 +263,14 @@ pub(crate) fn message(assumption: &Assumption, units: Units) -> String {
             "dissipated: the crush energy is the energy that the normal impulse dissipates".to_owned()
         }
     }
+}
+
+/// The tables of a record under their keys, each with what was recognised in it.
+fn tables<'r>(record: &'r Recorder, at: &'r str) -> impl Iterator<Item = (String, String)> + 'r {
+    let before = record.pre_crash.iter().filter_map(|given| given.table.as_ref());
+    let pulse = record.pulse.iter().flat_map(|given| &given.tables);
+    let before = before.map(move |table| (format!("{at}.pre_crash"), recognised_in_words(table)));
+    before.chain(pulse.map(move |table| (format!("{at}.pulse"), recognised_in_words(table))))
 }
 
 /// What was recognised in a table, on one line.

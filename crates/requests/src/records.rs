@@ -6,8 +6,8 @@ use std::path::Path;
 use std::sync::Arc;
 
 use case::{
-    CaseFile, Diagnostics, Fault, FaultKind, Faults, GivenPreCrash, GivenPulse, Program, SeriesRefusal,
-    SeriesSource,
+    CaseFile, Diagnostics, Fault, FaultKind, Faults, GivenPreCrash, GivenPulse, Program, Recorder,
+    SeriesRefusal, SeriesSource, Text,
 };
 
 /// Reads the files that `pre_crash` and `pulse` of `[vehicleN.recorder]` name, counted from the folder of the
@@ -22,38 +22,66 @@ pub fn read_records_beside(
 ) -> Result<(), Diagnostics> {
     let mut faults = Vec::new();
     let folder = case.parent().unwrap_or(Path::new("")).to_owned();
+    let mut refuse = |key: String, reason: String, advice: Option<&str>| {
+        let advice = advice.map(str::to_owned);
+        faults.push(Fault { key, kind: FaultKind::Refused { reason }, advice });
+    };
     for (k, vehicle) in file.case.vehicles.iter_mut().enumerate() {
         let Some(recorder) = &mut vehicle.recorder else { continue };
-        let mut refuse = |key: &str, reason: String, advice: Option<&str>| {
-            let key = format!("vehicle{}.recorder.{key}.file", k + 1);
-            faults.push(Fault {
-                key,
-                kind: FaultKind::Refused { reason },
-                advice: advice.map(str::to_owned),
-            });
-        };
-        if let Some(given) = &recorder.pre_crash
-            && let SeriesSource::File(name) = &given.source
-        {
-            let name = name.clone();
-            match text_of(&folder, name.as_given()).map(|text| given.read_file(&text)) {
-                Ok(Ok(read)) => recorder.pre_crash = Some(Arc::<GivenPreCrash>::new(read)),
-                Ok(Err(refusal)) => refuse("pre_crash", placed(&name.to_string(), &refusal), None),
-                Err(error) => refuse("pre_crash", format!("cannot read {name}: {error}"), Some(BESIDE)),
-            }
+        let table = format!("vehicle{}.recorder", k + 1);
+        for (n, one) in recorder.records.iter_mut().enumerate() {
+            read_record(&folder, &format!("{table}.records[{}]", n + 1), &mut one.stored, &mut refuse);
         }
-        if let Some(given) = &recorder.pulse
-            && let SeriesSource::File(name) = &given.source
-        {
-            let name = name.clone();
-            match text_of(&folder, name.as_given()).map(|text| given.read_file(&text)) {
-                Ok(Ok(read)) => recorder.pulse = Some(Arc::<GivenPulse>::new(read)),
-                Ok(Err(refusal)) => refuse("pulse", placed(&name.to_string(), &refusal), None),
-                Err(error) => refuse("pulse", format!("cannot read {name}: {error}"), Some(BESIDE)),
-            }
-        }
+        read_record(&folder, &table, recorder, &mut refuse);
     }
     Faults::none_of(faults).map_err(|faults| file.diagnostics(&faults, program))
+}
+
+/// Reads the files of one record, whose keys stand in this table of the case.
+fn read_record(
+    folder: &Path,
+    table: &str,
+    record: &mut Recorder,
+    refuse: &mut dyn FnMut(String, String, Option<&str>),
+) {
+    let mut refused = |key: &str, name: &Text, refusal: Unread| {
+        let key = format!("{table}.{key}.file");
+        match refusal {
+            Unread::Table(refusal) => refuse(key, placed(&name.to_string(), &refusal), None),
+            Unread::File(error) => refuse(key, format!("cannot read {name}: {error}"), Some(BESIDE)),
+        }
+    };
+    if let Some(given) = &record.pre_crash
+        && let SeriesSource::File(name) = given.source.clone()
+    {
+        match of_file(folder, &name, |text| given.read_file(text)) {
+            Ok(read) => record.pre_crash = Some(Arc::<GivenPreCrash>::new(read)),
+            Err(refusal) => refused("pre_crash", &name, refusal),
+        }
+    }
+    if let Some(given) = &record.pulse
+        && let SeriesSource::File(name) = given.source.clone()
+    {
+        match of_file(folder, &name, |text| given.read_file(text)) {
+            Ok(read) => record.pulse = Some(Arc::<GivenPulse>::new(read)),
+            Err(refusal) => refused("pulse", &name, refusal),
+        }
+    }
+}
+
+/// Why a table in a file is not read.
+enum Unread {
+    File(io::Error),
+    Table(SeriesRefusal),
+}
+
+fn of_file<T>(
+    folder: &Path,
+    name: &Text,
+    read: impl FnOnce(&str) -> Result<T, SeriesRefusal>,
+) -> Result<T, Unread> {
+    let text = text_of(folder, name.as_given()).map_err(Unread::File)?;
+    read(&text).map_err(Unread::Table)
 }
 
 /// What to do about a file that cannot be read.

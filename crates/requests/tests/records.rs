@@ -101,3 +101,73 @@ fn files_beside_a_case_are_read_or_refused() {
     }
     fs::remove_dir_all(&folder).unwrap();
 }
+
+const TWO_RECORDS: &str = r#"
+[vehicle1]
+mass = "1500 kg"
+yaw_radius = "1.4 m"
+heading = "0 deg"
+contact = { x = "2 m", y = "0 m" }
+crush = { side = "front", width = "150 cm", depths = "40 40 cm", stiffness = { category = 3 }, pdof = "0 deg" }
+
+[[vehicle1.recorder.records]]
+pulse = { time = "0 20 40 60 80 100 ms", delta_v_longitudinal = "0 3 6 7 7 7 km/h", delta_v_lateral = "0 0 0 0 0 0 km/h" }
+pre_crash = { time = "-1 0 s", speed = "52 51 km/h" }
+
+[[vehicle1.recorder.records]]
+since_previous = "0.9 s"
+pulse = { time = "0 20 40 60 80 100 ms", delta_v_longitudinal = "0 -20 -35 -44 -44 -44 km/h", delta_v_lateral = "0 0 1 1 1 1 km/h" }
+pre_crash = { file = "edr.csv" }
+
+[vehicle2]
+mass = "1500 kg"
+yaw_radius = "1.4 m"
+heading = "180 deg"
+contact = { x = "2 m", y = "0 m" }
+crush = { side = "front", width = "150 cm", depths = "40 40 cm", stiffness = { category = 3 } }
+"#;
+
+/// A push from behind, and 0.9 s later the impact.
+#[test]
+fn several_records_are_told_apart_in_every_format() {
+    let folder = std::env::temp_dir().join(format!("deltav-several-{}", std::process::id()));
+    fs::create_dir_all(&folder).unwrap();
+    fs::write(folder.join("edr.csv"), "Time (s),Speed (km/h)\n-1,57\n0,50\n").unwrap();
+    let mut file = CaseFile::parse("case.toml", TWO_RECORDS).unwrap();
+    // What nobody read is no answer.
+    assert!(asked(&file).is_err());
+    read_records_beside(&folder.join("case.toml"), &mut file, &PROGRAM).unwrap();
+    let answer = asked(&file).unwrap();
+    let page = answer.document(&file, Units::Si);
+    for words in [
+        "Which record is of this impact",
+        "is of this impact: ",
+        "cannot be of this impact: its",
+        "Before the impact: record 1",
+        "Before the impact: record 2",
+        "Speed of vehicle 1 at the impact: 5",
+    ] {
+        assert!(page.text().contains(words), "{words}: {}", page.text());
+    }
+    assert!(page.html().contains("cannot be of this impact"));
+    let json: serde_json::Value = serde_json::from_str(&answer.json(&file).unwrap()).unwrap();
+    let vehicle = &json["vehicles"][0];
+    assert_eq!(vehicle["record"]["key"], "vehicle1.recorder.records[2]");
+    assert_eq!(vehicle["record"]["is_taken"], true);
+    assert!(vehicle["record"]["probability"].as_f64().unwrap() > 0.95);
+    assert_eq!(vehicle["record"]["since_previous"], 0.9);
+    assert_eq!(vehicle["other_records"][0]["record"]["is_taken"], false);
+    assert_eq!(vehicle["other_records"][0]["samples"].as_array().unwrap().len(), 2);
+    let check = Request::read("check", &RequestOptions::default()).unwrap();
+    let check = check.answer(&file.case, &mut |_, _, _| ControlFlow::Continue(())).unwrap();
+    let text = check.document(&file, Units::Si).text();
+    for words in ["vehicle1.recorder.records[1].pre_crash", "cannot be of this impact", "is of this impact: "]
+    {
+        assert!(text.contains(words), "{words}: {text}");
+    }
+    // The same two files, one of which is not there.
+    fs::remove_dir_all(&folder).unwrap();
+    let mut file = CaseFile::parse("case.toml", TWO_RECORDS).unwrap();
+    let error = read_records_beside(&folder.join("case.toml"), &mut file, &PROGRAM).unwrap_err().to_string();
+    assert!(error.contains("cannot read edr.csv") && error.contains("case.toml:16:22"), "{error}");
+}

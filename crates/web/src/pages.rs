@@ -10,8 +10,9 @@ pub(crate) fn templates() -> Value {
         json!({ "name": name, "title": title.as_deref().unwrap_or(name), "text_si": si, "text_us": us })
     };
     let mut templates = vec![template("sae-980025", EXAMPLE, EXAMPLE)];
-    // The page does not ask whether a collision was avoidable.
-    let shown = Template::WORDS.into_iter().filter(|(_, one)| *one != Template::Avoid);
+    // The page asks neither whether a collision was avoidable nor what a recorder says alone.
+    let is_shown = |one: &Template| !matches!(one, Template::Avoid | Template::Recorder);
+    let shown = Template::WORDS.into_iter().filter(|(_, one)| is_shown(one));
     templates
         .extend(shown.map(|(name, one)| template(name, one.text(UnitSystem::Si), one.text(UnitSystem::Us))));
     Value::Array(templates)

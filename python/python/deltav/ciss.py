@@ -29,7 +29,7 @@ from deltav._deltav import Case, Drawing
 from deltav._record import Record
 from deltav.results import _Coverage
 
-__all__ = ["Coverage", "Pairs", "case", "judge", "pairs", "read"]
+__all__ = ["Coverage", "Pairs", "case", "judge", "pairs", "read", "records"]
 
 _Cell = int | float | str | None
 _Row = dict[str, _Cell]
@@ -54,14 +54,21 @@ _TABLES: dict[str, tuple[tuple[str, ...], tuple[str, ...]]] = {
     "CDC": (("CASEID", "EVENTNO", "VEHNO", *_OF_CDC, *_WINSMASH), ("OBJCONT",)),
     "EDREVENT": (("CASEID", "VEHNO", "CDCEVENT", *_RECORDER), ()),
 }
+# The long tables of recorders, the keys of a case that take them, and the codes without which those have nothing.
+_LONG = {"EDRPRECRASH": ("pre_crash", {1010}), "EDRPOSTCRASH": ("pulse", {2010, 2020})}
+_OF_VALUE = ("PCODE", "PTIME", "PVALUE")
 _ENDINGS = (".csv", ".sas7bdat")
-_TEXTS = {"CDCPLANE", "CDC"}
+# A value of a recorder is kept as it is: the case file knows the codes of each quantity.
+_TEXTS = {"CDCPLANE", "CDC", "PTIME", "PVALUE"}
 _ANGLES = {"PDOF", "HEADINGANG", "DVANGTHIS"}
 # Numbers that are codes or counted: what is not known is a code among others.
 _CODES = {"YEAR", "CRASHYEAR", "CASEID", "EVENTNO", "VEHNO", "CDCEVENT", "OBJCONT", "VEHNUM"} | {
     "MAKE",
     "MODEL",
     "BODYTYPE",
+    "EDRSUMMNO",
+    "EDREVENTNO",
+    "PCODE",
 }
 _MISSING = {
     float(code)
@@ -362,6 +369,65 @@ def case(pair: Mapping[str, _Cell], *, recorder: Literal[1, 2] | None = None) ->
     """
     name = f"Crash {pair.get('CASEID')} of {pair.get('YEAR')}, event {pair.get('EVENTNO')}"
     return _deltav._case_of_pair(_as_csv([pair]), name, recorder)
+
+
+def records(source: str | os.PathLike[str], crash: int, vehicle: int) -> list[dict[str, dict[str, str]]]:
+    """The records of the recorder of a vehicle, for ``records`` of ``recorder`` in a case.
+
+    It reads the long tables EDRPRECRASH and EDRPOSTCRASH of NHTSA's tables of a year, as downloaded: a folder, or
+    the ZIP file itself. A record is an event of the recorder (EDRSUMMNO, EDREVENTNO); one without a speed and
+    without a ΔV is left out.
+
+    Parameters
+    ----------
+    source : str or os.PathLike
+        The folder or the ZIP file.
+    crash : int
+        CASEID.
+    vehicle : int
+        VEHNO.
+
+    Returns
+    -------
+    list of dict
+        In the order of the recorder's numbers, which need not be that of time: ``{"pre_crash": {"text": ...},
+        "pulse": {"text": ...}}``, the one or the other where there is one.
+
+    Raises
+    ------
+    ValueError
+        Where a table or a column is missing, or the vehicle has no record.
+    ImportError
+        Where the tables are of SAS, and pyreadstat is not installed.
+
+    Examples
+    --------
+    >>> import pathlib, tempfile
+    >>> tables = pathlib.Path(tempfile.mkdtemp())
+    >>> head = "CASEID,VEHNO,EDREVENTNO,PCODE,PTIME,PVALUE"
+    >>> rows = "7,1,1,1010,-1,58\\n7,1,1,1010,0,58"
+    >>> _ = (tables / "EDRPRECRASH.csv").write_text(f"{head}\\n{rows}")
+    >>> _ = (tables / "EDRPOSTCRASH.csv").write_text(head)
+    >>> [record] = deltav.ciss.records(tables, crash=7, vehicle=1)
+    >>> case = deltav.Case.from_dict({"vehicle1": {"recorder": record}, "vehicle2": {"fixed": True}})
+    >>> print(f"{case.recorder()['vehicles'][0]['speed_at_impact']['stored'] * 3.6:.0f} km/h")
+    58 km/h
+    """
+    found: dict[tuple[float, ...], dict[str, dict[str, str]]] = {}
+    for table, (key, codes) in _LONG.items():
+        wanted = ("CASEID", "VEHNO", "EDREVENTNO", *_OF_VALUE)
+        of_record: dict[tuple[float, ...], list[_Row]] = {}
+        for row in _table(source, table, wanted, ("EDRSUMMNO",)):
+            if (row["CASEID"], row["VEHNO"]) == (crash, vehicle):
+                number = _order((row.get("EDRSUMMNO"), row["EDREVENTNO"]))
+                of_record.setdefault(number, []).append(row)
+        for number, rows in of_record.items():
+            if any(row["PCODE"] in codes for row in rows):
+                lines = [",".join("" if row[name] is None else str(row[name]) for name in _OF_VALUE) for row in rows]
+                found.setdefault(number, {})[key] = {"text": "\n".join([",".join(_OF_VALUE), *lines])}
+    if not found:
+        raise ValueError(f"{source}: the recorder of vehicle {vehicle} in crash {crash} has no record with a speed or a ΔV")
+    return [found[number] for number in sorted(found)]
 
 
 def judge(

@@ -31,6 +31,8 @@ pub enum UnusedReason {
     OtherLaw,
     /// A pulse that ends before the impact does, so that its ΔV is a lower bound; or without an impact.
     RecordEnds,
+    /// One of several records that is not likely to be of this impact.
+    OtherImpact,
     /// The table of a vehicle that stood or crawled.
     StoodByRecord,
 }

@@ -23,6 +23,7 @@ use super::posed::{Alone, OpenSpeeds};
 use crate::columns::Number;
 use crate::excluded::table;
 use crate::failure::Failure;
+use crate::recorded::with_records_of_impact;
 use crate::uncertainty::{UncertainInput, inputs};
 
 /// The reason for the distribution of a number, if the case does not give it.
@@ -136,9 +137,12 @@ impl Unknowns {
 
 pub(super) fn of(case: &Case, prior: Option<Prior>) -> Result<Setup, Failure> {
     crate::recorded::is_read(case)?;
+    let (case, aside) = with_records_of_impact(case);
+    let case = case.as_ref();
     let given = case.estimate.unwrap_or_default();
     let prior = prior.unwrap_or(given.prior);
     let (mut case, sought, mut unused) = with_all_speeds(case);
+    unused.extend(aside.into_iter().map(|key| Unused { key, reason: UnusedReason::OtherImpact }));
     let lacking = |faults: Faults| faults.needed_for(Purpose::Estimate);
     let nominal = case.collision().map_err(lacking)?.collision;
     let motion = case.run_out().transpose().map_err(lacking)?;

@@ -2,16 +2,18 @@
 
 use std::sync::Arc;
 
-use recorder::Channel;
+use recorder::{Channel, TextRefusal};
 
 use super::tree::{Reader, Table};
 use super::values::Place as Position;
 use crate::case_problem::CaseProblem;
-use crate::schema::{CERTAIN_SPEED, PRE_CRASH, PULSE, RECORDER, RECORDER_AT, RECORDER_ERRORS};
+use crate::schema::{
+    CERTAIN_SPEED, KEYS_OF_RECORD, PRE_CRASH, PULSE, RECORD, RECORDER, RECORDER_AT, RECORDER_ERRORS,
+};
 use crate::source::span_in_text;
 use inputs::{
     CertainSpeed, GivenEstimate, GivenPreCrash, GivenPulse, GivenSpeedErrors, Prior, Quantity, Recorder,
-    RecorderMount, SeriesRefusal, SeriesSource, Text,
+    RecorderMount, SeriesRefusal, SeriesSource, StoredRecord, Text,
 };
 
 /// The columns of `pre_crash`, and those of `pulse`.
@@ -38,6 +40,9 @@ const MOST_SHARE: f64 = 20.0;
 const MOST_FRICTION: f64 = 150.0;
 const MOST_PROBABLE: f64 = 100.0;
 const PLACE: &str = "a string with a number and a unit: the place of a recorder has no range";
+/// Maximum number of records: a recorder keeps a handful.
+const MOST_RECORDS: usize = 20;
+const TIME_APART: &str = "a string with a number and a unit: the time between two records has no range";
 const ERROR: &str = "a string with a number and a unit: an error has no range";
 
 const EXACT: &str = "a string with a number and a unit: its error stands beside it, as delta_v_error, speed_error or yaw_rate_error";
@@ -51,14 +56,56 @@ impl<'t> Reader<'t> {
     /// Reads the table; one without a key counts as absent.
     pub(super) fn recorder(&mut self, vehicle: &Table<'t>) -> Option<Recorder> {
         let table = self.child(vehicle, "recorder", &RECORDER)?;
+        let at = self.child(&table, "at", &RECORDER_AT).and_then(|table| self.mount(&table));
+        let errors = self.child(&table, "errors", &RECORDER_ERRORS);
+        let errors = errors.map_or_else(GivenSpeedErrors::default, |table| self.speed_errors(&table));
+        let records = self.records(&table);
+        let recorder = Recorder { at, errors, records, ..self.record(&table) };
+        (recorder != Recorder::default()).then_some(recorder)
+    }
+
+    /// Several records.
+    fn records(&mut self, recorder: &Table<'t>) -> Vec<StoredRecord> {
+        const FORMS: &str =
+            "records = [{ speed = \"55 km/h\" }, { since_previous = \"0.8 s\", speed = \"41 km/h\" }]";
+        let Some(tables) = self.tables(recorder, "records", &RECORD, FORMS, MOST_RECORDS) else {
+            return Vec::new();
+        };
+        for key in recorder.given(&KEYS_OF_RECORD) {
+            let path = recorder.path_of(key);
+            let message = format!("\"{path}\" is of one record, and `records` has several");
+            let help = Some("move it into the record that it is of".to_owned());
+            self.report_path(&path, CaseProblem::Fault { message, help });
+        }
+        if let (true, Some(value)) = (tables.is_empty(), recorder.get("records")) {
+            let message = format!("\"{}\" is an empty list", recorder.path_of("records"));
+            let help = Some(format!("write {FORMS}, or leave it out"));
+            self.report(value.span(), CaseProblem::Fault { message, help });
+        }
+        if let Some(first) = tables.first().filter(|first| first.has("since_previous")) {
+            let path = first.path_of("since_previous");
+            let message = format!("\"{path}\" is of the first record, which has none before it");
+            let help =
+                Some("write the records in the order of time, and this key from the second on".to_owned());
+            self.report_path(&path, CaseProblem::Fault { message, help });
+        }
+        let record = |table: &Table<'t>| StoredRecord {
+            since_previous: self.exact_quantity(table, "since_previous", TIME_APART),
+            stored: self.record(table),
+        };
+        tables.iter().map(record).collect()
+    }
+
+    /// The keys of one record.
+    fn record(&mut self, table: &Table<'t>) -> Recorder {
         let [delta_v_longitudinal, delta_v_lateral, direction_error, yaw_rate, yaw_rate_error] =
             ["delta_v_longitudinal", "delta_v_lateral", "direction_error", "yaw_rate", "yaw_rate_error"]
-                .map(|key| self.exact_quantity(&table, key, EXACT));
+                .map(|key| self.exact_quantity(table, key, EXACT));
         let speed = table.get("speed").zip(table.measure("speed")).and_then(|(value, measure)| {
-            self.certain_quantity(&Position::of_key(&table, "speed"), value, measure.positive(STOOD), EXACT)
+            self.certain_quantity(&Position::of_key(table, "speed"), value, measure.positive(STOOD), EXACT)
         });
         let [delta_v_error, speed_error] =
-            ["delta_v_error", "speed_error"].map(|key| self.percent(&table, key));
+            ["delta_v_error", "speed_error"].map(|key| self.percent(table, key));
         let needs = [
             ("delta_v_lateral", "delta_v_longitudinal"),
             ("direction_error", "delta_v_lateral"),
@@ -66,11 +113,11 @@ impl<'t> Reader<'t> {
         ];
         for (key, needed) in needs {
             if table.has(key) && !table.has(needed) {
-                self.missing(&table, needed);
+                self.missing(table, needed);
             }
         }
-        let pre_crash = self.pre_crash(&table);
-        let pulse = self.pulse(&table);
+        let pre_crash = self.pre_crash(table);
+        let pulse = self.pulse(table);
         let excluded = [
             ("pre_crash", "speed", "the speed at impact follows from the table: leave one of them out"),
             ("pulse", "delta_v_longitudinal", "ΔV follows from the pulse: leave one of them out"),
@@ -85,10 +132,7 @@ impl<'t> Reader<'t> {
                 );
             }
         }
-        let at = self.child(&table, "at", &RECORDER_AT).and_then(|table| self.mount(&table));
-        let errors = self.child(&table, "errors", &RECORDER_ERRORS);
-        let errors = errors.map_or_else(GivenSpeedErrors::default, |table| self.speed_errors(&table));
-        let recorder = Recorder {
+        Recorder {
             delta_v_longitudinal,
             delta_v_lateral,
             delta_v_error,
@@ -99,10 +143,9 @@ impl<'t> Reader<'t> {
             yaw_rate_error,
             pre_crash,
             pulse,
-            at,
-            errors,
-        };
-        (recorder != Recorder::default()).then_some(recorder)
+            incomplete: self.flag(table, "incomplete"),
+            ..Recorder::default()
+        }
     }
 
     fn mount(&mut self, table: &Table<'t>) -> Option<RecorderMount> {
@@ -154,7 +197,7 @@ impl<'t> Reader<'t> {
         match (own.as_slice(), listed.len()) {
             (["text"], 0) => self.text(table, "text").map(SeriesSource::Text),
             (["file"], 0) => self.text(table, "file").map(SeriesSource::File),
-            ([], 2..) if table.has("time") => {
+            ([], 2..) if table.has("time") && !table.has("rows") => {
                 let columns: Vec<Option<(Channel, Text)>> = listed
                     .into_iter()
                     .map(|(key, channel)| Some((*channel, self.text(table, key)?)))
@@ -169,7 +212,8 @@ impl<'t> Reader<'t> {
         const FORMS: &str = "pre_crash = { file = \"edr.csv\" }, { text = \"\"\"…\"\"\" } or { time = \"-1 -0.5 0 s\", speed = \"60 58 47 km/h\", brake = \"off on on\" }";
         let table = self.inline(recorder, "pre_crash", &PRE_CRASH, "a table in braces", FORMS)?;
         let source = self.series(&table, &BEFORE_IMPACT, FORMS)?;
-        match GivenPreCrash::read(source) {
+        let rows = self.text(&table, "rows");
+        match GivenPreCrash::read(source, rows) {
             Ok(read) => Some(Arc::new(read)),
             Err(refusal) => self.series_refused(&table, &refusal),
         }
@@ -179,7 +223,8 @@ impl<'t> Reader<'t> {
         const FORMS: &str = "pulse = { file = \"pulse.csv\" }, { text = \"\"\"…\"\"\" } or { time = \"0 10 20 ms\", delta_v_longitudinal = \"0 -4 -9 km/h\" }";
         let table = self.inline(recorder, "pulse", &PULSE, "a table in braces", FORMS)?;
         let source = self.series(&table, &DURING_IMPACT, FORMS)?;
-        match GivenPulse::read(source) {
+        let rows = self.text(&table, "rows");
+        match GivenPulse::read(source, rows) {
             Ok(read) => Some(Arc::new(read)),
             Err(refusal) => self.series_refused(&table, &refusal),
         }
@@ -188,6 +233,9 @@ impl<'t> Reader<'t> {
     /// Reports a table that cannot be read, at the place in the text that is wrong.
     fn series_refused<T>(&mut self, table: &Table<'t>, refusal: &SeriesRefusal) -> Option<T> {
         let (key, place) = match refusal {
+            SeriesRefusal::Text(
+                TextRefusal::NoSuchRows { .. } | TextRefusal::NoColumn { .. } | TextRefusal::NotLong,
+            ) => ("rows", None),
             SeriesRefusal::Text(refusal) => ("text", refusal.place()),
             SeriesRefusal::Column(channel, refusal) => (channel.key(), refusal.place()),
             SeriesRefusal::NoneOfKind { .. } | SeriesRefusal::PreCrash(_) | SeriesRefusal::Pulse(_) => {

@@ -143,6 +143,7 @@ fn documentation() -> String {
         &POINT,
         &STEER,
         &RECORDER,
+        &RECORD,
         &PRE_CRASH,
         &PULSE,
         &RECORDER_AT,

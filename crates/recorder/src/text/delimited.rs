@@ -8,13 +8,13 @@ use crate::table::{TextLayout, TextPlace, TextRefusal};
 
 /// A field of a line.
 #[derive(Clone, Debug)]
-struct Field {
-    text: String,
-    place: TextPlace,
+pub(super) struct Field {
+    pub(super) text: String,
+    pub(super) place: TextPlace,
 }
 
 /// The fields of a line, quotes taken off.
-fn fields(line: &str, number: usize, layout: TextLayout) -> Vec<Field> {
+pub(super) fn fields(line: &str, number: usize, layout: TextLayout) -> Vec<Field> {
     let mut found = Vec::new();
     let (mut text, mut column, mut first, mut quoted) = (String::new(), 0, 1, false);
     let mut letters = line.chars().peekable();
@@ -116,7 +116,7 @@ fn split_opening(piece: &str) -> Vec<String> {
 }
 
 /// The lines that are not empty and no comment.
-fn lines(text: &str) -> impl Iterator<Item = (usize, &str)> {
+pub(super) fn lines(text: &str) -> impl Iterator<Item = (usize, &str)> {
     let numbered = text.lines().enumerate().map(|(k, line)| (k + 1, line));
     numbered.filter(|(_, line)| !line.trim().is_empty() && !line.trim_start().starts_with('#'))
 }
@@ -202,10 +202,10 @@ pub(crate) fn tables(text: &str, layout: TextLayout) -> Result<Vec<RawTable>, Te
     if found.is_empty() {
         let all = begun(&heading, layout);
         let first = all.columns.first();
-        return Err(first.map_or(TextRefusal::NoHeading, |(head, _)| TextRefusal::NoRows {
-            heading: head.text.clone(),
-            place: head.place,
-        }));
+        return Err(match first {
+            Some((head, _)) => TextRefusal::NoRows { heading: head.text.clone(), place: head.place },
+            None => super::no_heading(text),
+        });
     }
     for table in &mut found {
         close(table);
@@ -263,7 +263,14 @@ fn close(table: &mut RawTable) {
 fn transposed(rows: &[Vec<Field>]) -> Vec<RawTable> {
     let mut found: Vec<RawTable> = Vec::new();
     for fields in rows {
-        let Some((head, values)) = label(fields) else { continue };
+        let Some((head, values)) = label(fields) else {
+            if let (Some(table), Some(first)) =
+                (found.last_mut(), fields.first().filter(|_| fields.len() > 2))
+            {
+                table.ignored.push((first.text.clone(), first.place));
+            }
+            continue;
+        };
         if head.channel == Channel::Time || found.is_empty() {
             let layout = TextLayout::Transposed;
             found.push(RawTable { layout, columns: Vec::new(), ignored: Vec::new() });

@@ -24,6 +24,9 @@ const LOST: f64 = 1.5;
 /// mile.
 const NEAR_CODE: f64 = 0.09;
 
+/// What the tables of NHTSA have in place of a value that is not reported, or is unknown.
+const OF_NHTSA: [f64; 2] = [99_996.0, 99_997.0];
+
 /// The value of a cell, or why it has none.
 fn value(token: &Token, channel: Channel, units: (ChannelUnit, Option<ChannelUnit>)) -> Result<f64, NoValue> {
     let (text, unit) = match (&token.bracket, units.1) {
@@ -46,7 +49,7 @@ fn value(token: &Token, channel: Channel, units: (ChannelUnit, Option<ChannelUni
     let si = printed * unit.factor;
     let (codes, worth) = channel.codes();
     let is_code = |code: &f64| (printed - code).abs() < 1e-9 || (si / worth - code).abs() < NEAR_CODE;
-    if codes.iter().any(is_code) {
+    if codes.iter().any(is_code) || OF_NHTSA.contains(&printed) {
         return Err(NoValue::Code(text.to_owned()));
     }
     let [least, greatest] = channel.range();
@@ -101,7 +104,9 @@ pub(crate) fn finish(raw: RawTable) -> Result<RecorderTable, TextRefusal> {
     let Some(time) = columns.iter().position(|(head, _)| head.channel == Channel::Time) else {
         return Err(match columns.first() {
             Some((head, _)) => TextRefusal::NoTime { heading: head.text.clone(), place: head.place },
-            None => TextRefusal::NoHeading,
+            None => TextRefusal::NoHeading {
+                begins: ignored.into_iter().next().map(|(text, _)| text).unwrap_or_default(),
+            },
         });
     };
     let (time_head, time_cells) = &columns[time];
@@ -160,7 +165,9 @@ pub(crate) fn finish(raw: RawTable) -> Result<RecorderTable, TextRefusal> {
         read.push(TableColumn { heading, channel, unit, place, values });
     }
     if read.len() == 1 {
-        return Err(TextRefusal::NoQuantity { place: time_head.place, known: KNOWN });
+        let headings: Vec<String> = ignored.iter().map(|(text, _)| format!("\"{text}\"")).collect();
+        let found = if headings.is_empty() { String::new() } else { format!(" in {}", headings.join(", ")) };
+        return Err(TextRefusal::NoQuantity { place: time_head.place, found, known: KNOWN });
     }
     doubts.sort_by_key(|doubt| doubt.place);
     Ok(RecorderTable { layout, columns: read, ignored, doubts, counted_down })

@@ -302,6 +302,7 @@ fn reason_name(reason: UnusedReason) -> &'static str {
         UnusedReason::OneWreck => "one_wreck",
         UnusedReason::OtherLaw => "other_law",
         UnusedReason::RecordEnds => "record_ends",
+        UnusedReason::OtherImpact => "other_impact",
         UnusedReason::StoodByRecord => "stood_by_record",
         UnusedReason::OtherPdof => "other_pdof",
         UnusedReason::NotFollowed => "not_followed",

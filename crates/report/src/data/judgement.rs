@@ -5,6 +5,7 @@ use case::{CaseFile, Purpose, Unit, UnitSystem};
 use serde::Serialize;
 
 use super::json::WarningBlock;
+use super::recorder::WhichBlock;
 use super::{identified, pretty, title};
 use crate::PROGRAM;
 use crate::pictures::drawn;
@@ -21,6 +22,9 @@ struct Document<'a> {
     answers_most: Option<&'static str>,
     inputs: Vec<InputBlock>,
     choices: Vec<ChoiceBlock>,
+    /// Where a vehicle has several records, or one that is hardly of this impact.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    records: Vec<WhichBlock>,
     assumptions: Vec<AssumptionBlock>,
     warnings: Vec<WarningBlock>,
 }
@@ -114,6 +118,7 @@ pub fn judgement_json(file: &CaseFile, judgement: &Judgement) -> Result<String, 
             })
             .collect(),
         choices: choices(case).into_iter().map(|(path, value)| ChoiceBlock { path, value }).collect(),
+        records: judgement.records.iter().map(|(key, found)| WhichBlock::new(key.clone(), found)).collect(),
         assumptions: judgement
             .assumptions
             .iter()

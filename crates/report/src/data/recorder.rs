@@ -2,7 +2,7 @@
 
 use std::io::{self, Write};
 
-use analysis::{RecorderReading, VehicleReading};
+use analysis::{OfImpact, RecorderReading, VehicleReading};
 use case::CaseFile;
 use pim_core::VehicleId;
 use recorder::{DistanceBounds, ImpactSpeed, PreCrash, PulseSpan, RecorderTable, force_direction};
@@ -10,6 +10,7 @@ use serde::Serialize;
 
 use super::csv::CsvStyle;
 use super::{identified, pretty, title};
+use crate::sections::recorder::verdict;
 
 #[derive(Serialize)]
 struct Document<'a> {
@@ -20,10 +21,45 @@ struct Document<'a> {
 
 #[derive(Serialize)]
 struct VehicleBlock {
+    record: WhichBlock,
+    other_records: Vec<VehicleBlock>,
     recognised: Vec<TableBlock>,
     speed_at_impact: Option<SpeedBlock>,
     samples: Vec<SampleBlock>,
     pulse: Option<PulseBlock>,
+}
+
+/// A record, and whether it is of the impact of the case.
+#[derive(Serialize)]
+pub(super) struct WhichBlock {
+    key: String,
+    is_taken: bool,
+    probability: f64,
+    verdict: String,
+    since_previous: Option<f64>,
+    delta_v: Option<f64>,
+    pdof: Option<f64>,
+    complete: bool,
+    impact_delta_v: Option<f64>,
+    impact_pdof: Option<f64>,
+}
+
+impl WhichBlock {
+    pub(super) fn new(key: String, found: &OfImpact) -> Self {
+        let OfImpact { since_previous, event, impact, probability, is_taken, .. } = *found;
+        Self {
+            key,
+            is_taken,
+            probability,
+            verdict: verdict(found),
+            since_previous,
+            delta_v: event.delta_v,
+            pdof: event.force_direction,
+            complete: event.complete,
+            impact_delta_v: impact.delta_v,
+            impact_pdof: impact.force_direction,
+        }
+    }
 }
 
 #[derive(Serialize)]
@@ -129,7 +165,8 @@ struct AccelerationBlock {
     lateral: Option<f64>,
 }
 
-/// The recorders as indented JSON, ending in a line break: `{"vehicles": [{"recognised": […],
+/// The recorders as indented JSON, ending in a line break: `{"vehicles": [{"record": {"probability": …,
+/// "verdict": …}, "other_records": […], "recognised": […],
 /// "speed_at_impact": {"mean": …, "sd": …, "interval_95": […], "parts": […]}, "samples": […], "pulse":
 /// {"ends_before_impact": …, "spans": […]}}, null]}`. SI and radians; lateral ΔV of the pulse is positive to
 /// the right, as recorders have it, and `delta_v_at_center` is along the vehicle and to its left.
@@ -138,7 +175,8 @@ struct AccelerationBlock {
 /// If serialisation fails, which no record causes.
 pub fn recorders_json(file: &CaseFile, reading: &RecorderReading) -> Result<String, serde_json::Error> {
     let case = &file.case;
-    let vehicles = [0, 1].map(|k| reading.vehicles[k].as_ref().map(vehicle));
+    let vehicles =
+        VehicleId::ALL.map(|id| reading.vehicles[id.index()].as_ref().map(|found| vehicle(id, found)));
     pretty(&identified(file, Document { title: title(case), axes: case.axes.name(), vehicles }))
 }
 
@@ -156,7 +194,7 @@ pub fn write_records(reading: &RecorderReading, style: CsvStyle, out: &mut dyn W
     Ok(())
 }
 
-fn vehicle(found: &VehicleReading) -> VehicleBlock {
+fn vehicle(id: VehicleId, found: &VehicleReading) -> VehicleBlock {
     let recorder = &found.recorder;
     let before = recorder.pre_crash.as_ref();
     let tables = before.and_then(|given| given.table.as_ref()).into_iter();
@@ -174,6 +212,8 @@ fn vehicle(found: &VehicleReading) -> VehicleBlock {
         })
     };
     VehicleBlock {
+        record: WhichBlock::new(found.of_impact.key(id), &found.of_impact),
+        other_records: found.others.iter().map(|other| vehicle(id, other)).collect(),
         recognised: tables.map(table).collect(),
         speed_at_impact: found.speed.as_ref().map(speed),
         samples: samples

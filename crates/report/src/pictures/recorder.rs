@@ -39,7 +39,7 @@ pub(crate) fn curves(
         };
         add(time(), of(Measure::RoadSpeed, "speed", units), over_time(|one| one.speed));
         let brake = over_time(|one| one.brake.map(|on| if on { 1.0 } else { 0.0 }));
-        add(time(), axis("service brake", "1 on, 0 off", 1.0), brake);
+        add(time(), axis("service brake", "1 on, 0 off", 1.0), RecordCurves::steps(&brake));
         add(time(), of(Measure::Angle, "steering wheel", units), over_time(|one| one.steering));
         let over_distance: Vec<[f64; 2]> = found
             .distances
@@ -78,7 +78,7 @@ pub(crate) fn curves(
 /// The paths of both vehicles on one clock, if both have a record before the impact.
 pub(crate) fn both(case: &Case, reading: &RecorderReading, units: Units) -> Option<RecordCurvesPicture> {
     let path = |id: VehicleId| -> Option<Vec<[f64; 2]>> {
-        let found = reading.vehicles[id.index()].as_ref()?;
+        let found = reading.vehicles[id.index()].as_ref().filter(|found| found.of_impact.is_taken)?;
         let path: Vec<[f64; 2]> =
             found.distances.iter().map(|(time, bounds)| [*time, bounds.between]).collect();
         (path.len() > 1).then_some(path)

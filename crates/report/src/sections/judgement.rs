@@ -1,6 +1,6 @@
 //! A case judged without solving it: what was understood, what was assumed, and what it can be used for.
 
-use analysis::{Ability, Judgement, SeenWarning};
+use analysis::{Ability, Judgement, OfImpact, SeenWarning};
 use case::{Case, CaseFile, Purpose, UnitSystem};
 
 use crate::PROGRAM;
@@ -33,6 +33,11 @@ pub fn judgement(file: &CaseFile, judgement: &Judgement, units: Units) -> Docume
     page.push(numbers(case));
     page.heading(CHOICES);
     page.push(Block::Entries(choices(case)));
+    if !judgement.records.is_empty() {
+        page.heading(super::recorder::WHICH);
+        let verdict = |(key, one): &(String, OfImpact)| (key.clone(), super::recorder::verdict(one));
+        page.push(Block::Entries(judgement.records.iter().map(verdict).collect()));
+    }
     page.heading(ASSUMED);
     let assumed = judgement.assumptions.iter().map(|one| (one.key(), message(one, units)));
     if judgement.assumptions.is_empty() {

@@ -1,9 +1,12 @@
 //! What the recorders of a case say alone.
 
-use analysis::{RecorderReading, VehicleReading};
+use analysis::{OfImpact, RecorderReading, VehicleReading};
 use case::{CaseFile, SeriesSource};
 use pim_core::VehicleId;
-use recorder::{PreCrash, PulseRule, PulseSpan, RecorderTable, SpeedErrorSource, force_direction};
+use recorder::{
+    KnownImpact, PreCrash, PulseRule, PulseSpan, RecordMatch, RecorderTable, SpeedErrorSource,
+    force_direction,
+};
 
 use crate::document::{Block, Column, Document, NONE, Table, Width};
 use crate::pictures::recorder as pictures;
@@ -18,11 +21,13 @@ pub fn recorders(file: &CaseFile, reading: &RecorderReading, units: Units) -> Do
     let found: Vec<String> = read_of(reading).flat_map(|(id, found)| headline(id, found, units)).collect();
     page.push(Block::Answer { found, how: "By the recorders alone.".to_owned() });
     for (id, found) in read_of(reading) {
-        let recorder = &found.recorder;
         page.heading(format!("Vehicle {id}"));
-        before(&mut page, file, id, found, units);
-        pulse(&mut page, file, id, found, units);
-        if let Some(picture) = pictures::curves(case, id, recorder, found, units) {
+        which(&mut page, found, units);
+        for record in in_order(found) {
+            before(&mut page, file, id, record, units);
+            pulse(&mut page, file, id, record, units);
+        }
+        if let Some(picture) = pictures::curves(case, id, &found.recorder, found, units) {
             let drawing = crate::document::Undrawn::new(move || picture.draw());
             page.push(Block::Chart { name: format!("recorder-{id}"), drawing, instead: None });
         }
@@ -46,6 +51,9 @@ fn read_of(reading: &RecorderReading) -> impl Iterator<Item = (VehicleId, &Vehic
 
 fn headline(id: VehicleId, found: &VehicleReading, units: Units) -> Vec<String> {
     let road = |si: f64| units.format(Measure::RoadSpeed, si);
+    if !found.of_impact.is_taken {
+        return vec![format!("No record of vehicle {id} is likely to be of this impact")];
+    }
     let mut lines = Vec::new();
     if let Some(speed) = &found.speed {
         let [low, high] = speed.interval(0.95);
@@ -65,6 +73,73 @@ fn headline(id: VehicleId, found: &VehicleReading, units: Units) -> Vec<String> 
         });
     }
     lines
+}
+
+/// The heading of what tells records apart.
+pub(crate) const WHICH: &str = "Which record is of this impact";
+
+/// Whether a record is of the impact, in words.
+pub(crate) fn verdict(found: &OfImpact) -> String {
+    let words = RecordMatch::words(found.probability);
+    match found.cannot {
+        Some(reason) => format!("{words}: {reason}"),
+        None => format!("{words}: {} %", number(100.0 * found.probability, 0)),
+    }
+}
+
+/// All records of a vehicle, in the order of time.
+fn in_order(found: &VehicleReading) -> Vec<&VehicleReading> {
+    let mut records: Vec<&VehicleReading> = std::iter::once(found).chain(&found.others).collect();
+    records.sort_by_key(|one| one.of_impact.number);
+    records
+}
+
+/// The heading of a part of a record, with the number of the record if there are several.
+fn part(found: &VehicleReading, name: &str) -> Block {
+    let number = found.of_impact.number;
+    Block::Subheading(number.map_or_else(|| name.to_owned(), |number| format!("{name}: record {number}")))
+}
+
+/// Which record is of the impact of the case, if there are several or the only one hardly is.
+fn which(page: &mut Document, found: &VehicleReading, units: Units) {
+    if !found.of_impact.is_told() {
+        return;
+    }
+    let unit = units.name(Measure::RoadSpeed);
+    let mut table = Table::new(
+        WHICH,
+        [
+            Column::words("record", Width::Fixed(7)),
+            Column::numbers("after the last", Width::Fixed(15)).unit("s"),
+            Column::numbers("ΔV", Width::Fixed(9)).unit(unit),
+            Column::numbers("PDOF", Width::Fixed(6)).unit("°"),
+            Column::words("", Width::Share),
+        ],
+    );
+    let or_none = |shown: Option<String>| shown.unwrap_or_else(|| NONE.to_owned());
+    let degrees = |direction: f64| number(direction.to_degrees(), 0);
+    for one in in_order(found) {
+        let OfImpact { number: place, since_previous, event, .. } = one.of_impact;
+        let delta_v = event.delta_v.map(|si| units.plain(Measure::RoadSpeed, si));
+        let bound = if event.complete { "" } else { "> " };
+        table.row([
+            place.map_or_else(|| "1".to_owned(), |place| place.to_string()),
+            or_none(since_previous.map(|time| number(time, 2))),
+            or_none(delta_v.map(|delta_v| format!("{bound}{delta_v}"))),
+            or_none(event.force_direction.map(degrees)),
+            verdict(&one.of_impact),
+        ]);
+    }
+    let KnownImpact { force_direction, delta_v } = found.of_impact.impact;
+    let size = delta_v.map(|si| format!("its ΔV is {}", units.format(Measure::RoadSpeed, si)));
+    let direction = force_direction.map(|direction| format!("its PDOF {}°", degrees(direction)));
+    let known: Vec<String> = size.into_iter().chain(direction).collect();
+    table.notes.push(if known.is_empty() {
+        "The case tells neither ΔV nor the direction of its impact: give the crush of both vehicles, or `pdof`.".to_owned()
+    } else {
+        format!("By the damage of this impact {}. Directions differ by 20° (sd), sizes by a factor of 1.6.", known.join(" and "))
+    });
+    page.push(table);
 }
 
 /// The span that leads: that to the greatest ΔV.
@@ -146,8 +221,8 @@ fn from(source: &SeriesSource) -> String {
 fn before(page: &mut Document, file: &CaseFile, id: VehicleId, found: &VehicleReading, units: Units) {
     let Some(given) = &found.recorder.pre_crash else { return };
     let (Some(table), Some(record)) = (&given.table, &given.record) else { return };
-    page.push(Block::Subheading("Before the impact".to_owned()));
-    recognised(page, file, &format!("vehicle{id}.recorder.pre_crash"), &given.source, table);
+    page.push(part(found, "Before the impact"));
+    recognised(page, file, &format!("{}.pre_crash", found.of_impact.key(id)), &given.source, table);
     page.push(samples(record, found, units));
     page.paragraph(
         "The distance is that to the last sample. It lies between \"at least\" and \"at most\" for every course of the speed \
@@ -277,9 +352,9 @@ fn account(speed: &recorder::ImpactSpeed, found: &VehicleReading, units: Units) 
 fn pulse(page: &mut Document, file: &CaseFile, id: VehicleId, found: &VehicleReading, units: Units) {
     let recorder = &found.recorder;
     let Some(given) = &recorder.pulse else { return };
-    page.push(Block::Subheading("During the impact".to_owned()));
+    page.push(part(found, "During the impact"));
     for table in &given.tables {
-        recognised(page, file, &format!("vehicle{id}.recorder.pulse"), &given.source, table);
+        recognised(page, file, &format!("{}.pulse", found.of_impact.key(id)), &given.source, table);
     }
     if found.spans.is_empty() {
         page.paragraph("The pulse has no impact: ΔV changes nowhere by more than 0.8 km/h in 20 ms.");
