@@ -102,3 +102,15 @@ def test_the_stubs_are_those_of_the_module(tmp_path: pathlib.Path) -> None:
     command = [sys.executable, "-m", "mypy.stubtest", "deltav", "--ignore-disjoint-bases", "--allowlist", str(allowed)]
     run = subprocess.run(command, capture_output=True, encoding="utf-8", cwd=tmp_path)
     assert run.returncode == 0, run.stdout + run.stderr
+
+
+def test_the_reference_is_that_of_the_package() -> None:
+    folder = pathlib.Path(__file__).parents[1]
+    # The script is no part of the package.
+    sys.path.insert(0, str(folder))
+    import reference
+
+    written = reference.PAGE.read_text(encoding="utf-8")
+    assert written == reference.page(), "run `python python/reference.py` where the package is installed"
+    for name in ("### `Case.estimate(*, particles: int=256", "## class `Columns`", "**Parameters**", "```pycon"):
+        assert name in written
