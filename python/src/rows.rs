@@ -359,7 +359,7 @@ pub(crate) fn estimate_table(
 ///
 /// Parameters
 /// ----------
-/// job : {"reconstruct", "impact", "crush", "estimate"}
+/// job : {"reconstruct", "impact", "crush", "estimate", "avoid"}
 ///     What is asked of each row.
 /// table
 ///     As of ``reconstruct_table``.
@@ -454,7 +454,7 @@ pub(crate) fn case_schema(ranges: bool) -> PySchema {
 ///
 /// Parameters
 /// ----------
-/// job : {"reconstruct", "impact", "crush", "estimate"}
+/// job : {"reconstruct", "impact", "crush", "estimate", "avoid"}
 ///     What is asked of each row.
 /// samples : int, optional
 ///     (–) as of the table; with it there are columns of intervals.

@@ -473,6 +473,7 @@ fn jobs() -> Vec<Word<Job>> {
         "What the impact does, both speeds given",
         "CRASH3: energies and ΔV from the damage alone",
         "Both speeds from all the evidence",
+        "Whether the collision was avoidable, for rows with the keys of [avoid]",
     ];
     meaning(Job::WORDS, meanings)
 }
@@ -977,11 +978,11 @@ pub(crate) struct TableArguments {
     #[arg(long, value_name = "FILE")]
     pub(crate) template: Option<PathBuf>,
 
-    /// reconstruct, impact, crush or estimate
+    /// reconstruct, impact, crush, estimate or avoid
     #[arg(long, value_parser = one_of(jobs()), default_value = "reconstruct", hide_possible_values = true)]
     pub(crate) job: Job,
 
-    /// Samples of each row, for intervals (reconstruct and impact)
+    /// Samples of each row, for intervals (reconstruct and impact) or the probability (avoid)
     #[arg(long, value_name = "N", value_parser = samples)]
     pub(crate) samples: Option<usize>,
 

@@ -211,7 +211,8 @@ impl Input {
         let total = usize::try_from(builder.metadata().file_metadata().num_rows()).ok();
         // Whatever is read, its place is that among what is read.
         let kept = kept.iter().filter_map(|place| read.iter().position(|one| one == place)).collect();
-        let at_once = if job == Job::Estimate || options.samples.is_some() { AT_ONCE / 8 } else { AT_ONCE };
+        let is_slow = matches!(job, Job::Estimate | Job::Avoid);
+        let at_once = if is_slow || options.samples.is_some() { AT_ONCE / 8 } else { AT_ONCE };
         let at_once = at_once.min(fits_in_memory(builder.metadata())?);
         let mut reader = undamaged(|| Ok(builder.with_projection(mask).with_batch_size(at_once).build()?))?;
         let batches = std::iter::from_fn(move || {

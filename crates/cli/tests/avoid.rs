@@ -393,3 +393,21 @@ fn a_sight_that_cannot_be_gets_a_sentence() {
     let message = String::from_utf8_lossy(&output.stderr).into_owned();
     assert!(message.contains("which is the moment at which the view became free"), "{message}");
 }
+
+#[test]
+fn braking_beyond_what_is_known_of_dry_roads_is_warned_of() {
+    for (deceleration, warns) in
+        [("1.0 g", false), ("9.8 m/s^2", false), ("10.3 m/s^2", true), ("1.2 g", true)]
+    {
+        let lines = RIGHT.map(|(_, line)| line).join("\n").replace("7 m/s^2", deceleration);
+        let found = avoid("hard.toml", &format!("[avoid]\n{lines}\n"));
+        let warnings = found["warnings"].as_array().unwrap();
+        assert_eq!(warnings.len(), usize::from(warns), "{deceleration}: {warnings:?}");
+        let text = deltav(&["avoid", &temporary("hard.toml").display().to_string()]).stdout;
+        assert_eq!(String::from_utf8_lossy(&text).contains("Warning: The deceleration of the inputs"), warns);
+    }
+    // A demand before the other party came into sight.
+    let lines = RIGHT.map(|(_, line)| line).join("\n");
+    let early = avoid("early.toml", &format!("[avoid]\n{lines}\n{WAYS}{OBSTACLE}"));
+    assert!(early["warnings"][0].as_str().unwrap().contains("came into sight"), "{early}");
+}

@@ -5,7 +5,7 @@ use drawing::{
     EnergyBar, EnergyPicture, Footprint, FoundAtRest, HistogramPicture, JointPicture, Loss, Marker,
     MomentumPicture, PathTimeCourse, PathTimePicture, RanksPicture, ReconciliationPicture, RestsPicture,
     ScaleUnit, ScatterPanel, ScatterPicture, ScatterPoint, SceneArrow, SceneBody, SceneMotion, ScenePicture,
-    SceneVehicle, Shape, Symbol, TornadoBar, TornadoPicture, ValueMark,
+    SceneVehicle, Shape, SightPicture, Symbol, TornadoBar, TornadoPicture, ValueMark,
 };
 
 use crate::reader::{Reader, area, attribute, number, scales};
@@ -878,4 +878,40 @@ fn a_probability_falls_within_its_band() {
         assert!(svg.contains(&format!("id=\"{id}\"")), "{id}");
     }
     assert!(svg.contains("limit: 50.0"), "{svg}");
+}
+
+/// A corner of the obstacle, the eye and the point that comes into sight lie on one line, to scale.
+#[test]
+fn a_line_of_sight_passes_the_corner_of_an_obstacle() {
+    let way = |ends: [[f64; 2]; 2]| {
+        let places = ends.into_iter().zip(["1.0 s", "0.0 s"]);
+        places.map(|(at, time)| (at, text(time))).collect::<Vec<_>>()
+    };
+    let svg = SightPicture {
+        title: text("A <corner>"),
+        subtitle: text("What the obstacles hide"),
+        description: text("A house."),
+        obstacles: vec![(vec![[-6.0, 2.0], [-2.0, 2.0], [-2.0, 6.0], [-6.0, 6.0]], text("house"))],
+        ways: [way([[-10.0, 0.0], [0.0, 0.0]]), way([[2.0, 3.0], [2.0, 0.0]])],
+        legend: ["eye", "cyclist"].map(text),
+        line: Some(([[-10.0, 0.0], [2.0, 3.0]], text("the view becomes free"))),
+        scale: ScaleUnit { name: text("m"), size: 1.0 },
+    }
+    .draw()
+    .svg();
+    for id in ["obstacle-1", "way-1", "way-2", "place-1-1", "place-2-2", "line", "eye", "point", "scale"] {
+        assert!(svg.contains(&format!("id=\"sight-{id}\"")), "{id}");
+    }
+    assert!(!svg.contains("NaN") && svg.contains("house") && svg.contains("&lt;corner&gt;"));
+    let value = |id: &str, key: &str| -> f64 {
+        let from = svg.find(&format!("id=\"sight-{id}\"")).unwrap();
+        let element = svg[from..].split('>').next().unwrap();
+        element.split(&format!(" {key}=\"")).nth(1).unwrap().split('"').next().unwrap().parse().unwrap()
+    };
+    // By hand: 12 m across and 3 m upward, and 10 m from the eye to the place of the impact.
+    let across = value("point", "cx") - value("eye", "cx");
+    let upward = value("eye", "cy") - value("point", "cy");
+    assert!((upward / across - 0.25).abs() < 1e-3, "{upward} {across}");
+    let to_impact = value("place-1-2", "cx") - value("eye", "cx");
+    assert!((to_impact / across - 10.0 / 12.0).abs() < 1e-3);
 }

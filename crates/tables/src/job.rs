@@ -15,15 +15,18 @@ pub enum Job {
     Crush,
     /// Both speeds from all the evidence: as `deltav estimate`.
     Estimate,
+    /// Whether the collision was avoidable: as `deltav avoid`.
+    Avoid,
 }
 
 impl Job {
     /// Each under its word.
-    pub const WORDS: [(&str, Self); 4] = [
+    pub const WORDS: [(&str, Self); 5] = [
         ("reconstruct", Self::Reconstruct),
         ("impact", Self::Impact),
         ("crush", Self::Crush),
         ("estimate", Self::Estimate),
+        ("avoid", Self::Avoid),
     ];
 
     /// Its word.
@@ -37,7 +40,8 @@ impl Job {
 #[derive(Clone, Copy, Debug)]
 pub struct RowOptions {
     /// Samples of each row for its intervals, Monte Carlo; without, there are none. For
-    /// [`Job::Reconstruct`] and [`Job::Impact`].
+    /// [`Job::Reconstruct`] and [`Job::Impact`]; for [`Job::Avoid`], those of its probability, in place of
+    /// [`SAMPLES`](analysis::AvoidPlan::SAMPLES).
     pub samples: Option<usize>,
     /// The seed of every row that has none of its own in the column `seed`. It is the same for all of them:
     /// what is found of a row does not depend on where in the table it stands.

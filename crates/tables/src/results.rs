@@ -7,7 +7,10 @@ use analysis::quantities::{
     CORRECTED_CRUSH_ENERGY, CRUSH_ENERGY, CRUSH_ENERGY_BOUNDS_HIGH, CRUSH_ENERGY_BOUNDS_LOW, EES,
     NO_DAMAGE_SPEED, OBLIQUE_ANGLE, OBLIQUE_FACTOR, PDOF, PEAK_FORCE,
 };
-use analysis::{Analysis, Estimated, Output, OutputQuantity, QUANTITIES, Samples, Seen};
+use analysis::{
+    Analysis, Avoidance, Estimated, Hypothesis, Output, OutputQuantity, QUANTITIES, Samples, Seen, Sight,
+    View,
+};
 use arrow_array::builder::{BooleanBuilder, Float64Builder, Int64Builder, ListBuilder, StringBuilder};
 use arrow_array::{ArrayRef, RecordBatch};
 use arrow_schema::{DataType, Field, Schema, SchemaRef};
@@ -54,12 +57,57 @@ enum What {
     Converged,
     EffectiveSamples,
     OfDraws(usize, usize),
+    /// A number of [`AVOIDED`], and a flag of [`AVOIDABLE`], by their places.
+    OfAvoidance(usize),
+    IsAvoidable(usize),
+}
+
+/// The numbers of avoidability, by the keys of the JSON of `deltav avoid`.
+const AVOIDED: [(&str, fn(&Avoidance) -> Option<f64>); 16] = [
+    ("speed", |found| Some(found.scene.speed)),
+    ("demand_distance", |found| Some(found.scene.distance)),
+    ("demand_time", |found| Some(found.scene.time)),
+    ("sight_time", |found| Some(sight(found)?.time)),
+    ("sight_distance_subject", |found| Some(sight(found)?.distance_subject)),
+    ("sight_distance_other", |found| Some(sight(found)?.distance_other)),
+    ("stopping_distance", |found| Some(found.scene.response.stopping_distance(found.scene.speed))),
+    ("spatial_speed", |found| Some(found.scene.spatial())),
+    ("temporal_speed", |found| found.scene.temporal()),
+    ("at_limit_collision_speed", |found| Some(found.scene.left_at_limit())),
+    ("at_limit_vehicle1_delta_v", |found| Some(found.run(Hypothesis::All)?.delta_v?[0])),
+    ("at_limit_vehicle2_delta_v", |found| Some(found.run(Hypothesis::All)?.delta_v?[1])),
+    ("enough_speed", |found| Some(found.enough.speed)),
+    ("probability_avoided_at_limit", |found| Some(found.chance.as_ref()?.avoided_at_limit)),
+    ("probability_above_limit", |found| Some(found.chance.as_ref()?.above_limit)),
+    ("probability_mc_error", |found| Some(found.chance.as_ref()?.mc_error)),
+];
+
+/// The answers at the limit, in the same way.
+const AVOIDABLE: [(&str, fn(&Avoidance) -> Option<bool>); 2] = [
+    ("spatial_avoidable_at_limit", |found| Some(found.scene.limit <= found.scene.spatial())),
+    ("temporal_avoidable_at_limit", |found| Some(found.scene.limit <= found.scene.temporal()?)),
+];
+
+fn sight(found: &Avoidance) -> Option<Sight> {
+    match found.scene.view {
+        View::Free(sight) => Some(sight),
+        View::Open | View::NeverHidden => None,
+    }
 }
 
 /// What was found of one row.
 pub(crate) enum Found {
     Analysis(Box<Seen>, Vec<String>, Option<Spread>),
     Estimate(Box<EstimateFound>),
+    Avoidance(Box<AvoidFound>),
+}
+
+/// What is found of avoidability.
+pub(crate) struct AvoidFound {
+    axes: Axes,
+    /// By the places of [`AVOIDED`] and [`AVOIDABLE`].
+    numbers: [Option<f64>; AVOIDED.len()],
+    flags: [Option<bool>; AVOIDABLE.len()],
 }
 
 /// What the samples of a row say.
@@ -114,6 +162,12 @@ fn columns(job: Job, samples: Option<usize>) -> Vec<(String, What)> {
             }
             return columns;
         }
+        Job::Avoid => {
+            let numbers = AVOIDED.iter().enumerate().map(|(k, (name, _))| (*name, What::OfAvoidance(k)));
+            let flags = AVOIDABLE.iter().enumerate().map(|(k, (name, _))| (*name, What::IsAvoidable(k)));
+            columns.extend(numbers.chain(flags).map(|(name, what)| (format!("avoid_{name}"), what)));
+            return columns;
+        }
         Job::Crush => columns.push(named("energy_basis", What::EnergyBasis)),
         Job::Reconstruct | Job::Impact => {
             columns.push(named("energy_basis", What::EnergyBasis));
@@ -161,10 +215,12 @@ impl What {
             Self::Error | Self::Help | Self::Axes | Self::EnergyBasis | Self::FoundQuantity => DataType::Utf8,
             Self::Warnings => DataType::List(Arc::new(Field::new_list_field(DataType::Utf8, true))),
             Self::AdmissibleRoots | Self::Samples | Self::Succeeded => DataType::Int64,
-            Self::Converged => DataType::Boolean,
-            Self::Quantity(..) | Self::OfSamples(..) | Self::OfDraws(..) | Self::EffectiveSamples => {
-                DataType::Float64
-            }
+            Self::Converged | Self::IsAvoidable(_) => DataType::Boolean,
+            Self::Quantity(..)
+            | Self::OfSamples(..)
+            | Self::OfDraws(..)
+            | Self::OfAvoidance(_)
+            | Self::EffectiveSamples => DataType::Float64,
         }
     }
 
@@ -178,6 +234,15 @@ impl What {
                 found.of[place].map(|statistics| statistics[statistic])
             }
             (Self::EffectiveSamples, Found::Estimate(found)) => Some(found.ess),
+            (Self::OfAvoidance(place), Found::Avoidance(found)) => found.numbers[place],
+            _ => None,
+        }
+    }
+
+    fn flag(self, found: &Found) -> Option<bool> {
+        match (self, found) {
+            (Self::Converged, Found::Estimate(found)) => Some(found.converged),
+            (Self::IsAvoidable(place), Found::Avoidance(found)) => found.flags[place],
             _ => None,
         }
     }
@@ -203,6 +268,7 @@ impl What {
         match (self, outcome.found.as_ref()?) {
             (Self::Axes, Found::Analysis(seen, ..)) => Some(seen.axes.name()),
             (Self::Axes, Found::Estimate(found)) => Some(found.axes.name()),
+            (Self::Axes, Found::Avoidance(found)) => Some(found.axes.name()),
             (Self::EnergyBasis, Found::Analysis(seen, ..)) => Some(seen.basis.name()),
             (Self::FoundQuantity, Found::Analysis(seen, ..)) => {
                 let found = seen.found.as_ref()?;
@@ -274,10 +340,7 @@ impl Builder {
                 }
                 Filled::Wholes(wholes) => wholes.append_option(found.and_then(|found| what.whole(found))),
                 Filled::Texts(texts) => texts.append_option(what.text(outcome)),
-                Filled::Flags(flags) => flags.append_option(match found {
-                    Some(Found::Estimate(found)) => Some(found.converged),
-                    _ => None,
-                }),
+                Filled::Flags(flags) => flags.append_option(found.and_then(|found| what.flag(found))),
                 Filled::Lists(lists) => match found {
                     Some(Found::Analysis(_, warnings, _)) => {
                         lists.append_value(warnings.iter().map(Some));
@@ -314,6 +377,12 @@ impl Found {
         });
         let codes = codes.collect();
         Self::Analysis(Box::new(seen), codes, spread)
+    }
+
+    pub(crate) fn avoidance(case: &Case, found: &Avoidance) -> Self {
+        let numbers = AVOIDED.map(|(_, of)| of(found));
+        let flags = AVOIDABLE.map(|(_, of)| of(found));
+        Self::Avoidance(Box::new(AvoidFound { axes: case.axes, numbers, flags }))
     }
 
     pub(crate) fn estimate(case: &Case, estimated: &Estimated) -> Self {

@@ -3,7 +3,7 @@
 use std::ops::ControlFlow;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 
-use analysis::{EstimatePlan, Failure};
+use analysis::{AvoidPlan, EstimatePlan, Failure};
 use arrow_array::RecordBatch;
 use arrow_schema::{Schema, SchemaRef};
 use case::{CaseFile, ValueTable};
@@ -173,7 +173,7 @@ fn check(job: Job, RowOptions { samples, particles, .. }: &RowOptions) -> Result
     match (job, samples) {
         (Job::Crush | Job::Estimate, Some(_)) => {
             return Err(TableError::Options(format!(
-                "samples are for the jobs reconstruct and impact, and the job is {}: leave them out",
+                "samples are for the jobs reconstruct, impact and avoid, and the job is {}: leave them out",
                 job.name()
             )));
         }
@@ -238,7 +238,7 @@ impl Row<'_> {
         let outcome =
             self.solved(row).unwrap_or_else(|refusal| Outcome { found: None, refusal: Some(refusal) });
         // A long row asks on its way, and leaves off where it is told.
-        let asks = self.job == Job::Estimate || self.options.samples.is_some();
+        let asks = matches!(self.job, Job::Estimate | Job::Avoid) || self.options.samples.is_some();
         if asks && self.is_ended.load(Ordering::Relaxed) {
             return None;
         }
@@ -263,6 +263,12 @@ impl Row<'_> {
             Job::Reconstruct => analysis::reconstruct,
             Job::Impact => analysis::impact,
             Job::Crush => analysis::crush,
+            Job::Avoid => {
+                let samples = self.options.samples.unwrap_or(AvoidPlan::SAMPLES);
+                let plan = AvoidPlan { samples, seed, ..AvoidPlan::default() };
+                let found = analysis::avoid(case, &plan, &mut |_, _, _| self.goes_on()).map_err(refused)?;
+                return Ok(Outcome { found: Some(Found::avoidance(case, &found)), refusal: None });
+            }
             Job::Estimate => {
                 let RowOptions { particles, prior, .. } = *self.options;
                 let plan = EstimatePlan { particles, seed, prior, pieces: false };

@@ -426,3 +426,53 @@ fn assumed_units_are_told() {
     assert!(of(vec![("impact.restitution", doubles(&[Some(0.1)]))]).is_empty());
     assert!(of(vec![("vehicle2.speed", doubles(&[None]))]).is_empty());
 }
+
+/// sicher-auto-30-50: 6.5 m/s² after 1 s, 20 m ahead: 28.73 m to the stop from 50 km/h, and 39.19 km/h just
+/// avoid it. From 60 km/h with 1 s: 16.67 + 21.37 m. A row without a demand says so.
+#[test]
+fn a_table_asks_whether_collisions_were_avoidable() {
+    let table = batch(vec![
+        ("avoid.speed [km/h]", doubles(&[Some(50.0), Some(60.0), Some(50.0)])),
+        ("avoid.limit [km/h]", doubles(&[Some(30.0), Some(40.0), Some(30.0)])),
+        ("avoid.reaction_time [s]", doubles(&[Some(1.0); 3])),
+        ("avoid.deceleration [m/s^2]", doubles(&[Some(6.5); 3])),
+        ("avoid.demand.distance [m]", doubles(&[Some(20.0), Some(20.0), None])),
+    ]);
+    let options = RowOptions::default();
+    let go_on = |_, _| ControlFlow::Continue(());
+    let results = run(Job::Avoid, &table, &RowTemplate::default(), &options, &go_on).unwrap();
+    let errors = errors(&results);
+    assert_eq!(&errors[..2], [None, None]);
+    assert!(errors[2].as_ref().unwrap().contains("avoid.demand"), "{errors:?}");
+    let numbers = |name: &str| -> Vec<Option<f64>> {
+        results.column_by_name(name).unwrap().as_primitive::<Float64Type>().iter().collect()
+    };
+    let near = |name: &str, expected: [f64; 2]| {
+        for (found, expected) in numbers(name).into_iter().zip(expected) {
+            assert!((found.unwrap() - expected).abs() < 0.005, "{name}: {found:?}, not {expected}");
+        }
+    };
+    near("avoid_stopping_distance", [28.73, 38.03]);
+    near("avoid_spatial_speed", [39.187 / 3.6, 39.187 / 3.6]);
+    // √((40/3.6)² − 13 (20 − 40/3.6)), by hand.
+    near("avoid_at_limit_collision_speed", [0.0, 2.81]);
+    assert_eq!(numbers("avoid_temporal_speed"), [None; 3]);
+    let flags = results.column_by_name("avoid_spatial_avoidable_at_limit").unwrap().as_boolean();
+    assert_eq!(flags.iter().collect::<Vec<_>>(), [Some(true), Some(false), None]);
+    // With ranges, a probability: the limit is avoided with a reaction below 20/v − v/2a of the range.
+    let ranges = batch(vec![
+        ("avoid.speed [km/h]", doubles(&[Some(60.0)])),
+        ("avoid.limit [km/h]", doubles(&[Some(36.0)])),
+        ("avoid.reaction_time.low [s]", doubles(&[Some(0.5)])),
+        ("avoid.reaction_time.high [s]", doubles(&[Some(2.0)])),
+        ("avoid.deceleration [m/s^2]", doubles(&[Some(5.0)])),
+        ("avoid.demand.distance [m]", doubles(&[Some(20.0)])),
+        ("avoid.unbraked", Arc::new(BooleanArray::from(vec![true]))),
+    ]);
+    let options = RowOptions { samples: Some(4_000), ..RowOptions::default() };
+    let results = run(Job::Avoid, &ranges, &RowTemplate::default(), &options, &go_on).unwrap();
+    let column = results.column_by_name("avoid_probability_avoided_at_limit").unwrap();
+    let probability = column.as_primitive::<Float64Type>().value(0);
+    // 36 km/h: 10 m of braking, and 10 m in 1 s: a third of the range.
+    assert!((probability - 1.0 / 3.0).abs() < 0.03, "{probability}");
+}

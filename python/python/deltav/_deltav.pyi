@@ -190,7 +190,7 @@ def estimate_table(
     threads: int | None = None,
 ) -> Rows: ...
 def stream_table(
-    job: Literal["reconstruct", "impact", "crush", "estimate"],
+    job: Literal["reconstruct", "impact", "crush", "estimate", "avoid"],
     table: _Table,
     *,
     template: _Template | None = None,
@@ -202,7 +202,7 @@ def stream_table(
 ) -> RowStream: ...
 def case_schema(*, ranges: bool = False) -> Schema: ...
 def result_schema(
-    job: Literal["reconstruct", "impact", "crush", "estimate"] = "reconstruct", *, samples: int | None = None
+    job: Literal["reconstruct", "impact", "crush", "estimate", "avoid"] = "reconstruct", *, samples: int | None = None
 ) -> Schema: ...
 @final
 class _Judged:

@@ -8,6 +8,8 @@ use serde::Serialize;
 
 use super::json::{OfMovable, of_movable};
 use super::{identified, pretty, title};
+use crate::sections::avoid::doubts;
+use crate::units::Units;
 
 #[derive(Serialize)]
 struct Document<'a> {
@@ -36,6 +38,8 @@ struct AvoidBlock {
     runs: Vec<RunBlock>,
     enough: EnoughBlock,
     intervals: Option<IntervalsBlock>,
+    /// In sentences.
+    warnings: Vec<String>,
 }
 
 #[derive(Serialize)]
@@ -210,6 +214,7 @@ pub fn avoid_json(file: &CaseFile, found: &Avoidance) -> Result<String, serde_js
                 reaction_time_at_limit: found.enough.reaction_at_limit,
             },
             intervals: found.chance.as_ref().map(intervals),
+            warnings: doubts(found, Units::Si),
         },
     };
     pretty(&identified(file, document))

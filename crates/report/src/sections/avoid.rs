@@ -4,7 +4,7 @@ use analysis::{
     ActualRun, AvoidChance, AvoidInterval, AvoidRun, AvoidScene, Avoidance, Hiding, Hypothesis,
     SIGHT_LOOK_BACK, Sight, SpeedSource, Unbraked, View, obstacle_name,
 };
-use case::{Avoid, Case, Clear, GivenDemand, OtherParty, PlaceForm, Sourced};
+use case::{Avoid, Case, Clear, GivenDemand, OtherParty, PlaceForm, STANDARD_GRAVITY, Sourced};
 use time_distance::Swell;
 
 use crate::document::{Block, Column, Document, NONE, Table, Undrawn, Width};
@@ -22,6 +22,9 @@ const NO_GUILT: &str = "Avoidability is a matter of physics. It says nothing of 
 pub fn avoid(case: &Case, found: &Avoidance, units: Units) -> Document {
     let mut page = Document::of_case(case);
     page.push(Block::Answer { found: answer(case, found, units), how: how(found) });
+    for doubt in doubts(found, units) {
+        page.paragraph(format!("Warning: {doubt}"));
+    }
     let Some(given) = &case.avoid else { return page };
     page.push(inputs(case, given, found, units));
     page.heading("Reaction demand");
@@ -126,6 +129,32 @@ fn answer(case: &Case, found: &Avoidance, units: Units) -> Vec<String> {
     }
     lines
 }
+
+/// What speaks against the inputs, in sentences.
+pub(crate) fn doubts(found: &Avoidance, units: Units) -> Vec<String> {
+    let deceleration = found.scene.response.deceleration();
+    let share = deceleration / STANDARD_GRAVITY;
+    let hard = (share > GREATEST_LISTED).then(|| {
+        format!(
+            "The deceleration of the inputs, {}, is {} g. On new dry asphalt or concrete, the manual of EDCRASH lists friction of at most \
+             1.00 above 48 km/h (30 mph), and 1.20 below: check the deceleration, or name the test from which it comes.",
+            units.format(Measure::Acceleration, deceleration),
+            number(share, 2)
+        )
+    });
+    let early = match found.scene.view {
+        View::Free(sight) if found.scene.time - sight.time > SAME_MOMENT => Some(format!(
+            "The reaction demand lies {} before the moment at which the other party came into sight: say in its `reason` what the driver \
+             could recognize the danger by, or write demand = {{ sight = true }}.",
+            units.format(Measure::Time, found.scene.time - sight.time)
+        )),
+        _ => None,
+    };
+    hard.into_iter().chain(early).collect()
+}
+
+/// (–) deceleration by g, beyond which no source is at hand for most speeds and surfaces.
+const GREATEST_LISTED: f64 = 1.0;
 
 fn how(found: &Avoidance) -> String {
     let speed = match found.speed_from {
@@ -331,10 +360,7 @@ fn view_and_demand(found: &Avoidance, sight: &Sight, units: Units) -> String {
     if by.abs() <= SAME_MOMENT {
         "The reaction demand is that moment.".to_owned()
     } else if by > 0.0 {
-        format!(
-            "The reaction demand is {time} earlier than that: the driver is taken to have recognized the danger by something else. Check it, \
-             or write demand = {{ sight = true }}."
-        )
+        format!("The reaction demand is {time} earlier than that.")
     } else {
         format!("The reaction demand is {time} later than that.")
     }

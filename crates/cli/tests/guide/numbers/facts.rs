@@ -16,6 +16,7 @@ use crate::guide::prose::page;
 pub(super) fn facts() -> Vec<Fact> {
     let mut ledger = Ledger::default();
     readme(&mut ledger);
+    avoid(&mut ledger);
     contents(&mut ledger);
     conventions(&mut ledger);
     crush(&mut ledger);
@@ -32,6 +33,11 @@ pub(super) fn facts() -> Vec<Fact> {
 }
 
 /// The page that lists those of the guide.
+fn avoid(ledger: &mut Ledger) {
+    ledger.page("docs/guide/avoid.md");
+    ledger.made(format!("hid … {} s before the impact", number(analysis::SIGHT_LOOK_BACK, 0)));
+}
+
 fn contents(ledger: &mut Ledger) {
     ledger.page("docs/guide/README.md");
     let [no_answer, wrong] = statuses();
