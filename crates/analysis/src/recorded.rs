@@ -6,7 +6,7 @@ use inputs::{Case, Fault, FaultKind, KnownEnergy, Pdof, Quantity, Recorder, Reco
 use pim_core::VehicleId;
 use recorder::{
     DistanceBounds, EventRecord, ImpactSpeed, ImpactSpeedErrors, KnownImpact, MatchErrors, Mismatch,
-    PulseRule, PulseSpan, SpeedLimits, match_records,
+    PulseRule, PulseSpan, RecordMatch, SpeedLimits, match_records,
 };
 
 use crate::damage;
@@ -119,9 +119,6 @@ fn records(case: &Case, id: VehicleId, recorder: &Recorder) -> Vec<(Recorder, Of
     stored.into_iter().enumerate().map(|(k, one)| (one, of_impact(k))).collect()
 }
 
-/// (1) below this probability even the only record of a vehicle is told not to be of the impact.
-const DOUBTED: f64 = 0.2;
-
 impl OfImpact {
     /// The key of the record in the case.
     #[must_use]
@@ -133,7 +130,7 @@ impl OfImpact {
     /// Whether a reader is to know: where there are several records, or the only one is hardly of the impact.
     #[must_use]
     pub fn is_told(&self) -> bool {
-        self.number.is_some() || self.probability < DOUBTED
+        self.number.is_some() || self.probability < RecordMatch::UNLIKELY
     }
 }
 
