@@ -2,7 +2,10 @@
 
 use std::borrow::Cow;
 
-use inputs::{Case, Fault, FaultKind, KnownEnergy, Pdof, Quantity, Recorder, RecordersDeltaV, SeriesSource};
+use inputs::{
+    Case, Fault, FaultKind, GivenVehicle, KnownEnergy, Pdof, Quantity, Recorder, RecordersDeltaV,
+    SeriesSource,
+};
 use pim_core::VehicleId;
 use recorder::{
     DistanceBounds, EventRecord, ImpactSpeed, ImpactSpeedErrors, KnownImpact, MatchErrors, Mismatch,
@@ -87,7 +90,9 @@ fn known_impact(case: &Case, id: VehicleId) -> KnownImpact {
         return KnownImpact { force_direction: given, delta_v: None };
     };
     let pdof = vehicles[id.index()].damage.as_ref().and_then(|damage| damage.pdof);
-    let found = damage::crash3(&vehicles, basis, restitution).ok().flatten();
+    // What a vehicle alone struck is unknown, and so is its ΔV.
+    let alone = case.vehicles.iter().any(GivenVehicle::is_absent);
+    let found = damage::crash3(&vehicles, basis, restitution).ok().flatten().filter(|_| !alone);
     let delta_v = found.map(|found| {
         let whole = found.corrected.map_or(found.delta_v, |corrected| corrected.delta_v)[id.index()];
         whole * found.restitution_factor.unwrap_or(1.0)
