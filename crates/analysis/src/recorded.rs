@@ -2,11 +2,14 @@
 
 use std::borrow::Cow;
 
-use inputs::{Case, Fault, FaultKind, KnownEnergy, Pdof, Quantity, Recorder, RecordersDeltaV, SeriesSource};
+use inputs::{
+    Case, Fault, FaultKind, GivenVehicle, KnownEnergy, Pdof, Quantity, Recorder, RecordersDeltaV,
+    SeriesSource,
+};
 use pim_core::VehicleId;
 use recorder::{
     DistanceBounds, EventRecord, ImpactSpeed, ImpactSpeedErrors, KnownImpact, MatchErrors, Mismatch,
-    PulseRule, PulseSpan, SpeedLimits, match_records,
+    PulseRule, PulseSpan, RecordMatch, SpeedLimits, match_records,
 };
 
 use crate::damage;
@@ -87,7 +90,9 @@ fn known_impact(case: &Case, id: VehicleId) -> KnownImpact {
         return KnownImpact { force_direction: given, delta_v: None };
     };
     let pdof = vehicles[id.index()].damage.as_ref().and_then(|damage| damage.pdof);
-    let found = damage::crash3(&vehicles, basis, restitution).ok().flatten();
+    // What a vehicle alone struck is unknown, and so is its ΔV.
+    let alone = case.vehicles.iter().any(GivenVehicle::is_absent);
+    let found = damage::crash3(&vehicles, basis, restitution).ok().flatten().filter(|_| !alone);
     let delta_v = found.map(|found| {
         let whole = found.corrected.map_or(found.delta_v, |corrected| corrected.delta_v)[id.index()];
         whole * found.restitution_factor.unwrap_or(1.0)
@@ -119,9 +124,6 @@ fn records(case: &Case, id: VehicleId, recorder: &Recorder) -> Vec<(Recorder, Of
     stored.into_iter().enumerate().map(|(k, one)| (one, of_impact(k))).collect()
 }
 
-/// (1) below this probability even the only record of a vehicle is told not to be of the impact.
-const DOUBTED: f64 = 0.2;
-
 impl OfImpact {
     /// The key of the record in the case.
     #[must_use]
@@ -133,7 +135,7 @@ impl OfImpact {
     /// Whether a reader is to know: where there are several records, or the only one is hardly of the impact.
     #[must_use]
     pub fn is_told(&self) -> bool {
-        self.number.is_some() || self.probability < DOUBTED
+        self.number.is_some() || self.probability < RecordMatch::UNLIKELY
     }
 }
 

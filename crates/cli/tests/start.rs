@@ -368,7 +368,7 @@ fn the_template_of_a_recorder_finds_what_it_states() {
         assert!(speed.ends_with(unit), "{units}: {speed}");
         if units != "uk" {
             assert!(
-                text.contains(&format!("# As it stands, it finds car 1 at {speed}.")),
+                text.contains(&format!("# As it stands, deltav recorder finds car 1 at {speed}.")),
                 "{units}: {speed}"
             );
         }

@@ -132,6 +132,8 @@ pub struct RecordMatch {
 impl RecordMatch {
     /// (1) a record cannot be of an impact if the probability that it is lies below this: 1 %.
     pub const EXCLUDED: f64 = 0.01;
+    /// (1) it is probably not of the impact if the probability lies below this: 20 %.
+    pub const UNLIKELY: f64 = 0.2;
     /// (1) and it is of the impact if the probability lies above this: 95 %.
     pub const CERTAIN: f64 = 0.95;
 
@@ -140,8 +142,8 @@ impl RecordMatch {
     pub fn words(probability: f64) -> &'static str {
         match probability {
             p if p < Self::EXCLUDED => "cannot be of this impact",
-            p if p < 0.2 => "is probably not of this impact",
-            p if p <= 0.8 => "may be of this impact",
+            p if p < Self::UNLIKELY => "is probably not of this impact",
+            p if p <= 1.0 - Self::UNLIKELY => "may be of this impact",
             p if p <= Self::CERTAIN => "is probably of this impact",
             _ => "is of this impact",
         }

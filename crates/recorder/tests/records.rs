@@ -5,7 +5,8 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use recorder::{
-    Channel, CrashPulse, ImpactSpeed, ImpactSpeedErrors, PreCrash, PulseRule, read_rows, read_tables,
+    Channel, CrashPulse, EventRecord, ImpactSpeed, ImpactSpeedErrors, KnownImpact, MatchErrors, PreCrash,
+    PulseRule, match_records, read_rows, read_tables,
 };
 
 /// The field data, which is not part of the repository: beside it, or where `FIELD_DATA` says.
@@ -113,4 +114,58 @@ fn the_long_tables_give_the_series_of_the_wide_ones() {
             assert_eq!(found[0].values(channel), expected.values(channel), "{name} {channel:?}");
         }
     }
+}
+
+/// Where a recorder of CIREN has several records, and one of them was coded as of the event (`CDCEVENT`): that
+/// record is the one found, against the coded PDOF and the ΔV that NHTSA reconstructed from the damage.
+#[test]
+fn the_record_that_was_coded_as_of_the_event_is_found() {
+    let (Some(pulses), Some(pairs)) = (data("ciren-pulse.csv"), data("ciren-pairs.csv")) else { return };
+    let all = records(&pulses, "ms,dv_lat_kmh,dv_long_kmh", &[4, 5, 6]);
+    let names: Vec<&str> = pairs.lines().next().unwrap().split(',').collect();
+    let mut counted = 0;
+    for line in pairs.lines().skip(1) {
+        // Names of models have commas in quotes: in every second part between quotes a comma is a letter.
+        let parts = line.split('"').enumerate();
+        let plain: String = parts
+            .map(|(k, part)| if k % 2 == 1 { part.replace(',', " ") } else { part.to_owned() })
+            .collect();
+        let fields: Vec<&str> = plain.split(',').collect();
+        let of = |name: &str| fields[names.iter().position(|own| *own == name).unwrap()];
+        for vehicle in ["1", "2"] {
+            let [pdof, delta_v] =
+                ["PDOF", "DVTOTAL"].map(|name| of(&format!("{name}_{vehicle}")).parse::<f64>().ok());
+            let impact = KnownImpact {
+                force_direction: pdof.map(f64::to_radians),
+                delta_v: delta_v.map(|delta_v| delta_v / 3.6),
+            };
+            let key = format!("{}/{}/", of("CASEID"), of(&format!("VEHNO_{vehicle}")));
+            let stored: Vec<(bool, EventRecord)> = all
+                .iter()
+                .filter(|(name, _)| name.starts_with(&key))
+                .filter_map(|(name, text)| {
+                    let pulse = CrashPulse::from_table(&read_tables(text).unwrap()[0]).ok()?;
+                    let event = name.rsplit('/').next().unwrap().parse::<f64>();
+                    let is_of_event = event.is_ok_and(|event| of("EVENTNO").parse() == Ok(event));
+                    let span = pulse.span(PulseRule::GreatestDeltaV);
+                    let record = span.map_or_else(EventRecord::default, |span| {
+                        EventRecord::new(span.delta_v, span.complete, &impact)
+                    });
+                    Some((is_of_event, record))
+                })
+                .collect();
+            let coded = stored.iter().filter(|(is_of_event, _)| *is_of_event).count();
+            if stored.len() < 2 || coded != 1 || delta_v.is_none() {
+                continue;
+            }
+            let events: Vec<EventRecord> = stored.iter().map(|(_, event)| *event).collect();
+            let found = match_records(&events, &[impact], &MatchErrors::default());
+            for ((is_of_event, event), found) in stored.iter().zip(&found) {
+                println!("{key} {is_of_event} {:.3} {event:?}", found.impacts[0]);
+                assert_eq!(*is_of_event, found.impacts[0] > 0.5, "{key}: {found:?}");
+            }
+            counted += 1;
+        }
+    }
+    assert!(counted >= 6, "{counted}");
 }

@@ -141,7 +141,7 @@ fn several_records_are_told_apart_in_every_format() {
     let page = answer.document(&file, Units::Si);
     for words in [
         "Which record is of this impact",
-        "is of this impact: ",
+        "is of this impact: over 99 %",
         "cannot be of this impact: its",
         "Before the impact: record 1",
         "Before the impact: record 2",

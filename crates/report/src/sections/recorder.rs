@@ -4,7 +4,7 @@ use analysis::{OfImpact, RecorderReading, VehicleReading};
 use case::{CaseFile, SeriesSource};
 use pim_core::VehicleId;
 use recorder::{
-    KnownImpact, PreCrash, PulseRule, PulseSpan, RecordMatch, RecorderTable, SpeedErrorSource,
+    KnownImpact, MatchErrors, PreCrash, PulseRule, PulseSpan, RecordMatch, RecorderTable, SpeedErrorSource,
     force_direction,
 };
 
@@ -52,7 +52,12 @@ fn read_of(reading: &RecorderReading) -> impl Iterator<Item = (VehicleId, &Vehic
 fn headline(id: VehicleId, found: &VehicleReading, units: Units) -> Vec<String> {
     let road = |si: f64| units.format(Measure::RoadSpeed, si);
     if !found.of_impact.is_taken {
-        return vec![format!("No record of vehicle {id} is likely to be of this impact")];
+        let is_open = in_order(found).iter().any(|one| one.of_impact.probability >= RecordMatch::UNLIKELY);
+        return vec![if is_open {
+            format!("It is not known which record of vehicle {id} is of this impact")
+        } else {
+            format!("No record of vehicle {id} is likely to be of this impact")
+        }];
     }
     let mut lines = Vec::new();
     if let Some(speed) = &found.speed {
@@ -83,6 +88,7 @@ pub(crate) fn verdict(found: &OfImpact) -> String {
     let words = RecordMatch::words(found.probability);
     match found.cannot {
         Some(reason) => format!("{words}: {reason}"),
+        None if found.probability > 0.99 => format!("{words}: over 99 %"),
         None => format!("{words}: {} %", number(100.0 * found.probability, 0)),
     }
 }
@@ -135,9 +141,18 @@ fn which(page: &mut Document, found: &VehicleReading, units: Units) {
     let direction = force_direction.map(|direction| format!("its PDOF {}°", degrees(direction)));
     let known: Vec<String> = size.into_iter().chain(direction).collect();
     table.notes.push(if known.is_empty() {
-        "The case tells neither ΔV nor the direction of its impact: give the crush of both vehicles, or `pdof`.".to_owned()
+        "The case tells neither ΔV nor the direction of its impact: give the crush of both vehicles, or `pdof`."
+            .to_owned()
     } else {
-        format!("By the damage of this impact {}. Directions differ by 20° (sd), sizes by a factor of 1.6.", known.join(" and "))
+        let errors = MatchErrors::default();
+        format!(
+            "By the damage of this impact {}. Held against it with an error (standard deviation) of {}° in direction and {} % in \
+             ΔV; {} % of all records are taken to be of no such impact.",
+            known.join(" and "),
+            degrees(errors.direction),
+            number(100.0 * errors.size, 0),
+            number(100.0 * errors.of_none, 0),
+        )
     });
     page.push(table);
 }
