@@ -88,7 +88,7 @@ pub use self::uncertainty::{
 };
 pub use avoid::{
     ActualRun, AvoidChance, AvoidCourse, AvoidInfluence, AvoidInterval, AvoidPlan, AvoidRun, AvoidScene,
-    AvoidStage, Avoidance, Enough, Hypothesis, SpeedSource, Unbraked, avoid, without_source,
+    AvoidStage, Avoidance, Enough, Hypothesis, SpeedSource, Unbraked, avoid, avoid_at_once, without_source,
 };
 pub use beside::{BACKWARD_SAMPLES, Beside, SAMPLES, beside, is_estimated_beside, usual_samples};
 pub use check::{Check, CheckedQuantity};
