@@ -42,6 +42,7 @@ const commands = {
     "the comparison of the laws": "compare",
     "the sensitivity": "sensitivity",
     "the estimate": "estimate",
+    "the avoidability": "avoid",
     "\"New case…\"": "new",
 };
 // The page has no texts that these commands would print.
@@ -51,7 +52,7 @@ const withCommands = text =>
 
 // The engine answers at once, and weighs all the evidence where it is asked for an estimate.
 const exactly = command => (command === "reconstruct" ? ["--exact"] : []);
-const answers = { reconstruct: 0, impact: 0, motion: 0, crush: 0, compare: 0, sensitivity: 0 };
+const answers = { reconstruct: 0, impact: 0, motion: 0, crush: 0, compare: 0, sensitivity: 0, recorder: 0 };
 let reports = 0;
 for (const path of cases) {
     const text = readFileSync(path, "utf8");
@@ -100,10 +101,22 @@ const drawn = await run("estimate", evidence, ...few, "--format", "json");
 session.ask("estimate", readFileSync(evidence, "utf8"), evidence, "", '{"particles": 128, "pieces": false}', () => true);
 expect("an estimate", session.json(), drawn.out);
 
+// Whether it was avoidable: the numbers, and the report with its diagrams.
+let avoided = 0;
+for (const path of cases.filter(path => /^\[avoid\]/m.test(readFileSync(path, "utf8")))) {
+    const ours = JSON.parse(session.ask("avoid", readFileSync(path, "utf8"), path, "", "", () => true));
+    const theirs = await run("avoid", path, "--format", "json");
+    expect(`avoid ${path}, whether there is an answer`, String(ours.ok), String(theirs.ok));
+    if (!ours.ok || !theirs.ok) continue;
+    avoided += 1;
+    expect(`avoid ${path}`, session.json(), theirs.out);
+    expect(`report on avoid ${path}`, JSON.parse(session.html()).html, (await run("avoid", path, "--format", "html")).out);
+}
+
 const counts = Object.entries(answers).map(([command, count]) => `${command} ${count}`).join(", ");
-console.log(`${compared} texts of ${cases.length} cases compared; with an answer: ${counts}; reports: ${reports}`);
+console.log(`${compared} texts of ${cases.length} cases compared; with an answer: ${counts}; reports: ${reports}; avoidability: ${avoided}`);
 console.log(`SHA-256 of the 100,000 samples: ${digest(samples)}`);
-if (differing.length > 0 || Object.values(answers).some(count => count === 0) || reports === 0) {
+if (differing.length > 0 || Object.values(answers).some(count => count === 0) || reports === 0 || avoided === 0) {
     console.error(differing.join("\n"));
     console.error(`${differing.length} differ`);
     process.exit(1);

@@ -5,7 +5,7 @@ import * as engine from "./engine.js";
 import type { Command, Problem, Units } from "./engine.js";
 import { Form } from "./form.js";
 import { type Live, emptyPage, handedOver, printed } from "./live.js";
-import { Compare, Drawings, Inputs, Motion, type Panel, Results, Run, Sensitivity, warnings } from "./panels.js";
+import { Avoid, Compare, Drawings, Inputs, Motion, type Panel, Recorder, Results, Run, Sensitivity, warnings } from "./panels.js";
 import { type FileKind, type Finished, type Job, Runner } from "./runs.js";
 import { inForm, said, saidOfText } from "./said.js";
 import { SceneView } from "./scene.js";
@@ -13,6 +13,9 @@ import { Solved } from "./solved.js";
 import { Tabs } from "./tabs.js";
 import { texts } from "./texts/en.js";
 import { readValue } from "./toml.js";
+
+/** (letters) of a result that is no number; what is longer is a sentence. */
+const LONGEST = 30;
 
 export class App {
   private readonly editor: Editor;
@@ -34,6 +37,7 @@ export class App {
   private estimable = false;
   private readonly estimate: Run;
   private readonly uncertainty: Run;
+  private readonly avoid: Avoid;
   private saved = "";
   private opened = false;
   private intervals: { text: string; headline: string[] } | null = null;
@@ -84,10 +88,7 @@ export class App {
         this.editor.preview(text);
         this.solveSoon.flush();
       },
-      write: (text) => {
-        this.editor.step(text);
-        this.solveSoon.flush();
-      },
+      write: (text) => this.step(text),
       settle: (keep) => {
         this.editor.settle(keep);
         this.solveSoon.flush();
@@ -106,6 +107,9 @@ export class App {
     this.panels.set("sensitivity", new Sensitivity(lead, save));
     this.panels.set("compare", new Compare(save));
     this.panels.set("estimate", this.estimate);
+    this.avoid = new Avoid((job, result) => this.solved?.command === "avoid" && this.showInterval(job, result), save, (text) => this.step(text));
+    this.panels.set("recorder", new Recorder(save, (key, table) => this.paste(key, table)));
+    this.panels.set("avoid", this.avoid);
     this.panels.set("inputs", new Inputs());
     const scenePanel = h("div", { class: "panel" }, this.scene.element);
     this.viewTabs = new Tabs(texts.viewTabs.label ?? "", [
@@ -293,6 +297,20 @@ export class App {
     else this.message(edited.message);
   }
 
+  /** A change that is a step of the history by itself. */
+  private step(text: string): void {
+    this.editor.step(text);
+    this.solveSoon.flush();
+  }
+
+  private paste(key: string, table: string): engine.NoAnswer | null {
+    this.scene.end(true);
+    const pasted = engine.paste(this.editor.text, key, table);
+    if (!pasted.ok) return pasted;
+    this.step(pasted.text);
+    return null;
+  }
+
   private reveal(key: string): void {
     this.caseTabs.show("text");
     const place = this.solved?.check.values[key];
@@ -326,6 +344,16 @@ export class App {
     this.scene.reset();
     this.editor.open(text);
     this.solveSoon.flush();
+    this.leadToView();
+  }
+
+  /** To the view that has the answer of the case, where that is not the scene. */
+  private leadToView(): void {
+    const { look } = this.solved ?? {};
+    const own = ["avoid", "recorder"] as const;
+    const answer = own.find((view) => look?.ok && !this.isEstimate && look.command === view);
+    if (answer) this.viewTabs.show(answer);
+    else if (own.some((view) => view === this.viewTabs.shown && !look?.able?.includes(view))) this.viewTabs.show("scene");
   }
 
   private async openFile(file: File): Promise<void> {
@@ -368,7 +396,8 @@ export class App {
           if (!this.mayDiscard()) return;
           this.open(`${template.name}.toml`, system.value === "us" ? template.text_us : template.text_si);
         },
-      }, template.title, template.text_si === template.text_us ? h("span", { class: "hint" }, ` (${texts.templates.printed})`) : null));
+      }, template.title, template.text_si === template.text_us ? h("span", { class: "hint" }, ` (${texts.templates.printed})`) : null,
+      h("span", { class: "hint purpose" }, said(template.purpose))));
     dialog.append(
       h("h2", { id: "templates-title" }, texts.templates.title),
       h("p", { class: "note" }, texts.templates.explain),
@@ -396,8 +425,9 @@ export class App {
 
   private ask(): void {
     this.asked = this.question.value as Command;
+    this.intervals = null;
     this.solve();
-    if (this.asked === "estimate") this.viewTabs.show("estimate");
+    if (["estimate", "avoid", "recorder"].includes(this.asked)) this.viewTabs.show(this.asked);
   }
 
   /** The question is one that only an estimate answers, or the one that was asked. */
@@ -405,7 +435,8 @@ export class App {
     const { solved } = this;
     if (!solved || !this.estimable) return false;
     if (this.asked !== "") return this.asked === "estimate";
-    return !solved.look.ok || (solved.look.command === "crush" && solved.look.headline.length === 0);
+    const { look } = solved;
+    return !look.ok || look.command === "recorder" || (look.headline.length === 0 && ["crush", "avoid"].includes(look.command));
   }
 
   /** What is to be seen at once, from one call of the engine. What else is shown follows when the hand rests. */
@@ -416,7 +447,7 @@ export class App {
     const look = engine.look(text, this.asked === "estimate" ? "" : this.asked, this.units, isScene ? what : "none", viewport);
     this.solved = new Solved(text, this.name.value, this.units, look);
     // What the text can be asked is known at once where it has no other answer; otherwise when the hand rests.
-    if (!look.ok || look.headline.length === 0) this.estimable = this.solved.check.commands.estimate?.able === true;
+    if (!look.ok || look.headline.length === 0 || look.command === "recorder") this.estimable = this.solved.check.commands.estimate?.able === true;
     this.showQuestion();
     this.showAnswer();
     this.showFileState();
@@ -511,9 +542,9 @@ export class App {
       return;
     }
     if (headline.length === 0) {
-      const toResults = () => this.viewTabs.show("results");
-      this.headline.replaceChildren(h("p", { class: "note" }, texts.answer.inResults),
-        h("button", { type: "button", onclick: toResults }, texts.viewTabs.results));
+      const [view, words] = solved.command === "avoid" ? ["avoid", texts.answer.inAvoid] as const : ["results", texts.answer.inResults] as const;
+      this.headline.replaceChildren(h("p", { class: "note" }, words),
+        h("button", { type: "button", onclick: () => this.viewTabs.show(view) }, texts.viewTabs[view]));
     }
     const lines = interval ?? headline;
     if (lines.length > 0) this.showLines(lines, interval !== null);
@@ -536,15 +567,16 @@ export class App {
 
   private showLines(lines: string[], interval: boolean): void {
     this.headline.replaceChildren(...lines.map((line, place) => {
-      // That there is no one answer is a sentence.
-      if (!line.includes(": ")) return h("p", { class: "lead" }, line);
       const [label, ...rest] = line.split(": ");
       const value = rest.join(": ");
+      // That there is no one answer is a sentence.
+      if (value === "") return h("p", { class: "lead" }, line);
+      if (/^\D{8}/.test(value) && value.length > LONGEST) return h("p", { class: "sentence" }, line);
       // The first number is the answer; what stands behind it says it in other units, or how well it is known.
-      const [, main = value, more = ""] = /^(.*?)((?: \(|, ).*)?$/.exec(value) ?? [];
+      const [, main = value, more = ""] = /^(.*?)((?: \(|[,;] ).*)?$/.exec(value) ?? [];
       return h("div", { class: `result${place === 0 ? " first" : ""}${interval ? " interval" : ""}` },
         h("span", { class: "result-name" }, label ?? ""), h("span", { class: "unseen" }, ": "),
-        h("span", { class: "result-value" }, main), h("span", { class: "result-more" }, more.replace(/^, |\.$/g, "")));
+        h("span", { class: "result-value" }, main), h("span", { class: "result-more" }, more.replace(/^[,;] |\.$/g, "")));
     }));
     // The room that the answer has taken stays its own, so that nothing below it moves when a range is computed anew.
     const floor = Number.parseFloat(this.headline.style.minHeight) || 0;
@@ -603,8 +635,10 @@ export class App {
    */
   private runInterval(): void {
     const { solved } = this;
-    if (!solved?.look.ok) return;
-    const { weighs } = solved;
+    if (!solved?.look.ok || this.isEstimate) return;
+    const { weighs, command } = solved;
+    if (command === "avoid") this.avoid.refresh(solved);
+    if (command === "avoid" || command === "recorder") return;
     if (!weighs && !solved.check.commands.uncertainty?.able) return;
     const job: Job = { kind: weighs ? "reconstruct" : "uncertainty", text: solved.text, name: solved.name, units: solved.units, options: {} };
     let html = "";
@@ -652,8 +686,8 @@ export class App {
   /** What of the screen is saved or printed: a view that has an answer of its own, or the answer itself. */
   private get document(): { title: string; view: string } {
     const shown = this.viewTabs.shown;
-    const own = ["uncertainty", "estimate", "sensitivity", "compare"].includes(shown);
-    const view = own ? shown : this.isEstimate ? "estimate" : "";
+    const own = ["uncertainty", "estimate", "sensitivity", "compare", "recorder", "avoid"].includes(shown);
+    const view = own ? shown : this.isEstimate ? "estimate" : this.solved?.command === "avoid" ? "avoid" : "";
     return { view, title: view === "" ? texts.save.answer : (texts.viewTabs[view] ?? view) };
   }
 
@@ -662,7 +696,11 @@ export class App {
     this.solveSoon.flush();
     const { solved, document: { view } } = this;
     if (!solved) return null;
-    if (view === "uncertainty" || view === "estimate") {
+    if (view === "avoid" && kind === "csv") {
+      this.message(texts.save.noCsv);
+      return null;
+    }
+    if (view === "uncertainty" || view === "estimate" || view === "avoid") {
       const file = this[view].file(kind, solved.text);
       if (file) return file.catch((error: unknown) => this.refused(error));
       this.message(texts.save.notRun(texts.viewTabs[view] ?? view));
@@ -795,6 +833,12 @@ export class App {
   private async saveLive(): Promise<void> {
     this.solveSoon.flush();
     const { solved } = this;
+    if (solved?.look.ok && solved.command === "avoid") {
+      const file = this.avoid.file("html", solved.text, { page: emptyPage() });
+      if (file) download(`${this.stem}-live.html`, await file, "text/html");
+      else this.message(texts.save.notRun(texts.viewTabs.avoid ?? ""));
+      return;
+    }
     const live = solved?.weighs
       ? await this.weighed(solved, "html", emptyPage())
       : this.handover(({ text, command, units }, name, plan) => engine.live(emptyPage(), text, name, command, units, plan));

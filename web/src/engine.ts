@@ -12,7 +12,9 @@ export type Command =
   | "estimate"
   | "uncertainty"
   | "sensitivity"
-  | "compare";
+  | "compare"
+  | "recorder"
+  | "avoid";
 
 export interface Problem {
   from: number;
@@ -50,10 +52,31 @@ export interface Warning {
   keys?: string[];
 }
 
+/** A chart that stands beside the tables of an answer. */
+export interface Chart {
+  name: string;
+  title: string;
+  svg: string;
+}
+
+/** A number that a slider moves, in the unit in which the case has it. */
+export interface Slider {
+  key: string;
+  unit: string;
+  value: number;
+  least: number;
+  most: number;
+  step: number;
+}
+
+/** An avoidability with its sliders moved, and the case that has these numbers. */
+export type Moved = { ok: true; text: string; headline: string[]; html: string; charts: Chart[] } | NoAnswer;
+
 export interface Answer {
   ok: true;
   headline: string[];
   html: string;
+  charts: Chart[];
   text: string;
   json: string;
   csv: string | null;
@@ -181,6 +204,8 @@ export type Refused = NoAnswer & Partial<Pick<Look, "command" | "able" | "units"
 export interface Template {
   name: string;
   title: string;
+  /** What it is for. */
+  purpose: string;
   text_si: string;
   text_us: string;
 }
@@ -257,6 +282,8 @@ export const drag = (text: string, handle: Handle, at: Point): { ok: true; text:
   read(wasm.drag(text, JSON.stringify(handle), JSON.stringify({ at })));
 export const keepPlan = (text: string, plan: Plan): { ok: true; text: string } | NoAnswer =>
   read(wasm.keep_plan(text, JSON.stringify(plan)));
+/** A table of a recorder, as it was copied, in a key of the text. */
+export const paste = (text: string, key: string, table: string): Edited => read(wasm.paste(text, key, table));
 export const edit = (text: string, key: string, value: string): Edited => read(wasm.edit(text, key, value));
 /** A quantity in another unit; nothing where it is none, or not of that unit. */
 export const convert = (value: string, unit: string): string | undefined =>

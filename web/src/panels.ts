@@ -1,11 +1,11 @@
 // What the engine says of the case, each in a panel of its own. A panel is brought up to date when it is seen.
-import { h, markup, s } from "./dom.js";
+import { afterPause, eachFrame, h, markup, s, unique } from "./dom.js";
 import * as engine from "./engine.js";
 import type { Command } from "./engine.js";
 import { nameOf } from "./keys.js";
 import { inWords, said } from "./said.js";
 import { figure } from "./pictures.js";
-import { type FileKind, type Finished, type Job, type Picture, Runner, type Unfinished } from "./runs.js";
+import { type FileKind, type Finished, type Job, type Picture, Runner, type Unfinished, type With } from "./runs.js";
 import type { Solved } from "./solved.js";
 import { texts } from "./texts/en.js";
 
@@ -61,6 +61,10 @@ export class Results implements Panel {
   readonly element = h("div");
 
   refresh(solved: Solved): void {
+    if (solved.command === "avoid") {
+      this.element.replaceChildren(note(texts.avoid.elsewhere));
+      return;
+    }
     if (!solved.answer || !solved.answer.ok) {
       this.element.replaceChildren(note(solved.answer ? engine.reason(solved.answer) : texts.panels.problems));
       return;
@@ -300,6 +304,240 @@ export class Run implements Panel {
 
   private draw(pictures: Picture[]): void {
     this.body.append(...pictures.map(({ name, output, title, svg }) => figure(`${name}-${output}`, title, svg)));
+  }
+}
+
+/** A slider for a number of the case, in the unit of the case. */
+class NumberSlider {
+  private readonly input = h("input", { type: "range", id: unique("slider") });
+  private readonly shown = h("output", { for: this.input.id });
+  readonly element: HTMLElement;
+  private slider: engine.Slider | null = null;
+
+  constructor(readonly key: string, label: string, changed: () => void) {
+    this.input.dataset.slider = key;
+    this.element = h("div", { class: "slider" }, h("label", { for: this.input.id }, label), this.input, this.shown);
+    this.input.addEventListener("input", () => {
+      this.say();
+      changed();
+    });
+  }
+
+  /** Stands where the case has its number; hidden where the case has none. */
+  set(slider: engine.Slider | undefined): void {
+    this.slider = slider ?? null;
+    this.element.hidden = !slider;
+    if (!slider) return;
+    for (const [name, value] of [["min", slider.least], ["max", slider.most], ["step", slider.step]] as const) this.input.setAttribute(name, String(value));
+    this.input.value = String(slider.value);
+    this.say();
+  }
+
+  /** Where it stands; nothing where that is where the case has it. */
+  get moved(): number | null {
+    const { slider, input } = this;
+    if (!slider || Math.abs(input.valueAsNumber - slider.value) < slider.step / 2) return null;
+    return Number(input.valueAsNumber.toFixed(6));
+  }
+
+  private say(): void {
+    const words = `${Number(this.input.valueAsNumber.toFixed(3))} ${this.slider?.unit ?? ""}`;
+    this.shown.textContent = words;
+    this.input.setAttribute("aria-valuetext", words);
+  }
+}
+
+/** Whether it was avoidable. Two sliders ask it for another speed and another reaction time, and leave the case as it is. */
+export class Avoid implements Panel {
+  readonly element = h("div", { class: "run avoid" });
+  private readonly runner = new Runner();
+  private readonly why = h("div");
+  private readonly sliders = (["avoid.limit", "avoid.reaction_time"] as const).map((key) => new NumberSlider(key, texts.avoid.sliders[key], () => this.slid()));
+  private readonly use = h("button", { type: "button", class: "primary", onclick: () => this.useMoved() }, texts.avoid.use);
+  private readonly back = h("button", { type: "button", onclick: () => this.takeBack() }, texts.avoid.back);
+  private readonly end = h("button", { type: "button", hidden: true, onclick: () => this.stop() }, texts.run.end);
+  private readonly bar = h("progress", { max: 1, value: 0, hidden: true, "aria-label": texts.run.progress });
+  private readonly status = h("p", { class: "hint", role: "status" });
+  private readonly what: HTMLElement;
+  private readonly saving: HTMLElement;
+  private readonly body = h("div");
+  private job: Job | null = null;
+  private answer: Finished | null = null;
+  /** The case with the numbers of the sliders. */
+  private moved: string | null = null;
+  private asked = 0;
+  private readonly move = eachFrame((sampled: boolean) => this.ask(sampled));
+  private readonly rest = afterPause(350, () => this.move(true));
+
+  constructor(
+    private readonly finished: (job: Job, result: Finished) => void,
+    save: Save,
+    /** Another text for the case. */
+    private readonly write: (text: string) => void,
+  ) {
+    this.saving = savers(texts.viewTabs.avoid ?? "", ["html", "json", "txt"], save);
+    this.what = h("div", { class: "sliders", role: "group", "aria-label": texts.avoid.what },
+      ...this.sliders.map(({ element }) => element), h("div", { class: "slider-buttons" }, this.use, this.back, this.status));
+    this.element.append(this.why, h("div", { class: "run-controls" }, this.bar, this.end), this.saving, this.what, this.body);
+    this.show(null);
+  }
+
+  /** A file of the answer for this text; nothing where there is none yet. */
+  file(kind: FileKind, text: string, besides?: With): Promise<string> | null {
+    return this.answer && this.job?.text === text ? this.runner.file(kind, besides) : null;
+  }
+
+  refresh(solved: Solved): void {
+    const { text, name, units } = solved;
+    if (cannot(this.why, solved, "avoid")) {
+      this.runner.end();
+      this.job = null;
+      this.show(null);
+      return;
+    }
+    this.why.replaceChildren();
+    if (this.job?.text === text && this.job.name === name && this.job.units === units) return;
+    this.body.classList.add("stale");
+    this.answer = null;
+    const job: Job = { kind: "avoid", text, name, units, options: {} };
+    this.job = job;
+    this.rest.cancel();
+    this.end.hidden = false;
+    this.runner.start(job, {
+      progress: (counted, done, total) => {
+        this.bar.hidden = false;
+        this.bar.max = Math.max(total, 1);
+        this.bar.value = done;
+        this.status.textContent = texts.run.done(counted, done, total);
+      },
+      answer: (answer) => {
+        if (answer.ok) this.show(answer);
+        else {
+          this.show(null);
+          this.why.replaceChildren(note(engine.reason({ ok: false, message: answer.message, problems: answer.problems ?? [] })));
+        }
+      },
+      // None: but then the files can be asked for.
+      pictures: () => this.answer && this.finished(job, this.answer),
+      moved: (answer, to) => this.showMoved(answer, to),
+    });
+  }
+
+  private stop(): void {
+    this.runner.end();
+    this.show(null);
+    this.why.replaceChildren(note(texts.run.ended));
+  }
+
+  /** The answer of the case, or that there is none. */
+  private show(answer: Finished | null): void {
+    this.answer = answer;
+    this.moved = null;
+    this.bar.hidden = true;
+    this.end.hidden = true;
+    this.what.hidden = !answer;
+    this.saving.hidden = !answer;
+    for (const slider of this.sliders) slider.set(answer?.sliders?.find(({ key }) => key === slider.key));
+    if (answer) this.draw(answer.html, answer.charts ?? []);
+    else this.body.replaceChildren();
+    this.showState();
+  }
+
+  private draw(html: string, charts: engine.Chart[]): void {
+    this.body.classList.remove("stale");
+    const figures = charts.map(({ name, title, svg }) => figure(name, title, svg));
+    // What moves stands first, so that nothing above it makes it jump.
+    const [first, ...others] = figures;
+    this.body.replaceChildren(...(first ? [first] : []), document_(html), ...others);
+  }
+
+  private get to(): Record<string, number> {
+    return Object.fromEntries(this.sliders.flatMap(({ key, moved }) => (moved === null ? [] : [[key, moved]])));
+  }
+
+  private slid(): void {
+    this.asked = performance.now();
+    this.move(false);
+    if (this.answer?.charts?.some(({ name }) => name === "chance")) this.rest.ask();
+  }
+
+  private ask(sampled: boolean): void {
+    if (Object.keys(this.to).length > 0) this.runner.move({ moved: this.to, sampled });
+    else if (this.answer) this.show(this.answer);
+  }
+
+  private showMoved(answer: engine.Moved, to: Record<string, number>): void {
+    // The sliders may be back by now.
+    if (Object.keys(this.to).length === 0) return;
+    this.moved = answer.ok ? answer.text : null;
+    if (answer.ok) this.draw(answer.html, answer.charts);
+    this.showState(answer.ok ? texts.avoid.moved : engine.reason(answer));
+    this.element.dataset.milliseconds = String(performance.now() - this.asked);
+    this.element.dataset.shown = JSON.stringify(to);
+  }
+
+  private showState(words = ""): void {
+    this.use.disabled = this.moved === null;
+    this.back.disabled = Object.keys(this.to).length === 0;
+    this.status.replaceChildren(h("span", {}, said(words)));
+  }
+
+  private useMoved(): void {
+    this.rest.cancel();
+    if (this.moved !== null) this.write(this.moved);
+  }
+
+  private takeBack(): void {
+    this.rest.cancel();
+    if (this.answer) this.show(this.answer);
+  }
+}
+
+/** What the recorders say alone, and a box that takes a table as it was copied from a printed report. */
+export class Recorder implements Panel {
+  readonly element = h("div");
+  private readonly body = h("div");
+  private readonly box = h("textarea", { id: unique("paste"), rows: 6, spellcheck: "false", placeholder: texts.recorder.example });
+  private readonly vehicle = h("select", {}, ...texts.recorder.vehicles.map(([value, name]) => h("option", { value }, name)));
+  private readonly table = h("select", {}, ...texts.recorder.tables.map(([value, name]) => h("option", { value }, name)));
+  private readonly refused = h("p", { class: "error", role: "alert", hidden: true });
+  private readonly paper = h("details", { class: "paste" });
+
+  constructor(
+    private readonly save: Save,
+    /** Puts a table into the case; why not, where it cannot be read. */
+    private readonly paste: (key: string, table: string) => engine.NoAnswer | null,
+  ) {
+    const button = h("button", { type: "button", class: "primary", onclick: () => this.put() }, texts.recorder.put);
+    this.paper.append(h("summary", {}, texts.recorder.paste), h("label", { for: this.box.id, class: "hint" }, texts.recorder.how), this.box,
+      h("div", { class: "run-controls" }, h("label", {}, texts.recorder.of, " ", this.vehicle), h("label", {}, texts.recorder.what, " ", this.table), button), this.refused);
+    this.element.append(this.paper, this.body);
+  }
+
+  refresh(solved: Solved): void {
+    const isUnable = cannot(this.body, solved, "recorder");
+    if (isUnable) this.paper.open = true;
+    if (isUnable) return;
+    const answer = engine.answer(solved.text, "recorder", solved.units, solved.name);
+    if (!answer.ok) {
+      this.body.replaceChildren(note(engine.reason(answer)));
+      return;
+    }
+    this.body.replaceChildren(
+      savers(texts.viewTabs.recorder ?? "", ["html", "json", "csv", "txt"], this.save),
+      document_(answer.html), ...answer.charts.map(({ name, title, svg }) => figure(name, title, svg)));
+  }
+
+  private put(): void {
+    const refused = this.paste(`vehicle${this.vehicle.value}.recorder.${this.table.value}`, this.box.value);
+    this.refused.hidden = refused === null;
+    if (refused) {
+      const sentences = refused.problems.flatMap(({ title, help }) => [title, help]).filter((words) => words !== null).map(engine.sentence);
+      this.refused.replaceChildren(...(sentences.length > 0 ? sentences : [refused.message]).flatMap((words) => [h("span", {}, said(words)), " "]));
+      return;
+    }
+    this.box.value = "";
+    this.paper.open = false;
   }
 }
 

@@ -1,11 +1,11 @@
 // Runs in a worker: one at a time for each `Runner`, and each can be ended.
 import * as engine from "./engine.js";
-import type { Problem, Units } from "./engine.js";
+import type { Chart, Moved, Problem, Slider, Units } from "./engine.js";
 import { texts } from "./texts/en.js";
 import Work from "./worker.js?worker&inline";
 
 export interface Job {
-  kind: "uncertainty" | "estimate" | "reconstruct";
+  kind: "uncertainty" | "estimate" | "reconstruct" | "avoid";
   text: string;
   name: string;
   units: Units;
@@ -21,7 +21,13 @@ export interface With {
   page?: string | undefined;
 }
 
-export type ToWorker = { module: WebAssembly.Module; job: Job } | { file: FileKind; besides: With };
+/** Where the sliders of an avoidability are, and whether a probability is wanted. */
+export interface Move {
+  moved: Record<string, number>;
+  sampled: boolean;
+}
+
+export type ToWorker = { module: WebAssembly.Module; job: Job } | { file: FileKind; besides: With } | Move;
 
 /** The answer of a run comes before its pictures, which take a while to make. */
 export type FromWorker =
@@ -29,12 +35,16 @@ export type FromWorker =
   | { kind: "answer"; answer: string; milliseconds: number; isLast: boolean }
   | { kind: "pictures"; pictures: string; isLast: boolean }
   | { kind: "file"; content: string; refused: string }
+  | { kind: "moved"; answer: string; to: Move["moved"] }
   | { kind: "failed"; message: string };
 
 export interface Finished {
   ok: true;
   headline: string[];
   html: string;
+  /** Of an avoidability. */
+  charts?: Chart[];
+  sliders?: Slider[];
 }
 
 export interface Picture {
@@ -56,11 +66,15 @@ export interface Listener {
   /** Of many samples some are told first; the last answer is that of all. */
   answer(answer: Finished | Unfinished, milliseconds: number, isLast: boolean): void;
   pictures?(pictures: Picture[]): void;
+  moved?(answer: Moved, to: Move["moved"]): void;
 }
 
 export class Runner {
   private worker: Worker | null = null;
   private works = false;
+  /** A move is being answered; the newest that came since. */
+  private moving = false;
+  private next: Move | null = null;
   private waiting: { done: (content: string) => void; failed: (error: Error) => void } | null = null;
 
   get busy(): boolean {
@@ -72,6 +86,8 @@ export class Runner {
     this.worker?.terminate();
     this.worker = null;
     this.works = false;
+    this.moving = false;
+    this.next = null;
     this.waiting?.failed(new Error(texts.save.ended));
     this.waiting = null;
   }
@@ -84,6 +100,16 @@ export class Runner {
       this.waiting = { done, failed };
       worker.postMessage({ file: kind, besides } satisfies ToWorker);
     });
+  }
+
+  /** Moves the sliders of what has run: each is answered as it comes, or the newest once the one before is. */
+  move(move: Move): void {
+    if (!this.worker || this.works) return;
+    if (this.moving) this.next = move;
+    else {
+      this.moving = true;
+      this.worker.postMessage(move satisfies ToWorker);
+    }
   }
 
   start(job: Job, listener: Listener): void {
@@ -104,6 +130,12 @@ export class Runner {
         if (data.refused === "") this.waiting?.done(data.content);
         else this.waiting?.failed(new Error(data.refused));
         this.waiting = null;
+      } else if (data.kind === "moved") {
+        const { next } = this;
+        this.moving = false;
+        this.next = null;
+        if (next) this.move(next);
+        listener.moved?.(JSON.parse(data.answer) as Moved, data.to);
       } else {
         if (data.isLast) this.works = false;
         listener.pictures?.(JSON.parse(data.pictures) as Picture[]);

@@ -61,7 +61,7 @@ export function inWords(element: HTMLElement): void {
 const capital = (text: string): string => (text[0] ?? "").toUpperCase() + text.slice(1);
 
 /** A whole key. */
-const PATH = String.raw`(?:vehicle[12]|impact|reconstruct|scene|surface|report)(?:\.[A-Za-z_]\w*(?:\[\d+\])?)+`;
+const PATH = String.raw`(?:vehicle[12]|impact|reconstruct|scene|surface|report|avoid)(?:\.[A-Za-z_]\w*(?:\[\d+\])?)+`;
 
 /** What stands in no quotes. */
 function plain(text: string): string {
@@ -70,7 +70,7 @@ function plain(text: string): string {
     .replaceAll(/for --what ([a-z, -]+)/g, (_, what: string) => `for ${what.replaceAll("-", " ")}`)
     .replaceAll(/\b([a-z_]\w*) = (\{[^{}]*\}|"[^"]*")/g, (all, key: string, value: string) => (parts().has(key) ? `${within(key)}: ${valued(value)}` : all))
     .replaceAll(/\{ [a-z_]\w* = (?:[^{}]|\{[^{}]*\})*\}/g, valued)
-    .replaceAll(/(?:a table )?\[((?:vehicle[12]|impact|reconstruct|scene|surface|report)[.\w]*)\]/g, (_, key: string) => `“${nameOf(key)}”`)
+    .replaceAll(/(?:a table )?\[((?:vehicle[12]|impact|reconstruct|scene|surface|report|avoid)[.\w]*)\]/g, (_, key: string) => `“${nameOf(key)}”`)
     .replaceAll(/\b(?:crush_plane|locked_together|energy_basis)\b/g, within)
     .replaceAll(new RegExp(`"(${PATH})"|\\b(${PATH})`, "g"), (_, quoted?: string, bare?: string) => nameOf(quoted ?? bare ?? ""));
 }

@@ -27,6 +27,10 @@ self.addEventListener("message", ({ data }: MessageEvent<ToWorker>) => {
     }
     return;
   }
+  if ("moved" in data) {
+    if (ran) say({ kind: "moved", answer: ran.moved(JSON.stringify(data.moved), data.sampled), to: data.moved });
+    return;
+  }
   const { module, job } = data;
   initSync({ module });
   let last = 0;

@@ -17,7 +17,7 @@ async function violations(page) {
   return violations.map(({ id, nodes }) => `${id}: ${nodes.map((node) => `${node.html.slice(0, 160)} ${node.any[0]?.message ?? ""}`).join("\n    ")}`);
 }
 
-const TABS = ["Scene", "Results", "Drawings", "Motion", "Uncertainty", "Sensitivity", "Compare", "Estimate", "Inputs"];
+const TABS = ["Scene", "Results", "Drawings", "Motion", "Uncertainty", "Sensitivity", "Compare", "Estimate", "Recorder", "Avoidability", "Inputs"];
 
 for (const [name, options] of [
   ["light", { colorScheme: "light" }],

@@ -936,13 +936,13 @@ onPage("Sobol' indices are computed where they are asked for", async (page) => {
 });
 
 onPage("no view speaks of commands, options, TOML or keys", async (page) => {
-  const said = /deltav (?:reconstruct|impact|motion|crush|estimate|uncertainty|sensitivity|compare|check|draw|explain|new|table|validate)|--[a-z]|`|\[(?:vehicle[12]|impact|reconstruct|scene|surface)\]|\b[a-z_]+ = ["{]|\bvehicle[12]\.[a-z]/;
+  const said = /deltav (?:reconstruct|impact|motion|crush|estimate|uncertainty|sensitivity|compare|recorder|avoid|check|draw|explain|new|table|validate)|--[a-z]|`|\[(?:vehicle[12]|impact|reconstruct|scene|surface|avoid)\]|\b[a-z_]+ = ["{]|\bvehicle[12]\.[a-z]/;
   const heard = new Set();
   const listen = (where, words) => {
     for (const { index } of words.matchAll(new RegExp(said, "g"))) heard.add(`${where}: ${words.slice(Math.max(index - 60, 0), index + 60)}`);
   };
   const look = async (where) => {
-    for (const tab of ["Results", "Sensitivity", "Compare", "Uncertainty", "Estimate", "Inputs"]) {
+    for (const tab of ["Results", "Sensitivity", "Compare", "Uncertainty", "Estimate", "Recorder", "Inputs"]) {
       await page.getByRole("tab", { name: tab, exact: true }).click();
       const more = page.locator(".panel:visible details.more > summary");
       if (await more.count()) await more.first().click();
@@ -1017,3 +1017,149 @@ for (const viewport of [{ width: 1280, height: 800 }, { width: 375, height: 700 
     assert.ok(seen.has("error") && seen.size > 1, [...seen].join());
   }, { viewport });
 }
+
+/** The view Avoidability, once it has its answer. */
+async function avoidability(page, name, text) {
+  await openCase(page, name, text);
+  await page.getByRole("tab", { name: "Avoidability", exact: true }).click();
+  await page.locator('.avoid [data-slider="avoid.limit"]').waitFor();
+  await page.locator(".avoid .document").waitFor();
+}
+
+const slide = (page, key, value) => page.locator(`[data-slider="${key}"]`).evaluate((input, value) => {
+  input.value = String(value);
+  input.dispatchEvent(new Event("input", { bubbles: true }));
+}, value);
+
+onPage("a case of avoidability leads to its view, and is saved as the program writes it", async (page) => {
+  for (const name of QUICK ? ["pedestrian.toml"] : ["pedestrian.toml", "skid.toml"]) {
+    const text = fixture(`avoid/${name}`);
+    await openCase(page, name, text);
+    assert.equal(await page.getByRole("tab", { name: "Avoidability", exact: true }).getAttribute("aria-selected"), "true");
+    assert.equal(await page.locator("#question").inputValue(), "avoid");
+    await page.locator(".avoid .document").waitFor();
+    assert.equal(await page.locator(".state .error").count(), 0);
+    // The headline is that of the program, with its probability where the case has ranges.
+    const headline = program(name, text, "avoid").toString();
+    const last = name === "skid.toml" ? "Probability that it is avoided" : "Highest speed that avoids it";
+    await page.locator(".headline").getByText(last).first().waitFor();
+    const value = /^Highest speed that avoids it: (.*)$/m.exec(headline)[1];
+    assert.ok((await page.locator(".headline").innerText()).includes(value), value);
+    const html = await fromMenu(page, "Save the report (HTML)");
+    assert.equal(html.name, name.replace(".toml", "-avoid.html"));
+    assert.equal(html.bytes.toString(), program(name, text, "avoid", "--format", "html").toString());
+    const json = await saved(page, () => page.getByRole("button", { name: "Save Avoidability as JSON" }).click());
+    assert.equal(json.bytes.toString(), program(name, text, "avoid", "--format", "json").toString());
+    // The same diagrams as in the report, and the sources of the inputs.
+    const drawn = await page.locator(".avoid figure svg").count();
+    assert.equal(drawn, html.bytes.toString().match(/<figure>/g).length);
+    assert.match(await page.locator(".avoid .document").innerText(), name === "skid.toml" ? /Dettinger 2008/ : /Haufe/);
+  }
+});
+
+onPage("sliders try other numbers at the display's rate, and leave the case as it is until they are used", async (page, t) => {
+  const text = fixture("avoid/pedestrian.toml");
+  await avoidability(page, "pedestrian.toml", text);
+  const said = () => page.locator(".avoid .document").innerText();
+  const curve = () => page.locator(".avoid figure svg").first().innerHTML();
+  const before = [await said(), await curve()];
+  const slider = page.locator('[data-slider="avoid.limit"]');
+  assert.equal(await slider.inputValue(), "30");
+  assert.equal(await slider.evaluate((input) => input.getAttribute("aria-valuetext")), "30 km/h");
+  assert.equal(await page.getByLabel("With a reaction time of").inputValue(), "0.8");
+  // The keyboard moves it by a step.
+  await slider.focus();
+  await page.keyboard.press("ArrowRight");
+  await page.getByText("These numbers are tried out").waitFor();
+  assert.match(await page.locator(".slider output").first().innerText(), /31 km\/h/);
+  const after = [await said(), await curve()];
+  assert.ok(after[0] !== before[0] && after[1] !== before[1]);
+  assert.equal(await caseText(page), text);
+  // What is saved is the case.
+  const html = await fromMenu(page, "Save the report (HTML)");
+  assert.equal(html.bytes.toString(), program("pedestrian.toml", text, "avoid", "--format", "html").toString());
+  await page.getByRole("button", { name: "Back to the case" }).click();
+  assert.deepEqual([await said(), await curve()], before);
+  assert.equal(await slider.inputValue(), "30");
+  // Each place is drawn within a frame of the display.
+  const took = [];
+  for (let speed = 5; speed <= 50; speed += 1) {
+    await slide(page, "avoid.limit", speed);
+    await page.waitForFunction((speed) => document.querySelector(".avoid").dataset.shown === `${speed}`, `{"avoid.limit":${speed}}`, { polling: "raf" });
+    took.push(Number(await page.locator(".avoid").evaluate((view) => view.dataset.milliseconds)));
+  }
+  measured(t, "a place of the slider, the engine and the page together", median(took), 16, "ms", slowness([await loop(page), await loop(page)]));
+  // Used, it is one step of the history.
+  await slide(page, "avoid.limit", 45);
+  await slide(page, "avoid.reaction_time", 1.2);
+  await page.waitForFunction(() => /1\.2/.test(document.querySelector(".avoid").dataset.shown ?? ""));
+  await page.getByRole("button", { name: "Use in the case" }).click();
+  const used = text.replace('"30 km/h"', '"45 km/h"').replace('"0.8 s"', '"1.2 s"');
+  assert.equal(await caseText(page), used);
+  await page.locator(".headline").getByText("Not avoidable in space at 45").waitFor();
+  await page.waitForFunction(() => document.querySelector('[data-slider="avoid.limit"]').value === "45");
+  await page.getByRole("button", { name: "Undo" }).click();
+  assert.equal(await caseText(page), text);
+});
+
+onPage("where the case has ranges, the probability follows the sliders when the hand rests", async (page) => {
+  const name = "skid.toml";
+  const text = fixture(`avoid/${name}`);
+  await avoidability(page, name, text);
+  const chance = () => page.locator(".avoid .document").getByText("avoided at the limit, reaction and braking of the inputs").count();
+  assert.equal(await chance(), 1);
+  const slider = page.locator('[data-slider="avoid.limit"]');
+  await slider.focus();
+  await page.keyboard.press("ArrowLeft");
+  await page.getByText("These numbers are tried out").waitFor();
+  await page.waitForFunction(() => document.querySelector(".avoid .document").innerText.includes("reaction and braking of the inputs"));
+  const expected = program(name, text.replace('"50 km/h"', '"49 km/h"'), "avoid").toString();
+  const words = (text) => text.replaceAll(/\s+/g, " ");
+  const probability = /avoided at the limit, reaction and braking of the inputs\s+([\d.]+)/.exec(words(expected))[1];
+  assert.ok(words(await page.locator(".avoid .document").innerText()).includes(`of the inputs ${probability}`), probability);
+});
+
+onPage("what a recorder says alone is shown, and saved as the program writes it", async (page) => {
+  const name = "recorder.toml";
+  const text = fixture(name);
+  await openCase(page, name, text);
+  await page.getByRole("tab", { name: "Recorder", exact: true }).click();
+  const view = page.locator(".panel:visible");
+  await view.locator(".document").waitFor();
+  const words = await view.innerText();
+  const speed = /^Speed of vehicle 1 at the impact: (.*)$/m.exec(program(name, text, "recorder").toString())[1];
+  assert.ok(words.includes(speed), speed);
+  assert.match(words, /Recognised.*Samples.*Speed at impact.*Pulse/s);
+  const html = await fromMenu(page, "Save the report (HTML)");
+  assert.equal(html.name, "recorder-recorder.html");
+  assert.equal(html.bytes.toString(), program(name, text, "recorder", "--format", "html").toString());
+  assert.equal(await view.locator("figure svg").count(), html.bytes.toString().match(/<figure>/g).length);
+  const json = await saved(page, () => page.getByRole("button", { name: "Save Recorder as JSON" }).click());
+  assert.equal(json.bytes.toString(), program(name, text, "recorder", "--format", "json").toString());
+  const csv = await saved(page, () => page.getByRole("button", { name: "Save Recorder as CSV" }).click());
+  assert.match(csv.bytes.toString(), /^[a-z_,]+\n(?:.+\n){5,}/);
+});
+
+onPage("a table that was copied goes into the case, as a step that can be undone", async (page) => {
+  const before = await caseText(page);
+  await page.getByRole("tab", { name: "Recorder", exact: true }).click();
+  const box = page.getByLabel("Select the table in the printed report");
+  await box.fill("hello, this is my crash");
+  await page.getByRole("button", { name: "Put into the case" }).click();
+  await page.locator(".paste .error:not([hidden])").waitFor();
+  assert.equal(await caseText(page), before);
+  await box.fill("Times (sec)\tSpeed, Vehicle Indicated MPH [km/h]\tService Brake (On, Off)\n-1.0\t36 [58]\tOff\n-0.5\t34 [55]\tOn\n0.0\t30 [48]\tOn\n");
+  await page.getByLabel("Recorder of").selectOption("2");
+  await page.getByRole("button", { name: "Put into the case" }).click();
+  await page.locator(".panel:visible .document").getByText("Speed of vehicle 2 at the impact").waitFor();
+  const after = await caseText(page);
+  assert.match(after, /\[vehicle2\.recorder\]\npre_crash = \{ text = """\nTimes \(sec\)\tSpeed/);
+  await page.getByRole("button", { name: "Undo" }).click();
+  assert.equal(await caseText(page), before);
+});
+
+onPage("each template says what it is for", async (page) => {
+  await page.getByRole("button", { name: "New case…" }).click();
+  for (const words of await page.locator(".card .purpose").allInnerTexts()) assert.ok(words.length > 60, words);
+  assert.match(await page.locator('.card[data-name="avoid"]').innerText(), /A car and a pedestrian who steps onto the road/);
+});

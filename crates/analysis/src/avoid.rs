@@ -7,6 +7,7 @@ mod sight;
 
 use std::collections::BTreeSet;
 use std::ops::ControlFlow;
+use std::sync::Arc;
 
 use ::uncertainty::{SamplingMethod, Settings};
 use inputs::{
@@ -88,6 +89,8 @@ pub struct Avoidance {
     pub chance: Option<AvoidChance>,
     /// Whether the evidence was weighed, but the run did not converge, so that there is no probability.
     pub is_unconverged: bool,
+    /// The speed that the rest of the case tells, if `[avoid]` has none.
+    told: Option<Arc<Told>>,
 }
 
 /// Where the speed of the vehicle comes from.
@@ -195,6 +198,28 @@ impl Avoidance {
             ActualRun::Responded | ActualRun::Unbraked(_) => None,
         }
     }
+
+    /// The answer for a case that differs in the numbers of `[avoid]` alone: the speed that the rest tells is
+    /// not sought anew. Without a plan, nothing is sampled, and it has no probability.
+    ///
+    /// # Errors
+    /// Those of [`avoid`].
+    pub fn again(&self, case: &Case, plan: Option<&AvoidPlan>) -> Result<Self, Failure> {
+        found(case, &case.avoidance()?, self.told.clone(), plan)
+    }
+}
+
+/// Whether the collision was avoidable, at the central values and so without a probability; `None` if the
+/// speed is sought, which takes its time.
+///
+/// # Errors
+/// [`Failure`] if the case lacks something or contradicts itself.
+pub fn avoid_at_once(case: &Case) -> Result<Option<Avoidance>, Failure> {
+    let form = case.avoidance()?;
+    match form.speed {
+        SpeedForm::Sought => Ok(None),
+        SpeedForm::AtDemand(_) | SpeedForm::AtImpact(_) => found(case, &form, None, None).map(Some),
+    }
 }
 
 /// Whether the collision of a case was avoidable.
@@ -208,9 +233,19 @@ pub fn avoid(
 ) -> Result<Avoidance, Failure> {
     let form = case.avoidance()?;
     let told = match form.speed {
-        SpeedForm::Sought => Some(Told::of(case, form.vehicle, plan, progress)?),
+        SpeedForm::Sought => Some(Arc::new(Told::of(case, form.vehicle, plan, progress)?)),
         SpeedForm::AtDemand(_) | SpeedForm::AtImpact(_) => None,
     };
+    found(case, &form, told, Some(plan))
+}
+
+/// The answer, once the speed is known. Without a plan, nothing is sampled.
+fn found(
+    case: &Case,
+    form: &AvoidForm,
+    told: Option<Arc<Told>>,
+    plan: Option<&AvoidPlan>,
+) -> Result<Avoidance, Failure> {
     let speed_from = match (&form.speed, &told) {
         (SpeedForm::AtDemand(_), _) => SpeedSource::AtDemand,
         (_, None) => SpeedSource::AtImpact,
@@ -224,20 +259,21 @@ pub fn avoid(
     if let Some(index) = ways.and_then(|ways| ways.hides_the_impact(&obstacles)) {
         return Err(hides_the_impact(case, index).into());
     }
-    let scene = AvoidScene::pose(&form, at_impact, &obstacles).map_err(|refusal| unposed(&form, refusal))?;
+    let scene = AvoidScene::pose(form, at_impact, &obstacles).map_err(|refusal| unposed(form, refusal))?;
     let hiding = match (scene.view, ways) {
         (View::Free(sight), Some(ways)) => {
             Some(ways.hiding(&scene, &sight, &obstacles).map_err(|index| holds_the_eye(case, index))?)
         }
         _ => None,
     };
-    let chance = of_ranges(case, told.as_ref(), &obstacles, plan)?;
-    let is_above = |speed: f64| scene.limit > speed;
-    if chance
-        .as_ref()
-        .map_or(is_above(scene.speed), |chance| chance.above_limit <= 0.0 && is_above(scene.speed))
-    {
-        return Err(limit_above(&form, &scene).into());
+    let chance = plan.map_or(Ok(None), |plan| of_ranges(case, told.as_deref(), &obstacles, plan))?;
+    // Of a speed with a range, only the samples know whether all of it lies below the limit.
+    let may_be_above = match &chance {
+        Some(chance) => chance.above_limit > 0.0,
+        None => plan.is_none() && any_inputs(case).is_ok_and(|inputs| !inputs.is_empty()),
+    };
+    if scene.limit > scene.speed && !may_be_above {
+        return Err(limit_above(form, &scene).into());
     }
     let other = told.as_ref().and_then(|told| told.other);
     let [runs, more_runs] = runs(&scene, &|speed| delta_v(case, form.vehicle, speed, other));
@@ -248,7 +284,7 @@ pub fn avoid(
         deceleration_at_limit: scene.response.deceleration_to_stop_within(scene.limit, scene.distance),
         reaction_at_limit: scene.response.reaction_to_stop_within(scene.limit, scene.distance),
     };
-    let is_unconverged = told.as_ref().is_some_and(Told::is_unconverged);
+    let is_unconverged = told.as_ref().is_some_and(|told| told.is_unconverged());
     let vehicle = form.vehicle;
     Ok(Avoidance {
         vehicle,
@@ -261,10 +297,12 @@ pub fn avoid(
         ways,
         chance,
         is_unconverged,
+        told,
     })
 }
 
 /// The speed at the impact that the rest of the case tells.
+#[derive(Debug)]
 struct Told {
     from: SpeedSource,
     /// (m/s) of the vehicle.

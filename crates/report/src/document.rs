@@ -294,6 +294,14 @@ impl Document {
         }));
     }
 
+    /// The charts that its HTML has and its text has not, each with its name.
+    pub fn charts(&self) -> impl Iterator<Item = (&str, Drawing)> {
+        self.blocks.iter().filter_map(|block| match block {
+            Block::Chart { name, drawing, .. } => Some((name.as_str(), drawing.draw())),
+            _ => None,
+        })
+    }
+
     /// The findings, one line each; empty if the document has many answers.
     #[must_use]
     pub fn headline(&self) -> &[String] {

@@ -5,8 +5,8 @@ use std::ops::ControlFlow;
 use analysis::Analysis;
 use case::Purpose;
 use pim_core::VehicleId;
-use report::{Csv, CsvStyle, Document, Row, Units};
-use requests::{Answer, OptionError, Request, RequestOptions};
+use report::{Csv, CsvStyle, Document, Drawing, Row, Units};
+use requests::{Answer, OptionError, Request, RequestOptions, SolvedCase};
 use serde_json::{Value, json};
 
 use crate::given::{Given, Refused, made};
@@ -37,6 +37,7 @@ pub(crate) fn answer(text: &str, command: &str, units: &str, name: Option<&str>)
             "command": command,
             "headline": document.headline(),
             "html": document.html_fragment(),
+            "charts": charts(&document),
             "text": document.text(),
             "json": json,
             "csv": csv(&given, &request, &answer),
@@ -58,11 +59,56 @@ fn warnings(given: &Given, analysis: &Analysis) -> Value {
     warnings.collect()
 }
 
+/// The charts of a document.
+pub(crate) fn charts(document: &Document) -> Vec<Value> {
+    let chart = |(name, drawing): (&str, Drawing)| json!({ "name": name, "title": drawing.title(), "svg": drawing.svg_named(name) });
+    document.charts().map(chart).collect()
+}
+
+/// The table of the answer, or what its recorders stored.
 fn csv(given: &Given, request: &Request, answer: &Answer) -> Option<String> {
+    if matches!(answer, Answer::Recorders(_)) {
+        return Some(samples(answer)).filter(|samples| !samples.is_empty());
+    }
     let csv = Csv { table: request.rows()?, units: given.units, style: CsvStyle::International };
     let name = given.file.source.name();
     let row = Row { file: name.as_given(), answer: Ok((&given.file, answer.row()?)) };
     Some(csv.header().ok()? + &csv.row(row).ok()?)
+}
+
+/// The samples or draws of an answer as CSV, or what recorders stored; empty where there are none.
+pub(crate) fn samples(answer: &Answer) -> String {
+    let mut bytes = Vec::new();
+    let written = answer.write_samples(CsvStyle::International, &mut bytes);
+    // Nothing keeps a text from being written to the memory.
+    written.ok().and_then(|()| String::from_utf8(bytes).ok()).unwrap_or_default()
+}
+
+/// What leads an answer.
+struct First {
+    headline: Vec<String>,
+    /// Where it is one.
+    analysis: Option<Box<SolvedCase>>,
+}
+
+impl First {
+    fn of(given: &Given, command: &str) -> Result<Self, Refused> {
+        let Given { file, units } = given;
+        let of_document = |document: &Document| document.headline().to_vec();
+        if command == Purpose::Avoid.name() {
+            let found = given.answered(analysis::avoid_at_once(&file.case))?;
+            // A speed that is sought takes its time.
+            let headline = found.map(|found| of_document(&report::avoid(&file.case, &found, *units)));
+            return Ok(Self { headline: headline.unwrap_or_default(), analysis: None });
+        }
+        Ok(match solved(given, command)?.2 {
+            Answer::Analysis(solved) => {
+                let headline = of_document(&report::results(&file.case, &solved.analysis, *units));
+                Self { headline, analysis: Some(solved) }
+            }
+            other => Self { headline: of_document(&other.document(file, *units)), analysis: None },
+        })
+    }
 }
 
 /// What is seen first of a text, of one reading, one analysis and one drawing.
@@ -72,20 +118,20 @@ pub(crate) fn look(text: &str, command: &str, units: &str, what: &str, viewport:
         let able = check::able(case);
         let asked = able.iter().find(|able| **able == command).or(able.first()).copied();
         let asked = asked.unwrap_or(if command.is_empty() { Purpose::Reconstruct.name() } else { command });
-        let answer = solved(&given, asked).and_then(|(_, _, answer)| match answer {
-            Answer::Analysis(solved) => Ok(solved.analysis),
-            _ => Err(OptionError::Command(asked.to_owned()).into()),
-        });
-        let furthest = answer.as_ref().ok();
+        let first = First::of(&given, asked);
+        let furthest = first.as_ref().ok().and_then(|first| first.analysis.as_deref());
         let furthest = furthest.filter(|_| asked == case.furthest_purpose().name());
-        let scene = picture::first_view(&given, what, viewport, furthest);
-        let mut look = match answer {
-            Ok(analysis) => json!({
-                "ok": true,
-                "headline": report::results(case, &analysis, given.units).headline(),
-                "weigh": analysis.overdetermined().is_some(),
-                "warnings": warnings(&given, &analysis),
-            }),
+        let scene = picture::first_view(&given, what, viewport, furthest.map(|solved| &solved.analysis));
+        let mut look = match first {
+            Ok(First { headline, analysis }) => {
+                let analysis = analysis.as_ref().map(|solved| &solved.analysis);
+                json!({
+                    "ok": true,
+                    "headline": headline,
+                    "weigh": analysis.is_some_and(|analysis| analysis.overdetermined().is_some()),
+                    "warnings": analysis.map_or(json!([]), |analysis| warnings(&given, analysis)),
+                })
+            }
             Err(refused) => refused.json(),
         };
         look["scene"] = scene;

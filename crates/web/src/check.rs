@@ -49,14 +49,24 @@ fn values(source: &Source) -> Value {
     Value::Object(source.spans().map(value).collect())
 }
 
+/// The command that says what recorders say alone. The purpose of a case is another one.
+pub(crate) const RECORDER: &str = "recorder";
+
 /// The commands that can answer, the one that says most first.
 pub(crate) fn able(case: &Case) -> Vec<&'static str> {
     let judgement = analysis::judge(case);
-    [Purpose::Reconstruct, Purpose::Impact, Purpose::Motion, Purpose::Crush]
+    [Purpose::Reconstruct, Purpose::Impact, Purpose::Motion, Purpose::Crush, Purpose::Avoid]
         .into_iter()
         .filter(|purpose| obstacle(case, &judgement, *purpose).is_none())
         .map(Purpose::name)
+        .chain(has_recorder_table(case).then_some(RECORDER))
         .collect()
+}
+
+/// Whether a recorder of the case has a table.
+fn has_recorder_table(case: &Case) -> bool {
+    let recorders = case.vehicles.iter().filter_map(|vehicle| vehicle.recorder.as_ref());
+    recorders.into_iter().any(|recorder| recorder.pre_crash.is_some() || recorder.pulse.is_some())
 }
 
 /// What a case lacks for a purpose. It is judged for a motion and an estimate where it says something of
@@ -70,6 +80,7 @@ fn obstacle(case: &Case, judgement: &Judgement, purpose: Purpose) -> Option<Faul
             Err(Failure::Case(faults)) => Some(faults),
             _ => None,
         },
+        (None, Purpose::Avoid) => case.avoidance().err(),
         (None, _) => None,
     }
 }
@@ -85,16 +96,22 @@ fn commands(given: &Given, judgement: &Judgement) -> Value {
         Purpose::Sensitivity,
         Purpose::Uncertainty,
         Purpose::Estimate,
+        Purpose::Avoid,
     ];
+    let case = &given.file.case;
+    let of_purposes = purposes.map(|purpose| (purpose.name(), obstacle(case, judgement, purpose)));
+    let of_recorders = match analysis::recorders(case) {
+        Err(Failure::Case(faults)) => Some(faults),
+        _ => None,
+    };
     let mut commands = Map::new();
-    for purpose in purposes {
-        let obstacle = obstacle(&given.file.case, judgement, purpose);
+    for (command, obstacle) in of_purposes.into_iter().chain([(RECORDER, of_recorders)]) {
         let why = |faults: Faults| {
             let diagnostics = given.file.diagnostics(&faults, &PAGE);
             diagnostics.problems().into_iter().map(|problem| problem.message).collect::<Vec<_>>()
         };
-        let command = json!({ "able": obstacle.is_none(), "why": obstacle.map(why).unwrap_or_default() });
-        commands.insert(purpose.name().to_owned(), command);
+        let ability = json!({ "able": obstacle.is_none(), "why": obstacle.map(why).unwrap_or_default() });
+        commands.insert(command.to_owned(), ability);
     }
     Value::Object(commands)
 }

@@ -20,7 +20,7 @@ pub(crate) fn drag(text: &str, handle: &str, to: &str) -> Value {
             Handle::read(handle).ok_or_else(|| Refused::message("this is no handle of the scene"))?;
         let to = To::read(to)
             .ok_or_else(|| Refused::message("a handle is moved to { at: [x, y] } or { angle }"))?;
-        let mut change = Change { file: given.file, changed: Vec::new() };
+        let mut change = Change::of(given.file);
         change.make(&handle, &to)?;
         Ok(json!({ "ok": true, "text": change.file.source.text(), "changed": change.changed }))
     }))
@@ -55,7 +55,7 @@ pub(crate) fn keep_plan(text: &str, plan: &str) -> Value {
         let plan = Plan::read(plan).ok_or_else(|| {
             Refused::message("a site plan is kept as { file, corner: [x, y], width, angle }")
         })?;
-        let mut change = Change { file: given.file, changed: Vec::new() };
+        let mut change = Change::of(given.file);
         change.keep(&plan)?;
         Ok(json!({ "ok": true, "text": change.file.source.text(), "changed": change.changed }))
     }))
@@ -128,12 +128,17 @@ fn angle(from: [f64; 2], to: [f64; 2]) -> f64 {
     Real::atan2(to[1] - from[1], to[0] - from[0])
 }
 
-struct Change {
-    file: CaseFile,
+/// A text that changes key by key.
+pub(crate) struct Change {
+    pub(crate) file: CaseFile,
     changed: Vec<String>,
 }
 
 impl Change {
+    pub(crate) fn of(file: CaseFile) -> Self {
+        Self { file, changed: Vec::new() }
+    }
+
     fn make(&mut self, handle: &Handle, to: &To) -> Result<(), Refused> {
         let case = &self.file.case;
         let axes = case.axes;
@@ -286,7 +291,7 @@ impl Change {
     }
 
     /// Gives a quantity another value (SI), in the unit that the file has it in; a range moves as a whole.
-    fn put(&mut self, key: &str, si: f64, dimension: Dimension, step: f64) -> Result<(), Refused> {
+    pub(crate) fn put(&mut self, key: &str, si: f64, dimension: Dimension, step: f64) -> Result<(), Refused> {
         let value = format!("{key}.value");
         if self.written(&value).is_some() {
             return self.put(&value, si, dimension, step);
@@ -295,7 +300,12 @@ impl Change {
         if self.written(&low).is_some() {
             let inputs = self.file.case.inputs();
             let old = inputs.iter().find(|input| input.path == key).map_or(si, inputs::Input::si);
-            for end in ["low", "mode", "high"] {
+            let mut ends = ["low", "mode", "high"];
+            // What moves up begins with its upper end: no text on the way is upside down.
+            if si > old {
+                ends.reverse();
+            }
+            for end in ends {
                 let key = format!("{key}.{end}");
                 if let Some(quantity) = self.quantity(&key, dimension) {
                     self.put(&key, quantity.si() + si - old, dimension, step)?;
@@ -325,7 +335,7 @@ impl Change {
         Ok(format!("\"{} {unit}\"", rounded(si / unit.factor(), step / unit.factor())))
     }
 
-    fn quantity(&self, key: &str, dimension: Dimension) -> Option<Quantity> {
+    pub(crate) fn quantity(&self, key: &str, dimension: Dimension) -> Option<Quantity> {
         let Value::String(text) = serde_json::from_str::<Value>(self.written(key)?).ok()? else {
             return None;
         };

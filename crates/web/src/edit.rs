@@ -1,9 +1,9 @@
 //! Changes of the text.
 
-use case::{Dimension, Quantity, edit, read_quantity, read_unit};
+use case::{CaseFile, Dimension, Quantity, edit, read_quantity, read_unit};
 use serde_json::{Value, json};
 
-use crate::given::{Places, Refused, made};
+use crate::given::{PAGE, Places, Refused, UNNAMED, made};
 
 pub(crate) fn edit(text: &str, key: &str, value: &str) -> Value {
     let refused = |error: edit::EditError| Refused::message(error.to_string());
@@ -19,6 +19,45 @@ pub(crate) fn edit(text: &str, key: &str, value: &str) -> Value {
             })
             .map_err(refused)
     })
+}
+
+/// The text with a table of a recorder in it, as it copies out of a printed report: `key` is `pre_crash` or
+/// `pulse` of `[vehicleN.recorder]`. A table that cannot be read is refused, and errors elsewhere are not.
+pub(crate) fn paste(text: &str, key: &str, table: &str) -> Value {
+    made(pasted(text, key, table).map(|text| json!({ "ok": true, "text": text })))
+}
+
+fn pasted(text: &str, key: &str, table: &str) -> Result<String, Refused> {
+    if table.trim().is_empty() {
+        return Err(Refused::message("there is no table yet: paste it into the box"));
+    }
+    let value = format!("{{ text = {} }}", lines_of_toml(table));
+    let edited = edit::set(text, key, &value).map_err(|error| Refused::message(error.to_string()))?;
+    let recorder = key.rsplit_once('.').map_or(key, |(recorder, _)| recorder);
+    if let Err(errors) = CaseFile::parse(UNNAMED, &edited.text) {
+        let errors = errors.in_words_of(&PAGE);
+        let is_of_recorder = |key: &str| key.starts_with(recorder);
+        if errors.problems().iter().any(|problem| problem.key.as_deref().is_some_and(is_of_recorder)) {
+            return Err(Refused::of(&errors));
+        }
+    }
+    Ok(edited.text)
+}
+
+/// A text of several lines as TOML has it.
+fn lines_of_toml(lines: &str) -> String {
+    let mut written = String::from("\"\"\"\n");
+    for line in lines.trim_matches(['\r', '\n']).lines() {
+        for letter in line.trim_end().chars() {
+            match letter {
+                '\\' | '"' => written.extend(['\\', letter]),
+                letter if letter.is_control() && letter != '\t' => written.push(' '),
+                letter => written.push(letter),
+            }
+        }
+        written.push('\n');
+    }
+    written + "\"\"\""
 }
 
 /// (digits) that a quantity keeps in another unit: more than anybody measures, and fewer than would show how

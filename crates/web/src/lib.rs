@@ -22,6 +22,7 @@ mod given;
 mod pages;
 mod picture;
 mod run;
+mod slide;
 mod warned;
 
 use wasm_bindgen::prelude::{JsError, wasm_bindgen};
@@ -33,7 +34,8 @@ pub fn version() -> String {
     env!("CARGO_PKG_VERSION").to_owned()
 }
 
-/// Cases to start from: `[{ name, title, text_si, text_us }]`, the paper's example first.
+/// Cases to start from: `[{ name, title, purpose, text_si, text_us }]`, the paper's example first. `purpose`
+/// are the sentences at the head of the text that say what it is for.
 #[wasm_bindgen]
 #[must_use]
 pub fn templates() -> String {
@@ -74,19 +76,20 @@ pub fn explain_topics() -> String {
 ///
 /// `values` has the place of each key that the file gives and its value as written: `{ from, to, text }`.
 /// `commands` has `{ able, why }` for `reconstruct`, `impact`, `motion`, `crush`, `compare`, `sensitivity`,
-/// `uncertainty` and `estimate`; it is empty where the file is wrong.
+/// `uncertainty`, `estimate`, `avoid` and `recorder`; it is empty where the file is wrong.
 #[wasm_bindgen]
 #[must_use]
 pub fn check(text: &str, name: Option<String>) -> String {
     check::check(text, name.as_deref()).to_string()
 }
 
-/// The answer of a quick command: `reconstruct`, `impact`, `motion`, `crush`, `check`, `compare` or
-/// `sensitivity`. An empty one is the most complete that the case allows.
+/// The answer of a quick command: `reconstruct`, `impact`, `motion`, `crush`, `check`, `compare`,
+/// `sensitivity` or `recorder`. An empty one is the most complete that the case allows.
 ///
-/// `{ ok: true, command, headline, html, text, json, csv, warnings: [{ code, message, vehicle, keys }] }`, or
-/// `{ ok: false, problems, message }`. `json` is byte for byte what the program writes; `csv` is `null` where
-/// the command has none.
+/// `{ ok: true, command, headline, html, charts: [{ name, title, svg }], text, json, csv, warnings: [{ code,
+/// message, vehicle, keys }] }`, or `{ ok: false, problems, message }`. `html` has no charts. `json` is byte
+/// for byte what the program writes; `csv` is `null` where the command has none, and what was stored of
+/// recorders.
 #[wasm_bindgen]
 #[must_use]
 pub fn answer(text: &str, command: &str, units: &str, name: Option<String>) -> String {
@@ -102,7 +105,8 @@ pub fn answer(text: &str, command: &str, units: &str, name: Option<String>) -> S
 /// problems, message, command, able, units, scene }`, without the last four of a text that cannot be read.
 /// `warnings` are those of `answer`, and `scene` is what `scene` gives, or `null`. Where `weigh` holds, the
 /// case has more evidence than its exact solution uses: the answer is that of an estimate, and `headline`
-/// only says so.
+/// only says so. `able` may have `avoid`, whose headline is that of the central values, or empty where its
+/// speed is sought; and `recorder`.
 #[wasm_bindgen]
 #[must_use]
 pub fn look(text: &str, command: &str, units: &str, what: &str, viewport: &str) -> String {
@@ -185,6 +189,14 @@ pub fn edit(text: &str, key: &str, value: &str) -> String {
     edit::edit(text, key, value).to_string()
 }
 
+/// The text with a table of a recorder in it, as it copies out of a printed report; `key` is `pre_crash` or
+/// `pulse` of a table `[vehicleN.recorder]`: `{ ok: true, text }`, or `{ ok: false, problems, message }`.
+#[wasm_bindgen]
+#[must_use]
+pub fn paste(text: &str, key: &str, table: &str) -> String {
+    edit::paste(text, key, table).to_string()
+}
+
 /// A quantity in another unit: `"10 mph"` in `km/h` is `{ ok: true, text: "16.09344 km/h" }`; else `{ ok:
 /// false, message }`.
 #[wasm_bindgen]
@@ -235,6 +247,8 @@ impl Run {
     /// - `reconstruct` finds an exact solution. If the case has more evidence than that uses, it weighs all
     ///   of it; else, if the case has ranges, it finds the intervals with the errors of the method, which `{
     ///   method: false }` leaves out, as they take as long as the first;
+    /// - `avoid` asks whether the collision was avoidable: `{ samples, seed, exact }`. Its answer has `charts`
+    ///   as well, and `sliders`, `[{ key, unit, value, least, most, step }]` in the units of the case;
     /// - every command that [`answer()`] takes.
     ///
     /// `{ ok: true, converged, headline, html }`, or `{ ok: false, problems, message }`. The rest is made
@@ -255,6 +269,14 @@ impl Run {
             Err(refused) => refused.json(),
         }
         .to_string()
+    }
+
+    /// The last run, an avoidability, with its sliders moved to `{ key: value }`: `{ ok: true, text, headline,
+    /// html, charts }`, or `{ ok: false, problems, message }`. `text` is the case that has these numbers. The
+    /// speed that the rest of the case tells is not sought anew; a probability is found where it is `sampled`.
+    #[must_use]
+    pub fn moved(&self, to: &str, sampled: bool) -> String {
+        self.made(|ran| ran.moved(to, sampled))
     }
 
     /// The pictures of the last run: `[{ name, output, title, svg }]`; none of an estimate that has not
@@ -301,9 +323,13 @@ impl Run {
 
 impl Run {
     fn handed_over(&self, make: impl FnOnce(&run::Ran) -> Result<String, given::Refused>) -> String {
+        self.made(|ran| Ok(serde_json::json!({ "ok": true, "html": make(ran)? })))
+    }
+
+    fn made(&self, make: impl FnOnce(&run::Ran) -> Result<serde_json::Value, given::Refused>) -> String {
         let made = self.ran.as_ref().map(make);
         let made = made.unwrap_or_else(|| Err(given::Refused::message("there is no run yet")));
-        given::made(made.map(|html| serde_json::json!({ "ok": true, "html": html }))).to_string()
+        given::made(made).to_string()
     }
 
     /// Nothing where there is no run.

@@ -7,15 +7,30 @@ pub(crate) fn templates() -> Value {
     let template = |name: &str, si: &str, us: &str| {
         let parsed = CaseFile::parse(name, us);
         let title = parsed.ok().and_then(|file| file.case.title).map(|title| title.as_given().to_owned());
-        json!({ "name": name, "title": title.as_deref().unwrap_or(name), "text_si": si, "text_us": us })
+        json!({
+            "name": name,
+            "title": title.as_deref().unwrap_or(name),
+            "purpose": purpose(us),
+            "text_si": si,
+            "text_us": us,
+        })
     };
-    let mut templates = vec![template("sae-980025", EXAMPLE, EXAMPLE)];
-    // The page asks neither whether a collision was avoidable nor what a recorder says alone.
-    let is_shown = |one: &Template| !matches!(one, Template::Avoid | Template::Recorder);
-    let shown = Template::WORDS.into_iter().filter(|(_, one)| is_shown(one));
-    templates
-        .extend(shown.map(|(name, one)| template(name, one.text(UnitSystem::Si), one.text(UnitSystem::Us))));
-    Value::Array(templates)
+    let of_kind =
+        |(name, one): (&str, Template)| template(name, one.text(UnitSystem::Si), one.text(UnitSystem::Us));
+    let example = template("sae-980025", EXAMPLE, EXAMPLE);
+    std::iter::once(example).chain(Template::WORDS.into_iter().map(of_kind)).collect()
+}
+
+/// What a template says of itself at its head: the first paragraph behind what is for editors, or of a
+/// published example all of its head.
+fn purpose(text: &str) -> String {
+    let head = text.lines().skip(1).map_while(|line| line.strip_prefix('#')).map(str::trim);
+    let for_editors = |line: &&str| line.starts_with("The first line is for editors");
+    let paragraphs: Vec<&str> = head.collect();
+    let mut paragraphs = paragraphs.split(|line| line.is_empty());
+    let first = paragraphs.next().unwrap_or_default();
+    let own = if first.iter().any(|line| for_editors(&line)) { paragraphs.next() } else { Some(first) };
+    own.unwrap_or_default().join(" ")
 }
 
 pub(crate) fn explain(word: &str) -> Value {

@@ -1,16 +1,18 @@
-//! What takes long: uncertainty, estimate, and a reconstruction with what its report has beside it.
+//! What takes long: uncertainty, estimate, avoidability, and a reconstruction with what its report has beside
+//! it.
 
 use std::cell::RefCell;
 use std::ops::ControlFlow;
 
 use js_sys::Function;
-use report::{CsvStyle, Document, Drawing, Subject};
+use report::{Document, Drawing, Subject};
 use requests::{Answer, DrawingRequest, Request, RequestOptions};
 use serde_json::{Value, json};
 use wasm_bindgen::JsValue;
 
 use crate::answer;
 use crate::given::{Given, Refused};
+use crate::slide;
 
 /// Is told what is counted, how many are done and how many there are; whether to go on.
 pub(crate) type Progress<'a> = dyn FnMut(&str, usize, usize) -> bool + Send + 'a;
@@ -50,12 +52,25 @@ impl Ran {
     /// What is read first.
     pub(crate) fn answer(&self) -> Value {
         let document = self.document();
-        json!({
+        let mut answer = json!({
             "ok": true,
             "converged": self.answer.no_answer().is_none(),
             "headline": self.answer.headline(&document, self.given.units),
             "html": document.html_fragment(),
-        })
+        });
+        if let Answer::Avoidance(found) = &self.answer {
+            answer["charts"] = json!(answer::charts(&document));
+            answer["sliders"] = json!(slide::sliders(&self.given.file, found));
+        }
+        answer
+    }
+
+    /// An avoidability with its sliders moved.
+    pub(crate) fn moved(&self, to: &str, sampled: bool) -> Result<Value, Refused> {
+        match &self.answer {
+            Answer::Avoidance(found) => slide::moved(&self.given, found, to, sampled),
+            _ => Err(Refused::message("only an avoidability has sliders")),
+        }
     }
 
     /// Of each output, or of the estimate.
@@ -108,10 +123,7 @@ impl Ran {
 
     /// The samples or draws as CSV; of draws that have not converged none.
     pub(crate) fn csv(&self) -> String {
-        let mut bytes = Vec::new();
-        let written = self.answer.write_samples(CsvStyle::International, &mut bytes);
-        // Nothing keeps a text from being written to the memory.
-        written.ok().and_then(|()| String::from_utf8(bytes).ok()).unwrap_or_default()
+        answer::samples(&self.answer)
     }
 }
 
@@ -250,5 +262,58 @@ mod tests {
         assert_eq!(exact.csv(), "");
         let json: Value = serde_json::from_str(&exact.json().unwrap()).unwrap();
         assert_ne!(json["headline"]["by"], "estimate");
+    }
+
+    fn asked(text: &str) -> Ran {
+        run("avoid", [text, NAME, "", ""], &mut |_, _, _| true).unwrap()
+    }
+
+    #[test]
+    fn sliders_stand_where_the_case_has_its_numbers_and_move_them() {
+        let text = fixture("avoid/pedestrian.toml");
+        let ran = asked(&text);
+        let answer = ran.answer();
+        let [limit, reaction] = &answer["sliders"].as_array().unwrap()[..] else { panic!("{answer:#}") };
+        assert_eq!(
+            (&limit["value"], &limit["unit"], &limit["step"]),
+            (&30.0.into(), &"km/h".into(), &1.0.into())
+        );
+        // Up to the speed driven, 50 km/h, and down to a step above nothing.
+        let ends = |slider: &Value| ["least", "most"].map(|end| slider[end].as_f64().unwrap());
+        for (found, expected) in [(ends(limit), [1.0, 50.0]), (ends(reaction), [0.05, 3.0])] {
+            assert!(found.iter().zip(expected).all(|(a, b)| (a - b).abs() < 1e-9), "{found:?}");
+        }
+        assert_eq!(answer["charts"][0]["name"], "path-time");
+        let moved = ran.moved("{\"avoid.limit\": 45, \"avoid.reaction_time\": 1.2}", false).unwrap();
+        let by_hand = text.replace("\"30 km/h\"", "\"45 km/h\"").replace("\"0.8 s\"", "\"1.2 s\"");
+        assert_eq!(moved["text"], by_hand);
+        // From 45 km/h = 12.5 m/s: 12.5 (1.2 + 0.1) + 12.5²/15 − 7.5 · 0.2²/24 = 26.65 m, more than the 20 m.
+        assert!(moved["headline"].to_string().contains("Not avoidable in space at 45"), "{moved:#}");
+        let again = asked(&by_hand).answer();
+        for same in ["headline", "html", "charts"] {
+            assert_eq!(moved[same], again[same], "{same}");
+        }
+        // Where nothing is moved, the text stays as it is.
+        assert_eq!(ran.moved("{\"avoid.limit\": 30}", false).unwrap()["text"], text);
+    }
+
+    #[test]
+    fn a_range_moves_as_a_whole_and_has_its_probability_when_it_is_sampled() {
+        let text = fixture("avoid/skid.toml");
+        let ran = asked(&text);
+        let answer = ran.answer();
+        // 0.5 s to 1.2 s, of which the middle is 0.85 s: it can go down by less than 0.5 s.
+        let reaction = &answer["sliders"][1];
+        assert!((reaction["value"].as_f64().unwrap() - 0.85).abs() < 1e-9);
+        assert!((reaction["least"].as_f64().unwrap() - 0.40).abs() < 1e-9, "{reaction}");
+        // Further up than the range is wide.
+        let to = "{\"avoid.reaction_time\": 1.85}";
+        let by_hand = text.replace("\"0.5 s\", high = \"1.2 s\"", "\"1.50 s\", high = \"2.20 s\"");
+        for (sampled, charts) in [(false, 1), (true, 2)] {
+            let moved = ran.moved(to, sampled).unwrap();
+            assert_eq!(moved["text"], by_hand);
+            assert_eq!(moved["charts"].as_array().unwrap().len(), charts);
+        }
+        assert_eq!(ran.moved(to, true).unwrap()["html"], asked(&by_hand).answer()["html"]);
     }
 }

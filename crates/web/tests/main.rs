@@ -7,6 +7,7 @@
 )]
 #![allow(clippy::cast_possible_truncation, reason = "numbers of vehicles and of stations")]
 
+mod avoid;
 mod drag;
 mod look;
 mod pages;

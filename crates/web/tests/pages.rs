@@ -11,14 +11,17 @@ use crate::{example, json, made};
 fn every_template_is_a_case_with_an_answer() {
     let templates = json(deltav_web::templates());
     assert_eq!(templates[0]["text_us"], example());
-    // The example of the paper, and all but `avoid` and `recorder`.
-    assert_eq!(templates.as_array().unwrap().len() + 1, case::Template::WORDS.len());
+    assert_eq!(templates.as_array().unwrap().len(), 1 + case::Template::WORDS.len());
     for template in templates.as_array().unwrap() {
         assert!(template["title"].as_str().is_some_and(|title| title.len() > 5), "{template:#}");
         for text in ["text_si", "text_us"] {
             let text = template[text].as_str().unwrap();
             assert_eq!(json(deltav_web::check(text, None))["ok"], true);
-            made(deltav_web::answer(text, "", "", None));
+            // What takes long is for a worker; what is seen at once is there.
+            let looked = made(deltav_web::look(text, "", "", "none", ""));
+            assert!(
+                looked["command"] == "avoid" || looked["weigh"] == true || looked["headline"][0].is_string()
+            );
         }
     }
 }

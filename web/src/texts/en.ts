@@ -35,6 +35,8 @@ export const texts = {
 
   /** Labels that the keys themselves do not give. */
   labels: {
+    avoid: "Avoidability",
+    "avoid.limit": "Speed that is asked for (limit)",
     cg_to_front: "CG to front",
     cg_to_front_axle: "CG to front axle",
     pdof: "Principal direction of force (PDOF)",
@@ -107,7 +109,7 @@ export const texts = {
       "deltav reconstructs the speeds of a two-vehicle collision from crush damage and planar impact mechanics.",
       "Everything is computed in this page. It needs no network, and its security policy forbids every connection: nothing that you enter leaves this computer.",
       "The engine is the one of the program of the same name, and gives the same numbers to the last bit.",
-      "The program can do some things that this page cannot: what recorders say alone, whether a collision was avoidable, tables of many cases, the validation with its plots, several files at once, drawings as PDF, other steps of the force direction in the sensitivity, other results than speeds and ΔV in the probability of an estimate.",
+      "The program can do some things that this page cannot: tables of many cases, the validation with its plots, several files at once, drawings as PDF, other steps of the force direction in the sensitivity, other results than speeds and ΔV in the probability of an estimate.",
     ],
     engine: "SHA-256 of the engine:",
     licences: "Licences of what this page contains",
@@ -119,6 +121,8 @@ export const texts = {
     motion: "Where do the vehicles come to rest?",
     crush: "What does the damage alone say?",
     estimate: "Which speeds agree with all evidence?",
+    avoid: "Was it avoidable?",
+    recorder: "What do the recorders say alone?",
   } as Record<string, string>,
 
   answer: {
@@ -127,6 +131,7 @@ export const texts = {
     noWarnings: "No warnings",
     warnings: (count: number) => (count === 1 ? "1 warning" : `${count} warnings`),
     inResults: "This question is answered by tables.",
+    inAvoid: "The speed at the impact is sought first.",
     none: "No answer yet.",
     byEstimate: "An estimate answers this case: it finds the speeds from all its evidence together.",
     startEstimate: "Start the estimate",
@@ -149,6 +154,8 @@ export const texts = {
       sensitivity: "the view Sensitivity",
       compare: "the view Compare",
       estimate: "the view Estimate",
+      recorder: "the view Recorder",
+      avoid: "the view Avoidability",
       draw: "the view Drawings",
       check: "the view Inputs",
       new: "“New case…”",
@@ -188,6 +195,8 @@ export const texts = {
     sensitivity: "Sensitivity",
     compare: "Compare",
     estimate: "Estimate",
+    recorder: "Recorder",
+    avoid: "Avoidability",
     inputs: "Inputs",
   } as Record<string, string>,
 
@@ -352,6 +361,32 @@ export const texts = {
     old: "This is of the case before the last change.",
     done: (counted: string, done: number, total: number) => `${done.toLocaleString("en")} of ${total.toLocaleString("en")} ${counted}`,
     took: (milliseconds: number) => (milliseconds < 1000 ? `Took ${Math.round(milliseconds)} ms.` : `Took ${(milliseconds / 1000).toFixed(1)} s.`),
+  },
+
+  avoid: {
+    elsewhere: "Whether the collision was avoidable stands in the view Avoidability.",
+    what: "Try other numbers",
+    sliders: { "avoid.limit": "At a speed of", "avoid.reaction_time": "With a reaction time of" },
+    use: "Use in the case",
+    back: "Back to the case",
+    moved: "These numbers are tried out. The case, and what is saved, have their own.",
+  },
+
+  recorder: {
+    paste: "Paste a table from a report",
+    how: "Select the table in the printed report with its heading, copy it, and paste it here. How its columns break does not matter.",
+    example: "Times (sec)  Speed MPH [km/h]  Service Brake\n-1.0  36 [58]  Off\n-0.5  34 [55]  On\n0.0  30 [48]  On",
+    of: "Recorder of",
+    vehicles: [
+      ["1", "vehicle 1"],
+      ["2", "vehicle 2"],
+    ],
+    what: "Table",
+    tables: [
+      ["pre_crash", "speed before the impact"],
+      ["pulse", "ΔV during the impact"],
+    ],
+    put: "Put into the case",
   },
 
   motion: {
