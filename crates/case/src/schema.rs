@@ -1129,7 +1129,7 @@ pub(crate) static AVOID_SIGHT: Schema = Schema {
 
 pub(crate) static SIGHT_PLACE: Schema = Schema {
     place: "eye or point of [avoid.sight]",
-    text: "The driver's eye, or the part of the other party that the driver sees first; both at the impact, in the coordinates of the scene. If left out, it is the `position` of the vehicle, or else the `contact` of [scene], or else the origin.",
+    text: "The driver's eye, or what the driver sees first of the other party. Both are places at the impact, in the coordinates of the scene. If left out, it is the `position` of the vehicle, or else the `contact` of [scene], or else the origin.",
     keys: &[PLACE_X, PLACE_Y],
     rules: &[Rule::Needs(&["x", "y"])],
 };
@@ -2025,7 +2025,7 @@ pub(crate) static RANGE_OF_LIST: Schema = Schema {
     rules: &[Rule::OneOf(&[form(&["values", "sd"], &[]), form(&["values", "within", "confidence"], &[])])],
 };
 
-static ALL: [&Schema; 29] = [
+static ALL: [&Schema; 30] = [
     &TOP,
     &REPORT,
     &SCENE,
@@ -2054,6 +2054,7 @@ static ALL: [&Schema; 29] = [
     &AVOID,
     &AVOID_DEMAND,
     &AVOID_OTHER,
+    &AVOID_SIGHT,
     &AVOID_CLEAR,
 ];
 

@@ -40,7 +40,7 @@ impl Braked {
         let (first, last) = (on.first()?, on.last()?);
         let steps = on.iter().zip(on.iter().skip(1));
         let distance = steps.map(|(a, b)| 0.5 * (a.2 + b.2) * (b.0 - a.0)).sum();
-        (on.len() > 1 && first.2 > 0.0).then(|| Self { time: last.0 - first.0, distance, last: last.2 })
+        (on.len() > 1 && first.2 > 0.0).then_some(Self { time: last.0 - first.0, distance, last: last.2 })
     }
 
     /// (m) the distance backwards from the last speed over the time, with a deceleration (m/s²).
@@ -92,7 +92,6 @@ fn braked_distances_of_recorders_lie_within_their_intervals() {
     let records = braked(&text);
     let within = |range: [f64; 2]| records.iter().filter(|record| record.is_within(range)).count();
     let [any, full] = [[0.0, 1.2], [0.55, 0.8]].map(within);
-    println!("{} records: {any} within 0 to 1.2 g, {full} within 0.55 to 0.80 g", records.len());
     assert!(records.len() > 50);
     assert!(100 * any >= 93 * records.len(), "{any} of {}", records.len());
     assert!(2 * full < records.len(), "{full} of {}", records.len());
