@@ -116,8 +116,8 @@ fn the_long_tables_give_the_series_of_the_wide_ones() {
     }
 }
 
-/// Where a recorder of CIREN has several records, and one of them was coded as of the event (`CDCEVENT`): that
-/// record is the one found, against the coded PDOF and the ΔV that NHTSA reconstructed from the damage.
+/// Where a recorder of CIREN has several records, and one of them was coded as of the event (`CDCEVENT`):
+/// that record is the one found, against the coded PDOF and the ΔV that NHTSA reconstructed from the damage.
 #[test]
 fn the_record_that_was_coded_as_of_the_event_is_found() {
     let (Some(pulses), Some(pairs)) = (data("ciren-pulse.csv"), data("ciren-pairs.csv")) else { return };

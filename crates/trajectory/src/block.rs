@@ -551,8 +551,8 @@ impl<S: Simd> Board<'_, S> {
         zero.at_least(self.clearance).bits()
     }
 
-    /// Finds where a wheel enters another zone in the steps of the lanes that are `near` a border, and returns
-    /// the bit mask of those that do.
+    /// Finds where a wheel enters another zone in the steps of the lanes that are `near` a border, and
+    /// returns the bit mask of those that do.
     #[inline(never)]
     fn crosses(
         &mut self,

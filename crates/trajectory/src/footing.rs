@@ -142,8 +142,8 @@ impl<'a, T: Real, G: Real> Footing<'a, T, G> {
     }
 
     /// What is sure of the path of every wheel between two positions, which leaves the straight line by at
-    /// most `bow` (m). Where no border is crossed twice, a wheel that ends on its zone has never left it: what
-    /// it entered it is still in.
+    /// most `bow` (m). Where no border is crossed twice, a wheel that ends on its zone has never left it:
+    /// what it entered it is still in.
     fn passage(&self, bow: f64, before: &Stand, after: &Stand) -> Passage {
         let ways = || before.wheels.iter().zip(&after.wheels);
         let zones = self.ground.zones.iter();
@@ -254,7 +254,8 @@ impl<'a, T: Real, G: Real> Footing<'a, T, G> {
 #[inline(always)]
 pub(crate) fn farthest<T: Number>(from: Phase<T>, to: Phase<T>, h: T) -> T {
     let length = |x: T, y: T| (x * x + y * y).sqrt();
-    // The weights of both velocities on the cubic are at most 4/27: |q − q₀| ≤ |q₁ − q₀| + 4/27 h (|w₀| + |w₁|)
+    // The weights of both velocities on the cubic are at most 4/27: |q − q₀| ≤ |q₁ − q₀| + 4/27 h (|w₀| +
+    // |w₁|)
     let speeds = length(from.w[0], from.w[1]) + length(to.w[0], to.w[1]);
     length(to.q[0] - from.q[0], to.q[1] - from.q[1]) + h * speeds * (4.0 / 27.0)
 }
@@ -341,8 +342,8 @@ mod tests {
             prop_assert!(far <= farthest + 1e-12, "{far} {farthest}");
         }
 
-        /// What is said of the passage of a border holds at many places of the path, with the curvature that the
-        /// path really has, and with a border where a wheel starts.
+        /// What is said of the passage of a border holds at many places of the path, with the curvature that
+        /// the path really has, and with a border where a wheel starts.
         #[test]
         fn a_path_passes_a_border_as_said(
             (ends, h) in step(),

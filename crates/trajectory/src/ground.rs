@@ -155,8 +155,8 @@ impl Region<'_> {
         }
     }
 
-    /// What is sure of a smooth path from one point to another, which leaves the straight line between them by
-    /// at most `bow` (m). It may start on the border.
+    /// What is sure of a smooth path from one point to another, which leaves the straight line between them
+    /// by at most `bow` (m). It may start on the border.
     pub(crate) fn passage(&self, from: [f64; 2], to: [f64; 2], bow: f64) -> Passage {
         match *self {
             Self::HalfPlane { point, into } => {
