@@ -123,6 +123,21 @@ fn several_records_are_read_and_written_back() {
     assert_eq!(CaseFile::parse("again.toml", &to_toml(&file.case)).unwrap().case, file.case);
 }
 
+/// Pushed to the left by 7 and back by 24 km/h, the force came from the right of the front: atan(7/24) =
+/// 16.26° clockwise, and the size is 25 km/h; with the other axes from the left.
+#[test]
+fn a_record_shows_where_its_force_came_from() {
+    let lines = "records = [{ delta_v_longitudinal = \"-24 km/h\", delta_v_lateral = \"7 km/h\" }]";
+    for (axes, sense) in [("", 1.0), ("[scene]\naxes = \"z-down\"\n", -1.0)] {
+        let file = CaseFile::parse("case.toml", &format!("{axes}{}", of(lines))).unwrap();
+        let record = file.case.vehicles[0].recorder.as_ref().unwrap().record(0).unwrap();
+        let event = record.event(file.case.axes, &recorder::KnownImpact::default());
+        assert!((event.delta_v.unwrap() * 3.6 - 25.0).abs() < 1e-9 && event.complete, "{event:?}");
+        let direction = event.force_direction.unwrap().to_degrees();
+        assert!((direction - sense * 16.260_204_7).abs() < 1e-6, "{direction}");
+    }
+}
+
 #[test]
 fn records_that_say_too_much_or_nothing_are_refused_at_their_place() {
     for (lines, place, words) in [
