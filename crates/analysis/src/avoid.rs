@@ -20,8 +20,8 @@ use time_distance::Response;
 pub use chance::{AvoidChance, AvoidInfluence, AvoidInterval, SightIntervals};
 use chance::{Speeds, chance};
 use scene::Unposed;
-pub use scene::{ActualRun, AvoidCourse, AvoidScene, Unbraked};
-pub use sight::{Hiding, SIGHT_LOOK_BACK, Sight, View};
+pub use scene::{ActualRun, AvoidCourse, AvoidScene, Sight, Unbraked, View};
+pub use sight::{Hiding, SIGHT_LOOK_BACK};
 use sight::{Outlines, Ways};
 
 use crate::analysis::Analysis;
@@ -259,7 +259,7 @@ fn found(
     if let Some(index) = ways.and_then(|ways| ways.hides_the_impact(&obstacles)) {
         return Err(hides_the_impact(case, index).into());
     }
-    let scene = AvoidScene::pose(form, at_impact, &obstacles).map_err(|refusal| unposed(form, refusal))?;
+    let scene = sight::pose(form, at_impact, &obstacles).map_err(|refusal| unposed(form, refusal))?;
     let hiding = match (scene.view, ways) {
         (View::Free(sight), Some(ways)) => {
             Some(ways.hiding(&scene, &sight, &obstacles).map_err(|index| holds_the_eye(case, index))?)

@@ -3,8 +3,8 @@
 use ::uncertainty::{Distribution, LANES, Lanes, Sampler, SamplingMethod, Settings, random};
 use inputs::{AvoidForm, Input};
 
-use super::scene::AvoidScene;
-use super::sight::{Outlines, Sight, View};
+use super::scene::{AvoidScene, Sight, View};
+use super::sight::{Outlines, pose};
 use crate::columns::Number;
 use crate::estimate::Estimated;
 use crate::failure::Failure;
@@ -124,7 +124,7 @@ pub(super) fn chance(
         }
         scenes.extend((0..lanes).map(|lane| {
             let speed = speeds.and_then(|speeds| speeds.speeds.get(first + lane).copied());
-            AvoidScene::pose(&form.map(|number| number.at(&columns, lane)), speed, obstacles).ok()
+            pose(&form.map(|number| number.at(&columns, lane)), speed, obstacles).ok()
         }));
     }
     let told = speeds.map(|speeds| speeds.speeds);

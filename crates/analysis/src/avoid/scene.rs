@@ -4,8 +4,6 @@ use inputs::{AvoidForm, BrakingForm, DemandForm, Quantity, STANDARD_GRAVITY, Spe
 use pim_core::InvalidInput;
 use time_distance::{Course, Leg, Response};
 
-use super::sight::{Outlines, View, Ways};
-
 /// How the vehicle came to the impact.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum ActualRun {
@@ -50,6 +48,28 @@ pub struct AvoidScene {
     pub actual: ActualRun,
     /// What obstacles do to the view.
     pub view: View,
+}
+
+/// Since when the view of the other party has been free, without a break up to the impact.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Sight {
+    /// (s) before the impact.
+    pub time: f64,
+    /// (m) the way of the vehicle from there to the impact.
+    pub distance_subject: f64,
+    /// (m) the way of the other party from there to the impact.
+    pub distance_other: f64,
+}
+
+/// What obstacles do to the view.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum View {
+    /// There are none.
+    Open,
+    /// They hide nothing in the [time before the impact](super::SIGHT_LOOK_BACK) that is looked at.
+    NeverHidden,
+    /// They hide the other party until then.
+    Free(Sight),
 }
 
 /// From where or when on a scene counts.
@@ -130,27 +150,8 @@ impl AvoidCourse {
 }
 
 impl AvoidScene {
-    /// The scene of these numbers, whose speed is `at_impact` (m/s) if it is sought.
-    pub(crate) fn pose(
-        form: &AvoidForm,
-        at_impact: Option<f64>,
-        obstacles: Outlines<'_>,
-    ) -> Result<Self, Unposed> {
-        let ways = form.sight.as_ref().map(Ways::of);
-        let (since, of_sight) = match (given_demand(form), &ways) {
-            (Some(since), _) => (since, None),
-            (None, None) => return Err(Unposed::NeverHidden),
-            (None, Some(ways)) => (ways.demand(form, at_impact, obstacles)?, Some(ways)),
-        };
-        let scene = Self::since(form, at_impact, since)?;
-        let view = match (of_sight, &ways) {
-            (Some(ways), _) => View::Free(ways.sight(scene.distance, scene.time)),
-            (None, Some(ways)) => ways.view(&scene, obstacles)?,
-            (None, None) => View::Open,
-        };
-        Ok(Self { view, ..scene })
-    }
-
+    /// The scene of these numbers, whose speed is `at_impact` (m/s) if it is sought, from where or when on
+    /// `since` says; without obstacles.
     pub(crate) fn since(form: &AvoidForm, at_impact: Option<f64>, since: Since) -> Result<Self, Unposed> {
         let swell = form.swell.as_ref().map_or(0.0, Quantity::si);
         let of = |reaction, deceleration| Response::new(reaction, swell, deceleration, form.swell_form);
@@ -303,7 +304,7 @@ impl AvoidScene {
 }
 
 /// Where or when the demand is; `None` if obstacles decide.
-fn given_demand(form: &AvoidForm) -> Option<Since> {
+pub(super) fn given_demand(form: &AvoidForm) -> Option<Since> {
     match &form.demand {
         DemandForm::Distance(distance) => Some(Since::Distance(distance.si())),
         DemandForm::Time(time) => Some(Since::Time(time.si())),

@@ -5,7 +5,7 @@ use pim_core::Vector2;
 use real::Real;
 use time_distance::{first_sight, free_since, sees};
 
-use super::scene::{AvoidScene, Since, Unposed};
+use super::scene::{AvoidScene, Sight, Since, Unposed, View, given_demand};
 
 /// (s) how far before the impact the sight is asked.
 pub const SIGHT_LOOK_BACK: f64 = 10.0;
@@ -13,28 +13,6 @@ pub const SIGHT_LOOK_BACK: f64 = 10.0;
 const STEPS: u32 = 200;
 /// (s) before the view is free, something hides the other party.
 const JUST_BEFORE: f64 = 1e-6;
-
-/// Since when the view of the other party has been free, without a break up to the impact.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Sight {
-    /// (s) before the impact.
-    pub time: f64,
-    /// (m) the way of the vehicle from there to the impact.
-    pub distance_subject: f64,
-    /// (m) the way of the other party from there to the impact.
-    pub distance_other: f64,
-}
-
-/// What obstacles do to the view.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum View {
-    /// There are none.
-    Open,
-    /// They hide nothing in the [time before the impact](SIGHT_LOOK_BACK) that is looked at.
-    NeverHidden,
-    /// They hide the other party until then.
-    Free(Sight),
-}
 
 /// How the other party was hidden.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -165,6 +143,27 @@ impl Ways {
         let [eye, point] = self.ends;
         obstacles.iter().position(|outline| !sees(eye, point, outline))
     }
+}
+
+/// The scene of these numbers, whose speed is `at_impact` (m/s) if it is sought.
+pub(super) fn pose(
+    form: &AvoidForm,
+    at_impact: Option<f64>,
+    obstacles: Outlines<'_>,
+) -> Result<AvoidScene, Unposed> {
+    let ways = form.sight.as_ref().map(Ways::of);
+    let (since, of_sight) = match (given_demand(form), &ways) {
+        (Some(since), _) => (since, None),
+        (None, None) => return Err(Unposed::NeverHidden),
+        (None, Some(ways)) => (ways.demand(form, at_impact, obstacles)?, Some(ways)),
+    };
+    let scene = AvoidScene::since(form, at_impact, since)?;
+    let view = match (of_sight, &ways) {
+        (Some(ways), _) => View::Free(ways.sight(scene.distance, scene.time)),
+        (None, Some(ways)) => ways.view(&scene, obstacles)?,
+        (None, None) => View::Open,
+    };
+    Ok(AvoidScene { view, ..scene })
 }
 
 /// (m) what the vehicle has to go at a time (s) before the impact, on the actual run.
