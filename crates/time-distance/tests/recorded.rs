@@ -1,6 +1,8 @@
 //! The distance from the beginning of braking to the impact, backwards from the last speed, against that by
 //! recorders.
 
+#![expect(clippy::print_stdout, reason = "says what is skipped, and how many records there are")]
+
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -40,7 +42,7 @@ impl Braked {
         let (first, last) = (on.first()?, on.last()?);
         let steps = on.iter().zip(on.iter().skip(1));
         let distance = steps.map(|(a, b)| 0.5 * (a.2 + b.2) * (b.0 - a.0)).sum();
-        (on.len() > 1 && first.2 > 0.0).then(|| Self { time: last.0 - first.0, distance, last: last.2 })
+        (on.len() > 1 && first.2 > 0.0).then_some(Self { time: last.0 - first.0, distance, last: last.2 })
     }
 
     /// (m) the distance backwards from the last speed over the time, with a deceleration (m/s²).
