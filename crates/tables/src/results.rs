@@ -62,8 +62,11 @@ enum What {
     IsAvoidable(usize),
 }
 
+/// What is read of avoidability.
+type OfAvoidance<T> = fn(&Avoidance) -> Option<T>;
+
 /// The numbers of avoidability, by the keys of the JSON of `deltav avoid`.
-const AVOIDED: [(&str, fn(&Avoidance) -> Option<f64>); 16] = [
+const AVOIDED: [(&str, OfAvoidance<f64>); 16] = [
     ("speed", |found| Some(found.scene.speed)),
     ("demand_distance", |found| Some(found.scene.distance)),
     ("demand_time", |found| Some(found.scene.time)),
@@ -83,7 +86,7 @@ const AVOIDED: [(&str, fn(&Avoidance) -> Option<f64>); 16] = [
 ];
 
 /// The answers at the limit, in the same way.
-const AVOIDABLE: [(&str, fn(&Avoidance) -> Option<bool>); 2] = [
+const AVOIDABLE: [(&str, OfAvoidance<bool>); 2] = [
     ("spatial_avoidable_at_limit", |found| Some(found.scene.limit <= found.scene.spatial())),
     ("temporal_avoidable_at_limit", |found| Some(found.scene.limit <= found.scene.temporal()?)),
 ];

@@ -1,7 +1,6 @@
 //! Time and distance: printed examples, a simulation in small steps, inverses.
 
 #![expect(clippy::disallowed_methods, reason = "what is expected shares no function with what is tested")]
-#![expect(clippy::print_stdout, reason = "a test that is skipped says so")]
 
 #[cfg(test)]
 mod closed_forms;

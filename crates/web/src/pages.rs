@@ -29,7 +29,7 @@ fn purpose(text: &str) -> String {
     let paragraphs: Vec<&str> = head.collect();
     let mut paragraphs = paragraphs.split(|line| line.is_empty());
     let first = paragraphs.next().unwrap_or_default();
-    let own = if first.iter().any(|line| for_editors(&line)) { paragraphs.next() } else { Some(first) };
+    let own = if first.iter().any(for_editors) { paragraphs.next() } else { Some(first) };
     own.unwrap_or_default().join(" ")
 }
 

@@ -185,7 +185,7 @@ pub(crate) fn sight_picture(case: &Case, found: &Avoidance, units: Units) -> Opt
         description: format!("Obstacles and the ways of both to the impact, seen from above: {says}."),
         obstacles: (0..obstacles.len()).map(|index| (corners(index), name(index))).collect(),
         ways: [way(0), way(1)],
-        legend: [format!("eye of the driver of vehicle {}", found.vehicle), party.to_string()],
+        legend: [format!("eye of the driver of vehicle {}", found.vehicle), party.to_owned()],
         line,
         scale: scale_unit(units, Measure::Way),
     })
