@@ -350,8 +350,8 @@ fn free(found: &Avoidance) -> Sight {
     sight
 }
 
-/// The line from the eye (−2 − s, 0) to the pedestrian (0, −u t) passes the corner (−3, −1.8) of the van where
-/// u t (s − 1) = 1.8 (s + 2).
+/// The line from the eye (−2 − s, 0) to the pedestrian (0, −u t) passes the corner (−3, −1.8) of the van
+/// where u t (s − 1) = 1.8 (s + 2).
 fn passes_the_corner(way: f64, time: f64) -> f64 {
     1.5 * time * (way - 1.0) - 1.8 * (way + 2.0)
 }

@@ -34,8 +34,8 @@ struct Braked {
 }
 
 impl Braked {
-    /// From samples with time (s), brake and speed (m/s) in the order of time; `None` if the brakes are not on
-    /// at the last two, or the vehicle stood all the time.
+    /// From samples with time (s), brake and speed (m/s) in the order of time; `None` if the brakes are not
+    /// on at the last two, or the vehicle stood all the time.
     fn of(samples: &[(f64, bool, f64)]) -> Option<Self> {
         let off = samples.iter().rposition(|(_, brake, _)| !brake).map_or(0, |off| off + 1);
         let on = &samples[off..];
