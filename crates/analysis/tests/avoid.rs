@@ -152,7 +152,7 @@ fn reliability(count: &[usize], [told, avoided, variance]: [&[f64]; 3]) -> Strin
         panels: vec![ScatterPanel { title: String::new(), points: points.collect() }],
         legend: vec![
             (filled, "share avoided".to_owned()),
-            (hollow, "where it lies with 95 % if the probabilities are right".to_owned()),
+            (hollow, "ends of 95 %, if as told".to_owned()),
         ],
         equality: "as told".to_owned(),
     }

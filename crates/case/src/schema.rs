@@ -1129,7 +1129,7 @@ pub(crate) static AVOID_SIGHT: Schema = Schema {
 
 pub(crate) static SIGHT_PLACE: Schema = Schema {
     place: "eye or point of [avoid.sight]",
-    text: "The driver's eye, or what the driver sees first of the other party. Both are places at the impact, in the coordinates of the scene. If left out, it is the `position` of the vehicle, or else the `contact` of [scene], or else the origin.",
+    text: "Place of the driver's eye, or of what it sees first of the other party. At the impact, in the coordinates of the scene. If left out, it is the `position` of the vehicle, or else the `contact` of [scene], or else the origin.",
     keys: &[PLACE_X, PLACE_Y],
     rules: &[Rule::Needs(&["x", "y"])],
 };

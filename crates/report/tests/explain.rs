@@ -285,10 +285,8 @@ fn the_words_of_the_trade_are_explained() {
         ("several impacts", "chain collision; second impact; secondary impact; pile-up; three vehicles"),
         ("sideslip", "sideslip; slip; slip angle; course; drift"),
         ("contact point", "impulse center; impulse centre; center of impulse"),
-        (
-            "time and distance",
-            "avoid; avoidance; speed limit; sight; sight distance; time to collision; TTC; visibility",
-        ),
+        ("time and distance", "avoid; avoidance; speed limit; time to collision; TTC"),
+        ("sight", "sight; sight distance; visibility; line of sight; obstacle"),
         ("reaction time", "reaction time; perception-reaction time"),
         ("stopping distance", "stopping distance; braking distance"),
         ("impulse ratio", "impulse ratio; mu"),
