@@ -460,8 +460,9 @@ fn headings_of_rules_and_reports_are_recognised() {
         ),
     ] {
         for heading in headings.split('|') {
-            // The speed beside it is of the table, and the heading in quotes, as it may have a comma.
-            let known = if channel == Channel::Speed { "Yaw rate (deg/s)" } else { "Speed (km/h)" };
+            // Beside it stands another quantity; the heading is in quotes, as it may have a comma.
+            let is_speed = matches!(channel, Channel::Speed | Channel::Other);
+            let known = if is_speed { "Yaw rate (deg/s)" } else { "Speed (km/h)" };
             let text = format!("Time (s),{known},\"{heading}\"\n-1,1,1\n0,1,0\n");
             let table = one(&text);
             let found = table.columns.iter().find(|column| column.heading == heading);
