@@ -365,7 +365,6 @@ export class Avoid implements Panel {
   private answer: Finished | null = null;
   /** The case with the numbers of the sliders. */
   private moved: string | null = null;
-  private asked = 0;
   private readonly move = eachFrame((sampled: boolean) => this.ask(sampled));
   private readonly rest = afterPause(350, () => this.move(true));
 
@@ -419,7 +418,7 @@ export class Avoid implements Panel {
       },
       // None: but then the files can be asked for.
       pictures: () => this.answer && this.finished(job, this.answer),
-      moved: (answer, to) => this.showMoved(answer, to),
+      moved: (answer, to, milliseconds) => this.showMoved(answer, to, milliseconds),
     });
   }
 
@@ -456,7 +455,6 @@ export class Avoid implements Panel {
   }
 
   private slid(): void {
-    this.asked = performance.now();
     this.move(false);
     if (this.answer?.charts?.some(({ name }) => name === "chance")) this.rest.ask();
   }
@@ -466,13 +464,14 @@ export class Avoid implements Panel {
     else if (this.answer) this.show(this.answer);
   }
 
-  private showMoved(answer: engine.Moved, to: Record<string, number>): void {
+  private showMoved(answer: engine.Moved, to: Record<string, number>, milliseconds: number): void {
+    const begun = performance.now();
     // The sliders may be back by now.
     if (Object.keys(this.to).length === 0) return;
     this.moved = answer.ok ? answer.text : null;
     if (answer.ok) this.draw(answer.html, answer.charts);
     this.showState(answer.ok ? texts.avoid.moved : engine.reason(answer));
-    this.element.dataset.milliseconds = String(performance.now() - this.asked);
+    this.element.dataset.milliseconds = String(milliseconds + performance.now() - begun);
     this.element.dataset.shown = JSON.stringify(to);
   }
 

@@ -35,7 +35,7 @@ export type FromWorker =
   | { kind: "answer"; answer: string; milliseconds: number; isLast: boolean }
   | { kind: "pictures"; pictures: string; isLast: boolean }
   | { kind: "file"; content: string; refused: string }
-  | { kind: "moved"; answer: string; to: Move["moved"] }
+  | { kind: "moved"; answer: string; to: Move["moved"]; milliseconds: number }
   | { kind: "failed"; message: string };
 
 export interface Finished {
@@ -66,7 +66,8 @@ export interface Listener {
   /** Of many samples some are told first; the last answer is that of all. */
   answer(answer: Finished | Unfinished, milliseconds: number, isLast: boolean): void;
   pictures?(pictures: Picture[]): void;
-  moved?(answer: Moved, to: Move["moved"]): void;
+  /** The engine took these milliseconds. */
+  moved?(answer: Moved, to: Move["moved"], milliseconds: number): void;
 }
 
 export class Runner {
@@ -135,7 +136,7 @@ export class Runner {
         this.moving = false;
         this.next = null;
         if (next) this.move(next);
-        listener.moved?.(JSON.parse(data.answer) as Moved, data.to);
+        listener.moved?.(JSON.parse(data.answer) as Moved, data.to, data.milliseconds);
       } else {
         if (data.isLast) this.works = false;
         listener.pictures?.(JSON.parse(data.pictures) as Picture[]);

@@ -28,7 +28,9 @@ self.addEventListener("message", ({ data }: MessageEvent<ToWorker>) => {
     return;
   }
   if ("moved" in data) {
-    if (ran) say({ kind: "moved", answer: ran.moved(JSON.stringify(data.moved), data.sampled), to: data.moved });
+    const begun = performance.now();
+    const answer = ran?.moved(JSON.stringify(data.moved), data.sampled);
+    if (answer !== undefined) say({ kind: "moved", answer, to: data.moved, milliseconds: performance.now() - begun });
     return;
   }
   const { module, job } = data;

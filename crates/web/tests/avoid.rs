@@ -74,7 +74,7 @@ fn quotes_and_backslashes_of_a_table_stay_what_they_are() {
 
 #[test]
 fn what_is_no_table_is_refused_and_says_why() {
-    for table in ["", "  \n", "hello, this is my crash", "Times (sec) Speed (km/h)\n-1 50\n-2 40\n"] {
+    for table in ["", "  \n", "hello, this is my crash", "Times (sec) Speed (km/h)\n"] {
         let refused = json(deltav_web::paste(BARE, "vehicle1.recorder.pre_crash", table));
         assert_eq!(refused["ok"], false, "{table}");
         assert!(refused["message"].as_str().unwrap().len() > 20, "{refused:#}");
