@@ -24,7 +24,8 @@ pub(crate) fn templates() -> Value {
 /// What a template says of itself at its head: the first paragraph behind what is for editors, or of a
 /// published example all of its head.
 fn purpose(text: &str) -> String {
-    let head = text.lines().skip(1).map_while(|line| line.strip_prefix('#')).map(str::trim);
+    let lines = text.lines().skip_while(|line| line.starts_with("#:schema"));
+    let head = lines.map_while(|line| line.strip_prefix('#')).map(str::trim);
     let for_editors = |line: &&str| line.starts_with("The first line is for editors");
     let paragraphs: Vec<&str> = head.collect();
     let mut paragraphs = paragraphs.split(|line| line.is_empty());

@@ -96,6 +96,8 @@ fn every_template_says_what_it_is_for() {
         let first = purpose.split_whitespace().take(4).collect::<Vec<_>>().join(" ");
         assert!(template["text_us"].as_str().unwrap().contains(&first), "{first}");
     }
+    let example = &json(deltav_web::templates())[0]["purpose"];
+    assert!(example.as_str().unwrap().starts_with("The example of SAE 980025"), "{example}");
     let avoid = json(deltav_web::templates());
     let avoid = avoid.as_array().unwrap().iter().find(|one| one["name"] == "avoid").unwrap();
     assert!(avoid["purpose"].as_str().unwrap().contains("pedestrian"));
