@@ -52,7 +52,8 @@ def text(docstring: str) -> str:
             page += [f"**{line}**", ""]
         elif is_fenced or not line.startswith("    "):
             named, _, kind = line.partition(" : ")
-            page += [f"- `{named}` : {kind}" if kind and not is_fenced else line.replace("``", "`")]
+            is_entry = not is_fenced and below.startswith("    ")
+            page += [f"- `{named}`" + (f": {kind}" if kind else "") if is_entry else line.replace("``", "`")]
         else:
             page += [f"  {line.strip()}".replace("``", "`")]
     return "\n".join([*page, "```"] if is_fenced else page)

@@ -137,8 +137,8 @@ fn which(page: &mut Document, found: &VehicleReading, units: Units) {
         ]);
     }
     let KnownImpact { force_direction, delta_v } = found.of_impact.impact;
-    let size = delta_v.map(|si| format!("its ΔV is {}", units.format(Measure::RoadSpeed, si)));
-    let direction = force_direction.map(|direction| format!("its PDOF {}°", degrees(direction)));
+    let size = delta_v.map(|si| format!("a ΔV of {}", units.format(Measure::RoadSpeed, si)));
+    let direction = force_direction.map(|direction| format!("a PDOF of {}°", degrees(direction)));
     let known: Vec<String> = size.into_iter().chain(direction).collect();
     table.notes.push(if known.is_empty() {
         "The case tells neither ΔV nor the direction of its impact: give the crush of both vehicles, or `pdof`."
@@ -146,8 +146,8 @@ fn which(page: &mut Document, found: &VehicleReading, units: Units) {
     } else {
         let errors = MatchErrors::default();
         format!(
-            "By the damage of this impact {}. Held against it with an error (standard deviation) of {}° in direction and {} % in \
-             ΔV; {} % of all records are taken to be of no such impact.",
+            "The damage shows {}. The records are held against it with errors (standard deviations) of {}° in direction and {} % in ΔV; \
+             {} % of all records are taken to be of no such impact.",
             known.join(" and "),
             degrees(errors.direction),
             number(100.0 * errors.size, 0),
