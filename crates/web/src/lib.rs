@@ -247,8 +247,9 @@ impl Run {
     /// - `reconstruct` finds an exact solution. If the case has more evidence than that uses, it weighs all
     ///   of it; else, if the case has ranges, it finds the intervals with the errors of the method, which `{
     ///   method: false }` leaves out, as they take as long as the first;
-    /// - `avoid` asks whether the collision was avoidable: `{ samples, seed, exact }`. Its answer has `charts`
-    ///   as well, and `sliders`, `[{ key, unit, value, least, most, step }]` in the units of the case;
+    /// - `avoid` asks whether the collision was avoidable: `{ samples, seed, exact }`. Its answer has
+    ///   `charts` as well, and `sliders`, `[{ key, unit, value, least, most, step }]` in the units of the
+    ///   case;
     /// - every command that [`answer()`] takes.
     ///
     /// `{ ok: true, converged, headline, html }`, or `{ ok: false, problems, message }`. The rest is made
@@ -271,9 +272,10 @@ impl Run {
         .to_string()
     }
 
-    /// The last run, an avoidability, with its sliders moved to `{ key: value }`: `{ ok: true, text, headline,
-    /// html, charts }`, or `{ ok: false, problems, message }`. `text` is the case that has these numbers. The
-    /// speed that the rest of the case tells is not sought anew; a probability is found where it is `sampled`.
+    /// The last run, an avoidability, with its sliders moved to `{ key: value }`: `{ ok: true, text,
+    /// headline, html, charts }`, or `{ ok: false, problems, message }`. `text` is the case that has these
+    /// numbers. The speed that the rest of the case tells is not sought anew; a probability is found where it
+    /// is `sampled`.
     #[must_use]
     pub fn moved(&self, to: &str, sampled: bool) -> String {
         self.made(|ran| ran.moved(to, sampled))
