@@ -260,12 +260,8 @@ fn found(
         return Err(hides_the_impact(case, index).into());
     }
     let scene = sight::pose(form, at_impact, &obstacles).map_err(|refusal| unposed(form, refusal))?;
-    let hiding = match (scene.view, ways) {
-        (View::Free(sight), Some(ways)) => {
-            Some(ways.hiding(&scene, &sight, &obstacles).map_err(|index| holds_the_eye(case, index))?)
-        }
-        _ => None,
-    };
+    let hiding = ways.zip(scene.view.sight()).map(|(ways, sight)| ways.hiding(&scene, &sight, &obstacles));
+    let hiding = hiding.transpose().map_err(|index| holds_the_eye(case, index))?;
     let chance = plan.map_or(Ok(None), |plan| of_ranges(case, told.as_deref(), &obstacles, plan))?;
     // Of a speed with a range, only the samples know whether all of it lies below the limit.
     let may_be_above = match &chance {
@@ -519,9 +515,11 @@ fn unposed(form: &AvoidForm, refusal: Unposed) -> Failure {
         Unposed::BrakedBefore { distance, time } => {
             let (key, when, given) = match &form.demand {
                 DemandForm::Distance(given) => {
-                    ("avoid.demand.distance", in_unit_of(given, distance), given.to_string())
+                    ("avoid.demand.distance", in_unit_of(given, distance), format!("{given} before it"))
                 }
-                DemandForm::Time(given) => ("avoid.demand.time", in_unit_of(given, time), given.to_string()),
+                DemandForm::Time(given) => {
+                    ("avoid.demand.time", in_unit_of(given, time), format!("{given} before it"))
+                }
                 DemandForm::Sight => (
                     "avoid.demand.sight",
                     format!("{} s", rounded(time)),
@@ -530,12 +528,11 @@ fn unposed(form: &AvoidForm, refusal: Unposed) -> Failure {
                 DemandForm::Other([way, speed]) => (
                     "avoid.demand.other",
                     format!("{} s", rounded(time)),
-                    format!("{} s", rounded(way.si() / speed.si())),
+                    format!("{} s before it", rounded(way.si() / speed.si())),
                 ),
             };
-            let is = if form.demand == DemandForm::Sight { given } else { format!("{given} before it") };
             let reason = format!(
-                "the brakes took effect {when} before the impact, and so before the reaction demand, which is {is}"
+                "the brakes took effect {when} before the impact, and so before the reaction demand, which is {given}"
             );
             let advice = "a driver cannot react before there is something to see: give an earlier demand, or check \
                           the skid and the speed at the impact";

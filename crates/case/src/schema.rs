@@ -1101,7 +1101,7 @@ pub(crate) static AVOID: Schema = Schema {
 
 pub(crate) static AVOID_SIGHT: Schema = Schema {
     place: "[avoid.sight]",
-    text: "Where the driver is and what there is to see, at the impact. Both come to it on a straight way, the other party at constant speed. It matters only with `obstacle`.",
+    text: "Where the driver's eye and the first visible part of the other party are at the impact. Both approach it in a straight line, the other party at constant speed. It is used only with `obstacle`.",
     keys: &[
         table("eye", "eye = { x = \"-1.9 m\", y = \"0.4 m\" }", &SIGHT_PLACE),
         key(

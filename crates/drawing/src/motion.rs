@@ -14,7 +14,7 @@ use crate::pens::{
     APPROACH, BLACK, EDGE_OF_GROUND, FILL, GREY, MARK, MEASURED, OUTLINE, PALE, PASSING, PATH, Pen, SKID,
     THIN, WHITE,
 };
-use crate::plan::{self, Contact, Pose, View, polyline};
+use crate::plan::{self, Contact, Pose, View, extent, polyline};
 use crate::plan_view::{PlanBody, PlanView, Viewport};
 use crate::scene::SceneArrow;
 use crate::site_plan::{Backdrop, SitePlan};
@@ -282,9 +282,7 @@ impl MotionPicture {
             points.extend(vehicle.skids.iter().flatten().map(|&at| vec2(at)));
             arrows.extend(vehicle.approach_arrow(View { origin: Point::ZERO, scale }).map(|(tail, _)| tail));
         }
-        let mut points = points.into_iter().map(|point| (flipped(point) * scale).to_point()).chain(arrows);
-        let first = points.next().unwrap_or_default();
-        points.fold(Rect::from_points(first, first), |bounds, point| bounds.union_pt(point))
+        extent(points.into_iter().map(|point| (flipped(point) * scale).to_point()).chain(arrows))
     }
 
     /// (units of time) between two dots at equal times: a round number.

@@ -169,6 +169,13 @@ pub(crate) fn is_drawn([low, high]: [f64; 2]) -> bool {
     high - low >= SHORTEST_WALL
 }
 
+/// The extent of some points; that of the origin if there are none.
+pub(crate) fn extent(points: impl IntoIterator<Item = Point>) -> Rect {
+    let mut points = points.into_iter();
+    let first = points.next().unwrap_or_default();
+    points.fold(Rect::from_points(first, first), |extent, point| extent.union_pt(point))
+}
+
 /// The closed path through the corners.
 pub(crate) fn polygon(corners: impl IntoIterator<Item = Point>) -> BezPath {
     let mut path = polyline(corners);

@@ -8,7 +8,7 @@ use crate::finished::Drawing;
 use crate::font::{Anchor, SMALL};
 use crate::legend::{self, EDGE, HEADER, Sample, ScaleUnit, WIDTH};
 use crate::pens::{BLACK, BOUND, GREY, OUTLINE, PALE, PATH, Pen, THIN};
-use crate::plan::{View, polygon, polyline};
+use crate::plan::{View, extent, polygon, polyline};
 use crate::vector::{flipped, vec2};
 
 const NAME: &str = "sight";
@@ -54,7 +54,7 @@ impl SightPicture {
         for (k, (corners, name)) in self.obstacles.iter().enumerate() {
             let outline = polygon(corners.iter().map(|corner| page(*corner)));
             canvas.path(&format!("obstacle-{}", k + 1), &outline, Some(THIN), PALE);
-            let middle = middle(corners.iter().map(|corner| page(*corner)));
+            let middle = extent(corners.iter().map(|corner| page(*corner))).center();
             canvas.text(Point::new(middle.x, middle.y + 4.5), name, SMALL, Anchor::Middle, GREY);
         }
         for (i, way) in self.ways.iter().enumerate() {
@@ -83,14 +83,6 @@ impl SightPicture {
     fn bounds(&self, scale: f64) -> Rect {
         let corners = self.obstacles.iter().flat_map(|(corners, _)| corners);
         let places = self.ways.iter().flatten().map(|(at, _)| at);
-        let all = corners.chain(places).map(|at| (flipped(vec2(*at)) * scale).to_point());
-        let extent = all.map(|at| Rect::from_points(at, at)).reduce(|one, other| one.union(other));
-        extent.unwrap_or_default()
+        extent(corners.chain(places).map(|at| (flipped(vec2(*at)) * scale).to_point()))
     }
-}
-
-/// The middle of the extent of some points.
-fn middle(points: impl Iterator<Item = Point>) -> Point {
-    let extent = points.map(|at| Rect::from_points(at, at)).reduce(|one, other| one.union(other));
-    extent.unwrap_or_default().center()
 }

@@ -294,7 +294,7 @@ pub enum TextRefusal {
     },
     /// Rows of a table whose rows are times.
     #[error(
-        "rows are chosen from a table of NHTSA with PCODE, PTIME and PVALUE, and this is none: leave `rows` out"
+        "`rows` chooses from a long table of NHTSA, with the columns PCODE, PTIME and PVALUE; this table is not one: leave `rows` out"
     )]
     NotLong,
     /// A row without a time.

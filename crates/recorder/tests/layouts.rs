@@ -406,7 +406,7 @@ fn rows_of_several_records_or_of_none_are_refused() {
         (LONG, "VEHNO 1", "EDREVENTNO 1, 2; choose one with rows = \"EDREVENTNO 1\""),
         (LONG, "VEHNO 1, EDREVENTNO 3", "no row has EDREVENTNO 3; there are 1, 2"),
         (LONG, "PCODE 1010", "by PCODE; write one of CASEID, VEHNO, EDRSUMMNO, EDREVENTNO"),
-        (wide, "VEHNO 1", "this is none: leave `rows` out"),
+        (wide, "VEHNO 1", "this table is not one: leave `rows` out"),
     ] {
         let refusal = read_rows(text, rows).unwrap_err().to_string();
         assert!(refusal.contains(words), "{rows}: {refusal}");

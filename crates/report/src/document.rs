@@ -294,7 +294,7 @@ impl Document {
         }));
     }
 
-    /// The charts that its HTML has and its text has not, each with its name.
+    /// The charts that appear in its HTML but not in its text, each with its name.
     pub fn charts(&self) -> impl Iterator<Item = (&str, Drawing)> {
         self.blocks.iter().filter_map(|block| match block {
             Block::Chart { name, drawing, .. } => Some((name.as_str(), drawing.draw())),

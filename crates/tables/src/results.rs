@@ -8,8 +8,7 @@ use analysis::quantities::{
     NO_DAMAGE_SPEED, OBLIQUE_ANGLE, OBLIQUE_FACTOR, PDOF, PEAK_FORCE,
 };
 use analysis::{
-    Analysis, Avoidance, Estimated, Hypothesis, Output, OutputQuantity, QUANTITIES, Samples, Seen, Sight,
-    View,
+    Analysis, Avoidance, Estimated, Hypothesis, Output, OutputQuantity, QUANTITIES, Samples, Seen,
 };
 use arrow_array::builder::{BooleanBuilder, Float64Builder, Int64Builder, ListBuilder, StringBuilder};
 use arrow_array::{ArrayRef, RecordBatch};
@@ -70,9 +69,9 @@ const AVOIDED: [(&str, OfAvoidance<f64>); 16] = [
     ("speed", |found| Some(found.scene.speed)),
     ("demand_distance", |found| Some(found.scene.distance)),
     ("demand_time", |found| Some(found.scene.time)),
-    ("sight_time", |found| Some(sight(found)?.time)),
-    ("sight_distance_subject", |found| Some(sight(found)?.distance_subject)),
-    ("sight_distance_other", |found| Some(sight(found)?.distance_other)),
+    ("sight_time", |found| Some(found.scene.view.sight()?.time)),
+    ("sight_distance_subject", |found| Some(found.scene.view.sight()?.distance_subject)),
+    ("sight_distance_other", |found| Some(found.scene.view.sight()?.distance_other)),
     ("stopping_distance", |found| Some(found.scene.response.stopping_distance(found.scene.speed))),
     ("spatial_speed", |found| Some(found.scene.spatial())),
     ("temporal_speed", |found| found.scene.temporal()),
@@ -90,13 +89,6 @@ const AVOIDABLE: [(&str, OfAvoidance<bool>); 2] = [
     ("spatial_avoidable_at_limit", |found| Some(found.scene.limit <= found.scene.spatial())),
     ("temporal_avoidable_at_limit", |found| Some(found.scene.limit <= found.scene.temporal()?)),
 ];
-
-fn sight(found: &Avoidance) -> Option<Sight> {
-    match found.scene.view {
-        View::Free(sight) => Some(sight),
-        View::Open | View::NeverHidden => None,
-    }
-}
 
 /// What was found of one row.
 pub(crate) enum Found {

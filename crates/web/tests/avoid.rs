@@ -82,7 +82,7 @@ fn what_is_no_table_is_refused_and_says_why() {
     // Errors elsewhere do not keep a table out.
     let elsewhere = "[vehicle2]\nmass = \"heavy\"\n";
     made(deltav_web::paste(elsewhere, "vehicle1.recorder.pre_crash", TABLE));
-    // A file that is no TOML is mended first.
+    // A file that is not TOML has to be corrected first.
     let broken = json(deltav_web::paste("[vehicle1", "vehicle1.recorder.pre_crash", TABLE));
     assert!(broken["message"].as_str().unwrap().contains("TOML"));
 }

@@ -3,7 +3,7 @@
 use ::uncertainty::{Distribution, LANES, Lanes, Sampler, SamplingMethod, Settings, random};
 use inputs::{AvoidForm, Input};
 
-use super::scene::{AvoidScene, Sight, View};
+use super::scene::{AvoidScene, Sight};
 use super::sight::{Outlines, pose};
 use crate::columns::Number;
 use crate::estimate::Estimated;
@@ -65,9 +65,9 @@ pub struct AvoidInterval {
 pub struct SightIntervals {
     /// (s) before the impact.
     pub time: AvoidInterval,
-    /// (m) the way of the vehicle from there to the impact.
+    /// (m) distance that the vehicle covers from there to the impact.
     pub distance_subject: AvoidInterval,
-    /// (m) the way of the other party from there to the impact.
+    /// (m) distance that the other party covers from there to the impact.
     pub distance_other: AvoidInterval,
     /// (–) share of samples in which nothing hides it in the time that is looked at.
     pub never_hidden: f64,
@@ -197,11 +197,7 @@ fn of_scenes(
 }
 
 fn of_sights(posed: &[&AvoidScene]) -> Option<SightIntervals> {
-    let free = |scene: &&AvoidScene| match scene.view {
-        View::Free(sight) => Some(sight),
-        View::Open | View::NeverHidden => None,
-    };
-    let sights: Vec<Sight> = posed.iter().filter_map(free).collect();
+    let sights: Vec<Sight> = posed.iter().filter_map(|scene| scene.view.sight()).collect();
     let of = |of: fn(&Sight) -> f64| AvoidInterval::of(sights.iter().map(of).collect());
     (!sights.is_empty()).then(|| SightIntervals {
         time: of(|sight| sight.time),

@@ -55,9 +55,9 @@ pub struct AvoidScene {
 pub struct Sight {
     /// (s) before the impact.
     pub time: f64,
-    /// (m) the way of the vehicle from there to the impact.
+    /// (m) distance that the vehicle covers from there to the impact.
     pub distance_subject: f64,
-    /// (m) the way of the other party from there to the impact.
+    /// (m) distance that the other party covers from there to the impact.
     pub distance_other: f64,
 }
 
@@ -70,6 +70,17 @@ pub enum View {
     NeverHidden,
     /// They hide the other party until then.
     Free(Sight),
+}
+
+impl View {
+    /// Since when it is free, if something hides the other party before.
+    #[must_use]
+    pub fn sight(self) -> Option<Sight> {
+        match self {
+            Self::Free(sight) => Some(sight),
+            Self::Open | Self::NeverHidden => None,
+        }
+    }
 }
 
 /// From where or when on a scene counts.

@@ -108,10 +108,8 @@ impl Ways {
             return if way < farthest { Ok(Since::Distance(way)) } else { Err(Unposed::NeverHidden) };
         }
         let early = AvoidScene::since(form, at_impact, Since::Time(SIGHT_LOOK_BACK))?;
-        match self.view(&early, obstacles)? {
-            View::Free(sight) => Ok(Since::Time(sight.time)),
-            View::Open | View::NeverHidden => Err(Unposed::NeverHidden),
-        }
+        let sight = self.view(&early, obstacles)?.sight().ok_or(Unposed::NeverHidden)?;
+        Ok(Since::Time(sight.time))
     }
 
     /// How the other party was hidden before the view was free; an error with the obstacle (by its index) in

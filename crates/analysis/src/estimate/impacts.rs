@@ -277,18 +277,12 @@ fn pose(case: &Case) -> Option<Posed> {
 
 /// Follows a vehicle to rest in the particles that are wanted.
 fn follow(id: VehicleId, wanted: [bool; LANES], motions: &[Option<MotionInput>], impacts: &mut [Impacted]) {
-    let zones: Vec<Vec<Zone<'_>>> = motions
-        .iter()
-        .zip(wanted)
-        .map(|(motion, wanted)| motion.as_ref().filter(|_| wanted))
-        .map(|motion| motion.map_or_else(Vec::new, |motion| motion.surface.zones()))
-        .collect();
+    let inputs = motions.iter().enumerate().filter(|(lane, _)| wanted[*lane] && impacts[*lane].is_possible);
+    let inputs: Vec<_> = inputs.filter_map(|(lane, motion)| Some((lane, motion.as_ref()?))).collect();
+    let zones: Vec<Vec<Zone<'_>>> = inputs.iter().map(|(_, input)| input.surface.zones()).collect();
     let mut lanes = Vec::with_capacity(LANES);
     let mut outsets = Vec::with_capacity(LANES);
-    for (lane, (motion, zones)) in motions.iter().zip(&zones).enumerate() {
-        let Some(input) = motion.as_ref().filter(|_| wanted[lane] && impacts[lane].is_possible) else {
-            continue;
-        };
+    for ((lane, input), zones) in inputs.into_iter().zip(&zones) {
         let Some(way) = &input.vehicles[id.index()] else { continue };
         let motion = impacts[lane].outcome.after[id.index()];
         lanes.push((lane, input));

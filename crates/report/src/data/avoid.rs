@@ -1,7 +1,7 @@
 //! Whether the collision was avoidable, as JSON.
 
 use analysis::{
-    ActualRun, AvoidChance, AvoidInterval, AvoidRun, Avoidance, Hypothesis, SpeedSource, Unbraked, View,
+    ActualRun, AvoidChance, AvoidInterval, AvoidRun, Avoidance, Hypothesis, SpeedSource, Unbraked,
 };
 use case::{CaseFile, SWELLS, word};
 use serde::Serialize;
@@ -221,7 +221,7 @@ pub fn avoid_json(file: &CaseFile, found: &Avoidance) -> Result<String, serde_js
 }
 
 fn sight(found: &Avoidance) -> Option<SightBlock> {
-    let View::Free(sight) = found.scene.view else { return None };
+    let sight = found.scene.view.sight()?;
     Some(SightBlock {
         time: sight.time,
         distance_subject: sight.distance_subject,

@@ -1,7 +1,7 @@
 //! What the pictures of avoidability show.
 
 use ::drawing::{Axis, ChancePicture, Drawing, PathTimeCourse, PathTimePicture, SightPicture, ValueMark};
-use analysis::{AvoidRun, Avoidance, Hypothesis, View, obstacle_name};
+use analysis::{AvoidRun, Avoidance, Hypothesis, obstacle_name};
 use case::{Case, GivenDemand, OtherParty};
 
 use super::scale_unit;
@@ -154,10 +154,7 @@ pub(crate) fn sight_picture(case: &Case, found: &Avoidance, units: Units) -> Opt
     found.eye_and_point(0.0)?;
     // In axes with y to the left of x.
     let shown = |[x, y]: [f64; 2]| [x, case.axes.lateral(y)];
-    let free = match found.scene.view {
-        View::Free(sight) => Some(sight),
-        View::Open | View::NeverHidden => None,
-    };
+    let free = found.scene.view.sight();
     let first = ((free.map_or(0.0, |sight| sight.time).max(found.scene.time) / APART).ceil() + MORE) * APART;
     let times = std::iter::successors(Some(first), |time| (*time > 0.0).then(|| time - APART));
     let way = |of: usize| -> Vec<([f64; 2], String)> {
@@ -177,7 +174,7 @@ pub(crate) fn sight_picture(case: &Case, found: &Avoidance, units: Units) -> Opt
         let time = units.format(Measure::Time, sight.time);
         Some((ends, format!("the view becomes free, {time} before the impact")))
     });
-    let says = line.as_ref().map_or("The obstacles hide nothing.", |(_, says)| says);
+    let says = line.as_ref().map_or("the obstacles hide nothing", |(_, says)| says);
     let party = party(case);
     Some(SightPicture {
         title: title(case),

@@ -111,9 +111,9 @@ fn answer(case: &Case, found: &Avoidance, units: Units) -> Vec<String> {
             }
         ));
     }
-    if let View::Free(sight) = scene.view {
+    if let Some(sight) = scene.view.sight() {
         lines.push(format!(
-            "In sight without a break: for {} before the impact, from {} away on",
+            "In sight without a break for the last {} and {} before the impact",
             units.format(Measure::Time, sight.time),
             units.format(Measure::Way, sight.distance_subject),
         ));
@@ -142,14 +142,14 @@ pub(crate) fn doubts(found: &Avoidance, units: Units) -> Vec<String> {
             number(share, 2)
         )
     });
-    let early = match found.scene.view {
-        View::Free(sight) if found.scene.time - sight.time > SAME_MOMENT => Some(format!(
+    let lead = found.scene.view.sight().map(|sight| found.scene.time - sight.time);
+    let early = lead.filter(|lead| *lead > SAME_MOMENT).map(|lead| {
+        format!(
             "The reaction demand lies {} before the moment at which the other party came into sight: say in its `reason` what the driver \
              could recognize the danger by, or write demand = {{ sight = true }}.",
-            units.format(Measure::Time, found.scene.time - sight.time)
-        )),
-        _ => None,
-    };
+            units.format(Measure::Time, lead)
+        )
+    });
     hard.into_iter().chain(early).collect()
 }
 
@@ -303,19 +303,19 @@ fn free(case: &Case, found: &Avoidance, sight: &Sight, units: Units) -> Table {
         table.row([label, units.format(measure, value), ends.unwrap_or_else(|| NONE.to_owned())]);
     };
     row(
-        "the view is free before the impact for".to_owned(),
+        "in sight without a break before the impact".to_owned(),
         Measure::Time,
         sight.time,
         intervals.map(|of| &of.time),
     );
     row(
-        format!("way of vehicle {} in this time", found.vehicle),
+        format!("distance vehicle {} covers in this time", found.vehicle),
         Measure::Way,
         sight.distance_subject,
         intervals.map(|of| &of.distance_subject),
     );
     row(
-        format!("way of {} in this time", party(case)),
+        format!("distance {} covers in this time", party(case)),
         Measure::Way,
         sight.distance_other,
         intervals.map(|of| &of.distance_other),
@@ -347,9 +347,15 @@ fn hidden(case: &Case, hiding: Option<&Hiding>, units: Units) -> Vec<String> {
         }
     });
     let earlier = hiding.seen_earlier.map(|time| {
-        let since =
-            if time >= SIGHT_LOOK_BACK { String::new() } else { format!(", first {} before the impact", units.format(Measure::Time, time)) };
-        format!("Before it was hidden, the view was free as well{since}; the time looked at is {SIGHT_LOOK_BACK} s.")
+        let first = if time >= SIGHT_LOOK_BACK {
+            String::new()
+        } else {
+            format!(", first {} before the impact", units.format(Measure::Time, time))
+        };
+        format!(
+            "Before that, {} had been in sight{first}; the program looks back {SIGHT_LOOK_BACK} s.",
+            party(case)
+        )
     });
     by.into_iter().chain(earlier).collect()
 }
@@ -370,14 +376,14 @@ fn view_and_demand(found: &Avoidance, sight: &Sight, units: Units) -> String {
 fn ways(case: &Case) -> String {
     let Some(form) = case.avoid_form().and_then(|form| form.sight) else { return String::new() };
     let how = |form: &PlaceForm| match form {
-        PlaceForm::Given(_) => "as given",
-        PlaceForm::Position(_) => "the centre of gravity of the vehicle",
-        PlaceForm::Contact(_) => "the point of contact",
-        PlaceForm::Origin => "the origin of the scene, as no place is given",
+        PlaceForm::Given(_) => "at the place given",
+        PlaceForm::Position(_) => "at the centre of gravity of the vehicle",
+        PlaceForm::Contact(_) => "at the point of contact",
+        PlaceForm::Origin => "at the origin of the scene, because no place is given",
     };
     format!(
-        "The driver's eye at the impact is {}, what there is to see of {} is {}. Both come to the impact on straight ways, in the directions \
-         {} and {}, the other party at a constant {}.",
+        "At the impact, the driver's eye is {}, and the first visible part of {} is {}. Both approach the impact in straight lines, in the \
+         directions {} and {}, the other party at a constant {}.",
         how(&form.eye),
         party(case),
         how(&form.point),
