@@ -316,7 +316,7 @@ fn the_sight_is_told_and_drawn() {
     let html = deltav(&["avoid", case, "--samples", "2000", "--format", "html"]).stdout;
     let html = String::from_utf8(html).unwrap();
     for words in
-        ["parked van", "source: survey", "the view becomes free", "id=\"sight-obstacle-1\"", "as given"]
+        ["parked van", "source: survey", "the view becomes free", "id=\"sight-obstacle-1\"", "at the place given"]
     {
         assert!(html.contains(words), "{words}");
     }

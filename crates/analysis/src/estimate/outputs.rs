@@ -71,6 +71,7 @@ impl Prior for Told<'_> {
         self.model.values_count()
     }
 
+    #[inline(always)]
     fn values(&self, standard: &[Lanes], values: &mut [Lanes]) {
         self.model.values(standard, values);
     }
@@ -81,6 +82,7 @@ impl Evidence for Told<'_> {
         self.model.terms_count()
     }
 
+    #[inline(always)]
     fn log_likelihood(&self, values: &[Lanes], terms: &mut [Lanes], reasons: &mut [u8; LANES]) {
         self.model.log_likelihood(values, terms, reasons);
     }
