@@ -4,7 +4,8 @@ use std::sync::Arc;
 
 use arrow_array::{ArrayRef, Float64Array, Int64Array, RecordBatch, StringArray};
 use arrow_schema::{DataType, Field as Column, Schema};
-use evidence::FITTED;
+use case::Prior;
+use evidence::{FITTED, InjuryRisk};
 use field::{Field, FieldError, KnownCrush, Options, Pair, judge, read};
 use pim_core::VehicleId;
 use pyo3::exceptions::{PyRuntimeError, PyValueError};
@@ -65,6 +66,7 @@ pub(crate) struct Judged {
     /// What it takes to judge again.
     text: String,
     other: bool,
+    prior: Prior,
     particles: usize,
     seed: u64,
     threads: Option<usize>,
@@ -76,17 +78,20 @@ pub(crate) fn judge_pairs(
     py: Python<'_>,
     text: String,
     other: bool,
+    prior: &str,
     particles: Whole<usize>,
     seed: Whole<u64>,
     threads: Option<Whole<usize>>,
 ) -> PyResult<Judged> {
     let (particles, seed, threads) = (particles.0, seed.0, threads.map(|threads| threads.0));
+    let prior = chosen("prior", prior, &Prior::WORDS[..2])?;
+    let injury = (prior == Prior::SeriousInjury).then_some(InjuryRisk::SERIOUS);
     let pairs = py.detach(|| read(&text)).map_err(refused)?;
-    let options = Options { particles, seed, other, crush: KnownCrush::Both };
+    let options = Options { particles, seed, other, crush: KnownCrush::Both, injury };
     let judged =
         interruptible(py, threads, |ending| judge(&pairs, &FITTED, &options, &mut |_, _| ending.flow()))?;
     let field = judged.map_err(refused)?;
-    Ok(Judged { field, text, other, particles, seed, threads })
+    Ok(Judged { field, text, other, prior, particles, seed, threads })
 }
 
 type Draw = fn(&Field) -> report::Drawing;
@@ -118,7 +123,8 @@ impl Judged {
     fn __reduce__<'py>(slf: &Bound<'py, Self>) -> PyResult<(Bound<'py, PyAny>, Bound<'py, PyTuple>)> {
         let judged = slf.get();
         let again = slf.py().import("deltav._deltav")?.getattr("_judge_pairs")?;
-        let asked = (&judged.text, judged.other, judged.particles, judged.seed, judged.threads);
+        let asked =
+            (&judged.text, judged.other, judged.prior.name(), judged.particles, judged.seed, judged.threads);
         Ok((again, asked.into_pyobject(slf.py())?))
     }
 }

@@ -14,17 +14,17 @@ use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 
 use ::estimate::{
     Culprit, DrawsSummary, MOST_PARTICLES, PARTICLES_STEP, Posterior, SamplerDoubt, Selection, Settings,
-    Verdict, sample, sample_without,
+    Verdict, Weights, sample, sample_without,
 };
 use ::uncertainty::{Distribution, Estimate, InvalidDistribution};
-use evidence::{EnergyMethod, Model, Observed, Piece, TestedClass};
+use evidence::{EnergyMethod, InjuryRisk, Model, Observed, Piece, TestedClass};
 use inputs::{Case, Unit};
 use pim_core::VehicleId;
 
 use crate::excluded::{Impossible, key, table};
 use crate::failure::Failure;
 use crate::output::Output;
-use crate::quantities::DELTA_V_LONGITUDINAL;
+use crate::quantities::{DELTA_V, DELTA_V_LONGITUDINAL};
 use crate::uncertainty::NOISE;
 pub use notes::{Unused, UnusedReason};
 use outputs::Told;
@@ -124,6 +124,9 @@ pub struct EstimatedOutput {
     pub prior: Option<DrawsSummary>,
     /// (SI) after it.
     pub posterior: DrawsSummary,
+    /// (SI) after it, if it was known as well that somebody in either vehicle was seriously hurt; `None` if
+    /// the prior is another one than that of the field, or too few draws lead there.
+    pub if_injured: Option<DrawsSummary>,
 }
 
 /// (–) if the 95 % interval after the evidence is wider than this share of the one before, and the median has
@@ -319,14 +322,17 @@ pub fn estimate(
         let before = prior.as_ref().and_then(|prior| stands(prior, id));
         Some(Stood { assumed, before, after: stands(&posterior, id)? })
     });
+    let injured = (setup.prior == inputs::Prior::Field).then(|| of_injured(&told, &posterior)).flatten();
     let outputs = told
         .outputs()
         .iter()
+        .zip(posterior.outputs())
         .enumerate()
-        .map(|(place, output)| EstimatedOutput {
+        .map(|(place, (output, draws))| EstimatedOutput {
             output: *output,
             prior: prior.as_ref().map(|prior| prior.summary(::estimate::DrawnQuantity::Output(place))),
             posterior: posterior.summary(::estimate::DrawnQuantity::Output(place)),
+            if_injured: injured.as_ref().map(|weights| posterior.weighted(weights).summary(draws)),
         })
         .collect();
     let unknown = setup
@@ -430,13 +436,27 @@ fn missed(model: &Model<impacts::CaseImpacts>, posterior: &Posterior) -> Vec<Str
     keys
 }
 
+/// Weights that turn the draws into those of a collision in which somebody was seriously hurt; `None` if too
+/// few of them lead there.
+fn of_injured(told: &Told<'_>, posterior: &Posterior) -> Option<Weights> {
+    let delta_v = VehicleId::ALL.map(|id| told.draws(posterior, DELTA_V.of_vehicle(id)));
+    let risk = |draw: usize| {
+        let delta_v = delta_v.map(|draws| draws.map_or(0.0, |draws| draws[draw]));
+        InjuryRisk::SERIOUS.ln_in_either(delta_v)
+    };
+    let weights = Weights::smoothed(&(0..posterior.count()).map(risk).collect::<Vec<_>>());
+    let suffice = weights.are_reliable() && posterior.worth(&weights) >= ::estimate::ESS_LIMIT;
+    suffice.then_some(weights)
+}
+
 /// Whether a recorder's longitudinal ΔV has the opposite sign of all draws.
 fn has_other_sign(found: &PieceFound, observed: &Observed, told: &Told<'_>, posterior: &Posterior) -> bool {
     let Piece::RecordedDeltaV(id) = found.piece else { return false };
     let Some(part) = observed.vehicles[id.index()].recorder.longitudinal else { return false };
     let wanted = DELTA_V_LONGITUDINAL.of_vehicle(id);
-    let place = told.outputs().iter().position(|output| *output == wanted);
-    let median = place.map(|place| posterior.summary(::estimate::DrawnQuantity::Output(place)).median.value);
+    let median = told
+        .place(wanted)
+        .map(|place| posterior.summary(::estimate::DrawnQuantity::Output(place)).median.value);
     median.is_some_and(|median| median * part.along < 0.0)
 }
 

@@ -980,7 +980,7 @@ pub(crate) static ESTIMATE: Schema = Schema {
             "prior",
             "prior = \"field\"",
             Form::Words(&words_of(&Prior::WORDS)),
-            "How severe the collision may have been. `\"field\"` (the default): as severe as collisions after which a vehicle was towed; `\"flat\"`: every speed is as likely as any other.",
+            "How severe the collision may have been. `\"field\"` (the default): as severe as collisions after which a vehicle was towed; `\"serious-injury\"`: as those of them in which somebody in either vehicle was seriously hurt (MAIS 3 or more); `\"flat\"`: every speed is as likely as any other.",
         ),
         key(
             "delta_v_median",

@@ -462,9 +462,17 @@ fn methods() -> Vec<Word<SamplingMethod>> {
 }
 
 fn priors() -> Vec<Word<Prior>> {
-    let meanings =
-        ["As severe as collisions after which a vehicle was towed", "All speeds are equally likely"];
+    let meanings = [
+        "As severe as collisions after which a vehicle was towed",
+        "As severe as those of them in which somebody was seriously hurt (MAIS 3 or more)",
+        "All speeds are equally likely",
+    ];
     meaning(Prior::WORDS, meanings)
+}
+
+/// Those that a table of crashes can be judged with.
+fn priors_of_field() -> Vec<Word<Prior>> {
+    priors().into_iter().filter(|(_, _, prior)| *prior != Prior::Flat).collect()
 }
 
 fn jobs() -> Vec<Word<Job>> {
@@ -921,7 +929,7 @@ pub(crate) struct EstimateArguments {
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
     pub(crate) threads: Option<u16>,
 
-    /// field (as severe as crashes with a towed vehicle) or flat (any speed)
+    /// Severity before the evidence: field, serious-injury or flat
     #[arg(long, value_parser = one_of(priors()), hide_possible_values = true)]
     pub(crate) prior: Option<Prior>,
 
@@ -994,7 +1002,7 @@ pub(crate) struct TableArguments {
     #[arg(long, value_name = "N", default_value_t = EstimatePlan::PARTICLES, value_parser = particles)]
     pub(crate) particles: usize,
 
-    /// Severity before the evidence, field or flat (estimate)
+    /// Severity before the evidence: field, serious-injury or flat (estimate)
     #[arg(long, value_parser = one_of(priors()), hide_possible_values = true)]
     pub(crate) prior: Option<Prior>,
 
@@ -1041,6 +1049,10 @@ pub(crate) struct ValidateArguments {
     /// Give the recorder of one vehicle, and judge the other vehicle
     #[arg(long, requires = "field")]
     pub(crate) other: bool,
+
+    /// Severity before the evidence: field, or serious-injury where the crashes were chosen for one
+    #[arg(long, value_parser = one_of(priors_of_field()), requires = "field", conflicts_with = "judge", hide_possible_values = true)]
+    pub(crate) prior: Option<Prior>,
 
     /// Judge another program instead: its ΔV (km/h) in the columns COLUMN_1 and COLUMN_2 of FILE, and the
     /// ends of its 95 % intervals in LOW_1, HIGH_1, LOW_2 and HIGH_2

@@ -4,6 +4,8 @@ use std::fs;
 use std::path::Path;
 
 use anyhow::{Context as _, Result};
+use case::Prior;
+use evidence::InjuryRisk;
 use report::Drawing;
 use validation::{Data, Validation};
 
@@ -79,6 +81,7 @@ fn validate_recorders(path: &Path, arguments: &ValidateArguments) -> Result<()> 
         seed: arguments.seed,
         other: true,
         crush: field::KnownCrush::Both,
+        injury: None,
     };
     let mut progress = Progress::new()?;
     let judged = pool(arguments.threads)?.install(|| {
@@ -101,6 +104,7 @@ fn validate_field(path: &Path, arguments: &ValidateArguments) -> Result<()> {
         seed: arguments.seed,
         other: arguments.other,
         crush: field::KnownCrush::Both,
+        injury: (arguments.prior == Some(Prior::SeriousInjury)).then_some(InjuryRisk::SERIOUS),
     };
     let judged = if let Some(crashes) = field::read_objects(&text).with_context(|| name.clone())? {
         let refused = [("--other", arguments.other), ("--judge", arguments.judge.is_some())];

@@ -315,9 +315,13 @@ fn the_sight_is_told_and_drawn() {
     assert!(low < time && time < high);
     let html = deltav(&["avoid", case, "--samples", "2000", "--format", "html"]).stdout;
     let html = String::from_utf8(html).unwrap();
-    for words in
-        ["parked van", "source: survey", "the view becomes free", "id=\"sight-obstacle-1\"", "at the place given"]
-    {
+    for words in [
+        "parked van",
+        "source: survey",
+        "the view becomes free",
+        "id=\"sight-obstacle-1\"",
+        "at the place given",
+    ] {
         assert!(html.contains(words), "{words}");
     }
     let svg = String::from_utf8(deltav(&["draw", case, "--what", "sight"]).stdout).unwrap();

@@ -35,8 +35,10 @@ impl Weights {
         self.pareto <= PARETO_LIMIT
     }
 
-    /// Weights from their logarithms, with the greatest smoothed.
-    pub(crate) fn smoothed(logarithms: &[f64]) -> Self {
+    /// Weights from their logarithms, one for each draw, with the greatest smoothed: the logarithms of the
+    /// likelihood of another piece of evidence turn the draws into those of the posterior with it.
+    #[must_use]
+    pub fn smoothed(logarithms: &[f64]) -> Self {
         let greatest = logarithms.iter().fold(f64::NEG_INFINITY, |greatest, l| greatest.max(*l));
         let mut weights: Vec<f64> = logarithms.iter().map(|l| exp(l - greatest)).collect();
         let pareto = smooth(&mut weights);

@@ -350,15 +350,41 @@ pub struct Severity {
     pub ln_sd: f64,
     /// (m/s) s, of which greater multiples are rare: weight exp(−(v₁² + v₂²)/2s²).
     pub speed: f64,
+    /// The risk of an injury, if the collision belongs to those in which somebody suffered it.
+    pub injury: Option<InjuryRisk>,
+}
+
+/// The probability that somebody in a vehicle suffers an injury.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct InjuryRisk {
+    /// (–) logarithm of the odds without any ΔV.
+    pub intercept: f64,
+    /// (s/m) its increase with ΔV.
+    pub slope: f64,
+}
+
+impl InjuryRisk {
+    /// A serious injury, MAIS 3 or more, by total ΔV in frontal collisions: Wang, MAIS(05/08) injury
+    /// probability curves as functions of delta V, DOT HS 813 219 (2022), −6.9774 and 0.1620 per mph.
+    pub const SERIOUS: Self = Self { intercept: -6.9774, slope: 0.1620 / 0.44704 };
+
+    /// (–) the logarithm of the probability that somebody in either vehicle suffers it; ΔV in m/s.
+    #[must_use]
+    pub fn ln_in_either(self, delta_v: [f64; 2]) -> f64 {
+        // 1 − p = 1/(1 + exp(a + b ΔV))
+        let none = |delta_v: f64| 1.0 / (1.0 + exp(self.intercept + self.slope * delta_v));
+        // P = 1 − (1 − p₁)(1 − p₂)
+        ln(1.0 - none(delta_v[0]) * none(delta_v[1]))
+    }
 }
 
 impl Severity {
     /// This severity of a vehicle whose speed is uniform before it: the median of its ΔV is again this one.
     #[must_use]
     pub fn of_uniform_speed(self) -> Self {
-        let Self { median, ln_sd, speed } = self;
+        let Self { median, ln_sd, .. } = self;
         // A uniform v has a density ~ v of ln v, and v N(ln v; μ, σ²) ~ N(ln v; μ + σ², σ²).
-        Self { median: median * exp(-ln_sd * ln_sd), ln_sd, speed }
+        Self { median: median * exp(-ln_sd * ln_sd), ..self }
     }
 }
 

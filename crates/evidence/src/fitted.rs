@@ -4,7 +4,7 @@ use crash3::Side;
 use real::Real;
 use uncertainty::{Distribution, InvalidDistribution};
 
-use crate::collision::{CodedPdof, Crush, CrushMisfit, EnergyError, Restitution, Severity};
+use crate::collision::{CodedPdof, Crush, CrushMisfit, EnergyError, InjuryRisk, Restitution, Severity};
 use crate::density::Freedom;
 use crate::figures::{CRUSH_FIGURES, CrushFigures, OfVehicle};
 
@@ -212,7 +212,7 @@ const SPREADS: [usize; 3] = [1, 2, 3];
 
 /// The figures fitted to crashes of 2017 (Crash Investigation Sampling System, NHTSA), in November 2026.
 pub const FITTED: Fitted = Fitted {
-    severity: Severity { median: 7.36, ln_sd: 0.47, speed: 25.0 },
+    severity: Severity { median: 7.36, ln_sd: 0.47, speed: 25.0, injury: None },
     front_to_front: 1.42,
     crush_bias: -0.521,
     crush_ln_sd: [0.405, 0.576, 0.336],
@@ -236,7 +236,7 @@ pub const FITTED: Fitted = Fitted {
     pdof_scale: 0.104_719_755_119_659_77,
     pdof_side_factor: 1.5,
     objects: ObjectFigures {
-        severity: Severity { median: 7.7, ln_sd: 0.83, speed: 25.0 },
+        severity: Severity { median: 7.7, ln_sd: 0.83, speed: 25.0, injury: None },
         misfit: CrushMisfit { bias: -0.770, ln_sd: 1.470 },
         covariance: [[0.059_07, -0.008_01], [-0.008_01, 0.024_70]],
     },
@@ -266,6 +266,14 @@ fn kind(hit: &[Damage]) -> usize {
 const REFERENCE: [f64; 2] = [1600.0, 1.6];
 
 impl Fitted {
+    /// The same for collisions in which somebody suffered an injury of this `risk`.
+    #[must_use]
+    pub fn of_injured(mut self, risk: InjuryRisk) -> Self {
+        self.severity.injury = Some(risk);
+        self.objects.severity.injury = Some(risk);
+        self
+    }
+
     /// Severity of a collision in which these sides were `hit`: two fronts, or others.
     #[must_use]
     pub fn severity_of(&self, hit: &[Damage]) -> Severity {
@@ -273,10 +281,10 @@ impl Fitted {
         let times = if is_front_to_front { self.front_to_front } else { 1.0 };
         let [of_median, of_factor] = self.errors.severity;
         let of_factor = if is_front_to_front { of_factor } else { 0.0 };
-        let Severity { median, ln_sd, speed } = self.severity;
+        let Severity { median, ln_sd, .. } = self.severity;
         // The errors of the median are normal as well: σ² + σ_m² + σ_f²
         let ln_sd = Real::sqrt(ln_sd * ln_sd + of_median * of_median + of_factor * of_factor);
-        Severity { median: median * times, ln_sd, speed }
+        Severity { median: median * times, ln_sd, ..self.severity }
     }
 
     /// Misfit between crush energy and impact if these sides were `hit`, of one vehicle or both.

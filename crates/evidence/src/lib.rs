@@ -53,9 +53,9 @@ mod number;
 mod tested;
 
 pub use collision::{
-    After, BodyNumbers, CodedPdof, Collision, Crush, CrushErrors, CrushMisfit, EnergyError, Limits, Measured,
-    MeasuredRest, MeasuredSpeed, Observed, ObservedVehicle, OtherCrush, RecordedDeltaV, RecordedPart,
-    Recorder, Restitution, Severity, Speeds, Vehicle,
+    After, BodyNumbers, CodedPdof, Collision, Crush, CrushErrors, CrushMisfit, EnergyError, InjuryRisk,
+    Limits, Measured, MeasuredRest, MeasuredSpeed, Observed, ObservedVehicle, OtherCrush, RecordedDeltaV,
+    RecordedPart, Recorder, Restitution, Severity, Speeds, Vehicle,
 };
 pub use density::Freedom;
 pub use figures::{CRUSH_FIGURES, CrushChange, CrushFigures, OfVehicle};

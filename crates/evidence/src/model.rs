@@ -330,15 +330,17 @@ impl<I: Impacts> Model<I> {
         match piece {
             Piece::Severity => {
                 let Some(severity) = self.observed.severity else { return Error::NONE };
-                let [dv1, dv2] = match impacted.outcome.delta_v_magnitude() {
+                let delta_v = impacted.outcome.delta_v_magnitude();
+                let [dv1, dv2] = match delta_v {
                     // A fixed object has no ΔV.
                     [dv, 0.0] | [0.0, dv] => [dv, dv],
                     both => both,
                 };
                 let [v1, v2] = impacted.speeds;
                 let often = -0.5 * (v1 * v1 + v2 * v2) / (severity.speed * severity.speed);
+                let injured = severity.injury.map_or(0.0, |risk| risk.ln_in_either(delta_v));
                 Error {
-                    potential: often,
+                    potential: often + injured,
                     ..Error::normal(0.5 * ln(dv1 * dv2 / (severity.median * severity.median)), severity.ln_sd)
                 }
             }

@@ -5,9 +5,9 @@ use std::f64::consts::PI;
 use estimate::{DrawnQuantity, Evidence, Independent, Settings, sample_quietly};
 use evidence::{
     After, BodyNumbers, CodedPdof, Collision, Crush, CrushErrors, CrushMisfit, Damage, EnergyError, FITTED,
-    Freedom, Impacted, Impacts, Limits, Measured, MeasuredRest, MeasuredSpeed, Model, Number, Observed,
-    ObservedVehicle, OtherCrush, Output, Piece, RecordedDeltaV, RecordedPart, Recorder, Restitution,
-    Severity, Speeds, Vehicle, Way,
+    Freedom, Impacted, Impacts, InjuryRisk, Limits, Measured, MeasuredRest, MeasuredSpeed, Model, Number,
+    Observed, ObservedVehicle, OtherCrush, Output, Piece, RecordedDeltaV, RecordedPart, Recorder,
+    Restitution, Severity, Speeds, Vehicle, Way,
 };
 use pim_core::Vector2;
 use pim_core::VehicleId::{One, Two};
@@ -275,10 +275,27 @@ fn limits_hold() {
 #[test]
 fn severity_is_that_of_the_mean_delta_v() {
     let mut collision = rear_end();
-    collision.observed.severity = Some(Severity { median: 7.0, ln_sd: 0.5, speed: 25.0 });
+    collision.observed.severity = Some(Severity { median: 7.0, ln_sd: 0.5, speed: 25.0, injury: None });
     let z = ((6.6_f64 * 9.9).sqrt() / 7.0).ln() / 0.5;
     assert_eq!(terms(&collision).len(), 1);
     close(terms(&collision)[0].1, normal(z, 0.5) - 0.5 * (15.0_f64 / 25.0).powi(2));
+}
+
+/// Half of the vehicles with a ΔV of 43.1 mph have a seriously injured occupant, −6.9774 + 0.1620 · 43.07 = 0.
+#[test]
+fn a_serious_injury_makes_a_severe_collision_more_likely() {
+    let half = 6.9774 / 0.1620 * 0.44704;
+    close(InjuryRisk::SERIOUS.ln_in_either([half, half]), 0.75_f64.ln());
+    let mut collision = rear_end();
+    let usual = Severity { median: 7.0, ln_sd: 0.5, speed: 25.0, injury: None };
+    let term = |severity: Severity, collision: &mut Collision| {
+        collision.observed.severity = Some(severity);
+        terms(collision)[0].1
+    };
+    let without = term(usual, &mut collision);
+    let with = term(Severity { injury: Some(InjuryRisk::SERIOUS), ..usual }, &mut collision);
+    let [one, two] = [6.6, 9.9].map(|dv: f64| 1.0 / (1.0 + (6.9774 - 0.1620 * dv / 0.44704).exp()));
+    close(with - without, (one + two - one * two).ln());
 }
 
 #[test]

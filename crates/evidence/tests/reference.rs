@@ -50,7 +50,7 @@ fn crush([constant, linear, square]: [f64; 3]) -> Option<Crush> {
 
 /// The misfits are those of the reference, independent of later fits.
 const CRUSH: CrushMisfit = CrushMisfit { bias: -0.404, ln_sd: 0.366 };
-const SEVERITY: Severity = Severity { median: 7.36, ln_sd: 0.47, speed: 25.0 };
+const SEVERITY: Severity = Severity { median: 7.36, ln_sd: 0.47, speed: 25.0, injury: None };
 
 /// A crash with both speeds unknown; the cases set everything else.
 fn usual(masses: [Number; 2], yaw_radii: [f64; 2], crushes: [[f64; 3]; 2]) -> Collision {

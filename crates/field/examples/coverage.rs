@@ -21,7 +21,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         Some("other") => KnownCrush::Other,
         Some(_) => return Err("behind the file stands `own`, `other` or nothing".into()),
     };
-    let options = Options { particles: 128, seed: 1, other: false, crush };
+    let options = Options { particles: 128, seed: 1, other: false, crush, injury: None };
     let field = judge(&pairs, &FITTED, &options, &mut |_, _| ControlFlow::Continue(()))?;
     for group in &field.groups {
         print!("{:<12}{:>4} recorders, inside their interval of 50, 80 and 95 %:", group.name, group.ours.n);

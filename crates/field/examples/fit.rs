@@ -93,7 +93,13 @@ fn held_out<C: Crash>(
 ) -> Result<(), Box<dyn std::error::Error>> {
     let Some(folds) = folds else { return Ok(()) };
     for other in others {
-        let options = Options { particles: PARTICLES[1], seed: SEED, other: *other, crush: KnownCrush::Both };
+        let options = Options {
+            particles: PARTICLES[1],
+            seed: SEED,
+            other: *other,
+            crush: KnownCrush::Both,
+            injury: None,
+        };
         let of = |crash: &_| folds.of(crash).unwrap_or(fit.fitted);
         print(&judge_by(crashes, &of, &options, &mut progress)?);
     }

@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::ops::ControlFlow;
 
 use estimate::{Posterior, Settings, Verdict, sample_quietly};
-use evidence::{Collision, Fitted, Model, Output, shown_delta_v};
+use evidence::{Collision, Fitted, InjuryRisk, Model, Output, shown_delta_v};
 use pim_core::VehicleId;
 use real::Real;
 use real::elementary::{exp, ln};
@@ -31,6 +31,8 @@ pub struct Options {
     pub other: bool,
     /// Which crush is known.
     pub crush: KnownCrush,
+    /// The injury for which the crashes were chosen, if they were: no crash is in the file without it.
+    pub injury: Option<InjuryRisk>,
 }
 
 /// One vehicle, estimated without its recorder.
@@ -103,6 +105,8 @@ pub struct Field {
     pub other: bool,
     /// Whether each vehicle struck a fixed object, and no other vehicle.
     pub objects: bool,
+    /// Whether the crashes were taken as chosen for an injury.
+    pub injured: bool,
     /// Number of pairs of the file, or of vehicles that struck a fixed object.
     pub pairs: usize,
     /// Number of pairs that were finished before the run was ended.
@@ -147,7 +151,8 @@ pub fn judge_by<C: Crash>(
             finished = done;
             break;
         }
-        let fitted = &fitted(pair);
+        let fitted = fitted(pair);
+        let fitted = &options.injury.map_or(fitted, |risk| fitted.of_injured(risk));
         match (options.other, &pair.truths()[..]) {
             (true, [one, two]) => {
                 judged.extend(vehicles(pair, fitted, options, &[two.0], &[*one])?);
@@ -184,7 +189,8 @@ pub fn judge_by<C: Crash>(
         VehicleId::ALL.into_iter().filter(is_doubted).map(|id| (pair.case().to_owned(), id))
     });
     let (other, doubted, objects) = (options.other, doubted.collect(), C::IS_WITH_OBJECT);
-    Ok(Field { other, objects, pairs: pairs.len(), finished, doubted, judged, groups })
+    let injured = options.injury.is_some();
+    Ok(Field { other, objects, injured, pairs: pairs.len(), finished, doubted, judged, groups })
 }
 
 /// The posterior of a collision, and whether its run converged; the reason in words if there is none.

@@ -185,13 +185,16 @@ pub enum Prior {
     /// `"field"`: like that of collisions after which a vehicle was towed.
     #[default]
     Field,
+    /// `"serious-injury"`: like that of those of them in which somebody was seriously hurt.
+    SeriousInjury,
     /// `"flat"`: any speed is as likely as any other.
     Flat,
 }
 
 impl Prior {
     /// Each with its word.
-    pub const WORDS: [(&str, Self); 2] = [("field", Self::Field), ("flat", Self::Flat)];
+    pub const WORDS: [(&str, Self); 3] =
+        [("field", Self::Field), ("serious-injury", Self::SeriousInjury), ("flat", Self::Flat)];
 
     /// Its word.
     #[must_use]

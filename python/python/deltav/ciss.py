@@ -434,6 +434,7 @@ def judge(
     pairs: Iterable[Mapping[str, _Cell]],
     *,
     other: bool = False,
+    prior: Literal["field", "serious-injury"] = "field",
     particles: int = 128,
     seed: int = 1,
     threads: int | None = None,
@@ -450,6 +451,9 @@ def judge(
         ``Pairs``, or some of them.
     other : bool
         Whether the recorder of the other vehicle is evidence.
+    prior : {"field", "serious-injury"}
+        How severe such crashes are before the evidence: as those after which a vehicle was towed, or as those
+        of them in which somebody was seriously hurt, as in CIREN.
     particles : int
         (–) of each of 16 islands, a multiple of 128.
     seed : int
@@ -474,7 +478,7 @@ def judge(
     >>> judged.interval95[0] < judged.median < judged.interval95[1]
     True
     """
-    return Coverage(_deltav._judge_pairs(_as_csv(pairs), other, particles, seed, threads))
+    return Coverage(_deltav._judge_pairs(_as_csv(pairs), other, prior, particles, seed, threads))
 
 
 def _kind(name: str) -> str:

@@ -986,6 +986,8 @@ class EstimatedOutput(Record):
     """(SI) standard deviation of the draws."""
     standard_error: PosteriorErrors | None
     """From the sampling itself."""
+    if_serious_injury: Interval | None
+    """If somebody in either vehicle was seriously hurt; None where another prior was asked for."""
 
 
 class Tested(Record):
@@ -1221,6 +1223,8 @@ class _Coverage:
     """Whether each was estimated with the recorder of the other vehicle."""
     objects: bool
     """Whether each vehicle struck a fixed object, and no other vehicle."""
+    prior: str
+    """Severity before the evidence: ``"field"`` or ``"serious-injury"``."""
     pairs: int
     """(–) number of pairs that were read."""
     finished: int

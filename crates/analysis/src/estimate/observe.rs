@@ -5,7 +5,7 @@ mod damage;
 mod recorder;
 mod skid;
 
-use evidence::{Damage, FITTED, Limits, MeasuredSpeed, Observed, ObservedVehicle, Severity};
+use evidence::{Damage, FITTED, InjuryRisk, Limits, MeasuredSpeed, Observed, ObservedVehicle, Severity};
 use inputs::{Case, Collision, GivenVehicle, MotionInput, Prior, Quantity};
 use pim_core::VehicleId;
 
@@ -83,7 +83,8 @@ pub(super) fn observe(scene: &Scene<'_>) -> (Observed, Notes) {
     let given = case.estimate.unwrap_or_default();
     let hit: Vec<Damage> = damage::movers(case).map(|id| damage(id, nominal, reference)).collect();
     let of_object = is_with_object(case, &hit);
-    let usual = if of_object { FITTED.objects.severity } else { FITTED.severity_of(&hit) };
+    let fitted = if prior == Prior::SeriousInjury { FITTED.of_injured(InjuryRisk::SERIOUS) } else { FITTED };
+    let usual = if of_object { fitted.objects.severity } else { fitted.severity_of(&hit) };
     let median = given.delta_v_median.as_ref().map_or(usual.median, Quantity::si);
     let times = if hit == [Damage::Side; 2] { SIDESWIPE_SPREAD } else { 1.0 };
     let severity = Severity { median, ln_sd: usual.ln_sd * times, ..usual };
@@ -93,7 +94,7 @@ pub(super) fn observe(scene: &Scene<'_>) -> (Observed, Notes) {
             damage::crush_errors(case, energies(crushed, case), ranges, &hit, of_object);
         (notes.take((errors, found)), figures)
     });
-    let severity = (prior == Prior::Field).then_some(severity);
+    let severity = (prior != Prior::Flat).then_some(severity);
     let figures = crush.and_then(|(_, figures)| figures);
     (Observed { vehicles, severity, crush: crush.map(|(errors, _)| errors), figures }, notes)
 }

@@ -46,15 +46,24 @@ impl<'a> Told<'a> {
         &self.outputs
     }
 
+    /// The place of an output.
+    pub(super) fn place(&self, wanted: Output) -> Option<usize> {
+        self.outputs.iter().position(|output| *output == wanted)
+    }
+
     /// The place among the outputs of the speed of a vehicle that moves.
     pub(super) fn speed_place(&self, id: VehicleId) -> Option<usize> {
-        let wanted = SPEED.of_vehicle(id);
-        self.outputs.iter().position(|output| *output == wanted)
+        self.place(SPEED.of_vehicle(id))
+    }
+
+    /// (SI) the draws of an output.
+    pub(super) fn draws<'p>(&self, posterior: &'p Posterior, wanted: Output) -> Option<&'p [f64]> {
+        posterior.outputs().get(self.place(wanted)?).map(Vec::as_slice)
     }
 
     /// (m/s) the draws of the speed of a vehicle that moves.
     pub(super) fn speed<'p>(&self, posterior: &'p Posterior, id: VehicleId) -> Option<&'p [f64]> {
-        posterior.outputs().get(self.speed_place(id)?).map(Vec::as_slice)
+        self.draws(posterior, SPEED.of_vehicle(id))
     }
 
     fn value(&self, output: Output, impacted: &Impacted) -> f64 {

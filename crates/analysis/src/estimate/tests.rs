@@ -5,12 +5,12 @@ use std::collections::BTreeSet;
 use std::ops::ControlFlow;
 
 use case::CaseFile;
-use inputs::Case;
+use inputs::{Case, Prior};
 
 use super::*;
 use crate::columns::tests::{AnyCase, FORMS, any_case};
 use crate::output::Output;
-use crate::quantities::{CRUSH_ENERGY, IMPACT_RESTITUTION, PDOF, SKID_SPEED, SPEED};
+use crate::quantities::{CRUSH_ENERGY, DELTA_V, IMPACT_RESTITUTION, PDOF, SKID_SPEED, SPEED};
 
 fn read(text: &str) -> Case {
     CaseFile::parse("test.toml", text).unwrap().case
@@ -1097,6 +1097,25 @@ fn a_front_against_a_barrier_has_figures_of_its_own() {
     // A side against an object was not fitted to such crashes.
     let side = of_case(&text("left", "fixed = true\n", ""));
     assert_eq!(side.observed.crush.unwrap().0[0].bias, evidence::FITTED.crush_bias);
+}
+
+/// The answer beside that of the field is the one that its own run finds.
+#[test]
+fn a_serious_injury_is_told_beside_the_answer_and_can_be_asked_for() {
+    let case = read(include_str!("../../../../fixtures/estimate.toml"));
+    let of_prior = |prior| {
+        let plan = EstimatePlan { particles: 512, seed: 1, prior, pieces: false };
+        estimate(&case, &plan, &mut |_, _, _| ControlFlow::Continue(())).unwrap()
+    };
+    let [field, injured, flat] = [None, Some(Prior::SeriousInjury), Some(Prior::Flat)].map(of_prior);
+    for output in VehicleId::ALL.map(|id| DELTA_V.of_vehicle(id)) {
+        let told = of(&field, output).if_injured.as_ref().unwrap().median;
+        let found = of(&injured, output).posterior.median;
+        let error = told.standard_error.unwrap().hypot(found.standard_error.unwrap());
+        assert!((told.value - found.value).abs() < 4.0 * error, "{output:?}: {told:?}, {found:?}");
+        assert!(told.value > of(&field, output).posterior.median.value + 2.0 * error);
+        assert!(of(&injured, output).if_injured.is_none() && of(&flat, output).if_injured.is_none());
+    }
 }
 
 /// The median of vehicle 1's speed behind the wreck of two cars of 1500 and 1000 kg that left at 12 m/s.

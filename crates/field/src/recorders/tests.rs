@@ -133,7 +133,8 @@ fn a_row_that_lacks_something_says_what() {
 #[test]
 fn speeds_are_judged_by_the_evidence_beside_the_own_recorder() {
     let rows = read_recorders(&table(&[])).unwrap();
-    let options = Options { particles: 128, seed: 1, other: true, crush: crate::crash::KnownCrush::Both };
+    let options =
+        Options { particles: 128, seed: 1, other: true, crush: crate::crash::KnownCrush::Both, injury: None };
     let judged =
         judge_recorders(&rows, &evidence::FITTED, &options, &mut |_, _| ControlFlow::Continue(())).unwrap();
     assert_eq!((judged.speeds.len(), judged.delta_vs.len()), (2, 2));

@@ -71,6 +71,8 @@ struct OutputBlock {
     sd: Option<f64>,
     /// Standard errors due to the sampling.
     standard_error: Option<ErrorBlock>,
+    /// If somebody was seriously hurt; `null` if another prior was asked for, or too few draws lead there.
+    if_serious_injury: Option<PriorBlock>,
 }
 
 #[derive(Serialize)]
@@ -228,6 +230,7 @@ impl OutputBlock {
                 mean: error(summary.mean),
                 sd: error(summary.sd),
             }),
+            if_serious_injury: output.if_injured.as_ref().filter(|_| is_answer).map(PriorBlock::of),
         }
     }
 }

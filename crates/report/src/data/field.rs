@@ -2,6 +2,7 @@
 
 use std::collections::BTreeMap;
 
+use case::Prior;
 use field::{Field, Figures, Judged, LEVELS};
 use serde::Serialize;
 
@@ -11,6 +12,7 @@ use super::pretty;
 struct Document<'a> {
     other: bool,
     objects: bool,
+    prior: &'static str,
     pairs: usize,
     finished: usize,
     groups: BTreeMap<&'a str, FiguresBlock>,
@@ -115,6 +117,7 @@ pub fn field_json(field: &Field) -> Result<String, serde_json::Error> {
     pretty(&Document {
         other: field.other,
         objects: field.objects,
+        prior: if field.injured { Prior::SeriousInjury } else { Prior::Field }.name(),
         pairs: field.pairs,
         finished: field.finished,
         groups: field.groups.iter().map(|group| (group.name, FiguresBlock::of(&group.ours))).collect(),

@@ -510,9 +510,33 @@ impl<'a> Page<'a> {
                 "The severity is that of collisions after which a vehicle was towed; `--prior flat`, or `prior = \"flat\"` \
                  in [estimate], makes every speed equally likely."
             }
+            Prior::SeriousInjury => {
+                "The severity is that of collisions after which a vehicle was towed and in which somebody in either \
+                 vehicle was seriously hurt (MAIS 3 or more; risk by ΔV: DOT HS 813 219)."
+            }
             Prior::Flat => "Every speed is as likely as any other before the evidence, as asked for.",
         };
         self.document.paragraph(words);
+        self.if_injured();
+    }
+
+    /// What else would be found of the speeds and ΔV if somebody was seriously hurt.
+    fn if_injured(&mut self) {
+        let wanted = [&SPEED, &DELTA_V].map(|row| VehicleId::ALL.map(|id| row.of_vehicle(id)));
+        let told = wanted.into_iter().flatten().filter_map(|wanted| {
+            let [median, interval] = self.speed(self.find(wanted)?.if_injured.as_ref()?);
+            let unit = self.units.name(Measure::RoadSpeed);
+            Some(format!("{}: {median} {unit} (95 %: {interval} {unit})", output_name(wanted)))
+        });
+        let told: Vec<String> = told.collect();
+        if told.is_empty() {
+            return;
+        }
+        self.document.paragraph(
+            "If somebody in either vehicle was seriously hurt (MAIS 3 or more), such collisions are severer. With \
+             `--prior serious-injury`, or `prior = \"serious-injury\"` in [estimate], the answer is:",
+        );
+        self.document.push(Block::List(told));
     }
 
     /// The prior of a number, in words.

@@ -39,6 +39,12 @@ pub fn field(field: &Field, file: &str) -> Document {
             field.pairs
         ));
     }
+    if field.injured {
+        document.paragraph(
+            "The crashes were taken as chosen because somebody in either vehicle was seriously hurt (MAIS 3 or more), so \
+             they are severer before the evidence than those after which a vehicle was towed.",
+        );
+    }
     if field.finished < field.pairs {
         document.paragraph(format!(
             "Ended early: only the first {} {rows} of the file were gone through. All figures are of these alone.",
