@@ -4,7 +4,7 @@ use std::ffi::{OsStr, OsString};
 use std::path::{Path, PathBuf};
 
 use analysis::EstimatePlan;
-use case::{Dimension, Prior, Quantity, Template, read_quantity};
+use case::{Dimension, Quantity, SeverityPrior, Template, read_quantity};
 use clap::builder::{
     MapValueParser, PathBufValueParser, PossibleValue, PossibleValuesParser, StringValueParser,
     TypedValueParser, ValueParserFactory,
@@ -461,10 +461,10 @@ fn methods() -> Vec<Word<SamplingMethod>> {
     meaning(SamplingMethod::WORDS, meanings)
 }
 
-fn priors() -> Vec<Word<Prior>> {
+fn priors() -> Vec<Word<SeverityPrior>> {
     let meanings =
         ["As severe as collisions after which a vehicle was towed", "All speeds are equally likely"];
-    meaning(Prior::WORDS, meanings)
+    meaning(SeverityPrior::WORDS, meanings)
 }
 
 fn jobs() -> Vec<Word<Job>> {
@@ -923,7 +923,7 @@ pub(crate) struct EstimateArguments {
 
     /// field (as severe as crashes with a towed vehicle) or flat (any speed)
     #[arg(long, value_parser = one_of(priors()), hide_possible_values = true)]
-    pub(crate) prior: Option<Prior>,
+    pub(crate) prior: Option<SeverityPrior>,
 
     /// Skip the answers for each piece of evidence, which take most of the time
     #[arg(long)]
@@ -996,7 +996,7 @@ pub(crate) struct TableArguments {
 
     /// Severity before the evidence, field or flat (estimate)
     #[arg(long, value_parser = one_of(priors()), hide_possible_values = true)]
-    pub(crate) prior: Option<Prior>,
+    pub(crate) prior: Option<SeverityPrior>,
 
     /// Number of threads [default: one for each processor]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]

@@ -2,7 +2,7 @@
 
 use std::ops::ControlFlow;
 
-use evidence::{Collision, CrushErrors, Fitted, MeasuredSpeed, Output, shown_delta_v};
+use evidence::{Collision, CrushErrors, DrawnOutput, Fitted, MeasuredSpeed, shown_delta_v};
 use pim_core::VehicleId;
 use real::Real;
 use real::elementary::{ln, sin_cos};
@@ -412,7 +412,7 @@ impl RecordedPair {
         let collision = self.collision(fitted, &other, &other, exact);
         let collision = collision.map_err(|error| refused(error.to_string()))?;
         let (posterior, converged) = posterior(&collision, options).map_err(refused)?;
-        let draws = posterior.outputs().get(Output::Speed(id).column()).map_or(&[][..], Vec::as_slice);
+        let draws = posterior.outputs().get(DrawnOutput::Speed(id).column()).map_or(&[][..], Vec::as_slice);
         let last = &self.last[id.index()];
         let stored = Stored::of(draws, last).map_err(|error| refused(error.to_string()))?;
         Ok(JudgedRecord {
@@ -436,10 +436,11 @@ impl RecordedPair {
         let collision = self.collision(fitted, &[], &VehicleId::ALL, None);
         let collision = collision.map_err(|error| refused(error.to_string()))?;
         let (posterior, _) = posterior(&collision, options).map_err(refused)?;
-        let column = |output: Output| posterior.outputs().get(output.column()).map_or(&[][..], Vec::as_slice);
+        let column =
+            |output: DrawnOutput| posterior.outputs().get(output.column()).map_or(&[][..], Vec::as_slice);
         let judged = compared.into_iter().filter_map(|(vehicle, truth, common)| {
-            let whole = column(Output::DeltaV(vehicle)).iter();
-            let draws = whole.zip(column(Output::LongitudinalDeltaV(vehicle)));
+            let whole = column(DrawnOutput::DeltaV(vehicle)).iter();
+            let draws = whole.zip(column(DrawnOutput::LongitudinalDeltaV(vehicle)));
             let shown = draws.map(|(&whole, &along)| shown_delta_v(whole, along, truth.is_longitudinal));
             let median = median(shown.collect())?;
             Some(JudgedDeltaV { case: self.pair.case.clone(), vehicle, truth, common, median })
