@@ -307,7 +307,7 @@ impl Predictive {
 }
 
 #[expect(clippy::cast_precision_loss, reason = "counts of draws and steps are far below 2⁵³")]
-fn count(number: usize) -> f64 {
+pub(crate) fn count(number: usize) -> f64 {
     number as f64
 }
 

@@ -6,11 +6,11 @@ use evidence::{Collision, CrushErrors, DrawnOutput, Fitted, MeasuredSpeed, shown
 use pim_core::VehicleId;
 use real::Real;
 use real::elementary::{ln, sin_cos};
-use uncertainty::{Distribution, InvalidDistribution};
+use uncertainty::{Distribution, InvalidDistribution, order_statistic};
 
 use crate::crash::Crash as _;
 use crate::error::FieldError;
-use crate::judge::{LEVELS, Options, posterior};
+use crate::judge::{LEVELS, Options, count, posterior};
 use crate::pair::Truth;
 use crate::recorded::{LastSpeed, RecordedPair, RecorderRow};
 
@@ -263,14 +263,7 @@ impl Stored {
     }
 
     fn quantile(&self, share: f64) -> f64 {
-        #[expect(
-            clippy::cast_possible_truncation,
-            clippy::cast_sign_loss,
-            clippy::cast_precision_loss,
-            reason = "an index into a list that is held in memory"
-        )]
-        let index = (share * self.0.len() as f64) as usize;
-        self.0[index.min(self.0.len() - 1)]
+        order_statistic(&self.0, (share * count(self.0.len())).floor())
     }
 }
 
