@@ -9,7 +9,7 @@ use case::CaseFile;
 use crash3::crush_energy;
 use criterion::{Criterion, Throughput};
 use deltav_benches::{CASE_FILE, Example, FRICTION, TANGENTIAL_CONDITIONS, centimetre, spin_out, spin_outs};
-use estimate::{Evidence, Independent, Settings as Budget, sample_quietly};
+use estimate::{Evidence, Independent, ParticleSettings, sample_quietly};
 use pim_core::{Contact, Tangential};
 use report::{Subject, Units};
 use trajectory::{State, Steer, Target, to_rest, to_rests, to_start};
@@ -223,7 +223,7 @@ fn estimate(criterion: &mut Criterion) -> Result<(), Box<dyn Error>> {
     let mut group = criterion.benchmark_group("estimate");
     for values in [5, 20] {
         let prior = Independent(vec![Distribution::normal(0.0, 1.0)?; values]);
-        let (evidence, budget) = (Measured { values }, Budget::new(256, 1));
+        let (evidence, budget) = (Measured { values }, ParticleSettings::new(256, 1));
         let run = || one.install(|| sample_quietly(black_box(&prior), &evidence, &budget));
         group.throughput(Throughput::Elements(run()?.diagnosis().evaluations as u64));
         group.sample_size(10);

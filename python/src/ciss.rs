@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use arrow_array::{ArrayRef, Float64Array, Int64Array, RecordBatch, StringArray};
 use arrow_schema::{DataType, Field as Column, Schema};
-use case::Prior;
+use case::SeverityPrior;
 use evidence::{FITTED, InjuryRisk};
 use field::{Field, FieldError, KnownCrush, Options, Pair, judge, read};
 use pim_core::VehicleId;
@@ -66,7 +66,7 @@ pub(crate) struct Judged {
     /// What it takes to judge again.
     text: String,
     other: bool,
-    prior: Prior,
+    prior: SeverityPrior,
     particles: usize,
     seed: u64,
     threads: Option<usize>,
@@ -84,8 +84,8 @@ pub(crate) fn judge_pairs(
     threads: Option<Whole<usize>>,
 ) -> PyResult<Judged> {
     let (particles, seed, threads) = (particles.0, seed.0, threads.map(|threads| threads.0));
-    let prior = chosen("prior", prior, &Prior::WORDS[..2])?;
-    let injury = (prior == Prior::SeriousInjury).then_some(InjuryRisk::SERIOUS);
+    let prior = chosen("prior", prior, &SeverityPrior::WORDS[..2])?;
+    let injury = (prior == SeverityPrior::SeriousInjury).then_some(InjuryRisk::SERIOUS);
     let pairs = py.detach(|| read(&text)).map_err(refused)?;
     let options = Options { particles, seed, other, crush: KnownCrush::Both, injury };
     let judged =

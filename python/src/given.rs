@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use analysis::{Analysis, AvoidPlan, EstimatePlan};
-use case::{CaseFile, Prior};
+use case::{CaseFile, SeverityPrior};
 use pyo3::exceptions::{PyOSError, PyTypeError, PyValueError};
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyDict, PyInt, PyString, PyTuple};
@@ -641,7 +641,7 @@ impl PyCase {
         above: Vec<String>,
         threads: Option<Whole<usize>>,
     ) -> PyResult<Bound<'py, PyAny>> {
-        let prior = prior.map(|prior| chosen("prior", &prior, &Prior::WORDS)).transpose()?;
+        let prior = prior.map(|prior| chosen("prior", &prior, &SeverityPrior::WORDS)).transpose()?;
         let options = EstimateOptions { particles: particles.0, seed: seed.0, prior, pieces, above };
         self.asked(py, Request::Estimate(options), threads.map(|threads| threads.0))
     }

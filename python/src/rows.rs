@@ -6,7 +6,7 @@ use std::sync::Arc;
 use analysis::EstimatePlan;
 use arrow_array::{RecordBatch, StructArray};
 use arrow_schema::{ArrowError, Schema, SchemaRef};
-use case::Prior;
+use case::SeverityPrior;
 use pyo3::exceptions::{PyRuntimeError, PyTypeError, PyValueError};
 use pyo3::prelude::*;
 use pyo3::types::{PyCapsule, PyMapping, PyString};
@@ -105,8 +105,8 @@ fn template(given: Option<&Bound<'_, PyAny>>) -> PyResult<RowTemplate> {
     parsed(&path.display().to_string(), &text)
 }
 
-fn prior(prior: Option<&str>) -> PyResult<Option<Prior>> {
-    prior.map(|prior| chosen("prior", prior, &Prior::WORDS)).transpose()
+fn prior(prior: Option<&str>) -> PyResult<Option<SeverityPrior>> {
+    prior.map(|prior| chosen("prior", prior, &SeverityPrior::WORDS)).transpose()
 }
 
 fn job(name: &str) -> PyResult<Job> {

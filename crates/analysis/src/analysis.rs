@@ -8,7 +8,7 @@ use crate::damage::Crash3;
 use crate::found::Found;
 use crate::impact::Impact;
 use crate::speeds::BothFound;
-use crate::travel::{Skid, Travel};
+use crate::travel::{SolvedSkid, Travel};
 use crate::vehicle::Vehicle;
 use crate::warning::Warning;
 
@@ -32,7 +32,7 @@ pub struct Analysis {
     /// The path of each vehicle from the impact to rest, if the case has the ground and the drag for it.
     pub travel: [Option<Travel>; 2],
     /// The skid marks of each vehicle before the impact.
-    pub skids: [Option<Skid>; 2],
+    pub skids: [Option<SolvedSkid>; 2],
     /// The ground of these paths.
     pub surface: Option<SurfaceData>,
     /// Both vehicles.

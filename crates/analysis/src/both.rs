@@ -14,7 +14,7 @@ use crate::failure::Failure;
 use crate::impact::Impact;
 use crate::judged::judged;
 use crate::speeds::{BothFound, BothMethod, CgLine, Combination};
-use crate::travel::{self, Origin, Record, Way, Ways, departures};
+use crate::travel::{self, Record, TravelOrigin, Way, Ways, departures};
 use crate::warning;
 
 /// (m) from the CG of vehicle 1 to that of vehicle 2: between the given positions, or by the arms to the
@@ -217,7 +217,7 @@ impl Agreed {
 
 /// [`pose`] with the starts that agree best with the impulse.
 pub(crate) fn pose_agreeing(case: &Case, input: TwoSpeedInput) -> Result<Posed, Failure> {
-    Ok(Agreed::new(case, input, &mut Record::of(Origin::Given))?.posed)
+    Ok(Agreed::new(case, input, &mut Record::of(TravelOrigin::Given))?.posed)
 }
 
 /// (m/s) a vehicle found to move backward more slowly than this may have stood still: 1 km/h.
@@ -228,7 +228,7 @@ pub(crate) fn reconstruct(case: &Case) -> Result<Analysis, Failure> {
     let input = case.two_speeds()?;
     let (basis, has_crush, vehicles) = (input.basis, input.has_crush, input.vehicles.clone());
     let surface = input.motion.as_ref().map(|motion| motion.surface.clone());
-    let mut record = Record::of(Origin::Given);
+    let mut record = Record::of(TravelOrigin::Given);
     let Agreed { posed, combinations, evidence } = Agreed::new(case, input, &mut record)?;
     let (speeds, method) = match (&posed.by_crush, posed.sought) {
         (Some(ByCrush { search, crush_energy }), _) => {

@@ -3,7 +3,7 @@
 use crash3::{
     CrushError, EnergyBasis, ObliqueCorrection, Profile, SideStiffness, StruckVehicle, UniformCrush,
 };
-use inputs::{EnergyData, Evidence, InferredWidth, VehicleData};
+use inputs::{CrushEvidence, EnergyData, InferredWidth, VehicleData};
 
 use pim_core::Real;
 
@@ -65,7 +65,8 @@ pub(crate) fn assess<T: Real>(
     [p1, p2]: [Option<T>; 2],
 ) -> Result<[Vehicle<T>; 2], CrushError> {
     // The vehicle with a measured crush comes first: that of the other may have to be inferred from it.
-    if s1.damage.as_ref().is_some_and(|damage| matches!(damage.evidence, Evidence::ForceBalance { .. })) {
+    if s1.damage.as_ref().is_some_and(|damage| matches!(damage.evidence, CrushEvidence::ForceBalance { .. }))
+    {
         let second = vehicle(s2, p2, None)?;
         return Ok([vehicle(s1, p1, second.damage.as_ref())?, second]);
     }
@@ -91,8 +92,8 @@ fn vehicle<T: Real>(
     let known_angle = given.oblique_angle.or(pdof.map(|pdof| given.side.oblique_angle(pdof)));
     let oblique_angle = known_angle.unwrap_or(T::ZERO);
     let (profile, structure, inferred) = match &given.evidence {
-        Evidence::Measured { profile, structure } => (profile.clone(), structure.clone(), None),
-        Evidence::ForceBalance { stiffness, width } => {
+        CrushEvidence::Measured { profile, structure } => (profile.clone(), structure.clone(), None),
+        CrushEvidence::ForceBalance { stiffness, width } => {
             // A case with a force balance also has a measured crush, as its demands ensure.
             let Some(other) = other else { return Ok(Vehicle { subject, damage: None, energy }) };
             let Some(Oblique { peak_force: force, .. }) = other.oblique else {

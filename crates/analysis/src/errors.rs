@@ -1,6 +1,6 @@
 //! The errors of the evidence of momentum and of crush.
 
-use evidence::{CrushMisfit, Damage, FITTED};
+use evidence::{CrushMisfit, DamagedSide, FITTED};
 use inputs::{Case, GivenVehicle, KnownEnergy};
 use reconcile::EvidenceErrors;
 
@@ -17,7 +17,7 @@ pub(crate) fn errors(case: &Case) -> EvidenceErrors {
         (None, Some(KnownEnergy::Ees(ees))) => ees.side,
         (None, Some(KnownEnergy::Undamaged) | None) => None,
     };
-    let hit: Vec<Damage> = case.vehicles.iter().filter_map(side).map(Damage::from).collect();
+    let hit: Vec<DamagedSide> = case.vehicles.iter().filter_map(side).map(DamagedSide::from).collect();
     let CrushMisfit { bias, ln_sd } = FITTED.crush_misfit(&hit);
     EvidenceErrors {
         speed: SPEED_AFTER_ERROR,

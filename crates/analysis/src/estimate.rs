@@ -13,11 +13,11 @@ use std::ops::ControlFlow;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 
 use ::estimate::{
-    Culprit, DrawsSummary, MOST_PARTICLES, PARTICLES_STEP, Posterior, SamplerDoubt, Selection, Settings,
-    Verdict, Weights, sample, sample_without,
+    Culprit, DrawsSummary, MOST_PARTICLES, PARTICLES_STEP, ParticleSettings, Posterior, SamplerDoubt,
+    Selection, Verdict, Weights, sample, sample_without,
 };
 use ::uncertainty::{Distribution, Estimate, InvalidDistribution};
-use evidence::{EnergyMethod, InjuryRisk, Model, Observed, Piece, TestedClass};
+use evidence::{CollisionModel, EnergyMethod, InjuryRisk, Observed, Piece, TestedClass};
 use inputs::{Case, Unit};
 use pim_core::VehicleId;
 
@@ -41,7 +41,7 @@ pub struct EstimatePlan {
     /// The random seed: the same seed gives the same results.
     pub seed: u64,
     /// Replaces the `prior` of the case.
-    pub prior: Option<inputs::Prior>,
+    pub prior: Option<inputs::SeverityPrior>,
     /// Whether to judge each piece of evidence on its own and to find the answer without it, which takes a
     /// run for each.
     pub pieces: bool,
@@ -56,7 +56,7 @@ impl EstimatePlan {
 #[derive(Debug)]
 pub struct Estimated {
     /// The prior of the severity.
-    pub prior: inputs::Prior,
+    pub prior: inputs::SeverityPrior,
     /// The observations, each with its error (SI).
     pub observed: Observed,
     /// How the crush energy of each vehicle was obtained, if it is evidence.
@@ -173,7 +173,7 @@ pub fn estimate_outputs(case: &Case) -> Result<Vec<Output>, Failure> {
 /// [`Failure`] if the case lacks something, or if a distribution is invalid.
 pub fn estimate_evidence(case: &Case) -> Result<Vec<String>, Failure> {
     let setup = setup::of(case, None)?;
-    let model = Model::of(setup.impacts, setup.observed);
+    let model = CollisionModel::of(setup.impacts, setup.observed);
     let pieces = model.pieces().iter().filter(|piece| **piece != Piece::Severity);
     Ok(pieces.map(|piece| key(*piece)).collect())
 }
@@ -263,10 +263,10 @@ pub fn estimate(
     let (observed, default_errors, unused) = (setup.observed.clone(), setup.default_errors, setup.unused);
     let (assumed, energies, hit) = (setup.stood, setup.energies, setup.hit);
     let is_with_object = setup.is_with_object;
-    let model = Model::of(setup.impacts, setup.observed);
+    let model = CollisionModel::of(setup.impacts, setup.observed);
     let told = Told::new(&model, case.axes, setup.reference);
     let evaluations = AtomicUsize::new(0);
-    let run = |settings: Settings, report: &mut ::uncertainty::Progress<'_>| {
+    let run = |settings: ParticleSettings, report: &mut ::uncertainty::Progress<'_>| {
         let posterior = sample(&told, &told, &settings, report);
         if let Ok(posterior) = &posterior {
             evaluations.fetch_add(posterior.diagnosis().evaluations, Ordering::Relaxed);
@@ -286,7 +286,7 @@ pub fn estimate(
     let mut particles = plan.particles;
     let most = plan.particles.saturating_mul(MOST_TIMES).min(MOST_PARTICLES);
     let posterior = loop {
-        let settings = Settings::new(particles, plan.seed);
+        let settings = ParticleSettings::new(particles, plan.seed);
         let posterior = run(settings, &mut |done, total| progress(EstimateStage::All, done, total))?;
         let is_worth = plan.particles != EstimatePlan::PARTICLES || posterior.diagnosis().ess() >= WORTH;
         let is_enough = posterior.verdict() == Verdict::Converged && is_worth;
@@ -306,7 +306,7 @@ pub fn estimate(
     let beside = beside.max(PIECE_LEAST).min(plan.particles);
     let mut before = || {
         let terms = Selection::Only(places(&always));
-        let settings = Settings { terms, ..Settings::new(plan.particles, plan.seed) };
+        let settings = ParticleSettings { terms, ..ParticleSettings::new(plan.particles, plan.seed) };
         run(settings, &mut |done, total| progress(EstimateStage::Prior, done, total))
     };
     let prior = if is_ended() { None } else { Some(before()?) };
@@ -322,7 +322,8 @@ pub fn estimate(
         let before = prior.as_ref().and_then(|prior| stands(prior, id));
         Some(Stood { assumed, before, after: stands(&posterior, id)? })
     });
-    let injured = (setup.prior == inputs::Prior::Field).then(|| of_injured(&told, &posterior)).flatten();
+    let injured =
+        (setup.prior == inputs::SeverityPrior::Field).then(|| of_injured(&told, &posterior)).flatten();
     let outputs = told
         .outputs()
         .iter()
@@ -364,14 +365,15 @@ pub fn estimate(
         }
         let mut quietly = |_: usize, _: usize| ControlFlow::Continue(());
         let mut again = |wanted: pieces::Wanted| {
-            let settings = Settings { islands: PIECE_ISLANDS, ..Settings::new(beside, plan.seed) };
+            let settings =
+                ParticleSettings { islands: PIECE_ISLANDS, ..ParticleSettings::new(beside, plan.seed) };
             match wanted {
                 pieces::Wanted::Only(terms) => {
-                    run(Settings { terms: Selection::Only(terms), ..settings }, &mut quietly).ok()
+                    run(ParticleSettings { terms: Selection::Only(terms), ..settings }, &mut quietly).ok()
                 }
                 pieces::Wanted::WithoutAnew(term) => {
                     let terms = Selection::Without(vec![term]);
-                    run(Settings { terms, islands: ANEW_ISLANDS, ..settings }, &mut quietly).ok()
+                    run(ParticleSettings { terms, islands: ANEW_ISLANDS, ..settings }, &mut quietly).ok()
                 }
                 pieces::Wanted::Without(term) => {
                     let without = sample_without(&told, &told, &posterior, term, &settings).ok()?;
@@ -389,7 +391,7 @@ pub fn estimate(
     }
     let same_twice = pieces::same_twice(model.pieces());
     let tested = match hit {
-        _ if setup.prior != inputs::Prior::Field => None,
+        _ if setup.prior != inputs::SeverityPrior::Field => None,
         Some(hit) => TestedClass::of(hit, energies, model.pieces()),
         None if is_with_object => TestedClass::of_object(energies, model.pieces()),
         None => None,
@@ -420,7 +422,7 @@ pub const MISSED: f64 = 4.0;
 
 /// The keys of the evidence in use with a number that is off by more than [`MISSED`] errors in most draws: no
 /// collision agrees with all of the evidence.
-fn missed(model: &Model<impacts::CaseImpacts>, posterior: &Posterior) -> Vec<String> {
+fn missed(model: &CollisionModel<impacts::CaseImpacts>, posterior: &Posterior) -> Vec<String> {
     let mut keys = Vec::new();
     for (part, scores) in model.parts().iter().zip(posterior.residuals()) {
         // The score of an angle is its error itself, at most half a turn.
@@ -460,10 +462,10 @@ fn has_other_sign(found: &PieceFound, observed: &Observed, told: &Told<'_>, post
     median.is_some_and(|median| median * part.along < 0.0)
 }
 
-fn refused(failure: ::estimate::Failure, pieces: &[Piece]) -> Failure {
+fn refused(failure: ::estimate::NoDraws, pieces: &[Piece]) -> Failure {
     let exclusion = match failure {
-        ::estimate::Failure::Impossible(exclusion) => exclusion,
-        ::estimate::Failure::NotALikelihood { term, .. } if term < pieces.len() => {
+        ::estimate::NoDraws::Impossible(exclusion) => exclusion,
+        ::estimate::NoDraws::NotALikelihood { term, .. } if term < pieces.len() => {
             return Failure::Unjudged { key: key(pieces[term]) };
         }
         other => return Failure::Estimate(other),

@@ -66,7 +66,7 @@ pub enum Failure {
     Excluded(Box<Impossible>),
     /// The estimate has no draws.
     #[error(transparent)]
-    Estimate(::estimate::Failure),
+    Estimate(::estimate::NoDraws),
     /// The likelihood of a piece of evidence cannot be computed.
     #[error("the likelihood of `{key}` cannot be computed")]
     Unjudged {

@@ -2,7 +2,7 @@
 
 use std::f64::consts::TAU;
 
-use inputs::{Case, Collision, Faults, Purpose, RestData, VehicleMotion};
+use inputs::{Case, CollisionData, Faults, Purpose, RestData, VehicleMotion};
 use pim_core::{Motion, Outcome, Real, Vector2, VehicleId};
 use real::Traced;
 use reconcile::{Implied, MomentumAndCrush, Problem};
@@ -15,7 +15,7 @@ use crate::failure::Failure;
 use crate::found::refused;
 use crate::impact::collide;
 use crate::speeds::BothMethod;
-use crate::travel::{Origin, Record, Scene, Way, Ways, after_impact, departures, target};
+use crate::travel::{Record, Scene, TravelOrigin, Way, Ways, after_impact, departures, target};
 
 /// What a case asks for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -149,7 +149,7 @@ pub(crate) fn at<T: Real, R>(
     evaluate: impl FnOnce(&Problem<T>) -> Result<R, Failure>,
 ) -> Result<R, Failure> {
     let input = case.reconstruction()?;
-    let Collision { contact, law, motions, vehicles } = input.collision;
+    let CollisionData { contact, law, motions, vehicles } = input.collision;
     let crush_energy = damage::crush_energy(&damage::assess(vehicles, [None, None])?);
     let problem = Problem {
         contact,
@@ -225,7 +225,7 @@ impl Search {
     pub(crate) fn near(analysis: &Analysis) -> Self {
         let near = |id: VehicleId| {
             let travel = analysis.travel[id.index()].as_ref()?;
-            let is_found = travel.origin == Origin::Rest;
+            let is_found = travel.origin == TravelOrigin::Rest;
             is_found.then_some(Near { motion: travel.start.motion, heading: travel.rest.heading })
         };
         Self {
@@ -246,7 +246,7 @@ fn leave_as_one(analysis: &Analysis) -> bool {
 fn leave_straight(analysis: &Analysis) -> [bool; 2] {
     VehicleId::ALL.map(|id| {
         let travel = analysis.travel[id.index()].as_ref();
-        travel.is_some_and(|travel| travel.origin == Origin::StraightRest)
+        travel.is_some_and(|travel| travel.origin == TravelOrigin::StraightRest)
     })
 }
 
@@ -291,7 +291,7 @@ impl Ways<f64> for Search {
             return scene.straight(vehicle, way, rest);
         }
         let Some(near) = &self.near[vehicle.index()] else {
-            return Record::of(Origin::Rest).back(vehicle, scene, way, rest);
+            return Record::of(TravelOrigin::Rest).back(vehicle, scene, way, rest);
         };
         let target = Target {
             heading: heading_at_rest(way, rest, near.heading),

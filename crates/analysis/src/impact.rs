@@ -1,6 +1,6 @@
 //! The impact of an analysis.
 
-use inputs::Collision;
+use inputs::CollisionData;
 use pim_core::{Contact, ImpactError, Law, Outcome, Real, VaryingLaw, VehicleId};
 
 /// An impact and its inputs.
@@ -36,12 +36,12 @@ impl Impact {
 }
 
 /// The impact of a fully known collision, and the law at its closing speed.
-pub(crate) fn collide<T: Real>(collision: &Collision<T>) -> Result<(Law<T>, Outcome<T>), ImpactError> {
+pub(crate) fn collide<T: Real>(collision: &CollisionData<T>) -> Result<(Law<T>, Outcome<T>), ImpactError> {
     let law = collision.law.at(closing_speed(collision));
     collision.contact.impact(collision.motions, &law).map(|outcome| (law, outcome))
 }
 
 /// (m/s) closing speed along the normal at C, negative if the vehicles move apart.
-pub(crate) fn closing_speed<T: Real>(collision: &Collision<T>) -> T {
+pub(crate) fn closing_speed<T: Real>(collision: &CollisionData<T>) -> T {
     -collision.contact.approach(&collision.motions).velocity.normal
 }

@@ -3,8 +3,8 @@
 
 use crash3::{Side, SideStiffness, VehicleClass};
 use inputs::{
-    Axes, Basis, Case, Crush, Faults, Fit, GivenVehicle, ImpactLaw, InferredWidth, Kind, Purpose,
-    StiffnessForm, StiffnessLine, VehicleData, Velocity, YawSource,
+    Axes, Basis, Case, Crush, Faults, Fit, GivenVehicle, ImpactLaw, InferredWidth, Purpose, StiffnessForm,
+    StiffnessLine, VehicleData, VehicleKind, Velocity, YawSource,
 };
 use pim_core::VehicleId;
 
@@ -272,7 +272,7 @@ const CLASS_OUTLINE: f64 = 0.6;
 /// its contact point.
 #[must_use]
 pub fn nearest_class(vehicle: &VehicleData) -> Option<(u8, VehicleClass)> {
-    let inertia = vehicle.inertia.filter(|_| vehicle.kind.unwrap_or_default() == Kind::Car)?;
+    let inertia = vehicle.inertia.filter(|_| vehicle.kind.unwrap_or_default() == VehicleKind::Car)?;
     // k = √(I/m)
     let radius = (inertia.yaw_inertia? / inertia.mass).sqrt();
     let distance = |class: &VehicleClass| (class.yaw_radius - radius).abs();
@@ -531,7 +531,7 @@ fn is_followed(case: &Case, vehicle: &GivenVehicle) -> bool {
 
 /// Axle dimensions of the class that the vehicle lacks.
 fn of_axles(id: VehicleId, vehicle: &GivenVehicle, assumptions: &mut Vec<Assumption>) {
-    let is_car = vehicle.kind.unwrap_or_default() == Kind::Car;
+    let is_car = vehicle.kind.unwrap_or_default() == VehicleKind::Car;
     let class = vehicle.class.filter(|_| is_car);
     let Some((class, known)) = class.and_then(|class| Some((class, VehicleClass::new(class).ok()?))) else {
         return;
@@ -560,7 +560,9 @@ fn of_crush(
     let damage = subject.and_then(|subject| subject.damage.as_ref());
     if crush.from_force_balance {
         let evidence = damage.map(|damage| &damage.evidence);
-        if let Some(inputs::Evidence::ForceBalance { width: InferredWidth::Bounded { .. }, .. }) = evidence {
+        if let Some(inputs::CrushEvidence::ForceBalance { width: InferredWidth::Bounded { .. }, .. }) =
+            evidence
+        {
             assumptions.push(Assumption::InferredWidth { vehicle });
         }
     } else if crush.spacing.is_none() && crush.depths.len() > 2 {

@@ -113,6 +113,6 @@ pub use sensitivity::{Derivative, Sensitivity, Sweep, SweepRow};
 pub use solve::{geometry, motion};
 pub use speeds::{BothFound, BothMethod, CgLine, Combination};
 pub use thresholds::{DELTA_V_DIFFERENCE, ENERGY_DIFFERENCE, FAST_CLOSING, HIGH_RESTITUTION, POINT_MISSED};
-pub use travel::{ClosedForm, Origin as TravelOrigin, Pass, Skid, THREAD_STACK, Travel};
+pub use travel::{ClosedForm, Pass, SolvedSkid, THREAD_STACK, Travel, TravelOrigin};
 pub use vehicle::{Damage, EnergyAlone, Inferred, Oblique, Vehicle};
 pub use warning::{Drive, JumpSide, Magnitude, Warning};

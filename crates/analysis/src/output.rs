@@ -8,7 +8,7 @@ use reconcile::Implied;
 
 use crate::goal::Answer;
 use crate::seen::Seen;
-use crate::travel::{Origin, Way};
+use crate::travel::{TravelOrigin, Way};
 
 /// A number that a finished analysis gives.
 #[derive(Clone, Copy, Debug)]
@@ -115,11 +115,11 @@ pub(crate) enum PathPart {
 
 impl PathPart {
     /// Whether it is a result of the path, and neither a given start nor a measured rest position.
-    pub(crate) fn results_from(self, origin: Origin) -> bool {
+    pub(crate) fn results_from(self, origin: TravelOrigin) -> bool {
         match origin {
-            Origin::Impact => true,
-            Origin::Given => self != Self::Start,
-            Origin::Rest | Origin::StraightRest => self != Self::End,
+            TravelOrigin::Impact => true,
+            TravelOrigin::Given => self != Self::Start,
+            TravelOrigin::Rest | TravelOrigin::StraightRest => self != Self::End,
         }
     }
 }

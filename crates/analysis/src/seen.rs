@@ -10,7 +10,7 @@ use crate::failure::Failure;
 use crate::found::Found;
 use crate::impact::Impact;
 use crate::speeds::BothFound;
-use crate::travel::{Skid, Travel};
+use crate::travel::{SolvedSkid, Travel};
 use crate::vehicle::Vehicle;
 use crate::warning::{Drive, JumpSide, Warning};
 
@@ -33,7 +33,7 @@ pub struct Seen {
     /// As [`Analysis::travel`].
     pub travel: [Option<Travel>; 2],
     /// As [`Analysis::skids`].
-    pub skids: [Option<Skid>; 2],
+    pub skids: [Option<SolvedSkid>; 2],
     /// As [`Analysis::surface`], in the axes of the engine.
     pub surface: Option<SurfaceData>,
     /// As [`Analysis::vehicles`].

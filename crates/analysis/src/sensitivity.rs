@@ -1,7 +1,7 @@
 //! How sensitive the answer is to each input: exact derivatives, and a sweep of the direction of force.
 
 use crash3::{ObliqueCorrection, principal_angle};
-use inputs::{Axes, Case, Dimension, Estimate, GivenVehicle, Input, Origin};
+use inputs::{Axes, Case, Dimension, EstimatedInput, GivenVehicle, Input, Origin};
 use pim_core::ImpactError;
 use real::Gradient;
 
@@ -62,7 +62,7 @@ impl Derivative {
     pub fn influence(&self) -> f64 {
         if self.is_by_angle() {
             self.value * DEGREE / self.output_value
-        } else if matches!(self.input.origin, Origin::Estimate(Estimate::Contact { .. })) {
+        } else if matches!(self.input.origin, Origin::Estimate(EstimatedInput::Contact { .. })) {
             self.value * CENTIMETRE / self.output_value
         } else {
             self.relative().unwrap_or_default() / 100.0

@@ -1,6 +1,6 @@
 //! Solves a case, with all checks and warnings.
 
-use inputs::{Case, Collision, Evidence, Purpose, SurfaceData, VehicleData};
+use inputs::{Case, CollisionData, CrushEvidence, Purpose, SurfaceData, VehicleData};
 use pim_core::Motion;
 use reconcile::{Problem, SolutionMethod};
 
@@ -12,7 +12,7 @@ use crate::found::{Found, refused};
 use crate::goal::Goal;
 use crate::impact::{Impact, collide};
 use crate::judged::judged;
-use crate::travel::{Origin, Record, Travel, after_impact, departures};
+use crate::travel::{Record, Travel, TravelOrigin, after_impact, departures};
 use crate::vehicle::{NOTHING, Vehicle};
 use crate::warning;
 
@@ -22,7 +22,7 @@ pub(crate) fn reconstruct(case: &Case) -> Result<Analysis, Failure> {
         return both::reconstruct(case).map_err(|failure| failure.in_axes(case.axes));
     }
     let input = case.reconstruction()?;
-    let Collision { contact, law, motions, vehicles } = input.collision;
+    let CollisionData { contact, law, motions, vehicles } = input.collision;
     // The uncorrected energies do not depend on the impact; a force balance takes its directions from the
     // file.
     let crush_energy = damage::crush_energy(&damage::assess(vehicles.clone(), [None, None])?);
@@ -67,7 +67,7 @@ pub(crate) fn impact(case: &Case) -> Result<Analysis, Failure> {
     let input = case.collision()?;
     let (law, outcome) =
         collide(&input.collision).map_err(|refusal| Failure::from(refusal).in_axes(case.axes))?;
-    let Collision { contact, law: given_law, vehicles, .. } = input.collision;
+    let CollisionData { contact, law: given_law, vehicles, .. } = input.collision;
     let impact = Impact::new(contact, given_law, law, outcome);
     let vehicles = damage::assess(vehicles, impact.pdof.map(Some))?;
     let (travel, surface) = run_out(case, impact.outcome.after)?;
@@ -83,7 +83,7 @@ pub(crate) fn impact(case: &Case) -> Result<Analysis, Failure> {
 /// [`Failure`].
 pub fn motion(case: &Case) -> Result<Analysis, Failure> {
     let input = case.motion()?;
-    let mut record = Record::of(Origin::Given);
+    let mut record = Record::of(TravelOrigin::Given);
     let given =
         input.vehicles.each_ref().map(|vehicle| vehicle.as_ref().and_then(|vehicle| vehicle.velocity));
     departures(Some(&input), given, &mut record).map_err(|failure| failure.in_axes(case.axes))?;
@@ -102,11 +102,11 @@ pub fn motion(case: &Case) -> Result<Analysis, Failure> {
 /// # Errors
 /// [`Failure`].
 pub fn geometry(case: &Case) -> Result<Analysis, Failure> {
-    let Collision { contact, mut vehicles, .. } = case.geometry()?;
+    let CollisionData { contact, mut vehicles, .. } = case.geometry()?;
     for vehicle in &mut vehicles {
         // A crush can only be inferred with the direction of the force, which is unknown without the speeds.
         vehicle.damage =
-            vehicle.damage.take().filter(|damage| matches!(damage.evidence, Evidence::Measured { .. }));
+            vehicle.damage.take().filter(|damage| matches!(damage.evidence, CrushEvidence::Measured { .. }));
     }
     let vehicles = damage::assess(vehicles, [None, None])?;
     Ok(Analysis { geometry: Some(contact), ..Analysis::unsolved(vehicles) })
@@ -116,7 +116,7 @@ pub fn geometry(case: &Case) -> Result<Analysis, Failure> {
 fn run_out(case: &Case, after: [Motion; 2]) -> Result<([Option<Travel>; 2], Option<SurfaceData>), Failure> {
     let Some(input) = case.run_out() else { return Ok(([None, None], None)) };
     let input = input?;
-    let mut record = Record::of(Origin::Impact);
+    let mut record = Record::of(TravelOrigin::Impact);
     after_impact(&input, after, &mut record).map_err(|failure| failure.in_axes(case.axes))?;
     Ok((record.travel, Some(input.surface)))
 }

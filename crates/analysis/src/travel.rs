@@ -9,8 +9,8 @@ use pim_core::{Motion, Real, Vector2, VehicleId};
 use reconcile::Departure;
 use trajectory::closed::{Slide, Spin, SpinStart, spins};
 use trajectory::{
-    Chassis, Control, Ground, Rest, Sample, StartMotion as Start, State, Target, Unreached, Zone, to_rest,
-    to_start,
+    Chassis, Control, FrictionZone, Ground, Rest, Sample, StartMotion as Start, State, Target, Unreached,
+    to_rest, to_start,
 };
 
 use crate::failure::Failure;
@@ -25,7 +25,7 @@ pub const THREAD_STACK: usize = 16 << 20;
 #[non_exhaustive]
 pub struct Travel {
     /// The source of the motion at its start.
-    pub origin: Origin,
+    pub origin: TravelOrigin,
     /// The body on its wheels.
     pub chassis: Chassis,
     /// (rad) steer angle of the front wheels at the start.
@@ -76,7 +76,7 @@ impl Pass {
 
 /// The source of the motion at the start of a path.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Origin {
+pub enum TravelOrigin {
     /// The impact gives it.
     Impact,
     /// The case gives it.
@@ -88,7 +88,7 @@ pub enum Origin {
     StraightRest,
 }
 
-impl Origin {
+impl TravelOrigin {
     /// Whether it comes from the rest position of the vehicle.
     #[must_use]
     pub fn is_by_rest(self) -> bool {
@@ -139,7 +139,7 @@ pub enum ClosedForm {
 /// The ground of a case.
 pub(crate) struct Scene<'a, T = f64> {
     surface: &'a SurfaceData<T>,
-    zones: Vec<Zone<'a, T>>,
+    zones: Vec<FrictionZone<'a, T>>,
 }
 
 /// A path from the impact to rest.
@@ -154,7 +154,7 @@ pub(crate) struct Way<T = f64> {
 /// How a vehicle left the impact.
 struct Left {
     /// The source of its motion.
-    origin: Origin,
+    origin: TravelOrigin,
     /// Its velocity and yaw rate.
     motion: Motion,
     /// Other motions that lead to the same rest position.
@@ -203,10 +203,10 @@ impl Scene<'_> {
             let motions = std::iter::once(sought.motion).chain(motions);
             let slowest = motions.min_by(|a, b| turns(a).total_cmp(&turns(b)));
             if let Some(motion) = slowest.filter(|motion| turns(motion) <= SLOW_YAW) {
-                return Ok(Left { origin: Origin::Rest, motion, others: Vec::new() });
+                return Ok(Left { origin: TravelOrigin::Rest, motion, others: Vec::new() });
             }
         }
-        Ok(Left { origin: Origin::StraightRest, motion: straight.start, others: Vec::new() })
+        Ok(Left { origin: TravelOrigin::StraightRest, motion: straight.start, others: Vec::new() })
     }
 
     /// The same by a search of all motions.
@@ -231,7 +231,7 @@ impl Scene<'_> {
         let (off, first) = starts.next().ok_or(Failure::NoStart { vehicle, reason: Unreached::NoWay })?;
         let is_told_apart = |other: f64| off <= POINT_MISSED && other > POINT_MISSED;
         let others = starts.filter(|(other, _)| !is_told_apart(*other)).map(|(_, start)| start).collect();
-        Ok(Left { origin: Origin::Rest, motion: first.motion, others })
+        Ok(Left { origin: TravelOrigin::Rest, motion: first.motion, others })
     }
 
     /// (–) the largest miss of a point by the path of a start, in position or by the turn of the wheelbase,
@@ -421,14 +421,14 @@ pub(crate) fn after_impact<T: Real>(
 /// Finds the paths of an analysis and keeps all of them.
 pub(crate) struct Record {
     /// The source of a motion that is followed.
-    origin: Origin,
+    origin: TravelOrigin,
     /// The paths that were followed.
     pub(crate) travel: [Option<Travel>; 2],
 }
 
 impl Record {
     /// A record of motions that have this source unless a rest position gives them.
-    pub(crate) fn of(origin: Origin) -> Self {
+    pub(crate) fn of(origin: TravelOrigin) -> Self {
         Self { origin, travel: [None, None] }
     }
 
@@ -444,7 +444,7 @@ impl Record {
         let Some(travel) = &self.travel[vehicle.index()] else { return Ok(None) };
         let starts = std::iter::once(travel.used()).chain(travel.others.iter().copied());
         let others = starts.filter(|other| other.motion != start.motion).collect();
-        let left = Left { origin: Origin::Rest, motion: start.motion, others };
+        let left = Left { origin: TravelOrigin::Rest, motion: start.motion, others };
         self.keep(vehicle, &scene, way, left).map(Some)
     }
 
@@ -516,7 +516,7 @@ pub(crate) fn target(input: &VehicleMotion, rest: &RestData) -> Target {
 fn closed_form(
     surface: &SurfaceData,
     input: &VehicleMotion,
-    origin: Origin,
+    origin: TravelOrigin,
     start: &State,
     rest: &Rest,
 ) -> Option<ClosedForm> {
@@ -530,7 +530,7 @@ fn closed_form(
     let (wheelbase, friction) = (input.chassis.wheelbase(), input.friction_on(surface));
     let body = input.chassis.body();
     let is_spin = spins(sideslip, turn, distance, wheelbase, input.steer.steer().at(0.0)).ok()?;
-    if is_spin && origin != Origin::StraightRest {
+    if is_spin && origin != TravelOrigin::StraightRest {
         // Marquard's wheels turn: there is no equation for a spin with locked wheels. And the vehicle
         // alternates between slipping sideways and rolling in line, which takes a quarter of a turn.
         let is_held = input.chassis.wheels().iter().any(|wheel| wheel.drag >= friction);
@@ -661,7 +661,7 @@ impl Travel {
 /// Skid marks before the impact, and the speed at their start.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
-pub struct Skid {
+pub struct SolvedSkid {
     /// (m) from their start to the impact.
     pub length: f64,
     /// (–) friction.
@@ -672,9 +672,9 @@ pub struct Skid {
 
 /// The skid of a vehicle that reached the impact with `speed` (m/s); `None` if the numbers are not those of a
 /// skid.
-pub(crate) fn skid(given: SkidData, speed: f64) -> Option<Skid> {
+pub(crate) fn skid(given: SkidData, speed: f64) -> Option<SolvedSkid> {
     let SkidData { length, friction } = given;
     let slide = Slide { friction, drag_share: 1.0, grade: 0.0, distance: length };
     let speed = slide.speed_at_start(speed.abs()).ok()?;
-    Some(Skid { length, friction, speed })
+    Some(SolvedSkid { length, friction, speed })
 }

@@ -13,9 +13,9 @@ use ::uncertainty::{
 };
 use crash3::CrushError;
 use inputs::{
-    Axes, Bounds, Case, ContactSpread, Estimate, Fault, FaultKind, Faults, GivenUncertainty, GivenVehicle,
-    Input, Origin, Range, STIFFNESS_LN_SD_A, SharedEffects, SharedError, Spread, Unit, YAW_RADIUS_CONFIDENCE,
-    YAW_RADIUS_WITHIN,
+    Axes, Bounds, Case, ContactSpread, EstimatedInput, Fault, FaultKind, Faults, GivenUncertainty,
+    GivenVehicle, Input, Origin, Range, STIFFNESS_LN_SD_A, SharedEffects, SharedError, Spread, Unit,
+    YAW_RADIUS_CONFIDENCE, YAW_RADIUS_WITHIN,
 };
 use pim_core::{ImpactError, VehicleId};
 use real::Gradient;
@@ -460,21 +460,22 @@ pub(crate) fn any_inputs(case: &Case) -> Result<Vec<UncertainInput>, Faults> {
                 (distribution(&input, range), range.bounds)
             }
             // Without a speed to find, no result depends on the stiffness.
-            Origin::Estimate(Estimate::Stiffness { .. }) if case.reconstruct.is_none() => continue,
+            Origin::Estimate(EstimatedInput::Stiffness { .. }) if case.reconstruct.is_none() => continue,
             Origin::Estimate(estimate) if case.uncertainty.exact.contains(&estimate.key()) => continue,
-            Origin::Estimate(Estimate::Contact { vehicle, axis }) => match case.contact_spread(vehicle, axis)
-            {
-                // The number is in the unit of the offset.
-                ContactSpread::Default(sd) => {
-                    (Distribution::normal(input.number, sd / input.factor()), Bounds::None)
+            Origin::Estimate(EstimatedInput::Contact { vehicle, axis }) => {
+                match case.contact_spread(vehicle, axis) {
+                    // The number is in the unit of the offset.
+                    ContactSpread::Default(sd) => {
+                        (Distribution::normal(input.number, sd / input.factor()), Bounds::None)
+                    }
+                    ContactSpread::OfInputs | ContactSpread::Exact => continue,
                 }
-                ContactSpread::OfInputs | ContactSpread::Exact => continue,
-            },
-            Origin::Estimate(Estimate::Stiffness { .. }) => {
+            }
+            Origin::Estimate(EstimatedInput::Stiffness { .. }) => {
                 // A = A₀ exp(σ_A z)
                 (Distribution::log_normal(input.number, STIFFNESS_LN_SD_A), Bounds::Positive)
             }
-            Origin::Estimate(Estimate::YawRadius { .. }) => {
+            Origin::Estimate(EstimatedInput::YawRadius { .. }) => {
                 let distance = YAW_RADIUS_WITHIN * input.number;
                 let spread = within(input.number, distance, YAW_RADIUS_CONFIDENCE, Bounds::Positive, None);
                 (spread, Bounds::Positive)

@@ -1,7 +1,7 @@
 //! Usual sizes of each kind of vehicle. The ranges are wide: beyond them, a unit is probably wrong.
 
 use crash3::Side;
-use inputs::{Dimensions, Kind};
+use inputs::{Dimensions, VehicleKind};
 
 /// How much wider than the face a damage may be, as a share of the face: a crushed front bows out round the
 /// corners, and a size class gives a typical outline.
@@ -106,12 +106,12 @@ const MOTORCYCLE: Usual = Usual {
 
 impl Usual {
     /// The usual numbers of a kind.
-    pub(crate) fn of(kind: Kind) -> &'static Self {
+    pub(crate) fn of(kind: VehicleKind) -> &'static Self {
         match kind {
-            Kind::Car => &CAR,
-            Kind::HeavyTruck => &HEAVY_TRUCK,
-            Kind::Trailer => &TRAILER,
-            Kind::Motorcycle => &MOTORCYCLE,
+            VehicleKind::Car => &CAR,
+            VehicleKind::HeavyTruck => &HEAVY_TRUCK,
+            VehicleKind::Trailer => &TRAILER,
+            VehicleKind::Motorcycle => &MOTORCYCLE,
         }
     }
 

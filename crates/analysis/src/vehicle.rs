@@ -1,7 +1,7 @@
 //! A vehicle of an analysis, and its damage.
 
 use crash3::{CrushRange, ObliqueFactor, SideStiffness, UniformCrush};
-use inputs::{Evidence, VehicleData};
+use inputs::{CrushEvidence, VehicleData};
 use pim_core::Real;
 
 use crate::thresholds::HALF_HOUR;
@@ -78,11 +78,11 @@ impl Vehicle {
         let damage = self.damage.as_ref()?;
         let energy = match (&damage.structure, &self.subject.damage.as_ref()?.evidence) {
             (SideStiffness::Uniform(stiffness), _) => stiffness.g() * damage.width,
-            (SideStiffness::Zones(zones), Evidence::Measured { profile, .. }) => {
+            (SideStiffness::Zones(zones), CrushEvidence::Measured { profile, .. }) => {
                 zones.iter().zip(profile.zones()).map(|(stiffness, zone)| stiffness.g() * zone.width).sum()
             }
             // The reader does not accept zones for a crush without stations.
-            (SideStiffness::Zones(_), Evidence::ForceBalance { .. }) => return None,
+            (SideStiffness::Zones(_), CrushEvidence::ForceBalance { .. }) => return None,
         };
         // b₀ = √(2 G w/m)
         Some((2.0 * energy / self.subject.inertia?.mass).sqrt())

@@ -4,8 +4,8 @@ use std::f64::consts::TAU;
 
 use crash3::{EnergyBasis, Side, principal_angle};
 use inputs::{
-    Basis, Case, ContactSpread, Dimension, FaceAxis, Kind, Origin, Quantity, StiffnessForm, StiffnessSource,
-    Unit, Variable, Velocity, YawSource,
+    Basis, Case, ContactSpread, Dimension, FaceAxis, Origin, Quantity, StiffnessForm, StiffnessSource, Unit,
+    Variable, VehicleKind, Velocity, YawSource,
 };
 use pim_core::{Contact, Motion, Outcome, Regime, Switch, Tangential, VehicleId};
 
@@ -358,9 +358,9 @@ pub enum Warning {
         /// (SI) the usual range of this kind of vehicle.
         usual: [f64; 2],
         /// The kind.
-        kind: Kind,
+        kind: VehicleKind,
         /// If the file does not give the kind of vehicle: the other kinds for which the number is usual.
-        others: Vec<Kind>,
+        others: Vec<VehicleKind>,
     },
     /// By its stiffness, the side would withstand a fast impact without damage.
     HighNoDamageSpeed {
@@ -796,7 +796,7 @@ fn is_usual(value: f64, [low, high]: [f64; 2]) -> bool {
 /// Compares the numbers of a vehicle with those that are usual for its kind.
 struct Judge<'a> {
     vehicle: VehicleId,
-    kind: Option<Kind>,
+    kind: Option<VehicleKind>,
     warnings: &'a mut Vec<Warning>,
 }
 
@@ -808,8 +808,8 @@ impl Judge<'_> {
         let usual = range(Usual::of(kind));
         let passed = is_usual(value, usual);
         if !passed {
-            let fits = |kind: &Kind| given.is_none() && is_usual(value, range(Usual::of(*kind)));
-            let others = Kind::WORDS.into_iter().map(|(_, kind)| kind).filter(fits).collect();
+            let fits = |kind: &VehicleKind| given.is_none() && is_usual(value, range(Usual::of(*kind)));
+            let others = VehicleKind::WORDS.into_iter().map(|(_, kind)| kind).filter(fits).collect();
             self.warnings.push(Warning::Implausible { vehicle, magnitude, value, usual, kind, others });
         }
         passed

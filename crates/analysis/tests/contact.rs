@@ -16,7 +16,7 @@ use analysis::{
     sensitivity, uncertainty,
 };
 use case::{CaseFile, to_toml};
-use inputs::{Case, ContactSpread, Estimate, FaceAxis, Origin};
+use inputs::{Case, ContactSpread, EstimatedInput, FaceAxis, Origin};
 use pim_core::VehicleId;
 use proptest::prelude::*;
 use uncertainty::{Lanes, Sampler, SamplingMethod, Settings, Shape};
@@ -220,7 +220,9 @@ fn a_departure_moves_the_point_along_the_face_and_into_the_vehicle() {
         let [[forward, left], _] = points(&impact(&case).unwrap());
         for axis in FaceAxis::ALL {
             let moved = case.map(|input| match input.origin {
-                Origin::Estimate(Estimate::Contact { vehicle: VehicleId::One, axis: of }) if of == axis => {
+                Origin::Estimate(EstimatedInput::Contact { vehicle: VehicleId::One, axis: of })
+                    if of == axis =>
+                {
                     0.07
                 }
                 _ => input.number,
@@ -250,7 +252,7 @@ fn derivatives_by_the_directions_are_those_by_the_point() {
     let given = sensitivity(&read(&text), NO_SWEEP).unwrap();
     let mut compared = 0;
     for row in &placed.derivatives {
-        let Origin::Estimate(Estimate::Contact { vehicle, axis }) = row.input.origin else { continue };
+        let Origin::Estimate(EstimatedInput::Contact { vehicle, axis }) = row.input.origin else { continue };
         let by = |key: &str| {
             let path = format!("vehicle{vehicle}.contact.{key}");
             let mut rows = given.derivatives.iter();
@@ -281,7 +283,7 @@ fn run(case: &Case) -> Uncertainty {
 fn default_sds(result: &Uncertainty) -> [Option<f64>; 2] {
     FaceAxis::ALL.map(|wanted| {
         let is_it = |origin| {
-            matches!(origin, Origin::Estimate(Estimate::Contact { vehicle: VehicleId::One, axis }) if axis == wanted)
+            matches!(origin, Origin::Estimate(EstimatedInput::Contact { vehicle: VehicleId::One, axis }) if axis == wanted)
         };
         let input = result.inputs.iter().find(|input| is_it(input.input.origin))?;
         let Shape::Normal { mean, sd } = input.distribution.shape() else { panic!("normal") };
@@ -428,7 +430,9 @@ fn each_analysis_says_what_it_does() {
     let codes = codes(&analysis.warnings);
     assert_eq!((count(&codes, "contact-placed"), count(&codes, "damage-centroid")), (0, 2), "{codes:?}");
     assert!(analysis.vehicles.iter().all(|vehicle| vehicle.subject.contact.is_none()));
-    assert!(read(alone).estimates().iter().all(|estimate| !matches!(estimate, Estimate::Contact { .. })));
+    assert!(
+        read(alone).estimates().iter().all(|estimate| !matches!(estimate, EstimatedInput::Contact { .. }))
+    );
     assert!(
         judge(&read(alone)).assumptions.iter().all(|one| !matches!(one, Assumption::ContactPlaced { .. }))
     );

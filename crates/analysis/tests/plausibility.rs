@@ -8,7 +8,7 @@
 use analysis::{Analysis, Drive, Failure, Magnitude, Warning};
 use case::CaseFile;
 use crash3::Side;
-use inputs::{Axes, Case, Kind, StiffnessSource};
+use inputs::{Axes, Case, StiffnessSource, VehicleKind};
 use pim_core::VehicleId;
 
 type Analyse = fn(&Case) -> Result<Analysis, Failure>;
@@ -440,7 +440,11 @@ fn numbers_that_no_vehicle_has() {
             match (&found[..], expected) {
                 ([], None) => {}
                 (
-                    [Warning::Implausible { vehicle, magnitude, value, usual, kind: Kind::Car, .. }],
+                    [
+                        Warning::Implausible {
+                            vehicle, magnitude, value, usual, kind: VehicleKind::Car, ..
+                        },
+                    ],
                     Some((what, number, range)),
                 ) => {
                     assert_eq!((*vehicle, *magnitude), (car, what));
@@ -549,7 +553,7 @@ fn each_kind_has_usual_sizes_of_its_own() {
             Warning::Implausible { magnitude: Magnitude::Mass, others, .. } => Some(others.clone()),
             _ => None,
         });
-        let names: Vec<&str> = of_mass.into_iter().flatten().map(Kind::name).collect();
+        let names: Vec<&str> = of_mass.into_iter().flatten().map(VehicleKind::name).collect();
         assert_eq!(names, fits, "{kind}");
     }
     // A kind that is given is not doubted.
@@ -557,7 +561,7 @@ fn each_kind_has_usual_sizes_of_its_own() {
         damaged(VehicleId::One, "kind = \"car\"\n", "front", 0.5, "0.2 0.2", SOFT).replace("1500 kg", "30 t");
     let found = raised(analysis::crush, &car, "implausible");
     assert!(
-        matches!(&found[..], [Warning::Implausible { kind: Kind::Car, others, .. }] if others.is_empty()),
+        matches!(&found[..], [Warning::Implausible { kind: VehicleKind::Car, others, .. }] if others.is_empty()),
         "{found:?}"
     );
     // A wall may have any size.
@@ -586,7 +590,7 @@ fn speeds_that_no_vehicle_has() {
             panic!("{found:?}")
         };
         assert_eq!((*vehicle, *usual), (skid.car, [0.0, 250.0 / 3.6]));
-        assert_eq!(*others, [Kind::Motorcycle]);
+        assert_eq!(*others, [VehicleKind::Motorcycle]);
         assert_close(*value, 69.45, 1e-12);
     }
 }
@@ -734,7 +738,11 @@ fn a_barrier_test_that_no_car_has() {
             match (&found[..], expected) {
                 ([], None) => {}
                 (
-                    [Warning::Implausible { vehicle, magnitude, value, usual, kind: Kind::Car, .. }],
+                    [
+                        Warning::Implausible {
+                            vehicle, magnitude, value, usual, kind: VehicleKind::Car, ..
+                        },
+                    ],
                     Some(expected),
                 ) => {
                     assert_eq!((*vehicle, (*magnitude, *value, *usual)), (car, expected), "{stiffness}");

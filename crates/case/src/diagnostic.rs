@@ -28,7 +28,7 @@ pub struct Diagnostic {
 
 /// A problem in plain fields, for other programs.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Problem {
+pub struct PlainDiagnostic {
     /// The key concerned, such as `vehicle1.crush.width`, or the table; `None` for the file as a whole.
     pub key: Option<String>,
     /// Line and column of its place, both counted from 1; `None` for the file as a whole.
@@ -103,10 +103,10 @@ impl Diagnostic {
         Some([before.matches('\n').count() + 1, column])
     }
 
-    fn handed_on(&self, source: &Source, program: &Program) -> Problem {
+    fn handed_on(&self, source: &Source, program: &Program) -> PlainDiagnostic {
         let at_place = || source.key_at(self.span.as_ref()?).map(str::to_owned);
         let help = self.problem.help_in(Some(source.units_in_use()), program);
-        Problem {
+        PlainDiagnostic {
             key: self.key.clone().or_else(at_place),
             place: self.line_and_column(source),
             message: shown(&self.problem.to_string()).into_owned(),
@@ -201,7 +201,7 @@ impl Diagnostics {
     /// assert_eq!(problem.place, Some([2, 9]));
     /// ```
     #[must_use]
-    pub fn problems(&self) -> Vec<Problem> {
+    pub fn problems(&self) -> Vec<PlainDiagnostic> {
         self.list.iter().map(|diagnostic| diagnostic.handed_on(&self.source, self.program)).collect()
     }
 

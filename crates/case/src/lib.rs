@@ -190,7 +190,7 @@ mod value;
 pub const EXAMPLE: &str = include_str!("../sae-980025.toml");
 
 pub use case_problem::CaseProblem;
-pub use diagnostic::{Diagnostic, Diagnostics, Problem};
+pub use diagnostic::{Diagnostic, Diagnostics, PlainDiagnostic};
 pub use json_schema::json_schema;
 pub use keys::{KeyForm, KeyInfo, key_tree, list_range_keys, range_keys, sourced_range_keys};
 pub use nearest::nearest_names;
@@ -206,18 +206,18 @@ pub use value::{Value, ValueTable};
 
 // The contents of a case file are types of the crate `inputs`, re-exported here for those who read files.
 pub use inputs::{
-    After, Amount, Avoid, AvoidForm, Axes, Basis, Before, Bounds, BrachTangential, Case, Clear, Collision,
-    ContactPoint, ContactSpread, Crush, CrushOnly, DAMAGE_LENGTH_SD, DEPTH_SD, DamageData, Departures,
-    Dimension, Dimensions, Drag, ENERGY_BASES, EdgeSide, EnergyData, Estimate, Evidence, FaceAxis, Fault,
-    FaultKind, Faults, Find, Fit, Geometry, GivenDemand, GivenEes, GivenImpact, GivenPreCrash, GivenPulse,
-    GivenSight, GivenSitePlan, GivenTest, GivenVehicle, Grade, ImpactInput, ImpactLaw, InertiaData,
-    InferredWidth, Input, Kind, KnownEnergy, LawName, LeftOut, MarkedWheel, Mass, OBLIQUE_CORRECTIONS,
-    OFFSET_SD, Obstacle, Origin, OtherParty, Outline, PathPoint, Pdof, Place, PlaceForm, PointData, Prior,
-    Purpose, Quantity, Range, Reconstruct, ReconstructionInput, Recorder, RegionData, ReportHead, Rest,
-    RestHeading, RestHeadingData, Restitution, SIDES, STANDARD_GRAVITY, STIFFNESS_LN_SD_A, STIFFNESS_LN_SD_B,
-    SUBJECTS, SWELLS, SeriesRefusal, SeriesSource, SightForm, Skid, SkidBegin, Sourced, Spread, Steer,
-    SteerPoint, StiffnessForm, StiffnessLine, StiffnessSource, StoredRecord, Surface, SurfaceData,
-    SurfaceRegion, SurfaceZone, Text, UNDAMAGED, UNKNOWNS, Unit, UnitSystem, VehicleData, Velocity,
-    WheelDrag, YAW_RADIUS_CONFIDENCE, YAW_RADIUS_WITHIN, YawInertia, YawSource, ZoneData, acts, shown,
-    shown_lines, word,
+    After, Amount, Avoid, AvoidForm, Axes, Basis, Before, Bounds, BrachTangential, Case, Clear,
+    CollisionData, ContactPoint, ContactSpread, Crush, CrushEvidence, CrushOnly, DAMAGE_LENGTH_SD, DEPTH_SD,
+    DamageData, Departures, Dimension, Dimensions, Drag, ENERGY_BASES, EdgeSide, EnergyData, EstimatedInput,
+    FaceAxis, Fault, FaultKind, Faults, Find, Fit, Geometry, GivenDemand, GivenEes, GivenImpact,
+    GivenPreCrash, GivenPulse, GivenRest, GivenSight, GivenSitePlan, GivenSteer, GivenTest, GivenVehicle,
+    Grade, ImpactInput, ImpactLaw, InertiaData, InferredWidth, Input, KnownEnergy, LawName, LeftOut,
+    MarkedWheel, Mass, OBLIQUE_CORRECTIONS, OFFSET_SD, Obstacle, Origin, OtherParty, Outline, PathPoint,
+    Pdof, Place, PlaceForm, PointData, Purpose, Quantity, Range, Reconstruct, ReconstructionInput, Recorder,
+    RegionData, ReportHead, RestHeading, RestHeadingData, Restitution, SIDES, STANDARD_GRAVITY,
+    STIFFNESS_LN_SD_A, STIFFNESS_LN_SD_B, SUBJECTS, SWELLS, SeriesRefusal, SeriesSource, SeverityPrior,
+    SightForm, Skid, SkidBegin, Sourced, Spread, SteerPoint, StiffnessForm, StiffnessLine, StiffnessSource,
+    StoredRecord, Surface, SurfaceData, SurfaceRegion, SurfaceZone, Text, UNDAMAGED, UNKNOWNS, Unit,
+    UnitSystem, VehicleData, VehicleKind, Velocity, WheelDrag, YAW_RADIUS_CONFIDENCE, YAW_RADIUS_WITHIN,
+    YawInertia, YawSource, ZoneData, acts, shown, shown_lines, word,
 };

@@ -3,9 +3,9 @@
 use crate::nearest::join;
 use crate::units::read_unit;
 use inputs::{
-    Axes, Bounds, BrachTangential, Dimension, ENERGY_BASES, EdgeSide, Fit, Kind, LawName, MarkedWheel,
-    OBLIQUE_CORRECTIONS, OtherParty, Prior, SIDES, SUBJECTS, SWELLS, UNDAMAGED, UNKNOWNS, WheelDrag,
-    words_of,
+    Axes, Bounds, BrachTangential, Dimension, ENERGY_BASES, EdgeSide, Fit, LawName, MarkedWheel,
+    OBLIQUE_CORRECTIONS, OtherParty, SIDES, SUBJECTS, SWELLS, SeverityPrior, UNDAMAGED, UNKNOWNS,
+    VehicleKind, WheelDrag, words_of,
 };
 
 /// The largest number of stations: far more than any scan of a vehicle gives.
@@ -449,7 +449,7 @@ pub(crate) static VEHICLE: Schema = Schema {
         key(
             "kind",
             "kind = \"heavy-truck\"",
-            Form::Words(&words_of(&Kind::WORDS)),
+            Form::Words(&words_of(&VehicleKind::WORDS)),
             "Kind of vehicle. `\"car\"` (the default): a car, a van or a pickup; `\"heavy-truck\"`: a lorry, a bus or a tractor with its semitrailer, as one rigid body; `\"trailer\"`; `\"motorcycle\"`. It sets which sizes are plausible and how the vehicle is drawn; CRASH3's classes and categories and Burg's formula are for cars only.",
         ),
         key(
@@ -979,7 +979,7 @@ pub(crate) static ESTIMATE: Schema = Schema {
         key(
             "prior",
             "prior = \"field\"",
-            Form::Words(&words_of(&Prior::WORDS)),
+            Form::Words(&words_of(&SeverityPrior::WORDS)),
             "How severe the collision may have been. `\"field\"` (the default): as severe as collisions after which a vehicle was towed; `\"serious-injury\"`: as those of them in which somebody in either vehicle was seriously hurt (MAIS 3 or more); `\"flat\"`: every speed is as likely as any other.",
         ),
         key(

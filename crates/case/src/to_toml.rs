@@ -5,7 +5,7 @@
 
 use std::collections::BTreeMap;
 
-use inputs::{Amount, Case, Spread, Value, format_number};
+use inputs::{Amount, Case, GivenValue, Spread, format_number};
 
 use crate::schema::{Form, Rule, Schema, TOP, VEHICLE};
 
@@ -33,13 +33,13 @@ pub fn to_toml(case: &Case) -> String {
     }
     for (path, value) in case.values() {
         let leaf = match value {
-            Value::Number { number, unit } => {
+            GivenValue::Number { number, unit } => {
                 Node::Number(Amount { number, unit }, ranges.get(path.as_str()).copied())
             }
-            Value::Text(text) => Node::Word(quoted(&text)),
-            Value::Flag => Node::Word("true".to_owned()),
-            Value::Count(count) => Node::Word(count.to_string()),
-            Value::Hour(hour) => Node::Word(quoted(&format!("{hour} o'clock"))),
+            GivenValue::Text(text) => Node::Word(quoted(&text)),
+            GivenValue::Flag => Node::Word("true".to_owned()),
+            GivenValue::Count(count) => Node::Word(count.to_string()),
+            GivenValue::Hour(hour) => Node::Word(quoted(&format!("{hour} o'clock"))),
         };
         insert(&mut top, &path, leaf);
     }

@@ -11,16 +11,19 @@ use std::fs;
 use std::path::Path;
 
 use case::{
-    After, Amount, Axes, Before, Bounds, Case, CaseFile, CaseProblem, Collision, ContactPoint, Crush,
-    Diagnostics, Dimension, Drag, EdgeSide, Evidence, Faults, Find, Fit, GivenEes, GivenImpact, GivenTest,
-    GivenVehicle, Grade, ImpactLaw, Kind, KnownEnergy, LeftOut, MarkedWheel, Mass, Outline, PathPoint, Pdof,
-    Place, Program, Quantity, Reconstruct, ReportHead, Rest, RestHeading, Restitution, Skid, SkidBegin,
-    Spread, Steer, SteerPoint, StiffnessForm, StiffnessLine, Surface, SurfaceRegion, SurfaceZone, Text, Unit,
-    UnitSystem, Velocity, WheelDrag, YawInertia, read_quantity, to_toml,
+    After, Amount, Axes, Before, Bounds, Case, CaseFile, CaseProblem, CollisionData, ContactPoint, Crush,
+    CrushEvidence, Diagnostics, Dimension, Drag, EdgeSide, Faults, Find, Fit, GivenEes, GivenImpact,
+    GivenRest, GivenSteer, GivenTest, GivenVehicle, Grade, ImpactLaw, KnownEnergy, LeftOut, MarkedWheel,
+    Mass, Outline, PathPoint, Pdof, Place, Program, Quantity, Reconstruct, ReportHead, RestHeading,
+    Restitution, Skid, SkidBegin, Spread, SteerPoint, StiffnessForm, StiffnessLine, Surface, SurfaceRegion,
+    SurfaceZone, Text, Unit, UnitSystem, VehicleKind, Velocity, WheelDrag, YawInertia, read_quantity,
+    to_toml,
 };
 use crash3::ObliqueCorrection;
 use crash3::Side;
-use inputs::{Basis, BrachTangential, CertainSpeed, Fault, FaultKind, GivenEstimate, Prior, Recorder};
+use inputs::{
+    Basis, BrachTangential, CertainSpeed, Fault, FaultKind, GivenEstimate, Recorder, SeverityPrior,
+};
 use pim_core::{Law, Tangential};
 use proptest::collection::vec;
 use proptest::option;
@@ -627,10 +630,10 @@ fn the_fixtures_of_the_laws_can_be_reconstructed() {
         let path = entry.unwrap().path();
         let name = path.file_stem().unwrap().to_str().unwrap().to_owned();
         let input = read(&fs::read_to_string(&path).unwrap()).case.reconstruction().unwrap();
-        let Collision { contact, law, motions, vehicles } = input.collision;
+        let CollisionData { contact, law, motions, vehicles } = input.collision;
         let crush = vehicles.map(|vehicle| {
             let damage = vehicle.damage.unwrap();
-            let Evidence::Measured { profile, structure } = damage.evidence else { panic!("{name}") };
+            let CrushEvidence::Measured { profile, structure } = damage.evidence else { panic!("{name}") };
             structure.crush_energy(&profile).unwrap()
         });
         let crush_energy: f64 = crush.iter().sum();
@@ -1381,11 +1384,11 @@ fn any_after() -> impl Strategy<Value = After> {
             time += step;
             SteerPoint { time: Quantity::new(f64::from(time), unit).unwrap(), angle }
         });
-        Steer::Over(points.collect())
+        GivenSteer::Over(points.collect())
     });
-    let steer = prop_oneof![angle().prop_map(Steer::Held), over];
+    let steer = prop_oneof![angle().prop_map(GivenSteer::Held), over];
     let heading = prop_oneof![angle().prop_map(RestHeading::Heading), angle().prop_map(RestHeading::Turned)];
-    let rest = (any_place(), heading).prop_map(|(place, heading)| Rest { place, heading });
+    let rest = (any_place(), heading).prop_map(|(place, heading)| GivenRest { place, heading });
     let velocity = (
         option::of(any_quantity(Dimension::Speed, Signs::NotNegative)),
         option::of(angle()),
@@ -1455,7 +1458,7 @@ fn any_certain_speed() -> impl Strategy<Value = CertainSpeed> {
 
 fn any_estimate() -> impl Strategy<Value = GivenEstimate> {
     let median = option::of(any_quantity(Dimension::Speed, Signs::Positive));
-    let prior = select(Prior::WORDS.map(|(_, prior)| prior).to_vec());
+    let prior = select(SeverityPrior::WORDS.map(|(_, prior)| prior).to_vec());
     let percent = || option::of(1e-3..1e3_f64);
     let least = option::of(any_quantity(Dimension::Length, Signs::Positive));
     let heading = option::of(any_quantity(Dimension::Angle, Signs::Positive));
@@ -1498,7 +1501,7 @@ fn any_vehicle() -> impl Strategy<Value = GivenVehicle> {
     ];
     let outline = (length(Positive), length(Positive), length(Positive))
         .prop_map(|(length, width, cg_to_front)| Outline { length, width, cg_to_front });
-    let kind = option::of(select(Kind::WORDS.map(|(_, kind)| kind).to_vec()));
+    let kind = option::of(select(VehicleKind::WORDS.map(|(_, kind)| kind).to_vec()));
     let typical = (kind, option::of(1..=6_u8), [(); 4].map(|()| option::of(length(Positive))));
     let moving = (option::of(any_before()), option::of(any_after().boxed()));
     let told = (option::of(any_recorder()), option::of(any_certain_speed()));
@@ -1530,7 +1533,7 @@ fn any_vehicle() -> impl Strategy<Value = GivenVehicle> {
                 kind,
                 mass,
                 yaw,
-                class: class.filter(|_| kind.unwrap_or_default() == Kind::Car),
+                class: class.filter(|_| kind.unwrap_or_default() == VehicleKind::Car),
                 wheelbase,
                 track,
                 cg_to_front_axle,

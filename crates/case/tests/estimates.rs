@@ -8,7 +8,7 @@
     reason = "helpers of tests fail by panicking"
 )]
 
-use case::{CaseFile, DamageData, Evidence, Fit, InferredWidth, StiffnessSource, YawSource, to_toml};
+use case::{CaseFile, CrushEvidence, DamageData, Fit, InferredWidth, StiffnessSource, YawSource, to_toml};
 use crash3::{ObliqueCorrection, Side, SideStiffness, Stiffness, crush_energy};
 
 /// Two cars, each with the lines given for it and for its crush.
@@ -41,7 +41,7 @@ fn read_stiffness(stiffness: &str) -> (SideStiffness, StiffnessSource) {
     let other = format!("{FRONT}\nstiffness = {{ category = 1 }}\n{FORCE}");
     let file = cars([(YAW, &format!("{FRONT}\nstiffness = {stiffness}\n{FORCE}")), (YAW, &other)]);
     let [damage, _] = damages(&file);
-    let Evidence::Measured { structure, .. } = damage.evidence else { panic!("measured") };
+    let CrushEvidence::Measured { structure, .. } = damage.evidence else { panic!("measured") };
     (structure, damage.stiffness_source)
 }
 
@@ -218,7 +218,7 @@ fn a_crush_that_was_not_measured_has_a_width_or_bounds() {
         format!("side = \"right\"\nfrom_force_balance = true\nstiffness = {{ category = 2 }}\n{FORCE}");
     let width = |vehicle: &str, crush: &str| {
         let [_, damage] = damages(&cars([(YAW, &measured), (vehicle, crush)]));
-        let Evidence::ForceBalance { width, .. } = damage.evidence else { panic!("inferred") };
+        let CrushEvidence::ForceBalance { width, .. } = damage.evidence else { panic!("inferred") };
         width
     };
     assert_eq!(width(YAW, &format!("{inferred}\nwidth = \"1.2 m\"")), InferredWidth::Given(1.2));

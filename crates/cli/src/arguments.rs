@@ -4,7 +4,7 @@ use std::ffi::{OsStr, OsString};
 use std::path::{Path, PathBuf};
 
 use analysis::EstimatePlan;
-use case::{Dimension, Prior, Quantity, Template, read_quantity};
+use case::{Dimension, Quantity, SeverityPrior, Template, read_quantity};
 use clap::builder::{
     MapValueParser, PathBufValueParser, PossibleValue, PossibleValuesParser, StringValueParser,
     TypedValueParser, ValueParserFactory,
@@ -461,18 +461,18 @@ fn methods() -> Vec<Word<SamplingMethod>> {
     meaning(SamplingMethod::WORDS, meanings)
 }
 
-fn priors() -> Vec<Word<Prior>> {
+fn priors() -> Vec<Word<SeverityPrior>> {
     let meanings = [
         "As severe as collisions after which a vehicle was towed",
         "As severe as those of them in which somebody was seriously hurt (MAIS 3 or more)",
         "All speeds are equally likely",
     ];
-    meaning(Prior::WORDS, meanings)
+    meaning(SeverityPrior::WORDS, meanings)
 }
 
 /// Those that a table of crashes can be judged with.
-fn priors_of_field() -> Vec<Word<Prior>> {
-    priors().into_iter().filter(|(_, _, prior)| *prior != Prior::Flat).collect()
+fn priors_of_field() -> Vec<Word<SeverityPrior>> {
+    priors().into_iter().filter(|(_, _, prior)| *prior != SeverityPrior::Flat).collect()
 }
 
 fn jobs() -> Vec<Word<Job>> {
@@ -931,7 +931,7 @@ pub(crate) struct EstimateArguments {
 
     /// Severity before the evidence: field, serious-injury or flat
     #[arg(long, value_parser = one_of(priors()), hide_possible_values = true)]
-    pub(crate) prior: Option<Prior>,
+    pub(crate) prior: Option<SeverityPrior>,
 
     /// Skip the answers for each piece of evidence, which take most of the time
     #[arg(long)]
@@ -1004,7 +1004,7 @@ pub(crate) struct TableArguments {
 
     /// Severity before the evidence: field, serious-injury or flat (estimate)
     #[arg(long, value_parser = one_of(priors()), hide_possible_values = true)]
-    pub(crate) prior: Option<Prior>,
+    pub(crate) prior: Option<SeverityPrior>,
 
     /// Number of threads [default: one for each processor]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
@@ -1052,7 +1052,7 @@ pub(crate) struct ValidateArguments {
 
     /// Severity before the evidence: field, or serious-injury where the crashes were chosen for one
     #[arg(long, value_parser = one_of(priors_of_field()), requires = "field", conflicts_with = "judge", hide_possible_values = true)]
-    pub(crate) prior: Option<Prior>,
+    pub(crate) prior: Option<SeverityPrior>,
 
     /// Judge another program instead: its ΔV (km/h) in the columns COLUMN_1 and COLUMN_2 of FILE, and the
     /// ends of its 95 % intervals in LOW_1, HIGH_1, LOW_2 and HIGH_2

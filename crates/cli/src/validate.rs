@@ -4,7 +4,7 @@ use std::fs;
 use std::path::Path;
 
 use anyhow::{Context as _, Result};
-use case::Prior;
+use case::SeverityPrior;
 use evidence::InjuryRisk;
 use report::Drawing;
 use validation::{Data, Validation};
@@ -104,7 +104,7 @@ fn validate_field(path: &Path, arguments: &ValidateArguments) -> Result<()> {
         seed: arguments.seed,
         other: arguments.other,
         crush: field::KnownCrush::Both,
-        injury: (arguments.prior == Some(Prior::SeriousInjury)).then_some(InjuryRisk::SERIOUS),
+        injury: (arguments.prior == Some(SeverityPrior::SeriousInjury)).then_some(InjuryRisk::SERIOUS),
     };
     let judged = if let Some(crashes) = field::read_objects(&text).with_context(|| name.clone())? {
         let refused = [("--other", arguments.other), ("--judge", arguments.judge.is_some())];
@@ -192,6 +192,7 @@ mod tests {
             field: None,
             recorders: None,
             other: false,
+            prior: None,
             judge: None,
             seed: 1,
             threads: None,

@@ -5,7 +5,7 @@ use kurbo::{Affine, BezPath, Point, Rect, Vec2};
 use crate::canvas::Canvas;
 use crate::finished::Drawing;
 use crate::font::{self, Anchor, SMALL};
-use crate::footprint::{CrushProfile, Footprint, Shape, placed};
+use crate::footprint::{BodyShape, CrushProfile, Footprint, placed};
 use crate::legend::{self, EDGE, HEADER, Sample, ScaleUnit, WIDTH};
 use crate::pens::{BLACK, CRUSHED, FILL, GREY, OUTLINE, THIN, WHITE, undamaged};
 
@@ -106,7 +106,7 @@ impl DamagePicture {
         if bodies().next().is_some() {
             entries.push((Sample::CentreOfGravity, "CG: centre of gravity".to_owned()));
         }
-        if bodies().any(|footprint| footprint.shape == Shape::Car) {
+        if bodies().any(|footprint| footprint.shape == BodyShape::Car) {
             entries.push(legend::windscreen());
         }
         let has_both = |panel: &&Panel| panel.vehicle.has_stations && panel.vehicle.footprint.is_some();
@@ -163,7 +163,7 @@ impl Panel<'_> {
                 }
             }
             if let Some(detail) = footprint.detail(crush) {
-                let fill = if footprint.shape == Shape::Car { WHITE } else { "none" };
+                let fill = if footprint.shape == BodyShape::Car { WHITE } else { "none" };
                 canvas.path(&format!("front-{number}"), &(there * detail), Some(THIN), fill);
             }
         }

@@ -15,12 +15,12 @@ pub struct Footprint {
     /// (m) from the CG to the front.
     pub cg_to_front: f64,
     /// What it looks like.
-    pub shape: Shape,
+    pub shape: BodyShape,
 }
 
 /// What a body looks like from above.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Shape {
+pub enum BodyShape {
     /// Rounded corners, and a windscreen.
     Car,
     /// A rectangle: a truck or a trailer.
@@ -51,10 +51,10 @@ impl Footprint {
     /// (m) radius of the corners.
     fn radius(&self) -> f64 {
         match self.shape {
-            Shape::Car => 0.12 * self.width,
-            Shape::Box => 0.03 * self.width,
-            Shape::Motorcycle => 0.5 * self.width.min(self.length),
-            Shape::Fixed => 0.0,
+            BodyShape::Car => 0.12 * self.width,
+            BodyShape::Box => 0.03 * self.width,
+            BodyShape::Motorcycle => 0.5 * self.width.min(self.length),
+            BodyShape::Fixed => 0.0,
         }
     }
 
@@ -84,9 +84,9 @@ impl Footprint {
     /// in where the damage reaches them.
     pub(crate) fn detail(&self, crush: Option<&CrushProfile>) -> Option<BezPath> {
         let whole = match self.shape {
-            Shape::Car => self.windscreen(),
-            Shape::Motorcycle => self.handlebars(),
-            Shape::Box | Shape::Fixed => return None,
+            BodyShape::Car => self.windscreen(),
+            BodyShape::Motorcycle => self.handlebars(),
+            BodyShape::Box | BodyShape::Fixed => return None,
         };
         let Some(surface) = crush.map(|crush| Surface::new(self, crush)) else { return Some(whole) };
         if whole.segments().all(|segment| {
@@ -180,7 +180,7 @@ impl Surface {
         }
         let (radius, ends) = (body.radius(), [-most(-direction), most(direction)]);
         // If an end station lies in a rounded corner of the bumper, the rest of the corner is crushed too.
-        let corner = if body.shape == Shape::Motorcycle { 0.0 } else { radius };
+        let corner = if body.shape == BodyShape::Motorcycle { 0.0 } else { radius };
         let beside = |along: f64, end: f64| (along - end).abs() < corner;
         if let Some(first) = stations.first().copied().filter(|first| beside(first[0], ends[0])) {
             stations.insert(0, [first[0].min(ends[0]), first[1]]);
@@ -282,10 +282,10 @@ pub(crate) fn placed(forward: Vec2, cg: Point, scale: f64) -> Affine {
 mod tests {
     use kurbo::{BezPath, Point, Shape as _};
 
-    use super::{CrushProfile, Footprint, Shape};
+    use super::{BodyShape, CrushProfile, Footprint};
 
     /// 4 m × 2 m, its CG 1.5 m behind the front: from x = −2.5 to 1.5, y = −1 to 1.
-    const BODY: Footprint = Footprint { length: 4.0, width: 2.0, cg_to_front: 1.5, shape: Shape::Fixed };
+    const BODY: Footprint = Footprint { length: 4.0, width: 2.0, cg_to_front: 1.5, shape: BodyShape::Fixed };
 
     fn crush(outward: [f64; 2], stations: &[([f64; 2], f64)]) -> CrushProfile {
         let [x, y] = outward;
@@ -341,7 +341,7 @@ mod tests {
 
     #[test]
     fn rounded_corners_stay_where_the_damage_does_not_reach() {
-        let car = Footprint { shape: Shape::Car, ..BODY };
+        let car = Footprint { shape: BodyShape::Car, ..BODY };
         let shallow = crush([1.0, 0.0], &[([1.5, 1.0], 0.05), ([1.5, -1.0], 0.05)]);
         let (whole, damaged) = (car.outline(), car.damaged(&shallow));
         // r = 0.24 m; the strip of 0.05 m is 2 m wide, less what the two rounded corners already lack.
@@ -356,7 +356,7 @@ mod tests {
 
     #[test]
     fn no_sliver_of_a_corner_stands_beside_the_damage() {
-        let car = Footprint { shape: Shape::Car, ..BODY };
+        let car = Footprint { shape: BodyShape::Car, ..BODY };
         // The corners have a radius of 0.24 m: 0.2 m next to the damage are crushed with it, 0.3 m are not.
         let front = |left: f64, right: f64| {
             car.damaged(&crush([1.0, 0.0], &[([1.5, left], 0.5), ([1.5, -right], 0.5)])).bounding_box().x1
@@ -366,7 +366,7 @@ mod tests {
         assert!((front(0.8, 0.7) - 1.5).abs() < 1e-12);
         // A motorcycle is round at its ends, and has no bumper: 0.2 m to each side of the axis are gone, and
         // next to them its front is √(1 − 0.2²) m ahead of the middle of the arc, at x = 0.5.
-        let motorcycle = Footprint { shape: Shape::Motorcycle, ..BODY };
+        let motorcycle = Footprint { shape: BodyShape::Motorcycle, ..BODY };
         let hit = crush([1.0, 0.0], &[([1.5, 0.2], 0.5), ([1.5, -0.2], 0.5)]);
         let front = motorcycle.damaged(&hit).bounding_box().x1;
         assert!((front - (0.5 + 0.96_f64.sqrt())).abs() < 1e-12, "{front}");
@@ -374,7 +374,7 @@ mod tests {
 
     #[test]
     fn the_windscreen_is_pushed_in_with_the_front() {
-        let car = Footprint { shape: Shape::Car, ..BODY };
+        let car = Footprint { shape: BodyShape::Car, ..BODY };
         let small = crush([1.0, 0.0], &[([1.5, 1.0], 0.5), ([1.5, -1.0], 0.5)]);
         assert_eq!(car.detail(Some(&small)), car.detail(None));
         // The windscreen lies between 0.88 m and 1.44 m behind the front.

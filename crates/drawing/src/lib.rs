@@ -117,7 +117,7 @@ pub use damage::{DamagePicture, DamagedVehicle};
 pub use density::DensityPicture;
 pub use energy::{EnergyBar, EnergyPicture, Loss};
 pub use finished::{Drawing, PictureFormat};
-pub use footprint::{CrushProfile, Footprint, Shape};
+pub use footprint::{BodyShape, CrushProfile, Footprint};
 pub use ground::{GroundShape, GroundZone};
 pub use histogram::HistogramPicture;
 pub use joint::JointPicture;

@@ -6,7 +6,7 @@ use crate::body::SceneBody;
 use crate::canvas::{Canvas, Head};
 use crate::finished::Drawing;
 use crate::font::{self, SMALL};
-use crate::footprint::{Footprint, Shape};
+use crate::footprint::{BodyShape, Footprint};
 use crate::ground::GroundZone;
 use crate::legend::{self, EDGE, HEADER, Sample, ScaleUnit, WIDTH};
 use crate::number::number;
@@ -308,13 +308,13 @@ impl MotionVehicle {
         matches!(self.body, SceneBody::Outline { .. }) && rest.forward.is_some()
     }
 
-    fn has_shape(&self, shape: Shape) -> bool {
+    fn has_shape(&self, shape: BodyShape) -> bool {
         matches!(&self.body, SceneBody::Outline { footprint, .. } if footprint.shape == shape)
     }
 
     fn is_fixed(&self) -> bool {
         match &self.body {
-            SceneBody::Outline { footprint, .. } => footprint.shape == Shape::Fixed,
+            SceneBody::Outline { footprint, .. } => footprint.shape == BodyShape::Fixed,
             SceneBody::Pole { .. } | SceneBody::Wall => true,
             SceneBody::Unknown => false,
         }
@@ -485,7 +485,7 @@ impl Page<'_> {
     /// Draws its body at impact, or the fixed object.
     fn at_impact(&mut self, vehicle: &MotionVehicle, i: usize) {
         let fixed = match (&vehicle.body, self.motion.contact()) {
-            (SceneBody::Outline { footprint, .. }, _) if footprint.shape == Shape::Fixed => {
+            (SceneBody::Outline { footprint, .. }, _) if footprint.shape == BodyShape::Fixed => {
                 Some(self.view.place(vehicle.at_impact()) * footprint.outline())
             }
             (SceneBody::Outline { .. }, _) => {
@@ -575,7 +575,7 @@ impl Page<'_> {
         let measured = measured.map(|pose| (format!("measured-rest-{}", i + 1), pose, MEASURED));
         for (id, pose, pen) in std::iter::once(at_impact).chain(computed).chain(measured) {
             if let SceneBody::Outline { footprint, crush } = &vehicle.body
-                && footprint.shape != Shape::Fixed
+                && footprint.shape != BodyShape::Fixed
             {
                 let there = self.view.place(pose) * footprint.left_by(crush.as_ref());
                 self.canvas.path(&id, &there, Some(pen), "none");
@@ -677,7 +677,7 @@ impl Page<'_> {
         for (i, vehicle) in motion.each() {
             let Some(text) = vehicle.legend.clone() else { continue };
             let sample = match (&vehicle.body, motion.contact()) {
-                (SceneBody::Outline { footprint, .. }, _) if footprint.shape != Shape::Fixed => {
+                (SceneBody::Outline { footprint, .. }, _) if footprint.shape != BodyShape::Fixed => {
                     Sample::Box(OUTLINE[i], FILL[i].to_owned())
                 }
                 (SceneBody::Wall, Some(contact)) if !plan::is_drawn(motion.wall_ends(contact)) => {
@@ -737,10 +737,10 @@ impl Page<'_> {
         let skids = any(|vehicle| !vehicle.skids.is_empty());
         add(skids, Sample::Line(SKID), "skid mark before the impact");
         add(!motion.ground.is_empty(), Sample::Line(EDGE_OF_GROUND), "edge of a part of the ground");
-        if any(|vehicle| vehicle.has_shape(Shape::Car)) {
+        if any(|vehicle| vehicle.has_shape(BodyShape::Car)) {
             entries.push(legend::windscreen());
         }
-        if any(|vehicle| vehicle.has_shape(Shape::Box)) {
+        if any(|vehicle| vehicle.has_shape(BodyShape::Box)) {
             entries.push((Sample::Chevron(THIN), "angle: points to the front".to_owned()));
         }
         entries

@@ -6,7 +6,7 @@ use crate::body::SceneBody;
 use crate::canvas::{Canvas, Head};
 use crate::finished::Drawing;
 use crate::font::{self, SMALL};
-use crate::footprint::Shape;
+use crate::footprint::BodyShape;
 use crate::legend::{self, EDGE, HEADER, Sample, ScaleUnit, WIDTH};
 use crate::pens::{
     AFTER, AXIS, BEFORE, BLACK, FILL, GREY, HEADING, IMPULSE, OUTLINE, PALE, PDOF, PLANE, Pen, THIN,
@@ -321,7 +321,7 @@ impl Page<'_> {
     fn area(&mut self, vehicle: &SceneVehicle, i: usize) {
         let id = format!("outline-{}", i + 1);
         let fixed = match &vehicle.body {
-            SceneBody::Outline { footprint, .. } if footprint.shape == Shape::Fixed => {
+            SceneBody::Outline { footprint, .. } if footprint.shape == BodyShape::Fixed => {
                 self.view.place(vehicle.pose()) * footprint.outline()
             }
             SceneBody::Outline { footprint, crush } => {
@@ -347,7 +347,7 @@ impl Page<'_> {
 
     fn edge(&mut self, vehicle: &SceneVehicle, i: usize) {
         let SceneBody::Outline { footprint, crush } = &vehicle.body else { return };
-        if footprint.shape == Shape::Fixed {
+        if footprint.shape == BodyShape::Fixed {
             return;
         }
         let there = self.view.place(vehicle.pose());
@@ -495,7 +495,7 @@ impl Page<'_> {
                 _ => None,
             })
         };
-        if outlines().any(|(_, _, footprint, _)| footprint.shape == Shape::Car) {
+        if outlines().any(|(_, _, footprint, _)| footprint.shape == BodyShape::Car) {
             entries.push(legend::windscreen());
         }
         if !is_plain && outlines().any(|(_, vehicle, ..)| !vehicle.is_fixed) {
@@ -507,7 +507,7 @@ impl Page<'_> {
         for (i, vehicle) in vehicles.iter().enumerate() {
             let Some(text) = vehicle.legend.clone() else { continue };
             let sample = match &vehicle.body {
-                SceneBody::Outline { footprint, .. } if footprint.shape != Shape::Fixed => {
+                SceneBody::Outline { footprint, .. } if footprint.shape != BodyShape::Fixed => {
                     Sample::Box(OUTLINE[i], FILL[i].to_owned())
                 }
                 SceneBody::Unknown => Sample::Nothing,

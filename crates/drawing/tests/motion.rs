@@ -1,9 +1,9 @@
 //! The motion from approach to rest: what is drawn is what was given, wherever the vehicles go.
 
 use drawing::{
-    Axis, Drawing, Footprint, GroundShape, GroundZone, MeasuredPoint, MotionCurves, MotionCurvesPicture,
-    MotionPicture, MotionPoint, MotionRest, MotionVehicle, PlanPlace, ScaleUnit, SceneArrow, SceneBody,
-    Shape, SitePlan, SitePlanError,
+    Axis, BodyShape, Drawing, Footprint, GroundShape, GroundZone, MeasuredPoint, MotionCurves,
+    MotionCurvesPicture, MotionPicture, MotionPoint, MotionRest, MotionVehicle, PlanPlace, ScaleUnit,
+    SceneArrow, SceneBody, SitePlan, SitePlanError,
 };
 use kurbo::{Affine, BezPath, Point, Shape as _};
 use resvg::tiny_skia::{Color, Paint, Pixmap, Rect, Transform};
@@ -31,8 +31,8 @@ fn direction(degrees: f64) -> [f64; 2] {
     [cos, sin]
 }
 
-const CAR: Footprint = Footprint { length: 4.5, width: 1.8, cg_to_front: 2.1, shape: Shape::Car };
-const VAN: Footprint = Footprint { length: 6.0, width: 2.1, cg_to_front: 2.7, shape: Shape::Box };
+const CAR: Footprint = Footprint { length: 4.5, width: 1.8, cg_to_front: 2.1, shape: BodyShape::Car };
+const VAN: Footprint = Footprint { length: 6.0, width: 2.1, cg_to_front: 2.7, shape: BodyShape::Box };
 
 /// A spin-out that slows down evenly: at the share τ of its time it has gone 2 τ − τ² of its way, and has
 /// turned by the same share of its turn. Its way bends by `bend` (m) to the left in the middle.
@@ -366,7 +366,7 @@ fn every_motion_can_be_read() {
     for point in &mut same_times.path {
         point.time = 1.0;
     }
-    let fixed = Footprint { length: 0.4, width: 12.0, cg_to_front: 0.2, shape: Shape::Fixed };
+    let fixed = Footprint { length: 0.4, width: 12.0, cg_to_front: 0.2, shape: BodyShape::Fixed };
     let empty = MotionPicture { impact: None, ..picture([None, None]) };
     let pictures = [
         ("crossing", crossing()),

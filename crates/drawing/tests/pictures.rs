@@ -1,11 +1,11 @@
 //! Pictures of invented figures: what is drawn is what was given, and can be read.
 
 use drawing::{
-    Axis, ChancePicture, CrushProfile, CurvePoint, DamagePicture, DamagedVehicle, DensityPicture, Drawing,
-    EnergyBar, EnergyPicture, Footprint, FoundAtRest, HistogramPicture, JointPicture, Loss, Marker,
+    Axis, BodyShape, ChancePicture, CrushProfile, CurvePoint, DamagePicture, DamagedVehicle, DensityPicture,
+    Drawing, EnergyBar, EnergyPicture, Footprint, FoundAtRest, HistogramPicture, JointPicture, Loss, Marker,
     MomentumPicture, PathTimeCourse, PathTimePicture, RanksPicture, ReconciliationPicture, RestsPicture,
     ScaleUnit, ScatterPanel, ScatterPicture, ScatterPoint, SceneArrow, SceneBody, SceneMotion, ScenePicture,
-    SceneVehicle, Shape, SightPicture, Symbol, TornadoBar, TornadoPicture, ValueMark,
+    SceneVehicle, SightPicture, Symbol, TornadoBar, TornadoPicture, ValueMark,
 };
 
 use crate::reader::{Reader, area, attribute, number, scales};
@@ -107,7 +107,7 @@ fn scatter() -> ScatterPicture {
     }
 }
 
-const CAR: Footprint = Footprint { length: 4.0, width: 1.7, cg_to_front: 2.0, shape: Shape::Car };
+const CAR: Footprint = Footprint { length: 4.0, width: 1.7, cg_to_front: 2.0, shape: BodyShape::Car };
 
 /// A car that drives to the right into a wall.
 fn scene() -> ScenePicture {

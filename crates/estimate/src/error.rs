@@ -9,7 +9,7 @@ use crate::limits::{LEAST_ISLANDS, MOST_PARTICLES, PARTICLES_STEP};
 /// The reason why there are no draws.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
-pub enum Failure {
+pub enum NoDraws {
     /// There is no unknown value.
     #[error("there is no unknown value; give at least one value a prior")]
     NothingUnknown,

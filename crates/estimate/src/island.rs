@@ -12,7 +12,7 @@ use uncertainty::dispatch;
 use uncertainty::random::{bits, key, unit};
 use uncertainty::{LANES, Lanes};
 
-use crate::error::{Exclusion, Failure};
+use crate::error::{Exclusion, NoDraws};
 use crate::gaussian::{Gaussian, product, sum};
 use crate::model::{Evidence, Faded, Hurdle, Prior};
 use crate::moves::{KINDS, Kind, Proposal, Tuning, choose, normals};
@@ -223,7 +223,7 @@ pub(crate) fn run<P: Prior, E: Evidence>(
     seed: u64,
     index: u64,
     goes_on: impl Fn(f64) -> bool,
-) -> Result<Option<Island>, Failure> {
+) -> Result<Option<Island>, NoDraws> {
     if !goes_on(0.0) {
         return Ok(None);
     }
@@ -277,7 +277,7 @@ pub(crate) fn run_without<P: Prior, E: Evidence>(
     from: (&Population, f64),
     particles: usize,
     key_of_island: u64,
-) -> Result<Island, Failure> {
+) -> Result<Island, NoDraws> {
     let (start, log_evidence) = from;
     let mut population = start.first(particles);
     let Target { prior, evidence, used, faded: _, instructions } = target;
@@ -420,7 +420,7 @@ impl<'a, 'b, P: Prior, E: Evidence> Traveller<'a, 'b, P, E> {
     }
 
     /// Draws possible particles from the prior; `None` if many draws give none.
-    fn draw_prior(&mut self, particles: usize) -> Result<Option<Population>, Failure> {
+    fn draw_prior(&mut self, particles: usize) -> Result<Option<Population>, NoDraws> {
         let dimensions = self.target.dimensions();
         let blocks = particles / LANES;
         let mut population = Population {
@@ -480,7 +480,7 @@ impl<'a, 'b, P: Prior, E: Evidence> Traveller<'a, 'b, P, E> {
         &mut self,
         population: &mut Population,
         of: impl Fn(&Evaluation) -> Lanes,
-    ) -> Result<(), Failure> {
+    ) -> Result<(), NoDraws> {
         for block in 0..population.blocks() {
             self.target.evaluate_for(population.block(block), Wanted::Used, &mut self.evaluation)?;
             population.log_likelihood[block] = of(&self.evaluation);
@@ -494,7 +494,7 @@ impl<'a, 'b, P: Prior, E: Evidence> Traveller<'a, 'b, P, E> {
     }
 
     /// Removes the particles that only the unused terms find impossible, and returns the remaining fraction.
-    fn possible(&mut self, population: &mut Population) -> Result<f64, Failure> {
+    fn possible(&mut self, population: &mut Population) -> Result<f64, NoDraws> {
         if self.target.used.iter().all(|used| *used) {
             return Ok(1.0);
         }
@@ -549,7 +549,7 @@ impl<'a, 'b, P: Prior, E: Evidence> Traveller<'a, 'b, P, E> {
         temperature: f64,
         enough: Enough,
         sequence: u64,
-    ) -> Result<Memory, Failure> {
+    ) -> Result<Memory, NoDraws> {
         let before = population.clone();
         let variances = population.variances();
         let mut means = Vec::new();
@@ -586,7 +586,7 @@ impl<'a, 'b, P: Prior, E: Evidence> Traveller<'a, 'b, P, E> {
         variances: &[f64],
         place: usize,
         sequence: u64,
-    ) -> Result<(), Failure> {
+    ) -> Result<(), NoDraws> {
         let kind = KINDS[place];
         let scale = self.tunings[place].scale();
         let (mut accepted, mut gain) = (0.0, 0.0);

@@ -5,7 +5,7 @@
 //! particles in blocks, and reports when it has not converged.
 //!
 //! ```
-//! use estimate::{LikelihoodFunction, Independent, DrawnQuantity, Settings, Verdict, sample_quietly};
+//! use estimate::{LikelihoodFunction, Independent, DrawnQuantity, ParticleSettings, Verdict, sample_quietly};
 //! use uncertainty::Distribution;
 //!
 //! // A speed, by a rough guess 15 ± 5 m/s. Two measurements: 18 ± 2 m/s, and its square, 250 ± 40 m²/s².
@@ -16,7 +16,7 @@
 //!     terms[1] = -0.5 * z[1] * z[1];
 //!     Ok(())
 //! });
-//! let posterior = sample_quietly(&prior, &evidence, &Settings::new(512, 1))?;
+//! let posterior = sample_quietly(&prior, &evidence, &ParticleSettings::new(512, 1))?;
 //! assert_eq!(posterior.verdict(), Verdict::Converged);
 //! let speed = posterior.summary(DrawnQuantity::Value(0));
 //! // By quadrature of prior times likelihood.
@@ -32,13 +32,13 @@
 //! | [`Prior`], [`Independent`] | the transform of standard normal numbers into the unknown values |
 //! | [`Evidence`], [`LikelihoodFunction`] | the log-likelihood in terms, one for each piece of evidence; further outputs and residuals |
 //! | [`Hurdle`] | the condition for accepting a proposal, for evidence with slow terms |
-//! | [`Settings`], [`Selection`] | number of particles and islands, seed, pieces of evidence used |
+//! | [`ParticleSettings`], [`Selection`] | number of particles and islands, seed, pieces of evidence used |
 //! | [`sample`] → [`Posterior`] | draws of equal weight, the log evidence, and a [`Verdict`] with its reasons |
 //! | [`DrawsSummary`], [`Draws`] | mean, deviation, median, intervals and probabilities, with standard errors |
 //! | [`Posterior::without`] → [`Weights`] | the answer without some pieces of evidence, from the same draws |
 //! | [`sample_without`] | the same with new draws, started from those with all evidence |
 //! | [`Posterior::check`] → [`PieceCheck`] | one piece of evidence compared with the prediction of the rest: a p-value |
-//! | [`Failure`], [`Exclusion`] | the reason why there is no answer, and the evidence that excludes the prior |
+//! | [`NoDraws`], [`Exclusion`] | the reason why there is no answer, and the evidence that excludes the prior |
 //!
 //! # The method
 //!
@@ -88,10 +88,10 @@ pub use diagnosis::{
     ANCESTORS_LIMIT, Diagnosis, DrawnQuantity, ESS_LIMIT, EVIDENCE_LIMIT, EXTREME_ESS_LIMIT, Mixing, Mode,
     POSSIBLE_LIMIT, R_HAT_LIMIT, SamplerDoubt, UNMOVED_LIMIT, Verdict,
 };
-pub use error::{CannotReweight, Culprit, Exclusion, Failure};
+pub use error::{CannotReweight, Culprit, Exclusion, NoDraws};
 pub use limits::{LEAST_ISLANDS, MOST_PARTICLES, PARTICLES_STEP};
 pub use model::{Evidence, Hurdle, Independent, LikelihoodFunction, Part, Prior, Selection};
 pub use posterior::{PieceCheck, Posterior, sample, sample_quietly, sample_without};
 pub use reweight::{PARETO_LIMIT, Weights};
-pub use settings::{ISLANDS, Settings};
+pub use settings::{ISLANDS, ParticleSettings};
 pub use summary::{Draws, DrawsInterval, DrawsSummary, LEVELS};

@@ -10,11 +10,11 @@ use uncertainty::{Estimate, LANES, Lanes, Progress, for_each};
 
 use crate::circle::unrolled;
 use crate::diagnosis::{Diagnosis, DrawnQuantity, Verdict, mixing, modes};
-use crate::error::{CannotReweight, Exclusion, Failure};
+use crate::error::{CannotReweight, Exclusion, NoDraws};
 use crate::island::{Island, Population, run, run_without};
 use crate::model::{Evidence, Part, Prior};
 use crate::reweight::Weights;
-use crate::settings::Settings;
+use crate::settings::ParticleSettings;
 use crate::summary::{Draws, DrawsSummary};
 use crate::target::Target;
 
@@ -77,13 +77,13 @@ impl PieceCheck {
 pub fn sample<P: Prior, E: Evidence>(
     prior: &P,
     evidence: &E,
-    settings: &Settings,
+    settings: &ParticleSettings,
     progress: &mut Progress<'_>,
-) -> Result<Posterior, Failure> {
+) -> Result<Posterior, NoDraws> {
     let terms = evidence.terms_count();
     settings.check(terms)?;
     if prior.values_count() == 0 {
-        return Err(Failure::NothingUnknown);
+        return Err(NoDraws::NothingUnknown);
     }
     let used = settings.terms.flags(terms);
     let target = Target { prior, evidence, used, faded: None, instructions: settings.instructions };
@@ -99,11 +99,11 @@ pub fn sample<P: Prior, E: Evidence>(
         voyage.temperatures[index] = 1.0;
         Ok(island)
     });
-    let islands: Vec<Option<Island>> = islands.into_iter().collect::<Result<_, Failure>>()?;
+    let islands: Vec<Option<Island>> = islands.into_iter().collect::<Result<_, NoDraws>>()?;
     let finished = islands.iter().flatten().count();
     let islands: Vec<Island> = islands.into_iter().flatten().collect();
     if finished < settings.islands {
-        return Err(Failure::Ended { finished, islands: settings.islands });
+        return Err(NoDraws::Ended { finished, islands: settings.islands });
     }
     combine(&target, settings, &islands)
 }
@@ -136,8 +136,8 @@ impl Voyage<'_, '_> {
 pub fn sample_quietly<P: Prior, E: Evidence>(
     prior: &P,
     evidence: &E,
-    settings: &Settings,
-) -> Result<Posterior, Failure> {
+    settings: &ParticleSettings,
+) -> Result<Posterior, NoDraws> {
     sample(prior, evidence, settings, &mut |_, _| ControlFlow::Continue(()))
 }
 
@@ -154,19 +154,19 @@ pub fn sample_without<P: Prior, E: Evidence>(
     evidence: &E,
     with: &Posterior,
     term: usize,
-    settings: &Settings,
-) -> Result<Posterior, Failure> {
+    settings: &ParticleSettings,
+) -> Result<Posterior, NoDraws> {
     let terms = evidence.terms_count();
     settings.check(terms)?;
     if !with.used.get(term).is_some_and(|used| *used) {
-        return Err(Failure::NoSuchTerm { term, terms });
+        return Err(NoDraws::NoSuchTerm { term, terms });
     }
     if with.populations.len() < settings.islands {
-        return Err(Failure::Islands { islands: settings.islands });
+        return Err(NoDraws::Islands { islands: settings.islands });
     }
     let particles = settings.particles;
     if with.populations.iter().any(|(population, _)| population.particles() < particles) {
-        return Err(Failure::Particles { particles });
+        return Err(NoDraws::Particles { particles });
     }
     let used = with.used.clone();
     let mut target = Target { prior, evidence, used, faded: None, instructions: settings.instructions };
@@ -183,16 +183,16 @@ pub fn sample_without<P: Prior, E: Evidence>(
 
 fn combine<P: Prior, E: Evidence>(
     target: &Target<'_, P, E>,
-    settings: &Settings,
+    settings: &ParticleSettings,
     islands: &[Island],
-) -> Result<Posterior, Failure> {
+) -> Result<Posterior, NoDraws> {
     let mut exclusion = Exclusion::new(target.used.len());
     for island in islands {
         exclusion.add(&island.exclusion);
     }
     let populations: Option<Vec<&Population>> =
         islands.iter().map(|island| island.population.as_ref()).collect();
-    let Some(populations) = populations else { return Err(Failure::Impossible(exclusion)) };
+    let Some(populations) = populations else { return Err(NoDraws::Impossible(exclusion)) };
 
     let described = for_each(&populations, |population| describe(target, population));
     let described: Vec<Vec<Described>> = described.into_iter().collect::<Result<_, _>>()?;
@@ -337,7 +337,7 @@ struct Described {
 fn describe<P: Prior, E: Evidence>(
     target: &Target<'_, P, E>,
     population: &Population,
-) -> Result<Vec<Described>, Failure> {
+) -> Result<Vec<Described>, NoDraws> {
     let mut evaluation = target.evaluation();
     let mut described = Vec::with_capacity(population.blocks());
     for block in 0..population.blocks() {
@@ -348,7 +348,7 @@ fn describe<P: Prior, E: Evidence>(
         for (output, column) in outputs.iter().enumerate() {
             if let Some(lane) = column.iter().position(|value| !value.is_finite()) {
                 let values = evaluation.values.iter().map(|column| column[lane]).collect();
-                return Err(Failure::NotFinite { output, value: column[lane], values });
+                return Err(NoDraws::NotFinite { output, value: column[lane], values });
             }
         }
         let (values, terms) = (evaluation.values.clone(), evaluation.terms.clone());

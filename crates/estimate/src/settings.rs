@@ -2,16 +2,16 @@
 
 use uncertainty::Instructions;
 
-use crate::error::Failure;
+use crate::error::NoDraws;
 use crate::limits::{LEAST_ISLANDS, MOST_PARTICLES, PARTICLES_STEP};
 use crate::model::Selection;
 
-/// Number of islands of [`Settings::new`], equal to the number of replicates in `uncertainty`.
+/// Number of islands of [`ParticleSettings::new`], equal to the number of replicates in `uncertainty`.
 pub const ISLANDS: usize = 16;
 
 /// Settings of the sampler.
 #[derive(Clone, Debug)]
-pub struct Settings {
+pub struct ParticleSettings {
     /// Number of particles of each island, a multiple of [`PARTICLES_STEP`].
     pub particles: usize,
     /// Number of islands, which are independent populations. Together they give `islands` × `particles`
@@ -25,7 +25,7 @@ pub struct Settings {
     pub instructions: Instructions,
 }
 
-impl Settings {
+impl ParticleSettings {
     /// [`ISLANDS`] islands, all evidence, the best instruction set of this CPU.
     #[must_use]
     pub fn new(particles: usize, seed: u64) -> Self {
@@ -40,16 +40,16 @@ impl Settings {
         (PARTICLES_STEP..=MOST_PARTICLES).contains(&particles) && particles.is_multiple_of(PARTICLES_STEP)
     }
 
-    pub(crate) fn check(&self, terms: usize) -> Result<(), Failure> {
+    pub(crate) fn check(&self, terms: usize) -> Result<(), NoDraws> {
         let particles = self.particles;
         if !Self::can_have(particles) {
-            return Err(Failure::Particles { particles });
+            return Err(NoDraws::Particles { particles });
         }
         if self.islands < LEAST_ISLANDS {
-            return Err(Failure::Islands { islands: self.islands });
+            return Err(NoDraws::Islands { islands: self.islands });
         }
         match self.terms.named().iter().find(|&&term| term >= terms) {
-            Some(&term) => Err(Failure::NoSuchTerm { term, terms }),
+            Some(&term) => Err(NoDraws::NoSuchTerm { term, terms }),
             None => Ok(()),
         }
     }

@@ -3,7 +3,7 @@
 use uncertainty::dispatch;
 use uncertainty::{Instructions, LANES, Lanes};
 
-use crate::error::Failure;
+use crate::error::NoDraws;
 use crate::model::{Evidence, Faded, Hurdle, Prior, sum_of_used};
 
 /// Prior and evidence, and the pieces of evidence used.
@@ -41,7 +41,7 @@ impl<P: Prior, E: Evidence> Target<'_, P, E> {
     }
 
     /// Evaluates a block of standard normal numbers, with all terms.
-    pub(crate) fn evaluate(&self, standard: &[Lanes], into: &mut Evaluation) -> Result<(), Failure> {
+    pub(crate) fn evaluate(&self, standard: &[Lanes], into: &mut Evaluation) -> Result<(), NoDraws> {
         self.evaluate_for(standard, Wanted::All, into)
     }
 
@@ -52,7 +52,7 @@ impl<P: Prior, E: Evidence> Target<'_, P, E> {
         standard: &[Lanes],
         wanted: Wanted<'_>,
         into: &mut Evaluation,
-    ) -> Result<(), Failure> {
+    ) -> Result<(), NoDraws> {
         dispatch!(self.instructions, evaluate_with(self, standard, wanted, into));
         // A sum that contains NaN or +∞ is NaN or +∞, even −∞ + ∞.
         let is_likelihood = |sum: &f64| *sum < f64::INFINITY;
@@ -60,7 +60,7 @@ impl<P: Prior, E: Evidence> Target<'_, P, E> {
     }
 
     #[cold]
-    fn not_a_likelihood(&self, of: &Evaluation) -> Failure {
+    fn not_a_likelihood(&self, of: &Evaluation) -> NoDraws {
         let lane = of.log_likelihood.iter().position(|sum| sum.is_nan() || *sum == f64::INFINITY);
         let lane = lane.unwrap_or_default();
         let used = of.terms.iter().zip(&self.used).enumerate().filter(|(_, (_, used))| **used);
@@ -70,7 +70,7 @@ impl<P: Prior, E: Evidence> Target<'_, P, E> {
         // If each term is finite, their sum has overflowed.
         let (term, value) = culprit.unwrap_or((0, of.log_likelihood[lane]));
         let values = of.values.iter().map(|column| column[lane]).collect();
-        Failure::NotALikelihood { term, value, values }
+        NoDraws::NotALikelihood { term, value, values }
     }
 }
 

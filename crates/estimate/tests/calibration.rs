@@ -2,7 +2,7 @@
 //! drawn from the prior, measurements simulated from them, and the rank of the truth among the draws of the
 //! posterior, which is uniform if the sampler is right.
 
-use estimate::{Independent, LikelihoodFunction, Settings, Verdict, sample_quietly};
+use estimate::{Independent, LikelihoodFunction, ParticleSettings, Verdict, sample_quietly};
 use uncertainty::Distribution;
 use uncertainty::random::{bits, key, unit};
 
@@ -61,7 +61,7 @@ fn ranks_of_the_truth_are_uniform() {
             }
             Ok(())
         });
-        let found = sample_quietly(&prior, &evidence, &Settings::new(128, seed)).unwrap();
+        let found = sample_quietly(&prior, &evidence, &ParticleSettings::new(128, seed)).unwrap();
         converged += u32::from(found.verdict() == Verdict::Converged);
         for ((counts, truth), column) in counts.iter_mut().zip(&truth).zip(found.values()) {
             let below = column.iter().filter(|value| *value < truth).count();

@@ -3,7 +3,7 @@
 use std::ops::ControlFlow;
 
 use estimate::{
-    CannotReweight, DrawnQuantity, Evidence, Posterior, Selection, Settings, sample, sample_quietly,
+    CannotReweight, DrawnQuantity, Evidence, ParticleSettings, Posterior, Selection, sample, sample_quietly,
 };
 use real::elementary::{ln, sin_cos};
 use uncertainty::normal::cumulative;
@@ -140,7 +140,7 @@ fn solve(matrix: &[Vec<f64>], right: &[f64]) -> (Vec<f64>, f64) {
 }
 
 fn run(linear: &Linear, particles: usize, seed: u64) -> Posterior {
-    let settings = Settings::new(particles, seed);
+    let settings = ParticleSettings::new(particles, seed);
     sample_quietly(&standard(linear.dimensions()), linear, &settings).unwrap()
 }
 
@@ -221,7 +221,7 @@ fn an_answer_without_a_piece_is_that_of_a_run_without_it() {
             let others: Vec<usize> = (0..5).filter(|&other| other != left_out).collect();
             let (mean, covariance) = linear.posterior(&others);
             let weights = posterior.without(&[left_out]).unwrap();
-            let mut settings = Settings::new(512, 4);
+            let mut settings = ParticleSettings::new(512, 4);
             settings.terms = Selection::Without(vec![left_out]);
             let again = sample_quietly(&standard(3), &linear, &settings).unwrap();
             by_weights += usize::from(weights.are_reliable());
@@ -240,7 +240,7 @@ fn an_answer_without_a_piece_is_that_of_a_run_without_it() {
     assert!(by_weights >= 8, "only {by_weights} of 15 by weights");
     let linear = Linear::new(3, 0.5);
     let (mean, _) = linear.posterior(&[1]);
-    let mut settings = Settings::new(256, 5);
+    let mut settings = ParticleSettings::new(256, 5);
     settings.terms = Selection::Only(vec![1]);
     let alone = sample_quietly(&standard(3), &linear, &settings).unwrap();
     assert_near(alone.summary(DrawnQuantity::Value(1)).mean, mean[1], 0.05);
@@ -253,7 +253,7 @@ fn an_answer_with_a_piece_is_that_of_both() {
     let mut by_weights = 0;
     for (sd, seed) in [(0.5, 3), (1.0, 4), (2.0, 5)] {
         let linear = Linear::new(3, sd);
-        let mut settings = Settings::new(512, seed);
+        let mut settings = ParticleSettings::new(512, seed);
         settings.terms = Selection::Only(vec![0, 1, 2]);
         let without = sample_quietly(&standard(3), &linear, &settings).unwrap();
         for added in [3, 4] {
@@ -291,7 +291,7 @@ fn a_check_is_the_tail_of_the_prediction() {
             assert_near(check.below, exact, 0.03);
             assert_near(check.p_value, 2.0 * exact.min(1.0 - exact), 0.06);
         }
-        let mut settings = Settings::new(256, 7);
+        let mut settings = ParticleSettings::new(256, 7);
         settings.terms = Selection::Without(vec![term]);
         let progress = &mut |_, _| ControlFlow::Continue(());
         let again = sample(&standard(3), &linear, &settings, progress).unwrap().check(term).unwrap();
@@ -317,7 +317,7 @@ fn contradictory_measurements_have_an_answer_and_a_small_p_value() {
     let (predicted, sd) = linear.prediction(0);
     let exact = 2.0 * cumulative(-((0.5 - predicted) / sd).abs());
     assert!(exact < 1e-8 && !check.is_reliable(), "{exact} {check:?}");
-    let mut settings = Settings::new(512, 9);
+    let mut settings = ParticleSettings::new(512, 9);
     settings.terms = Selection::Without(vec![0]);
     let again = sample_quietly(&standard(2), &linear, &settings).unwrap().check(0).unwrap();
     assert!(again.p_value.value < 1e-6, "{again:?}");
@@ -333,7 +333,7 @@ fn a_piece_fades_out_of_the_draws() {
         for left_out in [0, 3] {
             let others: Vec<usize> = (0..5).filter(|&other| other != left_out).collect();
             let (mean, covariance) = linear.posterior(&others);
-            let settings = Settings { islands: 8, ..Settings::new(256, 4) };
+            let settings = ParticleSettings { islands: 8, ..ParticleSettings::new(256, 4) };
             let faded =
                 estimate::sample_without(&standard(3), &linear, &posterior, left_out, &settings).unwrap();
             for (place, (mean, row)) in mean.iter().zip(&covariance).enumerate() {
@@ -343,7 +343,7 @@ fn a_piece_fades_out_of_the_draws() {
             }
             assert!(!faded.used()[left_out] && faded.used().iter().filter(|used| **used).count() == 4);
             let terms = Selection::Without(vec![left_out]);
-            let again = Settings { terms, ..settings };
+            let again = ParticleSettings { terms, ..settings };
             let again = sample_quietly(&standard(3), &linear, &again).unwrap();
             let difference = faded.log_evidence().value - again.log_evidence().value;
             let [one, other] = [&faded, &again].map(|run| run.log_evidence().standard_error.unwrap());
@@ -360,16 +360,19 @@ fn a_piece_fades_out_of_the_draws() {
 fn only_a_piece_that_is_used_fades() {
     let linear = Linear::new(3, 0.5);
     let posterior = run(&linear, 256, 3);
-    let without = |term: usize, settings: &Settings| {
+    let without = |term: usize, settings: &ParticleSettings| {
         estimate::sample_without(&standard(3), &linear, &posterior, term, settings).unwrap_err()
     };
     assert!(matches!(
-        without(5, &Settings::new(128, 1)),
-        estimate::Failure::NoSuchTerm { term: 5, terms: 5 }
+        without(5, &ParticleSettings::new(128, 1)),
+        estimate::NoDraws::NoSuchTerm { term: 5, terms: 5 }
     ));
-    assert!(matches!(without(0, &Settings::new(512, 1)), estimate::Failure::Particles { particles: 512 }));
-    let many = Settings { islands: 17, ..Settings::new(128, 1) };
-    assert!(matches!(without(0, &many), estimate::Failure::Islands { islands: 17 }));
+    assert!(matches!(
+        without(0, &ParticleSettings::new(512, 1)),
+        estimate::NoDraws::Particles { particles: 512 }
+    ));
+    let many = ParticleSettings { islands: 17, ..ParticleSettings::new(128, 1) };
+    assert!(matches!(without(0, &many), estimate::NoDraws::Islands { islands: 17 }));
 }
 
 /// Evidence in which only an unused piece excludes half of the prior.
@@ -405,7 +408,7 @@ impl Evidence for Half {
 /// is half of ∫ N(x; 0, 1) exp(−½(x − 1)²) dx = exp(−¼)/√2.
 #[test]
 fn what_is_impossible_is_taken_out_at_the_end() {
-    let settings = Settings { terms: Selection::Only(vec![0]), ..Settings::new(512, 2) };
+    let settings = ParticleSettings { terms: Selection::Only(vec![0]), ..ParticleSettings::new(512, 2) };
     let posterior = sample_quietly(&standard(2), &Half, &settings).unwrap();
     assert!(posterior.values()[0].iter().all(|value| *value <= 0.0));
     let exact = -0.25 - 1.5 * std::f64::consts::LN_2;

@@ -2,12 +2,14 @@
 
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-use estimate::{Evidence, Hurdle, LikelihoodFunction, Posterior, Selection, Settings, sample_quietly};
+use estimate::{
+    Evidence, Hurdle, LikelihoodFunction, ParticleSettings, Posterior, Selection, sample_quietly,
+};
 use uncertainty::{Instructions, LANES, Lanes};
 
 use super::{ln_normal, standard};
 
-fn run(settings: &Settings) -> Posterior {
+fn run(settings: &ParticleSettings) -> Posterior {
     let evidence = LikelihoodFunction::new(2, |x: &[f64], terms: &mut [f64]| {
         terms[0] = ln_normal(x[0] * x[1], 0.6, 0.05);
         terms[1] = if x[2] > 2.0 { f64::NEG_INFINITY } else { ln_normal(x[2], x[0], 0.4) };
@@ -24,34 +26,37 @@ fn bits(posterior: &Posterior) -> (Vec<u64>, String) {
 
 #[test]
 fn one_two_and_three_threads_give_the_same_bits() {
-    let settings = Settings::new(128, 5);
+    let settings = ParticleSettings::new(128, 5);
     let expected = bits(&run(&settings));
     for threads in [1, 2, 3] {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
         assert!(pool.install(|| bits(&run(&settings))) == expected, "{threads} threads");
     }
-    assert!(bits(&run(&Settings::new(128, 6))).0 != expected.0);
+    assert!(bits(&run(&ParticleSettings::new(128, 6))).0 != expected.0);
 }
 
 #[test]
 fn all_instructions_give_the_same_bits() {
-    let settings = Settings::new(128, 5);
+    let settings = ParticleSettings::new(128, 5);
     let expected = bits(&run(&settings));
     for instructions in Instructions::available() {
-        assert!(bits(&run(&Settings { instructions, ..settings.clone() })) == expected, "{instructions:?}");
+        assert!(
+            bits(&run(&ParticleSettings { instructions, ..settings.clone() })) == expected,
+            "{instructions:?}"
+        );
     }
 }
 
 /// Unused evidence changes nothing except its own columns.
 #[test]
 fn evidence_that_is_not_used_leaves_the_draws_alone() {
-    let settings = Settings { terms: Selection::Only(vec![0]), ..Settings::new(128, 5) };
+    let settings = ParticleSettings { terms: Selection::Only(vec![0]), ..ParticleSettings::new(128, 5) };
     let only = run(&settings);
     let evidence = LikelihoodFunction::new(1, |x: &[f64], terms: &mut [f64]| {
         terms[0] = ln_normal(x[0] * x[1], 0.6, 0.05);
         if x[1] < -2.5 { Err(1) } else { Ok(()) }
     });
-    let alone = sample_quietly(&standard(4), &evidence, &Settings::new(128, 5)).unwrap();
+    let alone = sample_quietly(&standard(4), &evidence, &ParticleSettings::new(128, 5)).unwrap();
     assert_eq!(only.values(), alone.values());
 }
 
@@ -95,7 +100,7 @@ impl Evidence for InTwoParts {
 
 #[test]
 fn what_is_not_found_of_proposals_in_vain_changes_nothing() {
-    let settings = Settings::new(128, 5);
+    let settings = ParticleSettings::new(128, 5);
     let evidence = InTwoParts { left_out: AtomicUsize::new(0) };
     let in_parts = sample_quietly(&standard(3), &evidence, &settings).unwrap();
     let whole = LikelihoodFunction::new(2, |x: &[f64], terms: &mut [f64]| {

@@ -1,7 +1,7 @@
 //! Cases made to fool the diagnosis, and its verdicts.
 
 use estimate::{
-    Culprit, Failure, LikelihoodFunction, Posterior, SamplerDoubt, Settings, Verdict, sample_quietly,
+    Culprit, LikelihoodFunction, NoDraws, ParticleSettings, Posterior, SamplerDoubt, Verdict, sample_quietly,
 };
 use real::elementary::{exp, ln};
 
@@ -21,7 +21,8 @@ fn hidden(dimensions: usize, [at, sd]: [f64; 2], particles: usize, seed: u64) ->
         terms[0] = most + ln(exp(wide - most) + exp(narrow - most)) - ln(2.0);
         Ok(())
     });
-    let found = sample_quietly(&standard(dimensions), &evidence, &Settings::new(particles, seed)).unwrap();
+    let found =
+        sample_quietly(&standard(dimensions), &evidence, &ParticleSettings::new(particles, seed)).unwrap();
     let is_in = |draw: usize| found.values().iter().all(|column| (column[draw] - at).abs() < 5.0 * sd);
     let share = (0..found.count()).filter(|&draw| is_in(draw)).count() as f64 / found.count() as f64;
     (found, share)
@@ -97,12 +98,12 @@ fn a_prior_that_hardly_agrees_is_told() {
             terms[0] = if values[0] > limit { 0.0 } else { f64::NEG_INFINITY };
             Ok(())
         });
-        sample_quietly(&standard(1), &evidence, &Settings::new(128, 1))
+        sample_quietly(&standard(1), &evidence, &ParticleSettings::new(128, 1))
     };
     let found = beyond(3.5).unwrap();
     let Verdict::NotConverged(doubts) = found.verdict() else { panic!("{:?}", found.diagnosis()) };
     assert!(doubts.iter().any(|doubt| matches!(doubt, SamplerDoubt::HardlyPossible { .. })), "{doubts:?}");
-    let Err(Failure::Impossible(exclusion)) = beyond(4.0) else { panic!("an answer") };
+    let Err(NoDraws::Impossible(exclusion)) = beyond(4.0) else { panic!("an answer") };
     assert_eq!(exclusion.culprit(), Culprit::None);
     assert!(exclusion.possible > 0 && exclusion.to_string().starts_with("only "), "{exclusion}");
 }

@@ -9,7 +9,7 @@ mod doubts;
 mod refusals;
 mod shapes;
 
-use estimate::{Independent, LikelihoodFunction, Posterior, Settings, Verdict, sample_quietly};
+use estimate::{Independent, LikelihoodFunction, ParticleSettings, Posterior, Verdict, sample_quietly};
 use real::elementary::ln;
 use uncertainty::{Distribution, Estimate};
 
@@ -28,7 +28,7 @@ fn posterior(
         terms[0] = log_likelihood(values);
         Ok(())
     });
-    sample_quietly(prior, &evidence, &Settings::new(particles, 1)).unwrap()
+    sample_quietly(prior, &evidence, &ParticleSettings::new(particles, 1)).unwrap()
 }
 
 /// ln of the density of N(mean, sd²).

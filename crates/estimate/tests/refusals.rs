@@ -3,20 +3,20 @@
 use std::ops::ControlFlow;
 
 use estimate::{
-    CannotReweight, Culprit, Exclusion, Failure, Independent, LikelihoodFunction, PARTICLES_STEP, Selection,
-    Settings, sample, sample_quietly,
+    CannotReweight, Culprit, Exclusion, Independent, LikelihoodFunction, NoDraws, PARTICLES_STEP,
+    ParticleSettings, Selection, sample, sample_quietly,
 };
 
 use super::{ln_normal, posterior, standard};
 
-fn refusal<F: Fn(&[f64], &mut [f64]) -> Result<(), u8> + Sync>(terms: usize, function: F) -> Failure {
+fn refusal<F: Fn(&[f64], &mut [f64]) -> Result<(), u8> + Sync>(terms: usize, function: F) -> NoDraws {
     let evidence = LikelihoodFunction::new(terms, function);
-    sample_quietly(&standard(2), &evidence, &Settings::new(PARTICLES_STEP, 1)).unwrap_err()
+    sample_quietly(&standard(2), &evidence, &ParticleSettings::new(PARTICLES_STEP, 1)).unwrap_err()
 }
 
 #[track_caller]
-fn exclusion(failure: Failure) -> Exclusion {
-    let Failure::Impossible(exclusion) = failure else { panic!("{failure:?}") };
+fn exclusion(failure: NoDraws) -> Exclusion {
+    let NoDraws::Impossible(exclusion) = failure else { panic!("{failure:?}") };
     exclusion
 }
 
@@ -68,7 +68,7 @@ fn values_of_which_the_model_makes_nothing_are_impossible() {
         terms[0] = ln_normal(x[0], 0.5, 0.5);
         if x[1] < 0.0 { Err(3) } else { Ok(()) }
     });
-    let found = sample_quietly(&standard(2), &evidence, &Settings::new(256, 1)).unwrap();
+    let found = sample_quietly(&standard(2), &evidence, &ParticleSettings::new(256, 1)).unwrap();
     assert!(found.values()[1].iter().all(|value| *value >= 0.0));
     let [drawn, possible] = found.diagnosis().prior_draws;
     assert!((possible as f64 / drawn as f64 - 0.5).abs() < 0.03);
@@ -81,7 +81,7 @@ fn nan_is_an_error_with_its_values_and_not_a_draw() {
         terms[1] = if x[0] > 1.0 { f64::NAN } else { 0.0 };
         Ok(())
     });
-    let Failure::NotALikelihood { term: 1, value, ref values } = failure else { panic!("{failure:?}") };
+    let NoDraws::NotALikelihood { term: 1, value, ref values } = failure else { panic!("{failure:?}") };
     assert!(value.is_nan() && values.len() == 2 && values[0] > 1.0);
     assert!(failure.to_string().starts_with("the log-likelihood of evidence 1 is NaN at the values ["));
     // +∞ is not a log-likelihood either, even with −∞.
@@ -89,7 +89,7 @@ fn nan_is_an_error_with_its_values_and_not_a_draw() {
         terms.copy_from_slice(&[limit(x[1] < 0.0), f64::INFINITY]);
         Ok(())
     });
-    assert!(matches!(failure, Failure::NotALikelihood { term: 1, .. }), "{failure:?}");
+    assert!(matches!(failure, NoDraws::NotALikelihood { term: 1, .. }), "{failure:?}");
 }
 
 #[test]
@@ -98,15 +98,21 @@ fn settings_that_cannot_be_used_are_refused() {
         terms[0] = 0.0;
         Ok(())
     });
-    let with = |settings: &Settings| sample_quietly(&standard(1), &evidence, settings).unwrap_err();
+    let with = |settings: &ParticleSettings| sample_quietly(&standard(1), &evidence, settings).unwrap_err();
     for particles in [0, 100, PARTICLES_STEP + 64] {
-        assert_eq!(with(&Settings::new(particles, 1)), Failure::Particles { particles });
+        assert_eq!(with(&ParticleSettings::new(particles, 1)), NoDraws::Particles { particles });
     }
-    assert_eq!(with(&Settings { islands: 3, ..Settings::new(128, 1) }), Failure::Islands { islands: 3 });
+    assert_eq!(
+        with(&ParticleSettings { islands: 3, ..ParticleSettings::new(128, 1) }),
+        NoDraws::Islands { islands: 3 }
+    );
     let terms = Selection::Only(vec![0, 1]);
-    assert_eq!(with(&Settings { terms, ..Settings::new(128, 1) }), Failure::NoSuchTerm { term: 1, terms: 1 });
-    let nothing = sample_quietly(&Independent(Vec::new()), &evidence, &Settings::new(128, 1));
-    assert_eq!(nothing.unwrap_err(), Failure::NothingUnknown);
+    assert_eq!(
+        with(&ParticleSettings { terms, ..ParticleSettings::new(128, 1) }),
+        NoDraws::NoSuchTerm { term: 1, terms: 1 }
+    );
+    let nothing = sample_quietly(&Independent(Vec::new()), &evidence, &ParticleSettings::new(128, 1));
+    assert_eq!(nothing.unwrap_err(), NoDraws::NothingUnknown);
 }
 
 #[test]
@@ -116,14 +122,14 @@ fn the_caller_may_end_a_run() {
         Ok(())
     });
     let mut calls = 0;
-    let ended = sample(&standard(1), &evidence, &Settings::new(128, 1), &mut |_, total| {
+    let ended = sample(&standard(1), &evidence, &ParticleSettings::new(128, 1), &mut |_, total| {
         assert_eq!(total, 16 * 128);
         calls += 1;
         if calls > 3 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     });
     // After the run has ended, `progress` is not called again, and unfinished islands do not finish.
     assert_eq!(calls, 4);
-    assert!(matches!(ended.unwrap_err(), Failure::Ended { finished: 0..4, islands: 16 }));
+    assert!(matches!(ended.unwrap_err(), NoDraws::Ended { finished: 0..4, islands: 16 }));
 }
 
 #[test]

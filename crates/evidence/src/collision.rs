@@ -18,13 +18,13 @@ use crate::number::Number;
 #[derive(Clone, Debug, PartialEq)]
 pub struct Collision<N = Number> {
     /// The vehicles.
-    pub vehicles: [Vehicle<N>; 2],
+    pub vehicles: [VehicleNumbers<N>; 2],
     /// Their speeds.
     pub speeds: Speeds<N>,
     /// (rad) Γ, direction of the line at right angles to the crush plane.
     pub crush_plane: N,
     /// e.
-    pub restitution: Restitution<N>,
+    pub restitution: RestitutionModel<N>,
     /// (–) μ_max: greatest ratio of the impulses along the crush plane and across it. If a smaller ratio ends
     /// the sliding, that one acts.
     pub friction: N,
@@ -38,7 +38,7 @@ pub struct Collision<N = Number> {
 
 /// One vehicle.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Vehicle<N = Number> {
+pub struct VehicleNumbers<N = Number> {
     /// Its body; `None` for a fixed object.
     pub body: Option<BodyNumbers<N>>,
     /// (rad) heading in the scene.
@@ -48,7 +48,7 @@ pub struct Vehicle<N = Number> {
     /// (rad/s) yaw rate before impact.
     pub yaw_rate: N,
     /// The crush energy.
-    pub crush: Option<Crush<N>>,
+    pub crush: Option<CrushNumbers<N>>,
 }
 
 /// The observations to compare with the impact of a particle.
@@ -85,7 +85,7 @@ pub struct ObservedVehicle {
     /// PDOF as coded.
     pub pdof: Option<CodedPdof>,
     /// Motion after the impact.
-    pub after: After,
+    pub after: PostImpactMotion,
     /// The rest position and heading.
     pub rest: Option<MeasuredRest>,
     /// (m/s) speed at the beginning of its skid before the impact.
@@ -93,7 +93,7 @@ pub struct ObservedVehicle {
     /// (m) standard deviation of the error of each point passed by its CG, in the order of the points.
     pub points: Vec<f64>,
     /// The data of its recorder.
-    pub recorder: Recorder,
+    pub recorder: RecordedData,
     /// Certain limits of its speed.
     pub limits: Limits,
 }
@@ -209,7 +209,7 @@ impl Speeds<f64> {
 
 /// Coefficient of restitution.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Restitution<N = Number> {
+pub enum RestitutionModel<N = Number> {
     /// (–) constant.
     Constant(N),
     /// Falls with the closing speed: e = [`low` + `rise` exp(u_n/`fade`)] · `factor`, at most `most`.
@@ -227,21 +227,21 @@ pub enum Restitution<N = Number> {
     },
 }
 
-impl<N: Copy> Restitution<N> {
+impl<N: Copy> RestitutionModel<N> {
     /// Maps the number.
     #[inline(always)]
     #[must_use]
-    pub fn map<M>(self, mut of: impl FnMut(N) -> M) -> Restitution<M> {
+    pub fn map<M>(self, mut of: impl FnMut(N) -> M) -> RestitutionModel<M> {
         match self {
-            Self::Constant(e) => Restitution::Constant(of(e)),
+            Self::Constant(e) => RestitutionModel::Constant(of(e)),
             Self::ByClosingSpeed { low, rise, fade, factor, most } => {
-                Restitution::ByClosingSpeed { low, rise, fade, factor: of(factor), most }
+                RestitutionModel::ByClosingSpeed { low, rise, fade, factor: of(factor), most }
             }
         }
     }
 }
 
-impl Restitution<f64> {
+impl RestitutionModel<f64> {
     /// (–) e at a closing speed −u_n (m/s).
     #[inline(always)]
     #[must_use]
@@ -259,7 +259,7 @@ impl Restitution<f64> {
 /// Crush of one vehicle: E = L (G₀ β² + A₀ C̄ κ β + ½ B₀ C²̄ κ²), the integral over its profile with the
 /// stiffness A = A₀ κ β, B = B₀ κ², G = A²/2B of the vehicle itself.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Crush<N = Number> {
+pub struct CrushNumbers<N = Number> {
     /// (J) constant part of the energy, L G₀.
     pub constant: f64,
     /// (J) part proportional to the depth, L A₀ C̄.
@@ -419,7 +419,7 @@ pub struct MeasuredSpeed {
 
 /// Motion of a vehicle after the impact.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct After {
+pub struct PostImpactMotion {
     /// (m/s) speed of the CG.
     pub speed: Option<MeasuredSpeed>,
     /// (rad) direction of its velocity in the scene.
@@ -432,7 +432,7 @@ pub struct After {
 
 /// Data stored by a recorder.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Recorder {
+pub struct RecordedData {
     /// Size of ΔV.
     pub delta_v: Option<RecordedDeltaV>,
     /// The longitudinal component of ΔV with its sign, from a recorder that stored only this one: replaces

@@ -4,13 +4,15 @@ use crash3::Side;
 use real::Real;
 use uncertainty::{Distribution, InvalidDistribution};
 
-use crate::collision::{CodedPdof, Crush, CrushMisfit, EnergyError, InjuryRisk, Restitution, Severity};
+use crate::collision::{
+    CodedPdof, CrushMisfit, CrushNumbers, EnergyError, InjuryRisk, RestitutionModel, Severity,
+};
 use crate::density::Freedom;
 use crate::figures::{CRUSH_FIGURES, CrushFigures, OfVehicle};
 
 /// The damaged side of a vehicle.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Damage {
+pub enum DamagedSide {
     /// Its front.
     Front,
     /// Its rear.
@@ -19,7 +21,7 @@ pub enum Damage {
     Side,
 }
 
-impl From<Side> for Damage {
+impl From<Side> for DamagedSide {
     fn from(side: Side) -> Self {
         match side {
             Side::Front => Self::Front,
@@ -187,7 +189,7 @@ pub enum Behind {
         spread: bool,
     },
     /// The fitted stiffness of this kind of damage, bias and spread.
-    Stiffness(Damage),
+    Stiffness(DamagedSide),
 }
 
 impl Behind {
@@ -258,7 +260,7 @@ pub const FITTED: Fitted = Fitted {
 };
 
 /// Whose spread of the misfit counts if these sides were hit: 0 fronts alone, 1 a rear, 2 a side.
-fn kind(hit: &[Damage]) -> usize {
+fn kind(hit: &[DamagedSide]) -> usize {
     hit.iter().max().map_or(0, |damage| *damage as usize)
 }
 
@@ -276,8 +278,8 @@ impl Fitted {
 
     /// Severity of a collision in which these sides were `hit`: two fronts, or others.
     #[must_use]
-    pub fn severity_of(&self, hit: &[Damage]) -> Severity {
-        let is_front_to_front = hit == [Damage::Front; 2];
+    pub fn severity_of(&self, hit: &[DamagedSide]) -> Severity {
+        let is_front_to_front = hit == [DamagedSide::Front; 2];
         let times = if is_front_to_front { self.front_to_front } else { 1.0 };
         let [of_median, of_factor] = self.errors.severity;
         let of_factor = if is_front_to_front { of_factor } else { 0.0 };
@@ -289,14 +291,14 @@ impl Fitted {
 
     /// Misfit between crush energy and impact if these sides were `hit`, of one vehicle or both.
     #[must_use]
-    pub fn crush_misfit(&self, hit: &[Damage]) -> CrushMisfit {
+    pub fn crush_misfit(&self, hit: &[DamagedSide]) -> CrushMisfit {
         CrushMisfit { bias: self.crush_bias, ln_sd: self.crush_ln_sd[kind(hit)] }
     }
 
     /// The errors of the figures behind the crush energies if these sides were `hit`, of one vehicle or both.
     /// `None` if they depend on nothing that was fitted, or if all figures are taken as exact.
     #[must_use]
-    pub fn crush_figures(&self, hit: &[Damage], behind: [Behind; 2]) -> Option<CrushFigures> {
+    pub fn crush_figures(&self, hit: &[DamagedSide], behind: [Behind; 2]) -> Option<CrushFigures> {
         let is_exact =
             |behind| matches!(behind, Behind::Nothing | Behind::Misfit { bias: false, spread: false });
         if !self.errors.has_crush() || behind.into_iter().all(is_exact) {
@@ -310,9 +312,9 @@ impl Fitted {
             Behind::Stiffness(damage) => {
                 // b₁ of fronts is from barrier tests.
                 let (slope, no_damage_speed) = match damage {
-                    Damage::Front => (None, 4),
-                    Damage::Rear => (Some(2), 4),
-                    Damage::Side => (Some(1), 5),
+                    DamagedSide::Front => (None, 4),
+                    DamagedSide::Rear => (Some(2), 4),
+                    DamagedSide::Side => (Some(1), 5),
                 };
                 let no_damage_speed = Some(no_damage_speed);
                 OfVehicle { bias: Some(0), slope, slope_spread: Some(3), no_damage_speed, has_spread: true }
@@ -368,9 +370,9 @@ impl Fitted {
 
     /// e as a function of the closing speed, with the `factor` of a collision.
     #[must_use]
-    pub fn restitution_with<N>(&self, factor: N) -> Restitution<N> {
+    pub fn restitution_with<N>(&self, factor: N) -> RestitutionModel<N> {
         let [low, rise, fade, _] = self.restitution;
-        Restitution::ByClosingSpeed { low, rise, fade, factor, most: self.most_restitution }
+        RestitutionModel::ByClosingSpeed { low, rise, fade, factor, most: self.most_restitution }
     }
 
     /// Distribution of the factor on e of a collision.
@@ -404,9 +406,13 @@ impl Fitted {
     ///
     /// # Errors
     /// If the figures are invalid.
-    pub fn other_crush(&self, other: Damage, known: Damage) -> Result<Distribution, InvalidDistribution> {
-        let of = |damage: Damage| if damage == Damage::Side { self.side_crush } else { 1.0 };
-        let differ = (other == Damage::Side) != (known == Damage::Side);
+    pub fn other_crush(
+        &self,
+        other: DamagedSide,
+        known: DamagedSide,
+    ) -> Result<Distribution, InvalidDistribution> {
+        let of = |damage: DamagedSide| if damage == DamagedSide::Side { self.side_crush } else { 1.0 };
+        let differ = (other == DamagedSide::Side) != (known == DamagedSide::Side);
         let of_median = if differ { self.errors.side_crush } else { 0.0 };
         // The median's own error: σ² + σ_m²
         let ln_sd = self.other_crush_ln_sd;
@@ -416,12 +422,12 @@ impl Fitted {
     /// The crush of a vehicle of unknown stiffness, from the `width` (m) of the damage, the mean depth (m)
     /// and the mean square depth (m²). `slope` and `no_damage_speed` are left at 1.
     #[must_use]
-    pub fn crush_of(&self, damage: Damage, width: f64, mean: f64, mean_square: f64) -> Crush {
+    pub fn crush_of(&self, damage: DamagedSide, width: f64, mean: f64, mean_square: f64) -> CrushNumbers {
         let (b0, b1) = (self.no_damage_speed[damage as usize], self.slope[damage as usize]);
         let [mass, reference_width] = REFERENCE;
         // A = m b₀ b₁/w, B = m b₁²/w, G = m b₀²/2w
         let per_width = mass / reference_width;
-        Crush {
+        CrushNumbers {
             constant: 0.5 * per_width * width * b0 * b0,
             linear: per_width * width * b0 * b1 * mean,
             square: 0.5 * per_width * width * b1 * b1 * mean_square,

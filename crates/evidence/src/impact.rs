@@ -5,7 +5,7 @@ use pim_core::{Body, Contact, Law, Motion, Outcome, Participant, Tangential, Vec
 use real::elementary::ln;
 use uncertainty::{LANES, Lanes};
 
-use crate::collision::{Collision, Crush, Vehicle};
+use crate::collision::{Collision, CrushNumbers, VehicleNumbers};
 use crate::figures::CrushChange;
 use crate::number::Slot;
 
@@ -120,10 +120,10 @@ impl Collision<Slot> {
         }
     }
 
-    /// (–) κ and β of each vehicle, as in [`Crush`]; 1 if it has no crush.
+    /// (–) κ and β of each vehicle, as in [`CrushNumbers`]; 1 if it has no crush.
     #[inline(always)]
     pub(crate) fn crush_factors(&self, values: &[Lanes], lane: usize) -> [[f64; 2]; 2] {
-        let factors = |vehicle: &Vehicle<Slot>| match &vehicle.crush {
+        let factors = |vehicle: &VehicleNumbers<Slot>| match &vehicle.crush {
             Some(crush) => [crush.slope.of(values, lane), crush.no_damage_speed.of(values, lane)],
             None => [1.0; 2],
         };
@@ -131,7 +131,7 @@ impl Collision<Slot> {
     }
 }
 
-impl Vehicle<Slot> {
+impl VehicleNumbers<Slot> {
     #[inline(always)]
     fn participant(&self, heading: f64, values: &[Lanes], lane: usize) -> (Participant, bool) {
         let of = |slot: Slot| slot.of(values, lane);
@@ -149,7 +149,7 @@ impl Vehicle<Slot> {
     }
 }
 
-impl<N> Crush<N> {
+impl<N> CrushNumbers<N> {
     /// (J) energy for the given κ and β.
     #[inline(always)]
     #[must_use]

@@ -7,13 +7,13 @@
 //! witness. According to its path to rest, the struck car left the impact at 11 ± 0.66 m/s.
 //!
 //! ```
-//! use estimate::{DrawnQuantity, Settings, sample_quietly};
-//! use evidence::{BodyNumbers, Collision, MeasuredSpeed, Model, Observed, Output};
-//! use evidence::{Restitution, Speeds, Vehicle};
+//! use estimate::{DrawnQuantity, ParticleSettings, sample_quietly};
+//! use evidence::{BodyNumbers, Collision, CollisionModel, DrawnOutput, MeasuredSpeed, Observed};
+//! use evidence::{RestitutionModel, Speeds, VehicleNumbers};
 //! use pim_core::VehicleId;
 //! use uncertainty::Distribution;
 //!
-//! let vehicle = |mass: f64, ahead: f64| Vehicle {
+//! let vehicle = |mass: f64, ahead: f64| VehicleNumbers {
 //!     body: Some(BodyNumbers { mass: mass.into(), yaw_radius: 1.4.into() }),
 //!     heading: 0.0.into(),
 //!     contact: [ahead.into(), 0.0.into()],
@@ -26,16 +26,16 @@
 //!     vehicles: [vehicle(1500.0, 2.0), vehicle(1000.0, -2.0)],
 //!     speeds: Speeds::Each([Distribution::normal(15.0, 2.0)?.into(), 0.0.into()]),
 //!     crush_plane: 0.0.into(),
-//!     restitution: Restitution::Constant(0.1.into()),
+//!     restitution: RestitutionModel::Constant(0.1.into()),
 //!     friction: 0.7.into(),
 //!     tangential_share: 0.5.into(),
 //!     other_crush: None,
 //!     observed,
 //! };
 //!
-//! let model = Model::new(&collision);
-//! let posterior = sample_quietly(&model, &model, &Settings::new(512, 1))?;
-//! let speed = posterior.summary(DrawnQuantity::Output(Output::Speed(VehicleId::One).column()));
+//! let model = CollisionModel::new(&collision);
+//! let posterior = sample_quietly(&model, &model, &ParticleSettings::new(512, 1))?;
+//! let speed = posterior.summary(DrawnQuantity::Output(DrawnOutput::Speed(VehicleId::One).column()));
 //! // By hand: V₂ = (1 + e) m₁/(m₁ + m₂) v₁ = 0.66 v₁, so the measurement says v₁ = 16.67 ± 1 m/s. With the
 //! // witness: (16.67/1² + 15/2²)/(1/1² + 1/2²) = 16.33, ± 1/√1.25 = 0.89 m/s.
 //! assert!((speed.mean.value - 16.33).abs() < 0.1);
@@ -53,14 +53,14 @@ mod number;
 mod tested;
 
 pub use collision::{
-    After, BodyNumbers, CodedPdof, Collision, Crush, CrushErrors, CrushMisfit, EnergyError, InjuryRisk,
-    Limits, Measured, MeasuredRest, MeasuredSpeed, Observed, ObservedVehicle, OtherCrush, RecordedDeltaV,
-    RecordedPart, Recorder, Restitution, Severity, Speeds, Vehicle,
+    BodyNumbers, CodedPdof, Collision, CrushErrors, CrushMisfit, CrushNumbers, EnergyError, InjuryRisk,
+    Limits, Measured, MeasuredRest, MeasuredSpeed, Observed, ObservedVehicle, OtherCrush, PostImpactMotion,
+    RecordedData, RecordedDeltaV, RecordedPart, RestitutionModel, Severity, Speeds, VehicleNumbers,
 };
 pub use density::Freedom;
 pub use figures::{CRUSH_FIGURES, CrushChange, CrushFigures, OfVehicle};
-pub use fitted::{Behind, Damage, EnergyMethod, FIGURES, FITTED, FigureErrors, Fitted, ObjectFigures};
+pub use fitted::{Behind, DamagedSide, EnergyMethod, FIGURES, FITTED, FigureErrors, Fitted, ObjectFigures};
 pub use impact::{Impacted, Impacts, LEAST_APPROACH, Way};
-pub use model::{Model, NO_IMPACT, Output, Piece, Placed, shown_delta_v};
+pub use model::{CollisionModel, DrawnOutput, NO_IMPACT, Piece, Placed, shown_delta_v};
 pub use number::Number;
 pub use tested::TestedClass;

@@ -7,8 +7,8 @@ use real::{Real, principal_angle};
 use uncertainty::{Distribution, LANES, Lanes};
 
 use crate::collision::{
-    BodyNumbers, CodedPdof, Collision, Crush, CrushErrors, EnergyError, Measured, MeasuredRest,
-    MeasuredSpeed, Observed, ObservedVehicle, RecordedDeltaV, RecordedPart, Vehicle,
+    BodyNumbers, CodedPdof, Collision, CrushErrors, CrushNumbers, EnergyError, Measured, MeasuredRest,
+    MeasuredSpeed, Observed, ObservedVehicle, RecordedDeltaV, RecordedPart, VehicleNumbers,
 };
 use crate::density::{Freedom, normal, relative};
 use crate::figures::{CrushChange, CrushFigures, Mixture};
@@ -54,7 +54,7 @@ pub enum Piece {
 
 /// A quantity of each draw.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Output {
+pub enum DrawnOutput {
     /// (m/s) speed before impact along the heading.
     Speed(VehicleId),
     /// (m/s) |ΔV|.
@@ -74,7 +74,7 @@ pub enum Output {
     CrushEnergy,
 }
 
-impl Output {
+impl DrawnOutput {
     /// All, in the order of the columns.
     pub const ALL: [Self; 12] = {
         use VehicleId::{One, Two};
@@ -119,7 +119,7 @@ impl Output {
 
 /// A collision as prior and evidence of [`estimate::sample`].
 #[derive(Clone, Debug)]
-pub struct Model<I = Placed> {
+pub struct CollisionModel<I = Placed> {
     impacts: I,
     observed: Observed,
     pieces: Vec<Piece>,
@@ -144,14 +144,14 @@ impl Impacts for Placed {
 }
 
 impl Placed {
-    /// (–) κ and β of each vehicle, as in [`Crush`], for a block of particles; 1 if it has no crush.
+    /// (–) κ and β of each vehicle, as in [`CrushNumbers`], for a block of particles; 1 if it has no crush.
     #[must_use]
     pub fn crush_factors(&self, values: &[Lanes]) -> [[[f64; 2]; 2]; LANES] {
         core::array::from_fn(|lane| self.collision.crush_factors(values, lane))
     }
 }
 
-impl Model {
+impl CollisionModel {
     /// The model with all evidence of the collision.
     #[must_use]
     pub fn new(collision: &Collision) -> Self {
@@ -164,7 +164,7 @@ impl Model {
     }
 }
 
-impl<I: Impacts> Model<I> {
+impl<I: Impacts> CollisionModel<I> {
     /// The model that compares the observations of a collision with the impacts of its unknown numbers.
     pub fn of(impacts: I, observed: Observed) -> Self {
         let mut pieces = Vec::new();
@@ -665,7 +665,7 @@ fn length(vector: Vector2<f64>) -> f64 {
     Real::sqrt(vector.x * vector.x + vector.y * vector.y)
 }
 
-impl<I: Impacts> Prior for Model<I> {
+impl<I: Impacts> Prior for CollisionModel<I> {
     fn values_count(&self) -> usize {
         self.impacts.unknown().values_count()
     }
@@ -676,7 +676,7 @@ impl<I: Impacts> Prior for Model<I> {
     }
 }
 
-impl<I: Impacts> Evidence for Model<I> {
+impl<I: Impacts> Evidence for CollisionModel<I> {
     fn terms_count(&self) -> usize {
         self.pieces.len()
     }
@@ -723,7 +723,7 @@ impl<I: Impacts> Evidence for Model<I> {
     }
 
     fn parts(&self) -> Vec<Part> {
-        Model::parts(self)
+        CollisionModel::parts(self)
     }
 
     fn score_on_circle(&self, part: usize, error: f64) -> f64 {
@@ -731,12 +731,12 @@ impl<I: Impacts> Evidence for Model<I> {
     }
 
     fn outputs_count(&self) -> usize {
-        Output::ALL.len()
+        DrawnOutput::ALL.len()
     }
 
     fn describe(&self, values: &[Lanes], outputs: &mut [Lanes], residuals: &mut [Lanes]) {
         let impacts = self.impacts.impacts(values);
-        for (column, output) in outputs.iter_mut().zip(Output::ALL) {
+        for (column, output) in outputs.iter_mut().zip(DrawnOutput::ALL) {
             for (number, impacted) in column.iter_mut().zip(&impacts) {
                 *number = output.of(impacted);
             }
@@ -762,8 +762,8 @@ impl Collision {
             (place(self.crush_plane), place(self.friction), place(self.tangential_share));
         let other_crush = self.other_crush.map(|other| other.map(&mut place));
         let vehicles = self.vehicles.map(|vehicle| {
-            let Vehicle { body, heading, contact, yaw_rate, crush } = vehicle;
-            Vehicle {
+            let VehicleNumbers { body, heading, contact, yaw_rate, crush } = vehicle;
+            VehicleNumbers {
                 body: body.map(|BodyNumbers { mass, yaw_radius }| BodyNumbers {
                     mass: place(mass),
                     yaw_radius: place(yaw_radius),
@@ -771,12 +771,14 @@ impl Collision {
                 heading: place(heading),
                 contact: contact.map(&mut place),
                 yaw_rate: place(yaw_rate),
-                crush: crush.map(|Crush { constant, linear, square, slope, no_damage_speed }| Crush {
-                    constant,
-                    linear,
-                    square,
-                    slope: place(slope),
-                    no_damage_speed: place(no_damage_speed),
+                crush: crush.map(|CrushNumbers { constant, linear, square, slope, no_damage_speed }| {
+                    CrushNumbers {
+                        constant,
+                        linear,
+                        square,
+                        slope: place(slope),
+                        no_damage_speed: place(no_damage_speed),
+                    }
                 }),
             }
         });

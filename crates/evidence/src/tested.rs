@@ -1,6 +1,6 @@
 //! On which real collisions the intervals of an estimate were tested.
 
-use crate::fitted::{Damage, EnergyMethod};
+use crate::fitted::{DamagedSide, EnergyMethod};
 use crate::model::Piece;
 
 /// A class of real collisions on which estimates were judged.
@@ -113,7 +113,7 @@ impl TestedClass {
     /// all evidence.
     #[must_use]
     pub fn of(
-        hit: [Damage; 2],
+        hit: [DamagedSide; 2],
         energies: [Option<EnergyMethod>; 2],
         pieces: &[Piece],
     ) -> Option<&'static Self> {
@@ -146,9 +146,13 @@ impl TestedClass {
             (false, [true, false] | [false, true]) if have_both => Some(&WITH_RECORDER),
             (false, [false, false]) if !have_both => Some(&ONE_CRUSH),
             (false, [false, false]) => match hit {
-                [Damage::Front, Damage::Front] => Some(&FRONTS),
-                [Damage::Front, Damage::Side] | [Damage::Side, Damage::Front] => Some(&FRONT_SIDE),
-                [Damage::Front, Damage::Rear] | [Damage::Rear, Damage::Front] => Some(&FRONT_REAR),
+                [DamagedSide::Front, DamagedSide::Front] => Some(&FRONTS),
+                [DamagedSide::Front, DamagedSide::Side] | [DamagedSide::Side, DamagedSide::Front] => {
+                    Some(&FRONT_SIDE)
+                }
+                [DamagedSide::Front, DamagedSide::Rear] | [DamagedSide::Rear, DamagedSide::Front] => {
+                    Some(&FRONT_REAR)
+                }
                 _ => None,
             },
             _ => None,
@@ -161,18 +165,22 @@ mod tests {
     use pim_core::VehicleId::{One, Two};
 
     use super::TestedClass;
-    use crate::fitted::{Damage, EnergyMethod};
+    use crate::fitted::{DamagedSide, EnergyMethod};
     use crate::model::Piece;
 
     const CLASS: Option<EnergyMethod> = Some(EnergyMethod::Class);
 
-    fn code(hit: [Damage; 2], energies: [Option<EnergyMethod>; 2], pieces: &[Piece]) -> Option<&'static str> {
+    fn code(
+        hit: [DamagedSide; 2],
+        energies: [Option<EnergyMethod>; 2],
+        pieces: &[Piece],
+    ) -> Option<&'static str> {
         TestedClass::of(hit, energies, pieces).map(|class| class.code)
     }
 
     #[test]
     fn an_estimate_belongs_to_what_was_judged_or_to_nothing() {
-        use Damage::{Front, Rear, Side};
+        use DamagedSide::{Front, Rear, Side};
         let crush = [Piece::Severity, Piece::Crush, Piece::Pdof(One)];
         assert_eq!(code([Front, Side], [CLASS; 2], &crush), Some("front-side"));
         assert_eq!(code([Side, Front], [CLASS; 2], &crush), Some("front-side"));

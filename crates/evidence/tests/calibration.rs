@@ -7,11 +7,12 @@
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
-use estimate::{Prior, Settings, Verdict, sample_quietly};
-use evidence::Damage::{self, Front, Rear, Side};
+use estimate::{ParticleSettings, Prior, Verdict, sample_quietly};
+use evidence::DamagedSide::{self, Front, Rear, Side};
 use evidence::{
-    CodedPdof, Collision, Crush, CrushErrors, CrushMisfit, EnergyError, FITTED, Freedom, Impacted, Impacts,
-    Measured, MeasuredSpeed, Model, Number, Observed, Output, RecordedDeltaV, Restitution, Severity, Speeds,
+    CodedPdof, Collision, CollisionModel, CrushErrors, CrushMisfit, CrushNumbers, DrawnOutput, EnergyError,
+    FITTED, Freedom, Impacted, Impacts, Measured, MeasuredSpeed, Number, Observed, RecordedDeltaV,
+    RestitutionModel, Severity, Speeds,
 };
 use pim_core::VehicleId::{self, One, Two};
 use uncertainty::random::{bits, key, unit};
@@ -22,14 +23,14 @@ use crate::likelihood::vehicle;
 const DEGREE: f64 = PI / 180.0;
 
 /// The outputs that are ranked.
-const OUTPUTS: [Output; 7] = [
-    Output::Speed(One),
-    Output::Speed(Two),
-    Output::DeltaV(One),
-    Output::DeltaV(Two),
-    Output::ClosingSpeed,
-    Output::EnergyLoss,
-    Output::Restitution,
+const OUTPUTS: [DrawnOutput; 7] = [
+    DrawnOutput::Speed(One),
+    DrawnOutput::Speed(Two),
+    DrawnOutput::DeltaV(One),
+    DrawnOutput::DeltaV(Two),
+    DrawnOutput::ClosingSpeed,
+    DrawnOutput::EnergyLoss,
+    DrawnOutput::Restitution,
 ];
 
 /// Number of ranks.
@@ -90,7 +91,7 @@ fn usual(masses: [f64; 2], headings: [f64; 2], crush_plane: f64, contacts: [[Num
         }
         vehicle.heading = if i == 0 { normal(headings[0], FITTED.heading_sd) } else { headings[1].into() };
         vehicle.contact = contacts[i];
-        vehicle.crush = Some(Crush {
+        vehicle.crush = Some(CrushNumbers {
             constant: 5e3,
             linear: 20e3,
             square: 25e3,
@@ -106,7 +107,7 @@ fn usual(masses: [f64; 2], headings: [f64; 2], crush_plane: f64, contacts: [[Num
             split: Distribution::uniform(0.0, FRAC_PI_2).unwrap().into(),
         },
         crush_plane: normal(crush_plane, FITTED.crush_plane_sd),
-        restitution: Restitution::ByClosingSpeed {
+        restitution: RestitutionModel::ByClosingSpeed {
             low,
             rise,
             fade,
@@ -122,7 +123,7 @@ fn usual(masses: [f64; 2], headings: [f64; 2], crush_plane: f64, contacts: [[Num
 
 /// Profiles whose width gives the crush energy with its error. The energy is proportional to the width, so
 /// that in effect the width is observed, whatever the stiffness.
-fn crush(hit: [Damage; 2], collision: &mut Collision, truth: &Impacted, random: &mut Random) {
+fn crush(hit: [DamagedSide; 2], collision: &mut Collision, truth: &Impacted, random: &mut Random) {
     let misfit = FITTED.crush_misfit(&hit);
     let CrushMisfit { bias, ln_sd } = misfit;
     let energy = truth.taken * (bias + ln_sd * random.normal()).exp();
@@ -220,7 +221,7 @@ fn front_and_front() -> Shape {
 
 /// A possible crash from the prior, accepted in proportion to the frequency of its severity.
 fn truth(collision: &Collision, random: &mut Random) -> Impacted {
-    let model = Model::new(collision);
+    let model = CollisionModel::new(collision);
     let severity = collision.observed.severity.unwrap();
     loop {
         let mut standard = vec![Lanes::ZERO; model.values_count()];
@@ -264,8 +265,8 @@ fn ranks(
         let mut collision = shape.collision.clone();
         (shape.observe)(&mut collision, &truth, &mut random);
         spoil(&mut collision);
-        let model = Model::new(&collision);
-        let settings = Settings { islands, ..Settings::new(128, seed) };
+        let model = CollisionModel::new(&collision);
+        let settings = ParticleSettings { islands, ..ParticleSettings::new(128, seed) };
         let posterior = sample_quietly(&model, &model, &settings).unwrap();
         converged += u32::from(posterior.verdict() == Verdict::Converged);
         for ((counts, truth), output) in counts.iter_mut().zip(outputs(&truth)).zip(OUTPUTS) {

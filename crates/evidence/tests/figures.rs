@@ -5,8 +5,8 @@ use std::f64::consts::PI;
 
 use estimate::Evidence;
 use evidence::{
-    Behind, Collision, Crush, CrushErrors, Damage, EnergyError, FIGURES, FITTED, FigureErrors, Fitted, Model,
-    Piece,
+    Behind, Collision, CollisionModel, CrushErrors, CrushNumbers, DamagedSide, EnergyError, FIGURES, FITTED,
+    FigureErrors, Fitted, Piece,
 };
 use pim_core::VehicleId;
 use uncertainty::{LANES, Lanes};
@@ -33,7 +33,7 @@ fn fitted(errors: &Errors) -> Fitted {
 
 /// (J) energies of the front and of the rear or side with the figures ξ, by the profile: κ and β are 1.2 and
 /// 0.9 for vehicle 1, 0.8 and 1.1 for vehicle 2, whose κ are the spread of b₁ times the same number.
-fn energies(hit: [Damage; 2], by: &Fitted, xi: [f64; FIGURES]) -> [f64; 2] {
+fn energies(hit: [DamagedSide; 2], by: &Fitted, xi: [f64; FIGURES]) -> [f64; 2] {
     let mut figures = *by;
     figures.slope[2] *= xi[4].exp();
     figures.slope[1] *= xi[5].exp();
@@ -47,17 +47,17 @@ fn energies(hit: [Damage; 2], by: &Fitted, xi: [f64; FIGURES]) -> [f64; 2] {
     [of(0, 1.2, 0.9), of(1, 0.8, 1.1)]
 }
 
-fn profile(damage: Damage, vehicle: usize, figures: &Fitted) -> Crush {
+fn profile(damage: DamagedSide, vehicle: usize, figures: &Fitted) -> CrushNumbers {
     let (mean, square) = [(0.15, 0.03), (0.05, 0.004)][vehicle];
     figures.crush_of(damage, [1.2, 1.5][vehicle], mean, square)
 }
 
-fn collision(hit: [Damage; 2], by: &Fitted, bias: f64) -> Collision {
+fn collision(hit: [DamagedSide; 2], by: &Fitted, bias: f64) -> Collision {
     let mut collision = rear_end();
     for (i, factors) in [[1.2, 0.9], [0.8, 1.1]].into_iter().enumerate() {
         let crush = profile(hit[i], i, by);
         let [slope, no_damage_speed] = factors.map(Into::into);
-        collision.vehicles[i].crush = Some(Crush { slope, no_damage_speed, ..crush });
+        collision.vehicles[i].crush = Some(CrushNumbers { slope, no_damage_speed, ..crush });
     }
     let spread = by.crush_misfit(&hit).ln_sd;
     let error = EnergyError { bias, shared_ln_sd: spread, own_ln_sd: 0.0 };
@@ -67,7 +67,7 @@ fn collision(hit: [Damage; 2], by: &Fitted, bias: f64) -> Collision {
 }
 
 fn term(collision: &Collision) -> f64 {
-    let model = Model::new(collision);
+    let model = CollisionModel::new(collision);
     assert_eq!(model.pieces(), [Piece::Crush]);
     let mut terms = vec![Lanes::ZERO; 1];
     model.log_likelihood(&[], &mut terms, &mut [0; LANES]);
@@ -75,8 +75,8 @@ fn term(collision: &Collision) -> f64 {
 }
 
 /// ln ∫∫ N(ln E(ξ) − ln taken − β(ξ); 0, σ(ξ)²) φ(z₁) φ(z₂) dz₁ dz₂ by a fine sum.
-fn integral(hit: [Damage; 2], by: &Fitted, errors: &Errors, bias: f64) -> f64 {
-    let spread = if hit.contains(&Damage::Side) { 3 } else { 2 };
+fn integral(hit: [DamagedSide; 2], by: &Fitted, errors: &Errors, bias: f64) -> f64 {
+    let spread = if hit.contains(&DamagedSide::Side) { 3 } else { 2 };
     let step = 0.05;
     let mut sum = 0.0;
     for i in -120..=120 {
@@ -98,7 +98,11 @@ fn integral(hit: [Damage; 2], by: &Fitted, errors: &Errors, bias: f64) -> f64 {
 fn the_crush_term_is_the_mean_over_the_figures() {
     let errors = ERRORS;
     let by = fitted(&errors);
-    for hit in [[Damage::Front, Damage::Rear], [Damage::Front, Damage::Side], [Damage::Side, Damage::Front]] {
+    for hit in [
+        [DamagedSide::Front, DamagedSide::Rear],
+        [DamagedSide::Front, DamagedSide::Side],
+        [DamagedSide::Side, DamagedSide::Front],
+    ] {
         let [e1, e2] = energies(hit, &by, [0.0; FIGURES]);
         let middle = ((e1 + e2) / TAKEN).ln();
         let [mut off, mut off_alone] = [0.0_f64; 2];
@@ -121,7 +125,7 @@ fn the_crush_term_is_the_mean_over_the_figures() {
 fn small_errors_of_figures_are_exact() {
     let errors = ERRORS.map(|errors| errors.map(|error| 0.01 * error));
     let by = fitted(&errors);
-    for hit in [[Damage::Front, Damage::Rear], [Damage::Side, Damage::Front]] {
+    for hit in [[DamagedSide::Front, DamagedSide::Rear], [DamagedSide::Side, DamagedSide::Front]] {
         let [e1, e2] = energies(hit, &by, [0.0; FIGURES]);
         for error in [-0.9, 0.0, 0.9] {
             let bias = ((e1 + e2) / TAKEN).ln() - error;
@@ -137,12 +141,12 @@ fn figures_that_were_not_fitted_have_no_errors() {
     let mut errors = [[0.0; FIGURES]; 2];
     (errors[0][0], errors[1][1]) = (0.15, 0.2);
     let by = fitted(&errors);
-    let hit = [Damage::Front; 2];
+    let hit = [DamagedSide::Front; 2];
     let of = |bias, spread| by.crush_figures(&hit, [Behind::Misfit { bias, spread }, Behind::Nothing]);
     assert_eq!(of(false, false), None);
     assert_eq!(by.crush_figures(&hit, [Behind::Nothing; 2]), None);
     let exact = Fitted { errors: FigureErrors::NONE, ..by };
-    assert_eq!(exact.crush_figures(&hit, [Behind::Stiffness(Damage::Front); 2]), None);
+    assert_eq!(exact.crush_figures(&hit, [Behind::Stiffness(DamagedSide::Front); 2]), None);
     let of_bias = of(true, false).unwrap();
     assert!((of_bias.bias_sd(VehicleId::One) - 0.15).abs() < 1e-12);
     assert_eq!(of_bias.bias_sd(VehicleId::Two), 0.0);
@@ -157,11 +161,11 @@ fn the_score_of_the_crush_is_that_of_its_distribution() {
     let mut errors = [[0.0; FIGURES]; 2];
     (errors[0][2], errors[1][0]) = (0.3, 0.1);
     let by = fitted(&errors);
-    let hit = [Damage::Front, Damage::Rear];
+    let hit = [DamagedSide::Front, DamagedSide::Rear];
     let [e1, e2] = energies(hit, &by, [0.0; FIGURES]);
     let middle = ((e1 + e2) / TAKEN).ln();
     let score = |error: f64| {
-        let model = Model::new(&collision(hit, &by, middle - error));
+        let model = CollisionModel::new(&collision(hit, &by, middle - error));
         let mut residuals = vec![Lanes::ZERO; model.parts().len()];
         let mut outputs = vec![Lanes::ZERO; model.outputs_count()];
         model.describe(&[], &mut outputs, &mut residuals);

@@ -2,19 +2,19 @@
 
 use std::f64::consts::PI;
 
-use estimate::{DrawnQuantity, Evidence, Independent, Settings, sample_quietly};
+use estimate::{DrawnQuantity, Evidence, Independent, ParticleSettings, sample_quietly};
 use evidence::{
-    After, BodyNumbers, CodedPdof, Collision, Crush, CrushErrors, CrushMisfit, Damage, EnergyError, FITTED,
-    Freedom, Impacted, Impacts, InjuryRisk, Limits, Measured, MeasuredRest, MeasuredSpeed, Model, Number,
-    Observed, ObservedVehicle, OtherCrush, Output, Piece, RecordedDeltaV, RecordedPart, Recorder,
-    Restitution, Severity, Speeds, Vehicle, Way,
+    BodyNumbers, CodedPdof, Collision, CollisionModel, CrushErrors, CrushMisfit, CrushNumbers, DamagedSide,
+    DrawnOutput, EnergyError, FITTED, Freedom, Impacted, Impacts, InjuryRisk, Limits, Measured, MeasuredRest,
+    MeasuredSpeed, Number, Observed, ObservedVehicle, OtherCrush, Piece, PostImpactMotion, RecordedData,
+    RecordedDeltaV, RecordedPart, RestitutionModel, Severity, Speeds, VehicleNumbers, Way,
 };
 use pim_core::Vector2;
 use pim_core::VehicleId::{One, Two};
 use uncertainty::{Distribution, LANES, Lanes};
 
-pub(crate) fn vehicle(mass: f64, ahead: f64) -> Vehicle {
-    Vehicle {
+pub(crate) fn vehicle(mass: f64, ahead: f64) -> VehicleNumbers {
+    VehicleNumbers {
         body: Some(BodyNumbers { mass: mass.into(), yaw_radius: 1.4.into() }),
         heading: 0.0.into(),
         contact: [ahead.into(), 0.0.into()],
@@ -32,7 +32,7 @@ pub(crate) fn rear_end() -> Collision {
         vehicles: [vehicle(1500.0, 2.0), vehicle(1000.0, -2.0)],
         speeds: Speeds::Each([15.0.into(), 0.0.into()]),
         crush_plane: 0.0.into(),
-        restitution: Restitution::Constant(0.1.into()),
+        restitution: RestitutionModel::Constant(0.1.into()),
         friction: 0.7.into(),
         tangential_share: 0.5.into(),
         other_crush: None,
@@ -41,7 +41,7 @@ pub(crate) fn rear_end() -> Collision {
 }
 
 fn terms(collision: &Collision) -> Vec<(Piece, f64)> {
-    let model = Model::new(collision);
+    let model = CollisionModel::new(collision);
     let mut terms = vec![Lanes::ZERO; model.terms_count()];
     let mut reasons = [0; LANES];
     model.log_likelihood(&[], &mut terms, &mut reasons);
@@ -62,7 +62,7 @@ fn normal(z: f64, sd: f64) -> f64 {
 fn the_crush_energy_is_that_of_the_normal_work() {
     let mut collision = rear_end();
     // For a profile: κ = 1.1 and β = 0.9 change 10 + 20 + 15 kJ to 8.1 + 19.8 + 18.15 kJ.
-    let crush = |slope: f64, no_damage_speed: f64| Crush {
+    let crush = |slope: f64, no_damage_speed: f64| CrushNumbers {
         constant: 10e3,
         linear: 20e3,
         square: 15e3,
@@ -80,7 +80,7 @@ fn the_crush_energy_is_that_of_the_normal_work() {
 /// For one vehicle: ln E₁ = ln(W_n + λ W_t) + ln s + b + error, with its share s of both energies.
 #[test]
 fn the_crush_of_one_vehicle_has_its_share_of_the_energy() {
-    let crush = Crush {
+    let crush = CrushNumbers {
         constant: 10e3,
         linear: 5e3,
         square: 5e3,
@@ -96,7 +96,7 @@ fn the_crush_of_one_vehicle_has_its_share_of_the_energy() {
         collision.observed.crush = Some(CrushMisfit { bias: -0.2, ln_sd: 0.4 }.into());
         let [(Piece::Crush, term)] = terms(&collision)[..] else { panic!() };
         close(term, normal(((20e3_f64).ln() - 66_825.0_f64.ln() - share.ln() + 0.2) / 0.4, 0.4));
-        let model = Model::new(&collision);
+        let model = CollisionModel::new(&collision);
         let impacted = &model.leads().impacts(&[])[0];
         close(impacted.crush_energies[known.index()], 20e3);
         close(impacted.crush_energies[other.index()], 20e3 * 7.0 / 3.0);
@@ -107,7 +107,7 @@ fn the_crush_of_one_vehicle_has_its_share_of_the_energy() {
 #[test]
 fn the_crush_of_one_vehicle_tells_the_speed() {
     let mut collision = rear_end();
-    let crush = Crush {
+    let crush = CrushNumbers {
         constant: 20e3,
         linear: 0.0,
         square: 0.0,
@@ -116,12 +116,12 @@ fn the_crush_of_one_vehicle_tells_the_speed() {
     };
     collision.vehicles[1].crush = Some(crush);
     collision.speeds = Speeds::Each([Distribution::uniform(1.0, 60.0).unwrap().into(), 0.0.into()]);
-    let ratio = FITTED.other_crush(Damage::Side, Damage::Front).unwrap();
+    let ratio = FITTED.other_crush(DamagedSide::Side, DamagedSide::Front).unwrap();
     collision.other_crush = Some(OtherCrush { vehicle: One, ratio: ratio.into() });
     collision.observed.crush = Some(CrushMisfit { bias: -0.2, ln_sd: 0.4 }.into());
-    let model = Model::new(&collision);
-    let posterior = sample_quietly(&model, &model, &Settings::new(512, 1)).unwrap();
-    let summary = posterior.summary(DrawnQuantity::Output(Output::Speed(One).column()));
+    let model = CollisionModel::new(&collision);
+    let posterior = sample_quietly(&model, &model, &ParticleSettings::new(512, 1)).unwrap();
+    let summary = posterior.summary(DrawnQuantity::Output(DrawnOutput::Speed(One).column()));
 
     // W_n = 66825 J at 15 m/s, and grows with the square of the speed.
     let taken = |v: f64| 66_825.0 * (v / 15.0).powi(2);
@@ -165,8 +165,8 @@ fn a_speed_before_the_skid_has_a_normal_error() {
     for (begins, expected) in
         [(Some(20.0), normal((21.0_f64 / 20.0).ln() / 0.05, 0.05)), (None, f64::NEG_INFINITY)]
     {
-        let skidded = Skidded { model: Model::new(&rear_end()), begins };
-        let model = Model::of(skidded, observed());
+        let skidded = Skidded { model: CollisionModel::new(&rear_end()), begins };
+        let model = CollisionModel::of(skidded, observed());
         assert_eq!(model.pieces(), [Piece::SkidSpeed(Two)]);
         let mut terms = [Lanes::ZERO; 1];
         model.log_likelihood(&[], &mut terms, &mut [0; LANES]);
@@ -176,7 +176,7 @@ fn a_speed_before_the_skid_has_a_normal_error() {
 
 /// The impact of a collision, with a given skid of vehicle 2.
 struct Skidded {
-    model: Model,
+    model: CollisionModel,
     begins: Option<f64>,
 }
 
@@ -194,7 +194,7 @@ impl Impacts for Skidded {
 #[test]
 fn velocities_after_the_impact_have_normal_errors() {
     let mut collision = rear_end();
-    collision.observed.vehicles[1].after = After {
+    collision.observed.vehicles[1].after = PostImpactMotion {
         speed: Some(MeasuredSpeed { value: 11.0, ln_sd: 0.12, least: 0.0 }),
         direction: Some(Measured { value: 2.0 * PI - 0.1, sd: 0.14 }),
         yaw_rate: Some(Measured { value: 0.3, sd: 0.2 }),
@@ -213,10 +213,10 @@ fn a_recorder_and_a_pdof_have_heavy_tails() {
     let mut collision = rear_end();
     let (ln_scale, freedom) = (0.16, Freedom::Three);
     let delta_v = Some(RecordedDeltaV { size: 6.0, is_longitudinal: true, ln_scale, least: 0.0, freedom });
-    collision.observed.vehicles[0].recorder = Recorder {
+    collision.observed.vehicles[0].recorder = RecordedData {
         delta_v,
         speed: Some(MeasuredSpeed { value: 16.0, ln_sd: 0.05, least: 0.0 }),
-        ..Recorder::default()
+        ..RecordedData::default()
     };
     collision.observed.vehicles[0].pdof = Some(CodedPdof { pdof: 0.2, scale: 0.1 });
     // The wider of two PDOFs does not count: both are the same observation.
@@ -303,7 +303,7 @@ fn restitution_falls_with_the_closing_speed() {
     let mut collision = rear_end();
     let factor = Number::Exact(0.5);
     collision.restitution =
-        Restitution::ByClosingSpeed { low: 0.08, rise: 0.32, fade: 5.0, factor, most: 0.7 };
+        RestitutionModel::ByClosingSpeed { low: 0.08, rise: 0.32, fade: 5.0, factor, most: 0.7 };
     let e = 0.5 * (0.08 + 0.32 * (-3.0_f64).exp());
     collision.observed.vehicles[0].after.speed =
         Some(MeasuredSpeed { value: 9.0 - 6.0 * e, ln_sd: 0.01, least: 0.0 });
@@ -334,7 +334,7 @@ fn together_the_speeds_have_their_relative_speed_and_split() {
 fn vehicles_that_do_not_meet_have_no_impact() {
     let mut collision = rear_end();
     collision.speeds = Speeds::Each([5.0.into(), 6.0.into()]);
-    let model = Model::new(&collision);
+    let model = CollisionModel::new(&collision);
     let mut reasons = [0; LANES];
     model.log_likelihood(&[], &mut [], &mut reasons);
     assert_eq!(reasons, [1; LANES]);
@@ -342,7 +342,7 @@ fn vehicles_that_do_not_meet_have_no_impact() {
 
 /// The impact of a collision, with given paths.
 struct Followed {
-    model: Model,
+    model: CollisionModel,
     ways: [Option<Way>; 2],
 }
 
@@ -384,8 +384,8 @@ fn rests_and_points_have_normal_errors() {
             ],
             ..Observed::default()
         };
-        let followed = Followed { model: Model::new(&rear_end()), ways: [None, Some(way.clone())] };
-        let model = Model::of(followed, observed);
+        let followed = Followed { model: CollisionModel::new(&rear_end()), ways: [None, Some(way.clone())] };
+        let model = CollisionModel::of(followed, observed);
         assert_eq!(model.pieces(), [Piece::Rest(Two), Piece::Points(Two)]);
         let mut terms = [Lanes::ZERO; 2];
         model.log_likelihood(&[], &mut terms, &mut [0; LANES]);
@@ -417,10 +417,10 @@ fn the_score_of_a_rest_is_that_along_the_way() {
             ],
             ..Observed::default()
         };
-        let followed = Followed { model: Model::new(&rear_end()), ways: [Some(way), None] };
+        let followed = Followed { model: CollisionModel::new(&rear_end()), ways: [Some(way), None] };
         let impacts = followed.impacts(&[]);
         let mut scores = [Lanes::ZERO];
-        Model::of(followed, observed).score(&impacts, &mut scores);
+        CollisionModel::of(followed, observed).score(&impacts, &mut scores);
         close(scores[0][0], 1.25);
     }
 }
@@ -452,7 +452,7 @@ fn a_recorder_stores_no_speed_of_a_vehicle_that_moves_backward() {
 #[test]
 fn each_crush_energy_has_its_own_error() {
     let mut collision = rear_end();
-    let crush = |energy: f64| Crush {
+    let crush = |energy: f64| CrushNumbers {
         constant: energy,
         linear: 0.0,
         square: 0.0,
@@ -476,7 +476,7 @@ fn each_crush_energy_has_its_own_error() {
 /// For energies obtained by the same method the bits are those of one bias and one error.
 #[test]
 fn energies_obtained_alike_have_one_error() {
-    let misfit = FITTED.crush_misfit(&[Damage::Front; 2]);
+    let misfit = FITTED.crush_misfit(&[DamagedSide::Front; 2]);
     let energies = [12_345.6, 7_890.1];
     let found = CrushErrors::from(misfit).log_likelihood(energies, 30e3);
     let error = real::elementary::ln((energies[0] + energies[1]) / 30e3) - misfit.bias;

@@ -1,7 +1,9 @@
 //! Draws compared with a grid over the unknown numbers.
 
-use estimate::{DrawnQuantity, Settings, sample_quietly};
-use evidence::{CodedPdof, Crush, CrushMisfit, MeasuredSpeed, Model, Number, Output, Speeds};
+use estimate::{DrawnQuantity, ParticleSettings, sample_quietly};
+use evidence::{
+    CodedPdof, CollisionModel, CrushMisfit, CrushNumbers, DrawnOutput, MeasuredSpeed, Number, Speeds,
+};
 use pim_core::VehicleId::{One, Two};
 use uncertainty::Distribution;
 
@@ -27,7 +29,7 @@ fn both_speeds_are_those_of_a_grid() {
     let mut collision = rear_end();
     let speed = |mean, sd| Number::Unknown(Distribution::normal(mean, sd).unwrap());
     collision.speeds = Speeds::Each([speed(18.0, 6.0), speed(2.0, 3.0)]);
-    let crush = |constant| Crush {
+    let crush = |constant| CrushNumbers {
         constant,
         linear: 0.0,
         square: 0.0,
@@ -65,9 +67,10 @@ fn both_speeds_are_those_of_a_grid() {
         marginals[1].push((axis(k, -10.0, 14.0), table.iter().map(|row| row[k as usize]).sum()));
     }
 
-    let model = Model::new(&collision);
-    let posterior = sample_quietly(&model, &model, &Settings::new(512, 7)).unwrap();
-    for (output, grid) in [(Output::Speed(One), &marginals[0]), (Output::Speed(Two), &marginals[1])] {
+    let model = CollisionModel::new(&collision);
+    let posterior = sample_quietly(&model, &model, &ParticleSettings::new(512, 7)).unwrap();
+    for (output, grid) in [(DrawnOutput::Speed(One), &marginals[0]), (DrawnOutput::Speed(Two), &marginals[1])]
+    {
         let summary = posterior.summary(DrawnQuantity::Output(output.column()));
         let ends = summary.intervals[3];
         assert_eq!(ends.level, 0.95);
@@ -88,19 +91,19 @@ fn outputs_are_those_of_one_impact() {
     let mut collision = rear_end();
     collision.speeds = Speeds::Each([Number::Unknown(Distribution::uniform(5.0, 25.0).unwrap()), 0.0.into()]);
     collision.observed.vehicles[0].pdof = Some(CodedPdof { pdof: 0.0, scale: 0.1 });
-    let model = Model::new(&collision);
-    let posterior = sample_quietly(&model, &model, &Settings::new(128, 3)).unwrap();
-    let column = |output: Output| &posterior.outputs()[output.column()];
+    let model = CollisionModel::new(&collision);
+    let posterior = sample_quietly(&model, &model, &ParticleSettings::new(128, 3)).unwrap();
+    let column = |output: DrawnOutput| &posterior.outputs()[output.column()];
     assert!(posterior.count() > 0);
     for k in 0..posterior.count() {
-        let v = column(Output::Speed(One))[k];
+        let v = column(DrawnOutput::Speed(One))[k];
         for (output, expected) in [
-            (Output::DeltaV(One), 0.44 * v),
-            (Output::DeltaV(Two), 0.66 * v),
-            (Output::LongitudinalDeltaV(One), -0.44 * v),
-            (Output::ClosingSpeed, v),
-            (Output::EnergyLoss, 0.5 * 0.99 * 600.0 * v * v),
-            (Output::Restitution, 0.1),
+            (DrawnOutput::DeltaV(One), 0.44 * v),
+            (DrawnOutput::DeltaV(Two), 0.66 * v),
+            (DrawnOutput::LongitudinalDeltaV(One), -0.44 * v),
+            (DrawnOutput::ClosingSpeed, v),
+            (DrawnOutput::EnergyLoss, 0.5 * 0.99 * 600.0 * v * v),
+            (DrawnOutput::Restitution, 0.1),
         ] {
             let ours = column(output)[k];
             assert!((ours - expected).abs() < 1e-9 * (1.0 + expected.abs()), "{output:?} {ours} {expected}");

@@ -3,10 +3,10 @@
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
-use estimate::{DrawnQuantity, DrawsSummary, Prior, Settings, sample_quietly};
+use estimate::{DrawnQuantity, DrawsSummary, ParticleSettings, Prior, sample_quietly};
 use evidence::{
-    CodedPdof, Collision, Crush, CrushMisfit, FITTED, Limits, Measured, MeasuredSpeed, Model, Number,
-    Observed, Output, RecordedDeltaV, Restitution, Severity, Speeds,
+    CodedPdof, Collision, CollisionModel, CrushMisfit, CrushNumbers, DrawnOutput, FITTED, Limits, Measured,
+    MeasuredSpeed, Number, Observed, RecordedDeltaV, RestitutionModel, Severity, Speeds,
 };
 use pim_core::VehicleId::{One, Two};
 use serde_json::Value;
@@ -17,14 +17,14 @@ use crate::likelihood::vehicle;
 const DEGREE: f64 = PI / 180.0;
 
 /// The quantities, by their names in the reference.
-const QUANTITIES: [(&str, Output); 7] = [
-    ("speed_1", Output::Speed(One)),
-    ("speed_2", Output::Speed(Two)),
-    ("delta_v_1", Output::DeltaV(One)),
-    ("delta_v_2", Output::DeltaV(Two)),
-    ("closing_speed", Output::ClosingSpeed),
-    ("energy_loss", Output::EnergyLoss),
-    ("restitution", Output::Restitution),
+const QUANTITIES: [(&str, DrawnOutput); 7] = [
+    ("speed_1", DrawnOutput::Speed(One)),
+    ("speed_2", DrawnOutput::Speed(Two)),
+    ("delta_v_1", DrawnOutput::DeltaV(One)),
+    ("delta_v_2", DrawnOutput::DeltaV(Two)),
+    ("closing_speed", DrawnOutput::ClosingSpeed),
+    ("energy_loss", DrawnOutput::EnergyLoss),
+    ("restitution", DrawnOutput::Restitution),
 ];
 
 fn normal(mean: f64, sd: f64) -> Number {
@@ -43,9 +43,9 @@ fn truncated(mean: f64, sd: f64, low: f64, high: f64) -> Number {
     Distribution::truncated_normal(mean, sd, low, high).unwrap().into()
 }
 
-fn crush([constant, linear, square]: [f64; 3]) -> Option<Crush> {
+fn crush([constant, linear, square]: [f64; 3]) -> Option<CrushNumbers> {
     let (slope, no_damage_speed) = (log_normal(1.0, 0.16), log_normal(1.0, 0.38));
-    Some(Crush { constant, linear, square, slope, no_damage_speed })
+    Some(CrushNumbers { constant, linear, square, slope, no_damage_speed })
 }
 
 /// The misfits are those of the reference, independent of later fits.
@@ -77,8 +77,14 @@ fn usual(masses: [Number; 2], yaw_radii: [f64; 2], crushes: [[f64; 3]; 2]) -> Co
     }
 }
 
-fn by_closing_speed() -> Restitution {
-    Restitution::ByClosingSpeed { low: 0.05, rise: 0.32, fade: 5.0, factor: log_normal(1.0, 0.6), most: 0.7 }
+fn by_closing_speed() -> RestitutionModel {
+    RestitutionModel::ByClosingSpeed {
+        low: 0.05,
+        rise: 0.32,
+        fade: 5.0,
+        factor: log_normal(1.0, 0.6),
+        most: 0.7,
+    }
 }
 
 fn crossing() -> Collision {
@@ -135,7 +141,7 @@ fn limits() -> Collision {
     let mut collision = crossing();
     collision.observed.severity = None;
     collision.speeds = Speeds::Each([normal(16.0, 6.0), uniform(0.0, 25.0)]);
-    collision.restitution = Restitution::Constant(truncated(0.1, 0.08, 0.0, 1.0));
+    collision.restitution = RestitutionModel::Constant(truncated(0.1, 0.08, 0.0, 1.0));
     collision.tangential_share = 0.5.into();
     collision.observed.vehicles[0].limits = Limits { least: 11.0, most: 14.0 };
     collision.observed.vehicles[1].limits = Limits { most: 9.0, ..Limits::default() };
@@ -164,7 +170,7 @@ fn two_modes() -> Collision {
     collision.observed.crush = Some(CrushMisfit { bias: 0.0, ln_sd: 0.2 }.into());
     collision.speeds = Speeds::Each([normal(6.0, 0.5), normal(0.0, 9.0)]);
     (collision.friction, collision.tangential_share) = (1.5.into(), 0.9.into());
-    collision.restitution = Restitution::Constant(0.1.into());
+    collision.restitution = RestitutionModel::Constant(0.1.into());
     collision.crush_plane = PI.into();
     let [one, two] = &mut collision.vehicles;
     (one.heading, one.contact[1]) = (0.0.into(), 0.0.into());
@@ -202,9 +208,9 @@ fn posteriors_are_those_of_another_sampler() {
     assert_eq!(all.as_object().unwrap().len(), cases.len());
     let mut worst = 0.0_f64;
     for (name, collision, unknown) in cases {
-        let model = Model::new(&collision);
+        let model = CollisionModel::new(&collision);
         assert_eq!(model.values_count(), unknown, "{name}");
-        let posterior = sample_quietly(&model, &model, &Settings::new(512, 1)).unwrap();
+        let posterior = sample_quietly(&model, &model, &ParticleSettings::new(512, 1)).unwrap();
         let of = &all[name];
         let mut check = |what: &str, ours: Estimate, theirs: Estimate, sd: f64| {
             let apart = apart(ours, theirs, sd);

@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use evidence::{Behind, Damage, Fitted};
+use evidence::{Behind, DamagedSide, Fitted};
 use pim_core::VehicleId;
 use real::Real;
 use real::elementary::exp;
@@ -36,7 +36,7 @@ fn side(plane: Plane) -> &'static str {
 }
 
 /// (√N, √N/m) d₀ and d₁ of a kind of damage: E = ½ ∫ (d₀ + d₁ C)² dl.
-fn roots(fitted: &Fitted, damage: Damage) -> [f64; 2] {
+fn roots(fitted: &Fitted, damage: DamagedSide) -> [f64; 2] {
     let of_a_metre = fitted.crush_of(damage, 1.0, 1.0, 1.0);
     // G = ½ d₀², B = d₁²
     [of_a_metre.constant, of_a_metre.square].map(|energy| Real::sqrt(2.0 * energy))

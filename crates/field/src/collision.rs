@@ -3,8 +3,8 @@
 use std::f64::consts::{FRAC_PI_2, PI};
 
 use evidence::{
-    Behind, BodyNumbers, Collision, Crush, Damage, Fitted, Number, Observed, ObservedVehicle, OtherCrush,
-    RecordedDeltaV, Recorder, Speeds, Vehicle as Subject,
+    Behind, BodyNumbers, Collision, CrushNumbers, DamagedSide, Fitted, Number, Observed, ObservedVehicle,
+    OtherCrush, RecordedData, RecordedDeltaV, Speeds, VehicleNumbers,
 };
 use pim_core::VehicleId;
 use real::Real;
@@ -72,11 +72,11 @@ impl Shape {
 }
 
 /// Where a vehicle was hit.
-pub(crate) fn damage(plane: Plane) -> Damage {
+pub(crate) fn damage(plane: Plane) -> DamagedSide {
     match plane {
-        Plane::Front => Damage::Front,
-        Plane::Rear => Damage::Rear,
-        Plane::Left | Plane::Right => Damage::Side,
+        Plane::Front => DamagedSide::Front,
+        Plane::Rear => DamagedSide::Rear,
+        Plane::Left | Plane::Right => DamagedSide::Side,
     }
 }
 
@@ -113,7 +113,7 @@ pub(crate) struct Layout {
     /// (m) width over which each vehicle was crushed.
     pub(crate) widths: [f64; 2],
     /// Where each was hit.
-    pub(crate) damages: [Damage; 2],
+    pub(crate) damages: [DamagedSide; 2],
 }
 
 impl Layout {
@@ -170,14 +170,14 @@ pub(crate) struct Placed<'a> {
     pub(crate) shape: &'a Shape,
     /// (rad) heading, and its error.
     pub(crate) heading: [f64; 2],
-    pub(crate) damage: Damage,
+    pub(crate) damage: DamagedSide,
     /// (m) width over which it was crushed.
     pub(crate) width: f64,
 }
 
 impl Placed<'_> {
     /// The vehicle of a collision.
-    pub(crate) fn vehicle(&self, fitted: &Fitted) -> Result<Subject, InvalidDistribution> {
+    pub(crate) fn vehicle(&self, fitted: &Fitted) -> Result<VehicleNumbers, InvalidDistribution> {
         let factor = |ln_sd| Distribution::log_normal(1.0, ln_sd).map(Number::Unknown);
         let shape = self.shape;
         let [mean, mean_square] = shape.depths;
@@ -191,7 +191,7 @@ impl Placed<'_> {
             [ahead.into(), normal(left, fitted.contact_sd)?]
         };
         let [heading, heading_sd] = self.heading;
-        Ok(Subject {
+        Ok(VehicleNumbers {
             body: Some(BodyNumbers {
                 mass: Distribution::log_normal(shape.mass, fitted.mass_ln_sd)?.into(),
                 yaw_radius: shape.yaw_radius.into(),
@@ -214,7 +214,7 @@ pub(crate) fn observed(
     let recorded = vehicle.truth().filter(|_| is_given);
     ObservedVehicle {
         pdof: has_pdof.then(|| fitted.coded(vehicle.pdof, vehicle.plane.is_side())),
-        recorder: Recorder {
+        recorder: RecordedData {
             delta_v: recorded.map(|truth| RecordedDeltaV {
                 size: truth.delta_v,
                 is_longitudinal: truth.is_longitudinal,
@@ -225,7 +225,7 @@ pub(crate) fn observed(
             direction: recorded
                 .and_then(|truth| truth.direction)
                 .map(|from| fitted.recorded_direction(from, vehicle.plane.is_side())),
-            ..Recorder::default()
+            ..RecordedData::default()
         },
         ..ObservedVehicle::default()
     }
@@ -323,7 +323,7 @@ impl Pair {
             // The object that crushed it, and the width, are unknown.
             let [mean, mean_square] = layout.shapes[known.index()].depths;
             let narrow = fitted.crush_of(damages[known.index()], SIDE_WIDTH, mean, mean_square);
-            *crush = Crush { slope: crush.slope, no_damage_speed: crush.no_damage_speed, ..narrow };
+            *crush = CrushNumbers { slope: crush.slope, no_damage_speed: crush.no_damage_speed, ..narrow };
         }
         collision.vehicles[other.index()].crush = None;
         // The energy of the other vehicle follows from that of this one, with all its errors.

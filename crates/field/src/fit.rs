@@ -2,9 +2,9 @@
 
 use std::collections::BTreeMap;
 
-use estimate::{Settings, sample_quietly};
+use estimate::{ParticleSettings, sample_quietly};
 use evidence::{
-    Collision, CrushErrors, FIGURES, FigureErrors, Fitted, Impacts, Model, ObjectFigures, Severity,
+    Collision, CollisionModel, CrushErrors, FIGURES, FigureErrors, Fitted, Impacts, ObjectFigures, Severity,
     shown_delta_v,
 };
 use nalgebra::{DMatrix, DVector};
@@ -42,7 +42,8 @@ fn log_guess(set: &[Figure], at: &Point) -> f64 {
 /// Settings of the fit.
 #[derive(Clone, Debug)]
 pub struct FitOptions {
-    /// Number of particles of each island, as in [`Settings`]: a pair has sixteen times as many draws.
+    /// Number of particles of each island, as in [`ParticleSettings`]: a pair has sixteen times as many
+    /// draws.
     pub particles: usize,
     /// The random seed, of every pair.
     pub seed: u64,
@@ -114,8 +115,8 @@ impl<'a, C: Crash> Drawn<'a, C> {
         let refused = |reason: String| FieldError::Estimate { case: pair.case().to_owned(), reason };
         let truths = pair.truths();
         let collision = pair.known(None, by, &[]).map_err(|error| refused(error.to_string()))?;
-        let model = Model::new(&collision);
-        let settings = Settings::new(options.particles, options.seed);
+        let model = CollisionModel::new(&collision);
+        let settings = ParticleSettings::new(options.particles, options.seed);
         let posterior =
             sample_quietly(&model, &model, &settings).map_err(|failure| refused(failure.to_string()))?;
         let mut draws = Vec::with_capacity(posterior.count());

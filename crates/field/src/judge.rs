@@ -3,8 +3,8 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::ops::ControlFlow;
 
-use estimate::{Posterior, Settings, Verdict, sample_quietly};
-use evidence::{Collision, Fitted, InjuryRisk, Model, Output, shown_delta_v};
+use estimate::{ParticleSettings, Posterior, Verdict, sample_quietly};
+use evidence::{Collision, CollisionModel, DrawnOutput, Fitted, InjuryRisk, shown_delta_v};
 use pim_core::VehicleId;
 use real::Real;
 use real::elementary::{exp, ln};
@@ -22,8 +22,8 @@ const MOST_TIMES: usize = 4;
 /// Settings of the judgement.
 #[derive(Clone, Debug)]
 pub struct Options {
-    /// Number of particles of each island, as in [`Settings`]; it is doubled up to twice if a run does not
-    /// converge.
+    /// Number of particles of each island, as in [`ParticleSettings`]; it is doubled up to twice if a run
+    /// does not converge.
     pub particles: usize,
     /// The random seed, of every pair.
     pub seed: u64,
@@ -195,10 +195,10 @@ pub fn judge_by<C: Crash>(
 
 /// The posterior of a collision, and whether its run converged; the reason in words if there is none.
 pub(crate) fn posterior(collision: &Collision, options: &Options) -> Result<(Posterior, bool), String> {
-    let model = Model::new(collision);
+    let model = CollisionModel::new(collision);
     let mut particles = options.particles;
     loop {
-        let settings = Settings::new(particles, options.seed);
+        let settings = ParticleSettings::new(particles, options.seed);
         let posterior = sample_quietly(&model, &model, &settings).map_err(|failure| failure.to_string())?;
         let converged = matches!(posterior.verdict(), Verdict::Converged);
         if converged || particles >= MOST_TIMES * options.particles {
@@ -224,12 +224,14 @@ fn vehicles<C: Crash>(
     };
     let collision = collision.map_err(|error| refused(error.to_string()))?;
     let (posterior, converged) = posterior(&collision, options).map_err(refused)?;
-    let column = |output: Output| posterior.outputs().get(output.column()).map_or(&[][..], Vec::as_slice);
+    let column =
+        |output: DrawnOutput| posterior.outputs().get(output.column()).map_or(&[][..], Vec::as_slice);
     Ok(wanted
         .iter()
         .map(|&(vehicle, truth)| {
-            let draws =
-                column(Output::DeltaV(vehicle)).iter().zip(column(Output::LongitudinalDeltaV(vehicle)));
+            let draws = column(DrawnOutput::DeltaV(vehicle))
+                .iter()
+                .zip(column(DrawnOutput::LongitudinalDeltaV(vehicle)));
             let shown = draws.map(|(&whole, &along)| ln(shown_delta_v(whole, along, truth.is_longitudinal)));
             let predictive = Predictive::of(&shown.collect::<Vec<_>>(), fitted);
             Judged {
@@ -311,7 +313,7 @@ impl Predictive {
 }
 
 #[expect(clippy::cast_precision_loss, reason = "counts of draws and steps are far below 2⁵³")]
-fn count(number: usize) -> f64 {
+pub(crate) fn count(number: usize) -> f64 {
     number as f64
 }
 

@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use evidence::{Behind, Collision, Fitted, Observed, ObservedVehicle, Speeds, Vehicle};
+use evidence::{Behind, Collision, Fitted, Observed, ObservedVehicle, Speeds, VehicleNumbers};
 use pim_core::VehicleId;
 use uncertainty::InvalidDistribution;
 
@@ -65,7 +65,7 @@ impl Crash for ObjectCrash {
         let (vehicle, shape) = (&self.vehicle, Shape::of(&self.vehicle));
         let damage = damage(vehicle.plane);
         let placed = Placed { vehicle, shape: &shape, heading: [0.0; 2], damage, width: shape.width };
-        let object = Vehicle {
+        let object = VehicleNumbers {
             body: None,
             heading: 0.0.into(),
             contact: [0.0.into(), 0.0.into()],

@@ -2,15 +2,15 @@
 
 use std::ops::ControlFlow;
 
-use evidence::{Collision, CrushErrors, Fitted, MeasuredSpeed, Output, shown_delta_v};
+use evidence::{Collision, CrushErrors, DrawnOutput, Fitted, MeasuredSpeed, shown_delta_v};
 use pim_core::VehicleId;
 use real::Real;
 use real::elementary::{ln, sin_cos};
-use uncertainty::{Distribution, InvalidDistribution};
+use uncertainty::{Distribution, InvalidDistribution, order_statistic};
 
 use crate::crash::Crash as _;
 use crate::error::FieldError;
-use crate::judge::{LEVELS, Options, posterior};
+use crate::judge::{LEVELS, Options, count, posterior};
 use crate::pair::Truth;
 use crate::recorded::{LastSpeed, RecordedPair, RecorderRow};
 
@@ -263,14 +263,7 @@ impl Stored {
     }
 
     fn quantile(&self, share: f64) -> f64 {
-        #[expect(
-            clippy::cast_possible_truncation,
-            clippy::cast_sign_loss,
-            clippy::cast_precision_loss,
-            reason = "an index into a list that is held in memory"
-        )]
-        let index = (share * self.0.len() as f64) as usize;
-        self.0[index.min(self.0.len() - 1)]
+        order_statistic(&self.0, (share * count(self.0.len())).floor())
     }
 }
 
@@ -412,7 +405,7 @@ impl RecordedPair {
         let collision = self.collision(fitted, &other, &other, exact);
         let collision = collision.map_err(|error| refused(error.to_string()))?;
         let (posterior, converged) = posterior(&collision, options).map_err(refused)?;
-        let draws = posterior.outputs().get(Output::Speed(id).column()).map_or(&[][..], Vec::as_slice);
+        let draws = posterior.outputs().get(DrawnOutput::Speed(id).column()).map_or(&[][..], Vec::as_slice);
         let last = &self.last[id.index()];
         let stored = Stored::of(draws, last).map_err(|error| refused(error.to_string()))?;
         Ok(JudgedRecord {
@@ -436,10 +429,11 @@ impl RecordedPair {
         let collision = self.collision(fitted, &[], &VehicleId::ALL, None);
         let collision = collision.map_err(|error| refused(error.to_string()))?;
         let (posterior, _) = posterior(&collision, options).map_err(refused)?;
-        let column = |output: Output| posterior.outputs().get(output.column()).map_or(&[][..], Vec::as_slice);
+        let column =
+            |output: DrawnOutput| posterior.outputs().get(output.column()).map_or(&[][..], Vec::as_slice);
         let judged = compared.into_iter().filter_map(|(vehicle, truth, common)| {
-            let whole = column(Output::DeltaV(vehicle)).iter();
-            let draws = whole.zip(column(Output::LongitudinalDeltaV(vehicle)));
+            let whole = column(DrawnOutput::DeltaV(vehicle)).iter();
+            let draws = whole.zip(column(DrawnOutput::LongitudinalDeltaV(vehicle)));
             let shown = draws.map(|(&whole, &along)| shown_delta_v(whole, along, truth.is_longitudinal));
             let median = median(shown.collect())?;
             Some(JudgedDeltaV { case: self.pair.case.clone(), vehicle, truth, common, median })

@@ -1,6 +1,6 @@
 //! How two vehicles share the crush energy, fitted to pairs with two known crush profiles.
 
-use evidence::{Crush, Damage, Fitted};
+use evidence::{CrushNumbers, DamagedSide, Fitted};
 use real::Real;
 use real::elementary::{exp, ln};
 
@@ -47,7 +47,7 @@ const LEAST_CHANGE: f64 = 1e-12;
 const MOST_STEPS: usize = 1000;
 
 /// Mean and variance of ln E over κ and β of the fleet.
-fn moments(crush: &Crush, fitted: &Fitted) -> Option<[f64; 2]> {
+fn moments(crush: &CrushNumbers, fitted: &Fitted) -> Option<[f64; 2]> {
     let mut sums = [0.0; 2];
     for [z, weight] in NODES {
         for [y, other] in NODES {
@@ -71,7 +71,7 @@ fn shares(pair: &Pair, fitted: &Fitted) -> Option<Shares> {
         moments(&fitted.crush_of(layout.damages[i], layout.widths[i], mean, mean_square), fitted)
     });
     let ([m1, v1], [m2, v2]) = (one?, two?);
-    let [s1, s2] = layout.damages.map(|damage| f64::from(u8::from(damage == Damage::Side)));
+    let [s1, s2] = layout.damages.map(|damage| f64::from(u8::from(damage == DamagedSide::Side)));
     Some(Shares { sides: s2 - s1, mean: m2 - m1, variance: v1 + v2 })
 }
 

@@ -6,7 +6,7 @@ use std::f64::consts::PI;
 use std::ops::ControlFlow;
 
 use estimate::Evidence;
-use evidence::{CrushMisfit, FITTED, Fitted, Model, Number, ObjectFigures, Severity};
+use evidence::{CollisionModel, CrushMisfit, FITTED, Fitted, Number, ObjectFigures, Severity};
 use field::{Crash as _, KnownCrush, Options, PairKind, Plane, judge, read, read_objects};
 use pim_core::VehicleId;
 use real::elementary::ln;
@@ -106,7 +106,7 @@ fn the_collision_has_the_geometry_of_the_damage() {
     // tan p = −7/24
     assert!((direction.pdof + 0.283_794_109_208_327_9).abs() < 1e-12);
     assert!((direction.scale - FITTED.recorder_direction_scale).abs() < 1e-12);
-    assert_eq!(Model::new(&collision).terms_count() + 2, Model::new(&given).terms_count());
+    assert_eq!(CollisionModel::new(&collision).terms_count() + 2, CollisionModel::new(&given).terms_count());
 }
 
 /// 1575 kg · √(24² + 7²) km/h beside 1475 kg · √(3² + 26²) km/h: 2 % apart.

@@ -16,9 +16,9 @@ pub struct After<T = f64> {
     /// The rolling resistance of its wheels.
     pub drag: Option<Drag<T>>,
     /// How its front wheels are steered; straight if absent.
-    pub steer: Option<Steer<T>>,
+    pub steer: Option<GivenSteer<T>>,
     /// Its rest position.
-    pub rest: Option<Rest<T>>,
+    pub rest: Option<GivenRest<T>>,
     /// Points that its centre of gravity passed, from impact to rest.
     pub points: Vec<PathPoint<T>>,
     /// (m/s) speed of the centre of gravity after the impact.
@@ -65,7 +65,7 @@ impl WheelDrag {
 
 /// How the front wheels are steered.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Steer<T = f64> {
+pub enum GivenSteer<T = f64> {
     /// (rad) angle from the vehicle's axis, in the sense of the axes.
     Held(Quantity<T>),
     /// Linear between these points, and constant outside them; at least one.
@@ -83,7 +83,7 @@ pub struct SteerPoint<T = f64> {
 
 /// The rest position of a vehicle.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Rest<T = f64> {
+pub struct GivenRest<T = f64> {
     /// The position of its centre of gravity.
     pub place: Place<T>,
     /// Its orientation there.
@@ -220,10 +220,10 @@ impl<U> Walk<'_, U> {
         }
     }
 
-    fn steer(&mut self, path: &dyn Display, steer: &Steer) -> Steer<U> {
+    fn steer(&mut self, path: &dyn Display, steer: &GivenSteer) -> GivenSteer<U> {
         match steer {
-            Steer::Held(angle) => Steer::Held(self.quantity(path, angle)),
-            Steer::Over(points) => Steer::Over(
+            GivenSteer::Held(angle) => GivenSteer::Held(self.quantity(path, angle)),
+            GivenSteer::Over(points) => GivenSteer::Over(
                 points
                     .iter()
                     .enumerate()
@@ -239,8 +239,8 @@ impl<U> Walk<'_, U> {
         }
     }
 
-    fn rest(&mut self, path: &dyn Display, rest: &Rest) -> Rest<U> {
-        Rest {
+    fn rest(&mut self, path: &dyn Display, rest: &GivenRest) -> GivenRest<U> {
+        GivenRest {
             place: self.place(path, &rest.place),
             heading: match &rest.heading {
                 RestHeading::Heading(heading) => {

@@ -8,11 +8,11 @@ use crate::basis::Basis;
 use crate::crush::Fit;
 use crate::dimensions::Dimensions;
 use crate::estimate::YawSource;
-use crate::vehicle::Kind;
+use crate::vehicle::VehicleKind;
 
 /// Two vehicles that collide, as the mechanics need them.
 #[derive(Clone, Debug)]
-pub struct Collision<T = f64> {
+pub struct CollisionData<T = f64> {
     /// The geometry.
     pub contact: Contact<T>,
     /// The impact law.
@@ -27,7 +27,7 @@ pub struct Collision<T = f64> {
 #[derive(Clone, Debug)]
 pub struct VehicleData<T = f64> {
     /// What it is, where the case says so.
-    pub kind: Option<Kind>,
+    pub kind: Option<VehicleKind>,
     /// Mass and yaw inertia, or `None` for a fixed object.
     pub inertia: Option<InertiaData<T>>,
     /// (m) contact point C forward and left of the CG.
@@ -98,7 +98,7 @@ pub struct DamageData<T = f64> {
     /// The damaged side.
     pub side: Side,
     /// How the crush is known.
-    pub evidence: Evidence<T>,
+    pub evidence: CrushEvidence<T>,
     /// Where its stiffness comes from.
     pub stiffness_source: StiffnessSource,
     /// The damaged face and the place of the damage on it, where the dimensions of the vehicle are known.
@@ -122,7 +122,7 @@ pub struct DamageData<T = f64> {
 
 /// How a crush is known.
 #[derive(Clone, Debug)]
-pub enum Evidence<T = f64> {
+pub enum CrushEvidence<T = f64> {
     /// It was measured.
     Measured {
         /// Depths along the side.
@@ -172,7 +172,7 @@ pub enum StiffnessSource {
 #[derive(Clone, Debug)]
 pub struct ReconstructionInput<T = f64> {
     /// The collision, in which one speed is unknown.
-    pub collision: Collision<T>,
+    pub collision: CollisionData<T>,
     /// The unknown speed.
     pub unknown: Unknown,
     /// The energy basis.
@@ -183,7 +183,7 @@ pub struct ReconstructionInput<T = f64> {
 #[derive(Clone, Debug)]
 pub struct ImpactInput<T = f64> {
     /// The collision, in which both speeds are known.
-    pub collision: Collision<T>,
+    pub collision: CollisionData<T>,
     /// The energy basis, for the CRASH3 result.
     pub basis: Basis<T>,
 }

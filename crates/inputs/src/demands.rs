@@ -13,7 +13,7 @@ use pim_core::{Real, Vector2, VehicleId};
 
 use crate::basis::Basis;
 use crate::case::Case;
-use crate::data::{Collision, CrushOnly, ImpactInput, ReconstructionInput, VehicleData};
+use crate::data::{CollisionData, CrushOnly, ImpactInput, ReconstructionInput, VehicleData};
 use crate::fault::{Fault, FaultKind, Faults};
 use crate::impact::Restitution;
 use crate::purpose::Purpose;
@@ -64,7 +64,7 @@ impl<T: Real> Case<T> {
     ///
     /// # Errors
     /// Every value that is missing or contradicts another, each with its key.
-    pub fn geometry(&self) -> Result<Collision<T>, Faults> {
+    pub fn geometry(&self) -> Result<CollisionData<T>, Faults> {
         let mut demand = Demand::new(self, Purpose::Draw);
         let collision = demand.collision(|_| false);
         demand.finish(collision)

@@ -78,7 +78,7 @@ pub enum ContactSpread {
 
 /// A value of a vehicle from a table or a formula, or a point placed by the program.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Estimate {
+pub enum EstimatedInput {
     /// Stiffness of a category: the factor is that of A; B varies with it, as both are high in stiff
     /// vehicles.
     Stiffness {
@@ -104,7 +104,7 @@ pub enum Estimate {
 }
 
 /// The path of its factor, or of its displacement, among the numbers that may vary.
-impl fmt::Display for Estimate {
+impl fmt::Display for EstimatedInput {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Stiffness { vehicle, .. } => write!(f, "vehicle{vehicle}.crush.stiffness.factor"),
@@ -115,7 +115,7 @@ impl fmt::Display for Estimate {
     }
 }
 
-impl Estimate {
+impl EstimatedInput {
     /// The key of the value that is estimated.
     #[must_use]
     pub fn key(self) -> String {

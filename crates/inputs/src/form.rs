@@ -21,7 +21,7 @@ use crate::estimate::{YawSource, scaled_stiffness};
 use crate::impact::{GivenImpact, ImpactLaw};
 use crate::inertia::{Mass, YawInertia};
 use crate::quantity::Quantity;
-use crate::vehicle::{ContactPoint, GivenVehicle, Kind, Outline, Velocity};
+use crate::vehicle::{ContactPoint, GivenVehicle, Outline, VehicleKind, Velocity};
 
 /// An impact of two vehicles.
 #[derive(Clone, Copy, Debug)]
@@ -312,7 +312,7 @@ impl<N: Copy> GivenVehicle<N> {
             return Some(YawForm::Class { class, radius: known.yaw_radius, factor });
         }
         let length = self.outline.map(|outline| outline.length).or(self.length);
-        let is_car = self.kind.unwrap_or_default() == Kind::Car;
+        let is_car = self.kind.unwrap_or_default() == VehicleKind::Car;
         let lengths = self.wheelbase.zip(length).filter(|_| is_car);
         lengths.map(|(wheelbase, length)| YawForm::Burg { wheelbase, length, factor })
     }

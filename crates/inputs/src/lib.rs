@@ -20,10 +20,10 @@
 //! The types: a [`Case`] holds two [`GivenVehicle`]s and a [`GivenImpact`]. Its numbers are [`Quantity`]s,
 //! which keep the unit in which they were given, because reports and errors quote them in that unit;
 //! [`Quantity::si`] converts them. [`Case::inputs`] lists the numbers, each under its key, and
-//! [`Case::values`] lists every value. A [`Range`] gives the uncertainty of a number. An [`Estimate`] is a
-//! value from a table or a formula in place of a number, or a contact point placed at the damage; its factor,
-//! 1, or its displacement, 0, is one of [`Case::variables`] besides the numbers. [`Case::map`] replaces all
-//! of these.
+//! [`Case::values`] lists every value. A [`Range`] gives the uncertainty of a number. An [`EstimatedInput`]
+//! is a value from a table or a formula in place of a number, or a contact point placed at the damage; its
+//! factor, 1, or its displacement, 0, is one of [`Case::variables`] besides the numbers. [`Case::map`]
+//! replaces all of these.
 //!
 //! [`Case::impact_form`] returns the inputs of an impact, on any numbers: the meaning of each key for it is
 //! defined there alone. [`Case::reconstruction`], [`Case::collision`] and [`Case::damage`] turn a case into
@@ -70,11 +70,11 @@ mod walk;
 mod words;
 
 pub use self::recorder::{
-    CertainSpeed, GivenEstimate, Prior, Recorder, RecordersDeltaV, RecordersSpeed, StoredRecord,
+    CertainSpeed, GivenEstimate, Recorder, RecordersDeltaV, RecordersSpeed, SeverityPrior, StoredRecord,
 };
 pub use after::{
-    After, Before, Drag, MarkedWheel, PathPoint, Rest, RestHeading, Skid, SkidBegin, Steer, SteerPoint,
-    WheelDrag,
+    After, Before, Drag, GivenRest, GivenSteer, MarkedWheel, PathPoint, RestHeading, Skid, SkidBegin,
+    SteerPoint, WheelDrag,
 };
 pub use avoid::{
     Avoid, AvoidForm, BrakingForm, Clear, DemandForm, GivenDemand, GivenSight, Obstacle, OtherParty,
@@ -85,14 +85,15 @@ pub use basis::{Basis, ENERGY_BASES};
 pub use case::{Case, Find, LeftOut, Reconstruct, ReportHead};
 pub use crush::{Crush, Fit, GivenEes, GivenTest, KnownEnergy, Pdof, StiffnessForm, StiffnessLine};
 pub use data::{
-    Collision, CrushOnly, DamageData, EnergyData, Evidence, ImpactInput, InertiaData, InferredWidth,
+    CollisionData, CrushEvidence, CrushOnly, DamageData, EnergyData, ImpactInput, InertiaData, InferredWidth,
     ReconstructionInput, StiffnessSource, VehicleData,
 };
 pub use demands::contradictions;
 pub use dimensions::Dimensions;
 pub use estimate::{
-    ContactSpread, DAMAGE_LENGTH_SD, DEPTH_SD, Departures, Estimate, FaceAxis, OFFSET_SD, STIFFNESS_LN_SD_A,
-    STIFFNESS_LN_SD_B, YAW_RADIUS_CONFIDENCE, YAW_RADIUS_WITHIN, YawSource, scaled_stiffness,
+    ContactSpread, DAMAGE_LENGTH_SD, DEPTH_SD, Departures, EstimatedInput, FaceAxis, OFFSET_SD,
+    STIFFNESS_LN_SD_A, STIFFNESS_LN_SD_B, YAW_RADIUS_CONFIDENCE, YAW_RADIUS_WITHIN, YawSource,
+    scaled_stiffness,
 };
 pub use fault::{Fault, FaultKind, Faults};
 pub use form::{
@@ -114,6 +115,6 @@ pub use shared::SharedEffects;
 pub use text::{Text, acts, shown, shown_lines, sign};
 pub use uncertain::{GivenUncertainty, SharedError};
 pub use units::{Dimension, STANDARD_GRAVITY, Unit, UnitSystem};
-pub use vehicle::{ContactPoint, GivenVehicle, Kind, Outline, Velocity};
-pub use walk::{Input, Origin, Value, Variable};
+pub use vehicle::{ContactPoint, GivenVehicle, Outline, VehicleKind, Velocity};
+pub use walk::{GivenValue, Input, Origin, Variable};
 pub use words::{OBLIQUE_CORRECTIONS, SIDES, UNDAMAGED, UNKNOWNS, word, words_of};

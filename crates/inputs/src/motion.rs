@@ -2,11 +2,11 @@
 
 use pim_core::{Contact, Motion, Real, VaryingLaw, Vector2, VehicleId};
 use reconcile::Departure;
-use trajectory::{Chassis, Region, Steer, Zone};
+use trajectory::{Chassis, FrictionZone, Region, Steer};
 
 use crate::after::MarkedWheel;
 use crate::basis::Basis;
-use crate::data::{Collision, VehicleData};
+use crate::data::{CollisionData, VehicleData};
 use crate::text::Text;
 
 /// The vehicles after the impact, and the ground on which they move.
@@ -32,8 +32,11 @@ pub struct SurfaceData<T = f64> {
 impl<T: Copy> SurfaceData<T> {
     /// The zones for the field of a [`trajectory::Ground`].
     #[must_use]
-    pub fn zones(&self) -> Vec<Zone<'_, T>> {
-        self.zones.iter().map(|zone| Zone { region: zone.region.region(), friction: zone.friction }).collect()
+    pub fn zones(&self) -> Vec<FrictionZone<'_, T>> {
+        self.zones
+            .iter()
+            .map(|zone| FrictionZone { region: zone.region.region(), friction: zone.friction })
+            .collect()
     }
 }
 
@@ -214,11 +217,11 @@ impl<T: Real> TwoSpeedInput<T> {
     /// The collision, with the vehicles at rest except for their yaw rates; `None` if the contact or the law
     /// is unknown.
     #[must_use]
-    pub fn collision(&self) -> Option<Collision<T>> {
+    pub fn collision(&self) -> Option<CollisionData<T>> {
         if self.geometry != Geometry::Given {
             return None;
         }
-        Some(Collision {
+        Some(CollisionData {
             contact: self.contact,
             law: self.law.clone()?,
             motions: self.yaw_rates.map(|yaw_rate| Motion::rest().with_yaw_rate(yaw_rate)),

@@ -9,7 +9,7 @@ use recorder::{
 
 use crate::quantity::Quantity;
 use crate::text::Text;
-use crate::walk::{Key, Value, Walk};
+use crate::walk::{GivenValue, Key, Walk};
 
 /// Where the table of a recorder comes from.
 #[derive(Clone, Debug, PartialEq)]
@@ -303,7 +303,9 @@ impl<U> Walk<'_, U> {
         ];
         for (key, share) in shares {
             if let Some(share) = share {
-                self.other(&Key(table, key), || Value::Text(format!("{} %", crate::format_number(share))));
+                self.other(&Key(table, key), || {
+                    GivenValue::Text(format!("{} %", crate::format_number(share)))
+                });
             }
         }
     }

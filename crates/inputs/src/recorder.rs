@@ -10,7 +10,7 @@ use recorder::{EventRecord, ImpactSpeed, KnownImpact};
 use crate::axes::Axes;
 use crate::quantity::{Quantity, format_number};
 use crate::recorded::{GivenPreCrash, GivenPulse, GivenSpeedErrors, RecorderMount};
-use crate::walk::{Element, Key, Value, Walk};
+use crate::walk::{Element, GivenValue, Key, Walk};
 use crate::words::word;
 
 /// The data of a vehicle's event data recorder.
@@ -160,7 +160,7 @@ pub struct CertainSpeed {
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct GivenEstimate {
     /// The prior for the severity of the collision.
-    pub prior: Prior,
+    pub prior: SeverityPrior,
     /// (m/s) median of √(ΔV₁ ΔV₂) before the evidence, in place of the median of the field.
     pub delta_v_median: Option<Quantity>,
     /// (%) standard deviation of the error of crush energies as measures of the energy absorbed in the
@@ -181,7 +181,7 @@ pub struct GivenEstimate {
 
 /// The severity of a collision before the evidence.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Prior {
+pub enum SeverityPrior {
     /// `"field"`: like that of collisions after which a vehicle was towed.
     #[default]
     Field,
@@ -191,7 +191,7 @@ pub enum Prior {
     Flat,
 }
 
-impl Prior {
+impl SeverityPrior {
     /// Each with its word.
     pub const WORDS: [(&str, Self); 3] =
         [("field", Self::Field), ("serious-injury", Self::SeriousInjury), ("flat", Self::Flat)];
@@ -212,7 +212,7 @@ impl<U> Walk<'_, U> {
 
     fn percent_if(&mut self, path: &dyn Display, percent: Option<f64>) {
         if let Some(percent) = percent {
-            self.other(path, || Value::Text(format!("{} %", format_number(percent))));
+            self.other(path, || GivenValue::Text(format!("{} %", format_number(percent))));
         }
     }
 
@@ -253,7 +253,7 @@ impl<U> Walk<'_, U> {
     }
 
     pub(crate) fn estimate(&mut self, estimate: &GivenEstimate) -> GivenEstimate {
-        self.choice(&"estimate.prior", &Prior::WORDS, estimate.prior);
+        self.choice(&"estimate.prior", &SeverityPrior::WORDS, estimate.prior);
         self.exact_if(&"estimate.delta_v_median", estimate.delta_v_median.as_ref());
         self.percent_if(&"estimate.crush_error", estimate.crush_error);
         self.percent_if(&"estimate.crush_bias", estimate.crush_bias);

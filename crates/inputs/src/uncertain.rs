@@ -3,7 +3,7 @@
 use crate::quantity::format_number;
 use crate::range::Spread;
 use crate::units::Unit;
-use crate::walk::{Element, Input, Key, Origin, Value, Walk};
+use crate::walk::{Element, GivenValue, Input, Key, Origin, Walk};
 
 /// The table `[uncertainty]`.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -59,22 +59,22 @@ impl<U> Walk<'_, U> {
     pub(crate) fn uncertainty(&mut self, uncertainty: &GivenUncertainty) -> GivenUncertainty {
         let GivenUncertainty { exact, shared } = uncertainty;
         for (i, key) in exact.iter().enumerate() {
-            self.other(&Element(&"uncertainty.exact", i), || Value::Text(key.clone()));
+            self.other(&Element(&"uncertainty.exact", i), || GivenValue::Text(key.clone()));
         }
         for (i, error) in shared.iter().enumerate() {
             let table = &Element(&"uncertainty.shared", i);
-            self.other(&Key(table, "name"), || Value::Text(error.name.clone()));
+            self.other(&Key(table, "name"), || GivenValue::Text(error.name.clone()));
             for (n, key) in error.of.iter().enumerate() {
-                self.other(&Element(&Key(table, "of"), n), || Value::Text(key.clone()));
+                self.other(&Element(&Key(table, "of"), n), || GivenValue::Text(key.clone()));
             }
             match error.size {
                 Spread::Normal { sd } => {
-                    self.other(&Key(table, "sd"), || Value::Number { number: sd.number, unit: sd.unit });
+                    self.other(&Key(table, "sd"), || GivenValue::Number { number: sd.number, unit: sd.unit });
                 }
                 Spread::Within { percent, confidence } => {
-                    let percent = || Value::Text(format!("{} %", format_number(percent)));
+                    let percent = || GivenValue::Text(format!("{} %", format_number(percent)));
                     self.other(&Key(table, "within"), percent);
-                    let confidence = || Value::Number { number: confidence, unit: None };
+                    let confidence = || GivenValue::Number { number: confidence, unit: None };
                     self.other(&Key(table, "confidence"), confidence);
                 }
                 Spread::Uniform { .. } | Spread::Triangular { .. } => {}

@@ -19,7 +19,7 @@ use crate::words::word;
 
 /// What a vehicle is: its plausible sizes, the tables that apply to it and its drawing depend on that.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Kind {
+pub enum VehicleKind {
     /// `"car"`: a car, a van or a pickup.
     #[default]
     Car,
@@ -31,7 +31,7 @@ pub enum Kind {
     Motorcycle,
 }
 
-impl Kind {
+impl VehicleKind {
     /// Each under its word.
     pub const WORDS: [(&str, Self); 4] = [
         ("car", Self::Car),
@@ -55,8 +55,8 @@ pub struct GivenVehicle<T = f64> {
     pub name: Option<Text>,
     /// A barrier: it has neither mass nor motion nor crush.
     pub fixed: bool,
-    /// What it is; [`Kind::Car`] where absent.
-    pub kind: Option<Kind>,
+    /// What it is; [`VehicleKind::Car`] where absent.
+    pub kind: Option<VehicleKind>,
     /// `mass` or `weight`.
     pub mass: Option<Mass<T>>,
     /// `yaw_inertia` or `yaw_radius`.
@@ -349,7 +349,7 @@ impl<U> Walk<'_, U> {
         GivenVehicle {
             name: self.text(&at("name"), vehicle.name.as_ref()),
             fixed: self.flag(&at("fixed"), vehicle.fixed),
-            kind: vehicle.kind.map(|kind| self.choice(&at("kind"), &Kind::WORDS, kind)),
+            kind: vehicle.kind.map(|kind| self.choice(&at("kind"), &VehicleKind::WORDS, kind)),
             mass: vehicle.mass.as_ref().map(|mass| self.mass(table, mass)),
             yaw: vehicle.yaw.as_ref().map(|yaw| match yaw {
                 YawInertia::Inertia(q) => YawInertia::Inertia(self.quantity(&at("yaw_inertia"), q)),

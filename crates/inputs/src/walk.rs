@@ -2,7 +2,7 @@
 
 use std::fmt::{self, Display, Write};
 
-use crate::estimate::Estimate;
+use crate::estimate::EstimatedInput;
 use crate::quantity::Quantity;
 use crate::text::Text;
 use crate::units::Unit;
@@ -59,7 +59,7 @@ pub enum Origin {
     Given,
     /// It is the factor of an estimate, 1 unless it is varied, or the displacement of a placed contact point,
     /// 0 unless it is varied.
-    Estimate(Estimate),
+    Estimate(EstimatedInput),
     /// It is a shared error, by its index among those of the case: 0 in its unit or, for a percentage, the
     /// factor 1, unless it is varied.
     Shared(usize),
@@ -81,7 +81,7 @@ impl Input {
 
 /// A value of a case.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Value {
+pub enum GivenValue {
     /// A number in its unit, or a coefficient without a unit.
     Number {
         /// The number as given.
@@ -102,7 +102,7 @@ pub enum Value {
 /// Receives the path, the number, its unit and its origin; returns the replacement of the number.
 pub(crate) type Replace<'a, U> = dyn FnMut(&dyn Display, f64, Option<&'static Unit>, Origin) -> U + 'a;
 /// Receives the path and a value that is not a number.
-pub(crate) type Others<'a> = dyn FnMut(&dyn Display, Value) + 'a;
+pub(crate) type Others<'a> = dyn FnMut(&dyn Display, GivenValue) + 'a;
 
 /// Visits the values of a case, table by table. Each table implements its part next to its fields.
 pub(crate) struct Walk<'a, U> {
@@ -164,10 +164,10 @@ impl<'a, U> Walk<'a, U> {
 
     /// A quantity that does not vary.
     pub(crate) fn exact(&mut self, path: &dyn Display, quantity: &Quantity) {
-        self.other(path, || Value::Number { number: quantity.number(), unit: Some(quantity.unit()) });
+        self.other(path, || GivenValue::Number { number: quantity.number(), unit: Some(quantity.unit()) });
     }
 
-    pub(crate) fn other(&mut self, path: &dyn Display, value: impl FnOnce() -> Value) {
+    pub(crate) fn other(&mut self, path: &dyn Display, value: impl FnOnce() -> GivenValue) {
         if let Some(others) = &mut self.others {
             others(path, value());
         }
@@ -175,25 +175,25 @@ impl<'a, U> Walk<'a, U> {
 
     pub(crate) fn text(&mut self, path: &dyn Display, text: Option<&Text>) -> Option<Text> {
         if let Some(text) = text {
-            self.other(path, || Value::Text(text.as_given().to_owned()));
+            self.other(path, || GivenValue::Text(text.as_given().to_owned()));
         }
         text.cloned()
     }
 
     pub(crate) fn flag(&mut self, path: &dyn Display, flag: bool) -> bool {
         if flag {
-            self.other(path, || Value::Flag);
+            self.other(path, || GivenValue::Flag);
         }
         flag
     }
 
     pub(crate) fn count(&mut self, path: &dyn Display, count: u8) -> u8 {
-        self.other(path, || Value::Count(count));
+        self.other(path, || GivenValue::Count(count));
         count
     }
 
     pub(crate) fn hour(&mut self, path: &dyn Display, hour: u8) -> u8 {
-        self.other(path, || Value::Hour(hour));
+        self.other(path, || GivenValue::Hour(hour));
         hour
     }
 
@@ -204,7 +204,7 @@ impl<'a, U> Walk<'a, U> {
         table: &[(&'static str, T)],
         choice: T,
     ) -> T {
-        self.other(path, || Value::Text(word(table, &choice).to_owned()));
+        self.other(path, || GivenValue::Text(word(table, &choice).to_owned()));
         choice
     }
 

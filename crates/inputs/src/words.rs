@@ -58,7 +58,7 @@ mod tests {
     use crate::basis::{Basis, ENERGY_BASES};
     use crate::crush::Fit;
     use crate::impact::LawName;
-    use crate::vehicle::Kind;
+    use crate::vehicle::VehicleKind;
 
     /// The index of a choice among all of its kind: a new one does not compile until it has one here.
     trait Place {
@@ -80,7 +80,7 @@ mod tests {
     places!(Unknown: Speed1, Speed2);
     places!(Axes: ZUp, ZDown);
     places!(Fit: Exact, Mean);
-    places!(Kind: Car, HeavyTruck, Trailer, Motorcycle);
+    places!(VehicleKind: Car, HeavyTruck, Trailer, Motorcycle);
     places!(LawName: Brach, Woolley, Ishikawa, KudlichSlibar);
 
     impl Place for Basis {
@@ -109,7 +109,7 @@ mod tests {
         assert_complete(&ENERGY_BASES);
         assert_complete(&Axes::WORDS);
         assert_complete(&Fit::WORDS);
-        assert_complete(&Kind::WORDS);
+        assert_complete(&VehicleKind::WORDS);
         assert_complete(&LawName::WORDS);
     }
 }

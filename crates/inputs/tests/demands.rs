@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 
 use crash3::{Side, SideStiffness};
 use inputs::{
-    Axes, Basis, BrachTangential, Case, ContactPoint, Crush, Dimension, Evidence, Find, GivenImpact,
+    Axes, Basis, BrachTangential, Case, ContactPoint, Crush, CrushEvidence, Dimension, Find, GivenImpact,
     GivenVehicle, ImpactLaw, Mass, Pdof, Purpose, Quantity, Reconstruct, Restitution, StiffnessForm,
     StiffnessLine, Velocity, YawInertia,
 };
@@ -138,7 +138,8 @@ fn the_damage_is_in_si_units_and_its_force_has_an_opposite() {
     case.vehicles[0].crush = Some(Crush { side: Side::Right, pdof: None, ..damage() });
     let found = case.damage().unwrap();
     let data = found.vehicles[1].damage.as_ref().unwrap();
-    let Evidence::Measured { profile, structure: SideStiffness::Uniform(stiffness) } = &data.evidence else {
+    let CrushEvidence::Measured { profile, structure: SideStiffness::Uniform(stiffness) } = &data.evidence
+    else {
         panic!("{data:?}")
     };
     assert_near(profile.width(), 6.0 * FOOT);

@@ -1,5 +1,7 @@
 //! A distribution as evenly spread points.
 
+use uncertainty::order_statistic;
+
 /// Numbers of a distribution, in order.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Draws(Vec<f64>);
@@ -19,16 +21,7 @@ impl Draws {
     }
 
     pub(crate) fn quantile(&self, probability: f64) -> f64 {
-        let (Some(first), Some(last)) = (self.0.first(), self.0.last()) else { return f64::NAN };
-        let at = probability.clamp(0.0, 1.0) * count(self.0.len()) - 0.5;
-        if at <= 0.0 {
-            return *first;
-        }
-        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "an index, not negative")]
-        let below = (at as usize).min(self.0.len() - 1);
-        let share = (at - count(below)).clamp(0.0, 1.0);
-        let upper = self.0.get(below + 1).unwrap_or(last);
-        self.0[below] + (upper - self.0[below]) * share
+        order_statistic(&self.0, probability * count(self.0.len()) - 0.5)
     }
 
     pub(crate) fn density(&self, bins: usize) -> Vec<(f64, f64)> {

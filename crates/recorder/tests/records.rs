@@ -1,24 +1,12 @@
 //! All records of CIREN's crashes with a recorder are read, or refused with a reason.
 
 use std::collections::BTreeMap;
-use std::fs;
-use std::path::{Path, PathBuf};
 
+use oracle::field::data;
 use recorder::{
     Channel, CrashPulse, EventRecord, ImpactSpeed, ImpactSpeedErrors, KnownImpact, MatchErrors, PreCrash,
     PulseRule, match_records, read_rows, read_tables,
 };
-
-/// The field data, which is not part of the repository: beside it, or where `FIELD_DATA` says.
-fn data(file: &str) -> Option<String> {
-    let beside = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../../shared/data");
-    let folder = std::env::var_os("FIELD_DATA").map_or(beside, PathBuf::from);
-    let text = fs::read_to_string(folder.join(file)).ok();
-    if text.is_none() {
-        println!("{file} is not here: set FIELD_DATA to the folder that has it. Skipped.");
-    }
-    text
-}
 
 /// The text of each record, with this heading, from the given columns; by case, vehicle, record and event.
 fn records(text: &str, heading: &str, columns: &[usize]) -> BTreeMap<String, String> {

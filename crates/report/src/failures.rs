@@ -1,6 +1,6 @@
 //! The sentence of each case without an answer.
 
-use ::estimate::Failure as NoDraws;
+use ::estimate::NoDraws;
 use analysis::{Failure, Impossible};
 use crash3::CrushError;
 use evidence::Piece;

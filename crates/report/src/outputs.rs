@@ -2,7 +2,7 @@
 
 use analysis::quantities::SKID_SPEED;
 use analysis::{Kind, Output, Reason};
-use case::{Estimate, FaceAxis, Input, Origin, YawSource};
+use case::{EstimatedInput, FaceAxis, Input, Origin, YawSource};
 
 use crate::units::{Measure, Units};
 
@@ -35,25 +35,25 @@ pub(crate) fn input_name(input: &Input) -> String {
 }
 
 /// The source of an estimate.
-pub(crate) fn estimate_source(estimate: Estimate) -> String {
+pub(crate) fn estimate_source(estimate: EstimatedInput) -> String {
     match estimate {
-        Estimate::Stiffness { category, .. } => format!("category {category}"),
-        Estimate::YawRadius { source: YawSource::Class(class), .. } => format!("class {class}"),
-        Estimate::YawRadius { .. } => "Burg".to_owned(),
-        Estimate::Contact { .. } => "centroid of the damage".to_owned(),
+        EstimatedInput::Stiffness { category, .. } => format!("category {category}"),
+        EstimatedInput::YawRadius { source: YawSource::Class(class), .. } => format!("class {class}"),
+        EstimatedInput::YawRadius { .. } => "Burg".to_owned(),
+        EstimatedInput::Contact { .. } => "centroid of the damage".to_owned(),
     }
 }
 
 /// What is estimated, and from what.
-pub(crate) fn estimate_name(estimate: Estimate) -> String {
+pub(crate) fn estimate_name(estimate: EstimatedInput) -> String {
     let source = estimate_source(estimate);
     match estimate {
-        Estimate::Stiffness { vehicle, .. } => format!("stiffness, vehicle {vehicle}, {source}"),
-        Estimate::YawRadius { vehicle, .. } => format!("yaw radius, vehicle {vehicle}, {source}"),
-        Estimate::Contact { vehicle, axis: FaceAxis::Along } => {
+        EstimatedInput::Stiffness { vehicle, .. } => format!("stiffness, vehicle {vehicle}, {source}"),
+        EstimatedInput::YawRadius { vehicle, .. } => format!("yaw radius, vehicle {vehicle}, {source}"),
+        EstimatedInput::Contact { vehicle, axis: FaceAxis::Along } => {
             format!("C along the face, vehicle {vehicle}")
         }
-        Estimate::Contact { vehicle, axis: FaceAxis::Inward } => {
+        EstimatedInput::Contact { vehicle, axis: FaceAxis::Inward } => {
             format!("C across the face, vehicle {vehicle}")
         }
     }

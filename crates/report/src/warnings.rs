@@ -4,7 +4,7 @@ use analysis::{
     Analysis, Check, CheckedQuantity, DELTA_V_DIFFERENCE, Drive, ENERGY_DIFFERENCE, Evident, FAST_CLOSING,
     HIGH_RESTITUTION, JumpSide, Magnitude, POINT_MISSED, SeenWarning, Warning,
 };
-use case::{Basis, Case, ContactSpread, Kind, StiffnessSource};
+use case::{Basis, Case, ContactSpread, StiffnessSource, VehicleKind};
 use crash3::Side;
 use pim_core::{Switch, VehicleId};
 
@@ -571,7 +571,7 @@ pub fn message(seen: &SeenWarning, units: Units) -> String {
 }
 
 /// The remedy if the vehicle is not a car, but the file does not say so; `kinds` are those that fit.
-fn say_what_it_is(kinds: &[Kind]) -> String {
+fn say_what_it_is(kinds: &[VehicleKind]) -> String {
     let words: Vec<String> = kinds.iter().map(|kind| format!("`kind = \"{}\"`", kind.name())).collect();
     match words.join(" or ") {
         none if none.is_empty() => none,

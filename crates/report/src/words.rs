@@ -5,7 +5,7 @@ use std::ffi::OsStr;
 use std::path::Path;
 
 use analysis::{EvidenceMethod, Evident, Pass, Vehicle};
-use case::{Case, Find, Fit, Kind, Program, SIDES, StiffnessSource, Text, UNKNOWNS, word};
+use case::{Case, Find, Fit, Program, SIDES, StiffnessSource, Text, UNKNOWNS, VehicleKind, word};
 use crash3::Side;
 use pim_core::Regime;
 use reconcile::Unknown;
@@ -65,12 +65,12 @@ pub(crate) fn side_name(side: Side) -> &'static str {
 }
 
 /// The kind of a vehicle, with its article.
-pub(crate) fn kind_name(kind: Kind) -> &'static str {
+pub(crate) fn kind_name(kind: VehicleKind) -> &'static str {
     match kind {
-        Kind::Car => "a car",
-        Kind::HeavyTruck => "a heavy truck",
-        Kind::Trailer => "a trailer",
-        Kind::Motorcycle => "a motorcycle",
+        VehicleKind::Car => "a car",
+        VehicleKind::HeavyTruck => "a heavy truck",
+        VehicleKind::Trailer => "a trailer",
+        VehicleKind::Motorcycle => "a motorcycle",
     }
 }
 

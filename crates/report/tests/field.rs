@@ -45,6 +45,7 @@ fn judged() -> Field {
     Field {
         other: false,
         objects: false,
+        injured: false,
         pairs: 3,
         finished: 3,
         doubted: vec![("8".to_owned(), VehicleId::One)],

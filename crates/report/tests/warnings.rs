@@ -2,7 +2,7 @@
 
 use analysis::{Drive, JumpSide, Magnitude, Warning};
 use case::Basis;
-use case::{Axes, Kind, StiffnessSource};
+use case::{Axes, StiffnessSource, VehicleKind};
 use crash3::Side;
 use pim_core::{Switch, VehicleId};
 use report::{Supplements, Units, message};
@@ -187,7 +187,7 @@ fn what_is_implausible_is_named_with_what_is_usual() {
             magnitude,
             value,
             usual,
-            kind: Kind::Car,
+            kind: VehicleKind::Car,
             others: Vec::new(),
         };
         says(&warning, Axes::ZUp, &words);
@@ -199,7 +199,7 @@ fn what_is_implausible_is_named_with_what_is_usual() {
         magnitude: Magnitude::SpeedFound,
         value: 447.04,
         usual,
-        kind: Kind::Motorcycle,
+        kind: VehicleKind::Motorcycle,
         others: Vec::new(),
     };
     says(
@@ -224,8 +224,8 @@ fn what_is_implausible_is_named_with_what_is_usual() {
             magnitude,
             value: 10.0,
             usual: [0.0, 1.0],
-            kind: Kind::Car,
-            others: vec![Kind::HeavyTruck, Kind::Trailer],
+            kind: VehicleKind::Car,
+            others: vec![VehicleKind::HeavyTruck, VehicleKind::Trailer],
         };
         let remedy = "is usual for a car; check the unit, or give `kind = \"heavy-truck\"` or `kind = \"trailer\"` if that is what the vehicle is";
         says(&warning, Axes::ZUp, &[words, remedy]);

@@ -1,8 +1,8 @@
 //! The speeds from all evidence.
 
 use analysis::{EstimatePlan, Estimated};
-use case::{Case, Prior};
-use estimate::{MOST_PARTICLES, PARTICLES_STEP, Settings};
+use case::{Case, SeverityPrior};
+use estimate::{MOST_PARTICLES, PARTICLES_STEP, ParticleSettings};
 use report::{Asked, Question};
 use serde::{Serialize, Serializer};
 
@@ -19,7 +19,7 @@ pub struct EstimateOptions {
     pub seed: u64,
     /// In place of the `prior` of the case.
     #[serde(serialize_with = "prior")]
-    pub prior: Option<Prior>,
+    pub prior: Option<SeverityPrior>,
     /// Whether to ask what each piece of evidence says alone.
     pub pieces: bool,
     /// Questions such as `vehicle1.speed 50 km/h`: how probable is it that the result is above the limit?
@@ -38,8 +38,8 @@ impl Default for EstimateOptions {
 }
 
 /// The word for it.
-fn prior<S: Serializer>(prior: &Option<Prior>, out: S) -> Result<S::Ok, S::Error> {
-    prior.map(Prior::name).serialize(out)
+fn prior<S: Serializer>(prior: &Option<SeverityPrior>, out: S) -> Result<S::Ok, S::Error> {
+    prior.map(SeverityPrior::name).serialize(out)
 }
 
 /// An estimate, and what was asked of it.
@@ -57,7 +57,7 @@ impl EstimateOptions {
     /// # Errors
     /// What to give instead.
     pub fn check_particles(particles: usize) -> Result<usize, String> {
-        if Settings::can_have(particles) {
+        if ParticleSettings::can_have(particles) {
             return Ok(particles);
         }
         let usual = EstimatePlan::PARTICLES;
@@ -76,7 +76,7 @@ impl EstimateOptions {
             above: options.texts("above").unwrap_or_default(),
             particles: options.size("particles")?.unwrap_or(default.particles),
             seed: options.count("seed")?.unwrap_or(default.seed),
-            prior: options.word("prior", &Prior::WORDS)?,
+            prior: options.word("prior", &SeverityPrior::WORDS)?,
             pieces: options.flag("pieces", default.pieces),
         })
     }

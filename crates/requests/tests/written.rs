@@ -2,7 +2,7 @@
 
 use std::ops::ControlFlow;
 
-use case::{CaseFile, EXAMPLE, Prior};
+use case::{CaseFile, EXAMPLE, SeverityPrior};
 use report::{PROGRAM, Units};
 use requests::{Answer, OptionError, Request, RequestOptions, RowRefusal, Unanswered};
 use uncertainty::SamplingMethod;
@@ -69,7 +69,7 @@ fn what_is_written_is_read_again() {
     let Request::Uncertainty(options) = read("uncertainty", r#"{"method":"sobol"}"#) else { panic!() };
     assert_eq!(options.method, SamplingMethod::Sobol);
     let Request::Estimate(options) = read("estimate", r#"{"prior":"flat"}"#) else { panic!() };
-    assert_eq!((options.prior, options.pieces), (Some(Prior::Flat), true));
+    assert_eq!((options.prior, options.pieces), (Some(SeverityPrior::Flat), true));
 }
 
 #[test]

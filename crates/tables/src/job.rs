@@ -1,7 +1,7 @@
 //! What is made of the rows of a table, and how.
 
 use analysis::EstimatePlan;
-use case::Prior;
+use case::SeverityPrior;
 
 /// What is made of each row.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -49,7 +49,7 @@ pub struct RowOptions {
     /// For [`Job::Estimate`]: particles of each of 16 islands, a multiple of 128.
     pub particles: usize,
     /// For [`Job::Estimate`]: in place of the `prior` of the case.
-    pub prior: Option<Prior>,
+    pub prior: Option<SeverityPrior>,
 }
 
 impl Default for RowOptions {

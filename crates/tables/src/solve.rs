@@ -184,7 +184,7 @@ fn check(job: Job, RowOptions { samples, particles, .. }: &RowOptions) -> Result
         }
         _ => {}
     }
-    if job == Job::Estimate && !estimate::Settings::can_have(*particles) {
+    if job == Job::Estimate && !estimate::ParticleSettings::can_have(*particles) {
         return Err(TableError::Options(format!(
             "the number of particles is {particles}: give a multiple of {PARTICLES_STEP} up to {MOST_PARTICLES}"
         )));

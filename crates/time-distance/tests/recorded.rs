@@ -4,26 +4,14 @@
 #![expect(clippy::print_stdout, reason = "says what is skipped, and how many records there are")]
 
 use std::collections::{BTreeMap, BTreeSet};
-use std::fs;
-use std::path::{Path, PathBuf};
 
+use oracle::field::data;
 use time_distance::{Response, Swell};
 
 const KMH: f64 = 1.0 / 3.6;
 const G: f64 = 9.80665;
 /// (s) customary for hydraulic brakes.
 const SWELL: f64 = 0.2;
-
-/// The field data, which is not part of the repository: beside it, or where `FIELD_DATA` says.
-fn data(file: &str) -> Option<String> {
-    let beside = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../../shared/data");
-    let folder = std::env::var_os("FIELD_DATA").map_or(beside, PathBuf::from);
-    let text = fs::read_to_string(folder.join(file)).ok();
-    if text.is_none() {
-        println!("{file} is not here: set FIELD_DATA to the folder that has it. Skipped.");
-    }
-    text
-}
 
 /// A vehicle from its first sample with the brakes on to its last sample: the time (s) and the distance (m)
 /// by the trapezoids between the samples, and the last speed (m/s).

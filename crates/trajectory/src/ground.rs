@@ -17,14 +17,14 @@ pub struct Ground<'a, T = f64> {
     /// (–) μ of tyres on it, outside the zones.
     pub friction: T,
     /// The zones of different friction. If zones overlap, the later one counts.
-    pub zones: &'a [Zone<'a, T>],
+    pub zones: &'a [FrictionZone<'a, T>],
     /// (–) rise per horizontal length along x and along y. All distances are measured along the plane.
     pub grade: Vector2<T>,
 }
 
 /// A part of the ground with its own friction.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Zone<'a, T = f64> {
+pub struct FrictionZone<'a, T = f64> {
     /// Its region.
     pub region: Region<'a>,
     /// (–) μ of tyres on it.

@@ -20,10 +20,10 @@
 //! ```
 //!
 //! The types: a [`Body`] on its [`Axles`], with the drag of each [`Wheel`], is a [`Chassis`]. It stands on a
-//! [`Ground`], which may have [`Zone`]s and a grade, with a [`Steer`] angle of its front wheels. [`to_rest`]
-//! follows it from a [`State`] to its [`Rest`] and passes on a [`Sample`] after each step; [`to_start`] finds
-//! every motion that leads to a [`Target`], as [`Starts`]. `to_rests` follows many motions, each an `Outset`,
-//! eight at a time. The closed forms are in [`closed`].
+//! [`Ground`], which may have [`FrictionZone`]s and a grade, with a [`Steer`] angle of its front wheels.
+//! [`to_rest`] follows it from a [`State`] to its [`Rest`] and passes on a [`Sample`] after each step;
+//! [`to_start`] finds every motion that leads to a [`Target`], as [`Starts`]. `to_rests` follows many
+//! motions, each an `Outset`, eight at a time. The closed forms are in [`closed`].
 //!
 //! Frames and signs are those of `pim_core`: y to the left of x, angles and yaw rates counter-clockwise.
 //! Wheels are ordered front left, front right, rear left, rear right. The equations are in theory, section
@@ -107,7 +107,7 @@ pub use chassis::{Axles, Chassis, GREATEST_DRAG, Wheel};
 pub use error::NoRest;
 pub use field::GRAVITY;
 pub use forward::to_rest;
-pub use ground::{GREATEST_FRICTION, GREATEST_GRADE, Ground, Region, Zone};
+pub use ground::{FrictionZone, GREATEST_FRICTION, GREATEST_GRADE, Ground, Region};
 pub use pim_core::{Body, InvalidInput, Motion, Vector2};
 pub use real::Real;
 pub use state::{Control, MotionEnergy, Rest, Sample, State};

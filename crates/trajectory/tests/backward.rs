@@ -1,8 +1,8 @@
 //! The search back from rests of forward runs.
 
 use trajectory::{
-    Chassis, Control, Ground, REACHED, Region, StartMotion, State, Steer, Target, Unreached, Vector2, Zone,
-    to_rest, to_start,
+    Chassis, Control, FrictionZone, Ground, REACHED, Region, StartMotion, State, Steer, Target, Unreached,
+    Vector2, to_rest, to_start,
 };
 
 use crate::scenes::{car, random, start, turned_car};
@@ -82,7 +82,7 @@ fn what_is_missed_once_is_sought_again() {
 fn a_start_is_found_over_changing_ground() {
     let chassis = car([0.3; 4]);
     let ground = Ground {
-        zones: &[Zone { region: Region::half_plane(Vector2::new(4.0, 0.0), 0.3), friction: 0.35 }],
+        zones: &[FrictionZone { region: Region::half_plane(Vector2::new(4.0, 0.0), 0.3), friction: 0.35 }],
         ..Ground::level(0.8)
     };
     let start = start(0.2, [9.0, 3.0], 2.5);

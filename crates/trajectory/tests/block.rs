@@ -1,7 +1,7 @@
 //! Many motions at once.
 
 use trajectory::{
-    Control, Ground, NoRest, Outset, Region, Rest, State, Steer, Vector2, Zone, to_rest, to_rests,
+    Control, FrictionZone, Ground, NoRest, Outset, Region, Rest, State, Steer, Vector2, to_rest, to_rests,
 };
 
 use crate::scenes::{car, random, start, turned_car};
@@ -59,13 +59,16 @@ fn motions_over_zones_have_the_bits_of_runs_alone() {
                 .map(|[a, b]| Vector2::new(x + half * a, y + half * b))
         })
         .collect();
-    let zones: Vec<[Zone<'_>; 2]> = corners
+    let zones: Vec<[FrictionZone<'_>; 2]> = corners
         .iter()
         .map(|corners| {
             let point = Vector2::new(12.0 * random() - 6.0, 12.0 * random() - 6.0);
             [
-                Zone { region: Region::half_plane(point, 7.0 * random()), friction: 0.2 + 0.5 * random() },
-                Zone { region: Region::Polygon(corners), friction: 0.2 + 0.7 * random() },
+                FrictionZone {
+                    region: Region::half_plane(point, 7.0 * random()),
+                    friction: 0.2 + 0.5 * random(),
+                },
+                FrictionZone { region: Region::Polygon(corners), friction: 0.2 + 0.7 * random() },
             ]
         })
         .collect();
@@ -103,8 +106,10 @@ fn many_borders_end_like_those_of_a_run_alone() {
             [(left, -99.0), (right, -99.0), (right, 99.0), (left, 99.0)].map(|(x, y)| Vector2::new(x, y))
         })
         .collect();
-    let zones: Vec<Zone<'_>> =
-        stripes.iter().map(|stripe| Zone { region: Region::Polygon(stripe), friction: 0.3 }).collect();
+    let zones: Vec<FrictionZone<'_>> = stripes
+        .iter()
+        .map(|stripe| FrictionZone { region: Region::Polygon(stripe), friction: 0.3 })
+        .collect();
     let mut outsets = outsets(40);
     for outset in &mut outsets {
         outset.ground.zones = &zones;
@@ -138,7 +143,7 @@ fn a_motion_does_not_depend_on_its_neighbours() {
 /// Motions that lanes do not follow, or not to the end, among those that they do.
 #[test]
 fn zones_steering_and_errors_stand_among_others() {
-    let zones = [Zone { region: Region::half_plane(Vector2::new(4.0, 0.0), 0.3), friction: 0.35 }];
+    let zones = [FrictionZone { region: Region::half_plane(Vector2::new(4.0, 0.0), 0.3), friction: 0.35 }];
     let steering = [(0.0, 0.0), (1.0, 0.3)];
     let mut outsets = outsets(20);
     outsets[3].ground = Ground { zones: &zones, ..Ground::level(0.8) };

@@ -4,8 +4,8 @@ use std::f64::consts::FRAC_PI_2;
 
 use trajectory::closed::{Slide, Spin, spins};
 use trajectory::{
-    Axles, Body, Chassis, Control, GRAVITY, Ground, NoRest, Region, Rest, State, Steer, Vector2, Zone,
-    to_rest,
+    Axles, Body, Chassis, Control, FrictionZone, GRAVITY, Ground, NoRest, Region, Rest, State, Steer,
+    Vector2, to_rest,
 };
 
 use crate::scenes::{car, start};
@@ -118,8 +118,8 @@ fn a_grade_holds_or_moves_the_vehicle() {
 fn ground_that_changes() {
     let corners = [(8.0, -3.0), (30.0, -3.0), (30.0, 3.0), (8.0, 3.0)].map(|(x, y)| Vector2::new(x, y));
     let zones = [
-        Zone { region: Region::half_plane(Vector2::new(8.0, 5.0), 0.0), friction: 0.3 },
-        Zone { region: Region::Polygon(&corners), friction: 0.3 },
+        FrictionZone { region: Region::half_plane(Vector2::new(8.0, 5.0), 0.0), friction: 0.3 },
+        FrictionZone { region: Region::Polygon(&corners), friction: 0.3 },
     ];
     let (a, b, v) = (1.2, 1.45, 14.0_f64);
     let front = b / (a + b);
@@ -139,9 +139,10 @@ fn ground_that_changes() {
 /// The same turned by a quarter turn, with two zones of which the later counts.
 #[test]
 fn the_later_zone_counts() {
-    let slippery = Zone { region: Region::half_plane(Vector2::new(0.0, -50.0), FRAC_PI_2), friction: 0.1 };
-    let rough = Zone { friction: 0.8, ..slippery };
-    let way = |zones: &[Zone]| {
+    let slippery =
+        FrictionZone { region: Region::half_plane(Vector2::new(0.0, -50.0), FRAC_PI_2), friction: 0.1 };
+    let rough = FrictionZone { friction: 0.8, ..slippery };
+    let way = |zones: &[FrictionZone]| {
         rest(&car([1.0; 4]), &Ground { zones, ..Ground::level(0.5) }, &start(0.0, [0.0, 9.0], 0.0)).distance
     };
     assert!((way(&[slippery, rough]) - 81.0 / (1.6 * GRAVITY)).abs() < 1e-9);

@@ -41,7 +41,7 @@
 //! | [`tornado`] → [`Tornado`] | one input at a time, from low to high |
 //! | [`FirstOrder`] | propagation by derivatives, and whether it differs from the samples |
 //! | [`Sampler`] | the inputs of the samples, generated again |
-//! | [`random`], [`normal`], [`in_order`], [`for_each`] | building blocks for other engines: random bits by index, standard normal numbers, work shared among threads |
+//! | [`random`], [`normal`], [`order_statistic`], [`in_order`], [`for_each`] | building blocks for other engines: random bits by index, standard normal numbers, work shared among threads |
 //!
 //! # Guarantees
 //!
@@ -101,5 +101,5 @@ pub use propagate::{Propagation, propagate};
 pub use run::{Instructions, Progress, Span, for_each, in_order, join};
 pub use sampler::{Sampler, Settings};
 pub use sensitivity::{Index, Indices, SobolIndices, sensitivity};
-pub use summary::{Classes, Estimate, Histogram, Interval, LEVELS, Summary};
+pub use summary::{Classes, Estimate, Histogram, Interval, LEVELS, Summary, order_statistic};
 pub use tornado::{Bar, End, TORNADO_PROBABILITIES, Tornado, tornado};

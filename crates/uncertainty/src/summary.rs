@@ -194,6 +194,16 @@ impl Place {
     }
 }
 
+/// The order statistic at a position among ascending values, counted from 0, linear between two of them; NaN
+/// if there are none. For a probability p the convention of the caller gives the position: (n − 1)p is type 7
+/// of Hyndman and Fan, np − ½ their type 5, and ⌊np⌋ a value that occurred.
+#[must_use]
+pub fn order_statistic(ascending: &[f64], position: f64) -> f64 {
+    let Some(last) = ascending.len().checked_sub(1) else { return f64::NAN };
+    let place = Place::at(position.clamp(0.0, last as f64), ascending.len());
+    place.between(ascending[place.below], ascending[place.above])
+}
+
 /// Whether enough samples lie beyond a quantile for its standard error.
 fn tail_is_populated(probability: f64, count: usize) -> bool {
     count as f64 * probability.min(1.0 - probability) >= TAIL_SAMPLES
@@ -202,9 +212,12 @@ fn tail_is_populated(probability: f64, count: usize) -> bool {
 impl Place {
     /// Its value, from the order statistics that it [wants](Self::wanted).
     fn value(&self, order: &Order) -> f64 {
-        let (low, high) = (order.at(self.below), order.at(self.above));
+        self.between(order.at(self.below), order.at(self.above))
+    }
+
+    fn between(&self, low: f64, high: f64) -> f64 {
         // Q = x₍ₖ₎ + (h − k)·(x₍ₖ₊₁₎ − x₍ₖ₎)
-        low + (high - low) * self.part
+        if self.part > 0.0 { low + (high - low) * self.part } else { low }
     }
 
     /// Half of the distance between the order statistics on either side, if there are enough samples.

@@ -2,7 +2,7 @@
 
 use case::Diagnostics;
 use crash3::CrushError;
-use estimate::Failure;
+use estimate::NoDraws;
 use pim_core::{InvalidInput, VehicleId};
 use reconcile::{MomentumError, ReconcileError};
 use thiserror::Error;
@@ -110,7 +110,7 @@ pub enum ValidationError {
         /// The test.
         test: u8,
         /// The reason.
-        source: Box<Failure>,
+        source: Box<NoDraws>,
     },
     /// Momentum does not give both speeds.
     #[error("test {test}: {source}")]

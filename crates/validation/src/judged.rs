@@ -16,10 +16,10 @@
 //! No source was found for the error of the yaw rate: most of it is that of the model, whose impulse acts at
 //! one point. It is fitted to the other ten tests, with their true speeds given.
 
-use estimate::{DrawnQuantity, Posterior, Settings, Verdict, sample_quietly};
+use estimate::{DrawnQuantity, ParticleSettings, Posterior, Verdict, sample_quietly};
 use evidence::{
-    After, Behind, BodyNumbers, Collision, Crush, Damage, FITTED, Fitted, Measured, MeasuredSpeed, Model,
-    Number, Observed, ObservedVehicle, Output, Speeds, Vehicle,
+    Behind, BodyNumbers, Collision, CollisionModel, CrushNumbers, DamagedSide, DrawnOutput, FITTED, Fitted,
+    Measured, MeasuredSpeed, Number, Observed, ObservedVehicle, PostImpactMotion, Speeds, VehicleNumbers,
 };
 use pim_core::{Motion, VehicleId};
 use real::Real;
@@ -179,7 +179,7 @@ pub fn judge_speeds_assuming(
         Subject::of(&staged, &scene)
     });
     let subjects = subjects.collect::<Result<Vec<_>, ValidationError>>()?;
-    let settings = Settings::new(particles, seed);
+    let settings = ParticleSettings::new(particles, seed);
     let yaw_rate_sds = match after_impact {
         AfterImpact::Velocities => vec![None; subjects.len()],
         AfterImpact::VelocitiesAndYawRates => {
@@ -195,7 +195,7 @@ pub fn judge_speeds_assuming(
 fn yaw_rate_sds_of_others(
     subjects: &[Subject],
     assumed: &AssumedErrors,
-    settings: &Settings,
+    settings: &ParticleSettings,
 ) -> Result<Vec<f64>, ValidationError> {
     let mut of_sds = Vec::new();
     for sd in YAW_RATE_SDS {
@@ -223,8 +223,8 @@ struct Subject {
     contacts: [[f64; 2]; 2],
     /// (rad)
     crush_plane: f64,
-    crushes: [Crush; 2],
-    hit: [Damage; 2],
+    crushes: [CrushNumbers; 2],
+    hit: [DamagedSide; 2],
     after: [Motion; 2],
     /// (m/s)
     true_speeds: [f64; 2],
@@ -266,8 +266,12 @@ impl Subject {
         length_and_direction(one - two).0
     }
 
-    fn posterior(&self, collision: &Collision, settings: &Settings) -> Result<Posterior, ValidationError> {
-        let model = Model::new(collision);
+    fn posterior(
+        &self,
+        collision: &Collision,
+        settings: &ParticleSettings,
+    ) -> Result<Posterior, ValidationError> {
+        let model = CollisionModel::new(collision);
         sample_quietly(&model, &model, settings)
             .map_err(|source| ValidationError::Estimate { test: self.test, source: Box::new(source) })
     }
@@ -276,12 +280,12 @@ impl Subject {
         &self,
         yaw_rate_sd: Option<f64>,
         assumed: &AssumedErrors,
-        settings: &Settings,
+        settings: &ParticleSettings,
     ) -> Result<JudgedTest, ValidationError> {
         let posterior = self.posterior(&self.collision(yaw_rate_sd, false, assumed)?, settings)?;
         let moved = VehicleId::ALL.into_iter().zip(self.true_speeds).filter(|(_, speed)| *speed > STOOD);
         let speeds = moved.map(|(vehicle, true_speed)| {
-            let summary = posterior.summary(DrawnQuantity::Output(Output::Speed(vehicle).column()));
+            let summary = posterior.summary(DrawnQuantity::Output(DrawnOutput::Speed(vehicle).column()));
             let interval = summary.intervals[NINETY_FIVE];
             JudgedSpeed {
                 vehicle,
@@ -314,12 +318,12 @@ impl Subject {
         let factor = |ln_sd| unknown(Distribution::log_normal(1.0, ln_sd));
         let vehicle = |i: usize| {
             let [ahead, left] = self.contacts[i];
-            Ok::<_, ValidationError>(Vehicle {
+            Ok::<_, ValidationError>(VehicleNumbers {
                 body: Some(self.bodies[i]),
                 heading: self.headings[i].into(),
                 contact: [normal(ahead, fitted.contact_sd)?, normal(left, fitted.contact_sd)?],
                 yaw_rate: 0.0.into(),
-                crush: Some(Crush {
+                crush: Some(CrushNumbers {
                     slope: factor(fitted.slope_ln_sd)?,
                     no_damage_speed: factor(fitted.no_damage_speed_ln_sd)?,
                     ..self.crushes[i]
@@ -328,7 +332,7 @@ impl Subject {
         };
         let observed = |i: usize| {
             let (speed, direction) = length_and_direction(self.after[i].velocity);
-            let after = After {
+            let after = PostImpactMotion {
                 speed: Some(MeasuredSpeed { value: speed, ln_sd: speed_ln_sd, least: 0.0 }),
                 direction: Some(Measured { value: direction, sd: direction_sd }),
                 yaw_rate: yaw_rate_sd.map(|sd| Measured { value: self.after[i].yaw_rate, sd }),
@@ -365,8 +369,8 @@ impl Subject {
 
 #[cfg(test)]
 mod tests {
-    use estimate::{DrawnQuantity, Settings};
-    use evidence::Output;
+    use estimate::{DrawnQuantity, ParticleSettings};
+    use evidence::DrawnOutput;
     use pim_core::VehicleId;
 
     use super::{AssumedErrors, Subject};
@@ -389,9 +393,10 @@ mod tests {
                 assert!((sum - energy).abs() < 1e-9 * energy, "test {}: {sum} is not {energy}", subject.test);
             }
             let known = subject.collision(None, true, &AssumedErrors::STATED).unwrap();
-            let posterior = subject.posterior(&known, &Settings::new(128, 1)).unwrap();
+            let posterior = subject.posterior(&known, &ParticleSettings::new(128, 1)).unwrap();
             for id in VehicleId::ALL {
-                let speed = posterior.summary(DrawnQuantity::Output(Output::Speed(id).column())).median.value;
+                let speed =
+                    posterior.summary(DrawnQuantity::Output(DrawnOutput::Speed(id).column())).median.value;
                 assert!(
                     (speed - subject.true_speeds[id.index()]).abs() < 1e-9,
                     "test {}: {speed}",

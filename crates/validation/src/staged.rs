@@ -5,7 +5,7 @@ use std::f64::consts::{PI, TAU};
 use analysis::{Analysis, Impact};
 use case::CaseFile;
 use crash3::{CrushError, EnergyBasis, Profile, Side, SideStiffness, StruckVehicle};
-use evidence::{Crush, Damage};
+use evidence::{CrushNumbers, DamagedSide};
 use pim_core::{Law, Tangential};
 use reconcile::{Problem, Unknown};
 
@@ -88,12 +88,12 @@ impl Staged {
     }
 
     /// Where each vehicle was hit.
-    pub(crate) fn hit(&self) -> Result<[Damage; 2], ValidationError> {
+    pub(crate) fn hit(&self) -> Result<[DamagedSide; 2], ValidationError> {
         Ok(self.struck()?.each_ref().map(|vehicle| vehicle.side.into()))
     }
 
     /// The crush of both vehicles from their profiles and the stiffness of the case.
-    pub(crate) fn crushes(&self) -> Result<[Crush; 2], ValidationError> {
+    pub(crate) fn crushes(&self) -> Result<[CrushNumbers; 2], ValidationError> {
         let crush = |i: usize| {
             let damage = self.analysis.vehicles[i].damage.as_ref().ok_or_else(|| self.incomplete("crush"))?;
             let SideStiffness::Uniform(stiffness) = &damage.structure else {
@@ -102,7 +102,7 @@ impl Staged {
             let sums =
                 Profile::equally_spaced(damage.depths.clone(), damage.width).map_err(self.crushed())?.sums();
             // E = G L + A S₁ + B S₂
-            Ok(Crush {
+            Ok(CrushNumbers {
                 constant: stiffness.g() * sums.width,
                 linear: stiffness.a() * sums.area,
                 square: stiffness.b() * sums.second_moment,

@@ -17,6 +17,7 @@
 #![allow(missing_docs, reason = "symbols of theory.md")]
 
 pub mod compare;
+pub mod field;
 pub mod scenes;
 pub mod written;
 

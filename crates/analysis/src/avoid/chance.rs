@@ -1,6 +1,6 @@
 //! How probable it is that the collision was avoidable: the scene again for each sample of its numbers.
 
-use ::uncertainty::{Distribution, LANES, Lanes, Sampler, SamplingMethod, Settings, random};
+use ::uncertainty::{Distribution, LANES, Lanes, Sampler, SamplingMethod, Settings, order_statistic, random};
 use inputs::{AvoidForm, Input};
 
 use super::scene::{AvoidScene, Sight};
@@ -240,15 +240,9 @@ impl AvoidInterval {
     }
 }
 
-/// The order statistic of sorted values.
+/// The value of a sample, below which this share of the values lies.
 fn quantile(sorted: &[f64], probability: f64) -> f64 {
-    #[allow(
-        clippy::cast_possible_truncation,
-        clippy::cast_sign_loss,
-        reason = "a share of the number of values, which is not negative"
-    )]
-    let place = (probability * ratio(sorted.len(), 1)) as usize;
-    sorted.get(place.min(sorted.len().saturating_sub(1))).copied().unwrap_or(f64::NAN)
+    order_statistic(sorted, (probability * ratio(sorted.len(), 1)).floor())
 }
 
 #[allow(clippy::cast_precision_loss, reason = "numbers of samples are small")]

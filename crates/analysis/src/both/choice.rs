@@ -22,7 +22,7 @@ use crate::thresholds::{
     ARM_ERROR, DIRECTION_AFTER_ERROR, HIGH_RESTITUTION, PLANE_ERROR, RATIO_BEYOND, RESTITUTION_ERROR,
     SPEED_AFTER_ERROR, YAW_RATE_ERROR, YAW_RATE_SHARE,
 };
-use crate::travel::{Origin, Record};
+use crate::travel::{Record, TravelOrigin};
 
 /// The evidence with which the speeds of a combination are compared.
 #[derive(Clone, Copy)]
@@ -282,7 +282,7 @@ fn again(posed: &Posed, momentum: Momentum, basis: Basis) -> Result<Option<ByCru
 
 /// The starts that lead to the rest position of a vehicle, the one of the record first.
 fn starts(record: &Record, id: VehicleId) -> Vec<Sought> {
-    let travel = record.travel[id.index()].as_ref().filter(|travel| travel.origin == Origin::Rest);
+    let travel = record.travel[id.index()].as_ref().filter(|travel| travel.origin == TravelOrigin::Rest);
     travel.map_or_else(
         || vec![None],
         |travel| std::iter::once(travel.used()).chain(travel.others.iter().copied()).map(Some).collect(),

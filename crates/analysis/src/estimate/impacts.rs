@@ -3,10 +3,12 @@
 use ::estimate::Independent;
 use ::uncertainty::{LANES, Lanes};
 use evidence::{CrushChange, Impacted, Impacts, LEAST_APPROACH, OtherCrush, Way};
-use inputs::{Basis, Case, Collision, Dimension, MotionInput, Quantity, SharedEffects, SkidData, Velocity};
+use inputs::{
+    Basis, Case, CollisionData, Dimension, MotionInput, Quantity, SharedEffects, SkidData, Velocity,
+};
 use pim_core::{Law, Motion, Outcome, Tangential, Vector2, VehicleId};
 use real::elementary::sin_cos;
-use trajectory::{Control, Ground, Outset, State, Zone, to_rests};
+use trajectory::{Control, FrictionZone, Ground, Outset, State, to_rests};
 
 use super::block::Block;
 use super::posed::{OpenSpeeds, Posed};
@@ -267,7 +269,7 @@ impl CaseImpacts {
 /// The collision of a case; `None` where the engine refuses it.
 fn pose(case: &Case) -> Option<Posed> {
     let input = case.collision().ok()?;
-    let Collision { contact, law, motions, vehicles } = input.collision;
+    let CollisionData { contact, law, motions, vehicles } = input.collision;
     let vehicles = assess(vehicles, [None, None]).ok()?;
     let whole = crush_energy(&vehicles);
     let first = vehicles[0].crush_energy().unwrap_or_default();
@@ -279,7 +281,7 @@ fn pose(case: &Case) -> Option<Posed> {
 fn follow(id: VehicleId, wanted: [bool; LANES], motions: &[Option<MotionInput>], impacts: &mut [Impacted]) {
     let inputs = motions.iter().enumerate().filter(|(lane, _)| wanted[*lane] && impacts[*lane].is_possible);
     let inputs: Vec<_> = inputs.filter_map(|(lane, motion)| Some((lane, motion.as_ref()?))).collect();
-    let zones: Vec<Vec<Zone<'_>>> = inputs.iter().map(|(_, input)| input.surface.zones()).collect();
+    let zones: Vec<Vec<FrictionZone<'_>>> = inputs.iter().map(|(_, input)| input.surface.zones()).collect();
     let mut lanes = Vec::with_capacity(LANES);
     let mut outsets = Vec::with_capacity(LANES);
     for ((lane, input), zones) in inputs.into_iter().zip(&zones) {

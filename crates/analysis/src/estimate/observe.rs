@@ -5,8 +5,8 @@ mod damage;
 mod recorder;
 mod skid;
 
-use evidence::{Damage, FITTED, InjuryRisk, Limits, MeasuredSpeed, Observed, ObservedVehicle, Severity};
-use inputs::{Case, Collision, GivenVehicle, MotionInput, Prior, Quantity};
+use evidence::{DamagedSide, FITTED, InjuryRisk, Limits, MeasuredSpeed, Observed, ObservedVehicle, Severity};
+use inputs::{Case, CollisionData, GivenVehicle, MotionInput, Quantity, SeverityPrior};
 use pim_core::VehicleId;
 
 use super::notes::{Notes, Unused, UnusedReason};
@@ -28,9 +28,9 @@ const DEGREE: f64 = std::f64::consts::PI / 180.0;
 #[derive(Clone, Copy)]
 pub(super) struct Scene<'a> {
     pub(super) case: &'a Case,
-    pub(super) prior: Prior,
+    pub(super) prior: SeverityPrior,
     pub(super) ranges: &'a [UncertainInput],
-    pub(super) nominal: &'a Collision,
+    pub(super) nominal: &'a CollisionData,
     pub(super) motion: Option<&'a MotionInput>,
     /// Whether each vehicle is followed to rest.
     pub(super) followed: [bool; 2],
@@ -81,12 +81,13 @@ pub(super) fn observe(scene: &Scene<'_>) -> (Observed, Notes) {
         notes.unused.push(Unused { key, reason: UnusedReason::OtherPdof });
     }
     let given = case.estimate.unwrap_or_default();
-    let hit: Vec<Damage> = damage::movers(case).map(|id| damage(id, nominal, reference)).collect();
+    let hit: Vec<DamagedSide> = damage::movers(case).map(|id| damage(id, nominal, reference)).collect();
     let of_object = is_with_object(case, &hit);
-    let fitted = if prior == Prior::SeriousInjury { FITTED.of_injured(InjuryRisk::SERIOUS) } else { FITTED };
+    let fitted =
+        if prior == SeverityPrior::SeriousInjury { FITTED.of_injured(InjuryRisk::SERIOUS) } else { FITTED };
     let usual = if of_object { fitted.objects.severity } else { fitted.severity_of(&hit) };
     let median = given.delta_v_median.as_ref().map_or(usual.median, Quantity::si);
-    let times = if hit == [Damage::Side; 2] { SIDESWIPE_SPREAD } else { 1.0 };
+    let times = if hit == [DamagedSide::Side; 2] { SIDESWIPE_SPREAD } else { 1.0 };
     let severity = Severity { median, ln_sd: usual.ln_sd * times, ..usual };
     let severity = if of_object { severity.of_uniform_speed() } else { severity };
     let crush = (crushed != Crushed::No).then(|| {
@@ -94,7 +95,7 @@ pub(super) fn observe(scene: &Scene<'_>) -> (Observed, Notes) {
             damage::crush_errors(case, energies(crushed, case), ranges, &hit, of_object);
         (notes.take((errors, found)), figures)
     });
-    let severity = (prior != Prior::Flat).then_some(severity);
+    let severity = (prior != SeverityPrior::Flat).then_some(severity);
     let figures = crush.and_then(|(_, figures)| figures);
     (Observed { vehicles, severity, crush: crush.map(|(errors, _)| errors), figures }, notes)
 }
@@ -104,7 +105,7 @@ fn vehicle(scene: &Scene<'_>, id: VehicleId) -> (ObservedVehicle, Notes) {
     let Scene { case, ranges, nominal, motion, followed, reference, .. } = *scene;
     let subject = Subject { case, ranges, id };
     let way = motion.filter(|_| followed[id.index()]).and_then(|motion| motion.vehicles[id.index()].as_ref());
-    let is_side = damage(id, nominal, reference) == Damage::Side;
+    let is_side = damage(id, nominal, reference) == DamagedSide::Side;
     let mut notes = Notes::default();
     let skid_speed = notes.take(skid::speed(subject));
     let after = notes.take(after::after(subject));

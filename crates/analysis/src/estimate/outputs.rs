@@ -2,7 +2,7 @@
 
 use ::estimate::{Evidence, Hurdle, Part, Posterior, Prior};
 use ::uncertainty::{LANES, Lanes};
-use evidence::{Impacted, Impacts, Model};
+use evidence::{CollisionModel, Impacted, Impacts};
 use inputs::Axes;
 use pim_core::VehicleId;
 
@@ -13,7 +13,7 @@ use crate::uncertainty::beside;
 
 /// The model of a case, with the results that are told of each draw.
 pub(super) struct Told<'a> {
-    model: &'a Model<CaseImpacts>,
+    model: &'a CollisionModel<CaseImpacts>,
     outputs: Vec<Output>,
     axes: Axes,
     /// (rad) PDOF of both vehicles if the force were normal to the crush plane: the angles are counted
@@ -37,7 +37,7 @@ pub(super) fn of(impacts: &CaseImpacts) -> Vec<Output> {
 }
 
 impl<'a> Told<'a> {
-    pub(super) fn new(model: &'a Model<CaseImpacts>, axes: Axes, reference: [f64; 2]) -> Self {
+    pub(super) fn new(model: &'a CollisionModel<CaseImpacts>, axes: Axes, reference: [f64; 2]) -> Self {
         let outputs = of(model.leads());
         Self { model, outputs, axes, reference }
     }

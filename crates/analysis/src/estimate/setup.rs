@@ -4,11 +4,11 @@ use std::f64::consts::FRAC_PI_2;
 
 use ::estimate::Independent;
 use ::uncertainty::Distribution;
-use evidence::{Damage, EnergyMethod, FITTED, Observed, OtherCrush, Speeds};
+use evidence::{DamagedSide, EnergyMethod, FITTED, Observed, OtherCrush, Speeds};
 use inputs::{
-    BrachTangential, Case, Collision, Dimension, Fault, FaultKind, Faults, Find, GivenVehicle, ImpactLaw,
-    Input, MotionInput, Origin, Prior, Purpose, Quantity, Reconstruct, Restitution, SharedEffects, SkidBegin,
-    Unit, Velocity, YawForm,
+    BrachTangential, Case, CollisionData, Dimension, Fault, FaultKind, Faults, Find, GivenVehicle, ImpactLaw,
+    Input, MotionInput, Origin, Purpose, Quantity, Reconstruct, Restitution, SeverityPrior, SharedEffects,
+    SkidBegin, Unit, Velocity, YawForm,
 };
 use pim_core::VehicleId;
 use real::Real;
@@ -90,7 +90,7 @@ pub(super) struct Before {
 
 /// The starting point of an estimate.
 pub(super) struct Setup {
-    pub(super) prior: Prior,
+    pub(super) prior: SeverityPrior,
     pub(super) impacts: CaseImpacts,
     pub(super) observed: Observed,
     pub(super) unknown: Vec<Before>,
@@ -102,7 +102,7 @@ pub(super) struct Setup {
     /// How the crush energy of each vehicle was obtained, if it is evidence.
     pub(super) energies: [Option<EnergyMethod>; 2],
     /// Where both vehicles were hit, where both move and neither speed is known.
-    pub(super) hit: Option<[Damage; 2]>,
+    pub(super) hit: Option<[DamagedSide; 2]>,
     /// Whether the front of a vehicle of unknown speed met a fixed object.
     pub(super) is_with_object: bool,
     /// (rad) PDOF of both vehicles if the force were normal to the crush plane.
@@ -135,7 +135,7 @@ impl Unknowns {
     }
 }
 
-pub(super) fn of(case: &Case, prior: Option<Prior>) -> Result<Setup, Failure> {
+pub(super) fn of(case: &Case, prior: Option<SeverityPrior>) -> Result<Setup, Failure> {
     crate::recorded::is_read(case)?;
     let (case, aside) = with_records_of_impact(case);
     let case = case.as_ref();
@@ -191,7 +191,7 @@ pub(super) fn of(case: &Case, prior: Option<Prior>) -> Result<Setup, Failure> {
     };
     let hit = VehicleId::ALL.into_iter().all(is_open);
     let hit = hit.then(|| VehicleId::ALL.map(|id| damage(id, &nominal, reference)));
-    let hit_of_movers: Vec<Damage> = VehicleId::ALL
+    let hit_of_movers: Vec<DamagedSide> = VehicleId::ALL
         .into_iter()
         .filter(|id| !case.vehicles[id.index()].fixed)
         .map(|id| damage(id, &nominal, reference))
@@ -464,7 +464,7 @@ fn is_observed(path: &str) -> bool {
 fn slots(
     case: &Case,
     ranges: &[UncertainInput],
-    nominal: &Collision,
+    nominal: &CollisionData,
     followed: [bool; 2],
     unknowns: &mut Unknowns,
 ) -> Result<Vec<Slot>, Failure> {
@@ -562,7 +562,7 @@ fn coefficient(
 }
 
 /// (SI) the usual uncertainty of a number without a range, if that matters.
-fn usual_sd(input: &Input, case: &Case, nominal: &Collision) -> Option<(f64, Assumed)> {
+fn usual_sd(input: &Input, case: &Case, nominal: &CollisionData) -> Option<(f64, Assumed)> {
     if input.origin != Origin::Given {
         return None;
     }
@@ -650,7 +650,7 @@ fn stood(sought: [bool; 2], case: &Case) -> [f64; 2] {
 fn speeds(
     sought: [bool; 2],
     stood: [f64; 2],
-    prior: Prior,
+    prior: SeverityPrior,
     case: &Case,
     unknowns: &mut Unknowns,
 ) -> Result<OpenSpeeds, Failure> {
@@ -707,7 +707,7 @@ fn speeds(
         [false, true] => OpenSpeeds::One(VehicleId::Two, alone(VehicleId::Two)?),
         [true, true] => {
             let backward = limits.iter().any(|[least, _]| *least < 0.0);
-            if prior == Prior::Flat || backward {
+            if prior == SeverityPrior::Flat || backward {
                 OpenSpeeds::Each([alone(VehicleId::One)?, alone(VehicleId::Two)?])
             } else {
                 OpenSpeeds::Together(Speeds::Together {

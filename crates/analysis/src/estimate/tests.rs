@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use std::ops::ControlFlow;
 
 use case::CaseFile;
-use inputs::{Case, Prior};
+use inputs::{Case, SeverityPrior};
 
 use super::*;
 use crate::columns::tests::{AnyCase, FORMS, any_case};
@@ -97,7 +97,7 @@ fn the_speed_after_tells_that_before() {
 #[test]
 fn every_number_of_particles_that_an_island_can_have_runs() {
     let case = read(&format!("{CENTRAL}[vehicle2.after]\nspeed = \"11 m/s\"\ndirection = \"0 deg\"\n"));
-    assert!(::estimate::Settings::can_have(640) && !::estimate::Settings::can_have(160));
+    assert!(::estimate::ParticleSettings::can_have(640) && !::estimate::ParticleSettings::can_have(160));
     let estimated = run(&case, 640).unwrap();
     assert!(estimated.draws_before(speed(VehicleId::One)).is_some());
 }
@@ -412,12 +412,12 @@ fn proposals_that_are_refused_need_no_rest() {
     );
     let text = text.replace("yaw_radius", "class = 3\nyaw_radius");
     let setup = setup::of(&read(&text), None).unwrap();
-    let model = Model::of(setup.impacts, setup.observed);
+    let model = CollisionModel::of(setup.impacts, setup.observed);
     for id in VehicleId::ALL {
         assert!(model.pieces().contains(&Piece::Rest(id)) && model.pieces().contains(&Piece::Points(id)));
     }
     let told = Told::new(&model, inputs::Axes::ZUp, setup.reference);
-    let settings = Settings { islands: 4, ..Settings::new(128, 1) };
+    let settings = ParticleSettings { islands: 4, ..ParticleSettings::new(128, 1) };
     let in_parts = ::estimate::sample_quietly(&told, &told, &settings).unwrap();
     let whole = ::estimate::sample_quietly(&told, &Whole(&told), &settings).unwrap();
     assert_eq!(in_parts.values(), whole.values());
@@ -931,7 +931,7 @@ fn two_rests_take_few_likelihoods() {
 fn a_rest_that_is_not_used_needs_no_way() {
     let setup = setup::of(&read(&at_rest(REST)), None).unwrap();
     let columns = columns_of(&setup.impacts, 1);
-    let model = Model::of(setup.impacts, setup.observed);
+    let model = CollisionModel::of(setup.impacts, setup.observed);
     let rest = model.pieces().iter().position(|piece| *piece == Piece::Rest(VehicleId::Two)).unwrap();
     let told = Told::new(&model, inputs::Axes::ZUp, setup.reference);
     let of_rest = |is_used: bool| {
@@ -1107,7 +1107,8 @@ fn a_serious_injury_is_told_beside_the_answer_and_can_be_asked_for() {
         let plan = EstimatePlan { particles: 512, seed: 1, prior, pieces: false };
         estimate(&case, &plan, &mut |_, _, _| ControlFlow::Continue(())).unwrap()
     };
-    let [field, injured, flat] = [None, Some(Prior::SeriousInjury), Some(Prior::Flat)].map(of_prior);
+    let [field, injured, flat] =
+        [None, Some(SeverityPrior::SeriousInjury), Some(SeverityPrior::Flat)].map(of_prior);
     for output in VehicleId::ALL.map(|id| DELTA_V.of_vehicle(id)) {
         let told = of(&field, output).if_injured.as_ref().unwrap().median;
         let found = of(&injured, output).posterior.median;

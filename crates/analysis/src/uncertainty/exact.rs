@@ -1,7 +1,7 @@
 //! The numbers of a case that all samples share: their errors are not in the intervals.
 
 use inputs::{
-    BrachTangential, Case, ContactSpread, Estimate, FaceAxis, ImpactLaw, Input, Origin, SharedEffects,
+    BrachTangential, Case, ContactSpread, EstimatedInput, FaceAxis, ImpactLaw, Input, Origin, SharedEffects,
 };
 use pim_core::VehicleId;
 use real::Gradient;
@@ -23,7 +23,7 @@ pub enum ExactValue {
     /// A number, or the numbers of a list that are not ranges.
     Numbers(Vec<Input>),
     /// A value from a table or a formula.
-    Estimate(Estimate),
+    Estimate(EstimatedInput),
     /// A choice, as a word.
     Word(&'static str),
 }
@@ -49,7 +49,7 @@ pub(super) fn taken_as_exact(
         let key = match input.origin {
             Origin::Given => input.path.split('[').next().unwrap_or_default().to_owned(),
             // Its error is that of the numbers that determine it.
-            Origin::Estimate(Estimate::Contact { vehicle, axis })
+            Origin::Estimate(EstimatedInput::Contact { vehicle, axis })
                 if case.contact_spread(vehicle, axis) == ContactSpread::OfInputs =>
             {
                 continue;

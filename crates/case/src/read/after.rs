@@ -10,7 +10,7 @@ use crate::node::Node;
 use crate::quantity::shorten;
 use crate::schema::{AFTER, BEFORE, MOST_ZONES, POINT, REST, SKID, SKID_FROM, STEER, WHEELS};
 use inputs::{
-    After, Before, Drag, MarkedWheel, PathPoint, Place, Rest, RestHeading, Skid, SkidBegin, Steer,
+    After, Before, Drag, GivenRest, GivenSteer, MarkedWheel, PathPoint, Place, RestHeading, Skid, SkidBegin,
     SteerPoint, WheelDrag,
 };
 
@@ -111,11 +111,11 @@ impl<'t> Reader<'t> {
         None
     }
 
-    fn steer(&mut self, after: &Table<'t>) -> Option<Steer> {
+    fn steer(&mut self, after: &Table<'t>) -> Option<GivenSteer> {
         const FORMS: &str = "steer = \"5 deg\" or steer = [{ time = \"0 s\", angle = \"0 deg\" }, { time = \"0.5 s\", angle = \"5 deg\" }]";
         let value = after.get("steer")?;
         if !value.get_ref().is_array() {
-            return self.quantity(after, "steer").map(Steer::Held);
+            return self.quantity(after, "steer").map(GivenSteer::Held);
         }
         let tables = self.tables(after, "steer", &STEER, FORMS, MOST_ZONES)?;
         if tables.is_empty() {
@@ -148,10 +148,10 @@ impl<'t> Reader<'t> {
                 return None;
             }
         }
-        Some(Steer::Over(points))
+        Some(GivenSteer::Over(points))
     }
 
-    fn rest(&mut self, after: &Table<'t>) -> Option<Rest> {
+    fn rest(&mut self, after: &Table<'t>) -> Option<GivenRest> {
         const FORMS: &str = "rest = { x = \"31.2 m\", y = \"9.8 m\", heading = \"140 deg\" }, or turned = \"-220 deg\" in place of heading, if it is \
                              known which way and how often it turned";
         let table = self.inline(after, "rest", &REST, "a table in braces", FORMS)?;
@@ -161,7 +161,7 @@ impl<'t> Reader<'t> {
             ["x", "y", "turned"] => RestHeading::Turned(turned?),
             _ => return self.no_form(&table, FORMS),
         };
-        Some(Rest { place: Place { x: x?, y: y? }, heading })
+        Some(GivenRest { place: Place { x: x?, y: y? }, heading })
     }
 
     fn points(&mut self, after: &Table<'t>) -> Vec<PathPoint> {

@@ -12,8 +12,8 @@ use crate::schema::{
 };
 use crate::source::span_in_text;
 use inputs::{
-    CertainSpeed, GivenEstimate, GivenPreCrash, GivenPulse, GivenSpeedErrors, Prior, Quantity, Recorder,
-    RecorderMount, SeriesRefusal, SeriesSource, StoredRecord, Text,
+    CertainSpeed, GivenEstimate, GivenPreCrash, GivenPulse, GivenSpeedErrors, Quantity, Recorder,
+    RecorderMount, SeriesRefusal, SeriesSource, SeverityPrior, StoredRecord, Text,
 };
 
 /// The columns of `pre_crash`, and those of `pulse`.
@@ -281,7 +281,7 @@ impl<'t> Reader<'t> {
         const EXACT_PRIOR: &str = "a string with a number and a unit: its spread is that of real crashes";
         const EXACT_ERROR: &str = "a string with a number and a unit: an error has no range";
         GivenEstimate {
-            prior: self.choice(table, "prior", &Prior::WORDS).unwrap_or_default(),
+            prior: self.choice(table, "prior", &SeverityPrior::WORDS).unwrap_or_default(),
             delta_v_median: self.exact_quantity(table, "delta_v_median", EXACT_PRIOR),
             crush_error: self.percent(table, "crush_error"),
             crush_bias: self.percent(table, "crush_bias"),

@@ -11,9 +11,9 @@ use crate::schema::{
 };
 use crash3::{CrushError, ObliqueCorrection};
 use inputs::{
-    ContactPoint, Crush, Dimension, Fit, GivenEes, GivenTest, GivenVehicle, Kind, KnownEnergy, Mass,
-    OBLIQUE_CORRECTIONS, Outline, Pdof, Quantity, SIDES, StiffnessForm, StiffnessLine, UNDAMAGED, Velocity,
-    YawInertia, format_number,
+    ContactPoint, Crush, Dimension, Fit, GivenEes, GivenTest, GivenVehicle, KnownEnergy, Mass,
+    OBLIQUE_CORRECTIONS, Outline, Pdof, Quantity, SIDES, StiffnessForm, StiffnessLine, UNDAMAGED,
+    VehicleKind, Velocity, YawInertia, format_number,
 };
 
 /// (–) maximum relative difference between width and sum of the spacing: both are read from a tape.
@@ -41,7 +41,7 @@ impl<'t> Reader<'t> {
         let mut vehicle = GivenVehicle {
             name: self.text(&table, "name"),
             fixed,
-            kind: self.choice(&table, "kind", &Kind::WORDS),
+            kind: self.choice(&table, "kind", &VehicleKind::WORDS),
             mass: self.mass(&table),
             yaw: self.yaw(&table),
             class: self.class(&table),

@@ -11,8 +11,8 @@
 
 use std::ops::ControlFlow;
 
-use estimate::{Evidence, Settings, sample_quietly};
-use evidence::{FITTED, FigureErrors, Fitted, Impacts, Model, Output, Piece, shown_delta_v};
+use estimate::{Evidence, ParticleSettings, sample_quietly};
+use evidence::{CollisionModel, DrawnOutput, FITTED, FigureErrors, Fitted, Impacts, Piece, shown_delta_v};
 use pim_core::VehicleId;
 use uncertainty::random::{bits, key, unit};
 use uncertainty::{LANES, Lanes, Sampler, SamplingMethod};
@@ -55,7 +55,7 @@ fn figures(bias: f64, slope_ln_sd: f64, recorder_ln_scale: f64) -> Fitted {
 
 /// ln p(recorders | all else) from draws of the prior, each with all of its terms.
 fn by_the_prior(pair: &Pair, fitted: &Fitted) -> f64 {
-    let model = Model::new(&pair.collision(fitted, &VehicleId::ALL).unwrap());
+    let model = CollisionModel::new(&pair.collision(fitted, &VehicleId::ALL).unwrap());
     let inputs = &model.leads().unknown().0;
     let samples = 1 << 18;
     let sampler =
@@ -160,12 +160,13 @@ fn simulated(truth: &Fitted, count: u64) -> Vec<Pair> {
         let [a, ..] = normals(1, number);
         let depth = 0.2 * (0.5 * a).exp();
         let pair_of = |recorders| pair(&number.to_string(), [Plane::Front, other], depth, recorders);
-        let model = Model::new(&pair_of([None; 2]).collision(truth, &[]).unwrap());
-        let posterior = sample_quietly(&model, &model, &Settings::new(128, number + 1)).unwrap();
+        let model = CollisionModel::new(&pair_of([None; 2]).collision(truth, &[]).unwrap());
+        let posterior = sample_quietly(&model, &model, &ParticleSettings::new(128, number + 1)).unwrap();
         let draw = usize::try_from(bits(2, number) % posterior.count() as u64).unwrap();
         let recorders = VehicleId::ALL.map(|id| {
-            let column = |output: Output| posterior.outputs()[output.column()][draw];
-            let (whole, along) = (column(Output::DeltaV(id)), column(Output::LongitudinalDeltaV(id)));
+            let column = |output: DrawnOutput| posterior.outputs()[output.column()][draw];
+            let (whole, along) =
+                (column(DrawnOutput::DeltaV(id)), column(DrawnOutput::LongitudinalDeltaV(id)));
             let [z, a, b, c] = normals(3 + id.index() as u64, number);
             // t₃ = z/√(χ²₃/3)
             let t = z / ((a * a + b * b + c * c) / 3.0).sqrt();

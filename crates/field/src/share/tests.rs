@@ -4,7 +4,7 @@
     reason = "expected values by other functions than the crate's; no bits are compared"
 )]
 
-use evidence::{Damage, FITTED, Fitted};
+use evidence::{DamagedSide, FITTED, Fitted};
 
 use super::{fit_share, moments};
 use crate::error::FieldError;
@@ -68,7 +68,7 @@ fn with_known_stiffnesses_the_figures_are_mean_and_spread() {
 #[test]
 fn the_spread_of_the_stiffnesses_is_not_that_of_the_shares() {
     let fleet = fleet(0.2, 0.3);
-    let crush = fleet.crush_of(Damage::Front, 1.5, 0.2, 0.05);
+    let crush = fleet.crush_of(DamagedSide::Front, 1.5, 0.2, 0.05);
     let [_, variance] = moments(&crush, &fleet).unwrap();
     assert!((variance - 0.16).abs() < 1e-9, "{variance}");
     let pairs = [0.4, 0.8, 1.1, 2.4].map(|c| pair([Plane::Front, Plane::Front], [0.2, 0.2 * c]));

@@ -4,13 +4,15 @@ use pim_core::VehicleId;
 
 use super::Case;
 use crate::crush::StiffnessForm;
-use crate::estimate::{ContactSpread, DAMAGE_LENGTH_SD, DEPTH_SD, Estimate, FaceAxis, OFFSET_SD, YawSource};
+use crate::estimate::{
+    ContactSpread, DAMAGE_LENGTH_SD, DEPTH_SD, EstimatedInput, FaceAxis, OFFSET_SD, YawSource,
+};
 
 impl<T: Copy + From<f64>> Case<T> {
     /// Whether the stiffness of each vehicle comes from a category, its radius of gyration from a class or a
     /// formula, and the contact point of an impact from the damage.
     #[must_use]
-    pub fn estimates(&self) -> Vec<Estimate> {
+    pub fn estimates(&self) -> Vec<EstimatedInput> {
         let of = |vehicle: VehicleId| {
             let given = &self.vehicles[vehicle.index()];
             let category = given.crush.as_ref().and_then(|crush| match crush.stiffness {
@@ -21,10 +23,11 @@ impl<T: Copy + From<f64>> Case<T> {
                 .yaw_form(T::from(1.0))
                 .map(|yaw| yaw.source())
                 .filter(|source| *source != YawSource::Given);
-            let stiffness = category.map(|category| Estimate::Stiffness { vehicle, category });
-            let yaw_radius = source.map(|source| Estimate::YawRadius { vehicle, source });
+            let stiffness = category.map(|category| EstimatedInput::Stiffness { vehicle, category });
+            let yaw_radius = source.map(|source| EstimatedInput::YawRadius { vehicle, source });
             let is_placed = self.impact.is_some() && given.places_contact();
-            let contact = FaceAxis::ALL.map(|axis| is_placed.then_some(Estimate::Contact { vehicle, axis }));
+            let contact =
+                FaceAxis::ALL.map(|axis| is_placed.then_some(EstimatedInput::Contact { vehicle, axis }));
             [stiffness, yaw_radius].into_iter().chain(contact).flatten().filter(|_| !given.fixed)
         };
         VehicleId::ALL.into_iter().flat_map(of).collect()

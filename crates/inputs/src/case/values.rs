@@ -5,9 +5,9 @@ use std::fmt::Display;
 
 use super::{Case, Find, LeftOut, Reconstruct, ReportHead};
 use crate::axes::Axes;
-use crate::estimate::{Departures, Estimate};
+use crate::estimate::{Departures, EstimatedInput};
 use crate::units::{Unit, UnitSystem};
-use crate::walk::{Element, Input, Origin, Others, Replace, Value, Variable, Walk};
+use crate::walk::{Element, GivenValue, Input, Origin, Others, Replace, Variable, Walk};
 use crate::words::UNKNOWNS;
 
 impl Case {
@@ -59,13 +59,13 @@ impl Case {
     /// Every value of the case, number or not, each under its path. Values that it [leaves
     /// out](Self::left_out) are not listed.
     #[must_use]
-    pub fn values(&self) -> Vec<(String, Value)> {
+    pub fn values(&self) -> Vec<(String, GivenValue)> {
         let values = RefCell::new(Vec::new());
         let tell = |path: String, value| values.borrow_mut().push((path, value));
         self.walk(
             &mut |path, number, unit, origin| {
                 if origin == Origin::Given {
-                    tell(path.to_string(), Value::Number { number, unit });
+                    tell(path.to_string(), GivenValue::Number { number, unit });
                 }
             },
             Some(&mut |path, value| tell(path.to_string(), value)),
@@ -142,15 +142,15 @@ impl<U> Walk<'_, U> {
             let mut replace =
                 |number, unit| self.replaced(&estimate, number, unit, Origin::Estimate(estimate));
             match estimate {
-                Estimate::Stiffness { vehicle, .. } => {
+                EstimatedInput::Stiffness { vehicle, .. } => {
                     let factor = stiffness[vehicle.index()].unwrap_or(1.0);
                     replaced.stiffness[vehicle.index()] = Some(replace(factor, None));
                 }
-                Estimate::YawRadius { vehicle, .. } => {
+                EstimatedInput::YawRadius { vehicle, .. } => {
                     let factor = yaw_radius[vehicle.index()].unwrap_or(1.0);
                     replaced.yaw_radius[vehicle.index()] = Some(replace(factor, None));
                 }
-                Estimate::Contact { vehicle, axis } => {
+                EstimatedInput::Contact { vehicle, axis } => {
                     let (vehicle, place) = (vehicle.index(), axis.index());
                     // In the unit of the offset; without an offset no point is placed.
                     let offset = case.vehicles[vehicle].crush.as_ref().and_then(|crush| crush.offset);

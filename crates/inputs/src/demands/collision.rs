@@ -6,7 +6,7 @@ use reconcile::Unknown;
 
 use super::{Demand, fill_opposite_pdof, table};
 use crate::axes::Axes;
-use crate::data::{Collision, DamageData, Evidence, InertiaData, VehicleData};
+use crate::data::{CollisionData, CrushEvidence, DamageData, InertiaData, VehicleData};
 use crate::fault::{Fault, FaultKind};
 use crate::form::PlacedContact;
 use crate::vehicle::{GivenVehicle, Velocity};
@@ -27,7 +27,7 @@ impl<T: Real> Demand<'_, T> {
         placed: &PlacedContact<T>,
         damage: &DamageData<T>,
     ) -> Option<[T; 2]> {
-        let Evidence::Measured { profile, structure } = &damage.evidence else { return None };
+        let CrushEvidence::Measured { profile, structure } = &damage.evidence else { return None };
         let point =
             EnergyMoments::of(profile, structure).and_then(|moments| placed.point(self.case.axes, &moments));
         self.accepted(format_args!("{}.contact", table(id)), point)
@@ -115,7 +115,7 @@ impl<T: Real> Demand<'_, T> {
     }
 
     /// The collision; `needs_speed` says whether a vehicle must have a speed.
-    pub(super) fn collision(&mut self, needs_speed: impl Fn(VehicleId) -> bool) -> Option<Collision<T>> {
+    pub(super) fn collision(&mut self, needs_speed: impl Fn(VehicleId) -> bool) -> Option<CollisionData<T>> {
         if !self.both_tables() {
             return None;
         }
@@ -129,7 +129,7 @@ impl<T: Real> Demand<'_, T> {
         let law = law?;
         let mut vehicles = [v1?, v2?];
         fill_opposite_pdof(self.case.headings(), vehicles.each_mut().map(Some));
-        Some(Collision { contact, law, motions: [m1?, m2?], vehicles })
+        Some(CollisionData { contact, law, motions: [m1?, m2?], vehicles })
     }
 
     fn participant(&mut self, id: VehicleId, data: Option<&VehicleData<T>>) -> Option<Participant<T>> {

@@ -6,7 +6,7 @@ use super::table;
 use crate::case::Find;
 use crate::crush::StiffnessForm;
 use crate::fault::{Fault, FaultKind};
-use crate::vehicle::{GivenVehicle, Kind};
+use crate::vehicle::{GivenVehicle, VehicleKind};
 
 /// Contradictions between the vehicles of a case and the speed to find, which no purpose allows.
 #[must_use]
@@ -33,7 +33,7 @@ pub fn contradictions<T>(vehicles: &[GivenVehicle<T>; 2], find: Option<Find>) ->
         );
     }
     for (id, vehicle) in VehicleId::ALL.into_iter().zip(vehicles) {
-        let Some(kind) = vehicle.kind.filter(|kind| *kind != Kind::Car) else { continue };
+        let Some(kind) = vehicle.kind.filter(|kind| *kind != VehicleKind::Car) else { continue };
         let (table, kind) = (table(id), kind.name());
         if vehicle.class.is_some() {
             contradiction(

@@ -7,7 +7,7 @@ use pim_core::{Real, VehicleId};
 
 use super::{Demand, table};
 use crate::crush::{Crush, KnownEnergy, Pdof, StiffnessForm, StiffnessLine};
-use crate::data::{DamageData, Evidence, InferredWidth, StiffnessSource, VehicleData};
+use crate::data::{CrushEvidence, DamageData, InferredWidth, StiffnessSource, VehicleData};
 use crate::dimensions::Dimensions;
 use crate::form::CrushForm;
 use crate::purpose::Purpose;
@@ -84,7 +84,7 @@ impl<T: Real> Demand<'_, T> {
         let evidence = if crush.from_force_balance {
             let width = self.inferred_width(id, crush, dimensions)?;
             match structure? {
-                SideStiffness::Uniform(stiffness) => Evidence::ForceBalance { stiffness, width },
+                SideStiffness::Uniform(stiffness) => CrushEvidence::ForceBalance { stiffness, width },
                 SideStiffness::Zones(_) => {
                     let reason =
                         "zones lie between stations, but a crush from the force balance has no stations";
@@ -93,7 +93,7 @@ impl<T: Real> Demand<'_, T> {
             }
         } else {
             let profile = self.profile(id, form);
-            Evidence::Measured { profile: profile?, structure: structure? }
+            CrushEvidence::Measured { profile: profile?, structure: structure? }
         };
         let offset = crush.offset.as_ref().map(|offset| self.case.axes.along_face(crush.side, offset.si()));
         let face = match dimensions {

@@ -8,10 +8,10 @@ use reconcile::{COLLINEAR, Departure, central_contact, point_masses};
 use trajectory::{Axles, Chassis, GREATEST_DRAG};
 
 use super::{Demand, fill_opposite_pdof, table};
-use crate::after::{After, RestHeading, Skid, SkidBegin, Steer, WheelDrag};
+use crate::after::{After, GivenSteer, RestHeading, Skid, SkidBegin, WheelDrag};
 use crate::axes::Axes;
 use crate::case::{Case, Find};
-use crate::data::{Collision, VehicleData};
+use crate::data::{CollisionData, VehicleData};
 use crate::fault::{Fault, FaultKind, Faults};
 use crate::motion::{
     Geometry, MotionInput, PointData, RegionData, RestData, RestHeadingData, SkidData, Sought, SteerData,
@@ -20,7 +20,7 @@ use crate::motion::{
 use crate::purpose::Purpose;
 use crate::quantity::Quantity;
 use crate::scene::{EdgeSide, Place, SurfaceRegion};
-use crate::vehicle::{GivenVehicle, Kind};
+use crate::vehicle::{GivenVehicle, VehicleKind};
 
 /// (m) a vehicle that came to rest no farther than this from its place at the impact has no path from which
 /// a speed could follow: no survey is more exact.
@@ -243,7 +243,7 @@ impl<T: Real> Demand<'_, T> {
             && self.collinear_angle().is_some();
         if !only_lacks || needs_all || (collision.is_some() && whole.faults.is_empty()) {
             self.faults.append(&mut whole.faults);
-            return collision.map(|Collision { contact, law, motions, vehicles }| KnownContact {
+            return collision.map(|CollisionData { contact, law, motions, vehicles }| KnownContact {
                 geometry: Geometry::Given,
                 contact,
                 law: Some(law),
@@ -480,10 +480,10 @@ impl<T: Real> Demand<'_, T> {
     fn axles(&mut self, id: VehicleId, vehicle: &GivenVehicle<T>) -> Option<Axles<T>> {
         let table = table(id);
         let of_class =
-            if vehicle.kind.unwrap_or_default() == Kind::Car { self.class(id, vehicle) } else { None };
+            if vehicle.kind.unwrap_or_default() == VehicleKind::Car { self.class(id, vehicle) } else { None };
         let class = of_class.map(|(_, class)| class);
         let given = |quantity: &Option<Quantity<T>>| quantity.as_ref().map(Quantity::si);
-        let or_class = if vehicle.kind.unwrap_or_default() == Kind::Car {
+        let or_class = if vehicle.kind.unwrap_or_default() == VehicleKind::Car {
             ", or CRASH3's size class, `class = 3`"
         } else {
             ""
@@ -537,8 +537,8 @@ impl<T: Real> Demand<'_, T> {
     fn steer(&self, after: &After<T>) -> SteerData<T> {
         match &after.steer {
             None => SteerData::Held(T::ZERO),
-            Some(Steer::Held(angle)) => SteerData::Held(self.lateral(angle)),
-            Some(Steer::Over(points)) => SteerData::Over(
+            Some(GivenSteer::Held(angle)) => SteerData::Held(self.lateral(angle)),
+            Some(GivenSteer::Over(points)) => SteerData::Over(
                 points.iter().map(|point| (point.time.si(), self.lateral(&point.angle))).collect(),
             ),
         }

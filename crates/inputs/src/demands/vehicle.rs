@@ -10,7 +10,7 @@ use crate::dimensions::Dimensions;
 use crate::estimate::YawSource;
 use crate::form::{ContactForm, DamageForm, VehicleForm};
 use crate::purpose::Purpose;
-use crate::vehicle::{GivenVehicle, Kind};
+use crate::vehicle::{GivenVehicle, VehicleKind};
 
 impl<T: Real> Demand<'_, T> {
     pub(super) fn subject(&mut self, id: VehicleId) -> Option<VehicleData<T>> {
@@ -96,7 +96,7 @@ impl<T: Real> Demand<'_, T> {
         if self.case.vehicles[id.other().index()].is_absent() || self.is_of_point_masses {
             return Some(InertiaData { mass: mass?, yaw_inertia: None, yaw_source: YawSource::Unknown });
         }
-        if vehicle.kind.unwrap_or_default() != Kind::Car {
+        if vehicle.kind.unwrap_or_default() != VehicleKind::Car {
             self.missing(
                 format_args!("{table}.yaw_inertia"),
                 "`yaw_inertia = \"2437 lb ft s^2\"` or the radius of gyration, `yaw_radius = \"1.40 m\"`; if neither is known, √((l² + w²)/12) is \

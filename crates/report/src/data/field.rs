@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use case::Prior;
+use case::SeverityPrior;
 use field::{Field, Figures, Judged, LEVELS};
 use serde::Serialize;
 
@@ -117,7 +117,7 @@ pub fn field_json(field: &Field) -> Result<String, serde_json::Error> {
     pretty(&Document {
         other: field.other,
         objects: field.objects,
-        prior: if field.injured { Prior::SeriousInjury } else { Prior::Field }.name(),
+        prior: if field.injured { SeverityPrior::SeriousInjury } else { SeverityPrior::Field }.name(),
         pairs: field.pairs,
         finished: field.finished,
         groups: field.groups.iter().map(|group| (group.name, FiguresBlock::of(&group.ours))).collect(),

@@ -1,12 +1,12 @@
 //! Densities of an estimate, both speeds at once, and the rest positions of the draws.
 
 use ::drawing::{
-    Axis, DensityPicture, Drawing, Footprint, FoundAtRest, JointPicture, RestsPicture, Shape, ValueMark,
+    Axis, BodyShape, DensityPicture, Drawing, Footprint, FoundAtRest, JointPicture, RestsPicture, ValueMark,
 };
 use ::estimate::DrawsSummary;
 use analysis::quantities::{REST_X, REST_Y, SPEED};
 use analysis::{Estimated, EstimatedOutput, Output};
-use case::{Case, Dimensions, Kind};
+use case::{Case, Dimensions, VehicleKind};
 use pim_core::{Real, VehicleId};
 
 use super::{scale_unit, title};
@@ -315,12 +315,12 @@ fn rests_picture(case: &Case, estimated: &Estimated, asked: &Asked, units: Units
     })
 }
 
-fn footprint(dimensions: Dimensions, kind: Kind) -> Footprint {
+fn footprint(dimensions: Dimensions, kind: VehicleKind) -> Footprint {
     let Dimensions { length, width, cg_to_front, .. } = dimensions;
     let shape = match kind {
-        Kind::Car => Shape::Car,
-        Kind::HeavyTruck | Kind::Trailer => Shape::Box,
-        Kind::Motorcycle => Shape::Motorcycle,
+        VehicleKind::Car => BodyShape::Car,
+        VehicleKind::HeavyTruck | VehicleKind::Trailer => BodyShape::Box,
+        VehicleKind::Motorcycle => BodyShape::Motorcycle,
     };
     Footprint { length, width, cg_to_front, shape }
 }

@@ -1,8 +1,8 @@
 //! The outline of a vehicle, and its damage in place.
 
-use ::drawing::{CrushProfile, Footprint, Shape};
+use ::drawing::{BodyShape, CrushProfile, Footprint};
 use analysis::{Damage, Vehicle};
-use case::{Case, Dimensions, GivenVehicle, Kind};
+use case::{Case, Dimensions, GivenVehicle, VehicleKind};
 use crash3::Side;
 use pim_core::Vector2;
 
@@ -11,7 +11,7 @@ use pim_core::Vector2;
 pub(super) struct Body {
     pub(super) dimensions: Dimensions,
     pub(super) outline: DrawnOutline,
-    shape: Shape,
+    shape: BodyShape,
 }
 
 /// The source of an outline.
@@ -30,10 +30,10 @@ impl Body {
     /// if the vehicle is not like a car of a class.
     pub(super) fn of(given: &GivenVehicle, vehicle: &Vehicle) -> Option<Self> {
         let shape = match given.kind.unwrap_or_default() {
-            _ if given.fixed => Shape::Fixed,
-            Kind::Car => Shape::Car,
-            Kind::HeavyTruck | Kind::Trailer => Shape::Box,
-            Kind::Motorcycle => Shape::Motorcycle,
+            _ if given.fixed => BodyShape::Fixed,
+            VehicleKind::Car => BodyShape::Car,
+            VehicleKind::HeavyTruck | VehicleKind::Trailer => BodyShape::Box,
+            VehicleKind::Motorcycle => BodyShape::Motorcycle,
         };
         if let Some(dimensions) = vehicle.subject.dimensions {
             let outline = dimensions.class.map_or(DrawnOutline::Given, DrawnOutline::OfClass);

@@ -6,7 +6,7 @@ use analysis::quantities::{DELTA_V, SPEED};
 use analysis::{
     Assumed, Estimated, EstimatedOutput, Output, PieceFound, Stood, TOLD_BELOW, UnknownNumber, Weighed,
 };
-use case::{Case, Prior};
+use case::{Case, SeverityPrior};
 use evidence::{Piece, TestedClass};
 use pim_core::VehicleId;
 
@@ -506,15 +506,15 @@ impl<'a> Page<'a> {
             self.document.push(table);
         }
         let words = match self.estimated.prior {
-            Prior::Field => {
+            SeverityPrior::Field => {
                 "The severity is that of collisions after which a vehicle was towed; `--prior flat`, or `prior = \"flat\"` \
                  in [estimate], makes every speed equally likely."
             }
-            Prior::SeriousInjury => {
+            SeverityPrior::SeriousInjury => {
                 "The severity is that of collisions after which a vehicle was towed and in which somebody in either \
                  vehicle was seriously hurt (MAIS 3 or more; risk by ΔV: DOT HS 813 219)."
             }
-            Prior::Flat => "Every speed is as likely as any other before the evidence, as asked for.",
+            SeverityPrior::Flat => "Every speed is as likely as any other before the evidence, as asked for.",
         };
         self.document.paragraph(words);
         self.if_injured();

@@ -8,7 +8,7 @@ use analysis::{
     Analysis, EnergyBalance, Estimated, Output, Seen, SeenWarning, Sensitivity, UncertainInput,
     UncertainOutput, Uncertainty, Weighed, is_estimated_beside,
 };
-use case::{Axes, Basis, Case, CaseFile, Estimate, Origin, ReportHead};
+use case::{Axes, Basis, Case, CaseFile, EstimatedInput, Origin, ReportHead};
 use pim_core::VehicleId;
 use validation::Validation;
 
@@ -251,7 +251,7 @@ fn answer(case: &Case, analysis: &Analysis, supplements: Supplements<'_>, units:
         let is_small = |input: &UncertainInput| {
             matches!(
                 input.input.origin,
-                Origin::Estimate(Estimate::YawRadius { .. } | Estimate::Contact { .. })
+                Origin::Estimate(EstimatedInput::YawRadius { .. } | EstimatedInput::Contact { .. })
             )
         };
         !uncertainty.inputs.iter().all(is_small)

@@ -530,12 +530,12 @@ impl<'a> Page<'a> {
         for input in &self.uncertainty.inputs {
             let Origin::Estimate(estimate) = input.input.origin else { continue };
             match estimate {
-                case::Estimate::Stiffness { .. } => {
+                case::EstimatedInput::Stiffness { .. } => {
                     stiffness.push(estimate_name(estimate));
                     times = [0.025, 0.975].map(|share| input.distribution.quantile(share));
                 }
-                case::Estimate::YawRadius { .. } => yaw_radius.push(estimate_name(estimate)),
-                case::Estimate::Contact { axis, .. } => {
+                case::EstimatedInput::YawRadius { .. } => yaw_radius.push(estimate_name(estimate)),
+                case::EstimatedInput::Contact { axis, .. } => {
                     let sd = input.distribution.sd() * input.input.factor();
                     let sd = self.units.format(Measure::Crush, sd);
                     contact.push((axis, format!("{}, std. dev. {sd}", estimate_name(estimate))));

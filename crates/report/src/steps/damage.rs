@@ -8,7 +8,7 @@ mod stiffness;
 pub(super) use profile::share_below;
 
 use analysis::{Damage, Seen, Vehicle};
-use case::{Basis, Case, Crush, Evidence};
+use case::{Basis, Case, Crush, CrushEvidence};
 use crash3::{Profile, SideStiffness, Yielding};
 use pim_core::VehicleId;
 
@@ -31,8 +31,8 @@ pub(super) fn groups(case: &Case, analysis: &Seen) -> Vec<StepGroup> {
 /// The crush that was measured; `None` where it was inferred.
 pub(super) fn measured(vehicle: &Vehicle) -> Option<&Profile> {
     match &vehicle.subject.damage.as_ref()?.evidence {
-        Evidence::Measured { profile, .. } => Some(profile),
-        Evidence::ForceBalance { .. } => None,
+        CrushEvidence::Measured { profile, .. } => Some(profile),
+        CrushEvidence::ForceBalance { .. } => None,
     }
 }
 

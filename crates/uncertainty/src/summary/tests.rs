@@ -1,4 +1,4 @@
-use super::{Classes, Estimate, Histogram, Place, Summary};
+use super::{Classes, Estimate, Histogram, Place, Summary, order_statistic};
 use crate::points::SamplingMethod;
 use crate::random::{bits, unit};
 
@@ -181,4 +181,16 @@ fn a_histogram_counts_every_sample() {
     assert_eq!(histogram.counts.iter().sum::<usize>(), 99);
     let alike = of_column(&[3.0; 9], SamplingMethod::MonteCarlo).unwrap();
     assert_eq!(Histogram::of(&[3.0; 9], &alike, Classes::Fine), None);
+}
+
+/// By hand, among 1, 2, 4, 8: type 7 puts the median at (4 − 1)/2, type 5 the lower quartile at 4/4 − ½. A
+/// position beyond an end counts as that end, and one at a value needs no other.
+#[test]
+fn an_order_statistic_is_linear_between_two_values() {
+    let values = [1.0, 2.0, 4.0, 8.0];
+    for (position, expected) in [(1.5, 3.0), (0.5, 1.5), (2.0, 4.0), (2.25, 5.0), (-0.5, 1.0), (3.5, 8.0)] {
+        assert_eq!(order_statistic(&values, position), expected, "{position}");
+    }
+    assert_eq!(order_statistic(&[1.0, f64::INFINITY], 0.0), 1.0);
+    assert!(order_statistic(&[], 0.0).is_nan());
 }

@@ -1,6 +1,6 @@
 //! How a vehicle left the impact, and its rest position.
 
-use evidence::{After, Measured, MeasuredRest};
+use evidence::{Measured, MeasuredRest, PostImpactMotion};
 use inputs::{Quantity, VehicleMotion};
 use pim_core::Vector2;
 use real::Real;
@@ -20,8 +20,8 @@ const REST_HEADING: [f64; 2] = [5.0 * DEGREE, 15.0 * DEGREE];
 const REST_TURN_SHARE: f64 = 0.25;
 
 /// The motion after the impact that the case gives.
-pub(super) fn after(subject: Subject<'_>) -> (After, Notes) {
-    let (mut found, mut notes) = (After::default(), Notes::default());
+pub(super) fn after(subject: Subject<'_>) -> (PostImpactMotion, Notes) {
+    let (mut found, mut notes) = (PostImpactMotion::default(), Notes::default());
     let Some(after) = &subject.given().after else { return (found, notes) };
     let lateral = |quantity: &Quantity| subject.case.axes.lateral(quantity.si());
     found.speed = after.speed.as_ref().map(|speed| {

@@ -1,8 +1,10 @@
 //! The damage: where each vehicle was hit, from which direction, and how well its energy is known.
 
 use crash3::Side;
-use evidence::{Behind, CodedPdof, CrushErrors, CrushFigures, Damage, EnergyError, EnergyMethod, FITTED};
-use inputs::{Case, Collision, GivenVehicle, KnownEnergy, StiffnessForm, VehicleData};
+use evidence::{
+    Behind, CodedPdof, CrushErrors, CrushFigures, DamagedSide, EnergyError, EnergyMethod, FITTED,
+};
+use inputs::{Case, CollisionData, GivenVehicle, KnownEnergy, StiffnessForm, VehicleData};
 use pim_core::VehicleId;
 use real::Real;
 
@@ -28,7 +30,7 @@ pub(crate) enum Crushed {
 
 impl Crushed {
     /// The crush that is evidence, and the data that are not used.
-    pub(crate) fn of(case: &Case, nominal: &Collision) -> (Self, Vec<Unused>) {
+    pub(crate) fn of(case: &Case, nominal: &CollisionData) -> (Self, Vec<Unused>) {
         let is_inferred = |id: VehicleId| {
             case.vehicles[id.index()].crush.as_ref().is_some_and(|crush| crush.from_force_balance)
         };
@@ -64,8 +66,8 @@ impl Crushed {
 
 /// Whether the front of a vehicle met a fixed object, as in the crashes to which the figures of these were
 /// fitted.
-pub(crate) fn is_with_object(case: &Case, hit: &[Damage]) -> bool {
-    case.vehicles.iter().any(|vehicle| vehicle.fixed) && hit == [Damage::Front]
+pub(crate) fn is_with_object(case: &Case, hit: &[DamagedSide]) -> bool {
+    case.vehicles.iter().any(|vehicle| vehicle.fixed) && hit == [DamagedSide::Front]
 }
 
 /// The vehicles that can move.
@@ -75,22 +77,22 @@ pub(super) fn movers(case: &Case) -> impl Iterator<Item = VehicleId> {
 
 /// Where a vehicle was hit: the side that the case gives or, without one, the side that meets the normal of
 /// the crush plane.
-pub(crate) fn damage(id: VehicleId, nominal: &Collision, reference: [f64; 2]) -> Damage {
+pub(crate) fn damage(id: VehicleId, nominal: &CollisionData, reference: [f64; 2]) -> DamagedSide {
     let data = &nominal.vehicles[id.index()];
     let of_crush = data.damage.as_ref().map(|damage| damage.side);
     let side = of_crush.or_else(|| data.energy.and_then(|energy| energy.side));
     match side {
         Some(side) => side.into(),
         None => match reference[id.index()].abs() {
-            from if from <= 45.0 * DEGREE => Damage::Front,
-            from if from < 135.0 * DEGREE => Damage::Side,
-            _ => Damage::Rear,
+            from if from <= 45.0 * DEGREE => DamagedSide::Front,
+            from if from < 135.0 * DEGREE => DamagedSide::Side,
+            _ => DamagedSide::Rear,
         },
     }
 }
 
 /// (rad) PDOF of both vehicles if the force were normal to the crush plane.
-pub(crate) fn reference(nominal: &Collision) -> [f64; 2] {
+pub(crate) fn reference(nominal: &CollisionData) -> [f64; 2] {
     let normal = nominal.contact.normal();
     // The force on vehicle 1 acts along n, that on vehicle 2 against it.
     let from = |id: VehicleId, sign: f64| {
@@ -128,7 +130,7 @@ pub(super) fn crush_errors(
     case: &Case,
     methods: [Option<EnergyMethod>; 2],
     ranges: &[UncertainInput],
-    hit: &[Damage],
+    hit: &[DamagedSide],
     is_with_object: bool,
 ) -> (CrushErrors, Option<CrushFigures>, Notes) {
     let mut notes = Notes::default();

@@ -1,6 +1,8 @@
 //! The data stored by a recorder.
 
-use evidence::{CodedPdof, FITTED, Freedom, Measured, MeasuredSpeed, RecordedDeltaV, RecordedPart, Recorder};
+use evidence::{
+    CodedPdof, FITTED, Freedom, Measured, MeasuredSpeed, RecordedData, RecordedDeltaV, RecordedPart,
+};
 use inputs::Quantity;
 use real::Real;
 
@@ -11,9 +13,9 @@ use crate::thresholds::{RECORDER_DELTA_V_ERROR, RECORDER_SPEED_ERROR};
 
 /// The recorder data of a vehicle, with the errors that the case gives or the default ones. `is_side` is true
 /// if the vehicle was hit on a side.
-pub(super) fn recorded(subject: Subject<'_>, is_side: bool) -> (Recorder, Notes) {
+pub(super) fn recorded(subject: Subject<'_>, is_side: bool) -> (RecordedData, Notes) {
     let mut notes = Notes::default();
-    let Some(recorder) = &subject.given().recorder else { return (Recorder::default(), notes) };
+    let Some(recorder) = &subject.given().recorder else { return (RecordedData::default(), notes) };
     let axes = subject.case.axes;
     let mut or_default = |of: &str, given: Option<f64>, default: f64| {
         given.unwrap_or_else(|| {
@@ -63,5 +65,5 @@ pub(super) fn recorded(subject: Subject<'_>, is_side: bool) -> (Recorder, Notes)
             .unused
             .push(Unused { key: subject.key("recorder.pre_crash"), reason: UnusedReason::StoodByRecord });
     }
-    (Recorder { delta_v, longitudinal, direction, speed, yaw_rate }, notes)
+    (RecordedData { delta_v, longitudinal, direction, speed, yaw_rate }, notes)
 }
