@@ -56,10 +56,19 @@ impl Cell {
         self.ours - self.paper
     }
 
+    /// The tolerance within which it is claimed to reproduce.
+    #[must_use]
+    pub fn tolerance(&self) -> Option<f64> {
+        match self.claim {
+            Claim::Reproduces { tolerance } => Some(tolerance),
+            Claim::KnownDifference { .. } => None,
+        }
+    }
+
     /// Whether it is claimed to reproduce.
     #[must_use]
     pub fn is_claimed(&self) -> bool {
-        matches!(self.claim, Claim::Reproduces { .. })
+        self.tolerance().is_some()
     }
 
     /// Whether it is claimed to reproduce and does not. A result that is not a number fails.

@@ -1,7 +1,7 @@
 //! The built-in data.
 
 /// The data of the comparison: texts, so that a reader can change one and see the effect.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Data {
     /// The staged collisions: the number of each test, and its case file.
     pub cases: Vec<(u8, &'static str)>,
@@ -20,6 +20,13 @@ macro_rules! ricsac {
 }
 
 impl Data {
+    /// Every text, in one order.
+    #[must_use]
+    pub fn texts(&self) -> Vec<&'static str> {
+        let cases = self.cases.iter().map(|(_, text)| *text);
+        cases.chain([self.example, self.published, self.motion]).collect()
+    }
+
     /// `ricsac/*.toml` next to `src`, to which `fixtures/ricsac` links, and [`case::EXAMPLE`], as they were
     /// when the program was built.
     #[must_use]

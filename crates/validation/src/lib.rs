@@ -37,6 +37,7 @@ mod judged;
 mod motion;
 mod published;
 mod reconstruction;
+mod requirements;
 mod scene;
 mod shares;
 mod staged;
@@ -54,6 +55,7 @@ pub use judged::{
 pub use motion::{FoundStart, MotionRow, ReturnRow, Simulation};
 pub use published::{DEGREE, FOOT_PER_SECOND, FOOT_POUND, PrintedUnit};
 pub use reconstruction::{Choices, Reconstruction, SpeedErrors, TurnedPdof};
+pub use requirements::Requirement;
 pub use shares::{SHARES, ShareRow};
 pub use statistics::ErrorRate;
 pub use tables::{DeltaVErrors, DeltaVRow, EnergyRow, Method, Table1Row, Table2Row, Table3Rms, Table3Row};
@@ -100,6 +102,8 @@ pub struct Validation {
     pub both_speed_errors: BothSpeedErrors,
     /// Both speeds from the published rest positions.
     pub from_rest: Vec<FromRestRow>,
+    /// The data behind all of it.
+    pub data: Data,
 }
 
 /// Runs all collisions and compares the results.
@@ -144,6 +148,7 @@ pub fn validate(data: &Data) -> Result<Validation, ValidationError> {
         table2,
         table3,
         reconstructions,
+        data: data.clone(),
     })
 }
 

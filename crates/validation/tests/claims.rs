@@ -500,3 +500,23 @@ fn data_that_do_not_fit_together_are_refused() {
     let error = refused(&with_case(1, "[impact]", "[impart]"));
     assert!(matches!(error, ValidationError::Case(_)), "{error}");
 }
+
+#[test]
+fn every_claim_belongs_to_one_requirement_and_a_wrong_number_breaks_it() {
+    let mut validation = validate(&Data::built_in()).unwrap();
+    let failing = |validation: &Validation| -> Vec<&str> {
+        let requirements = validation.requirements().into_iter();
+        requirements.filter(|found| !found.is_met()).map(|found| found.code).collect()
+    };
+    let of_cells = validation.requirements().into_iter().filter(|found| found.code != "balance");
+    assert_eq!(of_cells.map(|found| found.compared).sum::<usize>(), validation.claimed());
+    assert!(failing(&validation).is_empty());
+    let energy = validation.energies[3].normal.ours;
+    validation.energies[3].normal.ours = 1.02 * energy;
+    assert_eq!(failing(&validation), ["energies", "balance"]);
+    // Off by a billionth, it is still that of the paper.
+    validation.energies[3].normal.ours = (1.0 + 1e-9) * energy;
+    assert_eq!(failing(&validation), ["balance"]);
+    validation.energies[3].normal.ours = f64::NAN;
+    assert_eq!(failing(&validation), ["energies", "balance"]);
+}

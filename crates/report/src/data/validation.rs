@@ -2,8 +2,8 @@
 
 use serde::Serialize;
 use validation::{
-    Cell, Claim, DeltaVRow, Erratum, ErrorRate, Method, RestMethod, SHARES, SpeedEvidence, TurnedPdof,
-    Validation,
+    Cell, Claim, DeltaVRow, Erratum, ErrorRate, Method, Requirement, RestMethod, SHARES, SpeedEvidence,
+    TurnedPdof, Validation,
 };
 
 use super::pretty;
@@ -12,6 +12,7 @@ use super::pretty;
 struct Document {
     claimed: usize,
     failed: Vec<FailureBlock>,
+    requirements: Vec<RequirementBlock>,
     table1: Vec<Table1Block>,
     table2: Vec<Table2Block>,
     table3: Vec<Table3Block>,
@@ -34,6 +35,27 @@ struct FailureBlock {
     place: String,
     ours: f64,
     paper: f64,
+}
+
+/// A requirement of the methods with the result of its test.
+#[derive(Serialize)]
+struct RequirementBlock {
+    code: &'static str,
+    requirement: &'static str,
+    test: &'static str,
+    acceptance: &'static str,
+    compared: usize,
+    failed: usize,
+    /// Greatest difference as a share of its tolerance.
+    worst: f64,
+    met: bool,
+}
+
+impl RequirementBlock {
+    fn of(found: &Requirement) -> Self {
+        let Requirement { code, requirement, test, acceptance, compared, failed, worst } = *found;
+        Self { code, requirement, test, acceptance, compared, failed, worst, met: found.is_met() }
+    }
 }
 
 #[derive(Serialize)]
@@ -351,6 +373,7 @@ pub fn validation_json(validation: &Validation) -> Result<String, serde_json::Er
             .into_iter()
             .map(|(place, cell)| FailureBlock { place, ours: cell.ours, paper: cell.paper })
             .collect(),
+        requirements: validation.requirements().iter().map(RequirementBlock::of).collect(),
         table1: validation
             .table1
             .iter()

@@ -20,7 +20,7 @@ use crate::estimates::{
 use crate::outputs::{label, output_name, pictured};
 use crate::pictures;
 use crate::units::{Measure, Units, number, significant};
-use crate::writers::wrap::wrapped;
+use crate::writers::wrap::folded;
 
 /// (columns) of an end of an interval, with the blank before it.
 const END: usize = 9;
@@ -654,9 +654,4 @@ fn cut(prior: &Distribution) -> String {
 /// A figure for a narrow column: without commas where it is too long with them.
 fn short(figure: String) -> String {
     if figure.chars().count() >= END { figure.replace(',', "") } else { figure }
-}
-
-/// Words in lines of at most `columns` columns, for the cell of a table.
-fn folded(words: &str, columns: usize) -> String {
-    wrapped(words, columns).trim_end().to_owned()
 }

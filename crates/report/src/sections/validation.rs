@@ -10,6 +10,7 @@ use validation::{
 use crate::document::{Block, Column, Document, Table, Width};
 use crate::pictures::{computed_against_measured, reconstructed_speed};
 use crate::units::{Measure, Units, number};
+use crate::writers::wrap::folded;
 
 /// Reasons and misprints, numbered in the order in which they appear on the page.
 #[derive(Default)]
@@ -199,6 +200,7 @@ fn blocks(validation: &Validation) -> Vec<Block> {
         paragraph(both_speeds_headline(validation, Units::Si)),
     ];
     blocks.extend(verdict(validation));
+    blocks.extend(record(validation));
     blocks.extend(error_rates(validation));
     blocks.extend(table2(validation, &mut notes));
     blocks.extend(table1(validation, &mut notes));
@@ -256,6 +258,45 @@ fn verdict(validation: &Validation) -> Vec<Block> {
          that a later source lists, which would make the speeds found higher still.",
     ));
     blocks
+}
+
+/// What a laboratory records of the validation of a method.
+fn record(validation: &Validation) -> Vec<Block> {
+    let rows = validation.requirements().into_iter().map(|found| {
+        let outcome = if found.is_met() { "met" } else { "NOT MET" };
+        let within = found.compared - found.failed;
+        let share = if found.worst < 0.01 { "under 1".to_owned() } else { number(100.0 * found.worst, 0) };
+        let result =
+            format!("{outcome}: {within} of {}; the worst took {share} % of its tolerance", found.compared);
+        [
+            folded(found.requirement, 32),
+            folded(found.test, 22),
+            folded(found.acceptance, 16),
+            folded(&result, 22),
+        ]
+    });
+    let mut record = Table::new(
+        "",
+        [
+            Column::words("requirement", Width::Fixed(34)),
+            Column::words("test", Width::Fixed(24)),
+            Column::words("acceptance", Width::Fixed(18)),
+            Column::words("result", Width::Share),
+        ],
+    );
+    rows.for_each(|row| record.row(row));
+    let hash = crate::data::sha256(validation.data.texts().concat().as_bytes());
+    vec![
+        heading("Record of the validation"),
+        paragraph(format!(
+            "For the records of a laboratory (ISO/IEC 17025:2017, 7.2.2.4): deltav {}; SHA-256 of the built-in data {hash}. \
+             `deltav validate` tests all of it again in seconds, without a network. How far the methods are from measured \
+             values, which no requirement bounds, is the error rate below; intervals of ΔV by recorders of real crashes are \
+             in docs/calibration.md.",
+            env!("CARGO_PKG_VERSION")
+        )),
+        Block::Table(record),
+    ]
 }
 
 const RATE_COLUMNS: [&str; 6] = ["errors", "n", "rms", "mean", "range", "95 % limits"];

@@ -28,3 +28,8 @@ pub(crate) fn hanging(head: &str, text: &str, line: usize) -> String {
     lines.push('\n');
     lines
 }
+
+/// Words in lines of at most `columns` columns, for the cell of a table.
+pub(crate) fn folded(words: &str, columns: usize) -> String {
+    wrapped(words, columns).trim_end().to_owned()
+}
