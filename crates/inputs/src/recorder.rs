@@ -223,12 +223,8 @@ impl<U> Walk<'_, U> {
         self.percent_if(&at("speed_error"), recorder.speed_error);
         self.exact_if(&at("yaw_rate"), recorder.yaw_rate.as_ref());
         self.exact_if(&at("yaw_rate_error"), recorder.yaw_rate_error.as_ref());
-        if let Some(pre_crash) = &recorder.pre_crash {
-            self.series(&at("pre_crash"), &pre_crash.source, pre_crash.rows.as_ref());
-        }
-        if let Some(pulse) = &recorder.pulse {
-            self.series(&at("pulse"), &pulse.source, pulse.rows.as_ref());
-        }
+        self.series(&at("pre_crash"), recorder.pre_crash.as_deref());
+        self.series(&at("pulse"), recorder.pulse.as_deref());
         self.flag(&at("incomplete"), recorder.incomplete);
         if let Some(mount) = &recorder.at {
             self.mount(&at("at"), mount);
