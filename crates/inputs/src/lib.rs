@@ -110,8 +110,7 @@ pub use purpose::Purpose;
 pub use quantity::{InvalidQuantity, Quantity, format_number};
 pub use range::{Amount, Bounds, Range, Spread};
 pub use recorded::{
-    GivenPreCrash, GivenPulse, GivenSeries, GivenSpeedErrors, OfTables, RecorderMount, SeriesRefusal,
-    SeriesSource,
+    GivenPreCrash, GivenPulse, GivenSeries, GivenSpeedErrors, OfTables, SeriesRefusal, SeriesSource,
 };
 pub use scene::{EdgeSide, GivenSitePlan, Grade, Place, Surface, SurfaceRegion, SurfaceZone};
 pub use shared::SharedEffects;

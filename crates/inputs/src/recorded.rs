@@ -179,15 +179,6 @@ impl GivenPulse {
     }
 }
 
-/// `at` of `[vehicleN.recorder]`: where the recorder is.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct RecorderMount {
-    /// (m) from the centre of gravity forward.
-    pub x: Quantity,
-    /// (m) from the centre of gravity across, in the sense of the axes.
-    pub y: Quantity,
-}
-
 /// `errors` of `[vehicleN.recorder]`: those of the stored speed as the speed at impact, in place of the
 /// defaults of [`ImpactSpeedErrors`].
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -259,11 +250,6 @@ impl<U> Walk<'_, U> {
             }
         }
         self.text(&Key(table, "rows"), rows.as_ref());
-    }
-
-    pub(crate) fn mount(&mut self, table: &dyn Display, mount: &RecorderMount) {
-        self.exact(&Key(table, "x"), &mount.x);
-        self.exact(&Key(table, "y"), &mount.y);
     }
 
     pub(crate) fn speed_errors(&mut self, table: &dyn Display, errors: &GivenSpeedErrors) {

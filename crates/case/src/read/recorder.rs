@@ -8,12 +8,12 @@ use super::tree::{Reader, Table};
 use super::values::Place as Position;
 use crate::case_problem::CaseProblem;
 use crate::schema::{
-    CERTAIN_SPEED, KEYS_OF_RECORD, PRE_CRASH, PULSE, RECORD, RECORDER, RECORDER_AT, RECORDER_ERRORS, Schema,
+    CERTAIN_SPEED, KEYS_OF_RECORD, PRE_CRASH, PULSE, RECORD, RECORDER, RECORDER_ERRORS, Schema,
 };
 use crate::source::span_in_text;
 use inputs::{
-    CertainSpeed, GivenEstimate, GivenSeries, GivenSpeedErrors, OfTables, Quantity, Recorder, RecorderMount,
-    SeriesRefusal, SeriesSource, SeverityPrior, StoredRecord, Text,
+    CertainSpeed, GivenEstimate, GivenSeries, GivenSpeedErrors, OfTables, Quantity, Recorder, SeriesRefusal,
+    SeriesSource, SeverityPrior, StoredRecord, Text,
 };
 
 /// The columns of `pre_crash`, and those of `pulse`.
@@ -39,7 +39,6 @@ const PULSE_FORMS: &str = "pulse = { file = \"pulse.csv\" }, { text = \"\"\"…\
 const MOST_SHARE: f64 = 20.0;
 const MOST_FRICTION: f64 = 150.0;
 const MOST_PROBABLE: f64 = 100.0;
-const PLACE: &str = "a string with a number and a unit: the place of a recorder has no range";
 /// Maximum number of records: a recorder keeps a handful.
 const MOST_RECORDS: usize = 20;
 const TIME_APART: &str = "a string with a number and a unit: the time between two records has no range";
@@ -56,7 +55,7 @@ impl<'t> Reader<'t> {
     /// Reads the table; one without a key counts as absent.
     pub(super) fn recorder(&mut self, vehicle: &Table<'t>) -> Option<Recorder> {
         let table = self.child(vehicle, "recorder", &RECORDER)?;
-        let at = self.child(&table, "at", &RECORDER_AT).and_then(|table| self.mount(&table));
+        let at = self.place_of(&table, "at");
         let errors = self.child(&table, "errors", &RECORDER_ERRORS);
         let errors = errors.map_or_else(GivenSpeedErrors::default, |table| self.speed_errors(&table));
         let records = self.records(&table);
@@ -146,12 +145,6 @@ impl<'t> Reader<'t> {
             incomplete: self.flag(table, "incomplete"),
             ..Recorder::default()
         }
-    }
-
-    fn mount(&mut self, table: &Table<'t>) -> Option<RecorderMount> {
-        self.require(table, &["x", "y"]);
-        let [x, y] = ["x", "y"].map(|key| self.exact_quantity(table, key, PLACE));
-        Some(RecorderMount { x: x?, y: y? })
     }
 
     fn speed_errors(&mut self, table: &Table<'t>) -> GivenSpeedErrors {
