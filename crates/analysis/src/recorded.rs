@@ -3,8 +3,8 @@
 use std::borrow::Cow;
 
 use inputs::{
-    Case, Fault, FaultKind, GivenVehicle, KnownEnergy, Pdof, Quantity, Recorder, RecordersDeltaV,
-    SeriesSource,
+    Case, Fault, FaultKind, GivenSeries, GivenVehicle, KnownEnergy, Pdof, Quantity, Recorder,
+    RecordersDeltaV, SeriesSource,
 };
 use pim_core::VehicleId;
 use recorder::{
@@ -177,15 +177,15 @@ const LEAST_OF_DIRECTION: f64 = 5.0 / 3.6;
 
 /// The keys of recorder files that were not read.
 fn unread(case: &Case) -> Option<(String, String)> {
-    let of = |table: &str, key: &str, source: &SeriesSource, is_read: bool| match source {
-        SeriesSource::File(name) if !is_read => Some((format!("{table}.{key}.file"), name.to_string())),
-        _ => None,
-    };
+    fn of<R>(key: String, given: &GivenSeries<R>) -> Option<(String, String)> {
+        let SeriesSource::File(name) = &given.source else { return None };
+        given.record.is_none().then(|| (key, name.to_string()))
+    }
     let of_record = |table: &str, record: &Recorder| {
-        let before = record.pre_crash.as_ref();
-        let before = before.and_then(|given| of(table, "pre_crash", &given.source, given.record.is_some()));
-        let pulse = record.pulse.as_ref();
-        before.or_else(|| pulse.and_then(|given| of(table, "pulse", &given.source, given.pulse.is_some())))
+        let before = record.pre_crash.as_deref();
+        let before = before.and_then(|given| of(format!("{table}.pre_crash.file"), given));
+        let pulse = record.pulse.as_deref();
+        before.or_else(|| pulse.and_then(|given| of(format!("{table}.pulse.file"), given)))
     };
     VehicleId::ALL.into_iter().find_map(|id| {
         let recorder = case.vehicles[id.index()].recorder.as_ref()?;
@@ -247,7 +247,7 @@ pub fn recorders(case: &Case) -> Result<RecorderReading, Failure> {
 
 fn reading(recorder: Recorder, of_impact: OfImpact, ground: Option<f64>, case: &Case) -> VehicleReading {
     let record = recorder.pre_crash.as_ref().and_then(|given| given.record.as_ref());
-    let pulse = recorder.pulse.as_ref().and_then(|given| given.pulse.as_ref());
+    let pulse = recorder.pulse.as_ref().and_then(|given| given.record.as_ref());
     VehicleReading {
         of_impact,
         others: Vec::new(),

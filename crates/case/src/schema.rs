@@ -198,9 +198,39 @@ const fn form(needs: &'static [&'static str], may: &'static [&'static str]) -> F
     FormOfTable { needs, may }
 }
 
+/// The table of a point.
+const fn point(place: &'static str, text: &'static str, keys: &'static [Key; 2]) -> Schema {
+    Schema { place, text, keys, rules: &[Rule::Needs(&["x", "y"])] }
+}
+
+/// The coordinates of a point in the scene.
+const fn in_scene(form: Form, x: &'static str, y: &'static str) -> [Key; 2] {
+    [
+        key("x", x, form, "Coordinate along the x axis of the scene."),
+        key("y", y, form, "Coordinate along the y axis of the scene."),
+    ]
+}
+
+/// The coordinates of a point of a vehicle.
+const fn from_cg(form: Form, x: &'static str, y: &'static str) -> [Key; 2] {
+    [
+        key("x", x, form, "Distance forward of the CG. Negative behind it."),
+        key(
+            "y",
+            y,
+            form,
+            "Distance to the left of the CG, or to the right with `axes = \"z-down\"`. Negative on the other side.",
+        ),
+    ]
+}
+
 const ANY: Bounds = Bounds::None;
 const NOT_NEGATIVE: Bounds = Bounds::NotNegative;
 const POSITIVE: Bounds = Bounds::Positive;
+
+const LENGTH: Form = Form::Quantity(Dimension::Length, ANY);
+const EXACT_LENGTH: Form = Form::Exact(Dimension::Length, ANY);
+const PLACE: [Key; 2] = in_scene(LENGTH, "x = \"12.4 m\"", "y = \"3.1 m\"");
 
 pub(crate) static TOP: Schema = Schema {
     place: "the lines above the first table",
@@ -302,46 +332,17 @@ pub(crate) static SITE_PLAN: Schema = Schema {
     rules: &[Rule::Needs(&["file", "corner", "width"])],
 };
 
-pub(crate) static PLAN_CORNER: Schema = Schema {
-    place: "corner = { … } of site_plan",
-    text: "Where the lower left corner of the picture lies. It is exact: no range is possible.",
-    keys: &[
-        key(
-            "x",
-            "x = \"-20 m\"",
-            Form::Exact(Dimension::Length, ANY),
-            "Coordinate along the x axis of the scene.",
-        ),
-        key(
-            "y",
-            "y = \"-15 m\"",
-            Form::Exact(Dimension::Length, ANY),
-            "Coordinate along the y axis of the scene.",
-        ),
-    ],
-    rules: &[Rule::Needs(&["x", "y"])],
-};
-
-// The keys of a place in the scene.
-const PLACE_X: Key = key(
-    "x",
-    "x = \"12.4 m\"",
-    Form::Quantity(Dimension::Length, ANY),
-    "Coordinate along the x axis of the scene.",
-);
-const PLACE_Y: Key = key(
-    "y",
-    "y = \"3.1 m\"",
-    Form::Quantity(Dimension::Length, ANY),
-    "Coordinate along the y axis of the scene.",
+pub(crate) static PLAN_CORNER: Schema = point(
+    "corner = { … } of site_plan",
+    "Where the lower left corner of the picture lies. It is exact: no range is possible.",
+    &in_scene(EXACT_LENGTH, "x = \"-20 m\"", "y = \"-15 m\""),
 );
 
-pub(crate) static SCENE_CONTACT: Schema = Schema {
-    place: "contact = { … } of [scene]",
-    text: "Place of the impact. The point through which the impulse acted, in the coordinates of the survey. Every place of the file is in the same coordinates, whose axes are those of the headings; any origin will do.",
-    keys: &[PLACE_X, PLACE_Y],
-    rules: &[Rule::Needs(&["x", "y"])],
-};
+pub(crate) static SCENE_CONTACT: Schema = point(
+    "contact = { … } of [scene]",
+    "Place of the impact. The point through which the impulse acted, in the coordinates of the survey. Every place of the file is in the same coordinates, whose axes are those of the headings; any origin will do.",
+    &PLACE,
+);
 
 pub(crate) static SURFACE: Schema = Schema {
     place: "[surface]",
@@ -415,25 +416,11 @@ pub(crate) static SURFACE_ZONE: Schema = Schema {
     ])],
 };
 
-pub(crate) static CORNER: Schema = Schema {
-    place: "a corner of a zone or obstacle",
-    text: "A place on the edge of a zone or an obstacle. It is exact: no range is possible.",
-    keys: &[
-        key(
-            "x",
-            "x = \"0 m\"",
-            Form::Exact(Dimension::Length, ANY),
-            "Coordinate along the x axis of the scene.",
-        ),
-        key(
-            "y",
-            "y = \"6 m\"",
-            Form::Exact(Dimension::Length, ANY),
-            "Coordinate along the y axis of the scene.",
-        ),
-    ],
-    rules: &[Rule::Needs(&["x", "y"])],
-};
+pub(crate) static CORNER: Schema = point(
+    "a corner of a zone or obstacle",
+    "A place on the edge of a zone or an obstacle. It is exact: no range is possible.",
+    &in_scene(EXACT_LENGTH, "x = \"0 m\"", "y = \"6 m\""),
+);
 
 pub(crate) static VEHICLE: Schema = Schema {
     place: "[vehicle1] or [vehicle2]",
@@ -603,12 +590,11 @@ pub(crate) static NEVER_FIXED: [&str; 19] = [
     "certain_speed",
 ];
 
-pub(crate) static POSITION: Schema = Schema {
-    place: "position = { … } of a vehicle",
-    text: "Place of the CG at the impact, in the coordinates of the survey. The path to rest begins there, in place of where `contact` of [scene] and that of the vehicle would put it.",
-    keys: &[PLACE_X, PLACE_Y],
-    rules: &[Rule::Needs(&["x", "y"])],
-};
+pub(crate) static POSITION: Schema = point(
+    "position = { … } of a vehicle",
+    "Place of the CG at the impact, in the coordinates of the survey. The path to rest begins there, in place of where `contact` of [scene] and that of the vehicle would put it.",
+    &PLACE,
+);
 
 /// The keys of a record.
 const STORED: [Key; 11] = [
@@ -858,25 +844,11 @@ pub(crate) static PULSE: Schema = Schema {
     ])],
 };
 
-pub(crate) static RECORDER_AT: Schema = Schema {
-    place: "at = { … } of [vehicle1.recorder] or [vehicle2.recorder]",
-    text: "Place of the recorder. From the CG: a recorder away from it stores a ΔV that is that of the CG and that of the rotation; with `yaw_rate`, ΔV of `pulse` is taken to the CG.",
-    keys: &[
-        key(
-            "x",
-            "x = \"-0.3 m\"",
-            Form::Exact(Dimension::Length, ANY),
-            "Distance forward from the CG. Negative behind it.",
-        ),
-        key(
-            "y",
-            "y = \"0 m\"",
-            Form::Exact(Dimension::Length, ANY),
-            "Distance to the left of the CG. To the right with `axes = \"z-down\"`.",
-        ),
-    ],
-    rules: &[Rule::Needs(&["x", "y"])],
-};
+pub(crate) static RECORDER_AT: Schema = point(
+    "at = { … } of [vehicle1.recorder] or [vehicle2.recorder]",
+    "Place of the recorder. From the CG: a recorder away from it stores a ΔV that is that of the CG and that of the rotation; with `yaw_rate`, ΔV of `pulse` is taken to the CG.",
+    &from_cg(EXACT_LENGTH, "x = \"-0.3 m\"", "y = \"0 m\""),
+);
 
 pub(crate) static RECORDER_ERRORS: Schema = Schema {
     place: "errors = { … } of [vehicle1.recorder] or [vehicle2.recorder]",
@@ -1127,12 +1099,11 @@ pub(crate) static AVOID_SIGHT: Schema = Schema {
     rules: &[],
 };
 
-pub(crate) static SIGHT_PLACE: Schema = Schema {
-    place: "eye or point of [avoid.sight]",
-    text: "Place of the driver's eye, or of what it sees first of the other party. At the impact, in the coordinates of the scene. If left out, it is the `position` of the vehicle, or else the `contact` of [scene], or else the origin.",
-    keys: &[PLACE_X, PLACE_Y],
-    rules: &[Rule::Needs(&["x", "y"])],
-};
+pub(crate) static SIGHT_PLACE: Schema = point(
+    "eye or point of [avoid.sight]",
+    "Place of the driver's eye, or of what it sees first of the other party. At the impact, in the coordinates of the scene. If left out, it is the `position` of the vehicle, or else the `contact` of [scene], or else the origin.",
+    &PLACE,
+);
 
 pub(crate) static OBSTACLE: Schema = Schema {
     place: "[[avoid.obstacle]]",
@@ -1268,12 +1239,11 @@ pub(crate) static SKID: Schema = Schema {
     rules: &[Rule::OneOf(&[form(&["length"], &["friction"]), form(&["from"], &["friction"])])],
 };
 
-pub(crate) static SKID_FROM: Schema = Schema {
-    place: "from = { … } of skid",
-    text: "Place of the CG where the wheels began to skid, in the coordinates of the survey. The length of the skid is the distance from there to the CG at the impact.",
-    keys: &[PLACE_X, PLACE_Y],
-    rules: &[Rule::Needs(&["x", "y"])],
-};
+pub(crate) static SKID_FROM: Schema = point(
+    "from = { … } of skid",
+    "Place of the CG where the wheels began to skid, in the coordinates of the survey. The length of the skid is the distance from there to the CG at the impact.",
+    &PLACE,
+);
 
 pub(crate) static AFTER: Schema = Schema {
     place: "[vehicle1.after] or [vehicle2.after]",
@@ -1330,8 +1300,8 @@ pub(crate) static REST: Schema = Schema {
     place: "rest = { … } of [vehicle1.after] or [vehicle2.after]",
     text: "Rest of the vehicle: the place of its CG, and how it stands there. Give `heading`, or `turned` if it is known which way and how often it turned.",
     keys: &[
-        PLACE_X,
-        PLACE_Y,
+        PLACE[0],
+        PLACE[1],
         key(
             "heading",
             "heading = \"140 deg\"",
@@ -1352,8 +1322,8 @@ pub(crate) static POINT: Schema = Schema {
     place: "a point of the path",
     text: "A place where the CG passed, or the wheel that is named.",
     keys: &[
-        PLACE_X,
-        PLACE_Y,
+        PLACE[0],
+        PLACE[1],
         key(
             "heading",
             "heading = \"140 deg\"",
@@ -1678,6 +1648,8 @@ pub(crate) static SHARED: Schema = Schema {
     ])],
 };
 
+const OF_CONTACT: [Key; 2] = from_cg(LENGTH, "x = \"1.78 m\"", "y = \"-0.73 m\"");
+
 pub(crate) static CONTACT: Schema = Schema {
     place: "contact = { … } of a vehicle",
     text: "Contact point, measured from the CG of the vehicle. Give `distance` and `angle`, or `x` and `y`. Where it is left out, an impact takes the centroid of the damage, if `crush` has `width`, `depths` and `offset` and the outline or `class` is given.",
@@ -1694,18 +1666,8 @@ pub(crate) static CONTACT: Schema = Schema {
             Form::Quantity(Dimension::Angle, ANY),
             "Angle from the heading to the contact point. Positive to the left, or to the right with `axes = \"z-down\"`.",
         ),
-        key(
-            "x",
-            "x = \"1.78 m\"",
-            Form::Quantity(Dimension::Length, ANY),
-            "Distance forward of the CG. Negative behind it.",
-        ),
-        key(
-            "y",
-            "y = \"-0.73 m\"",
-            Form::Quantity(Dimension::Length, ANY),
-            "Distance to the left of the CG, or to the right with `axes = \"z-down\"`. Negative on the other side.",
-        ),
+        OF_CONTACT[0],
+        OF_CONTACT[1],
     ],
     rules: &[Rule::OneOf(&[form(&["distance", "angle"], &[]), form(&["x", "y"], &[])])],
 };

@@ -349,3 +349,27 @@ proptest! {
         prop_assert_eq!(up.rest, down.rest);
     }
 }
+
+/// Corners and the place of a recorder do not vary; the place of the impact may.
+#[test]
+fn an_exact_place_has_no_range() {
+    let refusals = |lines: &str| {
+        let lines = lines.replace("RANGE", "{ value = \"1 m\", sd = \"2 cm\" }");
+        CaseFile::parse("case.toml", &lines).unwrap_err().to_string()
+    };
+    for (lines, key) in [
+        (
+            "[scene]\nsite_plan = { file = \"a.jpg\", corner = { x = RANGE, y = \"0 m\" }, width = \"6 m\" }",
+            "scene.site_plan.corner.x",
+        ),
+        ("[[surface.zone]]\npolygon = [{ x = \"0 m\", y = RANGE }]", "surface.zone[1].polygon[1].y"),
+        ("[vehicle1.recorder]\nat = { x = \"0 m\", y = RANGE }", "vehicle1.recorder.at.y"),
+    ] {
+        let refused = refusals(lines);
+        let expected = format!(
+            "\"{key}\" is a table, but must be a string with a number and a unit, because this place is exact"
+        );
+        assert!(refused.contains(&expected), "{refused}");
+    }
+    assert!(!refusals("[scene]\ncontact = { x = RANGE, y = \"0 m\" }").contains("scene.contact"));
+}

@@ -30,7 +30,7 @@ fn a_pasted_table_lists_and_a_file_are_read_and_written_back() {
         let speeds: Vec<f64> =
             given.record.as_ref().unwrap().speeds().map(|(_, speed)| (speed * 3.6).round()).collect();
         assert_eq!(speeds, [60.0, 58.0, 47.0]);
-        assert_eq!(given.table.as_ref().unwrap().doubts.len(), 1);
+        assert_eq!(given.tables[0].doubts.len(), 1);
         let again = CaseFile::parse("again.toml", &to_toml(&file.case)).unwrap();
         assert_eq!(again.case, file.case);
     }
@@ -53,7 +53,7 @@ fn a_cell_without_a_value_has_its_place_in_the_case() {
     let file = read(PASTED);
     let given = file.case.vehicles[0].recorder.as_ref().unwrap().pre_crash.clone().unwrap();
     let SeriesSource::Text(text) = &given.source else { panic!("{:?}", given.source) };
-    let place = given.table.as_ref().unwrap().doubts[0].place;
+    let place = given.tables[0].doubts[0].place;
     let at = file.source.place_in_text("vehicle1.recorder.pre_crash.text", text.as_given(), place).unwrap();
     let line = file.source.text().lines().nth(at.line - 1).unwrap();
     assert_eq!((line, at.column), ("0.0 47 Invalid", 8));

@@ -109,7 +109,9 @@ pub use motion::{
 pub use purpose::Purpose;
 pub use quantity::{InvalidQuantity, Quantity, format_number};
 pub use range::{Amount, Bounds, Range, Spread};
-pub use recorded::{GivenPreCrash, GivenPulse, GivenSpeedErrors, RecorderMount, SeriesRefusal, SeriesSource};
+pub use recorded::{
+    GivenPreCrash, GivenPulse, GivenSeries, GivenSpeedErrors, OfTables, SeriesRefusal, SeriesSource,
+};
 pub use scene::{EdgeSide, GivenSitePlan, Grade, Place, Surface, SurfaceRegion, SurfaceZone};
 pub use shared::SharedEffects;
 pub use text::{Text, acts, shown, shown_lines, sign};

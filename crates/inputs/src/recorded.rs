@@ -55,32 +55,34 @@ impl Display for SeriesRefusal {
     }
 }
 
-/// `pre_crash` of `[vehicleN.recorder]`: what was stored before the impact.
+/// A table of `[vehicleN.recorder]`, and what it says.
 #[derive(Clone, Debug, PartialEq)]
-pub struct GivenPreCrash {
+pub struct GivenSeries<R> {
     /// Where it comes from.
     pub source: SeriesSource,
     /// Which rows of a long table of NHTSA: `VEHNO 1, EDREVENTNO 2`.
     pub rows: Option<Text>,
-    /// What was recognised in it; `None` for a file that is not read yet.
-    pub table: Option<RecorderTable>,
-    /// The samples; `None` for a file that is not read yet.
-    pub record: Option<PreCrash>,
+    /// What was recognised in it: one table, or one for each axis of a pulse. Empty for a file that is not
+    /// read yet.
+    pub tables: Vec<RecorderTable>,
+    /// What it says; `None` for a file that is not read yet.
+    pub record: Option<R>,
 }
 
-/// `pulse` of `[vehicleN.recorder]`: ΔV over time. Lateral ΔV is positive to the right, as recorders store
-/// it.
-#[derive(Clone, Debug, PartialEq)]
-pub struct GivenPulse {
-    /// Where it comes from.
-    pub source: SeriesSource,
-    /// Which rows of a long table of NHTSA: `VEHNO 1, EDREVENTNO 2`.
-    pub rows: Option<Text>,
-    /// What was recognised in it: one table for both axes, or one for each. Empty for a file that is not read
-    /// yet.
-    pub tables: Vec<RecorderTable>,
-    /// ΔV over time; `None` for a file that is not read yet.
-    pub pulse: Option<CrashPulse>,
+/// `pre_crash`: what was stored before the impact.
+pub type GivenPreCrash = GivenSeries<PreCrash>;
+
+/// `pulse`: ΔV over time. Lateral ΔV is positive to the right, as recorders store it.
+pub type GivenPulse = GivenSeries<CrashPulse>;
+
+/// What the tables of a recorder say.
+pub trait OfTables: Sized {
+    /// The tables that are of this kind, and what they say.
+    ///
+    /// # Errors
+    ///
+    /// [`SeriesRefusal`].
+    fn of_tables(tables: Vec<RecorderTable>) -> Result<(Vec<RecorderTable>, Self), SeriesRefusal>;
 }
 
 /// The tables of a text, of these rows if it is a long table.
@@ -111,43 +113,7 @@ fn none_of_kind(wanted: &'static str, tables: &[RecorderTable]) -> SeriesRefusal
     SeriesRefusal::NoneOfKind { wanted, found }
 }
 
-impl GivenPreCrash {
-    /// Reads its table, unless that is in a file.
-    ///
-    /// # Errors
-    ///
-    /// [`SeriesRefusal`].
-    pub fn read(source: SeriesSource, rows: Option<Text>) -> Result<Self, SeriesRefusal> {
-        match source.tables(rows.as_ref())? {
-            Some(tables) => Self::of(source, rows, tables),
-            None => Ok(Self { source, rows, table: None, record: None }),
-        }
-    }
-
-    /// Reads its table from the text of its file.
-    ///
-    /// # Errors
-    ///
-    /// As [`read`](Self::read).
-    pub fn read_file(&self, text: &str) -> Result<Self, SeriesRefusal> {
-        Self::of(self.source.clone(), self.rows.clone(), of_text(text, self.rows.as_ref())?)
-    }
-
-    fn of(
-        source: SeriesSource,
-        rows: Option<Text>,
-        tables: Vec<RecorderTable>,
-    ) -> Result<Self, SeriesRefusal> {
-        const WANTED: &str = "speeds before the impact, with times and speeds,";
-        let none = none_of_kind(WANTED, &tables);
-        let found = tables.into_iter().find(RecorderTable::is_pre_crash);
-        let table = found.ok_or(none)?;
-        let record = PreCrash::from_table(&table).map_err(SeriesRefusal::PreCrash)?;
-        Ok(Self { source, rows, table: Some(table), record: Some(record) })
-    }
-}
-
-impl GivenPulse {
+impl<R: OfTables> GivenSeries<R> {
     /// Reads its tables, unless they are in a file.
     ///
     /// # Errors
@@ -156,7 +122,7 @@ impl GivenPulse {
     pub fn read(source: SeriesSource, rows: Option<Text>) -> Result<Self, SeriesRefusal> {
         match source.tables(rows.as_ref())? {
             Some(tables) => Self::of(source, rows, tables),
-            None => Ok(Self { source, rows, tables: Vec::new(), pulse: None }),
+            None => Ok(Self { source, rows, tables: Vec::new(), record: None }),
         }
     }
 
@@ -174,33 +140,43 @@ impl GivenPulse {
         rows: Option<Text>,
         tables: Vec<RecorderTable>,
     ) -> Result<Self, SeriesRefusal> {
+        let (tables, record) = R::of_tables(tables)?;
+        Ok(Self { source, rows, tables, record: Some(record) })
+    }
+}
+
+impl OfTables for PreCrash {
+    fn of_tables(tables: Vec<RecorderTable>) -> Result<(Vec<RecorderTable>, Self), SeriesRefusal> {
+        const WANTED: &str = "speeds before the impact, with times and speeds,";
+        let none = none_of_kind(WANTED, &tables);
+        let table = tables.into_iter().find(RecorderTable::is_pre_crash).ok_or(none)?;
+        let record = Self::from_table(&table).map_err(SeriesRefusal::PreCrash)?;
+        Ok((vec![table], record))
+    }
+}
+
+impl OfTables for CrashPulse {
+    fn of_tables(tables: Vec<RecorderTable>) -> Result<(Vec<RecorderTable>, Self), SeriesRefusal> {
         const WANTED: &str = "ΔV over time, with times and a longitudinal or lateral ΔV,";
         let none = none_of_kind(WANTED, &tables);
         let tables: Vec<RecorderTable> = tables.into_iter().filter(RecorderTable::is_pulse).collect();
         let along = tables.iter().find(|table| table.column(Channel::DeltaVLongitudinal).is_some());
         let across = tables.iter().find(|table| table.column(Channel::DeltaVLateral).is_some());
         let first = along.or(across).ok_or(none)?;
-        let mut pulse = CrashPulse::from_table(first).map_err(SeriesRefusal::Pulse)?;
+        let mut pulse = Self::from_table(first).map_err(SeriesRefusal::Pulse)?;
         if let Some(across) = across.filter(|across| !std::ptr::eq(*across, first)) {
-            pulse = pulse.with(&CrashPulse::from_table(across).map_err(SeriesRefusal::Pulse)?);
+            pulse = pulse.with(&Self::from_table(across).map_err(SeriesRefusal::Pulse)?);
         }
-        Ok(Self { source, rows, tables, pulse: Some(pulse) })
-    }
-
-    /// The part of the record that is of the impact, up to the greatest ΔV.
-    #[must_use]
-    pub fn greatest(&self) -> Option<PulseSpan> {
-        self.pulse.as_ref()?.span(PulseRule::GreatestDeltaV)
+        Ok((tables, pulse))
     }
 }
 
-/// `at` of `[vehicleN.recorder]`: where the recorder is.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct RecorderMount {
-    /// (m) from the centre of gravity forward.
-    pub x: Quantity,
-    /// (m) from the centre of gravity across, in the sense of the axes.
-    pub y: Quantity,
+impl GivenPulse {
+    /// The part of the record that is of the impact, up to the greatest ΔV.
+    #[must_use]
+    pub fn greatest(&self) -> Option<PulseSpan> {
+        self.record.as_ref()?.span(PulseRule::GreatestDeltaV)
+    }
 }
 
 /// `errors` of `[vehicleN.recorder]`: those of the stored speed as the speed at impact, in place of the
@@ -259,7 +235,8 @@ impl GivenSpeedErrors {
 }
 
 impl<U> Walk<'_, U> {
-    pub(crate) fn series(&mut self, table: &dyn Display, source: &SeriesSource, rows: Option<&Text>) {
+    pub(crate) fn series<R>(&mut self, table: &dyn Display, given: Option<&GivenSeries<R>>) {
+        let Some(GivenSeries { source, rows, .. }) = given else { return };
         let mut text = |key: &str, text: &Text| {
             self.text(&Key(table, key), Some(text));
         };
@@ -272,12 +249,7 @@ impl<U> Walk<'_, U> {
                 }
             }
         }
-        self.text(&Key(table, "rows"), rows);
-    }
-
-    pub(crate) fn mount(&mut self, table: &dyn Display, mount: &RecorderMount) {
-        self.exact(&Key(table, "x"), &mount.x);
-        self.exact(&Key(table, "y"), &mount.y);
+        self.text(&Key(table, "rows"), rows.as_ref());
     }
 
     pub(crate) fn speed_errors(&mut self, table: &dyn Display, errors: &GivenSpeedErrors) {

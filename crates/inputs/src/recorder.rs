@@ -9,7 +9,8 @@ use recorder::{EventRecord, ImpactSpeed, KnownImpact};
 
 use crate::axes::Axes;
 use crate::quantity::{Quantity, format_number};
-use crate::recorded::{GivenPreCrash, GivenPulse, GivenSpeedErrors, RecorderMount};
+use crate::recorded::{GivenPreCrash, GivenPulse, GivenSpeedErrors};
+use crate::scene::Place;
 use crate::walk::{Element, GivenValue, Key, Walk};
 use crate::words::word;
 
@@ -39,7 +40,7 @@ pub struct Recorder {
     /// Whether the recorder did not finish the record, so that its ΔV is a lower bound.
     pub incomplete: bool,
     /// Where it is in the vehicle; at the centre of gravity where absent.
-    pub at: Option<RecorderMount>,
+    pub at: Option<Place>,
     /// The errors of a stored speed.
     pub errors: GivenSpeedErrors,
     /// Several records, in the order of time, in place of the one above.
@@ -226,15 +227,11 @@ impl<U> Walk<'_, U> {
         self.percent_if(&at("speed_error"), recorder.speed_error);
         self.exact_if(&at("yaw_rate"), recorder.yaw_rate.as_ref());
         self.exact_if(&at("yaw_rate_error"), recorder.yaw_rate_error.as_ref());
-        if let Some(pre_crash) = &recorder.pre_crash {
-            self.series(&at("pre_crash"), &pre_crash.source, pre_crash.rows.as_ref());
-        }
-        if let Some(pulse) = &recorder.pulse {
-            self.series(&at("pulse"), &pulse.source, pulse.rows.as_ref());
-        }
+        self.series(&at("pre_crash"), recorder.pre_crash.as_deref());
+        self.series(&at("pulse"), recorder.pulse.as_deref());
         self.flag(&at("incomplete"), recorder.incomplete);
-        if let Some(mount) = &recorder.at {
-            self.mount(&at("at"), mount);
+        if let Some(place) = &recorder.at {
+            self.exact_place(&at("at"), place);
         }
         self.speed_errors(&at("errors"), &recorder.errors);
         let records = at("records");

@@ -7,12 +7,12 @@ use crate::text::Text;
 use crate::walk::{Element, Key, Walk};
 use crate::words::word;
 
-/// A place in the scene, in the coordinates of its survey.
+/// A point: in the scene, in the coordinates of its survey, or in a vehicle, from its centre of gravity.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Place<T = f64> {
-    /// (m) along the scene's x.
+    /// (m) along the scene's x, or forward.
     pub x: Quantity<T>,
-    /// (m) along the scene's y.
+    /// (m) along the scene's y, or across, in the sense of the axes.
     pub y: Quantity<T>,
 }
 
@@ -101,8 +101,7 @@ impl<U> Walk<'_, U> {
 
     pub(crate) fn site_plan(&mut self, plan: &GivenSitePlan) -> GivenSitePlan {
         self.text(&"scene.site_plan.file", Some(&plan.file));
-        self.exact(&"scene.site_plan.corner.x", &plan.corner.x);
-        self.exact(&"scene.site_plan.corner.y", &plan.corner.y);
+        self.exact_place(&"scene.site_plan.corner", &plan.corner);
         self.exact(&"scene.site_plan.width", &plan.width);
         if let Some(angle) = &plan.angle {
             self.exact(&"scene.site_plan.angle", angle);
@@ -139,9 +138,12 @@ impl<U> Walk<'_, U> {
     /// Places that do not vary: their values are only listed.
     pub(crate) fn exact_places(&mut self, list: &dyn Display, places: &[Place]) {
         for (index, place) in places.iter().enumerate() {
-            let table = Element(list, index);
-            self.exact(&Key(&table, "x"), &place.x);
-            self.exact(&Key(&table, "y"), &place.y);
+            self.exact_place(&Element(list, index), place);
         }
+    }
+
+    pub(crate) fn exact_place(&mut self, path: &dyn Display, place: &Place) {
+        self.exact(&Key(path, "x"), &place.x);
+        self.exact(&Key(path, "y"), &place.y);
     }
 }

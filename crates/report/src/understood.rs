@@ -267,7 +267,7 @@ pub(crate) fn message(assumption: &Assumption, units: Units) -> String {
 
 /// The tables of a record under their keys, each with what was recognised in it.
 fn tables<'r>(record: &'r Recorder, at: &'r str) -> impl Iterator<Item = (String, String)> + 'r {
-    let before = record.pre_crash.iter().filter_map(|given| given.table.as_ref());
+    let before = record.pre_crash.iter().flat_map(|given| &given.tables);
     let pulse = record.pulse.iter().flat_map(|given| &given.tables);
     let before = before.map(move |table| (format!("{at}.pre_crash"), recognised_in_words(table)));
     before.chain(pulse.map(move |table| (format!("{at}.pulse"), recognised_in_words(table))))

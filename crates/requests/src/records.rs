@@ -6,8 +6,8 @@ use std::path::Path;
 use std::sync::Arc;
 
 use case::{
-    CaseFile, Diagnostics, Fault, FaultKind, Faults, GivenPreCrash, GivenPulse, Program, Recorder,
-    SeriesRefusal, SeriesSource, Text,
+    CaseFile, Diagnostics, Fault, FaultKind, Faults, GivenSeries, OfTables, Program, Recorder, SeriesRefusal,
+    SeriesSource, Text,
 };
 
 /// Reads the files that `pre_crash` and `pulse` of `[vehicleN.recorder]` name, counted from the folder of the
@@ -44,27 +44,24 @@ fn read_record(
     record: &mut Recorder,
     refuse: &mut dyn FnMut(String, String, Option<&str>),
 ) {
-    let mut refused = |key: &str, name: &Text, refusal: Unread| {
-        let key = format!("{table}.{key}.file");
-        match refusal {
-            Unread::Table(refusal) => refuse(key, placed(&name.to_string(), &refusal), None),
-            Unread::File(error) => refuse(key, format!("cannot read {name}: {error}"), Some(BESIDE)),
-        }
-    };
-    if let Some(given) = &record.pre_crash
-        && let SeriesSource::File(name) = given.source.clone()
-    {
-        match of_file(folder, &name, |text| given.read_file(text)) {
-            Ok(read) => record.pre_crash = Some(Arc::<GivenPreCrash>::new(read)),
-            Err(refusal) => refused("pre_crash", &name, refusal),
-        }
-    }
-    if let Some(given) = &record.pulse
-        && let SeriesSource::File(name) = given.source.clone()
-    {
-        match of_file(folder, &name, |text| given.read_file(text)) {
-            Ok(read) => record.pulse = Some(Arc::<GivenPulse>::new(read)),
-            Err(refusal) => refused("pulse", &name, refusal),
+    read_series(folder, &mut record.pre_crash, &format!("{table}.pre_crash.file"), refuse);
+    read_series(folder, &mut record.pulse, &format!("{table}.pulse.file"), refuse);
+}
+
+/// Reads a table that is in a file, which stands under this key.
+fn read_series<R: OfTables>(
+    folder: &Path,
+    series: &mut Option<Arc<GivenSeries<R>>>,
+    key: &str,
+    refuse: &mut dyn FnMut(String, String, Option<&str>),
+) {
+    let Some(given) = series else { return };
+    let SeriesSource::File(name) = &given.source else { return };
+    match of_file(folder, name, |text| given.read_file(text)) {
+        Ok(read) => *given = Arc::new(read),
+        Err(Unread::Table(refusal)) => refuse(key.to_owned(), placed(&name.to_string(), &refusal), None),
+        Err(Unread::File(error)) => {
+            refuse(key.to_owned(), format!("cannot read {name}: {error}"), Some(BESIDE));
         }
     }
 }

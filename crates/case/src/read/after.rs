@@ -8,7 +8,7 @@ use crate::case_problem::CaseProblem;
 use crate::nearest::nearest;
 use crate::node::Node;
 use crate::quantity::shorten;
-use crate::schema::{AFTER, BEFORE, MOST_ZONES, POINT, REST, SKID, SKID_FROM, STEER, WHEELS};
+use crate::schema::{AFTER, BEFORE, MOST_ZONES, POINT, REST, SKID, STEER, WHEELS};
 use inputs::{
     After, Before, Drag, GivenRest, GivenSteer, MarkedWheel, PathPoint, Place, RestHeading, Skid, SkidBegin,
     SteerPoint, WheelDrag,
@@ -20,12 +20,11 @@ const DRAGS: &str = "drag = 0.02, drag = \"locked\" or, front left, front right,
 impl<'t> Reader<'t> {
     pub(super) fn before(&mut self, vehicle: &Table<'t>) -> Option<Before> {
         const FORMS: &str = "skid = { length = \"18 m\", friction = 0.7 } or skid = { from = { x = \"18 m\", y = \"15 m\" }, friction = 0.7 }";
-        const FROM: &str = "from = { x = \"18 m\", y = \"15 m\" }";
         let table = self.child(vehicle, "before", &BEFORE)?;
         self.require(&table, &["skid"]);
         let skid = self.inline(&table, "skid", &SKID, "a table in braces", FORMS)?;
         let length = self.quantity(&skid, "length");
-        let from = if skid.has("from") { self.place_of(&skid, "from", &SKID_FROM, FROM) } else { None };
+        let from = self.place_of(&skid, "from");
         let friction = self.number(&skid, "friction");
         let speed = self.quantity(&table, "speed");
         let begin = match skid.given(&["length", "from"])[..] {

@@ -2,7 +2,7 @@
 
 use super::scene::OF_OBSTACLE;
 use super::tree::{Reader, Table};
-use crate::schema::{AVOID_CLEAR, AVOID_DEMAND, AVOID_OTHER, AVOID_SIGHT, MOST_ZONES, OBSTACLE, SIGHT_PLACE};
+use crate::schema::{AVOID_CLEAR, AVOID_DEMAND, AVOID_OTHER, AVOID_SIGHT, MOST_ZONES, OBSTACLE};
 use inputs::{Avoid, Clear, GivenDemand, GivenSight, Obstacle, OtherParty, SUBJECTS, SWELLS, Text};
 
 impl<'t> Reader<'t> {
@@ -27,12 +27,11 @@ impl<'t> Reader<'t> {
     }
 
     fn sight(&mut self, avoid: &Table<'t>) -> GivenSight {
-        const PLACE: &str = "{ x = \"-1.2 m\", y = \"0.4 m\" }";
         let Some(table) = self.child(avoid, "sight", &AVOID_SIGHT) else { return GivenSight::default() };
         GivenSight {
-            eye: self.place_of(&table, "eye", &SIGHT_PLACE, PLACE),
+            eye: self.place_of(&table, "eye"),
             heading: self.sourced(&table, "heading"),
-            point: self.place_of(&table, "point", &SIGHT_PLACE, PLACE),
+            point: self.place_of(&table, "point"),
             other_heading: self.sourced(&table, "other_heading"),
             other_speed: self.sourced(&table, "other_speed"),
         }

@@ -8,38 +8,37 @@ use super::tree::{Reader, Table};
 use super::values::Place as Position;
 use crate::case_problem::CaseProblem;
 use crate::schema::{
-    CERTAIN_SPEED, KEYS_OF_RECORD, PRE_CRASH, PULSE, RECORD, RECORDER, RECORDER_AT, RECORDER_ERRORS,
+    CERTAIN_SPEED, KEYS_OF_RECORD, PRE_CRASH, PULSE, RECORD, RECORDER, RECORDER_ERRORS, Schema,
 };
 use crate::source::span_in_text;
 use inputs::{
-    CertainSpeed, GivenEstimate, GivenPreCrash, GivenPulse, GivenSpeedErrors, Quantity, Recorder,
-    RecorderMount, SeriesRefusal, SeriesSource, SeverityPrior, StoredRecord, Text,
+    CertainSpeed, GivenEstimate, GivenSeries, GivenSpeedErrors, OfTables, Quantity, Recorder, SeriesRefusal,
+    SeriesSource, SeverityPrior, StoredRecord, Text,
 };
 
 /// The columns of `pre_crash`, and those of `pulse`.
-const BEFORE_IMPACT: [(&str, Channel); 10] = [
-    ("time", Channel::Time),
-    ("speed", Channel::Speed),
-    ("brake", Channel::Brake),
-    ("abs", Channel::Abs),
-    ("stability", Channel::Stability),
-    ("accelerator", Channel::Accelerator),
-    ("throttle", Channel::Throttle),
-    ("engine_speed", Channel::EngineSpeed),
-    ("steering", Channel::Steering),
-    ("yaw_rate", Channel::YawRate),
+const BEFORE_IMPACT: [Channel; 10] = [
+    Channel::Time,
+    Channel::Speed,
+    Channel::Brake,
+    Channel::Abs,
+    Channel::Stability,
+    Channel::Accelerator,
+    Channel::Throttle,
+    Channel::EngineSpeed,
+    Channel::Steering,
+    Channel::YawRate,
 ];
-const DURING_IMPACT: [(&str, Channel); 3] = [
-    ("time", Channel::Time),
-    ("delta_v_longitudinal", Channel::DeltaVLongitudinal),
-    ("delta_v_lateral", Channel::DeltaVLateral),
-];
+const DURING_IMPACT: [Channel; 3] = [Channel::Time, Channel::DeltaVLongitudinal, Channel::DeltaVLateral];
+
+/// How `pre_crash` and `pulse` are written.
+const PRE_CRASH_FORMS: &str = "pre_crash = { file = \"edr.csv\" }, { text = \"\"\"…\"\"\" } or { time = \"-1 -0.5 0 s\", speed = \"60 58 47 km/h\", brake = \"off on on\" }";
+const PULSE_FORMS: &str = "pulse = { file = \"pulse.csv\" }, { text = \"\"\"…\"\"\" } or { time = \"0 10 20 ms\", delta_v_longitudinal = \"0 -4 -9 km/h\" }";
 
 /// (%) limits of the errors of a recorder.
 const MOST_SHARE: f64 = 20.0;
 const MOST_FRICTION: f64 = 150.0;
 const MOST_PROBABLE: f64 = 100.0;
-const PLACE: &str = "a string with a number and a unit: the place of a recorder has no range";
 /// Maximum number of records: a recorder keeps a handful.
 const MOST_RECORDS: usize = 20;
 const TIME_APART: &str = "a string with a number and a unit: the time between two records has no range";
@@ -56,7 +55,7 @@ impl<'t> Reader<'t> {
     /// Reads the table; one without a key counts as absent.
     pub(super) fn recorder(&mut self, vehicle: &Table<'t>) -> Option<Recorder> {
         let table = self.child(vehicle, "recorder", &RECORDER)?;
-        let at = self.child(&table, "at", &RECORDER_AT).and_then(|table| self.mount(&table));
+        let at = self.place_of(&table, "at");
         let errors = self.child(&table, "errors", &RECORDER_ERRORS);
         let errors = errors.map_or_else(GivenSpeedErrors::default, |table| self.speed_errors(&table));
         let records = self.records(&table);
@@ -116,8 +115,8 @@ impl<'t> Reader<'t> {
                 self.missing(table, needed);
             }
         }
-        let pre_crash = self.pre_crash(table);
-        let pulse = self.pulse(table);
+        let pre_crash = self.series(table, "pre_crash", &PRE_CRASH, &BEFORE_IMPACT, PRE_CRASH_FORMS);
+        let pulse = self.series(table, "pulse", &PULSE, &DURING_IMPACT, PULSE_FORMS);
         let excluded = [
             ("pre_crash", "speed", "the speed at impact follows from the table: leave one of them out"),
             ("pulse", "delta_v_longitudinal", "ΔV follows from the pulse: leave one of them out"),
@@ -146,12 +145,6 @@ impl<'t> Reader<'t> {
             incomplete: self.flag(table, "incomplete"),
             ..Recorder::default()
         }
-    }
-
-    fn mount(&mut self, table: &Table<'t>) -> Option<RecorderMount> {
-        self.require(table, &["x", "y"]);
-        let [x, y] = ["x", "y"].map(|key| self.exact_quantity(table, key, PLACE));
-        Some(RecorderMount { x: x?, y: y? })
     }
 
     fn speed_errors(&mut self, table: &Table<'t>) -> GivenSpeedErrors {
@@ -184,49 +177,43 @@ impl<'t> Reader<'t> {
         errors
     }
 
-    /// The source of a table, in one of its three forms.
-    fn series(
+    /// A table of samples, in one of its three forms.
+    fn series<R: OfTables>(
+        &mut self,
+        recorder: &Table<'t>,
+        key: &'static str,
+        schema: &'static Schema,
+        columns: &[Channel],
+        forms: &'static str,
+    ) -> Option<Arc<GivenSeries<R>>> {
+        let table = self.inline(recorder, key, schema, "a table in braces", forms)?;
+        let source = self.series_source(&table, columns, forms)?;
+        let rows = self.text(&table, "rows");
+        match GivenSeries::read(source, rows) {
+            Ok(read) => Some(Arc::new(read)),
+            Err(refusal) => self.series_refused(&table, &refusal),
+        }
+    }
+
+    fn series_source(
         &mut self,
         table: &Table<'t>,
-        columns: &[(&'static str, Channel)],
+        columns: &[Channel],
         forms: &'static str,
     ) -> Option<SeriesSource> {
         let own = table.given(&["text", "file"]);
-        let listed: Vec<&(&'static str, Channel)> =
-            columns.iter().filter(|(key, _)| table.has(key)).collect();
+        let listed: Vec<Channel> = columns.iter().copied().filter(|one| table.has(one.key())).collect();
         match (own.as_slice(), listed.len()) {
             (["text"], 0) => self.text(table, "text").map(SeriesSource::Text),
             (["file"], 0) => self.text(table, "file").map(SeriesSource::File),
             ([], 2..) if table.has("time") && !table.has("rows") => {
                 let columns: Vec<Option<(Channel, Text)>> = listed
                     .into_iter()
-                    .map(|(key, channel)| Some((*channel, self.text(table, key)?)))
+                    .map(|channel| Some((channel, self.text(table, channel.key())?)))
                     .collect();
                 columns.into_iter().collect::<Option<_>>().map(SeriesSource::Columns)
             }
             _ => self.no_form(table, forms),
-        }
-    }
-
-    fn pre_crash(&mut self, recorder: &Table<'t>) -> Option<Arc<GivenPreCrash>> {
-        const FORMS: &str = "pre_crash = { file = \"edr.csv\" }, { text = \"\"\"…\"\"\" } or { time = \"-1 -0.5 0 s\", speed = \"60 58 47 km/h\", brake = \"off on on\" }";
-        let table = self.inline(recorder, "pre_crash", &PRE_CRASH, "a table in braces", FORMS)?;
-        let source = self.series(&table, &BEFORE_IMPACT, FORMS)?;
-        let rows = self.text(&table, "rows");
-        match GivenPreCrash::read(source, rows) {
-            Ok(read) => Some(Arc::new(read)),
-            Err(refusal) => self.series_refused(&table, &refusal),
-        }
-    }
-
-    fn pulse(&mut self, recorder: &Table<'t>) -> Option<Arc<GivenPulse>> {
-        const FORMS: &str = "pulse = { file = \"pulse.csv\" }, { text = \"\"\"…\"\"\" } or { time = \"0 10 20 ms\", delta_v_longitudinal = \"0 -4 -9 km/h\" }";
-        let table = self.inline(recorder, "pulse", &PULSE, "a table in braces", FORMS)?;
-        let source = self.series(&table, &DURING_IMPACT, FORMS)?;
-        let rows = self.text(&table, "rows");
-        match GivenPulse::read(source, rows) {
-            Ok(read) => Some(Arc::new(read)),
-            Err(refusal) => self.series_refused(&table, &refusal),
         }
     }
 

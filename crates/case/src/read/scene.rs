@@ -5,13 +5,13 @@ use std::path::{Component, Path};
 use super::tree::{Reader, Table};
 use super::values::Place as Position;
 use crate::case_problem::CaseProblem;
-use crate::schema::{CORNER, GRADE, MOST_ZONES, PLAN_CORNER, SCENE_CONTACT, SITE_PLAN, SURFACE_ZONE, Schema};
+use crate::schema::{CORNER, Form, GRADE, Key, MOST_ZONES, SITE_PLAN, SURFACE_ZONE};
 use inputs::{
     Axes, EdgeSide, GivenSitePlan, Grade, Place, Quantity, Surface, SurfaceRegion, SurfaceZone, shown,
 };
 
 /// Error text for a range where none is allowed.
-const EXACT_CORNER: &str = "a string with a number and a unit, because corners are exact";
+const EXACT_PLACE: &str = "a string with a number and a unit, because this place is exact";
 /// What has corners, and what else would describe it.
 #[derive(Clone, Copy)]
 pub(super) struct Shape {
@@ -33,30 +33,22 @@ impl<'t> Reader<'t> {
 
     /// `contact` of `[scene]`; the outer option is `None` if it is present but wrong.
     pub(super) fn scene_contact(&mut self, scene: &Table<'t>) -> Option<Option<Place>> {
-        const FORMS: &str = "contact = { x = \"12.4 m\", y = \"3.1 m\" }";
         if !scene.has("contact") {
             return Some(None);
         }
-        self.place_of(scene, "contact", &SCENE_CONTACT, FORMS).map(Some)
+        self.place_of(scene, "contact").map(Some)
     }
 
     /// `site_plan` of `[scene]`; the outer option is `None` if it is present but wrong.
     pub(super) fn site_plan(&mut self, scene: &Table<'t>) -> Option<Option<GivenSitePlan>> {
         const FORMS: &str = "site_plan = { file = \"aerial.jpg\", corner = { x = \"-20 m\", y = \"-15 m\" }, width = \"60 m\" }";
-        const CORNER_FORMS: &str = "corner = { x = \"-20 m\", y = \"-15 m\" }";
         if !scene.has("site_plan") {
             return Some(None);
         }
         let table = self.inline(scene, "site_plan", &SITE_PLAN, "a table in braces", FORMS)?;
         self.require(&table, &["file", "corner", "width"]);
         let file = self.text(&table, "file");
-        let corner = self.inline(&table, "corner", &PLAN_CORNER, "a table in braces", CORNER_FORMS).and_then(
-            |corner| {
-                self.require(&corner, &["x", "y"]);
-                let [x, y] = ["x", "y"].map(|key| self.exact_quantity(&corner, key, EXACT_PLAN));
-                Some(Place { x: x?, y: y? })
-            },
-        );
+        let corner = self.place_of(&table, "corner");
         let width = self.exact_quantity(&table, "width", EXACT_PLAN);
         let has_angle = table.has("angle");
         let angle = self.exact_quantity(&table, "angle", EXACT_PLAN);
@@ -74,22 +66,20 @@ impl<'t> Reader<'t> {
         Some(Some(GivenSitePlan { file, corner, width, angle }))
     }
 
-    pub(super) fn place_of(
-        &mut self,
-        parent: &Table<'t>,
-        key: &'static str,
-        schema: &'static Schema,
-        forms: &'static str,
-    ) -> Option<Place> {
-        let table = self.inline(parent, key, schema, "a table in braces", forms)?;
+    /// The point under a key.
+    pub(super) fn place_of(&mut self, parent: &Table<'t>, key: &'static str) -> Option<Place> {
+        let &Key { form: Form::Table(schema), example, .. } = parent.schema.key(key)? else { return None };
+        let table = self.inline(parent, key, schema, "a table in braces", example)?;
         self.place(&table)
     }
 
-    /// A place in the scene.
+    /// A point. The schema says whether its coordinates may be ranges.
     pub(super) fn place(&mut self, table: &Table<'t>) -> Option<Place> {
         self.require(table, &["x", "y"]);
-        let x = self.quantity(table, "x");
-        let y = self.quantity(table, "y");
+        let [x, y] = ["x", "y"].map(|key| match table.schema.key(key)?.form {
+            Form::Exact(..) => self.exact_quantity(table, key, EXACT_PLACE),
+            _ => self.quantity(table, key),
+        });
         Some(Place { x: x?, y: y? })
     }
 
@@ -148,14 +138,7 @@ impl<'t> Reader<'t> {
         const FORMS: &str =
             "[{ x = \"0 m\", y = \"6 m\" }, { x = \"50 m\", y = \"6 m\" }, { x = \"50 m\", y = \"9 m\" }]";
         let tables = self.tables(zone, key, &CORNER, FORMS, MOST_ZONES)?;
-        let corners: Vec<Option<Place>> = tables
-            .iter()
-            .map(|table| {
-                self.require(table, &["x", "y"]);
-                let [x, y] = ["x", "y"].map(|key| self.exact_quantity(table, key, EXACT_CORNER));
-                Some(Place { x: x?, y: y? })
-            })
-            .collect();
+        let corners: Vec<Option<Place>> = tables.iter().map(|table| self.place(table)).collect();
         corners.into_iter().collect()
     }
 

@@ -6,8 +6,8 @@ use crate::case_problem::{CLASS_FORMS, CaseProblem};
 use crate::node::Node;
 use crate::quantity::{Limit, format_limit, shorten};
 use crate::schema::{
-    CONTACT, CRUSH, MOST_ZONES, NEVER_BESIDE_EES, NEVER_FIXED, OBLIQUE, POSITION, STIFFNESS, TEST, VEHICLE,
-    VELOCITY, ZONE,
+    CONTACT, CRUSH, MOST_ZONES, NEVER_BESIDE_EES, NEVER_FIXED, OBLIQUE, STIFFNESS, TEST, VEHICLE, VELOCITY,
+    ZONE,
 };
 use crash3::{CrushError, ObliqueCorrection};
 use inputs::{
@@ -51,7 +51,7 @@ impl<'t> Reader<'t> {
             length: None,
             heading: self.quantity(&table, "heading"),
             sideslip: self.sideslip(&table),
-            position: self.position(&table),
+            position: self.place_of(&table, "position"),
             contact: self.contact(&table),
             motion: self.motion(&table),
             yaw_rate: self.quantity(&table, "yaw_rate"),
@@ -107,11 +107,6 @@ impl<'t> Reader<'t> {
         // A velocity vector already has a direction.
         self.not_both(vehicle, "velocity", "sideslip");
         self.quantity(vehicle, "sideslip")
-    }
-
-    fn position(&mut self, vehicle: &Table<'t>) -> Option<inputs::Place> {
-        const FORMS: &str = "position = { x = \"10.8 m\", y = \"3.9 m\" }";
-        if vehicle.has("position") { self.place_of(vehicle, "position", &POSITION, FORMS) } else { None }
     }
 
     fn motion(&mut self, vehicle: &Table<'t>) -> Option<Velocity> {

@@ -197,7 +197,7 @@ pub fn write_records(reading: &RecorderReading, style: CsvStyle, out: &mut dyn W
 fn vehicle(id: VehicleId, found: &VehicleReading) -> VehicleBlock {
     let recorder = &found.recorder;
     let before = recorder.pre_crash.as_ref();
-    let tables = before.and_then(|given| given.table.as_ref()).into_iter();
+    let tables = before.into_iter().flat_map(|given| &given.tables);
     let tables = tables.chain(recorder.pulse.iter().flat_map(|given| &given.tables));
     let record = before.and_then(|given| given.record.as_ref());
     let samples = record.map(|record| record.samples()).unwrap_or_default().iter();
@@ -285,7 +285,7 @@ fn speed(speed: &ImpactSpeed) -> SpeedBlock {
 }
 
 fn pulse(found: &VehicleReading) -> Option<PulseBlock> {
-    let pulse = found.recorder.pulse.as_ref()?.pulse.as_ref()?;
+    let pulse = found.recorder.pulse.as_ref()?.record.as_ref()?;
     let span = |span: &PulseSpan| SpanBlock {
         rule: span.rule.key(),
         start: span.start,

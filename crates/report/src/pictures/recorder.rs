@@ -52,7 +52,7 @@ pub(crate) fn curves(
         let across = of(Measure::Length, "distance before the last sample", units);
         add(across, of(Measure::RoadSpeed, "speed", units), over_distance);
     }
-    let pulse = recorder.pulse.as_ref().and_then(|given| given.pulse.as_ref());
+    let pulse = recorder.pulse.as_ref().and_then(|given| given.record.as_ref());
     if let Some(pulse) = pulse {
         let part = |of: fn(&recorder::PulseSample) -> Option<f64>| -> Vec<[f64; 2]> {
             pulse.samples().iter().filter_map(|one| Some([one.time, of(one)?])).collect()

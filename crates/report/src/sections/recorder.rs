@@ -235,7 +235,7 @@ fn from(source: &SeriesSource) -> String {
 
 fn before(page: &mut Document, file: &CaseFile, id: VehicleId, found: &VehicleReading, units: Units) {
     let Some(given) = &found.recorder.pre_crash else { return };
-    let (Some(table), Some(record)) = (&given.table, &given.record) else { return };
+    let (Some(table), Some(record)) = (given.tables.first(), &given.record) else { return };
     page.push(part(found, "Before the impact"));
     recognised(page, file, &format!("{}.pre_crash", found.of_impact.key(id)), &given.source, table);
     page.push(samples(record, found, units));
