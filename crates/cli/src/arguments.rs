@@ -78,12 +78,14 @@ pub(crate) enum Command {
         before_help = "Compares eleven RICSAC staged collisions with what the papers print about them: each \
             number is claimed to reproduce within a tolerance, or listed with the reason why it does not. \
             Then reconstructs the speed of each from its crush, and shows the error rate. It reads no file: \
-            the data are built in. With --field FILE it judges intervals of ΔV by the recorders of real \
-            crashes in that table instead; with --judge, the ΔV of another program. With --recorders FILE it \
-            judges speeds before the impact.",
+            the data are built in. With --field PATH it judges intervals of ΔV by the recorders of real \
+            crashes instead; with --judge, the ΔV of another program. PATH is a table of crashes, or NHTSA's \
+            CISS tables of a year as CSV: the ZIP file as downloaded, its folder, or a folder that has such \
+            ZIP files or folders. With --recorders FILE it judges speeds before the impact.",
         after_help = "Examples:\n  deltav validate\n  deltav validate --format json -o validation.json\n  \
             deltav validate --format markdown -o docs/validation.md --plots docs\n  \
-            deltav validate --field ciss-pairs.csv\n  deltav validate --field ciss-pairs.csv --other \
+            deltav validate --field ciss-pairs.csv\n  deltav validate --field 2017.zip --field 2018.zip\n  \
+            deltav validate --field 2017.zip --objects\n  deltav validate --field ciss-pairs.csv --other \
             --format json\n  deltav validate --field ciss-pairs.csv --judge DVTOTAL\n\n\
             Exit status: 0 every claimed number reproduces; 1 at least one does not. With --field: 0 \
             done.\n\n\
@@ -1030,9 +1032,14 @@ pub(crate) struct ValidateArguments {
     #[arg(short, long, value_name = "FILE", default_value = "-", hide_default_value = true)]
     pub(crate) output: Destination,
 
-    /// Judge intervals of ΔV by recorders of real crashes in FILE (CSV)
-    #[arg(long, value_name = "FILE")]
-    pub(crate) field: Option<PathBuf>,
+    /// Judge intervals of ΔV by recorders of real crashes in PATH: a table (CSV), or NHTSA's download of
+    /// CISS as CSV, a ZIP file or a folder; may be repeated, once for each year
+    #[arg(long, value_name = "PATH")]
+    pub(crate) field: Vec<PathBuf>,
+
+    /// Of NHTSA's download, judge vehicles that struck a fixed object instead of pairs of vehicles
+    #[arg(long, requires = "field", conflicts_with_all = ["other", "judge"])]
+    pub(crate) objects: bool,
 
     /// Judge speeds before the impact by recorders of real crashes in FILE (CSV)
     #[arg(long, value_name = "FILE", conflicts_with_all = ["field", "plots"])]
@@ -1042,7 +1049,7 @@ pub(crate) struct ValidateArguments {
     #[arg(long, requires = "field")]
     pub(crate) other: bool,
 
-    /// Judge another program instead: its ΔV (km/h) in the columns COLUMN_1 and COLUMN_2 of FILE, and the
+    /// Judge another program instead: its ΔV (km/h) in the columns COLUMN_1 and COLUMN_2 of PATH, and the
     /// ends of its 95 % intervals in LOW_1, HIGH_1, LOW_2 and HIGH_2
     #[arg(long, value_name = "COLUMN[,LOW,HIGH]", requires = "field", conflicts_with_all = ["other", "plots"])]
     pub(crate) judge: Option<field::ClaimColumns>,

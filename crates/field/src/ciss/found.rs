@@ -142,11 +142,14 @@ impl CissCrashes {
     /// [`read_objects`](crate::read_objects) take.
     #[must_use]
     pub fn csv(&self) -> String {
-        let header: Vec<_> =
-            Self::columns(self.is_of_objects).into_iter().map(|column| column.name).collect();
-        let mut text = header.join(",");
-        text.push('\n');
-        for row in &self.rows {
+        Self::csv_of(self.is_of_objects, [self])
+    }
+
+    /// The crashes of several years as one table.
+    pub fn csv_of<'a>(is_of_objects: bool, years: impl IntoIterator<Item = &'a Self>) -> String {
+        let header: Vec<_> = Self::columns(is_of_objects).into_iter().map(|column| column.name).collect();
+        let mut text = header.join(",") + "\n";
+        for row in years.into_iter().flat_map(|year| &year.rows) {
             let cells: Vec<_> = row.iter().map(CissCell::to_string).collect();
             text.push_str(&cells.join(","));
             text.push('\n');
