@@ -262,18 +262,21 @@ fn check_any(years: &[FieldYear], is_of_objects: bool) -> Result<()> {
     if years.iter().any(|year| !year.crashes.rows.is_empty()) {
         return Ok(());
     }
-    let reasons = years.iter().flat_map(|year| &year.crashes.left_out);
+    let sources: Vec<_> = years.iter().map(|year| year.source.as_str()).collect();
+    let left_out = CissCrashes::left_out_of(years.iter().map(|year| &year.crashes));
     let reasons: Vec<_> =
-        reasons.map(|(reason, count)| format!("{count} {}", reason.why(is_of_objects))).collect();
+        left_out.iter().map(|(reason, count)| format!("{count} {}", reason.why(is_of_objects))).collect();
     let what = if is_of_objects {
         "vehicle that struck a fixed object (OBJCONT 31 to 97)"
     } else {
         "pair of vehicles that name each other as what they struck (OBJCONT)"
     };
-    if reasons.is_empty() {
-        bail!("the tables have no {what}");
-    }
-    bail!("the tables have no {what} and can be judged; left out: {}", reasons.join(", "))
+    let why = if reasons.is_empty() {
+        String::new()
+    } else {
+        format!(" and can be judged; left out: {}", reasons.join(", "))
+    };
+    bail!("{}: the tables have no {what}{why}", sources.join(", "))
 }
 
 #[cfg(test)]

@@ -2,7 +2,8 @@
 
 The Crash Investigation Sampling System (CISS) of the U.S. National Highway Traffic Safety Administration publishes
 a folder of tables a year, as SAS files and as CSV. ``pairs`` makes of it one table of the crashes that ``judge``
-and ``deltav validate --field`` hold against their recorders, and ``case`` makes a case of one of them.
+holds against their recorders, and ``case`` makes a case of one of them. ``deltav validate --field`` makes the same
+table of the same CSV files; the rules are in the engine.
 
 >>> pairs = deltav.ciss.pairs(folder)
 >>> pairs

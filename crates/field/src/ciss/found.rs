@@ -138,6 +138,15 @@ impl CissCrashes {
         keys.chain(of(1)).chain(of(2)).collect()
     }
 
+    /// (–) numbers of crashes that several years leave out.
+    pub fn left_out_of<'a>(years: impl IntoIterator<Item = &'a Self>) -> BTreeMap<LeftOut, usize> {
+        let mut all = BTreeMap::new();
+        for (reason, count) in years.into_iter().flat_map(|year| &year.left_out) {
+            *all.entry(*reason).or_insert(0) += count;
+        }
+        all
+    }
+
     /// The table as comma-separated values: what [`read`](crate::read) and
     /// [`read_objects`](crate::read_objects) take.
     #[must_use]

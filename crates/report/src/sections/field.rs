@@ -1,8 +1,8 @@
 //! How the intervals of ΔV compare with recorders.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeSet;
 
-use field::ciss::LeftOut;
+use field::ciss::CissCrashes;
 use field::{Field, Figures, Group, Judged, LEVELS};
 
 use crate::data::field::{FieldData, FieldYear};
@@ -115,11 +115,7 @@ fn candidates(years: &[FieldYear], is_of_objects: bool) -> Table {
     let mut table = Table::new("", columns);
     let found: usize = years.iter().map(|year| year.crashes.rows.len()).sum();
     table.row(["in the table that is judged".to_owned(), found.to_string()]);
-    let mut left_out: BTreeMap<LeftOut, usize> = BTreeMap::new();
-    for (reason, count) in years.iter().flat_map(|year| &year.crashes.left_out) {
-        *left_out.entry(*reason).or_default() += count;
-    }
-    for (reason, count) in left_out {
+    for (reason, count) in CissCrashes::left_out_of(years.iter().map(|year| &year.crashes)) {
         table.row([format!("left out, {}", reason.why(is_of_objects)), count.to_string()]);
     }
     table
