@@ -79,14 +79,13 @@ pub(crate) enum Command {
             number is claimed to reproduce within a tolerance, or listed with the reason why it does not. \
             Then reconstructs the speed of each from its crush, and shows the error rate. It reads no file: \
             the data are built in. With --field PATH it judges intervals of ΔV by the recorders of real \
-            crashes instead; with --judge, the ΔV of another program. PATH is a table of crashes, or NHTSA's \
-            CISS tables of a year as CSV: the ZIP file as downloaded, its folder, or a folder that has such \
-            ZIP files or folders. With --recorders FILE it judges speeds before the impact.",
+            crashes instead. PATH is a table of crashes (CSV), or NHTSA's CISS tables as CSV: the ZIP file of \
+            a year as downloaded, a folder with its tables, or a folder with such ZIP files or folders of \
+            several years. With --recorders FILE it judges speeds before the impact.",
         after_help = "Examples:\n  deltav validate\n  deltav validate --format json -o validation.json\n  \
             deltav validate --format markdown -o docs/validation.md --plots docs\n  \
-            deltav validate --field ciss-pairs.csv\n  deltav validate --field 2017.zip --field 2018.zip\n  \
-            deltav validate --field 2017.zip --objects\n  deltav validate --field ciss-pairs.csv --other \
-            --format json\n  deltav validate --field ciss-pairs.csv --judge DVTOTAL\n\n\
+            deltav validate --field 2017.zip --field 2018.zip\n  deltav validate --field 2017.zip \
+            --objects\n  deltav validate --field ciss-pairs.csv --judge DVTOTAL\n\n\
             Exit status: 0 every claimed number reproduces; 1 at least one does not. With --field: 0 \
             done.\n\n\
             More: `deltav explain error rate`, `deltav explain field data`."
@@ -1032,16 +1031,15 @@ pub(crate) struct ValidateArguments {
     #[arg(short, long, value_name = "FILE", default_value = "-", hide_default_value = true)]
     pub(crate) output: Destination,
 
-    /// Judge intervals of ΔV by recorders of real crashes in PATH: a table (CSV), or NHTSA's download of
-    /// CISS as CSV, a ZIP file or a folder; may be repeated, once for each year
+    /// Judge intervals of ΔV by recorders of real crashes; may be repeated
     #[arg(long, value_name = "PATH")]
     pub(crate) field: Vec<PathBuf>,
 
-    /// Of NHTSA's download, judge vehicles that struck a fixed object instead of pairs of vehicles
+    /// Of NHTSA's tables, judge vehicles that struck a fixed object
     #[arg(long, requires = "field", conflicts_with_all = ["other", "judge"])]
     pub(crate) objects: bool,
 
-    /// Judge speeds before the impact by recorders of real crashes in FILE (CSV)
+    /// Judge speeds before the impact by recorders in FILE (CSV)
     #[arg(long, value_name = "FILE", conflicts_with_all = ["field", "plots"])]
     pub(crate) recorders: Option<PathBuf>,
 

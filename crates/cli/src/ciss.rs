@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 
 use anyhow::{Context as _, Result, bail};
 use field::FieldError;
-use field::ciss::{CissCell, CissCrashes, CissError, CissFiles, has_tables, objects, pairs};
+use field::ciss::{CissCell, CissCrashes, CissError, CissFiles, OBJECTS, has_tables, objects, pairs};
 use report::FieldYear;
 use zip::ZipArchive;
 
@@ -267,9 +267,9 @@ fn check_any(years: &[FieldYear], is_of_objects: bool) -> Result<()> {
     let reasons: Vec<_> =
         left_out.iter().map(|(reason, count)| format!("{count} {}", reason.why(is_of_objects))).collect();
     let what = if is_of_objects {
-        "vehicle that struck a fixed object (OBJCONT 31 to 97)"
+        format!("vehicle that struck a fixed object (OBJCONT {} to {})", OBJECTS.start(), OBJECTS.end())
     } else {
-        "pair of vehicles that name each other as what they struck (OBJCONT)"
+        "pair of vehicles that name each other as what they struck (OBJCONT)".to_owned()
     };
     let why = if reasons.is_empty() {
         String::new()

@@ -45,4 +45,4 @@ pub use error::CissError;
 pub use found::{CissColumn, CissCrashes, CissTable, LeftOut, read_pairs};
 pub use records::{EventRecord, records};
 pub use table::{CissFiles, has_tables};
-pub use year::{objects, pairs};
+pub use year::{OBJECTS, objects, pairs};

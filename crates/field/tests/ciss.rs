@@ -147,6 +147,8 @@ fn what_a_pair_lacks_is_counted() {
         ("gv.CSV", ",1400,", ",9999,", LeftOut::Mass),
         ("gv.CSV", ",1400,", ",0,", LeftOut::Mass),
         ("gv.CSV", "7,2,20", "7,3,20", LeftOut::Mass),
+        ("gv.CSV", ",1400,", ",140000,", LeftOut::Implausible),
+        ("EDREVENT.csv", "1,-20,5.25", "1,-655.35,0", LeftOut::Implausible),
     ] {
         let found = pairs(&mut tables().with(file, from, to)).unwrap();
         assert!(found.rows.is_empty(), "{from} → {to}");

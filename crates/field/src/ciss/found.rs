@@ -4,6 +4,8 @@ use std::collections::BTreeMap;
 
 use super::cell::{self, CissCell, Kind};
 use super::error::CissError;
+use crate::error::FieldError;
+use crate::read::{read, read_objects};
 
 /// A table that was read.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -31,6 +33,9 @@ pub enum LeftOut {
     Mass,
     /// The ΔV that a recorder stored of this event.
     Recorder,
+    /// A number that [`read`](crate::read) refuses, such as a ΔV of 600 km/h: what is judged cannot be corrected
+    /// in a download.
+    Implausible,
 }
 
 /// Crashes of a year, as a table.
@@ -112,6 +117,7 @@ impl LeftOut {
             (Self::Mass, false) => "without masses of both",
             (Self::Mass, true) => "without a mass",
             (Self::Recorder, _) => "without a recorder's ΔV of this event",
+            (Self::Implausible, _) => "with a number that is not plausible",
         }
     }
 }
@@ -138,6 +144,13 @@ impl CissCrashes {
         keys.chain(of(1)).chain(of(2)).collect()
     }
 
+    /// Whether what judges it refuses a cell of a crash.
+    pub(super) fn is_refused(row: &[CissCell], is_of_objects: bool) -> bool {
+        let text = Self::table(is_of_objects, [row]);
+        let read = if is_of_objects { read_objects(&text).map(|_| ()) } else { read(&text).map(|_| ()) };
+        matches!(read, Err(FieldError::Cell { .. }))
+    }
+
     /// (–) numbers of crashes that several years leave out.
     pub fn left_out_of<'a>(years: impl IntoIterator<Item = &'a Self>) -> BTreeMap<LeftOut, usize> {
         let mut all = BTreeMap::new();
@@ -156,9 +169,13 @@ impl CissCrashes {
 
     /// The crashes of several years as one table.
     pub fn csv_of<'a>(is_of_objects: bool, years: impl IntoIterator<Item = &'a Self>) -> String {
+        Self::table(is_of_objects, years.into_iter().flat_map(|year| &year.rows).map(Vec::as_slice))
+    }
+
+    fn table<'a>(is_of_objects: bool, rows: impl IntoIterator<Item = &'a [CissCell]>) -> String {
         let header: Vec<_> = Self::columns(is_of_objects).into_iter().map(|column| column.name).collect();
         let mut text = header.join(",") + "\n";
-        for row in years.into_iter().flat_map(|year| &year.rows) {
+        for row in rows {
             let cells: Vec<_> = row.iter().map(CissCell::to_string).collect();
             text.push_str(&cells.join(","));
             text.push('\n');

@@ -28,7 +28,7 @@ struct Tables {
 /// A pair is two vehicles with damage by one event that each name the other as what they struck (OBJCONT of
 /// CDC, or of EVENT where CDC has no such column). It is kept if the damage of both is on front, back, left or
 /// right with all of C1 to C6, a length and a PDOF, if both have a curb weight, and if a recorder of one has a
-/// ΔV of this event (CDCEVENT): of several records the one with the largest.
+/// ΔV of this event (CDCEVENT): of several records the one with the largest; and if no number is implausible.
 ///
 /// # Errors
 /// If a table or a column is missing, or a cell is no number, with file, line and column.
@@ -190,8 +190,9 @@ struct Candidate {
     object: Option<i64>,
 }
 
-/// Codes OBJCONT of what is no vehicle of the crash and can be struck.
-const FIXED: RangeInclusive<i64> = 31..=97;
+/// NHTSA's codes OBJCONT of what is no vehicle of the crash and can be struck, as those of the vehicles that the
+/// figures of objects were fitted to.
+pub const OBJECTS: RangeInclusive<i64> = 31..=97;
 
 impl<'a> Year<'a> {
     fn of(tables: &'a Tables) -> Result<Self, CissError> {
@@ -224,7 +225,7 @@ impl<'a> Year<'a> {
     fn single(&self, event: Event) -> Vec<Candidate> {
         let vehicles = self.damages.get(&event).into_iter().flat_map(BTreeMap::keys);
         let object =
-            |vehicle| FIXED.clone().find(|object| self.contacts.contains(&(event, vehicle, *object)));
+            |vehicle| OBJECTS.clone().find(|object| self.contacts.contains(&(event, vehicle, *object)));
         vehicles
             .filter_map(|&vehicle| {
                 Some(Candidate { event, vehicles: vec![vehicle], object: Some(object(vehicle)?) })
@@ -262,12 +263,14 @@ impl<'a> Year<'a> {
 fn found(tables: &Tables, is_of_objects: bool) -> Result<CissCrashes, CissError> {
     let year = Year::of(tables)?;
     let (mut rows, mut left_out) = (Vec::new(), BTreeMap::new());
+    let mut leave_out = |reason| *left_out.entry(reason).or_insert(0) += 1;
     for &event in year.damages.keys() {
         let candidates = if is_of_objects { year.single(event) } else { year.couples(event) };
         for candidate in &candidates {
             match year.row(candidate)? {
+                Ok(row) if CissCrashes::is_refused(&row, is_of_objects) => leave_out(LeftOut::Implausible),
                 Ok(row) => rows.push(row),
-                Err(reason) => *left_out.entry(reason).or_insert(0) += 1,
+                Err(reason) => leave_out(reason),
             }
         }
     }
