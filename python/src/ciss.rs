@@ -1,22 +1,122 @@
 //! Pairs of vehicles with a recorder: `deltav.ciss`.
 
+use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use arrow_array::{ArrayRef, Float64Array, Int64Array, RecordBatch, StringArray};
 use arrow_schema::{DataType, Field as Column, Schema};
 use case::SeverityPrior;
 use evidence::{FITTED, InjuryRisk};
+use field::ciss::{CissCell, CissCrashes, CissError, CissFiles, EventRecord, pairs, read_pairs, records};
 use field::{Field, FieldError, KnownCrush, Options, Pair, judge, read};
 use pim_core::VehicleId;
+use pyo3::IntoPyObjectExt as _;
 use pyo3::exceptions::{PyRuntimeError, PyValueError};
 use pyo3::prelude::*;
+use pyo3::pybacked::PyBackedBytes;
 use pyo3::types::{PyDict, PyTuple};
+
+use report::FieldData;
 
 use crate::given::{Given, PyCase, Whole};
 use crate::picture::Picture;
 use crate::request::chosen;
 use crate::rows::Rows;
 use crate::run::interruptible;
+
+/// The names of the columns of pairs, and the kinds of their cells.
+#[pyfunction(name = "_ciss_columns")]
+pub(crate) fn ciss_columns() -> Vec<(String, &'static str)> {
+    CissCrashes::columns(false).into_iter().map(|column| (column.name, column.kind)).collect()
+}
+
+/// Files that Python reads: their names, and what gives the content of one by its place.
+struct PyFiles<'py> {
+    names: Vec<String>,
+    read: Bound<'py, PyAny>,
+}
+
+/// What the rules refuse, or what Python raised when it read.
+enum Unread {
+    Refused(CissError),
+    Raised(PyErr),
+}
+
+impl From<CissError> for Unread {
+    fn from(error: CissError) -> Self {
+        Self::Refused(error)
+    }
+}
+
+impl CissFiles for PyFiles<'_> {
+    type Error = Unread;
+    const READS_SAS: bool = true;
+
+    fn names(&self) -> Vec<String> {
+        self.names.clone()
+    }
+
+    fn read(&mut self, place: usize) -> Result<Vec<u8>, Unread> {
+        let content = self.read.call1((place,)).and_then(|content| Ok(content.extract::<PyBackedBytes>()?));
+        content.map(|content| content.to_vec()).map_err(Unread::Raised)
+    }
+}
+
+fn in_source<T>(found: Result<T, Unread>, source: &str) -> PyResult<T> {
+    found.map_err(|error| match error {
+        Unread::Refused(error) => PyValueError::new_err(format!("{source}: {error}")),
+        Unread::Raised(error) => error,
+    })
+}
+
+type PyRows = Vec<Vec<Py<PyAny>>>;
+
+fn rows_of(py: Python<'_>, rows: &[Vec<CissCell>]) -> PyResult<PyRows> {
+    let cell = |cell: &CissCell| match cell {
+        CissCell::Nothing => Ok(py.None()),
+        CissCell::Whole(number) => number.into_py_any(py),
+        CissCell::Number(number) => number.into_py_any(py),
+        CissCell::Text(text) => text.into_py_any(py),
+    };
+    rows.iter().map(|row| row.iter().map(cell).collect()).collect()
+}
+
+/// The pairs of a year, and the numbers of those that are left out, by why.
+#[pyfunction(name = "_ciss_pairs")]
+pub(crate) fn ciss_pairs(
+    py: Python<'_>,
+    source: &str,
+    names: Vec<String>,
+    read: Bound<'_, PyAny>,
+) -> PyResult<(PyRows, BTreeMap<&'static str, usize>)> {
+    let found = in_source(pairs(&mut PyFiles { names, read }), source)?;
+    let left_out = found.left_out.iter().map(|(reason, count)| (reason.why(false), *count));
+    Ok((rows_of(py, &found.rows)?, left_out.collect()))
+}
+
+/// The pairs of a saved table.
+#[pyfunction(name = "_read_pairs")]
+pub(crate) fn saved_pairs(py: Python<'_>, file: &str, content: &[u8]) -> PyResult<PyRows> {
+    let rows = read_pairs(file, content).map_err(|error| PyValueError::new_err(error.to_string()))?;
+    rows_of(py, &rows)
+}
+
+/// The records of a recorder, by the names of the keys of a case.
+#[pyfunction(name = "_ciss_records")]
+pub(crate) fn ciss_records(
+    source: &str,
+    names: Vec<String>,
+    read: Bound<'_, PyAny>,
+    crash: i64,
+    vehicle: i64,
+) -> PyResult<Vec<BTreeMap<&'static str, String>>> {
+    let found = in_source(records(&mut PyFiles { names, read }, crash, vehicle), source)?;
+    let record = |record: EventRecord| {
+        let texts = [("pre_crash", record.pre_crash), ("pulse", record.pulse)];
+        texts.into_iter().filter_map(|(key, text)| Some((key, text?))).collect()
+    };
+    Ok(found.into_iter().map(record).collect())
+}
 
 fn refused(error: FieldError) -> PyErr {
     // Of the reason below it, such as a line of a table, Python would say nothing.
@@ -96,21 +196,25 @@ pub(crate) fn judge_pairs(
 
 type Draw = fn(&Field) -> report::Drawing;
 
-/// What the report calls the pairs.
-const NAME: &str = "pairs";
+impl Judged {
+    fn data(&self) -> FieldData<'_> {
+        FieldData { name: "pairs", table: &self.text, years: &[] }
+    }
+}
 
 #[pymethods]
 impl Judged {
     fn json(&self) -> PyResult<String> {
-        report::field_json(&self.field).map_err(|error| PyRuntimeError::new_err(error.to_string()))
+        report::field_json(&self.field, &self.data())
+            .map_err(|error| PyRuntimeError::new_err(error.to_string()))
     }
 
     fn text(&self, py: Python<'_>) -> String {
-        py.detach(|| report::field(&self.field, NAME).text())
+        py.detach(|| report::field(&self.field, &self.data()).text())
     }
 
     fn html(&self, py: Python<'_>) -> String {
-        py.detach(|| report::field(&self.field, NAME).html_fragment())
+        py.detach(|| report::field(&self.field, &self.data()).html_fragment())
     }
 
     fn draw(slf: &Bound<'_, Self>, what: &str) -> PyResult<Picture> {

@@ -49,6 +49,10 @@ fn _deltav(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_function(wrap_pyfunction!(ciss::case_of_pair, module)?)?;
     module.add_function(wrap_pyfunction!(ciss::judge_pairs, module)?)?;
     module.add_function(wrap_pyfunction!(ciss::columns_of_pairs, module)?)?;
+    module.add_function(wrap_pyfunction!(ciss::ciss_columns, module)?)?;
+    module.add_function(wrap_pyfunction!(ciss::ciss_pairs, module)?)?;
+    module.add_function(wrap_pyfunction!(ciss::ciss_records, module)?)?;
+    module.add_function(wrap_pyfunction!(ciss::saved_pairs, module)?)?;
     module.add_function(wrap_pyfunction!(given::restore_case, module)?)?;
     module.add_function(wrap_pyfunction!(columns::restore_columns, module)?)?;
     module.add_function(wrap_pyfunction!(solved::restore_result, module)?)?;

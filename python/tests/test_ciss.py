@@ -2,6 +2,7 @@
 
 import csv
 import doctest
+import hashlib
 import json
 import math
 import os
@@ -212,7 +213,7 @@ def test_contacts_stand_in_event_where_the_damages_name_none(folder: pathlib.Pat
     changed(folder, "EVENT", lambda row: row.update(OBJCONT="3") if row["CASEID"] == "4" else None)
     assert len(deltav.ciss.pairs(folder)) == 11
     (folder / "EVENT.csv").unlink()
-    with pytest.raises(ValueError, match=r"has no table EVENT \(EVENT.csv or event.sas7bdat\); it has CDC.csv, "):
+    with pytest.raises(ValueError, match=r"there is no table EVENT \(EVENT.csv or event.sas7bdat\); there are CDC.csv, "):
         deltav.ciss.pairs(folder)
 
 
@@ -230,7 +231,7 @@ def test_names_are_read_in_upper_and_lower_case_and_from_a_zip(simulated: pathli
     assert deltav.ciss.pairs(tmp_path / "CISS_2017_CSV_files.zip") == expected
     with zipfile.ZipFile(tmp_path / "CISS_2017_CSV_files.zip", "a") as archive:
         archive.write(simulated / "GV.csv", "CISS_2018/GV.csv")
-    with pytest.raises(ValueError, match="has the table GV twice: GV.csv and GV.csv; give the tables of one year"):
+    with pytest.raises(ValueError, match="table GV is there twice: CISS_2017/GV.csv and CISS_2018/GV.csv; give the tables of one year"):
         deltav.ciss.pairs(tmp_path / "CISS_2017_CSV_files.zip")
 
 
@@ -244,14 +245,14 @@ def test_what_is_missing_is_named_with_what_there_is_instead(folder: pathlib.Pat
     (tmp_path / "note.txt").write_text("no table")
     assert "is neither a folder nor a ZIP file" in refusal(tmp_path / "note.txt")
     above = refusal(tmp_path)
-    assert "has no table CRASH (CRASH.csv or crash.sas7bdat); it has note.txt, and the folders tables: give" in above
+    assert "there is no table CRASH (CRASH.csv or crash.sas7bdat); there are note.txt, tables/" in above
     damages = rows_of(folder, "CDC")
     write(folder, "CDC", [{name.replace("C4", "AVGC4"): cell for name, cell in row.items()} for row in damages])
     said = refusal(folder)
     assert "the table CDC (CDC.csv) has no column C4; it has CASEID, EVENTNO, VEHNO, " in said and "AVGC4" in said
     write(folder, "CDC", damages)
     changed(folder, "CDC", lambda row: row.update(C4="deep") if of(row, 3, 2) else None)
-    assert "CDC.csv, row 6, column C4: 'deep' is not a number" in refusal(folder)
+    assert "CDC.csv, line 7, column C4: \"deep\" is not a number" in refusal(folder)
     write(folder, "CDC", damages)
     write(folder, "GV", rows_of(folder, "GV") * 2)
     assert "the table GV has two rows of CASEID 1, VEHNO 1: give the tables of one year" in refusal(folder)
@@ -259,7 +260,7 @@ def test_what_is_missing_is_named_with_what_there_is_instead(folder: pathlib.Pat
     nass.mkdir()
     for name in ("accident", "event", "gv", "ve"):
         (nass / f"{name}.sas7bdat").touch()
-    assert "has tables of NASS-CDS (ACCIDENT, VE): they have no ΔV of a recorder" in refusal(nass)
+    assert "the tables are those of NASS-CDS (ACCIDENT, VE): they have no ΔV of a recorder" in refusal(nass)
 
 
 def test_sas_files_are_read_through_pyreadstat(
@@ -314,6 +315,17 @@ def test_libraries_read_pairs_and_a_saved_file_has_them(simulated: pathlib.Path,
     (tmp_path / "other.csv").write_text("CASEID\n1\n")
     with pytest.raises(ValueError, match="there is no column YEAR; give a file that Pairs.save wrote"):
         deltav.ciss.read(tmp_path / "other.csv")
+
+
+def test_the_program_makes_the_same_pairs_of_the_tables(simulated: pathlib.Path, tmp_path: pathlib.Path) -> None:
+    pairs = deltav.ciss.pairs(simulated)
+    pairs.save(tmp_path / "pairs.csv")
+    archive = shutil.make_archive(str(tmp_path / "CISS_2017"), "zip", simulated)
+    saved = hashlib.sha256((tmp_path / "pairs.csv").read_bytes()).hexdigest()
+    for source in (tmp_path / "pairs.csv", simulated, archive):
+        said = run("validate", "--field", source, "--format", "json", "--judge", "DVTOTAL")
+        assert said.returncode == 0, said.stderr
+        assert json.loads(said.stdout)["data"]["sha256"] == saved, "the same bytes"
 
 
 def test_the_judgement_is_that_of_the_program(simulated: pathlib.Path, tmp_path: pathlib.Path) -> None:

@@ -78,13 +78,14 @@ pub(crate) enum Command {
         before_help = "Compares eleven RICSAC staged collisions with what the papers print about them: each \
             number is claimed to reproduce within a tolerance, or listed with the reason why it does not. \
             Then reconstructs the speed of each from its crush, and shows the error rate. It reads no file: \
-            the data are built in. With --field FILE it judges intervals of ΔV by the recorders of real \
-            crashes in that table instead; with --judge, the ΔV of another program. With --recorders FILE it \
-            judges speeds before the impact.",
+            the data are built in. With --field PATH it judges intervals of ΔV by the recorders of real \
+            crashes instead. PATH is a table of crashes (CSV), or NHTSA's CISS tables as CSV: the ZIP file of \
+            a year as downloaded, a folder with its tables, or a folder with such ZIP files or folders of \
+            several years. With --recorders FILE it judges speeds before the impact.",
         after_help = "Examples:\n  deltav validate\n  deltav validate --format json -o validation.json\n  \
             deltav validate --format markdown -o docs/validation.md --plots docs\n  \
-            deltav validate --field ciss-pairs.csv\n  deltav validate --field ciss-pairs.csv --other \
-            --format json\n  deltav validate --field ciss-pairs.csv --judge DVTOTAL\n\n\
+            deltav validate --field 2017.zip --field 2018.zip\n  deltav validate --field 2017.zip \
+            --objects\n  deltav validate --field ciss-pairs.csv --judge DVTOTAL\n\n\
             Exit status: 0 every claimed number reproduces; 1 at least one does not. With --field: 0 \
             done.\n\n\
             More: `deltav explain error rate`, `deltav explain field data`."
@@ -1038,11 +1039,15 @@ pub(crate) struct ValidateArguments {
     #[arg(short, long, value_name = "FILE", default_value = "-", hide_default_value = true)]
     pub(crate) output: Destination,
 
-    /// Judge intervals of ΔV by recorders of real crashes in FILE (CSV)
-    #[arg(long, value_name = "FILE")]
-    pub(crate) field: Option<PathBuf>,
+    /// Judge intervals of ΔV by recorders of real crashes; may be repeated
+    #[arg(long, value_name = "PATH")]
+    pub(crate) field: Vec<PathBuf>,
 
-    /// Judge speeds before the impact by recorders of real crashes in FILE (CSV)
+    /// Of NHTSA's tables, judge vehicles that struck a fixed object
+    #[arg(long, requires = "field", conflicts_with_all = ["other", "judge"])]
+    pub(crate) objects: bool,
+
+    /// Judge speeds before the impact by recorders in FILE (CSV)
     #[arg(long, value_name = "FILE", conflicts_with_all = ["field", "plots"])]
     pub(crate) recorders: Option<PathBuf>,
 
@@ -1054,7 +1059,7 @@ pub(crate) struct ValidateArguments {
     #[arg(long, value_parser = one_of(priors_of_field()), requires = "field", conflicts_with = "judge", hide_possible_values = true)]
     pub(crate) prior: Option<SeverityPrior>,
 
-    /// Judge another program instead: its ΔV (km/h) in the columns COLUMN_1 and COLUMN_2 of FILE, and the
+    /// Judge another program instead: its ΔV (km/h) in the columns COLUMN_1 and COLUMN_2 of PATH, and the
     /// ends of its 95 % intervals in LOW_1, HIGH_1, LOW_2 and HIGH_2
     #[arg(long, value_name = "COLUMN[,LOW,HIGH]", requires = "field", conflicts_with_all = ["other", "plots"])]
     pub(crate) judge: Option<field::ClaimColumns>,

@@ -4,6 +4,7 @@ mod arguments;
 mod asked;
 mod batch;
 mod cases;
+mod ciss;
 mod draw;
 mod explain;
 mod files;

@@ -13,6 +13,7 @@ use requests::plan_path;
 use same_file::{Handle, is_same_file};
 
 use crate::arguments::{Asked, Command, Format, Rows};
+use crate::ciss::files_of;
 use crate::files::{named, read};
 use crate::live;
 use crate::validate::{FIELD_PLOTS, VALIDATION_PLOTS};
@@ -43,6 +44,10 @@ struct Input<'a> {
 impl<'a> Input<'a> {
     fn of(what: &'static str, paths: impl IntoIterator<Item = &'a PathBuf>) -> impl Iterator<Item = Self> {
         paths.into_iter().map(move |path| Self { what, path: Cow::Borrowed(path) })
+    }
+
+    fn of_table(path: PathBuf) -> Self {
+        Self { what: "the table", path: Cow::Owned(path) }
     }
 }
 
@@ -190,12 +195,14 @@ fn files(command: &Command) -> Files<'_> {
             folder: None,
         },
         Command::Validate(arguments) => Files {
-            inputs: Input::of("the table", arguments.field.iter().chain(&arguments.recorders)).collect(),
+            inputs: Input::of("the table", &arguments.recorders)
+                .chain(arguments.field.iter().flat_map(|path| files_of(path)).map(Input::of_table))
+                .collect(),
             outputs: output(arguments.output.file(), ending(arguments.format, PAGE)),
             folder: arguments.plots.as_deref().map(|path| Folder {
                 option: "--plots",
                 path,
-                is_name: if arguments.field.is_some() {
+                is_name: if !arguments.field.is_empty() {
                     |name| without_ending(name).is_some_and(|name| FIELD_PLOTS.contains(&name))
                 } else {
                     |name| without_ending(name).is_some_and(|name| VALIDATION_PLOTS.contains(&name))

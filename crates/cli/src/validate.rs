@@ -11,6 +11,7 @@ use validation::{Data, Validation};
 
 use crate::arguments::ValidateArguments;
 use crate::batch::Incomplete;
+use crate::ciss::{Downloaded, LARGEST_TABLE, downloaded};
 use crate::files::{named, read_at_most};
 use crate::pictures::write_plot;
 use crate::present::present;
@@ -41,8 +42,8 @@ impl std::fmt::Display for NotReproduced {
 impl std::error::Error for NotReproduced {}
 
 pub(crate) fn validate(arguments: &ValidateArguments) -> Result<()> {
-    if let Some(path) = &arguments.field {
-        return validate_field(path, arguments);
+    if !arguments.field.is_empty() {
+        return validate_field(arguments);
     }
     if let Some(path) = &arguments.recorders {
         return validate_recorders(path, arguments);
@@ -55,8 +56,6 @@ const PARTICLES_OF_PAIR: usize = 128;
 
 /// The text of a table of crashes.
 fn table(path: &Path, name: &str) -> Result<String> {
-    /// (bytes) a table of all crashes that NHTSA has sampled is smaller.
-    const LARGEST_TABLE: usize = 1 << 28;
     if path.is_dir() {
         anyhow::bail!("{name} is a folder: name the table in it");
     }
@@ -96,9 +95,22 @@ fn validate_recorders(path: &Path, arguments: &ValidateArguments) -> Result<()> 
     if done < total { Err(Incomplete::EndedPairs { done, total }.into()) } else { Ok(()) }
 }
 
-fn validate_field(path: &Path, arguments: &ValidateArguments) -> Result<()> {
-    let name = named(path).to_string();
-    let text = table(path, &name)?;
+fn validate_field(arguments: &ValidateArguments) -> Result<()> {
+    let name = arguments.field.iter().map(|path| named(path).to_string()).collect::<Vec<_>>().join(", ");
+    let downloaded = downloaded(&arguments.field, arguments.objects)?;
+    let (text, years) = match (downloaded, &*arguments.field) {
+        (Some(Downloaded { table, years }), _) => (table, years),
+        (None, [path, ..]) if !arguments.objects => (table(path, &name)?, Vec::new()),
+        (None, _) => anyhow::bail!(
+            "{name} is a table: --objects is for NHTSA's download; a table with the column OBJCONT needs no option"
+        ),
+    };
+    let data = report::FieldData { name: &name, table: &text, years: &years };
+    judge_field(&data, arguments)
+}
+
+fn judge_field(data: &report::FieldData<'_>, arguments: &ValidateArguments) -> Result<()> {
+    let name = || data.name.to_owned();
     let options = field::Options {
         particles: PARTICLES_OF_PAIR,
         seed: arguments.seed,
@@ -106,25 +118,26 @@ fn validate_field(path: &Path, arguments: &ValidateArguments) -> Result<()> {
         crush: field::KnownCrush::Both,
         injury: (arguments.prior == Some(SeverityPrior::SeriousInjury)).then_some(InjuryRisk::SERIOUS),
     };
-    let judged = if let Some(crashes) = field::read_objects(&text).with_context(|| name.clone())? {
+    let judged = if let Some(crashes) = field::read_objects(data.table).with_context(name)? {
         let refused = [("--other", arguments.other), ("--judge", arguments.judge.is_some())];
         if let Some((option, _)) = refused.into_iter().find(|(_, is_asked)| *is_asked) {
-            return Err(field::FieldError::NotOfObjects { option }).with_context(|| name.clone());
+            return Err(field::FieldError::NotOfObjects { option }).with_context(name);
         }
         judged(&crashes, &options, arguments)?
     } else {
-        let pairs = field::read(&text).with_context(|| name.clone())?;
+        let pairs = field::read(data.table).with_context(name)?;
         if let Some(columns) = &arguments.judge {
-            let claims = field::judge_claims(&text, &pairs, columns).with_context(|| name.clone())?;
-            let document = || Ok(report::claims(&claims, &name));
-            let json = || report::claims_json(&claims);
+            let claims = field::judge_claims(data.table, &pairs, columns).with_context(name)?;
+            let document = || Ok(report::claims(&claims, data));
+            let json = || report::claims_json(&claims, data);
             return present(arguments.format, arguments.output.file(), document, json);
         }
         judged(&pairs, &options, arguments)?
     };
-    let judged = judged.with_context(|| name.clone())?;
-    let document = || Ok(report::field(&judged, &name));
-    present(arguments.format, arguments.output.file(), document, || report::field_json(&judged))?;
+    let judged = judged.with_context(name)?;
+    let document = || Ok(report::field(&judged, data));
+    let json = || report::field_json(&judged, data);
+    present(arguments.format, arguments.output.file(), document, json)?;
     let plots = [report::estimated_against_recorded(&judged), report::ranks_of_recorders(&judged)];
     write_plots(FIELD_PLOTS, plots, arguments)?;
     let (done, total) = (judged.finished, judged.pairs);
@@ -189,7 +202,8 @@ mod tests {
         let arguments = ValidateArguments {
             format: Format::Text,
             output,
-            field: None,
+            field: Vec::new(),
+            objects: false,
             recorders: None,
             other: false,
             prior: None,

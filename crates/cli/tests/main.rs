@@ -4,6 +4,7 @@ mod avoid;
 mod batch;
 #[path = "../../case/tests/changes.rs"]
 mod changes;
+mod ciss;
 mod drawn;
 mod estimate;
 mod examples;

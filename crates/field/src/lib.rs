@@ -29,6 +29,7 @@
 //! ```
 
 mod case_text;
+pub mod ciss;
 mod claim;
 mod collision;
 mod crash;

@@ -1,6 +1,6 @@
 //! Reads a table of pairs of vehicles.
 
-use std::collections::HashMap;
+use std::collections::{BTreeSet, HashMap};
 
 use crate::crossed;
 use crate::error::FieldError;
@@ -14,8 +14,7 @@ use crate::pair::{Pair, PairVehicle, Plane};
 /// If the file is not a table of this form, with the line and the column.
 pub fn read(text: &str) -> Result<Vec<Pair>, FieldError> {
     let mut pairs = Vec::new();
-    for cells in cells(text)? {
-        let case = cells.case()?.to_owned();
+    for (case, cells) in crashes(text)? {
         let vehicle = |vehicle| {
             let vehicle = Some(vehicle);
             cells.vehicle_with(vehicle, true, || cells.depths(vehicle))
@@ -36,23 +35,22 @@ pub fn read_objects(text: &str) -> Result<Option<Vec<ObjectCrash>>, FieldError> 
     if !csv::Reader::from_reader(text.as_bytes()).headers()?.iter().any(|column| column == OBJECT) {
         return Ok(None);
     }
-    let mut crashes = Vec::new();
-    for cells in cells(text)? {
+    let mut found = Vec::new();
+    for (case, cells) in crashes(text)? {
         let code = cells.text(OBJECT, None)?;
-        let case = cells.case()?;
         if cells.text("CDCPLANE", None)? != "F" {
             continue;
         }
         let code = whole(code).ok_or_else(|| cells.refusal(OBJECT, None, code, "a whole number"))?;
         let has_pdof = cells.at_most(MOST_ANGLE, "PDOF", None)?.is_some();
-        crashes.push(ObjectCrash {
-            case: case.to_owned(),
+        found.push(ObjectCrash {
+            case,
             vehicle: cells.vehicle_with(None, has_pdof, || cells.depths(None))?,
             has_pdof,
             kind: kind_of_object(code),
         });
     }
-    if crashes.is_empty() { Err(FieldError::NoObjects) } else { Ok(Some(crashes)) }
+    if found.is_empty() { Err(FieldError::NoObjects) } else { Ok(Some(found)) }
 }
 
 /// The column that says what a vehicle struck.
@@ -75,6 +73,24 @@ pub(crate) fn cells(text: &str) -> Result<Vec<Cells>, FieldError> {
     let mut reader = csv::Reader::from_reader(text.as_bytes());
     let lines = reader.deserialize().enumerate();
     lines.map(|(index, columns)| Ok(Cells { line: index + 2, columns: columns? })).collect()
+}
+
+/// The lines of a table, each with the name of its crash: the number, with the year if another year has the
+/// same number.
+fn crashes(text: &str) -> Result<Vec<(String, Cells)>, FieldError> {
+    let cells = cells(text)?;
+    let year = |cells: &Cells| cells.text("YEAR", None).unwrap_or_default().to_owned();
+    let mut years: HashMap<String, BTreeSet<String>> = HashMap::new();
+    for cells in &cells {
+        years.entry(cells.case()?.to_owned()).or_default().insert(year(cells));
+    }
+    let named = cells.into_iter().map(|cells| {
+        let case = cells.case()?;
+        let is_of_one_year = years.get(case).is_none_or(|years| years.len() == 1);
+        let name = if is_of_one_year { case.to_owned() } else { format!("{case} of {}", year(&cells)) };
+        Ok((name, cells))
+    });
+    named.collect()
 }
 
 /// The column of a vehicle of a pair, or of the one vehicle.

@@ -2,6 +2,8 @@
 
 #![allow(clippy::unwrap_used, clippy::panic, reason = "helpers of tests fail by panicking")]
 
+mod ciss;
+
 use std::f64::consts::PI;
 use std::ops::ControlFlow;
 
@@ -294,4 +296,16 @@ fn an_object_takes_no_energy_and_does_not_move() {
     };
     let lower = judge(&crashes, &biased, &options, &mut |_, _| ControlFlow::Continue(())).unwrap();
     assert!((ln(lower.judged[0].median / shown) + 0.25).abs() < 0.01);
+}
+
+/// NHTSA numbers the crashes of all years in one row, which a table need not do.
+#[test]
+fn two_years_with_the_same_number_are_two_crashes() {
+    let with = |years: [&str; 2]| {
+        let [one, two] = years.map(|year| format!("{year},{LINE}"));
+        let pairs = read(&format!("YEAR,{HEADER}\n{one}\n{two}\n")).unwrap();
+        pairs.into_iter().map(|pair| pair.case).collect::<Vec<_>>()
+    };
+    assert_eq!(with(["2017", "2018"]), ["17 of 2017", "17 of 2018"]);
+    assert_eq!(with(["2017", "2017"]), ["17", "17"]);
 }

@@ -2,7 +2,8 @@
 
 The Crash Investigation Sampling System (CISS) of the U.S. National Highway Traffic Safety Administration publishes
 a folder of tables a year, as SAS files and as CSV. ``pairs`` makes of it one table of the crashes that ``judge``
-and ``deltav validate --field`` hold against their recorders, and ``case`` makes a case of one of them.
+holds against their recorders, and ``case`` makes a case of one of them. ``deltav validate --field`` makes the same
+table of the same CSV files; the rules are in the engine.
 
 >>> pairs = deltav.ciss.pairs(folder)
 >>> pairs
@@ -17,12 +18,11 @@ The tables, and what was checked of them, are in the README of the package.
 import csv
 import io
 import json
-import math
 import os
 import pathlib
 import zipfile
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from typing import Any, Literal, NoReturn, overload
+from typing import Any, Literal, overload
 
 from deltav import _deltav
 from deltav._deltav import Case, Drawing
@@ -34,47 +34,9 @@ __all__ = ["Coverage", "Pairs", "case", "judge", "pairs", "read", "records"]
 _Cell = int | float | str | None
 _Row = dict[str, _Cell]
 
-_KEYS = ("YEAR", "CASEID", "EVENTNO")
-# Of each vehicle, in the order of the table of pairs.
-_OF_GV = ("MAKE", "MODEL", "MODELYR", "BODYTYPE", "CURBWT", "CARGOWT", "DVANGTHIS")
-_CRUSH = ("C1", "C2", "C3", "C4", "C5", "C6")
-_OF_CDC = ("CDCPLANE", "CDC", "PDOF", "HEADINGANG", "FIELDL", "FIELDLD", "DIRECTL", "DIRECTD", *_CRUSH, "CMAX")
-_WINSMASH = ("DVTOTAL", "DVLONG", "DVLAT", "DVENERGY")
-_RECORDER = ("MAXDVLONG", "MAXDVLAT")
-_OF_VEHICLE = (
-    ("VEHNO", *_OF_GV[:-1], "CDCPLANE", "CDC", "PDOF", "HEADINGANG", "DVANGTHIS")
-    + ("FIELDL", "FIELDLD", "DIRECTL", "DIRECTD", *_CRUSH, "CMAX", *_WINSMASH, *_RECORDER)
-)
-_NAMES = [*_KEYS, *(f"{name}_{vehicle}" for vehicle in (1, 2) for name in _OF_VEHICLE)]
-
-# The tables that are read, the columns that each must have, and those that it may have.
-_TABLES: dict[str, tuple[tuple[str, ...], tuple[str, ...]]] = {
-    "CRASH": (("CASEID", "CRASHYEAR"), ()),
-    "GV": (("CASEID", "VEHNO", *_OF_GV), ()),
-    "CDC": (("CASEID", "EVENTNO", "VEHNO", *_OF_CDC, *_WINSMASH), ("OBJCONT",)),
-    "EDREVENT": (("CASEID", "VEHNO", "CDCEVENT", *_RECORDER), ()),
-}
-# The long tables of recorders, the keys of a case that take them, and the codes without which those have nothing.
-_LONG = {"EDRPRECRASH": ("pre_crash", {1010}), "EDRPOSTCRASH": ("pulse", {2010, 2020})}
-_OF_VALUE = ("PCODE", "PTIME", "PVALUE")
-_ENDINGS = (".csv", ".sas7bdat")
-# A value of a recorder is kept as it is: the case file knows the codes of each quantity.
-_TEXTS = {"CDCPLANE", "CDC", "PTIME", "PVALUE"}
-_ANGLES = {"PDOF", "HEADINGANG", "DVANGTHIS"}
-# Numbers that are codes or counted: what is not known is a code among others.
-_CODES = {"YEAR", "CRASHYEAR", "CASEID", "EVENTNO", "VEHNO", "CDCEVENT", "OBJCONT", "VEHNUM"} | {
-    "MAKE",
-    "MODEL",
-    "BODYTYPE",
-    "EDRSUMMNO",
-    "EDREVENTNO",
-    "PCODE",
-}
-_MISSING = {
-    float(code)
-    for digits in range(3, 8)
-    for code in (int("8" * digits), *range(10**digits - 5, 10**digits))
-}
+# Names and kinds of cells, in the order of the table of pairs.
+_COLUMNS = _deltav._ciss_columns()
+_NAMES = [name for name, _ in _COLUMNS]
 
 
 class Pairs(Sequence[_Row]):
@@ -149,8 +111,7 @@ class Pairs(Sequence[_Row]):
 
     def __arrow_c_stream__(self, requested_schema: object | None = None) -> object:
         columns = [[row[name] for row in self._rows] for name in _NAMES]
-        kinds = [_kind(name) for name in _NAMES]
-        rows = _deltav._columns_of_pairs(list(zip(_NAMES, kinds, columns, strict=True)))
+        rows = _deltav._columns_of_pairs([(*of, cells) for of, cells in zip(_COLUMNS, columns, strict=True)])
         return rows.__arrow_c_stream__(requested_schema)
 
     def __repr__(self) -> str:
@@ -271,35 +232,8 @@ def pairs(source: str | os.PathLike[str]) -> Pairs:
     >>> deltav.ciss.pairs(folder)
     <deltav.ciss.Pairs: 3 pairs of vehicles>
     """
-    tables = {name: _table(source, name, *columns) for name, columns in _TABLES.items()}
-    years = _by_key(tables["CRASH"], "CRASH", ("CASEID",))
-    vehicles = _by_key(tables["GV"], "GV", ("CASEID", "VEHNO"))
-    struck = _struck(source, tables["CDC"])
-    damages: dict[tuple[_Cell, ...], dict[_Cell, list[_Row]]] = {}
-    for row in tables["CDC"]:
-        of_event = damages.setdefault((row["CASEID"], row["EVENTNO"]), {})
-        of_event.setdefault(row["VEHNO"], []).append(row)
-    recorders = _recorders(tables["EDREVENT"])
-
-    kept: list[_Row] = []
-    left_out: dict[str, int] = {}
-    for (crash, event), by_vehicle in sorted(damages.items(), key=lambda entry: _order(entry[0])):
-        for one, two in _couples(by_vehicle, lambda vehicle, other: struck((crash, event), vehicle, other)):
-            both = [by_vehicle[vehicle] for vehicle in (one, two)]
-            general = [vehicles.get((crash, vehicle)) for vehicle in (one, two)]
-            stored = [recorders.get((crash, vehicle, event), {}) for vehicle in (one, two)]
-            why = _why_not(both, general, stored)
-            if why is not None:
-                left_out[why] = left_out.get(why, 0) + 1
-                continue
-            if (crash,) not in years:
-                raise ValueError(f"{source}: the table CRASH has no row of crash {crash}, which CDC has")
-            pair: _Row = {"YEAR": years[(crash,)]["CRASHYEAR"], "CASEID": crash, "EVENTNO": event}
-            for place, (damage, of_vehicle, recorder) in enumerate(zip(both, general, stored, strict=True), 1):
-                known = {**(of_vehicle or {}), **damage[0], **recorder}
-                pair |= {f"{name}_{place}": known.get(name) for name in _OF_VEHICLE}
-            kept.append(pair)
-    return Pairs(kept, left_out)
+    rows, left_out = _deltav._ciss_pairs(str(source), *_files(pathlib.Path(source)))
+    return Pairs(_named(rows), left_out)
 
 
 def read(path: str | os.PathLike[str]) -> Pairs:
@@ -327,15 +261,7 @@ def read(path: str | os.PathLike[str]) -> Pairs:
     >>> len(deltav.ciss.read(path))
     3
     """
-    text = _decoded(pathlib.Path(path).read_bytes())
-    rows = list(csv.DictReader(io.StringIO(text)))
-    if rows and (missing := [name for name in _NAMES if name not in rows[0]]):
-        raise ValueError(f"{path}: there is no column {missing[0]}; give a file that Pairs.save wrote")
-    cells = [
-        {name: _cell(_of(name), row[name], f"{path}, line {line}") for name in _NAMES}
-        for line, row in enumerate(rows, 2)
-    ]
-    return Pairs(cells)
+    return Pairs(_named(_deltav._read_pairs(str(path), pathlib.Path(path).read_bytes())))
 
 
 def case(pair: Mapping[str, _Cell], *, recorder: Literal[1, 2] | None = None) -> Case:
@@ -413,21 +339,8 @@ def records(source: str | os.PathLike[str], crash: int, vehicle: int) -> list[di
     >>> print(f"{case.recorder()['vehicles'][0]['speed_at_impact']['stored'] * 3.6:.0f} km/h")
     58 km/h
     """
-    found: dict[tuple[float, ...], dict[str, dict[str, str]]] = {}
-    for table, (key, codes) in _LONG.items():
-        wanted = ("CASEID", "VEHNO", "EDREVENTNO", *_OF_VALUE)
-        of_record: dict[tuple[float, ...], list[_Row]] = {}
-        for row in _table(source, table, wanted, ("EDRSUMMNO",)):
-            if (row["CASEID"], row["VEHNO"]) == (crash, vehicle):
-                number = _order((row.get("EDRSUMMNO"), row["EDREVENTNO"]))
-                of_record.setdefault(number, []).append(row)
-        for number, rows in of_record.items():
-            if any(row["PCODE"] in codes for row in rows):
-                lines = [",".join("" if row[name] is None else str(row[name]) for name in _OF_VALUE) for row in rows]
-                found.setdefault(number, {})[key] = {"text": "\n".join([",".join(_OF_VALUE), *lines])}
-    if not found:
-        raise ValueError(f"{source}: the recorder of vehicle {vehicle} in crash {crash} has no record with a speed or a ΔV")
-    return [found[number] for number in sorted(found)]
+    found = _deltav._ciss_records(str(source), *_files(pathlib.Path(source)), crash, vehicle)
+    return [{name: {"text": text} for name, text in record.items()} for record in found]
 
 
 def judge(
@@ -481,15 +394,8 @@ def judge(
     return Coverage(_deltav._judge_pairs(_as_csv(pairs), other, prior, particles, seed, threads))
 
 
-def _kind(name: str) -> str:
-    """What a column of pairs holds."""
-    of = _of(name)
-    return "text" if of in _TEXTS else "integer" if of in _CODES else "number"
-
-
-def _of(name: str) -> str:
-    """NHTSA's name of a column of pairs."""
-    return name if name in _KEYS else name[:-2]
+def _named(rows: Iterable[Sequence[_Cell]]) -> Iterator[_Row]:
+    return (dict(zip(_NAMES, row, strict=True)) for row in rows)
 
 
 def _as_csv(rows: Iterable[Mapping[str, _Cell]]) -> str:
@@ -500,201 +406,45 @@ def _as_csv(rows: Iterable[Mapping[str, _Cell]]) -> str:
     return lines.getvalue()
 
 
-def _decoded(content: bytes) -> str:
-    try:
-        return content.decode("utf-8-sig")
-    except UnicodeDecodeError:
-        # Names of makes and places are in Latin-1 in some years.
-        return content.decode("latin-1")
-
-
-def _order(key: tuple[_Cell, ...]) -> tuple[float, ...]:
-    return tuple(float(part or 0) for part in key)
-
-
-def _cell(name: str, given: Any, where: str) -> _Cell:
-    """A cell without NHTSA's codes for what is not known."""
-    if isinstance(given, bytes):
-        given = given.decode("latin-1")
-    if isinstance(given, str):
-        given = given.strip()
-    if given is None or given == "" or given == ".":
-        return None
-    if name in _TEXTS:
-        return str(given)
-    try:
-        number = float(given)
-    except ValueError:
-        raise ValueError(f"{where}, column {name}: {given!r} is not a number") from None
-    if not math.isfinite(number):
-        return None
-    if name in _CODES:
-        if not number.is_integer():
-            raise ValueError(f"{where}, column {name}: {given!r} is not a whole number")
-        return int(number)
-    if abs(number) in _MISSING:
-        return None
-    if name in _ANGLES and not 0.0 <= number <= 360.0:
-        return None
-    if name in _RECORDER or not number.is_integer():
-        return number
-    return int(number)
-
-
-def _files(source: pathlib.Path) -> list[tuple[str, Callable[[], bytes]]]:
-    """The files of a folder or a ZIP file: their names, and how to read each."""
+def _files(source: pathlib.Path) -> tuple[list[str], Callable[[int], bytes]]:
+    """The names of the files of a folder or a ZIP file, those of folders with / at the end, and what reads one as CSV."""
     if source.is_dir():
-        return [(path.name, path.read_bytes) for path in sorted(source.iterdir()) if path.is_file()]
+        entries = sorted(source.iterdir())
+        names = [entry.name + "/" * entry.is_dir() for entry in entries]
+        return names, lambda place: _csv_of(names[place], entries[place].read_bytes())
     if not source.exists():
         raise FileNotFoundError(f"there is no folder {source}: give that of NHTSA's tables, or their ZIP file")
     if not zipfile.is_zipfile(source):
         raise ValueError(f"{source} is neither a folder nor a ZIP file: give that of NHTSA's tables")
 
-    def reader(name: str) -> Callable[[], bytes]:
-        def content() -> bytes:
-            with zipfile.ZipFile(source) as archive:
-                return archive.read(name)
-
-        return content
+    def read(place: int) -> bytes:
+        with zipfile.ZipFile(source) as archive:
+            return _csv_of(members[place], archive.read(members[place]))
 
     with zipfile.ZipFile(source) as archive:
-        members = sorted(name for name in archive.namelist() if not name.endswith("/"))
-    return [(pathlib.PurePosixPath(name).name, reader(name)) for name in members]
+        members = sorted(archive.namelist())
+    return members, read
 
 
-def _table(source: str | os.PathLike[str], name: str, wanted: Sequence[str], optional: Sequence[str]) -> list[_Row]:
-    """The wanted columns of a table, and of the optional ones those that it has."""
-    files = _files(pathlib.Path(source))
-    for ending in _ENDINGS:
-        found = [(file, read) for file, read in files if file.lower() == name.lower() + ending]
-        if len(found) > 1:
-            raise ValueError(
-                f"{source} has the table {name} twice: {found[0][0]} and {found[1][0]}; give the tables of one year"
-            )
-        if found:
-            break
-    else:
-        _no_table(source, name, [file for file, _ in files])
-    file, read = found[0]
-    columns = _columns_of(read(), file, f"{source}/{file}")
-    by_name = {column.upper(): column for column in columns}
-    missing = [column for column in wanted if column not in by_name]
-    if missing:
-        raise ValueError(
-            f"{source}: the table {name} ({file}) has no column {', '.join(missing)}; it has {', '.join(columns)}"
-        )
-    taken = [column for column in (*wanted, *optional) if column in by_name]
-    of = [columns[by_name[column]] for column in taken]
-    return [
-        {
-            column: _cell(column, cell, f"{source}/{file}, row {row}")
-            for column, cell in zip(taken, cells, strict=True)
-        }
-        for row, cells in enumerate(zip(*of, strict=True), 1)
-    ]
-
-
-def _no_table(source: str | os.PathLike[str], name: str, files: list[str]) -> NoReturn:
-    stems = {pathlib.PurePath(file).stem.upper() for file in files if file.lower().endswith(_ENDINGS)}
-    if {"ACCIDENT", "VE"} <= stems:
-        raise ValueError(
-            f"{source} has tables of NASS-CDS (ACCIDENT, VE): they have no ΔV of a recorder, so nothing to hold an "
-            f"estimate against, and the units of their masses changed over the years. Give a folder of CISS, which "
-            f"follows NASS-CDS from 2017"
-        )
-    path = pathlib.Path(source)
-    below = sorted(entry.name for entry in path.iterdir() if entry.is_dir()) if path.is_dir() else []
-    has = f"it has {', '.join(sorted(files)[:40])}" if files else "it has no file"
-    if below:
-        has += f", and the folders {', '.join(below)}: give the one with the tables of a year"
-    raise ValueError(f"{source} has no table {name} ({name}.csv or {name.lower()}.sas7bdat); {has}")
-
-
-def _columns_of(content: bytes, file: str, where: str) -> dict[str, Sequence[Any]]:
-    """The columns of a file by name."""
-    if file.lower().endswith(".csv"):
-        rows = csv.reader(io.StringIO(_decoded(content), newline=""))
-        header = [name.strip() for name in next(rows, [])]
-        body = [row for row in rows if row]
-        for row in body:
-            if len(row) != len(header):
-                raise ValueError(f"{where}: a row has {len(row)} cells and the header {len(header)}: {row[:3]}")
-        return {name: [row[place] for row in body] for place, name in enumerate(header)}
+def _csv_of(file: str, content: bytes) -> bytes:
+    """A table as CSV, which one of SAS is made to."""
+    if not file.lower().endswith(".sas7bdat"):
+        return content
     try:
         import pyreadstat
     except ImportError:
         raise ImportError(
-            f"{where} is a SAS file: pip install pyreadstat to read it, or download the tables as CSV"
+            f"{file} is a SAS file: pip install pyreadstat to read it, or download the tables as CSV"
         ) from None
     columns, _ = pyreadstat.read_sas7bdat(io.BytesIO(content), output_format="dict")
-    return {str(name): list(column) for name, column in columns.items()}
+    lines = io.StringIO()
+    writer = csv.writer(lines, lineterminator="\n")
+    writer.writerow(columns)
+    writer.writerows(map(_texts, zip(*columns.values(), strict=True)))
+    return lines.getvalue().encode()
 
 
-def _by_key(rows: list[_Row], table: str, key: tuple[str, ...]) -> dict[tuple[_Cell, ...], _Row]:
-    found: dict[tuple[_Cell, ...], _Row] = {}
-    for row in rows:
-        of_row = tuple(row[name] for name in key)
-        if of_row in found:
-            said = ", ".join(f"{name} {part}" for name, part in zip(key, of_row, strict=True))
-            raise ValueError(f"the table {table} has two rows of {said}: give the tables of one year")
-        found[of_row] = row
-    return found
-
-
-def _struck(
-    source: str | os.PathLike[str], damages: list[_Row]
-) -> Callable[[tuple[_Cell, _Cell], _Cell, _Cell], bool]:
-    """Whether a vehicle names another as what it struck in an event: in CDC, or in EVENT."""
-    if damages and "OBJCONT" in damages[0]:
-        contacts = {(row["CASEID"], row["EVENTNO"], row["VEHNO"], row["OBJCONT"]) for row in damages}
-        return lambda event, vehicle, other: (*event, vehicle, other) in contacts
-    # A row of EVENT is the contact of both.
-    events = _table(source, "EVENT", ("CASEID", "EVENTNO", "VEHNUM", "OBJCONT"), ())
-    contacts = {(row["CASEID"], row["EVENTNO"], row["VEHNUM"], row["OBJCONT"]) for row in events}
-    contacts |= {(crash, event, other, vehicle) for crash, event, vehicle, other in contacts}
-    return lambda event, vehicle, other: (*event, vehicle, other) in contacts
-
-
-def _couples(vehicles: Iterable[_Cell], names: Callable[[_Cell, _Cell], bool]) -> Iterator[tuple[_Cell, _Cell]]:
-    """The vehicles of an event of which each names the other."""
-    ordered = sorted(vehicles, key=lambda vehicle: _order((vehicle,)))
-    for place, one in enumerate(ordered):
-        for two in ordered[place + 1 :]:
-            if names(one, two) and names(two, one):
-                yield one, two
-
-
-def _recorders(rows: list[_Row]) -> dict[tuple[_Cell, ...], _Row]:
-    """What the recorder of a vehicle stored of an event: of several records the one with the largest ΔV."""
-    found: dict[tuple[_Cell, ...], _Row] = {}
-
-    def size(row: _Row) -> float:
-        return math.hypot(*(float(row[name] or 0.0) for name in _RECORDER))
-
-    for row in rows:
-        if all(row[name] is None for name in _RECORDER):
-            continue
-        of_row = (row["CASEID"], row["VEHNO"], row["CDCEVENT"])
-        if of_row not in found or size(row) > size(found[of_row]):
-            found[of_row] = {name: row[name] for name in _RECORDER}
-    return found
-
-
-def _why_not(both: list[list[_Row]], general: list[_Row | None], stored: list[_Row]) -> str | None:
-    """Why a pair is not kept, if it is not."""
-    if any(len(damage) > 1 for damage in both):
-        return "with several damages of one vehicle by the event"
-    damages = [damage[0] for damage in both]
-    if any(damage["CDCPLANE"] not in ("F", "B", "L", "R") for damage in damages):
-        return "without damage to front, back or side of both"
-    if any(damage[name] is None for damage in damages for name in _CRUSH) or any(
-        damage["FIELDL"] is None and damage["DIRECTL"] is None for damage in damages
-    ):
-        return "without crush profiles of both"
-    if any(damage["PDOF"] is None for damage in damages):
-        return "without PDOF of both"
-    if any(vehicle is None or not isinstance(mass := vehicle["CURBWT"], int | float) or mass <= 0 for vehicle in general):
-        return "without masses of both"
-    if not any(stored):
-        return "without a recorder's ΔV of this event"
-    return None
+def _texts(row: Iterable[Any]) -> list[Any]:
+    """Cells of SAS without those that are missing, NaN among them."""
+    cells = (cell.decode("latin-1") if isinstance(cell, bytes) else cell for cell in row)
+    return ["" if cell is None or cell != cell else cell for cell in cells]

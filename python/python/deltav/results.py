@@ -51,6 +51,7 @@ __all__ = [
     "Input",
     "Interval",
     "Iteration",
+    "JudgedData",
     "JudgedVehicle",
     "Keyed",
     "LawAnswer",
@@ -1187,6 +1188,13 @@ class LeftOut(Record):
     """1 or 2."""
 
 
+class JudgedData(Record):
+    """What was judged."""
+
+    sha256: str
+    """SHA-256 of the table of pairs, as ``Pairs.save`` writes it."""
+
+
 class JudgedVehicle(Record):
     """A vehicle whose recorder was held against the estimate."""
 
@@ -1237,6 +1245,10 @@ class _Coverage:
     """Recorders that are left out."""
     judged: tuple[JudgedVehicle, ...]
     """A vehicle an entry."""
+    program: Program
+    """The program that judged them."""
+    data: JudgedData
+    """What it judged."""
 
 
 class _AnalysisDocument(_Analysis, Record):

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use field::{ClaimGroup, Claims, JudgedClaim};
 use serde::Serialize;
 
-use super::field::FiguresBlock;
+use super::field::{FieldData, FiguresBlock, JudgedBlock};
 use super::pretty;
 
 #[derive(Serialize)]
@@ -64,17 +64,19 @@ impl<'a> ClaimBlock<'a> {
 }
 
 /// The judgement as JSON: `groups`, all and by kind of collision, each with `n`, `bias`, `rms`, `crps` (m/s)
-/// and, where the program has intervals, `coverage95` and `interval_score` (m/s); and every vehicle.
+/// and, where the program has intervals, `coverage95` and `interval_score` (m/s); every vehicle; `program` and
+/// `data`, with the SHA-256 of what was judged.
 ///
 /// # Errors
 /// Where the JSON cannot be written.
-pub fn claims_json(claims: &Claims) -> Result<String, serde_json::Error> {
-    pretty(&Document {
+pub fn claims_json(claims: &Claims, data: &FieldData<'_>) -> Result<String, serde_json::Error> {
+    let document = Document {
         column: &claims.columns.value,
         ends: claims.columns.ends.as_ref(),
         pairs: claims.pairs,
         unclaimed: claims.unclaimed,
         groups: claims.groups.iter().map(|group| (group.name, GroupBlock::of(group))).collect(),
         judged: claims.judged.iter().map(ClaimBlock::of).collect(),
-    })
+    };
+    pretty(&JudgedBlock::of(data, document))
 }

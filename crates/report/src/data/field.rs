@@ -3,10 +3,93 @@
 use std::collections::BTreeMap;
 
 use case::SeverityPrior;
+use field::ciss::{CissCrashes, CissTable};
 use field::{Field, Figures, Judged, LEVELS};
 use serde::Serialize;
 
-use super::pretty;
+use super::{ProgramBlock, THIS_PROGRAM, pretty, sha256};
+
+/// The crashes that are judged.
+#[derive(Clone, Copy, Debug)]
+pub struct FieldData<'a> {
+    /// What a report calls them.
+    pub name: &'a str,
+    /// The table of crashes that is judged, as comma-separated values.
+    pub table: &'a str,
+    /// The tables of NHTSA that it was made of, if it was.
+    pub years: &'a [FieldYear],
+}
+
+/// The crashes of a year from NHTSA's tables.
+#[derive(Clone, Debug)]
+pub struct FieldYear {
+    /// What has the tables: a folder or a ZIP file.
+    pub source: String,
+    /// The crashes.
+    pub crashes: CissCrashes,
+    /// The SHA-256 of each table's file, in hexadecimal digits.
+    pub sha256: Vec<String>,
+}
+
+/// What was judged, and by what: with these a result can be repeated.
+#[derive(Serialize)]
+pub(super) struct JudgedBlock<'a, T> {
+    #[serde(flatten)]
+    document: T,
+    program: ProgramBlock,
+    data: DataBlock<'a>,
+}
+
+#[derive(Serialize)]
+struct DataBlock<'a> {
+    /// Of the table of crashes.
+    sha256: String,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    years: Vec<YearBlock<'a>>,
+}
+
+#[derive(Serialize)]
+struct YearBlock<'a> {
+    source: &'a str,
+    tables: Vec<TableBlock<'a>>,
+    crashes: usize,
+    left_out: BTreeMap<&'static str, usize>,
+}
+
+#[derive(Serialize)]
+struct TableBlock<'a> {
+    name: &'static str,
+    file: &'a str,
+    rows: usize,
+    sha256: &'a str,
+}
+
+impl<'a, T> JudgedBlock<'a, T> {
+    pub(super) fn of(data: &FieldData<'a>, document: T) -> Self {
+        let years = data.years.iter().map(YearBlock::of).collect();
+        let data = DataBlock { sha256: sha256(data.table.as_bytes()), years };
+        Self { document, program: THIS_PROGRAM, data }
+    }
+}
+
+impl<'a> YearBlock<'a> {
+    fn of(FieldYear { source, crashes, sha256 }: &'a FieldYear) -> Self {
+        let table = |(CissTable { name, file, rows }, sha256): (&'a CissTable, &'a String)| TableBlock {
+            name,
+            file,
+            rows: *rows,
+            sha256,
+        };
+        let why =
+            |(reason, count): (&field::ciss::LeftOut, &usize)| (reason.why(crashes.is_of_objects), *count);
+        Self {
+            source,
+            tables: crashes.tables.iter().zip(sha256).map(table).collect(),
+            crashes: crashes.rows.len(),
+            left_out: crashes.left_out.iter().map(why).collect(),
+        }
+    }
+}
 
 #[derive(Serialize)]
 struct Document<'a> {
@@ -18,7 +101,7 @@ struct Document<'a> {
     groups: BTreeMap<&'a str, FiguresBlock>,
     winsmash: BTreeMap<&'a str, FiguresBlock>,
     left_out: Vec<LeftOutBlock<'a>>,
-    judged: Vec<JudgedBlock<'a>>,
+    judged: Vec<VehicleBlock<'a>>,
 }
 
 #[derive(Serialize)]
@@ -47,7 +130,7 @@ pub(super) struct FiguresBlock {
 }
 
 #[derive(Serialize)]
-struct JudgedBlock<'a> {
+struct VehicleBlock<'a> {
     case: &'a str,
     vehicle: usize,
     kind: &'static str,
@@ -87,7 +170,7 @@ impl FiguresBlock {
     }
 }
 
-impl<'a> JudgedBlock<'a> {
+impl<'a> VehicleBlock<'a> {
     fn of(judged: &'a Judged) -> Self {
         let [interval50, interval80, interval95] = judged.intervals;
         Self {
@@ -109,12 +192,13 @@ impl<'a> JudgedBlock<'a> {
 }
 
 /// The judgement as JSON: `groups` and `winsmash`, all, by kind of collision and of one event, each with `n`,
-/// `bias`, `rms`, `coverage`, `width95` and `crps` (m/s), the records that are left out, and every vehicle.
+/// `bias`, `rms`, `coverage`, `width95` and `crps` (m/s), the records that are left out, and every vehicle;
+/// `program` and `data`, with the SHA-256 of what was judged.
 ///
 /// # Errors
 /// If the JSON cannot be written.
-pub fn field_json(field: &Field) -> Result<String, serde_json::Error> {
-    pretty(&Document {
+pub fn field_json(field: &Field, data: &FieldData<'_>) -> Result<String, serde_json::Error> {
+    let document = Document {
         other: field.other,
         objects: field.objects,
         prior: if field.injured { SeverityPrior::SeriousInjury } else { SeverityPrior::Field }.name(),
@@ -131,6 +215,7 @@ pub fn field_json(field: &Field) -> Result<String, serde_json::Error> {
             .iter()
             .map(|(case, vehicle)| LeftOutBlock { case, vehicle: vehicle.index() + 1 })
             .collect(),
-        judged: field.judged.iter().map(JudgedBlock::of).collect(),
-    })
+        judged: field.judged.iter().map(VehicleBlock::of).collect(),
+    };
+    pretty(&JudgedBlock::of(data, document))
 }

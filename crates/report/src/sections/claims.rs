@@ -2,17 +2,18 @@
 
 use field::{ClaimGroup, Claims};
 
-use super::field::percent;
+use super::field::{percent, push_years};
+use crate::data::field::FieldData;
 use crate::document::{Block, Column, Document, NONE, Table, Width};
 use crate::units::number;
 
 /// The ΔV of another program against what recorders stored.
 #[must_use]
-pub fn claims(claims: &Claims, file: &str) -> Document {
+pub fn claims(claims: &Claims, data: &FieldData<'_>) -> Document {
     let mut document = Document::new();
     document.push(Block::Title {
         title: format!("ΔV by {} against ΔV by recorder", claims.columns.value),
-        source: Some(file.to_owned()),
+        source: Some(data.name.to_owned()),
     });
     let n = claims.judged.len();
     document.paragraph(format!(
@@ -21,6 +22,7 @@ pub fn claims(claims: &Claims, file: &str) -> Document {
          recorders.",
         claims.pairs, claims.columns.value, claims.unclaimed
     ));
+    push_years(&mut document, data.years);
     let mut columns = vec![
         Column::words("Against recorder", Width::Fixed(20)),
         Column::numbers("vehicles", Width::Fit(8)),

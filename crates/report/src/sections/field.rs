@@ -2,18 +2,20 @@
 
 use std::collections::BTreeSet;
 
+use field::ciss::CissCrashes;
 use field::{Field, Figures, Group, Judged, LEVELS};
 
+use crate::data::field::{FieldData, FieldYear};
 use crate::document::{Column, Document, NONE, Table, Width};
 use crate::units::number;
 
 /// Intervals of ΔV, estimated without the recorder, against what it stored.
 #[must_use]
-pub fn field(field: &Field, file: &str) -> Document {
+pub fn field(field: &Field, data: &FieldData<'_>) -> Document {
     let mut document = Document::new();
     document.push(crate::document::Block::Title {
         title: "ΔV by estimate against ΔV by recorder".to_owned(),
-        source: Some(file.to_owned()),
+        source: Some(data.name.to_owned()),
     });
     let all = field.groups.first();
     let (n, collisions) = all.map_or((0, 0), |group| (group.ours.n, group.ours.collisions));
@@ -51,6 +53,7 @@ pub fn field(field: &Field, file: &str) -> Document {
             field.finished
         ));
     }
+    push_years(&mut document, data.years);
     document.push(coverage(field));
     document.push(errors(field));
     document.push(tenths(field));
@@ -87,6 +90,41 @@ pub fn field(field: &Field, file: &str) -> Document {
          absolute error. WinSMASH is NHTSA's program; its values come from the file and are no input.",
     );
     document
+}
+
+/// The tables of NHTSA that were read, and what they have to judge.
+pub(super) fn push_years(document: &mut Document, years: &[FieldYear]) {
+    let Some(first) = years.first() else { return };
+    document.push(tables_read(years));
+    document.push(candidates(years, first.crashes.is_of_objects));
+}
+
+fn tables_read(years: &[FieldYear]) -> Table {
+    let columns = [
+        Column::words("NHTSA's tables", Width::Fixed(32)),
+        Column::numbers("rows", Width::Fit(8)),
+        Column::words("file", Width::Share),
+    ];
+    let mut table = Table::new("", columns);
+    for year in years {
+        for read in &year.crashes.tables {
+            let place = format!("{}: {}", year.source, case::shown(&read.file));
+            table.row([read.name.to_owned(), read.rows.to_string(), place]);
+        }
+    }
+    table
+}
+
+fn candidates(years: &[FieldYear], is_of_objects: bool) -> Table {
+    let what = if is_of_objects { "Vehicles that struck an object" } else { "Pairs of vehicles" };
+    let columns = [Column::words(what, Width::Fixed(58)), Column::numbers("number", Width::Fit(8))];
+    let mut table = Table::new("", columns);
+    let found: usize = years.iter().map(|year| year.crashes.rows.len()).sum();
+    table.row(["in the table that is judged".to_owned(), found.to_string()]);
+    for (reason, count) in CissCrashes::left_out_of(years.iter().map(|year| &year.crashes)) {
+        table.row([format!("left out, {}", reason.why(is_of_objects)), count.to_string()]);
+    }
+    table
 }
 
 pub(super) fn percent([value, error]: [f64; 2]) -> String {

@@ -24,6 +24,8 @@ pub(super) fn facts(ledger: &mut Ledger) {
     motion(ledger);
     ranges(ledger);
     warnings(ledger);
+    let objects = field::ciss::OBJECTS;
+    ledger.made(format!("(OBJCONT {} to {})", objects.start(), objects.end()));
 }
 
 fn frames(ledger: &mut Ledger) {

@@ -1,0 +1,356 @@
+//! Which file has a table, and the columns of it that are read.
+
+use std::borrow::Cow;
+
+use super::cell::{self, CissCell};
+use super::error::CissError;
+use super::found::CissColumn;
+
+/// The files of one year.
+pub trait CissFiles {
+    /// Why a file cannot be read.
+    type Error: From<CissError>;
+    /// Whether [`read`](Self::read) turns SAS files into CSV.
+    const READS_SAS: bool;
+
+    /// Their names, with the folders in front of them. Those of folders end in `/`.
+    fn names(&self) -> Vec<String>;
+
+    /// The content of one as CSV, by its place among the names: in UTF-8, or in Latin-1 as in some years.
+    ///
+    /// # Errors
+    /// If it cannot be read.
+    fn read(&mut self, place: usize) -> Result<Vec<u8>, Self::Error>;
+}
+
+/// A table: its name, the columns that it must have, and those that it may have.
+pub(super) struct Layout {
+    pub(super) name: &'static str,
+    pub(super) needed: &'static [&'static str],
+    pub(super) optional: &'static [&'static str],
+}
+
+pub(super) const CRASH: Layout = Layout { name: "CRASH", needed: &["CASEID", "CRASHYEAR"], optional: &[] };
+
+pub(super) const GV: Layout = Layout {
+    name: "GV",
+    needed: &["CASEID", "VEHNO", "MAKE", "MODEL", "MODELYR", "BODYTYPE", "CURBWT", "CARGOWT", "DVANGTHIS"],
+    optional: &[],
+};
+
+pub(super) const CDC: Layout = Layout {
+    name: "CDC",
+    needed: &[
+        "CASEID",
+        "EVENTNO",
+        "VEHNO",
+        "CDCPLANE",
+        "CDC",
+        "PDOF",
+        "HEADINGANG",
+        "FIELDL",
+        "FIELDLD",
+        "DIRECTL",
+        "DIRECTD",
+        "C1",
+        "C2",
+        "C3",
+        "C4",
+        "C5",
+        "C6",
+        "CMAX",
+        "DVTOTAL",
+        "DVLONG",
+        "DVLAT",
+        "DVENERGY",
+    ],
+    optional: &["OBJCONT"],
+};
+
+pub(super) const EDREVENT: Layout = Layout {
+    name: "EDREVENT",
+    needed: &["CASEID", "VEHNO", "CDCEVENT", "MAXDVLONG", "MAXDVLAT"],
+    optional: &[],
+};
+
+pub(super) const EVENT: Layout =
+    Layout { name: "EVENT", needed: &["CASEID", "EVENTNO", "VEHNUM", "OBJCONT"], optional: &[] };
+
+/// Whether a folder, by the names of its files, has one of the tables that pairs are made of.
+#[must_use]
+pub fn has_tables(names: &[String]) -> bool {
+    [CRASH, GV, CDC, EDREVENT]
+        .iter()
+        .any(|table| ENDINGS.iter().any(|ending| named(names, table, ending).next().is_some()))
+}
+
+const CSV: &str = ".csv";
+const SAS: &str = ".sas7bdat";
+const ENDINGS: [&str; 2] = [CSV, SAS];
+
+/// The places of files with the name of a table, in letters of either case.
+fn named<'a>(
+    names: &'a [String],
+    table: &'a Layout,
+    ending: &'a str,
+) -> impl Iterator<Item = (usize, &'a String)> {
+    let is_named = move |name: &str| {
+        let file = name.rsplit(['/', '\\']).next().unwrap_or(name);
+        file.len() == table.name.len() + ending.len()
+            && file.to_ascii_uppercase() == format!("{}{}", table.name, ending.to_ascii_uppercase())
+    };
+    names.iter().enumerate().filter(move |(_, name)| is_named(name))
+}
+
+/// The place of the file with a table: CSV before SAS.
+fn find(names: &[String], table: &Layout, reads_sas: bool) -> Result<usize, CissError> {
+    for ending in ENDINGS {
+        let mut found = named(names, table, ending);
+        match (found.next(), found.next()) {
+            (None, _) => {}
+            (Some((_, file)), None) if ending == SAS && !reads_sas => {
+                return Err(CissError::Sas { file: file.clone() });
+            }
+            (Some((place, _)), None) => return Ok(place),
+            (Some((_, first)), Some((_, second))) => {
+                return Err(CissError::Twice { table: table.name, files: [first.clone(), second.clone()] });
+            }
+        }
+    }
+    Err(missing(names, table, reads_sas))
+}
+
+fn missing(names: &[String], table: &Layout, sas: bool) -> CissError {
+    let has = |name| {
+        let layout = Layout { name, needed: &[], optional: &[] };
+        ENDINGS.iter().any(|ending| named(names, &layout, ending).next().is_some())
+    };
+    if has("ACCIDENT") && has("VE") {
+        return CissError::Nass;
+    }
+    let mut files = names.to_vec();
+    files.sort();
+    CissError::NoTable { table: table.name, sas, files }
+}
+
+/// The rows of a table.
+pub(super) struct Rows {
+    columns: Vec<&'static str>,
+    cells: Vec<Vec<CissCell>>,
+    /// The file that has it.
+    pub(super) file: String,
+    /// (–) number of rows that the file has.
+    pub(super) count: usize,
+}
+
+/// A row.
+#[derive(Clone, Copy)]
+pub(super) struct Row<'a> {
+    columns: &'a [&'static str],
+    cells: &'a [CissCell],
+}
+
+impl<'a> Row<'a> {
+    /// Its cell of a column; `None` if the table has not the column.
+    pub(super) fn cell(self, column: &str) -> Option<&'a CissCell> {
+        let place = self.columns.iter().position(|name| *name == column)?;
+        self.cells.get(place)
+    }
+
+    pub(super) fn number(self, column: &str) -> Option<f64> {
+        match self.cell(column)? {
+            CissCell::Whole(number) => Some(*number as f64),
+            CissCell::Number(number) => Some(*number),
+            CissCell::Nothing | CissCell::Text(_) => None,
+        }
+    }
+
+    pub(super) fn whole(self, column: &str) -> Option<i64> {
+        match self.cell(column)? {
+            CissCell::Whole(number) => Some(*number),
+            _ => None,
+        }
+    }
+
+    /// A key of several columns; `None` if one of them is empty.
+    pub(super) fn key<const N: usize>(self, columns: [&str; N]) -> Option<[i64; N]> {
+        let mut key = [0; N];
+        for (part, column) in key.iter_mut().zip(columns) {
+            *part = self.whole(column)?;
+        }
+        Some(key)
+    }
+}
+
+impl Rows {
+    /// Reads the rows of a table that are to be kept.
+    pub(super) fn read<F: CissFiles>(
+        files: &mut F,
+        table: &Layout,
+        keep: impl Fn(Row<'_>) -> bool,
+    ) -> Result<Self, F::Error> {
+        let names = files.names();
+        let place = find(&names, table, F::READS_SAS)?;
+        let content = files.read(place)?;
+        let file = names.get(place).cloned().unwrap_or_default();
+        Ok(Self::of(table, file, &decoded(&content), keep)?)
+    }
+
+    fn of(
+        table: &Layout,
+        file: String,
+        text: &str,
+        keep: impl Fn(Row<'_>) -> bool,
+    ) -> Result<Self, CissError> {
+        let mut sheet = Sheet::open(&file, text)?;
+        let places = sheet.places(table)?;
+        let columns: Vec<_> = places.iter().map(|place| place.column).collect();
+        let (mut kept, mut count) = (Vec::new(), 0);
+        sheet.cells(&places, |cells| {
+            count += 1;
+            if keep(Row { columns: &columns, cells: &cells }) {
+                kept.push(cells);
+            }
+        })?;
+        Ok(Self { columns, cells: kept, file, count })
+    }
+
+    pub(super) fn has(&self, column: &str) -> bool {
+        self.columns.contains(&column)
+    }
+
+    pub(super) fn iter(&self) -> impl Iterator<Item = Row<'_>> {
+        self.cells.iter().map(|cells| Row { columns: &self.columns, cells })
+    }
+}
+
+/// The cells of a table with exactly these columns, such as the program writes them.
+pub(super) fn read_back(
+    file: &str,
+    content: &[u8],
+    columns: &[CissColumn],
+) -> Result<Vec<Vec<CissCell>>, CissError> {
+    let text = decoded(content);
+    let mut sheet = Sheet::open(file, &text)?;
+    let place = |column: &'_ str| {
+        sheet.place(column)?.ok_or_else(|| CissError::NoPairColumn { column: column.to_owned() })
+    };
+    let places: Vec<_> = columns
+        .iter()
+        .map(|column| Ok(Place { column: &column.name, of: column.of, place: place(&column.name)? }))
+        .collect::<Result<_, CissError>>()?;
+    let mut rows = Vec::new();
+    sheet.cells(&places, |cells| rows.push(cells))?;
+    Ok(rows)
+}
+
+/// A column that is read.
+struct Place<'a> {
+    column: &'a str,
+    /// NHTSA's name of it.
+    of: &'static str,
+    /// Its place in the header.
+    place: usize,
+}
+
+/// A file of comma-separated values.
+struct Sheet<'a> {
+    file: &'a str,
+    reader: csv::Reader<&'a [u8]>,
+    header: csv::StringRecord,
+    lines: Lines<'a>,
+}
+
+impl<'a> Sheet<'a> {
+    fn open(file: &'a str, text: &'a str) -> Result<Self, CissError> {
+        let mut reader = csv::ReaderBuilder::new().flexible(true).from_reader(text.as_bytes());
+        let header = reader.headers().map_err(|reason| not_table(file, reason))?.clone();
+        Ok(Self { file, reader, header, lines: Lines { text, at: 0, line: 1 } })
+    }
+
+    fn place(&self, column: &str) -> Result<Option<usize>, CissError> {
+        let is_it = |name: &str| name.trim().eq_ignore_ascii_case(column);
+        let mut places =
+            self.header.iter().enumerate().filter(|(_, name)| is_it(name)).map(|(place, _)| place);
+        match (places.next(), places.next()) {
+            (Some(_), Some(_)) => {
+                Err(CissError::ColumnTwice { file: self.file.to_owned(), column: column.to_owned() })
+            }
+            (found, _) => Ok(found),
+        }
+    }
+
+    /// The columns of a table that are read.
+    fn places(&self, table: &Layout) -> Result<Vec<Place<'static>>, CissError> {
+        let (mut found, mut missing) = (Vec::new(), Vec::new());
+        for &column in table.needed.iter().chain(table.optional) {
+            match self.place(column)? {
+                Some(place) => found.push(Place { column, of: column, place }),
+                None if table.optional.contains(&column) => {}
+                None => missing.push(column),
+            }
+        }
+        if missing.is_empty() {
+            return Ok(found);
+        }
+        let has = self.header.iter().map(|name| name.trim().to_owned()).collect();
+        Err(CissError::NoColumn { table: table.name, file: self.file.to_owned(), columns: missing, has })
+    }
+
+    /// The cells of each row in turn.
+    fn cells(&mut self, places: &[Place<'_>], mut each: impl FnMut(Vec<CissCell>)) -> Result<(), CissError> {
+        let mut record = csv::StringRecord::new();
+        while self.reader.read_record(&mut record).map_err(|reason| not_table(self.file, reason))? {
+            let line = self.lines.of(&record);
+            let (cells, columns) = (record.len(), self.header.len());
+            if cells != columns {
+                return Err(CissError::Cells { file: self.file.to_owned(), line, cells, columns });
+            }
+            let cell = |place: &Place<'_>| {
+                let text = record.get(place.place).unwrap_or_default();
+                cell::read(place.of, text).map_err(|wanted| CissError::Cell {
+                    file: self.file.to_owned(),
+                    line,
+                    column: place.column.to_owned(),
+                    text: text.trim().to_owned(),
+                    wanted,
+                })
+            };
+            each(places.iter().map(cell).collect::<Result<_, _>>()?);
+        }
+        Ok(())
+    }
+}
+
+fn not_table(file: &str, reason: csv::Error) -> CissError {
+    CissError::Table { file: file.to_owned(), reason }
+}
+
+/// Lines of a text. The parser counts no line for the second half of CR LF, and none for empty lines.
+struct Lines<'a> {
+    text: &'a str,
+    at: usize,
+    line: u64,
+}
+
+impl Lines<'_> {
+    /// The line on which a record begins; records come in their order.
+    fn of(&mut self, record: &csv::StringRecord) -> u64 {
+        let start = record.position().and_then(|position| position.byte().try_into().ok()).unwrap_or(0);
+        let bytes = self.text.as_bytes();
+        let blank = bytes.iter().skip(start).take_while(|byte| matches!(byte, b'\r' | b'\n')).count();
+        let begins = start + blank;
+        let between = bytes.get(self.at..begins).unwrap_or_default();
+        self.line += between.iter().filter(|byte| **byte == b'\n').count() as u64;
+        self.at = begins;
+        self.line
+    }
+}
+
+/// A text in UTF-8, or else in Latin-1.
+fn decoded(content: &[u8]) -> Cow<'_, str> {
+    match std::str::from_utf8(content) {
+        Ok(text) => Cow::Borrowed(text.strip_prefix('\u{feff}').unwrap_or(text)),
+        Err(_) => Cow::Owned(content.iter().copied().map(char::from).collect()),
+    }
+}
