@@ -525,11 +525,11 @@ fn unposed(form: &AvoidForm, refusal: Unposed) -> Failure {
                     format!("{} s", rounded(time)),
                     "the moment at which the view became free".to_owned(),
                 ),
-                DemandForm::Other([way, speed]) => (
-                    "avoid.demand.other",
-                    format!("{} s", rounded(time)),
-                    format!("{} s before it", rounded(way.si() / speed.si())),
-                ),
+                DemandForm::Other(other) => {
+                    let taken = other.time().unwrap_or_default();
+                    let [when, given] = [time, taken].map(|time| format!("{} s", rounded(time)));
+                    ("avoid.demand.other", when, format!("{given} before it"))
+                }
             };
             let reason = format!(
                 "the brakes took effect {when} before the impact, and so before the reaction demand, which is {given}"

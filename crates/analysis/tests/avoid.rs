@@ -22,6 +22,45 @@ fn asked_with(text: &str, plan: AvoidPlan) -> Result<Avoidance, Failure> {
     avoid(&parsed(text), &plan, &mut |_, _, _| ControlFlow::Continue(()))
 }
 
+/// A car at 20 m/s; from the right, a van sets out with 3.56 m/s² and is hit after 7.7 m, with 3.7 m to go.
+#[test]
+fn the_other_party_may_set_out_from_a_stop() {
+    let text = |other: &str, clear: &str| {
+        format!(
+            r#"
+[avoid]
+unbraked = true
+speed = "20 m/s"
+limit = "50 km/h"
+reaction_time = "1 s"
+deceleration = "7 m/s^2"
+demand = {{ other = {{ distance = "7.7 m", {other} }} }}
+clear = {{ distance = "3.7 m"{clear} }}
+"#
+        )
+    };
+    let found = asked(&text("acceleration = \"3.56 m/s^2\"", ""));
+    let [at_impact, cleared] = [7.7, 11.4].map(|way: f64| (2.0 * way / 3.56).sqrt());
+    assert!((found.scene.time - at_impact).abs() < 1e-12);
+    assert!((found.scene.distance - 20.0 * at_impact).abs() < 1e-9);
+    assert!((found.scene.clears_after.unwrap() - (cleared - at_impact)).abs() < 1e-12);
+    // 20 t_c = v t − a (t − 1)²/2
+    let late = (20.0 * at_impact + 3.5 * (cleared - 1.0).powi(2)) / cleared;
+    assert!((found.scene.temporal().unwrap() - late).abs() < 1e-9);
+    // It keeps 4 m/s once it has them, after 2.247 m.
+    let kept = asked(&text("acceleration = \"3.56 m/s^2\", speed = \"4 m/s\"", ""));
+    assert!((kept.scene.time - (7.7 / 4.0 + 4.0 / 7.12)).abs() < 1e-12);
+    assert!((kept.scene.clears_after.unwrap() - 3.7 / 4.0).abs() < 1e-12);
+    // What `clear` says of its speed counts more than how it came.
+    let said = asked(&text("acceleration = \"3.56 m/s^2\"", ", speed = \"2 m/s\""));
+    assert!((said.scene.clears_after.unwrap() - 1.85).abs() < 1e-12);
+    // A way on without a speed is that of `demand`, which has to give one.
+    let nothing = text("speed = \"4 m/s\"", "")
+        .replace("{ other = { distance = \"7.7 m\", speed = \"4 m/s\" } }", "{ time = \"2 s\" }");
+    let refused = asked_with(&nothing, AvoidPlan::default()).unwrap_err().to_string();
+    assert!(refused.contains("avoid.clear.speed") || refused.contains("goes on as it came"), "{refused}");
+}
+
 /// Numbers at random that have nothing to do with those of the program: a multiplicative generator (Lehmer).
 struct Random(u64);
 

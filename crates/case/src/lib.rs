@@ -56,7 +56,7 @@
 //! | … Woolley | nothing more or, for a sideswipe, `tangential_velocity_change` |
 //! | … Ishikawa | `restitution`; `tangential_restitution`, −1 to 1 |
 //! | … Kudlich–Slibar | `restitution`; `friction`, zero or more |
-//! | `[avoid]` | `vehicle`; `speed` at the reaction demand; `limit`; `reaction_time`; `swell`, `swell_form`: `"linear"` (the default), `"half"`, `"full speed"`; `deceleration`; `demand = { distance }`, `{ time }`, `{ other = { distance, speed } }` or `{ sight = true }`, each with `reason`; `clear = { distance, speed }`; `other_party`: `"pedestrian"`, `"cyclist"`, `"vehicle"`; `unbraked = true`; `sight = { eye, heading, point, other_heading, other_speed }`, each place `{ x, y }`; `obstacle`, a list of what hides the other party: `{ name, source, polygon }`. Each number can have a `source`: `{ value, source }`, or beside a range. A file with this table needs no vehicle |
+//! | `[avoid]` | `vehicle`; `speed` at the reaction demand; `limit`; `reaction_time`; `swell`, `swell_form`: `"linear"` (the default), `"half"`, `"full speed"`; `deceleration`; `demand = { distance }`, `{ time }`, `{ other = { distance, speed } }` or, from a stop, `{ other = { distance, acceleration } }`, or `{ sight = true }`, each with `reason`; `clear = { distance, speed }`; `other_party`: `"pedestrian"`, `"cyclist"`, `"vehicle"`; `unbraked = true`; `sight = { eye, heading, point, other_heading, other_speed }`, each place `{ x, y }`; `obstacle`, a list of what hides the other party: `{ name, source, polygon }`. Each number can have a `source`: `{ value, source }`, or beside a range. A file with this table needs no vehicle |
 //! | `[reconstruct]` | `find`: `"vehicle1.speed"`, `"vehicle2.speed"`, or the list of both; `energy_basis`: `"dissipated"` (the default), `"absorbed"`, `{ tangential_share }` |
 //!
 //! A `restitution` is a number from 0 to 1 or, if it depends on the closing speed, `{ speeds = "2 5 10 20
@@ -206,18 +206,19 @@ pub use value::{Value, ValueTable};
 
 // The contents of a case file are types of the crate `inputs`, re-exported here for those who read files.
 pub use inputs::{
-    After, Amount, Avoid, AvoidForm, Axes, Basis, Before, Bounds, BrachTangential, Case, Clear,
+    After, Amount, Avoid, AvoidForm, Axes, Basis, Before, Bounds, BrachTangential, Case, Clear, ClearForm,
     CollisionData, ContactPoint, ContactSpread, Crush, CrushEvidence, CrushOnly, DAMAGE_LENGTH_SD, DEPTH_SD,
-    DamageData, Departures, Dimension, Dimensions, Drag, ENERGY_BASES, EdgeSide, EnergyData, EstimatedInput,
-    FaceAxis, Fault, FaultKind, Faults, Find, Fit, Geometry, GivenDemand, GivenEes, GivenImpact,
-    GivenPreCrash, GivenPulse, GivenRest, GivenSeries, GivenSight, GivenSitePlan, GivenSteer, GivenTest,
-    GivenVehicle, Grade, ImpactInput, ImpactLaw, InertiaData, InferredWidth, Input, KnownEnergy, LawName,
-    LeftOut, MarkedWheel, Mass, OBLIQUE_CORRECTIONS, OFFSET_SD, Obstacle, OfTables, Origin, OtherParty,
-    Outline, PathPoint, Pdof, Place, PlaceForm, PointData, Purpose, Quantity, Range, Reconstruct,
-    ReconstructionInput, Recorder, RegionData, ReportHead, RestHeading, RestHeadingData, Restitution, SIDES,
-    STANDARD_GRAVITY, STIFFNESS_LN_SD_A, STIFFNESS_LN_SD_B, SUBJECTS, SWELLS, SeriesRefusal, SeriesSource,
-    SeverityPrior, SightForm, Skid, SkidBegin, Sourced, Spread, SteerPoint, StiffnessForm, StiffnessLine,
-    StiffnessSource, StoredRecord, Surface, SurfaceData, SurfaceRegion, SurfaceZone, Text, UNDAMAGED,
-    UNKNOWNS, Unit, UnitSystem, VehicleData, VehicleKind, Velocity, WheelDrag, YAW_RADIUS_CONFIDENCE,
-    YAW_RADIUS_WITHIN, YawInertia, YawSource, ZoneData, acts, shown, shown_lines, word,
+    DamageData, DemandForm, Departures, Dimension, Dimensions, Drag, ENERGY_BASES, EdgeSide, EnergyData,
+    EstimatedInput, FaceAxis, Fault, FaultKind, Faults, Find, Fit, Geometry, GivenDemand, GivenEes,
+    GivenImpact, GivenPreCrash, GivenPulse, GivenRest, GivenSeries, GivenSight, GivenSitePlan, GivenSteer,
+    GivenTest, GivenVehicle, Grade, ImpactInput, ImpactLaw, InertiaData, InferredWidth, Input, KnownEnergy,
+    LawName, LeftOut, MarkedWheel, Mass, OBLIQUE_CORRECTIONS, OFFSET_SD, Obstacle, OfTables, Origin,
+    OtherApproach, OtherForm, OtherParty, Outline, PathPoint, Pdof, Place, PlaceForm, PointData, Purpose,
+    Quantity, Range, Reconstruct, ReconstructionInput, Recorder, RegionData, ReportHead, RestHeading,
+    RestHeadingData, Restitution, SIDES, STANDARD_GRAVITY, STIFFNESS_LN_SD_A, STIFFNESS_LN_SD_B, SUBJECTS,
+    SWELLS, SeriesRefusal, SeriesSource, SeverityPrior, SightForm, Skid, SkidBegin, Sourced, Spread,
+    SteerPoint, StiffnessForm, StiffnessLine, StiffnessSource, StoredRecord, Surface, SurfaceData,
+    SurfaceRegion, SurfaceZone, Text, UNDAMAGED, UNKNOWNS, Unit, UnitSystem, VehicleData, VehicleKind,
+    Velocity, WheelDrag, YAW_RADIUS_CONFIDENCE, YAW_RADIUS_WITHIN, YawInertia, YawSource, ZoneData, acts,
+    shown, shown_lines, word,
 };

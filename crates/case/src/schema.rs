@@ -1165,7 +1165,7 @@ pub(crate) static AVOID_DEMAND: Schema = Schema {
 
 pub(crate) static AVOID_OTHER: Schema = Schema {
     place: "other = { … } of demand",
-    text: "Way of the other party from the reaction demand to the impact. Its time is the distance divided by the speed.",
+    text: "Way of the other party from the reaction demand to the impact. With `speed` alone, its time is the distance divided by the speed; with `acceleration`, it starts from a stop.",
     keys: &[
         key(
             "distance",
@@ -1177,10 +1177,19 @@ pub(crate) static AVOID_OTHER: Schema = Schema {
             "speed",
             "speed = { low = \"1.2 m/s\", high = \"2.0 m/s\" }",
             Form::Sourced(Dimension::Speed, POSITIVE),
-            "How fast it went there.",
+            "How fast it went there. With `acceleration`, the speed that it kept once it had reached it.",
+        ),
+        key(
+            "acceleration",
+            "acceleration = { low = \"1.5 m/s^2\", high = \"2.0 m/s^2\" }",
+            Form::Sourced(Dimension::Acceleration, POSITIVE),
+            "How hard it accelerated from a stop.",
         ),
     ],
-    rules: &[Rule::Needs(&["distance", "speed"])],
+    rules: &[Rule::OneOf(&[
+        form(&["distance", "speed"], &["acceleration"]),
+        form(&["distance", "acceleration"], &["speed"]),
+    ])],
 };
 
 pub(crate) static AVOID_CLEAR: Schema = Schema {
@@ -1197,10 +1206,10 @@ pub(crate) static AVOID_CLEAR: Schema = Schema {
             "speed",
             "speed = \"1.4 m/s\"",
             Form::Sourced(Dimension::Speed, POSITIVE),
-            "How fast it would have gone on. One that stops never clears the zone: leave `clear` out then.",
+            "How fast it would have gone on. If left out, as it came by `other` of `demand`. One that stops never clears the zone: leave `clear` out then.",
         ),
     ],
-    rules: &[Rule::Needs(&["distance", "speed"])],
+    rules: &[Rule::Needs(&["distance"])],
 };
 
 pub(crate) static BEFORE: Schema = Schema {

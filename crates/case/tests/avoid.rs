@@ -40,7 +40,7 @@ fn each_form_is_read_and_written_back() {
     assert_eq!(deceleration.source.as_ref().unwrap().as_given(), "drag sled");
     assert_eq!(avoid.limit.as_ref().unwrap().source.as_ref().unwrap().as_given(), "a \"sign\"");
     assert!(avoid.swell.as_ref().unwrap().source.is_none());
-    assert!(matches!(&avoid.demand, Some(GivenDemand::Other { distance, .. }) if distance.source.is_some()));
+    assert!(matches!(&avoid.demand, Some(GivenDemand::Other(other)) if other.distance.source.is_some()));
     let paths: Vec<&str> = case.ranges.iter().map(|range| range.path.as_str()).collect();
     let expected = ["avoid.speed", "avoid.reaction_time", "avoid.deceleration", "avoid.clear.speed"];
     assert_eq!(paths, expected);
@@ -106,7 +106,8 @@ fn what_cannot_be_read_is_told_with_its_place() {
         ("deceleration = \"7 m/s\"", "m/s^2"),
         ("demand = { distance = \"30 m\", time = \"2 s\" }", "demand"),
         ("demand = { other = { distance = \"4 m\" } }", "speed"),
-        ("clear = { distance = \"2 m\" }", "speed"),
+        ("demand = { other = { speed = \"4 m/s\" } }", "distance"),
+        ("demand = { other = { distance = \"4 m\", acceleration = \"-1 m/s^2\" } }", "acceleration"),
         ("swell_form = \"lineer\"", "did you mean \"linear\""),
         ("vehicle = \"vehicle3\"", "vehicle1"),
         ("reaction = \"1 s\"", "reaction_time"),

@@ -2,8 +2,8 @@
 
 use std::fmt::Display;
 
-use pim_core::VehicleId;
-use time_distance::Swell;
+use pim_core::{InvalidInput, VehicleId};
+use time_distance::{Progress, Swell};
 
 use crate::quantity::Quantity;
 use crate::scene::Place;
@@ -110,14 +110,20 @@ pub enum GivenDemand<T = f64> {
     /// (s) time before the impact.
     Time(Sourced<T>),
     /// The time that the other party took to the impact.
-    Other {
-        /// (m) its distance to the place of the impact.
-        distance: Sourced<T>,
-        /// (m/s) its speed.
-        speed: Sourced<T>,
-    },
+    Other(OtherApproach<T>),
     /// Since when no obstacle has hidden the other party.
     Sight,
+}
+
+/// How the other party came to the impact: at constant speed, or from a stop.
+#[derive(Clone, Debug, PartialEq)]
+pub struct OtherApproach<T = f64> {
+    /// (m) its distance to the place of the impact.
+    pub distance: Sourced<T>,
+    /// (m/s) its speed; with an acceleration, the speed that it then kept.
+    pub speed: Option<Sourced<T>>,
+    /// (m/s²) its acceleration from a stop.
+    pub acceleration: Option<Sourced<T>>,
 }
 
 /// The way of the other party out of the danger zone.
@@ -125,8 +131,8 @@ pub enum GivenDemand<T = f64> {
 pub struct Clear<T = f64> {
     /// (m) from its place at the impact until it has left the zone, its own length or body included.
     pub distance: Sourced<T>,
-    /// (m/s) its speed.
-    pub speed: Sourced<T>,
+    /// (m/s) its speed; it goes on as it came if absent.
+    pub speed: Option<Sourced<T>>,
 }
 
 /// What the other party is.
@@ -171,8 +177,8 @@ pub struct AvoidForm<T = f64> {
     pub deceleration: Quantity<T>,
     /// Where or when the danger could first be recognized.
     pub demand: DemandForm<T>,
-    /// (m) the other party's way out of the danger zone, and (m/s) its speed.
-    pub clear: Option<[Quantity<T>; 2]>,
+    /// The other party's way out of the danger zone.
+    pub clear: Option<ClearForm<T>>,
     /// How the vehicle came to the impact.
     pub braking: BrakingForm<T>,
     /// From where the driver looks at what, if there are obstacles.
@@ -246,10 +252,50 @@ pub enum DemandForm<T = f64> {
     Distance(Quantity<T>),
     /// (s) time before the impact.
     Time(Quantity<T>),
-    /// (m) the other party's distance to the place of the impact, and (m/s) its speed.
-    Other([Quantity<T>; 2]),
+    /// By how the other party came.
+    Other(OtherForm<T>),
     /// Since when no obstacle has hidden the other party.
     Sight,
+}
+
+/// How the other party came to the impact.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct OtherForm<T = f64> {
+    /// (m) its distance to the place of the impact.
+    pub distance: Quantity<T>,
+    /// (m/s) its speed; with an acceleration, the speed that it then kept.
+    pub speed: Option<Quantity<T>>,
+    /// (m/s²) its acceleration from a stop.
+    pub acceleration: Option<Quantity<T>>,
+}
+
+impl OtherForm {
+    /// How it covers its path.
+    #[must_use]
+    pub fn progress(&self) -> Progress {
+        let speed = self.speed.as_ref().map(Quantity::si);
+        match &self.acceleration {
+            Some(acceleration) => Progress::FromStop { acceleration: acceleration.si(), up_to: speed },
+            None => Progress::Steady { speed: speed.unwrap_or_default() },
+        }
+    }
+
+    /// (s) from the reaction demand to the impact.
+    ///
+    /// # Errors
+    /// As [`Progress::time_over`].
+    pub fn time(&self) -> Result<f64, InvalidInput> {
+        self.progress().time_over(self.distance.si())
+    }
+}
+
+/// The way of the other party out of the danger zone.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ClearForm<T = f64> {
+    /// (m) its length.
+    pub distance: Quantity<T>,
+    /// (m/s) its speed; it goes on as it came if absent.
+    pub speed: Option<Quantity<T>>,
 }
 
 /// How a vehicle came to the impact.
@@ -287,10 +333,16 @@ impl<T: Copy> AvoidForm<T> {
             demand: match self.demand {
                 DemandForm::Distance(distance) => DemandForm::Distance(of(distance)),
                 DemandForm::Time(time) => DemandForm::Time(of(time)),
-                DemandForm::Other(way) => DemandForm::Other(way.map(&mut of)),
+                DemandForm::Other(other) => DemandForm::Other(OtherForm {
+                    distance: of(other.distance),
+                    speed: other.speed.map(&mut of),
+                    acceleration: other.acceleration.map(&mut of),
+                }),
                 DemandForm::Sight => DemandForm::Sight,
             },
-            clear: self.clear.map(|way| way.map(&mut of)),
+            clear: self
+                .clear
+                .map(|clear| ClearForm { distance: of(clear.distance), speed: clear.speed.map(&mut of) }),
             sight: self.sight.map(|sight| SightForm {
                 eye: sight.eye.map(&mut of),
                 heading: of(sight.heading),
@@ -324,7 +376,7 @@ impl<U> Walk<'_, U> {
             demand_reason: self.text(&"avoid.demand.reason", avoid.demand_reason.as_ref()),
             clear: avoid.clear.as_ref().map(|Clear { distance, speed }| Clear {
                 distance: self.sourced(&Key(&at("clear"), "distance"), distance),
-                speed: self.sourced(&Key(&at("clear"), "speed"), speed),
+                speed: self.sourced_if(&Key(&at("clear"), "speed"), speed.as_ref()),
             }),
             other_party: avoid
                 .other_party
@@ -362,12 +414,13 @@ impl<U> Walk<'_, U> {
                 GivenDemand::Distance(self.sourced(&Key(path, "distance"), distance))
             }
             GivenDemand::Time(time) => GivenDemand::Time(self.sourced(&Key(path, "time"), time)),
-            GivenDemand::Other { distance, speed } => {
+            GivenDemand::Other(OtherApproach { distance, speed, acceleration }) => {
                 let other = Key(path, "other");
-                GivenDemand::Other {
+                GivenDemand::Other(OtherApproach {
                     distance: self.sourced(&Key(&other, "distance"), distance),
-                    speed: self.sourced(&Key(&other, "speed"), speed),
-                }
+                    speed: self.sourced_if(&Key(&other, "speed"), speed.as_ref()),
+                    acceleration: self.sourced_if(&Key(&other, "acceleration"), acceleration.as_ref()),
+                })
             }
             GivenDemand::Sight => {
                 self.flag(&Key(path, "sight"), true);

@@ -77,8 +77,8 @@ pub use after::{
     SteerPoint, WheelDrag,
 };
 pub use avoid::{
-    Avoid, AvoidForm, BrakingForm, Clear, DemandForm, GivenDemand, GivenSight, Obstacle, OtherParty,
-    PlaceForm, SUBJECTS, SWELLS, SightForm, Sourced, SpeedForm,
+    Avoid, AvoidForm, BrakingForm, Clear, ClearForm, DemandForm, GivenDemand, GivenSight, Obstacle,
+    OtherApproach, OtherForm, OtherParty, PlaceForm, SUBJECTS, SWELLS, SightForm, Sourced, SpeedForm,
 };
 pub use axes::Axes;
 pub use basis::{Basis, ENERGY_BASES};

@@ -1,8 +1,8 @@
 //! One scene before a collision, with every number known: what the vehicle did, and what it would have done.
 
-use inputs::{AvoidForm, BrakingForm, DemandForm, Quantity, STANDARD_GRAVITY, SpeedForm};
+use inputs::{AvoidForm, BrakingForm, ClearForm, DemandForm, Quantity, STANDARD_GRAVITY, SpeedForm};
 use pim_core::InvalidInput;
-use time_distance::{Course, Leg, Response};
+use time_distance::{Course, Leg, Progress, Response};
 
 /// How the vehicle came to the impact.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -175,7 +175,7 @@ impl AvoidScene {
         if !at_demand.or(at_impact).is_some_and(|speed| speed > 0.0) {
             return Err(Unposed::Stands);
         }
-        let clears_after = form.clear.as_ref().map(|[distance, speed]| distance.si() / speed.si());
+        let clears_after = form.clear.as_ref().map(|clear| clears_after(clear, &form.demand)).transpose()?;
         let partly = Self {
             speed: 0.0,
             at_impact: 0.0,
@@ -315,11 +315,25 @@ impl AvoidScene {
 }
 
 /// Where or when the demand is; `None` if obstacles decide.
-pub(super) fn given_demand(form: &AvoidForm) -> Option<Since> {
-    match &form.demand {
+pub(super) fn given_demand(form: &AvoidForm) -> Result<Option<Since>, InvalidInput> {
+    Ok(match &form.demand {
         DemandForm::Distance(distance) => Some(Since::Distance(distance.si())),
         DemandForm::Time(time) => Some(Since::Time(time.si())),
-        DemandForm::Other([distance, speed]) => Some(Since::Time(distance.si() / speed.si())),
+        DemandForm::Other(other) => Some(Since::Time(other.time()?)),
         DemandForm::Sight => None,
+    })
+}
+
+/// (s) after the impact, the other party has cleared the danger zone.
+fn clears_after(clear: &ClearForm, demand: &DemandForm) -> Result<f64, InvalidInput> {
+    let distance = clear.distance.si();
+    match (&clear.speed, demand) {
+        (None, DemandForm::Other(other)) => {
+            Ok(other.progress().time_over(other.distance.si() + distance)? - other.time()?)
+        }
+        (speed, _) => {
+            let speed = speed.as_ref().map_or(0.0, Quantity::si);
+            Progress::Steady { speed }.time_over(distance)
+        }
     }
 }

@@ -150,7 +150,7 @@ pub(super) fn pose(
     obstacles: Outlines<'_>,
 ) -> Result<AvoidScene, Unposed> {
     let ways = form.sight.as_ref().map(Ways::of);
-    let (since, of_sight) = match (given_demand(form), &ways) {
+    let (since, of_sight) = match (given_demand(form)?, &ways) {
         (Some(since), _) => (since, None),
         (None, None) => return Err(Unposed::NeverHidden),
         (None, Some(ways)) => (ways.demand(form, at_impact, obstacles)?, Some(ways)),

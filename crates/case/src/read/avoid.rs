@@ -3,7 +3,9 @@
 use super::scene::OF_OBSTACLE;
 use super::tree::{Reader, Table};
 use crate::schema::{AVOID_CLEAR, AVOID_DEMAND, AVOID_OTHER, AVOID_SIGHT, MOST_ZONES, OBSTACLE};
-use inputs::{Avoid, Clear, GivenDemand, GivenSight, Obstacle, OtherParty, SUBJECTS, SWELLS, Text};
+use inputs::{
+    Avoid, Clear, GivenDemand, GivenSight, Obstacle, OtherApproach, OtherParty, SUBJECTS, SWELLS, Text,
+};
 
 impl<'t> Reader<'t> {
     pub(super) fn avoid(&mut self, table: &Table<'t>) -> Avoid {
@@ -51,8 +53,7 @@ impl<'t> Reader<'t> {
 
     fn demand(&mut self, avoid: &Table<'t>) -> (Option<GivenDemand>, Option<Text>) {
         const FORMS: &str = "demand = { distance = \"30 m\" }, { time = \"2.1 s\" }, { other = { distance = \"4 m\", speed = \"1.5 m/s\" } } or { sight = true }";
-        const OTHER: &str =
-            "other = { distance = \"4 m\", speed = { low = \"1.2 m/s\", high = \"2.0 m/s\" } }";
+        const OTHER: &str = "other = { distance = \"4 m\", speed = { low = \"1.2 m/s\", high = \"2.0 m/s\" } } or, from a stop, other = { distance = \"8 m\", acceleration = \"1.5 m/s^2\" }";
         let Some(table) = self.inline(avoid, "demand", &AVOID_DEMAND, "a table in braces", FORMS) else {
             return (None, None);
         };
@@ -65,9 +66,13 @@ impl<'t> Reader<'t> {
             ["time"] => time.map(GivenDemand::Time),
             ["other"] => {
                 self.inline(&table, "other", &AVOID_OTHER, "a table in braces", OTHER).and_then(|other| {
-                    self.require(&other, &["distance", "speed"]);
-                    let [distance, speed] = ["distance", "speed"].map(|key| self.sourced(&other, key));
-                    Some(GivenDemand::Other { distance: distance?, speed: speed? })
+                    self.require(&other, &["distance"]);
+                    let [distance, speed, acceleration] =
+                        ["distance", "speed", "acceleration"].map(|key| self.sourced(&other, key));
+                    if other.given(&["speed", "acceleration"]).is_empty() {
+                        return self.no_form(&other, OTHER);
+                    }
+                    Some(GivenDemand::Other(OtherApproach { distance: distance?, speed, acceleration }))
                 })
             }
             _ => self.no_form(&table, FORMS),
@@ -78,8 +83,8 @@ impl<'t> Reader<'t> {
     fn clear(&mut self, avoid: &Table<'t>) -> Option<Clear> {
         const FORMS: &str = "clear = { distance = \"2.4 m\", speed = \"1.4 m/s\" }";
         let table = self.inline(avoid, "clear", &AVOID_CLEAR, "a table in braces", FORMS)?;
-        self.require(&table, &["distance", "speed"]);
+        self.require(&table, &["distance"]);
         let [distance, speed] = ["distance", "speed"].map(|key| self.sourced(&table, key));
-        Some(Clear { distance: distance?, speed: speed? })
+        Some(Clear { distance: distance?, speed })
     }
 }

@@ -5,7 +5,8 @@ use trajectory::GREATEST_FRICTION;
 use super::{Demand, table};
 use crate::after::SkidBegin;
 use crate::avoid::{
-    Avoid, AvoidForm, BrakingForm, Clear, DemandForm, GivenDemand, PlaceForm, SightForm, Sourced, SpeedForm,
+    Avoid, AvoidForm, BrakingForm, ClearForm, DemandForm, GivenDemand, OtherForm, PlaceForm, SightForm,
+    Sourced, SpeedForm,
 };
 use crate::case::Case;
 use crate::fault::{Fault, FaultKind, Faults};
@@ -56,6 +57,7 @@ impl Case {
         }
         demand.of_deceleration(avoid);
         demand.of_skid(avoid);
+        demand.of_clear(avoid);
         demand.of_sight(avoid);
         demand.finish(form)
     }
@@ -81,7 +83,11 @@ impl<T: Copy> Case<T> {
         let demand = match avoid.demand.as_ref()? {
             GivenDemand::Distance(distance) => DemandForm::Distance(distance.quantity),
             GivenDemand::Time(time) => DemandForm::Time(time.quantity),
-            GivenDemand::Other { distance, speed } => DemandForm::Other([distance.quantity, speed.quantity]),
+            GivenDemand::Other(other) => DemandForm::Other(OtherForm {
+                distance: other.distance.quantity,
+                speed: of(&other.speed),
+                acceleration: of(&other.acceleration),
+            }),
             GivenDemand::Sight => DemandForm::Sight,
         };
         let has_obstacle = !avoid.obstacles.is_empty();
@@ -96,7 +102,8 @@ impl<T: Copy> Case<T> {
             swell_form: avoid.swell_form.unwrap_or_default(),
             deceleration: of(&avoid.deceleration)?,
             demand,
-            clear: clear.map(|Clear { distance, speed }| [distance.quantity, speed.quantity]),
+            clear: clear
+                .map(|clear| ClearForm { distance: clear.distance.quantity, speed: of(&clear.speed) }),
             braking,
             sight,
         })
@@ -138,10 +145,13 @@ impl<T: Copy> Case<T> {
     fn other_speed(&self, avoid: &Avoid<T>) -> Option<Quantity<T>> {
         let subject = self.avoid_subject();
         let is_sought = self.reconstruct.as_ref().is_some_and(|sought| sought.find.seeks(subject.other()));
-        let given = match (&avoid.sight.other_speed, &avoid.demand, &avoid.clear) {
-            (Some(speed), ..) | (None, Some(GivenDemand::Other { speed, .. }), _) => Some(speed),
-            (None, _, clear) => clear.as_ref().map(|clear| &clear.speed),
+        // Who starts from a stop has no one speed.
+        let of_demand = match &avoid.demand {
+            Some(GivenDemand::Other(other)) if other.acceleration.is_none() => other.speed.as_ref(),
+            _ => None,
         };
+        let of_clear = avoid.clear.as_ref().and_then(|clear| clear.speed.as_ref());
+        let given = avoid.sight.other_speed.as_ref().or(of_demand).or(of_clear);
         match (given, &self.vehicles[subject.other().index()].motion) {
             (Some(speed), _) => Some(speed.quantity),
             (None, Some(Velocity::Speed(speed))) if !is_sought => Some(*speed),
@@ -235,6 +245,17 @@ impl Demand<'_, f64> {
         }
         if before.skid.friction.is_none() && self.case.surface.is_none() {
             self.missing(format_args!("{path}.friction"), "`friction` of the skid, or that of [surface]");
+        }
+    }
+
+    fn of_clear(&mut self, avoid: &Avoid) {
+        let goes_on = avoid.clear.as_ref().is_some_and(|clear| clear.speed.is_none());
+        if goes_on && !matches!(avoid.demand, Some(GivenDemand::Other(_))) {
+            self.missing(
+                "avoid.clear.speed",
+                "`speed`, how fast the other party would have gone on, as in speed = \"1.4 m/s\": it goes on as it \
+                 came only if `demand` says by `other` how it came",
+            );
         }
     }
 

@@ -2,7 +2,7 @@
 
 use ::drawing::{Axis, ChancePicture, Drawing, PathTimeCourse, PathTimePicture, SightPicture, ValueMark};
 use analysis::{AvoidRun, Avoidance, Hypothesis, obstacle_name};
-use case::{Case, GivenDemand, OtherParty};
+use case::{Case, DemandForm, OtherParty};
 
 use super::scale_unit;
 use crate::units::{Measure, Units, number};
@@ -99,16 +99,26 @@ pub(crate) fn path_time_picture(case: &Case, found: &Avoidance, units: Units) ->
         })
         .collect();
     let given = case.avoid.as_ref();
-    let since = match given.and_then(|avoid| avoid.demand.as_ref()) {
-        Some(GivenDemand::Other { distance, .. }) => Some(distance.quantity.si()),
+    let came = match case.avoid_form().map(|form| form.demand) {
+        Some(DemandForm::Other(other)) => Some(other),
         _ => None,
     };
     let out = given.and_then(|avoid| avoid.clear.as_ref()).map(|clear| clear.distance.quantity.si());
-    let other = (since.is_some() || out.is_some()).then(|| {
+    let goes_on = given.and_then(|avoid| avoid.clear.as_ref()).is_some_and(|clear| clear.speed.is_none());
+    let other = (came.is_some() || out.is_some()).then(|| {
         let mut points = Vec::new();
-        points.extend(since.map(|distance| [0.0, -distance]));
-        points.push([scene.time, 0.0]);
-        points.extend(out.zip(clears).map(|(distance, time)| [time, distance]));
+        if let Some(other) = came {
+            let (before, progress) = (other.distance.si(), other.progress());
+            let after = out.filter(|_| goes_on && clears.is_some()).unwrap_or(0.0);
+            points.extend((0..=POINTS).filter_map(|k| {
+                let gone = (before + after) * f64::from(k) / f64::from(POINTS);
+                Some([progress.time_over(gone).ok()?, gone - before])
+            }));
+        }
+        if came.is_none() || !goes_on {
+            points.push([scene.time, 0.0]);
+            points.extend(out.zip(clears).map(|(distance, time)| [time, distance]));
+        }
         (points, format!("{party}, along its own path"))
     });
     let highest = out.unwrap_or(0.0).max(beyond) + 0.5 * beyond;

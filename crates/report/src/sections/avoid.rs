@@ -4,7 +4,9 @@ use analysis::{
     ActualRun, AvoidChance, AvoidInterval, AvoidRun, AvoidScene, Avoidance, Hiding, Hypothesis,
     SIGHT_LOOK_BACK, Sight, SpeedSource, Unbraked, View, obstacle_name,
 };
-use case::{Avoid, Case, Clear, GivenDemand, OtherParty, PlaceForm, STANDARD_GRAVITY, Sourced};
+use case::{
+    Avoid, Case, Clear, GivenDemand, OtherApproach, OtherParty, PlaceForm, STANDARD_GRAVITY, Sourced,
+};
 use time_distance::Swell;
 
 use crate::document::{Block, Column, Document, NONE, Table, Undrawn, Width};
@@ -202,15 +204,27 @@ fn inputs(case: &Case, given: &Avoid, found: &Avoidance, units: Units) -> Table 
     match &given.demand {
         Some(GivenDemand::Distance(distance)) => row("demand: distance", "avoid.demand.distance", distance),
         Some(GivenDemand::Time(time)) => row("demand: time", "avoid.demand.time", time),
-        Some(GivenDemand::Other { distance, speed }) => {
+        Some(GivenDemand::Other(OtherApproach { distance, speed, acceleration })) => {
             row("demand: other's way", "avoid.demand.other.distance", distance);
-            row("demand: other's speed", "avoid.demand.other.speed", speed);
+            if let Some(acceleration) = acceleration {
+                row("other's acceleration", "avoid.demand.other.acceleration", acceleration);
+            }
+            if let Some(speed) = speed {
+                row("demand: other's speed", "avoid.demand.other.speed", speed);
+            }
         }
         Some(GivenDemand::Sight) | None => {}
     }
+    let mut goes_on = false;
     if let Some(Clear { distance, speed }) = &given.clear {
         row("way out of the zone", "avoid.clear.distance", distance);
-        row("speed on that way", "avoid.clear.speed", speed);
+        match speed {
+            Some(speed) => row("speed on that way", "avoid.clear.speed", speed),
+            None => goes_on = true,
+        }
+    }
+    if goes_on {
+        table.notes.push("On that way, the other party goes on as it came.".to_owned());
     }
     if given.swell.is_none() {
         table.notes.push("The swell of the brakes is 0, as the case gives none.".to_owned());
@@ -231,15 +245,30 @@ fn inputs(case: &Case, given: &Avoid, found: &Avoidance, units: Units) -> Table 
     table
 }
 
+/// How the other party came.
+fn manner(other: &OtherApproach) -> String {
+    let of = |sourced: &Sourced| sourced.quantity.to_string();
+    match (&other.acceleration, &other.speed) {
+        (None, speed) => format!("at {}", speed.as_ref().map_or_else(String::new, of)),
+        (Some(acceleration), None) => format!("from a stop at {}", of(acceleration)),
+        (Some(acceleration), Some(speed)) => {
+            format!("from a stop at {} up to {}", of(acceleration), of(speed))
+        }
+    }
+}
+
 fn demand(given: &Avoid, found: &Avoidance, units: Units) -> String {
     let scene = &found.scene;
     let [distance, time] = [(Measure::Way, scene.distance), (Measure::Time, scene.time)]
         .map(|(measure, value)| units.format(measure, value));
     let by = match &given.demand {
-        Some(GivenDemand::Other { distance, speed }) => format!(
-            " It follows from the way of the other party, {} at {}.",
-            distance.quantity, speed.quantity
-        ),
+        Some(GivenDemand::Other(other)) => {
+            format!(
+                " It follows from the way of the other party, {} {}.",
+                other.distance.quantity,
+                manner(other)
+            )
+        }
         Some(GivenDemand::Sight) => {
             " It is the moment from which no obstacle hides the other party.".to_owned()
         }
