@@ -167,7 +167,7 @@ pub(crate) fn pose<T: Real>(input: TwoSpeedInput<T>, ways: &mut impl Ways<T>) ->
     let momentum = Momentum { contact, yaw_rates, after };
     let by_crush = match (&law, sought) {
         (Some(law), Sought::Both) if momentum.is_collinear() => {
-            let crush_energy = damage::crush_energy(&damage::assess(vehicles, [None, None])?);
+            let crush_energy = damage::uncorrected(vehicles)?;
             let axis = momentum.common_axis();
             let (basis, share) = (input.basis.energy(), input.basis.tangential_share());
             let search = MomentumAndCrush::new(momentum, axis, law.clone(), crush_energy, basis, share)?;
@@ -196,7 +196,7 @@ impl Agreed {
         let mut posed = pose(input, record)?;
         let is_held = posed.by_crush.is_none();
         let crush_energy = match vehicles.filter(|_| is_held) {
-            Some(vehicles) => Some(damage::crush_energy(&damage::assess(vehicles, [None, None])?)),
+            Some(vehicles) => Some(damage::uncorrected(vehicles)?),
             None => None,
         };
         let evidence = choice::Evidence {

@@ -179,6 +179,12 @@ pub(crate) fn crush_energy<T: Real>(vehicles: &[Vehicle<T>; 2]) -> T {
     energies.fold(T::ZERO, |sum, energy| sum + energy)
 }
 
+/// (J) uncorrected crush energy of both vehicles. It does not depend on the impact; a force balance takes its
+/// directions from the file.
+pub(crate) fn uncorrected<T: Real>(vehicles: [VehicleData<T>; 2]) -> Result<T, CrushError> {
+    Ok(crush_energy(&assess(vehicles, [None, None])?))
+}
+
 /// CRASH3's answer, or `None` if the damage of a vehicle that can move is unknown.
 pub(crate) fn crash3(
     vehicles: &[Vehicle; 2],

@@ -2,7 +2,8 @@
 
 use std::f64::consts::TAU;
 
-use inputs::{Case, CollisionData, Faults, Purpose, RestData, VehicleMotion};
+use crash3::CrushError;
+use inputs::{Case, CollisionData, Faults, Purpose, ReconstructionInput, RestData, VehicleMotion};
 use pim_core::{Motion, Outcome, Real, Vector2, VehicleId};
 use real::Traced;
 use reconcile::{Implied, MomentumAndCrush, Problem};
@@ -148,20 +149,24 @@ pub(crate) fn at<T: Real, R>(
     case: &Case<T>,
     evaluate: impl FnOnce(&Problem<T>) -> Result<R, Failure>,
 ) -> Result<R, Failure> {
-    let input = case.reconstruction()?;
-    let CollisionData { contact, law, motions, vehicles } = input.collision;
-    let crush_energy = damage::crush_energy(&damage::assess(vehicles, [None, None])?);
-    let problem = Problem {
+    let problem = posed(case.reconstruction()?)?;
+    problem.check()?;
+    evaluate(&problem)
+}
+
+/// The equation for one speed.
+pub(crate) fn posed<T: Real>(input: ReconstructionInput<T>) -> Result<Problem<T>, CrushError> {
+    let ReconstructionInput { collision, unknown, basis } = input;
+    let CollisionData { contact, law, motions, vehicles } = collision;
+    Ok(Problem {
         contact,
         law,
         motions,
-        unknown: input.unknown,
-        crush_energy,
-        basis: input.basis.energy(),
-        tangential_share: input.basis.tangential_share(),
-    };
-    problem.check()?;
-    evaluate(&problem)
+        unknown,
+        crush_energy: damage::uncorrected(vehicles)?,
+        basis: basis.energy(),
+        tangential_share: basis.tangential_share(),
+    })
 }
 
 /// An impact, and the ways to rest after it.

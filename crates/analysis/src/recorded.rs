@@ -246,8 +246,8 @@ pub fn recorders(case: &Case) -> Result<RecorderReading, Failure> {
 }
 
 fn reading(recorder: Recorder, of_impact: OfImpact, ground: Option<f64>, case: &Case) -> VehicleReading {
-    let record = recorder.pre_crash.as_ref().and_then(|given| given.record.as_ref());
-    let pulse = recorder.pulse.as_ref().and_then(|given| given.record.as_ref());
+    let record = recorder.before_impact();
+    let pulse = recorder.during_impact();
     VehicleReading {
         of_impact,
         others: Vec::new(),

@@ -2,14 +2,14 @@
 
 use inputs::{Case, CollisionData, CrushEvidence, Purpose, SurfaceData, VehicleData};
 use pim_core::Motion;
-use reconcile::{Problem, SolutionMethod};
+use reconcile::SolutionMethod;
 
 use crate::analysis::Analysis;
 use crate::both;
 use crate::damage;
 use crate::failure::Failure;
 use crate::found::{Found, refused};
-use crate::goal::Goal;
+use crate::goal::{Goal, posed};
 use crate::impact::{Impact, collide};
 use crate::judged::judged;
 use crate::travel::{Record, Travel, TravelOrigin, after_impact, departures};
@@ -22,19 +22,8 @@ pub(crate) fn reconstruct(case: &Case) -> Result<Analysis, Failure> {
         return both::reconstruct(case).map_err(|failure| failure.in_axes(case.axes));
     }
     let input = case.reconstruction()?;
-    let CollisionData { contact, law, motions, vehicles } = input.collision;
-    // The uncorrected energies do not depend on the impact; a force balance takes its directions from the
-    // file.
-    let crush_energy = damage::crush_energy(&damage::assess(vehicles.clone(), [None, None])?);
-    let problem = Problem {
-        contact,
-        law,
-        motions,
-        unknown: input.unknown,
-        crush_energy,
-        basis: input.basis.energy(),
-        tangential_share: input.basis.tangential_share(),
-    };
+    let (vehicles, basis) = (input.collision.vehicles.clone(), input.basis);
+    let problem = posed(input)?;
     let answer = problem.solve().map_err(|refusal| refused(&problem, refusal).in_axes(case.axes))?;
     let (quadratic, affine_impact, iterations) = match &answer.method {
         SolutionMethod::ClosedForm => {
@@ -43,10 +32,10 @@ pub(crate) fn reconstruct(case: &Case) -> Result<Analysis, Failure> {
         SolutionMethod::RootFinder(iterations) => (None, None, Some(iterations.as_slice().to_vec())),
     };
     let found = Found {
-        unknown: input.unknown,
+        unknown: problem.unknown,
         speed: answer.speed,
         admissible: problem.speeds().collect(),
-        crush_energy,
+        crush_energy: problem.crush_energy,
         normal_work: answer.normal_work,
         line: problem.line(),
         quadratic,
@@ -54,11 +43,11 @@ pub(crate) fn reconstruct(case: &Case) -> Result<Analysis, Failure> {
         iterations,
     };
     let warnings = warning::of_found(case, &found);
-    let impact = Impact::new(contact, problem.law, answer.law, answer.outcome);
+    let impact = Impact::new(problem.contact, problem.law, answer.law, answer.outcome);
     let vehicles = damage::assess(vehicles, impact.pdof.map(Some))?;
     let (travel, surface) = run_out(case, impact.outcome.after)?;
     let restitution = Some(impact.law.restitution());
-    let analysis = judged(case, vehicles, input.basis, restitution, (Some(found), Some(impact)), warnings)?;
+    let analysis = judged(case, vehicles, basis, restitution, (Some(found), Some(impact)), warnings)?;
     Ok(analysis.with_travel(travel, surface).beside_the_rest(case))
 }
 

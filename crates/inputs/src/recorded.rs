@@ -3,8 +3,8 @@
 use std::fmt::Display;
 
 use recorder::{
-    Channel, CrashPulse, ImpactSpeedErrors, PreCrash, PreCrashFault, PulseFault, PulseRule, PulseSpan,
-    RecorderTable, TextRefusal, columns_table, read_rows,
+    Channel, CrashPulse, ImpactSpeedErrors, PreCrash, PreCrashFault, PulseFault, RecorderTable, TextRefusal,
+    columns_table, read_rows,
 };
 
 use crate::quantity::Quantity;
@@ -168,14 +168,6 @@ impl OfTables for CrashPulse {
             pulse = pulse.with(&Self::from_table(across).map_err(SeriesRefusal::Pulse)?);
         }
         Ok((tables, pulse))
-    }
-}
-
-impl GivenPulse {
-    /// The part of the record that is of the impact, up to the greatest ΔV.
-    #[must_use]
-    pub fn greatest(&self) -> Option<PulseSpan> {
-        self.record.as_ref()?.span(PulseRule::GreatestDeltaV)
     }
 }
 

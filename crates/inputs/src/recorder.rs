@@ -5,7 +5,7 @@
 use std::fmt::Display;
 use std::sync::Arc;
 
-use recorder::{EventRecord, ImpactSpeed, KnownImpact};
+use recorder::{CrashPulse, EventRecord, ImpactSpeed, KnownImpact, PreCrash, PulseRule};
 
 use crate::axes::Axes;
 use crate::quantity::{Quantity, format_number};
@@ -82,13 +82,24 @@ pub struct RecordersDeltaV {
 }
 
 impl Recorder {
+    /// The samples before the impact.
+    #[must_use]
+    pub fn before_impact(&self) -> Option<&PreCrash> {
+        self.pre_crash.as_ref()?.record.as_ref()
+    }
+
+    /// The pulse.
+    #[must_use]
+    pub fn during_impact(&self) -> Option<&CrashPulse> {
+        self.pulse.as_ref()?.record.as_ref()
+    }
+
     /// The distribution of the speed at impact by the table before the impact; `ground` (–) is the friction
     /// of the surface, if the case gives it. `None` without a table.
     #[must_use]
     pub fn impact_speed(&self, ground: Option<f64>) -> Option<ImpactSpeed> {
-        let record = self.pre_crash.as_ref()?.record.as_ref()?;
         // The reader of a case refuses errors out of their range.
-        ImpactSpeed::of(record, &self.errors.errors(ground)).ok()
+        ImpactSpeed::of(self.before_impact()?, &self.errors.errors(ground)).ok()
     }
 
     /// The speed at impact: as given or, where it is not, by the table before the impact. `None` also of a
@@ -132,7 +143,8 @@ impl Recorder {
             let left = self.delta_v_lateral.as_ref().map(|across| axes.lateral(across.si()));
             return Some((RecordersDeltaV { along, left, is_of_table: false }, !self.incomplete));
         }
-        let span = self.pulse.as_ref()?.greatest()?;
+        // Up to the greatest ΔV, the record is of the impact.
+        let span = self.during_impact()?.span(PulseRule::GreatestDeltaV)?;
         // A recorder stores what is to the right as positive.
         let [along, left] = [span.delta_v[0], span.delta_v[1].map(|right| -right)];
         let turned = self.yaw_rate.as_ref().map(|rate| axes.lateral(rate.si()));

@@ -94,20 +94,15 @@ pub(crate) fn table2(staged: &Staged) -> Result<Vec<Table2Row>, ValidationError>
     };
     // The printed number may itself be off by half a digit.
     let of_profiles = |paper: f64| Claim::Reproduces { tolerance: PROFILES * paper + ROUNDED };
-    let implied_tolerance = if test == 4 { TEST_4_TABLE_2 } else { TENTH };
+    let unknown = known(STIFFNESS_UNKNOWN);
+    let of_profiles: &dyn Fn(f64) -> Claim =
+        if KNOWN_STIFFNESS.contains(&test) { &of_profiles } else { &unknown };
+    let of_implied = within(if test == 4 { TEST_4_TABLE_2 } else { TENTH });
+    let [not_in_ratio, split_unknown] = [NOT_IN_RATIO, SPLIT_UNKNOWN].map(known);
     Ok(vec![
         row(DeltaVRow::PimCrush, staged.crush_delta_v()?, printed.pim_crush, &within(TENTH)),
         row(DeltaVRow::PimTotal, total, printed.pim_total, &within(TENTH)),
-        if KNOWN_STIFFNESS.contains(&test) {
-            row(DeltaVRow::CrashUncorrected, profiles.uncorrected, printed.crash_uncorrected, &of_profiles)
-        } else {
-            row(
-                DeltaVRow::CrashUncorrected,
-                profiles.uncorrected,
-                printed.crash_uncorrected,
-                &known(STIFFNESS_UNKNOWN),
-            )
-        },
+        row(DeltaVRow::CrashUncorrected, profiles.uncorrected, printed.crash_uncorrected, of_profiles),
         row(
             DeltaVRow::CrashCorrected,
             profiles.corrected,
@@ -118,24 +113,18 @@ pub(crate) fn table2(staged: &Staged) -> Result<Vec<Table2Row>, ValidationError>
                 (false, _) => STIFFNESS_UNKNOWN,
             }),
         ),
-        if test == 11 {
-            let claim = known(NOT_IN_RATIO);
-            row(DeltaVRow::CrashUncorrectedImplied, implied.uncorrected, printed.crash_uncorrected, &claim)
-        } else {
-            let claim = within(implied_tolerance);
-            row(DeltaVRow::CrashUncorrectedImplied, implied.uncorrected, printed.crash_uncorrected, &claim)
-        },
-        if in_table3 {
-            let claim = within(implied_tolerance);
-            row(DeltaVRow::CrashCorrectedImplied, implied.corrected, printed.crash_corrected, &claim)
-        } else {
-            row(
-                DeltaVRow::CrashCorrectedImplied,
-                implied.corrected,
-                printed.crash_corrected,
-                &known(SPLIT_UNKNOWN),
-            )
-        },
+        row(
+            DeltaVRow::CrashUncorrectedImplied,
+            implied.uncorrected,
+            printed.crash_uncorrected,
+            if test == 11 { &not_in_ratio } else { &of_implied },
+        ),
+        row(
+            DeltaVRow::CrashCorrectedImplied,
+            implied.corrected,
+            printed.crash_corrected,
+            if in_table3 { &of_implied } else { &split_unknown },
+        ),
     ])
 }
 

@@ -196,10 +196,9 @@ pub fn write_records(reading: &RecorderReading, style: CsvStyle, out: &mut dyn W
 
 fn vehicle(id: VehicleId, found: &VehicleReading) -> VehicleBlock {
     let recorder = &found.recorder;
-    let before = recorder.pre_crash.as_ref();
-    let tables = before.into_iter().flat_map(|given| &given.tables);
+    let tables = recorder.pre_crash.iter().flat_map(|given| &given.tables);
     let tables = tables.chain(recorder.pulse.iter().flat_map(|given| &given.tables));
-    let record = before.and_then(|given| given.record.as_ref());
+    let record = recorder.before_impact();
     let samples = record.map(|record| record.samples()).unwrap_or_default().iter();
     let distance = |time: f64| {
         let found = found.distances.iter().find(|(at, _)| *at == time).map(|(_, bounds)| bounds);
@@ -285,7 +284,7 @@ fn speed(speed: &ImpactSpeed) -> SpeedBlock {
 }
 
 fn pulse(found: &VehicleReading) -> Option<PulseBlock> {
-    let pulse = found.recorder.pulse.as_ref()?.record.as_ref()?;
+    let pulse = found.recorder.during_impact()?;
     let span = |span: &PulseSpan| SpanBlock {
         rule: span.rule.key(),
         start: span.start,
@@ -332,7 +331,7 @@ fn rows(reading: &RecorderReading) -> Vec<Vec<String>> {
     ];
     for id in VehicleId::ALL {
         let Some(found) = &reading.vehicles[id.index()] else { continue };
-        let record = found.recorder.pre_crash.as_ref().and_then(|given| given.record.as_ref());
+        let record = found.recorder.before_impact();
         for sample in record.map(PreCrash::samples).unwrap_or_default() {
             let value = |si: Option<f64>| si.map_or_else(String::new, |si| si.to_string());
             let switch = |on: Option<bool>| on.map_or_else(String::new, |on| u8::from(on).to_string());

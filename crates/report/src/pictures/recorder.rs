@@ -26,8 +26,7 @@ pub(crate) fn curves(
     units: Units,
 ) -> Option<RecordCurvesPicture> {
     let mut panels = Vec::new();
-    let record = recorder.pre_crash.as_ref().and_then(|given| given.record.as_ref());
-    if let Some(record) = record {
+    if let Some(record) = recorder.before_impact() {
         let over_time = |of: fn(&recorder::PreCrashSample) -> Option<f64>| -> Vec<[f64; 2]> {
             record.samples().iter().filter_map(|one| Some([one.time, of(one)?])).collect()
         };
@@ -52,7 +51,7 @@ pub(crate) fn curves(
         let across = of(Measure::Length, "distance before the last sample", units);
         add(across, of(Measure::RoadSpeed, "speed", units), over_distance);
     }
-    let pulse = recorder.pulse.as_ref().and_then(|given| given.record.as_ref());
+    let pulse = recorder.during_impact();
     if let Some(pulse) = pulse {
         let part = |of: fn(&recorder::PulseSample) -> Option<f64>| -> Vec<[f64; 2]> {
             pulse.samples().iter().filter_map(|one| Some([one.time, of(one)?])).collect()

@@ -255,35 +255,22 @@ impl Collision<'_> {
     pub(super) fn impulse_in_scene(&self) -> Vec<Step> {
         let (outcome, gamma) = (&self.impact.outcome, self.gamma);
         let (p_, vector) = (outcome.impulse, outcome.impulse_vector);
-        vec![
+        let row = |axis: &str, sign: char, [of_normal, of_tangential]: [&str; 2], value: f64| {
             step(
-                "impulse on vehicle 1 along x",
-                "P_x",
-                "P_n cos Γ − P_t sin Γ",
+                format!("impulse on vehicle 1 along {axis}"),
+                format!("P_{axis}"),
+                format!("P_n {of_normal} Γ {sign} P_t {of_tangential} Γ"),
                 format!(
-                    "{} · cos{1} − {2} · sin{1}",
+                    "{} · {of_normal}{2} {sign} {} · {of_tangential}{2}",
                     n(p_.normal, "N·s"),
-                    angle(gamma),
-                    n(p_.tangential, "N·s")
+                    n(p_.tangential, "N·s"),
+                    angle(gamma)
                 ),
-                vector.x,
+                value,
                 "N·s",
                 "theory 1",
-            ),
-            step(
-                "impulse on vehicle 1 along y",
-                "P_y",
-                "P_n sin Γ + P_t cos Γ",
-                format!(
-                    "{} · sin{1} + {2} · cos{1}",
-                    n(p_.normal, "N·s"),
-                    angle(gamma),
-                    n(p_.tangential, "N·s")
-                ),
-                vector.y,
-                "N·s",
-                "theory 1",
-            ),
-        ]
+            )
+        };
+        vec![row("x", '−', ["cos", "sin"], vector.x), row("y", '+', ["sin", "cos"], vector.y)]
     }
 }
