@@ -7,7 +7,7 @@ use arrow_array::{ArrayRef, Float64Array, Int64Array, RecordBatch, StringArray};
 use arrow_schema::{DataType, Field as Column, Schema};
 use case::SeverityPrior;
 use evidence::{FITTED, InjuryRisk};
-use field::ciss::{CissCell, CissCrashes, CissError, CissFiles, EventRecord, pairs, read_pairs, records};
+use field::ciss::{CissCell, CissCrashes, CissError, CissFiles, CissRecord, pairs, read_pairs, records};
 use field::{Field, FieldError, KnownCrush, Options, Pair, judge, read};
 use pim_core::VehicleId;
 use pyo3::IntoPyObjectExt as _;
@@ -111,7 +111,7 @@ pub(crate) fn ciss_records(
     vehicle: i64,
 ) -> PyResult<Vec<BTreeMap<&'static str, String>>> {
     let found = in_source(records(&mut PyFiles { names, read }, crash, vehicle), source)?;
-    let record = |record: EventRecord| {
+    let record = |record: CissRecord| {
         let texts = [("pre_crash", record.pre_crash), ("pulse", record.pulse)];
         texts.into_iter().filter_map(|(key, text)| Some((key, text?))).collect()
     };

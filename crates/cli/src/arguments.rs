@@ -1039,7 +1039,7 @@ pub(crate) struct ValidateArguments {
     #[arg(short, long, value_name = "FILE", default_value = "-", hide_default_value = true)]
     pub(crate) output: Destination,
 
-    /// Judge intervals of ΔV by recorders of real crashes; may be repeated
+    /// Judge intervals of ΔV by recorders of real crashes; repeatable
     #[arg(long, value_name = "PATH")]
     pub(crate) field: Vec<PathBuf>,
 

@@ -11,8 +11,8 @@ use serde_json::Value;
 use zip::write::SimpleFileOptions;
 use zip::{CompressionMethod, ZipWriter};
 
-/// Crash 7: vehicles 1 and 2 struck each other in event 1, and vehicle 2 a tree in event 2; the pair of crash 8
-/// has no PDOF. Made up, in the layout of CISS.
+/// Crash 7: vehicles 1 and 2 struck each other in event 1, and vehicle 2 a tree in event 2; the pair of crash
+/// 8 has no PDOF. Made up, in the layout of CISS.
 const TABLES: [(&str, &str); 4] = [
     ("CRASH.csv", "CASEID,CRASHYEAR,PSU\n7,2017,10\n8,2017,10\n"),
     (
@@ -133,9 +133,7 @@ fn several_years_are_judged_together() {
     let later = |text: &str| text.replace("2017", "2018");
     write_folder(&work.join("later"), later);
     fs::write(work.join("readme.txt"), "not a table").unwrap();
-    write_zip(&work.join("manual.zip"), "", |_| String::new());
-    let manual = File::create(work.join("manual.zip")).unwrap();
-    let mut manual = ZipWriter::new(manual);
+    let mut manual = ZipWriter::new(File::create(work.join("manual.zip")).unwrap());
     manual.start_file("manual.pdf", SimpleFileOptions::default()).unwrap();
     manual.finish().unwrap();
     let both = json(&work, &["--field", "a.ZIP", "--field", "later"]);
@@ -173,7 +171,7 @@ fn what_is_wrong_with_a_download_is_named() {
     let whole = fs::read(work.join("good.zip")).unwrap();
     fs::write(work.join("cut.zip"), &whole[..whole.len() / 2]).unwrap();
     let place = whole.windows(8).position(|bytes| bytes == b"7,2017,1").unwrap();
-    let mut damaged = whole.clone();
+    let mut damaged = whole;
     damaged[place] = b'9';
     fs::write(work.join("damaged.zip"), damaged).unwrap();
     fs::write(work.join("page.zip"), "<html>not found</html>").unwrap();

@@ -1,5 +1,5 @@
-//! From the tables that NHTSA publishes of a year of its Crash Investigation Sampling System (CISS) to crashes
-//! that can be judged. It reads no file: a [`CissFiles`] hands over names and contents.
+//! From the tables that NHTSA publishes of a year of its Crash Investigation Sampling System (CISS) to
+//! crashes that can be judged. It reads no file: a [`CissFiles`] hands over names and contents.
 //!
 //! ```
 //! use field::ciss::{CissError, CissFiles, pairs};
@@ -37,12 +37,14 @@ mod cell;
 mod error;
 mod found;
 mod records;
+mod saved;
 mod table;
 mod year;
 
 pub use cell::CissCell;
 pub use error::CissError;
-pub use found::{CissColumn, CissCrashes, CissTable, LeftOut, read_pairs};
-pub use records::{EventRecord, records};
+pub use found::{CissColumn, CissCrashes, CissLeftOut, CissTable};
+pub use records::{CissRecord, records};
+pub use saved::read_pairs;
 pub use table::{CissFiles, has_tables};
 pub use year::{OBJECTS, objects, pairs};

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use field::ciss::{
-    CissCell, CissCrashes, CissError, CissFiles, LeftOut, has_tables, objects, pairs, read_pairs, records,
+    CissCell, CissCrashes, CissError, CissFiles, CissLeftOut, has_tables, objects, pairs, read_pairs, records,
 };
 
 /// Files in memory.
@@ -82,8 +82,8 @@ fn refusal(mut files: Files) -> String {
     pairs(&mut files).unwrap_err().to_string()
 }
 
-/// By hand: the vehicle with the lower number first; 999, 888, 9999, 9999997 and 361° are not known, 20 and 999
-/// of makes and models are; of the two records of event 1 the larger.
+/// By hand: the vehicle with the lower number first; 999, 888, 9999, 9999997 and 361° are not known, 20 and
+/// 999 of makes and models are; of the two records of event 1 the larger.
 #[test]
 fn a_pair_has_the_cells_of_its_tables() {
     let found = pairs(&mut tables()).unwrap();
@@ -139,25 +139,25 @@ fn a_vehicle_that_struck_a_tree_has_its_cells() {
 #[test]
 fn what_a_pair_lacks_is_counted() {
     for (file, from, to, reason) in [
-        ("CDC.csv", "7,2,2,42", "7,1,2,42", LeftOut::SeveralDamages),
-        ("CDC.csv", ",L,", ",T,", LeftOut::Plane),
-        ("CDC.csv", "109,3,20", "109,3,999", LeftOut::Crush),
-        ("CDC.csv", "191,95,888", "888,95,888", LeftOut::Crush),
-        ("CDC.csv", ",290,", ",888,", LeftOut::Pdof),
-        ("gv.CSV", ",1400,", ",9999,", LeftOut::Mass),
-        ("gv.CSV", ",1400,", ",0,", LeftOut::Mass),
-        ("gv.CSV", "7,2,20", "7,3,20", LeftOut::Mass),
-        ("gv.CSV", ",1400,", ",140000,", LeftOut::Implausible),
-        ("EDREVENT.csv", "1,-20,5.25", "1,-655.35,0", LeftOut::Implausible),
+        ("CDC.csv", "7,2,2,42", "7,1,2,42", CissLeftOut::SeveralDamages),
+        ("CDC.csv", ",L,", ",T,", CissLeftOut::Plane),
+        ("CDC.csv", "109,3,20", "109,3,999", CissLeftOut::Crush),
+        ("CDC.csv", "191,95,888", "888,95,888", CissLeftOut::Crush),
+        ("CDC.csv", ",290,", ",888,", CissLeftOut::Pdof),
+        ("gv.CSV", ",1400,", ",9999,", CissLeftOut::Mass),
+        ("gv.CSV", ",1400,", ",0,", CissLeftOut::Mass),
+        ("gv.CSV", "7,2,20", "7,3,20", CissLeftOut::Mass),
+        ("gv.CSV", ",1400,", ",140000,", CissLeftOut::Implausible),
+        ("EDREVENT.csv", "1,-20,5.25", "1,-655.35,0", CissLeftOut::Implausible),
     ] {
         let found = pairs(&mut tables().with(file, from, to)).unwrap();
         assert!(found.rows.is_empty(), "{from} → {to}");
         assert_eq!(found.left_out, BTreeMap::from([(reason, 1)]), "{from} → {to}");
     }
     // Of both records, none is of this event.
-    let none =
+    let mut none =
         tables().with("EDREVENT.csv", "1,1,1,-12", "1,1,2,-12").with("EDREVENT.csv", "1,2,1,-20", "1,2,,-20");
-    assert_eq!(pairs(&mut none.clone()).unwrap().left_out, BTreeMap::from([(LeftOut::Recorder, 1)]));
+    assert_eq!(pairs(&mut none).unwrap().left_out, BTreeMap::from([(CissLeftOut::Recorder, 1)]));
     // Only vehicle 1 names the other: no pair at all.
     let found = pairs(&mut tables().with("CDC.csv", "7,1,2,1,L", "7,1,2,77,L")).unwrap();
     assert_eq!((found.rows.len(), found.left_out.len()), (0, 0));

@@ -3,7 +3,6 @@
 use std::collections::BTreeMap;
 
 use super::cell::{self, CissCell, Kind};
-use super::error::CissError;
 use crate::error::FieldError;
 use crate::read::{read, read_objects};
 
@@ -20,7 +19,7 @@ pub struct CissTable {
 
 /// Why a crash of the tables is not among those that are judged; the first reason counts.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum LeftOut {
+pub enum CissLeftOut {
     /// The tables do not say which damage is of the collision.
     SeveralDamages,
     /// Damage to the top, the underside or an unknown plane.
@@ -33,8 +32,7 @@ pub enum LeftOut {
     Mass,
     /// The ΔV that a recorder stored of this event.
     Recorder,
-    /// A number that [`read`](crate::read) refuses, such as a ΔV of 600 km/h: what is judged cannot be corrected
-    /// in a download.
+    /// A number that [`read`](crate::read) refuses, such as a ΔV of 600 km/h: a download cannot be corrected.
     Implausible,
 }
 
@@ -48,7 +46,7 @@ pub struct CissCrashes {
     /// A crash a row, with a cell for each of the [columns](CissCrashes::columns).
     pub rows: Vec<Vec<CissCell>>,
     /// (–) numbers of crashes that are left out.
-    pub left_out: BTreeMap<LeftOut, usize>,
+    pub left_out: BTreeMap<CissLeftOut, usize>,
 }
 
 /// A column of a table of crashes.
@@ -101,7 +99,7 @@ pub(super) const OF_VEHICLE: [&str; 29] = [
 /// What a vehicle has that struck an object.
 pub(super) const OBJECT: &str = "OBJCONT";
 
-impl LeftOut {
+impl CissLeftOut {
     /// The reason, of pairs or of vehicles that struck an object.
     #[must_use]
     pub fn why(self, is_of_objects: bool) -> &'static str {
@@ -152,7 +150,7 @@ impl CissCrashes {
     }
 
     /// (–) numbers of crashes that several years leave out.
-    pub fn left_out_of<'a>(years: impl IntoIterator<Item = &'a Self>) -> BTreeMap<LeftOut, usize> {
+    pub fn left_out_of<'a>(years: impl IntoIterator<Item = &'a Self>) -> BTreeMap<CissLeftOut, usize> {
         let mut all = BTreeMap::new();
         for (reason, count) in years.into_iter().flat_map(|year| &year.left_out) {
             *all.entry(*reason).or_insert(0) += count;
@@ -182,13 +180,4 @@ impl CissCrashes {
         }
         text
     }
-}
-
-/// Reads a table of pairs back, a row for each pair with a cell for each of its
-/// [columns](CissCrashes::columns).
-///
-/// # Errors
-/// If it is another table, with the file, the line and the column.
-pub fn read_pairs(file: &str, content: &[u8]) -> Result<Vec<Vec<CissCell>>, CissError> {
-    super::table::read_back(file, content, &CissCrashes::columns(false))
 }

@@ -5,10 +5,10 @@ use std::collections::BTreeMap;
 use super::error::CissError;
 use super::table::{CissFiles, Layout, Row, Rows};
 
-/// What a recorder stored of an event, as `records` of a case take it: comma-separated values with the columns
-/// PCODE, PTIME and PVALUE.
+/// What a recorder stored of an event, as `records` of a case take it: comma-separated values with the
+/// columns PCODE, PTIME and PVALUE.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub struct EventRecord {
+pub struct CissRecord {
     /// Before the impact, if it has a speed.
     pub pre_crash: Option<String>,
     /// During it, if it has a ΔV.
@@ -29,11 +29,11 @@ const DELTA_V: [i64; 2] = [2010, 2020];
 ///
 /// # Errors
 /// If a table or a column is missing, a cell is no number, or there is no record.
-pub fn records<F: CissFiles>(files: &mut F, crash: i64, vehicle: i64) -> Result<Vec<EventRecord>, F::Error> {
+pub fn records<F: CissFiles>(files: &mut F, crash: i64, vehicle: i64) -> Result<Vec<CissRecord>, F::Error> {
     let is_of = |row: Row<'_>| row.key(["CASEID", "VEHNO"]) == Some([crash, vehicle]);
     let before = Rows::read(files, &PRE_CRASH, is_of)?;
     let during = Rows::read(files, &POST_CRASH, is_of)?;
-    let mut found: BTreeMap<[i64; 2], EventRecord> = BTreeMap::new();
+    let mut found: BTreeMap<[i64; 2], CissRecord> = BTreeMap::new();
     for (number, text) in texts(&before, &SPEED) {
         found.entry(number).or_default().pre_crash = Some(text);
     }

@@ -5,7 +5,7 @@ use std::ops::RangeInclusive;
 
 use super::cell::CissCell;
 use super::error::CissError;
-use super::found::{CissCrashes, CissTable, LeftOut, OBJECT, OF_VEHICLE};
+use super::found::{CissCrashes, CissLeftOut, CissTable, OBJECT, OF_VEHICLE};
 use super::table::{CDC, CRASH, CissFiles, EDREVENT, EVENT, GV, Row, Rows};
 
 /// CASEID and EVENTNO.
@@ -26,9 +26,9 @@ struct Tables {
 /// The pairs of vehicles of a year, in the order of crash, event and vehicle.
 ///
 /// A pair is two vehicles with damage by one event that each name the other as what they struck (OBJCONT of
-/// CDC, or of EVENT where CDC has no such column). It is kept if the damage of both is on front, back, left or
-/// right with all of C1 to C6, a length and a PDOF, if both have a curb weight, and if a recorder of one has a
-/// ΔV of this event (CDCEVENT): of several records the one with the largest; and if no number is implausible.
+/// CDC, or of EVENT where CDC has no such column). It is kept if the damage of both is on front, back, left
+/// or right with all of C1 to C6, a length and a PDOF, if both have a curb weight, if a recorder of one has a
+/// ΔV of this event (CDCEVENT), of several records the one with the largest, and if no number is implausible.
 ///
 /// # Errors
 /// If a table or a column is missing, or a cell is no number, with file, line and column.
@@ -150,7 +150,7 @@ impl Hit<'_> {
 }
 
 /// Why a crash of these vehicles is left out, if it is.
-fn why_not(vehicles: &[Hit<'_>], is_of_object: bool) -> Option<LeftOut> {
+fn why_not(vehicles: &[Hit<'_>], is_of_object: bool) -> Option<CissLeftOut> {
     let is_any = |is_so: &dyn Fn(&Hit<'_>) -> bool| vehicles.iter().any(is_so);
     let lacks = |damage: Row<'_>, column| damage.number(column).is_none();
     let is_plane = |damage: Row<'_>| matches!(damage.cell("CDCPLANE"), Some(CissCell::Text(plane)) if matches!(plane.as_str(), "F" | "B" | "L" | "R"));
@@ -161,15 +161,15 @@ fn why_not(vehicles: &[Hit<'_>], is_of_object: bool) -> Option<LeftOut> {
     let has_mass = |vehicle: &Hit<'_>| {
         vehicle.general.and_then(|row| row.number("CURBWT")).is_some_and(|mass| mass > 0.0)
     };
-    let reasons: [(LeftOut, &dyn Fn() -> bool); 6] = [
-        (LeftOut::SeveralDamages, &|| is_any(&|vehicle| vehicle.damages.len() > 1)),
-        (LeftOut::Plane, &|| is_any(&|vehicle| vehicle.is_any_damage(|damage| !is_plane(damage)))),
-        (LeftOut::Crush, &|| is_any(&|vehicle| vehicle.is_any_damage(lacks_crush))),
-        (LeftOut::Pdof, &|| {
+    let reasons: [(CissLeftOut, &dyn Fn() -> bool); 6] = [
+        (CissLeftOut::SeveralDamages, &|| is_any(&|vehicle| vehicle.damages.len() > 1)),
+        (CissLeftOut::Plane, &|| is_any(&|vehicle| vehicle.is_any_damage(|damage| !is_plane(damage)))),
+        (CissLeftOut::Crush, &|| is_any(&|vehicle| vehicle.is_any_damage(lacks_crush))),
+        (CissLeftOut::Pdof, &|| {
             !is_of_object && is_any(&|vehicle| vehicle.is_any_damage(|damage| lacks(damage, "PDOF")))
         }),
-        (LeftOut::Mass, &|| is_any(&|vehicle| !has_mass(vehicle))),
-        (LeftOut::Recorder, &|| !is_any(&|vehicle| vehicle.recorder.is_some())),
+        (CissLeftOut::Mass, &|| is_any(&|vehicle| !has_mass(vehicle))),
+        (CissLeftOut::Recorder, &|| !is_any(&|vehicle| vehicle.recorder.is_some())),
     ];
     reasons.into_iter().find(|(_, is_so)| is_so()).map(|(reason, _)| reason)
 }
@@ -190,7 +190,7 @@ struct Candidate {
     object: Option<i64>,
 }
 
-/// NHTSA's codes OBJCONT of what is no vehicle of the crash and can be struck, as those of the vehicles that the
+/// NHTSA's codes OBJCONT of what is no vehicle of the crash and can be struck: those of the vehicles that the
 /// figures of objects were fitted to.
 pub const OBJECTS: RangeInclusive<i64> = 31..=97;
 
@@ -243,7 +243,7 @@ impl<'a> Year<'a> {
     }
 
     /// The row of a candidate, or why it is left out.
-    fn row(&self, candidate: &Candidate) -> Result<Result<Vec<CissCell>, LeftOut>, CissError> {
+    fn row(&self, candidate: &Candidate) -> Result<Result<Vec<CissCell>, CissLeftOut>, CissError> {
         let [crash, event] = candidate.event;
         let hits: Vec<_> =
             candidate.vehicles.iter().map(|vehicle| self.hit(candidate.event, *vehicle)).collect();
@@ -268,7 +268,9 @@ fn found(tables: &Tables, is_of_objects: bool) -> Result<CissCrashes, CissError>
         let candidates = if is_of_objects { year.single(event) } else { year.couples(event) };
         for candidate in &candidates {
             match year.row(candidate)? {
-                Ok(row) if CissCrashes::is_refused(&row, is_of_objects) => leave_out(LeftOut::Implausible),
+                Ok(row) if CissCrashes::is_refused(&row, is_of_objects) => {
+                    leave_out(CissLeftOut::Implausible);
+                }
                 Ok(row) => rows.push(row),
                 Err(reason) => leave_out(reason),
             }

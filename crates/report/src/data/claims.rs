@@ -64,8 +64,8 @@ impl<'a> ClaimBlock<'a> {
 }
 
 /// The judgement as JSON: `groups`, all and by kind of collision, each with `n`, `bias`, `rms`, `crps` (m/s)
-/// and, where the program has intervals, `coverage95` and `interval_score` (m/s); every vehicle; `program` and
-/// `data`, with the SHA-256 of what was judged.
+/// and, where the program has intervals, `coverage95` and `interval_score` (m/s); every vehicle; `program`
+/// and `data`, with the SHA-256 of what was judged.
 ///
 /// # Errors
 /// Where the JSON cannot be written.

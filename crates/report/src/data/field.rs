@@ -80,8 +80,9 @@ impl<'a> YearBlock<'a> {
             rows: *rows,
             sha256,
         };
-        let why =
-            |(reason, count): (&field::ciss::LeftOut, &usize)| (reason.why(crashes.is_of_objects), *count);
+        let why = |(reason, count): (&field::ciss::CissLeftOut, &usize)| {
+            (reason.why(crashes.is_of_objects), *count)
+        };
         Self {
             source,
             tables: crashes.tables.iter().zip(sha256).map(table).collect(),
