@@ -104,6 +104,10 @@ const ZIP: [&[u8]; 2] = [b"PK\x03\x04", b"PK\x05\x06"];
 /// Whether it is a ZIP file by its first bytes.
 fn is_zip(path: &Path) -> Result<bool> {
     let is_called = |ending: &str| path.extension().is_some_and(|other| other.eq_ignore_ascii_case(ending));
+    // What is read of a pipe is gone.
+    if path.exists() && !path.is_file() {
+        return Ok(false);
+    }
     let mut first = Vec::new();
     let read = File::open(path).and_then(|file| file.take(4).read_to_end(&mut first));
     read.with_context(|| format!("cannot read {}", named(path)))?;

@@ -245,3 +245,22 @@ fn the_tables_of_a_download_are_not_written_over() {
     }
     assert_eq!(fs::read_to_string(work.join("2017/CDC.csv")).unwrap(), TABLES[2].1);
 }
+
+/// What a look at its first bytes takes from a pipe is gone.
+#[cfg(unix)]
+#[test]
+fn a_table_of_pairs_may_come_through_a_pipe() {
+    use std::process::Stdio;
+    let mut child = Command::new(env!("CARGO_BIN_EXE_deltav"))
+        .args(["validate", "--field", "/dev/stdin", "--format", "json"])
+        .stdin(Stdio::piped())
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .unwrap();
+    child.stdin.take().unwrap().write_all(pairs(&[PAIR]).as_bytes()).unwrap();
+    let output = child.wait_with_output().unwrap();
+    assert_eq!(output.status.code(), Some(0), "{}", String::from_utf8_lossy(&output.stderr));
+    let judged: Value = serde_json::from_slice(&output.stdout).unwrap();
+    assert_eq!(judged["data"]["sha256"], report::sha256(pairs(&[PAIR]).as_bytes()).as_str());
+}
