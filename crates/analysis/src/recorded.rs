@@ -3,7 +3,7 @@
 use std::borrow::Cow;
 
 use inputs::{
-    Case, Fault, FaultKind, GivenSeries, GivenVehicle, KnownEnergy, Pdof, Quantity, Recorder,
+    Case, Fault, FaultKind, GivenSeries, GivenVehicle, KnownEnergy, OtherImpact, Pdof, Quantity, Recorder,
     RecordersDeltaV, SeriesSource,
 };
 use pim_core::VehicleId;
@@ -62,6 +62,9 @@ pub struct OfImpact {
     pub probability: f64,
     /// Why it cannot be, if it cannot.
     pub cannot: Option<Mismatch>,
+    /// Of the other impacts that the case has the one of which it is most probably: its place from 1, and the
+    /// probability.
+    pub other: Option<(usize, f64)>,
     /// Whether it is taken for the record of this impact: the only one is, and of several the one that is
     /// more likely than not.
     pub is_taken: bool,
@@ -109,8 +112,19 @@ fn records(case: &Case, id: VehicleId, recorder: &Recorder) -> Vec<(Recorder, Of
         (0..recorder.records.len()).filter_map(|index| recorder.record(index)).collect()
     };
     let events: Vec<EventRecord> = stored.iter().map(|one| one.event(case.axes, &impact)).collect();
-    let found = match_records(&events, &[impact], &MatchErrors::default());
-    let probabilities: Vec<f64> = found.iter().map(|found| found.impacts[0]).collect();
+    let known = |after| recorder.other_impacts.iter().filter(move |other| other.after == after);
+    let before: Vec<KnownImpact> = known(false).map(OtherImpact::known).collect();
+    let place = before.len();
+    let impacts: Vec<KnownImpact> =
+        before.into_iter().chain([impact]).chain(known(true).map(OtherImpact::known)).collect();
+    let found = match_records(&events, &impacts, &MatchErrors::default());
+    let probabilities: Vec<f64> = found.iter().map(|found| found.impacts[place]).collect();
+    let other = |k: usize| {
+        let mut others = found[k].impacts.clone();
+        others.remove(place);
+        let places = others.into_iter().zip(1..).map(|(probability, place)| (place, probability));
+        places.max_by(|one, other| one.1.total_cmp(&other.1))
+    };
     let greatest = probabilities.iter().copied().fold(TAKEN, f64::max);
     let of_impact = |k: usize| OfImpact {
         number: (!recorder.records.is_empty()).then_some(k + 1),
@@ -118,7 +132,8 @@ fn records(case: &Case, id: VehicleId, recorder: &Recorder) -> Vec<(Recorder, Of
         event: events[k],
         impact,
         probability: probabilities[k],
-        cannot: found[k].cannot[0],
+        cannot: found[k].cannot[place],
+        other: other(k),
         is_taken: recorder.records.is_empty() || probabilities[k] >= greatest,
     };
     stored.into_iter().enumerate().map(|(k, one)| (one, of_impact(k))).collect()

@@ -126,6 +126,33 @@ fn the_record_of_the_impact_is_found_by_direction_and_size() {
     assert_eq!(told, ["vehicle1.recorder.records[1]", "vehicle1.recorder.records[2]"]);
 }
 
+/// Two records and two impacts; of this one nothing is known, and the second record is just what the other one
+/// is. A record is of none with 0.1, of each impact with 0.45 times its likelihood: 1 for what is not known, and
+/// for direction and size without any difference 7.0573 · 3.5461 = 25.026, by hand (0.98/(√2π · 20°) +
+/// 0.02/2π) · 2π and 4/(0.45 √2π).
+#[test]
+fn records_are_of_the_impacts_in_their_order() {
+    let records = "records = [{ speed = \"50 km/h\" }, { delta_v_longitudinal = \"0 km/h\", delta_v_lateral = \"12 km/h\" }]";
+    let other = |when: &str| {
+        let lines = format!(
+            "{records}\nother_impacts = [{{ when = \"{when}\", pdof = \"90 deg\", delta_v = \"12 km/h\" }}]"
+        );
+        let found = judge(&head_on(&lines).case).records;
+        found.into_iter().map(|(_, one)| (one.probability, one.other.unwrap())).collect::<Vec<_>>()
+    };
+    let alike = 0.45 * 25.026_2;
+    // None and none, none and one, one and none, one and the other.
+    let whole = 0.01 + 0.1 * (0.45 + alike) + 0.1 * (0.45 + 0.45) + 0.45 * alike;
+    let [first, second] = other("after")[..] else { panic!("two records") };
+    assert!((first.0 - 0.45 * (0.1 + alike) / whole).abs() < 1e-5, "{first:?}");
+    assert!((second.1.1 - alike * (0.1 + 0.45) / whole).abs() < 1e-5 && second.1.0 == 1, "{second:?}");
+    // Before this impact, it leaves no place for the first record but none or itself.
+    let whole = 0.01 + 0.1 * (0.45 + alike) + 0.1 * (0.45 + 0.45) + 0.45 * 0.45;
+    let [first, second] = other("before")[..] else { panic!("two records") };
+    assert!((first.0 - 0.1 * 0.45 / whole).abs() < 1e-5, "{first:?}");
+    assert!((second.1.1 - 0.1 * alike / whole).abs() < 1e-5, "{second:?}");
+}
+
 /// The answer is that of the record alone, to the last digit.
 #[test]
 fn an_estimate_uses_the_record_of_the_impact_alone() {

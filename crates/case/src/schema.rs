@@ -4,8 +4,8 @@ use crate::nearest::join;
 use crate::units::read_unit;
 use inputs::{
     Axes, Bounds, BrachTangential, Dimension, ENERGY_BASES, EdgeSide, Fit, LawName, MarkedWheel,
-    OBLIQUE_CORRECTIONS, OtherParty, SIDES, SUBJECTS, SWELLS, SeverityPrior, UNDAMAGED, UNKNOWNS,
-    VehicleKind, WheelDrag, words_of,
+    OBLIQUE_CORRECTIONS, OtherImpact, OtherParty, SIDES, SUBJECTS, SWELLS, SeverityPrior, UNDAMAGED,
+    UNKNOWNS, VehicleKind, WheelDrag, words_of,
 };
 
 /// The largest number of stations: far more than any scan of a vehicle gives.
@@ -677,6 +677,12 @@ pub(crate) static RECORDER: Schema = Schema {
             Form::Tables(&RECORD),
             "Several records. In the order of time, in place of the keys of one: `deltav recorder` says which is of the impact of this case, by the direction and the size of its ΔV, and `deltav estimate` uses that one.",
         ),
+        key(
+            "other_impacts",
+            "other_impacts = [{ when = \"after\", pdof = \"90 deg\", delta_v = \"12 km/h\" }]",
+            Form::Tables(&OTHER_IMPACT),
+            "Other impacts of this vehicle in the crash. In the order of time: `deltav recorder` then weighs of which impact each record is.",
+        ),
         table("at", "at = { x = \"-0.3 m\", y = \"0 m\" }", &RECORDER_AT),
         table("errors", "errors = { slip_low = \"3 km/h\", friction = \"75 %\" }", &RECORDER_ERRORS),
     ],
@@ -704,6 +710,32 @@ pub(crate) static KEYS_OF_RECORD: [&str; 11] = [
     "pulse",
     "incomplete",
 ];
+
+pub(crate) static OTHER_IMPACT: Schema = Schema {
+    place: "[[vehicle1.recorder.other_impacts]] or [[vehicle2.recorder.other_impacts]]",
+    text: "Another impact of the vehicle in the same crash, of which a record may be.",
+    keys: &[
+        key(
+            "when",
+            "when = \"after\"",
+            Form::Words(&words_of(&OtherImpact::WHEN)),
+            "Whether it was before or after the impact of this case.",
+        ),
+        key(
+            "pdof",
+            "pdof = \"90 deg\"",
+            Form::Exact(Dimension::Angle, ANY),
+            "Principal direction of force. The direction from which the force came, clockwise from the heading in any axes.",
+        ),
+        key(
+            "delta_v",
+            "delta_v = \"12 km/h\"",
+            Form::Exact(Dimension::Speed, POSITIVE),
+            "ΔV of the vehicle. As its damage or what it struck shows.",
+        ),
+    ],
+    rules: &[Rule::OneOf(&[form(&["when", "pdof"], &["delta_v"]), form(&["when", "delta_v"], &["pdof"])])],
+};
 
 pub(crate) static RECORD: Schema = Schema {
     place: "[[vehicle1.recorder.records]] or [[vehicle2.recorder.records]]",

@@ -150,6 +150,13 @@ fn records_that_say_too_much_or_nothing_are_refused_at_their_place() {
             "say the same twice",
         ),
         ("records = [{ at = { x = \"1 m\" } }]", "case.toml:2:14", "unknown key"),
+        ("speed = \"50 km/h\"\nother_impacts = [{ pdof = \"90 deg\" }]", "case.toml:3", "when"),
+        ("speed = \"50 km/h\"\nother_impacts = [{ when = \"after\" }]", "case.toml:3", "pdof"),
+        (
+            "speed = \"50 km/h\"\nother_impacts = [{ when = \"after\", pdof = \"90 deg\" }, { when = \"before\", pdof = \"0 deg\" }]",
+            "case.toml:3:1",
+            "write them in the order of time",
+        ),
         ("records = [{ pre_crash = { time = \"-1 0 s\", speed = \"60 58 47 km/h\" } }]", "2:60", "3 values"),
     ] {
         let error = refused(lines);

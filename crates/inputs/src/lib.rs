@@ -70,7 +70,8 @@ mod walk;
 mod words;
 
 pub use self::recorder::{
-    CertainSpeed, GivenEstimate, Recorder, RecordersDeltaV, RecordersSpeed, SeverityPrior, StoredRecord,
+    CertainSpeed, GivenEstimate, OtherImpact, Recorder, RecordersDeltaV, RecordersSpeed, SeverityPrior,
+    StoredRecord,
 };
 pub use after::{
     After, Before, Drag, GivenRest, GivenSteer, MarkedWheel, PathPoint, RestHeading, Skid, SkidBegin,

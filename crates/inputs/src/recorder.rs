@@ -45,6 +45,31 @@ pub struct Recorder {
     pub errors: GivenSpeedErrors,
     /// Several records, in the order of time, in place of the one above.
     pub records: Vec<StoredRecord>,
+    /// The other impacts of the vehicle in this crash, in the order of time.
+    pub other_impacts: Vec<OtherImpact>,
+}
+
+/// Another impact of a vehicle in the same crash.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct OtherImpact {
+    /// Whether it was after the impact of the case.
+    pub after: bool,
+    /// (rad) principal direction of force, clockwise from the front.
+    pub pdof: Option<Quantity>,
+    /// (m/s) ΔV of the vehicle.
+    pub delta_v: Option<Quantity>,
+}
+
+impl OtherImpact {
+    /// `when`, with its words.
+    pub const WHEN: [(&str, bool); 2] = [("before", false), ("after", true)];
+
+    /// As far as it tells records apart.
+    #[must_use]
+    pub fn known(&self) -> KnownImpact {
+        let si = |of: &Option<Quantity>| of.as_ref().map(Quantity::si);
+        KnownImpact { force_direction: si(&self.pdof), delta_v: si(&self.delta_v) }
+    }
 }
 
 /// One of several records of a recorder.
@@ -251,6 +276,13 @@ impl<U> Walk<'_, U> {
             let table = Element(&records, index);
             self.exact_if(&Key(&table, "since_previous"), record.since_previous.as_ref());
             self.recorder(&table, &record.stored);
+        }
+        let others = at("other_impacts");
+        for (index, other) in recorder.other_impacts.iter().enumerate() {
+            let table = Element(&others, index);
+            self.choice(&Key(&table, "when"), &OtherImpact::WHEN, other.after);
+            self.exact_if(&Key(&table, "pdof"), other.pdof.as_ref());
+            self.exact_if(&Key(&table, "delta_v"), other.delta_v.as_ref());
         }
         recorder.clone()
     }

@@ -8,12 +8,12 @@ use super::tree::{Reader, Table};
 use super::values::Place as Position;
 use crate::case_problem::CaseProblem;
 use crate::schema::{
-    CERTAIN_SPEED, KEYS_OF_RECORD, PRE_CRASH, PULSE, RECORD, RECORDER, RECORDER_ERRORS, Schema,
+    CERTAIN_SPEED, KEYS_OF_RECORD, OTHER_IMPACT, PRE_CRASH, PULSE, RECORD, RECORDER, RECORDER_ERRORS, Schema,
 };
 use crate::source::span_in_text;
 use inputs::{
-    CertainSpeed, GivenEstimate, GivenSeries, GivenSpeedErrors, OfTables, Quantity, Recorder, SeriesRefusal,
-    SeriesSource, SeverityPrior, StoredRecord, Text,
+    CertainSpeed, GivenEstimate, GivenSeries, GivenSpeedErrors, OfTables, OtherImpact, Quantity, Recorder,
+    SeriesRefusal, SeriesSource, SeverityPrior, StoredRecord, Text,
 };
 
 /// The columns of `pre_crash`, and those of `pulse`.
@@ -41,6 +41,8 @@ const MOST_FRICTION: f64 = 150.0;
 const MOST_PROBABLE: f64 = 100.0;
 /// Maximum number of records: a recorder keeps a handful.
 const MOST_RECORDS: usize = 20;
+const WITHOUT_RANGE: &str =
+    "a string with a number and a unit: `deltav recorder` compares it with errors of its own";
 const TIME_APART: &str = "a string with a number and a unit: the time between two records has no range";
 const ERROR: &str = "a string with a number and a unit: an error has no range";
 
@@ -59,7 +61,8 @@ impl<'t> Reader<'t> {
         let errors = self.child(&table, "errors", &RECORDER_ERRORS);
         let errors = errors.map_or_else(GivenSpeedErrors::default, |table| self.speed_errors(&table));
         let records = self.records(&table);
-        let recorder = Recorder { at, errors, records, ..self.record(&table) };
+        let other_impacts = self.other_impacts(&table);
+        let recorder = Recorder { at, errors, records, other_impacts, ..self.record(&table) };
         (recorder != Recorder::default()).then_some(recorder)
     }
 
@@ -93,6 +96,30 @@ impl<'t> Reader<'t> {
             stored: self.record(table),
         };
         tables.iter().map(record).collect()
+    }
+
+    fn other_impacts(&mut self, recorder: &Table<'t>) -> Vec<OtherImpact> {
+        const FORMS: &str =
+            "other_impacts = [{ when = \"after\", pdof = \"90 deg\", delta_v = \"12 km/h\" }]";
+        let tables = self.tables(recorder, "other_impacts", &OTHER_IMPACT, FORMS, MOST_RECORDS);
+        let other = |table: &Table<'t>| {
+            self.require(table, &["when"]);
+            if table.given(&["pdof", "delta_v"]).is_empty() {
+                return self.no_form(table, FORMS);
+            }
+            let [pdof, delta_v] =
+                ["pdof", "delta_v"].map(|key| self.exact_quantity(table, key, WITHOUT_RANGE));
+            Some(OtherImpact { after: self.choice(table, "when", &OtherImpact::WHEN)?, pdof, delta_v })
+        };
+        let others: Vec<OtherImpact> = tables.unwrap_or_default().iter().filter_map(other).collect();
+        if !others.is_sorted_by_key(|other| other.after) {
+            let path = recorder.path_of("other_impacts");
+            let message =
+                format!("\"{path}\" has an impact after that of the case before one that was before it");
+            let help = Some("write them in the order of time".to_owned());
+            self.report_path(&path, CaseProblem::Fault { message, help });
+        }
+        others
     }
 
     /// The keys of one record.

@@ -42,11 +42,14 @@ pub(super) struct WhichBlock {
     complete: bool,
     impact_delta_v: Option<f64>,
     impact_pdof: Option<f64>,
+    /// Of the other impacts the one of which it is most probably, from 1.
+    other_impact: Option<usize>,
+    other_probability: Option<f64>,
 }
 
 impl WhichBlock {
     pub(super) fn new(key: String, found: &OfImpact) -> Self {
-        let OfImpact { since_previous, event, impact, probability, is_taken, .. } = *found;
+        let OfImpact { since_previous, event, impact, probability, is_taken, other, .. } = *found;
         Self {
             key,
             is_taken,
@@ -58,6 +61,8 @@ impl WhichBlock {
             complete: event.complete,
             impact_delta_v: impact.delta_v,
             impact_pdof: impact.force_direction,
+            other_impact: other.map(|(place, _)| place),
+            other_probability: other.map(|(_, probability)| probability),
         }
     }
 }

@@ -86,11 +86,14 @@ pub(crate) const WHICH: &str = "Which record is of this impact";
 /// Whether a record is of the impact, in words.
 pub(crate) fn verdict(found: &OfImpact) -> String {
     let words = RecordMatch::words(found.probability);
-    match found.cannot {
-        Some(reason) => format!("{words}: {reason}"),
-        None if found.probability > 0.99 => format!("{words}: over 99 %"),
-        None => format!("{words}: {} %", number(100.0 * found.probability, 0)),
-    }
+    let percent =
+        |p: f64| if p > 0.99 { "over 99 %".to_owned() } else { format!("{} %", number(100.0 * p, 0)) };
+    let why = found.cannot.map_or_else(|| percent(found.probability), |reason| reason.to_string());
+    let other = found.other.filter(|(_, probability)| *probability >= RecordMatch::UNLIKELY);
+    let other = other.map_or_else(String::new, |(place, probability)| {
+        format!("; of other impact {place}: {}", percent(probability))
+    });
+    format!("{words}: {why}{other}")
 }
 
 /// All records of a vehicle, in the order of time.
