@@ -13,12 +13,12 @@ use std::ops::ControlFlow;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 
 use ::estimate::{
-    Culprit, DrawsSummary, MOST_PARTICLES, PARTICLES_STEP, ParticleSettings, Posterior, SamplerDoubt,
-    Selection, Verdict, Weights, sample, sample_without,
+    Culprit, DrawsSummary, MOST_PARTICLES, NoDraws, PARTICLES_STEP, ParticleSettings, Posterior,
+    SamplerDoubt, Selection, Verdict, Weights, sample, sample_without,
 };
 use ::uncertainty::{Distribution, Estimate, InvalidDistribution};
 use evidence::{CollisionModel, EnergyMethod, InjuryRisk, Observed, Piece, TestedClass};
-use inputs::{Case, Unit};
+use inputs::{Case, SeverityPrior, Unit};
 use pim_core::VehicleId;
 
 use crate::excluded::{Impossible, key, table};
@@ -41,7 +41,7 @@ pub struct EstimatePlan {
     /// The random seed: the same seed gives the same results.
     pub seed: u64,
     /// Replaces the `prior` of the case.
-    pub prior: Option<inputs::SeverityPrior>,
+    pub prior: Option<SeverityPrior>,
     /// Whether to judge each piece of evidence on its own and to find the answer without it, which takes a
     /// run for each.
     pub pieces: bool,
@@ -56,7 +56,7 @@ impl EstimatePlan {
 #[derive(Debug)]
 pub struct Estimated {
     /// The prior of the severity.
-    pub prior: inputs::SeverityPrior,
+    pub prior: SeverityPrior,
     /// The observations, each with its error (SI).
     pub observed: Observed,
     /// How the crush energy of each vehicle was obtained, if it is evidence.
@@ -322,8 +322,7 @@ pub fn estimate(
         let before = prior.as_ref().and_then(|prior| stands(prior, id));
         Some(Stood { assumed, before, after: stands(&posterior, id)? })
     });
-    let injured =
-        (setup.prior == inputs::SeverityPrior::Field).then(|| of_injured(&told, &posterior)).flatten();
+    let injured = (setup.prior == SeverityPrior::Field).then(|| of_injured(&told, &posterior)).flatten();
     let outputs = told
         .outputs()
         .iter()
@@ -391,7 +390,7 @@ pub fn estimate(
     }
     let same_twice = pieces::same_twice(model.pieces());
     let tested = match hit {
-        _ if setup.prior != inputs::SeverityPrior::Field => None,
+        _ if setup.prior != SeverityPrior::Field => None,
         Some(hit) => TestedClass::of(hit, energies, model.pieces()),
         None if is_with_object => TestedClass::of_object(energies, model.pieces()),
         None => None,
@@ -462,10 +461,10 @@ fn has_other_sign(found: &PieceFound, observed: &Observed, told: &Told<'_>, post
     median.is_some_and(|median| median * part.along < 0.0)
 }
 
-fn refused(failure: ::estimate::NoDraws, pieces: &[Piece]) -> Failure {
+fn refused(failure: NoDraws, pieces: &[Piece]) -> Failure {
     let exclusion = match failure {
-        ::estimate::NoDraws::Impossible(exclusion) => exclusion,
-        ::estimate::NoDraws::NotALikelihood { term, .. } if term < pieces.len() => {
+        NoDraws::Impossible(exclusion) => exclusion,
+        NoDraws::NotALikelihood { term, .. } if term < pieces.len() => {
             return Failure::Unjudged { key: key(pieces[term]) };
         }
         other => return Failure::Estimate(other),

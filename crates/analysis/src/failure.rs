@@ -1,5 +1,6 @@
 //! Why there is no analysis.
 
+use ::estimate::NoDraws;
 use crash3::CrushError;
 use inputs::Faults;
 use pim_core::{ImpactError, VehicleId};
@@ -66,7 +67,7 @@ pub enum Failure {
     Excluded(Box<Impossible>),
     /// The estimate has no draws.
     #[error(transparent)]
-    Estimate(::estimate::NoDraws),
+    Estimate(NoDraws),
     /// The likelihood of a piece of evidence cannot be computed.
     #[error("the likelihood of `{key}` cannot be computed")]
     Unjudged {

@@ -3,8 +3,8 @@
 
 use crash3::{Side, SideStiffness, VehicleClass};
 use inputs::{
-    Axes, Basis, Case, Crush, Faults, Fit, GivenVehicle, ImpactLaw, InferredWidth, Purpose, StiffnessForm,
-    StiffnessLine, VehicleData, VehicleKind, Velocity, YawSource,
+    Axes, Basis, Case, Crush, CrushEvidence, Faults, Fit, GivenVehicle, ImpactLaw, InferredWidth, Purpose,
+    StiffnessForm, StiffnessLine, VehicleData, VehicleKind, Velocity, YawSource,
 };
 use pim_core::VehicleId;
 
@@ -560,9 +560,7 @@ fn of_crush(
     let damage = subject.and_then(|subject| subject.damage.as_ref());
     if crush.from_force_balance {
         let evidence = damage.map(|damage| &damage.evidence);
-        if let Some(inputs::CrushEvidence::ForceBalance { width: InferredWidth::Bounded { .. }, .. }) =
-            evidence
-        {
+        if let Some(CrushEvidence::ForceBalance { width: InferredWidth::Bounded { .. }, .. }) = evidence {
             assumptions.push(Assumption::InferredWidth { vehicle });
         }
     } else if crush.spacing.is_none() && crush.depths.len() > 2 {

@@ -1,8 +1,6 @@
 //! The distance from the beginning of braking to the impact, backwards from the last speed, against that by
 //! recorders.
 
-#![expect(clippy::print_stdout, reason = "says what is skipped, and how many records there are")]
-
 use std::collections::{BTreeMap, BTreeSet};
 
 use oracle::field::data;

@@ -10,7 +10,7 @@ use analysis::{
     UncertainInput, UncertainOutput, Uncertainty,
 };
 use case::{
-    Case, DAMAGE_LENGTH_SD, DEPTH_SD, FaceAxis, Input, OFFSET_SD, Origin, STIFFNESS_LN_SD_A,
+    Case, DAMAGE_LENGTH_SD, DEPTH_SD, EstimatedInput, FaceAxis, Input, OFFSET_SD, Origin, STIFFNESS_LN_SD_A,
     STIFFNESS_LN_SD_B, Unit, YAW_RADIUS_CONFIDENCE, YAW_RADIUS_WITHIN,
 };
 use crash3::principal_angle;
@@ -530,12 +530,12 @@ impl<'a> Page<'a> {
         for input in &self.uncertainty.inputs {
             let Origin::Estimate(estimate) = input.input.origin else { continue };
             match estimate {
-                case::EstimatedInput::Stiffness { .. } => {
+                EstimatedInput::Stiffness { .. } => {
                     stiffness.push(estimate_name(estimate));
                     times = [0.025, 0.975].map(|share| input.distribution.quantile(share));
                 }
-                case::EstimatedInput::YawRadius { .. } => yaw_radius.push(estimate_name(estimate)),
-                case::EstimatedInput::Contact { axis, .. } => {
+                EstimatedInput::YawRadius { .. } => yaw_radius.push(estimate_name(estimate)),
+                EstimatedInput::Contact { axis, .. } => {
                     let sd = input.distribution.sd() * input.input.factor();
                     let sd = self.units.format(Measure::Crush, sd);
                     contact.push((axis, format!("{}, std. dev. {sd}", estimate_name(estimate))));
