@@ -272,7 +272,7 @@ fn what_is_wrong_is_named_with_file_line_and_column() {
         read_pairs("a.csv", b"CASEID\n1\n")
             .unwrap_err()
             .to_string()
-            .starts_with("there is no column YEAR; give a file")
+            .starts_with("a.csv: there is no column YEAR; give a file")
     );
 }
 

@@ -121,8 +121,10 @@ pub enum CissError {
         vehicle: i64,
     },
     /// Not a table of pairs.
-    #[error("there is no column {column}; give a file that Pairs.save wrote")]
+    #[error("{file}: there is no column {column}; give a file that Pairs.save wrote")]
     NoPairColumn {
+        /// The file.
+        file: String,
         /// The name of the column.
         column: String,
     },

@@ -94,10 +94,9 @@ fn named<'a>(
     table: &'a Layout,
     ending: &'a str,
 ) -> impl Iterator<Item = (usize, &'a String)> {
+    let wanted = format!("{}{ending}", table.name);
     let is_named = move |name: &str| {
-        let file = name.rsplit(['/', '\\']).next().unwrap_or(name);
-        file.len() == table.name.len() + ending.len()
-            && file.to_ascii_uppercase() == format!("{}{}", table.name, ending.to_ascii_uppercase())
+        name.rsplit(['/', '\\']).next().is_some_and(|file| file.eq_ignore_ascii_case(&wanted))
     };
     names.iter().enumerate().filter(move |(_, name)| is_named(name))
 }
@@ -233,7 +232,9 @@ pub(super) fn read_back(
     let text = decoded(content);
     let mut sheet = Sheet::open(file, &text)?;
     let place = |column: &'_ str| {
-        sheet.place(column)?.ok_or_else(|| CissError::NoPairColumn { column: column.to_owned() })
+        sheet
+            .place(column)?
+            .ok_or_else(|| CissError::NoPairColumn { file: file.to_owned(), column: column.to_owned() })
     };
     let places: Vec<_> = columns
         .iter()
