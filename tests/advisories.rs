@@ -57,6 +57,8 @@ struct Known {
     newest: String,
     /// The packages looked up, with or without advisories.
     packages: BTreeSet<String>,
+    /// The packages that no copy of the database was at hand for: `cargo deny` alone judges them.
+    not_looked_up: BTreeSet<String>,
     advisories: Vec<Advisory>,
 }
 
@@ -119,6 +121,7 @@ fn known(text: &str) -> Known {
     Known {
         newest: word(table, "newest").unwrap(),
         packages: words(table, "packages").into_iter().collect(),
+        not_looked_up: words(table, "not_looked_up").into_iter().collect(),
         advisories: in_order(tables(table, "advisory").into_iter().map(advisory).collect()),
     }
 }
@@ -150,6 +153,16 @@ fn written(known: &Known) -> String {
         write!(text, "\"{package}\",").unwrap();
     }
     text.push_str("\n]\n");
+    if !known.not_looked_up.is_empty() {
+        let names: Vec<String> = known.not_looked_up.iter().cloned().collect();
+        writeln!(
+            text,
+            "\n# No copy of the database was at hand when they were added; `cargo deny` alone judges them.\n\
+             not_looked_up = {}",
+            list(&names)
+        )
+        .unwrap();
+    }
     for advisory in &known.advisories {
         let Advisory { id, package, date, kind, withdrawn, patched, unaffected } = advisory;
         write!(text, "\n[[advisory]]\nid = \"{id}\"\npackage = \"{package}\"\n").unwrap();
@@ -195,7 +208,7 @@ fn looked_up(database: &Path, packages: BTreeSet<String>) -> Known {
     let all: Vec<Advisory> = pages.map(|path| page(&fs::read_to_string(path).unwrap())).collect();
     let newest = all.iter().map(|advisory| advisory.date.clone()).max().unwrap();
     let ours = all.into_iter().filter(|advisory| packages.contains(&advisory.package)).collect();
-    Known { newest, advisories: in_order(ours), packages }
+    Known { newest, advisories: in_order(ours), packages, not_looked_up: BTreeSet::new() }
 }
 
 /// The external packages of a lock file.
@@ -243,7 +256,7 @@ fn complaints(
     let mut complaints = Vec::new();
     let mut needed = BTreeSet::new();
     for (name, version) in packages {
-        if !known.packages.contains(name) {
+        if !known.packages.contains(name) && !known.not_looked_up.contains(name) {
             complaints.push(format!(
                 "{name}: nobody has looked for its advisories; CONTRIBUTING.md says how to renew \
                  tests/advisories.toml"
@@ -261,6 +274,11 @@ fn complaints(
                      it in deny.toml with a reason. https://rustsec.org/advisories/{id}.html"
                 ));
             }
+        }
+    }
+    for name in &known.not_looked_up {
+        if known.packages.contains(name) || !packages.iter().any(|(locked, _)| locked == name) {
+            complaints.push(format!("tests/advisories.toml has {name} in not_looked_up: take it out"));
         }
     }
     for (id, reason) in accepted {
@@ -351,6 +369,7 @@ fn each_lapse_is_told() {
     let known = Known {
         newest: "2026-01-31".to_owned(),
         packages: ["made-up", "harmless"].map(str::to_owned).into(),
+        not_looked_up: BTreeSet::new(),
         advisories: vec![made_up(None, &[">= 1.2.3"], &[])],
     };
     let told = |packages: &[(&str, &str)], accepted: &[(&str, &str)]| {
@@ -371,6 +390,20 @@ fn each_lapse_is_told() {
     one(told(&[("made-up", "1.2.2")], &[(id, " ")]), "without a reason");
     one(told(&[("made-up", "1.2.3")], &[(id, "is not called")]), "affects nothing here");
     one(told(&[("unknown", "1.0.0")], &[]), "unknown: nobody has looked");
+    // What is listed as not looked up is told again once it is, or is gone.
+    let of = |listed: &str, packages: [(&str, &str); 1]| {
+        let known = Known {
+            newest: known.newest.clone(),
+            packages: known.packages.clone(),
+            not_looked_up: [listed.to_owned()].into(),
+            advisories: Vec::new(),
+        };
+        let packages = packages.map(|(name, version)| (name.to_owned(), Version::parse(version).unwrap()));
+        complaints(&packages.into(), &known, &BTreeMap::new())
+    };
+    assert_eq!(of("unknown", [("unknown", "1.0.0")]), [""; 0]);
+    one(of("unknown", [("made-up", "1.2.3")]), "unknown in not_looked_up: take it out");
+    one(of("made-up", [("made-up", "1.2.3")]), "made-up in not_looked_up: take it out");
 }
 
 #[test]
