@@ -1055,7 +1055,7 @@ pub(crate) struct ValidateArguments {
     #[arg(long, requires = "field")]
     pub(crate) other: bool,
 
-    /// Severity before the evidence: field, or serious-injury where the crashes were chosen for one
+    /// Severity before the evidence, field or serious-injury
     #[arg(long, value_parser = one_of(priors_of_field()), requires = "field", conflicts_with = "judge", hide_possible_values = true)]
     pub(crate) prior: Option<SeverityPrior>,
 
@@ -1076,8 +1076,8 @@ pub(crate) struct ValidateArguments {
     #[arg(long, value_name = "DIR")]
     pub(crate) plots: Option<PathBuf>,
 
-    /// Format of the plots
-    #[arg(long, value_name = "FORMAT", value_parser = one_of(plot_formats()), default_value = "svg", requires = "plots")]
+    /// Format of the plots: svg, png or pdf
+    #[arg(long, value_name = "FORMAT", value_parser = one_of(plot_formats()), default_value = "svg", requires = "plots", hide_possible_values = true)]
     pub(crate) plots_format: PictureFormat,
 }
 

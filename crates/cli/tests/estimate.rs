@@ -254,7 +254,7 @@ fn what_cannot_be_asked_is_refused_before_the_run() {
     for (arguments, says) in [
         (&["--above", "vehicle1.rest.x 5 m"][..], "its results are vehicle1.speed, vehicle2.speed,"),
         (&["--above", "vehicle1.speed 50 kg"], "km/h"),
-        (&["--prior", "none"], "[possible values: field, flat]"),
+        (&["--prior", "none"], "[possible values: field, serious-injury, flat]"),
         (&["--particles", "100"], "give a multiple of 128 up to"),
         (&["--csv-style", "european"], "--samples-out"),
     ] {

@@ -270,6 +270,8 @@ fn estimate(ledger: &mut Ledger) {
     ledger.quoted("path and 0.5 m", &guide, "0.5 m if left out");
     ledger.quoted("between 5° and 15°", &guide, "but 5° to 15°, if left out");
     ledger.quoted("of 20 % before", &guide, "20 % if left out; from 0 %");
+    ledger.cited("hurt (MAIS 3 or more)", "the abbreviated injury scale");
+    ledger.cited("(DOT HS 813 219)", "the number of NHTSA's report");
     ledger.cited("part of 1 km/h at zero", "LEAST_SPEED_ERROR of deltav-analysis");
     ledger.made(format!("wider than {} % of", number(100.0 * analysis::TOLD_BELOW, 0)));
 }
