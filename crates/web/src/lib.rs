@@ -242,8 +242,8 @@ impl Run {
     ///
     /// - `uncertainty` propagates the ranges of the case: `{ samples, seed, method: "monte-carlo" |
     ///   "latin-hypercube" | "sobol", indices }`;
-    /// - `estimate` finds the speeds from all evidence: `{ particles, seed, prior: "field" | "flat", pieces,
-    ///   above: [question] }`;
+    /// - `estimate` finds the speeds from all evidence: `{ particles, seed, prior: "field" |
+    ///   "serious-injury" | "flat", pieces, above: [question] }`;
     /// - `reconstruct` finds an exact solution. If the case has more evidence than that uses, it weighs all
     ///   of it; else, if the case has ranges, it finds the intervals with the errors of the method, which `{
     ///   method: false }` leaves out, as they take as long as the first;

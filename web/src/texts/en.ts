@@ -339,6 +339,7 @@ export const texts = {
     priors: [
       ["", "as in case"],
       ["field", "as severe as field collisions"],
+      ["serious-injury", "as severe as those with a serious injury"],
       ["flat", "any severity alike"],
     ],
     particles: "Particles, 16 times",
