@@ -126,10 +126,10 @@ fn the_record_of_the_impact_is_found_by_direction_and_size() {
     assert_eq!(told, ["vehicle1.recorder.records[1]", "vehicle1.recorder.records[2]"]);
 }
 
-/// Two records and two impacts; of this one nothing is known, and the second record is just what the other one
-/// is. A record is of none with 0.1, of each impact with 0.45 times its likelihood: 1 for what is not known, and
-/// for direction and size without any difference 7.0573 · 3.5461 = 25.026, by hand (0.98/(√2π · 20°) +
-/// 0.02/2π) · 2π and 4/(0.45 √2π).
+/// Two records and two impacts; of this one nothing is known, and the second record is just what the other
+/// one is. A record is of none with 0.1, of each impact with 0.45 times its likelihood: 1 for what is not
+/// known, and for direction and size without any difference 7.0573 · 3.5461 = 25.026, by hand
+/// (0.98/(√2π · 20°) + 0.02/2π) · 2π and 4/(0.45 √2π).
 #[test]
 fn records_are_of_the_impacts_in_their_order() {
     let records = "records = [{ speed = \"50 km/h\" }, { delta_v_longitudinal = \"0 km/h\", delta_v_lateral = \"12 km/h\" }]";

@@ -2028,7 +2028,7 @@ pub(crate) static RANGE_OF_LIST: Schema = Schema {
     rules: &[Rule::OneOf(&[form(&["values", "sd"], &[]), form(&["values", "within", "confidence"], &[])])],
 };
 
-static ALL: [&Schema; 30] = [
+static ALL: [&Schema; 31] = [
     &TOP,
     &REPORT,
     &SCENE,
@@ -2048,6 +2048,7 @@ static ALL: [&Schema; 30] = [
     &AFTER,
     &RECORDER,
     &RECORD,
+    &OTHER_IMPACT,
     &PRE_CRASH,
     &PULSE,
     &RECORDER_AT,

@@ -281,7 +281,8 @@ fn severity_is_that_of_the_mean_delta_v() {
     close(terms(&collision)[0].1, normal(z, 0.5) - 0.5 * (15.0_f64 / 25.0).powi(2));
 }
 
-/// Half of the vehicles with a ΔV of 43.1 mph have a seriously injured occupant, −6.9774 + 0.1620 · 43.07 = 0.
+/// Half of the vehicles with a ΔV of 43.1 mph have a seriously injured occupant: −6.9774 + 0.1620 · 43.07 is
+/// 0.
 #[test]
 fn a_serious_injury_makes_a_severe_collision_more_likely() {
     let half = 6.9774 / 0.1620 * 0.44704;

@@ -3,7 +3,7 @@
 use std::fmt::Display;
 
 use pim_core::{InvalidInput, VehicleId};
-use time_distance::{Progress, Swell};
+use time_distance::{Advance, Swell};
 
 use crate::quantity::Quantity;
 use crate::scene::Place;
@@ -272,20 +272,20 @@ pub struct OtherForm<T = f64> {
 impl OtherForm {
     /// How it covers its path.
     #[must_use]
-    pub fn progress(&self) -> Progress {
+    pub fn advance(&self) -> Advance {
         let speed = self.speed.as_ref().map(Quantity::si);
         match &self.acceleration {
-            Some(acceleration) => Progress::FromStop { acceleration: acceleration.si(), up_to: speed },
-            None => Progress::Steady { speed: speed.unwrap_or_default() },
+            Some(acceleration) => Advance::FromStop { acceleration: acceleration.si(), up_to: speed },
+            None => Advance::Steady { speed: speed.unwrap_or_default() },
         }
     }
 
     /// (s) from the reaction demand to the impact.
     ///
     /// # Errors
-    /// As [`Progress::time_over`].
+    /// As [`Advance::time_over`].
     pub fn time(&self) -> Result<f64, InvalidInput> {
-        self.progress().time_over(self.distance.si())
+        self.advance().time_over(self.distance.si())
     }
 }
 

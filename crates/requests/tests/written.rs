@@ -82,7 +82,10 @@ fn what_no_case_could_be_asked_is_refused() {
     assert_eq!(unread("check", "[1]"), "the options are empty, or an object");
     assert_eq!(unread("estimate", r#"{"seed":-1}"#), "the option seed is a whole number, not -1");
     assert_eq!(unread("sensitivity", r#"{"pdof_step":"5"}"#), "the option pdof_step is a number, not \"5\"");
-    assert_eq!(unread("estimate", r#"{"prior":"x"}"#), "the option prior is field or flat, not \"x\"");
+    assert_eq!(
+        unread("estimate", r#"{"prior":"x"}"#),
+        "the option prior is field or serious-injury or flat, not \"x\""
+    );
     for (command, options, option) in [
         ("sensitivity", r#"{"pdof_step":0}"#, "pdof_step"),
         ("sensitivity", r#"{"pdof_step":180.5}"#, "pdof_step"),

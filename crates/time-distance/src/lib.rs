@@ -18,10 +18,10 @@
 //! first be recognized: a reaction at constant speed, a swell in which the brakes take hold, then a constant
 //! deceleration to a stop. Its methods are closed forms. [`Response::legs`] gives the same motion as
 //! [`Leg`]s, stretches of constant jerk, of which a [`Course`] consists: that of a vehicle before the impact
-//! ([`approach`]), of a driver who brakes, of a pedestrian. [`Progress`] is the motion of the other road user:
-//! steady, or from a stop. [`Crossing`] has the zone in which two paths meet
-//! and who is in it when, [`least_gap`] how close one vehicle comes to another ahead of it, and [`sees`],
-//! [`first_sight`] and [`free_since`] what obstacles hide.
+//! ([`approach`]), of a driver who brakes, of a pedestrian. [`Advance`] is how the other road user moves:
+//! steadily, or from a stop. [`Crossing`] has the zone in which two paths meet and who is in it when,
+//! [`least_gap`] how close one vehicle comes to another ahead of it, and [`sees`], [`first_sight`] and
+//! [`free_since`] what obstacles hide.
 //!
 //! `examples/avoidable.rs` asks whether a collision was avoidable.
 //!
@@ -57,20 +57,20 @@
 
 #![cfg_attr(not(feature = "std"), no_std)]
 
+mod advance;
 mod approach;
 mod course;
 mod crossing;
 mod gap;
-mod progress;
 mod response;
 mod sight;
 
+pub use advance::Advance;
 pub use approach::{Phase, approach};
 pub use course::{Course, Leg};
 pub use crossing::{Crossing, Occupancy, Party};
 pub use gap::{Gap, least_gap};
 pub use pim_core::{InvalidInput, Vector2};
-pub use progress::Progress;
 pub use real::Real;
 pub use response::{Demand, Response, Swell};
 pub use sight::{first_sight, free_since, sees};

@@ -2,7 +2,7 @@
 
 use proptest::prelude::*;
 use time_distance::{
-    Course, Crossing, Leg, Party, Phase, Progress, Response, Swell, Vector2, approach, first_sight,
+    Advance, Course, Crossing, Leg, Party, Phase, Response, Swell, Vector2, approach, first_sight,
     free_since, least_gap, sees,
 };
 
@@ -51,20 +51,20 @@ fn an_approach_is_followed_backwards() {
 /// it after 2.5307 s.
 #[test]
 fn a_start_takes_its_time() {
-    let van = Progress::FromStop { acceleration: 3.56, up_to: None };
+    let van = Advance::FromStop { acceleration: 3.56, up_to: None };
     assert!((van.time_over(7.7_f64).unwrap() - 2.079_866).abs() < 1e-6);
     assert!((van.time_over(11.4).unwrap() - 2.530_710).abs() < 1e-6);
     // 1.5 m/s² up to 3 m/s: 2 s and 3 m to get there, then 4 s for 12 m.
-    let walker = Progress::FromStop { acceleration: 1.5_f64, up_to: Some(3.0) };
+    let walker = Advance::FromStop { acceleration: 1.5_f64, up_to: Some(3.0) };
     for (distance, time) in [(0.0, 0.0), (0.75, 1.0), (3.0, 2.0), (15.0, 6.0)] {
         assert!((walker.time_over(distance).unwrap() - time).abs() < 1e-15);
     }
-    assert_eq!(Progress::Steady { speed: 1.5 }.time_over(6.0).unwrap(), 4.0);
+    assert_eq!(Advance::Steady { speed: 1.5 }.time_over(6.0).unwrap(), 4.0);
     for refused in [
         van.time_over(-1.0),
-        Progress::Steady { speed: 0.0 }.time_over(1.0),
-        Progress::FromStop { acceleration: 0.0, up_to: None }.time_over(1.0),
-        Progress::FromStop { acceleration: 1.0, up_to: Some(-1.0) }.time_over(1.0),
+        Advance::Steady { speed: 0.0 }.time_over(1.0),
+        Advance::FromStop { acceleration: 0.0, up_to: None }.time_over(1.0),
+        Advance::FromStop { acceleration: 1.0, up_to: Some(-1.0) }.time_over(1.0),
         van.time_over(f64::NAN),
     ] {
         assert!(refused.is_err());
@@ -79,7 +79,7 @@ proptest! {
         let begin = Leg { acceleration, ..rest() };
         let legs = [begin, Leg { speed: most, acceleration: 0.0, ..begin.after(reached) }];
         let expected = Course::new(&legs).unwrap().reaches(distance).unwrap();
-        let found = Progress::FromStop { acceleration, up_to: Some(most) }.time_over(distance).unwrap();
+        let found = Advance::FromStop { acceleration, up_to: Some(most) }.time_over(distance).unwrap();
         prop_assert!((found - expected).abs() < 1e-9 * (1.0 + expected), "{found}, {expected}");
     }
 

@@ -2,7 +2,7 @@
 
 use inputs::{AvoidForm, BrakingForm, ClearForm, DemandForm, Quantity, STANDARD_GRAVITY, SpeedForm};
 use pim_core::InvalidInput;
-use time_distance::{Course, Leg, Progress, Response};
+use time_distance::{Advance, Course, Leg, Response};
 
 /// How the vehicle came to the impact.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -329,11 +329,11 @@ fn clears_after(clear: &ClearForm, demand: &DemandForm) -> Result<f64, InvalidIn
     let distance = clear.distance.si();
     match (&clear.speed, demand) {
         (None, DemandForm::Other(other)) => {
-            Ok(other.progress().time_over(other.distance.si() + distance)? - other.time()?)
+            Ok(other.advance().time_over(other.distance.si() + distance)? - other.time()?)
         }
         (speed, _) => {
             let speed = speed.as_ref().map_or(0.0, Quantity::si);
-            Progress::Steady { speed }.time_over(distance)
+            Advance::Steady { speed }.time_over(distance)
         }
     }
 }

@@ -144,6 +144,7 @@ fn documentation() -> String {
         &STEER,
         &RECORDER,
         &RECORD,
+        &OTHER_IMPACT,
         &PRE_CRASH,
         &PULSE,
         &RECORDER_AT,

@@ -108,11 +108,11 @@ pub(crate) fn path_time_picture(case: &Case, found: &Avoidance, units: Units) ->
     let other = (came.is_some() || out.is_some()).then(|| {
         let mut points = Vec::new();
         if let Some(other) = came {
-            let (before, progress) = (other.distance.si(), other.progress());
+            let (before, advance) = (other.distance.si(), other.advance());
             let after = out.filter(|_| goes_on && clears.is_some()).unwrap_or(0.0);
             points.extend((0..=POINTS).filter_map(|k| {
                 let gone = (before + after) * f64::from(k) / f64::from(POINTS);
-                Some([progress.time_over(gone).ok()?, gone - before])
+                Some([advance.time_over(gone).ok()?, gone - before])
             }));
         }
         if came.is_none() || !goes_on {

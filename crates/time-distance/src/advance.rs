@@ -6,7 +6,7 @@ use real::Real;
 /// How a road user covers its path.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-pub enum Progress<T = f64> {
+pub enum Advance<T = f64> {
     /// At constant speed.
     Steady {
         /// (m/s) the speed, positive.
@@ -22,7 +22,7 @@ pub enum Progress<T = f64> {
     },
 }
 
-impl<T: Real> Progress<T> {
+impl<T: Real> Advance<T> {
     /// (s) the time over a distance (m) from where it is at the beginning.
     ///
     /// # Errors
