@@ -594,7 +594,7 @@ impl PyCase {
     ///     (–) of each of 16 islands, a multiple of 128.
     /// seed : int
     ///     (–) of the random numbers; the same seed gives the same bits.
-    /// prior : {"field", "flat"}, optional
+    /// prior : {"field", "serious-injury", "flat"}, optional
     ///     What is taken before the evidence, in place of what the case says.
     /// pieces : bool
     ///     Whether to ask what each piece of evidence says alone, which takes most of the time.

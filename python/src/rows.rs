@@ -310,7 +310,7 @@ pub(crate) fn crush_table(
 ///     (–) of each of 16 islands, a multiple of 128.
 /// seed : int
 ///     (–) of the random numbers of every row that has none in a column ``seed``.
-/// prior : {"field", "flat"}, optional
+/// prior : {"field", "serious-injury", "flat"}, optional
 ///     What is taken before the evidence, in place of what the rows say.
 /// threads : int, optional
 ///     Without it one for each processor. The bits do not depend on it.
@@ -371,7 +371,7 @@ pub(crate) fn estimate_table(
 ///     (–) of each of 16 islands, a multiple of 128.
 /// seed : int
 ///     (–) of the random numbers of every row that has none in a column ``seed``.
-/// prior : {"field", "flat"}, optional
+/// prior : {"field", "serious-injury", "flat"}, optional
 ///     What is taken before the evidence, in place of what the rows say.
 /// threads : int, optional
 ///     Without it one for each processor. The bits do not depend on it.

@@ -133,7 +133,7 @@ def test_a_site_plan_lies_beside_the_file(tmp_path: pathlib.Path) -> None:
         (lambda case: case.uncertainty(method="dice"), ValueError, '"monte-carlo", "latin-hypercube", "sobol"'),
         (lambda case: case.uncertainty(sobol=3), ValueError, "at least"),
         (lambda case: case.estimate(particles=100), ValueError, "multiple of 128"),
-        (lambda case: case.estimate(prior="none"), ValueError, '"field", "flat"'),
+        (lambda case: case.estimate(prior="none"), ValueError, '"field", "serious-injury", "flat"'),
         (lambda case: case.estimate(above=["speed 3 m/s"]), ValueError, "its results are vehicle1.speed"),
         (lambda case: case.sensitivity(pdof_step=0), ValueError, "above 0"),
         (lambda case: case.sensitivity(pdof_step=float("nan")), ValueError, "above 0"),

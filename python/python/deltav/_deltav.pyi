@@ -51,7 +51,7 @@ class Case:
         *,
         particles: int = 256,
         seed: int = 1,
-        prior: Literal["field", "flat"] | None = None,
+        prior: Literal["field", "serious-injury", "flat"] | None = None,
         pieces: bool = True,
         above: Sequence[str] = (),
         threads: int | None = None,
@@ -186,7 +186,7 @@ def estimate_table(
     template: _Template | None = None,
     particles: int = 256,
     seed: int = 1,
-    prior: Literal["field", "flat"] | None = None,
+    prior: Literal["field", "serious-injury", "flat"] | None = None,
     threads: int | None = None,
 ) -> Rows: ...
 def stream_table(
@@ -197,7 +197,7 @@ def stream_table(
     samples: int | None = None,
     particles: int = 256,
     seed: int = 1,
-    prior: Literal["field", "flat"] | None = None,
+    prior: Literal["field", "serious-injury", "flat"] | None = None,
     threads: int | None = None,
 ) -> RowStream: ...
 def case_schema(*, ranges: bool = False) -> Schema: ...

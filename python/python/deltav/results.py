@@ -1114,7 +1114,7 @@ class Unused(Record):
 
 class _Estimate(_Document):
     prior: str
-    """What is taken before the evidence: ``"field"`` or ``"flat"``."""
+    """What is taken before the evidence: ``"field"``, ``"serious-injury"`` or ``"flat"``."""
     seed: int
     """(–) of the random numbers."""
     particles: int
