@@ -364,8 +364,9 @@ pub struct InjuryRisk {
 }
 
 impl InjuryRisk {
-    /// A serious injury, MAIS 3 or more, by total ΔV in frontal collisions: Wang, MAIS(05/08) injury
-    /// probability curves as functions of delta V, DOT HS 813 219 (2022), −6.9774 and 0.1620 per mph.
+    /// A serious injury, MAIS 3 or more, by total ΔV in frontal collisions, −6.9774 and 0.1620 per mph: Wang,
+    /// MAIS(05/08) injury probability curves as functions of delta V, DOT HS 813 219 (2022), as a public
+    /// program has them.
     pub const SERIOUS: Self = Self { intercept: -6.9774, slope: 0.1620 / 0.44704 };
 
     /// (–) the logarithm of the probability that somebody in either vehicle suffers it; ΔV in m/s.
