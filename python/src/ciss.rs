@@ -6,7 +6,7 @@ use std::sync::Arc;
 use arrow_array::{ArrayRef, Float64Array, Int64Array, RecordBatch, StringArray};
 use arrow_schema::{DataType, Field as Column, Schema};
 use case::SeverityPrior;
-use evidence::{FITTED, InjuryRisk};
+use evidence::FITTED;
 use field::ciss::{CissCell, CissCrashes, CissError, CissFiles, CissRecord, pairs, read_pairs, records};
 use field::{Field, FieldError, KnownCrush, Options, Pair, judge, read};
 use pim_core::VehicleId;
@@ -185,7 +185,7 @@ pub(crate) fn judge_pairs(
 ) -> PyResult<Judged> {
     let (particles, seed, threads) = (particles.0, seed.0, threads.map(|threads| threads.0));
     let prior = chosen("prior", prior, &SeverityPrior::WORDS[..2])?;
-    let injury = (prior == SeverityPrior::SeriousInjury).then_some(InjuryRisk::SERIOUS);
+    let injury = analysis::injury(prior);
     let pairs = py.detach(|| read(&text)).map_err(refused)?;
     let options = Options { particles, seed, other, crush: KnownCrush::Both, injury };
     let judged =

@@ -415,6 +415,12 @@ pub fn estimate(
     })
 }
 
+/// The injury that somebody suffered in each collision of a population, if it was chosen for one.
+#[must_use]
+pub fn injury(prior: SeverityPrior) -> Option<InjuryRisk> {
+    (prior == SeverityPrior::SeriousInjury).then_some(InjuryRisk::SERIOUS)
+}
+
 /// (–) an answer that misses a piece of evidence by more than this many of its errors does not agree with it:
 /// a normal error exceeds this once in 16,000.
 pub const MISSED: f64 = 4.0;

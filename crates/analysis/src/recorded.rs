@@ -112,18 +112,15 @@ fn records(case: &Case, id: VehicleId, recorder: &Recorder) -> Vec<(Recorder, Of
         (0..recorder.records.len()).filter_map(|index| recorder.record(index)).collect()
     };
     let events: Vec<EventRecord> = stored.iter().map(|one| one.event(case.axes, &impact)).collect();
-    let known = |after| recorder.other_impacts.iter().filter(move |other| other.after == after);
-    let before: Vec<KnownImpact> = known(false).map(OtherImpact::known).collect();
-    let place = before.len();
-    let impacts: Vec<KnownImpact> =
-        before.into_iter().chain([impact]).chain(known(true).map(OtherImpact::known)).collect();
+    let mut impacts: Vec<KnownImpact> = recorder.other_impacts.iter().map(OtherImpact::known).collect();
+    let place = recorder.other_impacts.partition_point(|other| !other.after);
+    impacts.insert(place, impact);
     let found = match_records(&events, &impacts, &MatchErrors::default());
     let probabilities: Vec<f64> = found.iter().map(|found| found.impacts[place]).collect();
     let other = |k: usize| {
-        let mut others = found[k].impacts.clone();
-        others.remove(place);
-        let places = others.into_iter().zip(1..).map(|(probability, place)| (place, probability));
-        places.max_by(|one, other| one.1.total_cmp(&other.1))
+        let others = found[k].impacts.iter().enumerate().filter(|(impact, _)| *impact != place);
+        let others = others.zip(1..).map(|((_, probability), number)| (number, *probability));
+        others.max_by(|one, other| one.1.total_cmp(&other.1))
     };
     let greatest = probabilities.iter().copied().fold(TAKEN, f64::max);
     let of_impact = |k: usize| OfImpact {

@@ -4,8 +4,6 @@ use std::fs;
 use std::path::Path;
 
 use anyhow::{Context as _, Result};
-use case::SeverityPrior;
-use evidence::InjuryRisk;
 use report::Drawing;
 use validation::{Data, Validation};
 
@@ -116,7 +114,7 @@ fn judge_field(data: &report::FieldData<'_>, arguments: &ValidateArguments) -> R
         seed: arguments.seed,
         other: arguments.other,
         crush: field::KnownCrush::Both,
-        injury: (arguments.prior == Some(SeverityPrior::SeriousInjury)).then_some(InjuryRisk::SERIOUS),
+        injury: arguments.prior.and_then(analysis::injury),
     };
     let judged = if let Some(crashes) = field::read_objects(data.table).with_context(name)? {
         let refused = [("--other", arguments.other), ("--judge", arguments.judge.is_some())];

@@ -268,11 +268,11 @@ fn kind(hit: &[DamagedSide]) -> usize {
 const REFERENCE: [f64; 2] = [1600.0, 1.6];
 
 impl Fitted {
-    /// The same for collisions in which somebody suffered an injury of this `risk`.
+    /// The same for collisions in each of which somebody suffered an injury of this risk.
     #[must_use]
-    pub fn of_injured(mut self, risk: InjuryRisk) -> Self {
-        self.severity.injury = Some(risk);
-        self.objects.severity.injury = Some(risk);
+    pub fn of_injured(mut self, injury: Option<InjuryRisk>) -> Self {
+        self.severity.injury = injury;
+        self.objects.severity.injury = injury;
         self
     }
 

@@ -151,8 +151,7 @@ pub fn judge_by<C: Crash>(
             finished = done;
             break;
         }
-        let fitted = fitted(pair);
-        let fitted = &options.injury.map_or(fitted, |risk| fitted.of_injured(risk));
+        let fitted = &fitted(pair).of_injured(options.injury);
         match (options.other, &pair.truths()[..]) {
             (true, [one, two]) => {
                 judged.extend(vehicles(pair, fitted, options, &[two.0], &[*one])?);

@@ -5,10 +5,11 @@ mod damage;
 mod recorder;
 mod skid;
 
-use evidence::{DamagedSide, FITTED, InjuryRisk, Limits, MeasuredSpeed, Observed, ObservedVehicle, Severity};
+use evidence::{DamagedSide, FITTED, Limits, MeasuredSpeed, Observed, ObservedVehicle, Severity};
 use inputs::{Case, CollisionData, GivenVehicle, MotionInput, Quantity, SeverityPrior};
 use pim_core::VehicleId;
 
+use super::injury;
 use super::notes::{Notes, Unused, UnusedReason};
 use crate::excluded::table;
 use crate::uncertainty::UncertainInput;
@@ -83,8 +84,7 @@ pub(super) fn observe(scene: &Scene<'_>) -> (Observed, Notes) {
     let given = case.estimate.unwrap_or_default();
     let hit: Vec<DamagedSide> = damage::movers(case).map(|id| damage(id, nominal, reference)).collect();
     let of_object = is_with_object(case, &hit);
-    let fitted =
-        if prior == SeverityPrior::SeriousInjury { FITTED.of_injured(InjuryRisk::SERIOUS) } else { FITTED };
+    let fitted = FITTED.of_injured(injury(prior));
     let usual = if of_object { fitted.objects.severity } else { fitted.severity_of(&hit) };
     let median = given.delta_v_median.as_ref().map_or(usual.median, Quantity::si);
     let times = if hit == [DamagedSide::Side; 2] { SIDESWIPE_SPREAD } else { 1.0 };

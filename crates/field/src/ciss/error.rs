@@ -50,7 +50,7 @@ pub enum CissError {
         /// What is wrong.
         reason: csv::Error,
     },
-    /// A table has not the columns that are needed.
+    /// A table lacks columns that are needed.
     #[error("the table {table} ({file}) has no column {}; it has {}", .columns.join(", "), .has.join(", "))]
     NoColumn {
         /// Name of the table.

@@ -150,7 +150,7 @@ pub(super) struct Row<'a> {
 }
 
 impl<'a> Row<'a> {
-    /// Its cell of a column; `None` if the table has not the column.
+    /// Its cell in a column; `None` if the table lacks the column.
     pub(super) fn cell(self, column: &str) -> Option<&'a CissCell> {
         let place = self.columns.iter().position(|name| *name == column)?;
         self.cells.get(place)
