@@ -681,7 +681,7 @@ pub(crate) static RECORDER: Schema = Schema {
             "other_impacts",
             "other_impacts = [{ when = \"after\", pdof = \"90 deg\", delta_v = \"12 km/h\" }]",
             Form::Tables(&OTHER_IMPACT),
-            "Other impacts of this vehicle in the crash. In the order of time: `deltav recorder` then weighs of which impact each record is.",
+            "Other impacts of this vehicle in the crash. In the order of time. `deltav recorder` then says of each record which impact it may belong to.",
         ),
         table("at", "at = { x = \"-0.3 m\", y = \"0 m\" }", &RECORDER_AT),
         table("errors", "errors = { slip_low = \"3 km/h\", friction = \"75 %\" }", &RECORDER_ERRORS),

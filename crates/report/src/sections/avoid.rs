@@ -224,7 +224,7 @@ fn inputs(case: &Case, given: &Avoid, found: &Avoidance, units: Units) -> Table 
         }
     }
     if goes_on {
-        table.notes.push("On that way, the other party goes on as it came.".to_owned());
+        table.notes.push("The other party moves on as it came.".to_owned());
     }
     if given.swell.is_none() {
         table.notes.push("The swell of the brakes is 0, as the case gives none.".to_owned());

@@ -43,8 +43,8 @@ pub fn field(field: &Field, data: &FieldData<'_>) -> Document {
     }
     if field.injured {
         document.paragraph(
-            "The crashes were taken as chosen because somebody in either vehicle was seriously hurt (MAIS 3 or more), so \
-             they are severer before the evidence than those after which a vehicle was towed.",
+            "The crashes are taken to have been chosen because somebody in either vehicle was seriously hurt (MAIS 3 or \
+             more). Before the evidence, they are severer than those after which a vehicle was towed.",
         );
     }
     if field.finished < field.pairs {
