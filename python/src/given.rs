@@ -687,7 +687,7 @@ impl PyCase {
     ///
     /// Returns
     /// -------
-    /// Result
+    /// Avoidance
     ///     With ``avoid``: ``speed``, ``demand``, ``spatial``, ``temporal``, ``at_limit``,
     ///     ``probability`` and ``runs``; SI units.
     ///
@@ -709,7 +709,7 @@ impl PyCase {
     /// ...     "deceleration": "6.5 m/s^2",
     /// ...     "demand": {"distance": "20 m"},
     /// ... }})
-    /// >>> print(f"{case.avoid()['avoid']['spatial']['speed'] * 3.6:.1f} km/h")
+    /// >>> print(f"{case.avoid().avoid.spatial.speed * 3.6:.1f} km/h")
     /// 39.2 km/h
     #[pyo3(
         signature = (*, samples = Whole(AvoidPlan::SAMPLES), seed = Whole(1), exact = false, threads = None),

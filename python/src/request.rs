@@ -25,6 +25,7 @@ pub(crate) fn class(request: &Request) -> &'static str {
         Request::Sensitivity(_) => "Sensitivity",
         Request::Uncertainty(_) => "Uncertainty",
         Request::Estimate(_) => "Estimate",
+        Request::Avoid(_) => "Avoidance",
         _ => "Result",
     }
 }

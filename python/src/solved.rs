@@ -17,7 +17,7 @@ use crate::columns::Columns;
 use crate::errors::no_answer;
 use crate::given::{Given, PyCase, units};
 use crate::picture::{Picture, image};
-use crate::request::{class, is_quick, no_page, unanswered, wrong_option};
+use crate::request::{chosen, class, is_quick, no_page, unanswered, wrong_option};
 use crate::run::{Ending, interruptible};
 
 /// A case, what was asked, and the answer.
@@ -106,6 +106,7 @@ impl Solved {
                 };
                 Ok(py.detach(|| outputs.iter().find_map(density)))
             }
+            Answer::Avoidance(found) => Ok(Some(py.detach(|| report::path_time(case, found, units)))),
             _ => Ok(None),
         }
     }
@@ -459,6 +460,7 @@ pub(crate) fn answered(py: Python<'_>, solved: Solved) -> PyResult<Bound<'_, PyA
         Request::Sensitivity(_) => Bound::new(py, base.add_subclass(PySensitivity))?.into_any(),
         Request::Uncertainty(_) => Bound::new(py, base.add_subclass(PyUncertainty))?.into_any(),
         Request::Estimate(_) => Bound::new(py, base.add_subclass(PyEstimate))?.into_any(),
+        Request::Avoid(_) => Bound::new(py, base.add_subclass(PyAvoidance))?.into_any(),
         _ => Bound::new(py, base)?.into_any(),
     })
 }
@@ -755,8 +757,75 @@ impl PyEstimate {
     }
 }
 
+/// What ``avoid`` of a case answers.
+///
+/// Examples
+/// --------
+/// >>> avoidance = deltav.Case.from_dict({"avoid": {
+/// ...     "speed": "50 km/h", "limit": "30 km/h", "reaction_time": "1 s", "deceleration": "6.5 m/s^2",
+/// ...     "demand": {"distance": "20 m"}}}).avoid()
+/// >>> avoidance.avoid.spatial.avoidable_at_limit
+/// True
+#[pyclass(name = "Avoidance", module = "deltav", frozen, extends = PyAnswered)]
+pub(crate) struct PyAvoidance;
+
+/// A picture of whether a collision was avoidable; `None` if there is nothing to draw.
+type PictureOfAvoidance = fn(&case::Case, &analysis::Avoidance, Units) -> Option<report::Drawing>;
+
+#[pymethods]
+impl PyAvoidance {
+    /// Draws the answer.
+    ///
+    /// Parameters
+    /// ----------
+    /// what : {"path-time", "chance", "sight"}
+    ///     Every run against time; the probability against the speed; what obstacles hide, seen from above.
+    /// units : {"si", "us", "uk"}, optional
+    ///     Without it those that most of the case uses.
+    ///
+    /// Returns
+    /// -------
+    /// Drawing
+    ///
+    /// Raises
+    /// ------
+    /// ValueError
+    ///     For a drawing that there is not.
+    /// NoAnswerError
+    ///     Where the case has nothing of what is to be drawn.
+    ///
+    /// Examples
+    /// --------
+    /// >>> case = deltav.Case.from_dict({"avoid": {
+    /// ...     "speed": "50 km/h", "limit": "30 km/h", "reaction_time": "1 s", "deceleration": "6.5 m/s^2",
+    /// ...     "demand": {"distance": "20 m"}}})
+    /// >>> case.avoid().draw("path-time").svg()[:4]
+    /// '<svg'
+    #[pyo3(signature = (what = "path-time", *, units = None))]
+    fn draw(slf: &Bound<'_, Self>, what: &str, units: Option<&str>) -> PyResult<Picture> {
+        const PICTURES: [(&str, (PictureOfAvoidance, &str)); 3] = [
+            ("path-time", (|case, found, units| Some(report::path_time(case, found, units)), "")),
+            (
+                "chance",
+                (report::avoided_from, "no number of the case is uncertain: there is no probability to draw"),
+            ),
+            ("sight", (report::sight, "the case has no [[avoid.obstacle]]: there is no sight to draw")),
+        ];
+        let py = slf.py();
+        let solved = &slf.as_super().get().solved;
+        let (picture, nothing) = chosen("what", what, &PICTURES)?;
+        let in_units = solved.in_units(units)?;
+        let Answer::Avoidance(found) = solved.answer(py)? else {
+            return Err(PyRuntimeError::new_err("the result is no avoidance"));
+        };
+        let drawing = py.detach(|| picture(&solved.given.file.case, found, in_units));
+        let drawing = drawing.ok_or_else(|| no_answer(py, nothing.to_owned()))?;
+        drawn(slf.as_any(), drawing, ("draw", what), units)
+    }
+}
+
 /// All classes of results.
-pub(crate) fn classes(py: Python<'_>) -> [Bound<'_, PyType>; 7] {
+pub(crate) fn classes(py: Python<'_>) -> [Bound<'_, PyType>; 8] {
     [
         py.get_type::<PyAnswered>(),
         py.get_type::<PyAnalysis>(),
@@ -765,5 +834,6 @@ pub(crate) fn classes(py: Python<'_>) -> [Bound<'_, PyType>; 7] {
         py.get_type::<PySensitivity>(),
         py.get_type::<PyUncertainty>(),
         py.get_type::<PyEstimate>(),
+        py.get_type::<PyAvoidance>(),
     ]
 }

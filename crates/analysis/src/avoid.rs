@@ -2,6 +2,7 @@
 //! braking would have made of it, and how probable that is.
 
 mod chance;
+mod driven;
 mod scene;
 mod sight;
 
@@ -9,18 +10,19 @@ use std::collections::BTreeSet;
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
-use ::uncertainty::{SamplingMethod, Settings};
+use ::uncertainty::{SamplingMethod, Settings, random};
 use inputs::{
-    Avoid, AvoidForm, Case, DemandForm, Dimension, Fault, FaultKind, Faults, Find, Quantity, SpeedForm,
-    Velocity, format_number,
+    Avoid, AvoidForm, BrakingForm, Case, DemandForm, Dimension, Fault, FaultKind, Faults, Find, Quantity,
+    SpeedForm, Velocity, format_number, is_of_avoid,
 };
 use pim_core::VehicleId;
 use time_distance::Response;
 
 pub use chance::{AvoidChance, AvoidInfluence, AvoidInterval, SightIntervals};
 use chance::{Speeds, chance};
+pub use driven::{BRAKES, GIVES_WAY};
 use scene::Unposed;
-pub use scene::{ActualRun, AvoidCourse, AvoidScene, Sight, Unbraked, View};
+pub use scene::{ActualRun, AvoidCourse, AvoidScene, DrivenBy, Sight, Unbraked, View};
 pub use sight::{Hiding, SIGHT_LOOK_BACK};
 use sight::{Outlines, Ways};
 
@@ -104,6 +106,10 @@ pub enum SpeedSource {
     Reconstructed,
     /// The median by all evidence.
     Estimated,
+    /// The phases before the impact, which begin with a known speed.
+    Phases,
+    /// The table of its recorder alone.
+    Recorder,
 }
 
 /// A question of what would have been.
@@ -128,7 +134,7 @@ pub enum Hypothesis {
 }
 
 /// A run up to the place of the impact.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub struct AvoidRun {
     /// What it supposes.
     pub hypothesis: Hypothesis,
@@ -186,17 +192,14 @@ impl Avoidance {
     /// (s) before the impact, in the coordinates of the scene; `None` without obstacles.
     #[must_use]
     pub fn eye_and_point(&self, time: f64) -> Option<[[f64; 2]; 2]> {
-        let ways = self.ways?;
+        let ways = self.ways.as_ref()?;
         Some(ways.of_scene(&self.scene, time).map(|at| [at.x, at.y]))
     }
 
     /// (s) by how much the reaction was later than `[avoid]` allows; `None` if it is not known.
     #[must_use]
     pub fn delay(&self) -> Option<f64> {
-        match self.scene.actual {
-            ActualRun::Skidded(slowed) => Some(slowed.reaction() - self.scene.response.reaction()),
-            ActualRun::Responded | ActualRun::Unbraked(_) => None,
-        }
+        self.scene.delay()
     }
 
     /// The answer for a case that differs in the numbers of `[avoid]` alone: the speed that the rest tells is
@@ -218,7 +221,9 @@ pub fn avoid_at_once(case: &Case) -> Result<Option<Avoidance>, Failure> {
     let form = case.avoidance()?;
     match form.speed {
         SpeedForm::Sought => Ok(None),
-        SpeedForm::AtDemand(_) | SpeedForm::AtImpact(_) => found(case, &form, None, None).map(Some),
+        SpeedForm::AtDemand(_) | SpeedForm::AtImpact(_) | SpeedForm::ByPhases => {
+            found(case, &form, None, None).map(Some)
+        }
     }
 }
 
@@ -234,7 +239,7 @@ pub fn avoid(
     let form = case.avoidance()?;
     let told = match form.speed {
         SpeedForm::Sought => Some(Arc::new(Told::of(case, form.vehicle, plan, progress)?)),
-        SpeedForm::AtDemand(_) | SpeedForm::AtImpact(_) => None,
+        SpeedForm::AtDemand(_) | SpeedForm::AtImpact(_) | SpeedForm::ByPhases => None,
     };
     found(case, &form, told, Some(plan))
 }
@@ -248,6 +253,7 @@ fn found(
 ) -> Result<Avoidance, Failure> {
     let speed_from = match (&form.speed, &told) {
         (SpeedForm::AtDemand(_), _) => SpeedSource::AtDemand,
+        (SpeedForm::ByPhases, _) => SpeedSource::Phases,
         (_, None) => SpeedSource::AtImpact,
         (_, Some(told)) => told.from,
     };
@@ -256,11 +262,12 @@ fn found(
     let outlines: Vec<_> = given.map(sight::corners).collect();
     let obstacles: Vec<&[_]> = outlines.iter().map(Vec::as_slice).collect();
     let ways = form.sight.as_ref().map(Ways::of);
-    if let Some(index) = ways.and_then(|ways| ways.hides_the_impact(&obstacles)) {
+    if let Some(index) = ways.as_ref().and_then(|ways| ways.hides_the_impact(&obstacles)) {
         return Err(hides_the_impact(case, index).into());
     }
     let scene = sight::pose(form, at_impact, &obstacles).map_err(|refusal| unposed(form, refusal))?;
-    let hiding = ways.zip(scene.view.sight()).map(|(ways, sight)| ways.hiding(&scene, &sight, &obstacles));
+    let seen = ways.as_ref().zip(scene.view.sight());
+    let hiding = seen.map(|(ways, sight)| ways.hiding(&scene, &sight, &obstacles));
     let hiding = hiding.transpose().map_err(|index| holds_the_eye(case, index))?;
     let chance = plan.map_or(Ok(None), |plan| of_ranges(case, told.as_deref(), &obstacles, plan))?;
     // Of a speed with a range, only the samples know whether all of it lies below the limit.
@@ -268,17 +275,19 @@ fn found(
         Some(chance) => chance.above_limit > 0.0,
         None => plan.is_none() && any_inputs(case).is_ok_and(|inputs| !inputs.is_empty()),
     };
-    if scene.limit > scene.speed && !may_be_above {
+    // One that accelerated is asked about its reaction, even if it was never as fast as the limit.
+    let accelerated = scene.at_impact > scene.speed;
+    if scene.limit > scene.speed && !may_be_above && !accelerated {
         return Err(limit_above(form, &scene).into());
     }
     let other = told.as_ref().and_then(|told| told.other);
     let [runs, more_runs] = runs(&scene, &|speed| delta_v(case, form.vehicle, speed, other));
     let enough = Enough {
         speed: scene.just_avoiding(),
-        deceleration: scene.response.deceleration_to_stop_within(scene.speed, scene.distance),
-        reaction: scene.response.reaction_to_stop_within(scene.speed, scene.distance),
-        deceleration_at_limit: scene.response.deceleration_to_stop_within(scene.limit, scene.distance),
-        reaction_at_limit: scene.response.reaction_to_stop_within(scene.limit, scene.distance),
+        deceleration: scene.least_deceleration(false),
+        reaction: scene.longest_reaction(false),
+        deceleration_at_limit: scene.least_deceleration(true),
+        reaction_at_limit: scene.longest_reaction(true),
     };
     let is_unconverged = told.as_ref().is_some_and(|told| told.is_unconverged());
     let vehicle = form.vehicle;
@@ -340,6 +349,7 @@ impl Told {
                 Err(failure) => refusal = Some(failure),
             }
         }
+        let by_recorder = Self::of_recorder(alone, vehicle, plan);
         let output = |of: VehicleId| -> Option<f64> {
             Some(estimated.as_ref()?.output(SPEED.of_vehicle(of))?.posterior.median.value)
         };
@@ -355,15 +365,37 @@ impl Told {
                 let other = output(vehicle.other());
                 Ok(Self { from: SpeedSource::Estimated, speed, other, estimated, sampled: None })
             }
+            (None, _) if by_recorder.is_some() => by_recorder.ok_or_else(|| no_speed(vehicle).into()),
             (None, Some(failure)) if alone.reconstruct.is_some() || alone.impact.is_some() => Err(failure),
             (None, _) => Err(no_speed(vehicle).into()),
         }
+    }
+
+    /// By the table of its recorder alone.
+    fn of_recorder(case: &Case, vehicle: VehicleId, plan: &AvoidPlan) -> Option<Self> {
+        if case.impact.is_some() || case.reconstruct.is_some() {
+            return None;
+        }
+        let ground = case.surface.as_ref().map(|surface| surface.friction);
+        let found = case.vehicles[vehicle.index()].recorder.as_ref()?.impact_speed(ground)?;
+        let key = random::key(plan.seed, &[OF_RECORDER]);
+        let draw = |index: usize| found.quantile(random::unit(random::bits(key, index as u64)));
+        Some(Self {
+            from: SpeedSource::Recorder,
+            speed: found.quantile(0.5),
+            other: None,
+            estimated: None,
+            sampled: Some((0..plan.samples).map(draw).collect()),
+        })
     }
 
     fn is_unconverged(&self) -> bool {
         self.estimated.as_ref().is_some_and(|estimated| !estimated.doubts().is_empty())
     }
 }
+
+/// The purpose of the random numbers that draw a recorder's speed.
+const OF_RECORDER: u64 = 0x0072_6563_6f72;
 
 /// The speeds of a vehicle by the ranges of the case; `None` if nothing is uncertain.
 fn sampled(
@@ -394,7 +426,7 @@ fn of_ranges(
     obstacles: Outlines<'_>,
     plan: &AvoidPlan,
 ) -> Result<Option<AvoidChance>, Failure> {
-    let is_ours = |key: &String| key.starts_with("avoid.");
+    let is_ours = |key: &String| is_of_avoid(key);
     if case.uncertainty.shared.iter().any(|error| error.of.iter().any(is_ours)) {
         let reason = "a number of [avoid] cannot share an error with others".to_owned();
         let advice = Some("give each a range of its own".to_owned());
@@ -446,7 +478,7 @@ fn of_ranges(
 
 /// The actual run, those of the hypotheses that differ from it, and the rest of all combinations.
 fn runs(scene: &AvoidScene, delta_v: &dyn Fn(f64) -> Option<[f64; 2]>) -> [Vec<AvoidRun>; 2] {
-    let AvoidScene { speed, limit, distance, time, response, clears_after, .. } = *scene;
+    let AvoidScene { speed, distance, time, response, clears_after, .. } = *scene;
     let actual = scene.course();
     let run = |hypothesis, course: AvoidCourse| {
         let collision_speed =
@@ -464,13 +496,20 @@ fn runs(scene: &AvoidScene, delta_v: &dyn Fn(f64) -> Option<[f64; 2]>) -> [Vec<A
             delta_v: delta_v(collision_speed),
         }
     };
-    let with = |speed: f64, response: Response| AvoidCourse { speed, response: Some(response) };
+    let with = |speed: f64, response: Response| scene.with_response(speed, response);
+    let limit = scene.limit;
     let mut runs = vec![run(Hypothesis::Actual, actual)];
     let mut more = Vec::new();
     match scene.actual {
         ActualRun::Responded => {}
         ActualRun::Unbraked(_) => {
-            runs.push(run(Hypothesis::LimitOnly, AvoidCourse { speed: limit, response: None }));
+            runs.push(run(Hypothesis::LimitOnly, scene.at_limit_else_as_it_was()));
+            runs.push(run(Hypothesis::ReactionAndBraking, with(speed, response)));
+        }
+        ActualRun::Driven(_) => {
+            if scene.is_above_limit() {
+                runs.push(run(Hypothesis::LimitOnly, scene.at_limit_else_as_it_was()));
+            }
             runs.push(run(Hypothesis::ReactionAndBraking, with(speed, response)));
         }
         ActualRun::Skidded(slowed) => {
@@ -484,7 +523,9 @@ fn runs(scene: &AvoidScene, delta_v: &dyn Fn(f64) -> Option<[f64; 2]>) -> [Vec<A
             more.push(run(Hypothesis::LimitAndBraking, with(limit, full)));
         }
     }
-    runs.push(run(Hypothesis::All, with(limit, response)));
+    if scene.is_above_limit() || !matches!(scene.actual, ActualRun::Driven(_)) {
+        runs.push(run(Hypothesis::All, scene.at_limit()));
+    }
     [runs, more]
 }
 
@@ -542,6 +583,31 @@ fn unposed(form: &AvoidForm, refusal: Unposed) -> Failure {
             format!("{table}.before.skid"),
             "from the speed of [avoid], this skid ends before the impact".to_owned(),
             "check its length and friction; or leave `speed` out of [avoid], and give that at the impact"
+                .to_owned(),
+        ),
+        Unposed::SetsOutLater { distance } => {
+            let (key, given) = match &form.demand {
+                DemandForm::Distance(given) => ("avoid.demand.distance", given.to_string()),
+                _ => ("avoid.demand", "farther".to_owned()),
+            };
+            let set_out = match &form.demand {
+                DemandForm::Distance(given) => in_unit_of(given, distance),
+                _ => format!("{} m", rounded(distance)),
+            };
+            let reason = format!(
+                "the phases begin with a stop {set_out} before the impact, and the reaction demand is {given} before it"
+            );
+            let advice = "give the demand by `time`, or a distance from which the vehicle came moving";
+            (key.to_owned(), reason, advice.to_owned())
+        }
+        Unposed::Phases(refusal) => (
+            match form.braking {
+                BrakingForm::Recorded(_) => format!("{table}.recorder.pre_crash"),
+                _ => format!("{table}.before.phase"),
+            },
+            format!("the vehicle cannot have moved so: {refusal}"),
+            "check the numbers of the phases against the speed at the impact; `acceleration` is negative where the vehicle \
+             brakes"
                 .to_owned(),
         ),
         Unposed::Stands => (

@@ -487,7 +487,7 @@ fn assumed(case: &Case, subjects: &[Option<VehicleData>; 2]) -> Vec<Assumption> 
         {
             assumptions.push(Assumption::Pdof { vehicle: id, opposite: energy.pdof });
         }
-        let takes_friction = vehicle.before.as_ref().is_some_and(|before| before.skid.friction.is_none());
+        let takes_friction = vehicle.skid().is_some_and(|skid| skid.friction.is_none());
         if let Some(surface) = case.surface.as_ref().filter(|_| takes_friction) {
             assumptions.push(Assumption::SkidFriction { vehicle: id, friction: surface.friction });
         }

@@ -5,6 +5,7 @@ mod both_speeds;
 mod checks;
 mod choice;
 mod contact;
+mod driven;
 mod edcrash;
 mod energies;
 mod estimates;

@@ -47,7 +47,7 @@
 //! | `[surface]` | `friction`; `grade = { slope, uphill }`; `zone`, a list of areas with another friction: `{ name, friction, polygon }` or `{ name, friction, edge, side }`, `side`: `"left"`, `"right"` |
 //! | `[vehicle1]`, `[vehicle2]` | `name`; `kind`: `"car"` (the default), `"heavy-truck"`, `"trailer"`, `"motorcycle"`; `mass` or `weight`; `yaw_inertia` or `yaw_radius`; `class`, 1 to 6, and `wheelbase`, to estimate unknown values; `heading`; `speed` or `velocity = { x, y }`; `sideslip`, from the heading to the direction of travel; `yaw_rate`; `position = { x, y }`, the position of the CG at impact; `contact = { distance, angle }` or `{ x, y }`, or none if the damage locates it; `length`, `width`, `cg_to_front`: all or none, or only `length` with `wheelbase`; or, for a barrier, `fixed = true` with at most `name`, `heading`, `contact`, and the outline or `diameter` |
 //! | … for the motion after the impact | `track` and `cg_to_front_axle` with `wheelbase`; missing values come from `class` |
-//! | `[vehicle1.before]`, `[vehicle2.before]` | `skid = { length, friction }` or `{ from = { x, y }, friction }`; without `friction`, that of `[surface]`; `speed` at its start |
+//! | `[vehicle1.before]`, `[vehicle2.before]` | `skid = { length, friction }` or `{ from = { x, y }, friction }`; without `friction`, that of `[surface]`; `speed` at its start; or, for `deltav avoid`, `[[vehicle1.before.phase]]` with two of `distance`, `time`, `speed` where it begins and `acceleration` |
 //! | `[vehicle1.after]`, `[vehicle2.after]` | `friction`, in place of that of `[surface]`; `drag`, a number or `"locked"`, or a list of four: front left, front right, rear left, rear right; `steer`, an angle or a list of `{ time, angle }`; `rest = { x, y, heading }` or `{ x, y, turned }`; `points`, a list of `{ x, y }` or `{ x, y, heading }`, with `wheel`: `"front left"`, `"front right"`, `"rear left"`, `"rear right"`, if it is on a tyre mark; `speed` with `direction`; `yaw_rate` |
 //! | `[vehicle1.crush]`, `[vehicle2.crush]` | `side`: `"front"`, `"rear"`, `"left"`, `"right"`; `width`; `depths`: `"21.3 20.3 in"` or `["21.3 in", "20.3 in"]`, two or more, zero or more each; `spacing`, one fewer, in place of the width or in addition to it (equal to 0.1 %); `from_force_balance = true` in place of depths, for one vehicle; `stiffness`, see below; `offset`, left of the axis (right of it in z-down axes) or forward of the CG; `pdof`, an angle, clockwise in any axes, or `"2 o'clock"`; `oblique_angle`; `moment_arm`; `oblique`: `"capped"`, `"uncapped"`, `"none"`, `"secant"`, `{ friction = 0.5 }`. Or `ees` with at most `side`, `pdof` and `moment_arm`; or, in the table of the vehicle, `crush = "none"` |
 //! | `stiffness = { … }` | `d0`, `d1` or `A`, `B`, either with `G` and `limit`; or `category`, 1 to 5; or `test = { mass or weight, speed, width, depths, no_damage_speed, fit }`, `fit`: `"exact"` (the default), `"mean"`; or `zones = [{ A, B }, …]`, one between each two stations |
@@ -210,15 +210,15 @@ pub use inputs::{
     CollisionData, ContactPoint, ContactSpread, Crush, CrushEvidence, CrushOnly, DAMAGE_LENGTH_SD, DEPTH_SD,
     DamageData, DemandForm, Departures, Dimension, Dimensions, Drag, ENERGY_BASES, EdgeSide, EnergyData,
     EstimatedInput, FaceAxis, Fault, FaultKind, Faults, Find, Fit, Geometry, GivenDemand, GivenEes,
-    GivenImpact, GivenPreCrash, GivenPulse, GivenRest, GivenSeries, GivenSight, GivenSitePlan, GivenSteer,
-    GivenTest, GivenVehicle, Grade, ImpactInput, ImpactLaw, InertiaData, InferredWidth, Input, KnownEnergy,
-    LawName, LeftOut, MarkedWheel, Mass, OBLIQUE_CORRECTIONS, OFFSET_SD, Obstacle, OfTables, Origin,
-    OtherApproach, OtherForm, OtherImpact, OtherParty, Outline, PathPoint, Pdof, Place, PlaceForm, PointData,
-    Purpose, Quantity, Range, Reconstruct, ReconstructionInput, Recorder, RegionData, ReportHead,
-    RestHeading, RestHeadingData, Restitution, SIDES, STANDARD_GRAVITY, STIFFNESS_LN_SD_A, STIFFNESS_LN_SD_B,
-    SUBJECTS, SWELLS, SeriesRefusal, SeriesSource, SeverityPrior, SightForm, Skid, SkidBegin, Sourced,
-    Spread, SteerPoint, StiffnessForm, StiffnessLine, StiffnessSource, StoredRecord, Surface, SurfaceData,
-    SurfaceRegion, SurfaceZone, Text, UNDAMAGED, UNKNOWNS, Unit, UnitSystem, VehicleData, VehicleKind,
-    Velocity, WheelDrag, YAW_RADIUS_CONFIDENCE, YAW_RADIUS_WITHIN, YawInertia, YawSource, ZoneData, acts,
-    shown, shown_lines, word,
+    GivenImpact, GivenPhase, GivenPreCrash, GivenPulse, GivenRest, GivenSeries, GivenSight, GivenSitePlan,
+    GivenSteer, GivenTest, GivenVehicle, Grade, ImpactInput, ImpactLaw, InertiaData, InferredWidth, Input,
+    KnownEnergy, LawName, LeftOut, MarkedWheel, Mass, OBLIQUE_CORRECTIONS, OFFSET_SD, Obstacle, OfTables,
+    Origin, OtherApproach, OtherForm, OtherImpact, OtherParty, Outline, PathForm, PathPoint, Pdof, PhaseForm,
+    Place, PlaceForm, PointData, Purpose, Quantity, Range, Reconstruct, ReconstructionInput, Recorder,
+    RegionData, ReportHead, RestHeading, RestHeadingData, Restitution, SIDES, STANDARD_GRAVITY,
+    STIFFNESS_LN_SD_A, STIFFNESS_LN_SD_B, SUBJECTS, SWELLS, SeriesRefusal, SeriesSource, SeverityPrior,
+    SightForm, Skid, SkidBegin, Sourced, Spread, SteerPoint, StiffnessForm, StiffnessLine, StiffnessSource,
+    StoredRecord, Surface, SurfaceData, SurfaceRegion, SurfaceZone, Text, UNDAMAGED, UNKNOWNS, Unit,
+    UnitSystem, VehicleData, VehicleKind, Velocity, WheelDrag, YAW_RADIUS_CONFIDENCE, YAW_RADIUS_WITHIN,
+    YawInertia, YawSource, ZoneData, acts, shown, shown_lines, word,
 };

@@ -1105,7 +1105,7 @@ pub(crate) static AVOID: Schema = Schema {
 
 pub(crate) static AVOID_SIGHT: Schema = Schema {
     place: "[avoid.sight]",
-    text: "Where the driver's eye and the first visible part of the other party are at the impact. Both approach it in a straight line, the other party at constant speed. It is used only with `obstacle`.",
+    text: "Where the driver's eye and the first visible part of the other party are at the impact. Both approach it in a straight line or along `path` and `other_path`, the other party at constant speed. It is used only with `obstacle`.",
     keys: &[
         table("eye", "eye = { x = \"-1.9 m\", y = \"0.4 m\" }", &SIGHT_PLACE),
         key(
@@ -1122,13 +1122,25 @@ pub(crate) static AVOID_SIGHT: Schema = Schema {
             "Direction in which the other party moves. The `heading` of the other vehicle if left out.",
         ),
         key(
+            "path",
+            "path = [{ x = \"-30 m\", y = \"-12 m\" }, { x = \"-12 m\", y = \"0 m\" }]",
+            Form::Tables(&CORNER),
+            "Points of the path of the driver's eye to the impact, in their order. It is straight between them and to `eye`, and goes on straight before the first. It takes the place of `heading`.",
+        ),
+        key(
+            "other_path",
+            "other_path = [{ x = \"6 m\", y = \"-8 m\" }, { x = \"0 m\", y = \"-4 m\" }]",
+            Form::Tables(&CORNER),
+            "The same for the other party, up to `point`. It takes the place of `other_heading`.",
+        ),
+        key(
             "other_speed",
             "other_speed = { low = \"1.2 m/s\", high = \"2.0 m/s\" }",
             Form::Sourced(Dimension::Speed, NOT_NEGATIVE),
             "How fast the other party moves. That of `other` in `demand`, of `clear` or of the other vehicle if left out.",
         ),
     ],
-    rules: &[],
+    rules: &[Rule::NeverIf(Has("path"), &["heading"]), Rule::NeverIf(Has("other_path"), &["other_heading"])],
 };
 
 pub(crate) static SIGHT_PLACE: Schema = point(
@@ -1246,9 +1258,15 @@ pub(crate) static AVOID_CLEAR: Schema = Schema {
 
 pub(crate) static BEFORE: Schema = Schema {
     place: "[vehicle1.before] or [vehicle2.before]",
-    text: "The vehicle before the impact. Its skid marks tell the speed at which the driver began to brake.",
+    text: "The vehicle before the impact. Its skid marks tell the speed at which the driver began to brake; phases tell how it moved without marks.",
     keys: &[
         table("skid", "skid = { length = \"18 m\", friction = 0.7 }", &SKID),
+        key(
+            "phase",
+            "[[vehicle1.before.phase]]",
+            Form::Tables(&PHASE),
+            "How the vehicle moved before the impact, in the order of time. `deltav avoid` follows the phases; the last ends at the impact.",
+        ),
         key(
             "speed",
             "speed = \"62 km/h\"",
@@ -1256,7 +1274,39 @@ pub(crate) static BEFORE: Schema = Schema {
             "Speed where the skid begins, as a recorder, a tachograph or a camera gives it. `deltav estimate` holds it against the impact, its range being its error, 4 % without one; no other command uses it.",
         ),
     ],
-    rules: &[Rule::Needs(&["skid"])],
+    rules: &[
+        Rule::NeedsIf(&[Lacks("phase")], &["skid"]),
+        Rule::NeedsIf(&[Has("speed")], &["skid"]),
+        Rule::NeverIf(Has("phase"), &["skid"]),
+    ],
+};
+
+pub(crate) static PHASE: Schema = Schema {
+    place: "[[vehicle1.before.phase]] or [[vehicle2.before.phase]]",
+    text: "A stretch of constant acceleration before the impact. Two of its numbers tell the others, as the speed at its end is known; the first phase may have `speed` and two more, and then tells the speed at the impact.",
+    keys: &[
+        key(
+            "distance",
+            "distance = \"12 m\"",
+            Form::Quantity(Dimension::Length, POSITIVE),
+            "Distance along the path of the vehicle.",
+        ),
+        key("time", "time = \"1.2 s\"", Form::Quantity(Dimension::Time, POSITIVE), "How long it lasts."),
+        key(
+            "speed",
+            "speed = \"0 km/h\"",
+            Form::Quantity(Dimension::Speed, NOT_NEGATIVE),
+            "Speed where the phase begins; 0 is a stop.",
+        ),
+        key(
+            "acceleration",
+            "acceleration = { low = \"1.5 m/s^2\", high = \"2.0 m/s^2\" }",
+            Form::Quantity(Dimension::Acceleration, ANY),
+            "Acceleration along the path. It is negative where the vehicle brakes, and 0 at constant speed.",
+        ),
+        key("source", "source = \"SAE 2010-01-0062\"", Form::Text, "Where its numbers come from."),
+    ],
+    rules: &[],
 };
 
 pub(crate) static SKID: Schema = Schema {

@@ -2,7 +2,8 @@
 
 #![allow(clippy::unwrap_used, clippy::panic, reason = "helpers of tests fail by panicking")]
 
-use case::{Case, CaseFile, GivenDemand, Spread, to_toml};
+use case::{Case, CaseFile, GivenDemand, PathForm, Spread, to_toml};
+use inputs::SpeedForm;
 
 fn read(text: &str) -> Case {
     CaseFile::parse("avoid.toml", text).unwrap_or_else(|errors| panic!("{errors}")).case
@@ -64,7 +65,8 @@ fn obstacles_and_the_sight_are_read_and_written_back() {
     let paths: Vec<&str> = case.ranges.iter().map(|range| range.path.as_str()).collect();
     assert_eq!(paths, ["avoid.reaction_time", "avoid.sight.other_speed"]);
     let form = case.avoidance().unwrap().sight.unwrap();
-    assert_eq!((form.heading.si(), form.other_speed.si()), (0.0, 1.6));
+    let PathForm::Straight(heading) = form.path else { panic!("{:?}", form.path) };
+    assert_eq!((heading.si(), form.other_speed.si()), (0.0, 1.6));
     for (line, says) in [
         ("[[avoid.obstacle]]\nname = \"van\"", "polygon"),
         (
@@ -82,12 +84,44 @@ fn obstacles_and_the_sight_are_read_and_written_back() {
 }
 
 #[test]
+fn phases_and_paths_are_read() {
+    let case = read(include_str!("../../../fixtures/avoid/from-stop.toml"));
+    let [first, second] = case.vehicles[0].phases() else { panic!("{:?}", case.vehicles[0].before) };
+    assert!(first.form.leads_on() && second.form.given() == 2);
+    assert_eq!(first.source.as_ref().map(ToString::to_string).as_deref(), Some("SAE 2010-01-0062"));
+    let form = case.avoidance().unwrap();
+    assert_eq!(form.speed, SpeedForm::ByPhases);
+    let sight = form.sight.unwrap();
+    assert!(matches!(&sight.path, PathForm::Along(points) if points.len() == 2), "{:?}", sight.path);
+    // None of it is part of the collision.
+    let alone = case.without_avoid();
+    assert!(alone.vehicles[0].phases().is_empty() && alone.ranges.is_empty(), "{:?}", alone.ranges);
+
+    let phases =
+        |before: &str| format!("[vehicle1]\nspeed = \"40 km/h\"\n[vehicle1.before]\n{before}\n[avoid]\n");
+    for (before, says) in [
+        ("phase = [{ speeds = \"40 km/h\" }]", "did you mean \"speed\""),
+        ("phase = [{ distance = \"-4 m\" }]", "vehicle1.before.phase[1].distance"),
+        ("skid = { length = \"4 m\" }\nphase = [{ time = \"1 s\" }]", "both say how the vehicle came"),
+        ("speed = \"4 m/s\"\nphase = [{ time = \"1 s\" }]", "a phase has a `speed` of its own"),
+        ("", "skid"),
+    ] {
+        let message = refused(&phases(before));
+        assert!(message.contains(says) && message.contains("avoid.toml:"), "{before}: {message}");
+    }
+    let line = "heading = \"0 deg\"\npath = [{ x = \"0 m\", y = \"0 m\" }]";
+    assert!(refused(&format!("[avoid]\n[avoid.sight]\n{line}\n")).contains("gives both"));
+}
+
+#[test]
 fn fixtures_are_written_back() {
     for text in [
         include_str!("../../../fixtures/avoid/pedestrian.toml"),
         include_str!("../../../fixtures/avoid/skid.toml"),
         include_str!("../../../fixtures/avoid/evidence.toml"),
         include_str!("../../../fixtures/avoid/sight.toml"),
+        include_str!("../../../fixtures/avoid/from-stop.toml"),
+        include_str!("../../../fixtures/avoid/recorder.toml"),
     ] {
         let case = read(text);
         assert_eq!(read(&to_toml(&case)), case);

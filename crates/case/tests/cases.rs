@@ -13,11 +13,11 @@ use std::path::Path;
 use case::{
     After, Amount, Axes, Before, Bounds, Case, CaseFile, CaseProblem, CollisionData, ContactPoint, Crush,
     CrushEvidence, Diagnostics, Dimension, Drag, EdgeSide, Faults, Find, Fit, GivenEes, GivenImpact,
-    GivenRest, GivenSteer, GivenTest, GivenVehicle, Grade, ImpactLaw, KnownEnergy, LeftOut, MarkedWheel,
-    Mass, Outline, PathPoint, Pdof, Place, Program, Quantity, Reconstruct, ReportHead, RestHeading,
-    Restitution, Skid, SkidBegin, Spread, SteerPoint, StiffnessForm, StiffnessLine, Surface, SurfaceRegion,
-    SurfaceZone, Text, Unit, UnitSystem, VehicleKind, Velocity, WheelDrag, YawInertia, read_quantity,
-    to_toml,
+    GivenPhase, GivenRest, GivenSteer, GivenTest, GivenVehicle, Grade, ImpactLaw, KnownEnergy, LeftOut,
+    MarkedWheel, Mass, Outline, PathPoint, Pdof, PhaseForm, Place, Program, Quantity, Reconstruct,
+    ReportHead, RestHeading, Restitution, Skid, SkidBegin, Spread, SteerPoint, StiffnessForm, StiffnessLine,
+    Surface, SurfaceRegion, SurfaceZone, Text, Unit, UnitSystem, VehicleKind, Velocity, WheelDrag,
+    YawInertia, read_quantity, to_toml,
 };
 use crash3::ObliqueCorrection;
 use crash3::Side;
@@ -1366,8 +1366,26 @@ fn any_before() -> impl Strategy<Value = Before> {
         any_quantity(Dimension::Length, Signs::Positive).prop_map(SkidBegin::Length),
         any_place().prop_map(SkidBegin::From),
     ];
-    (begin, option::of(1e-3..10.0_f64), speed)
-        .prop_map(|(begin, friction, speed)| Before { skid: Skid { begin, friction }, speed })
+    let skid = (begin, option::of(1e-3..10.0_f64), speed).prop_map(|(begin, friction, speed)| Before {
+        skid: Some(Skid { begin, friction }),
+        speed,
+        phases: Vec::new(),
+    });
+    let phases = vec(any_phase(), 1..4).prop_map(|phases| Before { skid: None, speed: None, phases });
+    prop_oneof![skid, phases]
+}
+
+fn any_phase() -> impl Strategy<Value = GivenPhase> {
+    let form = (
+        option::of(any_quantity(Dimension::Length, Signs::Positive)),
+        option::of(any_quantity(Dimension::Time, Signs::Positive)),
+        option::of(any_quantity(Dimension::Speed, Signs::Positive)),
+        any_quantity(Dimension::Acceleration, Signs::Any),
+    );
+    (form, option::of(words())).prop_map(|((distance, time, speed, acceleration), source)| GivenPhase {
+        form: PhaseForm { distance, time, speed, acceleration: Some(acceleration) },
+        source: source.map(Text::from),
+    })
 }
 
 fn any_after() -> impl Strategy<Value = After> {

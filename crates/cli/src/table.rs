@@ -340,9 +340,18 @@ fn fault(name: &str, record: &csv::ByteRecord, fields: &arrow_schema::Fields) ->
     if record.len() != fields.len() {
         let count =
             |fields: usize| if fields == 1 { "1 field".to_owned() } else { format!("{fields} fields") };
+        let called = |column: usize| case::shown(fields[column].name());
+        let place = match record.get(fields.len()) {
+            Some(beyond) => format!(
+                "\"{}\" stands beyond the last column, \"{}\"",
+                case::shown(&String::from_utf8_lossy(beyond)),
+                called(fields.len() - 1)
+            ),
+            None => format!("it ends before the column \"{}\"", called(record.len())),
+        };
         return Some(format!(
-            "{name}:{line}: the row has {}, and the header has {}: put double quotes around a cell that holds \
-             the separator",
+            "{name}:{line}: the row has {}, and the header has {}: {place}; put double quotes around a cell \
+             that holds the separator",
             count(record.len()),
             fields.len()
         ));

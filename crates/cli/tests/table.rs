@@ -194,8 +194,11 @@ fn a_wrong_row_costs_that_row_alone() {
     assert_eq!(status, Some(1), "{messages}");
     let errors = column(&out, "error");
     for (row, says) in [
-        (1, "wrong.csv:3: the row has 2 fields, and the header has 3"),
-        (2, "wrong.csv:4: the row has 4 fields"),
+        (1, "wrong.csv:3: the row has 2 fields, and the header has 3: it ends before the column \"note\""),
+        (
+            2,
+            "wrong.csv:4: the row has 4 fields, and the header has 3: \"c\" stands beyond the last column, \"note\"",
+        ),
         (3, "wrong.csv:5: the column \"note\" is no text in UTF-8"),
     ] {
         assert!(errors[row].contains(says), "{}", errors[row]);

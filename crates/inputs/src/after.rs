@@ -5,6 +5,7 @@ use std::fmt::Display;
 
 use crate::quantity::Quantity;
 use crate::scene::Place;
+use crate::text::Text;
 use crate::walk::{Element, Key, Walk};
 use crate::words::word;
 
@@ -142,12 +143,62 @@ pub enum RestHeading<T = f64> {
 }
 
 /// Before the impact.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Before<T = f64> {
     /// The marks of its locked wheels, up to the impact.
-    pub skid: Skid<T>,
+    pub skid: Option<Skid<T>>,
     /// (m/s) speed at their start, as given by a recorder, a tachograph or a camera.
     pub speed: Option<Quantity<T>>,
+    /// How it moved, in the order of time: the last phase ends at the impact.
+    pub phases: Vec<GivenPhase<T>>,
+}
+
+/// A stretch of constant acceleration before the impact: an entry of `[[vehicle1.before.phase]]`.
+#[derive(Clone, Debug, PartialEq)]
+pub struct GivenPhase<T = f64> {
+    /// Its numbers.
+    pub form: PhaseForm<T>,
+    /// Where they come from.
+    pub source: Option<Text>,
+}
+
+/// The numbers of such a stretch: two of them tell the others, once the speed at its end is known.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PhaseForm<T = f64> {
+    /// (m) its length.
+    pub distance: Option<Quantity<T>>,
+    /// (s) how long it lasts.
+    pub time: Option<Quantity<T>>,
+    /// (m/s) the speed where it begins.
+    pub speed: Option<Quantity<T>>,
+    /// (m/s²) acceleration, negative where the vehicle brakes.
+    pub acceleration: Option<Quantity<T>>,
+}
+
+impl<T> PhaseForm<T> {
+    /// How many of its numbers are given.
+    #[must_use]
+    pub fn given(&self) -> usize {
+        let Self { distance, time, speed, acceleration } = self;
+        [distance, time, speed, acceleration].into_iter().filter(|number| number.is_some()).count()
+    }
+
+    /// Whether it begins with a known speed and two more of its numbers, and so tells the speed at its end.
+    #[must_use]
+    pub fn leads_on(&self) -> bool {
+        self.speed.is_some() && self.given() == 3
+    }
+
+    /// The same on other numbers, which come in the order of the fields.
+    pub fn map<U>(self, mut of: impl FnMut(Quantity<T>) -> Quantity<U>) -> PhaseForm<U> {
+        let Self { distance, time, speed, acceleration } = self;
+        PhaseForm {
+            distance: distance.map(&mut of),
+            time: time.map(&mut of),
+            speed: speed.map(&mut of),
+            acceleration: acceleration.map(&mut of),
+        }
+    }
 }
 
 /// Skid marks.
@@ -254,18 +305,37 @@ impl<U> Walk<'_, U> {
     }
 
     pub(crate) fn before(&mut self, table: &dyn Display, before: &Before) -> Before<U> {
+        let phases = Key(table, "phase");
+        let phase = |(index, phase)| self.phase(&Element(&phases, index), phase);
+        let phases = before.phases.iter().enumerate().map(phase).collect();
         let skid = Key(table, "skid");
         Before {
-            skid: Skid {
-                begin: match &before.skid.begin {
-                    SkidBegin::Length(length) => {
-                        SkidBegin::Length(self.quantity(&Key(&skid, "length"), length))
-                    }
-                    SkidBegin::From(place) => SkidBegin::From(self.place(&Key(&skid, "from"), place)),
-                },
-                friction: before.skid.friction.map(|mu| self.number(&Key(&skid, "friction"), mu)),
-            },
+            skid: before.skid.as_ref().map(|of| self.skid(&skid, of)),
             speed: self.maybe(&Key(table, "speed"), before.speed.as_ref()),
+            phases,
+        }
+    }
+
+    fn skid(&mut self, skid: &dyn Display, of: &Skid) -> Skid<U> {
+        Skid {
+            begin: match &of.begin {
+                SkidBegin::Length(length) => SkidBegin::Length(self.quantity(&Key(skid, "length"), length)),
+                SkidBegin::From(place) => SkidBegin::From(self.place(&Key(skid, "from"), place)),
+            },
+            friction: of.friction.map(|mu| self.number(&Key(skid, "friction"), mu)),
+        }
+    }
+
+    fn phase(&mut self, table: &dyn Display, phase: &GivenPhase) -> GivenPhase<U> {
+        let PhaseForm { distance, time, speed, acceleration } = &phase.form;
+        GivenPhase {
+            form: PhaseForm {
+                distance: self.maybe(&Key(table, "distance"), distance.as_ref()),
+                time: self.maybe(&Key(table, "time"), time.as_ref()),
+                speed: self.maybe(&Key(table, "speed"), speed.as_ref()),
+                acceleration: self.maybe(&Key(table, "acceleration"), acceleration.as_ref()),
+            },
+            source: self.text(&Key(table, "source"), phase.source.as_ref()),
         }
     }
 }

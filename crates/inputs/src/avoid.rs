@@ -1,10 +1,12 @@
 //! Whether the collision was avoidable: the table `[avoid]`.
 
 use std::fmt::Display;
+use std::sync::Arc;
 
 use pim_core::{InvalidInput, VehicleId};
 use time_distance::{Advance, Swell};
 
+use crate::after::PhaseForm;
 use crate::quantity::Quantity;
 use crate::scene::Place;
 use crate::text::Text;
@@ -64,11 +66,24 @@ pub struct GivenSight<T = f64> {
     pub other_heading: Option<Sourced<T>>,
     /// (m/s) the other party's speed on that way; that of the demand, of `clear` or of its vehicle if absent.
     pub other_speed: Option<Sourced<T>>,
+    /// Points of the path of the driver's eye to the impact, in their order, in place of a heading. They are
+    /// exact.
+    pub path: Vec<Place>,
+    /// The same of the other party.
+    pub other_path: Vec<Place>,
 }
 
 impl<T> Default for GivenSight<T> {
     fn default() -> Self {
-        Self { eye: None, heading: None, point: None, other_heading: None, other_speed: None }
+        Self {
+            eye: None,
+            heading: None,
+            point: None,
+            other_heading: None,
+            other_speed: None,
+            path: Vec::new(),
+            other_path: Vec::new(),
+        }
     }
 }
 
@@ -76,8 +91,8 @@ impl<T> GivenSight<T> {
     /// Whether nothing of it is given.
     #[must_use]
     pub fn is_absent(&self) -> bool {
-        let Self { eye, heading, point, other_heading, other_speed } = self;
-        let is_placed = eye.is_some() || point.is_some();
+        let Self { eye, heading, point, other_heading, other_speed, path, other_path } = self;
+        let is_placed = eye.is_some() || point.is_some() || !path.is_empty() || !other_path.is_empty();
         !is_placed && heading.is_none() && other_heading.is_none() && other_speed.is_none()
     }
 }
@@ -159,7 +174,7 @@ impl OtherParty {
 }
 
 /// The numbers of the question whether the collision was avoidable, on any numbers.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct AvoidForm<T = f64> {
     /// The vehicle whose driver is asked about.
     pub vehicle: VehicleId,
@@ -186,18 +201,36 @@ pub struct AvoidForm<T = f64> {
 }
 
 /// From where the driver looks at what, with every number that this needs.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct SightForm<T = f64> {
     /// The driver's eye at the impact.
     pub eye: PlaceForm<T>,
-    /// (rad) the direction of the vehicle's way to the impact.
-    pub heading: Quantity<T>,
+    /// The path of the eye to there.
+    pub path: PathForm<T>,
     /// What the driver sees of the other party, at the impact.
     pub point: PlaceForm<T>,
-    /// (rad) the direction of the other party's way to the impact.
-    pub other_heading: Quantity<T>,
+    /// The path of the other party to there.
+    pub other_path: PathForm<T>,
     /// (m/s) the other party's speed on that way.
     pub other_speed: Quantity<T>,
+}
+
+/// The path to a place at the impact.
+#[derive(Clone, Debug, PartialEq)]
+pub enum PathForm<T = f64> {
+    /// (rad) straight, in this direction.
+    Straight(Quantity<T>),
+    /// (m) along points, in their order; straight between them, and before the first.
+    Along(Arc<[[f64; 2]]>),
+}
+
+impl<T: Copy> PathForm<T> {
+    fn map<U>(&self, mut of: impl FnMut(Quantity<T>) -> Quantity<U>) -> PathForm<U> {
+        match self {
+            Self::Straight(heading) => PathForm::Straight(of(*heading)),
+            Self::Along(points) => PathForm::Along(points.clone()),
+        }
+    }
 }
 
 /// A place at the impact, and how it is known.
@@ -241,6 +274,8 @@ pub enum SpeedForm<T = f64> {
     AtDemand(Quantity<T>),
     /// (m/s) just before the impact.
     AtImpact(Quantity<T>),
+    /// Just before the impact, where the phases before it lead.
+    ByPhases,
     /// Just before the impact, where the rest of the case tells it.
     Sought,
 }
@@ -299,7 +334,7 @@ pub struct ClearForm<T = f64> {
 }
 
 /// How a vehicle came to the impact.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub enum BrakingForm<T = f64> {
     /// Nothing is known of it.
     Unknown,
@@ -312,17 +347,22 @@ pub enum BrakingForm<T = f64> {
         /// (–) friction.
         friction: T,
     },
+    /// In phases, in the order of time: the last ends at the impact.
+    Phases(Vec<PhaseForm<T>>),
+    /// As its recorder stored it: times (s), negative before the impact, and speeds (m/s).
+    Recorded(Arc<[[f64; 2]]>),
 }
 
 impl<T: Copy> AvoidForm<T> {
     /// The same on other numbers, which come in the order of the fields.
-    pub fn map<U>(self, mut number: impl FnMut(T) -> U) -> AvoidForm<U> {
+    pub fn map<U>(&self, mut number: impl FnMut(T) -> U) -> AvoidForm<U> {
         let mut of = |quantity: Quantity<T>| quantity.map(&mut number);
         AvoidForm {
             vehicle: self.vehicle,
             speed: match self.speed {
                 SpeedForm::AtDemand(speed) => SpeedForm::AtDemand(of(speed)),
                 SpeedForm::AtImpact(speed) => SpeedForm::AtImpact(of(speed)),
+                SpeedForm::ByPhases => SpeedForm::ByPhases,
                 SpeedForm::Sought => SpeedForm::Sought,
             },
             limit: of(self.limit),
@@ -343,19 +383,23 @@ impl<T: Copy> AvoidForm<T> {
             clear: self
                 .clear
                 .map(|clear| ClearForm { distance: of(clear.distance), speed: clear.speed.map(&mut of) }),
-            sight: self.sight.map(|sight| SightForm {
+            sight: self.sight.as_ref().map(|sight| SightForm {
                 eye: sight.eye.map(&mut of),
-                heading: of(sight.heading),
+                path: sight.path.map(&mut of),
                 point: sight.point.map(&mut of),
-                other_heading: of(sight.other_heading),
+                other_path: sight.other_path.map(&mut of),
                 other_speed: of(sight.other_speed),
             }),
-            braking: match self.braking {
+            braking: match &self.braking {
                 BrakingForm::Unknown => BrakingForm::Unknown,
                 BrakingForm::Unbraked => BrakingForm::Unbraked,
                 BrakingForm::Skid { length, friction } => {
-                    BrakingForm::Skid { length: of(length), friction: number(friction) }
+                    BrakingForm::Skid { length: of(*length), friction: number(*friction) }
                 }
+                BrakingForm::Phases(phases) => {
+                    BrakingForm::Phases(phases.iter().map(|phase| phase.map(&mut of)).collect())
+                }
+                BrakingForm::Recorded(samples) => BrakingForm::Recorded(samples.clone()),
             },
         }
     }
@@ -395,7 +439,14 @@ impl<U> Walk<'_, U> {
             point: sight.point.as_ref().map(|point| self.place(&at("point"), point)),
             other_heading: self.sourced_if(&at("other_heading"), sight.other_heading.as_ref()),
             other_speed: self.sourced_if(&at("other_speed"), sight.other_speed.as_ref()),
+            path: self.path(&at("path"), &sight.path),
+            other_path: self.path(&at("other_path"), &sight.other_path),
         }
+    }
+
+    fn path(&mut self, path: &dyn Display, points: &[Place]) -> Vec<Place> {
+        self.exact_places(path, points);
+        points.to_vec()
     }
 
     fn obstacles(&mut self, obstacles: &[Obstacle]) -> Vec<Obstacle> {

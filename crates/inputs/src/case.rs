@@ -4,6 +4,8 @@ mod avoidance;
 mod estimates;
 mod values;
 
+pub use avoidance::is_of_avoid;
+
 use pim_core::{Real, VehicleId};
 use reconcile::Unknown;
 

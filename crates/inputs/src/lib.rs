@@ -74,16 +74,17 @@ pub use self::recorder::{
     StoredRecord,
 };
 pub use after::{
-    After, Before, Drag, GivenRest, GivenSteer, MarkedWheel, PathPoint, RestHeading, Skid, SkidBegin,
-    SteerPoint, WheelDrag,
+    After, Before, Drag, GivenPhase, GivenRest, GivenSteer, MarkedWheel, PathPoint, PhaseForm, RestHeading,
+    Skid, SkidBegin, SteerPoint, WheelDrag,
 };
 pub use avoid::{
     Avoid, AvoidForm, BrakingForm, Clear, ClearForm, DemandForm, GivenDemand, GivenSight, Obstacle,
-    OtherApproach, OtherForm, OtherParty, PlaceForm, SUBJECTS, SWELLS, SightForm, Sourced, SpeedForm,
+    OtherApproach, OtherForm, OtherParty, PathForm, PlaceForm, SUBJECTS, SWELLS, SightForm, Sourced,
+    SpeedForm,
 };
 pub use axes::Axes;
 pub use basis::{Basis, ENERGY_BASES};
-pub use case::{Case, Find, LeftOut, Reconstruct, ReportHead};
+pub use case::{Case, Find, LeftOut, Reconstruct, ReportHead, is_of_avoid};
 pub use crush::{Crush, Fit, GivenEes, GivenTest, KnownEnergy, Pdof, StiffnessForm, StiffnessLine};
 pub use data::{
     CollisionData, CrushEvidence, CrushOnly, DamageData, EnergyData, ImpactInput, InertiaData, InferredWidth,

@@ -5,7 +5,7 @@ use std::fmt::Display;
 use crash3::VehicleClass;
 use pim_core::{Motion, Real, Vector2};
 
-use crate::after::{After, Before};
+use crate::after::{After, Before, GivenPhase, Skid};
 use crate::axes::Axes;
 use crate::crush::{Crush, KnownEnergy};
 use crate::dimensions::Dimensions;
@@ -119,6 +119,18 @@ impl<T> GivenVehicle<T> {
             !crush.from_force_balance && has_width && crush.offset.is_some()
         });
         !self.fixed && self.contact.is_none() && is_placed && self.has_outline()
+    }
+
+    /// The skid marks before the impact.
+    #[must_use]
+    pub fn skid(&self) -> Option<&Skid<T>> {
+        self.before.as_ref()?.skid.as_ref()
+    }
+
+    /// How it moved before the impact, in the order of time.
+    #[must_use]
+    pub fn phases(&self) -> &[GivenPhase<T>] {
+        self.before.as_ref().map_or(&[], |before| &before.phases)
     }
 
     /// Whether the outline is known: as given, or from the size class.

@@ -72,7 +72,7 @@ const AVOIDED: [(&str, OfAvoidance<f64>); 16] = [
     ("sight_time", |found| Some(found.scene.view.sight()?.time)),
     ("sight_distance_subject", |found| Some(found.scene.view.sight()?.distance_subject)),
     ("sight_distance_other", |found| Some(found.scene.view.sight()?.distance_other)),
-    ("stopping_distance", |found| Some(found.scene.response.stopping_distance(found.scene.speed))),
+    ("stopping_distance", |found| Some(found.scene.stopping_distance())),
     ("spatial_speed", |found| Some(found.scene.spatial())),
     ("temporal_speed", |found| found.scene.temporal()),
     ("at_limit_collision_speed", |found| Some(found.scene.left_at_limit())),

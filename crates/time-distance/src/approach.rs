@@ -36,7 +36,35 @@ pub enum Phase<T = f64> {
         /// (m/s²) acceleration, negative where the vehicle brakes.
         acceleration: T,
     },
+    /// From another speed, over a distance.
+    FromOver {
+        /// (m/s) the speed where it begins.
+        speed: T,
+        /// (m) its length.
+        distance: T,
+    },
+    /// From another speed, for a time.
+    FromFor {
+        /// (m/s) the speed where it begins.
+        speed: T,
+        /// (s) how long.
+        time: T,
+    },
+    /// Over a distance, for a time.
+    OverFor {
+        /// (m) its length.
+        distance: T,
+        /// (s) how long.
+        time: T,
+    },
 }
+
+/// What a speed at the beginning of a phase is called where it is refused.
+const FROM: &str = "speed where a phase before the impact begins";
+/// The same for the time that a phase takes.
+const LASTS: &str = "duration of a phase before the impact";
+/// The same for its length.
+const LONG: &str = "length of a phase before the impact";
 
 /// The beginning of a phase of which the end is known. Time and position of the impact are zero, so those
 /// before it are negative.
@@ -45,33 +73,23 @@ pub enum Phase<T = f64> {
 /// If a number is impossible: a negative length, a speed that would have been negative, an acceleration
 /// that does not lead from one speed to the other.
 pub fn approach<T: Real>(end: &Leg<T>, phase: Phase<T>) -> Result<Leg<T>, InvalidInput> {
+    let within = |what, value: T| check::within(what, value.value(), 0.0, f64::MAX);
+    let any = |acceleration: T| check::finite("acceleration before the impact", acceleration.value());
     let (speed, time, acceleration) = match phase {
         Phase::Over { distance, acceleration } => {
-            check::within("length of a phase before the impact", distance.value(), 0.0, f64::MAX)?;
-            check::finite("acceleration before the impact", acceleration.value())?;
+            within(LONG, distance)?;
+            any(acceleration)?;
             // v₀² = v² − 2 a s
             let square = end.speed * end.speed - acceleration * distance * 2.0;
-            check::within(
-                "square of the speed where a phase before the impact begins",
-                square.value(),
-                0.0,
-                f64::MAX,
-            )?;
+            within("square of the speed where a phase before the impact begins", square)?;
             let speed = if square.value() > 0.0 { square.sqrt() } else { T::ZERO };
-            // t = 2 s/(v₀ + v), which needs no acceleration
-            let sum = speed + end.speed;
-            if distance.value() > 0.0 && sum.value() <= 0.0 {
-                let what = "speed over a phase before the impact";
-                return Err(InvalidInput::NotPositive { what, value: sum.value() });
-            }
-            let time = if sum.value() > 0.0 { distance * 2.0 / sum } else { T::ZERO };
-            (speed, time, acceleration)
+            (speed, time_over(distance, speed + end.speed)?, acceleration)
         }
         Phase::For { time, acceleration } => {
-            check::within("duration of a phase before the impact", time.value(), 0.0, f64::MAX)?;
-            check::finite("acceleration before the impact", acceleration.value())?;
+            within(LASTS, time)?;
+            any(acceleration)?;
             let speed = end.speed - acceleration * time;
-            check::within("speed where a phase before the impact begins", speed.value(), 0.0, f64::MAX)?;
+            within(FROM, speed)?;
             (speed, time, acceleration)
         }
         Phase::FromRest { acceleration } => {
@@ -79,14 +97,43 @@ pub fn approach<T: Real>(end: &Leg<T>, phase: Phase<T>) -> Result<Leg<T>, Invali
             (T::ZERO, end.speed / acceleration, acceleration)
         }
         Phase::From { speed, acceleration } => {
-            check::within("speed where a phase before the impact begins", speed.value(), 0.0, f64::MAX)?;
-            check::finite("acceleration before the impact", acceleration.value())?;
+            within(FROM, speed)?;
+            any(acceleration)?;
             let time = (end.speed - speed) / acceleration;
-            check::within("duration of a phase before the impact", time.value(), 0.0, f64::MAX)?;
+            within(LASTS, time)?;
             (speed, time, acceleration)
+        }
+        Phase::FromOver { speed, distance } => {
+            within(FROM, speed)?;
+            check::positive(LONG, distance.value())?;
+            let sum = speed + end.speed;
+            // a = (v² − v₀²)/2 s
+            (speed, time_over(distance, sum)?, (end.speed - speed) * sum / (distance * 2.0))
+        }
+        Phase::FromFor { speed, time } => {
+            within(FROM, speed)?;
+            check::positive(LASTS, time.value())?;
+            (speed, time, (end.speed - speed) / time)
+        }
+        Phase::OverFor { distance, time } => {
+            within(LONG, distance)?;
+            check::positive(LASTS, time.value())?;
+            // v₀ = 2 s/t − v
+            let speed = distance * 2.0 / time - end.speed;
+            within(FROM, speed)?;
+            (speed, time, (end.speed - speed) / time)
         }
     };
     // s = (v₀ + v) t/2
     let distance = (speed + end.speed) * time * 0.5;
     Ok(Leg { time: end.time - time, position: end.position - distance, speed, acceleration, jerk: T::ZERO })
+}
+
+/// (s) t = 2 s/(v₀ + v), which needs no acceleration.
+fn time_over<T: Real>(distance: T, sum: T) -> Result<T, InvalidInput> {
+    if distance.value() > 0.0 && sum.value() <= 0.0 {
+        let what = "speed over a phase before the impact";
+        return Err(InvalidInput::NotPositive { what, value: sum.value() });
+    }
+    Ok(if sum.value() > 0.0 { distance * 2.0 / sum } else { T::ZERO })
 }

@@ -40,7 +40,29 @@ fn an_approach_is_followed_backwards() {
     // Followed forward it is there again.
     let again = skid.after(-skid.time);
     assert!((again.speed - impact.speed).abs() < 1e-12 && again.position.abs() < 1e-12);
+    // Any two of its numbers tell the rest.
+    let (speed, distance, time, acceleration) = (skid.speed, -skid.position, -skid.time, -7.0);
+    for phase in [
+        Phase::For { time, acceleration },
+        Phase::From { speed, acceleration },
+        Phase::FromOver { speed, distance },
+        Phase::FromFor { speed, time },
+        Phase::OverFor { distance, time },
+    ] {
+        let found = approach(&impact, phase).unwrap();
+        for (found, expected) in [
+            (found.speed, skid.speed),
+            (found.position, skid.position),
+            (found.time, skid.time),
+            (found.acceleration, skid.acceleration),
+        ] {
+            assert!((found - expected).abs() < 1e-12, "{phase:?}: {found} {expected}");
+        }
+    }
     // What cannot be.
+    assert!(approach(&impact, Phase::FromOver { speed: 1.0, distance: 0.0 }).is_err());
+    assert!(approach(&impact, Phase::FromFor { speed: -1.0, time: 1.0 }).is_err());
+    assert!(approach(&impact, Phase::OverFor { distance: 1.0, time: 1.0 }).is_err());
     assert!(approach(&impact, Phase::Over { distance: 12.0, acceleration: 7.0 }).is_err());
     assert!(approach(&impact, Phase::For { time: 60.0, acceleration: 1.5 }).is_err());
     assert!(approach(&rest(), Phase::Over { distance: 1.0, acceleration: 0.0 }).is_err());

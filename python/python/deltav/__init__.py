@@ -17,6 +17,7 @@ deltav.CaseError: error: `vehicle1.speed` is missing: `impact()` needs it
 
 from deltav._deltav import (
     Analysis,
+    Avoidance,
     Case,
     Columns,
     Comparison,
@@ -45,6 +46,7 @@ from deltav import results as results  # isort: skip
 
 __all__ = [
     "Analysis",
+    "Avoidance",
     "Case",
     "CaseError",
     "Columns",

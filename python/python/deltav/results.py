@@ -23,6 +23,12 @@ from deltav._record import Keyed, Record
 __all__ = [
     "AbilityOf",
     "Assumption",
+    "AtLimit",
+    "Avoidable",
+    "AvoidanceAnswer",
+    "AvoidanceIntervals",
+    "AvoidanceProbability",
+    "AvoidanceRun",
     "Bar",
     "CaseFile",
     "CaseWarning",
@@ -32,10 +38,13 @@ __all__ = [
     "Correction",
     "Crash3",
     "CrushError",
+    "Demand",
     "Derivative",
     "Distribution",
     "Doubt",
     "Doubtful",
+    "DriverResponse",
+    "Enough",
     "EstimatedOutput",
     "Evidence",
     "EvidenceAnswer",
@@ -48,6 +57,7 @@ __all__ = [
     "Index",
     "IndexRows",
     "InferredCrush",
+    "Influence",
     "Input",
     "Interval",
     "Iteration",
@@ -57,8 +67,9 @@ __all__ = [
     "LawAnswer",
     "LawCheck",
     "LeftOut",
-    "Momentum",
+    "MedianInterval",
     "Moment",
+    "Momentum",
     "OutputErrors",
     "Passed",
     "Piece",
@@ -67,6 +78,8 @@ __all__ = [
     "Program",
     "Question",
     "Rest",
+    "Sight",
+    "SightIntervals",
     "Skid",
     "Start",
     "Stood",
@@ -1149,6 +1162,223 @@ class _Estimate(_Document):
     """Evidence that is not used, and why."""
 
 
+# avoid()
+
+
+class Demand(Record):
+    """The reaction demand, from which on everything counts."""
+
+    distance: float
+    """(m) of the vehicle to the place of the impact."""
+    time: float
+    """(s) before the impact."""
+
+
+class Sight(Record):
+    """Since when the view of the other party was free."""
+
+    time: float
+    """(s) before the impact."""
+    distance_subject: float
+    """(m) that the vehicle covers from there to the impact."""
+    distance_other: float
+    """(m) that the other party covers from there to the impact."""
+    hidden_by: int | None
+    """The obstacle that hid it last, counted from 1; None if it came out of nothing."""
+    seen_earlier: float | None
+    """(s) before the impact, when it was first in sight before it was hidden; None if it was not."""
+
+
+class Avoidable(Record):
+    """Avoidability in space or in time."""
+
+    speed: float
+    """(m/s) the greatest speed that avoids the collision."""
+    avoidable_at_limit: bool
+    """Whether the limit does."""
+
+
+class AtLimit(Record):
+    """What is left of the limit, with the reaction and the braking of the inputs."""
+
+    collision_speed: float
+    """(m/s) at the place of the impact; 0 if the vehicle stops before."""
+    delta_v: tuple[float | None, float | None] | None
+    """(m/s) of both vehicles, None of a fixed object; None without an impact in the case."""
+
+
+class Influence(Record):
+    """What a number moves."""
+
+    input: str
+    """Its key; ``"speed"`` for the speed that the rest of the case tells."""
+    difference: float
+    """(–) the probability if the number is above its median, less that if it is below."""
+
+
+class AvoidanceProbability(Record):
+    """How probable it is that the collision is avoided."""
+
+    avoided_at_limit: float
+    """(–) at the limit, with the reaction and the braking of the inputs."""
+    above_limit: float
+    """(–) that the vehicle was faster than the limit."""
+    mc_error: float
+    """(–) standard error of ``avoided_at_limit`` from sampling."""
+    stopped_at_limit: float
+    """(–) that the vehicle then stops before the place of the impact."""
+    avoided_at_limit_else_as_it_was: float
+    """(–) at the limit, with the reaction and the braking of the actual run."""
+    samples: int
+    """(–) number of samples."""
+    possible: int
+    """(–) number of those that are a scene."""
+    influences: tuple[Influence, ...]
+    """The most influential number first."""
+
+
+class DriverResponse(Record):
+    """What the driver could have done."""
+
+    reaction_time: float
+    """(s) from the demand to the first effect of the brakes."""
+    swell: float
+    """(s) from there to the full deceleration."""
+    swell_form: str
+    """How the deceleration grows in it: ``"linear"``, ``"half"`` or ``"full speed"``."""
+    deceleration: float
+    """(m/s²) full deceleration."""
+
+
+class AvoidanceRun(Record):
+    """A run up to the place of the impact."""
+
+    hypothesis: str
+    """What it supposes; ``"actual"`` for what happened."""
+    speed: float
+    """(m/s) at the demand."""
+    reaction_time: float | None
+    """(s) None of a run without a reaction."""
+    deceleration: float | None
+    """(m/s²) likewise."""
+    stopping_distance: float | None
+    """(m) from the demand; None if it does not stop."""
+    collision_speed: float
+    """(m/s) at the place of the impact; 0 if it stops before."""
+    arrival: float | None
+    """(s) there, after the demand; None if it stops before."""
+    stops_before: bool
+    """Whether it stops before the place of the impact."""
+    late_enough: bool | None
+    """Whether the other party has then left the danger zone; None if that is not asked."""
+    delta_v: tuple[float | None, float | None] | None
+    """(m/s) as in ``at_limit``."""
+
+
+class Enough(Record):
+    """What would have been enough; None of what nothing would have been."""
+
+    speed: float
+    """(m/s) at most."""
+    deceleration: float | None
+    """(m/s²) at least, at the speed driven."""
+    reaction_time: float | None
+    """(s) at most, at the speed driven."""
+    deceleration_at_limit: float | None
+    """(m/s²) at least, at the limit."""
+    reaction_time_at_limit: float | None
+    """(s) at most, at the limit."""
+
+
+class MedianInterval(Record):
+    """A median, with the ends of an interval of 95 %."""
+
+    low: float
+    """(SI) lower end."""
+    median: float
+    """(SI) half of the samples are below it."""
+    high: float
+    """(SI) upper end."""
+
+
+class SightIntervals(Record):
+    """Since when the view is free, among the samples in which something hides the other party before."""
+
+    time: MedianInterval
+    """(s) before the impact."""
+    distance_subject: MedianInterval
+    """(m) that the vehicle covers from there."""
+    distance_other: MedianInterval
+    """(m) that the other party covers from there."""
+    never_hidden: float
+    """(–) part of the samples in which nothing hides it."""
+
+
+class AvoidanceIntervals(Record):
+    """Intervals of 95 %."""
+
+    speed: MedianInterval
+    """(m/s) at the demand."""
+    demand_distance: MedianInterval
+    """(m) from the demand to the impact."""
+    demand_time: MedianInterval
+    """(s) from the demand to the impact."""
+    spatial_speed: MedianInterval
+    """(m/s) that avoids it in space."""
+    temporal_speed: MedianInterval | None
+    """(m/s) that avoids it in time; None if that is not asked."""
+    collision_speed_at_limit: MedianInterval
+    """(m/s) left of the limit."""
+    sight: SightIntervals | None
+    """None without obstacles."""
+
+
+class AvoidanceAnswer(Record):
+    """Whether the collision was avoidable."""
+
+    vehicle: int
+    """The vehicle whose driver is asked about, 1 or 2."""
+    speed: float
+    """(m/s) its speed at the demand."""
+    speed_source: str
+    """``"avoid"``, ``"vehicle"``, ``"reconstruct"``, ``"estimate"``, ``"phases"`` or ``"recorder"``."""
+    limit: float
+    """(m/s) the speed for which it is asked."""
+    demand: Demand
+    """The reaction demand."""
+    sight: Sight | None
+    """None where no obstacle hides the other party."""
+    stopping_distance: float
+    """(m) at the speed driven, with the reaction and the braking of the inputs."""
+    spatial: Avoidable
+    """In space: the vehicle stops before the place of the impact."""
+    temporal: Avoidable | None
+    """In time: the other party has left the danger zone; None if that is not asked."""
+    at_limit: AtLimit
+    """What is left of the limit."""
+    probability: AvoidanceProbability | None
+    """None if nothing is uncertain."""
+    response: DriverResponse
+    """What the driver could have done."""
+    actual: str
+    """How the vehicle came: ``"responded"``, ``"unbraked"``, ``"skidded"``, ``"by the recorder"``, and others."""
+    reaction_late_by: float | None
+    """(s) later than with the reaction of the inputs; None if it is not known."""
+    runs: tuple[AvoidanceRun, ...]
+    """What happened first, then what would have."""
+    enough: Enough
+    """What would have been enough."""
+    intervals: AvoidanceIntervals | None
+    """None if nothing is uncertain."""
+    warnings: tuple[str, ...]
+    """What speaks against the inputs, in sentences."""
+
+
+class _Avoidance(_Document):
+    avoid: AvoidanceAnswer
+    """Whether the collision was avoidable."""
+
+
 # deltav.ciss.judge()
 
 
@@ -1275,6 +1505,10 @@ class _EstimateDocument(_Estimate, Record):
     pass
 
 
+class _AvoidanceDocument(_Avoidance, Record):
+    pass
+
+
 _DOCUMENTS: dict[str, type[Record]] = {
     "Analysis": _AnalysisDocument,
     "Judgement": _JudgementDocument,
@@ -1282,6 +1516,7 @@ _DOCUMENTS: dict[str, type[Record]] = {
     "Sensitivity": _SensitivityDocument,
     "Uncertainty": _UncertaintyDocument,
     "Estimate": _EstimateDocument,
+    "Avoidance": _AvoidanceDocument,
 }
 
 

@@ -144,11 +144,8 @@ fn of_scenes(
     }
     let avoiding: Vec<Option<f64>> =
         scenes.iter().map(|scene| scene.as_ref().map(AvoidScene::just_avoiding)).collect();
-    let is_avoided: Vec<Option<bool>> = scenes
-        .iter()
-        .zip(&avoiding)
-        .map(|(scene, avoiding)| Some(scene.as_ref()?.limit <= (*avoiding)?))
-        .collect();
+    let is_avoided: Vec<Option<bool>> =
+        scenes.iter().map(|scene| scene.as_ref().map(AvoidScene::is_avoided_at_limit)).collect();
     let share = |count: usize| ratio(count, posed.len());
     let avoided = is_avoided.iter().flatten().filter(|is| **is).count();
     let avoided_at_limit = share(avoided);
@@ -181,8 +178,8 @@ fn of_scenes(
         effective: smoothed * (1.0 - smoothed) / (mc_error * mc_error),
         avoided_at_limit,
         avoided_else_as_it_was: share(posed.iter().filter(|scene| scene.is_avoided_else_as_it_was()).count()),
-        stopped_at_limit: share(posed.iter().filter(|scene| scene.limit <= scene.spatial()).count()),
-        above_limit: share(posed.iter().filter(|scene| scene.speed > scene.limit).count()),
+        stopped_at_limit: share(posed.iter().filter(|scene| scene.stops_at_limit()).count()),
+        above_limit: share(posed.iter().filter(|scene| scene.is_above_limit()).count()),
         mc_error,
         speed: interval(&|scene| scene.speed),
         spatial: interval(&AvoidScene::spatial),

@@ -2,7 +2,10 @@
 
 use inputs::{AvoidForm, BrakingForm, ClearForm, DemandForm, Quantity, STANDARD_GRAVITY, SpeedForm};
 use pim_core::InvalidInput;
+use reconcile::brent;
 use time_distance::{Advance, Course, Leg, Response};
+
+use super::driven::{Driven, Gain, led_to, legs};
 
 /// How the vehicle came to the impact.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -13,6 +16,17 @@ pub enum ActualRun {
     Unbraked(Unbraked),
     /// Its wheels skidded up to the impact, as marks show.
     Skidded(Response),
+    /// It moved as phases or the table of its recorder tell.
+    Driven(DrivenBy),
+}
+
+/// What tells how the vehicle moved before the impact.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum DrivenBy {
+    /// The phases of `[[vehicleN.before.phase]]`.
+    Phases,
+    /// The table of its recorder.
+    Recorder,
 }
 
 /// Why a run is taken to be without braking.
@@ -28,7 +42,7 @@ pub enum Unbraked {
 }
 
 /// One scene before a collision, with every number known. Time and distance count from the reaction demand.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct AvoidScene {
     /// (m/s) speed at the demand.
     pub speed: f64,
@@ -48,6 +62,8 @@ pub struct AvoidScene {
     pub actual: ActualRun,
     /// What obstacles do to the view.
     pub view: View,
+    /// How the vehicle moved, where phases or a recorder tell.
+    pub(super) driven: Option<Driven>,
 }
 
 /// Since when the view of the other party has been free, without a break up to the impact.
@@ -104,6 +120,13 @@ pub(crate) enum Unposed {
     },
     /// From this speed, the skid ends before the impact.
     SkidTooLong,
+    /// The vehicle sets out from a stop at this distance (m) from the impact, after the place of the demand.
+    SetsOutLater {
+        /// (m)
+        distance: f64,
+    },
+    /// The phases before the impact cannot be.
+    Phases(InvalidInput),
     /// The vehicle did not move forward.
     Stands,
     /// Obstacles hide nothing before the impact, so that their end is no demand.
@@ -121,39 +144,60 @@ impl From<InvalidInput> for Unposed {
 }
 
 /// What a vehicle did, or would have done, up to the place of the impact.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct AvoidCourse {
     /// (m/s) speed at the demand.
     pub speed: f64,
-    /// What the driver did; `None` without braking.
+    /// What the driver did; `None` without braking, or if phases or a recorder tell how the vehicle moved.
     pub response: Option<Response>,
+    /// How it moves, if it accelerates or brakes otherwise than by the response alone.
+    pub(super) driven: Option<Driven>,
 }
 
 impl AvoidCourse {
     /// (m/s) the speed at a distance (m) from the demand; 0 if it stops before.
     #[must_use]
     pub fn speed_at(&self, distance: f64) -> f64 {
+        if let Some(driven) = &self.driven {
+            return driven.reaches(distance).map_or(0.0, |time| driven.at(time).speed);
+        }
         self.response.map_or(self.speed, |response| response.speed_after(self.speed, distance))
     }
 
     /// (s) when it is at a distance (m) from the demand; `None` if it stops before.
     #[must_use]
     pub fn arrival(&self, distance: f64) -> Option<f64> {
-        match self.response {
-            Some(response) => response.arrival(self.speed, distance),
-            None => (self.speed > 0.0).then(|| distance / self.speed),
+        match (&self.driven, self.response) {
+            (Some(driven), _) => driven.reaches(distance),
+            (None, Some(response)) => response.arrival(self.speed, distance),
+            (None, None) => (self.speed > 0.0).then(|| distance / self.speed),
         }
     }
 
     /// (m) where it stops; `None` without braking.
     #[must_use]
     pub fn stop(&self) -> Option<f64> {
+        if let Some(driven) = &self.driven {
+            return driven.stop();
+        }
         Some(self.response?.stopping_distance(self.speed))
+    }
+
+    /// (s) when it stops, after the demand; `None` without braking.
+    #[must_use]
+    pub fn stops_after(&self) -> Option<f64> {
+        if let Some(driven) = &self.driven {
+            return driven.stops_after();
+        }
+        Some(self.response?.stopping_time(self.speed))
     }
 
     /// (m) where it is at a time (s) after the demand.
     #[must_use]
     pub fn position(&self, time: f64) -> f64 {
+        if let Some(driven) = &self.driven {
+            return driven.at(time).position;
+        }
         let Some(response) = self.response else { return self.speed * time };
         let legs: [Leg; 4] = response.legs(self.speed);
         Course::new(&legs).map_or(0.0, |course| course.at(time).position)
@@ -170,6 +214,10 @@ impl AvoidScene {
         let (at_demand, at_impact) = match &form.speed {
             SpeedForm::AtDemand(speed) => (Some(speed.si()), None),
             SpeedForm::AtImpact(speed) => (None, Some(speed.si())),
+            SpeedForm::ByPhases => match &form.braking {
+                BrakingForm::Phases(phases) => (None, Some(led_to(phases)?)),
+                _ => (None, None),
+            },
             SpeedForm::Sought => (None, at_impact),
         };
         if !at_demand.or(at_impact).is_some_and(|speed| speed > 0.0) {
@@ -186,7 +234,17 @@ impl AvoidScene {
             clears_after,
             actual: ActualRun::Responded,
             view: View::Open,
+            driven: None,
         };
+        if let Some(speed) = at_impact
+            && let Some(legs) = legs(&form.braking, speed)?
+        {
+            let by = match form.braking {
+                BrakingForm::Recorded(_) => DrivenBy::Recorder,
+                _ => DrivenBy::Phases,
+            };
+            return partly.driven(since, legs, speed, by);
+        }
         match (&form.braking, at_demand, at_impact) {
             (BrakingForm::Skid { length, friction }, at_demand, at_impact) => {
                 let slowed = of(response.reaction(), friction * STANDARD_GRAVITY)?;
@@ -196,16 +254,26 @@ impl AvoidScene {
             (BrakingForm::Unbraked, Some(speed), _) | (BrakingForm::Unbraked, None, Some(speed)) => {
                 Ok(partly.unbraked(since, speed, Unbraked::Stated))
             }
-            (BrakingForm::Unknown, None, Some(speed)) => {
+            // A recorder that stored nothing but the last moment says nothing of the approach.
+            (BrakingForm::Unknown | BrakingForm::Phases(_) | BrakingForm::Recorded(_), _, Some(speed)) => {
                 Ok(partly.unbraked(since, speed, Unbraked::NothingKnown))
             }
-            (_, None, None) => Err(Unposed::Stands),
+            (BrakingForm::Phases(_) | BrakingForm::Recorded(_), Some(_), None) | (_, None, None) => {
+                Err(Unposed::Stands)
+            }
         }
+    }
+
+    fn driven(self, since: Since, legs: Vec<Leg>, at_impact: f64, by: DrivenBy) -> Result<Self, Unposed> {
+        let (driven, distance, time) = Driven::new(legs, since)?;
+        let speed = driven.at(0.0).speed;
+        let driven = Some(driven);
+        Ok(Self { speed, at_impact, distance, time, actual: ActualRun::Driven(by), driven, ..self })
     }
 
     /// With the reaction and braking of `[avoid]`; without braking, if the vehicle would then have stopped.
     fn responded(self, since: Since, speed: f64) -> Self {
-        let course = AvoidCourse { speed, response: Some(self.response) };
+        let course = AvoidCourse { speed, response: Some(self.response), driven: None };
         let stops = Unbraked::WouldHaveStopped;
         let (distance, time) = match since {
             Since::Distance(distance) => match course.arrival(distance) {
@@ -263,18 +331,57 @@ impl AvoidScene {
         Ok(Self { speed, at_impact, distance, time, actual, ..self })
     }
 
-    /// (m/s) the greatest speed from which the vehicle stops before the place of the impact.
+    /// What the vehicle gains until a time (s), from a speed (m/s) at the demand on and never faster than
+    /// `greatest` (m/s), if it accelerated.
+    fn gain(&self, until: f64, speed: f64, greatest: f64) -> Gain {
+        self.driven.as_ref().map_or_else(Gain::default, |driven| driven.gain(until, speed, greatest))
+    }
+
+    /// The scene of a vehicle that drove steadily at the speed that this one has when it begins to brake, and
+    /// comes to every place when this one does: that speed (m/s), and its distance (m) to the place of the
+    /// impact.
+    fn as_if_steady(&self, speed: f64, greatest: f64) -> [f64; 2] {
+        let reaction = self.response.reaction();
+        let gain = self.gain(reaction, speed, greatest);
+        // s' = s + Δv t_R − Δs
+        [speed + gain.speed, self.distance + gain.speed * reaction - gain.distance]
+    }
+
+    /// (m/s) the greatest speed from which the vehicle stops before the place of the impact. One that
+    /// accelerates in its reaction keeps that speed once it has it.
     #[must_use]
     pub fn spatial(&self) -> f64 {
-        self.response.speed_to_stop_within(self.distance)
+        self.just(&|distance| self.response.speed_to_stop_within(distance), &|course| {
+            course.stop().map_or(f64::INFINITY, |stop| stop - self.distance)
+        })
     }
 
     /// (m/s) the greatest speed with which it comes so late that the other party has cleared the danger
-    /// zone, if that would have moved on.
+    /// zone, if that would have moved on; likewise.
     #[must_use]
     pub fn temporal(&self) -> Option<f64> {
         let cleared = self.time + self.clears_after?;
-        Some(self.response.speed_to_arrive_after(self.distance, cleared))
+        let early = |course: &AvoidCourse| cleared - course.arrival(self.distance).unwrap_or(f64::INFINITY);
+        Some(self.just(&|distance| self.response.speed_to_arrive_after(distance, cleared), &early))
+    }
+
+    /// (m/s) the greatest speed with which a course just does not fail: by the closed form of a distance (m)
+    /// for a steady speed, or where `fails_by` is zero, which rises with the speed.
+    fn just(&self, steadily: &dyn Fn(f64) -> f64, fails_by: &dyn Fn(&AvoidCourse) -> f64) -> f64 {
+        let steady = steadily(self.distance);
+        let [reached, distance] = self.as_if_steady(self.speed, f64::INFINITY);
+        // Slower than at the demand, it has no room to accelerate.
+        if steady <= self.speed || reached <= self.speed {
+            return steady;
+        }
+        let as_driven = steadily(distance);
+        if as_driven >= reached {
+            return as_driven;
+        }
+        let fails =
+            |greatest: f64| fails_by(&self.responding(self.speed, self.response, greatest)).clamp(-FAR, FAR);
+        // Without a change of sign, the place is passed within the reaction.
+        brent(fails, [self.speed, reached], TOLERANCE, |_, _| ()).unwrap_or(self.speed)
     }
 
     /// (m/s) the greatest speed from which the collision is avoided, in space or in time.
@@ -283,16 +390,89 @@ impl AvoidScene {
         self.temporal().unwrap_or(0.0).max(self.spatial())
     }
 
+    /// (m/s) the speed at the demand of a vehicle that keeps the limit. Phases or a recorder may tell that it
+    /// was slower there, and only later faster.
+    fn lowered(&self) -> f64 {
+        if self.driven.is_some() { self.limit.min(self.speed) } else { self.limit }
+    }
+
+    /// Whether it was faster than the limit, at the demand or later.
+    #[must_use]
+    pub fn is_above_limit(&self) -> bool {
+        let greatest = self.driven.as_ref().map_or(self.speed, |driven| driven.greatest(self.time));
+        greatest > self.limit
+    }
+
+    /// With a reaction to the demand, from a speed (m/s) there on.
+    #[must_use]
+    pub fn with_response(&self, speed: f64, response: Response) -> AvoidCourse {
+        self.responding(speed, response, f64::INFINITY)
+    }
+
+    /// (m) from the demand to the stop, at the speed driven and with the reaction and the braking of `[avoid]`.
+    #[must_use]
+    pub fn stopping_distance(&self) -> f64 {
+        self.with_response(self.speed, self.response).stop().unwrap_or(f64::NAN)
+    }
+
+    /// At the limit, with the reaction and the braking of `[avoid]`.
+    #[must_use]
+    pub fn at_limit(&self) -> AvoidCourse {
+        self.responding(self.lowered(), self.response, self.limit)
+    }
+
+    fn responding(&self, speed: f64, response: Response, greatest: f64) -> AvoidCourse {
+        let gains = |driven: &&Driven| driven.gain(response.reaction(), speed, greatest).speed > 0.0;
+        let accelerates = self.driven.as_ref().filter(gains);
+        let driven = accelerates.map(|driven| driven.with_response(&response, speed, greatest));
+        AvoidCourse { speed, response: Some(response), driven }
+    }
+
+    /// At the limit, with the reaction and the braking of the actual run.
+    #[must_use]
+    pub fn at_limit_else_as_it_was(&self) -> AvoidCourse {
+        let driven = self.driven.as_ref().map(|driven| driven.beginning_with(self.lowered(), self.limit));
+        AvoidCourse { speed: self.lowered(), driven, ..self.course() }
+    }
+
     /// (m/s) what is left of the limit at the place of the impact.
     #[must_use]
     pub fn left_at_limit(&self) -> f64 {
-        self.response.speed_after(self.limit, self.distance)
+        self.at_limit().speed_at(self.distance)
+    }
+
+    /// Whether the vehicle stops before the place of the impact at the limit, with the reaction and the braking
+    /// of `[avoid]`.
+    #[must_use]
+    pub fn stops_at_limit(&self) -> bool {
+        if self.driven.is_some() {
+            self.at_limit().stop().is_some_and(|stop| stop <= self.distance)
+        } else {
+            self.limit <= self.spatial()
+        }
+    }
+
+    /// Whether it then comes after the other party has left the danger zone; `None` if that is not asked.
+    #[must_use]
+    pub fn is_late_at_limit(&self) -> Option<bool> {
+        let clears = self.time + self.clears_after?;
+        Some(if self.driven.is_some() {
+            self.at_limit().arrival(self.distance).is_none_or(|arrival| arrival >= clears)
+        } else {
+            self.temporal().is_some_and(|temporal| self.limit <= temporal)
+        })
+    }
+
+    /// Whether the collision is avoided at the limit, with the reaction and the braking of `[avoid]`.
+    #[must_use]
+    pub fn is_avoided_at_limit(&self) -> bool {
+        self.stops_at_limit() || self.is_late_at_limit() == Some(true)
     }
 
     /// Whether the collision is avoided at the limit, with the reaction and the braking of the actual run.
     #[must_use]
     pub fn is_avoided_else_as_it_was(&self) -> bool {
-        let course = AvoidCourse { speed: self.limit, ..self.course() };
+        let course = self.at_limit_else_as_it_was();
         let clears = self.clears_after.map(|after| self.time + after);
         match course.arrival(self.distance) {
             Some(arrival) if course.speed_at(self.distance) > 0.0 => {
@@ -302,17 +482,74 @@ impl AvoidScene {
         }
     }
 
+    /// (m/s²) the least deceleration that stops the vehicle before the place of the impact from the speed
+    /// driven, or from the limit; `None` if none does.
+    #[must_use]
+    pub fn least_deceleration(&self, is_at_limit: bool) -> Option<f64> {
+        let [speed, greatest] = self.asked(is_at_limit);
+        let [speed, distance] = self.as_if_steady(speed, greatest);
+        self.response.deceleration_to_stop_within(speed, distance)
+    }
+
+    /// (s) the longest reaction with which it stops there, likewise.
+    #[must_use]
+    pub fn longest_reaction(&self, is_at_limit: bool) -> Option<f64> {
+        let [speed, greatest] = self.asked(is_at_limit);
+        if self.gain(self.time, speed, greatest).speed <= 0.0 {
+            return self.response.reaction_to_stop_within(speed, self.distance);
+        }
+        let stops = |reaction: f64| {
+            let course = self.responding(speed, self.response.with_reaction(reaction), greatest);
+            course.stop().is_some_and(|stop| stop <= self.distance)
+        };
+        if !stops(0.0) {
+            return None;
+        }
+        let (mut enough, mut too_long) = (0.0, self.time);
+        for _ in 0..MOST_HALVINGS {
+            let middle = f64::midpoint(enough, too_long);
+            if stops(middle) { enough = middle } else { too_long = middle }
+        }
+        Some(enough)
+    }
+
+    /// (m/s) the speed at the demand, and the one that is not exceeded later.
+    fn asked(&self, is_at_limit: bool) -> [f64; 2] {
+        if is_at_limit { [self.lowered(), self.limit] } else { [self.speed, f64::INFINITY] }
+    }
+
+    /// (s) by how much the brakes took effect later than with the reaction of `[avoid]`; `None` if it is not
+    /// known.
+    #[must_use]
+    pub fn delay(&self) -> Option<f64> {
+        let taken = match (self.actual, &self.driven) {
+            (ActualRun::Skidded(slowed), _) => slowed.reaction(),
+            (_, Some(driven)) => driven.brakes(self.time)?,
+            _ => return None,
+        };
+        Some(taken - self.response.reaction())
+    }
+
     /// What the vehicle did.
     #[must_use]
     pub fn course(&self) -> AvoidCourse {
         let response = match self.actual {
             ActualRun::Responded => Some(self.response),
-            ActualRun::Unbraked(_) => None,
+            ActualRun::Unbraked(_) | ActualRun::Driven(_) => None,
             ActualRun::Skidded(slowed) => Some(slowed),
         };
-        AvoidCourse { speed: self.speed, response }
+        AvoidCourse { speed: self.speed, response, driven: self.driven.clone() }
     }
 }
+
+/// Halvings after which a reaction is known to the last bit.
+const MOST_HALVINGS: u32 = 60;
+
+/// (m/s) to which a speed is found that just avoids the collision.
+const TOLERANCE: f64 = 1e-10;
+
+/// (m, s) more than anybody asks; what is beyond, such as the arrival of one that stops before, is that.
+const FAR: f64 = 1e6;
 
 /// Where or when the demand is; `None` if obstacles decide.
 pub(super) fn given_demand(form: &AvoidForm) -> Result<Option<Since>, InvalidInput> {

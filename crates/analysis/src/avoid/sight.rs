@@ -1,6 +1,6 @@
 //! Since when the driver could see the other party.
 
-use inputs::{AvoidForm, BrakingForm, Obstacle, Place, PlaceForm, Quantity, SightForm, SpeedForm};
+use inputs::{AvoidForm, BrakingForm, Obstacle, PathForm, Place, PlaceForm, SightForm, SpeedForm};
 use pim_core::Vector2;
 use real::Real;
 use time_distance::{first_sight, free_since, sees};
@@ -37,38 +37,83 @@ fn at(place: &Place) -> Vector2<f64> {
     Vector2::new(place.x.si(), place.y.si())
 }
 
-/// The straight ways of both to the impact.
-#[derive(Clone, Copy, Debug)]
+/// A way to a place at the impact.
+#[derive(Clone, Debug)]
+struct Way {
+    /// (m) its points, backwards from the impact.
+    points: Vec<Vector2<f64>>,
+    /// The direction of travel before the last of them, a unit vector.
+    along: Vector2<f64>,
+}
+
+impl Way {
+    fn of(end: &PlaceForm, path: &PathForm) -> Self {
+        let end = end.place().map_or(Vector2::new(0.0, 0.0), at);
+        match path {
+            PathForm::Straight(heading) => {
+                let (sin, cos) = Real::sin_cos(heading.si());
+                Self { points: vec![end], along: Vector2::new(cos, sin) }
+            }
+            PathForm::Along(given) => {
+                let mut way = Self { points: vec![end], along: Vector2::new(1.0, 0.0) };
+                for [x, y] in given.iter().rev() {
+                    way.add(Vector2::new(*x, *y));
+                }
+                way
+            }
+        }
+    }
+
+    /// Adds a point from which the way leads to the last. One in the same place is none.
+    fn add(&mut self, point: Vector2<f64>) {
+        let Some(last) = self.points.last() else { return };
+        let ahead = Vector2::new(last.x - point.x, last.y - point.y);
+        let length = ahead.norm();
+        if length > 0.0 {
+            self.along = Vector2::new(ahead.x / length, ahead.y / length);
+            self.points.push(point);
+        }
+    }
+
+    /// (m) the place with a distance (m) to go.
+    fn back(&self, mut distance: f64) -> Vector2<f64> {
+        let between = |from: Vector2<f64>, to: Vector2<f64>, share: f64| {
+            Vector2::new(from.x + (to.x - from.x) * share, from.y + (to.y - from.y) * share)
+        };
+        for pair in self.points.windows(2) {
+            let [to, from] = [pair[0], pair[1]];
+            let length = Vector2::new(to.x - from.x, to.y - from.y).norm();
+            if distance < length {
+                return between(to, from, distance / length);
+            }
+            distance -= length;
+        }
+        let first = self.points.last().copied().unwrap_or_default();
+        Vector2::new(first.x - self.along.x * distance, first.y - self.along.y * distance)
+    }
+}
+
+/// The ways of both to the impact.
+#[derive(Clone, Debug)]
 pub(crate) struct Ways {
-    /// (m) the eye and the visible point at the impact.
-    ends: [Vector2<f64>; 2],
-    /// Unit vectors.
-    along: [Vector2<f64>; 2],
+    /// Those of the driver's eye and of the visible point.
+    ways: [Way; 2],
     /// (m/s) of the other party.
     other_speed: f64,
 }
 
 impl Ways {
     pub(crate) fn of(form: &SightForm) -> Self {
-        let end = |form: &PlaceForm| form.place().map_or(Vector2::new(0.0, 0.0), at);
-        let along = |heading: &Quantity| {
-            let (sin, cos) = Real::sin_cos(heading.si());
-            Vector2::new(cos, sin)
-        };
         Self {
-            ends: [end(&form.eye), end(&form.point)],
-            along: [along(&form.heading), along(&form.other_heading)],
+            ways: [Way::of(&form.eye, &form.path), Way::of(&form.point, &form.other_path)],
             other_speed: form.other_speed.si(),
         }
     }
 
     /// (m) the eye and the visible point, where the vehicle has `way` (m) and both have `time` (s) to go.
     pub(crate) fn before(&self, way: f64, time: f64) -> [Vector2<f64>; 2] {
-        let [[eye, point], [along, other]] = [self.ends, self.along];
-        let back = |end: Vector2<f64>, along: Vector2<f64>, way: f64| {
-            Vector2::new(end.x - along.x * way, end.y - along.y * way)
-        };
-        [back(eye, along, way), back(point, other, self.other_speed * time)]
+        let [eye, point] = &self.ways;
+        [eye.back(way), point.back(self.other_speed * time)]
     }
 
     /// The same at a time (s) before the impact, on the actual run.
@@ -138,7 +183,7 @@ impl Ways {
 
     /// The obstacle on the place of the impact, or between the eye and the visible point there.
     pub(crate) fn hides_the_impact(&self, obstacles: Outlines<'_>) -> Option<usize> {
-        let [eye, point] = self.ends;
+        let [eye, point] = self.before(0.0, 0.0);
         obstacles.iter().position(|outline| !sees(eye, point, outline))
     }
 }

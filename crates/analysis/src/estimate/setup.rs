@@ -300,7 +300,7 @@ fn skids(
         if let Some(Slot::Factor(place)) = slots.get(place) { Some(*place) } else { None }
     };
     VehicleId::ALL.map(|id| {
-        let skid = numbers.vehicles[id.index()].before?.skid;
+        let skid = numbers.vehicles[id.index()].skid()?;
         let (friction, path) = match (skid.friction, &numbers.surface) {
             (Some(friction), _) => (friction, skid_friction(id)),
             (None, Some(surface)) => (surface.friction, "surface.friction".to_owned()),
@@ -470,8 +470,7 @@ fn slots(
 ) -> Result<Vec<Slot>, Failure> {
     let mut ranges = ranges.iter().peekable();
     let has_ground_range = case.ranges.iter().any(|range| is_ground(&range.path));
-    let skids_on_it =
-        |vehicle: &GivenVehicle| vehicle.before.as_ref().is_some_and(|before| before.skid.friction.is_none());
+    let skids_on_it = |vehicle: &GivenVehicle| vehicle.skid().is_some_and(|skid| skid.friction.is_none());
     let uses_ground = followed != [false, false] || case.vehicles.iter().any(skids_on_it);
     let mut ground = None;
     let mut drags = [None; 2];

@@ -8,10 +8,10 @@ use crate::case_problem::CaseProblem;
 use crate::nearest::nearest;
 use crate::node::Node;
 use crate::quantity::shorten;
-use crate::schema::{AFTER, BEFORE, MOST_ZONES, POINT, REST, SKID, STEER, WHEELS};
+use crate::schema::{AFTER, BEFORE, MOST_ZONES, PHASE, POINT, REST, SKID, STEER, WHEELS};
 use inputs::{
-    After, Before, Drag, GivenRest, GivenSteer, MarkedWheel, PathPoint, Place, RestHeading, Skid, SkidBegin,
-    SteerPoint, WheelDrag,
+    After, Before, Drag, GivenPhase, GivenRest, GivenSteer, MarkedWheel, PathPoint, PhaseForm, Place,
+    RestHeading, Skid, SkidBegin, SteerPoint, WheelDrag,
 };
 
 const DRAGS: &str = "drag = 0.02, drag = \"locked\" or, front left, front right, rear left, rear right, \
@@ -19,14 +19,54 @@ const DRAGS: &str = "drag = 0.02, drag = \"locked\" or, front left, front right,
 
 impl<'t> Reader<'t> {
     pub(super) fn before(&mut self, vehicle: &Table<'t>) -> Option<Before> {
-        const FORMS: &str = "skid = { length = \"18 m\", friction = 0.7 } or skid = { from = { x = \"18 m\", y = \"15 m\" }, friction = 0.7 }";
         let table = self.child(vehicle, "before", &BEFORE)?;
-        self.require(&table, &["skid"]);
-        let skid = self.inline(&table, "skid", &SKID, "a table in braces", FORMS)?;
+        let phases = self.phases(&table);
+        if !table.has("phase") {
+            self.require(&table, &["skid"]);
+        }
+        let speed = self.quantity(&table, "speed");
+        let skid = self.skid(&table);
+        if table.has("phase") && table.has("skid") {
+            let message =
+                format!("{} gives \"skid\" and \"phase\": both say how the vehicle came", table.label());
+            let help = "remove one of the two; a skid can be the last phase, as in { distance = \"18 m\", acceleration = \"-7 m/s^2\" }";
+            self.report_path(
+                &table.path_of("phase"),
+                CaseProblem::Fault { message, help: Some(help.to_owned()) },
+            );
+        }
+        if table.has("speed") && !table.has("skid") && table.has("phase") {
+            let message = format!("{} gives \"speed\" without \"skid\"", table.label());
+            let help = "`speed` of this table is that where a skid begins; a phase has a `speed` of its own";
+            self.report_path(
+                &table.path_of("speed"),
+                CaseProblem::Fault { message, help: Some(help.to_owned()) },
+            );
+        }
+        (skid.is_some() || !phases.is_empty()).then_some(Before { skid, speed, phases })
+    }
+
+    fn phases(&mut self, before: &Table<'t>) -> Vec<GivenPhase> {
+        const FORMS: &str =
+            "a table [[vehicle1.before.phase]] with two of distance, time, speed and acceleration";
+        let tables = self.tables(before, "phase", &PHASE, FORMS, MOST_ZONES).unwrap_or_default();
+        let phase = |table: &Table<'t>| {
+            let [distance, time, speed, acceleration] =
+                ["distance", "time", "speed", "acceleration"].map(|key| self.quantity(table, key));
+            GivenPhase {
+                form: PhaseForm { distance, time, speed, acceleration },
+                source: self.text(table, "source"),
+            }
+        };
+        tables.iter().map(phase).collect()
+    }
+
+    fn skid(&mut self, before: &Table<'t>) -> Option<Skid> {
+        const FORMS: &str = "skid = { length = \"18 m\", friction = 0.7 } or skid = { from = { x = \"18 m\", y = \"15 m\" }, friction = 0.7 }";
+        let skid = self.inline(before, "skid", &SKID, "a table in braces", FORMS)?;
         let length = self.quantity(&skid, "length");
         let from = self.place_of(&skid, "from");
         let friction = self.number(&skid, "friction");
-        let speed = self.quantity(&table, "speed");
         let begin = match skid.given(&["length", "from"])[..] {
             ["length"] => SkidBegin::Length(length?),
             ["from"] => SkidBegin::From(from?),
@@ -36,7 +76,7 @@ impl<'t> Reader<'t> {
             }
             _ => return self.no_form(&skid, FORMS),
         };
-        Some(Before { skid: Skid { begin, friction }, speed })
+        Some(Skid { begin, friction })
     }
 
     /// Reads the table; one without a key counts as absent.

@@ -2,6 +2,7 @@
 
 use super::scene::OF_OBSTACLE;
 use super::tree::{Reader, Table};
+use crate::case_problem::CaseProblem;
 use crate::schema::{AVOID_CLEAR, AVOID_DEMAND, AVOID_OTHER, AVOID_SIGHT, MOST_ZONES, OBSTACLE};
 use inputs::{
     Avoid, Clear, GivenDemand, GivenSight, Obstacle, OtherApproach, OtherParty, SUBJECTS, SWELLS, Text,
@@ -30,12 +31,23 @@ impl<'t> Reader<'t> {
 
     fn sight(&mut self, avoid: &Table<'t>) -> GivenSight {
         let Some(table) = self.child(avoid, "sight", &AVOID_SIGHT) else { return GivenSight::default() };
+        for (path, heading) in [("path", "heading"), ("other_path", "other_heading")] {
+            if table.has(path) && table.has(heading) {
+                let message = format!("{} gives both \"{path}\" and \"{heading}\"", table.label());
+                let help = format!(
+                    "remove \"{heading}\": the path leads to the impact in the direction of its last stretch"
+                );
+                self.report_path(&table.path_of(heading), CaseProblem::Fault { message, help: Some(help) });
+            }
+        }
         GivenSight {
             eye: self.place_of(&table, "eye"),
             heading: self.sourced(&table, "heading"),
             point: self.place_of(&table, "point"),
             other_heading: self.sourced(&table, "other_heading"),
             other_speed: self.sourced(&table, "other_speed"),
+            path: self.corners(&table, "path").unwrap_or_default(),
+            other_path: self.corners(&table, "other_path").unwrap_or_default(),
         }
     }
 

@@ -134,7 +134,7 @@ impl<'t> Reader<'t> {
         self.outlined(table, corners, shape)
     }
 
-    fn corners(&mut self, zone: &Table<'t>, key: &'static str) -> Option<Vec<Place>> {
+    pub(super) fn corners(&mut self, zone: &Table<'t>, key: &'static str) -> Option<Vec<Place>> {
         const FORMS: &str =
             "[{ x = \"0 m\", y = \"6 m\" }, { x = \"50 m\", y = \"6 m\" }, { x = \"50 m\", y = \"9 m\" }]";
         let tables = self.tables(zone, key, &CORNER, FORMS, MOST_ZONES)?;

@@ -50,12 +50,16 @@ pub(super) fn normalise(spelling: &str, pound: Pound) -> String {
     for root in ["√(", "sqrt("] {
         while let Some((before, after)) = text.split_once(root) {
             let Some((inside, rest)) = after.split_once(')') else { break };
-            text = format!("{before}{}^0.5{rest}", inside.trim());
+            let inside = inside.trim();
+            // A root of nothing is not a unit.
+            if inside.is_empty() {
+                break;
+            }
+            text = format!("{before}{inside}^0.5{rest}");
         }
     }
     while let Some((before, after)) = text.split_once('√') {
         let end = after.find(|c: char| !c.is_alphabetic()).unwrap_or(after.len());
-        // A root of nothing is not a unit.
         if end == 0 {
             break;
         }

@@ -109,6 +109,9 @@ fn what_changes_the_meaning_is_not() {
         (StiffnessA, "N/cm^2"),
         (StiffnessB, "N/cm"),
         (RootForce, "lb"),
+        // A root of nothing.
+        (RootForce, "N√()"),
+        (RootForce, "lb sqrt( )"),
         (Weight, "kg"),
         (Length, ""),
     ] {

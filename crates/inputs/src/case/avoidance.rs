@@ -23,6 +23,9 @@ impl<T: Copy> Case<T> {
         if let Some(speed) = self.avoid.as_ref().and_then(|avoid| avoid.speed.as_ref()) {
             return SpeedForm::AtDemand(speed.quantity);
         }
+        if self.vehicles[subject.index()].phases().first().is_some_and(|phase| phase.form.leads_on()) {
+            return SpeedForm::ByPhases;
+        }
         let is_sought = self.reconstruct.as_ref().is_some_and(|reconstruct| reconstruct.find.seeks(subject));
         match &self.vehicles[subject.index()].motion {
             Some(Velocity::Speed(speed)) if !is_sought => SpeedForm::AtImpact(*speed),
@@ -39,10 +42,19 @@ impl Case {
             return Cow::Borrowed(self);
         }
         let mut case = Self { avoid: None, ..self.clone() };
-        case.ranges.retain(|range| !range.path.starts_with("avoid."));
+        for before in case.vehicles.iter_mut().filter_map(|vehicle| vehicle.before.as_mut()) {
+            before.phases.clear();
+        }
+        case.ranges.retain(|range| !is_of_avoid(&range.path));
         for error in &mut case.uncertainty.shared {
-            error.of.retain(|key| !key.starts_with("avoid."));
+            error.of.retain(|key| !is_of_avoid(key));
         }
         Cow::Owned(case)
     }
+}
+
+/// Whether a key belongs to the question whether the collision was avoidable alone.
+#[must_use]
+pub fn is_of_avoid(path: &str) -> bool {
+    path.starts_with("avoid.") || path.contains(".before.phase[")
 }

@@ -1,12 +1,15 @@
 //! What the question whether the collision was avoidable needs.
 
+use std::sync::Arc;
+
+use pim_core::VehicleId;
 use trajectory::GREATEST_FRICTION;
 
 use super::{Demand, table};
 use crate::after::SkidBegin;
 use crate::avoid::{
-    Avoid, AvoidForm, BrakingForm, ClearForm, DemandForm, GivenDemand, OtherForm, PlaceForm, SightForm,
-    Sourced, SpeedForm,
+    Avoid, AvoidForm, BrakingForm, ClearForm, DemandForm, GivenDemand, OtherForm, PathForm, PlaceForm,
+    SightForm, Sourced, SpeedForm,
 };
 use crate::case::Case;
 use crate::fault::{Fault, FaultKind, Faults};
@@ -57,6 +60,7 @@ impl Case {
         }
         demand.of_deceleration(avoid);
         demand.of_skid(avoid);
+        demand.of_phases(avoid);
         demand.of_clear(avoid);
         demand.of_sight(avoid);
         demand.finish(form)
@@ -70,10 +74,16 @@ impl<T: Copy> Case<T> {
         let of = |sourced: &Option<Sourced<T>>| sourced.as_ref().map(|sourced| sourced.quantity);
         let avoid = self.avoid.as_ref()?;
         let vehicle = self.avoid_subject();
-        let skid = self.vehicles[vehicle.index()].before.as_ref().map(|before| &before.skid);
-        let braking = match skid {
+        let of_vehicle = &self.vehicles[vehicle.index()];
+        let braking = match of_vehicle.skid() {
             _ if avoid.unbraked => BrakingForm::Unbraked,
-            None => BrakingForm::Unknown,
+            None if !of_vehicle.phases().is_empty() => {
+                BrakingForm::Phases(of_vehicle.phases().iter().map(|phase| phase.form).collect())
+            }
+            None => match self.recorded_approach(avoid, vehicle) {
+                Some(samples) => BrakingForm::Recorded(samples),
+                None => BrakingForm::Unknown,
+            },
             Some(skid) => {
                 let SkidBegin::Length(length) = skid.begin else { return None };
                 let of_ground = self.surface.as_ref().map(|surface| surface.friction);
@@ -109,6 +119,13 @@ impl<T: Copy> Case<T> {
         })
     }
 
+    /// What the recorder of the vehicle stored before the impact. A speed at the demand takes its place.
+    fn recorded_approach(&self, avoid: &Avoid<T>, vehicle: VehicleId) -> Option<Arc<[[f64; 2]]>> {
+        let record = self.vehicles[vehicle.index()].recorder.as_ref()?.before_impact()?;
+        let samples = record.speeds().map(|(sample, speed)| [sample.time, speed]);
+        avoid.speed.is_none().then(|| samples.collect())
+    }
+
     fn sight_form(&self, avoid: &Avoid<T>) -> Option<SightForm<T>> {
         let [subject, other] = self.avoid_parties();
         let place = |given: &Option<Place<T>>, of: &GivenVehicle<T>| match (given, &of.position) {
@@ -116,12 +133,12 @@ impl<T: Copy> Case<T> {
             (None, Some(place)) => PlaceForm::Position(*place),
             (None, None) => self.scene_contact.map_or(PlaceForm::Origin, PlaceForm::Contact),
         };
-        let [heading, other_heading] = self.sight_headings(avoid);
+        let [path, other_path] = self.sight_paths(avoid);
         Some(SightForm {
             eye: place(&avoid.sight.eye, subject),
-            heading: heading?,
+            path: path?,
             point: place(&avoid.sight.point, other),
-            other_heading: other_heading?,
+            other_path: other_path?,
             other_speed: self.other_speed(avoid)?,
         })
     }
@@ -132,13 +149,19 @@ impl<T: Copy> Case<T> {
         [subject, subject.other()].map(|of| &self.vehicles[of.index()])
     }
 
-    /// (rad) the directions of both ways to the impact.
-    fn sight_headings(&self, avoid: &Avoid<T>) -> [Option<Quantity<T>>; 2] {
+    /// The paths of both to the impact.
+    fn sight_paths(&self, avoid: &Avoid<T>) -> [Option<PathForm<T>>; 2] {
         let [subject, other] = self.avoid_parties();
-        let of = |given: &Option<Sourced<T>>, vehicle: &GivenVehicle<T>| {
-            given.as_ref().map(|given| given.quantity).or(vehicle.heading)
+        let of = |points: &[Place], given: &Option<Sourced<T>>, vehicle: &GivenVehicle<T>| {
+            if points.is_empty() {
+                let heading = given.as_ref().map(|given| given.quantity).or(vehicle.heading);
+                heading.map(PathForm::Straight)
+            } else {
+                Some(PathForm::Along(points.iter().map(|point| [point.x.si(), point.y.si()]).collect()))
+            }
         };
-        [of(&avoid.sight.heading, subject), of(&avoid.sight.other_heading, other)]
+        let sight = &avoid.sight;
+        [of(&sight.path, &sight.heading, subject), of(&sight.other_path, &sight.other_heading, other)]
     }
 
     /// (m/s) how fast the other party moves.
@@ -205,6 +228,8 @@ impl Demand<'_, f64> {
                     format!("write `speed` in [{table}] in place of `velocity`, or `speed` in [avoid]");
                 self.refuse_avoid(&format!("{table}.velocity"), reason, advice);
             }
+            (SpeedForm::Sought, None)
+                if given.recorder.as_ref().is_some_and(|recorder| recorder.before_impact().is_some()) => {}
             (SpeedForm::Sought, None) if given.is_absent() => {
                 self.missing(
                     "avoid.speed",
@@ -228,14 +253,14 @@ impl Demand<'_, f64> {
 
     fn of_skid(&mut self, avoid: &Avoid) {
         let vehicle = self.case.avoid_subject();
-        let Some(before) = &self.case.vehicles[vehicle.index()].before else { return };
+        let Some(skid) = self.case.vehicles[vehicle.index()].skid() else { return };
         let path = format!("{}.before.skid", table(vehicle));
         if avoid.unbraked {
             let reason =
                 "`unbraked` says that the vehicle did not brake, but its table `before` has skid marks";
             self.refuse_avoid("avoid.unbraked", reason.to_owned(), format!("remove it, or `{path}`"));
         }
-        if matches!(before.skid.begin, SkidBegin::From(_)) {
+        if matches!(skid.begin, SkidBegin::From(_)) {
             let reason = "[avoid] needs the length of the skid, and not the place where it began";
             self.refuse_avoid(
                 &path,
@@ -243,8 +268,63 @@ impl Demand<'_, f64> {
                 "write skid = { length = \"18 m\", friction = 0.7 }".to_owned(),
             );
         }
-        if before.skid.friction.is_none() && self.case.surface.is_none() {
+        if skid.friction.is_none() && self.case.surface.is_none() {
             self.missing(format_args!("{path}.friction"), "`friction` of the skid, or that of [surface]");
+        }
+    }
+
+    /// Refuses phases beside what also says how the vehicle came, and those that leave a number open.
+    fn of_phases(&mut self, avoid: &Avoid) {
+        let vehicle = self.case.avoid_subject();
+        let given = &self.case.vehicles[vehicle.index()];
+        let table = table(vehicle);
+        let Some(first) = given.phases().first() else { return };
+        let path = format!("{table}.before.phase");
+        for (is_given, key, what) in [
+            (avoid.unbraked, "avoid.unbraked".to_owned(), "`unbraked` says how the vehicle came"),
+            (
+                avoid.speed.is_some(),
+                "avoid.speed".to_owned(),
+                "the speed at the reaction demand is given here",
+            ),
+            (given.skid().is_some(), format!("{table}.before.skid"), "a skid says how the vehicle came"),
+        ] {
+            if is_given {
+                let reason = format!("{what}, and so do the phases before the impact");
+                self.refuse_avoid(&key, reason, format!("remove it, or the tables [[{path}]]"));
+            }
+        }
+        let leads_on = first.form.leads_on();
+        let is_sought = self.case.reconstruct.is_some_and(|reconstruct| reconstruct.find.seeks(vehicle));
+        if leads_on && (is_sought || given.motion.is_some()) {
+            let reason = format!(
+                "the first phase tells the speed at the impact, and [{}] does, too",
+                if is_sought { "reconstruct" } else { table }
+            );
+            let advice = "remove `speed`, `distance` or `time` from the first phase: the speed at the impact then leads back \
+                          through the phases";
+            self.refuse_avoid(&format!("{path}[1]"), reason, advice.to_owned());
+        }
+        for (index, phase) in given.phases().iter().enumerate() {
+            let (count, has_speed) = (phase.form.given(), phase.form.speed.is_some());
+            let is_complete = match (leads_on, index) {
+                (true, 0) => true,
+                (true, _) => count == 2 && !has_speed,
+                (false, _) => count == 2,
+            };
+            if is_complete {
+                continue;
+            }
+            let reason = if leads_on {
+                "the first phase tells the speed at its end, so that this one needs two of `distance`, `time` and `acceleration`, \
+                 and no `speed`"
+            } else {
+                "a phase needs two of `distance`, `time`, `acceleration` and `speed`, the speed where it begins"
+            };
+            let advice = "as in { distance = \"12 m\", acceleration = \"-4 m/s^2\" }; the first phase may have `speed` and two more \
+                          where nothing else tells the speed at the impact, such as { speed = \"0 km/h\", acceleration = \"1.5 m/s^2\", \
+                          distance = \"7.7 m\" }";
+            self.refuse_avoid(&format!("{path}[{}]", index + 1), reason.to_owned(), advice.to_owned());
         }
     }
 
@@ -266,16 +346,31 @@ impl Demand<'_, f64> {
             }
             return;
         }
-        let [heading, other_heading] = self.case.sight_headings(avoid);
+        let [path, other_path] = self.case.sight_paths(avoid);
         let speed = self.case.other_speed(avoid);
+        if let Some(form) = self.case.sight_form(avoid) {
+            for (key, end, place, path) in [
+                ("avoid.sight.path", "eye", &form.eye, &form.path),
+                ("avoid.sight.other_path", "point", &form.point, &form.other_path),
+            ] {
+                let end_at = place.place().map_or([0.0; 2], |place| [place.x.si(), place.y.si()]);
+                if matches!(path, PathForm::Along(points) if points.iter().all(|point| *point == end_at)) {
+                    let reason = format!("all points of the path are at its end, `{end}`");
+                    let advice = format!(
+                        "give places that were passed before, in their order; the last is `{end}` itself and not listed"
+                    );
+                    self.refuse_avoid(key, reason, advice);
+                }
+            }
+        }
         for (is_given, key, example) in [
             (
-                heading.is_some(),
+                path.is_some(),
                 "avoid.sight.heading",
                 "`heading`, the direction in which the vehicle drives, as in heading = \"0 deg\"",
             ),
             (
-                other_heading.is_some(),
+                other_path.is_some(),
                 "avoid.sight.other_heading",
                 "`other_heading`, the direction in which the other party moves, as in other_heading = \"90 deg\"",
             ),

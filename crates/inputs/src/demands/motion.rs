@@ -118,8 +118,8 @@ impl<T: Real> Case<T> {
     pub fn skids(&self) -> [Option<SkidData<T>>; 2] {
         let ground = self.surface.as_ref().map(|surface| surface.friction);
         VehicleId::ALL.map(|id| {
-            let skid = self.vehicles[id.index()].before.as_ref()?.skid;
-            Some(SkidData { length: self.skid_length(id, &skid)?, friction: skid.friction.or(ground)? })
+            let skid = self.vehicles[id.index()].skid()?;
+            Some(SkidData { length: self.skid_length(id, skid)?, friction: skid.friction.or(ground)? })
         })
     }
 
@@ -643,8 +643,8 @@ impl<T: Real> Demand<'_, T> {
     /// Refuses skid marks whose friction is not known.
     pub(super) fn skids(&mut self) {
         for (id, vehicle) in VehicleId::ALL.into_iter().zip(&self.case.vehicles) {
-            let Some(skid) = vehicle.before.as_ref().map(|before| before.skid) else { continue };
-            match (self.case.skid_length(id, &skid), &skid.begin) {
+            let Some(skid) = vehicle.skid() else { continue };
+            match (self.case.skid_length(id, skid), &skid.begin) {
                 (None, _) => self.missing(
                     format_args!("{}.position", table(id)),
                     "the place of the CG at the impact, where the skid that begins at a place ends: `position = { x = \"10.8 m\", y = \"3.9 m\" }`, \

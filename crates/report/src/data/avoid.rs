@@ -1,7 +1,7 @@
 //! Whether the collision was avoidable, as JSON.
 
 use analysis::{
-    ActualRun, AvoidChance, AvoidInterval, AvoidRun, Avoidance, Hypothesis, SpeedSource, Unbraked,
+    ActualRun, AvoidChance, AvoidInterval, AvoidRun, Avoidance, DrivenBy, Hypothesis, SpeedSource, Unbraked,
 };
 use case::{CaseFile, SWELLS, word};
 use serde::Serialize;
@@ -155,7 +155,7 @@ pub fn avoid_json(file: &CaseFile, found: &Avoidance) -> Result<String, serde_js
     let delta_v = |run: &AvoidRun| run.delta_v.map(|delta_v| of_movable(case, delta_v));
     let scene = &found.scene;
     let response = scene.response;
-    let of = |speed: f64| KindBlock { speed, avoidable_at_limit: scene.limit <= speed };
+    let of = |speed: f64, avoidable_at_limit: bool| KindBlock { speed, avoidable_at_limit };
     let run = |run: &AvoidRun| RunBlock {
         hypothesis: hypothesis(run.hypothesis),
         speed: run.course.speed,
@@ -179,13 +179,15 @@ pub fn avoid_json(file: &CaseFile, found: &Avoidance) -> Result<String, serde_js
                 SpeedSource::AtImpact => "vehicle",
                 SpeedSource::Reconstructed => "reconstruct",
                 SpeedSource::Estimated => "estimate",
+                SpeedSource::Phases => "phases",
+                SpeedSource::Recorder => "recorder",
             },
             limit: scene.limit,
             demand: DemandBlock { distance: scene.distance, time: scene.time },
             sight: sight(found),
-            stopping_distance: response.stopping_distance(scene.speed),
-            spatial: of(scene.spatial()),
-            temporal: scene.temporal().map(of),
+            stopping_distance: scene.stopping_distance(),
+            spatial: of(scene.spatial(), scene.stops_at_limit()),
+            temporal: scene.temporal().zip(scene.is_late_at_limit()).map(|(speed, is)| of(speed, is)),
             at_limit: AtLimitBlock {
                 collision_speed: scene.left_at_limit(),
                 delta_v: found.run(Hypothesis::All).and_then(delta_v),
@@ -203,6 +205,8 @@ pub fn avoid_json(file: &CaseFile, found: &Avoidance) -> Result<String, serde_js
                 ActualRun::Unbraked(Unbraked::NothingKnown) => "taken as unbraked",
                 ActualRun::Unbraked(Unbraked::WouldHaveStopped) => "late or not at all",
                 ActualRun::Skidded(_) => "skidded",
+                ActualRun::Driven(DrivenBy::Phases) => "by phases",
+                ActualRun::Driven(DrivenBy::Recorder) => "by the recorder",
             },
             reaction_late_by: found.delay(),
             runs: found.runs.iter().chain(&found.more_runs).map(run).collect(),

@@ -77,11 +77,7 @@ pub(crate) fn path_time_picture(case: &Case, found: &Avoidance, units: Units) ->
     let scene = &found.scene;
     let party = party(case);
     let clears = scene.clears_after.map(|after| scene.time + after);
-    let ends = found.runs.iter().map(|run| match (run.arrival, run.course.response) {
-        (Some(arrival), _) => arrival,
-        (None, Some(response)) => response.stopping_time(run.course.speed),
-        (None, None) => scene.time,
-    });
+    let ends = found.runs.iter().map(|run| run.arrival.or(run.course.stops_after()).unwrap_or(scene.time));
     let last = ends.chain(clears).fold(scene.time, f64::max);
     let until = last * (1.0 + 2.0 * BEYOND);
     let beyond = (scene.distance * BEYOND).max(LEAST_BEYOND);

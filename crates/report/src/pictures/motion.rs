@@ -222,7 +222,7 @@ struct Pose {
 fn skids(case: &Case, travel: Option<&Travel>, id: VehicleId, pose: Pose) -> Vec<[[f64; 2]; 2]> {
     let Some(skid) = case.skids()[id.index()] else { return Vec::new() };
     let cg = Vector2::from(pose.cg);
-    let begin = case.vehicles[id.index()].before.as_ref().map(|before| before.skid.begin);
+    let begin = case.vehicles[id.index()].skid().map(|skid| skid.begin);
     let from = match begin {
         Some(SkidBegin::From(place)) => Some(Vector2::new(place.x.si(), case.axes.lateral(place.y.si()))),
         _ => None,

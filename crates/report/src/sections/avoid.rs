@@ -1,11 +1,12 @@
 //! Whether the collision was avoidable.
 
 use analysis::{
-    ActualRun, AvoidChance, AvoidInterval, AvoidRun, AvoidScene, Avoidance, Hiding, Hypothesis,
-    SIGHT_LOOK_BACK, Sight, SpeedSource, Unbraked, View, obstacle_name,
+    ActualRun, AvoidChance, AvoidInterval, AvoidRun, AvoidScene, Avoidance, BRAKES, DrivenBy, GIVES_WAY,
+    Hiding, Hypothesis, SIGHT_LOOK_BACK, Sight, SpeedSource, Unbraked, View, obstacle_name,
 };
 use case::{
-    Avoid, Case, Clear, GivenDemand, OtherApproach, OtherParty, PlaceForm, STANDARD_GRAVITY, Sourced,
+    Avoid, Case, Clear, GivenDemand, OtherApproach, OtherParty, PathForm, PlaceForm, Quantity,
+    STANDARD_GRAVITY, Sourced, Text,
 };
 use time_distance::Swell;
 
@@ -88,8 +89,8 @@ fn answer(case: &Case, found: &Avoidance, units: Units) -> Vec<String> {
         units.format(Measure::Way, scene.distance),
         units.format(Measure::Time, scene.time),
     )];
-    let stop = scene.response.stopping_distance(scene.limit);
-    lines.push(if scene.limit <= scene.spatial() {
+    lines.push(if scene.stops_at_limit() {
+        let stop = scene.at_limit().stop().unwrap_or(scene.distance);
         format!(
             "Avoidable in space at {limit}: it stops {} before the place of the impact",
             units.format(Measure::Way, scene.distance - stop)
@@ -101,13 +102,13 @@ fn answer(case: &Case, found: &Avoidance, units: Units) -> Vec<String> {
         )
     });
     // One that stops before the place is not late, but never comes.
-    if let Some(temporal) = scene.temporal().filter(|_| scene.limit > scene.spatial()) {
-        let is = if scene.limit <= temporal { "Avoidable" } else { "Not avoidable" };
+    if let Some(is_late) = scene.is_late_at_limit().filter(|_| !scene.stops_at_limit()) {
+        let is = if is_late { "Avoidable" } else { "Not avoidable" };
         lines.push(format!(
             "{is} in time at {limit}: {} clears the danger zone {} after the demand, the vehicle {}",
             party(case),
             units.format(Measure::Time, scene.time + scene.clears_after.unwrap_or(0.0)),
-            match scene.response.arrival(scene.limit, scene.distance) {
+            match scene.at_limit().arrival(scene.distance) {
                 Some(arrival) => format!("comes after {}", units.format(Measure::Time, arrival)),
                 None => "stops before".to_owned(),
             }
@@ -166,6 +167,8 @@ fn how(found: &Avoidance) -> String {
         SpeedSource::Estimated => {
             "The speed at the impact is the median of `deltav estimate`, by all evidence"
         }
+        SpeedSource::Phases => "The speed at the impact follows from the phases before it",
+        SpeedSource::Recorder => "The speed at the impact is the median by the table of the recorder",
     };
     format!("Time and distance count from the reaction demand (theory 13). {speed}.")
 }
@@ -176,16 +179,33 @@ fn inputs(case: &Case, given: &Avoid, found: &Avoidance, units: Units) -> Table 
         [
             Column::words("", Width::Fixed(25)),
             Column::words("value", Width::Fixed(14)),
-            Column::words("range", Width::Fixed(22)),
+            Column::words("range", Width::Fixed(24)),
             Column::words("source", Width::Share),
         ],
     );
-    let mut row = |label: &str, key: &str, sourced: &Sourced| {
+    let mut number = |label: &str, key: &str, quantity: &Quantity, source: Option<&Text>| {
         let range =
             case.ranges.iter().find(|range| range.path == key).map_or_else(|| NONE.to_owned(), spread);
-        let source = sourced.source.as_ref().map_or_else(|| "none given".to_owned(), ToString::to_string);
-        let quantity = &sourced.quantity;
+        let source = source.map_or_else(|| "none given".to_owned(), ToString::to_string);
         table.row([label.to_owned(), amount(quantity.number(), Some(quantity.unit())), range, source]);
+    };
+    for (index, phase) in case.vehicles[found.vehicle.index()].phases().iter().enumerate() {
+        let form = &phase.form;
+        for (word, given) in [
+            ("speed", &form.speed),
+            ("distance", &form.distance),
+            ("time", &form.time),
+            ("acceleration", &form.acceleration),
+        ] {
+            if let Some(quantity) = given {
+                let place = index + 1;
+                let key = format!("vehicle{}.before.phase[{place}].{word}", found.vehicle);
+                number(&format!("phase {place}: {word}"), &key, quantity, phase.source.as_ref());
+            }
+        }
+    }
+    let mut row = |label: &str, key: &str, sourced: &Sourced| {
+        number(label, key, &sourced.quantity, sourced.source.as_ref());
     };
     for (label, key, sourced) in [
         ("speed at the demand", "avoid.speed", &given.speed),
@@ -410,14 +430,21 @@ fn ways(case: &Case) -> String {
         PlaceForm::Contact(_) => "at the point of contact",
         PlaceForm::Origin => "at the origin of the scene, because no place is given",
     };
+    let path = |path: &PathForm| match path {
+        PathForm::Straight(heading) => format!("in a straight line in the direction {heading}"),
+        PathForm::Along(points) => {
+            let count = points.len();
+            format!("along the {count} point{} given", if count == 1 { "" } else { "s" })
+        }
+    };
     format!(
-        "At the impact, the driver's eye is {}, and the first visible part of {} is {}. Both approach the impact in straight lines, in the \
-         directions {} and {}, the other party at a constant {}.",
+        "At the impact, the driver's eye is {}, and the first visible part of {} is {}. The vehicle approaches the impact {}, the \
+         other party {} at a constant {}.",
         how(&form.eye),
         party(case),
         how(&form.point),
-        form.heading,
-        form.other_heading,
+        path(&form.path),
+        path(&form.other_path),
         form.other_speed,
     )
 }
@@ -468,7 +495,7 @@ fn runs(case: &Case, found: &Avoidance, units: Units) -> Table {
         Some(units.plain(Measure::Acceleration, run.course.response?.deceleration()))
     });
     row(label("way of the reaction", Measure::Way), &|run| {
-        Some(units.plain(Measure::Way, run.course.speed * run.course.response?.reaction()))
+        Some(units.plain(Measure::Way, run.course.position(run.course.response?.reaction())))
     });
     row(label("stopping distance", Measure::Way), &|run| Some(units.plain(Measure::Way, run.course.stop()?)));
     row(label("stops before the place", Measure::Way), &|run| {
@@ -528,7 +555,8 @@ fn combinations(found: &Avoidance, units: Units) -> Table {
 
 /// How the actual run is known, and whose reaction was late.
 fn on_the_runs(found: &Avoidance, units: Units) -> Vec<String> {
-    let AvoidScene { response, actual, distance, speed, .. } = &found.scene;
+    let scene = &found.scene;
+    let AvoidScene { response, actual, speed, .. } = scene;
     let time = |seconds: f64| units.format(Measure::Time, seconds.abs());
     match actual {
         ActualRun::Responded => vec![
@@ -551,7 +579,7 @@ fn on_the_runs(found: &Avoidance, units: Units) -> Vec<String> {
                     units.format(Measure::Way, response.stopping_distance(*speed))
                 ),
             };
-            let late = response.reaction_to_stop_within(*speed, *distance).map(|longest| {
+            let late = scene.longest_reaction(false).map(|longest| {
                 let by = longest - response.reaction();
                 let compared = if by >= 0.0 { "longer" } else { "shorter" };
                 format!(
@@ -572,6 +600,35 @@ fn on_the_runs(found: &Avoidance, units: Units) -> Vec<String> {
                 time(late),
                 units.format(Measure::Acceleration, slowed.deceleration()),
             )]
+        }
+        ActualRun::Driven(by) => {
+            let by = match by {
+                DrivenBy::Phases => "The phases of the case say how the vehicle came to the impact.".to_owned(),
+                DrivenBy::Recorder => format!(
+                    "The table of the recorder says how the vehicle came to the impact: its speed is taken as stored, and as \
+                     changing evenly between two samples. Those of the last {} give way to the speed at the impact.",
+                    time(GIVES_WAY)
+                ),
+            };
+            let braked = match scene.delay() {
+                Some(late) => format!(
+                    " It slows by more than {} from {} after the demand on, {} {} than with the reaction time of the inputs.",
+                    units.format(Measure::Acceleration, BRAKES),
+                    time(late + response.reaction()),
+                    time(late),
+                    if late >= 0.0 { "later" } else { "earlier" }
+                ),
+                None => format!(
+                    " Between the demand and the impact it does not begin to slow by more than {}.",
+                    units.format(Measure::Acceleration, BRAKES)
+                ),
+            };
+            let goes_on = if scene.at_impact > scene.speed {
+                " In a run with a reaction, it accelerates as it did until the brakes take effect."
+            } else {
+                ""
+            };
+            vec![by + &braked + goes_on]
         }
     }
 }
@@ -600,17 +657,22 @@ fn just_avoiding(found: &Avoidance, units: Units) -> Table {
             is.to_owned(),
         ]);
     };
-    let avoidable = |speed: f64| if scene.limit <= speed { "avoidable" } else { "not avoidable" };
+    let avoidable = |is: bool| if is { "avoidable" } else { "not avoidable" };
     let spatial = scene.spatial();
     row(
         "in space: it stops before the place",
         spatial,
         chance.map(|chance| &chance.spatial),
-        avoidable(spatial),
+        avoidable(scene.stops_at_limit()),
     );
     if let Some(temporal) = scene.temporal() {
         let interval = chance.and_then(|chance| chance.temporal.as_ref());
-        row("in time: it comes when the zone is clear", temporal, interval, avoidable(temporal));
+        row(
+            "in time: it comes when the zone is clear",
+            temporal,
+            interval,
+            avoidable(scene.is_late_at_limit() == Some(true)),
+        );
     }
     row("driven", scene.speed, chance.map(|chance| &chance.speed), "");
     row(

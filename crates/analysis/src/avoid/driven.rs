@@ -1,0 +1,257 @@
+//! How the vehicle moved before the impact, where phases or the table of its recorder tell.
+
+use std::sync::Arc;
+
+use inputs::{BrakingForm, PhaseForm, Quantity};
+use pim_core::InvalidInput;
+use time_distance::{Course, Leg, Phase, Response, approach};
+
+use super::scene::{Since, Unposed};
+
+/// (s) samples of a recorder that are so close to the impact give way to the speed at the impact, which is
+/// found from them, with all that they get wrong.
+pub const GIVES_WAY: f64 = 0.2;
+
+/// (m/s²) a vehicle that slows by more than this brakes; one that slows by less may coast.
+pub const BRAKES: f64 = 1.5;
+
+/// A motion up to the impact, whose times and positions count from the reaction demand. The legs before that
+/// have negative ones.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Driven(Arc<[Leg]>);
+
+/// What a vehicle gains in its reaction by the accelerations that it had.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Gain {
+    /// (m/s) of speed.
+    pub(super) speed: f64,
+    /// (m) of distance, against driving on at the speed at the demand.
+    pub(super) distance: f64,
+}
+
+impl Driven {
+    /// The motion, with the distance (m) and the time (s) from the demand to the impact.
+    pub(super) fn new(mut legs: Vec<Leg>, since: Since) -> Result<(Self, f64, f64), Unposed> {
+        let Some(first) = legs.first().copied() else { return Err(Unposed::Stands) };
+        // What was before the first phase is not known: the vehicle came with the speed with which it began.
+        legs.insert(0, Leg { acceleration: 0.0, jerk: 0.0, ..first });
+        if let Some(last) = legs.last().copied()
+            && last.acceleration < 0.0
+        {
+            let stops = last.speed / -last.acceleration;
+            legs.push(Leg { speed: 0.0, acceleration: 0.0, ..last.after(stops) });
+        }
+        let course = Course::new(&legs).ok_or(Unposed::Stands)?;
+        let (distance, time) = match since {
+            Since::Time(time) => (-course.at(-time).position, time),
+            Since::Distance(distance) => {
+                let beyond = -distance - first.position;
+                let time = if beyond >= 0.0 {
+                    course.reaches(-distance).ok_or(Unposed::Stands)?
+                } else if first.speed > 0.0 {
+                    first.time + beyond / first.speed
+                } else {
+                    return Err(Unposed::SetsOutLater { distance: -first.position });
+                };
+                (distance, -time)
+            }
+        };
+        let from_demand = |leg: Leg| Leg { time: leg.time + time, position: leg.position + distance, ..leg };
+        Ok((Self(legs.into_iter().map(from_demand).collect()), distance, time))
+    }
+
+    pub(super) fn at(&self, time: f64) -> Leg {
+        Course::new(&self.0).map_or(Leg::at_rest(time, 0.0), |course| course.at(time))
+    }
+
+    pub(super) fn reaches(&self, position: f64) -> Option<f64> {
+        Course::new(&self.0)?.reaches(position)
+    }
+
+    /// (m) where it stops; `None` if it does not.
+    pub(super) fn stop(&self) -> Option<f64> {
+        self.rest().map(|rest| rest.position)
+    }
+
+    /// (s) when it stops; `None` if it does not.
+    pub(super) fn stops_after(&self) -> Option<f64> {
+        self.rest().map(|rest| rest.time)
+    }
+
+    /// The last leg, if the vehicle then stands.
+    fn rest(&self) -> Option<&Leg> {
+        self.0.last().filter(|last| last.speed <= 0.0 && last.acceleration <= 0.0)
+    }
+
+    /// (m/s) the greatest speed from the demand to a time (s).
+    pub(super) fn greatest(&self, until: f64) -> f64 {
+        let begins = self.0.iter().map(|leg| leg.time).filter(|time| (0.0..until).contains(time));
+        begins.chain([0.0, until]).map(|time| self.at(time).speed).fold(0.0, f64::max)
+    }
+
+    /// (s) when it begins to brake; `None` if it does so before the demand, or not up to a time (s).
+    pub(super) fn brakes(&self, until: f64) -> Option<f64> {
+        let is_braked = |leg: &&Leg| leg.acceleration < -BRAKES;
+        if self.at(0.0).acceleration < -BRAKES {
+            return None;
+        }
+        self.0.iter().filter(is_braked).map(|leg| leg.time).find(|time| (0.0..until).contains(time))
+    }
+
+    /// The accelerations from the demand on, each with the time (s) at which it ends.
+    fn accelerations(&self) -> impl Iterator<Item = (f64, f64)> {
+        let ends = self.0.iter().skip(1).map(|next| next.time).chain([f64::INFINITY]);
+        self.0.iter().zip(ends).filter(|(_, end)| *end > 0.0).map(|(leg, end)| (leg.acceleration, end))
+    }
+
+    /// The same accelerations from another speed (m/s) at the demand on, and never faster than `greatest`
+    /// (m/s).
+    pub(super) fn beginning_with(&self, speed: f64, greatest: f64) -> Self {
+        let mut stretches = Stretches::new(speed, greatest);
+        for (acceleration, end) in self.accelerations() {
+            stretches.push(acceleration, end);
+        }
+        Self(stretches.legs.into())
+    }
+
+    /// As it was driven until the reaction (s) ends, but for its braking, from a speed (m/s) at the demand on
+    /// and never faster than `greatest` (m/s).
+    fn unaware(&self, speed: f64, reaction: f64, greatest: f64) -> Stretches {
+        let mut stretches = Stretches::new(speed, greatest);
+        for (acceleration, end) in self.accelerations() {
+            stretches.push(acceleration.max(0.0), end.min(reaction));
+            if end >= reaction {
+                break;
+            }
+        }
+        stretches
+    }
+
+    /// What it gains until a time (s), from a speed (m/s) at the demand on and never faster than `greatest`
+    /// (m/s).
+    pub(super) fn gain(&self, until: f64, from: f64, greatest: f64) -> Gain {
+        let Leg { position, speed, .. } = self.unaware(from, until, greatest).end;
+        Gain { speed: speed - from, distance: position - from * until }
+    }
+
+    /// With a reaction to the demand and braking, from a speed (m/s) there on and never faster than `greatest`
+    /// (m/s).
+    pub(super) fn with_response(&self, response: &Response, speed: f64, greatest: f64) -> Self {
+        let Stretches { mut legs, end, .. } = self.unaware(speed, response.reaction(), greatest);
+        let braked = response.with_reaction(0.0).legs(end.speed);
+        legs.extend(braked.map(|leg| Leg {
+            time: leg.time + end.time,
+            position: leg.position + end.position,
+            ..leg
+        }));
+        Self(legs.into())
+    }
+}
+
+/// Legs of constant acceleration, one after the other.
+struct Stretches {
+    legs: Vec<Leg>,
+    end: Leg,
+    /// (m/s)
+    greatest: f64,
+}
+
+impl Stretches {
+    fn new(speed: f64, greatest: f64) -> Self {
+        Self { legs: Vec::new(), end: Leg { speed, ..Leg::at_rest(0.0, 0.0) }, greatest }
+    }
+
+    /// An acceleration (m/s²) until a time (s). A vehicle that has stopped stands, and one that is at the
+    /// greatest speed keeps it.
+    fn push(&mut self, acceleration: f64, until: f64) {
+        let lasts = until - self.end.time;
+        let room = if acceleration > 0.0 { self.greatest - self.end.speed } else { -self.end.speed };
+        let reaches = if acceleration == 0.0 { f64::INFINITY } else { (room / acceleration).max(0.0) };
+        if reaches >= lasts {
+            self.leg(acceleration, lasts);
+            return;
+        }
+        self.leg(acceleration, reaches);
+        self.end.speed = if acceleration > 0.0 { self.end.speed } else { 0.0 };
+        self.leg(0.0, lasts - reaches);
+    }
+
+    fn leg(&mut self, acceleration: f64, lasts: f64) {
+        let leg = Leg { acceleration, jerk: 0.0, ..self.end };
+        self.legs.push(leg);
+        if lasts.is_finite() {
+            self.end = leg.after(lasts);
+        }
+    }
+}
+
+/// The speed at the impact (m/s) to which the phases lead from the speed with which the first begins.
+pub(super) fn led_to(phases: &[PhaseForm]) -> Result<f64, Unposed> {
+    let starts = starts(phases).map_err(Unposed::Phases)?;
+    Ok(starts.last().copied().unwrap_or_default())
+}
+
+/// The speeds (m/s) where the phases begin and where the last ends, followed onward from the first.
+fn starts(phases: &[PhaseForm]) -> Result<Vec<f64>, InvalidInput> {
+    let mut speed = phases.first().and_then(|phase| phase.speed.as_ref()).map_or(0.0, Quantity::si);
+    let mut starts = vec![speed];
+    for form in phases {
+        let [distance, time, acceleration] =
+            [&form.distance, &form.time, &form.acceleration].map(|given| given.as_ref().map(Quantity::si));
+        // A motion seen backwards has the opposite acceleration.
+        let backwards = match (distance, time, acceleration) {
+            (Some(distance), Some(time), _) => Phase::OverFor { distance, time },
+            (Some(distance), None, Some(a)) => Phase::Over { distance, acceleration: -a },
+            (None, Some(time), Some(a)) => Phase::For { time, acceleration: -a },
+            _ => Phase::For { time: 0.0, acceleration: 0.0 },
+        };
+        speed = approach(&Leg { speed, ..Leg::at_rest(0.0, 0.0) }, backwards)?.speed;
+        starts.push(speed);
+    }
+    Ok(starts)
+}
+
+/// The legs of a motion to the impact, whose times and positions count from there; `None` if nothing tells
+/// it.
+pub(super) fn legs(braking: &BrakingForm, at_impact: f64) -> Result<Option<Vec<Leg>>, Unposed> {
+    let phases: Vec<Phase> = match braking {
+        BrakingForm::Phases(given) if given.first().is_some_and(PhaseForm::leads_on) => {
+            let starts = starts(given).map_err(Unposed::Phases)?;
+            given.iter().zip(starts).map(|(form, start)| backwards(form, Some(start))).collect()
+        }
+        BrakingForm::Phases(given) => given.iter().map(|form| backwards(form, None)).collect(),
+        BrakingForm::Recorded(samples) => {
+            let kept: Vec<[f64; 2]> =
+                samples.iter().copied().filter(|[time, _]| *time < -GIVES_WAY).collect();
+            let ends = kept.iter().skip(1).map(|[time, _]| *time).chain([0.0]);
+            let phase =
+                |([time, speed], end): (&[f64; 2], f64)| Phase::FromFor { speed: *speed, time: end - time };
+            kept.iter().zip(ends).map(phase).collect()
+        }
+        _ => return Ok(None),
+    };
+    let mut end = Leg { speed: at_impact, ..Leg::at_rest(0.0, 0.0) };
+    let mut legs = Vec::with_capacity(phases.len());
+    for phase in phases.into_iter().rev() {
+        end = approach(&end, phase).map_err(Unposed::Phases)?;
+        legs.push(end);
+    }
+    legs.reverse();
+    Ok((!legs.is_empty()).then_some(legs))
+}
+
+/// A phase by two of its numbers; `start` (m/s) is the speed where it begins, if that is known from the one
+/// before.
+fn backwards(form: &PhaseForm, start: Option<f64>) -> Phase {
+    let [distance, time, speed, acceleration] = [&form.distance, &form.time, &form.speed, &form.acceleration]
+        .map(|given| given.as_ref().map(Quantity::si));
+    let acceleration = acceleration.unwrap_or_default();
+    match (start.or(speed), distance, time) {
+        (Some(speed), Some(distance), _) => Phase::FromOver { speed, distance },
+        (Some(speed), None, Some(time)) => Phase::FromFor { speed, time },
+        (Some(speed), None, None) => Phase::From { speed, acceleration },
+        (None, Some(distance), Some(time)) => Phase::OverFor { distance, time },
+        (None, Some(distance), None) => Phase::Over { distance, acceleration },
+        (None, None, time) => Phase::For { time: time.unwrap_or_default(), acceleration },
+    }
+}

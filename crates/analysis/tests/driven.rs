@@ -1,0 +1,316 @@
+//! Avoidability where phases or a recorder tell how the vehicle came: against a simulation in small steps.
+
+#![allow(clippy::unwrap_used, reason = "helpers of tests fail by panicking")]
+#![allow(clippy::disallowed_methods, reason = "an independent simulation needs no equal bits")]
+
+use std::ops::ControlFlow;
+
+use analysis::{ActualRun, AvoidPlan, Avoidance, DrivenBy, Failure, Hypothesis, SpeedSource, avoid};
+use case::CaseFile;
+use proptest::prelude::*;
+
+fn asked(text: &str) -> Result<Avoidance, Failure> {
+    let case = CaseFile::parse("avoid.toml", text).unwrap().case;
+    avoid(&case, &AvoidPlan { samples: 1_000, ..AvoidPlan::default() }, &mut |_, _, _| {
+        ControlFlow::Continue(())
+    })
+}
+
+/// A vehicle in small steps. Until the reaction ends, it accelerates as it did, and does not brake.
+struct Stepped {
+    /// (m/s²) each until a time (s) after the demand.
+    accelerations: Vec<[f64; 2]>,
+    /// (s, s, m/s²) reaction, swell, full deceleration; `None` as it was driven.
+    response: Option<[f64; 3]>,
+    /// (m/s)
+    greatest: f64,
+}
+
+const STEP: f64 = 1e-4;
+
+impl Stepped {
+    fn acceleration(&self, time: f64) -> f64 {
+        let driven = self.accelerations.iter().find(|[_, end]| time < *end).unwrap()[0];
+        match self.response {
+            None => driven,
+            Some([reaction, ..]) if time < reaction => driven.max(0.0),
+            Some([reaction, swell, full]) => -full * ((time - reaction) / swell).min(1.0),
+        }
+    }
+
+    /// (m/s, s) at a distance (m); `None` if it stops before.
+    fn at(&self, speed: f64, distance: f64) -> Option<[f64; 2]> {
+        let (mut v, mut s, mut t) = (speed, 0.0, 0.0);
+        while s < distance {
+            let next = (v + self.acceleration(t + 0.5 * STEP) * STEP).min(self.greatest.max(v)).max(0.0);
+            s += 0.5 * (v + next) * STEP;
+            (v, t) = (next, t + STEP);
+            if v <= 0.0 && self.acceleration(t) <= 0.0 {
+                return None;
+            }
+        }
+        Some([v, t])
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(60))]
+
+    /// From the demand on: at one speed, accelerating, braking, up to the impact.
+    #[test]
+    fn a_driven_approach_agrees_with_steps(
+        v0 in 6.0..20.0_f64,
+        steady in 0.2..1.5_f64,
+        [gains, gaining] in [0.5..2.0_f64, 0.3..1.5],
+        [brakes, braking] in [2.0..7.0_f64, 0.1..0.6],
+        reaction in 0.5..1.5_f64,
+        full in 5.0..8.0_f64,
+        slower in 0.5..0.95_f64,
+        clears in 0.1..2.0_f64,
+    ) {
+        let speed = v0 + gains * gaining;
+        let at_impact = speed - brakes * braking;
+        prop_assume!(at_impact > 1.0);
+        let (time, limit) = (steady + gaining + braking, v0 * slower);
+        let distance = v0 * steady + 0.5 * (v0 + speed) * gaining + 0.5 * (speed + at_impact) * braking;
+        // The same in several words: any two numbers of a phase, and the speed at the impact or none.
+        let forms = [
+            ("[vehicle1]\nspeed = \"AT m/s\"", [
+                "time = \"STEADY s\"\nacceleration = \"0 m/s^2\"",
+                "time = \"GAINING s\"\nacceleration = \"GAINS m/s^2\"",
+                "time = \"BRAKING s\"\nspeed = \"SPEED m/s\"",
+            ]),
+            ("", [
+                "speed = \"V0 m/s\"\ntime = \"STEADY s\"\nacceleration = \"0 m/s^2\"",
+                "acceleration = \"GAINS m/s^2\"\ntime = \"GAINING s\"",
+                "acceleration = \"-BRAKES m/s^2\"\ntime = \"BRAKING s\"",
+            ]),
+        ];
+        let accelerations =
+            vec![[0.0, steady], [gains, steady + gaining], [-brakes, f64::INFINITY]];
+        let run = |response, greatest| Stepped { accelerations: accelerations.clone(), response, greatest };
+        for (vehicle, phases) in forms {
+            let phases: String =
+                phases.iter().map(|phase| format!("[[vehicle1.before.phase]]\n{phase}\n")).collect();
+            let mut text = format!(
+                "[avoid]\nlimit = \"{limit} m/s\"\nreaction_time = \"{reaction} s\"\nswell = \"0.2 s\"\n\
+                 deceleration = \"{full} m/s^2\"\ndemand = {{ time = \"{time} s\" }}\n\
+                 clear = {{ distance = \"{clears} m\", speed = \"1 m/s\" }}\n{vehicle}\n{phases}"
+            );
+            for (word, value) in [
+                ("STEADY", steady), ("GAINING", gaining), ("GAINS", gains), ("BRAKING", braking), ("BRAKES", brakes),
+                ("SPEED", speed), ("V0", v0), ("AT", at_impact),
+            ] {
+                text = text.replace(word, &value.to_string());
+            }
+            let found = asked(&text).unwrap();
+            let scene = &found.scene;
+            prop_assert_eq!(scene.actual, ActualRun::Driven(DrivenBy::Phases));
+            for (found, expected) in [
+                (scene.speed, v0), (scene.at_impact, at_impact), (scene.distance, distance), (scene.time, time),
+                (found.delay().unwrap(), steady + gaining - reaction),
+            ] {
+                prop_assert!((found - expected).abs() < 1e-9, "{} {}\n{}", found, expected, text);
+            }
+            let answer = [reaction, 0.2, full];
+            for (hypothesis, stepped, from) in [
+                (Hypothesis::LimitOnly, run(None, limit), limit),
+                (Hypothesis::ReactionAndBraking, run(Some(answer), f64::INFINITY), v0),
+                (Hypothesis::All, run(Some(answer), limit), limit),
+            ] {
+                let of_run = found.run(hypothesis).unwrap();
+                match stepped.at(from, distance) {
+                    Some([speed, arrival]) if speed > 0.3 => {
+                        prop_assert!((of_run.collision_speed - speed).abs() < 2e-2, "{:?} {} {}", hypothesis, of_run.collision_speed, speed);
+                        prop_assert!((of_run.arrival.unwrap() - arrival).abs() < 2e-3, "{:?} {:?} {}", hypothesis, of_run.arrival, arrival);
+                    }
+                    // A hand's breadth from the place decides.
+                    Some(_) => {}
+                    None => prop_assert!(of_run.collision_speed < 0.8, "{:?} {}", hypothesis, of_run.collision_speed),
+                }
+            }
+            // The speeds that just avoid it, which it keeps once it has them: a little faster fails. If it is
+            // not that fast before it brakes, it comes faster from the demand on.
+            let gained = gains * (reaction - steady).clamp(0.0, gaining);
+            let keeping = |greatest: f64| {
+                let from = if greatest > v0 + gained { greatest - gained } else { greatest.min(v0) };
+                run(Some(answer), greatest).at(from, distance)
+            };
+            let spatial = scene.spatial();
+            prop_assert!(keeping(spatial * 0.999 - 1e-3).is_none(), "{}", spatial);
+            prop_assert!(keeping(spatial * 1.001 + 1e-3).is_some(), "{}", spatial);
+            let temporal = scene.temporal().unwrap();
+            if temporal > spatial + 0.01 {
+                let [_, arrival] = keeping(temporal).unwrap();
+                prop_assert!((arrival - (time + clears)).abs() < 2e-3, "{} {}", arrival, time + clears);
+            }
+            if let Some(least) = found.enough.deceleration_at_limit {
+                let with = |full: f64| run(Some([reaction, 0.2, full]), limit).at(limit, distance);
+                prop_assert!(with(least * 1.002).is_none() && with(least * 0.998).is_some());
+            }
+            if let Some(longest) = found.enough.reaction {
+                let with = |reaction: f64| run(Some([reaction, 0.2, full]), f64::INFINITY).at(v0, distance);
+                prop_assert!(longest < 0.01 || with(longest - 2e-3).is_none());
+                prop_assert!(with(longest + 2e-3).is_some());
+            }
+            if let Some(least) = found.enough.deceleration {
+                let with = |full: f64| run(Some([reaction, 0.2, full]), f64::INFINITY).at(v0, distance);
+                prop_assert!(with(least * 1.002).is_none() && with(least * 0.998).is_some());
+            }
+        }
+    }
+}
+
+/// A skid is a phase, too: the same speed at the demand, distance and time.
+#[test]
+fn a_skid_as_a_phase_is_the_same_skid() {
+    let text = |before: &str| {
+        format!(
+            "[vehicle1]\nspeed = \"10 m/s\"\n{before}\n[avoid]\nlimit = \"40 km/h\"\nreaction_time = \"1 s\"\n\
+             deceleration = \"7 m/s^2\"\ndemand = {{ distance = \"40 m\" }}\n"
+        )
+    };
+    let skid = asked(&text("[vehicle1.before]\nskid = { length = \"12 m\", friction = 0.6 }")).unwrap();
+    let phase = "[[vehicle1.before.phase]]\ndistance = \"12 m\"\nacceleration = \"-5.88399 m/s^2\"";
+    let phase = asked(&text(phase)).unwrap();
+    for (one, other) in [
+        (skid.scene.speed, phase.scene.speed),
+        (skid.scene.time, phase.scene.time),
+        (skid.scene.spatial(), phase.scene.spatial()),
+        (skid.delay().unwrap(), phase.delay().unwrap()),
+        (
+            skid.run(Hypothesis::LimitOnly).unwrap().collision_speed,
+            phase.run(Hypothesis::LimitOnly).unwrap().collision_speed,
+        ),
+    ] {
+        assert!((one - other).abs() < 1e-9, "{one} {other}");
+    }
+}
+
+/// A driver who sets out from a stop is asked about the reaction, whatever the limit is; the speed at the
+/// impact follows: √(2 · 1.5 · 7.7).
+#[test]
+fn a_start_from_a_stop_is_followed() {
+    let text = |demand: &str| {
+        format!(
+            "[[vehicle1.before.phase]]\nspeed = \"0 m/s\"\nacceleration = \"1.5 m/s^2\"\ndistance = \"7.7 m\"\n[avoid]\n\
+             limit = \"50 km/h\"\nreaction_time = \"1 s\"\ndeceleration = \"7 m/s^2\"\ndemand = {{ {demand} }}\n"
+        )
+    };
+    let found = asked(&text("time = \"2 s\"")).unwrap();
+    let lasts = (2.0 * 7.7 / 1.5_f64).sqrt();
+    assert_eq!(found.speed_from, SpeedSource::Phases);
+    assert!((found.scene.at_impact - 1.5 * lasts).abs() < 1e-12);
+    assert!((found.scene.speed - 1.5 * (lasts - 2.0)).abs() < 1e-12);
+    // Never faster than the limit: nothing is changed by it.
+    let hypotheses: Vec<Hypothesis> = found.runs.iter().map(|run| run.hypothesis).collect();
+    assert_eq!(hypotheses, [Hypothesis::Actual, Hypothesis::ReactionAndBraking]);
+    assert!(!found.scene.is_above_limit());
+    // Before it set out it stood, and a demand farther back has no moment.
+    let stood = asked(&text("time = \"5 s\"")).unwrap();
+    assert_eq!(stood.scene.speed, 0.0);
+    assert!((stood.scene.distance - 7.7).abs() < 1e-12);
+    let refused = asked(&text("distance = \"9 m\"")).unwrap_err().to_string();
+    assert!(refused.contains("begin with a stop 7.7 m before the impact"), "{refused}");
+}
+
+const RECORDED: &str = r#"
+    [avoid]
+    limit = "50 km/h"
+    reaction_time = "0.8 s"
+    deceleration = "7.5 m/s^2"
+    demand = { time = "1.9 s" }
+    [vehicle1]
+    speed = "36 km/h"
+    [vehicle1.recorder.pre_crash]
+    time = "-2.5 -1.5 -0.5 -0.1 s"
+    speed = "72 72 54 43 km/h"
+"#;
+
+/// 20 m/s up to 1.5 s before the impact, then evenly to 15 m/s in 1 s and to 10 m/s in 0.5 s: the sample at
+/// −0.1 s gives way.
+#[test]
+fn the_table_of_a_recorder_is_the_actual_run() {
+    let found = asked(RECORDED).unwrap();
+    assert_eq!(found.scene.actual, ActualRun::Driven(DrivenBy::Recorder));
+    assert!((found.scene.speed - 20.0).abs() < 1e-12);
+    assert!((found.scene.distance - (0.4 * 20.0 + 17.5 + 6.25)).abs() < 1e-12, "{}", found.scene.distance);
+    assert!((found.delay().unwrap() - (0.4 - 0.8)).abs() < 1e-12);
+    // By the distance, it is the same moment.
+    let by_distance = asked(&RECORDED.replace("time = \"1.9 s\"", "distance = \"31.75 m\"")).unwrap();
+    assert!((by_distance.scene.time - 1.9).abs() < 1e-12);
+    // A speed at the demand takes the place of the table.
+    let given = RECORDED
+        .replace("[vehicle1]\n    speed = \"36 km/h\"\n", "")
+        .replace("[avoid]", "[avoid]\nspeed = \"72 km/h\"");
+    assert_eq!(asked(&given).unwrap().scene.actual, ActualRun::Responded);
+    // Without a speed at the impact, the table tells that too, with its error.
+    let alone = asked(&RECORDED.replace("speed = \"36 km/h\"\n", "\n")).unwrap();
+    assert_eq!(alone.speed_from, SpeedSource::Recorder);
+    assert!((alone.scene.at_impact - 43.0 / 3.6).abs() < 2.0, "{}", alone.scene.at_impact);
+    let chance = alone.chance.as_ref().unwrap();
+    assert!(chance.distance.low < alone.scene.distance && alone.scene.distance < chance.distance.high);
+}
+
+/// What cannot be is told with its key.
+#[test]
+fn phases_that_cannot_be_get_a_sentence() {
+    let text = |phases: &str, lines: &str| {
+        format!(
+            "[vehicle1]\nspeed = \"10 m/s\"\n[vehicle1.before]\nphase = [{phases}]\n[avoid]\nlimit = \"30 km/h\"\n\
+             reaction_time = \"1 s\"\ndeceleration = \"7 m/s^2\"\ndemand = {{ time = \"2 s\" }}\n{lines}\n"
+        )
+    };
+    for (phases, lines, says) in [
+        ("{ distance = \"40 m\", acceleration = \"2 m/s^2\" }", "", "cannot have moved so"),
+        ("{ time = \"2 s\" }", "", "needs two of"),
+        ("{ time = \"2 s\", distance = \"20 m\", acceleration = \"0 m/s^2\" }", "", "needs two of"),
+        (
+            "{ speed = \"2 m/s\", time = \"2 s\", acceleration = \"0 m/s^2\" }",
+            "",
+            "tells the speed at the impact",
+        ),
+        ("{ time = \"2 s\", acceleration = \"0 m/s^2\" }", "unbraked = true", "so do the phases"),
+        ("{ time = \"2 s\", acceleration = \"0 m/s^2\" }", "speed = \"12 m/s\"", "so do the phases"),
+    ] {
+        let refused = asked(&text(phases, lines)).unwrap_err().to_string();
+        assert!(refused.contains(says), "{phases} {lines}: {refused}");
+    }
+}
+
+/// A path with a corner: the place of the eye by hand. It comes from the south, turns at (−10, 0) and is at
+/// (−2, 0) at the impact, 8 m farther.
+#[test]
+fn paths_may_turn() {
+    let found = asked(
+        r#"
+        [avoid]
+        speed = "10 m/s"
+        unbraked = true
+        limit = "30 km/h"
+        reaction_time = "1 s"
+        deceleration = "7 m/s^2"
+        demand = { time = "2 s" }
+        [avoid.sight]
+        eye = { x = "-2 m", y = "0 m" }
+        path = [{ x = "-10 m", y = "-6 m" }, { x = "-10 m", y = "0 m" }]
+        other_path = [{ x = "3 m", y = "4 m" }]
+        other_speed = "5 m/s"
+        [[avoid.obstacle]]
+        polygon = [{ x = "50 m", y = "50 m" }, { x = "60 m", y = "50 m" }, { x = "60 m", y = "60 m" }]
+    "#,
+    )
+    .unwrap();
+    for (time, eye, point) in [
+        (0.0, [-2.0, 0.0], [0.0, 0.0]),
+        (0.5, [-7.0, 0.0], [1.5, 2.0]),
+        (1.0, [-10.0, -2.0], [3.0, 4.0]),
+        // Before the first point it goes on straight.
+        (2.0, [-10.0, -12.0], [6.0, 8.0]),
+    ] {
+        let places = found.eye_and_point(time).unwrap();
+        for (found, expected) in places.iter().flatten().zip(eye.iter().chain(&point)) {
+            assert!((found - expected).abs() < 1e-12, "{time}: {places:?}");
+        }
+    }
+}
