@@ -3,6 +3,7 @@
 
 mod chance;
 mod driven;
+mod posing;
 mod scene;
 mod sight;
 
@@ -21,7 +22,7 @@ use time_distance::Response;
 pub use chance::{AvoidChance, AvoidInfluence, AvoidInterval, SightIntervals};
 use chance::{Speeds, chance};
 pub use driven::{BRAKES, GIVES_WAY};
-use scene::Unposed;
+use posing::Unposed;
 pub use scene::{ActualRun, AvoidCourse, AvoidScene, DrivenBy, Sight, Unbraked, View};
 pub use sight::{Hiding, SIGHT_LOOK_BACK};
 use sight::{Outlines, Ways};

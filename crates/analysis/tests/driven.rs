@@ -252,6 +252,23 @@ fn the_table_of_a_recorder_is_the_actual_run() {
     assert!(chance.distance.low < alone.scene.distance && alone.scene.distance < chance.distance.high);
 }
 
+/// Before the demand, too, the eye is where the recorder tells: 1.5 s before the impact it has 23.75 m to go,
+/// and 0.4 s before that, 8 m more.
+#[test]
+fn the_eye_is_where_the_recorder_tells() {
+    let found = asked(&RECORDED.replace("time = \"1.9 s\"", "time = \"0.5 s\"").replace(
+        "[vehicle1]",
+        "[avoid.sight]\neye = { x = \"0 m\", y = \"0 m\" }\nheading = \"0 deg\"\nother_heading = \"90 deg\"\nother_speed = \"1 m/s\"\n\
+         [[avoid.obstacle]]\npolygon = [{ x = \"50 m\", y = \"50 m\" }, { x = \"60 m\", y = \"50 m\" }, { x = \"60 m\", y = \"60 m\" }]\n\
+         [vehicle1]",
+    ))
+    .unwrap();
+    for (time, to_go) in [(0.5, 6.25), (1.5, 23.75), (1.9, 31.75)] {
+        let [eye, _] = found.eye_and_point(time).unwrap();
+        assert!((eye[0] + to_go).abs() < 1e-12 && eye[1].abs() < 1e-12, "{time}: {eye:?}");
+    }
+}
+
 /// What cannot be is told with its key.
 #[test]
 fn phases_that_cannot_be_get_a_sentence() {

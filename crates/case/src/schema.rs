@@ -1263,7 +1263,7 @@ pub(crate) static BEFORE: Schema = Schema {
         table("skid", "skid = { length = \"18 m\", friction = 0.7 }", &SKID),
         key(
             "phase",
-            "[[vehicle1.before.phase]]",
+            "phase = [{ distance = \"12 m\", acceleration = \"-4 m/s^2\" }]",
             Form::Tables(&PHASE),
             "How the vehicle moved before the impact, in the order of time. `deltav avoid` follows the phases; the last ends at the impact.",
         ),

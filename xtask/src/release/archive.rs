@@ -33,6 +33,8 @@ pub(super) fn program(place: &Place) -> Result<Vec<String>> {
     let triple = &place.triple;
     run(Command::new(cargo())
         .args(["build", "--locked", "--release", "-p", "deltav-cli", "--target", triple])
+        // Names of functions are for who debugs, and half of the file.
+        .env("CARGO_PROFILE_RELEASE_STRIP", "symbols")
         .current_dir(&place.root))?;
     let is_windows = triple.contains("windows");
     let file = if is_windows { "deltav.exe" } else { "deltav" };

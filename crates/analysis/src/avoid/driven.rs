@@ -6,7 +6,7 @@ use inputs::{BrakingForm, PhaseForm, Quantity};
 use pim_core::InvalidInput;
 use time_distance::{Course, Leg, Phase, Response, approach};
 
-use super::scene::{Since, Unposed};
+use super::posing::{Since, Unposed};
 
 /// (s) samples of a recorder that are so close to the impact give way to the speed at the impact, which is
 /// found from them, with all that they get wrong.

@@ -6,6 +6,7 @@ use reconcile::brent;
 use time_distance::{Advance, Course, Leg, Response};
 
 use super::driven::{Driven, Gain, led_to, legs};
+use super::posing::{Since, Unposed};
 
 /// How the vehicle came to the impact.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -96,50 +97,6 @@ impl View {
             Self::Free(sight) => Some(sight),
             Self::Open | Self::NeverHidden => None,
         }
-    }
-}
-
-/// From where or when on a scene counts.
-#[derive(Clone, Copy, Debug)]
-pub(crate) enum Since {
-    /// (m) distance of the vehicle before the impact.
-    Distance(f64),
-    /// (s) time before the impact.
-    Time(f64),
-}
-
-/// Why the numbers are not those of a scene.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) enum Unposed {
-    /// The vehicle braked already where or when the danger could first be recognized.
-    BrakedBefore {
-        /// (m) from the first effect of the brakes to the impact.
-        distance: f64,
-        /// (s) likewise.
-        time: f64,
-    },
-    /// From this speed, the skid ends before the impact.
-    SkidTooLong,
-    /// The vehicle sets out from a stop at this distance (m) from the impact, after the place of the demand.
-    SetsOutLater {
-        /// (m)
-        distance: f64,
-    },
-    /// The phases before the impact cannot be.
-    Phases(InvalidInput),
-    /// The vehicle did not move forward.
-    Stands,
-    /// Obstacles hide nothing before the impact, so that their end is no demand.
-    NeverHidden,
-    /// An obstacle hides the other party at the impact.
-    HiddenAtImpact,
-    /// The engine refuses a number.
-    Engine(InvalidInput),
-}
-
-impl From<InvalidInput> for Unposed {
-    fn from(refusal: InvalidInput) -> Self {
-        Self::Engine(refusal)
     }
 }
 

@@ -5,7 +5,8 @@ use pim_core::Vector2;
 use real::Real;
 use time_distance::{first_sight, free_since, sees};
 
-use super::scene::{AvoidScene, Sight, Since, Unposed, View, given_demand};
+use super::posing::{Since, Unposed};
+use super::scene::{AvoidScene, Sight, View, given_demand};
 
 /// (s) how far before the impact the sight is asked.
 pub const SIGHT_LOOK_BACK: f64 = 10.0;
@@ -212,6 +213,7 @@ pub(super) fn pose(
 /// (m) what the vehicle has to go at a time (s) before the impact, on the actual run.
 fn way_before(scene: &AvoidScene, time: f64) -> f64 {
     let since = scene.time - time;
-    let gone = if since < 0.0 { scene.speed * since } else { scene.course().position(since) };
-    scene.distance - gone
+    // What the vehicle did before the demand is known of phases and recorders alone.
+    let is_known = since >= 0.0 || scene.driven.is_some();
+    scene.distance - if is_known { scene.course().position(since) } else { scene.speed * since }
 }
