@@ -134,8 +134,8 @@ impl Driven {
         Gain { speed: speed - from, distance: position - from * until }
     }
 
-    /// With a reaction to the demand and braking, from a speed (m/s) there on and never faster than `greatest`
-    /// (m/s).
+    /// With a reaction to the demand and braking, from a speed (m/s) there on and never faster than
+    /// `greatest` (m/s).
     pub(super) fn with_response(&self, response: &Response, speed: f64, greatest: f64) -> Self {
         let Stretches { mut legs, end, .. } = self.unaware(speed, response.reaction(), greatest);
         let braked = response.with_reaction(0.0).legs(end.speed);

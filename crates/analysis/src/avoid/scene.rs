@@ -366,7 +366,8 @@ impl AvoidScene {
         self.responding(speed, response, f64::INFINITY)
     }
 
-    /// (m) from the demand to the stop, at the speed driven and with the reaction and the braking of `[avoid]`.
+    /// (m) from the demand to the stop, at the speed driven and with the reaction and the braking of
+    /// `[avoid]`.
     #[must_use]
     pub fn stopping_distance(&self) -> f64 {
         self.with_response(self.speed, self.response).stop().unwrap_or(f64::NAN)
@@ -398,8 +399,8 @@ impl AvoidScene {
         self.at_limit().speed_at(self.distance)
     }
 
-    /// Whether the vehicle stops before the place of the impact at the limit, with the reaction and the braking
-    /// of `[avoid]`.
+    /// Whether the vehicle stops before the place of the impact at the limit, with the reaction and the
+    /// braking of `[avoid]`.
     #[must_use]
     pub fn stops_at_limit(&self) -> bool {
         if self.driven.is_some() {

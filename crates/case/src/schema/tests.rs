@@ -136,6 +136,7 @@ fn documentation() -> String {
         &TEST,
         &OBLIQUE,
         &BEFORE,
+        &PHASE,
         &SKID,
         &SKID_FROM,
         &AFTER,
