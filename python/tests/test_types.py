@@ -182,7 +182,7 @@ def test_every_attribute_has_its_unit_in_front() -> None:
     assert said == annotated, "each has a docstring"
     for name, kind, says in entries:
         if name != "vehicle" and re.search(r"\b(float|int|_Pair|_MaybePair)\b", kind):
-            assert re.match(r"\((–|SI|US|SI/SI|J|N|N s|N m s|m|m/s|rad|rad/s|s)\) |In the unit", says), (name, says)
+            assert re.match(r"\((–|SI|US|SI/SI|J|N|N s|N m s|m|m/s|m/s²|rad|rad/s|s)\) |In the unit", says), (name, says)
 
 
 RIGHT = """

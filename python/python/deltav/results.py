@@ -1184,7 +1184,7 @@ class Sight(Record):
     distance_other: float
     """(m) that the other party covers from there to the impact."""
     hidden_by: int | None
-    """The obstacle that hid it last, counted from 1; None if it came out of nothing."""
+    """(–) the obstacle that hid it last, counted from 1; None if it came out of nothing."""
     seen_earlier: float | None
     """(s) before the impact, when it was first in sight before it was hidden; None if it was not."""
 
@@ -1260,7 +1260,7 @@ class AvoidanceRun(Record):
     reaction_time: float | None
     """(s) None of a run without a reaction."""
     deceleration: float | None
-    """(m/s²) likewise."""
+    """(m/s²) None of a run without a reaction."""
     stopping_distance: float | None
     """(m) from the demand; None if it does not stop."""
     collision_speed: float
