@@ -102,13 +102,15 @@ impl<T: Real> Case<T> {
             return None;
         }
         let mut demand = Demand::new(self, Purpose::Motion);
-        let vehicles = VehicleId::ALL.map(|id| {
+        let mut motion = |id: VehicleId| {
             if !has_drag(&self.vehicles[id.index()]) {
                 return None;
             }
             let subject = demand.subject(id);
             demand.vehicle_motion(id, subject.as_ref(), Departed::ByImpact)
-        });
+        };
+        // `map` of an array would copy them once more, for each particle of an estimate.
+        let vehicles = [motion(VehicleId::One), motion(VehicleId::Two)];
         let surface = demand.surface();
         Some(demand.finish(surface.map(|surface| MotionInput { surface, vehicles })))
     }
