@@ -470,7 +470,8 @@ fn of_ranges(
         }
         (None, _) => None,
     };
-    if inputs.is_empty() && speeds.is_none() {
+    let is_recorded = matches!(form.braking, BrakingForm::Recorded { .. });
+    if inputs.is_empty() && speeds.is_none() && !is_recorded {
         return Ok(None);
     }
     let speeds = speeds.map(|speeds| Speeds { speeds, estimated: draws.and(estimated) });
@@ -603,7 +604,7 @@ fn unposed(form: &AvoidForm, refusal: Unposed) -> Failure {
         }
         Unposed::Phases(refusal) => (
             match form.braking {
-                BrakingForm::Recorded(_) => format!("{table}.recorder.pre_crash"),
+                BrakingForm::Recorded { .. } => format!("{table}.recorder.pre_crash"),
                 _ => format!("{table}.before.phase"),
             },
             format!("the vehicle cannot have moved so: {refusal}"),

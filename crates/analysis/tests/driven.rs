@@ -228,16 +228,19 @@ const RECORDED: &str = r#"
 "#;
 
 /// 20 m/s up to 1.5 s before the impact, then evenly to 15 m/s in 1 s and to 10 m/s in 0.5 s: the sample at
-/// −0.1 s gives way.
+/// −0.1 s gives way. Without slip, to begin with.
 #[test]
 fn the_table_of_a_recorder_is_the_actual_run() {
-    let found = asked(RECORDED).unwrap();
+    let exact = "[vehicle1.recorder.errors]\nsteady_low = \"0 %\"\nslip_low = \"0 km/h\"\n";
+    let recorded =
+        RECORDED.replace("[vehicle1.recorder.pre_crash]", &format!("{exact}[vehicle1.recorder.pre_crash]"));
+    let found = asked(&recorded).unwrap();
     assert_eq!(found.scene.actual, ActualRun::Driven(DrivenBy::Recorder));
     assert!((found.scene.speed - 20.0).abs() < 1e-12);
     assert!((found.scene.distance - (0.4 * 20.0 + 17.5 + 6.25)).abs() < 1e-12, "{}", found.scene.distance);
     assert!((found.delay().unwrap() - (0.4 - 0.8)).abs() < 1e-12);
     // By the distance, it is the same moment.
-    let by_distance = asked(&RECORDED.replace("time = \"1.9 s\"", "distance = \"31.75 m\"")).unwrap();
+    let by_distance = asked(&recorded.replace("time = \"1.9 s\"", "distance = \"31.75 m\"")).unwrap();
     assert!((by_distance.scene.time - 1.9).abs() < 1e-12);
     // A speed at the demand takes the place of the table.
     let given = RECORDED
@@ -250,6 +253,17 @@ fn the_table_of_a_recorder_is_the_actual_run() {
     assert!((alone.scene.at_impact - 43.0 / 3.6).abs() < 2.0, "{}", alone.scene.at_impact);
     let chance = alone.chance.as_ref().unwrap();
     assert!(chance.distance.low < alone.scene.distance && alone.scene.distance < chance.distance.high);
+    // Slip as it is by default, by hand: 1.4 % where the wheels roll, and 3 km/h where they slow by 0.75 g, in
+    // between by their shares; sd 0.43 % and 0.7 %.
+    let slips = asked(RECORDED).unwrap();
+    assert!((slips.scene.speed - 20.28).abs() < 1e-9, "{}", slips.scene.speed);
+    let share = 5.0 / (0.75 * 9.80665);
+    let braked = 15.0 + share * 3.0 / 3.6 + (1.0 - share) * 0.014 * 15.0;
+    let distance = 0.4 * 20.28 + 0.5 * (20.28 + braked) + 0.25 * (braked + 10.0);
+    assert!((slips.scene.distance - distance).abs() < 1e-9, "{} {distance}", slips.scene.distance);
+    let speed = slips.chance.as_ref().unwrap().speed;
+    let sd = 20.0 * (0.0043_f64.powi(2) + 0.007_f64.powi(2)).sqrt();
+    assert!((speed.high - speed.low - 2.0 * 1.96 * sd).abs() < 0.1 * sd, "{speed:?} {sd}");
 }
 
 /// Before the demand, too, the eye is where the recorder tells: 1.5 s before the impact it has 23.75 m to go,
@@ -258,7 +272,7 @@ fn the_table_of_a_recorder_is_the_actual_run() {
 fn the_eye_is_where_the_recorder_tells() {
     let found = asked(&RECORDED.replace("time = \"1.9 s\"", "time = \"0.5 s\"").replace(
         "[vehicle1]",
-        "[avoid.sight]\neye = { x = \"0 m\", y = \"0 m\" }\nheading = \"0 deg\"\nother_heading = \"90 deg\"\nother_speed = \"1 m/s\"\n\
+        "[vehicle1.recorder.errors]\nsteady_low = \"0 %\"\nslip_low = \"0 km/h\"\n[avoid.sight]\neye = { x = \"0 m\", y = \"0 m\" }\nheading = \"0 deg\"\nother_heading = \"90 deg\"\nother_speed = \"1 m/s\"\n\
          [[avoid.obstacle]]\npolygon = [{ x = \"50 m\", y = \"50 m\" }, { x = \"60 m\", y = \"50 m\" }, { x = \"60 m\", y = \"60 m\" }]\n\
          [vehicle1]",
     ))

@@ -4,6 +4,7 @@ use std::fmt::Display;
 use std::sync::Arc;
 
 use pim_core::{InvalidInput, VehicleId};
+use recorder::SampleSpeed;
 use time_distance::{Advance, Swell};
 
 use crate::after::PhaseForm;
@@ -349,8 +350,13 @@ pub enum BrakingForm<T = f64> {
     },
     /// In phases, in the order of time: the last ends at the impact.
     Phases(Vec<PhaseForm<T>>),
-    /// As its recorder stored it: times (s), negative before the impact, and speeds (m/s).
-    Recorded(Arc<[[f64; 2]]>),
+    /// As its recorder stored it.
+    Recorded {
+        /// The samples, the earliest first.
+        samples: Arc<[SampleSpeed]>,
+        /// By how many standard deviations their speeds err.
+        error: f64,
+    },
 }
 
 impl<T: Copy> AvoidForm<T> {
@@ -399,7 +405,9 @@ impl<T: Copy> AvoidForm<T> {
                 BrakingForm::Phases(phases) => {
                     BrakingForm::Phases(phases.iter().map(|phase| phase.map(&mut of)).collect())
                 }
-                BrakingForm::Recorded(samples) => BrakingForm::Recorded(samples.clone()),
+                BrakingForm::Recorded { samples, error } => {
+                    BrakingForm::Recorded { samples: samples.clone(), error: *error }
+                }
             },
         }
     }

@@ -271,6 +271,58 @@ impl Leg {
     }
 }
 
+/// (1) by how much of hard braking (m/s²) the wheels slip, by the switches of brake and ABS and by how much the
+/// stored speed fell (m/s²).
+fn slips([brake, abs]: [Option<bool>; 2], slowed: f64, hard: f64) -> f64 {
+    match (abs, brake) {
+        (Some(true), _) => 1.0,
+        (_, Some(false)) => 0.0,
+        _ if hard > 0.0 => (slowed / hard).clamp(0.0, 1.0),
+        _ => 0.0,
+    }
+}
+
+/// How fast a vehicle was when a sample was stored.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SampleSpeed {
+    /// (s) time of the sample, negative before the impact.
+    pub time: f64,
+    /// (m/s) the speed that was stored, with what the wheels slipped on average.
+    pub speed: f64,
+    /// (m/s) standard deviation of its error, which the samples share: slip and tyres. Rounding is left aside.
+    pub sd: f64,
+}
+
+/// How fast the vehicle was at each sample with a speed, the earliest first. What the age of a stored speed
+/// does is left aside.
+///
+/// # Errors
+/// Errors beyond their range.
+pub fn sample_speeds(
+    record: &PreCrash,
+    errors: &ImpactSpeedErrors,
+) -> Result<Vec<SampleSpeed>, SpeedErrorOutOfRange> {
+    errors.check()?;
+    let hard = errors.friction * GRAVITY;
+    let mut before: Option<(f64, f64)> = None;
+    let samples = record.speeds().map(|(sample, stored)| {
+        let slowed = before.map_or(0.0, |(time, speed)| (speed - stored) / (sample.time - time));
+        before = Some((sample.time, stored));
+        let hard = slips([sample.brake, sample.abs], slowed, hard);
+        let leg = Leg { stored, gap: 0.0, hard, brakes: [0.0; 2], coasts: [0.0; 2], braked: 0.0 };
+        let [slip, slip_sd] = leg.slip(errors);
+        let tyres = errors.tyre_sd * stored;
+        // A vehicle that stood has nothing that slips.
+        let moved = if stored > 0.0 { 1.0 } else { 0.0 };
+        SampleSpeed {
+            time: sample.time,
+            speed: stored + moved * slip,
+            sd: moved * (slip_sd * slip_sd + tyres * tyres).sqrt(),
+        }
+    });
+    Ok(samples.collect())
+}
+
 /// How many points stand for the distribution.
 const POINTS: u32 = 2048;
 
@@ -294,12 +346,7 @@ impl ImpactSpeed {
         let coasts = [-errors.coasting, errors.coasting];
         let leg = |time: f64, stored: f64, brake: Option<bool>, abs: Option<bool>, slowed: f64| {
             let gap = if time < 0.0 { -time } else { 0.0 };
-            let share = if hard > 0.0 { (slowed / hard).clamp(0.0, 1.0) } else { 0.0 };
-            let slips = match (abs, brake) {
-                (Some(true), _) => 1.0,
-                (_, Some(false)) => 0.0,
-                _ => share,
-            };
+            let slips = slips([brake, abs], slowed, hard);
             // Without a sample in the gap nobody knows when the brake came on. 0.25 in half a second.
             let comes_on = (errors.brake_comes_on * gap / 0.5).min(1.0);
             let braked = match brake {

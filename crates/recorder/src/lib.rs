@@ -62,7 +62,8 @@ mod which;
 
 pub use channel::{Channel, ChannelUnit};
 pub use impact_speed::{
-    ImpactSpeed, ImpactSpeedErrors, SpeedErrorOutOfRange, SpeedErrorPart, SpeedErrorSource, SteepFall,
+    ImpactSpeed, ImpactSpeedErrors, SampleSpeed, SpeedErrorOutOfRange, SpeedErrorPart, SpeedErrorSource,
+    SteepFall, sample_speeds,
 };
 pub use pre_crash::{DistanceBounds, PreCrash, PreCrashFault, PreCrashSample, SpeedLimits};
 pub use pulse::{

@@ -1,7 +1,8 @@
 //! How probable it is that the collision was avoidable: the scene again for each sample of its numbers.
 
+use ::uncertainty::normal::quantiles;
 use ::uncertainty::{Distribution, LANES, Lanes, Sampler, SamplingMethod, Settings, order_statistic, random};
-use inputs::{AvoidForm, Input};
+use inputs::{AvoidForm, BrakingForm, Input};
 
 use super::scene::{AvoidScene, Sight};
 use super::sight::{Outlines, pose};
@@ -90,6 +91,9 @@ const Z_95: f64 = 1.96;
 /// The purpose of the sequences of random numbers: those of the rest of the case have another.
 const PURPOSE: u64 = 0x0061_766F_6964;
 
+/// That of what the samples of a recorder get wrong.
+const OF_RECORDER: u64 = 0x7361_6d70_6c65;
+
 /// Speeds at the impact (m/s) that the rest of the case tells, one for each sample; NaN for one without an
 /// answer.
 pub(super) struct Speeds<'a> {
@@ -111,6 +115,7 @@ pub(super) fn chance(
     let distributions: Vec<Distribution> = inputs.iter().map(|input| input.distribution).collect();
     let settings = Settings::new(SamplingMethod::MonteCarlo, samples, random::key(seed, &[PURPOSE]));
     let sampler = if inputs.is_empty() { None } else { Some(Sampler::new(&distributions, &settings)?) };
+    let of_recorder = random::key(seed, &[OF_RECORDER]);
     let mut columns = vec![Lanes::ZERO; inputs.len()];
     let mut drawn: Vec<Vec<f64>> = vec![Vec::with_capacity(samples); inputs.len()];
     let mut scenes: Vec<Option<AvoidScene>> = Vec::with_capacity(samples);
@@ -122,9 +127,16 @@ pub(super) fn chance(
         for (kept, column) in drawn.iter_mut().zip(&columns) {
             kept.extend_from_slice(&column[..lanes]);
         }
+        let mut errors: [f64; LANES] =
+            std::array::from_fn(|lane| random::unit(random::bits(of_recorder, (first + lane) as u64)));
+        quantiles(&mut errors);
         scenes.extend((0..lanes).map(|lane| {
             let speed = speeds.and_then(|speeds| speeds.speeds.get(first + lane).copied());
-            pose(&form.map(|number| number.at(&columns, lane)), speed, obstacles).ok()
+            let mut form = form.map(|number| number.at(&columns, lane));
+            if let BrakingForm::Recorded { error, .. } = &mut form.braking {
+                *error = errors[lane];
+            }
+            pose(&form, speed, obstacles).ok()
         }));
     }
     let told = speeds.map(|speeds| speeds.speeds);

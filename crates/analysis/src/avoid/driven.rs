@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use inputs::{BrakingForm, PhaseForm, Quantity};
 use pim_core::InvalidInput;
+use recorder::SampleSpeed;
 use time_distance::{Course, Leg, Phase, Response, approach};
 
 use super::posing::{Since, Unposed};
@@ -220,12 +221,13 @@ pub(super) fn legs(braking: &BrakingForm, at_impact: f64) -> Result<Option<Vec<L
             given.iter().zip(starts).map(|(form, start)| backwards(form, Some(start))).collect()
         }
         BrakingForm::Phases(given) => given.iter().map(|form| backwards(form, None)).collect(),
-        BrakingForm::Recorded(samples) => {
-            let kept: Vec<[f64; 2]> =
-                samples.iter().copied().filter(|[time, _]| *time < -GIVES_WAY).collect();
-            let ends = kept.iter().skip(1).map(|[time, _]| *time).chain([0.0]);
-            let phase =
-                |([time, speed], end): (&[f64; 2], f64)| Phase::FromFor { speed: *speed, time: end - time };
+        BrakingForm::Recorded { samples, error } => {
+            let kept: Vec<&SampleSpeed> = samples.iter().filter(|sample| sample.time < -GIVES_WAY).collect();
+            let ends = kept.iter().skip(1).map(|sample| sample.time).chain([0.0]);
+            let phase = |(sample, end): (&&SampleSpeed, f64)| Phase::FromFor {
+                speed: (sample.speed + error * sample.sd).max(0.0),
+                time: end - sample.time,
+            };
             kept.iter().zip(ends).map(phase).collect()
         }
         _ => return Ok(None),

@@ -197,7 +197,7 @@ impl AvoidScene {
             && let Some(legs) = legs(&form.braking, speed)?
         {
             let by = match form.braking {
-                BrakingForm::Recorded(_) => DrivenBy::Recorder,
+                BrakingForm::Recorded { .. } => DrivenBy::Recorder,
                 _ => DrivenBy::Phases,
             };
             return partly.driven(since, legs, speed, by);
@@ -212,10 +212,12 @@ impl AvoidScene {
                 Ok(partly.unbraked(since, speed, Unbraked::Stated))
             }
             // A recorder that stored nothing but the last moment says nothing of the approach.
-            (BrakingForm::Unknown | BrakingForm::Phases(_) | BrakingForm::Recorded(_), _, Some(speed)) => {
-                Ok(partly.unbraked(since, speed, Unbraked::NothingKnown))
-            }
-            (BrakingForm::Phases(_) | BrakingForm::Recorded(_), Some(_), None) | (_, None, None) => {
+            (
+                BrakingForm::Unknown | BrakingForm::Phases(_) | BrakingForm::Recorded { .. },
+                _,
+                Some(speed),
+            ) => Ok(partly.unbraked(since, speed, Unbraked::NothingKnown)),
+            (BrakingForm::Phases(_) | BrakingForm::Recorded { .. }, Some(_), None) | (_, None, None) => {
                 Err(Unposed::Stands)
             }
         }

@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use pim_core::VehicleId;
+use recorder::{SampleSpeed, sample_speeds};
 use trajectory::GREATEST_FRICTION;
 
 use super::{Demand, table};
@@ -81,7 +82,7 @@ impl<T: Copy> Case<T> {
                 BrakingForm::Phases(of_vehicle.phases().iter().map(|phase| phase.form).collect())
             }
             None => match self.recorded_approach(avoid, vehicle) {
-                Some(samples) => BrakingForm::Recorded(samples),
+                Some(samples) => BrakingForm::Recorded { samples, error: 0.0 },
                 None => BrakingForm::Unknown,
             },
             Some(skid) => {
@@ -120,10 +121,14 @@ impl<T: Copy> Case<T> {
     }
 
     /// What the recorder of the vehicle stored before the impact. A speed at the demand takes its place.
-    fn recorded_approach(&self, avoid: &Avoid<T>, vehicle: VehicleId) -> Option<Arc<[[f64; 2]]>> {
-        let record = self.vehicles[vehicle.index()].recorder.as_ref()?.before_impact()?;
-        let samples = record.speeds().map(|(sample, speed)| [sample.time, speed]);
-        avoid.speed.is_none().then(|| samples.collect())
+    fn recorded_approach(&self, avoid: &Avoid<T>, vehicle: VehicleId) -> Option<Arc<[SampleSpeed]>> {
+        if avoid.speed.is_some() {
+            return None;
+        }
+        let recorder = self.vehicles[vehicle.index()].recorder.as_ref()?;
+        // The reader of a case refuses errors out of their range.
+        let samples = sample_speeds(recorder.before_impact()?, &recorder.errors.errors(None)).ok()?;
+        Some(samples.into())
     }
 
     fn sight_form(&self, avoid: &Avoid<T>) -> Option<SightForm<T>> {

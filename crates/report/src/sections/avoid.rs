@@ -43,7 +43,7 @@ pub fn avoid(case: &Case, found: &Avoidance, units: Units) -> Document {
     if !found.more_runs.is_empty() {
         page.push(combinations(found, units));
     }
-    for note in on_the_runs(found, units) {
+    for note in on_the_runs(case, found, units) {
         page.paragraph(note);
     }
     page.push(just_avoiding(found, units));
@@ -554,17 +554,24 @@ fn combinations(found: &Avoidance, units: Units) -> Table {
 }
 
 /// How the actual run is known, and whose reaction was late.
-fn on_the_runs(found: &Avoidance, units: Units) -> Vec<String> {
+fn on_the_runs(case: &Case, found: &Avoidance, units: Units) -> Vec<String> {
     let scene = &found.scene;
     let AvoidScene { response, actual, speed, .. } = scene;
     let time = |seconds: f64| units.format(Measure::Time, seconds.abs());
     match actual {
-        ActualRun::Responded => vec![
-            "Nothing in the case says how the vehicle came to the impact. It is taken to have reacted and braked as the inputs say, so that \
-             its reaction was in time and its braking full. `unbraked = true`, the speed at the impact or skid marks tell \
-             otherwise."
-                .to_owned(),
-        ],
+        ActualRun::Responded => {
+            let recorder = case.vehicles[found.vehicle.index()].recorder.as_ref();
+            let unknown = if recorder.is_some_and(|recorder| recorder.before_impact().is_some()) {
+                "The speed of [avoid] takes the place of the recorder's table, so that nothing says how the vehicle came to the impact; \
+                 without `speed` in [avoid], the table does."
+            } else {
+                "Nothing in the case says how the vehicle came to the impact."
+            };
+            vec![format!(
+                "{unknown} It is taken to have reacted and braked as the inputs say, so that its reaction was in time and its braking \
+                 full. `unbraked = true`, the speed at the impact, skid marks, phases or the table of a recorder tell otherwise."
+            )]
+        }
         ActualRun::Unbraked(why) => {
             let why = match why {
                 Unbraked::Stated => "The case says that the vehicle did not brake before the impact.".to_owned(),
@@ -603,10 +610,12 @@ fn on_the_runs(found: &Avoidance, units: Units) -> Vec<String> {
         }
         ActualRun::Driven(by) => {
             let by = match by {
-                DrivenBy::Phases => "The phases of the case say how the vehicle came to the impact.".to_owned(),
+                DrivenBy::Phases => {
+                    "The phases of the case say how the vehicle came to the impact.".to_owned()
+                }
                 DrivenBy::Recorder => format!(
-                    "The table of the recorder says how the vehicle came to the impact: its speed is taken as stored, and as \
-                     changing evenly between two samples. Those of the last {} give way to the speed at the impact.",
+                    "The table of the recorder says how the vehicle came to the impact: its speeds, with the mean slip of the \
+                     wheels, change evenly between two samples. Those of the last {} give way to the speed at the impact.",
                     time(GIVES_WAY)
                 ),
             };
