@@ -253,8 +253,8 @@ fn the_table_of_a_recorder_is_the_actual_run() {
     assert!((alone.scene.at_impact - 43.0 / 3.6).abs() < 2.0, "{}", alone.scene.at_impact);
     let chance = alone.chance.as_ref().unwrap();
     assert!(chance.distance.low < alone.scene.distance && alone.scene.distance < chance.distance.high);
-    // Slip as it is by default, by hand: 1.4 % where the wheels roll, and 3 km/h where they slow by 0.75 g, in
-    // between by their shares; sd 0.43 % and 0.7 %.
+    // Slip as it is by default, by hand: 1.4 % where the wheels roll, and 3 km/h where they slow by 0.75 g,
+    // in between by their shares; sd 0.43 % and 0.7 %.
     let slips = asked(RECORDED).unwrap();
     assert!((slips.scene.speed - 20.28).abs() < 1e-9, "{}", slips.scene.speed);
     let share = 5.0 / (0.75 * 9.80665);

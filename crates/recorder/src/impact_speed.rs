@@ -271,8 +271,8 @@ impl Leg {
     }
 }
 
-/// (1) by how much of hard braking (m/s²) the wheels slip, by the switches of brake and ABS and by how much the
-/// stored speed fell (m/s²).
+/// (1) by how much of hard braking (m/s²) the wheels slip, by the switches of brake and ABS and by how much
+/// the stored speed fell (m/s²).
 fn slips([brake, abs]: [Option<bool>; 2], slowed: f64, hard: f64) -> f64 {
     match (abs, brake) {
         (Some(true), _) => 1.0,
@@ -289,7 +289,8 @@ pub struct SampleSpeed {
     pub time: f64,
     /// (m/s) the speed that was stored, with what the wheels slipped on average.
     pub speed: f64,
-    /// (m/s) standard deviation of its error, which the samples share: slip and tyres. Rounding is left aside.
+    /// (m/s) standard deviation of its error, which the samples share: slip and tyres. Rounding is left
+    /// aside.
     pub sd: f64,
 }
 
