@@ -35,6 +35,7 @@ use crate::estimate::{EstimatePlan, EstimateStage, Estimated, estimate};
 use crate::failure::Failure;
 use crate::output::Output;
 use crate::quantities::SPEED;
+use crate::recorded::with_records_of_impact;
 use crate::solve;
 use crate::uncertainty::{Plan, Stage, UncertainInput, any_inputs};
 
@@ -209,6 +210,7 @@ impl Avoidance {
     /// # Errors
     /// Those of [`avoid`].
     pub fn again(&self, case: &Case, plan: Option<&AvoidPlan>) -> Result<Self, Failure> {
+        let case = &*with_records_of_impact(case).0;
         found(case, &case.avoidance()?, self.told.clone(), plan)
     }
 }
@@ -219,6 +221,7 @@ impl Avoidance {
 /// # Errors
 /// [`Failure`] if the case lacks something or contradicts itself.
 pub fn avoid_at_once(case: &Case) -> Result<Option<Avoidance>, Failure> {
+    let case = &*with_records_of_impact(case).0;
     let form = case.avoidance()?;
     match form.speed {
         SpeedForm::Sought => Ok(None),
@@ -237,6 +240,8 @@ pub fn avoid(
     plan: &AvoidPlan,
     progress: &mut (dyn FnMut(AvoidStage, usize, usize) -> ControlFlow<()> + Send),
 ) -> Result<Avoidance, Failure> {
+    // Of several records of a recorder, that of this impact tells how the vehicle came.
+    let case = &*with_records_of_impact(case).0;
     let form = case.avoidance()?;
     let told = match form.speed {
         SpeedForm::Sought => Some(Arc::new(Told::of(case, form.vehicle, plan, progress)?)),

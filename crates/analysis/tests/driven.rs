@@ -266,6 +266,25 @@ fn the_table_of_a_recorder_is_the_actual_run() {
     assert!((speed.high - speed.low - 2.0 * 1.96 * sd).abs() < 0.1 * sd, "{speed:?} {sd}");
 }
 
+/// Of two records, the one whose ΔV has the direction of the damage.
+#[test]
+fn the_record_of_the_impact_is_the_actual_run() {
+    let [head, tail] = ["-30", "20"].map(|delta_v| {
+        let speeds = if delta_v == "20" { "30 30 30" } else { "72 72 54" };
+        format!(
+            "[[vehicle1.recorder.records]]\ndelta_v_longitudinal = \"{delta_v} km/h\"\n\
+             pre_crash = {{ time = \"-2.5 -1.5 -0.5 s\", speed = \"{speeds} km/h\" }}\n"
+        )
+    });
+    let (before, _) = RECORDED.split_once("[vehicle1.recorder.pre_crash]").unwrap();
+    let crush = "[vehicle1.crush]\nside = \"front\"\npdof = \"0 deg\"\n";
+    for records in [[&head, &tail], [&tail, &head]] {
+        let found = asked(&format!("{before}{crush}{}{}", records[0], records[1])).unwrap();
+        assert_eq!(found.scene.actual, ActualRun::Driven(DrivenBy::Recorder));
+        assert!((found.scene.speed - 20.28).abs() < 1e-9, "{}", found.scene.speed);
+    }
+}
+
 /// Before the demand, too, the eye is where the recorder tells: 1.5 s before the impact it has 23.75 m to go,
 /// and 0.4 s before that, 8 m more.
 #[test]
