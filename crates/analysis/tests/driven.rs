@@ -277,7 +277,8 @@ fn the_record_of_the_impact_is_the_actual_run() {
         )
     });
     let (before, _) = RECORDED.split_once("[vehicle1.recorder.pre_crash]").unwrap();
-    let crush = "[vehicle1.crush]\nside = \"front\"\npdof = \"0 deg\"\n";
+    let crush = "[vehicle1.crush]\nside = \"front\"\npdof = \"0 deg\"\nwidth = \"1.5 m\"\ndepths = \"30 30 cm\"\n\
+                 stiffness = { category = 3 }\n";
     for records in [[&head, &tail], [&tail, &head]] {
         let found = asked(&format!("{before}{crush}{}{}", records[0], records[1])).unwrap();
         assert_eq!(found.scene.actual, ActualRun::Driven(DrivenBy::Recorder));
