@@ -779,7 +779,8 @@ impl PyAvoidance {
     /// Parameters
     /// ----------
     /// what : {"path-time", "chance", "sight"}
-    ///     Every run against time; the probability against the speed; what obstacles hide, seen from above.
+    ///     Every run against time; the probability against the speed; both before the impact, seen from
+    ///     above, and what obstacles hide.
     /// units : {"si", "us", "uk"}, optional
     ///     Without it those that most of the case uses.
     ///
@@ -809,7 +810,13 @@ impl PyAvoidance {
                 "chance",
                 (report::avoided_from, "no number of the case is uncertain: there is no probability to draw"),
             ),
-            ("sight", (report::sight, "the case has no [[avoid.obstacle]]: there is no sight to draw")),
+            (
+                "sight",
+                (
+                    report::sight,
+                    "there is no plan to draw: the case has no [[avoid.obstacle]], and does not say by [avoid.sight] how both came",
+                ),
+            ),
         ];
         let py = slf.py();
         let solved = &slf.as_super().get().solved;

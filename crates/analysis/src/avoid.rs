@@ -87,7 +87,7 @@ pub struct Avoidance {
     pub enough: Enough,
     /// How the other party was hidden, if it was.
     pub hiding: Option<Hiding>,
-    /// The ways of both in the scene, if there are obstacles.
+    /// The ways of both in the scene, if the case tells them.
     ways: Option<Ways>,
     /// How probable it is; `None` if nothing is uncertain.
     pub chance: Option<AvoidChance>,
@@ -191,7 +191,7 @@ impl Avoidance {
     }
 
     /// (m) where the driver's eye and the visible point of the other party were on the actual run, at a time
-    /// (s) before the impact, in the coordinates of the scene; `None` without obstacles.
+    /// (s) before the impact, in the coordinates of the scene; `None` if the case does not tell how both came.
     #[must_use]
     pub fn eye_and_point(&self, time: f64) -> Option<[[f64; 2]; 2]> {
         let ways = self.ways.as_ref()?;
@@ -297,6 +297,8 @@ fn found(
     };
     let is_unconverged = told.as_ref().is_some_and(|told| told.is_unconverged());
     let vehicle = form.vehicle;
+    // Without obstacles, the ways are for the plan alone.
+    let ways = ways.or_else(|| case.avoid_plan().as_ref().map(Ways::of));
     Ok(Avoidance {
         vehicle,
         speed_from,

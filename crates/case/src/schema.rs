@@ -1105,7 +1105,7 @@ pub(crate) static AVOID: Schema = Schema {
 
 pub(crate) static AVOID_SIGHT: Schema = Schema {
     place: "[avoid.sight]",
-    text: "Where the driver's eye and the first visible part of the other party are at the impact. Both approach it in a straight line or along `path` and `other_path`, the other party at constant speed. It is used only with `obstacle`.",
+    text: "Where the driver's eye and the first visible part of the other party are at the impact. Both approach it in a straight line or along `path` and `other_path`, the other party at constant speed. Without an `obstacle`, it is for the plan view alone.",
     keys: &[
         table("eye", "eye = { x = \"-1.9 m\", y = \"0.4 m\" }", &SIGHT_PLACE),
         key(

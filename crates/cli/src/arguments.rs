@@ -530,7 +530,7 @@ fn drawings() -> Vec<Word<What>> {
         ),
         ("path-time", "Distance against time before the impact, of `deltav avoid`", What::PathTime),
         ("chance", "Probability that the collision is avoided, against the speed", What::Chance),
-        ("sight", "What obstacles hide before the impact, seen from above", What::Sight),
+        ("sight", "Both before the impact and what obstacles hide, seen from above", What::Sight),
     ];
     let of_subjects = of_subjects.map(|(subject, meaning)| (subject.name(), meaning, What::Subject(subject)));
     of_subjects.into_iter().chain(others).collect()

@@ -127,7 +127,7 @@ fn avoided(file: &CaseFile, units: Units, what: What) -> Result<Drawing> {
         ),
         What::Sight => (
             report::sight(&file.case, &found, units),
-            "there is no sight to draw: the case has no [[avoid.obstacle]]",
+            "there is no plan to draw: the case has no [[avoid.obstacle]], and does not say by [avoid.sight] how both came",
         ),
         _ => return Ok(report::path_time(&file.case, &found, units)),
     };

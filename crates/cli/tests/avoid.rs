@@ -327,6 +327,13 @@ fn the_sight_is_told_and_drawn() {
     let svg = String::from_utf8(deltav(&["draw", case, "--what", "sight"]).stdout).unwrap();
     assert!(svg.contains("id=\"sight-line\"") && svg.contains("parked van"));
     let none = concat!(env!("CARGO_MANIFEST_DIR"), "/../../fixtures/avoid/pedestrian.toml");
+    // Without obstacles, the plan has the places of both: 13.9 m apart in each second at 50 km/h.
+    let both = temporary("both.toml");
+    let ways = "eye = { x = \"0 m\", y = \"0 m\" }\n";
+    fs::write(&both, format!("{}\n{WAYS}{ways}", fs::read_to_string(none).unwrap())).unwrap();
+    let svg = deltav(&["draw", both.to_str().unwrap(), "--what", "sight"]).stdout;
+    let svg = String::from_utf8(svg).unwrap();
+    assert!(svg.contains("eye of the driver of vehicle 1") && !svg.contains("obstacle"), "{svg}");
     let message = deltav(&["draw", none, "--what", "sight"]).stderr;
     assert!(String::from_utf8_lossy(&message).contains("no [[avoid.obstacle]]"));
 }
@@ -335,7 +342,13 @@ fn the_sight_is_told_and_drawn() {
 fn a_sight_that_cannot_be_gets_a_sentence() {
     let sight = "demand = { sight = true }";
     refused("s1.toml", "demand", sight, "", &["`avoid.obstacle` is missing", "polygon = "]);
-    refused("s2.toml", "", "", WAYS, &["`avoid.obstacle` is missing"]);
+    refused(
+        "s2.toml",
+        "",
+        "",
+        "[avoid.sight]\nheading = \"0 deg\"\n",
+        &["`avoid.sight.other_heading` is missing"],
+    );
     let lacks = &[
         "`avoid.sight.heading` is missing",
         "`avoid.sight.other_heading` is missing",

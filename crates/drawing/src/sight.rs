@@ -44,7 +44,9 @@ impl SightPicture {
     pub fn draw(&self) -> Drawing {
         let mut entries: Vec<(Sample, String)> =
             PATH.into_iter().map(Sample::Line).zip(self.legend.iter().cloned()).collect();
-        entries.push((Sample::Box(THIN, PALE.to_owned()), "obstacle".to_owned()));
+        if !self.obstacles.is_empty() {
+            entries.push((Sample::Box(THIN, PALE.to_owned()), "obstacle".to_owned()));
+        }
         entries.extend(self.line.iter().map(|(_, legend)| (Sample::Line(BOUND), legend.clone())));
         let height = ROOM.y1 + 46.0 + legend::height(entries.len(), 2) + 6.0;
         let mut canvas = Canvas::new(NAME, WIDTH, height);

@@ -31,7 +31,7 @@ const DEMAND: &str = "`demand`, where or when the danger could first be recogniz
      the impact, { time = \"2.1 s\" }, by the way of the other party { other = { distance = \"4 m\", speed = \"1.5 m/s\" } }, \
      or by what hides it: { sight = true }";
 const OBSTACLE: &str = "`[[avoid.obstacle]]`, what hides the other party, as in polygon = [{ x = \"-8 m\", y = \"-1.8 m\" }, \
-     { x = \"-3 m\", y = \"-1.8 m\" }, { x = \"-3 m\", y = \"-3.8 m\" }]; without one, give `demand` by distance or time, and no [avoid.sight]";
+     { x = \"-3 m\", y = \"-1.8 m\" }, { x = \"-3 m\", y = \"-3.8 m\" }]; without one, give `demand` by distance or time";
 const LIMIT: &str =
     "`limit`, the speed for which you ask, as in limit = { value = \"50 km/h\", source = \"built-up area\" }";
 
@@ -129,6 +129,12 @@ impl<T: Copy> Case<T> {
         // The reader of a case refuses errors out of their range.
         let samples = sample_speeds(recorder.before_impact()?, &recorder.errors.errors(None)).ok()?;
         Some(samples.into())
+    }
+
+    /// How both came to the impact, seen from above; `None` if the case does not tell all of it.
+    #[must_use]
+    pub fn avoid_plan(&self) -> Option<SightForm<T>> {
+        self.sight_form(self.avoid.as_ref()?)
     }
 
     fn sight_form(&self, avoid: &Avoid<T>) -> Option<SightForm<T>> {
@@ -346,10 +352,12 @@ impl Demand<'_, f64> {
 
     fn of_sight(&mut self, avoid: &Avoid) {
         if avoid.obstacles.is_empty() {
-            if matches!(avoid.demand, Some(GivenDemand::Sight)) || !avoid.sight.is_absent() {
+            if matches!(avoid.demand, Some(GivenDemand::Sight)) {
                 self.missing("avoid.obstacle", OBSTACLE);
             }
-            return;
+            if avoid.sight.is_absent() {
+                return;
+            }
         }
         let [path, other_path] = self.case.sight_paths(avoid);
         let speed = self.case.other_speed(avoid);

@@ -30,7 +30,8 @@ pub fn avoided_from(case: &Case, found: &Avoidance, units: Units) -> Option<Draw
     Some(chance_picture(case, found, units)?.draw())
 }
 
-/// Draws the obstacles, the ways of both to the impact and the line of sight; `None` without obstacles.
+/// Draws the ways of both to the impact, the obstacles and the line of sight; `None` if the case does not tell
+/// how both came.
 #[must_use]
 pub fn sight(case: &Case, found: &Avoidance, units: Units) -> Option<Drawing> {
     Some(sight_picture(case, found, units)?.draw())
@@ -182,13 +183,25 @@ pub(crate) fn sight_picture(case: &Case, found: &Avoidance, units: Units) -> Opt
     });
     let says = line.as_ref().map_or("the obstacles hide nothing", |(_, says)| says);
     let party = party(case);
+    let is_eye = !obstacles.is_empty() || case.avoid.as_ref()?.sight.eye.is_some();
+    let (subtitle, description) = if obstacles.is_empty() {
+        ("Before the impact", "The ways of both to the impact, seen from above.".to_owned())
+    } else {
+        (
+            "What the obstacles hide",
+            format!("Obstacles and the ways of both to the impact, seen from above: {says}."),
+        )
+    };
     Some(SightPicture {
         title: title(case),
-        subtitle: "What the obstacles hide: places each half second, with the time to the impact".to_owned(),
-        description: format!("Obstacles and the ways of both to the impact, seen from above: {says}."),
+        subtitle: format!("{subtitle}: places each half second, with the time to the impact"),
+        description,
         obstacles: (0..obstacles.len()).map(|index| (corners(index), name(index))).collect(),
         ways: [way(0), way(1)],
-        legend: [format!("eye of the driver of vehicle {}", found.vehicle), party.to_owned()],
+        legend: [
+            format!("{}vehicle {}", if is_eye { "eye of the driver of " } else { "" }, found.vehicle),
+            party.to_owned(),
+        ],
         line,
         scale: scale_unit(units, Measure::Way),
     })

@@ -40,6 +40,12 @@ pub fn avoid(case: &Case, found: &Avoidance, units: Units) -> Document {
         drawing: Undrawn::new(move || picture.draw()),
         instead: None,
     });
+    if found.scene.view == View::Open
+        && let Some(picture) = sight_picture(case, found, units)
+    {
+        let drawing = Undrawn::new(move || picture.draw());
+        page.push(Block::Chart { name: "sight".to_owned(), drawing, instead: None });
+    }
     if !found.more_runs.is_empty() {
         page.push(combinations(found, units));
     }
