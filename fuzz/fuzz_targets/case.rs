@@ -64,7 +64,8 @@ fn assert_finite(file: &CaseFile, text: &str) {
     assert!(has_bad(file.source.text()) || !has_bad(text), "not finite:\n{text}");
 }
 
-/// What there is not where the vehicles do not close, the impulse does not push, or no push could end the sliding.
+/// What there is not where the vehicles do not close, the impulse does not push, or no push could end the
+/// sliding.
 const MAY_BE_NULL: [&str; 3] = ["restitution", "impulse_ratio", "critical_impulse_ratio"];
 
 /// Whether something is null, but for the place of a fixed object in a pair and what there may not be.

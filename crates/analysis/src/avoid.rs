@@ -191,7 +191,8 @@ impl Avoidance {
     }
 
     /// (m) where the driver's eye and the visible point of the other party were on the actual run, at a time
-    /// (s) before the impact, in the coordinates of the scene; `None` if the case does not tell how both came.
+    /// (s) before the impact, in the coordinates of the scene; `None` if the case does not tell how both
+    /// came.
     #[must_use]
     pub fn eye_and_point(&self, time: f64) -> Option<[[f64; 2]; 2]> {
         let ways = self.ways.as_ref()?;

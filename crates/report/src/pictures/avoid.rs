@@ -30,8 +30,8 @@ pub fn avoided_from(case: &Case, found: &Avoidance, units: Units) -> Option<Draw
     Some(chance_picture(case, found, units)?.draw())
 }
 
-/// Draws the ways of both to the impact, the obstacles and the line of sight; `None` if the case does not tell
-/// how both came.
+/// Draws the ways of both to the impact, the obstacles and the line of sight; `None` if the case does not
+/// tell how both came.
 #[must_use]
 pub fn sight(case: &Case, found: &Avoidance, units: Units) -> Option<Drawing> {
     Some(sight_picture(case, found, units)?.draw())
