@@ -981,7 +981,7 @@ onPage("an explanation that is spoken of is a press away", async (page) => {
   const dialog = page.locator("dialog");
   assert.match(await dialog.innerText(), /speed/);
   await dialog.getByRole("button", { name: "Close" }).click();
-  assert.equal(await dialog.count(), 0);
+  await dialog.waitFor({ state: "detached" });
 });
 
 for (const viewport of [{ width: 1280, height: 800 }, { width: 375, height: 700 }]) {
