@@ -199,12 +199,6 @@ impl Avoidance {
         Some(ways.of_scene(&self.scene, time).map(|at| [at.x, at.y]))
     }
 
-    /// (s) by how much the reaction was later than `[avoid]` allows; `None` if it is not known.
-    #[must_use]
-    pub fn delay(&self) -> Option<f64> {
-        self.scene.delay()
-    }
-
     /// The answer for a case that differs in the numbers of `[avoid]` alone: the speed that the rest tells is
     /// not sought anew. Without a plan, nothing is sampled, and it has no probability.
     ///
@@ -283,7 +277,7 @@ fn found(
         None => plan.is_none() && any_inputs(case).is_ok_and(|inputs| !inputs.is_empty()),
     };
     // One that accelerated is asked about its reaction, even if it was never as fast as the limit.
-    let accelerated = scene.at_impact > scene.speed;
+    let accelerated = scene.greatest_speed() > scene.speed;
     if scene.limit > scene.speed && !may_be_above && !accelerated {
         return Err(limit_above(form, &scene).into());
     }
@@ -358,7 +352,6 @@ impl Told {
                 Err(failure) => refusal = Some(failure),
             }
         }
-        let by_recorder = Self::of_recorder(alone, vehicle, plan);
         let output = |of: VehicleId| -> Option<f64> {
             Some(estimated.as_ref()?.output(SPEED.of_vehicle(of))?.posterior.median.value)
         };
@@ -369,12 +362,12 @@ impl Told {
             let sampled = if estimated.is_none() { sampled(alone, vehicle, plan, progress)? } else { None };
             return Ok(Self { from: SpeedSource::Reconstructed, speed, other, estimated, sampled });
         }
-        match (output(vehicle), refusal) {
-            (Some(speed), _) => {
-                let other = output(vehicle.other());
-                Ok(Self { from: SpeedSource::Estimated, speed, other, estimated, sampled: None })
-            }
-            (None, _) if by_recorder.is_some() => by_recorder.ok_or_else(|| no_speed(vehicle).into()),
+        if let Some(speed) = output(vehicle) {
+            let other = output(vehicle.other());
+            return Ok(Self { from: SpeedSource::Estimated, speed, other, estimated, sampled: None });
+        }
+        match (Self::of_recorder(alone, vehicle, plan), refusal) {
+            (Some(told), _) => Ok(told),
             (None, Some(failure)) if alone.reconstruct.is_some() || alone.impact.is_some() => Err(failure),
             (None, _) => Err(no_speed(vehicle).into()),
         }

@@ -227,7 +227,7 @@ fn a_skid_gives_the_speed_at_the_demand_and_the_reaction() {
     let ActualRun::Skidded(slowed) = found.scene.actual else { unreachable!("a skid") };
     assert!((slowed.reaction() - reaction).abs() < 1e-9);
     assert!((found.scene.time - braking - reaction).abs() < 1e-9);
-    assert!((found.delay().unwrap() - (reaction - 0.85)).abs() < 1e-9);
+    assert!((found.scene.delay().unwrap() - (reaction - 0.85)).abs() < 1e-9);
     // A simulation in steps ends at the impact with the speed that is given there.
     let [at_impact, time] = stepped(speed, [reaction, 0.2, a], 29.0).unwrap();
     assert!((at_impact - 10.0).abs() < 1e-3 && (time - found.scene.time).abs() < 1e-3);

@@ -110,7 +110,7 @@ proptest! {
             prop_assert_eq!(scene.actual, ActualRun::Driven(DrivenBy::Phases));
             for (found, expected) in [
                 (scene.speed, v0), (scene.at_impact, at_impact), (scene.distance, distance), (scene.time, time),
-                (found.delay().unwrap(), steady + gaining - reaction),
+                (found.scene.delay().unwrap(), steady + gaining - reaction),
             ] {
                 prop_assert!((found - expected).abs() < 1e-9, "{} {}\n{}", found, expected, text);
             }
@@ -179,7 +179,7 @@ fn a_skid_as_a_phase_is_the_same_skid() {
         (skid.scene.speed, phase.scene.speed),
         (skid.scene.time, phase.scene.time),
         (skid.scene.spatial(), phase.scene.spatial()),
-        (skid.delay().unwrap(), phase.delay().unwrap()),
+        (skid.scene.delay().unwrap(), phase.scene.delay().unwrap()),
         (
             skid.run(Hypothesis::LimitOnly).unwrap().collision_speed,
             phase.run(Hypothesis::LimitOnly).unwrap().collision_speed,
@@ -216,6 +216,48 @@ fn a_start_from_a_stop_is_followed() {
     assert!(refused.contains("begin with a stop 7.7 m before the impact"), "{refused}");
 }
 
+/// One that accelerates up to the impact, which is within its reaction: 2 m/s at the demand, 2 m/s² for 0.8 s.
+/// The other party clears the zone 0.01 s later, so that it would have had to keep about the speed with which it
+/// takes 0.81 s: 2 t + t² up to that speed c, then c (0.81 − t), is 2.24 m with c = 2 + 2 t.
+#[test]
+fn a_zone_that_is_clear_before_the_reaction_ends_is_asked_of_the_motion() {
+    let text = "[[vehicle1.before.phase]]\nspeed = \"2 m/s\"\nacceleration = \"2 m/s^2\"\ntime = \"0.8 s\"\n[avoid]\n\
+                limit = \"3 m/s\"\nreaction_time = \"2 s\"\ndeceleration = \"7 m/s^2\"\ndemand = { time = \"0.8 s\" }\n\
+                clear = { distance = \"0.01 m\", speed = \"1 m/s\" }\n";
+    let found = asked(text).unwrap();
+    assert!((found.scene.distance - 2.24).abs() < 1e-12);
+    // 2 t + t² + (2 + 2 t)(0.81 − t) = 2.24: t² − 1.62 t + 0.62 = 0
+    let t = 0.81 - (0.81_f64 * 0.81 - 0.62).sqrt();
+    let temporal = found.scene.temporal().unwrap();
+    assert!((temporal - (2.0 + 2.0 * t)).abs() < 1e-9, "{temporal} {}", 2.0 + 2.0 * t);
+    assert_eq!(found.scene.is_late_at_limit(), Some(true));
+    let at_limit = found.run(Hypothesis::All).unwrap();
+    assert!(at_limit.arrival.unwrap() >= 0.81 && at_limit.is_avoided());
+}
+
+/// 5 m/s at the demand, 9 m/s before it brakes to 4: a limit of 7 m/s is below what it drove.
+#[test]
+fn a_limit_between_the_demand_and_a_later_speed_is_no_contradiction() {
+    let text = |limit: &str| {
+        format!(
+            "[vehicle1]\nspeed = \"4 m/s\"\n[[vehicle1.before.phase]]\nspeed = \"5 m/s\"\ntime = \"2 s\"\n\
+             [[vehicle1.before.phase]]\nspeed = \"9 m/s\"\ntime = \"1 s\"\n[avoid]\nlimit = \"{limit} m/s\"\n\
+             reaction_time = \"0 s\"\ndeceleration = \"7 m/s^2\"\ndemand = {{ time = \"3 s\" }}\n"
+        )
+    };
+    let found = asked(&text("7")).unwrap();
+    assert!(found.scene.is_above_limit() && found.run(Hypothesis::LimitOnly).is_some());
+    // By hand: 2 m/s² up to 7 m/s in 1 s, 6 m; 7 m in 1 s at it; from there 5 m/s² to the stop, 4.9 m. The
+    // impact is 14 and 6.5 m from the demand.
+    assert!((found.scene.distance - 20.5).abs() < 1e-12);
+    let limited = found.run(Hypothesis::LimitOnly).unwrap();
+    assert!((limited.course.stop().unwrap() - 17.9).abs() < 1e-9 && limited.stops_before());
+    // Above what it drove, the limit changes nothing.
+    let hypotheses: Vec<Hypothesis> =
+        asked(&text("10")).unwrap().runs.iter().map(|run| run.hypothesis).collect();
+    assert_eq!(hypotheses, [Hypothesis::Actual, Hypothesis::ReactionAndBraking]);
+}
+
 const RECORDED: &str = r#"
     [avoid]
     limit = "50 km/h"
@@ -240,7 +282,7 @@ fn the_table_of_a_recorder_is_the_actual_run() {
     assert_eq!(found.scene.actual, ActualRun::Driven(DrivenBy::Recorder));
     assert!((found.scene.speed - 20.0).abs() < 1e-12);
     assert!((found.scene.distance - (0.4 * 20.0 + 17.5 + 6.25)).abs() < 1e-12, "{}", found.scene.distance);
-    assert!((found.delay().unwrap() - (0.4 - 0.8)).abs() < 1e-12);
+    assert!((found.scene.delay().unwrap() - (0.4 - 0.8)).abs() < 1e-12);
     // By the distance, it is the same moment.
     let by_distance = asked(&recorded.replace("time = \"1.9 s\"", "distance = \"31.75 m\"")).unwrap();
     assert!((by_distance.scene.time - 1.9).abs() < 1e-12);

@@ -102,7 +102,10 @@ fn phases_and_paths_are_read() {
     for (before, says) in [
         ("phase = [{ speeds = \"40 km/h\" }]", "did you mean \"speed\""),
         ("phase = [{ distance = \"-4 m\" }]", "vehicle1.before.phase[1].distance"),
-        ("skid = { length = \"4 m\" }\nphase = [{ time = \"1 s\" }]", "both say how the vehicle came"),
+        (
+            "skid = { length = \"4 m\" }\nphase = [{ time = \"1 s\" }]",
+            "[vehicle1.before] gives both \"skid\" and \"phase\"",
+        ),
         ("speed = \"4 m/s\"\nphase = [{ time = \"1 s\" }]", "a phase has a `speed` of its own"),
         ("", "skid"),
     ] {
@@ -110,7 +113,9 @@ fn phases_and_paths_are_read() {
         assert!(message.contains(says) && message.contains("avoid.toml:"), "{before}: {message}");
     }
     let line = "heading = \"0 deg\"\npath = [{ x = \"0 m\", y = \"0 m\" }]";
-    assert!(refused(&format!("[avoid]\n[avoid.sight]\n{line}\n")).contains("gives both"));
+    assert!(
+        refused(&format!("[avoid]\n[avoid.sight]\n{line}\n")).contains("gives both \"heading\" and \"path\"")
+    );
 }
 
 #[test]

@@ -115,7 +115,8 @@ pub(super) fn chance(
     let distributions: Vec<Distribution> = inputs.iter().map(|input| input.distribution).collect();
     let settings = Settings::new(SamplingMethod::MonteCarlo, samples, random::key(seed, &[PURPOSE]));
     let sampler = if inputs.is_empty() { None } else { Some(Sampler::new(&distributions, &settings)?) };
-    let of_recorder = random::key(seed, &[OF_RECORDER]);
+    let is_recorded = matches!(form.braking, BrakingForm::Recorded { .. });
+    let of_recorder = is_recorded.then(|| random::key(seed, &[OF_RECORDER]));
     let mut columns = vec![Lanes::ZERO; inputs.len()];
     let mut drawn: Vec<Vec<f64>> = vec![Vec::with_capacity(samples); inputs.len()];
     let mut scenes: Vec<Option<AvoidScene>> = Vec::with_capacity(samples);
@@ -127,13 +128,11 @@ pub(super) fn chance(
         for (kept, column) in drawn.iter_mut().zip(&columns) {
             kept.extend_from_slice(&column[..lanes]);
         }
-        let mut errors: [f64; LANES] =
-            std::array::from_fn(|lane| random::unit(random::bits(of_recorder, (first + lane) as u64)));
-        quantiles(&mut errors);
+        let errors = of_recorder.map(|key| errors(key, first));
         scenes.extend((0..lanes).map(|lane| {
             let speed = speeds.and_then(|speeds| speeds.speeds.get(first + lane).copied());
             let mut form = form.map(|number| number.at(&columns, lane));
-            if let BrakingForm::Recorded { error, .. } = &mut form.braking {
+            if let (BrakingForm::Recorded { error, .. }, Some(errors)) = (&mut form.braking, errors) {
                 *error = errors[lane];
             }
             pose(&form, speed, obstacles).ok()
@@ -143,6 +142,13 @@ pub(super) fn chance(
     let varying = inputs.iter().map(|input| Some(&input.input)).zip(drawn.iter().map(Vec::as_slice));
     let varying: Vec<_> = varying.chain(told.map(|speeds| (None, speeds))).collect();
     Ok(of_scenes(&scenes, &varying, speeds.and_then(|speeds| speeds.estimated)))
+}
+
+/// By how many standard deviations the speeds of a recorder err in the samples from `first` on.
+fn errors(key: u64, first: usize) -> [f64; LANES] {
+    let mut errors = std::array::from_fn(|lane| random::unit(random::bits(key, (first + lane) as u64)));
+    quantiles(&mut errors);
+    errors
 }
 
 fn of_scenes(
@@ -156,8 +162,11 @@ fn of_scenes(
     }
     let avoiding: Vec<Option<f64>> =
         scenes.iter().map(|scene| scene.as_ref().map(AvoidScene::just_avoiding)).collect();
-    let is_avoided: Vec<Option<bool>> =
-        scenes.iter().map(|scene| scene.as_ref().map(AvoidScene::is_avoided_at_limit)).collect();
+    let is_avoided: Vec<Option<bool>> = scenes
+        .iter()
+        .zip(&avoiding)
+        .map(|(scene, avoiding)| Some(scene.as_ref()?.kept() <= (*avoiding)?))
+        .collect();
     let share = |count: usize| ratio(count, posed.len());
     let avoided = is_avoided.iter().flatten().filter(|is| **is).count();
     let avoided_at_limit = share(avoided);

@@ -32,7 +32,8 @@ pub(super) struct Gain {
 
 impl Driven {
     /// The motion, with the distance (m) and the time (s) from the demand to the impact.
-    pub(super) fn new(mut legs: Vec<Leg>, since: Since) -> Result<(Self, f64, f64), Unposed> {
+    pub(super) fn new(approach: Approach, since: Since) -> Result<(Self, f64, f64), Unposed> {
+        let mut legs = approach.legs;
         let Some(first) = legs.first().copied() else { return Err(Unposed::Stands) };
         // What was before the first phase is not known: the vehicle came with the speed with which it began.
         legs.insert(0, Leg { acceleration: 0.0, jerk: 0.0, ..first });
@@ -186,12 +187,6 @@ impl Stretches {
     }
 }
 
-/// The speed at the impact (m/s) to which the phases lead from the speed with which the first begins.
-pub(super) fn led_to(phases: &[PhaseForm]) -> Result<f64, Unposed> {
-    let starts = starts(phases).map_err(Unposed::Phases)?;
-    Ok(starts.last().copied().unwrap_or_default())
-}
-
 /// The speeds (m/s) where the phases begin and where the last ends, followed onward from the first.
 fn starts(phases: &[PhaseForm]) -> Result<Vec<f64>, InvalidInput> {
     let mut speed = phases.first().and_then(|phase| phase.speed.as_ref()).map_or(0.0, Quantity::si);
@@ -212,34 +207,50 @@ fn starts(phases: &[PhaseForm]) -> Result<Vec<f64>, InvalidInput> {
     Ok(starts)
 }
 
-/// The legs of a motion to the impact, whose times and positions count from there; `None` if nothing tells
-/// it.
-pub(super) fn legs(braking: &BrakingForm, at_impact: f64) -> Result<Option<Vec<Leg>>, Unposed> {
-    let phases: Vec<Phase> = match braking {
-        BrakingForm::Phases(given) if given.first().is_some_and(PhaseForm::leads_on) => {
-            let starts = starts(given).map_err(Unposed::Phases)?;
-            given.iter().zip(starts).map(|(form, start)| backwards(form, Some(start))).collect()
+/// How a vehicle came to the impact: legs whose times and positions count from there.
+pub(super) struct Approach {
+    legs: Vec<Leg>,
+    /// (m/s)
+    pub(super) at_impact: f64,
+}
+
+impl Approach {
+    /// By phases or a recorder; `None` without them. The speed at the impact (m/s) is that given, unless the
+    /// phases begin with a known one and lead to it.
+    pub(super) fn of(braking: &BrakingForm, at_impact: Option<f64>) -> Result<Option<Self>, Unposed> {
+        let (phases, at_impact): (Vec<Phase>, _) = match braking {
+            BrakingForm::Phases(given) if given.first().is_some_and(PhaseForm::leads_on) => {
+                let starts = starts(given).map_err(Unposed::Phases)?;
+                let phases = given.iter().zip(&starts).map(|(form, start)| backwards(form, Some(*start)));
+                (phases.collect(), starts.last().copied())
+            }
+            BrakingForm::Phases(given) => {
+                (given.iter().map(|form| backwards(form, None)).collect(), at_impact)
+            }
+            BrakingForm::Recorded { samples, error } => (recorded(samples, *error), at_impact),
+            BrakingForm::Unknown | BrakingForm::Unbraked | BrakingForm::Skid { .. } => return Ok(None),
+        };
+        let Some(at_impact) = at_impact.filter(|_| !phases.is_empty()) else { return Ok(None) };
+        let mut end = Leg { speed: at_impact, ..Leg::at_rest(0.0, 0.0) };
+        let mut legs = Vec::with_capacity(phases.len());
+        for phase in phases.into_iter().rev() {
+            end = approach(&end, phase).map_err(Unposed::Phases)?;
+            legs.push(end);
         }
-        BrakingForm::Phases(given) => given.iter().map(|form| backwards(form, None)).collect(),
-        BrakingForm::Recorded { samples, error } => {
-            let kept: Vec<&SampleSpeed> = samples.iter().filter(|sample| sample.time < -GIVES_WAY).collect();
-            let ends = kept.iter().skip(1).map(|sample| sample.time).chain([0.0]);
-            let phase = |(sample, end): (&&SampleSpeed, f64)| Phase::FromFor {
-                speed: (sample.speed + error * sample.sd).max(0.0),
-                time: end - sample.time,
-            };
-            kept.iter().zip(ends).map(phase).collect()
-        }
-        _ => return Ok(None),
-    };
-    let mut end = Leg { speed: at_impact, ..Leg::at_rest(0.0, 0.0) };
-    let mut legs = Vec::with_capacity(phases.len());
-    for phase in phases.into_iter().rev() {
-        end = approach(&end, phase).map_err(Unposed::Phases)?;
-        legs.push(end);
+        legs.reverse();
+        Ok(Some(Self { legs, at_impact }))
     }
-    legs.reverse();
-    Ok((!legs.is_empty()).then_some(legs))
+}
+
+/// The samples as phases up to the impact, with their error in standard deviations.
+fn recorded(samples: &[SampleSpeed], error: f64) -> Vec<Phase> {
+    let kept: Vec<&SampleSpeed> = samples.iter().filter(|sample| sample.time < -GIVES_WAY).collect();
+    let ends = kept.iter().skip(1).map(|sample| sample.time).chain([0.0]);
+    let phase = |(sample, end): (&&SampleSpeed, f64)| Phase::FromFor {
+        speed: (sample.speed + error * sample.sd).max(0.0),
+        time: end - sample.time,
+    };
+    kept.iter().zip(ends).map(phase).collect()
 }
 
 /// A phase by two of its numbers; `start` (m/s) is the speed where it begins, if that is known from the one

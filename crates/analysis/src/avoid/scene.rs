@@ -5,7 +5,7 @@ use pim_core::InvalidInput;
 use reconcile::brent;
 use time_distance::{Advance, Course, Leg, Response};
 
-use super::driven::{Driven, Gain, led_to, legs};
+use super::driven::{Approach, Driven, Gain};
 use super::posing::{Since, Unposed};
 
 /// How the vehicle came to the impact.
@@ -171,12 +171,11 @@ impl AvoidScene {
         let (at_demand, at_impact) = match &form.speed {
             SpeedForm::AtDemand(speed) => (Some(speed.si()), None),
             SpeedForm::AtImpact(speed) => (None, Some(speed.si())),
-            SpeedForm::ByPhases => match &form.braking {
-                BrakingForm::Phases(phases) => (None, Some(led_to(phases)?)),
-                _ => (None, None),
-            },
+            SpeedForm::ByPhases => (None, None),
             SpeedForm::Sought => (None, at_impact),
         };
+        let approach = Approach::of(&form.braking, at_impact)?;
+        let at_impact = approach.as_ref().map(|approach| approach.at_impact).or(at_impact);
         if !at_demand.or(at_impact).is_some_and(|speed| speed > 0.0) {
             return Err(Unposed::Stands);
         }
@@ -193,14 +192,12 @@ impl AvoidScene {
             view: View::Open,
             driven: None,
         };
-        if let Some(speed) = at_impact
-            && let Some(legs) = legs(&form.braking, speed)?
-        {
+        if let Some(approach) = approach {
             let by = match form.braking {
                 BrakingForm::Recorded { .. } => DrivenBy::Recorder,
                 _ => DrivenBy::Phases,
             };
-            return partly.driven(since, legs, speed, by);
+            return partly.driven(since, approach, by);
         }
         match (&form.braking, at_demand, at_impact) {
             (BrakingForm::Skid { length, friction }, at_demand, at_impact) => {
@@ -223,8 +220,9 @@ impl AvoidScene {
         }
     }
 
-    fn driven(self, since: Since, legs: Vec<Leg>, at_impact: f64, by: DrivenBy) -> Result<Self, Unposed> {
-        let (driven, distance, time) = Driven::new(legs, since)?;
+    fn driven(self, since: Since, approach: Approach, by: DrivenBy) -> Result<Self, Unposed> {
+        let at_impact = approach.at_impact;
+        let (driven, distance, time) = Driven::new(approach, since)?;
         let speed = driven.at(0.0).speed;
         let driven = Some(driven);
         Ok(Self { speed, at_impact, distance, time, actual: ActualRun::Driven(by), driven, ..self })
@@ -333,13 +331,12 @@ impl AvoidScene {
         if steady <= self.speed || reached <= self.speed {
             return steady;
         }
-        let as_driven = steadily(distance);
-        if as_driven >= reached {
-            return as_driven;
-        }
         let fails =
             |greatest: f64| fails_by(&self.responding(self.speed, self.response, greatest)).clamp(-FAR, FAR);
-        // Without a change of sign, the place is passed within the reaction.
+        // It may come faster from the demand on than it did.
+        if fails(reached) <= 0.0 {
+            return steadily(distance).max(reached);
+        }
         brent(fails, [self.speed, reached], TOLERANCE, |_, _| ()).unwrap_or(self.speed)
     }
 
@@ -355,11 +352,32 @@ impl AvoidScene {
         if self.driven.is_some() { self.limit.min(self.speed) } else { self.limit }
     }
 
+    /// (m/s) the speed that a vehicle that keeps the limit does not exceed.
+    pub(super) fn kept(&self) -> f64 {
+        if self.driven.is_some() { self.limit.min(self.reached()) } else { self.limit }
+    }
+
+    /// (m/s) the speed that it has when a reaction in time ends, if nothing limits it.
+    fn reached(&self) -> f64 {
+        self.as_if_steady(self.speed, f64::INFINITY)[0]
+    }
+
+    /// Whether it accelerates in the time of the reaction.
+    #[must_use]
+    pub fn accelerates(&self) -> bool {
+        self.reached() > self.speed
+    }
+
+    /// (m/s) its greatest speed from the demand to the impact.
+    #[must_use]
+    pub fn greatest_speed(&self) -> f64 {
+        self.driven.as_ref().map_or(self.speed, |driven| driven.greatest(self.time))
+    }
+
     /// Whether it was faster than the limit, at the demand or later.
     #[must_use]
     pub fn is_above_limit(&self) -> bool {
-        let greatest = self.driven.as_ref().map_or(self.speed, |driven| driven.greatest(self.time));
-        greatest > self.limit
+        self.greatest_speed() > self.limit
     }
 
     /// With a reaction to the demand, from a speed (m/s) there on.
@@ -405,28 +423,13 @@ impl AvoidScene {
     /// braking of `[avoid]`.
     #[must_use]
     pub fn stops_at_limit(&self) -> bool {
-        if self.driven.is_some() {
-            self.at_limit().stop().is_some_and(|stop| stop <= self.distance)
-        } else {
-            self.limit <= self.spatial()
-        }
+        self.kept() <= self.spatial()
     }
 
     /// Whether it then comes after the other party has left the danger zone; `None` if that is not asked.
     #[must_use]
     pub fn is_late_at_limit(&self) -> Option<bool> {
-        let clears = self.time + self.clears_after?;
-        Some(if self.driven.is_some() {
-            self.at_limit().arrival(self.distance).is_none_or(|arrival| arrival >= clears)
-        } else {
-            self.temporal().is_some_and(|temporal| self.limit <= temporal)
-        })
-    }
-
-    /// Whether the collision is avoided at the limit, with the reaction and the braking of `[avoid]`.
-    #[must_use]
-    pub fn is_avoided_at_limit(&self) -> bool {
-        self.stops_at_limit() || self.is_late_at_limit() == Some(true)
+        Some(self.kept() <= self.temporal()?)
     }
 
     /// Whether the collision is avoided at the limit, with the reaction and the braking of the actual run.

@@ -572,8 +572,7 @@ const IDLE: [&str; 10] = [
 fn a_block_ignores_no_key() {
     // Only a fixed object has a diameter, and no block supports one; what is asked of the time before the
     // impact enters no impact.
-    let of_avoid = |key: &str| key.starts_with("avoid.") || key.contains(".before.phase.");
-    let is_of_impact = |key: &String| !key.ends_with(".diameter") && !of_avoid(key);
+    let is_of_impact = |key: &String| !key.ends_with(".diameter") && !inputs::is_of_avoid(key);
     let mut missing: BTreeSet<String> = case::number_keys().into_iter().filter(is_of_impact).collect();
     let (mut with_block, mut without) = (BTreeSet::new(), BTreeSet::new());
     for text in cases_of_all_keys() {

@@ -26,15 +26,7 @@ impl<'t> Reader<'t> {
         }
         let speed = self.quantity(&table, "speed");
         let skid = self.skid(&table);
-        if table.has("phase") && table.has("skid") {
-            let message =
-                format!("{} gives \"skid\" and \"phase\": both say how the vehicle came", table.label());
-            let help = "remove one of the two; a skid can be the last phase, as in { distance = \"18 m\", acceleration = \"-7 m/s^2\" }";
-            self.report_path(
-                &table.path_of("phase"),
-                CaseProblem::Fault { message, help: Some(help.to_owned()) },
-            );
-        }
+        self.not_both(&table, "skid", "phase");
         if table.has("speed") && !table.has("skid") && table.has("phase") {
             let message = format!("{} gives \"speed\" without \"skid\"", table.label());
             let help = "`speed` of this table is that where a skid begins; a phase has a `speed` of its own";

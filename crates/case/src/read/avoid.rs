@@ -2,7 +2,6 @@
 
 use super::scene::OF_OBSTACLE;
 use super::tree::{Reader, Table};
-use crate::case_problem::CaseProblem;
 use crate::schema::{AVOID_CLEAR, AVOID_DEMAND, AVOID_OTHER, AVOID_SIGHT, MOST_ZONES, OBSTACLE};
 use inputs::{
     Avoid, Clear, GivenDemand, GivenSight, Obstacle, OtherApproach, OtherParty, SUBJECTS, SWELLS, Text,
@@ -31,15 +30,8 @@ impl<'t> Reader<'t> {
 
     fn sight(&mut self, avoid: &Table<'t>) -> GivenSight {
         let Some(table) = self.child(avoid, "sight", &AVOID_SIGHT) else { return GivenSight::default() };
-        for (path, heading) in [("path", "heading"), ("other_path", "other_heading")] {
-            if table.has(path) && table.has(heading) {
-                let message = format!("{} gives both \"{path}\" and \"{heading}\"", table.label());
-                let help = format!(
-                    "remove \"{heading}\": the path leads to the impact in the direction of its last stretch"
-                );
-                self.report_path(&table.path_of(heading), CaseProblem::Fault { message, help: Some(help) });
-            }
-        }
+        self.not_both(&table, "heading", "path");
+        self.not_both(&table, "other_heading", "other_path");
         GivenSight {
             eye: self.place_of(&table, "eye"),
             heading: self.sourced(&table, "heading"),

@@ -442,7 +442,7 @@ impl<'t> Reader<'t> {
         Some(test)
     }
 
-    fn not_both(&mut self, table: &Table<'t>, first: &'static str, second: &'static str) {
+    pub(super) fn not_both(&mut self, table: &Table<'t>, first: &'static str, second: &'static str) {
         let (Some(one), Some(other)) = (table.get(first), table.get(second)) else { return };
         // The later of the two is the one that surprises.
         let later = if one.span().start > other.span().start { one } else { other };

@@ -56,5 +56,5 @@ impl Case {
 /// Whether a key belongs to the question whether the collision was avoidable alone.
 #[must_use]
 pub fn is_of_avoid(path: &str) -> bool {
-    path.starts_with("avoid.") || path.contains(".before.phase[")
+    path.starts_with("avoid.") || path.contains(".before.phase")
 }

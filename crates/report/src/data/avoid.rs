@@ -208,7 +208,7 @@ pub fn avoid_json(file: &CaseFile, found: &Avoidance) -> Result<String, serde_js
                 ActualRun::Driven(DrivenBy::Phases) => "by phases",
                 ActualRun::Driven(DrivenBy::Recorder) => "by the recorder",
             },
-            reaction_late_by: found.delay(),
+            reaction_late_by: scene.delay(),
             runs: found.runs.iter().chain(&found.more_runs).map(run).collect(),
             enough: EnoughBlock {
                 speed: found.enough.speed,

@@ -638,7 +638,7 @@ fn on_the_runs(case: &Case, found: &Avoidance, units: Units) -> Vec<String> {
                     units.format(Measure::Acceleration, BRAKES)
                 ),
             };
-            let goes_on = if scene.at_impact > scene.speed {
+            let goes_on = if scene.accelerates() {
                 " In a run with a reaction, it accelerates as it did until the brakes take effect."
             } else {
                 ""
