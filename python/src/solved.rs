@@ -9,7 +9,7 @@ use pyo3::exceptions::{PyAttributeError, PyRuntimeError, PyValueError};
 use pyo3::prelude::*;
 use pyo3::sync::PyOnceLock;
 use pyo3::types::{PyDict, PyTuple, PyType};
-use report::{Document, Subject, Units};
+use report::{AvoidPicture, Document, Subject, Units};
 use requests::{Answer, DrawingRequest, EstimateAnswer, Request, RequestOptions};
 use uncertainty::SUCCEEDED;
 
@@ -106,7 +106,9 @@ impl Solved {
                 };
                 Ok(py.detach(|| outputs.iter().find_map(density)))
             }
-            Answer::Avoidance(found) => Ok(Some(py.detach(|| report::path_time(case, found, units)))),
+            Answer::Avoidance(found) => {
+                Ok(py.detach(|| AvoidPicture::PathTime.draw(case, found, units)).ok())
+            }
             _ => Ok(None),
         }
     }
@@ -769,9 +771,6 @@ impl PyEstimate {
 #[pyclass(name = "Avoidance", module = "deltav", frozen, extends = PyAnswered)]
 pub(crate) struct PyAvoidance;
 
-/// A picture of whether a collision was avoidable; `None` if there is nothing to draw.
-type PictureOfAvoidance = fn(&case::Case, &analysis::Avoidance, Units) -> Option<report::Drawing>;
-
 #[pymethods]
 impl PyAvoidance {
     /// Draws the answer.
@@ -804,29 +803,15 @@ impl PyAvoidance {
     /// '<svg'
     #[pyo3(signature = (what = "path-time", *, units = None))]
     fn draw(slf: &Bound<'_, Self>, what: &str, units: Option<&str>) -> PyResult<Picture> {
-        const PICTURES: [(&str, (PictureOfAvoidance, &str)); 3] = [
-            ("path-time", (|case, found, units| Some(report::path_time(case, found, units)), "")),
-            (
-                "chance",
-                (report::avoided_from, "no number of the case is uncertain: there is no probability to draw"),
-            ),
-            (
-                "sight",
-                (
-                    report::sight,
-                    "there is no plan to draw: the case has no [[avoid.obstacle]], and does not say by [avoid.sight] how both came",
-                ),
-            ),
-        ];
         let py = slf.py();
         let solved = &slf.as_super().get().solved;
-        let (picture, nothing) = chosen("what", what, &PICTURES)?;
+        let picture = chosen("what", what, &AvoidPicture::WORDS)?;
         let in_units = solved.in_units(units)?;
         let Answer::Avoidance(found) = solved.answer(py)? else {
             return Err(PyRuntimeError::new_err("the result is no avoidance"));
         };
-        let drawing = py.detach(|| picture(&solved.given.file.case, found, in_units));
-        let drawing = drawing.ok_or_else(|| no_answer(py, nothing.to_owned()))?;
+        let drawing = py.detach(|| picture.draw(&solved.given.file.case, found, in_units));
+        let drawing = drawing.map_err(|reason| no_answer(py, reason.to_owned()))?;
         drawn(slf.as_any(), drawing, ("draw", what), units)
     }
 }

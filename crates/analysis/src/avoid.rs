@@ -608,7 +608,7 @@ fn unposed(form: &AvoidForm, refusal: Unposed) -> Failure {
                 BrakingForm::Recorded { .. } => format!("{table}.recorder.pre_crash"),
                 _ => format!("{table}.before.phase"),
             },
-            format!("the vehicle cannot have moved so: {refusal}"),
+            format!("the vehicle cannot have moved like this: {refusal}"),
             "check the numbers of the phases against the speed at the impact; `acceleration` is negative where the vehicle \
              brakes"
                 .to_owned(),

@@ -1105,7 +1105,7 @@ pub(crate) static AVOID: Schema = Schema {
 
 pub(crate) static AVOID_SIGHT: Schema = Schema {
     place: "[avoid.sight]",
-    text: "Where the driver's eye and the first visible part of the other party are at the impact. Both approach it in a straight line or along `path` and `other_path`, the other party at constant speed. Without an `obstacle`, it is for the plan view alone.",
+    text: "Where the driver's eye and the first visible part of the other party are at the impact. Both approach it in a straight line or along `path` and `other_path`, the other party at constant speed. Without an `obstacle`, only the plan view uses it.",
     keys: &[
         table("eye", "eye = { x = \"-1.9 m\", y = \"0.4 m\" }", &SIGHT_PLACE),
         key(
@@ -1258,7 +1258,7 @@ pub(crate) static AVOID_CLEAR: Schema = Schema {
 
 pub(crate) static BEFORE: Schema = Schema {
     place: "[vehicle1.before] or [vehicle2.before]",
-    text: "The vehicle before the impact. Its skid marks tell the speed at which the driver began to brake; phases tell how it moved without marks.",
+    text: "The vehicle before the impact. Its skid marks tell the speed at which the driver began to brake; phases say how it moved where there are no marks.",
     keys: &[
         table("skid", "skid = { length = \"18 m\", friction = 0.7 }", &SKID),
         key(
@@ -1283,7 +1283,7 @@ pub(crate) static BEFORE: Schema = Schema {
 
 pub(crate) static PHASE: Schema = Schema {
     place: "[[vehicle1.before.phase]] or [[vehicle2.before.phase]]",
-    text: "A stretch of constant acceleration before the impact. Two of its numbers tell the others, as the speed at its end is known; the first phase may have `speed` and two more, and then tells the speed at the impact.",
+    text: "A stretch of constant acceleration before the impact. Give two of its numbers; the others follow from the speed at its end. If nothing else tells the speed at the impact, the first phase may have `speed` and two more.",
     keys: &[
         key(
             "distance",

@@ -11,7 +11,7 @@ use clap::builder::{
 };
 use clap::{Arg, Args, CommandFactory as _, FromArgMatches as _, Parser, Subcommand, ValueEnum};
 use clap_complete::Shell;
-use report::{CsvStyle, PictureFormat, Subject, Units};
+use report::{AvoidPicture, CsvStyle, PictureFormat, Subject, Units};
 use requests::{
     AvoidOptions, EstimateOptions, ReconstructOptions, Request, SensitivityOptions, UncertaintyOptions,
 };
@@ -494,12 +494,8 @@ pub(crate) enum What {
     Subject(Subject),
     /// An estimate.
     Estimate,
-    /// Distance against time, from the reaction demand.
-    PathTime,
-    /// The probability that the collision is avoided.
-    Chance,
-    /// What obstacles hide before the collision.
-    Sight,
+    /// Whether a collision was avoidable.
+    Avoid(AvoidPicture),
 }
 
 impl What {
@@ -507,7 +503,7 @@ impl What {
     pub(crate) fn subject(self) -> Option<Subject> {
         match self {
             Self::Subject(subject) => Some(subject),
-            Self::Estimate | Self::PathTime | Self::Chance | Self::Sight => None,
+            Self::Estimate | Self::Avoid(_) => None,
         }
     }
 }
@@ -522,18 +518,21 @@ fn drawings() -> Vec<Word<What>> {
         (Subject::MotionCurves, "Speed, yaw rate and heading over time, from the impact to rest"),
         (Subject::Momentum, "The momentum polygon: momenta before and after the impact, tip to tail"),
     ];
-    let others = [
-        (
-            "estimate",
-            "How probable speeds and rest positions are, as `deltav estimate` finds them",
-            What::Estimate,
-        ),
-        ("path-time", "Distance against time before the impact, of `deltav avoid`", What::PathTime),
-        ("chance", "Probability that the collision is avoided, against the speed", What::Chance),
-        ("sight", "Both before the impact and what obstacles hide, seen from above", What::Sight),
-    ];
+    let others = [(
+        "estimate",
+        "How probable speeds and rest positions are, as `deltav estimate` finds them",
+        What::Estimate,
+    )];
+    let of_avoid = AvoidPicture::WORDS.map(|(name, picture)| {
+        let meaning = match picture {
+            AvoidPicture::PathTime => "Distance against time before the impact, of `deltav avoid`",
+            AvoidPicture::Chance => "Probability that the collision is avoided, against the speed",
+            AvoidPicture::Sight => "Both before the impact and what obstacles hide, seen from above",
+        };
+        (name, meaning, What::Avoid(picture))
+    });
     let of_subjects = of_subjects.map(|(subject, meaning)| (subject.name(), meaning, What::Subject(subject)));
-    of_subjects.into_iter().chain(others).collect()
+    of_subjects.into_iter().chain(others).chain(of_avoid).collect()
 }
 
 const CASE_UNITS: [Word<Units>; 3] = [

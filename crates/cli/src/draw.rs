@@ -6,7 +6,7 @@ use std::path::Path;
 use analysis::{Analysis, Weighed};
 use anyhow::{Context as _, Result, bail};
 use case::{Axes, CaseFile, Quantity};
-use report::{Drawing, DrawingError, PROGRAM, PictureFormat, SitePlan, Subject, Units};
+use report::{AvoidPicture, Drawing, DrawingError, PROGRAM, PictureFormat, SitePlan, Subject, Units};
 use requests::{
     Answer, AvoidOptions, DrawingRequest, EstimateAnswer, EstimateOptions, Request, read_picture,
     site_plan_beside,
@@ -38,9 +38,7 @@ pub(crate) fn draw(arguments: &DrawArguments) -> Result<()> {
     let subject = match arguments.what {
         What::Subject(subject) => subject,
         What::Estimate => return write_picture(path, &estimate(&file, units)?, format),
-        what @ (What::PathTime | What::Chance | What::Sight) => {
-            return write_picture(path, &avoided(&file, units, what)?, format);
-        }
+        What::Avoid(picture) => return write_picture(path, &avoided(&file, units, picture)?, format),
     };
     if let Some(obstacle) = subject.obstacle(&file.case) {
         return cannot_draw(obstacle, &file, units);
@@ -116,22 +114,11 @@ fn estimate(file: &CaseFile, units: Units) -> Result<Drawing> {
 }
 
 /// A picture of avoidability as it is without options.
-fn avoided(file: &CaseFile, units: Units, what: What) -> Result<Drawing> {
+fn avoided(file: &CaseFile, units: Units, picture: AvoidPicture) -> Result<Drawing> {
     let request = Request::Avoid(AvoidOptions::default());
     let answer = in_pool(&pool(None)?, |progress| request.answer(&file.case, progress))?;
     let Answer::Avoidance(found) = found(answer, file, units)? else { bail!("the answer has no picture") };
-    let (drawing, message) = match what {
-        What::Chance => (
-            report::avoided_from(&file.case, &found, units),
-            "there is no probability to draw: no number of the case is a range, and no evidence tells the speed",
-        ),
-        What::Sight => (
-            report::sight(&file.case, &found, units),
-            "there is no plan to draw: the case has no [[avoid.obstacle]], and does not say by [avoid.sight] how both came",
-        ),
-        _ => return Ok(report::path_time(&file.case, &found, units)),
-    };
-    drawing.ok_or_else(|| NoAnswer(message.to_owned()).into())
+    picture.draw(&file.case, &found, units).map_err(|reason| NoAnswer(reason.to_owned()).into())
 }
 
 /// Says what a case lacks for a drawing, and what else can be drawn of it.

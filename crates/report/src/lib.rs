@@ -106,10 +106,10 @@ pub use glossary::{Topic, UnknownTopic, topic, topics};
 pub use live::{NotLive, live};
 pub use outputs::reason_name;
 pub use pictures::{
-    DrawingError, Frames, Subject, avoided_from, computed_against_measured, density, drawing,
-    estimate_pictures, estimated_against_recorded, frames, histogram, joint_speeds, motion_on, path_time,
+    AvoidPicture, DrawingError, Frames, Subject, computed_against_measured, density, drawing,
+    estimate_pictures, estimated_against_recorded, frames, histogram, joint_speeds, motion_on,
     place_of_impact, plain_motion, plain_scene, plan_view, ranks_of_recorders, reconstructed_speed, rests,
-    sight, site_plan, site_plan_of, tornado,
+    site_plan, site_plan_of, tornado,
 };
 pub use sections::avoid::avoid;
 pub use sections::claims::claims;

@@ -14,7 +14,7 @@ mod spread;
 mod staged;
 mod vehicle;
 
-pub use avoid::{avoided_from, path_time, sight};
+pub use avoid::AvoidPicture;
 pub use estimate::{density, estimate_pictures, joint_speeds, rests};
 pub use field::{estimated_against_recorded, ranks_of_recorders};
 pub use motion::place_of_impact;

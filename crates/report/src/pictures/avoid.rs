@@ -17,24 +17,38 @@ const BEYOND: f64 = 0.08;
 /// (m) and beyond the place of the impact, at least.
 const LEAST_BEYOND: f64 = 3.0;
 
-/// Draws distance against time: what happened and what would have, with the other party, the reaction demand
-/// and the place of the impact.
-#[must_use]
-pub fn path_time(case: &Case, found: &Avoidance, units: Units) -> Drawing {
-    path_time_picture(case, found, units).draw()
+/// A picture of whether a collision was avoidable.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum AvoidPicture {
+    /// Distance against time: what happened and what would have, with the other party, the reaction demand
+    /// and the place of the impact.
+    PathTime,
+    /// The probability that the collision is avoided, against the speed.
+    Chance,
+    /// The ways of both to the impact, the obstacles and the line of sight.
+    Sight,
 }
 
-/// Draws the probability that the collision is avoided against the speed; `None` if nothing is uncertain.
-#[must_use]
-pub fn avoided_from(case: &Case, found: &Avoidance, units: Units) -> Option<Drawing> {
-    Some(chance_picture(case, found, units)?.draw())
-}
+impl AvoidPicture {
+    /// Each with its name.
+    pub const WORDS: [(&str, Self); 3] =
+        [("path-time", Self::PathTime), ("chance", Self::Chance), ("sight", Self::Sight)];
 
-/// Draws the ways of both to the impact, the obstacles and the line of sight; `None` if the case does not
-/// tell how both came.
-#[must_use]
-pub fn sight(case: &Case, found: &Avoidance, units: Units) -> Option<Drawing> {
-    Some(sight_picture(case, found, units)?.draw())
+    /// Draws it.
+    ///
+    /// # Errors
+    /// Why there is nothing to draw, in a sentence.
+    pub fn draw(self, case: &Case, found: &Avoidance, units: Units) -> Result<Drawing, &'static str> {
+        match self {
+            Self::PathTime => Ok(path_time_picture(case, found, units).draw()),
+            Self::Chance => chance_picture(case, found, units).map(|picture| picture.draw()).ok_or(
+                "there is no probability to draw: no number of the case is a range, and no evidence tells the speed",
+            ),
+            Self::Sight => sight_picture(case, found, units).map(|picture| picture.draw()).ok_or(
+                "there is no plan to draw: the case has no [[avoid.obstacle]], and does not say by [avoid.sight] how both came",
+            ),
+        }
+    }
 }
 
 /// The pen of a run.

@@ -40,12 +40,6 @@ pub fn avoid(case: &Case, found: &Avoidance, units: Units) -> Document {
         drawing: Undrawn::new(move || picture.draw()),
         instead: None,
     });
-    if found.scene.view == View::Open
-        && let Some(picture) = sight_picture(case, found, units)
-    {
-        let drawing = Undrawn::new(move || picture.draw());
-        page.push(Block::Chart { name: "sight".to_owned(), drawing, instead: None });
-    }
     if !found.more_runs.is_empty() {
         page.push(combinations(found, units));
     }
@@ -317,10 +311,10 @@ fn demand(given: &Avoid, found: &Avoidance, units: Units) -> String {
     )
 }
 
-/// Since when the view was free, and how that is known.
+/// Since when the view was free, and how that is known; the plan of both, if the case tells how they came.
 fn sight(page: &mut Document, case: &Case, found: &Avoidance, units: Units) {
     match found.scene.view {
-        View::Open => return,
+        View::Open => {}
         View::NeverHidden => {
             page.heading("Sight");
             page.paragraph(format!(
@@ -333,7 +327,9 @@ fn sight(page: &mut Document, case: &Case, found: &Avoidance, units: Units) {
             page.paragraph(view_and_demand(found, &sight, units));
         }
     }
-    page.paragraph(ways(case));
+    if found.scene.view != View::Open {
+        page.paragraph(ways(case));
+    }
     if let Some(picture) = sight_picture(case, found, units) {
         let drawing = Undrawn::new(move || picture.draw());
         page.push(Block::Chart { name: "sight".to_owned(), drawing, instead: None });
@@ -440,7 +436,7 @@ fn ways(case: &Case) -> String {
         PathForm::Straight(heading) => format!("in a straight line in the direction {heading}"),
         PathForm::Along(points) => {
             let count = points.len();
-            format!("along the {count} point{} given", if count == 1 { "" } else { "s" })
+            format!("through the {count} point{} given", if count == 1 { "" } else { "s" })
         }
     };
     format!(
@@ -620,18 +616,19 @@ fn on_the_runs(case: &Case, found: &Avoidance, units: Units) -> Vec<String> {
                     "The phases of the case say how the vehicle came to the impact.".to_owned()
                 }
                 DrivenBy::Recorder => format!(
-                    "The table of the recorder says how the vehicle came to the impact: its speeds, with the mean slip of the \
-                     wheels, change evenly between two samples. Those of the last {} give way to the speed at the impact.",
+                    "The table of the recorder says how the vehicle came to the impact. Its speeds are corrected for the mean slip \
+                     of the wheels, and change evenly from sample to sample; the speed at the impact replaces the samples of the \
+                     last {}.",
                     time(GIVES_WAY)
                 ),
             };
             let braked = match scene.delay() {
                 Some(late) => format!(
-                    " It slows by more than {} from {} after the demand on, {} {} than with the reaction time of the inputs.",
-                    units.format(Measure::Acceleration, BRAKES),
+                    " From {} after the demand on, {} {} than with the reaction time of the inputs, it slows by more than {}.",
                     time(late + response.reaction()),
                     time(late),
-                    if late >= 0.0 { "later" } else { "earlier" }
+                    if late >= 0.0 { "later" } else { "earlier" },
+                    units.format(Measure::Acceleration, BRAKES)
                 ),
                 None => format!(
                     " Between the demand and the impact it does not begin to slow by more than {}.",
