@@ -48,6 +48,19 @@ pub enum InvalidInput {
         /// (m/s) the speed that is not above it.
         value: f64,
     },
+    /// An acceleration that leads from one speed away from the other, or is zero between two speeds.
+    #[error(
+        "an acceleration of {acceleration} m/s² does not lead from {from} m/s to {to} m/s; it must be positive where \
+         the vehicle gains speed and negative where it loses speed"
+    )]
+    NotReached {
+        /// (m/s) the speed where the stretch begins.
+        from: f64,
+        /// (m/s) the speed where it ends.
+        to: f64,
+        /// (m/s²) the acceleration.
+        acceleration: f64,
+    },
     /// Two fixed bodies cannot collide.
     #[error("both bodies are fixed, but at least one must be able to move")]
     BothFixed,

@@ -99,9 +99,7 @@ pub fn approach<T: Real>(end: &Leg<T>, phase: Phase<T>) -> Result<Leg<T>, Invali
         Phase::From { speed, acceleration } => {
             within(FROM, speed)?;
             any(acceleration)?;
-            let time = (end.speed - speed) / acceleration;
-            within(LASTS, time)?;
-            (speed, time, acceleration)
+            (speed, time_between(speed, end.speed, acceleration)?, acceleration)
         }
         Phase::FromOver { speed, distance } => {
             within(FROM, speed)?;
@@ -136,4 +134,18 @@ fn time_over<T: Real>(distance: T, sum: T) -> Result<T, InvalidInput> {
         return Err(InvalidInput::NotPositive { what, value: sum.value() });
     }
     Ok(if sum.value() > 0.0 { distance * 2.0 / sum } else { T::ZERO })
+}
+
+/// (s) t = (v − v₀)/a, which is zero where the speeds are the same.
+fn time_between<T: Real>(from: T, to: T, acceleration: T) -> Result<T, InvalidInput> {
+    let gain = to - from;
+    if gain.value() == 0.0 {
+        return Ok(T::ZERO);
+    }
+    let time = gain / acceleration;
+    if check::within(LASTS, time.value(), 0.0, f64::MAX).is_err() {
+        let [from, to, acceleration] = [from, to, acceleration].map(|number| number.value());
+        return Err(InvalidInput::NotReached { from, to, acceleration });
+    }
+    Ok(time)
 }

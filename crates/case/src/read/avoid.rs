@@ -29,6 +29,8 @@ impl<'t> Reader<'t> {
     }
 
     fn sight(&mut self, avoid: &Table<'t>) -> GivenSight {
+        const PATH: &str =
+            "[{ x = \"-30 m\", y = \"0 m\" }, { x = \"-8 m\", y = \"0 m\" }, { x = \"-3 m\", y = \"3 m\" }]";
         let Some(table) = self.child(avoid, "sight", &AVOID_SIGHT) else { return GivenSight::default() };
         self.not_both(&table, "heading", "path");
         self.not_both(&table, "other_heading", "other_path");
@@ -38,8 +40,8 @@ impl<'t> Reader<'t> {
             point: self.place_of(&table, "point"),
             other_heading: self.sourced(&table, "other_heading"),
             other_speed: self.sourced(&table, "other_speed"),
-            path: self.corners(&table, "path").unwrap_or_default(),
-            other_path: self.corners(&table, "other_path").unwrap_or_default(),
+            path: self.places(&table, "path", PATH).unwrap_or_default(),
+            other_path: self.places(&table, "other_path", PATH).unwrap_or_default(),
         }
     }
 

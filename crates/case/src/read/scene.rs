@@ -22,6 +22,9 @@ pub(super) struct Shape {
 const OF_ZONE: Shape =
     Shape { name: "a zone", instead: "; for a zone with one straight edge, write edge and side" };
 pub(super) const OF_OBSTACLE: Shape = Shape { name: "an obstacle", instead: "" };
+const POLYGON: &str =
+    "[{ x = \"0 m\", y = \"6 m\" }, { x = \"50 m\", y = \"6 m\" }, { x = \"50 m\", y = \"9 m\" }]";
+const EDGE: &str = "[{ x = \"0 m\", y = \"6 m\" }, { x = \"50 m\", y = \"6 m\" }]";
 const EXACT_PLAN: &str = "a string with a number and a unit, because the place of a site plan is exact";
 
 impl<'t> Reader<'t> {
@@ -115,8 +118,8 @@ impl<'t> Reader<'t> {
                              edge = [{ x = \"0 m\", y = \"6 m\" }, { x = \"50 m\", y = \"6 m\" }] and side = \"left\"";
         let name = self.text(table, "name");
         let friction = self.number(table, "friction");
-        let polygon = self.corners(table, "polygon");
-        let edge = self.corners(table, "edge");
+        let polygon = self.places(table, "polygon", POLYGON);
+        let edge = self.places(table, "edge", EDGE);
         let side = self.choice(table, "side", &EdgeSide::WORDS);
         let region = match table.given(&["friction", "polygon", "edge", "side"])[..] {
             ["friction", "polygon"] => SurfaceRegion::Polygon(self.outlined(table, polygon?, OF_ZONE)?),
@@ -130,16 +133,20 @@ impl<'t> Reader<'t> {
 
     /// The corners of `polygon`, of which `shape` has three or more.
     pub(super) fn polygon(&mut self, table: &Table<'t>, shape: Shape) -> Option<Vec<Place>> {
-        let corners = self.corners(table, "polygon")?;
+        let corners = self.places(table, "polygon", POLYGON)?;
         self.outlined(table, corners, shape)
     }
 
-    pub(super) fn corners(&mut self, zone: &Table<'t>, key: &'static str) -> Option<Vec<Place>> {
-        const FORMS: &str =
-            "[{ x = \"0 m\", y = \"6 m\" }, { x = \"50 m\", y = \"6 m\" }, { x = \"50 m\", y = \"9 m\" }]";
-        let tables = self.tables(zone, key, &CORNER, FORMS, MOST_ZONES)?;
-        let corners: Vec<Option<Place>> = tables.iter().map(|table| self.place(table)).collect();
-        corners.into_iter().collect()
+    /// A list of places, with `forms` as an example of one.
+    pub(super) fn places(
+        &mut self,
+        table: &Table<'t>,
+        key: &'static str,
+        forms: &'static str,
+    ) -> Option<Vec<Place>> {
+        let tables = self.tables(table, key, &CORNER, forms, MOST_ZONES)?;
+        let places: Vec<Option<Place>> = tables.iter().map(|table| self.place(table)).collect();
+        places.into_iter().collect()
     }
 
     pub(super) fn exact_quantity(
