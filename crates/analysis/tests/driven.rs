@@ -216,9 +216,9 @@ fn a_start_from_a_stop_is_followed() {
     assert!(refused.contains("begin with a stop 7.7 m before the impact"), "{refused}");
 }
 
-/// One that accelerates up to the impact, which is within its reaction: 2 m/s at the demand, 2 m/s² for 0.8 s.
-/// The other party clears the zone 0.01 s later, so that it would have had to keep about the speed with which it
-/// takes 0.81 s: 2 t + t² up to that speed c, then c (0.81 − t), is 2.24 m with c = 2 + 2 t.
+/// One that accelerates up to the impact, which is within its reaction: 2 m/s at the demand, 2 m/s² for
+/// 0.8 s. The other party clears the zone 0.01 s later, so that it would have had to keep about the speed with
+/// which it takes 0.81 s: 2 t + t² up to that speed c, then c (0.81 − t), is 2.24 m with c = 2 + 2 t.
 #[test]
 fn a_zone_that_is_clear_before_the_reaction_ends_is_asked_of_the_motion() {
     let text = "[[vehicle1.before.phase]]\nspeed = \"2 m/s\"\nacceleration = \"2 m/s^2\"\ntime = \"0.8 s\"\n[avoid]\n\

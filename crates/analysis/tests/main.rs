@@ -5,6 +5,7 @@ mod both_speeds;
 mod checks;
 mod choice;
 mod contact;
+mod coverage;
 mod driven;
 mod edcrash;
 mod energies;
