@@ -90,14 +90,13 @@ impl Numbers {
     /// investigator's numbers have their errors.
     fn case(&self, is_true: bool, speeds: [&str; 2], rests: &[String; 2], end: &str) -> Case {
         let number = |value: f64, sd: f64, unit: &str| {
-            if is_true {
-                format!("\"{value}{unit}\"")
-            } else {
-                format!("{{ value = \"{value}{unit}\", sd = \"{sd}{unit}\" }}")
-            }
+            let [value, sd] = [value, sd].map(|number| {
+                if unit.is_empty() { number.to_string() } else { format!("\"{number} {unit}\"") }
+            });
+            if is_true { value } else { format!("{{ value = {value}, sd = {sd} }}") }
         };
         let vehicle = |i: usize| {
-            let [ahead, left] = self.contact[i].map(|number_| number(number_, 0.12, " m"));
+            let [ahead, left] = self.contact[i].map(|place| number(place, 0.12, "m"));
             let drag =
                 if is_true { self.drag[i].to_string() } else { "{ low = 0.1, high = 0.3 }".to_owned() };
             format!(
@@ -105,9 +104,9 @@ impl Numbers {
                  contact = {{ x = {ahead}, y = {left} }}\n[vehicle{}.after]\ndrag = {drag}\n{}\n",
                 i + 1,
                 3 - i,
-                number(self.mass[i], 0.015 * self.mass[i], " kg"),
-                number(self.yaw_radius[i], 0.04, " m"),
-                number(self.heading[i], 2.0, " deg"),
+                number(self.mass[i], 0.015 * self.mass[i], "kg"),
+                number(self.yaw_radius[i], 0.04, "m"),
+                number(self.heading[i], 2.0, "deg"),
                 speeds[i],
                 i + 1,
                 rests[i],
@@ -119,7 +118,7 @@ impl Numbers {
              crush_plane = {}\nrestitution = {}\ntangential = {{ friction = {} }}\n{end}\n",
             vehicle(0),
             vehicle(1),
-            number(self.crush_plane, 5.0, " deg"),
+            number(self.crush_plane, 5.0, "deg"),
             self.restitution,
             self.impulse_ratio,
         );

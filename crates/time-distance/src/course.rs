@@ -5,6 +5,9 @@ use real::Real;
 /// Halvings of an interval after which nothing is left of it.
 const MOST_HALVINGS: usize = 200;
 
+/// (–) by which the square of a speed at its stop may be off, in that before.
+const ROUNDING: f64 = 1e-14;
+
 /// (s) after which nobody waits for a road user to arrive.
 const LONGEST: f64 = 1e9;
 
@@ -93,6 +96,32 @@ impl<'a, T: Real> Course<'a, T> {
 
 /// (s) when a leg reaches a position that lies within it.
 fn leg_reaches<T: Real>(leg: &Leg<T>, end: Option<T>, position: T) -> Option<T> {
+    let lasts = if leg.jerk.value() == 0.0 {
+        at_constant_acceleration(leg, position)?
+    } else {
+        by_halvings(leg, end, position)?
+    };
+    // One step of Newton's method gives the derivatives.
+    let near = leg.after(T::from(lasts));
+    let time = leg.time + lasts;
+    if near.speed.value() > 0.0 { Some(time - (near.position - position) / near.speed) } else { Some(time) }
+}
+
+/// (s) from the beginning of the leg.
+fn at_constant_acceleration<T: Real>(leg: &Leg<T>, position: T) -> Option<f64> {
+    let [speed, acceleration] = [leg.speed.value(), leg.acceleration.value()];
+    let way = position.value() - leg.position.value();
+    if way <= 0.0 {
+        return Some(0.0);
+    }
+    // s = v t + a t²/2: t = 2 s/(v + √(v² + 2 a s))
+    let square = speed * speed + acceleration * way * 2.0;
+    let sum = speed + Real::sqrt(f64::max(square, 0.0));
+    (square >= -ROUNDING * speed * speed && sum > 0.0).then(|| way * 2.0 / sum)
+}
+
+/// (s) from the beginning of the leg.
+fn by_halvings<T: Real>(leg: &Leg<T>, end: Option<T>, position: T) -> Option<f64> {
     let missing = |time: f64| leg.after(T::from(time)).position.value() - position.value();
     let mut low = 0.0;
     let mut high = match end {
@@ -115,8 +144,5 @@ fn leg_reaches<T: Real>(leg: &Leg<T>, end: Option<T>, position: T) -> Option<T> 
         }
         if missing(middle) < 0.0 { low = middle } else { high = middle }
     }
-    // One step of Newton's method gives the derivatives.
-    let near = leg.after(T::from(high));
-    let time = leg.time + high;
-    if near.speed.value() > 0.0 { Some(time - (near.position - position) / near.speed) } else { Some(time) }
+    Some(high)
 }

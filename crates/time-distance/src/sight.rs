@@ -5,6 +5,12 @@ use pim_core::Vector2;
 /// Halvings after which a moment is known to the last bit.
 const MOST_HALVINGS: usize = 100;
 
+/// Steps of the secant after which it has long converged.
+const MOST_SECANTS: usize = 12;
+
+/// (–) to which share of the step in which it lies the moment is found at which a corner comes into line.
+const IN_LINE: f64 = 1e-12;
+
 /// Whether the line from one point to another is free of an obstacle: the outline, a polygon, whose corners
 /// come in their order. A line that only touches it is free.
 #[must_use]
@@ -30,13 +36,12 @@ pub fn first_sight(
     [from, to]: [f64; 2],
     steps: u32,
 ) -> Option<f64> {
-    let is_seen = |time: f64| is_seen(positions(time), obstacles);
     let at = |step: u32| from + (to - from) * f64::from(step) / f64::from(steps.max(1));
-    if is_seen(from) {
-        return Some(from);
+    let seen = |&step: &u32| is_seen(positions(at(step)), obstacles);
+    match (0..=steps.max(1)).find(seen)? {
+        0 => Some(from),
+        first => Some(between([at(first - 1), at(first)], positions, obstacles)),
     }
-    let first = (1..=steps.max(1)).find(|&step| is_seen(at(step)))?;
-    Some(between(at(first - 1), at(first), is_seen))
 }
 
 /// (s) since when one road user has seen the other without a break, at the time `to` (s); `from` (s) where it
@@ -48,13 +53,12 @@ pub fn free_since(
     [from, to]: [f64; 2],
     steps: u32,
 ) -> Option<f64> {
-    let is_seen = |time: f64| is_seen(positions(time), obstacles);
     let at = |step: u32| from + (to - from) * f64::from(step) / f64::from(steps.max(1));
-    let last = (0..=steps.max(1)).rev().find(|&step| !is_seen(at(step)));
-    match last {
+    let hidden = |&step: &u32| !is_seen(positions(at(step)), obstacles);
+    match (0..=steps.max(1)).rev().find(hidden) {
         None => Some(from),
         Some(last) if last >= steps.max(1) => None,
-        Some(last) => Some(between(at(last), at(last + 1), is_seen)),
+        Some(last) => Some(between([at(last), at(last + 1)], positions, obstacles)),
     }
 }
 
@@ -63,7 +67,19 @@ fn is_seen([one, other]: [Vector2<f64>; 2], obstacles: &[&[Vector2<f64>]]) -> bo
 }
 
 /// The moment between one at which it is hidden and one at which it is seen.
-fn between(mut hidden: f64, mut seen: f64, is_seen: impl Fn(f64) -> bool) -> f64 {
+fn between(
+    [mut hidden, mut seen]: [f64; 2],
+    positions: impl Fn(f64) -> [Vector2<f64>; 2],
+    obstacles: &[&[Vector2<f64>]],
+) -> f64 {
+    let is_seen = |time: f64| is_seen(positions(time), obstacles);
+    if let Some(moment) = in_line([hidden, seen], &positions, obstacles) {
+        let about = IN_LINE * (seen - hidden);
+        // Usually it is a corner that comes out of the line; where it is something else, halvings find it.
+        if !is_seen(moment - about) && is_seen(moment + about) {
+            return moment;
+        }
+    }
     for _ in 0..MOST_HALVINGS {
         let middle = f64::midpoint(hidden, seen);
         if middle <= hidden || middle >= seen {
@@ -72,6 +88,41 @@ fn between(mut hidden: f64, mut seen: f64, is_seen: impl Fn(f64) -> bool) -> f64
         if is_seen(middle) { seen = middle } else { hidden = middle }
     }
     seen
+}
+
+/// The moment between two at which a corner lies on the line from one road user to the other, if there is
+/// just one such corner.
+fn in_line(
+    [first, last]: [f64; 2],
+    positions: impl Fn(f64) -> [Vector2<f64>; 2],
+    obstacles: &[&[Vector2<f64>]],
+) -> Option<f64> {
+    let [[one, other], [one_last, other_last]] = [positions(first), positions(last)];
+    let sides = |corner: Vector2<f64>| [area(one, other, corner), area(one_last, other_last, corner)];
+    let corners = obstacles.iter().flat_map(|outline| outline.iter().copied());
+    let mut passing = corners.map(|corner| (corner, sides(corner))).filter(|(_, [a, b])| a * b < 0.0);
+    let (corner, [mut f_a, mut f_b]) = passing.next()?;
+    if passing.next().is_some() {
+        return None;
+    }
+    // Regula falsi, by the Illinois rule.
+    let [mut a, mut b] = [first, last];
+    for _ in 0..MOST_SECANTS {
+        let next = b - f_b * (b - a) / (f_b - f_a);
+        let [one, other] = positions(next);
+        let f = area(one, other, corner);
+        if f * f_b < 0.0 {
+            (a, f_a) = (b, f_b);
+        } else {
+            f_a *= 0.5;
+        }
+        let is_found = f == 0.0 || (next - b).abs() < 0.25 * IN_LINE * (last - first);
+        (b, f_b) = (next, f);
+        if is_found {
+            return Some(b);
+        }
+    }
+    None
 }
 
 /// Twice the area of the triangle, positive where it runs counter-clockwise.

@@ -177,6 +177,69 @@ fn a_corner_hides_until_the_line_is_free() {
     assert_eq!(first_sight(behind, &[&house], [0.0, 5.0], 50), None);
 }
 
+/// By halvings alone, the moment of a change between two steps.
+fn by_halvings(mut before: f64, mut after: f64, sees: impl Fn(f64) -> bool) -> f64 {
+    for _ in 0..60 {
+        let middle = f64::midpoint(before, after);
+        if sees(middle) == sees(after) { after = middle } else { before = middle }
+    }
+    after
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(2000))]
+
+    /// Two road users, one of which brakes, past two obstacles of four corners each.
+    #[test]
+    fn the_moment_of_sight_is_that_of_halvings(
+        eye in [-30.0..-2.0_f64, -3.0..3.0_f64, 3.0..20.0_f64, -9.0..3.0_f64],
+        point in [-4.0..4.0_f64, -15.0..15.0_f64, -2.0..2.0_f64, -6.0..6.0_f64],
+        corners in [[-10.0..10.0_f64, -8.0..8.0_f64, 0.2..4.0_f64, 0.2..4.0_f64],
+                    [-10.0..10.0_f64, -8.0..8.0_f64, 0.2..4.0_f64, 0.2..4.0_f64]],
+        turned in 0.0..6.2_f64,
+    ) {
+        let box_of = |[x, y, ahead, aside]: [f64; 4]| {
+            [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]].map(|[a, b]| {
+                let (u, v) = (a * ahead, b * aside);
+                Vector2::new(x + u * turned.cos() - v * turned.sin(), y + u * turned.sin() + v * turned.cos())
+            })
+        };
+        let [one, two] = corners.map(box_of);
+        let outlines: [&[Vector2<f64>]; 2] = [&one, &two];
+        let positions = |t: f64| {
+            [Vector2::new(eye[0] + (eye[2] + 0.5 * eye[3] * t) * t, eye[1]),
+             Vector2::new(point[0] + point[2] * t, point[1] + point[3] * t)]
+        };
+        let is_seen = |t: f64| {
+            let [from, to] = positions(t);
+            outlines.iter().all(|outline| sees(from, to, outline))
+        };
+        let (end, steps) = (4.0, 80);
+        let at = |step: u32| end * f64::from(step) / f64::from(steps);
+        let first = (0..=steps).find(|step| is_seen(at(*step)));
+        let expected = first.map(|step| {
+            if step == 0 { 0.0 } else { by_halvings(at(step - 1), at(step), is_seen) }
+        });
+        let found = first_sight(positions, &outlines, [0.0, end], steps);
+        prop_assert_eq!(found.is_some(), expected.is_some());
+        let changes = |found: Option<f64>, expected: Option<f64>| match (found, expected) {
+            // More than one change in a step may have more than one answer: each is one.
+            (Some(found), Some(expected)) => (found - expected).abs() < 1e-11
+                || is_seen(found - 1e-9) != is_seen(found + 1e-9),
+            (found, expected) => found == expected,
+        };
+        prop_assert!(changes(found, expected), "{found:?} {expected:?}");
+        let last = (0..=steps).rev().find(|step| !is_seen(at(*step)));
+        let expected = match last {
+            None => Some(0.0),
+            Some(step) if step == steps => None,
+            Some(step) => Some(by_halvings(at(step), at(step + 1), is_seen)),
+        };
+        let found = free_since(positions, &outlines, [0.0, end], steps);
+        prop_assert!(changes(found, expected), "{found:?} {expected:?}");
+    }
+}
+
 /// George and Bill (printed example): no collision in time, though not in space.
 #[test]
 fn who_is_in_the_zone_when() {

@@ -228,14 +228,27 @@ impl AvoidScene {
         Ok(Self { speed, at_impact, distance, time, actual: ActualRun::Driven(by), driven, ..self })
     }
 
+    /// (s) with the reaction and braking of `[avoid]`, it covers a distance (m) from a speed (m/s) and moves
+    /// on; `None` if it stops.
+    fn arrives(&self, speed: f64, distance: f64) -> Option<f64> {
+        let time = self.response.arrival(speed, distance)?;
+        (time < self.response.stopping_time(speed)).then_some(time)
+    }
+
+    /// (s) over a distance (m) from the demand, from a speed (m/s) there, where nothing is known of the
+    /// braking.
+    pub(super) fn time_responded(&self, distance: f64, speed: f64) -> f64 {
+        self.arrives(speed, distance).unwrap_or(distance / speed)
+    }
+
     /// With the reaction and braking of `[avoid]`; without braking, if the vehicle would then have stopped.
     fn responded(self, since: Since, speed: f64) -> Self {
         let course = AvoidCourse { speed, response: Some(self.response), driven: None };
         let stops = Unbraked::WouldHaveStopped;
         let (distance, time) = match since {
-            Since::Distance(distance) => match course.arrival(distance) {
-                Some(time) if course.speed_at(distance) > 0.0 => (distance, time),
-                _ => return self.unbraked(since, speed, stops),
+            Since::Distance(distance) => match self.arrives(speed, distance) {
+                Some(time) => (distance, time),
+                None => return self.unbraked(since, speed, stops),
             },
             Since::Time(time) if time < self.response.stopping_time(speed) => (course.position(time), time),
             Since::Time(_) => return self.unbraked(since, speed, stops),

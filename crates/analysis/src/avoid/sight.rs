@@ -147,8 +147,8 @@ impl Ways {
         if let (BrakingForm::Unknown, SpeedForm::AtDemand(speed)) = (&form.braking, &form.speed) {
             // The driver brakes in reaction to it, so that the place decides when the impact is.
             let farthest = speed.si() * SIGHT_LOOK_BACK;
-            let scene = |way: f64| AvoidScene::since(form, at_impact, Since::Distance(way));
-            let positions = |since: f64| self.before(-since, scene(-since).map_or(0.0, |scene| scene.time));
+            let here = AvoidScene::since(form, at_impact, Since::Distance(0.0))?;
+            let positions = |since: f64| self.before(-since, here.time_responded(-since, speed.si()));
             let free = free_since(positions, obstacles, [-farthest, 0.0], STEPS);
             let way = -free.ok_or(Unposed::HiddenAtImpact)?;
             return if way < farthest { Ok(Since::Distance(way)) } else { Err(Unposed::NeverHidden) };
