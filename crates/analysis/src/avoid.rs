@@ -443,7 +443,7 @@ fn of_ranges(
         place += 1;
         input.map_or(Number::Known(number), Number::Uncertain)
     });
-    let Some(form) = numbers.avoid_form() else { return Ok(None) };
+    let Some(form) = numbers.avoid_form_with(case.recorded_approach()) else { return Ok(None) };
     let mut used = BTreeSet::new();
     form.map(|number| {
         if let Number::Uncertain(input) = number {

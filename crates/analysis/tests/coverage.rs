@@ -1,7 +1,12 @@
 //! How often the intervals of `estimate` hold where both vehicles roll to rest, from the text of the case to
 //! the answer: crashes with a known truth, whose rests err as the default errors say.
 
-#![allow(clippy::unwrap_used, clippy::panic, reason = "helpers of tests fail by panicking")]
+#![allow(
+    clippy::unwrap_used,
+    clippy::panic,
+    clippy::print_stdout,
+    reason = "helpers of tests fail by panicking, slow tests print"
+)]
 #![allow(
     clippy::disallowed_methods,
     reason = "the library's own functions would not be an independent check"

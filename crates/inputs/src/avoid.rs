@@ -4,7 +4,7 @@ use std::fmt::Display;
 use std::sync::Arc;
 
 use pim_core::{InvalidInput, VehicleId};
-use recorder::SampleSpeed;
+use recorder::SampledApproach;
 use time_distance::{Advance, Swell};
 
 use crate::after::PhaseForm;
@@ -352,9 +352,9 @@ pub enum BrakingForm<T = f64> {
     Phases(Vec<PhaseForm<T>>),
     /// As its recorder stored it.
     Recorded {
-        /// The samples, the earliest first.
-        samples: Arc<[SampleSpeed]>,
-        /// By how many standard deviations their speeds err.
+        /// The samples.
+        approach: Arc<SampledApproach>,
+        /// By how many standard deviations their speeds err, of what the speed at the impact leaves open.
         error: f64,
     },
 }
@@ -405,8 +405,8 @@ impl<T: Copy> AvoidForm<T> {
                 BrakingForm::Phases(phases) => {
                     BrakingForm::Phases(phases.iter().map(|phase| phase.map(&mut of)).collect())
                 }
-                BrakingForm::Recorded { samples, error } => {
-                    BrakingForm::Recorded { samples: samples.clone(), error: *error }
+                BrakingForm::Recorded { approach, error } => {
+                    BrakingForm::Recorded { approach: approach.clone(), error: *error }
                 }
             },
         }

@@ -296,10 +296,7 @@ pub struct SampleSpeed {
 
 /// How fast the vehicle was at each sample with a speed, the earliest first. What the age of a stored speed
 /// does is left aside.
-///
-/// # Errors
-/// Errors beyond their range.
-pub fn sample_speeds(
+fn sample_speeds(
     record: &PreCrash,
     errors: &ImpactSpeedErrors,
 ) -> Result<Vec<SampleSpeed>, SpeedErrorOutOfRange> {
@@ -322,6 +319,44 @@ pub fn sample_speeds(
         }
     });
     Ok(samples.collect())
+}
+
+/// (–) standard deviations by which a speed at the impact may differ from the recorder's for its samples to
+/// err likewise; one that differs by more does so for another reason.
+const MOST_SHARED: f64 = 2.0;
+
+/// How a vehicle came to the impact, by the samples that its recorder stored before.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SampledApproach {
+    /// Its speed at each sample, the earliest first.
+    pub samples: Vec<SampleSpeed>,
+    /// (m/s) mean and standard deviation of its speed at the impact.
+    pub at_impact: [f64; 2],
+}
+
+impl SampledApproach {
+    /// The approach by the samples of a record.
+    ///
+    /// # Errors
+    /// Errors beyond their range.
+    pub fn of(record: &PreCrash, errors: &ImpactSpeedErrors) -> Result<Self, SpeedErrorOutOfRange> {
+        let samples = sample_speeds(record, errors)?;
+        let ImpactSpeed { mean, sd, .. } = ImpactSpeed::of(record, errors)?;
+        Ok(Self { samples, at_impact: [mean, sd] })
+    }
+
+    /// (–) mean and standard deviation of the error that the samples share, in standard deviations of each,
+    /// where the speed at the impact (m/s) is known: slip and tyres are a part of what that one is off by.
+    #[must_use]
+    pub fn shared_error(&self, at_impact: f64) -> [f64; 2] {
+        let [mean, sd] = self.at_impact;
+        let last = self.samples.last().map_or(0.0, |sample| sample.sd);
+        // Of two jointly normal numbers with the correlation ρ = σ_n/σ: ρ z ± √(1 − ρ²)
+        let share = if sd > 0.0 { (last / sd).min(1.0) } else { 0.0 };
+        // Slip and tyres explain no more than that.
+        let off = if sd > 0.0 { ((at_impact - mean) / sd).clamp(-MOST_SHARED, MOST_SHARED) } else { 0.0 };
+        [share * off, (1.0 - share * share).sqrt()]
+    }
 }
 
 /// How many points stand for the distribution.

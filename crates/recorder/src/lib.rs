@@ -62,8 +62,8 @@ mod which;
 
 pub use channel::{Channel, ChannelUnit};
 pub use impact_speed::{
-    ImpactSpeed, ImpactSpeedErrors, SampleSpeed, SpeedErrorOutOfRange, SpeedErrorPart, SpeedErrorSource,
-    SteepFall, sample_speeds,
+    ImpactSpeed, ImpactSpeedErrors, SampleSpeed, SampledApproach, SpeedErrorOutOfRange, SpeedErrorPart,
+    SpeedErrorSource, SteepFall,
 };
 pub use pre_crash::{DistanceBounds, PreCrash, PreCrashFault, PreCrashSample, SpeedLimits};
 pub use pulse::{

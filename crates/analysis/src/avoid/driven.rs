@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use inputs::{BrakingForm, PhaseForm, Quantity};
 use pim_core::InvalidInput;
-use recorder::SampleSpeed;
+use recorder::{SampleSpeed, SampledApproach};
 use time_distance::{Course, Leg, Phase, Response, approach};
 
 use super::posing::{Since, Unposed};
@@ -227,7 +227,9 @@ impl Approach {
             BrakingForm::Phases(given) => {
                 (given.iter().map(|form| backwards(form, None)).collect(), at_impact)
             }
-            BrakingForm::Recorded { samples, error } => (recorded(samples, *error), at_impact),
+            BrakingForm::Recorded { approach, error } => {
+                (at_impact.map_or_else(Vec::new, |speed| recorded(approach, speed, *error)), at_impact)
+            }
             BrakingForm::Unknown | BrakingForm::Unbraked | BrakingForm::Skid { .. } => return Ok(None),
         };
         let Some(at_impact) = at_impact.filter(|_| !phases.is_empty()) else { return Ok(None) };
@@ -242,9 +244,12 @@ impl Approach {
     }
 }
 
-/// The samples as phases up to the impact, with their error in standard deviations.
-fn recorded(samples: &[SampleSpeed], error: f64) -> Vec<Phase> {
-    let kept: Vec<&SampleSpeed> = samples.iter().filter(|sample| sample.time < -GIVES_WAY).collect();
+/// The samples as phases up to the impact with this speed (m/s) and, in standard deviations, an error of what
+/// that speed leaves open.
+fn recorded(approach: &SampledApproach, at_impact: f64, error: f64) -> Vec<Phase> {
+    let [mean, sd] = approach.shared_error(at_impact);
+    let error = mean + sd * error;
+    let kept: Vec<&SampleSpeed> = approach.samples.iter().filter(|sample| sample.time < -GIVES_WAY).collect();
     let ends = kept.iter().skip(1).map(|sample| sample.time).chain([0.0]);
     let phase = |(sample, end): (&&SampleSpeed, f64)| Phase::FromFor {
         speed: (sample.speed + error * sample.sd).max(0.0),

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use pim_core::VehicleId;
-use recorder::{SampleSpeed, sample_speeds};
+use recorder::SampledApproach;
 use trajectory::GREATEST_FRICTION;
 
 use super::{Demand, table};
@@ -68,10 +68,29 @@ impl Case {
     }
 }
 
-impl<T: Copy> Case<T> {
+impl Case {
     /// The numbers of `[avoid]`; `None` if some are missing, which [`avoidance`](Case::avoidance) reports.
     #[must_use]
-    pub fn avoid_form(&self) -> Option<AvoidForm<T>> {
+    pub fn avoid_form(&self) -> Option<AvoidForm> {
+        self.avoid_form_with(self.recorded_approach())
+    }
+
+    /// What the recorder of the vehicle stored before the impact. A speed at the demand takes its place.
+    #[must_use]
+    pub fn recorded_approach(&self) -> Option<Arc<SampledApproach>> {
+        let avoid = self.avoid.as_ref().filter(|avoid| avoid.speed.is_none())?;
+        let vehicle = avoid.vehicle.unwrap_or(VehicleId::One);
+        let recorder = self.vehicles[vehicle.index()].recorder.as_ref()?;
+        let ground = self.surface.as_ref().map(|surface| surface.friction);
+        // The reader of a case refuses errors out of their range.
+        SampledApproach::of(recorder.before_impact()?, &recorder.errors.errors(ground)).ok().map(Arc::new)
+    }
+}
+
+impl<T: Copy> Case<T> {
+    /// The numbers of `[avoid]` on any numbers, with what a recorder stored.
+    #[must_use]
+    pub fn avoid_form_with(&self, recorded: Option<Arc<SampledApproach>>) -> Option<AvoidForm<T>> {
         let of = |sourced: &Option<Sourced<T>>| sourced.as_ref().map(|sourced| sourced.quantity);
         let avoid = self.avoid.as_ref()?;
         let vehicle = self.avoid_subject();
@@ -81,8 +100,8 @@ impl<T: Copy> Case<T> {
             None if !of_vehicle.phases().is_empty() => {
                 BrakingForm::Phases(of_vehicle.phases().iter().map(|phase| phase.form).collect())
             }
-            None => match self.recorded_approach(avoid, vehicle) {
-                Some(samples) => BrakingForm::Recorded { samples, error: 0.0 },
+            None => match recorded {
+                Some(approach) => BrakingForm::Recorded { approach, error: 0.0 },
                 None => BrakingForm::Unknown,
             },
             Some(skid) => {
@@ -118,17 +137,6 @@ impl<T: Copy> Case<T> {
             braking,
             sight,
         })
-    }
-
-    /// What the recorder of the vehicle stored before the impact. A speed at the demand takes its place.
-    fn recorded_approach(&self, avoid: &Avoid<T>, vehicle: VehicleId) -> Option<Arc<[SampleSpeed]>> {
-        if avoid.speed.is_some() {
-            return None;
-        }
-        let recorder = self.vehicles[vehicle.index()].recorder.as_ref()?;
-        // The reader of a case refuses errors out of their range.
-        let samples = sample_speeds(recorder.before_impact()?, &recorder.errors.errors(None)).ok()?;
-        Some(samples.into())
     }
 
     /// How both came to the impact, seen from above; `None` if the case does not tell all of it.
