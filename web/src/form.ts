@@ -19,6 +19,9 @@ const RANGES: Record<string, string[]> = {
   within: ["value", "within", "confidence"],
 };
 
+/** So many fields of a table in a list all stand there; of more, the first do that the file gives or needs. */
+const FEW = 6;
+
 /** A part of the form that shows one key. */
 interface Row {
   element: HTMLElement;
@@ -43,6 +46,8 @@ export class Form {
   private open = new Set<string>(["vehicle1", "vehicle2", "impact", "vehicle1.crush", "vehicle2.crush"]);
   private badges = new Map<string, HTMLElement>();
   private shape = "";
+  /** The key to which the focus goes once the form is built anew. */
+  private next: string | null = null;
 
   constructor(private readonly host: FormHost) {
     this.element.addEventListener("submit", (event) => event.preventDefault());
@@ -64,6 +69,10 @@ export class Form {
     if (shape !== this.shape && !(busy && this.shape !== "")) {
       this.shape = shape;
       this.build();
+    }
+    if (this.next !== null && this.shape !== "") {
+      this.focus(this.next);
+      this.next = null;
     }
     for (const [key, row] of this.rows) row.show(check.values[key]?.text);
     for (const [key, badge] of this.badges) {
@@ -147,7 +156,7 @@ export class Form {
         this.open.add(group.key);
       } else this.open.delete(group.key);
     });
-    if ((given && depth > 0) || this.open.has(group.key)) {
+    if ((given && (depth > 0 || group.key === "avoid")) || this.open.has(group.key)) {
       fill();
       details.open = true;
     }
@@ -191,15 +200,22 @@ export class Form {
     return elements;
   }
 
+  /** The innermost field that shows a key. */
+  private shownBy(key: string): string | undefined {
+    const isWithin = (name: string) => key === name || key.startsWith(`${name}.`) || key.startsWith(`${name}[`);
+    return [...this.errors.keys()].filter(isWithin).sort((a, b) => b.length - a.length)[0];
+  }
+
   private showProblems(problems: Problem[]): void {
+    const shown = problems.map((problem) => ({ problem, by: problem.key && this.shownBy(problem.key) }));
     for (const [key, place] of this.errors) {
-      const own = problems.filter(({ key: of }) => of === key || of?.startsWith(`${key}.`) || of?.startsWith(`${key}[`));
+      const own = shown.filter(({ by }) => by === key).map(({ problem }) => problem);
       place.hidden = own.length === 0;
       place.replaceChildren();
       for (const problem of own) place.append(h("span", {}, said(inForm(problem, this.check?.values[key]?.text).join(" "))));
       const row = this.rows.get(key)?.element;
       row?.classList.toggle("wrong", own.length > 0);
-      for (const input of row?.querySelectorAll("input, select, textarea") ?? []) {
+      for (const input of row?.querySelectorAll(":scope > .control :is(input, select, textarea)") ?? []) {
         if (own.length > 0) input.setAttribute("aria-invalid", "true");
         else input.removeAttribute("aria-invalid");
       }
@@ -235,7 +251,68 @@ export class Form {
     return { element, line };
   }
 
+  /** A list of tables: each with its fields, and a button for one more. */
+  private list(field: Field): HTMLElement {
+    const id = unique("field");
+    const { element, line } = this.frame(field, id);
+    const items = h("div", { class: "items" });
+    const given = () => {
+      let count = 0;
+      while (`${field.key}[${count + 1}]` in (this.check?.values ?? {})) count += 1;
+      return count;
+    };
+    let made = 0;
+    const item = () => {
+      made += 1;
+      const key = `${field.key}[${made}]`;
+      const place = made;
+      const remove = h("button", {
+        type: "button",
+        class: "quiet",
+        "aria-label": words.remove(nameOf(key)),
+        onclick: () => {
+          // The others move up: the form is built anew, though someone is at work in it.
+          this.shape = "";
+          this.next = field.key;
+          if (place <= given()) this.host.write(key, "");
+          else if (this.check) this.update(this.check);
+        },
+      }, words.removeItem);
+      const name = `${words.item[key.slice(key.lastIndexOf(".") + 1).replace(/\[\d+\]$/, "")] ?? label(field.key)} ${made}`;
+      const inner: Group = { key, title: name, help: "", fields: field.fields.map((one) => moved(one, field.key, key)), groups: [] };
+      const fields = h("div", { class: "item", role: "group", "aria-label": nameOf(key) },
+        h("div", { class: "item-head" }, h("span", {}, name), remove),
+        ...(inner.fields.length <= FEW ? inner.fields.map((one) => this.row(one)) : this.contents(inner, 2)));
+      items.append(fields);
+      return fields;
+    };
+    const add = h("button", {
+      type: "button",
+      id,
+      "aria-label": words.addTo(nameOf(field.key)),
+      onclick: () => {
+        // One that is still empty is filled in first.
+        const last = items.lastElementChild;
+        const isEmpty = last && [...last.querySelectorAll("input")].every((input) => input.value === "");
+        (isEmpty ? last : item()).querySelector<HTMLElement>("input, select")?.focus();
+      },
+    }, words.add);
+    const toText = h("button", { type: "button", class: "quiet", onclick: () => this.host.reveal(field.key), "aria-label": words.inTextOf(nameOf(field.key)) }, words.inText);
+    line.append(add, toText);
+    element.append(items);
+    this.rows.set(field.key, {
+      element,
+      show: () => {
+        while (made < given()) item();
+      },
+      focus: () => add.focus(),
+    });
+    this.rows.get(field.key)?.show(undefined);
+    return element;
+  }
+
   private row(field: Field): HTMLElement {
+    if (field.kind === "tables" && field.fields.length > 0) return this.list(field);
     const id = unique("field");
     const { element, line } = this.frame(field, id);
     const write = (toml: string) => this.host.write(field.key, toml);
@@ -251,6 +328,11 @@ export class Form {
     row.show(this.check?.values[field.key]?.text);
     return element;
   }
+}
+
+/** A field of the tables of a list, as that of one of them. */
+function moved(field: Field, from: string, to: string): Field {
+  return { ...field, key: to + field.key.slice(from.length), fields: field.fields.map((inner) => moved(inner, from, to)) };
 }
 
 /** What a key means: first in a sentence or two, then what the glossary says. */

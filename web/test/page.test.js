@@ -140,6 +140,53 @@ onPage("a field of the form has units and ranges", async (page) => {
   await page.waitForFunction(() => /95\s*%/.test(document.querySelector(".headline").innerText));
 });
 
+onPage("a list of the file has fields, which are added and removed one by one", async (page) => {
+  await openCase(page, "pedestrian.toml", fixture("avoid/pedestrian.toml"));
+  const unfold = async () => {
+    await page.locator('.form [data-key="avoid"]').waitFor();
+    const closed = page.locator('.form details[data-key^="avoid"]:not([open]), .form details[data-key^="vehicle1"]:not([open]), .form [data-key^="avoid"] .more:not([open])');
+    // A part is filled when it opens, and may have closed ones in it.
+    for (const _ of [1, 2, 3]) {
+      for (let count = await closed.count(); count > 0; count = await closed.count()) await closed.first().evaluate((part) => (part.open = true));
+      await page.waitForTimeout(100);
+    }
+  };
+  await unfold();
+  const obstacles = page.locator('[data-key="avoid.obstacle"]');
+  await obstacles.locator(":scope > .control").getByRole("button", { name: "Add" }).click();
+  const polygon = page.locator('[data-key="avoid.obstacle[1].polygon"]');
+  for (const [place, [x, y]] of [["3 m", "2 m"], ["8 m", "2 m"], ["8 m", "4 m"], ["3 m", "4 m"]].entries()) {
+    await polygon.locator(":scope > .control").getByRole("button", { name: "Add" }).click();
+    for (const [key, number] of [["x", x], ["y", y]]) {
+      await page.locator(`[data-key="avoid.obstacle[1].polygon[${place + 1}].${key}"] input`).first().fill(number);
+    }
+  }
+  await page.locator('[data-key="avoid.obstacle[1].name"] input').fill("hedge");
+  const corner = (x, y) => `{ x = "${x} m", y = "${y} m" }`;
+  const written = `obstacle = [{ name = "hedge", polygon = [${corner(3, 2)}, ${corner(8, 2)}, ${corner(8, 4)}, ${corner(3, 4)}] }]`;
+  const text = await caseText(page);
+  assert.ok(text.includes("hedge") && text.includes(written.slice(written.indexOf("polygon"), -3)), text);
+  // What is wrong with a corner stands beside it, and there alone.
+  const x = page.locator('[data-key="avoid.obstacle[1].polygon[2].x"]');
+  await x.locator("input").first().fill("8 s");
+  await x.locator(":scope > .error span").waitFor();
+  assert.equal(await page.locator(".form .error span").count(), 1);
+  await x.locator("input").first().fill("8 m");
+  await page.getByRole("button", { name: /^Remove: .*polygon 2$/ }).click();
+  await unfold();
+  assert.ok((await caseText(page)).includes(`polygon = [${corner(3, 2)}, ${corner(8, 4)}, ${corner(3, 4)}]`), await caseText(page));
+  assert.equal(await page.locator('[data-key^="avoid.obstacle[1].polygon["][data-key$=".x"]').count(), 3);
+  // A list with headers of its own grows by such a header.
+  await openCase(page, "from-stop.toml", fixture("avoid/from-stop.toml"));
+  await unfold();
+  const phases = page.locator('[data-key="vehicle1.before.phase"]');
+  assert.equal(await phases.locator(".item").count(), 2);
+  await phases.locator(":scope > .control").getByRole("button", { name: "Add" }).click();
+  await page.locator('[data-key="vehicle1.before.phase[3].distance"] input').first().fill("1 m");
+  await page.locator('[data-key="vehicle1.before.phase[3].time"] input').first().fill("0.5 s");
+  assert.match(await caseText(page), /\[\[vehicle1\.before\.phase\]\]\ndistance += "1 m"\ntime += "0\.5 s"\n?$/);
+});
+
 onPage("a number that becomes a range stays in it, and nothing is written before all of its numbers are there", async (page) => {
   const before = await caseText(page);
   const field = page.locator('[data-key="vehicle2.speed"]');

@@ -190,7 +190,7 @@ fn held(crashes: u64, particles: usize) -> Vec<(f64, usize)> {
 
 /// 150 crashes with two speeds each: 95 % hold 92 to 98 %.
 #[test]
-#[ignore = "150 estimates with rests: a quarter of an hour with --release, and then -- --ignored --nocapture"]
+#[ignore = "150 estimates with rests: twenty minutes with --release, and then -- --ignored --nocapture"]
 fn intervals_hold_where_both_roll_to_rest() {
     let held = held(150, 256);
     println!("{held:?} of 300");
