@@ -13,8 +13,8 @@ use std::sync::Arc;
 
 use ::uncertainty::{SamplingMethod, Settings, random};
 use inputs::{
-    Avoid, AvoidForm, BrakingForm, Case, DemandForm, Dimension, Fault, FaultKind, Faults, Find, Quantity,
-    SpeedForm, Velocity, format_number, is_of_avoid,
+    Avoid, AvoidForm, BrakingForm, Case, ClearSpeedForm, DemandForm, Dimension, Fault, FaultKind, Faults,
+    Find, Quantity, SpeedForm, Velocity, format_number, is_of_avoid,
 };
 use pim_core::VehicleId;
 use time_distance::Response;
@@ -22,7 +22,7 @@ use time_distance::Response;
 pub use chance::{AvoidChance, AvoidInfluence, AvoidInterval, SightIntervals};
 use chance::{Speeds, chance};
 pub use driven::{BRAKES, GIVES_WAY};
-use posing::Unposed;
+use posing::{SoughtSpeeds, Unposed};
 pub use scene::{ActualRun, AvoidCourse, AvoidScene, DrivenBy, Sight, Unbraked, View};
 pub use sight::{Hiding, SIGHT_LOOK_BACK};
 use sight::{Outlines, Ways};
@@ -258,7 +258,12 @@ fn found(
         (_, None) => SpeedSource::AtImpact,
         (_, Some(told)) => told.from,
     };
-    let at_impact = told.as_ref().map(|told| told.speed);
+    let sought = told.as_ref().map(|told| SoughtSpeeds { subject: Some(told.speed), other: told.other });
+    let sought = sought.unwrap_or_default();
+    let needs_other = form.clear.as_ref().is_some_and(|clear| matches!(clear.speed, ClearSpeedForm::Sought));
+    if needs_other && sought.other.is_some_and(|speed| speed <= 0.0) {
+        return Err(unposed(form, Unposed::OtherStands));
+    }
     let given = case.avoid.iter().flat_map(|avoid| &avoid.obstacles);
     let outlines: Vec<_> = given.map(sight::corners).collect();
     let obstacles: Vec<&[_]> = outlines.iter().map(Vec::as_slice).collect();
@@ -266,7 +271,7 @@ fn found(
     if let Some(index) = ways.as_ref().and_then(|ways| ways.hides_the_impact(&obstacles)) {
         return Err(hides_the_impact(case, index).into());
     }
-    let scene = sight::pose(form, at_impact, &obstacles).map_err(|refusal| unposed(form, refusal))?;
+    let scene = sight::pose(form, sought, &obstacles).map_err(|refusal| unposed(form, refusal))?;
     let seen = ways.as_ref().zip(scene.view.sight());
     let hiding = seen.map(|(ways, sight)| ways.hiding(&scene, &sight, &obstacles));
     let hiding = hiding.transpose().map_err(|index| holds_the_eye(case, index))?;
@@ -318,8 +323,8 @@ struct Told {
     /// (m/s) of the other one, if that is found too.
     other: Option<f64>,
     estimated: Option<Box<Estimated>>,
-    /// (m/s) samples of the speed by the ranges of the case.
-    sampled: Option<Vec<f64>>,
+    /// (m/s) samples of both speeds by the ranges of the case, that of the vehicle first.
+    sampled: Option<[Vec<f64>; 2]>,
 }
 
 impl Told {
@@ -387,7 +392,7 @@ impl Told {
             speed: found.quantile(0.5),
             other: None,
             estimated: None,
-            sampled: Some((0..plan.samples).map(draw).collect()),
+            sampled: Some([(0..plan.samples).map(draw).collect(), Vec::new()]),
         })
     }
 
@@ -399,25 +404,30 @@ impl Told {
 /// The purpose of the random numbers that draw a recorder's speed.
 const OF_RECORDER: u64 = 0x0072_6563_6f72;
 
-/// The speeds of a vehicle by the ranges of the case; `None` if nothing is uncertain.
+/// The speeds of a vehicle and of the other by the ranges of the case; `None` if nothing is uncertain.
 fn sampled(
     case: &Case,
     vehicle: VehicleId,
     plan: &AvoidPlan,
     progress: &mut (dyn FnMut(AvoidStage, usize, usize) -> ControlFlow<()> + Send),
-) -> Result<Option<Vec<f64>>, Failure> {
+) -> Result<Option<[Vec<f64>; 2]>, Failure> {
     if !crate::uncertainty::is_uncertain(case) {
         return Ok(None);
     }
     let samples = plan.samples.min(usual_samples(case));
     let settings = Settings::new(SamplingMethod::MonteCarlo, samples, plan.seed);
-    let wanted = |output: Output| output.path() == SPEED.of_vehicle(vehicle).path();
+    let of = [vehicle, vehicle.other()].map(|vehicle| SPEED.of_vehicle(vehicle).path());
+    let wanted = |output: Output| of.contains(&output.path());
     let at = &mut |stage, done, total| progress(AvoidStage::Samples(stage), done, total);
     let found = uncertainty_of(case, &Plan { settings, index_rows: None }, &wanted, at)?;
-    let column = found.propagation.columns().first().map(Vec::as_slice).unwrap_or_default();
     let reasons = found.propagation.reasons();
-    let known = column.iter().zip(reasons);
-    Ok(Some(known.map(|(speed, reason)| if *reason == 0 { *speed } else { f64::NAN }).collect()))
+    let column = |path: String| -> Vec<f64> {
+        let place = found.outputs.iter().position(|output| output.output.path() == path);
+        let column = place.and_then(|place| found.propagation.columns().get(place));
+        let known = column.map(Vec::as_slice).unwrap_or_default().iter().zip(reasons);
+        known.map(|(speed, reason)| if *reason == 0 { *speed } else { f64::NAN }).collect()
+    };
+    Ok(Some(of.map(column)))
 }
 
 /// The probability that the ranges of `[avoid]` and the evidence of the speed make; `None` if nothing is
@@ -460,13 +470,22 @@ fn of_ranges(
     if estimated.is_some_and(|estimated| !estimated.doubts().is_empty()) {
         return Ok(None);
     }
-    let draws = estimated.and_then(|estimated| estimated.draws(SPEED.of_vehicle(case.avoid_subject())));
-    let speeds = draws.or_else(|| told.and_then(|told| told.sampled.as_deref()));
-    let central: Vec<f64>;
+    let subject = case.avoid_subject();
+    let draws_of = |of: VehicleId| estimated.and_then(|estimated| estimated.draws(SPEED.of_vehicle(of)));
+    let sampled = told.and_then(|told| told.sampled.as_ref());
+    let draws = draws_of(subject);
+    let speeds = draws.or_else(|| sampled.map(|[speeds, _]| speeds.as_slice()));
+    let (central, central_other): (Vec<f64>, Vec<f64>);
+    let mut other = match draws {
+        Some(_) => draws_of(subject.other()),
+        None => sampled.map(|[_, other]| other.as_slice()),
+    };
     let speeds = match (speeds, told) {
         (Some(speeds), _) => Some(speeds),
         (None, Some(told)) if !inputs.is_empty() => {
             central = vec![told.speed; plan.samples];
+            central_other = told.other.map_or_else(Vec::new, |speed| vec![speed; plan.samples]);
+            other = Some(&central_other);
             Some(central.as_slice())
         }
         (None, _) => None,
@@ -475,7 +494,8 @@ fn of_ranges(
     if inputs.is_empty() && speeds.is_none() && !is_recorded {
         return Ok(None);
     }
-    let speeds = speeds.map(|speeds| Speeds { speeds, estimated: draws.and(estimated) });
+    let other = other.unwrap_or_default();
+    let speeds = speeds.map(|speeds| Speeds { speeds, other, estimated: draws.and(estimated) });
     chance(&form, &inputs, speeds.as_ref(), obstacles, [plan.samples as u64, plan.seed])
 }
 
@@ -619,6 +639,11 @@ fn unposed(form: &AvoidForm, refusal: Unposed) -> Failure {
                 "[{table}] did not move forward at the impact, so that its driver could not have avoided it by braking"
             ),
             format!("ask about the other: vehicle = \"vehicle{}\" in [avoid]", form.vehicle.other()),
+        ),
+        Unposed::OtherStands => (
+            "avoid.clear".to_owned(),
+            "the other vehicle did not move forward at the impact, so that it never clears the danger zone".to_owned(),
+            "leave `clear` out".to_owned(),
         ),
         Unposed::NeverHidden => (
             "avoid.demand.sight".to_owned(),

@@ -24,3 +24,4 @@ mod tangential_share;
 mod to_rest;
 mod uncertainty;
 mod warnings;
+mod way_out;

@@ -1247,13 +1247,19 @@ pub(crate) static AVOID_CLEAR: Schema = Schema {
             "Way that it still had to go at the impact. Until it had left the zone, its own length or body included.",
         ),
         key(
+            "outlines",
+            "outlines = true",
+            Form::Flag,
+            "That way by the outlines of both vehicles. Until its outline has left the strip that the other one sweeps, each straight along its heading. It takes the place of `distance`, and needs `length`, `width` and `cg_to_front` or `class` of both, their headings, and their contact points or positions.",
+        ),
+        key(
             "speed",
             "speed = \"1.4 m/s\"",
             Form::Sourced(Dimension::Speed, POSITIVE),
-            "How fast it would have gone on. If left out, as it came by `other` of `demand`. One that stops never clears the zone: leave `clear` out then.",
+            "How fast it would have gone on. If left out, as it came by `other` of `demand`, else with the speed of its vehicle, given or found. One that stops never clears the zone: leave `clear` out then.",
         ),
     ],
-    rules: &[Rule::Needs(&["distance"])],
+    rules: &[Rule::OneOf(&[form(&["distance"], &["speed"]), form(&["outlines"], &["speed"])])],
 };
 
 pub(crate) static BEFORE: Schema = Schema {

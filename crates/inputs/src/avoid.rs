@@ -12,6 +12,7 @@ use crate::quantity::Quantity;
 use crate::scene::Place;
 use crate::text::Text;
 use crate::walk::{Element, Key, Walk};
+use crate::way_out::ClearForm;
 use crate::words::word;
 
 /// `avoid.vehicle`.
@@ -145,10 +146,19 @@ pub struct OtherApproach<T = f64> {
 /// The way of the other party out of the danger zone.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Clear<T = f64> {
-    /// (m) from its place at the impact until it has left the zone, its own length or body included.
-    pub distance: Sourced<T>,
-    /// (m/s) its speed; it goes on as it came if absent.
+    /// How far it still has to go.
+    pub way: GivenWayOut<T>,
+    /// (m/s) its speed. If absent, it goes on as it came, or with the speed of its vehicle.
     pub speed: Option<Sourced<T>>,
+}
+
+/// How far the other party still has to go until it has left the danger zone.
+#[derive(Clone, Debug, PartialEq)]
+pub enum GivenWayOut<T = f64> {
+    /// (m) from its place at the impact, its own length or body included.
+    Distance(Sourced<T>),
+    /// Until its outline has left the strip that the vehicle sweeps.
+    Outlines,
 }
 
 /// What the other party is.
@@ -325,15 +335,6 @@ impl OtherForm {
     }
 }
 
-/// The way of the other party out of the danger zone.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct ClearForm<T = f64> {
-    /// (m) its length.
-    pub distance: Quantity<T>,
-    /// (m/s) its speed; it goes on as it came if absent.
-    pub speed: Option<Quantity<T>>,
-}
-
 /// How a vehicle came to the impact.
 #[derive(Clone, Debug, PartialEq)]
 pub enum BrakingForm<T = f64> {
@@ -386,9 +387,7 @@ impl<T: Copy> AvoidForm<T> {
                 }),
                 DemandForm::Sight => DemandForm::Sight,
             },
-            clear: self
-                .clear
-                .map(|clear| ClearForm { distance: of(clear.distance), speed: clear.speed.map(&mut of) }),
+            clear: self.clear.as_ref().map(|clear| clear.map(&mut of)),
             sight: self.sight.as_ref().map(|sight| SightForm {
                 eye: sight.eye.map(&mut of),
                 path: sight.path.map(&mut of),
@@ -426,8 +425,16 @@ impl<U> Walk<'_, U> {
             deceleration: self.sourced_if(&at("deceleration"), avoid.deceleration.as_ref()),
             demand: avoid.demand.as_ref().map(|demand| self.demand(&at("demand"), demand)),
             demand_reason: self.text(&"avoid.demand.reason", avoid.demand_reason.as_ref()),
-            clear: avoid.clear.as_ref().map(|Clear { distance, speed }| Clear {
-                distance: self.sourced(&Key(&at("clear"), "distance"), distance),
+            clear: avoid.clear.as_ref().map(|Clear { way, speed }| Clear {
+                way: match way {
+                    GivenWayOut::Distance(distance) => {
+                        GivenWayOut::Distance(self.sourced(&Key(&at("clear"), "distance"), distance))
+                    }
+                    GivenWayOut::Outlines => {
+                        self.flag(&Key(&at("clear"), "outlines"), true);
+                        GivenWayOut::Outlines
+                    }
+                },
                 speed: self.sourced_if(&Key(&at("clear"), "speed"), speed.as_ref()),
             }),
             other_party: avoid

@@ -320,7 +320,7 @@ impl<N: Copy> GivenVehicle<N> {
 
 impl<N: Copy + From<f64>> GivenVehicle<N> {
     /// The body seen from above: as given, or that of the size class.
-    fn body(&self) -> Option<Outline<N>> {
+    pub(crate) fn body(&self) -> Option<Outline<N>> {
         let of_class = |class| VehicleClass::new(class).ok().map(|known| Outline::of_class(&known));
         self.outline.or_else(|| self.class.and_then(of_class))
     }

@@ -67,6 +67,7 @@ mod uncertain;
 mod units;
 mod vehicle;
 mod walk;
+mod way_out;
 mod words;
 
 pub use self::recorder::{
@@ -78,7 +79,7 @@ pub use after::{
     Skid, SkidBegin, SteerPoint, WheelDrag,
 };
 pub use avoid::{
-    Avoid, AvoidForm, BrakingForm, Clear, ClearForm, DemandForm, GivenDemand, GivenSight, Obstacle,
+    Avoid, AvoidForm, BrakingForm, Clear, DemandForm, GivenDemand, GivenSight, GivenWayOut, Obstacle,
     OtherApproach, OtherForm, OtherParty, PathForm, PlaceForm, SUBJECTS, SWELLS, SightForm, Sourced,
     SpeedForm,
 };
@@ -121,4 +122,5 @@ pub use uncertain::{GivenUncertainty, SharedError};
 pub use units::{Dimension, STANDARD_GRAVITY, Unit, UnitSystem};
 pub use vehicle::{ContactPoint, GivenVehicle, Outline, VehicleKind, Velocity};
 pub use walk::{GivenValue, Input, Origin, Variable};
+pub use way_out::{ClearForm, ClearSpeedForm, OutlinesForm, PlacesForm, WayOutForm};
 pub use words::{OBLIQUE_CORRECTIONS, SIDES, UNDAMAGED, UNKNOWNS, word, words_of};

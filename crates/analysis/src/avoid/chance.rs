@@ -4,6 +4,7 @@ use ::uncertainty::normal::quantiles;
 use ::uncertainty::{Distribution, LANES, Lanes, Sampler, SamplingMethod, Settings, order_statistic, random};
 use inputs::{AvoidForm, BrakingForm, Input};
 
+use super::posing::SoughtSpeeds;
 use super::scene::{AvoidScene, Sight};
 use super::sight::{Outlines, pose};
 use crate::columns::Number;
@@ -98,6 +99,8 @@ const OF_RECORDER: u64 = 0x7361_6d70_6c65;
 /// answer.
 pub(super) struct Speeds<'a> {
     pub(super) speeds: &'a [f64],
+    /// The same of the other vehicle; empty if it is not sought.
+    pub(super) other: &'a [f64],
     /// Their estimate, which knows how independent they are.
     pub(super) estimated: Option<&'a Estimated>,
 }
@@ -130,12 +133,13 @@ pub(super) fn chance(
         }
         let errors = of_recorder.map(|key| errors(key, first));
         scenes.extend((0..lanes).map(|lane| {
-            let speed = speeds.and_then(|speeds| speeds.speeds.get(first + lane).copied());
+            let of = |speeds: &[f64]| speeds.get(first + lane).copied();
+            let sought = speeds.map(|told| SoughtSpeeds { subject: of(told.speeds), other: of(told.other) });
             let mut form = form.map(|number| number.at(&columns, lane));
             if let (BrakingForm::Recorded { error, .. }, Some(errors)) = (&mut form.braking, errors) {
                 *error = errors[lane];
             }
-            pose(&form, speed, obstacles).ok()
+            pose(&form, sought.unwrap_or_default(), obstacles).ok()
         }));
     }
     let told = speeds.map(|speeds| speeds.speeds);

@@ -11,6 +11,15 @@ pub(crate) enum Since {
     Time(f64),
 }
 
+/// (m/s) speeds just before the impact that are sought, and told by the rest of the case.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct SoughtSpeeds {
+    /// Of the vehicle whose driver is asked about.
+    pub(crate) subject: Option<f64>,
+    /// Of the other.
+    pub(crate) other: Option<f64>,
+}
+
 /// Why the numbers are not those of a scene.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Unposed {
@@ -32,6 +41,8 @@ pub(crate) enum Unposed {
     Phases(InvalidInput),
     /// The vehicle did not move forward.
     Stands,
+    /// The other vehicle did not move forward, so that it never clears the danger zone.
+    OtherStands,
     /// Obstacles hide nothing before the impact, so that their end is no demand.
     NeverHidden,
     /// An obstacle hides the other party at the impact.

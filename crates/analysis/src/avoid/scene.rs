@@ -1,12 +1,14 @@
 //! One scene before a collision, with every number known: what the vehicle did, and what it would have done.
 
-use inputs::{AvoidForm, BrakingForm, ClearForm, DemandForm, Quantity, STANDARD_GRAVITY, SpeedForm};
+use inputs::{
+    AvoidForm, BrakingForm, ClearForm, ClearSpeedForm, DemandForm, Quantity, STANDARD_GRAVITY, SpeedForm,
+};
 use pim_core::InvalidInput;
 use reconcile::brent;
 use time_distance::{Advance, Course, Leg, Response};
 
 use super::driven::{Approach, Driven, Gain};
-use super::posing::{Since, Unposed};
+use super::posing::{Since, SoughtSpeeds, Unposed};
 
 /// How the vehicle came to the impact.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -162,9 +164,9 @@ impl AvoidCourse {
 }
 
 impl AvoidScene {
-    /// The scene of these numbers, whose speed is `at_impact` (m/s) if it is sought, from where or when on
-    /// `since` says; without obstacles.
-    pub(crate) fn since(form: &AvoidForm, at_impact: Option<f64>, since: Since) -> Result<Self, Unposed> {
+    /// The scene of these numbers, with the speeds that are sought, from where or when on `since` says;
+    /// without obstacles.
+    pub(crate) fn since(form: &AvoidForm, sought: SoughtSpeeds, since: Since) -> Result<Self, Unposed> {
         let swell = form.swell.as_ref().map_or(0.0, Quantity::si);
         let of = |reaction, deceleration| Response::new(reaction, swell, deceleration, form.swell_form);
         let response = of(form.reaction_time.si(), form.deceleration.si())?;
@@ -172,14 +174,16 @@ impl AvoidScene {
             SpeedForm::AtDemand(speed) => (Some(speed.si()), None),
             SpeedForm::AtImpact(speed) => (None, Some(speed.si())),
             SpeedForm::ByPhases => (None, None),
-            SpeedForm::Sought => (None, at_impact),
+            SpeedForm::Sought => (None, sought.subject),
         };
         let approach = Approach::of(&form.braking, at_impact)?;
         let at_impact = approach.as_ref().map(|approach| approach.at_impact).or(at_impact);
         if !at_demand.or(at_impact).is_some_and(|speed| speed > 0.0) {
             return Err(Unposed::Stands);
         }
-        let clears_after = form.clear.as_ref().map(|clear| clears_after(clear, &form.demand)).transpose()?;
+        let clears_after = form.clear.as_ref();
+        let clears_after =
+            clears_after.map(|clear| clears_after_impact(clear, &form.demand, sought.other)).transpose()?;
         let partly = Self {
             speed: 0.0,
             at_impact: 0.0,
@@ -538,15 +542,19 @@ pub(super) fn given_demand(form: &AvoidForm) -> Result<Option<Since>, InvalidInp
 }
 
 /// (s) after the impact, the other party has cleared the danger zone.
-fn clears_after(clear: &ClearForm, demand: &DemandForm) -> Result<f64, InvalidInput> {
-    let distance = clear.distance.si();
-    match (&clear.speed, demand) {
-        (None, DemandForm::Other(other)) => {
-            Ok(other.advance().time_over(other.distance.si() + distance)? - other.time()?)
+fn clears_after_impact(clear: &ClearForm, demand: &DemandForm, sought: Option<f64>) -> Result<f64, Unposed> {
+    let distance = clear.distance()?;
+    let speed = match (&clear.speed, demand) {
+        (ClearSpeedForm::AsItCame, DemandForm::Other(other)) => {
+            return Ok(other.advance().time_over(other.distance.si() + distance)? - other.time()?);
         }
-        (speed, _) => {
-            let speed = speed.as_ref().map_or(0.0, Quantity::si);
-            Advance::Steady { speed }.time_over(distance)
-        }
-    }
+        (ClearSpeedForm::Steady(speed), _) => speed.si(),
+        (ClearSpeedForm::AsItCame | ClearSpeedForm::Sought, _) => match sought {
+            Some(speed) if speed > 0.0 => speed,
+            // Among others that move, one that stands never clears it.
+            Some(_) => return Ok(FAR),
+            None => 0.0,
+        },
+    };
+    if speed > 0.0 { Ok(Advance::Steady { speed }.time_over(distance)?) } else { Err(Unposed::OtherStands) }
 }

@@ -5,7 +5,7 @@ use pim_core::Vector2;
 use real::Real;
 use time_distance::{first_sight, free_since, sees};
 
-use super::posing::{Since, Unposed};
+use super::posing::{Since, SoughtSpeeds, Unposed};
 use super::scene::{AvoidScene, Sight, View, given_demand};
 
 /// (s) how far before the impact the sight is asked.
@@ -141,19 +141,19 @@ impl Ways {
     pub(crate) fn demand(
         &self,
         form: &AvoidForm,
-        at_impact: Option<f64>,
+        sought: SoughtSpeeds,
         obstacles: Outlines<'_>,
     ) -> Result<Since, Unposed> {
         if let (BrakingForm::Unknown, SpeedForm::AtDemand(speed)) = (&form.braking, &form.speed) {
             // The driver brakes in reaction to it, so that the place decides when the impact is.
             let farthest = speed.si() * SIGHT_LOOK_BACK;
-            let here = AvoidScene::since(form, at_impact, Since::Distance(0.0))?;
+            let here = AvoidScene::since(form, sought, Since::Distance(0.0))?;
             let positions = |since: f64| self.before(-since, here.time_responded(-since, speed.si()));
             let free = free_since(positions, obstacles, [-farthest, 0.0], STEPS);
             let way = -free.ok_or(Unposed::HiddenAtImpact)?;
             return if way < farthest { Ok(Since::Distance(way)) } else { Err(Unposed::NeverHidden) };
         }
-        let early = AvoidScene::since(form, at_impact, Since::Time(SIGHT_LOOK_BACK))?;
+        let early = AvoidScene::since(form, sought, Since::Time(SIGHT_LOOK_BACK))?;
         let sight = self.view(&early, obstacles)?.sight().ok_or(Unposed::NeverHidden)?;
         Ok(Since::Time(sight.time))
     }
@@ -189,19 +189,19 @@ impl Ways {
     }
 }
 
-/// The scene of these numbers, whose speed is `at_impact` (m/s) if it is sought.
+/// The scene of these numbers, with the speeds that are sought.
 pub(super) fn pose(
     form: &AvoidForm,
-    at_impact: Option<f64>,
+    sought: SoughtSpeeds,
     obstacles: Outlines<'_>,
 ) -> Result<AvoidScene, Unposed> {
     let ways = form.sight.as_ref().map(Ways::of);
     let (since, of_sight) = match (given_demand(form)?, &ways) {
         (Some(since), _) => (since, None),
         (None, None) => return Err(Unposed::NeverHidden),
-        (None, Some(ways)) => (ways.demand(form, at_impact, obstacles)?, Some(ways)),
+        (None, Some(ways)) => (ways.demand(form, sought, obstacles)?, Some(ways)),
     };
-    let scene = AvoidScene::since(form, at_impact, since)?;
+    let scene = AvoidScene::since(form, sought, since)?;
     let view = match (of_sight, &ways) {
         (Some(ways), _) => View::Free(ways.sight(scene.distance, scene.time)),
         (None, Some(ways)) => ways.view(&scene, obstacles)?,

@@ -4,7 +4,8 @@ use super::scene::OF_OBSTACLE;
 use super::tree::{Reader, Table};
 use crate::schema::{AVOID_CLEAR, AVOID_DEMAND, AVOID_OTHER, AVOID_SIGHT, MOST_ZONES, OBSTACLE};
 use inputs::{
-    Avoid, Clear, GivenDemand, GivenSight, Obstacle, OtherApproach, OtherParty, SUBJECTS, SWELLS, Text,
+    Avoid, Clear, GivenDemand, GivenSight, GivenWayOut, Obstacle, OtherApproach, OtherParty, SUBJECTS,
+    SWELLS, Text,
 };
 
 impl<'t> Reader<'t> {
@@ -87,10 +88,15 @@ impl<'t> Reader<'t> {
     }
 
     fn clear(&mut self, avoid: &Table<'t>) -> Option<Clear> {
-        const FORMS: &str = "clear = { distance = \"2.4 m\", speed = \"1.4 m/s\" }";
+        const FORMS: &str = "clear = { distance = \"2.4 m\", speed = \"1.4 m/s\" } or, of two vehicles, clear = { outlines = true }";
         let table = self.inline(avoid, "clear", &AVOID_CLEAR, "a table in braces", FORMS)?;
-        self.require(&table, &["distance"]);
         let [distance, speed] = ["distance", "speed"].map(|key| self.sourced(&table, key));
-        Some(Clear { distance: distance?, speed })
+        let is_by_outlines = self.flag(&table, "outlines");
+        let way = match table.given(&["distance", "outlines"])[..] {
+            ["distance"] => GivenWayOut::Distance(distance?),
+            ["outlines"] if is_by_outlines => GivenWayOut::Outlines,
+            _ => return self.no_form(&table, FORMS),
+        };
+        Some(Clear { way, speed })
     }
 }

@@ -3,14 +3,15 @@
 use std::sync::Arc;
 
 use pim_core::VehicleId;
+use real::Real;
 use recorder::SampledApproach;
 use trajectory::GREATEST_FRICTION;
 
 use super::{Demand, table};
 use crate::after::SkidBegin;
 use crate::avoid::{
-    Avoid, AvoidForm, BrakingForm, ClearForm, DemandForm, GivenDemand, OtherForm, PathForm, PlaceForm,
-    SightForm, Sourced, SpeedForm,
+    Avoid, AvoidForm, BrakingForm, Clear, DemandForm, GivenDemand, GivenWayOut, OtherForm, PathForm,
+    PlaceForm, SightForm, Sourced, SpeedForm,
 };
 use crate::case::Case;
 use crate::fault::{Fault, FaultKind, Faults};
@@ -19,6 +20,7 @@ use crate::quantity::Quantity;
 use crate::scene::Place;
 use crate::units::STANDARD_GRAVITY;
 use crate::vehicle::{GivenVehicle, Velocity};
+use crate::way_out::{ClearForm, ClearSpeedForm, OutlinesForm, PlacesForm, WayOutForm};
 
 /// What to write for a reaction time; none is assumed, as none is right for every driver and danger.
 const REACTION: &str = "`reaction_time`, as in reaction_time = { low = \"0.7 s\", high = \"1.4 s\", source = \"Dettinger 2008, with all of the swell\" } \
@@ -34,6 +36,9 @@ const OBSTACLE: &str = "`[[avoid.obstacle]]`, what hides the other party, as in 
      { x = \"-3 m\", y = \"-1.8 m\" }, { x = \"-3 m\", y = \"-3.8 m\" }]; without one, give `demand` by distance or time";
 const LIMIT: &str =
     "`limit`, the speed for which you ask, as in limit = { value = \"50 km/h\", source = \"built-up area\" }";
+
+/// The sine of 5°: two vehicles whose headings differ by less travel along one line.
+const LEAST_SINE: f64 = 0.087;
 
 impl Case {
     /// The numbers of `[avoid]`, with every number that the question needs.
@@ -87,7 +92,7 @@ impl Case {
     }
 }
 
-impl<T: Copy> Case<T> {
+impl<T: Copy + From<f64>> Case<T> {
     /// The numbers of `[avoid]` on any numbers, with what a recorder stored.
     #[must_use]
     pub fn avoid_form_with(&self, recorded: Option<Arc<SampledApproach>>) -> Option<AvoidForm<T>> {
@@ -122,7 +127,16 @@ impl<T: Copy> Case<T> {
         };
         let has_obstacle = !avoid.obstacles.is_empty();
         let sight = if has_obstacle { Some(self.sight_form(avoid)?) } else { None };
-        let clear = avoid.clear.as_ref();
+        let clear = match &avoid.clear {
+            Some(clear) => Some(ClearForm {
+                way: match &clear.way {
+                    GivenWayOut::Distance(distance) => WayOutForm::Distance(distance.quantity),
+                    GivenWayOut::Outlines => WayOutForm::Outlines(Box::new(self.outlines_form()?)),
+                },
+                speed: self.clear_speed(avoid, clear)?,
+            }),
+            None => None,
+        };
         Some(AvoidForm {
             vehicle,
             speed: self.avoid_speed(),
@@ -132,11 +146,40 @@ impl<T: Copy> Case<T> {
             swell_form: avoid.swell_form.unwrap_or_default(),
             deceleration: of(&avoid.deceleration)?,
             demand,
-            clear: clear
-                .map(|clear| ClearForm { distance: clear.distance.quantity, speed: of(&clear.speed) }),
+            clear,
             braking,
             sight,
         })
+    }
+
+    /// Both vehicles at the impact, seen from above; `None` if the case does not tell all of it.
+    fn outlines_form(&self) -> Option<OutlinesForm<T>> {
+        let parties = self.avoid_parties();
+        let [Some(first), Some(second)] = parties.map(|vehicle| vehicle.heading) else { return None };
+        let [Some(one), Some(two)] = parties.map(GivenVehicle::body) else { return None };
+        let places = match (parties.map(|vehicle| vehicle.contact), parties.map(|vehicle| vehicle.position)) {
+            ([Some(one), Some(two)], _) => PlacesForm::Contacts([one, two]),
+            (_, [Some(one), Some(two)]) => PlacesForm::Positions([one, two]),
+            _ => return None,
+        };
+        Some(OutlinesForm { headings: [first, second], bodies: [one, two], places })
+    }
+
+    /// How fast the other party goes on; `None` if nothing tells it.
+    fn clear_speed(&self, avoid: &Avoid<T>, clear: &Clear<T>) -> Option<ClearSpeedForm<T>> {
+        let subject = self.avoid_subject();
+        let [_, other] = self.avoid_parties();
+        let seeks = |of: VehicleId| self.reconstruct.as_ref().is_some_and(|sought| sought.find.seeks(of));
+        match (&clear.speed, &avoid.demand, &other.motion) {
+            (Some(speed), ..) => Some(ClearSpeedForm::Steady(speed.quantity)),
+            (None, Some(GivenDemand::Other(_)), _) => Some(ClearSpeedForm::AsItCame),
+            (None, _, Some(Velocity::Speed(speed))) if !seeks(subject.other()) => {
+                Some(ClearSpeedForm::Steady(*speed))
+            }
+            _ if other.is_absent() || other.fixed => None,
+            // What tells the speed of the one tells that of the other.
+            _ => matches!(self.avoid_speed(), SpeedForm::Sought).then_some(ClearSpeedForm::Sought),
+        }
     }
 
     /// How both came to the impact, seen from above; `None` if the case does not tell all of it.
@@ -348,13 +391,69 @@ impl Demand<'_, f64> {
     }
 
     fn of_clear(&mut self, avoid: &Avoid) {
-        let goes_on = avoid.clear.as_ref().is_some_and(|clear| clear.speed.is_none());
-        if goes_on && !matches!(avoid.demand, Some(GivenDemand::Other(_))) {
+        let Some(clear) = &avoid.clear else { return };
+        if self.case.clear_speed(avoid, clear).is_none() {
             self.missing(
                 "avoid.clear.speed",
-                "`speed`, how fast the other party would have gone on, as in speed = \"1.4 m/s\": it goes on as it \
-                 came only if `demand` says by `other` how it came",
+                "`speed`, how fast the other party would have gone on, as in speed = \"1.4 m/s\": it is known \
+                 without it only if `demand` says by `other` how it came, or the case tells the speed of its vehicle",
             );
+        }
+        if clear.way == GivenWayOut::Outlines {
+            self.of_outlines();
+        }
+    }
+
+    fn of_outlines(&mut self) {
+        let case = self.case;
+        let subject = case.avoid_subject();
+        let mut lacks = false;
+        for vehicle in [subject, subject.other()] {
+            let (given, table) = (&case.vehicles[vehicle.index()], table(vehicle));
+            for (is_given, key, example) in [
+                (given.heading.is_some(), "heading", "`heading`, as in heading = \"90 deg\""),
+                (
+                    given.body().is_some(),
+                    "length",
+                    "`length`, `width` and `cg_to_front`, or its `class`, for its outline",
+                ),
+                (
+                    given.contact.is_some() || given.position.is_some(),
+                    "contact",
+                    "`contact`, where it touches the other, as in contact = { x = \"1.9 m\", y = \"0.2 m\" }, or `position`",
+                ),
+            ] {
+                if !is_given {
+                    self.missing(format_args!("{table}.{key}"), example);
+                    lacks = true;
+                }
+            }
+            if given.sideslip.is_some() {
+                let reason = format!(
+                    "[{table}] does not travel along its heading, so that `outlines` cannot say when it is out of the zone"
+                );
+                let advice = "give `distance` in place of `outlines`".to_owned();
+                self.refuse_avoid("avoid.clear.outlines", reason, advice);
+                return;
+            }
+        }
+        if lacks {
+            return;
+        }
+        let Some(form) = case.outlines_form() else {
+            self.missing(
+                format_args!("{}.contact", table(subject)),
+                "`contact` of both vehicles, or `position` of both: one of each does not tell where they are",
+            );
+            return;
+        };
+        let [first, second] = form.headings.each_ref().map(Quantity::si);
+        let apart = Real::sin_cos(second - first).0.abs();
+        if apart < LEAST_SINE {
+            let reason = "both vehicles travel nearly along one line, so that the other does not leave the strip that this one \
+                          sweeps";
+            let advice = "give `distance` in place of `outlines`, or leave `clear` out".to_owned();
+            self.refuse_avoid("avoid.clear.outlines", reason.to_owned(), advice);
         }
     }
 

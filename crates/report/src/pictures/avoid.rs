@@ -114,7 +114,7 @@ pub(crate) fn path_time_picture(case: &Case, found: &Avoidance, units: Units) ->
         Some(DemandForm::Other(other)) => Some(other),
         _ => None,
     };
-    let out = given.and_then(|avoid| avoid.clear.as_ref()).map(|clear| clear.distance.quantity.si());
+    let out = case.avoid_form().and_then(|form| form.clear?.distance().ok());
     let goes_on = given.and_then(|avoid| avoid.clear.as_ref()).is_some_and(|clear| clear.speed.is_none());
     let other = (came.is_some() || out.is_some()).then(|| {
         let mut points = Vec::new();

@@ -5,7 +5,7 @@ use analysis::{
     Hiding, Hypothesis, SIGHT_LOOK_BACK, Sight, SpeedSource, Unbraked, View, obstacle_name,
 };
 use case::{
-    Avoid, Case, Clear, GivenDemand, OtherApproach, OtherParty, PathForm, PlaceForm, Quantity,
+    Avoid, Case, Clear, GivenDemand, GivenWayOut, OtherApproach, OtherParty, PathForm, PlaceForm, Quantity,
     STANDARD_GRAVITY, Sourced, Text,
 };
 use time_distance::Swell;
@@ -236,15 +236,35 @@ fn inputs(case: &Case, given: &Avoid, found: &Avoidance, units: Units) -> Table 
         Some(GivenDemand::Sight) | None => {}
     }
     let mut goes_on = false;
-    if let Some(Clear { distance, speed }) = &given.clear {
-        row("way out of the zone", "avoid.clear.distance", distance);
+    let cleared = case.avoid_form().and_then(|form| form.clear?.distance().ok());
+    let mut by_outlines = None;
+    if let Some(Clear { way, speed }) = &given.clear {
+        match way {
+            GivenWayOut::Distance(distance) => row("way out of the zone", "avoid.clear.distance", distance),
+            GivenWayOut::Outlines => by_outlines = cleared,
+        }
         match speed {
             Some(speed) => row("speed on that way", "avoid.clear.speed", speed),
             None => goes_on = true,
         }
     }
+    if let Some(distance) = by_outlines {
+        table.notes.push(format!(
+            "From the impact, the other vehicle goes {} until its outline has left the strip that vehicle {} sweeps, each \
+             straight along its heading.",
+            units.format(Measure::Way, distance),
+            found.vehicle
+        ));
+    }
     if goes_on {
-        table.notes.push("The other party moves on as it came.".to_owned());
+        let speed = cleared.zip(found.scene.clears_after).map(|(distance, time)| distance / time);
+        table.notes.push(match (&given.demand, speed) {
+            (Some(GivenDemand::Other(_)), _) | (_, None) => "The other party moves on as it came.".to_owned(),
+            (_, Some(speed)) => format!(
+                "The other party moves on with the speed of its vehicle at the impact, {}.",
+                units.road_speed(speed)
+            ),
+        });
     }
     if given.swell.is_none() {
         table.notes.push("The swell of the brakes is 0, as the case gives none.".to_owned());

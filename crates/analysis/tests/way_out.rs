@@ -1,0 +1,183 @@
+//! How far the other vehicle goes until it has left the danger zone, by the outlines of both.
+
+#![allow(clippy::unwrap_used, clippy::panic, reason = "helpers of tests fail by panicking")]
+#![allow(
+    clippy::disallowed_methods,
+    reason = "the library's own functions would not be an independent check"
+)]
+
+use std::ops::ControlFlow;
+
+use analysis::{AvoidPlan, Avoidance, Failure, avoid, estimate};
+use case::CaseFile;
+use proptest::prelude::*;
+
+fn asked(text: &str) -> Result<Avoidance, Failure> {
+    let file = CaseFile::parse("avoid.toml", text).unwrap_or_else(|errors| panic!("{errors}\n{text}"));
+    avoid(&file.case, &AvoidPlan { samples: 200, ..AvoidPlan::default() }, &mut |_, _, _| {
+        ControlFlow::Continue(())
+    })
+}
+
+/// Two vehicles that touch: their headings (deg), contact points and bodies (m).
+#[derive(Clone, Debug)]
+struct Touching {
+    headings: [f64; 2],
+    contacts: [[f64; 2]; 2],
+    /// Length, width, and from the CG to the front.
+    bodies: [[f64; 3]; 2],
+}
+
+fn turned([x, y]: [f64; 2], degrees: f64) -> [f64; 2] {
+    let (sin, cos) = degrees.to_radians().sin_cos();
+    [x * cos - y * sin, x * sin + y * cos]
+}
+
+impl Touching {
+    /// (m) of the CG of the second, from that of the first.
+    fn apart(&self) -> [f64; 2] {
+        let [one, two] = [0, 1].map(|i| turned(self.contacts[i], self.headings[i]));
+        [one[0] - two[0], one[1] - two[1]]
+    }
+
+    /// By halvings, how far the second goes until none of its corners is in the strip or beyond it, on the
+    /// side from which it came.
+    fn by_corners(&self) -> f64 {
+        let [length, width, front] = self.bodies[1];
+        let half = 0.5 * self.bodies[0][1];
+        let ahead = turned([1.0, 0.0], self.headings[1]);
+        let across = turned([0.0, 1.0], self.headings[0]);
+        let side = (ahead[0] * across[0] + ahead[1] * across[1]).signum();
+        let is_out = |way: f64| {
+            let corners = [
+                [front, 0.5 * width],
+                [front, -0.5 * width],
+                [front - length, 0.5 * width],
+                [front - length, -0.5 * width],
+            ];
+            corners.iter().all(|corner| {
+                let at = turned(*corner, self.headings[1]);
+                let apart = self.apart();
+                let at = [apart[0] + at[0] + way * ahead[0], apart[1] + at[1] + way * ahead[1]];
+                side * (at[0] * across[0] + at[1] * across[1]) >= half
+            })
+        };
+        if is_out(0.0) {
+            return 0.0;
+        }
+        let (mut within, mut out) = (0.0, 1e4);
+        assert!(is_out(out));
+        for _ in 0..100 {
+            let middle = f64::midpoint(within, out);
+            if is_out(middle) { out = middle } else { within = middle }
+        }
+        out
+    }
+
+    fn text(&self, axes: &str, by_positions: bool) -> String {
+        let sign = if axes == "z-down" { -1.0 } else { 1.0 };
+        let apart = self.apart();
+        let places = [[3.0, -2.0], [3.0 + apart[0], -2.0 + apart[1]]];
+        let vehicle = |i: usize| {
+            let [length, width, front] = self.bodies[i];
+            let (key, [x, y]) =
+                if by_positions { ("position", places[i]) } else { ("contact", self.contacts[i]) };
+            format!(
+                "[vehicle{}]\nspeed = \"{} m/s\"\nheading = \"{} deg\"\nlength = \"{length} m\"\nwidth = \"{width} m\"\n\
+                 cg_to_front = \"{front} m\"\n{key} = {{ x = \"{x} m\", y = \"{} m\" }}\n",
+                i + 1,
+                20 - 10 * i,
+                sign * self.headings[i],
+                sign * y
+            )
+        };
+        format!(
+            "[scene]\naxes = \"{axes}\"\n{}{}[avoid]\nlimit = \"18 m/s\"\nreaction_time = \"1 s\"\nunbraked = true\n\
+             deceleration = \"7 m/s^2\"\ndemand = {{ distance = \"40 m\" }}\nclear = {{ outlines = true }}\n",
+            vehicle(0),
+            vehicle(1)
+        )
+    }
+}
+
+fn touching() -> impl Strategy<Value = Touching> {
+    let body = || (3.5..5.5_f64, 1.5..2.2_f64, 0.4..0.6_f64).prop_map(|(l, w, share)| [l, w, share * l]);
+    let contact = || [-2.0..2.0_f64, -1.0..1.0_f64];
+    // Crossing at 6° and more.
+    let crossing = (6.0..174.0_f64, any::<bool>());
+    (0.0..360.0_f64, crossing, [contact(), contact()], [body(), body()]).prop_map(
+        |(first, (angle, is_left), contacts, bodies)| Touching {
+            headings: [first, first + if is_left { angle } else { -angle }],
+            contacts,
+            bodies,
+        },
+    )
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(200))]
+
+    /// However the scene is turned, in either axes, by contact points or positions. The other moves on with
+    /// the 10 m/s of its table.
+    #[test]
+    fn the_zone_is_clear_when_the_outline_has_left_it(touching in touching()) {
+        let expected = touching.by_corners();
+        for (axes, by_positions) in [("z-up", false), ("z-up", true), ("z-down", false), ("z-down", true)] {
+            let found = asked(&touching.text(axes, by_positions)).unwrap().scene.clears_after.unwrap();
+            prop_assert!((10.0 * found - expected).abs() < 1e-9 * (1.0 + expected), "{found} {expected}");
+        }
+    }
+}
+
+const EVIDENCE: &str = include_str!("../../../fixtures/avoid/evidence.toml");
+
+/// Neither speed is known: the other one moves on with that of the same draw.
+#[test]
+fn the_speed_of_the_other_is_that_of_the_evidence() {
+    let found = asked(EVIDENCE).unwrap();
+    // A vehicle along x, and one along y whose CG is 0.35 m before its middle: 0.91 + 2.25 + 0.35 m.
+    let way = 3.51;
+    let speed = way / found.scene.clears_after.unwrap();
+    let case = CaseFile::parse("avoid.toml", EVIDENCE).unwrap().case;
+    let plan = analysis::EstimatePlan {
+        particles: analysis::EstimatePlan::PARTICLES,
+        seed: 1,
+        prior: None,
+        pieces: false,
+    };
+    let evidence = estimate(&case, &plan, &mut |_, _, _| ControlFlow::Continue(())).unwrap();
+    let other = analysis::quantities::SPEED.of_vehicle(pim_core::VehicleId::Two);
+    let interval = &evidence.outputs.iter().find(|one| one.output == other).unwrap().posterior;
+    assert!((speed / interval.median.value - 1.0).abs() < 1e-9, "{speed} {:?}", interval.median);
+    // The greatest speed that is late enough has an interval as wide as that of both speeds makes it.
+    let temporal = found.chance.unwrap().temporal.unwrap();
+    assert!(temporal.low < 0.85 * temporal.median && temporal.high > 1.15 * temporal.median, "{temporal:?}");
+}
+
+#[test]
+fn what_does_not_tell_the_way_is_refused() {
+    let touching = Touching {
+        headings: [0.0, 90.0],
+        contacts: [[2.0, 0.0], [0.5, 0.8]],
+        bodies: [[4.5, 1.8, 2.1], [4.2, 1.7, 2.0]],
+    };
+    let text = touching.text("z-up", false);
+    let refused = |text: &str| asked(text).unwrap_err().to_string();
+    for (from, to, words) in [
+        ("heading = \"90 deg\"", "heading = \"181 deg\"", "nearly along one line"),
+        ("heading = \"90 deg\"\n", "", "`heading`"),
+        ("length = \"4.2 m\"\nwidth = \"1.7 m\"\ncg_to_front = \"2 m\"\n", "", "outline"),
+        ("contact = { x = \"0.5 m\", y = \"0.8 m\" }\n", "", "`contact`"),
+        ("speed = \"10 m/s\"\n", "", "`speed`"),
+        ("speed = \"10 m/s\"", "speed = \"0 m/s\"", "never clears"),
+        (
+            "heading = \"90 deg\"",
+            "heading = \"90 deg\"\nsideslip = \"10 deg\"",
+            "does not travel along its heading",
+        ),
+    ] {
+        assert!(text.contains(from), "{from}");
+        let found = refused(&text.replace(from, to));
+        assert!(found.contains(words), "{found}");
+    }
+}

@@ -1,0 +1,145 @@
+//! How the other party leaves the danger zone, for the question whether the collision was avoidable.
+
+use pim_core::InvalidInput;
+use real::Real;
+use time_distance::{Crossing, Party};
+
+use crate::quantity::Quantity;
+use crate::scene::Place;
+use crate::vehicle::{ContactPoint, Outline};
+
+/// The way of the other party out of the danger zone.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ClearForm<T = f64> {
+    /// How far it still has to go.
+    pub way: WayOutForm<T>,
+    /// How fast it goes on.
+    pub speed: ClearSpeedForm<T>,
+}
+
+/// How far the other party still has to go until it has left the danger zone.
+#[derive(Clone, Debug, PartialEq)]
+pub enum WayOutForm<T = f64> {
+    /// (m) as given.
+    Distance(Quantity<T>),
+    /// By both outlines.
+    Outlines(Box<OutlinesForm<T>>),
+}
+
+/// How fast the other party goes on.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum ClearSpeedForm<T = f64> {
+    /// (m/s) steadily.
+    Steady(Quantity<T>),
+    /// As the demand says that it came.
+    AsItCame,
+    /// With the speed of its vehicle, which the rest of the case tells.
+    Sought,
+}
+
+/// Two vehicles seen from above at the impact, each of which travels along its heading.
+#[derive(Clone, Debug, PartialEq)]
+pub struct OutlinesForm<T = f64> {
+    /// (rad) the headings: of the vehicle whose driver is asked about, and of the other.
+    pub headings: [Quantity<T>; 2],
+    /// Their bodies.
+    pub bodies: [Outline<T>; 2],
+    /// Where they are.
+    pub places: PlacesForm<T>,
+}
+
+/// How it is known where two vehicles are at the impact.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum PlacesForm<T = f64> {
+    /// By the contact point, from the centre of gravity of each.
+    Contacts([ContactPoint<T>; 2]),
+    /// By the position of each.
+    Positions([Place<T>; 2]),
+}
+
+impl<T: Copy> ClearForm<T> {
+    /// The same on other numbers, which come in the order of the fields.
+    pub(crate) fn map<U>(&self, mut of: impl FnMut(Quantity<T>) -> Quantity<U>) -> ClearForm<U> {
+        let way = match &self.way {
+            WayOutForm::Distance(distance) => WayOutForm::Distance(of(*distance)),
+            WayOutForm::Outlines(outlines) => {
+                let OutlinesForm { headings, bodies, places } = &**outlines;
+                WayOutForm::Outlines(Box::new(OutlinesForm {
+                    headings: headings.map(&mut of),
+                    bodies: bodies.map(|Outline { length, width, cg_to_front }| Outline {
+                        length: of(length),
+                        width: of(width),
+                        cg_to_front: of(cg_to_front),
+                    }),
+                    places: match places {
+                        PlacesForm::Contacts(points) => {
+                            PlacesForm::Contacts(points.map(|point| match point {
+                                ContactPoint::Polar { distance, angle } => {
+                                    ContactPoint::Polar { distance: of(distance), angle: of(angle) }
+                                }
+                                ContactPoint::Cartesian { x, y } => {
+                                    ContactPoint::Cartesian { x: of(x), y: of(y) }
+                                }
+                            }))
+                        }
+                        PlacesForm::Positions(places) => {
+                            PlacesForm::Positions(places.map(|Place { x, y }| Place { x: of(x), y: of(y) }))
+                        }
+                    },
+                }))
+            }
+        };
+        let speed = match self.speed {
+            ClearSpeedForm::Steady(speed) => ClearSpeedForm::Steady(of(speed)),
+            ClearSpeedForm::AsItCame => ClearSpeedForm::AsItCame,
+            ClearSpeedForm::Sought => ClearSpeedForm::Sought,
+        };
+        ClearForm { way, speed }
+    }
+}
+
+impl OutlinesForm {
+    /// (m) how far the other vehicle goes straight on until its outline has left the strip that the outline
+    /// of the first sweeps; 0 if it is out of it.
+    ///
+    /// # Errors
+    /// If both travel along one line, or a number is impossible.
+    pub fn way_out(&self) -> Result<f64, InvalidInput> {
+        let [first, second] = self.headings.each_ref().map(Quantity::si);
+        let apart = match &self.places {
+            PlacesForm::Contacts([one, two]) => {
+                let [one, two] = [(one, first), (two, second)].map(|(point, heading)| {
+                    let ([x, y], (sin, cos)) = (point.xy(), Real::sin_cos(heading));
+                    [x * cos - y * sin, x * sin + y * cos]
+                });
+                [one[0] - two[0], one[1] - two[1]]
+            }
+            PlacesForm::Positions([one, two]) => [two.x.si() - one.x.si(), two.y.si() - one.y.si()],
+        };
+        let (sin, cos) = Real::sin_cos(first);
+        // From the middle of the strip, to the left of the direction in which it is swept.
+        let aside = cos * apart[1] - sin * apart[0];
+        let angle = second - first;
+        let [one, two] = self.bodies.each_ref().map(|body| {
+            let [length, width, front] = body.quantities().map(Quantity::si);
+            Party { front, rear: length - front, width }
+        });
+        let crossing = Crossing::new(angle, [one, two])?;
+        // To the middle of the zone, out of it, and the rear: −q/sin δ + z + r
+        let (sin, _) = Real::sin_cos(angle);
+        Ok((crossing.half_zone(1) + two.rear - aside / sin).max(0.0))
+    }
+}
+
+impl ClearForm {
+    /// (m) how far the other party still has to go.
+    ///
+    /// # Errors
+    /// As [`OutlinesForm::way_out`].
+    pub fn distance(&self) -> Result<f64, InvalidInput> {
+        match &self.way {
+            WayOutForm::Distance(distance) => Ok(distance.si()),
+            WayOutForm::Outlines(outlines) => outlines.way_out(),
+        }
+    }
+}
