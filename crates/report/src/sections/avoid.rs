@@ -636,9 +636,9 @@ fn on_the_runs(case: &Case, found: &Avoidance, units: Units) -> Vec<String> {
                     "The phases of the case say how the vehicle came to the impact.".to_owned()
                 }
                 DrivenBy::Recorder => format!(
-                    "The table of the recorder says how the vehicle came to the impact. Its speeds are corrected for slip of the wheels, \
-                     as far as the speed at the impact shows it and else for the usual one, and change evenly from sample to \
-                     sample; the speed at the impact replaces the samples of the last {}.",
+                    "The table of the recorder says how the vehicle came to the impact. Its speeds are corrected for the slip of the \
+                     wheels: the usual one, adjusted by what the speed at the impact tells of it. They change evenly from sample \
+                     to sample, and the speed at the impact replaces the samples of the last {}.",
                     time(GIVES_WAY)
                 ),
             };
