@@ -38,7 +38,7 @@ fn run(folder: &Path, arguments: &[&str]) -> (Option<i32>, String, String) {
 fn reports_and_drawings_show_the_plan_of_the_case() {
     let folder = folder("shown", true);
     let elsewhere = folder.parent().unwrap();
-    let html = |case: &str| run(elsewhere, &["reconstruct", case, "--format", "html"]).1;
+    let html = |case: &str| run(elsewhere, &["reconstruct", case, "--exact", "--format", "html"]).1;
     let [on_plan, bare] = ["shown/case.toml", "shown/bare.toml"].map(html);
     assert_eq!(on_plan.matches("data:image/jpeg;base64,").count(), 1);
     assert!(!bare.contains("data:image/"));
@@ -78,9 +78,9 @@ fn a_drawing_is_not_written_over_its_plan() {
 #[test]
 fn a_plan_that_cannot_be_drawn_is_told_with_its_place() {
     let folder = folder("missing", false);
-    let (status, _, errors) = run(&folder, &["reconstruct", "case.toml"]);
+    let (status, _, errors) = run(&folder, &["reconstruct", "case.toml", "--exact"]);
     assert_eq!(status, Some(0), "{errors}");
-    let page = ["reconstruct", "case.toml", "--format", "html"];
+    let page = ["reconstruct", "case.toml", "--exact", "--format", "html"];
     let draw = ["draw", "case.toml", "--what", "motion"];
     for arguments in [&page[..], &draw] {
         let (status, out, errors) = run(&folder, arguments);
