@@ -70,13 +70,14 @@ fn every_template_runs_as_it_is_and_finds_what_it_states() {
             let mut stated = text.split(states).nth(1).unwrap().split_whitespace();
             let speed: f64 = stated.next().unwrap().parse().unwrap();
             assert_eq!(stated.next().unwrap().trim_end_matches('.'), named, "{template}");
-            let json = |command: &[&str]| -> Value {
-                serde_json::from_str(&printed(&[command, &[name, "--format", "json"]].concat())).unwrap()
+            let json = |command: &str, options: &[&str]| -> Value {
+                let arguments = [&[command, name, "--format", "json"], options].concat();
+                serde_json::from_str(&printed(&arguments)).unwrap()
             };
             let neither = NEITHER_KNOWN.iter().find(|(name, _)| *name == template);
             // What weighs all evidence takes its time, and weighs the same numbers in either system.
             let is_exact = neither.is_some() && units == "us";
-            let result = json(if is_exact { &[command, "--exact"][..] } else { &[command] });
+            let result = json(command, if is_exact { &["--exact"] } else { &[] });
             if let Some((_, true_speeds)) = neither {
                 let second = text.split("and vehicle 2 at ").nth(1).unwrap();
                 let second: f64 = second.split_whitespace().next().unwrap().parse().unwrap();
@@ -123,7 +124,7 @@ fn every_template_runs_as_it_is_and_finds_what_it_states() {
                 assert_eq!(report.contains("Two rigid bodies collide"), !alone, "{template}");
                 assert!(!alone || !report.contains("energy of both vehicles"), "{template}");
             }
-            let judged = json(&["check"]);
+            let judged = json("check", &[]);
             assert_eq!(judged["warnings"], Value::Array(Vec::new()), "{template} in {units}");
             let runs =
                 &judged["commands"].as_array().unwrap().iter().find(|ability| ability["command"] == command);
