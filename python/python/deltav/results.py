@@ -612,7 +612,7 @@ class _Judgement(_Document):
     commands: tuple[AbilityOf, ...]
     """What the case can be asked."""
     answers_most: str | None
-    """The command that answers most with what the case has."""
+    """The command that makes the fullest use of what the case has."""
     inputs: tuple[Input, ...]
     """The numbers of the case."""
     choices: tuple[Choice, ...]

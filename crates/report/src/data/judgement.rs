@@ -18,7 +18,7 @@ struct Document<'a> {
     /// The axes of all signed values: `z-up` or `z-down`.
     axes: &'static str,
     commands: Vec<CommandBlock>,
-    /// The command that answers most with what the case has.
+    /// The command that makes the fullest use of what the case has.
     answers_most: Option<&'static str>,
     inputs: Vec<InputBlock>,
     choices: Vec<ChoiceBlock>,

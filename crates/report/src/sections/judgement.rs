@@ -47,7 +47,7 @@ pub fn judgement(file: &CaseFile, judgement: &Judgement, units: Units) -> Docume
     }
     page.push(commands(file, judgement));
     if let Some(purpose) = judgement.answers_most() {
-        page.paragraph(format!("`deltav {purpose}` answers most with what this case has."));
+        page.paragraph(format!("`deltav {purpose}` makes the fullest use of what this case has."));
     }
     if judgement.warnings.is_empty() {
         page.paragraph("No warnings (checks that need a solution were not run).");
