@@ -222,7 +222,7 @@ fn evidence_that_contradicts_the_rest_is_warned_of() {
 #[test]
 fn without_convergence_there_is_no_interval() {
     let case = CASE
-        .replace("name = \"Focus\"", "certain_speed = { at_least = \"46.99 km/h\", at_most = \"47 km/h\" }");
+        .replace("name = \"Focus\"", "certain_speed = { at_least = \"46.9 km/h\", at_most = \"47 km/h\" }");
     assert_ne!(case, CASE);
     let case = written("not-converged.toml", &case);
     let draws = temporary("not-converged.csv");
