@@ -566,18 +566,26 @@ export class App {
   }
 
   private showLines(lines: string[], interval: boolean): void {
-    this.headline.replaceChildren(...lines.map((line, place) => {
+    const shown = lines.map((line, place) => {
       const [label, ...rest] = line.split(": ");
       const value = rest.join(": ");
       // That there is no one answer is a sentence.
-      if (value === "") return h("p", { class: "lead" }, line);
+      if (value === "") return h("p", { class: lines.length > 1 ? "sentence" : "lead" }, line);
       if (/^\D{8}/.test(value) && value.length > LONGEST) return h("p", { class: "sentence" }, line);
       // The first number is the answer; what stands behind it says it in other units, or how well it is known.
       const [, main = value, more = ""] = /^(.*?)((?: \(|[,;] ).*)?$/.exec(value) ?? [];
       return h("div", { class: `result${place === 0 ? " first" : ""}${interval ? " interval" : ""}` },
         h("span", { class: "result-name" }, label ?? ""), h("span", { class: "unseen" }, ": "),
         h("span", { class: "result-value" }, main), h("span", { class: "result-more" }, more.replace(/^[,;] |\.$/g, "")));
-    }));
+    });
+    // Sentences that follow each other stand beneath each other, in one column.
+    const columns: HTMLElement[] = [];
+    for (const part of shown) {
+      const last = columns.at(-1);
+      if (part.tagName === "P" && last?.classList.contains("sentences")) last.append(part);
+      else columns.push(part.tagName === "P" && shown.length > 1 ? h("div", { class: "sentences" }, part) : part);
+    }
+    this.headline.replaceChildren(...columns);
     // The room that the answer has taken stays its own, so that nothing below it moves when a range is computed anew.
     const floor = Number.parseFloat(this.headline.style.minHeight) || 0;
     const { height } = this.headline.getBoundingClientRect();
