@@ -157,6 +157,12 @@ fn moment(analysis: &Seen) -> Option<&Outcome> {
     impact.law.has_moment().then_some(&impact.outcome)
 }
 
+/// A function, as a closure of this size would be called, and so compiled for the baseline instruction set.
+#[inline(always)]
+fn pdof_of_impact<T: Real>(outcome: &Outcome<T>, id: VehicleId) -> T {
+    outcome.pdof()[id.index()]
+}
+
 fn pdof(analysis: &Seen, id: VehicleId) -> Option<f64> {
     let computed = motion(analysis, id).map(|motion| motion.pdof[id.index()]);
     computed.or_else(|| analysis.vehicles[id.index()].crash3_pdof())
@@ -396,7 +402,7 @@ quantities! {
         Speed, Vehicle(|a, id| Some(motion(a, id)?.delta_v[id.index()].y));
     PDOF: "pdof" at "/vehicle#/pdof", ["PDOF", "PDOF, clockwise from heading", "PDOF", "theory 4"],
         Angle, Vehicle(pdof),
-        sampled(OfImpact(|o, id| o.pdof()[id.index()], None)) [direction];
+        sampled(OfImpact(pdof_of_impact, None)) [direction];
     CRUSH_ENERGY: "crush_energy" at "/vehicle#/crush_energy", ["crush energy", "crush energy E", "E", "Eq 5"],
         Energy, Vehicle(|a, id| a.vehicles[id.index()].crush_energy()),
         // That of both.
