@@ -50,7 +50,7 @@ pub enum InvalidInput {
     },
     /// An acceleration that leads from one speed away from the other, or is zero between two speeds.
     #[error(
-        "an acceleration of {acceleration} m/s² does not lead from {from} m/s to {to} m/s; it must be positive where \
+        "an acceleration of {acceleration} m/s² does not lead from {from:.2} m/s to {to:.2} m/s; it must be positive where \
          the vehicle gains speed and negative where it loses speed"
     )]
     NotReached {
