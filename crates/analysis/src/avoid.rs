@@ -275,7 +275,7 @@ fn found(
     let seen = ways.as_ref().zip(scene.view.sight());
     let hiding = seen.map(|(ways, sight)| ways.hiding(&scene, &sight, &obstacles));
     let hiding = hiding.transpose().map_err(|index| holds_the_eye(case, index))?;
-    let chance = plan.map_or(Ok(None), |plan| of_ranges(case, told.as_deref(), &obstacles, plan))?;
+    let chance = plan.map_or(Ok(None), |plan| of_ranges(case, form, told.as_deref(), &obstacles, plan))?;
     // Of a speed with a range, only the samples know whether all of it lies below the limit.
     let may_be_above = match &chance {
         Some(chance) => chance.above_limit > 0.0,
@@ -434,6 +434,7 @@ fn sampled(
 /// uncertain.
 fn of_ranges(
     case: &Case,
+    central: &AvoidForm,
     told: Option<&Told>,
     obstacles: Outlines<'_>,
     plan: &AvoidPlan,
@@ -453,7 +454,11 @@ fn of_ranges(
         place += 1;
         input.map_or(Number::Known(number), Number::Uncertain)
     });
-    let Some(form) = numbers.avoid_form_with(case.recorded_approach()) else { return Ok(None) };
+    let recorded = match &central.braking {
+        BrakingForm::Recorded { approach, .. } => Some(approach.clone()),
+        _ => None,
+    };
+    let Some(form) = numbers.avoid_form(recorded) else { return Ok(None) };
     let mut used = BTreeSet::new();
     form.map(|number| {
         if let Number::Uncertain(input) = number {
@@ -472,21 +477,15 @@ fn of_ranges(
     }
     let subject = case.avoid_subject();
     let draws_of = |of: VehicleId| estimated.and_then(|estimated| estimated.draws(SPEED.of_vehicle(of)));
-    let sampled = told.and_then(|told| told.sampled.as_ref());
-    let draws = draws_of(subject);
-    let speeds = draws.or_else(|| sampled.map(|[speeds, _]| speeds.as_slice()));
-    let (central, central_other): (Vec<f64>, Vec<f64>);
-    let mut other = match draws {
-        Some(_) => draws_of(subject.other()),
-        None => sampled.map(|[_, other]| other.as_slice()),
-    };
-    let speeds = match (speeds, told) {
-        (Some(speeds), _) => Some(speeds),
+    let draws = draws_of(subject).map(|own| [own, draws_of(subject.other()).unwrap_or_default()]);
+    let sampled = told.and_then(|told| told.sampled.as_ref()).map(|both| both.each_ref().map(Vec::as_slice));
+    let constant: [Vec<f64>; 2];
+    let speeds = match (draws.or(sampled), told) {
+        (Some(both), _) => Some(both),
         (None, Some(told)) if !inputs.is_empty() => {
-            central = vec![told.speed; plan.samples];
-            central_other = told.other.map_or_else(Vec::new, |speed| vec![speed; plan.samples]);
-            other = Some(&central_other);
-            Some(central.as_slice())
+            constant = [Some(told.speed), told.other]
+                .map(|speed| speed.map_or_else(Vec::new, |speed| vec![speed; plan.samples]));
+            Some(constant.each_ref().map(Vec::as_slice))
         }
         (None, _) => None,
     };
@@ -494,8 +493,7 @@ fn of_ranges(
     if inputs.is_empty() && speeds.is_none() && !is_recorded {
         return Ok(None);
     }
-    let other = other.unwrap_or_default();
-    let speeds = speeds.map(|speeds| Speeds { speeds, other, estimated: draws.and(estimated) });
+    let speeds = speeds.map(|[speeds, other]| Speeds { speeds, other, estimated: draws.and(estimated) });
     chance(&form, &inputs, speeds.as_ref(), obstacles, [plan.samples as u64, plan.seed])
 }
 

@@ -355,12 +355,13 @@ pub fn judge(case: &Case) -> Judgement {
     };
     // Of a collision without an exact solution, it may be the only answer.
     let may_be_alone = case.impact.is_some() && !abilities.iter().any(is_exact);
-    let estimated = (is_for_estimate(case) || may_be_alone).then(|| match estimate_evidence(case) {
+    let is_asked = is_for_estimate(case);
+    let estimated = (is_asked || may_be_alone).then(|| match estimate_evidence(case) {
         Err(Failure::Case(faults)) => Some(faults),
         // Other faults are only found when it is solved.
         _ => None,
     });
-    if let Some(obstacle) = estimated.filter(|obstacle| is_for_estimate(case) || obstacle.is_none()) {
+    if let Some(obstacle) = estimated.filter(|obstacle| is_asked || obstacle.is_none()) {
         let purpose = Purpose::Estimate;
         abilities.push(Ability { purpose, on: purpose, obstacle, left_aside: Vec::new() });
     }

@@ -18,7 +18,7 @@ fn asked(text: &str) -> Avoidance {
     asked_with(text, AvoidPlan::default()).unwrap()
 }
 
-fn asked_with(text: &str, plan: AvoidPlan) -> Result<Avoidance, Failure> {
+pub(crate) fn asked_with(text: &str, plan: AvoidPlan) -> Result<Avoidance, Failure> {
     avoid(&parsed(text), &plan, &mut |_, _, _| ControlFlow::Continue(()))
 }
 

@@ -3,17 +3,13 @@
 #![allow(clippy::unwrap_used, reason = "helpers of tests fail by panicking")]
 #![allow(clippy::disallowed_methods, reason = "an independent simulation needs no equal bits")]
 
-use std::ops::ControlFlow;
-
-use analysis::{ActualRun, AvoidPlan, Avoidance, DrivenBy, Failure, Hypothesis, SpeedSource, avoid};
-use case::CaseFile;
+use analysis::{ActualRun, AvoidPlan, Avoidance, DrivenBy, Failure, Hypothesis, SpeedSource};
 use proptest::prelude::*;
 
+use crate::avoid::asked_with;
+
 fn asked(text: &str) -> Result<Avoidance, Failure> {
-    let case = CaseFile::parse("avoid.toml", text).unwrap().case;
-    avoid(&case, &AvoidPlan { samples: 1_000, ..AvoidPlan::default() }, &mut |_, _, _| {
-        ControlFlow::Continue(())
-    })
+    asked_with(text, AvoidPlan { samples: 1_000, ..AvoidPlan::default() })
 }
 
 /// A vehicle in small steps. Until the reaction ends, it accelerates as it did, and does not brake.

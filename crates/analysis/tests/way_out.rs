@@ -8,15 +8,14 @@
 
 use std::ops::ControlFlow;
 
-use analysis::{AvoidPlan, Avoidance, Failure, avoid, estimate};
+use analysis::{AvoidPlan, Avoidance, Failure, estimate};
 use case::CaseFile;
 use proptest::prelude::*;
 
+use crate::avoid::asked_with;
+
 fn asked(text: &str) -> Result<Avoidance, Failure> {
-    let file = CaseFile::parse("avoid.toml", text).unwrap_or_else(|errors| panic!("{errors}\n{text}"));
-    avoid(&file.case, &AvoidPlan { samples: 200, ..AvoidPlan::default() }, &mut |_, _, _| {
-        ControlFlow::Continue(())
-    })
+    asked_with(text, AvoidPlan { samples: 200, ..AvoidPlan::default() })
 }
 
 /// Two vehicles that touch: their headings (deg), contact points and bodies (m).

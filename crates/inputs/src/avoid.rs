@@ -257,7 +257,7 @@ pub enum PlaceForm<T = f64> {
     Origin,
 }
 
-impl<T> PlaceForm<T> {
+impl<T: Copy> PlaceForm<T> {
     /// The place; `None` for the origin.
     #[must_use]
     pub fn place(&self) -> Option<&Place<T>> {
@@ -267,12 +267,11 @@ impl<T> PlaceForm<T> {
         }
     }
 
-    fn map<U>(self, mut of: impl FnMut(Quantity<T>) -> Quantity<U>) -> PlaceForm<U> {
-        let mut place = |Place { x, y }: Place<T>| Place { x: of(x), y: of(y) };
+    fn map<U>(self, of: impl FnMut(Quantity<T>) -> Quantity<U>) -> PlaceForm<U> {
         match self {
-            Self::Given(at) => PlaceForm::Given(place(at)),
-            Self::Position(at) => PlaceForm::Position(place(at)),
-            Self::Contact(at) => PlaceForm::Contact(place(at)),
+            Self::Given(at) => PlaceForm::Given(at.map_quantities(of)),
+            Self::Position(at) => PlaceForm::Position(at.map_quantities(of)),
+            Self::Contact(at) => PlaceForm::Contact(at.map_quantities(of)),
             Self::Origin => PlaceForm::Origin,
         }
     }

@@ -2,6 +2,9 @@
 
 use std::fmt::Display;
 
+use pim_core::Vector2;
+use real::Real;
+
 use crate::quantity::Quantity;
 use crate::text::Text;
 use crate::walk::{Element, Key, Walk};
@@ -14,6 +17,20 @@ pub struct Place<T = f64> {
     pub x: Quantity<T>,
     /// (m) along the scene's y, or across, in the sense of the axes.
     pub y: Quantity<T>,
+}
+
+impl<T: Copy> Place<T> {
+    /// The same with other quantities.
+    pub(crate) fn map_quantities<U>(self, mut of: impl FnMut(Quantity<T>) -> Quantity<U>) -> Place<U> {
+        Place { x: of(self.x), y: of(self.y) }
+    }
+}
+
+/// (m) what lies so far forward and left of a CG, in the directions of the scene.
+pub(crate) fn in_scene<T: Real>([forward, left]: [T; 2], heading: T) -> Vector2<T> {
+    let (sin, cos) = heading.sin_cos();
+    // (f cos θ − l sin θ, f sin θ + l cos θ)
+    Vector2::new(forward * cos - left * sin, forward * sin + left * cos)
 }
 
 /// A picture of the scene from above, to scale: `site_plan` of `[scene]`. Its numbers are exact.

@@ -223,11 +223,16 @@ impl<T: Copy> ContactPoint<T> {
     #[inline(always)]
     #[must_use]
     pub fn map<U>(&self, mut number: impl FnMut(T) -> U) -> ContactPoint<U> {
+        self.map_quantities(|quantity| quantity.map(&mut number))
+    }
+
+    #[inline(always)]
+    pub(crate) fn map_quantities<U>(self, mut of: impl FnMut(Quantity<T>) -> Quantity<U>) -> ContactPoint<U> {
         match self {
             Self::Polar { distance, angle } => {
-                ContactPoint::Polar { distance: distance.map(&mut number), angle: angle.map(number) }
+                ContactPoint::Polar { distance: of(distance), angle: of(angle) }
             }
-            Self::Cartesian { x, y } => ContactPoint::Cartesian { x: x.map(&mut number), y: y.map(number) },
+            Self::Cartesian { x, y } => ContactPoint::Cartesian { x: of(x), y: of(y) },
         }
     }
 }
@@ -327,8 +332,12 @@ impl<T: Copy> Outline<T> {
     /// The same with other numbers.
     #[must_use]
     pub fn map<U>(&self, mut number: impl FnMut(T) -> U) -> Outline<U> {
-        let [length, width, cg_to_front] = self.quantities().map(|quantity| quantity.map(&mut number));
-        Outline { length, width, cg_to_front }
+        self.map_quantities(|quantity| quantity.map(&mut number))
+    }
+
+    pub(crate) fn map_quantities<U>(self, mut of: impl FnMut(Quantity<T>) -> Quantity<U>) -> Outline<U> {
+        let Self { length, width, cg_to_front } = self;
+        Outline { length: of(length), width: of(width), cg_to_front: of(cg_to_front) }
     }
 }
 

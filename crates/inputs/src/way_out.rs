@@ -1,11 +1,11 @@
 //! How the other party leaves the danger zone, for the question whether the collision was avoidable.
 
-use pim_core::InvalidInput;
+use pim_core::{InvalidInput, Vector2};
 use real::Real;
 use time_distance::{Crossing, Party};
 
 use crate::quantity::Quantity;
-use crate::scene::Place;
+use crate::scene::{Place, in_scene};
 use crate::vehicle::{ContactPoint, Outline};
 
 /// The way of the other party out of the danger zone.
@@ -66,24 +66,13 @@ impl<T: Copy> ClearForm<T> {
                 let OutlinesForm { headings, bodies, places } = &**outlines;
                 WayOutForm::Outlines(Box::new(OutlinesForm {
                     headings: headings.map(&mut of),
-                    bodies: bodies.map(|Outline { length, width, cg_to_front }| Outline {
-                        length: of(length),
-                        width: of(width),
-                        cg_to_front: of(cg_to_front),
-                    }),
+                    bodies: bodies.map(|body| body.map_quantities(&mut of)),
                     places: match places {
                         PlacesForm::Contacts(points) => {
-                            PlacesForm::Contacts(points.map(|point| match point {
-                                ContactPoint::Polar { distance, angle } => {
-                                    ContactPoint::Polar { distance: of(distance), angle: of(angle) }
-                                }
-                                ContactPoint::Cartesian { x, y } => {
-                                    ContactPoint::Cartesian { x: of(x), y: of(y) }
-                                }
-                            }))
+                            PlacesForm::Contacts(points.map(|point| point.map_quantities(&mut of)))
                         }
                         PlacesForm::Positions(places) => {
-                            PlacesForm::Positions(places.map(|Place { x, y }| Place { x: of(x), y: of(y) }))
+                            PlacesForm::Positions(places.map(|place| place.map_quantities(&mut of)))
                         }
                     },
                 }))
@@ -107,27 +96,19 @@ impl OutlinesForm {
     pub fn way_out(&self) -> Result<f64, InvalidInput> {
         let [first, second] = self.headings.each_ref().map(Quantity::si);
         let apart = match &self.places {
-            PlacesForm::Contacts([one, two]) => {
-                let [one, two] = [(one, first), (two, second)].map(|(point, heading)| {
-                    let ([x, y], (sin, cos)) = (point.xy(), Real::sin_cos(heading));
-                    [x * cos - y * sin, x * sin + y * cos]
-                });
-                [one[0] - two[0], one[1] - two[1]]
+            PlacesForm::Contacts([one, two]) => in_scene(one.xy(), first) - in_scene(two.xy(), second),
+            PlacesForm::Positions([one, two]) => {
+                Vector2::new(two.x.si() - one.x.si(), two.y.si() - one.y.si())
             }
-            PlacesForm::Positions([one, two]) => [two.x.si() - one.x.si(), two.y.si() - one.y.si()],
         };
         let (sin, cos) = Real::sin_cos(first);
         // From the middle of the strip, to the left of the direction in which it is swept.
-        let aside = cos * apart[1] - sin * apart[0];
-        let angle = second - first;
-        let [one, two] = self.bodies.each_ref().map(|body| {
+        let aside = cos * apart.y - sin * apart.x;
+        let parties = self.bodies.each_ref().map(|body| {
             let [length, width, front] = body.quantities().map(Quantity::si);
             Party { front, rear: length - front, width }
         });
-        let crossing = Crossing::new(angle, [one, two])?;
-        // To the middle of the zone, out of it, and the rear: −q/sin δ + z + r
-        let (sin, _) = Real::sin_cos(angle);
-        Ok((crossing.half_zone(1) + two.rear - aside / sin).max(0.0))
+        Ok(Crossing::new(second - first, parties)?.way_out(aside))
     }
 }
 

@@ -64,6 +64,17 @@ impl<T: Real> Crossing<T> {
         (other + own * cos.abs()) / (sin.abs() * 2.0)
     }
 
+    /// (m) how far party 1 goes on until its rear has left the zone; 0 if it is out of it. It is `aside` (m)
+    /// of the middle of the strip that party 0 sweeps, positive to the left of that one's direction.
+    #[must_use]
+    pub fn way_out(&self, aside: T) -> T {
+        let [_, party] = &self.parties;
+        let (sin, _) = self.angle.sin_cos();
+        // To the middle of the zone, out of it, and the rear: z + r − q/sin θ
+        let way = self.half_zone(1) + party.rear - aside / sin;
+        if way.value() > 0.0 { way } else { T::ZERO }
+    }
+
     /// When party 0 or 1 is in the zone, on a course whose positions count from the crossing of the paths.
     #[must_use]
     pub fn occupancy(&self, party: usize, course: &Course<'_, T>) -> Occupancy<T> {

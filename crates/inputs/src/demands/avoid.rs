@@ -53,7 +53,7 @@ impl Case {
             return demand.finish(None);
         };
         demand.of_speed(avoid);
-        let form = self.avoid_form();
+        let form = self.avoid_form(self.recorded_approach());
         for (is_given, key, example) in [
             (avoid.limit.is_some(), "avoid.limit", LIMIT),
             (avoid.reaction_time.is_some(), "avoid.reaction_time", REACTION),
@@ -71,21 +71,11 @@ impl Case {
         demand.of_sight(avoid);
         demand.finish(form)
     }
-}
-
-impl Case {
-    /// The numbers of `[avoid]`; `None` if some are missing, which [`avoidance`](Case::avoidance) reports.
-    #[must_use]
-    pub fn avoid_form(&self) -> Option<AvoidForm> {
-        self.avoid_form_with(self.recorded_approach())
-    }
 
     /// What the recorder of the vehicle stored before the impact. A speed at the demand takes its place.
-    #[must_use]
-    pub fn recorded_approach(&self) -> Option<Arc<SampledApproach>> {
-        let avoid = self.avoid.as_ref().filter(|avoid| avoid.speed.is_none())?;
-        let vehicle = avoid.vehicle.unwrap_or(VehicleId::One);
-        let recorder = self.vehicles[vehicle.index()].recorder.as_ref()?;
+    fn recorded_approach(&self) -> Option<Arc<SampledApproach>> {
+        self.avoid.as_ref().filter(|avoid| avoid.speed.is_none())?;
+        let recorder = self.vehicles[self.avoid_subject().index()].recorder.as_ref()?;
         let ground = self.surface.as_ref().map(|surface| surface.friction);
         // The reader of a case refuses errors out of their range.
         SampledApproach::of(recorder.before_impact()?, &recorder.errors.errors(ground)).ok().map(Arc::new)
@@ -93,9 +83,10 @@ impl Case {
 }
 
 impl<T: Copy + From<f64>> Case<T> {
-    /// The numbers of `[avoid]` on any numbers, with what a recorder stored.
+    /// The numbers of `[avoid]`, with what a recorder stored if that counts; `None` if some are missing, which
+    /// [`avoidance`](Case::avoidance) reports.
     #[must_use]
-    pub fn avoid_form_with(&self, recorded: Option<Arc<SampledApproach>>) -> Option<AvoidForm<T>> {
+    pub fn avoid_form(&self, recorded: Option<Arc<SampledApproach>>) -> Option<AvoidForm<T>> {
         let of = |sourced: &Option<Sourced<T>>| sourced.as_ref().map(|sourced| sourced.quantity);
         let avoid = self.avoid.as_ref()?;
         let vehicle = self.avoid_subject();

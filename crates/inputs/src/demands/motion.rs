@@ -19,7 +19,7 @@ use crate::motion::{
 };
 use crate::purpose::Purpose;
 use crate::quantity::Quantity;
-use crate::scene::{EdgeSide, Place, SurfaceRegion};
+use crate::scene::{EdgeSide, Place, SurfaceRegion, in_scene};
 use crate::vehicle::{GivenVehicle, VehicleKind};
 
 /// (m) a vehicle that came to rest no farther than this from its place at the impact has no path from which
@@ -672,13 +672,6 @@ impl<T: Real> Demand<'_, T> {
             }
         }
     }
-}
-
-/// (m) what lies so far forward and left of a CG, in the directions of the scene.
-fn in_scene<T: Real>([forward, left]: [T; 2], heading: T) -> Vector2<T> {
-    let (sin, cos) = heading.sin_cos();
-    // (f cos θ − l sin θ, f sin θ + l cos θ)
-    Vector2::new(forward * cos - left * sin, forward * sin + left * cos)
 }
 
 /// A region in the axes of the engine.

@@ -110,11 +110,12 @@ pub(crate) fn path_time_picture(case: &Case, found: &Avoidance, units: Units) ->
         })
         .collect();
     let given = case.avoid.as_ref();
-    let came = match case.avoid_form().map(|form| form.demand) {
+    let form = case.avoid_form(None);
+    let came = match form.as_ref().map(|form| &form.demand) {
         Some(DemandForm::Other(other)) => Some(other),
         _ => None,
     };
-    let out = case.avoid_form().and_then(|form| form.clear?.distance().ok());
+    let out = form.as_ref().and_then(|form| form.clear.as_ref()?.distance().ok());
     let goes_on = given.and_then(|avoid| avoid.clear.as_ref()).is_some_and(|clear| clear.speed.is_none());
     let other = (came.is_some() || out.is_some()).then(|| {
         let mut points = Vec::new();

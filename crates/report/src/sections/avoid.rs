@@ -236,7 +236,7 @@ fn inputs(case: &Case, given: &Avoid, found: &Avoidance, units: Units) -> Table 
         Some(GivenDemand::Sight) | None => {}
     }
     let mut goes_on = false;
-    let cleared = case.avoid_form().and_then(|form| form.clear?.distance().ok());
+    let cleared = case.avoid_form(None).and_then(|form| form.clear?.distance().ok());
     let mut by_outlines = None;
     if let Some(Clear { way, speed }) = &given.clear {
         match way {
@@ -445,7 +445,7 @@ fn view_and_demand(found: &Avoidance, sight: &Sight, units: Units) -> String {
 
 /// From where to where the driver looks.
 fn ways(case: &Case) -> String {
-    let Some(form) = case.avoid_form().and_then(|form| form.sight) else { return String::new() };
+    let Some(form) = case.avoid_form(None).and_then(|form| form.sight) else { return String::new() };
     let how = |form: &PlaceForm| match form {
         PlaceForm::Given(_) => "at the place given",
         PlaceForm::Position(_) => "at the centre of gravity of the vehicle",
