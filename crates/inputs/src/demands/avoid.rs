@@ -83,8 +83,8 @@ impl Case {
 }
 
 impl<T: Copy + From<f64>> Case<T> {
-    /// The numbers of `[avoid]`, with what a recorder stored if that counts; `None` if some are missing, which
-    /// [`avoidance`](Case::avoidance) reports.
+    /// The numbers of `[avoid]`, with what a recorder stored if that counts; `None` if some are missing,
+    /// which [`avoidance`](Case::avoidance) reports.
     #[must_use]
     pub fn avoid_form(&self, recorded: Option<Arc<SampledApproach>>) -> Option<AvoidForm<T>> {
         let of = |sourced: &Option<Sourced<T>>| sourced.as_ref().map(|sourced| sourced.quantity);
