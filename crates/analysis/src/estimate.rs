@@ -7,15 +7,12 @@ mod observe;
 mod outputs;
 mod pieces;
 mod posed;
+mod runs;
 mod setup;
 
 use std::ops::ControlFlow;
-use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 
-use ::estimate::{
-    Culprit, DrawsSummary, MOST_PARTICLES, NoDraws, PARTICLES_STEP, ParticleSettings, Posterior,
-    SamplerDoubt, Selection, Verdict, Weights, sample, sample_without,
-};
+use ::estimate::{Culprit, DrawnQuantity, DrawsSummary, NoDraws, Posterior, SamplerDoubt, Verdict, Weights};
 use ::uncertainty::{Distribution, Estimate, InvalidDistribution};
 use evidence::{CollisionModel, EnergyMethod, InjuryRisk, Observed, Piece, TestedClass};
 use inputs::{Case, SeverityPrior, Unit};
@@ -28,8 +25,11 @@ use crate::quantities::{DELTA_V, DELTA_V_LONGITUDINAL};
 use crate::uncertainty::NOISE;
 pub use notes::{Unused, UnusedReason};
 use outputs::Told;
+use pieces::There;
 pub use pieces::{PieceFound, SameTwice};
+use runs::Runs;
 pub use setup::Assumed;
+use setup::{Before, Setup};
 
 /// The settings of an estimate.
 #[derive(Clone, Copy, Debug)]
@@ -234,19 +234,6 @@ impl Estimated {
     }
 }
 
-/// Maximum factor by which the particles are increased if a run does not converge: they are doubled twice.
-const MOST_TIMES: usize = 4;
-/// Minimum effective sample size with the default number of particles: below it, they are doubled as if the
-/// run had not converged.
-const WORTH: f64 = 1000.0;
-/// Islands of a run for the median and interval of a piece, and of one from the prior for a piece that
-/// contradicts the rest: few, so that the particles of each suffice to adapt moves in many dimensions.
-const PIECE_ISLANDS: usize = 4;
-const ANEW_ISLANDS: usize = 8;
-/// Particles of these islands: the divisor of those of the answer, and the minimum.
-const PIECE_SHARE: usize = 2;
-const PIECE_LEAST: usize = 256;
-
 /// Estimates the results from the evidence of a case.
 ///
 /// `progress` receives the stage, the work done of it and its total, and may end the run.
@@ -259,160 +246,100 @@ pub fn estimate(
     plan: &EstimatePlan,
     progress: &mut (dyn FnMut(EstimateStage, usize, usize) -> ControlFlow<()> + Send),
 ) -> Result<Estimated, Failure> {
-    let setup = setup::of(case, plan.prior)?;
-    let (observed, default_errors, unused) = (setup.observed.clone(), setup.default_errors, setup.unused);
-    let (assumed, energies, hit) = (setup.stood, setup.energies, setup.hit);
-    let is_with_object = setup.is_with_object;
-    let model = CollisionModel::of(setup.impacts, setup.observed);
-    let told = Told::new(&model, case.axes, setup.reference);
-    let evaluations = AtomicUsize::new(0);
-    let run = |settings: ParticleSettings, report: &mut ::uncertainty::Progress<'_>| {
-        let posterior = sample(&told, &told, &settings, report);
-        if let Ok(posterior) = &posterior {
-            evaluations.fetch_add(posterior.diagnosis().evaluations, Ordering::Relaxed);
-        }
-        posterior.map_err(|failure| refused(failure, model.pieces()))
-    };
-
-    // Ending one run ends all of them.
-    let ended = AtomicBool::new(false);
-    let mut progress = |stage: EstimateStage, done: usize, total: usize| {
-        let flow = progress(stage, done, total);
-        ended.fetch_or(flow.is_break(), Ordering::Relaxed);
-        flow
-    };
-    let is_ended = || ended.load(Ordering::Relaxed);
-
-    let mut particles = plan.particles;
-    let most = plan.particles.saturating_mul(MOST_TIMES).min(MOST_PARTICLES);
-    let posterior = loop {
-        let settings = ParticleSettings::new(particles, plan.seed);
-        let posterior = run(settings, &mut |done, total| progress(EstimateStage::All, done, total))?;
-        let is_worth = plan.particles != EstimatePlan::PARTICLES || posterior.diagnosis().ess() >= WORTH;
-        let is_enough = posterior.verdict() == Verdict::Converged && is_worth;
-        if is_ended() || is_enough || particles >= most {
-            break posterior;
-        }
-        particles = (2 * particles).min(most);
-    };
-
-    // Terms of every run: the severity of such collisions, and certain limits.
-    let always = |piece: &Piece| matches!(piece, Piece::Severity | Piece::Limits(_));
-    let places = |wanted: &dyn Fn(&Piece) -> bool| -> Vec<usize> {
-        let pieces = model.pieces().iter().enumerate();
-        pieces.filter(|(_, piece)| wanted(piece)).map(|(place, _)| place).collect()
-    };
-    let beside = (plan.particles / PIECE_SHARE).next_multiple_of(PARTICLES_STEP);
-    let beside = beside.max(PIECE_LEAST).min(plan.particles);
-    let mut before = || {
-        let terms = Selection::Only(places(&always));
-        let settings = ParticleSettings { terms, ..ParticleSettings::new(plan.particles, plan.seed) };
-        run(settings, &mut |done, total| progress(EstimateStage::Prior, done, total))
-    };
-    let prior = if is_ended() { None } else { Some(before()?) };
-    let prior = prior.filter(|prior| prior.verdict() == Verdict::Converged);
-
-    let speed = |id: VehicleId| told.speed_place(id);
-    let stands = |run: &Posterior, id: VehicleId| {
-        let draws = run.outputs().get(speed(id)?)?;
-        Some(run.draws().mean(|draw| if draws[draw] == 0.0 { 1.0 } else { 0.0 }))
-    };
-    let stood = VehicleId::ALL.map(|id| {
-        let assumed = Some(assumed[id.index()]).filter(|assumed| *assumed > 0.0)?;
-        let before = prior.as_ref().and_then(|prior| stands(prior, id));
-        Some(Stood { assumed, before, after: stands(&posterior, id)? })
-    });
-    let injured = (setup.prior == SeverityPrior::Field).then(|| of_injured(&told, &posterior)).flatten();
-    let outputs = told
-        .outputs()
-        .iter()
-        .zip(posterior.outputs())
-        .enumerate()
-        .map(|(place, (output, draws))| EstimatedOutput {
-            output: *output,
-            prior: prior.as_ref().map(|prior| prior.summary(::estimate::DrawnQuantity::Output(place))),
-            posterior: posterior.summary(::estimate::DrawnQuantity::Output(place)),
-            if_injured: injured.as_ref().map(|weights| posterior.weighted(weights).summary(draws)),
-        })
-        .collect();
-    let unknown = setup
-        .unknown
-        .into_iter()
-        .enumerate()
-        .map(|(place, unknown)| {
-            // The speed itself if its value also encodes whether the vehicle stood.
-            let speed = VehicleId::ALL.into_iter().find(|id| unknown.key == format!("{}.speed", table(*id)));
-            let quantity = match speed.and_then(|id| told.speed_place(id)) {
-                Some(output) => ::estimate::DrawnQuantity::Output(output),
-                None => ::estimate::DrawnQuantity::Value(place),
-            };
-            UnknownNumber {
-                key: unknown.key,
-                unit: unknown.unit,
-                prior: unknown.moving.unwrap_or(unknown.prior),
-                assumed: unknown.assumed,
-                posterior: posterior.summary(quantity),
-            }
-        })
-        .collect();
-    let judged: Vec<usize> = places(&|piece| !always(piece));
-    let mut pieces = Vec::new();
-    for (done, &term) in judged.iter().enumerate() {
-        if !is_ended() {
-            // The return value is stored by `progress`.
-            let _ = progress(EstimateStage::Piece, done, judged.len());
-        }
-        let mut quietly = |_: usize, _: usize| ControlFlow::Continue(());
-        let mut again = |wanted: pieces::Wanted| {
-            let settings =
-                ParticleSettings { islands: PIECE_ISLANDS, ..ParticleSettings::new(beside, plan.seed) };
-            match wanted {
-                pieces::Wanted::Only(terms) => {
-                    run(ParticleSettings { terms: Selection::Only(terms), ..settings }, &mut quietly).ok()
-                }
-                pieces::Wanted::WithoutAnew(term) => {
-                    let terms = Selection::Without(vec![term]);
-                    run(ParticleSettings { terms, islands: ANEW_ISLANDS, ..settings }, &mut quietly).ok()
-                }
-                pieces::Wanted::Without(term) => {
-                    let without = sample_without(&told, &told, &posterior, term, &settings).ok()?;
-                    evaluations.fetch_add(without.diagnosis().evaluations, Ordering::Relaxed);
-                    Some(without)
-                }
-            }
-        };
-        let again: Option<&mut pieces::Again<'_>> =
-            if plan.pieces && !is_ended() && judged.len() > 1 { Some(&mut again) } else { None };
-        let there = pieces::There { posterior: &posterior, before: prior.as_ref() };
-        let mut found = pieces::found((term, model.pieces()[term]), &told, there, &places(&always), again);
-        found.reversed |= has_other_sign(&found, &observed, &told, &posterior);
-        pieces.push(found);
+    let Setup {
+        prior,
+        impacts,
+        observed,
+        unknown,
+        default_errors,
+        unused,
+        stood: assumed,
+        energies,
+        hit,
+        is_with_object,
+        reference,
+    } = setup::of(case, plan.prior)?;
+    let model = CollisionModel::of(impacts, observed.clone());
+    let told = Told::new(&model, case.axes, reference);
+    let mut runs = Runs::new(&told, model.pieces(), plan, progress);
+    let posterior = runs.answer()?;
+    let before = runs.before()?;
+    let there = There { posterior: &posterior, before: before.as_ref() };
+    let mut pieces = runs.pieces(there);
+    for found in &mut pieces {
+        found.reversed |= has_other_sign(found, &observed, &told, &posterior);
     }
-    let same_twice = pieces::same_twice(model.pieces());
+    let evaluations = runs.evaluations;
+    let is_field = prior == SeverityPrior::Field;
     let tested = match hit {
-        _ if setup.prior != SeverityPrior::Field => None,
+        _ if !is_field => None,
         Some(hit) => TestedClass::of(hit, energies, model.pieces()),
         None if is_with_object => TestedClass::of_object(energies, model.pieces()),
         None => None,
     };
-    let missed = missed(&model, &posterior);
     Ok(Estimated {
-        prior: setup.prior,
-        observed,
+        prior,
         energies,
         tested,
-        stood,
+        stood: VehicleId::ALL.map(|id| there.stood(id, assumed[id.index()], &told)),
         default_errors,
-        unknown,
-        outputs,
+        unknown: there.unknown(unknown, &told),
+        outputs: there.outputs(&told, is_field),
         pieces,
-        same_twice,
-        missed,
+        same_twice: pieces::same_twice(model.pieces()),
+        missed: missed(&model, &posterior),
         unused,
+        evaluations,
+        observed,
         posterior,
-        before: prior,
-        evaluations: evaluations.into_inner(),
+        before,
     })
+}
+
+impl There<'_> {
+    /// Whether a vehicle stood still, with the probability `assumed` (–) before; `None` if that is 0.
+    fn stood(&self, id: VehicleId, assumed: f64, told: &Told<'_>) -> Option<Stood> {
+        let stands = |run: &Posterior| {
+            let draws = told.speed(run, id)?;
+            Some(run.draws().mean(|draw| if draws[draw] == 0.0 { 1.0 } else { 0.0 }))
+        };
+        let before = self.before.and_then(stands);
+        (assumed > 0.0).then(|| Some(Stood { assumed, before, after: stands(self.posterior)? }))?
+    }
+
+    /// The results before and after the evidence. Where the prior is that of the field, also those if
+    /// somebody was seriously hurt.
+    fn outputs(&self, told: &Told<'_>, is_field: bool) -> Vec<EstimatedOutput> {
+        let Self { posterior, before } = self;
+        let injured = is_field.then(|| of_injured(told, posterior)).flatten();
+        let outputs = told.outputs().iter().zip(posterior.outputs()).enumerate();
+        let estimated = outputs.map(|(place, (output, draws))| EstimatedOutput {
+            output: *output,
+            prior: before.map(|before| before.summary(DrawnQuantity::Output(place))),
+            posterior: posterior.summary(DrawnQuantity::Output(place)),
+            if_injured: injured.as_ref().map(|weights| posterior.weighted(weights).summary(draws)),
+        });
+        estimated.collect()
+    }
+
+    /// The unknown numbers before and after the evidence.
+    fn unknown(&self, numbers: Vec<Before>, told: &Told<'_>) -> Vec<UnknownNumber> {
+        let after = |place: usize, key: &str| {
+            // The speed itself if its value also encodes whether the vehicle stood.
+            let speed = VehicleId::ALL.into_iter().find(|id| key == format!("{}.speed", table(*id)));
+            let output = speed.and_then(|id| told.speed_place(id));
+            self.posterior.summary(output.map_or(DrawnQuantity::Value(place), DrawnQuantity::Output))
+        };
+        let numbers = numbers.into_iter().enumerate();
+        let unknown = numbers.map(|(place, Before { key, unit, prior, moving, assumed })| UnknownNumber {
+            posterior: after(place, &key),
+            key,
+            unit,
+            prior: moving.unwrap_or(prior),
+            assumed,
+        });
+        unknown.collect()
+    }
 }
 
 /// The injury that somebody suffered in each collision of a population, if it was chosen for one.
@@ -461,9 +388,7 @@ fn has_other_sign(found: &PieceFound, observed: &Observed, told: &Told<'_>, post
     let Piece::RecordedDeltaV(id) = found.piece else { return false };
     let Some(part) = observed.vehicles[id.index()].recorder.longitudinal else { return false };
     let wanted = DELTA_V_LONGITUDINAL.of_vehicle(id);
-    let median = told
-        .place(wanted)
-        .map(|place| posterior.summary(::estimate::DrawnQuantity::Output(place)).median.value);
+    let median = told.place(wanted).map(|place| posterior.summary(DrawnQuantity::Output(place)).median.value);
     median.is_some_and(|median| median * part.along < 0.0)
 }
 
