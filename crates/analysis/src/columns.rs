@@ -326,7 +326,7 @@ impl VehicleColumns {
 
 /// (m) a contact point that is placed on a damage, forward and left of the centre of gravity. A refused
 /// damage shows in its energy, which is NaN.
-#[inline(never)]
+#[inline(always)]
 fn place(
     axes: Axes,
     placed: &PlacedContact<Number>,
@@ -352,6 +352,7 @@ fn place(
 }
 
 /// Adds a zone, without or with a limit of the force.
+#[inline(always)]
 fn add_moments<const LIMITED: bool>(
     zones: &ZoneColumns,
     [first, second]: [Quantity<Number>; 2],
