@@ -4,6 +4,7 @@
 use std::collections::BTreeSet;
 use std::ops::ControlFlow;
 
+use ::estimate::ParticleSettings;
 use case::CaseFile;
 use inputs::{Case, SeverityPrior};
 
@@ -459,7 +460,7 @@ fn a_least_speed_holds() {
     assert!(estimated.draws(speed(VehicleId::One)).unwrap().iter().all(|v| *v >= 20.0));
 }
 
-fn of_case(text: &str) -> setup::Setup {
+fn of_case(text: &str) -> Setup {
     setup::of(&read(text), None).unwrap()
 }
 
@@ -1057,7 +1058,7 @@ fn a_block_of_any_case_is_its_cases() {
     let mut seen = BTreeSet::new();
     for seed in 0..120 {
         let AnyCase { text, forms } = any_case(seed);
-        let Ok(setup::Setup { mut impacts, .. }) = setup::of(&read(&text), None) else { continue };
+        let Ok(Setup { mut impacts, .. }) = setup::of(&read(&text), None) else { continue };
         let blocks = impacts_of(&impacts, seed);
         assert!(impacts.block.take().is_some(), "{text}");
         assert_eq!(impacts_of(&impacts, seed), blocks, "{text}");
