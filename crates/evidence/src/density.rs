@@ -40,6 +40,22 @@ pub(crate) fn relative(observed: f64, predicted: f64, ln_sd: f64, at_zero: f64) 
     }
 }
 
+/// Log density of an error `x` about zero by Student's t with 2 degrees of freedom.
+#[inline(always)]
+pub(crate) fn student_of_two(x: f64, scale: f64) -> f64 {
+    let z = x / scale;
+    // f(z) = (1 + z²/2)^(−3/2)/(2√2)
+    -1.5 * ln(1.0 + 0.5 * z * z) - ln(2.0 * SQRT_2 * scale)
+}
+
+/// The same with 3 degrees of freedom.
+#[inline(always)]
+pub(crate) fn student_of_three(x: f64, scale: f64) -> f64 {
+    let z = x / scale;
+    // f(z) = 2 (1 + z²/3)⁻²/(π√3)
+    -2.0 * ln(1.0 + z * z / 3.0) - ln(scale * Real::sqrt(3.0) / FRAC_2_PI)
+}
+
 /// Degrees of freedom of Student's t: few, for errors that are occasionally far larger than usual.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Freedom {
@@ -54,12 +70,9 @@ impl Freedom {
     #[inline(always)]
     #[must_use]
     pub fn log_density(self, x: f64, scale: f64) -> f64 {
-        let z = x / scale;
         match self {
-            // f(z) = (1 + z²/2)^(−3/2)/(2√2)
-            Self::Two => -1.5 * ln(1.0 + 0.5 * z * z) - ln(2.0 * SQRT_2 * scale),
-            // f(z) = 2 (1 + z²/3)⁻²/(π√3)
-            Self::Three => -2.0 * ln(1.0 + z * z / 3.0) - ln(scale * Real::sqrt(3.0) / FRAC_2_PI),
+            Self::Two => student_of_two(x, scale),
+            Self::Three => student_of_three(x, scale),
         }
     }
 

@@ -4,13 +4,13 @@ use estimate::{Evidence, Hurdle, Independent, Part, Prior};
 use pim_core::{Outcome, Vector2, VehicleId};
 use real::elementary::{atan2, exp, ln, sin_cos};
 use real::{Real, principal_angle};
-use uncertainty::{Distribution, LANES, Lanes};
+use uncertainty::{Distribution, Instructions, LANES, Lanes, dispatch};
 
 use crate::collision::{
     BodyNumbers, CodedPdof, Collision, CrushErrors, CrushNumbers, EnergyError, Measured, MeasuredRest,
     MeasuredSpeed, Observed, ObservedVehicle, RecordedDeltaV, RecordedPart, VehicleNumbers,
 };
-use crate::density::{Freedom, normal, relative};
+use crate::density::{Freedom, normal, relative, student_of_three, student_of_two};
 use crate::figures::{CrushChange, CrushFigures, Mixture};
 use crate::impact::{Impacted, Impacts};
 use crate::number::{Number, Slot};
@@ -312,9 +312,13 @@ impl<I: Impacts> CollisionModel<I> {
             }
         }
         for (term, &piece) in terms.iter_mut().zip(&self.pieces) {
+            let mut errors = [Error::NONE; LANES];
+            for (error, impacted) in errors.iter_mut().zip(impacts) {
+                *error = self.error(piece, impacted);
+            }
+            dispatch!(Instructions::best(), Error::log_likelihoods(&errors, term));
             for (term, impacted) in term.iter_mut().zip(impacts) {
-                let likelihood = self.error(piece, impacted).log_likelihood();
-                *term = if impacted.is_possible { likelihood } else { f64::NEG_INFINITY };
+                *term = if impacted.is_possible { *term } else { f64::NEG_INFINITY };
             }
         }
     }
@@ -628,6 +632,39 @@ impl Error {
     #[inline(always)]
     fn student(error: f64, scale: f64, freedom: Freedom) -> Self {
         Self { freedom: Some(freedom), ..Self::normal(error, scale) }
+    }
+
+    /// The log-likelihoods of the particles of a block.
+    #[inline(always)]
+    fn log_likelihoods(errors: &[Self; LANES], into: &mut Lanes) {
+        let [first, ..] = errors;
+        let is_alike =
+            |error: &Self| (error.is_observed, error.freedom) == (first.is_observed, first.freedom);
+        if !errors.iter().all(is_alike) {
+            into.iter_mut().zip(errors).for_each(|(into, error)| *into = error.log_likelihood());
+            return;
+        }
+        // On the stack of this function, so that the compiler knows that the columns do not overlap.
+        let (mut xs, mut scales, mut potentials) = (Lanes::ZERO, Lanes::ZERO, Lanes::ZERO);
+        for lane in 0..LANES {
+            let Self { error, scale, potential, .. } = errors[lane];
+            (xs[lane], scales[lane], potentials[lane]) = (error, scale, potential);
+        }
+        // The distribution is chosen before the loop over the particles, which then goes by vectors. A macro,
+        // because a function that is passed would be called for each particle.
+        macro_rules! with {
+            ($density:ident) => {
+                for lane in 0..LANES {
+                    into[lane] = $density(xs[lane], scales[lane]) + potentials[lane];
+                }
+            };
+        }
+        match (first.is_observed, first.freedom) {
+            (false, _) => *into = potentials,
+            (true, None) => with!(normal),
+            (true, Some(Freedom::Two)) => with!(student_of_two),
+            (true, Some(Freedom::Three)) => with!(student_of_three),
+        }
     }
 
     #[inline(always)]
