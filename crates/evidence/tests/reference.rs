@@ -1,12 +1,13 @@
-//! Seven posteriors compared with another program with another sampler: `reference/reference.py`, whose
+//! Ten posteriors compared with another program with another sampler: `reference/reference.py`, whose
 //! result is `reference/reference.json`.
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
 use estimate::{DrawnQuantity, DrawsSummary, ParticleSettings, Prior, sample_quietly};
 use evidence::{
-    CodedPdof, Collision, CollisionModel, CrushMisfit, CrushNumbers, DrawnOutput, FITTED, Limits, Measured,
-    MeasuredSpeed, Number, Observed, RecordedDeltaV, RestitutionModel, Severity, Speeds,
+    Behind, BodyNumbers, CodedPdof, Collision, CollisionModel, CrushMisfit, CrushNumbers, DamagedSide,
+    DrawnOutput, FIGURES, FITTED, FigureErrors, Fitted, Limits, Measured, MeasuredSpeed, Number,
+    ObjectFigures, Observed, RecordedDeltaV, RestitutionModel, Severity, Speeds,
 };
 use pim_core::VehicleId::{One, Two};
 use serde_json::Value;
@@ -179,6 +180,81 @@ fn two_modes() -> Collision {
     collision
 }
 
+/// The figures of collisions with a fixed object, as the reference has them.
+const OBJECTS: ObjectFigures = ObjectFigures {
+    severity: Severity { median: 7.7, ln_sd: 0.83, speed: 25.0, injury: None },
+    misfit: CrushMisfit { bias: -0.770, ln_sd: 1.470 },
+    covariance: [[0.059_07, -0.008_01], [-0.008_01, 0.024_70]],
+};
+
+/// The front of a vehicle against a tree, as a case with a class stiffness poses it: any speed.
+fn tree() -> Collision {
+    let mut collision = wall();
+    collision.speeds = Speeds::Each([uniform(0.0, 70.0), 0.0.into()]);
+    collision.crush_plane = normal(PI, 5.0 * DEGREE);
+    collision.restitution = RestitutionModel::Constant(log_normal(0.1, 0.6));
+    collision.friction = log_normal(1.0, 0.4);
+    let one = &mut collision.vehicles[0];
+    one.body = Some(BodyNumbers { mass: normal(1500.0, 29.5), yaw_radius: 1.4.into() });
+    (one.heading, one.yaw_rate) = (normal(0.0, 2.0 * DEGREE), 0.0.into());
+    one.contact = [normal(1.9, 0.1), normal(-0.3, 0.1)];
+    let (slope, no_damage_speed) = (log_normal(1.0, 0.295), log_normal(1.0, 0.085));
+    let [constant, linear, square] = [5.6e3, 27e3, 38e3];
+    one.crush = Some(CrushNumbers { constant, linear, square, slope, no_damage_speed });
+    let pdof = Some(CodedPdof { pdof: 10.0 * DEGREE, scale: 6.0 * DEGREE });
+    let behind = [Behind::Misfit { bias: true, spread: true }, Behind::Nothing];
+    collision.observed = Observed {
+        severity: Some(OBJECTS.severity.of_uniform_speed()),
+        crush: Some(OBJECTS.misfit.into()),
+        figures: OBJECTS.figures(behind),
+        ..Observed::default()
+    };
+    collision.observed.vehicles[0].pdof = pdof;
+    collision
+}
+
+/// The figures of the field on which a front and a side depend, as the reference has them; there is no rear.
+fn by_figures() -> Fitted {
+    const PLACES: [usize; 6] = [0, 3, 4, 6, 7, 8];
+    const COVARIANCE: [[f64; 6]; 6] = [
+        [0.02542, -0.01025, 0.01470, -0.00791, 0.02657, 0.00534],
+        [-0.01025, 0.04747, 0.00542, -0.01145, -0.01120, -0.01208],
+        [0.01470, 0.00542, 0.02470, -0.00096, 0.01382, -0.01723],
+        [-0.00791, -0.01145, -0.00096, 0.11381, -0.01002, -0.00220],
+        [0.02657, -0.01120, 0.01382, -0.01002, 0.03742, -0.00328],
+        [0.00534, -0.01208, -0.01723, -0.00220, -0.00328, 0.07919],
+    ];
+    let mut covariance = [[0.0; FIGURES]; FIGURES];
+    for (row, k) in COVARIANCE.iter().zip(PLACES) {
+        for (entry, l) in row.iter().zip(PLACES) {
+            covariance[k][l] = *entry;
+        }
+    }
+    Fitted {
+        crush_bias: -0.521,
+        crush_ln_sd: [f64::NAN, f64::NAN, 0.336],
+        slope: [27.7, f64::NAN, 31.1],
+        no_damage_speed: [2.22, f64::NAN, 1.58],
+        errors: FigureErrors { covariance, ..FigureErrors::NONE },
+        ..FITTED
+    }
+}
+
+/// The crossing cars with the stiffness of the field, whose figures have errors, for the mean (m) and mean
+/// square (m²) of the depths.
+fn errors_of_figures(mean: f64, mean_square: f64) -> Collision {
+    let (mut collision, by) = (crossing(), by_figures());
+    let hit = [DamagedSide::Front, DamagedSide::Side];
+    for (vehicle, damage) in collision.vehicles.iter_mut().zip(hit) {
+        let (slope, no_damage_speed) = (log_normal(1.0, 0.18), log_normal(1.0, 0.38));
+        vehicle.crush =
+            Some(CrushNumbers { slope, no_damage_speed, ..by.crush_of(damage, 1.4, mean, mean_square) });
+    }
+    collision.observed.crush = Some(by.crush_misfit(&hit).into());
+    collision.observed.figures = by.crush_figures(&hit, hit.map(Behind::Stiffness));
+    collision
+}
+
 /// Value and Monte Carlo error.
 fn reference(value: &Value) -> Estimate {
     let number = |place: usize| value[place].as_f64().unwrap();
@@ -196,7 +272,7 @@ fn apart(ours: Estimate, theirs: Estimate, sd: f64) -> f64 {
 #[test]
 fn posteriors_are_those_of_another_sampler() {
     let all: Value = serde_json::from_str(include_str!("reference/reference.json")).unwrap();
-    let cases: [(&str, Collision, usize); 7] = [
+    let cases: [(&str, Collision, usize); 10] = [
         ("crush", crossing(), 15),
         ("crush and PDOF", rear_end(), 15),
         ("velocities after", fronts(), 14),
@@ -204,6 +280,9 @@ fn posteriors_are_those_of_another_sampler() {
         ("limits", limits(), 14),
         ("wall and yaw rate", wall(), 9),
         ("two modes", two_modes(), 9),
+        ("tree", tree(), 11),
+        ("errors of figures", errors_of_figures(0.2, 0.05), 15),
+        ("errors of figures, deep crush", errors_of_figures(0.5, 0.3), 15),
     ];
     assert_eq!(all.as_object().unwrap().len(), cases.len());
     let mut worst = 0.0_f64;
