@@ -94,6 +94,7 @@ export class App {
         this.solveSoon.flush();
       },
       refused: (message) => this.message(message),
+      measured: (metres, radians) => this.measured(metres, radians),
     });
 
     const lead = (key: string) => this.lead(key);
@@ -419,6 +420,17 @@ export class App {
       h("details", {}, h("summary", {}, texts.about.licences), h("pre", { tabindex: 0 }, licences.packages ?? "")),
       h("button", { type: "button", class: "quiet", onclick: () => dialog.close() }, texts.close));
     showDialog(dialog);
+  }
+
+  /** What the tape reads, with the units of the drawing and the angles of the file. */
+  private measured(metres: number, radians: number): string {
+    const unit = (this.units || this.solved?.look.units) === "us" ? "ft" : "m";
+    const length = Number.parseFloat(engine.convert(`${metres} m`, unit) ?? "");
+    const axes = readValue(this.solved?.check.values["scene.axes"]?.text ?? "");
+    const degrees = ((axes === "z-down" ? -radians : radians) * 180) / Math.PI;
+    // Neither −0.0° nor −180.0°.
+    const rounded = Number(degrees.toFixed(1)) === -180 ? "180.0" : (Number(degrees.toFixed(1)) || 0).toFixed(1);
+    return texts.tape.reading(`${length.toFixed(2)} ${unit}`, rounded.replace("-", "−"));
   }
 
   // --- the answer ---

@@ -6,22 +6,9 @@ import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { after, test } from "node:test";
 
-import { PAGE, QUICK, ROOT, caseText, close, firstResult, fixture, fromMenu, loop, measured, median, open, openCase, program, saved, slowness } from "./browser.js";
+import { PAGE, QUICK, ROOT, caseText, close, drag, firstResult, fixture, fromMenu, loop, measured, median, onPage, open, openCase, program, saved, slowness } from "./browser.js";
 
 after(close);
-
-/** A test with a page of its own, which says nothing on the console and asks nothing of a network. */
-function onPage(name, run, options = {}) {
-  test(name, async (t) => {
-    const { page, heard, context } = await open(options);
-    try {
-      await run(page, t);
-      assert.deepEqual(heard, []);
-    } finally {
-      await context.close();
-    }
-  });
-}
 
 test("the page is one file of less than 3.2 MB", (t) => {
   measured(t, "size", statSync(PAGE).size / 1000, 3200, "kB");
@@ -37,19 +24,6 @@ onPage("the paper's example: 51.16 mph, within a second of opening", async (page
   // The form follows.
   measured(t, "all of the page after", await after("deltav-ready"), 1500, "ms", slow);
 });
-
-/** Drags a handle of the scene by some pixels, in steps. */
-async function drag(page, handle, by, steps = 10) {
-  const box = await page.locator(`[data-handle="${handle}"]`).boundingBox();
-  const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
-  await page.mouse.move(x, y);
-  await page.mouse.down();
-  for (let step = 1; step <= steps; step += 1) {
-    await page.mouse.move(x + (by[0] * step) / steps, y + (by[1] * step) / steps);
-    await page.evaluate(() => new Promise(requestAnimationFrame));
-  }
-  await page.mouse.up();
-}
 
 const heading2 = async (page) => Number(/^\[vehicle2\][^[]*^heading\s*=\s*"(\S+) deg"/m.exec(await caseText(page))[1]);
 

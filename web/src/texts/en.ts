@@ -269,7 +269,8 @@ export const texts = {
     impact: "At the impact",
     rest: "To rest",
     handles: "Handles of the scene",
-    hint: "Drag a vehicle or a handle, or focus a handle and press the arrow keys (Shift for larger steps, Alt for smaller). Escape takes a drag back.",
+    stage: "Scene: plus and minus zoom, 0 shows all of it, and the arrow keys move what is seen",
+    hint: "Drag a vehicle or a handle, or focus a handle and press the arrow keys (Shift for larger steps, Alt for smaller). Escape takes a drag back. The wheel, or + and −, zoom; drag the empty ground, or use the middle button, to move what is seen.",
     body: (number: number) => `Vehicle ${number}: drag to move`,
     handle: (handle: Handle): string => {
       const of = vehicle(handle.vehicle);
@@ -285,6 +286,26 @@ export const texts = {
       };
       return names[handle.kind];
     },
+  },
+
+  lens: {
+    label: "Zoom and tape",
+    larger: "Zoom in (+)",
+    smaller: "Zoom out (−)",
+    fit: "Fit",
+    fitTitle: "Fit: show all of the scene (0)",
+    factor: (factor: number) => `${factor.toFixed(1)}×`,
+  },
+
+  tape: {
+    label: "Measuring tape",
+    button: "Tape",
+    title: "Tape: measure a length and a direction in the scene",
+    hint: "Drag from point to point: near a marked point, the tape holds to it. Arrow keys move an end (Shift for larger steps, Alt for smaller), and Enter takes it to the next marked point. Escape takes the tape away. It is no part of the case.",
+    cg: (number: number) => `CG of vehicle ${number}`,
+    contact: "Contact point",
+    end: (which: number, mark: string | null) => `${which === 0 ? "Start" : "End"} of the tape${mark === null ? "" : `: ${mark}`}`,
+    reading: (length: string, degrees: string) => `${length} at ${degrees}°`,
   },
 
   backdrop: {
