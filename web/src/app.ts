@@ -130,7 +130,7 @@ export class App {
   /** Opens the case that the page was handed over with, or an example. */
   begin(): void {
     const [first] = engine.templates();
-    if (this.live) this.banner.textContent = texts.live.banner(this.live.name, engine.version());
+    if (this.live) this.banner.textContent = texts.live.banner(this.live.name, engine.version(), this.head(engine.check(this.live.text)));
     const { name, text } = this.live ?? { name: `${first?.name ?? "case"}.toml`, text: first?.text_us ?? "" };
     this.open(name, text);
   }
@@ -150,6 +150,7 @@ export class App {
       [texts.save.report, () => void this.saveShown("html")],
       [texts.save.live, () => void this.saveLive()],
       [texts.save.print, () => void this.print()],
+      [texts.save.printView, () => window.print()],
       [texts.save.json, () => void this.saveShown("json")],
       [texts.save.csv, () => void this.saveShown("csv")],
       [texts.save.text, () => void this.saveShown("txt")],
@@ -249,7 +250,7 @@ export class App {
     });
     window.addEventListener("resize", () => (this.headline.style.minHeight = ""));
     window.addEventListener("beforeprint", () => {
-      this.printHead.textContent = texts.printHead(this.name.value, engine.version(), new Date().toLocaleString("en-GB", { dateStyle: "long", timeStyle: "short" }));
+      this.printHead.textContent = texts.printHead(this.name.value, engine.version(), new Date().toLocaleString("en-GB", { dateStyle: "long", timeStyle: "short" }), this.sinceThen());
     });
     this.fileInput.addEventListener("change", () => {
       const file = this.fileInput.files?.[0];
@@ -751,6 +752,22 @@ export class App {
     if (content !== null) download(`${this.stem}${view === "" ? "" : `-${view}`}.${kind}`, content, types[kind]);
   }
 
+  /** Who made the case, and when, as its text says. */
+  private head({ values }: engine.Check): { analyst: string; date: string } {
+    const [analyst = "", date = ""] = ["report.analyst", "report.date"].map((key) => {
+      const given = readValue(values[key]?.text ?? "");
+      return typeof given === "string" ? given : "";
+    });
+    return { analyst, date };
+  }
+
+  /** What a print says of the case beside its name: that it is not the one of the file, or not that of the report. */
+  private sinceThen(): string {
+    const { text } = this.editor;
+    if (this.live && text !== this.live.text) return texts.live.changedPrinted;
+    return text === this.saved ? "" : texts.file.unsaved;
+  }
+
   private get stem(): string {
     return this.name.value.replace(/\.toml$/, "");
   }
@@ -855,14 +872,27 @@ export class App {
     const { solved } = this;
     if (solved?.look.ok && solved.command === "avoid") {
       const file = this.avoid.file("html", solved.text, { page: emptyPage() });
-      if (file) download(`${this.stem}-live.html`, await file, "text/html");
-      else this.message(texts.save.notRun(texts.viewTabs.avoid ?? ""));
+      if (!file) {
+        this.message(texts.save.notRun(texts.viewTabs.avoid ?? ""));
+        return;
+      }
+      download(`${this.stem}-live.html`, await file, "text/html");
+      this.sayWhoseItIs(solved);
       return;
     }
     const live = solved?.weighs
       ? await this.weighed(solved, "html", emptyPage())
       : this.handover(({ text, command, units }, name, plan) => engine.live(emptyPage(), text, name, command, units, plan));
-    if (live !== null) download(`${this.stem}-live.html`, live, "text/html");
+    if (live === null || !solved) return;
+    download(`${this.stem}-live.html`, live, "text/html");
+    this.sayWhoseItIs(solved);
+  }
+
+  /** Where the case does not name who hands it over, the report cannot. */
+  private sayWhoseItIs(solved: Solved): void {
+    if (this.head(solved.check).analyst !== "") return;
+    const words = this.plan(solved).missing;
+    this.message([...(words === undefined ? [] : [texts.save.noPlan(words)]), texts.save.noAnalyst].join(" "));
   }
 
   private async print(): Promise<void> {

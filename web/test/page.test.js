@@ -822,7 +822,7 @@ onPage("a report that can be asked says at its top that it is one, and whether a
   writeFileSync(file, report.bytes);
   const live = await open({ file });
   const top = live.page.locator(".welcome");
-  assert.match(await top.innerText(), /report that can be asked: sae-980025\.toml, with deltav \d+\.\d+.*No number has been changed/s);
+  assert.match(await top.innerText(), /report that can be asked: sae-980025\.toml, with deltav \d+\.\d+\S* It does not say who handed it over\.\s+No number has been changed/s);
   assert.ok((await top.boundingBox()).y < 100);
   await live.page.locator('[data-key="vehicle2.speed"] input').first().fill("12");
   await top.getByText("has been changed since").waitFor();
@@ -832,13 +832,66 @@ onPage("a report that can be asked says at its top that it is one, and whether a
   await live.context.close();
 });
 
-onPage("a page that is printed names its file, the version and the date", async (page) => {
-  await page.evaluate(() => window.dispatchEvent(new Event("beforeprint")));
+onPage("a report that can be asked says at its top who handed it over, and a change does not change that", async (page) => {
+  await openCase(page, "named.toml", `${fixture("sae-980025.toml")}\n[report]\nanalyst = "A. <b>Meyer</b>, Dipl.-Ing."\ndate = "27 November 2026"\n`);
+  const report = await fromMenu(page, "Save a report that can be asked");
+  assert.equal(await page.locator(".state .error").count(), 0);
+  const file = join(tmpdir(), `deltav-handed-${process.pid}.html`);
+  writeFileSync(file, report.bytes);
+  const live = await open({ file });
+  const top = live.page.locator(".welcome");
+  const whose = "Handed over by A. <b>Meyer</b>, Dipl.-Ing., 27 November 2026.";
+  assert.ok((await top.innerText()).includes(whose), await top.innerText());
+  await live.page.locator('[data-key="vehicle2.speed"] input').first().fill("12");
+  await top.getByText("has been changed since").waitFor();
+  // Nor does another name in the case: it was that one who handed it over.
+  await live.page.getByRole("tab", { name: "Text", exact: true }).click();
+  await live.page.locator(".cm-content").press("Control+End");
+  await live.page.keyboard.press("Backspace");
+  await live.page.keyboard.type("\nfile_number = '7'");
+  assert.ok((await top.innerText()).includes(whose));
+  await live.page.evaluate(() => window.dispatchEvent(new Event("beforeprint")));
+  assert.match(await live.page.locator(".print-head").textContent(), / · The case has been changed since the report was handed over$/);
+  assert.deepEqual(live.heard, []);
+  await live.context.close();
+});
+
+onPage("who saves a report that can be asked hears that it names nobody, and where to write the name", async (page) => {
+  await fromMenu(page, "Save a report that can be asked");
+  await page.locator(".state .error").getByText("“Analyst” under “Report”").waitFor();
+  // What it speaks of is there.
+  await page.locator('.group[data-key="report"] > summary').click();
+  await page.locator('[data-key="report.analyst"] input').fill("A. Meyer");
+  await fromMenu(page, "Save a report that can be asked");
+  assert.equal(await page.locator(".state .error").count(), 0);
+});
+
+onPage("a page that is printed names its file, the version, the date, and that the file is another", async (page) => {
+  await page.evaluate(() => (window.print = () => window.dispatchEvent(new Event("beforeprint"))));
+  const print = async () => {
+    await page.locator(".menu > summary").click();
+    await page.getByRole("button", { name: "Print what is on the screen" }).click();
+  };
+  await print();
   await page.emulateMedia({ media: "print" });
   const head = page.locator(".print-head");
   assert.equal(await head.isVisible(), true);
-  assert.match(await head.innerText(), new RegExp(`sae-980025\\.toml · deltav \\d+\\.\\d+\\.\\d+.* · printed .*${new Date().getFullYear()}`));
+  assert.match(await head.innerText(), new RegExp(`^sae-980025\\.toml · deltav \\d+\\.\\d+\\.\\d+\\S* · printed [^·]*${new Date().getFullYear()}[^·]*$`));
   assert.equal(await page.locator(".welcome").isVisible(), false);
+  await page.emulateMedia({ media: "screen" });
+  await page.locator('[data-key="vehicle2.speed"] input').first().fill("12");
+  await print();
+  assert.match(await head.textContent(), /· The case has changes that are not saved$/);
+});
+
+onPage("what is seen larger, and the tape over it, are printed as they are seen", async (page) => {
+  await page.getByRole("button", { name: "Zoom in (+)" }).click();
+  await page.getByRole("button", { name: /^Tape/ }).press("Enter");
+  const seen = await page.locator(".stage .sheet svg").getAttribute("viewBox");
+  await page.emulateMedia({ media: "print" });
+  assert.equal(await page.locator(".stage .sheet svg").getAttribute("viewBox"), seen);
+  assert.equal(await page.locator(".tape-reading").isVisible(), true);
+  for (const control of [".lens-tools", ".tape-end"]) assert.equal(await page.locator(control).first().isVisible(), false, control);
 });
 
 onPage("the sensitivity names crush depths as the scene does", async (page) => {

@@ -23,7 +23,8 @@ export const texts = {
     ["dark", "dark"],
   ],
 
-  printHead: (name: string, version: string, date: string) => `${name} · deltav ${version} · printed ${date}`,
+  printHead: (name: string, version: string, date: string, since: string) =>
+    [name, `deltav ${version}`, `printed ${date}`, since].filter((part) => part !== "").join(" · "),
 
   welcome: {
     label: "What this is",
@@ -89,6 +90,7 @@ export const texts = {
     report: "Save the report (HTML)",
     live: "Save a report that can be asked",
     print: "Print the report",
+    printView: "Print what is on the screen",
     json: "Save the results as JSON",
     csv: "Save the results as CSV",
     text: "Save the results as text",
@@ -100,6 +102,7 @@ export const texts = {
     notRun: (title: string) => `There is nothing to save of ${title} yet: run it for the case as it is now, to its end.`,
     nothing: "The case has no answer yet, so there is nothing to save.",
     noCsv: "This answer has no table as CSV.",
+    noAnalyst: "The report is saved, but does not say at its top who hands it over: write your name in “Analyst” under “Report” in the form, and save it again.",
     noPlan: (name: string) => `The report draws the motion without ${name}: a page may not open files by itself. Lay that picture beneath the scene, and the report has it.`,
   },
 
@@ -441,9 +444,11 @@ export const texts = {
   },
 
   live: {
-    banner: (name: string, version: string) => `This is a report that can be asked: ${name}, with deltav ${version}.`,
+    banner: (name: string, version: string, { analyst, date }: { analyst: string; date: string }) =>
+      `This is a report that can be asked: ${name}, with deltav ${version}. ${analyst === "" ? "It does not say who handed it over." : `Handed over by ${analyst}${date === "" ? "" : `, ${date}`}.`}`,
     unchanged: "No number has been changed.",
     changed: "The case has been changed since it was handed over: the answer below is not that of the report.",
+    changedPrinted: "The case has been changed since the report was handed over",
     toPrinted: "Go to the report as it was printed",
     printed: "The report as it was printed",
     explain: "Below is the report as it was handed over, unchanged. Above it, change any number and see what follows.",
