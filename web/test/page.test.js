@@ -798,9 +798,49 @@ onPage("labels are words: sizes have names, and a deviation in another unit is a
   assert.equal(await category.locator("option:checked").innerText(), "3: compact");
   await category.selectOption("4");
   assert.match(await caseText(page), /stiffness = \{ category = 4 \}/);
-  // The size classes have the wheelbases of the glossary.
-  const classes = await field("vehicle1.class").locator("option").allTextContents();
-  assert.ok(classes.length === 7 && /^1: wheelbase about 2\.37 m \(93\.2 in\)$/.test(classes[1]), String(classes));
+  // The class is that whose wheelbase is nearest: 93.2, 96.4, 104.8, 113.9, 121.1 or 125.2 in (SAE 870045, Table 2), so that it changes
+  // at 94.8, 100.6, 109.35, 117.5 and 123.15 in.
+  assert.deepEqual((await field("vehicle1.class").locator("option").allTextContents()).slice(1), [
+    "1: wheelbase to 2.41 m (95 in)",
+    "2: wheelbase 2.41–2.56 m (95–101 in)",
+    "3: wheelbase 2.56–2.78 m (101–109 in)",
+    "4: wheelbase 2.78–2.98 m (109–118 in)",
+    "5: wheelbase 2.98–3.13 m (118–123 in)",
+    "6: wheelbase from 3.13 m (123 in)",
+  ]);
+  // Words have their meaning, and the file has the word.
+  await openCase(page, "sae-980025.toml", fixture("sae-980025.toml"));
+  const basis = field("reconstruct.energy_basis").locator(":scope > .control > select").first();
+  await page.locator('.group[data-key="reconstruct"] > summary').click();
+  assert.equal(await basis.locator("option:checked").innerText(), "dissipated: what stays in the structure after rebound");
+  await basis.selectOption({ label: "absorbed: what it took at maximum engagement" });
+  assert.match(await caseText(page), /^energy_basis = "absorbed"/m);
+});
+
+onPage("no word of a choice stands without its meaning", async (page) => {
+  // These say what they mean.
+  const plain = ["left", "right", "front", "rear", "front left", "front right", "rear left", "rear right", "trailer", "motorcycle", "pedestrian", "cyclist", "vehicle", "locked", "not given", "by its own fields"];
+  await page.locator(".form details").evaluateAll((all) => all.forEach((one) => (one.open = true)));
+  const options = await page.locator(".form .control > select option").evaluateAll((all) => all.map((one) => [one.value, one.textContent]));
+  assert.ok(options.length > 60, String(options.length));
+  assert.deepEqual(options.filter(([value, name]) => value === name && !plain.includes(name)), []);
+});
+
+onPage("the form asks in the order in which one knows things: vehicles, damage, places, before, after", async (page) => {
+  const keys = (within) => page.locator(`${within} > [data-key]`).evaluateAll((all) => all.map((one) => one.dataset.key.replace(/^vehicle1\./, "")));
+  assert.deepEqual(await keys(".form"), [
+    "title", "source", "vehicle1", "vehicle2", "impact", "reconstruct",
+    // What the case does not have.
+    "scene", "surface", "avoid", "estimate", "uncertainty", "report",
+  ]);
+  const vehicle = '.group[data-key="vehicle1"] > .group-body';
+  assert.deepEqual(await keys(vehicle), ["name", "weight", "yaw_inertia", "heading", "crush", "contact"]);
+  await page.locator(`${vehicle} > .more`).evaluate((more) => (more.open = true));
+  assert.deepEqual(await keys(`${vehicle} > .more > .group-body`), [
+    "kind", "fixed", "mass", "class", "wheelbase", "length", "width", "track", "cg_to_front", "cg_to_front_axle", "diameter", "yaw_radius",
+    "sideslip", "speed", "yaw_rate", "position", "velocity", "certain_speed", "before", "after", "recorder",
+  ]);
+  assert.deepEqual(await keys(`${vehicle} > [data-key="vehicle1.crush"] > .group-body`), ["crush.side", "crush.width", "crush.depths", "crush.stiffness"]);
 });
 
 onPage("the first minute: what this is, what to do first, that nothing leaves; and the ways past the form", async (page) => {

@@ -2,6 +2,11 @@
 // like this one.
 import type { Handle } from "../engine.js";
 
+interface Length {
+  metres: string;
+  inches: string;
+}
+
 const vehicle = (number: number | null): string => (number ? `vehicle ${number}` : "the scene");
 
 export const texts = {
@@ -59,6 +64,28 @@ export const texts = {
     find: "Speed to find",
     from_force_balance: "From force balance",
   } as Record<string, string>,
+
+  /** What the words mean that stand for a choice in the file, by the last part of its key. */
+  choices: {
+    axes: { "z-up": "y to the left, angles counter-clockwise (z-up)", "z-down": "y to the right, angles clockwise (z-down, SAE J670)" },
+    kind: { car: "car, van or pickup", "heavy-truck": "lorry, bus or tractor with semitrailer", trailer: "trailer", motorcycle: "motorcycle" },
+    crush: { none: "none: its damage took no energy that counts" },
+    fit: { exact: "exact: gives the energy of the test", mean: "mean: by the mean crush, some per cent too high" },
+    oblique: {
+      capped: "capped: 1 + tan²α, α at most 45° (CRASH3)",
+      uncapped: "uncapped: 1 + tan²α",
+      secant: "secant: 1/cos α (Fonda)",
+      none: "none: no correction",
+    },
+    when: { before: "before this impact", after: "after this impact" },
+    law: { brach: "Brach", woolley: "Woolley", ishikawa: "Ishikawa", "kudlich-slibar": "Kudlich and Slibar" },
+    tangential: { critical: "critical: sliding ends by separation" },
+    find: { "vehicle1.speed": "speed of vehicle 1", "vehicle2.speed": "speed of vehicle 2" },
+    energy_basis: { dissipated: "dissipated: what stays in the structure after rebound", absorbed: "absorbed: what it took at maximum engagement" },
+    prior: { field: "field: as when a vehicle is towed", "serious-injury": "serious injury: as when somebody is seriously hurt", flat: "flat: any speed alike" },
+    vehicle: { vehicle1: "vehicle 1", vehicle2: "vehicle 2" },
+    swell_form: { linear: "linear: grows evenly", half: "half: half of it throughout", "full speed": "full speed: none before it is full" },
+  } as Record<string, Record<string, string>>,
 
   station: (number: string) => `Depth C${number}`,
 
@@ -209,7 +236,11 @@ export const texts = {
     label: "Case as a form",
     broken: "The file cannot be shown as a form before its error is mended. “New case…” gives a form to fill in.",
     notPlain: (typed: string, plain: string) => [`“${typed}” is not a plain number.`, `Write ${plain}, with a decimal point and without a unit.`],
-    sizeClass: (number: string, metres: string, inches: string) => `${number}: wheelbase about ${metres} m (${inches} in)`,
+    sizeClass: (number: string, least: Length | undefined, most: Length | undefined) => {
+      if (!least) return `${number}: wheelbase to ${most?.metres} m (${most?.inches} in)`;
+      if (!most) return `${number}: wheelbase from ${least.metres} m (${least.inches} in)`;
+      return `${number}: wheelbase ${least.metres}–${most.metres} m (${least.inches}–${most.inches} in)`;
+    },
     categories: [
       ["1", "1: minicar"],
       ["2", "2: subcompact"],
@@ -219,6 +250,7 @@ export const texts = {
     ] as [string, string][],
     notGiven: "not given",
     notGivenOption: "not given",
+    byFields: "by its own fields",
     required: "(needed)",
     yes: "yes",
     no: "no",
