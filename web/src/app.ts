@@ -8,7 +8,7 @@ import { type Live, emptyPage, handedOver, printed } from "./live.js";
 import { Avoid, Compare, Drawings, Inputs, Motion, type Panel, Recorder, Results, Run, Sensitivity, warnings } from "./panels.js";
 import { type FileKind, type Finished, type Job, Runner } from "./runs.js";
 import { inForm, said, saidOfText } from "./said.js";
-import { SceneView } from "./scene.js";
+import { SceneView, type Unit } from "./scene.js";
 import { Solved } from "./solved.js";
 import { Tabs } from "./tabs.js";
 import { texts } from "./texts/en.js";
@@ -94,6 +94,7 @@ export class App {
         this.solveSoon.flush();
       },
       refused: (message) => this.message(message),
+      unit: () => this.unit(),
       measured: (metres, radians) => this.measured(metres, radians),
     });
 
@@ -423,15 +424,20 @@ export class App {
     showDialog(dialog);
   }
 
+  /** The unit of a length in the drawing. */
+  private unit(): Unit {
+    const name = (this.units || this.solved?.look.units) === "us" ? "ft" : "m";
+    return { name, metres: Number.parseFloat(engine.convert(`1 ${name}`, "m") ?? "") };
+  }
+
   /** What the tape reads, with the units of the drawing and the angles of the file. */
   private measured(metres: number, radians: number): string {
-    const unit = (this.units || this.solved?.look.units) === "us" ? "ft" : "m";
-    const length = Number.parseFloat(engine.convert(`${metres} m`, unit) ?? "");
+    const unit = this.unit();
     const axes = readValue(this.solved?.check.values["scene.axes"]?.text ?? "");
     const degrees = ((axes === "z-down" ? -radians : radians) * 180) / Math.PI;
     // Neither −0.0° nor −180.0°.
     const rounded = Number(degrees.toFixed(1)) === -180 ? "180.0" : (Number(degrees.toFixed(1)) || 0).toFixed(1);
-    return texts.tape.reading(`${length.toFixed(2)} ${unit}`, rounded.replace("-", "−"));
+    return texts.tape.reading(`${(metres / unit.metres).toFixed(2)} ${unit.name}`, rounded.replace("-", "−"));
   }
 
   // --- the answer ---

@@ -20,6 +20,17 @@ const LETTERS = 12;
 /** The same of the drawing, in its own units. */
 const DRAWN_LETTERS = 13;
 
+/** Lengths that a scale may have, in its unit. */
+const LENGTHS = [50, 20, 10, 5, 2, 1, 0.5, 0.2, 0.1];
+/** Of the width of what is seen: so long a scale is at most. */
+const LONGEST = 0.3;
+
+/** A unit of length. */
+export interface Unit {
+  name: string;
+  metres: number;
+}
+
 export interface SceneHost {
   text(): string;
   /** Another view is wanted. */
@@ -29,6 +40,7 @@ export interface SceneHost {
   write(text: string): void;
   settle(keep: boolean): void;
   refused(message: string): void;
+  unit(): Unit;
   /** A length and a direction in words: in the units of the answer, and as the case counts angles. */
   measured(metres: number, radians: number): string;
 }
@@ -54,6 +66,8 @@ export class SceneView {
   private readonly none = h("p", { class: "note", hidden: true }, words.none);
   private readonly hint = h("p", { class: "hint" }, words.hint);
   private readonly stage = h("div", { class: "stage", tabindex: 0, role: "group", "aria-label": words.stage });
+  /** The scale of a part that is seen larger: that of the drawing may lie beside it. */
+  private readonly bar = h("div", { class: "scale-bar", hidden: true });
   private readonly board = h("div", { class: "board" }, this.stage);
   readonly backdrop = new Backdrop(this.stage, () => this.surveyed(), (plan) => this.keep(plan));
   readonly element = h("div", { class: "scene" });
@@ -87,7 +101,7 @@ export class SceneView {
   private readonly move = eachFrame((to: Point) => this.moveTo(to));
 
   constructor(private readonly host: SceneHost) {
-    this.stage.append(this.sheet, this.backdrop.picture, this.overlay, this.knobs, this.tape.element);
+    this.stage.append(this.sheet, this.backdrop.picture, this.overlay, this.bar, this.knobs, this.tape.element);
     this.lens.tools.append(this.tape.button);
     this.board.append(this.lens.tools);
     const tools = h("div", { class: "scene-tools" }, this.which, this.backdrop.tools, saveButtons("scene", words.title, () => this.now?.svg ?? null));
@@ -178,11 +192,22 @@ export class SceneView {
     for (const drawing of [this.sheet.querySelector("svg"), this.overlay]) drawing?.setAttribute("viewBox", viewBox);
     const grown = (DRAWN_LETTERS * this.stage.clientWidth * factor) / width;
     this.stage.style.setProperty("--letters", String(Math.min(1, Math.max(LETTERS / grown, 1 / factor))));
+    this.showScale((scene.scale * factor) / width);
     const [x, y] = scene.survey;
     this.backdrop.place((at) => this.toShare([at[0] - x, at[1] - y]), scene.plan);
     this.placeBodies(scene);
     this.placeHandles(scene);
     this.tape.place();
+  }
+
+  /** `share` of the stage is one metre. */
+  private showScale(share: number): void {
+    const { name: unit, metres } = this.host.unit();
+    const length = LENGTHS.find((one) => one * metres * share <= LONGEST);
+    this.bar.hidden = this.lens.isWhole || length === undefined;
+    if (length === undefined) return;
+    this.bar.textContent = `${length} ${unit}`;
+    this.bar.style.width = `${length * metres * share * 100}%`;
   }
 
   /** What a tape holds to. */

@@ -801,12 +801,12 @@ onPage("labels are words: sizes have names, and a deviation in another unit is a
   // The class is that whose wheelbase is nearest: 93.2, 96.4, 104.8, 113.9, 121.1 or 125.2 in (SAE 870045, Table 2), so that it changes
   // at 94.8, 100.6, 109.35, 117.5 and 123.15 in.
   assert.deepEqual((await field("vehicle1.class").locator("option").allTextContents()).slice(1), [
-    "1: wheelbase to 2.41 m (95 in)",
-    "2: wheelbase 2.41–2.56 m (95–101 in)",
-    "3: wheelbase 2.56–2.78 m (101–109 in)",
-    "4: wheelbase 2.78–2.98 m (109–118 in)",
-    "5: wheelbase 2.98–3.13 m (118–123 in)",
-    "6: wheelbase from 3.13 m (123 in)",
+    "1: to 2.41 m (95 in) wheelbase",
+    "2: 2.41–2.56 m (95–101 in) wheelbase",
+    "3: 2.56–2.78 m (101–109 in) wheelbase",
+    "4: 2.78–2.98 m (109–118 in) wheelbase",
+    "5: 2.98–3.13 m (118–123 in) wheelbase",
+    "6: from 3.13 m (123 in) wheelbase",
   ]);
   // Words have their meaning, and the file has the word.
   await openCase(page, "sae-980025.toml", fixture("sae-980025.toml"));
@@ -946,6 +946,13 @@ onPage("on a narrow page the scene begins in the upper half once the first line 
   await page.getByRole("button", { name: "Got it" }).click();
   const { y } = await page.locator(".stage").boundingBox();
   assert.ok(y < 400, `${y} of 700`);
+}, { viewport: { width: 375, height: 700 } });
+
+onPage("on a narrow page an interval is read whole", async (page) => {
+  await openCase(page, "rear-end-rest.toml", fixture("rear-end-rest.toml"));
+  await page.locator(".result.interval").first().waitFor();
+  const { x, width } = await page.locator(".result.first .result-more").boundingBox();
+  assert.ok(x + width <= 375, `${x + width} px`);
 }, { viewport: { width: 375, height: 700 } });
 
 onPage("warnings show names and code without backticks", async (page) => {

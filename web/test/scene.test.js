@@ -84,6 +84,23 @@ for (const [size, options] of SIZES) {
   }, options);
 }
 
+onPage("a part that is seen larger has a scale of its own, in the units of the answer", async (page) => {
+  const bar = page.locator(".scale-bar");
+  assert.equal(await bar.isVisible(), false);
+  const { feet } = betweenCentres();
+  for (const [system, unit, each] of [["us", "ft", 1], ["si", "m", 1 / 0.3048]]) {
+    await page.locator("#units").selectOption(system);
+    for (let time = 0; time < 3; time += 1) {
+      await press(page, "Zoom in (+)");
+      const [, length] = new RegExp(`^(\\S+) ${unit}$`).exec(await bar.innerText());
+      const perFoot = (await apart(page)) / feet;
+      const { width } = await bar.boundingBox();
+      assert.ok(Math.abs(width - Number(length) * each * perFoot) < 1, `${length} ${unit}: ${width} px`);
+    }
+    await page.locator(".stage").press("0");
+  }
+});
+
 onPage("the empty ground is dragged, and what is seen of it follows the pointer", async (page) => {
   const text = await caseText(page);
   const box = await page.locator(".stage").boundingBox();
@@ -147,6 +164,37 @@ onPage("a handle that is not seen comes into sight with the focus", async (page)
   await page.locator(handle).evaluate((knob) => knob.focus());
   assert.equal(await isSeen(), true);
   assert.equal(await page.locator(".stage").evaluate((stage) => stage.scrollLeft + stage.scrollTop), 0);
+});
+
+onPage("what was drawn in a part is drawn anew when all of it is seen, and another view or case is seen whole", async (page) => {
+  const drawn = () => page.locator(".stage .sheet").innerHTML();
+  await openCase(page, "rear-end-rest.toml", fixture("rear-end-rest.toml"));
+  await press(page, "Zoom in (+)");
+  await press(page, /^Tape/);
+  await page.getByLabel("What is drawn").selectOption("motion");
+  assert.equal(await page.locator(".zoomed, .measuring").count(), 0);
+  const motion = await drawn();
+  await press(page, "Zoom in (+)");
+  assert.notEqual(await drawn(), motion);
+  // Farther away than what was drawn.
+  await page.getByRole("tab", { name: "Text", exact: true }).click();
+  const far = (await caseText(page)).replace(/rest( *)= \{ x = "[^"]*"/, 'rest$1= { x = "60 m"');
+  assert.notEqual(far, await caseText(page));
+  await page.locator(".cm-content").press("Control+a");
+  const before = await drawn();
+  await page.evaluate((text) => document.execCommand("insertText", false, text), far);
+  await page.waitForFunction((before) => document.querySelector(".stage .sheet").innerHTML !== before, before);
+  await press(page, "Fit: show all of the scene (0)");
+  const fitted = await drawn();
+  await page.reload();
+  await page.locator("body.ready").waitFor();
+  await openCase(page, "rear-end-rest.toml", far);
+  await page.getByLabel("What is drawn").selectOption("motion");
+  assert.equal(fitted, await drawn());
+  assert.notEqual(fitted, motion);
+  await press(page, "Zoom in (+)");
+  await openCase(page, "other.toml", fixture("sae-980025.toml"));
+  assert.equal(await page.locator(".zoomed").count(), 0);
 });
 
 onPage("two fingers zoom, also over a vehicle, and leave the case as it is", async (page) => {

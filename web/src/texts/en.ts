@@ -237,9 +237,9 @@ export const texts = {
     broken: "The file cannot be shown as a form before its error is mended. “New case…” gives a form to fill in.",
     notPlain: (typed: string, plain: string) => [`“${typed}” is not a plain number.`, `Write ${plain}, with a decimal point and without a unit.`],
     sizeClass: (number: string, least: Length | undefined, most: Length | undefined) => {
-      if (!least) return `${number}: wheelbase to ${most?.metres} m (${most?.inches} in)`;
-      if (!most) return `${number}: wheelbase from ${least.metres} m (${least.inches} in)`;
-      return `${number}: wheelbase ${least.metres}–${most.metres} m (${least.inches}–${most.inches} in)`;
+      if (!least) return `${number}: to ${most?.metres} m (${most?.inches} in) wheelbase`;
+      if (!most) return `${number}: from ${least.metres} m (${least.inches} in) wheelbase`;
+      return `${number}: ${least.metres}–${most.metres} m (${least.inches}–${most.inches} in) wheelbase`;
     },
     categories: [
       ["1", "1: minicar"],
