@@ -5,13 +5,26 @@ import { createServer } from "node:http";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { after, test } from "node:test";
+import { pathToFileURL } from "node:url";
 
-import { PAGE, QUICK, ROOT, caseText, close, drag, firstResult, fixture, fromMenu, loop, measured, median, onPage, open, openCase, program, saved, slowness } from "./browser.js";
+import { PAGE, QUICK, ROOT, browser, caseText, close, drag, firstResult, fixture, fromMenu, loop, measured, median, onPage, open, openCase, program, saved, slowness } from "./browser.js";
 
 after(close);
 
 test("the page is one file of less than 3.2 MB", (t) => {
   measured(t, "size", statSync(PAGE).size / 1000, 3200, "kB");
+});
+
+test("a browser that cannot unpack the page says so", async () => {
+  const context = await (await browser()).newContext();
+  try {
+    const page = await context.newPage();
+    await page.addInitScript(() => delete window.DecompressionStream);
+    await page.goto(pathToFileURL(PAGE).href);
+    await page.getByText("It needs a browser of 2023 or later.").waitFor();
+  } finally {
+    await context.close();
+  }
 });
 
 onPage("the paper's example: 51.16 mph, within a second of opening", async (page, t) => {
