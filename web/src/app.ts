@@ -4,7 +4,7 @@ import { Editor } from "./editor.js";
 import * as engine from "./engine.js";
 import type { Command, Problem, Units } from "./engine.js";
 import { Form } from "./form.js";
-import { type Live, emptyPage, handedOver, printed } from "./live.js";
+import { type Live, emptyPage, handedOver, isOfReport, printed } from "./live.js";
 import { Avoid, Compare, Drawings, Inputs, Motion, type Panel, Recorder, Results, Run, Sensitivity, warnings } from "./panels.js";
 import { type FileKind, type Finished, type Job, Runner } from "./runs.js";
 import { inForm, said, saidOfText } from "./said.js";
@@ -64,6 +64,8 @@ export class App {
   private readonly changedSince = h("span", { role: "status" });
   private readonly printHead = h("p", { class: "print-head" });
   private readonly live = handedOver();
+  /** The case that was handed over is not that of its report. */
+  private isForeign = false;
   private readonly fileInput = h("input", { type: "file", accept: ".toml,text/plain", hidden: true, "aria-label": texts.file.open });
 
   /** The page without a case. The engine is not needed for it, and starts meanwhile. */
@@ -132,6 +134,12 @@ export class App {
   begin(): void {
     const [first] = engine.templates();
     if (this.live) this.banner.textContent = texts.live.banner(this.live.name, engine.version(), this.head(engine.check(this.live.text)));
+    if (this.live) {
+      void isOfReport(this.live).then((is) => {
+        this.isForeign = !is;
+        this.showChanged(this.editor.text);
+      });
+    }
     const { name, text } = this.live ?? { name: `${first?.name ?? "case"}.toml`, text: first?.text_us ?? "" };
     this.open(name, text);
   }
@@ -520,7 +528,7 @@ export class App {
     const { solved } = this;
     if (!solved) return;
     const { look, problems } = solved;
-    if (this.live) this.changedSince.textContent = solved.text === this.live.text ? texts.live.unchanged : texts.live.changed;
+    this.showChanged(solved.text);
     if (!look.ok) {
       if (problems.length > 0) this.showProblems(problems);
       else this.state.replaceChildren(h("p", { class: "error" }, said(look.message)));
@@ -540,6 +548,14 @@ export class App {
       list.open = isOpen;
       this.state.replaceChildren(list);
     }
+  }
+
+  /** Of a report that was handed over: whether this is still its case. */
+  private showChanged(text: string): void {
+    if (!this.live) return;
+    const isSame = text === this.live.text;
+    this.changedSince.className = this.isForeign ? "error" : "";
+    this.changedSince.textContent = this.isForeign ? texts.live.foreign : isSame ? texts.live.unchanged : texts.live.changed;
   }
 
   private showHeadline(): void {

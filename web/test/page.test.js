@@ -272,7 +272,7 @@ onPage("what a title contains stays text", async (page) => {
   await live.context.close();
 });
 
-onPage("a report that can be asked opens with its case, and both hashes hold", async (page) => {
+onPage("a report that can be asked opens with its case, and its hashes hold", async (page) => {
   await openCase(page, "rear-end.toml", fixture("rear-end.toml"));
   // The case has ranges: the interval comes when the hand rests.
   await page.locator(".result.interval").first().waitFor();
@@ -298,19 +298,28 @@ onPage("a report that can be asked opens with its case, and both hashes hold", a
     const shown = await opened.page.frameLocator(".printed-report").locator("h1").innerText();
     await opened.page.locator(".result.interval").first().waitFor();
     const result = await firstResult(opened.page);
+    const top = await opened.page.locator(".welcome").innerText();
     assert.deepEqual(opened.heard, []);
     await opened.context.close();
-    return { verdicts, shown, result };
+    return { verdicts, shown, result, top };
   };
   const opened = await look(live.bytes);
-  assert.deepEqual(opened.verdicts, [true, true]);
+  assert.deepEqual(opened.verdicts, [true, true, true]);
+  assert.match(opened.top, /No number has been changed/);
   assert.equal(opened.result, answer);
   assert.match(opened.shown, /\w/);
   // A report of which one letter was changed is found out.
   const forged = { ...content, report_base64: Buffer.from(report.bytes.toString().replace("mph", "kph")).toString("base64") };
   assert.notEqual(forged.report_base64, content.report_base64);
-  const tampered = await look(Buffer.from(live.bytes.toString().replace(slot, (_, begin, _json, end) => begin + JSON.stringify(forged) + end)));
-  assert.deepEqual(tampered.verdicts, [false, true]);
+  const filled = (content) => Buffer.from(live.bytes.toString().replace(slot, (_, begin, _json, end) => begin + JSON.stringify(content) + end));
+  assert.deepEqual((await look(filled(forged))).verdicts, [false, true, true]);
+  // So is a case of which one number was changed in the file.
+  const other = content.text.replace("4200 lb", "3900 lb");
+  assert.notEqual(other, content.text);
+  const foreign = await look(filled({ ...content, text: other }));
+  assert.deepEqual(foreign.verdicts, [true, true, false]);
+  assert.match(foreign.top, /not the one of its report/);
+  assert.doesNotMatch(foreign.top, /No number has been changed/);
 });
 
 test("nothing leaves the page", async () => {

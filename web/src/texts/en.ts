@@ -486,6 +486,8 @@ export const texts = {
     explain: "Below is the report as it was handed over, unchanged. Above it, change any number and see what follows.",
     report: "SHA-256 of the report",
     engine: "SHA-256 of the engine",
+    case: "SHA-256 of the case, as the report prints it",
+    foreign: "The case in this page is not the one of its report: somebody has changed one of them.",
     checking: "checking…",
     holds: "holds",
     fails: "does not hold: this is not what was handed over",
