@@ -1,13 +1,15 @@
 // Makes one file of what Vite bundles: script, style and engine stand in the page, which therefore works from
-// a disk without a server. The script is allowed by its hash, and the policy forbids every connection.
+// a disk without a server. The script is packed, and a short one unpacks it; both are allowed by their hashes, and the policy forbids
+// every connection.
 import { execFileSync } from "node:child_process";
 import { createHash } from "node:crypto";
 import { existsSync, mkdirSync, readdirSync, readFileSync, renameSync, rmSync, writeFileSync } from "node:fs";
 import { dirname, join } from "node:path";
 import { fileURLToPath } from "node:url";
-import { gunzipSync } from "node:zlib";
+import { gunzipSync, gzipSync } from "node:zlib";
 
 import { gzipAsync } from "@gfx/zopfli";
+import { transformWithOxc } from "vite";
 
 const WEB = dirname(dirname(fileURLToPath(import.meta.url)));
 const ENGINE = join(WEB, "pkg", "deltav_web_bg.wasm");
@@ -91,6 +93,33 @@ export function packedText(bytes) {
   return letters.join("");
 }
 
+const packedPart = (id, bytes) => `<script type="application/octet-stream" id="${id}" data-bytes="${bytes.length}">${packedText(bytes)}</script>`;
+
+/**
+ * The script that unpacks the other one and runs it. That one is gone from the page before it runs: a report that can be asked is the page
+ * as it was loaded.
+ */
+async function loader() {
+  const source = (file) => readFileSync(join(WEB, "src", file), "utf8");
+  const { code } = await transformWithOxc(source("packed.ts"), "packed.ts", { sourcemap: false });
+  const unpack = code.replace("export function", "function").replaceAll(/^\s*\/[/*].*\n/gm, "");
+  const [, broken] = /^ {2}broken: ("[^"\n]+"),$/m.exec(source("texts/en.ts"));
+  return `
+${unpack.trim()}
+try {
+    const packed = document.getElementById("deltav-script");
+    const bytes = unpack(packed.textContent, Number(packed.dataset.bytes));
+    const script = document.createElement("script");
+    script.type = "module";
+    script.textContent = await new Response(new Blob([bytes]).stream().pipeThrough(new DecompressionStream("gzip"))).text();
+    document.head.append(script);
+    script.remove();
+} catch (error) {
+    document.body.prepend(${broken} + " " + error);
+}
+`;
+}
+
 /** A text that cannot end the element around it. */
 const inert = (text) => text.replaceAll("<", "\\u003c");
 
@@ -105,13 +134,14 @@ export function oneFile() {
       const page = files.find((file) => file.type === "asset" && file.fileName.endsWith(".html"));
       for (const name of Object.keys(bundle)) delete bundle[name];
 
-      // In a script, `</script` and `<!--` stand only within texts and regular expressions.
-      const code = `\n${script.code.trim().replaceAll(/<(?=\/script|!--)/gi, "\\x3C")}\n`;
+      const code = script.code.trim();
+      const start = await loader();
+      const allowed = [start, code].map((text) => `'sha256-${sha256(text, "base64")}'`).join(" ");
       const engine = await packedEngine();
       const policy = [
         "default-src 'none'",
         "connect-src 'none'",
-        `script-src 'sha256-${sha256(code, "base64")}' 'wasm-unsafe-eval'`,
+        `script-src ${allowed} 'wasm-unsafe-eval'`,
         "style-src 'unsafe-inline'",
         "img-src data: blob:",
         "worker-src blob:",
@@ -124,7 +154,8 @@ export function oneFile() {
         engine: `<meta name="deltav-engine" content="${sha256(gunzipSync(engine), "hex")}">`,
         data: [
           `<script type="application/json" id="deltav-licences">${inert(JSON.stringify(notices))}</script>`,
-          `<script type="application/octet-stream" id="deltav-engine" data-bytes="${engine.length}">${packedText(engine)}</script>`,
+          packedPart("deltav-engine", engine),
+          packedPart("deltav-script", gzipSync(code, { level: 9 })),
         ].join("\n"),
       };
       const html = String(page.source)
@@ -133,7 +164,7 @@ export function oneFile() {
         .replace(/<!-- (policy|engine|data) -->/g, (_, name) => parts[name])
         // The functions keep `$` in code and style as it is.
         .replace("</head>", () => `<style>${String(style.source).trim()}</style>\n</head>`)
-        .replace("</body>", () => `<script type="module">${code}</script>\n</body>`)
+        .replace("</body>", () => `<script type="module">${start}</script>\n</body>`)
         .trim();
       this.emitFile({ type: "asset", fileName: "deltav.html", source: html });
     },

@@ -4,11 +4,11 @@ import { Editor } from "./editor.js";
 import * as engine from "./engine.js";
 import type { Command, Problem, Units } from "./engine.js";
 import { Form } from "./form.js";
-import { type Live, emptyPage, handedOver, printed } from "./live.js";
+import { type Live, emptyPage, handedOver, isOfReport, printed } from "./live.js";
 import { Avoid, Compare, Drawings, Inputs, Motion, type Panel, Recorder, Results, Run, Sensitivity, warnings } from "./panels.js";
 import { type FileKind, type Finished, type Job, Runner } from "./runs.js";
 import { inForm, said, saidOfText } from "./said.js";
-import { SceneView } from "./scene.js";
+import { SceneView, type Unit } from "./scene.js";
 import { Solved } from "./solved.js";
 import { Tabs } from "./tabs.js";
 import { texts } from "./texts/en.js";
@@ -64,6 +64,8 @@ export class App {
   private readonly changedSince = h("span", { role: "status" });
   private readonly printHead = h("p", { class: "print-head" });
   private readonly live = handedOver();
+  /** The case that was handed over is not that of its report. */
+  private isForeign = false;
   private readonly fileInput = h("input", { type: "file", accept: ".toml,text/plain", hidden: true, "aria-label": texts.file.open });
 
   /** The page without a case. The engine is not needed for it, and starts meanwhile. */
@@ -94,6 +96,8 @@ export class App {
         this.solveSoon.flush();
       },
       refused: (message) => this.message(message),
+      unit: () => this.unit(),
+      measured: (metres, radians) => this.measured(metres, radians),
     });
 
     const lead = (key: string) => this.lead(key);
@@ -129,7 +133,13 @@ export class App {
   /** Opens the case that the page was handed over with, or an example. */
   begin(): void {
     const [first] = engine.templates();
-    if (this.live) this.banner.textContent = texts.live.banner(this.live.name, engine.version());
+    if (this.live) this.banner.textContent = texts.live.banner(this.live.name, engine.version(), this.head(engine.check(this.live.text)));
+    if (this.live) {
+      void isOfReport(this.live).then((is) => {
+        this.isForeign = !is;
+        this.showChanged(this.editor.text);
+      });
+    }
     const { name, text } = this.live ?? { name: `${first?.name ?? "case"}.toml`, text: first?.text_us ?? "" };
     this.open(name, text);
   }
@@ -149,6 +159,7 @@ export class App {
       [texts.save.report, () => void this.saveShown("html")],
       [texts.save.live, () => void this.saveLive()],
       [texts.save.print, () => void this.print()],
+      [texts.save.printView, () => window.print()],
       [texts.save.json, () => void this.saveShown("json")],
       [texts.save.csv, () => void this.saveShown("csv")],
       [texts.save.text, () => void this.saveShown("txt")],
@@ -248,7 +259,7 @@ export class App {
     });
     window.addEventListener("resize", () => (this.headline.style.minHeight = ""));
     window.addEventListener("beforeprint", () => {
-      this.printHead.textContent = texts.printHead(this.name.value, engine.version(), new Date().toLocaleString("en-GB", { dateStyle: "long", timeStyle: "short" }));
+      this.printHead.textContent = texts.printHead(this.name.value, engine.version(), new Date().toLocaleString("en-GB", { dateStyle: "long", timeStyle: "short" }), this.sinceThen());
     });
     this.fileInput.addEventListener("change", () => {
       const file = this.fileInput.files?.[0];
@@ -421,6 +432,22 @@ export class App {
     showDialog(dialog);
   }
 
+  /** The unit of a length in the drawing. */
+  private unit(): Unit {
+    const name = (this.units || this.solved?.look.units) === "us" ? "ft" : "m";
+    return { name, metres: Number.parseFloat(engine.convert(`1 ${name}`, "m") ?? "") };
+  }
+
+  /** What the tape reads, with the units of the drawing and the angles of the file. */
+  private measured(metres: number, radians: number): string {
+    const unit = this.unit();
+    const axes = readValue(this.solved?.check.values["scene.axes"]?.text ?? "");
+    const degrees = ((axes === "z-down" ? -radians : radians) * 180) / Math.PI;
+    // Neither −0.0° nor −180.0°.
+    const rounded = Number(degrees.toFixed(1)) === -180 ? "180.0" : (Number(degrees.toFixed(1)) || 0).toFixed(1);
+    return texts.tape.reading(`${(metres / unit.metres).toFixed(2)} ${unit.name}`, rounded.replace("-", "−"));
+  }
+
   // --- the answer ---
 
   private ask(): void {
@@ -501,7 +528,7 @@ export class App {
     const { solved } = this;
     if (!solved) return;
     const { look, problems } = solved;
-    if (this.live) this.changedSince.textContent = solved.text === this.live.text ? texts.live.unchanged : texts.live.changed;
+    this.showChanged(solved.text);
     if (!look.ok) {
       if (problems.length > 0) this.showProblems(problems);
       else this.state.replaceChildren(h("p", { class: "error" }, said(look.message)));
@@ -521,6 +548,14 @@ export class App {
       list.open = isOpen;
       this.state.replaceChildren(list);
     }
+  }
+
+  /** Of a report that was handed over: whether this is still its case. */
+  private showChanged(text: string): void {
+    if (!this.live) return;
+    const isSame = text === this.live.text;
+    this.changedSince.className = this.isForeign ? "error" : "";
+    this.changedSince.textContent = this.isForeign ? texts.live.foreign : isSame ? texts.live.unchanged : texts.live.changed;
   }
 
   private showHeadline(): void {
@@ -739,6 +774,22 @@ export class App {
     if (content !== null) download(`${this.stem}${view === "" ? "" : `-${view}`}.${kind}`, content, types[kind]);
   }
 
+  /** Who made the case, and when, as its text says. */
+  private head({ values }: engine.Check): { analyst: string; date: string } {
+    const [analyst = "", date = ""] = ["report.analyst", "report.date"].map((key) => {
+      const given = readValue(values[key]?.text ?? "");
+      return typeof given === "string" ? given : "";
+    });
+    return { analyst, date };
+  }
+
+  /** What a print says of the case beside its name: that it is not the one of the file, or not that of the report. */
+  private sinceThen(): string {
+    const { text } = this.editor;
+    if (this.live && text !== this.live.text) return texts.live.changedPrinted;
+    return text === this.saved ? "" : texts.file.unsaved;
+  }
+
   private get stem(): string {
     return this.name.value.replace(/\.toml$/, "");
   }
@@ -843,14 +894,27 @@ export class App {
     const { solved } = this;
     if (solved?.look.ok && solved.command === "avoid") {
       const file = this.avoid.file("html", solved.text, { page: emptyPage() });
-      if (file) download(`${this.stem}-live.html`, await file, "text/html");
-      else this.message(texts.save.notRun(texts.viewTabs.avoid ?? ""));
+      if (!file) {
+        this.message(texts.save.notRun(texts.viewTabs.avoid ?? ""));
+        return;
+      }
+      download(`${this.stem}-live.html`, await file, "text/html");
+      this.sayWhoseItIs(solved);
       return;
     }
     const live = solved?.weighs
       ? await this.weighed(solved, "html", emptyPage())
       : this.handover(({ text, command, units }, name, plan) => engine.live(emptyPage(), text, name, command, units, plan));
-    if (live !== null) download(`${this.stem}-live.html`, live, "text/html");
+    if (live === null || !solved) return;
+    download(`${this.stem}-live.html`, live, "text/html");
+    this.sayWhoseItIs(solved);
+  }
+
+  /** Where the case does not name who hands it over, the report cannot. */
+  private sayWhoseItIs(solved: Solved): void {
+    if (this.head(solved.check).analyst !== "") return;
+    const words = this.plan(solved).missing;
+    this.message([...(words === undefined ? [] : [texts.save.noPlan(words)]), texts.save.noAnalyst].join(" "));
   }
 
   private async print(): Promise<void> {

@@ -165,6 +165,8 @@ export interface Scene {
   /** A place of the scene is at `origin[0] + scale x`, `origin[1] − scale y` of the drawing. */
   origin: Point;
   scale: number;
+  /** Where the impulse acts. */
+  contact: Point | null;
   bodies: (Body | null)[];
   handles: Handle[];
   /** What a place of the scene is short of its place in the survey. */

@@ -376,11 +376,11 @@ function text({ id, write }: Asked): Control {
 
 function choice({ field, id, write }: Asked): Control {
   const select = h("select", { id, "aria-describedby": `${id}-error` });
-  const fill = (extra?: string) => {
+  const fill = (extra?: string, name = extra) => {
     select.replaceChildren(
       h("option", { value: "" }, words.notGivenOption),
-      ...(field.choices).map((word) => h("option", { value: word }, word)),
-      ...(extra === undefined ? [] : [h("option", { value: extra }, extra)]),
+      ...(field.choices).map((word) => h("option", { value: word }, texts.choices[field.key.replace(/^.*[.](?=[^.]+$)/, "")]?.[word] ?? word)),
+      ...(extra === undefined ? [] : [h("option", { value: extra }, name)]),
     );
   };
   fill();
@@ -393,7 +393,8 @@ function choice({ field, id, write }: Asked): Control {
     show: (raw) => {
       const value = raw === undefined ? "" : readValue(raw);
       const now = typeof value === "string" ? value : (raw ?? "");
-      if (now !== "" && !field.choices.includes(now)) fill(now);
+      // In place of a word stands a table, which has fields of its own.
+      if (now !== "" && !field.choices.includes(now)) fill(now, typeof value === "string" ? now : words.byFields);
       select.value = now;
     },
   };
@@ -409,8 +410,11 @@ function numbersOf(key: string): [string, string][] | null {
   markup(page, explained.html);
   const rows = (page.querySelector("pre")?.textContent ?? "").split("\n").map((line) => line.trim().split(/\s+/));
   const row = (name: string) => rows.find(([first]) => first === name)?.slice(1) ?? [];
-  const [inches, metres] = [row("in"), row("m")];
-  const list = row("class").map((number, place) => [number, words.sizeClass(number, metres[place] ?? "", inches[place] ?? "")] as [string, string]);
+  // A class is that with the nearest wheelbase: it reaches halfway to its neighbours.
+  const inches = row("in").map(Number);
+  const limits = inches.slice(1).map((inch, place) => (inch + (inches[place] ?? 0)) / 2);
+  const wide = limits.map((inch) => ({ inches: inch.toFixed(0), metres: Number.parseFloat(engine.convert(`${inch} in`, "m") ?? "").toFixed(2) }));
+  const list = row("class").map((number, place) => [number, words.sizeClass(number, wide[place - 1], wide[place])] as [string, string]);
   return list.length > 0 ? list : null;
 }
 

@@ -3,6 +3,31 @@ import * as engine from "./engine.js";
 import type { Field, Group } from "./engine.js";
 import { texts } from "./texts/en.js";
 
+/**
+ * The order in which one who was at the scene knows things: which vehicles, what size they have, how they were damaged,
+ * where they stood, and what was before and after. What is not named here follows, in the order of the engine.
+ */
+const ORDER: Record<string, string[]> = {
+  "": ["vehicle1", "vehicle2", "impact", "scene", "surface", "reconstruct", "avoid", "estimate", "uncertainty", "report"],
+  vehicle: [
+    "name", "kind", "fixed", "mass", "weight", "class", "wheelbase", "length", "width", "track", "cg_to_front", "cg_to_front_axle", "diameter", "yaw_inertia", "yaw_radius",
+    "crush", "heading", "contact", "position", "sideslip", "speed", "velocity", "yaw_rate", "certain_speed", "before", "after", "recorder",
+  ],
+  "vehicle.crush": ["side", "width", "depths", "spacing", "offset", "pdof", "ees", "stiffness"],
+  "vehicle.crush.stiffness": ["category"],
+  "vehicle.after": ["rest", "points", "friction", "drag"],
+};
+
+/** The entries of a table in that order. */
+function ordered<T extends { key: string }>(table: string, entries: T[]): T[] {
+  const order = ORDER[table.replace(/^vehicle[12]/, "vehicle")] ?? [];
+  const rank = ({ key }: T) => {
+    const place = order.indexOf(key.slice(key.lastIndexOf(".") + 1));
+    return place < 0 ? order.length : place;
+  };
+  return [...entries].sort((one, other) => rank(one) - rank(other));
+}
+
 let top: Group | undefined;
 const byKey = new Map<string, Group>();
 const fields = new Map<string, Field>();
@@ -13,8 +38,8 @@ function sorted(group: Group): Group {
   const tables = group.fields.filter(isTable).map((field): Group => ({ ...field, groups: [] }));
   return {
     ...group,
-    fields: group.fields.filter((field) => !isTable(field)),
-    groups: [...tables, ...group.groups].map(sorted),
+    fields: ordered(group.key, group.fields.filter((field) => !isTable(field))),
+    groups: ordered(group.key, [...tables, ...group.groups]).map(sorted),
   };
 }
 

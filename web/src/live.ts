@@ -26,9 +26,21 @@ export function handedOver(): Live | null {
 /** This page with an empty slot, as the file `deltav.html` has it. */
 export const emptyPage = (): string => `<!DOCTYPE html>\n${page.replace(SLOT, "$1null$2")}`;
 
-/** The report as it was printed, and whether both hashes hold. */
+const reportOf = (live: Live): Uint8Array<ArrayBuffer> => engine.bytesOf(live.report_base64);
+
+/** The SHA-256 of the case, as its report prints it; not every report does. */
+const caseHash = (live: Live): string | undefined => /SHA-256 of the case file(?:<[^>]*>|\s)*([0-9a-f]{64})/.exec(new TextDecoder().decode(reportOf(live)))?.[1];
+
+/** Whether the case in the page is the one of its report, as far as that says it. */
+export async function isOfReport(live: Live): Promise<boolean> {
+  const hash = caseHash(live);
+  return hash === undefined || hash === (await engine.sha256(new TextEncoder().encode(live.text)));
+}
+
+/** The report as it was printed, and whether the hashes hold. */
 export function printed(live: Live): HTMLElement {
-  const bytes = engine.bytesOf(live.report_base64);
+  const bytes = reportOf(live);
+  const ofCase = caseHash(live);
   const frame = h("iframe", {
     class: "printed-report",
     title: words.printed,
@@ -49,6 +61,7 @@ export function printed(live: Live): HTMLElement {
     h("p", { class: "note" }, words.explain),
     h("dl", { class: "hashes" },
       ...verdict(words.report, live.report_sha256, engine.sha256(bytes).then((hash) => hash === live.report_sha256)),
-      ...verdict(words.engine, live.engine_sha256, engine.engineHash().then((hash) => hash === live.engine_sha256))),
+      ...verdict(words.engine, live.engine_sha256, engine.engineHash().then((hash) => hash === live.engine_sha256)),
+      ...(ofCase === undefined ? [] : verdict(words.case, ofCase, isOfReport(live)))),
     frame);
 }

@@ -4,7 +4,9 @@ import { eachFrame, h, markup, s } from "./dom.js";
 import * as engine from "./engine.js";
 import type { Handle, Plan, Point, Scene, View, Viewport } from "./engine.js";
 import { Backdrop } from "./backdrop.js";
+import { Lens } from "./lens.js";
 import { saveButtons } from "./pictures.js";
+import { type Mark, Tape } from "./tape.js";
 import { texts } from "./texts/en.js";
 
 const words = texts.scene;
@@ -12,6 +14,22 @@ const words = texts.scene;
 /** The step of an arrow key: metres, and radians for what turns. */
 const STEP = 0.05;
 const TURN = Math.PI / 180;
+
+/** (px) letters of a part that is seen larger grow to this height, and no further. */
+const LETTERS = 12;
+/** The same of the drawing, in its own units. */
+const DRAWN_LETTERS = 13;
+
+/** Lengths that a scale may have, in its unit. */
+const LENGTHS = [50, 20, 10, 5, 2, 1, 0.5, 0.2, 0.1];
+/** Of the width of what is seen: so long a scale is at most. */
+const LONGEST = 0.3;
+
+/** A unit of length. */
+export interface Unit {
+  name: string;
+  metres: number;
+}
 
 export interface SceneHost {
   text(): string;
@@ -22,6 +40,9 @@ export interface SceneHost {
   write(text: string): void;
   settle(keep: boolean): void;
   refused(message: string): void;
+  unit(): Unit;
+  /** A length and a direction in words: in the units of the answer, and as the case counts angles. */
+  measured(metres: number, radians: number): string;
 }
 
 const name = (handle: Handle): string => `${handle.kind}-${handle.vehicle ?? 0}-${handle.index ?? 0}`;
@@ -44,7 +65,10 @@ export class SceneView {
   private readonly knobs = h("div", { class: "knobs", role: "group", "aria-label": words.handles });
   private readonly none = h("p", { class: "note", hidden: true }, words.none);
   private readonly hint = h("p", { class: "hint" }, words.hint);
-  private readonly stage = h("div", { class: "stage" });
+  private readonly stage = h("div", { class: "stage", tabindex: 0, role: "group", "aria-label": words.stage });
+  /** The scale of a part that is seen larger: that of the drawing may lie beside it. */
+  private readonly bar = h("div", { class: "scale-bar", hidden: true });
+  private readonly board = h("div", { class: "board" }, this.stage);
   readonly backdrop = new Backdrop(this.stage, () => this.surveyed(), (plan) => this.keep(plan));
   readonly element = h("div", { class: "scene" });
   private readonly buttons = new Map<string, HTMLButtonElement>();
@@ -55,22 +79,47 @@ export class SceneView {
   private readonly which = h("select", { "aria-label": words.which, onchange: () => this.choose(this.which.value as View) },
     h("option", { value: "scene" }, words.impact), h("option", { value: "motion" }, words.rest));
   private held: Viewport | null = null;
+  private readonly tape = new Tape(this.stage, {
+    marks: () => this.marks(),
+    toScene: (event) => this.toScene(event),
+    toStage: (at) => this.toShare(at),
+    show: (at) => this.lens.show(this.inDrawing(at)),
+    measure: ([x, y], [toX, toY]) => this.host.measured(Math.hypot(toX - x, toY - y), Math.atan2(toY - y, toX - x)),
+    toggled: () => (this.hint.textContent = this.tape.isOn ? texts.tape.hint : words.hint),
+  });
+  private readonly lens = new Lens(this.stage, {
+    changed: () => this.looked(),
+    busy: () => this.busy || this.tape.busy,
+    pinched: () => {
+      this.released(false);
+      this.tape.giveUp();
+    },
+  });
+  /** The scene was drawn while a part of it was seen, and keeps its place for that. */
+  private isFramed = false;
   private dragging: Drag | null = null;
   private readonly move = eachFrame((to: Point) => this.moveTo(to));
 
   constructor(private readonly host: SceneHost) {
-    this.stage.append(this.sheet, this.backdrop.picture, this.overlay, this.knobs);
+    this.stage.append(this.sheet, this.backdrop.picture, this.overlay, this.bar, this.knobs, this.tape.element);
+    this.lens.tools.append(this.tape.button);
+    this.board.append(this.lens.tools);
     const tools = h("div", { class: "scene-tools" }, this.which, this.backdrop.tools, saveButtons("scene", words.title, () => this.now?.svg ?? null));
-    this.element.append(this.none, this.stage, tools, this.hint);
+    this.element.append(this.none, this.board, tools, this.hint);
     this.stage.addEventListener("pointermove", (event) => this.pointerMoved(event));
     for (const type of ["pointerup", "pointercancel"] as const) {
       this.stage.addEventListener(type, (event) => this.released(event.type === "pointerup"));
     }
     document.addEventListener("keydown", (event) => {
-      if (event.key !== "Escape" || !this.dragging) return;
+      if (event.key !== "Escape" || event.defaultPrevented) return;
+      // Where Escape means something else, it does not mean the tape.
+      const isHere = !(event.target as HTMLElement).closest("dialog, details[open], input, select, textarea, .cm-editor");
+      if (this.dragging) this.released(false);
+      else if (this.tape.isOn && isHere) this.tape.off();
+      else return;
       event.preventDefault();
-      this.released(false);
     });
+    this.knobs.addEventListener("focusin", (event) => !this.dragging && this.showHandle((event.target as HTMLElement).dataset.handle ?? ""));
   }
 
   /** Ends a drag that goes on, before something else changes the text; false where there is none. */
@@ -83,7 +132,10 @@ export class SceneView {
   /** Another case: nothing of the one before stays. */
   reset(): void {
     this.end(false);
+    this.tape.off();
+    this.isFramed = false;
     this.now = null;
+    this.lens.reset();
     this.sheet.replaceChildren();
     for (const element of [...this.buttons.values(), ...this.bodies.values()]) element.remove();
     this.buttons.clear();
@@ -96,38 +148,97 @@ export class SceneView {
 
   /** Of the two plan views the one that was chosen, and what of it holds still. */
   get wanted(): { what: View; viewport: Viewport | null } {
-    return { what: this.what, viewport: this.held };
+    return { what: this.what, viewport: this.held ?? (this.lens.isWhole ? null : (this.now?.viewport ?? null)) };
   }
 
   /** Shows the scene of the text as it is now; what cannot be drawn leaves the last picture, dimmed. */
   update(scene: Scene | null): void {
     this.stage.classList.toggle("stale", scene === null);
     this.none.hidden = scene !== null || this.now !== null;
-    this.stage.hidden = !this.none.hidden;
-    this.hint.hidden = this.stage.hidden;
+    this.board.hidden = !this.none.hidden;
+    this.hint.hidden = this.board.hidden;
     if (!scene) return;
+    const isOther = this.now !== null && this.now.what !== scene.what;
+    this.isFramed = !this.lens.isWhole;
     this.now = scene;
+    // The other plan view is seen whole, and has places of its own.
+    if (isOther) {
+      this.tape.off();
+      this.lens.reset();
+    }
     this.which.value = scene.what;
     markup(this.sheet, scene.svg);
     const drawing = this.sheet.querySelector("svg");
     const [, , width = 1, height = 1] = (drawing?.getAttribute("viewBox") ?? "0 0 1 1").split(" ").map(Number);
     this.box = { width, height };
-    this.overlay.setAttribute("viewBox", `0 0 ${width} ${height}`);
     this.stage.style.aspectRatio = `${width} / ${height}`;
-    this.stage.style.setProperty("--aspect", String(width / height));
+    this.board.style.setProperty("--aspect", String(width / height));
+    this.place(scene);
+  }
+
+  /** Another part is seen. */
+  private looked(): void {
+    if (!this.now) return;
+    if (this.lens.isWhole && this.isFramed) {
+      this.isFramed = false;
+      this.host.draw();
+    } else this.place(this.now);
+  }
+
+  /** Puts the drawing, and all that lies over it, where it is seen. */
+  private place(scene: Scene): void {
+    const { width, height } = this.box;
+    const { viewBox, factor } = this.lens.box(width, height);
+    for (const drawing of [this.sheet.querySelector("svg"), this.overlay]) drawing?.setAttribute("viewBox", viewBox);
+    const grown = (DRAWN_LETTERS * this.stage.clientWidth * factor) / width;
+    this.stage.style.setProperty("--letters", String(Math.min(1, Math.max(LETTERS / grown, 1 / factor))));
+    this.showScale((scene.scale * factor) / width);
     const [x, y] = scene.survey;
     this.backdrop.place((at) => this.toShare([at[0] - x, at[1] - y]), scene.plan);
     this.placeBodies(scene);
     this.placeHandles(scene);
+    this.tape.place();
+  }
+
+  /** `share` of the stage is one metre. */
+  private showScale(share: number): void {
+    const { name: unit, metres } = this.host.unit();
+    const length = LENGTHS.find((one) => one * metres * share <= LONGEST);
+    this.bar.hidden = this.lens.isWhole || length === undefined;
+    if (length === undefined) return;
+    this.bar.textContent = `${length} ${unit}`;
+    this.bar.style.width = `${length * metres * share * 100}%`;
+  }
+
+  /** What a tape holds to. */
+  private marks(): Mark[] {
+    const { contact, bodies = [], handles = [] } = this.now ?? {};
+    return [
+      ...bodies.flatMap((body) => (body ? [{ name: texts.tape.cg(body.vehicle), at: body.centre }] : [])),
+      ...(contact ? [{ name: texts.tape.contact, at: contact }] : []),
+      ...handles.filter(({ kind }) => ["rest", "point", "station"].includes(kind)).map((handle) => ({ name: words.handle(handle), at: handle.at })),
+    ];
+  }
+
+  private showHandle(id: string): void {
+    const handle = this.now?.handles.find((one) => name(one) === id);
+    if (handle) this.lens.show(this.inDrawing(handle.at));
   }
 
   private choose(what: View): void {
     this.what = what;
+    this.isFramed = false;
+    this.lens.reset();
     this.host.draw();
   }
 
+  /** Scene metres to the share of what is seen. */
+  private toShare(at: Point): Point {
+    return this.lens.toStage(this.inDrawing(at));
+  }
+
   /** Scene metres to the share of the drawing's width and height. */
-  private toShare([x, y]: Point): Point {
+  private inDrawing([x, y]: Point): Point {
     const { origin, scale } = this.now as Scene;
     return [(origin[0] + scale * x) / this.box.width, (origin[1] - scale * y) / this.box.height];
   }
@@ -149,9 +260,8 @@ export class SceneView {
   private toScene(event: PointerEvent): Point {
     const { origin, scale } = this.now as Scene;
     const place = this.stage.getBoundingClientRect();
-    const x = ((event.clientX - place.left) / place.width) * this.box.width;
-    const y = ((event.clientY - place.top) / place.height) * this.box.height;
-    return [(x - origin[0]) / scale, (origin[1] - y) / scale];
+    const [x, y] = this.lens.toDrawing([(event.clientX - place.left) / place.width, (event.clientY - place.top) / place.height]);
+    return [(x * this.box.width - origin[0]) / scale, (origin[1] - y * this.box.height) / scale];
   }
 
   private placeBodies(scene: Scene): void {
@@ -169,7 +279,7 @@ export class SceneView {
         this.overlay.append(grip);
       }
       const corners = body.outline.map((at) => {
-        const [x, y] = this.toShare(at);
+        const [x, y] = this.inDrawing(at);
         return `${x * this.box.width},${y * this.box.height}`;
       });
       polygon.setAttribute("points", corners.join(" "));
@@ -214,10 +324,10 @@ export class SceneView {
   private grasp(event: PointerEvent, handle: Handle, element: HTMLElement | SVGElement): void {
     if (event.button !== 0 || !this.now) return;
     event.preventDefault();
-    if (element instanceof HTMLElement) element.focus({ preventScroll: true });
     const [x, y] = this.toScene(event);
     const offset: Point = [handle.at[0] - x, handle.at[1] - y];
     this.dragging = { text: this.host.text(), handle, offset, moved: false, pointer: event.pointerId, element };
+    if (element instanceof HTMLElement) element.focus({ preventScroll: true });
     this.held = this.now.viewport;
     element.setPointerCapture(event.pointerId);
     this.stage.classList.add("dragging");
@@ -275,6 +385,7 @@ export class SceneView {
     this.held = this.now.viewport;
     this.host.write(dragged.text);
     this.held = null;
+    this.showHandle(id);
   }
 
   private stepped(handle: Handle, [right, up]: Point, factor: number): Point {

@@ -22,18 +22,23 @@ const TABS = ["Scene", "Results", "Drawings", "Motion", "Uncertainty", "Sensitiv
 for (const [name, options] of [
   ["light", { colorScheme: "light" }],
   ["dark", { colorScheme: "dark" }],
+  ["375 px", { viewport: { width: 375, height: 700 } }],
   ["320 px", { viewport: { width: 320, height: 640 } }],
 ]) {
   test(`axe finds nothing: ${name}`, async () => {
     const { page, heard, context } = await open({ ...options, bypassCSP: true });
     try {
-      const isNarrow = options.viewport?.width === 320;
+      const isNarrow = options.viewport !== undefined;
       for (const tab of QUICK ? TABS.slice(0, 2) : TABS) {
         await page.getByRole("tab", { name: tab, exact: true }).click();
         assert.deepEqual(await violations(page), [], tab);
         const wide = await page.evaluate(() => document.documentElement.scrollWidth - document.documentElement.clientWidth);
         assert.equal(wide, 0, `${tab} is wider than the page`);
       }
+      await page.getByRole("tab", { name: "Scene", exact: true }).click();
+      await page.getByRole("button", { name: /^Zoom in/ }).click();
+      await page.getByRole("button", { name: /^Tape/ }).press("Enter");
+      assert.deepEqual(await violations(page), [], "zoom and tape");
       if (isNarrow) await page.getByRole("button", { name: "Case", exact: true }).click();
       await page.locator(".field .ask").first().click();
       assert.deepEqual(await violations(page), [], "form");

@@ -4,6 +4,7 @@ import { execFileSync } from "node:child_process";
 import { existsSync, mkdtempSync, readFileSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { dirname, join } from "node:path";
+import { test } from "node:test";
 import { fileURLToPath, pathToFileURL } from "node:url";
 
 import { chromium } from "playwright-core";
@@ -71,6 +72,32 @@ export async function open({ file = PAGE, ...options } = {}) {
   await page.goto(pathToFileURL(file).href);
   await page.locator("body.ready").waitFor();
   return { page, heard, context };
+}
+
+/** A test with a page of its own, which says nothing on the console and asks nothing of a network. */
+export function onPage(name, run, options = {}) {
+  test(name, async (t) => {
+    const { page, heard, context } = await open(options);
+    try {
+      await run(page, t);
+      assert.deepEqual(heard, []);
+    } finally {
+      await context.close();
+    }
+  });
+}
+
+/** Drags a handle of the scene by some pixels, in steps. */
+export async function drag(page, handle, by, steps = 10) {
+  const box = await page.locator(`[data-handle="${handle}"]`).boundingBox();
+  const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
+  await page.mouse.move(x, y);
+  await page.mouse.down();
+  for (let step = 1; step <= steps; step += 1) {
+    await page.mouse.move(x + (by[0] * step) / steps, y + (by[1] * step) / steps);
+    await page.evaluate(() => new Promise(requestAnimationFrame));
+  }
+  await page.mouse.up();
 }
 
 /** The whole text of the case, as the page saves it. */

@@ -5,26 +5,26 @@ import { createServer } from "node:http";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { after, test } from "node:test";
+import { pathToFileURL } from "node:url";
 
-import { PAGE, QUICK, ROOT, caseText, close, firstResult, fixture, fromMenu, loop, measured, median, open, openCase, program, saved, slowness } from "./browser.js";
+import { PAGE, QUICK, ROOT, browser, caseText, close, drag, firstResult, fixture, fromMenu, loop, measured, median, onPage, open, openCase, program, saved, slowness } from "./browser.js";
 
 after(close);
 
-/** A test with a page of its own, which says nothing on the console and asks nothing of a network. */
-function onPage(name, run, options = {}) {
-  test(name, async (t) => {
-    const { page, heard, context } = await open(options);
-    try {
-      await run(page, t);
-      assert.deepEqual(heard, []);
-    } finally {
-      await context.close();
-    }
-  });
-}
-
 test("the page is one file of less than 3.2 MB", (t) => {
   measured(t, "size", statSync(PAGE).size / 1000, 3200, "kB");
+});
+
+test("a browser that cannot unpack the page says so", async () => {
+  const context = await (await browser()).newContext();
+  try {
+    const page = await context.newPage();
+    await page.addInitScript(() => delete window.DecompressionStream);
+    await page.goto(pathToFileURL(PAGE).href);
+    await page.getByText("It needs a browser of 2023 or later.").waitFor();
+  } finally {
+    await context.close();
+  }
 });
 
 onPage("the paper's example: 51.16 mph, within a second of opening", async (page, t) => {
@@ -37,19 +37,6 @@ onPage("the paper's example: 51.16 mph, within a second of opening", async (page
   // The form follows.
   measured(t, "all of the page after", await after("deltav-ready"), 1500, "ms", slow);
 });
-
-/** Drags a handle of the scene by some pixels, in steps. */
-async function drag(page, handle, by, steps = 10) {
-  const box = await page.locator(`[data-handle="${handle}"]`).boundingBox();
-  const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
-  await page.mouse.move(x, y);
-  await page.mouse.down();
-  for (let step = 1; step <= steps; step += 1) {
-    await page.mouse.move(x + (by[0] * step) / steps, y + (by[1] * step) / steps);
-    await page.evaluate(() => new Promise(requestAnimationFrame));
-  }
-  await page.mouse.up();
-}
 
 const heading2 = async (page) => Number(/^\[vehicle2\][^[]*^heading\s*=\s*"(\S+) deg"/m.exec(await caseText(page))[1]);
 
@@ -285,7 +272,7 @@ onPage("what a title contains stays text", async (page) => {
   await live.context.close();
 });
 
-onPage("a report that can be asked opens with its case, and both hashes hold", async (page) => {
+onPage("a report that can be asked opens with its case, and its hashes hold", async (page) => {
   await openCase(page, "rear-end.toml", fixture("rear-end.toml"));
   // The case has ranges: the interval comes when the hand rests.
   await page.locator(".result.interval").first().waitFor();
@@ -311,19 +298,28 @@ onPage("a report that can be asked opens with its case, and both hashes hold", a
     const shown = await opened.page.frameLocator(".printed-report").locator("h1").innerText();
     await opened.page.locator(".result.interval").first().waitFor();
     const result = await firstResult(opened.page);
+    const top = await opened.page.locator(".welcome").innerText();
     assert.deepEqual(opened.heard, []);
     await opened.context.close();
-    return { verdicts, shown, result };
+    return { verdicts, shown, result, top };
   };
   const opened = await look(live.bytes);
-  assert.deepEqual(opened.verdicts, [true, true]);
+  assert.deepEqual(opened.verdicts, [true, true, true]);
+  assert.match(opened.top, /No number has been changed/);
   assert.equal(opened.result, answer);
   assert.match(opened.shown, /\w/);
   // A report of which one letter was changed is found out.
   const forged = { ...content, report_base64: Buffer.from(report.bytes.toString().replace("mph", "kph")).toString("base64") };
   assert.notEqual(forged.report_base64, content.report_base64);
-  const tampered = await look(Buffer.from(live.bytes.toString().replace(slot, (_, begin, _json, end) => begin + JSON.stringify(forged) + end)));
-  assert.deepEqual(tampered.verdicts, [false, true]);
+  const filled = (content) => Buffer.from(live.bytes.toString().replace(slot, (_, begin, _json, end) => begin + JSON.stringify(content) + end));
+  assert.deepEqual((await look(filled(forged))).verdicts, [false, true, true]);
+  // So is a case of which one number was changed in the file.
+  const other = content.text.replace("4200 lb", "3900 lb");
+  assert.notEqual(other, content.text);
+  const foreign = await look(filled({ ...content, text: other }));
+  assert.deepEqual(foreign.verdicts, [true, true, false]);
+  assert.match(foreign.top, /not the one of its report/);
+  assert.doesNotMatch(foreign.top, /No number has been changed/);
 });
 
 test("nothing leaves the page", async () => {
@@ -824,9 +820,49 @@ onPage("labels are words: sizes have names, and a deviation in another unit is a
   assert.equal(await category.locator("option:checked").innerText(), "3: compact");
   await category.selectOption("4");
   assert.match(await caseText(page), /stiffness = \{ category = 4 \}/);
-  // The size classes have the wheelbases of the glossary.
-  const classes = await field("vehicle1.class").locator("option").allTextContents();
-  assert.ok(classes.length === 7 && /^1: wheelbase about 2\.37 m \(93\.2 in\)$/.test(classes[1]), String(classes));
+  // The class is that whose wheelbase is nearest: 93.2, 96.4, 104.8, 113.9, 121.1 or 125.2 in (SAE 870045, Table 2), so that it changes
+  // at 94.8, 100.6, 109.35, 117.5 and 123.15 in.
+  assert.deepEqual((await field("vehicle1.class").locator("option").allTextContents()).slice(1), [
+    "1: to 2.41 m (95 in) wheelbase",
+    "2: 2.41–2.56 m (95–101 in) wheelbase",
+    "3: 2.56–2.78 m (101–109 in) wheelbase",
+    "4: 2.78–2.98 m (109–118 in) wheelbase",
+    "5: 2.98–3.13 m (118–123 in) wheelbase",
+    "6: from 3.13 m (123 in) wheelbase",
+  ]);
+  // Words have their meaning, and the file has the word.
+  await openCase(page, "sae-980025.toml", fixture("sae-980025.toml"));
+  const basis = field("reconstruct.energy_basis").locator(":scope > .control > select").first();
+  await page.locator('.group[data-key="reconstruct"] > summary').click();
+  assert.equal(await basis.locator("option:checked").innerText(), "dissipated: what stays in the structure after rebound");
+  await basis.selectOption({ label: "absorbed: what it took at maximum engagement" });
+  assert.match(await caseText(page), /^energy_basis = "absorbed"/m);
+});
+
+onPage("no word of a choice stands without its meaning", async (page) => {
+  // These say what they mean.
+  const plain = ["left", "right", "front", "rear", "front left", "front right", "rear left", "rear right", "trailer", "motorcycle", "pedestrian", "cyclist", "vehicle", "locked", "not given", "by its own fields"];
+  await page.locator(".form details").evaluateAll((all) => all.forEach((one) => (one.open = true)));
+  const options = await page.locator(".form .control > select option").evaluateAll((all) => all.map((one) => [one.value, one.textContent]));
+  assert.ok(options.length > 60, String(options.length));
+  assert.deepEqual(options.filter(([value, name]) => value === name && !plain.includes(name)), []);
+});
+
+onPage("the form asks in the order in which one knows things: vehicles, damage, places, before, after", async (page) => {
+  const keys = (within) => page.locator(`${within} > [data-key]`).evaluateAll((all) => all.map((one) => one.dataset.key.replace(/^vehicle1\./, "")));
+  assert.deepEqual(await keys(".form"), [
+    "title", "source", "vehicle1", "vehicle2", "impact", "reconstruct",
+    // What the case does not have.
+    "scene", "surface", "avoid", "estimate", "uncertainty", "report",
+  ]);
+  const vehicle = '.group[data-key="vehicle1"] > .group-body';
+  assert.deepEqual(await keys(vehicle), ["name", "weight", "yaw_inertia", "heading", "crush", "contact"]);
+  await page.locator(`${vehicle} > .more`).evaluate((more) => (more.open = true));
+  assert.deepEqual(await keys(`${vehicle} > .more > .group-body`), [
+    "kind", "fixed", "mass", "class", "wheelbase", "length", "width", "track", "cg_to_front", "cg_to_front_axle", "diameter", "yaw_radius",
+    "sideslip", "speed", "yaw_rate", "position", "velocity", "certain_speed", "before", "after", "recorder",
+  ]);
+  assert.deepEqual(await keys(`${vehicle} > [data-key="vehicle1.crush"] > .group-body`), ["crush.side", "crush.width", "crush.depths", "crush.stiffness"]);
 });
 
 onPage("the first minute: what this is, what to do first, that nothing leaves; and the ways past the form", async (page) => {
@@ -848,7 +884,7 @@ onPage("a report that can be asked says at its top that it is one, and whether a
   writeFileSync(file, report.bytes);
   const live = await open({ file });
   const top = live.page.locator(".welcome");
-  assert.match(await top.innerText(), /report that can be asked: sae-980025\.toml, with deltav \d+\.\d+.*No number has been changed/s);
+  assert.match(await top.innerText(), /report that can be asked: sae-980025\.toml, with deltav \d+\.\d+\S* It does not say who handed it over\.\s+No number has been changed/s);
   assert.ok((await top.boundingBox()).y < 100);
   await live.page.locator('[data-key="vehicle2.speed"] input').first().fill("12");
   await top.getByText("has been changed since").waitFor();
@@ -858,13 +894,66 @@ onPage("a report that can be asked says at its top that it is one, and whether a
   await live.context.close();
 });
 
-onPage("a page that is printed names its file, the version and the date", async (page) => {
-  await page.evaluate(() => window.dispatchEvent(new Event("beforeprint")));
+onPage("a report that can be asked says at its top who handed it over, and a change does not change that", async (page) => {
+  await openCase(page, "named.toml", `${fixture("sae-980025.toml")}\n[report]\nanalyst = "A. <b>Meyer</b>, Dipl.-Ing."\ndate = "27 November 2026"\n`);
+  const report = await fromMenu(page, "Save a report that can be asked");
+  assert.equal(await page.locator(".state .error").count(), 0);
+  const file = join(tmpdir(), `deltav-handed-${process.pid}.html`);
+  writeFileSync(file, report.bytes);
+  const live = await open({ file });
+  const top = live.page.locator(".welcome");
+  const whose = "Handed over by A. <b>Meyer</b>, Dipl.-Ing., 27 November 2026.";
+  assert.ok((await top.innerText()).includes(whose), await top.innerText());
+  await live.page.locator('[data-key="vehicle2.speed"] input').first().fill("12");
+  await top.getByText("has been changed since").waitFor();
+  // Nor does another name in the case: it was that one who handed it over.
+  await live.page.getByRole("tab", { name: "Text", exact: true }).click();
+  await live.page.locator(".cm-content").press("Control+End");
+  await live.page.keyboard.press("Backspace");
+  await live.page.keyboard.type("\nfile_number = '7'");
+  assert.ok((await top.innerText()).includes(whose));
+  await live.page.evaluate(() => window.dispatchEvent(new Event("beforeprint")));
+  assert.match(await live.page.locator(".print-head").textContent(), / · The case has been changed since the report was handed over$/);
+  assert.deepEqual(live.heard, []);
+  await live.context.close();
+});
+
+onPage("who saves a report that can be asked hears that it names nobody, and where to write the name", async (page) => {
+  await fromMenu(page, "Save a report that can be asked");
+  await page.locator(".state .error").getByText("“Analyst” under “Report”").waitFor();
+  // What it speaks of is there.
+  await page.locator('.group[data-key="report"] > summary').click();
+  await page.locator('[data-key="report.analyst"] input').fill("A. Meyer");
+  await fromMenu(page, "Save a report that can be asked");
+  assert.equal(await page.locator(".state .error").count(), 0);
+});
+
+onPage("a page that is printed names its file, the version, the date, and that the file is another", async (page) => {
+  await page.evaluate(() => (window.print = () => window.dispatchEvent(new Event("beforeprint"))));
+  const print = async () => {
+    await page.locator(".menu > summary").click();
+    await page.getByRole("button", { name: "Print what is on the screen" }).click();
+  };
+  await print();
   await page.emulateMedia({ media: "print" });
   const head = page.locator(".print-head");
   assert.equal(await head.isVisible(), true);
-  assert.match(await head.innerText(), new RegExp(`sae-980025\\.toml · deltav \\d+\\.\\d+\\.\\d+.* · printed .*${new Date().getFullYear()}`));
+  assert.match(await head.innerText(), new RegExp(`^sae-980025\\.toml · deltav \\d+\\.\\d+\\.\\d+\\S* · printed [^·]*${new Date().getFullYear()}[^·]*$`));
   assert.equal(await page.locator(".welcome").isVisible(), false);
+  await page.emulateMedia({ media: "screen" });
+  await page.locator('[data-key="vehicle2.speed"] input').first().fill("12");
+  await print();
+  assert.match(await head.textContent(), /· The case has changes that are not saved$/);
+});
+
+onPage("what is seen larger, and the tape over it, are printed as they are seen", async (page) => {
+  await page.getByRole("button", { name: "Zoom in (+)" }).click();
+  await page.getByRole("button", { name: /^Tape/ }).press("Enter");
+  const seen = await page.locator(".stage .sheet svg").getAttribute("viewBox");
+  await page.emulateMedia({ media: "print" });
+  assert.equal(await page.locator(".stage .sheet svg").getAttribute("viewBox"), seen);
+  assert.equal(await page.locator(".tape-reading").isVisible(), true);
+  for (const control of [".lens-tools", ".tape-end"]) assert.equal(await page.locator(control).first().isVisible(), false, control);
 });
 
 onPage("the sensitivity names crush depths as the scene does", async (page) => {
@@ -879,6 +968,13 @@ onPage("on a narrow page the scene begins in the upper half once the first line 
   await page.getByRole("button", { name: "Got it" }).click();
   const { y } = await page.locator(".stage").boundingBox();
   assert.ok(y < 400, `${y} of 700`);
+}, { viewport: { width: 375, height: 700 } });
+
+onPage("on a narrow page an interval is read whole", async (page) => {
+  await openCase(page, "rear-end-rest.toml", fixture("rear-end-rest.toml"));
+  await page.locator(".result.interval").first().waitFor();
+  const { x, width } = await page.locator(".result.first .result-more").boundingBox();
+  assert.ok(x + width <= 375, `${x + width} px`);
 }, { viewport: { width: 375, height: 700 } });
 
 onPage("warnings show names and code without backticks", async (page) => {

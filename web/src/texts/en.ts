@@ -2,6 +2,11 @@
 // like this one.
 import type { Handle } from "../engine.js";
 
+interface Length {
+  metres: string;
+  inches: string;
+}
+
 const vehicle = (number: number | null): string => (number ? `vehicle ${number}` : "the scene");
 
 export const texts = {
@@ -23,7 +28,8 @@ export const texts = {
     ["dark", "dark"],
   ],
 
-  printHead: (name: string, version: string, date: string) => `${name} · deltav ${version} · printed ${date}`,
+  printHead: (name: string, version: string, date: string, since: string) =>
+    [name, `deltav ${version}`, `printed ${date}`, since].filter((part) => part !== "").join(" · "),
 
   welcome: {
     label: "What this is",
@@ -59,6 +65,28 @@ export const texts = {
     from_force_balance: "From force balance",
   } as Record<string, string>,
 
+  /** What the words mean that stand for a choice in the file, by the last part of its key. */
+  choices: {
+    axes: { "z-up": "y to the left, angles counter-clockwise (z-up)", "z-down": "y to the right, angles clockwise (z-down, SAE J670)" },
+    kind: { car: "car, van or pickup", "heavy-truck": "lorry, bus or tractor with semitrailer", trailer: "trailer", motorcycle: "motorcycle" },
+    crush: { none: "none: its damage took no energy that counts" },
+    fit: { exact: "exact: gives the energy of the test", mean: "mean: by the mean crush, some per cent too high" },
+    oblique: {
+      capped: "capped: 1 + tan²α, α at most 45° (CRASH3)",
+      uncapped: "uncapped: 1 + tan²α",
+      secant: "secant: 1/cos α (Fonda)",
+      none: "none: no correction",
+    },
+    when: { before: "before this impact", after: "after this impact" },
+    law: { brach: "Brach", woolley: "Woolley", ishikawa: "Ishikawa", "kudlich-slibar": "Kudlich and Slibar" },
+    tangential: { critical: "critical: sliding ends by separation" },
+    find: { "vehicle1.speed": "speed of vehicle 1", "vehicle2.speed": "speed of vehicle 2" },
+    energy_basis: { dissipated: "dissipated: what stays in the structure after rebound", absorbed: "absorbed: what it took at maximum engagement" },
+    prior: { field: "field: as when a vehicle is towed", "serious-injury": "serious injury: as when somebody is seriously hurt", flat: "flat: any speed alike" },
+    vehicle: { vehicle1: "vehicle 1", vehicle2: "vehicle 2" },
+    swell_form: { linear: "linear: grows evenly", half: "half: half of it throughout", "full speed": "full speed: none before it is full" },
+  } as Record<string, Record<string, string>>,
+
   station: (number: string) => `Depth C${number}`,
 
   file: {
@@ -89,6 +117,7 @@ export const texts = {
     report: "Save the report (HTML)",
     live: "Save a report that can be asked",
     print: "Print the report",
+    printView: "Print what is on the screen",
     json: "Save the results as JSON",
     csv: "Save the results as CSV",
     text: "Save the results as text",
@@ -100,6 +129,7 @@ export const texts = {
     notRun: (title: string) => `There is nothing to save of ${title} yet: run it for the case as it is now, to its end.`,
     nothing: "The case has no answer yet, so there is nothing to save.",
     noCsv: "This answer has no table as CSV.",
+    noAnalyst: "The report is saved, but does not say at its top who hands it over: write your name in “Analyst” under “Report” in the form, and save it again.",
     noPlan: (name: string) => `The report draws the motion without ${name}: a page may not open files by itself. Lay that picture beneath the scene, and the report has it.`,
   },
 
@@ -206,7 +236,11 @@ export const texts = {
     label: "Case as a form",
     broken: "The file cannot be shown as a form before its error is mended. “New case…” gives a form to fill in.",
     notPlain: (typed: string, plain: string) => [`“${typed}” is not a plain number.`, `Write ${plain}, with a decimal point and without a unit.`],
-    sizeClass: (number: string, metres: string, inches: string) => `${number}: wheelbase about ${metres} m (${inches} in)`,
+    sizeClass: (number: string, least: Length | undefined, most: Length | undefined) => {
+      if (!least) return `${number}: to ${most?.metres} m (${most?.inches} in) wheelbase`;
+      if (!most) return `${number}: from ${least.metres} m (${least.inches} in) wheelbase`;
+      return `${number}: ${least.metres}–${most.metres} m (${least.inches}–${most.inches} in) wheelbase`;
+    },
     categories: [
       ["1", "1: minicar"],
       ["2", "2: subcompact"],
@@ -216,6 +250,7 @@ export const texts = {
     ] as [string, string][],
     notGiven: "not given",
     notGivenOption: "not given",
+    byFields: "by its own fields",
     required: "(needed)",
     yes: "yes",
     no: "no",
@@ -269,7 +304,8 @@ export const texts = {
     impact: "At the impact",
     rest: "To rest",
     handles: "Handles of the scene",
-    hint: "Drag a vehicle or a handle, or focus a handle and press the arrow keys (Shift for larger steps, Alt for smaller). Escape takes a drag back.",
+    stage: "Scene: plus and minus zoom, 0 shows all of it, and the arrow keys move what is seen",
+    hint: "Drag a vehicle or a handle, or focus a handle and press the arrow keys (Shift for larger steps, Alt for smaller). Escape takes a drag back. The wheel, or + and −, zoom; drag the empty ground, or use the middle button, to move what is seen.",
     body: (number: number) => `Vehicle ${number}: drag to move`,
     handle: (handle: Handle): string => {
       const of = vehicle(handle.vehicle);
@@ -285,6 +321,26 @@ export const texts = {
       };
       return names[handle.kind];
     },
+  },
+
+  lens: {
+    label: "Zoom and tape",
+    larger: "Zoom in (+)",
+    smaller: "Zoom out (−)",
+    fit: "Fit",
+    fitTitle: "Fit: show all of the scene (0)",
+    factor: (factor: number) => `${factor.toFixed(1)}×`,
+  },
+
+  tape: {
+    label: "Measuring tape",
+    button: "Tape",
+    title: "Tape: measure a length and a direction in the scene",
+    hint: "Drag from point to point: near a marked point, the tape holds to it. Arrow keys move an end (Shift for larger steps, Alt for smaller), and Enter takes it to the next marked point. Escape takes the tape away. It is no part of the case.",
+    cg: (number: number) => `CG of vehicle ${number}`,
+    contact: "Contact point",
+    end: (which: number, mark: string | null) => `${which === 0 ? "Start" : "End"} of the tape${mark === null ? "" : `: ${mark}`}`,
+    reading: (length: string, degrees: string) => `${length} at ${degrees}°`,
   },
 
   backdrop: {
@@ -420,14 +476,18 @@ export const texts = {
   },
 
   live: {
-    banner: (name: string, version: string) => `This is a report that can be asked: ${name}, with deltav ${version}.`,
+    banner: (name: string, version: string, { analyst, date }: { analyst: string; date: string }) =>
+      `This is a report that can be asked: ${name}, with deltav ${version}. ${analyst === "" ? "It does not say who handed it over." : `Handed over by ${analyst}${date === "" ? "" : `, ${date}`}.`}`,
     unchanged: "No number has been changed.",
     changed: "The case has been changed since it was handed over: the answer below is not that of the report.",
+    changedPrinted: "The case has been changed since the report was handed over",
     toPrinted: "Go to the report as it was printed",
     printed: "The report as it was printed",
     explain: "Below is the report as it was handed over, unchanged. Above it, change any number and see what follows.",
     report: "SHA-256 of the report",
     engine: "SHA-256 of the engine",
+    case: "SHA-256 of the case, as the report prints it",
+    foreign: "The case in this page is not the one of its report: somebody has changed one of them.",
     checking: "checking…",
     holds: "holds",
     fails: "does not hold: this is not what was handed over",
