@@ -1047,7 +1047,7 @@ pub(crate) struct ValidateArguments {
     pub(crate) objects: bool,
 
     /// Judge speeds before the impact by recorders in FILE (CSV)
-    #[arg(long, value_name = "FILE", conflicts_with_all = ["field", "plots"])]
+    #[arg(long, value_name = "FILE", conflicts_with_all = ["field", "plots", "objects", "other", "judge"])]
     pub(crate) recorders: Option<PathBuf>,
 
     /// Give the recorder of one vehicle, and judge the other vehicle
@@ -1055,7 +1055,7 @@ pub(crate) struct ValidateArguments {
     pub(crate) other: bool,
 
     /// Severity before the evidence, field or serious-injury
-    #[arg(long, value_parser = one_of(priors_of_field()), requires = "field", conflicts_with = "judge", hide_possible_values = true)]
+    #[arg(long, value_parser = one_of(priors_of_field()), requires = "real crashes", conflicts_with = "judge", hide_possible_values = true)]
     pub(crate) prior: Option<SeverityPrior>,
 
     /// Judge another program instead: its ΔV (km/h) in the columns COLUMN_1 and COLUMN_2 of PATH, and the

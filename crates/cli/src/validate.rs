@@ -78,7 +78,7 @@ fn validate_recorders(path: &Path, arguments: &ValidateArguments) -> Result<()> 
         seed: arguments.seed,
         other: true,
         crush: field::KnownCrush::Both,
-        injury: None,
+        injury: arguments.prior.and_then(analysis::injury),
     };
     let mut progress = Progress::new()?;
     let judged = pool(arguments.threads)?.install(|| {

@@ -63,3 +63,19 @@ fn what_is_no_column_is_refused() {
     let output = judge(&["--judge", "DVTOTAL", "--other"]);
     assert_eq!(output.status.code(), Some(2));
 }
+
+/// An option of one kind of table that another one does not know would be left out in silence.
+#[test]
+fn what_a_kind_of_table_has_no_use_for_is_refused() {
+    for option in [&["--other"][..], &["--objects"], &["--judge", "DVTOTAL"]] {
+        let program = env!("CARGO_BIN_EXE_deltav");
+        let output = Command::new(program)
+            .args(["validate", "--recorders", "none.csv"])
+            .args(option)
+            .output()
+            .unwrap();
+        let message = String::from_utf8(output.stderr).unwrap();
+        assert_eq!(output.status.code(), Some(2), "{message}");
+        assert!(message.contains("cannot be used with") && message.contains(option[0]), "{message}");
+    }
+}

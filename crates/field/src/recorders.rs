@@ -123,6 +123,8 @@ pub struct Recorders {
     pub rows: usize,
     /// Number of rows that were finished before the run was ended.
     pub finished: usize,
+    /// Whether the crashes were taken as chosen for an injury.
+    pub injured: bool,
     /// The speed of each vehicle by all evidence but its recorder.
     pub speeds: Vec<JudgedRecord>,
     /// Their figures.
@@ -307,6 +309,7 @@ pub fn judge_recorders(
     let mut found = Recorders {
         rows: rows.len(),
         finished: rows.len(),
+        injured: options.injury.is_some(),
         speeds: Vec::new(),
         other_speed: SpeedFigures::default(),
         delta_vs: Vec::new(),
@@ -316,6 +319,7 @@ pub fn judge_recorders(
         doubted: Vec::new(),
     };
     let mut halves: [Vec<f64>; 4] = Default::default();
+    let fitted = &fitted.of_injured(options.injury);
     for (done, row) in rows.iter().enumerate() {
         if progress(done, rows.len()).is_break() {
             found.finished = done;

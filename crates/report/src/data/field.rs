@@ -192,6 +192,11 @@ impl<'a> VehicleBlock<'a> {
     }
 }
 
+/// The word of the severity before the evidence.
+pub(super) fn prior(injured: bool) -> &'static str {
+    if injured { SeverityPrior::SeriousInjury } else { SeverityPrior::Field }.name()
+}
+
 /// The judgement as JSON: `groups` and `winsmash`, all, by kind of collision and of one event, each with `n`,
 /// `bias`, `rms`, `coverage`, `width95` and `crps` (m/s), the records that are left out, and every vehicle;
 /// `program` and `data`, with the SHA-256 of what was judged.
@@ -202,7 +207,7 @@ pub fn field_json(field: &Field, data: &FieldData<'_>) -> Result<String, serde_j
     let document = Document {
         other: field.other,
         objects: field.objects,
-        prior: if field.injured { SeverityPrior::SeriousInjury } else { SeverityPrior::Field }.name(),
+        prior: prior(field.injured),
         pairs: field.pairs,
         finished: field.finished,
         groups: field.groups.iter().map(|group| (group.name, FiguresBlock::of(&group.ours))).collect(),

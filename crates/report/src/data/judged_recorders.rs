@@ -5,6 +5,7 @@ use std::collections::BTreeMap;
 use field::{DeltaVFigures, DoubtedRecord, JudgedDeltaV, JudgedRecord, LEVELS, Recorders, SpeedFigures};
 use serde::Serialize;
 
+use super::field::prior;
 use super::pretty;
 
 /// (–) km/h in one m/s.
@@ -14,6 +15,7 @@ const KMH: f64 = 3.6;
 struct Document<'a> {
     rows: usize,
     finished: usize,
+    prior: &'static str,
     other_speed: SpeedBlock,
     delta_v_from_speeds: DeltaVBlock,
     delta_v_by_estimate: DeltaVBlock,
@@ -155,6 +157,7 @@ pub fn judged_recorders_json(recorders: &Recorders) -> Result<String, serde_json
     pretty(&Document {
         rows: recorders.rows,
         finished: recorders.finished,
+        prior: prior(recorders.injured),
         other_speed: SpeedBlock::of(&recorders.other_speed),
         delta_v_from_speeds: delta_v(recorders.delta_v_from_speeds),
         delta_v_by_estimate: delta_v(recorders.delta_v_by_estimate),

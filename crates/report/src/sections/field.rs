@@ -9,6 +9,10 @@ use crate::data::field::{FieldData, FieldYear};
 use crate::document::{Column, Document, NONE, Table, Width};
 use crate::units::number;
 
+/// That the crashes were chosen for an injury.
+pub(super) const CHOSEN: &str = "The crashes are taken to have been chosen because somebody in either vehicle was seriously hurt (MAIS 3 or more). \
+     Before the evidence, they are severer than those after which a vehicle was towed.";
+
 /// Intervals of ΔV, estimated without the recorder, against what it stored.
 #[must_use]
 pub fn field(field: &Field, data: &FieldData<'_>) -> Document {
@@ -42,10 +46,7 @@ pub fn field(field: &Field, data: &FieldData<'_>) -> Document {
         ));
     }
     if field.injured {
-        document.paragraph(
-            "The crashes are taken to have been chosen because somebody in either vehicle was seriously hurt (MAIS 3 or \
-             more). Before the evidence, they are severer than those after which a vehicle was towed.",
-        );
+        document.paragraph(CHOSEN);
     }
     if field.finished < field.pairs {
         document.paragraph(format!(

@@ -2,6 +2,7 @@
 
 use field::Recorders;
 
+use super::field::CHOSEN;
 use crate::data::judged_recorders::doubt;
 use crate::document::{Block, Column, Document, NONE, Table, Width};
 use crate::units::number;
@@ -22,6 +23,9 @@ pub fn judged_recorders(recorders: &Recorders, file: &str) -> Document {
         recorders.finished,
         speeds.n / 2
     ));
+    if recorders.injured {
+        document.paragraph(CHOSEN);
+    }
     let kmh = |speed: Option<f64>| speed.map_or(NONE.to_owned(), |speed| number(3.6 * speed, 1));
     if let Some([half, eighty, most]) = speeds.coverage {
         let columns = vec![
