@@ -84,7 +84,7 @@ enum Part {
     Wheel,
     /// The source distribution for Python
     Sdist,
-    /// The book
+    /// The book, with a copy of the page that links into it
     Book,
     /// The packages of the crates
     Packages,
@@ -195,7 +195,14 @@ fn build(part: Part, place: &Place) -> Result<Vec<String>> {
         Part::Book => {
             let folder = place.target.join("book/html");
             book::build(&place.root, Some(&folder))?;
+            let page = place.out.join("deltav.html");
+            if page.exists() {
+                book::add_page(&folder, &page)?;
+            }
             archive::tar(place, &folder, &format!("deltav-{}-book", place.version))?;
+            if !page.exists() {
+                return Ok(vec![format!("the page in the book: {} is not there", page.display())]);
+            }
         }
         Part::Packages => packages(place)?,
         Part::Bill => {
