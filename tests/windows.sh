@@ -9,7 +9,9 @@ wine=$(command -v wine64 || command -v wine || { ls /usr/lib/wine/wine64 2>/dev/
 [[ -n $wine ]] || { echo "Wine is not installed: Debian has it as wine64" >&2; exit 2; }
 work=$(mktemp -d)
 export WINEPREFIX=$work/wine WINEDEBUG=-all WINEDLLOVERRIDES="mscoree,mshtml=;bcryptprimitives=n,b" DELTAV_PROGRESS=off LC_ALL=C.UTF-8
-trap 'WINEPREFIX=$work/wine wineserver -k 2>/dev/null || true; rm -rf "$work"' EXIT
+# Wine's server outlives the programs, and writes into the folder as it ends.
+server=$(command -v wineserver64 || command -v wineserver || ls /usr/lib/wine/wineserver64 2>/dev/null || echo true)
+trap '"$server" -k || true; "$server" -w || true; rm -rf "$work"' EXIT
 timeout 300 "$wine" wineboot --init >/dev/null 2>&1 || true
 
 # Rust's library takes random numbers for its hash maps from a library that Windows has and Wine has from version 8.9 on.
