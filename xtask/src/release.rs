@@ -24,6 +24,7 @@ use crate::tools::{cargo, is_installed, output, run, say, target_folder};
   cargo run -p xtask -- release --dry-run
   cargo run -p xtask -- release --dry-run --skip page,wheel
   cargo run -p xtask -- release --dry-run --only program --target x86_64-pc-windows-gnu
+  cargo run -p xtask -- release --dry-run --only program --target aarch64-unknown-linux-musl
   cargo run -p xtask -- release --publish-order
 
 A part whose tools are missing is left out, and a sentence at the end says so. A part that was named by --only
