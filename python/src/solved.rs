@@ -175,8 +175,8 @@ fn columns(py: Python<'_>, solved: &Arc<Solved>) -> PyResult<Columns> {
 /// What a case answers.
 ///
 /// Its attributes are the keys of the JSON document of the program, in SI units and radians:
-/// ``result.found.value``, ``result.vehicle1.delta_v``; ``pydeltav.results`` has the types and units of all. A
-/// key that is no name is read as of a dict: ``result.outputs["vehicle1.speed"].interval95``.
+/// ``result.found.value``, ``result.vehicle1.delta_v``; ``pydeltav.results`` has the types and units of all.
+/// A key that is no name is read as of a dict: ``result.outputs["vehicle1.speed"].interval95``.
 /// ``result.program.version`` and ``result.case.sha256`` say what it takes to get it again.
 ///
 /// Examples

@@ -28,8 +28,8 @@ const PAGE: &str = "deltav.html";
 
 /// Puts the page beside the chapters, and tells it so: it then links to them.
 ///
-/// The page is one file that may lie anywhere, and its policy lets it look for nothing: that it lies here has to
-/// be told.
+/// The page is one file that may lie anywhere, and its policy lets it look for nothing: that it lies here has
+/// to be told.
 pub(crate) fn add_page(folder: &Path, page: &Path) -> Result<()> {
     let text = fs::read_to_string(page).with_context(|| format!("cannot read {}", page.display()))?;
     let told = text.replacen(HEAD, &format!("{HEAD}<meta name=\"deltav-book\">"), 1);

@@ -17,8 +17,8 @@ pub(super) struct Found {
     pub(super) dead: Vec<String>,
 }
 
-/// Reads all pages below a folder, and follows their links within it, and those of `others`, pages that are not
-/// read. Links to other sites are not followed.
+/// Reads all pages below a folder, and follows their links within it, and those of `others`, pages that are
+/// not read. Links to other sites are not followed.
 pub(super) fn check(folder: &Path, others: &[(PathBuf, Vec<String>)]) -> Result<Found> {
     let mut pages = BTreeMap::new();
     read(folder, &mut pages)?;

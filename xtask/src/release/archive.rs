@@ -75,8 +75,9 @@ pub(super) fn program(place: &Place) -> Result<Vec<String>> {
     Ok(left_out)
 }
 
-/// What builds a static program for another processor than that of this machine: the linker of Rust, as nothing
-/// of the system is linked, and the C compiler of Debian's gcc-aarch64-linux-gnu for what is written in C.
+/// What builds a static program for another processor than that of this machine: the linker of Rust, as
+/// nothing of the system is linked, and the C compiler of Debian's gcc-aarch64-linux-gnu for what is written
+/// in C.
 fn for_another_processor(triple: &str) -> Vec<(String, &'static str)> {
     let Some(processor) = triple.strip_suffix("-unknown-linux-musl") else { return Vec::new() };
     if processor == env::consts::ARCH || processor != "aarch64" {
