@@ -7,16 +7,16 @@ import ast
 import inspect
 from pathlib import Path
 
-import deltav
+import pydeltav
 
 FOLDER = Path(__file__).parent
 PAGE = FOLDER / "REFERENCE.md"
-STUB = FOLDER / "python/deltav/_deltav.pyi"
+STUB = FOLDER / "python/pydeltav/_pydeltav.pyi"
 
 HEAD = """# Python reference
 
-The classes and functions of the package `deltav`, as `help()` shows them. What results hold, attribute by attribute, is in
-`deltav.results`; [the package's page](README.md) shows how all of it is used.
+The classes and functions of the package `pydeltav`, as `help()` shows them. What results hold, attribute by attribute, is in
+`pydeltav.results`; [the package's page](README.md) shows how all of it is used.
 """
 
 Definition = ast.FunctionDef | ast.AsyncFunctionDef
@@ -78,9 +78,9 @@ def page() -> str:
     parts = [HEAD]
     for definition in stub.body:
         name = getattr(definition, "name", "_")
-        if name.startswith("_") or name not in deltav.__all__:
+        if name.startswith("_") or name not in pydeltav.__all__:
             continue
-        thing = getattr(deltav, name)
+        thing = getattr(pydeltav, name)
         if isinstance(definition, ast.ClassDef):
             parts += entry(2, f"class `{name}`", thing)
             for member in members(definition):

@@ -14,7 +14,7 @@ import random
 import sys
 from typing import Any
 
-import deltav
+import pydeltav
 
 # (√N, √N/m) d0 and d1 of front, rear and side, of a car in the middle of the fleet.
 STIFFNESS = {"F": (80.3, 876.0), "B": (80.3, 658.0), "L": (48.1, 1113.0)}
@@ -68,7 +68,7 @@ def _impact(kind: tuple[Any, ...], masses: list[float], chance: random.Random) -
             "speed": f"{speeds[vehicle]} m/s",
             "contact": {"x": f"{places[vehicle][0]} m", "y": f"{places[vehicle][1]} m"},
         }
-    return deltav.Case.from_dict(case).impact(), [along, speeds]
+    return pydeltav.Case.from_dict(case).impact(), [along, speeds]
 
 
 def _add(tables: dict[str, list[dict[str, Any]]], crash: int, kind: tuple[Any, ...], chance: random.Random) -> None:

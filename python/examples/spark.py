@@ -4,7 +4,7 @@ On this machine, with a process for each core:
 
     python spark.py crashes.parquet results --template template.toml --samples 1000
 
-On a cluster, whose workers all see the two paths and have the package ``deltav``:
+On a cluster, whose workers all see the two paths and have the package ``pydeltav``:
 
     spark-submit --master spark://HOST:7077 spark.py crashes.parquet results --template template.toml
 
@@ -22,7 +22,7 @@ import time
 from collections.abc import Iterator
 from typing import Any
 
-import deltav
+import pydeltav
 import pyarrow as pa
 from pyspark.errors import AnalysisException
 from pyspark.sql import DataFrame, SparkSession
@@ -49,7 +49,7 @@ def number_of_tasks(rows: int, rows_of_task: int, cores: int) -> int:
 
 def results_of(batch: pa.RecordBatch, names: list[str], job: str, options: dict[str, Any]) -> pa.Table:
     """The results of some rows, beside the columns that are carried over."""
-    table = getattr(deltav, f"{job}_table")
+    table = getattr(pydeltav, f"{job}_table")
     return pa.table(table(batch.rename_columns(names), **options))
 
 

@@ -11,7 +11,7 @@ import statistics
 import time
 from collections.abc import Callable
 
-import deltav
+import pydeltav
 import pyarrow as pa
 import pyarrow.parquet as pq
 
@@ -28,7 +28,7 @@ COLUMNS = [
     ),
 ]
 GOLDEN = 0.6180339887498949
-EXAMPLE = deltav.Case.example().text
+EXAMPLE = pydeltav.Case.example().text
 # Speed, width of the crush and restitution are ranges.
 UNCERTAIN = (
     EXAMPLE.replace('= "10 mph"', '= { value = "10 mph", sd = "1 mph" }')
@@ -58,7 +58,7 @@ def seconds(work: Callable[[], object]) -> tuple[float, float]:
 
 def loop(table: pa.Table) -> pa.Table:
     """What ``reconstruct_table`` does, as a loop over ``Case``."""
-    numbers, rows = deltav.Case.example().to_dict(), []
+    numbers, rows = pydeltav.Case.example().to_dict(), []
     for row in table.to_pylist():
         numbers["vehicle1"]["weight"] = f"{row['vehicle1.weight [lb]']} lb"
         numbers["vehicle2"]["weight"] = f"{row['vehicle2.weight [lb]']} lb"
@@ -67,7 +67,7 @@ def loop(table: pa.Table) -> pa.Table:
         for vehicle in ("vehicle1", "vehicle2"):
             depths = (row[f"{vehicle}.crush.depths[{station}] [in]"] for station in range(1, 7))
             numbers[vehicle]["crush"]["depths"] = " ".join(map(str, depths)) + " in"
-        found = deltav.Case.from_dict(numbers).reconstruct().to_dict()
+        found = pydeltav.Case.from_dict(numbers).reconstruct().to_dict()
         rows.append({"id": row["id"], **{name: found[name] for name in ("found", "vehicle1", "vehicle2", "impact")}})
     return pa.Table.from_pylist(rows)
 
@@ -86,16 +86,16 @@ def main() -> None:
         pq.write_table(table, given.write / "crashes.parquet")
         (given.write / "template.toml").write_text(UNCERTAIN, encoding="utf-8")
         return
-    case, few = deltav.Case.example(), table.slice(0, max(given.rows // 50, 1))
+    case, few = pydeltav.Case.example(), table.slice(0, max(given.rows // 50, 1))
     calls = max(given.rows // 10, 1)
 
     def solve(rows: pa.Table, template: str, threads: int, samples: int | None = None) -> Callable[[], object]:
-        return lambda: deltav.reconstruct_table(rows, template=template, samples=samples, threads=threads)
+        return lambda: pydeltav.reconstruct_table(rows, template=template, samples=samples, threads=threads)
 
     # What is done, of how many rows or calls.
     works: list[tuple[str, int, Callable[[], object]]] = [
         ("a call of case.reconstruct()", calls, lambda: [case.reconstruct() for _ in range(calls)]),
-        ("Case.parse(text).reconstruct()", calls, lambda: [deltav.Case.parse(EXAMPLE).reconstruct() for _ in range(calls)]),
+        ("Case.parse(text).reconstruct()", calls, lambda: [pydeltav.Case.parse(EXAMPLE).reconstruct() for _ in range(calls)]),
         ("a loop over Case", calls, lambda: loop(table.slice(0, calls))),
         ("reconstruct_table, 1 thread", given.rows, solve(table, EXAMPLE, 1)),
         ("reconstruct_table, 2 threads", given.rows, solve(table, EXAMPLE, 2)),

@@ -1,4 +1,4 @@
-//! Pairs of vehicles with a recorder: `deltav.ciss`.
+//! Pairs of vehicles with a recorder: `pydeltav.ciss`.
 
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -160,7 +160,7 @@ pub(crate) fn case_of_pair(
 }
 
 /// How often intervals contain what recorders stored.
-#[pyclass(name = "_Judged", module = "deltav._deltav", frozen)]
+#[pyclass(name = "_Judged", module = "pydeltav._pydeltav", frozen)]
 pub(crate) struct Judged {
     field: Field,
     /// What it takes to judge again.
@@ -226,7 +226,7 @@ impl Judged {
 
     fn __reduce__<'py>(slf: &Bound<'py, Self>) -> PyResult<(Bound<'py, PyAny>, Bound<'py, PyTuple>)> {
         let judged = slf.get();
-        let again = slf.py().import("deltav._deltav")?.getattr("_judge_pairs")?;
+        let again = slf.py().import("pydeltav._pydeltav")?.getattr("_judge_pairs")?;
         let asked =
             (&judged.text, judged.other, judged.prior.name(), judged.particles, judged.seed, judged.threads);
         Ok((again, asked.into_pyobject(slf.py())?))

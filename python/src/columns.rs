@@ -30,14 +30,14 @@ use pyo3_arrow::ffi::{ArrayIterator, to_array_pycapsules, to_stream_pycapsule};
 ///
 /// Examples
 /// --------
-/// >>> case = deltav.Case.parse(deltav.Case.example().text.replace(
+/// >>> case = pydeltav.Case.parse(pydeltav.Case.example().text.replace(
 /// ...     '"10 mph"', '{ low = "8 mph", high = "12 mph" }'))
 /// >>> columns = case.uncertainty(1000).columns()
 /// >>> columns.rows, columns["vehicle1.speed"].shape, columns["vehicle1.speed"].dtype
 /// (1000, (1000,), dtype('float64'))
 /// >>> columns.names[:2]
 /// ['failed', 'vehicle1_speed']
-#[pyclass(name = "Columns", module = "deltav", frozen, mapping)]
+#[pyclass(name = "Columns", module = "pydeltav", frozen, mapping)]
 pub(crate) struct Columns {
     keys: Vec<String>,
     batch: RecordBatch,
@@ -247,11 +247,11 @@ impl Columns {
     }
 
     fn __repr__(&self) -> String {
-        format!("<deltav.Columns: {} rows of {}>", self.rows(), self.names().join(", "))
+        format!("<pydeltav.Columns: {} rows of {}>", self.rows(), self.names().join(", "))
     }
 
     fn __reduce__<'py>(&self, py: Python<'py>) -> PyResult<(Bound<'py, PyAny>, Bound<'py, PyTuple>)> {
-        let restore = py.import("deltav._deltav")?.getattr("_restore_columns")?;
+        let restore = py.import("pydeltav._pydeltav")?.getattr("_restore_columns")?;
         let reasons = (self.leading() > 0).then(|| {
             let column = self.batch.column(0).as_any().downcast_ref::<StringArray>();
             column.map(|column| column.iter().map(|reason| reason.map(str::to_owned)).collect::<Vec<_>>())

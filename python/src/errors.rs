@@ -20,13 +20,13 @@ static CASE_ERROR: PyOnceLock<Py<PyType>> = PyOnceLock::new();
 static NO_ANSWER_ERROR: PyOnceLock<Py<PyType>> = PyOnceLock::new();
 static PROBLEM: PyOnceLock<Py<PyType>> = PyOnceLock::new();
 
-/// A class of `deltav._errors`.
+/// A class of `pydeltav._errors`.
 fn class<'py>(
     py: Python<'py>,
     cell: &'static PyOnceLock<Py<PyType>>,
     name: &str,
 ) -> PyResult<Bound<'py, PyType>> {
-    Ok(cell.import(py, "deltav._errors", name)?.clone())
+    Ok(cell.import(py, "pydeltav._errors", name)?.clone())
 }
 
 fn raised(made: PyResult<Bound<'_, PyAny>>) -> PyErr {

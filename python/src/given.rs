@@ -38,10 +38,10 @@ pub(crate) struct Given {
 ///
 /// Examples
 /// --------
-/// >>> case = deltav.Case.example()
+/// >>> case = pydeltav.Case.example()
 /// >>> print(f"{case.reconstruct().found.value:.1f} m/s")
 /// 22.9 m/s
-#[pyclass(name = "Case", module = "deltav", frozen)]
+#[pyclass(name = "Case", module = "pydeltav", frozen)]
 pub(crate) struct PyCase(pub(crate) Arc<Given>);
 
 /// The units of a text or a drawing: those that most of the case uses, unless somebody says.
@@ -190,8 +190,8 @@ impl PyCase {
     /// --------
     /// >>> import pathlib, tempfile
     /// >>> path = pathlib.Path(tempfile.mkdtemp(), "case.toml")
-    /// >>> _ = path.write_text(deltav.Case.example().text, "utf-8")
-    /// >>> deltav.Case.read(path).title
+    /// >>> _ = path.write_text(pydeltav.Case.example().text, "utf-8")
+    /// >>> pydeltav.Case.read(path).title
     /// 'Intersection collision, GMC Jimmy and Nissan Altima'
     #[staticmethod]
     fn read(py: Python<'_>, path: PathBuf) -> PyResult<Self> {
@@ -224,11 +224,11 @@ impl PyCase {
     ///
     /// Examples
     /// --------
-    /// >>> case = deltav.Case.parse('[vehicle1]\nmass = "1500 kg"\n[vehicle2]\nfixed = true')
-    /// >>> deltav.Case.parse('[vehicle1]\nmass = 1500\n[vehicle2]\nfixed = true')
+    /// >>> case = pydeltav.Case.parse('[vehicle1]\nmass = "1500 kg"\n[vehicle2]\nfixed = true')
+    /// >>> pydeltav.Case.parse('[vehicle1]\nmass = 1500\n[vehicle2]\nfixed = true')
     /// Traceback (most recent call last):
     ///     ...
-    /// deltav.CaseError: error: "vehicle1.mass" is the bare number 1500, but needs a unit
+    /// pydeltav.CaseError: error: "vehicle1.mass" is the bare number 1500, but needs a unit
     /// ...
     #[staticmethod]
     #[pyo3(signature = (text, name = "text"))]
@@ -274,7 +274,7 @@ impl PyCase {
     ///
     /// Examples
     /// --------
-    /// >>> case = deltav.Case.from_dict({
+    /// >>> case = pydeltav.Case.from_dict({
     /// ...     "vehicle1": {
     /// ...         "mass": "1500 kg",
     /// ...         "class": 3,
@@ -298,7 +298,7 @@ impl PyCase {
     ///
     /// Examples
     /// --------
-    /// >>> deltav.Case.example().name
+    /// >>> pydeltav.Case.example().name
     /// 'sae-980025.toml'
     #[staticmethod]
     fn example(py: Python<'_>) -> PyResult<Self> {
@@ -332,7 +332,7 @@ impl PyCase {
     ///
     /// Examples
     /// --------
-    /// >>> deltav.Case.example().to_dict()["vehicle2"]["speed"]
+    /// >>> pydeltav.Case.example().to_dict()["vehicle2"]["speed"]
     /// '10 mph'
     fn to_dict<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
         let text = PyString::new(py, self.text().trim_start_matches('\u{feff}'));
@@ -355,7 +355,7 @@ impl PyCase {
     ///
     /// Examples
     /// --------
-    /// >>> result = deltav.Case.example().reconstruct()
+    /// >>> result = pydeltav.Case.example().reconstruct()
     /// >>> result.found.method, round(result.vehicle1.delta_v, 2)
     /// ('closed form', 12.15)
     fn reconstruct<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
@@ -378,9 +378,9 @@ impl PyCase {
     ///
     /// Examples
     /// --------
-    /// >>> numbers = deltav.Case.example().to_dict()
+    /// >>> numbers = pydeltav.Case.example().to_dict()
     /// >>> numbers["vehicle1"]["speed"] = "50 mph"
-    /// >>> result = deltav.Case.from_dict(numbers).impact()
+    /// >>> result = pydeltav.Case.from_dict(numbers).impact()
     /// >>> print(f"{result.vehicle2.delta_v:.1f} m/s")
     /// 12.9 m/s
     fn impact<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
@@ -406,7 +406,7 @@ impl PyCase {
     /// >>> after = {"speed": "10 m/s", "direction": "0 deg", "yaw_rate": "0 rad/s", "drag": 0.7}
     /// >>> car = {"mass": "1500 kg", "yaw_inertia": "2500 kg m^2", "heading": "0 deg", "wheelbase": "2.6 m",
     /// ...        "track": "1.5 m", "cg_to_front_axle": "1.2 m", "contact": {"x": "2 m", "y": "0 m"}}
-    /// >>> motion = deltav.Case.from_dict({
+    /// >>> motion = pydeltav.Case.from_dict({
     /// ...     "surface": {"friction": 0.7},
     /// ...     "scene": {"contact": {"x": "0 m", "y": "0 m"}},
     /// ...     "vehicle1": {**car, "after": after},
@@ -436,7 +436,7 @@ impl PyCase {
     /// --------
     /// >>> crush = {"ees": "36 km/h", "pdof": "0 deg", "moment_arm": "0 m"}
     /// >>> car = {"mass": "1500 kg", "class": 3, "crush": crush}
-    /// >>> result = deltav.Case.from_dict({"vehicle1": car, "vehicle2": {"fixed": True}}).crush()
+    /// >>> result = pydeltav.Case.from_dict({"vehicle1": car, "vehicle2": {"fixed": True}}).crush()
     /// >>> print(f"{result.crash3.crush_energy / 1000:.0f} kJ, ΔV {result.crash3.delta_v[0]:.1f} m/s")
     /// 75 kJ, ΔV 10.0 m/s
     fn crush<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
@@ -453,7 +453,7 @@ impl PyCase {
     ///
     /// Examples
     /// --------
-    /// >>> deltav.Case.example().check().answers_most
+    /// >>> pydeltav.Case.example().check().answers_most
     /// 'reconstruct'
     fn check<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
         self.asked(py, Request::Check, None)
@@ -475,7 +475,7 @@ impl PyCase {
     ///
     /// Examples
     /// --------
-    /// >>> for row in deltav.Case.example().compare().rows[:2]:
+    /// >>> for row in pydeltav.Case.example().compare().rows[:2]:
     /// ...     print(f"{row.law}: {row.found:.1f} m/s")
     /// Brach, common tangential velocity: 22.9 m/s
     /// Brach, friction limit: 22.9 m/s
@@ -508,7 +508,7 @@ impl PyCase {
     ///
     /// Examples
     /// --------
-    /// >>> rows = deltav.Case.example().sensitivity(pdof_step=2.0, pdof_steps=1).pdof_sweep
+    /// >>> rows = pydeltav.Case.example().sensitivity(pdof_step=2.0, pdof_steps=1).pdof_sweep
     /// >>> [round(row.change, 4) for row in rows]
     /// [-0.0349, 0.0, 0.0349]
     #[pyo3(
@@ -556,7 +556,7 @@ impl PyCase {
     ///
     /// Examples
     /// --------
-    /// >>> case = deltav.Case.parse(deltav.Case.example().text.replace(
+    /// >>> case = pydeltav.Case.parse(pydeltav.Case.example().text.replace(
     /// ...     '"10 mph"', '{ low = "8 mph", high = "12 mph" }'))
     /// >>> result = case.uncertainty(1000, seed=7)
     /// >>> low, high = result.outputs["vehicle1.speed"].interval95
@@ -621,7 +621,7 @@ impl PyCase {
     /// Examples
     /// --------
     /// >>> ask = {"pieces": False, "above": ["vehicle1.speed 40 mph"]}
-    /// >>> result = deltav.Case.example().estimate(particles=128, **ask)
+    /// >>> result = pydeltav.Case.example().estimate(particles=128, **ask)
     /// >>> result.converged, result.questions[0].probability > 0.5
     /// (True, True)
     #[pyo3(
@@ -663,7 +663,7 @@ impl PyCase {
     /// Examples
     /// --------
     /// >>> table = {"time": "-1 -0.5 0 s", "speed": "58 58 58 km/h", "brake": "off off off"}
-    /// >>> case = deltav.Case.from_dict({
+    /// >>> case = pydeltav.Case.from_dict({
     /// ...     "vehicle1": {"recorder": {"pre_crash": table}}, "vehicle2": {"fixed": True}})
     /// >>> speed = case.recorder()["vehicles"][0]["speed_at_impact"]
     /// >>> print(f"{speed['stored'] * 3.6:.0f} km/h stored, {speed['mean'] * 3.6:.0f} driven")
@@ -702,7 +702,7 @@ impl PyCase {
     ///
     /// Examples
     /// --------
-    /// >>> case = deltav.Case.from_dict({"avoid": {
+    /// >>> case = pydeltav.Case.from_dict({"avoid": {
     /// ...     "speed": "50 km/h",
     /// ...     "limit": "30 km/h",
     /// ...     "reaction_time": "1 s",
@@ -756,7 +756,7 @@ impl PyCase {
     ///
     /// Examples
     /// --------
-    /// >>> deltav.Case.example().draw("scene").svg()[:4]
+    /// >>> pydeltav.Case.example().draw("scene").svg()[:4]
     /// '<svg'
     #[pyo3(signature = (what = "scene", *, units = None, plain = false))]
     fn draw(slf: &Bound<'_, Self>, what: &str, units: Option<&str>, plain: bool) -> PyResult<Picture> {
@@ -775,11 +775,11 @@ impl PyCase {
 
     fn __repr__(&self) -> String {
         let title = self.title().map(|title| format!(" \"{}\"", case::shown(title))).unwrap_or_default();
-        format!("<deltav.Case{title} from {}>", self.0.file.source.name())
+        format!("<pydeltav.Case{title} from {}>", self.0.file.source.name())
     }
 
     fn __reduce__<'py>(&self, py: Python<'py>) -> PyResult<(Bound<'py, PyAny>, Bound<'py, PyTuple>)> {
-        let restore = py.import("deltav._deltav")?.getattr("_restore_case")?;
+        let restore = py.import("pydeltav._pydeltav")?.getattr("_restore_case")?;
         let bytes = PyBytes::new(py, self.text().as_bytes());
         Ok((restore, (self.name(), bytes, self.0.path.clone()).into_pyobject(py)?))
     }

@@ -1,4 +1,4 @@
-//! The Python package `deltav`: the engine of the program for notebooks and tables. Its README has the two
+//! The Python package `pydeltav`: the engine of the program for notebooks and tables. Its README has the two
 //! commands.
 //!
 //! [`given`] reads a case, [`request`] asks the libraries, [`solved`] hands the answer to Python. Work that
@@ -19,9 +19,9 @@ mod table;
 
 use pyo3::prelude::*;
 
-/// The part of the package that is written in Rust; use ``import deltav``.
+/// The part of the package that is written in Rust; use ``import pydeltav``.
 #[pymodule]
-fn _deltav(module: &Bound<'_, PyModule>) -> PyResult<()> {
+fn _pydeltav(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add("__version__", env!("CARGO_PKG_VERSION"))?;
     module.add_class::<given::PyCase>()?;
     module.add_class::<picture::Picture>()?;
@@ -42,7 +42,7 @@ fn _deltav(module: &Bound<'_, PyModule>) -> PyResult<()> {
         wrap_pyfunction!(rows::result_schema, module)?,
     ] {
         // As users import them.
-        function.setattr("__module__", "deltav")?;
+        function.setattr("__module__", "pydeltav")?;
         module.add_function(function)?;
     }
     module.add_class::<ciss::Judged>()?;

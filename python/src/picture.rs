@@ -13,12 +13,12 @@ use report::PictureFormat;
 ///
 /// Examples
 /// --------
-/// >>> drawing = deltav.Case.example().draw("energy")
+/// >>> drawing = pydeltav.Case.example().draw("energy")
 /// >>> drawing.title
 /// 'Intersection collision, GMC Jimmy and Nissan Altima: energy'
 /// >>> drawing.png()[1:4]
 /// b'PNG'
-#[pyclass(name = "Drawing", module = "deltav", frozen)]
+#[pyclass(name = "Drawing", module = "pydeltav", frozen)]
 pub(crate) struct Picture {
     drawing: report::Drawing,
     /// What was drawn, and how to draw it again.
@@ -77,7 +77,7 @@ impl Picture {
     ///
     /// Examples
     /// --------
-    /// >>> deltav.Case.example().draw().svg()[:4]
+    /// >>> pydeltav.Case.example().draw().svg()[:4]
     /// '<svg'
     fn svg(&self, py: Python<'_>) -> String {
         py.detach(|| self.drawing.svg())
@@ -91,7 +91,7 @@ impl Picture {
     ///
     /// Examples
     /// --------
-    /// >>> deltav.Case.example().draw().png()[1:4]
+    /// >>> pydeltav.Case.example().draw().png()[1:4]
     /// b'PNG'
     fn png<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyBytes>> {
         Ok(PyBytes::new(py, &self.written(py, PictureFormat::Png)?))
@@ -105,7 +105,7 @@ impl Picture {
     ///
     /// Examples
     /// --------
-    /// >>> deltav.Case.example().draw().pdf()[:4]
+    /// >>> pydeltav.Case.example().draw().pdf()[:4]
     /// b'%PDF'
     fn pdf<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyBytes>> {
         Ok(PyBytes::new(py, &self.written(py, PictureFormat::Pdf)?))
@@ -129,7 +129,7 @@ impl Picture {
     /// --------
     /// >>> import pathlib, tempfile
     /// >>> path = pathlib.Path(tempfile.mkdtemp(), "scene.svg")
-    /// >>> deltav.Case.example().draw("scene").save(path)
+    /// >>> pydeltav.Case.example().draw("scene").save(path)
     /// >>> path.exists()
     /// True
     fn save(&self, py: Python<'_>, path: PathBuf) -> PyResult<()> {
@@ -152,7 +152,7 @@ impl Picture {
     }
 
     fn __repr__(&self) -> String {
-        format!("<deltav.Drawing {}: {}>", self.drawing.name(), self.drawing.title())
+        format!("<pydeltav.Drawing {}: {}>", self.drawing.name(), self.drawing.title())
     }
 
     fn __reduce__<'py>(&self, py: Python<'py>) -> PyResult<(Py<PyAny>, Bound<'py, PyTuple>)> {

@@ -27,10 +27,10 @@ use crate::table::Table;
 /// Examples
 /// --------
 /// >>> table = {"id": ["a"], "vehicle1.weight [lb]": [3600.0]}
-/// >>> rows = deltav.reconstruct_table(table, template=deltav.Case.example())
+/// >>> rows = pydeltav.reconstruct_table(table, template=pydeltav.Case.example())
 /// >>> len(rows), rows.names[0]
 /// (1, 'id')
-#[pyclass(name = "Rows", module = "deltav", frozen)]
+#[pyclass(name = "Rows", module = "pydeltav", frozen)]
 pub(crate) struct Rows {
     schema: SchemaRef,
     batches: Vec<RecordBatch>,
@@ -47,9 +47,9 @@ impl Rows {
 /// Examples
 /// --------
 /// >>> import pyarrow
-/// >>> "error" in pyarrow.schema(deltav.result_schema("crush")).names
+/// >>> "error" in pyarrow.schema(pydeltav.result_schema("crush")).names
 /// True
-#[pyclass(name = "Schema", module = "deltav", frozen)]
+#[pyclass(name = "Schema", module = "pydeltav", frozen)]
 pub(crate) struct PySchema(SchemaRef);
 
 fn wrong_table(py: Python<'_>, error: TableError) -> PyErr {
@@ -187,7 +187,7 @@ fn sampled(samples: Option<Whole<usize>>, seed: Whole<u64>) -> RowOptions {
 /// --------
 /// >>> import pyarrow
 /// >>> table = {"id": [1, 2], "vehicle2.speed [mph]": [10.0, 1e9]}
-/// >>> rows = pyarrow.table(deltav.reconstruct_table(table, template=deltav.Case.example()))
+/// >>> rows = pyarrow.table(pydeltav.reconstruct_table(table, template=pydeltav.Case.example()))
 /// >>> rows.select(["id", "found_value", "error"]).to_pylist()[1]["error"]
 /// 'vehicle2.speed: "1000000000 mph" is implausibly large for a speed'
 #[pyfunction]
@@ -237,7 +237,7 @@ pub(crate) fn reconstruct_table(
 /// Examples
 /// --------
 /// >>> table = {"vehicle1.speed [mph]": [40.0, 50.0]}
-/// >>> len(deltav.impact_table(table, template=deltav.Case.example()))
+/// >>> len(pydeltav.impact_table(table, template=pydeltav.Case.example()))
 /// 2
 #[pyfunction]
 #[pyo3(
@@ -284,7 +284,7 @@ pub(crate) fn impact_table(
 /// >>> import pyarrow
 /// >>> crush = {"pdof": "0 deg", "moment_arm": "0 m"}
 /// >>> template = {"vehicle1": {"mass": "1500 kg", "class": 3, "crush": crush}, "vehicle2": {"fixed": True}}
-/// >>> rows = deltav.crush_table({"vehicle1.crush.ees [km/h]": [36.0, 54.0]}, template=template)
+/// >>> rows = pydeltav.crush_table({"vehicle1.crush.ees [km/h]": [36.0, 54.0]}, template=template)
 /// >>> pyarrow.table(rows)["vehicle1_crash3_delta_v"].to_pylist()
 /// [10.0, 15.0]
 #[pyfunction]
@@ -331,7 +331,7 @@ pub(crate) fn crush_table(
 /// Examples
 /// --------
 /// >>> import pyarrow
-/// >>> rows = deltav.estimate_table({"seed": [1]}, template=deltav.Case.example(), particles=128)
+/// >>> rows = pydeltav.estimate_table({"seed": [1]}, template=pydeltav.Case.example(), particles=128)
 /// >>> [row] = pyarrow.table(rows).to_pylist()
 /// >>> row["vehicle1_speed_p025"] < row["vehicle1_speed_median"] < row["vehicle1_speed_p975"]
 /// True
@@ -392,7 +392,7 @@ pub(crate) fn estimate_table(
 /// --------
 /// >>> import pyarrow
 /// >>> speeds = {"vehicle2.speed [mph]": [10.0, 12.0]}
-/// >>> stream = deltav.stream_table("reconstruct", speeds, template=deltav.Case.example())
+/// >>> stream = pydeltav.stream_table("reconstruct", speeds, template=pydeltav.Case.example())
 /// >>> reader = pyarrow.RecordBatchReader.from_stream(stream)
 /// >>> sum(batch.num_rows for batch in reader)
 /// 2
@@ -440,7 +440,7 @@ pub(crate) fn stream_table(
 /// Examples
 /// --------
 /// >>> import pyarrow
-/// >>> pyarrow.schema(deltav.case_schema()).field("vehicle1").type.field("mass").type
+/// >>> pyarrow.schema(pydeltav.case_schema()).field("vehicle1").type.field("mass").type
 /// DataType(double)
 #[pyfunction]
 #[pyo3(signature = (*, ranges = false))]
@@ -472,7 +472,7 @@ pub(crate) fn case_schema(ranges: bool) -> PySchema {
 /// Examples
 /// --------
 /// >>> import pyarrow
-/// >>> "vehicle1_delta_v_p975" in pyarrow.schema(deltav.result_schema("reconstruct", samples=1000)).names
+/// >>> "vehicle1_delta_v_p975" in pyarrow.schema(pydeltav.result_schema("reconstruct", samples=1000)).names
 /// True
 #[pyfunction]
 #[pyo3(signature = (job = "reconstruct", *, samples = None))]
@@ -510,7 +510,7 @@ impl Rows {
     }
 
     fn __repr__(&self) -> String {
-        format!("<deltav.Rows: {} rows of {} columns>", self.__len__(), self.schema.fields().len())
+        format!("<pydeltav.Rows: {} rows of {} columns>", self.__len__(), self.schema.fields().len())
     }
 }
 
@@ -522,6 +522,6 @@ impl PySchema {
 
     fn __repr__(&self) -> String {
         let names: Vec<&str> = self.0.fields().iter().map(|field| field.name().as_str()).collect();
-        format!("<deltav.Schema: {}>", names.join(", "))
+        format!("<pydeltav.Schema: {}>", names.join(", "))
     }
 }

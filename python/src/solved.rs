@@ -175,18 +175,18 @@ fn columns(py: Python<'_>, solved: &Arc<Solved>) -> PyResult<Columns> {
 /// What a case answers.
 ///
 /// Its attributes are the keys of the JSON document of the program, in SI units and radians:
-/// ``result.found.value``, ``result.vehicle1.delta_v``; ``deltav.results`` has the types and units of all. A
-/// key that is no name is read as of a dict: ``result.outputs["vehicle1.speed"].interval95``.
+/// ``result.found.value``, ``result.vehicle1.delta_v``; ``pydeltav.results`` has the types and units of all.
+/// A key that is no name is read as of a dict: ``result.outputs["vehicle1.speed"].interval95``.
 /// ``result.program.version`` and ``result.case.sha256`` say what it takes to get it again.
 ///
 /// Examples
 /// --------
-/// >>> result = deltav.Case.example().reconstruct()
+/// >>> result = pydeltav.Case.example().reconstruct()
 /// >>> result.to_dict()["vehicle1"]["delta_v"] == result.vehicle1.delta_v
 /// True
 /// >>> result.case.sha256[:12]
 /// '5c33d55cf7a1'
-#[pyclass(name = "Result", module = "deltav", frozen, subclass)]
+#[pyclass(name = "Result", module = "pydeltav", frozen, subclass)]
 pub(crate) struct PyAnswered {
     solved: Arc<Solved>,
     record: PyOnceLock<Py<PyAny>>,
@@ -203,7 +203,7 @@ impl PyAnswered {
     fn record<'py>(&self, py: Python<'py>) -> PyResult<&Bound<'py, PyAny>> {
         static DOCUMENT: PyOnceLock<Py<PyAny>> = PyOnceLock::new();
         let made = || {
-            let document = DOCUMENT.import(py, "deltav.results", "_document")?;
+            let document = DOCUMENT.import(py, "pydeltav.results", "_document")?;
             Ok::<_, PyErr>(document.call1((class(&self.solved.request), self.loads(py)?))?.unbind())
         };
         Ok(self.record.get_or_try_init(py, made)?.bind(py))
@@ -227,7 +227,7 @@ impl PyAnswered {
     ///
     /// Examples
     /// --------
-    /// >>> sorted(deltav.Case.example().check().to_dict())[:3]
+    /// >>> sorted(pydeltav.Case.example().check().to_dict())[:3]
     /// ['answers_most', 'assumptions', 'axes']
     fn to_dict<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
         self.loads(py)
@@ -242,7 +242,7 @@ impl PyAnswered {
     ///
     /// Examples
     /// --------
-    /// >>> deltav.Case.example().reconstruct().to_json().startswith("{")
+    /// >>> pydeltav.Case.example().reconstruct().to_json().startswith("{")
     /// True
     fn to_json(&self, py: Python<'_>) -> PyResult<&str> {
         self.solved.json(py)
@@ -266,7 +266,7 @@ impl PyAnswered {
     ///
     /// Examples
     /// --------
-    /// >>> print(deltav.Case.example().reconstruct().text("si").splitlines()[0])
+    /// >>> print(pydeltav.Case.example().reconstruct().text("si").splitlines()[0])
     /// Intersection collision, GMC Jimmy and Nissan Altima
     #[pyo3(signature = (units = None))]
     fn text(&self, py: Python<'_>, units: Option<&str>) -> PyResult<String> {
@@ -295,7 +295,7 @@ impl PyAnswered {
     ///
     /// Examples
     /// --------
-    /// >>> deltav.Case.example().reconstruct().html().startswith("<!DOCTYPE html>")
+    /// >>> pydeltav.Case.example().reconstruct().html().startswith("<!DOCTYPE html>")
     /// True
     #[pyo3(signature = (units = None))]
     fn html(&self, py: Python<'_>, units: Option<&str>) -> PyResult<String> {
@@ -323,7 +323,7 @@ impl PyAnswered {
     ///
     /// Examples
     /// --------
-    /// >>> deltav.Case.example().reconstruct().markdown().startswith("#")
+    /// >>> pydeltav.Case.example().reconstruct().markdown().startswith("#")
     /// True
     #[pyo3(signature = (units = None))]
     fn markdown(&self, py: Python<'_>, units: Option<&str>) -> PyResult<String> {
@@ -394,11 +394,11 @@ impl PyAnswered {
     fn __repr__(slf: &Bound<'_, Self>) -> PyResult<String> {
         let title = slf.get().solved.given.file.case.title.as_ref();
         let title = title.map(|title| format!(" of \"{title}\"")).unwrap_or_default();
-        Ok(format!("<deltav.{}{title}>", slf.get_type().name()?))
+        Ok(format!("<pydeltav.{}{title}>", slf.get_type().name()?))
     }
 
     fn __reduce__<'py>(&self, py: Python<'py>) -> PyResult<(Bound<'py, PyAny>, Bound<'py, PyTuple>)> {
-        let restore = py.import("deltav._deltav")?.getattr("_restore_result")?;
+        let restore = py.import("pydeltav._pydeltav")?.getattr("_restore_result")?;
         let case = Py::new(py, PyCase(Arc::clone(&self.solved.given)))?;
         let request = serde_json::to_string(&self.solved.request);
         let request = request.map_err(|error| PyRuntimeError::new_err(error.to_string()))?;
@@ -471,10 +471,10 @@ pub(crate) fn answered(py: Python<'_>, solved: Solved) -> PyResult<Bound<'_, PyA
 ///
 /// Examples
 /// --------
-/// >>> result = deltav.Case.example().reconstruct()
+/// >>> result = pydeltav.Case.example().reconstruct()
 /// >>> print(f"{result.vehicle1.delta_v:.2f} m/s, {result.impact.energy_loss / 1000:.0f} kJ")
 /// 12.15 m/s, 188 kJ
-#[pyclass(name = "Analysis", module = "deltav", frozen, extends = PyAnswered)]
+#[pyclass(name = "Analysis", module = "pydeltav", frozen, extends = PyAnswered)]
 pub(crate) struct PyAnalysis;
 
 #[pymethods]
@@ -503,7 +503,7 @@ impl PyAnalysis {
     ///
     /// Examples
     /// --------
-    /// >>> deltav.Case.example().reconstruct().draw().title
+    /// >>> pydeltav.Case.example().reconstruct().draw().title
     /// 'Intersection collision, GMC Jimmy and Nissan Altima: plan view at impact'
     #[pyo3(signature = (what = None, *, units = None, plain = false))]
     fn draw(
@@ -532,30 +532,30 @@ impl PyAnalysis {
 ///
 /// Examples
 /// --------
-/// >>> judgement = deltav.Case.example().check()
+/// >>> judgement = pydeltav.Case.example().check()
 /// >>> [command.command for command in judgement.commands if command.runs][:2]
 /// ['reconstruct', 'compare']
-#[pyclass(name = "Judgement", module = "deltav", frozen, extends = PyAnswered)]
+#[pyclass(name = "Judgement", module = "pydeltav", frozen, extends = PyAnswered)]
 pub(crate) struct PyJudgement;
 
 /// What ``compare`` of a case answers.
 ///
 /// Examples
 /// --------
-/// >>> comparison = deltav.Case.example().compare()
+/// >>> comparison = pydeltav.Case.example().compare()
 /// >>> comparison.rows[0].law
 /// 'Brach, common tangential velocity'
-#[pyclass(name = "Comparison", module = "deltav", frozen, extends = PyAnswered)]
+#[pyclass(name = "Comparison", module = "pydeltav", frozen, extends = PyAnswered)]
 pub(crate) struct PyComparison;
 
 /// What ``sensitivity`` of a case answers.
 ///
 /// Examples
 /// --------
-/// >>> sensitivity = deltav.Case.example().sensitivity()
+/// >>> sensitivity = pydeltav.Case.example().sensitivity()
 /// >>> sensitivity.derivatives[0].output
 /// 'vehicle1.speed'
-#[pyclass(name = "Sensitivity", module = "deltav", frozen, extends = PyAnswered)]
+#[pyclass(name = "Sensitivity", module = "pydeltav", frozen, extends = PyAnswered)]
 pub(crate) struct PySensitivity;
 
 /// What ``uncertainty`` of a case answers.
@@ -565,7 +565,7 @@ pub(crate) struct PySensitivity;
 /// >>> low, high = uncertain.outputs["vehicle1.speed"].interval95
 /// >>> low < uncertain.outputs["vehicle1.speed"].median < high
 /// True
-#[pyclass(name = "Uncertainty", module = "deltav", frozen, extends = PyAnswered)]
+#[pyclass(name = "Uncertainty", module = "pydeltav", frozen, extends = PyAnswered)]
 pub(crate) struct PyUncertainty;
 
 #[pymethods]
@@ -690,7 +690,7 @@ fn drawn(
 /// >>> low, high = estimated.outputs["vehicle1.speed"].interval95
 /// >>> low < estimated.outputs["vehicle1.speed"].median < high
 /// True
-#[pyclass(name = "Estimate", module = "deltav", frozen, extends = PyAnswered)]
+#[pyclass(name = "Estimate", module = "pydeltav", frozen, extends = PyAnswered)]
 pub(crate) struct PyEstimate;
 
 #[pymethods]
@@ -763,12 +763,12 @@ impl PyEstimate {
 ///
 /// Examples
 /// --------
-/// >>> avoidance = deltav.Case.from_dict({"avoid": {
+/// >>> avoidance = pydeltav.Case.from_dict({"avoid": {
 /// ...     "speed": "50 km/h", "limit": "30 km/h", "reaction_time": "1 s", "deceleration": "6.5 m/s^2",
 /// ...     "demand": {"distance": "20 m"}}}).avoid()
 /// >>> avoidance.avoid.spatial.avoidable_at_limit
 /// True
-#[pyclass(name = "Avoidance", module = "deltav", frozen, extends = PyAnswered)]
+#[pyclass(name = "Avoidance", module = "pydeltav", frozen, extends = PyAnswered)]
 pub(crate) struct PyAvoidance;
 
 #[pymethods]
@@ -796,7 +796,7 @@ impl PyAvoidance {
     ///
     /// Examples
     /// --------
-    /// >>> case = deltav.Case.from_dict({"avoid": {
+    /// >>> case = pydeltav.Case.from_dict({"avoid": {
     /// ...     "speed": "50 km/h", "limit": "30 km/h", "reaction_time": "1 s", "deceleration": "6.5 m/s^2",
     /// ...     "demand": {"distance": "20 m"}}})
     /// >>> case.avoid().draw("path-time").svg()[:4]

@@ -104,10 +104,10 @@ pub(crate) fn as_stream<'py>(
 /// Examples
 /// --------
 /// >>> table = {"id": ["a"], "vehicle1.weight [lb]": [3600.0]}
-/// >>> stream = deltav.stream_table("reconstruct", table, template=deltav.Case.example())
+/// >>> stream = pydeltav.stream_table("reconstruct", table, template=pydeltav.Case.example())
 /// >>> stream.names[0]
 /// 'id'
-#[pyclass(name = "RowStream", module = "deltav", frozen)]
+#[pyclass(name = "RowStream", module = "pydeltav", frozen)]
 pub(crate) struct RowStream {
     schema: SchemaRef,
     parts: Mutex<Option<Parts>>,
@@ -146,6 +146,6 @@ impl RowStream {
     }
 
     fn __repr__(&self) -> String {
-        format!("<deltav.RowStream of {} columns>", self.schema.fields().len())
+        format!("<pydeltav.RowStream of {} columns>", self.schema.fields().len())
     }
 }

@@ -4,7 +4,7 @@ import json
 import pathlib
 import re
 
-import deltav
+import pydeltav
 import pytest
 from conftest import FIXTURES, cases, run
 
@@ -51,15 +51,15 @@ def without_pointers(text: str) -> str:
 
 @pytest.mark.parametrize("path", [path for path in cases() if "invalid" not in path.parts], ids=str)
 def test_every_fixture_has_the_bits_of_the_program(path: pathlib.Path) -> None:
-    of_file = deltav.Case.read(path)
-    of_text = deltav.Case.parse(of_file.text, name=str(path))
-    of_dict = deltav.Case.from_dict(of_file.to_dict())
+    of_file = pydeltav.Case.read(path)
+    of_text = pydeltav.Case.parse(of_file.text, name=str(path))
+    of_dict = pydeltav.Case.from_dict(of_file.to_dict())
     answers = 0
     for command in asked(path):
         options, keywords = COMMANDS[command]
         printed = run(command, path, "--format", "json", *options)
         if not printed.stdout:
-            wanted = deltav.NoAnswerError if printed.returncode == 1 else deltav.CaseError
+            wanted = pydeltav.NoAnswerError if printed.returncode == 1 else pydeltav.CaseError
             with pytest.raises(wanted) as raised:
                 getattr(of_file, command)(**keywords)
             said = in_words_of_python(printed.stderr.strip().removeprefix("error: "))
@@ -90,8 +90,8 @@ def test_every_invalid_fixture_is_refused_in_the_words_of_the_program(path: path
         # The one that the others are made of.
         assert path.name == "base.toml"
         return
-    with pytest.raises(deltav.CaseError) as raised:
-        deltav.Case.read(path)
+    with pytest.raises(pydeltav.CaseError) as raised:
+        pydeltav.Case.read(path)
     assert without_pointers(str(raised.value)) == without_pointers(printed.stderr)
     # No more are shown.
     for problem in raised.value.problems[:20]:
@@ -101,7 +101,7 @@ def test_every_invalid_fixture_is_refused_in_the_words_of_the_program(path: path
 
 def test_text_html_and_drawing_are_those_of_the_program() -> None:
     path = FIXTURES / "sae-980025-uncertain.toml"
-    case = deltav.Case.read(path)
+    case = pydeltav.Case.read(path)
     result = case.reconstruct()
     assert result.text() == str(result) == run("reconstruct", path, "--exact", "-o", "/dev/stdout").stdout
     assert result.text("si") == run("reconstruct", path, "--exact", "--units", "si", "-o", "/dev/stdout").stdout
@@ -119,4 +119,4 @@ def test_text_html_and_drawing_are_those_of_the_program() -> None:
 def test_a_motion_is_drawn_as_by_the_program() -> None:
     path = FIXTURES / "rear-end-rest.toml"
     for what in ("motion", "motion-curves"):
-        assert deltav.Case.read(path).draw(what).svg() == run("draw", path, "--what", what).stdout
+        assert pydeltav.Case.read(path).draw(what).svg() == run("draw", path, "--what", what).stdout

@@ -6,7 +6,7 @@ from collections import OrderedDict
 from types import MappingProxyType
 from typing import Any
 
-import deltav
+import pydeltav
 import numpy as np
 import pytest
 from conftest import FIXTURES
@@ -24,8 +24,8 @@ IMPACT: dict[str, Any] = {"crush_plane": "90 deg", "restitution": 0.1, "tangenti
 
 
 def test_a_dict_is_read_as_the_file_that_it_stands_for() -> None:
-    text = deltav.Case.from_dict(SMALL | {"title": 'a "quoted"\\ line\nand \x07 another \x7f', "source": "ΔV"}).text
-    case = deltav.Case.parse(text)
+    text = pydeltav.Case.from_dict(SMALL | {"title": 'a "quoted"\\ line\nand \x07 another \x7f', "source": "ΔV"}).text
+    case = pydeltav.Case.parse(text)
     assert case.title == 'a "quoted"\\ line\nand \x07 another \x7f'
     assert case.to_dict()["vehicle1"] == SMALL["vehicle1"]
     assert case.crush().vehicle1.ees == 10.0
@@ -34,7 +34,7 @@ def test_a_dict_is_read_as_the_file_that_it_stands_for() -> None:
 def test_numbers_keep_their_bits() -> None:
     numbers = [0.1, 1 / 3, 5e-324, 0.30000000000000004, 2.5e-7, 1.0, 1e-17]
     for number in numbers:
-        case = deltav.Case.from_dict(SMALL | {"impact": IMPACT | {"restitution": number, "tangential": {"friction": 1e22}}})
+        case = pydeltav.Case.from_dict(SMALL | {"impact": IMPACT | {"restitution": number, "tangential": {"friction": 1e22}}})
         assert repr(case.to_dict()["impact"]["restitution"]) == repr(number)
         assert repr(case.to_dict()["impact"]["tangential"]["friction"]) == repr(1e22)
 
@@ -45,9 +45,9 @@ def test_mappings_tuples_and_numbers_of_numpy_are_read() -> None:
     for values in [(0.25, 0.5), np.array([0.25, 0.5]), small, list(small)]:
         impact = IMPACT | {"restitution": {"speeds": "2 5 m/s", "values": values}}
         other = OrderedDict(SMALL) | {"impact": MappingProxyType(impact)}
-        assert deltav.Case.from_dict(other).text == deltav.Case.from_dict(plain).text
+        assert pydeltav.Case.from_dict(other).text == pydeltav.Case.from_dict(plain).text
     small = {"vehicle1": SMALL["vehicle1"] | {"class": np.int64(3)}, "vehicle2": {"fixed": np.bool_(True)}}
-    assert deltav.Case.from_dict(small).text == deltav.Case.from_dict(SMALL).text
+    assert pydeltav.Case.from_dict(small).text == pydeltav.Case.from_dict(SMALL).text
 
 
 @pytest.mark.parametrize(
@@ -66,8 +66,8 @@ def test_mappings_tuples_and_numbers_of_numpy_are_read() -> None:
     ],
 )
 def test_what_is_wrong_is_said_with_its_key(vehicle: dict[Any, Any], key: str, says: str) -> None:
-    with pytest.raises(deltav.CaseError) as raised:
-        deltav.Case.from_dict({"vehicle1": vehicle, "vehicle2": {"fixed": True}})
+    with pytest.raises(pydeltav.CaseError) as raised:
+        pydeltav.Case.from_dict({"vehicle1": vehicle, "vehicle2": {"fixed": True}})
     assert says in str(raised.value)
     assert key in [problem.key for problem in raised.value.problems]
     again = pickle.loads(pickle.dumps(raised.value))
@@ -77,16 +77,16 @@ def test_what_is_wrong_is_said_with_its_key(vehicle: dict[Any, Any], key: str, s
 def test_a_dict_that_holds_itself_is_refused() -> None:
     endless: dict[str, Any] = {"vehicle1": {}}
     endless["vehicle1"]["crush"] = endless
-    with pytest.raises(deltav.CaseError, match="too deep"):
-        deltav.Case.from_dict(endless)
+    with pytest.raises(pydeltav.CaseError, match="too deep"):
+        pydeltav.Case.from_dict(endless)
 
 
 def test_the_place_is_that_in_the_text() -> None:
-    with pytest.raises(deltav.CaseError) as raised:
-        deltav.Case.parse('[vehicle1]\nmass = "1500 kg"\nspeed = "ΔΔ", bad\n[vehicle2]\nfixed = true')
+    with pytest.raises(pydeltav.CaseError) as raised:
+        pydeltav.Case.parse('[vehicle1]\nmass = "1500 kg"\nspeed = "ΔΔ", bad\n[vehicle2]\nfixed = true')
     assert raised.value.problems[0].line == 3
-    case = deltav.Case.example()
-    with pytest.raises(deltav.CaseError) as raised:
+    case = pydeltav.Case.example()
+    with pytest.raises(pydeltav.CaseError) as raised:
         case.impact()
     [problem] = raised.value.problems
     assert problem.key == "vehicle1.speed"
@@ -97,15 +97,15 @@ def test_the_place_is_that_in_the_text() -> None:
 
 def test_a_file_that_cannot_be_read_is_an_error_of_python(tmp_path: pathlib.Path) -> None:
     with pytest.raises(FileNotFoundError, match="No such file or directory") as raised:
-        deltav.Case.read(tmp_path / "none.toml")
+        pydeltav.Case.read(tmp_path / "none.toml")
     assert raised.value.filename == str(tmp_path / "none.toml")
     with pytest.raises(IsADirectoryError):
-        deltav.Case.read(tmp_path)
+        pydeltav.Case.read(tmp_path)
     (tmp_path / "case.toml").write_bytes(b"title = '\xff'")
-    with pytest.raises(deltav.CaseError, match="UTF-8"):
-        deltav.Case.read(tmp_path / "case.toml")
-    with pytest.raises(deltav.CaseError, match="larger than 1000000 bytes"):
-        deltav.Case.parse("#" * 1_000_001)
+    with pytest.raises(pydeltav.CaseError, match="UTF-8"):
+        pydeltav.Case.read(tmp_path / "case.toml")
+    with pytest.raises(pydeltav.CaseError, match="larger than 1000000 bytes"):
+        pydeltav.Case.parse("#" * 1_000_001)
 
 
 def test_a_site_plan_lies_beside_the_file(tmp_path: pathlib.Path) -> None:
@@ -114,11 +114,11 @@ def test_a_site_plan_lies_beside_the_file(tmp_path: pathlib.Path) -> None:
     assert "\n[scene]\n" in text
     path = tmp_path / "case.toml"
     path.write_text(text.replace("\n[scene]\n", f"\n[scene]\n{plan}"), "utf-8")
-    case = deltav.Case.read(path)
-    with pytest.raises(deltav.CaseError, match="cannot read the site plan") as raised:
+    case = pydeltav.Case.read(path)
+    with pytest.raises(pydeltav.CaseError, match="cannot read the site plan") as raised:
         case.draw("motion")
     assert raised.value.problems[0].key == "scene.site_plan.file"
-    (tmp_path / "plan.png").write_bytes(deltav.Case.example().draw().png())
+    (tmp_path / "plan.png").write_bytes(pydeltav.Case.example().draw().png())
     assert "data:image/png" in case.draw("motion").svg()
 
 
@@ -141,19 +141,19 @@ def test_a_site_plan_lies_beside_the_file(tmp_path: pathlib.Path) -> None:
         (lambda case: case.draw("picture"), ValueError, '"motion-curves"'),
         (lambda case: case.draw("energy", plain=True), ValueError, "plain=True"),
         (lambda case: case.draw(units="metric"), ValueError, '"si", "us"'),
-        (lambda case: case.draw("motion"), deltav.CaseError, "motion()"),
-        (lambda case: deltav.Case("case.toml"), TypeError, "Case.read"),
-        (lambda case: deltav.Case.from_dict([]), TypeError, "takes a dict, not list"),
-        (lambda case: deltav.Case.from_dict(case.text), TypeError, "Case.parse(text) a text"),
-        (lambda case: deltav.Case.parse(pathlib.Path("a.toml")), TypeError, "Case.read(path) reads a file"),
-        (lambda case: deltav.Case.parse(case.to_dict()), TypeError, "Case.from_dict(dict) a dict"),
-        (lambda case: deltav.Case.parse("crashes/a.toml"), deltav.CaseError, 'Case.read("crashes/a.toml") reads'),
-        (lambda case: deltav.Case.parse("A.TOML"), deltav.CaseError, "but the path of one"),
-        (lambda case: deltav.Case.read(case.text), ValueError, "Case.parse(text) takes its text"),
+        (lambda case: case.draw("motion"), pydeltav.CaseError, "motion()"),
+        (lambda case: pydeltav.Case("case.toml"), TypeError, "Case.read"),
+        (lambda case: pydeltav.Case.from_dict([]), TypeError, "takes a dict, not list"),
+        (lambda case: pydeltav.Case.from_dict(case.text), TypeError, "Case.parse(text) a text"),
+        (lambda case: pydeltav.Case.parse(pathlib.Path("a.toml")), TypeError, "Case.read(path) reads a file"),
+        (lambda case: pydeltav.Case.parse(case.to_dict()), TypeError, "Case.from_dict(dict) a dict"),
+        (lambda case: pydeltav.Case.parse("crashes/a.toml"), pydeltav.CaseError, 'Case.read("crashes/a.toml") reads'),
+        (lambda case: pydeltav.Case.parse("A.TOML"), pydeltav.CaseError, "but the path of one"),
+        (lambda case: pydeltav.Case.read(case.text), ValueError, "Case.parse(text) takes its text"),
     ],
 )
 def test_a_wrong_request_gets_a_sentence(ask: Any, error: type[Exception], says: str) -> None:
-    case = deltav.Case.read(FIXTURES / "sae-980025-uncertain.toml")
+    case = pydeltav.Case.read(FIXTURES / "sae-980025-uncertain.toml")
     with pytest.raises(error) as raised:
         ask(case)
     # The name of the argument is a note of the exception.
@@ -161,8 +161,8 @@ def test_a_wrong_request_gets_a_sentence(ask: Any, error: type[Exception], says:
 
 
 def test_a_certain_case_has_nothing_to_propagate() -> None:
-    with pytest.raises(deltav.CaseError, match="nothing is uncertain"):
-        deltav.Case.example().uncertainty()
+    with pytest.raises(pydeltav.CaseError, match="nothing is uncertain"):
+        pydeltav.Case.example().uncertainty()
 
 
 def test_a_site_plan_is_no_link(tmp_path: pathlib.Path) -> None:
@@ -172,14 +172,14 @@ def test_a_site_plan_is_no_link(tmp_path: pathlib.Path) -> None:
     folder = tmp_path / "case"
     folder.mkdir()
     (folder / "case.toml").write_text(text.replace("\n[scene]\n", f"\n[scene]\n{plan}"), "utf-8")
-    (tmp_path / "elsewhere.png").write_bytes(deltav.Case.example().draw().png())
+    (tmp_path / "elsewhere.png").write_bytes(pydeltav.Case.example().draw().png())
     (folder / "plan.png").symlink_to(tmp_path / "elsewhere.png")
-    with pytest.raises(deltav.CaseError, match="the site plan plan.png is a link"):
-        deltav.Case.read(folder / "case.toml").draw("motion")
+    with pytest.raises(pydeltav.CaseError, match="the site plan plan.png is a link"):
+        pydeltav.Case.read(folder / "case.toml").draw("motion")
 
 
 def test_a_result_is_pickled_with_what_was_asked() -> None:
-    case = deltav.Case.read(FIXTURES / "sae-980025-uncertain.toml")
+    case = pydeltav.Case.read(FIXTURES / "sae-980025-uncertain.toml")
     for result in [
         case.uncertainty(64, seed=2**64 - 1, method="sobol", sobol=64),
         case.sensitivity(pdof_step=2.5, pdof_steps=1),

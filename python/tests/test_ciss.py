@@ -16,7 +16,7 @@ import zipfile
 from collections.abc import Callable
 from typing import Any
 
-import deltav
+import pydeltav
 import pandas
 import polars
 import pyarrow
@@ -68,20 +68,20 @@ def of(row: dict[str, Any], crash: int, vehicle: int) -> bool:
 
 def test_the_examples_of_the_docstrings_run(tmp_path: pathlib.Path) -> None:
     simulated_ciss.write(tmp_path, crashes=3, seed=1)
-    coverage = deltav.ciss.judge(deltav.ciss.pairs(tmp_path)[:1])
-    names = {"deltav": deltav, "folder": tmp_path, "coverage": coverage}
-    found = doctest.testmod(deltav.ciss, extraglobs=names, optionflags=doctest.ELLIPSIS)
+    coverage = pydeltav.ciss.judge(pydeltav.ciss.pairs(tmp_path)[:1])
+    names = {"pydeltav": pydeltav, "folder": tmp_path, "coverage": coverage}
+    found = doctest.testmod(pydeltav.ciss, extraglobs=names, optionflags=doctest.ELLIPSIS)
     assert found.failed == 0 and found.attempted >= 9
 
 
 def test_everything_that_is_offered_says_what_it_is() -> None:
-    for name in deltav.ciss.__all__:
-        offered = getattr(deltav.ciss, name)
-        assert offered.__doc__ and offered.__module__ == "deltav.ciss", name
+    for name in pydeltav.ciss.__all__:
+        offered = getattr(pydeltav.ciss, name)
+        assert offered.__doc__ and offered.__module__ == "pydeltav.ciss", name
 
 
 def test_pairs_have_the_columns_and_the_numbers_of_the_tables(simulated: pathlib.Path) -> None:
-    pairs = deltav.ciss.pairs(simulated)
+    pairs = pydeltav.ciss.pairs(simulated)
     assert len(pairs) == 12 and len(pairs.names) == 61
     damages = {(row["CASEID"], row["VEHNO"]): row for row in rows_of(simulated, "CDC") if row["EVENTNO"] == "1"}
     vehicles = {(row["CASEID"], row["VEHNO"]): row for row in rows_of(simulated, "GV")}
@@ -97,7 +97,7 @@ def test_pairs_have_the_columns_and_the_numbers_of_the_tables(simulated: pathlib
 
 def test_the_simulated_crashes_are_possible(tmp_path: pathlib.Path) -> None:
     simulated_ciss.write(tmp_path, crashes=9, seed=2, incomplete=4)
-    pairs = deltav.ciss.pairs(tmp_path)
+    pairs = pydeltav.ciss.pairs(tmp_path)
     assert len(pairs) == 9
     assert pairs.left_out == {"without PDOF of both": 2, "without a recorder's ΔV of this event": 2}
     sides = {"F": (300, 60), "B": (120, 240), "L": (210, 330)}
@@ -122,13 +122,13 @@ def test_codes_of_what_is_not_known_are_left_empty(folder: pathlib.Path) -> None
     for table, column, values in codes:
         for value in values:
             changed(folder, table, lambda row, column=column, value=value: row.update({column: value}))
-            pairs = deltav.ciss.pairs(folder)
+            pairs = pydeltav.ciss.pairs(folder)
             assert len(pairs) == 12
             assert {pair[f"{column}_{vehicle}"] for pair in pairs for vehicle in (1, 2)} == {None}, (column, value)
     # The same digits where they are a measurement, and codes that are to be told.
     changed(folder, "CDC", lambda row: row.update(CMAX="88", HEADINGANG="360", DVENERGY="88500"))
     changed(folder, "GV", lambda row: row.update(MAKE="99", MODEL="999", BODYTYPE="88", CARGOWT="0"))
-    pair = deltav.ciss.pairs(folder)[0]
+    pair = pydeltav.ciss.pairs(folder)[0]
     kept = ["CMAX", "HEADINGANG", "DVENERGY", "MAKE", "MODEL", "BODYTYPE", "CARGOWT"]
     assert [pair[f"{name}_1"] for name in kept] == [88, 360, 88500, 99, 999, 88, 0]
 
@@ -148,7 +148,7 @@ def test_a_pair_that_lacks_something_is_left_out_and_counted(
     folder: pathlib.Path, table: str, change: dict[str, str], why: str
 ) -> None:
     changed(folder, table, lambda row: row.update(change) if of(row, 3, 2) else None)
-    pairs = deltav.ciss.pairs(folder)
+    pairs = pydeltav.ciss.pairs(folder)
     assert len(pairs) == 11 and pairs.left_out == {why: 1}
     assert 3 not in [pair["CASEID"] for pair in pairs]
     assert why in pairs._repr_html_()
@@ -158,9 +158,9 @@ def test_a_recorder_counts_only_for_the_event_that_it_stored(folder: pathlib.Pat
     recorders = [row for row in rows_of(folder, "EDREVENT") if row["CASEID"] != "5"]
     base = dict(recorders[0], CASEID="5", VEHNO="1", CDCEVENT="1", MAXDVLONG="-20", MAXDVLAT="997")
 
-    def stored(*changes: dict[str, str]) -> deltav.ciss.Pairs:
+    def stored(*changes: dict[str, str]) -> pydeltav.ciss.Pairs:
         write(folder, "EDREVENT", recorders + [base | change for change in changes])
-        return deltav.ciss.pairs(folder)
+        return pydeltav.ciss.pairs(folder)
 
     # Another event, one that is not told (97), and none of both parts.
     for change in ({"CDCEVENT": "2"}, {"CDCEVENT": "97"}, {"MAXDVLONG": "888"}):
@@ -177,68 +177,68 @@ def test_of_three_vehicles_in_one_event_those_are_a_pair_that_name_each_other(fo
     write(folder, "GV", rows_of(folder, "GV") + [dict(rows_of(folder, "GV")[0], CASEID="2", VEHNO="3")])
     # Vehicle 3 struck vehicle 1 in the same event, which names vehicle 2.
     write(folder, "CDC", [*damages, dict(second, VEHNO="3", OBJCONT="1")])
-    assert len(deltav.ciss.pairs(folder)) == 12
+    assert len(pydeltav.ciss.pairs(folder)) == 12
     # Where vehicle 1 struck vehicle 3 as well, it has two damages by the event: which is which is not told.
     [first] = [row for row in damages if of(row, 2, 1)]
     write(folder, "CDC", [*damages, dict(second, VEHNO="3", OBJCONT="1"), dict(first, OBJCONT="3")])
-    pairs = deltav.ciss.pairs(folder)
+    pairs = pydeltav.ciss.pairs(folder)
     assert len(pairs) == 11 and pairs.left_out == {"with several damages of one vehicle by the event": 2}
     # Who names nobody of the event is no pair, and nothing that was left out.
     changed(folder, "CDC", lambda row: row.update(OBJCONT="42"))
-    assert len(pairs := deltav.ciss.pairs(folder)) == 0 and pairs.left_out == {}
+    assert len(pairs := pydeltav.ciss.pairs(folder)) == 0 and pairs.left_out == {}
 
 
 def test_the_lower_number_is_vehicle_1_in_any_order_of_the_rows(folder: pathlib.Path) -> None:
-    expected = deltav.ciss.pairs(folder)
+    expected = pydeltav.ciss.pairs(folder)
     for table in ("CRASH", "GV", "CDC", "EDREVENT"):
         rows = rows_of(folder, table)
         random.Random(table).shuffle(rows)
         write(folder, table, rows)
-    assert deltav.ciss.pairs(folder) == expected
+    assert pydeltav.ciss.pairs(folder) == expected
     # The same crashes with the labels of the vehicles exchanged.
     other = {"1": "2", "2": "1"}
     for table in ("GV", "CDC", "EDREVENT"):
         changed(folder, table, lambda row: row.update(VEHNO=other.get(row["VEHNO"], row["VEHNO"])))
     changed(folder, "CDC", lambda row: row.update(OBJCONT=other.get(row["OBJCONT"], row["OBJCONT"])))
-    for before, after in zip(expected, deltav.ciss.pairs(folder), strict=True):
+    for before, after in zip(expected, pydeltav.ciss.pairs(folder), strict=True):
         for name in ("CURBWT", "C3", "CDC", "MAXDVLONG"):
             assert (before[f"{name}_1"], before[f"{name}_2"]) == (after[f"{name}_2"], after[f"{name}_1"])
 
 
 def test_contacts_stand_in_event_where_the_damages_name_none(folder: pathlib.Path) -> None:
-    expected = deltav.ciss.pairs(folder)
+    expected = pydeltav.ciss.pairs(folder)
     damages = rows_of(folder, "CDC")
     write(folder, "CDC", [{name: cell for name, cell in row.items() if name != "OBJCONT"} for row in damages])
-    assert deltav.ciss.pairs(folder) == expected
+    assert pydeltav.ciss.pairs(folder) == expected
     changed(folder, "EVENT", lambda row: row.update(OBJCONT="3") if row["CASEID"] == "4" else None)
-    assert len(deltav.ciss.pairs(folder)) == 11
+    assert len(pydeltav.ciss.pairs(folder)) == 11
     (folder / "EVENT.csv").unlink()
     with pytest.raises(ValueError, match=r"there is no table EVENT \(EVENT.csv or event.sas7bdat\); there are CDC.csv, "):
-        deltav.ciss.pairs(folder)
+        pydeltav.ciss.pairs(folder)
 
 
 def test_names_are_read_in_upper_and_lower_case_and_from_a_zip(simulated: pathlib.Path, tmp_path: pathlib.Path) -> None:
-    expected = deltav.ciss.pairs(simulated)
+    expected = pydeltav.ciss.pairs(simulated)
     lower = tmp_path / "lower"
     lower.mkdir()
     for file in simulated.iterdir():
         header, rest = file.read_text(encoding="utf-8").split("\n", 1)
         (lower / file.name.lower()).write_text("\ufeff" + header.lower() + "\n" + rest, encoding="utf-8")
-    assert deltav.ciss.pairs(lower) == expected
+    assert pydeltav.ciss.pairs(lower) == expected
     with zipfile.ZipFile(tmp_path / "CISS_2017_CSV_files.zip", "w") as archive:
         for file in simulated.iterdir():
             archive.write(file, f"CISS_2017/{file.name}")
-    assert deltav.ciss.pairs(tmp_path / "CISS_2017_CSV_files.zip") == expected
+    assert pydeltav.ciss.pairs(tmp_path / "CISS_2017_CSV_files.zip") == expected
     with zipfile.ZipFile(tmp_path / "CISS_2017_CSV_files.zip", "a") as archive:
         archive.write(simulated / "GV.csv", "CISS_2018/GV.csv")
     with pytest.raises(ValueError, match="table GV is there twice: CISS_2017/GV.csv and CISS_2018/GV.csv; give the tables of one year"):
-        deltav.ciss.pairs(tmp_path / "CISS_2017_CSV_files.zip")
+        pydeltav.ciss.pairs(tmp_path / "CISS_2017_CSV_files.zip")
 
 
 def test_what_is_missing_is_named_with_what_there_is_instead(folder: pathlib.Path, tmp_path: pathlib.Path) -> None:
     def refusal(source: pathlib.Path) -> str:
         with pytest.raises((ValueError, FileNotFoundError)) as raised:
-            deltav.ciss.pairs(source)
+            pydeltav.ciss.pairs(source)
         return str(raised.value)
 
     assert "there is no folder" in refusal(tmp_path / "nowhere")
@@ -286,11 +286,11 @@ def test_sas_files_are_read_through_pyreadstat(
         return {name: [cell(name, row[name]) for row in rows] for name in rows[0]}, None
 
     monkeypatch.setitem(sys.modules, "pyreadstat", types.SimpleNamespace(read_sas7bdat=read_sas7bdat))
-    assert deltav.ciss.pairs(folder) == deltav.ciss.pairs(simulated)
+    assert pydeltav.ciss.pairs(folder) == pydeltav.ciss.pairs(simulated)
     assert set(asked) == {"dict"}
     monkeypatch.setitem(sys.modules, "pyreadstat", None)
     with pytest.raises(ImportError, match=r"crash.sas7bdat is a SAS file: pip install pyreadstat"):
-        deltav.ciss.pairs(folder)
+        pydeltav.ciss.pairs(folder)
 
 
 def test_pyreadstat_has_the_reader_that_is_asked() -> None:
@@ -302,23 +302,23 @@ def test_pyreadstat_has_the_reader_that_is_asked() -> None:
 
 
 def test_libraries_read_pairs_and_a_saved_file_has_them(simulated: pathlib.Path, tmp_path: pathlib.Path) -> None:
-    pairs = deltav.ciss.pairs(simulated)
+    pairs = pydeltav.ciss.pairs(simulated)
     table = pyarrow.table(pairs)
     assert table.column_names == pairs.names and table.to_pylist() == list(pairs)
     assert [str(table.schema.field(name).type) for name in ("CASEID", "CDC_1", "C1_2")] == ["int64", "string", "double"]
     assert polars.DataFrame(pairs).rows(named=True) == list(pairs)
     assert len(pandas.DataFrame.from_arrow(pairs)) == 12
     pairs.save(tmp_path / "pairs.csv")
-    assert deltav.ciss.read(tmp_path / "pairs.csv") == pairs
+    assert pydeltav.ciss.read(tmp_path / "pairs.csv") == pairs
     assert pickle.loads(pickle.dumps(pairs)) == pairs
-    assert pairs[2:5] == deltav.ciss.Pairs(list(pairs)[2:5]) != pairs
+    assert pairs[2:5] == pydeltav.ciss.Pairs(list(pairs)[2:5]) != pairs
     (tmp_path / "other.csv").write_text("CASEID\n1\n")
     with pytest.raises(ValueError, match="there is no column YEAR; give a file that Pairs.save wrote"):
-        deltav.ciss.read(tmp_path / "other.csv")
+        pydeltav.ciss.read(tmp_path / "other.csv")
 
 
 def test_the_program_makes_the_same_pairs_of_the_tables(simulated: pathlib.Path, tmp_path: pathlib.Path) -> None:
-    pairs = deltav.ciss.pairs(simulated)
+    pairs = pydeltav.ciss.pairs(simulated)
     pairs.save(tmp_path / "pairs.csv")
     archive = shutil.make_archive(str(tmp_path / "CISS_2017"), "zip", simulated)
     saved = hashlib.sha256((tmp_path / "pairs.csv").read_bytes()).hexdigest()
@@ -329,12 +329,12 @@ def test_the_program_makes_the_same_pairs_of_the_tables(simulated: pathlib.Path,
 
 
 def test_the_judgement_is_that_of_the_program(simulated: pathlib.Path, tmp_path: pathlib.Path) -> None:
-    pairs = deltav.ciss.pairs(simulated)[1:3]
+    pairs = pydeltav.ciss.pairs(simulated)[1:3]
     pairs.save(tmp_path / "pairs.csv")
     for other in (False, True):
         said = run("validate", "--field", tmp_path / "pairs.csv", "--format", "json", *(["--other"] if other else []))
         assert said.returncode == 0, said.stderr
-        coverage = deltav.ciss.judge(pairs, other=other, threads=1)
+        coverage = pydeltav.ciss.judge(pairs, other=other, threads=1)
         assert json.loads(said.stdout) == coverage.to_dict()
     assert "Recorders inside the intervals" in str(coverage)
     assert "<svg" in coverage.draw().svg() and "<svg" in coverage.draw("ranks").svg()
@@ -344,14 +344,14 @@ def test_the_judgement_is_that_of_the_program(simulated: pathlib.Path, tmp_path:
     with pytest.raises(ValueError, match='what="both": give one of "estimates", "ranks"'):
         coverage.draw("both")  # type: ignore[arg-type]
     with pytest.raises(ValueError, match="line 2, column CURBWT_1: \"-5.0\" is not a mass above 0 kg|CURBWT_1"):
-        deltav.ciss.judge([pairs[0] | {"CURBWT_1": -5.0}])
+        pydeltav.ciss.judge([pairs[0] | {"CURBWT_1": -5.0}])
 
 
 def test_a_case_says_what_the_judgement_assumes(simulated: pathlib.Path) -> None:
-    pairs = deltav.ciss.pairs(simulated)[:3]
-    judged = deltav.ciss.judge(pairs).judged
+    pairs = pydeltav.ciss.pairs(simulated)[:3]
+    judged = pydeltav.ciss.judge(pairs).judged
     for pair in pairs:
-        case = deltav.ciss.case(pair)
+        case = pydeltav.ciss.case(pair)
         assert case.title == f"Crash {pair['CASEID']} of 2017, event 1" and "recorder" not in case.text
         outputs = case.estimate(particles=128, pieces=False).outputs
         for found in judged:
@@ -365,25 +365,25 @@ def test_a_case_says_what_the_judgement_assumes(simulated: pathlib.Path) -> None
 
 def test_the_recorder_of_a_case_is_the_one_that_is_asked_for(simulated: pathlib.Path) -> None:
     pair = next(
-        pair for pair in deltav.ciss.pairs(simulated) if pair["MAXDVLONG_2"] is not None and pair["MAXDVLAT_2"] is not None
+        pair for pair in pydeltav.ciss.pairs(simulated) if pair["MAXDVLONG_2"] is not None and pair["MAXDVLAT_2"] is not None
     )
-    given = deltav.ciss.case(pair, recorder=2).to_dict()
+    given = pydeltav.ciss.case(pair, recorder=2).to_dict()
     assert "recorder" not in given["vehicle1"]
     assert given["vehicle2"]["recorder"]["delta_v_longitudinal"] == f"{pair['MAXDVLONG_2']:.3f} km/h"
     none = pair | {"MAXDVLONG_2": None, "MAXDVLAT_2": None}
     with pytest.raises(ValueError, match="recorder=2: that vehicle has no ΔV of a recorder that can be used"):
-        deltav.ciss.case(none, recorder=2)
+        pydeltav.ciss.case(none, recorder=2)
     with pytest.raises(ValueError, match="recorder: give 1 or 2"):
-        deltav.ciss.case(pair, recorder=3)  # type: ignore[arg-type]
+        pydeltav.ciss.case(pair, recorder=3)  # type: ignore[arg-type]
     with pytest.raises(ValueError, match='CDCPLANE_2 of the pair is "T", not F, B, L or R'):
-        deltav.ciss.case(pair | {"CDCPLANE_2": "T"})
+        pydeltav.ciss.case(pair | {"CDCPLANE_2": "T"})
     with pytest.raises(ValueError, match="C3_1 of the pair is nothing, not a number"):
-        deltav.ciss.case(pair | {"C3_1": None})
+        pydeltav.ciss.case(pair | {"C3_1": None})
 
 
 @pytest.mark.skipif(not PUBLISHED.exists(), reason="the pairs of 2017 are not in the repository")
 def test_the_pairs_of_2017_come_back_from_tables_that_have_them(tmp_path: pathlib.Path) -> None:
-    expected = deltav.ciss.read(PUBLISHED)
+    expected = pydeltav.ciss.read(PUBLISHED)
     assert len(expected) == 329
     general = ("MAKE", "MODEL", "MODELYR", "BODYTYPE", "CURBWT", "CARGOWT", "DVANGTHIS")
     recorder = ("MAXDVLONG", "MAXDVLAT")
@@ -409,7 +409,7 @@ def test_the_pairs_of_2017_come_back_from_tables_that_have_them(tmp_path: pathli
             tables["EDREVENT"].append(key | {"CDCEVENT": pair["EVENTNO"]} | stored)
     for name, rows in tables.items():
         write(tmp_path, name, rows)
-    pairs = deltav.ciss.pairs(tmp_path)
+    pairs = pydeltav.ciss.pairs(tmp_path)
     ordered = sorted(expected, key=lambda pair: (pair["CASEID"], pair["EVENTNO"]))
     assert list(pairs) == ordered and pairs.left_out == {}
 
@@ -432,14 +432,14 @@ def test_records_of_a_recorder_come_from_the_zip_as_downloaded(tmp_path: pathlib
     folder.mkdir()
     long_tables(folder)
     archive = pathlib.Path(shutil.make_archive(str(tmp_path / "CISS_2020"), "zip", folder))
-    records = deltav.ciss.records(archive, 7, 1)
-    assert records == deltav.ciss.records(folder, 7, 1)
+    records = pydeltav.ciss.records(archive, 7, 1)
+    assert records == pydeltav.ciss.records(folder, 7, 1)
     assert [sorted(record) for record in records] == [["pre_crash"], ["pre_crash", "pulse"]]
     # 888 rev/min is a number, and no code.
     assert "1050,0.0,888" in records[0]["pre_crash"]["text"]
     vehicles = {"vehicle1": {"recorder": {"records": records}}, "vehicle2": {"fixed": True}}
-    [found, _] = deltav.Case.from_dict(vehicles).recorder()["vehicles"]
+    [found, _] = pydeltav.Case.from_dict(vehicles).recorder()["vehicles"]
     stored = [one["speed_at_impact"]["stored"] * 3.6 for one in (found, *found["other_records"])]
     assert sorted(round(speed) for speed in stored) == [33, 52]
     with pytest.raises(ValueError, match="vehicle 3 in crash 7 has no record"):
-        deltav.ciss.records(folder, 7, 3)
+        pydeltav.ciss.records(folder, 7, 3)

@@ -5,7 +5,7 @@ import gc
 import pathlib
 import pickle
 
-import deltav
+import pydeltav
 import numpy as np
 import pandas as pd
 import polars as pl
@@ -15,8 +15,8 @@ from conftest import FIXTURES, UNCERTAIN, run
 
 
 @pytest.fixture(scope="module")
-def uncertain() -> deltav.Uncertainty:
-    return deltav.Case.read(UNCERTAIN).uncertainty(1000, seed=3)
+def uncertain() -> pydeltav.Uncertainty:
+    return pydeltav.Case.read(UNCERTAIN).uncertainty(1000, seed=3)
 
 
 def test_the_samples_are_those_that_the_program_writes(tmp_path: pathlib.Path) -> None:
@@ -24,7 +24,7 @@ def test_the_samples_are_those_that_the_program_writes(tmp_path: pathlib.Path) -
     written = tmp_path / "samples.csv"
     run("uncertainty", path, "--samples", "1000", "--seed", "3", "--samples-out", written, "-o", tmp_path / "x.txt")
     rows = list(csv.DictReader(written.open(encoding="utf-8")))
-    columns = deltav.Case.read(path).uncertainty(1000, seed=3).columns()
+    columns = pydeltav.Case.read(path).uncertainty(1000, seed=3).columns()
     assert columns.rows == len(rows) == 1000
     failed = pa.record_batch(columns).column("failed").to_pylist()
     assert failed == [row["failed"] or None for row in rows]
@@ -36,7 +36,7 @@ def test_the_samples_are_those_that_the_program_writes(tmp_path: pathlib.Path) -
         assert found == wanted
 
 
-def test_a_view_of_numpy_is_on_the_memory_of_the_result(uncertain: deltav.Uncertainty) -> None:
+def test_a_view_of_numpy_is_on_the_memory_of_the_result(uncertain: pydeltav.Uncertainty) -> None:
     columns = uncertain.columns()
     view = columns["vehicle1.speed"]
     assert view.dtype == np.float64 and view.shape == (1000,)
@@ -48,7 +48,7 @@ def test_a_view_of_numpy_is_on_the_memory_of_the_result(uncertain: deltav.Uncert
     assert np.mean(view) == pytest.approx(uncertain.outputs["vehicle1.speed"].mean, rel=1e-12)
 
 
-def test_a_view_cannot_be_written_to(uncertain: deltav.Uncertainty) -> None:
+def test_a_view_cannot_be_written_to(uncertain: pydeltav.Uncertainty) -> None:
     view = uncertain.columns()["vehicle1.speed"]
     assert not view.flags.writeable and not view.flags.owndata
     with pytest.raises(ValueError, match="read-only"):
@@ -58,7 +58,7 @@ def test_a_view_cannot_be_written_to(uncertain: deltav.Uncertainty) -> None:
 
 
 def test_a_view_outlives_the_result() -> None:
-    case = deltav.Case.read(UNCERTAIN)
+    case = pydeltav.Case.read(UNCERTAIN)
     kept = case.uncertainty(1000, seed=3).columns()["vehicle1.speed"]
     copy = kept.copy()
     gc.collect()
@@ -68,7 +68,7 @@ def test_a_view_outlives_the_result() -> None:
     assert len({other.ctypes.data for other in others} | {kept.ctypes.data}) == 21
 
 
-def test_whatever_speaks_arrow_takes_the_columns(uncertain: deltav.Uncertainty) -> None:
+def test_whatever_speaks_arrow_takes_the_columns(uncertain: pydeltav.Uncertainty) -> None:
     columns = uncertain.columns()
     speeds = columns["vehicle1.speed"]
     for table in (pa.table(columns), pa.record_batch(columns), pa.RecordBatchReader.from_stream(columns).read_all()):
@@ -82,7 +82,7 @@ def test_whatever_speaks_arrow_takes_the_columns(uncertain: deltav.Uncertainty) 
     assert types == {pa.string(), pa.float64()}
 
 
-def test_columns_are_asked_for_by_their_keys(uncertain: deltav.Uncertainty) -> None:
+def test_columns_are_asked_for_by_their_keys(uncertain: pydeltav.Uncertainty) -> None:
     columns = uncertain.columns()
     assert list(columns) == columns.keys() == list(uncertain.outputs)
     assert len(columns) == len(columns.names) - 1
@@ -92,7 +92,7 @@ def test_columns_are_asked_for_by_their_keys(uncertain: deltav.Uncertainty) -> N
 
 
 def test_pickled_columns_are_the_same() -> None:
-    columns = deltav.Case.read(FIXTURES / "wide-ranges.toml").uncertainty(1000).columns()
+    columns = pydeltav.Case.read(FIXTURES / "wide-ranges.toml").uncertainty(1000).columns()
     again = pickle.loads(pickle.dumps(columns))
     assert pa.table(again).equals(pa.table(columns), check_metadata=True)
 
@@ -103,7 +103,7 @@ def test_the_draws_of_an_estimate_are_those_that_the_program_writes(tmp_path: pa
     options = ["--particles", "128", "--no-pieces", "--samples-out", written, "-o", tmp_path / "x.txt"]
     assert run("estimate", path, *options).returncode == 0
     rows = list(csv.DictReader(written.open(encoding="utf-8")))
-    estimated = deltav.Case.read(path).estimate(particles=128, pieces=False)
+    estimated = pydeltav.Case.read(path).estimate(particles=128, pieces=False)
     columns = estimated.columns()
     assert columns.rows == len(rows) == estimated.draws
     assert columns.keys() == list(rows[0])[1:]
@@ -114,7 +114,7 @@ def test_the_draws_of_an_estimate_are_those_that_the_program_writes(tmp_path: pa
     assert pa.table(again.columns()).equals(pa.table(columns))
 
 
-def test_columns_read_as_a_dict(uncertain: deltav.Uncertainty) -> None:
+def test_columns_read_as_a_dict(uncertain: pydeltav.Uncertainty) -> None:
     columns = uncertain.columns()
     assert [key for key, _ in columns.items()] == columns.keys()
     for (key, of_item), value in zip(columns.items(), columns.values(), strict=True):
@@ -125,7 +125,7 @@ def test_columns_read_as_a_dict(uncertain: deltav.Uncertainty) -> None:
     assert 1 not in columns
 
 
-def test_columns_know_their_names_of_arrow(uncertain: deltav.Uncertainty) -> None:
+def test_columns_know_their_names_of_arrow(uncertain: pydeltav.Uncertainty) -> None:
     columns = uncertain.columns()
     for key, name in zip(columns, columns.names[1:], strict=True):
         assert name in columns
@@ -136,7 +136,7 @@ def test_columns_know_their_names_of_arrow(uncertain: deltav.Uncertainty) -> Non
         assert name not in columns
 
 
-def test_pandas_gets_all_rows_with_their_names_or_a_sentence(uncertain: deltav.Uncertainty) -> None:
+def test_pandas_gets_all_rows_with_their_names_or_a_sentence(uncertain: pydeltav.Uncertainty) -> None:
     columns = uncertain.columns()
     # A table of keys, or numbers without names, would be neither.
     for make in (pd.DataFrame, np.asarray, np.array):

@@ -8,16 +8,16 @@ import subprocess
 import sys
 from typing import Any
 
-import deltav
+import pydeltav
 import pytest
 from conftest import ROOT, UNCERTAIN
 
 
 def test_the_examples_of_the_docstrings_run() -> None:
-    uncertain = deltav.Case.read(UNCERTAIN).uncertainty(1000)
-    estimated = deltav.Case.example().estimate(particles=128, pieces=False)
-    names = {"deltav": deltav, "uncertain": uncertain, "columns": uncertain.columns(), "estimated": estimated}
-    for module, least in ((deltav, 60), (deltav.results, 3)):
+    uncertain = pydeltav.Case.read(UNCERTAIN).uncertainty(1000)
+    estimated = pydeltav.Case.example().estimate(particles=128, pieces=False)
+    names = {"pydeltav": pydeltav, "uncertain": uncertain, "columns": uncertain.columns(), "estimated": estimated}
+    for module, least in ((pydeltav, 60), (pydeltav.results, 3)):
         found = doctest.testmod(module, extraglobs=names, optionflags=doctest.ELLIPSIS)
         assert found.failed == 0
         assert found.attempted >= least, "docstrings of the Rust classes are among them"
@@ -35,11 +35,11 @@ def callables() -> dict[str, tuple[Any, list[str]]]:
             parameters = []
         offered[name] = (of, [] if parameters == ["args", "kwargs"] else parameters)
 
-    for module in (deltav, deltav.ciss, deltav.results):
+    for module in (pydeltav, pydeltav.ciss, pydeltav.results):
         for name in module.__all__:
             of = getattr(module, name)
             # The parts of a result are read, not made: their attributes have docstrings.
-            if not callable(of) or (module is deltav.results and name != "Keyed"):
+            if not callable(of) or (module is pydeltav.results and name != "Keyed"):
                 continue
             add(f"{module.__name__}.{name}", of)
             for method, function in vars(of).items() if isinstance(of, type) else ():
@@ -60,7 +60,7 @@ def test_a_docstring_names_parameters_units_errors_and_an_example(name: str) -> 
     text = inspect.cleandoc(of.__doc__ or "")
     described = re.findall(r"^(\w+)(?: :.*)?$", section(text, "Parameters"), re.M)
     assert described == parameters
-    if name != "deltav.NoAnswerError":
+    if name != "pydeltav.NoAnswerError":
         assert ">>> " in section(text, "Examples"), text
     # Whoever passes something can pass what is wrong; what gives numbers says in which units.
     if parameters and not isinstance(of, type) and name.split(".")[-1] not in ("get", "case_schema"):
@@ -72,9 +72,9 @@ def test_a_docstring_names_parameters_units_errors_and_an_example(name: str) -> 
 def test_every_callable_is_among_them() -> None:
     names = callables()
     assert len(names) > 60, names
-    for name in ("deltav.Case.uncertainty", "deltav.crush_table", "deltav.Columns.items", "deltav.ciss.Pairs.save"):
+    for name in ("pydeltav.Case.uncertainty", "pydeltav.crush_table", "pydeltav.Columns.items", "pydeltav.ciss.Pairs.save"):
         assert name in names
-    assert names["deltav.Case.estimate"][1] == ["particles", "seed", "prior", "pieces", "above", "threads"]
+    assert names["pydeltav.Case.estimate"][1] == ["particles", "seed", "prior", "pieces", "above", "threads"]
 
 
 def test_the_examples_of_the_readme_run(tmp_path: pathlib.Path, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -86,11 +86,11 @@ def test_the_examples_of_the_readme_run(tmp_path: pathlib.Path, monkeypatch: pyt
 
 
 def test_everything_that_is_offered_says_what_it_is() -> None:
-    for name in deltav.__all__:
-        offered = getattr(deltav, name)
+    for name in pydeltav.__all__:
+        offered = getattr(pydeltav, name)
         if name == "__version__":
             continue
-        assert offered.__doc__ and offered.__module__ == "deltav", name
+        assert offered.__doc__ and offered.__module__ == "pydeltav", name
         for method in getattr(offered, "__dict__", {}):
             if not method.startswith("_"):
                 assert getattr(offered, method).__doc__, f"{name}.{method}"
@@ -99,7 +99,7 @@ def test_everything_that_is_offered_says_what_it_is() -> None:
 def test_the_stubs_are_those_of_the_module(tmp_path: pathlib.Path) -> None:
     allowed = pathlib.Path(__file__).with_name("stubtest-allowlist.txt")
     # From elsewhere, so that it looks at what is installed.
-    command = [sys.executable, "-m", "mypy.stubtest", "deltav", "--ignore-disjoint-bases", "--allowlist", str(allowed)]
+    command = [sys.executable, "-m", "mypy.stubtest", "pydeltav", "--ignore-disjoint-bases", "--allowlist", str(allowed)]
     run = subprocess.run(command, capture_output=True, encoding="utf-8", cwd=tmp_path)
     assert run.returncode == 0, run.stdout + run.stderr
 

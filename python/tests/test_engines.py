@@ -5,7 +5,7 @@ import pathlib
 from collections.abc import Iterator
 from typing import Any
 
-import deltav
+import pydeltav
 import duckdb
 import polars as pl
 import pyarrow as pa
@@ -35,7 +35,7 @@ def crashes() -> pa.Table:
 
 
 def of_one_process(**options: Any) -> pa.Table:
-    rows = pa.table(deltav.reconstruct_table(crashes(), **options, threads=1))
+    rows = pa.table(pydeltav.reconstruct_table(crashes(), **options, threads=1))
     assert rows["error"].null_count == ROWS - 1
     return rows
 
@@ -52,7 +52,7 @@ def test_duckdb_reads_and_writes_what_one_process_finds(
     pq.write_table(crashes(), tmp_path / "crashes.parquet", row_group_size=30)
     for at_once in (7, ROWS):
         reader = duckdb.connect().sql("from 'crashes.parquet'").to_arrow_reader(at_once)
-        found = pa.RecordBatchReader.from_stream(deltav.stream_table("reconstruct", reader, **OPTIONS))
+        found = pa.RecordBatchReader.from_stream(pydeltav.stream_table("reconstruct", reader, **OPTIONS))
         writer = duckdb.connect()
         writer.register("found", found)
         writer.execute("copy (from found) to 'results.parquet'")

@@ -10,12 +10,12 @@ import textwrap
 import threading
 import time
 
-import deltav
+import pydeltav
 import joblib
 import pytest
 from conftest import FIXTURES, ROOT, UNCERTAIN
 
-CASE = deltav.Case.read(UNCERTAIN)
+CASE = pydeltav.Case.read(UNCERTAIN)
 
 
 def speeds(seed: int) -> str:
@@ -44,7 +44,7 @@ def test_joblib_and_spawned_processes_take_cases_and_give_results() -> None:
 
 
 def test_pickles_are_the_same_to_the_last_bit() -> None:
-    case = deltav.Case.read(FIXTURES / "sae-980025.toml")
+    case = pydeltav.Case.read(FIXTURES / "sae-980025.toml")
     again = pickle.loads(pickle.dumps(case))
     assert (again.text, again.name) == (case.text, case.name)
     results = [case.reconstruct(), case.check(), case.compare(), case.sensitivity(), CASE.uncertainty(640, 5)]
@@ -90,8 +90,8 @@ def test_other_threads_of_python_run_meanwhile() -> None:
 
 
 INTERRUPTED = """
-    import deltav, sys
-    case = deltav.Case.read(sys.argv[1])
+    import pydeltav, sys
+    case = pydeltav.Case.read(sys.argv[1])
     print("begun", flush=True)
     try:
         ASK
@@ -108,7 +108,7 @@ INTERRUPTED = """
     [
         "case.uncertainty(1_000_000)",
         "case.uncertainty(1_000_000, threads=1)",
-        "deltav.Case.read('fixtures/estimate.toml').estimate(particles=1024)",
+        "pydeltav.Case.read('fixtures/estimate.toml').estimate(particles=1024)",
     ],
 )
 def test_ctrl_c_ends_a_long_run(ask: str) -> None:
@@ -130,8 +130,8 @@ def test_ctrl_c_ends_a_long_run(ask: str) -> None:
 def test_a_search_back_from_rests_leaves_the_interpreter_alive() -> None:
     """Where the compiler does not optimise, it needs more stack than a thread has unless somebody says."""
     code = """
-import deltav
-case = deltav.Case.read("fixtures/rear-end-rest.toml")
+import pydeltav
+case = pydeltav.Case.read("fixtures/rear-end-rest.toml")
 print("begins", flush=True)
 case.estimate(particles=128, pieces=False)
 """

@@ -6,11 +6,11 @@ import pathlib
 import re
 from html.parser import HTMLParser
 
-import deltav
+import pydeltav
 import pytest
 from conftest import FIXTURES, UNCERTAIN
 
-EXAMPLE = deltav.Case.example()
+EXAMPLE = pydeltav.Case.example()
 
 
 def test_attributes_are_the_keys_of_the_document() -> None:
@@ -23,13 +23,13 @@ def test_attributes_are_the_keys_of_the_document() -> None:
             assert dict(getattr(result, key)).keys() == value.keys()
     assert result.vehicle1.delta_v == document["vehicle1"]["delta_v"]
     assert result.found.roots == tuple(document["found"]["roots"])
-    assert result.program.name == "deltav" and result.program.version == deltav.__version__
+    assert result.program.name == "deltav" and result.program.version == pydeltav.__version__
     assert re.fullmatch("[0-9a-f]{64}", result.case.sha256)
 
 
 def test_a_part_is_a_mapping_that_cannot_be_changed() -> None:
     part = EXAMPLE.reconstruct().vehicle1
-    assert part == EXAMPLE.reconstruct().to_dict()["vehicle1"] or isinstance(part, deltav.Record)
+    assert part == EXAMPLE.reconstruct().to_dict()["vehicle1"] or isinstance(part, pydeltav.Record)
     assert list(part) == list(EXAMPLE.reconstruct().to_dict()["vehicle1"])
     assert "delta_v" in dir(part) and "delta_v=12.15" in repr(part)
     with pytest.raises(AttributeError, match="cannot be changed"):
@@ -98,10 +98,10 @@ def test_a_notebook_shows_headline_table_and_drawing() -> None:
 
 
 def test_a_notebook_shows_every_result() -> None:
-    uncertain = deltav.Case.read(UNCERTAIN).uncertainty(1000)
+    uncertain = pydeltav.Case.read(UNCERTAIN).uncertainty(1000)
     assert drawn(Read(uncertain._repr_html_())) == uncertain.histogram("vehicle1.speed").svg()
     assert uncertain.tornado("vehicle1.speed").svg().startswith("<svg")
-    crushed = deltav.Case.read(FIXTURES / "sae-980025-crush.toml").crush()
+    crushed = pydeltav.Case.read(FIXTURES / "sae-980025-crush.toml").crush()
     assert drawn(Read(crushed._repr_html_())) == crushed.draw().svg() == crushed.draw("damage").svg()
     for result in (EXAMPLE.check(), EXAMPLE.compare(), EXAMPLE.sensitivity()):
         page = Read(result._repr_html_())
@@ -111,7 +111,7 @@ def test_a_notebook_shows_every_result() -> None:
 
 def test_what_others_wrote_cannot_act_in_a_notebook() -> None:
     text = EXAMPLE.text.replace("1994 GMC Jimmy", '<script>alert(1)</script>\\" onload=').replace("Intersection", "<b>")
-    page = Read(deltav.Case.parse(text).reconstruct()._repr_html_())
+    page = Read(pydeltav.Case.parse(text).reconstruct()._repr_html_())
     assert "<script>alert(1)</script>" in page.words
 
 
@@ -128,9 +128,9 @@ def test_a_drawing_is_saved_in_the_format_of_its_name(tmp_path: pathlib.Path) ->
 
 
 def test_a_case_without_an_answer_says_why() -> None:
-    case = deltav.Case.read(FIXTURES / "no-answer" / "drive-apart.toml")
-    with pytest.raises(deltav.NoAnswerError):
+    case = pydeltav.Case.read(FIXTURES / "no-answer" / "drive-apart.toml")
+    with pytest.raises(pydeltav.NoAnswerError):
         case.impact()
     # It is a ValueError of Python, but no CaseError: the case is well formed.
-    assert issubclass(deltav.NoAnswerError, ValueError) and issubclass(deltav.CaseError, ValueError)
-    assert not issubclass(deltav.NoAnswerError, deltav.CaseError)
+    assert issubclass(pydeltav.NoAnswerError, ValueError) and issubclass(pydeltav.CaseError, ValueError)
+    assert not issubclass(pydeltav.NoAnswerError, pydeltav.CaseError)

@@ -10,7 +10,7 @@ import sys
 import time
 from collections.abc import Callable, Iterator
 
-import deltav
+import pydeltav
 import numpy as np
 import pyarrow as pa
 import pyarrow.parquet as pq
@@ -67,7 +67,7 @@ def bits(table: pa.Table) -> dict[str, list[object]]:
 @pytest.fixture(scope="module")
 def expected() -> dict[str, list[object]]:
     """What one process finds."""
-    rows = pa.table(deltav.reconstruct_table(crashes(), template=UNCERTAIN, samples=SAMPLES, seed=5, threads=1))
+    rows = pa.table(pydeltav.reconstruct_table(crashes(), template=UNCERTAIN, samples=SAMPLES, seed=5, threads=1))
     errors = rows["error"].to_pylist()
     assert [row for row, error in enumerate(errors) if error] == [2, ROWS - 1]
     return bits(rows)

@@ -8,7 +8,7 @@ import struct
 from collections.abc import Iterator
 from typing import Any
 
-import deltav
+import pydeltav
 import numpy as np
 import pandas as pd
 import polars as pl
@@ -16,7 +16,7 @@ import pyarrow as pa
 import pytest
 from conftest import FIXTURES, ROOT, cases
 
-TEMPLATE = deltav.Case.example().text
+TEMPLATE = pydeltav.Case.example().text
 SPEED = "vehicle2.speed [mph]"
 
 
@@ -34,11 +34,11 @@ def flat(document: Any, path: str = "") -> dict[str, Any]:
 
 @pytest.mark.parametrize("path", [path for path in cases() if "invalid" not in path.parts], ids=str)
 def test_a_row_has_the_bits_of_the_case(path: pathlib.Path) -> None:
-    case = deltav.Case.read(path)
+    case = pydeltav.Case.read(path)
     for ask, solve in [
-        (case.reconstruct, deltav.reconstruct_table),
-        (case.impact, deltav.impact_table),
-        (case.crush, deltav.crush_table),
+        (case.reconstruct, pydeltav.reconstruct_table),
+        (case.impact, pydeltav.impact_table),
+        (case.crush, pydeltav.crush_table),
     ]:
         [row] = pa.table(solve(pa.table({"id": [7], "seed": pa.nulls(1)}), template=case.text)).to_pylist()
         assert row["id"] == 7
@@ -55,14 +55,14 @@ def test_a_row_has_the_bits_of_the_case(path: pathlib.Path) -> None:
 
 
 def test_what_a_row_gives_stands_before_the_template() -> None:
-    rows = pa.table(deltav.reconstruct_table(table([10.0, None, 20.0]), template=TEMPLATE)).to_pylist()
-    faster = deltav.Case.parse(TEMPLATE.replace('"10 mph"', '"20 mph"')).reconstruct()
-    example = deltav.Case.example().reconstruct()
+    rows = pa.table(pydeltav.reconstruct_table(table([10.0, None, 20.0]), template=TEMPLATE)).to_pylist()
+    faster = pydeltav.Case.parse(TEMPLATE.replace('"10 mph"', '"20 mph"')).reconstruct()
+    example = pydeltav.Case.example().reconstruct()
     assert [row["found_value"] for row in rows] == [example.found.value, example.found.value, faster.found.value]
 
 
 def test_a_wrong_row_costs_nothing_else() -> None:
-    solved = deltav.reconstruct_table(table([10.0, 1e9, float("nan"), 10.0]), template=TEMPLATE)
+    solved = pydeltav.reconstruct_table(table([10.0, 1e9, float("nan"), 10.0]), template=TEMPLATE)
     rows = pa.table(solved).to_pylist()
     assert len(solved) == 4 and [row["id"] for row in rows] == [0, 1, 2, 3]
     assert [row["error"] is None for row in rows] == [True, False, False, True]
@@ -73,51 +73,51 @@ def test_a_wrong_row_costs_nothing_else() -> None:
 def test_bits_depend_neither_on_partitions_nor_on_threads() -> None:
     text = (FIXTURES / "sae-980025-uncertain.toml").read_text("utf-8")
     speeds = pa.table({"vehicle2.heading [deg]": [60.0 + place / 10 for place in range(20)]})
-    whole = pa.table(deltav.reconstruct_table(speeds, template=text, samples=640, seed=5))
+    whole = pa.table(pydeltav.reconstruct_table(speeds, template=text, samples=640, seed=5))
     for threads in (1, 2):
-        assert pa.table(deltav.reconstruct_table(speeds, template=text, samples=640, seed=5, threads=threads)).equals(whole)
+        assert pa.table(pydeltav.reconstruct_table(speeds, template=text, samples=640, seed=5, threads=threads)).equals(whole)
     stream = pa.RecordBatchReader.from_batches(speeds.schema, speeds.to_batches(max_chunksize=7))
-    assert pa.table(deltav.reconstruct_table(stream, template=text, samples=640, seed=5)).equals(whole)
+    assert pa.table(pydeltav.reconstruct_table(stream, template=text, samples=640, seed=5)).equals(whole)
     assert len(set(whole["vehicle1_delta_v_p975"].to_pylist())) > 1
     with_seed = speeds.append_column("seed", pa.array([5] * 20))
-    assert pa.table(deltav.reconstruct_table(with_seed, template=text, samples=640)).equals(whole)
+    assert pa.table(pydeltav.reconstruct_table(with_seed, template=text, samples=640)).equals(whole)
 
 
 def test_whatever_speaks_arrow_goes_in_and_out() -> None:
-    of_arrow = pa.table(deltav.reconstruct_table(table([10.0, 12.0]), template=TEMPLATE))
+    of_arrow = pa.table(pydeltav.reconstruct_table(table([10.0, 12.0]), template=TEMPLATE))
     frame = pl.DataFrame({"id": [0, 1], SPEED: [10.0, 12.0]})
-    found = pl.DataFrame(deltav.reconstruct_table(frame, template=TEMPLATE))
+    found = pl.DataFrame(pydeltav.reconstruct_table(frame, template=TEMPLATE))
     assert found["found_value"].to_list() == of_arrow["found_value"].to_pylist()
     texts = pl.DataFrame({"vehicle2.speed": ["10 mph", "12 mph"]})
-    assert pl.DataFrame(deltav.reconstruct_table(texts, template=TEMPLATE))["error"].is_null().all()
-    of_pandas = deltav.reconstruct_table(pd.DataFrame({SPEED: [10.0, 12.0]}), template=TEMPLATE)
+    assert pl.DataFrame(pydeltav.reconstruct_table(texts, template=TEMPLATE))["error"].is_null().all()
+    of_pandas = pydeltav.reconstruct_table(pd.DataFrame({SPEED: [10.0, 12.0]}), template=TEMPLATE)
     assert pd.DataFrame.from_arrow(of_pandas)["found_value"].tolist() == of_arrow["found_value"].to_pylist()
     for batch in table([10.0, 12.0]).to_batches():
-        assert pa.table(deltav.reconstruct_table(batch, template=TEMPLATE)).equals(of_arrow)
+        assert pa.table(pydeltav.reconstruct_table(batch, template=TEMPLATE)).equals(of_arrow)
 
 
 def test_the_template_is_a_text_a_dict_or_a_path() -> None:
-    wanted = pa.table(deltav.reconstruct_table(table([11.0]), template=TEMPLATE))
+    wanted = pa.table(pydeltav.reconstruct_table(table([11.0]), template=TEMPLATE))
     path = ROOT / "crates" / "case" / "sae-980025.toml"
-    for template in (deltav.Case.example().to_dict(), path, str(path.read_text("utf-8"))):
-        assert pa.table(deltav.reconstruct_table(table([11.0]), template=template)).equals(wanted)
-    with pytest.raises(deltav.CaseError, match='unknown key "restituton"'):
-        deltav.reconstruct_table(table([11.0]), template={"impact": {"restituton": 0.1}})
+    for template in (pydeltav.Case.example().to_dict(), path, str(path.read_text("utf-8"))):
+        assert pa.table(pydeltav.reconstruct_table(table([11.0]), template=template)).equals(wanted)
+    with pytest.raises(pydeltav.CaseError, match='unknown key "restituton"'):
+        pydeltav.reconstruct_table(table([11.0]), template={"impact": {"restituton": 0.1}})
 
 
 def test_a_template_is_a_case_or_the_path_of_one(tmp_path: pathlib.Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    example = deltav.Case.example()
-    wanted = pa.table(deltav.reconstruct_table(table([11.0]), template=TEMPLATE))
+    example = pydeltav.Case.example()
+    wanted = pa.table(pydeltav.reconstruct_table(table([11.0]), template=TEMPLATE))
     (tmp_path / "a b.toml").write_text(TEMPLATE, "utf-8")
     (tmp_path / "case.txt").write_text(TEMPLATE, "utf-8")
     monkeypatch.chdir(tmp_path)
     for template in (example, "a b.toml", str(tmp_path / "a b.toml"), pathlib.Path("case.txt")):
-        assert pa.table(deltav.reconstruct_table(table([11.0]), template=template)).equals(wanted)
-    stream = deltav.stream_table("reconstruct", table([11.0]), template=example)
+        assert pa.table(pydeltav.reconstruct_table(table([11.0]), template=template)).equals(wanted)
+    stream = pydeltav.stream_table("reconstruct", table([11.0]), template=example)
     assert pa.RecordBatchReader.from_stream(stream).read_all().equals(wanted)
     # A text on one line is a text.
     for template in ("[impact]", "title = 'a.toml'", "title = 'a'"):
-        assert len(deltav.crush_table(table([11.0]), template=template)) == 1
+        assert len(pydeltav.crush_table(table([11.0]), template=template)) == 1
 
 
 @pytest.mark.parametrize(
@@ -137,12 +137,12 @@ def test_a_template_that_is_none_is_refused(
     (tmp_path / "latin.toml").write_bytes(b"title = 'caf\xe9'")
     monkeypatch.chdir(tmp_path)
     with pytest.raises(error, match=says):
-        deltav.crush_table(table([11.0]), template=template)
+        pydeltav.crush_table(table([11.0]), template=template)
 
 
 def test_a_dict_of_columns_is_a_table() -> None:
     speeds = [10.0, 12.0, 14.0]
-    wanted = pa.table(deltav.reconstruct_table(table(list(speeds)), template=TEMPLATE))
+    wanted = pa.table(pydeltav.reconstruct_table(table(list(speeds)), template=TEMPLATE))
     for column in (
         speeds,
         tuple(speeds),
@@ -156,28 +156,28 @@ def test_a_dict_of_columns_is_a_table() -> None:
         pl.Series(speeds),
         pa.array(speeds),
     ):
-        of_dict = deltav.reconstruct_table({"id": range(3), SPEED: column}, template=TEMPLATE)
+        of_dict = pydeltav.reconstruct_table({"id": range(3), SPEED: column}, template=TEMPLATE)
         assert pa.table(of_dict).equals(wanted), type(column)
-    stream = deltav.stream_table("reconstruct", {"id": [0, 1, 2], SPEED: speeds}, template=TEMPLATE)
+    stream = pydeltav.stream_table("reconstruct", {"id": [0, 1, 2], SPEED: speeds}, template=TEMPLATE)
     assert pa.RecordBatchReader.from_stream(stream).read_all().equals(wanted)
     speeds_as_texts = np.array(["10 mph", "12 mph", "14 mph"])
     texts = {"id": ["a", None, "c"], "vehicle2.speed": speeds_as_texts, "kept": [True, None, False]}
-    rows = pa.table(deltav.reconstruct_table(texts, template=TEMPLATE))
+    rows = pa.table(pydeltav.reconstruct_table(texts, template=TEMPLATE))
     assert rows["found_value"].to_pylist() == wanted["found_value"].to_pylist()
     assert rows["id"].to_pylist() == ["a", None, "c"] and rows["kept"].to_pylist() == [True, None, False]
     gaps = {SPEED: [None, 10.0, float("nan")], "none": [None] * 3}
-    assert pa.table(deltav.reconstruct_table(gaps, template=TEMPLATE))["error"].is_null().to_pylist() == [True, True, False]
+    assert pa.table(pydeltav.reconstruct_table(gaps, template=TEMPLATE))["error"].is_null().to_pylist() == [True, True, False]
 
 
 def test_a_column_of_lists_is_one_of_depths() -> None:
     name = "vehicle1.crush.depths [cm]"
     for depths in ([[30.0, 20.0], (10, 20), None], [np.array([30.0, 20.0]), [10, 20], None]):
-        of_dict = pa.table(deltav.reconstruct_table({"id": [1, 2, 3], name: depths}, template=TEMPLATE))
+        of_dict = pa.table(pydeltav.reconstruct_table({"id": [1, 2, 3], name: depths}, template=TEMPLATE))
         of_arrow = pa.table({"id": [1, 2, 3], name: pa.array([[30.0, 20.0], [10.0, 20.0], None])})
-        assert of_dict.equals(pa.table(deltav.reconstruct_table(of_arrow, template=TEMPLATE)))
+        assert of_dict.equals(pa.table(pydeltav.reconstruct_table(of_arrow, template=TEMPLATE)))
         assert of_dict["error"].null_count == 3
     square = {"id": [1, 2], name: np.array([[30.0, 20.0], [10.0, 20.0]])}
-    found = pa.table(deltav.reconstruct_table(square, template=TEMPLATE))["vehicle1_crush_energy"].to_pylist()
+    found = pa.table(pydeltav.reconstruct_table(square, template=TEMPLATE))["vehicle1_crush_energy"].to_pylist()
     assert found == of_dict["vehicle1_crush_energy"].to_pylist()[:2] and found[0] > found[1] > 0.0
 
 
@@ -206,14 +206,14 @@ ITSELF.append(ITSELF)
         ("crashes.csv", TypeError, "a str is no table"),
         (None, TypeError, "a NoneType is no table"),
         (np.zeros((2, 2)), TypeError, "a ndarray is no table"),
-        (deltav.Case.example(), TypeError, "a Case is no table"),
+        (pydeltav.Case.example(), TypeError, "a Case is no table"),
         (pa.array([1.0]), TypeError, "the DoubleArray is no table of columns"),
         (pl.Series([1.0]), TypeError, "the Series is no table of columns"),
         ({"vehicle2.sped [mph]": [10.0]}, ValueError, "is no key of a case"),
     ],
 )
 def test_what_is_no_table_is_refused_in_words_of_this_package(given: Any, error: type[Exception], says: str) -> None:
-    for solve in (deltav.crush_table, lambda table, **of: deltav.stream_table("crush", table, **of)):
+    for solve in (pydeltav.crush_table, lambda table, **of: pydeltav.stream_table("crush", table, **of)):
         with pytest.raises(error) as raised:
             solve(given, template=TEMPLATE)
         assert re.search(says, str(raised.value)), raised.value
@@ -227,7 +227,7 @@ def test_nested_rows_are_cases_of_their_own() -> None:
         {"id": "a", "vehicle1": crushed, "vehicle2": {"fixed": True}},
         {"id": "b", "vehicle1": vehicle, "vehicle2": {"fixed": True}},
     ]
-    found = pa.table(deltav.crush_table(pa.Table.from_pylist(rows))).to_pylist()
+    found = pa.table(pydeltav.crush_table(pa.Table.from_pylist(rows))).to_pylist()
     with_units = {
         "mass": "1500 kg",
         "yaw_inertia": "2500 kg m^2",
@@ -235,34 +235,34 @@ def test_nested_rows_are_cases_of_their_own() -> None:
         "contact": {"x": "2 m", "y": "0 m"},
         "crush": crush | {"width": "1.5 m", "depths": "0.3 0.2 m", "pdof": "0 deg"},
     }
-    case = deltav.Case.from_dict({"vehicle1": with_units, "vehicle2": {"fixed": True}})
+    case = pydeltav.Case.from_dict({"vehicle1": with_units, "vehicle2": {"fixed": True}})
     assert found[0]["error"] is None
     assert repr(found[0]["vehicle1_crash3_delta_v"]) == repr(case.crush().crash3.delta_v[0])
     assert "crush" in found[1]["error"]
 
 
 def test_schemas_are_known_without_data() -> None:
-    result = pa.schema(deltav.result_schema("reconstruct", samples=1000))
-    solved = deltav.reconstruct_table(table([10.0]), template=TEMPLATE, samples=1000)
+    result = pa.schema(pydeltav.result_schema("reconstruct", samples=1000))
+    solved = pydeltav.reconstruct_table(table([10.0]), template=TEMPLATE, samples=1000)
     assert pa.table(solved).schema.names == ["id", *result.names] == solved.names
     assert [field.type for field in pa.table(solved).schema][1:] == [field.type for field in result]
     assert not any("." in name for name in result.names)
     assert not any(pa.types.is_unsigned_integer(field.type) for field in result)
-    cases_of = pa.schema(deltav.case_schema())
+    cases_of = pa.schema(pydeltav.case_schema())
     assert pa.types.is_list(cases_of.field("vehicle1").type.field("crush").type.field("depths").type)
-    ranges = pa.schema(deltav.case_schema(ranges=True))
+    ranges = pa.schema(pydeltav.case_schema(ranges=True))
     assert pa.types.is_struct(ranges.field("vehicle1").type.field("mass").type)
 
 
 def test_an_empty_table_has_the_columns_of_its_results() -> None:
-    solved = pa.table(deltav.reconstruct_table(table([]), template=TEMPLATE))
+    solved = pa.table(pydeltav.reconstruct_table(table([]), template=TEMPLATE))
     assert solved.num_rows == 0 and "found_value" in solved.schema.names
 
 
 def test_an_estimate_of_a_row_is_that_of_the_case() -> None:
     path = FIXTURES / "estimate.toml"
-    [row] = pa.table(deltav.estimate_table(pa.table({"seed": [1]}), template=path, particles=128)).to_pylist()
-    estimated = deltav.Case.read(path).estimate(particles=128, pieces=False)
+    [row] = pa.table(pydeltav.estimate_table(pa.table({"seed": [1]}), template=path, particles=128)).to_pylist()
+    estimated = pydeltav.Case.read(path).estimate(particles=128, pieces=False)
     assert row["vehicle1_speed_median"] == estimated.outputs["vehicle1.speed"].median
 
 
@@ -278,7 +278,7 @@ def test_an_estimate_of_a_row_is_that_of_the_case() -> None:
 )
 def test_a_table_that_cannot_be_read_is_refused(columns: dict[str, Any], options: dict[str, Any], says: str) -> None:
     with pytest.raises(ValueError) as raised:
-        deltav.reconstruct_table(pa.table(columns), template=TEMPLATE, **options)
+        pydeltav.reconstruct_table(pa.table(columns), template=TEMPLATE, **options)
     assert says in str(raised.value)
 
 
@@ -292,7 +292,7 @@ def test_a_stream_has_the_rows_of_the_table_and_solves_no_more_than_was_read() -
 
     def stream(**options: Any) -> pa.RecordBatchReader:
         crashes = pa.RecordBatchReader.from_batches(table([0.0]).schema, parts())
-        solved = deltav.stream_table("reconstruct", crashes, template=TEMPLATE, **options)
+        solved = pydeltav.stream_table("reconstruct", crashes, template=TEMPLATE, **options)
         return pa.RecordBatchReader.from_stream(solved)
 
     reader = stream(samples=640, seed=5, threads=1)
@@ -300,14 +300,14 @@ def test_a_stream_has_the_rows_of_the_table_and_solves_no_more_than_was_read() -
     reader.read_next_batch()
     assert read == [0]
     whole = pa.Table.from_batches(parts(), table([0.0]).schema)
-    wanted = pa.table(deltav.reconstruct_table(whole, template=TEMPLATE, samples=640, seed=5))
+    wanted = pa.table(pydeltav.reconstruct_table(whole, template=TEMPLATE, samples=640, seed=5))
     assert stream(samples=640, seed=5).read_all().combine_chunks().equals(wanted.combine_chunks())
 
 
 def test_a_stream_cuts_a_large_batch_and_ends() -> None:
     rows = 20_001
     crashes = pa.table({"id": range(rows), SPEED: [10.0] * rows}).combine_chunks()
-    solved = deltav.stream_table("crush", crashes, template=TEMPLATE)
+    solved = pydeltav.stream_table("crush", crashes, template=TEMPLATE)
     reader = pa.RecordBatchReader.from_stream(solved)
     sizes, identifiers = [], []
     for batch in reader:
@@ -321,11 +321,11 @@ def test_a_stream_cuts_a_large_batch_and_ends() -> None:
 
 def test_a_stream_refuses_a_wrong_table_at_once() -> None:
     with pytest.raises(ValueError, match='job="reconstuct": give one of'):
-        deltav.stream_table("reconstuct", table([10.0]), template=TEMPLATE)  # type: ignore[arg-type]
+        pydeltav.stream_table("reconstuct", table([10.0]), template=TEMPLATE)  # type: ignore[arg-type]
     with pytest.raises(ValueError, match="is no key of a case"):
-        deltav.stream_table("reconstruct", pa.table({"vehicle2.sped [mph]": [10.0]}), template=TEMPLATE)
+        pydeltav.stream_table("reconstruct", pa.table({"vehicle2.sped [mph]": [10.0]}), template=TEMPLATE)
     with pytest.raises(ValueError, match="64"):
-        deltav.stream_table("reconstruct", table([10.0]), template=TEMPLATE, samples=3)
+        pydeltav.stream_table("reconstruct", table([10.0]), template=TEMPLATE, samples=3)
 
 
 def arrow_text(values: list[bytes], kind: pa.DataType) -> pa.Array:
@@ -345,8 +345,8 @@ def test_text_in_another_encoding_is_refused(column: str, kind: pa.DataType) -> 
         speeds = pa.array([10.0, 12.0])
         table = pa.table([arrow_text([b"10 mph", value], kind), speeds], names=[column, "vehicle1.mass [kg]"])
         with pytest.raises(ValueError, match="UTF-8"):
-            deltav.reconstruct_table(table, template=TEMPLATE)
-        stream = deltav.stream_table("reconstruct", table, template=TEMPLATE)
+            pydeltav.reconstruct_table(table, template=TEMPLATE)
+        stream = pydeltav.stream_table("reconstruct", table, template=TEMPLATE)
         with pytest.raises(Exception, match="UTF-8"):
             pa.RecordBatchReader.from_stream(stream).read_all()
 
@@ -422,10 +422,10 @@ def test_a_thousand_random_tables_leave_the_interpreter_alive() -> None:
         rows = draw.randrange(4)
         chosen = draw.sample(names, draw.randrange(1, 4))
         table = pa.table([column(rows) for _ in chosen], names=chosen)
-        solve = draw.choice([deltav.crush_table, deltav.impact_table, deltav.reconstruct_table])
+        solve = draw.choice([pydeltav.crush_table, pydeltav.impact_table, pydeltav.reconstruct_table])
         try:
             if draw.random() < 0.2:
-                stream = deltav.stream_table("crush", table, template=TEMPLATE)
+                stream = pydeltav.stream_table("crush", table, template=TEMPLATE)
                 result = pa.RecordBatchReader.from_stream(stream).read_all()
             else:
                 result = pa.table(solve(table, template=TEMPLATE))

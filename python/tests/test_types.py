@@ -10,11 +10,11 @@ import types
 from collections.abc import Callable, Iterator
 from typing import Any, Union, get_args, get_origin, get_type_hints
 
-import deltav
+import pydeltav
 import pytest
 from conftest import FIXTURES, ROOT, UNCERTAIN, cases
-from deltav import results
-from deltav._record import Keyed, Record
+from pydeltav import results
+from pydeltav._record import Keyed, Record
 
 # What no case here has; their types are those of `crates/report/src/data`. What occurs may not stand here.
 NOT_IN_FIXTURES = {
@@ -76,8 +76,8 @@ def looked_up(value: Any, of: Any, path: str, seen: set[str]) -> Iterator[str]:
         yield f"{path} is {value!r}, not {of}"
 
 
-def asked(path: pathlib.Path) -> Iterator[Callable[[], deltav.Result]]:
-    case = deltav.Case.read(path)
+def asked(path: pathlib.Path) -> Iterator[Callable[[], pydeltav.Result]]:
+    case = pydeltav.Case.read(path)
     yield from (case.reconstruct, case.impact, case.motion, case.crush, case.check, case.compare)
     yield lambda: case.sensitivity(pdof_step=10.0, pdof_steps=1)
     # Rows of indices take some hundred samples each.
@@ -96,24 +96,24 @@ def documents(simulated: pathlib.Path) -> Iterator[tuple[str, str, Any, dict[str
                 continue
             of = results._DOCUMENTS[type(result).__name__]
             yield f"{path}: {type(result).__name__}", type(result).__name__, of, result.to_dict()
-    held = deltav.Case.read(FIXTURES / "barrier.toml").to_dict()
+    held = pydeltav.Case.read(FIXTURES / "barrier.toml").to_dict()
     held["vehicle1"]["crush"] |= {"moment_arm": "0.3 m", "oblique_angle": "3 deg"}
-    swept = deltav.Case.from_dict(held).sensitivity(pdof_steps=1).to_dict()
+    swept = pydeltav.Case.from_dict(held).sensitivity(pdof_steps=1).to_dict()
     yield "held: Sensitivity", "Sensitivity", results._SensitivityDocument, swept
-    passed = deltav.Case.read(FIXTURES / "motion" / "ricsac-6.toml").to_dict()
+    passed = pydeltav.Case.read(FIXTURES / "motion" / "ricsac-6.toml").to_dict()
     passed["vehicle1"]["after"]["points"] = [
         {"x": "-5 m", "y": "1 m", "heading": "170 deg"},
         {"x": "-4 m", "y": "1 m", "wheel": "front left"},
     ]
-    followed = deltav.Case.from_dict(passed).motion().to_dict()
+    followed = pydeltav.Case.from_dict(passed).motion().to_dict()
     yield "points: Analysis", "Analysis", results._AnalysisDocument, followed
     for name in ("pole.toml", "sae-980025.toml"):
-        result = deltav.Case.read(FIXTURES / name).estimate(particles=128, above=["vehicle1.speed 50 km/h"])
+        result = pydeltav.Case.read(FIXTURES / name).estimate(particles=128, above=["vehicle1.speed 50 km/h"])
         yield f"{name}: Estimate", "Estimate", results._EstimateDocument, result.to_dict()
     for name in ("pedestrian", "skid", "sight", "recorder"):
-        avoided = deltav.Case.read(FIXTURES / "avoid" / f"{name}.toml").avoid(samples=1000)
+        avoided = pydeltav.Case.read(FIXTURES / "avoid" / f"{name}.toml").avoid(samples=1000)
         yield f"{name}: Avoidance", "Avoidance", results._AvoidanceDocument, avoided.to_dict()
-    judged = deltav.ciss.judge(deltav.ciss.pairs(simulated)[:1])
+    judged = pydeltav.ciss.judge(pydeltav.ciss.pairs(simulated)[:1])
     yield "ciss: Coverage", "Coverage", results._Coverage, judged.to_dict()
 
 
@@ -144,7 +144,7 @@ def test_every_document_is_of_its_types_and_every_type_occurs(simulated: pathlib
 
 
 def test_a_document_with_another_shape_is_found() -> None:
-    document = deltav.Case.example().reconstruct().to_dict()
+    document = pydeltav.Case.example().reconstruct().to_dict()
     of = results._AnalysisDocument
     assert list(looked_up(document, of, "", set())) == []
     for change in (
@@ -161,14 +161,14 @@ def test_a_document_with_another_shape_is_found() -> None:
 
 
 def test_parts_are_of_their_classes() -> None:
-    result = deltav.Case.example().reconstruct()
+    result = pydeltav.Case.example().reconstruct()
     assert type(result.vehicle1) is results.Vehicle and type(result.found) is results.Found
     assert type(result.headline.vehicle1.speed) is results.HeadlineFigure
     assert type(result.program) is results.Program
-    uncertain = deltav.Case.read(UNCERTAIN).uncertainty(1000)
+    uncertain = pydeltav.Case.read(UNCERTAIN).uncertainty(1000)
     assert {type(output) for output in uncertain.outputs.values()} == {results.UncertainOutput}
     assert type(dict(uncertain.outputs.items())["vehicle1.speed"].tornado[0]) is results.Bar
-    both = deltav.Case.read(FIXTURES / "rear-end-rest.toml").reconstruct()
+    both = pydeltav.Case.read(FIXTURES / "rear-end-rest.toml").reconstruct()
     assert [type(found) for found in both.found] == [results.Found, results.Found]
 
 
@@ -186,13 +186,13 @@ def test_every_attribute_has_its_unit_in_front() -> None:
 
 
 RIGHT = """
-import deltav
+import pydeltav
 import numpy as np
 import numpy.typing as npt
-from deltav.results import Found, UncertainOutput, Vehicle
+from pydeltav.results import Found, UncertainOutput, Vehicle
 
-case: deltav.Case = deltav.Case.from_dict({"vehicle1": {}})
-result: deltav.Analysis = case.reconstruct()
+case: pydeltav.Case = pydeltav.Case.from_dict({"vehicle1": {}})
+result: pydeltav.Analysis = case.reconstruct()
 speed: float = result.vehicle1.delta_v
 also: float = result.found.value
 several: tuple[float, ...] = result.found.roots
@@ -216,8 +216,8 @@ probability: float | None = estimated.questions[0].probability
 runs: list[bool] = [command.runs for command in case.check().commands]
 found: float = case.compare().rows[0].found
 influence: float = case.sensitivity().derivatives[0].influence
-rows = deltav.crush_table({"id": [1, 2], "vehicle1.mass [kg]": np.array([1500.0, 1600.0])}, template=case)
-coverage: float = deltav.ciss.judge([]).groups["all"].coverage["95"]
+rows = pydeltav.crush_table({"id": [1, 2], "vehicle1.mass [kg]": np.array([1500.0, 1600.0])}, template=case)
+coverage: float = pydeltav.ciss.judge([]).groups["all"].coverage["95"]
 """
 
 # Each line is wrong.
@@ -239,13 +239,13 @@ low: float = uncertain.outputs["vehicle1.speed"].median
 case.estimate().pieces[0].verdikt
 case.draw("picture")
 case.uncertainty("many")
-deltav.crush_table(1)
-deltav.ciss.judge([]).judged[0].recorded
+pydeltav.crush_table(1)
+pydeltav.ciss.judge([]).judged[0].recorded
 """
 
-BEGINS = """import deltav
+BEGINS = """import pydeltav
 
-case = deltav.Case.example()
+case = pydeltav.Case.example()
 result = case.reconstruct()
 uncertain = case.uncertainty(1000)
 """

@@ -1,4 +1,5 @@
 // The page: left the case, right the answer. There is one state, the text of the case; all else follows from it.
+import { book } from "./book.js";
 import { afterPause, download, eachFrame, h, showDialog } from "./dom.js";
 import { Editor } from "./editor.js";
 import * as engine from "./engine.js";
@@ -55,6 +56,8 @@ export class App {
   private readonly headline = h("div", { class: "headline" });
   private readonly state = h("div", { class: "state" });
   private readonly question = h("select", { id: "question", onchange: () => this.ask() });
+  /** Where the book explains how the question is answered. */
+  private readonly chapter = h("span");
   private readonly spoken = h("div", { class: "unseen", role: "status", "aria-live": "polite" });
   private readonly undoButton = h("button", { type: "button", class: "icon", "aria-label": texts.file.undo, title: texts.file.undo, onclick: () => this.undo() }, "↶");
   private readonly redoButton = h("button", { type: "button", class: "icon", "aria-label": texts.file.redo, title: texts.file.redo, onclick: () => this.redo() }, "↷");
@@ -115,13 +118,13 @@ export class App {
     this.panels.set("recorder", new Recorder(save, (key, table) => this.paste(key, table)));
     this.panels.set("avoid", this.avoid);
     this.panels.set("inputs", new Inputs());
-    const scenePanel = h("div", { class: "panel" }, this.scene.element);
+    const scenePanel = h("div", { class: "panel" }, this.scene.element, book.view("scene"));
     this.viewTabs = new Tabs(texts.viewTabs.label ?? "", [
       { name: "scene", title: texts.viewTabs.scene ?? "", panel: scenePanel, shown: () => this.show("scene") },
       ...[...this.panels].map(([name, panel]) => ({
         name,
         title: texts.viewTabs[name] ?? name,
-        panel: h("div", { class: "panel" }, panel.element),
+        panel: h("div", { class: "panel" }, book.view(name), panel.element),
         shown: () => this.show(name),
       })),
     ]);
@@ -180,7 +183,7 @@ export class App {
     const answer = h("section", { class: "answer", id: "answer", tabindex: -1, "aria-label": texts.answer.label },
       this.headline,
       h("div", { class: "answer-side" },
-        h("div", { class: "question" }, h("label", { for: "question" }, texts.answer.question), this.question),
+        h("div", { class: "question" }, h("label", { for: "question" }, texts.answer.question), this.question, this.chapter),
         this.state));
     // On a narrow page one of the two sides is shown.
     const sides = (["view", "case"] as const).map((side) => {
@@ -412,7 +415,7 @@ export class App {
     dialog.append(
       h("h2", { id: "templates-title" }, texts.templates.title),
       h("p", { class: "note" }, texts.templates.explain),
-      h("p", {}, h("label", { for: "template-units" }, texts.templates.unitsLabel), " ", system),
+      h("p", {}, h("label", { for: "template-units" }, texts.templates.unitsLabel), " ", system, " ", book.choose()),
       h("div", { class: "cards" }, ...cards),
       h("button", { type: "button", class: "quiet", onclick: () => dialog.close() }, texts.close));
     showDialog(dialog);
@@ -427,6 +430,7 @@ export class App {
       h("h2", { id: "about-title" }, `deltav ${engine.version()}`),
       ...texts.about.paragraphs.map((words) => h("p", {}, words)),
       h("p", {}, texts.about.engine, " ", digest),
+      h("p", {}, book.start()),
       h("details", {}, h("summary", {}, texts.about.licences), h("pre", { tabindex: 0 }, licences.packages ?? "")),
       h("button", { type: "button", class: "quiet", onclick: () => dialog.close() }, texts.close));
     showDialog(dialog);
@@ -521,6 +525,8 @@ export class App {
     if (!options.includes(command)) options.unshift(command);
     this.question.replaceChildren(...options.map((one) => h("option", { value: one }, texts.questions[one] ?? one)));
     this.question.value = command;
+    if (this.chapter.dataset.of !== command) this.chapter.replaceChildren(...[book.method(command)].filter((link) => link !== null));
+    this.chapter.dataset.of = command;
     this.question.disabled = options.length < 2;
   }
 

@@ -1,5 +1,6 @@
 // The case as a form: for each key of the file a field, with its unit, its range and what the glossary says of it.
 // The form holds nothing of its own: it shows the text, and writes into it.
+import { book } from "./book.js";
 import { h, markup, unique } from "./dom.js";
 import * as engine from "./engine.js";
 import type { Check, Field, Group, Problem } from "./engine.js";
@@ -339,11 +340,13 @@ function moved(field: Field, from: string, to: string): Field {
 function explanation(field: Field): HTMLElement[] {
   const meaning = h("p", {}, h("strong", {}, `${field.title}. `), field.help, " ", h("code", {}, field.key));
   const words = engine.explain(field.key);
-  if (!("html" in words)) return [meaning];
+  const chapter = book.key(field.key, nameOf(field.key));
+  const more = chapter ? [h("p", {}, chapter)] : [];
+  if (!("html" in words)) return [meaning, ...more];
   const glossary = h("div");
   markup(glossary, words.html);
   inWords(glossary);
-  return [meaning, glossary];
+  return [meaning, glossary, ...more];
 }
 
 interface Asked {

@@ -1,5 +1,7 @@
 import "./style.css";
 
+// It takes its mark out of the page before `live.js` copies that.
+import "./book.js";
 import { App } from "./app.js";
 import * as engine from "./engine.js";
 // It takes the page as it was loaded, so it is here before anything is added.

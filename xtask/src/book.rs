@@ -9,6 +9,7 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 
 use anyhow::{Context as _, Result, ensure};
+use serde_json::Value;
 
 use crate::tools::{is_installed, run, say, target_folder};
 
@@ -22,7 +23,42 @@ pub(crate) fn program(root: &Path) -> Option<PathBuf> {
     [own, PathBuf::from("mdbook")].into_iter().find(|program| is_installed(program))
 }
 
-/// Builds the book into a folder, and fails for a link that leads nowhere.
+/// The page, as it is called in the folder of the book.
+const PAGE: &str = "deltav.html";
+
+/// Puts the page beside the chapters, and tells it so: it then links to them.
+///
+/// The page is one file that may lie anywhere, and its policy lets it look for nothing: that it lies here has
+/// to be told.
+pub(crate) fn add_page(folder: &Path, page: &Path) -> Result<()> {
+    let text = fs::read_to_string(page).with_context(|| format!("cannot read {}", page.display()))?;
+    let told = text.replacen(HEAD, &format!("{HEAD}<meta name=\"deltav-book\">"), 1);
+    ensure!(told != text, "{} does not begin with {HEAD}", page.display());
+    let copy = folder.join(PAGE);
+    fs::write(&copy, told).with_context(|| format!("cannot write {}", copy.display()))
+}
+
+/// Where the page tells its characters; what it knows of the book follows.
+const HEAD: &str = "<meta charset=\"utf-8\">";
+
+/// All places of the book to which the page links.
+fn links_of_page(root: &Path) -> Result<Vec<String>> {
+    let file = root.join("web/src/chapters.json");
+    let text = fs::read_to_string(&file).with_context(|| format!("cannot read {}", file.display()))?;
+    let chapters = serde_json::from_str(&text).with_context(|| format!("{} is no JSON", file.display()))?;
+    Ok(texts(&chapters))
+}
+
+/// All texts of a document that are no keys.
+fn texts(document: &Value) -> Vec<String> {
+    match document {
+        Value::String(text) => vec![text.clone()],
+        Value::Object(entries) => entries.values().flat_map(texts).collect(),
+        _ => Vec::new(),
+    }
+}
+
+/// Builds the book into a folder, and fails for a link that leads nowhere, be it one of the page.
 pub(crate) fn build(root: &Path, out: Option<&Path>) -> Result<()> {
     let mdbook = program(root).context(HOW_TO_INSTALL)?;
     let root = &root.canonicalize().context("cannot find the repository")?;
@@ -35,7 +71,7 @@ pub(crate) fn build(root: &Path, out: Option<&Path>) -> Result<()> {
     pages::gather(root, &source)?;
     fs::copy(root.join("book/book.toml"), folder.join("book.toml")).context("cannot copy book/book.toml")?;
     run(Command::new(mdbook).arg("build").arg(&folder).arg("--dest-dir").arg(&out))?;
-    let found = links::check(&out)?;
+    let found = links::check(&out, &[(out.join(PAGE), links_of_page(root)?)])?;
     for dead in &found.dead {
         say(&format!("dead link: {dead}"))?;
     }
@@ -46,4 +82,30 @@ pub(crate) fn build(root: &Path, out: Option<&Path>) -> Result<()> {
         found.links,
         out.join("index.html").display()
     ))
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used, reason = "tests")]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_page_is_told_that_it_lies_in_the_book() {
+        let folder = std::env::temp_dir().join(format!("deltav-page-{}", std::process::id()));
+        fs::create_dir_all(&folder).unwrap();
+        let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
+        add_page(&folder, &root.join("web/index.html")).unwrap();
+        let copy = fs::read_to_string(folder.join(PAGE)).unwrap();
+        fs::write(folder.join("none.html"), "<html>").unwrap();
+        let refused = add_page(&folder, &folder.join("none.html"));
+        fs::remove_dir_all(&folder).unwrap();
+        assert_eq!(copy.matches("<meta name=\"deltav-book\">").count(), 1);
+        assert!(refused.is_err());
+    }
+
+    #[test]
+    fn the_page_has_links_into_the_book() {
+        let links = links_of_page(&Path::new(env!("CARGO_MANIFEST_DIR")).join("..")).unwrap();
+        assert!(links.contains(&"docs/guide/avoid.html#sight".to_owned()), "{links:?}");
+    }
 }

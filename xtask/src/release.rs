@@ -24,6 +24,7 @@ use crate::tools::{cargo, is_installed, output, run, say, target_folder};
   cargo run -p xtask -- release --dry-run
   cargo run -p xtask -- release --dry-run --skip page,wheel
   cargo run -p xtask -- release --dry-run --only program --target x86_64-pc-windows-gnu
+  cargo run -p xtask -- release --dry-run --only program --target aarch64-unknown-linux-musl
   cargo run -p xtask -- release --publish-order
 
 A part whose tools are missing is left out, and a sentence at the end says so. A part that was named by --only
@@ -84,7 +85,7 @@ enum Part {
     Wheel,
     /// The source distribution for Python
     Sdist,
-    /// The book
+    /// The book, with a copy of the page that links into it
     Book,
     /// The packages of the crates
     Packages,
@@ -195,7 +196,14 @@ fn build(part: Part, place: &Place) -> Result<Vec<String>> {
         Part::Book => {
             let folder = place.target.join("book/html");
             book::build(&place.root, Some(&folder))?;
+            let page = place.out.join("deltav.html");
+            if page.exists() {
+                book::add_page(&folder, &page)?;
+            }
             archive::tar(place, &folder, &format!("deltav-{}-book", place.version))?;
+            if !page.exists() {
+                return Ok(vec![format!("the page in the book: {} is not there", page.display())]);
+            }
         }
         Part::Packages => packages(place)?,
         Part::Bill => {

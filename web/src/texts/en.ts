@@ -145,6 +145,15 @@ export const texts = {
     licences: "Licences of what this page contains",
   },
 
+  /** Links into the book, where the page lies beside it. */
+  book: {
+    more: "More in the book",
+    method: "Book",
+    start: "Open the book",
+    choose: "Which method for what you have",
+    of: (words: string, of: string) => `${words}: ${of}`,
+  },
+
   questions: {
     reconstruct: "Which speed does the damage show?",
     impact: "What do these speeds do?",

@@ -17,16 +17,20 @@ pub(super) struct Found {
     pub(super) dead: Vec<String>,
 }
 
-/// Reads all pages below a folder, and follows their links within it. Links to other sites are not followed.
-pub(super) fn check(folder: &Path) -> Result<Found> {
+/// Reads all pages below a folder, and follows their links within it, and those of `others`, pages that are
+/// not read. Links to other sites are not followed.
+pub(super) fn check(folder: &Path, others: &[(PathBuf, Vec<String>)]) -> Result<Found> {
     let mut pages = BTreeMap::new();
     read(folder, &mut pages)?;
     let places: BTreeMap<&PathBuf, BTreeSet<&str>> =
         pages.iter().map(|(path, text)| (path, values(text, "id").into_iter().collect())).collect();
     let mut found = Found { pages: pages.len(), links: 0, dead: Vec::new() };
-    for (path, text) in &pages {
-        let all = values(text, "href").into_iter().chain(values(text, "src"));
-        for link in all.filter(|link| !is_elsewhere(link)) {
+    let own = pages.iter().map(|(path, text)| {
+        (path, values(text, "href").into_iter().chain(values(text, "src")).collect::<Vec<_>>())
+    });
+    let told = others.iter().map(|(path, links)| (path, links.iter().map(String::as_str).collect()));
+    for (path, all) in own.chain(told) {
+        for link in all.into_iter().filter(|link| !is_elsewhere(link)) {
             found.links += 1;
             let (file, place) = link.split_once('#').unwrap_or((link, ""));
             let target = if file.is_empty() { path.clone() } else { beside(path, file) };
@@ -115,10 +119,11 @@ mod tests {
             <a href=\"../b.html#gone\"></a><a href=\"../c.html\"></a><a href=\"https://x.org/none\"></a>";
         fs::write(folder.join("a/a.html"), page).unwrap();
         fs::write(folder.join("b.html"), "<p id=\"here\">").unwrap();
-        let found = check(&folder).unwrap();
+        let others = ["b.html#here", "b.html#there"].map(str::to_owned).to_vec();
+        let found = check(&folder, &[(folder.join("unread.html"), others)]).unwrap();
         fs::remove_dir_all(&folder).unwrap();
-        assert_eq!((found.pages, found.links), (2, 4));
+        assert_eq!((found.pages, found.links), (2, 6));
         let links: Vec<_> = found.dead.iter().map(|dead| dead.split(' ').next().unwrap()).collect();
-        assert_eq!(links, ["../b.html#gone", "../c.html"]);
+        assert_eq!(links, ["../b.html#gone", "../c.html", "b.html#there"]);
     }
 }

@@ -35,6 +35,7 @@ pub(super) fn program(place: &Place) -> Result<Vec<String>> {
         .args(["build", "--locked", "--release", "-p", "deltav-cli", "--target", triple])
         // Names of functions are for who debugs, and half of the file.
         .env("CARGO_PROFILE_RELEASE_STRIP", "symbols")
+        .envs(for_another_processor(triple))
         .current_dir(&place.root))?;
     let is_windows = triple.contains("windows");
     let file = if is_windows { "deltav.exe" } else { "deltav" };
@@ -72,6 +73,24 @@ pub(super) fn program(place: &Place) -> Result<Vec<String>> {
         tar(place, &folder, &name)?;
     }
     Ok(left_out)
+}
+
+/// What builds a static program for another processor than that of this machine: the linker of Rust, as
+/// nothing of the system is linked, and the C compiler of Debian's gcc-aarch64-linux-gnu for what is written
+/// in C.
+fn for_another_processor(triple: &str) -> Vec<(String, &'static str)> {
+    let Some(processor) = triple.strip_suffix("-unknown-linux-musl") else { return Vec::new() };
+    if processor == env::consts::ARCH || processor != "aarch64" {
+        return Vec::new();
+    }
+    let name = triple.replace('-', "_");
+    vec![
+        (format!("CARGO_TARGET_{}_LINKER", name.to_uppercase()), "rust-lld"),
+        (format!("CC_{name}"), "aarch64-linux-gnu-gcc"),
+        (format!("AR_{name}"), "aarch64-linux-gnu-ar"),
+        // Its headers are those of another C library, whose checked functions musl does not have.
+        (format!("CFLAGS_{name}"), "-U_FORTIFY_SOURCE"),
+    ]
 }
 
 /// What the program itself writes.

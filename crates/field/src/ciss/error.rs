@@ -28,7 +28,7 @@ pub enum CissError {
     /// The tables are SAS files, and whoever asks reads none.
     #[error(
         "{file} is a SAS file: download the tables of the year as CSV, or let the Python package, which reads SAS files, \
-         make the table of pairs: deltav.ciss.pairs(\"…\").save(\"pairs.csv\")"
+         make the table of pairs: pydeltav.ciss.pairs(\"…\").save(\"pairs.csv\")"
     )]
     Sas {
         /// Its name.

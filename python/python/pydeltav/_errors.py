@@ -23,8 +23,8 @@ class Problem(NamedTuple):
     Examples
     --------
     >>> try:
-    ...     deltav.Case.parse("vehicle3 = 1")
-    ... except deltav.CaseError as error:
+    ...     pydeltav.Case.parse("vehicle3 = 1")
+    ... except pydeltav.CaseError as error:
     ...     print(error.problems[0].line)
     1
     """
@@ -56,8 +56,8 @@ class CaseError(ValueError):
     Examples
     --------
     >>> try:
-    ...     deltav.Case.from_dict({"vehicle1": {"speed": "35 feets/s"}, "vehicle2": {"fixed": True}})
-    ... except deltav.CaseError as error:
+    ...     pydeltav.Case.from_dict({"vehicle1": {"speed": "35 feets/s"}, "vehicle2": {"fixed": True}})
+    ... except pydeltav.CaseError as error:
     ...     [problem] = error.problems
     >>> problem.key, problem.line, problem.column
     ('vehicle1.speed', 3, 9)
@@ -80,16 +80,16 @@ class NoAnswerError(ValueError):
 
     Examples
     --------
-    >>> numbers = deltav.Case.example().to_dict()
+    >>> numbers = pydeltav.Case.example().to_dict()
     >>> numbers["vehicle1"]["speed"] = "-80 mph"
     >>> try:
-    ...     deltav.Case.from_dict(numbers).impact()
-    ... except deltav.NoAnswerError:
+    ...     pydeltav.Case.from_dict(numbers).impact()
+    ... except pydeltav.NoAnswerError:
     ...     print("no collision is like it")
     no collision is like it
     """
 
 
 for _class in (Problem, CaseError, NoAnswerError):
-    _class.__module__ = "deltav"
+    _class.__module__ = "pydeltav"
 del _class

@@ -8,17 +8,17 @@ tells. Signs are those of ``axes``.
 Where the type depends on what the case asks for, it says ``| Any``, so that no check is needed in front of
 ``result.found.value``.
 
->>> from deltav.results import Vehicle
+>>> from pydeltav.results import Vehicle
 >>> def harm(vehicle: Vehicle) -> str:
 ...     return f"{vehicle.delta_v:.2f} m/s"
->>> harm(deltav.Case.example().reconstruct().vehicle1)
+>>> harm(pydeltav.Case.example().reconstruct().vehicle1)
 '12.15 m/s'
 """
 
 from collections.abc import Mapping
 from typing import Any
 
-from deltav._record import Keyed, Record
+from pydeltav._record import Keyed, Record
 
 __all__ = [
     "AbilityOf",
@@ -1379,7 +1379,7 @@ class _Avoidance(_Document):
     """Whether the collision was avoidable."""
 
 
-# deltav.ciss.judge()
+# pydeltav.ciss.judge()
 
 
 class Figures(Record):

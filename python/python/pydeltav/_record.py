@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any, Generic, TypeVar, Union, get_args, get_or
 class Record(Mapping[str, Any]):
     """A part of a result: its keys are attributes, and it reads as a dict. It cannot be changed.
 
-    What keys a part has, in which units, its class in ``deltav.results`` tells.
+    What keys a part has, in which units, its class in ``pydeltav.results`` tells.
 
     Parameters
     ----------
@@ -22,7 +22,7 @@ class Record(Mapping[str, Any]):
 
     Examples
     --------
-    >>> vehicle = deltav.Case.example().reconstruct().vehicle1
+    >>> vehicle = pydeltav.Case.example().reconstruct().vehicle1
     >>> vehicle.delta_v == vehicle["delta_v"]
     True
     >>> "pdof" in vehicle
@@ -85,9 +85,9 @@ class Keyed(Record, Generic[_Part]):
 
     Examples
     --------
-    >>> numbers = deltav.Case.example().to_dict()
+    >>> numbers = pydeltav.Case.example().to_dict()
     >>> numbers["vehicle2"]["speed"] = {"low": "8 mph", "high": "12 mph"}
-    >>> outputs = deltav.Case.from_dict(numbers).uncertainty(1000).outputs
+    >>> outputs = pydeltav.Case.from_dict(numbers).uncertainty(1000).outputs
     >>> [key for key, output in outputs.items() if output.central > 1000.0]
     ['impact.energy_loss', 'impact.normal_work', 'impact.tangential_work']
     """
@@ -172,5 +172,5 @@ def _shown(value: Any, of: Any) -> Any:
     return value
 
 
-Record.__module__ = "deltav"
-Keyed.__module__ = "deltav.results"
+Record.__module__ = "pydeltav"
+Keyed.__module__ = "pydeltav.results"

@@ -5,10 +5,10 @@ a folder of tables a year, as SAS files and as CSV. ``pairs`` makes of it one ta
 holds against their recorders, and ``case`` makes a case of one of them. ``deltav validate --field`` makes the same
 table of the same CSV files; the rules are in the engine.
 
->>> pairs = deltav.ciss.pairs(folder)
+>>> pairs = pydeltav.ciss.pairs(folder)
 >>> pairs
-<deltav.ciss.Pairs: 3 pairs of vehicles>
->>> case = deltav.ciss.case(pairs[0])
+<pydeltav.ciss.Pairs: 3 pairs of vehicles>
+>>> case = pydeltav.ciss.case(pairs[0])
 >>> case.title
 'Crash 1 of 2017, event 1'
 
@@ -24,10 +24,10 @@ import zipfile
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from typing import Any, Literal, overload
 
-from deltav import _deltav
-from deltav._deltav import Case, Drawing
-from deltav._record import Record
-from deltav.results import _Coverage
+from pydeltav import _pydeltav
+from pydeltav._pydeltav import Case, Drawing
+from pydeltav._record import Record
+from pydeltav.results import _Coverage
 
 __all__ = ["Coverage", "Pairs", "case", "judge", "pairs", "read", "records"]
 
@@ -35,7 +35,7 @@ _Cell = int | float | str | None
 _Row = dict[str, _Cell]
 
 # Names and kinds of cells, in the order of the table of pairs.
-_COLUMNS = _deltav._ciss_columns()
+_COLUMNS = _pydeltav._ciss_columns()
 _NAMES = [name for name, _ in _COLUMNS]
 
 
@@ -55,7 +55,7 @@ class Pairs(Sequence[_Row]):
 
     Examples
     --------
-    >>> pairs = deltav.ciss.pairs(folder)
+    >>> pairs = pydeltav.ciss.pairs(folder)
     >>> len(pairs), pairs[:1][0]["CASEID"]
     (3, 1)
     """
@@ -103,19 +103,19 @@ class Pairs(Sequence[_Row]):
         --------
         >>> import pathlib, tempfile
         >>> path = pathlib.Path(tempfile.mkdtemp(), "pairs.csv")
-        >>> deltav.ciss.pairs(folder).save(path)
-        >>> deltav.ciss.read(path) == deltav.ciss.pairs(folder)
+        >>> pydeltav.ciss.pairs(folder).save(path)
+        >>> pydeltav.ciss.read(path) == pydeltav.ciss.pairs(folder)
         True
         """
         pathlib.Path(path).write_text(_as_csv(self._rows), encoding="utf-8", newline="")
 
     def __arrow_c_stream__(self, requested_schema: object | None = None) -> object:
         columns = [[row[name] for row in self._rows] for name in _NAMES]
-        rows = _deltav._columns_of_pairs([(*of, cells) for of, cells in zip(_COLUMNS, columns, strict=True)])
+        rows = _pydeltav._columns_of_pairs([(*of, cells) for of, cells in zip(_COLUMNS, columns, strict=True)])
         return rows.__arrow_c_stream__(requested_schema)
 
     def __repr__(self) -> str:
-        return f"<deltav.ciss.Pairs: {len(self)} pairs of vehicles>"
+        return f"<pydeltav.ciss.Pairs: {len(self)} pairs of vehicles>"
 
     def _repr_html_(self) -> str:
         cells = [("", len(self), "pairs"), *(("left out: ", count, why) for why, count in self.left_out.items())]
@@ -190,7 +190,7 @@ class Coverage(_Coverage, Record):
         return self._judged.text()  # type: ignore[no-any-return]
 
     def __repr__(self) -> str:
-        return f"<deltav.ciss.Coverage: {len(self.judged)} recorders>"
+        return f"<pydeltav.ciss.Coverage: {len(self.judged)} recorders>"
 
     def _repr_html_(self) -> str:
         return self._judged.html() + self.draw()._repr_html_()  # type: ignore[no-any-return]
@@ -229,10 +229,10 @@ def pairs(source: str | os.PathLike[str]) -> Pairs:
 
     Examples
     --------
-    >>> deltav.ciss.pairs(folder)
-    <deltav.ciss.Pairs: 3 pairs of vehicles>
+    >>> pydeltav.ciss.pairs(folder)
+    <pydeltav.ciss.Pairs: 3 pairs of vehicles>
     """
-    rows, left_out = _deltav._ciss_pairs(str(source), *_files(pathlib.Path(source)))
+    rows, left_out = _pydeltav._ciss_pairs(str(source), *_files(pathlib.Path(source)))
     return Pairs(_named(rows), left_out)
 
 
@@ -257,11 +257,11 @@ def read(path: str | os.PathLike[str]) -> Pairs:
     --------
     >>> import pathlib, tempfile
     >>> path = pathlib.Path(tempfile.mkdtemp(), "pairs.csv")
-    >>> deltav.ciss.pairs(folder).save(path)
-    >>> len(deltav.ciss.read(path))
+    >>> pydeltav.ciss.pairs(folder).save(path)
+    >>> len(pydeltav.ciss.read(path))
     3
     """
-    return Pairs(_named(_deltav._read_pairs(str(path), pathlib.Path(path).read_bytes())))
+    return Pairs(_named(_pydeltav._read_pairs(str(path), pathlib.Path(path).read_bytes())))
 
 
 def case(pair: Mapping[str, _Cell], *, recorder: Literal[1, 2] | None = None) -> Case:
@@ -288,13 +288,13 @@ def case(pair: Mapping[str, _Cell], *, recorder: Literal[1, 2] | None = None) ->
 
     Examples
     --------
-    >>> pair = deltav.ciss.pairs(folder)[0]
-    >>> text = deltav.ciss.case(pair).text
+    >>> pair = pydeltav.ciss.pairs(folder)[0]
+    >>> text = pydeltav.ciss.case(pair).text
     >>> "[vehicle1.crush]" in text, "recorder" in text
     (True, False)
     """
     name = f"Crash {pair.get('CASEID')} of {pair.get('YEAR')}, event {pair.get('EVENTNO')}"
-    return _deltav._case_of_pair(_as_csv([pair]), name, recorder)
+    return _pydeltav._case_of_pair(_as_csv([pair]), name, recorder)
 
 
 def records(source: str | os.PathLike[str], crash: int, vehicle: int) -> list[dict[str, dict[str, str]]]:
@@ -334,12 +334,12 @@ def records(source: str | os.PathLike[str], crash: int, vehicle: int) -> list[di
     >>> rows = "7,1,1,1010,-1,58\\n7,1,1,1010,0,58"
     >>> _ = (tables / "EDRPRECRASH.csv").write_text(f"{head}\\n{rows}")
     >>> _ = (tables / "EDRPOSTCRASH.csv").write_text(head)
-    >>> [record] = deltav.ciss.records(tables, crash=7, vehicle=1)
-    >>> case = deltav.Case.from_dict({"vehicle1": {"recorder": record}, "vehicle2": {"fixed": True}})
+    >>> [record] = pydeltav.ciss.records(tables, crash=7, vehicle=1)
+    >>> case = pydeltav.Case.from_dict({"vehicle1": {"recorder": record}, "vehicle2": {"fixed": True}})
     >>> print(f"{case.recorder()['vehicles'][0]['speed_at_impact']['stored'] * 3.6:.0f} km/h")
     58 km/h
     """
-    found = _deltav._ciss_records(str(source), *_files(pathlib.Path(source)), crash, vehicle)
+    found = _pydeltav._ciss_records(str(source), *_files(pathlib.Path(source)), crash, vehicle)
     return [{name: {"text": text} for name, text in record.items()} for record in found]
 
 
@@ -386,12 +386,12 @@ def judge(
 
     Examples
     --------
-    >>> coverage = deltav.ciss.judge(deltav.ciss.pairs(folder)[:1])
+    >>> coverage = pydeltav.ciss.judge(pydeltav.ciss.pairs(folder)[:1])
     >>> [judged] = [judged for judged in coverage.judged if judged.vehicle == 1]
     >>> judged.interval95[0] < judged.median < judged.interval95[1]
     True
     """
-    return Coverage(_deltav._judge_pairs(_as_csv(pairs), other, prior, particles, seed, threads))
+    return Coverage(_pydeltav._judge_pairs(_as_csv(pairs), other, prior, particles, seed, threads))
 
 
 def _named(rows: Iterable[Sequence[_Cell]]) -> Iterator[_Row]:

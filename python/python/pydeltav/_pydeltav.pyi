@@ -4,7 +4,7 @@ from typing import Any, Literal, Never, NoReturn, Protocol, Self, TypeVar, final
 
 import numpy as np
 import numpy.typing as npt
-from deltav import results
+from pydeltav import results
 
 __version__: str
 

@@ -3,19 +3,19 @@
 The engine of the program ``deltav``, with the same bits: CRASH3 turns the damage of both vehicles into an energy, and
 planar impact mechanics finds the speed at which the impact dissipates exactly that energy.
 
->>> import deltav
->>> case = deltav.Case.example()
+>>> import pydeltav
+>>> case = pydeltav.Case.example()
 >>> result = case.reconstruct()
 >>> f"{result.found.value * 3.6:.1f} km/h"
 '82.3 km/h'
 >>> case.impact()
 Traceback (most recent call last):
     ...
-deltav.CaseError: error: `vehicle1.speed` is missing: `impact()` needs it
+pydeltav.CaseError: error: `vehicle1.speed` is missing: `impact()` needs it
 ...
 """
 
-from deltav._deltav import (
+from pydeltav._pydeltav import (
     Analysis,
     Avoidance,
     Case,
@@ -39,10 +39,10 @@ from deltav._deltav import (
     result_schema,
     stream_table,
 )
-from deltav._errors import CaseError, NoAnswerError, Problem
-from deltav._record import Record
-from deltav import ciss as ciss  # isort: skip
-from deltav import results as results  # isort: skip
+from pydeltav._errors import CaseError, NoAnswerError, Problem
+from pydeltav._record import Record
+from pydeltav import ciss as ciss  # isort: skip
+from pydeltav import results as results  # isort: skip
 
 __all__ = [
     "Analysis",
