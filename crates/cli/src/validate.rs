@@ -4,6 +4,7 @@ use std::fs;
 use std::path::Path;
 
 use anyhow::{Context as _, Result};
+use case::SeverityPrior;
 use report::Drawing;
 use validation::{Data, Validation};
 
@@ -78,7 +79,8 @@ fn validate_recorders(path: &Path, arguments: &ValidateArguments) -> Result<()> 
         seed: arguments.seed,
         other: true,
         crush: field::KnownCrush::Both,
-        injury: arguments.prior.and_then(analysis::injury),
+        // The columns are CIREN's, which takes crashes in which somebody was seriously hurt.
+        injury: analysis::injury(arguments.prior.unwrap_or(SeverityPrior::SeriousInjury)),
     };
     let mut progress = Progress::new()?;
     let judged = pool(arguments.threads)?.install(|| {
