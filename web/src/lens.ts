@@ -1,5 +1,6 @@
 // How much of the drawing is seen: all of it, or a part that the wheel, two fingers, keys and buttons choose. Only what
 // is seen changes: what is drawn stays as it is.
+import { arrowOf } from "./arrows.js";
 import { h } from "./dom.js";
 import type { Point } from "./engine.js";
 import { texts } from "./texts/en.js";
@@ -17,8 +18,6 @@ const WHEEL = 0.002;
 const PAD = 0.01;
 /** (px) of a wheel that counts in lines. */
 const LINE = 16;
-
-const ARROWS: Record<string, Point> = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] };
 
 export interface LensHost {
   /** Shows what is seen now. */
@@ -121,9 +120,9 @@ export class Lens {
   private key(event: KeyboardEvent): void {
     if (event.ctrlKey || event.metaKey || event.altKey) return;
     const run: Record<string, () => void> = { "+": () => this.by(STEP), "=": () => this.by(STEP), "-": () => this.by(1 / STEP), "0": () => this.host.busy() || this.reset() };
-    const arrow = ARROWS[event.key];
+    const arrow = arrowOf(event);
     if (run[event.key]) run[event.key]?.();
-    else if (arrow && event.target === this.stage && !this.isWhole && !this.host.busy()) this.put(this.factor, this.toDrawing(arrow.map((to) => to * PAN) as Point), [0, 0]);
+    else if (arrow && event.target === this.stage && !this.isWhole && !this.host.busy()) this.put(this.factor, this.toDrawing([arrow[0] * PAN, -arrow[1] * PAN]), [0, 0]);
     else return;
     event.preventDefault();
   }

@@ -3,6 +3,7 @@
 import { eachFrame, h, markup, s } from "./dom.js";
 import * as engine from "./engine.js";
 import type { Handle, Plan, Point, Scene, View, Viewport } from "./engine.js";
+import { arrowOf, stepped, stepsOf } from "./arrows.js";
 import { Backdrop } from "./backdrop.js";
 import { Lens } from "./lens.js";
 import { saveButtons } from "./pictures.js";
@@ -11,8 +12,7 @@ import { texts } from "./texts/en.js";
 
 const words = texts.scene;
 
-/** The step of an arrow key: metres, and radians for what turns. */
-const STEP = 0.05;
+/** (rad) of an arrow key, for what turns. */
 const TURN = Math.PI / 180;
 
 /** (px) letters of a part that is seen larger grow to this height, and no further. */
@@ -366,18 +366,11 @@ export class SceneView {
 
   /** An arrow key moves a handle, or turns what turns. */
   private key(event: KeyboardEvent, id: string): void {
-    const direction: Record<string, Point> = {
-      ArrowLeft: [-1, 0],
-      ArrowRight: [1, 0],
-      ArrowUp: [0, 1],
-      ArrowDown: [0, -1],
-    };
-    const arrow = direction[event.key];
+    const arrow = arrowOf(event);
     const handle = this.now?.handles.find((one) => name(one) === id);
     if (!arrow || !handle || !this.now || event.ctrlKey || event.metaKey) return;
     event.preventDefault();
-    const factor = event.shiftKey ? 5 : event.altKey ? 0.2 : 1;
-    const dragged = engine.drag(this.host.text(), handle, this.stepped(handle, arrow, factor));
+    const dragged = engine.drag(this.host.text(), handle, this.stepped(handle, arrow, stepsOf(event)));
     if (!dragged.ok) {
       this.host.refused(dragged.message);
       return;
@@ -388,11 +381,11 @@ export class SceneView {
     this.showHandle(id);
   }
 
-  private stepped(handle: Handle, [right, up]: Point, factor: number): Point {
-    const [x, y] = handle.at;
-    if (!turns(handle)) return [x + right * STEP * factor, y + up * STEP * factor];
+  private stepped(handle: Handle, arrow: Point, steps: number): Point {
+    if (!turns(handle)) return stepped(handle.at, arrow, steps);
     // Left and up turn counter-clockwise.
-    const angle = (up - right) * TURN * factor;
+    const [[x, y], [right, up]] = [handle.at, arrow];
+    const angle = (up - right) * TURN * steps;
     const [fromX, fromY] = [x - handle.centre[0], y - handle.centre[1]];
     const [cos, sin] = [Math.cos(angle), Math.sin(angle)];
     return [handle.centre[0] + cos * fromX - sin * fromY, handle.centre[1] + sin * fromX + cos * fromY];

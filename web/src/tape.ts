@@ -1,4 +1,5 @@
 // A measuring tape over the scene. It measures what is drawn, and is no part of the case.
+import { arrowOf, stepped, stepsOf } from "./arrows.js";
 import { h, s } from "./dom.js";
 import type { Point } from "./engine.js";
 import { texts } from "./texts/en.js";
@@ -9,11 +10,6 @@ const words = texts.tape;
 const NEAR = 12;
 /** (px) what is drawn shorter was a click. */
 const CLICK = 4;
-/** (m) of an arrow key. */
-const STEP = 0.05;
-
-const ARROWS: Record<string, Point> = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
-
 /** A place of the scene that has a name. */
 export interface Mark {
   name: string;
@@ -175,13 +171,12 @@ export class Tape {
   /** An arrow key moves an end; Enter takes it to the next mark. */
   private key(event: KeyboardEvent, which: 0 | 1): void {
     const end = this.ends?.[which];
-    const arrow = ARROWS[event.key];
+    const arrow = arrowOf(event);
     if (!end || !this.ends || event.ctrlKey || event.metaKey || !(arrow || event.key === "Enter")) return;
     event.preventDefault();
-    const step = STEP * (event.shiftKey ? 5 : event.altKey ? 0.2 : 1);
     const marks = this.host.marks();
     const next = marks[(marks.findIndex(({ name }) => name === end.mark) + 1) % marks.length];
-    if (arrow) this.ends[which] = { at: [end.at[0] + arrow[0] * step, end.at[1] + arrow[1] * step], mark: null };
+    if (arrow) this.ends[which] = { at: stepped(end.at, arrow, stepsOf(event)), mark: null };
     else if (next) this.ends[which] = { at: next.at, mark: next.name };
     this.host.show(this.ends[which].at);
     this.place();
