@@ -74,11 +74,17 @@ impl Problem {
     /// [`ReconcileError`].
     pub fn speed_and_impact(&self) -> Result<(f64, Outcome), ReconcileError> {
         let posed = self.posed()?;
-        let Found { speed, outcome, .. } = if self.has_closed_form() {
-            posed.closed_form(Wanted::First)?
-        } else {
-            posed.search(Wanted::First)?
-        };
+        if self.has_closed_form() {
+            let Found { speed, outcome, .. } = posed.closed_form(Wanted::First)?;
+            return Ok((speed, outcome));
+        }
+        // The only root needs no search, which is large.
+        if let Some(Root { x, .. }) = posed.only_root::<()>()
+            && let (speed, outcome, true) = posed.answer_at(x)
+        {
+            return Ok((speed, outcome));
+        }
+        let Found { speed, outcome, .. } = posed.search::<()>(Wanted::First)?;
         Ok((speed, outcome))
     }
 
