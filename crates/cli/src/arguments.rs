@@ -1054,7 +1054,7 @@ pub(crate) struct ValidateArguments {
     #[arg(long, requires = "field")]
     pub(crate) other: bool,
 
-    /// Severity: field, or serious-injury, the default of --recorders
+    /// Prior severity [default: field; with --recorders serious-injury]
     #[arg(long, value_parser = one_of(priors_of_field()), requires = "real crashes", conflicts_with = "judge", hide_possible_values = true)]
     pub(crate) prior: Option<SeverityPrior>,
 

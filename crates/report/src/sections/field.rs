@@ -10,8 +10,8 @@ use crate::document::{Column, Document, NONE, Table, Width};
 use crate::units::number;
 
 /// That the crashes were chosen for an injury.
-pub(super) const CHOSEN: &str = "The crashes are taken to have been chosen because somebody in either vehicle was seriously hurt (MAIS 3 or more). \
-     Before the evidence, they are severer than those after which a vehicle was towed.";
+pub(super) const CHOSEN: &str = "The crashes are taken to have been chosen because somebody in either vehicle was \
+     seriously hurt (MAIS 3 or more). Before the evidence, they are severer than those after which a vehicle was towed.";
 
 /// Intervals of ΔV, estimated without the recorder, against what it stored.
 #[must_use]
