@@ -50,7 +50,6 @@ impl From<CissError> for Unread {
 
 impl CissFiles for PyFiles<'_> {
     type Error = Unread;
-    const READS_SAS: bool = true;
 
     fn names(&self) -> Vec<String> {
         self.names.clone()

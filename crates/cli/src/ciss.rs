@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 
 use anyhow::{Context as _, Result, bail};
 use field::FieldError;
-use field::ciss::{CissCell, CissCrashes, CissError, CissFiles, OBJECTS, has_tables, objects, pairs};
+use field::ciss::{CissCell, CissCrashes, CissFiles, OBJECTS, has_tables, objects, pairs};
 use report::FieldYear;
 use zip::ZipArchive;
 
@@ -103,7 +103,6 @@ const ZIP: [&[u8]; 2] = [b"PK\x03\x04", b"PK\x05\x06"];
 
 /// Whether it is a ZIP file by its first bytes.
 fn is_zip(path: &Path) -> Result<bool> {
-    let is_called = |ending: &str| path.extension().is_some_and(|other| other.eq_ignore_ascii_case(ending));
     // What is read of a pipe is gone.
     if path.exists() && !path.is_file() {
         return Ok(false);
@@ -111,11 +110,8 @@ fn is_zip(path: &Path) -> Result<bool> {
     let mut first = Vec::new();
     let read = File::open(path).and_then(|file| file.take(4).read_to_end(&mut first));
     read.with_context(|| format!("cannot read {}", named(path)))?;
-    if is_called("sas7bdat") {
-        return Err(CissError::Sas { file: named(path).to_string() }.into());
-    }
     let is_zip = ZIP.contains(&first.as_slice());
-    if is_called("zip") && !is_zip {
+    if path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("zip")) && !is_zip {
         bail!(
             "{} is called a ZIP file, but is none: the download may have failed; download it again",
             named(path)
@@ -215,7 +211,6 @@ struct Year<'a> {
 
 impl CissFiles for Year<'_> {
     type Error = anyhow::Error;
-    const READS_SAS: bool = false;
 
     fn names(&self) -> Vec<String> {
         self.source.names.clone()

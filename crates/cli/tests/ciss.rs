@@ -37,6 +37,9 @@ const TABLES: [(&str, &str); 4] = [
     ),
 ];
 
+/// The same tables as SAS files, which ReadStat wrote.
+const SAS: &[u8] = include_bytes!("ciss-sas.zip");
+
 /// The pair of crash 7, by hand.
 const PAIR: &str = "2017,7,1,1,99,401,,88,1500,0,F,01FDEW02,40,350,90,154,0,154,12.5,3,20,31,32,40,40,,25,-19,-16,,\
                     -20.0,5.25,2,20,999,2012,4,1400,,L,10LYEW02,290,,,191,95,,109,3,20,28,17,13,18,28,22,-14,17,47152,,\n";
@@ -98,13 +101,14 @@ fn the_download_is_judged_as_the_table_that_it_makes() {
     let work = folder("same");
     write_folder(&work.join("CISS_2017"), str::to_owned);
     write_zip(&work.join("2017.zip"), "", |text| text.replace('\n', "\r\n"));
+    fs::write(work.join("sas.zip"), SAS).unwrap();
     let table = pairs(&[PAIR]);
     fs::write(work.join("pairs.csv"), &table).unwrap();
     let mut by_hand = json(&work, &["--field", "pairs.csv"]);
     assert_eq!(by_hand["data"].as_object_mut().unwrap().len(), 1);
     assert_eq!(by_hand["data"]["sha256"], report::sha256(table.as_bytes()).as_str());
     assert_eq!((&by_hand["program"]["name"], &by_hand["pairs"]), (&"deltav".into(), &1.into()));
-    for source in ["CISS_2017", "2017.zip"] {
+    for source in ["CISS_2017", "2017.zip", "sas.zip"] {
         let mut found = json(&work, &["--field", source]);
         let years = found["data"].as_object_mut().unwrap().remove("years").unwrap();
         assert_eq!(found, by_hand, "{source}");
@@ -184,7 +188,7 @@ fn what_is_wrong_with_a_download_is_named() {
     for (arguments, said) in [
         (
             &["--field", "no-gv.zip"][..],
-            "no-gv.zip: there is no table GV (GV.csv); there are ../CISS/cdc.csv, ../CISS/crash.csv, ../CISS/edrevent.csv",
+            "no-gv.zip: there is no table GV (GV.csv or gv.sas7bdat); there are ../CISS/cdc.csv, ../CISS/crash.csv, ../CISS/edrevent.csv",
         ),
         (
             &["--field", "deep.zip"],
@@ -222,11 +226,11 @@ fn what_is_wrong_with_a_download_is_named() {
             "crash 7 of 2017 is in good.zip and in good.zip: give each",
         ),
         (&["--field", "pairs.csv", "--objects"], "pairs.csv is a table: --objects is for NHTSA's download"),
+        (&["--field", "sas"], "sas: crash.sas7bdat: it cannot be read as a SAS file: "),
         (
-            &["--field", "sas"],
-            "sas: crash.sas7bdat is a SAS file: download the tables of the year as CSV, or let the Python",
+            &["--field", "cdc.sas7bdat"],
+            "cdc.sas7bdat is one table of NHTSA's download: give the folder or the ZIP file with all",
         ),
-        (&["--field", "cdc.sas7bdat"], "cdc.sas7bdat is a SAS file: download the tables of the year as CSV"),
     ] {
         let (status, _, message) = validate(&work, arguments);
         assert_eq!(status, Some(2), "{message}");

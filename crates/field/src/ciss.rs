@@ -9,7 +9,6 @@
 //!
 //! impl CissFiles for Empty {
 //!     type Error = CissError;
-//!     const READS_SAS: bool = false;
 //!
 //!     fn names(&self) -> Vec<String> {
 //!         ["CISS/CRASH.csv", "CISS/GV.csv", "CISS/CDC.csv", "CISS/EDREVENT.csv"].map(str::to_owned).to_vec()
@@ -37,6 +36,7 @@ mod cell;
 mod error;
 mod found;
 mod records;
+mod sas;
 mod saved;
 mod table;
 mod year;

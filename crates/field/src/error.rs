@@ -5,7 +5,9 @@
 #[non_exhaustive]
 pub enum FieldError {
     /// The file is not a table.
-    #[error("the file is not a table of comma-separated values with a header")]
+    #[error(
+        "the file is not a table: save it as comma-separated values, with a header and as many cells in every row"
+    )]
     Table(#[from] csv::Error),
     /// A column is missing.
     #[error(

@@ -12,7 +12,6 @@ struct Files(Vec<(String, String)>);
 
 impl CissFiles for Files {
     type Error = CissError;
-    const READS_SAS: bool = false;
 
     fn names(&self) -> Vec<String> {
         self.0.iter().map(|(name, _)| name.clone()).collect()
@@ -168,7 +167,7 @@ fn contacts_come_from_event_if_the_damages_name_none() {
     let expected = pairs(&mut tables()).unwrap();
     let mut files = tables().with("CDC.csv", "OBJCONT", "STRUCK");
     assert!(refusal(files.clone()).starts_with(
-        "there is no table EVENT (EVENT.csv); there are CDC.csv, CRASH.csv, EDREVENT.csv, gv.CSV"
+        "there is no table EVENT (EVENT.csv or event.sas7bdat); there are CDC.csv, CRASH.csv, EDREVENT.csv, gv.CSV"
     ));
     files.0.push(("EVENT.csv".to_owned(), "CASEID,EVENTNO,VEHNUM,OBJCONT\n7,1,1,2\n7,2,2,42\n".to_owned()));
     let found = pairs(&mut files).unwrap();
@@ -201,7 +200,6 @@ fn letters_folders_line_ends_and_encodings_do_not_matter() {
     struct Latin(Files);
     impl CissFiles for Latin {
         type Error = CissError;
-        const READS_SAS: bool = false;
         fn names(&self) -> Vec<String> {
             self.0.names()
         }
@@ -217,8 +215,11 @@ fn letters_folders_line_ends_and_encodings_do_not_matter() {
 fn what_is_wrong_is_named_with_file_line_and_column() {
     let base = tables();
     for (files, said) in [
-        (base.without("gv.CSV"), "there is no table GV (GV.csv); there are CDC.csv, CRASH.csv, EDREVENT.csv"),
-        (Files(Vec::new()), "there is no table CRASH (CRASH.csv); there is no file"),
+        (
+            base.without("gv.CSV"),
+            "there is no table GV (GV.csv or gv.sas7bdat); there are CDC.csv, CRASH.csv, EDREVENT.csv",
+        ),
+        (Files(Vec::new()), "there is no table CRASH (CRASH.csv or crash.sas7bdat); there is no file"),
         (
             base.with("CDC.csv", "C3,C4", "C3,AVGC4"),
             "the table CDC (CDC.csv) has no column C4; it has CASEID, EVENTNO, VEHNO, OBJCONT, CDCPLANE",
@@ -260,10 +261,7 @@ fn what_is_wrong_is_named_with_file_line_and_column() {
     );
     assert!(refusal(named(&["accident.sas7bdat", "ve.sas7bdat"])).contains("NASS-CDS (ACCIDENT, VE)"));
     let message = refusal(named(&["crash.sas7bdat"]));
-    assert!(
-        message.starts_with("crash.sas7bdat is a SAS file: download the tables of the year as CSV"),
-        "{message}"
-    );
+    assert!(message.starts_with("crash.sas7bdat: it cannot be read as a SAS file: "), "{message}");
     let many: Vec<_> = (10..60).map(|number| format!("{number}.txt")).collect();
     let many: Vec<_> = many.iter().map(String::as_str).collect();
     assert!(refusal(named(&many)).ends_with("48.txt, 49.txt and 10 more"));

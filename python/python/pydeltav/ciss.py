@@ -202,12 +202,12 @@ class Coverage(_Coverage, Record):
 def pairs(source: str | os.PathLike[str]) -> Pairs:
     """Makes pairs of vehicles of NHTSA's tables of a year, as downloaded: a folder, or the ZIP file itself.
 
-    It reads CRASH, GV, CDC and EDREVENT of CISS, from files of CSV or of SAS (``.sas7bdat``; with
-    ``pip install pyreadstat``), CSV first where there are both; upper and lower case of names do not matter. A pair are two
-    vehicles with damage by one event that each name the other as what they struck (OBJCONT), in the order of
-    crash, event and vehicle. It is kept where the damage of both is on front, back, left or right with all of C1
-    to C6, a length and a PDOF, where both have a curb weight, and where a recorder of one has a ΔV of this event
-    (CDCEVENT): of several records the one with the largest. ``Pairs.left_out`` counts the others. NHTSA's codes for
+    It reads CRASH, GV, CDC and EDREVENT of CISS, from files of CSV or of SAS (``.sas7bdat``), CSV first where there
+    are both; upper and lower case of names do not matter. A pair are two vehicles with damage by one event that
+    each name the other as what they struck (OBJCONT), in the order of crash, event and vehicle. It is kept where
+    the damage of both is on front, back, left or right with all of C1 to C6, a length and a PDOF, where both have
+    a curb weight, and where a recorder of one has a ΔV of this event (CDCEVENT): of several records the one with
+    the largest. ``Pairs.left_out`` counts the others. NHTSA's codes for
     what is not known are left empty.
 
     Parameters
@@ -224,8 +224,6 @@ def pairs(source: str | os.PathLike[str]) -> Pairs:
     ------
     ValueError
         Where a table or a column is missing; the text says what there is instead.
-    ImportError
-        Where the tables are of SAS, and pyreadstat is not installed.
 
     Examples
     --------
@@ -323,8 +321,6 @@ def records(source: str | os.PathLike[str], crash: int, vehicle: int) -> list[di
     ------
     ValueError
         Where a table or a column is missing, or the vehicle has no record.
-    ImportError
-        Where the tables are of SAS, and pyreadstat is not installed.
 
     Examples
     --------
@@ -407,11 +403,11 @@ def _as_csv(rows: Iterable[Mapping[str, _Cell]]) -> str:
 
 
 def _files(source: pathlib.Path) -> tuple[list[str], Callable[[int], bytes]]:
-    """The names of the files of a folder or a ZIP file, those of folders with / at the end, and what reads one as CSV."""
+    """The names of the files of a folder or a ZIP file, those of folders with / at the end, and what reads one."""
     if source.is_dir():
         entries = sorted(source.iterdir())
         names = [entry.name + "/" * entry.is_dir() for entry in entries]
-        return names, lambda place: _csv_of(names[place], entries[place].read_bytes())
+        return names, lambda place: entries[place].read_bytes()
     if not source.exists():
         raise FileNotFoundError(f"there is no folder {source}: give that of NHTSA's tables, or their ZIP file")
     if not zipfile.is_zipfile(source):
@@ -419,32 +415,8 @@ def _files(source: pathlib.Path) -> tuple[list[str], Callable[[int], bytes]]:
 
     def read(place: int) -> bytes:
         with zipfile.ZipFile(source) as archive:
-            return _csv_of(members[place], archive.read(members[place]))
+            return archive.read(members[place])
 
     with zipfile.ZipFile(source) as archive:
         members = sorted(archive.namelist())
     return members, read
-
-
-def _csv_of(file: str, content: bytes) -> bytes:
-    """A table as CSV, which one of SAS is made to."""
-    if not file.lower().endswith(".sas7bdat"):
-        return content
-    try:
-        import pyreadstat
-    except ImportError:
-        raise ImportError(
-            f"{file} is a SAS file: pip install pyreadstat to read it, or download the tables as CSV"
-        ) from None
-    columns, _ = pyreadstat.read_sas7bdat(io.BytesIO(content), output_format="dict")
-    lines = io.StringIO()
-    writer = csv.writer(lines, lineterminator="\n")
-    writer.writerow(columns)
-    writer.writerows(map(_texts, zip(*columns.values(), strict=True)))
-    return lines.getvalue().encode()
-
-
-def _texts(row: Iterable[Any]) -> list[Any]:
-    """Cells of SAS without those that are missing, NaN among them."""
-    cells = (cell.decode("latin-1") if isinstance(cell, bytes) else cell for cell in row)
-    return ["" if cell is None or cell != cell else cell for cell in cells]

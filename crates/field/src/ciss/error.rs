@@ -6,15 +6,13 @@
 pub enum CissError {
     /// A table is missing.
     #[error(
-        "there is no table {table} ({table}.csv{}); {}",
-        if *.sas { format!(" or {}.sas7bdat", .table.to_lowercase()) } else { String::new() },
+        "there is no table {table} ({table}.csv or {}.sas7bdat); {}",
+        .table.to_lowercase(),
         has(.files)
     )]
     NoTable {
         /// Its name.
         table: &'static str,
-        /// Whether it might be a SAS file.
-        sas: bool,
         /// The files that there are.
         files: Vec<String>,
     },
@@ -25,14 +23,15 @@ pub enum CissError {
          from 2017"
     )]
     Nass,
-    /// The tables are SAS files, and whoever asks reads none.
+    /// A SAS file cannot be read.
     #[error(
-        "{file} is a SAS file: download the tables of the year as CSV, or let the Python package, which reads SAS files, \
-         make the table of pairs: pydeltav.ciss.pairs(\"…\").save(\"pairs.csv\")"
+        "{file}: it cannot be read as a SAS file: {reason}; download it again, or download the year as CSV"
     )]
     Sas {
         /// Its name.
         file: String,
+        /// What is wrong.
+        reason: sas7bdat::Error,
     },
     /// A table is there twice.
     #[error("the table {table} is there twice: {} and {}; give the tables of one year", .files[0], .files[1])]

@@ -5,18 +5,17 @@ use std::borrow::Cow;
 use super::cell::{self, CissCell};
 use super::error::CissError;
 use super::found::CissColumn;
+use super::sas;
 
 /// The files of one year.
 pub trait CissFiles {
     /// Why a file cannot be read.
     type Error: From<CissError>;
-    /// Whether [`read`](Self::read) turns SAS files into CSV.
-    const READS_SAS: bool;
 
     /// Their names, with the folders in front of them. Those of folders end in `/`.
     fn names(&self) -> Vec<String>;
 
-    /// The content of one as CSV, by its place among the names: in UTF-8, or in Latin-1 as in some years.
+    /// The content of one by its place among the names, as it was downloaded.
     ///
     /// # Errors
     /// If it cannot be read.
@@ -102,24 +101,21 @@ fn named<'a>(
 }
 
 /// The place of the file with a table: CSV before SAS.
-fn find(names: &[String], table: &Layout, reads_sas: bool) -> Result<usize, CissError> {
+fn find(names: &[String], table: &Layout) -> Result<usize, CissError> {
     for ending in ENDINGS {
         let mut found = named(names, table, ending);
         match (found.next(), found.next()) {
             (None, _) => {}
-            (Some((_, file)), None) if ending == SAS && !reads_sas => {
-                return Err(CissError::Sas { file: file.clone() });
-            }
             (Some((place, _)), None) => return Ok(place),
             (Some((_, first)), Some((_, second))) => {
                 return Err(CissError::Twice { table: table.name, files: [first.clone(), second.clone()] });
             }
         }
     }
-    Err(missing(names, table, reads_sas))
+    Err(missing(names, table))
 }
 
-fn missing(names: &[String], table: &Layout, sas: bool) -> CissError {
+fn missing(names: &[String], table: &Layout) -> CissError {
     let has = |name| {
         let layout = Layout { name, needed: &[], optional: &[] };
         ENDINGS.iter().any(|ending| named(names, &layout, ending).next().is_some())
@@ -129,7 +125,7 @@ fn missing(names: &[String], table: &Layout, sas: bool) -> CissError {
     }
     let mut files = names.to_vec();
     files.sort();
-    CissError::NoTable { table: table.name, sas, files }
+    CissError::NoTable { table: table.name, files }
 }
 
 /// The rows of a table.
@@ -189,9 +185,10 @@ impl Rows {
         keep: impl Fn(Row<'_>) -> bool,
     ) -> Result<Self, F::Error> {
         let names = files.names();
-        let place = find(&names, table, F::READS_SAS)?;
+        let place = find(&names, table)?;
         let content = files.read(place)?;
         let file = names.get(place).cloned().unwrap_or_default();
+        let content = if file.to_lowercase().ends_with(SAS) { sas::as_csv(&file, content)? } else { content };
         Ok(Self::of(table, file, &decoded(&content), keep)?)
     }
 
