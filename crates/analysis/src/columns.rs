@@ -370,6 +370,9 @@ fn add_moments<const LIMITED: bool>(
 fn crush_energy(damage: &DamageForm<'_, Number>, inputs: &[Lanes], mass: &Lanes, energy: &mut Lanes) {
     match *damage {
         DamageForm::Unknown | DamageForm::Undamaged | DamageForm::Inferred(_) => {}
+        DamageForm::Absorbed(given) => each_lane!(inputs, lane, given => {
+            energy[lane] = given.si();
+        }),
         DamageForm::Ees(ees) => each_lane!(inputs, lane, ees => {
             energy[lane] = energy_of_equivalent_speed(ees.si(), mass[lane]).unwrap_or(f64::NAN);
         }),

@@ -196,7 +196,12 @@ pub(crate) fn crash3(
     let mut inertias = [StruckVehicle::fixed(); 2];
     let mut moment_arm = [0.0; 2];
     for (i, vehicle) in vehicles.iter().enumerate() {
-        let Some(inertia) = vehicle.subject.inertia else { continue };
+        let Some(inertia) = vehicle.subject.inertia else {
+            let absorbed = vehicle.subject.absorbed.unwrap_or_default();
+            crush_energy += absorbed;
+            corrected_energy = corrected_energy.map(|sum| sum + absorbed);
+            continue;
+        };
         let Some((energy, arm)) = vehicle.crush_energy().zip(vehicle.moment_arm()) else { return Ok(None) };
         crush_energy += energy;
         corrected_energy =
@@ -253,10 +258,10 @@ fn corrected_by(
     let mut crush_energy = 0.0;
     let mut factor = [1.0; 2];
     for (i, vehicle) in vehicles.iter().enumerate() {
-        if let Some(energy) = &vehicle.energy {
-            crush_energy += energy.crush_energy;
-        }
-        let Some(damage) = &vehicle.damage else { continue };
+        let Some(damage) = &vehicle.damage else {
+            crush_energy += vehicle.crush_energy().unwrap_or_default();
+            continue;
+        };
         let oblique = damage.oblique_angle.map(|angle| corrections[i].factor(angle));
         let Some(Ok(oblique)) = oblique else { return Ok(None) };
         factor[i] = oblique.factor;

@@ -18,10 +18,15 @@ pub struct Vehicle<T = f64> {
 }
 
 impl<T: Real> Vehicle<T> {
+    /// (J) the energy where there is no crush: as given, or what a fixed object took.
+    fn energy_alone(&self) -> Option<T> {
+        self.energy.map(|energy| energy.crush_energy).or(self.subject.absorbed)
+    }
+
     /// (J) crush energy, uncorrected, as far as the damage is known.
     #[must_use]
     pub fn crush_energy(&self) -> Option<T> {
-        let alone = self.energy.map(|energy| energy.crush_energy);
+        let alone = self.energy_alone();
         self.damage.as_ref().map(|damage| damage.crush_energy).or(alone)
     }
 
@@ -29,7 +34,7 @@ impl<T: Real> Vehicle<T> {
     /// `None` if the force does not push on the damaged side.
     #[must_use]
     pub fn corrected_crush_energy(&self) -> Option<T> {
-        let alone = self.energy.map(|energy| energy.crush_energy);
+        let alone = self.energy_alone();
         self.damage.as_ref().map_or(alone, |damage| Some(damage.oblique?.corrected_crush_energy))
     }
 
@@ -163,6 +168,7 @@ pub(crate) const NOTHING: VehicleData = VehicleData {
     contact: None,
     contact_is_placed: false,
     dimensions: None,
+    absorbed: None,
     damage: None,
     energy: None,
 };

@@ -4,9 +4,13 @@
 
 #![allow(clippy::unwrap_used, clippy::panic, reason = "helpers of tests fail by panicking")]
 
-use analysis::{Analysis, Failure};
+use std::ops::ControlFlow;
+
+use analysis::quantities::SPEED;
+use analysis::{Analysis, EstimatePlan, Estimated, Failure, estimate};
 use case::CaseFile;
-use inputs::{Case, FaultKind};
+use evidence::{CrushErrors, EnergyError, EnergyMethod};
+use inputs::{Case, FaultKind, SeverityPrior};
 use pim_core::VehicleId;
 
 fn parsed(text: &str) -> Case {
@@ -61,6 +65,77 @@ fn an_ees_gives_the_energy() {
         // The basis counts for it as for any crush energy.
         let absorbed = reconstructed(&(text + "energy_basis = \"absorbed\"\n"));
         assert_close(absorbed.found.unwrap().speed, central_speed(e1 + e2, 1.0));
+    }
+}
+
+/// A car of 1500 kg straight into an object that gave way: E_1 = ½ 1500 · 8² J, and what the object took.
+fn into_object(car: VehicleId, absorbed: &str, more: &str) -> String {
+    format!(
+        "[vehicle{car}]\nmass = \"1500 kg\"\nyaw_radius = \"1.4 m\"\nheading = \"40 deg\"\n\
+         contact = {{ x = \"2 m\", y = \"0 m\" }}\n[vehicle{car}.crush]\nees = \"8 m/s\"\nside = \"front\"\n\
+         pdof = \"0 deg\"\n[vehicle{}]\nfixed = true\n{absorbed}\n[impact]\ncrush_plane = \"40 deg\"\n\
+         restitution = 0.2\ntangential = \"critical\"\n{more}",
+        car.other()
+    )
+}
+
+#[test]
+fn what_an_object_took_adds_to_the_crush_energy() {
+    for (car, basis, share) in [
+        (VehicleId::One, "dissipated", 0.96),
+        (VehicleId::Two, "dissipated", 0.96),
+        (VehicleId::One, "absorbed", 1.0),
+    ] {
+        let seek = format!("[reconstruct]\nfind = \"vehicle{car}.speed\"\nenergy_basis = \"{basis}\"\n");
+        for (absorbed, energy) in [("", 0.0), ("absorbed = \"15 kJ\"", 15_000.0)] {
+            let analysis = reconstructed(&into_object(car, absorbed, &seek));
+            let found = analysis.found.as_ref().unwrap();
+            assert_close(found.crush_energy, 48_000.0 + energy);
+            // W_n = ½ m (1 − e²) u², and no mass but that of the car
+            assert_close(found.speed, (2.0 * (48_000.0 + energy) / (1500.0 * share)).sqrt());
+            let object = &analysis.vehicles[car.other().index()];
+            assert_eq!(object.crush_energy(), (energy > 0.0).then_some(energy));
+            assert_eq!((object.ees(), object.moment_arm()), (None, None));
+            // CRASH3 with a common velocity: ΔV = √(2 E/m)
+            let crash3 = analysis.crash3.as_ref().unwrap();
+            let delta_v = (2.0 * (48_000.0 + energy) / 1500.0).sqrt();
+            assert_close(crash3.delta_v[car.index()], delta_v);
+            assert_close(crash3.corrected.unwrap().delta_v[car.index()], delta_v);
+            for correction in &crash3.corrections {
+                assert_close(correction.delta_v[car.index()], delta_v);
+            }
+        }
+    }
+}
+
+/// The error of the crush goes with the car's part alone, and the object's is its own: 30 %, or its range.
+#[test]
+fn an_estimate_takes_what_an_object_took_with_its_own_error() {
+    let plan = EstimatePlan { particles: 128, seed: 1, prior: Some(SeverityPrior::Flat), pieces: false };
+    let of = |absorbed: &str, car: VehicleId| {
+        estimate(&parsed(&into_object(car, absorbed, "")), &plan, &mut |_, _, _| ControlFlow::Continue(()))
+            .unwrap()
+    };
+    for car in VehicleId::ALL {
+        let other = car.other().index();
+        let bare = of("", car);
+        assert_eq!(bare.energies[other], None);
+        for (absorbed, own) in
+            [("absorbed = \"144 kJ\"", 0.3), ("absorbed = { value = \"144 kJ\", sd = \"1 kJ\" }", 0.0)]
+        {
+            let found = of(absorbed, car);
+            assert_eq!(found.energies[other], Some(EnergyMethod::Absorbed));
+            let CrushErrors(errors) = found.observed.crush.unwrap();
+            assert_eq!(errors[other], EnergyError { bias: 0.0, shared_ln_sd: 0.0, own_ln_sd: own });
+            assert_eq!(errors[car.index()].shared_ln_sd, 0.2);
+            // Four times the energy is twice the speed, but for the errors and the prior.
+            let wanted = SPEED.of_vehicle(car);
+            let median = |found: &Estimated| {
+                found.outputs.iter().find(|found| found.output == wanted).unwrap().posterior.median.value
+            };
+            let ratio = median(&found) / median(&bare);
+            assert!((1.85..2.1).contains(&ratio), "{ratio}");
+        }
     }
 }
 

@@ -129,9 +129,9 @@ pub enum CaseProblem {
     /// A key that a fixed object cannot have.
     #[error("{table} is fixed, so it cannot give \"{key}\"")]
     FixedHas { table: String, key: &'static str },
-    /// A diameter of something that is not a pole.
-    #[error("{table} gives a diameter, which only a fixed object has")]
-    DiameterMoves { table: String },
+    /// What only a fixed object has, of something that moves.
+    #[error("{table} gives \"{key}\", which only a fixed object has")]
+    OfObject { table: String, key: &'static str },
     /// An outline with parts missing.
     #[error("{table} gives {} of the outline, but not {}", join(given, "and"), join(missing, "and"))]
     HalfOutline { table: String, given: Vec<&'static str>, missing: Vec<&'static str> },
@@ -222,7 +222,7 @@ impl CaseProblem {
                 | Self::KeyOfOtherLaw { .. }
                 | Self::MissingKeyOfLaw { .. }
                 | Self::NoForm { .. }
-                | Self::DiameterMoves { .. }
+                | Self::OfObject { .. }
                 | Self::HalfOutline { .. }
                 | Self::TooFewStations { .. }
                 | Self::NoPoints { .. }
@@ -378,8 +378,12 @@ impl CaseProblem {
             Self::FixedHas { key, .. } => {
                 format!("remove {key}, or remove fixed = true if this vehicle can move")
             }
-            Self::DiameterMoves { .. } => {
-                "for a pole or tree, add fixed = true; for a vehicle, give length, width and cg_to_front instead".to_owned()
+            Self::OfObject { key, .. } => {
+                let instead = match *key {
+                    "diameter" => "give length, width and cg_to_front instead",
+                    _ => "give [vehicle1.crush] instead",
+                };
+                format!("for a tree, a pole or a barrier, add fixed = true; for a vehicle, {instead}")
             }
             Self::HalfOutline { missing, .. } => format!(
                 "add {}, or leave out all three of length, width and cg_to_front: a drawing of the body and a check of the \

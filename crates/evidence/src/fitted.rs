@@ -42,6 +42,8 @@ pub enum EnergyMethod {
     Test,
     /// An energy equivalent speed.
     Ees,
+    /// As given, of a fixed object that bent, cracked or leaned.
+    Absorbed,
 }
 
 /// (–) bias, error shared by both vehicles, and own error of a stiffness given by the analyst. No bias was
@@ -55,6 +57,8 @@ const TEST: EnergyError = EnergyError { bias: 0.0, shared_ln_sd: 0.26, own_ln_sd
 /// errors are assumed: 10 % of the speed, 20 % of the energy, for the comparison with a catalogue, and as
 /// much again for each vehicle.
 const EES: EnergyError = EnergyError { bias: 0.0, shared_ln_sd: 0.20, own_ln_sd: 0.20 };
+/// (–) the same for what a fixed object took: assumed, 30 % of the energy. It shares no error with the crush.
+const ABSORBED: EnergyError = EnergyError { bias: 0.0, shared_ln_sd: 0.0, own_ln_sd: 0.30 };
 
 /// The assumptions about a collision of passenger vehicles, and the errors of its model.
 ///
@@ -334,8 +338,8 @@ impl Fitted {
     }
 
     /// Error of the crush energy of a vehicle relative to its part of the energy taken by the impact, by
-    /// method, with the `misfit` of a class stiffness. If the case `has_range` for the stiffness or the EES,
-    /// that is the vehicle's own error.
+    /// method, with the `misfit` of a class stiffness. If the case `has_range` for the stiffness, the
+    /// EES or what the object took, that is the vehicle's own error.
     #[must_use]
     pub fn energy_error(&self, method: EnergyMethod, misfit: CrushMisfit, has_range: bool) -> EnergyError {
         let error = match method {
@@ -346,6 +350,7 @@ impl Fitted {
             EnergyMethod::Coefficients => COEFFICIENTS,
             EnergyMethod::Test => TEST,
             EnergyMethod::Ees => EES,
+            EnergyMethod::Absorbed => ABSORBED,
         };
         EnergyError { own_ln_sd: if has_range { 0.0 } else { error.own_ln_sd }, ..error }
     }

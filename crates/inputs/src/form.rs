@@ -130,6 +130,8 @@ pub enum DamageForm<'a, N = f64> {
     Unknown,
     /// There is no damage, or its energy does not count.
     Undamaged,
+    /// (J) what a fixed object took.
+    Absorbed(Quantity<N>),
     /// (m/s) its energy equivalent speed.
     Ees(Quantity<N>),
     /// Its crush was measured.
@@ -222,6 +224,7 @@ impl<N: Copy + From<f64>> Case<N> {
             cg_to_front_axle: _,
             length: _,
             diameter: _,
+            absorbed,
             position: _,
             before: _,
             after: _,
@@ -275,7 +278,7 @@ impl<N: Copy + From<f64>> Case<N> {
             course: None,
             velocity: None,
             yaw_rate: None,
-            damage: DamageForm::Undamaged,
+            damage: absorbed.map_or(DamageForm::Undamaged, DamageForm::Absorbed),
             ..form
         }
     }
@@ -534,15 +537,17 @@ impl<N: Copy> VehicleForm<'_, N> {
         let _ = yaw_rate.map(|yaw_rate| yaw_rate.map(&mut *read));
         match damage {
             DamageForm::Unknown | DamageForm::Undamaged => {}
+            DamageForm::Absorbed(energy) => read(energy.number()),
             DamageForm::Ees(ees) => read(ees.number()),
             DamageForm::Measured(crush) | DamageForm::Inferred(crush) => crush.read(read),
         }
+        // The outline only affects whether the damaged side lies behind the CG, which is refused; a diameter
+        // is for drawings.
+        for quantity in given.outline.iter().flat_map(Outline::quantities).chain(&given.diameter) {
+            read(quantity.number());
+        }
         if *fixed {
             return;
-        }
-        // The outline only affects whether the damaged side lies behind the CG, which is refused.
-        for quantity in given.outline.iter().flat_map(Outline::quantities) {
-            read(quantity.number());
         }
         // The direction of the force changes nothing.
         let ees = given.energy.as_ref().and_then(KnownEnergy::ees);

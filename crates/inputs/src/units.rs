@@ -33,6 +33,8 @@ pub enum Dimension {
     Acceleration,
     /// (kg·m²) yaw moment of inertia.
     Inertia,
+    /// (J) energy; here `lb` is the pound-force.
+    Energy,
     /// (N/m) stiffness coefficient A: force per unit width at which crush begins.
     StiffnessA,
     /// (N/m²) stiffness coefficient B: force per unit width and depth.
@@ -47,7 +49,7 @@ pub enum Dimension {
 
 impl Dimension {
     /// All dimensions, in the order of the unit table.
-    pub const ALL: [Self; 14] = [
+    pub const ALL: [Self; 15] = [
         Self::Length,
         Self::Mass,
         Self::Weight,
@@ -57,6 +59,7 @@ impl Dimension {
         Self::Time,
         Self::Acceleration,
         Self::Inertia,
+        Self::Energy,
         Self::StiffnessA,
         Self::StiffnessB,
         Self::StiffnessG,
@@ -77,6 +80,7 @@ impl Dimension {
             Self::Time => "a time",
             Self::Acceleration => "an acceleration",
             Self::Inertia => "a moment of inertia",
+            Self::Energy => "an energy",
             Self::StiffnessA => "a stiffness A",
             Self::StiffnessB => "a stiffness B",
             Self::StiffnessG => "a stiffness G",
@@ -107,7 +111,7 @@ impl Dimension {
             Self::Weight => 1e7,
             Self::Speed | Self::YawRate | Self::Time | Self::Acceleration => 1e3,
             Self::Angle => 1e5 * table::DEGREE,
-            Self::Inertia => 1e9,
+            Self::Inertia | Self::Energy => 1e9,
             Self::StiffnessA | Self::StiffnessG => 1e8,
             Self::StiffnessB => 1e10,
             Self::RootForce => 1e4,
@@ -125,7 +129,7 @@ impl Dimension {
             Self::Weight => 1e-2,
             Self::Speed | Self::YawRate | Self::Angle | Self::Time => 1e-9,
             Self::Acceleration => 1e-6,
-            Self::Inertia => 1e-9,
+            Self::Inertia | Self::Energy => 1e-9,
             Self::StiffnessA | Self::StiffnessB | Self::StiffnessG => 1e-3,
             Self::RootForce | Self::RootForcePerLength => 1e-3,
         }

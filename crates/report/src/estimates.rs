@@ -252,11 +252,27 @@ pub(crate) fn crush_words(estimated: &Estimated) -> Vec<String> {
         let bias = error.bias;
         let shown = significant(100.0 / error.factor(), 2);
         let times = significant(error.factor(), 3);
-        let energies = match method {
-            EnergyMethod::Class => "Energies from class stiffness",
-            EnergyMethod::Coefficients => "Energies from the stiffness that the case gives",
-            EnergyMethod::Test => "Energies from a barrier test of the car",
-            EnergyMethod::Ees => "Energies from an EES",
+        let (energies, usual_error) = match method {
+            EnergyMethod::Class => {
+                ("Energies from class stiffness", "Their error is that of crashes with recorders.")
+            }
+            EnergyMethod::Coefficients => (
+                "Energies from the stiffness that the case gives",
+                "Their error is the part found in real crashes that is not due to the stiffness and, where \
+                 the case gives no range of it, that of the stiffness (RICSAC).",
+            ),
+            EnergyMethod::Test => (
+                "Energies from a barrier test of the car",
+                "Their error is that of CRASH3 on car-to-car tests (Lenard 2000).",
+            ),
+            EnergyMethod::Ees => (
+                "Energies from an EES",
+                "Their error is chosen: 10 % of the speed for the method and, without a range, for each vehicle.",
+            ),
+            EnergyMethod::Absorbed => {
+                words.push(absorbed_words(error).to_owned());
+                continue;
+            }
         };
         let bias_words = match (is_default("estimate.crush_bias"), bias == 0.0) {
             (true, false) => format!(
@@ -269,24 +285,22 @@ pub(crate) fn crush_words(estimated: &Estimated) -> Vec<String> {
                  multiplied by {times}."
             ),
         };
-        let error_words = match (is_default("estimate.crush_error"), method) {
-            (false, _) => "Their error is `crush_error` of the case.",
-            (true, EnergyMethod::Class) => "Their error is that of crashes with recorders.",
-            (true, EnergyMethod::Coefficients) => {
-                "Their error is the part found in real crashes that is not due to the stiffness and, where \
-                 the case gives no range of it, that of the stiffness (RICSAC)."
-            }
-            (true, EnergyMethod::Test) => "Their error is that of CRASH3 on car-to-car tests (Lenard 2000).",
-            (true, EnergyMethod::Ees) => {
-                "Their error is chosen: 10 % of the speed for the method and, without a range, for each vehicle."
-            }
-        };
+        let is_usual = is_default("estimate.crush_error");
+        let error_words = if is_usual { usual_error } else { "Their error is `crush_error` of the case." };
         let sentence = format!("{bias_words} {error_words}");
         if !words.contains(&sentence) {
             words.push(sentence);
         }
     }
     words
+}
+
+fn absorbed_words(error: &EnergyError) -> &'static str {
+    if error.own_ln_sd > 0.0 {
+        "What the object took is as the case gives it; without a range its error is chosen: 30 %."
+    } else {
+        "What the object took is as the case gives it, with its range."
+    }
 }
 
 /// The key of the case that gives the error of a piece; `None` where the case cannot.

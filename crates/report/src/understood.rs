@@ -40,6 +40,7 @@ fn usual(dimension: Dimension, in_crush: bool, system: UnitSystem) -> &'static s
         Dimension::Angle => ("rad", "deg"),
         Dimension::YawRate => ("rad/s", "deg/s"),
         Dimension::Inertia => ("kg m^2", "lb ft s^2"),
+        Dimension::Energy => ("J", "ft lb"),
         Dimension::StiffnessA => ("N/cm", "lb/in"),
         Dimension::StiffnessB => ("N/cm^2", "lb/in^2"),
         Dimension::Time => ("s", "s"),

@@ -81,7 +81,7 @@ pub(crate) fn crush_source(vehicle: &Vehicle) -> Option<&'static str> {
         (Some(_), _) => Some("measured"),
         (None, Some(energy)) if energy.ees.is_some() => Some("EES"),
         (None, Some(_)) => Some("none"),
-        (None, None) => None,
+        (None, None) => vehicle.subject.absorbed.map(|_| "absorbed"),
     }
 }
 

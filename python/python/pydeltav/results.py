@@ -444,7 +444,7 @@ class Vehicle(Record):
     stiffness_source: str
     """Where its stiffness comes from, in words."""
     crush_source: str
-    """Where its crush comes from, in words, where it was not measured."""
+    """How its crush energy is known: ``"measured"``, ``"force balance"``, ``"EES"``, ``"none"`` or ``"absorbed"``."""
     crush_energy: float
     """(J) that crushed it, by the damage."""
     crush_energy_bounds: _Pair
@@ -1059,7 +1059,8 @@ class CrushError(Record):
     """How far the crush energy of a vehicle may be off, in ln."""
 
     method: str
-    """How the energy was obtained: ``"class"``, ``"coefficients"``, ``"test"`` or ``"ees"``."""
+    """How the energy was obtained: ``"class"``, ``"coefficients"``, ``"test"``, ``"ees"``, or of a
+    fixed object ``"absorbed"``."""
     bias: float
     """(–) that all such energies share on average."""
     shared_sd: float

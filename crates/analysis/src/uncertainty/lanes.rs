@@ -125,7 +125,10 @@ impl Block {
         let is_unknown = |damage: &DamageForm<'_, Number>| match damage {
             DamageForm::Unknown => seeks.is_some(),
             DamageForm::Inferred(_) => true,
-            DamageForm::Undamaged | DamageForm::Ees(_) | DamageForm::Measured(_) => false,
+            DamageForm::Undamaged
+            | DamageForm::Absorbed(_)
+            | DamageForm::Ees(_)
+            | DamageForm::Measured(_) => false,
         };
         if form.vehicles.iter().any(|vehicle| is_unknown(&vehicle.damage)) {
             return Err(Alone::NoDamage);

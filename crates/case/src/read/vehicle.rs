@@ -57,6 +57,7 @@ impl<'t> Reader<'t> {
             yaw_rate: self.quantity(&table, "yaw_rate"),
             outline: self.outline(&table),
             diameter: self.diameter(&table, fixed),
+            absorbed: self.of_object(&table, "absorbed", fixed),
             crush,
             energy,
             before: self.before(&table),
@@ -143,13 +144,18 @@ impl<'t> Reader<'t> {
     }
 
     fn diameter(&mut self, table: &Table<'t>, fixed: bool) -> Option<Quantity> {
-        if table.has("diameter") && !fixed {
-            self.report_path(&table.path_of("diameter"), CaseProblem::DiameterMoves { table: table.label() });
-        }
         if let [key, ..] = table.given(&["length", "width", "cg_to_front"])[..] {
             self.not_both(table, "diameter", key);
         }
-        self.quantity(table, "diameter")
+        self.of_object(table, "diameter", fixed)
+    }
+
+    /// A quantity that only a fixed object has.
+    fn of_object(&mut self, table: &Table<'t>, key: &'static str, fixed: bool) -> Option<Quantity> {
+        if table.has(key) && !fixed {
+            self.report_path(&table.path_of(key), CaseProblem::OfObject { table: table.label(), key });
+        }
+        self.quantity(table, key)
     }
 
     /// The crush, or only its energy.

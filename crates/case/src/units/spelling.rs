@@ -16,6 +16,8 @@ pub(super) const WORDS: &[(&str, &[&str])] = &[
     ("deg", &["°", "degree", "degrees"]),
     ("rad", &["radian", "radians"]),
     ("kn", &["knot", "knots"]),
+    ("J", &["joule", "joules"]),
+    ("kJ", &["kilojoule", "kilojoules"]),
 ];
 
 /// Signs for other ways to type the same, replaced in this order.

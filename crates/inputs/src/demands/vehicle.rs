@@ -10,6 +10,7 @@ use crate::dimensions::Dimensions;
 use crate::estimate::YawSource;
 use crate::form::{ContactForm, DamageForm, VehicleForm};
 use crate::purpose::Purpose;
+use crate::quantity::Quantity;
 use crate::vehicle::{GivenVehicle, VehicleKind};
 
 impl<T: Real> Demand<'_, T> {
@@ -27,6 +28,7 @@ impl<T: Real> Demand<'_, T> {
                 contact,
                 contact_is_placed: false,
                 dimensions,
+                absorbed: vehicle.absorbed.as_ref().map(Quantity::si),
                 damage: None,
                 energy: None,
             });
@@ -36,7 +38,9 @@ impl<T: Real> Demand<'_, T> {
             DamageForm::Measured(crush) | DamageForm::Inferred(crush) => {
                 Some(self.damage(id, &crush, dimensions)?)
             }
-            DamageForm::Unknown | DamageForm::Undamaged | DamageForm::Ees(_) => None,
+            DamageForm::Unknown | DamageForm::Undamaged | DamageForm::Absorbed(_) | DamageForm::Ees(_) => {
+                None
+            }
         };
         let energy = vehicle.energy.map(|known| {
             let given = known.ees();
@@ -63,6 +67,7 @@ impl<T: Real> Demand<'_, T> {
             contact,
             contact_is_placed,
             dimensions,
+            absorbed: None,
             damage,
             energy,
         })

@@ -92,6 +92,12 @@ rows! { INERTIA, Inertia:
     "lb ft^2" ["ft^2 lb", "lbm ft^2", "ft^2 lbm"], POUND * FOOT * FOOT, US;
     "lb in^2" ["in^2 lb", "lbm in^2", "in^2 lbm"], POUND * INCH * INCH, US;
 }
+rows! { ENERGY, Energy:
+    "J" ["N m"], 1.0, SI;
+    "kJ" ["kN m"], 1000.0, SI;
+    "MJ" [], 1e6, SI;
+    "ft lb" ["lb ft"], POUND_FORCE * FOOT, US;
+}
 rows! { STIFFNESS_A, StiffnessA:
     "N/cm" [], 100.0, SI;
     "N/m" [], 1.0, SI;
@@ -138,6 +144,7 @@ pub(super) fn units(dimension: Dimension) -> &'static [Unit] {
         Dimension::Time => TIME,
         Dimension::Acceleration => ACCELERATION,
         Dimension::Inertia => INERTIA,
+        Dimension::Energy => ENERGY,
         Dimension::StiffnessA => STIFFNESS_A,
         Dimension::StiffnessB => STIFFNESS_B,
         Dimension::StiffnessG => STIFFNESS_G,

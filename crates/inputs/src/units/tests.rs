@@ -30,6 +30,8 @@ fn factors_agree_with_nist_sp_811() {
         (StiffnessB, "N/mm^2", 1e6),
         (StiffnessB, "N/cm^2", 1e4),
         (StiffnessB, "kPa", 1e3),
+        (Energy, "kJ", 1e3),
+        (Energy, "MJ", 1e6),
         (StiffnessA, "N/cm", 1e2),
         (StiffnessA, "N/mm", 1e3),
         (StiffnessA, "kN/m", 1e3),
@@ -49,6 +51,7 @@ fn factors_agree_with_nist_sp_811() {
         (Angle, "deg", 1.745_329e-2),
         (YawRate, "rpm", 1.047_198e-1),
         (YawRate, "deg/s", 1.745_329e-2),
+        (Energy, "ft lb", 1.355_818),
         // foot pound-force and inch pound-force, and the square second is the SI's own
         (Inertia, "lb ft s^2", 1.355_818),
         (Inertia, "lb in s^2", 1.129_848e-1),

@@ -603,6 +603,12 @@ fn assumptions(file: &CaseFile, analysis: &Analysis, units: Units) -> Vec<String
                 words::stiffness_source(damage.stiffness_source, damage.side)
             ));
         }
+        if let Some(absorbed) = vehicle.subject.absorbed {
+            assumptions.push(format!(
+                "Object {id}: it took {} where it gave way, which the analyst chose; it did not move.",
+                units.format(Measure::Energy, absorbed)
+            ));
+        }
         if let Some(energy) = vehicle.subject.energy {
             assumptions.push(if energy.ees.is_some() {
                 format!(

@@ -296,6 +296,10 @@ impl Page<'_> {
             }),
             "",
         );
+        let absorbed = known(&|i| {
+            analysis.vehicles[i].subject.absorbed.map(|energy| units.format(Measure::Energy, energy))
+        });
+        table.pair("energy taken, as given", absorbed, "");
         table.pair("EES as given", known(&|i| Some(units.speed(known_energy(i)?.ees?))), "");
         let crush = |i: usize| vehicles[i].crush.as_ref();
         let crush_length = |q: case::Quantity| units.format(Measure::Crush, q.si());

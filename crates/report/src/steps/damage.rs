@@ -22,6 +22,10 @@ pub(super) fn groups(case: &Case, analysis: &Seen) -> Vec<StepGroup> {
             groups.push(group(format!("Crush energy of vehicle {i}"), energy(vehicle, damage, crush, i)));
         } else if let Some(step) = energy_alone(vehicle, i) {
             groups.push(group(format!("Crush energy of vehicle {i}"), step));
+        } else if let Some(absorbed) = vehicle.subject.absorbed {
+            let name = format!("energy that object {i} took");
+            let step = given(name, format!("E_{i}"), absorbed, "J", "input");
+            groups.push(group(format!("Energy of object {i}"), vec![step]));
         }
     }
     groups.push(group("Energy sought", sought(analysis)));

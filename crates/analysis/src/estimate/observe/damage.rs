@@ -44,8 +44,9 @@ impl Crushed {
         let Ok(assessed) = assess(nominal.vehicles.clone(), [None, None]) else {
             return (Self::No, unused);
         };
-        let energy = |id: &VehicleId| assessed[id.index()].crush_energy().unwrap_or_default();
-        if known.iter().map(energy).sum::<f64>() <= 0.0 {
+        let absorbed = nominal.vehicles.iter().filter_map(|vehicle| vehicle.absorbed);
+        let energies = known.iter().filter_map(|id| assessed[id.index()].crush_energy());
+        if known.is_empty() || energies.chain(absorbed).sum::<f64>() <= 0.0 {
             let is_given =
                 |id: &&VehicleId| !matches!(case.vehicles[id.index()].energy, Some(KnownEnergy::Undamaged));
             unused.extend(
@@ -114,13 +115,16 @@ pub(crate) fn energies(crushed: Crushed, case: &Case) -> [Option<EnergyMethod>; 
             Crushed::All => true,
         };
         let vehicle = &case.vehicles[id.index()];
+        if vehicle.fixed {
+            return vehicle.absorbed.filter(|_| is_evidence).map(|_| EnergyMethod::Absorbed);
+        }
         let by_depths = vehicle.crush.as_ref().map(|crush| match crush.stiffness {
             StiffnessForm::Line(_) | StiffnessForm::Zones(_) => EnergyMethod::Coefficients,
             StiffnessForm::Category(_) => EnergyMethod::Class,
             StiffnessForm::Test(_) => EnergyMethod::Test,
         });
         let by_speed = matches!(vehicle.energy, Some(KnownEnergy::Ees(_))).then_some(EnergyMethod::Ees);
-        by_depths.or(by_speed).filter(|_| is_evidence && !vehicle.fixed)
+        by_depths.or(by_speed).filter(|_| is_evidence)
     })
 }
 
@@ -141,10 +145,14 @@ pub(super) fn crush_errors(
     let of = |id: VehicleId| {
         let method = methods[id.index()]?;
         let has_range = ranges.iter().any(|range| {
-            let of_crush = range.input.path.strip_prefix(&format!("{}.crush.", table(id)));
-            of_crush.is_some_and(|key| key.starts_with("stiffness") || key.starts_with("ees"))
+            let key = range.input.path.strip_prefix(table(id)).unwrap_or_default();
+            [".crush.stiffness", ".crush.ees", ".absorbed"].iter().any(|of_energy| key.starts_with(of_energy))
         });
         let usual = FITTED.energy_error(method, misfit, has_range);
+        if method == EnergyMethod::Absorbed {
+            // What a case says of the errors of crush energies is not meant for it.
+            return Some(usual);
+        }
         Some(EnergyError {
             bias: given.crush_bias.map_or(usual.bias, |shown| real::elementary::ln(shown / 100.0)),
             shared_ln_sd: given.crush_error.map_or(usual.shared_ln_sd, |percent| percent / 100.0),

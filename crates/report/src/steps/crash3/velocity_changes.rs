@@ -168,7 +168,7 @@ fn corrected_total(analysis: &Seen, crush_energy: f64) -> Step {
         .filter_map(|(i, vehicle)| vehicle.corrected_crush_energy().map(|energy| (vehicle, i, energy)))
         .map(|(vehicle, i, energy)| {
             // An energy that is given directly has no correction.
-            let corrected = if vehicle.energy.is_some() { "" } else { "'" };
+            let corrected = if vehicle.damage.is_none() { "" } else { "'" };
             (format!("E{corrected}_{i}"), n(energy, "J"))
         })
         .unzip();
