@@ -370,7 +370,7 @@ fn add_moments<const LIMITED: bool>(
 fn crush_energy(damage: &DamageForm<'_, Number>, inputs: &[Lanes], mass: &Lanes, energy: &mut Lanes) {
     match *damage {
         DamageForm::Unknown | DamageForm::Undamaged | DamageForm::Inferred(_) => {}
-        DamageForm::Absorbed(given) => each_lane!(inputs, lane, given => {
+        DamageForm::OfObject(given) => each_lane!(inputs, lane, given => {
             energy[lane] = given.si();
         }),
         DamageForm::Ees(ees) => each_lane!(inputs, lane, ees => {

@@ -197,9 +197,9 @@ pub(crate) fn crash3(
     let mut moment_arm = [0.0; 2];
     for (i, vehicle) in vehicles.iter().enumerate() {
         let Some(inertia) = vehicle.subject.inertia else {
-            let absorbed = vehicle.subject.absorbed.unwrap_or_default();
-            crush_energy += absorbed;
-            corrected_energy = corrected_energy.map(|sum| sum + absorbed);
+            let deformation_energy = vehicle.subject.deformation_energy.unwrap_or_default();
+            crush_energy += deformation_energy;
+            corrected_energy = corrected_energy.map(|sum| sum + deformation_energy);
             continue;
         };
         let Some((energy, arm)) = vehicle.crush_energy().zip(vehicle.moment_arm()) else { return Ok(None) };

@@ -20,7 +20,7 @@ pub struct Vehicle<T = f64> {
 impl<T: Real> Vehicle<T> {
     /// (J) the energy where there is no crush: as given, or what a fixed object took.
     fn energy_alone(&self) -> Option<T> {
-        self.energy.map(|energy| energy.crush_energy).or(self.subject.absorbed)
+        self.energy.map(|energy| energy.crush_energy).or(self.subject.deformation_energy)
     }
 
     /// (J) crush energy, uncorrected, as far as the damage is known.
@@ -168,7 +168,7 @@ pub(crate) const NOTHING: VehicleData = VehicleData {
     contact: None,
     contact_is_placed: false,
     dimensions: None,
-    absorbed: None,
+    deformation_energy: None,
     damage: None,
     energy: None,
 };

@@ -69,11 +69,11 @@ fn an_ees_gives_the_energy() {
 }
 
 /// A car of 1500 kg straight into an object that gave way: E_1 = ½ 1500 · 8² J, and what the object took.
-fn into_object(car: VehicleId, absorbed: &str, more: &str) -> String {
+fn into_object(car: VehicleId, deformation_energy: &str, more: &str) -> String {
     format!(
         "[vehicle{car}]\nmass = \"1500 kg\"\nyaw_radius = \"1.4 m\"\nheading = \"40 deg\"\n\
          contact = {{ x = \"2 m\", y = \"0 m\" }}\n[vehicle{car}.crush]\nees = \"8 m/s\"\nside = \"front\"\n\
-         pdof = \"0 deg\"\n[vehicle{}]\nfixed = true\n{absorbed}\n[impact]\ncrush_plane = \"40 deg\"\n\
+         pdof = \"0 deg\"\n[vehicle{}]\nfixed = true\n{deformation_energy}\n[impact]\ncrush_plane = \"40 deg\"\n\
          restitution = 0.2\ntangential = \"critical\"\n{more}",
         car.other()
     )
@@ -87,8 +87,8 @@ fn what_an_object_took_adds_to_the_crush_energy() {
         (VehicleId::One, "absorbed", 1.0),
     ] {
         let seek = format!("[reconstruct]\nfind = \"vehicle{car}.speed\"\nenergy_basis = \"{basis}\"\n");
-        for (absorbed, energy) in [("", 0.0), ("absorbed = \"15 kJ\"", 15_000.0)] {
-            let analysis = reconstructed(&into_object(car, absorbed, &seek));
+        for (deformation_energy, energy) in [("", 0.0), ("deformation_energy = \"15 kJ\"", 15_000.0)] {
+            let analysis = reconstructed(&into_object(car, deformation_energy, &seek));
             let found = analysis.found.as_ref().unwrap();
             assert_close(found.crush_energy, 48_000.0 + energy);
             // W_n = ½ m (1 − e²) u², and no mass but that of the car
@@ -112,19 +112,22 @@ fn what_an_object_took_adds_to_the_crush_energy() {
 #[test]
 fn an_estimate_takes_what_an_object_took_with_its_own_error() {
     let plan = EstimatePlan { particles: 128, seed: 1, prior: Some(SeverityPrior::Flat), pieces: false };
-    let of = |absorbed: &str, car: VehicleId| {
-        estimate(&parsed(&into_object(car, absorbed, "")), &plan, &mut |_, _, _| ControlFlow::Continue(()))
-            .unwrap()
+    let of = |deformation_energy: &str, car: VehicleId| {
+        estimate(&parsed(&into_object(car, deformation_energy, "")), &plan, &mut |_, _, _| {
+            ControlFlow::Continue(())
+        })
+        .unwrap()
     };
     for car in VehicleId::ALL {
         let other = car.other().index();
         let bare = of("", car);
         assert_eq!(bare.energies[other], None);
-        for (absorbed, own) in
-            [("absorbed = \"144 kJ\"", 0.3), ("absorbed = { value = \"144 kJ\", sd = \"1 kJ\" }", 0.0)]
-        {
-            let found = of(absorbed, car);
-            assert_eq!(found.energies[other], Some(EnergyMethod::Absorbed));
+        for (deformation_energy, own) in [
+            ("deformation_energy = \"144 kJ\"", 0.3),
+            ("deformation_energy = { value = \"144 kJ\", sd = \"1 kJ\" }", 0.0),
+        ] {
+            let found = of(deformation_energy, car);
+            assert_eq!(found.energies[other], Some(EnergyMethod::OfObject));
             let CrushErrors(errors) = found.observed.crush.unwrap();
             assert_eq!(errors[other], EnergyError { bias: 0.0, shared_ln_sd: 0.0, own_ln_sd: own });
             assert_eq!(errors[car.index()].shared_ln_sd, 0.2);

@@ -539,8 +539,8 @@ pub(crate) static VEHICLE: Schema = Schema {
             "Diameter of a pole or tree, for drawings. Only for a fixed object, in place of `length`, `width` and `cg_to_front`.",
         ),
         key(
-            "absorbed",
-            "absorbed = { value = \"15 kJ\", sd = \"5 kJ\" }",
+            "deformation_energy",
+            "deformation_energy = { value = \"15 kJ\", sd = \"5 kJ\" }",
             Form::Quantity(Dimension::Energy, NOT_NEGATIVE),
             "Energy that the object took. Where it bent, cracked or leaned, for example from a test with such an object; it adds to the crush energy of the vehicle. Only for a fixed object at which the vehicle stopped or from which it rebounded. Estimates take it with an error of 30 % if it has no range.",
         ),
@@ -561,7 +561,7 @@ pub(crate) static VEHICLE: Schema = Schema {
     ],
     rules: &[
         Rule::NeverIf(True("fixed"), &NEVER_FIXED),
-        Rule::NeverIf(NotTrue("fixed"), &["diameter", "absorbed"]),
+        Rule::NeverIf(NotTrue("fixed"), &["diameter", "deformation_energy"]),
         Rule::NeverIf(Has("diameter"), &["length", "width", "cg_to_front"]),
         Rule::NeverIf(Has("mass"), &["weight"]),
         Rule::NeverIf(Has("yaw_inertia"), &["yaw_radius"]),

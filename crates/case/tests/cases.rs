@@ -190,7 +190,7 @@ fn the_other_forms_are_read() {
             width: length("1.75 m"),
             cg_to_front: length("2 m"),
         }),
-        absorbed: None,
+        deformation_energy: None,
         diameter: None,
         energy: None,
         crush: Some(Crush {
@@ -847,8 +847,8 @@ fn a_fixed_object_has_nothing_that_moves() {
         assert_eq!(problems(&with(line)), [CaseProblem::FixedHas { table: "[vehicle2]".to_owned(), key }]);
         read(&with(line).replace("fixed = true", "fixed = false"));
     }
-    for key in ["diameter", "absorbed"] {
-        let line = if key == "diameter" { "diameter = \"30 cm\"" } else { "absorbed = \"15 kJ\"" };
+    for key in ["diameter", "deformation_energy"] {
+        let line = if key == "diameter" { "diameter = \"30 cm\"" } else { "deformation_energy = \"15 kJ\"" };
         read(&with(line));
         let moves = with(line).replace("fixed = true", "fixed = false");
         assert_eq!(problems(&moves), [CaseProblem::OfObject { table: "[vehicle2]".to_owned(), key }]);
@@ -1571,7 +1571,7 @@ fn any_vehicle() -> impl Strategy<Value = GivenVehicle> {
                 motion,
                 yaw_rate,
                 outline,
-                absorbed: None,
+                deformation_energy: None,
                 diameter: None,
                 crush,
                 energy,

@@ -443,7 +443,7 @@ static PATTERNS: LazyLock<BTreeMap<&str, Validator>> = LazyLock::new(|| {
         (key, jsonschema::draft202012::new(&pattern).unwrap())
     };
     let of_vehicle =
-        ["mass", "weight", "speed", "yaw_rate", "yaw_inertia", "wheelbase", "heading", "absorbed"];
+        ["mass", "weight", "speed", "yaw_rate", "yaw_inertia", "wheelbase", "heading", "deformation_energy"];
     let of_line = ["A", "B", "G", "d0", "d1"];
     of_vehicle
         .map(|key| pattern(vehicle, key))
@@ -463,7 +463,7 @@ proptest! {
         key in select(vec![
             ("mass", Dimension::Mass), ("weight", Dimension::Weight), ("speed", Dimension::Speed), ("yaw_rate", Dimension::YawRate),
             ("yaw_inertia", Dimension::Inertia), ("wheelbase", Dimension::Length), ("heading", Dimension::Angle),
-            ("absorbed", Dimension::Energy),
+            ("deformation_energy", Dimension::Energy),
         ]),
         stiffness in select(vec![
             ("A", Dimension::StiffnessA), ("B", Dimension::StiffnessB), ("G", Dimension::StiffnessG), ("d0", Dimension::RootForce),

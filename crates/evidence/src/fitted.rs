@@ -43,7 +43,7 @@ pub enum EnergyMethod {
     /// An energy equivalent speed.
     Ees,
     /// As given, of a fixed object that bent, cracked or leaned.
-    Absorbed,
+    OfObject,
 }
 
 /// (–) bias, error shared by both vehicles, and own error of a stiffness given by the analyst. No bias was
@@ -58,7 +58,7 @@ const TEST: EnergyError = EnergyError { bias: 0.0, shared_ln_sd: 0.26, own_ln_sd
 /// much again for each vehicle.
 const EES: EnergyError = EnergyError { bias: 0.0, shared_ln_sd: 0.20, own_ln_sd: 0.20 };
 /// (–) the same for what a fixed object took: assumed, 30 % of the energy. It shares no error with the crush.
-const ABSORBED: EnergyError = EnergyError { bias: 0.0, shared_ln_sd: 0.0, own_ln_sd: 0.30 };
+const OF_OBJECT: EnergyError = EnergyError { bias: 0.0, shared_ln_sd: 0.0, own_ln_sd: 0.30 };
 
 /// The assumptions about a collision of passenger vehicles, and the errors of its model.
 ///
@@ -350,7 +350,7 @@ impl Fitted {
             EnergyMethod::Coefficients => COEFFICIENTS,
             EnergyMethod::Test => TEST,
             EnergyMethod::Ees => EES,
-            EnergyMethod::Absorbed => ABSORBED,
+            EnergyMethod::OfObject => OF_OBJECT,
         };
         EnergyError { own_ln_sd: if has_range { 0.0 } else { error.own_ln_sd }, ..error }
     }

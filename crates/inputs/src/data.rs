@@ -39,7 +39,7 @@ pub struct VehicleData<T = f64> {
     /// The damage, where its crush was measured or is to be inferred.
     pub damage: Option<DamageData<T>>,
     /// (J) what it took where it bent, cracked or leaned; of a fixed object alone.
-    pub absorbed: Option<T>,
+    pub deformation_energy: Option<T>,
     /// The damage, where only its energy is known.
     pub energy: Option<EnergyData<T>>,
 }

@@ -131,7 +131,7 @@ pub enum DamageForm<'a, N = f64> {
     /// There is no damage, or its energy does not count.
     Undamaged,
     /// (J) what a fixed object took.
-    Absorbed(Quantity<N>),
+    OfObject(Quantity<N>),
     /// (m/s) its energy equivalent speed.
     Ees(Quantity<N>),
     /// Its crush was measured.
@@ -224,7 +224,7 @@ impl<N: Copy + From<f64>> Case<N> {
             cg_to_front_axle: _,
             length: _,
             diameter: _,
-            absorbed,
+            deformation_energy,
             position: _,
             before: _,
             after: _,
@@ -278,7 +278,7 @@ impl<N: Copy + From<f64>> Case<N> {
             course: None,
             velocity: None,
             yaw_rate: None,
-            damage: absorbed.map_or(DamageForm::Undamaged, DamageForm::Absorbed),
+            damage: deformation_energy.map_or(DamageForm::Undamaged, DamageForm::OfObject),
             ..form
         }
     }
@@ -537,7 +537,7 @@ impl<N: Copy> VehicleForm<'_, N> {
         let _ = yaw_rate.map(|yaw_rate| yaw_rate.map(&mut *read));
         match damage {
             DamageForm::Unknown | DamageForm::Undamaged => {}
-            DamageForm::Absorbed(energy) => read(energy.number()),
+            DamageForm::OfObject(energy) => read(energy.number()),
             DamageForm::Ees(ees) => read(ees.number()),
             DamageForm::Measured(crush) | DamageForm::Inferred(crush) => crush.read(read),
         }

@@ -90,7 +90,7 @@ pub struct GivenVehicle<T = f64> {
     /// (m) of a pole or a tree: a fixed object that is round.
     pub diameter: Option<Quantity<T>>,
     /// (J) what a fixed object took where it bent, cracked or leaned.
-    pub absorbed: Option<Quantity<T>>,
+    pub deformation_energy: Option<Quantity<T>>,
     /// `[vehicleN.crush]` with a measured or inferred crush.
     pub crush: Option<Crush<T>>,
     /// `[vehicleN.crush]` with `ees`, or `crush = "none"`, in place of a crush.
@@ -163,7 +163,7 @@ impl<T> GivenVehicle<T> {
             yaw_rate,
             outline,
             diameter,
-            absorbed,
+            deformation_energy,
             crush,
             energy,
             before,
@@ -177,9 +177,10 @@ impl<T> GivenVehicle<T> {
             || mass.is_some()
             || yaw.is_some()
             || class.is_some()
-            || [wheelbase, track, cg_to_front_axle, length, heading, sideslip, yaw_rate, diameter, absorbed]
+            || [wheelbase, track, cg_to_front_axle, length, heading, sideslip, yaw_rate, diameter]
                 .into_iter()
                 .any(Option::is_some)
+            || deformation_energy.is_some()
             || position.is_some()
             || contact.is_some()
             || motion.is_some()
@@ -411,7 +412,7 @@ impl<U> Walk<'_, U> {
                 cg_to_front: self.quantity(&at("cg_to_front"), &outline.cg_to_front),
             }),
             diameter: self.maybe(&at("diameter"), vehicle.diameter.as_ref()),
-            absorbed: self.maybe(&at("absorbed"), vehicle.absorbed.as_ref()),
+            deformation_energy: self.maybe(&at("deformation_energy"), vehicle.deformation_energy.as_ref()),
             crush: vehicle.crush.as_ref().map(|crush| self.crush(&at("crush"), crush, fit_left_out)),
             energy: vehicle.energy.as_ref().map(|known| self.known_energy(&at("crush"), known)),
             before: vehicle.before.as_ref().map(|before| self.before(&at("before"), before)),

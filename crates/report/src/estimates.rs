@@ -269,8 +269,8 @@ pub(crate) fn crush_words(estimated: &Estimated) -> Vec<String> {
                 "Energies from an EES",
                 "Their error is chosen: 10 % of the speed for the method and, without a range, for each vehicle.",
             ),
-            EnergyMethod::Absorbed => {
-                words.push(absorbed_words(error).to_owned());
+            EnergyMethod::OfObject => {
+                words.push(object_words(error).to_owned());
                 continue;
             }
         };
@@ -295,7 +295,7 @@ pub(crate) fn crush_words(estimated: &Estimated) -> Vec<String> {
     words
 }
 
-fn absorbed_words(error: &EnergyError) -> &'static str {
+fn object_words(error: &EnergyError) -> &'static str {
     if error.own_ln_sd > 0.0 {
         "What the object took is as the case gives it; without a range its error is chosen: 30 %."
     } else {

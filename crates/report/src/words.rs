@@ -81,7 +81,7 @@ pub(crate) fn crush_source(vehicle: &Vehicle) -> Option<&'static str> {
         (Some(_), _) => Some("measured"),
         (None, Some(energy)) if energy.ees.is_some() => Some("EES"),
         (None, Some(_)) => Some("none"),
-        (None, None) => vehicle.subject.absorbed.map(|_| "absorbed"),
+        (None, None) => vehicle.subject.deformation_energy.map(|_| "object"),
     }
 }
 

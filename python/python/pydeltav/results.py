@@ -444,7 +444,7 @@ class Vehicle(Record):
     stiffness_source: str
     """Where its stiffness comes from, in words."""
     crush_source: str
-    """How its crush energy is known: ``"measured"``, ``"force balance"``, ``"EES"``, ``"none"`` or ``"absorbed"``."""
+    """How its crush energy is known: ``"measured"``, ``"force balance"``, ``"EES"``, ``"none"`` or ``"object"``."""
     crush_energy: float
     """(J) that crushed it, by the damage."""
     crush_energy_bounds: _Pair
@@ -1060,7 +1060,7 @@ class CrushError(Record):
 
     method: str
     """How the energy was obtained: ``"class"``, ``"coefficients"``, ``"test"``, ``"ees"``, or of a
-    fixed object ``"absorbed"``."""
+    fixed object ``"object"``."""
     bias: float
     """(–) that all such energies share on average."""
     shared_sd: float

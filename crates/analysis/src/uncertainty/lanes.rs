@@ -126,7 +126,7 @@ impl Block {
             DamageForm::Unknown => seeks.is_some(),
             DamageForm::Inferred(_) => true,
             DamageForm::Undamaged
-            | DamageForm::Absorbed(_)
+            | DamageForm::OfObject(_)
             | DamageForm::Ees(_)
             | DamageForm::Measured(_) => false,
         };

@@ -492,7 +492,7 @@ fn cases_of_all_keys() -> Vec<String> {
     let object = |car: VehicleId| {
         format!(
             "[vehicle{car}]\nmass = \"1500 kg\"\nyaw_radius = \"1.4 m\"\nheading = \"0 deg\"\ncontact = {{ x = \"1.6 m\", y = \"0.2 m\" }}\n\
-             [vehicle{car}.crush]\nees = \"8 m/s\"\n[vehicle{}]\nfixed = true\ndiameter = \"30 cm\"\nabsorbed = \"15 kJ\"\n\
+             [vehicle{car}.crush]\nees = \"8 m/s\"\n[vehicle{}]\nfixed = true\ndiameter = \"30 cm\"\ndeformation_energy = \"15 kJ\"\n\
              [impact]\ncrush_plane = \"5 deg\"\nrestitution = 0.1\ntangential = \"critical\"\n\
              [reconstruct]\nfind = \"vehicle{car}.speed\"\n",
             car.other()

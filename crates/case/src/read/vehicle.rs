@@ -57,7 +57,7 @@ impl<'t> Reader<'t> {
             yaw_rate: self.quantity(&table, "yaw_rate"),
             outline: self.outline(&table),
             diameter: self.diameter(&table, fixed),
-            absorbed: self.of_object(&table, "absorbed", fixed),
+            deformation_energy: self.of_object(&table, "deformation_energy", fixed),
             crush,
             energy,
             before: self.before(&table),

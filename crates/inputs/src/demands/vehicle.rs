@@ -28,7 +28,7 @@ impl<T: Real> Demand<'_, T> {
                 contact,
                 contact_is_placed: false,
                 dimensions,
-                absorbed: vehicle.absorbed.as_ref().map(Quantity::si),
+                deformation_energy: vehicle.deformation_energy.as_ref().map(Quantity::si),
                 damage: None,
                 energy: None,
             });
@@ -38,7 +38,7 @@ impl<T: Real> Demand<'_, T> {
             DamageForm::Measured(crush) | DamageForm::Inferred(crush) => {
                 Some(self.damage(id, &crush, dimensions)?)
             }
-            DamageForm::Unknown | DamageForm::Undamaged | DamageForm::Absorbed(_) | DamageForm::Ees(_) => {
+            DamageForm::Unknown | DamageForm::Undamaged | DamageForm::OfObject(_) | DamageForm::Ees(_) => {
                 None
             }
         };
@@ -67,7 +67,7 @@ impl<T: Real> Demand<'_, T> {
             contact,
             contact_is_placed,
             dimensions,
-            absorbed: None,
+            deformation_energy: None,
             damage,
             energy,
         })

@@ -148,7 +148,7 @@ impl CrushBlock {
             EnergyMethod::Coefficients => "coefficients",
             EnergyMethod::Test => "test",
             EnergyMethod::Ees => "ees",
-            EnergyMethod::Absorbed => "absorbed",
+            EnergyMethod::OfObject => "object",
         };
         Self { method, bias: error.bias, shared_sd, own_sd: error.own_ln_sd }
     }

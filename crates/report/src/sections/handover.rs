@@ -603,10 +603,10 @@ fn assumptions(file: &CaseFile, analysis: &Analysis, units: Units) -> Vec<String
                 words::stiffness_source(damage.stiffness_source, damage.side)
             ));
         }
-        if let Some(absorbed) = vehicle.subject.absorbed {
+        if let Some(deformation_energy) = vehicle.subject.deformation_energy {
             assumptions.push(format!(
                 "Object {id}: it took {} where it gave way, which the analyst chose; it did not move.",
-                units.format(Measure::Energy, absorbed)
+                units.format(Measure::Energy, deformation_energy)
             ));
         }
         if let Some(energy) = vehicle.subject.energy {

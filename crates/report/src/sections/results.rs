@@ -296,10 +296,13 @@ impl Page<'_> {
             }),
             "",
         );
-        let absorbed = known(&|i| {
-            analysis.vehicles[i].subject.absorbed.map(|energy| units.format(Measure::Energy, energy))
+        let deformation_energy = known(&|i| {
+            analysis.vehicles[i]
+                .subject
+                .deformation_energy
+                .map(|energy| units.format(Measure::Energy, energy))
         });
-        table.pair("energy taken, as given", absorbed, "");
+        table.pair("energy taken, as given", deformation_energy, "");
         table.pair("EES as given", known(&|i| Some(units.speed(known_energy(i)?.ees?))), "");
         let crush = |i: usize| vehicles[i].crush.as_ref();
         let crush_length = |q: case::Quantity| units.format(Measure::Crush, q.si());

@@ -22,9 +22,9 @@ pub(super) fn groups(case: &Case, analysis: &Seen) -> Vec<StepGroup> {
             groups.push(group(format!("Crush energy of vehicle {i}"), energy(vehicle, damage, crush, i)));
         } else if let Some(step) = energy_alone(vehicle, i) {
             groups.push(group(format!("Crush energy of vehicle {i}"), step));
-        } else if let Some(absorbed) = vehicle.subject.absorbed {
+        } else if let Some(deformation_energy) = vehicle.subject.deformation_energy {
             let name = format!("energy that object {i} took");
-            let step = given(name, format!("E_{i}"), absorbed, "J", "input");
+            let step = given(name, format!("E_{i}"), deformation_energy, "J", "input");
             groups.push(group(format!("Energy of object {i}"), vec![step]));
         }
     }

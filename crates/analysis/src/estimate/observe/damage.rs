@@ -44,9 +44,9 @@ impl Crushed {
         let Ok(assessed) = assess(nominal.vehicles.clone(), [None, None]) else {
             return (Self::No, unused);
         };
-        let absorbed = nominal.vehicles.iter().filter_map(|vehicle| vehicle.absorbed);
+        let deformation_energy = nominal.vehicles.iter().filter_map(|vehicle| vehicle.deformation_energy);
         let energies = known.iter().filter_map(|id| assessed[id.index()].crush_energy());
-        if known.is_empty() || energies.chain(absorbed).sum::<f64>() <= 0.0 {
+        if known.is_empty() || energies.chain(deformation_energy).sum::<f64>() <= 0.0 {
             let is_given =
                 |id: &&VehicleId| !matches!(case.vehicles[id.index()].energy, Some(KnownEnergy::Undamaged));
             unused.extend(
@@ -116,7 +116,7 @@ pub(crate) fn energies(crushed: Crushed, case: &Case) -> [Option<EnergyMethod>; 
         };
         let vehicle = &case.vehicles[id.index()];
         if vehicle.fixed {
-            return vehicle.absorbed.filter(|_| is_evidence).map(|_| EnergyMethod::Absorbed);
+            return vehicle.deformation_energy.filter(|_| is_evidence).map(|_| EnergyMethod::OfObject);
         }
         let by_depths = vehicle.crush.as_ref().map(|crush| match crush.stiffness {
             StiffnessForm::Line(_) | StiffnessForm::Zones(_) => EnergyMethod::Coefficients,
@@ -146,10 +146,11 @@ pub(super) fn crush_errors(
         let method = methods[id.index()]?;
         let has_range = ranges.iter().any(|range| {
             let key = range.input.path.strip_prefix(table(id)).unwrap_or_default();
-            [".crush.stiffness", ".crush.ees", ".absorbed"].iter().any(|of_energy| key.starts_with(of_energy))
+            let of_energy = [".crush.stiffness", ".crush.ees", ".deformation_energy"];
+            of_energy.iter().any(|start| key.starts_with(start))
         });
         let usual = FITTED.energy_error(method, misfit, has_range);
-        if method == EnergyMethod::Absorbed {
+        if method == EnergyMethod::OfObject {
             // What a case says of the errors of crush energies is not meant for it.
             return Some(usual);
         }

@@ -268,8 +268,8 @@ fn estimate(ledger: &mut Ledger) {
     ledger.quoted(&format!("average {shown} % … show"), &guide, "59 % for a class or category");
     ledger.made(format!("multiplied by {}.", number(1.0 / share, 2)));
     let misfit = evidence::FITTED.objects.misfit;
-    let absorbed = evidence::FITTED.energy_error(evidence::EnergyMethod::Absorbed, misfit, false);
-    ledger.made(format!("range its error is {} %", number(100.0 * absorbed.own_ln_sd, 0)));
+    let deformation_energy = evidence::FITTED.energy_error(evidence::EnergyMethod::OfObject, misfit, false);
+    ledger.made(format!("range its error is {} %", number(100.0 * deformation_energy.own_ln_sd, 0)));
     ledger.quoted("errs by 10 % of the path", &guide, "per cent of the path. 10 % if left out");
     ledger.quoted("path and 0.5 m", &guide, "0.5 m if left out");
     ledger.quoted("between 5° and 15°", &guide, "but 5° to 15°, if left out");
