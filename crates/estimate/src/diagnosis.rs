@@ -7,6 +7,7 @@
 
 use std::fmt;
 
+use uncertainty::LANES;
 use uncertainty::normal::quantiles;
 
 /// Maximum R̂ of a converged run (Vehtari et al. 2021).
@@ -279,17 +280,23 @@ fn order(column: &[f64]) -> Vec<usize> {
 /// z = Φ⁻¹((r − 3/8)/(S + 1/4)), r the rank, the mean rank of equal values.
 fn normal_scores(column: &[f64], order: &[usize]) -> Vec<f64> {
     let count = column.len() as f64;
-    let mut scores = vec![0.0; column.len()];
-    let mut first = 0;
-    for group in order.chunk_by(|a, b| column[*a] == column[*b]) {
+    let groups = || order.chunk_by(|a, b| column[*a] == column[*b]);
+    let mut first = 0.0;
+    let shares = groups().map(|group| {
         // Ranks count from 1.
-        let rank = first as f64 + 0.5 * (group.len() as f64 + 1.0);
-        let mut score = [(rank - 0.375) / (count + 0.25)];
-        quantiles(&mut score);
+        let rank = first + 0.5 * (group.len() as f64 + 1.0);
+        first += group.len() as f64;
+        (rank - 0.375) / (count + 0.25)
+    });
+    let mut of_groups: Vec<f64> = shares.collect();
+    let (blocks, rest) = of_groups.as_chunks_mut::<LANES>();
+    blocks.iter_mut().for_each(quantiles);
+    rest.as_chunks_mut::<1>().0.iter_mut().for_each(quantiles);
+    let mut scores = vec![0.0; column.len()];
+    for (group, score) in groups().zip(of_groups) {
         for &draw in group {
-            scores[draw] = score[0];
+            scores[draw] = score;
         }
-        first += group.len();
     }
     scores
 }

@@ -36,10 +36,9 @@ impl Block {
         is_read.then_some(Self { collisions, speeds, basis })
     }
 
-    pub(super) fn pose(&self, values: &[Lanes]) -> Columns {
-        let mut columns = Columns::NOTHING;
-        self.collisions.pose(values, &mut columns);
-        columns
+    /// Poses the collisions of a block in `columns`, which are empty.
+    pub(super) fn pose(&self, values: &[Lanes], columns: &mut Columns) {
+        self.collisions.pose(values, columns);
     }
 
     /// The collision of a particle; `None` if the engine refuses it.

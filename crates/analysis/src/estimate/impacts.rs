@@ -12,7 +12,7 @@ use trajectory::{Control, FrictionZone, Ground, Outset, State, to_rests};
 
 use super::block::Block;
 use super::posed::{OpenSpeeds, Posed};
-use crate::columns::{Number, si};
+use crate::columns::{Columns, Number, si};
 use crate::damage::{assess, crush_energy};
 use crate::evidence::{needed, works};
 use crate::travel::{Scene, skid};
@@ -148,21 +148,24 @@ impl CaseImpacts {
         values: &[Lanes],
         wanted: &mut dyn FnMut(VehicleId, &[Impacted]) -> [bool; LANES],
     ) -> Vec<Impacted> {
-        let poses = self.block.as_ref().map(|block| (block, block.pose(values)));
+        let mut columns = Columns::NOTHING;
+        let block = self.block.as_ref().inspect(|block| block.pose(values, &mut columns));
         let marks = self.marks(values);
         let has_places = self.skids.iter().flatten().any(|skid| skid.length.is_none());
         let mut impacts = Vec::with_capacity(LANES);
         for (lane, marks) in marks.into_iter().enumerate() {
             let mut case = None;
-            let posed = poses.as_ref().and_then(|(block, columns)| block.of(columns, values, lane));
-            let posed = posed.or_else(|| pose(case.insert(self.case_of(values, lane))));
+            let mut posed = block.and_then(|block| block.of(&columns, values, lane));
+            if posed.is_none() {
+                posed = pose(case.insert(self.case_of(values, lane)));
+            }
             // Errors that numbers share stand in the case alone, and are never posed without it.
             let marked = if self.impact.shared.is_some() || has_places {
                 case.get_or_insert_with(|| self.case_of(values, lane)).skids()
             } else {
                 marks
             };
-            let impacted = posed.and_then(|posed| self.impact_of(posed, marked, values, lane));
+            let impacted = posed.as_ref().and_then(|posed| self.impact_of(posed, marked, values, lane));
             impacts.push(impacted.unwrap_or_else(|| Self::impossible(self.placeholder)));
         }
         if self.followed == [false, false] {
@@ -212,13 +215,14 @@ impl CaseImpacts {
 
     fn impact_of(
         &self,
-        posed: Posed,
+        posed: &Posed,
         marks: [Option<SkidData>; 2],
         values: &[Lanes],
         lane: usize,
     ) -> Option<Impacted> {
         let of = |place: usize| values.get(place).map_or(f64::NAN, |column| column[lane]);
         let Posed { contact, law, motions, crush_energies, basis } = posed;
+        let (motions, crush_energies) = (*motions, *crush_energies);
         let closing = -contact.approach(&motions).velocity.normal;
         if closing <= LEAST_APPROACH {
             return None;
@@ -236,7 +240,7 @@ impl CaseImpacts {
         });
         let basis = match self.tangential_share {
             Some(place) => Basis::TangentialShare(of(place)),
-            None => basis,
+            None => *basis,
         };
         let taken = needed(basis, works(&outcome), law.restitution())?;
         let crush_energies = match self.other_crush {
