@@ -7,7 +7,7 @@
 use std::ops::ControlFlow;
 
 use analysis::quantities::SPEED;
-use analysis::{Analysis, EstimatePlan, Estimated, Failure, estimate};
+use analysis::{Analysis, EstimatePlan, Estimated, Failure, Unused, UnusedReason, estimate};
 use case::CaseFile;
 use evidence::{CrushErrors, EnergyError, EnergyMethod};
 use inputs::{Case, FaultKind, SeverityPrior};
@@ -108,7 +108,7 @@ fn what_an_object_took_adds_to_the_crush_energy() {
     }
 }
 
-/// The error of the crush goes with the car's part alone, and the object's is its own: 30 %, or its range.
+/// The misfit of the crush goes with the car's part alone; the object's own error is 30 %, or its range.
 #[test]
 fn an_estimate_takes_what_an_object_took_with_its_own_error() {
     let plan = EstimatePlan { particles: 128, seed: 1, prior: Some(SeverityPrior::Flat), pieces: false };
@@ -129,7 +129,7 @@ fn an_estimate_takes_what_an_object_took_with_its_own_error() {
             let found = of(deformation_energy, car);
             assert_eq!(found.energies[other], Some(EnergyMethod::OfObject));
             let CrushErrors(errors) = found.observed.crush.unwrap();
-            assert_eq!(errors[other], EnergyError { bias: 0.0, shared_ln_sd: 0.0, own_ln_sd: own });
+            assert_eq!(errors[other], EnergyError { bias: 0.0, shared_ln_sd: 0.2, own_ln_sd: own });
             assert_eq!(errors[car.index()].shared_ln_sd, 0.2);
             // Four times the energy is twice the speed, but for the errors and the prior.
             let wanted = SPEED.of_vehicle(car);
@@ -140,6 +140,24 @@ fn an_estimate_takes_what_an_object_took_with_its_own_error() {
             assert!((1.85..2.1).contains(&ratio), "{ratio}");
         }
     }
+}
+
+/// Nothing that the case gives is left out in silence.
+#[test]
+fn what_an_object_took_is_no_evidence_without_the_crush_of_the_vehicle() {
+    let plan = EstimatePlan { particles: 128, seed: 1, prior: None, pieces: false };
+    let case = into_object(VehicleId::One, "deformation_energy = \"15 kJ\"", "");
+    let crush = "[vehicle1.crush]\nees = \"8 m/s\"\nside = \"front\"\npdof = \"0 deg\"\n";
+    let recorder = "[vehicle1.recorder]\ndelta_v_longitudinal = \"-30 km/h\"\n";
+    assert!(case.contains(crush));
+    let of = |text: &str| estimate(&parsed(text), &plan, &mut |_, _, _| ControlFlow::Continue(())).unwrap();
+    let without = of(&case.replace(crush, recorder));
+    let unused = Unused { key: "vehicle2.deformation_energy".to_owned(), reason: UnusedReason::NoCrush };
+    assert_eq!((without.unused, without.observed.crush), (vec![unused], None));
+    // A car without damage that counts leaves what the object took.
+    let undamaged = of(&case.replace(crush, "").replace("[vehicle1]\n", "[vehicle1]\ncrush = \"none\"\n"));
+    assert_eq!((undamaged.unused, undamaged.energies), (vec![], [None, Some(EnergyMethod::OfObject)]));
+    assert!(undamaged.observed.crush.is_some());
 }
 
 #[test]

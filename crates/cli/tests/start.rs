@@ -148,8 +148,8 @@ fn every_template_runs_as_it_is_and_finds_what_it_states() {
 }
 
 /// The units in the text of the templates.
-const UNITS: [&str; 13] =
-    ["lb", "kg", "kN", "t", "in", "ft", "m", "cm", "mph", "ft/s", "lb/in", "N/cm", "lb/in^2"];
+const UNITS: [&str; 14] =
+    ["lb", "kg", "kJ", "kN", "t", "in", "ft", "m", "cm", "mph", "ft/s", "lb/in", "N/cm", "lb/in^2"];
 
 /// The two differ in their numbers and units alone, and quote no unit of the other system.
 #[test]

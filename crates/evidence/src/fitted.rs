@@ -57,8 +57,9 @@ const TEST: EnergyError = EnergyError { bias: 0.0, shared_ln_sd: 0.26, own_ln_sd
 /// errors are assumed: 10 % of the speed, 20 % of the energy, for the comparison with a catalogue, and as
 /// much again for each vehicle.
 const EES: EnergyError = EnergyError { bias: 0.0, shared_ln_sd: 0.20, own_ln_sd: 0.20 };
-/// (–) the same for what a fixed object took: assumed, 30 % of the energy. It shares no error with the crush.
-const OF_OBJECT: EnergyError = EnergyError { bias: 0.0, shared_ln_sd: 0.0, own_ln_sd: 0.30 };
+/// (–) the same for what a fixed object took, assumed: the method errs as with an EES, and the comparison
+/// with another object by 30 % of the energy.
+const OF_OBJECT: EnergyError = EnergyError { bias: 0.0, shared_ln_sd: 0.20, own_ln_sd: 0.30 };
 
 /// The assumptions about a collision of passenger vehicles, and the errors of its model.
 ///

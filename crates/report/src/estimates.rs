@@ -297,9 +297,10 @@ pub(crate) fn crush_words(estimated: &Estimated) -> Vec<String> {
 
 fn object_words(error: &EnergyError) -> &'static str {
     if error.own_ln_sd > 0.0 {
-        "What the object took is as the case gives it; without a range its error is chosen: 30 %."
+        "What the object took is as the case gives it; its error is chosen: 20 % for the method and, as it has \
+         no range, 30 % for the object."
     } else {
-        "What the object took is as the case gives it, with its range."
+        "What the object took is as the case gives it, with its range; the method's error is chosen: 20 %."
     }
 }
 
@@ -331,6 +332,10 @@ pub(crate) fn unused(reason: UnusedReason, key: &str) -> [String; 2] {
         UnusedReason::NoEnergy => [
             "the crush of both vehicles took no energy, and no speed follows from zero",
             "depths or an EES above zero; crush = \"none\" where there is no damage",
+        ],
+        UnusedReason::NoCrush => [
+            "the crush of the vehicle that struck the object is not known",
+            "the crush of that vehicle, too; crush = \"none\" where it has no damage",
         ],
         UnusedReason::NoDirection => [
             "a vehicle that stood after the impact left in no direction",

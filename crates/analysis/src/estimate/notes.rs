@@ -19,6 +19,8 @@ pub enum UnusedReason {
     Inferred,
     /// A crush of both vehicles that took no energy.
     NoEnergy,
+    /// What an object took, where the crush of the vehicle that struck it is not known.
+    NoCrush,
     /// A PDOF that follows from that of the other vehicle: both are one observation.
     OtherPdof,
     /// A rest or points of a vehicle that cannot be followed there: friction or drag is missing.

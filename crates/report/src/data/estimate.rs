@@ -302,6 +302,7 @@ fn reason_name(reason: UnusedReason) -> &'static str {
         UnusedReason::Sought => "sought",
         UnusedReason::Inferred => "inferred",
         UnusedReason::NoEnergy => "no_energy",
+        UnusedReason::NoCrush => "no_crush",
         UnusedReason::NoDirection => "no_direction",
         UnusedReason::OneWreck => "one_wreck",
         UnusedReason::OtherLaw => "other_law",

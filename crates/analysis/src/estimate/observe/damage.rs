@@ -41,12 +41,21 @@ impl Crushed {
             .collect();
         let is_known = |id: &VehicleId| case.vehicles[id.index()].has_damage_data() && !is_inferred(*id);
         let known: Vec<VehicleId> = movers.iter().copied().filter(is_known).collect();
+        if known.is_empty() {
+            let objects = VehicleId::ALL.into_iter().filter(|id| case.vehicles[id.index()].fixed);
+            let with_energy = objects.filter(|id| case.vehicles[id.index()].deformation_energy.is_some());
+            unused.extend(with_energy.map(|id| Unused {
+                key: format!("{}.deformation_energy", table(id)),
+                reason: UnusedReason::NoCrush,
+            }));
+            return (Self::No, unused);
+        }
         let Ok(assessed) = assess(nominal.vehicles.clone(), [None, None]) else {
             return (Self::No, unused);
         };
         let deformation_energy = nominal.vehicles.iter().filter_map(|vehicle| vehicle.deformation_energy);
         let energies = known.iter().filter_map(|id| assessed[id.index()].crush_energy());
-        if known.is_empty() || energies.chain(deformation_energy).sum::<f64>() <= 0.0 {
+        if energies.chain(deformation_energy).sum::<f64>() <= 0.0 {
             let is_given =
                 |id: &&VehicleId| !matches!(case.vehicles[id.index()].energy, Some(KnownEnergy::Undamaged));
             unused.extend(
