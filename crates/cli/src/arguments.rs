@@ -79,8 +79,8 @@ pub(crate) enum Command {
             number is claimed to reproduce within a tolerance, or listed with the reason why it does not. \
             Then reconstructs the speed of each from its crush, and shows the error rate. It reads no file: \
             the data are built in. With --field PATH it judges intervals of ΔV by the recorders of real \
-            crashes instead. PATH is a table of crashes (CSV), or NHTSA's CISS tables as CSV: the ZIP file of \
-            a year as downloaded, a folder with its tables, or a folder with such ZIP files or folders of \
+            crashes instead. PATH is a table of crashes (CSV), or NHTSA's CISS tables (CSV or SAS): the ZIP \
+            file of a year as downloaded, a folder with its tables, or a folder with such ZIP files or folders of \
             several years. With --recorders FILE it judges speeds before the impact.",
         after_help = "Examples:\n  deltav validate\n  deltav validate --format json -o validation.json\n  \
             deltav validate --format markdown -o docs/validation.md --plots docs\n  \
