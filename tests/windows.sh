@@ -42,8 +42,9 @@ same() {
     if ((one != two)) || ! cmp -s "$work/linux.out" "$work/windows.out" || ! cmp -s "$work/linux.err" "$work/windows.err"; then
         differ=$((differ + 1))
         echo "different: deltav $* (status $one and $two)"
-        diff "$work/linux.out" "$work/windows.out" | head -6 || true
-        diff "$work/linux.err" "$work/windows.err" | head -6 || true
+        # What Windows says comes first: of Wine itself it may be one line.
+        diff "$work/windows.out" "$work/linux.out" | head -6 || true
+        diff "$work/windows.err" "$work/linux.err" | head -6 || true
     fi
 }
 # Two files, of which the second was written by Windows.
