@@ -197,9 +197,9 @@ pub(crate) fn crash3(
     let mut moment_arm = [0.0; 2];
     for (i, vehicle) in vehicles.iter().enumerate() {
         let Some(inertia) = vehicle.subject.inertia else {
-            let deformation_energy = vehicle.subject.deformation_energy.unwrap_or_default();
-            crush_energy += deformation_energy;
-            corrected_energy = corrected_energy.map(|sum| sum + deformation_energy);
+            let of_object = vehicle.crush_energy().unwrap_or_default();
+            crush_energy += of_object;
+            corrected_energy = corrected_energy.map(|sum| sum + of_object);
             continue;
         };
         let Some((energy, arm)) = vehicle.crush_energy().zip(vehicle.moment_arm()) else { return Ok(None) };

@@ -381,7 +381,7 @@ impl CaseProblem {
             Self::OfObject { key, .. } => {
                 let instead = match *key {
                     "diameter" => "give length, width and cg_to_front instead",
-                    _ => "give [vehicle1.crush] instead",
+                    _ => "give its crush instead",
                 };
                 format!("for a tree, a pole or a barrier, add fixed = true; for a vehicle, {instead}")
             }

@@ -542,7 +542,7 @@ pub(crate) static VEHICLE: Schema = Schema {
             "deformation_energy",
             "deformation_energy = { value = \"15 kJ\", sd = \"5 kJ\" }",
             Form::Quantity(Dimension::Energy, NOT_NEGATIVE),
-            "Energy that the object took. Where it bent, cracked or leaned, for example from a test with such an object; it adds to the crush energy of the vehicle. Only for a fixed object at which the vehicle stopped or from which it rebounded. Estimates take it with an error of 20 % and, if it has no range, another 30 %.",
+            "Energy that deformed the object. Give it if the object bent, cracked or leaned, for example from a test with such an object; it adds to the crush energy of the vehicle. Only for a fixed object at which the vehicle stopped or from which it rebounded. An estimate gives it an error of 20 % and, without a range, another 30 %.",
         ),
         key(
             "crush",

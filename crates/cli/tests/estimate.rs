@@ -278,6 +278,32 @@ fn impossible_evidence_is_named() {
     assert!(said(&output).contains("do not approach each other; check the headings"), "{}", said(&output));
 }
 
+/// What is said of the energy that deformed an object goes by its range, also where the car has no damage.
+#[test]
+fn the_error_of_an_objects_energy_is_told() {
+    const TREE: &str = include_str!("../../../fixtures/leaning-tree.toml");
+    let given = "{ value = \"15 kJ\", sd = \"5 kJ\" }";
+    let (before, crush) = TREE.split_once("[vehicle1.crush]\n").unwrap();
+    let (_, after) = crush.split_once("[vehicle2]").unwrap();
+    let undamaged = format!("{before}crush = \"none\"\n[vehicle2]{after}");
+    for (number, case) in [TREE, &undamaged].into_iter().enumerate() {
+        for (energy, words) in [
+            (given, "has the range that the case gives, and the method's error is chosen: 20 %."),
+            (
+                "\"15 kJ\"",
+                "has no range, so its error is chosen: 20 % for the method and 30 % for the object.",
+            ),
+        ] {
+            let case = case.replace(given, energy);
+            let output = estimate(&written(&format!("tree-{number}.toml"), &case), &FAST);
+            let text = String::from_utf8(output.stdout).unwrap();
+            let text = text.split_whitespace().collect::<Vec<_>>().join(" ");
+            let sentence = format!("The energy that deformed the object {words}");
+            assert!(text.contains(&sentence), "{sentence}\n{text}");
+        }
+    }
+}
+
 /// The pictures of the report below each other; and of speeds that are all known, a sentence.
 #[test]
 fn the_estimate_is_drawn() {

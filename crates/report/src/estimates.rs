@@ -7,7 +7,7 @@ use ::estimate::{DrawnQuantity, DrawsSummary, LEVELS, SamplerDoubt};
 use analysis::{
     Assumed, EstimatePlan, Estimated, EstimatedOutput, Output, PieceFound, UnknownNumber, UnusedReason,
 };
-use evidence::{CrushErrors, EnergyError, EnergyMethod, MeasuredSpeed, Observed, Piece};
+use evidence::{CrushErrors, EnergyError, EnergyMethod, FITTED, MeasuredSpeed, Observed, Piece};
 use pim_core::VehicleId;
 
 use crate::units::{Measure, Units, number, significant};
@@ -270,7 +270,7 @@ pub(crate) fn crush_words(estimated: &Estimated) -> Vec<String> {
                 "Their error is chosen: 10 % of the speed for the method and, without a range, for each vehicle.",
             ),
             EnergyMethod::OfObject => {
-                words.push(object_words(error).to_owned());
+                words.push(object_words(estimated, id));
                 continue;
             }
         };
@@ -295,13 +295,22 @@ pub(crate) fn crush_words(estimated: &Estimated) -> Vec<String> {
     words
 }
 
-fn object_words(error: &EnergyError) -> &'static str {
-    if error.own_ln_sd > 0.0 {
-        "What the object took is as the case gives it; its error is chosen: 20 % for the method and, as it has \
-         no range, 30 % for the object."
-    } else {
-        "What the object took is as the case gives it, with its range; the method's error is chosen: 20 %."
+/// The error of what object `id` took, which is not that of the crush.
+fn object_words(estimated: &Estimated, id: VehicleId) -> String {
+    let key = format!("vehicle{id}.deformation_energy");
+    let has_range = estimated.unknown.iter().any(|unknown| unknown.key == key);
+    let error = FITTED.energy_error(EnergyMethod::OfObject, FITTED.objects.misfit, has_range);
+    let [method, own] = [error.shared_ln_sd, error.own_ln_sd].map(|ln_sd| significant(100.0 * ln_sd, 2));
+    if has_range {
+        return format!(
+            "The energy that deformed the object has the range that the case gives, and the method's error is \
+             chosen: {method} %."
+        );
     }
+    format!(
+        "The energy that deformed the object has no range, so its error is chosen: {method} % for the method and \
+         {own} % for the object."
+    )
 }
 
 /// The key of the case that gives the error of a piece; `None` where the case cannot.

@@ -85,6 +85,15 @@ pub(crate) fn crush_source(vehicle: &Vehicle) -> Option<&'static str> {
     }
 }
 
+/// Whose crush energies a sum of `count` has.
+pub(crate) fn of_crushed(vehicles: &[Vehicle; 2], count: usize) -> &'static str {
+    match (count, vehicles.iter().all(Vehicle::moves)) {
+        (0 | 1, _) => "",
+        (_, true) => " of both vehicles",
+        (_, false) => " of vehicle and object",
+    }
+}
+
 /// Where a stiffness comes from, short enough for a column.
 pub(crate) fn stiffness_source(source: StiffnessSource, side: Side) -> String {
     match source {

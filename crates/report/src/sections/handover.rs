@@ -605,7 +605,7 @@ fn assumptions(file: &CaseFile, analysis: &Analysis, units: Units) -> Vec<String
         }
         if let Some(deformation_energy) = vehicle.subject.deformation_energy {
             assumptions.push(format!(
-                "Object {id}: it took {} where it gave way, which the analyst chose; it did not move.",
+                "Object {id}: {} deformed it. The analyst chose this energy; the object did not move.",
                 units.format(Measure::Energy, deformation_energy)
             ));
         }

@@ -302,7 +302,7 @@ impl Page<'_> {
                 .deformation_energy
                 .map(|energy| units.format(Measure::Energy, energy))
         });
-        table.pair("energy taken, as given", deformation_energy, "");
+        table.pair("deformation energy, as given", deformation_energy, "");
         table.pair("EES as given", known(&|i| Some(units.speed(known_energy(i)?.ees?))), "");
         let crush = |i: usize| vehicles[i].crush.as_ref();
         let crush_length = |q: case::Quantity| units.format(Measure::Crush, q.si());

@@ -13,7 +13,7 @@ use crash3::{Profile, SideStiffness, Yielding};
 use pim_core::VehicleId;
 
 use super::{Step, StepGroup, given, group, n, p, step};
-use crate::basis;
+use crate::{basis, words};
 
 pub(super) fn groups(case: &Case, analysis: &Seen) -> Vec<StepGroup> {
     let mut groups = Vec::new();
@@ -23,7 +23,7 @@ pub(super) fn groups(case: &Case, analysis: &Seen) -> Vec<StepGroup> {
         } else if let Some(step) = energy_alone(vehicle, i) {
             groups.push(group(format!("Crush energy of vehicle {i}"), step));
         } else if let Some(deformation_energy) = vehicle.subject.deformation_energy {
-            let name = format!("energy that object {i} took");
+            let name = format!("energy that deformed object {i}");
             let step = given(name, format!("E_{i}"), deformation_energy, "J", "input");
             groups.push(group(format!("Energy of object {i}"), vec![step]));
         }
@@ -140,7 +140,7 @@ pub(super) fn total(analysis: &Seen, crush_energy: f64, source: &'static str) ->
         .filter_map(|(i, vehicle)| vehicle.crush_energy().map(|energy| (i, energy)))
         .map(|(i, energy)| (format!("E_{i}"), n(energy, "J")))
         .unzip();
-    let name = if symbols.len() > 1 { "crush energy of both vehicles" } else { "crush energy" };
+    let name = format!("crush energy{}", words::of_crushed(&analysis.vehicles, symbols.len()));
     step(name, "E", symbols.join(" + "), numbers.join(" + "), crush_energy, "J", source)
 }
 

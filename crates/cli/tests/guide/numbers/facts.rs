@@ -270,7 +270,7 @@ fn estimate(ledger: &mut Ledger) {
     let misfit = evidence::FITTED.objects.misfit;
     let deformation_energy = evidence::FITTED.energy_error(evidence::EnergyMethod::OfObject, misfit, false);
     let percent = |ln_sd: f64| number(100.0 * ln_sd, 0);
-    ledger.made(format!("too; its error is {} %", percent(deformation_energy.shared_ln_sd)));
+    ledger.made(format!("error is an assumption: {} %", percent(deformation_energy.shared_ln_sd)));
     ledger.made(format!("without a range, another {} %", percent(deformation_energy.own_ln_sd)));
     ledger.quoted("errs by 10 % of the path", &guide, "per cent of the path. 10 % if left out");
     ledger.quoted("path and 0.5 m", &guide, "0.5 m if left out");

@@ -8,6 +8,7 @@ use pim_core::VehicleId;
 use super::super::damage::total;
 use super::super::{Step, angle, given, n, p, step};
 use super::pdof_symbol;
+use crate::words;
 
 /// A vehicle that can move.
 #[derive(Clone, Copy)]
@@ -172,7 +173,6 @@ fn corrected_total(analysis: &Seen, crush_energy: f64) -> Step {
             (format!("E{corrected}_{i}"), n(energy, "J"))
         })
         .unzip();
-    let name =
-        if symbols.len() > 1 { "corrected crush energy of both vehicles" } else { "corrected crush energy" };
+    let name = format!("corrected crush energy{}", words::of_crushed(&analysis.vehicles, symbols.len()));
     step(name, "E'", symbols.join(" + "), numbers.join(" + "), crush_energy, "J", "Eq 8")
 }
