@@ -739,7 +739,6 @@ pub(crate) struct ManArguments {
     pub(crate) output_dir: Option<PathBuf>,
 }
 
-/// Of the commands that have a report to hand over.
 #[derive(Debug, Args)]
 pub(crate) struct DrawArguments {
     /// Case file (TOML), or - for standard input

@@ -9,6 +9,7 @@ use recorder::{
 
 use crate::quantity::Quantity;
 use crate::text::Text;
+use crate::units::STANDARD_GRAVITY;
 use crate::walk::{GivenValue, Key, Walk};
 
 /// Where the table of a recorder comes from.
@@ -199,9 +200,6 @@ pub struct GivenSpeedErrors {
     pub last_is_of_impact: Option<f64>,
 }
 
-/// (m/s²) g.
-const GRAVITY: f64 = 9.80665;
-
 impl GivenSpeedErrors {
     /// The errors with the defaults for what is not given; the drag factor is that of the ground, if the case
     /// gives it.
@@ -218,7 +216,7 @@ impl GivenSpeedErrors {
             slip_low: si(self.slip_low, usual.slip_low),
             slip_sd: si(self.slip_sd, usual.slip_sd),
             friction: share(self.friction, ground.unwrap_or(usual.friction)),
-            coasting: self.coasting.map_or(usual.coasting, |percent| percent / 100.0 * GRAVITY),
+            coasting: self.coasting.map_or(usual.coasting, |percent| percent / 100.0 * STANDARD_GRAVITY),
             brake_comes_on: share(self.brake_comes_on, usual.brake_comes_on),
             latency: si(self.latency, usual.latency),
             last_is_of_impact: share(self.last_is_of_impact, usual.last_is_of_impact),

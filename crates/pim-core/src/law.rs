@@ -165,15 +165,6 @@ impl<T: Real> Law<T> {
         Ok(Self { moment_restitution, ..self })
     }
 
-    /// Like [`with_moment_restitution`](Self::with_moment_restitution), but returns a validity flag in place
-    /// of an error.
-    #[inline(always)]
-    #[must_use]
-    pub fn with_moment_restitution_and_validity(self, moment_restitution: T) -> (Self, bool) {
-        let is_coefficient = (moment_restitution >= -T::ONE) & (moment_restitution <= T::ONE);
-        (Self { moment_restitution, ..self }, is_coefficient)
-    }
-
     /// The same law with another coefficient of restitution, which the caller has checked.
     #[inline(always)]
     #[must_use]

@@ -62,13 +62,6 @@ impl<T: Real> RestitutionCurve<T> {
         e0 + (e1 - e0) * (closing_speed - v0) / (v1 - v0)
     }
 
-    /// Whether a curve can have this point (closing speed in m/s, coefficient of restitution).
-    #[inline(always)]
-    #[must_use]
-    pub fn is_point(speed: T, e: T) -> bool {
-        speed.is_finite() & (speed >= T::ZERO) & (e >= T::ZERO) & (e <= T::ONE)
-    }
-
     /// e at a closing speed (m/s).
     #[must_use]
     pub fn at(&self, closing_speed: T) -> T {

@@ -423,80 +423,24 @@ const HEADINGS: &[(Channel, &[&str])] = &[
 ];
 
 impl Channel {
-    /// All that are read, in the order in which a report shows them.
-    pub const READ: [Self; 14] = [
-        Self::Time,
-        Self::Speed,
-        Self::Accelerator,
-        Self::Throttle,
-        Self::EngineSpeed,
-        Self::Brake,
-        Self::Abs,
-        Self::Stability,
-        Self::Steering,
-        Self::YawRate,
-        Self::DeltaVLongitudinal,
-        Self::DeltaVLateral,
-        Self::AccelerationLongitudinal,
-        Self::AccelerationLateral,
-    ];
+    fn row(self) -> &'static Row {
+        &ROWS[self as usize]
+    }
 
     /// What a report calls it.
     #[must_use]
     pub fn name(self) -> &'static str {
-        match self {
-            Self::Time => "time",
-            Self::Speed => "speed",
-            Self::Accelerator => "accelerator pedal",
-            Self::Throttle => "engine throttle",
-            Self::EngineSpeed => "engine speed",
-            Self::Brake => "service brake",
-            Self::Abs => "ABS",
-            Self::Stability => "stability control",
-            Self::Steering => "steering wheel",
-            Self::YawRate => "yaw rate",
-            Self::DeltaVLongitudinal => "longitudinal ΔV",
-            Self::DeltaVLateral => "lateral ΔV",
-            Self::AccelerationLongitudinal => "longitudinal acceleration",
-            Self::AccelerationLateral => "lateral acceleration",
-            Self::Other => "not read",
-        }
+        self.row().name
     }
 
     /// The column's key in JSON, CSV and the case file.
     #[must_use]
     pub fn key(self) -> &'static str {
-        match self {
-            Self::Time => "time",
-            Self::Speed => "speed",
-            Self::Accelerator => "accelerator",
-            Self::Throttle => "throttle",
-            Self::EngineSpeed => "engine_speed",
-            Self::Brake => "brake",
-            Self::Abs => "abs",
-            Self::Stability => "stability",
-            Self::Steering => "steering",
-            Self::YawRate => "yaw_rate",
-            Self::DeltaVLongitudinal => "delta_v_longitudinal",
-            Self::DeltaVLateral => "delta_v_lateral",
-            Self::AccelerationLongitudinal => "acceleration_longitudinal",
-            Self::AccelerationLateral => "acceleration_lateral",
-            Self::Other => "other",
-        }
+        self.row().key
     }
 
     fn dimension(self) -> Dimension {
-        match self {
-            Self::Time => Dimension::Time,
-            Self::Speed | Self::DeltaVLongitudinal | Self::DeltaVLateral => Dimension::Speed,
-            Self::Accelerator | Self::Throttle => Dimension::Percent,
-            Self::EngineSpeed => Dimension::Revolutions,
-            Self::Brake | Self::Abs | Self::Stability => Dimension::Switch,
-            Self::Steering => Dimension::Angle,
-            Self::YawRate => Dimension::AngularRate,
-            Self::AccelerationLongitudinal | Self::AccelerationLateral => Dimension::Acceleration,
-            Self::Other => Dimension::None,
-        }
+        self.row().dimension
     }
 
     /// Whether its values are on and off.
@@ -536,33 +480,99 @@ impl Channel {
 
     /// (SI) the least and the greatest that a recorder stores of it, beyond which a number is none.
     pub(crate) fn range(self) -> [f64; 2] {
-        match self {
-            Self::Time => [-60.0, 60.0],
-            Self::Speed => [0.0, 400.0 * KMH],
-            Self::Accelerator | Self::Throttle => [0.0, 100.0],
-            Self::EngineSpeed => [0.0, 16_000.0],
-            Self::Brake | Self::Abs | Self::Stability => [0.0, 1.0],
-            Self::Steering => [-1500.0 * DEGREE, 1500.0 * DEGREE],
-            Self::YawRate => [-400.0 * DEGREE, 400.0 * DEGREE],
-            Self::DeltaVLongitudinal | Self::DeltaVLateral => [-250.0 * KMH, 250.0 * KMH],
-            Self::AccelerationLongitudinal | Self::AccelerationLateral => [-500.0 * GRAVITY, 500.0 * GRAVITY],
-            Self::Other => [f64::NEG_INFINITY, f64::INFINITY],
-        }
+        self.row().range
     }
 
-    /// The stored numbers that mean "no value", each with what one of them is worth (SI): 254 and 255 where a
-    /// byte has no sign, 126, 127 and −128 where it has one (49 CFR 563 and UN R160 store 1 km/h in a byte).
+    /// The stored numbers that mean "no value", each with what one of them is worth (SI).
     pub(crate) fn codes(self) -> (&'static [f64], f64) {
-        match self {
-            Self::Speed => (&[254.0, 255.0], KMH),
-            Self::Accelerator | Self::Throttle => (&[126.0, 127.0, 254.0, 255.0, -128.0], 1.0),
-            Self::EngineSpeed => (&[254.0, 255.0], 64.0),
-            Self::Brake | Self::Abs | Self::Stability => (&[126.0, 127.0, 254.0, 255.0, -128.0], 1.0),
-            Self::DeltaVLongitudinal | Self::DeltaVLateral => (&[126.0, 127.0, -128.0], KMH),
-            _ => (&[], 1.0),
-        }
+        self.row().codes
     }
 }
+
+/// What there is to know of a channel.
+struct Row {
+    channel: Channel,
+    name: &'static str,
+    key: &'static str,
+    dimension: Dimension,
+    range: [f64; 2],
+    codes: (&'static [f64], f64),
+}
+
+const fn row(
+    channel: Channel,
+    [name, key]: [&'static str; 2],
+    dimension: Dimension,
+    range: [f64; 2],
+    codes: (&'static [f64], f64),
+) -> Row {
+    Row { channel, name, key, dimension, range, codes }
+}
+
+// 254 and 255 where a byte has no sign, 126, 127 and −128 where it has one (49 CFR 563 and UN R160 store 1 km/h
+// in a byte).
+const BYTE: &[f64] = &[254.0, 255.0];
+const SIGNED_BYTE: &[f64] = &[126.0, 127.0, -128.0];
+const ANY_BYTE: &[f64] = &[126.0, 127.0, 254.0, 255.0, -128.0];
+const NO_CODES: (&[f64], f64) = (&[], 1.0);
+
+const PEDAL: [f64; 2] = [0.0, 100.0];
+const ON_OFF: [f64; 2] = [0.0, 1.0];
+const WHEEL: [f64; 2] = [-1500.0 * DEGREE, 1500.0 * DEGREE];
+const YAW_RATE: [f64; 2] = [-400.0 * DEGREE, 400.0 * DEGREE];
+const DELTA_V: [f64; 2] = [-250.0 * KMH, 250.0 * KMH];
+const ACCELERATION: [f64; 2] = [-500.0 * GRAVITY, 500.0 * GRAVITY];
+const ANY: [f64; 2] = [f64::NEG_INFINITY, f64::INFINITY];
+
+/// The channels in the order of [`Channel`].
+const ROWS: [Row; 15] = {
+    use Channel as C;
+    use Dimension as D;
+    [
+        row(C::Time, ["time", "time"], D::Time, [-60.0, 60.0], NO_CODES),
+        row(C::Speed, ["speed", "speed"], D::Speed, [0.0, 400.0 * KMH], (BYTE, KMH)),
+        row(C::Accelerator, ["accelerator pedal", "accelerator"], D::Percent, PEDAL, (ANY_BYTE, 1.0)),
+        row(C::Throttle, ["engine throttle", "throttle"], D::Percent, PEDAL, (ANY_BYTE, 1.0)),
+        row(C::EngineSpeed, ["engine speed", "engine_speed"], D::Revolutions, [0.0, 16_000.0], (BYTE, 64.0)),
+        row(C::Brake, ["service brake", "brake"], D::Switch, ON_OFF, (ANY_BYTE, 1.0)),
+        row(C::Abs, ["ABS", "abs"], D::Switch, ON_OFF, (ANY_BYTE, 1.0)),
+        row(C::Stability, ["stability control", "stability"], D::Switch, ON_OFF, (ANY_BYTE, 1.0)),
+        row(C::Steering, ["steering wheel", "steering"], D::Angle, WHEEL, NO_CODES),
+        row(C::YawRate, ["yaw rate", "yaw_rate"], D::AngularRate, YAW_RATE, NO_CODES),
+        row(
+            C::DeltaVLongitudinal,
+            ["longitudinal ΔV", "delta_v_longitudinal"],
+            D::Speed,
+            DELTA_V,
+            (SIGNED_BYTE, KMH),
+        ),
+        row(C::DeltaVLateral, ["lateral ΔV", "delta_v_lateral"], D::Speed, DELTA_V, (SIGNED_BYTE, KMH)),
+        row(
+            C::AccelerationLongitudinal,
+            ["longitudinal acceleration", "acceleration_longitudinal"],
+            D::Acceleration,
+            ACCELERATION,
+            NO_CODES,
+        ),
+        row(
+            C::AccelerationLateral,
+            ["lateral acceleration", "acceleration_lateral"],
+            D::Acceleration,
+            ACCELERATION,
+            NO_CODES,
+        ),
+        row(C::Other, ["not read", "other"], D::None, ANY, NO_CODES),
+    ]
+};
+
+// Each row stands at the place of its channel.
+const _: () = {
+    let mut at = 0;
+    while at < ROWS.len() {
+        assert!(ROWS[at].channel as usize == at);
+        at += 1;
+    }
+};
 
 /// The words of a heading for comparison: lower case, hyphens, underscores and punctuation as spaces.
 pub(crate) fn plain(word: &str) -> String {

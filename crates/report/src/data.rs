@@ -63,14 +63,6 @@ fn identified<T>(file: &CaseFile, document: T) -> Identified<'_, T> {
     Identified { file: None, document, program: THIS_PROGRAM, case }
 }
 
-/// The JSON document of an answer: what it holds, the program and the case.
-///
-/// # Errors
-/// What cannot be written as JSON.
-pub fn json_of(file: &CaseFile, answer: impl Serialize) -> Result<String, serde_json::Error> {
-    pretty(&identified(file, answer))
-}
-
 /// The SHA-256 of a file, in hexadecimal digits: a report and its JSON name that of the case.
 ///
 /// ```

@@ -1,4 +1,4 @@
-//! From SI units to those of the reader: the only place where results are converted.
+//! From SI units to those of the reader.
 
 use std::f64::consts::PI;
 

@@ -112,11 +112,12 @@ impl<'a> Page<'a> {
         }
         let nominal = &uncertainty.nominal;
         if nominal.found.is_some() || nominal.both.is_some() {
+            let others = counted(uncertainty.taken_as_exact.len(), "input");
             lines.push(format!(
-            "The intervals contain the ranges of the case alone: the other {}, the impact law and the method \
-             itself are taken as exact. `deltav estimate` gives the interval with their errors, which is wider.",
-            counted(uncertainty.taken_as_exact.len(), "input")
-        ));
+                "The intervals contain the ranges of the case alone: the other {others}, the impact law and the \
+                 method itself are taken as exact. `deltav estimate` gives the interval with their errors, \
+                 which is wider."
+            ));
         }
         lines.extend(self.failures());
         lines.extend(self.doubts());
