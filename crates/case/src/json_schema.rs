@@ -6,8 +6,8 @@ use serde_json::{Map, Value, json};
 use toml::de::{DeTable, DeValue};
 
 use crate::schema::{
-    Condition, Form, Key, KeysOfLaw, MOST_STATIONS, MOST_ZONES, RANGE, RANGE_OF_LIST, Rule, SOURCED_RANGE,
-    Schema, TOP, VEHICLE, WHEELS,
+    Condition, Form, KeyInfo, KeysOfLaw, MOST_STATIONS, MOST_ZONES, RANGE, RANGE_OF_LIST, Rule,
+    SOURCED_RANGE, Schema, TOP, VEHICLE, WHEELS,
 };
 use crate::units::{HOUR, list_pattern, pattern, percent_pattern};
 use inputs::{Bounds, Dimension, LawName, Unit};
@@ -119,7 +119,7 @@ impl Generator {
         node
     }
 
-    fn key(&mut self, key: &'static Key, of: Option<Kind>) -> Node {
+    fn key(&mut self, key: &'static KeyInfo, of: Option<Kind>) -> Node {
         let mut node = texts(key.text());
         if let Some(example) = example(key) {
             // Some editors show only the description.
@@ -131,7 +131,7 @@ impl Generator {
         node
     }
 
-    fn form(&mut self, key: &Key, of: Option<Kind>) -> Node {
+    fn form(&mut self, key: &KeyInfo, of: Option<Kind>) -> Node {
         match key.form {
             Form::Text => object(json!({ "type": "string", "pattern": r"\S" })),
             Form::Flag => object(json!({ "type": "boolean" })),
@@ -318,10 +318,10 @@ fn object(value: Value) -> Node {
 }
 
 /// The value that the example line of a key sets; the header of a table sets none.
-fn example(key: &Key) -> Option<Value> {
+fn example(key: &KeyInfo) -> Option<Value> {
     let (document, errors) = DeTable::parse_recoverable(key.example);
     let value = document.get_ref().get(key.name)?;
-    (errors.is_empty() && !key.example.starts_with('[')).then(|| plain(value.get_ref()))
+    (errors.is_empty() && !key.has_header()).then(|| plain(value.get_ref()))
 }
 
 /// TOML as JSON.

@@ -6,7 +6,7 @@ use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
 use crate::number::leading_numbers;
-use crate::schema::{Form, RANGE, RANGE_OF_LIST, Schema, VEHICLE};
+use crate::schema::{Form, RANGE, RANGE_OF_LIST, Schema};
 use crate::units::read_unit;
 use crate::value::{Value, ValueTable};
 use inputs::{Quantity, Unit};
@@ -148,17 +148,7 @@ impl<'t> Node<'t> {
             }
             // The numbers of a range are of the same form.
             Self::Table(table) if self.is_range() => Value::Table(table.range_values(form)),
-            Self::Table(table) => Value::Table(match form {
-                Some(
-                    Form::Table(schema)
-                    | Form::Tables(schema)
-                    | Form::WordsOrTable(_, schema)
-                    | Form::NumberOrTable(_, schema)
-                    | Form::QuantityOrTables(_, _, schema),
-                ) => table.values(schema),
-                Some(Form::Vehicle) => table.values(&VEHICLE),
-                _ => table.values(&NO_KEYS),
-            }),
+            Self::Table(table) => Value::Table(table.values(form.and_then(Form::table).unwrap_or(&NO_KEYS))),
             // Neither is a value of any key.
             Self::NotDecimal | Self::Datetime => Value::Text(Cow::Borrowed("")),
         }

@@ -1,5 +1,7 @@
 //! The tables of a case file and their keys, as error texts and the JSON Schema describe them.
 
+use std::fmt;
+
 use crate::nearest::join;
 use crate::units::read_unit;
 use inputs::{
@@ -21,39 +23,48 @@ pub(crate) const WHEELS: usize = 4;
 /// that is independent of all others.
 pub(crate) const MOST_RANGES: usize = 500;
 
-/// One key.
-#[derive(Clone, Copy)]
-pub(crate) struct Key {
-    pub(crate) name: &'static str,
-    /// The line that sets it.
-    pub(crate) example: &'static str,
+/// A key of a case file.
+#[derive(Clone, Copy, Debug)]
+pub struct KeyInfo {
+    /// Its name in its table.
+    pub name: &'static str,
+    /// The line that sets it, or the header of its table.
+    pub example: &'static str,
     /// The form of its value.
-    pub(crate) form: Form,
-    /// What it means; the first sentence is its title.
-    pub(crate) text: &'static str,
+    pub form: Form,
+    text: &'static str,
 }
 
-const fn key(name: &'static str, example: &'static str, form: Form, text: &'static str) -> Key {
-    Key { name, example, form, text }
+const fn key(name: &'static str, example: &'static str, form: Form, text: &'static str) -> KeyInfo {
+    KeyInfo { name, example, form, text }
 }
 
 /// A key whose text is that of its table.
-const fn table(name: &'static str, example: &'static str, schema: &'static Schema) -> Key {
-    Key { name, example, form: Form::Table(schema), text: "" }
+const fn table(name: &'static str, example: &'static str, schema: &'static Schema) -> KeyInfo {
+    KeyInfo { name, example, form: Form::Table(schema), text: "" }
 }
 
-impl Key {
-    pub(crate) fn text(&self) -> &'static str {
+impl KeyInfo {
+    /// What it means; the first sentence is its title.
+    #[must_use]
+    pub fn text(&self) -> &'static str {
         match self.form {
             Form::Table(schema) => schema.text,
             _ => self.text,
         }
     }
+
+    /// Whether it is a table with its own header.
+    #[must_use]
+    pub fn has_header(&self) -> bool {
+        self.example.starts_with('[')
+    }
 }
 
-/// The form of a value.
-#[derive(Clone, Copy)]
-pub(crate) enum Form {
+/// The form of the value of a key of a case file. A number of a key that can be a range may also be a table of
+/// [`range_keys`](crate::range_keys).
+#[derive(Clone, Copy, Debug)]
+pub enum Form {
     /// A text that is not empty.
     Text,
     /// True or false.
@@ -100,7 +111,7 @@ pub(crate) enum Form {
     Value,
     /// In a range of a list: the values.
     Values,
-    /// In a range: like the value, but greater than zero.
+    /// In a range: like the value, but greater than zero: how far a number may be off.
     Deviation,
     /// In a range: a percentage.
     Percent,
@@ -139,24 +150,66 @@ impl Form {
         Some(Measure { dimension, bounds, why: "" })
     }
 
-    /// The bounds of a plain number, or of each of several.
-    pub(crate) fn bounds(self) -> Option<Bounds> {
+    /// The bounds of its numbers, if it holds any.
+    #[must_use]
+    pub fn bounds(self) -> Option<Bounds> {
         match self {
             Self::Number(bounds)
             | Self::Numbers(bounds)
             | Self::NumberOrTable(bounds, _)
             | Self::Wheels(bounds, _) => Some(bounds),
+            _ => self.measure().map(|measure| measure.bounds),
+        }
+    }
+
+    /// The dimension of a quantity, or of each of several.
+    #[must_use]
+    pub fn dimension(self) -> Option<Dimension> {
+        self.measure().map(|measure| measure.dimension)
+    }
+
+    /// The words that it may have.
+    #[must_use]
+    pub fn words(self) -> &'static [&'static str] {
+        match self {
+            Self::Words(words)
+            | Self::Law(words)
+            | Self::WordOrAll(words)
+            | Self::Wheels(_, words)
+            | Self::WordsOrTable(words, _) => words,
+            _ => &[],
+        }
+    }
+
+    /// The table that it may be, or the tables of which it may be a list, ranges apart.
+    #[must_use]
+    pub fn table(self) -> Option<&'static Schema> {
+        match self {
+            Self::Vehicle => Some(&VEHICLE),
+            Self::Table(schema)
+            | Self::Tables(schema)
+            | Self::QuantityOrTables(_, _, schema)
+            | Self::WordsOrTable(_, schema)
+            | Self::NumberOrTable(_, schema) => Some(schema),
             _ => None,
         }
     }
+
+    /// The keys of [`Form::table`].
+    #[must_use]
+    pub fn keys(self) -> &'static [KeyInfo] {
+        self.table().map_or(&[], |schema| schema.keys)
+    }
 }
 
-/// A table: its keys, and how an error text says where they belong.
-pub(crate) struct Schema {
+/// A table of a case file.
+pub struct Schema {
+    /// How an error text says where its keys belong.
     pub(crate) place: &'static str,
     /// What it is; the first sentence is its title.
     pub(crate) text: &'static str,
-    pub(crate) keys: &'static [Key],
+    /// Its keys.
+    pub keys: &'static [KeyInfo],
     pub(crate) rules: &'static [Rule],
 }
 
@@ -199,12 +252,12 @@ const fn form(needs: &'static [&'static str], may: &'static [&'static str]) -> F
 }
 
 /// The table of a point.
-const fn point(place: &'static str, text: &'static str, keys: &'static [Key; 2]) -> Schema {
+const fn point(place: &'static str, text: &'static str, keys: &'static [KeyInfo; 2]) -> Schema {
     Schema { place, text, keys, rules: &[Rule::Needs(&["x", "y"])] }
 }
 
 /// The coordinates of a point in the scene.
-const fn in_scene(form: Form, x: &'static str, y: &'static str) -> [Key; 2] {
+const fn in_scene(form: Form, x: &'static str, y: &'static str) -> [KeyInfo; 2] {
     [
         key("x", x, form, "Coordinate along the x axis of the scene."),
         key("y", y, form, "Coordinate along the y axis of the scene."),
@@ -212,7 +265,7 @@ const fn in_scene(form: Form, x: &'static str, y: &'static str) -> [Key; 2] {
 }
 
 /// The coordinates of a point of a vehicle.
-const fn from_cg(form: Form, x: &'static str, y: &'static str) -> [Key; 2] {
+const fn from_cg(form: Form, x: &'static str, y: &'static str) -> [KeyInfo; 2] {
     [
         key("x", x, form, "Distance forward of the CG. Negative behind it."),
         key(
@@ -230,7 +283,7 @@ const POSITIVE: Bounds = Bounds::Positive;
 
 const LENGTH: Form = Form::Quantity(Dimension::Length, ANY);
 const EXACT_LENGTH: Form = Form::Exact(Dimension::Length, ANY);
-const PLACE: [Key; 2] = in_scene(LENGTH, "x = \"12.4 m\"", "y = \"3.1 m\"");
+const PLACE: [KeyInfo; 2] = in_scene(LENGTH, "x = \"12.4 m\"", "y = \"3.1 m\"");
 
 pub(crate) static TOP: Schema = Schema {
     place: "the lines above the first table",
@@ -603,7 +656,7 @@ pub(crate) static POSITION: Schema = point(
 );
 
 /// The keys of a record.
-const STORED: [Key; 11] = [
+const STORED: [KeyInfo; 11] = [
     key(
         "delta_v_longitudinal",
         "delta_v_longitudinal = \"-24 km/h\"",
@@ -775,13 +828,13 @@ pub(crate) static RECORD: Schema = Schema {
 };
 
 /// The keys that a table of a recorder has before the impact and during it.
-const RECORDER_FILE: Key = key(
+const RECORDER_FILE: KeyInfo = key(
     "file",
     "file = \"edr.csv\"",
     Form::Text,
     "Name of a file with the table. A CSV or another text; it is looked for in the folder of the case file, or in a folder within that.",
 );
-const RECORDER_ROWS: Key = key(
+const RECORDER_ROWS: KeyInfo = key(
     "rows",
     "rows = \"CASEID 30123, VEHNO 1, EDREVENTNO 2\"",
     Form::Text,
@@ -1751,7 +1804,7 @@ pub(crate) static SHARED: Schema = Schema {
     ])],
 };
 
-const OF_CONTACT: [Key; 2] = from_cg(LENGTH, "x = \"1.78 m\"", "y = \"-0.73 m\"");
+const OF_CONTACT: [KeyInfo; 2] = from_cg(LENGTH, "x = \"1.78 m\"", "y = \"-0.73 m\"");
 
 pub(crate) static CONTACT: Schema = Schema {
     place: "contact = { … } of a vehicle",
@@ -1796,37 +1849,37 @@ pub(crate) static VELOCITY: Schema = Schema {
 };
 
 // The keys of a straight line of force against crush: of a whole side, or of one zone.
-const STIFFNESS_A: Key = key(
+const STIFFNESS_A: KeyInfo = key(
     "A",
     "A = \"587 N/cm\"",
     Form::Quantity(Dimension::StiffnessA, NOT_NEGATIVE),
     "Stiffness A. Force per width at which crush begins.",
 );
-const STIFFNESS_B: Key = key(
+const STIFFNESS_B: KeyInfo = key(
     "B",
     "B = \"63.3 N/cm^2\"",
     Form::Quantity(Dimension::StiffnessB, NOT_NEGATIVE),
     "Stiffness B. Force per width and depth; it may be zero only if `G` is given.",
 );
-const STIFFNESS_D0: Key = key(
+const STIFFNESS_D0: KeyInfo = key(
     "d0",
     "d0 = \"35 lb^0.5\"",
     Form::Quantity(Dimension::RootForce, NOT_NEGATIVE),
     "Coefficient d0 = A/√B. With E/w the energy per width, √(2 E/w) = d0 + d1 C rises linearly with the crush C.",
 );
-const STIFFNESS_D1: Key = key(
+const STIFFNESS_D1: KeyInfo = key(
     "d1",
     "d1 = \"115 lb^0.5/ft\"",
     Form::Quantity(Dimension::RootForcePerLength, POSITIVE),
     "Coefficient d1 = √B. With E/w the energy per width, √(2 E/w) = d0 + d1 C rises linearly with the crush C.",
 );
-const STIFFNESS_G: Key = key(
+const STIFFNESS_G: KeyInfo = key(
     "G",
     "G = \"612 lb\"",
     Form::Quantity(Dimension::StiffnessG, NOT_NEGATIVE),
     "Stiffness G. Energy per width that leaves no crush; the default is A²/2B.",
 );
-const STIFFNESS_LIMIT: Key = key(
+const STIFFNESS_LIMIT: KeyInfo = key(
     "limit",
     "limit = \"250 kN/m\"",
     Form::Quantity(Dimension::StiffnessA, NOT_NEGATIVE),
@@ -1990,33 +2043,33 @@ pub(crate) static RESTITUTION: Schema = Schema {
 };
 
 // The keys of a range; the example of a key also serves for the amounts of its range.
-const RANGE_VALUE: Key = key("value", "{ value = …, sd = … }", Form::Value, "Central value.");
-const RANGE_SD: Key = key(
+const RANGE_VALUE: KeyInfo = key("value", "{ value = …, sd = … }", Form::Value, "Central value.");
+const RANGE_SD: KeyInfo = key(
     "sd",
     "{ value = …, sd = … }",
     Form::Deviation,
     "Standard deviation. With `value`, it makes a normal distribution.",
 );
-const RANGE_LOW: Key = key("low", "{ low = …, high = … }", Form::Value, "Least value.");
-const RANGE_MODE: Key = key(
+const RANGE_LOW: KeyInfo = key("low", "{ low = …, high = … }", Form::Value, "Least value.");
+const RANGE_MODE: KeyInfo = key(
     "mode",
     "{ low = …, mode = …, high = … }",
     Form::Value,
     "Likeliest value. With `low` and `high`, it makes a triangular distribution.",
 );
-const RANGE_HIGH: Key = key(
+const RANGE_HIGH: KeyInfo = key(
     "high",
     "{ low = …, high = … }",
     Form::Value,
     "Greatest value. With only `low`, every value between the two is equally likely.",
 );
-const RANGE_WITHIN: Key = key(
+const RANGE_WITHIN: KeyInfo = key(
     "within",
     "within = \"10 %\"",
     Form::Percent,
     "Greatest deviation from the value, in per cent of it, with the probability `confidence`. The distribution is normal.",
 );
-const RANGE_CONFIDENCE: Key = key(
+const RANGE_CONFIDENCE: KeyInfo = key(
     "confidence",
     "confidence = 0.95",
     Form::Probability,
@@ -2188,14 +2241,8 @@ fn walked(is_wanted: fn(&Form) -> bool) -> Vec<String> {
             if is_wanted(&key.form) {
                 paths.push(path);
             }
-            match key.form {
-                Form::Vehicle => walk(&VEHICLE, &inner, is_wanted, paths),
-                Form::Table(schema)
-                | Form::Tables(schema)
-                | Form::QuantityOrTables(_, _, schema)
-                | Form::WordsOrTable(_, schema)
-                | Form::NumberOrTable(_, schema) => walk(schema, &inner, is_wanted, paths),
-                _ => {}
+            if let Some(schema) = key.form.table() {
+                walk(schema, &inner, is_wanted, paths);
             }
         }
     }
@@ -2227,7 +2274,8 @@ const OTHER_NAMES: [(&str, &str); 16] = [
 /// The example line of a key with this name and dimension, in any table.
 pub(crate) fn example_of(name: &str, dimension: Dimension) -> Option<&'static str> {
     let mut keys = keys_named(name);
-    let of_dimension = |key: &&Key| key.form.measure().is_some_and(|measure| measure.dimension == dimension);
+    let of_dimension =
+        |key: &&KeyInfo| key.form.measure().is_some_and(|measure| measure.dimension == dimension);
     keys.find(of_dimension).map(|key| key.example)
 }
 
@@ -2236,12 +2284,24 @@ pub(crate) fn dimensions_of(name: &str) -> Vec<Dimension> {
     keys_named(name).filter_map(|key| Some(key.form.measure()?.dimension)).collect()
 }
 
-fn keys_named(name: &str) -> impl Iterator<Item = &'static Key> {
+fn keys_named(name: &str) -> impl Iterator<Item = &'static KeyInfo> {
     let keys = ALL.into_iter().chain([&TEST]).flat_map(|schema| schema.keys);
     keys.filter(move |key| key.name == name)
 }
 
+impl fmt::Debug for Schema {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.place)
+    }
+}
+
 impl Schema {
+    /// Whether this table always needs the key.
+    #[must_use]
+    pub fn requires(&self, name: &str) -> bool {
+        self.rules.iter().any(|rule| matches!(rule, Rule::Needs(names) if names.contains(&name)))
+    }
+
     pub(crate) fn names(&self) -> impl Iterator<Item = &'static str> + use<> {
         self.keys.iter().map(|key| key.name)
     }
@@ -2251,7 +2311,7 @@ impl Schema {
     }
 
     /// The row of a key of this table.
-    pub(crate) fn key(&self, name: &str) -> Option<&'static Key> {
+    pub(crate) fn key(&self, name: &str) -> Option<&'static KeyInfo> {
         self.keys.iter().find(|key| key.name == name)
     }
 

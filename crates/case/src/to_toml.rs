@@ -7,7 +7,7 @@ use std::collections::BTreeMap;
 
 use inputs::{Amount, Case, GivenValue, Spread, format_number};
 
-use crate::schema::{Form, Rule, Schema, TOP, VEHICLE};
+use crate::schema::{Rule, Schema, TOP};
 
 /// The case as a file. Reading that file gives the same case: the same numbers, in the same units.
 ///
@@ -112,16 +112,8 @@ fn in_order<'n>(
     table: &'n Table,
 ) -> impl Iterator<Item = (&'static str, &'n Node, &'static Schema, bool)> {
     schema.keys.iter().filter_map(|key| {
-        let inner = match key.form {
-            Form::Vehicle => &VEHICLE,
-            Form::Table(inner)
-            | Form::Tables(inner)
-            | Form::QuantityOrTables(_, _, inner)
-            | Form::WordsOrTable(_, inner)
-            | Form::NumberOrTable(_, inner) => inner,
-            _ => schema,
-        };
-        Some((key.name, table.get(key.name)?, inner, key.example.starts_with('[')))
+        let inner = key.form.table().unwrap_or(schema);
+        Some((key.name, table.get(key.name)?, inner, key.has_header()))
     })
 }
 

@@ -7,7 +7,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use case::edit::{EditError, remove, set};
-use case::{CaseFile, KeyForm, KeyInfo, key_tree};
+use case::{CaseFile, Form, KeyInfo, key_tree};
 use proptest::collection::vec;
 use proptest::prelude::*;
 use proptest::sample::Index;
@@ -87,19 +87,13 @@ fn keys_with_values() -> Vec<(String, String)> {
                 assert_eq!(name.trim(), key.name);
                 all.push((path.clone(), value.trim().to_owned()));
             }
-            match &key.form {
-                KeyForm::Table(keys) | KeyForm::WordOrTable(_, keys) | KeyForm::NumberOrTable(keys) => {
-                    add(keys, &path, all);
-                }
-                KeyForm::Tables(keys) | KeyForm::QuantityOrTables(_, keys) => {
-                    add(keys, &format!("{path}[1]"), all);
-                }
-                _ => {}
-            }
+            let is_list = matches!(key.form, Form::Tables(_) | Form::QuantityOrTables(..));
+            let element = if is_list { "[1]" } else { "" };
+            add(key.form.keys(), &format!("{path}{element}"), all);
         }
     }
     let mut all = Vec::new();
-    add(key_tree(), "", &mut all);
+    add(key_tree().keys, "", &mut all);
     assert!(all.len() > 200, "{}", all.len());
     all
 }

@@ -12,7 +12,7 @@ use arrow_array::types::{Float64Type, Int64Type};
 use arrow_array::{Array, ArrayRef, RecordBatch, StringArray};
 use arrow_cast::display::{ArrayFormatter, FormatOptions};
 use arrow_schema::{DataType, Field, Schema, SchemaRef};
-use case::{KeyForm, KeyInfo, key_tree};
+use case::{Form, KeyInfo, key_tree};
 use parquet::arrow::ArrowWriter;
 use parquet::arrow::ProjectionMask;
 use parquet::arrow::arrow_reader::ParquetRecordBatchReaderBuilder;
@@ -560,62 +560,46 @@ impl<'a> Texts<'a> {
 /// The columns that a table can have, one in a line: name with the SI unit, what it holds, and its meaning.
 fn keys() -> String {
     let mut lines = String::new();
-    add_keys(key_tree(), "", &mut lines);
+    add_keys(key_tree().keys, "", &mut lines);
     lines
 }
 
 fn add_keys(keys: &[KeyInfo], within: &str, lines: &mut String) {
     for key in keys {
         let path = format!("{within}{}", key.name);
-        let inner: Option<(String, &[KeyInfo])> = match &key.form {
-            KeyForm::Table(keys) | KeyForm::WordOrTable(_, keys) | KeyForm::NumberOrTable(keys) => {
-                Some((format!("{path}."), keys))
-            }
-            KeyForm::Tables(keys) | KeyForm::QuantityOrTables(_, keys) => Some((format!("{path}[1]."), keys)),
-            _ => None,
-        };
-        if !matches!(key.form, KeyForm::Table(_) | KeyForm::Tables(_)) {
-            let (unit, what) = held(&key.form);
-            let unit = unit.map_or_else(String::new, |unit| format!(" [{unit}]"));
-            let title = key.text.split(". ").next().unwrap_or(key.text).trim_end_matches('.');
+        if !matches!(key.form, Form::Vehicle | Form::Table(_) | Form::Tables(_)) {
+            let unit = key.form.dimension().map(|dimension| format!(" [{}]", dimension.si_unit()));
+            let (unit, what) = (unit.unwrap_or_default(), held(key.form));
+            let title = key.text().split(". ").next().unwrap_or_default().trim_end_matches('.');
             lines.push_str(&format!("{path}{unit}\t{what}\t{title}\n"));
         }
-        if let Some((within, keys)) = inner {
-            add_keys(keys, &within, lines);
-        }
+        let is_list = matches!(key.form, Form::Tables(_) | Form::QuantityOrTables(..));
+        let element = if is_list { "[1]" } else { "" };
+        add_keys(key.form.keys(), &format!("{path}{element}."), lines);
     }
 }
 
-/// The SI unit of a key, and what it holds.
-fn held(form: &KeyForm) -> (Option<&'static str>, String) {
-    let unit = match form {
-        KeyForm::Quantity(dimension)
-        | KeyForm::Sourced(dimension)
-        | KeyForm::Exact(dimension)
-        | KeyForm::Quantities(dimension)
-        | KeyForm::QuantityOrTables(dimension, _) => Some(dimension.si_unit()),
-        KeyForm::AngleOrHour => Some("rad"),
-        _ => None,
-    };
-    let what = match form {
-        KeyForm::Quantity(_) | KeyForm::Sourced(_) | KeyForm::Number | KeyForm::QuantityOrTables(..) => {
+/// What a key holds.
+fn held(form: Form) -> String {
+    let words = || form.words().join(" | ");
+    match form {
+        Form::Quantity(..) | Form::Sourced(..) | Form::Number(_) | Form::QuantityOrTables(..) => {
             "number or range".to_owned()
         }
-        KeyForm::NumberOrTable(_) => "number, range or its keys".to_owned(),
-        KeyForm::Exact(_) | KeyForm::Probability => "number".to_owned(),
-        KeyForm::Quantities(_) | KeyForm::Numbers => "numbers or ranges".to_owned(),
-        KeyForm::Count(last) => format!("1 to {last}"),
-        KeyForm::Percent => "per cent".to_owned(),
-        KeyForm::Word(words) | KeyForm::WordOrAll(words) => words.join(" | "),
-        KeyForm::WordOrTable(words, _) => format!("{}, or its keys", words.join(" | ")),
-        KeyForm::Wheels(words) => format!("number, range or {}; or four of these", words.join(" | ")),
-        KeyForm::AngleOrHour => "number, range or hour".to_owned(),
-        KeyForm::Flag => "true | false".to_owned(),
-        KeyForm::Names => "keys".to_owned(),
-        KeyForm::Text | KeyForm::Deviation | KeyForm::Value | KeyForm::Values => "text".to_owned(),
-        KeyForm::Table(_) | KeyForm::Tables(_) => "its keys".to_owned(),
-    };
-    (unit, what)
+        Form::NumberOrTable(..) => "number, range or its keys".to_owned(),
+        Form::Exact(..) | Form::Probability => "number".to_owned(),
+        Form::Quantities(..) | Form::Numbers(_) => "numbers or ranges".to_owned(),
+        Form::Count(last) => format!("1 to {last}"),
+        Form::Percent => "per cent".to_owned(),
+        Form::Words(_) | Form::Law(_) | Form::WordOrAll(_) => words(),
+        Form::WordsOrTable(..) => format!("{}, or its keys", words()),
+        Form::Wheels(..) => format!("number, range or {}; or four of these", words()),
+        Form::AngleOrHour => "number, range or hour".to_owned(),
+        Form::Flag => "true | false".to_owned(),
+        Form::Keys(_) => "keys".to_owned(),
+        Form::Text | Form::Deviation | Form::Value | Form::Values => "text".to_owned(),
+        Form::Vehicle | Form::Table(_) | Form::Tables(_) => "its keys".to_owned(),
+    }
 }
 
 /// The columns of results, one in a line: name and type.

@@ -54,7 +54,7 @@ fn is_own(shape: Shape, key: &KeyInfo) -> bool {
 }
 
 fn field(shape: Shape, key: &KeyInfo, numbers: Numbers) -> Field {
-    let mut metadata = HashMap::from([(DESCRIPTION.to_owned(), key.text.to_owned())]);
+    let mut metadata = HashMap::from([(DESCRIPTION.to_owned(), key.text().to_owned())]);
     let unit = match shape {
         Shape::Percent => Some("%"),
         other => other.dimension().map(|dimension| dimension.si_unit()),

@@ -1,6 +1,6 @@
 //! The form of a key's value in a column.
 
-use case::{Dimension, KeyForm, KeyInfo, key_tree, list_range_keys, range_keys, sourced_range_keys};
+use case::{Dimension, Form, KeyInfo, key_tree, list_range_keys, range_keys, sourced_range_keys};
 
 /// The form of a key's value. A number with a unit is a number; the column's name or metadata has the unit.
 #[derive(Clone, Copy, Debug)]
@@ -48,36 +48,37 @@ pub(crate) const OVER_TIME: &str = "over_time";
 impl Shape {
     /// The case itself.
     pub(crate) fn case() -> Self {
-        Self::Table(key_tree())
+        Self::Table(key_tree().keys)
     }
 
     /// The form of a key's value within this one.
     pub(crate) fn within(self, key: &'static KeyInfo) -> Self {
-        match &key.form {
-            KeyForm::Text => Self::Text,
-            KeyForm::Flag => Self::Flag,
-            KeyForm::Word(_) => Self::Word,
-            KeyForm::WordOrAll(_) => Self::Words,
-            KeyForm::Count(_) => Self::Count,
-            KeyForm::Probability => Self::Number,
-            KeyForm::Names => Self::Names,
-            KeyForm::Number => Self::Uncertain,
-            KeyForm::Numbers => Self::Numbers,
-            KeyForm::Quantity(dimension) => Self::UncertainQuantity(*dimension),
-            KeyForm::Sourced(dimension) => Self::Sourced(*dimension),
-            KeyForm::Exact(dimension) => Self::Quantity(*dimension),
-            KeyForm::Quantities(dimension) => Self::UncertainQuantities(*dimension),
-            KeyForm::QuantityOrTables(dimension, keys) => Self::QuantityOrTables(*dimension, keys),
-            KeyForm::Wheels(_) => Self::Wheels,
-            KeyForm::AngleOrHour => Self::Angle,
-            KeyForm::Table(keys) => Self::Table(keys),
-            KeyForm::Tables(keys) => Self::Tables(keys),
-            KeyForm::WordOrTable(_, keys) => Self::WordOrTable(keys),
-            KeyForm::NumberOrTable(keys) => Self::NumberOrTable(keys),
-            KeyForm::Percent => Self::Percent,
-            KeyForm::Value => self.dimension().map_or(Self::Number, Self::Quantity),
-            KeyForm::Values => self.dimension().map_or(Self::Numbers, Self::UncertainQuantities),
-            KeyForm::Deviation => match self {
+        let keys = key.form.keys();
+        match key.form {
+            Form::Text => Self::Text,
+            Form::Flag => Self::Flag,
+            Form::Words(_) | Form::Law(_) => Self::Word,
+            Form::WordOrAll(_) => Self::Words,
+            Form::Count(_) => Self::Count,
+            Form::Probability => Self::Number,
+            Form::Keys(_) => Self::Names,
+            Form::Number(_) => Self::Uncertain,
+            Form::Numbers(_) => Self::Numbers,
+            Form::Quantity(dimension, _) => Self::UncertainQuantity(dimension),
+            Form::Sourced(dimension, _) => Self::Sourced(dimension),
+            Form::Exact(dimension, _) => Self::Quantity(dimension),
+            Form::Quantities(dimension, ..) => Self::UncertainQuantities(dimension),
+            Form::QuantityOrTables(dimension, ..) => Self::QuantityOrTables(dimension, keys),
+            Form::Wheels(..) => Self::Wheels,
+            Form::AngleOrHour => Self::Angle,
+            Form::Vehicle | Form::Table(_) => Self::Table(keys),
+            Form::Tables(_) => Self::Tables(keys),
+            Form::WordsOrTable(..) => Self::WordOrTable(keys),
+            Form::NumberOrTable(..) => Self::NumberOrTable(keys),
+            Form::Percent => Self::Percent,
+            Form::Value => self.dimension().map_or(Self::Number, Self::Quantity),
+            Form::Values => self.dimension().map_or(Self::Numbers, Self::UncertainQuantities),
+            Form::Deviation => match self {
                 // A shared error is in the unit of its numbers, which the column cannot know.
                 Self::Table(_) | Self::Tables(_) => Self::Text,
                 number => number.dimension().map_or(Self::Number, Self::Quantity),

@@ -3,7 +3,7 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use case::{CaseFile, KeyForm, KeyInfo, Value, ValueTable, key_tree};
+use case::{CaseFile, KeyInfo, Value, ValueTable, key_tree};
 
 /// A case file.
 pub(crate) struct Fixture {
@@ -92,15 +92,8 @@ pub(crate) fn each_key(visit: &mut dyn FnMut(&str, &'static KeyInfo)) {
         for key in keys {
             let path = format!("{within}{}", key.name);
             visit(&path, key);
-            match &key.form {
-                KeyForm::Table(keys)
-                | KeyForm::Tables(keys)
-                | KeyForm::WordOrTable(_, keys)
-                | KeyForm::NumberOrTable(keys)
-                | KeyForm::QuantityOrTables(_, keys) => walk(keys, &format!("{path}."), visit),
-                _ => {}
-            }
+            walk(key.form.keys(), &format!("{path}."), visit);
         }
     }
-    walk(key_tree(), "", visit);
+    walk(key_tree().keys, "", visit);
 }

@@ -1,19 +1,18 @@
 //! The form of a case, from the keys that it may have.
 
-use case::{Bounds, Dimension, KeyForm, KeyInfo, Unit};
+use case::{Bounds, Dimension, Form, KeyInfo, Schema, Unit};
 use serde_json::{Map, Value, json};
 
 pub(crate) fn form() -> Value {
-    let keys = case::key_tree();
-    let (groups, fields): (Vec<_>, Vec<_>) = keys.iter().partition(|key| key.has_header());
+    let case = case::key_tree();
     let top = json!({
         "key": "",
         "title": "Case",
         "help": "What heads every report.",
-        "fields": fields.iter().map(|key| field(key, "")).collect::<Vec<_>>(),
+        "fields": fields(case, "", false),
         "groups": [],
     });
-    std::iter::once(top).chain(groups.iter().map(|key| group(key, ""))).collect()
+    std::iter::once(top).chain(groups(case, "")).collect()
 }
 
 /// The path of a key below another one.
@@ -27,26 +26,36 @@ fn title_and_help(text: &str) -> [&str; 2] {
     [title.trim_end_matches('.'), help]
 }
 
+/// The tables with their own header in a table.
+fn groups(table: &Schema, above: &str) -> Vec<Value> {
+    table.keys.iter().filter(|key| key.has_header()).map(|key| group(key, above)).collect()
+}
+
+/// The keys of a table without those that have their own header, or with them.
+fn fields(table: &Schema, above: &str, with_headers: bool) -> Vec<Value> {
+    let is_field = |key: &&KeyInfo| with_headers || !key.has_header();
+    table.keys.iter().filter(is_field).map(|key| field(table, key, above)).collect()
+}
+
 fn group(key: &KeyInfo, above: &str) -> Value {
     let path = path(above, key.name);
-    let keys = keys_below(&key.form);
-    let [title, help] = title_and_help(key.text);
-    let (groups, fields): (Vec<_>, Vec<_>) = keys.iter().partition(|key| key.has_header());
+    let table = key.form.table();
+    let [title, help] = title_and_help(key.text());
     json!({
         "key": path,
         "title": title,
         "help": help,
         // A word may stand in place of the whole table.
-        "choices": words(&key.form),
-        "fields": fields.iter().map(|key| field(key, &path)).collect::<Vec<_>>(),
-        "groups": groups.iter().map(|key| group(key, &path)).collect::<Vec<_>>(),
+        "choices": key.form.words(),
+        "fields": table.map_or_else(Vec::new, |table| fields(table, &path, false)),
+        "groups": table.map_or_else(Vec::new, |table| groups(table, &path)),
     })
 }
 
-fn field(key: &KeyInfo, above: &str) -> Value {
+fn field(table: &Schema, key: &KeyInfo, above: &str) -> Value {
     let path = path(above, key.name);
-    let (kind, range) = kind(&key.form);
-    let [title, help] = title_and_help(key.text);
+    let (kind, range) = kind(key.form);
+    let [title, help] = title_and_help(key.text());
     let mut field = Map::new();
     let mut put = |name: &str, value: Value| field.insert(name.to_owned(), value);
     put("key", json!(path));
@@ -55,79 +64,49 @@ fn field(key: &KeyInfo, above: &str) -> Value {
     put("title", json!(title));
     put("help", json!(help));
     put("example", json!(key.example));
-    put("required", json!(key.is_required));
+    put("required", json!(table.requires(key.name)));
     put("range", json!(range));
-    let units = dimension(&key.form).map(Dimension::units).unwrap_or_default();
+    let units = key.form.dimension().map(Dimension::units).unwrap_or_default();
     put("units", units.iter().map(Unit::spelling).collect());
-    put("choices", json!(words(&key.form)));
-    put("bounds", bounds(&key.form, key.bounds));
-    put("fields", keys_below(&key.form).iter().map(|key| self::field(key, &path)).collect());
+    put("choices", json!(key.form.words()));
+    put("bounds", bounds(key.form));
+    put("fields", key.form.table().map_or_else(Vec::new, |table| fields(table, &path, true)).into());
     Value::Object(field)
 }
 
 /// What a field is, and whether it may have a range.
-fn kind(form: &KeyForm) -> (&'static str, bool) {
+fn kind(form: Form) -> (&'static str, bool) {
     match form {
-        KeyForm::Text => ("text", false),
-        KeyForm::Flag => ("flag", false),
-        KeyForm::Word(_) | KeyForm::WordOrAll(_) | KeyForm::WordOrTable(..) => ("choice", false),
-        KeyForm::Count(_) => ("integer", false),
-        KeyForm::Names => ("names", false),
-        KeyForm::Number | KeyForm::NumberOrTable(_) => ("number", true),
-        KeyForm::Numbers => ("numbers", true),
-        KeyForm::Quantity(_) | KeyForm::Sourced(_) | KeyForm::QuantityOrTables(..) => ("quantity", true),
-        KeyForm::Exact(_) => ("quantity", false),
-        KeyForm::Quantities(_) => ("quantities", true),
-        KeyForm::Wheels(_) => ("wheels", true),
-        KeyForm::AngleOrHour => ("angle-or-hour", true),
-        KeyForm::Table(_) => ("table", false),
-        KeyForm::Tables(_) => ("tables", false),
-        KeyForm::Percent => ("percent", false),
-        KeyForm::Probability => ("number", false),
-        KeyForm::Value | KeyForm::Values | KeyForm::Deviation => ("value", false),
+        Form::Text => ("text", false),
+        Form::Flag => ("flag", false),
+        Form::Words(_) | Form::Law(_) | Form::WordOrAll(_) | Form::WordsOrTable(..) => ("choice", false),
+        Form::Count(_) => ("integer", false),
+        Form::Keys(_) => ("names", false),
+        Form::Number(_) | Form::NumberOrTable(..) => ("number", true),
+        Form::Numbers(_) => ("numbers", true),
+        Form::Quantity(..) | Form::Sourced(..) | Form::QuantityOrTables(..) => ("quantity", true),
+        Form::Exact(..) => ("quantity", false),
+        Form::Quantities(..) => ("quantities", true),
+        Form::Wheels(..) => ("wheels", true),
+        Form::AngleOrHour => ("angle-or-hour", true),
+        Form::Vehicle | Form::Table(_) => ("table", false),
+        Form::Tables(_) => ("tables", false),
+        Form::Percent => ("percent", false),
+        Form::Probability => ("number", false),
+        Form::Value | Form::Values | Form::Deviation => ("value", false),
     }
 }
 
-fn dimension(form: &KeyForm) -> Option<Dimension> {
-    match form {
-        KeyForm::Quantity(dimension)
-        | KeyForm::Sourced(dimension)
-        | KeyForm::Exact(dimension)
-        | KeyForm::Quantities(dimension)
-        | KeyForm::QuantityOrTables(dimension, _) => Some(*dimension),
-        KeyForm::AngleOrHour => Some(Dimension::Angle),
-        _ => None,
-    }
-}
-
-fn words(form: &KeyForm) -> &'static [&'static str] {
-    match form {
-        KeyForm::Word(words) | KeyForm::WordOrAll(words) | KeyForm::Wheels(words) => words,
-        KeyForm::WordOrTable(words, _) => words,
-        _ => &[],
-    }
-}
-
-fn keys_below(form: &KeyForm) -> &[KeyInfo] {
-    match form {
-        KeyForm::QuantityOrTables(_, keys)
-        | KeyForm::Table(keys)
-        | KeyForm::Tables(keys)
-        | KeyForm::WordOrTable(_, keys)
-        | KeyForm::NumberOrTable(keys) => keys,
-        _ => &[],
-    }
-}
-
-fn bounds(form: &KeyForm, bounds: Bounds) -> Value {
+fn bounds(form: Form) -> Value {
+    let bounds = form.bounds().unwrap_or(Bounds::None);
     let (min, max) = match (form, bounds) {
-        (KeyForm::Count(last), _) => (Some(1.0), Some(f64::from(*last))),
-        (KeyForm::Probability, _) => (Some(0.0), Some(1.0)),
+        (Form::Count(last), _) => (Some(1.0), Some(f64::from(last))),
+        (Form::Probability, _) => (Some(0.0), Some(1.0)),
         (_, Bounds::None | Bounds::Acute) => (None, None),
         (_, Bounds::NotNegative | Bounds::Positive) => (Some(0.0), None),
         (_, Bounds::Share | Bounds::BelowOne) => (Some(0.0), Some(1.0)),
         (_, Bounds::Coefficient) => (Some(-1.0), Some(1.0)),
     };
-    let above = matches!(bounds, Bounds::Positive) || matches!(form, KeyForm::Probability);
+    let above = matches!(bounds, Bounds::Positive) || matches!(form, Form::Probability);
     json!({ "min": min, "max": max, "above": above })
 }

@@ -5,7 +5,7 @@ use std::path::{Component, Path};
 use super::tree::{Reader, Table};
 use super::values::Place as Position;
 use crate::case_problem::CaseProblem;
-use crate::schema::{CORNER, Form, GRADE, Key, MOST_ZONES, SITE_PLAN, SURFACE_ZONE};
+use crate::schema::{CORNER, Form, GRADE, KeyInfo, MOST_ZONES, SITE_PLAN, SURFACE_ZONE};
 use inputs::{
     Axes, EdgeSide, GivenSitePlan, Grade, Place, Quantity, Surface, SurfaceRegion, SurfaceZone, shown,
 };
@@ -71,7 +71,9 @@ impl<'t> Reader<'t> {
 
     /// The point under a key.
     pub(super) fn place_of(&mut self, parent: &Table<'t>, key: &'static str) -> Option<Place> {
-        let &Key { form: Form::Table(schema), example, .. } = parent.schema.key(key)? else { return None };
+        let &KeyInfo { form: Form::Table(schema), example, .. } = parent.schema.key(key)? else {
+            return None;
+        };
         let table = self.inline(parent, key, schema, "a table in braces", example)?;
         self.place(&table)
     }

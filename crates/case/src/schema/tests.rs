@@ -96,7 +96,7 @@ fn link(schema: &Schema) -> String {
 }
 
 /// The effect of leaving the key out.
-fn absent(schema: &Schema, key: &Key) -> String {
+fn absent(schema: &Schema, key: &KeyInfo) -> String {
     let needed = |rule: &Rule| matches!(rule, Rule::Needs(names) if names.contains(&key.name));
     if schema.rules.iter().any(needed) {
         return "**needed**".to_owned();
