@@ -236,7 +236,7 @@ fn estimate(criterion: &mut Criterion) -> Result<(), Box<dyn Error>> {
 /// Both speeds of a case from all its evidence, 16 islands of 128 particles: without and with the motion to
 /// rest of both vehicles.
 fn all_evidence(criterion: &mut Criterion) -> Result<(), Box<dyn Error>> {
-    let plan = EstimatePlan { particles: 128, seed: 1, prior: None, pieces: false };
+    let plan = EstimatePlan { particles: 128, seed: 1, prior: None, pieces: analysis::PieceDetail::Weighed };
     let one = rayon::ThreadPoolBuilder::new().num_threads(1).build()?;
     let mut group = criterion.benchmark_group("both speeds from all evidence");
     group.sample_size(10);

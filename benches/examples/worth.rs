@@ -23,7 +23,12 @@ fn main() -> Result<(), Box<dyn Error + Send + Sync>> {
     let mut quietly = |_: EstimateStage, _: usize, _: usize| ControlFlow::Continue(());
     let mut run = |seed: u64| {
         let started = Instant::now();
-        let plan = EstimatePlan { particles: EstimatePlan::PARTICLES, seed, prior: None, pieces: false };
+        let plan = EstimatePlan {
+            particles: EstimatePlan::PARTICLES,
+            seed,
+            prior: None,
+            pieces: analysis::PieceDetail::Weighed,
+        };
         let estimated = analysis::estimate(&case, &plan, &mut quietly)?;
         Ok::<_, Failure>((estimated, started.elapsed().as_secs_f64()))
     };

@@ -31,7 +31,7 @@ use crate::analysis::Analysis;
 use crate::beside::{SAMPLES, is_estimated_beside, usual_samples};
 use crate::columns::Number;
 use crate::commands::{reconstruct, uncertainty_of};
-use crate::estimate::{EstimatePlan, EstimateStage, Estimated, estimate};
+use crate::estimate::{EstimatePlan, EstimateStage, Estimated, PieceDetail, PieceFound, estimate};
 use crate::failure::Failure;
 use crate::output::Output;
 use crate::quantities::SPEED;
@@ -188,6 +188,13 @@ impl Avoidance {
     #[must_use]
     pub fn run(&self, hypothesis: Hypothesis) -> Option<&AvoidRun> {
         self.runs.iter().chain(&self.more_runs).find(|run| run.hypothesis == hypothesis)
+    }
+
+    /// The pieces of evidence behind the speed, if all of it was weighed.
+    #[must_use]
+    pub fn pieces(&self) -> &[PieceFound] {
+        let estimated = self.told.as_ref().and_then(|told| told.estimated.as_ref());
+        estimated.map_or(&[], |estimated| &estimated.pieces)
     }
 
     /// (m) where the driver's eye and the visible point of the other party were on the actual run, at a time
@@ -349,7 +356,7 @@ impl Told {
                 particles: EstimatePlan::PARTICLES,
                 seed: plan.seed,
                 prior: None,
-                pieces: false,
+                pieces: PieceDetail::Compared,
             };
             let at = &mut |stage, done, total| progress(AvoidStage::Estimate(stage), done, total);
             match estimate(alone, &how, at) {

@@ -42,9 +42,20 @@ pub struct EstimatePlan {
     pub seed: u64,
     /// Replaces the `prior` of the case.
     pub prior: Option<SeverityPrior>,
-    /// Whether to judge each piece of evidence on its own and to find the answer without it, which takes a
-    /// run for each.
-    pub pieces: bool,
+    /// What to find for each piece of evidence.
+    pub pieces: PieceDetail,
+}
+
+/// What is found for each piece of evidence.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum PieceDetail {
+    /// How far it is off, where the draws of the answer tell that.
+    Weighed,
+    /// How far it is off: where too few of the draws tell, as with a piece that contradicts the rest, by a run
+    /// without it.
+    Compared,
+    /// That, and the speeds by it alone and without it, which takes up to two runs for each.
+    Apart,
 }
 
 impl EstimatePlan {

@@ -172,7 +172,7 @@ fn held(crashes: u64, particles: usize) -> Vec<(f64, usize)> {
     for seed in 0..crashes {
         let mut random = Random { key: key(45, &[seed]), next: 0 };
         let (speeds, case) = crash(&mut random);
-        let plan = EstimatePlan { particles, seed: 1, prior: None, pieces: false };
+        let plan = EstimatePlan { particles, seed: 1, prior: None, pieces: analysis::PieceDetail::Weighed };
         let found = estimate(&case, &plan, &mut |_, _, _| ControlFlow::Continue(())).unwrap();
         for (vehicle, truth) in VehicleId::ALL.into_iter().zip(speeds) {
             let wanted = SPEED.of_vehicle(vehicle);

@@ -403,7 +403,7 @@ fn all_evidence_of_the_scene_holds_the_printed_speeds() {
     }
     let refuted: Vec<_> = straight.refuting().collect();
     assert!(!refuted.is_empty(), "{:?}", straight.checks);
-    let plan = EstimatePlan { particles: 128, seed: 1, prior: None, pieces: false };
+    let plan = EstimatePlan { particles: 128, seed: 1, prior: None, pieces: analysis::PieceDetail::Weighed };
     let found = estimate(&read(&text), &plan, &mut |_, _, _| ControlFlow::Continue(())).unwrap();
     for (vehicle, printed) in VehicleId::ALL.into_iter().zip([27.5, 36.5]) {
         let wanted = SPEED.of_vehicle(vehicle);

@@ -111,7 +111,12 @@ fn what_an_object_took_adds_to_the_crush_energy() {
 /// The misfit of the crush goes with the car's part alone; the object's own error is 30 %, or its range.
 #[test]
 fn an_estimate_takes_what_an_object_took_with_its_own_error() {
-    let plan = EstimatePlan { particles: 128, seed: 1, prior: Some(SeverityPrior::Flat), pieces: false };
+    let plan = EstimatePlan {
+        particles: 128,
+        seed: 1,
+        prior: Some(SeverityPrior::Flat),
+        pieces: analysis::PieceDetail::Weighed,
+    };
     let of = |deformation_energy: &str, car: VehicleId| {
         estimate(&parsed(&into_object(car, deformation_energy, "")), &plan, &mut |_, _, _| {
             ControlFlow::Continue(())
@@ -145,7 +150,7 @@ fn an_estimate_takes_what_an_object_took_with_its_own_error() {
 /// Nothing that the case gives is left out in silence.
 #[test]
 fn what_an_object_took_is_no_evidence_without_the_crush_of_the_vehicle() {
-    let plan = EstimatePlan { particles: 128, seed: 1, prior: None, pieces: false };
+    let plan = EstimatePlan { particles: 128, seed: 1, prior: None, pieces: analysis::PieceDetail::Weighed };
     let case = into_object(VehicleId::One, "deformation_energy = \"15 kJ\"", "");
     let crush = "[vehicle1.crush]\nees = \"8 m/s\"\nside = \"front\"\npdof = \"0 deg\"\n";
     let recorder = "[vehicle1.recorder]\ndelta_v_longitudinal = \"-30 km/h\"\n";

@@ -18,7 +18,8 @@ const REAR_END: &str = include_str!("../../../fixtures/rear-end.toml");
 const FORWARD: &str = include_str!("../../../fixtures/sae-980025-impact.toml");
 const BOTH: &str = include_str!("../../../fixtures/rear-end-rest.toml");
 /// Few particles: what is asked here is plain.
-const PLAN: EstimatePlan = EstimatePlan { particles: 128, seed: 1, prior: None, pieces: false };
+const PLAN: EstimatePlan =
+    EstimatePlan { particles: 128, seed: 1, prior: None, pieces: analysis::PieceDetail::Weighed };
 
 fn read(text: &str) -> Case {
     CaseFile::parse("case.toml", text).unwrap_or_else(|errors| panic!("{errors}\n{text}")).case

@@ -455,7 +455,7 @@ fn delta_v(vehicle: VehicleId, truth: f64, within: f64) -> Told {
 }
 
 fn weighed(text: &str) -> Estimated {
-    let plan = EstimatePlan { particles: 128, seed: 1, prior: None, pieces: false };
+    let plan = EstimatePlan { particles: 128, seed: 1, prior: None, pieces: analysis::PieceDetail::Weighed };
     let estimated = estimate(&read(text), &plan, &mut |_, _, _| ControlFlow::Continue(()))
         .unwrap_or_else(|failure| panic!("{failure}\n{text}"));
     assert!(estimated.doubts().is_empty(), "{text}\n{:?}", estimated.doubts());
@@ -660,7 +660,10 @@ fn evidence_that_no_collision_has_leads_nothing() {
     };
     let text = scene(0.75).replace("crush_plane = \"0 deg\"", "crush_plane = \"135 deg\"")
         + &pair(&car("1500 kg", -90.0, 3), &car("2200 kg", 180.0, 4), BOTH);
-    let (case, plan) = (read(&text), EstimatePlan { particles: 128, seed: 1, prior: None, pieces: false });
+    let (case, plan) = (
+        read(&text),
+        EstimatePlan { particles: 128, seed: 1, prior: None, pieces: analysis::PieceDetail::Weighed },
+    );
     let exact = reconstruct(&case).unwrap();
     let weighed = weigh(&case, &exact, &plan, &mut |_, _, _| ControlFlow::Continue(())).unwrap().unwrap();
     assert!(weighed.estimated.doubts().is_empty());

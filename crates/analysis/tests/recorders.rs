@@ -160,7 +160,8 @@ fn an_estimate_uses_the_record_of_the_impact_alone() {
         let text = crushed(recorder).source.text().to_owned();
         let text = text.replace("\nspeed = \"50 km/h\"\n", "\n").replace("\nspeed = \"40 km/h\"\n", "\n");
         let file = CaseFile::parse("case.toml", &text).unwrap();
-        let plan = EstimatePlan { particles: 256, seed: 1, prior: None, pieces: false };
+        let plan =
+            EstimatePlan { particles: 256, seed: 1, prior: None, pieces: analysis::PieceDetail::Weighed };
         let found = estimate(&file.case, &plan, &mut |_, _, _| std::ops::ControlFlow::Continue(())).unwrap();
         let answers: Vec<String> = found.outputs.iter().map(|one| format!("{:?}", one.posterior)).collect();
         (answers, found.unused)

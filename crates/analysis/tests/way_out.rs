@@ -142,7 +142,7 @@ fn the_speed_of_the_other_is_that_of_the_evidence() {
         particles: analysis::EstimatePlan::PARTICLES,
         seed: 1,
         prior: None,
-        pieces: false,
+        pieces: analysis::PieceDetail::Weighed,
     };
     let evidence = estimate(&case, &plan, &mut |_, _, _| ControlFlow::Continue(())).unwrap();
     let other = analysis::quantities::SPEED.of_vehicle(pim_core::VehicleId::Two);

@@ -101,6 +101,9 @@ fn check_files(Files { mut inputs, outputs, folder }: Files<'_>) -> Result<()> {
             );
         }
         has_folder(option, path)?;
+        if let Some(format) = other_format(output) {
+            bail!("{option} {name} would not hold what its name says: {format}, or write {option} {other}");
+        }
         if is_toml(path) {
             bail!(
                 "{option} {name} would write over a .toml file that exists, which may be a case: give another name, such as {option} {other}"
@@ -260,6 +263,22 @@ fn site_plan_of(case: &Path) -> Option<PathBuf> {
     let (name, bytes) = read(case).ok()?;
     let file = CaseFile::parse(&name, std::str::from_utf8(&bytes).ok()?).ok()?;
     file.case.site_plan.as_ref().map(|plan| plan_path(case, plan))
+}
+
+/// What to add so that a file holds the format that its name says, where that is another format of a report.
+fn other_format(output: &Output<'_>) -> Option<&'static str> {
+    if ![REPORT, PAGE, TOPIC].iter().any(|endings| endings.contains(&output.ending)) {
+        return None;
+    }
+    let (_, wanted) = output.ending.rsplit_once('.')?;
+    let given = output.path.extension()?.to_str()?.to_ascii_lowercase();
+    match given.as_str() {
+        "html" | "htm" if wanted != "html" => Some("add --format html"),
+        "json" if wanted != "json" => Some("add --format json"),
+        "md" if wanted != "md" => Some("add --format markdown"),
+        "pdf" => Some("write --format html and print that page as PDF"),
+        _ => None,
+    }
 }
 
 /// What names to propose end in, in the order of [`ending`].

@@ -64,7 +64,7 @@ const WITH_RECORDER: TestedClass = TestedClass {
 };
 const ONE_CRUSH: TestedClass = TestedClass {
     code: "one-crush",
-    collisions: "the crush of one vehicle alone was known",
+    collisions: "the crush of one vehicle alone and the PDOF were known",
     quantity: "ΔV",
     n: 348,
     inside95: 0.945,
@@ -74,7 +74,7 @@ const ONE_CRUSH: TestedClass = TestedClass {
 /// The same, section Fixed objects.
 const OBJECT: TestedClass = TestedClass {
     code: "fixed-object",
-    collisions: "a front struck an object that stands fast, and its crush and the PDOF were known",
+    collisions: "a front struck an immovable object, and its crush and the PDOF were known",
     quantity: "ΔV",
     n: 94,
     inside95: 0.936,
@@ -103,7 +103,7 @@ impl TestedClass {
         let is_of_class = energies.into_iter().flatten().all(|method| method == EnergyMethod::Class);
         let is_tested = |piece: &Piece| matches!(piece, Piece::Severity | Piece::Crush | Piece::Pdof(_));
         let all = energies != [None; 2] && is_of_class && pieces.iter().all(is_tested);
-        all.then_some(&OBJECT)
+        (all && has_pdof(pieces)).then_some(&OBJECT)
     }
 
     /// The class to which an estimate belongs, of two vehicles whose speeds are both unknown and whose
@@ -141,8 +141,8 @@ impl TestedClass {
         let have_both = energies.into_iter().all(|method| method.is_some());
         match (after, recorders) {
             (true, [false, false]) if have_both => Some(&AFTER),
-            // The field's stiffness is that of a class.
-            _ if !is_of_class || after => None,
+            // The field's stiffness is that of a class, and all of its PDOFs are coded.
+            _ if !is_of_class || after || !has_pdof(pieces) => None,
             (false, [true, false] | [false, true]) if have_both => Some(&WITH_RECORDER),
             (false, [false, false]) if !have_both => Some(&ONE_CRUSH),
             (false, [false, false]) => match hit {
@@ -158,6 +158,10 @@ impl TestedClass {
             _ => None,
         }
     }
+}
+
+fn has_pdof(pieces: &[Piece]) -> bool {
+    pieces.iter().any(|piece| matches!(piece, Piece::Pdof(_)))
 }
 
 #[cfg(test)]
@@ -207,5 +211,9 @@ mod tests {
         assert_eq!(of_object(CLASS, &with(Piece::RecordedDeltaV(One))), None);
         assert_eq!(of_object(given, &crush), None);
         assert_eq!(of_object(None, &crush[..1]), None);
+        // Without a PDOF nothing was judged.
+        assert_eq!(code([Front, Side], [CLASS; 2], &crush[..2]), None);
+        assert_eq!(code([Front, Side], [CLASS, None], &crush[..2]), None);
+        assert_eq!(of_object(CLASS, &crush[..2]), None);
     }
 }

@@ -1,6 +1,7 @@
 //! The questions to an estimate, and the names of its results, unknown numbers, pieces of evidence and
 //! doubts.
 
+mod contradiction;
 mod question;
 
 use ::estimate::{DrawnQuantity, DrawsSummary, LEVELS, SamplerDoubt};
@@ -10,6 +11,7 @@ use analysis::{
 use evidence::{CrushErrors, EnergyError, EnergyMethod, FITTED, MeasuredSpeed, Observed, Piece};
 use pim_core::VehicleId;
 
+pub(crate) use self::contradiction::{contradictions, p_value};
 use crate::units::{Measure, Units, number, significant};
 use crate::worth::{BARRIER_TESTS, SMITH_NOGA, STAGED_MOTION};
 

@@ -30,7 +30,7 @@ use case::{Axes, Case, CaseFile, Faults, Find, Purpose, Quantity};
 use pim_core::{Real, VehicleId};
 
 use crate::Units;
-use crate::estimates::told_speed;
+use crate::estimates::{contradictions, told_speed};
 use crate::units::Measure;
 use crate::words::{self, title};
 
@@ -302,8 +302,8 @@ fn with_caveat(description: String, caveat: &str) -> String {
 enum PlainSpeed<'a> {
     /// That of the exact solution, which is the answer.
     Exact,
-    /// The estimate from all the evidence.
-    Weighed(&'a EstimatedOutput),
+    /// The estimate from all the evidence, and whether some of that contradicts the rest.
+    Weighed(&'a EstimatedOutput, bool),
     /// The case gives it.
     Given,
     /// The exact solution is not the answer, and nothing else is.
@@ -321,16 +321,18 @@ impl<'a> PlainSpeed<'a> {
             return Self::Given;
         }
         let weighed = weighed.filter(|weighed| weighed.is_answer());
-        weighed
-            .and_then(|weighed| weighed.output(SPEED.of_vehicle(vehicle)))
-            .map_or(Self::Unknown, Self::Weighed)
+        let found = weighed.and_then(|weighed| {
+            let is_contradicted = !contradictions(&weighed.estimated.pieces).is_empty();
+            Some(Self::Weighed(weighed.output(SPEED.of_vehicle(vehicle))?, is_contradicted))
+        });
+        found.unwrap_or(Self::Unknown)
     }
 
     /// In words, like `before: 40.5 km/h (95 %: 37.7 to 43.5 km/h)`.
     fn label(self, exact: f64, units: Units) -> Option<String> {
         match self {
             Self::Exact | Self::Given => Some(format!("before: {}", units.speed_in_words(exact))),
-            Self::Weighed(found) => Some(format!("before: {}", told_speed(found, units))),
+            Self::Weighed(found, _) => Some(format!("before: {}", told_speed(found, units))),
             Self::Unknown => None,
         }
     }
@@ -339,15 +341,18 @@ impl<'a> PlainSpeed<'a> {
     fn along(self, exact: f64) -> Option<f64> {
         match self {
             Self::Exact | Self::Given => Some(exact),
-            Self::Weighed(found) if found.varies() && !found.is_told() => None,
-            Self::Weighed(found) => Some(found.posterior.median.value),
+            Self::Weighed(found, _) if found.varies() && !found.is_told() => None,
+            Self::Weighed(found, _) => Some(found.posterior.median.value),
             Self::Unknown => None,
         }
     }
 
     /// The caveat below the title of a drawing with the speeds of both vehicles.
     fn caveat(speeds: [Self; 2]) -> &'static str {
-        if speeds.iter().any(|speed| matches!(speed, Self::Weighed(_))) {
+        if speeds.iter().any(|speed| matches!(speed, Self::Weighed(_, true))) {
+            "Speeds by all the evidence together, each with the range that contains it with a probability of 95 %. \
+             Some of the evidence contradicts the rest: the report says which."
+        } else if speeds.iter().any(|speed| matches!(speed, Self::Weighed(_, false))) {
             "Speeds by all the evidence together, each with the range that contains it with a probability of 95 %."
         } else if speeds.iter().any(|speed| matches!(speed, Self::Unknown)) {
             "Without the speeds that are sought: the exact solution is not the answer."

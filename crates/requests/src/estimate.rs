@@ -1,6 +1,6 @@
 //! The speeds from all evidence.
 
-use analysis::{EstimatePlan, Estimated};
+use analysis::{EstimatePlan, Estimated, PieceDetail};
 use case::{Case, SeverityPrior};
 use estimate::{MOST_PARTICLES, PARTICLES_STEP, ParticleSettings};
 use report::{Asked, Question};
@@ -28,7 +28,7 @@ pub struct EstimateOptions {
 
 /// Without further options, each piece of evidence being left where it is: as evidence is weighed.
 pub(crate) const WEIGHING: EstimatePlan =
-    EstimatePlan { particles: EstimatePlan::PARTICLES, seed: 1, prior: None, pieces: false };
+    EstimatePlan { particles: EstimatePlan::PARTICLES, seed: 1, prior: None, pieces: PieceDetail::Compared };
 
 impl Default for EstimateOptions {
     fn default() -> Self {
@@ -96,7 +96,8 @@ impl EstimateOptions {
             Question::read(text, &outputs).map_err(problem)
         };
         let questions = self.above.iter().map(question).collect::<Result<Vec<Question>, Unanswered>>()?;
-        let Self { particles, seed, prior, pieces, .. } = *self;
+        let Self { particles, seed, prior, .. } = *self;
+        let pieces = if self.pieces { PieceDetail::Apart } else { PieceDetail::Compared };
         let plan = EstimatePlan { particles, seed, prior, pieces };
         let estimated = analysis::estimate(case, &plan, &mut of_estimate(progress))?;
         Ok(EstimateAnswer { estimated, asked: Asked { plan, questions } })

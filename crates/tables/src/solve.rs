@@ -3,7 +3,7 @@
 use std::ops::ControlFlow;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 
-use analysis::{AvoidPlan, EstimatePlan, Failure};
+use analysis::{AvoidPlan, EstimatePlan, Failure, PieceDetail};
 use arrow_array::RecordBatch;
 use arrow_schema::{Schema, SchemaRef};
 use case::{CaseFile, ValueTable};
@@ -271,7 +271,7 @@ impl Row<'_> {
             }
             Job::Estimate => {
                 let RowOptions { particles, prior, .. } = *self.options;
-                let plan = EstimatePlan { particles, seed, prior, pieces: false };
+                let plan = EstimatePlan { particles, seed, prior, pieces: PieceDetail::Weighed };
                 let estimated =
                     analysis::estimate(case, &plan, &mut |_, _, _| self.goes_on()).map_err(refused)?;
                 let refusal = (!estimated.doubts().is_empty()).then(|| RowRefusal {

@@ -218,7 +218,12 @@ fn an_estimate_is_the_program() {
     let Fixture { text, values, .. } = fixtures::one("estimate.toml");
     let file = CaseFile::parse("case.toml", &text).unwrap();
     let options = RowOptions { particles: 128, seed: 3, ..RowOptions::default() };
-    let plan = analysis::EstimatePlan { particles: 128, seed: 3, prior: None, pieces: false };
+    let plan = analysis::EstimatePlan {
+        particles: 128,
+        seed: 3,
+        prior: None,
+        pieces: analysis::PieceDetail::Weighed,
+    };
     let estimated = analysis::estimate(&file.case, &plan, &mut |_, _, _| ControlFlow::Continue(())).unwrap();
     let asked = report::Asked { plan, questions: Vec::new() };
     let json: Json =

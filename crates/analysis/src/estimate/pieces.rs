@@ -9,6 +9,7 @@ use ::uncertainty::Estimate;
 use evidence::Piece;
 use pim_core::VehicleId;
 
+use super::PieceDetail;
 use super::outputs::Told;
 use crate::excluded::key;
 
@@ -84,48 +85,52 @@ fn suffices(run: &Posterior) -> bool {
     }
 }
 
-/// The effect of a piece on the answer. The speeds by it alone and without it come from the existing draws,
-/// reweighted, if enough of these count, and otherwise from `again`; without `again` they are left out.
-/// `always` are the terms of every run.
+/// The effect of a piece on the answer, in as much detail as is asked for. What it tells comes from the
+/// existing draws, reweighted, if enough of these count, and otherwise from `again`. `always` are the terms of
+/// every run.
 pub(super) fn found(
     (term, piece): (usize, Piece),
     told: &Told<'_>,
     there: There<'_>,
     always: &[usize],
-    again: Option<&mut Again<'_>>,
+    (detail, again): (PieceDetail, &mut Again<'_>),
 ) -> PieceFound {
     let There { posterior, before } = there;
     let check = posterior.check(term).ok();
     let is_behind = |check: &PieceCheck| check.mean_on_circle.is_some_and(|error| error.abs() > FRAC_PI_2);
     let mut reversed = check.as_ref().is_some_and(is_behind);
+    let is_unclear = check.as_ref().is_some_and(|check| !check.is_reliable());
     let mut p_value = check.filter(PieceCheck::is_reliable).map(|check| check.p_value);
     let (mut alone, mut without) = (None, None);
-    if let Some(again) = again {
-        let speeds = |run: &Posterior, draws: Draws<'_>| {
-            VehicleId::ALL.map(|id| Some(draws.summary(told.speed(run, id)?)))
-        };
+    let speeds = |run: &Posterior, draws: Draws<'_>| {
+        VehicleId::ALL.map(|id| Some(draws.summary(told.speed(run, id)?)))
+    };
+    let mut run = |wanted: Wanted| again(wanted).filter(suffices);
+    if detail == PieceDetail::Apart {
         let weighted = |run: &Posterior, weights: Result<Weights, CannotReweight>| {
             let weights = weights.ok()?;
             let suffice = weights.are_reliable() && run.worth(&weights) >= ESS_LIMIT;
             suffice.then(|| speeds(run, run.weighted(&weights)))
         };
-        let mut run = |wanted: Wanted| again(wanted).filter(suffices);
         alone = before.and_then(|before| weighted(before, before.with(term))).or_else(|| {
             let only = always.iter().copied().chain([term]).collect();
             run(Wanted::Only(only)).map(|run| speeds(&run, run.draws()))
         });
         without = weighted(posterior, posterior.without(&[term]));
-        if without.is_none()
-            && let Some(run) = run(Wanted::Without(term)).or_else(|| run(Wanted::WithoutAnew(term)))
+    }
+    let is_wanted = match detail {
+        PieceDetail::Weighed => false,
+        PieceDetail::Compared => is_unclear,
+        PieceDetail::Apart => without.is_none(),
+    };
+    if is_wanted && let Some(run) = run(Wanted::Without(term)).or_else(|| run(Wanted::WithoutAnew(term))) {
+        if p_value.is_none()
+            && let Ok(check) = run.check(term)
         {
-            if p_value.is_none()
-                && let Ok(check) = run.check(term)
-            {
-                reversed = is_behind(&check);
-                p_value = Some(check.p_value);
-            }
-            without = Some(speeds(&run, run.draws()));
+            reversed = is_behind(&check);
+            p_value = Some(check.p_value);
         }
+        without = (detail == PieceDetail::Apart).then(|| speeds(&run, run.draws()));
     }
     PieceFound { piece, key: key(piece), alone, without, p_value, reversed }
 }

@@ -10,8 +10,8 @@ use ::uncertainty::Progress;
 use evidence::Piece;
 
 use super::outputs::Told;
-use super::pieces::{Again, PieceFound, There, Wanted, found};
-use super::{EstimatePlan, EstimateStage, refused};
+use super::pieces::{PieceFound, There, Wanted, found};
+use super::{EstimatePlan, EstimateStage, PieceDetail, refused};
 use crate::failure::Failure;
 
 /// Maximum factor by which the particles are increased if a run does not converge: they are doubled twice.
@@ -91,11 +91,11 @@ impl<'a, 'm> Runs<'a, 'm> {
         let mut pieces = Vec::with_capacity(judged.len());
         for (done, &term) in judged.iter().enumerate() {
             self.begin_piece(done, judged.len());
-            let is_wanted = self.plan.pieces && !self.is_ended && judged.len() > 1;
+            let is_wanted = !self.is_ended && judged.len() > 1;
+            let detail = if is_wanted { self.plan.pieces } else { PieceDetail::Weighed };
             let (told, piece) = (self.told, (term, self.pieces[term]));
             let mut again = |wanted: Wanted| self.again(wanted, there.posterior);
-            let again: Option<&mut Again<'_>> = if is_wanted { Some(&mut again) } else { None };
-            pieces.push(found(piece, told, there, &always, again));
+            pieces.push(found(piece, told, there, &always, (detail, &mut again)));
         }
         pieces
     }

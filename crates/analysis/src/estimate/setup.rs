@@ -185,12 +185,7 @@ pub(super) fn of(case: &Case, prior: Option<SeverityPrior>) -> Result<Setup, Fai
         }
         Crushed::All | Crushed::No => None,
     };
-    let is_open = |id: VehicleId| {
-        let vehicle = &case.vehicles[id.index()];
-        !vehicle.fixed && vehicle.motion.is_none()
-    };
-    let hit = VehicleId::ALL.into_iter().all(is_open);
-    let hit = hit.then(|| VehicleId::ALL.map(|id| damage(id, &nominal, reference)));
+    let hit = (sought == [true; 2]).then(|| VehicleId::ALL.map(|id| damage(id, &nominal, reference)));
     let hit_of_movers: Vec<DamagedSide> = VehicleId::ALL
         .into_iter()
         .filter(|id| !case.vehicles[id.index()].fixed)

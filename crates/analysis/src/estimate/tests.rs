@@ -18,7 +18,7 @@ fn read(text: &str) -> Case {
 }
 
 fn run(case: &Case, particles: usize) -> Result<Estimated, Failure> {
-    let plan = EstimatePlan { particles, seed: 1, prior: None, pieces: false };
+    let plan = EstimatePlan { particles, seed: 1, prior: None, pieces: PieceDetail::Weighed };
     estimate(case, &plan, &mut |_, _, _| ControlFlow::Continue(()))
 }
 
@@ -549,7 +549,7 @@ fn each_piece_is_judged_by_the_others() {
         let text = format!(
             "{CENTRAL}[vehicle2.after]\nspeed = \"11 m/s\"\ndirection = \"0 deg\"\n[vehicle1.recorder]\ndelta_v_longitudinal = \"-{stored} m/s\"\n"
         );
-        let plan = EstimatePlan { particles: 128, seed: 1, prior: None, pieces: true };
+        let plan = EstimatePlan { particles: 128, seed: 1, prior: None, pieces: PieceDetail::Apart };
         let estimated = estimate(&read(&text), &plan, &mut |_, _, _| ControlFlow::Continue(())).unwrap();
         assert_eq!(estimated.pieces.len(), 3);
         for piece in estimated.pieces.iter().filter(|piece| !piece.key.contains("direction")) {
@@ -819,7 +819,7 @@ fn p_value(estimated: &Estimated, key: &str) -> (f64, bool) {
 }
 
 fn judged(text: &str) -> Estimated {
-    let plan = EstimatePlan { particles: 128, seed: 1, prior: None, pieces: true };
+    let plan = EstimatePlan { particles: 128, seed: 1, prior: None, pieces: PieceDetail::Apart };
     estimate(&read(text), &plan, &mut |_, _, _| ControlFlow::Continue(())).unwrap()
 }
 
@@ -917,7 +917,8 @@ fn limits_that_make_no_sense_are_refused() {
 #[test]
 fn two_rests_take_few_likelihoods() {
     let case = read(include_str!("../../../../fixtures/rear-end-rest.toml"));
-    let plan = EstimatePlan { particles: EstimatePlan::PARTICLES, seed: 1, prior: None, pieces: true };
+    let plan =
+        EstimatePlan { particles: EstimatePlan::PARTICLES, seed: 1, prior: None, pieces: PieceDetail::Apart };
     let estimated = estimate(&case, &plan, &mut |_, _, _| ControlFlow::Continue(())).unwrap();
     assert!(estimated.doubts().is_empty() && estimated.ess() >= 1000.0, "{}", estimated.ess());
     assert!(estimated.pieces.iter().all(|piece| piece.alone.is_some() && piece.without.is_some()));
@@ -1105,7 +1106,7 @@ fn a_front_against_a_barrier_has_figures_of_its_own() {
 fn a_serious_injury_is_told_beside_the_answer_and_can_be_asked_for() {
     let case = read(include_str!("../../../../fixtures/estimate.toml"));
     let of_prior = |prior| {
-        let plan = EstimatePlan { particles: 512, seed: 1, prior, pieces: false };
+        let plan = EstimatePlan { particles: 512, seed: 1, prior, pieces: PieceDetail::Weighed };
         estimate(&case, &plan, &mut |_, _, _| ControlFlow::Continue(())).unwrap()
     };
     let [field, injured, flat] =

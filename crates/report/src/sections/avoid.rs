@@ -11,6 +11,7 @@ use case::{
 use time_distance::Swell;
 
 use crate::document::{Block, Column, Document, NONE, Table, Undrawn, Width};
+use crate::estimates::contradictions;
 use crate::outputs::input_name;
 use crate::pictures::avoid::{chance_picture, path_time_picture, sight_picture};
 use crate::understood::{amount, spread};
@@ -153,7 +154,7 @@ pub(crate) fn doubts(found: &Avoidance, units: Units) -> Vec<String> {
             units.format(Measure::Time, lead)
         )
     });
-    hard.into_iter().chain(early).collect()
+    hard.into_iter().chain(early).chain(contradictions(found.pieces())).collect()
 }
 
 /// (–) deceleration by g, beyond which no source is at hand for most speeds and surfaces.

@@ -3,19 +3,17 @@
 use ::estimate::DrawsSummary;
 use ::uncertainty::{Distribution, Shape};
 use analysis::quantities::{DELTA_V, SPEED};
-use analysis::{
-    Assumed, Estimated, EstimatedOutput, Output, PieceFound, Stood, TOLD_BELOW, UnknownNumber, Weighed,
-};
+use analysis::{Assumed, Estimated, EstimatedOutput, Output, Stood, TOLD_BELOW, UnknownNumber, Weighed};
 use case::{Case, SeverityPrior};
-use evidence::{Piece, TestedClass};
+use evidence::TestedClass;
 use pim_core::VehicleId;
 
 use super::uncertainty::{decimals_of, grouped};
 use crate::document::{Block, Column, Document, NONE, Table, Width};
 use crate::estimates::{
-    Agreement, Asked, CONTRADICTS, DOUBTFUL, EIGHTY, HALF, NINETY, Question, WIDEST, crush_words,
-    doubt_words, ends, error, error_key, is_factor, median_and_interval, piece_name, source, told_speed,
-    unknown_key, unused,
+    Agreement, Asked, CONTRADICTS, DOUBTFUL, EIGHTY, HALF, NINETY, Question, WIDEST, contradictions,
+    crush_words, doubt_words, ends, error, error_key, is_factor, median_and_interval, p_value, piece_name,
+    source, told_speed, unknown_key, unused,
 };
 use crate::outputs::{label, output_name, pictured};
 use crate::pictures;
@@ -214,41 +212,17 @@ impl<'a> Page<'a> {
 
     /// Evidence that contradicts the rest, and what counts twice.
     fn warnings(&mut self) {
-        let named = |piece: &PieceFound| format!("{} (`{}`)", piece_name(piece.piece), piece.key);
-        let p = |piece: &PieceFound| piece.p_value.map(|p| with_sign(p.value)).unwrap_or_default();
-        let mut lines = Vec::new();
-        let agreements = Agreement::of_all(&self.estimated.pieces);
-        for (piece, agreement) in self.estimated.pieces.iter().zip(agreements) {
-            match agreement {
-                Some((Agreement::Contradicts, _)) if piece.reversed => lines.push(format!(
-                    "Warning: {} contradicts the other evidence: {}. It points the other way than all of that says{}.",
-                    named(piece),
-                    p(piece),
-                    turned_round(piece.piece)
-                )),
-                Some((Agreement::Contradicts, _)) => lines.push(format!(
-                    "Warning: {} contradicts the other evidence: {}. The answer lies between both and may be \
-                     neither; check what was measured, and the error that it has.",
-                    named(piece),
-                    p(piece)
-                )),
-                Some((Agreement::Doubtful, _)) => lines.push(format!(
-                    "Warning: the other evidence disagrees with {}: {}.",
-                    named(piece),
-                    p(piece)
-                )),
-                Some((Agreement::Agrees, _)) | None => {}
-            }
-        }
+        let mut lines = contradictions(&self.estimated.pieces);
         for same in &self.estimated.same_twice {
             let [one, other] = &same.keys;
             lines.push(format!(
-                "Warning: `{one}` and `{other}` may say the same thing twice, where the first was found from the \
-                 second; the interval is then too narrow. Leave one out."
+                "`{one}` and `{other}` may say the same thing twice, where the first was found from the second; \
+                 the interval is then too narrow. Leave one out."
             ));
         }
         if !lines.is_empty() {
-            self.document.push(Block::List(lines));
+            let lines = lines.into_iter().map(|line| format!("Warning: {line}"));
+            self.document.push(Block::List(lines.collect()));
         }
     }
 
@@ -602,37 +576,6 @@ impl<'a> Page<'a> {
              intervals contain the errors that are listed here, and no others.",
         );
     }
-}
-
-/// What may have gone wrong with a piece that points the other way.
-fn turned_round(piece: Piece) -> &'static str {
-    match piece {
-        Piece::RecordedDeltaV(_) => {
-            ": it may have the wrong sign. The longitudinal ΔV is negative where the vehicle was slowed down, as in a \
-             frontal impact, and positive where it was pushed forward"
-        }
-        Piece::RecordedDirection(_) => {
-            ": a sign may be wrong. The longitudinal ΔV is negative where the vehicle was slowed down, as in a frontal \
-             impact, and positive where it was pushed forward"
-        }
-        Piece::Pdof(_) => {
-            ": it may be turned round. The PDOF is where the force came from, clockwise from the heading: 0° at the \
-             front, 180° at the rear"
-        }
-        Piece::DirectionAfter(_) => {
-            ": it may be turned round. It is the direction in the scene in which the vehicle left the impact"
-        }
-        _ => "",
-    }
-}
-
-fn p_value(p: f64) -> String {
-    if p < 0.001 { "< 0.001".to_owned() } else { significant(p, 2) }
-}
-
-fn with_sign(p: f64) -> String {
-    let value = p_value(p);
-    if value.starts_with('<') { format!("p {value}") } else { format!("p = {value}") }
 }
 
 /// A value in the unit of the case.
