@@ -23,6 +23,7 @@ use crate::failure::Failure;
 use crate::output::Output;
 use crate::quantities::{DELTA_V, DELTA_V_LONGITUDINAL};
 use crate::uncertainty::NOISE;
+use crate::warning::Warning;
 pub use notes::{Unused, UnusedReason};
 use outputs::Told;
 use pieces::There;
@@ -92,6 +93,9 @@ pub struct Estimated {
     pub missed: Vec<String>,
     /// Data of the case that the estimate does not use.
     pub unused: Vec<Unused>,
+    /// The warnings that need no answer, in the axes of the engine; [`Warning::seen`] converts them to those
+    /// of the case.
+    pub warnings: Vec<Warning>,
     /// The draws: a column for each of the unknown numbers, and one for each output.
     pub posterior: Posterior,
     /// The same before the evidence; `None` if that run did not converge.
@@ -269,6 +273,7 @@ pub fn estimate(
         hit,
         is_with_object,
         reference,
+        warnings,
     } = setup::of(case, plan.prior)?;
     let model = CollisionModel::of(impacts, observed.clone());
     let told = Told::new(&model, case.axes, reference);
@@ -300,6 +305,7 @@ pub fn estimate(
         same_twice: pieces::same_twice(model.pieces()),
         missed: missed(&model, &posterior),
         unused,
+        warnings,
         evaluations,
         observed,
         posterior,

@@ -3,8 +3,8 @@
 
 use crash3::{Side, SideStiffness, VehicleClass};
 use inputs::{
-    Axes, Basis, Case, Crush, CrushEvidence, Faults, Fit, GivenVehicle, ImpactLaw, InferredWidth, Purpose,
-    StiffnessForm, StiffnessLine, VehicleData, VehicleKind, Velocity, YawSource,
+    Axes, Basis, Case, CollisionData, Crush, CrushEvidence, Faults, Fit, GivenVehicle, ImpactLaw,
+    InferredWidth, Purpose, StiffnessForm, StiffnessLine, VehicleData, VehicleKind, Velocity, YawSource,
 };
 use pim_core::VehicleId;
 
@@ -300,24 +300,12 @@ pub fn judge(case: &Case) -> Judgement {
         case.reconstruction().map(|input| Some(input.collision))
     };
     let impact = case.collision();
-    let subjects = case.subjects();
-    let mut warnings = Vec::new();
     let collision = match (&reconstruction, &impact) {
         (Ok(collision), _) => collision.as_ref(),
         (_, Ok(input)) => Some(&input.collision),
         _ => None,
     };
-    if let Some(collision) = collision {
-        warning::of_plane(&collision.contact, &mut warnings);
-        // The closing speed is unknown if a speed has to be found.
-        if !seeks {
-            let speed = closing_speed(collision);
-            warning::of_restitution(collision.law.at(speed).restitution(), speed, &mut warnings);
-        }
-    }
-    let assumptions = assumed(case, &subjects);
-    let speeds = collision.map(|collision| collision.motions.map(|motion| motion.velocity.norm()));
-    of_vehicles(case, subjects.map(|subject| subject.unwrap_or(NOTHING)), speeds, &mut warnings);
+    let warnings = of_collision(case, collision);
     let unpropagated = uncertainty::inputs(case).err().or_else(|| goal.obstacle(case));
     let lacking = [
         (Purpose::Reconstruct, reconstruction.err()),
@@ -379,7 +367,24 @@ pub fn judge(case: &Case) -> Judgement {
             left_aside: Vec::new(),
         });
     }
-    Judgement { abilities, assumptions, warnings, records: told_records(case) }
+    Judgement { abilities, assumptions: assumptions(case), warnings, records: told_records(case) }
+}
+
+/// The warnings that need neither the impulse nor an unknown speed.
+pub(crate) fn of_collision(case: &Case, collision: Option<&CollisionData>) -> Vec<Warning> {
+    let mut warnings = Vec::new();
+    if let Some(collision) = collision {
+        warning::of_plane(&collision.contact, &mut warnings);
+        // The closing speed is unknown if a speed has to be found.
+        if case.reconstruct.is_none() {
+            let speed = closing_speed(collision);
+            warning::of_restitution(collision.law.at(speed).restitution(), speed, &mut warnings);
+        }
+    }
+    let speeds = collision.map(|collision| collision.motions.map(|motion| motion.velocity.norm()));
+    let subjects = case.subjects().map(|subject| subject.unwrap_or(NOTHING));
+    of_vehicles(case, subjects, speeds, &mut warnings);
+    warnings
 }
 
 /// Whether a case has keys that only an estimate reads.

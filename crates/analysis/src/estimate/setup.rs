@@ -23,8 +23,10 @@ use super::posed::{Alone, OpenSpeeds};
 use crate::columns::Number;
 use crate::excluded::table;
 use crate::failure::Failure;
+use crate::judgement::of_collision;
 use crate::recorded::with_records_of_impact;
 use crate::uncertainty::{UncertainInput, inputs};
+use crate::warning::Warning;
 
 /// The reason for the distribution of a number, if the case does not give it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -107,6 +109,8 @@ pub(super) struct Setup {
     pub(super) is_with_object: bool,
     /// (rad) PDOF of both vehicles if the force were normal to the crush plane.
     pub(super) reference: [f64; 2],
+    /// The warnings that need no answer.
+    pub(super) warnings: Vec<Warning>,
 }
 
 /// The unknown numbers, in the order in which they are found.
@@ -145,6 +149,7 @@ pub(super) fn of(case: &Case, prior: Option<SeverityPrior>) -> Result<Setup, Fai
     unused.extend(aside.into_iter().map(|key| Unused { key, reason: UnusedReason::OtherImpact }));
     let lacking = |faults: Faults| faults.needed_for(Purpose::Estimate);
     let nominal = case.collision().map_err(lacking)?.collision;
+    let warnings = of_collision(&case, Some(&nominal));
     let motion = case.run_out().transpose().map_err(lacking)?;
     let ranges = match inputs(&case) {
         Ok(ranges) => ranges,
@@ -247,6 +252,7 @@ pub(super) fn of(case: &Case, prior: Option<SeverityPrior>) -> Result<Setup, Fai
         hit,
         is_with_object,
         reference,
+        warnings,
     })
 }
 

@@ -11,6 +11,7 @@ use pim_core::VehicleId;
 use serde::Serialize;
 
 use super::csv::CsvStyle;
+use super::json::WarningBlock;
 use super::uncertainty::InOrder;
 use super::{identified, pretty, title};
 use crate::estimates::{
@@ -47,6 +48,8 @@ struct Document<'a> {
     /// Keys of errors that the case does not give.
     default_errors: &'a [String],
     unused: Vec<UnusedBlock<'a>>,
+    /// What speaks against the inputs.
+    warnings: Vec<WarningBlock>,
 }
 
 #[derive(Serialize)]
@@ -372,6 +375,11 @@ pub fn estimate_json(
                 .unused
                 .iter()
                 .map(|unused| UnusedBlock { key: &unused.key, reason: reason_name(unused.reason) })
+                .collect(),
+            warnings: estimated
+                .warnings
+                .iter()
+                .map(|warning| WarningBlock::new(&warning.seen(file.case.axes)))
                 .collect(),
         },
     ))

@@ -3,7 +3,9 @@
 use ::estimate::DrawsSummary;
 use ::uncertainty::{Distribution, Shape};
 use analysis::quantities::{DELTA_V, SPEED};
-use analysis::{Assumed, Estimated, EstimatedOutput, Output, Stood, TOLD_BELOW, UnknownNumber, Weighed};
+use analysis::{
+    Assumed, Estimated, EstimatedOutput, Output, SeenWarning, Stood, TOLD_BELOW, UnknownNumber, Weighed,
+};
 use case::{Case, SeverityPrior};
 use evidence::TestedClass;
 use pim_core::VehicleId;
@@ -18,6 +20,7 @@ use crate::estimates::{
 use crate::outputs::{label, output_name, pictured};
 use crate::pictures;
 use crate::units::{Measure, Units, number, significant};
+use crate::warnings::{block, notice};
 use crate::writers::wrap::folded;
 
 /// (columns) of an end of an interval, with the blank before it.
@@ -35,6 +38,9 @@ const HIDDEN: [&str; 2] = ["ln_relative_speed", "speed_split"];
 pub fn estimate(case: &Case, estimated: &Estimated, asked: &Asked, units: Units) -> Document {
     let mut page = Page { estimated, asked, units, document: Document::of_case(case) };
     page.lead();
+    let warnings: Vec<SeenWarning> =
+        estimated.warnings.iter().map(|warning| warning.seen(case.axes)).collect();
+    page.document.blocks.extend(notice(&warnings, None));
     page.run();
     if estimated.doubts().is_empty() {
         page.pictures(case);
@@ -48,6 +54,9 @@ pub fn estimate(case: &Case, estimated: &Estimated, asked: &Asked, units: Units)
     page.assumed();
     if estimated.doubts().is_empty() {
         page.unknown();
+    }
+    if !warnings.is_empty() {
+        page.document.push(block(&warnings, units));
     }
     page.limits();
     page.document
