@@ -338,18 +338,12 @@ pub fn judge(case: &Case) -> Judgement {
     let on = goal.purpose();
     let left_aside = aside::of_purpose(case, on);
     abilities.push(Ability { purpose: Purpose::Uncertainty, on, obstacle: unpropagated, left_aside });
-    let is_exact = |ability: &Ability| {
-        matches!(ability.purpose, Purpose::Reconstruct | Purpose::Impact) && ability.obstacle.is_none()
-    };
-    // Of a collision without an exact solution, it may be the only answer.
-    let may_be_alone = case.impact.is_some() && !abilities.iter().any(is_exact);
-    let is_asked = is_for_estimate(case);
-    let estimated = (is_asked || may_be_alone).then(|| match estimate_evidence(case) {
+    let obstacle = match estimate_evidence(case) {
         Err(Failure::Case(faults)) => Some(faults),
         // Other faults are only found when it is solved.
         _ => None,
-    });
-    if let Some(obstacle) = estimated.filter(|obstacle| is_asked || obstacle.is_none()) {
+    };
+    if is_for_estimate(case) || obstacle.is_none() {
         let purpose = Purpose::Estimate;
         abilities.push(Ability { purpose, on: purpose, obstacle, left_aside: Vec::new() });
     }

@@ -10,12 +10,32 @@ use crate::{basis, words};
 /// All checks of the analysis; `None` without any. A warning below explains each failed one.
 pub(crate) fn table(analysis: &Seen, units: Units) -> Option<Table> {
     let mut table = Table::of_two("Consistency checks", ["found", "limit", "verdict"]);
-    for check in &analysis.checks {
+    // Where momentum gives both speeds, its comparison of the energies has the errors of both.
+    let is_of_momentum = |check: &Check| matches!(check.quantity, CheckedQuantity::MomentumEnergy { .. });
+    let has_momentum = analysis.checks.iter().any(is_of_momentum);
+    let is_twice =
+        |check: &&Check| has_momentum && matches!(check.quantity, CheckedQuantity::DamageEnergy { .. });
+    for check in analysis.checks.iter().filter(|check| !is_twice(check)) {
         let [label, found, limit] = said(check, analysis, units);
         let verdict = if check.passed() { "passed" } else { "see below" };
         table.row([label, found, limit, verdict.to_owned()]);
     }
     (!table.rows.is_empty()).then_some(table)
+}
+
+/// How far the first of two energies is from the second: as a factor, or in per cent where it has the other
+/// sign.
+fn apart(one: f64, other: f64) -> String {
+    if one > 0.0 {
+        format!("factor {}", number(one.max(other) / one.min(other), 1))
+    } else {
+        format!("{} %", number(100.0 * (one - other).abs() / other, 1))
+    }
+}
+
+/// (–) the same for a greatest relative difference from the second energy, upward or downward.
+fn limit_factor(is_more: bool, difference: f64) -> f64 {
+    if is_more { 1.0 + difference } else { 1.0 / (1.0 - difference) }
 }
 
 /// What a check of this analysis compares, what it found, and its limit.
@@ -59,8 +79,13 @@ pub(crate) fn said(check: &Check, analysis: &Seen, units: Units) -> [String; 3] 
         }
         CheckedQuantity::MomentumEnergy { normal_work, crush_energy, tangential_share: _ } => (
             format!("momentum: {} and crush energy", basis::symbol(analysis.basis, ["W_n", "W_t"])),
-            format!("{} and {}: {}", energy(normal_work), energy(crush_energy), percent(check.value)),
-            percent(check.limit),
+            format!(
+                "{} and {}: {}",
+                energy(normal_work),
+                energy(crush_energy),
+                apart(normal_work, crush_energy)
+            ),
+            format!("factor {}", number(limit_factor(normal_work > crush_energy, check.limit), 1)),
         ),
         CheckedQuantity::MomentumAcross { vehicle, surplus } => {
             let impulse = |si: f64| units.format(Measure::Impulse, si);

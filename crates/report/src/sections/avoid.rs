@@ -90,15 +90,21 @@ fn answer(case: &Case, found: &Avoidance, units: Units) -> Vec<String> {
         units.format(Measure::Way, scene.distance),
         units.format(Measure::Time, scene.time),
     )];
+    let above = scene.is_above_limit();
+    if !above {
+        lines.push(format!("The vehicle was not faster than the limit of {limit} from there to the impact"));
+    }
+    // Below the limit, its own speed is what a run with a timely reaction has.
+    let at = if above { format!("at {limit}") } else { "at the speed driven".to_owned() };
     lines.push(if scene.stops_at_limit() {
         let stop = scene.at_limit().stop().unwrap_or(scene.distance);
         format!(
-            "Avoidable in space at {limit}: it stops {} before the place of the impact",
+            "Avoidable in space {at}: it stops {} before the place of the impact",
             units.format(Measure::Way, scene.distance - stop)
         )
     } else {
         format!(
-            "Not avoidable in space at {limit}: it reaches the place of the impact with {}",
+            "Not avoidable in space {at}: it reaches the place of the impact with {}",
             units.road_speed(scene.left_at_limit())
         )
     });
@@ -106,11 +112,11 @@ fn answer(case: &Case, found: &Avoidance, units: Units) -> Vec<String> {
     if let Some(is_late) = scene.is_late_at_limit().filter(|_| !scene.stops_at_limit()) {
         let is = if is_late { "Avoidable" } else { "Not avoidable" };
         lines.push(format!(
-            "{is} in time at {limit}: {} clears the danger zone {} after the demand, the vehicle {}",
+            "{is} in time {at}: {} clears the danger zone {} after the demand, the vehicle {}",
             party(case),
             units.format(Measure::Time, scene.time + scene.clears_after.unwrap_or(0.0)),
             match scene.at_limit().arrival(scene.distance) {
-                Some(arrival) => format!("comes after {}", units.format(Measure::Time, arrival)),
+                Some(arrival) => format!("arrives {} after it", units.format(Measure::Time, arrival)),
                 None => "stops before".to_owned(),
             }
         ));
@@ -125,13 +131,21 @@ fn answer(case: &Case, found: &Avoidance, units: Units) -> Vec<String> {
     lines.push(format!("Highest speed that avoids it: {}", units.road_speed(found.enough.speed)));
     if let Some(chance) = &found.chance {
         lines.push(format!(
-            "Probability that it is avoided at {limit}: {} ± {}; that the vehicle was faster than that: {}",
-            number(chance.avoided_at_limit, 3),
-            number(chance.mc_error, 3),
+            "Probability that it is avoided {at}: {}; that the vehicle was faster than {limit}: {}",
+            probability_with_error(chance.avoided_at_limit, chance.mc_error),
             number(chance.above_limit, 3),
         ));
     }
     lines
+}
+
+/// A probability, with the Monte Carlo error that three decimals show.
+fn probability_with_error(probability: f64, error: f64) -> String {
+    match probability {
+        high if high >= 0.9995 => "above 0.999".to_owned(),
+        low if low < 0.0005 => "below 0.001".to_owned(),
+        between => format!("{} ± {}", number(between, 3), number(error, 3)),
+    }
 }
 
 /// What speaks against the inputs, in sentences.
@@ -154,8 +168,39 @@ pub(crate) fn doubts(found: &Avoidance, units: Units) -> Vec<String> {
             units.format(Measure::Time, lead)
         )
     });
-    hard.into_iter().chain(early).chain(contradictions(found.pieces())).collect()
+    let beaten = beaten_by_marks(found, units);
+    hard.into_iter().chain(early).chain(beaten).chain(contradictions(found.pieces())).collect()
 }
+
+/// Where the marks show a better driver or better brakes than the inputs of `[avoid]`, which then give no run
+/// that is better than what happened.
+fn beaten_by_marks(found: &Avoidance, units: Units) -> Vec<String> {
+    let ActualRun::Skidded(shown) = found.scene.actual else { return Vec::new() };
+    let given = found.scene.response;
+    let time = |si: f64| units.format(Measure::Time, si);
+    let rate = |si: f64| units.format(Measure::Acceleration, si);
+    let sooner = (shown.reaction() < given.reaction()).then(|| {
+        format!(
+            "The marks show that the driver braked {} after the demand, sooner than the reaction time of the inputs, {}: a run with \
+             that reaction is worse than what happened. Check the demand and the reaction time; with the braking that the marks \
+             show, the table has the run at the limit, else as it was.",
+            time(shown.reaction()),
+            time(given.reaction())
+        )
+    });
+    let harder = (shown.deceleration() > given.deceleration() * (1.0 + SAME_RATE)).then(|| {
+        format!(
+            "The marks show a deceleration of {}, more than the full braking of the inputs, {}: a run with that braking is worse than \
+             what happened. Give the greater of both as `deceleration`.",
+            rate(shown.deceleration()),
+            rate(given.deceleration())
+        )
+    });
+    sooner.into_iter().chain(harder).collect()
+}
+
+/// (–) how far two decelerations may be apart and still be the same: what prints alike.
+const SAME_RATE: f64 = 0.005;
 
 /// (–) deceleration by g, beyond which no source is at hand for most speeds and surfaces.
 const GREATEST_LISTED: f64 = 1.0;
