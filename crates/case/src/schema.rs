@@ -717,7 +717,7 @@ const STORED: [KeyInfo; 11] = [
 
 pub(crate) static RECORDER: Schema = Schema {
     place: "[vehicle1.recorder] or [vehicle2.recorder]",
-    text: "What the event data recorder of the vehicle stored. `deltav recorder` shows what it says alone, and `deltav estimate` holds it against the impact; no other command uses it.",
+    text: "What the event data recorder of the vehicle stored. `deltav recorder` shows what it says alone, `deltav estimate` holds it against the impact, and `deltav avoid` follows it; the other commands warn where it contradicts their answer.",
     keys: &[
         STORED[0],
         STORED[1],

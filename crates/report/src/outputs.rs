@@ -84,7 +84,7 @@ pub(crate) fn output_name(output: Output) -> String {
             return format!("Speed of vehicle {vehicle} where its skid begins");
         }
         Some(vehicle) => format!(" of vehicle {vehicle}"),
-        None if row.is_of_vehicle() => " of all".to_owned(),
+        None if row.is_of_vehicle() => return format!("Total {}", row.name),
         None if row.kind == Kind::Ratio => format!(" {}", row.symbol),
         None => String::new(),
     };

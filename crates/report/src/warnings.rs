@@ -131,7 +131,7 @@ pub(crate) fn momentum_differs(check: &Check, units: Units) -> String {
             number(critical, 2)
         ),
         CheckedQuantity::MomentumYawRate { vehicle, implied, told } => format!(
-            "the impulse at C would leave vehicle {vehicle} turning at {}, and its yaw rate was {}",
+            "the impulse at C would leave vehicle {vehicle} turning at {}, whereas the motion after the impact requires {}",
             rate(implied),
             rate(told)
         ),

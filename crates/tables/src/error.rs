@@ -12,7 +12,7 @@ pub enum TableError {
     #[error("the template is no part of a case: {}", .0.one_line())]
     Template(Box<Diagnostics>),
     /// A column looks like a key, but is not one.
-    #[error("the column \"{}\" is no key of a case: {}", shown(.column), shown(.help))]
+    #[error("the column \"{}\" is not a key of a case: {}", shown(.column), shown(.help))]
     UnknownKey {
         /// Its name, or the path of the field of a struct.
         column: String,

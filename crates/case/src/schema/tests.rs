@@ -35,7 +35,7 @@ fn written(form: &Form) -> String {
         Form::Quantity(dimension, bounds) => format!("{dimension}{}", within(bounds)),
         Form::Exact(dimension, bounds) => format!("{dimension}{}; no range", within(bounds)),
         Form::Sourced(dimension, bounds) => {
-            format!("{dimension}{}, which may have a {}", within(bounds), link(&SOURCED_RANGE))
+            format!("{dimension}{}, which may have a source, {}", within(bounds), link(&SOURCED_RANGE))
         }
         Form::QuantityOrTables(dimension, bounds, schema) => {
             format!("{dimension}{}, or a list of tables, {}", within(bounds), link(schema))

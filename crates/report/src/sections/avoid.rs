@@ -257,7 +257,7 @@ fn inputs(case: &Case, given: &Avoid, found: &Avoidance, units: Units) -> Table 
         ("speed at the demand", "avoid.speed", &given.speed),
         ("limit", "avoid.limit", &given.limit),
         ("reaction time t_R", "avoid.reaction_time", &given.reaction_time),
-        ("swell of the brakes t_S", "avoid.swell", &given.swell),
+        ("brake build-up t_S", "avoid.swell", &given.swell),
         ("full deceleration a", "avoid.deceleration", &given.deceleration),
         ("sight: heading", "avoid.sight.heading", &given.sight.heading),
         ("sight: other's heading", "avoid.sight.other_heading", &given.sight.other_heading),
@@ -286,7 +286,9 @@ fn inputs(case: &Case, given: &Avoid, found: &Avoidance, units: Units) -> Table 
     let mut by_outlines = None;
     if let Some(Clear { way, speed }) = &given.clear {
         match way {
-            GivenWayOut::Distance(distance) => row("way out of the zone", "avoid.clear.distance", distance),
+            GivenWayOut::Distance(distance) => {
+                row("distance to clear zone", "avoid.clear.distance", distance)
+            }
             GivenWayOut::Outlines => by_outlines = cleared,
         }
         match speed {
@@ -313,7 +315,7 @@ fn inputs(case: &Case, given: &Avoid, found: &Avoidance, units: Units) -> Table 
         });
     }
     if given.swell.is_none() {
-        table.notes.push("The swell of the brakes is 0, as the case gives none.".to_owned());
+        table.notes.push("The build-up time of the brakes is 0, as the case gives none.".to_owned());
     }
     if given.speed.is_none() {
         table.notes.push(format!(
@@ -562,7 +564,7 @@ fn runs(case: &Case, found: &Avoidance, units: Units) -> Table {
     row(label("deceleration", Measure::Acceleration), &|run| {
         Some(units.plain(Measure::Acceleration, run.course.response?.deceleration()))
     });
-    row(label("way of the reaction", Measure::Way), &|run| {
+    row(label("distance during reaction", Measure::Way), &|run| {
         Some(units.plain(Measure::Way, run.course.position(run.course.response?.reaction())))
     });
     row(label("stopping distance", Measure::Way), &|run| Some(units.plain(Measure::Way, run.course.stop()?)));
@@ -754,14 +756,14 @@ fn just_avoiding(found: &Avoidance, units: Units) -> Table {
     }
     row("driven", scene.speed, chance.map(|chance| &chance.speed), "");
     row(
-        "left at the place, from the limit",
+        "speed at the place, from the limit",
         scene.left_at_limit(),
         chance.map(|chance| &chance.left_at_limit),
         "",
     );
     if scene.temporal().is_none() {
         table.notes.push(
-            "Whether it was avoidable in time is not asked, as the case has no `clear`: it takes that the other party certainly moved \
+            "Whether it was avoidable in time is not asked, as the case has no `clear`: it presupposes that the other party certainly moved \
              and would not have stopped."
                 .to_owned(),
         );
@@ -786,7 +788,7 @@ fn enough(found: &Avoidance, units: Units) -> Block {
                 of(Measure::Acceleration, enough.deceleration_at_limit, "at least"),
             ),
             ("Reaction time, at the limit", of(Measure::Time, enough.reaction_at_limit, "at most")),
-            ("The other one not entering", "no collision, whatever the vehicle does".to_owned()),
+            ("The other party not entering", "no collision, whatever the vehicle does".to_owned()),
         ],
     }
 }

@@ -88,8 +88,8 @@ pub(crate) fn pictures(case: &Case, weighed: &Weighed, units: Units) -> Vec<Bloc
 /// On which real collisions such an interval was judged.
 fn tested(class: Option<&TestedClass>) -> String {
     let Some(TestedClass { collisions, quantity, n, inside95, rms, source, code: _ }) = class else {
-        return "No real collisions of this kind were judged with this evidence, so no crash shows how often such an \
-                interval is right."
+        return "The method has not been tested on real crashes with this combination of evidence, so how often such an \
+                interval is right is unknown."
             .to_owned();
     };
     let off = rms.map_or_else(String::new, |rms| {
@@ -152,13 +152,11 @@ impl<'a> Page<'a> {
             let stood = self.estimated.stood[id.index()].filter(|stood| stood.after.value >= WORTH_A_LINE);
             let Stood { assumed, before, after } = stood?;
             let before = before.map_or_else(String::new, |before| {
-                format!(
-                    " ({} % of the collisions that are possible before the evidence)",
-                    percent(before.value)
-                )
+                format!(", which is {} % of the collisions that can occur", percent(before.value))
             });
             Some(format!(
-                "Vehicle {id} stood: probability {} %{before}; assumed {} %, which `stood` in [estimate] changes.",
+                "Probability that vehicle {id} was stationary: {} %; assumed before the evidence, which `stood` in [estimate] \
+                 changes: {} %{before}.",
                 percent(after.value),
                 percent(assumed)
             ))
@@ -239,7 +237,7 @@ impl<'a> Page<'a> {
         let estimated = self.estimated;
         let particles = estimated.posterior.count() / ISLANDS;
         let mut lines = vec![format!(
-            "{ISLANDS} × {} particles, seed {}; the draws are worth at least {} independent ones.",
+            "{ISLANDS} × {} particles, seed {}; effective sample size at least {}.",
             grouped(particles),
             self.asked.plan.seed,
             number(estimated.ess(), 0)
@@ -391,10 +389,10 @@ impl<'a> Page<'a> {
             words.push_str("– : it takes a run without the piece to tell. ");
         }
         words.push_str(&format!(
-            "The p-value is the probability, by all other evidence, of an observation at least as far off. It is \
-             multiplied by the number of pieces whose p-value is no smaller (Holm), so that, where all pieces are \
-             right, any is warned of in at most {} % of cases: below {DOUBTFUL} after that, the other evidence \
-             disagrees with it; if its p-value is below {CONTRADICTS}, it contradicts the other evidence.",
+            "The p-value is the probability, given all other evidence, of an observation at least this far off. For \
+             the verdict it is multiplied by the number of pieces whose p-value is no smaller (Holm's correction), so \
+             that, where all pieces are right, any is warned of in at most {} % of cases: below {DOUBTFUL} after \
+             that, a piece is doubtful; if its p-value itself is then below {CONTRADICTS}, it contradicts the rest.",
             number(100.0 * DOUBTFUL, 0)
         ));
         self.document.paragraph(words);
@@ -469,7 +467,7 @@ impl<'a> Page<'a> {
             let median = self.units.format(Measure::RoadSpeed, severity.median);
             table.row([
                 "ΔV, geometric mean of both".to_owned(),
-                folded(&format!("median {median}, std. dev. {} of ln", severity.ln_sd), 30),
+                folded(&format!("median {median}, std. dev. {} of ln", significant(severity.ln_sd, 2)), 30),
                 "docs/calibration.md".to_owned(),
             ]);
         }

@@ -35,7 +35,7 @@ impl<'a> Headline<'a> {
             Self::Exact => Vec::new(),
             Self::Unweighed(why) => {
                 let found = vec![
-                    "More is known than one exact solution uses: all of it together is the answer."
+                    "The case has more evidence than any one exact solution uses: the answer is the estimate from all of it."
                         .to_owned(),
                 ];
                 let how = format!(
@@ -74,7 +74,7 @@ impl<'a> Headline<'a> {
 }
 
 /// What leads where the evidence contradicts itself.
-const NO_COLLISION: &str = "No collision has all of the evidence, so there is no one answer.";
+const NO_COLLISION: &str = "No collision reproduces all of the evidence, so no single answer can be given.";
 
 /// What the collisions that come nearest miss, and what to do.
 fn misses(because: &str, missed: &[String]) -> String {
@@ -99,7 +99,7 @@ fn because(why: &Overdetermined, analysis: &Seen, units: Units) -> String {
         reasons.push(format!("Its own checks refute it: {}.", refuted(analysis, units).join("; ")));
     }
     if why.is_contradicted {
-        reasons.push("What it does not use contradicts it.".to_owned());
+        reasons.push("Evidence that it does not use contradicts it.".to_owned());
     }
     reasons.join(" ")
 }

@@ -245,7 +245,7 @@ pub(crate) fn combinations(both: &BothFound, units: Units) -> Option<Table> {
     }
     let speed = units.name(Measure::Speed);
     let mut table = Table::new(
-        "Each motion that leads to the rests",
+        "Motions that reach the rest positions",
         [
             Column::words("turned on the way", Width::Fit(20)),
             Column::numbers("speed 1", Width::Fit(10)).unit(speed),
