@@ -4,7 +4,7 @@
 use std::ops::ControlFlow;
 
 use ::estimate::DrawsSummary;
-use inputs::Case;
+use inputs::{Case, Velocity};
 use pim_core::VehicleId;
 
 use crate::analysis::Analysis;
@@ -123,6 +123,8 @@ pub struct Solution {
     pub delta_v: [Option<f64>; 2],
     /// Which of them, the speeds and the ΔV, lie outside the 95 % interval of all the evidence.
     pub outside: [[bool; 2]; 2],
+    /// (m/s) the speeds that the case gives and that these differ from.
+    pub differs_from: [Option<f64>; 2],
     /// Its checks that fail, only for the solution that the analysis details.
     pub failed: Vec<Check>,
     /// Whether the analysis details it.
@@ -173,7 +175,7 @@ fn solutions(case: &Case, exact: &Analysis, estimated: &Estimated) -> Vec<Soluti
         speeds: VehicleId::ALL.map(|id| Some(exact.speed(id))),
         delta_v: exact.delta_v().map(Some),
     };
-    let mut solutions = vec![own.beside(exact, estimated, true)];
+    let mut solutions = vec![own.beside(case, exact, estimated, true)];
     if let Some(ByEvidence { damage, momentum, together, .. }) = by_evidence(case, exact) {
         // One weighed from momentum and damage alone would be a second answer next to the weighed one.
         for answer in [damage, momentum, together].into_iter().flatten() {
@@ -181,11 +183,23 @@ fn solutions(case: &Case, exact: &Analysis, estimated: &Estimated) -> Vec<Soluti
             if is_exact && answer.by != own.by {
                 let speeds = answer.speeds.map_or([None; 2], |speeds| speeds.map(Some));
                 let found = Found { by: answer.by, speeds, delta_v: answer.delta_v.map(Some) };
-                solutions.push(found.beside(exact, estimated, false));
+                solutions.push(found.beside(case, exact, estimated, false));
             }
         }
     }
     solutions
+}
+
+/// (–) of the greater of a given speed and 1 m/s: less is the rounding of what was written.
+const SAME_SPEED: f64 = 0.01;
+
+/// (m/s) the speed that the case gives of a vehicle, if it is not the one to find.
+fn given_speed(case: &Case, id: VehicleId) -> Option<f64> {
+    let is_sought = case.reconstruct.is_some_and(|reconstruct| reconstruct.find.seeks(id));
+    match &case.vehicles[id.index()].motion {
+        Some(Velocity::Speed(speed)) if !is_sought => Some(speed.si()),
+        _ => None,
+    }
 }
 
 /// An exact solution, before it is compared with all the evidence.
@@ -197,7 +211,7 @@ struct Found {
 }
 
 impl Found {
-    fn beside(self, exact: &Analysis, estimated: &Estimated, is_detailed: bool) -> Solution {
+    fn beside(self, case: &Case, exact: &Analysis, estimated: &Estimated, is_detailed: bool) -> Solution {
         let moving = |values: [Option<f64>; 2]| {
             VehicleId::ALL.map(|id| values[id.index()].filter(|_| exact.moves(id)))
         };
@@ -213,7 +227,11 @@ impl Found {
             VehicleId::ALL.map(|vehicle| outside(SPEED.of_vehicle(vehicle), speeds[vehicle.index()])),
             VehicleId::ALL.map(|vehicle| outside(DELTA_V.of_vehicle(vehicle), delta_v[vehicle.index()])),
         ];
+        let differs_from = VehicleId::ALL.map(|id| {
+            let (found, given) = (speeds[id.index()]?, given_speed(case, id)?);
+            ((found - given).abs() > SAME_SPEED * given.abs().max(1.0)).then_some(given)
+        });
         let failed = exact.refuting().filter(|_| is_detailed).copied().collect();
-        Solution { by: self.by, speeds, delta_v, outside, failed, is_detailed }
+        Solution { by: self.by, speeds, delta_v, outside, differs_from, failed, is_detailed }
     }
 }

@@ -62,6 +62,9 @@ pub(crate) struct SolutionBlock {
     delta_v: [Option<f64>; 2],
     /// Speeds and ΔV outside of the 95 % interval by all the evidence.
     outside: Vec<String>,
+    /// Speeds that differ from those of the case.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    differs_from_given: Vec<String>,
     /// The codes of its checks that fail.
     failed: Vec<&'static str>,
 }
@@ -156,6 +159,7 @@ impl SolutionBlock {
             speeds: solution.speeds,
             delta_v: solution.delta_v,
             outside: [named(speeds, "speed"), named(changes, "delta_v")].concat(),
+            differs_from_given: named(solution.differs_from.map(|given| given.is_some()), "speed"),
             failed: solution.failed.iter().map(|check| check.code()).collect(),
         }
     }

@@ -287,7 +287,7 @@ fn inputs(case: &Case, given: &Avoid, found: &Avoidance, units: Units) -> Table 
     if let Some(Clear { way, speed }) = &given.clear {
         match way {
             GivenWayOut::Distance(distance) => {
-                row("distance to clear zone", "avoid.clear.distance", distance)
+                row("distance to clear zone", "avoid.clear.distance", distance);
             }
             GivenWayOut::Outlines => by_outlines = cleared,
         }

@@ -170,6 +170,13 @@ fn against(solution: &Solution, weighed: &Weighed, analysis: &Seen, units: Units
     if !outside.is_empty() && weighed.is_answer() {
         reasons.push(format!("outside of the 95 % interval by all the evidence: {}", outside.join(", ")));
     }
+    for id in VehicleId::ALL {
+        let [found, given] = [solution.speeds, solution.differs_from].map(|speeds| speeds[id.index()]);
+        if let (Some(found), Some(given)) = (found, given) {
+            let [found, given] = [found, given].map(|si| units.format(Measure::RoadSpeed, si));
+            reasons.push(format!("gives vehicle {id} {found}, where the case has {given}"));
+        }
+    }
     if !solution.failed.is_empty() {
         reasons.push(format!("checks that fail: {}", refuted(analysis, units).join("; ")));
     }

@@ -114,9 +114,8 @@ impl<'a> Page<'a> {
         if nominal.found.is_some() || nominal.both.is_some() {
             let others = counted(uncertainty.taken_as_exact.len(), "input");
             lines.push(format!(
-                "The intervals contain the ranges of the case alone: the other {others}, the impact law and the \
-                 method itself are taken as exact. `deltav estimate` gives the interval with their errors, \
-                 which is wider."
+                "The intervals contain the ranges listed here alone: the other {others}, the impact law and the \
+                 method itself are taken as exact. `deltav estimate` gives the interval with their errors, too."
             ));
         }
         lines.extend(self.failures());
