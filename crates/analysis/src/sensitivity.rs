@@ -16,6 +16,8 @@ use crate::vehicle::Vehicle;
 
 /// (rad) 1°.
 const DEGREE: f64 = std::f64::consts::PI / 180.0;
+/// (m) 10 cm, 1 % of a path of 10 m.
+const DECIMETRE: f64 = 0.1;
 /// (m) 1 cm, about 1 % of the distance from the CG to the face of a car.
 const CENTIMETRE: f64 = 0.01;
 
@@ -47,26 +49,37 @@ pub struct Derivative {
 }
 
 impl Derivative {
-    /// Per cent per per cent: ∂(ln output)/∂(ln input). `None` for an angle, because its zero is arbitrary,
-    /// and for an input of zero.
+    /// Per cent per per cent: ∂(ln output)/∂(ln input). `None` for an angle and for a coordinate of the scene,
+    /// because their zero is arbitrary, and for an input of zero.
     #[must_use]
     pub fn relative(&self) -> Option<f64> {
         // (x/y) ∂y/∂x
-        (!self.is_by_angle() && self.input.number != 0.0)
+        (!self.is_by_angle() && !self.is_by_coordinate() && self.input.number != 0.0)
             .then(|| self.value * self.input.si() / self.output_value)
     }
 
-    /// The relative change of the output for 1 % of the input, for 1° of an angle, or for 1 cm by which a
-    /// contact point that was placed is moved. It ranks inputs of every kind.
+    /// The relative change of the output for 1 % of the input, for 1° of an angle, for 10 cm of a coordinate of
+    /// the scene, or for 1 cm by which a contact point that was placed is moved. It ranks inputs of every kind.
     #[must_use]
     pub fn influence(&self) -> f64 {
         if self.is_by_angle() {
             self.value * DEGREE / self.output_value
         } else if matches!(self.input.origin, Origin::Estimate(EstimatedInput::Contact { .. })) {
             self.value * CENTIMETRE / self.output_value
+        } else if self.is_by_coordinate() {
+            self.value * DECIMETRE / self.output_value
         } else {
             self.relative().unwrap_or_default() / 100.0
         }
+    }
+
+    /// Whether the input is a coordinate of the scene, whose origin the case chose.
+    fn is_by_coordinate(&self) -> bool {
+        let path = self.input.path.as_str();
+        let is_of_vehicle = [".contact.", ".recorder."].iter().any(|part| path.contains(part));
+        let is_length = self.input.unit.is_some_and(|unit| unit.dimension() == Dimension::Length);
+        let is_of_scene = path.starts_with("scene.") || !is_of_vehicle;
+        is_length && is_of_scene && (path.ends_with(".x") || path.ends_with(".y"))
     }
 
     fn is_by_angle(&self) -> bool {

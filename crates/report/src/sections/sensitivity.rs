@@ -24,7 +24,7 @@ pub fn sensitivity(case: &Case, sensitivity: &Sensitivity, units: Units) -> Docu
     if !sensitivity.derivatives.is_empty() {
         page.paragraph(
             "Each derivative is exact, with all other numbers as given (theory 6). The influence, by which they are ranked, is the change of the result \
-             in % for 1 % of the input, or for 1° of an angle, whose zero is a matter of choice.",
+             in % for 1 % of the input, for 1° of an angle, or for 10 cm of a coordinate of the scene; the zero of these two is a matter of choice.",
         );
     }
     if sensitivity.pdof_sweep.is_empty() {
