@@ -43,6 +43,7 @@ pub(crate) fn judged(
     warning::of_damage(&vehicles, &mut warnings);
     if let Some(impact) = &impact {
         warning::of_directions(impact, &vehicles, &mut warnings);
+        warning::of_object(&vehicles, impact, &mut warnings);
         if let Some(crash3) = &crash3 {
             warning::of_delta_v(impact, crash3, &vehicles, &mut warnings);
         }

@@ -401,6 +401,13 @@ pub enum Warning {
         /// (J) the energy of G alone.
         energy: f64,
     },
+    /// The vehicle went on past an object that took energy.
+    ObjectPassed {
+        /// The vehicle.
+        vehicle: VehicleId,
+        /// (m/s) its speed before and after the impact.
+        speeds: [f64; 2],
+    },
 }
 
 /// The answer of a law on one side of a jump.
@@ -514,6 +521,7 @@ impl Warning {
         Self::UnusualFriction { .. } => "unusual-friction",
         Self::LargeAngle { .. } => "large-angle",
         Self::NoResidualCrush { .. } => "no-residual-crush",
+        Self::ObjectPassed { .. } => "object-passed",
     }
 
     /// The vehicle of a warning that concerns only one.
@@ -543,7 +551,8 @@ impl Warning {
             | Self::Implausible { vehicle, .. }
             | Self::HighNoDamageSpeed { vehicle, .. }
             | Self::LowNoDamageSpeed { vehicle, .. }
-            | Self::NoResidualCrush { vehicle, .. } => Some(*vehicle),
+            | Self::NoResidualCrush { vehicle, .. }
+            | Self::ObjectPassed { vehicle, .. } => Some(*vehicle),
             Self::PlaneDoesNotSeparate
             | Self::HighRestitution { .. }
             | Self::ForceBalance { .. }
@@ -622,6 +631,22 @@ pub(crate) fn of_impact(impact: &Impact, warnings: &mut Vec<Warning>) {
         warnings.push(Warning::LargeImpulseRatio { impulse_ratio, limited });
     }
     of_jumps(impact, warnings);
+}
+
+/// (–) of the speed before the impact, which a vehicle that stopped at an object or rebounded from it has not
+/// kept: the greatest e of a car at speed.
+const KEPT: f64 = 0.5;
+
+/// Warns of a vehicle that neither stopped at an object that took energy nor rebounded from it.
+pub(crate) fn of_object(vehicles: &[Vehicle; 2], impact: &Impact, warnings: &mut Vec<Warning>) {
+    for vehicle in VehicleId::ALL {
+        let object = &vehicles[vehicle.other().index()].subject;
+        let speeds = [impact.outcome.before, impact.outcome.after]
+            .map(|motions| motions[vehicle.index()].velocity.norm());
+        if object.deformation_energy.is_some() && speeds[1] > KEPT * speeds[0] {
+            warnings.push(Warning::ObjectPassed { vehicle, speeds });
+        }
+    }
 }
 
 /// Warnings about a friction limit near which the law's answer jumps.

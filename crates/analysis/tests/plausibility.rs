@@ -894,6 +894,34 @@ fn no_crush_is_an_upper_bound() {
     }
 }
 
+/// Without friction and lever arm, a wall takes the velocity across it, v cos φ, and leaves v sin φ along it.
+#[test]
+fn an_object_that_took_energy_is_not_passed() {
+    let at = |angle: f64, energy: &str| {
+        let text = format!(
+            "[vehicle1]\nmass = \"1000 kg\"\nyaw_radius = \"2 m\"\nheading = \"{angle} deg\"\n\
+             speed = \"10 m/s\"\ncontact = {{ distance = \"2 m\", angle = \"{} deg\" }}\n\
+             [vehicle2]\nfixed = true\n{energy}\n\
+             [impact]\ncrush_plane = \"0 deg\"\nrestitution = 0\ntangential = {{ friction = 0 }}\n",
+            -angle
+        );
+        raised(analysis::impact, &text, "object-passed")
+    };
+    let bent = "deformation_energy = \"5 kJ\"";
+    // sin 29° < 0.5 < sin 31°
+    assert_eq!(at(29.0, bent), []);
+    assert_eq!(at(31.0, ""), []);
+    for angle in [31.0_f64, 70.0] {
+        let found = at(angle, bent);
+        let [Warning::ObjectPassed { vehicle, speeds: [before, after] }] = found[..] else {
+            panic!("{found:?}")
+        };
+        assert_eq!(vehicle, VehicleId::One);
+        assert_close(before, 10.0, 1e-12);
+        assert_close(after, 10.0 * angle.to_radians().sin(), 1e-12);
+    }
+}
+
 /// PDOF_2 = θ_2 − θ_1 + PDOF_1 − 180° (theory 5) is what every command takes.
 #[test]
 fn one_pdof_gives_the_other_to_every_command() {

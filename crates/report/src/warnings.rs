@@ -567,6 +567,13 @@ pub fn message(seen: &SeenWarning, units: Units) -> String {
              is an upper bound, because without residual crush the energy may have been anything less",
             units.format(Measure::Energy, *energy)
         ),
+        Warning::ObjectPassed { vehicle, speeds } => {
+            let [before, after] = speeds.map(|si| units.road_speed(si));
+            format!(
+                "vehicle {vehicle} had {before} before the impact and {after} after it, so it neither stopped at the object nor \
+                 rebounded from it: the energy that such an object takes in a test does not hold for a vehicle that goes on"
+            )
+        }
     }
 }
 

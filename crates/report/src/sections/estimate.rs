@@ -4,7 +4,8 @@ use ::estimate::DrawsSummary;
 use ::uncertainty::{Distribution, Shape};
 use analysis::quantities::{DELTA_V, SPEED};
 use analysis::{
-    Assumed, Estimated, EstimatedOutput, Output, SeenWarning, Stood, TOLD_BELOW, UnknownNumber, Weighed,
+    Assumed, Estimated, EstimatedOutput, MISSED, Output, SeenWarning, Stood, TOLD_BELOW, UnknownNumber,
+    Weighed,
 };
 use case::{Case, SeverityPrior};
 use evidence::TestedClass;
@@ -219,7 +220,16 @@ impl<'a> Page<'a> {
 
     /// Evidence that contradicts the rest, and what counts twice.
     fn warnings(&mut self) {
-        let mut lines = contradictions(&self.estimated.pieces);
+        let missed: Vec<String> = self.estimated.missed.iter().map(|key| format!("`{key}`")).collect();
+        let mut lines = Vec::new();
+        if !missed.is_empty() {
+            lines.push(format!(
+                "no collision reproduces all of the evidence: even those that come nearest miss {} by more than {MISSED} \
+                 standard deviations. The medians are then no answer: find out below which evidence is wrong.",
+                missed.join(" and ")
+            ));
+        }
+        lines.extend(contradictions(&self.estimated.pieces));
         for same in &self.estimated.same_twice {
             let [one, other] = &same.keys;
             lines.push(format!(

@@ -1,0 +1,61 @@
+//! Evidence that the other evidence contradicts, in words.
+
+use analysis::PieceFound;
+use evidence::Piece;
+
+use super::{Agreement, piece_name};
+use crate::units::significant;
+
+/// What the other evidence contradicts or doubts, a sentence for each piece.
+pub(crate) fn contradictions(pieces: &[PieceFound]) -> Vec<String> {
+    let judged = pieces.iter().zip(Agreement::of_all(pieces));
+    judged.filter_map(|(piece, agreement)| said(piece, agreement?.0)).collect()
+}
+
+fn said(piece: &PieceFound, agreement: Agreement) -> Option<String> {
+    let name = format!("{} (`{}`)", piece_name(piece.piece), piece.key);
+    let p = piece.p_value.map(|p| with_sign(p.value)).unwrap_or_default();
+    match agreement {
+        Agreement::Contradicts if piece.reversed => Some(format!(
+            "{name} contradicts the other evidence: {p}. It points the other way than all of that says{}.",
+            turned_round(piece.piece)
+        )),
+        Agreement::Contradicts => Some(format!(
+            "{name} contradicts the other evidence: {p}. The answer lies between both and may be neither; check \
+             what was measured, and the error that it has."
+        )),
+        Agreement::Doubtful => Some(format!("the other evidence disagrees with {name}: {p}.")),
+        Agreement::Agrees => None,
+    }
+}
+
+/// What may have gone wrong with a piece that points the other way.
+fn turned_round(piece: Piece) -> &'static str {
+    match piece {
+        Piece::RecordedDeltaV(_) => {
+            ": it may have the wrong sign. The longitudinal ΔV is negative where the vehicle was slowed down, as in a \
+             frontal impact, and positive where it was pushed forward"
+        }
+        Piece::RecordedDirection(_) => {
+            ": a sign may be wrong. The longitudinal ΔV is negative where the vehicle was slowed down, as in a frontal \
+             impact, and positive where it was pushed forward"
+        }
+        Piece::Pdof(_) => {
+            ": it may be turned round. The PDOF is where the force came from, clockwise from the heading: 0° at the \
+             front, 180° at the rear"
+        }
+        Piece::DirectionAfter(_) => {
+            ": it may be turned round. It is the direction in the scene in which the vehicle left the impact"
+        }
+        _ => "",
+    }
+}
+
+pub(crate) fn p_value(p: f64) -> String {
+    if p < 0.001 { "< 0.001".to_owned() } else { significant(p, 2) }
+}
+
+fn with_sign(p: f64) -> String {
+    let value = p_value(p);
+    if value.starts_with('<') { format!("p {value}") } else { format!("p = {value}") }
+}
