@@ -1,12 +1,10 @@
 //! Evidence of a case that an answer does not use, and its contradictions with that answer.
 
-use std::f64::consts::PI;
-
 use inputs::{Case, Find, GivenVehicle, Purpose, Quantity};
 use pim_core::VehicleId;
 use real::elementary::atan2;
 use real::principal_angle;
-use reconcile::COLLINEAR;
+use reconcile::are_collinear;
 
 use crate::analysis::Analysis;
 use crate::evident::Evident;
@@ -55,9 +53,7 @@ pub(crate) fn of_purpose(case: &Case, purpose: Purpose) -> Vec<String> {
 
 /// Whether the vehicles approach along one line, so that momentum alone does not give both speeds.
 fn is_along_line(case: &Case) -> bool {
-    let [Some(one), Some(two)] = case.headings() else { return false };
-    let apart = principal_angle(two - one).abs();
-    apart <= COLLINEAR || apart >= PI - COLLINEAR
+    case.approach_angle().is_some_and(are_collinear)
 }
 
 /// The keys of the evidence that an answer does not use, in the order of the case: tables and numbers.

@@ -1,10 +1,8 @@
 //! The answers of the damage, of the momentum and of both together for one collision.
 
-use std::f64::consts::PI;
-
 use inputs::{Axes, Basis, Case, Dimension, Find, GivenVehicle, Quantity, Reconstruct, Velocity};
 use pim_core::{Outcome, Real, VehicleId};
-use reconcile::{COLLINEAR, EvidenceErrors, MomentumBesideCrush, Unknown};
+use reconcile::{EvidenceErrors, MomentumBesideCrush, Unknown, are_collinear};
 
 use crate::analysis::Analysis;
 use crate::both::{Posed, pose_agreeing};
@@ -198,16 +196,6 @@ fn given_speed(case: &Case) -> Option<VehicleId> {
     }
 }
 
-/// (rad) angle between the headings.
-fn angle(case: &Case) -> Option<f64> {
-    let [Some(one), Some(two)] = case.headings() else { return None };
-    Some(real::principal_angle(two - one).abs())
-}
-
-fn is_along_line(angle: f64) -> bool {
-    angle <= COLLINEAR || angle >= PI - COLLINEAR
-}
-
 /// The answer of the damage, as if nothing were known after the impact.
 fn by_damage(case: &Case, own: &Analysis) -> Result<EvidenceAnswer, NoEvidence> {
     let mut bare = case.clone();
@@ -226,7 +214,7 @@ fn by_damage(case: &Case, own: &Analysis) -> Result<EvidenceAnswer, NoEvidence> 
         let by = EvidenceMethod::DamageAndSpeed { given };
         return of_impact(&analysis, by).ok_or(NoEvidence::NeedsSpeedOrPdof);
     }
-    if angle(case).is_some_and(is_along_line) {
+    if case.approach_angle().is_some_and(are_collinear) {
         // An impact depends only on the relative velocity: any speed of vehicle 2 gives the same one.
         bare.vehicles[1].motion = Quantity::from_si(0.0, Dimension::Speed).ok().map(Velocity::Speed);
         let analysis = found(&bare, VehicleId::Two)?;

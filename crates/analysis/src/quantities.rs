@@ -241,7 +241,7 @@ quantities! {
     IMPACT_IMPULSE_RATIO: "impact.impulse_ratio" at "/impact/impulse_ratio",
         ["impulse ratio", "impulse ratio μ = P_t/P_n", "μ", "theory 3"],
         Ratio, Collision(|a| at_contact(a)?.impulse_ratio),
-        drawn(|i, _| i.outcome.impulse_ratio);
+        drawn(|i, _| i.outcome.impulse_ratio) [lateral];
     IMPACT_CRITICAL_IMPULSE_RATIO: "impact.critical_impulse_ratio" at "/impact/critical_impulse_ratio",
         ["critical impulse ratio", "critical impulse ratio μ_c", "μ_c", "theory 3"],
         Ratio, Collision(|a| at_contact(a)?.critical_impulse_ratio);

@@ -56,6 +56,42 @@ fn a_rear_end_collision_follows_from_slides_momentum_and_crush() {
     assert_near(skid.speed, (v1 * v1 + 2.0 * 0.7 * G * 8.0).sqrt(), 1e-9);
 }
 
+/// Point masses travel along their courses, not along their headings: with equal masses and the velocities V of
+/// both at 45°, v_1 cos β_1 = 2 V cos 45° and v_1 sin β_1 + v_2 = 2 V sin 45°.
+#[test]
+fn point_masses_travel_with_their_sideslip() {
+    let at = |sideslip: f64, find: &str, axes: &str| {
+        let turned = if axes == "z-down" { -1.0 } else { 1.0 };
+        let speed = if find.contains("vehicle2") { "" } else { "speed = \"8.994 m/s\"\n" };
+        let text = format!(
+            "[scene]\naxes = \"{axes}\"\n[vehicle1]\nmass = \"1000 kg\"\nheading = \"0 deg\"\nsideslip = \"{} deg\"\n\
+             [vehicle1.after]\nspeed = \"10 m/s\"\ndirection = \"{a} deg\"\n\
+             [vehicle2]\nmass = \"1000 kg\"\nheading = \"{} deg\"\n{speed}\
+             [vehicle2.after]\nspeed = \"10 m/s\"\ndirection = \"{a} deg\"\n\
+             [reconstruct]\nfind = {find}\n",
+            turned * sideslip,
+            turned * 90.0,
+            a = turned * 45.0
+        );
+        reconstruct(&read(&text)).unwrap()
+    };
+    for sideslip in [20.0_f64, 0.0, -35.0] {
+        let (sin, cos) = sideslip.to_radians().sin_cos();
+        let both = 20.0 * std::f64::consts::FRAC_1_SQRT_2;
+        let expected = [both / cos, both - both / cos * sin];
+        for axes in ["z-up", "z-down"] {
+            let found = speeds(&at(sideslip, "[\"vehicle1.speed\", \"vehicle2.speed\"]", axes));
+            for (found, expected) in found.into_iter().zip(expected) {
+                assert_near(found, expected, 1e-12 * both);
+            }
+        }
+    }
+    // One speed beside a known one, which fits: nothing across the course of vehicle 1 is left over.
+    let one = at(20.0, "\"vehicle1.speed\"", "z-up");
+    assert_near(speeds(&one)[0], 20.0 * std::f64::consts::FRAC_1_SQRT_2 / 20.0_f64.to_radians().cos(), 1e-3);
+    assert!(one.checks.iter().all(Check::passed), "{:?}", one.checks);
+}
+
 /// A turn of more than 10°, and the rest follows from the motion itself.
 #[test]
 fn a_vehicle_that_turned_by_more_than_ten_degrees_is_followed_back() {

@@ -918,7 +918,7 @@ fn an_object_that_took_energy_is_not_passed() {
         };
         assert_eq!(vehicle, VehicleId::One);
         assert_close(before, 10.0, 1e-12);
-        assert_close(after, 10.0 * angle.to_radians().sin(), 1e-12);
+        assert_close(after, 10.0 * real::Real::sin_cos(angle.to_radians()).0, 1e-12);
     }
 }
 

@@ -1,7 +1,7 @@
 //! `deltav table`: a row for each row of a table, batch by batch.
 
 use std::fs::File;
-use std::io::{self, BufReader, BufWriter, Cursor, Read, Seek as _, Write as _};
+use std::io::{self, BufReader, BufWriter, Cursor, Read, Seek as _, SeekFrom, Write as _};
 use std::panic;
 use std::path::Path;
 use std::sync::{Arc, Mutex};
@@ -374,8 +374,12 @@ fn look_through(name: &str, file: &File) -> Result<usize> {
     }
     let (mut rows, mut wrong) = (0, 0);
     let mut record = csv::ByteRecord::new();
+    // The line of the last row, if its last cell goes over several.
+    let mut open = None;
     while reader.read_byte_record(&mut record).map_err(of_csv)? {
         rows += 1;
+        let last = record.iter().next_back().unwrap_or_default();
+        open = record.position().map(csv::Position::line).filter(|_| last.contains(&b'\n'));
         if let Some(fault) = fault(name, &record, schema.fields()) {
             wrong += 1;
             if wrong <= TOLD {
@@ -386,7 +390,24 @@ fn look_through(name: &str, file: &File) -> Result<usize> {
     if wrong > TOLD {
         note(&format!("warning: {} more rows are wrong like this", wrong - TOLD));
     }
+    // A quote that nothing closes makes one cell of all that follows.
+    if let Some(line) = open.filter(|_| !ends_in_quote(file).unwrap_or(true)) {
+        bail!(
+            "{name}:{line}: the last cell of this row opens with a double quote that nothing closes, so it would hold all the \
+             rows below: close it, or write a quote within a cell twice and the cell in quotes, as \"6\"\" long\""
+        );
+    }
     Ok(rows)
+}
+
+/// Whether the last byte of a file, line breaks apart, is a double quote.
+fn ends_in_quote(mut file: &File) -> io::Result<bool> {
+    const END: u64 = 64;
+    let size = file.seek(SeekFrom::End(0))?;
+    file.seek(SeekFrom::Start(size.saturating_sub(END)))?;
+    let mut end = Vec::new();
+    file.read_to_end(&mut end)?;
+    Ok(end.iter().rev().find(|byte| !matches!(byte, b'\n' | b'\r')) == Some(&b'"'))
 }
 
 /// What reading a Parquet file gives; damaged ones make the library panic in places.

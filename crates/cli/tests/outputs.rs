@@ -52,6 +52,23 @@ fn refused(folder: &Path, arguments: &str, input: Option<&str>) -> String {
 }
 
 #[test]
+fn a_file_holds_what_its_name_says() {
+    let folder = folder("format");
+    for (arguments, advice) in [
+        ("reconstruct A.toml -o r.html", "add --format html"),
+        ("check A.toml -o r.json", "add --format json"),
+        ("reconstruct A.toml --format html -o r.md", "add --format markdown"),
+        ("reconstruct A.toml --format html -o r.pdf", "print that page as PDF"),
+    ] {
+        let message = refused(&folder, arguments, None);
+        assert!(message.contains(advice), "{arguments}: {message}");
+    }
+    for arguments in ["check A.toml -o check.out", "check A.toml --format html -o check.htm"] {
+        assert_eq!(run(&folder, arguments, None).0, Some(0), "{arguments}");
+    }
+}
+
+#[test]
 fn no_command_writes_over_its_case() {
     let folder = folder("case");
     for command in [

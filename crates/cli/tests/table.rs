@@ -281,3 +281,31 @@ fn damaged_parquet_is_refused() {
     }
     assert!(refused > 10, "{refused}");
 }
+
+/// The rest of the file would be one cell of that row.
+#[test]
+fn a_quote_that_nothing_closes_is_refused() {
+    let (path, rows) = (place("quote.csv"), place("quote-rows.csv"));
+    let table = |cells: &str| {
+        fs::write(&path, format!("id,vehicle1.weight [lb],note\n1,3600,{cells}")).unwrap();
+        let _ = fs::remove_file(&rows);
+        let [from, to] = [&path, &rows].map(|path| path.to_str().unwrap());
+        let output = deltav(&["table", from, "--template", TEMPLATE, "-o", to]);
+        (output.status.code(), String::from_utf8(output.stderr).unwrap())
+    };
+    let (status, message) = table("\"6\n2,3700,x\n3,3800,y\n");
+    assert_eq!(status, Some(2), "{message}");
+    assert!(
+        message.contains("quote.csv:2: the last cell of this row opens with a double quote"),
+        "{message}"
+    );
+    for whole in [
+        "\"6\"\n2,3700,x\n",
+        "\"two\nlines\"\n",
+        "\"two\nlines\"",
+        "x\n2,3700,\"two\nlines\"\n3,3800,y\n",
+        "6\"\n",
+    ] {
+        assert_eq!(table(whole).0, Some(0), "{whole}");
+    }
+}

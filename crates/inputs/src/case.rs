@@ -140,4 +140,19 @@ impl<T: Real> Case<T> {
         let heading = self.headings()[vehicle.index()]?;
         self.course_form(vehicle)?.rad(self.axes, heading)
     }
+
+    /// (rad) the directions in which the vehicles travel before the impact, in the axes of the engine: those of
+    /// their headings where there is no sideslip.
+    #[must_use]
+    pub fn courses(&self) -> [Option<T>; 2] {
+        let headings = self.headings();
+        VehicleId::ALL.map(|id| self.course(id).or(headings[id.index()]))
+    }
+
+    /// (rad) the angle between these directions.
+    #[must_use]
+    pub fn approach_angle(&self) -> Option<f64> {
+        let [Some(one), Some(two)] = self.courses() else { return None };
+        Some(real::principal_angle(two.value() - one.value()).abs())
+    }
 }

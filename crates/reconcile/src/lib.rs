@@ -112,6 +112,6 @@ pub use error::ReconcileError;
 pub use line::ApproachLine;
 pub use momentum::{
     BothSpeeds, COLLINEAR, Departure, EvidenceErrors, Implied, Momentum, MomentumAndCrush,
-    MomentumBesideCrush, MomentumError, WeighedSpeeds, central_contact, point_masses,
+    MomentumBesideCrush, MomentumError, WeighedSpeeds, are_collinear, central_contact, point_masses,
 };
 pub use problem::{Problem, Unknown};

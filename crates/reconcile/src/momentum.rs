@@ -21,6 +21,12 @@ pub use weighed::{EvidenceErrors, MomentumBesideCrush, WeighedSpeeds};
 /// the axis is magnified by 1/sin 10° = 5.8 in the speeds.
 pub const COLLINEAR: f64 = 0.174_532_925_199_432_95;
 
+/// Whether directions that enclose this angle (rad, from 0 to π) lie within [`COLLINEAR`] of one line.
+#[must_use]
+pub fn are_collinear(angle: f64) -> bool {
+    angle <= COLLINEAR || angle >= std::f64::consts::PI - COLLINEAR
+}
+
 /// sin 10°.
 const COLLINEAR_SINE: f64 = 0.173_648_177_666_930_35;
 
@@ -282,26 +288,33 @@ pub fn central_contact<T: Real>(
 ) -> Result<Contact<T>, InvalidInput> {
     // Any distance will do: r × P = 0.
     let placed = |i: usize, arm: Vector2<T>| {
-        let (body, forward) = (participants[i].body(), participants[i].forward());
-        let heading = forward.y.atan2(forward.x);
-        Participant::new(*body, heading, dot(arm, forward), cross(forward, arm))
+        let (body, forward, course) =
+            (participants[i].body(), participants[i].forward(), participants[i].course());
+        let angle = |direction: Vector2<T>| direction.y.atan2(direction.x);
+        let placed = Participant::new(*body, angle(forward), dot(arm, forward), cross(forward, arm))?;
+        placed.with_course(angle(course))
     };
     let [one, two] = [placed(0, -normal)?, placed(1, normal)?];
     Contact::new([one, two], normal.y.atan2(normal.x))
 }
 
-/// Two vehicles of known mass (kg) and heading (rad), as if their CGs met: for [`Momentum::speeds`] and
+/// Two vehicles of known mass (kg), heading (rad) and course (rad), the direction of travel, as if their CGs met: for [`Momentum::speeds`] and
 /// [`Momentum::speed_beside`], which need no more. `None` stands for the mass of a fixed object.
 ///
 /// # Errors
-/// If a mass or a heading is impossible.
-pub fn point_masses<T: Real>(masses: [Option<T>; 2], headings: [T; 2]) -> Result<Contact<T>, InvalidInput> {
+/// If a mass or an angle is impossible.
+pub fn point_masses<T: Real>(
+    masses: [Option<T>; 2],
+    headings: [T; 2],
+    courses: [T; 2],
+) -> Result<Contact<T>, InvalidInput> {
     let body = |i: usize| match masses[i] {
         // Any yaw inertia will do: nothing turns.
         Some(mass) => Body::new(mass, mass),
         None => Ok(Body::fixed()),
     };
-    let placed = |i: usize| Participant::new(body(i)?, headings[i], T::ZERO, T::ZERO);
+    let placed =
+        |i: usize| Participant::new(body(i)?, headings[i], T::ZERO, T::ZERO)?.with_course(courses[i]);
     let participants = [placed(0)?, placed(1)?];
     // Any line that turns with the scene will do.
     central_contact(&participants, -participants[0].forward())

@@ -40,6 +40,7 @@ pub(crate) fn keys(warning: &Warning) -> Vec<String> {
             "after.rest"
         }
         Warning::PointMissed { .. } => "after.points",
+        Warning::ObjectPassed { .. } => "heading",
         Warning::Implausible { magnitude, .. } => match magnitude {
             Magnitude::Mass => "mass",
             Magnitude::YawRadius => "yaw_inertia",

@@ -488,6 +488,18 @@ fn slots(
             slots.push(Slot::Value(place));
             continue;
         }
+        if input.number < 0.0
+            && let Some(ln_sd) = coefficient_ln_sd(&input, case)
+        {
+            // A ratio has the sign of the force, and its mirror image the same spread.
+            let factor = Distribution::log_normal(1.0, ln_sd);
+            slots.push(Slot::Factor(unknowns.assumed(
+                &format!("{}.factor", input.path),
+                factor,
+                Assumed::Coefficient,
+            )?));
+            continue;
+        }
         if let Some(prior) = coefficient(&input, case) {
             let prior = of_number(&input.path, prior)?;
             let place = unknowns.push(&input.path, input.unit, prior, Some(Assumed::Coefficient));
@@ -547,16 +559,16 @@ fn coefficient(
     input: &Input,
     case: &Case,
 ) -> Option<Result<Distribution, ::uncertainty::InvalidDistribution>> {
+    let ln_sd = coefficient_ln_sd(input, case)?;
+    (input.number > 0.0).then(|| Distribution::log_normal(input.number, ln_sd))
+}
+
+/// (–) the spread of the logarithm of such a coefficient.
+fn coefficient_ln_sd(input: &Input, case: &Case) -> Option<f64> {
     let ImpactLaw::Brach { moment_restitution: None, .. } = case.impact.as_ref()?.law else { return None };
-    let ln_sd = match input.path.as_str() {
-        "impact.restitution" => RESTITUTION_LN_SD,
-        path if path.starts_with("impact.tangential") => FRICTION_LN_SD,
-        _ => return None,
-    };
-    match input.number {
-        number if number > 0.0 => Some(Distribution::log_normal(number, ln_sd)),
-        // A ratio has the sign of the force.
-        number if number < 0.0 => Some(Distribution::normal(number, ln_sd * number.abs())),
+    match input.path.as_str() {
+        "impact.restitution" => Some(RESTITUTION_LN_SD),
+        path if path.starts_with("impact.tangential") => Some(FRICTION_LN_SD),
         _ => None,
     }
 }

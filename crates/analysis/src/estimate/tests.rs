@@ -11,7 +11,9 @@ use inputs::{Case, SeverityPrior};
 use super::*;
 use crate::columns::tests::{AnyCase, FORMS, any_case};
 use crate::output::Output;
-use crate::quantities::{CRUSH_ENERGY, DELTA_V, IMPACT_RESTITUTION, PDOF, SKID_SPEED, SPEED};
+use crate::quantities::{
+    CRUSH_ENERGY, DELTA_V, IMPACT_IMPULSE_RATIO, IMPACT_RESTITUTION, PDOF, SKID_SPEED, SPEED,
+};
 
 fn read(text: &str) -> Case {
     CaseFile::parse("test.toml", text).unwrap().case
@@ -50,6 +52,85 @@ crush_plane = { value = "0 deg", sd = "0.0001 deg" }
 restitution = { value = 0.1, sd = 0.00001 }
 tangential = { friction = { value = 0.7, sd = 0.0001 } }
 "#;
+
+/// A car meets a wall squarely under a force at an angle: a ratio of the other sign is the mirror image of the
+/// collision, and so are z-down axes.
+#[test]
+fn a_ratio_of_the_other_sign_is_the_mirror_image() {
+    let found = |ratio: f64, axes: &str| {
+        let text = format!(
+            "[scene]\naxes = \"{axes}\"\n[vehicle1]\nmass = \"1500 kg\"\nyaw_radius = \"1.4 m\"\nheading = \"0 deg\"\n\
+             contact = {{ x = \"2 m\", y = \"0 m\" }}\n[vehicle1.crush]\nside = \"front\"\nwidth = \"1.6 m\"\n\
+             depths = \"0.4 0.4 m\"\nstiffness = {{ category = 3 }}\n[vehicle2]\nfixed = true\n\
+             [impact]\ncrush_plane = \"0 deg\"\nrestitution = 0.1\ntangential = {{ ratio = {ratio} }}\n\
+             [reconstruct]\nfind = \"vehicle1.speed\"\nenergy_basis = \"absorbed\"\n"
+        );
+        let estimated = run(&read(&text), 512).unwrap();
+        let ratio = of(&estimated, IMPACT_IMPULSE_RATIO.of_collision()).posterior.median.value;
+        [ratio, of(&estimated, PDOF.of_vehicle(VehicleId::One)).posterior.median.value]
+    };
+    let [ratio, pdof] = found(0.3, "z-up");
+    assert!(ratio > 0.2 && pdof.abs() > 0.1, "{ratio} {pdof}");
+    // A wall at right angles to the x axis is its own mirror image. The PDOF is clockwise in all axes.
+    for (sign, axes, [of_ratio, of_pdof]) in
+        [(-1.0, "z-up", [-1.0, -1.0]), (-1.0, "z-down", [-1.0, 1.0]), (1.0, "z-down", [1.0, -1.0])]
+    {
+        let other = found(sign * 0.3, axes);
+        assert!((other[0] - of_ratio * ratio).abs() < 0.02 * ratio.abs(), "{sign} {axes}: {other:?} {ratio}");
+        assert!((other[1] - of_pdof * pdof).abs() < 0.05 * pdof.abs(), "{sign} {axes}: {other:?} {pdof}");
+    }
+}
+
+/// Of two vehicles whose speeds are both unknown, by their crush and a coded PDOF, the field judged many.
+#[test]
+fn the_judged_collisions_are_named() {
+    let vehicle = |n: u8, heading: u16, pdof: &str| {
+        format!(
+            "[vehicle{n}]\nmass = \"1500 kg\"\nyaw_radius = \"1.4 m\"\nheading = \"{heading} deg\"\n\
+             contact = {{ x = \"2 m\", y = \"0 m\" }}\n[vehicle{n}.crush]\nside = \"front\"\nwidth = \"1.6 m\"\n\
+             depths = \"0.4 0.4 m\"\nstiffness = {{ category = 3 }}\n{pdof}"
+        )
+    };
+    let tested = |pdof: &str, rest: &str| {
+        let text = format!(
+            "{}{rest}{}[impact]\ncrush_plane = \"0 deg\"\nrestitution = 0.1\ntangential = {{ friction = 0.5 }}\n",
+            vehicle(1, 0, pdof),
+            vehicle(2, 180, "")
+        );
+        run(&read(&text), 128).unwrap().tested.map(|class| class.code)
+    };
+    assert_eq!(tested("pdof = \"0 deg\"\n", ""), Some("two-fronts"));
+    assert_eq!(tested("", ""), None);
+    assert_eq!(
+        tested("pdof = \"0 deg\"\n", "[vehicle1.recorder]\ndelta_v = \"40 km/h\"\n"),
+        Some("recorder")
+    );
+    assert_eq!(tested("pdof = \"0 deg\"\n", "[vehicle1.recorder]\nspeed = \"40 km/h\"\n"), None);
+}
+
+/// What contradicts the rest leaves too few draws to tell how far it is off: a run without it tells.
+#[test]
+fn a_contradiction_is_found_without_the_answers_by_each_piece() {
+    let text = format!(
+        "{CENTRAL}[vehicle1.recorder]\nspeed = {{ value = \"100 km/h\", sd = \"1 km/h\" }}\n\
+         [vehicle2.recorder]\ndelta_v_longitudinal = \"12 km/h\"\n[vehicle1.certain_speed]\nat_least = \"20 km/h\"\n"
+    );
+    let case = read(&text);
+    let p_values = |pieces: PieceDetail| {
+        let plan = EstimatePlan { particles: 256, seed: 1, prior: None, pieces };
+        let estimated = estimate(&case, &plan, &mut |_, _, _| ControlFlow::Continue(())).unwrap();
+        assert_eq!(
+            estimated.pieces.iter().any(|piece| piece.without.is_some()),
+            pieces == PieceDetail::Apart
+        );
+        estimated.pieces.iter().map(|piece| piece.p_value.map(|p| p.value)).collect::<Vec<_>>()
+    };
+    let of_draws = p_values(PieceDetail::Weighed);
+    let compared = p_values(PieceDetail::Compared);
+    assert!(of_draws.iter().any(Option::is_none), "{of_draws:?}");
+    // 100 km/h give vehicle 2 a ΔV of 100 · 1.1 · 0.6 = 66 km/h.
+    assert!(compared.iter().flatten().any(|p| *p < 0.01), "{compared:?}");
+}
 
 /// The quantile of a density at equal steps.
 fn quantile(density: impl Fn(f64) -> f64, [low, high]: [f64; 2], share: f64) -> f64 {

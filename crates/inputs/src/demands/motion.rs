@@ -1,10 +1,10 @@
 //! What the motion after the impact needs of a case, and what both speeds need.
 
-use std::f64::consts::{FRAC_PI_2, PI};
+use std::f64::consts::FRAC_PI_2;
 
 use pim_core::{Body, Contact, Real, VaryingLaw, Vector2, VehicleId};
 use real::elementary;
-use reconcile::{COLLINEAR, Departure, central_contact, point_masses};
+use reconcile::{Departure, are_collinear, central_contact, point_masses};
 use trajectory::{Axles, Chassis, GREATEST_DRAG};
 
 use super::{Demand, fill_opposite_pdof, table};
@@ -220,8 +220,8 @@ impl<T: Real> Demand<'_, T> {
         }
         let other = vehicle.other();
         let motion = self.motion(other, true)?;
-        let heading = self.case.headings()[other.index()]?;
-        let (sin, cos) = heading.sin_cos();
+        let course = self.case.courses()[other.index()]?;
+        let (sin, cos) = course.sin_cos();
         let (x, y) = (motion.velocity.x, motion.velocity.y);
         let (along, across) = (x * cos + y * sin, y * cos - x * sin);
         if across.value().abs() > OFF_HEADING * along.value().abs() {
@@ -267,15 +267,16 @@ impl<T: Real> Demand<'_, T> {
         let ([Some(one), Some(two)], [Some(h1), Some(h2)]) = (vehicles, headings) else { return None };
         let mut vehicles = [one, two];
         let masses = vehicles.each_ref().map(|vehicle| vehicle.inertia.map(|inertia| inertia.mass));
-        let contact = self.accepted("vehicle1", point_masses(masses, [h1, h2]))?;
+        let courses = self.case.courses().map(|course| course.unwrap_or(T::ZERO));
+        let contact = self.accepted("vehicle1", point_masses(masses, [h1, h2], courses))?;
         let (geometry, contact) = match fixed {
             None => (Geometry::PointMasses, contact),
             Some(id) => {
                 let (sin, cos) = self.lateral(&self.case.impact.as_ref()?.crush_plane).sin_cos();
                 let normal = Vector2::new(cos, sin);
-                let forward = contact.participants()[id.other().index()].forward();
-                // The object lies ahead, so that n from vehicle 2 to vehicle 1 is against the heading of 1.
-                let ahead = normal.x * forward.x + normal.y * forward.y > T::ZERO;
+                let course = contact.participants()[id.other().index()].course();
+                // The object lies ahead, so that n from vehicle 2 to vehicle 1 is against the course of 1.
+                let ahead = normal.x * course.x + normal.y * course.y > T::ZERO;
                 let normal = if ahead == (id == VehicleId::Two) { -normal } else { normal };
                 let contact = central_contact(contact.participants(), normal);
                 (Geometry::Plane, self.accepted("impact.crush_plane", contact)?)
@@ -604,9 +605,7 @@ impl<T: Real> Demand<'_, T> {
 
     /// (rad) the angle between approaches that are collinear; `None` of those that cross.
     fn collinear_angle(&self) -> Option<f64> {
-        let [Some(one), Some(two)] = self.case.headings() else { return None };
-        let angle = real::principal_angle(one.value() - two.value()).abs();
-        (angle <= COLLINEAR || angle >= PI - COLLINEAR).then_some(angle)
+        self.case.approach_angle().filter(|angle| are_collinear(*angle))
     }
 
     /// Where the approaches are collinear, momentum gives one equation for two speeds.

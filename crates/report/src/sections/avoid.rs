@@ -660,7 +660,7 @@ fn on_the_runs(case: &Case, found: &Avoidance, units: Units) -> Vec<String> {
                 let by = longest - response.reaction();
                 let compared = if by >= 0.0 { "longer" } else { "shorter" };
                 format!(
-                    " At the speed driven, a reaction of up to {} would have been in time, {} {compared} than that of the inputs.",
+                    " At the speed driven, a reaction of up to {} would have let it stop before the place, {} {compared} than that of the inputs.",
                     time(longest),
                     time(by)
                 )
@@ -772,7 +772,7 @@ fn just_avoiding(found: &Avoidance, units: Units) -> Table {
 }
 
 fn enough(found: &Avoidance, units: Units) -> Block {
-    let none = || "nothing would have been enough".to_owned();
+    let none = || "none is enough to stop before the place".to_owned();
     let enough = &found.enough;
     let of = |measure, value: Option<f64>, word: &str| {
         value.map_or_else(none, |value| format!("{word} {}", units.format(measure, value)))
@@ -781,13 +781,22 @@ fn enough(found: &Avoidance, units: Units) -> Block {
         title: "What would have been enough",
         facts: vec![
             ("Speed, in space or in time", of(Measure::RoadSpeed, Some(enough.speed), "at most")),
-            ("Deceleration, at the speed driven", of(Measure::Acceleration, enough.deceleration, "at least")),
-            ("Reaction time, at the speed driven", of(Measure::Time, enough.reaction, "at most")),
             (
-                "Deceleration, at the limit",
+                "Deceleration to stop in space, at the speed driven",
+                of(Measure::Acceleration, enough.deceleration, "at least"),
+            ),
+            (
+                "Reaction time to stop in space, at the speed driven",
+                of(Measure::Time, enough.reaction, "at most"),
+            ),
+            (
+                "Deceleration to stop in space, at the limit",
                 of(Measure::Acceleration, enough.deceleration_at_limit, "at least"),
             ),
-            ("Reaction time, at the limit", of(Measure::Time, enough.reaction_at_limit, "at most")),
+            (
+                "Reaction time to stop in space, at the limit",
+                of(Measure::Time, enough.reaction_at_limit, "at most"),
+            ),
             ("The other party not entering", "no collision, whatever the vehicle does".to_owned()),
         ],
     }

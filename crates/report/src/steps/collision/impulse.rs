@@ -183,12 +183,14 @@ impl Collision<'_> {
     /// μ under a law that gives it, or its limit.
     fn ratio_of_law(&self, sliding: bool) -> Step {
         let outcome = &self.impact.outcome;
-        let critical = outcome.critical_impulse_ratio.unwrap_or(f64::NAN);
+        // Without sliding that a push can end there is no μ_c, and no tangential impulse.
+        let critical =
+            outcome.critical_impulse_ratio.map_or_else(|| "none".to_owned(), |critical| n(critical, ""));
         let (formula, numbers) = match self.impact.law.tangential() {
-            Tangential::FractionOfCritical(f) => ("f μ_c", format!("{} · {}", n(f, ""), n(critical, ""))),
+            Tangential::FractionOfCritical(f) => ("f μ_c", format!("{} · {critical}", n(f, ""))),
             Tangential::Friction(_) | Tangential::FullOrSliding(_) if sliding => ("", String::new()),
             Tangential::Ratio(_) => ("", String::new()),
-            _ => ("μ_c", n(critical, "")),
+            _ => ("μ_c", critical),
         };
         let name =
             if sliding { "impulse ratio: the friction limit, against the sliding" } else { "impulse ratio" };
