@@ -100,7 +100,7 @@ fn warnings_are_those_of_the_solved_case() {
 
 #[test]
 fn a_case_runs_what_it_has_all_for() {
-    assert_eq!(runs(&judge(&parsed(PAPER))), ["reconstruct", "compare", "sensitivity", "draw"]);
+    assert_eq!(runs(&judge(&parsed(PAPER))), ["reconstruct", "estimate", "compare", "sensitivity", "draw"]);
     assert_eq!(runs(&judge(&parsed(FORWARD))), ["impact", "compare", "sensitivity", "draw"]);
     assert_eq!(runs(&judge(&parsed(DAMAGE))), ["crush", "sensitivity", "draw"]);
     assert_eq!(runs(&judge(&parsed(INSPECTED))), ["crush", "sensitivity", "draw"]);
@@ -137,14 +137,17 @@ fn what_runs_runs_and_what_does_not_lacks_something() {
     }
 }
 
-/// An estimate has a row where the case has evidence that nothing else reads, with what it lacks.
+/// An estimate has a row where it runs, and where the case has evidence that nothing else reads, with what it
+/// lacks.
 #[test]
 fn evidence_is_judged() {
     let estimate = |judgement: &Judgement| {
         let found = judgement.abilities.iter().find(|ability| ability.purpose == Purpose::Estimate);
         found.map(|ability| ability.obstacle.as_ref().map(|faults| faults.list()[0].clone()))
     };
-    assert!(estimate(&judge(&parsed(PAPER))).is_none());
+    assert!(matches!(estimate(&judge(&parsed(PAPER))), Some(None)));
+    // The speeds of both are given.
+    assert!(estimate(&judge(&parsed(FORWARD))).is_none());
     let recorder = "[vehicle1.recorder]\ndelta_v_longitudinal = \"-12 mph\"\n[impact]";
     let recorded = PAPER.replace("[impact]", recorder);
     assert!(matches!(estimate(&judge(&parsed(&recorded))), Some(None)));

@@ -121,7 +121,7 @@ fn parquet_and_csv_say_the_same() {
     let again = deltav(&["table", out.to_str().unwrap(), "--template", TEMPLATE]);
     assert_eq!(again.status.code(), Some(2));
     let error = String::from_utf8(again.stderr).unwrap();
-    assert!(error.contains("\"impact_restitution\" is no key"), "{error}");
+    assert!(error.contains("\"impact_restitution\" is not a key"), "{error}");
 }
 
 #[test]

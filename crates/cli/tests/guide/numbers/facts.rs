@@ -387,6 +387,7 @@ fn sensitivity(ledger: &mut Ledger) {
     ledger.page("docs/guide/sensitivity.md");
     ledger.cited("1 % … input", "the definition");
     ledger.cited("1° … angle", "the definition");
+    ledger.cited("10 cm … coordinate", "the definition");
     // Tried, not by the derivative.
     let text = page("fixtures/sae-980025.toml").text;
     let speed = |plane: &str| {

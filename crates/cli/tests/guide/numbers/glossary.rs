@@ -228,7 +228,6 @@ fn ranges(ledger: &mut Ledger) {
     ledger.cited("interval holds 95 %", "LEVELS of deltav-estimate");
     let limits = "DOUBTFUL and CONTRADICTS in crates/report/src/estimates.rs";
     ledger.cited("From 0.05 … below 0.01", limits);
-    ledger.cited("falls below 0.05", limits);
     ledger.made(format!("holds … {} %", within(1.0)));
     ledger.made(format!("power … {}", 2_u32.pow(16)));
     ledger.cited("brings … 0 … 1", "the range of a share");
