@@ -209,7 +209,7 @@ ITSELF.append(ITSELF)
         (pydeltav.Case.example(), TypeError, "a Case is no table"),
         (pa.array([1.0]), TypeError, "the DoubleArray is no table of columns"),
         (pl.Series([1.0]), TypeError, "the Series is no table of columns"),
-        ({"vehicle2.sped [mph]": [10.0]}, ValueError, "is no key of a case"),
+        ({"vehicle2.sped [mph]": [10.0]}, ValueError, "is not a key of a case"),
     ],
 )
 def test_what_is_no_table_is_refused_in_words_of_this_package(given: Any, error: type[Exception], says: str) -> None:
@@ -269,7 +269,7 @@ def test_an_estimate_of_a_row_is_that_of_the_case() -> None:
 @pytest.mark.parametrize(
     "columns, options, says",
     [
-        ({"vehicle1.mas [kg]": [1.0]}, {}, 'the column "vehicle1.mas [kg]" is no key of a case'),
+        ({"vehicle1.mas [kg]": [1.0]}, {}, 'the column "vehicle1.mas [kg]" is not a key of a case'),
         ({"vehicle1.mass [m]": [1.0]}, {}, 'has the unit "m"'),
         ({"error": ["x"], SPEED: [10.0]}, {}, 'the column "error" has the name of a result: rename it'),
         ({"seed": [1]}, {"samples": 3}, "64"),
@@ -322,7 +322,7 @@ def test_a_stream_cuts_a_large_batch_and_ends() -> None:
 def test_a_stream_refuses_a_wrong_table_at_once() -> None:
     with pytest.raises(ValueError, match='job="reconstuct": give one of'):
         pydeltav.stream_table("reconstuct", table([10.0]), template=TEMPLATE)  # type: ignore[arg-type]
-    with pytest.raises(ValueError, match="is no key of a case"):
+    with pytest.raises(ValueError, match="is not a key of a case"):
         pydeltav.stream_table("reconstruct", pa.table({"vehicle2.sped [mph]": [10.0]}), template=TEMPLATE)
     with pytest.raises(ValueError, match="64"):
         pydeltav.stream_table("reconstruct", table([10.0]), template=TEMPLATE, samples=3)

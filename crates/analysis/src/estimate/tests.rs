@@ -112,7 +112,7 @@ fn the_judged_collisions_are_named() {
 #[test]
 fn a_contradiction_is_found_without_the_answers_by_each_piece() {
     let text = format!(
-        "{CENTRAL}[vehicle1.recorder]\nspeed = \"100 km/h\"\nspeed_error = \"1 km/h\"\n\
+        "{CENTRAL}[vehicle1.recorder]\nspeed = \"100 km/h\"\nspeed_error = \"1 %\"\n\
          [vehicle2.recorder]\ndelta_v_longitudinal = \"12 km/h\"\n[vehicle1.certain_speed]\nat_least = \"20 km/h\"\n"
     );
     let case = read(&text);
