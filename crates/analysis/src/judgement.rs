@@ -343,7 +343,7 @@ pub fn judge(case: &Case) -> Judgement {
         // Other faults are only found when it is solved.
         _ => None,
     };
-    if is_for_estimate(case) || obstacle.is_none() {
+    if is_for_estimate(case) || (obstacle.is_none() && seeks_speed(case)) {
         let purpose = Purpose::Estimate;
         abilities.push(Ability { purpose, on: purpose, obstacle, left_aside: Vec::new() });
     }
@@ -379,6 +379,12 @@ pub(crate) fn of_collision(case: &Case, collision: Option<&CollisionData>) -> Ve
     let subjects = case.subjects().map(|subject| subject.unwrap_or(NOTHING));
     of_vehicles(case, subjects, speeds, &mut warnings);
     warnings
+}
+
+/// Whether a speed is to be found.
+fn seeks_speed(case: &Case) -> bool {
+    let is_open = |vehicle: &GivenVehicle| !vehicle.fixed && !vehicle.is_absent() && vehicle.motion.is_none();
+    case.reconstruct.is_some() || case.vehicles.iter().any(is_open)
 }
 
 /// Whether a case has keys that only an estimate reads.
