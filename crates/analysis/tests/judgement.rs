@@ -106,7 +106,7 @@ fn a_case_runs_what_it_has_all_for() {
     assert_eq!(runs(&judge(&parsed(INSPECTED))), ["crush", "sensitivity", "draw"]);
     assert_eq!(
         runs(&judge(&parsed(UNCERTAIN))),
-        ["reconstruct", "uncertainty", "compare", "sensitivity", "draw"]
+        ["reconstruct", "uncertainty", "estimate", "compare", "sensitivity", "draw"]
     );
     let nothing = judge(&parsed("[vehicle1]\nname = \"car\"\n[vehicle2]\nfixed = true\n"));
     assert_eq!(runs(&nothing), [""; 0]);
