@@ -1,10 +1,11 @@
 //! The speed at the impact as a distribution, from the last samples before it.
 
+use real::elementary::{exp, ln};
 use uncertainty::normal::quantiles;
 
 use crate::channel::GRAVITY;
-use crate::pre_crash::PreCrash;
-use crate::spread::{Draws, radical_point};
+use crate::pre_crash::{PreCrash, REGULAR_STEP};
+use crate::spread::{DIMENSIONS, Draws, radical_point};
 
 /// (km/h) in m/s.
 const KMH: f64 = 1.0 / 3.6;
@@ -32,7 +33,8 @@ pub struct ImpactSpeedErrors {
     pub friction: f64,
     /// (m/s²) greatest acceleration and deceleration with the brake off: 1.0, an engine that brakes or pulls.
     pub coasting: f64,
-    /// (1) probability that the brake, off in the last sample, came on in the gap: 0.25 in each half second.
+    /// (1) probability that a brake that was off in the last sample came on in half a second: 0.25; in the
+    /// gap g, 1 − (1 − 0.25)^(g/0.5 s).
     pub brake_comes_on: f64,
     /// (s) greatest age of a stored speed at the time that the record gives for it: 0.1 s, at any part of it.
     /// The wheels' control unit sends it every 10 to 100 ms, and the recorder takes the last one that came.
@@ -45,7 +47,7 @@ pub struct ImpactSpeedErrors {
 impl Default for ImpactSpeedErrors {
     fn default() -> Self {
         Self {
-            step: KMH,
+            step: REGULAR_STEP,
             steady_low: 0.014,
             steady_sd: 0.0043,
             tyre_sd: 0.007,
@@ -163,6 +165,17 @@ pub struct SpeedErrorOutOfRange {
     pub greatest: f64,
 }
 
+/// Why a record tells no speed at impact.
+#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
+pub enum ImpactSpeedFault {
+    /// No sample has a speed.
+    #[error("no sample has a speed")]
+    NoSpeed,
+    /// An error beyond its range.
+    #[error(transparent)]
+    OutOfRange(#[from] SpeedErrorOutOfRange),
+}
+
 impl ImpactSpeedErrors {
     /// Checks every field.
     ///
@@ -192,19 +205,95 @@ impl ImpactSpeedErrors {
     }
 }
 
+/// (s) the time in which the brake comes on with the probability `brake_comes_on`.
+const HALF_SECOND: f64 = 0.5;
+/// (1) probability that a brake of which no sample tells was on.
+const UNKNOWN_BRAKE: f64 = 0.5;
+
+/// How the brake may have been used from a sample to t = 0.
+#[derive(Clone, Copy, Debug)]
+struct BrakeCourse {
+    /// (1) how probable this is.
+    probability: f64,
+    /// (s) time with the brake on.
+    braked: f64,
+    /// (s) time in which it came on or went off at an unknown instant: braked for any part of it.
+    open: f64,
+    /// Whether it was on at the sample.
+    is_on: bool,
+}
+
+/// The probability that a brake that was off comes on within `time` (s).
+fn comes_on(time: f64, errors: &ImpactSpeedErrors) -> f64 {
+    let stays_off = 1.0 - errors.brake_comes_on;
+    if stays_off <= 0.0 {
+        return if time > 0.0 { 1.0 } else { 0.0 };
+    }
+    // P = 1 − (1 − p)^(t / 0.5 s)
+    1.0 - exp(ln(stays_off) * time / HALF_SECOND)
+}
+
+/// The brake between a sample at `from` (s) and t = 0, by all samples that tell of it.
+fn brake_courses(record: &PreCrash, from: f64, errors: &ImpactSpeedErrors) -> Vec<BrakeCourse> {
+    let known: Vec<(f64, bool)> =
+        record.samples().iter().filter_map(|one| Some((one.time, one.brake?))).collect();
+    let (before, after) = known.split_at(known.partition_point(|(time, _)| *time <= from));
+    let after_of = |probability: f64, since: f64, is_on: bool| {
+        courses_after(
+            BrakeCourse { probability, braked: 0.0, open: 0.0, is_on },
+            [since, from],
+            after,
+            errors,
+        )
+    };
+    match before.last() {
+        Some((since, is_on)) => after_of(1.0, *since, *is_on),
+        None => {
+            let mut courses = after_of(UNKNOWN_BRAKE, from, true);
+            courses.extend(after_of(1.0 - UNKNOWN_BRAKE, from, false));
+            courses
+        }
+    }
+}
+
+/// Those that go on from `first`, whose brake is known since the first of the times (s); only what is after
+/// the second counts.
+fn courses_after(
+    first: BrakeCourse,
+    [mut since, from]: [f64; 2],
+    samples: &[(f64, bool)],
+    errors: &ImpactSpeedErrors,
+) -> Vec<BrakeCourse> {
+    let (mut course, mut was_on) = (first, first.is_on);
+    for (time, is_on) in samples {
+        let length = time - since.max(from);
+        match (was_on, *is_on) {
+            (true, true) => course.braked += length,
+            (false, false) => {}
+            _ => course.open += length,
+        }
+        (since, was_on) = (*time, *is_on);
+    }
+    let rest = 0.0 - since.max(from);
+    if was_on {
+        return vec![BrakeCourse { braked: course.braked + rest, ..course }];
+    }
+    // The brake may have come on after the last sample that has it off.
+    let later = comes_on(0.0 - since, errors);
+    let comes = BrakeCourse { probability: course.probability * later, open: course.open + rest, ..course };
+    vec![comes, BrakeCourse { probability: course.probability * (1.0 - later), ..course }]
+}
+
 /// From one sample to t = 0.
-#[derive(Clone, Copy)]
+#[derive(Clone, Debug)]
 struct Leg {
     stored: f64,
     /// (s) from the sample to t = 0.
     gap: f64,
-    /// (1) by how much of hard braking the wheels slip, 0 to 1.
-    hard: f64,
-    /// (m/s²) the accelerations in the gap, from the least to the greatest.
-    brakes: [f64; 2],
-    coasts: [f64; 2],
-    /// Probability of the first.
-    braked: f64,
+    /// (1) by how much of hard braking the wheels slip, 0 to 1: mean and variance.
+    hard: [f64; 2],
+    /// How the brake may have been used; the probabilities add up to 1.
+    courses: Vec<BrakeCourse>,
 }
 
 /// Mean and variance of a uniform number.
@@ -214,71 +303,124 @@ fn uniform([least, greatest]: [f64; 2]) -> [f64; 2] {
     [0.5 * (least + greatest), width * width / 12.0]
 }
 
-impl Leg {
-    /// Mean and variance of the acceleration.
-    fn acceleration(&self) -> [f64; 2] {
-        let [[m1, v1], [m2, v2]] = [uniform(self.brakes), uniform(self.coasts)];
-        let p = self.braked;
-        let mean = p * m1 + (1.0 - p) * m2;
-        // σ² = p (σ₁² + m₁²) + (1 − p) (σ₂² + m₂²) − m²
-        [mean, p * (v1 + m1 * m1) + (1.0 - p) * (v2 + m2 * m2) - mean * mean]
+impl ImpactSpeedErrors {
+    /// (m/s²) the accelerations with the brake on, from the least to the greatest.
+    fn braking(&self) -> [f64; 2] {
+        [-self.friction * GRAVITY, 0.0]
     }
 
-    /// Mean and standard deviation of what slip takes off the stored speed.
-    fn slip(&self, errors: &ImpactSpeedErrors) -> [f64; 2] {
-        let rolling = 1.0 - self.hard;
-        let mean = self.hard * errors.slip_low + rolling * errors.steady_low * self.stored;
-        let [braked, steady] = [self.hard * errors.slip_sd, rolling * errors.steady_sd * self.stored];
-        [mean, (braked * braked + steady * steady).sqrt()]
+    /// (m/s²) those with the brake off.
+    fn coasting(&self) -> [f64; 2] {
+        [-self.coasting, self.coasting]
+    }
+}
+
+/// Mean and standard deviation of what slip takes off a stored speed (m/s), with mean and variance of the
+/// part of hard braking.
+fn slip(stored: f64, [hard, variance]: [f64; 2], errors: &ImpactSpeedErrors) -> [f64; 2] {
+    let rolling = 1.0 - hard;
+    let (low, steady) = (errors.slip_low, errors.steady_low * stored);
+    let (sd, steady_sd) = (errors.slip_sd, errors.steady_sd * stored);
+    // s = h s_b + (1 − h) s_r, of independent h, s_b and s_r
+    let spread = (hard * hard + variance) * sd * sd
+        + (rolling * rolling + variance) * steady_sd * steady_sd
+        + variance * (low - steady) * (low - steady);
+    [hard * low + rolling * steady, spread.sqrt()]
+}
+
+impl Leg {
+    /// Mean and variance (m/s) of what braking and coasting change after the age (s) of the stored speed, a
+    /// mean and a variance.
+    fn change(&self, [age, age_variance]: [f64; 2], errors: &ImpactSpeedErrors) -> [f64; 2] {
+        let ([brakes, brakes_variance], [coasts, coasts_variance]) =
+            (uniform(errors.braking()), uniform(errors.coasting()));
+        let (mut mean, mut square) = (0.0, 0.0);
+        for course in &self.courses {
+            let [share, open_variance] = uniform([0.0, course.open]);
+            let (while_on, while_off) = if course.is_on { (1.0, 0.0) } else { (0.0, 1.0) };
+            let braked = course.braked + share + while_on * age;
+            let coasted = self.gap - course.braked - share + while_off * age;
+            let braked_variance = open_variance + while_on * age_variance;
+            let coasted_variance = open_variance + while_off * age_variance;
+            // Δv = a_b B + a_c C, of independent a_b and a_c; the mean of a_c is 0.
+            mean += course.probability * (brakes * braked + coasts * coasted);
+            square += course.probability
+                * ((brakes_variance + brakes * brakes) * (braked * braked + braked_variance)
+                    + (coasts_variance + coasts * coasts) * (coasted * coasted + coasted_variance));
+        }
+        [mean, square - mean * mean]
     }
 
     fn parts(&self, errors: &ImpactSpeedErrors) -> Vec<SpeedErrorPart> {
         let part = |source, shift, variance| SpeedErrorPart { source, shift, variance };
-        let [slip, slip_sd] = self.slip(errors);
+        let [slip, slip_sd] = slip(self.stored, self.hard, errors);
         let tyres = errors.tyre_sd * self.stored;
-        let [mean, variance] = self.acceleration();
-        let [age, age_variance] = uniform([0.0, errors.latency]);
-        let all = self.gap + age;
-        // Var(a (g + ℓ)) = Var(a) ((g + ℓ)² + Var(ℓ)) + a² Var(ℓ), of which Var(a) g² is of the gap alone.
-        let whole = variance * (all * all + age_variance) + mean * mean * age_variance;
-        let gap = variance * self.gap * self.gap;
+        let [gap, gap_variance] = self.change([0.0, 0.0], errors);
+        // Of the whole change, what is not of the gap alone is of the age.
+        let [whole, variance] = self.change(uniform([0.0, errors.latency]), errors);
         vec![
             part(SpeedErrorSource::Rounding, 0.0, errors.step * errors.step / 12.0),
             part(SpeedErrorSource::Slip, slip, slip_sd * slip_sd),
             part(SpeedErrorSource::Tyres, 0.0, tyres * tyres),
-            part(SpeedErrorSource::Gap, mean * self.gap, gap),
-            part(SpeedErrorSource::Latency, mean * age, whole - gap),
+            part(SpeedErrorSource::Gap, gap, gap_variance),
+            part(SpeedErrorSource::Latency, whole - gap, variance - gap_variance),
         ]
     }
 
+    /// The course of the brake at this part of all, and which part of that course it is.
+    fn course(&self, mut share: f64) -> (BrakeCourse, f64) {
+        let mut chosen = (BrakeCourse { probability: 1.0, braked: 0.0, open: 0.0, is_on: false }, share);
+        for course in self.courses.iter().filter(|course| course.probability > 0.0) {
+            chosen = (*course, (share / course.probability).min(1.0));
+            if share < course.probability {
+                break;
+            }
+            share -= course.probability;
+        }
+        chosen
+    }
+
     /// (m/s) the speed at impact for a point of the unit cube.
-    fn draw(&self, point: &[f64; 6], errors: &ImpactSpeedErrors) -> f64 {
+    fn draw(&self, point: &[f64; DIMENSIONS], errors: &ImpactSpeedErrors) -> f64 {
         let between = |[least, greatest]: [f64; 2], share: f64| least + (greatest - least) * share;
-        let [slip, slip_sd] = self.slip(errors);
+        let [slip, slip_sd] = slip(self.stored, self.hard, errors);
         let rounding = between([-0.5 * errors.step, 0.5 * errors.step], point[0]);
         let mut normal = [point[1], point[2]];
         quantiles(&mut normal);
         let slip = slip + slip_sd * normal[0];
         let tyres = self.stored * errors.tyre_sd * normal[1];
         let age = errors.latency * point[3];
-        let acceleration = if point[4] < self.braked {
-            between(self.brakes, point[4] / self.braked)
+        let (course, first) = self.course(point[4]);
+        let braked = course.braked + course.open * point[6];
+        // The age belongs to what the driver did at the sample, which takes the finer of the two coordinates.
+        let (brakes, coasts, braked, coasted) = if course.is_on {
+            (first, point[7], braked + age, self.gap - braked)
         } else {
-            between(self.coasts, (point[4] - self.braked) / (1.0 - self.braked))
+            (point[7], first, braked, self.gap - braked + age)
         };
-        // v₀ = v + e + s + t + a (g + ℓ)
-        self.stored + rounding + slip + tyres + acceleration * (self.gap + age)
+        let changed =
+            between(errors.braking(), brakes) * braked + between(errors.coasting(), coasts) * coasted;
+        // v₀ = v + e + s + t + a_b B + a_c C
+        self.stored + rounding + slip + tyres + changed
     }
 }
 
-/// (1) by how much of hard braking (m/s²) the wheels slip, by the switches of brake and ABS and by how much
-/// the stored speed fell (m/s²).
-fn slips([brake, abs]: [Option<bool>; 2], slowed: f64, hard: f64) -> f64 {
-    match (abs, brake) {
-        (Some(true), _) => 1.0,
-        (_, Some(false)) => 0.0,
-        _ if hard > 0.0 => (slowed / hard).clamp(0.0, 1.0),
-        _ => 0.0,
+/// (1) by how much of hard braking the wheels slip, mean and variance, by the switches of brake and ABS and
+/// by how much the stored speed fell (m/s²), if that is known.
+fn slips([brake, abs]: [Option<bool>; 2], slowed: Option<f64>, errors: &ImpactSpeedErrors) -> [f64; 2] {
+    let hard = errors.friction * GRAVITY;
+    match (abs, slowed) {
+        (Some(true), _) => [1.0, 0.0],
+        (_, Some(slowed)) => {
+            // With the brake off, an engine that brakes makes no wheel slip.
+            let from = if brake == Some(false) { errors.coasting } else { 0.0 };
+            [if hard > from { ((slowed - from) / (hard - from)).clamp(0.0, 1.0) } else { 0.0 }, 0.0]
+        }
+        (_, None) => {
+            let on = brake.map_or(UNKNOWN_BRAKE, |on| if on { 1.0 } else { 0.0 });
+            // Braked by any part of hard braking if it was on: E(h) = p/2, E(h²) = p/3
+            [on / 2.0, on / 3.0 - on * on / 4.0]
+        }
     }
 }
 
@@ -296,29 +438,23 @@ pub struct SampleSpeed {
 
 /// How fast the vehicle was at each sample with a speed, the earliest first. What the age of a stored speed
 /// does is left aside.
-fn sample_speeds(
-    record: &PreCrash,
-    errors: &ImpactSpeedErrors,
-) -> Result<Vec<SampleSpeed>, SpeedErrorOutOfRange> {
-    errors.check()?;
-    let hard = errors.friction * GRAVITY;
-    let mut before: Option<(f64, f64)> = None;
-    let samples = record.speeds().map(|(sample, stored)| {
-        let slowed = before.map_or(0.0, |(time, speed)| (speed - stored) / (sample.time - time));
-        before = Some((sample.time, stored));
-        let hard = slips([sample.brake, sample.abs], slowed, hard);
-        let leg = Leg { stored, gap: 0.0, hard, brakes: [0.0; 2], coasts: [0.0; 2], braked: 0.0 };
-        let [slip, slip_sd] = leg.slip(errors);
+fn sample_speeds(record: &PreCrash, errors: &ImpactSpeedErrors) -> Vec<SampleSpeed> {
+    let points: Vec<_> = record.speeds().collect();
+    let samples = points.iter().enumerate().map(|(k, (sample, stored))| {
+        // The first is judged by the one after it.
+        let pair = if k > 0 { points.get(k - 1..=k) } else { points.get(..2) };
+        let slowed = pair.map(|pair| (pair[0].1 - pair[1].1) / (pair[1].0.time - pair[0].0.time));
+        let [slip, slip_sd] = slip(*stored, slips([sample.brake, sample.abs], slowed, errors), errors);
         let tyres = errors.tyre_sd * stored;
         // A vehicle that stood has nothing that slips.
-        let moved = if stored > 0.0 { 1.0 } else { 0.0 };
+        let moved = if *stored > 0.0 { 1.0 } else { 0.0 };
         SampleSpeed {
             time: sample.time,
             speed: stored + moved * slip,
             sd: moved * (slip_sd * slip_sd + tyres * tyres).sqrt(),
         }
     });
-    Ok(samples.collect())
+    samples.collect()
 }
 
 /// (–) standard deviations by which a speed at the impact may differ from the recorder's for its samples to
@@ -338,11 +474,10 @@ impl SampledApproach {
     /// The approach by the samples of a record.
     ///
     /// # Errors
-    /// Errors beyond their range.
-    pub fn of(record: &PreCrash, errors: &ImpactSpeedErrors) -> Result<Self, SpeedErrorOutOfRange> {
-        let samples = sample_speeds(record, errors)?;
+    /// Errors beyond their range, or a record without a speed.
+    pub fn of(record: &PreCrash, errors: &ImpactSpeedErrors) -> Result<Self, ImpactSpeedFault> {
         let ImpactSpeed { mean, sd, .. } = ImpactSpeed::of(record, errors)?;
-        Ok(Self { samples, at_impact: [mean, sd] })
+        Ok(Self { samples: sample_speeds(record, errors), at_impact: [mean, sd] })
     }
 
     /// (–) mean and standard deviation of the error that the samples share, in standard deviations of each,
@@ -367,42 +502,33 @@ impl ImpactSpeed {
     ///
     /// # Errors
     ///
-    /// Errors beyond their range.
-    pub fn of(record: &PreCrash, errors: &ImpactSpeedErrors) -> Result<Self, SpeedErrorOutOfRange> {
+    /// Errors beyond their range, or a record without a speed.
+    pub fn of(record: &PreCrash, errors: &ImpactSpeedErrors) -> Result<Self, ImpactSpeedFault> {
         errors.check()?;
-        let points: Vec<_> = record.speeds().map(|(sample, speed)| (*sample, speed)).collect();
-        let hard = errors.friction * GRAVITY;
-        // A record without a speed is refused where it is made, so that this default is never taken.
-        let (last, stored) = points.last().copied().unwrap_or_default();
-        let before = points.len().checked_sub(2).map(|k| points[k]);
-        let deceleration = before.map(|(sample, speed)| (speed - stored) / (last.time - sample.time));
-        let allowed =
-            |slowed: f64| slowed - errors.step / before.map_or(1.0, |(one, _)| last.time - one.time);
-        let steep = deceleration.filter(|slowed| allowed(*slowed) > GRAVITY);
-        let coasts = [-errors.coasting, errors.coasting];
-        let leg = |time: f64, stored: f64, brake: Option<bool>, abs: Option<bool>, slowed: f64| {
-            let gap = if time < 0.0 { -time } else { 0.0 };
-            let slips = slips([brake, abs], slowed, hard);
-            // Without a sample in the gap nobody knows when the brake came on. 0.25 in half a second.
-            let comes_on = (errors.brake_comes_on * gap / 0.5).min(1.0);
-            let braked = match brake {
-                Some(true) => 1.0,
-                Some(false) => comes_on,
-                None => 0.5_f64.max(comes_on),
-            };
-            Leg { stored, gap, hard: slips, brakes: [-hard, 0.0], coasts, braked }
+        let points: Vec<_> = record.speeds().collect();
+        let (last, stored) = *points.last().ok_or(ImpactSpeedFault::NoSpeed)?;
+        // (m/s²) how much the speed fell to the sample at this place.
+        let fall = |k: usize| {
+            let [(one, first), (two, second)] = [points[k.checked_sub(1)?], points[k]];
+            Some((first - second) / (two.time - one.time))
         };
-        let slowed = deceleration.unwrap_or(0.0);
-        let own = leg(last.time, stored, last.brake, last.abs, slowed);
-        let mut legs = vec![(1.0, own)];
+        let leg = |k: usize| {
+            let (sample, stored) = points[k];
+            let hard = slips([sample.brake, sample.abs], fall(k), errors);
+            let courses = brake_courses(record, sample.time, errors);
+            Leg { stored, gap: 0.0 - sample.time, hard, courses }
+        };
+        let end = points.len() - 1;
+        let deceleration = fall(end);
+        let before = end.checked_sub(1).map(|k| points[k]);
+        let rounding = before.map_or(0.0, |(one, _)| errors.step / (last.time - one.time));
+        let mut legs = vec![(1.0, leg(end))];
         let mut steep_fall = None;
+        let steep = deceleration.filter(|slowed| slowed - rounding > GRAVITY);
         if let (Some(deceleration), Some((sample, speed))) = (steep, before) {
             steep_fall = Some(SteepFall { deceleration, time: sample.time, speed });
             let doubt = errors.last_is_of_impact;
-            // Braked somewhere between the two samples, if the brake was on at either.
-            let brake = if last.brake == Some(true) { last.brake } else { sample.brake };
-            let earlier = leg(sample.time, speed, brake, sample.abs, 0.0);
-            legs = vec![(1.0 - doubt, own), (doubt, earlier)];
+            legs = vec![(1.0 - doubt, leg(end)), (doubt, leg(end - 1))];
         }
         let parts = parts(&legs, errors);
         let draws = draws(&legs, errors);
@@ -469,9 +595,9 @@ fn draws(legs: &[(f64, Leg)], errors: &ImpactSpeedErrors) -> Draws {
     let draw = |k: u32| {
         let point = radical_point(k);
         let mut share = point[5];
-        let mut chosen = legs[0].1;
+        let mut chosen = &legs[0].1;
         for (weight, leg) in legs {
-            chosen = *leg;
+            chosen = leg;
             if share < *weight {
                 break;
             }

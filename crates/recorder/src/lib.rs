@@ -62,10 +62,10 @@ mod which;
 
 pub use channel::{Channel, ChannelUnit};
 pub use impact_speed::{
-    ImpactSpeed, ImpactSpeedErrors, SampleSpeed, SampledApproach, SpeedErrorOutOfRange, SpeedErrorPart,
-    SpeedErrorSource, SteepFall,
+    ImpactSpeed, ImpactSpeedErrors, ImpactSpeedFault, SampleSpeed, SampledApproach, SpeedErrorOutOfRange,
+    SpeedErrorPart, SpeedErrorSource, SteepFall,
 };
-pub use pre_crash::{DistanceBounds, PreCrash, PreCrashFault, PreCrashSample, SpeedLimits};
+pub use pre_crash::{DistanceBounds, PreCrash, PreCrashFault, PreCrashSample, SpeedLimits, SteepChange};
 pub use pulse::{
     CrashPulse, PulseFault, PulseRule, PulseSample, PulseSpan, delta_v_at_center, force_direction,
 };

@@ -1,7 +1,7 @@
 //! What a recorder stored before the impact, and the distance travelled between its samples.
 
 use crate::channel::{Channel, GRAVITY};
-use crate::table::RecorderTable;
+use crate::table::{RecorderTable, TableColumn};
 
 /// What a recorder stored at one time.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -30,6 +30,20 @@ pub struct PreCrashSample {
 #[derive(Clone, Debug, PartialEq)]
 pub struct PreCrash {
     samples: Vec<PreCrashSample>,
+    step: f64,
+}
+
+/// (m/s) step in which speeds are stored by 49 CFR 563 and UN R160: 1 km/h.
+pub(crate) const REGULAR_STEP: f64 = 1.0 / 3.6;
+
+/// (m/s) the step of a column of speeds: one of its unit if all its values are whole numbers of it.
+fn step_of(column: &TableColumn) -> Option<f64> {
+    let is_whole = |speed: &f64| {
+        let number = speed / column.unit.factor;
+        (number - number.round()).abs() < 1e-6
+    };
+    let mut speeds = column.values.iter().flatten().peekable();
+    (speeds.peek().is_some() && speeds.all(is_whole)).then_some(column.unit.factor)
 }
 
 /// Why samples are no record before an impact.
@@ -38,12 +52,6 @@ pub enum PreCrashFault {
     /// No sample at all.
     #[error("the record has no sample")]
     NoSample,
-    /// No sample with a speed.
-    #[error("none of the {samples} samples has a speed")]
-    NoSpeed {
-        /// How many there are.
-        samples: usize,
-    },
     /// A time or a value that is no number.
     #[error("sample {sample}: a time, speed or other value is not a finite number")]
     NotFinite {
@@ -94,14 +102,15 @@ pub struct SpeedLimits {
 
 impl Default for SpeedLimits {
     fn default() -> Self {
-        Self { rounding: 0.5 / 3.6, deceleration: GRAVITY, acceleration: GRAVITY }
+        Self { rounding: 0.5 * REGULAR_STEP, deceleration: GRAVITY, acceleration: GRAVITY }
     }
 }
 
 /// (m) a distance between two samples: bounds that always hold, and the three sums that practice prints.
 ///
 /// `at_least` and `at_most` hold for every course of the speed that keeps [`SpeedLimits`]: between samples
-/// the speed need be neither monotonic nor straight. The sums `left` and `right` bound the distance only of
+/// the speed need be neither monotonic nor straight. Where two samples differ by more than those limits allow
+/// ([`PreCrash::steep_changes`]), they hold for every course that keeps the limit of the other sense. The sums `left` and `right` bound the distance only of
 /// a speed that falls, or rises, throughout and is not rounded.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct DistanceBounds {
@@ -115,6 +124,32 @@ pub struct DistanceBounds {
     pub right: f64,
     /// (m) the greatest.
     pub at_most: f64,
+}
+
+impl SpeedLimits {
+    /// The usual ones, of speeds stored to the nearest `step` (m/s).
+    #[must_use]
+    pub fn stored_in(step: f64) -> Self {
+        Self { rounding: 0.5 * step, ..Self::default() }
+    }
+
+    /// (m/s²) the mean acceleration of a change of the speed (m/s) in `step` (s) that is beyond the limits,
+    /// however the two speeds were rounded.
+    fn beyond(&self, step: f64, change: f64) -> Option<f64> {
+        // A change of exactly the limit is within it.
+        let within = |limit: f64| (limit * step + 2.0 * self.rounding) * (1.0 + 1e-9);
+        let is_beyond = -change > within(self.deceleration) || change > within(self.acceleration);
+        is_beyond.then_some(change / step)
+    }
+}
+
+/// Two samples between which the speed changes by more than the limits allow.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SteepChange {
+    /// (s) the times of the two.
+    pub times: [f64; 2],
+    /// (m/s²) the mean acceleration between them, negative where the speed falls.
+    pub acceleration: f64,
 }
 
 impl DistanceBounds {
@@ -149,10 +184,20 @@ fn rising(speed: f64, slope: f64, time: f64) -> f64 {
 /// The distance in `step` (s) between two speeds (m/s).
 fn within(step: f64, [first, last]: [f64; 2], limits: &SpeedLimits) -> DistanceBounds {
     let error = limits.rounding;
-    // A change beyond the limits happened nevertheless: they widen to it.
     let change = last - first;
-    let fall = limits.deceleration.max((-change - 2.0 * error) / step).max(1e-9);
-    let rise = limits.acceleration.max((change - 2.0 * error) / step).max(1e-9);
+    let (fall, rise) = (limits.deceleration.max(1e-9), limits.acceleration.max(1e-9));
+    let (left, right) = (first * step, last * step);
+    let sums =
+        |at_least, at_most| DistanceBounds { at_least, left, between: 0.5 * (left + right), right, at_most };
+    // A change beyond the limits happened nevertheless, at any instant: only the other limit then holds. It
+    // fell at the end at the latest, and at the beginning at the earliest.
+    match limits.beyond(step, change) {
+        Some(slope) if slope < 0.0 => {
+            return sums(falling(last - error, rise, step), rising(first + error, rise, step));
+        }
+        Some(_) => return sums(falling(first - error, fall, step), rising(last + error, fall, step)),
+        None => {}
+    }
     // The quickest course rises from the first sample, and falls to the last: v₁ + e + r t = v₂ + e + f (h −
     // t)
     let turn = ((change + fall * step) / (rise + fall)).clamp(0.0, step);
@@ -160,8 +205,7 @@ fn within(step: f64, [first, last]: [f64; 2], limits: &SpeedLimits) -> DistanceB
     // The slowest falls first, and rises to the last, but never below zero: v₁ − e − f t = v₂ − e − r (h − t)
     let turn = ((rise * step - change) / (rise + fall)).clamp(0.0, step);
     let at_least = falling(first - error, fall, turn) + falling(last - error, rise, step - turn);
-    let (left, right) = (first * step, last * step);
-    DistanceBounds { at_least, left, between: 0.5 * (left + right), right, at_most }
+    sums(at_least, at_most)
 }
 
 impl PreCrash {
@@ -193,13 +237,11 @@ impl PreCrash {
             }
             before = one.time;
         }
-        if samples.iter().all(|sample| sample.speed.is_none()) {
-            return Err(PreCrashFault::NoSpeed { samples: samples.len() });
-        }
-        Ok(Self { samples })
+        Ok(Self { samples, step: REGULAR_STEP })
     }
 
-    /// The record in a table that was read from a text.
+    /// The record in a table that was read from a text. Its [`step`](Self::step) is one of the unit of the
+    /// speeds if all of them are whole numbers of it.
     ///
     /// # Errors
     ///
@@ -225,7 +267,15 @@ impl PreCrash {
             steering: steering[k],
             yaw_rate: yaw_rate[k],
         };
-        Self::new(times.into_iter().enumerate().map(sample).collect())
+        let record = Self::new(times.into_iter().enumerate().map(sample).collect())?;
+        let step = table.column(Channel::Speed).and_then(step_of).unwrap_or(REGULAR_STEP);
+        Ok(Self { step, ..record })
+    }
+
+    /// (m/s) the step in which its speeds are stored: 1 km/h, unless its table shows another.
+    #[must_use]
+    pub fn step(&self) -> f64 {
+        self.step
     }
 
     /// The samples, the earliest first.
@@ -252,6 +302,19 @@ impl PreCrash {
             let [(begin, first), (end, last)] = [pair[0], pair[1]];
             sum.plus(within(end - begin, [first, last], limits))
         })
+    }
+
+    /// Where the speed changes between two samples by more than the limits allow. The bounds then let it
+    /// change there at any instant, and hold it to the limit of the other sense alone.
+    #[must_use]
+    pub fn steep_changes(&self, limits: &SpeedLimits) -> Vec<SteepChange> {
+        let points: Vec<(f64, f64)> = self.speeds().map(|(sample, speed)| (sample.time, speed)).collect();
+        let steep = |pair: &[(f64, f64)]| {
+            let [(begin, first), (end, last)] = [pair[0], pair[1]];
+            let acceleration = limits.beyond(end - begin, last - first)?;
+            Some(SteepChange { times: [begin, end], acceleration })
+        };
+        points.windows(2).filter_map(steep).collect()
     }
 
     /// The distance from each sample with a speed to the last of them, the earliest first, with its time (s).

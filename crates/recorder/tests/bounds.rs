@@ -2,7 +2,7 @@
 
 use proptest::prelude::{Strategy, any, prop, prop_assert, proptest};
 use proptest::test_runner::Config;
-use recorder::{PreCrash, PreCrashSample, SpeedLimits};
+use recorder::{PreCrash, PreCrashSample, SpeedLimits, SteepChange, read_tables};
 
 /// (s) within this step the acceleration of a trace is constant.
 const FINE: f64 = 0.05;
@@ -70,12 +70,52 @@ fn bounds_of_two_equal_speeds() {
     let bounds = record(0.0, 0.0).distance(-1.0, 0.0, &limits);
     assert_eq!((bounds.at_least, bounds.left, bounds.right), (0.0, 0.0, 0.0));
     assert!((bounds.at_most - 9.80665 / 4.0).abs() < 1e-12, "{bounds:?}");
-    // Braked by 1 g throughout, there is one distance. A fall beyond that happened nevertheless.
-    for fall in [9.80665, 15.0] {
-        let bounds = record(20.0, 20.0 - fall).distance(-1.0, 0.0, &limits);
-        let only = 20.0 - fall / 2.0;
-        assert!((bounds.at_least - only).abs() < 1e-9 && (bounds.at_most - only).abs() < 1e-9, "{bounds:?}");
-        assert!((bounds.left - 20.0).abs() < 1e-12 && (bounds.right - 20.0 + fall).abs() < 1e-12);
-        assert!((bounds.between - only).abs() < 1e-12);
+    // Braked by 1 g throughout, there is one distance.
+    let braked = record(20.0, 20.0 - 9.80665);
+    let bounds = braked.distance(-1.0, 0.0, &limits);
+    let only = 20.0 - 9.80665 / 2.0;
+    assert!((bounds.at_least - only).abs() < 1e-9 && (bounds.at_most - only).abs() < 1e-9, "{bounds:?}");
+    assert!((bounds.left - 20.0).abs() < 1e-12 && (bounds.right - 20.0 + 9.80665).abs() < 1e-12);
+    assert!((bounds.between - only).abs() < 1e-12);
+    assert_eq!(braked.steep_changes(&limits), []);
+}
+
+/// A fall of 15 m/s in a second is no tyre's. It may have happened in the last instant, after a second of
+/// 1 g forward from 20 m/s, or in the first, with 5 m/s at the end: from a standstill, as 5 < g, 5²/2g m.
+#[test]
+fn bounds_hold_where_the_speed_falls_by_more_than_g() {
+    let sample =
+        |time: f64, speed: f64| PreCrashSample { time, speed: Some(speed), ..PreCrashSample::default() };
+    let record = |first: f64, last: f64| PreCrash::new(vec![sample(-1.0, first), sample(0.0, last)]).unwrap();
+    let limits = SpeedLimits { rounding: 0.0, ..SpeedLimits::default() };
+    for (first, last) in [(20.0, 5.0), (5.0, 20.0)] {
+        let steep = record(first, last);
+        let bounds = steep.distance(-1.0, 0.0, &limits);
+        assert!((bounds.at_most - (20.0 + 9.80665 / 2.0)).abs() < 1e-9, "{bounds:?}");
+        assert!((bounds.at_least - 25.0 / (2.0 * 9.80665)).abs() < 1e-9, "{bounds:?}");
+        let found = steep.steep_changes(&limits);
+        assert_eq!(found, [SteepChange { times: [-1.0, 0.0], acceleration: last - first }]);
     }
+}
+
+/// 60, 58 and 55 mph at −2, −1 and 0 s, each to ±0.5 mph: 46.35 to 56.92 m. From 60.5 to 58.5 mph (27.046 and
+/// 26.152 m/s): the quickest course turns after (g − 0.894)/2g = 0.4544 s; and so on.
+#[test]
+fn speeds_in_whole_miles_are_rounded_to_a_mile() {
+    let text = |unit: &str, speeds: [&str; 3]| {
+        let [a, b, c] = speeds;
+        format!("Time (s),Vehicle speed ({unit})\n-2,{a}\n-1,{b}\n0,{c}\n")
+    };
+    let record = |unit, speeds| PreCrash::from_table(&read_tables(&text(unit, speeds)).unwrap()[0]).unwrap();
+    let miles = record("mph", ["60", "58", "55"]);
+    assert!((miles.step() - 0.44704).abs() < 1e-12);
+    let (_, bounds) = miles.distances_to_last(&SpeedLimits::stored_in(miles.step()))[0];
+    assert!((bounds.at_least - 46.35).abs() < 0.005 && (bounds.at_most - 56.92).abs() < 0.005, "{bounds:?}");
+    // With a fraction of a mile, and in km/h, it is 1 km/h; without rounding the bounds are nearer.
+    assert!((record("mph", ["60", "58.4", "55"]).step() - 1.0 / 3.6).abs() < 1e-12);
+    assert!((record("km/h", ["60", "58", "55"]).step() - 1.0 / 3.6).abs() < 1e-12);
+    let (_, exact) = miles.distances_to_last(&SpeedLimits::stored_in(0.0))[0];
+    // ±0.22352 m/s over 2 s, as the turns stay where they are.
+    assert!((bounds.at_most - exact.at_most - 0.44704).abs() < 1e-9, "{exact:?}");
+    assert!((exact.at_least - bounds.at_least - 0.44704).abs() < 1e-9, "{exact:?}");
 }

@@ -28,28 +28,22 @@ fn every_record_before_an_impact_is_read_or_refused() {
     let heading = "PTIME (s),brake,pedal_pct,speed_kmh,steer_deg,throttle_pct";
     let all = records(&text, heading, &[4, 5, 6, 7, 8, 9]);
     assert_eq!(all.len(), 210);
-    let (mut read, mut refused) = (0, BTreeMap::new());
+    let mut silent = 0;
     for (name, text) in &all {
         let tables = read_tables(text).unwrap_or_else(|error| panic!("{name}: {error}"));
         // What is stored is what is printed, to the last sample.
         let printed = text.lines().skip(1).filter(|line| line.split(',').nth(3) != Some("")).count();
-        match PreCrash::from_table(&tables[0]) {
-            Ok(record) => {
-                read += 1;
-                assert_eq!(record.speeds().count(), printed, "{name}");
-                let speed = ImpactSpeed::of(&record, &ImpactSpeedErrors::default()).unwrap();
-                let [low, high] = speed.interval(0.95);
-                assert!(low <= speed.mean && speed.mean <= high && speed.sd > 0.0, "{name}: {speed:?}");
-            }
-            Err(error) => {
-                assert_eq!(printed, 0, "{name}: {error}");
-                *refused.entry(error.to_string()).or_insert(0) += 1;
-            }
-        }
+        let record = PreCrash::from_table(&tables[0]).unwrap_or_else(|error| panic!("{name}: {error}"));
+        assert_eq!(record.speeds().count(), printed, "{name}");
+        let Ok(speed) = ImpactSpeed::of(&record, &ImpactSpeedErrors::default()) else {
+            assert_eq!(printed, 0, "{name}");
+            silent += 1;
+            continue;
+        };
+        let [low, high] = speed.interval(0.95);
+        assert!(low <= speed.mean && speed.mean <= high && speed.sd > 0.0, "{name}: {speed:?}");
     }
-    println!("{read} read, refused: {refused:#?}");
-    assert_eq!(read + refused.values().sum::<usize>(), all.len());
-    assert!(refused.keys().all(|reason| reason.contains("has a speed")));
+    println!("{silent} without a speed");
 }
 
 #[test]

@@ -1,6 +1,9 @@
 //! The speed at impact against an independent simulation of its errors.
 
-use recorder::{ImpactSpeed, ImpactSpeedErrors, PreCrash, PreCrashSample, SpeedErrorSource};
+use recorder::{
+    ImpactSpeed, ImpactSpeedErrors, ImpactSpeedFault, PreCrash, PreCrashSample, SampledApproach,
+    SpeedErrorSource,
+};
 
 const KMH: f64 = 1.0 / 3.6;
 
@@ -145,5 +148,126 @@ fn a_vehicle_that_stands_stands() {
     assert!(found.quantile(0.975) < 1.0 * KMH && found.quantile(0.0) >= 0.0, "{:?}", found.interval(0.95));
     let errors = ImpactSpeedErrors { friction: f64::NAN, ..ImpactSpeedErrors::default() };
     let error = ImpactSpeed::of(&record(&standing), &errors).unwrap_err();
+    let ImpactSpeedFault::OutOfRange(error) = error else { panic!("{error}") };
     assert_eq!((error.name, error.greatest), ("friction", 1.5));
+}
+
+/// The last speed is 72 km/h, after another of 72 half a second before; each row is a time and the brake, after
+/// the first with a dash for the speed.
+fn with_gap(brakes: &[(f64, Option<bool>)]) -> PreCrash {
+    let first = brakes[0];
+    let sample = |(k, (time, brake)): (usize, &(f64, Option<bool>))| PreCrashSample {
+        time: *time,
+        speed: (k < 2).then_some(20.0),
+        brake: *brake,
+        ..PreCrashSample::default()
+    };
+    let all: Vec<_> = [(first.0 - 0.5, first.1)].iter().chain(brakes).copied().collect();
+    PreCrash::new(all.iter().enumerate().map(sample).collect()).unwrap()
+}
+
+/// Mean and standard deviation of a simulation: the time with the brake on (s) for two uniform numbers and one
+/// between 0 and 1 that decides, whether it was on at the last speed, and the whole gap (s).
+fn simulated(gap: f64, course: impl Fn([f64; 3]) -> (f64, bool)) -> [f64; 2] {
+    let mut numbers = Numbers(11);
+    let draws: Vec<f64> = (0..400_000)
+        .map(|_| {
+            let rounding = numbers.uniform(-0.5, 0.5) * KMH;
+            let low = 20.0 * (0.014 + 0.0043 * numbers.normal()) + 20.0 * 0.007 * numbers.normal();
+            let (brakes, coasts) = (numbers.uniform(-0.75 * 9.80665, 0.0), numbers.uniform(-1.0, 1.0));
+            let (on, was_on) = course([0; 3].map(|_: i32| numbers.uniform(0.0, 1.0)));
+            let age = numbers.uniform(0.0, 0.1);
+            let [on, off] = if was_on { [on + age, gap - on] } else { [on, gap - on + age] };
+            (20.0 + rounding + low + brakes * on + coasts * off).max(0.0)
+        })
+        .collect();
+    moments(&draws)
+}
+
+#[test]
+fn the_brake_in_the_gap_is_that_of_a_simulation() {
+    let (on, off) = (Some(true), Some(false));
+    type Case<'a> = (&'a [(f64, Option<bool>)], &'a dyn Fn([f64; 3]) -> (f64, bool));
+    let cases: [Case; 8] = [
+        // Off in every sample up to the impact: it coasted for a second.
+        (&[(-1.0, off), (-0.5, off), (0.0, off)], &|_| (0.0, false)),
+        // On after half a second: it came on somewhere within it.
+        (&[(-1.0, off), (-0.5, on), (0.0, on)], &|u| (0.5 + 0.5 * u[0], false)),
+        (&[(-1.0, off), (-0.5, off), (0.0, on)], &|u| (0.5 * u[0], false)),
+        // It went off in the first half second, and was off at the impact.
+        (&[(-1.0, on), (-0.5, off), (0.0, off)], &|u| (0.5 * u[0], true)),
+        // Nothing but "off" two seconds before: 1 − 0.75⁴ = 68.36 %, at any time of the two seconds.
+        (&[(-2.0, off)], &|u| (if u[1] < 0.683_593_75 { 2.0 * u[0] } else { 0.0 }, false)),
+        // Half a second is one interval: 25 %.
+        (&[(-0.5, off)], &|u| (if u[1] < 0.25 { 0.5 * u[0] } else { 0.0 }, false)),
+        // On in the last sample: braked up to the impact.
+        (&[(-0.5, on)], &|_| (0.5, true)),
+        // No switch: on or off with half each, and from off it comes on with 1 − 0.75² = 43.75 % in a second.
+        (&[(-1.0, None)], &|u| match (u[2] < 0.5, u[1] < 0.4375) {
+            (true, _) => (1.0, true),
+            (false, true) => (u[0], false),
+            (false, false) => (0.0, false),
+        }),
+    ];
+    for (brakes, course) in cases {
+        let found = ImpactSpeed::of(&with_gap(brakes), &ImpactSpeedErrors::default()).unwrap();
+        let [mean, sd] = simulated(-brakes[0].0, course);
+        assert!((found.mean - mean).abs() < 0.02, "{brakes:?}: {} {mean}", found.mean);
+        assert!((found.sd / sd - 1.0).abs() < 0.015, "{brakes:?}: {} {sd}", found.sd);
+        // The account adds up, unless some of the draws stop at a standstill.
+        if brakes[0].0 > -1.5 {
+            let whole: f64 = found.parts.iter().map(|part| part.variance).sum();
+            let shift: f64 = found.parts.iter().map(|part| part.shift).sum();
+            assert!((whole.sqrt() / sd - 1.0).abs() < 0.015, "{brakes:?}: {whole} {sd}");
+            assert!((20.0 + shift - mean).abs() < 0.02, "{brakes:?}: {shift} {mean}");
+        }
+    }
+}
+
+/// 50 km/h two seconds before, the brake off in every sample: 50.7 km/h, as the wheels read 1.4 % low, and
+/// ±1 m/s² over 2 s: a standard deviation of 2.05/√3 = 1.18 m/s without the rest.
+#[test]
+fn a_brake_that_is_off_up_to_the_impact_takes_nothing_off() {
+    let sample = |(k, time): (usize, &f64)| PreCrashSample {
+        time: *time,
+        speed: (k < 2).then_some(50.0 * KMH),
+        brake: Some(false),
+        ..PreCrashSample::default()
+    };
+    let times = [-2.5, -2.0, -1.5, -1.0, -0.5, 0.0];
+    let record = PreCrash::new(times.iter().enumerate().map(sample).collect()).unwrap();
+    let found = ImpactSpeed::of(&record, &ImpactSpeedErrors::default()).unwrap();
+    assert!((found.mean / KMH - 50.7).abs() < 0.1, "{}", found.mean / KMH);
+    assert!((found.sd - 1.19).abs() < 0.02, "{}", found.sd);
+}
+
+/// Slip goes by the deceleration before the last sample, whatever the switch says: 12 km/h in half a second are
+/// 6.67 m/s², of which 1 m/s² is the engine: 5.67 of 6.35 m/s², so 0.892 · 3 + 0.108 · 0.84 = 2.77 km/h. Of a
+/// single sample with the brake on nothing is known: half of hard braking, 1.5 + 0.28 = 1.78 km/h.
+#[test]
+fn slip_goes_by_the_deceleration_before_the_last_sample() {
+    let shift = |samples: &[(f64, f64, Option<bool>)]| {
+        let found = ImpactSpeed::of(&record(samples), &ImpactSpeedErrors::default()).unwrap();
+        found.parts.iter().find(|part| part.source == SpeedErrorSource::Slip).unwrap().shift / KMH
+    };
+    let close = |found: f64, expected: f64| assert!((found - expected).abs() < 0.005, "{found} {expected}");
+    close(shift(&[(-0.5, 72.0, Some(false)), (0.0, 60.0, Some(false))]), 2.766);
+    close(shift(&[(-0.5, 72.0, Some(true)), (0.0, 60.0, Some(true))]), 2.799);
+    // An engine that brakes makes no wheel slip.
+    close(shift(&[(-0.5, 61.0, Some(false)), (0.0, 60.0, Some(false))]), 0.84);
+    close(shift(&[(0.0, 40.0, Some(true))]), 1.78);
+    close(shift(&[(0.0, 40.0, Some(false))]), 0.56);
+    // Either of the two: a quarter of hard braking.
+    close(shift(&[(0.0, 40.0, None)]), 1.17);
+}
+
+#[test]
+fn a_record_without_a_speed_tells_none() {
+    let sample = PreCrashSample { time: -1.0, brake: Some(true), ..PreCrashSample::default() };
+    let record = PreCrash::new(vec![sample]).unwrap();
+    assert_eq!(record.samples().len(), 1);
+    assert_eq!(record.speeds().count(), 0);
+    let errors = ImpactSpeedErrors::default();
+    assert_eq!(ImpactSpeed::of(&record, &errors), Err(ImpactSpeedFault::NoSpeed));
+    assert_eq!(SampledApproach::of(&record, &errors), Err(ImpactSpeedFault::NoSpeed));
 }
