@@ -125,7 +125,7 @@ pub(crate) fn contradictions(case: &Case, analysis: &Analysis, used: Used) -> Ve
             }
             let error = share(recorder.delta_v_error, RECORDER_DELTA_V_ERROR);
             let [along, left] = exchange.delta_v_components[place];
-            let told = recorder.tells_delta_v(case.axes);
+            let told = recorder.tells_delta_v(case.axes, vehicle.yaw_rate_before());
             let is_of_table = told.is_some_and(|told| told.is_of_table);
             let [longitudinal, lateral] = if is_of_table {
                 [Evident::PulseLongitudinal, Evident::PulseLateral]

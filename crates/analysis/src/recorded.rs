@@ -9,7 +9,7 @@ use inputs::{
 use pim_core::VehicleId;
 use recorder::{
     DistanceBounds, EventRecord, ImpactSpeed, ImpactSpeedErrors, KnownImpact, MatchErrors, Mismatch,
-    PulseRule, PulseSpan, RecordMatch, SpeedLimits, match_records,
+    PulseRule, PulseSpan, RecordMatch, SpeedLimits, SteepChange, match_records,
 };
 
 use crate::damage;
@@ -37,6 +37,8 @@ pub struct VehicleReading {
     pub errors: ImpactSpeedErrors,
     /// For each sample with a speed its time (s) and the distance from there to the last of them.
     pub distances: Vec<(f64, DistanceBounds)>,
+    /// Where the speed changes between two samples by more than the bounds of the distance allow.
+    pub steep: Vec<SteepChange>,
     /// The impact in the pulse by each rule that finds one.
     pub spans: Vec<PulseSpan>,
     /// Whether the pulse ends before the impact does, so that its ΔV is a lower bound.
@@ -111,7 +113,8 @@ fn records(case: &Case, id: VehicleId, recorder: &Recorder) -> Vec<(Recorder, Of
     } else {
         (0..recorder.records.len()).filter_map(|index| recorder.record(index)).collect()
     };
-    let events: Vec<EventRecord> = stored.iter().map(|one| one.event(case.axes, &impact)).collect();
+    let turned = case.vehicles[id.index()].yaw_rate_before();
+    let events: Vec<EventRecord> = stored.iter().map(|one| one.event(case.axes, turned, &impact)).collect();
     let mut impacts: Vec<KnownImpact> = recorder.other_impacts.iter().map(OtherImpact::known).collect();
     let place = recorder.other_impacts.partition_point(|other| !other.after);
     impacts.insert(place, impact);
@@ -233,7 +236,10 @@ pub fn recorders(case: &Case) -> Result<RecorderReading, Failure> {
         if !has_table && recorder.records.is_empty() {
             return None;
         }
-        let of_record = |(record, of_impact)| reading(record, of_impact, ground, case);
+        let turned = case.vehicles[id.index()].yaw_rate_before();
+        let of_record = |(record, of_impact)| {
+            reading(record, of_impact, ground, |one| one.tells_delta_v(case.axes, turned))
+        };
         let mut readings: Vec<VehicleReading> =
             records(case, id, recorder).into_iter().map(of_record).collect();
         // Where none is taken, the first leads.
@@ -257,20 +263,34 @@ pub fn recorders(case: &Case) -> Result<RecorderReading, Failure> {
     Ok(RecorderReading { vehicles })
 }
 
-fn reading(recorder: Recorder, of_impact: OfImpact, ground: Option<f64>, case: &Case) -> VehicleReading {
+/// The impact in a pulse by each rule that finds one; of a record that the recorder did not finish, each is a
+/// lower bound.
+fn spans(recorder: &Recorder) -> Vec<PulseSpan> {
+    let Some(pulse) = recorder.during_impact() else { return Vec::new() };
+    let found = PulseRule::ALL.into_iter().filter_map(|rule| pulse.span(rule));
+    found.map(|span| PulseSpan { complete: span.complete && !recorder.incomplete, ..span }).collect()
+}
+
+fn reading(
+    recorder: Recorder,
+    of_impact: OfImpact,
+    ground: Option<f64>,
+    delta_v: impl Fn(&Recorder) -> Option<RecordersDeltaV>,
+) -> VehicleReading {
     let record = recorder.before_impact();
     let pulse = recorder.during_impact();
+    let errors = recorder.speed_errors(ground);
+    let limits = SpeedLimits::stored_in(errors.step);
     VehicleReading {
         of_impact,
         others: Vec::new(),
         speed: recorder.impact_speed(ground),
-        errors: recorder.errors.errors(ground),
-        distances: record.map(|record| record.distances_to_last(&SpeedLimits::default())).unwrap_or_default(),
-        spans: pulse
-            .map(|pulse| PulseRule::ALL.into_iter().filter_map(|rule| pulse.span(rule)).collect())
-            .unwrap_or_default(),
+        errors,
+        distances: record.map(|record| record.distances_to_last(&limits)).unwrap_or_default(),
+        steep: record.map(|record| record.steep_changes(&limits)).unwrap_or_default(),
+        spans: spans(&recorder),
         is_cut: pulse.is_some_and(recorder::CrashPulse::is_cut),
-        delta_v: recorder.tells_delta_v(case.axes).filter(|told| told.is_of_table),
+        delta_v: delta_v(&recorder).filter(|told| told.is_of_table),
         force_directions: pulse.map(|pulse| pulse.force_directions(LEAST_OF_DIRECTION)).unwrap_or_default(),
         recorder,
     }

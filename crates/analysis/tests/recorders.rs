@@ -89,9 +89,60 @@ fn a_recorder_away_from_the_centre_is_taken_there() {
         "pulse = { time = \"0 20 40 60 80 100 ms\", delta_v_longitudinal = \"0 -20 -40 -49 -49 -49 km/h\", \
          delta_v_lateral = \"0 -4 -8 -10 -10 -10 km/h\" }\nat = { x = \"1 m\", y = \"0 m\" }\nyaw_rate = \"90 deg/s\"",
     );
-    let told = file.case.vehicles[0].recorder.as_ref().unwrap().tells_delta_v(file.case.axes).unwrap();
+    let told = file.case.vehicles[0].recorder.as_ref().unwrap().tells_delta_v(file.case.axes, 0.0).unwrap();
     assert!((told.along.unwrap() + 49.0 / 3.6).abs() < 1e-9);
     assert!((told.left.unwrap() - (10.0 / 3.6 - std::f64::consts::FRAC_PI_2)).abs() < 1e-9, "{told:?}");
+}
+
+/// The same recorder in a vehicle that turned by 60 °/s before: ΔΩ is 30 °/s = π/6 rad/s.
+#[test]
+fn the_yaw_rate_before_the_impact_is_no_part_of_its_change() {
+    let lines = "pulse = { time = \"0 20 40 60 80 100 ms\", delta_v_longitudinal = \"0 -20 -40 -49 -49 -49 km/h\", \
+         delta_v_lateral = \"0 -4 -8 -10 -10 -10 km/h\" }\nat = { x = \"1 m\", y = \"0 m\" }\nyaw_rate = \"90 deg/s\"";
+    let text = head_on(lines).source.text().replacen("contact =", "yaw_rate = \"60 deg/s\"\ncontact =", 1);
+    let file = CaseFile::parse("case.toml", &text).unwrap();
+    let reading = recorders(&file.case).unwrap().vehicles[0].clone().unwrap();
+    let left = reading.delta_v.unwrap().left.unwrap();
+    assert!((left - (10.0 / 3.6 - std::f64::consts::FRAC_PI_6)).abs() < 1e-9, "{left}");
+}
+
+/// The pulse holds the whole impact, and the recorder says that it did not finish the record.
+#[test]
+fn an_unfinished_record_is_a_lower_bound() {
+    let lines = |incomplete: bool| {
+        format!(
+            "incomplete = {incomplete}\npulse = {{ time = \"0 20 40 60 80 100 120 ms\", \
+             delta_v_longitudinal = \"0 -5 -12 -18 -20 -20 -20 km/h\" }}"
+        )
+    };
+    for incomplete in [false, true] {
+        let reading = recorders(&head_on(&lines(incomplete)).case).unwrap().vehicles[0].clone().unwrap();
+        assert_eq!(reading.spans.len(), 3);
+        assert!(reading.spans.iter().all(|span| span.complete != incomplete), "{:?}", reading.spans);
+        assert_eq!(reading.delta_v.is_none(), incomplete);
+        assert!(!reading.is_cut);
+    }
+}
+
+/// Whole miles: ±0.5 mph instead of ±0.5 km/h over 2 s, or what `errors.step` says.
+#[test]
+fn the_step_of_the_speeds_counts_in_the_distance() {
+    let width = |speeds: &str, errors: &str| {
+        let lines = format!(
+            "pre_crash = {{ time = \"-2 -1 0 s\", speed = \"{speeds}\", brake = \"off off off\" }}\n{errors}"
+        );
+        let reading = recorders(&head_on(&lines).case).unwrap().vehicles[0].clone().unwrap();
+        let (_, bounds) = reading.distances[0];
+        (bounds.at_most - bounds.at_least, reading.errors.step)
+    };
+    let (none, zero) = width("60 58 55 mph", "errors = { step = \"0 km/h\" }");
+    assert_eq!(zero, 0.0);
+    for (errors, step) in [("", 0.447_04), ("errors = { step = \"2 mph\" }", 0.894_08)] {
+        let (wide, found) = width("60 58 55 mph", errors);
+        assert!((found - step).abs() < 1e-12 && (wide - none - 2.0 * step).abs() < 1e-9, "{wide} {none}");
+    }
+    // The first speed is 97 km/h, so that none of it is a whole number of miles.
+    assert!((width("97 93 89 km/h", "").1 - 1.0 / 3.6).abs() < 1e-12);
 }
 
 /// Front to front, both with 40 cm of crush: CRASH3's ΔV of both is near 45 km/h, from straight ahead.

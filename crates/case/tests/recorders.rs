@@ -41,9 +41,9 @@ fn a_pasted_table_lists_and_a_file_are_read_and_written_back() {
     let before = recorder.pre_crash.as_ref().unwrap();
     assert!(matches!(before.source, SeriesSource::File(_)) && before.record.is_none());
     // 60 %, and not that of a surface; a slip of 4 km/h.
-    let errors = recorder.errors.errors(Some(0.8));
+    let errors = recorder.errors.errors(Some(0.8), None);
     assert_eq!((errors.friction, errors.slip_low * 3.6), (0.6, 4.0));
-    assert_eq!(recorder.errors.errors(None).latency, 0.1);
+    assert_eq!(recorder.errors.errors(None, None).latency, 0.1);
     assert_eq!(CaseFile::parse("again.toml", &to_toml(&file.case)).unwrap().case, file.case);
 }
 
@@ -115,10 +115,10 @@ fn several_records_are_read_and_written_back() {
     // The place of the recorder is that of both.
     assert!(first.at.is_some() && first.at == second.at && recorder.records[0].stored.at.is_none());
     assert_eq!(first.pre_crash.as_ref().unwrap().record.as_ref().unwrap().speeds().count(), 3);
-    assert!((first.tells_delta_v(file.case.axes).unwrap().along.unwrap() * 3.6 + 30.0).abs() < 1e-9);
+    assert!((first.tells_delta_v(file.case.axes, 0.0).unwrap().along.unwrap() * 3.6 + 30.0).abs() < 1e-9);
     assert_eq!(recorder.records[1].since_previous.unwrap().si(), 0.8);
     // One that was not finished gives no ΔV, and its speed stays.
-    assert_eq!(second.tells_delta_v(file.case.axes), None);
+    assert_eq!(second.tells_delta_v(file.case.axes, 0.0), None);
     assert!(second.tells_speed(None).is_some());
     assert_eq!(CaseFile::parse("again.toml", &to_toml(&file.case)).unwrap().case, file.case);
 }
@@ -131,7 +131,7 @@ fn a_record_shows_where_its_force_came_from() {
     for (axes, sense) in [("", 1.0), ("[scene]\naxes = \"z-down\"\n", -1.0)] {
         let file = CaseFile::parse("case.toml", &format!("{axes}{}", of(lines))).unwrap();
         let record = file.case.vehicles[0].recorder.as_ref().unwrap().record(0).unwrap();
-        let event = record.event(file.case.axes, &recorder::KnownImpact::default());
+        let event = record.event(file.case.axes, 0.0, &recorder::KnownImpact::default());
         assert!((event.delta_v.unwrap() * 3.6 - 25.0).abs() < 1e-9 && event.complete, "{event:?}");
         let direction = event.force_direction.unwrap().to_degrees();
         assert!((direction - sense * 16.260_204_7).abs() < 1e-6, "{direction}");

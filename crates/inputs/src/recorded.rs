@@ -48,7 +48,7 @@ impl Display for SeriesRefusal {
         match self {
             Self::Text(refusal) | Self::Column(_, refusal) => f.write_str(&refusal.message()),
             Self::NoneOfKind { wanted, found } => {
-                write!(f, "no table of {wanted} was recognised; read were {found}")
+                write!(f, "no table of {wanted} was recognised; it read {found}")
             }
             Self::PreCrash(fault) => fault.fmt(f),
             Self::Pulse(fault) => fault.fmt(f),
@@ -202,14 +202,14 @@ pub struct GivenSpeedErrors {
 
 impl GivenSpeedErrors {
     /// The errors with the defaults for what is not given; the drag factor is that of the ground, if the case
-    /// gives it.
+    /// gives it, and the step that of the record, if there is one.
     #[must_use]
-    pub fn errors(&self, ground: Option<f64>) -> ImpactSpeedErrors {
+    pub fn errors(&self, ground: Option<f64>, record: Option<&PreCrash>) -> ImpactSpeedErrors {
         let usual = ImpactSpeedErrors::default();
         let si = |given: Option<Quantity>, usual: f64| given.as_ref().map_or(usual, Quantity::si);
         let share = |given: Option<f64>, usual: f64| given.map_or(usual, |percent| percent / 100.0);
         ImpactSpeedErrors {
-            step: si(self.step, usual.step),
+            step: si(self.step, record.map_or(usual.step, PreCrash::step)),
             steady_low: share(self.steady_low, usual.steady_low),
             steady_sd: share(self.steady_sd, usual.steady_sd),
             tyre_sd: share(self.tyre_sd, usual.tyre_sd),

@@ -5,7 +5,7 @@
 use std::fmt::Display;
 use std::sync::Arc;
 
-use recorder::{CrashPulse, EventRecord, ImpactSpeed, KnownImpact, PreCrash, PulseRule};
+use recorder::{CrashPulse, EventRecord, ImpactSpeed, ImpactSpeedErrors, KnownImpact, PreCrash, PulseRule};
 
 use crate::axes::Axes;
 use crate::quantity::{Quantity, format_number};
@@ -120,11 +120,18 @@ impl Recorder {
     }
 
     /// The distribution of the speed at impact by the table before the impact; `ground` (–) is the friction
-    /// of the surface, if the case gives it. `None` without a table.
+    /// of the surface, if the case gives it. `None` without a table, or with one that has no speed.
     #[must_use]
     pub fn impact_speed(&self, ground: Option<f64>) -> Option<ImpactSpeed> {
         // The reader of a case refuses errors out of their range.
-        ImpactSpeed::of(self.before_impact()?, &self.errors.errors(ground)).ok()
+        ImpactSpeed::of(self.before_impact()?, &self.speed_errors(ground)).ok()
+    }
+
+    /// The errors of a stored speed with the defaults for what the case does not give; `ground` (–) is the
+    /// friction of the surface.
+    #[must_use]
+    pub fn speed_errors(&self, ground: Option<f64>) -> ImpactSpeedErrors {
+        self.errors.errors(ground, self.before_impact())
     }
 
     /// The speed at impact: as given or, where it is not, by the table before the impact. `None` also of a
@@ -141,10 +148,11 @@ impl Recorder {
     }
 
     /// ΔV: as given or, where it is not, by the pulse if that ends within the record. A recorder away from
-    /// the centre of gravity is taken there by the yaw rate after the impact, if the case gives both.
+    /// the centre of gravity is taken there by the yaw rate after the impact less that `before` it (rad/s, in
+    /// the sense of the axes), if the case gives place and yaw rate.
     #[must_use]
-    pub fn tells_delta_v(&self, axes: Axes) -> Option<RecordersDeltaV> {
-        self.delta_v(axes).filter(|(_, complete)| *complete).map(|(told, _)| told)
+    pub fn tells_delta_v(&self, axes: Axes, before: f64) -> Option<RecordersDeltaV> {
+        self.delta_v(axes, before).filter(|(_, complete)| *complete).map(|(told, _)| told)
     }
 
     /// One of several records, as the record of a recorder that has one.
@@ -154,15 +162,16 @@ impl Recorder {
         Some(Self { at: self.at, errors: self.errors, ..stored })
     }
 
-    /// Its record as far as that tells impacts apart, seen beside this one.
+    /// Its record as far as that tells impacts apart, seen beside this one; `before` as in
+    /// [`tells_delta_v`](Self::tells_delta_v).
     #[must_use]
-    pub fn event(&self, axes: Axes, impact: &KnownImpact) -> EventRecord {
-        let Some((told, complete)) = self.delta_v(axes) else { return EventRecord::default() };
+    pub fn event(&self, axes: Axes, before: f64, impact: &KnownImpact) -> EventRecord {
+        let Some((told, complete)) = self.delta_v(axes, before) else { return EventRecord::default() };
         EventRecord::new([told.along, told.left.map(|left| -left)], complete, impact)
     }
 
     /// ΔV, and whether the record holds all of it.
-    fn delta_v(&self, axes: Axes) -> Option<(RecordersDeltaV, bool)> {
+    fn delta_v(&self, axes: Axes, before: f64) -> Option<(RecordersDeltaV, bool)> {
         if self.delta_v_longitudinal.is_some() || self.delta_v_lateral.is_some() {
             let along = self.delta_v_longitudinal.as_ref().map(Quantity::si);
             let left = self.delta_v_lateral.as_ref().map(|across| axes.lateral(across.si()));
@@ -172,7 +181,7 @@ impl Recorder {
         let span = self.during_impact()?.span(PulseRule::GreatestDeltaV)?;
         // A recorder stores what is to the right as positive.
         let [along, left] = [span.delta_v[0], span.delta_v[1].map(|right| -right)];
-        let turned = self.yaw_rate.as_ref().map(|rate| axes.lateral(rate.si()));
+        let turned = self.yaw_rate.as_ref().map(|rate| axes.lateral(rate.si() - before));
         let (along, left) = match (along, left, self.at, turned) {
             (Some(along), Some(left), Some(at), Some(turned)) => {
                 let place = [at.x.si(), axes.lateral(at.y.si())];

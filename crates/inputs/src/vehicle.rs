@@ -105,6 +105,14 @@ pub struct GivenVehicle<T = f64> {
     pub certain_speed: Option<CertainSpeed>,
 }
 
+impl GivenVehicle {
+    /// (rad/s) yaw rate before the impact, in the sense of the axes; 0 where the case gives none.
+    #[must_use]
+    pub fn yaw_rate_before(&self) -> f64 {
+        self.yaw_rate.as_ref().map_or(0.0, Quantity::si)
+    }
+}
+
 impl<T> GivenVehicle<T> {
     /// Whether the case tells the crush energy, in one form or another.
     #[must_use]

@@ -21,6 +21,7 @@ pub struct PulseSample {
 #[derive(Clone, Debug, PartialEq)]
 pub struct CrashPulse {
     samples: Vec<PulseSample>,
+    padded_from: Option<f64>,
 }
 
 /// Why samples are no pulse.
@@ -141,12 +142,13 @@ pub fn force_direction([along, to_the_right]: [f64; 2]) -> f64 {
 }
 
 impl CrashPulse {
-    /// A pulse of these samples; those without a ΔV are dropped.
+    /// A pulse of these samples. Those without a ΔV are dropped, and the zeros with which a recorder filled
+    /// up what it did not store; of two axes of which one ends before the other, the other goes on alone.
     ///
     /// # Errors
     ///
     /// [`PulseFault`] names the sample.
-    pub fn new(samples: Vec<PulseSample>) -> Result<Self, PulseFault> {
+    pub fn new(mut samples: Vec<PulseSample>) -> Result<Self, PulseFault> {
         let mut before = f64::NEG_INFINITY;
         for (k, one) in samples.iter().enumerate() {
             let parts = [one.longitudinal, one.lateral];
@@ -162,24 +164,37 @@ impl CrashPulse {
         let has =
             |of: fn(&PulseSample) -> Option<f64>| samples.iter().filter(|one| of(one).is_some()).count() >= 2;
         let (along, across) = (has(|one| one.longitudinal), has(|one| one.lateral));
-        let whole = |one: &PulseSample| {
-            (along || across) && (!along || one.longitudinal.is_some()) && (!across || one.lateral.is_some())
+        let padded_from = padding(&samples).map(|first| {
+            let time = samples[first].time;
+            samples.truncate(first);
+            time
+        });
+        let end = |of: fn(&PulseSample) -> Option<f64>| samples.iter().rposition(|one| of(one).is_some());
+        let ends = [end(|one| one.longitudinal), end(|one| one.lateral)];
+        let whole = |(k, one): &(usize, &PulseSample)| {
+            let lacks =
+                |has: bool, part: Option<f64>, end: Option<usize>| has && part.is_none() && Some(*k) <= end;
+            one.longitudinal.or(one.lateral).is_some()
+                && !lacks(along, one.longitudinal, ends[0])
+                && !lacks(across, one.lateral, ends[1])
         };
         let kept: Vec<PulseSample> = samples
             .iter()
-            .filter(|one| whole(one))
-            .map(|one| PulseSample {
+            .enumerate()
+            .filter(whole)
+            .map(|(_, one)| PulseSample {
                 longitudinal: one.longitudinal.filter(|_| along),
                 lateral: one.lateral.filter(|_| across),
                 ..*one
             })
+            .filter(|one| one.longitudinal.or(one.lateral).is_some())
             .collect();
         if kept.len() < 2 {
             let found = samples.iter().filter(|one| one.longitudinal.or(one.lateral).is_some()).count();
             // With two samples of either axis, and none of both, no two are whole.
             return Err(PulseFault::TooFew { found: found.min(1) });
         }
-        Ok(Self { samples: kept })
+        Ok(Self { samples: kept, padded_from })
     }
 
     /// The pulse in a table that was read from a text.
@@ -209,7 +224,38 @@ impl CrashPulse {
             lateral: one.lateral.or_else(|| at(one.time, |one| one.lateral)),
         };
         let samples: Vec<PulseSample> = self.samples.iter().map(joined).collect();
-        Self::new(samples).unwrap_or_else(|_| self.clone())
+        let earlier = [self.padded_from, other.padded_from].into_iter().flatten().reduce(f64::min);
+        match Self::new(samples) {
+            Ok(joined) => Self { padded_from: joined.padded_from.or(earlier), ..joined },
+            Err(_) => self.clone(),
+        }
+    }
+
+    /// (s) from when on the record has nothing but zeros with which the recorder filled it up, if it has;
+    /// they are no samples.
+    #[must_use]
+    pub fn padded_from(&self) -> Option<f64> {
+        self.padded_from
+    }
+
+    /// (s) the last time at which both axes have a ΔV, if one of them goes on alone.
+    #[must_use]
+    pub fn alone_from(&self) -> Option<f64> {
+        let has_both = |one: &PulseSample| one.longitudinal.is_some() && one.lateral.is_some();
+        let last = self.samples.iter().rposition(has_both)?;
+        (last + 1 < self.samples.len()).then(|| self.samples[last].time)
+    }
+
+    /// (s) from when to when ΔV stands still by the rule of 49 CFR 563.5 before it changes by more than
+    /// 2 km/h again: between two impacts, or in one with a pause.
+    #[must_use]
+    pub fn pause(&self) -> Option<[f64; 2]> {
+        let active = self.active(PulseRule::CHANGE);
+        let first = active.iter().position(|step| *step)?;
+        let end = first + active[first..].iter().position(|step| !step)?;
+        let again = end + active[end..].iter().position(|step| *step)?;
+        let changes = (again..self.samples.len()).any(|k| self.change(end, k) > TURNED);
+        changes.then(|| [self.samples[end].time, self.samples[again].time])
     }
 
     /// The samples, the earliest first.
@@ -221,7 +267,10 @@ impl CrashPulse {
     /// (m/s) the resultant ΔV from one sample to another.
     fn change(&self, from: usize, to: usize) -> f64 {
         let [first, last] = [&self.samples[from], &self.samples[to]];
-        let part = |of: fn(&PulseSample) -> Option<f64>| of(last).unwrap_or(0.0) - of(first).unwrap_or(0.0);
+        // An axis that has ended changes no more.
+        let part = |of: fn(&PulseSample) -> Option<f64>| {
+            of(last).zip(of(first)).map_or(0.0, |(last, first)| last - first)
+        };
         let (x, y) = (part(|one| one.longitudinal), part(|one| one.lateral));
         (x * x + y * y).sqrt()
     }
@@ -287,7 +336,7 @@ impl CrashPulse {
             PulseRule::Change { .. } => first + active[first..].iter().take_while(|step| **step).count(),
             _ => active.iter().rposition(|step| *step)? + 1,
         };
-        let ends_within = last < self.samples.len() - 1;
+        let ends_within = last < self.samples.len() - 1 && self.padded_from.is_none();
         let end = match rule {
             PulseRule::GreatestDeltaV => (first..=last).fold(first, |best, k| {
                 if self.change(first, k) > self.change(first, best) { k } else { best }
@@ -317,11 +366,29 @@ impl CrashPulse {
     }
 
     /// Whether the record ends before the impact does: ΔV still changes at its end by the rule of 49 CFR
-    /// 563.5. Its ΔV is then a lower bound.
+    /// 563.5, or the recorder filled up what follows with zeros. Its ΔV is then a lower bound.
     #[must_use]
     pub fn is_cut(&self) -> bool {
-        self.active(PulseRule::CHANGE).last() == Some(&true)
+        self.padded_from.is_some() || self.active(PulseRule::CHANGE).last() == Some(&true)
     }
+}
+
+/// (m/s) 5 km/h: ΔV does not fall from more to 0 from one sample to the next, to stay there.
+const LEAST_PADDED: f64 = 5.0 / 3.6;
+
+/// Which sample is the first of the zeros with which a recorder fills up a record that it could not finish: two
+/// at least, after more than [`LEAST_PADDED`] and more than half of the greatest ΔV.
+fn padding(samples: &[PulseSample]) -> Option<usize> {
+    let size = |one: &PulseSample| {
+        let [x, y] = [one.longitudinal, one.lateral].map(|part| part.unwrap_or(0.0));
+        (x * x + y * y).sqrt()
+    };
+    let is_zero = |one: &PulseSample| one.longitudinal.or(one.lateral).is_some() && size(one) == 0.0;
+    let last = samples.iter().rposition(|one| size(one) > 0.0)?;
+    let greatest = samples.iter().map(size).fold(0.0, f64::max);
+    let falls = size(&samples[last]) > LEAST_PADDED.max(0.5 * greatest);
+    let zeros = samples[last + 1..].iter().filter(|one| is_zero(one)).count();
+    (falls && zeros >= 2).then_some(last + 1)
 }
 
 /// (s) the time in which a pulse changes or does not: that of 49 CFR 563.5.

@@ -92,6 +92,94 @@ fn iihs_cf09009_ends_before_the_impact_does() {
     assert!((greatest.end - 0.058).abs() < 1e-9 && greatest.complete);
 }
 
+/// Samples 10 ms apart, in km/h.
+fn pulse(along: &[f64], across: &[f64]) -> CrashPulse {
+    let sample = |k: usize| PulseSample {
+        time: 0.01 * k as f64,
+        longitudinal: along.get(k).map(|value| value * KMH),
+        lateral: across.get(k).map(|value| value * KMH),
+    };
+    CrashPulse::new((0..along.len().max(across.len())).map(sample).collect()).unwrap()
+}
+
+/// From −28 km/h to 0 in 10 ms and no more: 79 g the other way, and then nothing. The zeros are no ΔV.
+#[test]
+fn zeros_that_fill_up_a_record_are_no_samples() {
+    let stored = [0.0, -2.0, -7.0, -13.0, -20.0, -25.0, -28.0];
+    let padded = pulse(&[&stored[..], &[0.0; 3]].concat(), &[]);
+    assert_eq!(padded.samples(), pulse(&stored, &[]).samples());
+    assert!((padded.padded_from().unwrap() - 0.07).abs() < 1e-12 && padded.is_cut());
+    for rule in PulseRule::ALL {
+        let span = padded.span(rule).unwrap();
+        assert!(!span.complete && (span.resultant() - 28.0 * KMH).abs() < 1e-9, "{span:?}");
+    }
+    // One that had ended before it was filled up is not finished either.
+    assert!(
+        !pulse(&[0.0, -9.0, -18.0, -20.0, -20.0, -20.0, 0.0, 0.0], &[])
+            .span(PulseRule::CHANGE)
+            .unwrap()
+            .complete
+    );
+    // A ΔV that returns to 0 by itself, and a last digit that does.
+    for whole in
+        [&[0.0, -8.0, -12.0, -9.0, -5.0, -2.0, 0.0, 0.0, 0.0][..], &[0.0, -1.0, -2.0, -2.0, 0.0, 0.0]]
+    {
+        let whole = pulse(whole, &[]);
+        assert_eq!(whole.padded_from(), None);
+        assert!(whole.samples().last().unwrap().longitudinal == Some(0.0));
+    }
+}
+
+/// The lateral part ends at 30 ms: longitudinal ΔV is nevertheless 20 km/h, at 40 ms, and complete.
+#[test]
+fn an_axis_that_ends_early_does_not_end_the_other() {
+    let along = [0.0, -5.0, -12.0, -18.0, -20.0, -20.0, -20.0, -20.0];
+    for found in
+        [pulse(&along, &[0.0, 1.0, 3.0, 5.0]), pulse(&along, &[]).with(&pulse(&[], &[0.0, 1.0, 3.0, 5.0]))]
+    {
+        assert_eq!(found.samples().len(), 8);
+        assert!((found.alone_from().unwrap() - 0.03).abs() < 1e-12, "{found:?}");
+        let span = found.span(PulseRule::GreatestDeltaV).unwrap();
+        assert!(span.complete && (span.end - 0.04).abs() < 1e-12, "{span:?}");
+        assert!(
+            (span.delta_v[0].unwrap() + 20.0 * KMH).abs() < 1e-9 && span.delta_v[1].is_none(),
+            "{span:?}"
+        );
+    }
+    assert_eq!(pulse(&along, &along).alone_from(), None);
+    assert_eq!(pulse(&along, &[]).alone_from(), None);
+    // A cell without a value between others takes its sample with it.
+    let sample = |k: usize| PulseSample {
+        time: 0.01 * k as f64,
+        longitudinal: Some(along[k] * KMH),
+        lateral: (k != 2).then_some(0.0),
+    };
+    assert_eq!(CrashPulse::new((0..8).map(sample).collect()).unwrap().samples().len(), 7);
+}
+
+/// 10 km/h, 60 ms of nothing, and 20 more: the rule of 49 CFR 563.5 ends at the pause, the others hold both.
+#[test]
+fn a_pause_in_a_pulse_is_told() {
+    let two = [
+        0.0, -2.0, -4.0, -6.0, -8.0, -10.0, -10.0, -10.0, -10.0, -10.0, -10.0, -15.0, -25.0, -30.0, -30.0,
+        -30.0, -30.0,
+    ];
+    let two = pulse(&two, &[]);
+    let size = |rule| two.span(rule).unwrap().resultant() / KMH;
+    assert!(
+        (size(PulseRule::CHANGE) - 10.0).abs() < 1e-9
+            && (size(PulseRule::GreatestDeltaV) - 30.0).abs() < 1e-9
+    );
+    // A window of 20 ms that begins at 40 ms changes by 2 km/h; that from 90 ms on by 5.
+    let [from, to] = two.pause().unwrap();
+    assert!((from - 0.06).abs() < 1e-12 && (to - 0.09).abs() < 1e-12, "{from} {to}");
+    assert_eq!(half_sine(50.0 * KMH, 0.03, 0.01, 0.25).pause(), None);
+    // A last digit that flickers is no second impact.
+    let flickers =
+        [0.0, -6.0, -18.0, -30.0, -40.0, -40.0, -40.0, -40.0, -40.0, -41.0, -40.0, -40.0, -40.0, -40.0];
+    assert_eq!(pulse(&flickers, &[]).pause(), None);
+}
+
 #[test]
 fn delta_v_at_the_center_is_less_the_rotation() {
     // A recorder 1 m ahead of the center, hit so that the vehicle turns by 3 rad/s to the left: it gets 3 m/s

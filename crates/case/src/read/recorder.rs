@@ -196,7 +196,7 @@ impl<'t> Reader<'t> {
             latency,
             last_is_of_impact,
         };
-        if let Err(refusal) = errors.errors(None).check() {
+        if let Err(refusal) = errors.errors(None, None).check() {
             let message = format!("\"{}\" is too large", table.path_of(refusal.name));
             let help = Some("it is an error of a speed at impact, of the size in its example".to_owned());
             self.report_path(&table.path_of(refusal.name), CaseProblem::Fault { message, help });

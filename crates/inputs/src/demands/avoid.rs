@@ -78,7 +78,7 @@ impl Case {
         let recorder = self.vehicles[self.avoid_subject().index()].recorder.as_ref()?;
         let ground = self.surface.as_ref().map(|surface| surface.friction);
         // The reader of a case refuses errors out of their range.
-        SampledApproach::of(recorder.before_impact()?, &recorder.errors.errors(ground)).ok().map(Arc::new)
+        SampledApproach::of(recorder.before_impact()?, &recorder.speed_errors(ground)).ok().map(Arc::new)
     }
 }
 

@@ -24,7 +24,7 @@ pub(super) fn recorded(subject: Subject<'_>, is_side: bool) -> (RecordedData, No
         })
     };
     let share = |percent: Option<f64>| percent.map(|percent| percent / 100.0);
-    let told = recorder.tells_delta_v(axes);
+    let told = recorder.tells_delta_v(axes, subject.given().yaw_rate_before());
     let [along, left] = [told.and_then(|told| told.along), told.and_then(|told| told.left)];
     let (mut delta_v, mut longitudinal) = (None, None);
     if let Some(along) = along {
