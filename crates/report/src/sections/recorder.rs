@@ -1,7 +1,7 @@
 //! What the recorders of a case say alone.
 
 use analysis::{OfImpact, RecorderReading, VehicleReading};
-use case::{CaseFile, SeriesSource};
+use case::{Axes, CaseFile, SeriesSource};
 use pim_core::VehicleId;
 use recorder::{
     KnownImpact, MatchErrors, PreCrash, PulseRule, PulseSpan, RecordMatch, RecorderTable, SpeedErrorSource,
@@ -34,10 +34,7 @@ pub fn recorders(file: &CaseFile, reading: &RecorderReading, units: Units) -> Do
     }
     if let Some(picture) = pictures::both(case, reading, units) {
         page.heading("Both vehicles on one clock");
-        page.paragraph(
-            "Both records end at the impact, and 0 is one time for both. The distance is that to the last sample of each, \
-             straight between its samples.",
-        );
+        page.paragraph(one_clock(reading));
         let drawing = crate::document::Undrawn::new(move || picture.draw());
         page.push(Block::Chart { name: "recorders".to_owned(), drawing, instead: None });
     }
@@ -71,13 +68,43 @@ fn headline(id: VehicleId, found: &VehicleReading, units: Units) -> Vec<String> 
     }
     if let Some(span) = leading(&found.spans) {
         let size = road(span.resultant());
-        lines.push(if span.complete {
+        lines.push(if let Some([along, left]) = at_center(found) {
+            let size = road((along * along + left * left).sqrt());
+            format!("ΔV of vehicle {id}: {size} at its centre of gravity, at {}", milliseconds(span.end))
+        } else if span.complete {
             format!("ΔV of vehicle {id}: {size}, at {}", milliseconds(span.end))
         } else {
-            format!("ΔV of vehicle {id}: at least {size}, as its record ends before the impact does")
+            let why = if found.recorder.incomplete {
+                "the recorder did not finish the record"
+            } else {
+                "its record ends before the impact does"
+            };
+            format!("ΔV of vehicle {id}: at least {size}, as {why}")
         });
     }
     lines
+}
+
+/// (m/s) ΔV along the vehicle and to its left at the centre of gravity, where the recorder is away from it and
+/// the case has what takes ΔV there.
+fn at_center(found: &VehicleReading) -> Option<[f64; 2]> {
+    found.recorder.at.and(found.recorder.yaw_rate)?;
+    let told = found.delta_v?;
+    Some([told.along?, told.left?])
+}
+
+/// What the clock of both records is, and where one of them ends before it is 0.
+fn one_clock(reading: &RecorderReading) -> String {
+    let early: Vec<String> = read_of(reading)
+        .filter_map(|(id, found)| Some((id, found.distances.last()?.0)))
+        .filter(|(_, time)| *time < 0.0)
+        .map(|(id, time)| format!("the last speed of vehicle {id} is that of {} s", number(time, 2)))
+        .collect();
+    let early = if early.is_empty() { String::new() } else { format!("; {}", early.join(", and ")) };
+    format!(
+        "0 is the impact for both records{early}. The distance is that to the last sample of each, straight between its \
+         samples."
+    )
 }
 
 /// The heading of what tells records apart.
@@ -242,12 +269,22 @@ fn before(page: &mut Document, file: &CaseFile, id: VehicleId, found: &VehicleRe
     page.push(part(found, "Before the impact"));
     recognised(page, file, &format!("{}.pre_crash", found.of_impact.key(id)), &given.source, table);
     page.push(samples(record, found, units));
-    page.paragraph(
+    if found.distances.is_empty() {
+        page.paragraph("No sample has a speed: the record tells no distance, and no speed at the impact.");
+        return;
+    }
+    let rounding = if found.errors.step > 0.0 {
+        format!("are rounded to {}", units.format(Measure::RoadSpeed, found.errors.step))
+    } else {
+        "are exact".to_owned()
+    };
+    page.paragraph(format!(
         "The distance is that to the last sample. It lies between \"at least\" and \"at most\" for every course of the speed \
-         that changes by 1 g at most, either way, and whose stored values are rounded to 1 km/h. \"Left\" holds each speed until the \
+         that changes by 1 g at most, either way, and whose stored values {rounding}. \"Left\" holds each speed until the \
          next sample and \"right\" since the one before; \"between\" is straight. A speed that reads low, as in braking, makes all of \
          them too short.",
-    );
+    ));
+    steep(page, found);
     if let Some(speed) = &found.speed {
         page.push(account(speed, found, units));
         if let Some(fall) = &speed.steep_fall {
@@ -261,6 +298,27 @@ fn before(page: &mut Document, file: &CaseFile, id: VehicleId, found: &VehicleRe
             ));
         }
     }
+}
+
+/// Where the speed changes by more than 1 g, and what the bounds of the distance then are.
+fn steep(page: &mut Document, found: &VehicleReading) {
+    if found.steep.is_empty() {
+        return;
+    }
+    let places: Vec<String> = found
+        .steep
+        .iter()
+        .map(|one| {
+            let [from, to] = one.times.map(|time| number(time, 2));
+            let verb = if one.acceleration < 0.0 { "falls" } else { "rises" };
+            format!("from {from} to {to} s it {verb} by {} g", number(one.acceleration.abs() / 9.80665, 2))
+        })
+        .collect();
+    page.paragraph(format!(
+        "The stored speed changes by more than 1 g: {}. No tyre does that: the wheels slipped or gripped again, or the vehicle \
+         struck something. There the bounds let the speed change at any instant, and hold it to 1 g in the other sense alone.",
+        places.join(", ")
+    ));
 }
 
 /// The samples, with the distance from each to the last.
@@ -290,6 +348,8 @@ fn samples(record: &PreCrash, found: &VehicleReading, units: Units) -> Table {
         columns.push(Column::numbers(name, Width::Fixed(10)).unit(length));
     }
     let mut table = Table::new("Samples", columns);
+    let pedals = || samples.iter().filter_map(|one| one.accelerator.or(one.throttle));
+    let decimals = usize::from(pedals().any(|percent| percent.fract() != 0.0));
     let switch = |on: Option<bool>| on.map_or(NONE, |on| if on { "on" } else { "off" }).to_owned();
     for sample in samples {
         let mut cells = vec![number(sample.time, 2)];
@@ -297,7 +357,10 @@ fn samples(record: &PreCrash, found: &VehicleReading, units: Units) -> Table {
         let optional = [
             switch(sample.brake),
             switch(sample.abs),
-            sample.accelerator.or(sample.throttle).map_or(NONE.to_owned(), |percent| number(percent, 0)),
+            sample
+                .accelerator
+                .or(sample.throttle)
+                .map_or(NONE.to_owned(), |percent| number(percent, decimals)),
             sample.steering.map_or(NONE.to_owned(), |angle| number(angle.to_degrees(), 1)),
         ];
         cells.extend(optional.into_iter().zip(shown).filter(|(_, shown)| *shown).map(|(cell, _)| cell));
@@ -309,6 +372,9 @@ fn samples(record: &PreCrash, found: &VehicleReading, units: Units) -> Table {
     }
     table
 }
+
+/// (m/s) 0.2 km/h: less is that of the draws.
+const LEAST_STANDING: f64 = 0.2 / 3.6;
 
 /// The speed at impact, and what its error comes from.
 fn account(speed: &recorder::ImpactSpeed, found: &VehicleReading, units: Units) -> Table {
@@ -339,13 +405,24 @@ fn account(speed: &recorder::ImpactSpeed, found: &VehicleReading, units: Units) 
             number(100.0 * share, 0),
         ]);
     }
+    // What braking takes off more than there is: the parts are of numbers that may fall below 0.
+    let stands = speed.mean - speed.stored - speed.parts.iter().map(|part| part.shift).sum::<f64>();
+    if stands > LEAST_STANDING {
+        table.row([
+            "braked to a standstill, not backward".to_owned(),
+            units.signed(Measure::RoadSpeed, stands),
+            NONE.to_owned(),
+            NONE.to_owned(),
+        ]);
+    }
     table.row(["at the impact".to_owned(), plain(speed.mean), plain(speed.sd), "100".to_owned()]);
     let errors = &found.errors;
     let kmh = |si: f64| units.format(Measure::RoadSpeed, si);
     let percent = |share: f64| number(100.0 * share, 2);
     table.notes.push(format!(
         "Rounding: to {}. Slip: {} % ± {} % low in steady driving, {} ± {} low in hard braking (18 runs of a 2010 Ford Flex \
-         against GPS), and between them by the deceleration before the last sample. Tyres: ± {} %.",
+         against GPS), and between them by the deceleration before the last sample, less what an engine brakes where the brake is \
+         off. Tyres: ± {} %.",
         kmh(errors.step),
         percent(errors.steady_low),
         percent(errors.steady_sd),
@@ -354,17 +431,33 @@ fn account(speed: &recorder::ImpactSpeed, found: &VehicleReading, units: Units) 
         percent(errors.tyre_sd),
     ));
     table.notes.push(format!(
-        "From the last sample to the impact: braked by anything up to {} g with the brake on, within ± {} g with it off; it \
-         came on with {} % in each half second. A stored speed is up to {} s old. Each is a key of `errors`.",
+        "From the last speed to the impact: braked by anything up to {} g with the brake on, within ± {} g with it off. {} A stored \
+         speed is up to {} s old. Each is a key of `errors`.",
         number(errors.friction, 2),
         number(errors.coasting / 9.80665, 2),
-        number(100.0 * errors.brake_comes_on, 0),
+        brake(found),
         number(errors.latency, 2),
     ));
     if speed.parts.iter().any(|part| part.source == SpeedErrorSource::LastSample) {
         table.notes.push("The stored speed may be that of the impact itself: see below.".to_owned());
     }
     table
+}
+
+/// What is taken of the brake between the last speed and the impact.
+fn brake(found: &VehicleReading) -> String {
+    let percent = number(100.0 * found.errors.brake_comes_on, 0);
+    let samples = found.recorder.before_impact().map_or(&[][..], PreCrash::samples);
+    let comes_on = format!(
+        "Where the last sample has it off, it came on within half a second with {percent} %, within a longer time with as much of \
+         the rest in each half second, at any instant of it."
+    );
+    if samples.iter().all(|one| one.brake.is_none()) {
+        return format!(
+            "No sample tells of the brake: it is taken to be on or off with 50 % each. {comes_on}"
+        );
+    }
+    format!("It is as the samples say, and changes at any instant between two that differ. {comes_on}")
 }
 
 fn pulse(page: &mut Document, file: &CaseFile, id: VehicleId, found: &VehicleReading, units: Units) {
@@ -407,22 +500,24 @@ fn pulse(page: &mut Document, file: &CaseFile, id: VehicleId, found: &VehicleRea
             part(span.delta_v[1]),
             units.plain(Measure::RoadSpeed, span.resultant()),
             direction,
-            if span.complete { "complete" } else { "cut off" }.to_owned(),
+            if span.complete {
+                "complete"
+            } else if recorder.incomplete {
+                "unfinished"
+            } else {
+                "cut off"
+            }
+            .to_owned(),
         ]);
     }
     table.notes.push(
         "ISO/TR 12353-3 determines the beginning and the end by methods A, B and C. These rules are that of 49 CFR 563.5 and \
-         UN R160 (ΔV changes by more than 0.8 km/h in 20 ms), a mean acceleration above 2 g in 20 ms, and the greatest ΔV within the first. \
+         UN R160 (ΔV changes by more than 0.8 km/h in 20 ms), a mean acceleration above 2 g in 20 ms, and the greatest ΔV of the record. \
          Lateral ΔV is positive to the right; PDOF is where the force comes from, clockwise from the front."
             .to_owned(),
     );
     page.push(table);
-    if found.is_cut {
-        page.paragraph(
-            "ΔV still changes where the record ends, so that the impact may go on: its ΔV is a lower bound unless it has \
-             fallen from its greatest value.",
-        );
-    }
+    remarks(page, found);
     if let Some(span) = leading(&found.spans) {
         let alone = match span.delta_v {
             [Some(_), None] => {
@@ -435,19 +530,59 @@ fn pulse(page: &mut Document, file: &CaseFile, id: VehicleId, found: &VehicleRea
             page.paragraph(alone);
         }
     }
-    if let (Some(at), Some(told)) = (recorder.at, found.delta_v) {
-        let words = match (recorder.yaw_rate, told.along, told.left) {
-            (Some(_), Some(along), Some(left)) => format!(
-                "The recorder is {} ahead of the centre of gravity and {} to its side. At the centre of gravity ΔV is {} along \
-                 the vehicle and {} to its left (ΔV − ΔΩ × r).",
-                at.x,
-                at.y,
-                units.format(Measure::RoadSpeed, along),
-                units.format(Measure::RoadSpeed, left)
-            ),
-            _ => "ΔV is that of the recorder's place: with `yaw_rate` and both axes it is taken to the centre of gravity."
-                .to_owned(),
-        };
-        page.paragraph(words);
+    if recorder.at.is_some() && found.delta_v.is_some() {
+        page.paragraph(place(found, file.case.axes, units));
     }
+}
+
+/// What the reader of a pulse is to know of it.
+fn remarks(page: &mut Document, found: &VehicleReading) {
+    let Some(pulse) = found.recorder.during_impact() else { return };
+    if found.recorder.incomplete {
+        page.paragraph("The recorder did not finish the record (`incomplete`): its ΔV is a lower bound.");
+    }
+    if let Some(time) = pulse.padded_from() {
+        page.paragraph(format!(
+            "From {} on the record is 0 throughout: the recorder filled it up. These zeros are left out, and ΔV is a lower bound.",
+            milliseconds(time)
+        ));
+    } else if found.is_cut {
+        page.paragraph(
+            "ΔV still changes where the record ends: the impact may go on, and ΔV is a lower bound. Only a greatest ΔV from \
+             which the record falls back by more than 2 km/h is complete.",
+        );
+    }
+    if let Some([from, to]) = pulse.pause() {
+        page.paragraph(format!(
+            "ΔV stands still from {} to {}, and then changes again: a second impact, or one with a pause. The first rule ends at \
+             the pause, and the others hold both.",
+            milliseconds(from),
+            milliseconds(to)
+        ));
+    }
+    if let Some(time) = pulse.alone_from() {
+        page.paragraph(format!(
+            "After {} one axis alone has a ΔV, and the other may have changed further.",
+            milliseconds(time)
+        ));
+    }
+}
+
+/// Where the recorder is, and ΔV at the centre of gravity.
+fn place(found: &VehicleReading, axes: Axes, units: Units) -> String {
+    let (Some(at), Some([along, left])) = (found.recorder.at, at_center(found)) else {
+        return "ΔV is that of the recorder's place: with `yaw_rate` and both axes it is taken to the centre of gravity."
+            .to_owned();
+    };
+    let sided = |measure: Measure, value: f64, [positive, negative]: [&str; 2]| {
+        format!("{} {}", units.format(measure, value.abs()), if value < 0.0 { negative } else { positive })
+    };
+    format!(
+        "The recorder is {} and {} of the centre of gravity, where ΔV is {} and {} (ΔV − ΔΩ × r; ΔΩ is the yaw rate after the \
+         impact less that before).",
+        sided(Measure::Length, at.x.si(), ["ahead", "behind"]),
+        sided(Measure::Length, axes.lateral(at.y.si()), ["to the left", "to the right"]),
+        sided(Measure::RoadSpeed, along, ["forward", "backward"]),
+        sided(Measure::RoadSpeed, left, ["to the left", "to the right"]),
+    )
 }
