@@ -949,7 +949,7 @@ pub(crate) static RECORDER_ERRORS: Schema = Schema {
             "step",
             "step = \"1 km/h\"",
             Form::Exact(Dimension::Speed, NOT_NEGATIVE),
-            "Step in which speeds are stored. 1 km/h if left out, as in 49 CFR 563 and UN R160.",
+            "Step in which speeds are stored. If left out, one unit of a column of whole numbers (1 mph), otherwise 1 km/h, as in 49 CFR 563 and UN R160.",
         ),
         key(
             "steady_low",
@@ -997,7 +997,7 @@ pub(crate) static RECORDER_ERRORS: Schema = Schema {
             "brake_comes_on",
             "brake_comes_on = \"25 %\"",
             Form::Percent,
-            "Probability that the brake came on in the gap. Off in the last sample, within half a second after it: 25 % if left out.",
+            "Probability that the brake came on in the gap. Off in the last sample, in each half second after it: 25 % if left out.",
         ),
         key(
             "latency",
