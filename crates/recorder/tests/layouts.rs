@@ -491,3 +491,26 @@ fn a_refusal_names_the_headings() {
         "\"Time (s)\" as time, \"Speed (km/h)\" as speed; not read were \"Wheel speed (km/h)\""
     );
 }
+
+/// Each row across has one value for each time, in text of every kind; empty cells behind the last are of
+/// nothing.
+#[test]
+fn a_row_across_has_as_many_values_as_there_are_times() {
+    let rows = [
+        ("Vehicle Speed (km/h),60,55,50\nService Brake,Off,On\n", (3, 15), "2 values, where 3"),
+        ("Vehicle Speed (km/h),60,55,50,45\nService Brake,Off,On,On\n", (2, 22), "4 values, where 3"),
+        ("Delta-V lateral (km/h),0,1\nDelta-V longitudinal (km/h),0,-5,-9\n", (2, 24), "2 values, where 3"),
+    ];
+    for (text, at, words) in rows {
+        for between in [",", "\t", ";"] {
+            let text = format!("Time (s),-1.0,-0.5,0\n{text}").replace(',', between);
+            let refusal = read_tables(&text).unwrap_err();
+            assert_eq!(refusal.place().map(|place| (place.line, place.column)), Some(at), "{refusal}");
+            assert!(refusal.to_string().contains(words), "{refusal}");
+        }
+    }
+    let table = one("Time (s),-1.0,-0.5,0,\nVehicle Speed (km/h),60,,50,,\nService Brake,Off,On,,\n");
+    assert_eq!(values(&table, Channel::Time, 1.0), [-1.0, -0.5, 0.0]);
+    assert_eq!(table.values(Channel::Speed)[1], None);
+    assert_eq!(table.values(Channel::Brake), [Some(0.0), Some(1.0), None]);
+}

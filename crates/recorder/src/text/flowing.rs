@@ -19,10 +19,6 @@ impl Segment {
         self.heads.iter().any(|head| head.channel == Channel::Time)
     }
 
-    fn values(&self) -> usize {
-        self.lines.iter().map(Vec::len).sum()
-    }
-
     fn flat(&self) -> Vec<Token> {
         self.lines.iter().flatten().cloned().collect()
     }
@@ -191,8 +187,7 @@ fn repeated(heads: &[Head]) -> usize {
 }
 
 /// A table of quantities with their values behind or below each.
-fn of_blocks(segments: Vec<Segment>) -> Result<RawTable, TextRefusal> {
-    let expected = segments.iter().find(|segment| segment.names_time()).map_or(0, Segment::values);
+fn of_blocks(segments: Vec<Segment>) -> RawTable {
     let across = segments.iter().any(|segment| segment.lines.first().is_some_and(|line| line.len() > 1));
     let layout = if across { TextLayout::Transposed } else { TextLayout::ColumnAfterColumn };
     let (mut columns, mut ignored) = (Vec::new(), Vec::new());
@@ -204,14 +199,9 @@ fn of_blocks(segments: Vec<Segment>) -> Result<RawTable, TextRefusal> {
             ignored.push((head.text, head.place));
             continue;
         }
-        if expected > 0 && cells.len() != expected {
-            let place = cells.first().map_or(head.place, |token| token.place);
-            let columns = format!("as many as there are times, for {}", head.channel.name());
-            return Err(TextRefusal::Uneven { place, found: cells.len(), expected, columns });
-        }
         columns.push((head, cells));
     }
-    Ok(RawTable { layout, columns, ignored })
+    RawTable { layout, columns, ignored }
 }
 
 /// The tables of a flowing text.
@@ -221,7 +211,7 @@ pub(crate) fn tables(text: &str) -> Result<Vec<RawTable>, TextRefusal> {
     let mut rows: Option<Segment> = None;
     let mut finish = |blocks: &mut Vec<Segment>, rows: &mut Option<Segment>| -> Result<(), TextRefusal> {
         if blocks.iter().any(|segment| !segment.heads.is_empty()) {
-            found.push(of_blocks(std::mem::take(blocks))?);
+            found.push(of_blocks(std::mem::take(blocks)));
         }
         blocks.clear();
         if let Some(segment) = rows.take() {

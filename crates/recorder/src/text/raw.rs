@@ -98,9 +98,22 @@ fn lost(times: &[f64]) -> Vec<(usize, NoValue)> {
     found
 }
 
+/// Refuses a column that has not one cell for each time. Empty cells behind the last time are of nothing.
+fn one_for_each_time(head: &Head, cells: &mut Vec<Token>, expected: usize) -> Result<(), TextRefusal> {
+    while cells.len() > expected && cells.last().is_some_and(Token::is_empty) {
+        cells.pop();
+    }
+    if cells.len() == expected {
+        return Ok(());
+    }
+    let place = cells.first().map_or(head.place, |token| token.place);
+    let columns = format!("as many as there are times, for {}", head.channel.name());
+    Err(TextRefusal::Uneven { place, found: cells.len(), expected, columns })
+}
+
 /// The table in SI, its times rising.
 pub(crate) fn finish(raw: RawTable) -> Result<RecorderTable, TextRefusal> {
-    let RawTable { layout, columns, mut ignored } = raw;
+    let RawTable { layout, mut columns, mut ignored } = raw;
     let Some(time) = columns.iter().position(|(head, _)| head.channel == Channel::Time) else {
         return Err(match columns.first() {
             Some((head, _)) => TextRefusal::NoTime { heading: head.text.clone(), place: head.place },
@@ -109,6 +122,13 @@ pub(crate) fn finish(raw: RawTable) -> Result<RecorderTable, TextRefusal> {
             },
         });
     };
+    while columns[time].1.last().is_some_and(Token::is_empty) && layout == TextLayout::Transposed {
+        columns[time].1.pop();
+    }
+    let expected = columns[time].1.len();
+    for (head, cells) in &mut columns {
+        one_for_each_time(head, cells, expected)?;
+    }
     let (time_head, time_cells) = &columns[time];
     if time_cells.is_empty() {
         return Err(TextRefusal::NoRows { heading: time_head.text.clone(), place: time_head.place });

@@ -10,6 +10,12 @@ pub(crate) struct Token {
     pub(crate) place: TextPlace,
 }
 
+impl Token {
+    pub(crate) fn is_empty(&self) -> bool {
+        self.text.is_empty() && self.bracket.is_none()
+    }
+}
+
 /// A word of a heading.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Word {
