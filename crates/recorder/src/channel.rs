@@ -115,6 +115,12 @@ const HEADINGS: &[(Channel, &[&str])] = &[
             "time from impact",
             "sample time",
             "pre crash time",
+            "seconds before ae",
+            "seconds before algorithm enable",
+            "seconds before impact",
+            "seconds before crash",
+            "seconds before event",
+            "seconds to impact",
             "zeit",
             "zeitpunkt",
             "temps",
@@ -407,6 +413,10 @@ const HEADINGS: &[(Channel, &[&str])] = &[
             "maximum delta v longitudinal",
             "maximum delta v lateral",
             "maximum delta v",
+            "resultant delta v",
+            "vertical delta v",
+            "delta v vertical",
+            "engine brake",
             "normal acceleration",
             "motor rpm",
             "motor speed",
@@ -467,10 +477,10 @@ impl Channel {
         UNITS.iter().filter(|(_, unit)| unit.dimension == dimension).map(|(_, unit)| unit.name).collect()
     }
 
-    /// Whether these units say that a sensor's voltage was stored, and not the quantity.
-    pub(crate) fn is_voltage(self, units: &[ChannelUnit]) -> bool {
-        units.iter().any(|unit| unit.dimension == Dimension::Voltage)
-            && !units.iter().any(|unit| self.takes(unit))
+    /// Whether these units say that something else was stored: the voltage of a sensor, or a share of the
+    /// greatest angle.
+    pub(crate) fn is_in_other_units(self, units: &[ChannelUnit]) -> bool {
+        !units.is_empty() && !units.iter().any(|unit| self.takes(unit))
     }
 
     /// Whether a value of this unit may stand for it.
@@ -593,6 +603,40 @@ pub(crate) fn heading_at(words: &[&str]) -> Option<(Channel, usize)> {
         }
     }
     best
+}
+
+/// The axis that a word beside a ΔV names.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Axis {
+    Along,
+    Across,
+    /// Upward, or of all.
+    Other,
+}
+
+impl Axis {
+    /// The first that these words name, in lower case.
+    pub(crate) fn of<'w>(mut words: impl Iterator<Item = &'w str>) -> Option<Self> {
+        words.find_map(|word| match word.trim_matches(['(', ')', '[', ']']) {
+            "longitudinal" | "long" | "x" | "vx" => Some(Self::Along),
+            "lateral" | "lat" | "y" | "vy" => Some(Self::Across),
+            "vertical" | "z" | "vz" | "resultant" | "total" => Some(Self::Other),
+            _ => None,
+        })
+    }
+}
+
+/// Words that say, beside the name of a quantity, that not this quantity of the vehicle was stored over time.
+const DENYING: &[&str] = &[
+    "relative", "closing", "lead", "other", "trailer", "wheel", "fan", "turbine", "output", "maximum", "max",
+    "minimum", "min", "average", "set", "cruise", "target", "desired", "limit", "limiter", "error", "warning",
+    "lamp", "indicator", "fluid", "level", "wear", "fault", "failure", "retarder", "emergency", "parking",
+    "pressure", "torque", "temperature", "assist", "counter",
+];
+
+/// Whether this word beside the name of a quantity says that the heading is of something else.
+pub(crate) fn denies(word: &str) -> bool {
+    DENYING.contains(&word)
 }
 
 /// The unit that a word of a heading names.

@@ -47,6 +47,7 @@ impl TextLayout {
         match self {
             Self::Delimited(',') => "columns with commas between them",
             Self::Delimited(';') => "columns with semicolons between them",
+            Self::Delimited('|') => "columns with bars between them",
             Self::Delimited(_) => "columns with tabs between them",
             Self::Aligned => "aligned columns",
             Self::RowLines => "one row in each line",
@@ -110,7 +111,7 @@ impl fmt::Display for NoValue {
             Self::OutOfRange { printed, range: [least, greatest] } => {
                 write!(f, "{printed} is not between {least:.0} and {greatest:.0}, so no recorder stored it")
             }
-            Self::Unreadable(text) => write!(f, "\"{text}\" is no value of this column"),
+            Self::Unreadable(text) => write!(f, "\"{text}\" is not a value of this column"),
             Self::SampleMissing { gap, step } => {
                 write!(f, "{gap:.3} s to the next row, {step:.3} s between the others: a sample is missing")
             }
@@ -142,7 +143,10 @@ pub struct RecorderTable {
     pub layout: TextLayout,
     /// Those recognised, the time first.
     pub columns: Vec<TableColumn>,
-    /// Headings that were not taken for a quantity, or for one that stood already.
+    /// The place of the time of each row.
+    pub rows: Vec<TextPlace>,
+    /// Headings that were not taken for a quantity, or for one that another heading names better, and lines
+    /// that were not read.
     pub ignored: Vec<(String, TextPlace)>,
     /// Cells without a value.
     pub doubts: Vec<CellDoubt>,
@@ -298,12 +302,30 @@ pub enum TextRefusal {
     )]
     NotLong,
     /// A row without a time.
-    #[error("{place}: \"{text}\" is no time")]
+    #[error("{place}: \"{text}\" is not a time")]
     TimeUnreadable {
         /// Where it stands.
         place: TextPlace,
         /// What stands there.
         text: String,
+    },
+    /// A time that the row before has, too.
+    #[error("{place}: the time {time} s appears twice")]
+    TimeTwice {
+        /// Where it stands for the second time.
+        place: TextPlace,
+        /// (s) the time.
+        time: f64,
+    },
+    /// Two columns of one quantity that say different values.
+    #[error("{place}: two columns give the {channel}, and disagree: {said}; leave out the one that is wrong")]
+    Disagree {
+        /// Of the second value.
+        place: TextPlace,
+        /// The quantity.
+        channel: &'static str,
+        /// Both values with their headings.
+        said: String,
     },
     /// Times that turn.
     #[error("{place}: the time {time} s follows {before} s, where the times before it {sense}")]
@@ -346,6 +368,8 @@ impl TextRefusal {
             | Self::Unit { place, .. }
             | Self::Uneven { place, .. }
             | Self::TimeUnreadable { place, .. }
+            | Self::TimeTwice { place, .. }
+            | Self::Disagree { place, .. }
             | Self::TimesTurn { place, .. } => Some(*place),
         }
     }

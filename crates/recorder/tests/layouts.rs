@@ -142,15 +142,17 @@ Delta-V, lateral
     let tables = read_tables(text).unwrap();
     assert_eq!(tables.len(), 2);
     assert_eq!(values(&tables[0], Channel::Time, 1.0), [0.0, 0.01, 0.02, 0.03, 0.04]);
-    let printed: Vec<f64> = values(&tables[0], Channel::DeltaVLongitudinal, 0.44704);
-    assert_eq!(printed, [0.0, -1.2, -5.6, -9.9, -11.2]);
-    // 78.9 mph are 127 km/h: the code for no value.
-    assert_eq!(tables[1].doubts[0].reason, NoValue::Code("78.9".into()));
-    assert_eq!((tables[1].doubts[0].place.line, tables[1].doubts[0].place.column), (24, 4));
+    // Of both units that with the finer step is read: a tenth of 1 km/h.
+    let printed: Vec<f64> = values(&tables[0], Channel::DeltaVLongitudinal, KMH);
+    assert_eq!(printed, [0.0, -2.0, -9.0, -16.0, -18.0]);
+    assert_eq!(tables[0].ignored[0].0, "Delta-V, longitudinal (MPH)");
+    // 127 km/h is the code for no value.
+    assert_eq!(tables[1].doubts[0].reason, NoValue::Code("127.0".into()));
+    assert_eq!((tables[1].doubts[0].place.line, tables[1].doubts[0].place.column), (24, 9));
     let [along, across] = [0, 1].map(|k| CrashPulse::from_table(&tables[k]).unwrap());
     let both = along.with(&across);
     assert_eq!(both.samples().len(), 4);
-    assert!((both.samples()[3].lateral.unwrap() - 2.5 * 0.44704).abs() < 1e-12);
+    assert!((both.samples()[3].lateral.unwrap() - 4.0 * KMH).abs() < 1e-12);
 }
 
 /// Toyota: a quantity in each row, and times across that end with the trigger.
@@ -297,7 +299,7 @@ fn what_gives_no_table_is_refused_with_its_place() {
         ("Time (s),Speed (knots)\n0,3\n", (1, 10), "mph"),
         ("Time,Speed (km/h)\n0,3\n", (1, 1), "ms"),
         ("Time (s),Speed (km/h)\n-1,3\n-2,3\n0,3\n", (3, 1), "follows -1"),
-        ("Time (s),Speed (km/h)\n-1,3\n-1,3\n0,3\n", (3, 1), "rise"),
+        ("Time (s),Speed (km/h)\n-1,3\n-1,3\n0,3\n", (3, 1), "-1 s appears twice"),
         ("Time (s),Speed (km/h)\n-1,3\nInvalid,3\n0,3\n", (3, 1), "Invalid"),
         ("Time (s),Weather (km/h)\n-1,3\n0,3\n", (1, 1), "known are"),
         ("Time (s),Speed (km/h)\n-1,3,4\n0,3\n0.5,3\n", (2, 1), "3 values"),
@@ -418,7 +420,7 @@ fn rows_of_several_records_or_of_none_are_refused() {
     );
     let bad = LONG.replace("1,1,1010,-0.5,51", "1,1,1010,soon,51");
     assert!(
-        read_rows(&bad, "VEHNO 1, EDREVENTNO 1").unwrap_err().to_string().contains("\"soon\" is no time")
+        read_rows(&bad, "VEHNO 1, EDREVENTNO 1").unwrap_err().to_string().contains("\"soon\" is not a time")
     );
 }
 
@@ -513,4 +515,80 @@ fn a_row_across_has_as_many_values_as_there_are_times() {
     assert_eq!(values(&table, Channel::Time, 1.0), [-1.0, -0.5, 0.0]);
     assert_eq!(table.values(Channel::Speed)[1], None);
     assert_eq!(table.values(Channel::Brake), [Some(0.0), Some(1.0), None]);
+}
+
+/// The heading that names a quantity with the fewest words beside its name is that of its column, wherever it
+/// stands, and one whose words deny it is of no quantity.
+#[test]
+fn the_surest_heading_is_read_whatever_the_order() {
+    let speeds = "Relative velocity (m/s)|Lead vehicle speed (km/h)|GPS speed (km/h)|Maximum speed (km/h)|\
+                  Cruise set vehicle speed (km/h)|Wheel velocity FL (km/h)|Fan speed (km/h)|\
+                  Trailer speed (km/h)|Speed error (km/h)";
+    let brakes = "Emergency brake|Brake system warning|Brake fluid level|Engine brake|Retarder brake|\
+                  Service brake system fault";
+    for (others, own, channel, unit) in [
+        (speeds, "Vehicle Speed (km/h)", Channel::Speed, KMH),
+        (speeds, "Speed (km/h)", Channel::Speed, KMH),
+        (brakes, "Service Brake", Channel::Brake, 1.0),
+        ("ABS warning lamp", "ABS active", Channel::Abs, 1.0),
+    ] {
+        for other in others.split('|') {
+            for (between, layout) in [(",", TextLayout::Delimited(',')), ("|", TextLayout::Delimited('|'))] {
+                let known = "Yaw rate (deg/s)";
+                let [first, second] = [[other, own], [own, other]].map(|two| two.join(between));
+                let text = format!("Time (s){between}{known}{between}{first}\n-1,9,0,1\n0,9,0,1\n");
+                let table = one(&text.replace(',', between));
+                assert_eq!(table.layout, layout);
+                assert_eq!(values(&table, channel, unit), [1.0, 1.0], "{other}");
+                assert_eq!(table.ignored[0].0, other, "{table:?}");
+                let text = format!("Time (s){between}{known}{between}{second}\n-1,9,1,0\n0,9,1,0\n");
+                assert_eq!(values(&one(&text.replace(',', between)), channel, unit), [1.0, 1.0], "{other}");
+            }
+        }
+    }
+    // In flowing text the words before a name are of its heading, too.
+    let table = one("Time (s) Trailer speed (km/h) Vehicle speed (km/h) ABS\n-1 10 50 off\n0 20 40 on\n");
+    assert_eq!(values(&table, Channel::Speed, KMH), [50.0, 40.0]);
+    assert_eq!(table.ignored[0].0, "Trailer speed (km/h)");
+}
+
+/// Two columns of one quantity: the finer is read if they agree within the last digits of both, and neither
+/// if they do not.
+#[test]
+fn two_columns_of_one_quantity_agree_or_are_refused() {
+    let heading = "Time (s),Vehicle Speed (mph),Vehicle Speed (km/h),Service Brake\n";
+    let table = one(&format!("{heading}-1.0,31,50,off\n-0.5,29,47,on\n0.0,25,40,on\n"));
+    assert_eq!(values(&table, Channel::Speed, KMH), [50.0, 47.0, 40.0]);
+    assert_eq!(table.ignored[0].0, "Vehicle Speed (mph)");
+    let refusal = read_tables(&format!("{heading}-1.0,31,50,off\n-0.5,40,50,on\n")).unwrap_err();
+    assert_eq!(refusal.place().map(|place| (place.line, place.column)), Some((3, 9)));
+    let said = "two columns give the speed, and disagree: 40 under \"Vehicle Speed (mph)\" and 50 under \
+                \"Vehicle Speed (km/h)\"";
+    assert!(refusal.to_string().contains(said), "{refusal}");
+    let refusal = read_tables("Time (s),ABS active,ABS activity\n-1,on,off\n0,on,on\n").unwrap_err();
+    assert!(refusal.to_string().contains("on under \"ABS active\" and off under"), "{refusal}");
+}
+
+/// The axis of a velocity change stands anywhere in its heading, in all layouts.
+#[test]
+fn a_velocity_change_is_along_the_axis_that_its_heading_names() {
+    let lateral = "Time (ms),Lateral Axis Recorded Velocity Change (MPH)\n10,0\n20,4\n30,13\n";
+    let table = one(lateral);
+    assert_eq!(values(&table, Channel::DeltaVLateral, 0.44704), [0.0, 4.0, 13.0]);
+    assert!(table.column(Channel::DeltaVLongitudinal).is_none());
+    let both = "Time (milliseconds),SDM Lateral Axis Recorded Velocity Change (MPH),\
+                SDM Longitudinal Axis Recorded Velocity Change (MPH)\n10,1,-4\n20,2,-9\n30,3,-13\n";
+    let across = "Time (milliseconds) 10 20 30\nSDM Lateral Axis Recorded Velocity Change (MPH) 1 2 3\n\
+                  SDM Longitudinal Axis Recorded Velocity Change (MPH) -4 -9 -13\n";
+    let bracketed = "Time (ms),Velocity change (lateral) mph,Velocity change (longitudinal) mph\n\
+                     10,1,-4\n20,2,-9\n30,3,-13\n";
+    for text in [both.to_owned(), both.replace(',', " "), both.replace(',', "\t"), across.into(), bracketed.into()] {
+        let table = one(&text);
+        assert_eq!(values(&table, Channel::DeltaVLateral, 0.44704), [1.0, 2.0, 3.0], "{text}");
+        assert_eq!(values(&table, Channel::DeltaVLongitudinal, 0.44704), [-4.0, -9.0, -13.0], "{text}");
+        let heading = &table.column(Channel::DeltaVLateral).unwrap().heading;
+        assert!(heading.to_lowercase().contains("lateral"), "{heading}");
+    }
+    let resultant = "Time (ms),Resultant velocity change (mph),Delta-V lateral (mph)\n10,1,2\n20,1,2\n";
+    assert!(one(resultant).column(Channel::DeltaVLongitudinal).is_none());
 }

@@ -24,7 +24,7 @@ pub(crate) fn table(columns: &[(Channel, &str)]) -> RawTable {
             }
         }
         let place = TextPlace { line: 1, column: 1 };
-        (Head { text: channel.key().to_owned(), channel: *channel, units, place }, cells)
+        (Head::of(channel.key().to_owned(), *channel, units, place), cells)
     };
     let columns = columns.iter().map(column).collect();
     RawTable { layout: TextLayout::Columns, columns, ignored: Vec::new() }

@@ -1,8 +1,8 @@
 //! Text with a character between its fields, or two spaces.
 
-use super::heads::{Head, heads};
+use super::heads::{Head, heading};
 use super::raw::RawTable;
-use super::tokens::{Token, Word, is_value, number};
+use super::tokens::{Token, Word, bare, is_value, number};
 use crate::channel::Channel;
 use crate::table::{TextLayout, TextPlace, TextRefusal};
 
@@ -64,7 +64,7 @@ fn token(field: &Field) -> Token {
     match text.split_once('[') {
         Some((value, bracket)) => Token {
             text: value.trim().to_owned(),
-            bracket: Some(bracket.trim_end_matches(']').trim().to_owned()),
+            bracket: Some(bare(bracket).trim_end_matches(']').trim().to_owned()),
             place,
         },
         None => Token { text: text.to_owned(), bracket: None, place },
@@ -80,7 +80,7 @@ fn holds_values(fields: &[Field]) -> bool {
         })
 }
 
-/// What a heading of one column names: the first quantity in it.
+/// What a heading of one column names.
 fn head(text: &str, place: TextPlace) -> Option<Head> {
     let whole = text.trim().to_lowercase();
     let is_time =
@@ -97,14 +97,7 @@ fn head(text: &str, place: TextPlace) -> Option<Head> {
         depth = depth.max(0);
         words.push(Word { text: piece, within, place });
     }
-    let mut all = heads(&words).into_iter();
-    let mut first = all.next()?;
-    // A heading of one column is one, whatever else its words name.
-    for other in all {
-        first.units.extend(other.units);
-        first.text = format!("{} {}", first.text, other.text);
-    }
-    Some(first)
+    heading(&words)
 }
 
 /// `Speed(km/h)` as two words.
@@ -115,10 +108,13 @@ fn split_opening(piece: &str) -> Vec<String> {
     }
 }
 
-/// The lines that are not empty and no comment.
+/// The lines that are not empty, no comment and no rule between heading and rows.
 pub(super) fn lines(text: &str) -> impl Iterator<Item = (usize, &str)> {
     let numbered = text.lines().enumerate().map(|(k, line)| (k + 1, line));
-    numbered.filter(|(_, line)| !line.trim().is_empty() && !line.trim_start().starts_with('#'))
+    let is_rule = |line: &str| line.contains('|') && line.chars().all(|letter| "-|:+= ".contains(letter));
+    numbered.filter(move |(_, line)| {
+        !line.trim().is_empty() && !line.trim_start().starts_with('#') && !is_rule(line)
+    })
 }
 
 /// Whether this is how the fields of the text are divided: its heading names a time, and its lines of values
@@ -162,6 +158,7 @@ pub(crate) fn layout(text: &str) -> Option<TextLayout> {
         TextLayout::Delimited('\t'),
         TextLayout::Delimited(';'),
         TextLayout::Delimited(','),
+        TextLayout::Delimited('|'),
         TextLayout::Aligned,
     ];
     candidates.into_iter().find(|layout| divides(text, *layout))
@@ -215,7 +212,7 @@ pub(crate) fn tables(text: &str, layout: TextLayout) -> Result<Vec<RawTable>, Te
 
 /// Whether a line with an unknown word in it is a row nevertheless: it has a number for a time.
 fn is_row(fields: &[Field], time: usize) -> bool {
-    fields.get(time).is_some_and(|field| number(&token(field).text, false).is_some())
+    fields.get(time).is_some_and(|field| number(bare(&token(field).text), false).is_some())
 }
 
 fn is_time(text: &str, place: TextPlace) -> bool {
@@ -226,7 +223,7 @@ fn is_time(text: &str, place: TextPlace) -> bool {
 /// one.
 fn begun(heading: &[(String, TextPlace)], layout: TextLayout) -> RawTable {
     let column = |(text, place): &(String, TextPlace)| {
-        let unread = Head { text: text.clone(), channel: Channel::Other, units: Vec::new(), place: *place };
+        let unread = Head::of(text.clone(), Channel::Other, Vec::new(), *place);
         let mut found = head(text, *place).unwrap_or(unread);
         found.text.clone_from(text);
         (found, Vec::new())

@@ -173,15 +173,14 @@ fn table(
         }
         let column = columns.entry(cell(row, code).text).or_default();
         if column.iter().any(|(other, _)| *other == at) {
-            let before = at;
-            return Err(TextRefusal::TimesTurn { place: of_time.place, time: at, before, sense: "rise" });
+            return Err(TextRefusal::TimeTwice { place: of_time.place, time: at });
         }
         column.push((at, cell(row, value)));
     }
     times.sort_by(|(a, _), (b, _)| a.total_cmp(b));
     let units = unit_of(unit).into_iter().collect();
     let place = times.first().map_or_else(TextPlace::default, |(_, cell)| cell.place);
-    let head = Head { text: TIME.to_owned(), channel: Channel::Time, units, place };
+    let head = Head::of(TIME.to_owned(), Channel::Time, units, place);
     let cells = times.iter().map(|(_, cell)| cell.clone()).collect();
     let mut table = RawTable { layout: TextLayout::Long, columns: vec![(head, cells)], ignored: Vec::new() };
     for (code, mut cells) in columns {
@@ -200,7 +199,7 @@ fn table(
         let column = column.collect();
         table
             .columns
-            .push((Head { text, channel, units: unit_of(unit).into_iter().collect(), place }, column));
+            .push((Head::of(text, channel, unit_of(unit).into_iter().collect(), place), column));
     }
     Ok((table, doubts))
 }

@@ -1,8 +1,8 @@
 //! A table as printed, and from there the table in SI.
 
 use super::heads::Head;
-use super::tokens::{NONE, OFF, ON, Token, number};
-use crate::channel::{Channel, ChannelUnit};
+use super::tokens::{NONE, OFF, ON, Token, bare, number};
+use crate::channel::{Channel, ChannelUnit, heading_at, unit_of};
 use crate::table::{CellDoubt, NoValue, RecorderTable, TableColumn, TextLayout, TextPlace, TextRefusal};
 
 /// Columns with their cells as printed.
@@ -27,38 +27,72 @@ const NEAR_CODE: f64 = 0.09;
 /// What the tables of NHTSA have in place of a value that is not reported, or is unknown.
 const OF_NHTSA: [f64; 2] = [99_996.0, 99_997.0];
 
-/// The value of a cell, or why it has none.
-fn value(token: &Token, channel: Channel, units: (ChannelUnit, Option<ChannelUnit>)) -> Result<f64, NoValue> {
+/// What a cell says and in which unit: the number in brackets if the heading has a unit for it, and a unit
+/// behind the number before that of the heading.
+fn said(
+    token: &Token,
+    channel: Channel,
+    units: (ChannelUnit, Option<ChannelUnit>),
+) -> (String, String, ChannelUnit) {
     let (text, unit) = match (&token.bracket, units.1) {
         (Some(bracket), Some(second)) => (bracket.as_str(), second),
         (Some(bracket), None) if token.text.is_empty() => (bracket.as_str(), units.0),
         _ => (token.text.as_str(), units.0),
     };
-    let lower = text.trim().to_lowercase();
+    let (value, unit) = match own_unit(bare(text)).filter(|(_, own)| channel.takes(own)) {
+        Some((value, own)) => (value, own),
+        None => (bare(text), unit),
+    };
+    (text.trim().to_owned(), value.to_owned(), unit)
+}
+
+/// A value and the unit behind it.
+fn own_unit(text: &str) -> Option<(&str, ChannelUnit)> {
+    let (value, unit) = text.rsplit_once(' ')?;
+    Some((value.trim_end(), unit_of(unit)?))
+}
+
+/// Whether a switch is on by these words in lower case, which may name it: "brakes on".
+fn switched(text: &str, channel: Channel) -> Option<bool> {
+    let state = match text.rsplit_once(' ') {
+        _ if OFF.contains(&text) => text,
+        Some((name, state)) => {
+            let words: Vec<&str> = name.split(' ').collect();
+            heading_at(&words).filter(|found| *found == (channel, words.len())).map(|_| state)?
+        }
+        None => text,
+    };
+    OFF.contains(&state).then_some(false).or_else(|| ON.contains(&state).then_some(true))
+}
+
+/// The value of a cell, or why it has none.
+fn value(token: &Token, channel: Channel, units: (ChannelUnit, Option<ChannelUnit>)) -> Result<f64, NoValue> {
+    let (text, shown, unit) = said(token, channel, units);
+    let lower = shown.to_lowercase();
     if lower.is_empty() {
         return Err(NoValue::Empty);
     }
     if NONE.contains(&lower.as_str()) {
-        return Err(NoValue::Word(text.to_owned()));
+        return Err(NoValue::Word(text));
     }
-    if channel.is_switch() && (ON.contains(&lower.as_str()) || OFF.contains(&lower.as_str())) {
-        return Ok(if ON.contains(&lower.as_str()) { 1.0 } else { 0.0 });
+    if let Some(on) = switched(&lower, channel).filter(|_| channel.is_switch()) {
+        return Ok(f64::from(u8::from(on)));
     }
-    let printed = number(text.trim(), channel == Channel::EngineSpeed)
-        .ok_or_else(|| NoValue::Unreadable(text.to_owned()))?;
+    let printed = number(&shown, channel == Channel::EngineSpeed)
+        .ok_or_else(|| NoValue::Unreadable(text.clone()))?;
     let si = printed * unit.factor;
     let (codes, worth) = channel.codes();
     let is_code = |code: &f64| (printed - code).abs() < 1e-9 || (si / worth - code).abs() < NEAR_CODE;
     if codes.iter().any(is_code) || OF_NHTSA.contains(&printed) {
-        return Err(NoValue::Code(text.to_owned()));
+        return Err(NoValue::Code(text));
     }
     let [least, greatest] = channel.range();
     if !(least..=greatest).contains(&si) {
         let range = [least / unit.factor, greatest / unit.factor];
-        return Err(NoValue::OutOfRange { printed: text.to_owned(), range });
+        return Err(NoValue::OutOfRange { printed: text, range });
     }
     if channel.is_switch() && si != 0.0 && (si - 1.0).abs() > 0.0 {
-        return Err(NoValue::Unreadable(text.to_owned()));
+        return Err(NoValue::Unreadable(text));
     }
     Ok(si)
 }
@@ -76,6 +110,9 @@ fn times(
     }
     let falls = times.first() > times.last();
     for (pair, cell) in times.windows(2).zip(&cells[1..]) {
+        if pair[0] == pair[1] {
+            return Err(TextRefusal::TimeTwice { place: cell.place, time: pair[1] });
+        }
         let steady = if falls { pair[1] < pair[0] } else { pair[1] > pair[0] };
         if !steady {
             let sense = if falls { "fall" } else { "rise" };
@@ -129,12 +166,13 @@ pub(crate) fn finish(raw: RawTable) -> Result<RecorderTable, TextRefusal> {
     for (head, cells) in &mut columns {
         one_for_each_time(head, cells, expected)?;
     }
-    let (time_head, time_cells) = &columns[time];
+    let (time_head, time_cells) = columns[time].clone();
+    let time_head = in_units_of_cells(time_head, &time_cells);
     if time_cells.is_empty() {
-        return Err(TextRefusal::NoRows { heading: time_head.text.clone(), place: time_head.place });
+        return Err(TextRefusal::NoRows { heading: time_head.text, place: time_head.place });
     }
     let time_units = time_head.unit()?;
-    let (mut seconds, falls) = times(time_cells, time_units)?;
+    let (mut seconds, falls) = times(&time_cells, time_units)?;
     if falls {
         seconds.reverse();
     }
@@ -146,10 +184,13 @@ pub(crate) fn finish(raw: RawTable) -> Result<RecorderTable, TextRefusal> {
     }
     // A table that counts down falls, and reads forward once its sign is turned.
     let backward = falls && !counted_down;
+    let mut rows: Vec<TextPlace> = time_cells.iter().map(|cell| cell.place).collect();
+    if backward {
+        rows.reverse();
+    }
     let mut doubts = Vec::new();
-    let place_of = |row: usize| time_cells[if backward { time_cells.len() - 1 - row } else { row }].place;
     for (row, reason) in lost(&seconds) {
-        doubts.push(CellDoubt { place: place_of(row), channel: Channel::Time, reason });
+        doubts.push(CellDoubt { place: rows[row], channel: Channel::Time, reason });
     }
     let mut read = vec![TableColumn {
         heading: time_head.text.clone(),
@@ -158,37 +199,130 @@ pub(crate) fn finish(raw: RawTable) -> Result<RecorderTable, TextRefusal> {
         place: time_head.place,
         values: seconds.into_iter().map(Some).collect(),
     }];
-    for (head, cells) in &columns {
-        if head.channel == Channel::Time {
-            continue;
-        }
-        let unread = head.channel == Channel::Other || head.channel.is_voltage(&head.units);
-        if unread || read.iter().any(|column| column.channel == head.channel) {
-            ignored.push((head.text.clone(), head.place));
-            continue;
-        }
-        let units = head.unit()?;
-        let mut values = Vec::with_capacity(cells.len());
-        for cell in cells {
-            let found = value(cell, head.channel, units);
-            values.push(found.as_ref().ok().copied());
-            if let Err(reason) = found {
-                doubts.push(CellDoubt { place: cell.place, channel: head.channel, reason });
-            }
-        }
+    let time_place = time_head.place;
+    columns.remove(time);
+    let (chosen, left) = surest(columns);
+    ignored.extend(left.into_iter().map(|head| (head.text, head.place)));
+    for mut one in agreeing(chosen, &mut ignored)? {
         if backward {
-            values.reverse();
+            one.column.values.reverse();
         }
-        let bracketed = cells.iter().any(|cell| cell.bracket.is_some());
-        let unit = units.1.filter(|_| bracketed).unwrap_or(units.0);
-        let (heading, channel, place) = (head.text.clone(), head.channel, head.place);
-        read.push(TableColumn { heading, channel, unit, place, values });
+        read.push(one.column);
+        doubts.extend(one.doubts);
     }
+    ignored.sort_by_key(|(_, place)| *place);
     if read.len() == 1 {
         let headings: Vec<String> = ignored.iter().map(|(text, _)| format!("\"{text}\"")).collect();
         let found = if headings.is_empty() { String::new() } else { format!(" in {}", headings.join(", ")) };
-        return Err(TextRefusal::NoQuantity { place: time_head.place, found, known: KNOWN });
+        return Err(TextRefusal::NoQuantity { place: time_place, found, known: KNOWN });
     }
     doubts.sort_by_key(|doubt| doubt.place);
-    Ok(RecorderTable { layout, columns: read, ignored, doubts, counted_down })
+    Ok(RecorderTable { layout, columns: read, rows, ignored, doubts, counted_down })
+}
+
+/// The columns whose headings are the surest of those of a quantity, and the headings of the others.
+fn surest(columns: Vec<(Head, Vec<Token>)>) -> (Vec<(Head, Vec<Token>)>, Vec<Head>) {
+    let is_read = |head: &Head| {
+        !matches!(head.channel, Channel::Other | Channel::Time)
+            && !head.channel.is_in_other_units(&head.units)
+    };
+    let ranks: Vec<_> = columns
+        .iter()
+        .filter(|(head, _)| is_read(head))
+        .map(|(head, _)| (head.channel, head.rank()))
+        .collect();
+    let is_surest = |head: &Head| {
+        let mut of_channel = ranks.iter().filter(|(channel, _)| *channel == head.channel);
+        is_read(head) && of_channel.all(|(_, rank)| head.rank() <= *rank)
+    };
+    let (chosen, left): (Vec<_>, Vec<_>) = columns.into_iter().partition(|(head, _)| is_surest(head));
+    (chosen, left.into_iter().map(|(head, _)| head).collect())
+}
+
+/// A column, read.
+struct Reading {
+    column: TableColumn,
+    cells: Vec<Token>,
+    doubts: Vec<CellDoubt>,
+    /// (SI) what its last digit is worth.
+    step: f64,
+}
+
+impl Reading {
+    fn of(head: Head, cells: Vec<Token>) -> Result<Self, TextRefusal> {
+        let head = in_units_of_cells(head, &cells);
+        let (channel, units) = (head.channel, head.unit()?);
+        let found: Vec<Result<f64, NoValue>> =
+            cells.iter().map(|cell| value(cell, channel, units)).collect();
+        let values = found.iter().map(|value| value.as_ref().ok().copied()).collect();
+        let doubt = |(cell, found): (&Token, Result<f64, NoValue>)| {
+            found.err().map(|reason| CellDoubt { place: cell.place, channel, reason })
+        };
+        let doubts = cells.iter().zip(found).filter_map(doubt).collect();
+        let bracketed = cells.iter().any(|cell| cell.bracket.is_some());
+        let unit = units.1.filter(|_| bracketed).unwrap_or(units.0);
+        let decimals = cells.iter().map(|cell| decimals(&said(cell, channel, units).1)).max().unwrap_or(0);
+        let step = unit.factor * 0.1_f64.powi(decimals);
+        let column = TableColumn { heading: head.text, channel, unit, place: head.place, values };
+        Ok(Self { column, cells, doubts, step })
+    }
+
+    /// The first row in which it says another value than a second column of the same quantity, by more than
+    /// both are rounded.
+    fn differs(&self, other: &Self) -> Option<usize> {
+        let most = if self.column.channel.is_switch() { 0.5 } else { self.step + other.step };
+        let differ = |(one, other): (&Option<f64>, &Option<f64>)| {
+            one.zip(*other).is_some_and(|(one, other)| (one - other).abs() > most * (1.0 + 1e-9))
+        };
+        self.column.values.iter().zip(&other.column.values).position(differ)
+    }
+
+    /// What it has in a row, with its heading.
+    fn quoted(&self, row: usize) -> String {
+        let cell = &self.cells[row];
+        let bracket = cell.bracket.as_ref().map(|bracket| format!("[{bracket}]"));
+        let text = [Some(cell.text.clone()), bracket].into_iter().flatten().collect::<Vec<_>>().join(" ");
+        format!("{} under \"{}\"", text.trim(), self.column.heading)
+    }
+}
+
+/// A heading without a unit, with that of its cells: `0.0 km/h`.
+fn in_units_of_cells(mut head: Head, cells: &[Token]) -> Head {
+    let own = || cells.iter().find_map(|cell| own_unit(bare(&cell.text)));
+    if let (true, Some((_, unit))) = (head.units.is_empty(), own()) {
+        head.units.push(unit);
+    }
+    head
+}
+
+/// The digits behind the decimal point or comma.
+fn decimals(text: &str) -> i32 {
+    let digits = |(_, part): (&str, &str)| part.bytes().take_while(u8::is_ascii_digit).count();
+    i32::try_from(text.rsplit_once(['.', ',']).map_or(0, digits)).unwrap_or(0)
+}
+
+/// One column of each quantity. Of two whose headings are as sure as each other, and which agree, that with
+/// the finer step is read, and the other ignored.
+fn agreeing(
+    columns: Vec<(Head, Vec<Token>)>,
+    ignored: &mut Vec<(String, TextPlace)>,
+) -> Result<Vec<Reading>, TextRefusal> {
+    let mut found: Vec<Reading> = Vec::new();
+    for (head, cells) in columns {
+        let mut next = Reading::of(head, cells)?;
+        let Some(before) = found.iter_mut().find(|one| one.column.channel == next.column.channel) else {
+            found.push(next);
+            continue;
+        };
+        if let Some(row) = before.differs(&next) {
+            let said = [&*before, &next].map(|one| one.quoted(row)).join(" and ");
+            let channel = next.column.channel.name();
+            return Err(TextRefusal::Disagree { place: next.cells[row].place, channel, said });
+        }
+        if next.step < before.step {
+            std::mem::swap(before, &mut next);
+        }
+        ignored.push((next.column.heading, next.column.place));
+    }
+    Ok(found)
 }

@@ -25,7 +25,8 @@ pub(crate) struct Word {
     pub(crate) place: TextPlace,
 }
 
-pub(crate) const ON: &[&str] = &["on", "yes", "engaged", "active", "applied", "true", "activated", "ein"];
+pub(crate) const ON: &[&str] = &["on", "yes", "engaged", "active", "applied", "true", "activated", "pressed",
+    "depressed", "ein"];
 pub(crate) const OFF: &[&str] = &[
     "off",
     "no",
@@ -34,8 +35,11 @@ pub(crate) const OFF: &[&str] = &[
     "not engaged",
     "not active",
     "not applied",
+    "not pressed",
+    "not depressed",
     "inactive",
     "disengaged",
+    "released",
     "false",
     "aus",
 ];
@@ -90,8 +94,29 @@ pub(crate) fn number(text: &str, thousands: bool) -> Option<f64> {
     is_number.then(|| plain.parse().ok()).flatten()
 }
 
+/// Marks behind a value that point to a note.
+const MARKS: [char; 8] = ['*', '†', '‡', '§', '¹', '²', '³', '#'];
+
+/// A value without what points to a note behind it: `49*`, `On (1)`.
+pub(crate) fn bare(text: &str) -> &str {
+    let mut bare = text.trim();
+    loop {
+        let unmarked = bare.trim_end_matches(MARKS).trim_end();
+        let next = match unmarked.strip_suffix(')').and_then(|inner| inner.rsplit_once('(')) {
+            Some((value, _)) => value.trim_end(),
+            None => unmarked,
+        };
+        // What is a mark throughout, such as "***", is none.
+        if next.is_empty() || next == bare {
+            return bare;
+        }
+        bare = next;
+    }
+}
+
 pub(crate) fn is_value(text: &str) -> bool {
-    let lower = text.to_lowercase();
+    let lower = bare(text).to_lowercase();
+    let text = lower.as_str();
     let is_in = |words: &[&str]| words.contains(&lower.as_str());
     number(text, true).is_some() || is_in(ON) || is_in(OFF) || is_in(NONE)
 }
@@ -133,7 +158,8 @@ pub(crate) fn line(text: &str, number_of_line: usize) -> Vec<Piece> {
     let (mut at, mut depth) = (0, 0_i32);
     while let Some(&(column, piece)) = pieces.get(at) {
         let place = TextPlace { line: number_of_line, column };
-        let inner = piece.strip_prefix('[').and_then(|piece| piece.strip_suffix(']'));
+        let unmarked = piece.trim_end_matches(MARKS);
+        let inner = unmarked.strip_prefix('[').and_then(|piece| piece.strip_suffix(']'));
         let trigger = piece.trim_matches(|c| "()[]".contains(c)).eq_ignore_ascii_case("trg");
         let joined = |count: usize| {
             let words: Option<Vec<&str>> =
