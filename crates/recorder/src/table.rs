@@ -257,7 +257,7 @@ pub enum TextRefusal {
         units: String,
     },
     /// As many values as headings are needed.
-    #[error("{place}: {found} values, where {expected} are needed: {columns}")]
+    #[error("{place}: {found} value{}, where {expected} are needed: {columns}", if *found == 1 { "" } else { "s" })]
     Uneven {
         /// Of the first value of the row.
         place: TextPlace,
@@ -265,7 +265,7 @@ pub enum TextRefusal {
         found: usize,
         /// Headings.
         expected: usize,
-        /// What the headings were taken for.
+        /// The headings.
         columns: String,
     },
     /// Rows of several records.

@@ -6,6 +6,7 @@ mod flowing;
 mod heads;
 mod long;
 mod raw;
+mod rows;
 mod tokens;
 
 use crate::channel::Channel;

@@ -1,6 +1,6 @@
 //! Text with a character between its fields, or two spaces.
 
-use super::heads::{Head, heading};
+use super::heads::{Head, heading, quoted};
 use super::raw::RawTable;
 use super::tokens::{Token, Word, bare, is_value, number};
 use crate::channel::Channel;
@@ -235,9 +235,9 @@ fn add_row(table: &mut RawTable, fields: &[Field]) -> Result<(), TextRefusal> {
     let width = table.columns.len();
     let found = fields.iter().rposition(|field| !field.text.is_empty()).map_or(0, |last| last + 1);
     if found > width {
-        let names: Vec<&str> = table.columns.iter().map(|(head, _)| head.channel.name()).collect();
+        let columns = quoted(table.columns.iter().map(|(head, _)| head));
         let place = fields.first().map_or_else(TextPlace::default, |field| field.place);
-        return Err(TextRefusal::Uneven { place, found, expected: width, columns: names.join(", ") });
+        return Err(TextRefusal::Uneven { place, found, expected: width, columns });
     }
     let end = fields.last().map_or_else(TextPlace::default, |field| field.place);
     let absent = Field { text: String::new(), place: end };

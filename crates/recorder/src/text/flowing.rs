@@ -1,9 +1,10 @@
 //! Text as it copies out of a printed report: lines of words and values without a sure character between
 //! them.
 
-use super::heads::{Head, heads};
+use super::heads::{Head, heads, labels, quoted};
 use super::raw::RawTable;
-use super::tokens::{Piece, Token, Word, line, number};
+use super::rows::{self, Cell};
+use super::tokens::{Piece, Token, Word, bare, line, number};
 use crate::channel::Channel;
 use crate::table::{TextLayout, TextPlace, TextRefusal};
 
@@ -12,6 +13,8 @@ use crate::table::{TextLayout, TextPlace, TextRefusal};
 struct Segment {
     heads: Vec<Head>,
     lines: Vec<Vec<Token>>,
+    /// Lines that were not read.
+    unread: Vec<(String, TextPlace)>,
 }
 
 impl Segment {
@@ -22,9 +25,23 @@ impl Segment {
     fn flat(&self) -> Vec<Token> {
         self.lines.iter().flatten().cloned().collect()
     }
+
+    /// The number of times, where they stand in one line.
+    fn across(&self) -> Option<usize> {
+        let times = self.lines.first().filter(|_| self.names_time() && row_width(&self.heads).is_none())?;
+        (times.len() > 1).then(|| self.lines.iter().map(Vec::len).sum())
+    }
 }
 
-/// The values at the end of a line behind its words, where a quantity stands with its values in one line.
+/// The number of columns below a heading: of a time, and of quantities behind it.
+fn row_width(heads: &[Head]) -> Option<usize> {
+    let time = heads.iter().position(|head| head.channel == Channel::Time)?;
+    let last = heads.iter().rposition(|head| head.channel == Channel::Time)?;
+    (last + 1 < heads.len()).then(|| heads.len() - time)
+}
+
+/// The number of values at the end of a line behind its words, where a quantity stands with its values in one
+/// line.
 fn trailing(pieces: &[Piece], pending: &[Word]) -> usize {
     let count = pieces.iter().rev().take_while(|piece| matches!(piece, Piece::Value(_))).count();
     let of_numbers = pieces[pieces.len() - count..].iter().any(
@@ -34,9 +51,7 @@ fn trailing(pieces: &[Piece], pending: &[Word]) -> usize {
     if count < 2 || (count == 2 && !of_numbers) {
         return 0;
     }
-    let mut words = pending.to_vec();
-    words.extend(pieces[..pieces.len() - count].iter().filter_map(word));
-    if heads(&words).is_empty() { 0 } else { count }
+    if heads(&with(pending, &pieces[..pieces.len() - count])).is_empty() { 0 } else { count }
 }
 
 fn word(piece: &Piece) -> Option<Word> {
@@ -44,6 +59,11 @@ fn word(piece: &Piece) -> Option<Word> {
         Piece::Word(word) => Some(word.clone()),
         Piece::Value(_) => None,
     }
+}
+
+/// Words and those among these pieces.
+fn with(pending: &[Word], pieces: &[Piece]) -> Vec<Word> {
+    pending.iter().cloned().chain(pieces.iter().filter_map(word)).collect()
 }
 
 /// A piece of a heading: numbers in it are words, too.
@@ -54,45 +74,169 @@ fn as_word(piece: Piece) -> Word {
     }
 }
 
+/// Words as they stand, with the place of the first.
+fn phrase(words: &[Word]) -> (String, TextPlace) {
+    let text: Vec<&str> = words.iter().map(|word| word.text.as_str()).collect();
+    (text.join(" "), words.first().map_or_else(TextPlace::default, |word| word.place))
+}
+
+/// What a line is.
+enum Line {
+    /// Cells.
+    Values(Vec<Token>),
+    /// Words, and the cells of the quantity that they name.
+    Labelled(Vec<Piece>, Vec<Token>),
+    /// Words that belong to a heading, or to none.
+    Words(Vec<Piece>),
+    /// A row that is not read.
+    Unread((String, TextPlace)),
+}
+
+/// The segments so far, and the words that wait for their values.
+#[derive(Default)]
+struct Segments {
+    found: Vec<Segment>,
+    pending: Vec<Word>,
+}
+
+impl Segments {
+    fn line(&self, pieces: Vec<Piece>) -> Line {
+        let cells = rows::cells(&pieces);
+        if cells.iter().all(|cell| !cell.is_word) && matches!(pieces.first(), Some(Piece::Value(_))) {
+            return Line::Values(rows::tokens(cells));
+        }
+        if let Some(row) = self.row(&pieces, &cells) {
+            return row;
+        }
+        if let Some(row) = self.row_across(&pieces) {
+            return row;
+        }
+        let count = trailing(&pieces, &self.pending);
+        let (label, values) = pieces.split_at(pieces.len() - count);
+        if count == 0 {
+            return Line::Words(pieces);
+        }
+        Line::Labelled(label.to_vec(), rows::tokens(rows::cells(values)))
+    }
+
+    /// A row below a heading, with words among its values: it begins with a time, or has values throughout
+    /// behind what stands in its place.
+    fn row(&self, pieces: &[Piece], cells: &[Cell]) -> Option<Line> {
+        let waiting = row_width(&heads(&self.pending));
+        let width = waiting.or_else(|| row_width(&self.found.last()?.heads))?;
+        let values = cells.iter().filter(|cell| !cell.is_word).count();
+        let fitted = rows::fitted(pieces, width);
+        let is_time = |token: &Token| number(bare(&token.text), false).is_some();
+        if !matches!(pieces.first(), Some(Piece::Value(token)) if is_time(token)) {
+            return fitted.filter(|_| width > 2 && values + 1 == width).map(Line::Values);
+        }
+        match fitted {
+            Some(tokens) => Some(Line::Values(tokens)),
+            // In a heading, a line such as "0 to 100 (%)" is of it.
+            None if waiting.is_some() => None,
+            None if values > 1 => Some(Line::Values(rows::tokens(cells.to_vec()))),
+            None => Some(Line::Unread(phrase(&pieces.iter().cloned().map(as_word).collect::<Vec<_>>()))),
+        }
+    }
+
+    /// The number of times across, while quantities with their values follow them.
+    fn across(&self) -> Option<usize> {
+        let of_time = self.found.iter().rev().find(|segment| segment.names_time())?;
+        of_time.across().filter(|_| heads(&self.pending).iter().all(|head| head.channel != Channel::Time))
+    }
+
+    /// A quantity, known or not, with a cell for each of the times across.
+    fn row_across(&self, pieces: &[Piece]) -> Option<Line> {
+        let width = self.across()?;
+        let first = pieces.iter().position(|piece| matches!(piece, Piece::Value(_))).unwrap_or(pieces.len());
+        let (label, values) = pieces.split_at(first);
+        let words = with(&[], label);
+        let own = heads(&words);
+        if first == 0 || own.iter().any(|head| head.channel == Channel::Time) {
+            return None;
+        }
+        if let Some(tokens) = rows::fitted(values, width) {
+            return Some(Line::Labelled(label.to_vec(), tokens));
+        }
+        let named = labels(&words).last().map(Head::named);
+        let cells = rows::cells(values);
+        // "ABS Fault Off On": the words behind the name are of the first times.
+        let missing = width.saturating_sub(cells.len());
+        let spare = words.iter().rev().take_while(|word| !word.within).count();
+        let free = words.iter().filter(|word| !word.within).count();
+        let is_cells = named.is_some_and(|named| missing > 0 && missing <= spare && free >= named + missing);
+        if is_cells && values.is_empty() {
+            return Some(Line::Unread(phrase(&words[..words.len() - missing])));
+        }
+        let (label, behind) = label.split_at(first - if is_cells { missing } else { 0 });
+        let tokens = rows::tokens(rows::cells(&pieces[first - behind.len()..]));
+        let some_values = cells.iter().filter(|cell| !cell.is_word).count() > 1;
+        let some_words = cells.iter().any(|cell| cell.is_word);
+        (is_cells || (named.is_some() && some_values && some_words))
+            .then(|| Line::Labelled(label.to_vec(), tokens))
+    }
+
+    fn add(&mut self, line: Line) {
+        let (words, values) = match line {
+            Line::Values(values) => (Vec::new(), values),
+            Line::Labelled(words, values) => (words, values),
+            Line::Words(words) => (words, Vec::new()),
+            Line::Unread(unread) => {
+                if let Some(last) = self.found.last_mut() {
+                    last.unread.push(unread);
+                }
+                return;
+            }
+        };
+        self.pending.extend(words.into_iter().map(as_word));
+        if values.is_empty() {
+            return;
+        }
+        let named = self.named();
+        let in_rows = self.found.last().is_some_and(|last| row_width(&last.heads).is_some());
+        // A footer between the rows of a table names nothing: the rows go on.
+        if !named.is_empty() || (!self.pending.is_empty() && !in_rows) || self.found.is_empty() {
+            self.found.push(Segment { heads: named, ..Segment::default() });
+        }
+        self.pending.clear();
+        if let Some(segment) = self.found.last_mut() {
+            segment.lines.push(values);
+        }
+    }
+
+    /// What the waiting words name: columns, or one quantity in each line.
+    fn named(&self) -> Vec<Head> {
+        let columns = heads(&self.pending);
+        if row_width(&columns).is_some() {
+            return columns;
+        }
+        let labels = labels(&self.pending);
+        if labels.is_empty() && !self.pending.is_empty() && self.across().is_some() {
+            let (text, place) = phrase(&self.pending);
+            return vec![Head::of(text, Channel::Other, Vec::new(), place)];
+        }
+        labels
+    }
+}
+
 fn segments(text: &str) -> Vec<Segment> {
-    let mut found: Vec<Segment> = Vec::new();
-    let mut pending: Vec<Word> = Vec::new();
+    let mut all = Segments::default();
     for (k, content) in text.lines().enumerate() {
-        let mut pieces = line(content, k + 1);
-        let last = found.last().and_then(|segment| segment.lines.last()?.last());
+        let pieces = line(content, k + 1);
+        let last = all.found.last().and_then(|segment| segment.lines.last()?.last());
         let names_zero = content.trim().trim_matches(['(', ')']).eq_ignore_ascii_case("trg")
             && last.is_some_and(|token| number(&token.text, false) == Some(0.0));
-        if pieces.is_empty() || names_zero {
-            continue;
-        }
-        let is_values = pieces.iter().all(|piece| matches!(piece, Piece::Value(_)));
-        let count = if is_values { pieces.len() } else { trailing(&pieces, &pending) };
-        let values = pieces.split_off(pieces.len() - count);
-        pending.extend(pieces.into_iter().map(as_word));
-        if count == 0 {
-            continue;
-        }
-        let named = heads(&pending);
-        let in_rows = found.last().is_some_and(|last| last.heads.len() >= 2);
-        // A footer between the rows of a table names nothing: the rows go on.
-        if !named.is_empty() || (!pending.is_empty() && !in_rows) || found.is_empty() {
-            found.push(Segment { heads: named, lines: Vec::new() });
-        }
-        pending.clear();
-        let tokens = values.into_iter().filter_map(|piece| match piece {
-            Piece::Value(token) => Some(token),
-            Piece::Word(_) => None,
-        });
-        if let Some(segment) = found.last_mut() {
-            segment.lines.push(tokens.collect());
+        if !pieces.is_empty() && !names_zero {
+            let line = all.line(pieces);
+            all.add(line);
         }
     }
     // A heading at the end, with nothing below it, so that it is told.
-    let named = heads(&pending);
+    let named = heads(&all.pending);
     if named.len() >= 2 {
-        found.push(Segment { heads: named, lines: Vec::new() });
+        all.found.push(Segment { heads: named, ..Segment::default() });
     }
-    found
+    all.found
 }
 
 fn channels(heads: &[Head]) -> Vec<Channel> {
@@ -129,12 +273,17 @@ fn of_rows(mut segment: Segment) -> Result<RawTable, TextRefusal> {
     let flat = segment.flat();
     let broken = counts.iter().filter(|count| **count == 1).count() * 2 > counts.len();
     let uneven = || {
-        let names: Vec<&str> = segment.heads.iter().map(|head| head.channel.name()).collect();
         let odd = segment.lines.iter().find(|line| line.len() != width);
         let odd = odd.filter(|_| !broken).and_then(|line| line.first());
         let place = odd.or(flat.last()).map_or(first, |token| token.place);
         let found = if broken { flat.len() % width } else { odd_count(&counts, width) };
-        TextRefusal::Uneven { place, found, expected: width, columns: names.join(", ") }
+        let apart = if flat.iter().any(|token| token.text == "-") {
+            "; a minus apart from its number counts as a value: join them"
+        } else {
+            ""
+        };
+        let columns = format!("{}{apart}", quoted(segment.heads.iter()));
+        TextRefusal::Uneven { place, found, expected: width, columns }
     };
     if !flat.len().is_multiple_of(width) {
         return Err(uneven());
@@ -163,7 +312,7 @@ fn of_rows(mut segment: Segment) -> Result<RawTable, TextRefusal> {
             }
         }
     }
-    Ok(RawTable { layout, columns, ignored: Vec::new() })
+    Ok(RawTable { layout, columns, ignored: segment.unread })
 }
 
 /// The values of the first line that has another number of them than the heading.
@@ -192,9 +341,14 @@ fn of_blocks(segments: Vec<Segment>) -> RawTable {
     let layout = if across { TextLayout::Transposed } else { TextLayout::ColumnAfterColumn };
     let (mut columns, mut ignored) = (Vec::new(), Vec::new());
     for segment in segments {
-        // With several quantities named before the values, the last is theirs: a title stands above it.
-        let Some(head) = segment.heads.last().cloned() else { continue };
-        let cells = segment.flat();
+        // With several quantities named before the values, the last is theirs. A title stands above the times;
+        // elsewhere it is one whose values were not recognised.
+        let Some((head, above)) = segment.heads.split_last() else { continue };
+        let (head, cells) = (head.clone(), segment.flat());
+        if head.channel != Channel::Time {
+            ignored.extend(above.iter().map(|head| (head.text.clone(), head.place)));
+        }
+        ignored.extend(segment.unread);
         if head.channel == Channel::Other {
             ignored.push((head.text, head.place));
             continue;
@@ -225,6 +379,7 @@ pub(crate) fn tables(text: &str) -> Result<Vec<RawTable>, TextRefusal> {
         match &mut rows {
             Some(open) if is_rows && channels(&open.heads) == channels(&segment.heads) => {
                 open.lines.extend(segment.lines);
+                open.unread.extend(segment.unread);
                 continue;
             }
             _ if is_rows || segment.names_time() => finish(&mut blocks, &mut rows)?,

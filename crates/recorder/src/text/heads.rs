@@ -213,3 +213,8 @@ pub(crate) fn labels(words: &[Word]) -> Vec<Head> {
         .map(Head::settled)
         .collect()
 }
+
+/// Headings in quotes, for messages.
+pub(crate) fn quoted<'h>(heads: impl Iterator<Item = &'h Head>) -> String {
+    heads.map(|head| format!("\"{}\"", head.text)).collect::<Vec<_>>().join(", ")
+}
