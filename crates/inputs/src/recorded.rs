@@ -3,8 +3,8 @@
 use std::fmt::Display;
 
 use recorder::{
-    Channel, CrashPulse, ImpactSpeedErrors, PreCrash, PreCrashFault, PulseFault, RecorderTable, TextRefusal,
-    columns_table, read_rows,
+    Channel, CrashPulse, ImpactSpeedErrors, PreCrash, PreCrashFault, PulseFault, RecorderTable, TextPlace,
+    TextRefusal, columns_table, read_rows,
 };
 
 use crate::quantity::Quantity;
@@ -37,8 +37,8 @@ pub enum SeriesRefusal {
         /// The headings of the tables, with what they were taken for.
         found: String,
     },
-    /// What was read is no record before an impact.
-    PreCrash(PreCrashFault),
+    /// What was read is no record before an impact; with the place of the row, if it is of one.
+    PreCrash(PreCrashFault, Option<TextPlace>),
     /// What was read is no pulse.
     Pulse(PulseFault),
 }
@@ -50,8 +50,20 @@ impl Display for SeriesRefusal {
             Self::NoneOfKind { wanted, found } => {
                 write!(f, "no table of {wanted} was recognised; it read {found}")
             }
-            Self::PreCrash(fault) => fault.fmt(f),
+            Self::PreCrash(fault, _) => fault.fmt(f),
             Self::Pulse(fault) => fault.fmt(f),
+        }
+    }
+}
+
+impl SeriesRefusal {
+    /// Where in its text, if it is of a place.
+    #[must_use]
+    pub fn place(&self) -> Option<TextPlace> {
+        match self {
+            Self::Text(refusal) | Self::Column(_, refusal) => refusal.place(),
+            Self::PreCrash(_, place) => *place,
+            Self::NoneOfKind { .. } | Self::Pulse(_) => None,
         }
     }
 }
@@ -150,8 +162,17 @@ impl OfTables for PreCrash {
     fn of_tables(tables: Vec<RecorderTable>) -> Result<(Vec<RecorderTable>, Self), SeriesRefusal> {
         const WANTED: &str = "speeds before the impact, with times and speeds,";
         let none = none_of_kind(WANTED, &tables);
-        let table = tables.into_iter().find(RecorderTable::is_pre_crash).ok_or(none)?;
-        let record = Self::from_table(&table).map_err(SeriesRefusal::PreCrash)?;
+        let of_speeds = tables.iter().position(RecorderTable::is_pre_crash).ok_or(none)?;
+        let mut others = tables;
+        let mut table = others.remove(of_speeds);
+        for other in others {
+            let is_before = other.is_before_impact();
+            if is_before && table.goes_with(&other) { table.join(other) } else { table.leave(other) }
+        }
+        let record = Self::from_table(&table).map_err(|fault| {
+            let row = fault.sample().and_then(|sample| table.rows.get(sample - 1).copied());
+            SeriesRefusal::PreCrash(fault, row)
+        })?;
         Ok((vec![table], record))
     }
 }
@@ -160,7 +181,19 @@ impl OfTables for CrashPulse {
     fn of_tables(tables: Vec<RecorderTable>) -> Result<(Vec<RecorderTable>, Self), SeriesRefusal> {
         const WANTED: &str = "ΔV over time, with times and a longitudinal or lateral ΔV,";
         let none = none_of_kind(WANTED, &tables);
-        let tables: Vec<RecorderTable> = tables.into_iter().filter(RecorderTable::is_pulse).collect();
+        let (pulses, others): (Vec<_>, Vec<_>) = tables.into_iter().partition(RecorderTable::is_pulse);
+        let mut tables: Vec<RecorderTable> = Vec::new();
+        for next in pulses {
+            let same = tables.iter_mut().find(|table| table.shares_a_quantity(&next));
+            match same {
+                Some(table) if table.goes_with(&next) => table.join(next),
+                Some(table) => table.leave(next),
+                None => tables.push(next),
+            }
+        }
+        if let Some(first) = tables.first_mut() {
+            others.into_iter().for_each(|other| first.leave(other));
+        }
         let along = tables.iter().find(|table| table.column(Channel::DeltaVLongitudinal).is_some());
         let across = tables.iter().find(|table| table.column(Channel::DeltaVLateral).is_some());
         let first = along.or(across).ok_or(none)?;

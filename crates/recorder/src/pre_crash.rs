@@ -78,7 +78,8 @@ pub enum PreCrashFault {
     },
     /// A time after the impact.
     #[error(
-        "sample {sample}: {time} s is after the impact at 0; times before it are negative, or count down to 0"
+        "sample {sample}: {time} s is after the impact at 0: leave out the rows after 0; times before it are \
+         negative, or count down to 0"
     )]
     AfterImpact {
         /// From 1.
@@ -86,6 +87,20 @@ pub enum PreCrashFault {
         /// (s) its time.
         time: f64,
     },
+}
+
+impl PreCrashFault {
+    /// The sample that is at fault, from 1.
+    #[must_use]
+    pub fn sample(&self) -> Option<usize> {
+        match self {
+            Self::NoSample | Self::NoSpeed { .. } => None,
+            Self::NotFinite { sample }
+            | Self::NegativeSpeed { sample, .. }
+            | Self::TimesTurn { sample, .. }
+            | Self::AfterImpact { sample, .. } => Some(*sample),
+        }
+    }
 }
 
 /// How the speed may change between samples, and how exactly it was stored.

@@ -75,6 +75,9 @@ pub struct TableColumn {
     pub values: Vec<Option<f64>>,
 }
 
+/// (s) times that differ by less are one.
+const SAME_TIME: f64 = 1e-6;
+
 /// Why a cell has no value.
 #[derive(Clone, Debug, PartialEq)]
 pub enum NoValue {
@@ -186,6 +189,74 @@ impl RecorderTable {
             words = format!("{words}; not read were {}", unread.join(", "));
         }
         words
+    }
+
+    /// The columns beside the times.
+    fn quantities(&self) -> impl Iterator<Item = &TableColumn> {
+        self.columns.iter().filter(|column| column.channel != Channel::Time)
+    }
+
+    /// Whether both have a column of one quantity.
+    #[must_use]
+    pub fn shares_a_quantity(&self, other: &Self) -> bool {
+        other.quantities().any(|column| self.column(column.channel).is_some())
+    }
+
+    /// Whether all its times are before the impact, or at it, and it has no ΔV.
+    #[must_use]
+    pub fn is_before_impact(&self) -> bool {
+        !self.is_pulse() && self.times().last().is_some_and(|last| *last <= 0.0)
+    }
+
+    /// Whether another table is of the same record: it has other quantities, or goes on where this one ends.
+    #[must_use]
+    pub fn goes_with(&self, other: &Self) -> bool {
+        let [own, others] = [self, other].map(Self::times);
+        !self.shares_a_quantity(other) || own.last() < others.first() || others.last() < own.first()
+    }
+
+    /// Takes in a table of the same record, at the times of both. Without a value is a column at the times of
+    /// the other table alone.
+    pub fn join(&mut self, other: Self) {
+        let [own, others] = [&*self, &other].map(Self::times);
+        let is_at = |one: f64, other: f64| (one - other).abs() < SAME_TIME;
+        let mut rows: Vec<(f64, TextPlace)> = own.iter().copied().zip(self.rows.iter().copied()).collect();
+        let new = others.iter().copied().zip(other.rows.iter().copied());
+        rows.extend(new.filter(|(time, _)| own.iter().all(|own| !is_at(*own, *time))));
+        rows.sort_by(|(one, _), (other, _)| one.total_cmp(other));
+        let value = |times: &[f64], values: &[Option<f64>], at: f64| {
+            times.iter().position(|time| is_at(*time, at)).and_then(|row| values.get(row).copied().flatten())
+        };
+        for column in &mut self.columns {
+            let theirs = other.values(column.channel);
+            let at = |(time, _): &(f64, TextPlace)| {
+                value(&own, &column.values, *time).or_else(|| value(&others, &theirs, *time))
+            };
+            column.values = rows.iter().map(at).collect();
+        }
+        for column in other.columns {
+            if self.column(column.channel).is_none() {
+                let values = rows.iter().map(|(time, _)| value(&others, &column.values, *time)).collect();
+                self.columns.push(TableColumn { values, ..column });
+            }
+        }
+        self.rows = rows.into_iter().map(|(_, place)| place).collect();
+        self.ignored.extend(other.ignored);
+        self.doubts.extend(other.doubts);
+        self.sort();
+    }
+
+    /// Names the quantities of a table that is not read among those that are not.
+    pub fn leave(&mut self, other: Self) {
+        let headings = other.quantities().map(|column| (column.heading.clone(), column.place));
+        self.ignored.extend(headings);
+        self.ignored.extend(other.ignored);
+        self.sort();
+    }
+
+    fn sort(&mut self) {
+        self.ignored.sort_by_key(|(_, place)| *place);
+        self.doubts.sort_by_key(|doubt| doubt.place);
     }
 
     /// Whether it has speeds before the impact.

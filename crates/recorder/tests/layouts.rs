@@ -582,7 +582,9 @@ fn a_velocity_change_is_along_the_axis_that_its_heading_names() {
                   SDM Longitudinal Axis Recorded Velocity Change (MPH) -4 -9 -13\n";
     let bracketed = "Time (ms),Velocity change (lateral) mph,Velocity change (longitudinal) mph\n\
                      10,1,-4\n20,2,-9\n30,3,-13\n";
-    for text in [both.to_owned(), both.replace(',', " "), both.replace(',', "\t"), across.into(), bracketed.into()] {
+    for text in
+        [both.to_owned(), both.replace(',', " "), both.replace(',', "\t"), across.into(), bracketed.into()]
+    {
         let table = one(&text);
         assert_eq!(values(&table, Channel::DeltaVLateral, 0.44704), [1.0, 2.0, 3.0], "{text}");
         assert_eq!(values(&table, Channel::DeltaVLongitudinal, 0.44704), [-4.0, -9.0, -13.0], "{text}");
@@ -591,4 +593,164 @@ fn a_velocity_change_is_along_the_axis_that_its_heading_names() {
     }
     let resultant = "Time (ms),Resultant velocity change (mph),Delta-V lateral (mph)\n10,1,2\n20,1,2\n";
     assert!(one(resultant).column(Channel::DeltaVLongitudinal).is_none());
+}
+
+/// The speed (km/h) and brake of a table of three rows at -1, -0.5 and 0 s.
+fn three(table: &RecorderTable) -> ([Option<f64>; 3], [Option<f64>; 3]) {
+    assert_eq!(table.times(), [-1.0, -0.5, 0.0], "{table:?}");
+    let three = |channel, unit: f64| -> [Option<f64>; 3] {
+        let rounded = |value: Option<f64>| value.map(|value| (value / unit * 1e6).round() / 1e6);
+        table.values(channel).into_iter().map(rounded).collect::<Vec<_>>().try_into().unwrap()
+    };
+    (three(Channel::Speed, KMH), three(Channel::Brake, 1.0))
+}
+
+/// A row in which one cell has a mark, a unit or words is read, and a cell that says nothing told with its
+/// place: no row vanishes.
+#[test]
+fn a_row_with_words_in_it_is_read() {
+    const ON: Option<f64> = Some(1.0);
+    let whole = ([Some(64.0), Some(60.0), Some(49.0)], [Some(0.0), ON, ON]);
+    for rows in [
+        "-1.0 64 Off|-0.5 60 On*|0 49* On|* Data limitations apply",
+        "-1.0 64 Off|-0.5 60 On (1)|0 49 On|(1) see data limitations",
+        "-1.0 64 Off|-0.5 60 On|0.0 (AE) 49 On",
+        "-1.0 64 Off|-0.5 60 On|0.0* 49 On†",
+        "-1.0 64 Off|-0.5 60 On|0.0 49 Brake On",
+        "-1.0 64 Released|-0.5 60 Pressed|0.0 49 Depressed",
+        "-1.0 s 64 km/h Off|-0.5 s 60 km/h On|0.0 s 49 km/h On",
+        "-1.0 (s) 64 Off|-0.5 60 (max) On|Page 5 of 22|0.0 49 On",
+    ] {
+        let table =
+            one(&format!("Time (sec) Vehicle Speed (km/h) Service Brake\n{}\n", rows.replace('|', "\n")));
+        assert_eq!(three(&table), whole, "{rows}");
+        assert_eq!(table.doubts, [], "{rows}");
+    }
+    let without_speed = |row: usize| {
+        let mut speeds = whole.0;
+        speeds[row] = None;
+        (speeds, whole.1)
+    };
+    let without_brake = |row: usize| {
+        let mut brakes = whole.1;
+        brakes[row] = None;
+        (whole.0, brakes)
+    };
+    for (rows, expected, (line, column), words) in [
+        ("-1.0 64 Off|-0.5 >= 60 On|0 49 On", without_speed(1), (3, 6), ">= 60"),
+        ("-1.0 126 or greater Off|-0.5 60 On|0 49 On", without_speed(0), (2, 6), "126 or greater"),
+        ("-1.0 64 Off|-0.5 60 On|0 4O On", without_speed(2), (4, 3), "4O"),
+        ("-1.0 64 Off|-0.5 Sensor Fault On|0 49 On", without_speed(1), (3, 6), "Sensor Fault"),
+        ("-1.0 64 Off|-0.5 60 On|0.0 49 Yes/No", without_brake(2), (4, 8), "Yes/No"),
+        ("-1.0 64 Off|-0.5 60 On|0.0 49 Undefined", without_brake(2), (4, 8), "Undefined"),
+    ] {
+        let table =
+            one(&format!("Time (sec) Vehicle Speed (km/h) Service Brake\n{}\n", rows.replace('|', "\n")));
+        assert_eq!(three(&table), expected, "{rows}");
+        let doubt = &table.doubts[0];
+        assert_eq!((doubt.place.line, doubt.place.column, table.doubts.len()), (line, column, 1), "{rows}");
+        assert_eq!(doubt.reason, NoValue::Unreadable(words.into()), "{rows}");
+    }
+    // A column that is known and not read may have any words.
+    let gear = "Time (sec) Vehicle Speed (km/h) Service Brake Gear\n-1.0 64 Off D\n-0.5 60 On N\n0 49 On N\n";
+    assert_eq!(three(&one(gear)), whole);
+    assert_eq!(one(gear).ignored[0].0, "Gear");
+    // What has too few cells for a row is refused, or told as a line that was not read.
+    let heading = "Time (sec) Vehicle Speed (km/h) Service Brake\n-1.0 64 Off\n";
+    let refusal = read_tables(&format!("{heading}-0.5 60 On or Off or Fault\n0 49 On\n")).unwrap_err();
+    assert_eq!(refusal.place().map(|place| place.line), Some(3), "{refusal}");
+    let table = one(&format!("{heading}-0.5 Fault\n0 49 On\n"));
+    assert_eq!(table.times(), [-1.0, 0.0]);
+    assert_eq!(
+        table.ignored.iter().map(|(text, at)| (text.as_str(), at.line)).collect::<Vec<_>>(),
+        [("-0.5 Fault", 3)]
+    );
+    let pulse = "Time (msec) Delta-V, longitudinal (km/h)\n0 0\n20 -5\n40 -15 (max)\n60 -16*\n80 -16*\n";
+    assert_eq!(values(&one(pulse), Channel::DeltaVLongitudinal, KMH), [0.0, -5.0, -15.0, -16.0, -16.0]);
+    let units =
+        "Time (ms) Longitudinal Delta V Lateral Delta V\n0 0.0 km/h 0.0 km/h\n20 -5.0 km/h 1.0 km/h\n";
+    assert_eq!(values(&one(units), Channel::DeltaVLongitudinal, KMH), [0.0, -5.0]);
+    assert_eq!(values(&one(units), Channel::DeltaVLateral, KMH), [0.0, 1.0]);
+}
+
+/// With the times across, a quantity with words among its values is read, and an unknown one is told.
+#[test]
+fn a_row_across_with_words_in_it_is_read() {
+    let text = "Time (sec) -1.0 -0.5 0\nVehicle Speed (km/h) 64 60 49\nABS Off Engaged Fault\n\
+                Stability control Fault Off On\nBrake Off On On*\nShift Position D D D\nMood 1 2 3\n\
+                Percentage of Engine Throttle (%) 15 13 13\nLongitudinal Acceleration, VSC Sensor (m/sec^2) 0 -1 -2\n\
+                Seat belt Buckled Buckled Buckled\n";
+    let table = one(text);
+    assert_eq!(three(&table), ([Some(64.0), Some(60.0), Some(49.0)], [Some(0.0), Some(1.0), Some(1.0)]));
+    assert_eq!(table.values(Channel::Abs), [Some(0.0), Some(1.0), None]);
+    assert_eq!(table.values(Channel::Stability), [None, Some(0.0), Some(1.0)]);
+    assert_eq!(values(&table, Channel::AccelerationLongitudinal, 1.0), [0.0, -1.0, -2.0]);
+    let told: Vec<_> = table.doubts.iter().map(|doubt| (doubt.place.line, doubt.place.column)).collect();
+    assert_eq!(told, [(3, 17), (4, 19)]);
+    let unread: Vec<&str> = table.ignored.iter().map(|(heading, _)| heading.as_str()).collect();
+    assert_eq!(unread, ["Shift Position", "Mood", "Seat belt"]);
+    let heading = |channel| table.column(channel).unwrap().heading.as_str();
+    assert_eq!(heading(Channel::Throttle), "Percentage of Engine Throttle (%)");
+    assert_eq!(heading(Channel::AccelerationLongitudinal), "Longitudinal Acceleration, VSC Sensor (m/sec^2)");
+}
+
+/// A column of text whose words are unknown is one that is not read, and no reason to read nothing.
+#[test]
+fn a_column_of_unknown_words_refuses_no_table() {
+    let text = "Time (sec),Vehicle Speed (km/h),Service Brake,Gear Position\n\
+                -1.0,64,Off,Drive\n-0.5,60,On,Drive\n0,49,On,Drive\n";
+    let whole = ([Some(64.0), Some(60.0), Some(49.0)], [Some(0.0), Some(1.0), Some(1.0)]);
+    for (between, delimiter) in [(",", ','), (";", ';'), ("\t", '\t'), (" | ", '|')] {
+        let table = one(&text.replace(',', between));
+        assert_eq!(table.layout, TextLayout::Delimited(delimiter));
+        assert_eq!(three(&table), whole);
+        assert_eq!(table.ignored[0].0, "Gear Position");
+    }
+    let ruled = "| Time (s) | Speed (km/h) | Brake |\n|---|---|---|\n| -1 | 64 | Off |\n| -0.5 | 60 | On |\n| 0 | 49 | On |\n";
+    assert_eq!(three(&one(ruled)), whole);
+    // Across, a word among values is a cell that says nothing, also the first.
+    let across = "Time (s),-1,-0.5,0\nSpeed (km/h),64,60,Fault\nBrake,Fault,On,On\nGear,Drive,Drive,Drive\n";
+    let table = one(across);
+    assert_eq!(three(&table), ([Some(64.0), Some(60.0), None], [None, Some(1.0), Some(1.0)]));
+    assert_eq!(table.doubts.len(), 2);
+    assert_eq!(table.ignored[0].0, "Gear");
+    // A time that is none is told, and a footer with a comma begins no table.
+    let typo = text.replace("-0.5,", "-O.5,");
+    assert_eq!(read_tables(&typo).unwrap_err().to_string(), "line 3, column 1: \"-O.5\" is not a time");
+    let footer = text.replace("0,49", "Page 5, of 22\n0,49");
+    assert_eq!(three(&one(&footer)), whole);
+    // A share of the greatest angle is no angle.
+    let share = one("Time (s) Speed (km/h) Brake Steering angle (%)\n-1 64 off 5\n-0.5 60 on 5\n0 49 on 5\n");
+    assert_eq!(three(&share), whole);
+    assert_eq!(share.ignored[0].0, "Steering angle (%)");
+}
+
+/// Reports of GM count the seconds before algorithm enable.
+#[test]
+fn seconds_before_algorithm_enable_are_times() {
+    let text = "Seconds Before AE\tVehicle Speed (MPH)\tPercent Throttle\tBrake Switch Circuit Status\n\
+                5\t55\t12\tOFF\n4\t54\t5\tON\n3\t45\t0\tON\n";
+    for text in [
+        text.to_owned(),
+        text.replace('\t', " "),
+        text.replace("\n5", "\n-5").replace("\n4", "\n-4").replace("\n3", "\n-3"),
+    ] {
+        let table = one(&text);
+        assert_eq!(values(&table, Channel::Time, 1.0), [-5.0, -4.0, -3.0]);
+        assert_eq!(values(&table, Channel::Speed, 0.44704), [55.0, 54.0, 45.0]);
+        assert_eq!(values(&table, Channel::Throttle, 1.0), [12.0, 5.0, 0.0]);
+        assert_eq!(values(&table, Channel::Brake, 1.0), [0.0, 1.0, 1.0]);
+    }
+}
+
+/// A minus that stands apart is one value more, which is said.
+#[test]
+fn an_uneven_row_names_the_headings_and_a_minus_that_stands_apart() {
+    let text = "Time (s) Vehicle Speed (km/h) Wheel Speed FL (km/h)\n- 1.0 50 49\n- 0.5 47 46\n";
+    let said = read_tables(text).unwrap_err().to_string();
+    assert_eq!(
+        said,
+        "line 2, column 1: 4 values, where 3 are needed: \"Time (s)\", \"Vehicle Speed (km/h)\", \
+         \"Wheel Speed FL (km/h)\"; a minus apart from its number counts as a value: join them"
+    );
 }

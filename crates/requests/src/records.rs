@@ -87,12 +87,9 @@ const BESIDE: &str =
 
 /// A refusal with its place in the file.
 fn placed(name: &str, refusal: &SeriesRefusal) -> String {
-    match refusal {
-        SeriesRefusal::Text(text) => match text.place() {
-            Some(place) => format!("{name}:{}:{}: {refusal}", place.line, place.column),
-            None => format!("{name}: {refusal}"),
-        },
-        _ => format!("{name}: {refusal}"),
+    match refusal.place() {
+        Some(place) => format!("{name}:{}:{}: {refusal}", place.line, place.column),
+        None => format!("{name}: {refusal}"),
     }
 }
 

@@ -252,9 +252,7 @@ impl<'t> Reader<'t> {
             ) => ("rows", None),
             SeriesRefusal::Text(refusal) => ("text", refusal.place()),
             SeriesRefusal::Column(channel, refusal) => (channel.key(), refusal.place()),
-            SeriesRefusal::NoneOfKind { .. } | SeriesRefusal::PreCrash(_) | SeriesRefusal::Pulse(_) => {
-                (if table.has("text") { "text" } else { "time" }, None)
-            }
+            _ => (if table.has("text") { "text" } else { "time" }, refusal.place()),
         };
         let problem = CaseProblem::Fault { message: refusal.to_string(), help: None };
         let span = table.get(key).map(|value| {

@@ -126,30 +126,37 @@ fn divides(text: &str, layout: TextLayout) -> bool {
     let Some(heading) = rows.iter().find(|fields| named(fields) && !holds_values(fields)) else {
         return false;
     };
-    let values: Vec<&Vec<Field>> = rows.iter().filter(|fields| holds_values(fields)).collect();
     if is_transposed(&rows) {
         return true;
     }
+    let time = heading.iter().position(|field| is_time(&field.text, field.place));
+    let is_row = |fields: &&Vec<Field>| holds_values(fields) || time.is_some_and(|time| is_row(fields, time));
+    let counts: Vec<usize> = rows.iter().filter(is_row).map(Vec::len).collect();
     let width = heading.len();
-    !values.is_empty() && values.iter().filter(|fields| fields.len() == width).count() * 2 >= values.len()
+    !counts.is_empty() && counts.iter().filter(|count| **count == width).count() * 2 >= counts.len()
 }
 
 /// Whether the lines begin with a quantity and go on with its values.
 fn is_transposed(rows: &[Vec<Field>]) -> bool {
-    let begins = |fields: &&Vec<Field>| label(fields).is_some_and(|(_, values)| values.len() >= 2);
+    let begins = |fields: &&Vec<Field>| label(fields, None).is_some_and(|(_, values)| values.len() >= 2);
     let count = rows.iter().filter(begins).count();
     count >= 2 && rows.iter().filter(|fields| holds_values(fields)).count() == 0
 }
 
-/// A quantity at the beginning of a line, and the values behind it.
-fn label(fields: &[Field]) -> Option<(Head, &[Field])> {
-    let first = fields.iter().position(|field| {
+/// A quantity at the beginning of a line, and the values behind it. With as many cells as there are times,
+/// some may have words.
+fn label(fields: &[Field], times: Option<usize>) -> Option<(Head, &[Field])> {
+    let has_value = |field: &Field| {
         let token = token(field);
         is_value(&token.text) || token.text.is_empty()
-    })?;
-    let text: Vec<&str> = fields[..first].iter().map(|field| field.text.as_str()).collect();
-    let found = head(&text.join(" "), fields.first()?.place)?;
-    holds_values(&fields[first..]).then_some((found, &fields[first..]))
+    };
+    let first = fields.iter().position(has_value)?;
+    let of_times =
+        times.and_then(|times| fields.len().checked_sub(times)).filter(|of| (1..=first).contains(of));
+    let (label, values) = fields.split_at(of_times.unwrap_or(first));
+    let text: Vec<&str> = label.iter().map(|field| field.text.as_str()).collect();
+    let found = head(&text.join(" "), label.first()?.place)?;
+    (of_times.is_some() || holds_values(values)).then_some((found, values))
 }
 
 /// The layout by fields that the text has, if it has one.
@@ -174,14 +181,19 @@ pub(crate) fn tables(text: &str, layout: TextLayout) -> Result<Vec<RawTable>, Te
     let mut heading: Vec<(String, TextPlace)> = Vec::new();
     for fields in rows {
         let filled = fields.iter().filter(|field| !field.text.is_empty()).count();
-        let time = match (heading.is_empty(), found.last()) {
-            (true, Some(table)) => table.columns.iter().position(|(head, _)| head.channel == Channel::Time),
-            _ => heading.iter().position(|(text, place)| is_time(text, *place)),
-        };
-        if holds_values(&fields) || time.is_some_and(|time| is_row(&fields, time)) {
-            if !heading.is_empty() {
-                found.push(begun(&heading, layout));
-                heading.clear();
+        let named = heading.iter().position(|(text, place)| is_time(text, *place));
+        let of_table =
+            |table: &RawTable| table.columns.iter().position(|(head, _)| head.channel == Channel::Time);
+        let time = named.or_else(|| found.last().and_then(of_table));
+        let width = found.last().map_or(0, |table| table.columns.len());
+        let is_row =
+            time.is_some_and(|time| is_row(&fields, time) || (named.is_none() && is_full(&fields, width)));
+        if holds_values(&fields) || is_row {
+            match found.last_mut() {
+                // Between the rows of a table, what names no time is a footer.
+                Some(table) if named.is_none() => leave(table, &mut heading),
+                _ if !heading.is_empty() => found.push(begun(&std::mem::take(&mut heading), layout)),
+                _ => {}
             }
             if let Some(table) = found.last_mut() {
                 add_row(table, &fields)?;
@@ -204,15 +216,30 @@ pub(crate) fn tables(text: &str, layout: TextLayout) -> Result<Vec<RawTable>, Te
             None => super::no_heading(text),
         });
     }
-    for table in &mut found {
-        close(table);
+    if let Some(table) = found.last_mut() {
+        leave(table, &mut heading);
     }
+    found.iter_mut().for_each(close);
     Ok(found)
 }
 
 /// Whether a line with an unknown word in it is a row nevertheless: it has a number for a time.
 fn is_row(fields: &[Field], time: usize) -> bool {
     fields.get(time).is_some_and(|field| number(bare(&token(field).text), false).is_some())
+}
+
+/// Whether a line has as many fields as the table, and values in half of them: a row whose time is none.
+fn is_full(fields: &[Field], width: usize) -> bool {
+    let values = fields.iter().filter(|field| is_value(&token(field).text)).count();
+    width > 2 && fields.len() == width && values * 2 >= width
+}
+
+/// Tells what looked like a heading and names no time.
+fn leave(table: &mut RawTable, heading: &mut Vec<(String, TextPlace)>) {
+    let place = heading.first().map(|(_, place)| *place);
+    let filled = heading.drain(..).map(|(text, _)| text).filter(|text| !text.is_empty());
+    let text = filled.collect::<Vec<_>>().join(" ");
+    table.ignored.extend(place.map(|place| (text, place)));
 }
 
 fn is_time(text: &str, place: TextPlace) -> bool {
@@ -260,7 +287,8 @@ fn close(table: &mut RawTable) {
 fn transposed(rows: &[Vec<Field>]) -> Vec<RawTable> {
     let mut found: Vec<RawTable> = Vec::new();
     for fields in rows {
-        let Some((head, values)) = label(fields) else {
+        let times = found.last().and_then(|table| table.columns.first()).map(|(_, cells)| cells.len());
+        let Some((head, values)) = label(fields, times) else {
             if let (Some(table), Some(first)) =
                 (found.last_mut(), fields.first().filter(|_| fields.len() > 2))
             {

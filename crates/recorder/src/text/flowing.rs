@@ -128,7 +128,8 @@ impl Segments {
         let fitted = rows::fitted(pieces, width);
         let is_time = |token: &Token| number(bare(&token.text), false).is_some();
         if !matches!(pieces.first(), Some(Piece::Value(token)) if is_time(token)) {
-            return fitted.filter(|_| width > 2 && values + 1 == width).map(Line::Values);
+            let is_row = width > 2 && values + 1 == width && cells.len() == width;
+            return fitted.filter(|_| is_row).map(Line::Values);
         }
         match fitted {
             Some(tokens) => Some(Line::Values(tokens)),

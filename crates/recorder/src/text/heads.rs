@@ -180,7 +180,8 @@ fn unsettled(words: &[Word]) -> Vec<Head> {
         let mut units: Vec<ChannelUnit> = around().filter_map(|part| unit_of(&part.plain)).collect();
         if units.is_empty() {
             // "Seconds before AE" has its unit in its name.
-            units.extend(named.iter().filter_map(|part| unit_of(&part.plain)));
+            let units_of_name = named.iter().filter_map(|part| unit_of(&part.plain));
+            units.extend(units_of_name.filter(|unit| channel.takes(unit)));
         }
         Head {
             text: text.join(" "),

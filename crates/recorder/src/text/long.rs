@@ -197,9 +197,7 @@ fn table(
             here.map_or_else(|| absent(of_time), |here| cells.swap_remove(here).1)
         });
         let column = column.collect();
-        table
-            .columns
-            .push((Head::of(text, channel, unit_of(unit).into_iter().collect(), place), column));
+        table.columns.push((Head::of(text, channel, unit_of(unit).into_iter().collect(), place), column));
     }
     Ok((table, doubts))
 }

@@ -24,6 +24,14 @@ const LOST: f64 = 1.5;
 /// mile.
 const NEAR_CODE: f64 = 0.09;
 
+/// What is stored during the impact, and after its beginning.
+const DURING_IMPACT: [Channel; 4] = [
+    Channel::DeltaVLongitudinal,
+    Channel::DeltaVLateral,
+    Channel::AccelerationLongitudinal,
+    Channel::AccelerationLateral,
+];
+
 /// What the tables of NHTSA have in place of a value that is not reported, or is unknown.
 const OF_NHTSA: [f64; 2] = [99_996.0, 99_997.0];
 
@@ -78,8 +86,8 @@ fn value(token: &Token, channel: Channel, units: (ChannelUnit, Option<ChannelUni
     if let Some(on) = switched(&lower, channel).filter(|_| channel.is_switch()) {
         return Ok(f64::from(u8::from(on)));
     }
-    let printed = number(&shown, channel == Channel::EngineSpeed)
-        .ok_or_else(|| NoValue::Unreadable(text.clone()))?;
+    let printed =
+        number(&shown, channel == Channel::EngineSpeed).ok_or_else(|| NoValue::Unreadable(text.clone()))?;
     let si = printed * unit.factor;
     let (codes, worth) = channel.codes();
     let is_code = |code: &f64| (printed - code).abs() < 1e-9 || (si / worth - code).abs() < NEAR_CODE;
@@ -176,9 +184,10 @@ pub(crate) fn finish(raw: RawTable) -> Result<RecorderTable, TextRefusal> {
     if falls {
         seconds.reverse();
     }
-    let has_speed = columns.iter().any(|(head, _)| head.channel == Channel::Speed);
+    let has = |of: &[Channel]| columns.iter().any(|(head, _)| of.contains(&head.channel));
+    let is_before = has(&[Channel::Speed]) || !has(&DURING_IMPACT);
     // Seconds before the impact, counted down without a sign.
-    let counted_down = falls && has_speed && seconds.first().is_some_and(|least| *least >= 0.0);
+    let counted_down = falls && is_before && seconds.first().is_some_and(|least| *least >= 0.0);
     if counted_down {
         seconds = seconds.iter().rev().map(|time| if *time == 0.0 { 0.0 } else { -time }).collect();
     }
@@ -252,8 +261,7 @@ impl Reading {
     fn of(head: Head, cells: Vec<Token>) -> Result<Self, TextRefusal> {
         let head = in_units_of_cells(head, &cells);
         let (channel, units) = (head.channel, head.unit()?);
-        let found: Vec<Result<f64, NoValue>> =
-            cells.iter().map(|cell| value(cell, channel, units)).collect();
+        let found: Vec<Result<f64, NoValue>> = cells.iter().map(|cell| value(cell, channel, units)).collect();
         let values = found.iter().map(|value| value.as_ref().ok().copied()).collect();
         let doubt = |(cell, found): (&Token, Result<f64, NoValue>)| {
             found.err().map(|reason| CellDoubt { place: cell.place, channel, reason })
@@ -262,7 +270,7 @@ impl Reading {
         let bracketed = cells.iter().any(|cell| cell.bracket.is_some());
         let unit = units.1.filter(|_| bracketed).unwrap_or(units.0);
         let decimals = cells.iter().map(|cell| decimals(&said(cell, channel, units).1)).max().unwrap_or(0);
-        let step = unit.factor * 0.1_f64.powi(decimals);
+        let step = (0..decimals).fold(unit.factor, |step, _| step / 10.0);
         let column = TableColumn { heading: head.text, channel, unit, place: head.place, values };
         Ok(Self { column, cells, doubts, step })
     }
@@ -296,9 +304,9 @@ fn in_units_of_cells(mut head: Head, cells: &[Token]) -> Head {
 }
 
 /// The digits behind the decimal point or comma.
-fn decimals(text: &str) -> i32 {
+fn decimals(text: &str) -> usize {
     let digits = |(_, part): (&str, &str)| part.bytes().take_while(u8::is_ascii_digit).count();
-    i32::try_from(text.rsplit_once(['.', ',']).map_or(0, digits)).unwrap_or(0)
+    text.rsplit_once(['.', ',']).map_or(0, digits)
 }
 
 /// One column of each quantity. Of two whose headings are as sure as each other, and which agree, that with

@@ -1,7 +1,7 @@
 //! The cells of a line of flowing text in which words stand among the values.
 
 use super::tokens::{OFF, ON, Piece, Token, Word, bare, number};
-use crate::channel::unit_of;
+use crate::channel::{heading_at, plain, unit_of};
 
 /// What may stand before a number and make it a bound.
 const QUALIFIERS: [&str; 10] = [">", ">=", "<", "<=", "≥", "≤", "=", "~", "≈", "±"];
@@ -25,6 +25,13 @@ impl Cell {
     fn is_switch(&self) -> bool {
         let state = bare(&self.token.text).to_lowercase();
         ON.contains(&state.as_str()) || OFF.contains(&state.as_str())
+    }
+
+    /// Whether its words name a quantity.
+    fn is_name(&self) -> bool {
+        let plain = plain(&self.token.text);
+        let words: Vec<&str> = plain.split_whitespace().collect();
+        heading_at(&words).is_some_and(|(_, count)| count == words.len())
     }
 
     /// Its text with these words behind it. They are of what stands in brackets, too.
@@ -92,7 +99,7 @@ fn phrases(cells: Vec<Cell>) -> Vec<Cell> {
 fn with_values(cells: Vec<Cell>) -> Vec<Cell> {
     let mut found: Vec<Cell> = Vec::new();
     for mut cell in cells {
-        let named = found.last().is_some_and(|last| last.is_word) && cell.is_switch();
+        let named = cell.is_switch() && found.last().is_some_and(|last| last.is_word && last.is_name());
         match found.last_mut() {
             Some(last) if named => {
                 cell.led_by(last);

@@ -25,8 +25,8 @@ pub(crate) struct Word {
     pub(crate) place: TextPlace,
 }
 
-pub(crate) const ON: &[&str] = &["on", "yes", "engaged", "active", "applied", "true", "activated", "pressed",
-    "depressed", "ein"];
+pub(crate) const ON: &[&str] =
+    &["on", "yes", "engaged", "active", "applied", "true", "activated", "pressed", "depressed", "ein"];
 pub(crate) const OFF: &[&str] = &[
     "off",
     "no",
