@@ -47,6 +47,30 @@ fn a_pasted_table_lists_and_a_file_are_read_and_written_back() {
     assert_eq!(CaseFile::parse("again.toml", &to_toml(&file.case)).unwrap().case, file.case);
 }
 
+/// Two tables of one record in one text are one; what is of another record or of the impact is named.
+#[test]
+fn the_tables_of_a_text_are_joined_or_named() {
+    let pedals = "Times (sec) Service Brake Engine RPM\n-1.0 Off 1800\n0.0 On 1700\n";
+    let speeds = "Times (sec) Vehicle Speed (km/h)\n-1.0 58\n0.0 48\n";
+    let pulse = "Time (ms) Delta-V, longitudinal (km/h)\n0 0\n10 -5\n20 -9\n";
+    let second = "Times (sec) Vehicle Speed (mph)\n-1.0 20\n0.0 10\n";
+    let file = read(&format!("pre_crash = {{ text = \"\"\"\n{pedals}{speeds}{pulse}{second}\"\"\" }}"));
+    let given = file.case.vehicles[0].recorder.as_ref().unwrap().pre_crash.clone().unwrap();
+    let samples = given.record.as_ref().unwrap().samples();
+    assert_eq!(samples.iter().map(|one| one.brake).collect::<Vec<_>>(), [Some(false), Some(true)]);
+    assert_eq!(
+        samples.iter().map(|one| (one.speed.unwrap() * 3.6).round()).collect::<Vec<_>>(),
+        [58.0, 48.0]
+    );
+    let ignored: Vec<&str> = given.tables[0].ignored.iter().map(|(heading, _)| heading.as_str()).collect();
+    assert_eq!(ignored, ["Delta-V, longitudinal (km/h)", "Vehicle Speed (mph)"]);
+    // A pulse in two parts is one.
+    let parts = "Time (ms) 0 10 20\nDelta-V, longitudinal (km/h) 0 -5 -9\nTime (ms) 30 40 50\nDelta-V, longitudinal (km/h) -12 -13 -13\n";
+    let file = read(&format!("pulse = {{ text = \"\"\"\n{parts}\"\"\" }}"));
+    let given = file.case.vehicles[0].recorder.as_ref().unwrap().pulse.clone().unwrap();
+    assert_eq!((given.tables.len(), given.record.as_ref().unwrap().samples().len()), (1, 6));
+}
+
 /// The place of a cell of a pasted text is that in the case file.
 #[test]
 fn a_cell_without_a_value_has_its_place_in_the_case() {
@@ -72,6 +96,16 @@ fn what_is_wrong_in_a_table_is_told_at_its_place() {
             "case.toml:5:1",
             "follows -1",
         ),
+        (
+            "pre_crash = { text = \"\"\"\nTime (s) Speed (km/h) Brake\n-0.5 52 on\n0 45 on\n0.5 12 on\n\"\"\" }",
+            "case.toml:6:1",
+            "leave out the rows after 0",
+        ),
+        (
+            "pre_crash = { time = \"-1 0 0.5 s\", speed = \"60 58 47 km/h\" }",
+            "case.toml:2:28",
+            "leave out the rows after 0",
+        ),
         ("pre_crash = { time = \"-1 0 s\", speed = \"60 58 47 km/h\" }", "case.toml:2:47", "3 values"),
         ("pre_crash = { time = \"-1 0 s\", speed = \"60 58\" }", "case.toml:2:41", "no unit"),
         (
@@ -86,11 +120,15 @@ fn what_is_wrong_in_a_table_is_told_at_its_place() {
         ),
         ("pre_crash = { time = \"-1 0 s\" }", "case.toml:2:13", "pre_crash"),
         ("pre_crash = { text = \"a\", file = \"b\" }", "case.toml:2:13", "pre_crash"),
-        ("speed = \"50 km/h\"\npre_crash = { file = \"edr.csv\" }", "case.toml:2:9", "say the same twice"),
+        (
+            "speed = \"50 km/h\"\npre_crash = { file = \"edr.csv\" }",
+            "case.toml:2:9",
+            "both give the speed at impact",
+        ),
         (
             "delta_v_longitudinal = \"-9 km/h\"\npulse = { file = \"edr.csv\" }",
             "case.toml:2:24",
-            "say the same twice",
+            "both give ΔV",
         ),
         ("at = { x = \"1 m\" }", "case.toml:2:6", "y"),
         ("errors = { step = \"50 km/h\" }", "case.toml:2:19", "too large"),
@@ -147,7 +185,7 @@ fn records_that_say_too_much_or_nothing_are_refused_at_their_place() {
         (
             "records = [{ speed = \"4 km/h\", pre_crash = { file = \"edr.csv\" } }]",
             "case.toml:2:22",
-            "say the same twice",
+            "both give the speed at impact",
         ),
         ("records = [{ at = { x = \"1 m\" } }]", "case.toml:2:14", "unknown key"),
         ("speed = \"50 km/h\"\nother_impacts = [{ pdof = \"90 deg\" }]", "case.toml:3", "when"),

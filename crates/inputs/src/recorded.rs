@@ -48,7 +48,7 @@ impl Display for SeriesRefusal {
         match self {
             Self::Text(refusal) | Self::Column(_, refusal) => f.write_str(&refusal.message()),
             Self::NoneOfKind { wanted, found } => {
-                write!(f, "no table of {wanted} was recognised; it read {found}")
+                write!(f, "no table of {wanted} was found: the program read {found}")
             }
             Self::PreCrash(fault, _) => fault.fmt(f),
             Self::Pulse(fault) => fault.fmt(f),

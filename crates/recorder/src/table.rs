@@ -186,7 +186,7 @@ impl RecorderTable {
         let mut words = read.collect::<Vec<_>>().join(", ");
         if !self.ignored.is_empty() {
             let unread: Vec<String> = self.ignored.iter().map(|(text, _)| format!("\"{text}\"")).collect();
-            words = format!("{words}; not read were {}", unread.join(", "));
+            words = format!("{words}; it did not read {}", unread.join(", "));
         }
         words
     }
@@ -327,6 +327,18 @@ pub enum TextRefusal {
         /// Those that it may have.
         units: String,
     },
+    /// A list of values without a unit, or with an unknown one.
+    #[error(
+        "{place}: these values have no unit that is known for a {channel}: write one of {units} behind the last"
+    )]
+    UnitOfList {
+        /// Of the list.
+        place: TextPlace,
+        /// What it is of.
+        channel: &'static str,
+        /// Those that it may have.
+        units: String,
+    },
     /// As many values as headings are needed.
     #[error("{place}: {found} value{}, where {expected} are needed: {columns}", if *found == 1 { "" } else { "s" })]
     Uneven {
@@ -437,6 +449,7 @@ impl TextRefusal {
             | Self::NoQuantity { place, .. }
             | Self::NoRows { place, .. }
             | Self::Unit { place, .. }
+            | Self::UnitOfList { place, .. }
             | Self::Uneven { place, .. }
             | Self::TimeUnreadable { place, .. }
             | Self::TimeTwice { place, .. }

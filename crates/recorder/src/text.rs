@@ -86,7 +86,7 @@ pub fn columns_table(columns: &[(Channel, &str)]) -> Result<RecorderTable, (Chan
     let of_time = raw.columns.iter().find(|(head, _)| head.channel == Channel::Time);
     let expected = of_time.map_or(0, |(_, cells)| cells.len());
     for (head, cells) in &raw.columns {
-        head.unit().map_err(|refusal| (head.channel, refusal))?;
+        head.unit().map_err(|_| (head.channel, columns::without_unit(head)))?;
         if cells.len() != expected && of_time.is_some() {
             let place = cells.last().map_or(TextPlace { line: 1, column: 1 }, |cell| cell.place);
             let columns = "as many as there are times".to_owned();

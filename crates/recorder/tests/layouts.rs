@@ -339,7 +339,11 @@ fn columns_that_stand_apart() {
     assert_eq!((channel, refusal.place().unwrap().column), (Channel::Speed, 7));
     let (channel, refusal) = refused(&[(Channel::Time, "-1 0 s"), (Channel::Speed, "60 58")]);
     assert_eq!(channel, Channel::Speed);
-    assert!(refusal.message().starts_with("the heading \"speed\" has no unit"), "{}", refusal.message());
+    assert!(
+        refusal.message().starts_with("these values have no unit that is known for a speed"),
+        "{}",
+        refusal.message()
+    );
     let (channel, refusal) = refused(&[(Channel::Time, "-1 0 -2 s"), (Channel::Speed, "6 5 4 km/h")]);
     assert_eq!((channel, refusal.place().unwrap().column), (Channel::Time, 4));
 }
@@ -487,10 +491,12 @@ fn a_refusal_names_the_headings() {
     assert!(said.contains("begins with \"a;b\""), "{said}");
     let across = "Time (s),-1,-0.5,0\nVehicle speed (km/h),60,58,47\nMood,1,2,3\n";
     assert_eq!(one(across).ignored.len(), 1);
+    let set = "Time (sec) Vehicle Speed (km/h) Cruise Control Set Speed (km/h) Brake\n-1 64 63 off\n-0.5 60 60 on\n0 49 20 on\n";
+    assert_eq!(one(set).ignored[0].0, "Cruise Control Set Speed (km/h)");
     let headings = one("Time (s),Speed (km/h),Wheel speed (km/h)\n-1,50,49\n0,40,39\n").headings();
     assert_eq!(
         headings,
-        "\"Time (s)\" as time, \"Speed (km/h)\" as speed; not read were \"Wheel speed (km/h)\""
+        "\"Time (s)\" as time, \"Speed (km/h)\" as speed; it did not read \"Wheel speed (km/h)\""
     );
 }
 
@@ -753,4 +759,33 @@ fn an_uneven_row_names_the_headings_and_a_minus_that_stands_apart() {
         "line 2, column 1: 4 values, where 3 are needed: \"Time (s)\", \"Vehicle Speed (km/h)\", \
          \"Wheel Speed FL (km/h)\"; a minus apart from its number counts as a value: join them"
     );
+}
+
+/// Tables of one record in one text are joined by their times, and a second record is left out by name.
+#[test]
+fn tables_of_one_record_are_joined_by_their_times() {
+    let pedals = "Times (sec) Service Brake Engine RPM\n-1.0 Off 1800\n-0.6 On 1700\n0.0 On 1700\n";
+    let speeds = "Times (sec) Vehicle Speed (km/h)\n-1.0 58\n-0.5 55\n0.0 48\n";
+    for text in [format!("{pedals}{speeds}"), format!("{speeds}{pedals}")] {
+        let mut tables = read_tables(&text).unwrap();
+        let at = tables.iter().position(RecorderTable::is_pre_crash).unwrap();
+        let mut table = tables.remove(at);
+        assert!(table.goes_with(&tables[0]) && tables[0].is_before_impact());
+        table.join(tables.remove(0));
+        assert_eq!(table.times(), [-1.0, -0.6, -0.5, 0.0]);
+        let kmh = |value: Option<f64>| value.map(|value| (value * 3.6).round());
+        let found: Vec<Option<f64>> = table.values(Channel::Speed).into_iter().map(kmh).collect();
+        assert_eq!(found, [Some(58.0), None, Some(55.0), Some(48.0)]);
+        assert_eq!(table.values(Channel::Brake), [Some(0.0), Some(1.0), None, Some(1.0)]);
+        let first = if text.starts_with(pedals) { 2 } else { 6 };
+        assert_eq!(table.rows[1].line, first + 1);
+    }
+    // One that goes on where the other ends is of the same record, and one at the same times is of another.
+    let later = "Times (sec) Vehicle Speed (km/h)\n0.5 40\n1.0 30\n";
+    let [mut one, two] = [one(speeds), one(later)];
+    assert!(one.goes_with(&two) && two.goes_with(&one) && !two.is_before_impact() && !one.goes_with(&one));
+    one.leave(two.clone());
+    assert_eq!(one.ignored[0].0, "Vehicle Speed (km/h)");
+    one.join(two);
+    assert_eq!(one.times(), [-1.0, -0.5, 0.0, 0.5, 1.0]);
 }

@@ -61,7 +61,8 @@ fn read_series<R: OfTables>(
         Ok(read) => *given = Arc::new(read),
         Err(Unread::Table(refusal)) => refuse(key.to_owned(), placed(&name.to_string(), &refusal), None),
         Err(Unread::File(error)) => {
-            refuse(key.to_owned(), format!("cannot read {name}: {error}"), Some(BESIDE));
+            let advice = if error.kind() == io::ErrorKind::InvalidData { SAVE_AS_UTF_8 } else { BESIDE };
+            refuse(key.to_owned(), format!("cannot read {name}: {error}"), Some(advice));
         }
     }
 }
@@ -85,6 +86,9 @@ fn of_file<T>(
 const BESIDE: &str =
     "put the file beside the case, or its lines into the case: text = \"\"\"…\"\"\" in place of file";
 
+const SAVE_AS_UTF_8: &str =
+    "save the file as UTF-8, or put its lines into the case: text = \"\"\"…\"\"\" in place of file";
+
 /// A refusal with its place in the file.
 fn placed(name: &str, refusal: &SeriesRefusal) -> String {
     match refusal.place() {
@@ -101,10 +105,11 @@ fn text_of(folder: &Path, name: &str) -> io::Result<String> {
     }
     let metadata = fs::symlink_metadata(&path)?;
     if !metadata.is_file() {
-        return Err(io::Error::other("it is no file"));
+        return Err(io::Error::other("it is not a file"));
     }
     if metadata.len() > CaseFile::LARGEST_FILE as u64 {
         return Err(io::Error::other(format!("it has more than {} bytes", CaseFile::LARGEST_FILE)));
     }
-    String::from_utf8(fs::read(&path)?).map_err(|_| io::Error::other("it is no text in UTF-8"))
+    String::from_utf8(fs::read(&path)?)
+        .map_err(|_| io::Error::new(io::ErrorKind::InvalidData, "it is not UTF-8"))
 }

@@ -91,7 +91,7 @@ fn files_beside_a_case_are_read_or_refused() {
         ("absent.csv", "cannot read absent.csv"),
         ("../edr.csv", "outside the folder"),
         ("/etc/hostname", "outside the folder"),
-        (".", "no file"),
+        (".", "not a file"),
     ] {
         let (file, read) = with(name);
         let error = read.unwrap_err().to_string();

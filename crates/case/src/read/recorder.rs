@@ -145,13 +145,18 @@ impl<'t> Reader<'t> {
         let pre_crash = self.series(table, "pre_crash", &PRE_CRASH, &BEFORE_IMPACT, PRE_CRASH_FORMS);
         let pulse = self.series(table, "pulse", &PULSE, &DURING_IMPACT, PULSE_FORMS);
         let excluded = [
-            ("pre_crash", "speed", "the speed at impact follows from the table: leave one of them out"),
-            ("pulse", "delta_v_longitudinal", "ΔV follows from the pulse: leave one of them out"),
-            ("pulse", "delta_v_lateral", "ΔV follows from the pulse: leave one of them out"),
+            (
+                "pre_crash",
+                "speed",
+                "the speed at impact",
+                "the speed at impact follows from the table: leave one of them out",
+            ),
+            ("pulse", "delta_v_longitudinal", "ΔV", "ΔV follows from the pulse: leave one of them out"),
+            ("pulse", "delta_v_lateral", "ΔV", "ΔV follows from the pulse: leave one of them out"),
         ];
-        for (of_table, key, help) in excluded {
+        for (of_table, key, what, help) in excluded {
             if table.has(of_table) && table.has(key) {
-                let message = format!("\"{}\" and `{of_table}` say the same twice", table.path_of(key));
+                let message = format!("\"{}\" and `{of_table}` both give {what}", table.path_of(key));
                 self.report_path(
                     &table.path_of(key),
                     CaseProblem::Fault { message, help: Some(help.to_owned()) },

@@ -4,7 +4,7 @@ use super::heads::Head;
 use super::raw::RawTable;
 use super::tokens::{Piece, Token, line};
 use crate::channel::{Channel, unit_of};
-use crate::table::{TextLayout, TextPlace};
+use crate::table::{TextLayout, TextPlace, TextRefusal};
 
 /// The table of columns of these channels. Places are those in the text of each.
 pub(crate) fn table(columns: &[(Channel, &str)]) -> RawTable {
@@ -28,4 +28,10 @@ pub(crate) fn table(columns: &[(Channel, &str)]) -> RawTable {
     };
     let columns = columns.iter().map(column).collect();
     RawTable { layout: TextLayout::Columns, columns, ignored: Vec::new() }
+}
+
+/// The refusal of a list whose values have no unit that fits them.
+pub(crate) fn without_unit(head: &Head) -> TextRefusal {
+    let (place, channel) = (head.place, head.channel);
+    TextRefusal::UnitOfList { place, channel: channel.name(), units: channel.units().join(", ") }
 }
