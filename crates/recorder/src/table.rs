@@ -78,6 +78,12 @@ pub struct TableColumn {
 /// (s) times that differ by less are one.
 const SAME_TIME: f64 = 1e-6;
 
+/// The row of a time among times that rise.
+fn row_at(times: &[f64], at: f64) -> Option<usize> {
+    let row = times.partition_point(|time| *time < at - SAME_TIME);
+    times.get(row).filter(|time| **time < at + SAME_TIME).map(|_| row)
+}
+
 /// Why a cell has no value.
 #[derive(Clone, Debug, PartialEq)]
 pub enum NoValue {
@@ -219,13 +225,12 @@ impl RecorderTable {
     /// the other table alone.
     pub fn join(&mut self, other: Self) {
         let [own, others] = [&*self, &other].map(Self::times);
-        let is_at = |one: f64, other: f64| (one - other).abs() < SAME_TIME;
         let mut rows: Vec<(f64, TextPlace)> = own.iter().copied().zip(self.rows.iter().copied()).collect();
         let new = others.iter().copied().zip(other.rows.iter().copied());
-        rows.extend(new.filter(|(time, _)| own.iter().all(|own| !is_at(*own, *time))));
+        rows.extend(new.filter(|(time, _)| row_at(&own, *time).is_none()));
         rows.sort_by(|(one, _), (other, _)| one.total_cmp(other));
         let value = |times: &[f64], values: &[Option<f64>], at: f64| {
-            times.iter().position(|time| is_at(*time, at)).and_then(|row| values.get(row).copied().flatten())
+            row_at(times, at).and_then(|row| values.get(row).copied().flatten())
         };
         for column in &mut self.columns {
             let theirs = other.values(column.channel);

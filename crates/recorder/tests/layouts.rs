@@ -462,7 +462,9 @@ fn headings_of_rules_and_reports_are_recognised() {
             Channel::Other,
             "Wheel speed (km/h)|Wheel speed, front left (km/h)|Normal acceleration (g)|Vehicle roll angle (deg)|Speed limit (km/h)|\
              Time, maximum delta-V, longitudinal (ms)|Maximum delta-V, longitudinal (km/h)|Ignition cycle, crash|Set speed (km/h)|\
-             Adaptive cruise control|Tyre pressure|Brake pressure (bar)|Colour",
+             Adaptive cruise control|Tyre pressure|Brake pressure (bar)|Colour|\
+             Relative velocity (m/s)|Lead vehicle speed (km/h)|Emergency brake|ABS warning lamp|Brake fluid level|\
+             Resultant velocity change (km/h)|Steering angle (%)",
         ),
     ] {
         for heading in headings.split('|') {

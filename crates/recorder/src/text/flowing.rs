@@ -97,7 +97,12 @@ enum Line {
 struct Segments {
     found: Vec<Segment>,
     pending: Vec<Word>,
+    /// The last that names a time.
+    of_time: Option<usize>,
 }
+
+/// (words) more than any heading has: of a text without tables, no more are kept.
+const LONGEST_HEADING: usize = 500;
 
 impl Segments {
     fn line(&self, pieces: Vec<Piece>) -> Line {
@@ -122,12 +127,16 @@ impl Segments {
     /// A row below a heading, with words among its values: it begins with a time, or has values throughout
     /// behind what stands in its place.
     fn row(&self, pieces: &[Piece], cells: &[Cell]) -> Option<Line> {
+        let values = cells.iter().filter(|cell| !cell.is_word).count();
+        let is_time = |token: &Token| number(bare(&token.text), false).is_some();
+        let begins = matches!(pieces.first(), Some(Piece::Value(token)) if is_time(token));
+        if !begins && values < 2 {
+            return None;
+        }
         let waiting = row_width(&heads(&self.pending));
         let width = waiting.or_else(|| row_width(&self.found.last()?.heads))?;
-        let values = cells.iter().filter(|cell| !cell.is_word).count();
         let fitted = rows::fitted(pieces, width);
-        let is_time = |token: &Token| number(bare(&token.text), false).is_some();
-        if !matches!(pieces.first(), Some(Piece::Value(token)) if is_time(token)) {
+        if !begins {
             let is_row = width > 2 && values + 1 == width && cells.len() == width;
             return fitted.filter(|_| is_row).map(Line::Values);
         }
@@ -142,8 +151,10 @@ impl Segments {
 
     /// The number of times across, while quantities with their values follow them.
     fn across(&self) -> Option<usize> {
-        let of_time = self.found.iter().rev().find(|segment| segment.names_time())?;
-        of_time.across().filter(|_| heads(&self.pending).iter().all(|head| head.channel != Channel::Time))
+        self.found
+            .get(self.of_time?)?
+            .across()
+            .filter(|_| heads(&self.pending).iter().all(|head| head.channel != Channel::Time))
     }
 
     /// A quantity, known or not, with a cell for each of the times across.
@@ -191,13 +202,16 @@ impl Segments {
         };
         self.pending.extend(words.into_iter().map(as_word));
         if values.is_empty() {
+            self.pending.drain(..self.pending.len().saturating_sub(LONGEST_HEADING));
             return;
         }
         let named = self.named();
         let in_rows = self.found.last().is_some_and(|last| row_width(&last.heads).is_some());
         // A footer between the rows of a table names nothing: the rows go on.
         if !named.is_empty() || (!self.pending.is_empty() && !in_rows) || self.found.is_empty() {
-            self.found.push(Segment { heads: named, ..Segment::default() });
+            let segment = Segment { heads: named, ..Segment::default() };
+            self.of_time = if segment.names_time() { Some(self.found.len()) } else { self.of_time };
+            self.found.push(segment);
         }
         self.pending.clear();
         if let Some(segment) = self.found.last_mut() {
