@@ -94,7 +94,7 @@ impl PreCrashFault {
     #[must_use]
     pub fn sample(&self) -> Option<usize> {
         match self {
-            Self::NoSample | Self::NoSpeed { .. } => None,
+            Self::NoSample => None,
             Self::NotFinite { sample }
             | Self::NegativeSpeed { sample, .. }
             | Self::TimesTurn { sample, .. }

@@ -151,7 +151,9 @@ Delta-V, lateral
     assert_eq!((tables[1].doubts[0].place.line, tables[1].doubts[0].place.column), (24, 9));
     let [along, across] = [0, 1].map(|k| CrashPulse::from_table(&tables[k]).unwrap());
     let both = along.with(&across);
-    assert_eq!(both.samples().len(), 4);
+    // The lateral pulse ends alone.
+    assert_eq!(both.samples().len(), 5);
+    assert_eq!(both.samples()[4].lateral, None);
     assert!((both.samples()[3].lateral.unwrap() - 4.0 * KMH).abs() < 1e-12);
 }
 
