@@ -1,5 +1,7 @@
 //! The distance between samples lies within its bounds, whatever the speed does between them.
 
+#![expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a place in a short list")]
+
 use proptest::prelude::{Strategy, any, prop, prop_assert, proptest};
 use proptest::test_runner::Config;
 use recorder::{PreCrash, PreCrashSample, SpeedLimits, SteepChange, read_tables};
@@ -51,6 +53,45 @@ proptest! {
             prop_assert!(bounds.at_least <= truth + 1e-9, "{bounds:?} {truth}");
             prop_assert!(truth <= bounds.at_most + 1e-9, "{bounds:?} {truth}");
             prop_assert!(bounds.at_least <= bounds.between && bounds.between <= bounds.at_most);
+        }
+    }
+}
+
+proptest! {
+    #![proptest_config(Config { cases: 20_000, failure_persistence: None, ..Config::default() })]
+
+    /// A speed that drops or jumps at one instant, and changes by 1 g at most otherwise: where the two samples
+    /// show that it did, the bounds hold.
+    #[test]
+    fn the_distance_lies_within_its_bounds_beyond_1_g(
+        (first, accelerations) in traces(),
+        at in 0.0..1.0_f64,
+        share in 0.0..1.0_f64,
+        falls in any::<bool>(),
+    ) {
+        let count = accelerations.len().min(20);
+        let (mut speed, mut distance) = (first, 0.0);
+        for (k, wanted) in accelerations.iter().take(count).enumerate() {
+            if k == (at * count as f64).floor() as usize {
+                speed = if falls { speed * share } else { speed + 40.0 * share };
+            }
+            let acceleration = wanted.max(-speed / FINE);
+            distance += speed * FINE + 0.5 * acceleration * FINE * FINE;
+            speed = (speed + acceleration * FINE).max(0.0);
+        }
+        let sample = |time: f64, speed: f64| PreCrashSample {
+            time,
+            speed: Some((speed * 3.6).round() / 3.6),
+            ..PreCrashSample::default()
+        };
+        let record = PreCrash::new(vec![sample(-FINE * count as f64, first), sample(0.0, speed)]).unwrap();
+        let limits = SpeedLimits::default();
+        if !record.steep_changes(&limits).is_empty() {
+            let (_, bounds) = record.distances_to_last(&limits)[0];
+            prop_assert!(bounds.at_least <= distance + 1e-9, "{bounds:?} {distance}");
+            prop_assert!(distance <= bounds.at_most + 1e-9, "{bounds:?} {distance}");
+            let sums = [bounds.left, bounds.between, bounds.right];
+            prop_assert!(sums.iter().all(|sum| (bounds.at_least..=bounds.at_most).contains(sum)), "{bounds:?}");
         }
     }
 }

@@ -27,7 +27,7 @@ pub(crate) fn table(analysis: &Seen, units: Units) -> Option<Table> {
 /// sign.
 fn apart(one: f64, other: f64) -> String {
     if one > 0.0 {
-        format!("factor {}", number(one.max(other) / one.min(other), 1))
+        format!("× {}", number(one.max(other) / one.min(other), 1))
     } else {
         format!("{} %", number(100.0 * (one - other).abs() / other, 1))
     }
@@ -85,7 +85,7 @@ pub(crate) fn said(check: &Check, analysis: &Seen, units: Units) -> [String; 3] 
                 energy(crush_energy),
                 apart(normal_work, crush_energy)
             ),
-            format!("factor {}", number(limit_factor(normal_work > crush_energy, check.limit), 1)),
+            format!("× {}", number(limit_factor(normal_work > crush_energy, check.limit), 1)),
         ),
         CheckedQuantity::MomentumAcross { vehicle, surplus } => {
             let impulse = |si: f64| units.format(Measure::Impulse, si);

@@ -115,7 +115,12 @@ pub(crate) fn bare(text: &str) -> &str {
 }
 
 pub(crate) fn is_value(text: &str) -> bool {
-    let lower = bare(text).to_lowercase();
+    is_exactly_value(bare(text))
+}
+
+/// Whether a text is a value with nothing behind it.
+fn is_exactly_value(text: &str) -> bool {
+    let lower = text.to_lowercase();
     let text = lower.as_str();
     let is_in = |words: &[&str]| words.contains(&lower.as_str());
     number(text, true).is_some() || is_in(ON) || is_in(OFF) || is_in(NONE)
@@ -168,9 +173,11 @@ pub(crate) fn line(text: &str, number_of_line: usize) -> Vec<Piece> {
         };
         let value = (depth == 0)
             .then(|| {
-                [3, 2, 1]
-                    .into_iter()
-                    .find_map(|count| Some((count, joined(count).filter(|all| is_value(all))?)))
+                [3, 2, 1].into_iter().find_map(|count| {
+                    // "-1 ***" is two values, and no marked one.
+                    let is_one = if count == 1 { is_value } else { is_exactly_value };
+                    Some((count, joined(count).filter(|all| is_one(all))?))
+                })
             })
             .flatten();
         match (value, inner) {

@@ -179,7 +179,7 @@ fn beaten_by_marks(found: &Avoidance, units: Units) -> Vec<String> {
     let given = found.scene.response;
     let time = |si: f64| units.format(Measure::Time, si);
     let rate = |si: f64| units.format(Measure::Acceleration, si);
-    let sooner = (shown.reaction() < given.reaction()).then(|| {
+    let sooner = (shown.reaction() < given.reaction() - SAME_REACTION).then(|| {
         format!(
             "The marks show that the driver braked {} after the demand, sooner than the reaction time of the inputs, {}: a run with \
              that reaction is worse than what happened. Check the demand and the reaction time; with the braking that the marks \
@@ -199,6 +199,8 @@ fn beaten_by_marks(found: &Avoidance, units: Units) -> Vec<String> {
     sooner.into_iter().chain(harder).collect()
 }
 
+/// (s) how far two reaction times may be apart and still be the same: hardly any is known better.
+const SAME_REACTION: f64 = 0.2;
 /// (–) how far two decelerations may be apart and still be the same: what prints alike.
 const SAME_RATE: f64 = 0.005;
 
