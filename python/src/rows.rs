@@ -181,7 +181,7 @@ fn sampled(samples: Option<Whole<usize>>, seed: Whole<u64>) -> RowOptions {
 /// CaseError
 ///     Where the template is wrong.
 /// ValueError
-///     Where the table as a whole is wrong: a column that is no key, or a unit that does not fit.
+///     Where the table as a whole is wrong: a column that is not a key, or a unit that does not fit.
 ///
 /// Examples
 /// --------
@@ -232,7 +232,7 @@ pub(crate) fn reconstruct_table(
 /// CaseError
 ///     Where the template is wrong.
 /// ValueError
-///     Where the table as a whole is wrong: a column that is no key, or a unit that does not fit.
+///     Where the table as a whole is wrong: a column that is not a key, or a unit that does not fit.
 ///
 /// Examples
 /// --------
@@ -277,7 +277,7 @@ pub(crate) fn impact_table(
 /// CaseError
 ///     Where the template is wrong.
 /// ValueError
-///     Where the table as a whole is wrong: a column that is no key, or a unit that does not fit.
+///     Where the table as a whole is wrong: a column that is not a key, or a unit that does not fit.
 ///
 /// Examples
 /// --------
@@ -326,7 +326,7 @@ pub(crate) fn crush_table(
 /// CaseError
 ///     Where the template is wrong.
 /// ValueError
-///     Where the table as a whole is wrong: a column that is no key, or a unit that does not fit.
+///     Where the table as a whole is wrong: a column that is not a key, or a unit that does not fit.
 ///
 /// Examples
 /// --------
@@ -386,7 +386,7 @@ pub(crate) fn estimate_table(
 /// CaseError
 ///     Where the template is wrong.
 /// ValueError
-///     Where the table as a whole is wrong: a column that is no key, or a unit that does not fit.
+///     Where the table as a whole is wrong: a column that is not a key, or a unit that does not fit.
 ///
 /// Examples
 /// --------

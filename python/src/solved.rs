@@ -534,7 +534,7 @@ impl PyAnalysis {
 /// --------
 /// >>> judgement = pydeltav.Case.example().check()
 /// >>> [command.command for command in judgement.commands if command.runs][:2]
-/// ['reconstruct', 'compare']
+/// ['reconstruct', 'estimate']
 #[pyclass(name = "Judgement", module = "pydeltav", frozen, extends = PyAnswered)]
 pub(crate) struct PyJudgement;
 

@@ -1161,6 +1161,8 @@ class _Estimate(_Document):
     """Keys of errors that the case does not give, so that defaults are used."""
     unused: tuple[Unused, ...]
     """Evidence that is not used, and why."""
+    warnings: tuple[CaseWarning, ...]
+    """What speaks against the inputs."""
 
 
 # avoid()
