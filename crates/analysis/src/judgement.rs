@@ -338,12 +338,13 @@ pub fn judge(case: &Case) -> Judgement {
     let on = goal.purpose();
     let left_aside = aside::of_purpose(case, on);
     abilities.push(Ability { purpose: Purpose::Uncertainty, on, obstacle: unpropagated, left_aside });
-    let obstacle = match estimate_evidence(case) {
+    let is_asked = is_for_estimate(case);
+    let estimated = (is_asked || seeks_speed(case)).then(|| match estimate_evidence(case) {
         Err(Failure::Case(faults)) => Some(faults),
         // Other faults are only found when it is solved.
         _ => None,
-    };
-    if is_for_estimate(case) || (obstacle.is_none() && seeks_speed(case)) {
+    });
+    if let Some(obstacle) = estimated.filter(|obstacle| is_asked || obstacle.is_none()) {
         let purpose = Purpose::Estimate;
         abilities.push(Ability { purpose, on: purpose, obstacle, left_aside: Vec::new() });
     }

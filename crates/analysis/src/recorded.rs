@@ -237,8 +237,9 @@ pub fn recorders(case: &Case) -> Result<RecorderReading, Failure> {
             return None;
         }
         let turned = case.vehicles[id.index()].yaw_rate_before();
-        let of_record = |(record, of_impact)| {
-            reading(record, of_impact, ground, |one| one.tells_delta_v(case.axes, turned))
+        let of_record = |(record, of_impact): (Recorder, OfImpact)| {
+            let delta_v = record.tells_delta_v(case.axes, turned);
+            reading(record, of_impact, ground, delta_v)
         };
         let mut readings: Vec<VehicleReading> =
             records(case, id, recorder).into_iter().map(of_record).collect();
@@ -275,7 +276,7 @@ fn reading(
     recorder: Recorder,
     of_impact: OfImpact,
     ground: Option<f64>,
-    delta_v: impl Fn(&Recorder) -> Option<RecordersDeltaV>,
+    delta_v: Option<RecordersDeltaV>,
 ) -> VehicleReading {
     let record = recorder.before_impact();
     let pulse = recorder.during_impact();
@@ -290,7 +291,7 @@ fn reading(
         steep: record.map(|record| record.steep_changes(&limits)).unwrap_or_default(),
         spans: spans(&recorder),
         is_cut: pulse.is_some_and(recorder::CrashPulse::is_cut),
-        delta_v: delta_v(&recorder).filter(|told| told.is_of_table),
+        delta_v: delta_v.filter(|told| told.is_of_table),
         force_directions: pulse.map(|pulse| pulse.force_directions(LEAST_OF_DIRECTION)).unwrap_or_default(),
         recorder,
     }

@@ -4,7 +4,7 @@ use real::elementary::{exp, ln};
 use uncertainty::normal::quantiles;
 
 use crate::channel::GRAVITY;
-use crate::pre_crash::{PreCrash, REGULAR_STEP};
+use crate::pre_crash::{PreCrash, REGULAR_STEP, SpeedLimits};
 use crate::spread::{DIMENSIONS, Draws, radical_point};
 
 /// (km/h) in m/s.
@@ -233,7 +233,7 @@ fn comes_on(time: f64, errors: &ImpactSpeedErrors) -> f64 {
     1.0 - exp(ln(stays_off) * time / HALF_SECOND)
 }
 
-/// The brake between a sample at `from` (s) and t = 0, by all samples that tell of it.
+/// How the brake may have been used between a sample at `from` (s) and t = 0, by all samples that store it.
 fn brake_courses(record: &PreCrash, from: f64, errors: &ImpactSpeedErrors) -> Vec<BrakeCourse> {
     let known: Vec<(f64, bool)> =
         record.samples().iter().filter_map(|one| Some((one.time, one.brake?))).collect();
@@ -521,11 +521,13 @@ impl ImpactSpeed {
         let end = points.len() - 1;
         let deceleration = fall(end);
         let before = end.checked_sub(1).map(|k| points[k]);
-        let rounding = before.map_or(0.0, |(one, _)| errors.step / (last.time - one.time));
         let mut legs = vec![(1.0, leg(end))];
         let mut steep_fall = None;
-        let steep = deceleration.filter(|slowed| slowed - rounding > GRAVITY);
-        if let (Some(deceleration), Some((sample, speed))) = (steep, before) {
+        let limits = SpeedLimits::stored_in(errors.step);
+        if let (Some(deceleration), Some((sample, speed))) = (deceleration, before)
+            && deceleration > 0.0
+            && limits.beyond(last.time - sample.time, stored - speed).is_some()
+        {
             steep_fall = Some(SteepFall { deceleration, time: sample.time, speed });
             let doubt = errors.last_is_of_impact;
             legs = vec![(1.0 - doubt, leg(end)), (doubt, leg(end - 1))];

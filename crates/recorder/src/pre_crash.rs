@@ -125,8 +125,8 @@ impl Default for SpeedLimits {
 ///
 /// `at_least` and `at_most` hold for every course of the speed that keeps [`SpeedLimits`]: between samples
 /// the speed need be neither monotonic nor straight. Where two samples differ by more than those limits allow
-/// ([`PreCrash::steep_changes`]), they hold for every course that keeps the limit of the other sense. The sums `left` and `right` bound the distance only of
-/// a speed that falls, or rises, throughout and is not rounded.
+/// ([`PreCrash::steep_changes`]), they hold for every course that keeps the limit of the other sense. The sums
+/// `left` and `right` bound the distance only of a speed that falls, or rises, throughout and is not rounded.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct DistanceBounds {
     /// (m) the least.
@@ -150,7 +150,7 @@ impl SpeedLimits {
 
     /// (m/s²) the mean acceleration of a change of the speed (m/s) in `step` (s) that is beyond the limits,
     /// however the two speeds were rounded.
-    fn beyond(&self, step: f64, change: f64) -> Option<f64> {
+    pub(crate) fn beyond(&self, step: f64, change: f64) -> Option<f64> {
         // A change of exactly the limit is within it.
         let within = |limit: f64| (limit * step + 2.0 * self.rounding) * (1.0 + 1e-9);
         let is_beyond = -change > within(self.deceleration) || change > within(self.acceleration);

@@ -488,22 +488,18 @@ fn slots(
             slots.push(Slot::Value(place));
             continue;
         }
-        if input.number < 0.0
+        // A coefficient of zero is exact.
+        if input.number != 0.0
             && let Some(ln_sd) = coefficient_ln_sd(&input, case)
         {
-            // A ratio has the sign of the force, and its mirror image the same spread.
-            let factor = Distribution::log_normal(1.0, ln_sd);
-            slots.push(Slot::Factor(unknowns.assumed(
-                &format!("{}.factor", input.path),
-                factor,
-                Assumed::Coefficient,
-            )?));
-            continue;
-        }
-        if let Some(prior) = coefficient(&input, case) {
-            let prior = of_number(&input.path, prior)?;
-            let place = unknowns.push(&input.path, input.unit, prior, Some(Assumed::Coefficient));
-            slots.push(Slot::Value(place));
+            slots.push(if input.number > 0.0 {
+                let prior = of_number(&input.path, Distribution::log_normal(input.number, ln_sd))?;
+                Slot::Value(unknowns.push(&input.path, input.unit, prior, Some(Assumed::Coefficient)))
+            } else {
+                // A ratio has the sign of the force, and its mirror image the same spread.
+                let (key, factor) = (format!("{}.factor", input.path), Distribution::log_normal(1.0, ln_sd));
+                Slot::Factor(unknowns.assumed(&key, factor, Assumed::Coefficient)?)
+            });
             continue;
         }
         if let Some((sd, assumed)) = usual_sd(&input, case, nominal) {
@@ -553,17 +549,8 @@ fn is_ground(path: &str) -> bool {
     of_ground || VehicleId::ALL.into_iter().any(|id| path == path_friction(id))
 }
 
-/// The distribution of a coefficient of the impact without a range: its median is the value of the case. A
-/// coefficient of zero is exact, and the numbers of laws other than Brach's are taken as exact.
-fn coefficient(
-    input: &Input,
-    case: &Case,
-) -> Option<Result<Distribution, ::uncertainty::InvalidDistribution>> {
-    let ln_sd = coefficient_ln_sd(input, case)?;
-    (input.number > 0.0).then(|| Distribution::log_normal(input.number, ln_sd))
-}
-
-/// (–) the spread of the logarithm of such a coefficient.
+/// (–) the spread of the logarithm of a coefficient of the impact without a range, whose median is the value of
+/// the case; the numbers of laws other than Brach's are taken as exact.
 fn coefficient_ln_sd(input: &Input, case: &Case) -> Option<f64> {
     let ImpactLaw::Brach { moment_restitution: None, .. } = case.impact.as_ref()?.law else { return None };
     match input.path.as_str() {

@@ -143,7 +143,7 @@ fn lost(times: &[f64]) -> Vec<(usize, NoValue)> {
     found
 }
 
-/// Refuses a column that has not one cell for each time. Empty cells behind the last time are of nothing.
+/// Refuses a column unless it has one cell for each time. Empty cells after the last time do not count.
 fn one_for_each_time(head: &Head, cells: &mut Vec<Token>, expected: usize) -> Result<(), TextRefusal> {
     while cells.len() > expected && cells.last().is_some_and(Token::is_empty) {
         cells.pop();

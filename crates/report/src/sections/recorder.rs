@@ -518,7 +518,8 @@ fn pulse(page: &mut Document, file: &CaseFile, id: VehicleId, found: &VehicleRea
     );
     page.push(table);
     remarks(page, found);
-    if let Some(span) = leading(&found.spans) {
+    let ends_alone = found.recorder.during_impact().is_some_and(|pulse| pulse.alone_from().is_some());
+    if let Some(span) = leading(&found.spans).filter(|_| !ends_alone) {
         let alone = match span.delta_v {
             [Some(_), None] => {
                 "Only longitudinal ΔV was stored: in an oblique impact the whole ΔV is greater."

@@ -21,18 +21,18 @@ pub fn sensitivity(case: &Case, sensitivity: &Sensitivity, units: Units) -> Docu
             page.push(derivatives(first, group, units));
         }
     }
-    if !sensitivity.derivatives.is_empty() && analysis::is_searched_back(case) {
-        page.paragraph(
+    if !sensitivity.derivatives.is_empty() {
+        let of_what = if analysis::is_searched_back(case) {
             "Where a vehicle is searched back from its rest, these are the derivatives along the steps of the computed path, which \
              do not move with the inputs: they can be off by some tens of per cent, and the sign of a small one can be wrong. \
-             Change the input that matters and reconstruct again. The influence, by which they are ranked, is the change of the \
-             result in % for 1 % of the input, for 1° of an angle, or for 10 cm of a coordinate of the scene.",
-        );
-    } else if !sensitivity.derivatives.is_empty() {
-        page.paragraph(
-            "Each derivative is exact, with all other numbers as given (theory 6). The influence, by which they are ranked, is the change of the result \
-             in % for 1 % of the input, for 1° of an angle, or for 10 cm of a coordinate of the scene; the zero of these two is a matter of choice.",
-        );
+             Change the input that matters and reconstruct again."
+        } else {
+            "Each derivative is exact, with all other numbers as given (theory 6)."
+        };
+        page.paragraph(format!(
+            "{of_what} The influence, by which they are ranked, is the change of the result in % for 1 % of the input, for 1° of an \
+             angle, or for 10 cm of a coordinate of the scene; the zero of these two is a matter of choice."
+        ));
     }
     if sensitivity.pdof_sweep.is_empty() {
         page.paragraph(
