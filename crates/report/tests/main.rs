@@ -7,6 +7,7 @@ mod field;
 mod fixtures;
 mod large;
 mod quantities;
+mod recorder;
 mod roots;
 mod validation;
 mod warnings;
