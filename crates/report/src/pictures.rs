@@ -302,7 +302,7 @@ fn with_caveat(description: String, caveat: &str) -> String {
 enum PlainSpeed<'a> {
     /// That of the exact solution, which is the answer.
     Exact,
-    /// The estimate from all the evidence, and whether some of that contradicts the rest.
+    /// The estimate from all the evidence, and whether pieces of that contradict the others.
     Weighed(&'a EstimatedOutput, bool),
     /// The case gives it.
     Given,
@@ -351,7 +351,7 @@ impl<'a> PlainSpeed<'a> {
     fn caveat(speeds: [Self; 2]) -> &'static str {
         if speeds.iter().any(|speed| matches!(speed, Self::Weighed(_, true))) {
             "Speeds by all the evidence together, each with the range that contains it with a probability of 95 %. \
-             Some of the evidence contradicts the rest: the report says which."
+             Some pieces of the evidence contradict the others: the report says which."
         } else if speeds.iter().any(|speed| matches!(speed, Self::Weighed(_, false))) {
             "Speeds by all the evidence together, each with the range that contains it with a probability of 95 %."
         } else if speeds.iter().any(|speed| matches!(speed, Self::Unknown)) {

@@ -402,7 +402,7 @@ impl<'a> Page<'a> {
             "The p-value is the probability, given all other evidence, of an observation at least this far off. For \
              the verdict it is multiplied by the number of pieces whose p-value is no smaller (Holm's correction), so \
              that, where all pieces are right, any is warned of in at most {} % of cases: below {DOUBTFUL} after \
-             that, a piece is doubtful; if its p-value itself is then below {CONTRADICTS}, it contradicts the rest.",
+             that, a piece is doubtful; if its p-value itself is then below {CONTRADICTS}, it contradicts the other evidence.",
             number(100.0 * DOUBTFUL, 0)
         ));
         self.document.paragraph(words);
