@@ -52,8 +52,8 @@ pub struct EstimatePlan {
 pub enum PieceDetail {
     /// How far it is off, where the draws of the answer tell that.
     Weighed,
-    /// How far it is off: where too few of the draws tell, as with a piece that contradicts the rest, by a run
-    /// without it.
+    /// How far it is off: where too few of the draws tell, as with a piece that contradicts the rest, by a
+    /// run without it.
     Compared,
     /// That, and the speeds by it alone and without it, which takes up to two runs for each.
     Apart,

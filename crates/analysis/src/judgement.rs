@@ -3,23 +3,20 @@
 
 use crash3::{Side, SideStiffness, VehicleClass};
 use inputs::{
-    Axes, Basis, Case, CollisionData, Crush, CrushEvidence, Faults, Fit, GivenVehicle, ImpactLaw,
-    InferredWidth, Purpose, StiffnessForm, StiffnessLine, VehicleData, VehicleKind, Velocity, YawSource,
+    Axes, Basis, Case, Crush, CrushEvidence, Faults, Fit, GivenVehicle, ImpactLaw, InferredWidth, Purpose,
+    StiffnessForm, StiffnessLine, VehicleData, VehicleKind, Velocity, YawSource,
 };
 use pim_core::VehicleId;
 
 use crate::aside;
-use crate::checks;
-use crate::damage;
 use crate::estimate::estimate_evidence;
 use crate::failure::Failure;
 use crate::goal::Goal;
-use crate::impact::closing_speed;
 use crate::recorded::{OfImpact, told_records};
 use crate::solve::furthest_solver;
 use crate::uncertainty;
-use crate::vehicle::{NOTHING, Vehicle};
-use crate::warning::{self, Warning};
+use crate::unsolved;
+use crate::warning::Warning;
 
 /// The result of checking a case without solving it.
 #[derive(Debug)]
@@ -305,7 +302,7 @@ pub fn judge(case: &Case) -> Judgement {
         (_, Ok(input)) => Some(&input.collision),
         _ => None,
     };
-    let warnings = of_collision(case, collision);
+    let warnings = unsolved::warnings(case, collision);
     let unpropagated = uncertainty::inputs(case).err().or_else(|| goal.obstacle(case));
     let lacking = [
         (Purpose::Reconstruct, reconstruction.err()),
@@ -365,23 +362,6 @@ pub fn judge(case: &Case) -> Judgement {
     Judgement { abilities, assumptions: assumptions(case), warnings, records: told_records(case) }
 }
 
-/// The warnings that need neither the impulse nor an unknown speed.
-pub(crate) fn of_collision(case: &Case, collision: Option<&CollisionData>) -> Vec<Warning> {
-    let mut warnings = Vec::new();
-    if let Some(collision) = collision {
-        warning::of_plane(&collision.contact, &mut warnings);
-        // The closing speed is unknown if a speed has to be found.
-        if case.reconstruct.is_none() {
-            let speed = closing_speed(collision);
-            warning::of_restitution(collision.law.at(speed).restitution(), speed, &mut warnings);
-        }
-    }
-    let speeds = collision.map(|collision| collision.motions.map(|motion| motion.velocity.norm()));
-    let subjects = case.subjects().map(|subject| subject.unwrap_or(NOTHING));
-    of_vehicles(case, subjects, speeds, &mut warnings);
-    warnings
-}
-
 /// Whether a speed is to be found.
 fn seeks_speed(case: &Case) -> bool {
     let is_open = |vehicle: &GivenVehicle| !vehicle.fixed && !vehicle.is_absent() && vehicle.motion.is_none();
@@ -395,42 +375,6 @@ fn is_for_estimate(case: &Case) -> bool {
         vehicle.recorder.is_some() || vehicle.certain_speed.is_some() || skids
     };
     case.estimate.is_some() || case.vehicles.iter().any(has_evidence)
-}
-
-/// `speeds` (m/s) of a collision; an unknown one is zero.
-fn of_vehicles(
-    case: &Case,
-    mut subjects: [VehicleData; 2],
-    speeds: Option<[f64; 2]>,
-    warnings: &mut Vec<Warning>,
-) {
-    let directed = subjects.each_ref().map(|subject| {
-        subject.damage.as_ref().is_some_and(|damage| damage.pdof.or(damage.oblique_angle).is_some())
-    });
-    // A force can be balanced only where both angles to it are known.
-    if directed != [true; 2] {
-        for (subject, vehicle) in subjects.iter_mut().zip(&case.vehicles) {
-            if vehicle.crush.as_ref().is_some_and(|crush| crush.from_force_balance) {
-                subject.damage = None;
-            }
-        }
-    }
-    // The engine's refusal of a damage is reported when it is solved.
-    let assessed = damage::assess(subjects.clone(), [None, None]);
-    let mut vehicles =
-        assessed.unwrap_or_else(|_| subjects.map(|subject| Vehicle { subject, damage: None, energy: None }));
-    warning::of_outlines(&vehicles, warnings);
-    warning::of_case(case, warnings);
-    warning::of_data(&vehicles, speeds.map_or([None; 2], |speeds| speeds.map(Some)), None, warnings);
-    warning::of_assumptions(case, &vehicles, warnings);
-    for (vehicle, directed) in vehicles.iter_mut().zip(directed) {
-        if !directed {
-            vehicle.damage = None;
-        }
-    }
-    warning::of_damage(&vehicles, warnings);
-    let checks = checks::checks(&vehicles, case.headings(), None, None);
-    warning::of_checks(&checks, &vehicles, None, Basis::default(), warnings);
 }
 
 /// The values that are assumed if the case gives none, in the order of its keys, for any analysis that uses

@@ -72,6 +72,7 @@ mod speeds;
 mod thresholds;
 mod travel;
 mod uncertainty;
+mod unsolved;
 mod usual;
 mod vehicle;
 mod warning;

@@ -49,8 +49,8 @@ pub struct Derivative {
 }
 
 impl Derivative {
-    /// Per cent per per cent: ∂(ln output)/∂(ln input). `None` for an angle and for a coordinate of the scene,
-    /// because their zero is arbitrary, and for an input of zero.
+    /// Per cent per per cent: ∂(ln output)/∂(ln input). `None` for an angle and for a coordinate of the
+    /// scene, because their zero is arbitrary, and for an input of zero.
     #[must_use]
     pub fn relative(&self) -> Option<f64> {
         // (x/y) ∂y/∂x
@@ -58,8 +58,9 @@ impl Derivative {
             .then(|| self.value * self.input.si() / self.output_value)
     }
 
-    /// The relative change of the output for 1 % of the input, for 1° of an angle, for 10 cm of a coordinate of
-    /// the scene, or for 1 cm by which a contact point that was placed is moved. It ranks inputs of every kind.
+    /// The relative change of the output for 1 % of the input, for 1° of an angle, for 10 cm of a coordinate
+    /// of the scene, or for 1 cm by which a contact point that was placed is moved. It ranks inputs of every
+    /// kind.
     #[must_use]
     pub fn influence(&self) -> f64 {
         if self.is_by_angle() {

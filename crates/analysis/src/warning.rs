@@ -633,8 +633,8 @@ pub(crate) fn of_impact(impact: &Impact, warnings: &mut Vec<Warning>) {
     of_jumps(impact, warnings);
 }
 
-/// (–) share of the speed before the impact: a vehicle that keeps more of it neither stopped at the object nor
-/// rebounded from it.
+/// (–) share of the speed before the impact: a vehicle that keeps more of it neither stopped at the object
+/// nor rebounded from it.
 const KEPT: f64 = 0.5;
 
 /// Warns of a vehicle that neither stopped at an object that took energy nor rebounded from it.

@@ -56,8 +56,8 @@ fn a_rear_end_collision_follows_from_slides_momentum_and_crush() {
     assert_near(skid.speed, (v1 * v1 + 2.0 * 0.7 * G * 8.0).sqrt(), 1e-9);
 }
 
-/// Point masses travel along their courses, not along their headings: with equal masses and the velocities V of
-/// both at 45°, v_1 cos β_1 = 2 V cos 45° and v_1 sin β_1 + v_2 = 2 V sin 45°.
+/// Point masses travel along their courses, not along their headings: with equal masses and the velocities V
+/// of both at 45°, v_1 cos β_1 = 2 V cos 45° and v_1 sin β_1 + v_2 = 2 V sin 45°.
 #[test]
 fn point_masses_travel_with_their_sideslip() {
     let at = |sideslip: f64, find: &str, axes: &str| {

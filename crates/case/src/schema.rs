@@ -61,8 +61,8 @@ impl KeyInfo {
     }
 }
 
-/// The form of the value of a key of a case file. A number of a key that can be a range may also be a table of
-/// [`range_keys`](crate::range_keys).
+/// The form of the value of a key of a case file. A number of a key that can be a range may also be a table
+/// of [`range_keys`](crate::range_keys).
 #[derive(Clone, Copy, Debug)]
 pub enum Form {
     /// A text that is not empty.

@@ -141,8 +141,8 @@ impl<T: Real> Case<T> {
         self.course_form(vehicle)?.rad(self.axes, heading)
     }
 
-    /// (rad) the directions in which the vehicles travel before the impact, in the axes of the engine: those of
-    /// their headings where there is no sideslip.
+    /// (rad) the directions in which the vehicles travel before the impact, in the axes of the engine: those
+    /// of their headings where there is no sideslip.
     #[must_use]
     pub fn courses(&self) -> [Option<T>; 2] {
         let headings = self.headings();

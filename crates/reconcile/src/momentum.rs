@@ -298,8 +298,9 @@ pub fn central_contact<T: Real>(
     Contact::new([one, two], normal.y.atan2(normal.x))
 }
 
-/// Two vehicles of known mass (kg), heading (rad) and course (rad), the direction of travel, as if their CGs met: for [`Momentum::speeds`] and
-/// [`Momentum::speed_beside`], which need no more. `None` stands for the mass of a fixed object.
+/// Two vehicles of known mass (kg), heading (rad) and course (rad), the direction of travel, as if their CGs
+/// met: for [`Momentum::speeds`] and [`Momentum::speed_beside`], which need no more. `None` stands for the
+/// mass of a fixed object.
 ///
 /// # Errors
 /// If a mass or an angle is impossible.

@@ -522,8 +522,8 @@ const fn row(
     Row { channel, name, key, dimension, range, codes }
 }
 
-// 254 and 255 where a byte has no sign, 126, 127 and −128 where it has one (49 CFR 563 and UN R160 store 1 km/h
-// in a byte).
+// 254 and 255 where a byte has no sign, 126, 127 and −128 where it has one (49 CFR 563 and UN R160 store 1
+// km/h in a byte).
 const BYTE: &[f64] = &[254.0, 255.0];
 const SIGNED_BYTE: &[f64] = &[126.0, 127.0, -128.0];
 const ANY_BYTE: &[f64] = &[126.0, 127.0, 254.0, 255.0, -128.0];

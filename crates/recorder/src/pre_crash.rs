@@ -125,8 +125,9 @@ impl Default for SpeedLimits {
 ///
 /// `at_least` and `at_most` hold for every course of the speed that keeps [`SpeedLimits`]: between samples
 /// the speed need be neither monotonic nor straight. Where two samples differ by more than those limits allow
-/// ([`PreCrash::steep_changes`]), they hold for every course that keeps the limit of the other sense. The sums
-/// `left` and `right` bound the distance only of a speed that falls, or rises, throughout and is not rounded.
+/// ([`PreCrash::steep_changes`]), they hold for every course that keeps the limit of the other sense. The
+/// sums `left` and `right` bound the distance only of a speed that falls, or rises, throughout and is not
+/// rounded.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct DistanceBounds {
     /// (m) the least.

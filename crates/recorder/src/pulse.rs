@@ -376,8 +376,8 @@ impl CrashPulse {
 /// (m/s) 5 km/h: ΔV does not fall from more to 0 from one sample to the next, to stay there.
 const LEAST_PADDED: f64 = 5.0 / 3.6;
 
-/// Which sample is the first of the zeros with which a recorder fills up a record that it could not finish: two
-/// at least, after more than [`LEAST_PADDED`] and more than half of the greatest ΔV.
+/// Which sample is the first of the zeros with which a recorder fills up a record that it could not finish:
+/// two at least, after more than [`LEAST_PADDED`] and more than half of the greatest ΔV.
 fn padding(samples: &[PulseSample]) -> Option<usize> {
     let size = |one: &PulseSample| {
         let [x, y] = [one.longitudinal, one.lateral].map(|part| part.unwrap_or(0.0));

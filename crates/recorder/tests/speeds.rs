@@ -152,8 +152,8 @@ fn a_vehicle_that_stands_stands() {
     assert_eq!((error.name, error.greatest), ("friction", 1.5));
 }
 
-/// The last speed is 72 km/h, after another of 72 half a second before; each row is a time and the brake, after
-/// the first with a dash for the speed.
+/// The last speed is 72 km/h, after another of 72 half a second before; each row is a time and the brake,
+/// after the first with a dash for the speed.
 fn with_gap(brakes: &[(f64, Option<bool>)]) -> PreCrash {
     let first = brakes[0];
     let sample = |(k, (time, brake)): (usize, &(f64, Option<bool>))| PreCrashSample {
@@ -166,8 +166,8 @@ fn with_gap(brakes: &[(f64, Option<bool>)]) -> PreCrash {
     PreCrash::new(all.iter().enumerate().map(sample).collect()).unwrap()
 }
 
-/// Mean and standard deviation of a simulation: the time with the brake on (s) for two uniform numbers and one
-/// between 0 and 1 that decides, whether it was on at the last speed, and the whole gap (s).
+/// Mean and standard deviation of a simulation: the time with the brake on (s) for two uniform numbers and
+/// one between 0 and 1 that decides, whether it was on at the last speed, and the whole gap (s).
 fn simulated(gap: f64, course: impl Fn([f64; 3]) -> (f64, bool)) -> [f64; 2] {
     let mut numbers = Numbers(11);
     let draws: Vec<f64> = (0..400_000)
@@ -241,9 +241,9 @@ fn a_brake_that_is_off_up_to_the_impact_takes_nothing_off() {
     assert!((found.sd - 1.19).abs() < 0.02, "{}", found.sd);
 }
 
-/// Slip goes by the deceleration before the last sample, whatever the switch says: 12 km/h in half a second are
-/// 6.67 m/s², of which 1 m/s² is the engine: 5.67 of 6.35 m/s², so 0.892 · 3 + 0.108 · 0.84 = 2.77 km/h. Of a
-/// single sample with the brake on nothing is known: half of hard braking, 1.5 + 0.28 = 1.78 km/h.
+/// Slip goes by the deceleration before the last sample, whatever the switch says: 12 km/h in half a second
+/// are 6.67 m/s², of which 1 m/s² is the engine: 5.67 of 6.35 m/s², so 0.892 · 3 + 0.108 · 0.84 = 2.77 km/h.
+/// Of a single sample with the brake on nothing is known: half of hard braking, 1.5 + 0.28 = 1.78 km/h.
 #[test]
 fn slip_goes_by_the_deceleration_before_the_last_sample() {
     let shift = |samples: &[(f64, f64, Option<bool>)]| {

@@ -23,9 +23,9 @@ use super::posed::{Alone, OpenSpeeds};
 use crate::columns::Number;
 use crate::excluded::table;
 use crate::failure::Failure;
-use crate::judgement::of_collision;
 use crate::recorded::with_records_of_impact;
 use crate::uncertainty::{UncertainInput, inputs};
+use crate::unsolved;
 use crate::warning::Warning;
 
 /// The reason for the distribution of a number, if the case does not give it.
@@ -149,7 +149,7 @@ pub(super) fn of(case: &Case, prior: Option<SeverityPrior>) -> Result<Setup, Fai
     unused.extend(aside.into_iter().map(|key| Unused { key, reason: UnusedReason::OtherImpact }));
     let lacking = |faults: Faults| faults.needed_for(Purpose::Estimate);
     let nominal = case.collision().map_err(lacking)?.collision;
-    let warnings = of_collision(&case, Some(&nominal));
+    let warnings = unsolved::warnings(&case, Some(&nominal));
     let motion = case.run_out().transpose().map_err(lacking)?;
     let ranges = match inputs(&case) {
         Ok(ranges) => ranges,
@@ -549,8 +549,8 @@ fn is_ground(path: &str) -> bool {
     of_ground || VehicleId::ALL.into_iter().any(|id| path == path_friction(id))
 }
 
-/// (–) the spread of the logarithm of a coefficient of the impact without a range, whose median is the value of
-/// the case; the numbers of laws other than Brach's are taken as exact.
+/// (–) the spread of the logarithm of a coefficient of the impact without a range, whose median is the value
+/// of the case; the numbers of laws other than Brach's are taken as exact.
 fn coefficient_ln_sd(input: &Input, case: &Case) -> Option<f64> {
     let ImpactLaw::Brach { moment_restitution: None, .. } = case.impact.as_ref()?.law else { return None };
     match input.path.as_str() {

@@ -53,8 +53,8 @@ restitution = { value = 0.1, sd = 0.00001 }
 tangential = { friction = { value = 0.7, sd = 0.0001 } }
 "#;
 
-/// A car meets a wall squarely under a force at an angle: a ratio of the other sign is the mirror image of the
-/// collision, and so are z-down axes.
+/// A car meets a wall squarely under a force at an angle: a ratio of the other sign is the mirror image of
+/// the collision, and so are z-down axes.
 #[test]
 fn a_ratio_of_the_other_sign_is_the_mirror_image() {
     let found = |ratio: f64, axes: &str| {

@@ -356,8 +356,8 @@ fn of_blocks(segments: Vec<Segment>) -> RawTable {
     let layout = if across { TextLayout::Transposed } else { TextLayout::ColumnAfterColumn };
     let (mut columns, mut ignored) = (Vec::new(), Vec::new());
     for segment in segments {
-        // With several quantities named before the values, the last is theirs. A title stands above the times;
-        // elsewhere it is one whose values were not recognised.
+        // With several quantities named before the values, the last is theirs. A title stands above the
+        // times; elsewhere it is one whose values were not recognised.
         let Some((head, above)) = segment.heads.split_last() else { continue };
         let (head, cells) = (head.clone(), segment.flat());
         if head.channel != Channel::Time {

@@ -69,8 +69,8 @@ impl Head {
         Some(whole)
     }
 
-    /// What all its words say together: a ΔV is along its axis, and words such as "maximum" or "lamp" say that
-    /// the heading is of something else.
+    /// What all its words say together: a ΔV is along its axis, and words such as "maximum" or "lamp" say
+    /// that the heading is of something else.
     fn settled(mut self) -> Self {
         if self.channel == Channel::Time {
             return self;

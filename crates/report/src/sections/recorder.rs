@@ -85,8 +85,8 @@ fn headline(id: VehicleId, found: &VehicleReading, units: Units) -> Vec<String> 
     lines
 }
 
-/// (m/s) ΔV along the vehicle and to its left at the centre of gravity, where the recorder is away from it and
-/// the case has what takes ΔV there.
+/// (m/s) ΔV along the vehicle and to its left at the centre of gravity, where the recorder is away from it
+/// and the case has what takes ΔV there.
 fn at_center(found: &VehicleReading) -> Option<[f64; 2]> {
     found.recorder.at.and(found.recorder.yaw_rate)?;
     let told = found.delta_v?;
