@@ -66,6 +66,7 @@
 //! 980025 (1998), called *the paper*.
 
 #![cfg_attr(not(feature = "std"), no_std)]
+#![warn(clippy::std_instead_of_core)]
 
 extern crate alloc;
 

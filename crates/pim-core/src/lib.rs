@@ -82,6 +82,7 @@
 //! and departures from print are marked `ERRATUM`.
 
 #![cfg_attr(not(feature = "std"), no_std)]
+#![warn(clippy::std_instead_of_core)]
 
 extern crate alloc;
 

@@ -64,6 +64,7 @@
 //! [`elementary::SIN_COS_LIMIT`].
 
 #![cfg_attr(not(feature = "std"), no_std)]
+#![warn(clippy::std_instead_of_core)]
 
 mod angle;
 mod bundle;

@@ -83,6 +83,7 @@
 //! takes them as given.
 
 #![cfg_attr(not(feature = "std"), no_std)]
+#![warn(clippy::std_instead_of_core)]
 
 mod answer;
 mod branch;

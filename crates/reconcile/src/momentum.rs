@@ -24,7 +24,7 @@ pub const COLLINEAR: f64 = 0.174_532_925_199_432_95;
 /// Whether directions that enclose this angle (rad, from 0 to π) lie within [`COLLINEAR`] of one line.
 #[must_use]
 pub fn are_collinear(angle: f64) -> bool {
-    angle <= COLLINEAR || angle >= std::f64::consts::PI - COLLINEAR
+    angle <= COLLINEAR || angle >= core::f64::consts::PI - COLLINEAR
 }
 
 /// sin 10°.

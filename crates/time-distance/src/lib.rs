@@ -56,6 +56,7 @@
 //! | `serde` | responses, legs, phases and crossings can be written and read |
 
 #![cfg_attr(not(feature = "std"), no_std)]
+#![warn(clippy::std_instead_of_core)]
 
 mod advance;
 mod approach;

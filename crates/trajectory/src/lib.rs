@@ -80,6 +80,7 @@
 //! each turn of the vehicle; if two motions with the same turn lead to one rest, it finds either.
 
 #![cfg_attr(not(feature = "std"), no_std)]
+#![warn(clippy::std_instead_of_core)]
 
 mod backward;
 #[cfg(feature = "std")]

@@ -29,7 +29,7 @@ fn the_roots_of_a_product_are_those_of_its_factors() {
 #[test]
 fn chebyshevs_polynomial_has_all_its_roots_and_extrema() {
     let t8 = Polynomial::new([1.0, 0.0, -32.0, 0.0, 160.0, 0.0, -256.0, 0.0, 128.0]);
-    let cosine = |k: f64| Real::sin_cos(k * std::f64::consts::PI / 16.0).1;
+    let cosine = |k: f64| Real::sin_cos(k * core::f64::consts::PI / 16.0).1;
     let roots: Vec<f64> = [15.0, 13.0, 11.0, 9.0, 7.0, 5.0, 3.0, 1.0].map(cosine).to_vec();
     let extrema: Vec<f64> = [14.0, 12.0, 10.0, 8.0, 6.0, 4.0, 2.0].map(cosine).to_vec();
     assert_points(t8.roots([-1.0, 1.0]), &roots, 1e-14);
