@@ -348,6 +348,24 @@ pub(crate) fn unknowns(analysis: &Analysis) -> Vec<f64> {
     unknowns
 }
 
+/// The integration of a path with derivatives that takes `time` (s): in steps down to the rest, and in far
+/// shorter ones than the path itself needs. Its error grows with the square of the steps that meet a kink of
+/// the forces, but that of the derivatives with their length, and the search back from a rest magnifies it.
+/// Of 60 random motions on the level, the derivatives of the motion at the start by the rest and by the radius
+/// of gyration then differ from those in steps of 0.5 ms by 0.006 % of their size in the median and by 0.3 %
+/// at most; with the steps of the path by 0.3 % and 200 %.
+fn differentiated(time: f64) -> Control {
+    // A vehicle that rolls for minutes takes few more of them than one that spins to rest in five seconds.
+    let longer = (time / 5.0).max(1.0);
+    Control {
+        tolerance: 1e-8 * longer * longer,
+        longest_step: 0.005 * longer,
+        most_steps: 200_000,
+        closed_end: false,
+        ..Control::default()
+    }
+}
+
 /// Takes the solutions, and notes by how much each equation is not met.
 #[derive(Debug)]
 pub(crate) struct Known<'a> {
@@ -356,6 +374,8 @@ pub(crate) struct Known<'a> {
     straight: [bool; 2],
     /// Whether they left as one body.
     as_one: bool,
+    /// (s) how long their paths to rest take.
+    times: [f64; 2],
     /// As many as there are unknowns, each zero at the solution.
     pub(crate) residuals: Vec<Traced>,
 }
@@ -367,6 +387,7 @@ impl<'a> Known<'a> {
             unknowns: unknowns.iter(),
             straight: leave_straight(nominal),
             as_one: leave_as_one(nominal),
+            times: nominal.travel.each_ref().map(|travel| travel.as_ref().map_or(0.0, |way| way.rest.time)),
             residuals: Vec::new(),
         }
     }
@@ -403,9 +424,8 @@ impl Ways<Traced> for Known<'_> {
         way: &VehicleMotion<Traced>,
         start: Motion<Traced>,
     ) -> Result<Way<Traced>, Failure> {
-        // Steps down to the rest, whose derivatives are exact.
-        let control = Control { closed_end: false, longest_step: 0.05, ..Control::default() };
-        scene.to_rest(vehicle, way, start, &control, |_| {})
+        let time = self.times[vehicle.index()];
+        scene.to_rest(vehicle, way, start, &differentiated(time), |_| {})
     }
 
     fn back(

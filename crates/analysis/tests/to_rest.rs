@@ -132,6 +132,16 @@ fn value(analysis: &Analysis, output: Output) -> f64 {
 /// greatest difference, as a share of the greatest influence on that output. `scale` makes the differences
 /// longer.
 fn compare(case: &Case, solve: fn(&Case) -> Result<Analysis, Failure>, scale: f64) -> Vec<(String, f64)> {
+    compared(case, solve, scale).into_iter().map(|(output, [off, _])| (output, off)).collect()
+}
+
+/// The same, and after it the greatest difference as a share of the influence that it belongs to, or of a
+/// tenth of the greatest if that is more.
+fn compared(
+    case: &Case,
+    solve: fn(&Case) -> Result<Analysis, Failure>,
+    scale: f64,
+) -> Vec<(String, [f64; 2])> {
     let rows = sensitivity(case, NO_SWEEP).unwrap().derivatives;
     // By what is small, but far above the error of the integration.
     let step = |input: &Input| match input.unit.map(inputs::Unit::dimension) {
@@ -167,8 +177,12 @@ fn compare(case: &Case, solve: fn(&Case) -> Result<Analysis, Failure>, scale: f6
             })
             .collect();
         let largest = effects.iter().flatten().fold(0.0, |largest: f64, effect| largest.max(effect.abs()));
-        let off = effects.iter().fold(0.0, |off: f64, [one, other]| off.max((one - other).abs()));
-        (output.path(), off / largest)
+        let greatest = |by: fn(f64, f64) -> f64| {
+            effects
+                .iter()
+                .fold(0.0, |off: f64, [one, other]| off.max((one - other).abs() / by(other.abs(), largest)))
+        };
+        (output.path(), [greatest(|_, largest| largest), greatest(|own, largest| own.max(0.1 * largest))])
     });
     compared.collect()
 }
@@ -180,6 +194,8 @@ const CLOSE: f64 = 0.01;
 /// tell too little, and longer ones are good for this.
 const SEARCHED: f64 = 3.0;
 const CLOSE_BY_SEARCH: f64 = 0.02;
+/// The same of an influence itself, in place of the greatest.
+const OF_ITS_OWN: f64 = 0.08;
 
 #[test]
 fn derivatives_of_both_speeds_are_central_differences() {
@@ -194,15 +210,29 @@ fn derivatives_of_both_speeds_are_central_differences() {
     assert!(worst.iter().all(|(_, off)| *off < CLOSE_BY_SEARCH), "{worst:#?}");
 }
 
+/// Its wheels lock and roll again as the vehicles spin, and the search back from the rests magnifies the errors
+/// of the derivatives: along the steps of the path itself they are off by up to twice the influence.
+#[test]
+fn derivatives_of_vehicles_that_spin_to_rest_are_central_differences() {
+    let text = include_str!("../../case/templates/si/intersection.toml");
+    // Momentum alone gives the speeds; a depth cannot be moved far below its 9 cm.
+    let parts: Vec<&str> = text.split("\n[").filter(|part| !part.contains(".crush]")).collect();
+    let case = parsed(&parts.join("\n[").replace("energy_basis = \"absorbed\"", ""));
+    let worst = compared(&case, reconstruct, 2.0 * SEARCHED);
+    assert_eq!(worst.len(), 4 + 2 * 5);
+    // The time to rest jumps by some hundredths of a second where the integration chooses other steps.
+    let is_close = |(output, [off, own]): &(String, [f64; 2])| {
+        *own < OF_ITS_OWN || (output.ends_with("rest.time") && *off < 1.5 * CLOSE_BY_SEARCH)
+    };
+    assert!(worst.iter().all(is_close), "{worst:#?}");
+}
+
 #[test]
 fn derivatives_by_momentum_and_crush_are_central_differences() {
     let text = include_str!("../../../fixtures/rear-end-rest.toml");
-    let mut worst = compare(&parsed(text), reconstruct, 1.0);
-    // Vehicle 2 rolls straight. To either side its time to rest changes alike, so that the central
-    // difference is that of the steps which the integration chose.
-    worst.retain(|(output, _)| output != "vehicle2.rest.time");
+    let worst = compare(&parsed(text), reconstruct, 1.0);
     // Neither turns as it leaves.
-    assert_eq!(worst.len(), 4 + 2 * 4 - 1);
+    assert_eq!(worst.len(), 4 + 2 * 4);
     assert!(worst.iter().all(|(_, off)| *off < CLOSE), "{worst:#?}");
 }
 

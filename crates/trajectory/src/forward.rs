@@ -47,6 +47,7 @@ pub(crate) fn follow<T: Real + From<G>, G: Real>(
     let mut run = Run::new(chassis, steer, ground, start, control)?;
     let energy = run.energy();
     let mut moment = run.moment(run.direction());
+    let mut foreseen = None;
     while run.steps < control.most_steps {
         record(&run.sample(moment.acceleration.sliding));
         let time = run.now.time.value();
@@ -57,8 +58,14 @@ pub(crate) fn follow<T: Real + From<G>, G: Real>(
         if end > control.longest_time || (end >= control.longest_time && !fades) {
             return Err(NoRest::StillMoving { time, state: run.state().values() });
         }
+        if !control.closed_end && outlook.to_rest * run.now.speed.value() < FORESEEN {
+            foreseen = foreseen.or_else(|| Some(run.time_at_rest(&moment.acceleration)));
+        }
         if fades {
             run.fade(&moment.acceleration);
+            if let Some(foreseen) = foreseen {
+                run.now.time = T::from(run.now.time.value()) + foreseen;
+            }
             run.holds()?;
             record(&run.sample([false; 4]));
             return Ok(run.rest(start, energy));
@@ -67,6 +74,9 @@ pub(crate) fn follow<T: Real + From<G>, G: Real>(
     }
     Err(NoRest::TooManySteps { steps: run.steps, time: run.now.time.value(), state: run.state().values() })
 }
+
+/// (m) from so near its rest a vehicle keeps its forces, but for their directions.
+const FORESEEN: f64 = 0.01;
 
 fn check_start<T: Real>(start: &State<T>, control: &Control) -> Result<(), InvalidInput> {
     check::finite("position along x at the start", start.position.x.value())?;
@@ -206,16 +216,26 @@ impl<'a, T: Real + From<G>, G: Real> Run<'a, T, G> {
         self.footing.crossing(pose(now), pose(Phase { q, w: [0.0; 3] }), time).is_none()
     }
 
-    /// The final phase, in closed form.
-    pub(crate) fn fade(&mut self, acceleration: &Acceleration<T>) {
+    /// The derivatives of the time at rest, with a value of zero.
+    ///
+    /// At the end itself they are lost: a vehicle that hardly moves has large derivatives of its slip angles, and
+    /// no more than rounding in them.
+    fn time_at_rest(&self, acceleration: &Acceleration<T>) -> T {
+        let time = self.now.time + self.fading(acceleration);
+        time - T::from(time.value())
+    }
+
+    /// (s) how long the motion takes to fade.
+    fn fading(&self, acceleration: &Acceleration<T>) -> T {
         let w = self.now.phase.w;
         let energy = self.field.energy(w);
         // t = 2T/|P|
-        let time = if energy.value() > 0.0 {
-            -(energy / self.field.product(acceleration.rates, w))
-        } else {
-            T::ZERO
-        };
+        if energy.value() > 0.0 { -(energy / self.field.product(acceleration.rates, w)) } else { T::ZERO }
+    }
+
+    /// The final phase, in closed form.
+    pub(crate) fn fade(&mut self, acceleration: &Acceleration<T>) {
+        let time = self.fading(acceleration);
         self.now = self.now.faded(acceleration, time);
         self.steps += 1;
     }

@@ -27,6 +27,10 @@ const FORGOTTEN: f64 = 1.0;
 /// (m) a remaining path shorter than this counts as straight if the forces hardly turn the motion.
 const SHORT: f64 = 0.3;
 
+/// (m) a remaining path that steps down to rest need not resolve: below it the derivatives of the motion are
+/// large against the motion, and the derivatives of the forces mostly rounding.
+const NEGLIGIBLE: f64 = 1e-6;
+
 /// Relative rounding error of an acceleration.
 const ROUNDING: f64 = 1e-13;
 
@@ -132,7 +136,9 @@ impl<P: Number<Plain = P>> Outlook<P> {
         let swing = turn * lever;
         let size_squared = P::greater(way_squared, swing * swing);
         let most = |size: f64| zero.constant(size * size);
-        let negligible = size_squared.below(most(control.tolerance / 10.0));
+        let least = control.tolerance / 10.0;
+        let negligible =
+            size_squared.below(most(if control.closed_end { least } else { least.max(NEGLIGIBLE) }));
         let closed = if control.closed_end { SHORT } else { 0.0 };
         let short = size_squared.below(most(closed));
         // The acceleration that turns the motion: a⊥ = a − (a·w/w²) w, here times w²

@@ -1,6 +1,9 @@
 //! Steer angles, constant and as functions of time.
 
-use trajectory::{Control, GRAVITY, Ground, Steer, to_rest};
+use real::{Duals, Real};
+use trajectory::{
+    Axles, Body, Chassis, Control, GRAVITY, Ground, Motion, Rest, State, Steer, Vector2, to_rest,
+};
 
 use crate::scenes::{car, start};
 
@@ -22,6 +25,39 @@ fn a_rolling_vehicle_follows_its_wheels() {
         let over =
             to_rest(&chassis, Steer::Over(&points), &ground, &start, &Control::default(), |_| {}).unwrap();
         assert!((over.position - rest.position).norm() < 5e-3, "{over:?} {rest:?}");
+    }
+}
+
+/// The rest of a car with its front wheels held at 2°, that leaves at 5 m/s times `factor` with this drag.
+fn rolled<T: Real>(factor: T, drag: T, control: &Control) -> Rest<T> {
+    let number = |x: f64| T::from(x);
+    let axles = Axles { cg_to_front: number(1.2), cg_to_rear: number(1.5), track: number(1.5) };
+    let body = Body::new(number(1450.0), number(2700.0)).unwrap();
+    let chassis = Chassis::new(body, axles, [drag; 4]).unwrap();
+    let motion =
+        Motion { velocity: Vector2::new(factor * 4.9, factor * 1.0), yaw_rate: factor * number(0.35) };
+    let start = State { position: Vector2::new(number(0.0), number(0.0)), heading: number(0.0), motion };
+    let steer = Steer::Held(number(2_f64.to_radians()));
+    to_rest(&chassis, steer, &Ground::level(number(0.7)), &start, control, |_| {}).unwrap()
+}
+
+/// By central differences of motions in far shorter steps.
+#[test]
+fn derivatives_of_the_time_of_a_curved_roll_hold_down_to_rest() {
+    let (drag, by) = (0.012, 0.002);
+    let fine = Control { tolerance: 1e-9, most_steps: 1_000_000, ..Control::default() };
+    let time = |factor: f64, drag: f64| rolled(factor, drag, &fine).time;
+    let differences = [
+        (time(1.0 + by, drag) - time(1.0 - by, drag)) / (2.0 * by),
+        (time(1.0, drag * (1.0 + by)) - time(1.0, drag * (1.0 - by))) / (2.0 * by * drag),
+    ];
+    for tolerance in [1e-5, 1e-7] {
+        let control = Control { tolerance, longest_step: 0.05, closed_end: false, ..Control::default() };
+        let [factor, drag] = [Duals::<2>::variable(1.0, 0), Duals::variable(drag, 1)];
+        let found = rolled(factor, drag, &control).time.derivatives;
+        for (found, difference) in found.into_iter().zip(differences) {
+            assert!((found / difference - 1.0).abs() < 0.01, "{found} is not {difference}");
+        }
     }
 }
 

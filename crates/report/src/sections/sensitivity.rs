@@ -23,9 +23,8 @@ pub fn sensitivity(case: &Case, sensitivity: &Sensitivity, units: Units) -> Docu
     }
     if !sensitivity.derivatives.is_empty() {
         let of_what = if analysis::is_searched_back(case) {
-            "Where a vehicle is searched back from its rest, these are the derivatives along the steps of the computed path, which \
-             do not move with the inputs: they can be off by some tens of per cent, and the sign of a small one can be wrong. \
-             Change the input that matters and reconstruct again."
+            "Each derivative is that of the equations, with all other numbers as given (theory 6); where a vehicle is searched back from \
+             its rest, it is good to about 1 % (theory 11)."
         } else {
             "Each derivative is exact, with all other numbers as given (theory 6)."
         };
