@@ -104,11 +104,11 @@ pub(crate) fn contradictions(case: &Case, analysis: &Analysis, used: Used) -> Ve
         if vehicle.fixed || vehicle.is_absent() {
             continue;
         }
-        let mut add = |evidence: Evident, given: f64, found: f64| {
-            warnings.push(Warning::EvidenceDiffers { vehicle: id, evidence, given, found });
-        };
         let place = id.index();
         let speed = analysis.speed(id);
+        let add = |warnings: &mut Vec<Warning>, evidence: Evident, given: f64, found: f64| {
+            warnings.push(Warning::EvidenceDiffers { vehicle: id, evidence, given, found });
+        };
         let differs = |given: f64, found: f64, share: f64| {
             (given - found).abs() > (CONTRADICTS * share * given.abs()).max(LEAST_DIFFERENCE)
         };
@@ -120,11 +120,18 @@ pub(crate) fn contradictions(case: &Case, analysis: &Analysis, used: Used) -> Ve
                 if differs(told.speed, speed, error) {
                     let evidence =
                         if told.is_of_table { Evident::TabledSpeed } else { Evident::RecordedSpeed };
-                    add(evidence, told.speed, speed);
+                    add(&mut warnings, evidence, told.speed, speed);
                 }
             }
             let error = share(recorder.delta_v_error, RECORDER_DELTA_V_ERROR);
             let [along, left] = exchange.delta_v_components[place];
+            let limit = |size: f64| (CONTRADICTS * error * size).max(LEAST_DIFFERENCE);
+            if let Some(least) = recorder.least_delta_v(case.axes, vehicle.yaw_rate_before()) {
+                let (recorded, found) = (least.size(), least.part_of([along, left]));
+                if recorded - found > limit(recorded) {
+                    warnings.push(Warning::BelowRecord { vehicle: id, recorded, found });
+                }
+            }
             let told = recorder.tells_delta_v(case.axes, vehicle.yaw_rate_before());
             let is_of_table = told.is_some_and(|told| told.is_of_table);
             let [longitudinal, lateral] = if is_of_table {
@@ -137,12 +144,10 @@ pub(crate) fn contradictions(case: &Case, analysis: &Analysis, used: Used) -> Ve
                 (lateral, told.and_then(|told| told.left), left),
             ];
             // The error of a component is that of the whole: a direction is not known better than a size.
-            let whole =
-                parts.iter().filter_map(|(_, given, _)| *given).fold(0.0, |sum: f64, part| sum + part * part);
-            let limit = (CONTRADICTS * error * whole.sqrt()).max(LEAST_DIFFERENCE);
+            let limit = limit(told.map_or(0.0, |told| told.size()));
             for (evidence, given, found) in parts {
                 if let Some(given) = given.filter(|given| (given - found).abs() > limit) {
-                    add(evidence, given, found);
+                    add(&mut warnings, evidence, given, found);
                 }
             }
         }
@@ -150,7 +155,7 @@ pub(crate) fn contradictions(case: &Case, analysis: &Analysis, used: Used) -> Ve
         if let (Some(given), Some(skid)) = (skid_speed, analysis.skids[place])
             && differs(given, skid.speed, RECORDER_SPEED_ERROR)
         {
-            add(Evident::SkidSpeed, given, skid.speed);
+            add(&mut warnings, Evident::SkidSpeed, given, skid.speed);
         }
         if let Some(after) = vehicle.after.as_ref().filter(|_| !used.after) {
             let velocity = exchange.velocities[place];
@@ -158,26 +163,39 @@ pub(crate) fn contradictions(case: &Case, analysis: &Analysis, used: Used) -> Ve
             if let Some(given) = after.speed.as_ref().map(Quantity::si)
                 && differs(given, found, SPEED_AFTER_ERROR)
             {
-                add(Evident::SpeedAfter, given, found);
+                add(&mut warnings, Evident::SpeedAfter, given, found);
             }
             if let Some(given) = after.direction.as_ref().map(|given| case.axes.lateral(given.si()))
                 && found > LEAST_DIFFERENCE
             {
                 let direction = atan2(velocity.y, velocity.x);
                 if principal_angle(given - direction).abs() > CONTRADICTS * DIRECTION_AFTER_ERROR {
-                    add(Evident::DirectionAfter, principal_angle(given), direction);
+                    add(&mut warnings, Evident::DirectionAfter, principal_angle(given), direction);
                 }
             }
         }
         if let Some(certain) = &vehicle.certain_speed {
             let limit = |limit: &Option<Quantity>| limit.as_ref().map(Quantity::si);
             if let Some(least) = limit(&certain.at_least).filter(|least| speed < least - SPEED_ROUNDING) {
-                add(Evident::AtLeast, least, speed);
+                add(&mut warnings, Evident::AtLeast, least, speed);
             }
             if let Some(most) = limit(&certain.at_most).filter(|most| speed > most + SPEED_ROUNDING) {
-                add(Evident::AtMost, most, speed);
+                add(&mut warnings, Evident::AtMost, most, speed);
             }
         }
     }
     warnings
+}
+
+/// What a record without the end of the impact has of ΔV beyond an estimate, of which `greatest` gives the
+/// upper end of the 95 % interval (m/s) for a vehicle.
+pub(crate) fn below_records(case: &Case, greatest: impl Fn(VehicleId) -> Option<f64>) -> Vec<Warning> {
+    let (case, _) = with_records_of_impact(case);
+    let below = |id: VehicleId| {
+        let vehicle = &case.vehicles[id.index()];
+        let recorded = vehicle.recorder.as_ref()?.least_delta_v(case.axes, vehicle.yaw_rate_before())?.size();
+        let found = greatest(id).filter(|greatest| recorded - greatest > LEAST_DIFFERENCE)?;
+        Some(Warning::BelowRecord { vehicle: id, recorded, found })
+    };
+    VehicleId::ALL.into_iter().filter_map(below).collect()
 }

@@ -18,6 +18,7 @@ use evidence::{CollisionModel, EnergyMethod, InjuryRisk, Observed, Piece, Tested
 use inputs::{Case, SeverityPrior, Unit};
 use pim_core::VehicleId;
 
+use crate::aside;
 use crate::excluded::{Impossible, key, table};
 use crate::failure::Failure;
 use crate::output::Output;
@@ -273,7 +274,7 @@ pub fn estimate(
         hit,
         is_with_object,
         reference,
-        warnings,
+        mut warnings,
     } = setup::of(case, plan.prior)?;
     let model = CollisionModel::of(impacts, observed.clone());
     let told = Told::new(&model, case.axes, reference);
@@ -287,6 +288,13 @@ pub fn estimate(
     }
     let evaluations = runs.evaluations;
     let is_field = prior == SeverityPrior::Field;
+    let outputs = there.outputs(&told, is_field);
+    let greatest = |id: VehicleId| {
+        let of = |one: &&EstimatedOutput| one.output.is(&DELTA_V) && one.output.vehicle() == Some(id);
+        let [.., widest] = &outputs.iter().find(of)?.posterior.intervals;
+        Some(widest.high.value)
+    };
+    warnings.extend(aside::below_records(case, greatest));
     let tested = match hit {
         _ if !is_field => None,
         Some(hit) => TestedClass::of(hit, energies, model.pieces()),
@@ -300,7 +308,7 @@ pub fn estimate(
         stood: VehicleId::ALL.map(|id| there.stood(id, assumed[id.index()], &told)),
         default_errors,
         unknown: there.unknown(unknown, &told),
-        outputs: there.outputs(&told, is_field),
+        outputs,
         pieces,
         same_twice: pieces::same_twice(model.pieces()),
         missed: missed(&model, &posterior),

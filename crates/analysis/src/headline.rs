@@ -86,7 +86,9 @@ impl Analysis {
             return None;
         }
         let refuted = self.refuting();
-        let differs = |warning: &Warning| matches!(warning, Warning::EvidenceDiffers { .. });
+        let differs = |warning: &Warning| {
+            matches!(warning, Warning::EvidenceDiffers { .. } | Warning::BelowRecord { .. })
+        };
         let why = Overdetermined {
             left_aside: self.left_aside.clone(),
             refuted_by: refuted.copied().collect(),

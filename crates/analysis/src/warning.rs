@@ -113,6 +113,15 @@ pub enum Warning {
         /// (SI) by the answer.
         found: f64,
     },
+    /// A record that lacks the end of the impact already has more ΔV than the answer.
+    BelowRecord {
+        /// The vehicle.
+        vehicle: VehicleId,
+        /// (m/s) ΔV in the record.
+        recorded: f64,
+        /// (m/s) ΔV of the answer in the same direction, or the upper end of its 95 % interval.
+        found: f64,
+    },
     /// Several motions after the impact lead to the rest position of a vehicle.
     SeveralStarts {
         /// The vehicle.
@@ -489,6 +498,7 @@ impl Warning {
         Self::PdofDiffers { .. } => "pdof-differs",
         Self::MomentumDiffers { .. } => "momentum-differs",
         Self::EvidenceDiffers { .. } => "evidence-differs",
+        Self::BelowRecord { .. } => "below-record",
         Self::SeveralStarts { .. } => "several-starts",
         Self::PointMissed { .. } => "point-missed",
         Self::RestMissed { .. } => "rest-missed",
@@ -531,6 +541,7 @@ impl Warning {
             Self::ContactOutside { vehicle, .. }
             | Self::PdofDiffers { vehicle, .. }
             | Self::EvidenceDiffers { vehicle, .. }
+            | Self::BelowRecord { vehicle, .. }
             | Self::SeveralStarts { vehicle, .. }
             | Self::PointMissed { vehicle, .. }
             | Self::RestMissed { vehicle, .. }
@@ -579,6 +590,7 @@ impl Warning {
             self,
             Self::MomentumDiffers { .. }
                 | Self::EvidenceDiffers { .. }
+                | Self::BelowRecord { .. }
                 | Self::SeveralStarts { .. }
                 | Self::DamageEnergyDiffers { .. }
                 | Self::DeltaVDiffers { .. }

@@ -2,8 +2,11 @@
 
 #![allow(clippy::unwrap_used, clippy::panic, reason = "helpers of tests fail by panicking")]
 
+use std::ops::ControlFlow;
+
 use analysis::{
-    EstimatePlan, Evident, UnusedReason, Warning, estimate, estimate_evidence, impact, judge, recorders,
+    EstimatePlan, Evident, PieceDetail, UnusedReason, Warning, estimate, estimate_evidence, impact, judge,
+    recorders,
 };
 use case::CaseFile;
 
@@ -61,6 +64,51 @@ fn a_pulse_that_disagrees_is_told_and_one_cut_off_is_not() {
     let reading = recorders(&cut.case).unwrap();
     let found = reading.vehicles[0].as_ref().unwrap();
     assert!(found.is_cut && found.delta_v.is_none());
+}
+
+/// (km/h) what an answer lacks of the ΔV in a record without the end of the impact: recorded and found.
+fn below(warnings: &[Warning]) -> Vec<[f64; 2]> {
+    let of = |warning: &Warning| match warning {
+        Warning::BelowRecord { recorded, found, .. } => Some([*recorded, *found].map(|si| si * 3.6)),
+        _ => None,
+    };
+    warnings.iter().filter_map(of).collect()
+}
+
+/// The same impact, 49.5 km/h: a record that has more before it ends cannot be of it, and one of one axis
+/// bounds the part along that axis alone.
+#[test]
+fn an_answer_below_a_record_that_ends_early_is_told() {
+    let of = |lines: &str| below(&impact(&head_on(lines).case).unwrap().warnings);
+    let cut = |values: &str| {
+        format!("pulse = {{ time = \"0 20 40 60 80 100 120 ms\", delta_v_longitudinal = \"{values} km/h\" }}")
+    };
+    assert_eq!(of(&cut("0 -3 -6 -10 -25 -40 -54")), [[0.0; 2]; 0]);
+    let [[recorded, found]] = of(&cut("0 -3 -6 -20 -40 -60 -75"))[..] else { panic!() };
+    assert!((recorded - 75.0).abs() < 1e-9 && (found - 49.5).abs() < 1e-9, "{recorded} {found}");
+    // Pushed from behind: the impact has nothing in this direction.
+    let [[recorded, found]] = of(&cut("0 3 6 9 12 15 18"))[..] else { panic!() };
+    assert!((recorded - 18.0).abs() < 1e-9 && (found + 49.5).abs() < 1e-9, "{recorded} {found}");
+    let unfinished = "incomplete = true\ndelta_v_longitudinal = \"-75 km/h\"";
+    assert_eq!(of(unfinished).len(), 1);
+    assert_eq!(of(&unfinished.replace("true", "false")).len(), 0);
+}
+
+/// An estimate from 50 and 40 km/h has ΔV of some 50 km/h, and none of 120.
+#[test]
+fn an_estimate_below_a_record_that_ends_early_says_so() {
+    let of = |last: u32| {
+        let lines = format!(
+            "pulse = {{ time = \"0 20 40 60 80 ms\", delta_v_longitudinal = \"0 -5 -12 -20 -{last} km/h\" }}"
+        );
+        let case = head_on(&lines).case;
+        let plan = EstimatePlan { particles: 128, seed: 1, prior: None, pieces: PieceDetail::Apart };
+        let found = estimate(&case, &plan, &mut |_, _, _| ControlFlow::Continue(())).unwrap();
+        below(&found.warnings)
+    };
+    assert_eq!(of(30), [[0.0; 2]; 0]);
+    let [[recorded, found]] = of(120)[..] else { panic!() };
+    assert!((recorded - 120.0).abs() < 1e-9 && found > 45.0 && found < 110.0, "{found}");
 }
 
 #[test]
@@ -211,9 +259,8 @@ fn an_estimate_uses_the_record_of_the_impact_alone() {
         let text = crushed(recorder).source.text().to_owned();
         let text = text.replace("\nspeed = \"50 km/h\"\n", "\n").replace("\nspeed = \"40 km/h\"\n", "\n");
         let file = CaseFile::parse("case.toml", &text).unwrap();
-        let plan =
-            EstimatePlan { particles: 256, seed: 1, prior: None, pieces: analysis::PieceDetail::Weighed };
-        let found = estimate(&file.case, &plan, &mut |_, _, _| std::ops::ControlFlow::Continue(())).unwrap();
+        let plan = EstimatePlan { particles: 256, seed: 1, prior: None, pieces: PieceDetail::Weighed };
+        let found = estimate(&file.case, &plan, &mut |_, _, _| ControlFlow::Continue(())).unwrap();
         let answers: Vec<String> = found.outputs.iter().map(|one| format!("{:?}", one.posterior)).collect();
         (answers, found.unused)
     };

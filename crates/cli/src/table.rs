@@ -393,7 +393,7 @@ fn look_through(name: &str, file: &File) -> Result<usize> {
     // A quote that nothing closes makes one cell of all that follows.
     if let Some(line) = open.filter(|_| !ends_in_quote(file).unwrap_or(true)) {
         bail!(
-            "{name}:{line}: the last cell of this row opens with a double quote that nothing closes, so it would hold all the \
+            "line {line}: the last cell of this row opens with a double quote that nothing closes, so it would hold all the \
              rows below: close it, or write a quote within a cell twice and the cell in quotes, as \"6\"\" long\""
         );
     }

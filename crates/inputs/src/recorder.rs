@@ -106,6 +106,23 @@ pub struct RecordersDeltaV {
     pub is_of_table: bool,
 }
 
+impl RecordersDeltaV {
+    /// (m/s) resultant of the components that the recorder has.
+    #[must_use]
+    pub fn size(&self) -> f64 {
+        let [along, left] = [self.along, self.left].map(Option::unwrap_or_default);
+        (along * along + left * left).sqrt()
+    }
+
+    /// (m/s) the part of another ΔV, along and to the left, in the direction of this one; zero if this one is.
+    #[must_use]
+    pub fn part_of(&self, [along, left]: [f64; 2]) -> f64 {
+        let size = self.size();
+        let product = self.along.unwrap_or_default() * along + self.left.unwrap_or_default() * left;
+        if size > 0.0 { product / size } else { 0.0 }
+    }
+}
+
 impl Recorder {
     /// The samples before the impact.
     #[must_use]
@@ -153,6 +170,13 @@ impl Recorder {
     #[must_use]
     pub fn tells_delta_v(&self, axes: Axes, before: f64) -> Option<RecordersDeltaV> {
         self.delta_v(axes, before).filter(|(_, complete)| *complete).map(|(told, _)| told)
+    }
+
+    /// The least ΔV, where the record does not hold the whole of it: it ends before the impact does, or the
+    /// recorder did not finish it. `before` as in [`tells_delta_v`](Self::tells_delta_v).
+    #[must_use]
+    pub fn least_delta_v(&self, axes: Axes, before: f64) -> Option<RecordersDeltaV> {
+        self.delta_v(axes, before).filter(|(_, complete)| !complete).map(|(told, _)| told)
     }
 
     /// One of several records, as the record of a recorder that has one.

@@ -217,6 +217,12 @@ pub fn message(seen: &SeenWarning, units: Units) -> String {
                 said(*found)
             )
         }
+        Warning::BelowRecord { vehicle, recorded, found } => format!(
+            "the recorder of vehicle {vehicle} has ΔV of {} when its record ends, and the whole ΔV is greater, but this \
+             answer has at most {}; check the mass, the crush and the PDOF, and that the record is of this impact",
+            speed(*recorded),
+            speed(*found)
+        ),
         Warning::SeveralStarts { vehicle, used, others } => {
             let told = |[v, rate]: [f64; 2]| {
                 format!("{} at {}", speed(v), units.format(Measure::YawRateDegrees, rate))

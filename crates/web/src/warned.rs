@@ -36,6 +36,7 @@ pub(crate) fn keys(warning: &Warning) -> Vec<String> {
         Warning::BurgInertia { .. } => "yaw_inertia",
         Warning::MomentumDiffers { .. } => "after",
         Warning::EvidenceDiffers { evidence, .. } => evidence.key(),
+        Warning::BelowRecord { .. } => "recorder",
         Warning::SeveralStarts { .. } | Warning::RestMissed { .. } | Warning::RotationOpposes { .. } => {
             "after.rest"
         }
