@@ -171,8 +171,8 @@ impl AvoidRun {
 pub struct Enough {
     /// (m/s) the speed.
     pub speed: f64,
-    /// (m/s²) at the speed driven and with the reaction time of `[avoid]`, the deceleration; `None` if none
-    /// is.
+    /// (m/s²) at the speed driven and with the reaction time of `[avoid]`, the deceleration; zero if the
+    /// vehicle comes late enough without braking, `None` if none is.
     pub deceleration: Option<f64>,
     /// (s) at the speed driven and with the deceleration of `[avoid]`, the longest reaction time; `None` if
     /// none is.

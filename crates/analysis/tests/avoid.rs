@@ -362,6 +362,36 @@ fn combinations_agree_with_steps() {
     assert!((way - 30.0).abs() < 1e-9, "{way}");
 }
 
+/// Unbraked at 20 m/s, 30 m away: there after 1.5 s. The other party needs another 0.1 s, so that 1.6 s are
+/// enough, far less than to stop takes.
+#[test]
+fn less_braking_is_enough_in_time_than_in_space() {
+    let text = |limit: &str, clear: &str| {
+        format!(
+            "[vehicle1]\nspeed = \"20 m/s\"\n[avoid]\nunbraked = true\nlimit = \"{limit} m/s\"\n\
+             reaction_time = \"1 s\"\nswell = \"0 s\"\ndeceleration = \"7 m/s^2\"\n\
+             demand = {{ distance = \"30 m\" }}\n{clear}\n"
+        )
+    };
+    let clear = "clear = { distance = \"0.1 m\", speed = \"1 m/s\" }";
+    let enough = asked(&text("19", clear)).enough;
+    // 30 = 20 · 1.6 − a (1.6 − t_R)²/2
+    let deceleration = 2.0 * (20.0 * 1.6 - 30.0) / (0.6 * 0.6);
+    assert!((enough.deceleration.unwrap() - deceleration).abs() < 1e-9, "{enough:?}");
+    let reaction = 1.6 - f64::sqrt(2.0 * (20.0 * 1.6 - 30.0) / 7.0);
+    assert!((enough.reaction.unwrap() - reaction).abs() < 1e-9, "{enough:?}");
+    let deceleration = 2.0 * (19.0 * 1.6 - 30.0) / (0.6 * 0.6);
+    assert!((enough.deceleration_at_limit.unwrap() - deceleration).abs() < 1e-9, "{enough:?}");
+    // At 18 m/s it takes 30/18 = 1.67 s without braking.
+    let enough = asked(&text("18", clear)).enough;
+    assert_eq!(enough.deceleration_at_limit, Some(0.0));
+    assert!((enough.reaction_at_limit.unwrap() - 1.6).abs() < 1e-12, "{enough:?}");
+    // In space alone: v²/2a in the 10 m that the reaction leaves, and 28.6 m of the 30 with 7 m/s².
+    let enough = asked(&text("18", "")).enough;
+    assert!((enough.deceleration.unwrap() - 400.0 / 20.0).abs() < 1e-9, "{enough:?}");
+    assert!((enough.reaction.unwrap() - (30.0 - 400.0 / 14.0) / 20.0).abs() < 1e-9, "{enough:?}");
+}
+
 /// The case of a pedestrian behind a van, with other lines in `[avoid]` and before it.
 fn behind_a_van(before: &str, lines: &str) -> String {
     format!(

@@ -142,18 +142,31 @@ proptest! {
                 let [_, arrival] = keeping(temporal).unwrap();
                 prop_assert!((arrival - (time + clears)).abs() < 2e-3, "{} {}", arrival, time + clears);
             }
-            if let Some(least) = found.enough.deceleration_at_limit.filter(|least| *least < SHARP) {
-                let with = |full: f64| run(Some([reaction, 0.2, full]), limit).at(limit, distance);
-                prop_assert!(with(least * 1.02).is_none() && with(least * 0.98).is_some());
+            // What avoids it, in space or in time: a little more does, and a little less does not.
+            let cleared = time + clears;
+            let avoids = |at: Option<[f64; 2]>| at.is_none_or(|[_, arrival]| arrival > cleared - 2e-3);
+            let fails = |at: Option<[f64; 2]>| at.is_some_and(|[_, arrival]| arrival < cleared + 2e-3);
+            for (least, v0, greatest) in [
+                (found.enough.deceleration_at_limit, limit, limit),
+                (found.enough.deceleration, v0, f64::INFINITY),
+            ] {
+                let with = |full: f64| run(Some([reaction, 0.2, full]), greatest).at(v0, distance);
+                match least {
+                    Some(0.0) => prop_assert!(avoids(with(1e-6))),
+                    Some(least) if least < SHARP => {
+                        prop_assert!(avoids(with(least * 1.02)) && fails(with(least * 0.98)), "{}", least);
+                    }
+                    Some(_) => {}
+                    None => prop_assert!(fails(with(0.9 * SHARP))),
+                }
             }
-            if let Some(longest) = found.enough.reaction {
-                let with = |reaction: f64| run(Some([reaction, 0.2, full]), f64::INFINITY).at(v0, distance);
-                prop_assert!(longest < 0.01 || with(longest - 2e-3).is_none());
-                prop_assert!(with(longest + 2e-3).is_some());
-            }
-            if let Some(least) = found.enough.deceleration.filter(|least| *least < SHARP) {
-                let with = |full: f64| run(Some([reaction, 0.2, full]), f64::INFINITY).at(v0, distance);
-                prop_assert!(with(least * 1.02).is_none() && with(least * 0.98).is_some());
+            let with = |reaction: f64| run(Some([reaction, 0.2, full]), f64::INFINITY).at(v0, distance);
+            match found.enough.reaction {
+                Some(longest) => {
+                    prop_assert!(longest < 0.01 || avoids(with(longest - 2e-3)), "{}", longest);
+                    prop_assert!(longest >= cleared || fails(with(longest + 2e-3)), "{}", longest);
+                }
+                None => prop_assert!(fails(with(0.0))),
             }
         }
     }

@@ -1279,14 +1279,15 @@ class AvoidanceRun(Record):
 
 
 class Enough(Record):
-    """What would have been enough; None of what nothing would have been."""
+    """What would have been enough, in space or, where the case has ``clear``, in time; None of what nothing
+    would have been."""
 
     speed: float
     """(m/s) at most."""
     deceleration: float | None
-    """(m/s²) at least, at the speed driven."""
+    """(m/s²) at least, at the speed driven; 0 if the vehicle comes late enough without braking."""
     reaction_time: float | None
-    """(s) at most, at the speed driven."""
+    """(s) at most, at the speed driven; where ``deceleration`` is 0, the time until the other party is gone."""
     deceleration_at_limit: float | None
     """(m/s²) at least, at the limit."""
     reaction_time_at_limit: float | None

@@ -334,7 +334,7 @@ impl AvoidScene {
     /// zone, if that would have moved on; likewise.
     #[must_use]
     pub fn temporal(&self) -> Option<f64> {
-        let cleared = self.time + self.clears_after?;
+        let cleared = self.cleared()?;
         let early = |course: &AvoidCourse| cleared - course.arrival(self.distance).unwrap_or(f64::INFINITY);
         Some(self.just(&|distance| self.response.speed_to_arrive_after(distance, cleared), &early))
     }
@@ -453,44 +453,61 @@ impl AvoidScene {
     #[must_use]
     pub fn is_avoided_else_as_it_was(&self) -> bool {
         let course = self.at_limit_else_as_it_was();
-        let clears = self.clears_after.map(|after| self.time + after);
-        match course.arrival(self.distance) {
-            Some(arrival) if course.speed_at(self.distance) > 0.0 => {
-                clears.is_some_and(|clears| arrival >= clears)
-            }
-            _ => true,
-        }
+        course.speed_at(self.distance) <= 0.0
+            || course.arrival(self.distance).is_none()
+            || self.is_late(&course)
     }
 
-    /// (m/s²) the least deceleration that stops the vehicle before the place of the impact from the speed
-    /// driven, or from the limit; `None` if none does.
+    /// (m/s²) the least deceleration that avoids the collision from the speed driven, or from the limit: the
+    /// vehicle stops before the place of the impact, or comes there after the other party has left the danger
+    /// zone, zero if it does so without braking; `None` if no deceleration does.
     #[must_use]
     pub fn least_deceleration(&self, is_at_limit: bool) -> Option<f64> {
         let [speed, greatest] = self.asked(is_at_limit);
-        let [speed, distance] = self.as_if_steady(speed, greatest);
-        self.response.deceleration_to_stop_within(speed, distance)
+        let [steady, distance] = self.as_if_steady(speed, greatest);
+        let in_space = self.response.deceleration_to_stop_within(steady, distance);
+        let is_late = |deceleration: f64| {
+            self.is_late(&self.responding(speed, self.response.with_deceleration(deceleration), greatest))
+        };
+        let most = in_space.unwrap_or(MOST_DECELERATION);
+        let in_time = match () {
+            () if is_late(LEAST_DECELERATION) => Some(0.0),
+            () if is_late(most) => Some(last_that_holds(is_late, [most, LEAST_DECELERATION])),
+            () => None,
+        };
+        in_time.or(in_space)
     }
 
-    /// (s) the longest reaction with which it stops there, likewise.
+    /// (s) the longest reaction with which the collision is avoided, likewise; where it is avoided without
+    /// braking, the time that the other party takes.
     #[must_use]
     pub fn longest_reaction(&self, is_at_limit: bool) -> Option<f64> {
         let [speed, greatest] = self.asked(is_at_limit);
-        if self.gain(self.time, speed, greatest).speed <= 0.0 {
-            return self.response.reaction_to_stop_within(speed, self.distance);
-        }
-        let stops = |reaction: f64| {
-            let course = self.responding(speed, self.response.with_reaction(reaction), greatest);
-            course.stop().is_some_and(|stop| stop <= self.distance)
+        let course = |reaction: f64| self.responding(speed, self.response.with_reaction(reaction), greatest);
+        let stops = |reaction: f64| course(reaction).stop().is_some_and(|stop| stop <= self.distance);
+        let in_space = if self.gain(self.time, speed, greatest).speed <= 0.0 {
+            self.response.reaction_to_stop_within(speed, self.distance)
+        } else {
+            stops(0.0).then(|| last_that_holds(stops, [0.0, self.time]))
         };
-        if !stops(0.0) {
-            return None;
-        }
-        let (mut enough, mut too_long) = (0.0, self.time);
-        for _ in 0..MOST_HALVINGS {
-            let middle = f64::midpoint(enough, too_long);
-            if stops(middle) { enough = middle } else { too_long = middle }
-        }
-        Some(enough)
+        let is_late = |reaction: f64| self.is_late(&course(reaction));
+        let in_time = self
+            .cleared()
+            .filter(|_| is_late(0.0))
+            .map(|cleared| if is_late(cleared) { cleared } else { last_that_holds(is_late, [0.0, cleared]) });
+        // The later of both: who stops before the place comes there never, and so late enough, too.
+        in_time.or(in_space)
+    }
+
+    /// (s) after the demand, the other party has left the danger zone; `None` if that is not asked.
+    fn cleared(&self) -> Option<f64> {
+        self.clears_after.map(|after| self.time + after)
+    }
+
+    /// Whether a course leads to the place of the impact after the other party has left the danger zone, or
+    /// never; never true if that is not asked.
+    fn is_late(&self, course: &AvoidCourse) -> bool {
+        self.cleared().is_some_and(|cleared| course.arrival(self.distance).is_none_or(|time| time >= cleared))
     }
 
     /// (m/s) the speed at the demand, and the one that is not exceeded later.
@@ -522,8 +539,21 @@ impl AvoidScene {
     }
 }
 
-/// Halvings after which a reaction is known to the last bit.
+/// Halvings after which a number is known to the last bit.
 const MOST_HALVINGS: u32 = 60;
+
+/// (m/s²) as good as no braking, and more than any vehicle has.
+const LEAST_DECELERATION: f64 = 1e-6;
+const MOST_DECELERATION: f64 = 1e3;
+
+/// The last number on the way from one that holds to one that does not.
+fn last_that_holds(holds: impl Fn(f64) -> bool, [mut held, mut failed]: [f64; 2]) -> f64 {
+    for _ in 0..MOST_HALVINGS {
+        let middle = f64::midpoint(held, failed);
+        if holds(middle) { held = middle } else { failed = middle }
+    }
+    held
+}
 
 /// (m/s) to which a speed is found that just avoids the collision.
 const TOLERANCE: f64 = 1e-10;

@@ -662,7 +662,7 @@ fn on_the_runs(case: &Case, found: &Avoidance, units: Units) -> Vec<String> {
                 let by = longest - response.reaction();
                 let compared = if by >= 0.0 { "longer" } else { "shorter" };
                 format!(
-                    " At the speed driven, a reaction of up to {} would have let it stop before the place, {} {compared} than that of the inputs.",
+                    " At the speed driven, a reaction of up to {} would have avoided the collision, {} {compared} than that of the inputs.",
                     time(longest),
                     time(by)
                 )
@@ -774,31 +774,34 @@ fn just_avoiding(found: &Avoidance, units: Units) -> Table {
 }
 
 fn enough(found: &Avoidance, units: Units) -> Block {
-    let none = || "none is enough to stop before the place".to_owned();
     let enough = &found.enough;
+    let is_in_time = found.scene.clears_after.is_some();
+    let none = if is_in_time { "none is enough" } else { "none is enough to stop before the place" };
     let of = |measure, value: Option<f64>, word: &str| {
-        value.map_or_else(none, |value| format!("{word} {}", units.format(measure, value)))
+        value.map_or_else(|| none.to_owned(), |value| format!("{word} {}", units.format(measure, value)))
     };
+    let braking = |[deceleration, reaction]: [Option<f64>; 2]| {
+        if deceleration == Some(0.0) {
+            let unbraked = || "any: without braking, the vehicle comes late enough".to_owned();
+            return [unbraked(), unbraked()];
+        }
+        [of(Measure::Acceleration, deceleration, "at least"), of(Measure::Time, reaction, "at most")]
+    };
+    let [deceleration, reaction] = braking([enough.deceleration, enough.reaction]);
+    let [deceleration_at_limit, reaction_at_limit] =
+        braking([enough.deceleration_at_limit, enough.reaction_at_limit]);
     Block::Facts {
-        title: "What would have been enough",
+        title: if is_in_time {
+            "What would have been enough, in space or in time"
+        } else {
+            "What would have been enough, in space"
+        },
         facts: vec![
-            ("Speed, in space or in time", of(Measure::RoadSpeed, Some(enough.speed), "at most")),
-            (
-                "Deceleration to stop in space, at the speed driven",
-                of(Measure::Acceleration, enough.deceleration, "at least"),
-            ),
-            (
-                "Reaction time to stop in space, at the speed driven",
-                of(Measure::Time, enough.reaction, "at most"),
-            ),
-            (
-                "Deceleration to stop in space, at the limit",
-                of(Measure::Acceleration, enough.deceleration_at_limit, "at least"),
-            ),
-            (
-                "Reaction time to stop in space, at the limit",
-                of(Measure::Time, enough.reaction_at_limit, "at most"),
-            ),
+            ("Speed", of(Measure::RoadSpeed, Some(enough.speed), "at most")),
+            ("Deceleration, at the speed driven", deceleration),
+            ("Reaction time, at the speed driven", reaction),
+            ("Deceleration, at the limit", deceleration_at_limit),
+            ("Reaction time, at the limit", reaction_at_limit),
             ("The other party not entering", "no collision, whatever the vehicle does".to_owned()),
         ],
     }
