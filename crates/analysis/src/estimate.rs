@@ -1,5 +1,6 @@
 //! Both speeds, and all other results, from all the evidence of a case.
 
+mod agreement;
 mod block;
 mod impacts;
 mod notes;
@@ -25,6 +26,7 @@ use crate::output::Output;
 use crate::quantities::{DELTA_V, DELTA_V_LONGITUDINAL};
 use crate::uncertainty::NOISE;
 use crate::warning::Warning;
+pub use agreement::{Agreement, CONTRADICTS, DOUBTFUL};
 pub use notes::{Unused, UnusedReason};
 use outputs::Told;
 use pieces::There;

@@ -79,9 +79,9 @@ mod warning;
 
 pub use self::analysis::Analysis;
 pub use self::estimate::{
-    Assumed, EstimatePlan, EstimateStage, Estimated, EstimatedOutput, MISSED, PieceDetail, PieceFound,
-    SameTwice, Stood, TOLD_BELOW, UnknownNumber, Unused, UnusedReason, estimate, estimate_evidence,
-    estimate_outputs, injury,
+    Agreement, Assumed, CONTRADICTS, DOUBTFUL, EstimatePlan, EstimateStage, Estimated, EstimatedOutput,
+    MISSED, PieceDetail, PieceFound, SameTwice, Stood, TOLD_BELOW, UnknownNumber, Unused, UnusedReason,
+    estimate, estimate_evidence, estimate_outputs, injury,
 };
 pub use self::evidence::{ByEvidence, EvidenceAnswer, EvidenceMethod, NoEvidence};
 pub use self::uncertainty::{

@@ -80,60 +80,6 @@ pub(crate) fn told_speed(found: &EstimatedOutput, units: Units) -> String {
 /// (–) if an interval begins at zero and ends above this many times the median, only its end is shown.
 const FAR_ABOVE: f64 = 4.0;
 
-/// (–) probability that any piece raises a warning if all are right: the least p-value has to be below its
-/// share of this (Holm).
-pub(crate) const DOUBTFUL: f64 = 0.05;
-/// (–) a piece that raises a warning and has a p-value below this contradicts the rest.
-pub(crate) const CONTRADICTS: f64 = 0.01;
-
-#[expect(clippy::cast_precision_loss, reason = "a number of pieces")]
-fn times(count: usize) -> f64 {
-    count as f64
-}
-
-/// The verdict of all other evidence on a piece.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Agreement {
-    Agrees,
-    Doubtful,
-    Contradicts,
-}
-
-impl Agreement {
-    /// The verdict on each piece, with its p-value times the number of p-values that are no smaller (S. Holm,
-    /// Scandinavian Journal of Statistics 6, 1979), at most 1; `None` without a p-value.
-    pub(crate) fn of_all(pieces: &[PieceFound]) -> Vec<Option<(Self, f64)>> {
-        let mut order: Vec<(usize, f64)> = pieces
-            .iter()
-            .enumerate()
-            .filter_map(|(place, piece)| Some((place, piece.p_value?.value)))
-            .collect();
-        order.sort_by(|a, b| a.1.total_cmp(&b.1));
-        let mut found = vec![None; pieces.len()];
-        let mut greatest: f64 = 0.0;
-        let count = order.len();
-        for (rank, (place, p)) in order.into_iter().enumerate() {
-            // p′ = max over those before of (m − k) p
-            greatest = greatest.max((p * times(count - rank)).min(1.0));
-            let agreement = match greatest {
-                adjusted if adjusted >= DOUBTFUL => Self::Agrees,
-                _ if p < CONTRADICTS => Self::Contradicts,
-                _ => Self::Doubtful,
-            };
-            found[place] = Some((agreement, greatest));
-        }
-        found
-    }
-
-    pub(crate) fn name(self) -> &'static str {
-        match self {
-            Self::Agrees => "agrees",
-            Self::Doubtful => "doubtful",
-            Self::Contradicts => "contradicts",
-        }
-    }
-}
-
 /// Whether the unknown number is a factor on what its key names.
 pub(crate) fn is_factor(unknown: &UnknownNumber) -> bool {
     matches!(unknown.assumed, Some(Assumed::Ground | Assumed::Drag))

@@ -8,7 +8,8 @@ use analysis::quantities::{
     NO_DAMAGE_SPEED, OBLIQUE_ANGLE, OBLIQUE_FACTOR, PDOF, PEAK_FORCE,
 };
 use analysis::{
-    Analysis, Avoidance, Estimated, Hypothesis, Output, OutputQuantity, QUANTITIES, Samples, Seen,
+    Agreement, Analysis, Avoidance, Estimated, Hypothesis, Output, OutputQuantity, QUANTITIES, Samples, Seen,
+    Warning,
 };
 use arrow_array::builder::{BooleanBuilder, Float64Builder, Int64Builder, ListBuilder, StringBuilder};
 use arrow_array::{ArrayRef, RecordBatch};
@@ -42,7 +43,9 @@ const STATISTICS: [&str; 5] = ["p025", "median", "p975", "mean", "sd"];
 enum What {
     Error,
     Help,
+    /// Lists of words: the codes of warnings, and the keys of evidence that the rest contradicts.
     Warnings,
+    Contradicting,
     Axes,
     EnergyBasis,
     FoundQuantity,
@@ -118,6 +121,8 @@ pub(crate) struct EstimateFound {
     axes: Axes,
     converged: bool,
     ess: f64,
+    contradicting: Vec<String>,
+    warnings: Vec<String>,
     /// By the places of [`DRAWN`].
     of: Vec<Option<[f64; STATISTICS.len()]>>,
 }
@@ -152,6 +157,8 @@ fn columns(job: Job, samples: Option<usize>) -> Vec<(String, What)> {
         Job::Estimate => {
             columns.push(named("converged", What::Converged));
             columns.push(named("ess", What::EffectiveSamples));
+            columns.push(named("contradicting", What::Contradicting));
+            columns.push(named("warnings", What::Warnings));
             for (place, output) in DRAWN.iter().enumerate() {
                 columns.extend(statistics(*output, |statistic| What::OfDraws(place, statistic)));
             }
@@ -208,7 +215,9 @@ impl What {
     fn data_type(self) -> DataType {
         match self {
             Self::Error | Self::Help | Self::Axes | Self::EnergyBasis | Self::FoundQuantity => DataType::Utf8,
-            Self::Warnings => DataType::List(Arc::new(Field::new_list_field(DataType::Utf8, true))),
+            Self::Warnings | Self::Contradicting => {
+                DataType::List(Arc::new(Field::new_list_field(DataType::Utf8, true)))
+            }
             Self::AdmissibleRoots | Self::Samples | Self::Succeeded => DataType::Int64,
             Self::Converged | Self::IsAvoidable(_) => DataType::Boolean,
             Self::Quantity(..)
@@ -251,6 +260,15 @@ impl What {
             _ => return None,
         };
         i64::try_from(count).ok()
+    }
+
+    fn words(self, found: &Found) -> Option<&[String]> {
+        match (self, found) {
+            (Self::Warnings, Found::Analysis(_, warnings, _)) => Some(warnings),
+            (Self::Warnings, Found::Estimate(found)) => Some(&found.warnings),
+            (Self::Contradicting, Found::Estimate(found)) => Some(&found.contradicting),
+            _ => None,
+        }
     }
 
     fn text(self, outcome: &Outcome) -> Option<&str> {
@@ -336,11 +354,9 @@ impl Builder {
                 Filled::Wholes(wholes) => wholes.append_option(found.and_then(|found| what.whole(found))),
                 Filled::Texts(texts) => texts.append_option(what.text(outcome)),
                 Filled::Flags(flags) => flags.append_option(found.and_then(|found| what.flag(found))),
-                Filled::Lists(lists) => match found {
-                    Some(Found::Analysis(_, warnings, _)) => {
-                        lists.append_value(warnings.iter().map(Some));
-                    }
-                    _ => lists.append_null(),
+                Filled::Lists(lists) => match found.and_then(|found| what.words(found)) {
+                    Some(words) => lists.append_value(words.iter().map(Some)),
+                    None => lists.append_null(),
                 },
             }
         }
@@ -363,14 +379,7 @@ impl Builder {
 impl Found {
     pub(crate) fn analysis(case: &Case, analysis: &Analysis, spread: Option<Spread>) -> Self {
         let seen = analysis.seen(case.axes);
-        let codes = seen.warnings.iter().map(|seen| {
-            let warning = seen.warning();
-            match warning.vehicle() {
-                Some(id) => format!("vehicle{id}.{}", warning.code()),
-                None => warning.code().to_owned(),
-            }
-        });
-        let codes = codes.collect();
+        let codes = seen.warnings.iter().map(|seen| code(seen.warning())).collect();
         Self::Analysis(Box::new(seen), codes, spread)
     }
 
@@ -388,8 +397,22 @@ impl Found {
             let widest = summary.intervals.last().filter(|_| converged)?;
             Some([widest.low, summary.median, widest.high, summary.mean, summary.sd].map(|one| one.value))
         };
-        let of = DRAWN.iter().map(of).collect();
-        Self::Estimate(Box::new(EstimateFound { axes: case.axes, converged, ess: estimated.ess(), of }))
+        Self::Estimate(Box::new(EstimateFound {
+            axes: case.axes,
+            converged,
+            ess: estimated.ess(),
+            contradicting: estimated.with_agreement(Agreement::Contradicts),
+            warnings: estimated.warnings.iter().map(code).collect(),
+            of: DRAWN.iter().map(of).collect(),
+        }))
+    }
+}
+
+/// The code of a warning, with its vehicle.
+fn code(warning: &Warning) -> String {
+    match warning.vehicle() {
+        Some(id) => format!("vehicle{id}.{}", warning.code()),
+        None => warning.code().to_owned(),
     }
 }
 

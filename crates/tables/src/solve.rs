@@ -271,7 +271,7 @@ impl Row<'_> {
             }
             Job::Estimate => {
                 let RowOptions { particles, prior, .. } = *self.options;
-                let plan = EstimatePlan { particles, seed, prior, pieces: PieceDetail::Weighed };
+                let plan = EstimatePlan { particles, seed, prior, pieces: PieceDetail::Compared };
                 let estimated =
                     analysis::estimate(case, &plan, &mut |_, _, _| self.goes_on()).map_err(refused)?;
                 let refusal = (!estimated.doubts().is_empty()).then(|| RowRefusal {

@@ -317,6 +317,35 @@ fn table_of(rows: &[(Option<f64>, Option<f64>, Option<i64>)]) -> RecordBatch {
     ])
 }
 
+/// The words of a list in each row.
+fn words(results: &RecordBatch, column: &str) -> Vec<Vec<String>> {
+    let lists = results.column_by_name(column).unwrap().as_list::<i32>();
+    let of = |list: ArrayRef| list.as_string::<i32>().iter().flatten().map(str::to_owned).collect();
+    lists.iter().map(|list| of(list.unwrap())).collect()
+}
+
+/// A lateral ΔV of −26 km/h agrees with the rest, and one of 80 km/h the other way with nothing. Of a record
+/// that the recorder did not finish, 150 km/h is a bound above all answers.
+#[test]
+fn an_estimate_names_what_contradicts_it_and_its_warnings() {
+    let text = include_str!("../../../fixtures/estimate.toml");
+    let template = RowTemplate::parse("t.toml", text).unwrap();
+    let columns = batch(vec![
+        ("vehicle2.recorder.delta_v_lateral [km/h]", Arc::new(Float64Array::from(vec![-26.0, 80.0, -150.0]))),
+        ("vehicle2.recorder.incomplete", Arc::new(BooleanArray::from(vec![false, false, true]))),
+    ]);
+    let options = RowOptions { particles: 128, seed: 3, ..RowOptions::default() };
+    let results =
+        run(Job::Estimate, &columns, &template, &options, &|_, _| ControlFlow::Continue(())).unwrap();
+    assert_eq!(errors(&results), [None, None, None]);
+    let [agrees, reversed, bounded] = &words(&results, "contradicting")[..] else { panic!() };
+    assert!(agrees.is_empty() && bounded.is_empty(), "{agrees:?} {bounded:?}");
+    assert!(reversed.iter().any(|key| key.starts_with("vehicle2.recorder")), "{reversed:?}");
+    let bound = "vehicle2.below-record".to_owned();
+    let warned: Vec<bool> = words(&results, "warnings").iter().map(|codes| codes.contains(&bound)).collect();
+    assert_eq!(warned, [false, false, true]);
+}
+
 proptest! {
     #![proptest_config(ProptestConfig { cases: 24, ..ProptestConfig::default() })]
 

@@ -223,7 +223,9 @@ fn is_a_column(code: &str) -> bool {
     let options = RowOptions { samples: Some(1000), ..RowOptions::default() };
     is_read(DataType::Float64)
         || is_read(DataType::Utf8)
-        || result_schema(Job::Reconstruct, &options).field_with_name(code).is_ok()
+        || [Job::Reconstruct, Job::Estimate]
+            .iter()
+            .any(|job| result_schema(*job, &options).field_with_name(code).is_ok())
 }
 
 fn judge(code: &str, of: &Page, vocabulary: &[String]) -> bool {

@@ -4,7 +4,7 @@ use std::io::{self, Write};
 
 use ::estimate::{DrawsSummary, SamplerDoubt};
 use ::uncertainty::{Distribution, Estimate, Shape};
-use analysis::{Estimated, EstimatedOutput, PieceFound, Stood, UnknownNumber, UnusedReason};
+use analysis::{Agreement, Estimated, EstimatedOutput, PieceFound, Stood, UnknownNumber, UnusedReason};
 use case::CaseFile;
 use evidence::{CrushErrors, EnergyError, EnergyMethod, TestedClass};
 use pim_core::VehicleId;
@@ -15,7 +15,7 @@ use super::json::WarningBlock;
 use super::uncertainty::InOrder;
 use super::{identified, pretty, title};
 use crate::estimates::{
-    Agreement, Asked, EIGHTY, HALF, NINETY, Question, WIDEST, doubt_code, doubted, ends, factor, unknown_key,
+    Asked, EIGHTY, HALF, NINETY, Question, WIDEST, doubt_code, doubted, ends, factor, unknown_key,
 };
 
 #[derive(Serialize)]

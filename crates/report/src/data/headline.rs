@@ -2,11 +2,11 @@
 
 use ::estimate::DrawsSummary;
 use analysis::quantities::{DELTA_V, SPEED};
-use analysis::{Analysis, Output, Overdetermined, Solution, Weighed};
+use analysis::{Agreement, Analysis, Output, Overdetermined, Solution, Weighed};
 use pim_core::VehicleId;
 use serde::Serialize;
 
-use crate::estimates::{Agreement, WIDEST, ends};
+use crate::estimates::{WIDEST, ends};
 use crate::words;
 
 /// The answer of a case.
@@ -100,25 +100,13 @@ impl HeadlineBlock {
                 speed: figure(SPEED.of_vehicle(vehicle)),
                 delta_v: figure(DELTA_V.of_vehicle(vehicle)),
             };
-            let pieces = &weighed.estimated.pieces;
-            let judged = || pieces.iter().zip(Agreement::of_all(pieces));
-            let named = |wanted: Agreement| {
-                let is = |agreement: Option<(Agreement, f64)>| agreement.is_some_and(|(is, _)| is == wanted);
-                judged().filter(|(_, agreement)| is(*agreement)).map(|(piece, _)| piece.key.clone()).collect()
-            };
-            let mut contradicting: Vec<String> = named(Agreement::Contradicts);
-            for key in &weighed.estimated.missed {
-                if !contradicting.contains(key) {
-                    contradicting.push(key.clone());
-                }
-            }
             let [vehicle1, vehicle2] = moving(&of);
             return Some(Self {
                 by: if weighed.is_answer() { "estimate" } else { "none" },
                 why_not_exact: Some(WhyBlock::of(&weighed.why)),
                 converged: Some(weighed.estimated.doubts().is_empty()),
-                contradicting,
-                doubtful: named(Agreement::Doubtful),
+                contradicting: weighed.estimated.with_agreement(Agreement::Contradicts),
+                doubtful: weighed.estimated.with_agreement(Agreement::Doubtful),
                 vehicle1,
                 vehicle2,
             });

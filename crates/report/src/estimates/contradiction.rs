@@ -1,9 +1,9 @@
 //! Evidence that the other evidence contradicts, in words.
 
-use analysis::PieceFound;
+use analysis::{Agreement, PieceFound};
 use evidence::Piece;
 
-use super::{Agreement, piece_name};
+use super::piece_name;
 use crate::units::significant;
 
 /// What the other evidence contradicts or doubts, a sentence for each piece.

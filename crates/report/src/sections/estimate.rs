@@ -4,8 +4,8 @@ use ::estimate::DrawsSummary;
 use ::uncertainty::{Distribution, Shape};
 use analysis::quantities::{DELTA_V, SPEED};
 use analysis::{
-    Assumed, Estimated, EstimatedOutput, MISSED, Output, SeenWarning, Stood, TOLD_BELOW, UnknownNumber,
-    Weighed,
+    Agreement, Assumed, CONTRADICTS, DOUBTFUL, Estimated, EstimatedOutput, MISSED, Output, SeenWarning,
+    Stood, TOLD_BELOW, UnknownNumber, Weighed,
 };
 use case::{Case, SeverityPrior};
 use evidence::TestedClass;
@@ -14,9 +14,8 @@ use pim_core::VehicleId;
 use super::uncertainty::{decimals_of, grouped};
 use crate::document::{Block, Column, Document, NONE, Table, Width};
 use crate::estimates::{
-    Agreement, Asked, CONTRADICTS, DOUBTFUL, EIGHTY, HALF, NINETY, Question, WIDEST, contradictions,
-    crush_words, doubt_words, ends, error, error_key, is_factor, median_and_interval, p_value, piece_name,
-    source, told_speed, unknown_key, unused,
+    Asked, EIGHTY, HALF, NINETY, Question, WIDEST, contradictions, crush_words, doubt_words, ends, error,
+    error_key, is_factor, median_and_interval, p_value, piece_name, source, told_speed, unknown_key, unused,
 };
 use crate::outputs::{label, output_name, pictured};
 use crate::pictures;

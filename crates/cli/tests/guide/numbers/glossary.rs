@@ -226,7 +226,7 @@ fn answer(ledger: &mut Ledger) {
 
 fn ranges(ledger: &mut Ledger) {
     ledger.cited("interval holds 95 %", "LEVELS of deltav-estimate");
-    let limits = "DOUBTFUL and CONTRADICTS in crates/report/src/estimates.rs";
+    let limits = "DOUBTFUL and CONTRADICTS in crates/analysis/src/estimate/agreement.rs";
     ledger.cited("From 0.05 … below 0.01", limits);
     ledger.made(format!("holds … {} %", within(1.0)));
     ledger.made(format!("power … {}", 2_u32.pow(16)));
@@ -287,6 +287,12 @@ fn warnings(ledger: &mut Ledger) {
         warned(&[line]).warnings.iter().any(|warning| matches!(warning, Warning::EvidenceDiffers { .. }))
     };
     ledger.made(format!("deviations … {} km/h", number(3.6 * threshold(4.0, 0.0, recorder), 0)));
+    let least = "LEAST_DIFFERENCE in crates/analysis/src/aside.rs";
+    ledger.cited("bound, by more than 5 km/h", least);
+    ledger.cited("the whole 95 % interval", "LEVELS of deltav-estimate");
+    ledger.cited("is below it by more than 5 km/h", least);
+    ledger.cited("recorders of crashes of 2017", "the data of docs/calibration.md");
+    ledger.made(format!("average {} % … impact took", number(100.0 * evidence::FITTED.crush_bias.exp(), 0)));
     ledger.cited("good … 10°", "somewhat less than half an hour of the clock");
     ledger.made(format!("hour of the clock by more … {:.0}°", (clock(2) - clock(1)) / 2.0));
     ledger.made(format!("more than … {:.0}° for each", (clock(2) - clock(1)) / 2.0));
