@@ -351,9 +351,9 @@ pub(crate) fn unknowns(analysis: &Analysis) -> Vec<f64> {
 /// The integration of a path with derivatives that takes `time` (s): in steps down to the rest, and in far
 /// shorter ones than the path itself needs. Its error grows with the square of the steps that meet a kink of
 /// the forces, but that of the derivatives with their length, and the search back from a rest magnifies it.
-/// Of 60 random motions on the level, the derivatives of the motion at the start by the rest and by the radius
-/// of gyration then differ from those in steps of 0.5 ms by 0.006 % of their size in the median and by 0.3 %
-/// at most; with the steps of the path by 0.3 % and 200 %.
+/// Of 60 random motions on the level, the derivatives of the motion at the start by the rest and by the
+/// radius of gyration then differ from those in steps of 0.5 ms by 0.006 % of their size in the median and by
+/// 0.3 % at most; with the steps of the path by 0.3 % and 200 %.
 fn differentiated(time: f64) -> Control {
     // A vehicle that rolls for minutes takes few more of them than one that spins to rest in five seconds.
     let longer = (time / 5.0).max(1.0);

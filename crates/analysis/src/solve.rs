@@ -42,9 +42,10 @@ pub(crate) fn reconstruct(case: &Case) -> Result<Analysis, Failure> {
         affine_impact,
         iterations,
     };
-    let warnings = warning::of_found(case, &found);
+    let mut warnings = warning::of_found(case, &found);
     let impact = Impact::new(problem.contact, problem.law, answer.law, answer.outcome);
     let vehicles = damage::assess(vehicles, impact.pdof.map(Some))?;
+    warnings.extend(warning::of_categories(case, &vehicles));
     let (travel, surface) = run_out(case, impact.outcome.after)?;
     let restitution = Some(impact.law.restitution());
     let analysis = judged(case, vehicles, basis, restitution, (Some(found), Some(impact)), warnings)?;

@@ -3,6 +3,7 @@
 use std::f64::consts::TAU;
 
 use crash3::{EnergyBasis, Side, principal_angle};
+use evidence::FITTED;
 use inputs::{
     Basis, Case, ContactSpread, Dimension, FaceAxis, Origin, Quantity, StiffnessForm, StiffnessSource, Unit,
     Variable, VehicleKind, Velocity, YawSource,
@@ -121,6 +122,14 @@ pub enum Warning {
         recorded: f64,
         /// (m/s) ΔV of the answer in the same direction, or the upper end of its 95 % interval.
         found: f64,
+    },
+    /// The answer takes crush energies by categories of stiffness as they are, but on average they are too
+    /// small.
+    CategoryEnergy {
+        /// The vehicles with a category.
+        of: [bool; 2],
+        /// (–) their average share of the energy that recorders show.
+        share: f64,
     },
     /// Several motions after the impact lead to the rest position of a vehicle.
     SeveralStarts {
@@ -499,6 +508,7 @@ impl Warning {
         Self::MomentumDiffers { .. } => "momentum-differs",
         Self::EvidenceDiffers { .. } => "evidence-differs",
         Self::BelowRecord { .. } => "below-record",
+        Self::CategoryEnergy { .. } => "category-energy",
         Self::SeveralStarts { .. } => "several-starts",
         Self::PointMissed { .. } => "point-missed",
         Self::RestMissed { .. } => "rest-missed",
@@ -573,6 +583,7 @@ impl Warning {
             | Self::ContactApart { .. }
             | Self::PdofsNotOpposite { .. }
             | Self::DamageEnergyDiffers { .. }
+            | Self::CategoryEnergy { .. }
             | Self::SlidingDriven { .. }
             | Self::RotationDriven { .. }
             | Self::LargeImpulseRatio { .. }
@@ -591,6 +602,7 @@ impl Warning {
             Self::MomentumDiffers { .. }
                 | Self::EvidenceDiffers { .. }
                 | Self::BelowRecord { .. }
+                | Self::CategoryEnergy { .. }
                 | Self::SeveralStarts { .. }
                 | Self::DamageEnergyDiffers { .. }
                 | Self::DeltaVDiffers { .. }
@@ -623,6 +635,18 @@ pub(crate) fn of_found(case: &Case, found: &Found) -> Vec<Warning> {
     }
     of_found_speed(vehicle, found.speed, &mut warnings);
     warnings
+}
+
+/// Warns where speeds between two vehicles follow from crush energies by categories of stiffness.
+pub(crate) fn of_categories(case: &Case, vehicles: &[Vehicle; 2]) -> Option<Warning> {
+    let of = vehicles.each_ref().map(|vehicle| {
+        let data = vehicle.subject.damage.as_ref();
+        data.is_some_and(|data| matches!(data.stiffness_source, StiffnessSource::Category(_)))
+    });
+    let is_corrected = case.estimate.is_some_and(|given| given.crush_bias.is_some());
+    let has_object = case.vehicles.iter().any(|vehicle| vehicle.fixed);
+    (of != [false; 2] && !is_corrected && !has_object)
+        .then(|| Warning::CategoryEnergy { of, share: real::elementary::exp(FITTED.crush_bias) })
 }
 
 /// Warnings about a speed (m/s) that was found.

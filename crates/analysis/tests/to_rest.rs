@@ -210,8 +210,8 @@ fn derivatives_of_both_speeds_are_central_differences() {
     assert!(worst.iter().all(|(_, off)| *off < CLOSE_BY_SEARCH), "{worst:#?}");
 }
 
-/// Its wheels lock and roll again as the vehicles spin, and the search back from the rests magnifies the errors
-/// of the derivatives: along the steps of the path itself they are off by up to twice the influence.
+/// The wheels lock and roll again as the vehicles spin, and the search back from the rests magnifies the
+/// errors of the derivatives: along the steps of the path itself they are off by up to twice the influence.
 #[test]
 fn derivatives_of_vehicles_that_spin_to_rest_are_central_differences() {
     let text = include_str!("../../case/templates/si/intersection.toml");

@@ -192,7 +192,7 @@ impl Input {
             bail!("{} is no Parquet file: it does not begin with PAR1", named(path))
         } else {
             // A first look counts the lines and tells wrong ones, which costs little beside the rest.
-            let lines = look_through(&name, &file).with_context(cannot)?;
+            let lines = look_through(&name, &file, cannot)?;
             file.rewind().with_context(cannot)?;
             Self::csv(&name, Box::new(file), keep, Some(lines)).with_context(cannot)
         }
@@ -364,10 +364,10 @@ fn fault(name: &str, record: &csv::ByteRecord, fields: &arrow_schema::Fields) ->
 }
 
 /// The number of rows of a CSV file. Tells rows that are wrong before any is computed.
-fn look_through(name: &str, file: &File) -> Result<usize> {
+fn look_through(name: &str, file: &File, cannot: impl Fn() -> String + Copy) -> Result<usize> {
     /// Wrong rows that are told one by one.
     const TOLD: usize = 3;
-    let Opened { mut reader, schema, .. } = Opened::of(file)?;
+    let Opened { mut reader, schema, .. } = Opened::of(file).with_context(cannot)?;
     // A table of which nothing can be read is refused as a whole.
     if columns_kept(&schema).is_err() {
         return Ok(0);
@@ -376,7 +376,7 @@ fn look_through(name: &str, file: &File) -> Result<usize> {
     let mut record = csv::ByteRecord::new();
     // The line of the last row, if its last cell goes over several.
     let mut open = None;
-    while reader.read_byte_record(&mut record).map_err(of_csv)? {
+    while reader.read_byte_record(&mut record).map_err(of_csv).with_context(cannot)? {
         rows += 1;
         let last = record.iter().next_back().unwrap_or_default();
         open = record.position().map(csv::Position::line).filter(|_| last.contains(&b'\n'));
@@ -393,7 +393,7 @@ fn look_through(name: &str, file: &File) -> Result<usize> {
     // A quote that nothing closes makes one cell of all that follows.
     if let Some(line) = open.filter(|_| !ends_in_quote(file).unwrap_or(true)) {
         bail!(
-            "line {line}: the last cell of this row opens with a double quote that nothing closes, so it would hold all the \
+            "{name}:{line}: the last cell of this row opens with a double quote that nothing closes, so it would hold all the \
              rows below: close it, or write a quote within a cell twice and the cell in quotes, as \"6\"\" long\""
         );
     }

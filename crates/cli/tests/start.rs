@@ -93,7 +93,11 @@ fn every_template_runs_as_it_is_and_finds_what_it_states() {
                 // One decimal is stated.
                 assert!((found - speed).abs() <= 0.05, "{template}: {found} {named}, not {speed}");
             }
-            assert_eq!(result["warnings"], Value::Array(Vec::new()), "{template} in {units}");
+            // A category of stiffness is what somebody without a test of the car has.
+            let warnings = result["warnings"].as_array().unwrap();
+            let mut others = warnings.iter().filter(|warning| warning["code"] != "category-energy");
+            assert_eq!(others.next(), None, "{template} in {units}");
+            assert!(warnings.is_empty() || text.contains("category = "), "{template} in {units}");
             if !alone && neither.is_none() {
                 assert_eq!(result["found"]["admissible_roots"], 1, "{template}");
             }
@@ -115,7 +119,8 @@ fn every_template_runs_as_it_is_and_finds_what_it_states() {
                 // A report to hand over samples the way back from rest, too slowly for this test.
                 if neither.is_none() {
                     let report = printed(&[command, name, "--format", written]);
-                    assert!(report.contains("No warnings."), "{template}");
+                    let told = if warnings.is_empty() { "No warnings." } else { "category-energy" };
+                    assert!(report.contains(told), "{template}");
                 }
             }
             if neither.is_none() {

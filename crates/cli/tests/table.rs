@@ -296,7 +296,9 @@ fn a_quote_that_nothing_closes_is_refused() {
     let (status, message) = table("\"6\n2,3700,x\n3,3800,y\n");
     assert_eq!(status, Some(2), "{message}");
     assert!(
-        message.contains("quote.csv:2: the last cell of this row opens with a double quote"),
+        message.starts_with("error: ")
+            && message.matches("quote.csv").count() == 1
+            && message.contains("quote.csv:2: the last cell of this row opens with a double quote"),
         "{message}"
     );
     for whole in [

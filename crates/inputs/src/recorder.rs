@@ -114,7 +114,8 @@ impl RecordersDeltaV {
         (along * along + left * left).sqrt()
     }
 
-    /// (m/s) the part of another ΔV, along and to the left, in the direction of this one; zero if this one is.
+    /// (m/s) the part of another ΔV, along and to the left, in the direction of this one; zero if this one
+    /// is.
     #[must_use]
     pub fn part_of(&self, [along, left]: [f64; 2]) -> f64 {
         let size = self.size();

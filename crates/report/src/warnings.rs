@@ -223,6 +223,16 @@ pub fn message(seen: &SeenWarning, units: Units) -> String {
             speed(*recorded),
             speed(*found)
         ),
+        Warning::CategoryEnergy { of, share } => format!(
+            "the stiffness of {} is that of a category: crush energies by such stiffness were on average {} % of what recorders \
+             show, and this answer takes them as they are, so that it is probably too low; `deltav estimate` corrects them",
+            match of {
+                [true, true] => "both vehicles",
+                [true, false] => "vehicle 1",
+                _ => "vehicle 2",
+            },
+            number(100.0 * share, 0)
+        ),
         Warning::SeveralStarts { vehicle, used, others } => {
             let told = |[v, rate]: [f64; 2]| {
                 format!("{} at {}", speed(v), units.format(Measure::YawRateDegrees, rate))

@@ -218,8 +218,8 @@ impl<'a, T: Real + From<G>, G: Real> Run<'a, T, G> {
 
     /// The derivatives of the time at rest, with a value of zero.
     ///
-    /// At the end itself they are lost: a vehicle that hardly moves has large derivatives of its slip angles, and
-    /// no more than rounding in them.
+    /// At the end itself they are lost: a vehicle that hardly moves has large derivatives of its slip angles,
+    /// and no more than rounding in them.
     fn time_at_rest(&self, acceleration: &Acceleration<T>) -> T {
         let time = self.now.time + self.fading(acceleration);
         time - T::from(time.value())

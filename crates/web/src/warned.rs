@@ -28,6 +28,10 @@ pub(crate) fn keys(warning: &Warning) -> Vec<String> {
         Warning::ForceBalance { .. } | Warning::DamageEnergyDiffers { .. } => "crush.depths",
         Warning::InferredEnergy { .. } => "crush.width",
         Warning::DamageCentroid { .. } | Warning::DamageOutside { .. } => "crush.offset",
+        Warning::CategoryEnergy { of, .. } => {
+            let vehicles = [1, 2].into_iter().zip(of).filter(|(_, of)| **of);
+            return vehicles.map(|(number, _)| format!("vehicle{number}.crush.stiffness")).collect();
+        }
         Warning::HighNoDamageSpeed { .. } | Warning::LowNoDamageSpeed { .. } => "crush.stiffness",
         Warning::NoResidualCrush { .. } => "crush.depths",
         Warning::MovesBackward { .. } | Warning::GivenSpeedUnused { .. } => "speed",
