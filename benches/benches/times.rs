@@ -29,6 +29,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     picture(&mut criterion)?;
     row_of_a_table(&mut criterion)?;
     sampling(&mut criterion)?;
+    recorders(&mut criterion)?;
     estimate(&mut criterion)?;
     all_evidence(&mut criterion)?;
     criterion.final_summary();
@@ -215,6 +216,16 @@ impl Evidence for Measured {
             }
         }
     }
+}
+
+/// What the recorders of two vehicles say alone: tables before the impact and pulses.
+fn recorders(criterion: &mut Criterion) -> Result<(), Box<dyn Error>> {
+    let case = CaseFile::parse("recorder.toml", include_str!("../../fixtures/recorder.toml"))?.case;
+    analysis::recorders(&case).map_err(|failure| failure.to_string())?;
+    criterion.bench_function("recorder/two vehicles", |b| {
+        b.iter(|| analysis::recorders(black_box(&case)).is_ok());
+    });
+    Ok(())
 }
 
 /// 16 islands of 256 particles, 4096 draws. The throughput is that of evaluations of the likelihood.

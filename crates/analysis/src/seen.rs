@@ -170,6 +170,9 @@ impl Warning {
         {
             (*given, *found) = (axes.lateral(*given), axes.lateral(*found));
         }
+        if let Self::SkidDirection { skid, course, .. } = &mut seen {
+            (*skid, *course) = (axes.lateral(*skid), axes.lateral(*course));
+        }
         if let Self::PointMissed { pass, .. } = &mut seen {
             *pass = pass.in_axes(axes);
         }

@@ -1,6 +1,6 @@
 //! Warnings that a careful reconstructionist would raise.
 
-use std::f64::consts::TAU;
+use std::f64::consts::{FRAC_PI_4, PI, TAU};
 
 use crash3::{EnergyBasis, Side, principal_angle};
 use evidence::FITTED;
@@ -130,6 +130,15 @@ pub enum Warning {
         of: [bool; 2],
         /// (–) their average share of the energy that recorders show.
         share: f64,
+    },
+    /// The skid marks of a vehicle lead elsewhere than it travelled.
+    SkidDirection {
+        /// The vehicle.
+        vehicle: VehicleId,
+        /// (rad) direction from the place where the marks begin to that of the impact.
+        skid: f64,
+        /// (rad) direction in which the vehicle travelled.
+        course: f64,
     },
     /// Several motions after the impact lead to the rest position of a vehicle.
     SeveralStarts {
@@ -508,6 +517,7 @@ impl Warning {
         Self::MomentumDiffers { .. } => "momentum-differs",
         Self::EvidenceDiffers { .. } => "evidence-differs",
         Self::BelowRecord { .. } => "below-record",
+        Self::SkidDirection { .. } => "skid-direction",
         Self::CategoryEnergy { .. } => "category-energy",
         Self::SeveralStarts { .. } => "several-starts",
         Self::PointMissed { .. } => "point-missed",
@@ -552,6 +562,7 @@ impl Warning {
             | Self::PdofDiffers { vehicle, .. }
             | Self::EvidenceDiffers { vehicle, .. }
             | Self::BelowRecord { vehicle, .. }
+            | Self::SkidDirection { vehicle, .. }
             | Self::SeveralStarts { vehicle, .. }
             | Self::PointMissed { vehicle, .. }
             | Self::RestMissed { vehicle, .. }
@@ -832,6 +843,7 @@ pub(crate) fn of_case(case: &Case, warnings: &mut Vec<Warning>) {
         {
             warnings.push(Warning::MovesBackward { vehicle: id, speed: given.si(), found: false });
         }
+        of_skid(case, id, warnings);
         if let Some(crush) = &vehicle.crush
             && let StiffnessForm::Test(test) = &crush.stiffness
         {
@@ -847,6 +859,20 @@ pub(crate) fn of_case(case: &Case, warnings: &mut Vec<Warning>) {
         && !is_usual(friction, USUAL_FRICTION)
     {
         warnings.push(Warning::UnusualFriction { friction });
+    }
+}
+
+/// (rad) 45°: marks bend, but a vehicle does not come from another side than they do.
+const SKID_ASTRAY: f64 = FRAC_PI_4;
+
+fn of_skid(case: &Case, vehicle: VehicleId, warnings: &mut Vec<Warning>) {
+    let Some((skid, course)) = case.skid_direction(vehicle).zip(case.courses()[vehicle.index()]) else {
+        return;
+    };
+    let backward = matches!(&case.vehicles[vehicle.index()].motion, Some(Velocity::Speed(v)) if v.si() < 0.0);
+    let course = principal_angle(if backward { course + PI } else { course });
+    if principal_angle(skid - course).abs() > SKID_ASTRAY {
+        warnings.push(Warning::SkidDirection { vehicle, skid, course });
     }
 }
 

@@ -894,6 +894,21 @@ fn no_crush_is_an_upper_bound() {
     }
 }
 
+/// From (18, 15) m to the CG at (6, 13.75) m is a direction of atan2(−1.25, −12) = −174.05°, and a heading of
+/// 195° with a sideslip of −4.35° one of −169.35°. With the sign of x wrong, the marks come from the
+/// other side.
+#[test]
+fn skid_marks_from_elsewhere_are_told() {
+    let text = include_str!("../../../fixtures/edcrash-tutorial.toml");
+    let at = |text: &str| raised(analysis::reconstruct, text, "skid-direction");
+    assert_eq!(at(text), []);
+    let found = at(&text.replace("from = { x = \"18.00 m\"", "from = { x = \"-18.00 m\""));
+    let [Warning::SkidDirection { vehicle, skid, course }] = found[..] else { panic!("{found:?}") };
+    assert_eq!(vehicle, VehicleId::One);
+    assert_close(skid, real::elementary::atan2(13.75 - 15.0, 6.0 + 18.0), 1e-12);
+    assert_close(course, (195.0_f64 - 4.35 - 360.0).to_radians(), 1e-12);
+}
+
 /// Without friction and lever arm, a wall takes the velocity across it, v cos φ, and leaves v sin φ along it.
 #[test]
 fn an_object_that_took_energy_is_not_passed() {

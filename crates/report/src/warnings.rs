@@ -233,6 +233,12 @@ pub fn message(seen: &SeenWarning, units: Units) -> String {
             },
             number(100.0 * share, 0)
         ),
+        Warning::SkidDirection { vehicle, skid, course } => format!(
+            "the skid marks of vehicle {vehicle} lead from the place `from` in the direction {} to the impact, but the vehicle \
+             travelled in the direction {}; check the place, the signs of its coordinates, and the heading",
+            angle(*skid),
+            angle(*course)
+        ),
         Warning::SeveralStarts { vehicle, used, others } => {
             let told = |[v, rate]: [f64; 2]| {
                 format!("{} at {}", speed(v), units.format(Measure::YawRateDegrees, rate))

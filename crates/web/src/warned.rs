@@ -41,6 +41,7 @@ pub(crate) fn keys(warning: &Warning) -> Vec<String> {
         Warning::MomentumDiffers { .. } => "after",
         Warning::EvidenceDiffers { evidence, .. } => evidence.key(),
         Warning::BelowRecord { .. } => "recorder",
+        Warning::SkidDirection { .. } => "before.skid.from",
         Warning::SeveralStarts { .. } | Warning::RestMissed { .. } | Warning::RotationOpposes { .. } => {
             "after.rest"
         }

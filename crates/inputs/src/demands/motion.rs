@@ -131,12 +131,26 @@ impl<T: Real> Case<T> {
         match &skid.begin {
             SkidBegin::Length(length) => Some(length.si()),
             SkidBegin::From(place) => {
-                let mut demand = Demand::new(self, Purpose::Impact);
-                let apart = demand.cg_at_impact(id)? - demand.place(place);
+                let apart = self.skidded(id, place)?;
                 // S = |r − r_b|
                 Some((apart.x * apart.x + apart.y * apart.y).sqrt())
             }
         }
+    }
+
+    /// (m) from the place where a skid began to that of the vehicle at the impact.
+    fn skidded(&self, id: VehicleId, begin: &Place<T>) -> Option<Vector2<T>> {
+        let mut demand = Demand::new(self, Purpose::Impact);
+        Some(demand.cg_at_impact(id)? - demand.place(begin))
+    }
+
+    /// (rad) the direction in which the skid marks of a vehicle lead, in the axes of the engine; `None` where
+    /// their length is given, or the place of the vehicle at the impact is not known.
+    #[must_use]
+    pub fn skid_direction(&self, id: VehicleId) -> Option<T> {
+        let SkidBegin::From(place) = &self.vehicles[id.index()].skid()?.begin else { return None };
+        let apart = self.skidded(id, place)?;
+        Some(Real::atan2(apart.y, apart.x))
     }
 
     /// Everything that finding speeds from the motion after the impact needs.

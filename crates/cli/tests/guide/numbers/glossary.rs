@@ -291,6 +291,7 @@ fn warnings(ledger: &mut Ledger) {
     ledger.cited("bound, by more than 5 km/h", least);
     ledger.cited("the whole 95 % interval", "LEVELS of deltav-estimate");
     ledger.cited("is below it by more than 5 km/h", least);
+    ledger.cited("more than 45° off", "SKID_ASTRAY in crates/analysis/src/warning.rs");
     ledger.cited("recorders of crashes of 2017", "the data of docs/calibration.md");
     ledger.made(format!("average {} % … impact took", number(100.0 * evidence::FITTED.crush_bias.exp(), 0)));
     ledger.cited("good … 10°", "somewhat less than half an hour of the clock");
