@@ -2,7 +2,7 @@
 
 use analysis::{
     Analysis, Check, CheckedQuantity, DELTA_V_DIFFERENCE, Drive, ENERGY_DIFFERENCE, Evident, FAST_CLOSING,
-    HIGH_RESTITUTION, JumpSide, Magnitude, POINT_MISSED, SeenWarning, Warning,
+    HIGH_RESTITUTION, JumpSide, Magnitude, POINT_MISSED, Seen, SeenWarning, Warning, Weighed,
 };
 use case::{Basis, Case, ContactSpread, StiffnessSource, VehicleKind};
 use crash3::Side;
@@ -35,6 +35,21 @@ pub(crate) fn of_analysis(analysis: &Analysis, case: &Case, units: Units) -> Vec
     let warnings = analysis.seen(case.axes).warnings;
     let warned = (!warnings.is_empty()).then(|| block(&warnings, units));
     left_aside(&analysis.left_aside).into_iter().chain(warned).collect()
+}
+
+/// The warnings on the answer, and those on an exact solution that is not the answer. All of the evidence,
+/// `weighed`, may have warnings of its own.
+pub(crate) fn of_answer(seen: &Seen, weighed: Option<&Weighed>, is_exact: bool) -> [Vec<SeenWarning>; 2] {
+    let is_aside = |seen: &SeenWarning| !is_exact && seen.warning().is_of_exact_solution();
+    let (aside, mut of_answer): (Vec<_>, Vec<_>) = seen.warnings.iter().cloned().partition(is_aside);
+    let weighed = weighed.map_or(&[][..], |weighed| &weighed.estimated.warnings);
+    of_answer.extend(
+        weighed
+            .iter()
+            .filter(|warning| warning.is_of_exact_solution())
+            .map(|warning| warning.seen(seen.axes)),
+    );
+    [of_answer, aside]
 }
 
 /// Names the evidence that an answer does not use, where there is any.

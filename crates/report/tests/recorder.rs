@@ -1,7 +1,11 @@
-//! What the report of a recorder says of a pulse.
+//! What reports say of a recorder's pulse.
 
+use std::ops::ControlFlow;
+
+use analysis::{EstimatePlan, PieceDetail, reconstruct, weigh};
 use case::CaseFile;
 use report::Units;
+use serde_json::Value;
 
 /// An axis that ends before the other was stored all the same, unlike one that was not.
 #[test]
@@ -20,5 +24,33 @@ fn an_axis_that_ends_early_was_stored() {
     for (lateral, is_alone, has_ended) in [("", true, false), (both, false, false), (early, false, true)] {
         let text = told(lateral);
         assert_eq!([text.contains(alone), text.contains(ended)], [is_alone, has_ended], "{text}");
+    }
+}
+
+/// Where all the evidence leads, a bound above its interval is a warning on the answer, as in an estimate, and
+/// on the exact solution beside it.
+#[test]
+fn a_record_above_all_answers_is_told_where_all_evidence_leads() {
+    let codes = |list: &Value| -> Vec<String> {
+        let list = list.as_array().into_iter().flatten();
+        list.map(|one| one["code"].as_str().unwrap().to_owned()).collect()
+    };
+    let crossing = include_str!("../../case/templates/si/intersection.toml");
+    for (speed, is_below) in [(10, false), (200, true)] {
+        let recorder =
+            format!("\n[vehicle1.recorder]\nincomplete = true\ndelta_v_longitudinal = \"-{speed} km/h\"\n");
+        let file = CaseFile::parse("case.toml", &(crossing.to_owned() + &recorder)).unwrap();
+        let exact = reconstruct(&file.case).unwrap();
+        let plan = EstimatePlan { particles: 128, seed: 1, prior: None, pieces: PieceDetail::Weighed };
+        let quietly = &mut |_, _, _| ControlFlow::Continue(());
+        let weighed = weigh(&file.case, &exact, &plan, quietly).unwrap().unwrap();
+        let text = report::weighed(&file.case, &exact, &weighed, Units::Si).text();
+        assert_eq!(text.matches("[below-record]").count(), if is_below { 2 } else { 0 }, "{text}");
+        let json: Value =
+            serde_json::from_str(&report::weighed_json(&file, &exact, &weighed).unwrap()).unwrap();
+        for list in ["warnings", "solution_warnings"] {
+            let told = codes(&json[list]).contains(&"below-record".to_owned());
+            assert_eq!(told, is_below, "{list}: {}", json[list]);
+        }
     }
 }

@@ -470,10 +470,10 @@ impl AvoidScene {
             self.is_late(&self.responding(speed, self.response.with_deceleration(deceleration), greatest))
         };
         let most = in_space.unwrap_or(MOST_DECELERATION);
-        let in_time = match () {
-            () if is_late(LEAST_DECELERATION) => Some(0.0),
-            () if is_late(most) => Some(last_that_holds(is_late, [most, LEAST_DECELERATION])),
-            () => None,
+        let in_time = if is_late(LEAST_DECELERATION) {
+            Some(0.0)
+        } else {
+            is_late(most).then(|| last_that_holds(is_late, [most, LEAST_DECELERATION]))
         };
         in_time.or(in_space)
     }

@@ -300,10 +300,8 @@ fn numbers(quantity: &OutputQuantity, seen: &Seen) -> Vec<(String, Value)> {
 }
 
 fn head<'a>(case: &'a Case, analysis: &Analysis, seen: &Seen, weighed: Option<&Weighed>) -> Head<'a> {
-    let is_exact = weighed.is_none();
-    let warnings = |is_wanted: &dyn Fn(&SeenWarning) -> bool| {
-        seen.warnings.iter().filter(|warning| is_wanted(warning)).map(WarningBlock::new).collect()
-    };
+    let [of_answer, of_solution] = warnings::of_answer(seen, weighed, weighed.is_none());
+    let blocks = |warnings: Vec<SeenWarning>| warnings.iter().map(WarningBlock::new).collect();
     Head {
         title: title(case),
         axes: case.axes.name(),
@@ -315,8 +313,8 @@ fn head<'a>(case: &'a Case, analysis: &Analysis, seen: &Seen, weighed: Option<&W
             Basis::TangentialShare(share) => Some(share),
             Basis::Dissipated | Basis::Absorbed => None,
         },
-        warnings: warnings(&|seen| is_exact || !seen.warning().is_of_exact_solution()),
-        solution_warnings: warnings(&|seen| !is_exact && seen.warning().is_of_exact_solution()),
+        warnings: blocks(of_answer),
+        solution_warnings: blocks(of_solution),
         checks: seen
             .checks
             .iter()

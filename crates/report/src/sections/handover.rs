@@ -5,8 +5,8 @@ mod inputs;
 use ::drawing::{Drawing, SitePlan};
 use analysis::quantities as rows;
 use analysis::{
-    Analysis, EnergyBalance, Estimated, Output, Seen, SeenWarning, Sensitivity, UncertainInput,
-    UncertainOutput, Uncertainty, Weighed, is_estimated_beside,
+    Analysis, EnergyBalance, Estimated, Output, Seen, Sensitivity, UncertainInput, UncertainOutput,
+    Uncertainty, Weighed, is_estimated_beside,
 };
 use case::{Axes, Basis, Case, CaseFile, EstimatedInput, Origin, ReportHead};
 use pim_core::VehicleId;
@@ -71,11 +71,7 @@ pub fn handover(
         (None, Some(why)) => Headline::Unweighed(why),
         (None, None) => Headline::Exact,
     };
-    let (of_solution, of_case): (Vec<SeenWarning>, Vec<SeenWarning>) = seen
-        .warnings
-        .iter()
-        .cloned()
-        .partition(|seen| !headline.is_exact() && seen.warning().is_of_exact_solution());
+    let [of_case, of_solution] = warnings::of_answer(seen, weighed, headline.is_exact());
     let mut page = Document::new();
     page.title(case);
     page.blocks.extend(headline.lead(seen, units));

@@ -67,6 +67,11 @@ impl<'a> Headline<'a> {
         }
     }
 
+    /// All the evidence, if that is the answer.
+    pub(crate) fn weighed(self) -> Option<&'a Weighed> {
+        if let Self::Weighed(weighed) = self { Some(weighed) } else { None }
+    }
+
     /// Whether the exact solution is the answer.
     pub(crate) fn is_exact(self) -> bool {
         matches!(self, Self::Exact)

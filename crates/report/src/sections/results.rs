@@ -2,7 +2,7 @@
 
 use analysis::quantities as rows;
 use analysis::{
-    Analysis, BothFound, Crash3, Damage, EnergyBalance, Exchange, Found, Inferred, Seen, SeenWarning, Weighed,
+    Analysis, BothFound, Crash3, Damage, EnergyBalance, Exchange, Found, Inferred, Seen, Weighed,
 };
 use case::{Axes, Basis, Case, Pdof, Text, Velocity, YawSource};
 use crash3::{SideStiffness, Stiffness, UniformCrush};
@@ -49,11 +49,7 @@ fn headed(case: &Case, analysis: &Analysis, headline: Headline<'_>, units: Units
         Page { units, axes: case.axes, headline, document: Document::new().with_columns([88, 120]) };
     page.document.title(case);
     page.document.blocks.extend(headline.lead(analysis, units));
-    let (of_solution, of_case): (Vec<SeenWarning>, Vec<SeenWarning>) = analysis
-        .warnings
-        .iter()
-        .cloned()
-        .partition(|seen| !headline.is_exact() && seen.warning().is_of_exact_solution());
+    let [of_case, of_solution] = warnings::of_answer(analysis, headline.weighed(), headline.is_exact());
     if !headline.is_exact() {
         page.document.blocks.extend(warnings::notice(&of_case, None));
         page.document.heading(DETAIL);
