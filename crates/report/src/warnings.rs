@@ -240,7 +240,8 @@ pub fn message(seen: &SeenWarning, units: Units) -> String {
         ),
         Warning::CategoryEnergy { of, share } => format!(
             "the stiffness of {} is that of a category: crush energies by such stiffness were on average {} % of what recorders \
-             show, and this answer takes them as they are, so that it is probably too low; `deltav estimate` corrects them",
+             show, and this answer takes them as they are, so that its closing speed and ΔV are probably too low; `deltav estimate` \
+             corrects them",
             match of {
                 [true, true] => "both vehicles",
                 [true, false] => "vehicle 1",

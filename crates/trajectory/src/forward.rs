@@ -58,7 +58,7 @@ pub(crate) fn follow<T: Real + From<G>, G: Real>(
         if end > control.longest_time || (end >= control.longest_time && !fades) {
             return Err(NoRest::StillMoving { time, state: run.state().values() });
         }
-        if !control.closed_end && outlook.to_rest * run.now.speed.value() < FORESEEN {
+        if !control.closed_end && outlook.to_rest * run.now.speed.value() * 0.5 < FORESEEN {
             foreseen = foreseen.or_else(|| Some(run.time_at_rest(&moment.acceleration)));
         }
         if fades {
@@ -75,7 +75,7 @@ pub(crate) fn follow<T: Real + From<G>, G: Real>(
     Err(NoRest::TooManySteps { steps: run.steps, time: run.now.time.value(), state: run.state().values() })
 }
 
-/// (m) from so near its rest a vehicle keeps its forces, but for their directions.
+/// (m) the path that is left, from which on a vehicle keeps its forces but for their directions.
 const FORESEEN: f64 = 0.01;
 
 fn check_start<T: Real>(start: &State<T>, control: &Control) -> Result<(), InvalidInput> {

@@ -148,7 +148,8 @@ pub struct Control {
     pub most_steps: u32,
     /// Whether the final phase, in which the motion only fades, is one step in closed form. Its derivatives
     /// are those of motions that fade in the same way: those of a straight roll lack the tyre forces across
-    /// it. So exact derivatives need steps down to rest.
+    /// it. So exact derivatives need steps down to rest, and a tolerance far below that of the path: where
+    /// the forces kink, the error of a derivative falls with the step, and that of the path with its square.
     pub closed_end: bool,
 }
 
