@@ -1,6 +1,6 @@
 //! Evidence of a case that an answer does not use, and its contradictions with that answer.
 
-use inputs::{Case, Find, GivenVehicle, Purpose, Quantity};
+use inputs::{Case, Find, GivenVehicle, Purpose, Quantity, Recorder, RecordersDeltaV};
 use pim_core::VehicleId;
 use real::elementary::atan2;
 use real::principal_angle;
@@ -105,14 +105,16 @@ pub(crate) fn contradictions(case: &Case, analysis: &Analysis, used: Used) -> Ve
             continue;
         }
         let place = id.index();
-        let speed = analysis.speed(id);
-        let add = |warnings: &mut Vec<Warning>, evidence: Evident, given: f64, found: f64| {
+        let delta_v = exchange.delta_v_components[place];
+        let along_record = |least: &RecordersDeltaV| Some(least.part_of(delta_v));
+        warnings.extend(below_record(case, id, along_record, delta_v_limit));
+        let mut add = |evidence: Evident, given: f64, found: f64| {
             warnings.push(Warning::EvidenceDiffers { vehicle: id, evidence, given, found });
         };
+        let speed = analysis.speed(id);
         let differs = |given: f64, found: f64, share: f64| {
             (given - found).abs() > (CONTRADICTS * share * given.abs()).max(LEAST_DIFFERENCE)
         };
-        let share = |percent: Option<f64>, usual: f64| percent.map_or(usual, |percent| percent / 100.0);
         if let Some(recorder) = &vehicle.recorder {
             let ground = case.surface.as_ref().map(|surface| surface.friction);
             if let Some(told) = recorder.tells_speed(ground) {
@@ -120,18 +122,10 @@ pub(crate) fn contradictions(case: &Case, analysis: &Analysis, used: Used) -> Ve
                 if differs(told.speed, speed, error) {
                     let evidence =
                         if told.is_of_table { Evident::TabledSpeed } else { Evident::RecordedSpeed };
-                    add(&mut warnings, evidence, told.speed, speed);
+                    add(evidence, told.speed, speed);
                 }
             }
-            let error = share(recorder.delta_v_error, RECORDER_DELTA_V_ERROR);
-            let [along, left] = exchange.delta_v_components[place];
-            let limit = |size: f64| (CONTRADICTS * error * size).max(LEAST_DIFFERENCE);
-            if let Some(least) = recorder.least_delta_v(case.axes, vehicle.yaw_rate_before()) {
-                let (recorded, found) = (least.size(), least.part_of([along, left]));
-                if recorded - found > limit(recorded) {
-                    warnings.push(Warning::BelowRecord { vehicle: id, recorded, found });
-                }
-            }
+            let [along, left] = delta_v;
             let told = recorder.tells_delta_v(case.axes, vehicle.yaw_rate_before());
             let is_of_table = told.is_some_and(|told| told.is_of_table);
             let [longitudinal, lateral] = if is_of_table {
@@ -144,10 +138,10 @@ pub(crate) fn contradictions(case: &Case, analysis: &Analysis, used: Used) -> Ve
                 (lateral, told.and_then(|told| told.left), left),
             ];
             // The error of a component is that of the whole: a direction is not known better than a size.
-            let limit = limit(told.map_or(0.0, |told| told.size()));
+            let limit = delta_v_limit(recorder, told.map_or(0.0, |told| told.size()));
             for (evidence, given, found) in parts {
                 if let Some(given) = given.filter(|given| (given - found).abs() > limit) {
-                    add(&mut warnings, evidence, given, found);
+                    add(evidence, given, found);
                 }
             }
         }
@@ -155,7 +149,7 @@ pub(crate) fn contradictions(case: &Case, analysis: &Analysis, used: Used) -> Ve
         if let (Some(given), Some(skid)) = (skid_speed, analysis.skids[place])
             && differs(given, skid.speed, RECORDER_SPEED_ERROR)
         {
-            add(&mut warnings, Evident::SkidSpeed, given, skid.speed);
+            add(Evident::SkidSpeed, given, skid.speed);
         }
         if let Some(after) = vehicle.after.as_ref().filter(|_| !used.after) {
             let velocity = exchange.velocities[place];
@@ -163,39 +157,59 @@ pub(crate) fn contradictions(case: &Case, analysis: &Analysis, used: Used) -> Ve
             if let Some(given) = after.speed.as_ref().map(Quantity::si)
                 && differs(given, found, SPEED_AFTER_ERROR)
             {
-                add(&mut warnings, Evident::SpeedAfter, given, found);
+                add(Evident::SpeedAfter, given, found);
             }
             if let Some(given) = after.direction.as_ref().map(|given| case.axes.lateral(given.si()))
                 && found > LEAST_DIFFERENCE
             {
                 let direction = atan2(velocity.y, velocity.x);
                 if principal_angle(given - direction).abs() > CONTRADICTS * DIRECTION_AFTER_ERROR {
-                    add(&mut warnings, Evident::DirectionAfter, principal_angle(given), direction);
+                    add(Evident::DirectionAfter, principal_angle(given), direction);
                 }
             }
         }
         if let Some(certain) = &vehicle.certain_speed {
             let limit = |limit: &Option<Quantity>| limit.as_ref().map(Quantity::si);
             if let Some(least) = limit(&certain.at_least).filter(|least| speed < least - SPEED_ROUNDING) {
-                add(&mut warnings, Evident::AtLeast, least, speed);
+                add(Evident::AtLeast, least, speed);
             }
             if let Some(most) = limit(&certain.at_most).filter(|most| speed > most + SPEED_ROUNDING) {
-                add(&mut warnings, Evident::AtMost, most, speed);
+                add(Evident::AtMost, most, speed);
             }
         }
     }
     warnings
 }
 
-/// What a record without the end of the impact has of ΔV beyond an estimate, of which `greatest` gives the
-/// upper end of the 95 % interval (m/s) for a vehicle.
+/// (m/s) by how much a recorded ΔV of this size (m/s) may differ from an answer.
+fn delta_v_limit(recorder: &Recorder, size: f64) -> f64 {
+    let error = recorder.delta_v_error.map_or(RECORDER_DELTA_V_ERROR, |percent| percent / 100.0);
+    (CONTRADICTS * error * size).max(LEAST_DIFFERENCE)
+}
+
+/// Warns where a record without the end of the impact has more of ΔV than was `found` (m/s) for it, by more
+/// than a `limit` (m/s) on a ΔV of its size.
+fn below_record(
+    case: &Case,
+    vehicle: VehicleId,
+    found: impl FnOnce(&RecordersDeltaV) -> Option<f64>,
+    limit: impl FnOnce(&Recorder, f64) -> f64,
+) -> Option<Warning> {
+    let given = &case.vehicles[vehicle.index()];
+    let recorder = given.recorder.as_ref()?;
+    let least = recorder.least_delta_v(case.axes, given.yaw_rate_before())?;
+    let (recorded, found) = (least.size(), found(&least)?);
+    (recorded - found > limit(recorder, recorded)).then_some(Warning::BelowRecord {
+        vehicle,
+        recorded,
+        found,
+    })
+}
+
+/// The same for an estimate, of which `greatest` gives the upper end of the 95 % interval (m/s) of a vehicle's
+/// ΔV.
 pub(crate) fn below_records(case: &Case, greatest: impl Fn(VehicleId) -> Option<f64>) -> Vec<Warning> {
     let (case, _) = with_records_of_impact(case);
-    let below = |id: VehicleId| {
-        let vehicle = &case.vehicles[id.index()];
-        let recorded = vehicle.recorder.as_ref()?.least_delta_v(case.axes, vehicle.yaw_rate_before())?.size();
-        let found = greatest(id).filter(|greatest| recorded - greatest > LEAST_DIFFERENCE)?;
-        Some(Warning::BelowRecord { vehicle: id, recorded, found })
-    };
-    VehicleId::ALL.into_iter().filter_map(below).collect()
+    let of = |id: VehicleId| below_record(&case, id, |_| greatest(id), |_, _| LEAST_DIFFERENCE);
+    VehicleId::ALL.into_iter().filter_map(of).collect()
 }

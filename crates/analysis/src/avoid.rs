@@ -506,13 +506,13 @@ fn of_ranges(
 
 /// The actual run, those of the hypotheses that differ from it, and the rest of all combinations.
 fn runs(scene: &AvoidScene, delta_v: &dyn Fn(f64) -> Option<[f64; 2]>) -> [Vec<AvoidRun>; 2] {
-    let AvoidScene { speed, distance, time, response, clears_after, .. } = *scene;
+    let AvoidScene { speed, distance, time, response, .. } = *scene;
     let actual = scene.course();
     let run = |hypothesis, course: AvoidCourse| {
         let collision_speed =
             if hypothesis == Hypothesis::Actual { scene.at_impact } else { course.speed_at(distance) };
         let arrival = if hypothesis == Hypothesis::Actual { Some(time) } else { course.arrival(distance) };
-        let clears = clears_after.filter(|_| hypothesis != Hypothesis::Actual).map(|after| time + after);
+        let clears = scene.cleared().filter(|_| hypothesis != Hypothesis::Actual);
         let is_late_enough =
             clears.map(|clears| arrival.is_none_or(|arrival| arrival >= clears * (1.0 - ROUNDING)));
         AvoidRun {

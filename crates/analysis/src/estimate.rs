@@ -276,7 +276,7 @@ pub fn estimate(
         hit,
         is_with_object,
         reference,
-        mut warnings,
+        warnings,
     } = setup::of(case, plan.prior)?;
     let model = CollisionModel::of(impacts, observed.clone());
     let told = Told::new(&model, case.axes, reference);
@@ -290,27 +290,20 @@ pub fn estimate(
     }
     let evaluations = runs.evaluations;
     let is_field = prior == SeverityPrior::Field;
-    let outputs = there.outputs(&told, is_field);
-    let greatest = |id: VehicleId| {
-        let of = |one: &&EstimatedOutput| one.output.is(&DELTA_V) && one.output.vehicle() == Some(id);
-        let [.., widest] = &outputs.iter().find(of)?.posterior.intervals;
-        Some(widest.high.value)
-    };
-    warnings.extend(aside::below_records(case, greatest));
     let tested = match hit {
         _ if !is_field => None,
         Some(hit) => TestedClass::of(hit, energies, model.pieces()),
         None if is_with_object => TestedClass::of_object(energies, model.pieces()),
         None => None,
     };
-    Ok(Estimated {
+    let mut estimated = Estimated {
         prior,
         energies,
         tested,
         stood: VehicleId::ALL.map(|id| there.stood(id, assumed[id.index()], &told)),
         default_errors,
         unknown: there.unknown(unknown, &told),
-        outputs,
+        outputs: there.outputs(&told, is_field),
         pieces,
         same_twice: pieces::same_twice(model.pieces()),
         missed: missed(&model, &posterior),
@@ -320,7 +313,13 @@ pub fn estimate(
         observed,
         posterior,
         before,
-    })
+    };
+    let below = aside::below_records(case, |id| {
+        let [.., widest] = &estimated.output(DELTA_V.of_vehicle(id))?.posterior.intervals;
+        Some(widest.high.value)
+    });
+    estimated.warnings.extend(below);
+    Ok(estimated)
 }
 
 impl There<'_> {

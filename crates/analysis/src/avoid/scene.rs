@@ -453,9 +453,10 @@ impl AvoidScene {
     #[must_use]
     pub fn is_avoided_else_as_it_was(&self) -> bool {
         let course = self.at_limit_else_as_it_was();
-        course.speed_at(self.distance) <= 0.0
-            || course.arrival(self.distance).is_none()
-            || self.is_late(&course)
+        match course.arrival(self.distance) {
+            Some(arrival) => self.is_late(arrival) || course.speed_at(self.distance) <= 0.0,
+            None => true,
+        }
     }
 
     /// (m/s²) the least deceleration that avoids the collision from the speed driven, or from the limit: the
@@ -467,7 +468,7 @@ impl AvoidScene {
         let [steady, distance] = self.as_if_steady(speed, greatest);
         let in_space = self.response.deceleration_to_stop_within(steady, distance);
         let is_late = |deceleration: f64| {
-            self.is_late(&self.responding(speed, self.response.with_deceleration(deceleration), greatest))
+            self.comes_late(&self.responding(speed, self.response.with_deceleration(deceleration), greatest))
         };
         let most = in_space.unwrap_or(MOST_DECELERATION);
         let in_time = if is_late(LEAST_DECELERATION) {
@@ -490,7 +491,7 @@ impl AvoidScene {
         } else {
             stops(0.0).then(|| last_that_holds(stops, [0.0, self.time]))
         };
-        let is_late = |reaction: f64| self.is_late(&course(reaction));
+        let is_late = |reaction: f64| self.comes_late(&course(reaction));
         let in_time = self
             .cleared()
             .filter(|_| is_late(0.0))
@@ -500,14 +501,20 @@ impl AvoidScene {
     }
 
     /// (s) after the demand, the other party has left the danger zone; `None` if that is not asked.
-    fn cleared(&self) -> Option<f64> {
+    pub(super) fn cleared(&self) -> Option<f64> {
         self.clears_after.map(|after| self.time + after)
     }
 
-    /// Whether a course leads to the place of the impact after the other party has left the danger zone, or
-    /// never; never true if that is not asked.
-    fn is_late(&self, course: &AvoidCourse) -> bool {
-        self.cleared().is_some_and(|cleared| course.arrival(self.distance).is_none_or(|time| time >= cleared))
+    /// Whether an arrival (s) at the place of the impact is after the other party has left the danger zone;
+    /// never true if that is not asked.
+    fn is_late(&self, arrival: f64) -> bool {
+        self.cleared().is_some_and(|cleared| arrival >= cleared)
+    }
+
+    /// Whether a course leads to the place that late, or never; never true if that is not asked.
+    fn comes_late(&self, course: &AvoidCourse) -> bool {
+        self.clears_after.is_some()
+            && course.arrival(self.distance).is_none_or(|arrival| self.is_late(arrival))
     }
 
     /// (m/s) the speed at the demand, and the one that is not exceeded later.

@@ -658,7 +658,7 @@ fn on_the_runs(case: &Case, found: &Avoidance, units: Units) -> Vec<String> {
                     units.format(Measure::Way, response.stopping_distance(*speed))
                 ),
             };
-            let late = scene.longest_reaction(false).map(|longest| {
+            let late = found.enough.reaction.map(|longest| {
                 let by = longest - response.reaction();
                 let compared = if by >= 0.0 { "longer" } else { "shorter" };
                 format!(

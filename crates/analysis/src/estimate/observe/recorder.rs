@@ -4,7 +4,6 @@ use evidence::{
     CodedPdof, FITTED, Freedom, Measured, MeasuredSpeed, RecordedData, RecordedDeltaV, RecordedPart,
 };
 use inputs::Quantity;
-use real::Real;
 
 use super::after::yaw_rate_error;
 use super::{LEAST_SPEED_ERROR, Subject};
@@ -27,16 +26,15 @@ pub(super) fn recorded(subject: Subject<'_>, is_side: bool) -> (RecordedData, No
     let told = recorder.tells_delta_v(axes, subject.given().yaw_rate_before());
     let [along, left] = [told.and_then(|told| told.along), told.and_then(|told| told.left)];
     let (mut delta_v, mut longitudinal) = (None, None);
-    if let Some(along) = along {
+    if let Some((told, along)) = told.zip(along) {
         let ln_scale =
             or_default("recorder.delta_v_error", share(recorder.delta_v_error), RECORDER_DELTA_V_ERROR);
         let (least, freedom) = (LEAST_SPEED_ERROR, Freedom::Three);
-        match left {
-            Some(across) => {
-                let size = Real::sqrt(along * along + across * across);
-                delta_v = Some(RecordedDeltaV { size, is_longitudinal: false, ln_scale, least, freedom });
-            }
-            None => longitudinal = Some(RecordedPart { along, ln_scale, least, freedom }),
+        if left.is_some() {
+            let size = told.size();
+            delta_v = Some(RecordedDeltaV { size, is_longitudinal: false, ln_scale, least, freedom });
+        } else {
+            longitudinal = Some(RecordedPart { along, ln_scale, least, freedom });
         }
     }
     let both = along.zip(left);
