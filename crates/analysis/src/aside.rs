@@ -206,8 +206,7 @@ fn below_record(
     })
 }
 
-/// The same for an estimate, of which `greatest` gives the upper end of the 95 % interval (m/s) of a vehicle's
-/// ΔV.
+/// The same for an estimate, of which `greatest` gives the upper end of the 95 % interval of ΔV (m/s).
 pub(crate) fn below_records(case: &Case, greatest: impl Fn(VehicleId) -> Option<f64>) -> Vec<Warning> {
     let (case, _) = with_records_of_impact(case);
     let of = |id: VehicleId| below_record(&case, id, |_| greatest(id), |_, _| LEAST_DIFFERENCE);

@@ -89,7 +89,7 @@ pub fn columns_table(columns: &[(Channel, &str)]) -> Result<RecorderTable, (Chan
         head.unit().map_err(|_| (head.channel, columns::without_unit(head)))?;
         if cells.len() != expected && of_time.is_some() {
             let place = cells.last().map_or(TextPlace { line: 1, column: 1 }, |cell| cell.place);
-            let columns = "as many as there are times".to_owned();
+            let columns = "as many as there are times; write - for one that was not stored".to_owned();
             return Err((head.channel, TextRefusal::Uneven { place, found: cells.len(), expected, columns }));
         }
     }

@@ -233,8 +233,8 @@ pub fn message(seen: &SeenWarning, units: Units) -> String {
             )
         }
         Warning::BelowRecord { vehicle, recorded, found } => format!(
-            "the recorder of vehicle {vehicle} has ΔV of {} when its record ends, and the whole ΔV is greater, but this \
-             answer has at most {}; check the mass, the crush and the PDOF, and that the record is of this impact",
+            "the recorder of vehicle {vehicle} had stored a ΔV of {} when its record ended, so the whole ΔV is greater, but \
+             this answer has at most {}; check the mass, the crush and the PDOF, and that the record is of this impact",
             speed(*recorded),
             speed(*found)
         ),

@@ -23,8 +23,8 @@ pub fn sensitivity(case: &Case, sensitivity: &Sensitivity, units: Units) -> Docu
     }
     if !sensitivity.derivatives.is_empty() {
         let of_what = if analysis::is_searched_back(case) {
-            "Each derivative is that of the equations, with all other numbers as given (theory 6); where a vehicle is searched back from \
-             its rest, it is good to about 1 % (theory 11)."
+            "Each derivative follows from the equations, with all other numbers as given (theory 6); where a vehicle is searched back \
+             from its rest, it is accurate to about 1 % (theory 11)."
         } else {
             "Each derivative is exact, with all other numbers as given (theory 6)."
         };

@@ -288,9 +288,9 @@ fn warnings(ledger: &mut Ledger) {
     };
     ledger.made(format!("deviations … {} km/h", number(3.6 * threshold(4.0, 0.0, recorder), 0)));
     let least = "LEAST_DIFFERENCE in crates/analysis/src/aside.rs";
-    ledger.cited("bound, by more than 5 km/h", least);
-    ledger.cited("the whole 95 % interval", "LEVELS of deltav-estimate");
-    ledger.cited("is below it by more than 5 km/h", least);
+    ledger.cited("that bound by more than 5 km/h", least);
+    ledger.cited("its whole 95 % interval", "LEVELS of deltav-estimate");
+    ledger.cited("below the bound by more than 5 km/h", least);
     ledger.cited("more than 45° off", "SKID_ASTRAY in crates/analysis/src/warning.rs");
     ledger.cited("recorders of crashes of 2017", "the data of docs/calibration.md");
     ledger.made(format!("average {} % … impact took", number(100.0 * evidence::FITTED.crush_bias.exp(), 0)));
