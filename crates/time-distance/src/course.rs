@@ -97,18 +97,23 @@ impl<'a, T: Real> Course<'a, T> {
 /// (s) when a leg reaches a position that lies within it.
 fn leg_reaches<T: Real>(leg: &Leg<T>, end: Option<T>, position: T) -> Option<T> {
     let lasts = if leg.jerk.value() == 0.0 {
-        at_constant_acceleration(leg, position)?
+        at_constant_acceleration(leg, end.is_some(), position)?
     } else {
         by_halvings(leg, end, position)?
     };
-    // One step of Newton's method gives the derivatives.
+    // A step of Newton's method gives the derivatives, and no more: where the speed is all but zero, its value
+    // is rounding over rounding.
     let near = leg.after(T::from(lasts));
     let time = leg.time + lasts;
-    if near.speed.value() > 0.0 { Some(time - (near.position - position) / near.speed) } else { Some(time) }
+    if near.speed.value() <= 0.0 {
+        return Some(time);
+    }
+    let step = (near.position - position) / near.speed;
+    Some(time - (step - T::from(step.value())))
 }
 
-/// (s) from the beginning of the leg.
-fn at_constant_acceleration<T: Real>(leg: &Leg<T>, position: T) -> Option<f64> {
+/// (s) from the beginning of the leg; `None` where it stops before, which one that ends does not.
+fn at_constant_acceleration<T: Real>(leg: &Leg<T>, ends: bool, position: T) -> Option<f64> {
     let [speed, acceleration] = [leg.speed.value(), leg.acceleration.value()];
     let way = position.value() - leg.position.value();
     if way <= 0.0 {
@@ -117,7 +122,7 @@ fn at_constant_acceleration<T: Real>(leg: &Leg<T>, position: T) -> Option<f64> {
     // s = v t + a t²/2: t = 2 s/(v + √(v² + 2 a s))
     let square = speed * speed + acceleration * way * 2.0;
     let sum = speed + Real::sqrt(f64::max(square, 0.0));
-    (square >= -ROUNDING * speed * speed && sum > 0.0).then(|| way * 2.0 / sum)
+    ((ends || square >= -ROUNDING * speed * speed) && sum > 0.0).then(|| way * 2.0 / sum)
 }
 
 /// (s) from the beginning of the leg.

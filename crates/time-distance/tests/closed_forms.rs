@@ -168,6 +168,23 @@ proptest! {
     }
 }
 
+proptest! {
+    // One in a few thousand is enough to go wrong.
+    #![proptest_config(ProptestConfig::with_cases(50_000))]
+
+    /// Within rounding of the stop, its moment is good to what that leaves: √(2 δ/a).
+    #[test]
+    fn the_moment_of_the_stop_is_no_noise((v, reaction, swell, full, form) in scenes(), short in 0_u32..60) {
+        let response = Response::new(reaction, swell, full, form).unwrap();
+        let legs = response.legs(v);
+        let [stop, time] = [legs[3].position, legs[3].time];
+        let rounding = f64::from(short) * f64::EPSILON * stop;
+        let reached = Course::new(&legs).unwrap().reaches(stop - rounding).unwrap();
+        let left = (2.0 * (rounding + 4.0 * f64::EPSILON * stop) / full).sqrt();
+        prop_assert!((reached - time).abs() <= 4.0 * left + 1e-9, "{} {} {}", reached, time, left);
+    }
+}
+
 #[test]
 fn what_cannot_be_is_refused() {
     for (reaction, swell, full) in
