@@ -48,7 +48,7 @@ pub(crate) fn key(piece: Piece) -> String {
         Piece::SpeedAfter(id) => of(id, "after.speed"),
         Piece::DirectionAfter(id) => of(id, "after.direction"),
         Piece::YawRateAfter(id) => of(id, "after.yaw_rate"),
-        Piece::RecordedDeltaV(id) => of(id, "recorder.delta_v"),
+        Piece::RecordedDeltaV(id) | Piece::LeastDeltaV(id) => of(id, "recorder.delta_v"),
         Piece::RecordedDirection(id) => of(id, "recorder.delta_v_lateral"),
         Piece::Rest(id) => of(id, "after.rest"),
         Piece::Points(id) => of(id, "after.points"),

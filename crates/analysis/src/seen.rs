@@ -236,6 +236,7 @@ impl Failure {
     pub(crate) fn in_axes(self, axes: Axes) -> Self {
         match (axes, self) {
             (Axes::ZDown, Self::Reconcile(refusal)) => Self::Reconcile(refusal.mirrored()),
+            (Axes::ZDown, Self::Momentum(refusal)) => Self::Momentum(refusal.mirrored()),
             (Axes::ZDown, Self::Impact(refusal)) => Self::Impact(refusal.mirrored()),
             (Axes::ZDown, Self::NotReached { vehicle, energy, tangential_share, nearest }) => {
                 let nearest = nearest.map_err(ImpactError::mirrored);

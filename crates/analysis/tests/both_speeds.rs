@@ -340,3 +340,57 @@ fn given_velocities_need_no_ground() {
     assert_near(v2, py / 1300.0, 1e-12 * v2);
     assert!(analysis.travel.iter().all(Option::is_none));
 }
+
+/// Two cars that jam with μ = −8 in axes that point down: the refusal has the signs of the file.
+const JAMS: &str = r#"
+[scene]
+axes = "z-down"
+[vehicle1]
+mass = "1420 kg"
+yaw_radius = "1.36 m"
+heading = "0 deg"
+contact = { x = "1.75 m", y = "-0.45 m" }
+after = { speed = "3 m/s", direction = "-10 deg" }
+[vehicle1.crush]
+side = "front"
+width = "100 cm"
+depths = "30 30 cm"
+stiffness = { category = 3 }
+[vehicle2]
+mass = "1180 kg"
+yaw_radius = "1.28 m"
+heading = "-176 deg"
+contact = { x = "1.60 m", y = "-0.42 m" }
+after = { speed = "3 m/s", direction = "-10 deg" }
+[vehicle2.crush]
+side = "front"
+width = "96 cm"
+depths = "30 30 cm"
+stiffness = { category = 2 }
+[impact]
+crush_plane = "-2 deg"
+restitution = 0.1
+tangential = { ratio = -8 }
+[reconstruct]
+find = ["vehicle1.speed", "vehicle2.speed"]
+energy_basis = "dissipated"
+"#;
+
+#[test]
+fn a_refusal_has_the_signs_of_the_axes() {
+    let said = |text: &str| reconstruct(&read(text)).unwrap_err().to_string();
+    let one = JAMS
+        .replace("[\"vehicle1.speed\", \"vehicle2.speed\"]", "\"vehicle1.speed\"")
+        .replace("[vehicle2]", "[vehicle2]\nspeed = \"10 m/s\"");
+    for text in [JAMS, &one] {
+        let error = said(text);
+        assert!(error.contains("the impulse ratio μ = -8") && error.contains("needs μ above -"), "{error}");
+    }
+    // Seen from below: the same numbers with the other signs.
+    let up = JAMS.replace("z-down", "z-up").replace("ratio = -8", "ratio = 8").replace("-2 deg", "2 deg");
+    let up = up.replace("-10 deg", "10 deg").replace("-176 deg", "176 deg").replace("y = \"-", "y = \"");
+    assert_eq!(
+        said(&up).replace("needs μ below ", "needs μ above -").replace("μ = 8", "μ = -8").len(),
+        said(JAMS).len()
+    );
+}

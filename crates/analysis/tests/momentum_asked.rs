@@ -9,8 +9,8 @@
 
 use analysis::quantities::SPEED;
 use analysis::{
-    Analysis, BothMethod, CheckedQuantity, NoEvidence, QUANTITIES, Sweep, Values, compare, judge, quantity,
-    reconstruct, sensitivity,
+    Analysis, BothMethod, CheckedQuantity, NoEvidence, QUANTITIES, Sweep, Values, compare, impact, judge,
+    quantity, reconstruct, sensitivity,
 };
 use case::{Axes, Case, CaseFile, Geometry, Purpose};
 use pim_core::VehicleId;
@@ -346,6 +346,29 @@ find = "vehicle1.speed"
     let swapped =
         wall.replace("vehicle1", "vehicleX").replace("vehicle2", "vehicle1").replace("vehicleX", "vehicle2");
     assert_near(answer(&swapped).both.unwrap().speeds[1] / KMH, 50.0, 1e-9);
+    // Sliding sideways into it, the vehicle has the speed with which it leaves an impact like that.
+    let sideways = r#"
+[vehicle1]
+mass = "1500 kg"
+yaw_inertia = "2500 kg m^2"
+heading = "0 deg"
+contact = { x = "2 m", y = "0.3 m" }
+sideslip = "30 deg"
+speed = "12 m/s"
+[vehicle2]
+fixed = true
+[impact]
+crush_plane = "170 deg"
+restitution = 0.3
+tangential = { ratio = 0.0 }
+"#;
+    let left = impact(&read(sideways)).unwrap().impact.unwrap().outcome.after[0].velocity;
+    let (speed, direction) = (left.norm(), left.y.atan2(left.x).to_degrees());
+    let back = sideways.replace(
+        "speed = \"12 m/s\"\n",
+        &format!("after = {{ speed = \"{speed} m/s\", direction = \"{direction} deg\" }}\n"),
+    ) + "[reconstruct]\nfind = \"vehicle1.speed\"\n";
+    assert_near(answer(&back).both.unwrap().speeds[0], 12.0, 1e-9);
     // Without rebound the way out says nothing, and a way out through the wall is none.
     let plastic = wall.replace("restitution = 0.1", "restitution = 0");
     let error = reconstruct(&read(&plastic)).unwrap_err().to_string();

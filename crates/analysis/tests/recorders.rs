@@ -4,11 +4,13 @@
 
 use std::ops::ControlFlow;
 
+use analysis::quantities::DELTA_V;
 use analysis::{
     EstimatePlan, Evident, PieceDetail, UnusedReason, Warning, estimate, estimate_evidence, impact, judge,
     recorders,
 };
 use case::CaseFile;
+use pim_core::VehicleId;
 
 /// Two cars that meet front to front along one line.
 fn head_on(recorder: &str) -> CaseFile {
@@ -94,9 +96,10 @@ fn an_answer_below_a_record_that_ends_early_is_told() {
     assert_eq!(of(&unfinished.replace("true", "false")).len(), 0);
 }
 
-/// An estimate from 50 and 40 km/h has ΔV of some 50 km/h, and none of 120.
+/// An estimate from 50 and 40 km/h has ΔV of some 50 km/h. A bound of 30 leaves that as it is, one of 55 leaves
+/// what is above it, and none reaches 120.
 #[test]
-fn an_estimate_below_a_record_that_ends_early_says_so() {
+fn an_estimate_takes_a_record_that_ends_early_as_a_bound() {
     let of = |last: u32| {
         let lines = format!(
             "pulse = {{ time = \"0 20 40 60 80 ms\", delta_v_longitudinal = \"0 -5 -12 -20 -{last} km/h\" }}"
@@ -104,10 +107,13 @@ fn an_estimate_below_a_record_that_ends_early_says_so() {
         let case = head_on(&lines).case;
         let plan = EstimatePlan { particles: 128, seed: 1, prior: None, pieces: PieceDetail::Apart };
         let found = estimate(&case, &plan, &mut |_, _, _| ControlFlow::Continue(())).unwrap();
-        below(&found.warnings)
+        let delta_v = found.output(DELTA_V.of_vehicle(VehicleId::One)).unwrap().posterior.median.value * 3.6;
+        (below(&found.warnings), delta_v)
     };
-    assert_eq!(of(30), [[0.0; 2]; 0]);
-    let [[recorded, found]] = of(120)[..] else { panic!() };
+    let [(kept, low), (_, high)] = [of(30), of(55)];
+    assert_eq!(kept, [[0.0; 2]; 0]);
+    assert!(low > 47.0 && low < 52.0 && high > low + 2.0 && high < 60.0, "{low} {high}");
+    let [[recorded, found]] = of(120).0[..] else { panic!() };
     assert!((recorded - 120.0).abs() < 1e-9 && found > 45.0 && found < 110.0, "{found}");
 }
 
@@ -122,11 +128,12 @@ fn an_estimate_takes_the_table_as_evidence() {
         estimate_evidence(&CaseFile::parse("case.toml", &text).unwrap().case).unwrap()
     };
     assert_eq!(evidence(&table(50)), ["vehicle1.recorder.speed"]);
-    // A table of a vehicle that stood, and a pulse that was cut off, are left out.
+    // A table of a vehicle that stood is left out; a pulse that was cut off is a bound.
     assert_eq!(evidence(&table(0)), [""; 0]);
     let whole = "pulse = { time = \"0 20 40 60 80 100 120 ms\", delta_v_longitudinal = \"0 -10 -25 -40 -49 -49 -49 km/h\" }";
     assert_eq!(evidence(whole), ["vehicle1.recorder.delta_v"]);
-    assert_eq!(evidence(&whole.replace("-40 -49 -49 -49", "-40 -49 -59 -69")), [""; 0]);
+    assert_eq!(evidence(&whole.replace("-40 -49 -49 -49", "-40 -49 -59 -69")), ["vehicle1.recorder.delta_v"]);
+    assert_eq!(evidence(&whole.replace("-10 -25 -40 -49 -49 -49", "0 0 0 0 0 0")), [""; 0]);
 }
 
 /// A recorder 1 m ahead of the centre of gravity; the vehicle then turns to the left by 90 °/s = π/2 rad/s:

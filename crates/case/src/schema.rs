@@ -711,7 +711,7 @@ const STORED: [KeyInfo; 11] = [
         "incomplete",
         "incomplete = true",
         Form::Flag,
-        "A record that the recorder did not finish. Its report says so; ΔV of it is a lower bound, and no evidence. A pulse that ends before the impact does is found without it.",
+        "A record that the recorder did not finish. Its report says so; ΔV of it is a lower bound, and an estimate takes it as one. A pulse that ends before the impact does is found without it.",
     ),
 ];
 

@@ -439,6 +439,8 @@ pub struct RecordedData {
     /// The longitudinal component of ΔV with its sign, from a recorder that stored only this one: replaces
     /// [`delta_v`](Self::delta_v).
     pub longitudinal: Option<RecordedPart>,
+    /// Whether the record ends before the impact does, so that its ΔV is a lower bound.
+    pub ends_early: bool,
     /// The direction from which the force came, from both components of its ΔV.
     pub direction: Option<CodedPdof>,
     /// (m/s) speed before impact.

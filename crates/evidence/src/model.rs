@@ -26,7 +26,7 @@ pub enum Piece {
     /// The crush energy of both vehicles, or of the one whose crush is known.
     Crush,
     /// PDOF as coded. One investigator codes those of both vehicles and makes them opposite: only the one
-    /// with the smaller error counts.
+    /// with the smaller error counts, or the mean of two with the same.
     Pdof(VehicleId),
     /// Speed after the impact.
     SpeedAfter(VehicleId),
@@ -36,6 +36,8 @@ pub enum Piece {
     YawRateAfter(VehicleId),
     /// The recorder's ΔV.
     RecordedDeltaV(VehicleId),
+    /// The ΔV that a recorder had stored when its record ended, before the impact did.
+    LeastDeltaV(VehicleId),
     /// The direction of the recorder's ΔV.
     RecordedDirection(VehicleId),
     /// The rest position and heading.
@@ -181,7 +183,8 @@ impl<I: Impacts> CollisionModel<I> {
             pieces.extend(rest.map(|_| Piece::Rest(id)));
             pieces.extend((!points.is_empty()).then_some(Piece::Points(id)));
             let has_delta_v = recorder.delta_v.is_some() || recorder.longitudinal.is_some();
-            pieces.extend(has_delta_v.then_some(Piece::RecordedDeltaV(id)));
+            let stored = if recorder.ends_early { Piece::LeastDeltaV(id) } else { Piece::RecordedDeltaV(id) };
+            pieces.extend(has_delta_v.then_some(stored));
             pieces.extend(recorder.direction.map(|_| Piece::RecordedDirection(id)));
             pieces.extend(recorder.speed.map(|_| Piece::RecordedSpeed(id)));
             pieces.extend(recorder.yaw_rate.map(|_| Piece::RecordedYawRate(id)));
@@ -360,7 +363,16 @@ impl<I: Impacts> CollisionModel<I> {
                 }
             }
             Piece::Pdof(id) => {
-                vehicle(id).pdof.map_or(Error::NONE, |coded| coded.error(impacted.outcome.pdof()[id.index()]))
+                let of = |id: VehicleId| Some((vehicle(id).pdof?, impacted.outcome.pdof()[id.index()]));
+                match (of(id), of(id.other())) {
+                    (Some((coded, pdof)), Some((other, other_pdof))) if coded.scale == other.scale => {
+                        let [error, beside] =
+                            [coded.pdof - pdof, other.pdof - other_pdof].map(principal_angle);
+                        coded.of(principal_angle(error + 0.5 * principal_angle(beside - error)))
+                    }
+                    (Some((coded, pdof)), _) => coded.error(pdof),
+                    (None, _) => Error::NONE,
+                }
             }
             Piece::RecordedDirection(id) => {
                 let recorded = vehicle(id).recorder.direction;
@@ -381,17 +393,20 @@ impl<I: Impacts> CollisionModel<I> {
                 Some(Measured { value, sd }) => Error::normal(value - after(id).yaw_rate, sd),
                 None => Error::NONE,
             },
-            Piece::RecordedDeltaV(id) => {
+            Piece::RecordedDeltaV(id) | Piece::LeastDeltaV(id) => {
                 let outcome = &impacted.outcome;
                 let whole = outcome.delta_v_magnitude()[id.index()];
                 let along = outcome.delta_v_components()[id.index()][0];
-                match (vehicle(id).recorder.delta_v, vehicle(id).recorder.longitudinal) {
-                    (_, Some(part)) => part.error(whole, along),
+                let recorder = &vehicle(id).recorder;
+                let (error, slows) = match (recorder.delta_v, recorder.longitudinal) {
+                    (_, Some(part)) => (part.error(whole, along), part.along < 0.0),
                     (Some(recorded), None) => {
-                        recorded.error(shown_delta_v(whole, along, recorded.is_longitudinal))
+                        let shown = shown_delta_v(whole, along, recorded.is_longitudinal);
+                        (recorded.error(shown), false)
                     }
-                    (None, None) => Error::NONE,
-                }
+                    (None, None) => (Error::NONE, false),
+                };
+                if matches!(piece, Piece::LeastDeltaV(_)) { error.or_beyond(slows) } else { error }
             }
             Piece::Rest(id) => match (self.rest_errors(id, impacted), vehicle(id).rest) {
                 (Some([along, across, turned]), _) => {
@@ -675,6 +690,16 @@ impl Error {
             (true, Some(freedom)) => freedom.log_density(self.error, self.scale),
         };
         density + self.potential
+    }
+
+    /// That the recorder would have shown this at the end, or more: of a ΔV that slows, below it.
+    #[inline(always)]
+    fn or_beyond(self, slows: bool) -> Self {
+        let Some(freedom) = self.freedom else { return Self::NONE };
+        let z = self.error / self.scale;
+        // P(Y ≥ y) = F(−ε/σ), P(Y ≤ y) = F(ε/σ)
+        let share = freedom.share_below(if slows { z } else { -z });
+        Self { potential: ln(share), ..Self::NONE }
     }
 
     /// Its normal score.

@@ -131,6 +131,7 @@ impl TestedClass {
                 Piece::RecordedDeltaV(id) | Piece::RecordedDirection(id) => recorders[id.index()] = true,
                 Piece::Rest(_)
                 | Piece::Points(_)
+                | Piece::LeastDeltaV(_)
                 | Piece::RecordedSpeed(_)
                 | Piece::RecordedYawRate(_)
                 | Piece::SkidSpeed(_)

@@ -232,6 +232,26 @@ fn a_recorder_and_a_pdof_have_heavy_tails() {
     close(terms[2].1, normal((16.0_f64 / 15.0).ln() / 0.05, 0.05));
 }
 
+/// Of two PDOFs with the same error, the mean counts, whichever vehicle is called 1: the force comes from 0 and
+/// 180°, both are 0.2 rad off to the right, so that in the scene they are 0.4 rad apart, about the truth; or
+/// both are on one side of it.
+#[test]
+fn two_pdofs_of_one_error_count_as_their_mean() {
+    let of = |pdofs: [f64; 2]| {
+        let mut collision = rear_end();
+        for (vehicle, pdof) in collision.observed.vehicles.iter_mut().zip(pdofs) {
+            vehicle.pdof = Some(CodedPdof { pdof, scale: 0.1 });
+        }
+        let [(Piece::Pdof(One), term)] = terms(&collision)[..] else { panic!() };
+        term
+    };
+    let student = |z: f64| ((1.0 + z * z / 2.0).powf(-1.5) / (8.0_f64.sqrt() * 0.1)).ln();
+    close(of([0.2, PI - 0.2]), student(0.0));
+    close(of([0.2, 0.2 - PI]), student(2.0));
+    close(of([0.1, 0.2 - PI]), student(1.5));
+    close(of([0.2, 0.1 - PI]), student(1.5));
+}
+
 /// The force on vehicle 1 comes from straight ahead; the recorder shows 0.2 rad, and angles beyond 180°.
 #[test]
 fn the_direction_of_a_recorder_has_heavy_tails() {
@@ -483,6 +503,51 @@ fn energies_obtained_alike_have_one_error() {
     let error = real::elementary::ln((energies[0] + energies[1]) / 30e3) - misfit.bias;
     let z = error / misfit.ln_sd;
     assert_eq!(found, -0.5 * z * z - real::elementary::ln(misfit.ln_sd) - 0.918_938_533_204_672_8);
+}
+
+/// A record that ends early: the probability of what it would have shown at the end, by the sum of the density
+/// of a whole record.
+#[test]
+fn a_record_that_ends_early_is_a_bound() {
+    let term = |recorder: RecordedData| {
+        let mut collision = rear_end();
+        collision.observed.vehicles[0].recorder = recorder;
+        let [(piece, term)] = terms(&collision)[..] else { panic!() };
+        assert_eq!(piece == Piece::LeastDeltaV(One), recorder.ends_early);
+        term
+    };
+    let part = |along: f64, ends_early| {
+        let part = RecordedPart { along, ln_scale: 0.08, least: 0.3, freedom: Freedom::Three };
+        term(RecordedData { longitudinal: Some(part), ends_early, ..RecordedData::default() })
+    };
+    let size = |size: f64, ends_early| {
+        let (is_longitudinal, ln_scale, least) = (false, 0.08, 0.3);
+        let whole = RecordedDeltaV { size, is_longitudinal, ln_scale, least, freedom: Freedom::Three };
+        term(RecordedData { delta_v: Some(whole), ends_early, ..RecordedData::default() })
+    };
+    // Vehicle 1 lost 6.6 m/s. In steps of 1 cm/s, up to where nothing is left but the tail ∝ y⁻¹(ln y)⁻³.
+    let sum = |density: &dyn Fn(f64) -> f64, from: f64, sign: f64| -> f64 {
+        (0..40_000).map(|step| density(from + sign * 0.01 * (f64::from(step) + 0.5)).exp() * 0.01).sum()
+    };
+    for stored in [-3.0, -6.0, -6.6, -7.5, -10.0] {
+        let expected = sum(&|y| part(y, false), stored, -1.0);
+        assert!(
+            (part(stored, true).exp() - expected).abs() < 5e-4,
+            "{stored}: {} {expected}",
+            part(stored, true).exp()
+        );
+    }
+    // The density of a size is one of ε = arsinh(σy/a): dε = σ dy/√(σ²y² + a²).
+    let of_size = |y: f64| size(y, false) + (0.08 / (0.08 * y).hypot(0.3)).ln();
+    for stored in [3.0, 6.6, 8.0] {
+        let expected = sum(&of_size, stored, 1.0);
+        assert!(
+            (size(stored, true).exp() - expected).abs() < 5e-4,
+            "{stored}: {} {expected}",
+            size(stored, true).exp()
+        );
+    }
+    assert!(part(-3.0, true) > -0.01 && part(-10.0, true) < -4.0 && part(3.0, true) < -4.0);
 }
 
 /// A longitudinal ΔV of −6.6 m/s and one of 0: Student's t in arsinh, with the density in m/s.

@@ -19,6 +19,12 @@ pub enum FieldError {
         /// Its name.
         column: String,
     },
+    /// A column is there twice.
+    #[error("the column {column} is there twice: rename or delete the one that is not meant")]
+    ColumnTwice {
+        /// Its name.
+        column: String,
+    },
     /// A column of a table of recorders is missing.
     #[error(
         "there is no column {column}; --recorders needs CASEID and, with _1 and _2 for the vehicles, CURBWT, CARGOWT, \
@@ -53,7 +59,7 @@ pub enum FieldError {
     #[error("line {line}, column {column}: {} is not {wanted}", quoted(.text))]
     Cell {
         /// Line number, where 1 is the header.
-        line: usize,
+        line: u64,
         /// The name of its column.
         column: String,
         /// Its text.
@@ -62,7 +68,7 @@ pub enum FieldError {
         wanted: &'static str,
     },
     /// The file has only a header.
-    #[error("the file has no pair of vehicles")]
+    #[error("the file has no pair of vehicles: write one a line, below the header")]
     NoPairs,
     /// No vehicle struck a fixed object with its front.
     #[error("no line of the file has a front (CDCPLANE F) that struck an object")]

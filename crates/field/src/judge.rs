@@ -342,12 +342,8 @@ impl Figures {
             mean(&cases, &is_inside.collect::<Vec<_>>())
         };
         figures.coverage = Some([0, 1, 2].map(inside));
-        let mut widths: Vec<f64> = judged
-            .iter()
-            .map(|judged| (judged.intervals[2][1] - judged.intervals[2][0]) / judged.median)
-            .collect();
-        widths.sort_by(f64::total_cmp);
-        figures.width95 = widths.get(widths.len() / 2).copied();
+        let width = |judged: &&Judged| (judged.intervals[2][1] - judged.intervals[2][0]) / judged.median;
+        figures.width95 = median(judged.iter().map(width).collect());
         figures.crps = judged.iter().map(|judged| judged.crps).sum::<f64>() / count(judged.len());
         let mut pit = [0; 10];
         for judged in judged {
@@ -399,6 +395,19 @@ impl Figures {
 /// The crash of each.
 fn cases<'a>(judged: &[&'a Judged]) -> Vec<&'a str> {
     judged.iter().map(|judged| judged.case.as_str()).collect()
+}
+
+/// The median; of an even number, the mean of the two in the middle.
+pub(crate) fn median(mut values: Vec<f64>) -> Option<f64> {
+    values.sort_by(f64::total_cmp);
+    let half = values.len() / 2;
+    if values.is_empty() {
+        None
+    } else if values.len() % 2 == 1 {
+        values.get(half).copied()
+    } else {
+        Some(0.5 * (values[half - 1] + values[half]))
+    }
 }
 
 /// The mean, and its standard error if the errors of the vehicles of a collision are correlated.

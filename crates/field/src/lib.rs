@@ -39,6 +39,7 @@ mod error;
 mod figure;
 mod fit;
 mod judge;
+mod lines;
 mod object;
 mod pair;
 mod read;

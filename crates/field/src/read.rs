@@ -4,6 +4,7 @@ use std::collections::{BTreeSet, HashMap};
 
 use crate::crossed;
 use crate::error::FieldError;
+use crate::lines::Lines;
 use crate::object::{ObjectCrash, kind_of_object};
 use crate::pair::{Pair, PairVehicle, Plane};
 
@@ -17,7 +18,7 @@ pub fn read(text: &str) -> Result<Vec<Pair>, FieldError> {
     for (case, cells) in crashes(text)? {
         let vehicle = |vehicle| {
             let vehicle = Some(vehicle);
-            cells.vehicle_with(vehicle, true, || cells.depths(vehicle))
+            cells.damaged(vehicle, true)
         };
         pairs.push(Pair { case, vehicles: [vehicle(1)?, vehicle(2)?] });
     }
@@ -45,7 +46,7 @@ pub fn read_objects(text: &str) -> Result<Option<Vec<ObjectCrash>>, FieldError> 
         let has_pdof = cells.at_most(MOST_ANGLE, "PDOF", None)?.is_some();
         found.push(ObjectCrash {
             case,
-            vehicle: cells.vehicle_with(None, has_pdof, || cells.depths(None))?,
+            vehicle: cells.damaged(None, has_pdof)?,
             has_pdof,
             kind: kind_of_object(code),
         });
@@ -71,8 +72,18 @@ pub(crate) const MOST_SPEED: f64 = 500.0;
 /// The lines of a table, by the names of their columns.
 pub(crate) fn cells(text: &str) -> Result<Vec<Cells>, FieldError> {
     let mut reader = csv::Reader::from_reader(text.as_bytes());
-    let lines = reader.deserialize().enumerate();
-    lines.map(|(index, columns)| Ok(Cells { line: index + 2, columns: columns? })).collect()
+    let header = reader.headers()?.clone();
+    let mut columns = BTreeSet::new();
+    if let Some(column) = header.iter().find(|column| !columns.insert(*column)) {
+        return Err(FieldError::ColumnTwice { column: column.to_owned() });
+    }
+    let mut lines = Lines::of(text);
+    let record = |record: csv::Result<csv::StringRecord>| {
+        let record = record?;
+        let columns = record.deserialize(Some(&header))?;
+        Ok(Cells { line: lines.place(&record), columns })
+    };
+    reader.records().map(record).collect()
 }
 
 /// The lines of a table, each with the name of its crash: the number, with the year if another year has the
@@ -99,7 +110,7 @@ fn named(column: &str, vehicle: Option<u8>) -> String {
 }
 
 pub(crate) struct Cells {
-    line: usize,
+    line: u64,
     columns: HashMap<String, String>,
 }
 
@@ -184,6 +195,20 @@ impl Cells {
             *depth = (self.number(column, vehicle)? / 100.0).max(0.0);
         }
         Ok(depths)
+    }
+
+    /// A vehicle with the depths of the table.
+    fn damaged(&self, vehicle: Option<u8>, has_pdof: bool) -> Result<PairVehicle, FieldError> {
+        let found = self.vehicle_with(vehicle, has_pdof, || self.depths(vehicle))?;
+        let is_side = matches!(found.plane, Plane::Left | Plane::Right);
+        let has_length =
+            [found.field_length, found.direct_length].into_iter().flatten().any(|length| length > 0.0);
+        if is_side || has_length {
+            return Ok(found);
+        }
+        let wanted = "a length above 0 cm of the damage, nor is DIRECTL: without one the pair cannot be judged, so leave its \
+                      line out";
+        Err(self.refusal("FIELDL", vehicle, self.text("FIELDL", vehicle)?, wanted))
     }
 
     /// A vehicle with these depths (m).

@@ -10,7 +10,7 @@ use uncertainty::{Distribution, InvalidDistribution, order_statistic};
 
 use crate::crash::Crash as _;
 use crate::error::FieldError;
-use crate::judge::{LEVELS, Options, count, posterior};
+use crate::judge::{LEVELS, Options, count, median, posterior};
 use crate::pair::Truth;
 use crate::recorded::{LastSpeed, RecordedPair, RecorderRow};
 
@@ -266,18 +266,6 @@ impl Stored {
 
     fn quantile(&self, share: f64) -> f64 {
         order_statistic(&self.0, (share * count(self.0.len())).floor())
-    }
-}
-
-fn median(mut values: Vec<f64>) -> Option<f64> {
-    values.sort_by(f64::total_cmp);
-    let half = values.len() / 2;
-    if values.is_empty() {
-        None
-    } else if values.len() % 2 == 1 {
-        values.get(half).copied()
-    } else {
-        Some(0.5 * (values[half - 1] + values[half]))
     }
 }
 

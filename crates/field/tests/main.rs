@@ -49,12 +49,23 @@ fn what_cannot_be_read_is_named() {
         ("120,150,10", "120,1e300,10", "line 2, column DIRECTL_1: \"1e300\" is not a plausible number"),
         ("17,1500,", "17,1e9,", "line 2, column CURBWT_1: \"1e9\" is not a plausible number"),
         ("F,20,", "F,1e6,", "line 2, column PDOF_1: \"1e6\" is not a plausible number"),
+        ("120,150,10", ",,10", "line 2, column FIELDL_1: the empty cell is not a length above 0 cm"),
+        ("120,150,10", "0,-3,10", "line 2, column FIELDL_1: \"0\" is not a length above 0 cm"),
     ] {
         assert_eq!(LINE.matches(from).count(), 1);
         let error = read(&table(&LINE.replace(from, to))).unwrap_err().to_string();
         assert!(error.contains(said), "{error}");
     }
-    assert_eq!(read(&format!("{HEADER}\n")).unwrap_err().to_string(), "the file has no pair of vehicles");
+    // Blank lines and line breaks within a cell count, as an editor counts them.
+    let bad = LINE.replace("17,1500,", "17,heavy,");
+    for (lines, at) in [(format!("{LINE}\n\n\n{bad}"), 5), (format!("\"1\n7\"{}\n{bad}", &LINE[2..]), 4)] {
+        let error = read(&table(&lines)).unwrap_err().to_string();
+        assert!(error.starts_with(&format!("line {at}, column CURBWT_1")), "{error}");
+    }
+    let error = read(&format!("{HEADER},C1_1\n{LINE},99\n")).unwrap_err().to_string();
+    assert!(error.starts_with("the column C1_1 is there twice"), "{error}");
+    let error = read(&format!("{HEADER}\n")).unwrap_err().to_string();
+    assert!(error.starts_with("the file has no pair of vehicles"), "{error}");
     let error = read("CASEID,CURBWT_1\n1,2\n").unwrap_err().to_string();
     assert!(error.starts_with("there is no column CDCPLANE_1; the file needs CASEID and"), "{error}");
 }

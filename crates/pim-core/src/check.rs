@@ -23,6 +23,16 @@ pub fn positive(what: &'static str, value: f64) -> Result<(), InvalidInput> {
     if value > 0.0 { Ok(()) } else { Err(InvalidInput::NotPositive { what, value }) }
 }
 
+/// Refuses all but finite numbers from `low` up.
+///
+/// # Errors
+/// [`InvalidInput`], with `what` as the name of the number.
+#[inline(always)]
+pub fn at_least(what: &'static str, value: f64, low: f64) -> Result<(), InvalidInput> {
+    finite(what, value)?;
+    if value >= low { Ok(()) } else { Err(InvalidInput::TooSmall { what, value, low }) }
+}
+
 /// Refuses all but numbers from `low` to `high`.
 ///
 /// # Errors

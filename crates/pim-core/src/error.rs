@@ -25,6 +25,16 @@ pub enum InvalidInput {
         /// Its value, in SI units.
         value: f64,
     },
+    /// Below the least value that the quantity can have.
+    #[error("the {what} is {value}, but must be at least {low}")]
+    TooSmall {
+        /// Which quantity.
+        what: &'static str,
+        /// Its value, in SI units.
+        value: f64,
+        /// Smallest allowed value.
+        low: f64,
+    },
     /// Outside the interval on which the quantity is defined.
     #[error("the {what} is {value}, but must lie between {low} and {high}")]
     OutOfRange {
@@ -60,6 +70,15 @@ pub enum InvalidInput {
         to: f64,
         /// (m/s²) the acceleration.
         acceleration: f64,
+    },
+    /// A stretch of constant acceleration that would begin backward.
+    #[error(
+        "a stretch that ends at {end:.2} m/s would have gained more speed than that, so that it cannot have begun with \
+         the vehicle standing or moving forward"
+    )]
+    GainsMore {
+        /// (m/s) the speed where it ends.
+        end: f64,
     },
     /// Two fixed bodies cannot collide.
     #[error("both bodies are fixed, but at least one must be able to move")]

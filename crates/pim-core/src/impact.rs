@@ -1,5 +1,7 @@
 //! The impact itself: from the approach to the motion after it, with the energy balance.
 
+use core::f64::consts::PI;
+
 use nalgebra::Vector2;
 use real::Real;
 
@@ -61,8 +63,7 @@ impl<T: Real> Outcome<T> {
     #[inline(always)]
     #[must_use]
     pub fn impulse_direction(&self) -> T {
-        // Adding zero turns −0 into +0, so that an impulse along −x is at +π.
-        (self.impulse_vector.y + 0.0).atan2(self.impulse_vector.x)
+        direction(self.impulse_vector.x, self.impulse_vector.y)
     }
 
     /// (rad) principal direction of force for both vehicles, see [`pdof`].
@@ -113,8 +114,19 @@ impl<T: Real> Outcome<T> {
 pub fn pdof<T: Real>(forward: Vector2<T>, impulse: Vector2<T>) -> T {
     let [ahead, left] = ahead_and_left(forward, impulse);
     // The force comes from −P; clockwise from the heading is to the right: PDOF = atan2(P_left, −P_ahead).
-    // Adding zero turns −0 into +0, so that a push from straight behind is +π and never −π.
-    (left + 0.0).atan2(-ahead)
+    direction(-ahead, left)
+}
+
+/// (rad) by which rounding may leave a direction on the other side of the half turn.
+const HALF_TURN_ROUNDING: f64 = 1e-12;
+
+/// (rad) angle of a vector, in (−π, π]: a push from straight behind is +π, on whichever side of it rounding
+/// leaves the vector.
+#[inline(always)]
+fn direction<T: Real>(x: T, y: T) -> T {
+    let angle = y.atan2(x);
+    let value = angle.value();
+    if value < HALF_TURN_ROUNDING - PI { angle - value + PI } else { angle }
 }
 
 /// Resolves a scene vector along a vehicle's forward axis (unit vector) and to its left.

@@ -108,7 +108,7 @@ impl<T: Real> Law<T> {
                 check::within("fraction of the critical impulse ratio", f.value(), 0.0, 1.0)
             }
             Tangential::Friction(limit) | Tangential::FullOrSliding(limit) => {
-                check::within("friction limit", limit.value(), 0.0, f64::MAX)
+                check::at_least("friction limit", limit.value(), 0.0)
             }
             Tangential::VelocityChange(change) => check::finite("tangential velocity change", change.value()),
             Tangential::Restitution(e_t) => {

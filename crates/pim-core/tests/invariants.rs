@@ -505,6 +505,25 @@ fn pdof_is_clockwise_from_the_heading() {
     }
 }
 
+/// In every orientation, and with either way to write the crush plane.
+#[test]
+fn pdof_from_behind_is_never_minus_180_degrees() {
+    let body = *struck(-2.0, 0.0, 0.0).cars[0].participant().body();
+    let law = Law::new(0.2, Tangential::Critical).unwrap();
+    for step in 0..720 {
+        let heading = f64::from(step) * PI / 360.0;
+        let struck = Participant::new(body, heading, -2.0, 0.0).unwrap();
+        let bullet = Participant::new(body, heading, 2.0, 0.0).unwrap();
+        for plane in [heading, heading - PI, heading + PI] {
+            let contact = Contact::new([struck, bullet], plane).unwrap();
+            let outcome = contact.impact([Motion::rest(), Motion::along(heading, 10.0)], &law).unwrap();
+            assert_eq!(outcome.pdof()[0], PI, "{step} {plane}");
+            let direction = outcome.impulse_direction();
+            assert!(direction > -PI + 1e-9 && direction <= PI, "{step} {plane}: {direction}");
+        }
+    }
+}
+
 /// A push from straight behind is at +180°, where the angle jumps.
 #[test]
 fn pdof_from_behind_is_plus_180_degrees() {

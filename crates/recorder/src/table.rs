@@ -390,12 +390,27 @@ pub enum TextRefusal {
     )]
     NotLong,
     /// A row without a time.
-    #[error("{place}: \"{text}\" is not a time")]
+    #[error(
+        "{place}: \"{text}\" is not a time; write the time of each row as a number, and leave a row without one out"
+    )]
     TimeUnreadable {
         /// Where it stands.
         place: TextPlace,
         /// What stands there.
         text: String,
+    },
+    /// A time that no record of a crash has.
+    #[error(
+        "{place}: the time \"{text}\" is beyond {} to {} in the unit of its heading, farther from the impact than a record \
+         goes; is the heading to say ms?", range[0], range[1]
+    )]
+    TimeFar {
+        /// Where it stands.
+        place: TextPlace,
+        /// What stands there.
+        text: String,
+        /// (unit of the heading) from where to where times can lie.
+        range: [f64; 2],
     },
     /// A time that the row before has, too.
     #[error("{place}: the time {time} s appears twice")]
@@ -457,6 +472,7 @@ impl TextRefusal {
             | Self::UnitOfList { place, .. }
             | Self::Uneven { place, .. }
             | Self::TimeUnreadable { place, .. }
+            | Self::TimeFar { place, .. }
             | Self::TimeTwice { place, .. }
             | Self::Disagree { place, .. }
             | Self::TimesTurn { place, .. } => Some(*place),

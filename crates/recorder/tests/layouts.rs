@@ -238,6 +238,14 @@ fn un_r160_out_of_a_pdf_with_tabs_commas_and_aligned_columns() {
         assert_eq!(values(&table, Channel::DeltaVLongitudinal, KMH), [0.0, -1.0]);
         assert_eq!(values(&table, Channel::Brake, 1.0), [0.0, 1.0]);
     }
+    // A heading in quotes may run over lines, as spreadsheets write it; places are those of its first line.
+    let broken = "\"Time\n(sec)\",\"Speed\n(km/h)\",Service Brake\n-1.0,50,Off\n-0.5,O.9,On\n0,45,On\n";
+    let table = one(broken);
+    assert_eq!(table.values(Channel::Speed)[0], Some(50.0 * KMH));
+    assert_eq!(values(&table, Channel::Brake, 1.0), [0.0, 1.0, 1.0]);
+    let far = broken.replace("-1.0", "-100").replace("-0.5,O", "-50,4");
+    let error = read_tables(&far).unwrap_err().to_string();
+    assert!(error.starts_with("line 4, column 1: the time \"-100\" is beyond -60 to 60"), "{error}");
     let across = "Time (s);-1;-0.5;0\nVehicle speed (km/h);50;48;SNA\nBrake;off;on;on\n";
     let table = one(across);
     assert_eq!(table.layout, TextLayout::Transposed);
@@ -728,7 +736,10 @@ fn a_column_of_unknown_words_refuses_no_table() {
     assert_eq!(table.ignored[0].0, "Gear");
     // A time that is none is told, and a footer with a comma begins no table.
     let typo = text.replace("-0.5,", "-O.5,");
-    assert_eq!(read_tables(&typo).unwrap_err().to_string(), "line 3, column 1: \"-O.5\" is not a time");
+    assert_eq!(
+        read_tables(&typo).unwrap_err().to_string(),
+        "line 3, column 1: \"-O.5\" is not a time; write the time of each row as a number, and leave a row without one out"
+    );
     let footer = text.replace("0,49", "Page 5, of 22\n0,49");
     assert_eq!(three(&one(&footer)), whole);
     // A share of the greatest angle is no angle.

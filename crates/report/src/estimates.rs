@@ -104,6 +104,7 @@ pub(crate) fn piece_name(piece: Piece) -> String {
         Piece::DirectionAfter(id) => ("direction after", id),
         Piece::YawRateAfter(id) => ("yaw rate after", id),
         Piece::RecordedDeltaV(id) => ("recorder's ΔV", id),
+        Piece::LeastDeltaV(id) => ("recorder's ΔV at least", id),
         Piece::RecordedDirection(id) => ("direction of recorder's ΔV", id),
         Piece::Rest(id) => ("rest", id),
         Piece::Points(id) => ("points passed", id),
@@ -140,7 +141,7 @@ pub(crate) fn error(piece: Piece, observed: &Observed, units: Units) -> Option<S
         Piece::SpeedAfter(id) => speed(&of(id).after.speed?),
         Piece::DirectionAfter(id) => format!("std. dev. {}", angle(of(id).after.direction?.sd)),
         Piece::YawRateAfter(id) => format!("std. dev. {}", rate(of(id).after.yaw_rate?.sd)),
-        Piece::RecordedDeltaV(id) => {
+        Piece::RecordedDeltaV(id) | Piece::LeastDeltaV(id) => {
             let recorder = &of(id).recorder;
             let whole = recorder.delta_v.map(|delta_v| (delta_v.ln_scale, delta_v.least));
             let part = recorder.longitudinal.map(|part| (part.ln_scale, part.least));
@@ -267,9 +268,10 @@ pub(crate) fn error_key(piece: &PieceFound) -> Option<String> {
         Piece::Severity | Piece::Limits(_) => return None,
         Piece::Rest(_) | Piece::Points(_) => "estimate.rest_error".to_owned(),
         Piece::Crush => "estimate.crush_error".to_owned(),
-        Piece::RecordedDeltaV(_) | Piece::RecordedSpeed(_) | Piece::RecordedYawRate(_) => {
-            format!("{}_error", piece.key)
-        }
+        Piece::RecordedDeltaV(_)
+        | Piece::LeastDeltaV(_)
+        | Piece::RecordedSpeed(_)
+        | Piece::RecordedYawRate(_) => format!("{}_error", piece.key),
         Piece::RecordedDirection(id) => format!("vehicle{id}.recorder.direction_error"),
         _ => piece.key.clone(),
     })
@@ -306,10 +308,9 @@ pub(crate) fn unused(reason: UnusedReason, key: &str) -> [String; 2] {
             "its law, not Brach's, decides whether the vehicles separate",
             "law = \"brach\" in [impact], or no law",
         ],
-        UnusedReason::RecordEnds => [
-            "the record ends before the impact does, or has no impact: its ΔV is a lower bound",
-            "nothing: `deltav recorder` shows what it holds",
-        ],
+        UnusedReason::NoImpact => {
+            ["the record holds no ΔV of an impact", "nothing: `deltav recorder` shows what it holds"]
+        }
         UnusedReason::OtherImpact => [
             "it is not likely to be of this impact, or less likely than another record",
             "this record alone, without `records`, if it is: `deltav recorder` weighs them",
@@ -319,8 +320,8 @@ pub(crate) fn unused(reason: UnusedReason, key: &str) -> [String; 2] {
             "speed = \"0 km/h\" in the table of the vehicle",
         ],
         UnusedReason::OtherPdof => [
-            "both PDOFs are one observation, and the one with the smaller error counts",
-            "nothing: it is counted once",
+            "both PDOFs are one observation: the one with the smaller error counts, or the mean of two with the same",
+            "nothing: they are counted once",
         ],
         UnusedReason::NotFollowed => {
             return [

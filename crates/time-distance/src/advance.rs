@@ -28,7 +28,7 @@ impl<T: Real> Advance<T> {
     /// # Errors
     /// If the distance is negative, or a speed or the acceleration is not positive.
     pub fn time_over(&self, distance: T) -> Result<T, InvalidInput> {
-        check::within("distance along the path", distance.value(), 0.0, f64::MAX)?;
+        check::at_least("distance along the path", distance.value(), 0.0)?;
         let of_speed = |speed: T| check::positive("speed of the road user", speed.value());
         match *self {
             Self::Steady { speed } => {

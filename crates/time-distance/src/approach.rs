@@ -73,23 +73,27 @@ const LONG: &str = "length of a phase before the impact";
 /// If a number is impossible: a negative length, a speed that would have been negative, an acceleration
 /// that does not lead from one speed to the other.
 pub fn approach<T: Real>(end: &Leg<T>, phase: Phase<T>) -> Result<Leg<T>, InvalidInput> {
-    let within = |what, value: T| check::within(what, value.value(), 0.0, f64::MAX);
+    let least = |what, value: T| check::at_least(what, value.value(), 0.0);
+    let forward = |start: T| match start.value() {
+        start if start < 0.0 => Err(InvalidInput::GainsMore { end: end.speed.value() }),
+        start => check::finite(FROM, start),
+    };
     let any = |acceleration: T| check::finite("acceleration before the impact", acceleration.value());
     let (speed, time, acceleration) = match phase {
         Phase::Over { distance, acceleration } => {
-            within(LONG, distance)?;
+            least(LONG, distance)?;
             any(acceleration)?;
             // v₀² = v² − 2 a s
             let square = end.speed * end.speed - acceleration * distance * 2.0;
-            within("square of the speed where a phase before the impact begins", square)?;
+            forward(square)?;
             let speed = if square.value() > 0.0 { square.sqrt() } else { T::ZERO };
             (speed, time_over(distance, speed + end.speed)?, acceleration)
         }
         Phase::For { time, acceleration } => {
-            within(LASTS, time)?;
+            least(LASTS, time)?;
             any(acceleration)?;
             let speed = end.speed - acceleration * time;
-            within(FROM, speed)?;
+            forward(speed)?;
             (speed, time, acceleration)
         }
         Phase::FromRest { acceleration } => {
@@ -97,28 +101,28 @@ pub fn approach<T: Real>(end: &Leg<T>, phase: Phase<T>) -> Result<Leg<T>, Invali
             (T::ZERO, end.speed / acceleration, acceleration)
         }
         Phase::From { speed, acceleration } => {
-            within(FROM, speed)?;
+            least(FROM, speed)?;
             any(acceleration)?;
             (speed, time_between(speed, end.speed, acceleration)?, acceleration)
         }
         Phase::FromOver { speed, distance } => {
-            within(FROM, speed)?;
+            least(FROM, speed)?;
             check::positive(LONG, distance.value())?;
             let sum = speed + end.speed;
             // a = (v² − v₀²)/2 s
             (speed, time_over(distance, sum)?, (end.speed - speed) * sum / (distance * 2.0))
         }
         Phase::FromFor { speed, time } => {
-            within(FROM, speed)?;
+            least(FROM, speed)?;
             check::positive(LASTS, time.value())?;
             (speed, time, (end.speed - speed) / time)
         }
         Phase::OverFor { distance, time } => {
-            within(LONG, distance)?;
+            least(LONG, distance)?;
             check::positive(LASTS, time.value())?;
             // v₀ = 2 s/t − v
             let speed = distance * 2.0 / time - end.speed;
-            within(FROM, speed)?;
+            forward(speed)?;
             (speed, time, (end.speed - speed) / time)
         }
     };
@@ -143,7 +147,7 @@ fn time_between<T: Real>(from: T, to: T, acceleration: T) -> Result<T, InvalidIn
         return Ok(T::ZERO);
     }
     let time = gain / acceleration;
-    if check::within(LASTS, time.value(), 0.0, f64::MAX).is_err() {
+    if check::at_least(LASTS, time.value(), 0.0).is_err() {
         let [from, to, acceleration] = [from, to, acceleration].map(|number| number.value());
         return Err(InvalidInput::NotReached { from, to, acceleration });
     }

@@ -101,8 +101,8 @@ fn leg_reaches<T: Real>(leg: &Leg<T>, end: Option<T>, position: T) -> Option<T> 
     } else {
         by_halvings(leg, end, position)?
     };
-    // A step of Newton's method gives the derivatives, and no more: where the speed is all but zero, its value
-    // is rounding over rounding.
+    // A step of Newton's method gives the derivatives alone: its value, where the speed is nearly zero, is
+    // rounding over rounding.
     let near = leg.after(T::from(lasts));
     let time = leg.time + lasts;
     if near.speed.value() <= 0.0 {

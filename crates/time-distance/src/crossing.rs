@@ -46,9 +46,9 @@ impl<T: Real> Crossing<T> {
         let (sin, _) = angle.sin_cos();
         check::positive("sine of the angle between the paths", sin.abs().value())?;
         for party in &parties {
-            check::within("distance to the front", party.front.value(), 0.0, f64::MAX)?;
-            check::within("distance to the rear", party.rear.value(), 0.0, f64::MAX)?;
-            check::within("width", party.width.value(), 0.0, f64::MAX)?;
+            check::at_least("distance to the front", party.front.value(), 0.0)?;
+            check::at_least("distance to the rear", party.rear.value(), 0.0)?;
+            check::at_least("width", party.width.value(), 0.0)?;
         }
         Ok(Self { angle, parties })
     }

@@ -55,8 +55,8 @@ impl<T: Real> Response<T> {
     /// # Errors
     /// Where a time is negative, the deceleration is not positive, or a number is not finite.
     pub fn new(reaction: T, swell: T, deceleration: T, form: Swell) -> Result<Self, InvalidInput> {
-        check::within("reaction time", reaction.value(), 0.0, f64::MAX)?;
-        check::within("swell of the brakes", swell.value(), 0.0, f64::MAX)?;
+        check::at_least("reaction time", reaction.value(), 0.0)?;
+        check::at_least("swell of the brakes", swell.value(), 0.0)?;
         check::positive("deceleration", deceleration.value())?;
         Ok(Self { reaction, swell, deceleration, form })
     }

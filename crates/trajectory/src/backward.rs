@@ -1,8 +1,8 @@
 //! The motion after the impact, from the rest position.
 
-use core::f64::consts::TAU;
+use core::f64::consts::{PI, TAU};
 
-use pim_core::{InvalidInput, Motion, Vector2};
+use pim_core::{Body, InvalidInput, Motion, Vector2};
 use real::{Bundle, Duals, Real, elementary, principal_angle};
 
 use crate::chassis::Chassis;
@@ -31,6 +31,9 @@ const COARSE: f64 = 0.05;
 
 /// Two starts that differ by less than this fraction of their speed are the same.
 const SAME: f64 = 1e-4;
+
+/// (rad) turns that differ by less are as great.
+const SAME_TURN: f64 = 1e-6;
 
 /// Maximum number of rounds of Newton's method; a good seed needs five to ten.
 const MOST_ROUNDS: usize = 15;
@@ -123,7 +126,7 @@ pub struct StartMotion {
 }
 
 /// The starts that lead to a rest, the likeliest first: nearest to the point on the path if one is given,
-/// then with the least turn.
+/// then with the least turn; of turns to either side that are as great, the one with less energy.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Starts {
     found: [Option<StartMotion>; MOST_STARTS],
@@ -141,16 +144,28 @@ impl Starts {
         self.found.iter().flatten()
     }
 
-    /// Inserts a start in order, unless it is already there or the list is full of likelier ones.
-    fn insert(&mut self, departure: StartMotion) {
+    /// Inserts a start of a body in order, unless it is already there or the list is full of likelier ones.
+    fn insert(&mut self, departure: StartMotion, body: &Body<f64>) {
         if self.iter().any(|other| same(&other.motion, &departure.motion)) {
             return;
         }
-        let rank = |departure: &StartMotion| [departure.via_miss.unwrap_or(0.0), departure.turn.abs()];
+        let rank = |start: &StartMotion| [start.via_miss.unwrap_or(0.0), start.turn.abs()];
+        // Without this, rounding would choose between half a turn to the left and one to the right.
+        let are_as_far = |[via, turn]: [f64; 2], [other_via, other]: [f64; 2]| {
+            via == other_via && (turn - other).abs() < SAME_TURN
+        };
+        let is_likelier = |new: &StartMotion, old: &StartMotion| {
+            if !are_as_far(rank(new), rank(old)) {
+                return rank(new) < rank(old);
+            }
+            let [energy, other] = [new, old].map(|start| body.kinetic_energy(&start.motion));
+            let is_mirrored = (energy - other).abs() <= SAME * other;
+            if is_mirrored { new.turn > old.turn } else { energy < other }
+        };
         let mut carried = Some(departure);
         for place in &mut self.found {
             let later = match (&carried, &*place) {
-                (Some(new), Some(old)) => rank(new) < rank(old),
+                (Some(new), Some(old)) => is_likelier(new, old),
                 (new, None) => new.is_some(),
                 (None, _) => false,
             };
@@ -344,11 +359,13 @@ impl<'a> Search<'a> {
         let turn = self.target.heading - self.heading;
         let least = principal_angle(turn);
         let turns = if self.target.turns_known {
-            [Some(turn), None, None]
+            [Some(turn), None, None, None]
         } else {
-            // The turn the other way round, and one full turn more.
-            let other = least - TAU.copysign(least);
-            [Some(least), Some(other), Some(least + TAU.copysign(least))]
+            // The turn the other way round, and one full turn more; of half a turn, which is either way the
+            // same, to both sides.
+            let full = TAU.copysign(least);
+            let is_half = PI - least.abs() < SAME_TURN;
+            [Some(least), Some(least - full), Some(least + full), is_half.then_some(least - 2.0 * full)]
         };
         let way = self.target.position - self.position;
         if norm([way.x, way.y, least]) == 0.0 && !self.target.turns_known {
@@ -375,7 +392,7 @@ impl<'a> Search<'a> {
                 let Some(tried) = tried else { continue };
                 match tried {
                     Ok(found) if found.size() <= REACHED * self.control.tolerance => {
-                        starts.insert(self.departure(&found));
+                        starts.insert(self.departure(&found), self.chassis.body());
                         break;
                     }
                     Ok(missed) => {

@@ -136,7 +136,7 @@ impl Region<'_> {
             }
             Self::Polygon(corners) => {
                 #[expect(clippy::cast_precision_loss, reason = "nobody draws 2⁵³ corners")]
-                check::within("number of corners of a zone", corners.len() as f64, 3.0, f64::MAX)?;
+                check::at_least("number of corners of a zone", corners.len() as f64, 3.0)?;
                 corners.iter().copied().try_for_each(corner)
             }
         }

@@ -35,7 +35,7 @@ impl<T: Real> Steer<'_, T> {
             Self::Over(points) => {
                 let mut before = 0.0;
                 for &(time, at) in points {
-                    check::within("time of a steer angle", time.value(), before, f64::MAX)?;
+                    check::at_least("time of a steer angle", time.value(), before)?;
                     angle(at)?;
                     before = time.value();
                 }

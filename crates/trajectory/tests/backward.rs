@@ -97,6 +97,37 @@ fn a_start_is_found_over_changing_ground() {
     assert!((found.motion.yaw_rate - start.motion.yaw_rate).abs() < 1e-6, "{found:?}");
 }
 
+/// A vehicle that rests turned by half a turn may have turned either way. The start that comes first does not
+/// depend on how the scene is turned.
+#[test]
+fn half_a_turn_has_the_same_start_in_every_orientation() {
+    let (chassis, ground, control) = (car([0.1; 4]), Ground::level(0.7), Control::default());
+    for (x, y) in [(12.0, 4.0), (12.0, 1.0), (15.0, -2.0), (9.0, 0.0)] {
+        let of = |angle: f64| {
+            let (sin, cos) = angle.sin_cos();
+            let turned = |x: f64, y: f64| Vector2::new(3.0 + x * cos - y * sin, x * sin + y * cos - 7.0);
+            let target = Target {
+                position: turned(x, y),
+                heading: angle + std::f64::consts::PI,
+                turns_known: false,
+                via: None,
+            };
+            let starts =
+                to_start(&chassis, Steer::straight(), &ground, turned(0.0, 0.0), angle, &target, &control);
+            let found = *starts.unwrap().first().unwrap();
+            let [vx, vy] = [found.motion.velocity.x, found.motion.velocity.y];
+            [vx * cos + vy * sin, vy * cos - vx * sin, found.motion.yaw_rate]
+        };
+        let level = of(0.0);
+        for k in 1..24 {
+            let found = of(f64::from(k) * std::f64::consts::TAU / 24.0);
+            for (found, level) in found.iter().zip(level) {
+                assert!((found - level).abs() < 1e-2, "{x} {y} {k}: {found} {level}");
+            }
+        }
+    }
+}
+
 /// A point of the path distinguishes starts that lead to the same rest.
 #[test]
 fn the_start_past_the_point_comes_first() {

@@ -31,8 +31,8 @@ pub enum UnusedReason {
     OneWreck,
     /// That the vehicles left as one wreck, where the law is another one than Brach's.
     OtherLaw,
-    /// A pulse that ends before the impact does, so that its ΔV is a lower bound; or without an impact.
-    RecordEnds,
+    /// A pulse without an impact.
+    NoImpact,
     /// One of several records that is not likely to be of this impact.
     OtherImpact,
     /// The table of a vehicle that stood or crawled.

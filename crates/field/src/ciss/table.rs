@@ -6,6 +6,7 @@ use super::cell::{self, CissCell};
 use super::error::CissError;
 use super::found::CissColumn;
 use super::sas;
+use crate::lines::Lines;
 
 /// The files of one year.
 pub trait CissFiles {
@@ -263,7 +264,7 @@ impl<'a> Sheet<'a> {
     fn open(file: &'a str, text: &'a str) -> Result<Self, CissError> {
         let mut reader = csv::ReaderBuilder::new().flexible(true).from_reader(text.as_bytes());
         let header = reader.headers().map_err(|reason| not_table(file, reason))?.clone();
-        Ok(Self { file, reader, header, lines: Lines { text, at: 0, line: 1 } })
+        Ok(Self { file, reader, header, lines: Lines::of(text) })
     }
 
     fn place(&self, column: &str) -> Result<Option<usize>, CissError> {
@@ -299,7 +300,7 @@ impl<'a> Sheet<'a> {
     fn cells(&mut self, places: &[Place<'_>], mut each: impl FnMut(Vec<CissCell>)) -> Result<(), CissError> {
         let mut record = csv::StringRecord::new();
         while self.reader.read_record(&mut record).map_err(|reason| not_table(self.file, reason))? {
-            let line = self.lines.of(&record);
+            let line = self.lines.place(&record);
             let (cells, columns) = (record.len(), self.header.len());
             if cells != columns {
                 return Err(CissError::Cells { file: self.file.to_owned(), line, cells, columns });
@@ -322,27 +323,6 @@ impl<'a> Sheet<'a> {
 
 fn not_table(file: &str, reason: csv::Error) -> CissError {
     CissError::Table { file: file.to_owned(), reason }
-}
-
-/// Lines of a text. The parser counts no line for the second half of CR LF, and none for empty lines.
-struct Lines<'a> {
-    text: &'a str,
-    at: usize,
-    line: u64,
-}
-
-impl Lines<'_> {
-    /// The line on which a record begins; records come in their order.
-    fn of(&mut self, record: &csv::StringRecord) -> u64 {
-        let start = record.position().and_then(|position| position.byte().try_into().ok()).unwrap_or(0);
-        let bytes = self.text.as_bytes();
-        let blank = bytes.iter().skip(start).take_while(|byte| matches!(byte, b'\r' | b'\n')).count();
-        let begins = start + blank;
-        let between = bytes.get(self.at..begins).unwrap_or_default();
-        self.line += between.iter().filter(|byte| **byte == b'\n').count() as u64;
-        self.at = begins;
-        self.line
-    }
 }
 
 /// A text in UTF-8, or else in Latin-1.

@@ -156,7 +156,9 @@ fn why_not(vehicles: &[Hit<'_>], is_of_object: bool) -> Option<CissLeftOut> {
     let is_plane = |damage: Row<'_>| matches!(damage.cell("CDCPLANE"), Some(CissCell::Text(plane)) if matches!(plane.as_str(), "F" | "B" | "L" | "R"));
     let lacks_crush = |damage: Row<'_>| {
         ["C1", "C2", "C3", "C4", "C5", "C6"].into_iter().any(|column| lacks(damage, column))
-            || ["FIELDL", "DIRECTL"].into_iter().all(|column| lacks(damage, column))
+            || !["FIELDL", "DIRECTL"]
+                .into_iter()
+                .any(|column| damage.number(column).is_some_and(|length| length > 0.0))
     };
     let has_mass = |vehicle: &Hit<'_>| {
         vehicle.general.and_then(|row| row.number("CURBWT")).is_some_and(|mass| mass > 0.0)

@@ -25,7 +25,7 @@ pub enum MomentumError {
     /// The directions of travel are too close to one line for momentum alone.
     #[error(
         "the directions of travel differ by {:.2}°, which is within 10° of one line, so momentum alone does not give both \
-         speeds; use momentum along this line together with the crush energy", .angle.to_degrees()
+         speeds; use momentum along this line together with the crush energy", .angle.abs().to_degrees()
     )]
     Collinear {
         /// (rad) the angle from the course of vehicle 1 to that of vehicle 2.
@@ -166,4 +166,18 @@ pub enum MomentumError {
         /// (J) the residual there.
         residual: f64,
     },
+}
+
+impl MomentumError {
+    /// The same refusal in axes of the other handedness.
+    #[must_use]
+    pub fn mirrored(self) -> Self {
+        match self {
+            Self::Invalid(invalid) => Self::Invalid(invalid.mirrored()),
+            Self::Collinear { angle } => Self::Collinear { angle: -angle },
+            Self::Inadmissible { speeds, reason } => Self::Inadmissible { speeds, reason: reason.mirrored() },
+            Self::Impact(reason) => Self::Impact(reason.mirrored()),
+            unsigned => unsigned,
+        }
+    }
 }

@@ -9,7 +9,7 @@ use crate::momentum::{Momentum, MomentumError, cross, possible};
 const LEAST_SLOPE: f64 = 0.02;
 
 impl<T: Real> Momentum<T> {
-    /// (m/s) the speed of a vehicle along its heading before it hit a fixed object, from its motion
+    /// (m/s) the speed of a vehicle along its course before it hit a fixed object, from its motion
     /// afterwards and the restitution e at C. The object takes momentum, so that momentum alone does not give
     /// the speed; the impulse P follows from the velocities of the vehicle, and the condition at C is linear
     /// in the speed v:
@@ -25,7 +25,7 @@ impl<T: Real> Momentum<T> {
         self.check_numbers()?;
         let i = vehicle.index();
         let participant = &self.contact.participants()[i];
-        let (body, arm, forward) = (participant.body(), participant.arm(), participant.forward());
+        let (body, arm, course) = (participant.body(), participant.arm(), participant.course());
         // The other body is at rest before and after.
         let pair = |motion: Motion<T>| {
             let mut motions = [Motion::rest(); 2];
@@ -34,12 +34,12 @@ impl<T: Real> Momentum<T> {
         };
         let [at_rest, at_one] = [T::ZERO, T::ONE].map(|speed| {
             let velocity = self.after[i].velocity;
-            let impulse = (velocity - forward * speed) * body.mass();
+            let impulse = (velocity - course * speed) * body.mass();
             // Ω = ω + r × P/I
             let free = self.yaw_rates[i] + cross(arm, impulse) * body.inverse_yaw_inertia();
             let yaw_rate = self.after[i].yaw_rate.unwrap_or(free);
             let after = self.contact.approach(&pair(Motion { velocity, yaw_rate })).velocity.normal;
-            let before = Motion { velocity: forward * speed, yaw_rate: self.yaw_rates[i] };
+            let before = Motion { velocity: course * speed, yaw_rate: self.yaw_rates[i] };
             let before = self.contact.approach(&pair(before)).velocity.normal;
             // U_n + e u_n
             after + before * restitution
@@ -53,7 +53,7 @@ impl<T: Real> Momentum<T> {
             });
         }
         let speed = possible(vehicle, -(at_rest / slope))?;
-        let before = pair(Motion { velocity: forward * speed, yaw_rate: self.yaw_rates[i] });
+        let before = pair(Motion { velocity: course * speed, yaw_rate: self.yaw_rates[i] });
         if self.contact.approach(&before).velocity.normal >= T::ZERO {
             return Err(MomentumError::LeavesWall { vehicle, speed: speed.value() });
         }

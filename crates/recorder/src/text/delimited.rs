@@ -1,5 +1,7 @@
 //! Text with a character between its fields, or two spaces.
 
+use std::borrow::Cow;
+
 use super::heads::{Head, heading, quoted};
 use super::raw::RawTable;
 use super::tokens::{Token, Word, bare, is_value, number};
@@ -108,11 +110,32 @@ fn split_opening(piece: &str) -> Vec<String> {
     }
 }
 
+/// Lines over which a field in quotes may run; a quote that stays open longer is an inch.
+const MOST_QUOTED: usize = 6;
+
+/// Whether a quote is open at the end of a text.
+fn is_open(text: &str) -> bool {
+    text.matches('"').count() % 2 == 1
+}
+
+/// The lines with their numbers; those over which a field in quotes runs are one.
+fn numbered(text: &str) -> Vec<(usize, Cow<'_, str>)> {
+    let all: Vec<&str> = text.lines().collect();
+    let (mut found, mut k) = (Vec::new(), 0);
+    while k < all.len() {
+        let closes = |count: &usize| all.get(k..k + count).is_some_and(|lines| !is_open(&lines.join(" ")));
+        let count = if is_open(all[k]) { (2..=MOST_QUOTED).find(closes).unwrap_or(1) } else { 1 };
+        let line = if count == 1 { Cow::Borrowed(all[k]) } else { all[k..k + count].join(" ").into() };
+        found.push((k + 1, line));
+        k += count;
+    }
+    found
+}
+
 /// The lines that are not empty, no comment and no rule between heading and rows.
-pub(super) fn lines(text: &str) -> impl Iterator<Item = (usize, &str)> {
-    let numbered = text.lines().enumerate().map(|(k, line)| (k + 1, line));
+pub(super) fn lines(text: &str) -> impl Iterator<Item = (usize, Cow<'_, str>)> {
     let is_rule = |line: &str| line.contains('|') && line.chars().all(|letter| "-|:+= ".contains(letter));
-    numbered.filter(move |(_, line)| {
+    numbered(text).into_iter().filter(move |(_, line)| {
         !line.trim().is_empty() && !line.trim_start().starts_with('#') && !is_rule(line)
     })
 }
@@ -120,7 +143,7 @@ pub(super) fn lines(text: &str) -> impl Iterator<Item = (usize, &str)> {
 /// Whether this is how the fields of the text are divided: its heading names a time, and its lines of values
 /// have as many fields as the heading.
 fn divides(text: &str, layout: TextLayout) -> bool {
-    let rows: Vec<Vec<Field>> = lines(text).map(|(number, line)| fields(line, number, layout)).collect();
+    let rows: Vec<Vec<Field>> = lines(text).map(|(number, line)| fields(&line, number, layout)).collect();
     let named =
         |fields: &[Field]| fields.len() >= 2 && fields.iter().any(|field| is_time(&field.text, field.place));
     let Some(heading) = rows.iter().find(|fields| named(fields) && !holds_values(fields)) else {
@@ -173,7 +196,7 @@ pub(crate) fn layout(text: &str) -> Option<TextLayout> {
 
 /// The tables of a text with this layout.
 pub(crate) fn tables(text: &str, layout: TextLayout) -> Result<Vec<RawTable>, TextRefusal> {
-    let rows: Vec<Vec<Field>> = lines(text).map(|(number, line)| fields(line, number, layout)).collect();
+    let rows: Vec<Vec<Field>> = lines(text).map(|(number, line)| fields(&line, number, layout)).collect();
     if is_transposed(&rows) {
         return Ok(transposed(&rows));
     }

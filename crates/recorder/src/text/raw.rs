@@ -112,9 +112,12 @@ fn times(
 ) -> Result<(Vec<f64>, bool), TextRefusal> {
     let mut times: Vec<f64> = Vec::with_capacity(cells.len());
     for cell in cells {
-        let time = value(cell, Channel::Time, units);
-        let text = cell.text.clone();
-        times.push(time.map_err(|_| TextRefusal::TimeUnreadable { place: cell.place, text })?);
+        let (place, text) = (cell.place, cell.text.clone());
+        let time = value(cell, Channel::Time, units).map_err(|none| match none {
+            NoValue::OutOfRange { range, .. } => TextRefusal::TimeFar { place, text, range },
+            _ => TextRefusal::TimeUnreadable { place, text },
+        });
+        times.push(time?);
     }
     let falls = times.first() > times.last();
     for (pair, cell) in times.windows(2).zip(&cells[1..]) {

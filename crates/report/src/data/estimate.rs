@@ -309,7 +309,7 @@ fn reason_name(reason: UnusedReason) -> &'static str {
         UnusedReason::NoDirection => "no_direction",
         UnusedReason::OneWreck => "one_wreck",
         UnusedReason::OtherLaw => "other_law",
-        UnusedReason::RecordEnds => "record_ends",
+        UnusedReason::NoImpact => "no_impact",
         UnusedReason::OtherImpact => "other_impact",
         UnusedReason::StoodByRecord => "stood_by_record",
         UnusedReason::OtherPdof => "other_pdof",

@@ -23,7 +23,11 @@ pub(super) fn recorded(subject: Subject<'_>, is_side: bool) -> (RecordedData, No
         })
     };
     let share = |percent: Option<f64>| percent.map(|percent| percent / 100.0);
-    let told = recorder.tells_delta_v(axes, subject.given().yaw_rate_before());
+    let before = subject.given().yaw_rate_before();
+    let told = recorder.tells_delta_v(axes, before);
+    let ends_early = told.is_none();
+    let least = || recorder.least_delta_v(axes, before).filter(|least| least.size() > 0.0);
+    let told = told.or_else(least);
     let [along, left] = [told.and_then(|told| told.along), told.and_then(|told| told.left)];
     let (mut delta_v, mut longitudinal) = (None, None);
     if let Some((told, along)) = told.zip(along) {
@@ -37,7 +41,8 @@ pub(super) fn recorded(subject: Subject<'_>, is_side: bool) -> (RecordedData, No
             longitudinal = Some(RecordedPart { along, ln_scale, least, freedom });
         }
     }
-    let both = along.zip(left);
+    // How the force turns in what is left of the impact is not known.
+    let both = along.zip(left).filter(|_| !ends_early);
     let direction = both.filter(|(along, left)| *along != 0.0 || *left != 0.0).map(|(along, left)| {
         // Away from the origin of the force; clockwise from the heading.
         let shown = FITTED.recorded_direction(real::elementary::atan2(left, -along), is_side);
@@ -56,12 +61,12 @@ pub(super) fn recorded(subject: Subject<'_>, is_side: bool) -> (RecordedData, No
         Measured { value, sd: or_default("recorder.yaw_rate_error", given, yaw_rate_error(value)) }
     });
     if recorder.pulse.is_some() && told.is_none() {
-        notes.unused.push(Unused { key: subject.key("recorder.pulse"), reason: UnusedReason::RecordEnds });
+        notes.unused.push(Unused { key: subject.key("recorder.pulse"), reason: UnusedReason::NoImpact });
     }
     if recorder.pre_crash.is_some() && speed.is_none() {
         notes
             .unused
             .push(Unused { key: subject.key("recorder.pre_crash"), reason: UnusedReason::StoodByRecord });
     }
-    (RecordedData { delta_v, longitudinal, direction, speed, yaw_rate }, notes)
+    (RecordedData { delta_v, longitudinal, ends_early, direction, speed, yaw_rate }, notes)
 }
