@@ -340,7 +340,7 @@ fn coefficients_lie_in_their_ranges() {
         assert_eq!(e(bad), Err(refusal("coefficient of restitution")));
         assert_eq!(fraction(bad), Err(refusal("fraction of the critical impulse ratio")));
     }
-    assert!(matches!(friction(-1e-300), Err(InvalidInput::OutOfRange { low: 0.0, .. })));
+    assert!(matches!(friction(-1e-300), Err(InvalidInput::TooSmall { low: 0.0, .. })));
     for good in [0.0, 1.0] {
         assert_eq!(e(good).unwrap().restitution(), good);
         assert!(fraction(good).is_ok());
