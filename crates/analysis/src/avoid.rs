@@ -283,16 +283,6 @@ fn found(
     let hiding = seen.map(|(ways, sight)| ways.hiding(&scene, &sight, &obstacles));
     let hiding = hiding.transpose().map_err(|index| holds_the_eye(case, index))?;
     let chance = plan.map_or(Ok(None), |plan| of_ranges(case, form, told.as_deref(), &obstacles, plan))?;
-    // Of a speed with a range, only the samples know whether all of it lies below the limit.
-    let may_be_above = match &chance {
-        Some(chance) => chance.above_limit > 0.0,
-        None => plan.is_none() && any_inputs(case).is_ok_and(|inputs| !inputs.is_empty()),
-    };
-    // One that accelerated is asked about its reaction, even if it was never as fast as the limit.
-    let accelerated = scene.greatest_speed() > scene.speed;
-    if scene.limit > scene.speed && !may_be_above && !accelerated {
-        return Err(limit_above(form, &scene).into());
-    }
     let other = told.as_ref().and_then(|told| told.other);
     let [runs, more_runs] = runs(&scene, &|speed| delta_v(case, form.vehicle, speed, other));
     let enough = Enough {
@@ -525,33 +515,31 @@ fn runs(scene: &AvoidScene, delta_v: &dyn Fn(f64) -> Option<[f64; 2]>) -> [Vec<A
         }
     };
     let with = |speed: f64, response: Response| scene.with_response(speed, response);
-    let limit = scene.limit;
+    let (limit, above) = (scene.limit, scene.is_above_limit());
     let mut runs = vec![run(Hypothesis::Actual, actual)];
     let mut more = Vec::new();
     match scene.actual {
         ActualRun::Responded => {}
-        ActualRun::Unbraked(_) => {
-            runs.push(run(Hypothesis::LimitOnly, scene.at_limit_else_as_it_was()));
-            runs.push(run(Hypothesis::ReactionAndBraking, with(speed, response)));
-        }
-        ActualRun::Driven(_) => {
-            if scene.is_above_limit() {
+        ActualRun::Unbraked(_) | ActualRun::Driven(_) => {
+            if above {
                 runs.push(run(Hypothesis::LimitOnly, scene.at_limit_else_as_it_was()));
             }
             runs.push(run(Hypothesis::ReactionAndBraking, with(speed, response)));
         }
         ActualRun::Skidded(slowed) => {
-            runs.push(run(Hypothesis::LimitOnly, with(limit, slowed)));
             let in_time = slowed.with_reaction(response.reaction());
-            runs.push(run(Hypothesis::ReactionInTime, with(speed, in_time)));
             let full = response.with_reaction(slowed.reaction());
+            if above {
+                runs.push(run(Hypothesis::LimitOnly, with(limit, slowed)));
+                more.push(run(Hypothesis::LimitAndReaction, with(limit, in_time)));
+                more.push(run(Hypothesis::LimitAndBraking, with(limit, full)));
+            }
+            runs.push(run(Hypothesis::ReactionInTime, with(speed, in_time)));
             runs.push(run(Hypothesis::FullBraking, with(speed, full)));
             runs.push(run(Hypothesis::ReactionAndBraking, with(speed, response)));
-            more.push(run(Hypothesis::LimitAndReaction, with(limit, in_time)));
-            more.push(run(Hypothesis::LimitAndBraking, with(limit, full)));
         }
     }
-    if scene.is_above_limit() || !matches!(scene.actual, ActualRun::Driven(_)) {
+    if above {
         runs.push(run(Hypothesis::All, scene.at_limit()));
     }
     [runs, more]
@@ -697,19 +685,6 @@ fn of_obstacle(index: usize, reason: String) -> Faults {
 pub fn obstacle_name(case: &Case, index: usize) -> String {
     let name = case.avoid.as_ref().and_then(|avoid| avoid.obstacles.get(index)?.name.as_ref());
     name.map_or_else(|| format!("obstacle {}", index + 1), |name| format!("the obstacle \"{name}\""))
-}
-
-fn limit_above(form: &AvoidForm, scene: &AvoidScene) -> Faults {
-    let speed = match &form.speed {
-        SpeedForm::AtDemand(speed) => speed.to_string(),
-        _ => in_unit_of(&form.limit, scene.speed),
-    };
-    let reason = format!("the limit, {}, is above the speed driven, {speed}", form.limit);
-    let advice =
-        "give a speed below it: [avoid] asks what a lower one would have changed; what the driver could \
-                  have done at the speed driven stands in the same report"
-            .to_owned();
-    Fault { key: "avoid.limit".to_owned(), kind: FaultKind::Refused { reason }, advice: Some(advice) }.into()
 }
 
 fn no_speed(vehicle: VehicleId) -> Faults {

@@ -37,9 +37,22 @@ fn refuting(checks: &[Check]) -> impl Iterator<Item = &Check> {
     })
 }
 
-/// Whether the case has enough data to weigh its evidence: momentum of point masses needs less.
-pub(crate) fn can_be_weighed(case: &Case) -> bool {
-    estimate_evidence(case).is_ok()
+/// Whether any of the evidence that an answer leaves aside can be weighed with the rest: momentum of point
+/// masses needs less, and a rest to which nobody can follow the vehicle tells nothing.
+pub(crate) fn can_be_weighed(case: &Case, left_aside: &[String]) -> bool {
+    if left_aside.is_empty() {
+        return false;
+    }
+    let Ok(pieces) = estimate_evidence(case) else { return false };
+    left_aside.iter().any(|key| is_of(key, &pieces))
+}
+
+/// Whether one of these pieces of evidence comes from a key; those of a recorder from any of its keys.
+fn is_of(key: &str, pieces: &[String]) -> bool {
+    let recorder = key.split_once(".recorder.").map(|(vehicle, _)| format!("{vehicle}.recorder."));
+    pieces.iter().any(|piece| {
+        key.ends_with(piece.as_str()) || recorder.as_ref().is_some_and(|recorder| piece.starts_with(recorder))
+    })
 }
 
 /// Why the exact solution is not the answer of its case.

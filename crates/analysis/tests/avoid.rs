@@ -140,7 +140,7 @@ fn told_probabilities_are_those_of_simulated_crashes() {
         let time = random.normal(time, 0.15);
         let driver = [random.between(0.5, 1.2), 0.2, random.normal(7.2, 0.6)];
         let clears = time + way / random.between(1.0, 2.0);
-        let arrives = stepped(limit, driver, speed * time);
+        let arrives = stepped(limit.min(speed), driver, speed * time);
         let is_avoided = arrives.is_none_or(|[_, arrival]| has_clear && arrival >= clears);
 
         let p = chance.avoided_at_limit;
@@ -496,4 +496,26 @@ fn ranges_give_the_sight_an_interval() {
     assert!((sight.time.low - at(1.785)).abs() < 0.01, "{sight:?}");
     assert!((sight.time.high - at(1.215)).abs() < 0.01, "{sight:?}");
     assert_eq!(sight.never_hidden, 0.0);
+}
+
+/// A driver who kept the limit is asked about the reaction alone, however high the limit is: from 50 km/h with
+/// 1 s and 7 m/s², 13.9 + 13.78 = 27.67 m, where the brakes took hold 14 m before the impact at 8.33 m/s.
+#[test]
+fn who_kept_the_limit_is_asked_about_the_reaction() {
+    let of = |limit: &str| {
+        asked(&format!(
+            "[avoid]\nspeed = \"50 km/h\"\nlimit = \"{limit} km/h\"\nreaction_time = \"1 s\"\n\
+             deceleration = \"7 m/s^2\"\ndemand = {{ distance = \"30 m\" }}\nunbraked = true\n"
+        ))
+    };
+    let v = 50.0 / 3.6;
+    for limit in ["50", "50.001", "80"] {
+        let found = of(limit);
+        assert!((found.scene.stopping_distance() - (v + v * v / 14.0)).abs() < 1e-9);
+        assert!((found.scene.at_limit().stop().unwrap() - (v + v * v / 14.0)).abs() < 1e-9, "{limit}");
+        assert!(found.scene.stops_at_limit() && !found.scene.is_above_limit());
+        let hypotheses: Vec<Hypothesis> = found.runs.iter().map(|run| run.hypothesis).collect();
+        assert_eq!(hypotheses, [Hypothesis::Actual, Hypothesis::ReactionAndBraking]);
+    }
+    assert!(of("40").run(Hypothesis::All).is_some());
 }

@@ -117,6 +117,31 @@ fn an_estimate_takes_a_record_that_ends_early_as_a_bound() {
     assert!((recorded - 120.0).abs() < 1e-9 && found > 45.0 && found < 110.0, "{found}");
 }
 
+/// Keys that tell the estimate nothing, as nobody can follow the vehicle to its rest, leave the exact answer as
+/// it is.
+#[test]
+fn what_cannot_be_weighed_leads_nowhere() {
+    let text = head_on("speed = \"51 km/h\"").source.text().replacen("speed = \"50 km/h\"\n", "", 1).replace(
+        "[impact]",
+        "[vehicle1.crush]\nside = \"front\"\nwidth = \"1.5 m\"\ndepths = \"30 30 cm\"\nstiffness = { category = 3 }\n\
+         [vehicle2.crush]\nside = \"front\"\nwidth = \"1.5 m\"\ndepths = \"30 30 cm\"\nstiffness = { category = 3 }\n\
+         [reconstruct]\nfind = \"vehicle1.speed\"\n[impact]",
+    );
+    let is_weighed = |text: &str| {
+        let case = CaseFile::parse("case.toml", text).unwrap_or_else(|errors| panic!("{errors}")).case;
+        analysis::reconstruct(&case).unwrap().can_be_weighed
+    };
+    assert!(is_weighed(&text));
+    let rest = "after = { rest = { x = \"9 m\", y = \"2 m\", heading = \"20 deg\" } }\n";
+    let unusable = text.replace("[vehicle1.recorder]\nspeed = \"51 km/h\"\n", "").replacen(
+        "heading",
+        &format!("{rest}heading"),
+        1,
+    );
+    assert!(unusable.contains("after"));
+    assert!(!is_weighed(&unusable));
+}
+
 #[test]
 fn an_estimate_takes_the_table_as_evidence() {
     let evidence = |recorder: &str| {

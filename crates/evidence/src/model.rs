@@ -343,12 +343,18 @@ impl<I: Impacts> CollisionModel<I> {
                     [dv, 0.0] | [0.0, dv] => [dv, dv],
                     both => both,
                 };
+                // m₁ ΔV₁ = m₂ ΔV₂
+                let apart = Real::max(dv1 / dv2, dv2 / dv1) / MOST_MASS_RATIO;
+                let beyond = if apart > 1.0 { 0.5 * ln(apart) } else { 0.0 };
                 let [v1, v2] = impacted.speeds;
                 let often = -0.5 * (v1 * v1 + v2 * v2) / (severity.speed * severity.speed);
                 let injured = severity.injury.map_or(0.0, |risk| risk.ln_in_either(delta_v));
                 Error {
                     potential: often + injured,
-                    ..Error::normal(0.5 * ln(dv1 * dv2 / (severity.median * severity.median)), severity.ln_sd)
+                    ..Error::normal(
+                        0.5 * ln(dv1 * dv2 / (severity.median * severity.median)) + beyond,
+                        severity.ln_sd,
+                    )
                 }
             }
             Piece::Crush => {
@@ -486,6 +492,10 @@ impl PartOf {
         }
     }
 }
+
+/// (–) greatest ratio of two masses in the crashes behind the severity (docs/calibration.md). Beyond it, √(ΔV₁ ΔV₂)
+/// would make the usual ΔV of a car grow with the mass of the lorry that it meets; it is that of this ratio.
+const MOST_MASS_RATIO: f64 = 2.4;
 
 /// (–) minimum longitudinal component that a recorder stores, as a fraction of ΔV.
 const LEAST_SHARE: f64 = 0.05;

@@ -4,7 +4,7 @@ use real::elementary::{exp, ln};
 use uncertainty::normal::quantiles;
 
 use crate::channel::GRAVITY;
-use crate::pre_crash::{PreCrash, REGULAR_STEP, SpeedLimits};
+use crate::pre_crash::{PreCrash, PreCrashSample, REGULAR_STEP, SpeedLimits};
 use crate::spread::{DIMENSIONS, Draws, radical_point};
 
 /// (km/h) in m/s.
@@ -118,15 +118,18 @@ pub struct SpeedErrorPart {
     pub variance: f64,
 }
 
-/// The last speed fell faster than by 1 g since the sample before it.
+/// The last speeds are below what 1 g leaves of the one before them.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SteepFall {
-    /// (m/s²) deceleration between the two, positive.
+    /// (m/s²) deceleration from the sample before to the last, positive.
     pub deceleration: f64,
     /// (s) time of the sample before.
     pub time: f64,
     /// (m/s) its speed.
     pub speed: f64,
+    /// Whether several samples are that low: the wheels slipped, or locked, long before the impact. The last
+    /// one alone may be of the impact itself.
+    pub is_slip: bool,
 }
 
 /// The speed at t = 0.
@@ -146,7 +149,7 @@ pub struct ImpactSpeed {
     pub sd: f64,
     /// What it comes from, in the order of the sources.
     pub parts: Vec<SpeedErrorPart>,
-    /// Where the last speed fell by more than 1 g.
+    /// Where the last speeds fell by more than 1 g.
     pub steep_fall: Option<SteepFall>,
     draws: Draws,
 }
@@ -436,10 +439,22 @@ pub struct SampleSpeed {
     pub sd: f64,
 }
 
-/// How fast the vehicle was at each sample with a speed, the earliest first. What the age of a stored speed
-/// does is left aside.
+/// The first of the samples at the end whose speeds are all below what 1 g leaves of the one before them.
+fn first_fallen(points: &[(&PreCrashSample, f64)], step: f64) -> Option<usize> {
+    let limits = SpeedLimits::stored_in(step);
+    let is_below = |(one, first): (&PreCrashSample, f64), (other, later): (&PreCrashSample, f64)| {
+        later < first && limits.beyond(other.time - one.time, later - first).is_some()
+    };
+    (1..points.len()).find(|k| points[*k..].iter().all(|later| is_below(points[k - 1], *later)))
+}
+
+/// How fast the vehicle was at each sample with a speed, the earliest first; where several at the end show
+/// wheels that slip, at those before. What the age of a stored speed does is left aside.
 fn sample_speeds(record: &PreCrash, errors: &ImpactSpeedErrors) -> Vec<SampleSpeed> {
-    let points: Vec<_> = record.speeds().collect();
+    let mut points: Vec<_> = record.speeds().collect();
+    if let Some(fallen) = first_fallen(&points, errors.step).filter(|fallen| fallen + 1 < points.len()) {
+        points.truncate(fallen);
+    }
     let samples = points.iter().enumerate().map(|(k, (sample, stored))| {
         // The first is judged by the one after it.
         let pair = if k > 0 { points.get(k - 1..=k) } else { points.get(..2) };
@@ -520,17 +535,15 @@ impl ImpactSpeed {
         };
         let end = points.len() - 1;
         let deceleration = fall(end);
-        let before = end.checked_sub(1).map(|k| points[k]);
         let mut legs = vec![(1.0, leg(end))];
         let mut steep_fall = None;
-        let limits = SpeedLimits::stored_in(errors.step);
-        if let (Some(deceleration), Some((sample, speed))) = (deceleration, before)
-            && deceleration > 0.0
-            && limits.beyond(last.time - sample.time, stored - speed).is_some()
-        {
-            steep_fall = Some(SteepFall { deceleration, time: sample.time, speed });
-            let doubt = errors.last_is_of_impact;
-            legs = vec![(1.0 - doubt, leg(end)), (doubt, leg(end - 1))];
+        if let Some(fallen) = first_fallen(&points, errors.step) {
+            let (sample, speed) = points[fallen - 1];
+            let deceleration = (speed - stored) / (last.time - sample.time);
+            let is_slip = fallen < end;
+            steep_fall = Some(SteepFall { deceleration, time: sample.time, speed, is_slip });
+            let doubt = if is_slip { 1.0 } else { errors.last_is_of_impact };
+            legs = vec![(1.0 - doubt, leg(end)), (doubt, leg(fallen - 1))];
         }
         let parts = parts(&legs, errors);
         let draws = draws(&legs, errors);

@@ -141,6 +141,37 @@ fn a_speed_that_falls_by_more_than_g_may_be_of_the_impact() {
     assert_eq!(ImpactSpeed::of(&record(&within), &ImpactSpeedErrors::default()).unwrap().steep_fall, None);
 }
 
+/// Wheels that lock read 0 while the car slides on: from 62 km/h, 1 s of braking at 0 to 0.75 g leaves 35 to 62.
+#[test]
+fn locked_wheels_are_no_stop() {
+    let locked = |speeds: [f64; 5]| {
+        let times = [-2.0, -1.5, -1.0, -0.5, 0.0];
+        let samples: Vec<_> =
+            times.into_iter().zip(speeds).map(|(time, speed)| (time, speed, Some(time >= -1.0))).collect();
+        ImpactSpeed::of(&record(&samples), &ImpactSpeedErrors::default()).unwrap()
+    };
+    for speeds in [[80.0, 80.0, 62.0, 0.0, 0.0], [80.0, 80.0, 62.0, 20.0, 3.0]] {
+        let found = locked(speeds);
+        let [low, high] = found.interval(0.95);
+        assert!(
+            low > 33.0 * KMH && low < 39.0 * KMH && high > 60.0 * KMH && high < 68.0 * KMH,
+            "{low} {high}"
+        );
+        assert!(found.steep_fall.is_some_and(|fall| fall.is_slip && fall.time == -1.0));
+        let shifts: f64 = found.parts.iter().map(|part| part.shift).sum();
+        assert!(
+            (found.stored + shifts - found.mean).abs() < 0.05,
+            "{} {shifts} {}",
+            found.stored,
+            found.mean
+        );
+    }
+    // A wheel that grips again tells the speed again: 18 km/h in a second is hard braking.
+    let again = locked([80.0, 80.0, 62.0, 20.0, 44.0]);
+    assert_eq!(again.steep_fall, None);
+    assert!((again.mean - 44.0 * KMH).abs() < 1.0);
+}
+
 #[test]
 fn a_vehicle_that_stands_stands() {
     let standing = [(-1.0, 0.0, Some(true)), (-0.5, 0.0, Some(true)), (0.0, 0.0, Some(true))];

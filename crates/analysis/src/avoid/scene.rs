@@ -363,15 +363,14 @@ impl AvoidScene {
         self.temporal().unwrap_or(0.0).max(self.spatial())
     }
 
-    /// (m/s) the speed at the demand of a vehicle that keeps the limit. Phases or a recorder may tell that it
-    /// was slower there, and only later faster.
+    /// (m/s) the speed at the demand of a vehicle that keeps the limit: its own if that was lower.
     fn lowered(&self) -> f64 {
-        if self.driven.is_some() { self.limit.min(self.speed) } else { self.limit }
+        self.limit.min(self.speed)
     }
 
     /// (m/s) the speed that a vehicle that keeps the limit does not exceed.
     pub(super) fn kept(&self) -> f64 {
-        if self.driven.is_some() { self.limit.min(self.reached()) } else { self.limit }
+        self.limit.min(self.reached())
     }
 
     /// (m/s) the speed that it has when a reaction in time ends, if nothing limits it.

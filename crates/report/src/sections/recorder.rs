@@ -288,13 +288,21 @@ fn before(page: &mut Document, file: &CaseFile, id: VehicleId, found: &VehicleRe
     if let Some(speed) = &found.speed {
         page.push(account(speed, found, units));
         if let Some(fall) = &speed.steep_fall {
+            let means = if fall.is_slip {
+                "Several samples are that low, so that the wheels slipped or locked long before the impact: the earlier speed \
+                 counts."
+                    .to_owned()
+            } else {
+                format!(
+                    "The wheels slipped, or the sample is of the impact itself. Both are weighed, the latter with {} %.",
+                    number(100.0 * found.errors.last_is_of_impact, 0)
+                )
+            };
             page.paragraph(format!(
-                "The last speed is {} below that of {} s, a deceleration of {} g, which no tyre gives: the wheels slipped, \
-                 or the sample is of the impact itself. Both are weighed, the latter with {} %.",
+                "The last speed is {} below that of {} s, a deceleration of {} g, which no tyre gives. {means}",
                 units.format(Measure::RoadSpeed, fall.speed - speed.stored),
                 number(fall.time, 2),
                 number(fall.deceleration / 9.80665, 2),
-                number(100.0 * found.errors.last_is_of_impact, 0),
             ));
         }
     }
