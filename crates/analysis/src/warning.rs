@@ -5,8 +5,8 @@ use std::f64::consts::{FRAC_PI_4, PI, TAU};
 use crash3::{EnergyBasis, Side, principal_angle};
 use evidence::FITTED;
 use inputs::{
-    Basis, Case, ContactSpread, Dimension, FaceAxis, Origin, Quantity, StiffnessForm, StiffnessSource, Unit,
-    Variable, VehicleKind, Velocity, YawSource,
+    After, Basis, Case, ContactSpread, Dimension, FaceAxis, Origin, Quantity, StiffnessForm, StiffnessSource,
+    Unit, Variable, VehicleKind, Velocity, YawSource,
 };
 use pim_core::{Contact, Motion, Outcome, Regime, Switch, Tangential, VehicleId};
 
@@ -139,6 +139,11 @@ pub enum Warning {
         skid: f64,
         /// (rad) direction in which the vehicle travelled.
         course: f64,
+    },
+    /// A vehicle of two that left as one wreck is followed to its rest as if nothing hung on it.
+    WreckAlone {
+        /// The vehicle.
+        vehicle: VehicleId,
     },
     /// Several motions after the impact lead to the rest position of a vehicle.
     SeveralStarts {
@@ -518,6 +523,7 @@ impl Warning {
         Self::EvidenceDiffers { .. } => "evidence-differs",
         Self::BelowRecord { .. } => "below-record",
         Self::SkidDirection { .. } => "skid-direction",
+        Self::WreckAlone { .. } => "wreck-alone",
         Self::CategoryEnergy { .. } => "category-energy",
         Self::SeveralStarts { .. } => "several-starts",
         Self::PointMissed { .. } => "point-missed",
@@ -563,6 +569,7 @@ impl Warning {
             | Self::EvidenceDiffers { vehicle, .. }
             | Self::BelowRecord { vehicle, .. }
             | Self::SkidDirection { vehicle, .. }
+            | Self::WreckAlone { vehicle }
             | Self::SeveralStarts { vehicle, .. }
             | Self::PointMissed { vehicle, .. }
             | Self::RestMissed { vehicle, .. }
@@ -844,6 +851,7 @@ pub(crate) fn of_case(case: &Case, warnings: &mut Vec<Warning>) {
             warnings.push(Warning::MovesBackward { vehicle: id, speed: given.si(), found: false });
         }
         of_skid(case, id, warnings);
+        of_wreck(case, id, warnings);
         if let Some(crush) = &vehicle.crush
             && let StiffnessForm::Test(test) = &crush.stiffness
         {
@@ -859,6 +867,15 @@ pub(crate) fn of_case(case: &Case, warnings: &mut Vec<Warning>) {
         && !is_usual(friction, USUAL_FRICTION)
     {
         warnings.push(Warning::UnusualFriction { friction });
+    }
+}
+
+fn of_wreck(case: &Case, vehicle: VehicleId, warnings: &mut Vec<Warning>) {
+    let after = case.vehicles[vehicle.index()].after.as_ref().filter(|_| case.locked_together);
+    let is_by_places =
+        |after: &After| after.speed.is_none() && (after.rest.is_some() || !after.points.is_empty());
+    if after.is_some_and(is_by_places) {
+        warnings.push(Warning::WreckAlone { vehicle });
     }
 }
 

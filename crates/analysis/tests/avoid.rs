@@ -108,7 +108,7 @@ fn told_probabilities_are_those_of_simulated_crashes() {
     let mut random = Random(20_261_127);
     let (mut count, mut told, mut variance, mut avoided) =
         ([0_usize; CLASSES], [0.0; CLASSES], [0.0; CLASSES], [0.0; CLASSES]);
-    let limit = 50.0 / 3.6;
+    let limit: f64 = 50.0 / 3.6;
     for crash in 0..1_000 {
         // What the case states …
         let speed = random.between(15.0, 20.0);

@@ -341,6 +341,19 @@ fn given_velocities_need_no_ground() {
     assert!(analysis.travel.iter().all(Option::is_none));
 }
 
+/// A wreck of two vehicles moves as one, and one of them alone is followed to its rest.
+#[test]
+fn a_wreck_that_is_followed_alone_is_told() {
+    let of = |text: &str| {
+        let analysis = reconstruct(&read(text)).unwrap();
+        let codes = analysis.warnings.iter().filter(|warning| warning.code() == "wreck-alone");
+        codes.filter_map(analysis::Warning::vehicle).collect::<Vec<_>>()
+    };
+    assert_eq!(of(REAR_END), []);
+    let locked = format!("{REAR_END}\n").replacen("[scene]\n", "[scene]\nlocked_together = true\n", 1);
+    assert_eq!(of(&locked), VehicleId::ALL);
+}
+
 /// Two cars that jam with μ = −8 in axes that point down: the refusal has the signs of the file.
 const JAMS: &str = r#"
 [scene]

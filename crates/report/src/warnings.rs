@@ -255,6 +255,12 @@ pub fn message(seen: &SeenWarning, units: Units) -> String {
             angle(*skid),
             angle(*course)
         ),
+        Warning::WreckAlone { vehicle } => format!(
+            "vehicle {vehicle} is followed to its rest alone, but it left as one wreck with vehicle {}, which pulled and turned \
+             it, so that its speed after the impact may be far off; give the wreck's `speed` and `direction` in place of \
+             `rest` and `points`: the speed follows from the length of its path and the drag of both, v = √(2 a S)",
+            vehicle.other()
+        ),
         Warning::SeveralStarts { vehicle, used, others } => {
             let told = |[v, rate]: [f64; 2]| {
                 format!("{} at {}", speed(v), units.format(Measure::YawRateDegrees, rate))

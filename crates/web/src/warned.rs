@@ -42,9 +42,10 @@ pub(crate) fn keys(warning: &Warning) -> Vec<String> {
         Warning::EvidenceDiffers { evidence, .. } => evidence.key(),
         Warning::BelowRecord { .. } => "recorder",
         Warning::SkidDirection { .. } => "before.skid.from",
-        Warning::SeveralStarts { .. } | Warning::RestMissed { .. } | Warning::RotationOpposes { .. } => {
-            "after.rest"
-        }
+        Warning::WreckAlone { .. }
+        | Warning::SeveralStarts { .. }
+        | Warning::RestMissed { .. }
+        | Warning::RotationOpposes { .. } => "after.rest",
         Warning::PointMissed { .. } => "after.points",
         Warning::ObjectPassed { .. } => "heading",
         Warning::Implausible { magnitude, .. } => match magnitude {
