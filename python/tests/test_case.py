@@ -174,7 +174,7 @@ def test_a_site_plan_is_no_link(tmp_path: pathlib.Path) -> None:
     (folder / "case.toml").write_text(text.replace("\n[scene]\n", f"\n[scene]\n{plan}"), "utf-8")
     (tmp_path / "elsewhere.png").write_bytes(pydeltav.Case.example().draw().png())
     (folder / "plan.png").symlink_to(tmp_path / "elsewhere.png")
-    with pytest.raises(pydeltav.CaseError, match="the site plan plan.png is a link"):
+    with pytest.raises(pydeltav.CaseError, match="the site plan plan.png: it is a link"):
         pydeltav.Case.read(folder / "case.toml").draw("motion")
 
 

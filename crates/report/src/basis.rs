@@ -10,7 +10,7 @@ fn percent(share: f64) -> String {
 }
 
 /// Rounded, without trailing zeros.
-fn short(value: f64, decimals: usize) -> String {
+pub(crate) fn short(value: f64, decimals: usize) -> String {
     number(value, decimals).trim_end_matches('0').trim_end_matches('.').to_owned()
 }
 

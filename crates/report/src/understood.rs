@@ -3,8 +3,9 @@
 
 use analysis::{Assumption, AxleMeasure};
 use case::{
-    BrachTangential, Case, Dimension, Fit, ImpactLaw, Input, KnownEnergy, Pdof, Range, Recorder, SUBJECTS,
-    SWELLS, Spread, StiffnessForm, UNDAMAGED, Unit, UnitSystem, word,
+    After, BrachTangential, Case, Dimension, Drag, Fit, GivenDemand, GivenWayOut, ImpactLaw, Input,
+    KnownEnergy, MarkedWheel, Pdof, Range, Recorder, SUBJECTS, SWELLS, SeverityPrior, Spread, StiffnessForm,
+    UNDAMAGED, Unit, UnitSystem, WheelDrag, word,
 };
 use crash3::ObliqueCorrection;
 use pim_core::VehicleId;
@@ -82,6 +83,9 @@ pub(crate) fn choices(case: &Case) -> Vec<(String, String)> {
     if let Some(plan) = &case.site_plan {
         choices.push(("scene.site_plan.file".to_owned(), plan.file.to_string()));
     }
+    if case.locked_together {
+        choices.push(("scene.locked_together".to_owned(), "true".to_owned()));
+    }
     for (id, vehicle) in VehicleId::ALL.into_iter().zip(&case.vehicles) {
         let mut say = |key: &str, value: String| choices.push((format!("vehicle{id}.{key}"), value));
         if let Some(name) = &vehicle.name {
@@ -116,6 +120,11 @@ pub(crate) fn choices(case: &Case) -> Vec<(String, String)> {
                 for (key, words) in tables(&one.stored, &format!("recorder.records[{}]", k + 1)) {
                     say(&key, words);
                 }
+            }
+        }
+        if let Some(after) = &vehicle.after {
+            for (key, words) in of_path(after) {
+                say(&key, words);
             }
         }
         let Some(crush) = &vehicle.crush else { continue };
@@ -158,11 +167,46 @@ pub(crate) fn choices(case: &Case) -> Vec<(String, String)> {
         if let Some(party) = avoid.other_party {
             choices.push(("avoid.other_party".to_owned(), party.name().to_owned()));
         }
-        if avoid.unbraked {
-            choices.push(("avoid.unbraked".to_owned(), "true".to_owned()));
+        for (key, is_true) in [
+            ("avoid.unbraked", avoid.unbraked),
+            ("avoid.demand.sight", avoid.demand == Some(GivenDemand::Sight)),
+            (
+                "avoid.clear.outlines",
+                avoid.clear.as_ref().is_some_and(|clear| clear.way == GivenWayOut::Outlines),
+            ),
+        ] {
+            if is_true {
+                choices.push((key.to_owned(), "true".to_owned()));
+            }
         }
     }
+    if let Some(estimate) = &case.estimate {
+        choices.push(("estimate.prior".to_owned(), word(&SeverityPrior::WORDS, &estimate.prior).to_owned()));
+    }
+    if !case.uncertainty.exact.is_empty() {
+        choices.push(("uncertainty.exact".to_owned(), case.uncertainty.exact.join(", ")));
+    }
     choices
+}
+
+/// The words of the path to rest: wheels that are locked, and those that left a mark. The numbers of the
+/// others stand among the numbers.
+fn of_path(after: &After) -> Vec<(String, String)> {
+    let locked = WheelDrag::WORDS[0].0;
+    let is_locked = |drag: &WheelDrag| matches!(drag, WheelDrag::Locked);
+    let drag: Vec<String> = match &after.drag {
+        Some(Drag::Every(drag)) => is_locked(drag).then(|| "after.drag".to_owned()).into_iter().collect(),
+        Some(Drag::Each(wheels)) => (1..)
+            .zip(wheels)
+            .filter(|(_, drag)| is_locked(drag))
+            .map(|(n, _)| format!("after.drag[{n}]"))
+            .collect(),
+        None => Vec::new(),
+    };
+    let marks = (1..).zip(&after.points).filter_map(|(n, point)| {
+        Some((format!("after.points[{n}].wheel"), word(&MarkedWheel::WORDS, &point.wheel?).to_owned()))
+    });
+    drag.into_iter().map(|key| (key, locked.to_owned())).chain(marks).collect()
 }
 
 /// The hour of a PDOF, and what it means.
@@ -293,11 +337,9 @@ pub(crate) fn recognised_in_words(table: &RecorderTable) -> String {
         1 => "; 1 cell without a value".to_owned(),
         count => format!("; {count} cells without a value"),
     };
-    format!(
-        "{} times from {} to {} s; {}{lost}",
-        times.len(),
-        number(first, 2),
-        number(last, 2),
-        columns.join(", ")
-    )
+    let when = match times.len() {
+        1 => format!("1 time, {} s", number(first, 2)),
+        count => format!("{count} times from {} to {} s", number(first, 2), number(last, 2)),
+    };
+    format!("{when}; {}{lost}", columns.join(", "))
 }

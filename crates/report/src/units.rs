@@ -12,7 +12,7 @@ pub enum Units {
     Si,
     /// mph, ft/s, lb, ft-lb, in.
     Us,
-    /// As SI, but speeds of vehicles are in mph.
+    /// As SI, but speeds of vehicles are in mph and, in CSV, angles in degrees.
     Uk,
 }
 

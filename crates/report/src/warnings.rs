@@ -8,6 +8,7 @@ use case::{Basis, Case, ContactSpread, StiffnessSource, VehicleKind};
 use crash3::Side;
 use pim_core::{Switch, VehicleId};
 
+use crate::basis::short;
 use crate::document::{Block, Document};
 use crate::units::{FOOT, Measure, Units, number};
 use crate::{axes, basis, words};
@@ -184,8 +185,9 @@ pub fn message(seen: &SeenWarning, units: Units) -> String {
             units.format(Measure::Length, *distance)
         ),
         Warning::HighRestitution { restitution, closing_speed } => format!(
-            "a restitution of {restitution} at a closing speed of {} is high: above {} m/s ({} ft/s), tests \
-             show {HIGH_RESTITUTION} or less",
+            "a restitution of {} at a closing speed of {} is high: above {} m/s ({} ft/s), tests show \
+             {HIGH_RESTITUTION} or less",
+            short(*restitution, 4),
             speed(*closing_speed),
             number(FAST_CLOSING, 0),
             number(FAST_CLOSING / FOOT, 0)

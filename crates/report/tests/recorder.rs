@@ -54,3 +54,21 @@ fn a_record_above_all_answers_is_told_where_all_evidence_leads() {
         }
     }
 }
+
+/// Stored 0 km/h, rounded to 1: the true speed was between 0 and 0.5 km/h, never below 0. The table adds up.
+#[test]
+fn the_speed_of_a_vehicle_that_stood_adds_up() {
+    let text = "[vehicle1.recorder.pre_crash]\ntime = \"-2.0 -1.5 -1.0 -0.5 0.0 s\"\nspeed = \"0 0 0 0 0 km/h\"\n\
+                brake = \"off off off off off\"\n";
+    let file = CaseFile::parse("case.toml", text).unwrap();
+    let text = report::recorders(&file, &analysis::recorders(&file.case).unwrap(), Units::Si).text();
+    let number = |row: &str| -> f64 {
+        let line = text
+            .lines()
+            .find(|line| line.trim_start().starts_with(row))
+            .unwrap_or_else(|| panic!("{row}: {text}"));
+        line.trim_start()[row.len()..].split_whitespace().next().unwrap().parse().unwrap()
+    };
+    let cut = number("cut off at 0: it did not go backward");
+    assert!(cut > 0.0 && (cut - number("at the impact")).abs() < 1e-9, "{text}");
+}

@@ -334,3 +334,11 @@ fn a_wall_has_no_delta_v_and_each_cause_its_own_words() {
     says(bases, Axes::ZUp, &["2,000 ft·lb on the energy basis `absorbed` (3,000 ft·lb on `dissipated`)"]);
     assert!(!message(&energy(Basis::Dissipated, None).seen(Axes::ZUp), Units::Us).contains("basis"));
 }
+
+/// 75 ft/s is 51.1 mph.
+#[test]
+fn a_computed_restitution_has_no_more_digits_than_anybody_knows() {
+    let high = |restitution| Warning::HighRestitution { restitution, closing_speed: 22.86 };
+    says(&high(0.589_572_590_500_772_2), Axes::ZUp, &["a restitution of 0.5896 at a closing speed of 51.1"]);
+    says(&high(0.35), Axes::ZUp, &["a restitution of 0.35 at"]);
+}

@@ -6,9 +6,13 @@
 )]
 #![allow(clippy::unwrap_used, clippy::panic, reason = "tests")]
 
+use std::ops::ControlFlow;
+
+use analysis::Plan;
 use case::CaseFile;
 use report::{Subject, Units};
 use serde_json::Value;
+use uncertainty::{SamplingMethod, Settings};
 
 /// Two vehicles of 1000 kg at right angles, which leave with one velocity: v₁ = 2 V_x, v₂ = 2 V_y.
 fn crossing(speed: &str, direction: &str) -> CaseFile {
@@ -127,4 +131,92 @@ fn an_inferred_crush_stands_beside_the_measured_one() {
     let json: Value = serde_json::from_str(&report::json(&file, &analysis).unwrap()).unwrap();
     let inferred = |key: &str| json["vehicle2"]["inferred_crush"][key].as_f64().unwrap() / 0.0254;
     assert!((inferred("depth") - 25.14).abs() < 0.005 && (inferred("width") - 60.0).abs() < 1e-9, "{json}");
+}
+
+fn judged(text: &str) -> Value {
+    let file = CaseFile::parse("case.toml", text).unwrap();
+    serde_json::from_str(&report::judgement_json(&file, &analysis::judge(&file.case)).unwrap()).unwrap()
+}
+
+/// What the file says in words and switches, no more and no less than what stands in it.
+#[test]
+fn check_reads_every_choice_back() {
+    let choices = |text: &str| -> Vec<(String, String)> {
+        let judged = judged(text);
+        let rows = judged["choices"].as_array().unwrap().iter();
+        rows.map(|row| [&row["path"], &row["value"]].map(|of| of.as_str().unwrap().to_owned()).into())
+            .collect()
+    };
+    let has = |text: &str, wanted: &[(&str, &str)]| {
+        let choices = choices(text);
+        for (path, value) in wanted {
+            assert!(choices.contains(&((*path).to_owned(), (*value).to_owned())), "{path}: {choices:#?}");
+        }
+        choices.len()
+    };
+    let rest = include_str!("../../../fixtures/rear-end-rest.toml");
+    let locked = has(rest, &[("vehicle1.after.drag", "locked")]);
+    let wheels = rest.replace("drag = \"locked\"", "drag = [\"locked\", 0.02, \"locked\", 0.02]");
+    let each = has(&wheels, &[("vehicle1.after.drag[1]", "locked"), ("vehicle1.after.drag[3]", "locked")]);
+    assert_eq!(each, locked + 1);
+    let estimate = include_str!("../../../fixtures/estimate.toml");
+    has(
+        &format!("{estimate}\n[scene]\nlocked_together = true\n[estimate]\nprior = \"serious-injury\"\n"),
+        &[("scene.locked_together", "true"), ("estimate.prior", "serious-injury")],
+    );
+    has(include_str!("../../../fixtures/avoid/from-stop.toml"), &[("avoid.demand.sight", "true")]);
+    has(include_str!("../../../fixtures/avoid/evidence.toml"), &[("avoid.clear.outlines", "true")]);
+    has(
+        include_str!("../../../fixtures/depths-independent.toml"),
+        &[(
+            "uncertainty.exact",
+            "vehicle1.crush.stiffness, vehicle2.crush.stiffness, vehicle1.yaw_inertia, vehicle2.yaw_inertia",
+        )],
+    );
+}
+
+#[test]
+fn a_table_with_one_sample_has_one_time() {
+    let recorder = include_str!("../../../fixtures/estimate.toml");
+    let table = "[vehicle1.recorder.pre_crash]\ntime = \"0 s\"\nspeed = \"20 km/h\"\n";
+    let choices = judged(&format!("{recorder}\n{table}"))["choices"].to_string();
+    assert!(choices.contains("1 time, 0.00 s; "), "{choices}");
+}
+
+/// With e = 0.3 the normal impulse gives back 9 % of the crush energy, and both speeds are sought by that.
+#[test]
+fn an_energy_that_the_basis_explains_is_no_disagreement() {
+    let rest = include_str!("../../../fixtures/rear-end-rest.toml");
+    let absorbed = rest.replace("restitution = 0.1", "restitution = 0.3") + "energy_basis = \"absorbed\"\n";
+    let file = CaseFile::parse("case.toml", &absorbed).unwrap();
+    let analysis = analysis::reconstruct(&file.case).unwrap();
+    let svg = report::drawing(&file, &analysis, Units::Si, Subject::Energy).unwrap().svg();
+    assert!(svg.contains("restitution gives the rest back"), "{svg}");
+    assert!(!svg.contains("do not agree"));
+}
+
+/// Against a barrier, without restitution, the ΔV is the speed, whatever the mass.
+#[test]
+fn nothing_drives_a_result_that_does_not_vary() {
+    let text = r#"
+[vehicle1]
+mass = { value = "1500 kg", sd = "50 kg" }
+yaw_radius = "1.45 m"
+heading = "0 deg"
+speed = "10 m/s"
+contact = { x = "1.9 m", y = "0 m" }
+[vehicle2]
+fixed = true
+[impact]
+crush_plane = "0 deg"
+restitution = 0
+tangential = "critical"
+"#;
+    let file = CaseFile::parse("case.toml", text).unwrap();
+    let plan = Plan { settings: Settings::new(SamplingMethod::MonteCarlo, 1000, 1), index_rows: None };
+    let quietly = &mut |_, _, _| ControlFlow::Continue(());
+    let found = analysis::uncertainty(&file.case, &plan, quietly).unwrap();
+    let text = report::uncertainty(&file.case, &found, Units::Si).text();
+    assert!(text.contains("does not vary"), "{text}");
+    assert!(!text.contains("Main drivers: ΔV of vehicle 1"), "{text}");
 }

@@ -9,6 +9,10 @@ use crate::options::{OptionError, RequestOptions};
 use crate::progress::{RequestProgress, counted, counted_of_estimate};
 use crate::refusal::Unanswered;
 
+/// The reason why an avoidance without a probability is no answer.
+pub const NO_PROBABILITY: &str =
+    "the evidence for the speed was weighed, but the run did not converge, so there is no probability";
+
 /// How to ask whether a collision was avoidable: see [`AvoidPlan`].
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct AvoidOptions {
@@ -42,7 +46,7 @@ impl AvoidOptions {
         Ok(Self {
             samples: options.size("samples")?.unwrap_or(default.samples),
             seed: options.count("seed")?.unwrap_or(default.seed),
-            exact: options.flag("exact", default.exact),
+            exact: options.flag("exact", default.exact)?,
         })
     }
 

@@ -73,11 +73,11 @@ impl EstimateOptions {
     pub(crate) fn read(options: &RequestOptions) -> Result<Self, OptionError> {
         let default = Self::default();
         Ok(Self {
-            above: options.texts("above").unwrap_or_default(),
+            above: options.texts("above")?.unwrap_or_default(),
             particles: options.size("particles")?.unwrap_or(default.particles),
             seed: options.count("seed")?.unwrap_or(default.seed),
             prior: options.word("prior", &SeverityPrior::WORDS)?,
-            pieces: options.flag("pieces", default.pieces),
+            pieces: options.flag("pieces", default.pieces)?,
         })
     }
 

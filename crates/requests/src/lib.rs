@@ -37,6 +37,7 @@
 //! It computes nothing itself, and depends on no terminal, no Python and no browser.
 
 mod avoid;
+mod beside;
 mod estimate;
 mod options;
 mod picture;
@@ -54,7 +55,7 @@ use case::{Case, CaseFile};
 use report::{CsvStyle, Document, RowAnswer, SitePlan, Table, Units};
 use serde::Serialize;
 
-pub use avoid::AvoidOptions;
+pub use avoid::{AvoidOptions, NO_PROBABILITY};
 pub use estimate::{EstimateAnswer, EstimateOptions};
 pub use options::{OptionError, RequestOptions};
 pub use picture::{DrawingRequest, plan_path, read_picture, site_plan_beside};
@@ -162,7 +163,7 @@ impl Request {
     /// [`OptionError`] if no command has this name, or an option cannot be read.
     pub fn read(command: &str, options: &RequestOptions) -> Result<Self, OptionError> {
         Ok(match command {
-            "reconstruct" => Self::Reconstruct(ReconstructOptions::read(options)),
+            "reconstruct" => Self::Reconstruct(ReconstructOptions::read(options)?),
             "impact" => Self::Impact,
             "motion" => Self::Motion,
             "crush" => Self::Crush,
@@ -347,9 +348,7 @@ impl Answer {
             Self::Estimate(answer) if !answer.estimated.doubts().is_empty() => {
                 Some("the run has not converged: the report says why, and has no intervals")
             }
-            Self::Avoidance(found) if found.is_unconverged => Some(
-                "the evidence for the speed was weighed, but the run did not converge, so there is no probability",
-            ),
+            Self::Avoidance(found) if found.is_unconverged => Some(NO_PROBABILITY),
             Self::Judgement(_) | Self::Comparison(_) | Self::Recorders(_) | Self::Sensitivity(_) => None,
             Self::Uncertainty(_) | Self::Estimate(_) | Self::Avoidance(_) => None,
         }

@@ -44,7 +44,9 @@ impl RequestOptions {
     /// With a flag as it is where nothing is given.
     #[must_use]
     pub fn or(mut self, name: &str, flag: bool) -> Self {
-        self.0.entry(name).or_insert(Value::Bool(flag));
+        if self.given(name).is_none() {
+            self.0.insert(name.to_owned(), Value::Bool(flag));
+        }
         self
     }
 
@@ -53,14 +55,21 @@ impl RequestOptions {
         self.0.get(name).filter(|value| !value.is_null())
     }
 
+    /// What is given under a name, read as what it is to be.
+    fn read_as<'a, T>(
+        &'a self,
+        name: &str,
+        what: &str,
+        read: impl FnOnce(&'a Value) -> Option<T>,
+    ) -> Result<Option<T>, OptionError> {
+        let Some(value) = self.given(name) else { return Ok(None) };
+        let wrong = || OptionError::Unreadable(format!("the option {name} is {what}, not {value}"));
+        read(value).map(Some).ok_or_else(wrong)
+    }
+
     /// A whole number.
     pub(crate) fn count(&self, name: &str) -> Result<Option<u64>, OptionError> {
-        let number = |value: &Value| {
-            value.as_u64().ok_or_else(|| {
-                OptionError::Unreadable(format!("the option {name} is a whole number, not {value}"))
-            })
-        };
-        self.given(name).map(number).transpose()
+        self.read_as(name, "a whole number", Value::as_u64)
     }
 
     /// A whole number of things in memory.
@@ -71,29 +80,23 @@ impl RequestOptions {
 
     /// A number.
     pub(crate) fn number(&self, name: &str) -> Result<Option<f64>, OptionError> {
-        let number = |value: &Value| {
-            value
-                .as_f64()
-                .ok_or_else(|| OptionError::Unreadable(format!("the option {name} is a number, not {value}")))
-        };
-        self.given(name).map(number).transpose()
+        self.read_as(name, "a number", Value::as_f64)
     }
 
-    pub(crate) fn flag(&self, name: &str, default: bool) -> bool {
-        self.0.get(name).and_then(Value::as_bool).unwrap_or(default)
+    pub(crate) fn flag(&self, name: &str, default: bool) -> Result<bool, OptionError> {
+        Ok(self.read_as(name, "true or false", Value::as_bool)?.unwrap_or(default))
     }
 
     /// The texts of a list.
-    pub(crate) fn texts(&self, name: &str) -> Option<Vec<String>> {
-        let list = self.0.get(name)?.as_array()?.iter();
-        Some(list.filter_map(Value::as_str).map(str::to_owned).collect())
+    pub(crate) fn texts(&self, name: &str) -> Result<Option<Vec<String>>, OptionError> {
+        let text = |value: &Value| value.as_str().map(str::to_owned);
+        self.read_as(name, "a list of texts", |value| value.as_array()?.iter().map(text).collect())
     }
 
     /// One of a few words; an empty text is none.
     pub(crate) fn word<T: Copy>(&self, name: &str, words: &[(&str, T)]) -> Result<Option<T>, OptionError> {
-        let Some(asked) = self.0.get(name).and_then(Value::as_str).filter(|word| !word.is_empty()) else {
-            return Ok(None);
-        };
+        let given = self.read_as(name, "a word", Value::as_str)?;
+        let Some(asked) = given.filter(|word| !word.is_empty()) else { return Ok(None) };
         let found = words.iter().find(|(word, _)| *word == asked).map(|(_, value)| *value);
         let known: Vec<&str> = words.iter().map(|(word, _)| *word).collect();
         let wrong = || {

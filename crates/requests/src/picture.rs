@@ -8,6 +8,8 @@ use analysis::{Analysis, Weighed};
 use case::{CaseFile, Diagnostics, Fault, FaultKind, Faults, GivenSitePlan, Program};
 use report::{Drawing, DrawingError, SitePlan, Subject, Units};
 
+use crate::beside::beside;
+
 /// What to draw of a case.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct DrawingRequest {
@@ -91,18 +93,10 @@ pub fn site_plan_beside(
     let cannot = |error: io::Error| {
         refused(
             format!("cannot read the site plan {}: {error}", plan.file),
-            "put the picture beside the case file, or leave out site_plan",
+            "put the picture itself beside the case file, or leave out site_plan",
         )
     };
-    let path = plan_path(case, plan);
-    // A case comes from others: what it names is to lie in its folder, and a link would lead out of it.
-    if fs::symlink_metadata(&path).map_err(cannot)?.is_symlink() {
-        return Err(refused(
-            format!("the site plan {} is a link", plan.file),
-            "put the picture itself beside the case file, or leave out site_plan",
-        ));
-    }
-    let bytes = read_picture(&path).map_err(cannot)?;
+    let bytes = beside(case, plan.file.as_given()).and_then(|path| read_picture(&path)).map_err(cannot)?;
     report::site_plan_of(&file.case, bytes)
         .map_err(|error| refused(error.to_string(), "save it as a PNG or a JPEG, or leave out site_plan"))
 }

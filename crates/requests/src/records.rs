@@ -10,6 +10,8 @@ use case::{
     SeriesSource, Text,
 };
 
+use crate::beside::beside;
+
 /// Reads the files that `pre_crash` and `pulse` of `[vehicleN.recorder]` name, counted from the folder of the
 /// case file, into the case.
 ///
@@ -21,7 +23,6 @@ pub fn read_records_beside(
     program: &'static Program,
 ) -> Result<(), Diagnostics> {
     let mut faults = Vec::new();
-    let folder = case.parent().unwrap_or(Path::new("")).to_owned();
     let mut refuse = |key: String, reason: String, advice: Option<&str>| {
         let advice = advice.map(str::to_owned);
         faults.push(Fault { key, kind: FaultKind::Refused { reason }, advice });
@@ -30,34 +31,34 @@ pub fn read_records_beside(
         let Some(recorder) = &mut vehicle.recorder else { continue };
         let table = format!("vehicle{}.recorder", k + 1);
         for (n, one) in recorder.records.iter_mut().enumerate() {
-            read_record(&folder, &format!("{table}.records[{}]", n + 1), &mut one.stored, &mut refuse);
+            read_record(case, &format!("{table}.records[{}]", n + 1), &mut one.stored, &mut refuse);
         }
-        read_record(&folder, &table, recorder, &mut refuse);
+        read_record(case, &table, recorder, &mut refuse);
     }
     Faults::none_of(faults).map_err(|faults| file.diagnostics(&faults, program))
 }
 
 /// Reads the files of one record, whose keys stand in this table of the case.
 fn read_record(
-    folder: &Path,
+    case: &Path,
     table: &str,
     record: &mut Recorder,
     refuse: &mut dyn FnMut(String, String, Option<&str>),
 ) {
-    read_series(folder, &mut record.pre_crash, &format!("{table}.pre_crash.file"), refuse);
-    read_series(folder, &mut record.pulse, &format!("{table}.pulse.file"), refuse);
+    read_series(case, &mut record.pre_crash, &format!("{table}.pre_crash.file"), refuse);
+    read_series(case, &mut record.pulse, &format!("{table}.pulse.file"), refuse);
 }
 
 /// Reads a table that is in a file, which stands under this key.
 fn read_series<R: OfTables>(
-    folder: &Path,
+    case: &Path,
     series: &mut Option<Arc<GivenSeries<R>>>,
     key: &str,
     refuse: &mut dyn FnMut(String, String, Option<&str>),
 ) {
     let Some(given) = series else { return };
     let SeriesSource::File(name) = &given.source else { return };
-    match of_file(folder, name, |text| given.read_file(text)) {
+    match of_file(case, name, |text| given.read_file(text)) {
         Ok(read) => *given = Arc::new(read),
         Err(Unread::Table(refusal)) => refuse(key.to_owned(), placed(&name.to_string(), &refusal), None),
         Err(Unread::File(error)) => {
@@ -74,11 +75,11 @@ enum Unread {
 }
 
 fn of_file<T>(
-    folder: &Path,
+    case: &Path,
     name: &Text,
     read: impl FnOnce(&str) -> Result<T, SeriesRefusal>,
 ) -> Result<T, Unread> {
-    let text = text_of(folder, name.as_given()).map_err(Unread::File)?;
+    let text = text_of(case, name.as_given()).map_err(Unread::File)?;
     read(&text).map_err(Unread::Table)
 }
 
@@ -97,17 +98,9 @@ fn placed(name: &str, refusal: &SeriesRefusal) -> String {
     }
 }
 
-fn text_of(folder: &Path, name: &str) -> io::Result<String> {
-    let path = folder.join(name);
-    // A case comes from others: what it names is to lie in its folder, and a link would lead out of it.
-    if Path::new(name).is_absolute() || Path::new(name).components().any(|part| part.as_os_str() == "..") {
-        return Err(io::Error::other("it lies outside the folder of the case"));
-    }
-    let metadata = fs::symlink_metadata(&path)?;
-    if !metadata.is_file() {
-        return Err(io::Error::other("it is not a file"));
-    }
-    if metadata.len() > CaseFile::LARGEST_FILE as u64 {
+fn text_of(case: &Path, name: &str) -> io::Result<String> {
+    let path = beside(case, name)?;
+    if fs::metadata(&path)?.len() > CaseFile::LARGEST_FILE as u64 {
         return Err(io::Error::other(format!("it has more than {} bytes", CaseFile::LARGEST_FILE)));
     }
     String::from_utf8(fs::read(&path)?)

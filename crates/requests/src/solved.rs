@@ -9,7 +9,7 @@ use serde::Serialize;
 use validation::Data;
 
 use crate::estimate::WEIGHING;
-use crate::options::RequestOptions;
+use crate::options::{OptionError, RequestOptions};
 use crate::progress::{RequestProgress, counted, of_estimate};
 use crate::refusal::NoPage;
 
@@ -24,8 +24,8 @@ pub struct ReconstructOptions {
 }
 
 impl ReconstructOptions {
-    pub(crate) fn read(options: &RequestOptions) -> Self {
-        Self { weigh: options.flag("weigh", false), method: options.flag("method", false) }
+    pub(crate) fn read(options: &RequestOptions) -> Result<Self, OptionError> {
+        Ok(Self { weigh: options.flag("weigh", false)?, method: options.flag("method", false)? })
     }
 
     /// Whether the case gets intervals with the errors of the method. If they would take minutes, the report

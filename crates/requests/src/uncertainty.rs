@@ -50,7 +50,7 @@ impl UncertaintyOptions {
             method: options.word("method", &SamplingMethod::WORDS)?.unwrap_or(default.method),
             seed: options.count("seed")?.unwrap_or(default.seed),
             indices: options.size("indices")?,
-            outputs: options.texts("outputs"),
+            outputs: options.texts("outputs")?,
         })
     }
 

@@ -171,3 +171,62 @@ fn several_records_are_told_apart_in_every_format() {
     let error = read_records_beside(&folder.join("case.toml"), &mut file, &PROGRAM).unwrap_err().to_string();
     assert!(error.contains("cannot read edr.csv") && error.contains("case.toml:16:22"), "{error}");
 }
+
+/// A folder on the way to a file may be a link as well as the file itself.
+#[cfg(unix)]
+#[test]
+fn nothing_that_a_case_names_lies_behind_a_link() {
+    use std::os::unix::fs::symlink;
+    let root = Path::new(env!("CARGO_TARGET_TMPDIR")).join("behind-a-link");
+    let (folder, elsewhere) = (root.join("case"), root.join("elsewhere"));
+    drop(fs::remove_dir_all(&root));
+    fs::create_dir_all(&folder).unwrap();
+    fs::create_dir_all(&elsewhere).unwrap();
+    fs::write(elsewhere.join("edr.csv"), "Time (s),Speed (km/h)\n-1,60\n0,50\n").unwrap();
+    fs::copy(elsewhere.join("edr.csv"), folder.join("own.csv")).unwrap();
+    symlink(&elsewhere, folder.join("sub")).unwrap();
+    symlink("own.csv", folder.join("link.csv")).unwrap();
+    let case = folder.join("case.toml");
+    let read = |name: &str| {
+        let text = format!("[vehicle1.recorder]\npre_crash = {{ file = \"{name}\" }}\n");
+        let mut file = CaseFile::parse("case.toml", &text).unwrap();
+        read_records_beside(&case, &mut file, &PROGRAM).map_err(|error| error.to_string())
+    };
+    read("own.csv").unwrap();
+    let behind = read("sub/edr.csv").unwrap_err();
+    assert!(behind.contains("outside the folder of the case"), "{behind}");
+    let link = read("link.csv").unwrap_err();
+    assert!(link.contains("it is a link"), "{link}");
+    let text = include_str!("../../../fixtures/rear-end-rest.toml");
+    let plan =
+        "site_plan = { file = \"sub/edr.csv\", corner = { x = \"0 m\", y = \"0 m\" }, width = \"60 m\" }\n";
+    let file =
+        CaseFile::parse("case.toml", &text.replace("\n[scene]\n", &format!("\n[scene]\n{plan}"))).unwrap();
+    let refused = requests::site_plan_beside(&case, &file, &PROGRAM).unwrap_err().to_string();
+    assert!(refused.contains("outside the folder of the case"), "{refused}");
+    fs::remove_dir_all(&root).unwrap();
+}
+
+#[test]
+fn an_option_of_the_wrong_type_is_refused() {
+    let read = |command: &str, options: &str| {
+        Request::read(command, &RequestOptions::read(options).unwrap())
+            .map(drop)
+            .map_err(|error| error.to_string())
+    };
+    for (command, options, says) in [
+        ("reconstruct", r#"{"weigh": "yes"}"#, "the option weigh is true or false, not \"yes\""),
+        ("avoid", r#"{"exact": 1}"#, "the option exact is true or false, not 1"),
+        ("uncertainty", r#"{"outputs": "vehicle1.speed"}"#, "the option outputs is a list of texts"),
+        ("uncertainty", r#"{"outputs": ["vehicle1.speed", 2]}"#, "the option outputs is a list of texts"),
+        ("estimate", r#"{"prior": 3}"#, "the option prior is a word, not 3"),
+    ] {
+        let error = read(command, options).unwrap_err();
+        assert!(error.contains(says), "{error}");
+    }
+    read("estimate", r#"{"prior": null, "pieces": null, "above": null}"#).unwrap();
+    // Null is as good as nothing.
+    let weighed = RequestOptions::read(r#"{"weigh": null}"#).unwrap().or("weigh", true);
+    let Request::Reconstruct(asked) = Request::read("reconstruct", &weighed).unwrap() else { panic!() };
+    assert!(asked.weigh);
+}

@@ -381,7 +381,8 @@ impl Csv {
     }
 
     /// The line of a file under the [`header`](Self::header), or one for each law: RFC 4180, but for the
-    /// plain line feed at its end. SI units and radians, or US units with speeds in mph and degrees. Each
+    /// plain line feed at its end. SI units and radians, or US units with speeds in mph and degrees; with UK
+    /// units, speeds in mph, angles in degrees, and all else in SI. Each
     /// number is the shortest that reads back as the same; a missing value is empty.
     ///
     /// A spreadsheet runs a cell that begins with `=`, `+`, `-`, `@`, one of their full-width forms, tab,
@@ -420,7 +421,8 @@ impl Csv {
             Column::FailedShare => {
                 let [samples, succeeded] =
                     ["/samples", "/succeeded"].map(|at| place(at).and_then(Value::as_f64));
-                Some(self.cell(name, &(1.0 - succeeded? / samples?).into()))
+                let (samples, succeeded) = (samples?, succeeded?);
+                Some(self.cell(name, &((samples - succeeded) / samples).into()))
             }
             Column::Ranges => match row.answer.ok()?.0.case.ranges.len() {
                 0 => None,

@@ -1,7 +1,7 @@
 //! The energy: where the initial kinetic energy went.
 
 use ::drawing::{EnergyBar, EnergyPicture, Loss, number};
-use analysis::Analysis;
+use analysis::{Analysis, Check, CheckedQuantity};
 use case::{Basis, Case};
 use pim_core::VehicleId;
 
@@ -58,18 +58,30 @@ pub(super) fn picture(case: &Case, analysis: &Analysis, units: Units) -> Result<
     })
 }
 
+/// (–) no more apart are energies that differ by rounding.
+const ROUNDING: f64 = 1e-6;
+
 /// Whether the normal work is the crush energy, but for rounding.
 fn is_crush(crush: f64, normal_work: f64) -> bool {
-    (crush - normal_work).abs() <= 1e-6 * normal_work.abs()
+    (crush - normal_work).abs() <= ROUNDING * normal_work.abs()
+}
+
+/// Whether the crush energy is what the impact dissipates on the basis of the case, but for rounding: always
+/// with the speeds that are sought by it.
+fn agrees(analysis: &Analysis) -> bool {
+    let is_same = |check: &Check| {
+        matches!(check.quantity, CheckedQuantity::DamageEnergy { .. }) && check.value <= ROUNDING
+    };
+    analysis.found.is_some() || analysis.checks.iter().any(is_same)
 }
 
 fn note(analysis: &Analysis, crush: f64, normal_work: f64, units: Units) -> String {
     let mut note = "Each bar begins where the one above it ends.".to_owned();
     if crush > 0.0 && !is_crush(crush, normal_work) {
         let energy = |si: f64| units.format(Measure::Energy, si);
-        let why = match (&analysis.found, analysis.basis) {
-            (Some(_), Basis::Absorbed) => "restitution gives the rest back".to_owned(),
-            (Some(_), Basis::TangentialShare(_)) => {
+        let why = match (agrees(analysis), analysis.basis) {
+            (true, Basis::Absorbed) => "restitution gives the rest back".to_owned(),
+            (true, Basis::TangentialShare(_)) => {
                 let share = basis::share(analysis.basis).unwrap_or_default();
                 format!("the crush takes {share} too")
             }

@@ -381,8 +381,8 @@ fn samples(record: &PreCrash, found: &VehicleReading, units: Units) -> Table {
     table
 }
 
-/// (m/s) 0.2 km/h: less is that of the draws.
-const LEAST_STANDING: f64 = 0.2 / 3.6;
+/// (–) so many standard deviations above 0, hardly a draw is cut off there.
+const SURELY: f64 = 4.0;
 
 /// The speed at impact, and what its error comes from.
 fn account(speed: &recorder::ImpactSpeed, found: &VehicleReading, units: Units) -> Table {
@@ -413,12 +413,15 @@ fn account(speed: &recorder::ImpactSpeed, found: &VehicleReading, units: Units) 
             number(100.0 * share, 0),
         ]);
     }
-    // What braking takes off more than there is: the parts are of numbers that may fall below 0.
-    let stands = speed.mean - speed.stored - speed.parts.iter().map(|part| part.shift).sum::<f64>();
-    if stands > LEAST_STANDING {
+    // The parts are of numbers that may fall below 0, by braking or rounding.
+    let uncut = speed.stored + speed.parts.iter().map(|part| part.shift).sum::<f64>();
+    let cut = speed.mean - uncut;
+    if uncut < SURELY * whole.sqrt()
+        && units.signed(Measure::RoadSpeed, cut) != units.signed(Measure::RoadSpeed, 0.0)
+    {
         table.row([
-            "braked to a standstill, not backward".to_owned(),
-            units.signed(Measure::RoadSpeed, stands),
+            "cut off at 0: it did not go backward".to_owned(),
+            units.signed(Measure::RoadSpeed, cut),
             NONE.to_owned(),
             NONE.to_owned(),
         ]);

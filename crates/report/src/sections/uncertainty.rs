@@ -397,7 +397,11 @@ impl<'a> Page<'a> {
     }
 
     fn tornado(&mut self, place: usize) {
-        let Some(&(output, _)) = self.rows().get(place) else { return };
+        let Some(&(output, summary)) = self.rows().get(place) else { return };
+        // Nothing drives a result that does not vary: its bars would be rounding.
+        if !output.varies(summary.map_or(output.first_order.sd, |summary| summary.sd.value)) {
+            return;
+        }
         if let Some(picture) = pictures::tornado_picture(self.case, self.uncertainty, place, self.units) {
             self.chart(format!("tornado-{place}"), move || picture.draw(), None);
         }
