@@ -14,7 +14,7 @@ use crate::failure::Failure;
 use crate::impact::Impact;
 use crate::judged::judged;
 use crate::speeds::{BothFound, BothMethod, CgLine, Combination};
-use crate::travel::{self, Record, TravelOrigin, Way, Ways, departures};
+use crate::travel::{Record, TravelOrigin, Way, Ways, departures};
 use crate::warning;
 
 /// (m) from the CG of vehicle 1 to that of vehicle 2: between the given positions, or by the arms to the
@@ -297,19 +297,18 @@ pub(crate) fn reconstruct(case: &Case) -> Result<Analysis, Failure> {
             warning::of_found_speed(vehicle, speed, &mut warnings);
         }
     }
-    let mut analysis = judged(case, vehicles, basis, restitution, (None, impact), warnings)?;
+    let solved = Analysis { basis, both: Some(both), impact, warnings, ..Analysis::unsolved(vehicles) };
+    let mut analysis = judged(case, solved, restitution)?;
     // The part of the crush energy that the impact dissipates, on the case's basis.
     let crush_energy = restitution.filter(|_| has_crush).map(|restitution| {
         (basis.energy().dissipated(damage::crush_energy(&analysis.vehicles), restitution), basis)
     });
-    let checks = {
+    let of_momentum = |both: &BothFound| {
         let impact = analysis.impact.as_ref();
-        checks::of_momentum(&both, impact, &analysis.vehicles, crush_energy, spread.as_ref())
+        checks::of_momentum(both, impact, &analysis.vehicles, crush_energy, spread.as_ref())
     };
+    let checks = analysis.both.as_ref().map(of_momentum).unwrap_or_default();
     warning::of_momentum(&checks, &mut analysis.warnings);
     analysis.checks.extend(checks);
-    let marks = case.skids();
-    analysis.skids = [0, 1].map(|i| travel::skid(marks[i]?, speeds[i].abs()));
-    analysis.both = Some(both);
     Ok(analysis.with_travel(record.travel, surface).beside_the_rest(case))
 }

@@ -9,6 +9,7 @@ use real::elementary;
 use reconcile::{Implied, Momentum};
 
 use crate::check::{Check, CheckedQuantity};
+use crate::exchange::Exchange;
 use crate::impact::Impact;
 use crate::speeds::{BothFound, BothMethod, Spread};
 use crate::thresholds::{
@@ -138,12 +139,14 @@ pub(crate) fn of_travel(travel: &[Option<Travel>; 2]) -> Vec<Check> {
 }
 
 /// All checks for which there are values: headings (rad) and the part of the crush energy (J) that the impact
-/// dissipates on its basis, as far as they are known.
+/// dissipates on its basis, as far as they are known, with the impact by the law and the effect of the
+/// impact, which by momentum is another.
 pub(crate) fn checks(
     vehicles: &[Vehicle; 2],
     headings: [Option<f64>; 2],
     crush_energy: Option<(f64, Basis)>,
     impact: Option<&Impact>,
+    exchange: Option<&Exchange>,
 ) -> Vec<Check> {
     let mut checks = Vec::new();
     let damage = vehicles.each_ref().map(|vehicle| vehicle.damage.as_ref());
@@ -176,13 +179,14 @@ pub(crate) fn checks(
             checks.push(Check { quantity, value, limit: ENERGY_DIFFERENCE });
         }
     }
-    if let Some(impact) = impact {
+    if let (Some(impact), Some(exchange)) = (impact, exchange) {
         if -impact.outcome.approach.normal > FAST_CLOSING {
             let value = impact.law.restitution();
             checks.push(Check { quantity: CheckedQuantity::Restitution, value, limit: HIGH_RESTITUTION });
         }
         for id in VehicleId::ALL {
-            if let Some(value) = moment_with_rotation(impact, &vehicles[id.index()], id) {
+            let has_moment = impact.law.has_moment();
+            if let Some(value) = moment_with_rotation(exchange, has_moment, &vehicles[id.index()], id) {
                 let quantity = CheckedQuantity::Rotation { vehicle: id };
                 checks.push(Check { quantity, value, limit: 0.0 });
             }
@@ -192,18 +196,22 @@ pub(crate) fn checks(
 }
 
 /// (N·m·s) `None` if the vehicle does not turn, has no line of action, or has to turn with it in any case.
-fn moment_with_rotation(impact: &Impact, vehicle: &Vehicle, id: VehicleId) -> Option<f64> {
+fn moment_with_rotation(
+    exchange: &Exchange,
+    has_moment: bool,
+    vehicle: &Vehicle,
+    id: VehicleId,
+) -> Option<f64> {
     let subject = &vehicle.subject;
     subject.inertia?;
-    if subject.pdof().is_none() && !impact.law.has_moment() {
+    if subject.pdof().is_none() && !has_moment {
         return None;
     }
     let centroid = vehicle.damage.as_ref().and_then(|damage| damage.centroid);
     let [forward, left] = subject.contact.or(centroid)?;
-    let p = impact.outcome.impulse_vector;
+    let p = exchange.impulse_vector;
     let size = (p.x * p.x + p.y * p.y).sqrt();
-    let [before, after] = [&impact.outcome.before, &impact.outcome.after];
-    let turned = after[id.index()].yaw_rate - before[id.index()].yaw_rate;
+    let turned = exchange.turned(id)?;
     if turned == 0.0 {
         return None;
     }

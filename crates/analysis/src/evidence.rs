@@ -1,7 +1,7 @@
 //! The answers of the damage, of the momentum and of both together for one collision.
 
 use inputs::{Axes, Basis, Case, Dimension, Find, GivenVehicle, Quantity, Reconstruct, Velocity};
-use pim_core::{Outcome, Real, VehicleId};
+use pim_core::{Outcome, VehicleId};
 use reconcile::{EvidenceErrors, MomentumBesideCrush, Unknown, are_collinear};
 
 use crate::analysis::Analysis;
@@ -9,6 +9,7 @@ use crate::both::{Posed, pose_agreeing};
 use crate::damage;
 use crate::errors::errors;
 use crate::failure::Failure;
+use crate::given::{GivenSpeed, with_sideslip};
 use crate::solve::{crush, reconstruct};
 use crate::speeds::BothMethod;
 
@@ -120,7 +121,12 @@ pub(crate) fn by_evidence(case: &Case, own: &Analysis) -> Option<ByEvidence> {
     if case.is_by_momentum() && !case.vehicles.iter().any(GivenVehicle::has_damage_data) {
         return Some(without_damage(own));
     }
-    if !case.vehicles.iter().all(has_both) {
+    // Vehicles that leave locked together leave alike.
+    let is_told = |id: VehicleId| {
+        tells_departure(&case.vehicles[id.index()])
+            || (case.locked_together && tells_departure(&case.vehicles[id.other().index()]))
+    };
+    if !VehicleId::ALL.into_iter().all(|id| has_damage(&case.vehicles[id.index()]) && is_told(id)) {
         return None;
     }
     let [one, two] = case.subjects();
@@ -165,19 +171,25 @@ fn without_damage(own: &Analysis) -> ByEvidence {
     }
 }
 
-/// Whether a vehicle can move, with known damage and a known departure from the impact.
-fn has_both(vehicle: &GivenVehicle) -> bool {
-    let is_told = vehicle
-        .after
-        .as_ref()
-        .is_some_and(|after| after.rest.is_some() || (after.speed.is_some() && after.direction.is_some()));
-    !vehicle.fixed && !vehicle.is_absent() && vehicle.has_damage_data() && is_told
+/// Whether a vehicle can move and its damage is known.
+fn has_damage(vehicle: &GivenVehicle) -> bool {
+    !vehicle.fixed && !vehicle.is_absent() && vehicle.has_damage_data()
 }
 
-/// The case with another speed to find.
+/// Whether it is known how a vehicle left the impact.
+fn tells_departure(vehicle: &GivenVehicle) -> bool {
+    let after = vehicle.after.as_ref();
+    after.is_some_and(|after| after.rest.is_some() || (after.speed.is_some() && after.direction.is_some()))
+}
+
+/// The case with another speed to find. A vehicle whose velocity was given keeps its direction.
 fn seeking(case: &Case, find: Find) -> Case {
-    let reconstruct = case.reconstruct.map(|reconstruct| Reconstruct { find, ..reconstruct });
-    Case { reconstruct, ..case.clone() }
+    let mut case = case.clone();
+    for id in VehicleId::ALL.into_iter().filter(|id| find.seeks(*id)) {
+        with_sideslip(&mut case, id);
+    }
+    case.reconstruct = case.reconstruct.map(|reconstruct| Reconstruct { find, ..reconstruct });
+    case
 }
 
 /// The vehicle with a known speed, if the other one is unknown; in a case that asks for both, the only one
@@ -256,7 +268,7 @@ fn by_momentum(case: &Case) -> Result<EvidenceAnswer, NoEvidence> {
     } else {
         let angle = momentum.angle().abs();
         let given = given_speed(case).ok_or(NoEvidence::NeedsSpeed { angle })?;
-        let known = speed_along_heading(case, given).ok_or(NoEvidence::NeedsSpeed { angle })?;
+        let known = GivenSpeed::of(case, given).ok_or(NoEvidence::NeedsSpeed { angle })?.speed;
         let found = momentum.speed_beside(given.other(), known).map_err(Failure::from)?;
         let speeds = match given {
             VehicleId::One => [known, found],
@@ -332,19 +344,6 @@ pub(crate) fn needed(
     let work = basis.taken_by_crush(normal_work, tangential_work);
     let energy = work / basis.energy().dissipated(1.0, restitution);
     energy.is_finite().then_some(energy)
-}
-
-/// (m/s) the speed of a vehicle along its heading, as given.
-fn speed_along_heading(case: &Case, vehicle: VehicleId) -> Option<f64> {
-    let given = &case.vehicles[vehicle.index()];
-    Some(match given.motion? {
-        Velocity::Speed(speed) => speed.si(),
-        Velocity::Vector { x, y } => {
-            let (sin, cos) = Real::sin_cos(given.heading?.si());
-            // v·ê, in which two changes of axes cancel
-            x.si() * cos + y.si() * sin
-        }
-    })
 }
 
 impl NoEvidence {

@@ -1,7 +1,7 @@
 //! The effect of the impact, one value for each quantity.
 
 use inputs::Geometry;
-use pim_core::{Energy, Motion, NormalTangential, Outcome, Real, Vector2};
+use pim_core::{Energy, Motion, NormalTangential, Outcome, Real, Vector2, VehicleId};
 
 use crate::analysis::Analysis;
 use crate::impact::Impact;
@@ -163,11 +163,16 @@ impl Exchange {
         }
     }
 
-    fn of(both: Option<&BothFound>, impact: Option<&Impact>) -> Option<Self> {
+    pub(crate) fn of(both: Option<&BothFound>, impact: Option<&Impact>) -> Option<Self> {
         match both.filter(|both| !both.is_by_crush()) {
             Some(both) => Some(Self::of_momentum(both)),
             None => impact.map(Self::of_impact),
         }
+    }
+
+    /// (rad/s) the change of the yaw rate of a vehicle, if that is known.
+    pub(crate) fn turned(&self, id: VehicleId) -> Option<f64> {
+        Some(self.yaw_rates[id.index()]? - self.before[id.index()].yaw_rate)
     }
 
     /// (rad) scene angle of the impulse on vehicle 1, in (−π, π].

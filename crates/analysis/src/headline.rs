@@ -4,7 +4,7 @@
 use std::ops::ControlFlow;
 
 use ::estimate::DrawsSummary;
-use inputs::{Case, Velocity};
+use inputs::Case;
 use pim_core::VehicleId;
 
 use crate::analysis::Analysis;
@@ -12,6 +12,7 @@ use crate::check::{Check, CheckedQuantity};
 use crate::estimate::{EstimatePlan, EstimateStage, Estimated, EstimatedOutput, estimate, estimate_evidence};
 use crate::evidence::{ByEvidence, EvidenceMethod, by_evidence};
 use crate::failure::Failure;
+use crate::given::GivenSpeed;
 use crate::output::Output;
 use crate::quantities::{DELTA_V, SPEED};
 use crate::seen::Seen;
@@ -208,15 +209,6 @@ fn solutions(case: &Case, exact: &Analysis, estimated: &Estimated) -> Vec<Soluti
 /// (–) of the greater of a given speed and 1 m/s: less is the rounding of what was written.
 const SAME_SPEED: f64 = 0.01;
 
-/// (m/s) the speed that the case gives of a vehicle, if it is not the one to find.
-fn given_speed(case: &Case, id: VehicleId) -> Option<f64> {
-    let is_sought = case.reconstruct.is_some_and(|reconstruct| reconstruct.find.seeks(id));
-    match &case.vehicles[id.index()].motion {
-        Some(Velocity::Speed(speed)) if !is_sought => Some(speed.si()),
-        _ => None,
-    }
-}
-
 /// An exact solution, before it is compared with all the evidence.
 #[derive(Clone, Copy)]
 struct Found {
@@ -243,7 +235,7 @@ impl Found {
             VehicleId::ALL.map(|vehicle| outside(DELTA_V.of_vehicle(vehicle), delta_v[vehicle.index()])),
         ];
         let differs_from = VehicleId::ALL.map(|id| {
-            let (found, given) = (speeds[id.index()]?, given_speed(case, id)?);
+            let (found, given) = (speeds[id.index()]?, GivenSpeed::of_known(case, id)?.speed);
             ((found - given).abs() > SAME_SPEED * given.abs().max(1.0)).then_some(given)
         });
         let failed = exact.refuting().filter(|_| is_detailed).copied().collect();

@@ -1,7 +1,7 @@
 //! The impact of an analysis.
 
 use inputs::CollisionData;
-use pim_core::{Contact, ImpactError, Law, Outcome, Real, VaryingLaw, VehicleId};
+use pim_core::{Contact, ImpactError, Law, Outcome, Real, VaryingLaw, Vector2, VehicleId};
 
 /// An impact and its inputs.
 #[derive(Clone, Debug)]
@@ -28,11 +28,15 @@ impl Impact {
     #[must_use]
     pub fn speed(&self, vehicle: VehicleId) -> f64 {
         let velocity = self.outcome.before[vehicle.index()].velocity;
-        let forward = self.contact.participants()[vehicle.index()].forward();
-        // |v| = √(v_x² + v_y²)
-        let size = (velocity.x * velocity.x + velocity.y * velocity.y).sqrt();
-        if velocity.x * forward.x + velocity.y * forward.y < 0.0 { -size } else { size }
+        speed_along(self.contact.participants()[vehicle.index()].course(), velocity)
     }
+}
+
+/// (m/s) the speed of a vehicle with this velocity: negative if it moves against its course.
+pub(crate) fn speed_along(course: Vector2<f64>, velocity: Vector2<f64>) -> f64 {
+    // |v| = √(v_x² + v_y²)
+    let size = (velocity.x * velocity.x + velocity.y * velocity.y).sqrt();
+    if velocity.x * course.x + velocity.y * course.y < 0.0 { -size } else { size }
 }
 
 /// The impact of a fully known collision, and the law at its closing speed.

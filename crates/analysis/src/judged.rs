@@ -1,72 +1,80 @@
 //! The checks and warnings of a result.
 
-use inputs::{Basis, Case, SurfaceData};
+use std::mem;
+
+use inputs::{Case, SurfaceData};
+use pim_core::VehicleId;
 
 use crate::analysis::Analysis;
 use crate::aside::{self, Used};
 use crate::checks;
 use crate::damage;
+use crate::exchange::Exchange;
 use crate::failure::Failure;
-use crate::found::Found;
-use crate::impact::Impact;
 use crate::travel::{self, Travel};
-use crate::vehicle::Vehicle;
-use crate::warning::{self, Warning};
+use crate::warning;
 
-/// CRASH3's answer, and the checks and warnings of the results so far.
+/// Adds CRASH3's answer, and the checks and warnings of the results so far.
 pub(crate) fn judged(
     case: &Case,
-    vehicles: [Vehicle; 2],
-    basis: Basis,
+    mut analysis: Analysis,
     restitution: Option<f64>,
-    (found, impact): (Option<Found>, Option<Impact>),
-    mut warnings: Vec<Warning>,
 ) -> Result<Analysis, Failure> {
+    let basis = analysis.basis;
     let alone = case.vehicles.iter().any(inputs::GivenVehicle::is_absent);
-    let crash3 = if alone { None } else { damage::crash3(&vehicles, basis.energy(), restitution)? };
+    if !alone {
+        analysis.crash3 = damage::crash3(&analysis.vehicles, basis.energy(), restitution)?;
+    }
+    let mut warnings = mem::take(&mut analysis.warnings);
+    let Analysis { found, both, impact, vehicles, crash3, .. } = &analysis;
+    let by_momentum = both.as_ref().is_some_and(|both| !both.is_by_crush());
+    // The impact whose effect is the result: by momentum, the one by the law is only a check of the law.
+    let result = impact.as_ref().filter(|_| !by_momentum);
     // If the speed was found from the crush energy, the normal work equals it by construction.
     let energy = crash3
         .as_ref()
-        .filter(|_| found.is_none())
+        .filter(|_| found.is_none() && !by_momentum)
         .map(|crash3| basis.energy().dissipated(crash3.crush_energy, restitution.unwrap_or_default()));
-    let checks =
-        checks::checks(&vehicles, case.headings(), energy.map(|energy| (energy, basis)), impact.as_ref());
-    if let Some(impact) = &impact {
+    let exchange = Exchange::of(both.as_ref(), impact.as_ref());
+    let checks = checks::checks(
+        vehicles,
+        case.headings(),
+        energy.map(|energy| (energy, basis)),
+        impact.as_ref(),
+        exchange.as_ref(),
+    );
+    if let Some(impact) = impact {
         warning::of_impact(impact, &mut warnings);
     }
-    warning::of_outlines(&vehicles, &mut warnings);
-    let speeds = impact.as_ref().map(|impact| impact.outcome.before.map(|motion| motion.velocity.norm()));
+    warning::of_outlines(vehicles, &mut warnings);
+    let speeds = match (both, impact) {
+        (Some(both), _) => Some(both.speeds.map(f64::abs)),
+        (None, impact) => {
+            impact.as_ref().map(|impact| impact.outcome.before.map(|motion| motion.velocity.norm()))
+        }
+    };
     warning::of_case(case, &mut warnings);
-    let sought = found.as_ref().map(|found| found.unknown.vehicle());
-    warning::of_data(&vehicles, speeds.map_or([None; 2], |speeds| speeds.map(Some)), sought, &mut warnings);
-    warning::of_assumptions(case, &vehicles, &mut warnings);
-    warning::of_damage(&vehicles, &mut warnings);
-    if let Some(impact) = &impact {
-        warning::of_directions(impact, &vehicles, &mut warnings);
-        warning::of_object(&vehicles, impact, &mut warnings);
-        if let Some(crash3) = &crash3 {
-            warning::of_delta_v(impact, crash3, &vehicles, &mut warnings);
+    let is_found = VehicleId::ALL.map(|id| {
+        found.as_ref().is_some_and(|found| found.unknown.vehicle() == id)
+            || both.as_ref().is_some_and(|both| both.vehicles().any(|vehicle| vehicle == id))
+    });
+    warning::of_data(vehicles, speeds.map_or([None; 2], |speeds| speeds.map(Some)), is_found, &mut warnings);
+    warning::of_assumptions(case, vehicles, &mut warnings);
+    warning::of_damage(vehicles, &mut warnings);
+    if let Some(impact) = result {
+        warning::of_directions(impact, vehicles, &mut warnings);
+        if let Some(crash3) = crash3 {
+            warning::of_delta_v(impact, crash3, vehicles, &mut warnings);
         }
     }
+    if let Some(exchange) = &exchange {
+        warning::of_object(vehicles, exchange, &mut warnings);
+    }
+    warning::of_checks(&checks, vehicles, impact.as_ref(), exchange.as_ref(), basis, &mut warnings);
     let marks = case.skids();
-    let skids = [0, 1].map(|i| travel::skid(marks[i]?, speeds?[i]));
-    warning::of_checks(&checks, &vehicles, impact.as_ref(), basis, &mut warnings);
-    Ok(Analysis {
-        basis,
-        found,
-        both: None,
-        impact,
-        geometry: None,
-        travel: [None, None],
-        skids,
-        surface: None,
-        vehicles,
-        crash3,
-        left_aside: Vec::new(),
-        can_be_weighed: false,
-        checks,
-        warnings,
-    })
+    analysis.skids = [0, 1].map(|i| travel::skid(marks[i]?, speeds?[i]));
+    (analysis.checks, analysis.warnings) = (checks, warnings);
+    Ok(analysis)
 }
 
 impl Analysis {

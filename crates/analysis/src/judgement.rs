@@ -399,7 +399,7 @@ fn assumed(case: &Case, subjects: &[Option<VehicleData>; 2]) -> Vec<Assumption> 
         }
     }
     for (id, (vehicle, subject)) in VehicleId::ALL.into_iter().zip(case.vehicles.iter().zip(subjects)) {
-        if vehicle.fixed {
+        if vehicle.fixed || vehicle.is_absent() {
             continue;
         }
         if let Some(inertia) = subject.as_ref().and_then(|subject| subject.inertia) {

@@ -57,6 +57,7 @@ mod exchange;
 mod excluded;
 mod failure;
 mod found;
+mod given;
 mod goal;
 mod headline;
 mod impact;

@@ -94,7 +94,7 @@ fn known_impact(case: &Case, id: VehicleId) -> KnownImpact {
     let Some((vehicles, basis, restitution)) = assessed else {
         return KnownImpact { force_direction: given, delta_v: None };
     };
-    let pdof = vehicles[id.index()].damage.as_ref().and_then(|damage| damage.pdof);
+    let pdof = vehicles[id.index()].crash3_pdof();
     // What a vehicle alone struck is unknown, and so is its ΔV.
     let alone = case.vehicles.iter().any(GivenVehicle::is_absent);
     let found = damage::crash3(&vehicles, basis, restitution).ok().flatten().filter(|_| !alone);

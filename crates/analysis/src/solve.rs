@@ -48,8 +48,9 @@ pub(crate) fn reconstruct(case: &Case) -> Result<Analysis, Failure> {
     warnings.extend(warning::of_categories(case, &vehicles));
     let (travel, surface) = run_out(case, impact.outcome.after)?;
     let restitution = Some(impact.law.restitution());
-    let analysis = judged(case, vehicles, basis, restitution, (Some(found), Some(impact)), warnings)?;
-    Ok(analysis.with_travel(travel, surface).beside_the_rest(case))
+    let (found, impact) = (Some(found), Some(impact));
+    let analysis = Analysis { basis, found, impact, warnings, ..Analysis::unsolved(vehicles) };
+    Ok(judged(case, analysis, restitution)?.with_travel(travel, surface).beside_the_rest(case))
 }
 
 /// As [`impact`](crate::impact()).
@@ -62,8 +63,9 @@ pub(crate) fn impact(case: &Case) -> Result<Analysis, Failure> {
     let vehicles = damage::assess(vehicles, impact.pdof.map(Some))?;
     let (travel, surface) = run_out(case, impact.outcome.after)?;
     let restitution = Some(impact.law.restitution());
-    let analysis = judged(case, vehicles, input.basis, restitution, (None, Some(impact)), Vec::new())?;
-    Ok(analysis.with_travel(travel, surface).beside_the_rest(case))
+    let (basis, impact) = (input.basis, Some(impact));
+    let analysis = Analysis { basis, impact, ..Analysis::unsolved(vehicles) };
+    Ok(judged(case, analysis, restitution)?.with_travel(travel, surface).beside_the_rest(case))
 }
 
 /// Only the motion after the impact: to rest if the case gives how a vehicle left the impact, and back from
@@ -115,8 +117,8 @@ fn run_out(case: &Case, after: [Motion; 2]) -> Result<([Option<Travel>; 2], Opti
 pub(crate) fn crush(case: &Case) -> Result<Analysis, Failure> {
     let input = case.damage()?;
     let vehicles = damage::assess(input.vehicles, [None, None])?;
-    let analysis = judged(case, vehicles, input.basis, input.restitution, (None, None), Vec::new())?;
-    Ok(analysis.beside_the_rest(case))
+    let analysis = Analysis { basis: input.basis, ..Analysis::unsolved(vehicles) };
+    Ok(judged(case, analysis, input.restitution)?.beside_the_rest(case))
 }
 
 /// As [`furthest`](crate::furthest).

@@ -498,8 +498,9 @@ pub(crate) fn any_inputs(case: &Case) -> Result<Vec<UncertainInput>, Faults> {
     // An unknown speed is not an input, even if the file gives one.
     if let Some(reconstruct) = &case.reconstruct {
         for id in VehicleId::ALL.into_iter().filter(|id| reconstruct.find.seeks(*id)) {
-            let sought = ["speed", "velocity.x", "velocity.y"].map(|key| format!("vehicle{id}.{key}"));
-            inputs.retain(|input| !sought.contains(&input.input.path));
+            // Of a vector the direction still counts.
+            let sought = format!("vehicle{id}.speed");
+            inputs.retain(|input| input.input.path != sought);
         }
     }
     Ok(inputs)

@@ -49,7 +49,7 @@ fn of_vehicles(
         assessed.unwrap_or_else(|_| subjects.map(|subject| Vehicle { subject, damage: None, energy: None }));
     warning::of_outlines(&vehicles, warnings);
     warning::of_case(case, warnings);
-    warning::of_data(&vehicles, speeds.map_or([None; 2], |speeds| speeds.map(Some)), None, warnings);
+    warning::of_data(&vehicles, speeds.map_or([None; 2], |speeds| speeds.map(Some)), [false; 2], warnings);
     warning::of_assumptions(case, &vehicles, warnings);
     for (vehicle, directed) in vehicles.iter_mut().zip(directed) {
         if !directed {
@@ -57,6 +57,6 @@ fn of_vehicles(
         }
     }
     warning::of_damage(&vehicles, warnings);
-    let checks = checks::checks(&vehicles, case.headings(), None, None);
-    warning::of_checks(&checks, &vehicles, None, Basis::default(), warnings);
+    let checks = checks::checks(&vehicles, case.headings(), None, None, None);
+    warning::of_checks(&checks, &vehicles, None, None, Basis::default(), warnings);
 }

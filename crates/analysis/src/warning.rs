@@ -14,7 +14,9 @@ use crate::check::{Check, CheckedQuantity};
 use crate::codes::codes;
 use crate::damage::Crash3;
 use crate::evident::Evident;
+use crate::exchange::Exchange;
 use crate::found::Found;
+use crate::given::GivenSpeed;
 use crate::impact::Impact;
 use crate::speeds::BothFound;
 use crate::thresholds::{DELTA_V_DIFFERENCE, FAST_CLOSING, FORCE_RATIO, HIGH_RESTITUTION, PDOF_DIFFERENCE};
@@ -692,11 +694,11 @@ pub(crate) fn of_impact(impact: &Impact, warnings: &mut Vec<Warning>) {
 const KEPT: f64 = 0.5;
 
 /// Warns of a vehicle that neither stopped at an object that took energy nor rebounded from it.
-pub(crate) fn of_object(vehicles: &[Vehicle; 2], impact: &Impact, warnings: &mut Vec<Warning>) {
+pub(crate) fn of_object(vehicles: &[Vehicle; 2], exchange: &Exchange, warnings: &mut Vec<Warning>) {
     for vehicle in VehicleId::ALL {
         let object = &vehicles[vehicle.other().index()].subject;
-        let speeds = [impact.outcome.before, impact.outcome.after]
-            .map(|motions| motions[vehicle.index()].velocity.norm());
+        let speeds = [exchange.before[vehicle.index()].velocity, exchange.velocities[vehicle.index()]]
+            .map(|velocity| velocity.norm());
         if object.deformation_energy.is_some() && speeds[1] > KEPT * speeds[0] {
             warnings.push(Warning::ObjectPassed { vehicle, speeds });
         }
@@ -843,12 +845,9 @@ pub(crate) fn of_case(case: &Case, warnings: &mut Vec<Warning>) {
     }
     of_contact_places(case, warnings);
     for (id, vehicle) in VehicleId::ALL.into_iter().zip(&case.vehicles) {
-        let sought = case.reconstruct.is_some_and(|reconstruct| reconstruct.find.seeks(id));
-        if let Some(Velocity::Speed(given)) = vehicle.motion
-            && given.si() < 0.0
-            && !sought
-        {
-            warnings.push(Warning::MovesBackward { vehicle: id, speed: given.si(), found: false });
+        let backward = GivenSpeed::of_known(case, id).filter(|given| given.speed < 0.0);
+        if let Some(GivenSpeed { speed, .. }) = backward {
+            warnings.push(Warning::MovesBackward { vehicle: id, speed, found: false });
         }
         of_skid(case, id, warnings);
         of_wreck(case, id, warnings);
@@ -883,10 +882,10 @@ fn of_wreck(case: &Case, vehicle: VehicleId, warnings: &mut Vec<Warning>) {
 const SKID_ASTRAY: f64 = FRAC_PI_4;
 
 fn of_skid(case: &Case, vehicle: VehicleId, warnings: &mut Vec<Warning>) {
-    let Some((skid, course)) = case.skid_direction(vehicle).zip(case.courses()[vehicle.index()]) else {
-        return;
-    };
-    let backward = matches!(&case.vehicles[vehicle.index()].motion, Some(Velocity::Speed(v)) if v.si() < 0.0);
+    let given = GivenSpeed::of(case, vehicle);
+    let course = given.map_or(case.courses()[vehicle.index()], |given| given.course);
+    let Some((skid, course)) = case.skid_direction(vehicle).zip(course) else { return };
+    let backward = given.is_some_and(|given| given.speed < 0.0);
     let course = principal_angle(if backward { course + PI } else { course });
     if principal_angle(skid - course).abs() > SKID_ASTRAY {
         warnings.push(Warning::SkidDirection { vehicle, skid, course });
@@ -921,11 +920,11 @@ impl Judge<'_> {
 }
 
 /// Warnings about the data of each vehicle, before any analysis; `speeds` (m/s) as far as they are known, and
-/// the vehicle whose speed was found.
+/// whether each was found.
 pub(crate) fn of_data(
     vehicles: &[Vehicle; 2],
     speeds: [Option<f64>; 2],
-    found: Option<VehicleId>,
+    is_found: [bool; 2],
     warnings: &mut Vec<Warning>,
 ) {
     for (id, (vehicle, speed)) in VehicleId::ALL.into_iter().zip(vehicles.iter().zip(speeds)) {
@@ -952,7 +951,7 @@ pub(crate) fn of_data(
             }
         }
         if let Some(speed) = speed {
-            let magnitude = if found == Some(id) { Magnitude::SpeedFound } else { Magnitude::Speed };
+            let magnitude = if is_found[id.index()] { Magnitude::SpeedFound } else { Magnitude::Speed };
             judge.of(magnitude, speed.abs(), |usual| usual.speed);
         }
         if let Some((side, contact)) = subject.energy.and_then(|energy| energy.side).zip(subject.contact) {
@@ -1151,6 +1150,7 @@ pub(crate) fn of_checks(
     checks: &[Check],
     vehicles: &[Vehicle; 2],
     impact: Option<&Impact>,
+    exchange: Option<&Exchange>,
     basis: Basis,
     warnings: &mut Vec<Warning>,
 ) {
@@ -1176,10 +1176,9 @@ pub(crate) fn of_checks(
                     on_other_basis,
                 });
             }
-            (CheckedQuantity::Rotation { vehicle }, Some(impact)) => {
-                let [before, after] = [&impact.outcome.before, &impact.outcome.after];
-                if let Some(pdof) = vehicles[vehicle.index()].crash3_pdof() {
-                    let turned = after[vehicle.index()].yaw_rate - before[vehicle.index()].yaw_rate;
+            (CheckedQuantity::Rotation { vehicle }, _) => {
+                let turned = exchange.and_then(|exchange| exchange.turned(vehicle));
+                if let Some((pdof, turned)) = vehicles[vehicle.index()].crash3_pdof().zip(turned) {
                     warnings.push(Warning::RotationOpposes { vehicle, pdof, turned });
                 }
             }
@@ -1206,10 +1205,12 @@ pub(crate) fn of_travel(
     for (vehicle, travel) in VehicleId::ALL.into_iter().zip(travel) {
         let Some(travel) = travel else { continue };
         let told = |motion: Motion| [motion.velocity.norm(), motion.yaw_rate];
-        // With an impact, the impulse selects one of them, unless two agree with it about equally.
+        // Where the impulse selects one of them, the others count that agree with it about equally.
         let agrees = |other: &Motion| {
             both.is_none_or(|both| {
-                both.rivals().any(|rival| rival.after[vehicle.index()].velocity == other.velocity)
+                let mut rivals = both.rivals();
+                both.combinations.is_empty()
+                    || rivals.any(|rival| rival.after[vehicle.index()].velocity == other.velocity)
             })
         };
         let others: Vec<[f64; 2]> = travel

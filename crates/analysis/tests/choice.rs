@@ -106,3 +106,30 @@ fn a_bent_way_is_brought_back_or_its_miss_is_told() {
         }
     }
 }
+
+/// A rest of which several motions are likely, and nothing that chooses among them: not beside a known speed,
+/// and not of point masses. The warning is that of the motion alone.
+#[test]
+fn several_motions_are_told_where_nothing_chooses_among_them() {
+    let after =
+        include_str!("../../../fixtures/motion/ricsac-6.toml").split("[vehicle2.after]").next().unwrap();
+    let rest =
+        "[vehicle2.after]\ndrag = 0.3\nrest = { x = \"-1.5 m\", y = \"6.2 m\", heading = \"-120 deg\" }\n";
+    let alone = format!("{after}{rest}");
+    let several = |warnings: Vec<Warning>| {
+        warnings
+            .into_iter()
+            .filter(|warning| matches!(warning, Warning::SeveralStarts { .. }))
+            .collect::<Vec<_>>()
+    };
+    let expected = several(motion(&read(&alone)).unwrap().warnings);
+    assert_eq!(expected.len(), 1);
+    let beside = alone.replace("[vehicle2]", "[vehicle2]\nspeed = \"9 m/s\"")
+        + "[reconstruct]\nfind = \"vehicle1.speed\"\n";
+    let points = alone + "[reconstruct]\nfind = [\"vehicle1.speed\", \"vehicle2.speed\"]\n";
+    for text in [beside, points] {
+        let analysis = reconstruct(&read(&text)).unwrap();
+        assert!(analysis.both.as_ref().unwrap().combinations.is_empty());
+        assert_eq!(several(analysis.warnings), expected);
+    }
+}

@@ -223,3 +223,48 @@ fn a_case_without_one_kind_of_evidence_has_no_choice() {
     assert_ne!(without, text);
     assert!(evidence(&text).is_some() && evidence(&without).is_none());
 }
+
+/// Vehicles that are locked together leave alike, so that one departure tells that of both.
+#[test]
+fn one_departure_of_locked_vehicles_is_that_of_both() {
+    // 1500 kg at 20 m/s and 1000 kg at 5 m/s leave at 14 m/s: ½ · 600 · 15² = 67,500 J.
+    let text = in_line(ONE, "dissipated", 67_500.0 / 64_800.0, FIVE)
+        .replace("12.8 m/s", "14 m/s")
+        .replace("restitution = 0.2", "restitution = 0");
+    let [one, two] = ["[vehicle1.after]\nspeed = \"14 m/s\"", "[vehicle2.after]\nspeed = \"15.8 m/s\""]
+        .map(|after| format!("{after}\ndirection = \"30 deg\"\n"));
+    assert!(text.contains(&one) && text.contains(&two));
+    let locked = format!("[scene]\nlocked_together = true\n{}", text.replace(&two, ""));
+    let found = evidence(&locked).unwrap();
+    for answer in answers(&found) {
+        close_pair("speeds", answer.speeds.unwrap(), [20.0, 5.0]);
+    }
+    assert!(evidence(&text.replace(&two, "")).is_none());
+}
+
+/// A known velocity is the same evidence in each of its forms, and so is one backward. Along the line of
+/// vehicle 1, which leaves with 1500 · 12.8 + 1000 · 15.8 = 35,000 N·s, vehicle 2 at 5 m/s off by 6° has
+/// 5 cos 6° m/s.
+#[test]
+fn a_velocity_is_a_speed_with_a_direction() {
+    for off in [0.0_f64, 6.0] {
+        for speed in [5.0_f64, -5.0] {
+            let (sin, cos) = (30.0 + off).to_radians().sin_cos();
+            let vector =
+                format!("velocity = {{ x = \"{:?} m/s\", y = \"{:?} m/s\" }}", speed * cos, speed * sin);
+            let scalar = format!("speed = \"{speed} m/s\"\nsideslip = \"{off} deg\"");
+            let [vector, scalar] =
+                [vector, scalar].map(|given| evidence(&in_line(ONE, "dissipated", 1.0, &given)).unwrap());
+            for (vector, scalar) in answers(&vector).into_iter().zip(answers(&scalar)) {
+                assert_eq!(vector.by, scalar.by);
+                close_pair("speeds", vector.speeds.unwrap(), scalar.speeds.unwrap());
+                close_pair("ΔV", vector.delta_v, scalar.delta_v);
+            }
+            let [_, momentum, _] = answers(&vector);
+            close("given", momentum.speeds.unwrap()[1], speed);
+            if off == 0.0 {
+                close("found", momentum.speeds.unwrap()[0], (35_000.0 - 1000.0 * speed) / 1500.0);
+            }
+        }
+    }
+}

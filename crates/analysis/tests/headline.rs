@@ -157,3 +157,52 @@ fn a_judgement_says_what_each_command_leaves_aside() {
     let crossing = BOTH.replacen("heading", "heading = \"60 deg\"\n#", 1);
     assert_eq!(aside(&read(&crossing), Purpose::Reconstruct), ["vehicle1.crush", "vehicle2.crush"]);
 }
+
+/// A body turned by 120° against its direction of travel travels as fast, and forward: the speed is along the
+/// direction of travel.
+#[test]
+fn a_speed_is_along_the_direction_of_travel_however_the_body_is_turned() {
+    let straight = reconstruct(&read(case::EXAMPLE)).unwrap();
+    let turned = case::EXAMPLE
+        .replace("heading     = \"180 deg\"", "heading = \"300 deg\"\nsideslip = \"-120 deg\"")
+        .replace("\"-22.4 deg\"", "\"-142.4 deg\"")
+        .replacen("[vehicle1]", "[vehicle1]\ncertain_speed = { at_least = \"30 mph\" }", 1);
+    assert!(turned.contains("300 deg") && turned.contains("-142.4 deg"));
+    let turned = reconstruct(&read(&turned)).unwrap();
+    let expected = straight.speed(VehicleId::One);
+    // SAE 980025, appendix: 22.9 m/s.
+    assert!((expected - 22.9).abs() < 0.05);
+    assert!((turned.found.as_ref().unwrap().speed - expected).abs() < 1e-9);
+    assert!((turned.speed(VehicleId::One) - expected).abs() < 1e-9, "{}", turned.speed(VehicleId::One));
+    assert!(contradicted(&turned.warnings).is_empty());
+}
+
+/// A vehicle that backs at 3 m/s: each exact solution with another speed of it says that it differs from what
+/// the case has, whether that is a speed or a vector.
+#[test]
+fn a_solution_that_differs_from_a_given_velocity_says_so() {
+    let vehicle = |n: u8, rest: &str, side: &str, depth: u8, after: u8| {
+        format!(
+            "[vehicle{n}]\nmass = \"1500 kg\"\nyaw_radius = \"1.3 m\"\nheading = \"0 deg\"\n{rest}\n\
+             crush = {{ side = \"{side}\", width = \"1.6 m\", depths = \"{depth} {depth} cm\", \
+             stiffness = {{ A = \"500 N/cm\", B = \"60 N/cm^2\" }} }}\n\
+             after = {{ speed = \"{after} m/s\", direction = \"0 deg\" }}\n"
+        )
+    };
+    let differs = |velocity: &str| {
+        let one = vehicle(1, "contact = { x = \"2 m\", y = \"0 m\" }", "front", 30, 6);
+        let two =
+            vehicle(2, &format!("contact = {{ x = \"-2 m\", y = \"0 m\" }}\n{velocity}"), "rear", 20, 8);
+        let law = "[impact]\ncrush_plane = \"180 deg\"\nrestitution = 0.1\ntangential = \"critical\"\n";
+        let case = read(&format!("{one}{two}{law}[reconstruct]\nfind = \"vehicle1.speed\"\n"));
+        let exact = reconstruct(&case).unwrap();
+        let quietly = &mut |_, _, _| ControlFlow::Continue(());
+        let weighed = weigh(&case, &exact, &PLAN, quietly).unwrap().unwrap();
+        assert!(!weighed.output(SPEED.of_vehicle(VehicleId::Two)).unwrap().varies());
+        let solutions = weighed.solutions.iter();
+        solutions.map(|one| (one.differs_from[1], one.outside[0][1])).collect::<Vec<_>>()
+    };
+    let speed = differs("speed = \"-3 m/s\"");
+    assert!(speed.contains(&(Some(-3.0), false)) && !speed.iter().any(|(_, outside)| *outside), "{speed:?}");
+    assert_eq!(differs("velocity = { x = \"-3 m/s\", y = \"0 m/s\" }"), speed);
+}

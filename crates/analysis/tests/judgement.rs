@@ -402,3 +402,14 @@ fn an_outline_that_is_not_given_is_that_of_the_nearest_class() {
         assert_eq!(outlines(known), []);
     }
 }
+
+/// A case of one vehicle has no other of which anything could be assumed, even if it has a table of the
+/// impact.
+#[test]
+fn nothing_is_assumed_of_a_vehicle_that_is_not_there() {
+    let text = include_str!("../../../fixtures/one-vehicle.toml").to_owned()
+        + "[impact]\ncrush_plane = \"180 deg\"\nrestitution = 0.1\ntangential = \"critical\"\n";
+    let assumptions = judge(&parsed(&text)).assumptions;
+    assert!(assumptions.contains(&Assumption::YawRate { vehicle: VehicleId::One }), "{assumptions:?}");
+    assert!(!assumptions.contains(&Assumption::YawRate { vehicle: VehicleId::Two }), "{assumptions:?}");
+}

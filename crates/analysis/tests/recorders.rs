@@ -327,3 +327,24 @@ fn where_nothing_tells_records_apart_none_is_used() {
     );
     assert!(judge(&crushed("delta_v_longitudinal = \"-40 km/h\"").case).records.is_empty());
 }
+
+/// Struck from ahead while the other one's damage tells the direction: the record of a push from the side is
+/// told apart, whether the crush of this vehicle was measured or only its energy is known.
+#[test]
+fn the_force_on_the_other_vehicle_tells_records_apart() {
+    let records = "records = [\n\
+         { delta_v_longitudinal = \"-25 km/h\", delta_v_lateral = \"2 km/h\" },\n\
+         { delta_v_longitudinal = \"2 km/h\", delta_v_lateral = \"-24 km/h\" },\n]";
+    let damage = "side = \"front\", width = \"150 cm\", depths = \"22 22 cm\", stiffness = { category = 3 }";
+    for one in [damage, "side = \"front\", ees = \"30 km/h\""] {
+        let text = head_on(records).source.text().to_owned();
+        let text = text.replacen("contact =", &format!("crush = {{ {one} }}\ncontact ="), 1);
+        let two = format!("[vehicle2]\ncrush = {{ {damage}, pdof = \"0 deg\" }}");
+        let file = CaseFile::parse("case.toml", &text.replace("[vehicle2]", &two)).unwrap();
+        let found = recorders(&file.case).unwrap().vehicles[0].clone().unwrap();
+        assert_eq!((found.of_impact.number, found.of_impact.is_taken), (Some(1), true), "{one}");
+        // Vehicle 2 is pushed straight along its heading, opposite to that of vehicle 1.
+        assert!(found.of_impact.impact.force_direction.unwrap().abs() < 1e-9, "{one}");
+        assert!(found.of_impact.probability > 0.95, "{one}: {}", found.of_impact.probability);
+    }
+}

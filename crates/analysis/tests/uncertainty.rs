@@ -737,3 +737,28 @@ fn samples_are_shown_with_their_inputs() {
         assert!(failed > 0 && failed == 5000 - result.propagation.succeeded());
     }
 }
+
+/// Of a vector whose speed is sought the direction counts, with its range: that of 75 ft/s along and 5 ft/s
+/// across is 75 · 5/(75² + 5²) rad per 5 ft/s across, as a sideslip of the same range shows.
+#[test]
+fn the_direction_of_a_sought_velocity_has_its_range() {
+    let sd = |given: &str, key: &str| {
+        let text = case::EXAMPLE.replacen("[vehicle1]", &format!("[vehicle1]\n{given}"), 1);
+        let result = run(&text.replace("\"3696 lb\"", "{ value = \"3696 lb\", sd = \"50 lb\" }"), 64);
+        assert!(result.inputs.iter().any(|input| input.input.path == key));
+        assert!(!result.taken_as_exact.iter().any(|exact| exact.key == key));
+        result.outputs[place(&result, SPEED.of_vehicle(VehicleId::One))].first_order.sd
+    };
+    let vector = sd(
+        "velocity = { x = \"-75 ft/s\", y = { value = \"-5 ft/s\", sd = \"5 ft/s\" } }",
+        "vehicle1.velocity.y",
+    );
+    let [angle, range] = [(5.0_f64 / 75.0).atan().to_degrees(), (375.0_f64 / 5650.0).to_degrees()];
+    let sideslip = sd(
+        &format!("sideslip = {{ value = \"{angle:?} deg\", sd = \"{range:?} deg\" }}"),
+        "vehicle1.sideslip",
+    );
+    assert!((vector / sideslip - 1.0).abs() < 1e-6, "{vector} {sideslip}");
+    // Far more than the 50 lb alone, 0.15 mph.
+    assert!(vector > 0.5, "{vector}");
+}

@@ -633,6 +633,24 @@ fn a_comparison_begins_with_the_case_s_own_law_and_has_it_once() {
     }
 }
 
+/// A fixed object has no front from which a force could be counted: no direction of force, as in
+/// `reconstruct`, however the scene is turned.
+#[test]
+fn a_fixed_object_has_no_direction_of_force() {
+    let barrier = include_str!("../../../fixtures/barrier.toml");
+    let turned = barrier
+        .replace("heading    = \"0 deg\"", "heading = \"90 deg\"")
+        .replace("crush_plane = \"0 deg\"", "crush_plane = \"90 deg\"");
+    assert!(turned.matches("90 deg").count() == 2);
+    for text in [barrier, &turned] {
+        assert!(json("reconstruct", text)["vehicle2"].get("pdof").is_none());
+        for row in json("compare", text)["rows"].as_array().unwrap() {
+            let Some(pdof) = row.get("pdof") else { continue };
+            assert!(pdof[0].is_number() && pdof[1].is_null(), "{row}");
+        }
+    }
+}
+
 #[test]
 fn laws_without_an_answer_say_why() {
     let document = json("compare", include_str!("../../../fixtures/no-answer/only-with-friction.toml"));

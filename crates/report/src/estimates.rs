@@ -308,6 +308,10 @@ pub(crate) fn unused(reason: UnusedReason, key: &str) -> [String; 2] {
             "its law, not Brach's, decides whether the vehicles separate",
             "law = \"brach\" in [impact], or no law",
         ],
+        UnusedReason::WithMoment => [
+            "the law with `moment_restitution` decides whether the vehicles separate",
+            "no `moment_restitution` in [impact]",
+        ],
         UnusedReason::NoImpact => {
             ["the record holds no ΔV of an impact", "nothing: `deltav recorder` shows what it holds"]
         }

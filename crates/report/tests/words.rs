@@ -219,4 +219,18 @@ tangential = "critical"
     let text = report::uncertainty(&file.case, &found, Units::Si).text();
     assert!(text.contains("does not vary"), "{text}");
     assert!(!text.contains("Main drivers: ΔV of vehicle 1"), "{text}");
+
+/// Vehicle 1 is given and vehicle 2 is followed back from its rest: the sentence has each mark once.
+#[test]
+fn the_evidence_after_the_impact_is_told_in_a_sentence() {
+    let given =
+        include_str!("../../../fixtures/motion/ricsac-6.toml").split("[vehicle2.after]").next().unwrap();
+    let rest =
+        "[vehicle2.after]\ndrag = 0.3\nrest = { x = \"-1.5 m\", y = \"6.2 m\", heading = \"-120 deg\" }\n";
+    let find = "[reconstruct]\nfind = [\"vehicle1.speed\", \"vehicle2.speed\"]\n";
+    let file = CaseFile::parse("case.toml", &format!("{given}{rest}{find}")).unwrap();
+    let analysis = analysis::reconstruct(&file.case).unwrap();
+    let text = report::results(&file.case, &analysis, Units::Si).text();
+    let text = text.split_whitespace().collect::<Vec<_>>().join(" ");
+    assert!(text.contains("which the case gives or the rest position tells; the headings differ"), "{text}");
 }

@@ -645,8 +645,8 @@ class LawAnswer(Record):
     """Whether the contact slid, stuck or turned around."""
     delta_v: _Pair
     """(m/s) of both vehicles."""
-    pdof: _Pair
-    """(rad) of both vehicles, from the front."""
+    pdof: _MaybePair
+    """(rad) of both vehicles, from the front; None for a fixed object."""
     energy_loss: float
     """(J) what the impact takes."""
     normal_share: float

@@ -66,8 +66,10 @@ fn varied(momentum: &Momentum, by: &[f64; CAUSES]) -> Option<Momentum> {
         let given = &momentum.contact.participants()[i];
         let (axis, arm) = (given.forward(), given.arm());
         let across = Vector2::new(0.0 - axis.y, axis.x);
-        let heading = Real::atan2(axis.y, axis.x);
-        Participant::new(*given.body(), heading, arm.dot(&axis) + ahead, arm.dot(&across) + left).ok()
+        let angle = |direction: Vector2<f64>| Real::atan2(direction.y, direction.x);
+        let (ahead, left) = (arm.dot(&axis) + ahead, arm.dot(&across) + left);
+        let placed = Participant::new(*given.body(), angle(axis), ahead, left).ok()?;
+        placed.with_course(angle(given.course())).ok()
     };
     let participants = [participant(0, ahead_1, left_1)?, participant(1, ahead_2, left_2)?];
     let departure = |i: usize, longer: f64, turn: f64, yaw: f64| {
@@ -97,7 +99,7 @@ fn speeds_beside(
     let axis = momentum.common_axis();
     let participants = momentum.contact.participants();
     let masses = [0, 1].map(|i| participants[i].body().mass());
-    let cosines = [0, 1].map(|i| participants[i].forward().dot(&axis));
+    let cosines = [0, 1].map(|i| participants[i].course().dot(&axis));
     let along = [speeds[0] * cosines[0], speeds[1] * cosines[1]];
     let mass = masses[0] + masses[1];
     let centre = (masses[0] * along[0] + masses[1] * along[1]) / mass;

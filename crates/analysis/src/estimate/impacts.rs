@@ -15,6 +15,7 @@ use super::posed::{OpenSpeeds, Posed};
 use crate::columns::{Columns, Number, si};
 use crate::damage::{assess, crush_energy};
 use crate::evidence::{needed, works};
+use crate::impact::speed_along;
 use crate::travel::{Scene, skid};
 
 /// What becomes of a number of the case.
@@ -235,8 +236,7 @@ impl CaseImpacts {
         let outcome = contact.impact(motions, &law).ok()?;
         let speeds = VehicleId::ALL.map(|id| {
             let course = contact.participants()[id.index()].course();
-            let velocity = motions[id.index()].velocity;
-            velocity.x * course.x + velocity.y * course.y
+            speed_along(course, motions[id.index()].velocity)
         });
         let basis = match self.tangential_share {
             Some(place) => Basis::TangentialShare(of(place)),

@@ -31,6 +31,8 @@ pub enum UnusedReason {
     OneWreck,
     /// That the vehicles left as one wreck, where the law is another one than Brach's.
     OtherLaw,
+    /// That the vehicles left as one wreck, where the law has a moment.
+    WithMoment,
     /// A pulse without an impact.
     NoImpact,
     /// One of several records that is not likely to be of this impact.

@@ -6,9 +6,9 @@ use ::estimate::Independent;
 use ::uncertainty::Distribution;
 use evidence::{DamagedSide, EnergyMethod, FITTED, Observed, OtherCrush, Speeds};
 use inputs::{
-    BrachTangential, Case, CollisionData, Dimension, Fault, FaultKind, Faults, Find, GivenVehicle, ImpactLaw,
-    Input, MotionInput, Origin, Purpose, Quantity, Reconstruct, Restitution, SeverityPrior, SharedEffects,
-    SkidBegin, Unit, Velocity, YawForm,
+    Amount, Bounds, BrachTangential, Case, CollisionData, Dimension, Fault, FaultKind, Faults, Find,
+    GivenVehicle, ImpactLaw, Input, MotionInput, Origin, Purpose, Quantity, Range, Reconstruct, Restitution,
+    SeverityPrior, SharedEffects, SkidBegin, Spread, Unit, Velocity, YawForm,
 };
 use pim_core::VehicleId;
 use real::Real;
@@ -23,8 +23,9 @@ use super::posed::{Alone, OpenSpeeds};
 use crate::columns::Number;
 use crate::excluded::table;
 use crate::failure::Failure;
+use crate::given::with_sideslip;
 use crate::recorded::with_records_of_impact;
-use crate::uncertainty::{UncertainInput, inputs};
+use crate::uncertainty::{UncertainInput, any_inputs, inputs};
 use crate::unsolved;
 use crate::warning::Warning;
 
@@ -145,7 +146,7 @@ pub(super) fn of(case: &Case, prior: Option<SeverityPrior>) -> Result<Setup, Fai
     let case = case.as_ref();
     let given = case.estimate.unwrap_or_default();
     let prior = prior.unwrap_or(given.prior);
-    let (mut case, sought, mut unused) = with_all_speeds(case);
+    let (mut case, sought, mut unused) = with_all_speeds(case)?;
     unused.extend(aside.into_iter().map(|key| Unused { key, reason: UnusedReason::OtherImpact }));
     let lacking = |faults: Faults| faults.needed_for(Purpose::Estimate);
     let nominal = case.collision().map_err(lacking)?.collision;
@@ -365,7 +366,7 @@ fn is_beside(path: &str) -> bool {
 }
 
 /// The case with a speed for every vehicle, and whose speeds are unknown.
-fn with_all_speeds(case: &Case) -> (Case, [bool; 2], Vec<Unused>) {
+fn with_all_speeds(case: &Case) -> Result<(Case, [bool; 2], Vec<Unused>), Faults> {
     let mut case = case.clone();
     let mut unused = Vec::new();
     if case.locked_together {
@@ -381,7 +382,7 @@ fn with_all_speeds(case: &Case) -> (Case, [bool; 2], Vec<Unused>) {
         let is_sought = find.is_some_and(|find| find.seeks(id));
         let is_vector = is_sought && matches!(vehicle.motion, Some(Velocity::Vector { .. }));
         if is_vector {
-            with_course(&mut case, id);
+            with_course(&mut case, id)?;
         }
         let vehicle = &mut case.vehicles[id.index()];
         if is_sought && vehicle.motion.is_some() {
@@ -404,18 +405,22 @@ fn with_all_speeds(case: &Case) -> (Case, [bool; 2], Vec<Unused>) {
         case.left_out.energy_basis |= energy_basis.is_none();
         case.reconstruct = Some(Reconstruct { find, energy_basis: energy_basis.unwrap_or_default() });
     }
-    (case, sought, unused)
+    Ok((case, sought, unused))
 }
 
 /// Vehicles that leave as one do not rebound, and their surfaces do not slip on each other at the end: e = 0
 /// and μ = μ_c, whatever the case gives. The result is what is not used for it; it is the key itself for an
-/// impact by another law than Brach's.
+/// impact by another law than Brach's, and by Brach's with a moment.
 fn as_one_wreck(case: &mut Case) -> Vec<Unused> {
     let unused = |key: &str, reason| Unused { key: key.to_owned(), reason };
-    let Some(ImpactLaw::Brach { restitution, tangential, moment_restitution: None }) =
-        case.impact.as_mut().map(|impact| &mut impact.law)
-    else {
-        return vec![unused("scene.locked_together", UnusedReason::OtherLaw)];
+    let (restitution, tangential) = match case.impact.as_mut().map(|impact| &mut impact.law) {
+        Some(ImpactLaw::Brach { restitution, tangential, moment_restitution: None }) => {
+            (restitution, tangential)
+        }
+        Some(ImpactLaw::Brach { .. }) => {
+            return vec![unused("scene.locked_together", UnusedReason::WithMoment)];
+        }
+        _ => return vec![unused("scene.locked_together", UnusedReason::OtherLaw)],
     };
     let mut given = Vec::new();
     if *restitution != Restitution::Constant(0.0) {
@@ -432,14 +437,38 @@ fn as_one_wreck(case: &mut Case) -> Vec<Unused> {
     given
 }
 
-/// Replaces a velocity by its only information, the direction of travel, as a sideslip.
-fn with_course(case: &mut Case, id: VehicleId) {
-    let (course, heading) = (case.course(id), case.headings()[id.index()]);
-    let sideslip = course.zip(heading).map(|(course, heading)| case.axes.lateral(course - heading));
-    case.vehicles[id.index()].sideslip =
-        sideslip.and_then(|sideslip| Quantity::from_si(sideslip, Dimension::Angle).ok());
+/// Replaces a velocity by its only information, the direction of travel, as a sideslip with its spread.
+fn with_course(case: &mut Case, id: VehicleId) -> Result<(), Faults> {
+    let sd = direction_sd(case, id)?;
+    with_sideslip(case, id);
     let of_velocity = format!("{}.velocity.", table(id));
     case.ranges.retain(|range| !range.path.starts_with(&of_velocity));
+    if sd > 0.0 {
+        let path = format!("{}.sideslip", table(id));
+        let is_before = |input: &&Input| case.ranges.iter().any(|range| range.path == input.path);
+        let variables = case.variables();
+        let place = variables.iter().take_while(|input| input.path != path).filter(is_before).count();
+        let unit = variables.iter().find(|input| input.path == path).and_then(|input| input.unit);
+        let sd = Amount { number: sd, unit };
+        case.ranges.insert(place, Range { path, spread: Spread::Normal { sd }, bounds: Bounds::None });
+    }
+    Ok(())
+}
+
+/// (rad) standard deviation of the direction of a velocity, from the ranges of its parts.
+fn direction_sd(case: &Case, id: VehicleId) -> Result<f64, Faults> {
+    let Some(Velocity::Vector { x, y }) = case.vehicles[id.index()].motion else { return Ok(0.0) };
+    let ranges = any_inputs(case)?;
+    let sd = |key: &str| {
+        let path = format!("{}.velocity.{key}", table(id));
+        let range = ranges.iter().find(|range| range.input.path == path);
+        range.map_or(0.0, |range| range.distribution.sd() * range.input.factor())
+    };
+    let [x, y, sd_x, sd_y] = [x.si(), y.si(), sd("x"), sd("y")];
+    // ψ = atan2(v_y, v_x),  σ_ψ = √((v_y σ_x)² + (v_x σ_y)²)/v²
+    let square = x * x + y * y;
+    let across = Real::sqrt((y * sd_x) * (y * sd_x) + (x * sd_y) * (x * sd_y));
+    Ok(if square > 0.0 { across / square } else { 0.0 })
 }
 
 /// Whether a number is compared with the impact and does not enter it.
@@ -592,13 +621,15 @@ fn followed(case: &Case, motion: Option<&MotionInput>) -> ([bool; 2], Vec<Unused
     let mut unused = Vec::new();
     let followed = VehicleId::ALL.map(|id| {
         let Some(after) = &case.vehicles[id.index()].after else { return false };
-        let has_places = after.rest.is_some() || !after.points.is_empty();
+        let places = [("rest", after.rest.is_some()), ("points", !after.points.is_empty())];
+        let given: Vec<&str> = places.iter().filter(|(_, is_given)| *is_given).map(|(key, _)| *key).collect();
         let is_followed = motion.is_some_and(|motion| motion.vehicles[id.index()].is_some());
-        if has_places && !is_followed {
-            unused
-                .push(Unused { key: format!("{}.after.rest", table(id)), reason: UnusedReason::NotFollowed });
+        if !is_followed {
+            let key = |key: &&str| format!("{}.after.{key}", table(id));
+            let reason = UnusedReason::NotFollowed;
+            unused.extend(given.iter().map(|given| Unused { key: key(given), reason }));
         }
-        has_places && is_followed
+        !given.is_empty() && is_followed
     });
     (followed, unused)
 }
@@ -631,7 +662,7 @@ fn stood(sought: [bool; 2], case: &Case) -> [f64; 2] {
     let given = case.estimate.unwrap_or_default().stood.unwrap_or(STOOD) / 100.0;
     let may_move = |id: VehicleId| {
         let vehicle = &case.vehicles[id.index()];
-        let is_known_to_stand = matches!(&vehicle.motion, Some(Velocity::Speed(speed)) if speed.si() == 0.0);
+        let is_known_to_stand = vehicle.motion.is_some_and(|motion| motion.size() == 0.0);
         !vehicle.fixed && (sought[id.index()] || !is_known_to_stand)
     };
     VehicleId::ALL.map(|id| {
@@ -663,7 +694,7 @@ fn speeds(
             let key = format!("{}.certain_speed.{of}", table(id));
             Failure::Case(Fault { key, kind, advice: Some(advice) }.into())
         };
-        if let Some(least) = least.filter(|least| *least >= FASTEST) {
+        if let Some(least) = least.filter(|least| *least >= FASTEST && most.is_none()) {
             return Err(fault(
                 "at_least",
                 format!(

@@ -991,6 +991,8 @@ fn limits_that_make_no_sense_are_refused() {
     assert!(refusal("at_least = \"100 m/s\"").contains("252 km/h"), "{}", refusal("at_least = \"100 m/s\""));
     assert!(refusal("at_most = \"0 km/h\"").contains("backward"), "{}", refusal("at_most = \"0 km/h\""));
     assert_eq!(refusal("at_least = \"-20 km/h\", at_most = \"0 km/h\""), "");
+    // Between two limits nothing is left to a greatest speed.
+    assert_eq!(refusal("at_least = \"255 km/h\", at_most = \"295 km/h\""), "");
 }
 
 /// The cost of an estimate of two vehicles that came to rest, with the effects of all pieces, in likelihoods:
@@ -1259,4 +1261,67 @@ find = ["vehicle1.speed", "vehicle2.speed"]
         let found = of(&estimated, speed(id)).posterior.median.value;
         assert!((found - expected[id.index()]).abs() < 0.1, "{id:?}: {found}, not {expected:?}");
     }
+}
+
+/// The only law whose coefficients locked vehicles decide is Brach's without a moment.
+#[test]
+fn a_law_with_a_moment_does_not_lock() {
+    let with = |law: &str| {
+        of_case(&format!("[scene]\nlocked_together = true\n{}", CENTRAL.replace("[impact]", law)))
+    };
+    let unused = |setup: Setup| setup.unused.into_iter().map(|one| (one.key, one.reason)).collect::<Vec<_>>();
+    let key = || "scene.locked_together".to_owned();
+    let moment = unused(with("[impact]\nmoment_restitution = 0"));
+    assert_eq!(moment, [(key(), UnusedReason::WithMoment)]);
+}
+
+/// Points that nothing can be followed to are under their own key.
+#[test]
+fn points_that_are_not_followed_are_named() {
+    let unused = |after: &str| {
+        let setup = of_case(&format!("{CENTRAL}[vehicle1.after]\n{after}\n"));
+        setup.unused.into_iter().map(|one| (one.key, one.reason)).collect::<Vec<_>>()
+    };
+    let of = |key: &str| (format!("vehicle1.after.{key}"), UnusedReason::NotFollowed);
+    let (rest, points) = ("rest = { x = \"9 m\", y = \"0 m\" }", "points = [{ x = \"3 m\", y = \"1 m\" }]");
+    assert_eq!(unused(points), [of("points")]);
+    assert_eq!(unused(rest), [of("rest")]);
+    assert_eq!(unused(&format!("{rest}\n{points}")), [of("rest"), of("points")]);
+}
+
+/// A vehicle whose velocity is zero stands, in either form, so that the other one moved.
+#[test]
+fn a_velocity_of_zero_stands() {
+    for zero in ["speed = \"0 km/h\"", "velocity = { x = \"0 m/s\", y = \"0 m/s\" }"] {
+        assert_eq!(of_case(&CENTRAL.replace("speed = \"0 km/h\"", zero)).stood, [0.0; 2], "{zero}");
+    }
+}
+
+/// A known speed is known whatever is not known of the heading: backward at 3 m/s in every draw.
+#[test]
+fn a_given_velocity_is_a_given_speed() {
+    let text = CENTRAL
+        .replace("speed = \"0 km/h\"", "velocity = { x = \"-3 m/s\", y = \"0 m/s\" }")
+        .replace("heading = { value = \"0 deg\", sd = \"0.0001 deg\" }", "heading = \"0 deg\"");
+    let text = format!("{text}[vehicle2.after]\nspeed = \"5 m/s\"\ndirection = \"0 deg\"\n");
+    let estimated = run(&read(&text), 128).unwrap();
+    assert!(!of(&estimated, speed(VehicleId::Two)).varies());
+    assert!(estimated.draws(speed(VehicleId::Two)).unwrap().iter().all(|v| (v + 3.0).abs() < 1e-12));
+}
+
+/// The direction of a velocity of (20, 1) m/s ± 2 m/s: 20 · 2/401 rad.
+#[test]
+fn the_direction_of_a_sought_velocity_is_uncertain() {
+    let text = CENTRAL
+        .replacen(
+            "[vehicle1]",
+            "[vehicle1]\nvelocity = { x = \"20 m/s\", y = { value = \"1 m/s\", sd = \"2 m/s\" } }",
+            1,
+        )
+        .replace("[impact]", "[reconstruct]\nfind = \"vehicle1.speed\"\n[impact]");
+    let setup = of_case(&text);
+    let sideslip = setup.unknown.iter().find(|unknown| unknown.key == "vehicle1.sideslip").unwrap();
+    let factor = sideslip.unit.unwrap().factor();
+    assert!((sideslip.prior.sd() * factor - 40.0 / 401.0).abs() < 1e-12);
+    assert!((sideslip.prior.mean() * factor - 0.05_f64.atan()).abs() < 1e-12);
 }

@@ -6,7 +6,7 @@ use analysis::quantities::FOUND_VALUE;
 use analysis::{ByEvidence, Comparison, Correction, EvidenceAnswer, EvidenceMethod, NoEvidence, Seen};
 use case::{Case, CaseFile};
 use crash3::ObliqueCorrection;
-use pim_core::Real;
+use pim_core::{Real, VehicleId};
 use serde::Serialize;
 
 use super::json::WarningBlock;
@@ -52,7 +52,8 @@ pub(crate) struct Values {
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(crate) delta_v: Option<[f64; 2]>,
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub(crate) pdof: Option<[f64; 2]>,
+    /// None for a fixed object.
+    pub(crate) pdof: Option<[Option<f64>; 2]>,
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(crate) energy_loss: Option<f64>,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -265,7 +266,9 @@ fn values(analysis: &Seen) -> Values {
         regime: outcome.regime.map(regime_name),
         // Those of a fixed object are zero.
         delta_v: Some(outcome.delta_v_magnitude()),
-        pdof: Some(impact.pdof.map(|pdof| pdof + 0.0)),
+        pdof: Some(
+            VehicleId::ALL.map(|id| Some(impact.pdof[id.index()] + 0.0).filter(|_| analysis.moves(id))),
+        ),
         energy_loss: Some(energy.loss + 0.0),
         normal_share: share(energy.normal_work),
         tangential_share: share(energy.tangential_work),

@@ -309,6 +309,7 @@ fn reason_name(reason: UnusedReason) -> &'static str {
         UnusedReason::NoDirection => "no_direction",
         UnusedReason::OneWreck => "one_wreck",
         UnusedReason::OtherLaw => "other_law",
+        UnusedReason::WithMoment => "with_moment",
         UnusedReason::NoImpact => "no_impact",
         UnusedReason::OtherImpact => "other_impact",
         UnusedReason::StoodByRecord => "stood_by_record",

@@ -83,8 +83,8 @@ pub fn comparison(case: &Case, comparison: &Comparison, units: Units) -> Documen
             let share = |share: Option<f64>| share.map(|share| number(100.0 * share, 1));
             let values = &row.values;
             let cells = vec![
-                plain(Measure::Angle, of(values.pdof, 0)),
-                plain(Measure::Angle, of(values.pdof, 1)),
+                plain(Measure::Angle, values.pdof.and_then(|pdof| pdof[0])),
+                plain(Measure::Angle, values.pdof.and_then(|pdof| pdof[1])),
                 plain(Measure::Energy, values.energy_loss),
                 share(values.normal_share),
                 share(values.tangential_share),

@@ -39,7 +39,7 @@ fn found_by(both: &BothFound, analysis: &Seen, units: Units) -> String {
     let evidence = match origins(analysis)[..] {
         [one, two] if one.is_by_rest() && two.is_by_rest() => "the rest positions of both vehicles tell",
         [TravelOrigin::Given, TravelOrigin::Given] | [] => "the case gives",
-        _ => "the case gives, or the rest position tells,",
+        _ => "the case gives or the rest position tells",
     };
     let left = format!("how the vehicles left the impact, which {evidence}");
     let angle = units.format(Measure::Angle, both.momentum.angle().abs());
