@@ -389,7 +389,7 @@ fn assumed(case: &Case, subjects: &[Option<VehicleData>; 2]) -> Vec<Assumption> 
     if case.left_out.axes && case.axes == Axes::default() {
         assumptions.push(Assumption::ZUp);
     }
-    if case.vehicles.iter().any(|vehicle| is_followed(case, vehicle)) {
+    if VehicleId::ALL.into_iter().any(|id| is_followed(case, id)) {
         let has_place = case.vehicles.iter().any(|vehicle| vehicle.position.is_some());
         if case.scene_contact.is_none() && !has_place {
             assumptions.push(Assumption::ImpactAtOrigin);
@@ -419,7 +419,7 @@ fn assumed(case: &Case, subjects: &[Option<VehicleData>; 2]) -> Vec<Assumption> 
         {
             assumptions.push(Assumption::Outline { vehicle: id, class });
         }
-        if is_followed(case, vehicle) {
+        if is_followed(case, id) {
             of_axles(id, vehicle, &mut assumptions);
         }
         let sought = case.reconstruct.is_some_and(|reconstruct| reconstruct.find.seeks(id));
@@ -447,7 +447,7 @@ fn assumed(case: &Case, subjects: &[Option<VehicleData>; 2]) -> Vec<Assumption> 
         if let Some(surface) = case.surface.as_ref().filter(|_| takes_friction) {
             assumptions.push(Assumption::SkidFriction { vehicle: id, friction: surface.friction });
         }
-        if is_followed(case, vehicle) && vehicle.after.as_ref().is_some_and(|after| after.steer.is_none()) {
+        if is_followed(case, id) && vehicle.after.as_ref().is_some_and(|after| after.steer.is_none()) {
             assumptions.push(Assumption::StraightWheels { vehicle: id });
         }
     }
@@ -480,9 +480,8 @@ fn assumed(case: &Case, subjects: &[Option<VehicleData>; 2]) -> Vec<Assumption> 
 }
 
 /// Whether a vehicle is followed from the impact to rest, or back from rest.
-fn is_followed(case: &Case, vehicle: &GivenVehicle) -> bool {
-    let can_be = !vehicle.fixed && !vehicle.is_absent() && case.surface.is_some();
-    can_be && vehicle.after.as_ref().is_some_and(|after| after.drag.is_some())
+fn is_followed(case: &Case, id: VehicleId) -> bool {
+    !case.vehicles[id.index()].fixed && case.can_follow(id)
 }
 
 /// Axle dimensions of the class that the vehicle lacks.

@@ -9,7 +9,7 @@ use crate::nearest::join;
 use crate::number_slips;
 use crate::program::Program;
 use crate::quantity::{Limit, QuantityError, dimension_help, format_limit};
-use crate::schema::{RESTITUTION, TANGENTIAL, dimensions_of, example_of};
+use crate::schema::{RESTITUTION, TANGENTIAL, dimensions_of};
 use crate::units::read_unit;
 use crate::units_in_use::UnitsInUse;
 use inputs::{Amount, Dimension, LawName, Quantity, Unit, format_number};
@@ -98,7 +98,7 @@ pub enum CaseProblem {
     BadList { text: String, dimension: Dimension, example: &'static str },
     /// A value that must be greater than zero.
     #[error("{path} is {value}, but must be greater than zero")]
-    NotPositive { path: String, value: Quantity, why: &'static str },
+    NotPositive { path: String, value: Quantity, why: &'static str, example: &'static str },
     /// A value that must not be negative.
     #[error("{path} is {value}, but must not be negative")]
     Negative { path: String, value: Quantity },
@@ -330,14 +330,11 @@ impl CaseProblem {
                     dimension_help(*dimension)
                 )
             }
-            Self::NotPositive { why: "", path, value } => {
+            Self::NotPositive { why: "", path, value, example } => {
                 let dimension = value.dimension();
-                let mut keys = path.trim_end_matches('"').rsplit('.');
-                match keys.find_map(|key| example_of(key, dimension)) {
-                    Some(example) => {
-                        format!("write {dimension} greater than zero, as in {}", suited(path, example))
-                    }
-                    None => format!("write {dimension} greater than zero"),
+                match *example {
+                    "" => format!("write {dimension} greater than zero"),
+                    example => format!("write {dimension} greater than zero, as in {}", suited(path, example)),
                 }
             }
             Self::NotPositive { why, .. } => (*why).to_owned(),

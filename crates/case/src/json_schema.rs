@@ -251,7 +251,7 @@ impl Generator {
                 })),
                 _ => Node::new(),
             },
-            Form::Percent => object(json!({ "type": "string", "pattern": percent_pattern() })),
+            Form::Percent(bounds) => object(json!({ "type": "string", "pattern": percent_pattern(bounds) })),
             Form::Probability => {
                 object(json!({ "type": "number", "exclusiveMinimum": 0, "exclusiveMaximum": 1 }))
             }
@@ -367,6 +367,7 @@ fn conditions(rule: &Rule, schema: &Schema) -> Vec<Value> {
             vec![json!({ "if": condition(only), "then": { "properties": never(keys.iter().copied()) } })]
         }
         Rule::OneOf(_) => vec![one_of(&[schema])],
+        Rule::NotEmpty => vec![json!({ "minProperties": 1 })],
         Rule::KeysOfLaw => LawName::WORDS.into_iter().map(|(_, law)| keys_of_law(law, schema)).collect(),
     }
 }

@@ -113,8 +113,8 @@ pub enum Form {
     Values,
     /// In a range: like the value, but greater than zero: how far a number may be off.
     Deviation,
-    /// In a range: a percentage.
-    Percent,
+    /// A percentage.
+    Percent(Bounds),
     /// In a range: greater than 0 and less than 1.
     Probability,
 }
@@ -126,6 +126,8 @@ pub(crate) struct Measure {
     pub(crate) bounds: Bounds,
     /// Why it has to be greater than zero, if that needs an explanation.
     pub(crate) why: &'static str,
+    /// The example line of its key, if it is of one.
+    pub(crate) example: &'static str,
 }
 
 impl Measure {
@@ -147,7 +149,7 @@ impl Form {
             Self::AngleOrHour => (Dimension::Angle, Bounds::None),
             _ => return None,
         };
-        Some(Measure { dimension, bounds, why: "" })
+        Some(Measure { dimension, bounds, why: "", example: "" })
     }
 
     /// The bounds of its numbers, if it holds any.
@@ -225,6 +227,8 @@ pub(crate) enum Rule {
     OneOf(&'static [FormOfTable]),
     /// The keys that each law needs, and no others.
     KeysOfLaw,
+    /// At least one key is present.
+    NotEmpty,
 }
 
 /// A condition of a rule.
@@ -672,7 +676,7 @@ const STORED: [KeyInfo; 11] = [
     key(
         "delta_v_error",
         "delta_v_error = \"8 %\"",
-        Form::Percent,
+        Form::Percent(POSITIVE),
         "Error of the recorded ΔV, as a standard deviation in per cent. 8 % if left out.",
     ),
     key(
@@ -690,7 +694,7 @@ const STORED: [KeyInfo; 11] = [
     key(
         "speed_error",
         "speed_error = \"4 %\"",
-        Form::Percent,
+        Form::Percent(POSITIVE),
         "Error of the recorded speed, as a standard deviation in per cent. 4 % if left out; wheels that lock or spin make it larger.",
     ),
     key(
@@ -819,6 +823,7 @@ pub(crate) static RECORD: Schema = Schema {
         STORED[10],
     ],
     rules: &[
+        Rule::NotEmpty,
         Rule::NeverIf(Has("pre_crash"), &["speed"]),
         Rule::NeverIf(Has("pulse"), &["delta_v_longitudinal", "delta_v_lateral"]),
         Rule::NeedsIf(&[Has("delta_v_lateral")], &["delta_v_longitudinal"]),
@@ -931,7 +936,8 @@ pub(crate) static PULSE: Schema = Schema {
     rules: &[Rule::OneOf(&[
         form(&["text"], &["rows"]),
         form(&["file"], &["rows"]),
-        form(&["time"], &["delta_v_longitudinal", "delta_v_lateral"]),
+        form(&["time", "delta_v_longitudinal"], &["delta_v_lateral"]),
+        form(&["time", "delta_v_lateral"], &[]),
     ])],
 };
 
@@ -954,19 +960,19 @@ pub(crate) static RECORDER_ERRORS: Schema = Schema {
         key(
             "steady_low",
             "steady_low = \"1.4 %\"",
-            Form::Percent,
+            Form::Percent(NOT_NEGATIVE),
             "How much a speed is too low in steady driving. A share of it, 1.4 % if left out, the mean of 18 runs of a 2010 Ford Flex against GPS.",
         ),
         key(
             "steady_sd",
             "steady_sd = \"0.43 %\"",
-            Form::Percent,
+            Form::Percent(NOT_NEGATIVE),
             "Standard deviation of `steady_low`. 0.43 % if left out, from the same runs.",
         ),
         key(
             "tyre_sd",
             "tyre_sd = \"0.7 %\"",
-            Form::Percent,
+            Form::Percent(NOT_NEGATIVE),
             "Standard deviation by the tyres. Worn or other tyres change a stored speed by a share of it: 0.7 % if left out.",
         ),
         key(
@@ -984,19 +990,19 @@ pub(crate) static RECORDER_ERRORS: Schema = Schema {
         key(
             "friction",
             "friction = \"75 %\"",
-            Form::Percent,
+            Form::Percent(NOT_NEGATIVE),
             "Drag factor of hard braking. Between the last sample and the impact; that of [surface] if left out, or 75 %.",
         ),
         key(
             "coasting",
             "coasting = \"10 %\"",
-            Form::Percent,
+            Form::Percent(NOT_NEGATIVE),
             "Greatest acceleration with the brake off. Either way, in per cent of g: 1 m/s² if left out.",
         ),
         key(
             "brake_comes_on",
             "brake_comes_on = \"25 %\"",
-            Form::Percent,
+            Form::Percent(NOT_NEGATIVE),
             "Probability that the brake came on in the gap. Off in the last sample, in each half second after it: 25 % if left out.",
         ),
         key(
@@ -1008,7 +1014,7 @@ pub(crate) static RECORDER_ERRORS: Schema = Schema {
         key(
             "last_is_of_impact",
             "last_is_of_impact = \"50 %\"",
-            Form::Percent,
+            Form::Percent(NOT_NEGATIVE),
             "Probability that a steep last speed is of the impact. If it fell by more than g allows, it is that or slip, and the sample before it counts: 50 % if left out.",
         ),
     ],
@@ -1054,19 +1060,19 @@ pub(crate) static ESTIMATE: Schema = Schema {
         key(
             "crush_error",
             "crush_error = \"40 %\"",
-            Form::Percent,
+            Form::Percent(POSITIVE),
             "Error of crush energies. How far that of both vehicles may be from what the impact took, as a standard deviation in per cent. If left out, it depends on how each energy was obtained: a class or category, A and B, a barrier test of the car, an EES.",
         ),
         key(
             "crush_bias",
             "crush_bias = \"59 %\"",
-            Form::Percent,
+            Form::Percent(POSITIVE),
             "What crush shows on average of the energy that the impact took. `\"100 %\"`: crush energies are right on average. If left out, 59 % for a class or category, which was fitted on real crashes, and 100 % for everything else.",
         ),
         key(
             "rest_error",
             "rest_error = \"10 %\"",
-            Form::Percent,
+            Form::Percent(POSITIVE),
             "Error of a computed rest or point, as a standard deviation in per cent of the path. 10 % if left out. `rest_least_error` is added to it; the range of the rest in the file is added to both as squares.",
         ),
         key(
@@ -1084,7 +1090,7 @@ pub(crate) static ESTIMATE: Schema = Schema {
         key(
             "stood",
             "stood = \"20 %\"",
-            Form::Percent,
+            Form::Percent(NOT_NEGATIVE),
             "Probability, before the evidence, that a vehicle stood whose speed is unknown. 20 % if left out; from 0 % to less than 50 %. A vehicle that certainly moved has `certain_speed` with `at_least` above 0.",
         ),
     ],
@@ -1204,7 +1210,7 @@ pub(crate) static AVOID_SIGHT: Schema = Schema {
 
 pub(crate) static SIGHT_PLACE: Schema = point(
     "eye or point of [avoid.sight]",
-    "Place of the driver's eye, or of what it sees first of the other party. At the impact, in the coordinates of the scene. If left out, it is the `position` of the vehicle, or else the `contact` of [scene], or else the origin.",
+    "Place of the driver's eye, or of what it sees first of the other party. At the impact, in the coordinates of the scene. If left out, it is the `position` of the vehicle, or else the `contact` of [scene], or else the origin, which needs neither vehicle to have a `position`.",
     &PLACE,
 );
 
@@ -1258,12 +1264,15 @@ pub(crate) static AVOID_DEMAND: Schema = Schema {
             "Why the danger could be recognized then, and not before.",
         ),
     ],
-    rules: &[Rule::OneOf(&[
-        form(&["distance"], &["reason"]),
-        form(&["time"], &["reason"]),
-        form(&["other"], &["reason"]),
-        form(&["sight"], &["reason"]),
-    ])],
+    rules: &[
+        Rule::OneOf(&[
+            form(&["distance"], &["reason"]),
+            form(&["time"], &["reason"]),
+            form(&["other"], &["reason"]),
+            form(&["sight"], &["reason"]),
+        ]),
+        Rule::NeverIf(NotTrue("sight"), &["sight"]),
+    ],
 };
 
 pub(crate) static AVOID_OTHER: Schema = Schema {
@@ -1315,10 +1324,13 @@ pub(crate) static AVOID_CLEAR: Schema = Schema {
             "speed",
             "speed = \"1.4 m/s\"",
             Form::Sourced(Dimension::Speed, POSITIVE),
-            "How fast it would have gone on. If left out, as it came by `other` of `demand`, else with the speed of its vehicle, given or found. One that stops never clears the zone: leave `clear` out then.",
+            "How fast it would have gone on. If left out, as it came by `other` of `demand`, else with the speed of its vehicle: as its table gives it or, where the speed of the vehicle asked about is to be found, as the evidence tells it. One that stops never clears the zone: leave `clear` out then.",
         ),
     ],
-    rules: &[Rule::OneOf(&[form(&["distance"], &["speed"]), form(&["outlines"], &["speed"])])],
+    rules: &[
+        Rule::OneOf(&[form(&["distance"], &["speed"]), form(&["outlines"], &["speed"])]),
+        Rule::NeverIf(NotTrue("outlines"), &["outlines"]),
+    ],
 };
 
 pub(crate) static BEFORE: Schema = Schema {
@@ -1371,7 +1383,7 @@ pub(crate) static PHASE: Schema = Schema {
         ),
         key("source", "source = \"SAE 2010-01-0062\"", Form::Text, "Where its numbers come from."),
     ],
-    rules: &[],
+    rules: &[Rule::NotEmpty],
 };
 
 pub(crate) static SKID: Schema = Schema {
@@ -1788,7 +1800,7 @@ pub(crate) static SHARED: Schema = Schema {
         key(
             "within",
             "within = \"5 %\"",
-            Form::Percent,
+            Form::Percent(POSITIVE),
             "Greatest error in per cent of each number, with the probability `confidence`. All of the numbers are multiplied by the same factor.",
         ),
         key(
@@ -2066,7 +2078,7 @@ const RANGE_HIGH: KeyInfo = key(
 const RANGE_WITHIN: KeyInfo = key(
     "within",
     "within = \"10 %\"",
-    Form::Percent,
+    Form::Percent(POSITIVE),
     "Greatest deviation from the value, in per cent of it, with the probability `confidence`. The distribution is normal.",
 );
 const RANGE_CONFIDENCE: KeyInfo = key(
@@ -2130,7 +2142,7 @@ pub(crate) static RANGE_OF_LIST: Schema = Schema {
         key(
             "within",
             "within = \"10 %\"",
-            Form::Percent,
+            Form::Percent(POSITIVE),
             "Greatest deviation from the value, in per cent of it, with the probability `confidence`. The distribution is normal.",
         ),
         key(
@@ -2143,7 +2155,7 @@ pub(crate) static RANGE_OF_LIST: Schema = Schema {
     rules: &[Rule::OneOf(&[form(&["values", "sd"], &[]), form(&["values", "within", "confidence"], &[])])],
 };
 
-static ALL: [&Schema; 31] = [
+static ALL: [&Schema; 36] = [
     &TOP,
     &REPORT,
     &SCENE,
@@ -2175,6 +2187,11 @@ static ALL: [&Schema; 31] = [
     &AVOID_OTHER,
     &AVOID_SIGHT,
     &AVOID_CLEAR,
+    &GRADE,
+    &SKID,
+    &PHASE,
+    &REST,
+    &STEER,
 ];
 
 /// The path of every key of a case file, tables included: `scene`, `scene.axes`, `vehicle1`, …,
@@ -2227,7 +2244,7 @@ pub fn number_keys() -> Vec<String> {
         | Form::Value
         | Form::Values
         | Form::Deviation
-        | Form::Percent
+        | Form::Percent(_)
         | Form::Probability => false,
     })
 }
@@ -2329,8 +2346,8 @@ impl Schema {
     /// The quantity of this table whose name is given with a unit at its end: `speed` for "speed_mph".
     pub(crate) fn without_unit(&self, name: &str) -> Option<&'static str> {
         let (key, unit) = name.rsplit_once(['_', '-', ' '])?;
-        let known = self.names().find(|known| *known == key)?;
-        dimensions_of(key).iter().any(|dimension| read_unit(unit, *dimension).is_some()).then_some(known)
+        let known = self.key(key)?;
+        read_unit(unit, known.form.measure()?.dimension).map(|_| known.name)
     }
 
     /// The place of a key that this table does not have.

@@ -266,7 +266,8 @@ fn values() -> Vec<String> {
     let mut values: Vec<String> = [
         "0", "1", "2", "3", "5", "6", "7", "0.5", "-0.5", "-1", "-2", "1.5", "3.0", "true", "false", "[]", "{}",
         "\"\"", "\" \"", "\"1\"", "\"0.3\"", "\"text\"", "[0.3]", "[0.3, 0.2]", "[2]",
-        "[-0.1, 0.2]", "[\"0.3\"]", "[[0.3]]", "[{ low = 0.1, high = 0.2 }, 0.3]", "{ low = 0.2, high = 0.4 }",
+        "[-0.1, 0.2]", "\"0 %\"", "\"2 %\"", "\"-2 %\"", "[{}]", "{ time = \"0 10 ms\" }",
+        "{ time = \"0 10 ms\", delta_v_lateral = \"0 4 km/h\" }", "{ sight = true }", "{ sight = false }", "[\"0.3\"]", "[[0.3]]", "[{ low = 0.1, high = 0.2 }, 0.3]", "{ low = 0.2, high = 0.4 }",
         "{ low = -0.4, high = 0.4 }", "{ low = 0.2, mode = 0.3, high = 0.4 }", "{ value = 0.3, sd = 0.1 }",
         "{ value = 0.3, sd = 0 }", "{ value = 0.3, sd = -0.1 }", "{ value = 0.3 }", "{ sd = 0.3 }", "{ low = 0.3 }",
         "{ value = 0.3, within = \"10 %\", confidence = 0.95 }", "{ value = 0.3, within = \"10 %\" }",
@@ -333,10 +334,26 @@ fn of_key(path: &str, value: &str) -> Vec<String> {
         "impact" if key != "law" => ["brach", "woolley", "ishikawa", "kudlich-slibar"]
             .map(|law| format!("[impact]\nlaw = \"{law}\"\n{key} = {value}"))
             .to_vec(),
-        "scene" | "vehicle1" | "vehicle2" | "vehicle1.crush" | "vehicle2.crush" | "impact"
-        | "reconstruct" => {
-            vec![format!("[{tables}]\n{key} = {value}")]
+        // The departure has a speed and a direction.
+        "vehicle1.after" if key != "direction" => {
+            vec![format!("[{tables}]\ndirection = \"0 deg\"\n{key} = {value}")]
         }
+        "scene"
+        | "surface"
+        | "vehicle1"
+        | "vehicle2"
+        | "vehicle1.crush"
+        | "vehicle2.crush"
+        | "vehicle1.before"
+        | "vehicle1.before.skid"
+        | "vehicle1.after"
+        | "vehicle1.recorder"
+        | "vehicle1.recorder.errors"
+        | "impact"
+        | "reconstruct"
+        | "estimate"
+        | "avoid"
+        | "avoid.sight" => vec![format!("[{tables}]\n{key} = {value}")],
         // What stands in braces is in the values above.
         _ => Vec::new(),
     }
@@ -354,6 +371,10 @@ fn the_schema_judges_values_as_the_reader_does() {
         for value in &values {
             // The reader finds fault with no spacing only beside depths.
             if path.ends_with(".spacing") && value == "[]" {
+                continue;
+            }
+            // The schema has no magnitudes, and 3 s is too old for a stored speed.
+            if path.ends_with(".latency") && value == "\"3 s\"" {
                 continue;
             }
             let texts = of_key(&path, value);

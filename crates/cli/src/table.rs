@@ -611,7 +611,7 @@ fn held(form: Form) -> String {
         Form::Exact(..) | Form::Probability => "number".to_owned(),
         Form::Quantities(..) | Form::Numbers(_) => "numbers or ranges".to_owned(),
         Form::Count(last) => format!("1 to {last}"),
-        Form::Percent => "per cent".to_owned(),
+        Form::Percent(_) => "per cent".to_owned(),
         Form::Words(_) | Form::Law(_) | Form::WordOrAll(_) => words(),
         Form::WordsOrTable(..) => format!("{}, or its keys", words()),
         Form::Wheels(..) => format!("number, range or {}; or four of these", words()),

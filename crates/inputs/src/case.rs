@@ -77,7 +77,8 @@ pub struct ReportHead {
 }
 
 /// The optional words that a case leaves out. The case then holds their defaults, so no result depends on
-/// these flags: they only serve to report assumptions. A flag is false if the whole table is absent.
+/// these flags: they only serve to report assumptions. A flag other than `axes` is
+/// false if the whole table is absent.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct LeftOut {
     /// `scene.axes`.

@@ -113,8 +113,8 @@ pub struct PlacedContact<N = f64> {
 pub enum CourseForm<N = f64> {
     /// (rad) the angle from the heading to the direction of travel.
     Sideslip(Quantity<N>),
-    /// The direction of a velocity in the scene, for a vehicle whose speed is unknown. The speed of a vehicle
-    /// that moves backward is negative.
+    /// The direction of a velocity in the scene, of a vehicle whose speed is unknown or, for momentum, known.
+    /// The speed of a vehicle that moves backward is negative.
     Along {
         /// (m/s) along the scene's x.
         x: Quantity<N>,
@@ -292,8 +292,9 @@ impl<N: Copy> Case<N> {
             return Some(CourseForm::Sideslip(sideslip));
         }
         match given.motion {
+            // Momentum takes the direction of the known speed, too.
             Some(Velocity::Vector { x, y })
-                if self.reconstruct.is_some_and(|sought| sought.find.seeks(id)) =>
+                if self.is_by_momentum() || self.reconstruct.is_some_and(|sought| sought.find.seeks(id)) =>
             {
                 Some(CourseForm::Along { x, y })
             }

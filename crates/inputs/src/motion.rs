@@ -21,7 +21,8 @@ pub struct MotionInput<T = f64> {
 /// The ground, in the axes of the engine.
 #[derive(Clone, Debug)]
 pub struct SurfaceData<T = f64> {
-    /// (–) coefficient of friction outside all zones.
+    /// (–) coefficient of friction outside all zones. Without a table [surface], no vehicle uses it: each
+    /// that is followed has its own.
     pub friction: T,
     /// (–) rise per horizontal length along x and along y.
     pub grade: Vector2<T>,
@@ -239,7 +240,7 @@ pub enum Sought<T = f64> {
     Beside {
         /// The vehicle.
         vehicle: VehicleId,
-        /// (m/s) the speed of the other along its heading.
+        /// (m/s) the speed of the other along its direction of travel.
         known: T,
     },
     /// That of one vehicle, which hit a fixed object.

@@ -207,11 +207,13 @@ impl Recorder {
         // A recorder stores what is to the right as positive.
         let [along, left] = [span.delta_v[0], span.delta_v[1].map(|right| -right)];
         let turned = self.yaw_rate.as_ref().map(|rate| axes.lateral(rate.si() - before));
-        let (along, left) = match (along, left, self.at, turned) {
-            (Some(along), Some(left), Some(at), Some(turned)) => {
+        let (along, left) = match (self.at, turned) {
+            (Some(at), Some(turned)) => {
                 let place = [at.x.si(), axes.lateral(at.y.si())];
-                let [along, left] = recorder::delta_v_at_center([along, left], turned, place);
-                (Some(along), Some(left))
+                // The rotation changes each part by its own amount, whether the other is known or not.
+                let known = [along, left].map(Option::unwrap_or_default);
+                let [at_along, at_left] = recorder::delta_v_at_center(known, turned, place);
+                (along.map(|_| at_along), left.map(|_| at_left))
             }
             _ => (along, left),
         };

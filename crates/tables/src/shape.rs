@@ -75,7 +75,7 @@ impl Shape {
             Form::Tables(_) => Self::Tables(keys),
             Form::WordsOrTable(..) => Self::WordOrTable(keys),
             Form::NumberOrTable(..) => Self::NumberOrTable(keys),
-            Form::Percent => Self::Percent,
+            Form::Percent(_) => Self::Percent,
             Form::Value => self.dimension().map_or(Self::Number, Self::Quantity),
             Form::Values => self.dimension().map_or(Self::Numbers, Self::UncertainQuantities),
             Form::Deviation => match self {

@@ -91,7 +91,7 @@ fn kind(form: Form) -> (&'static str, bool) {
         Form::AngleOrHour => ("angle-or-hour", true),
         Form::Vehicle | Form::Table(_) => ("table", false),
         Form::Tables(_) => ("tables", false),
-        Form::Percent => ("percent", false),
+        Form::Percent(_) => ("percent", false),
         Form::Probability => ("number", false),
         Form::Value | Form::Values | Form::Deviation => ("value", false),
     }

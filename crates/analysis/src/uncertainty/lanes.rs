@@ -11,9 +11,7 @@
 use ::uncertainty::dispatch;
 use ::uncertainty::{Instructions, LANES, Lanes, SUCCEEDED};
 use crash3::EnergyBasis;
-use inputs::{
-    Axes, Basis, BrachTangential, Case, DamageForm, Find, GivenVehicle, ImpactLaw, Reconstruct, Restitution,
-};
+use inputs::{Axes, Basis, BrachTangential, Case, DamageForm, Find, ImpactLaw, Reconstruct, Restitution};
 use pim_core::{Law, Outcome, Tangential, VehicleId};
 use reconcile::{Problem, Unknown};
 
@@ -105,9 +103,7 @@ impl Block {
             }),
         };
         // A block does not compute the outputs of vehicles that are followed to rest.
-        let has_drag =
-            |vehicle: &GivenVehicle<Number>| vehicle.after.as_ref().is_some_and(|after| after.drag.is_some());
-        if case.surface.is_some() && case.vehicles.iter().any(has_drag) {
+        if VehicleId::ALL.into_iter().any(|id| case.can_follow(id)) {
             return Err(Alone::Ways);
         }
         let seeks = sought.map(|sought| sought.unknown.vehicle());

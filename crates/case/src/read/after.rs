@@ -43,6 +43,7 @@ impl<'t> Reader<'t> {
             "a table [[vehicle1.before.phase]] with two of distance, time, speed and acceleration";
         let tables = self.tables(before, "phase", &PHASE, FORMS, MOST_ZONES).unwrap_or_default();
         let phase = |table: &Table<'t>| {
+            self.not_empty(table, FORMS);
             let [distance, time, speed, acceleration] =
                 ["distance", "time", "speed", "acceleration"].map(|key| self.quantity(table, key));
             GivenPhase {

@@ -69,6 +69,7 @@ impl<'t> Reader<'t> {
         let is_sight = self.flag(&table, "sight");
         let demand = match table.given(&["distance", "time", "other", "sight"])[..] {
             ["sight"] if is_sight => Some(GivenDemand::Sight),
+            ["sight"] => self.not_false(&table, "sight", "write sight = true, or where or when the danger could be recognized, as in demand = { distance = \"30 m\" }"),
             ["distance"] => distance.map(GivenDemand::Distance),
             ["time"] => time.map(GivenDemand::Time),
             ["other"] => {
@@ -95,6 +96,7 @@ impl<'t> Reader<'t> {
         let way = match table.given(&["distance", "outlines"])[..] {
             ["distance"] => GivenWayOut::Distance(distance?),
             ["outlines"] if is_by_outlines => GivenWayOut::Outlines,
+            ["outlines"] => return self.not_false(&table, "outlines", "write outlines = true, or how far the other party still had to go, as in clear = { distance = \"2.4 m\" }"),
             _ => return self.no_form(&table, FORMS),
         };
         Some(Clear { way, speed })

@@ -311,7 +311,7 @@ impl<'t> Reader<'t> {
         self.spread_about(
             table,
             match dimension {
-                Some(dimension) => Kind::Quantity(Measure { dimension, bounds, why: "" }),
+                Some(dimension) => Kind::Quantity(Measure { dimension, bounds, why: "", example: "" }),
                 None => Kind::Number(bounds),
             },
         )

@@ -91,9 +91,12 @@ impl<'t> Reader<'t> {
                 Some("write the records in the order of time, and this key from the second on".to_owned());
             self.report_path(&path, CaseProblem::Fault { message, help });
         }
-        let record = |table: &Table<'t>| StoredRecord {
-            since_previous: self.exact_quantity(table, "since_previous", TIME_APART),
-            stored: self.record(table),
+        let record = |table: &Table<'t>| {
+            self.not_empty(table, FORMS);
+            StoredRecord {
+                since_previous: self.exact_quantity(table, "since_previous", TIME_APART),
+                stored: self.record(table),
+            }
         };
         tables.iter().map(record).collect()
     }

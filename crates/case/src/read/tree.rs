@@ -48,7 +48,8 @@ impl<'t> Table<'t> {
 
     /// The measure in the row of a key.
     pub(super) fn measure(&self, key: &str) -> Option<Measure> {
-        self.schema.key(key)?.form.measure()
+        let row = self.schema.key(key)?;
+        Some(Measure { example: row.example, ..row.form.measure()? })
     }
 
     /// The bounds in the row of a plain number.
@@ -304,6 +305,14 @@ impl<'t> Reader<'t> {
             self.report_path(&table.path, CaseProblem::NoForm { path: table.path.clone(), given, forms });
         }
         None
+    }
+
+    /// Reports an element of a list that says nothing: it would count, and could not be written back.
+    pub(super) fn not_empty(&mut self, table: &Table<'t>, forms: &'static str) {
+        let names: Vec<&'static str> = table.schema.names().collect();
+        if table.given(&names).is_empty() {
+            self.no_form::<()>(table, forms);
+        }
     }
 
     /// The places of all keys, and the problems: those of TOML, and those of the tree that do not follow from

@@ -307,7 +307,7 @@ impl<'t> Reader<'t> {
     ) -> Option<Quantity> {
         let path = path.to_owned();
         let least = value.dimension().least_positive();
-        let Measure { bounds, why, .. } = measure;
+        let Measure { bounds, why, example, .. } = measure;
         let problem = match bounds {
             Bounds::Acute if value.si().abs() < FRAC_PI_2 => return Some(value),
             Bounds::Acute => {
@@ -315,7 +315,9 @@ impl<'t> Reader<'t> {
                 CaseProblem::NotAcute { path, value, limit }
             }
             Bounds::NotNegative if value.number() < 0.0 => CaseProblem::Negative { path, value },
-            Bounds::Positive if value.number() <= 0.0 => CaseProblem::NotPositive { path, value, why },
+            Bounds::Positive if value.number() <= 0.0 => {
+                CaseProblem::NotPositive { path, value, why, example }
+            }
             Bounds::Positive if value.si() < least => CaseProblem::TooSmall { path, value },
             Bounds::NotNegative | Bounds::Positive => return Some(value),
             // The last three only apply to plain numbers.
@@ -457,6 +459,16 @@ impl<'t> Reader<'t> {
         };
         self.report(value.span(), problem);
         false
+    }
+
+    /// Refuses a flag that may be left out, but not be false.
+    pub(super) fn not_false<U>(&mut self, table: &Table<'t>, key: &str, help: &str) -> Option<U> {
+        if table.get(key).and_then(|value| value.get_ref().as_bool()) == Some(false) {
+            let path = table.path_of(key);
+            let message = format!("\"{path}\" is false, which says nothing");
+            self.report_path(&path, CaseProblem::Fault { message, help: Some(help.to_owned()) });
+        }
+        None
     }
 
     /// One of a few words.

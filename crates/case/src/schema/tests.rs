@@ -58,7 +58,7 @@ fn written(form: &Form) -> String {
         Form::Value => "like the number it replaces".to_owned(),
         Form::Values => "like the list it replaces".to_owned(),
         Form::Deviation => "like the number it replaces, more than 0".to_owned(),
-        Form::Percent => "text, in `%`".to_owned(),
+        Form::Percent(_) => "text, in `%`".to_owned(),
         Form::Probability => "number, more than 0 and less than 1".to_owned(),
     }
 }

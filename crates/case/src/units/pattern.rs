@@ -15,9 +15,9 @@ const GAP: &str = r"[\s·⋅*-]";
 /// The hour of a clock.
 pub(crate) const HOUR: &str = r"^\s*\+?0*(?:[1-9]|1[0-2])\s*o['’]clock\s*$";
 
-/// A percentage that is more than zero.
-pub(crate) fn percent_pattern() -> String {
-    format!(r"^\s*{}\s*%\s*$", number(Bounds::Positive))
+/// A percentage.
+pub(crate) fn percent_pattern(bounds: Bounds) -> String {
+    format!(r"^\s*{}\s*%\s*$", number(bounds))
 }
 
 /// One number with a unit of the dimension.

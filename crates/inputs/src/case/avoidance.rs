@@ -49,6 +49,7 @@ impl Case {
         for error in &mut case.uncertainty.shared {
             error.of.retain(|key| !is_of_avoid(key));
         }
+        case.uncertainty.shared.retain(|error| !error.of.is_empty());
         Cow::Owned(case)
     }
 }

@@ -25,7 +25,7 @@ use crate::way_out::{ClearForm, ClearSpeedForm, OutlinesForm, PlacesForm, WayOut
 /// What to write for a reaction time; none is assumed, as none is right for every driver and danger.
 const REACTION: &str = "`reaction_time`, as in reaction_time = { low = \"0.7 s\", high = \"1.4 s\", source = \"Dettinger 2008, with all of the swell\" } \
      or { value = \"1.25 s\", sd = \"0.46 s\", source = \"brake lamps in traffic, Ergonomics 1993\" }; 1.5 s and 2.5 s (AASHTO) are conventions, \
-     and `deltav new --template avoid` lists more choices with their sources";
+     and the template \"avoid\" lists more choices with their sources";
 /// The same for a deceleration.
 const DECELERATION: &str = "`deceleration`, as in deceleration = { value = \"7.5 m/s^2\", source = \"…\" }: the friction of the ground times g where \
      the wheels lock or ABS works, about 6 to 8 m/s^2 on dry asphalt (EDCRASH manual: friction 0.55 to 0.80 where it is travelled)";
@@ -49,7 +49,7 @@ impl Case {
         let mut demand =
             Demand { case: self, purpose: Purpose::Avoid, is_of_point_masses: false, faults: Vec::new() };
         let Some(avoid) = &self.avoid else {
-            demand.missing("avoid", "the table `[avoid]`: `deltav new --template avoid` writes one");
+            demand.missing("avoid", "the table `[avoid]`, as in the template \"avoid\"");
             return demand.finish(None);
         };
         demand.of_speed(avoid);
@@ -179,18 +179,26 @@ impl<T: Copy + From<f64>> Case<T> {
         self.sight_form(self.avoid.as_ref()?)
     }
 
-    fn sight_form(&self, avoid: &Avoid<T>) -> Option<SightForm<T>> {
+    /// The eye and the point at the impact, each if the case tells it. Beside a position in a survey, the
+    /// origin is that of the survey, and nothing is there.
+    fn sight_places(&self, avoid: &Avoid<T>) -> [Option<PlaceForm<T>>; 2] {
         let [subject, other] = self.avoid_parties();
-        let place = |given: &Option<Place<T>>, of: &GivenVehicle<T>| match (given, &of.position) {
-            (Some(place), _) => PlaceForm::Given(*place),
-            (None, Some(place)) => PlaceForm::Position(*place),
-            (None, None) => self.scene_contact.map_or(PlaceForm::Origin, PlaceForm::Contact),
+        let is_surveyed = subject.position.is_some() || other.position.is_some();
+        let place = |given: Option<Place<T>>, of: &GivenVehicle<T>| {
+            let known = given.map(PlaceForm::Given).or(of.position.map(PlaceForm::Position));
+            let known = known.or(self.scene_contact.map(PlaceForm::Contact));
+            known.or((!is_surveyed).then_some(PlaceForm::Origin))
         };
+        [place(avoid.sight.eye, subject), place(avoid.sight.point, other)]
+    }
+
+    fn sight_form(&self, avoid: &Avoid<T>) -> Option<SightForm<T>> {
+        let [eye, point] = self.sight_places(avoid);
         let [path, other_path] = self.sight_paths(avoid);
         Some(SightForm {
-            eye: place(&avoid.sight.eye, subject),
+            eye: eye?,
             path: path?,
-            point: place(&avoid.sight.point, other),
+            point: point?,
             other_path: other_path?,
             other_speed: self.other_speed(avoid)?,
         })
@@ -387,7 +395,8 @@ impl Demand<'_, f64> {
             self.missing(
                 "avoid.clear.speed",
                 "`speed`, how fast the other party would have gone on, as in speed = \"1.4 m/s\": it is known \
-                 without it only if `demand` says by `other` how it came, or the case tells the speed of its vehicle",
+                 without it only if `demand` says by `other` how it came, or the table of its vehicle gives its speed, \
+                 or the speed of the vehicle that you ask about is to be found, too",
             );
         }
         if clear.way == GivenWayOut::Outlines {
@@ -457,6 +466,7 @@ impl Demand<'_, f64> {
                 return;
             }
         }
+        let [eye, point] = self.case.sight_places(avoid);
         let [path, other_path] = self.case.sight_paths(avoid);
         let speed = self.case.other_speed(avoid);
         if let Some(form) = self.case.sight_form(avoid) {
@@ -475,6 +485,19 @@ impl Demand<'_, f64> {
             }
         }
         for (is_given, key, example) in [
+            (
+                eye.is_some(),
+                "avoid.sight.eye",
+                "where the driver's eye is at the impact, in the coordinates of the other vehicle's `position`, \
+                 as in eye = { x = \"98.1 m\", y = \"50.4 m\" }, or `position` of the vehicle, or `contact` of [scene]",
+            ),
+            (
+                point.is_some(),
+                "avoid.sight.point",
+                "what the driver sees first of the other party, where it is at the impact, in the coordinates of \
+                 the vehicle's `position`, as in point = { x = \"101 m\", y = \"50 m\" }, or `position` of the other \
+                 vehicle, or `contact` of [scene]",
+            ),
             (
                 path.is_some(),
                 "avoid.sight.heading",

@@ -26,9 +26,6 @@ use crate::vehicle::{GivenVehicle, VehicleKind};
 /// a speed could follow: no survey is more exact.
 const LEAST_PATH: f64 = 0.01;
 
-/// (–) a velocity whose part across the heading is no greater than this share of that along it is along it.
-const OFF_HEADING: f64 = 1e-6;
-
 /// What must be known of how a vehicle left the impact.
 #[derive(Clone, Copy, PartialEq)]
 enum Departed {
@@ -46,6 +43,15 @@ impl<T> Case<T> {
         let Some(reconstruct) = &self.reconstruct else { return false };
         let is_told = self.movers().any(|id| self.tells_departure(id));
         reconstruct.find == Find::Both || (is_told && !self.vehicles.iter().any(has_crush))
+    }
+
+    /// Whether the case has what a vehicle needs to be followed on the ground: its drag, and the friction on
+    /// its path, its own or that of the ground.
+    #[must_use]
+    pub fn can_follow(&self, id: VehicleId) -> bool {
+        let after = self.vehicles[id.index()].after.as_ref();
+        after
+            .is_some_and(|after| after.drag.is_some() && (after.friction.is_some() || self.surface.is_some()))
     }
 
     /// The vehicles that can move.
@@ -81,29 +87,24 @@ impl<T: Real> Case<T> {
             let subject = if told[id.index()] { demand.subject(id) } else { None };
             demand.vehicle_motion(id, subject.as_ref(), Departed::Wholly)
         });
-        let surface = demand.surface();
+        let surface = demand.surface(told);
         demand.finish(surface.map(|surface| MotionInput { surface, vehicles }))
     }
 
-    /// What carries on from the impact to the rest: `None` where the case gives no friction of the ground or
-    /// no drag. Vehicles without drag are left out.
+    /// What carries on from the impact to the rest: `None` where the case has drag and friction for no
+    /// vehicle. A vehicle without them is left out.
     ///
     /// # Errors
     /// Every value that is missing or contradicts another, each with its key.
     #[must_use]
     pub fn run_out(&self) -> Option<Result<MotionInput<T>, Faults>> {
-        let has_drag =
-            |vehicle: &GivenVehicle<T>| vehicle.after.as_ref().is_some_and(|after| after.drag.is_some());
-        let has_friction = |vehicle: &GivenVehicle<T>| {
-            vehicle.after.as_ref().is_some_and(|after| after.friction.is_some()) && has_drag(vehicle)
-        };
-        let has_ground = self.surface.is_some() || self.vehicles.iter().any(has_friction);
-        if !has_ground || !self.vehicles.iter().any(has_drag) {
+        let followed = VehicleId::ALL.map(|id| self.can_follow(id));
+        if followed == [false, false] {
             return None;
         }
         let mut demand = Demand::new(self, Purpose::Motion);
         let mut motion = |id: VehicleId| {
-            if !has_drag(&self.vehicles[id.index()]) {
+            if !followed[id.index()] {
                 return None;
             }
             let subject = demand.subject(id);
@@ -111,7 +112,7 @@ impl<T: Real> Case<T> {
         };
         // `map` of an array would copy them once more, for each particle of an estimate.
         let vehicles = [motion(VehicleId::One), motion(VehicleId::Two)];
-        let surface = demand.surface();
+        let surface = demand.surface(followed);
         Some(demand.finish(surface.map(|surface| MotionInput { surface, vehicles })))
     }
 
@@ -171,6 +172,7 @@ impl<T: Real> Case<T> {
         let departures = VehicleId::ALL.map(|id| demand.departure(id));
         let any_told = self.movers().any(|id| self.tells_departure(id));
         let mut vehicles = [None, None];
+        let mut followed = [false; 2];
         for id in self.movers() {
             let after = self.vehicles[id.index()].after.as_ref();
             let has_rest = after.is_some_and(|after| after.rest.is_some());
@@ -178,16 +180,15 @@ impl<T: Real> Case<T> {
                 demand.missing_departure(id);
             }
             // A vehicle of which only the velocity is known need not be followed.
-            let has_drag = after.is_some_and(|after| after.drag.is_some());
-            if has_rest || (has_drag && self.surface.is_some()) {
+            if has_rest || self.can_follow(id) {
+                followed[id.index()] = true;
                 demand.is_of_point_masses = false;
                 let subject = demand.subject(id);
                 vehicles[id.index()] = demand.vehicle_motion(id, subject.as_ref(), Departed::ByImpact);
             }
         }
-        let is_followed = self.surface.is_some()
-            || self.vehicles.iter().any(|v| v.after.as_ref().is_some_and(|after| after.rest.is_some()));
-        let surface = if is_followed { demand.surface() } else { None };
+        let needs_ground = self.surface.is_some() || followed != [false, false];
+        let surface = if needs_ground { demand.surface(followed) } else { None };
         let has_crush = self.movers().all(|id| self.vehicles[id.index()].has_damage_data());
         let find = self.reconstruct.as_ref().map(|reconstruct| reconstruct.find);
         if find == Some(Find::Both) {
@@ -236,18 +237,9 @@ impl<T: Real> Demand<'_, T> {
         let motion = self.motion(other, true)?;
         let course = self.case.courses()[other.index()]?;
         let (sin, cos) = course.sin_cos();
-        let (x, y) = (motion.velocity.x, motion.velocity.y);
-        let (along, across) = (x * cos + y * sin, y * cos - x * sin);
-        if across.value().abs() > OFF_HEADING * along.value().abs() {
-            self.refuse(
-                format!("{}.velocity", table(other)),
-                "this velocity is not along the heading, and momentum takes each vehicle as moving along its heading"
-                    .to_owned(),
-                "give `speed`, and as `heading` the direction in which the vehicle moved",
-            );
-            return None;
-        }
-        Some(Sought::Beside { vehicle, known: along })
+        // u = v·ê: the course is that of the velocity.
+        let known = motion.velocity.x * cos + motion.velocity.y * sin;
+        Some(Sought::Beside { vehicle, known })
     }
 
     /// The contact, as far as the case tells it: what momentum does not need is not demanded.
@@ -310,8 +302,17 @@ impl<T: Real> Demand<'_, T> {
         Vector2::new(place.x.si(), self.lateral(&place.y))
     }
 
-    fn surface(&mut self) -> Option<SurfaceData<T>> {
+    /// The ground. It needs no table [surface] where every vehicle that is followed has its own friction.
+    fn surface(&mut self, followed: [bool; 2]) -> Option<SurfaceData<T>> {
         let Some(surface) = &self.case.surface else {
+            let own = VehicleId::ALL
+                .into_iter()
+                .filter(|id| followed[id.index()])
+                .map(|id| self.case.vehicles[id.index()].after.as_ref().and_then(|after| after.friction));
+            if let Some(friction) = own.reduce(Option::and).flatten() {
+                let grade = Vector2::new(T::ZERO, T::ZERO);
+                return Some(SurfaceData { friction, grade, zones: Vec::new() });
+            }
             self.missing(
                 "surface.friction",
                 "the friction between tyres and ground, on which the vehicles came to rest: `friction = 0.7` in a table [surface]",
@@ -523,13 +524,16 @@ impl<T: Real> Demand<'_, T> {
             format_args!("`cg_to_front_axle = \"1.10 m\"`{or_class}"),
         );
         let (wheelbase, track, cg_to_front) = (wheelbase?, track?, cg_to_front?);
-        if cg_to_front.value() >= wheelbase.value() {
+        // The share of a class is less than one.
+        if let Some(given) = vehicle.cg_to_front_axle
+            && cg_to_front.value() >= wheelbase.value()
+        {
+            let unit = given.unit();
+            let [ahead, wheelbase] = [cg_to_front, wheelbase].map(|length| length.value() / unit.factor());
             self.refuse(
                 format!("{table}.cg_to_front_axle"),
                 format!(
-                    "the front axle lies {:.2} m ahead of the CG, but the wheelbase is only {:.2} m",
-                    cg_to_front.value(),
-                    wheelbase.value()
+                    "the front axle lies {ahead:.2} {unit} ahead of the CG, but the wheelbase is only {wheelbase:.2} {unit}"
                 ),
                 "measure both from the front axle: the CG lies between the axles",
             );
@@ -645,7 +649,7 @@ impl<T: Real> Demand<'_, T> {
                 self.missing(
                     format_args!("{}.crush", table(id)),
                     &format!(
-                        "the damage of both vehicles: their headings are {degrees:.0}° apart, within 10° of one line, and along one line \
+                        "the damage of both vehicles: their directions of travel are {degrees:.0}° apart, within 10° of one line, and along one line \
                          momentum alone does not distinguish one speed from the other; a table with side, width, depths and stiffness, or `ees`; or \
                          `crush = \"none\"` in [{}], if the other vehicle alone was damaged. Without damage: {speed}",
                         table(id)

@@ -68,8 +68,8 @@ fn headline(id: VehicleId, found: &VehicleReading, units: Units) -> Vec<String> 
     }
     if let Some(span) = leading(&found.spans) {
         let size = road(span.resultant());
-        lines.push(if let Some([along, left]) = at_center(found) {
-            let size = road((along * along + left * left).sqrt());
+        lines.push(if let Some(told) = found.delta_v.filter(|_| is_of_center(found)) {
+            let size = road(told.size());
             format!("ΔV of vehicle {id}: {size} at its centre of gravity, at {}", milliseconds(span.end))
         } else if span.complete {
             format!("ΔV of vehicle {id}: {size}, at {}", milliseconds(span.end))
@@ -85,12 +85,9 @@ fn headline(id: VehicleId, found: &VehicleReading, units: Units) -> Vec<String> 
     lines
 }
 
-/// (m/s) ΔV along the vehicle and to its left at the centre of gravity, where the recorder is away from it
-/// and the case has what takes ΔV there.
-fn at_center(found: &VehicleReading) -> Option<[f64; 2]> {
-    found.recorder.at.and(found.recorder.yaw_rate)?;
-    let told = found.delta_v?;
-    Some([told.along?, told.left?])
+/// Whether the recorder is away from the centre of gravity, and the case has what takes ΔV there.
+fn is_of_center(found: &VehicleReading) -> bool {
+    found.recorder.at.is_some() && found.recorder.yaw_rate.is_some()
 }
 
 /// What the clock of both records is, and where one of them ends before it is 0.
@@ -582,19 +579,21 @@ fn remarks(page: &mut Document, found: &VehicleReading) {
 
 /// Where the recorder is, and ΔV at the centre of gravity.
 fn place(found: &VehicleReading, axes: Axes, units: Units) -> String {
-    let (Some(at), Some([along, left])) = (found.recorder.at, at_center(found)) else {
-        return "ΔV is that of the recorder's place: with `yaw_rate` and both axes it is taken to the centre of gravity."
+    let (Some(at), Some(told)) = (found.recorder.at, found.delta_v.filter(|_| is_of_center(found))) else {
+        return "ΔV is that of the recorder's place: with `yaw_rate` it is taken to the centre of gravity."
             .to_owned();
     };
     let sided = |measure: Measure, value: f64, [positive, negative]: [&str; 2]| {
         format!("{} {}", units.format(measure, value.abs()), if value < 0.0 { negative } else { positive })
     };
+    let along = told.along.map(|along| sided(Measure::RoadSpeed, along, ["forward", "backward"]));
+    let left = told.left.map(|left| sided(Measure::RoadSpeed, left, ["to the left", "to the right"]));
+    let parts: Vec<String> = along.into_iter().chain(left).collect();
     format!(
-        "The recorder is {} and {} of the centre of gravity, where ΔV is {} and {} (ΔV − ΔΩ × r; ΔΩ is the yaw rate after the \
+        "The recorder is {} and {} of the centre of gravity, where ΔV is {} (ΔV − ΔΩ × r; ΔΩ is the yaw rate after the \
          impact less that before).",
         sided(Measure::Length, at.x.si(), ["ahead", "behind"]),
         sided(Measure::Length, axes.lateral(at.y.si()), ["to the left", "to the right"]),
-        sided(Measure::RoadSpeed, along, ["forward", "backward"]),
-        sided(Measure::RoadSpeed, left, ["to the left", "to the right"]),
+        parts.join(" and "),
     )
 }
