@@ -51,19 +51,17 @@ pub(crate) fn draw(arguments: &DrawArguments) -> Result<()> {
     let weighed = if plain && overdetermined { weigh(&analysis, &file, units)? } else { None };
     let drawing = drawing.draw(&file, &analysis, weighed.as_ref(), units, site_plan)?;
     // A drawing has no room for sentences, and standard output may be the drawing.
-    let warnings = match analysis.warnings.len() {
-        0 => None,
-        1 => Some("1 warning".to_owned()),
-        several => Some(format!("{several} warnings")),
+    let (warnings, command) = match (analysis.warnings.len(), &analysis.found, analysis.exchange()) {
+        // What was not solved may have warnings that need no answer.
+        (0, None, None) => (analysis::judge(&file.case).warnings.len(), "check"),
+        (warnings, Some(_), _) => (warnings, "reconstruct"),
+        (warnings, None, Some(_)) if analysis.both.is_some() => (warnings, "reconstruct"),
+        (warnings, None, Some(_)) => (warnings, "impact"),
+        (warnings, None, None) if is_motion => (warnings, "motion"),
+        (warnings, None, None) => (warnings, "crush"),
     };
-    if let Some(warnings) = warnings {
-        let command = match (&analysis.found, analysis.exchange()) {
-            (Some(_), _) => "reconstruct",
-            (None, Some(_)) if analysis.both.is_some() => "reconstruct",
-            (None, Some(_)) => "impact",
-            (None, None) if is_motion => "motion",
-            (None, None) => "crush",
-        };
+    if warnings > 0 {
+        let warnings = if warnings == 1 { "1 warning".to_owned() } else { format!("{warnings} warnings") };
         let case = named(&arguments.case);
         writeln!(io::stderr(), "{case} has {warnings}: `deltav {command} {case}` prints them.")
             .context("cannot write to standard error")?;

@@ -460,7 +460,14 @@ fn kept(schema: &Schema, keep: Option<&[String]>, others: &[usize]) -> Result<Ve
             bail!("--keep {}: the table has no such column; {help}", case::shown(name))
         }
     };
-    names.iter().filter(|name| !name.is_empty()).map(place).collect()
+    let mut places = Vec::new();
+    for name in names.iter().filter(|name| !name.is_empty()) {
+        let place = place(name)?;
+        if !places.contains(&place) {
+            places.push(place);
+        }
+    }
+    Ok(places)
 }
 
 /// Where the results go.

@@ -44,3 +44,21 @@ fn a_drawing_never_shows_a_speed_that_is_not_the_answer_as_one() {
     let said = String::from_utf8(drawn.stderr).unwrap();
     assert!(said.contains("`deltav reconstruct") && said.contains("weighs all of it."), "{said}");
 }
+
+/// A contact point 1.8 m before the outline of the vehicle, in a case without speeds.
+#[test]
+fn a_scene_without_speeds_has_the_warnings_of_check() {
+    let folder = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("drawn");
+    fs::create_dir_all(&folder).unwrap();
+    let path = folder.join("outside.toml");
+    let text = include_str!("../../../fixtures/estimate.toml");
+    let outside = text.replacen("value = \"1.9 m\"", "value = \"3.9 m\"", 1);
+    assert_ne!(outside, text);
+    fs::write(&path, outside).unwrap();
+    let case = path.display().to_string();
+    let checked = run(&["check", &case, "--format", "json"]);
+    let checked: Value = serde_json::from_slice(&checked.stdout).unwrap();
+    assert_eq!(checked["warnings"].as_array().unwrap().len(), 1);
+    let said = String::from_utf8(run(&["draw", &case, "--what", "scene"]).stderr).unwrap();
+    assert!(said.contains(&format!("has 1 warning: `deltav check {case}` prints them.")), "{said}");
+}

@@ -268,3 +268,16 @@ fn an_empty_file_is_called_empty() {
         assert!(message.contains("help: `deltav new` writes a template of a case file"), "{message}");
     }
 }
+
+/// 854 of 1,000 samples have an answer: 0.146 of them failed, to the last digit.
+#[test]
+fn the_share_of_failed_samples_is_no_difference_of_rounded_shares() {
+    let text = out("uncertainty fixtures/wide-ranges.toml --samples 1000 --format csv");
+    let row = &table(&text, b',')[0];
+    let [samples, succeeded] = ["samples", "succeeded"].map(|name| number(row, name));
+    assert!(succeeded < samples);
+    // The shortest decimal of thousandths has three digits at most.
+    let failed = cell(row, "failed_share");
+    assert!(failed.len() <= 5, "{failed}");
+    assert_eq!(failed.parse::<f64>().unwrap(), (samples - succeeded) / samples);
+}

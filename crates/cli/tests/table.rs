@@ -311,3 +311,13 @@ fn a_quote_that_nothing_closes_is_refused() {
         assert_eq!(table(whole).0, Some(0), "{whole}");
     }
 }
+
+#[test]
+fn a_column_that_is_named_twice_is_carried_over_once() {
+    let path = place("twice.csv");
+    fs::write(&path, "id,vehicle2.speed\n7,4\n").unwrap();
+    let output =
+        deltav(&["table", path.to_str().unwrap(), "--template", TEMPLATE, "--keep", "id,vehicle2.speed,id"]);
+    let text = String::from_utf8(output.stdout).unwrap();
+    assert!(text.starts_with("id,vehicle2.speed,error,"), "{text}");
+}

@@ -117,6 +117,8 @@ pub(crate) struct Column {
     pub(crate) name: String,
     /// Below the name.
     pub(crate) unit: String,
+    /// Between name and unit on one line.
+    joint: &'static str,
     pub(crate) cells: Cells,
     pub(crate) width: Width,
 }
@@ -156,7 +158,7 @@ pub(crate) enum Row {
 
 impl Column {
     pub(crate) fn words(name: impl Into<String>, width: Width) -> Self {
-        Self { name: name.into(), unit: String::new(), cells: Cells::Words, width }
+        Self { name: name.into(), unit: String::new(), joint: ", ", cells: Cells::Words, width }
     }
 
     pub(crate) fn numbers(name: impl Into<String>, width: Width) -> Self {
@@ -171,12 +173,17 @@ impl Column {
         Self { unit: unit.into(), ..self }
     }
 
+    /// With the rest of its name in place of a unit.
+    pub(crate) fn goes_on(self, rest: impl Into<String>) -> Self {
+        Self { unit: rest.into(), joint: " ", ..self }
+    }
+
     /// Name and unit on one line.
     pub(crate) fn heading(&self) -> String {
         match (self.name.as_str(), self.unit.as_str()) {
             ("", unit) => unit.to_owned(),
             (name, "") => name.to_owned(),
-            (name, unit) => format!("{name}, {unit}"),
+            (name, unit) => format!("{name}{}{unit}", self.joint),
         }
     }
 }

@@ -111,7 +111,7 @@ pub use pictures::{
     place_of_impact, plain_motion, plain_scene, plan_view, ranks_of_recorders, reconstructed_speed, rests,
     site_plan, site_plan_of, tornado,
 };
-pub use sections::avoid::avoid;
+pub use sections::avoid::{avoid, avoid_warnings};
 pub use sections::claims::claims;
 pub use sections::comparison::comparison;
 pub use sections::estimate::estimate;

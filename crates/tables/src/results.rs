@@ -14,8 +14,9 @@ use analysis::{
 use arrow_array::builder::{BooleanBuilder, Float64Builder, Int64Builder, ListBuilder, StringBuilder};
 use arrow_array::{ArrayRef, RecordBatch};
 use arrow_schema::{DataType, Field, Schema, SchemaRef};
-use case::{Axes, Case};
+use case::{Axes, Case, SeverityPrior, word};
 use pim_core::VehicleId;
+use report::Units;
 use requests::RowRefusal;
 
 use crate::error::TableError;
@@ -43,7 +44,8 @@ const STATISTICS: [&str; 5] = ["p025", "median", "p975", "mean", "sd"];
 enum What {
     Error,
     Help,
-    /// Lists of words: the codes of warnings, and the keys of evidence that the rest contradicts.
+    /// Lists of words: the codes of warnings, of avoidability their sentences, and the keys of evidence that
+    /// the rest contradicts.
     Warnings,
     Contradicting,
     Axes,
@@ -65,33 +67,39 @@ enum What {
 }
 
 /// What is read of avoidability.
-type OfAvoidance<T> = fn(&Avoidance) -> Option<T>;
+type OfAvoidance<T> = fn(&Case, &Avoidance) -> Option<T>;
 
 /// The numbers of avoidability, by the keys of the JSON of `deltav avoid`.
 const AVOIDED: [(&str, OfAvoidance<f64>); 16] = [
-    ("speed", |found| Some(found.scene.speed)),
-    ("demand_distance", |found| Some(found.scene.distance)),
-    ("demand_time", |found| Some(found.scene.time)),
-    ("sight_time", |found| Some(found.scene.view.sight()?.time)),
-    ("sight_distance_subject", |found| Some(found.scene.view.sight()?.distance_subject)),
-    ("sight_distance_other", |found| Some(found.scene.view.sight()?.distance_other)),
-    ("stopping_distance", |found| Some(found.scene.stopping_distance())),
-    ("spatial_speed", |found| Some(found.scene.spatial())),
-    ("temporal_speed", |found| found.scene.temporal()),
-    ("at_limit_collision_speed", |found| Some(found.scene.left_at_limit())),
-    ("at_limit_vehicle1_delta_v", |found| Some(found.run(Hypothesis::All)?.delta_v?[0])),
-    ("at_limit_vehicle2_delta_v", |found| Some(found.run(Hypothesis::All)?.delta_v?[1])),
-    ("enough_speed", |found| Some(found.enough.speed)),
-    ("probability_avoided_at_limit", |found| Some(found.chance.as_ref()?.avoided_at_limit)),
-    ("probability_above_limit", |found| Some(found.chance.as_ref()?.above_limit)),
-    ("probability_mc_error", |found| Some(found.chance.as_ref()?.mc_error)),
+    ("speed", |_, found| Some(found.scene.speed)),
+    ("demand_distance", |_, found| Some(found.scene.distance)),
+    ("demand_time", |_, found| Some(found.scene.time)),
+    ("sight_time", |_, found| Some(found.scene.view.sight()?.time)),
+    ("sight_distance_subject", |_, found| Some(found.scene.view.sight()?.distance_subject)),
+    ("sight_distance_other", |_, found| Some(found.scene.view.sight()?.distance_other)),
+    ("stopping_distance", |_, found| Some(found.scene.stopping_distance())),
+    ("spatial_speed", |_, found| Some(found.scene.spatial())),
+    ("temporal_speed", |_, found| found.scene.temporal()),
+    ("at_limit_collision_speed", |_, found| Some(found.scene.left_at_limit())),
+    ("at_limit_vehicle1_delta_v", |case, found| delta_v_at_limit(case, found, VehicleId::One)),
+    ("at_limit_vehicle2_delta_v", |case, found| delta_v_at_limit(case, found, VehicleId::Two)),
+    ("enough_speed", |_, found| Some(found.enough.speed)),
+    ("probability_avoided_at_limit", |_, found| Some(found.chance.as_ref()?.avoided_at_limit)),
+    ("probability_above_limit", |_, found| Some(found.chance.as_ref()?.above_limit)),
+    ("probability_mc_error", |_, found| Some(found.chance.as_ref()?.mc_error)),
 ];
 
 /// The answers at the limit, in the same way.
 const AVOIDABLE: [(&str, OfAvoidance<bool>); 2] = [
-    ("spatial_avoidable_at_limit", |found| Some(found.scene.limit <= found.scene.spatial())),
-    ("temporal_avoidable_at_limit", |found| Some(found.scene.limit <= found.scene.temporal()?)),
+    ("spatial_avoidable_at_limit", |_, found| Some(found.scene.stops_at_limit())),
+    ("temporal_avoidable_at_limit", |_, found| found.scene.is_late_at_limit()),
 ];
+
+/// (m/s) of a vehicle that can move.
+fn delta_v_at_limit(case: &Case, found: &Avoidance, id: VehicleId) -> Option<f64> {
+    let delta_v = found.run(Hypothesis::All)?.delta_v?;
+    (!case.vehicles[id.index()].fixed).then_some(delta_v[id.index()])
+}
 
 /// What was found of one row.
 pub(crate) enum Found {
@@ -106,6 +114,7 @@ pub(crate) struct AvoidFound {
     /// By the places of [`AVOIDED`] and [`AVOIDABLE`].
     numbers: [Option<f64>; AVOIDED.len()],
     flags: [Option<bool>; AVOIDABLE.len()],
+    warnings: Vec<String>,
 }
 
 /// What the samples of a row say.
@@ -168,6 +177,7 @@ fn columns(job: Job, samples: Option<usize>) -> Vec<(String, What)> {
             let numbers = AVOIDED.iter().enumerate().map(|(k, (name, _))| (*name, What::OfAvoidance(k)));
             let flags = AVOIDABLE.iter().enumerate().map(|(k, (name, _))| (*name, What::IsAvoidable(k)));
             columns.extend(numbers.chain(flags).map(|(name, what)| (format!("avoid_{name}"), what)));
+            columns.push(named("warnings", What::Warnings));
             return columns;
         }
         Job::Crush => columns.push(named("energy_basis", What::EnergyBasis)),
@@ -266,6 +276,7 @@ impl What {
         match (self, found) {
             (Self::Warnings, Found::Analysis(_, warnings, _)) => Some(warnings),
             (Self::Warnings, Found::Estimate(found)) => Some(&found.warnings),
+            (Self::Warnings, Found::Avoidance(found)) => Some(&found.warnings),
             (Self::Contradicting, Found::Estimate(found)) => Some(&found.contradicting),
             _ => None,
         }
@@ -312,6 +323,9 @@ pub(crate) fn schema(job: Job, options: &RowOptions) -> SchemaRef {
     }
     if job == Job::Estimate {
         metadata.insert("deltav.particles".to_owned(), options.particles.to_string());
+        if let Some(prior) = options.prior {
+            metadata.insert("deltav.prior".to_owned(), word(&SeverityPrior::WORDS, &prior).to_owned());
+        }
     }
     Arc::new(Schema::new_with_metadata(fields, metadata))
 }
@@ -384,9 +398,12 @@ impl Found {
     }
 
     pub(crate) fn avoidance(case: &Case, found: &Avoidance) -> Self {
-        let numbers = AVOIDED.map(|(_, of)| of(found));
-        let flags = AVOIDABLE.map(|(_, of)| of(found));
-        Self::Avoidance(Box::new(AvoidFound { axes: case.axes, numbers, flags }))
+        Self::Avoidance(Box::new(AvoidFound {
+            axes: case.axes,
+            numbers: AVOIDED.map(|(_, of)| of(case, found)),
+            flags: AVOIDABLE.map(|(_, of)| of(case, found)),
+            warnings: report::avoid_warnings(found, Units::Si),
+        }))
     }
 
     pub(crate) fn estimate(case: &Case, estimated: &Estimated) -> Self {

@@ -9,7 +9,7 @@ use arrow_schema::{Schema, SchemaRef};
 use case::{CaseFile, ValueTable};
 use estimate::{MOST_PARTICLES, PARTICLES_STEP};
 use report::PROGRAM;
-use requests::RowRefusal;
+use requests::{NO_PROBABILITY, RowRefusal};
 use uncertainty::{MIN_SAMPLES, SamplingMethod, Settings};
 
 use crate::error::TableError;
@@ -44,6 +44,9 @@ impl RowTemplate {
         }
     }
 }
+
+/// Where a row has not converged.
+const WHY_UNCONVERGED: &str = "`deltav estimate` on the case says why";
 
 /// Rows that are computed before they are put into columns.
 const AT_ONCE: usize = 4096;
@@ -169,7 +172,7 @@ pub fn assumed_units(batch: &RecordBatch) -> Result<Vec<(String, &'static str)>,
     Ok(Plan::of(batch)?.assumed(batch.num_rows()))
 }
 
-fn check(job: Job, RowOptions { samples, particles, .. }: &RowOptions) -> Result<(), TableError> {
+fn check(job: Job, RowOptions { samples, particles, prior, .. }: &RowOptions) -> Result<(), TableError> {
     match (job, samples) {
         (Job::Crush | Job::Estimate, Some(_)) => {
             return Err(TableError::Options(format!(
@@ -183,6 +186,12 @@ fn check(job: Job, RowOptions { samples, particles, .. }: &RowOptions) -> Result
             )));
         }
         _ => {}
+    }
+    if job != Job::Estimate && (prior.is_some() || *particles != EstimatePlan::PARTICLES) {
+        return Err(TableError::Options(format!(
+            "particles and a prior are for the job estimate, and the job is {}: leave them out",
+            job.name()
+        )));
     }
     if job == Job::Estimate && !estimate::ParticleSettings::can_have(*particles) {
         return Err(TableError::Options(format!(
@@ -267,7 +276,11 @@ impl Row<'_> {
                 let samples = self.options.samples.unwrap_or(AvoidPlan::SAMPLES);
                 let plan = AvoidPlan { samples, seed, ..AvoidPlan::default() };
                 let found = analysis::avoid(case, &plan, &mut |_, _, _| self.goes_on()).map_err(refused)?;
-                return Ok(Outcome { found: Some(Found::avoidance(case, &found)), refusal: None });
+                let refusal = found.is_unconverged.then(|| RowRefusal {
+                    error: NO_PROBABILITY.to_owned(),
+                    help: WHY_UNCONVERGED.to_owned(),
+                });
+                return Ok(Outcome { found: Some(Found::avoidance(case, &found)), refusal });
             }
             Job::Estimate => {
                 let RowOptions { particles, prior, .. } = *self.options;
@@ -276,7 +289,7 @@ impl Row<'_> {
                     analysis::estimate(case, &plan, &mut |_, _, _| self.goes_on()).map_err(refused)?;
                 let refusal = (!estimated.doubts().is_empty()).then(|| RowRefusal {
                     error: "the run has not converged, so that it has no intervals".to_owned(),
-                    help: "`deltav estimate` on the case says why; more particles may help".to_owned(),
+                    help: format!("{WHY_UNCONVERGED}; more particles may help"),
                 });
                 return Ok(Outcome { found: Some(Found::estimate(case, &estimated)), refusal });
             }

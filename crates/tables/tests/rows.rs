@@ -299,6 +299,13 @@ fn options_that_make_no_sense_are_refused() {
         refused(Job::Estimate, RowOptions { particles: 100, ..RowOptions::default() })
             .contains("multiple of 128")
     );
+    // They would change nothing.
+    for without_effect in [
+        RowOptions { particles: 128, ..RowOptions::default() },
+        RowOptions { prior: Some(case::SeverityPrior::Flat), ..RowOptions::default() },
+    ] {
+        assert!(refused(Job::Reconstruct, without_effect).contains("the job is reconstruct: leave them out"));
+    }
 }
 
 fn speeds_and_masses() -> impl Strategy<Value = Vec<(Option<f64>, Option<f64>, Option<i64>)>> {
@@ -504,4 +511,77 @@ fn a_table_asks_whether_collisions_were_avoidable() {
     let probability = column.as_primitive::<Float64Type>().value(0);
     // 36 km/h: 10 m of braking, and 10 m in 1 s: a third of the range.
     assert!((probability - 1.0 / 3.0).abs() < 0.03, "{probability}");
+}
+
+/// The results of one row, which is a case as a template.
+fn avoided(case: &str) -> RecordBatch {
+    let template = RowTemplate::parse("t.toml", case).unwrap();
+    let one = batch(vec![("seed", Arc::new(Int64Array::from(vec![1])))]);
+    let go_on = |_, _| ControlFlow::Continue(());
+    run(Job::Avoid, &one, &template, &RowOptions::default(), &go_on).unwrap()
+}
+
+/// From a stop, 8 m with 1.6 m/s² on the first 6: the vehicle never reaches a limit of 50 km/h. With a
+/// reaction of 0.3 s it stops before the other's way, whatever 50 km/h at the demand would do.
+#[test]
+fn a_vehicle_from_a_stop_is_asked_at_the_speed_that_it_reaches() {
+    let case = include_str!("../../../fixtures/avoid/from-stop.toml");
+    let lines = case.lines().map(|line| match line.split_whitespace().next() {
+        Some("limit") => "limit = \"50 km/h\"",
+        Some("reaction_time") => "reaction_time = \"0.3 s\"",
+        _ => line,
+    });
+    let results = avoided(&lines.collect::<Vec<_>>().join("\n"));
+    assert_eq!(errors(&results), [None]);
+    let left = results.column_by_name("avoid_at_limit_collision_speed").unwrap();
+    assert_eq!(left.as_primitive::<Float64Type>().value(0), 0.0);
+    for kind in ["spatial", "temporal"] {
+        let column = results.column_by_name(&format!("avoid_{kind}_avoidable_at_limit")).unwrap();
+        assert!(column.as_boolean().value(0), "{kind}");
+    }
+}
+
+/// 12 m/s² is 1.22 g, more than any road is listed with; and a barrier, which does not move, has no ΔV.
+#[test]
+fn a_row_of_avoidability_has_its_warnings_and_no_delta_v_of_a_barrier() {
+    let barrier = include_str!("../../../fixtures/barrier.toml");
+    let avoid = "[avoid]\nvehicle = \"vehicle1\"\nlimit = \"20 km/h\"\nreaction_time = \"0.8 s\"\n\
+                 deceleration = \"12 m/s^2\"\ndemand = { distance = \"4 m\" }\n";
+    let results = avoided(&format!("{barrier}\n{avoid}"));
+    assert_eq!(errors(&results), [None]);
+    let [warnings] = &words(&results, "warnings")[..] else { panic!() };
+    assert!(warnings.iter().any(|warning| warning.contains("is 1.22 g")), "{warnings:?}");
+    let delta_v = |id: u8| {
+        let column = results.column_by_name(&format!("avoid_at_limit_vehicle{id}_delta_v")).unwrap();
+        column.as_primitive::<Float64Type>().iter().next().unwrap()
+    };
+    assert!(delta_v(1).unwrap() > 1.0);
+    assert_eq!(delta_v(2), None);
+}
+
+/// All speeds but those of 0.05 km/h are excluded: hardly a collision is possible.
+#[test]
+fn a_row_of_avoidability_without_a_probability_says_why() {
+    let case = include_str!("../../../fixtures/avoid/evidence.toml").replacen(
+        "[vehicle1]\n",
+        "[vehicle1]\ncertain_speed = { at_least = \"46.95 km/h\", at_most = \"47 km/h\" }\n",
+        1,
+    );
+    let results = avoided(&case.replace("limit         = \"50 km/h\"", "limit = \"30 km/h\""));
+    let [Some(error)] = &errors(&results)[..] else { panic!() };
+    assert!(error.contains("did not converge"), "{error}");
+    let speed = results.column_by_name("avoid_speed").unwrap();
+    assert!(speed.is_valid(0));
+    let probability = results.column_by_name("avoid_probability_avoided_at_limit").unwrap();
+    assert!(probability.is_null(0));
+}
+
+#[test]
+fn the_metadata_of_an_estimate_have_the_prior_that_was_asked_for() {
+    let prior = |prior| {
+        let schema = result_schema(Job::Estimate, &RowOptions { prior, ..RowOptions::default() });
+        schema.metadata().get("deltav.prior").cloned()
+    };
+    assert_eq!(prior(None), None);
+    assert_eq!(prior(Some(case::SeverityPrior::Flat)).as_deref(), Some("flat"));
 }

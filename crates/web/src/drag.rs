@@ -266,12 +266,12 @@ impl Change {
     fn put_station(&mut self, handle: &Handle, depth: f64) -> Result<(), Refused> {
         let mut lists = ["crush.depths.values", "crush.depths"].map(|key| handle.key(key)).into_iter();
         let key = lists.find(|key| self.file.source.span(key).is_some());
-        let written = key.as_ref().and_then(|key| self.written(key)).map(str::to_owned);
-        if let (Some(key), Some('[')) = (&key, written.as_ref().and_then(|written| written.chars().next())) {
+        let written = key.as_ref().and_then(|key| self.written(key));
+        if let (Some(key), Some('[')) = (&key, written.and_then(|written| written.chars().next())) {
             return self.put(&format!("{key}[{}]", handle.index + 1), depth, Dimension::Length, DEPTH);
         }
-        let changed = key.zip(written).and_then(|(key, written)| {
-            let Value::String(text) = serde_json::from_str::<Value>(&written).ok()? else { return None };
+        let changed = key.and_then(|key| {
+            let text = self.text(&key)?;
             let places = numbers(&text);
             let place = places.get(handle.index)?;
             let unit = read_unit(text[places.last()?.end..].trim(), Dimension::Length)?;
@@ -335,18 +335,22 @@ impl Change {
         Ok(format!("\"{} {unit}\"", rounded(si / unit.factor(), step / unit.factor())))
     }
 
+    /// The text that stands under a key, in whichever quotes of TOML.
+    fn text(&self, key: &str) -> Option<String> {
+        let alone = format!("title = {}", self.written(key)?);
+        match CaseFile::part("title", &alone).ok()?.get("title")? {
+            case::Value::Text(text) => Some(text.to_string()),
+            _ => None,
+        }
+    }
+
     pub(crate) fn quantity(&self, key: &str, dimension: Dimension) -> Option<Quantity> {
-        let Value::String(text) = serde_json::from_str::<Value>(self.written(key)?).ok()? else {
-            return None;
-        };
-        read_quantity(&text, dimension).ok()
+        read_quantity(&self.text(key)?, dimension).ok()
     }
 
     /// The unit of a key as the file spells it.
     fn spelling(&self, key: &str) -> Option<String> {
-        let Value::String(text) = serde_json::from_str::<Value>(self.written(key)?).ok()? else {
-            return None;
-        };
+        let text = self.text(key)?;
         let end = numbers(&text).last()?.end;
         Some(text[end..].trim().to_owned())
     }

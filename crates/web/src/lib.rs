@@ -2,7 +2,8 @@
 //!
 //! The text is the only state. No function throws for a bad case: what is wrong is in the JSON. Every place
 //! is given as a browser counts, in UTF-16 units from the beginning of the text, as `from` and `to`. `units`
-//! is `si`, `us`, or empty for those of the case. Where a name is left out, the file is called `case.toml`.
+//! is `si`, `us`, `uk`, or empty for those of the case. Where a name is left out, the file is called
+//! `case.toml`.
 //!
 //! A problem is `{ from, to, line, column, key, title, help }`; `line` and `column` count from 1 on and are
 //! `null` where it is about the file as a whole.

@@ -218,3 +218,25 @@ fn both_views_have_the_same_survey() {
         }
     }
 }
+
+/// TOML's literal strings, in single quotes, are texts like others.
+#[test]
+fn numbers_in_single_quotes_keep_their_units() {
+    let text = example().replacen("heading     = \"180 deg\"", "heading = '3.14 rad'", 1).replacen(
+        "\"21.3 20.3 13.8 11.3 5.3 4.8 in\"",
+        "'21.3 20.3 13.8 11.3 5.3 4.8 in'",
+        1,
+    );
+    let handles = handles(&text, "scene");
+    let of = |kind: &str| {
+        handles.iter().find(|handle| handle["kind"] == kind && handle["vehicle"] == 1).unwrap().clone()
+    };
+    let turned = dragged(&text, &of("heading"), &json!({ "angle": 0.5 }));
+    let line = turned.lines().find(|line| line.starts_with("heading")).unwrap();
+    assert!(line.contains("0.5") && line.ends_with(" rad\""), "{line}");
+    let station = of("station");
+    let [x, y] = pair(&station["at"]);
+    let crushed = dragged(&text, &station, &json!({ "at": [x + 0.1, y + 0.1] }));
+    assert_ne!(crushed, text);
+    assert!(crushed.contains(" 20.3 13.8 11.3 5.3 4.8 in\""), "{crushed}");
+}

@@ -8,7 +8,7 @@ use serde::Serialize;
 
 use super::json::{OfMovable, of_movable};
 use super::{identified, pretty, title};
-use crate::sections::avoid::doubts;
+use crate::sections::avoid::avoid_warnings;
 use crate::units::Units;
 
 #[derive(Serialize)]
@@ -31,6 +31,8 @@ struct AvoidBlock {
     spatial: KindBlock,
     temporal: Option<KindBlock>,
     at_limit: AtLimitBlock,
+    /// False where the evidence was weighed, but the run did not converge.
+    converged: bool,
     probability: Option<ProbabilityBlock>,
     response: ResponseBlock,
     actual: &'static str,
@@ -192,6 +194,7 @@ pub fn avoid_json(file: &CaseFile, found: &Avoidance) -> Result<String, serde_js
                 collision_speed: scene.left_at_limit(),
                 delta_v: found.run(Hypothesis::All).and_then(delta_v),
             },
+            converged: !found.is_unconverged,
             probability: found.chance.as_ref().map(probability),
             response: ResponseBlock {
                 reaction_time: response.reaction(),
@@ -218,7 +221,7 @@ pub fn avoid_json(file: &CaseFile, found: &Avoidance) -> Result<String, serde_js
                 reaction_time_at_limit: found.enough.reaction_at_limit,
             },
             intervals: found.chance.as_ref().map(intervals),
-            warnings: doubts(found, Units::Si),
+            warnings: avoid_warnings(found, Units::Si),
         },
     };
     pretty(&identified(file, document))

@@ -26,7 +26,7 @@ const NO_GUILT: &str = "Avoidability is a matter of physics. It says nothing of 
 pub fn avoid(case: &Case, found: &Avoidance, units: Units) -> Document {
     let mut page = Document::of_case(case);
     page.push(Block::Answer { found: answer(case, found, units), how: how(found) });
-    for doubt in doubts(found, units) {
+    for doubt in avoid_warnings(found, units) {
         page.paragraph(format!("Warning: {doubt}"));
     }
     let Some(given) = &case.avoid else { return page };
@@ -148,8 +148,9 @@ fn probability_with_error(probability: f64, error: f64) -> String {
     }
 }
 
-/// What speaks against the inputs, in sentences.
-pub(crate) fn doubts(found: &Avoidance, units: Units) -> Vec<String> {
+/// What speaks against the inputs of a question whether a collision was avoidable, in sentences.
+#[must_use]
+pub fn avoid_warnings(found: &Avoidance, units: Units) -> Vec<String> {
     let deceleration = found.scene.response.deceleration();
     let share = deceleration / STANDARD_GRAVITY;
     let hard = (share > GREATEST_LISTED).then(|| {
@@ -541,7 +542,7 @@ fn name(hypothesis: Hypothesis) -> [&'static str; 2] {
 fn runs(case: &Case, found: &Avoidance, units: Units) -> Table {
     let columns = found.runs.iter().map(|run| {
         let [first, second] = name(run.hypothesis);
-        Column::numbers(first, Width::Fit(0)).unit(second)
+        Column::numbers(first, Width::Fit(0)).goes_on(second)
     });
     let first = Column::words("", Width::Fit(24));
     let mut table = Table::new(

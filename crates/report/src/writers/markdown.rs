@@ -40,8 +40,9 @@ fn block(block: &Block) -> String {
         }
         Block::List(items) => items.iter().map(|item| format!("- {}\n", prose(item))).collect(),
         Block::Notes(notes) => (1..).zip(notes).map(|(n, note)| format!("{n}. {}\n", prose(note))).collect(),
-        Block::Facts { facts, .. } => {
-            facts.iter().map(|(name, value)| format!("- {name}: {}\n", escaped(value))).collect()
+        Block::Facts { title, facts } => {
+            let item = |(name, value): &(&str, String)| format!("- {name}: {}\n", escaped(value));
+            titled(title) + &facts.iter().map(item).collect::<String>()
         }
         Block::Entries(entries) => {
             entries.iter().map(|(words, value)| format!("- {}: {}\n", escaped(words), prose(value))).collect()
@@ -60,11 +61,13 @@ fn block(block: &Block) -> String {
     }
 }
 
+/// The title of what follows it; nothing where it is empty.
+fn titled(title: &str) -> String {
+    if title.is_empty() { String::new() } else { format!("**{}**\n\n", escaped(title)) }
+}
+
 fn table(table: &Table) -> String {
-    let mut out = String::new();
-    if !table.title.is_empty() {
-        out.push_str(&format!("**{}**\n\n", escaped(&table.title)));
-    }
+    let mut out = titled(&table.title);
     out.push_str(&line(table.columns.iter().map(Column::heading)));
     let rule = |column: &Column| match column.cells {
         Cells::Numbers => "---:".to_owned(),
@@ -146,7 +149,26 @@ fn note(text: &str) -> Option<usize> {
 
 #[cfg(test)]
 mod tests {
-    use super::{escaped, prose};
+    use super::{block, escaped, prose};
+    use crate::document::{Block, Column, Table, Width};
+
+    #[test]
+    fn facts_have_their_title() {
+        let facts =
+            |title| block(&Block::Facts { title, facts: vec![("Speed", "at most 5 m/s".to_owned())] });
+        assert_eq!(facts("Enough"), "**Enough**\n\n- Speed: at most 5 m/s\n");
+        assert_eq!(facts(""), "- Speed: at most 5 m/s\n");
+    }
+
+    #[test]
+    fn a_unit_has_a_comma_before_it_and_the_rest_of_a_name_has_none() {
+        let columns = [
+            Column::numbers("speed", Width::Fit(0)).unit("km/h"),
+            Column::numbers("what", Width::Fit(0)).goes_on("happened"),
+        ];
+        let table = block(&Block::Table(Table::new("", columns)));
+        assert!(table.starts_with("| speed, km/h | what happened |\n"), "{table}");
+    }
 
     #[test]
     fn nothing_of_a_text_is_taken_for_markdown() {
