@@ -219,6 +219,7 @@ tangential = "critical"
     let text = report::uncertainty(&file.case, &found, Units::Si).text();
     assert!(text.contains("does not vary"), "{text}");
     assert!(!text.contains("Main drivers: ΔV of vehicle 1"), "{text}");
+}
 
 /// Vehicle 1 is given and vehicle 2 is followed back from its rest: the sentence has each mark once.
 #[test]
