@@ -3,9 +3,7 @@
 use inputs::Geometry;
 use pim_core::{Energy, Motion, NormalTangential, Outcome, Real, Vector2, VehicleId};
 
-use crate::analysis::Analysis;
 use crate::impact::Impact;
-use crate::seen::Seen;
 use crate::speeds::BothFound;
 
 /// The effect of the impact, depending on the source of the speeds: if that is momentum, the motions after
@@ -180,35 +178,5 @@ impl Exchange {
     pub fn impulse_direction(&self) -> f64 {
         // Adding zero turns −0 into +0, so that an impulse along −x is at +π.
         Real::atan2(self.impulse_vector.y + 0.0, self.impulse_vector.x)
-    }
-}
-
-impl Analysis {
-    /// The effect of the impact; `None` in an analysis of only the damage or only the motion.
-    #[must_use]
-    pub fn exchange(&self) -> Option<Exchange> {
-        Exchange::of(self.both.as_ref(), self.impact.as_ref())
-    }
-
-    /// The impact by the law of the case at the speeds from momentum: a check of the law, not a result.
-    #[must_use]
-    pub fn law_check(&self) -> Option<&Impact> {
-        self.both.as_ref().filter(|both| !both.is_by_crush())?;
-        self.impact.as_ref()
-    }
-}
-
-impl Seen {
-    /// As [`Analysis::exchange`].
-    #[must_use]
-    pub fn exchange(&self) -> Option<Exchange> {
-        Exchange::of(self.both.as_ref(), self.impact.as_ref())
-    }
-
-    /// As [`Analysis::law_check`].
-    #[must_use]
-    pub fn law_check(&self) -> Option<&Impact> {
-        self.both.as_ref().filter(|both| !both.is_by_crush())?;
-        self.impact.as_ref()
     }
 }

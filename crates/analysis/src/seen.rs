@@ -6,6 +6,7 @@ use pim_core::{ImpactError, Switch, VehicleId};
 use crate::analysis::Analysis;
 use crate::check::Check;
 use crate::damage::Crash3;
+use crate::exchange::Exchange;
 use crate::failure::Failure;
 use crate::found::Found;
 use crate::impact::Impact;
@@ -244,5 +245,20 @@ impl Failure {
             }
             (_, failure) => failure,
         }
+    }
+}
+
+impl Seen {
+    /// As [`Analysis::exchange`].
+    #[must_use]
+    pub fn exchange(&self) -> Option<Exchange> {
+        Exchange::of(self.both.as_ref(), self.impact.as_ref())
+    }
+
+    /// As [`Analysis::law_check`].
+    #[must_use]
+    pub fn law_check(&self) -> Option<&Impact> {
+        self.both.as_ref().filter(|both| !both.is_by_crush())?;
+        self.impact.as_ref()
     }
 }

@@ -498,8 +498,9 @@ fn ranges_give_the_sight_an_interval() {
     assert_eq!(sight.never_hidden, 0.0);
 }
 
-/// A driver who kept the limit is asked about the reaction alone, however high the limit is: from 50 km/h with
-/// 1 s and 7 m/s², 13.9 + 13.78 = 27.67 m, where the brakes took hold 14 m before the impact at 8.33 m/s.
+/// A driver who kept the limit is asked about the reaction alone, however high the limit is: from 50 km/h
+/// with 1 s and 7 m/s², 13.9 + 13.78 = 27.67 m, where the brakes took hold 14 m before the impact at 8.33
+/// m/s.
 #[test]
 fn who_kept_the_limit_is_asked_about_the_reaction() {
     let of = |limit: &str| {

@@ -350,7 +350,7 @@ fn a_wreck_that_is_followed_alone_is_told() {
     let of = |text: &str| {
         let analysis = reconstruct(&read(text)).unwrap();
         let codes = analysis.warnings.iter().filter(|warning| warning.code() == "wreck-alone");
-        codes.filter_map(analysis::Warning::vehicle).collect::<Vec<_>>()
+        codes.filter_map(Warning::vehicle).collect::<Vec<_>>()
     };
     assert_eq!(of(REAR_END), []);
     let locked = format!("{REAR_END}\n").replacen("[scene]\n", "[scene]\nlocked_together = true\n", 1);

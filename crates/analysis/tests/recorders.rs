@@ -96,8 +96,8 @@ fn an_answer_below_a_record_that_ends_early_is_told() {
     assert_eq!(of(&unfinished.replace("true", "false")).len(), 0);
 }
 
-/// An estimate from 50 and 40 km/h has ΔV of some 50 km/h. A bound of 30 leaves that as it is, one of 55 leaves
-/// what is above it, and none reaches 120.
+/// An estimate from 50 and 40 km/h has ΔV of some 50 km/h. A bound of 30 leaves that as it is, one of 55
+/// leaves what is above it, and none reaches 120.
 #[test]
 fn an_estimate_takes_a_record_that_ends_early_as_a_bound() {
     let of = |last: u32| {
@@ -117,8 +117,8 @@ fn an_estimate_takes_a_record_that_ends_early_as_a_bound() {
     assert!((recorded - 120.0).abs() < 1e-9 && found > 45.0 && found < 110.0, "{found}");
 }
 
-/// Keys that tell the estimate nothing, as nobody can follow the vehicle to its rest, leave the exact answer as
-/// it is.
+/// Keys that tell the estimate nothing, as nobody can follow the vehicle to its rest, leave the exact
+/// answer as it is.
 #[test]
 fn what_cannot_be_weighed_leads_nowhere() {
     let text = head_on("speed = \"51 km/h\"").source.text().replacen("speed = \"50 km/h\"\n", "", 1).replace(

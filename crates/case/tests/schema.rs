@@ -373,6 +373,10 @@ fn the_schema_judges_values_as_the_reader_does() {
             if path.ends_with(".spacing") && value == "[]" {
                 continue;
             }
+            // Of lists of tables, only that of records must have one.
+            if path.ends_with(".records") && value == "[]" {
+                continue;
+            }
             // The schema has no magnitudes, and 3 s is too old for a stored speed.
             if path.ends_with(".latency") && value == "\"3 s\"" {
                 continue;

@@ -493,8 +493,9 @@ impl PartOf {
     }
 }
 
-/// (–) greatest ratio of two masses in the crashes behind the severity (docs/calibration.md). Beyond it, √(ΔV₁ ΔV₂)
-/// would make the usual ΔV of a car grow with the mass of the lorry that it meets; it is that of this ratio.
+/// (–) greatest ratio of two masses in the crashes behind the severity (docs/calibration.md). Beyond it,
+/// √(ΔV₁ ΔV₂) would make the usual ΔV of a car grow with the mass of the lorry that it meets; it is that of
+/// this ratio.
 const MOST_MASS_RATIO: f64 = 2.4;
 
 /// (–) minimum longitudinal component that a recorder stores, as a fraction of ΔV.

@@ -232,9 +232,9 @@ fn a_recorder_and_a_pdof_have_heavy_tails() {
     close(terms[2].1, normal((16.0_f64 / 15.0).ln() / 0.05, 0.05));
 }
 
-/// Of two PDOFs with the same error, the mean counts, whichever vehicle is called 1: the force comes from 0 and
-/// 180°, both are 0.2 rad off to the right, so that in the scene they are 0.4 rad apart, about the truth; or
-/// both are on one side of it.
+/// Of two PDOFs with the same error, the mean counts, whichever vehicle is called 1: the force comes from 0
+/// and 180°, both are 0.2 rad off to the right, so that in the scene they are 0.4 rad apart, about the
+/// truth; or both are on one side of it.
 #[test]
 fn two_pdofs_of_one_error_count_as_their_mean() {
     let of = |pdofs: [f64; 2]| {
@@ -505,8 +505,8 @@ fn energies_obtained_alike_have_one_error() {
     assert_eq!(found, -0.5 * z * z - real::elementary::ln(misfit.ln_sd) - 0.918_938_533_204_672_8);
 }
 
-/// A record that ends early: the probability of what it would have shown at the end, by the sum of the density
-/// of a whole record.
+/// A record that ends early: the probability of what it would have shown at the end, by the sum of the
+/// density of a whole record.
 #[test]
 fn a_record_that_ends_early_is_a_bound() {
     let term = |recorder: RecordedData| {

@@ -141,7 +141,8 @@ fn a_speed_that_falls_by_more_than_g_may_be_of_the_impact() {
     assert_eq!(ImpactSpeed::of(&record(&within), &ImpactSpeedErrors::default()).unwrap().steep_fall, None);
 }
 
-/// Wheels that lock read 0 while the car slides on: from 62 km/h, 1 s of braking at 0 to 0.75 g leaves 35 to 62.
+/// Wheels that lock read 0 while the car slides on: from 62 km/h, 1 s of braking at 0 to 0.75 g leaves 35
+/// to 62.
 #[test]
 fn locked_wheels_are_no_stop() {
     let locked = |speeds: [f64; 5]| {

@@ -32,8 +32,8 @@ const COARSE: f64 = 0.05;
 /// Two starts that differ by less than this fraction of their speed are the same.
 const SAME: f64 = 1e-4;
 
-/// (rad) turns that differ by less are as great.
-const SAME_TURN: f64 = 1e-6;
+/// (rad) turns that differ by less are as great: as well as a rest is reached.
+const SAME_TURN: f64 = 1e-3;
 
 /// Maximum number of rounds of Newton's method; a good seed needs five to ten.
 const MOST_ROUNDS: usize = 15;

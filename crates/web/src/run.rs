@@ -135,7 +135,11 @@ pub(crate) fn run(
 ) -> Result<Ran, Refused> {
     let given = Given::read(text, Some(name), units)?;
     // A report has beside its exact solution all that is known.
-    let options = RequestOptions::read(options)?.or("weigh", true).or("method", true);
+    let mut options = RequestOptions::read(options)?.or("weigh", true);
+    // Of samples, the method is a word.
+    if command != "uncertainty" {
+        options = options.or("method", true);
+    }
     let request = Request::read(command, &options)?;
     let mut answer = given.found(request.answer(&given.file.case, &mut |counted, done, total| {
         if progress(counted, done, total) { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }

@@ -1283,7 +1283,10 @@ fn points_that_are_not_followed_are_named() {
         setup.unused.into_iter().map(|one| (one.key, one.reason)).collect::<Vec<_>>()
     };
     let of = |key: &str| (format!("vehicle1.after.{key}"), UnusedReason::NotFollowed);
-    let (rest, points) = ("rest = { x = \"9 m\", y = \"0 m\" }", "points = [{ x = \"3 m\", y = \"1 m\" }]");
+    let (rest, points) = (
+        "rest = { x = \"9 m\", y = \"0 m\", turned = \"0 deg\" }",
+        "points = [{ x = \"3 m\", y = \"1 m\" }]",
+    );
     assert_eq!(unused(points), [of("points")]);
     assert_eq!(unused(rest), [of("rest")]);
     assert_eq!(unused(&format!("{rest}\n{points}")), [of("rest"), of("points")]);

@@ -1,6 +1,6 @@
 //! Contradictions of a case that no purpose allows.
 
-use pim_core::{Real, VehicleId};
+use pim_core::VehicleId;
 
 use super::table;
 use crate::case::Find;
@@ -10,7 +10,7 @@ use crate::vehicle::{GivenVehicle, VehicleKind};
 
 /// Contradictions between the vehicles of a case and the speed to find, which no purpose allows.
 #[must_use]
-pub fn contradictions<T: Real>(vehicles: &[GivenVehicle<T>; 2], find: Option<Find>) -> Vec<Fault> {
+pub fn contradictions<T>(vehicles: &[GivenVehicle<T>; 2], find: Option<Find>) -> Vec<Fault> {
     let mut faults = Vec::new();
     let mut contradiction = |key: &str, reason: String, advice: String| {
         let kind = FaultKind::Refused { reason };
@@ -33,18 +33,6 @@ pub fn contradictions<T: Real>(vehicles: &[GivenVehicle<T>; 2], find: Option<Fin
         );
     }
     for (id, vehicle) in VehicleId::ALL.into_iter().zip(vehicles) {
-        if let Some(outline) = vehicle.outline.as_ref().filter(|_| !vehicle.fixed)
-            && outline.cg_to_front.si() >= outline.length.si()
-        {
-            let [front, length] = [outline.cg_to_front, outline.length].map(|of| of.map(Real::value));
-            contradiction(
-                &format!("{}.cg_to_front", table(id)),
-                format!(
-                    "the front of the body lies {front} ahead of the CG, but the body is only {length} long"
-                ),
-                "measure both from the front bumper: the CG lies between the ends of the body".to_owned(),
-            );
-        }
         let Some(kind) = vehicle.kind.filter(|kind| *kind != VehicleKind::Car) else { continue };
         let (table, kind) = (table(id), kind.name());
         if vehicle.class.is_some() {
