@@ -289,10 +289,11 @@ fn contact_points_that_lie_apart_are_told() {
     close("from the scene", apart(&scene).unwrap(), 0.31, 1e-9);
 }
 
-/// A slide with all wheels locked: V = √(2 μ g S), each vehicle on its own friction.
+/// A slide with all wheels locked: V = √(2 μ g S), each vehicle on its own friction, whatever that of the
+/// ground is, and without any.
 #[test]
 fn each_vehicle_slides_on_its_own_friction() {
-    let slide = |friction: [f64; 2]| {
+    let slide = |surface: &str, friction: [f64; 2]| {
         let vehicle = |i: usize, y: f64| {
             format!(
                 "[vehicle{i}]\nmass = \"1200 kg\"\nyaw_inertia = \"1900 kg m^2\"\nheading = \"0 deg\"\nwheelbase = \"2.5 m\"\n\
@@ -302,11 +303,13 @@ fn each_vehicle_slides_on_its_own_friction() {
                 friction[i - 1]
             )
         };
-        let text = format!("[surface]\nfriction = 0.5\n{}{}", vehicle(1, 0.0), vehicle(2, 4.0));
+        let text = format!("{surface}{}{}", vehicle(1, 0.0), vehicle(2, 4.0));
         motion(&read(&text)).unwrap().travel.map(|travel| travel.unwrap().start.motion.velocity.norm())
     };
-    for (found, mu) in slide([0.72, 0.74]).into_iter().zip([0.72_f64, 0.74]) {
-        close("speed", found, (2.0 * mu * 9.806_65 * 10.0).sqrt(), 1e-6);
+    for surface in ["[surface]\nfriction = 0.5\n", ""] {
+        for (found, mu) in slide(surface, [0.72, 0.74]).into_iter().zip([0.72_f64, 0.74]) {
+            close("speed", found, (2.0 * mu * 9.806_65 * 10.0).sqrt(), 1e-6);
+        }
     }
 }
 

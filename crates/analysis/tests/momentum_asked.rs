@@ -405,6 +405,28 @@ fn across_the_heading_of_the_sought_vehicle_momentum_is_a_check() {
     }
 }
 
+/// A known velocity off the heading is the same as its speed with a sideslip. By hand, along x, of cars of
+/// one mass: v_1 + 2 = 10 cos 30° + 10 cos 60°.
+#[test]
+fn a_known_velocity_off_the_heading_counts_with_its_direction() {
+    let of = |known: &str| {
+        answer(&format!(
+            "[vehicle1]\nmass = \"1500 kg\"\nheading = \"0 deg\"\nafter = {{ speed = \"10 m/s\", direction = \"30 deg\" }}\n\
+             [vehicle2]\nmass = \"1500 kg\"\nheading = \"90 deg\"\n{known}\n\
+             after = {{ speed = \"10 m/s\", direction = \"60 deg\" }}\n[reconstruct]\nfind = \"vehicle1.speed\"\n"
+        ))
+        .both
+        .unwrap()
+        .speeds
+    };
+    let [found, known] = of("velocity = { x = \"2 m/s\", y = \"10 m/s\" }");
+    assert_near(found, 5.0 * 3.0_f64.sqrt() + 3.0, 1e-9);
+    assert_near(known, 104.0_f64.sqrt(), 1e-12);
+    // tan β = −2/10
+    let slip = format!("speed = \"{} m/s\"\nsideslip = \"{} deg\"", known, -(0.2_f64.atan().to_degrees()));
+    assert_near(of(&slip)[0], found, 1e-9);
+}
+
 #[test]
 fn no_vehicle_is_faster_than_the_limit() {
     // Momentum of a car in a vehicle of a gram, in both ways of asking.

@@ -174,6 +174,26 @@ fn a_recorder_away_from_the_centre_is_taken_there() {
     assert!((told.left.unwrap() - (10.0 / 3.6 - std::f64::consts::FRAC_PI_2)).abs() < 1e-9, "{told:?}");
 }
 
+/// What one axis stored needs nothing of the other: 0.8 m to the left of the CG, a turn of π rad/s adds 0.8 π
+/// m/s along the vehicle, as v = ω × r, and what a recorder ahead of it stored across has 0.5 π to the left.
+#[test]
+fn one_axis_alone_is_taken_to_the_centre() {
+    let told = |axis: &str, at: &str| {
+        let file = head_on(&format!(
+            "pulse = {{ time = \"0 20 40 60 80 100 ms\", delta_v_{axis} = \"0 -12 -20 -28 -28 -28 km/h\" }}\n\
+             at = {at}\nyaw_rate = \"180 deg/s\""
+        ));
+        file.case.vehicles[0].recorder.as_ref().unwrap().tells_delta_v(file.case.axes, 0.0).unwrap()
+    };
+    let along = told("longitudinal", "{ x = \"-0.3 m\", y = \"0.8 m\" }");
+    assert!((along.along.unwrap() - (-28.0 / 3.6 + 0.8 * std::f64::consts::PI)).abs() < 1e-9, "{along:?}");
+    assert_eq!(along.left, None);
+    // A pulse is positive to the right, so that this ΔV is to the left.
+    let across = told("lateral", "{ x = \"0.5 m\", y = \"0.8 m\" }");
+    assert!((across.left.unwrap() - (28.0 / 3.6 - 0.5 * std::f64::consts::PI)).abs() < 1e-9, "{across:?}");
+    assert_eq!(across.along, None);
+}
+
 /// The same recorder in a vehicle that turned by 60 °/s before: ΔΩ is 30 °/s = π/6 rad/s.
 #[test]
 fn the_yaw_rate_before_the_impact_is_no_part_of_its_change() {

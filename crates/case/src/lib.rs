@@ -40,28 +40,8 @@
 //! A file may have [`CaseFile::LARGEST_FILE`] bytes, a list 10,000 values, a list of zones 1,000, and the
 //! whole file 500 ranges.
 //!
-//! | table | keys |
-//! |---|---|
-//! | top | `title`, `source` |
-//! | `[scene]` | `axes`: `"z-up"` (the default) or `"z-down"`, see below; `contact = { x, y }`, the point of impact in survey coordinates; `site_plan = { file, corner = { x, y }, width, angle }`, a picture behind the motion; `locked_together = true`, if the vehicles left the impact as one |
-//! | `[surface]` | `friction`; `grade = { slope, uphill }`; `zone`, a list of areas with another friction: `{ name, friction, polygon }` or `{ name, friction, edge, side }`, `side`: `"left"`, `"right"` |
-//! | `[vehicle1]`, `[vehicle2]` | `name`; `kind`: `"car"` (the default), `"heavy-truck"`, `"trailer"`, `"motorcycle"`; `mass` or `weight`; `yaw_inertia` or `yaw_radius`; `class`, 1 to 6, and `wheelbase`, to estimate unknown values; `heading`; `speed` or `velocity = { x, y }`; `sideslip`, from the heading to the direction of travel; `yaw_rate`; `position = { x, y }`, the position of the CG at impact; `contact = { distance, angle }` or `{ x, y }`, or none if the damage locates it; `length`, `width`, `cg_to_front`: all or none, or only `length` with `wheelbase`; or, for a barrier, `fixed = true` with at most `name`, `heading`, `contact`, and the outline or `diameter` |
-//! | … for the motion after the impact | `track` and `cg_to_front_axle` with `wheelbase`; missing values come from `class` |
-//! | `[vehicle1.before]`, `[vehicle2.before]` | `skid = { length, friction }` or `{ from = { x, y }, friction }`; without `friction`, that of `[surface]`; `speed` at its start; or, for `deltav avoid`, `[[vehicle1.before.phase]]` with two of `distance`, `time`, `speed` where it begins and `acceleration` |
-//! | `[vehicle1.after]`, `[vehicle2.after]` | `friction`, in place of that of `[surface]`; `drag`, a number or `"locked"`, or a list of four: front left, front right, rear left, rear right; `steer`, an angle or a list of `{ time, angle }`; `rest = { x, y, heading }` or `{ x, y, turned }`; `points`, a list of `{ x, y }` or `{ x, y, heading }`, with `wheel`: `"front left"`, `"front right"`, `"rear left"`, `"rear right"`, if it is on a tyre mark; `speed` with `direction`; `yaw_rate` |
-//! | `[vehicle1.crush]`, `[vehicle2.crush]` | `side`: `"front"`, `"rear"`, `"left"`, `"right"`; `width`; `depths`: `"21.3 20.3 in"` or `["21.3 in", "20.3 in"]`, two or more, zero or more each; `spacing`, one fewer, in place of the width or in addition to it (equal to 0.1 %); `from_force_balance = true` in place of depths, for one vehicle; `stiffness`, see below; `offset`, left of the axis (right of it in z-down axes) or forward of the CG; `pdof`, an angle, clockwise in any axes, or `"2 o'clock"`; `oblique_angle`; `moment_arm`; `oblique`: `"capped"`, `"uncapped"`, `"none"`, `"secant"`, `{ friction = 0.5 }`. Or `ees` with at most `side`, `pdof` and `moment_arm`; or, in the table of the vehicle, `crush = "none"` |
-//! | `stiffness = { … }` | `d0`, `d1` or `A`, `B`, either with `G` and `limit`; or `category`, 1 to 5; or `test = { mass or weight, speed, width, depths, no_damage_speed, fit }`, `fit`: `"exact"` (the default), `"mean"`; or `zones = [{ A, B }, …]`, one between each two stations |
-//! | `[impact]` | `crush_plane`; `law`: `"brach"` (the default), `"woolley"`, `"ishikawa"`, `"kudlich-slibar"`, and the keys of that law |
-//! | … Brach | `restitution`; `tangential`: `"critical"`, `{ ratio }`, `{ fraction }` or `{ friction }`; `moment_restitution`, −1 (none, the default) to 1 |
-//! | … Woolley | nothing more or, for a sideswipe, `tangential_velocity_change` |
-//! | … Ishikawa | `restitution`; `tangential_restitution`, −1 to 1 |
-//! | … Kudlich–Slibar | `restitution`; `friction`, zero or more |
-//! | `[avoid]` | `vehicle`; `speed` at the reaction demand; `limit`; `reaction_time`; `swell`, `swell_form`: `"linear"` (the default), `"half"`, `"full speed"`; `deceleration`; `demand = { distance }`, `{ time }`, `{ other = { distance, speed } }` or, from a stop, `{ other = { distance, acceleration } }`, or `{ sight = true }`, each with `reason`; `clear = { distance, speed }`; `other_party`: `"pedestrian"`, `"cyclist"`, `"vehicle"`; `unbraked = true`; `sight = { eye, heading, point, other_heading, other_speed }`, each place `{ x, y }`; `obstacle`, a list of what hides the other party: `{ name, source, polygon }`. Each number can have a `source`: `{ value, source }`, or beside a range. A file with this table needs no vehicle |
-//! | `[reconstruct]` | `find`: `"vehicle1.speed"`, `"vehicle2.speed"`, or the list of both; `energy_basis`: `"dissipated"` (the default), `"absorbed"`, `{ tangential_share }` |
-//!
-//! A `restitution` is a number from 0 to 1 or, if it depends on the closing speed, `{ speeds = "2 5 10 20
-//! m/s", values = [0.3, 0.2, 0.12, 0.05] }`: speeds ascend from zero or more, and are listed like depths. A
-//! key of another law is an error.
+//! [`keys`] lists every key and [`key_tree`] tells its form; `docs/guide/case-file.md`, which is made from
+//! the same tables, says what each is.
 //!
 //! # Axes
 //!

@@ -101,6 +101,7 @@ fn phases_and_paths_are_read() {
         |before: &str| format!("[vehicle1]\nspeed = \"40 km/h\"\n[vehicle1.before]\n{before}\n[avoid]\n");
     for (before, says) in [
         ("phase = [{ speeds = \"40 km/h\" }]", "did you mean \"speed\""),
+        ("phase = [{ }]", "\"vehicle1.before.phase[1]\" gives none of its keys"),
         ("phase = [{ distance = \"-4 m\" }]", "vehicle1.before.phase[1].distance"),
         (
             "skid = { length = \"4 m\" }\nphase = [{ time = \"1 s\" }]",
@@ -116,6 +117,61 @@ fn phases_and_paths_are_read() {
     assert!(
         refused(&format!("[avoid]\n[avoid.sight]\n{line}\n")).contains("gives both \"heading\" and \"path\"")
     );
+}
+
+/// Beside a position in the coordinates of a survey, nobody is at its origin because nothing is said.
+#[test]
+fn a_place_in_a_survey_needs_that_of_the_other() {
+    let text = |more: &str| {
+        format!(
+            "[vehicle1]\nheading = \"0 deg\"\nposition = {{ x = \"100 m\", y = \"50 m\" }}\nspeed = \"40 km/h\"\n\
+             [vehicle2]\nheading = \"90 deg\"\nspeed = \"5 km/h\"\n{more}\n[avoid]\nlimit = \"30 km/h\"\n\
+             reaction_time = \"1.0 s\"\ndeceleration = \"7.5 m/s^2\"\ndemand = {{ sight = true }}\n\
+             obstacle = [{{ polygon = [{{ x = \"10 m\", y = \"20 m\" }}, {{ x = \"20 m\", y = \"20 m\" }}, {{ x = \"20 m\", y = \"30 m\" }}] }}]\n"
+        )
+    };
+    let alone = text("");
+    for (text, lacks) in [
+        (alone.clone(), "avoid.sight.point"),
+        (format!("{alone}vehicle = \"vehicle2\"\n"), "avoid.sight.eye"),
+    ] {
+        let faults = read(&text).avoidance().unwrap_err();
+        let keys: Vec<&str> = faults.list().iter().map(|fault| fault.key.as_str()).collect();
+        assert_eq!(keys, [lacks], "{faults}");
+    }
+    for known in [
+        text("position = { x = \"101 m\", y = \"50 m\" }"),
+        text("[scene]\ncontact = { x = \"102 m\", y = \"50 m\" }"),
+        format!("{alone}sight = {{ point = {{ x = \"101 m\", y = \"50 m\" }} }}\n"),
+    ] {
+        assert!(read(&known).avoidance().is_ok(), "{known}");
+    }
+}
+
+/// An error that only numbers of this table share is no part of the collision.
+#[test]
+fn an_error_of_the_question_alone_is_not_of_the_collision() {
+    let text = |of: &str| {
+        format!(
+            "[vehicle1]\nmass = \"1500 kg\"\nspeed = \"40 km/h\"\n[avoid]\nreaction_time = \"1 s\"\n\
+             [uncertainty]\nshared = [{{ name = \"my watch\", of = [{of}], within = \"5 %\", confidence = 0.95 }}]\n"
+        )
+    };
+    let shared = |of: &str| read(&text(of)).without_avoid().uncertainty.shared.clone();
+    assert!(shared("\"avoid.reaction_time\"").is_empty());
+    let left = shared("\"avoid.reaction_time\", \"vehicle1.speed\"");
+    assert!(matches!(left.as_slice(), [error] if error.of == ["vehicle1.speed"]), "{left:?}");
+}
+
+/// The advice is of a library: it names no program.
+#[test]
+fn advice_names_no_command() {
+    for text in ["[vehicle1]\nspeed = \"40 km/h\"", "[avoid]\nlimit = \"50 km/h\""] {
+        let faults = read(text).avoidance().unwrap_err();
+        let advice: Vec<_> = faults.list().iter().filter_map(|fault| fault.advice.as_deref()).collect();
+        assert!(!advice.is_empty() && advice.iter().all(|one| !one.contains("deltav ")), "{advice:?}");
+        assert!(advice.iter().any(|one| one.contains("the template \"avoid\"")), "{advice:?}");
+    }
 }
 
 #[test]
@@ -147,6 +203,8 @@ fn what_cannot_be_read_is_told_with_its_place() {
         ("demand = { other = { distance = \"4 m\" } }", "speed"),
         ("demand = { other = { speed = \"4 m/s\" } }", "distance"),
         ("demand = { other = { distance = \"4 m\", acceleration = \"-1 m/s^2\" } }", "acceleration"),
+        ("demand = { sight = false }", "\"avoid.demand.sight\" is false"),
+        ("clear = { outlines = false }", "\"avoid.clear.outlines\" is false"),
         ("swell_form = \"lineer\"", "did you mean \"linear\""),
         ("vehicle = \"vehicle3\"", "vehicle1"),
         ("reaction = \"1 s\"", "reaction_time"),

@@ -1869,3 +1869,21 @@ proptest! {
         survives(&format!("[vehicle1.crush]\ndepths = \"{value}\"\nstiffness = {{ d0 = \"{value}\" }}\n[vehicle2]\n"))?;
     }
 }
+
+/// Tables that stand in others help as those with a header do: by their own rows.
+#[test]
+fn keys_of_tables_in_braces_get_the_help_of_their_rows() {
+    for (text, says) in [
+        ("[surface]\nfriction = 0.7\ngrade = { slope = 0.03, uphill_deg = \"90\" }", "uphill = \"… deg\""),
+        (
+            "[vehicle1.after]\nrest = { x = \"1 m\", y = \"1 m\", turned_deg = \"-220\" }",
+            "turned = \"… deg\"",
+        ),
+        ("[vehicle1.after]\nturned = \"3 deg\"", "it belongs in rest = { … }"),
+        ("[surface]\nfriction = 0.7\nuphill = \"90 deg\"", "it belongs in grade = { … }"),
+        ("[vehicle1.before]\nskid = { length = \"0 m\" }", "as in length = \"18 m\""),
+    ] {
+        let told = CaseFile::parse("case.toml", text).unwrap_err().to_string();
+        assert!(told.contains(says), "{text}: {told}");
+    }
+}

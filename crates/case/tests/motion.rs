@@ -226,6 +226,30 @@ fn after_an_impact_neither_velocity_nor_rest_is_needed() {
     assert!(case.run_out().unwrap().unwrap().vehicles[1].is_none());
 }
 
+/// The friction on the path of a vehicle takes the place of that of the ground, which may then be left out;
+/// a vehicle with neither is not followed, and the other commands answer as without it.
+#[test]
+fn friction_of_a_vehicle_needs_no_surface() {
+    let bare = CROSSING.replace("[surface]\nfriction = 0.7\n", "");
+    assert!(read(&bare).run_out().is_none());
+    let one = bare.replace("drag = 0.02", "friction = 0.6\ndrag = 0.02");
+    let both = one.replace("drag = [0.01", "friction = 0.5\ndrag = [0.01");
+    let motion = read(&both).motion().unwrap();
+    let friction = motion.vehicles.each_ref().map(|way| way.as_ref().unwrap().friction_on(&motion.surface));
+    assert_eq!(friction, [0.6, 0.5]);
+    assert!(read(&both).two_speeds().unwrap().motion.unwrap().vehicles.iter().all(Option::is_some));
+    let followed = read(&one).run_out().unwrap().unwrap().vehicles.map(|way| way.is_some());
+    assert_eq!(followed, [true, false]);
+    assert_eq!(told(&read(&one).motion().unwrap_err()).0, ["surface.friction"]);
+}
+
+#[test]
+fn axles_are_told_in_the_unit_of_the_file() {
+    let text = CROSSING.replace("class = 3", "class = 3\nwheelbase = \"8 ft\"\ncg_to_front_axle = \"9 ft\"");
+    let (_, told) = told(&read(&text).motion().unwrap_err());
+    assert!(told.contains("9.00 ft ahead of the CG, but the wheelbase is only 8.00 ft"), "{told}");
+}
+
 #[test]
 fn without_a_survey_the_impact_is_the_origin() {
     let bare = CROSSING
@@ -315,6 +339,10 @@ fn collinear_approaches_need_the_damage() {
             }
         }
     }
+    // Of a sideslip, what counts is the direction of travel.
+    let slipping = with("heading = \"90 deg\"", "heading = \"90 deg\"\nsideslip = \"-85 deg\"");
+    let (_, text) = told(&slipping.two_speeds().unwrap_err());
+    assert!(text.contains("their directions of travel are 5° apart"), "{text}");
     let ees = CROSSING
         .replace("heading = \"90 deg\"", "heading = \"3 deg\"")
         .replace("[vehicle2]", "[vehicle1.crush]\nees = \"20 km/h\"\n[vehicle2]\ncrush = \"none\"");

@@ -181,6 +181,11 @@ fn records_that_say_too_much_or_nothing_are_refused_at_their_place() {
     for (lines, place, words) in [
         ("speed = \"50 km/h\"\nrecords = [{ speed = \"40 km/h\" }]", "case.toml:2:9", "is of one record"),
         ("records = []", "case.toml:2:11", "an empty list"),
+        (
+            "records = [{ }, { since_previous = \"0.8 s\", speed = \"41 km/h\" }]",
+            "case.toml:2:12",
+            "records[1]\" gives none of its keys",
+        ),
         ("records = [{ since_previous = \"1 s\", speed = \"40 km/h\" }]", "case.toml:2:31", "none before it"),
         (
             "records = [{ speed = \"4 km/h\", pre_crash = { file = \"edr.csv\" } }]",

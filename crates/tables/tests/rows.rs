@@ -567,7 +567,9 @@ fn a_row_of_avoidability_without_a_probability_says_why() {
         "[vehicle1]\ncertain_speed = { at_least = \"46.95 km/h\", at_most = \"47 km/h\" }\n",
         1,
     );
-    let results = avoided(&case.replace("limit         = \"50 km/h\"", "limit = \"30 km/h\""));
+    let results = avoided(
+        &case.replace("\"50 km/h\", source = \"built-up area\"", "\"30 km/h\", source = \"built-up area\""),
+    );
     let [Some(error)] = &errors(&results)[..] else { panic!() };
     assert!(error.contains("did not converge"), "{error}");
     let speed = results.column_by_name("avoid_speed").unwrap();
