@@ -21,7 +21,7 @@ pub struct MotionInput<T = f64> {
 /// The ground, in the axes of the engine.
 #[derive(Clone, Debug)]
 pub struct SurfaceData<T = f64> {
-    /// (–) coefficient of friction outside all zones. Without a table [surface], no vehicle uses it: each
+    /// (–) coefficient of friction outside all zones. Without a table `[surface]`, no vehicle uses it: each
     /// that is followed has its own.
     pub friction: T,
     /// (–) rise per horizontal length along x and along y.

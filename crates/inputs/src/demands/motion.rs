@@ -302,7 +302,7 @@ impl<T: Real> Demand<'_, T> {
         Vector2::new(place.x.si(), self.lateral(&place.y))
     }
 
-    /// The ground. It needs no table [surface] where every vehicle that is followed has its own friction.
+    /// The ground. It needs no table `[surface]` where every vehicle that is followed has its own friction.
     fn surface(&mut self, followed: [bool; 2]) -> Option<SurfaceData<T>> {
         let Some(surface) = &self.case.surface else {
             let own = VehicleId::ALL
