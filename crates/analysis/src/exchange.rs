@@ -1,7 +1,7 @@
 //! The effect of the impact, one value for each quantity.
 
 use inputs::Geometry;
-use pim_core::{Energy, Motion, NormalTangential, Outcome, Real, Vector2, VehicleId};
+use pim_core::{Energy, Motion, NormalTangential, Outcome, Vector2, VehicleId};
 
 use crate::impact::Impact;
 use crate::speeds::BothFound;
@@ -96,6 +96,9 @@ impl AtContact {
     }
 }
 
+/// (–) of the energy loss: less than this is the rounding of the works, not the work of a moment.
+const WORK_ROUNDING: f64 = 1e-9;
+
 impl Exchange {
     fn of_impact(impact: &Impact) -> Self {
         let outcome: &Outcome = &impact.outcome;
@@ -130,8 +133,9 @@ impl Exchange {
         let loss = implied.energy_loss;
         let [normal_work, tangential_work] =
             if is_contact { [implied.normal_work, implied.tangential_work] } else { [loss, 0.0] };
-        let moment_work =
-            if is_contact && implied.is_yaw_known { loss - normal_work - tangential_work } else { 0.0 };
+        let left = loss - normal_work - tangential_work;
+        let is_left = is_contact && implied.is_yaw_known && left.abs() > WORK_ROUNDING * loss.abs();
+        let moment_work = if is_left { left } else { 0.0 };
         let told = momentum.after.map(|departure| departure.yaw_rate);
         Self {
             before: implied.before,
@@ -162,7 +166,7 @@ impl Exchange {
     }
 
     pub(crate) fn of(both: Option<&BothFound>, impact: Option<&Impact>) -> Option<Self> {
-        match both.filter(|both| !both.is_by_crush()) {
+        match by_momentum(both) {
             Some(both) => Some(Self::of_momentum(both)),
             None => impact.map(Self::of_impact),
         }
@@ -176,7 +180,11 @@ impl Exchange {
     /// (rad) scene angle of the impulse on vehicle 1, in (−π, π].
     #[must_use]
     pub fn impulse_direction(&self) -> f64 {
-        // Adding zero turns −0 into +0, so that an impulse along −x is at +π.
-        Real::atan2(self.impulse_vector.y + 0.0, self.impulse_vector.x)
+        pim_core::direction(self.impulse_vector)
     }
+}
+
+/// The speeds that momentum alone gave, beside which the impact by the law is only a check.
+pub(crate) fn by_momentum(both: Option<&BothFound>) -> Option<&BothFound> {
+    both.filter(|both| !both.is_by_crush())
 }

@@ -17,8 +17,9 @@ use crate::output::PathPart::{End, Start, Whole};
 use crate::output::Reading::{self, OfImpact, OfPath};
 use crate::output::{Kind, Of, Output, OutputQuantity};
 use crate::seen::Seen;
+use crate::speeds::BothFound;
 use crate::travel::{Travel, Way};
-use crate::vehicle::{Damage, Oblique};
+use crate::vehicle::{Damage, Oblique, Vehicle};
 
 /// The quantity with this key.
 #[must_use]
@@ -157,6 +158,18 @@ fn moment(analysis: &Seen) -> Option<&Outcome> {
     impact.law.has_moment().then_some(&impact.outcome)
 }
 
+/// The speeds of two vehicles by momentum; a fixed object has neither a direction of travel nor a CG.
+fn of_movers(analysis: &Seen) -> Option<&BothFound> {
+    let move_both = analysis.vehicles.iter().all(Vehicle::moves);
+    analysis.both.as_ref().filter(|_| move_both)
+}
+
+/// (J) what a law with a moment takes for it, or what momentum leaves to neither of the other works.
+fn moment_work(analysis: &Seen) -> Option<f64> {
+    let work = at_contact(analysis).and(analysis.exchange())?.energy.moment_work;
+    (work != 0.0 || moment(analysis).is_some()).then_some(work)
+}
+
 /// A function, as a closure of this size would be called, and so compiled for the baseline instruction set.
 #[inline(always)]
 fn pdof_of_impact<T: Real>(outcome: &Outcome<T>, id: VehicleId) -> T {
@@ -287,7 +300,7 @@ quantities! {
         sampled(OfImpact(|o, _| o.energy.tangential_work, Some(|m, _| m.tangential_work)));
     IMPACT_MOMENT_WORK: "impact.moment_work" at "/impact/moment_work",
         ["moment work", "moment work W_m", "W_m", "theory 4"],
-        Energy, Collision(|a| Some(moment(a)?.energy.moment_work));
+        Energy, Collision(moment_work);
     IMPACT_MOMENT_IMPULSE: "impact.moment_impulse" at "/impact/moment_impulse",
         ["moment impulse on vehicle 1", "moment impulse on vehicle 1, M", "M", "theory 3"],
         MomentImpulse, Collision(|a| Some(moment(a)?.moment_impulse));
@@ -308,7 +321,7 @@ quantities! {
         Ratio, Collision(|a| Some(at_contact(a)?.normal.y));
     MOMENTUM_APPROACH_ANGLE: "momentum.approach_angle" at "/momentum/approach_angle",
         ["angle between the approaches", "angle between the headings", "", "theory 10"],
-        Angle, Collision(|a| Some(a.both.as_ref()?.momentum.angle()));
+        Angle, Collision(|a| Some(of_movers(a)?.momentum.angle()));
     MOMENTUM_IMPULSE_X: "momentum.impulse.x" at "/momentum/impulse/0",
         ["impulse on vehicle 1 by momentum", "impulse by momentum, P", "P_x", "theory 10"],
         Impulse, Collision(|a| Some(implied(a)?.impulse_vector.x));
@@ -324,11 +337,11 @@ quantities! {
     MOMENTUM_CG_CLOSING_SPEED: "momentum.cg_closing_speed" at "/momentum/cg_closing_speed",
         ["closing speed along the line of the CGs", "closing speed along the line of the CGs", "v_CG",
             "theory 10"],
-        Speed, Collision(|a| Some(a.both.as_ref()?.cg_line?.closing_speed));
+        Speed, Collision(|a| Some(of_movers(a)?.cg_line?.closing_speed));
     MOMENTUM_CG_RESTITUTION: "momentum.cg_restitution" at "/momentum/cg_restitution",
         ["restitution along the line of the CGs", "restitution along the line of the CGs", "e_CG",
             "theory 10"],
-        Ratio, Collision(|a| a.both.as_ref()?.cg_line?.restitution);
+        Ratio, Collision(|a| of_movers(a)?.cg_line?.restitution);
     MOMENTUM_IMPULSE_RATIO: "momentum.impulse_ratio" at "/momentum/impulse_ratio",
         ["impulse ratio by momentum", "impulse ratio by momentum, μ", "μ", "theory 10"],
         Ratio, Collision(|a| implied_at_contact(a)?.impulse_ratio);

@@ -16,6 +16,7 @@ mod numbers;
 
 use analysis::Analysis;
 use case::{Case, Quantity};
+use pim_core::VehicleId;
 
 use crate::units::{Measure, Units};
 use numbers::{angle, converted, is_coherent, n, name_of, p};
@@ -159,6 +160,18 @@ fn step(
         input: None,
         source,
     }
+}
+
+/// (rad) the heading of a vehicle, in the axes of the case.
+fn heading(case: &Case, k: VehicleId) -> f64 {
+    case.vehicles[k.index()].heading.as_ref().map_or(0.0, Quantity::si)
+}
+
+/// (rad) the direction in which a vehicle travels before the impact, in the axes of the case, and its symbol.
+fn course(case: &Case, k: VehicleId) -> (f64, String) {
+    let course = case.courses()[k.index()].map_or(0.0, |course| case.axes.lateral(course));
+    let is_ahead = course == heading(case, k);
+    (course, if is_ahead { format!("θ_{k}") } else { format!("(θ_{k} + β_{k})") })
 }
 
 /// A number of the case or of a table, as the equations use it.

@@ -12,6 +12,9 @@ use pim_core::VehicleId;
 
 use super::{StepGroup, group};
 
+pub(super) use self::energy::work;
+pub(super) use self::motion::relative;
+
 /// The data that most steps share.
 struct Collision<'a> {
     case: &'a Case,
@@ -59,11 +62,6 @@ impl Collision<'_> {
     fn moving(&self) -> impl Iterator<Item = (VehicleId, f64, f64)> {
         let vehicles = VehicleId::ALL.into_iter().zip(self.inertia);
         vehicles.filter_map(|(k, v)| v.map(|(m, inertia)| (k, m, inertia)))
-    }
-
-    /// (rad)
-    fn heading(&self, k: VehicleId) -> f64 {
-        self.case.vehicles[k.index()].heading.as_ref().map_or(0.0, case::Quantity::si)
     }
 
     /// A sum over the vehicles that can move, in symbols and in numbers.

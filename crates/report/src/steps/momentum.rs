@@ -1,21 +1,29 @@
 //! Both speeds from momentum, the closed forms of the paths to rest, and skid marks.
 
-use analysis::{BothFound, BothMethod, ClosedForm, Seen, Travel};
-use case::{Basis, Case, STANDARD_GRAVITY};
-use pim_core::{Real, VehicleId};
+use analysis::{BothFound, BothMethod, ClosedForm, Exchange, Seen, Travel};
+use case::{Axes, Basis, Case, STANDARD_GRAVITY};
+use pim_core::{Motion, Real, Vector2, VehicleId};
 
+use super::collision::{relative, work};
 use super::damage::share;
-use super::{Step, StepGroup, angle, given, group, n, p, step};
+use super::{Step, StepGroup, angle, course, given, group, heading, n, p, step};
 
 /// Both speeds.
 pub(super) fn both(case: &Case, analysis: &Seen) -> Vec<StepGroup> {
     let Some(both) = &analysis.both else { return Vec::new() };
     let momentum = Momentum { case, analysis, both };
     let title = if both.sought().is_some() { "Speed" } else { "Both speeds" };
-    vec![
+    let mut groups = vec![
         group("Velocities after impact, by the evidence", momentum.departures()),
         group(title, momentum.speeds()),
-    ]
+    ];
+    // By the crush energy, the impact by the law is the result.
+    if let Some(effect) = analysis.exchange().filter(|_| !both.is_by_crush()) {
+        groups.push(group("Velocity changes and impulse, by momentum", momentum.changes(&effect)));
+        groups.push(group("At the contact point, by momentum", momentum.at_contact(&effect)));
+        groups.push(group("Energy balance, by momentum", momentum.energy(&effect)));
+    }
+    groups
 }
 
 struct Momentum<'a> {
@@ -29,9 +37,13 @@ impl Momentum<'_> {
         self.both.momentum.contact.participants()[k.index()].body().mass()
     }
 
-    /// (rad)
-    fn heading(&self, k: VehicleId) -> f64 {
-        self.case.vehicles[k.index()].heading.as_ref().map_or(0.0, case::Quantity::si)
+    /// (rad) the direction of travel before the impact, and its symbol.
+    fn course(&self, k: VehicleId) -> (f64, String) {
+        course(self.case, k)
+    }
+
+    fn moving(&self) -> Vec<VehicleId> {
+        VehicleId::ALL.into_iter().filter(|k| self.analysis.moves(*k)).collect()
     }
 
     /// How the vehicles left the impact: a result of a simulation has no equation to put numbers into.
@@ -100,14 +112,14 @@ impl Momentum<'_> {
     fn crossing(&self) -> Vec<Step> {
         let total = self.both.momentum.total();
         let (x, y) = (n(total.x, "N·s"), n(total.y, "N·s"));
-        let [h1, h2] = VehicleId::ALL.map(|k| angle(self.heading(k)));
-        let between = angle(self.heading(VehicleId::Two) - self.heading(VehicleId::One));
+        let [(one, a1), (two, a2)] = VehicleId::ALL.map(|k| self.course(k));
+        let [h1, h2, between] = [one, two, two - one].map(angle);
         let [v1, v2] = self.both.speeds;
-        let mut steps = vec![
+        vec![
             step(
                 "speed of vehicle 1",
                 "v_1",
-                "(p_x sin θ_2 − p_y cos θ_2)/(m_1 sin(θ_2 − θ_1))",
+                format!("(p_x sin {a2} − p_y cos {a2})/(m_1 sin({a2} − {a1}))"),
                 format!(
                     "({x} · sin{h2} − {y} · cos{h2}) / ({} · sin{between})",
                     n(self.mass(VehicleId::One), "kg")
@@ -119,7 +131,7 @@ impl Momentum<'_> {
             step(
                 "speed of vehicle 2",
                 "v_2",
-                "(p_y cos θ_1 − p_x sin θ_1)/(m_2 sin(θ_2 − θ_1))",
+                format!("(p_y cos {a1} − p_x sin {a1})/(m_2 sin({a2} − {a1}))"),
                 format!(
                     "({y} · cos{h1} − {x} · sin{h1}) / ({} · sin{between})",
                     n(self.mass(VehicleId::Two), "kg")
@@ -128,27 +140,25 @@ impl Momentum<'_> {
                 "m/s",
                 "theory 10",
             ),
-        ];
-        steps.extend(self.delta_v());
-        steps
+        ]
     }
 
-    /// The speed along the heading of one vehicle, if that of the other is known.
+    /// The speed of one vehicle along its course, if that of the other is known.
     fn beside(&self, other: VehicleId) -> Vec<Step> {
         let k = other.other();
         let total = self.both.momentum.total();
         let (x, y) = (n(total.x, "N·s"), n(total.y, "N·s"));
-        let heading = angle(self.heading(k));
-        let between = angle(self.heading(other) - self.heading(k));
+        let [(own, a), (others, b)] = [k, other].map(|k| self.course(k));
+        let [own, between] = [own, others - own].map(angle);
         let known = self.both.speeds[other.index()];
-        let mut steps = vec![
+        vec![
             given(format!("speed of vehicle {other}"), format!("v_{other}"), known, "m/s", "input"),
             step(
                 format!("speed of vehicle {k}"),
                 format!("v_{k}"),
-                format!("(p_x cos θ_{k} + p_y sin θ_{k} − m_{other} v_{other} cos(θ_{other} − θ_{k}))/m_{k}"),
+                format!("(p_x cos {a} + p_y sin {a} − m_{other} v_{other} cos({b} − {a}))/m_{k}"),
                 format!(
-                    "({x} · cos{heading} + {y} · sin{heading} − {} · {} · cos{between}) / {}",
+                    "({x} · cos{own} + {y} · sin{own} − {} · {} · cos{between}) / {}",
                     n(self.mass(other), "kg"),
                     n(known, "m/s"),
                     n(self.mass(k), "kg")
@@ -157,9 +167,7 @@ impl Momentum<'_> {
                 "m/s",
                 "theory 10",
             ),
-        ];
-        steps.extend(self.delta_v());
-        steps
+        ]
     }
 
     /// The speed into a fixed object is the root of a linear equation; it is checked by the restitution.
@@ -193,25 +201,201 @@ impl Momentum<'_> {
         ]
     }
 
-    fn delta_v(&self) -> Vec<Step> {
+    /// ΔV and PDOF of both vehicles, and the impulse on vehicle 1.
+    fn changes(&self, effect: &Exchange) -> Vec<Step> {
         let mut steps = Vec::new();
-        for k in VehicleId::ALL {
-            let after = self.both.momentum.after[k.index()].velocity;
-            let before = self.both.implied.before[k.index()].velocity;
+        for k in self.moving() {
+            let i = k.index();
+            let (course, symbol) = self.course(k);
+            let (before, after, change) =
+                (effect.before[i].velocity, effect.velocities[i], effect.delta_v[i]);
+            for (axis, function, before, after, change) in
+                [("x", "cos", before.x, after.x, change.x), ("y", "sin", before.y, after.y, change.y)]
+            {
+                steps.push(step(
+                    format!("velocity of vehicle {k} before impact along {axis}"),
+                    format!("v_{k}{axis}"),
+                    format!("v_{k} {function} {symbol}"),
+                    format!("{} · {function}{}", n(self.both.speeds[i], "m/s"), angle(course)),
+                    before,
+                    "m/s",
+                    "theory 1",
+                ));
+                steps.push(step(
+                    format!("velocity change of vehicle {k} along {axis}"),
+                    format!("ΔV_{k}{axis}"),
+                    format!("V_{k}{axis} − v_{k}{axis}"),
+                    format!("{} − {}", n(after, "m/s"), n(before, "m/s")),
+                    change,
+                    "m/s",
+                    "theory 10",
+                ));
+            }
             steps.push(step(
                 format!("ΔV of vehicle {k} by momentum"),
                 format!("ΔV_{k}"),
-                format!("√((V_{k}x − v_{k}x)² + (V_{k}y − v_{k}y)²)"),
-                format!(
-                    "√(({} − {})² + ({} − {})²)",
-                    n(after.x, "m/s"),
-                    n(before.x, "m/s"),
-                    n(after.y, "m/s"),
-                    n(before.y, "m/s")
-                ),
-                self.both.implied.delta_v[k.index()].norm(),
+                format!("√(ΔV_{k}x² + ΔV_{k}y²)"),
+                format!("√({}² + {}²)", p(change.x, "m/s"), p(change.y, "m/s")),
+                change.norm(),
                 "m/s",
                 "theory 10",
+            ));
+            steps.push(self.pdof(k, effect));
+        }
+        let impulse = effect.impulse_vector;
+        let changes = |axis: fn(&Vector2<f64>) -> f64| effect.delta_v.each_ref().map(axis);
+        for (axis, value, [one, two]) in
+            [("x", impulse.x, changes(|v| v.x)), ("y", impulse.y, changes(|v| v.y))]
+        {
+            let part =
+                |k: VehicleId, change: f64| format!("{} · {}", n(self.mass(k), "kg"), n(change, "m/s"));
+            let (formula, numbers) = match self.moving().as_slice() {
+                [VehicleId::One] => (format!("m_1 ΔV_1{axis}"), part(VehicleId::One, one)),
+                [VehicleId::Two] => {
+                    (format!("−m_2 ΔV_2{axis}"), format!("(−1) · {}", part(VehicleId::Two, two)))
+                }
+                _ => (
+                    format!("(m_1 ΔV_1{axis} − m_2 ΔV_2{axis})/2"),
+                    format!("({} − {}) / 2", part(VehicleId::One, one), part(VehicleId::Two, two)),
+                ),
+            };
+            let name = format!("impulse on vehicle 1 along {axis}, the mean by both vehicles");
+            steps.push(step(name, format!("P_{axis}"), formula, numbers, value, "N·s", "theory 10"));
+        }
+        steps
+    }
+
+    /// From the velocity change of the vehicle itself.
+    fn pdof(&self, k: VehicleId, effect: &Exchange) -> Step {
+        let theta = angle(heading(self.case, k));
+        let change = effect.delta_v[k.index()];
+        let (x, y) = (n(change.x, "m/s"), n(change.y, "m/s"));
+        // A PDOF is clockwise in any axes: what counts is the component to the left, −y in z-down axes.
+        let (left, left_numbers) = match self.case.axes {
+            Axes::ZUp => (
+                format!("ΔV_{k}y cos θ_{k} − ΔV_{k}x sin θ_{k}"),
+                format!("{y} · cos{theta} − {x} · sin{theta}"),
+            ),
+            Axes::ZDown => (
+                format!("ΔV_{k}x sin θ_{k} − ΔV_{k}y cos θ_{k}"),
+                format!("{x} · sin{theta} − {y} · cos{theta}"),
+            ),
+        };
+        step(
+            format!("principal direction of force on vehicle {k}, clockwise from its heading"),
+            format!("PDOF_{k}"),
+            format!("atan2({left}, −ΔV_{k}x cos θ_{k} − ΔV_{k}y sin θ_{k})"),
+            format!("atan2({left_numbers}, (−1) · {x} · cos{theta} − {y} · sin{theta})"),
+            effect.pdof[k.index()].to_degrees(),
+            "°",
+            "theory 4",
+        )
+    }
+
+    /// Relative velocities, restitution, impulse ratio and works; empty for point masses.
+    fn at_contact(&self, effect: &Exchange) -> Vec<Step> {
+        let Some(at) = &effect.at_contact else { return Vec::new() };
+        let contact = &self.both.momentum.contact;
+        let gamma = angle(self.gamma());
+        let moving = self.moving();
+        let [u, v] = at.velocities;
+        let mut steps = Vec::new();
+        for (axis, before, after) in [("n", u.normal, v.normal), ("t", u.tangential, v.tangential)] {
+            let (formula, numbers) = relative(axis, ["v", "ω"], contact, &moving, &effect.before);
+            let name = format!("relative velocity at C along {axis}, before");
+            steps.push(step(name, format!("u_{axis}"), formula, numbers, before, "m/s", "theory 1"));
+            let (formula, numbers) = relative(axis, ["V", "Ω"], contact, &moving, &self.both.implied.after);
+            let name = format!("relative velocity at C along {axis}, after");
+            steps.push(step(name, format!("U_{axis}"), formula, numbers, after, "m/s", "theory 10"));
+        }
+        let (x, y) = (n(effect.impulse_vector.x, "N·s"), n(effect.impulse_vector.y, "N·s"));
+        for (axis, formula, numbers, value) in [
+            ("n", "P_x cos Γ + P_y sin Γ", format!("{x} · cos{gamma} + {y} · sin{gamma}"), at.impulse.normal),
+            (
+                "t",
+                "P_y cos Γ − P_x sin Γ",
+                format!("{y} · cos{gamma} − {x} · sin{gamma}"),
+                at.impulse.tangential,
+            ),
+        ] {
+            let name = format!("impulse along {axis}");
+            steps.push(step(name, format!("P_{axis}"), formula, numbers, value, "N·s", "theory 3"));
+        }
+        if let Some(restitution) = effect.restitution {
+            let numbers = format!("−{} / {}", p(v.normal, "m/s"), n(u.normal, "m/s"));
+            steps.push(step(
+                "restitution by momentum",
+                "e",
+                "−U_n/u_n",
+                numbers,
+                restitution,
+                "",
+                "theory 10",
+            ));
+        }
+        if let Some(ratio) = at.impulse_ratio {
+            let numbers = format!("{} / {}", n(at.impulse.tangential, "N·s"), n(at.impulse.normal, "N·s"));
+            steps.push(step("impulse ratio by momentum", "μ", "P_t/P_n", numbers, ratio, "", "theory 3"));
+        }
+        let energy = effect.energy;
+        steps.push(work("normal work", "n", [at.impulse.normal, u.normal, v.normal], energy.normal_work));
+        let along = [at.impulse.tangential, u.tangential, v.tangential];
+        steps.push(work("tangential work", "t", along, energy.tangential_work));
+        steps
+    }
+
+    /// (rad) scene angle of n, in the axes of the case.
+    fn gamma(&self) -> f64 {
+        self.both.momentum.contact.normal_angle()
+    }
+
+    /// The kinetic energies, their difference, and what neither work takes of it.
+    fn energy(&self, effect: &Exchange) -> Vec<Step> {
+        let moving = self.moving();
+        let bodies = self.both.momentum.contact.participants();
+        let turns = effect.at_contact.is_some();
+        let kinetic = |name: &str, symbol: &str, [v, w]: [&str; 2], motions: &[Motion; 2], value: f64| {
+            let term = |k: &VehicleId| {
+                let (motion, body) = (motions[k.index()], bodies[k.index()].body());
+                let (x, y) = (p(motion.velocity.x, "m/s"), p(motion.velocity.y, "m/s"));
+                let mut formula = format!("½ m_{k} ({v}_{k}x² + {v}_{k}y²)");
+                let mut numbers = format!("½ · {} · ({x}² + {y}²)", n(body.mass(), "kg"));
+                if turns {
+                    formula.push_str(&format!(" + ½ I_{k} {w}_{k}²"));
+                    let inertia = n(body.yaw_inertia(), "kg·m²");
+                    numbers.push_str(&format!(" + ½ · {inertia} · {}²", p(motion.yaw_rate, "rad/s")));
+                }
+                (formula, numbers)
+            };
+            let (formula, numbers): (Vec<String>, Vec<String>) = moving.iter().map(term).unzip();
+            step(name, symbol, formula.join(" + "), numbers.join(" + "), value, "J", "theory 4")
+        };
+        let energy = effect.energy;
+        let after = &self.both.implied.after;
+        let mut steps = vec![
+            kinetic("kinetic energy before", "T", ["v", "ω"], &effect.before, energy.before),
+            kinetic("kinetic energy after", "T'", ["V", "Ω"], after, energy.after),
+            step(
+                "energy loss by momentum",
+                "E_L",
+                "T − T'",
+                format!("{} − {}", n(energy.before, "J"), n(energy.after, "J")),
+                energy.loss,
+                "J",
+                "theory 10",
+            ),
+        ];
+        if energy.moment_work != 0.0 {
+            let [loss, normal, tangential] =
+                [energy.loss, energy.normal_work, energy.tangential_work].map(|work| n(work, "J"));
+            steps.push(step(
+                "moment work, what the impulse at C leaves of the loss",
+                "W_m",
+                "E_L − W_n − W_t",
+                format!("{loss} − {normal} − {tangential}"),
+                energy.moment_work,
+                "J",
+                "theory 4",
             ));
         }
         steps
@@ -224,7 +408,8 @@ impl Momentum<'_> {
         let direction = Real::atan2(axis.y, axis.x);
         let along = total.x * axis.x + total.y * axis.y;
         let [v1, v2] = self.both.speeds;
-        let [c1, c2] = VehicleId::ALL.map(|k| angle(self.heading(k) - direction));
+        let [(one, a1), (two, a2)] = VehicleId::ALL.map(|k| self.course(k));
+        let [c1, c2] = [one, two].map(|course| angle(course - direction));
         let condition = match self.analysis.basis {
             Basis::Dissipated => "W_n = E",
             Basis::Absorbed => "W_n = (1 − e²) E",
@@ -256,7 +441,7 @@ impl Momentum<'_> {
             step(
                 "momentum of these speeds along the line",
                 "p_a",
-                "m_1 v_1 cos(θ_1 − a) + m_2 v_2 cos(θ_2 − a)",
+                format!("m_1 v_1 cos({a1} − a) + m_2 v_2 cos({a2} − a)"),
                 format!(
                     "{} · {} · cos{c1} + {} · {} · cos{c2}",
                     n(self.mass(VehicleId::One), "kg"),

@@ -129,7 +129,7 @@ impl Collision<'_> {
 }
 
 /// The work along n or t of an impulse, from the velocities before and after it.
-fn work(name: &str, axis: &str, [impulse, before, after]: [f64; 3], value: f64) -> Step {
+pub(in super::super) fn work(name: &str, axis: &str, [impulse, before, after]: [f64; 3], value: f64) -> Step {
     step(
         name,
         format!("W_{axis}"),

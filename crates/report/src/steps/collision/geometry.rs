@@ -5,7 +5,7 @@ use crash3::{EnergyMoments, Side, SideStiffness, Stiffness};
 use pim_core::VehicleId;
 
 use super::super::damage::measured;
-use super::super::{Step, angle, digits, given, n, p, step};
+use super::super::{Step, angle, digits, given, heading, n, p, step};
 use super::Collision;
 use crate::{axes, words};
 
@@ -182,7 +182,7 @@ impl Collision<'_> {
     fn arm(&self, k: VehicleId, [forward, aside]: [f64; 2]) -> [Step; 2] {
         let arm = self.impact.contact.arms()[k.index()];
         let (x, y) = (n(forward, "m"), n(aside, "m"));
-        let turn = format!("({}\u{a0}° − {})", digits(self.heading(k).to_degrees()), angle(self.gamma));
+        let turn = format!("({}\u{a0}° − {})", digits(heading(self.case, k).to_degrees()), angle(self.gamma));
         [
             step(
                 format!("arm of vehicle {k} along n"),

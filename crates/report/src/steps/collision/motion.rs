@@ -1,9 +1,9 @@
 //! How the vehicles move before and after the impact.
 
 use case::{Axes, Velocity};
-use pim_core::{Motion, VehicleId};
+use pim_core::{Contact, Motion, VehicleId};
 
-use super::super::{Step, angle, given, n, p, step};
+use super::super::{Step, angle, course, given, heading, n, p, step};
 use super::Collision;
 
 impl Collision<'_> {
@@ -29,7 +29,8 @@ impl Collision<'_> {
             (_, Some(Velocity::Speed(speed))) => Some(speed.si()),
             _ => None,
         };
-        let theta = angle(self.heading(k));
+        let (theta, symbol_of_course) = course(self.case, k);
+        let theta = angle(theta);
         let mut steps = Vec::new();
         for (axis, function, value) in [("x", "cos", before.velocity.x), ("y", "sin", before.velocity.y)] {
             let (name, symbol) = (format!("velocity of vehicle {k} along {axis}"), format!("v_{k}{axis}"));
@@ -37,7 +38,7 @@ impl Collision<'_> {
                 Some(s) => step(
                     name,
                     symbol,
-                    format!("s_{k} {function} θ_{k}"),
+                    format!("s_{k} {function} {symbol_of_course}"),
                     format!("{} · {function}{theta}", n(s, "m/s")),
                     value,
                     "m/s",
@@ -55,35 +56,8 @@ impl Collision<'_> {
 
     /// The velocity of vehicle 1 relative to vehicle 2 at C along n or t, in symbols and in numbers.
     pub(super) fn relative(&self, axis: &str, motions: &[Motion; 2]) -> (String, String) {
-        let (gamma, arms) = (angle(self.gamma), self.impact.contact.arms());
-        let (mut formula, mut numbers) = (String::new(), String::new());
-        for (k, ..) in self.moving() {
-            let (motion, arm) = (motions[k.index()], arms[k.index()]);
-            let (v, omega) = (motion.velocity, motion.yaw_rate);
-            let (x, y) = (n(v.x, "m/s"), n(v.y, "m/s"));
-            let (symbols, along, turning) = match axis {
-                "n" => (
-                    format!("(v_{k}x cos Γ + v_{k}y sin Γ − ω_{k} r_{k}t)"),
-                    format!("{x} · cos{gamma} + {y} · sin{gamma}"),
-                    format!(" − {} · {}", n(omega, "rad/s"), n(arm.tangential, "m")),
-                ),
-                _ => (
-                    format!("(v_{k}y cos Γ − v_{k}x sin Γ + ω_{k} r_{k}n)"),
-                    format!("{y} · cos{gamma} − {x} · sin{gamma}"),
-                    format!(" + {} · {}", n(omega, "rad/s"), n(arm.normal, "m")),
-                ),
-            };
-            let turning = if omega == 0.0 { "" } else { &turning };
-            // u is vehicle 1 relative to vehicle 2.
-            let lead = match (k, numbers.is_empty()) {
-                (VehicleId::One, _) => "",
-                (_, true) => "−",
-                (_, false) => " − ",
-            };
-            formula.push_str(&format!("{lead}{symbols}"));
-            numbers.push_str(&format!("{lead}({along}{turning})"));
-        }
-        (formula, numbers)
+        let moving: Vec<VehicleId> = self.moving().map(|(k, ..)| k).collect();
+        relative(axis, ["v", "ω"], &self.impact.contact, &moving, motions)
     }
 
     /// The motion of a vehicle after the impact, its ΔV and PDOF; empty for a fixed object.
@@ -161,7 +135,7 @@ impl Collision<'_> {
 
     fn pdof(&self, k: VehicleId) -> Step {
         let vector = self.impact.outcome.impulse_vector;
-        let (theta, x, y) = (angle(self.heading(k)), n(vector.x, "N·s"), n(vector.y, "N·s"));
+        let (theta, x, y) = (angle(heading(self.case, k)), n(vector.x, "N·s"), n(vector.y, "N·s"));
         // The force on vehicle 2 is −P. A PDOF is clockwise in any axes: what counts is the component to the
         // left, which in z-down axes is −y.
         let (left, left_numbers) = if (k == VehicleId::One) == (self.case.axes == Axes::ZUp) {
@@ -184,4 +158,43 @@ impl Collision<'_> {
             "theory 4",
         )
     }
+}
+
+/// The velocity of vehicle 1 relative to vehicle 2 at C along n or t, in symbols, those of the velocities and
+/// yaw rates given, and in numbers.
+pub(in super::super) fn relative(
+    axis: &str,
+    [v, w]: [&str; 2],
+    contact: &Contact,
+    moving: &[VehicleId],
+    motions: &[Motion; 2],
+) -> (String, String) {
+    let (gamma, arms) = (angle(contact.normal_angle()), contact.arms());
+    let (mut formula, mut numbers) = (String::new(), String::new());
+    for &k in moving {
+        let (Motion { velocity, yaw_rate, .. }, arm) = (motions[k.index()], arms[k.index()]);
+        let (x, y) = (n(velocity.x, "m/s"), n(velocity.y, "m/s"));
+        let (symbols, along, turning) = match axis {
+            "n" => (
+                format!("({v}_{k}x cos Γ + {v}_{k}y sin Γ − {w}_{k} r_{k}t)"),
+                format!("{x} · cos{gamma} + {y} · sin{gamma}"),
+                format!(" − {} · {}", n(yaw_rate, "rad/s"), n(arm.tangential, "m")),
+            ),
+            _ => (
+                format!("({v}_{k}y cos Γ − {v}_{k}x sin Γ + {w}_{k} r_{k}n)"),
+                format!("{y} · cos{gamma} − {x} · sin{gamma}"),
+                format!(" + {} · {}", n(yaw_rate, "rad/s"), n(arm.normal, "m")),
+            ),
+        };
+        let turning = if yaw_rate == 0.0 { "" } else { &turning };
+        // Vehicle 1 relative to vehicle 2.
+        let lead = match (k, numbers.is_empty()) {
+            (VehicleId::One, _) => "",
+            (_, true) => "−",
+            (_, false) => " − ",
+        };
+        formula.push_str(&format!("{lead}{symbols}"));
+        numbers.push_str(&format!("{lead}({along}{turning})"));
+    }
+    (formula, numbers)
 }

@@ -5,7 +5,7 @@ use case::Basis;
 use pim_core::{Law, Tangential, Vector2, VehicleId};
 use reconcile::{AffineImpact, ApproachLine, Quadratic};
 
-use super::super::{Step, angle, n, p, step};
+use super::super::{Step, angle, heading, n, p, step};
 use super::Collision;
 
 /// A coefficient in symbols and in numbers.
@@ -177,7 +177,7 @@ impl Collision<'_> {
         let (k, slope) = (found.unknown.vehicle(), found.line.slope);
         // u is vehicle 1 relative to vehicle 2.
         let minus = if k == VehicleId::One { "" } else { "−" };
-        let turn = format!("({} − {})", angle(self.heading(k)), angle(self.gamma));
+        let turn = format!("({} − {})", angle(heading(self.case, k)), angle(self.gamma));
         [("n", "cos", slope.normal), ("t", "sin", slope.tangential)].map(|(axis, function, value)| {
             // A number and the minus before it share one pair of parentheses.
             let numbers = if minus.is_empty() {
