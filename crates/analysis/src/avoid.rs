@@ -8,6 +8,7 @@ mod scene;
 mod sight;
 
 use std::collections::BTreeSet;
+use std::f64::consts::FRAC_PI_2;
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
@@ -17,6 +18,7 @@ use inputs::{
     Find, Quantity, SpeedForm, Velocity, format_number, is_of_avoid,
 };
 use pim_core::VehicleId;
+use reconcile::are_collinear;
 use time_distance::Response;
 
 pub use chance::{AvoidChance, AvoidInfluence, AvoidInterval, SightIntervals};
@@ -33,11 +35,14 @@ use crate::columns::Number;
 use crate::commands::{reconstruct, uncertainty_of};
 use crate::estimate::{EstimatePlan, EstimateStage, Estimated, PieceDetail, PieceFound, estimate};
 use crate::failure::Failure;
+use crate::given::GivenSpeed;
 use crate::output::Output;
 use crate::quantities::SPEED;
 use crate::recorded::with_records_of_impact;
+use crate::seen::SeenWarning;
 use crate::solve;
 use crate::uncertainty::{Plan, Stage, UncertainInput, any_inputs};
+use crate::warning::{self, Warning};
 
 /// How to ask whether a collision was avoidable.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -91,8 +96,13 @@ pub struct Avoidance {
     ways: Option<Ways>,
     /// How probable it is; `None` if nothing is uncertain.
     pub chance: Option<AvoidChance>,
-    /// Whether the evidence was weighed, but the run did not converge, so that there is no probability.
-    pub is_unconverged: bool,
+    /// Why the evidence for the speed gives no answer, and so no probability.
+    pub speed_doubt: Option<SpeedDoubt>,
+    /// What the solution that gives the speed warns of.
+    pub speed_warnings: Vec<SeenWarning>,
+    /// Whether the other vehicle moved nearly along the same line, so that the place of the impact is not
+    /// fixed.
+    pub along: Option<Along>,
     /// The speed that the rest of the case tells, if `[avoid]` has none.
     told: Option<Arc<Told>>,
 }
@@ -112,6 +122,35 @@ pub enum SpeedSource {
     Phases,
     /// The table of its recorder alone.
     Recorder,
+}
+
+/// Why all the evidence, weighed, gives no answer for the speed.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum SpeedDoubt {
+    /// The run has not converged.
+    Unconverged,
+    /// Even the nearest collisions miss the evidence with these keys.
+    Contradicted(Vec<String>),
+}
+
+/// How the other vehicle moved along the way of the one that is asked about.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Along {
+    /// In the same direction.
+    Ahead,
+    /// Towards it.
+    Oncoming,
+}
+
+impl Along {
+    fn of(case: &Case, other: VehicleId, speed: Option<f64>) -> Option<Self> {
+        let angle = case.approach_angle().filter(|angle| are_collinear(*angle))?;
+        let vehicle = &case.vehicles[other.index()];
+        let speed = speed.or_else(|| Some(GivenSpeed::of_known(case, other)?.speed));
+        let stands = vehicle.fixed || vehicle.is_absent() || speed.is_some_and(|speed| speed == 0.0);
+        let along = if angle < FRAC_PI_2 { Self::Ahead } else { Self::Oncoming };
+        (!stands).then_some(along)
+    }
 }
 
 /// A question of what would have been.
@@ -188,6 +227,14 @@ impl Avoidance {
     #[must_use]
     pub fn run(&self, hypothesis: Hypothesis) -> Option<&AvoidRun> {
         self.runs.iter().chain(&self.more_runs).find(|run| run.hypothesis == hypothesis)
+    }
+
+    /// The run at the limit, with the reaction and the braking of `[avoid]`: of a vehicle that was not faster
+    /// than the limit, at the speed driven.
+    #[must_use]
+    pub fn run_at_limit(&self) -> Option<&AvoidRun> {
+        let likest = [Hypothesis::All, Hypothesis::ReactionAndBraking, Hypothesis::Actual];
+        likest.into_iter().find_map(|hypothesis| self.run(hypothesis))
     }
 
     /// The pieces of evidence behind the speed, if all of it was weighed.
@@ -292,7 +339,17 @@ fn found(
         deceleration_at_limit: scene.least_deceleration(true),
         reaction_at_limit: scene.longest_reaction(true),
     };
-    let is_unconverged = told.as_ref().is_some_and(|told| told.is_unconverged());
+    let speed_doubt = told.as_ref().and_then(|told| told.doubt());
+    let speed_warnings = match &told {
+        Some(told) => told.warnings.clone(),
+        None => {
+            let mut of_marks = Vec::new();
+            warning::of_grade(case, form.vehicle, &mut of_marks);
+            of_marks
+        }
+    };
+    let speed_warnings = speed_warnings.iter().map(|warning| warning.seen(case.axes)).collect();
+    let along = Along::of(case, form.vehicle.other(), other);
     let vehicle = form.vehicle;
     // Without obstacles, the ways are for the plan alone.
     let ways = ways.or_else(|| case.avoid_plan().as_ref().map(Ways::of));
@@ -306,7 +363,9 @@ fn found(
         hiding,
         ways,
         chance,
-        is_unconverged,
+        speed_doubt,
+        speed_warnings,
+        along,
         told,
     })
 }
@@ -320,6 +379,8 @@ struct Told {
     /// (m/s) of the other one, if that is found too.
     other: Option<f64>,
     estimated: Option<Box<Estimated>>,
+    /// What that solution warns of.
+    warnings: Vec<Warning>,
     /// (m/s) samples of both speeds by the ranges of the case, that of the vehicle first.
     sampled: Option<[Vec<f64>; 2]>,
 }
@@ -362,11 +423,20 @@ impl Told {
             let seeks_both = alone.reconstruct.is_some_and(|reconstruct| reconstruct.find == Find::Both);
             let other = seeks_both.then(|| exact.speed(vehicle.other()));
             let sampled = if estimated.is_none() { sampled(alone, vehicle, plan, progress)? } else { None };
-            return Ok(Self { from: SpeedSource::Reconstructed, speed, other, estimated, sampled });
+            let warnings = exact.warnings;
+            return Ok(Self { from: SpeedSource::Reconstructed, speed, other, estimated, warnings, sampled });
         }
         if let Some(speed) = output(vehicle) {
             let other = output(vehicle.other());
-            return Ok(Self { from: SpeedSource::Estimated, speed, other, estimated, sampled: None });
+            let warnings = estimated.as_ref().map_or_else(Vec::new, |estimated| estimated.warnings.clone());
+            return Ok(Self {
+                from: SpeedSource::Estimated,
+                speed,
+                other,
+                estimated,
+                warnings,
+                sampled: None,
+            });
         }
         match (Self::of_recorder(alone, vehicle, plan), refusal) {
             (Some(told), _) => Ok(told),
@@ -389,12 +459,18 @@ impl Told {
             speed: found.quantile(0.5),
             other: None,
             estimated: None,
+            warnings: Vec::new(),
             sampled: Some([(0..plan.samples).map(draw).collect(), Vec::new()]),
         })
     }
 
-    fn is_unconverged(&self) -> bool {
-        self.estimated.as_ref().is_some_and(|estimated| !estimated.doubts().is_empty())
+    fn doubt(&self) -> Option<SpeedDoubt> {
+        let estimated = self.estimated.as_ref()?;
+        if !estimated.doubts().is_empty() {
+            return Some(SpeedDoubt::Unconverged);
+        }
+        let missed = &estimated.missed;
+        (!missed.is_empty()).then(|| SpeedDoubt::Contradicted(missed.clone()))
     }
 }
 
@@ -469,7 +545,7 @@ fn of_ranges(
     });
     let inputs: Vec<UncertainInput> = used.iter().filter_map(|input| inputs.get(*input)).cloned().collect();
     let estimated = told.and_then(|told| told.estimated.as_deref());
-    if estimated.is_some_and(|estimated| !estimated.doubts().is_empty()) {
+    if told.is_some_and(|told| told.doubt().is_some()) {
         return Ok(None);
     }
     let subject = case.avoid_subject();

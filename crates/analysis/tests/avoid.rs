@@ -6,7 +6,9 @@
 use std::f64::consts::TAU;
 use std::ops::ControlFlow;
 
-use analysis::{ActualRun, AvoidPlan, Avoidance, Failure, Hypothesis, Sight, SpeedSource, View, avoid};
+use analysis::{
+    ActualRun, Along, AvoidPlan, Avoidance, Failure, Hypothesis, Sight, SpeedDoubt, SpeedSource, View, avoid,
+};
 use case::{Case, CaseFile};
 use drawing::{Axis, Marker, ScatterPanel, ScatterPicture, ScatterPoint, Symbol};
 
@@ -498,9 +500,46 @@ fn ranges_give_the_sight_an_interval() {
     assert_eq!(sight.never_hidden, 0.0);
 }
 
+/// Two vehicles on one line meet somewhere else if one of them brakes: the lead vehicle has moved on, the
+/// oncoming one has come nearer.
+#[test]
+fn a_place_of_the_impact_that_moves_is_told() {
+    let of = |heading: &str, speed: &str| {
+        asked(&format!(
+            "[vehicle1]\nmass = \"1400 kg\"\nheading = \"0 deg\"\nspeed = \"40 km/h\"\n[vehicle2]\nmass = \"1400 kg\"\n\
+             heading = \"{heading} deg\"\nspeed = \"{speed} km/h\"\n[avoid]\nlimit = \"50 km/h\"\nreaction_time = \"1 s\"\n\
+             deceleration = \"7 m/s^2\"\ndemand = {{ distance = \"30 m\" }}\nunbraked = true\n"
+        ))
+        .along
+    };
+    assert_eq!(of("0", "20"), Some(Along::Ahead));
+    assert_eq!(of("-8", "20"), Some(Along::Ahead));
+    assert_eq!(of("175", "20"), Some(Along::Oncoming));
+    assert_eq!(of("90", "20"), None);
+    assert_eq!(of("0", "0"), None);
+}
+
+/// Evidence that no collision reproduces gives a speed no probability.
+#[test]
+fn contradicting_evidence_gives_no_probability() {
+    let text = "[vehicle1]\nmass = \"1450 kg\"\nyaw_radius = \"1.37 m\"\nheading = \"0 deg\"\n\
+                contact = { x = \"2.0 m\", y = \"0.1 m\" }\n\
+                after = { speed = \"8 m/s\", direction = \"25 deg\", yaw_rate = \"-300 deg/s\" }\n\
+                [vehicle2]\nmass = \"1280 kg\"\nyaw_radius = \"1.30 m\"\nheading = \"90 deg\"\n\
+                contact = { x = \"0.9 m\", y = \"0.72 m\" }\n\
+                after = { speed = \"10 m/s\", direction = \"35 deg\", yaw_rate = \"400 deg/s\" }\n\
+                [impact]\ncrush_plane = \"0 deg\"\nrestitution = 0.1\ntangential = \"critical\"\n\
+                [reconstruct]\nfind = [\"vehicle1.speed\", \"vehicle2.speed\"]\n\
+                [avoid]\nlimit = \"40 km/h\"\nreaction_time = \"1 s\"\ndeceleration = \"7 m/s^2\"\n\
+                demand = { distance = \"30 m\" }\nunbraked = true\n";
+    let found = asked(text);
+    let Some(SpeedDoubt::Contradicted(keys)) = &found.speed_doubt else { panic!("{:?}", found.speed_doubt) };
+    assert!(!keys.is_empty() && found.chance.is_none());
+}
+
 /// A driver who kept the limit is asked about the reaction alone, however high the limit is: from 50 km/h
-/// with 1 s and 7 m/s², 13.9 + 13.78 = 27.67 m, where the brakes took hold 14 m before the impact at 8.33
-/// m/s.
+/// with 1 s and 7 m/s², 13.89 + 13.78 = 27.67 m of 30 m. What that leaves of its speed at a place 25 m ahead
+/// is √(13.89² − 2 · 7 · 11.11) = 6.12 m/s.
 #[test]
 fn who_kept_the_limit_is_asked_about_the_reaction() {
     let of = |limit: &str| {
@@ -519,4 +558,11 @@ fn who_kept_the_limit_is_asked_about_the_reaction() {
         assert_eq!(hypotheses, [Hypothesis::Actual, Hypothesis::ReactionAndBraking]);
     }
     assert!(of("40").run(Hypothesis::All).is_some());
+    let near = asked(
+        "[avoid]\nspeed = \"50 km/h\"\nlimit = \"80 km/h\"\nreaction_time = \"1 s\"\ndeceleration = \"7 m/s^2\"\n\
+         demand = { distance = \"25 m\" }\nunbraked = true\n",
+    );
+    let left = near.run_at_limit().unwrap().collision_speed;
+    assert!((left - (v * v - 14.0 * (25.0 - v)).sqrt()).abs() < 1e-9, "{left}");
+    assert_eq!(left, near.scene.left_at_limit());
 }

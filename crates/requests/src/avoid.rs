@@ -1,6 +1,6 @@
 //! Whether the collision was avoidable.
 
-use analysis::{AvoidPlan, AvoidStage, Avoidance};
+use analysis::{AvoidPlan, AvoidStage, Avoidance, SpeedDoubt};
 use case::Case;
 use serde::Serialize;
 use uncertainty::{MAX_SAMPLES, MIN_SAMPLES};
@@ -9,9 +9,18 @@ use crate::options::{OptionError, RequestOptions};
 use crate::progress::{RequestProgress, counted, counted_of_estimate};
 use crate::refusal::Unanswered;
 
-/// The reason why an avoidance without a probability is no answer.
-pub const NO_PROBABILITY: &str =
-    "the evidence for the speed was weighed, but the run did not converge, so there is no probability";
+/// Why an avoidance is no answer where the evidence for its speed gives none.
+#[must_use]
+pub fn no_probability(doubt: &SpeedDoubt) -> &'static str {
+    match doubt {
+        SpeedDoubt::Unconverged => {
+            "the evidence for the speed was weighed, but the run did not converge, so there is no probability"
+        }
+        SpeedDoubt::Contradicted(_) => {
+            "the evidence for the speed contradicts itself, so there is no probability"
+        }
+    }
+}
 
 /// How to ask whether a collision was avoidable: see [`AvoidPlan`].
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]

@@ -8,8 +8,7 @@ use analysis::quantities::{
     NO_DAMAGE_SPEED, OBLIQUE_ANGLE, OBLIQUE_FACTOR, PDOF, PEAK_FORCE,
 };
 use analysis::{
-    Agreement, Analysis, Avoidance, Estimated, Hypothesis, Output, OutputQuantity, QUANTITIES, Samples, Seen,
-    Warning,
+    Agreement, Analysis, Avoidance, Estimated, Output, OutputQuantity, QUANTITIES, Samples, Seen, Warning,
 };
 use arrow_array::builder::{BooleanBuilder, Float64Builder, Int64Builder, ListBuilder, StringBuilder};
 use arrow_array::{ArrayRef, RecordBatch};
@@ -97,7 +96,7 @@ const AVOIDABLE: [(&str, OfAvoidance<bool>); 2] = [
 
 /// (m/s) of a vehicle that can move.
 fn delta_v_at_limit(case: &Case, found: &Avoidance, id: VehicleId) -> Option<f64> {
-    let delta_v = found.run(Hypothesis::All)?.delta_v?;
+    let delta_v = found.run_at_limit()?.delta_v?;
     (!case.vehicles[id.index()].fixed).then_some(delta_v[id.index()])
 }
 

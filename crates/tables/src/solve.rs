@@ -9,7 +9,7 @@ use arrow_schema::{Schema, SchemaRef};
 use case::{CaseFile, ValueTable};
 use estimate::{MOST_PARTICLES, PARTICLES_STEP};
 use report::PROGRAM;
-use requests::{NO_PROBABILITY, RowRefusal};
+use requests::{RowRefusal, no_probability};
 use uncertainty::{MIN_SAMPLES, SamplingMethod, Settings};
 
 use crate::error::TableError;
@@ -45,7 +45,7 @@ impl RowTemplate {
     }
 }
 
-/// Where a row has not converged.
+/// The advice for a row that has not converged.
 const WHY_UNCONVERGED: &str = "`deltav estimate` on the case says why";
 
 /// Rows that are computed before they are put into columns.
@@ -276,8 +276,8 @@ impl Row<'_> {
                 let samples = self.options.samples.unwrap_or(AvoidPlan::SAMPLES);
                 let plan = AvoidPlan { samples, seed, ..AvoidPlan::default() };
                 let found = analysis::avoid(case, &plan, &mut |_, _, _| self.goes_on()).map_err(refused)?;
-                let refusal = found.is_unconverged.then(|| RowRefusal {
-                    error: NO_PROBABILITY.to_owned(),
+                let refusal = found.speed_doubt.as_ref().map(|doubt| RowRefusal {
+                    error: no_probability(doubt).to_owned(),
                     help: WHY_UNCONVERGED.to_owned(),
                 });
                 return Ok(Outcome { found: Some(Found::avoidance(case, &found)), refusal });

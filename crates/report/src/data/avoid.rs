@@ -1,7 +1,8 @@
 //! Whether the collision was avoidable, as JSON.
 
 use analysis::{
-    ActualRun, AvoidChance, AvoidInterval, AvoidRun, Avoidance, DrivenBy, Hypothesis, SpeedSource, Unbraked,
+    ActualRun, AvoidChance, AvoidInterval, AvoidRun, Avoidance, DrivenBy, Hypothesis, SpeedDoubt,
+    SpeedSource, Unbraked,
 };
 use case::{CaseFile, SWELLS, word};
 use serde::Serialize;
@@ -192,9 +193,9 @@ pub fn avoid_json(file: &CaseFile, found: &Avoidance) -> Result<String, serde_js
             temporal: scene.temporal().zip(scene.is_late_at_limit()).map(|(speed, is)| of(speed, is)),
             at_limit: AtLimitBlock {
                 collision_speed: scene.left_at_limit(),
-                delta_v: found.run(Hypothesis::All).and_then(delta_v),
+                delta_v: found.run_at_limit().and_then(delta_v),
             },
-            converged: !found.is_unconverged,
+            converged: found.speed_doubt != Some(SpeedDoubt::Unconverged),
             probability: found.chance.as_ref().map(probability),
             response: ResponseBlock {
                 reaction_time: response.reaction(),

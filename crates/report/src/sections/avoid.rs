@@ -1,8 +1,9 @@
 //! Whether the collision was avoidable.
 
 use analysis::{
-    ActualRun, AvoidChance, AvoidInterval, AvoidRun, AvoidScene, Avoidance, BRAKES, DrivenBy, GIVES_WAY,
-    Hiding, Hypothesis, SIGHT_LOOK_BACK, Sight, SpeedSource, Unbraked, View, obstacle_name,
+    ActualRun, Along, AvoidChance, AvoidInterval, AvoidRun, AvoidScene, Avoidance, BRAKES, DrivenBy,
+    GIVES_WAY, Hiding, Hypothesis, SIGHT_LOOK_BACK, Sight, SpeedDoubt, SpeedSource, Unbraked, View,
+    obstacle_name,
 };
 use case::{
     Avoid, Case, Clear, GivenDemand, GivenWayOut, OtherApproach, OtherParty, PathForm, PlaceForm, Quantity,
@@ -10,12 +11,14 @@ use case::{
 };
 use time_distance::Swell;
 
+use super::uncertainty::grouped;
 use crate::document::{Block, Column, Document, NONE, Table, Undrawn, Width};
 use crate::estimates::contradictions;
 use crate::outputs::input_name;
 use crate::pictures::avoid::{chance_picture, path_time_picture, sight_picture};
 use crate::understood::{amount, spread};
 use crate::units::{Measure, Units, number};
+use crate::warnings::message;
 
 /// What avoidability is not.
 const NO_GUILT: &str = "Avoidability is a matter of physics. It says nothing of guilt: whether the driver had to reckon with the danger, had to \
@@ -59,12 +62,6 @@ pub fn avoid(case: &Case, found: &Avoidance, units: Units) -> Document {
             page.push(influences(chance));
         }
     }
-    if found.is_unconverged {
-        page.paragraph(
-            "The evidence for the speed was weighed, but the run did not converge, so there is no probability. `deltav \
-             estimate` says why.",
-        );
-    }
     page.heading("Definitions and limits");
     page.push(Block::List(definitions(case, found)));
     page
@@ -83,28 +80,53 @@ fn party(case: &Case) -> &'static str {
 fn answer(case: &Case, found: &Avoidance, units: Units) -> Vec<String> {
     let scene = &found.scene;
     let limit = units.road_speed(scene.limit);
-    let mut lines = vec![format!(
+    let mut lines = Vec::new();
+    lines.extend(found.speed_doubt.as_ref().map(|doubt| match doubt {
+        SpeedDoubt::Unconverged => {
+            "No probability: the run that weighs the evidence for the speed has not converged. The figures below hold for \
+             its median alone. `deltav estimate` says why."
+                .to_owned()
+        }
+        SpeedDoubt::Contradicted(keys) => {
+            let keys: Vec<String> = keys.iter().map(|key| format!("`{key}`")).collect();
+            format!(
+                "No answer: no collision reproduces all of the evidence for the speed, and even the nearest miss {}. The \
+                 figures below hold for the median speed alone. `deltav estimate` says more.",
+                keys.join(" and ")
+            )
+        }
+    }));
+    lines.push(format!(
         "Vehicle {} at the reaction demand: {}, {} and {} before the impact",
         found.vehicle,
         units.speed(scene.speed),
         units.format(Measure::Way, scene.distance),
         units.format(Measure::Time, scene.time),
-    )];
+    ));
     let above = scene.is_above_limit();
     if !above {
         lines.push(format!("The vehicle was not faster than the limit of {limit} from there to the impact"));
     }
     // Below the limit, its own speed is what a run with a timely reaction has.
     let at = if above { format!("at {limit}") } else { "at the speed driven".to_owned() };
+    if let Some(chance) = &found.chance {
+        lines.push(format!(
+            "Probability that it is avoided {at}: {}; that the vehicle was faster than {limit}: {}",
+            probability_with_error(chance.avoided_at_limit, chance.mc_error),
+            bounded(chance.above_limit).map_or_else(|| number(chance.above_limit, 3), str::to_owned),
+        ));
+    }
+    // What the verdicts say holds for one value of each number, where these are uncertain.
+    let central = if found.chance.is_some() { ", by the central values" } else { "" };
     lines.push(if scene.stops_at_limit() {
         let stop = scene.at_limit().stop().unwrap_or(scene.distance);
         format!(
-            "Avoidable in space {at}: it stops {} before the place of the impact",
+            "Avoidable in space {at}{central}: it stops {} before the place of the impact",
             units.format(Measure::Way, scene.distance - stop)
         )
     } else {
         format!(
-            "Not avoidable in space {at}: it reaches the place of the impact with {}",
+            "Not avoidable in space {at}{central}: it reaches the place of the impact with {}",
             units.road_speed(scene.left_at_limit())
         )
     });
@@ -112,7 +134,7 @@ fn answer(case: &Case, found: &Avoidance, units: Units) -> Vec<String> {
     if let Some(is_late) = scene.is_late_at_limit().filter(|_| !scene.stops_at_limit()) {
         let is = if is_late { "Avoidable" } else { "Not avoidable" };
         lines.push(format!(
-            "{is} in time {at}: {} clears the danger zone {} after the demand, the vehicle {}",
+            "{is} in time {at}{central}: {} clears the danger zone {} after the demand, the vehicle {}",
             party(case),
             units.format(Measure::Time, scene.time + scene.clears_after.unwrap_or(0.0)),
             match scene.at_limit().arrival(scene.distance) {
@@ -128,23 +150,22 @@ fn answer(case: &Case, found: &Avoidance, units: Units) -> Vec<String> {
             units.format(Measure::Way, sight.distance_subject),
         ));
     }
-    lines.push(format!("Highest speed that avoids it: {}", units.road_speed(found.enough.speed)));
-    if let Some(chance) = &found.chance {
-        lines.push(format!(
-            "Probability that it is avoided {at}: {}; that the vehicle was faster than {limit}: {}",
-            probability_with_error(chance.avoided_at_limit, chance.mc_error),
-            number(chance.above_limit, 3),
-        ));
-    }
+    lines.push(format!("Highest speed that avoids it{central}: {}", units.road_speed(found.enough.speed)));
     lines
 }
 
 /// A probability, with the Monte Carlo error that three decimals show.
 fn probability_with_error(probability: f64, error: f64) -> String {
+    let between = || format!("{} ± {}", number(probability, 3), number(error, 3));
+    bounded(probability).map_or_else(between, str::to_owned)
+}
+
+/// A probability that three decimals would round to 0 or 1.
+fn bounded(probability: f64) -> Option<&'static str> {
     match probability {
-        high if high >= 0.9995 => "above 0.999".to_owned(),
-        low if low < 0.0005 => "below 0.001".to_owned(),
-        between => format!("{} ± {}", number(between, 3), number(error, 3)),
+        high if high >= 0.9995 => Some("above 0.999"),
+        low if low < 0.0005 => Some("below 0.001"),
+        _ => None,
     }
 }
 
@@ -170,7 +191,51 @@ pub fn avoid_warnings(found: &Avoidance, units: Units) -> Vec<String> {
         )
     });
     let beaten = beaten_by_marks(found, units);
-    hard.into_iter().chain(early).chain(beaten).chain(contradictions(found.pieces())).collect()
+    let along = along_the_line(found);
+    let of_speed = of_speed(found, units);
+    let ours = hard.into_iter().chain(early).chain(along).chain(beaten);
+    ours.chain(of_speed).chain(contradictions(found.pieces())).collect()
+}
+
+/// What a place of the impact that moves does to an answer for a fixed one.
+fn along_the_line(found: &Avoidance) -> Option<String> {
+    let other = found.vehicle.other();
+    Some(match found.along? {
+        Along::Ahead => format!(
+            "Vehicle {other} moved in nearly the same direction, and would have moved on while vehicle {} braked: to avoid the \
+             collision, coming down to its speed in time is enough, and stopping before the place of the impact is not needed. The \
+             answer takes that place as fixed, and so asks more of the driver than the collision did.",
+            found.vehicle
+        ),
+        Along::Oncoming => format!(
+            "Vehicle {other} came towards vehicle {} on nearly the same line: stopping before the place of the impact avoids the \
+             collision only if vehicle {other} stops or gives way, too. The answer takes that place as fixed, and so asks less of \
+             the driver than the collision did.",
+            found.vehicle
+        ),
+    })
+}
+
+/// What the solution behind the speed warns of, by its codes: its own report has the sentences.
+fn of_speed(found: &Avoidance, units: Units) -> Vec<String> {
+    let command = match found.speed_from {
+        SpeedSource::Reconstructed => "reconstruct",
+        SpeedSource::Estimated => "estimate",
+        _ => {
+            let said = found.speed_warnings.iter().map(|warning| message(warning, units));
+            return said.map(|said| format!("Note that {said}.")).collect();
+        }
+    };
+    let mut codes: Vec<&str> = found.speed_warnings.iter().map(|seen| seen.warning().code()).collect();
+    codes.sort_unstable();
+    codes.dedup();
+    if codes.is_empty() {
+        return Vec::new();
+    }
+    vec![format!(
+        "The speed is that of `deltav {command}`, whose report warns: {}. Read it before you use the speed.",
+        codes.join(", ")
+    )]
 }
 
 /// Where the marks show a better driver or better brakes than the inputs of `[avoid]`, which then give no run
@@ -774,6 +839,9 @@ fn just_avoiding(found: &Avoidance, units: Units) -> Table {
     table
 }
 
+/// (m/s²) no road tyre slows a vehicle by more: 1.5 g.
+const MOST_OF_TYRES: f64 = 1.5 * STANDARD_GRAVITY;
+
 fn enough(found: &Avoidance, units: Units) -> Block {
     let enough = &found.enough;
     let is_in_time = found.scene.clears_after.is_some();
@@ -786,7 +854,13 @@ fn enough(found: &Avoidance, units: Units) -> Block {
             let unbraked = || "any: without braking, the vehicle comes late enough".to_owned();
             return [unbraked(), unbraked()];
         }
-        [of(Measure::Acceleration, deceleration, "at least"), of(Measure::Time, reaction, "at most")]
+        let of_tyres = match deceleration.filter(|deceleration| *deceleration > MOST_OF_TYRES) {
+            Some(needed) => {
+                format!("more than tyres can do, {}", units.format(Measure::Acceleration, needed))
+            }
+            None => of(Measure::Acceleration, deceleration, "at least"),
+        };
+        [of_tyres, of(Measure::Time, reaction, "at most")]
     };
     let [deceleration, reaction] = braking([enough.deceleration, enough.reaction]);
     let [deceleration_at_limit, reaction_at_limit] =
@@ -818,20 +892,18 @@ fn probability(chance: &AvoidChance, units: Units) -> Table {
         ],
     );
     let mut row = |label: &str, value: f64, error: String| {
-        table.row([label.to_owned(), number(value, 3), error]);
+        table.row([label.to_owned(), bounded(value).map_or_else(|| number(value, 3), str::to_owned), error]);
     };
-    row(
-        "avoided at the limit, reaction and braking of the inputs",
-        chance.avoided_at_limit,
-        format!("± {}", number(chance.mc_error, 4)),
-    );
+    let error = bounded(chance.avoided_at_limit)
+        .map_or_else(|| format!("± {}", number(chance.mc_error, 4)), |_| String::new());
+    row("avoided at the limit, reaction and braking of the inputs", chance.avoided_at_limit, error);
     row("… as it stops before the place of the impact", chance.stopped_at_limit, String::new());
     row("avoided at the limit, all else as it was", chance.avoided_else_as_it_was, String::new());
     row("driven faster than the limit", chance.above_limit, String::new());
     table.notes.push(format!(
         "The share of {} samples of all that is uncertain in which no collision follows when the speed is lowered to the limit. With all else \
          kept, it is that of Davis 2003. ± is the error of the sampling. The demand was {} to {} and {} to {} before the impact (95 %).",
-        chance.possible,
+        grouped(chance.possible),
         units.format(Measure::Way, chance.distance.low),
         units.format(Measure::Way, chance.distance.high),
         units.format(Measure::Time, chance.time.low),
@@ -840,7 +912,7 @@ fn probability(chance: &AvoidChance, units: Units) -> Table {
     if chance.possible < chance.samples {
         table.notes.push(format!(
             "{} more samples are no scene, such as brakes before the demand, and do not count.",
-            chance.samples - chance.possible
+            grouped(chance.samples - chance.possible)
         ));
     }
     table
