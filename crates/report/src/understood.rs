@@ -3,11 +3,9 @@
 
 use analysis::{Assumption, AxleMeasure};
 use case::{
-    After, BrachTangential, Case, Dimension, Drag, Fit, GivenDemand, GivenWayOut, ImpactLaw, Input,
-    KnownEnergy, MarkedWheel, Pdof, Range, Recorder, SUBJECTS, SWELLS, SeverityPrior, Spread, StiffnessForm,
-    UNDAMAGED, Unit, UnitSystem, WheelDrag, word,
+    Case, Dimension, GivenValue, Input, Origin, Range, Recorder, SUBJECTS, SWELLS, Spread, Unit, UnitSystem,
+    word,
 };
-use crash3::ObliqueCorrection;
 use pim_core::VehicleId;
 use recorder::{Channel, RecorderTable};
 
@@ -77,136 +75,70 @@ pub(crate) fn shown((value, unit): (f64, Option<&'static Unit>)) -> String {
     unit.map_or_else(|| digits.clone(), |unit| format!("{digits} {unit}"))
 }
 
-/// The words and whole numbers of the file, key by key.
+/// Every number that the file gives, also those that cannot vary.
+pub(crate) fn numbers(case: &Case) -> Vec<Input> {
+    let values = case.values().into_iter().filter_map(|(path, value)| match value {
+        GivenValue::Number { number, unit } => Some(Input { path, number, unit, origin: Origin::Given }),
+        _ => None,
+    });
+    values.collect()
+}
+
+/// The words, whole numbers and percentages of the file, key by key.
 pub(crate) fn choices(case: &Case) -> Vec<(String, String)> {
-    let mut choices = vec![("scene.axes".to_owned(), case.axes.name().to_owned())];
-    if let Some(plan) = &case.site_plan {
-        choices.push(("scene.site_plan.file".to_owned(), plan.file.to_string()));
-    }
-    if case.locked_together {
-        choices.push(("scene.locked_together".to_owned(), "true".to_owned()));
+    let mut choices: Vec<(String, String)> = Vec::new();
+    for (path, value) in case.values() {
+        if is_of_head(&path) {
+            continue;
+        }
+        let said = match value {
+            GivenValue::Number { .. } => continue,
+            GivenValue::Text(text) => case::shown(&text).into_owned(),
+            GivenValue::Flag => "true".to_owned(),
+            GivenValue::Count(count) => count.to_string(),
+            GivenValue::Hour(hour) => clock(hour),
+        };
+        // The elements of a list of keys share a row.
+        let list = path.strip_suffix(']').and_then(|path| path.rsplit_once('[')).map(|(list, _)| list);
+        let list =
+            list.filter(|list| list.ends_with(".exact") || list.ends_with(".of") || list.ends_with(".find"));
+        match (list, choices.last_mut()) {
+            (Some(list), Some((last, row))) if last == list => row.push_str(&format!(", {said}")),
+            (Some(list), _) if path.ends_with("[1]") => choices.push((list.to_owned(), said)),
+            _ => choices.push((path, said)),
+        }
     }
     for (id, vehicle) in VehicleId::ALL.into_iter().zip(&case.vehicles) {
-        let mut say = |key: &str, value: String| choices.push((format!("vehicle{id}.{key}"), value));
-        if let Some(name) = &vehicle.name {
-            say("name", name.to_string());
+        let Some(recorder) = &vehicle.recorder else { continue };
+        choices.extend(tables(recorder, &format!("vehicle{id}.recorder")));
+        for (k, one) in (1..).zip(&recorder.records) {
+            choices.extend(tables(&one.stored, &format!("vehicle{id}.recorder.records[{k}]")));
         }
-        if vehicle.fixed {
-            say("fixed", "true".to_owned());
-        }
-        if let Some(kind) = vehicle.kind {
-            say("kind", kind.name().to_owned());
-        }
-        if let Some(class) = vehicle.class {
-            say("class", class.to_string());
-        }
-        match &vehicle.energy {
-            Some(KnownEnergy::Undamaged) => say("crush", UNDAMAGED.to_owned()),
-            Some(KnownEnergy::Ees(given)) => {
-                if let Some(side) = given.side {
-                    say("crush.side", words::side_name(side).to_owned());
-                }
-                if let Some(Pdof::Clock(hour)) = given.pdof {
-                    say("crush.pdof", clock(hour));
-                }
-            }
-            None => {}
-        }
-        if let Some(recorder) = &vehicle.recorder {
-            for (key, words) in tables(recorder, "recorder") {
-                say(&key, words);
-            }
-            for (k, one) in recorder.records.iter().enumerate() {
-                for (key, words) in tables(&one.stored, &format!("recorder.records[{}]", k + 1)) {
-                    say(&key, words);
-                }
-            }
-        }
-        if let Some(after) = &vehicle.after {
-            for (key, words) in of_path(after) {
-                say(&key, words);
-            }
-        }
-        let Some(crush) = &vehicle.crush else { continue };
-        say("crush.side", words::side_name(crush.side).to_owned());
-        if crush.from_force_balance {
-            say("crush.from_force_balance", "true".to_owned());
-        }
-        match &crush.stiffness {
-            StiffnessForm::Category(category) => say("crush.stiffness.category", category.to_string()),
-            StiffnessForm::Test(test) => {
-                say("crush.stiffness.test.fit", word(&Fit::WORDS, &test.fit).to_owned());
-            }
-            _ => {}
-        }
-        if let Some(Pdof::Clock(hour)) = crush.pdof {
-            say("crush.pdof", clock(hour));
-        }
-        match crush.oblique {
-            // Its number stands among the numbers.
-            None | Some(ObliqueCorrection::Friction(_)) => {}
-            Some(correction) => say("crush.oblique", crate::law::correction_name(correction).to_owned()),
-        }
-    }
-    if let Some(impact) = &case.impact {
-        choices.push(("impact.law".to_owned(), impact.law.name().to_owned()));
-        if matches!(impact.law, ImpactLaw::Brach { tangential: BrachTangential::Critical, .. }) {
-            let critical = word(&BrachTangential::WORDS, &BrachTangential::Critical);
-            choices.push(("impact.tangential".to_owned(), critical.to_owned()));
-        }
-    }
-    if let Some(reconstruct) = &case.reconstruct {
-        choices.push(("reconstruct.find".to_owned(), words::find_names(reconstruct.find)));
-        // The number of a share stands among the numbers.
-        choices.push(("reconstruct.energy_basis".to_owned(), reconstruct.energy_basis.name().to_owned()));
     }
     if let Some(avoid) = &case.avoid {
-        choices.push(("avoid.vehicle".to_owned(), word(&SUBJECTS, &case.avoid_subject()).to_owned()));
-        let form = avoid.swell_form.unwrap_or_default();
-        choices.push(("avoid.swell_form".to_owned(), word(&SWELLS, &form).to_owned()));
-        if let Some(party) = avoid.other_party {
-            choices.push(("avoid.other_party".to_owned(), party.name().to_owned()));
-        }
-        for (key, is_true) in [
-            ("avoid.unbraked", avoid.unbraked),
-            ("avoid.demand.sight", avoid.demand == Some(GivenDemand::Sight)),
-            (
-                "avoid.clear.outlines",
-                avoid.clear.as_ref().is_some_and(|clear| clear.way == GivenWayOut::Outlines),
-            ),
-        ] {
-            if is_true {
-                choices.push((key.to_owned(), "true".to_owned()));
+        let mut default = |key: &str, word: &str| {
+            let key = format!("avoid.{key}");
+            if !choices.iter().any(|(given, _)| *given == key) {
+                choices.push((key, word.to_owned()));
             }
-        }
-    }
-    if let Some(estimate) = &case.estimate {
-        choices.push(("estimate.prior".to_owned(), word(&SeverityPrior::WORDS, &estimate.prior).to_owned()));
-    }
-    if !case.uncertainty.exact.is_empty() {
-        choices.push(("uncertainty.exact".to_owned(), case.uncertainty.exact.join(", ")));
+        };
+        default("vehicle", word(&SUBJECTS, &case.avoid_subject()));
+        default("swell_form", word(&SWELLS, &avoid.swell_form.unwrap_or_default()));
     }
     choices
 }
 
-/// The words of the path to rest: wheels that are locked, and those that left a mark. The numbers of the
-/// others stand among the numbers.
-fn of_path(after: &After) -> Vec<(String, String)> {
-    let locked = WheelDrag::WORDS[0].0;
-    let is_locked = |drag: &WheelDrag| matches!(drag, WheelDrag::Locked);
-    let drag: Vec<String> = match &after.drag {
-        Some(Drag::Every(drag)) => is_locked(drag).then(|| "after.drag".to_owned()).into_iter().collect(),
-        Some(Drag::Each(wheels)) => (1..)
-            .zip(wheels)
-            .filter(|(_, drag)| is_locked(drag))
-            .map(|(n, _)| format!("after.drag[{n}]"))
-            .collect(),
-        None => Vec::new(),
-    };
-    let marks = (1..).zip(&after.points).filter_map(|(n, point)| {
-        Some((format!("after.points[{n}].wheel"), word(&MarkedWheel::WORDS, &point.wheel?).to_owned()))
-    });
-    drag.into_iter().map(|key| (key, locked.to_owned())).chain(marks).collect()
+/// Whether a text stands at the head of a report, beside the number that it is about, or in a table that is
+/// told by what was recognised in it.
+fn is_of_head(path: &str) -> bool {
+    let key = path.rsplit('.').next().unwrap_or_default();
+    let is_table = |word: &str| key == word || path.contains(&format!(".{word}."));
+    path == "title"
+        || path.starts_with("report.")
+        || key == "source"
+        || key == "reason"
+        || is_table("pre_crash")
+        || is_table("pulse")
 }
 
 /// The hour of a PDOF, and what it means.

@@ -9,7 +9,7 @@ use super::recorder::WhichBlock;
 use super::{identified, pretty, title};
 use crate::PROGRAM;
 use crate::pictures::drawn;
-use crate::understood::{choices, converted, message, spread};
+use crate::understood::{choices, converted, message, numbers, spread};
 use crate::units::Units;
 
 #[derive(Serialize)]
@@ -100,8 +100,7 @@ pub fn judgement_json(file: &CaseFile, judgement: &Judgement) -> Result<String, 
             })
             .collect(),
         answers_most: judgement.answers_most().map(Purpose::name),
-        inputs: case
-            .inputs()
+        inputs: numbers(case)
             .into_iter()
             .map(|input| {
                 let (us, us_unit) = converted(&input, UnitSystem::Us);

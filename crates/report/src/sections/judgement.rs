@@ -8,7 +8,7 @@ use crate::document::{Block, Column, Document, Row, Table, Width};
 use crate::pictures::drawn;
 use crate::understood::{amount, choices, converted, message, shown, spread};
 use crate::units::Units;
-use crate::{warnings, words};
+use crate::{understood, warnings, words};
 
 /// The heading of the numbers of the file.
 pub(crate) const NUMBERS: &str = "Numbers as understood";
@@ -120,7 +120,7 @@ fn numbers(case: &Case) -> Table {
         ],
     );
     let mut ranges = case.ranges.iter().peekable();
-    for input in case.inputs() {
+    for input in understood::numbers(case) {
         let spread = ranges.next_if(|range| range.path == input.path).map(spread);
         let amount = amount(input.number, input.unit);
         let written = match spread {

@@ -3,7 +3,7 @@
 use analysis::{Analysis, Assumption};
 use case::{CaseFile, Input};
 
-use crate::document::{Column, Table, Width};
+use crate::document::{Column, NONE, Table, Width};
 use crate::sections::judgement::{ASSUMED, CHOICES, NUMBERS};
 use crate::steps::digits;
 use crate::understood;
@@ -48,65 +48,38 @@ fn is_of(assumption: &Assumption, analysis: &Analysis) -> bool {
     }
 }
 
-/// A row of the numbers: the stations of a profile share one, as in the file.
-struct Row {
-    path: String,
-    own: Vec<String>,
-    /// The range of each number, empty without one.
-    spreads: Vec<String>,
-    si: Vec<String>,
-}
-
-impl Row {
-    fn cells(self) -> [String; 3] {
-        let mut own = self.own.join(", ");
-        let known: Vec<&str> =
-            self.spreads.iter().map(|spread| if spread.is_empty() { "–" } else { spread }).collect();
-        match known.as_slice() {
-            spreads if spreads.iter().all(|&spread| spread == "–") => {}
+/// The numbers; the stations of a profile share a row, as in the file.
+fn numbers(file: &CaseFile) -> Table {
+    let columns = ["key in the case file", "as given", "in SI units"];
+    let mut table = Table::new(NUMBERS, columns.map(|name| Column::words(name, Width::Fit(0))));
+    let mut ranges = file.case.ranges.iter().peekable();
+    let inputs = understood::numbers(&file.case);
+    for row in inputs.chunk_by(|one, next| list(one).is_some() && list(one) == list(next)) {
+        let [first, ..] = row else { continue };
+        let path = list(first).filter(|_| first.path.ends_with("[1]")).unwrap_or(&first.path);
+        let spreads: Vec<String> = row
+            .iter()
+            .map(|input| ranges.next_if(|range| range.path == input.path))
+            .map(|range| range.map_or_else(|| NONE.to_owned(), understood::spread))
+            .collect();
+        let joined = |said: fn(&Input) -> String| row.iter().map(said).collect::<Vec<_>>().join(", ");
+        let mut own = joined(|input| understood::amount(input.number, input.unit));
+        match spreads.as_slice() {
+            spreads if spreads.iter().all(|spread| spread == NONE) => {}
             [spread] => own.push_str(&format!("; {spread}")),
             [first, rest @ ..] if rest.iter().all(|spread| spread == first) => {
                 own.push_str(&format!("; each {first}"));
             }
             spreads => own.push_str(&format!("; {}", spreads.join(", "))),
         }
-        [self.path, own, self.si.join(", ")]
+        table.row([path.to_owned(), own, joined(si)]);
     }
-}
-
-fn numbers(file: &CaseFile) -> Table {
-    let mut ranges = file.case.ranges.iter().peekable();
-    let mut rows: Vec<Row> = Vec::new();
-    for input in file.case.inputs() {
-        let spread =
-            ranges.next_if(|range| range.path == input.path).map(understood::spread).unwrap_or_default();
-        let (path, first) = match input.path.strip_suffix("[1]") {
-            Some(list) => (list.to_owned(), true),
-            None => (input.path.split('[').next().unwrap_or_default().to_owned(), !input.path.ends_with(']')),
-        };
-        match rows.last_mut() {
-            Some(row) if !first && row.path == path => {
-                row.own.push(own(&input));
-                row.spreads.push(spread);
-                row.si.push(si(&input));
-            }
-            _ => {
-                let path = if first { path } else { input.path.clone() };
-                rows.push(Row { path, own: vec![own(&input)], spreads: vec![spread], si: vec![si(&input)] });
-            }
-        }
-    }
-    let columns = ["key in the case file", "as given", "in SI units"];
-    let mut table = Table::new(NUMBERS, columns.map(|name| Column::words(name, Width::Fit(0))));
-    rows.into_iter().for_each(|row| table.row(row.cells()));
     table
 }
 
-fn own(input: &Input) -> String {
-    match input.unit {
-        Some(unit) => format!("{} {unit}", input.number),
-        None => input.number.to_string(),
-    }
+/// The list of which a number is an element.
+fn list(input: &Input) -> Option<&str> {
+    Some(input.path.strip_suffix(']')?.rsplit_once('[')?.0)
 }
 
 /// With the digits of the steps, so that the same number looks the same.
