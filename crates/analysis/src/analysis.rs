@@ -5,7 +5,7 @@ use pim_core::{Contact, VehicleId};
 
 use crate::check::Check;
 use crate::damage::Crash3;
-use crate::exchange::Exchange;
+use crate::exchange::{Exchange, by_momentum};
 use crate::found::Found;
 use crate::impact::Impact;
 use crate::speeds::BothFound;
@@ -95,9 +95,7 @@ impl Analysis {
             warnings: Vec::new(),
         }
     }
-}
 
-impl Analysis {
     /// The effect of the impact; `None` in an analysis of only the damage or only the motion.
     #[must_use]
     pub fn exchange(&self) -> Option<Exchange> {
@@ -107,7 +105,6 @@ impl Analysis {
     /// The impact by the law of the case at the speeds from momentum: a check of the law, not a result.
     #[must_use]
     pub fn law_check(&self) -> Option<&Impact> {
-        self.both.as_ref().filter(|both| !both.is_by_crush())?;
-        self.impact.as_ref()
+        by_momentum(self.both.as_ref()).and(self.impact.as_ref())
     }
 }

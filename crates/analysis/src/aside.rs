@@ -1,6 +1,6 @@
 //! Evidence of a case that an answer does not use, and its contradictions with that answer.
 
-use inputs::{Case, Find, GivenVehicle, Purpose, Quantity, Recorder, RecordersDeltaV};
+use inputs::{Case, GivenVehicle, Purpose, Quantity, Recorder, RecordersDeltaV};
 use pim_core::VehicleId;
 use real::elementary::atan2;
 use real::principal_angle;
@@ -43,9 +43,9 @@ impl Used {
 /// The keys of evidence that the exact answer of a purpose will not use, as far as that is known before it is
 /// solved.
 pub(crate) fn of_purpose(case: &Case, purpose: Purpose) -> Vec<String> {
-    let used = match (purpose, case.reconstruct.map(|reconstruct| reconstruct.find)) {
-        (Purpose::Reconstruct, Some(Find::Both)) => Used { crush: is_along_line(case), after: true },
-        (Purpose::Motion, _) => Used { crush: true, after: true },
+    let used = match purpose {
+        Purpose::Reconstruct if case.is_by_momentum() => Used { crush: is_along_line(case), after: true },
+        Purpose::Motion => Used { crush: true, after: true },
         _ => Used { crush: true, after: false },
     };
     left_aside(case, used)

@@ -138,6 +138,8 @@ pub struct UnknownNumber {
 pub struct EstimatedOutput {
     /// Which.
     pub output: Output,
+    /// Whether it is a speed that the case gives, with its range.
+    pub is_given: bool,
     /// (SI) before the evidence; `None` where that run did not converge.
     pub prior: Option<DrawsSummary>,
     /// (SI) after it.
@@ -152,8 +154,9 @@ pub struct EstimatedOutput {
 pub const TOLD_BELOW: f64 = 0.8;
 
 impl EstimatedOutput {
-    /// Whether the evidence determines it: its 95 % interval is at most [`TOLD_BELOW`] of the one before, or
-    /// its median lies outside the interval that contained half of the probability before.
+    /// Whether the case gives it or the evidence determines it: its 95 % interval is at most
+    /// [`TOLD_BELOW`] of the one before, or its median lies outside the interval that contained half of the
+    /// probability before.
     #[must_use]
     pub fn is_told(&self) -> bool {
         let Some(before) = &self.prior else { return true };
@@ -164,7 +167,7 @@ impl EstimatedOutput {
         let [half, ..] = &before.intervals;
         let median = self.posterior.median.value;
         let has_moved = median < half.low.value || half.high.value < median;
-        !self.varies() || has_moved || width(&self.posterior) <= TOLD_BELOW * width(before)
+        self.is_given || !self.varies() || has_moved || width(&self.posterior) <= TOLD_BELOW * width(before)
     }
 
     /// Whether its draws differ by more than rounding: not for a known speed, even with uncertain heading.
@@ -341,6 +344,7 @@ impl There<'_> {
         let outputs = told.outputs().iter().zip(posterior.outputs()).enumerate();
         let estimated = outputs.map(|(place, (output, draws))| EstimatedOutput {
             output: *output,
+            is_given: told.is_given(*output),
             prior: before.map(|before| before.summary(DrawnQuantity::Output(place))),
             posterior: posterior.summary(DrawnQuantity::Output(place)),
             if_injured: injured.as_ref().map(|weights| posterior.weighted(weights).summary(draws)),

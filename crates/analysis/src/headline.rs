@@ -57,9 +57,11 @@ fn is_of(key: &str, pieces: &[String]) -> bool {
 }
 
 /// Why the exact solution is not the answer of its case.
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Overdetermined {
+    /// How the exact solution was found.
+    pub solved_by: EvidenceMethod,
     /// The keys of the evidence that it does not use.
     pub left_aside: Vec<String>,
     /// Its own checks that refute it.
@@ -104,6 +106,7 @@ impl Analysis {
             matches!(warning, Warning::EvidenceDiffers { .. } | Warning::BelowRecord { .. })
         };
         let why = Overdetermined {
+            solved_by: self.solved_by(),
             left_aside: self.left_aside.clone(),
             refuted_by: refuted.copied().collect(),
             is_contradicted: self.warnings.iter().any(differs),

@@ -9,8 +9,9 @@ use crate::analysis::Analysis;
 use crate::aside::{self, Used};
 use crate::checks;
 use crate::damage;
-use crate::exchange::Exchange;
+use crate::exchange::{Exchange, by_momentum};
 use crate::failure::Failure;
+use crate::impact::Impact;
 use crate::travel::{self, Travel};
 use crate::warning;
 
@@ -27,7 +28,7 @@ pub(crate) fn judged(
     }
     let mut warnings = mem::take(&mut analysis.warnings);
     let Analysis { found, both, impact, vehicles, crash3, .. } = &analysis;
-    let by_momentum = both.as_ref().is_some_and(|both| !both.is_by_crush());
+    let by_momentum = by_momentum(both.as_ref()).is_some();
     // The impact whose effect is the result: by momentum, the one by the law is only a check of the law.
     let result = impact.as_ref().filter(|_| !by_momentum);
     // If the speed was found from the crush energy, the normal work equals it by construction.
@@ -47,12 +48,9 @@ pub(crate) fn judged(
         warning::of_impact(impact, &mut warnings);
     }
     warning::of_outlines(vehicles, &mut warnings);
-    let speeds = match (both, impact) {
-        (Some(both), _) => Some(both.speeds.map(f64::abs)),
-        (None, impact) => {
-            impact.as_ref().map(|impact| impact.outcome.before.map(|motion| motion.velocity.norm()))
-        }
-    };
+    let before = |impact: &Impact| impact.outcome.before.map(|motion| motion.velocity.norm());
+    let of_both = both.as_ref().map(|both| both.speeds.map(f64::abs));
+    let speeds = of_both.or_else(|| impact.as_ref().map(before));
     warning::of_case(case, &mut warnings);
     let is_found = VehicleId::ALL.map(|id| {
         found.as_ref().is_some_and(|found| found.unknown.vehicle() == id)

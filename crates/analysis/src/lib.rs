@@ -90,9 +90,10 @@ pub use self::uncertainty::{
     UncertainInput, UncertainOutput, Uncertainty, is_searched_back, is_uncertain, samples,
 };
 pub use avoid::{
-    ActualRun, AvoidChance, AvoidCourse, AvoidInfluence, AvoidInterval, AvoidPlan, AvoidRun, AvoidScene,
-    AvoidStage, Avoidance, BRAKES, DrivenBy, Enough, GIVES_WAY, Hiding, Hypothesis, SIGHT_LOOK_BACK, Sight,
-    SightIntervals, SpeedSource, Unbraked, View, avoid, avoid_at_once, obstacle_name, without_source,
+    ActualRun, Along, AvoidChance, AvoidCourse, AvoidInfluence, AvoidInterval, AvoidPlan, AvoidRun,
+    AvoidScene, AvoidStage, Avoidance, BRAKES, DrivenBy, Enough, GIVES_WAY, Hiding, Hypothesis,
+    SIGHT_LOOK_BACK, Sight, SightIntervals, SpeedDoubt, SpeedSource, Unbraked, View, avoid, avoid_at_once,
+    obstacle_name, without_source,
 };
 pub use beside::{BACKWARD_SAMPLES, Beside, SAMPLES, beside, is_estimated_beside, usual_samples};
 pub use check::{Check, CheckedQuantity};

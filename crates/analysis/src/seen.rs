@@ -6,7 +6,7 @@ use pim_core::{ImpactError, Switch, VehicleId};
 use crate::analysis::Analysis;
 use crate::check::Check;
 use crate::damage::Crash3;
-use crate::exchange::Exchange;
+use crate::exchange::{Exchange, by_momentum};
 use crate::failure::Failure;
 use crate::found::Found;
 use crate::impact::Impact;
@@ -258,7 +258,6 @@ impl Seen {
     /// As [`Analysis::law_check`].
     #[must_use]
     pub fn law_check(&self) -> Option<&Impact> {
-        self.both.as_ref().filter(|both| !both.is_by_crush())?;
-        self.impact.as_ref()
+        by_momentum(self.both.as_ref()).and(self.impact.as_ref())
     }
 }

@@ -147,6 +147,11 @@ pub enum Warning {
         /// The vehicle.
         vehicle: VehicleId,
     },
+    /// Skid marks before the impact are taken on level ground, although the ground has a grade.
+    SkidOnGrade {
+        /// The vehicle.
+        vehicle: VehicleId,
+    },
     /// Several motions after the impact lead to the rest position of a vehicle.
     SeveralStarts {
         /// The vehicle.
@@ -526,6 +531,7 @@ impl Warning {
         Self::BelowRecord { .. } => "below-record",
         Self::SkidDirection { .. } => "skid-direction",
         Self::WreckAlone { .. } => "wreck-alone",
+        Self::SkidOnGrade { .. } => "skid-on-grade",
         Self::CategoryEnergy { .. } => "category-energy",
         Self::SeveralStarts { .. } => "several-starts",
         Self::PointMissed { .. } => "point-missed",
@@ -572,6 +578,7 @@ impl Warning {
             | Self::BelowRecord { vehicle, .. }
             | Self::SkidDirection { vehicle, .. }
             | Self::WreckAlone { vehicle }
+            | Self::SkidOnGrade { vehicle }
             | Self::SeveralStarts { vehicle, .. }
             | Self::PointMissed { vehicle, .. }
             | Self::RestMissed { vehicle, .. }
@@ -851,6 +858,7 @@ pub(crate) fn of_case(case: &Case, warnings: &mut Vec<Warning>) {
         }
         of_skid(case, id, warnings);
         of_wreck(case, id, warnings);
+        of_grade(case, id, warnings);
         if let Some(crush) = &vehicle.crush
             && let StiffnessForm::Test(test) = &crush.stiffness
         {
@@ -875,6 +883,15 @@ fn of_wreck(case: &Case, vehicle: VehicleId, warnings: &mut Vec<Warning>) {
         |after: &After| after.speed.is_none() && (after.rest.is_some() || !after.points.is_empty());
     if after.is_some_and(is_by_places) {
         warnings.push(Warning::WreckAlone { vehicle });
+    }
+}
+
+/// Warns of skid marks on ground with a grade. Friction of their own may contain that grade.
+pub(crate) fn of_grade(case: &Case, vehicle: VehicleId, warnings: &mut Vec<Warning>) {
+    let is_graded = case.surface.as_ref().is_some_and(|surface| surface.grade.is_some());
+    let skid = case.vehicles[vehicle.index()].before.as_ref().and_then(|before| before.skid.as_ref());
+    if is_graded && skid.is_some_and(|skid| skid.friction.is_none()) {
+        warnings.push(Warning::SkidOnGrade { vehicle });
     }
 }
 

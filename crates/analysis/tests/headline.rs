@@ -154,6 +154,13 @@ fn a_judgement_says_what_each_command_leaves_aside() {
     assert_eq!(judge(&case).answers_most(), Some(Purpose::Reconstruct));
     // Along one line momentum needs the crush energy, across it leaves it aside.
     assert!(aside(&read(BOTH), Purpose::Reconstruct).is_empty());
+    // One speed without damage is found from how they left, too.
+    let told = "after = { speed = \"6 m/s\", direction = \"0 deg\" }";
+    let one = format!(
+        "[vehicle1]\nmass = \"900 kg\"\nheading = \"0 deg\"\n{told}\n[vehicle2]\nmass = \"2400 kg\"\n\
+         heading = \"0 deg\"\nspeed = \"0 km/h\"\n{told}\n[reconstruct]\nfind = \"vehicle1.speed\"\n"
+    );
+    assert!(aside(&read(&one), Purpose::Reconstruct).is_empty());
     let crossing = BOTH.replacen("heading", "heading = \"60 deg\"\n#", 1);
     assert_eq!(aside(&read(&crossing), Purpose::Reconstruct), ["vehicle1.crush", "vehicle2.crush"]);
 }

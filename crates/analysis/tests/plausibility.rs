@@ -909,6 +909,18 @@ fn skid_marks_from_elsewhere_are_told() {
     assert_close(course, (195.0_f64 - 4.35 - 360.0).to_radians(), 1e-12);
 }
 
+/// A grade of the ground changes what a skid tells, unless its own friction contains it.
+#[test]
+fn a_skid_on_a_grade_is_told() {
+    let text = include_str!("../../../fixtures/rear-end-rest.toml");
+    let graded =
+        text.replace("friction = 0.7\n", "friction = 0.7\ngrade = { slope = 0.1, uphill = \"0 deg\" }\n");
+    let at = |text: &str| raised(analysis::reconstruct, text, "skid-on-grade");
+    assert_eq!(at(text), []);
+    assert_eq!(at(&graded), [Warning::SkidOnGrade { vehicle: VehicleId::One }]);
+    assert_eq!(at(&graded.replace("length = \"8 m\"", "length = \"8 m\", friction = 0.8")), []);
+}
+
 /// Without friction and lever arm, a wall takes the velocity across it, v cos φ, and leaves v sin φ along it.
 #[test]
 fn an_object_that_took_energy_is_not_passed() {

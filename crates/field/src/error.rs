@@ -68,7 +68,7 @@ pub enum FieldError {
         wanted: &'static str,
     },
     /// The file has only a header.
-    #[error("the file has no pair of vehicles: write one a line, below the header")]
+    #[error("the file has no pair of vehicles: write one per line, below the header")]
     NoPairs,
     /// No vehicle struck a fixed object with its front.
     #[error("no line of the file has a front (CDCPLANE F) that struck an object")]

@@ -63,7 +63,7 @@ impl<T: Real> Outcome<T> {
     #[inline(always)]
     #[must_use]
     pub fn impulse_direction(&self) -> T {
-        direction(self.impulse_vector.x, self.impulse_vector.y)
+        direction(self.impulse_vector)
     }
 
     /// (rad) principal direction of force for both vehicles, see [`pdof`].
@@ -114,17 +114,18 @@ impl<T: Real> Outcome<T> {
 pub fn pdof<T: Real>(forward: Vector2<T>, impulse: Vector2<T>) -> T {
     let [ahead, left] = ahead_and_left(forward, impulse);
     // The force comes from −P; clockwise from the heading is to the right: PDOF = atan2(P_left, −P_ahead).
-    direction(-ahead, left)
+    direction(Vector2::new(-ahead, left))
 }
 
 /// (rad) by which rounding may leave a direction on the other side of the half turn.
 const HALF_TURN_ROUNDING: f64 = 1e-12;
 
-/// (rad) angle of a vector, in (−π, π]: a push from straight behind is +π, on whichever side of it rounding
+/// (rad) angle of a vector from the x axis, in (−π, π]: that along −x is +π, on whichever side of it rounding
 /// leaves the vector.
 #[inline(always)]
-fn direction<T: Real>(x: T, y: T) -> T {
-    let angle = y.atan2(x);
+#[must_use]
+pub fn direction<T: Real>(vector: Vector2<T>) -> T {
+    let angle = vector.y.atan2(vector.x);
     let value = angle.value();
     if value < HALF_TURN_ROUNDING - PI { angle - value + PI } else { angle }
 }

@@ -103,7 +103,7 @@ pub use body::{Body, Motion, Participant};
 pub use border::{Border, Switch};
 pub use contact::{Approach, Contact, InverseMass, NormalTangential};
 pub use error::{ImpactError, InvalidInput};
-pub use impact::{Energy, Outcome, normal_work, pdof};
+pub use impact::{Energy, Outcome, direction, normal_work, pdof};
 pub use law::{Law, LawImpulse, Regime, Tangential};
 pub use nalgebra::{self, Vector2};
 pub use real::Real;

@@ -402,7 +402,7 @@ pub enum TextRefusal {
     /// A time that no record of a crash has.
     #[error(
         "{place}: the time \"{text}\" is beyond {} to {} in the unit of its heading, farther from the impact than a record \
-         goes; is the heading to say ms?", range[0], range[1]
+         goes; should the heading say ms?", range[0], range[1]
     )]
     TimeFar {
         /// Where it stands.
@@ -413,7 +413,7 @@ pub enum TextRefusal {
         range: [f64; 2],
     },
     /// A time that the row before has, too.
-    #[error("{place}: the time {time} s appears twice")]
+    #[error("{place}: the time {time} s appears twice; leave out the row that is wrong")]
     TimeTwice {
         /// Where it stands for the second time.
         place: TextPlace,

@@ -104,7 +104,7 @@ pub(crate) fn piece_name(piece: Piece) -> String {
         Piece::DirectionAfter(id) => ("direction after", id),
         Piece::YawRateAfter(id) => ("yaw rate after", id),
         Piece::RecordedDeltaV(id) => ("recorder's ΔV", id),
-        Piece::LeastDeltaV(id) => ("recorder's ΔV at least", id),
+        Piece::LeastDeltaV(id) => ("recorder's ΔV (lower bound)", id),
         Piece::RecordedDirection(id) => ("direction of recorder's ΔV", id),
         Piece::Rest(id) => ("rest", id),
         Piece::Points(id) => ("points passed", id),
@@ -327,6 +327,15 @@ pub(crate) fn unused(reason: UnusedReason, key: &str) -> [String; 2] {
             "both PDOFs are one observation: the one with the smaller error counts, or the mean of two with the same",
             "nothing: they are counted once",
         ],
+        UnusedReason::Wreck => {
+            return [
+                "each vehicle is followed to its rest alone, and this one hung on the other".to_owned(),
+                format!(
+                    "`speed` and `direction` of the wreck in [{vehicle}.after]: v = √(2 a S), with the length S of its path \
+                     and the mean deceleration a of both together"
+                ),
+            ];
+        }
         UnusedReason::NotFollowed => {
             return [
                 "the vehicle cannot be followed to its rest".to_owned(),

@@ -75,7 +75,11 @@ fn excluded(impossible: &Impossible) -> String {
         _ if impossible.exclusion.possible > 0 => {
             "state what is certain less narrowly, and check the headings, contact points and crush plane"
         }
-        _ => "check the headings, the contact points and the crush plane, which is the angle of its normal",
+        _ => {
+            "check the headings, the contact points and the crush plane, which is the angle of its normal; a vehicle that \
+             backed into the other has a speed below zero, which is sought only where the case says so: certain_speed = \
+             { at_least = \"-30 km/h\", at_most = \"0 km/h\" }"
+        }
     };
     format!("{impossible}; {what}")
 }

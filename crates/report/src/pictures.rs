@@ -114,7 +114,7 @@ impl Subject {
         let purpose = case.furthest_purpose();
         let find = case.reconstruct.as_ref().map(|reconstruct| reconstruct.find);
         let lacking = match purpose {
-            Purpose::Reconstruct if find == Some(Find::Both) => case.two_speeds().err(),
+            Purpose::Reconstruct if case.is_by_momentum() => case.two_speeds().err(),
             Purpose::Reconstruct => case.reconstruction().err(),
             Purpose::Impact => case.collision().err(),
             _ => case.damage().err(),
@@ -126,6 +126,8 @@ impl Subject {
         };
         match self {
             Self::Scene => geometry().and_then(|geometry| match purpose {
+                // Point masses touch nowhere.
+                Purpose::Reconstruct if lacking.is_none() => Some(DrawingError::NoImpact { subject: self }),
                 Purpose::Crush if case.impact.is_some() && !case.vehicles.iter().any(|v| v.is_absent()) => {
                     Some(geometry.into())
                 }

@@ -260,8 +260,13 @@ pub fn message(seen: &SeenWarning, units: Units) -> String {
         Warning::WreckAlone { vehicle } => format!(
             "vehicle {vehicle} is followed to its rest alone, but it left as one wreck with vehicle {}, which pulled and turned \
              it, so that its speed after the impact may be far off; give the wreck's `speed` and `direction` in place of \
-             `rest` and `points`: the speed follows from the length of its path and the drag of both, v = √(2 a S)",
+             `rest` and `points`: v = √(2 a S), with the length S of its path and the mean deceleration a of both together",
             vehicle.other()
+        ),
+        Warning::SkidOnGrade { vehicle } => format!(
+            "the skid of vehicle {vehicle} before the impact is taken on level ground: the grade of [surface] counts after the \
+             impact alone. Uphill, the vehicle lost more speed in the skid than computed; downhill, less. Give the skid a \
+             `friction` of its own that contains the grade"
         ),
         Warning::SeveralStarts { vehicle, used, others } => {
             let told = |[v, rate]: [f64; 2]| {

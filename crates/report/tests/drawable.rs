@@ -33,6 +33,13 @@ fn fixtures() -> Vec<CaseFile> {
     let crush_only = NO_SPEEDS.replace("[impact]", "[other]").split("[other]").next().unwrap().to_owned();
     files.push(CaseFile::parse("crush-only.toml", &crush_only).unwrap());
     files.push(CaseFile::parse("no-pdof.toml", &NO_SPEEDS.replace("pdof = \"15 deg\"", "")).unwrap());
+    // One speed by momentum, without damage.
+    let told = "after = { speed = \"6 m/s\", direction = \"0 deg\" }";
+    let momentum = format!(
+        "[vehicle1]\nmass = \"900 kg\"\nheading = \"0 deg\"\n{told}\n[vehicle2]\nmass = \"2400 kg\"\n\
+         heading = \"0 deg\"\nspeed = \"0 km/h\"\n{told}\n[reconstruct]\nfind = \"vehicle1.speed\"\n"
+    );
+    files.push(CaseFile::parse("momentum.toml", &momentum).unwrap());
     files
 }
 

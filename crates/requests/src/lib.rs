@@ -55,7 +55,7 @@ use case::{Case, CaseFile};
 use report::{CsvStyle, Document, RowAnswer, SitePlan, Table, Units};
 use serde::Serialize;
 
-pub use avoid::{AvoidOptions, NO_PROBABILITY};
+pub use avoid::{AvoidOptions, no_probability};
 pub use estimate::{EstimateAnswer, EstimateOptions};
 pub use options::{OptionError, RequestOptions};
 pub use picture::{DrawingRequest, plan_path, read_picture, site_plan_beside};
@@ -63,6 +63,7 @@ pub use progress::RequestProgress;
 pub use records::read_records_beside;
 pub use refusal::{NoPage, RowRefusal, Unanswered};
 pub use sensitivity::SensitivityOptions;
+use solved::CONTRADICTION;
 pub use solved::{ReconstructOptions, SolvedCase, weigh};
 pub use uncertainty::{UncertaintyOptions, plots};
 
@@ -348,9 +349,10 @@ impl Answer {
             Self::Estimate(answer) if !answer.estimated.doubts().is_empty() => {
                 Some("the run has not converged: the report says why, and has no intervals")
             }
-            Self::Avoidance(found) if found.is_unconverged => Some(NO_PROBABILITY),
+            Self::Estimate(answer) if !answer.estimated.missed.is_empty() => Some(CONTRADICTION),
+            Self::Avoidance(found) => found.speed_doubt.as_ref().map(no_probability),
             Self::Judgement(_) | Self::Comparison(_) | Self::Recorders(_) | Self::Sensitivity(_) => None,
-            Self::Uncertainty(_) | Self::Estimate(_) | Self::Avoidance(_) => None,
+            Self::Uncertainty(_) | Self::Estimate(_) => None,
         }
     }
 

@@ -13,6 +13,10 @@ use crate::options::{OptionError, RequestOptions};
 use crate::progress::{RequestProgress, counted, of_estimate};
 use crate::refusal::NoPage;
 
+/// The reason why evidence that contradicts itself has no answer.
+pub(crate) const CONTRADICTION: &str =
+    "the evidence contradicts itself: the report says where, and has no one answer";
+
 /// What a reconstruction adds to its exact solution; by default nothing.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize)]
 pub struct ReconstructOptions {
@@ -94,7 +98,7 @@ impl SolvedCase {
     pub(crate) fn no_answer(&self) -> Option<&'static str> {
         let weighed = self.weighed.as_ref().filter(|weighed| !weighed.is_answer())?;
         Some(match weighed.estimated.doubts().is_empty() {
-            true => "the evidence contradicts itself: the report says where, and has no one answer",
+            true => CONTRADICTION,
             false => {
                 "the evidence was weighed, but the run has not converged: the report says why, and has no \
                  interval"

@@ -32,7 +32,7 @@ const COARSE: f64 = 0.05;
 /// Two starts that differ by less than this fraction of their speed are the same.
 const SAME: f64 = 1e-4;
 
-/// (rad) turns that differ by less are as great: as well as a rest is reached.
+/// (rad) turns that differ by less count as equal: no rest is reached more exactly.
 const SAME_TURN: f64 = 1e-3;
 
 /// Maximum number of rounds of Newton's method; a good seed needs five to ten.

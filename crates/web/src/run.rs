@@ -134,11 +134,10 @@ pub(crate) fn run(
     progress: &mut Progress<'_>,
 ) -> Result<Ran, Refused> {
     let given = Given::read(text, Some(name), units)?;
+    let mut options = RequestOptions::read(options)?;
     // A report has beside its exact solution all that is known.
-    let mut options = RequestOptions::read(options)?.or("weigh", true);
-    // Of samples, the method is a word.
-    if command != "uncertainty" {
-        options = options.or("method", true);
+    if command == "reconstruct" {
+        options = options.or("weigh", true).or("method", true);
     }
     let request = Request::read(command, &options)?;
     let mut answer = given.found(request.answer(&given.file.case, &mut |counted, done, total| {

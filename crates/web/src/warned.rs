@@ -42,6 +42,7 @@ pub(crate) fn keys(warning: &Warning) -> Vec<String> {
         Warning::EvidenceDiffers { evidence, .. } => evidence.key(),
         Warning::BelowRecord { .. } => "recorder",
         Warning::SkidDirection { .. } => "before.skid.from",
+        Warning::SkidOnGrade { .. } => "before.skid",
         Warning::WreckAlone { .. }
         | Warning::SeveralStarts { .. }
         | Warning::RestMissed { .. }

@@ -1139,6 +1139,8 @@ class _Estimate(_Document):
     """Whether the run has converged; without that it gives no interval."""
     doubts: tuple[Doubt, ...]
     """Why it has not."""
+    missed: tuple[str, ...]
+    """Keys of evidence that even the nearest collisions miss: the medians are then no answer."""
     ess: float
     """(–) the least effective sample size of all numbers."""
     outputs: Keyed[EstimatedOutput]
@@ -1360,8 +1362,10 @@ class AvoidanceAnswer(Record):
     """In time: the other party has left the danger zone; None if that is not asked."""
     at_limit: AtLimit
     """What is left of the limit."""
+    converged: bool
+    """Whether the estimate behind the speed has converged; without that there are no probabilities."""
     probability: AvoidanceProbability | None
-    """None if nothing is uncertain."""
+    """None if nothing is uncertain, or without convergence."""
     response: DriverResponse
     """What the driver could have done."""
     actual: str

@@ -25,6 +25,8 @@ pub enum UnusedReason {
     OtherPdof,
     /// A rest or points of a vehicle that cannot be followed there: friction or drag is missing.
     NotFollowed,
+    /// A rest or points of vehicles that left as one wreck: each is followed alone.
+    Wreck,
     /// The direction of a vehicle that stood after the impact.
     NoDirection,
     /// A coefficient of the impact of vehicles that left as one wreck.

@@ -56,6 +56,12 @@ impl<'a> Told<'a> {
         self.place(SPEED.of_vehicle(id))
     }
 
+    /// Whether it is the speed of a vehicle that the case gives.
+    pub(super) fn is_given(&self, output: Output) -> bool {
+        let given = output.vehicle().filter(|_| output.is(&SPEED));
+        given.is_some_and(|vehicle| !self.model.leads().speeds.is_open(vehicle))
+    }
+
     /// (SI) the draws of an output.
     pub(super) fn draws<'p>(&self, posterior: &'p Posterior, wanted: Output) -> Option<&'p [f64]> {
         posterior.outputs().get(self.place(wanted)?).map(Vec::as_slice)

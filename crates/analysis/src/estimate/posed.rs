@@ -36,6 +36,15 @@ impl Alone {
 }
 
 impl OpenSpeeds {
+    /// Whether the speed of a vehicle is unknown.
+    pub(super) fn is_open(self, id: VehicleId) -> bool {
+        match self {
+            Self::None => false,
+            Self::One(open, _) => open == id,
+            Self::Each(_) | Self::Together(_) => true,
+        }
+    }
+
     /// (m/s) the unknown speeds of a particle with these values and headings along `forward`.
     #[inline(always)]
     pub(super) fn along(

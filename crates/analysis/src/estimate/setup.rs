@@ -150,7 +150,9 @@ pub(super) fn of(case: &Case, prior: Option<SeverityPrior>) -> Result<Setup, Fai
     unused.extend(aside.into_iter().map(|key| Unused { key, reason: UnusedReason::OtherImpact }));
     let lacking = |faults: Faults| faults.needed_for(Purpose::Estimate);
     let nominal = case.collision().map_err(lacking)?.collision;
-    let warnings = unsolved::warnings(&case, Some(&nominal));
+    let mut warnings = unsolved::warnings(&case, Some(&nominal));
+    // Its rest is not used, as is said among the unused evidence.
+    warnings.retain(|warning| !matches!(warning, Warning::WreckAlone { .. }));
     let motion = case.run_out().transpose().map_err(lacking)?;
     let ranges = match inputs(&case) {
         Ok(ranges) => ranges,
@@ -623,10 +625,12 @@ fn followed(case: &Case, motion: Option<&MotionInput>) -> ([bool; 2], Vec<Unused
         let Some(after) = &case.vehicles[id.index()].after else { return false };
         let places = [("rest", after.rest.is_some()), ("points", !after.points.is_empty())];
         let given: Vec<&str> = places.iter().filter(|(_, is_given)| *is_given).map(|(key, _)| *key).collect();
-        let is_followed = motion.is_some_and(|motion| motion.vehicles[id.index()].is_some());
+        // A vehicle that hangs on another one does not come to rest as it would alone.
+        let can_follow = motion.is_some_and(|motion| motion.vehicles[id.index()].is_some());
+        let is_followed = can_follow && !case.locked_together;
         if !is_followed {
             let key = |key: &&str| format!("{}.after.{key}", table(id));
-            let reason = UnusedReason::NotFollowed;
+            let reason = if case.locked_together { UnusedReason::Wreck } else { UnusedReason::NotFollowed };
             unused.extend(given.iter().map(|given| Unused { key: key(given), reason }));
         }
         !given.is_empty() && is_followed

@@ -1275,6 +1275,36 @@ fn a_law_with_a_moment_does_not_lock() {
     assert_eq!(moment, [(key(), UnusedReason::WithMoment)]);
 }
 
+/// One of two locked vehicles does not come to rest as it would alone.
+#[test]
+fn a_rest_of_a_wreck_is_no_evidence() {
+    let text = include_str!("../../../../fixtures/rear-end-rest.toml");
+    let of = |text: &str| {
+        let setup = of_case(text);
+        let rests = setup.observed.vehicles.each_ref().map(|vehicle| vehicle.rest.is_some());
+        (rests, setup.unused.into_iter().map(|one| (one.key, one.reason)).collect::<Vec<_>>(), setup.warnings)
+    };
+    let (rests, unused, _) = of(text);
+    assert_eq!(rests, [true; 2]);
+    assert!(unused.iter().all(|(_, reason)| *reason != UnusedReason::Wreck), "{unused:?}");
+    let (rests, unused, warnings) = of(&text.replacen("[scene]\n", "[scene]\nlocked_together = true\n", 1));
+    assert_eq!(rests, [false; 2]);
+    for key in ["vehicle1.after.rest", "vehicle2.after.rest"] {
+        assert!(unused.contains(&(key.to_owned(), UnusedReason::Wreck)), "{unused:?}");
+    }
+    assert!(warnings.iter().all(|warning| warning.code() != "wreck-alone"));
+}
+
+/// A speed with a range is known as the case says, whatever the evidence adds to it.
+#[test]
+fn a_given_speed_is_told() {
+    let text = CENTRAL.replace("speed = \"0 km/h\"", "speed = { value = \"5 m/s\", sd = \"1 m/s\" }");
+    let estimated = run(&read(&text), 256).unwrap();
+    let given = of(&estimated, speed(VehicleId::Two));
+    assert!(given.is_given && given.varies() && given.is_told());
+    assert!(!of(&estimated, speed(VehicleId::One)).is_given);
+}
+
 /// Points that nothing can be followed to are under their own key.
 #[test]
 fn points_that_are_not_followed_are_named() {

@@ -31,6 +31,8 @@ struct Document<'a> {
     draws: usize,
     converged: bool,
     doubts: Vec<DoubtBlock>,
+    /// Keys of evidence that even the nearest collisions miss: the medians are then no answer.
+    missed: &'a [String],
     /// The least effective sample size of all numbers.
     ess: f64,
     /// In order; without statistics where the run has not converged.
@@ -315,6 +317,7 @@ fn reason_name(reason: UnusedReason) -> &'static str {
         UnusedReason::StoodByRecord => "stood_by_record",
         UnusedReason::OtherPdof => "other_pdof",
         UnusedReason::NotFollowed => "not_followed",
+        UnusedReason::Wreck => "wreck",
         _ => "other",
     }
 }
@@ -345,6 +348,7 @@ pub fn estimate_json(
             draws: estimated.posterior.count(),
             converged: is_answer,
             doubts: doubts.iter().map(doubt).collect(),
+            missed: &estimated.missed,
             ess: estimated.ess(),
             outputs: InOrder(
                 outputs.map(|output| (output.output.path(), OutputBlock::of(output, is_answer))).collect(),

@@ -103,6 +103,21 @@ fn tested(class: Option<&TestedClass>) -> String {
     )
 }
 
+/// What leads where the evidence contradicts itself.
+pub(super) const NO_COLLISION: &str =
+    "No collision reproduces all of the evidence, so no single answer can be given.";
+
+/// What the collisions that come nearest miss, and what to do.
+pub(super) fn missed(keys: &[String]) -> String {
+    let keys: Vec<String> = keys.iter().map(|key| format!("`{key}`")).collect();
+    format!(
+        "Even the collisions that come nearest miss {} by more than {MISSED} standard deviations. Check what was \
+         measured there, the contact points and the crush plane. If the vehicles left the impact as one wreck, \
+         write `locked_together = true` in [scene].",
+        keys.join(" and ")
+    )
+}
+
 struct Page<'a> {
     estimated: &'a Estimated,
     asked: &'a Asked,
@@ -132,10 +147,14 @@ impl<'a> Page<'a> {
     }
 
     fn lead(&mut self) {
-        if self.estimated.doubts().is_empty() {
-            self.answer();
-        } else {
+        if !self.estimated.doubts().is_empty() {
             self.doubts();
+        } else if !self.estimated.missed.is_empty() {
+            let mut how = missed(&self.estimated.missed);
+            how.push_str(" The medians below are no answer.");
+            self.document.push(Block::Answer { found: vec![NO_COLLISION.to_owned()], how });
+        } else {
+            self.answer();
         }
         self.warnings();
     }
@@ -151,12 +170,11 @@ impl<'a> Page<'a> {
         let words = |id: VehicleId| {
             let stood = self.estimated.stood[id.index()].filter(|stood| stood.after.value >= WORTH_A_LINE);
             let Stood { assumed, before, after } = stood?;
-            let before = before.map_or_else(String::new, |before| {
-                format!(", which is {} % of the collisions that can occur", percent(before.value))
-            });
+            let before =
+                before.map_or_else(String::new, |before| format!(" {} %, which is", percent(before.value)));
             Some(format!(
-                "Probability that vehicle {id} was stationary: {} %; assumed before the evidence, which `stood` in [estimate] \
-                 changes: {} %{before}.",
+                "Probability that vehicle {id} was stationary: {} %. Before the evidence:{before} the {} % that `stood` in [estimate] \
+                 assumes, without the cases in which the vehicles never meet.",
                 percent(after.value),
                 percent(assumed)
             ))
@@ -219,16 +237,7 @@ impl<'a> Page<'a> {
 
     /// Evidence that contradicts the rest, and what counts twice.
     fn warnings(&mut self) {
-        let missed: Vec<String> = self.estimated.missed.iter().map(|key| format!("`{key}`")).collect();
-        let mut lines = Vec::new();
-        if !missed.is_empty() {
-            lines.push(format!(
-                "no collision reproduces all of the evidence: even those that come nearest miss {} by more than {MISSED} \
-                 standard deviations. The medians are then no answer: find out below which evidence is wrong.",
-                missed.join(" and ")
-            ));
-        }
-        lines.extend(contradictions(&self.estimated.pieces));
+        let mut lines = contradictions(&self.estimated.pieces);
         for same in &self.estimated.same_twice {
             let [one, other] = &same.keys;
             lines.push(format!(
@@ -514,7 +523,8 @@ impl<'a> Page<'a> {
     fn if_injured(&mut self) {
         let wanted = [&SPEED, &DELTA_V].map(|row| VehicleId::ALL.map(|id| row.of_vehicle(id)));
         let told = wanted.into_iter().flatten().filter_map(|wanted| {
-            let [median, interval] = self.speed(self.find(wanted)?.if_injured.as_ref()?);
+            let found = self.find(wanted).filter(|found| found.varies())?;
+            let [median, interval] = self.speed(found.if_injured.as_ref()?);
             let unit = self.units.name(Measure::RoadSpeed);
             Some(format!("{}: {median} {unit} (95 %: {interval} {unit})", output_name(wanted)))
         });

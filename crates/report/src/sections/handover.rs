@@ -6,7 +6,7 @@ use ::drawing::{Drawing, SitePlan};
 use analysis::quantities as rows;
 use analysis::{
     Analysis, EnergyBalance, Estimated, Output, Seen, Sensitivity, UncertainInput, UncertainOutput,
-    Uncertainty, Weighed, is_estimated_beside,
+    Uncertainty, Vehicle, Weighed, is_estimated_beside,
 };
 use case::{Axes, Basis, Case, CaseFile, EstimatedInput, Origin, ReportHead};
 use pim_core::VehicleId;
@@ -214,7 +214,10 @@ fn drawings(
 
 fn identification(file: &CaseFile, analysis: &Analysis) -> Vec<(&'static str, String)> {
     let kind = match (&analysis.found, analysis.exchange()) {
-        (Some(_), _) => "reconstruction: a speed from the damage of both vehicles",
+        (Some(_), _) if has_all_damage(analysis) => {
+            "reconstruction: a speed from the damage of both vehicles"
+        }
+        (Some(_), _) => "reconstruction: a speed from the crush energy",
         (None, Some(_)) if analysis.both.as_ref().is_some_and(|both| both.sought().is_some()) => {
             "reconstruction: a speed from how the vehicles left the impact"
         }
@@ -457,8 +460,9 @@ fn method(analysis: &Analysis, axes: Axes, units: Units) -> Vec<String> {
             ),
         };
         paragraphs.push(format!(
-            "The crush energy of both vehicles follows from their damage by the CRASH3 algorithm. Planar impact mechanics gives {} \
-             for any speed of vehicle {}. The speed at which that work {agreement} was found {way}; {roots}. {basis}",
+            "{} Planar impact mechanics gives {} for any speed of vehicle {}. The speed at which that work {agreement} was \
+             found {way}; {roots}. {basis}",
+            energy_sources(analysis),
             basis::work(analysis.basis),
             found.unknown.vehicle()
         ));
@@ -570,6 +574,34 @@ fn crash3(analysis: &Seen, units: Units) -> Option<Table> {
     Some(table)
 }
 
+/// Whether the crush of both vehicles was measured or follows from that of the other.
+fn has_all_damage(analysis: &Analysis) -> bool {
+    analysis.vehicles.iter().all(|vehicle| vehicle.subject.damage.is_some())
+}
+
+/// How the crush energy was obtained.
+fn energy_sources(analysis: &Analysis) -> String {
+    if has_all_damage(analysis) {
+        return "The crush energy of both vehicles follows from their damage by the CRASH3 algorithm."
+            .to_owned();
+    }
+    let source = |(id, vehicle): (VehicleId, &Vehicle)| {
+        let subject = &vehicle.subject;
+        let has_ees = subject.energy.is_some_and(|energy| energy.ees.is_some());
+        let how = match subject.deformation_energy {
+            Some(_) => "as the case gives it",
+            None if subject.damage.is_some() => "from its damage by the CRASH3 algorithm",
+            None if has_ees => "from its energy equivalent speed",
+            None => return None,
+        };
+        let name = if vehicle.moves() { "vehicle" } else { "object" };
+        Some(format!("of {name} {id} {how}"))
+    };
+    let sources: Vec<String> =
+        VehicleId::ALL.into_iter().zip(&analysis.vehicles).filter_map(source).collect();
+    format!("The crush energy is that {}.", sources.join(", and that "))
+}
+
 /// What the analysis rests on besides the numbers.
 fn assumptions(file: &CaseFile, analysis: &Analysis, units: Units) -> Vec<String> {
     let mut assumptions = Vec::new();
@@ -582,9 +614,15 @@ fn assumptions(file: &CaseFile, analysis: &Analysis, units: Units) -> Vec<String
     }
     if let Some(impact) = &file.case.impact {
         assumptions.push(format!(
-            "Impact law: {}, with {}. The analyst chose contact point, crush plane and coefficients.",
+            "Impact law: {}, with {}. The analyst chose {}.",
             law::name(&impact.law),
-            law::coefficients(&impact.law, units)
+            law::coefficients(&impact.law, units),
+            if analysis.vehicles.iter().any(|vehicle| vehicle.subject.contact_is_placed) {
+                "crush plane and coefficients; a contact point that the case does not give was placed at the \
+                 centroid of the damage"
+            } else {
+                "contact point, crush plane and coefficients"
+            }
         ));
     }
     if analysis.vehicles.iter().any(|vehicle| vehicle.damage.is_some()) {

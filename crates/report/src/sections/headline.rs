@@ -1,7 +1,7 @@
 //! The headline of a reconstruction: the exact solution if the case is just determined; all the evidence
 //! weighed if there is more, with the exact solutions beneath and what speaks against each.
 
-use analysis::{MISSED, Overdetermined, Seen, Solution, Weighed};
+use analysis::{Overdetermined, Seen, Solution, Weighed};
 use pim_core::VehicleId;
 
 use crate::checks;
@@ -34,16 +34,18 @@ impl<'a> Headline<'a> {
         match self {
             Self::Exact => Vec::new(),
             Self::Unweighed(why) => {
-                let found = vec![
-                    "The case has more evidence than any one exact solution uses: the answer is the estimate from all of it."
-                        .to_owned(),
-                ];
+                let why_not = if why.left_aside.is_empty() {
+                    "Evidence refutes the exact solution"
+                } else {
+                    "The case has more evidence than any one exact solution uses"
+                };
+                let found = vec![format!("{why_not}: the answer is the estimate from all of it.")];
                 let how = format!(
-                    "`deltav estimate` weighs it. {} Each exact solution takes its part of the evidence as free \
-                     of errors and is one row below it.",
+                    "{} `deltav estimate` weighs all the evidence. Each exact solution takes its part of it as free of \
+                     errors and is one row of its answer.",
                     because(why, analysis, units)
                 );
-                vec![Block::Answer { found, how }, Block::Table(exact(analysis, units))]
+                vec![Block::Answer { found, how }, Block::Table(exact(why, analysis, units))]
             }
             Self::Weighed(weighed) => {
                 let asked = Asked { plan: weighed.plan, questions: Vec::new() };
@@ -57,8 +59,12 @@ impl<'a> Headline<'a> {
                     ));
                 } else {
                     page.push(Block::Answer {
-                        found: vec![NO_COLLISION.to_owned()],
-                        how: misses(&because, missed),
+                        found: vec![super::estimate::NO_COLLISION.to_owned()],
+                        how: format!(
+                            "{because} So all of it was weighed. {} Each exact solution below takes a part of the evidence as \
+                             free of errors.",
+                            super::estimate::missed(missed)
+                        ),
                     });
                 }
                 page.push(Block::Table(solutions(weighed, analysis, units)));
@@ -78,21 +84,6 @@ impl<'a> Headline<'a> {
     }
 }
 
-/// What leads where the evidence contradicts itself.
-const NO_COLLISION: &str = "No collision reproduces all of the evidence, so no single answer can be given.";
-
-/// What the collisions that come nearest miss, and what to do.
-fn misses(because: &str, missed: &[String]) -> String {
-    let keys: Vec<String> = missed.iter().map(|key| format!("`{key}`")).collect();
-    format!(
-        "{because} So all of it was weighed, but even the collisions that come nearest miss {} by more than \
-         {MISSED} standard deviations. Each exact solution below takes a part of the evidence as free of errors. \
-         Check what was measured there, the contact points and the crush plane. If the vehicles left the impact \
-         as one wreck, write `locked_together = true` in [scene].",
-        keys.join(" and ")
-    )
-}
-
 /// Why no exact solution is the answer.
 fn because(why: &Overdetermined, analysis: &Seen, units: Units) -> String {
     let mut reasons = Vec::new();
@@ -101,10 +92,12 @@ fn because(why: &Overdetermined, analysis: &Seen, units: Units) -> String {
         reasons.push(format!("The exact solution detailed below does not use {}.", keys.join(", ")));
     }
     if !why.refuted_by.is_empty() {
-        reasons.push(format!("Its own checks refute it: {}.", refuted(analysis, units).join("; ")));
+        let whose = if reasons.is_empty() { "The checks of the exact solution" } else { "Its own checks" };
+        reasons.push(format!("{whose} refute it: {}.", refuted(analysis, units).join("; ")));
     }
     if why.is_contradicted {
-        reasons.push("Evidence that it does not use contradicts it.".to_owned());
+        let which = if reasons.is_empty() { "the exact solution" } else { "it" };
+        reasons.push(format!("Evidence contradicts {which}, as the warnings say."));
     }
     reasons.join(" ")
 }
@@ -126,7 +119,7 @@ fn columns() -> Vec<Column> {
 }
 
 /// The exact solution of an analysis, where nothing else was solved.
-fn exact(analysis: &Seen, units: Units) -> Table {
+fn exact(why: &Overdetermined, analysis: &Seen, units: Units) -> Table {
     let speed = |si: f64| units.format(Measure::RoadSpeed, si);
     let mut table = Table::new("Exact solution", columns());
     let speeds =
@@ -140,8 +133,7 @@ fn exact(analysis: &Seen, units: Units) -> Table {
         Some(changes) if analysis.moves(id) => speed(changes[id.index()]),
         _ => NONE.to_owned(),
     });
-    let name = if analysis.both.is_some() { "momentum" } else { "damage" };
-    table.cells([name.to_owned()].into_iter().chain(speeds).chain(changes));
+    table.cells([words::solution(why.solved_by).to_owned()].into_iter().chain(speeds).chain(changes));
     table
 }
 

@@ -2,7 +2,7 @@
 
 use analysis::quantities as rows;
 use analysis::{BothFound, BothMethod, ClosedForm, Seen, Travel, TravelOrigin};
-use case::{Basis, Case, Geometry, RestHeadingData};
+use case::{Basis, Geometry, RestHeadingData};
 use pim_core::VehicleId;
 use reconcile::COLLINEAR;
 
@@ -115,17 +115,6 @@ pub(crate) fn answer(id: VehicleId, travel: &Travel, units: Units) -> String {
             length(travel.rest.distance)
         ),
     }
-}
-
-/// A note for a case with both skid marks and a grade; otherwise `None`.
-pub(crate) fn skids_on_a_grade(case: &Case, analysis: &Seen) -> Option<String> {
-    let is_graded = case.surface.as_ref().is_some_and(|surface| surface.grade.is_some());
-    (is_graded && analysis.skids.iter().any(Option::is_some)).then(|| {
-        "The skid before the impact is taken on level ground: the grade of [surface] counts after the impact \
-         alone. If the skid went uphill, the vehicle was faster than printed where it begins; if downhill, \
-         slower."
-            .to_owned()
-    })
 }
 
 /// The method of a motion alone.

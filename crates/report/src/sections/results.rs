@@ -75,9 +75,6 @@ fn headed(case: &Case, analysis: &Analysis, headline: Headline<'_>, units: Units
     if let Some(exchange) = analysis.exchange() {
         page.impact(analysis, &exchange);
         page.motion(analysis);
-        if let Some(note) = motion::skids_on_a_grade(case, analysis) {
-            page.document.paragraph(note);
-        }
         page.energy(analysis, &exchange.energy);
     }
     for table in motion::law_check(analysis, units).into_iter().flatten() {
