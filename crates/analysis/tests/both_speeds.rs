@@ -218,7 +218,7 @@ fn a_point_with_a_heading_tells_which_motion_led_to_a_rest() {
             assert_near(off.passes[0].turned.unwrap(), 0.2, 0.01);
         }
         let off = motion(&read(&with(&point(0.2)))).unwrap();
-        let seen = off.seen(inputs::Axes::ZDown);
+        let seen = off.seen(Axes::ZDown);
         assert_near(seen.travel[0].as_ref().unwrap().passes[0].turned.unwrap(), -0.2, 0.01);
         let is_of_point = |check: &&Check| matches!(check.quantity, CheckedQuantity::PointMissed { .. });
         let checks: Vec<&Check> = seen.checks.iter().filter(is_of_point).collect();

@@ -430,3 +430,17 @@ fn a_centre_of_gravity_lies_within_its_vehicle() {
     assert!(said.contains("15 ft behind the front") && said.contains("13 ft long"), "{said}");
     assert!(refused("13 ft").is_some());
 }
+
+/// `find` names the vehicle whose speed is given, and the other one has none.
+#[test]
+fn a_speed_that_is_sought_and_given_is_told() {
+    let judged = changed(PAPER, "= \"vehicle1.speed\"", "= \"vehicle2.speed\"");
+    let reconstruct =
+        judged.abilities.iter().find(|ability| ability.purpose == Purpose::Reconstruct).unwrap();
+    let faults = reconstruct.obstacle.as_ref().unwrap().list();
+    let [fault] = faults else { panic!("{faults:?}") };
+    assert_eq!(
+        (fault.key.as_str(), fault.advice.as_deref()),
+        ("reconstruct.find", Some("write find = \"vehicle1.speed\""))
+    );
+}

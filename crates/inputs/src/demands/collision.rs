@@ -71,8 +71,25 @@ impl<T: Real> Demand<'_, T> {
     }
 
     pub(super) fn unknown(&mut self) -> Option<Unknown> {
+        let is_open = self.case.vehicles.each_ref().map(|vehicle| !vehicle.fixed && vehicle.motion.is_none());
         if let Some(reconstruct) = &self.case.reconstruct {
             let unknown = reconstruct.find.unknown();
+            if let Some(sought) = unknown.map(Unknown::vehicle)
+                && is_open[sought.other().index()]
+                && !is_open[sought.index()]
+            {
+                let other = sought.other();
+                let reason = format!(
+                    "`find` seeks the speed of vehicle {sought}, which the case gives, and not that of vehicle {other}, \
+                     which it does not give"
+                );
+                self.faults.push(Fault {
+                    key: "reconstruct.find".to_owned(),
+                    kind: FaultKind::Refused { reason },
+                    advice: Some(format!("write find = \"vehicle{other}.speed\"")),
+                });
+                return None;
+            }
             if unknown.is_none() {
                 let reason = "`reconstruct.find` asks for both speeds, where one is to be found";
                 self.faults.push(Fault {
@@ -90,7 +107,6 @@ impl<T: Real> Demand<'_, T> {
             return None;
         }
         // A moving vehicle without a speed is the one whose speed is to be found.
-        let is_open = self.case.vehicles.each_ref().map(|vehicle| !vehicle.fixed && vehicle.motion.is_none());
         let found = if is_open == [false, true] { "vehicle2.speed" } else { "vehicle1.speed" };
         self.missing(
             "reconstruct.find",
