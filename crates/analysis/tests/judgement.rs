@@ -414,23 +414,6 @@ fn nothing_is_assumed_of_a_vehicle_that_is_not_there() {
     assert!(!assumptions.contains(&Assumption::YawRate { vehicle: VehicleId::Two }), "{assumptions:?}");
 }
 
-/// A centre of gravity behind the rear is no vehicle.
-#[test]
-fn a_centre_of_gravity_lies_within_its_vehicle() {
-    let refused = |cg_to_front: &str| {
-        let text = format!(
-            "[vehicle1]\nmass = \"1500 kg\"\nlength = \"13 ft\"\nwidth = \"6 ft\"\ncg_to_front = \"{cg_to_front}\"\n\
-             crush = {{ side = \"front\", width = \"60 in\", depths = \"14 14 in\", stiffness = {{ category = 3 }} }}\n"
-        );
-        let file = CaseFile::parse("x.toml", &text).unwrap();
-        analysis::crush(&file.case).err().map(|failure| format!("{failure:?}"))
-    };
-    assert_eq!(refused("5 ft"), None);
-    let said = refused("15 ft").unwrap();
-    assert!(said.contains("15 ft behind the front") && said.contains("13 ft long"), "{said}");
-    assert!(refused("13 ft").is_some());
-}
-
 /// `find` names the vehicle whose speed is given, and the other one has none.
 #[test]
 fn a_speed_that_is_sought_and_given_is_told() {

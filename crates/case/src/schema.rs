@@ -356,7 +356,7 @@ pub(crate) static SCENE: Schema = Schema {
             "locked_together",
             "locked_together = true",
             Form::Flag,
-            "Vehicles that left the impact as one wreck. It is then enough to give `speed` and `direction`, or `rest`, in the table `after` of one of them: the other moved with it. Without a yaw rate, that velocity is the one of their common CG, and momentum tells how they turned.",
+            "Vehicles that left the impact as one wreck. It is then enough to give `speed` and `direction` in the table `after` of one of them: the other moved with it. A `rest` follows the one vehicle as if nothing hung on it, and `deltav estimate` does not use it. Without a yaw rate, that velocity is the one of their common CG, and momentum tells how they turned.",
         ),
     ],
     rules: &[],

@@ -784,7 +784,7 @@ fn every_key_has_its_sign() {
         vehicle("weight = \"0 lb\""),
         vehicle("yaw_inertia = \"0 kg m^2\""),
         vehicle("yaw_radius = \"0 m\""),
-        outline("0", "2", "2"),
+        outline("0", "2", "0.5"),
         outline("4", "0", "2"),
         outline("4", "2", "0"),
         crush("width = \"0 m\""),
@@ -1524,8 +1524,12 @@ fn any_vehicle() -> impl Strategy<Value = GivenVehicle> {
         speed().prop_map(Velocity::Speed),
         (speed(), speed()).prop_map(|(x, y)| Velocity::Vector { x, y }),
     ];
-    let outline = (length(Positive), length(Positive), length(Positive))
-        .prop_map(|(length, width, cg_to_front)| Outline { length, width, cg_to_front });
+    let outline = (length(Positive), length(Positive), length(Positive)).prop_filter_map(
+        "the CG lies within the vehicle",
+        |(length, width, cg_to_front)| {
+            (cg_to_front.si() < length.si()).then_some(Outline { length, width, cg_to_front })
+        },
+    );
     let kind = option::of(select(VehicleKind::WORDS.map(|(_, kind)| kind).to_vec()));
     let typical = (kind, option::of(1..=6_u8), [(); 4].map(|()| option::of(length(Positive))));
     let moving = (option::of(any_before()), option::of(any_after().boxed()));
@@ -1886,4 +1890,18 @@ fn keys_of_tables_in_braces_get_the_help_of_their_rows() {
         let told = CaseFile::parse("case.toml", text).unwrap_err().to_string();
         assert!(told.contains(says), "{text}: {told}");
     }
+}
+
+/// A centre of gravity behind the rear is no vehicle.
+#[test]
+fn a_centre_of_gravity_lies_within_its_vehicle() {
+    let refused = |cg_to_front: &str| {
+        let text =
+            format!("[vehicle1]\nlength = \"13 ft\"\nwidth = \"6 ft\"\ncg_to_front = \"{cg_to_front}\"\n");
+        CaseFile::parse("x.toml", &text).err().map(|errors| errors.to_string())
+    };
+    assert_eq!(refused("5 ft"), None);
+    let said = refused("15 ft").unwrap();
+    assert!(said.contains("15 ft behind the front") && said.contains("13 ft long"), "{said}");
+    assert!(refused("13 ft").is_some());
 }

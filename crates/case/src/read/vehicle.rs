@@ -55,7 +55,7 @@ impl<'t> Reader<'t> {
             contact: self.contact(&table),
             motion: self.motion(&table),
             yaw_rate: self.quantity(&table, "yaw_rate"),
-            outline: self.outline(&table),
+            outline: self.outline(&table, fixed),
             diameter: self.diameter(&table, fixed),
             deformation_energy: self.of_object(&table, "deformation_energy", fixed),
             crush,
@@ -126,7 +126,7 @@ impl<'t> Reader<'t> {
         }
     }
 
-    fn outline(&mut self, table: &Table<'t>) -> Option<Outline> {
+    fn outline(&mut self, table: &Table<'t>, fixed: bool) -> Option<Outline> {
         if length_alone(table) {
             return None;
         }
@@ -140,7 +140,16 @@ impl<'t> Reader<'t> {
         let length = self.quantity(table, "length");
         let width = self.quantity(table, "width");
         let cg_to_front = self.quantity(table, "cg_to_front");
-        Some(Outline { length: length?, width: width?, cg_to_front: cg_to_front? })
+        let outline = Outline { length: length?, width: width?, cg_to_front: cg_to_front? };
+        let Outline { length, cg_to_front, .. } = &outline;
+        if !fixed && cg_to_front.si() >= length.si() {
+            let message = format!(
+                "the centre of gravity, {cg_to_front} behind the front, lies behind the rear of a vehicle {length} long"
+            );
+            let help = Some("check both: `cg_to_front` is less than `length`".to_owned());
+            self.report_path(&table.path_of("cg_to_front"), CaseProblem::Fault { message, help });
+        }
+        Some(outline)
     }
 
     fn diameter(&mut self, table: &Table<'t>, fixed: bool) -> Option<Quantity> {

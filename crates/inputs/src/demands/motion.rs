@@ -292,7 +292,7 @@ impl<T: Real> Demand<'_, T> {
         Some(KnownContact { geometry, contact, law, yaw_rates: [T::ZERO; 2], vehicles })
     }
 
-    pub(super) fn refuse(&mut self, key: String, reason: String, advice: &str) {
+    fn refuse(&mut self, key: String, reason: String, advice: &str) {
         let kind = FaultKind::Refused { reason };
         self.faults.push(Fault { key, kind, advice: Some(advice.to_owned()) });
     }

@@ -33,18 +33,6 @@ impl<T: Real> Demand<'_, T> {
                 energy: None,
             });
         }
-        let outline = vehicle.outline.as_ref();
-        let behind = outline.map(|outline| [outline.cg_to_front, outline.length].map(|of| of.map(T::value)));
-        if let Some([cg_to_front, length]) = behind.filter(|[cg, length]| cg.si() >= length.si()) {
-            let reason = format!(
-                "the centre of gravity, {cg_to_front} behind the front, lies behind the rear of a vehicle {length} long"
-            );
-            self.refuse(
-                format!("{}.cg_to_front", table(id)),
-                reason,
-                "check both: `cg_to_front` is less than `length`",
-            );
-        }
         let inertia = self.inertia(id, vehicle, &form);
         let damage = match form.damage {
             DamageForm::Measured(crush) | DamageForm::Inferred(crush) => {

@@ -2,8 +2,8 @@
 
 use analysis::{
     ActualRun, Along, AvoidChance, AvoidInterval, AvoidRun, AvoidScene, Avoidance, BRAKES, DrivenBy,
-    GIVES_WAY, Hiding, Hypothesis, SIGHT_LOOK_BACK, Sight, SpeedDoubt, SpeedSource, Unbraked, View,
-    obstacle_name,
+    GIVES_WAY, Hiding, Hypothesis, SIGHT_LOOK_BACK, SeenWarning, Sight, SpeedDoubt, SpeedSource, Unbraked,
+    View, Warning, obstacle_name,
 };
 use case::{
     Avoid, Case, Clear, GivenDemand, GivenWayOut, OtherApproach, OtherParty, PathForm, PlaceForm, Quantity,
@@ -226,7 +226,13 @@ fn of_speed(found: &Avoidance, units: Units) -> Vec<String> {
             return said.map(|said| format!("Note that {said}.")).collect();
         }
     };
-    let mut codes: Vec<&str> = found.speed_warnings.iter().map(|seen| seen.warning().code()).collect();
+    let mut codes: Vec<&str> = found
+        .speed_warnings
+        .iter()
+        .map(SeenWarning::warning)
+        .filter(|warning| !warning.is_common())
+        .map(Warning::code)
+        .collect();
     codes.sort_unstable();
     codes.dedup();
     if codes.is_empty() {
