@@ -95,19 +95,7 @@ impl<T: Real> EnergyMoments<T> {
     /// # Errors
     /// If the number of stiffnesses is not that of the profile's zones.
     pub fn of(profile: &Profile<T>, structure: &SideStiffness<T>) -> Result<Self, CrushError> {
-        match structure {
-            SideStiffness::Uniform(stiffness) => {
-                Ok(profile.zones().fold(Self::none(), |moments, zone| moments.with(zone, stiffness)))
-            }
-            SideStiffness::Zones(stiffnesses) => {
-                let zones = profile.depths().len() - 1;
-                if stiffnesses.len() != zones {
-                    return Err(CrushError::ZoneCount { zones, stiffnesses: stiffnesses.len() });
-                }
-                let both = profile.zones().zip(stiffnesses);
-                Ok(both.fold(Self::none(), |moments, (zone, stiffness)| moments.with(zone, stiffness)))
-            }
-        }
+        structure.fold(profile, Self::none(), Self::with)
     }
 
     /// Adds a zone.
@@ -164,6 +152,7 @@ impl<T: Real> EnergyMoments<T> {
 
 /// The damaged face of a vehicle, and the position of the damage on it.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct DamagedFace<T = f64> {
     pub(crate) side: Side,
     pub(crate) distance: T,
