@@ -24,6 +24,12 @@ pub enum Side {
 }
 
 impl Side {
+    /// Whether it is the left or the right side.
+    #[must_use]
+    pub fn is_side(self) -> bool {
+        matches!(self, Self::Left | Self::Right)
+    }
+
     /// (rad) direction of the side's outward normal, clockwise from the heading: the PDOF of a square hit.
     #[must_use]
     pub fn square_pdof(self) -> f64 {

@@ -200,10 +200,9 @@ impl Cells {
     /// A vehicle with the depths of the table.
     fn damaged(&self, vehicle: Option<u8>, has_pdof: bool) -> Result<PairVehicle, FieldError> {
         let found = self.vehicle_with(vehicle, has_pdof, || self.depths(vehicle))?;
-        let is_side = matches!(found.plane, Plane::Left | Plane::Right);
         let has_length =
             [found.field_length, found.direct_length].into_iter().flatten().any(|length| length > 0.0);
-        if is_side || has_length {
+        if found.plane.is_side() || has_length {
             return Ok(found);
         }
         let wanted = "a length above 0 cm of the damage, nor is DIRECTL: without one the pair cannot be judged, so leave its \
