@@ -9,6 +9,7 @@ use crate::stiffness::Stiffness;
 /// A full-width test against a rigid barrier: the residual crush, and the speed at which there would have
 /// been none.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct BarrierTest<T = f64> {
     pub(crate) mass: T,
     pub(crate) speed: T,

@@ -1,11 +1,11 @@
-//! The serialised form of the types with an invariant: the arguments of their constructors. Reading calls the
-//! constructors.
+//! Reading of the types with an invariant: their fields are the arguments of their constructors, which it
+//! calls.
 
 use alloc::vec::Vec;
 
 use real::Real;
 use serde::de::Error as _;
-use serde::{Deserialize, Deserializer, Serialize, Serializer};
+use serde::{Deserialize, Deserializer};
 
 use crate::barrier_test::BarrierTest;
 use crate::direction::{DamagedFace, Side};
@@ -13,15 +13,9 @@ use crate::error::CrushError;
 use crate::profile::Profile;
 use crate::stiffness::Stiffness;
 
-/// Serialises a type as another one, so that the types themselves do not depend on this file.
-macro_rules! written_as {
+/// Reads a type as another one, so that the types themselves do not depend on this file.
+macro_rules! read_as {
     ($type:ident, $data:ident) => {
-        impl<T: Real + Serialize> Serialize for $type<T> {
-            fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-                $data::from(Self::clone(self)).serialize(serializer)
-            }
-        }
-
         impl<'de, T: Real + Deserialize<'de>> Deserialize<'de> for $type<T> {
             fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
                 Self::try_from($data::deserialize(deserializer)?).map_err(D::Error::custom)
@@ -30,22 +24,16 @@ macro_rules! written_as {
     };
 }
 
-written_as!(Profile, ProfileData);
-written_as!(Stiffness, StiffnessData);
-written_as!(BarrierTest, BarrierTestData);
-written_as!(DamagedFace, DamagedFaceData);
+read_as!(Profile, ProfileData);
+read_as!(Stiffness, StiffnessData);
+read_as!(BarrierTest, BarrierTestData);
+read_as!(DamagedFace, DamagedFaceData);
 
-#[derive(Serialize, Deserialize)]
+#[derive(Deserialize)]
 #[serde(rename = "Profile")]
 struct ProfileData<T> {
     depths: Vec<T>,
     spacings: Vec<T>,
-}
-
-impl<T: Real> From<Profile<T>> for ProfileData<T> {
-    fn from(Profile { depths, spacings }: Profile<T>) -> Self {
-        Self { depths, spacings }
-    }
 }
 
 impl<T: Real> TryFrom<ProfileData<T>> for Profile<T> {
@@ -56,24 +44,13 @@ impl<T: Real> TryFrom<ProfileData<T>> for Profile<T> {
     }
 }
 
-#[derive(Serialize, Deserialize)]
+#[derive(Deserialize)]
 #[serde(rename = "Stiffness")]
 struct StiffnessData<T> {
     a: T,
     b: T,
     g: T,
     saturation_force: Option<T>,
-}
-
-impl<T: Real> From<Stiffness<T>> for StiffnessData<T> {
-    fn from(stiffness: Stiffness<T>) -> Self {
-        Self {
-            a: stiffness.a(),
-            b: stiffness.b(),
-            g: stiffness.g(),
-            saturation_force: stiffness.saturation_force(),
-        }
-    }
 }
 
 impl<T: Real> TryFrom<StiffnessData<T>> for Stiffness<T> {
@@ -85,22 +62,13 @@ impl<T: Real> TryFrom<StiffnessData<T>> for Stiffness<T> {
     }
 }
 
-#[derive(Serialize, Deserialize)]
-#[serde(
-    rename = "BarrierTest",
-    bound(serialize = "T: Real + Serialize", deserialize = "T: Real + Deserialize<'de>")
-)]
+#[derive(Deserialize)]
+#[serde(rename = "BarrierTest", bound(deserialize = "T: Real + Deserialize<'de>"))]
 struct BarrierTestData<T> {
     mass: T,
     speed: T,
     profile: Profile<T>,
     no_damage_speed: T,
-}
-
-impl<T: Real> From<BarrierTest<T>> for BarrierTestData<T> {
-    fn from(BarrierTest { mass, speed, profile, no_damage_speed }: BarrierTest<T>) -> Self {
-        Self { mass, speed, profile, no_damage_speed }
-    }
 }
 
 impl<T: Real> TryFrom<BarrierTestData<T>> for BarrierTest<T> {
@@ -111,18 +79,12 @@ impl<T: Real> TryFrom<BarrierTestData<T>> for BarrierTest<T> {
     }
 }
 
-#[derive(Serialize, Deserialize)]
+#[derive(Deserialize)]
 #[serde(rename = "DamagedFace")]
 struct DamagedFaceData<T> {
     side: Side,
     distance: T,
     offset: T,
-}
-
-impl<T: Real> From<DamagedFace<T>> for DamagedFaceData<T> {
-    fn from(DamagedFace { side, distance, offset }: DamagedFace<T>) -> Self {
-        Self { side, distance, offset }
-    }
 }
 
 impl<T: Real> TryFrom<DamagedFaceData<T>> for DamagedFace<T> {

@@ -24,6 +24,12 @@ pub enum Side {
 }
 
 impl Side {
+    /// Whether it is the left or the right side.
+    #[must_use]
+    pub fn is_side(self) -> bool {
+        matches!(self, Self::Left | Self::Right)
+    }
+
     /// (rad) direction of the side's outward normal, clockwise from the heading: the PDOF of a square hit.
     #[must_use]
     pub fn square_pdof(self) -> f64 {
@@ -95,19 +101,7 @@ impl<T: Real> EnergyMoments<T> {
     /// # Errors
     /// If the number of stiffnesses is not that of the profile's zones.
     pub fn of(profile: &Profile<T>, structure: &SideStiffness<T>) -> Result<Self, CrushError> {
-        match structure {
-            SideStiffness::Uniform(stiffness) => {
-                Ok(profile.zones().fold(Self::none(), |moments, zone| moments.with(zone, stiffness)))
-            }
-            SideStiffness::Zones(stiffnesses) => {
-                let zones = profile.depths().len() - 1;
-                if stiffnesses.len() != zones {
-                    return Err(CrushError::ZoneCount { zones, stiffnesses: stiffnesses.len() });
-                }
-                let both = profile.zones().zip(stiffnesses);
-                Ok(both.fold(Self::none(), |moments, (zone, stiffness)| moments.with(zone, stiffness)))
-            }
-        }
+        structure.fold(profile, Self::none(), Self::with)
     }
 
     /// Adds a zone.
@@ -164,6 +158,7 @@ impl<T: Real> EnergyMoments<T> {
 
 /// The damaged face of a vehicle, and the position of the damage on it.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct DamagedFace<T = f64> {
     pub(crate) side: Side,
     pub(crate) distance: T,

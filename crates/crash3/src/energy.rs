@@ -147,10 +147,7 @@ impl<T: Real> SideStiffness<T> {
     /// # Errors
     /// If the number of stiffnesses is not that of the profile's zones.
     pub fn crush_energy(&self, profile: &Profile<T>) -> Result<T, CrushError> {
-        match self {
-            Self::Uniform(stiffness) => Ok(crush_energy(profile, stiffness)),
-            Self::Zones(stiffnesses) => sum(profile, stiffnesses, zone_energy),
-        }
+        self.fold(profile, T::ZERO, |sum, zone, stiffness| sum + zone_energy(zone, stiffness))
     }
 
     /// (N) the force at maximum crush: [`peak_force`], zone by zone where the stiffness differs along the
@@ -159,29 +156,33 @@ impl<T: Real> SideStiffness<T> {
     /// # Errors
     /// If the number of stiffnesses is not that of the profile's zones, or |α| ≥ π/2.
     pub fn peak_force(&self, profile: &Profile<T>, oblique_angle: T) -> Result<T, CrushError> {
+        let cos = pushing_cosine(oblique_angle)?;
+        let force = self.fold(profile, T::ZERO, |sum, zone, stiffness| sum + zone_force(zone, stiffness))?;
+        // F = F_n / cos α
+        Ok(force / cos)
+    }
+
+    /// Goes through the zones of a profile, each with its stiffness.
+    pub(crate) fn fold<A>(
+        &self,
+        profile: &Profile<T>,
+        start: A,
+        add: impl Fn(A, Zone<T>, &Stiffness<T>) -> A,
+    ) -> Result<A, CrushError> {
         match self {
-            Self::Uniform(stiffness) => peak_force(profile, stiffness, oblique_angle),
+            Self::Uniform(stiffness) => {
+                Ok(profile.zones().fold(start, |sum, zone| add(sum, zone, stiffness)))
+            }
             Self::Zones(stiffnesses) => {
-                let cos = pushing_cosine(oblique_angle)?;
-                Ok(sum(profile, stiffnesses, zone_force)? / cos)
+                let zones = profile.depths().len() - 1;
+                if stiffnesses.len() != zones {
+                    return Err(CrushError::ZoneCount { zones, stiffnesses: stiffnesses.len() });
+                }
+                let both = profile.zones().zip(stiffnesses);
+                Ok(both.fold(start, |sum, (zone, stiffness)| add(sum, zone, stiffness)))
             }
         }
     }
-}
-
-fn sum<T: Real>(
-    profile: &Profile<T>,
-    stiffnesses: &[Stiffness<T>],
-    of_zone: fn(Zone<T>, &Stiffness<T>) -> T,
-) -> Result<T, CrushError> {
-    let zones = profile.depths().len() - 1;
-    if stiffnesses.len() != zones {
-        return Err(CrushError::ZoneCount { zones, stiffnesses: stiffnesses.len() });
-    }
-    Ok(profile
-        .zones()
-        .zip(stiffnesses)
-        .fold(T::ZERO, |sum, (zone, stiffness)| sum + of_zone(zone, stiffness)))
 }
 
 /// The correction of the crush energy for a force at an angle α to the normal of the damaged side: a factor

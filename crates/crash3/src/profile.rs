@@ -9,6 +9,7 @@ use crate::error::{self, CrushError};
 
 /// A crush profile: residual crush depths C_1 … C_N at stations along the damage, linear between them.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Profile<T = f64> {
     pub(crate) depths: Vec<T>,
     pub(crate) spacings: Vec<T>,

@@ -9,6 +9,7 @@ use crate::error::{self, CrushError};
 /// CRASH3's stiffness coefficients: force per width A + B C, flat beyond a limit if there is one, and the
 /// energy per width G that is stored before any crush remains.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Stiffness<T = f64> {
     a: T,
     b: T,
@@ -161,13 +162,7 @@ pub struct Saturation<T = f64> {
 /// The stiffness of a damaged side: uniform, or separate for each zone between two stations.
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[cfg_attr(
-    feature = "serde",
-    serde(bound(
-        serialize = "T: Real + serde::Serialize",
-        deserialize = "T: Real + serde::Deserialize<'de>"
-    ))
-)]
+#[cfg_attr(feature = "serde", serde(bound(deserialize = "T: Real + serde::Deserialize<'de>")))]
 pub enum SideStiffness<T = f64> {
     /// The same everywhere.
     Uniform(Stiffness<T>),

@@ -111,21 +111,18 @@ impl Canvas {
 
     pub(crate) fn line(&mut self, id: &str, a: Point, b: Point, pen: Pen) {
         self.placer.block(a, b, 1.0);
-        let id = self.id(id);
-        self.element(&format!(
-            "<line{id} x1=\"{}\" y1=\"{}\" x2=\"{}\" y2=\"{}\"{}/>",
-            px(a.x),
-            px(a.y),
-            px(b.x),
-            px(b.y),
-            stroke(pen)
-        ));
+        self.stroked(id, a, b, pen);
     }
 
     /// A grid line, which labels need not avoid.
     pub(crate) fn grid(&mut self, a: Point, b: Point, pen: Pen) {
+        self.stroked("", a, b, pen);
+    }
+
+    fn stroked(&mut self, id: &str, a: Point, b: Point, pen: Pen) {
+        let id = self.id(id);
         self.element(&format!(
-            "<line x1=\"{}\" y1=\"{}\" x2=\"{}\" y2=\"{}\"{}/>",
+            "<line{id} x1=\"{}\" y1=\"{}\" x2=\"{}\" y2=\"{}\"{}/>",
             px(a.x),
             px(a.y),
             px(b.x),
@@ -150,16 +147,16 @@ impl Canvas {
             Head::Filled => {
                 // A thick line would be blunt at the tip: it ends inside the head, which is drawn over it.
                 let neck = b - direction * (size * 0.6);
-                let corners = [b, left, right].map(|corner| format!("{} {}", px(corner.x), px(corner.y)));
+                let corners = [b, left, right].map(pair);
                 (neck, format!("<path d=\"M{}Z\" fill=\"{}\"/>", corners.join("L"), pen.colour))
             }
             Head::Open => {
                 let solid = Pen { dashes: "", ..pen };
-                let corners = [left, b, right].map(|corner| format!("{} {}", px(corner.x), px(corner.y)));
+                let corners = [left, b, right].map(pair);
                 (b, format!("<path d=\"M{}\"{} fill=\"none\"/>", corners.join("L"), stroke(solid)))
             }
         };
-        let [from, to, end] = [a, b, end].map(|point| format!("{} {}", px(point.x), px(point.y)));
+        let [from, to, end] = [a, b, end].map(pair);
         self.element(&format!(
             "<g{id} data-from=\"{from}\" data-to=\"{to}\"><path d=\"M{from}L{end}\"{} fill=\"none\"/>{tip}</g>",
             stroke(pen)
@@ -171,16 +168,12 @@ impl Canvas {
         self.placer.block(a, b, 10.0);
         let id = self.id(id);
         let tick = Vec2::new(0.0, 5.0);
-        let ends = [a, b].map(|end| {
-            let (top, bottom) = (end - tick, end + tick);
-            format!("M{} {}L{} {}", px(top.x), px(top.y), px(bottom.x), px(bottom.y))
-        });
+        let ends = [a, b].map(|end| format!("M{}L{}", pair(end - tick), pair(end + tick)));
+        let [from, to] = [a, b].map(pair);
         self.element(&format!(
-            "<g{id} data-from=\"{} {}\" data-to=\"{} {}\" data-si=\"{}\"><path d=\"{}{}M{} {}L{} {}\"{} fill=\"none\"/></g>",
-            px(a.x), px(a.y), px(b.x), px(b.y),
+            "<g{id} data-from=\"{from}\" data-to=\"{to}\" data-si=\"{}\"><path d=\"{}{}M{from}L{to}\"{} fill=\"none\"/></g>",
             significant(si, 6),
             ends[0], ends[1],
-            px(a.x), px(a.y), px(b.x), px(b.y),
             stroke(pen)
         ));
     }
@@ -302,6 +295,10 @@ impl Canvas {
     }
 }
 
+fn pair(point: Point) -> String {
+    format!("{} {}", px(point.x), px(point.y))
+}
+
 fn stroke(Pen { colour, width, dashes }: Pen) -> String {
     let dashes = if dashes.is_empty() { String::new() } else { format!(" stroke-dasharray=\"{dashes}\"") };
     format!(" stroke=\"{colour}\" stroke-width=\"{}\"{dashes}", px(width))
@@ -314,7 +311,7 @@ fn data(path: &BezPath) -> String {
         for (i, point) in points.iter().enumerate() {
             let blank = if i == 0 { "" } else { " " };
             // Writing to a string does not fail.
-            let _ = write!(data, "{blank}{} {}", px(point.x), px(point.y));
+            let _ = write!(data, "{blank}{}", pair(*point));
         }
     };
     for element in path {

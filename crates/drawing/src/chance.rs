@@ -3,19 +3,17 @@
 use kurbo::Rect;
 
 use crate::canvas::Canvas;
-use crate::chart::{Axis, Chart};
+use crate::chart::{Axis, BELOW, Chart};
 use crate::finished::Drawing;
 use crate::legend::{self, EDGE, HEADER, Sample, WIDTH};
 use crate::marks::ValueMark;
 use crate::number::number;
-use crate::pens::{BLACK, BOUND, CURVE, FILL, OUTLINE, Pen};
-use crate::plan::polyline;
+use crate::pens::{BLACK, BOUND, CLASS, CURVE, FILL};
+use crate::plan::{polygon, polyline};
 
 const NAME: &str = "chance";
 /// (px) area of the plot.
 const PLOT: Rect = Rect::new(EDGE + 48.0, HEADER + 34.0, WIDTH - EDGE - 16.0, HEADER + 334.0);
-/// (px) from the plot to the legend.
-const BELOW: f64 = 58.0;
 /// Maximum number of tick labels across and upward.
 const MOST: [u8; 2] = [10, 5];
 
@@ -54,9 +52,7 @@ impl ChancePicture {
         chart.draw(&mut canvas, &self.across, &self.upward, MOST);
         let edge = |of: usize| self.points.iter().map(move |point| (point[0], point[of]));
         let around = edge(3).chain(edge(1).rev()).map(|(x, y)| chart.at(x, y));
-        let mut band = polyline(around);
-        band.close_path();
-        canvas.path("band", &band, None, FILL[0]);
+        canvas.path("band", &polygon(around), None, FILL[0]);
         canvas.path("curve", &polyline(edge(2).map(|(x, y)| chart.at(x, y))), Some(CURVE), "none");
         for (k, mark) in (1_usize..).zip(&self.marks) {
             let [low, high] = [0.0, 1.0].map(|end| chart.at(mark.value, end));
@@ -66,10 +62,7 @@ impl ChancePicture {
         }
         canvas.place_labels(PLOT.inset(-2.0));
         let [curve, of_band] = self.legend.clone();
-        let entries = [
-            (Sample::Line(CURVE), curve),
-            (Sample::Box(Pen { width: 1.0, ..OUTLINE[0] }, FILL[0].to_owned()), of_band),
-        ];
+        let entries = [(Sample::Line(CURVE), curve), (Sample::Box(CLASS, FILL[0].to_owned()), of_band)];
         legend::legend(&mut canvas, PLOT.y1 + BELOW, 2, &entries);
         Drawing::new(NAME, self.title.clone(), self.description.clone(), canvas)
     }

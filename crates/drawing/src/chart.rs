@@ -5,7 +5,7 @@ use kurbo::{Point, Rect};
 use crate::canvas::Canvas;
 use crate::font::{self, Anchor, SMALL};
 use crate::number::number;
-use crate::pens::{BLACK, GREY, GRID, THIN};
+use crate::pens::{BLACK, CLASS, FILL, GREY, GRID, THIN};
 use crate::ticks;
 
 /// (px) from a chart to the tick labels on its left.
@@ -14,6 +14,9 @@ const BESIDE: f64 = 8.0;
 const BEYOND: f64 = 38.0;
 /// (px) gap between two tick labels below a chart.
 const BETWEEN: f64 = 10.0;
+
+/// (px) from a chart to the legend.
+pub(crate) const BELOW: f64 = 58.0;
 
 /// Title and unit of an axis of a chart.
 #[derive(Clone, Debug, PartialEq)]
@@ -70,6 +73,16 @@ impl Chart {
         canvas.text(below, &across.title, SMALL, Anchor::Middle, GREY);
         let above = Point::new(left, area.y0 - 16.0);
         canvas.text(above, &upward.title, SMALL, Anchor::Start, GREY);
+    }
+
+    /// Draws a bar of the given width for each class, side by side from `low` on.
+    pub(crate) fn bars(&self, canvas: &mut Canvas, low: f64, width: f64, heights: &[f64]) {
+        let mut left = low;
+        for (class, &height) in (1_usize..).zip(heights) {
+            let area = Rect::from_points(self.at(left, 0.0), self.at(left + width, height));
+            canvas.rect(&format!("class-{class}"), area, Some(CLASS), FILL[0]);
+            left += width;
+        }
     }
 
     /// As many ticks as have room for their labels, next to each other and on the page.

@@ -1,13 +1,15 @@
 //! The damage: each vehicle with its crush profile in place.
 
-use kurbo::{Affine, BezPath, Point, Rect, Vec2};
+use kurbo::{Affine, Point, Rect, Vec2};
 
 use crate::canvas::Canvas;
 use crate::finished::Drawing;
 use crate::font::{self, Anchor, SMALL};
 use crate::footprint::{BodyShape, CrushProfile, Footprint, placed};
 use crate::legend::{self, EDGE, HEADER, Sample, ScaleUnit, WIDTH};
+use crate::number::count;
 use crate::pens::{BLACK, CRUSHED, FILL, GREY, OUTLINE, THIN, WHITE, undamaged};
+use crate::plan::polygon;
 
 const NAME: &str = "damage";
 
@@ -66,8 +68,7 @@ impl DamagePicture {
         let vehicles = self.vehicles.iter().enumerate();
         let panels: Vec<Panel> =
             vehicles.filter_map(|(i, vehicle)| Some(Panel { i, vehicle: vehicle.as_ref()? })).collect();
-        #[expect(clippy::cast_precision_loss, reason = "there are two panels at most")]
-        let width = (WIDTH - 2.0 * EDGE) / panels.len().max(1) as f64;
+        let width = (WIDTH - 2.0 * EDGE) / count(panels.len().max(1));
         // The same scale for both: the vehicles can be compared.
         let scale = panels.iter().fold(LARGEST, |scale, panel| {
             let extent = panel.extent();
@@ -75,8 +76,7 @@ impl DamagePicture {
         });
         let captions: Vec<Vec<String>> = panels.iter().map(|panel| panel.caption(width - 16.0)).collect();
         let rows = captions.iter().map(Vec::len).max().unwrap_or(0);
-        #[expect(clippy::cast_precision_loss, reason = "a caption has few lines")]
-        let bottom = HEADER + ROOM + ROW * (rows as f64 + 1.0);
+        let bottom = HEADER + ROOM + ROW * (count(rows) + 1.0);
         let mut canvas = Canvas::new(NAME, WIDTH, bottom + 118.0);
         canvas.define_stripes("crushed", GREY, WHITE, 45, 6.0);
 
@@ -84,13 +84,11 @@ impl DamagePicture {
         legend::header(&mut canvas, &self.title, below);
         let room = Rect::new(EDGE, HEADER, WIDTH - EDGE, HEADER + ROOM);
         for (k, (panel, caption)) in panels.iter().zip(&captions).enumerate() {
-            #[expect(clippy::cast_precision_loss, reason = "there are two panels at most")]
-            let left = EDGE + k as f64 * width;
+            let left = EDGE + count(k) * width;
             let middle = Point::new(left + width / 2.0, HEADER + ROOM / 2.0);
             panel.draw(&mut canvas, middle, scale);
             for (row, line) in caption.iter().enumerate() {
-                #[expect(clippy::cast_precision_loss, reason = "a caption has few lines")]
-                let y = HEADER + ROOM + ROW * (row as f64 + 1.0);
+                let y = HEADER + ROOM + ROW * (count(row) + 1.0);
                 canvas.text(Point::new(left + 4.0, y), line, SMALL, Anchor::Start, BLACK);
             }
         }
@@ -169,11 +167,7 @@ impl Panel<'_> {
         }
         let face: Vec<Point> = points(&vehicle.crush.face).map(|at| there * at).collect();
         let crushed: Vec<Point> = points(&vehicle.crush.crushed).map(|at| there * at).collect();
-        let mut area = BezPath::new();
-        for (k, &point) in face.iter().chain(crushed.iter().rev()).enumerate() {
-            if k == 0 { area.move_to(point) } else { area.line_to(point) }
-        }
-        area.close_path();
+        let area = polygon(face.iter().chain(crushed.iter().rev()).copied());
         let fill = canvas.pattern("crushed");
         canvas.path(&format!("crush-{number}"), &area, Some(CRUSHED), &fill);
         if vehicle.footprint.is_some() {

@@ -1,18 +1,17 @@
 //! The probability density of a number, before and after evidence.
 
-use kurbo::{BezPath, Rect};
+use kurbo::Rect;
 
 use crate::canvas::Canvas;
-use crate::chart::{Axis, Chart};
+use crate::chart::{Axis, BELOW, Chart};
 use crate::finished::Drawing;
 use crate::legend::{self, EDGE, HEADER, Sample, WIDTH};
 use crate::marks::{IntervalMarks, ValueMark};
 use crate::pens::{AXIS, BOUND, EQUALITY, FILL, OUTLINE, Pen};
+use crate::plan::polyline;
 
 /// (px) area of the plot.
 const PLOT: Rect = Rect::new(EDGE + 48.0, HEADER + 34.0, WIDTH - EDGE - 16.0, HEADER + 364.0);
-/// (px) from the plot to the legend.
-const BELOW: f64 = 58.0;
 /// Maximum number of tick labels across and upward.
 const MOST: [u8; 2] = [10, 5];
 const BEFORE: Pen = EQUALITY;
@@ -60,15 +59,17 @@ impl DensityPicture {
         let mut canvas = Canvas::new(self.name, WIDTH, PLOT.y1 + BELOW + legend::height(entries, 2) + 6.0);
         legend::header(&mut canvas, &self.title, &self.subtitle);
         chart.draw(&mut canvas, &self.across, &self.upward, MOST);
-        let mut filled = curve(&chart, &self.after);
+        let curve =
+            |points: &[[f64; 2]]| polyline(points.iter().map(|&[across, upward]| chart.at(across, upward)));
+        let mut filled = curve(&self.after);
         for end in [self.after.last(), self.after.first()].into_iter().flatten() {
             filled.line_to(chart.at(end[0], 0.0));
         }
         filled.close_path();
         canvas.path("after-area", &filled, None, FILL[0]);
-        canvas.path("after", &curve(&chart, &self.after), Some(OUTLINE[0]), "none");
+        canvas.path("after", &curve(&self.after), Some(OUTLINE[0]), "none");
         if has_before {
-            canvas.path("before", &curve(&chart, &self.before), Some(BEFORE), "none");
+            canvas.path("before", &curve(&self.before), Some(BEFORE), "none");
         }
         marks.draw(&mut canvas, &chart);
 
@@ -95,13 +96,4 @@ impl DensityPicture {
         let upward = [0.0, IntervalMarks::upward(PLOT, most)];
         Chart { area: PLOT, left: EDGE, across, upward }
     }
-}
-
-fn curve(chart: &Chart, points: &[[f64; 2]]) -> BezPath {
-    let mut path = BezPath::new();
-    for (k, &[across, upward]) in points.iter().enumerate() {
-        let at = chart.at(across, upward);
-        if k == 0 { path.move_to(at) } else { path.line_to(at) }
-    }
-    path
 }

@@ -6,6 +6,7 @@ use crate::canvas::Canvas;
 use crate::finished::Drawing;
 use crate::font::{self, Anchor, SMALL};
 use crate::legend::{self, EDGE, HEADER, WIDTH};
+use crate::number::count;
 use crate::pens::{BLACK, FILL, GREY, OUTLINE, PALE, Pen, THIN, WHITE};
 
 const NAME: &str = "energy";
@@ -63,30 +64,14 @@ pub struct EnergyBar {
 }
 
 impl Loss {
-    fn id(self) -> &'static str {
+    /// The id of its bar, the edge, and the stripes if it has any.
+    fn look(self) -> (&'static str, Pen, Option<&'static str>) {
         match self {
-            Self::Vehicle1 => "crush-1",
-            Self::Vehicle2 => "crush-2",
-            Self::Normal => "normal",
-            Self::Tangential => "tangential",
-            Self::Moment => "moment",
-        }
-    }
-
-    fn pen(self) -> Pen {
-        match self {
-            Self::Vehicle1 | Self::Normal => OUTLINE[0],
-            Self::Vehicle2 => OUTLINE[1],
-            Self::Tangential | Self::Moment => EDGE_OF_BAR,
-        }
-    }
-
-    fn fill(self, canvas: &Canvas) -> String {
-        match self {
-            Self::Vehicle1 | Self::Normal => canvas.pattern("stripes-1"),
-            Self::Vehicle2 => canvas.pattern("stripes-2"),
-            Self::Tangential => canvas.pattern("stripes-t"),
-            Self::Moment => PALE.to_owned(),
+            Self::Vehicle1 => ("crush-1", OUTLINE[0], Some("stripes-1")),
+            Self::Vehicle2 => ("crush-2", OUTLINE[1], Some("stripes-2")),
+            Self::Normal => ("normal", OUTLINE[0], Some("stripes-1")),
+            Self::Tangential => ("tangential", EDGE_OF_BAR, Some("stripes-t")),
+            Self::Moment => ("moment", EDGE_OF_BAR, None),
         }
     }
 }
@@ -98,11 +83,9 @@ impl EnergyPicture {
     #[must_use]
     pub fn draw(&self) -> Drawing {
         let Self { title, caveat, initial, losses, rest, note } = self;
-        #[expect(clippy::cast_precision_loss, reason = "there are few rows")]
-        let bottom = HEADER + STEP * (losses.len() as f64 + 2.0) + 6.0;
+        let bottom = HEADER + STEP * (count(losses.len()) + 2.0) + 6.0;
         let lines = font::lines(note, SMALL, WIDTH - 2.0 * EDGE);
-        #[expect(clippy::cast_precision_loss, reason = "a note has few lines")]
-        let height = bottom + 18.0 * (lines.len() as f64 + 1.0);
+        let height = bottom + 18.0 * (count(lines.len()) + 1.0);
         let mut canvas = Canvas::new(NAME, WIDTH, height);
         canvas.define_stripes("stripes-1", OUTLINE[0].colour, FILL[0], 45, 7.0);
         canvas.define_stripes("stripes-2", OUTLINE[1].colour, FILL[1], -45, 7.0);
@@ -129,8 +112,9 @@ impl EnergyPicture {
             let mark = Point::new(x(from), y + BAR / 2.0);
             y += STEP;
             canvas.grid(mark, Point::new(x(from), y - BAR / 2.0), THIN);
-            let fill = loss.fill(&canvas);
-            bar.draw(&mut canvas, loss.id(), [x(left), x(from)], y, (loss.pen(), &fill));
+            let (id, edge, stripes) = loss.look();
+            let fill = stripes.map_or_else(|| PALE.to_owned(), |name| canvas.pattern(name));
+            bar.draw(&mut canvas, id, [x(left), x(from)], y, (edge, &fill));
         }
         let mark = Point::new(x(left), y + BAR / 2.0);
         y += STEP;
@@ -138,8 +122,7 @@ impl EnergyPicture {
         rest.draw(&mut canvas, "final", [x(0.0), x(rest.energy)], y, (EDGE_OF_BAR, WHITE));
 
         for (k, line) in lines.iter().enumerate() {
-            #[expect(clippy::cast_precision_loss, reason = "a note has few lines")]
-            let y = bottom + 18.0 * (k as f64 + 1.0);
+            let y = bottom + 18.0 * (count(k) + 1.0);
             canvas.text(Point::new(EDGE, y), line, SMALL, Anchor::Start, GREY);
         }
         let bars = std::iter::once(initial).chain(losses.iter().map(|(_, bar)| bar)).chain([rest]);

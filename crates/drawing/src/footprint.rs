@@ -2,6 +2,8 @@
 
 use kurbo::{Affine, BezPath, Line, ParamCurve as _, Point, Rect, RoundedRect, Shape as _, Vec2};
 
+use crate::plan::polygon;
+
 /// Number of pieces of the arc of a rounded corner, and of a line that the damage may bend.
 const PIECES: u32 = 12;
 
@@ -66,13 +68,7 @@ impl Footprint {
     /// The damaged body: each point of the face is moved inward by the crush depth there.
     pub(crate) fn damaged(&self, crush: &CrushProfile) -> BezPath {
         let surface = Surface::new(self, crush);
-        let mut path = BezPath::new();
-        for (k, &[along, depth]) in surface.contour().iter().enumerate() {
-            let point = surface.at(along, depth);
-            if k == 0 { path.move_to(point) } else { path.line_to(point) }
-        }
-        path.close_path();
-        path
+        polygon(surface.contour().into_iter().map(|[along, depth]| surface.at(along, depth)))
     }
 
     /// The damaged body, or the undamaged one.

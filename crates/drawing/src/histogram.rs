@@ -3,21 +3,18 @@
 use kurbo::Rect;
 
 use crate::canvas::Canvas;
-use crate::chart::{Axis, Chart};
+use crate::chart::{Axis, BELOW, Chart};
 use crate::finished::Drawing;
 use crate::legend::{self, EDGE, HEADER, Sample, WIDTH};
 use crate::marks::{IntervalMarks, ValueMark};
-use crate::pens::{AXIS, BOUND, FILL, OUTLINE, Pen};
+use crate::pens::{AXIS, BOUND, CLASS, FILL};
 
 const NAME: &str = "histogram";
 
 /// (px) area of the plot.
 const PLOT: Rect = Rect::new(EDGE + 48.0, HEADER + 34.0, WIDTH - EDGE - 16.0, HEADER + 394.0);
-/// (px) from the plot to the legend.
-const BELOW: f64 = 58.0;
 /// Maximum number of tick labels across and upward.
 const MOST: [u8; 2] = [10, 6];
-const CLASS: Pen = Pen { width: 1.0, ..OUTLINE[0] };
 
 /// The distribution of a number: a bar for each class, and lines at the ends of an interval and at the
 /// central value.
@@ -61,14 +58,7 @@ impl HistogramPicture {
         legend::header(&mut canvas, &self.title, &self.subtitle);
         let upward = Axis { title: self.upward.clone(), unit: 1.0 };
         chart.draw(&mut canvas, &self.across, &upward, MOST);
-        let (mut left, mut class) = (self.low, 0);
-        for &share in &self.shares {
-            class += 1;
-            let right = left + self.width;
-            let area = Rect::from_points(chart.at(left, 0.0), chart.at(right, share));
-            canvas.rect(&format!("class-{class}"), area, Some(CLASS), FILL[0]);
-            left = right;
-        }
+        chart.bars(&mut canvas, self.low, self.width, &self.shares);
         marks.draw(&mut canvas, &chart);
 
         let [classes, interval, central] = self.legend.clone();

@@ -3,17 +3,17 @@
 use kurbo::{BezPath, Point, Rect};
 
 use crate::canvas::Canvas;
-use crate::chart::{Axis, Chart};
+use crate::chart::{Axis, BELOW, Chart};
 use crate::finished::Drawing;
 use crate::legend::{self, EDGE, HEADER, Sample};
+use crate::number::count;
 use crate::pens::{BLUE, Pen};
 
 /// (px) side of the plot, which is square.
 const PLOT: f64 = 536.0;
-/// (px) from the left edge of the page to the plot, above the plot, and from the plot to the legend below it.
+/// (px) from the left edge of the page to the plot, and above the plot.
 const LEFT: f64 = EDGE + 64.0;
 const ABOVE: f64 = 34.0;
-const BELOW: f64 = 58.0;
 /// (px) width of the page.
 const PAGE: f64 = LEFT + PLOT + 40.0 + EDGE;
 /// Maximum number of tick labels on each axis.
@@ -85,9 +85,8 @@ impl JointPicture {
 
     /// The contour at which the density is `level`: a piece for each cell of the grid that it crosses.
     fn border(&self, chart: &Chart, level: f64) -> BezPath {
-        #[expect(clippy::cast_precision_loss, reason = "a grid of some hundred places")]
-        let place = |k: usize, count: usize, [low, high]: [f64; 2]| {
-            low + (high - low) * k as f64 / (count.max(2) - 1) as f64
+        let place = |k: usize, places: usize, [low, high]: [f64; 2]| {
+            low + (high - low) * count(k) / count(places.max(2) - 1)
         };
         let rows = self.density.len();
         let mut path = BezPath::new();

@@ -4,7 +4,7 @@ use kurbo::{BezPath, Point, Rect, Vec2};
 
 use crate::canvas::{Canvas, Head};
 use crate::font::{self, Anchor, LARGE, SMALL};
-use crate::number::number;
+use crate::number::{count, number};
 use crate::pens::{BLACK, GREY, Pen, THIN};
 use crate::plan::polyline;
 use crate::symbol::Symbol;
@@ -77,12 +77,10 @@ pub(crate) fn windscreen() -> (Sample, String) {
 /// The legend in columns of equal width, from `top` downwards.
 pub(crate) fn legend(canvas: &mut Canvas, top: f64, columns: usize, entries: &[(Sample, String)]) {
     let columns = columns.max(1);
-    #[expect(clippy::cast_precision_loss, reason = "a legend has few entries")]
-    let width = (canvas.size().0 - 2.0 * EDGE) / columns as f64;
+    let width = (canvas.size().0 - 2.0 * EDGE) / count(columns);
     canvas.grid(Point::new(EDGE, top), Point::new(canvas.size().0 - EDGE, top), THIN);
     for (i, (sample, text)) in entries.iter().enumerate() {
-        #[expect(clippy::cast_precision_loss, reason = "a legend has few entries")]
-        let (column, row) = ((i % columns) as f64, (i / columns) as f64);
+        let (column, row) = (count(i % columns), count(i / columns));
         let (x, y) = (EDGE + column * width, top + (row + 0.8) * ROW);
         let (from, to) = (Point::new(x, y), Point::new(x + SAMPLE, y));
         let middle = Point::new(x + SAMPLE / 2.0, y);
@@ -129,9 +127,7 @@ pub(crate) fn cross(at: Point, reach: f64) -> BezPath {
 
 /// (px) height of the given number of entries in columns.
 pub(crate) fn height(entries: usize, columns: usize) -> f64 {
-    #[expect(clippy::cast_precision_loss, reason = "a legend has few entries")]
-    let rows = entries.div_ceil(columns.max(1)) as f64;
-    ROW * (rows + 0.5)
+    ROW * (count(entries.div_ceil(columns.max(1))) + 0.5)
 }
 
 /// A bar of round length, at `pixels` per unit. Returns the point to the right of its text.

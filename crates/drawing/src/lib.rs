@@ -31,8 +31,7 @@
 //! |---|---|
 //! | [`ScenePicture`] | both vehicles at impact, seen from above |
 //! | [`MotionPicture`] | the motion from approach through impact to rest, on a site plan if there is one |
-//! | [`RecordCurvesPicture`] | what a recorder stored over time and distance |
-//! | [`MotionCurvesPicture`] | numbers of that motion against time |
+//! | [`CurvesPicture`] | numbers of that motion, or what a recorder stored, against time or distance |
 //! | [`MomentumPicture`] | the momenta before and after the impact, tip to tail |
 //! | [`DamagePicture`] | each damaged vehicle with its crush profile in place |
 //! | [`EnergyPicture`] | where the initial kinetic energy went |
@@ -73,6 +72,7 @@ mod body;
 mod canvas;
 mod chance;
 mod chart;
+mod curves;
 mod damage;
 mod density;
 mod energy;
@@ -87,7 +87,6 @@ mod legend;
 mod marks;
 mod momentum;
 mod motion;
-mod motion_curves;
 mod number;
 mod outline;
 mod path_time;
@@ -98,7 +97,6 @@ mod plan_view;
 mod ranks;
 mod raster;
 mod reconciliation;
-mod record_curves;
 mod rests;
 mod scatter;
 mod scene;
@@ -113,6 +111,7 @@ mod vector;
 pub use body::SceneBody;
 pub use chance::ChancePicture;
 pub use chart::Axis;
+pub use curves::{Curves, CurvesPicture};
 pub use damage::{DamagePicture, DamagedVehicle};
 pub use density::DensityPicture;
 pub use energy::{EnergyBar, EnergyPicture, Loss};
@@ -125,14 +124,12 @@ pub use legend::ScaleUnit;
 pub use marks::ValueMark;
 pub use momentum::MomentumPicture;
 pub use motion::{MeasuredPoint, MotionPicture, MotionPoint, MotionRest, MotionVehicle};
-pub use motion_curves::{MotionCurves, MotionCurvesPicture};
 pub use number::{number, significant};
 pub use path_time::{PathTimeCourse, PathTimePicture};
 pub use plan_view::{PlanBody, PlanStation, PlanView, Viewport};
 pub use ranks::RanksPicture;
 pub use raster::RenderError;
 pub use reconciliation::{CurvePoint, ReconciliationPicture};
-pub use record_curves::{RecordCurves, RecordCurvesPicture};
 pub use rests::{FoundAtRest, RestsPicture};
 pub use scatter::{ScatterPanel, ScatterPicture, ScatterPoint};
 pub use scene::{SceneArrow, SceneMotion, ScenePicture, SceneVehicle};

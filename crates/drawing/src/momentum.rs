@@ -5,6 +5,7 @@ use kurbo::{Point, Rect, Vec2};
 use crate::canvas::{Canvas, Head};
 use crate::finished::Drawing;
 use crate::legend::{self, EDGE, HEADER, Sample, ScaleUnit, WIDTH};
+use crate::number::count;
 use crate::pens::{AFTER, BEFORE, BLACK, GRID, Pen, VERMILION};
 use crate::plan::{self, View};
 use crate::scene::SceneArrow;
@@ -82,8 +83,7 @@ impl MomentumPicture {
             .all(|corner| corner.dot(across).abs() <= FLAT * longest);
         // Downwards on the page.
         let down = if flipped(across).y < 0.0 { -flipped(across) } else { flipped(across) };
-        #[expect(clippy::cast_precision_loss, reason = "there are six")]
-        let row = |k: usize| if is_line { down * (ROW * k as f64) } else { Vec2::ZERO };
+        let row = |k: usize| if is_line { down * (ROW * count(k)) } else { Vec2::ZERO };
 
         let area = Rect::new(EDGE, HEADER, WIDTH - EDGE, HEADER + HEIGHT);
         let view = View::fit(area.inset(-MARGIN), LONGEST, |scale| {

@@ -250,11 +250,9 @@ impl MotionPicture {
     }
 
     fn wall_ends(&self, contact: Contact) -> [f64; 2] {
-        contact.wall_ends(self.vehicles.each_ref().map(|vehicle| match vehicle {
-            Some(MotionVehicle { body: SceneBody::Outline { footprint, crush }, cg, forward, .. }) => {
-                Some(Pose::new(*cg, *forward).in_scene() * footprint.left_by(crush.as_ref()))
-            }
-            _ => None,
+        contact.wall_ends(self.vehicles.each_ref().map(|vehicle| {
+            let MotionVehicle { body, cg, forward, .. } = vehicle.as_ref()?;
+            body.outline_in(Pose::new(*cg, *forward))
         }))
     }
 
@@ -263,18 +261,15 @@ impl MotionPicture {
         let mut points: Vec<Vec2> = self.impact.iter().map(|&at| vec2(at)).collect();
         let mut arrows = Vec::new();
         for (i, vehicle) in self.each() {
-            match (&vehicle.body, self.contact()) {
-                (SceneBody::Outline { .. } | SceneBody::Unknown, _) => {
+            match &vehicle.body {
+                SceneBody::Outline { .. } | SceneBody::Unknown => {
                     points.extend(vehicle.poses().flat_map(|pose| vehicle.corners(pose)));
                 }
-                (SceneBody::Pole { diameter }, Some(contact)) => {
-                    let centre = contact.pole(*diameter, i);
-                    points.extend(
-                        [(1.0, 1.0), (-1.0, -1.0)].map(|(x, y)| centre + Vec2::new(x, y) * (diameter / 2.0)),
-                    );
-                }
-                (SceneBody::Wall, Some(contact)) => points.extend(contact.wall(self.wall_ends(contact), i)),
-                (SceneBody::Pole { .. } | SceneBody::Wall, None) => {}
+                body => points.extend(
+                    self.contact()
+                        .into_iter()
+                        .flat_map(|contact| contact.reach(body, || self.wall_ends(contact), i)),
+                ),
             }
             points.extend(vehicle.path.iter().map(|point| vec2(point.cg)));
             points.extend(vehicle.measured_points.iter().map(|point| vec2(point.at)));
@@ -676,17 +671,8 @@ impl Page<'_> {
         let mut entries = Vec::new();
         for (i, vehicle) in motion.each() {
             let Some(text) = vehicle.legend.clone() else { continue };
-            let sample = match (&vehicle.body, motion.contact()) {
-                (SceneBody::Outline { footprint, .. }, _) if footprint.shape != BodyShape::Fixed => {
-                    Sample::Box(OUTLINE[i], FILL[i].to_owned())
-                }
-                (SceneBody::Wall, Some(contact)) if !plan::is_drawn(motion.wall_ends(contact)) => {
-                    Sample::Nothing
-                }
-                (SceneBody::Unknown, _) | (SceneBody::Wall | SceneBody::Pole { .. }, None) => Sample::Nothing,
-                _ => Sample::Box(THIN, self.canvas.pattern("fixed")),
-            };
-            entries.push((sample, text));
+            let ends = motion.contact().map(|contact| motion.wall_ends(contact));
+            entries.push((vehicle.body.sample(ends, i, &self.canvas), text));
         }
         let mut add = |is_there: bool, sample: Sample, text: &str| {
             if is_there {

@@ -42,6 +42,11 @@ pub fn significant(value: f64, digits: usize) -> String {
     }
 }
 
+/// A count as a number; those here are far below 2³².
+pub(crate) fn count(number: usize) -> f64 {
+    f64::from(u32::try_from(number).unwrap_or(u32::MAX))
+}
+
 /// (px) at most two decimals, as few as are needed.
 pub(crate) fn px(value: f64) -> String {
     let text = format!("{value:.2}");

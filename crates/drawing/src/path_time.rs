@@ -4,7 +4,7 @@
 use kurbo::{Point, Rect};
 
 use crate::canvas::Canvas;
-use crate::chart::{Axis, Chart};
+use crate::chart::{Axis, BELOW, Chart};
 use crate::finished::Drawing;
 use crate::legend::{self, EDGE, HEADER, Sample, WIDTH};
 use crate::pens::{BLACK, BOUND, COURSES, GREY, OTHER_WAY, PLACE, Pen, ZONE};
@@ -14,8 +14,6 @@ use crate::thin::thinned;
 const NAME: &str = "path-time";
 /// (px) area of the plot.
 const PLOT: Rect = Rect::new(EDGE + 62.0, HEADER + 34.0, WIDTH - EDGE - 16.0, HEADER + 474.0);
-/// (px) from the plot to the legend.
-const BELOW: f64 = 58.0;
 /// Maximum number of tick labels across and upward.
 const MOST: [u8; 2] = [10, 8];
 /// (px) height of the bar in which the other party is in the danger zone.

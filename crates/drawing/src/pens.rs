@@ -26,6 +26,8 @@ pub(crate) const OUTLINE: [Pen; 2] = [pen(BLUE, 2.0, ""), pen(VERMILION, 2.0, ""
 pub(crate) const fn undamaged(i: usize) -> Pen {
     Pen { width: 1.0, dashes: "5 4", ..OUTLINE[i] }
 }
+/// The edge of a bar of a class.
+pub(crate) const CLASS: Pen = Pen { width: 1.0, ..OUTLINE[0] };
 pub(crate) const FILL: [&str; 2] = ["#dcebf5", "#fae3d0"];
 pub(crate) const PLANE: Pen = pen(GREY, 1.4, "10 4 2 4");
 pub(crate) const AXIS: Pen = pen(BLACK, 1.6, "");

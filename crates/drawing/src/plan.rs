@@ -142,6 +142,18 @@ impl Contact {
         gaps.into_iter().min_by(best).unwrap_or_default()
     }
 
+    /// (m) points as far out as a pole, or the corners of a wall; none for a body with its own shape.
+    pub(crate) fn reach(self, body: &SceneBody, ends: impl FnOnce() -> [f64; 2], i: usize) -> Vec<Vec2> {
+        match body {
+            SceneBody::Pole { diameter } => {
+                let centre = self.pole(*diameter, i);
+                [1.0, -1.0].map(|side| centre + Vec2::new(side, side) * (diameter / 2.0)).to_vec()
+            }
+            SceneBody::Wall => self.wall(ends(), i).to_vec(),
+            SceneBody::Outline { .. } | SceneBody::Unknown => Vec::new(),
+        }
+    }
+
     /// The wall on the page, if it is long enough to be drawn.
     pub(crate) fn drawn_wall(self, ends: [f64; 2], i: usize, view: View) -> Option<BezPath> {
         is_drawn(ends).then(|| polygon(self.wall(ends, i).map(|corner| view.at(corner))))

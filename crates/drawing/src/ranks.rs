@@ -3,20 +3,18 @@
 use kurbo::Rect;
 
 use crate::canvas::Canvas;
-use crate::chart::{Axis, Chart};
+use crate::chart::{Axis, BELOW, Chart};
 use crate::finished::Drawing;
 use crate::legend::{self, EDGE, HEADER, Sample, WIDTH};
-use crate::pens::{AXIS, BOUND, FILL, OUTLINE, Pen};
+use crate::number::count;
+use crate::pens::{AXIS, BOUND, CLASS, FILL};
 
 /// (px) area of the plot.
 const PLOT: Rect = Rect::new(EDGE + 48.0, HEADER + 34.0, WIDTH - EDGE - 16.0, HEADER + 334.0);
-/// (px) from the plot to the legend.
-const BELOW: f64 = 58.0;
 /// Maximum number of tick labels across and upward.
 const MOST: [u8; 2] = [11, 6];
 /// Height of the upward axis as a multiple of the highest bar.
 const BEYOND: f64 = 1.1;
-const CLASS: Pen = Pen { width: 1.0, ..OUTLINE[0] };
 
 /// A bar for each class, from 0 to 1 across, and the count expected of each.
 #[derive(Clone, Debug, PartialEq)]
@@ -52,15 +50,7 @@ impl RanksPicture {
         let mut canvas = Canvas::new(self.name, WIDTH, PLOT.y1 + BELOW + legend::height(3, 3) + 6.0);
         legend::header(&mut canvas, &self.title, &self.subtitle);
         chart.draw(&mut canvas, &self.across, &self.upward, MOST);
-        #[expect(clippy::cast_precision_loss, reason = "there are few classes")]
-        let width = 1.0 / self.counts.len().max(1) as f64;
-        let (mut left, mut class) = (0.0, 0);
-        for &count in &self.counts {
-            class += 1;
-            let area = Rect::from_points(chart.at(left, 0.0), chart.at(left + width, count));
-            canvas.rect(&format!("class-{class}"), area, Some(CLASS), FILL[0]);
-            left += width;
-        }
+        chart.bars(&mut canvas, 0.0, 1.0 / count(self.counts.len().max(1)), &self.counts);
         let [low, high] = self.band;
         for (id, level, pen) in
             [("low", low, BOUND), ("high", high, BOUND), ("expected", self.expected, AXIS)]

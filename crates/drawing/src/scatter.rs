@@ -3,10 +3,11 @@
 use kurbo::{Point, Rect};
 
 use crate::canvas::Canvas;
-use crate::chart::{Axis, Chart};
+use crate::chart::{Axis, BELOW, Chart};
 use crate::finished::Drawing;
 use crate::font::{Anchor, SMALL};
 use crate::legend::{self, EDGE, HEADER, Sample};
+use crate::number::count;
 use crate::pens::{BLACK, EQUALITY};
 use crate::symbol::Symbol;
 use crate::ticks;
@@ -19,8 +20,6 @@ const BESIDE: f64 = 16.0;
 /// (px) above the plot, for the title of the upward axis, and for the panel's own title if it has one.
 const ABOVE: f64 = 34.0;
 const TITLE: f64 = 20.0;
-/// (px) from the plot to the legend.
-const BELOW: f64 = 58.0;
 /// Length of the axes as a multiple of the largest number, for the label of its point.
 const BEYOND: f64 = 1.04;
 /// Maximum number of tick labels on each axis.
@@ -73,8 +72,7 @@ impl ScatterPicture {
     /// Draws it.
     #[must_use]
     pub fn draw(&self) -> Drawing {
-        #[expect(clippy::cast_precision_loss, reason = "there are few panels")]
-        let page = 2.0 * EDGE + PANEL * self.panels.len().max(1) as f64;
+        let page = 2.0 * EDGE + PANEL * count(self.panels.len().max(1));
         let columns = 2 * self.panels.len();
         let has_titles = self.panels.iter().any(|panel| !panel.title.is_empty());
         let top = HEADER + ABOVE + if has_titles { TITLE } else { 0.0 };

@@ -209,18 +209,10 @@ impl ScenePicture {
                         let there = View { origin: Point::ZERO, scale }.place(vehicle.pose());
                         points.extend(footprint.corners().map(|corner| (there * corner).to_vec2()));
                     }
-                    SceneBody::Pole { diameter } => {
-                        let centre = self.contact().pole(*diameter, i);
-                        let reach =
-                            [(1.0, 1.0), (-1.0, -1.0)].map(|(x, y)| Vec2::new(x, y) * (diameter / 2.0));
-                        points.extend(reach.map(|reach| flipped(centre + reach) * scale));
+                    body => {
+                        let reach = self.contact().reach(body, || self.wall_ends(), i);
+                        points.extend(reach.into_iter().map(|at| flipped(at) * scale));
                     }
-                    SceneBody::Wall => {
-                        points.extend(
-                            self.contact().wall(self.wall_ends(), i).map(|corner| flipped(corner) * scale),
-                        );
-                    }
-                    SceneBody::Unknown => {}
                 }
                 if !vehicle.is_fixed {
                     points.push(cg);
@@ -246,12 +238,8 @@ impl ScenePicture {
     }
 
     fn wall_ends(&self) -> [f64; 2] {
-        self.contact().wall_ends(self.vehicles.each_ref().map(|vehicle| match &vehicle.body {
-            SceneBody::Outline { footprint, crush } => {
-                Some(vehicle.pose().in_scene() * footprint.left_by(crush.as_ref()))
-            }
-            _ => None,
-        }))
+        let outline = |vehicle: &SceneVehicle| vehicle.body.outline_in(vehicle.pose());
+        self.contact().wall_ends(self.vehicles.each_ref().map(outline))
     }
 }
 
@@ -506,15 +494,7 @@ impl Page<'_> {
         }
         for (i, vehicle) in vehicles.iter().enumerate() {
             let Some(text) = vehicle.legend.clone() else { continue };
-            let sample = match &vehicle.body {
-                SceneBody::Outline { footprint, .. } if footprint.shape != BodyShape::Fixed => {
-                    Sample::Box(OUTLINE[i], FILL[i].to_owned())
-                }
-                SceneBody::Unknown => Sample::Nothing,
-                SceneBody::Wall if !plan::is_drawn(self.wall) => Sample::Nothing,
-                _ => Sample::Box(THIN, self.canvas.pattern("fixed")),
-            };
-            entries.push((sample, text));
+            entries.push((vehicle.body.sample(Some(self.wall), i, &self.canvas), text));
         }
         entries
     }

@@ -1,9 +1,10 @@
 //! The symbols of points.
 
-use kurbo::{BezPath, Point, Rect, Vec2};
+use kurbo::{Point, Rect, Vec2};
 
 use crate::canvas::Canvas;
 use crate::pens::{BLUE, GREEN, PURPLE, Pen, VERMILION};
+use crate::plan::polygon;
 
 /// (px) radius of a circle, and half the size of any symbol with its edge.
 const RADIUS: f64 = 5.0;
@@ -60,15 +61,10 @@ impl Symbol {
     pub(crate) fn draw(self, canvas: &mut Canvas, id: &str, at: Point) {
         let pen = Pen { colour: self.marker.colour(), width: 1.8, dashes: "" };
         let fill = if self.is_filled { pen.colour } else { "none" };
-        let mut path = BezPath::new();
-        for (k, &(x, y)) in self.marker.corners().iter().enumerate() {
-            let corner = at + Vec2::new(x, y);
-            if k == 0 { path.move_to(corner) } else { path.line_to(corner) }
-        }
+        let path = polygon(self.marker.corners().iter().map(|&corner| at + Vec2::from(corner)));
         if path.is_empty() {
             canvas.dot(id, at, RADIUS, Some(pen), fill);
         } else {
-            path.close_path();
             canvas.path(id, &path, Some(pen), fill);
         }
         canvas.protect(Rect::from_center_size(at, (2.0 * HALF, 2.0 * HALF)));

@@ -6,6 +6,7 @@ use crate::canvas::Canvas;
 use crate::finished::Drawing;
 use crate::font::{self, Anchor, SMALL};
 use crate::legend::{self, EDGE, HEADER, Sample, WIDTH};
+use crate::number::count;
 use crate::pens::{BLACK, FILL, OUTLINE, Pen, THIN};
 
 const NAME: &str = "tornado";
@@ -75,8 +76,7 @@ impl TornadoPicture {
     #[must_use]
     pub fn draw(&self) -> Drawing {
         let columns = self.columns();
-        #[expect(clippy::cast_precision_loss, reason = "a tornado has few bars")]
-        let bottom = HEADER + STEP * self.bars.len() as f64 + BESIDE;
+        let bottom = HEADER + STEP * count(self.bars.len()) + BESIDE;
         let mut canvas = Canvas::new(NAME, columns.page, bottom + BELOW + legend::height(2, 3) + 6.0);
         canvas.define_stripes("stripes", LOW.colour, FILL[1], 45, 6.0);
         legend::header(&mut canvas, &self.title, &self.subtitle);

@@ -1,9 +1,9 @@
 //! The motion from approach to rest: what is drawn is what was given, wherever the vehicles go.
 
 use drawing::{
-    Axis, BodyShape, Drawing, Footprint, GroundShape, GroundZone, MeasuredPoint, MotionCurves,
-    MotionCurvesPicture, MotionPicture, MotionPoint, MotionRest, MotionVehicle, PlanPlace, ScaleUnit,
-    SceneArrow, SceneBody, SitePlan, SitePlanError,
+    Axis, BodyShape, Curves, CurvesPicture, Drawing, Footprint, GroundShape, GroundZone, MeasuredPoint,
+    MotionPicture, MotionPoint, MotionRest, MotionVehicle, PlanPlace, ScaleUnit, SceneArrow, SceneBody,
+    SitePlan, SitePlanError,
 };
 use kurbo::{Affine, BezPath, Point, Shape as _};
 use resvg::tiny_skia::{Color, Paint, Pixmap, Rect, Transform};
@@ -180,32 +180,42 @@ pub(crate) fn on_ground() -> MotionPicture {
     }
 }
 
-pub(crate) fn curves() -> MotionCurvesPicture {
+pub(crate) fn curves() -> CurvesPicture {
     let curve = |of: fn(f64) -> f64, time: f64| {
         (0..=300).map(|k| f64::from(k) / 300.0).map(|s| [s * time, of(s)]).collect()
     };
-    MotionCurvesPicture {
+    let panel = |title: &str, unit: f64, curves: [Vec<[f64; 2]>; 2]| Curves {
+        across: Axis { title: text("time since the impact (s)"), unit: 1.0 },
+        ends: Some([0.0, 2.9]),
+        upward: Axis { title: text(title), unit },
+        curves,
+        marks: Vec::new(),
+    };
+    let degree = 1.0_f64.to_radians();
+    CurvesPicture {
+        name: "motion-curves",
         title: text("Motion"),
         subtitle: text("Speed, yaw rate and heading from impact to rest"),
         caveat: String::new(),
         description: text("Both slow down."),
-        time: Axis { title: text("time since the impact (s)"), unit: 1.0 },
+        height: 170.0,
+        is_thinned: true,
         panels: vec![
-            MotionCurves {
-                upward: Axis { title: text("speed of the CG (km/h)"), unit: 1.0 / 3.6 },
-                curves: [curve(|s| 14.0 * (1.0 - s), 2.9), curve(|s| 12.0 * (1.0 - s), 2.4)],
-            },
-            MotionCurves {
-                upward: Axis { title: text("yaw rate (°/s)"), unit: 1.0_f64.to_radians() },
-                curves: [curve(|s| 2.4 * (1.0 - s), 2.9), curve(|s| -1.4 * (1.0 - s), 2.4)],
-            },
-            MotionCurves {
-                upward: Axis { title: text("heading (°)"), unit: 1.0_f64.to_radians() },
-                curves: [
-                    curve(|s| 3.49 * (2.0 * s - s * s), 2.9),
-                    curve(|s| 1.57 - 1.66 * (2.0 * s - s * s), 2.4),
-                ],
-            },
+            panel(
+                "speed of the CG (km/h)",
+                1.0 / 3.6,
+                [curve(|s| 14.0 * (1.0 - s), 2.9), curve(|s| 12.0 * (1.0 - s), 2.4)],
+            ),
+            panel(
+                "yaw rate (°/s)",
+                degree,
+                [curve(|s| 2.4 * (1.0 - s), 2.9), curve(|s| -1.4 * (1.0 - s), 2.4)],
+            ),
+            panel(
+                "heading (°)",
+                degree,
+                [curve(|s| 3.49 * (2.0 * s - s * s), 2.9), curve(|s| 1.57 - 1.66 * (2.0 * s - s * s), 2.4)],
+            ),
         ],
         legend: [Some(text("1 · Rabbit")), Some(text("2 · Chevelle"))],
     }
@@ -680,7 +690,7 @@ fn curves_go_through_their_numbers() {
     let whole = curves();
     Reader::new().readable("curves", &whole.draw().svg());
     let panel = whole.panels[0].clone();
-    let svg = MotionCurvesPicture { panels: vec![panel], ..whole.clone() }.draw().svg();
+    let svg = CurvesPicture { panels: vec![panel], ..whole.clone() }.draw().svg();
     let [across, upward] = scales(&svg, 0.0, 960.0);
     for (i, speed, time) in [(1, 14.0, 2.9), (2, 12.0, 2.4)] {
         let d = attribute(&svg, &format!("motion-curves-curve-1-{i}"), "d").unwrap();
@@ -692,20 +702,18 @@ fn curves_go_through_their_numbers() {
             assert!((upward.value(end.y) - speed).abs() < 2.0 * PIXEL * upward.pixel(), "{end}");
         }
     }
-    let constant =
-        MotionCurves { curves: [vec![[0.0, 0.0], [1.0, 0.0]], Vec::new()], ..whole.panels[0].clone() };
-    let rounding =
-        MotionCurves { curves: [vec![[0.0, 3e-17], [1.0, 0.0]], Vec::new()], ..whole.panels[0].clone() };
+    let constant = Curves { curves: [vec![[0.0, 0.0], [1.0, 0.0]], Vec::new()], ..whole.panels[0].clone() };
+    let rounding = Curves { curves: [vec![[0.0, 3e-17], [1.0, 0.0]], Vec::new()], ..whole.panels[0].clone() };
     for panels in [vec![constant], vec![rounding], Vec::new()] {
-        let svg = MotionCurvesPicture { panels, legend: [None, None], ..whole.clone() }.draw().svg();
+        let svg = CurvesPicture { panels, legend: [None, None], ..whole.clone() }.draw().svg();
         Reader::new().readable("no curves", &svg);
         assert!(!svg.contains("NaN") && !svg.contains("inf"));
     }
     // Rounding below zero does not lower the axis: its zero is the lower end of the chart.
     let falling = |last: f64| {
         let curves = [vec![[0.0, 10.0], [1.0, last]], Vec::new()];
-        let panels = vec![MotionCurves { curves, ..whole.panels[0].clone() }];
-        MotionCurvesPicture { panels, ..whole.clone() }.draw().svg()
+        let panels = vec![Curves { curves, ..whole.panels[0].clone() }];
+        CurvesPicture { panels, ..whole.clone() }.draw().svg()
     };
     assert_eq!(falling(-3e-17), falling(0.0));
 }

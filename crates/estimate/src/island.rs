@@ -197,7 +197,7 @@ fn sources(weights: &[Lanes], share: f64, count: usize) -> impl Iterator<Item = 
 }
 
 /// The result of an island.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub(crate) struct Island {
     /// `None` if no draw from the prior was possible.
     pub(crate) population: Option<Population>,
@@ -229,17 +229,7 @@ pub(crate) fn run<P: Prior, E: Evidence>(
     }
     let mut traveller = Traveller::new(target, key(seed, &[index]));
     let population = traveller.draw_prior(particles)?;
-    let mut island = Island {
-        population: None,
-        log_evidence: f64::NEG_INFINITY,
-        exclusion: Exclusion::default(),
-        excludes: Vec::new(),
-        stages: 0,
-        evaluations: 0,
-        temperature: 0.0,
-        acceptance: 0.0,
-        memory: Memory::default(),
-    };
+    let mut island = Island { log_evidence: f64::NEG_INFINITY, ..Island::default() };
     if let Some(mut population) = population {
         // Z₀ = possible fraction of the prior
         let exclusion = &traveller.exclusion;
@@ -285,15 +275,11 @@ pub(crate) fn run_without<P: Prior, E: Evidence>(
     let mut target =
         Target { prior: *prior, evidence: *evidence, used: used.clone(), faded, instructions: *instructions };
     let mut island = Island {
-        population: None,
         log_evidence,
         exclusion: Exclusion { drawn: particles, possible: particles, ..Exclusion::new(target.used.len()) },
         excludes: vec![false; target.used.len()],
-        stages: 0,
-        evaluations: 0,
         temperature: 1.0,
-        acceptance: 0.0,
-        memory: Memory::default(),
+        ..Island::default()
     };
     let mut tunings = [Tuning::new(); KINDS.len()];
     let mut share = 1.0;

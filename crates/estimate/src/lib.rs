@@ -94,4 +94,5 @@ pub use model::{Evidence, Hurdle, Independent, LikelihoodFunction, Part, Prior, 
 pub use posterior::{PieceCheck, Posterior, sample, sample_quietly, sample_without};
 pub use reweight::{PARETO_LIMIT, Weights};
 pub use settings::{ISLANDS, ParticleSettings};
-pub use summary::{Draws, DrawsInterval, DrawsSummary, LEVELS};
+pub use summary::{Draws, DrawsSummary, LEVELS};
+pub use uncertainty::Interval as DrawsInterval;

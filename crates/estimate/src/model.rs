@@ -1,6 +1,6 @@
 //! The prior, and the likelihood of the evidence.
 
-use uncertainty::{Distribution, LANES, Lanes};
+use uncertainty::{Distribution, Function, Instructions, LANES, Lanes, Model as _};
 
 /// The prior: transforms independent standard normal numbers into the unknown values.
 ///
@@ -134,40 +134,23 @@ impl Part {
 
 /// Evidence from a function of one particle.
 #[derive(Clone, Debug)]
-pub struct LikelihoodFunction<F> {
-    terms: usize,
-    function: F,
-}
+pub struct LikelihoodFunction<F>(Function<F>);
 
 impl<F: Fn(&[f64], &mut [f64]) -> Result<(), u8> + Sync> LikelihoodFunction<F> {
     /// Evidence from a function that reads the values of a particle and writes its terms, or fails with a
     /// reason from 1 to 254.
     pub fn new(terms: usize, function: F) -> Self {
-        Self { terms, function }
+        Self(Function::new(terms, function))
     }
 }
 
 impl<F: Fn(&[f64], &mut [f64]) -> Result<(), u8> + Sync> Evidence for LikelihoodFunction<F> {
     fn terms_count(&self) -> usize {
-        self.terms
+        self.0.outputs()
     }
 
     fn log_likelihood(&self, values: &[Lanes], terms: &mut [Lanes], reasons: &mut [u8; LANES]) {
-        let mut particle = vec![0.0; values.len()];
-        let mut of_particle = vec![0.0; terms.len()];
-        for (lane, reason) in reasons.iter_mut().enumerate() {
-            for (value, column) in particle.iter_mut().zip(values) {
-                *value = column[lane];
-            }
-            match (self.function)(&particle, &mut of_particle) {
-                Ok(()) => {
-                    for (term, column) in of_particle.iter().zip(terms.iter_mut()) {
-                        column[lane] = *term;
-                    }
-                }
-                Err(code) => *reason = code,
-            }
-        }
+        self.0.evaluate(Instructions::best(), values, terms, reasons);
     }
 }
 

@@ -2,21 +2,10 @@
 
 use std::ops::Range;
 
-use uncertainty::Estimate;
+use uncertainty::{Estimate, Interval};
 
 /// Levels of the intervals of a [`DrawsSummary`].
 pub const LEVELS: [f64; 4] = [0.5, 0.8, 0.9, 0.95];
-
-/// The range between two quantiles, with equal probabilities beyond either end.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct DrawsInterval {
-    /// Fraction of the draws in between.
-    pub level: f64,
-    /// (unit of the quantity) lower end.
-    pub low: Estimate,
-    /// (unit of the quantity) upper end.
-    pub high: Estimate,
-}
 
 /// Statistics of one quantity.
 ///
@@ -30,7 +19,7 @@ pub struct DrawsSummary {
     /// (unit of the quantity) median.
     pub median: Estimate,
     /// The intervals at [`LEVELS`].
-    pub intervals: [DrawsInterval; LEVELS.len()],
+    pub intervals: [Interval; LEVELS.len()],
 }
 
 /// Draws in islands, with or without weights.
@@ -61,7 +50,7 @@ impl<'a> Draws<'a> {
         let quantile = |share: f64| self.quantile(&ordered, column, share);
         let interval = |place: usize| {
             let level = LEVELS[place];
-            DrawsInterval { level, low: quantile(0.5 - 0.5 * level), high: quantile(0.5 + 0.5 * level) }
+            Interval { level, low: quantile(0.5 - 0.5 * level), high: quantile(0.5 + 0.5 * level) }
         };
         DrawsSummary {
             mean,

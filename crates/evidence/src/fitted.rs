@@ -142,10 +142,7 @@ impl ObjectFigures {
         if spread_ln_sd <= 0.0 || behind.into_iter().all(Behind::is_exact) {
             return None;
         }
-        let vehicles = behind.map(|behind| {
-            let (has_bias, has_spread) = behind.misfit();
-            OfVehicle { bias: has_bias.then_some(0), has_spread, ..OfVehicle::default() }
-        });
+        let vehicles = behind.map(Behind::of_misfit);
         let (mut drift, mut covariance) = ([0.0; CRUSH_FIGURES], [[0.0; CRUSH_FIGURES]; CRUSH_FIGURES]);
         drift[0] = both / spread_ln_sd;
         covariance[0][0] = bias - drift[0] * drift[0];
@@ -200,6 +197,25 @@ pub enum Behind {
 impl Behind {
     fn is_exact(self) -> bool {
         self.misfit() == (false, false)
+    }
+
+    /// The places of the figures behind it.
+    fn of_vehicle(self) -> OfVehicle {
+        let Self::Stiffness(damage) = self else { return self.of_misfit() };
+        // b₁ of fronts is from barrier tests.
+        let (slope, no_damage_speed) = match damage {
+            DamagedSide::Front => (None, 4),
+            DamagedSide::Rear => (Some(2), 4),
+            DamagedSide::Side => (Some(1), 5),
+        };
+        let no_damage_speed = Some(no_damage_speed);
+        OfVehicle { slope, slope_spread: Some(3), no_damage_speed, ..self.of_misfit() }
+    }
+
+    /// The places of bias and spread alone.
+    fn of_misfit(self) -> OfVehicle {
+        let (bias, has_spread) = self.misfit();
+        OfVehicle { bias: bias.then_some(0), has_spread, ..OfVehicle::default() }
     }
 
     /// Whether the bias and the spread of the misfit were fitted.
@@ -304,27 +320,10 @@ impl Fitted {
     /// `None` if they depend on nothing that was fitted, or if all figures are taken as exact.
     #[must_use]
     pub fn crush_figures(&self, hit: &[DamagedSide], behind: [Behind; 2]) -> Option<CrushFigures> {
-        let is_exact =
-            |behind| matches!(behind, Behind::Nothing | Behind::Misfit { bias: false, spread: false });
-        if !self.errors.has_crush() || behind.into_iter().all(is_exact) {
+        if !self.errors.has_crush() || behind.into_iter().all(Behind::is_exact) {
             return None;
         }
-        let vehicles = behind.map(|behind| match behind {
-            Behind::Nothing => OfVehicle::default(),
-            Behind::Misfit { bias, spread } => {
-                OfVehicle { bias: bias.then_some(0), has_spread: spread, ..OfVehicle::default() }
-            }
-            Behind::Stiffness(damage) => {
-                // b₁ of fronts is from barrier tests.
-                let (slope, no_damage_speed) = match damage {
-                    DamagedSide::Front => (None, 4),
-                    DamagedSide::Rear => (Some(2), 4),
-                    DamagedSide::Side => (Some(1), 5),
-                };
-                let no_damage_speed = Some(no_damage_speed);
-                OfVehicle { bias: Some(0), slope, slope_spread: Some(3), no_damage_speed, has_spread: true }
-            }
-        });
+        let vehicles = behind.map(Behind::of_vehicle);
         let all = &self.errors.covariance;
         let spread = SPREADS[kind(hit)];
         let spread_ln_sd = Real::sqrt(all[spread][spread]);

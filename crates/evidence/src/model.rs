@@ -334,6 +334,10 @@ impl<I: Impacts> CollisionModel<I> {
         let leaves = |id: VehicleId| {
             if vehicle(id).after.of_common_cg { of_common_cg(&impacted.outcome) } else { after(id).velocity }
         };
+        let yaw_rate = |measured: Option<Measured>, id: VehicleId| {
+            measured
+                .map_or(Error::NONE, |Measured { value, sd }| Error::normal(value - after(id).yaw_rate, sd))
+        };
         match piece {
             Piece::Severity => {
                 let Some(severity) = self.observed.severity else { return Error::NONE };
@@ -395,10 +399,7 @@ impl<I: Impacts> CollisionModel<I> {
                 }
                 None => Error::NONE,
             },
-            Piece::YawRateAfter(id) => match vehicle(id).after.yaw_rate {
-                Some(Measured { value, sd }) => Error::normal(value - after(id).yaw_rate, sd),
-                None => Error::NONE,
-            },
+            Piece::YawRateAfter(id) => yaw_rate(vehicle(id).after.yaw_rate, id),
             Piece::RecordedDeltaV(id) | Piece::LeastDeltaV(id) => {
                 let outcome = &impacted.outcome;
                 let whole = outcome.delta_v_magnitude()[id.index()];
@@ -437,10 +438,7 @@ impl<I: Impacts> CollisionModel<I> {
                     Error { potential, ..Error::NONE }
                 }
             },
-            Piece::RecordedYawRate(id) => match vehicle(id).recorder.yaw_rate {
-                Some(Measured { value, sd }) => Error::normal(value - after(id).yaw_rate, sd),
-                None => Error::NONE,
-            },
+            Piece::RecordedYawRate(id) => yaw_rate(vehicle(id).recorder.yaw_rate, id),
             Piece::RecordedSpeed(id) => vehicle(id)
                 .recorder
                 .speed

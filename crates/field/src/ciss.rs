@@ -37,7 +37,6 @@ mod error;
 mod found;
 mod records;
 mod sas;
-mod saved;
 mod table;
 mod year;
 
@@ -45,6 +44,5 @@ pub use cell::CissCell;
 pub use error::CissError;
 pub use found::{CissColumn, CissCrashes, CissLeftOut, CissTable};
 pub use records::{CissRecord, records};
-pub use saved::read_pairs;
-pub use table::{CissFiles, has_tables};
+pub use table::{CissFiles, has_tables, read_pairs};
 pub use year::{OBJECTS, objects, pairs};

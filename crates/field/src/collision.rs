@@ -13,7 +13,7 @@ use uncertainty::{Distribution, InvalidDistribution};
 
 use crate::crash::{Crash, PairKind};
 use crate::figure::Figure;
-use crate::pair::{Pair, PairVehicle, Plane};
+use crate::pair::{Pair, PairVehicle, Plane, Truth};
 
 /// (kg, m, m) mass, length and width of an average car of the fleet: if no size is known, lengths grow with
 /// the cube root of the mass and widths with its sixth root.
@@ -24,6 +24,9 @@ const YAW_RADIUS: f64 = 0.295;
 pub(crate) const TO_FRONT: f64 = 0.46;
 /// (m) width of the damage to a side by something without front or rear, or by something unknown.
 const SIDE_WIDTH: f64 = 1.8;
+/// (–) ln of the ratio of the momentum changes by two recorders beyond which they stored two events: four
+/// standard deviations of both, each with about 0.17 and the error of its mass.
+const ANOTHER_EVENT: f64 = 1.0;
 
 /// The results of a vehicle's own data.
 pub(crate) struct Shape {
@@ -71,15 +74,6 @@ impl Shape {
     }
 }
 
-/// Where a vehicle was hit.
-pub(crate) fn damage(plane: Plane) -> DamagedSide {
-    match plane {
-        Plane::Front => DamagedSide::Front,
-        Plane::Rear => DamagedSide::Rear,
-        Plane::Left | Plane::Right => DamagedSide::Side,
-    }
-}
-
 /// (rad) from the heading, counter-clockwise, to the normal that points out of the plane.
 pub(crate) fn outward(plane: Plane) -> f64 {
     match plane {
@@ -87,15 +81,6 @@ pub(crate) fn outward(plane: Plane) -> f64 {
         Plane::Rear => PI,
         Plane::Left => FRAC_PI_2,
         Plane::Right => -FRAC_PI_2,
-    }
-}
-
-/// Whose plane is the crush plane: that of a side ranks before a rear, and that of a rear before a front.
-fn rank(plane: Plane) -> u8 {
-    match plane {
-        Plane::Front => 0,
-        Plane::Rear => 1,
-        Plane::Left | Plane::Right => 2,
     }
 }
 
@@ -130,7 +115,9 @@ impl Layout {
                 [one, one + pdof[0] - pdof[1] + PI]
             }
         };
-        let [first, second] = [rank(one.plane), rank(two.plane)];
+        // Whose plane is the crush plane: that of a side ranks before a rear, and that of a rear before a front.
+        let damages = pair.vehicles.each_ref().map(|vehicle| DamagedSide::from(vehicle.plane));
+        let [first, second] = damages;
         let [w1, w2] = [f64::from(u8::from(first >= second)), f64::from(u8::from(second >= first))];
         let normals = [0, 1].map(|i| sin_cos(headings[i] + outward(pair.vehicles[i].plane)));
         let [(s1, c1), (s2, c2)] = normals;
@@ -154,7 +141,6 @@ impl Layout {
             }
         };
         let widths = [0, 1].map(width);
-        let damages = pair.vehicles.each_ref().map(|vehicle| damage(vehicle.plane));
         Self { shapes, headings, heading_sds, crush_plane, crush_plane_sd, widths, damages }
     }
 }
@@ -248,7 +234,12 @@ impl Crash for Pair {
     }
 
     fn is_one_event(&self) -> Option<bool> {
-        Pair::is_one_event(self)
+        let [one, two] = self.vehicles.each_ref().map(|vehicle| {
+            let Truth { delta_v, is_longitudinal, direction: _ } = vehicle.truth()?;
+            let along = if is_longitudinal { sin_cos(vehicle.pdof).1.abs() } else { 1.0 };
+            Some(ln(vehicle.mass() * delta_v / along))
+        });
+        Some((one? - two?).abs() <= ANOTHER_EVENT)
     }
 
     fn known(

@@ -90,7 +90,8 @@ pub trait Crash: Sync {
     /// The surfaces that met, or what was struck.
     fn kind(&self) -> PairKind;
 
-    /// Whether both recorders can belong to one collision; `None` if not both can be judged.
+    /// Whether both recorders can belong to one collision: m_1 ΔV_1 = m_2 ΔV_2 within a factor of 2.7. `None`
+    /// if not both can be judged.
     fn is_one_event(&self) -> Option<bool>;
 
     /// The collision with unknown speeds, by the crush of the one vehicle `crushed`, or of all; only the

@@ -97,6 +97,7 @@ fn are_crossed(pairs: &[Pair], couple: &[(usize, VehicleId); 2]) -> bool {
 mod tests {
     #![allow(clippy::unwrap_used, reason = "tests fail by panicking")]
 
+    use crate::crash::Crash as _;
     use crate::pair::Pair;
     use crate::read::read;
 

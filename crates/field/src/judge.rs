@@ -45,7 +45,7 @@ pub struct Judged {
     /// The surfaces that met.
     pub kind: PairKind,
     /// Whether both recorders can belong to one collision, as in
-    /// [`Pair::is_one_event`](crate::Pair::is_one_event).
+    /// [`Crash::is_one_event`](crate::Crash::is_one_event).
     pub is_one_event: Option<bool>,
     /// The value that its recorder stored.
     pub truth: Truth,

@@ -6,6 +6,8 @@
 //! stored that it lost 24 km/h along its heading and gained 7 km/h to its right.
 //!
 //! ```
+//! use field::Crash as _;
+//!
 //! let columns = [
 //!     ("CASEID", "17"), ("CURBWT_1", "1500"), ("CARGOWT_1", ""), ("CDCPLANE_1", "F"), ("PDOF_1", "20"),
 //!     ("HEADINGANG_1", "0"), ("FIELDL_1", "120"), ("DIRECTL_1", "150"), ("DIRECTD_1", "10"),

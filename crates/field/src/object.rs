@@ -6,7 +6,7 @@ use evidence::{Behind, Collision, Fitted, Observed, ObservedVehicle, Speeds, Veh
 use pim_core::VehicleId;
 use uncertainty::InvalidDistribution;
 
-use crate::collision::{Placed, Shape, damage, normal, observed, outward};
+use crate::collision::{Placed, Shape, normal, observed, outward};
 use crate::crash::{Crash, PairKind};
 use crate::figure::Figure;
 use crate::pair::PairVehicle;
@@ -63,7 +63,7 @@ impl Crash for ObjectCrash {
         given: &[VehicleId],
     ) -> Result<Collision, InvalidDistribution> {
         let (vehicle, shape) = (&self.vehicle, Shape::of(&self.vehicle));
-        let damage = damage(vehicle.plane);
+        let damage = vehicle.plane.into();
         let placed = Placed { vehicle, shape: &shape, heading: [0.0; 2], damage, width: shape.width };
         let object = VehicleNumbers {
             body: None,

@@ -1,7 +1,8 @@
 //! Two vehicles of a crash, as an investigator recorded them.
 
-use pim_core::VehicleId;
-use real::elementary::{atan2, ln, sin_cos};
+use real::elementary::atan2;
+
+pub use crash3::Side as Plane;
 
 /// Two vehicles that collided.
 #[derive(Clone, Debug, PartialEq)]
@@ -10,27 +11,6 @@ pub struct Pair {
     pub case: String,
     /// The vehicles.
     pub vehicles: [PairVehicle; 2],
-}
-
-/// The plane of a vehicle's damage.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Plane {
-    /// F, its front.
-    Front,
-    /// B, its rear.
-    Rear,
-    /// L, its left side.
-    Left,
-    /// R, its right side.
-    Right,
-}
-
-impl Plane {
-    /// Whether it is a side.
-    #[must_use]
-    pub fn is_side(self) -> bool {
-        matches!(self, Self::Left | Self::Right)
-    }
 }
 
 /// One vehicle.
@@ -73,10 +53,6 @@ pub struct PairVehicle {
 const OCCUPANTS: f64 = 75.0;
 /// (kg) largest load of any passenger vehicle; NHTSA's codes for unknown loads are larger.
 const MOST_CARGO: f64 = 1000.0;
-
-/// (–) ln of the ratio of the momentum changes by two recorders beyond which they stored two events: four
-/// standard deviations of both, each with about 0.17 and the error of its mass.
-const ANOTHER_EVENT: f64 = 1.0;
 
 /// (m/s) recorders do not trigger reliably below this.
 const LEAST_DELTA_V: f64 = 8.0 / 3.6;
@@ -127,26 +103,5 @@ impl PairVehicle {
         let [whole, along] = self.winsmash;
         let delta_v = if truth.is_longitudinal { along? } else { whole? }.abs();
         (delta_v > 0.0).then_some(delta_v)
-    }
-}
-
-impl Pair {
-    /// The vehicles whose recorders can be judged, with the stored values.
-    #[must_use]
-    pub fn truths(&self) -> Vec<(VehicleId, Truth)> {
-        let vehicles = VehicleId::ALL.into_iter().zip(&self.vehicles);
-        vehicles.filter_map(|(id, vehicle)| Some((id, vehicle.truth()?))).collect()
-    }
-
-    /// Whether the recorders of both vehicles can belong to one collision: m_1 ΔV_1 = m_2 ΔV_2 within a
-    /// factor of 2.7. `None` if not both can be judged.
-    #[must_use]
-    pub fn is_one_event(&self) -> Option<bool> {
-        let [one, two] = self.vehicles.each_ref().map(|vehicle| {
-            let Truth { delta_v, is_longitudinal, direction: _ } = vehicle.truth()?;
-            let along = if is_longitudinal { sin_cos(vehicle.pdof).1.abs() } else { 1.0 };
-            Some(ln(vehicle.mass() * delta_v / along))
-        });
-        Some((one? - two?).abs() <= ANOTHER_EVENT)
     }
 }

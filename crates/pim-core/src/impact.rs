@@ -172,24 +172,6 @@ pub fn normal_work<T: Real>(
     -(impulse.normal * (approach.normal + separation.normal)) * 0.5
 }
 
-/// (J) W_t: the energy that the tangential impulse takes out of the vehicles (SAE 980025, Eq 4).
-#[inline(always)]
-fn tangential_work<T: Real>(
-    approach: NormalTangential<T>,
-    impulse: NormalTangential<T>,
-    separation: NormalTangential<T>,
-) -> T {
-    // W_t = −½ P_t (u_t + U_t)
-    -(impulse.tangential * (approach.tangential + separation.tangential)) * 0.5
-}
-
-/// (J) W_m: the energy that the moment impulse takes out of the vehicles.
-#[inline(always)]
-fn moment_work<T: Real>(before: &[Motion<T>; 2], moment: T, after: &[Motion<T>; 2]) -> T {
-    // W_m = −½ M (ω₁ − ω₂ + Ω₁ − Ω₂)
-    -(moment * (relative_yaw_rate(before) + relative_yaw_rate(after))) * 0.5
-}
-
 /// (rad/s) yaw rate of vehicle 1 relative to vehicle 2.
 #[inline(always)]
 fn relative_yaw_rate<T: Real>([one, two]: &[Motion<T>; 2]) -> T {
@@ -299,8 +281,10 @@ impl<T: Real> Contact<T> {
         let after = self.after(&before, impulse, moment);
         let impulse_vector = impulse.in_scene(self.normal());
         let normal_work = normal_work(u, impulse, v);
-        let tangential_work = tangential_work(u, impulse, v);
-        let moment_work = moment_work(&before, moment, &after);
+        // W_t = −½ P_t (u_t + U_t)
+        let tangential_work = -(impulse.tangential * (u.tangential + v.tangential)) * 0.5;
+        // W_m = −½ M (ω₁ − ω₂ + Ω₁ − Ω₂)
+        let moment_work = -(moment * (relative_yaw_rate(&before) + relative_yaw_rate(&after))) * 0.5;
         Outcome {
             impulse,
             impulse_vector,

@@ -33,7 +33,9 @@ impl<T: Real> NormalTangential<T> {
 }
 
 impl<T: Real> Motion<T> {
-    fn mirrored(&self) -> Self {
+    /// The same motion in axes of the other handedness.
+    #[must_use]
+    pub fn mirrored(&self) -> Self {
         Self { velocity: across(self.velocity), yaw_rate: flipped(self.yaw_rate) }
     }
 }

@@ -134,21 +134,6 @@ impl<const N: usize> Real for Bundle<N> {
     }
 
     #[inline(always)]
-    fn abs(self) -> Self {
-        if self.value().is_sign_negative() { -self } else { self }
-    }
-
-    #[inline(always)]
-    fn min(self, other: Self) -> Self {
-        if self.value() <= other.value() || self.value().is_nan() { self } else { other }
-    }
-
-    #[inline(always)]
-    fn max(self, other: Self) -> Self {
-        if self.value() >= other.value() || self.value().is_nan() { self } else { other }
-    }
-
-    #[inline(always)]
     fn is_finite(self) -> bool {
         self.lanes.iter().all(|lane| lane.is_finite())
     }

@@ -154,21 +154,6 @@ impl<const N: usize> Real for Duals<N> {
     }
 
     #[inline(always)]
-    fn abs(self) -> Self {
-        if self.value < 0.0 { -self } else { self }
-    }
-
-    #[inline(always)]
-    fn min(self, other: Self) -> Self {
-        if self.value <= other.value || self.value.is_nan() { self } else { other }
-    }
-
-    #[inline(always)]
-    fn max(self, other: Self) -> Self {
-        if self.value >= other.value || self.value.is_nan() { self } else { other }
-    }
-
-    #[inline(always)]
     fn is_finite(self) -> bool {
         self.value.is_finite() && self.derivatives.iter().all(|derivative| derivative.is_finite())
     }

@@ -138,15 +138,26 @@ pub trait Real:
     fn power(self, exponent: f64) -> Self;
 
     /// |x|.
-    fn abs(self) -> Self;
+    #[inline(always)]
+    fn abs(self) -> Self {
+        if self.value().is_sign_negative() { -self } else { self }
+    }
 
     /// The lesser of two numbers, the first if they are equal. NaN if either is NaN, unlike `f64::min`, which
     /// would hide it.
-    fn min(self, other: Self) -> Self;
+    #[inline(always)]
+    fn min(self, other: Self) -> Self {
+        // A NaN in `other` makes the comparison false, which selects it.
+        if self.value() <= other.value() || self.value().is_nan() { self } else { other }
+    }
 
     /// The greater of two numbers, the first if they are equal. NaN if either is NaN, unlike `f64::max`,
     /// which would hide it.
-    fn max(self, other: Self) -> Self;
+    #[inline(always)]
+    fn max(self, other: Self) -> Self {
+        // A NaN in `other` makes the comparison false, which selects it.
+        if self.value() >= other.value() || self.value().is_nan() { self } else { other }
+    }
 
     /// Whether the number and everything it carries is neither infinite nor NaN.
     fn is_finite(self) -> bool;
@@ -204,18 +215,6 @@ impl Real for f64 {
     #[inline(always)]
     fn abs(self) -> Self {
         f64::abs(self)
-    }
-
-    #[inline(always)]
-    fn min(self, other: Self) -> Self {
-        // A NaN in `other` makes the comparison false, which selects it.
-        if self <= other || self.is_nan() { self } else { other }
-    }
-
-    #[inline(always)]
-    fn max(self, other: Self) -> Self {
-        // A NaN in `other` makes the comparison false, which selects it.
-        if self >= other || self.is_nan() { self } else { other }
     }
 
     #[inline(always)]

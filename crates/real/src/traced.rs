@@ -236,21 +236,6 @@ impl Real for Traced {
     }
 
     #[inline]
-    fn abs(self) -> Self {
-        if self.value < 0.0 { -self } else { self }
-    }
-
-    #[inline]
-    fn min(self, other: Self) -> Self {
-        if self.value <= other.value || self.value.is_nan() { self } else { other }
-    }
-
-    #[inline]
-    fn max(self, other: Self) -> Self {
-        if self.value >= other.value || self.value.is_nan() { self } else { other }
-    }
-
-    #[inline]
     fn is_finite(self) -> bool {
         self.value.is_finite()
     }

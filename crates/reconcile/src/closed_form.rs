@@ -47,21 +47,12 @@ impl<T: Real> Problem<T> {
         acting.is_affine().then(|| Posed { problem: self, line: self.line() }.affine_impact(acting))
     }
 
-    /// Like [`solve`](Problem::solve), but returns a validity flag in place of an error, so that loops over
-    /// many samples vectorise: the speed with the slowest approach from a closed form or a cubic with one
-    /// root, its impact, and whether a collision can have it. If the flag is set, the answer has the same
-    /// bits. If it is not, `solve` may still find an answer: by a search, at a faster approach, or if
-    /// rounding decides whether friction suffices.
-    #[inline(always)]
-    #[must_use]
-    pub fn solve_with_validity(&self) -> (T, Outcome<T>, bool) {
-        let (speed, outcome, [is_answer, _]) = self.solve_with_verdict();
-        (speed, outcome, is_answer)
-    }
-
-    /// Like [`solve_with_validity`](Self::solve_with_validity), with a second flag: whether `solve` certainly
-    /// has no answer, because no push has the critical ratio, of which the law takes a fraction, at the only
-    /// speed that gives the crush energy.
+    /// Like [`solve`](Problem::solve), but returns flags in place of an error, so that loops over many samples
+    /// vectorise: the speed with the slowest approach from a closed form or a cubic with one root, its
+    /// impact, whether a collision can have it, and whether `solve` certainly has no answer, because no push
+    /// has the critical ratio, of which the law takes a fraction, at the only speed that gives the crush
+    /// energy. If the first flag is set, the answer has the same bits. If neither is, `solve` may still find
+    /// an answer: by a search, at a faster approach, or if rounding decides whether friction suffices.
     #[inline(always)]
     #[must_use]
     pub fn solve_with_verdict(&self) -> (T, Outcome<T>, [bool; 2]) {

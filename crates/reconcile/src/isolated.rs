@@ -314,23 +314,5 @@ impl Meeting {
     }
 }
 
-/// The branch in which friction suffices.
-#[inline(always)]
-pub(crate) fn full(_: &Law) -> Branch {
-    Branch::Full
-}
-
-/// The branch in which the surfaces slide in one direction.
-#[inline(always)]
-pub(crate) fn against(law: &Law) -> Branch {
-    Branch::Ratio(law.friction_limit().map_or(0.0, |limit| -limit))
-}
-
-/// The branch in which they slide in the other direction.
-#[inline(always)]
-pub(crate) fn along(law: &Law) -> Branch {
-    Branch::Ratio(law.friction_limit().unwrap_or(0.0))
-}
-
 #[cfg(test)]
 mod tests;

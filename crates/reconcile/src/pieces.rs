@@ -32,7 +32,7 @@ use crate::branch::Branch;
 use crate::brent::{RootError, brent_between, narrowed};
 use crate::error::ReconcileError;
 use crate::fraction::{Critical, Fraction, fraction_with_moment, jams};
-use crate::isolated::{Isolated, Meeting, Pushes, Roots, Signs, against, along, full};
+use crate::isolated::{Isolated, Meeting, Pushes, Roots, Signs};
 use crate::polynomial::{Points, Polynomial, opposite};
 use crate::posed::Posed;
 use crate::quartic::Quartic;
@@ -177,8 +177,8 @@ impl<'a> Posed<'a> {
                 Branch::Own => None,
                 branch => Some([under(branch), None, None]),
             },
-            Tangential::Friction(_) | Tangential::FullOrSliding(_) => {
-                Some([full(&law), against(&law), along(&law)].map(under))
+            Tangential::Friction(limit) | Tangential::FullOrSliding(limit) => {
+                Some([Branch::Full, Branch::Ratio(-limit), Branch::Ratio(limit)].map(under))
             }
             Tangential::Critical
             | Tangential::Ratio(_)

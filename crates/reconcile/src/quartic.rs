@@ -89,22 +89,7 @@ impl Quartic {
     const COEFFICIENTS: usize = 5;
     const PARTS: usize = 6;
 
-    /// Whether the law has such a numerator.
-    fn is_of(law: &Law) -> bool {
-        let e_m = law.moment_restitution();
-        // With f = 0 and f = 1 the law is another one, and with a common yaw rate numerator and denominator
-        // have a common factor.
-        match law.tangential() {
-            Tangential::FractionOfCritical(f) => (f != 0.0) & (f != 1.0) & (e_m != 0.0) & (e_m != -1.0),
-            _ => false,
-        }
-    }
-
-    fn of(meeting: &Meeting, law: &Law, reach: [f64; 2]) -> Self {
-        let f = match law.tangential() {
-            Tangential::FractionOfCritical(f) => f,
-            _ => f64::NAN,
-        };
+    fn of(meeting: &Meeting, law: &Law, f: f64, reach: [f64; 2]) -> Self {
         let (size, e) = (meeting.size, law.restitution());
         let critical = law.without_limit();
         let (touch, there) =
@@ -214,7 +199,12 @@ impl Posed<'_> {
     /// The quartic of the problem, if the law has one.
     pub(crate) fn quartic(self, meeting: &Meeting) -> Option<Quartic> {
         let law = self.problem.law.nominal();
+        let Tangential::FractionOfCritical(f) = law.tangential() else { return None };
+        let e_m = law.moment_restitution();
+        // With f = 0 and f = 1 the law is another one, and with a common yaw rate numerator and denominator
+        // have a common factor.
+        let has_numerator = (f != 0.0) & (f != 1.0) & (e_m != 0.0) & (e_m != -1.0);
         let is_constant = self.problem.law.curve().is_none() && self.problem.tangential_share == 0.0;
-        (is_constant && Quartic::is_of(&law)).then(|| Quartic::of(meeting, &law, self.reach()))
+        (is_constant && has_numerator).then(|| Quartic::of(meeting, &law, f, self.reach()))
     }
 }

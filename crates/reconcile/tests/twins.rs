@@ -10,7 +10,7 @@ use reconcile::{EnergyBasis, Problem, ReconcileError, Unknown};
 use crate::reconciliation::{Case, all_laws, case, posed, with_curve};
 
 fn solved(case: &Case, problem: &Problem) -> bool {
-    let (speed, outcome, possible) = problem.solve_with_validity();
+    let (speed, outcome, [possible, _]) = problem.solve_with_verdict();
     tells_that_it_pulls(problem);
     match problem.solve() {
         Ok(answer) if possible => {
@@ -80,7 +80,7 @@ fn reconciliations() {
         let possible = solved(&case, &problem);
         // With a curve there is no closed form.
         let curve = RestitutionCurve::new(vec![(0.0, case.scene.restitution)]).unwrap();
-        assert!(!with_curve(&problem, &curve).solve_with_validity().2);
+        assert!(!with_curve(&problem, &curve).solve_with_verdict().2[0]);
         let has_cubic = matches!(case.scene.tangential, Tangential::FractionOfCritical(_));
         assert!(!possible || problem.closed_form().is_some() || has_cubic);
         with_cubic.set(with_cubic.get() + usize::from(possible && has_cubic));
@@ -102,9 +102,9 @@ fn nobody_is_faster_than_a_kilometre_per_second() {
         let motions = [Motion::rest(); 2];
         posed(contact, law, motions, Unknown::Speed1, energy, EnergyBasis::Dissipated).unwrap()
     };
-    assert!(at(999.0).solve_with_validity().2);
+    assert!(at(999.0).solve_with_verdict().2[0]);
     assert!(at(999.0).solve().is_ok() && at(999.0).root_finder().is_ok());
-    assert!(!at(1001.0).solve_with_validity().2);
+    assert!(!at(1001.0).solve_with_verdict().2[0]);
     for refused in [at(1001.0).solve(), at(1001.0).root_finder()] {
         assert!(matches!(refused, Err(ReconcileError::NotReached { .. })), "{refused:?}");
     }
@@ -139,7 +139,7 @@ fn problems_without_an_answer() {
             basis,
             tangential_share: 0.0,
         };
-        let (.., possible) = flagged.solve_with_validity();
+        let (.., [possible, _]) = flagged.solve_with_verdict();
         assert_eq!(possible, problem.is_ok(), "{unknown:?} {e} {energy}");
     }
 }

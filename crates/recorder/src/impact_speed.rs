@@ -564,12 +564,6 @@ impl ImpactSpeed {
         let tail = 0.5 * (1.0 - probability);
         [self.quantile(tail), self.quantile(1.0 - tail)]
     }
-
-    /// (s/m) the density of the speed in this many equal bins, each with its lower edge (m/s).
-    #[must_use]
-    pub fn density(&self, bins: usize) -> Vec<(f64, f64)> {
-        self.draws.density(bins)
-    }
 }
 
 /// Mean and variance by source, over the legs.

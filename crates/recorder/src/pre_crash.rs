@@ -264,24 +264,18 @@ impl PreCrash {
     /// As [`PreCrash::new`].
     pub fn from_table(table: &RecorderTable) -> Result<Self, PreCrashFault> {
         let times = table.times();
-        let numbers = |channel| table.values(channel);
-        let switches = |channel| -> Vec<Option<bool>> {
-            table.values(channel).into_iter().map(|value| value.map(|on| on > 0.5)).collect()
-        };
-        let (speed, brake, abs) = (numbers(Channel::Speed), switches(Channel::Brake), switches(Channel::Abs));
-        let (accelerator, throttle) = (numbers(Channel::Accelerator), numbers(Channel::Throttle));
-        let (engine_speed, steering) = (numbers(Channel::EngineSpeed), numbers(Channel::Steering));
-        let yaw_rate = numbers(Channel::YawRate);
+        let number = |channel, k: usize| table.column(channel).and_then(|column| column.values[k]);
+        let switch = |channel, k| number(channel, k).map(|on| on > 0.5);
         let sample = |(k, time): (usize, f64)| PreCrashSample {
             time,
-            speed: speed[k],
-            brake: brake[k],
-            abs: abs[k],
-            accelerator: accelerator[k],
-            throttle: throttle[k],
-            engine_speed: engine_speed[k],
-            steering: steering[k],
-            yaw_rate: yaw_rate[k],
+            speed: number(Channel::Speed, k),
+            brake: switch(Channel::Brake, k),
+            abs: switch(Channel::Abs, k),
+            accelerator: number(Channel::Accelerator, k),
+            throttle: number(Channel::Throttle, k),
+            engine_speed: number(Channel::EngineSpeed, k),
+            steering: number(Channel::Steering, k),
+            yaw_rate: number(Channel::YawRate, k),
         };
         let record = Self::new(times.into_iter().enumerate().map(sample).collect())?;
         let step = table.column(Channel::Speed).and_then(step_of).unwrap_or(REGULAR_STEP);

@@ -358,13 +358,6 @@ impl CrashPulse {
         Some(PulseSpan { rule, start: from.time, end: to.time, delta_v, complete })
     }
 
-    /// (m/s) the resultant ΔV at the last sample, since the beginning of the record.
-    #[must_use]
-    pub fn at_end(&self) -> [Option<f64>; 2] {
-        let last = self.samples.last().copied().unwrap_or_default();
-        [last.longitudinal, last.lateral]
-    }
-
     /// Whether the record ends before the impact does: ΔV still changes at its end by the rule of 49 CFR
     /// 563.5, or the recorder filled up what follows with zeros. Its ΔV is then a lower bound.
     #[must_use]

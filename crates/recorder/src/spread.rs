@@ -23,24 +23,6 @@ impl Draws {
     pub(crate) fn quantile(&self, probability: f64) -> f64 {
         order_statistic(&self.0, probability * count(self.0.len()) - 0.5)
     }
-
-    pub(crate) fn density(&self, bins: usize) -> Vec<(f64, f64)> {
-        let (Some(first), Some(last)) = (self.0.first(), self.0.last()) else { return Vec::new() };
-        let width = (last - first) / count(bins.max(1));
-        if width <= 0.0 {
-            return vec![(*first, f64::INFINITY)];
-        }
-        let edges = (0..bins.max(1)).map(|k| first + width * count(k));
-        let total = count(self.0.len());
-        edges
-            .map(|edge| {
-                let is_last = edge + 1.5 * width > *last;
-                let end = if is_last { f64::INFINITY } else { edge + width };
-                let inside = self.0.iter().filter(|number| (edge..end).contains(number)).count();
-                (edge, count(inside) / (total * width))
-            })
-            .collect()
-    }
 }
 
 /// A count as a number; those here are far below 2³².
@@ -76,8 +58,6 @@ mod tests {
             let [mean, sd] = draws.moments();
             assert!((mean - 0.5).abs() < 3e-3 && (sd - 12_f64.sqrt().recip()).abs() < 2e-3, "{mean} {sd}");
             assert!((draws.quantile(0.25) - 0.25).abs() < 5e-3);
-            let density = draws.density(10);
-            assert!(density.iter().all(|(_, density)| (density - 1.0).abs() < 0.06), "{density:?}");
         }
     }
 }

@@ -372,41 +372,27 @@ impl<T: Real> Response<T> {
         Demand { speed, distance, time }
     }
 
-    /// (m) the distance by which the vehicle is behind one that does not brake, at a time (s) after the
-    /// demand: the same at every speed, as long as it moves.
-    fn behind(&self, time: T) -> T {
-        let braked = time - self.reaction;
+    /// (m) the distance by which the vehicle is behind one that does not brake, and (m/s) the speed that it
+    /// has lost, at a time (s) after the demand: the same at every speed, as long as it moves.
+    fn behind(&self, time: T) -> [T; 2] {
+        let (a, braked) = (self.deceleration, time - self.reaction);
         if braked.value() <= 0.0 {
-            return T::ZERO;
+            return [T::ZERO; 2];
         }
         let at_full = braked - self.swell;
         if at_full.value() >= 0.0 {
             // D = lag + lost w + a w²/2
-            return self.lag() + at_full * (self.lost() + self.deceleration * at_full * 0.5);
+            let distance = self.lag() + at_full * (self.lost() + a * at_full * 0.5);
+            return [distance, self.lost() + a * at_full];
         }
         match self.form {
             // D = a u³/(6 t_S)
-            Swell::Linear => self.deceleration * braked * braked * braked / (self.swell * 6.0),
+            Swell::Linear => {
+                [a * braked * braked * braked / (self.swell * 6.0), a * braked * braked / (self.swell * 2.0)]
+            }
             // D = a u²/4
-            Swell::Half => self.deceleration * braked * braked * 0.25,
-            Swell::FullSpeed => T::ZERO,
-        }
-    }
-
-    /// (m/s) the speed lost at a time (s) after the demand, likewise.
-    fn slower(&self, time: T) -> T {
-        let braked = time - self.reaction;
-        if braked.value() <= 0.0 {
-            return T::ZERO;
-        }
-        let at_full = braked - self.swell;
-        if at_full.value() >= 0.0 {
-            return self.lost() + self.deceleration * at_full;
-        }
-        match self.form {
-            Swell::Linear => self.deceleration * braked * braked / (self.swell * 2.0),
-            Swell::Half => self.deceleration * braked * 0.5,
-            Swell::FullSpeed => T::ZERO,
+            Swell::Half => [a * braked * braked * 0.25, a * braked * 0.5],
+            Swell::FullSpeed => [T::ZERO; 2],
         }
     }
 
@@ -421,8 +407,9 @@ impl<T: Real> Response<T> {
             return T::from(f64::INFINITY);
         }
         // s = v t − D(t), while it moves
-        let speed = (distance + self.behind(time)) / time;
-        if speed.value() > self.slower(time).value() { speed } else { self.speed_to_stop_within(distance) }
+        let [behind, slower] = self.behind(time);
+        let speed = (distance + behind) / time;
+        if speed.value() > slower.value() { speed } else { self.speed_to_stop_within(distance) }
     }
 
     /// The motion from the demand (at time and place zero) to the stop and beyond, as legs: reaction, swell,

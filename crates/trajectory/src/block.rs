@@ -318,37 +318,14 @@ impl<S: Simd> Course<Lanes<S>> {
     /// The motion of one lane.
     #[inline(always)]
     fn lane(&self, lane: usize) -> Course<f64> {
-        let of = |cells: &Lanes<S>| cells.get(lane);
-        let Progress { phase, time, distance, work, speed } = &self.now;
-        let Acceleration { rates, power, stiffness, sliding: _, locked } = &self.acceleration;
-        let phase = Phase { q: phase.q.each_ref().map(of), w: phase.w.each_ref().map(of) };
-        Course {
-            now: Progress { phase, time: of(time), distance: of(distance), work: of(work), speed: of(speed) },
-            direction: Direction { sin: of(&self.direction.sin), cos: of(&self.direction.cos) },
-            acceleration: Acceleration {
-                rates: rates.each_ref().map(of),
-                power: of(power),
-                stiffness: of(stiffness),
-                sliding: [false; 4],
-                locked: of(locked),
-            },
-            pace: Pace::of(self.pace.numbers().each_ref().map(of)),
-            to_rest: of(&self.to_rest),
-            length: of(&self.length),
-            again: of(&self.again),
-            steps: of(&self.steps),
-        }
+        Course::of(self.numbers().each_ref().map(|cells| cells.get(lane)))
     }
 
     /// Position and motion of one lane.
     #[inline(always)]
     fn pose(&self, lane: usize) -> Pose {
-        let of = |cells: &Lanes<S>| cells.get(lane);
-        let (Phase { q, w }, Direction { sin, cos }) = (&self.now.phase, &self.direction);
-        Pose {
-            phase: Phase { q: q.each_ref().map(of), w: w.each_ref().map(of) },
-            direction: Direction { sin: of(sin), cos: of(cos) },
-        }
+        let Course { now, direction, .. } = self.lane(lane);
+        Pose { phase: now.phase, direction }
     }
 
     /// Tries a step in each lane. Returns the lanes that have only the final phase left after it.

@@ -59,13 +59,7 @@ impl SamplingMethod {
 
 /// Points of one method, seed and number of inputs and samples.
 #[derive(Clone, Debug)]
-pub(crate) struct Points {
-    inputs: Inputs,
-}
-
-/// The data that determine the points of each input.
-#[derive(Clone, Debug)]
-enum Inputs {
+pub(crate) enum Points {
     MonteCarlo(Vec<u64>),
     LatinHypercube(Box<Counts>, Vec<Three>),
     Sobol(Vec<Sobol>),
@@ -90,9 +84,9 @@ impl Points {
         let count = samples as u64;
         // The numbers 1 to 5 give the methods different sequences for one seed.
         let all = 0..inputs;
-        let inputs = match method {
+        Ok(match method {
             SamplingMethod::MonteCarlo => {
-                Inputs::MonteCarlo(all.map(|input| key(seed, &[1, input as u64])).collect())
+                Self::MonteCarlo(all.map(|input| key(seed, &[1, input as u64])).collect())
             }
             SamplingMethod::LatinHypercube => {
                 let strata: Vec<_> = all.map(|input| Strata::new(key(seed, &[2, input as u64]))).collect();
@@ -100,25 +94,24 @@ impl Points {
                     inputs: inputs.to_vec(),
                     places: key(seed, &[5, number]),
                 });
-                Inputs::LatinHypercube(Box::new(Counts::of(count)), threes.collect())
+                Self::LatinHypercube(Box::new(Counts::of(count)), threes.collect())
             }
             SamplingMethod::Sobol if inputs > MAX_SOBOL_INPUTS => {
                 return Err(InvalidRequest::TooManyInputs { inputs, limit: MAX_SOBOL_INPUTS });
             }
             SamplingMethod::Sobol => {
                 let seeds: Vec<_> = all.map(|input| key(seed, &[3, input as u64])).collect();
-                Inputs::Sobol(Sobol::all(&seeds, key(seed, &[4]), count / REPLICATES as u64))
+                Self::Sobol(Sobol::all(&seeds, key(seed, &[4]), count / REPLICATES as u64))
             }
-        };
-        Ok(Self { inputs })
+        })
     }
 
     /// The random sequence of each input, if all points are independent.
     #[inline(always)]
     pub(crate) fn sequences(&self) -> Option<&[u64]> {
-        match &self.inputs {
-            Inputs::MonteCarlo(keys) => Some(keys),
-            Inputs::LatinHypercube(..) | Inputs::Sobol(_) => None,
+        match self {
+            Self::MonteCarlo(keys) => Some(keys),
+            Self::LatinHypercube(..) | Self::Sobol(_) => None,
         }
     }
 
@@ -127,18 +120,18 @@ impl Points {
     #[inline(always)]
     pub(crate) fn fill(&self, block: u64, columns: &mut [Lanes]) {
         let first = block * LANES as u64;
-        match &self.inputs {
-            Inputs::MonteCarlo(keys) => {
+        match self {
+            Self::MonteCarlo(keys) => {
                 for (&key, column) in keys.iter().zip(columns) {
                     independent(key, first, column);
                 }
             }
-            Inputs::LatinHypercube(counts, threes) => {
+            Self::LatinHypercube(counts, threes) => {
                 for (three, columns) in threes.iter().zip(columns.chunks_mut(TOGETHER)) {
                     three.fill(first, counts, columns);
                 }
             }
-            Inputs::Sobol(inputs) => {
+            Self::Sobol(inputs) => {
                 for (sobol, column) in inputs.iter().zip(columns) {
                     sobol.fill(first / REPLICATES as u64, column);
                 }
@@ -179,7 +172,7 @@ fn words(of_replicate: impl Fn(usize) -> u32) -> [u32; LANES] {
 
 /// Number of points in the replicate of each lane, and the constants of a permutation of that many strata.
 #[derive(Clone, Copy, Debug)]
-struct Counts {
+pub(crate) struct Counts {
     counts: Words,
     masks: Words,
     shifts: Words,
@@ -204,7 +197,7 @@ const TOGETHER: usize = 3;
 
 /// Latin hypercube points of up to three inputs.
 #[derive(Clone, Debug)]
-struct Three {
+pub(crate) struct Three {
     inputs: Vec<Strata>,
     /// Key of the places of the points in their strata.
     places: u64,

@@ -138,7 +138,7 @@ struct Part<'c> {
 impl Part<'_> {
     fn evaluate<M: Model>(self, model: &M, sampler: &Sampler<'_>) -> Totals {
         let Self { first_block, mut outputs, reasons: codes } = self;
-        let mut inputs = vec![Lanes::ZERO; sampler.inputs()];
+        let mut inputs = vec![Lanes::ZERO; sampler.inputs.len()];
         let mut answers = vec![Lanes::ZERO; model.outputs()];
         let mut reasons = [SUCCEEDED; LANES];
         let mut totals = Totals::of(model);
@@ -150,7 +150,7 @@ impl Part<'_> {
             }
             codes.copy_from_slice(&reasons[..count]);
             count_failures(&mut totals.failures, codes);
-            tally(sampler.instructions(), model, [&inputs, &answers], codes, &mut totals.tallies);
+            tally(sampler.instructions, model, [&inputs, &answers], codes, &mut totals.tallies);
         }
         totals.samples = codes.len();
         totals

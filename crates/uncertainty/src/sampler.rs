@@ -33,9 +33,9 @@ impl Settings {
 /// the propagation keeps only the outputs.
 #[derive(Clone, Debug)]
 pub struct Sampler<'a> {
-    inputs: &'a [Distribution],
+    pub(crate) inputs: &'a [Distribution],
     points: Points,
-    instructions: Instructions,
+    pub(crate) instructions: Instructions,
 }
 
 impl<'a> Sampler<'a> {
@@ -46,14 +46,6 @@ impl<'a> Sampler<'a> {
     pub fn new(inputs: &'a [Distribution], settings: &Settings) -> Result<Self, InvalidRequest> {
         let points = Points::new(settings.method, settings.seed, inputs.len(), settings.samples)?;
         Ok(Self { inputs, points, instructions: settings.instructions })
-    }
-
-    pub(crate) fn inputs(&self) -> usize {
-        self.inputs.len()
-    }
-
-    pub(crate) fn instructions(&self) -> Instructions {
-        self.instructions
     }
 
     /// Inputs of the samples from `block`·[`crate::LANES`] on, a column for each input. Lanes beyond the last

@@ -14,7 +14,7 @@ pub(crate) fn main() -> Result<(), Box<dyn Error>> {
         println!("test {:2}: driven {:5.2} m/s, found {:5.2} m/s", row.test, row.true_speed, row.found);
         squares += row.error() * row.error();
     }
-    let rate = &validation.speed_errors.profiles;
+    let [rate, _] = &validation.speed_errors.profiles;
     println!("rms error {:.2} m/s, mean {:+.2} m/s", rate.rms, rate.mean);
 
     // √(Σ e²/n) over the eleven collisions that SAE 980025 compares.

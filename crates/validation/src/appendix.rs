@@ -6,7 +6,7 @@ use case::CaseFile;
 use crate::Data;
 use crate::claim::Cell;
 use crate::error::ValidationError;
-use crate::published::{Key, PrintedUnit, Published};
+use crate::published::{PrintedUnit, Published};
 
 /// A figure of the paper's appendix.
 #[derive(Clone, Debug, PartialEq)]
@@ -26,7 +26,7 @@ pub(crate) fn appendix(data: &Data, published: &Published) -> Result<Vec<Appendi
         .appendix
         .iter()
         .map(|figure| {
-            let ours = result(&analysis, figure.key)
+            let ours = result(&analysis, &figure.key)
                 .ok_or_else(|| ValidationError::NoFigure { quantity: figure.quantity.clone() })?;
             Ok(AppendixFigure {
                 quantity: figure.quantity.clone(),
@@ -38,7 +38,7 @@ pub(crate) fn appendix(data: &Data, published: &Published) -> Result<Vec<Appendi
 }
 
 /// Our result (SI); `None` if the analysis does not give it.
-fn result(analysis: &Analysis, key: Key) -> Option<f64> {
+fn result(analysis: &Analysis, key: &str) -> Option<f64> {
     let outcome = &analysis.impact.as_ref()?.outcome;
     let crash3 = analysis.crash3.as_ref()?;
     let damage = |i: usize| analysis.vehicles[i].damage.as_ref();
@@ -54,32 +54,33 @@ fn result(analysis: &Analysis, key: Key) -> Option<f64> {
     let [dv1, dv2] = outcome.delta_v_magnitude();
     let p = outcome.impulse_vector;
     Some(match key {
-        Key::CrushEnergy1 => damage(0)?.crush_energy,
-        Key::CrushEnergy2 => damage(1)?.crush_energy,
-        Key::CrushEnergy => crash3.crush_energy,
-        Key::Speed => analysis.found.as_ref()?.speed,
-        Key::ImpulseRatio => outcome.impulse_ratio,
-        Key::InitialEnergy => outcome.energy.before,
-        Key::EnergyLoss => outcome.energy.loss,
-        Key::LossShare => outcome.energy.loss / outcome.energy.before,
-        Key::CrushShare => outcome.energy.normal_work / outcome.energy.before,
-        Key::NormalImpulse => outcome.impulse.normal,
-        Key::TangentialImpulse => outcome.impulse.tangential,
-        Key::ResultantImpulse => (p.x * p.x + p.y * p.y).sqrt(),
-        Key::After1x => after1.velocity.x,
-        Key::After1y => after1.velocity.y,
-        Key::YawRate1 => after1.yaw_rate,
-        Key::Before2x => outcome.before[1].velocity.x,
-        Key::Before2y => outcome.before[1].velocity.y,
-        Key::After2x => after2.velocity.x,
-        Key::After2y => after2.velocity.y,
-        Key::YawRate2 => after2.yaw_rate,
-        Key::DeltaV1 => dv1,
-        Key::DeltaV2 => dv2,
-        Key::Crash3DeltaV1 => crash3.delta_v[0],
-        Key::Crash3DeltaV2 => crash3.delta_v[1],
-        Key::CorrectedEnergy1 => corrected(v1)?,
-        Key::CorrectedEnergy2 => corrected(v2)?,
-        Key::CorrectedEnergy => crash3.corrected?.crush_energy,
+        "crush_energy_1" => damage(0)?.crush_energy,
+        "crush_energy_2" => damage(1)?.crush_energy,
+        "crush_energy" => crash3.crush_energy,
+        "speed" => analysis.found.as_ref()?.speed,
+        "impulse_ratio" => outcome.impulse_ratio,
+        "initial_energy" => outcome.energy.before,
+        "energy_loss" => outcome.energy.loss,
+        "loss_share" => outcome.energy.loss / outcome.energy.before,
+        "crush_share" => outcome.energy.normal_work / outcome.energy.before,
+        "normal_impulse" => outcome.impulse.normal,
+        "tangential_impulse" => outcome.impulse.tangential,
+        "resultant_impulse" => (p.x * p.x + p.y * p.y).sqrt(),
+        "after_1x" => after1.velocity.x,
+        "after_1y" => after1.velocity.y,
+        "yaw_rate_1" => after1.yaw_rate,
+        "before_2x" => outcome.before[1].velocity.x,
+        "before_2y" => outcome.before[1].velocity.y,
+        "after_2x" => after2.velocity.x,
+        "after_2y" => after2.velocity.y,
+        "yaw_rate_2" => after2.yaw_rate,
+        "delta_v_1" => dv1,
+        "delta_v_2" => dv2,
+        "crash3_delta_v_1" => crash3.delta_v[0],
+        "crash3_delta_v_2" => crash3.delta_v[1],
+        "corrected_energy_1" => corrected(v1)?,
+        "corrected_energy_2" => corrected(v2)?,
+        "corrected_energy" => crash3.corrected?.crush_energy,
+        _ => return None,
     })
 }

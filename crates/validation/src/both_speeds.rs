@@ -4,7 +4,7 @@ use std::f64::consts::FRAC_PI_2;
 
 use crash3::EnergyBasis;
 use pim_core::{Contact, Participant, Vector2, VehicleId};
-use reconcile::{Departure, Momentum, MomentumAndCrush};
+use reconcile::{Departure, Momentum, MomentumAndCrush, MomentumError};
 use trajectory::closed::Slide;
 
 use crate::claim::Erratum;
@@ -84,21 +84,16 @@ pub fn speed_error(found: f64, true_speed: f64) -> (f64, Option<f64>) {
     (error, (true_speed.abs() > STOOD).then(|| error / true_speed))
 }
 
-/// Errors of both speeds from the published velocities after the impact.
+/// Errors of both speeds from the published velocities after the impact: in m/s, and as shares of the true
+/// speeds for the vehicles that moved.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct BothSpeedErrors {
-    /// (m/s) of all.
-    pub all: ErrorRate,
-    /// The same as shares of the true speeds, for the vehicles that moved.
-    pub all_relative: ErrorRate,
-    /// (m/s) from momentum alone.
-    pub momentum: ErrorRate,
-    /// The same as shares.
-    pub momentum_relative: ErrorRate,
-    /// (m/s) from momentum and crush energy.
-    pub momentum_and_crush: ErrorRate,
-    /// The same as shares of the true speeds, for the vehicles that moved.
-    pub momentum_and_crush_relative: ErrorRate,
+    /// Of all.
+    pub all: [ErrorRate; 2],
+    /// From momentum alone.
+    pub momentum: [ErrorRate; 2],
+    /// From momentum and crush energy.
+    pub momentum_and_crush: [ErrorRate; 2],
 }
 
 pub(crate) fn both_speed_errors(rows: &[BothSpeedsRow]) -> BothSpeedErrors {
@@ -112,16 +107,10 @@ pub(crate) fn both_speed_errors(rows: &[BothSpeedsRow]) -> BothSpeedErrors {
         let relative: Vec<f64> = errors.iter().filter_map(|(_, share)| *share).collect();
         [ErrorRate::of(&absolute), ErrorRate::of(&relative)]
     };
-    let [all, all_relative] = rate(None);
-    let [momentum, momentum_relative] = rate(Some(SpeedEvidence::Momentum));
-    let [momentum_and_crush, momentum_and_crush_relative] = rate(Some(SpeedEvidence::MomentumAndCrush));
     BothSpeedErrors {
-        all,
-        all_relative,
-        momentum,
-        momentum_relative,
-        momentum_and_crush,
-        momentum_and_crush_relative,
+        all: rate(None),
+        momentum: rate(Some(SpeedEvidence::Momentum)),
+        momentum_and_crush: rate(Some(SpeedEvidence::MomentumAndCrush)),
     }
 }
 
@@ -142,7 +131,7 @@ pub(crate) fn both_speeds(scene: &Scene, staged: &[Staged]) -> Result<Vec<BothSp
             let true_speeds = scene.collided(std::slice::from_ref(staged), test)?.true_speeds;
             let (evidence, found) = solved(momentum, staged)?;
             let implied =
-                momentum.implied(true_speeds).map_err(|source| ValidationError::Momentum { test, source })?;
+                momentum.implied(true_speeds).map_err(|source| ValidationError::of_test(test, source))?;
             let size = length_and_direction(implied.impulse_vector).0;
             Ok(BothSpeedsRow {
                 test,
@@ -159,7 +148,7 @@ pub(crate) fn both_speeds(scene: &Scene, staged: &[Staged]) -> Result<Vec<BothSp
 /// (m/s) both speeds by momentum alone if the approaches cross, else with the crush energy of the published
 /// profiles.
 fn solved(momentum: Momentum, staged: &Staged) -> Result<(SpeedEvidence, [f64; 2]), ValidationError> {
-    let failed = |source| ValidationError::Momentum { test: staged.printed.test, source };
+    let failed = |source: MomentumError| ValidationError::of_test(staged.printed.test, source);
     if !momentum.is_collinear() {
         return Ok((SpeedEvidence::Momentum, momentum.speeds().map_err(failed)?));
     }
@@ -193,7 +182,7 @@ pub(crate) fn from_rest(scene: &Scene, staged: &[Staged]) -> Result<Vec<FromRest
                 [(RestMethod::Motion, [one, two]), (RestMethod::MotionDirected, directed)]
             {
                 let momentum = momentum_alone(&collided, velocities)?;
-                let found = momentum.speeds().map_err(|source| ValidationError::Momentum { test, source })?;
+                let found = momentum.speeds().map_err(|source| ValidationError::of_test(test, source))?;
                 rows.push(FromRestRow {
                     test,
                     method,

@@ -1,16 +1,13 @@
 //! Why a validation fails: faults of the data, never of a comparison.
 
+use std::error::Error;
+
 use case::Diagnostics;
-use crash3::CrushError;
-use estimate::NoDraws;
 use pim_core::{InvalidInput, VehicleId};
-use reconcile::{MomentumError, ReconcileError};
-use thiserror::Error;
-use trajectory::{NoRest, Unreached};
-use uncertainty::InvalidDistribution;
+use reconcile::ReconcileError;
 
 /// The data cannot be compared. The built-in data can.
-#[derive(Debug, Error)]
+#[derive(Debug, thiserror::Error)]
 pub enum ValidationError {
     /// The printed numbers cannot be read.
     #[error("the printed numbers cannot be read: {0}")]
@@ -68,56 +65,28 @@ pub enum ValidationError {
     /// The inputs of an impact law or of a vehicle are invalid.
     #[error(transparent)]
     Law(#[from] InvalidInput),
-    /// CRASH3 has no answer.
+    /// Something else of a test has no answer.
     #[error("test {test}: {source}")]
-    Crush {
+    Test {
         /// The test.
         test: u8,
         /// The reason.
-        source: CrushError,
+        source: Box<dyn Error + Send + Sync>,
     },
-    /// A vehicle does not come to rest.
+    /// A vehicle does not come to rest, or no motion leads to its rest position.
     #[error("test {test}, vehicle {vehicle}: {source}")]
-    Motion {
+    Vehicle {
         /// The test.
         test: u8,
         /// The vehicle.
         vehicle: VehicleId,
         /// The reason.
-        source: NoRest,
+        source: Box<dyn Error + Send + Sync>,
     },
-    /// No motion leads to a vehicle's rest position.
-    #[error("test {test}, vehicle {vehicle}: {source}")]
-    Unreached {
-        /// The test.
-        test: u8,
-        /// The vehicle.
-        vehicle: VehicleId,
-        /// The reason.
-        source: Unreached,
-    },
-    /// The error of an input is not a valid distribution.
-    #[error("test {test}: {source}")]
-    Prior {
-        /// The test.
-        test: u8,
-        /// The reason.
-        source: InvalidDistribution,
-    },
-    /// The posterior has no draws.
-    #[error("test {test}: {source}")]
-    Estimate {
-        /// The test.
-        test: u8,
-        /// The reason.
-        source: Box<NoDraws>,
-    },
-    /// Momentum does not give both speeds.
-    #[error("test {test}: {source}")]
-    Momentum {
-        /// The test.
-        test: u8,
-        /// The reason.
-        source: MomentumError,
-    },
+}
+
+impl ValidationError {
+    pub(crate) fn of_test(test: u8, source: impl Error + Send + Sync + 'static) -> Self {
+        Self::Test { test, source: Box::new(source) }
+    }
 }

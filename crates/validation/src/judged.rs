@@ -29,7 +29,7 @@ use uncertainty::{Distribution, InvalidDistribution};
 use crate::Data;
 use crate::error::ValidationError;
 use crate::published::{DEGREE, Published};
-use crate::scene::{Scene, length_and_direction, polar};
+use crate::scene::{Collided, Scene, length_and_direction, polar};
 use crate::staged::Staged;
 
 /// (rad/s) candidates for the spread of the yaw rate after the impact; the likeliest is used.
@@ -237,6 +237,7 @@ impl Subject {
         let incomplete = ValidationError::Incomplete { test, what: "velocities after the impact" };
         let after = scene.after(test).ok_or(incomplete)?;
         let participants = impact.contact.participants();
+        let Collided { headings, true_speeds, .. } = scene.collided(std::slice::from_ref(staged), test)?;
         Ok(Self {
             test,
             bodies: participants.each_ref().map(|participant| {
@@ -245,9 +246,7 @@ impl Subject {
                 let yaw_radius = Real::sqrt(body.yaw_inertia() / body.mass());
                 BodyNumbers { mass: body.mass().into(), yaw_radius: yaw_radius.into() }
             }),
-            headings: participants
-                .each_ref()
-                .map(|participant| length_and_direction(participant.forward()).1),
+            headings,
             contacts: participants.each_ref().map(|participant| {
                 let (forward, arm) = (participant.forward(), participant.arm());
                 [forward.dot(&arm), forward.perp(&arm)]
@@ -256,7 +255,7 @@ impl Subject {
             crushes: staged.crushes()?,
             hit: staged.hit()?,
             after: VehicleId::ALL.map(|id| after.motion(id)),
-            true_speeds: staged.true_speeds()?,
+            true_speeds,
         })
     }
 
@@ -272,8 +271,7 @@ impl Subject {
         settings: &ParticleSettings,
     ) -> Result<Posterior, ValidationError> {
         let model = CollisionModel::new(collision);
-        sample_quietly(&model, &model, settings)
-            .map_err(|source| ValidationError::Estimate { test: self.test, source: Box::new(source) })
+        sample_quietly(&model, &model, settings).map_err(|source| ValidationError::of_test(self.test, source))
     }
 
     fn judge(
@@ -312,7 +310,7 @@ impl Subject {
     ) -> Result<Collision, ValidationError> {
         let test = self.test;
         let unknown = |distribution: Result<Distribution, InvalidDistribution>| {
-            distribution.map(Number::Unknown).map_err(|source| ValidationError::Prior { test, source })
+            distribution.map(Number::Unknown).map_err(|source| ValidationError::of_test(test, source))
         };
         let normal = |mean, sd| unknown(Distribution::normal(mean, sd));
         let factor = |ln_sd| unknown(Distribution::log_normal(1.0, ln_sd));

@@ -1,5 +1,7 @@
 //! Vehicles followed from the published velocities after the impact to rest, and back.
 
+use std::error::Error;
+
 use pim_core::{Motion, Vector2, VehicleId};
 use trajectory::{Chassis, Control, Ground, StartMotion, Starts, State, Steer, Target, to_rest, to_start};
 
@@ -115,21 +117,20 @@ fn way<'a>(
 impl Way<'_> {
     fn to_rest(&self, motion: Motion) -> Result<trajectory::Rest, ValidationError> {
         let start = State { position: Vector2::new(0.0, 0.0), heading: self.heading, motion };
-        to_rest(&self.chassis, Steer::straight(), &self.ground, &start, &Control::default(), |_| {}).map_err(
-            |source| ValidationError::Motion { test: self.rest.test, vehicle: self.rest.vehicle(), source },
-        )
+        to_rest(&self.chassis, Steer::straight(), &self.ground, &start, &Control::default(), |_| {})
+            .map_err(|source| self.failed(source))
+    }
+
+    fn failed(&self, source: impl Error + Send + Sync + 'static) -> ValidationError {
+        let test = self.rest.test;
+        ValidationError::Vehicle { test, vehicle: self.rest.vehicle(), source: Box::new(source) }
     }
 
     fn starts(&self, target: &Target) -> Result<Starts, ValidationError> {
         let origin = Vector2::new(0.0, 0.0);
         let (steer, control) = (Steer::straight(), Control::default());
-        to_start(&self.chassis, steer, &self.ground, origin, self.heading, target, &control).map_err(
-            |source| ValidationError::Unreached {
-                test: self.rest.test,
-                vehicle: self.rest.vehicle(),
-                source,
-            },
-        )
+        to_start(&self.chassis, steer, &self.ground, origin, self.heading, target, &control)
+            .map_err(|source| self.failed(source))
     }
 
     /// The likeliest motion that leads to the published distance and turn in a direction (rad).

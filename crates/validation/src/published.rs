@@ -116,7 +116,8 @@ impl Table3 {
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct Figure {
-    pub(crate) key: Key,
+    /// The result of ours that corresponds to it.
+    pub(crate) key: String,
     pub(crate) quantity: String,
     pub(crate) unit: PrintedUnit,
     value: f64,
@@ -146,55 +147,6 @@ impl Figure {
         };
         Ok(Cell { ours, paper: self.value * size, erratum, claim })
     }
-}
-
-/// The result of ours that corresponds to a figure of the appendix.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
-#[serde(rename_all = "snake_case")]
-pub(crate) enum Key {
-    #[serde(rename = "crush_energy_1")]
-    CrushEnergy1,
-    #[serde(rename = "crush_energy_2")]
-    CrushEnergy2,
-    CrushEnergy,
-    Speed,
-    ImpulseRatio,
-    InitialEnergy,
-    EnergyLoss,
-    LossShare,
-    CrushShare,
-    NormalImpulse,
-    TangentialImpulse,
-    ResultantImpulse,
-    #[serde(rename = "after_1x")]
-    After1x,
-    #[serde(rename = "after_1y")]
-    After1y,
-    #[serde(rename = "yaw_rate_1")]
-    YawRate1,
-    #[serde(rename = "before_2x")]
-    Before2x,
-    #[serde(rename = "before_2y")]
-    Before2y,
-    #[serde(rename = "after_2x")]
-    After2x,
-    #[serde(rename = "after_2y")]
-    After2y,
-    #[serde(rename = "yaw_rate_2")]
-    YawRate2,
-    #[serde(rename = "delta_v_1")]
-    DeltaV1,
-    #[serde(rename = "delta_v_2")]
-    DeltaV2,
-    #[serde(rename = "crash3_delta_v_1")]
-    Crash3DeltaV1,
-    #[serde(rename = "crash3_delta_v_2")]
-    Crash3DeltaV2,
-    #[serde(rename = "corrected_energy_1")]
-    CorrectedEnergy1,
-    #[serde(rename = "corrected_energy_2")]
-    CorrectedEnergy2,
-    CorrectedEnergy,
 }
 
 /// A unit that the appendix prints.

@@ -95,21 +95,15 @@ pub(crate) fn reconstruction(staged: &Staged) -> Result<Reconstruction, Validati
     })
 }
 
-/// Errors of the speed of vehicle 1, over all collisions.
+/// Errors of the speed of vehicle 1, over all collisions: in m/s, and as shares of the true speed.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SpeedErrors {
-    /// (m/s) from the published profiles.
-    pub profiles: ErrorRate,
-    /// The same as shares of the true speed.
-    pub profiles_relative: ErrorRate,
-    /// (m/s) from the energies that the paper's numbers imply.
-    pub implied: ErrorRate,
-    /// The same as shares of the true speed.
-    pub implied_relative: ErrorRate,
-    /// (m/s) from the printed PIM energies.
-    pub round_trip: ErrorRate,
-    /// The same as shares of the true speed.
-    pub round_trip_relative: ErrorRate,
+    /// From the published profiles.
+    pub profiles: [ErrorRate; 2],
+    /// From the energies that the paper's numbers imply.
+    pub implied: [ErrorRate; 2],
+    /// From the printed PIM energies.
+    pub round_trip: [ErrorRate; 2],
 }
 
 pub(crate) fn speed_errors(reconstructions: &[Reconstruction]) -> SpeedErrors {
@@ -119,8 +113,9 @@ pub(crate) fn speed_errors(reconstructions: &[Reconstruction]) -> SpeedErrors {
             errors.iter().zip(reconstructions).map(|(error, r)| error / r.true_speed).collect();
         [ErrorRate::of(&errors), ErrorRate::of(&relative)]
     };
-    let [profiles, profiles_relative] = rate(|r| r.found);
-    let [implied, implied_relative] = rate(|r| r.found_implied);
-    let [round_trip, round_trip_relative] = rate(|r| r.round_trip.ours);
-    SpeedErrors { profiles, profiles_relative, implied, implied_relative, round_trip, round_trip_relative }
+    SpeedErrors {
+        profiles: rate(|r| r.found),
+        implied: rate(|r| r.found_implied),
+        round_trip: rate(|r| r.round_trip.ours),
+    }
 }

@@ -111,14 +111,10 @@ impl Scene {
             let impact = staged.collision()?;
             let participants = impact.contact.participants();
             let forward = impact.outcome.forward;
-            let along = |i: usize| {
-                let velocity = impact.outcome.before[i].velocity;
-                velocity.x * forward[i].x + velocity.y * forward[i].y
-            };
             return Ok(Collided {
                 bodies: participants.each_ref().map(|participant| *participant.body()),
                 headings: forward.map(|forward| elementary::atan2(forward.y, forward.x)),
-                true_speeds: [along(0), along(1)],
+                true_speeds: staged.true_speeds()?,
             });
         }
         let incomplete = ValidationError::Incomplete { test, what: "vehicles" };
@@ -193,7 +189,7 @@ impl Rest {
 
     /// The vehicle on its wheels, with this drag (–) on each of them.
     pub(crate) fn chassis(&self, body: Body, drag: f64) -> Result<Chassis, ValidationError> {
-        let crushed = |source| ValidationError::Crush { test: self.test, source };
+        let crushed = |source| ValidationError::of_test(self.test, source);
         let VehicleClass { wheelbase, track, cg_to_front_axle, .. } =
             VehicleClass::new(self.class).map_err(crushed)?;
         let axles = Axles { cg_to_front: cg_to_front_axle, cg_to_rear: wheelbase - cg_to_front_axle, track };

@@ -1,12 +1,11 @@
 //! One staged collision, run: the impact at the true speeds, and CRASH3 in the direction of its impulse.
 
-use std::f64::consts::{PI, TAU};
-
 use analysis::{Analysis, Impact};
 use case::CaseFile;
 use crash3::{CrushError, EnergyBasis, Profile, Side, SideStiffness, StruckVehicle};
 use evidence::{CrushNumbers, DamagedSide};
 use pim_core::{Law, Tangential};
+use real::principal_angle;
 use reconcile::{Problem, Unknown};
 
 use crate::Data;
@@ -59,9 +58,7 @@ impl Staged {
             implied: [0.0; 2],
             analysis,
         };
-        let outcome = &staged.collision()?.outcome;
-        let (velocity, forward) = (outcome.before[0].velocity, outcome.forward[0]);
-        staged.true_speed = velocity.x * forward.x + velocity.y * forward.y;
+        [staged.true_speed, _] = staged.true_speeds()?;
         staged.from_profiles = staged.struck()?.map(|vehicle| vehicle.crush_energy);
         staged.implied = staged.implied_energies()?;
         Ok(staged)
@@ -73,7 +70,7 @@ impl Staged {
 
     fn crushed(&self) -> impl Fn(CrushError) -> ValidationError {
         let test = self.printed.test;
-        move |source| ValidationError::Crush { test, source }
+        move |source| ValidationError::of_test(test, source)
     }
 
     /// The impact at the true speeds.
@@ -142,7 +139,7 @@ impl Staged {
         let mut corrected = 0.0;
         for ((vehicle, inertia), energy) in vehicles.iter().zip(&mut inertias).zip(energies) {
             // A PDOF counts clockwise.
-            let pdof = wrapped(vehicle.pdof - turn);
+            let pdof = principal_angle(vehicle.pdof - turn);
             let arm = crash3::moment_arm(vehicle.contact, pdof);
             *inertia = StruckVehicle::new(vehicle.mass, vehicle.yaw_inertia, arm).map_err(self.crushed())?;
             let angle = vehicle.side.oblique_angle(pdof);
@@ -227,10 +224,4 @@ pub(crate) struct Crash3 {
 fn reconstructed(file: &CaseFile, test: u8) -> Result<f64, ValidationError> {
     let found = analysis::reconstruct(&file.case)?.found;
     found.map(|found| found.speed).ok_or(ValidationError::Incomplete { test, what: "speed to find" })
-}
-
-/// (rad) the same direction in (−π, π].
-fn wrapped(angle: f64) -> f64 {
-    // φ − 2π ⌈(φ − π)/2π⌉
-    angle - TAU * ((angle - PI) / TAU).ceil()
 }

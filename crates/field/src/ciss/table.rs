@@ -4,7 +4,7 @@ use std::borrow::Cow;
 
 use super::cell::{self, CissCell};
 use super::error::CissError;
-use super::found::CissColumn;
+use super::found::CissCrashes;
 use super::sas;
 use crate::lines::Lines;
 
@@ -221,12 +221,13 @@ impl Rows {
     }
 }
 
-/// The cells of a table with exactly these columns, such as the program writes them.
-pub(super) fn read_back(
-    file: &str,
-    content: &[u8],
-    columns: &[CissColumn],
-) -> Result<Vec<Vec<CissCell>>, CissError> {
+/// Reads a table of pairs back that was saved, a row for each pair with a cell for each of its
+/// [columns](CissCrashes::columns).
+///
+/// # Errors
+/// If it is another table, with the file, the line and the column.
+pub fn read_pairs(file: &str, content: &[u8]) -> Result<Vec<Vec<CissCell>>, CissError> {
+    let columns = CissCrashes::columns(false);
     let text = decoded(content);
     let mut sheet = Sheet::open(file, &text)?;
     let place = |column: &'_ str| {

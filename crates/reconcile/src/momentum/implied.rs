@@ -179,32 +179,20 @@ impl<T: Real> Implied<T> {
         let flipped = |value: T| T::ZERO - value;
         let across = |v: Vector2<T>| Vector2::new(v.x, flipped(v.y));
         Self {
-            before: self.before.map(|motion| Motion {
-                velocity: across(motion.velocity),
-                yaw_rate: flipped(motion.yaw_rate),
-            }),
+            before: self.before.each_ref().map(Motion::mirrored),
             impulses: self.impulses.map(across),
             impulse_vector: across(self.impulse_vector),
             impulse: self.impulse.mirrored(),
             impulse_ratio: self.impulse_ratio.map(flipped),
             critical_impulse_ratio: self.critical_impulse_ratio.map(flipped),
             delta_v: self.delta_v.map(across),
-            // Clockwise in either axes.
-            pdof: self.pdof,
             approach: self.approach.mirrored(),
             separation: self.separation.mirrored(),
-            restitution: self.restitution,
             yaw_rates: self.yaw_rates.map(flipped),
-            after: self.after.map(|motion| Motion {
-                velocity: across(motion.velocity),
-                yaw_rate: flipped(motion.yaw_rate),
-            }),
-            is_yaw_known: self.is_yaw_known,
+            after: self.after.each_ref().map(Motion::mirrored),
             departure: self.departure.map(NormalTangential::mirrored),
-            departure_restitution: self.departure_restitution,
-            normal_work: self.normal_work,
-            tangential_work: self.tangential_work,
-            energy_loss: self.energy_loss,
+            // A PDOF is clockwise in either axes.
+            ..*self
         }
     }
 }

@@ -1,6 +1,7 @@
 //! Both speeds from the whole momentum and the crush energy, an overdetermined system.
 
 use crash3::EnergyBasis;
+use pim_core::nalgebra::Matrix2;
 use pim_core::{ImpactError, InvalidInput, Law, Outcome, VaryingLaw, Vector2};
 use real::elementary;
 
@@ -134,7 +135,7 @@ impl MomentumBesideCrush {
         self.answer(&here)?;
         for _ in 0..STEPS {
             let g = self.slope(here.total);
-            let along = covariance.times(g);
+            let along = covariance * g;
             // w′ = −g [ln E − ln E_c + g·(p − q)]/(σ_c² + gᵀ Σ g)
             let gain = (here.excess + dot(g, p - here.total)) / (sigma * sigma + dot(g, along));
             let step = g * -gain - here.weight;
@@ -162,7 +163,7 @@ impl MomentumBesideCrush {
     }
 
     fn trial(&self, weight: Vector2<f64>) -> Trial {
-        let shift = self.covariance().times(weight);
+        let shift = self.covariance() * weight;
         let total = self.momentum.total() + shift;
         // ln E − ln E_c
         let excess = elementary::ln(self.crush_energy(total) / self.problem.crush_energy);
@@ -208,31 +209,16 @@ impl MomentumBesideCrush {
     }
 
     /// (kg²·m²/s²) Σ, the covariance of p.
-    fn covariance(&self) -> Covariance {
-        let mut sum = Covariance { xx: 0.0, xy: 0.0, yy: 0.0 };
+    fn covariance(&self) -> Matrix2<f64> {
+        let mut sum = Matrix2::zeros();
         for (m, after) in self.momentum.masses().into_iter().zip(&self.momentum.after) {
             // Σ_i m_i² (σ_V² V_i V_iᵀ + σ_δ² V_i⊥ V_i⊥ᵀ)
             let along = after.velocity * (m * self.errors.speed);
             let across = Vector2::new(-after.velocity.y, after.velocity.x) * (m * self.errors.direction);
             for side in [along, across] {
-                sum.xx += side.x * side.x;
-                sum.xy += side.x * side.y;
-                sum.yy += side.y * side.y;
+                sum += side * side.transpose();
             }
         }
         sum
-    }
-}
-
-/// A symmetric matrix.
-struct Covariance {
-    xx: f64,
-    xy: f64,
-    yy: f64,
-}
-
-impl Covariance {
-    fn times(&self, v: Vector2<f64>) -> Vector2<f64> {
-        Vector2::new(self.xx * v.x + self.xy * v.y, self.xy * v.x + self.yy * v.y)
     }
 }

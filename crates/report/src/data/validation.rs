@@ -570,12 +570,12 @@ pub fn validation_json(validation: &Validation) -> Result<String, serde_json::Er
             .collect(),
         error_rate: ErrorRates {
             both_speeds: BothSpeedsRates {
-                all: both.all.into(),
-                all_relative: both.all_relative.into(),
-                momentum: both.momentum.into(),
-                momentum_relative: both.momentum_relative.into(),
-                momentum_and_crush: both.momentum_and_crush.into(),
-                momentum_and_crush_relative: both.momentum_and_crush_relative.into(),
+                all: both.all[0].into(),
+                all_relative: both.all[1].into(),
+                momentum: both.momentum[0].into(),
+                momentum_relative: both.momentum[1].into(),
+                momentum_and_crush: both.momentum_and_crush[0].into(),
+                momentum_and_crush_relative: both.momentum_and_crush[1].into(),
             },
             delta_v: DeltaVRates {
                 pim: dv.pim.into(),
@@ -585,12 +585,12 @@ pub fn validation_json(validation: &Validation) -> Result<String, serde_json::Er
                 crash3_paper: dv.crash3_paper.into(),
             },
             speed: SpeedRates {
-                profiles: speed.profiles.into(),
-                profiles_relative: speed.profiles_relative.into(),
-                implied: speed.implied.into(),
-                implied_relative: speed.implied_relative.into(),
-                round_trip: speed.round_trip.into(),
-                round_trip_relative: speed.round_trip_relative.into(),
+                profiles: speed.profiles[0].into(),
+                profiles_relative: speed.profiles[1].into(),
+                implied: speed.implied[0].into(),
+                implied_relative: speed.implied[1].into(),
+                round_trip: speed.round_trip[0].into(),
+                round_trip_relative: speed.round_trip[1].into(),
             },
         },
     };

@@ -2,8 +2,8 @@
 //! over time.
 
 use ::drawing::{
-    Axis, GroundShape, GroundZone, MeasuredPoint, MotionCurves, MotionCurvesPicture, MotionPicture,
-    MotionPoint, MotionRest, MotionVehicle, SceneArrow, SceneBody, SitePlan,
+    Axis, Curves, CurvesPicture, GroundShape, GroundZone, MeasuredPoint, MotionPicture, MotionPoint,
+    MotionRest, MotionVehicle, SceneArrow, SceneBody, SitePlan,
 };
 use analysis::{Analysis, Travel, TravelOrigin, Weighed};
 use case::{Axes, Case, PointData, RegionData, SkidBegin, SurfaceData};
@@ -299,45 +299,42 @@ fn description(analysis: &Analysis, units: Units) -> String {
 }
 
 /// Speed, yaw rate and heading over time.
-pub(super) fn curves(
-    case: &Case,
-    analysis: &Analysis,
-    units: Units,
-) -> Result<MotionCurvesPicture, DrawingError> {
+pub(super) fn curves(case: &Case, analysis: &Analysis, units: Units) -> Result<CurvesPicture, DrawingError> {
     if analysis.travel.iter().all(Option::is_none) {
         return Err(DrawingError::NoMotion { subject: Subject::MotionCurves });
     }
-    let over = |of: &dyn Fn(&State) -> f64| {
-        analysis.travel.each_ref().map(|travel| {
-            let states = travel.as_ref().map_or_else(Vec::new, dense);
-            states.iter().map(|(time, state, _)| [*time, of(state)]).collect()
-        })
-    };
+    let states = analysis.travel.each_ref().map(|travel| travel.as_ref().map_or_else(Vec::new, dense));
+    let last = states.iter().flatten().map(|(time, ..)| *time).fold(0.0, f64::max);
     let axis = |label: &str, measure: Measure| Axis {
         title: format!("{label}, {}", units.name(measure)),
         unit: units.size(measure),
     };
+    let panel = |label: &str, measure: Measure, of: &dyn Fn(&State) -> f64| {
+        let across = axis("time since the impact", Measure::Time);
+        Curves {
+            ends: Some([0.0, if last > 0.0 { last } else { across.unit }]),
+            across,
+            upward: axis(label, measure),
+            curves: states
+                .each_ref()
+                .map(|states| states.iter().map(|(time, state, _)| [*time, of(state)]).collect()),
+            marks: Vec::new(),
+        }
+    };
     let lateral = |value: f64| case.axes.lateral(value);
     let caveat = caveat(analysis);
-    Ok(MotionCurvesPicture {
+    Ok(CurvesPicture {
+        name: "motion-curves",
         title: title(case),
         subtitle: "From the impact to rest".to_owned(),
         description: with_caveat(description(analysis, units), &caveat),
         caveat,
-        time: axis("time since the impact", Measure::Time),
+        height: 170.0,
+        is_thinned: true,
         panels: vec![
-            MotionCurves {
-                upward: axis("speed", Measure::RoadSpeed),
-                curves: over(&|state| state.motion.velocity.norm()),
-            },
-            MotionCurves {
-                upward: axis("yaw rate", Measure::YawRateDegrees),
-                curves: over(&|state| lateral(state.motion.yaw_rate)),
-            },
-            MotionCurves {
-                upward: axis("heading", Measure::Angle),
-                curves: over(&|state| lateral(state.heading)),
-            },
+            panel("speed", Measure::RoadSpeed, &|state| state.motion.velocity.norm()),
+            panel("yaw rate", Measure::YawRateDegrees, &|state| lateral(state.motion.yaw_rate)),
+            panel("heading", Measure::Angle, &|state| lateral(state.heading)),
         ],
         legend: VehicleId::ALL.map(|id| {
             analysis.travel[id.index()].as_ref()?;

@@ -1,6 +1,6 @@
 //! What a recorder stored, as curves.
 
-use ::drawing::{Axis, RecordCurves, RecordCurvesPicture};
+use ::drawing::{Axis, Curves, CurvesPicture};
 use analysis::{RecorderReading, VehicleReading};
 use case::{Case, Recorder};
 use pim_core::VehicleId;
@@ -17,6 +17,30 @@ fn of(measure: Measure, title: &str, units: Units) -> Axis {
     axis(title, units.name(measure), units.size(measure))
 }
 
+fn panel(across: Axis, upward: Axis, curves: [Vec<[f64; 2]>; 2], marks: Vec<f64>) -> Curves {
+    Curves { across, ends: None, upward, curves, marks }
+}
+
+fn picture(
+    case: &Case,
+    subtitle: String,
+    description: String,
+    panels: Vec<Curves>,
+    legend: [Option<String>; 2],
+) -> CurvesPicture {
+    CurvesPicture {
+        name: "record-curves",
+        title: words::title(case),
+        subtitle,
+        caveat: String::new(),
+        description,
+        height: 150.0,
+        is_thinned: false,
+        panels,
+        legend,
+    }
+}
+
 /// The samples of a vehicle over time and over distance, and its pulse; `None` if there is nothing to draw.
 pub(crate) fn curves(
     case: &Case,
@@ -24,7 +48,7 @@ pub(crate) fn curves(
     recorder: &Recorder,
     found: &VehicleReading,
     units: Units,
-) -> Option<RecordCurvesPicture> {
+) -> Option<CurvesPicture> {
     let mut panels = Vec::new();
     if let Some(record) = recorder.before_impact() {
         let over_time = |of: fn(&recorder::PreCrashSample) -> Option<f64>| -> Vec<[f64; 2]> {
@@ -33,12 +57,12 @@ pub(crate) fn curves(
         let time = || axis("time before the impact", "s", 1.0);
         let mut add = |across: Axis, upward: Axis, curve: Vec<[f64; 2]>| {
             if curve.len() > 1 {
-                panels.push(RecordCurves { across, upward, curves: [curve, Vec::new()], marks: Vec::new() });
+                panels.push(panel(across, upward, [curve, Vec::new()], Vec::new()));
             }
         };
         add(time(), of(Measure::RoadSpeed, "speed", units), over_time(|one| one.speed));
         let brake = over_time(|one| one.brake.map(|on| if on { 1.0 } else { 0.0 }));
-        add(time(), axis("service brake", "1 on, 0 off", 1.0), RecordCurves::steps(&brake));
+        add(time(), axis("service brake", "1 on, 0 off", 1.0), Curves::steps(&brake));
         add(time(), of(Measure::Angle, "steering wheel", units), over_time(|one| one.steering));
         let over_distance: Vec<[f64; 2]> = found
             .distances
@@ -57,43 +81,41 @@ pub(crate) fn curves(
             pulse.samples().iter().filter_map(|one| Some([one.time, of(one)?])).collect()
         };
         let marks = found.spans.iter().find(|span| span.rule == PulseRule::CHANGE);
-        panels.push(RecordCurves {
-            across: axis("time", "ms", 1e-3),
-            upward: of(Measure::RoadSpeed, "ΔV", units),
-            curves: [part(|one| one.longitudinal), part(|one| one.lateral)],
-            marks: marks.map(|span| vec![span.start, span.end]).unwrap_or_default(),
-        });
+        panels.push(panel(
+            axis("time", "ms", 1e-3),
+            of(Measure::RoadSpeed, "ΔV", units),
+            [part(|one| one.longitudinal), part(|one| one.lateral)],
+            marks.map(|span| vec![span.start, span.end]).unwrap_or_default(),
+        ));
     }
     let names = pulse.map(|_| ["longitudinal, and other numbers", "lateral, positive to the right"]);
-    (!panels.is_empty()).then(|| RecordCurvesPicture {
-        title: words::title(case),
-        subtitle: format!("what the recorder of vehicle {id} stored"),
-        description: format!("Speed, brake and steering before the impact and ΔV during it, vehicle {id}"),
-        panels,
-        legend: names.map_or([None, None], |names| names.map(|name| Some(name.to_owned()))),
+    (!panels.is_empty()).then(|| {
+        picture(
+            case,
+            format!("what the recorder of vehicle {id} stored"),
+            format!("Speed, brake and steering before the impact and ΔV during it, vehicle {id}"),
+            panels,
+            names.map_or([None, None], |names| names.map(|name| Some(name.to_owned()))),
+        )
     })
 }
 
 /// The paths of both vehicles on one clock, if both have a record before the impact.
-pub(crate) fn both(case: &Case, reading: &RecorderReading, units: Units) -> Option<RecordCurvesPicture> {
+pub(crate) fn both(case: &Case, reading: &RecorderReading, units: Units) -> Option<CurvesPicture> {
     let path = |id: VehicleId| -> Option<Vec<[f64; 2]>> {
         let found = reading.vehicles[id.index()].as_ref().filter(|found| found.of_impact.is_taken)?;
         let path: Vec<[f64; 2]> =
             found.distances.iter().map(|(time, bounds)| [*time, bounds.between]).collect();
         (path.len() > 1).then_some(path)
     };
-    let panel = RecordCurves {
-        across: axis("time before the impact", "s", 1.0),
-        upward: of(Measure::Length, "distance to the last sample", units),
-        curves: [path(VehicleId::One)?, path(VehicleId::Two)?],
-        marks: Vec::new(),
-    };
-    Some(RecordCurvesPicture {
-        title: words::title(case),
-        subtitle: "distance of both vehicles to the impact over time".to_owned(),
-        description: "Distance of both vehicles to their last sample over the time before the impact"
-            .to_owned(),
-        panels: vec![panel],
-        legend: [1, 2].map(|k| Some(format!("vehicle {k}"))),
-    })
+    let across = axis("time before the impact", "s", 1.0);
+    let upward = of(Measure::Length, "distance to the last sample", units);
+    let paths = [path(VehicleId::One)?, path(VehicleId::Two)?];
+    Some(picture(
+        case,
+        "distance of both vehicles to the impact over time".to_owned(),
+        "Distance of both vehicles to their last sample over the time before the impact".to_owned(),
+        vec![panel(across, upward, paths, Vec::new())],
+        [1, 2].map(|k| Some(format!("vehicle {k}"))),
+    ))
 }

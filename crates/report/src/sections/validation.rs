@@ -121,13 +121,13 @@ fn heading(words: &str) -> Block {
 #[must_use]
 pub fn validation_headline(validation: &Validation, units: Units) -> String {
     let errors = &validation.speed_errors;
-    let [rate, share] = [errors.profiles, errors.profiles_relative];
+    let [rate, share] = errors.profiles;
     let road = |si: f64| signed(units.value(Measure::RoadSpeed, si), 0);
     let size = |si: f64| road(si.abs()).replace('+', "");
     let unit = units.name(Measure::RoadSpeed);
     let [least, most] = rate.range.map(road);
     let [low, high] = rate.limits.map(road);
-    let trip = errors.round_trip_relative.range.map(f64::abs);
+    let trip = errors.round_trip[1].range.map(f64::abs);
     let direction = if rate.mean < 0.0 { "low" } else { "high" };
     format!(
         "Over {} staged collisions, the speed of vehicle 1 was reconstructed from the published crush profiles with \
@@ -151,7 +151,7 @@ pub fn validation_headline(validation: &Validation, units: Units) -> String {
 #[must_use]
 pub fn both_speeds_headline(validation: &Validation, units: Units) -> String {
     let errors = &validation.both_speed_errors;
-    let [rate, share] = [errors.all, errors.all_relative];
+    let [rate, share] = errors.all;
     let road = |si: f64| signed(units.value(Measure::RoadSpeed, si), 0);
     let size = |si: f64| road(si.abs()).replace('+', "");
     let unit = units.name(Measure::RoadSpeed);
@@ -347,12 +347,12 @@ fn error_rates(validation: &Validation) -> Vec<Block> {
             false,
             &header,
             vec![
-                row("from the published profiles, m/s", &speed.profiles, 1.0),
-                row("from the published profiles, %", &speed.profiles_relative, 0.01),
-                row("from the implied energies, m/s", &speed.implied, 1.0),
-                row("from the implied energies, %", &speed.implied_relative, 0.01),
-                row("from the energies of SAE 871993, m/s", &speed.round_trip, 1.0),
-                row("from the energies of SAE 871993, %", &speed.round_trip_relative, 0.01),
+                row("from the published profiles, m/s", &speed.profiles[0], 1.0),
+                row("from the published profiles, %", &speed.profiles[1], 0.01),
+                row("from the implied energies, m/s", &speed.implied[0], 1.0),
+                row("from the implied energies, %", &speed.implied[1], 0.01),
+                row("from the energies of SAE 871993, m/s", &speed.round_trip[0], 1.0),
+                row("from the energies of SAE 871993, %", &speed.round_trip[1], 0.01),
             ],
         ),
         Block::Picture {

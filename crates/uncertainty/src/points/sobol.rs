@@ -39,7 +39,7 @@ pub(super) const SHIFTED: usize = 4;
 
 /// Points of one input.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Sobol {
+pub(crate) struct Sobol {
     /// Direction numbers, the first binary digit in the lowest bit.
     directions: [u64; DIRECTIONS],
     /// The summands and factors of each replicate's scrambling.

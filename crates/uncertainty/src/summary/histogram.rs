@@ -44,12 +44,7 @@ pub struct Histogram {
 }
 
 impl Histogram {
-    /// An empty histogram for the middle 99 % of a summary; `None` if the ends of that range are equal.
-    fn new(summary: &Summary, classes: Classes) -> Option<Self> {
-        let [.., widest] = summary.intervals;
-        Self::between([widest.low.value, widest.high.value], classes)
-    }
-
+    /// An empty histogram; `None` if the ends are equal.
     fn between([low, high]: [f64; 2], classes: Classes) -> Option<Self> {
         let width = (high - low) / f64::from(classes.count());
         let is_wide = width.is_finite() && width > 0.0;
@@ -61,7 +56,8 @@ impl Histogram {
     pub(crate) fn of(column: &[f64], summary: &Summary, classes: Classes) -> Option<Self> {
         /// Values that one thread takes at a time.
         const AT_ONCE: usize = 1 << 16;
-        let mut histogram = Self::new(summary, classes)?;
+        let [.., widest] = summary.intervals;
+        let mut histogram = Self::between([widest.low.value, widest.high.value], classes)?;
         let counted = for_each(column.chunks(AT_ONCE), |part| {
             let mut counted = histogram.clone();
             counted.add(part);

@@ -192,12 +192,12 @@ pub(super) fn both_speeds(validation: &Validation, notes: &mut Notes) -> Vec<Blo
             false,
             &RATE_COLUMNS,
             vec![
-                rate_row("both speeds, m/s", &errors.all, 1.0),
-                rate_row("both speeds, %", &errors.all_relative, 0.01),
-                rate_row("from momentum, m/s", &errors.momentum, 1.0),
-                rate_row("from momentum, %", &errors.momentum_relative, 0.01),
-                rate_row("from momentum and crush, m/s", &errors.momentum_and_crush, 1.0),
-                rate_row("from momentum and crush, %", &errors.momentum_and_crush_relative, 0.01),
+                rate_row("both speeds, m/s", &errors.all[0], 1.0),
+                rate_row("both speeds, %", &errors.all[1], 0.01),
+                rate_row("from momentum, m/s", &errors.momentum[0], 1.0),
+                rate_row("from momentum, %", &errors.momentum[1], 0.01),
+                rate_row("from momentum and crush, m/s", &errors.momentum_and_crush[0], 1.0),
+                rate_row("from momentum and crush, %", &errors.momentum_and_crush[1], 0.01),
             ],
         ),
         paragraph(

@@ -1,4 +1,4 @@
-//! What a recorder stored over time, over distance or within the impact, one chart below the other.
+//! Numbers of a motion or of a recorder against time or distance, one chart below the other.
 
 use kurbo::Rect;
 
@@ -8,37 +8,47 @@ use crate::finished::Drawing;
 use crate::legend::{self, EDGE, HEADER, Sample, WIDTH};
 use crate::pens::{BOUND, OF_VEHICLE, THIN};
 use crate::plan::polyline;
+use crate::thin::thinned;
 
-const NAME: &str = "record-curves";
-
-/// (px) height of a chart, and distance from its top to that of the next.
-const PANEL: f64 = 150.0;
-const NEXT: f64 = 242.0;
+/// (px) from the bottom of a chart to the top of the next.
+const BETWEEN: f64 = 92.0;
 /// Maximum number of tick labels across and upward.
 const MOST: [u8; 2] = [10, 5];
 /// How far a chart extends beyond its numbers, as a share of their span.
 const BEYOND: f64 = 0.06;
+/// Smaller shares of the unit are rounding errors about zero, such as a yaw rate of 1e-16 rad/s.
+const ROUNDING: f64 = 1e-6;
 
-/// What a recorder stored.
+/// Numbers against time or distance.
 #[derive(Clone, Debug, PartialEq)]
-pub struct RecordCurvesPicture {
+pub struct CurvesPicture {
+    /// What the drawing and the ids in it are named after.
+    pub name: &'static str,
     /// Title of the case.
     pub title: String,
     /// The line below it.
     pub subtitle: String,
+    /// Why this is not the answer, shown below the subtitle; usually empty.
+    pub caveat: String,
     /// The picture described for readers who cannot see it.
     pub description: String,
+    /// (px) height of each chart.
+    pub height: f64,
+    /// Whether points without which a curve looks the same are left out.
+    pub is_thinned: bool,
     /// From top to bottom.
-    pub panels: Vec<RecordCurves>,
+    pub panels: Vec<Curves>,
     /// Legend entries of first and second curves, if they have any.
     pub legend: [Option<String>; 2],
 }
 
 /// One number, or two of a kind, against another.
 #[derive(Clone, Debug, PartialEq)]
-pub struct RecordCurves {
+pub struct Curves {
     /// The horizontal axis.
     pub across: Axis,
+    /// Its ends; none if they are those of the curves.
+    pub ends: Option<[f64; 2]>,
     /// The vertical axis.
     pub upward: Axis,
     /// Points of each curve, in the order of the horizontal axis; empty for a second that is not there.
@@ -47,16 +57,17 @@ pub struct RecordCurves {
     pub marks: Vec<f64>,
 }
 
-impl RecordCurvesPicture {
+impl CurvesPicture {
     /// Draws it.
     #[must_use]
     pub fn draw(&self) -> Drawing {
-        let mut canvas = Canvas::new(NAME, WIDTH, HEADER);
-        legend::header(&mut canvas, &self.title, &self.subtitle);
+        let mut canvas = Canvas::new(self.name, WIDTH, HEADER);
+        legend::header(&mut canvas, &self.title, &format!("{}\n{}", self.subtitle, self.caveat));
         let mut top = HEADER + 34.0;
         for (k, panel) in self.panels.iter().enumerate() {
-            let area = Rect::new(EDGE + 76.0, top, WIDTH - EDGE - 16.0, top + PANEL);
-            let [across, upward] = [panel.range(0, panel.across.unit), panel.range(1, panel.upward.unit)];
+            let area = Rect::new(EDGE + 76.0, top, WIDTH - EDGE - 16.0, top + self.height);
+            let across = panel.ends.unwrap_or_else(|| panel.range(0));
+            let upward = panel.range(1);
             let chart = Chart { area, left: EDGE, across, upward };
             chart.draw(&mut canvas, &panel.across, &panel.upward, MOST);
             if upward[0] < 0.0 {
@@ -68,9 +79,10 @@ impl RecordCurvesPicture {
             for (i, curve) in panel.curves.iter().enumerate().filter(|(_, curve)| curve.len() > 1) {
                 let points: Vec<_> = curve.iter().map(|&[x, y]| chart.at(x, y)).collect();
                 let id = format!("curve-{}-{}", k + 1, i + 1);
-                canvas.path(&id, &polyline(points.iter().copied()), Some(OF_VEHICLE[i]), "none");
+                let path = if self.is_thinned { polyline(thinned(&points)) } else { polyline(points) };
+                canvas.path(&id, &path, Some(OF_VEHICLE[i]), "none");
             }
-            top += NEXT;
+            top += self.height + BETWEEN;
         }
         let entries = self.legend.iter().zip(OF_VEHICLE);
         let entries: Vec<_> =
@@ -79,11 +91,11 @@ impl RecordCurvesPicture {
         canvas.set_height(below + legend::height(entries.len(), 2) + 10.0);
         legend::legend(&mut canvas, below, 2, &entries);
         let title = format!("{}: {}", self.title, self.subtitle);
-        Drawing::new(NAME, title, self.description.clone(), canvas)
+        Drawing::new(self.name, title, self.description.clone(), canvas)
     }
 }
 
-impl RecordCurves {
+impl Curves {
     /// The points of a switch as steps: each state lasts until the next sample says another.
     #[must_use]
     pub fn steps(samples: &[[f64; 2]]) -> Vec<[f64; 2]> {
@@ -98,29 +110,31 @@ impl RecordCurves {
     }
 
     /// The span of one coordinate; upward it includes zero.
-    fn range(&self, coordinate: usize, unit: f64) -> [f64; 2] {
+    fn range(&self, coordinate: usize) -> [f64; 2] {
+        let is_upward = coordinate == 1;
+        let unit = if is_upward { self.upward.unit } else { self.across.unit };
         let values = self.curves.iter().flatten().map(|point| point[coordinate]);
-        let first = values.clone().next().unwrap_or(0.0);
-        let begin = if coordinate == 1 { [0.0_f64; 2] } else { [first; 2] };
-        let [low, high] = values.fold(begin, |[low, high], value| [low.min(value), high.max(value)]);
+        let first = values.clone().next().filter(|_| !is_upward).unwrap_or(0.0);
+        let values = values.filter(|value| !is_upward || value.abs() >= ROUNDING * unit);
+        let [low, high] = values.fold([first; 2], |[low, high], value| [low.min(value), high.max(value)]);
         let span = high - low;
         if span <= 0.0 {
             return [low, low + unit];
         }
-        let beyond = |end: f64| if end == 0.0 || coordinate == 0 { 0.0 } else { BEYOND * span };
+        let beyond = |end: f64| if end == 0.0 || !is_upward { 0.0 } else { BEYOND * span };
         [low - beyond(low), high + beyond(high)]
     }
 }
 
 #[cfg(test)]
 mod tests {
-    use super::RecordCurves;
+    use super::Curves;
 
     /// Off at −1 s and on at 0: off until 0, and no ramp.
     #[test]
     fn a_switch_is_drawn_in_steps() {
         let samples = [[-2.0, 0.0], [-1.0, 0.0], [0.0, 1.0], [1.0, 1.0], [2.0, 0.0]];
-        let steps = RecordCurves::steps(&samples);
+        let steps = Curves::steps(&samples);
         assert!(
             steps.windows(2).all(|pair| pair[0][0] == pair[1][0] || pair[0][1] == pair[1][1]),
             "{steps:?}"
