@@ -10,7 +10,6 @@ use report::{CsvStyle, Document, PROGRAM, Units};
 use requests::{Answer, NoPage, Request, Unanswered, UncertaintyOptions, site_plan_beside};
 
 use crate::arguments::{Asked, Format};
-use crate::batch::Incomplete;
 use crate::cases::of_cases;
 use crate::files::{case_file, named, write};
 use crate::live::Page;
@@ -67,7 +66,11 @@ pub(crate) fn report(asked: Asked) -> Result<()> {
     }
     if let Answer::Uncertainty(uncertainty) = &answer {
         let (done, total) = (uncertainty.propagation.evaluated(), uncertainty.propagation.requested());
-        return if done < total { Err(Incomplete::EndedSamples { done, total }.into()) } else { Ok(()) };
+        if done < total {
+            let ended = format!("ended early: the figures are those of {done} of {total} samples");
+            return Err(NoAnswer(ended).into());
+        }
+        return Ok(());
     }
     let Some(reason) = answer.no_answer() else { return Ok(()) };
     let draws = if samples_out.is_some() { ", and the draws are not written" } else { "" };

@@ -1,7 +1,6 @@
 //! Many cases at once: a row each, in the order of the arguments.
 
 use std::collections::VecDeque;
-use std::fmt;
 use std::io::{self, ErrorKind, IsTerminal as _, Write};
 use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
@@ -14,6 +13,7 @@ use report::{Csv, PROGRAM, Refused, Row, RowError};
 use requests::{Request, RowRefusal, read_records_beside};
 
 use crate::files::{named, read};
+use crate::present::NoAnswer;
 use crate::progress::Progress;
 use crate::sink::Sink;
 
@@ -22,53 +22,6 @@ use crate::sink::Sink;
 const AHEAD: usize = 16;
 
 const CANNOT_WRITE: &str = "cannot write the rows";
-
-/// Not every file has an answer.
-#[derive(Debug)]
-pub(crate) enum Incomplete {
-    /// So many have an error in their row.
-    Failed { failed: usize, total: usize },
-    /// Ctrl-C came after so many.
-    Ended { done: usize, total: usize },
-    /// So many rows of a table have an error.
-    FailedRows { failed: usize, total: usize },
-    /// Ctrl-C came after so many rows of a table.
-    EndedTable { done: usize, total: usize },
-    /// Ctrl-C came after so many pairs of vehicles.
-    EndedPairs { done: usize, total: usize },
-    /// Ctrl-C came after so many samples.
-    EndedSamples { done: usize, total: usize },
-}
-
-impl fmt::Display for Incomplete {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Failed { failed, total } => {
-                write!(f, "{failed} of {total} cases failed; see the error in their rows")
-            }
-            Self::Ended { done, total } => {
-                write!(f, "ended early: rows of the first {done} of {total} case files are written")
-            }
-            Self::FailedRows { failed, total } => {
-                write!(f, "{failed} of {total} rows have an error: see the column error")
-            }
-            Self::EndedTable { done: 0, total } => {
-                write!(f, "ended early: none of {total} rows was finished, and nothing is written")
-            }
-            Self::EndedTable { done, total } => {
-                write!(f, "ended early: the first {done} of {total} rows are written")
-            }
-            Self::EndedPairs { done, total } => {
-                write!(f, "ended early: the figures are those of the first {done} of {total} pairs")
-            }
-            Self::EndedSamples { done, total } => {
-                write!(f, "ended early: the figures are those of {done} of {total} samples")
-            }
-        }
-    }
-}
-
-impl std::error::Error for Incomplete {}
 
 /// What a row is.
 #[derive(Clone, Copy)]
@@ -119,7 +72,7 @@ pub(crate) fn write(
         // Whoever reads has read enough, as `head` does.
         Err(error) if is_broken_pipe(&error) => Ok(()),
         // The rows that there are.
-        Err(error) if error.is::<Incomplete>() => sink.finish().with_context(cannot).and(Err(error)),
+        Err(error) if error.is::<NoAnswer>() => sink.finish().with_context(cannot).and(Err(error)),
         Err(error) => Err(error),
         Ok(()) => sink.finish().with_context(cannot),
     }
@@ -163,10 +116,14 @@ fn rows(
             done += 1;
             failed += usize::from(is_error);
             if ends(done) && done < total {
-                return Err(Incomplete::Ended { done, total }.into());
+                let ended = format!("ended early: rows of the first {done} of {total} case files are written");
+                return Err(NoAnswer(ended).into());
             }
         }
-        if failed > 0 { Err(Incomplete::Failed { failed, total }.into()) } else { Ok(()) }
+        if failed > 0 {
+            return Err(NoAnswer(format!("{failed} of {total} cases failed; see the error in their rows")).into());
+        }
+        Ok(())
     })
 }
 

@@ -30,7 +30,6 @@ use arguments::Command;
 use case::Diagnostics;
 use present::NoAnswer;
 use report::DrawingError;
-use validate::NotReproduced;
 
 /// The case is well formed, but no answer exists; or a claim of the validation fails.
 const NO_ANSWER: u8 = 1;
@@ -104,11 +103,7 @@ fn message(error: &anyhow::Error) -> String {
 }
 
 fn status(error: &anyhow::Error) -> u8 {
-    let is_no_answer = error.is::<NoAnswer>()
-        || error.is::<NotReproduced>()
-        || error.is::<batch::Incomplete>()
-        || error.is::<DrawingError>();
-    if is_no_answer { NO_ANSWER } else { WRONG_INPUT }
+    if error.is::<NoAnswer>() || error.is::<DrawingError>() { NO_ANSWER } else { WRONG_INPUT }
 }
 
 #[cfg(test)]

@@ -35,7 +35,7 @@ pub(crate) fn units(asked: Option<Units>, file: &CaseFile) -> Units {
     asked.unwrap_or_else(|| Units::of_case(&file.case))
 }
 
-/// Why a well-formed case has no answer, in the units of the reader.
+/// Why there is no answer, or not the whole one, though the input is well-formed.
 #[derive(Debug)]
 pub(crate) struct NoAnswer(pub(crate) String);
 

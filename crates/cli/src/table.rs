@@ -26,9 +26,10 @@ use tables::{
 };
 
 use crate::arguments::TableArguments;
-use crate::batch::{Incomplete, is_broken_pipe};
+use crate::batch::is_broken_pipe;
 use crate::files::{named, read_text, write};
 use crate::long_texts::{LONGEST, shortened};
+use crate::present::NoAnswer;
 use crate::progress::Progress;
 use crate::sink::Sink;
 use crate::threads::pool;
@@ -122,7 +123,11 @@ fn rows(
                 out.finish().with_context(cannot)?;
             }
             let total = total.unwrap_or(done - these.num_rows() + batch.num_rows());
-            return Err(Incomplete::EndedTable { done, total }.into());
+            let what = match done {
+                0 => format!("none of {total} rows was finished, and nothing is written"),
+                done => format!("the first {done} of {total} rows are written"),
+            };
+            return Err(NoAnswer(format!("ended early: {what}")).into());
         }
     }
     out.finish().with_context(cannot)?;
@@ -131,7 +136,10 @@ fn rows(
             "note: {left_out} texts longer than {LONGEST} bytes are not carried over; a remark stands in their place"
         ));
     }
-    if failed > 0 { Err(Incomplete::FailedRows { failed, total: done }.into()) } else { Ok(()) }
+    if failed > 0 {
+        return Err(NoAnswer(format!("{failed} of {done} rows have an error: see the column error")).into());
+    }
+    Ok(())
 }
 
 /// Says which numbers are taken as SI because nothing says their unit.

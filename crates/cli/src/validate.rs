@@ -9,11 +9,10 @@ use report::Drawing;
 use validation::{Data, Validation};
 
 use crate::arguments::ValidateArguments;
-use crate::batch::Incomplete;
 use crate::ciss::{Downloaded, LARGEST_TABLE, downloaded};
 use crate::files::{named, read_at_most};
 use crate::pictures::write_plot;
-use crate::present::present;
+use crate::present::{NoAnswer, present};
 use crate::progress::Progress;
 use crate::threads::pool;
 
@@ -22,23 +21,6 @@ pub(crate) const VALIDATION_PLOTS: [&str; 2] = ["computed-against-measured", "re
 
 /// Those of `deltav validate --field --plots`.
 pub(crate) const FIELD_PLOTS: [&str; 2] = ["estimated-against-recorded", "ranks-of-recorders"];
-
-/// Claims of the validation that fail: how many of how many, and the first.
-#[derive(Debug)]
-pub(crate) struct NotReproduced {
-    failed: usize,
-    claimed: usize,
-    first: String,
-}
-
-impl std::fmt::Display for NotReproduced {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        let Self { failed, claimed, first } = self;
-        write!(f, "{failed} of {claimed} numbers that are claimed to reproduce do not; the first: {first}")
-    }
-}
-
-impl std::error::Error for NotReproduced {}
 
 pub(crate) fn validate(arguments: &ValidateArguments) -> Result<()> {
     if !arguments.field.is_empty() {
@@ -92,7 +74,7 @@ fn validate_recorders(path: &Path, arguments: &ValidateArguments) -> Result<()> 
     let document = || Ok(report::judged_recorders(&judged, &name));
     present(arguments.format, arguments.output.file(), document, || report::judged_recorders_json(&judged))?;
     let (done, total) = (judged.finished, judged.rows);
-    if done < total { Err(Incomplete::EndedPairs { done, total }.into()) } else { Ok(()) }
+    all_of(done, total)
 }
 
 fn validate_field(arguments: &ValidateArguments) -> Result<()> {
@@ -141,7 +123,7 @@ fn judge_field(data: &report::FieldData<'_>, arguments: &ValidateArguments) -> R
     let plots = [report::estimated_against_recorded(&judged), report::ranks_of_recorders(&judged)];
     write_plots(FIELD_PLOTS, plots, arguments)?;
     let (done, total) = (judged.finished, judged.pairs);
-    if done < total { Err(Incomplete::EndedPairs { done, total }.into()) } else { Ok(()) }
+    all_of(done, total)
 }
 
 /// The judgement of crashes, with a view of how far it is.
@@ -179,11 +161,22 @@ fn show(validation: &Validation, arguments: &ValidateArguments) -> Result<()> {
     let failures = validation.failures();
     match failures.first() {
         None => Ok(()),
-        Some((first, _)) => {
-            Err(NotReproduced { failed: failures.len(), claimed: validation.claimed(), first: first.clone() }
-                .into())
-        }
+        Some((first, _)) => Err(NoAnswer(format!(
+            "{} of {} numbers that are claimed to reproduce do not; the first: {first}",
+            failures.len(),
+            validation.claimed()
+        ))
+        .into()),
     }
+}
+
+/// Refuses figures of a part of the pairs, as Ctrl-C came after so many.
+fn all_of(done: usize, total: usize) -> Result<()> {
+    if done < total {
+        let ended = format!("ended early: the figures are those of the first {done} of {total} pairs");
+        return Err(NoAnswer(ended).into());
+    }
+    Ok(())
 }
 
 #[cfg(test)]

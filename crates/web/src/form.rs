@@ -1,6 +1,6 @@
 //! The form of a case, from the keys that it may have.
 
-use case::{Bounds, Dimension, Form, KeyInfo, Schema, Unit};
+use case::{Dimension, Form, KeyInfo, Schema, Unit};
 use serde_json::{Map, Value, json};
 
 pub(crate) fn form() -> Value {
@@ -59,17 +59,14 @@ fn field(table: &Schema, key: &KeyInfo, above: &str) -> Value {
     let mut field = Map::new();
     let mut put = |name: &str, value: Value| field.insert(name.to_owned(), value);
     put("key", json!(path));
-    put("name", json!(key.name));
     put("kind", json!(kind));
     put("title", json!(title));
     put("help", json!(help));
-    put("example", json!(key.example));
     put("required", json!(table.requires(key.name)));
     put("range", json!(range));
     let units = key.form.dimension().map(Dimension::units).unwrap_or_default();
     put("units", units.iter().map(Unit::spelling).collect());
     put("choices", json!(key.form.words()));
-    put("bounds", bounds(key.form));
     put("fields", key.form.table().map_or_else(Vec::new, |table| fields(table, &path, true)).into());
     Value::Object(field)
 }
@@ -95,18 +92,4 @@ fn kind(form: Form) -> (&'static str, bool) {
         Form::Probability => ("number", false),
         Form::Value | Form::Values | Form::Deviation => ("value", false),
     }
-}
-
-fn bounds(form: Form) -> Value {
-    let bounds = form.bounds().unwrap_or(Bounds::None);
-    let (min, max) = match (form, bounds) {
-        (Form::Count(last), _) => (Some(1.0), Some(f64::from(last))),
-        (Form::Probability, _) => (Some(0.0), Some(1.0)),
-        (_, Bounds::None | Bounds::Acute) => (None, None),
-        (_, Bounds::NotNegative | Bounds::Positive) => (Some(0.0), None),
-        (_, Bounds::Share | Bounds::BelowOne) => (Some(0.0), Some(1.0)),
-        (_, Bounds::Coefficient) => (Some(-1.0), Some(1.0)),
-    };
-    let above = matches!(bounds, Bounds::Positive) || matches!(form, Form::Probability);
-    json!({ "min": min, "max": max, "above": above })
 }

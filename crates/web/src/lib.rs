@@ -45,13 +45,11 @@ pub fn templates() -> String {
 
 /// The form of a case: `[{ key, title, help, fields, groups }]`, a group for each table.
 ///
-/// A field is `{ key, name, kind, title, help, example, required, range, units, choices, bounds,
-/// fields }`. `kind` is `quantity`, `number`, `numbers`, `quantities`, `text`, `flag`, `choice`, `integer`,
-/// `names`, `wheels`, `angle-or-hour`, `table` or `tables`; `units` are the spellings that the field can
-/// have, the usual one first; `bounds` are `{ min, max, above }`, each a number or `null`, of a number
-/// without unit, and `above` says that `min` itself is none. `fields` are the keys of the table that can
-/// stand in place of a word or a number, and `groups` are the tables with a header of their own. What the
-/// glossary says of a key is what `explain` says of its path.
+/// A field is `{ key, kind, title, help, required, range, units, choices, fields }`. `kind` is `quantity`,
+/// `number`, `numbers`, `quantities`, `text`, `flag`, `choice`, `integer`, `names`, `wheels`,
+/// `angle-or-hour`, `table` or `tables`; `units` are the spellings that the field can have, the usual one
+/// first. `fields` are the keys of the table that can stand in place of a word or a number, and `groups` are
+/// the tables with a header of their own. What the glossary says of a key is what `explain` says of its path.
 #[wasm_bindgen]
 #[must_use]
 pub fn form() -> String {
@@ -64,13 +62,6 @@ pub fn form() -> String {
 #[must_use]
 pub fn explain(word: &str) -> String {
     pages::explain(word).to_string()
-}
-
-/// The names of all topics of the glossary: `[name]`.
-#[wasm_bindgen]
-#[must_use]
-pub fn explain_topics() -> String {
-    pages::topics().to_string()
 }
 
 /// What a text says: `{ ok, problems, values, commands, judgement_html, units }`.
@@ -204,13 +195,6 @@ pub fn paste(text: &str, key: &str, table: &str) -> String {
 #[must_use]
 pub fn convert(text: &str, unit: &str) -> String {
     edit::convert(text, unit).to_string()
-}
-
-/// The SHA-256 of a text, in hexadecimal digits.
-#[wasm_bindgen]
-#[must_use]
-pub fn sha256(text: &str) -> String {
-    ::report::sha256(text.as_bytes())
 }
 
 /// The report of [`report()`] put into the page `deltav.html`, whose text is `page`: `{ ok: true, html }`, or

@@ -40,7 +40,3 @@ pub(crate) fn explain(word: &str) -> Value {
         Err(unknown) => json!({ "error": unknown.to_string(), "nearest": unknown.nearest }),
     }
 }
-
-pub(crate) fn topics() -> Value {
-    report::topics().iter().map(|topic| topic.name).collect()
-}

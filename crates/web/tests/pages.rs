@@ -58,15 +58,13 @@ fn the_form_has_every_key_once() {
     assert_eq!(found, expected);
     let vehicle = form.as_array().unwrap().iter().find(|group| group["key"] == "vehicle1").unwrap();
     let field = |name: &str| {
-        vehicle["fields"].as_array().unwrap().iter().find(|field| field["name"] == name).unwrap()
+        vehicle["fields"].as_array().unwrap().iter().find(|field| field["key"] == format!("vehicle1.{name}")).unwrap()
     };
     let mass = field("mass");
     assert_eq!(mass["kind"], "quantity");
     assert_eq!(mass["range"], true);
     assert!(mass["units"].as_array().unwrap().iter().any(|unit| unit == "lb"));
-    assert_eq!(mass["bounds"], serde_json::json!({ "min": 0.0, "max": null, "above": true }));
     assert_eq!(field("kind")["choices"][0], "car");
-    assert_eq!(field("class")["bounds"]["max"], 6.0);
     let crush =
         vehicle["groups"].as_array().unwrap().iter().find(|group| group["key"] == "vehicle1.crush").unwrap();
     assert_eq!(crush["choices"], serde_json::json!(["none"]));
@@ -74,10 +72,9 @@ fn the_form_has_every_key_once() {
 
 #[test]
 fn topics_are_explained_and_others_proposed() {
-    let topics = json(deltav_web::explain_topics());
-    for topic in topics.as_array().unwrap() {
-        let explained = json(deltav_web::explain(topic.as_str().unwrap()));
-        assert_eq!(&explained["title"], topic);
+    for topic in report::topics() {
+        let explained = json(deltav_web::explain(topic.name));
+        assert_eq!(explained["title"], topic.name);
         assert!(explained["html"].as_str().unwrap().contains("<p>"));
     }
     let unknown = json(deltav_web::explain("restituton"));
@@ -98,22 +95,15 @@ fn a_title_with_script_stays_text() {
     }
 }
 
-/// FIPS 180-2, appendix B.1.
-#[test]
-fn digests_are_sha_256() {
-    let digest = "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad";
-    assert_eq!(deltav_web::sha256("abc"), digest);
-}
-
 #[test]
 fn a_live_report_is_made_of_the_report() {
     let page = format!(
         "<meta name=\"deltav-engine\" content=\"{}\"><script type=\"application/json\" id=\"deltav-live\">null</script>",
-        deltav_web::sha256("engine")
+        report::sha256(b"engine")
     );
     let live = made(deltav_web::live(&page, &example(), "a.toml", "", "", None));
     let report = made(deltav_web::report(&example(), "a.toml", "", "", None));
-    let digest = deltav_web::sha256(report["html"].as_str().unwrap());
+    let digest = report::sha256(report["html"].as_str().unwrap().as_bytes());
     assert!(live["html"].as_str().unwrap().contains(&digest));
     assert_eq!(json(deltav_web::live("", &example(), "a.toml", "", "", None))["ok"], false);
 }
