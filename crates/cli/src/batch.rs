@@ -116,12 +116,15 @@ fn rows(
             done += 1;
             failed += usize::from(is_error);
             if ends(done) && done < total {
-                let ended = format!("ended early: rows of the first {done} of {total} case files are written");
+                let ended =
+                    format!("ended early: rows of the first {done} of {total} case files are written");
                 return Err(NoAnswer(ended).into());
             }
         }
         if failed > 0 {
-            return Err(NoAnswer(format!("{failed} of {total} cases failed; see the error in their rows")).into());
+            return Err(
+                NoAnswer(format!("{failed} of {total} cases failed; see the error in their rows")).into()
+            );
         }
         Ok(())
     })

@@ -91,7 +91,7 @@ fn what_cannot_be_drawn_says_why_and_what_can() {
         PAPER.replace("find         = \"vehicle1.speed\"", "find = [\"vehicle1.speed\", \"vehicle2.speed\"]");
     assert!(both != PAPER);
     let (message, status) = said("both", &both, &["draw", "--what", "reconciliation"]);
-    assert!(status == 2 && message.contains("`find` of [reconstruct] names both"), "{message}");
+    assert!(status == 2 && message.contains("follow from how the vehicles left the impact"), "{message}");
     let (message, status) = said("scene", CASE, &["draw", "--what", "scene"]);
     assert!(status == 0 && message.contains("does not give both speeds"), "{message}");
     let (message, status) = said("energy", CASE, &["draw", "--what", "energy"]);

@@ -252,6 +252,19 @@ impl Document {
         self.blocks.push(block.into());
     }
 
+    pub(crate) fn tables(&mut self, tables: impl IntoIterator<Item = Table>) {
+        self.blocks.extend(tables.into_iter().map(Block::Table));
+    }
+
+    /// A chart, which is drawn only where it is shown, without a table that says the same.
+    pub(crate) fn chart(
+        &mut self,
+        name: impl Into<String>,
+        draw: impl Fn() -> Drawing + Send + Sync + 'static,
+    ) {
+        self.push(Block::Chart { name: name.into(), drawing: Undrawn::new(draw), instead: None });
+    }
+
     pub(crate) fn title(&mut self, case: &case::Case) {
         let source = case.source.as_ref().map(Text::to_string);
         self.push(Block::Title { title: words::title(case), source });

@@ -277,74 +277,83 @@ pub(crate) fn error_key(piece: &PieceFound) -> Option<String> {
     })
 }
 
-/// Why the estimate does not use a value of the case, and what to write instead.
-pub(crate) fn unused(reason: UnusedReason, key: &str) -> [String; 2] {
-    let vehicle = key.split('.').next().unwrap_or_default();
-    let [why, instead] = match reason {
-        UnusedReason::Sought => {
-            ["`find` of [reconstruct] seeks this speed", "leave [reconstruct] out if the speed is known"]
-        }
+/// The code of the reason why the estimate does not use a value of the case, its words, and what to write
+/// instead.
+pub(crate) fn unused(reason: UnusedReason) -> [&'static str; 3] {
+    match reason {
+        UnusedReason::Sought => [
+            "sought",
+            "`find` of [reconstruct] seeks this speed",
+            "leave [reconstruct] out if the speed is known",
+        ],
         UnusedReason::Inferred => [
+            "inferred",
             "it was not measured but follows from the other vehicle's force",
             "its own depths, or leave it out",
         ],
         UnusedReason::NoEnergy => [
+            "no_energy",
             "the crush of both vehicles took no energy, and no speed follows from zero",
             "depths or an EES above zero; crush = \"none\" where there is no damage",
         ],
         UnusedReason::NoCrush => [
+            "no_crush",
             "the crush of the vehicle that struck the object is not known",
             "the crush of that vehicle, too; crush = \"none\" where it has no damage",
         ],
         UnusedReason::NoDirection => [
+            "no_direction",
             "a vehicle that stood after the impact left in no direction",
             "a speed above zero, or leave it out",
         ],
         UnusedReason::OneWreck => [
+            "one_wreck",
             "vehicles locked together do not rebound (e = 0) and do not slip on each other at the end (μ = μ_c)",
             "nothing: `locked_together` decides it",
         ],
         UnusedReason::OtherLaw => [
+            "other_law",
             "its law, not Brach's, decides whether the vehicles separate",
             "law = \"brach\" in [impact], or no law",
         ],
         UnusedReason::WithMoment => [
+            "with_moment",
             "the law with `moment_restitution` decides whether the vehicles separate",
             "no `moment_restitution` in [impact]",
         ],
-        UnusedReason::NoImpact => {
-            ["the record holds no ΔV of an impact", "nothing: `deltav recorder` shows what it holds"]
-        }
+        UnusedReason::NoImpact => [
+            "no_impact",
+            "the record holds no ΔV of an impact",
+            "nothing: `deltav recorder` shows what it holds",
+        ],
         UnusedReason::OtherImpact => [
+            "other_impact",
             "it is not likely to be of this impact, or less likely than another record",
             "this record alone, without `records`, if it is: `deltav recorder` weighs them",
         ],
         UnusedReason::StoodByRecord => [
+            "stood_by_record",
             "by it the vehicle stood or crawled, and the error of such a speed is no share of it",
             "speed = \"0 km/h\" in the table of the vehicle",
         ],
         UnusedReason::OtherPdof => [
+            "other_pdof",
             "both PDOFs are one observation: the one with the smaller error counts, or the mean of two with the same",
             "nothing: they are counted once",
         ],
-        UnusedReason::Wreck => {
-            return [
-                "each vehicle is followed to its rest alone, and this one hung on the other".to_owned(),
-                format!(
-                    "`speed` and `direction` of the wreck in [{vehicle}.after]: v = √(2 a S), with the length S of its path \
-                     and the mean deceleration a of both together"
-                ),
-            ];
-        }
-        UnusedReason::NotFollowed => {
-            return [
-                "the vehicle cannot be followed to its rest".to_owned(),
-                format!("`friction` of [surface] and `drag` of [{vehicle}.after]"),
-            ];
-        }
-        _ => ["the estimate does not use it", "nothing"],
-    };
-    [why, instead].map(str::to_owned)
+        UnusedReason::Wreck => [
+            "wreck",
+            "each vehicle is followed to its rest alone, and this one hung on the other",
+            "`speed` and `direction` of the wreck in its table `after`: v = √(2 a S), with the length S of its path \
+             and the mean deceleration a of both together",
+        ],
+        UnusedReason::NotFollowed => [
+            "not_followed",
+            "the vehicle cannot be followed to its rest",
+            "`friction` of [surface] and `drag` of its table `after`",
+        ],
+        _ => ["other", "the estimate does not use it", "nothing"],
+    }
 }
 
 /// The source of the assumption about an unknown number.

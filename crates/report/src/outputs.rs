@@ -9,17 +9,26 @@ use crate::units::{Measure, Units};
 /// Why a sample has no answer: the key of the JSON and of the samples.
 #[must_use]
 pub fn reason_name(reason: Reason) -> &'static str {
+    reason_words(reason)[0]
+}
+
+/// The code of a reason, and its words.
+pub(crate) fn reason_words(reason: Reason) -> [&'static str; 2] {
     match reason {
-        Reason::NotApproaching => "not_approaching",
-        Reason::NoRoot => "no_root",
-        Reason::EnergyCreated => "energy_created",
-        Reason::Jam => "jam",
-        Reason::Pulling => "pulling",
-        Reason::NoDamageSpeed => "no_damage_speed",
-        Reason::LimitBelowStart => "limit_below_start",
-        Reason::NoRest => "no_rest",
-        Reason::NoSpeeds => "no_speeds",
-        Reason::Other => "other",
+        Reason::NotApproaching => ["not_approaching", "the contact points do not approach each other"],
+        Reason::NoRoot => ["no_root", "no speed makes crush and impact agree"],
+        Reason::EnergyCreated => ["energy_created", "the coefficients would create energy"],
+        Reason::Jam => ["jam", "the contact jams"],
+        Reason::Pulling => ["pulling", "the vehicles would have to pull on each other"],
+        Reason::NoDamageSpeed => {
+            ["no_damage_speed", "the speed without damage is not below that of the barrier test"]
+        }
+        Reason::LimitBelowStart => {
+            ["limit_below_start", "the limit of the force per width is below A, at which crush begins"]
+        }
+        Reason::NoRest => ["no_rest", "no motion after the impact leads to the rest, or from it"],
+        Reason::NoSpeeds => ["no_speeds", "momentum and crush energy give no speeds"],
+        Reason::Other => ["other", "the numbers are impossible for another reason"],
     }
 }
 

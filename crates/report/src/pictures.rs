@@ -26,7 +26,7 @@ use ::drawing::Drawing;
 use ::drawing::{PlanBody, PlanPlace, PlanView, ScaleUnit, SitePlan, SitePlanError, Viewport};
 use analysis::quantities::SPEED;
 use analysis::{Analysis, EstimatedOutput, Failure, Judgement, Weighed};
-use case::{Axes, Case, CaseFile, Faults, Find, Purpose, Quantity};
+use case::{Axes, Case, CaseFile, Faults, Purpose, Quantity};
 use pim_core::{Real, VehicleId};
 
 use crate::Units;
@@ -139,8 +139,8 @@ impl Subject {
             },
             Self::Reconciliation => match find {
                 None => Some(DrawingError::NoReconciliation),
-                Some(Find::Both) => Some(DrawingError::TwoSpeeds),
-                Some(Find::One(_)) => of_impact(lacking),
+                Some(_) if case.is_by_momentum() => Some(DrawingError::ByMomentum),
+                Some(_) => of_impact(lacking),
             },
             Self::Energy => of_impact(lacking),
             Self::Momentum => match VehicleId::ALL.into_iter().find(|id| case.vehicles[id.index()].fixed) {
@@ -193,11 +193,12 @@ pub enum DrawingError {
         "there is no reconciliation to draw: that is the work of the impact over the speed sought, and the case has no [reconstruct] table"
     )]
     NoReconciliation,
-    /// Both speeds were sought.
+    /// The speeds follow from how the vehicles left the impact.
     #[error(
-        "there is no reconciliation to draw: that is the work of the impact over one speed sought, and `find` of [reconstruct] names both"
+        "there is no reconciliation to draw: that is the work of the impact over one speed, which the crush energy decides, and \
+         the speeds of this case follow from how the vehicles left the impact"
     )]
-    TwoSpeeds,
+    ByMomentum,
     /// No vehicle is followed to rest.
     #[error(
         "there is no {} to draw: the case says nothing about the path to rest; give it [surface] friction \

@@ -4,7 +4,7 @@
 use std::ffi::OsStr;
 use std::path::Path;
 
-use analysis::{EvidenceMethod, Evident, Pass, Vehicle};
+use analysis::{EvidenceMethod, Evident, Hypothesis, Pass, Vehicle};
 use case::{Case, Find, Fit, Program, SIDES, StiffnessSource, Text, UNKNOWNS, VehicleKind, word};
 use crash3::Side;
 use pim_core::Regime;
@@ -150,4 +150,46 @@ pub(crate) fn solution(by: EvidenceMethod) -> &'static str {
         EvidenceMethod::MomentumAndDamage => "momentum and damage",
         EvidenceMethod::Weighed { .. } => "momentum and damage, weighed",
     }
+}
+
+/// What a run of avoidability is called.
+pub(crate) struct RunWords {
+    /// In the head of a table, in two lines.
+    pub(crate) head: [&'static str; 2],
+    /// In a legend.
+    pub(crate) legend: &'static str,
+    /// In the JSON.
+    pub(crate) key: &'static str,
+    /// The number of its pen.
+    pub(crate) pen: usize,
+}
+
+pub(crate) fn run_words(hypothesis: Hypothesis) -> RunWords {
+    let (head, legend, key, pen) = match hypothesis {
+        Hypothesis::Actual => (["what", "happened"], "what happened", "actual", 0),
+        Hypothesis::LimitOnly => {
+            (["at the limit,", "else as it was"], "lower speed, all else as it was", "limit only", 1)
+        }
+        Hypothesis::ReactionInTime => (["reaction", "in time"], "reaction in time", "reaction in time", 2),
+        Hypothesis::FullBraking => (["full", "braking"], "full braking", "full braking", 3),
+        Hypothesis::ReactionAndBraking => (
+            ["reaction and", "braking"],
+            "reaction in time, full braking",
+            "reaction in time and full braking",
+            4,
+        ),
+        Hypothesis::LimitAndReaction => {
+            (["limit and", "reaction"], "lower speed, reaction in time", "limit and reaction in time", 5)
+        }
+        Hypothesis::LimitAndBraking => {
+            (["limit and", "braking"], "lower speed, full braking", "limit and full braking", 5)
+        }
+        Hypothesis::All => (
+            ["limit, reaction", "and braking"],
+            "lower speed, reaction in time, full braking",
+            "limit, reaction in time and full braking",
+            5,
+        ),
+    };
+    RunWords { head, legend, key, pen }
 }

@@ -58,7 +58,12 @@ fn the_form_has_every_key_once() {
     assert_eq!(found, expected);
     let vehicle = form.as_array().unwrap().iter().find(|group| group["key"] == "vehicle1").unwrap();
     let field = |name: &str| {
-        vehicle["fields"].as_array().unwrap().iter().find(|field| field["key"] == format!("vehicle1.{name}")).unwrap()
+        vehicle["fields"]
+            .as_array()
+            .unwrap()
+            .iter()
+            .find(|field| field["key"] == format!("vehicle1.{name}"))
+            .unwrap()
     };
     let mass = field("mass");
     assert_eq!(mass["kind"], "quantity");

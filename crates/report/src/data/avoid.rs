@@ -1,8 +1,7 @@
 //! Whether the collision was avoidable, as JSON.
 
 use analysis::{
-    ActualRun, AvoidChance, AvoidInterval, AvoidRun, Avoidance, DrivenBy, Hypothesis, SpeedDoubt,
-    SpeedSource, Unbraked,
+    ActualRun, AvoidChance, AvoidInterval, AvoidRun, Avoidance, DrivenBy, SpeedDoubt, SpeedSource, Unbraked,
 };
 use case::{CaseFile, SWELLS, word};
 use serde::Serialize;
@@ -11,6 +10,7 @@ use super::json::{OfMovable, of_movable};
 use super::{identified, pretty, title};
 use crate::sections::avoid::avoid_warnings;
 use crate::units::Units;
+use crate::words::run_words;
 
 #[derive(Serialize)]
 struct Document<'a> {
@@ -160,7 +160,7 @@ pub fn avoid_json(file: &CaseFile, found: &Avoidance) -> Result<String, serde_js
     let response = scene.response;
     let of = |speed: f64, avoidable_at_limit: bool| KindBlock { speed, avoidable_at_limit };
     let run = |run: &AvoidRun| RunBlock {
-        hypothesis: hypothesis(run.hypothesis),
+        hypothesis: run_words(run.hypothesis).key,
         speed: run.course.speed,
         reaction_time: run.course.response.map(|response| response.reaction()),
         deceleration: run.course.response.map(|response| response.deceleration()),
@@ -237,20 +237,6 @@ fn sight(found: &Avoidance) -> Option<SightBlock> {
         hidden_by: found.hiding.and_then(|hiding| hiding.by).map(|index| index + 1),
         seen_earlier: found.hiding.and_then(|hiding| hiding.seen_earlier),
     })
-}
-
-/// The word of a hypothesis in the JSON.
-fn hypothesis(hypothesis: Hypothesis) -> &'static str {
-    match hypothesis {
-        Hypothesis::Actual => "actual",
-        Hypothesis::LimitOnly => "limit only",
-        Hypothesis::ReactionInTime => "reaction in time",
-        Hypothesis::FullBraking => "full braking",
-        Hypothesis::ReactionAndBraking => "reaction in time and full braking",
-        Hypothesis::LimitAndReaction => "limit and reaction in time",
-        Hypothesis::LimitAndBraking => "limit and full braking",
-        Hypothesis::All => "limit, reaction in time and full braking",
-    }
 }
 
 fn probability(chance: &AvoidChance) -> ProbabilityBlock {

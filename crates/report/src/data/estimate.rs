@@ -4,7 +4,7 @@ use std::io::{self, Write};
 
 use ::estimate::{DrawsSummary, SamplerDoubt};
 use ::uncertainty::{Distribution, Estimate, Shape};
-use analysis::{Agreement, Estimated, EstimatedOutput, PieceFound, Stood, UnknownNumber, UnusedReason};
+use analysis::{Agreement, Estimated, EstimatedOutput, PieceFound, Stood, UnknownNumber};
 use case::CaseFile;
 use evidence::{CrushErrors, EnergyError, EnergyMethod, TestedClass};
 use pim_core::VehicleId;
@@ -15,7 +15,7 @@ use super::json::WarningBlock;
 use super::uncertainty::InOrder;
 use super::{identified, pretty, title};
 use crate::estimates::{
-    Asked, EIGHTY, HALF, NINETY, Question, WIDEST, doubt_code, doubted, ends, factor, unknown_key,
+    Asked, EIGHTY, HALF, NINETY, Question, WIDEST, doubt_code, doubted, ends, factor, unknown_key, unused,
 };
 
 #[derive(Serialize)]
@@ -302,26 +302,6 @@ fn distribution_name(distribution: &Distribution) -> &'static str {
     }
 }
 
-fn reason_name(reason: UnusedReason) -> &'static str {
-    match reason {
-        UnusedReason::Sought => "sought",
-        UnusedReason::Inferred => "inferred",
-        UnusedReason::NoEnergy => "no_energy",
-        UnusedReason::NoCrush => "no_crush",
-        UnusedReason::NoDirection => "no_direction",
-        UnusedReason::OneWreck => "one_wreck",
-        UnusedReason::OtherLaw => "other_law",
-        UnusedReason::WithMoment => "with_moment",
-        UnusedReason::NoImpact => "no_impact",
-        UnusedReason::OtherImpact => "other_impact",
-        UnusedReason::StoodByRecord => "stood_by_record",
-        UnusedReason::OtherPdof => "other_pdof",
-        UnusedReason::NotFollowed => "not_followed",
-        UnusedReason::Wreck => "wreck",
-        _ => "other",
-    }
-}
-
 /// The estimate as indented JSON, ending in a line break: `outputs` with prior, median and intervals of each
 /// result, `converged` and `ess`, the `pieces` of evidence, `questions` and `unknown` numbers. SI units and
 /// radians. If the run has not converged, everything after the evidence is `null`.
@@ -379,7 +359,7 @@ pub fn estimate_json(
             unused: estimated
                 .unused
                 .iter()
-                .map(|unused| UnusedBlock { key: &unused.key, reason: reason_name(unused.reason) })
+                .map(|one| UnusedBlock { key: &one.key, reason: unused(one.reason)[0] })
                 .collect(),
             warnings: estimated
                 .warnings

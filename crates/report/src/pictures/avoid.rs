@@ -1,12 +1,12 @@
 //! What the pictures of avoidability show.
 
 use ::drawing::{Axis, ChancePicture, Drawing, PathTimeCourse, PathTimePicture, SightPicture, ValueMark};
-use analysis::{AvoidRun, Avoidance, Hypothesis, obstacle_name};
+use analysis::{AvoidRun, Avoidance, obstacle_name};
 use case::{Case, DemandForm, OtherParty};
 
 use super::scale_unit;
 use crate::units::{Measure, Units, number};
-use crate::words::title;
+use crate::words::{run_words, title};
 
 /// Points of a run.
 const POINTS: u32 = 240;
@@ -51,35 +51,13 @@ impl AvoidPicture {
     }
 }
 
-/// The pen of a run.
-fn pen(hypothesis: Hypothesis) -> usize {
-    match hypothesis {
-        Hypothesis::Actual => 0,
-        Hypothesis::LimitOnly => 1,
-        Hypothesis::ReactionInTime => 2,
-        Hypothesis::FullBraking => 3,
-        Hypothesis::ReactionAndBraking => 4,
-        Hypothesis::LimitAndReaction | Hypothesis::LimitAndBraking | Hypothesis::All => 5,
-    }
-}
-
 /// The name of a run in the legend.
 fn legend(run: &AvoidRun, units: Units) -> String {
-    let speed = units.road_speed(run.course.speed);
-    let says = match run.hypothesis {
-        Hypothesis::Actual => "what happened",
-        Hypothesis::LimitOnly => "lower speed, all else as it was",
-        Hypothesis::ReactionInTime => "reaction in time",
-        Hypothesis::FullBraking => "full braking",
-        Hypothesis::ReactionAndBraking => "reaction in time, full braking",
-        Hypothesis::LimitAndReaction => "lower speed, reaction in time",
-        Hypothesis::LimitAndBraking => "lower speed, full braking",
-        Hypothesis::All => "lower speed, reaction in time, full braking",
-    };
-    format!("{speed}: {says}")
+    format!("{}: {}", units.road_speed(run.course.speed), run_words(run.hypothesis).legend)
 }
 
-fn party(case: &Case) -> &'static str {
+/// The word for the other party.
+pub(crate) fn party(case: &Case) -> &'static str {
     match case.avoid.as_ref().and_then(|avoid| avoid.other_party) {
         Some(OtherParty::Pedestrian) => "pedestrian",
         Some(OtherParty::Cyclist) => "cyclist",
@@ -106,7 +84,7 @@ pub(crate) fn path_time_picture(case: &Case, found: &Avoidance, units: Units) ->
             let points = (0..=POINTS).map(|k| at(end * f64::from(k) / f64::from(POINTS))).collect();
             let reaction = run.course.response.map(|response| response.reaction());
             let brakes = reaction.filter(|time| *time <= end).map(at);
-            PathTimeCourse { legend: legend(run, units), pen: pen(run.hypothesis), points, brakes }
+            PathTimeCourse { legend: legend(run, units), pen: run_words(run.hypothesis).pen, points, brakes }
         })
         .collect();
     let given = case.avoid.as_ref();

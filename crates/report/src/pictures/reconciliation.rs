@@ -18,7 +18,7 @@ pub(super) fn picture(
     units: Units,
 ) -> Result<ReconciliationPicture, DrawingError> {
     let found = analysis.found.as_ref().ok_or(match analysis.both {
-        Some(_) => DrawingError::TwoSpeeds,
+        Some(_) => DrawingError::ByMomentum,
         None => DrawingError::NoReconciliation,
     })?;
     let curve = work_curve(&file.case, found, SAMPLES)?;

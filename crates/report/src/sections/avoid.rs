@@ -12,13 +12,15 @@ use case::{
 use time_distance::Swell;
 
 use super::uncertainty::grouped;
-use crate::document::{Block, Column, Document, NONE, Table, Undrawn, Width};
+use crate::document::{Block, Column, Document, NONE, Table, Width};
 use crate::estimates::contradictions;
 use crate::outputs::input_name;
+use crate::pictures;
 use crate::pictures::avoid::{chance_picture, path_time_picture, sight_picture};
 use crate::understood::{amount, spread};
 use crate::units::{Measure, Units, number};
 use crate::warnings::message;
+use crate::words::run_words;
 
 /// What avoidability is not.
 const NO_GUILT: &str = "Avoidability is a matter of physics. It says nothing of guilt: whether the driver had to reckon with the danger, had to \
@@ -39,11 +41,7 @@ pub fn avoid(case: &Case, found: &Avoidance, units: Units) -> Document {
     sight(&mut page, case, found, units);
     page.push(runs(case, found, units));
     let picture = path_time_picture(case, found, units);
-    page.push(Block::Chart {
-        name: "path-time".to_owned(),
-        drawing: Undrawn::new(move || picture.draw()),
-        instead: None,
-    });
+    page.chart("path-time", move || picture.draw());
     if !found.more_runs.is_empty() {
         page.push(combinations(found, units));
     }
@@ -55,8 +53,7 @@ pub fn avoid(case: &Case, found: &Avoidance, units: Units) -> Document {
     if let Some(chance) = &found.chance {
         page.push(probability(chance, units));
         if let Some(picture) = chance_picture(case, found, units) {
-            let drawing = Undrawn::new(move || picture.draw());
-            page.push(Block::Chart { name: "chance".to_owned(), drawing, instead: None });
+            page.chart("chance", move || picture.draw());
         }
         if !chance.influences.is_empty() {
             page.push(influences(chance));
@@ -67,14 +64,9 @@ pub fn avoid(case: &Case, found: &Avoidance, units: Units) -> Document {
     page
 }
 
-/// The word for the other party.
-fn party(case: &Case) -> &'static str {
-    match case.avoid.as_ref().and_then(|avoid| avoid.other_party) {
-        Some(OtherParty::Pedestrian) => "the pedestrian",
-        Some(OtherParty::Cyclist) => "the cyclist",
-        Some(OtherParty::Vehicle) => "the other vehicle",
-        None => "the other party",
-    }
+/// The words for the other party.
+fn party(case: &Case) -> String {
+    format!("the {}", pictures::avoid::party(case))
 }
 
 fn answer(case: &Case, found: &Avoidance, units: Units) -> Vec<String> {
@@ -473,8 +465,7 @@ fn sight(page: &mut Document, case: &Case, found: &Avoidance, units: Units) {
         page.paragraph(ways(case));
     }
     if let Some(picture) = sight_picture(case, found, units) {
-        let drawing = Undrawn::new(move || picture.draw());
-        page.push(Block::Chart { name: "sight".to_owned(), drawing, instead: None });
+        page.chart("sight", move || picture.draw());
     }
 }
 
@@ -596,23 +587,9 @@ fn ways(case: &Case) -> String {
 /// (s) two moments are taken to be the same.
 const SAME_MOMENT: f64 = 1e-6;
 
-/// The name of a run in the head of the table, in two lines.
-fn name(hypothesis: Hypothesis) -> [&'static str; 2] {
-    match hypothesis {
-        Hypothesis::Actual => ["what", "happened"],
-        Hypothesis::LimitOnly => ["at the limit,", "else as it was"],
-        Hypothesis::ReactionInTime => ["reaction", "in time"],
-        Hypothesis::FullBraking => ["full", "braking"],
-        Hypothesis::ReactionAndBraking => ["reaction and", "braking"],
-        Hypothesis::LimitAndReaction => ["limit and", "reaction"],
-        Hypothesis::LimitAndBraking => ["limit and", "braking"],
-        Hypothesis::All => ["limit, reaction", "and braking"],
-    }
-}
-
 fn runs(case: &Case, found: &Avoidance, units: Units) -> Table {
     let columns = found.runs.iter().map(|run| {
-        let [first, second] = name(run.hypothesis);
+        let [first, second] = run_words(run.hypothesis).head;
         Column::numbers(first, Width::Fit(0)).goes_on(second)
     });
     let first = Column::words("", Width::Fit(24));

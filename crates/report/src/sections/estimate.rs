@@ -464,8 +464,8 @@ impl<'a> Page<'a> {
             ],
         );
         for given in &self.estimated.unused {
-            let [why, instead] = unused(given.reason, &given.key);
-            let [why, instead] = [folded(&why, 38), folded(&instead, 32)];
+            let [_, why, instead] = unused(given.reason);
+            let [why, instead] = [folded(why, 38), folded(instead, 32)];
             table.row([given.key.clone(), why, instead]);
         }
         self.document.push(table);

@@ -92,18 +92,9 @@ pub fn handover(
         }
     }
     page.push(results(seen, units));
-    if let Some(both) = &seen.both {
-        for table in motion::momentum(seen, both, units).into_iter().chain(motion::combinations(both, units))
-        {
-            page.push(table);
-        }
-    }
-    for table in motion::law_check(seen, units).into_iter().flatten() {
-        page.push(table);
-    }
-    for table in motion::tables(seen, units) {
-        page.push(table);
-    }
+    page.tables(motion::momentum(seen, units));
+    page.tables(motion::law_check(seen, units).into_iter().flatten());
+    page.tables(motion::tables(seen, units));
     if let Some(uncertainty) = uncertainty {
         page.part(UNCERTAINTY, super::uncertainty::uncertainty(case, uncertainty, units));
     }
@@ -203,7 +194,7 @@ fn drawings(
                 | DrawingError::FixedObject { .. }
                 | DrawingError::NoDamage
                 | DrawingError::NoReconciliation
-                | DrawingError::TwoSpeeds
+                | DrawingError::ByMomentum
                 | DrawingError::NoMotion { .. },
             ) => {}
             Err(error) => return Err(error),

@@ -154,7 +154,8 @@ pub(crate) fn method(analysis: &Seen, units: Units) -> String {
 }
 
 /// What both speeds and the velocities after the impact imply.
-pub(crate) fn momentum(analysis: &Seen, both: &BothFound, units: Units) -> [Table; 2] {
+pub(crate) fn momentum(analysis: &Seen, units: Units) -> Vec<Table> {
+    let Some(both) = &analysis.both else { return Vec::new() };
     let chosen = Chosen { analysis, units };
     let mut whole = Table::of_two("Momentum", ["", "", "source"]);
     for row in [
@@ -194,7 +195,7 @@ pub(crate) fn momentum(analysis: &Seen, both: &BothFound, units: Units) -> [Tabl
         note.push_str(" The tables of the impact follow from the same speeds by the impact law of the case.");
     }
     of_vehicles.notes.push(note);
-    [whole, of_vehicles]
+    [whole, of_vehicles].into_iter().chain(combinations(both, units)).collect()
 }
 
 /// What the impact law of the case predicts from the speeds that momentum gave, next to the evidence; `None`
@@ -228,7 +229,7 @@ pub(crate) fn law_check(analysis: &Seen, units: Units) -> Option<[Table; 2]> {
 
 /// The most likely combinations of starts that lead to the rests, and what speaks against each; `None` unless
 /// there are several.
-pub(crate) fn combinations(both: &BothFound, units: Units) -> Option<Table> {
+fn combinations(both: &BothFound, units: Units) -> Option<Table> {
     if both.combinations.len() < 2 {
         return None;
     }

@@ -28,15 +28,13 @@ pub fn recorders(file: &CaseFile, reading: &RecorderReading, units: Units) -> Do
             pulse(&mut page, file, id, record, units);
         }
         if let Some(picture) = pictures::curves(case, id, &found.recorder, found, units) {
-            let drawing = crate::document::Undrawn::new(move || picture.draw());
-            page.push(Block::Chart { name: format!("recorder-{id}"), drawing, instead: None });
+            page.chart(format!("recorder-{id}"), move || picture.draw());
         }
     }
     if let Some(picture) = pictures::both(case, reading, units) {
         page.heading("Both vehicles on one clock");
         page.paragraph(one_clock(reading));
-        let drawing = crate::document::Undrawn::new(move || picture.draw());
-        page.push(Block::Chart { name: "recorders".to_owned(), drawing, instead: None });
+        page.chart("recorders", move || picture.draw());
     }
     page
 }

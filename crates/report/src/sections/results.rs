@@ -69,18 +69,14 @@ fn headed(case: &Case, analysis: &Analysis, headline: Headline<'_>, units: Units
     }
     page.left_aside(analysis);
     page.inputs(case, analysis);
-    if let Some(both) = &analysis.both {
-        page.momentum(analysis, both);
-    }
+    page.document.tables(motion::momentum(analysis, units));
     if let Some(exchange) = analysis.exchange() {
         page.impact(analysis, &exchange);
         page.motion(analysis);
         page.energy(analysis, &exchange.energy);
     }
-    for table in motion::law_check(analysis, units).into_iter().flatten() {
-        page.document.push(table);
-    }
-    page.travel(analysis);
+    page.document.tables(motion::law_check(analysis, units).into_iter().flatten());
+    page.document.tables(motion::tables(analysis, units));
     page.damage(analysis);
     if let Some(crash3) = &analysis.crash3 {
         page.crash3(case, analysis, crash3);
@@ -187,116 +183,63 @@ impl Page<'_> {
         }
     }
 
-    fn momentum(&mut self, analysis: &Seen, both: &BothFound) {
-        let units = self.units;
-        for table in
-            motion::momentum(analysis, both, units).into_iter().chain(motion::combinations(both, units))
-        {
-            self.document.push(table);
-        }
-    }
-
-    fn travel(&mut self, analysis: &Seen) {
-        for table in motion::tables(analysis, self.units) {
-            self.document.push(table);
-        }
-    }
-
     fn inputs(&mut self, case: &Case, analysis: &Seen) {
         let units = self.units;
         let mut table = Table::of_two("Inputs as understood", VEHICLES);
         let vehicles = &case.vehicles;
-        let known = |f: &dyn Fn(usize) -> Option<String>| [f(0), f(1)];
-        table.pair("name", known(&|i| vehicles[i].name.as_ref().map(Text::to_string)), "");
-        table.pair("vehicle", known(&|i| vehicles[i].is_absent().then(|| "not in the case".to_owned())), "");
-        table.pair("fixed object", known(&|i| vehicles[i].fixed.then(|| "yes".to_owned())), "");
+        let mut row =
+            |label: &str, of: &dyn Fn(usize) -> Option<String>| table.pair(label, [of(0), of(1)], "");
+        row("name", &|i| vehicles[i].name.as_ref().map(Text::to_string));
+        row("vehicle", &|i| vehicles[i].is_absent().then(|| "not in the case".to_owned()));
+        row("fixed object", &|i| vehicles[i].fixed.then(|| "yes".to_owned()));
         let inertia = |i: usize| analysis.vehicles[i].subject.inertia;
-        table.pair("mass", known(&|i| inertia(i).map(|v| units.format(Measure::Mass, v.mass))), "");
-        table.pair(
-            "yaw inertia",
-            known(&|i| Some(units.format(Measure::YawInertia, inertia(i)?.yaw_inertia?))),
-            "",
-        );
-        table.pair(
-            "yaw inertia from",
-            known(&|i| match inertia(i).map(|v| v.yaw_source) {
-                Some(YawSource::Class(class)) => Some(format!("CRASH3's class {class}")),
-                Some(YawSource::Burg) => Some("Burg's estimate".to_owned()),
-                Some(YawSource::Given | YawSource::Unknown) | None => None,
-            }),
-            "",
-        );
+        row("mass", &|i| inertia(i).map(|v| units.format(Measure::Mass, v.mass)));
+        row("yaw inertia", &|i| Some(units.format(Measure::YawInertia, inertia(i)?.yaw_inertia?)));
+        row("yaw inertia from", &|i| match inertia(i).map(|v| v.yaw_source) {
+            Some(YawSource::Class(class)) => Some(format!("CRASH3's class {class}")),
+            Some(YawSource::Burg) => Some("Burg's estimate".to_owned()),
+            Some(YawSource::Given | YawSource::Unknown) | None => None,
+        });
         let angle = |q: &case::Quantity| units.format(Measure::Angle, q.si());
-        table.pair("heading θ", known(&|i| vehicles[i].heading.as_ref().map(angle)), "");
-        table.pair(
-            "contact point C, forward",
-            known(&|i| analysis.vehicles[i].subject.contact.map(|c| units.format(Measure::Length, c[0]))),
-            "",
-        );
-        table.pair(
-            &format!("contact point C, {}", axes::side_of_y(self.axes)),
-            known(&|i| analysis.vehicles[i].subject.contact.map(|c| units.format(Measure::Length, c[1]))),
-            "",
-        );
+        row("heading θ", &|i| vehicles[i].heading.as_ref().map(angle));
+        row("contact point C, forward", &|i| {
+            analysis.vehicles[i].subject.contact.map(|c| units.format(Measure::Length, c[0]))
+        });
+        row(&format!("contact point C, {}", axes::side_of_y(self.axes)), &|i| {
+            analysis.vehicles[i].subject.contact.map(|c| units.format(Measure::Length, c[1]))
+        });
         let is_placed = |i: usize| analysis.vehicles[i].subject.contact_is_placed;
-        table.pair(
-            "contact point from",
-            known(&|i| is_placed(i).then(|| "centroid of the damage".to_owned())),
-            "",
-        );
+        row("contact point from", &|i| is_placed(i).then(|| "centroid of the damage".to_owned()));
         let sought = |i: usize| {
             let by_momentum = analysis.both.as_ref().and_then(|both| both.sought());
             analysis.found.as_ref().is_some_and(|found| found.unknown.index() == i)
                 || by_momentum.is_some_and(|vehicle| vehicle.index() == i)
         };
-        table.pair(
-            "speed",
-            known(&|i| match &vehicles[i].motion {
-                _ if sought(i) => Some("sought".to_owned()),
-                Some(Velocity::Speed(speed)) => Some(units.speed(speed.si())),
-                Some(Velocity::Vector { x, y }) => {
-                    Some(units.format_vector(Measure::Speed, [x.si(), y.si()]))
-                }
-                None => None,
-            }),
-            "",
-        );
-        table.pair("yaw rate", known(&|i| vehicles[i].yaw_rate.as_ref().map(|q| units.yaw_rate(q.si()))), "");
-        let damage = |i: usize| vehicles[i].crush.as_ref().zip(analysis.vehicles[i].damage.as_ref());
-        table.pair(
-            "damaged side, width",
-            known(&|i| {
-                damage(i).map(|(crush, damage)| {
-                    format!(
-                        "{}, {}",
-                        words::side_name(crush.side),
-                        units.format(Measure::Crush, damage.width)
-                    )
-                })
-            }),
-            "",
-        );
-        let known_energy = |i: usize| analysis.vehicles[i].subject.energy;
-        table.pair(
-            "damage",
-            known(&|i| {
-                let energy = known_energy(i)?;
-                Some(match (energy.ees, energy.side) {
-                    (None, _) => "none that counts".to_owned(),
-                    (Some(_), None) => "by its EES".to_owned(),
-                    (Some(_), Some(side)) => format!("{}, by its EES", words::side_name(side)),
-                })
-            }),
-            "",
-        );
-        let deformation_energy = known(&|i| {
-            analysis.vehicles[i]
-                .subject
-                .deformation_energy
-                .map(|energy| units.format(Measure::Energy, energy))
+        row("speed", &|i| match &vehicles[i].motion {
+            _ if sought(i) => Some("sought".to_owned()),
+            Some(Velocity::Speed(speed)) => Some(units.speed(speed.si())),
+            Some(Velocity::Vector { x, y }) => Some(units.format_vector(Measure::Speed, [x.si(), y.si()])),
+            None => None,
         });
-        table.pair("deformation energy, as given", deformation_energy, "");
-        table.pair("EES as given", known(&|i| Some(units.speed(known_energy(i)?.ees?))), "");
+        row("yaw rate", &|i| vehicles[i].yaw_rate.as_ref().map(|q| units.yaw_rate(q.si())));
+        let damage = |i: usize| vehicles[i].crush.as_ref().zip(analysis.vehicles[i].damage.as_ref());
+        row("damaged side, width", &|i| {
+            damage(i).map(|(crush, damage)| {
+                format!("{}, {}", words::side_name(crush.side), units.format(Measure::Crush, damage.width))
+            })
+        });
+        let known_energy = |i: usize| analysis.vehicles[i].subject.energy;
+        row("damage", &|i| {
+            let energy = known_energy(i)?;
+            Some(match (energy.ees, energy.side) {
+                (None, _) => "none that counts".to_owned(),
+                (Some(_), None) => "by its EES".to_owned(),
+                (Some(_), Some(side)) => format!("{}, by its EES", words::side_name(side)),
+            })
+        });
+        let deformation_energy = |i: usize| analysis.vehicles[i].subject.deformation_energy;
+        row("deformation energy, as given", &|i| Some(units.format(Measure::Energy, deformation_energy(i)?)));
+        row("EES as given", &|i| Some(units.speed(known_energy(i)?.ees?)));
         let crush = |i: usize| vehicles[i].crush.as_ref();
         let crush_length = |q: case::Quantity| units.format(Measure::Crush, q.si());
         // Of a front or rear the offset is from the vehicle's axis, of a side from its CG.
@@ -305,52 +248,35 @@ impl Page<'_> {
             (format!("damage offset {side_of_y} of axis"), true),
             ("damage offset ahead of the CG".to_owned(), false),
         ] {
-            let offset = known(&|i| {
+            row(&label, &|i| {
                 let crush = crush(i).filter(|crush| words::is_end(crush.side) == is_end)?;
                 crush.offset.map(crush_length)
             });
-            table.pair(&label, offset, "");
         }
-        table.pair(
-            "PDOF as given",
-            known(&|i| {
-                let follows = || {
-                    let subject = &analysis.vehicles[i].subject;
-                    let pdof = subject.pdof().filter(|_| subject.pdof_follows())?;
-                    Some(format!("opposite: {}", units.format(Measure::Angle, pdof)))
-                };
-                let of_ees = vehicles[i].energy.as_ref().and_then(|known| known.ees()?.pdof);
-                let given = crush(i).map_or(of_ees, |crush| crush.pdof).map(|pdof| match pdof {
-                    Pdof::Angle(given) => angle(&given),
-                    Pdof::Clock(hour) => format!("{hour} o'clock"),
-                });
-                given.or_else(follows)
-            }),
-            "",
-        );
-        table.pair(
-            "angle α as given",
-            known(&|i| crush(i).and_then(|crush| crush.oblique_angle).map(|q| angle(&q))),
-            "",
-        );
-        table.pair(
-            "moment arm h as given",
-            known(&|i| {
-                let of_ees = vehicles[i].energy.as_ref().and_then(|known| known.ees()?.moment_arm);
-                crush(i)
-                    .map_or(of_ees, |crush| crush.moment_arm)
-                    .map(|q| units.format(Measure::Length, q.si()))
-            }),
-            "",
-        );
+        row("PDOF as given", &|i| {
+            let follows = || {
+                let subject = &analysis.vehicles[i].subject;
+                let pdof = subject.pdof().filter(|_| subject.pdof_follows())?;
+                Some(format!("opposite: {}", units.format(Measure::Angle, pdof)))
+            };
+            let of_ees = vehicles[i].energy.as_ref().and_then(|known| known.ees()?.pdof);
+            let given = crush(i).map_or(of_ees, |crush| crush.pdof).map(|pdof| match pdof {
+                Pdof::Angle(given) => angle(&given),
+                Pdof::Clock(hour) => format!("{hour} o'clock"),
+            });
+            given.or_else(follows)
+        });
+        row("angle α as given", &|i| crush(i).and_then(|crush| crush.oblique_angle).map(|q| angle(&q)));
+        row("moment arm h as given", &|i| {
+            let of_ees = vehicles[i].energy.as_ref().and_then(|known| known.ees()?.moment_arm);
+            crush(i).map_or(of_ees, |crush| crush.moment_arm).map(|q| units.format(Measure::Length, q.si()))
+        });
         let dimensions = |i: usize| analysis.vehicles[i].subject.dimensions;
         let length = |si: f64| units.format(Measure::Length, si);
-        table.pair(
-            "outline, length by width",
-            known(&|i| dimensions(i).map(|d| format!("{} by {}", length(d.length), length(d.width)))),
-            "",
-        );
-        table.pair("CG to the front", known(&|i| dimensions(i).map(|d| length(d.cg_to_front))), "");
+        row("outline, length by width", &|i| {
+            dimensions(i).map(|d| format!("{} by {}", length(d.length), length(d.width)))
+        });
+        row("CG to the front", &|i| dimensions(i).map(|d| length(d.cg_to_front)));
         self.stiffness(analysis, &mut table);
         Chosen { analysis, units }.pair(&mut table, &rows::NO_DAMAGE_SPEED);
         self.document.push(table);

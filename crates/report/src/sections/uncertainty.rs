@@ -17,7 +17,7 @@ use crash3::principal_angle;
 
 use crate::document::{Block, Column, Document, NONE, Table, Undrawn, Width};
 use crate::outputs::{
-    estimate_name, estimate_source, input_name, label, output_name, output_quantity, pictured,
+    estimate_name, estimate_source, input_name, label, output_name, output_quantity, pictured, reason_words,
 };
 use crate::pictures;
 use crate::units::{Measure, Units, number, significant};
@@ -130,7 +130,8 @@ impl<'a> Page<'a> {
             let failed = self.uncertainty.failed(reason);
             #[expect(clippy::cast_precision_loss, reason = "a share for people")]
             let share = significant(100.0 * failed as f64 / evaluated as f64, 2);
-            (failed > 0).then(|| format!("{} ({share} %) without: {}", grouped(failed), in_words(reason)))
+            (failed > 0)
+                .then(|| format!("{} ({share} %) without: {}", grouped(failed), reason_words(reason)[1]))
         };
         REASONS.into_iter().filter_map(of).collect()
     }
@@ -668,21 +669,6 @@ fn exact_value(numbers: &[Input]) -> String {
 /// A figure for a narrow column: without commas where it is too long with them.
 fn short(figure: String) -> String {
     if figure.chars().count() > END { figure.replace(',', "") } else { figure }
-}
-
-fn in_words(reason: Reason) -> &'static str {
-    match reason {
-        Reason::NotApproaching => "the contact points do not approach each other",
-        Reason::NoRoot => "no speed makes crush and impact agree",
-        Reason::EnergyCreated => "the coefficients would create energy",
-        Reason::Jam => "the contact jams",
-        Reason::Pulling => "the vehicles would have to pull on each other",
-        Reason::NoDamageSpeed => "the speed without damage is not below that of the barrier test",
-        Reason::LimitBelowStart => "the limit of the force per width is below A, at which crush begins",
-        Reason::NoRest => "no motion after the impact leads to the rest, or from it",
-        Reason::NoSpeeds => "momentum and crush energy give no speeds",
-        Reason::Other => "the numbers are impossible for another reason",
-    }
 }
 
 fn distribution(input: &UncertainInput) -> String {
