@@ -88,9 +88,14 @@ fn on_one_line(document: &impl Serialize) -> Result<String, serde_json::Error> {
 /// JSON on which a terminal does not act: `serde_json` escapes the control characters below U+0020 alone. All
 /// others can only be within its texts, where an escape means the same.
 fn escaped(json: &str) -> String {
+    escaped_where(json, |letter| letter != '\n' && case::acts(letter))
+}
+
+/// Equivalent JSON with escapes for these letters, which are within its texts alone.
+pub(crate) fn escaped_where(json: &str, is_escaped: impl Fn(char) -> bool) -> String {
     let mut out = String::with_capacity(json.len());
     for letter in json.chars() {
-        if letter != '\n' && case::acts(letter) {
+        if is_escaped(letter) {
             // Two escapes beyond U+FFFF.
             for unit in letter.encode_utf16(&mut [0; 2]) {
                 out.push_str(&format!("\\u{unit:04x}"));

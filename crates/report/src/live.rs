@@ -5,7 +5,7 @@ use base64::engine::general_purpose::STANDARD;
 use case::CaseFile;
 use serde::Serialize;
 
-use crate::data::sha256;
+use crate::data::{escaped_where, sha256};
 use crate::words::file_name;
 
 /// The place for a report in the page.
@@ -67,16 +67,7 @@ pub fn live(page: &str, report: &str, file: &CaseFile) -> Result<String, NotLive
 
 /// Equivalent JSON in which no text can end the element of the page that contains it.
 fn inert(json: &str) -> String {
-    let mut out = String::with_capacity(json.len());
-    for letter in json.chars() {
-        match letter {
-            '<' | '>' | '&' | '\u{2028}' | '\u{2029}' => {
-                out.push_str(&format!("\\u{:04x}", u32::from(letter)));
-            }
-            letter => out.push(letter),
-        }
-    }
-    out
+    escaped_where(json, |letter| matches!(letter, '<' | '>' | '&' | '\u{2028}' | '\u{2029}'))
 }
 
 #[cfg(test)]

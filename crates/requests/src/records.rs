@@ -7,7 +7,7 @@ use std::sync::Arc;
 
 use case::{
     CaseFile, Diagnostics, Fault, FaultKind, Faults, GivenSeries, OfTables, Program, Recorder, SeriesRefusal,
-    SeriesSource, Text,
+    SeriesSource,
 };
 
 use crate::beside::beside;
@@ -58,29 +58,17 @@ fn read_series<R: OfTables>(
 ) {
     let Some(given) = series else { return };
     let SeriesSource::File(name) = &given.source else { return };
-    match of_file(case, name, |text| given.read_file(text)) {
-        Ok(read) => *given = Arc::new(read),
-        Err(Unread::Table(refusal)) => refuse(key.to_owned(), placed(&name.to_string(), &refusal), None),
-        Err(Unread::File(error)) => {
+    let text = match text_of(case, name.as_given()) {
+        Ok(text) => text,
+        Err(error) => {
             let advice = if error.kind() == io::ErrorKind::InvalidData { SAVE_AS_UTF_8 } else { BESIDE };
-            refuse(key.to_owned(), format!("cannot read {name}: {error}"), Some(advice));
+            return refuse(key.to_owned(), format!("cannot read {name}: {error}"), Some(advice));
         }
+    };
+    match given.read_file(&text) {
+        Ok(read) => *given = Arc::new(read),
+        Err(refusal) => refuse(key.to_owned(), placed(&name.to_string(), &refusal), None),
     }
-}
-
-/// Why a table in a file is not read.
-enum Unread {
-    File(io::Error),
-    Table(SeriesRefusal),
-}
-
-fn of_file<T>(
-    case: &Path,
-    name: &Text,
-    read: impl FnOnce(&str) -> Result<T, SeriesRefusal>,
-) -> Result<T, Unread> {
-    let text = text_of(case, name.as_given()).map_err(Unread::File)?;
-    read(&text).map_err(Unread::Table)
 }
 
 /// What to do about a file that cannot be read.

@@ -154,8 +154,6 @@ const VEHICLE: [Text; 4] = [
 enum Column {
     /// The value at this place in the JSON document.
     Place(String),
-    /// The number at this place, in SI units.
-    Number(String),
     /// The share of the samples without an answer.
     FailedShare,
     /// A note that the row has the central values of ranges.
@@ -275,19 +273,18 @@ fn of_comparisons() -> Vec<(String, Column)> {
         place("title", "/title"),
         place("axes", "/axes"),
     ];
-    columns.extend(
-        COMPARISON.map(|(name, place)| (name.to_owned(), Column::Number(format!("/rows/#/{place}")))),
-    );
-    let measured = Column::Number("/evidence/crush_energy".to_owned());
+    columns
+        .extend(COMPARISON.map(|(name, place)| (name.to_owned(), Column::Place(format!("/rows/#/{place}")))));
+    let measured = Column::Place("/evidence/crush_energy".to_owned());
     columns.push(("evidence.crush_energy (J)".to_owned(), measured));
     for evidence in EVIDENCE {
         columns.extend(BY_EVIDENCE.map(|(name, place)| {
-            (format!("evidence.{evidence}.{name}"), Column::Number(format!("/evidence/{evidence}/{place}")))
+            (format!("evidence.{evidence}.{name}"), Column::Place(format!("/evidence/{evidence}/{place}")))
         }));
     }
     columns.push((
         "evidence.momentum_and_damage.standard_deviations_apart".to_owned(),
-        Column::Number("/evidence/momentum_and_damage/standard_deviations_apart".to_owned()),
+        Column::Place("/evidence/momentum_and_damage/standard_deviations_apart".to_owned()),
     ));
     columns
 }
@@ -311,45 +308,36 @@ fn of_uncertainties() -> Vec<(String, Column)> {
         let path = output.path();
         let unit = unit(output.quantity().kind);
         columns.extend(STATISTICS.map(|(name, place)| {
-            (format!("{path}.{name}{unit}"), Column::Number(format!("/outputs/{path}/{place}")))
+            (format!("{path}.{name}{unit}"), Column::Place(format!("/outputs/{path}/{place}")))
         }));
     }
     columns
 }
 
-/// The end of the name of a column in SI units.
-fn unit(kind: Kind) -> &'static str {
-    match kind {
-        Kind::Ratio => "",
-        Kind::Speed => " (m/s)",
-        Kind::Length => " (m)",
-        Kind::Angle => " (rad)",
-        Kind::YawRate => " (rad/s)",
-        Kind::Energy => " (J)",
-        Kind::Impulse => " (N s)",
-        Kind::MomentImpulse => " (N m s)",
-        Kind::Force => " (N)",
-        Kind::Time => " (s)",
-    }
-}
-
-/// The ends of the names of columns in SI and in US units, and the quantity. A speed has one column, in mph.
-const UNITS: [(&str, &str, Measure); 9] = [
-    ("(m/s)", "(mph)", Measure::RoadSpeed),
-    ("(m)", "(ft)", Measure::Length),
-    ("(rad)", "(deg)", Measure::Angle),
-    ("(rad/s)", "(deg/s)", Measure::YawRateDegrees),
-    ("(J)", "(ft lb)", Measure::Energy),
-    ("(N s)", "(lb s)", Measure::Impulse),
-    ("(N m s)", "(ft lb s)", Measure::MomentImpulse),
-    ("(N)", "(lb)", Measure::Force),
-    ("(s)", "(s)", Measure::Time),
+/// The kinds of quantity, the ends of the names of their columns in SI and in US units, and how they are
+/// converted. A speed has one column, in mph.
+const UNITS: [(Kind, &str, &str, Measure); 9] = [
+    (Kind::Speed, "(m/s)", "(mph)", Measure::RoadSpeed),
+    (Kind::Length, "(m)", "(ft)", Measure::Length),
+    (Kind::Angle, "(rad)", "(deg)", Measure::Angle),
+    (Kind::YawRate, "(rad/s)", "(deg/s)", Measure::YawRateDegrees),
+    (Kind::Energy, "(J)", "(ft lb)", Measure::Energy),
+    (Kind::Impulse, "(N s)", "(lb s)", Measure::Impulse),
+    (Kind::MomentImpulse, "(N m s)", "(ft lb s)", Measure::MomentImpulse),
+    (Kind::Force, "(N)", "(lb)", Measure::Force),
+    (Kind::Time, "(s)", "(s)", Measure::Time),
 ];
+
+/// The end of the name of a column in SI units; empty for a ratio.
+fn unit(kind: Kind) -> String {
+    let row = UNITS.iter().find(|(of, ..)| *of == kind);
+    row.map_or_else(String::new, |(_, si, ..)| format!(" {si}"))
+}
 
 /// For a column whose values are converted: its name without the unit, the unit, and the quantity.
 fn converted(name: &str, units: Units) -> Option<(&str, &'static str, Measure)> {
     let find = || {
-        UNITS.iter().find_map(|&(si, us, quantity)| name.strip_suffix(si).map(|bare| (bare, us, quantity)))
+        UNITS.iter().find_map(|&(_, si, us, quantity)| name.strip_suffix(si).map(|bare| (bare, us, quantity)))
     };
     match units {
         Units::Si => None,
@@ -414,7 +402,6 @@ impl Csv {
         };
         let cell = |name: &str, column: &Column| match column {
             Column::Place(at) => Some(self.cell(name, place(at)?)),
-            Column::Number(at) => Some(self.cell(name, place(at)?)),
             Column::Quantity(quantity, vehicle) => {
                 Some(self.cell(name, &quantity.value(seen.as_ref()?, *vehicle)?.into()))
             }

@@ -62,20 +62,12 @@ struct ExactBlock<'a> {
 }
 
 /// A number, the numbers of a list, or a word.
+#[derive(Serialize)]
+#[serde(untagged)]
 enum ExactNumbers {
     One(f64),
     List(Vec<f64>),
     Word(String),
-}
-
-impl Serialize for ExactNumbers {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        match self {
-            Self::One(number) => number.serialize(serializer),
-            Self::List(numbers) => numbers.serialize(serializer),
-            Self::Word(word) => word.serialize(serializer),
-        }
-    }
 }
 
 /// An object whose keys keep their order.
