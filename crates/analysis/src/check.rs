@@ -121,20 +121,20 @@ pub enum CheckedQuantity {
 
 impl CheckedQuantity {
     codes! {
-        Self::ForceBalance => "force-balance",
-        Self::PdofsOpposite => "pdofs-opposite",
-        Self::DamageEnergy { .. } => "damage-energy",
-        Self::Restitution => "restitution",
-        Self::Rotation { .. } => "rotation",
-        Self::MomentumEnergy { .. } => "momentum-energy",
-        Self::MomentumAcross { .. } => "momentum-across",
-        Self::PossibleRestitution { .. } => "possible-restitution",
-        Self::MomentumRestitution { .. } => "momentum-restitution",
-        Self::MomentumRatio { .. } => "momentum-ratio",
-        Self::MomentumYawRate { .. } => "momentum-yaw-rate",
-        Self::MomentumPdof { .. } => "momentum-pdof",
-        Self::PointMissed { .. } => "point-missed",
-        Self::RestMissed { .. } => "rest-missed",
+        ForceBalance => "force-balance",
+        PdofsOpposite => "pdofs-opposite",
+        DamageEnergy => "damage-energy",
+        Restitution => "restitution",
+        Rotation { vehicle } => "rotation",
+        MomentumEnergy => "momentum-energy",
+        MomentumAcross { vehicle } => "momentum-across",
+        PossibleRestitution => "possible-restitution",
+        MomentumRestitution => "momentum-restitution",
+        MomentumRatio => "momentum-ratio",
+        MomentumYawRate { vehicle } => "momentum-yaw-rate",
+        MomentumPdof { vehicle } => "momentum-pdof",
+        PointMissed { vehicle } => "point-missed",
+        RestMissed { vehicle } => "rest-missed",
     }
 }
 
@@ -175,27 +175,6 @@ impl Check {
             other => other,
         };
         Self { quantity, ..self }
-    }
-
-    /// The vehicle that it concerns; `None` for a check of the collision.
-    #[must_use]
-    pub fn vehicle(&self) -> Option<VehicleId> {
-        match self.quantity {
-            CheckedQuantity::Rotation { vehicle }
-            | CheckedQuantity::MomentumAcross { vehicle, .. }
-            | CheckedQuantity::MomentumYawRate { vehicle, .. }
-            | CheckedQuantity::MomentumPdof { vehicle, .. }
-            | CheckedQuantity::PointMissed { vehicle, .. }
-            | CheckedQuantity::RestMissed { vehicle, .. } => Some(vehicle),
-            CheckedQuantity::ForceBalance
-            | CheckedQuantity::PdofsOpposite
-            | CheckedQuantity::DamageEnergy { .. }
-            | CheckedQuantity::Restitution
-            | CheckedQuantity::MomentumEnergy { .. }
-            | CheckedQuantity::PossibleRestitution { .. }
-            | CheckedQuantity::MomentumRestitution { .. }
-            | CheckedQuantity::MomentumRatio { .. } => None,
-        }
     }
 
     /// Whether it compares momentum with other evidence.

@@ -28,7 +28,7 @@ pub struct Exchange {
     /// The energy balance. By momentum, the part of the loss that neither work explains counts as work of a
     /// moment: known yaw rates need not be those of an impulse at C. For point masses, all of it is normal
     /// work.
-    pub energy: EnergyBalance,
+    pub energy: Energy,
     /// (m/s) −u_n, closing speed along the normal at C; for point masses, along the impulse.
     pub closing_speed: f64,
     /// (–) e at C, along the normal; for point masses, along the impulse. `None` if they do not close.
@@ -51,36 +51,6 @@ pub struct AtContact {
     pub impulse_ratio: Option<f64>,
     /// (–) μ_c.
     pub critical_impulse_ratio: Option<f64>,
-}
-
-/// (J) the balance of kinetic energy.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct EnergyBalance {
-    /// (J) of both vehicles before the impact.
-    pub before: f64,
-    /// (J) of both vehicles after the impact.
-    pub after: f64,
-    /// (J) E_L.
-    pub loss: f64,
-    /// (J) W_n.
-    pub normal_work: f64,
-    /// (J) W_t.
-    pub tangential_work: f64,
-    /// (J) W_m.
-    pub moment_work: f64,
-}
-
-impl From<Energy> for EnergyBalance {
-    fn from(energy: Energy) -> Self {
-        Self {
-            before: energy.before,
-            after: energy.after,
-            loss: energy.loss,
-            normal_work: energy.normal_work,
-            tangential_work: energy.tangential_work,
-            moment_work: energy.moment_work,
-        }
-    }
 }
 
 impl AtContact {
@@ -110,7 +80,7 @@ impl Exchange {
             delta_v_components: outcome.delta_v_components(),
             pdof: impact.pdof,
             impulse_vector: outcome.impulse_vector,
-            energy: outcome.energy.into(),
+            energy: outcome.energy,
             closing_speed: outcome.closing_speed(),
             restitution: Some(impact.law.restitution()),
             at_contact: Some(AtContact::of_outcome(impact)),
@@ -145,7 +115,7 @@ impl Exchange {
             delta_v_components: [components(0), components(1)],
             pdof: implied.pdof,
             impulse_vector: implied.impulse_vector,
-            energy: EnergyBalance {
+            energy: Energy {
                 before,
                 after: before - loss,
                 loss,

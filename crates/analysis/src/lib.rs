@@ -102,7 +102,7 @@ pub use compare::{Comparison, LawRow};
 pub use curve::{WorkPoint, first_push, work_curve};
 pub use damage::{Correction, Crash3};
 pub use evident::Evident;
-pub use exchange::{AtContact, EnergyBalance, Exchange};
+pub use exchange::{AtContact, Exchange};
 pub use excluded::Impossible;
 pub use failure::Failure;
 pub use found::Found;

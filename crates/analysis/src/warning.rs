@@ -521,103 +521,51 @@ pub enum Magnitude {
 
 impl Warning {
     codes! {
-        Self::PlaneDoesNotSeparate => "crush-plane",
-        Self::ContactOutside { .. } => "contact-outside",
-        Self::HighRestitution { .. } => "high-restitution",
-        Self::ForceBalance { .. } => "force-balance",
-        Self::PdofDiffers { .. } => "pdof-differs",
-        Self::MomentumDiffers { .. } => "momentum-differs",
-        Self::EvidenceDiffers { .. } => "evidence-differs",
-        Self::BelowRecord { .. } => "below-record",
-        Self::SkidDirection { .. } => "skid-direction",
-        Self::WreckAlone { .. } => "wreck-alone",
-        Self::SkidOnGrade { .. } => "skid-on-grade",
-        Self::CategoryEnergy { .. } => "category-energy",
-        Self::SeveralStarts { .. } => "several-starts",
-        Self::PointMissed { .. } => "point-missed",
-        Self::RestMissed { .. } => "rest-missed",
-        Self::AngleCapped { .. } => "angle-capped",
-        Self::SideNotPushed { .. } => "side-not-pushed",
-        Self::DeltaVDiffers { .. } => "delta-v-differs",
-        Self::SeveralSpeeds { .. } => "several-speeds",
-        Self::MovesBackward { .. } => "moves-backward",
-        Self::ClassValues { .. } => "class-values",
-        Self::BurgInertia { .. } => "burg-inertia",
-        Self::InferredEnergy { .. } => "inferred-energy",
-        Self::DamageCentroid { .. } => "damage-centroid",
-        Self::ContactPlaced { .. } => "contact-placed",
-        Self::ContactApart { .. } => "contact-apart",
-        Self::PdofsNotOpposite { .. } => "pdofs-not-opposite",
-        Self::DamageEnergyDiffers { .. } => "damage-energy-differs",
-        Self::RotationOpposes { .. } => "rotation-opposes",
-        Self::GivenSpeedUnused { .. } => "given-speed-unused",
-        Self::SlidingDriven { .. } => "sliding-driven",
-        Self::RotationDriven { .. } => "rotation-driven",
-        Self::LargeImpulseRatio { .. } => "large-impulse-ratio",
-        Self::NearJump { .. } => "near-jump",
-        Self::ContactOffDamage { .. } => "contact-off-damage",
-        Self::ContactOtherHalf { .. } => "contact-other-half",
-        Self::ContactDepth { .. } => "contact-depth",
-        Self::DamageOutside { .. } => "damage-outside",
-        Self::Implausible { .. } => "implausible",
-        Self::HighNoDamageSpeed { .. } => "high-no-damage-speed",
-        Self::LowNoDamageSpeed { .. } => "low-no-damage-speed",
-        Self::UnusualFriction { .. } => "unusual-friction",
-        Self::LargeAngle { .. } => "large-angle",
-        Self::NoResidualCrush { .. } => "no-residual-crush",
-        Self::ObjectPassed { .. } => "object-passed",
-    }
-
-    /// The vehicle of a warning that concerns only one.
-    #[must_use]
-    pub fn vehicle(&self) -> Option<VehicleId> {
-        match self {
-            Self::ContactOutside { vehicle, .. }
-            | Self::PdofDiffers { vehicle, .. }
-            | Self::EvidenceDiffers { vehicle, .. }
-            | Self::BelowRecord { vehicle, .. }
-            | Self::SkidDirection { vehicle, .. }
-            | Self::WreckAlone { vehicle }
-            | Self::SkidOnGrade { vehicle }
-            | Self::SeveralStarts { vehicle, .. }
-            | Self::PointMissed { vehicle, .. }
-            | Self::RestMissed { vehicle, .. }
-            | Self::AngleCapped { vehicle, .. }
-            | Self::SideNotPushed { vehicle, .. }
-            | Self::MovesBackward { vehicle, .. }
-            | Self::ClassValues { vehicle, .. }
-            | Self::BurgInertia { vehicle, .. }
-            | Self::InferredEnergy { vehicle, .. }
-            | Self::DamageCentroid { vehicle, .. }
-            | Self::ContactPlaced { vehicle, .. }
-            | Self::RotationOpposes { vehicle, .. }
-            | Self::GivenSpeedUnused { vehicle, .. }
-            | Self::ContactOffDamage { vehicle, .. }
-            | Self::ContactOtherHalf { vehicle, .. }
-            | Self::ContactDepth { vehicle, .. }
-            | Self::DamageOutside { vehicle, .. }
-            | Self::Implausible { vehicle, .. }
-            | Self::HighNoDamageSpeed { vehicle, .. }
-            | Self::LowNoDamageSpeed { vehicle, .. }
-            | Self::NoResidualCrush { vehicle, .. }
-            | Self::ObjectPassed { vehicle, .. } => Some(*vehicle),
-            Self::PlaneDoesNotSeparate
-            | Self::HighRestitution { .. }
-            | Self::ForceBalance { .. }
-            | Self::MomentumDiffers { .. }
-            | Self::DeltaVDiffers { .. }
-            | Self::SeveralSpeeds { .. }
-            | Self::ContactApart { .. }
-            | Self::PdofsNotOpposite { .. }
-            | Self::DamageEnergyDiffers { .. }
-            | Self::CategoryEnergy { .. }
-            | Self::SlidingDriven { .. }
-            | Self::RotationDriven { .. }
-            | Self::LargeImpulseRatio { .. }
-            | Self::NearJump { .. }
-            | Self::UnusualFriction { .. }
-            | Self::LargeAngle { .. } => None,
-        }
+        PlaneDoesNotSeparate => "crush-plane",
+        ContactOutside { vehicle } => "contact-outside",
+        HighRestitution => "high-restitution",
+        ForceBalance => "force-balance",
+        PdofDiffers { vehicle } => "pdof-differs",
+        MomentumDiffers => "momentum-differs",
+        EvidenceDiffers { vehicle } => "evidence-differs",
+        BelowRecord { vehicle } => "below-record",
+        SkidDirection { vehicle } => "skid-direction",
+        WreckAlone { vehicle } => "wreck-alone",
+        SkidOnGrade { vehicle } => "skid-on-grade",
+        CategoryEnergy => "category-energy",
+        SeveralStarts { vehicle } => "several-starts",
+        PointMissed { vehicle } => "point-missed",
+        RestMissed { vehicle } => "rest-missed",
+        AngleCapped { vehicle } => "angle-capped",
+        SideNotPushed { vehicle } => "side-not-pushed",
+        DeltaVDiffers => "delta-v-differs",
+        SeveralSpeeds => "several-speeds",
+        MovesBackward { vehicle } => "moves-backward",
+        ClassValues { vehicle } => "class-values",
+        BurgInertia { vehicle } => "burg-inertia",
+        InferredEnergy { vehicle } => "inferred-energy",
+        DamageCentroid { vehicle } => "damage-centroid",
+        ContactPlaced { vehicle } => "contact-placed",
+        ContactApart => "contact-apart",
+        PdofsNotOpposite => "pdofs-not-opposite",
+        DamageEnergyDiffers => "damage-energy-differs",
+        RotationOpposes { vehicle } => "rotation-opposes",
+        GivenSpeedUnused { vehicle } => "given-speed-unused",
+        SlidingDriven => "sliding-driven",
+        RotationDriven => "rotation-driven",
+        LargeImpulseRatio => "large-impulse-ratio",
+        NearJump => "near-jump",
+        ContactOffDamage { vehicle } => "contact-off-damage",
+        ContactOtherHalf { vehicle } => "contact-other-half",
+        ContactDepth { vehicle } => "contact-depth",
+        DamageOutside { vehicle } => "damage-outside",
+        Implausible { vehicle } => "implausible",
+        HighNoDamageSpeed { vehicle } => "high-no-damage-speed",
+        LowNoDamageSpeed { vehicle } => "low-no-damage-speed",
+        UnusualFriction => "unusual-friction",
+        LargeAngle => "large-angle",
+        NoResidualCrush { vehicle } => "no-residual-crush",
+        ObjectPassed { vehicle } => "object-passed",
     }
 
     /// Whether it concerns an exact solution, and not the data of the case: if all the evidence is weighed,

@@ -140,7 +140,6 @@ fn ahead_and_left<T: Real>(forward: Vector2<T>, vector: Vector2<T>) -> [T; 2] {
 /// (J) the energy balance of an impact: `before` − `after` = `loss` = `normal_work` + `tangential_work` +
 /// `moment_work`.
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[non_exhaustive]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Energy<T = f64> {
     /// (J) kinetic energy of both vehicles before impact.

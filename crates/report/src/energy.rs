@@ -1,11 +1,12 @@
 //! The energy balance in words, for the text and for the page.
 
-use analysis::{EnergyBalance, Seen, Warning};
+use analysis::{Seen, Warning};
+use pim_core::Energy;
 
 use crate::units::{Measure, Units, number};
 
 /// A share of the initial energy.
-pub(crate) fn share(work: f64, energy: &EnergyBalance) -> String {
+pub(crate) fn share(work: f64, energy: &Energy) -> String {
     format!("{} %", number(100.0 * work / energy.before, 1))
 }
 
@@ -44,7 +45,7 @@ pub(crate) fn notes(analysis: &Seen, units: Units) -> Vec<String> {
 }
 
 /// Whether the figures, rounded, are the sums of their rounded parts.
-fn adds_up(energy: &EnergyBalance, rounded: impl Fn(f64) -> f64) -> bool {
+fn adds_up(energy: &Energy, rounded: impl Fn(f64) -> f64) -> bool {
     let parts = [energy.normal_work, energy.tangential_work, energy.moment_work];
     parts.into_iter().map(&rounded).sum::<f64>() == rounded(energy.loss)
         && rounded(energy.loss) + rounded(energy.after) == rounded(energy.before)

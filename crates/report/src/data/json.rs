@@ -320,7 +320,7 @@ fn head<'a>(case: &'a Case, analysis: &Analysis, seen: &Seen, weighed: Option<&W
             .iter()
             .map(|check| CheckBlock {
                 code: check.code(),
-                vehicle: check.vehicle().map(VehicleId::number),
+                vehicle: check.quantity.vehicle().map(VehicleId::number),
                 value: plain(check.value),
                 limit: check.limit,
                 passed: check.passed(),

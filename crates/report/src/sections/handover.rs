@@ -5,11 +5,11 @@ mod inputs;
 use ::drawing::{Drawing, SitePlan};
 use analysis::quantities as rows;
 use analysis::{
-    Analysis, EnergyBalance, Estimated, Output, Seen, Sensitivity, UncertainInput, UncertainOutput,
+    Analysis, Estimated, Output, Seen, Sensitivity, UncertainInput, UncertainOutput,
     Uncertainty, Vehicle, Weighed, is_estimated_beside,
 };
 use case::{Axes, Basis, Case, CaseFile, EstimatedInput, Origin, ReportHead};
-use pim_core::VehicleId;
+use pim_core::{Energy, VehicleId};
 use validation::Validation;
 
 use super::chosen::Chosen;
@@ -519,7 +519,7 @@ fn results(analysis: &Seen, units: Units) -> Table {
     table
 }
 
-fn energy_balance(analysis: &Seen, of: &EnergyBalance, units: Units) -> Table {
+fn energy_balance(analysis: &Seen, of: &Energy, units: Units) -> Table {
     let mut table = Table::of_two("Energy balance", ["energy", "share of the initial energy", "source"]);
     for row in [
         &rows::IMPACT_INITIAL_ENERGY,

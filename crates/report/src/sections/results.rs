@@ -2,11 +2,11 @@
 
 use analysis::quantities as rows;
 use analysis::{
-    Analysis, BothFound, Crash3, Damage, EnergyBalance, Exchange, Found, Inferred, Seen, Weighed,
+    Analysis, BothFound, Crash3, Damage, Exchange, Found, Inferred, Seen, Weighed,
 };
 use case::{Axes, Basis, Case, Pdof, Text, Velocity, YawSource};
 use crash3::{SideStiffness, Stiffness, UniformCrush};
-use pim_core::{Regime, VehicleId};
+use pim_core::{Energy, Regime, VehicleId};
 
 use super::chosen::Chosen;
 use super::headline::{DETAIL, Headline};
@@ -423,7 +423,7 @@ impl Page<'_> {
         self.document.push(table);
     }
 
-    fn energy(&mut self, analysis: &Seen, energy: &EnergyBalance) {
+    fn energy(&mut self, analysis: &Seen, energy: &Energy) {
         let chosen = Chosen { analysis, units: self.units };
         let mut table = Table::of_two("Energy", ["", "share of initial", "source"]);
         let share = |si: f64| crate::energy::share(si, energy);
