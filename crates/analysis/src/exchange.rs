@@ -115,14 +115,7 @@ impl Exchange {
             delta_v_components: [components(0), components(1)],
             pdof: implied.pdof,
             impulse_vector: implied.impulse_vector,
-            energy: Energy {
-                before,
-                after: before - loss,
-                loss,
-                normal_work,
-                tangential_work,
-                moment_work,
-            },
+            energy: Energy { before, after: before - loss, loss, normal_work, tangential_work, moment_work },
             closing_speed: -implied.approach.normal,
             restitution: implied.restitution,
             at_contact: is_contact.then(|| AtContact {

@@ -48,45 +48,10 @@ pub enum Dimension {
 }
 
 impl Dimension {
-    /// All dimensions, in the order of the unit table.
-    pub const ALL: [Self; 15] = [
-        Self::Length,
-        Self::Mass,
-        Self::Weight,
-        Self::Speed,
-        Self::Angle,
-        Self::YawRate,
-        Self::Time,
-        Self::Acceleration,
-        Self::Inertia,
-        Self::Energy,
-        Self::StiffnessA,
-        Self::StiffnessB,
-        Self::StiffnessG,
-        Self::RootForce,
-        Self::RootForcePerLength,
-    ];
-
     /// The name with its article, for error texts: "a length", "an angle".
     #[must_use]
     pub fn name(self) -> &'static str {
-        match self {
-            Self::Length => "a length",
-            Self::Mass => "a mass",
-            Self::Weight => "a weight",
-            Self::Speed => "a speed",
-            Self::Angle => "an angle",
-            Self::YawRate => "a yaw rate",
-            Self::Time => "a time",
-            Self::Acceleration => "an acceleration",
-            Self::Inertia => "a moment of inertia",
-            Self::Energy => "an energy",
-            Self::StiffnessA => "a stiffness A",
-            Self::StiffnessB => "a stiffness B",
-            Self::StiffnessG => "a stiffness G",
-            Self::RootForce => "a root of force (d0)",
-            Self::RootForcePerLength => "a root of force per length (d1)",
-        }
+        self.kind().name
     }
 
     /// The SI unit in which [`Quantity::si`](crate::Quantity::si) gives values of this dimension.
@@ -105,40 +70,20 @@ impl Dimension {
     /// equation downstream can overflow: a number beyond it is a typing error.
     #[must_use]
     pub fn bound(self) -> f64 {
-        match self {
-            Self::Length => 1e3,
-            Self::Mass => 1e6,
-            Self::Weight => 1e7,
-            Self::Speed | Self::YawRate | Self::Time | Self::Acceleration => 1e3,
-            Self::Angle => 1e5 * table::DEGREE,
-            Self::Inertia | Self::Energy => 1e9,
-            Self::StiffnessA | Self::StiffnessG => 1e8,
-            Self::StiffnessB => 1e10,
-            Self::RootForce => 1e4,
-            Self::RootForcePerLength => 1e5,
-        }
+        self.kind().bound
     }
 
     /// (SI) the smallest value accepted for a quantity that must be positive: below it a division downstream
     /// could overflow, and no vehicle has such a value.
     #[must_use]
     pub fn least_positive(self) -> f64 {
-        match self {
-            Self::Length => 1e-6,
-            Self::Mass => 1e-3,
-            Self::Weight => 1e-2,
-            Self::Speed | Self::YawRate | Self::Angle | Self::Time => 1e-9,
-            Self::Acceleration => 1e-6,
-            Self::Inertia | Self::Energy => 1e-9,
-            Self::StiffnessA | Self::StiffnessB | Self::StiffnessG => 1e-3,
-            Self::RootForce | Self::RootForcePerLength => 1e-3,
-        }
+        self.kind().least
     }
 
     /// The units of this dimension, in the order in which error texts list them.
     #[must_use]
     pub fn units(self) -> &'static [Unit] {
-        table::units(self)
+        self.kind().units
     }
 
     /// The unit with this spelling, which must be exactly one of [`Unit::spellings`].

@@ -5,8 +5,8 @@ mod inputs;
 use ::drawing::{Drawing, SitePlan};
 use analysis::quantities as rows;
 use analysis::{
-    Analysis, Estimated, Output, Seen, Sensitivity, UncertainInput, UncertainOutput,
-    Uncertainty, Vehicle, Weighed, is_estimated_beside,
+    Analysis, Estimated, Output, Seen, Sensitivity, UncertainInput, UncertainOutput, Uncertainty, Vehicle,
+    Weighed, is_estimated_beside,
 };
 use case::{Axes, Basis, Case, CaseFile, EstimatedInput, Origin, ReportHead};
 use pim_core::{Energy, VehicleId};

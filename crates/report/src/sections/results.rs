@@ -1,9 +1,7 @@
 //! A finished analysis as text for the terminal and the file.
 
 use analysis::quantities as rows;
-use analysis::{
-    Analysis, BothFound, Crash3, Damage, Exchange, Found, Inferred, Seen, Weighed,
-};
+use analysis::{Analysis, BothFound, Crash3, Damage, Exchange, Found, Inferred, Seen, Weighed};
 use case::{Axes, Basis, Case, Pdof, Text, Velocity, YawSource};
 use crash3::{SideStiffness, Stiffness, UniformCrush};
 use pim_core::{Energy, Regime, VehicleId};
