@@ -7,7 +7,7 @@ use crate::quantity::Quantity;
 use crate::scene::Place;
 use crate::text::Text;
 use crate::walk::{Element, Key, Walk};
-use crate::words::word;
+use crate::words::words;
 
 /// Between impact and rest: how the vehicle could roll, its path, and how it left the impact.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -104,20 +104,8 @@ pub enum MarkedWheel {
     RearRight,
 }
 
-impl MarkedWheel {
-    /// Each with its words, in the order of a vehicle's wheels.
-    pub const WORDS: [(&str, Self); 4] = [
-        ("front left", Self::FrontLeft),
-        ("front right", Self::FrontRight),
-        ("rear left", Self::RearLeft),
-        ("rear right", Self::RearRight),
-    ];
-
-    /// Its words.
-    #[must_use]
-    pub fn name(self) -> &'static str {
-        word(&Self::WORDS, &self)
-    }
+words! {
+    MarkedWheel: "front left" FrontLeft, "front right" FrontRight, "rear left" RearLeft, "rear right" RearRight
 }
 
 /// A point that the centre of gravity of a vehicle passed, or one of its wheels.

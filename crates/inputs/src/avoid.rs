@@ -13,7 +13,7 @@ use crate::scene::Place;
 use crate::text::Text;
 use crate::walk::{Element, Key, Walk};
 use crate::way_out::ClearForm;
-use crate::words::word;
+use crate::words::words;
 
 /// `avoid.vehicle`.
 pub const SUBJECTS: [(&str, VehicleId); 2] = [("vehicle1", VehicleId::One), ("vehicle2", VehicleId::Two)];
@@ -172,17 +172,7 @@ pub enum OtherParty {
     Vehicle,
 }
 
-impl OtherParty {
-    /// Each with its word.
-    pub const WORDS: [(&str, Self); 3] =
-        [("pedestrian", Self::Pedestrian), ("cyclist", Self::Cyclist), ("vehicle", Self::Vehicle)];
-
-    /// Its word.
-    #[must_use]
-    pub fn name(self) -> &'static str {
-        word(&Self::WORDS, &self)
-    }
-}
+words!(OtherParty: "pedestrian" Pedestrian, "cyclist" Cyclist, "vehicle" Vehicle);
 
 /// The numbers of the question whether the collision was avoidable, on any numbers.
 #[derive(Clone, Debug, PartialEq)]

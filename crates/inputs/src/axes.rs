@@ -3,7 +3,7 @@
 use crash3::Side;
 use pim_core::Real;
 
-use crate::words::word;
+use crate::words::words;
 
 /// The axes of the scene and of the vehicles in it, seen from above. The engine computes in
 /// [`ZUp`](Self::ZUp).
@@ -21,16 +21,9 @@ pub enum Axes {
     ZDown,
 }
 
+words!(Axes: "z-up" ZUp, "z-down" ZDown);
+
 impl Axes {
-    /// Each with its word.
-    pub const WORDS: [(&str, Self); 2] = [("z-up", Self::ZUp), ("z-down", Self::ZDown)];
-
-    /// Its name, such as `"z-up"`.
-    #[must_use]
-    pub fn name(self) -> &'static str {
-        word(&Self::WORDS, &self)
-    }
-
     /// Converts a lateral or rotational number from these axes to those of the engine, or back.
     #[inline(always)]
     #[must_use]

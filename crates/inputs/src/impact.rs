@@ -5,7 +5,7 @@ use pim_core::{InvalidInput, Law, Real, RestitutionCurve, Tangential, VaryingLaw
 use crate::axes::Axes;
 use crate::quantity::Quantity;
 use crate::walk::{Element, Walk};
-use crate::words::word;
+use crate::words::words;
 
 /// How the two vehicles met.
 #[derive(Clone, Debug, PartialEq)]
@@ -63,21 +63,7 @@ pub enum LawName {
     KudlichSlibar,
 }
 
-impl LawName {
-    /// Each under its word.
-    pub const WORDS: [(&str, Self); 4] = [
-        ("brach", Self::Brach),
-        ("woolley", Self::Woolley),
-        ("ishikawa", Self::Ishikawa),
-        ("kudlich-slibar", Self::KudlichSlibar),
-    ];
-
-    /// Its word.
-    #[must_use]
-    pub fn name(self) -> &'static str {
-        word(&Self::WORDS, &self)
-    }
-}
+words!(LawName: "brach" Brach, "woolley" Woolley, "ishikawa" Ishikawa, "kudlich-slibar" KudlichSlibar);
 
 /// What happens along the crush plane under Brach's law. The other laws set their own conditions.
 #[derive(Clone, Copy, Debug, PartialEq)]

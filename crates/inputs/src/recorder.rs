@@ -12,7 +12,7 @@ use crate::quantity::{Quantity, format_number};
 use crate::recorded::{GivenPreCrash, GivenPulse, GivenSpeedErrors};
 use crate::scene::Place;
 use crate::walk::{Element, GivenValue, Key, Walk};
-use crate::words::word;
+use crate::words::words;
 
 /// The data of a vehicle's event data recorder.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -265,17 +265,7 @@ pub enum SeverityPrior {
     Flat,
 }
 
-impl SeverityPrior {
-    /// Each with its word.
-    pub const WORDS: [(&str, Self); 3] =
-        [("field", Self::Field), ("serious-injury", Self::SeriousInjury), ("flat", Self::Flat)];
-
-    /// Its word.
-    #[must_use]
-    pub fn name(self) -> &'static str {
-        word(&Self::WORDS, &self)
-    }
-}
+words!(SeverityPrior: "field" Field, "serious-injury" SeriousInjury, "flat" Flat);
 
 impl<U> Walk<'_, U> {
     fn exact_if(&mut self, path: &dyn Display, quantity: Option<&Quantity>) {

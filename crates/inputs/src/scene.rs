@@ -8,7 +8,7 @@ use real::Real;
 use crate::quantity::Quantity;
 use crate::text::Text;
 use crate::walk::{Element, Key, Walk};
-use crate::words::word;
+use crate::words::words;
 
 /// A point: in the scene, in the coordinates of its survey, or in a vehicle, from its centre of gravity.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -100,16 +100,7 @@ pub enum EdgeSide {
     Right,
 }
 
-impl EdgeSide {
-    /// Each with its word.
-    pub const WORDS: [(&str, Self); 2] = [("left", Self::Left), ("right", Self::Right)];
-
-    /// Its word.
-    #[must_use]
-    pub fn name(self) -> &'static str {
-        word(&Self::WORDS, &self)
-    }
-}
+words!(EdgeSide: "left" Left, "right" Right);
 
 impl<U> Walk<'_, U> {
     pub(crate) fn place(&mut self, path: &dyn Display, place: &Place) -> Place<U> {

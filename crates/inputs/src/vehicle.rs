@@ -15,7 +15,7 @@ use crate::recorder::{CertainSpeed, Recorder};
 use crate::scene::Place;
 use crate::text::Text;
 use crate::walk::{Key, Walk};
-use crate::words::word;
+use crate::words::words;
 
 /// What a vehicle is: its plausible sizes, the tables that apply to it and its drawing depend on that.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -31,21 +31,7 @@ pub enum VehicleKind {
     Motorcycle,
 }
 
-impl VehicleKind {
-    /// Each under its word.
-    pub const WORDS: [(&str, Self); 4] = [
-        ("car", Self::Car),
-        ("heavy-truck", Self::HeavyTruck),
-        ("trailer", Self::Trailer),
-        ("motorcycle", Self::Motorcycle),
-    ];
-
-    /// Its word, such as `heavy-truck`.
-    #[must_use]
-    pub fn name(self) -> &'static str {
-        word(&Self::WORDS, &self)
-    }
-}
+words!(VehicleKind: "car" Car, "heavy-truck" HeavyTruck, "trailer" Trailer, "motorcycle" Motorcycle);
 
 /// A vehicle or, with [`fixed`](GivenVehicle::fixed), a barrier. Every value is optional here; each
 /// computation reports the values that it needs and does not find.

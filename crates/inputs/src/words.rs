@@ -23,6 +23,23 @@ pub const OBLIQUE_CORRECTIONS: [(&str, ObliqueCorrection); 4] = [
 pub const UNKNOWNS: [(&str, Unknown); 2] =
     [("vehicle1.speed", Unknown::Speed1), ("vehicle2.speed", Unknown::Speed2)];
 
+/// The words of an enum, `WORDS`, and `name`, that of a value.
+macro_rules! words {
+    ($of:ident: $($word:literal $choice:ident),+ $(,)?) => {
+        impl $of {
+            /// Each with its word.
+            pub const WORDS: [(&str, Self); [$($word),+].len()] = [$(($word, Self::$choice)),+];
+
+            /// Its word.
+            #[must_use]
+            pub fn name(self) -> &'static str {
+                $crate::words::word(&Self::WORDS, &self)
+            }
+        }
+    };
+}
+pub(crate) use words;
+
 /// Only the words of a table.
 #[must_use]
 pub const fn words_of<T, const N: usize>(table: &[(&'static str, T); N]) -> [&'static str; N] {
