@@ -56,7 +56,7 @@ pub struct Avoid<T = f64> {
 }
 
 /// From where the driver looks at what: `[avoid.sight]`. All places are in the coordinates of the scene.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct GivenSight<T = f64> {
     /// The driver's eye at the impact; the position of the vehicle if absent.
     pub eye: Option<Place<T>>,
@@ -73,20 +73,6 @@ pub struct GivenSight<T = f64> {
     pub path: Vec<Place>,
     /// The same of the other party.
     pub other_path: Vec<Place>,
-}
-
-impl<T> Default for GivenSight<T> {
-    fn default() -> Self {
-        Self {
-            eye: None,
-            heading: None,
-            point: None,
-            other_heading: None,
-            other_speed: None,
-            path: Vec::new(),
-            other_path: Vec::new(),
-        }
-    }
 }
 
 impl<T> GivenSight<T> {

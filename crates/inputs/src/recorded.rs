@@ -10,7 +10,7 @@ use recorder::{
 use crate::quantity::Quantity;
 use crate::text::Text;
 use crate::units::STANDARD_GRAVITY;
-use crate::walk::{GivenValue, Key, Walk};
+use crate::walk::{Key, Walk};
 
 /// Where the table of a recorder comes from.
 #[derive(Clone, Debug, PartialEq)]
@@ -283,9 +283,7 @@ impl<U> Walk<'_, U> {
             ("latency", errors.latency),
         ];
         for (key, quantity) in quantities {
-            if let Some(quantity) = &quantity {
-                self.exact(&Key(table, key), quantity);
-            }
+            self.exact_if(&Key(table, key), quantity.as_ref());
         }
         let shares = [
             ("steady_low", errors.steady_low),
@@ -297,11 +295,7 @@ impl<U> Walk<'_, U> {
             ("last_is_of_impact", errors.last_is_of_impact),
         ];
         for (key, share) in shares {
-            if let Some(share) = share {
-                self.other(&Key(table, key), || {
-                    GivenValue::Text(format!("{} %", crate::format_number(share)))
-                });
-            }
+            self.percent_if(&Key(table, key), share);
         }
     }
 }

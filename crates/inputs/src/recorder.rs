@@ -268,13 +268,13 @@ pub enum SeverityPrior {
 words!(SeverityPrior: "field" Field, "serious-injury" SeriousInjury, "flat" Flat);
 
 impl<U> Walk<'_, U> {
-    fn exact_if(&mut self, path: &dyn Display, quantity: Option<&Quantity>) {
+    pub(crate) fn exact_if(&mut self, path: &dyn Display, quantity: Option<&Quantity>) {
         if let Some(quantity) = quantity {
             self.exact(path, quantity);
         }
     }
 
-    fn percent_if(&mut self, path: &dyn Display, percent: Option<f64>) {
+    pub(crate) fn percent_if(&mut self, path: &dyn Display, percent: Option<f64>) {
         if let Some(percent) = percent {
             self.other(path, || GivenValue::Text(format!("{} %", format_number(percent))));
         }

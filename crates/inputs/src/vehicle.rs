@@ -138,53 +138,36 @@ impl<T> GivenVehicle<T> {
     #[must_use]
     pub fn is_absent(&self) -> bool {
         // Without `..`: a new field does not compile before it counts here.
-        let Self {
-            name,
-            fixed,
-            kind,
-            mass,
-            yaw,
-            class,
-            wheelbase,
-            track,
-            cg_to_front_axle,
-            length,
-            heading,
-            sideslip,
-            position,
-            contact,
-            motion,
-            yaw_rate,
-            outline,
-            diameter,
-            deformation_energy,
-            crush,
-            energy,
-            before,
-            after,
-            recorder,
-            certain_speed,
-        } = self;
-        !(*fixed
-            || name.is_some()
-            || kind.is_some()
-            || mass.is_some()
-            || yaw.is_some()
-            || class.is_some()
-            || [wheelbase, track, cg_to_front_axle, length, heading, sideslip, yaw_rate, diameter]
-                .into_iter()
-                .any(Option::is_some)
-            || deformation_energy.is_some()
-            || position.is_some()
-            || contact.is_some()
-            || motion.is_some()
-            || outline.is_some()
-            || crush.is_some()
-            || energy.is_some()
-            || before.is_some()
-            || after.is_some()
-            || recorder.is_some()
-            || certain_speed.is_some())
+        matches!(
+            self,
+            Self {
+                name: None,
+                fixed: false,
+                kind: None,
+                mass: None,
+                yaw: None,
+                class: None,
+                wheelbase: None,
+                track: None,
+                cg_to_front_axle: None,
+                length: None,
+                heading: None,
+                sideslip: None,
+                position: None,
+                contact: None,
+                motion: None,
+                yaw_rate: None,
+                outline: None,
+                diameter: None,
+                deformation_energy: None,
+                crush: None,
+                energy: None,
+                before: None,
+                after: None,
+                recorder: None,
+                certain_speed: None,
+            }
+        )
     }
 }
 
