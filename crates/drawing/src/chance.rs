@@ -9,7 +9,7 @@ use crate::legend::{self, EDGE, HEADER, Sample, WIDTH};
 use crate::marks::ValueMark;
 use crate::number::number;
 use crate::pens::{BLACK, BOUND, CLASS, CURVE, FILL};
-use crate::plan::{polygon, polyline};
+use crate::vector::{polygon, polyline};
 
 const NAME: &str = "chance";
 /// (px) area of the plot.

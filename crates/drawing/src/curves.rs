@@ -7,8 +7,8 @@ use crate::chart::{Axis, Chart};
 use crate::finished::Drawing;
 use crate::legend::{self, EDGE, HEADER, Sample, WIDTH};
 use crate::pens::{BOUND, OF_VEHICLE, THIN};
-use crate::plan::polyline;
 use crate::thin::thinned;
+use crate::vector::polyline;
 
 /// (px) from the bottom of a chart to the top of the next.
 const BETWEEN: f64 = 92.0;

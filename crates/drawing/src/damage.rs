@@ -9,7 +9,7 @@ use crate::footprint::{BodyShape, CrushProfile, Footprint, placed};
 use crate::legend::{self, EDGE, HEADER, Sample, ScaleUnit, WIDTH};
 use crate::number::count;
 use crate::pens::{BLACK, CRUSHED, FILL, GREY, OUTLINE, THIN, WHITE, undamaged};
-use crate::plan::polygon;
+use crate::vector::polygon;
 
 const NAME: &str = "damage";
 

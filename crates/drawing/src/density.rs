@@ -8,7 +8,7 @@ use crate::finished::Drawing;
 use crate::legend::{self, EDGE, HEADER, Sample, WIDTH};
 use crate::marks::{IntervalMarks, ValueMark};
 use crate::pens::{AXIS, BOUND, EQUALITY, FILL, OUTLINE, Pen};
-use crate::plan::polyline;
+use crate::vector::polyline;
 
 /// (px) area of the plot.
 const PLOT: Rect = Rect::new(EDGE + 48.0, HEADER + 34.0, WIDTH - EDGE - 16.0, HEADER + 364.0);

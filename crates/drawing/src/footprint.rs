@@ -2,7 +2,7 @@
 
 use kurbo::{Affine, BezPath, Line, ParamCurve as _, Point, Rect, RoundedRect, Shape as _, Vec2};
 
-use crate::plan::polygon;
+use crate::vector::polygon;
 
 /// Number of pieces of the arc of a rounded corner, and of a line that the damage may bend.
 const PIECES: u32 = 12;

@@ -2,8 +2,8 @@
 
 use kurbo::{BezPath, Point, Rect, Vec2};
 
-use crate::plan::{View, polygon};
-use crate::vector::{flipped, vec2};
+use crate::plan::View;
+use crate::vector::{flipped, polygon, vec2};
 
 /// A part of the ground with its own friction.
 #[derive(Clone, Debug, PartialEq)]

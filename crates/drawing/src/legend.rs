@@ -6,9 +6,9 @@ use crate::canvas::{Canvas, Head};
 use crate::font::{self, Anchor, LARGE, SMALL};
 use crate::number::{count, number};
 use crate::pens::{BLACK, GREY, Pen, THIN};
-use crate::plan::polyline;
 use crate::symbol::Symbol;
 use crate::ticks;
+use crate::vector::polyline;
 
 /// (px) default width of a drawing.
 pub(crate) const WIDTH: f64 = 960.0;

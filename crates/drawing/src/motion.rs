@@ -14,14 +14,14 @@ use crate::pens::{
     APPROACH, BLACK, EDGE_OF_GROUND, FILL, GREY, MARK, MEASURED, OUTLINE, PALE, PASSING, PATH, Pen, SKID,
     THIN, WHITE,
 };
-use crate::plan::{self, Contact, Pose, View, extent, polyline};
+use crate::plan::{self, Contact, Pose, View, extent};
 use crate::plan_view::{PlanBody, PlanView, Viewport};
 use crate::scene::SceneArrow;
 use crate::site_plan::{Backdrop, SitePlan};
 use crate::symbol::{Marker, Symbol};
 use crate::thin::thinned;
 use crate::ticks;
-use crate::vector::{flipped, unit, vec2};
+use crate::vector::{flipped, polyline, unit, vec2};
 
 const NAME: &str = "motion";
 

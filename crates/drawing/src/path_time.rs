@@ -8,8 +8,8 @@ use crate::chart::{Axis, BELOW, Chart};
 use crate::finished::Drawing;
 use crate::legend::{self, EDGE, HEADER, Sample, WIDTH};
 use crate::pens::{BLACK, BOUND, COURSES, GREY, OTHER_WAY, PLACE, Pen, ZONE};
-use crate::plan::polyline;
 use crate::thin::thinned;
+use crate::vector::polyline;
 
 const NAME: &str = "path-time";
 /// (px) area of the plot.

@@ -5,9 +5,10 @@ use kurbo::{Affine, BezPath, Circle, ParamCurve as _, Point, Rect, Shape as _, V
 use crate::body::SceneBody;
 use crate::canvas::{Canvas, Head};
 use crate::font::{Anchor, SMALL};
-use crate::footprint::placed;
-use crate::pens::{GREY, Pen, THIN};
-use crate::vector::{flipped, unit, vec2};
+use crate::footprint::{BodyShape, placed};
+use crate::legend::Sample;
+use crate::pens::{FILL, GREY, OUTLINE, Pen, THIN};
+use crate::vector::{flipped, polygon, unit, vec2};
 
 /// (m) how far the wall drawn for a fixed object of unknown extent extends beyond the vehicle at it, its
 /// thickness, and its minimum length.
@@ -37,6 +38,27 @@ impl Pose {
     pub(crate) fn in_scene(self) -> Affine {
         let Self { cg, forward } = self;
         Affine::new([forward.x, forward.y, -forward.y, forward.x, cg.x, cg.y])
+    }
+}
+
+impl SceneBody {
+    /// (m) its outline in the scene, damaged if its crush is known.
+    pub(crate) fn outline_in(&self, pose: Pose) -> Option<BezPath> {
+        let Self::Outline { footprint, crush } = self else { return None };
+        Some(pose.in_scene() * footprint.left_by(crush.as_ref()))
+    }
+
+    /// Its sample in the legend as body `i`, with the ends (m) of a wall if the place of the contact is
+    /// known.
+    pub(crate) fn sample(&self, ends: Option<[f64; 2]>, i: usize, canvas: &Canvas) -> Sample {
+        match (self, ends) {
+            (Self::Outline { footprint, .. }, _) if footprint.shape != BodyShape::Fixed => {
+                Sample::Box(OUTLINE[i], FILL[i].to_owned())
+            }
+            (Self::Wall, Some(ends)) if !is_drawn(ends) => Sample::Nothing,
+            (Self::Unknown, _) | (Self::Wall | Self::Pole { .. }, None) => Sample::Nothing,
+            _ => Sample::Box(THIN, canvas.pattern("fixed")),
+        }
     }
 }
 
@@ -186,24 +208,6 @@ pub(crate) fn extent(points: impl IntoIterator<Item = Point>) -> Rect {
     let mut points = points.into_iter();
     let first = points.next().unwrap_or_default();
     points.fold(Rect::from_points(first, first), |extent, point| extent.union_pt(point))
-}
-
-/// The closed path through the corners.
-pub(crate) fn polygon(corners: impl IntoIterator<Item = Point>) -> BezPath {
-    let mut path = polyline(corners);
-    if !path.is_empty() {
-        path.close_path();
-    }
-    path
-}
-
-/// The open path from the first point to the last.
-pub(crate) fn polyline(points: impl IntoIterator<Item = Point>) -> BezPath {
-    let mut path = BezPath::new();
-    for (k, point) in points.into_iter().enumerate() {
-        if k == 0 { path.move_to(point) } else { path.line_to(point) }
-    }
-    path
 }
 
 /// Draws the axes of the scene, 40 px long.

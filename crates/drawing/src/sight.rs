@@ -8,8 +8,8 @@ use crate::finished::Drawing;
 use crate::font::{Anchor, SMALL};
 use crate::legend::{self, EDGE, HEADER, Sample, ScaleUnit, WIDTH};
 use crate::pens::{BLACK, BOUND, GREY, OUTLINE, PALE, PATH, Pen, THIN};
-use crate::plan::{View, extent, polygon, polyline};
-use crate::vector::{flipped, vec2};
+use crate::plan::{View, extent};
+use crate::vector::{flipped, polygon, polyline, vec2};
 
 const NAME: &str = "sight";
 /// (px) area of the plan.

@@ -4,7 +4,7 @@ use kurbo::{Point, Rect, Vec2};
 
 use crate::canvas::Canvas;
 use crate::pens::{BLUE, GREEN, PURPLE, Pen, VERMILION};
-use crate::plan::polygon;
+use crate::vector::polygon;
 
 /// (px) radius of a circle, and half the size of any symbol with its edge.
 const RADIUS: f64 = 5.0;

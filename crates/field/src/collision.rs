@@ -115,7 +115,7 @@ impl Layout {
                 [one, one + pdof[0] - pdof[1] + PI]
             }
         };
-        // Whose plane is the crush plane: that of a side ranks before a rear, and that of a rear before a front.
+        // Whose plane is the crush plane: that of a side ranks before a rear, that of a rear before a front.
         let damages = pair.vehicles.each_ref().map(|vehicle| DamagedSide::from(vehicle.plane));
         let [first, second] = damages;
         let [w1, w2] = [f64::from(u8::from(first >= second)), f64::from(u8::from(second >= first))];

@@ -123,8 +123,8 @@ impl<T: Real> Demand<'_, T> {
     pub(super) fn both_tables(&mut self) -> bool {
         let absent = VehicleId::ALL.into_iter().find(|id| self.case.vehicles[id.index()].is_absent());
         if let Some(id) = absent {
-            let advice = "a table of its own for each vehicle; `fixed = true` in it is a barrier, a wall or a pole; of the damage of \
-                 one vehicle alone, `deltav crush` gives the energy and the EES";
+            let advice = "a table of its own for each vehicle; `fixed = true` in it is a barrier, a wall or a pole; of one \
+                 vehicle alone, its crush energy and EES can be found, but no speed";
             self.missing(table(id), advice);
         }
         absent.is_none()

@@ -37,8 +37,8 @@ pub(super) struct Kind {
     pub(super) units: &'static [Unit],
 }
 
-/// The dimensions in the order of the enum: name, largest magnitude and smallest positive value, and the rows of
-/// their units: canonical spelling, other spellings, factor, system.
+/// The dimensions in the order of the enum: name, largest magnitude and smallest positive value, and the rows
+/// of their units: canonical spelling, other spellings, factor, system.
 macro_rules! kinds {
     ($($dimension:ident $name:literal, $bound:expr, $least:expr, {
         $($spelling:literal $others:expr, $factor:expr, $system:ident;)+
