@@ -319,7 +319,7 @@ points = [{{ x = "2 m", y = "-1.1 m" }}, {{ x = "4 m", y = "{} m", heading = "{t
             assert!(first.passed() && first.value < 1e-9, "{first:?}");
             assert_near(second.value, share, 1e-6);
             assert_eq!((second.passed(), second.code()), (passes, "point-missed"));
-            assert_eq!(second.vehicle(), Some(VehicleId::One));
+            assert_eq!(second.quantity.vehicle(), Some(VehicleId::One));
             let warned = analysis.warnings.iter().filter(|warning| warning.code() == "point-missed");
             assert_eq!(warned.count(), usize::from(!passes));
         }
