@@ -80,6 +80,11 @@ fn pretty(document: &impl Serialize) -> Result<String, serde_json::Error> {
     Ok(escaped(&serde_json::to_string_pretty(document)?) + "\n")
 }
 
+/// A list of JSON, an element for each.
+fn list<T, R>(of: impl IntoIterator<Item = T>, element: impl FnMut(T) -> R) -> Vec<R> {
+    of.into_iter().map(element).collect()
+}
+
 /// A JSON document on one line.
 fn on_one_line(document: &impl Serialize) -> Result<String, serde_json::Error> {
     Ok(escaped(&serde_json::to_string(document)?) + "\n")

@@ -1,5 +1,7 @@
 //! A number next to a printed one, and the claim about the two.
 
+use serde::Serialize;
+
 /// The claim about a [`Cell`].
 #[derive(Clone, Debug, PartialEq)]
 pub enum Claim {
@@ -16,7 +18,7 @@ pub enum Claim {
 }
 
 /// A misprint that was corrected before the comparison. Marked `ERRATUM` wherever it is shown.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Erratum {
     /// The printed text.
     pub printed: String,

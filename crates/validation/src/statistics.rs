@@ -1,7 +1,9 @@
 //! Root mean square, mean and 95 % limits of errors.
 
+use serde::Serialize;
+
 /// The size of errors, in the unit of the errors.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct ErrorRate {
     /// Number of errors.
     pub count: usize,

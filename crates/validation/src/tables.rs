@@ -1,6 +1,7 @@
 //! The tables of the paper, with our numbers next to the printed ones.
 
 use pim_core::VehicleId;
+use serde::Serialize;
 
 use crate::claim::{Cell, Claim};
 use crate::error::ValidationError;
@@ -193,7 +194,7 @@ pub(crate) fn table1(published: &Published, table2: &[Table2Row]) -> Vec<Table1R
 }
 
 /// Errors of computed velocity changes against the measured ones, over all collisions.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct DeltaVErrors {
     /// (m/s) PIM, ours.
     pub pim: ErrorRate,

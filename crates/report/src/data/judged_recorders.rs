@@ -3,107 +3,30 @@
 use std::collections::BTreeMap;
 
 use field::{DeltaVFigures, DoubtedRecord, JudgedDeltaV, JudgedRecord, LEVELS, Recorders, SpeedFigures};
-use serde::Serialize;
+use serde_json::{Value, json};
 
 use super::field::prior;
-use super::pretty;
+use super::{list, pretty};
 
 /// (–) km/h in one m/s.
 const KMH: f64 = 3.6;
 
-#[derive(Serialize)]
-struct Document<'a> {
-    rows: usize,
-    finished: usize,
-    prior: &'static str,
-    other_speed: SpeedBlock,
-    delta_v_from_speeds: DeltaVBlock,
-    delta_v_by_estimate: DeltaVBlock,
-    refused: Vec<RefusedBlock<'a>>,
-    doubted: Vec<DoubtedBlock<'a>>,
-    judged: Vec<JudgedBlock<'a>>,
-    judged_delta_v: Vec<JudgedDeltaVBlock<'a>>,
-}
-
-#[derive(Serialize)]
-struct SpeedBlock {
-    n: usize,
-    bias: Option<f64>,
-    rms: Option<f64>,
-    coverage: Option<BTreeMap<String, f64>>,
-    half_width: Option<f64>,
-    half_width_if_exact: BTreeMap<&'static str, f64>,
-}
-
-#[derive(Serialize)]
-struct DeltaVBlock {
-    n: usize,
-    bias: Option<f64>,
-    rms: Option<f64>,
-}
-
-#[derive(Serialize)]
-struct RefusedBlock<'a> {
-    case: &'a str,
-    reason: &'a str,
-}
-
-#[derive(Serialize)]
-struct DoubtedBlock<'a> {
-    case: &'a str,
-    vehicle: usize,
-    reason: String,
-}
-
-#[derive(Serialize)]
-struct JudgedBlock<'a> {
-    case: &'a str,
-    vehicle: usize,
-    recorder: f64,
-    median: f64,
-    interval50: [f64; 2],
-    interval80: [f64; 2],
-    interval95: [f64; 2],
-    converged: bool,
-}
-
-#[derive(Serialize)]
-struct JudgedDeltaVBlock<'a> {
-    case: &'a str,
-    vehicle: usize,
-    recorder: f64,
-    longitudinal: bool,
-    common_velocity: f64,
-    median: f64,
-}
-
-impl SpeedBlock {
-    fn of(figures: &SpeedFigures) -> Self {
-        let kmh = |speed: Option<f64>| speed.map(|speed| KMH * speed);
-        let coverage = figures.coverage.map(|coverage| {
-            LEVELS
-                .iter()
-                .zip(coverage)
-                .map(|(level, share)| (format!("{:.0}", 100.0 * level), share))
-                .collect()
-        });
-        let exact = figures.half_width_without.iter();
-        Self {
-            n: figures.n,
-            bias: kmh(figures.bias),
-            rms: kmh(figures.rms),
-            coverage,
-            half_width: kmh(figures.half_width),
-            half_width_if_exact: exact.map(|(part, width)| (part.name(), KMH * width)).collect(),
-        }
-    }
-}
-
-impl<'a> DoubtedBlock<'a> {
-    fn of(record: &'a DoubtedRecord) -> Self {
-        let vehicle = record.vehicle.index() + 1;
-        Self { case: &record.case, vehicle, reason: doubt(record) }
-    }
+fn speed(figures: &SpeedFigures) -> Value {
+    let kmh = |speed: Option<f64>| speed.map(|speed| KMH * speed);
+    let coverage = figures.coverage.map(|coverage| {
+        let shares = LEVELS.iter().zip(coverage);
+        shares.map(|(level, share)| (format!("{:.0}", 100.0 * level), share)).collect::<BTreeMap<_, _>>()
+    });
+    let exact = figures.half_width_without.iter();
+    let exact: BTreeMap<_, _> = exact.map(|(part, width)| (part.name(), KMH * width)).collect();
+    json!({
+        "n": figures.n,
+        "bias": kmh(figures.bias),
+        "rms": kmh(figures.rms),
+        "coverage": coverage,
+        "half_width": kmh(figures.half_width),
+        "half_width_if_exact": exact,
+    })
 }
 
 /// Why a record is hardly of this impact.
@@ -116,33 +39,29 @@ pub(crate) fn doubt(record: &DoubtedRecord) -> String {
     )
 }
 
-impl<'a> JudgedBlock<'a> {
-    fn of(judged: &'a JudgedRecord) -> Self {
-        let [interval50, interval80, interval95] = judged.intervals.map(|ends| ends.map(|end| KMH * end));
-        Self {
-            case: &judged.case,
-            vehicle: judged.vehicle.index() + 1,
-            recorder: KMH * judged.recorded,
-            median: KMH * judged.median,
-            interval50,
-            interval80,
-            interval95,
-            converged: judged.converged,
-        }
-    }
+fn judged(judged: &JudgedRecord) -> Value {
+    let [interval50, interval80, interval95] = judged.intervals.map(|ends| ends.map(|end| KMH * end));
+    json!({
+        "case": judged.case,
+        "vehicle": judged.vehicle.index() + 1,
+        "recorder": KMH * judged.recorded,
+        "median": KMH * judged.median,
+        "interval50": interval50,
+        "interval80": interval80,
+        "interval95": interval95,
+        "converged": judged.converged,
+    })
 }
 
-impl<'a> JudgedDeltaVBlock<'a> {
-    fn of(judged: &'a JudgedDeltaV) -> Self {
-        Self {
-            case: &judged.case,
-            vehicle: judged.vehicle.index() + 1,
-            recorder: KMH * judged.truth.delta_v,
-            longitudinal: judged.truth.is_longitudinal,
-            common_velocity: KMH * judged.common,
-            median: KMH * judged.median,
-        }
-    }
+fn judged_delta_v(judged: &JudgedDeltaV) -> Value {
+    json!({
+        "case": judged.case,
+        "vehicle": judged.vehicle.index() + 1,
+        "recorder": KMH * judged.truth.delta_v,
+        "longitudinal": judged.truth.is_longitudinal,
+        "common_velocity": KMH * judged.common,
+        "median": KMH * judged.median,
+    })
 }
 
 /// The judgement as JSON, speeds in km/h: `other_speed`, of each vehicle by all evidence but its own
@@ -153,17 +72,21 @@ impl<'a> JudgedDeltaVBlock<'a> {
 /// # Errors
 /// If the JSON cannot be written.
 pub fn judged_recorders_json(recorders: &Recorders) -> Result<String, serde_json::Error> {
-    let delta_v = |DeltaVFigures { n, bias, rms }| DeltaVBlock { n, bias, rms };
-    pretty(&Document {
-        rows: recorders.rows,
-        finished: recorders.finished,
-        prior: prior(recorders.injured),
-        other_speed: SpeedBlock::of(&recorders.other_speed),
-        delta_v_from_speeds: delta_v(recorders.delta_v_from_speeds),
-        delta_v_by_estimate: delta_v(recorders.delta_v_by_estimate),
-        refused: recorders.refused.iter().map(|(case, reason)| RefusedBlock { case, reason }).collect(),
-        doubted: recorders.doubted.iter().map(DoubtedBlock::of).collect(),
-        judged: recorders.speeds.iter().map(JudgedBlock::of).collect(),
-        judged_delta_v: recorders.delta_vs.iter().map(JudgedDeltaVBlock::of).collect(),
-    })
+    let delta_v = |DeltaVFigures { n, bias, rms }| json!({ "n": n, "bias": bias, "rms": rms });
+    pretty(&json!({
+        "rows": recorders.rows,
+        "finished": recorders.finished,
+        "prior": prior(recorders.injured),
+        "other_speed": speed(&recorders.other_speed),
+        "delta_v_from_speeds": delta_v(recorders.delta_v_from_speeds),
+        "delta_v_by_estimate": delta_v(recorders.delta_v_by_estimate),
+        "refused": list(&recorders.refused, |(case, reason)| json!({ "case": case, "reason": reason })),
+        "doubted": list(&recorders.doubted, |record| json!({
+            "case": record.case,
+            "vehicle": record.vehicle.index() + 1,
+            "reason": doubt(record),
+        })),
+        "judged": list(&recorders.speeds, judged),
+        "judged_delta_v": list(&recorders.delta_vs, judged_delta_v),
+    }))
 }

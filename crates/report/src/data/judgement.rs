@@ -3,9 +3,10 @@
 use analysis::{Ability, Judgement};
 use case::{CaseFile, Purpose, Unit, UnitSystem};
 use serde::Serialize;
+use serde_json::Value;
 
 use super::json::WarningBlock;
-use super::recorder::WhichBlock;
+use super::recorder::which;
 use super::{identified, pretty, title};
 use crate::PROGRAM;
 use crate::pictures::drawn;
@@ -24,7 +25,7 @@ struct Document<'a> {
     choices: Vec<ChoiceBlock>,
     /// Where a vehicle has several records, or one that is hardly of this impact.
     #[serde(skip_serializing_if = "Vec::is_empty")]
-    records: Vec<WhichBlock>,
+    records: Vec<Value>,
     assumptions: Vec<AssumptionBlock>,
     warnings: Vec<WarningBlock>,
 }
@@ -117,7 +118,7 @@ pub fn judgement_json(file: &CaseFile, judgement: &Judgement) -> Result<String, 
             })
             .collect(),
         choices: choices(case).into_iter().map(|(path, value)| ChoiceBlock { path, value }).collect(),
-        records: judgement.records.iter().map(|(key, found)| WhichBlock::new(key.clone(), found)).collect(),
+        records: judgement.records.iter().map(|(key, found)| which(key, found)).collect(),
         assumptions: judgement
             .assumptions
             .iter()

@@ -71,7 +71,7 @@ enum ExactNumbers {
 }
 
 /// An object whose keys keep their order.
-pub(super) struct InOrder<T>(pub(super) Vec<(String, T)>);
+struct InOrder<T>(Vec<(String, T)>);
 
 impl<T: Serialize> Serialize for InOrder<T> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
