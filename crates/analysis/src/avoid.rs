@@ -33,7 +33,9 @@ use crate::analysis::Analysis;
 use crate::beside::{SAMPLES, is_estimated_beside, usual_samples};
 use crate::columns::Number;
 use crate::commands::{reconstruct, uncertainty_of};
-use crate::estimate::{EstimatePlan, EstimateStage, Estimated, PieceDetail, PieceFound, estimate};
+use crate::estimate::{
+    EstimatePlan, EstimateStage, Estimated, NoEstimate, PieceDetail, PieceFound, estimate,
+};
 use crate::failure::Failure;
 use crate::given::GivenSpeed;
 use crate::output::Output;
@@ -97,8 +99,8 @@ pub struct Avoidance {
     /// How probable it is; `None` if nothing is uncertain.
     pub chance: Option<AvoidChance>,
     /// Why the evidence for the speed gives no answer, and so no probability.
-    pub speed_doubt: Option<SpeedDoubt>,
-    /// What the solution that gives the speed warns of.
+    pub speed_doubt: Option<NoEstimate>,
+    /// What the solution that gives the speed warns of; without one, what speaks against the marks.
     pub speed_warnings: Vec<SeenWarning>,
     /// Whether the other vehicle moved nearly along the same line, so that the place of the impact is not
     /// fixed.
@@ -122,15 +124,6 @@ pub enum SpeedSource {
     Phases,
     /// The table of its recorder alone.
     Recorder,
-}
-
-/// Why all the evidence, weighed, gives no answer for the speed.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub enum SpeedDoubt {
-    /// The run has not converged.
-    Unconverged,
-    /// Even the nearest collisions miss the evidence with these keys.
-    Contradicted(Vec<String>),
 }
 
 /// How the other vehicle moved along the way of the one that is asked about.
@@ -464,13 +457,8 @@ impl Told {
         })
     }
 
-    fn doubt(&self) -> Option<SpeedDoubt> {
-        let estimated = self.estimated.as_ref()?;
-        if !estimated.doubts().is_empty() {
-            return Some(SpeedDoubt::Unconverged);
-        }
-        let missed = &estimated.missed;
-        (!missed.is_empty()).then(|| SpeedDoubt::Contradicted(missed.clone()))
+    fn doubt(&self) -> Option<NoEstimate> {
+        self.estimated.as_ref()?.no_answer()
     }
 }
 

@@ -107,6 +107,26 @@ pub struct Estimated {
     pub evaluations: usize,
 }
 
+/// Why all the evidence, weighed, gives no answer.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum NoEstimate {
+    /// The run has not converged.
+    Unconverged,
+    /// Even the nearest collisions miss the evidence with these keys.
+    Contradicted(Vec<String>),
+}
+
+impl Estimated {
+    /// Why it is no answer; `None` if the run has converged and the result agrees with all of the evidence.
+    #[must_use]
+    pub fn no_answer(&self) -> Option<NoEstimate> {
+        if !self.doubts().is_empty() {
+            return Some(NoEstimate::Unconverged);
+        }
+        (!self.missed.is_empty()).then(|| NoEstimate::Contradicted(self.missed.clone()))
+    }
+}
+
 /// The probability that a vehicle stood still.
 #[derive(Clone, Copy, Debug)]
 pub struct Stood {

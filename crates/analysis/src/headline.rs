@@ -183,7 +183,7 @@ impl Weighed {
     /// Whether it is an answer: the run has converged, and the result agrees with all of the evidence.
     #[must_use]
     pub fn is_answer(&self) -> bool {
-        self.estimated.doubts().is_empty() && self.estimated.missed.is_empty()
+        self.estimated.no_answer().is_none()
     }
 }
 

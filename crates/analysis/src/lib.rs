@@ -81,8 +81,8 @@ mod warning;
 pub use self::analysis::Analysis;
 pub use self::estimate::{
     Agreement, Assumed, CONTRADICTS, DOUBTFUL, EstimatePlan, EstimateStage, Estimated, EstimatedOutput,
-    MISSED, PieceDetail, PieceFound, SameTwice, Stood, TOLD_BELOW, UnknownNumber, Unused, UnusedReason,
-    estimate, estimate_evidence, estimate_outputs, injury,
+    MISSED, NoEstimate, PieceDetail, PieceFound, SameTwice, Stood, TOLD_BELOW, UnknownNumber, Unused,
+    UnusedReason, estimate, estimate_evidence, estimate_outputs, injury,
 };
 pub use self::evidence::{ByEvidence, EvidenceAnswer, EvidenceMethod, NoEvidence};
 pub use self::uncertainty::{
@@ -92,8 +92,8 @@ pub use self::uncertainty::{
 pub use avoid::{
     ActualRun, Along, AvoidChance, AvoidCourse, AvoidInfluence, AvoidInterval, AvoidPlan, AvoidRun,
     AvoidScene, AvoidStage, Avoidance, BRAKES, DrivenBy, Enough, GIVES_WAY, Hiding, Hypothesis,
-    SIGHT_LOOK_BACK, Sight, SightIntervals, SpeedDoubt, SpeedSource, Unbraked, View, avoid, avoid_at_once,
-    obstacle_name, without_source,
+    SIGHT_LOOK_BACK, Sight, SightIntervals, SpeedSource, Unbraked, View, avoid, avoid_at_once, obstacle_name,
+    without_source,
 };
 pub use beside::{BACKWARD_SAMPLES, Beside, SAMPLES, beside, is_estimated_beside, usual_samples};
 pub use check::{Check, CheckedQuantity};

@@ -7,7 +7,7 @@ use std::f64::consts::TAU;
 use std::ops::ControlFlow;
 
 use analysis::{
-    ActualRun, Along, AvoidPlan, Avoidance, Failure, Hypothesis, Sight, SpeedDoubt, SpeedSource, View, avoid,
+    ActualRun, Along, AvoidPlan, Avoidance, Failure, Hypothesis, NoEstimate, Sight, SpeedSource, View, avoid,
 };
 use case::{Case, CaseFile};
 use drawing::{Axis, Marker, ScatterPanel, ScatterPicture, ScatterPoint, Symbol};
@@ -533,7 +533,7 @@ fn contradicting_evidence_gives_no_probability() {
                 [avoid]\nlimit = \"40 km/h\"\nreaction_time = \"1 s\"\ndeceleration = \"7 m/s^2\"\n\
                 demand = { distance = \"30 m\" }\nunbraked = true\n";
     let found = asked(text);
-    let Some(SpeedDoubt::Contradicted(keys)) = &found.speed_doubt else { panic!("{:?}", found.speed_doubt) };
+    let Some(NoEstimate::Contradicted(keys)) = &found.speed_doubt else { panic!("{:?}", found.speed_doubt) };
     assert!(!keys.is_empty() && found.chance.is_none());
 }
 

@@ -104,6 +104,7 @@ pub enum MarkedWheel {
     RearRight,
 }
 
+// In the order of a vehicle's wheels.
 words! {
     MarkedWheel: "front left" FrontLeft, "front right" FrontRight, "rear left" RearLeft, "rear right" RearRight
 }

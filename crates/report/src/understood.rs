@@ -99,9 +99,8 @@ pub(crate) fn choices(case: &Case) -> Vec<(String, String)> {
             GivenValue::Hour(hour) => clock(hour),
         };
         // The elements of a list of keys share a row.
-        let list = path.strip_suffix(']').and_then(|path| path.rsplit_once('[')).map(|(list, _)| list);
-        let list =
-            list.filter(|list| list.ends_with(".exact") || list.ends_with(".of") || list.ends_with(".find"));
+        let list = list_of(&path)
+            .filter(|list| list.ends_with(".exact") || list.ends_with(".of") || list.ends_with(".find"));
         match (list, choices.last_mut()) {
             (Some(list), Some((last, row))) if last == list => row.push_str(&format!(", {said}")),
             (Some(list), _) if path.ends_with("[1]") => choices.push((list.to_owned(), said)),
@@ -126,6 +125,11 @@ pub(crate) fn choices(case: &Case) -> Vec<(String, String)> {
         default("swell_form", word(&SWELLS, &avoid.swell_form.unwrap_or_default()));
     }
     choices
+}
+
+/// The list of which a value is an element, by its path.
+pub(crate) fn list_of(path: &str) -> Option<&str> {
+    Some(path.strip_suffix(']')?.rsplit_once('[')?.0)
 }
 
 /// Whether a text stands at the head of a report, beside the number that it is about, or in a table that is

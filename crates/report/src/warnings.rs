@@ -11,6 +11,7 @@ use pim_core::{Switch, VehicleId};
 use crate::basis::short;
 use crate::document::{Block, Document};
 use crate::units::{FOOT, Measure, Units, number};
+use crate::words::quoted;
 use crate::{axes, basis, words};
 
 /// Where to read more about a warning.
@@ -55,11 +56,10 @@ pub(crate) fn of_answer(seen: &Seen, weighed: Option<&Weighed>, is_exact: bool) 
 
 /// Names the evidence that an answer does not use, where there is any.
 pub(crate) fn left_aside(keys: &[String]) -> Option<Block> {
-    let keys: Vec<String> = keys.iter().map(|key| format!("`{key}`")).collect();
     let words = || {
+        let keys = quoted(keys, ", ");
         format!(
-            "Evidence in the case that these figures do not use: {}. `deltav estimate` weighs all of it.",
-            keys.join(", ")
+            "Evidence in the case that these figures do not use: {keys}. `deltav estimate` weighs all of it."
         )
     };
     (!keys.is_empty()).then(|| Block::Paragraph(words()))

@@ -152,6 +152,11 @@ pub(crate) fn solution(by: EvidenceMethod) -> &'static str {
     }
 }
 
+/// Keys of the case in backticks, with a word or a comma between them.
+pub(crate) fn quoted(keys: &[String], between: &str) -> String {
+    keys.iter().map(|key| format!("`{key}`")).collect::<Vec<_>>().join(between)
+}
+
 /// What a run of avoidability is called.
 pub(crate) struct RunWords {
     /// In the head of a table, in two lines.

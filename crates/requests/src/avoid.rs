@@ -1,6 +1,6 @@
 //! Whether the collision was avoidable.
 
-use analysis::{AvoidPlan, AvoidStage, Avoidance, SpeedDoubt};
+use analysis::{AvoidPlan, AvoidStage, Avoidance, NoEstimate};
 use case::Case;
 use serde::Serialize;
 use uncertainty::{MAX_SAMPLES, MIN_SAMPLES};
@@ -11,12 +11,12 @@ use crate::refusal::Unanswered;
 
 /// Why an avoidance is no answer where the evidence for its speed gives none.
 #[must_use]
-pub fn no_probability(doubt: &SpeedDoubt) -> &'static str {
+pub fn no_probability(doubt: &NoEstimate) -> &'static str {
     match doubt {
-        SpeedDoubt::Unconverged => {
+        NoEstimate::Unconverged => {
             "the evidence for the speed was weighed, but the run did not converge, so there is no probability"
         }
-        SpeedDoubt::Contradicted(_) => {
+        NoEstimate::Contradicted(_) => {
             "the evidence for the speed contradicts itself, so there is no probability"
         }
     }

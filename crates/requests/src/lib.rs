@@ -50,7 +50,7 @@ mod uncertainty;
 
 use std::io::{self, Write};
 
-use analysis::{Avoidance, Comparison, Judgement, RecorderReading, Sensitivity, Uncertainty};
+use analysis::{Avoidance, Comparison, Judgement, NoEstimate, RecorderReading, Sensitivity, Uncertainty};
 use case::{Case, CaseFile};
 use report::{CsvStyle, Document, RowAnswer, SitePlan, Table, Units};
 use serde::Serialize;
@@ -346,13 +346,15 @@ impl Answer {
     pub fn no_answer(&self) -> Option<&'static str> {
         match self {
             Self::Analysis(solved) => solved.no_answer(),
-            Self::Estimate(answer) if !answer.estimated.doubts().is_empty() => {
-                Some("the run has not converged: the report says why, and has no intervals")
-            }
-            Self::Estimate(answer) if !answer.estimated.missed.is_empty() => Some(CONTRADICTION),
+            Self::Estimate(answer) => Some(match answer.estimated.no_answer()? {
+                NoEstimate::Unconverged => {
+                    "the run has not converged: the report says why, and has no intervals"
+                }
+                NoEstimate::Contradicted(_) => CONTRADICTION,
+            }),
             Self::Avoidance(found) => found.speed_doubt.as_ref().map(no_probability),
             Self::Judgement(_) | Self::Comparison(_) | Self::Recorders(_) | Self::Sensitivity(_) => None,
-            Self::Uncertainty(_) | Self::Estimate(_) => None,
+            Self::Uncertainty(_) => None,
         }
     }
 

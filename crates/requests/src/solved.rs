@@ -2,7 +2,7 @@
 
 use std::io::{self, Write};
 
-use analysis::{Analysis, Beside, Estimated, Failure, Weighed};
+use analysis::{Analysis, Beside, Estimated, Failure, NoEstimate, Weighed};
 use case::{Case, CaseFile, Geometry};
 use report::{CsvStyle, Document, SitePlan, Subject, Supplements, Units};
 use serde::Serialize;
@@ -96,10 +96,9 @@ impl SolvedCase {
 
     /// The reason why weighing the evidence gave no answer.
     pub(crate) fn no_answer(&self) -> Option<&'static str> {
-        let weighed = self.weighed.as_ref().filter(|weighed| !weighed.is_answer())?;
-        Some(match weighed.estimated.doubts().is_empty() {
-            true => CONTRADICTION,
-            false => {
+        Some(match self.weighed.as_ref()?.estimated.no_answer()? {
+            NoEstimate::Contradicted(_) => CONTRADICTION,
+            NoEstimate::Unconverged => {
                 "the evidence was weighed, but the run has not converged: the report says why, and has no \
                  interval"
             }

@@ -45,8 +45,8 @@ impl RowTemplate {
     }
 }
 
-/// The advice for a row that has not converged.
-const WHY_UNCONVERGED: &str = "`deltav estimate` on the case says why";
+/// The advice for a row without an answer.
+const WHY_NO_ANSWER: &str = "`deltav estimate` on the case says why";
 
 /// Rows that are computed before they are put into columns.
 const AT_ONCE: usize = 4096;
@@ -278,7 +278,7 @@ impl Row<'_> {
                 let found = analysis::avoid(case, &plan, &mut |_, _, _| self.goes_on()).map_err(refused)?;
                 let refusal = found.speed_doubt.as_ref().map(|doubt| RowRefusal {
                     error: no_probability(doubt).to_owned(),
-                    help: WHY_UNCONVERGED.to_owned(),
+                    help: WHY_NO_ANSWER.to_owned(),
                 });
                 return Ok(Outcome { found: Some(Found::avoidance(case, &found)), refusal });
             }
@@ -289,7 +289,7 @@ impl Row<'_> {
                     analysis::estimate(case, &plan, &mut |_, _, _| self.goes_on()).map_err(refused)?;
                 let refusal = (!estimated.doubts().is_empty()).then(|| RowRefusal {
                     error: "the run has not converged, so that it has no intervals".to_owned(),
-                    help: format!("{WHY_UNCONVERGED}; more particles may help"),
+                    help: format!("{WHY_NO_ANSWER}; more particles may help"),
                 });
                 return Ok(Outcome { found: Some(Found::estimate(case, &estimated)), refusal });
             }

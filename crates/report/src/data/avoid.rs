@@ -1,7 +1,7 @@
 //! Whether the collision was avoidable, as JSON.
 
 use analysis::{
-    ActualRun, AvoidChance, AvoidInterval, AvoidRun, Avoidance, DrivenBy, SpeedDoubt, SpeedSource, Unbraked,
+    ActualRun, AvoidChance, AvoidInterval, AvoidRun, Avoidance, DrivenBy, NoEstimate, SpeedSource, Unbraked,
 };
 use case::{CaseFile, SWELLS, word};
 use serde_json::{Value, json};
@@ -60,7 +60,7 @@ pub fn avoid_json(file: &CaseFile, found: &Avoidance) -> Result<String, serde_js
             "delta_v": found.run_at_limit().and_then(delta_v),
         },
         // False where the evidence was weighed, but the run did not converge.
-        "converged": found.speed_doubt != Some(SpeedDoubt::Unconverged),
+        "converged": found.speed_doubt != Some(NoEstimate::Unconverged),
         "probability": found.chance.as_ref().map(probability),
         "response": {
             "reaction_time": response.reaction(),

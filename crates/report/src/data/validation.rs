@@ -3,8 +3,8 @@
 use serde::Serialize;
 use serde_json::{Value, json};
 use validation::{
-    Cell, Claim, DeltaVRow, Erratum, Method, Requirement, RestMethod, SHARES, SpeedEvidence, TurnedPdof,
-    Validation,
+    Cell, Claim, DeltaVRow, Erratum, ErrorRate, Method, Requirement, RestMethod, SHARES, SpeedEvidence,
+    TurnedPdof, Validation,
 };
 
 use super::{list, pretty};
@@ -293,22 +293,24 @@ pub fn validation_json(validation: &Validation) -> Result<String, serde_json::Er
         })),
         "error_rate": {
             "delta_v": validation.delta_v_errors,
-            "speed": {
-                "profiles": speed.profiles[0],
-                "profiles_relative": speed.profiles[1],
-                "implied": speed.implied[0],
-                "implied_relative": speed.implied[1],
-                "round_trip": speed.round_trip[0],
-                "round_trip_relative": speed.round_trip[1],
-            },
-            "both_speeds": {
-                "all": both.all[0],
-                "all_relative": both.all[1],
-                "momentum": both.momentum[0],
-                "momentum_relative": both.momentum[1],
-                "momentum_and_crush": both.momentum_and_crush[0],
-                "momentum_and_crush_relative": both.momentum_and_crush[1],
-            },
+            "speed": with_relative([
+                ("profiles", &speed.profiles),
+                ("implied", &speed.implied),
+                ("round_trip", &speed.round_trip),
+            ]),
+            "both_speeds": with_relative([
+                ("all", &both.all),
+                ("momentum", &both.momentum),
+                ("momentum_and_crush", &both.momentum_and_crush),
+            ]),
         },
     }))
+}
+
+/// Error rates in m/s, each with that of the share.
+fn with_relative(rates: [(&str, &[ErrorRate; 2]); 3]) -> Value {
+    let both = |(name, [rate, share]): (&str, &[ErrorRate; 2])| {
+        [(name.to_owned(), json!(rate)), (format!("{name}_relative"), json!(share))]
+    };
+    rates.into_iter().flat_map(both).collect()
 }

@@ -2,7 +2,7 @@
 
 use analysis::{
     ActualRun, Along, AvoidChance, AvoidInterval, AvoidRun, AvoidScene, Avoidance, BRAKES, DrivenBy,
-    GIVES_WAY, Hiding, Hypothesis, SIGHT_LOOK_BACK, SeenWarning, Sight, SpeedDoubt, SpeedSource, Unbraked,
+    GIVES_WAY, Hiding, Hypothesis, NoEstimate, SIGHT_LOOK_BACK, SeenWarning, Sight, SpeedSource, Unbraked,
     View, Warning, obstacle_name,
 };
 use case::{
@@ -20,7 +20,7 @@ use crate::pictures::avoid::{chance_picture, path_time_picture, sight_picture};
 use crate::understood::{amount, spread};
 use crate::units::{Measure, Units, number};
 use crate::warnings::message;
-use crate::words::run_words;
+use crate::words::{quoted, run_words};
 
 /// What avoidability is not.
 const NO_GUILT: &str = "Avoidability is a matter of physics. It says nothing of guilt: whether the driver had to reckon with the danger, had to \
@@ -74,17 +74,16 @@ fn answer(case: &Case, found: &Avoidance, units: Units) -> Vec<String> {
     let limit = units.road_speed(scene.limit);
     let mut lines = Vec::new();
     lines.extend(found.speed_doubt.as_ref().map(|doubt| match doubt {
-        SpeedDoubt::Unconverged => {
+        NoEstimate::Unconverged => {
             "No probability: the run that weighs the evidence for the speed has not converged. The figures below hold for \
              its median alone. `deltav estimate` says why."
                 .to_owned()
         }
-        SpeedDoubt::Contradicted(keys) => {
-            let keys: Vec<String> = keys.iter().map(|key| format!("`{key}`")).collect();
+        NoEstimate::Contradicted(keys) => {
             format!(
-                "No answer: no collision reproduces all of the evidence for the speed, and even the nearest miss {}. The \
-                 figures below hold for the median speed alone. `deltav estimate` says more.",
-                keys.join(" and ")
+                "No answer: no collision reproduces all of the evidence for the speed, and even the nearest collisions miss {}. \
+                 The figures below hold for the median speed alone. `deltav estimate` says more.",
+                quoted(keys, " and ")
             )
         }
     }));
@@ -105,7 +104,7 @@ fn answer(case: &Case, found: &Avoidance, units: Units) -> Vec<String> {
         lines.push(format!(
             "Probability that it is avoided {at}: {}; that the vehicle was faster than {limit}: {}",
             probability_with_error(chance.avoided_at_limit, chance.mc_error),
-            bounded(chance.above_limit).map_or_else(|| number(chance.above_limit, 3), str::to_owned),
+            in_decimals(chance.above_limit),
         ));
     }
     // What the verdicts say holds for one value of each number, where these are uncertain.
@@ -148,18 +147,27 @@ fn answer(case: &Case, found: &Avoidance, units: Units) -> Vec<String> {
 
 /// A probability, with the Monte Carlo error that three decimals show.
 fn probability_with_error(probability: f64, error: f64) -> String {
-    let between = || format!("{} ± {}", number(probability, 3), number(error, 3));
-    bounded(probability).map_or_else(between, str::to_owned)
+    let between = |error: f64| format!(" ± {}", number(error, 3));
+    in_decimals(probability) + &error_between(probability, error).map_or_else(String::new, between)
 }
 
-/// A probability that three decimals would round to 0 or 1.
-fn bounded(probability: f64) -> Option<&'static str> {
+/// A probability with three decimals, which would round some to 0 or 1.
+fn in_decimals(probability: f64) -> String {
     match probability {
-        high if high >= 0.9995 => Some("above 0.999"),
-        low if low < 0.0005 => Some("below 0.001"),
-        _ => None,
+        high if high >= HIGH => "above 0.999".to_owned(),
+        low if low < LOW => "below 0.001".to_owned(),
+        between => number(between, 3),
     }
 }
+
+/// Its error, where three decimals show the probability.
+fn error_between(probability: f64, error: f64) -> Option<f64> {
+    (LOW..HIGH).contains(&probability).then_some(error)
+}
+
+/// Probabilities that three decimals round to 0 and 1.
+const LOW: f64 = 0.0005;
+const HIGH: f64 = 0.9995;
 
 /// What speaks against the inputs of a question whether a collision was avoidable, in sentences.
 #[must_use]
@@ -194,15 +202,15 @@ fn along_the_line(found: &Avoidance) -> Option<String> {
     let other = found.vehicle.other();
     Some(match found.along? {
         Along::Ahead => format!(
-            "Vehicle {other} moved in nearly the same direction, and would have moved on while vehicle {} braked: to avoid the \
-             collision, coming down to its speed in time is enough, and stopping before the place of the impact is not needed. The \
-             answer takes that place as fixed, and so asks more of the driver than the collision did.",
+            "Vehicle {other} was ahead in nearly the same direction. If it was moving, it would have moved on while vehicle {} \
+             braked, and slowing to its speed in time would have been enough. The answer takes the place of the impact as fixed, and so \
+             asks more of the driver than was needed.",
             found.vehicle
         ),
         Along::Oncoming => format!(
-            "Vehicle {other} came towards vehicle {} on nearly the same line: stopping before the place of the impact avoids the \
-             collision only if vehicle {other} stops or gives way, too. The answer takes that place as fixed, and so asks less of \
-             the driver than the collision did.",
+            "Vehicle {other} faced vehicle {} on nearly the same line. If it was moving, stopping before the place of the impact \
+             avoids the collision only if vehicle {other} stops or gives way, too. The answer takes that place as fixed, and so asks \
+             less of the driver than was needed.",
             found.vehicle
         ),
     })
@@ -839,7 +847,7 @@ fn enough(found: &Avoidance, units: Units) -> Block {
         }
         let of_tyres = match deceleration.filter(|deceleration| *deceleration > MOST_OF_TYRES) {
             Some(needed) => {
-                format!("more than tyres can do, {}", units.format(Measure::Acceleration, needed))
+                format!("more than tyres can do: {}", units.format(Measure::Acceleration, needed))
             }
             None => of(Measure::Acceleration, deceleration, "at least"),
         };
@@ -875,10 +883,10 @@ fn probability(chance: &AvoidChance, units: Units) -> Table {
         ],
     );
     let mut row = |label: &str, value: f64, error: String| {
-        table.row([label.to_owned(), bounded(value).map_or_else(|| number(value, 3), str::to_owned), error]);
+        table.row([label.to_owned(), in_decimals(value), error]);
     };
-    let error = bounded(chance.avoided_at_limit)
-        .map_or_else(|| format!("± {}", number(chance.mc_error, 4)), |_| String::new());
+    let error = error_between(chance.avoided_at_limit, chance.mc_error);
+    let error = error.map_or_else(String::new, |error| format!("± {}", number(error, 4)));
     row("avoided at the limit, reaction and braking of the inputs", chance.avoided_at_limit, error);
     row("… as it stops before the place of the impact", chance.stopped_at_limit, String::new());
     row("avoided at the limit, all else as it was", chance.avoided_else_as_it_was, String::new());

@@ -4,8 +4,8 @@ use ::estimate::DrawsSummary;
 use ::uncertainty::{Distribution, Shape};
 use analysis::quantities::{DELTA_V, SPEED};
 use analysis::{
-    Agreement, Assumed, CONTRADICTS, DOUBTFUL, Estimated, EstimatedOutput, MISSED, Output, SeenWarning,
-    Stood, TOLD_BELOW, UnknownNumber, Weighed,
+    Agreement, Assumed, CONTRADICTS, DOUBTFUL, Estimated, EstimatedOutput, MISSED, NoEstimate, Output,
+    SeenWarning, Stood, TOLD_BELOW, UnknownNumber, Weighed,
 };
 use case::{Case, SeverityPrior};
 use evidence::TestedClass;
@@ -21,6 +21,7 @@ use crate::outputs::{label, output_name, pictured};
 use crate::pictures;
 use crate::units::{Measure, Units, number, significant};
 use crate::warnings::{block, notice};
+use crate::words::quoted;
 use crate::writers::wrap::folded;
 
 /// (columns) of an end of an interval, with the blank before it.
@@ -109,12 +110,11 @@ pub(super) const NO_COLLISION: &str =
 
 /// What the collisions that come nearest miss, and what to do.
 pub(super) fn missed(keys: &[String]) -> String {
-    let keys: Vec<String> = keys.iter().map(|key| format!("`{key}`")).collect();
     format!(
         "Even the collisions that come nearest miss {} by more than {MISSED} standard deviations. Check what was \
          measured there, the contact points and the crush plane. If the vehicles left the impact as one wreck, \
          write `locked_together = true` in [scene].",
-        keys.join(" and ")
+        quoted(keys, " and ")
     )
 }
 
@@ -147,14 +147,13 @@ impl<'a> Page<'a> {
     }
 
     fn lead(&mut self) {
-        if !self.estimated.doubts().is_empty() {
-            self.doubts();
-        } else if !self.estimated.missed.is_empty() {
-            let mut how = missed(&self.estimated.missed);
-            how.push_str(" The medians below are no answer.");
-            self.document.push(Block::Answer { found: vec![NO_COLLISION.to_owned()], how });
-        } else {
-            self.answer();
+        match self.estimated.no_answer() {
+            None => self.answer(),
+            Some(NoEstimate::Unconverged) => self.doubts(),
+            Some(NoEstimate::Contradicted(keys)) => {
+                let how = format!("{} The medians below are no answer.", missed(&keys));
+                self.document.push(Block::Answer { found: vec![NO_COLLISION.to_owned()], how });
+            }
         }
         self.warnings();
     }
@@ -170,11 +169,12 @@ impl<'a> Page<'a> {
         let words = |id: VehicleId| {
             let stood = self.estimated.stood[id.index()].filter(|stood| stood.after.value >= WORTH_A_LINE);
             let Stood { assumed, before, after } = stood?;
-            let before =
-                before.map_or_else(String::new, |before| format!(" {} %, which is", percent(before.value)));
+            let before = before.map_or_else(String::new, |before| {
+                format!("; before the evidence, {} %", percent(before.value))
+            });
             Some(format!(
-                "Probability that vehicle {id} was stationary: {} %. Before the evidence:{before} the {} % that `stood` in [estimate] \
-                 assumes, without the cases in which the vehicles never meet.",
+                "Probability that vehicle {id} was stationary: {} %{before}. `stood` in [estimate] assumes {} %; cases in which the \
+                 vehicles do not meet are left out.",
                 percent(after.value),
                 percent(assumed)
             ))
@@ -442,8 +442,7 @@ impl<'a> Page<'a> {
         }
         let defaults = &self.estimated.default_errors;
         if !defaults.is_empty() {
-            let keys: Vec<String> = defaults.iter().map(|key| format!("`{key}`")).collect();
-            table.notes.push(format!("Errors that the case does not give: {}.", keys.join(", ")));
+            table.notes.push(format!("Errors that the case does not give: {}.", quoted(defaults, ", ")));
         }
         self.document.push(table);
         for words in crush_words(self.estimated) {

@@ -41,8 +41,8 @@ impl<'a> Headline<'a> {
                 };
                 let found = vec![format!("{why_not}: the answer is the estimate from all of it.")];
                 let how = format!(
-                    "{} `deltav estimate` weighs all the evidence. Each exact solution takes its part of it as free of \
-                     errors and is one row of its answer.",
+                    "{} `deltav estimate` weighs all the evidence. The exact solution below takes its part of the evidence \
+                     as free of errors.",
                     because(why, analysis, units)
                 );
                 vec![Block::Answer { found, how }, Block::Table(exact(why, analysis, units))]
@@ -88,8 +88,8 @@ impl<'a> Headline<'a> {
 fn because(why: &Overdetermined, analysis: &Seen, units: Units) -> String {
     let mut reasons = Vec::new();
     if !why.left_aside.is_empty() {
-        let keys: Vec<String> = why.left_aside.iter().map(|key| format!("`{key}`")).collect();
-        reasons.push(format!("The exact solution detailed below does not use {}.", keys.join(", ")));
+        let keys = words::quoted(&why.left_aside, ", ");
+        reasons.push(format!("The exact solution detailed below does not use {keys}."));
     }
     if !why.refuted_by.is_empty() {
         let whose = if reasons.is_empty() { "The checks of the exact solution" } else { "Its own checks" };

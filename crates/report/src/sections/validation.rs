@@ -314,6 +314,14 @@ fn rate_row(what: &str, rate: &ErrorRate, size: f64) -> Vec<String> {
     ]
 }
 
+/// Error rates of speeds, each in m/s and as a share.
+fn speed_rates(rates: [(&str, &[ErrorRate; 2]); 3]) -> Vec<Vec<String>> {
+    let both = |(what, [rate, share]): (&str, &[ErrorRate; 2])| {
+        [rate_row(&format!("{what}, m/s"), rate, 1.0), rate_row(&format!("{what}, %"), share, 0.01)]
+    };
+    rates.into_iter().flat_map(both).collect()
+}
+
 fn error_rates(validation: &Validation) -> Vec<Block> {
     let row = rate_row;
     let dv = &validation.delta_v_errors;
@@ -346,14 +354,11 @@ fn error_rates(validation: &Validation) -> Vec<Block> {
             1,
             false,
             &header,
-            vec![
-                row("from the published profiles, m/s", &speed.profiles[0], 1.0),
-                row("from the published profiles, %", &speed.profiles[1], 0.01),
-                row("from the implied energies, m/s", &speed.implied[0], 1.0),
-                row("from the implied energies, %", &speed.implied[1], 0.01),
-                row("from the energies of SAE 871993, m/s", &speed.round_trip[0], 1.0),
-                row("from the energies of SAE 871993, %", &speed.round_trip[1], 0.01),
-            ],
+            speed_rates([
+                ("from the published profiles", &speed.profiles),
+                ("from the implied energies", &speed.implied),
+                ("from the energies of SAE 871993", &speed.round_trip),
+            ]),
         ),
         Block::Picture {
             file: "computed-against-measured.svg",

@@ -6,7 +6,7 @@ use case::{CaseFile, Input};
 use crate::document::{Column, NONE, Table, Width};
 use crate::sections::judgement::{ASSUMED, CHOICES, NUMBERS};
 use crate::steps::digits;
-use crate::understood;
+use crate::understood::{self, list_of};
 use crate::units::Units;
 
 /// The tables that have rows.
@@ -54,9 +54,11 @@ fn numbers(file: &CaseFile) -> Table {
     let mut table = Table::new(NUMBERS, columns.map(|name| Column::words(name, Width::Fit(0))));
     let mut ranges = file.case.ranges.iter().peekable();
     let inputs = understood::numbers(&file.case);
-    for row in inputs.chunk_by(|one, next| list(one).is_some() && list(one) == list(next)) {
+    for row in
+        inputs.chunk_by(|one, next| list_of(&one.path).is_some() && list_of(&one.path) == list_of(&next.path))
+    {
         let [first, ..] = row else { continue };
-        let path = list(first).filter(|_| first.path.ends_with("[1]")).unwrap_or(&first.path);
+        let path = list_of(&first.path).filter(|_| first.path.ends_with("[1]")).unwrap_or(&first.path);
         let spreads: Vec<String> = row
             .iter()
             .map(|input| ranges.next_if(|range| range.path == input.path))
@@ -75,11 +77,6 @@ fn numbers(file: &CaseFile) -> Table {
         table.row([path.to_owned(), own, joined(si)]);
     }
     table
-}
-
-/// The list of which a number is an element.
-fn list(input: &Input) -> Option<&str> {
-    Some(input.path.strip_suffix(']')?.rsplit_once('[')?.0)
 }
 
 /// With the digits of the steps, so that the same number looks the same.

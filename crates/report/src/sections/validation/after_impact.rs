@@ -5,7 +5,7 @@ use validation::{DEGREE, MotionRow, RestMethod, SpeedEvidence, Validation, speed
 use crate::document::Block;
 use crate::units::number;
 
-use super::{Notes, RATE_COLUMNS, heading, paragraph, rate_row, signed, spread, table};
+use super::{Notes, RATE_COLUMNS, heading, paragraph, signed, speed_rates, spread, table};
 
 fn vehicle(test: u8, vehicle: impl std::fmt::Display) -> String {
     format!("{test}.{vehicle}")
@@ -191,14 +191,11 @@ pub(super) fn both_speeds(validation: &Validation, notes: &mut Notes) -> Vec<Blo
             1,
             false,
             &RATE_COLUMNS,
-            vec![
-                rate_row("both speeds, m/s", &errors.all[0], 1.0),
-                rate_row("both speeds, %", &errors.all[1], 0.01),
-                rate_row("from momentum, m/s", &errors.momentum[0], 1.0),
-                rate_row("from momentum, %", &errors.momentum[1], 0.01),
-                rate_row("from momentum and crush, m/s", &errors.momentum_and_crush[0], 1.0),
-                rate_row("from momentum and crush, %", &errors.momentum_and_crush[1], 0.01),
-            ],
+            speed_rates([
+                ("both speeds", &errors.all),
+                ("from momentum", &errors.momentum),
+                ("from momentum and crush", &errors.momentum_and_crush),
+            ]),
         ),
         paragraph(
             "The two speeds of a collision are not independent, and vehicles that stood are not among the %. \
