@@ -4,28 +4,28 @@
 mod chance;
 mod driven;
 mod posing;
+mod same_line;
 mod scene;
 mod sight;
 
 use std::collections::BTreeSet;
-use std::f64::consts::FRAC_PI_2;
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
 use ::uncertainty::{SamplingMethod, Settings, random};
 use inputs::{
-    Avoid, AvoidForm, BrakingForm, Case, ClearSpeedForm, DemandForm, Dimension, Fault, FaultKind, Faults,
-    Find, Quantity, SpeedForm, Velocity, format_number, is_of_avoid,
+    Along, Avoid, AvoidForm, BrakingForm, Case, ClearSpeedForm, DemandForm, Dimension, Fault, FaultKind,
+    Faults, Find, Quantity, SpeedForm, Velocity, format_number, is_of_avoid,
 };
 use pim_core::VehicleId;
-use reconcile::are_collinear;
 use time_distance::Response;
 
 pub use chance::{AvoidChance, AvoidInfluence, AvoidInterval, SightIntervals};
 use chance::{Speeds, chance};
 pub use driven::{BRAKES, GIVES_WAY};
 use posing::{SoughtSpeeds, Unposed};
-pub use scene::{ActualRun, AvoidCourse, AvoidScene, DrivenBy, Sight, Unbraked, View};
+pub use same_line::SameLine;
+pub use scene::{ActualRun, AvoidCourse, AvoidScene, DrivenBy, Meeting, Sight, Unbraked, View};
 pub use sight::{Hiding, SIGHT_LOOK_BACK};
 use sight::{Outlines, Ways};
 
@@ -102,8 +102,8 @@ pub struct Avoidance {
     pub speed_doubt: Option<NoEstimate>,
     /// What the solution that gives the speed warns of; without one, what speaks against the marks.
     pub speed_warnings: Vec<SeenWarning>,
-    /// Whether the other vehicle moved nearly along the same line, so that the place of the impact is not
-    /// fixed.
+    /// Whether the other vehicle moved along nearly the same line with a speed that is not known, so that the
+    /// place of the impact is taken as fixed and is not.
     pub along: Option<Along>,
     /// The speed that the rest of the case tells, if `[avoid]` has none.
     told: Option<Arc<Told>>,
@@ -124,26 +124,6 @@ pub enum SpeedSource {
     Phases,
     /// The table of its recorder alone.
     Recorder,
-}
-
-/// How the other vehicle moved along the way of the one that is asked about.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Along {
-    /// In the same direction.
-    Ahead,
-    /// Towards it.
-    Oncoming,
-}
-
-impl Along {
-    fn of(case: &Case, other: VehicleId, speed: Option<f64>) -> Option<Self> {
-        let angle = case.approach_angle().filter(|angle| are_collinear(*angle))?;
-        let vehicle = &case.vehicles[other.index()];
-        let speed = speed.or_else(|| Some(GivenSpeed::of_known(case, other)?.speed));
-        let stands = vehicle.fixed || vehicle.is_absent() || speed.is_some_and(|speed| speed == 0.0);
-        let along = if angle < FRAC_PI_2 { Self::Ahead } else { Self::Oncoming };
-        (!stands).then_some(along)
-    }
 }
 
 /// A question of what would have been.
@@ -174,10 +154,13 @@ pub struct AvoidRun {
     pub hypothesis: Hypothesis,
     /// How the vehicle moves.
     pub course: AvoidCourse,
-    /// (m/s) speed at the place of the impact; 0 if it stops before.
+    /// (m/s) speed where it meets the other party: at the place of the impact, or where a vehicle on the same
+    /// line then is. 0 if it does not.
     pub collision_speed: f64,
-    /// (s) when it is there, after the demand; `None` if it stops before.
+    /// (s) when it does so, after the demand; `None` if it stops before or never reaches it.
     pub arrival: Option<f64>,
+    /// (m) how near it comes to a vehicle on the same line that it does not reach.
+    pub gap: Option<f64>,
     /// Whether it comes after the other party has left the danger zone; `None` if that is not asked.
     pub is_late_enough: Option<bool>,
     /// (m/s) ΔV of both vehicles from an impact with that speed; `None` without an impact in the case.
@@ -185,10 +168,10 @@ pub struct AvoidRun {
 }
 
 impl AvoidRun {
-    /// Whether it stops before the place of the impact.
+    /// Whether it stops before the place of the impact, or does not reach a vehicle on the same line.
     #[must_use]
     pub fn stops_before(&self) -> bool {
-        self.collision_speed <= 0.0
+        self.arrival.is_none()
     }
 
     /// Whether there is no collision.
@@ -322,9 +305,9 @@ fn found(
     let seen = ways.as_ref().zip(scene.view.sight());
     let hiding = seen.map(|(ways, sight)| ways.hiding(&scene, &sight, &obstacles));
     let hiding = hiding.transpose().map_err(|index| holds_the_eye(case, index))?;
-    let chance = plan.map_or(Ok(None), |plan| of_ranges(case, form, told.as_deref(), &obstacles, plan))?;
+    let chance = plan.map_or(Ok(None), |plan| of_ranges(case, told.as_deref(), &obstacles, plan))?;
     let other = told.as_ref().and_then(|told| told.other);
-    let [runs, more_runs] = runs(&scene, &|speed| delta_v(case, form.vehicle, speed, other));
+    let [runs, more_runs] = runs(&scene, &|meeting| delta_v(case, form.vehicle, meeting, other));
     let enough = Enough {
         speed: scene.just_avoiding(),
         deceleration: scene.least_deceleration(false),
@@ -342,7 +325,8 @@ fn found(
         }
     };
     let speed_warnings = speed_warnings.iter().map(|warning| warning.seen(case.axes)).collect();
-    let along = Along::of(case, form.vehicle.other(), other);
+    let along =
+        case.avoid_basis().along().filter(|_| scene.same_line.is_none() && !stands(case, form, other));
     let vehicle = form.vehicle;
     // Without obstacles, the ways are for the plan alone.
     let ways = ways.or_else(|| case.avoid_plan().as_ref().map(Ways::of));
@@ -495,7 +479,6 @@ fn sampled(
 /// uncertain.
 fn of_ranges(
     case: &Case,
-    central: &AvoidForm,
     told: Option<&Told>,
     obstacles: Outlines<'_>,
     plan: &AvoidPlan,
@@ -515,11 +498,7 @@ fn of_ranges(
         place += 1;
         input.map_or(Number::Known(number), Number::Uncertain)
     });
-    let recorded = match &central.braking {
-        BrakingForm::Recorded { approach, .. } => Some(approach.clone()),
-        _ => None,
-    };
-    let Some(form) = numbers.avoid_form(recorded) else { return Ok(None) };
+    let Some(form) = numbers.avoid_form(&case.avoid_basis()) else { return Ok(None) };
     let mut used = BTreeSet::new();
     form.map(|number| {
         if let Number::Uncertain(input) = number {
@@ -550,8 +529,7 @@ fn of_ranges(
         }
         (None, _) => None,
     };
-    let is_recorded = matches!(form.braking, BrakingForm::Recorded { .. });
-    if inputs.is_empty() && speeds.is_none() && !is_recorded {
+    if inputs.is_empty() && speeds.is_none() && !form.is_recorded() {
         return Ok(None);
     }
     let speeds = speeds.map(|[speeds, other]| Speeds { speeds, other, estimated: draws.and(estimated) });
@@ -559,23 +537,28 @@ fn of_ranges(
 }
 
 /// The actual run, those of the hypotheses that differ from it, and the rest of all combinations.
-fn runs(scene: &AvoidScene, delta_v: &dyn Fn(f64) -> Option<[f64; 2]>) -> [Vec<AvoidRun>; 2] {
-    let AvoidScene { speed, distance, time, response, .. } = *scene;
+fn runs(scene: &AvoidScene, delta_v: &dyn Fn(Option<Meeting>) -> Option<[f64; 2]>) -> [Vec<AvoidRun>; 2] {
+    let AvoidScene { speed, response, .. } = *scene;
     let actual = scene.course();
     let run = |hypothesis, course: AvoidCourse| {
-        let collision_speed =
-            if hypothesis == Hypothesis::Actual { scene.at_impact } else { course.speed_at(distance) };
-        let arrival = if hypothesis == Hypothesis::Actual { Some(time) } else { course.arrival(distance) };
-        let clears = scene.cleared().filter(|_| hypothesis != Hypothesis::Actual);
+        let is_actual = hypothesis == Hypothesis::Actual;
+        let meeting = if is_actual {
+            let other = scene.same_line.as_ref().map(|line| line.speed);
+            Some(Meeting { time: scene.time, speed: scene.at_impact, other })
+        } else {
+            scene.meeting(&course).filter(|meeting| !scene.is_end(meeting))
+        };
+        let clears = scene.cleared().filter(|_| !is_actual);
         let is_late_enough =
-            clears.map(|clears| arrival.is_none_or(|arrival| arrival >= clears * (1.0 - ROUNDING)));
+            clears.map(|clears| meeting.is_none_or(|meeting| meeting.time >= clears * (1.0 - ROUNDING)));
         AvoidRun {
             hypothesis,
-            course,
-            collision_speed,
-            arrival,
+            collision_speed: meeting.map_or(0.0, |meeting| meeting.speed),
+            arrival: meeting.map(|meeting| meeting.time),
+            gap: if meeting.is_none() { scene.least_gap(&course) } else { None },
             is_late_enough,
-            delta_v: delta_v(collision_speed),
+            delta_v: delta_v(meeting),
+            course,
         }
     };
     let with = |speed: f64, response: Response| scene.with_response(speed, response);
@@ -612,18 +595,29 @@ fn runs(scene: &AvoidScene, delta_v: &dyn Fn(f64) -> Option<[f64; 2]>) -> [Vec<A
 /// (–) rounding of a time that is equal to another.
 const ROUNDING: f64 = 1e-12;
 
-/// (m/s) ΔV of both vehicles, if the vehicle comes to the impact with `speed` (m/s) and the other one as it
-/// did; zero if it does not come to it. `None` without an impact in the case.
-fn delta_v(case: &Case, vehicle: VehicleId, speed: f64, other: Option<f64>) -> Option<[f64; 2]> {
+/// Whether the other vehicle stood, or there is none.
+fn stands(case: &Case, form: &AvoidForm, speed: Option<f64>) -> bool {
+    let id = form.vehicle.other();
+    let other = &case.vehicles[id.index()];
+    let speed = speed.or_else(|| Some(GivenSpeed::of_known(case, id)?.speed));
+    other.fixed || other.is_absent() || speed.is_some_and(|speed| speed == 0.0)
+}
+
+/// (m/s) ΔV of both vehicles, if the vehicle meets the other one so, which comes as fast as it did, unless
+/// the meeting says how fast it then is; zero without a meeting. `None` without an impact in the case.
+fn delta_v(
+    case: &Case,
+    vehicle: VehicleId,
+    meeting: Option<Meeting>,
+    other: Option<f64>,
+) -> Option<[f64; 2]> {
     case.impact.as_ref()?;
-    if speed <= 0.0 {
-        return Some([0.0; 2]);
-    }
+    let Some(meeting) = meeting else { return Some([0.0; 2]) };
     let mut case = case.without_avoid().into_owned();
     case.reconstruct = None;
     let given = |speed| Quantity::from_si(speed, Dimension::Speed).ok().map(Velocity::Speed);
-    case.vehicles[vehicle.index()].motion = given(speed);
-    if let Some(other) = other {
+    case.vehicles[vehicle.index()].motion = given(meeting.speed);
+    if let Some(other) = meeting.other.or(other) {
         case.vehicles[vehicle.other().index()].motion = given(other);
     }
     solve::impact(&case).ok().map(|analysis| analysis.delta_v())
@@ -689,6 +683,22 @@ fn unposed(form: &AvoidForm, refusal: Unposed) -> Failure {
             "check the numbers of the phases against the speed at the impact; `acceleration` is negative where the vehicle \
              brakes"
                 .to_owned(),
+        ),
+        Unposed::OtherPhases(refusal) => (
+            format!("vehicle{}.before", form.vehicle.other()),
+            format!("the vehicle cannot have moved like this: {refusal}"),
+            "check its phases, skid or recorder against its speed at the impact".to_owned(),
+        ),
+        Unposed::Parts => (
+            "avoid.vehicle".to_owned(),
+            format!(
+                "both vehicles move along one line, and by their speeds vehicle {} does not come up to the other from behind",
+                form.vehicle
+            ),
+            format!(
+                "check the speeds and the headings; the driver of the other is asked about with vehicle = \"vehicle{}\"",
+                form.vehicle.other()
+            ),
         ),
         Unposed::Stands => (
             format!("{table}.speed"),

@@ -19,6 +19,12 @@ fn with_weighing(case: &Case, mut analysis: Analysis) -> Analysis {
     analysis
 }
 
+/// The same, and whether a speed that was found hangs on an angle.
+fn judged(case: &Case, mut analysis: Analysis) -> Analysis {
+    analysis.warnings.extend(sensitivity::hangs_on_angle(case, &analysis));
+    with_weighing(case, analysis)
+}
+
 /// Finds the speed that makes the work of the normal impulse equal the crush energy, or both speeds, if the
 /// case asks for both, from how the vehicles left the impact. If the case has the ground and the drag for it,
 /// the vehicles are followed to rest.
@@ -26,7 +32,7 @@ fn with_weighing(case: &Case, mut analysis: Analysis) -> Analysis {
 /// # Errors
 /// [`Failure`].
 pub fn reconstruct(case: &Case) -> Result<Analysis, Failure> {
-    solve::reconstruct(case).map(|analysis| with_weighing(case, analysis))
+    solve::reconstruct(case).map(|analysis| judged(case, analysis))
 }
 
 /// Solves the impact of a case that gives both speeds, and follows the vehicles to rest if the case has the
@@ -52,7 +58,7 @@ pub fn crush(case: &Case) -> Result<Analysis, Failure> {
 /// # Errors
 /// [`Failure`].
 pub fn furthest(case: &Case) -> Result<Analysis, Failure> {
-    solve::furthest(case).map(|analysis| with_weighing(case, analysis))
+    solve::furthest(case).map(|analysis| judged(case, analysis))
 }
 
 /// Solves the case with its own law and with every other. It uses the coefficients of the case where they
@@ -68,7 +74,7 @@ pub fn compare(case: &Case) -> Result<Comparison, Failure> {
         let other = compare::under(case, &row.law);
         LawRow { answer: row.answer.map(|analysis| with_weighing(&other, analysis)), ..row }
     });
-    Ok(Comparison { own: with_weighing(case, own), laws: laws.collect(), evidence })
+    Ok(Comparison { own: judged(case, own), laws: laws.collect(), evidence })
 }
 
 /// Differentiates a case with `[reconstruct]` or with a motion to rest, and sweeps the direction of force of
@@ -86,7 +92,7 @@ pub fn compare(case: &Case) -> Result<Comparison, Failure> {
 pub fn sensitivity(case: &Case, sweep: Sweep) -> Result<Sensitivity, Failure> {
     let case = &*case.without_avoid();
     let Sensitivity { nominal, derivatives, pdof_sweep } = sensitivity::sensitivity(case, sweep)?;
-    Ok(Sensitivity { nominal: with_weighing(case, nominal), derivatives, pdof_sweep })
+    Ok(Sensitivity { nominal: judged(case, nominal), derivatives, pdof_sweep })
 }
 
 /// Propagates the ranges of a case through `reconstruct` or, if the case gives both speeds and asks for none,
@@ -122,5 +128,5 @@ pub fn uncertainty_of(
 ) -> Result<Uncertainty, Failure> {
     let case = &*case.without_avoid();
     let found = uncertainty::uncertainty_of(case, plan, wanted, progress)?;
-    Ok(Uncertainty { nominal: with_weighing(case, found.nominal), ..found })
+    Ok(Uncertainty { nominal: judged(case, found.nominal), ..found })
 }

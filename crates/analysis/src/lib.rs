@@ -90,9 +90,9 @@ pub use self::uncertainty::{
     UncertainInput, UncertainOutput, Uncertainty, is_searched_back, is_uncertain, samples,
 };
 pub use avoid::{
-    ActualRun, Along, AvoidChance, AvoidCourse, AvoidInfluence, AvoidInterval, AvoidPlan, AvoidRun,
-    AvoidScene, AvoidStage, Avoidance, BRAKES, DrivenBy, Enough, GIVES_WAY, Hiding, Hypothesis,
-    SIGHT_LOOK_BACK, Sight, SightIntervals, SpeedSource, Unbraked, View, avoid, avoid_at_once, obstacle_name,
+    ActualRun, AvoidChance, AvoidCourse, AvoidInfluence, AvoidInterval, AvoidPlan, AvoidRun, AvoidScene,
+    AvoidStage, Avoidance, BRAKES, DrivenBy, Enough, GIVES_WAY, Hiding, Hypothesis, Meeting, SIGHT_LOOK_BACK,
+    SameLine, Sight, SightIntervals, SpeedSource, Unbraked, View, avoid, avoid_at_once, obstacle_name,
     without_source,
 };
 pub use beside::{BACKWARD_SAMPLES, Beside, SAMPLES, beside, is_estimated_beside, usual_samples};
@@ -113,7 +113,7 @@ pub use output::{Kind, Of, Output, OutputQuantity, Values};
 pub use quantities::{QUANTITIES, quantity};
 pub use recorded::{OfImpact, RecorderReading, VehicleReading, recorders};
 pub use seen::{Seen, SeenWarning};
-pub use sensitivity::{Derivative, Sensitivity, Sweep, SweepRow};
+pub use sensitivity::{Derivative, LEAST_BY_DEGREE, MOST_BY_DEGREE, Sensitivity, Sweep, SweepRow};
 pub use solve::{geometry, motion};
 pub use speeds::{BothFound, BothMethod, CgLine, Combination};
 pub use thresholds::{DELTA_V_DIFFERENCE, ENERGY_DIFFERENCE, FAST_CLOSING, HIGH_RESTITUTION, POINT_MISSED};

@@ -43,6 +43,8 @@ pub struct Seen {
     pub crash3: Option<Crash3>,
     /// As [`Analysis::left_aside`].
     pub left_aside: Vec<String>,
+    /// As [`Analysis::can_be_weighed`].
+    pub can_be_weighed: bool,
     /// As [`Analysis::checks`].
     pub checks: Vec<Check>,
     /// As [`Analysis::warnings`].
@@ -106,7 +108,7 @@ impl Analysis {
             mut vehicles,
             crash3,
             left_aside,
-            can_be_weighed: _,
+            can_be_weighed,
             checks,
             warnings,
         } = self.clone();
@@ -139,6 +141,7 @@ impl Analysis {
             vehicles,
             crash3,
             left_aside,
+            can_be_weighed,
             checks,
             warnings,
         }

@@ -13,6 +13,7 @@ use crate::output::Output;
 use crate::quantities::{DELTA_V, SPEED};
 use crate::solve;
 use crate::vehicle::Vehicle;
+use crate::warning::Warning;
 
 /// (rad) 1°.
 const DEGREE: f64 = std::f64::consts::PI / 180.0;
@@ -158,6 +159,40 @@ fn derivatives(case: &Case, nominal: &Analysis) -> Result<Vec<Derivative>, Failu
         order(a.output).cmp(&order(b.output)).then(influence)
     });
     Ok(derivatives)
+}
+
+/// (–) the greatest share of a speed that was found by which one degree of an angle changes it without a
+/// warning.
+pub const MOST_BY_DEGREE: f64 = 0.1;
+/// (m/s) a change by one degree that is no more than this is none to warn of.
+pub const LEAST_BY_DEGREE: f64 = 1.0;
+
+/// The angle without a range of which one degree changes a speed that was found most, if it does so by a lot.
+/// Ways to rest are left aside: their speeds follow from lengths.
+pub(crate) fn hangs_on_angle(case: &Case, analysis: &Analysis) -> Option<Warning> {
+    let is_found = analysis.found.is_some() || analysis.both.is_some();
+    if !is_found || analysis.travel.iter().any(Option::is_some) {
+        return None;
+    }
+    let speeds: Vec<Output> =
+        Output::of(analysis, case.axes).into_iter().filter(|output| output.is(&SPEED)).collect();
+    let gradients = gradients(case, analysis, &speeds).ok()?;
+    let is_exact = |input: &Input| {
+        let is_angle = input.unit.is_some_and(|unit| unit.dimension() == Dimension::Angle);
+        let is_given = !matches!(input.origin, Origin::Estimate(_) | Origin::Shared(_));
+        is_angle && is_given && !case.ranges.iter().any(|range| range.path == input.path)
+    };
+    let inputs = case.variables();
+    let angles = inputs.iter().enumerate().filter(|(_, input)| is_exact(input));
+    let changes = angles.flat_map(|(i, input)| {
+        let of = move |(output, gradient): (&Output, &Gradient)| {
+            Some((output.vehicle()?, input, (gradient.by[i] * DEGREE).abs(), gradient.value))
+        };
+        speeds.iter().zip(&gradients).filter_map(of)
+    });
+    let (vehicle, input, change, speed) = changes.max_by(|a, b| a.2.total_cmp(&b.2))?;
+    let is_much = change > LEAST_BY_DEGREE && change > MOST_BY_DEGREE * speed.abs();
+    is_much.then(|| Warning::HangsOnAngle { vehicle, path: input.path.clone(), change, speed })
 }
 
 /// Each output, and its derivatives by all variables of the case (SI per SI).

@@ -350,6 +350,17 @@ pub enum Warning {
         /// and in the opposite direction.
         sides: [JumpSide; 2],
     },
+    /// One degree of an angle without a range changes a speed that was found a lot.
+    HangsOnAngle {
+        /// The vehicle with that speed.
+        vehicle: VehicleId,
+        /// The key of the angle.
+        path: String,
+        /// (m/s) by how much, from 1°.
+        change: f64,
+        /// (m/s) the speed.
+        speed: f64,
+    },
     /// The contact point lies next to the damage, not on it.
     ContactOffDamage {
         /// The vehicle.
@@ -559,6 +570,7 @@ impl Warning {
         ContactOtherHalf { vehicle } => "contact-other-half",
         ContactDepth { vehicle } => "contact-depth",
         DamageOutside { vehicle } => "damage-outside",
+        HangsOnAngle { vehicle } => "hangs-on-angle",
         Implausible { vehicle } => "implausible",
         HighNoDamageSpeed { vehicle } => "high-no-damage-speed",
         LowNoDamageSpeed { vehicle } => "low-no-damage-speed",

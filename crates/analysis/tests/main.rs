@@ -19,6 +19,7 @@ mod momentum_asked;
 mod plausibility;
 mod public_cases;
 mod recorders;
+mod same_line;
 mod sensitivity;
 mod tangential_share;
 mod to_rest;

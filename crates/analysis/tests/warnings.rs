@@ -564,3 +564,83 @@ fn a_full_impact_against_the_sliding_without_friction() {
     // With a limit of 0.4 and more the full impact is possible on both sides of u_t = −0.75.
     assert_eq!(raised(analysis::impact, &turned_round(-0.752, 0.41, -1.0, "z-up"), "near-jump"), []);
 }
+
+/// A car overtakes another one, nearly along it: `heading` in degrees, and what else its angles say.
+fn overtaking(heading: &str, plane: &str) -> String {
+    format!(
+        r#"
+[vehicle1]
+mass = "1700 kg"
+yaw_radius = "1.4 m"
+heading = {heading}
+contact = {{ x = "1.5 m", y = "-0.85 m" }}
+[vehicle1.crush]
+side = "right"
+width = "2 m"
+depths = "1 3 4 2 cm"
+offset = "80 cm"
+stiffness = {{ A = "30 kN/m", B = "600 kN/m^2" }}
+[vehicle2]
+mass = "1400 kg"
+yaw_radius = "1.3 m"
+heading = {{ value = "0 deg", sd = "1 deg" }}
+contact = {{ x = "-1.0 m", y = "0.85 m" }}
+speed = "40 km/h"
+[vehicle2.crush]
+side = "left"
+width = "2 m"
+depths = "2 3 4 2 cm"
+offset = "-80 cm"
+stiffness = {{ A = "30 kN/m", B = "600 kN/m^2" }}
+[impact]
+crush_plane = {plane}
+restitution = 0.1
+tangential = {{ friction = 0.5 }}
+[reconstruct]
+find = "vehicle1.speed"
+"#
+    )
+}
+
+/// The answer hangs on a degree where the path lies nearly along the crush plane, by differences of one
+/// hundredth of a degree; an angle with a range says so itself.
+#[test]
+fn an_answer_that_hangs_on_a_degree_is_told() {
+    let plane = "{ value = \"90 deg\", sd = \"1 deg\" }";
+    let speed = |degrees: f64| {
+        let text = overtaking(&format!("\"{degrees} deg\""), plane);
+        let case = CaseFile::parse("case.toml", &text).unwrap().case;
+        analysis::reconstruct(&case).unwrap().speed(VehicleId::One)
+    };
+    let of = |degrees: f64| {
+        let text = overtaking(&format!("\"{degrees} deg\""), plane);
+        raised(analysis::reconstruct, &text, "hangs-on-angle")
+    };
+    let mut told = 0;
+    for degrees in [-4.0, -6.0, -9.0, -12.0, -20.0, -30.0, -45.0] {
+        let by_degree = (speed(degrees + 0.01) - speed(degrees - 0.01)).abs() / 0.02;
+        let share = by_degree / speed(degrees);
+        assert!((share - 0.1).abs() > 1e-3 && by_degree > 1.0 || share < 0.1, "{degrees} decides nothing");
+        match &of(degrees)[..] {
+            [] => assert!(share < 0.1, "{degrees} {share}"),
+            [Warning::HangsOnAngle { vehicle: VehicleId::One, path, change, speed: at }] => {
+                assert!(share > 0.1, "{degrees} {share}");
+                assert_eq!(path, "vehicle1.heading");
+                assert_close("change", *change, by_degree, 1e-3 * by_degree);
+                assert_close("speed", *at, speed(degrees), 1e-12 * at);
+                told += 1;
+            }
+            other => panic!("{other:?}"),
+        }
+    }
+    assert!((1..7).contains(&told), "{told}");
+    // The other angle counts where that one has a range, and none where both have.
+    let ranged = "{ value = \"-4 deg\", sd = \"1 deg\" }";
+    let found = raised(analysis::reconstruct, &overtaking(ranged, "\"90 deg\""), "hangs-on-angle");
+    assert!(
+        matches!(&found[..], [Warning::HangsOnAngle { path, .. }] if path == "impact.crush_plane"),
+        "{found:?}"
+    );
+    assert_eq!(raised(analysis::reconstruct, &overtaking(ranged, plane), "hangs-on-angle"), []);
+    assert_eq!(raised(analysis::reconstruct, PAPER, "hangs-on-angle"), []);
+}

@@ -226,9 +226,12 @@ impl Generator {
                 node.extend(self.content(&[schema], None));
                 node
             }
-            Form::Tables(schema) => {
-                object(json!({ "type": "array", "maxItems": MOST_ZONES, "items": self.table(schema) }))
-            }
+            Form::Tables(schema, least) => object(json!({
+                "type": "array",
+                "minItems": least,
+                "maxItems": MOST_ZONES,
+                "items": self.table(schema),
+            })),
             Form::WordsOrTable(words, schema) => {
                 // Not `anyOf`, which reports at the key: errors in a table are marked in the table.
                 let table = self.table(schema);
@@ -347,6 +350,7 @@ fn limits(bounds: Bounds) -> Node {
         Bounds::Positive => json!({ "exclusiveMinimum": 0 }),
         Bounds::Share | Bounds::BelowOne => json!({ "minimum": 0, "maximum": 1 }),
         Bounds::Coefficient => json!({ "minimum": -1, "maximum": 1 }),
+        Bounds::Friction => json!({ "exclusiveMinimum": 0, "maximum": bounds.interval(None)[1] }),
     })
 }
 

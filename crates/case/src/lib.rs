@@ -186,9 +186,9 @@ pub use value::{Value, ValueTable};
 
 // The contents of a case file are types of the crate `inputs`, re-exported here for those who read files.
 pub use inputs::{
-    After, Amount, Avoid, AvoidForm, Axes, Basis, Before, Bounds, BrachTangential, Case, Clear, ClearForm,
-    ClearSpeedForm, CollisionData, ContactPoint, ContactSpread, Crush, CrushEvidence, CrushOnly,
-    DAMAGE_LENGTH_SD, DEPTH_SD, DamageData, DemandForm, Departures, Dimension, Dimensions, Drag,
+    After, Along, Amount, Avoid, AvoidBasis, AvoidForm, Axes, Basis, Before, Bounds, BrachTangential, Case,
+    Clear, ClearForm, ClearSpeedForm, CollisionData, ContactPoint, ContactSpread, Crush, CrushEvidence,
+    CrushOnly, DAMAGE_LENGTH_SD, DEPTH_SD, DamageData, DemandForm, Departures, Dimension, Dimensions, Drag,
     ENERGY_BASES, EdgeSide, EnergyData, EstimatedInput, FaceAxis, Fault, FaultKind, Faults, Find, Fit,
     Geometry, GivenDemand, GivenEes, GivenImpact, GivenPhase, GivenPreCrash, GivenPulse, GivenRest,
     GivenSeries, GivenSight, GivenSitePlan, GivenSteer, GivenTest, GivenValue, GivenVehicle, GivenWayOut,

@@ -101,8 +101,8 @@ pub enum Form {
     Vehicle,
     /// A table.
     Table(&'static Schema),
-    /// A list of tables.
-    Tables(&'static Schema),
+    /// A list of tables, of which there are at least so many.
+    Tables(&'static Schema, usize),
     /// One of these words, or a table.
     WordsOrTable(&'static [&'static str], &'static Schema),
     /// A plain number, a range, or a table.
@@ -189,7 +189,7 @@ impl Form {
         match self {
             Self::Vehicle => Some(&VEHICLE),
             Self::Table(schema)
-            | Self::Tables(schema)
+            | Self::Tables(schema, _)
             | Self::QuantityOrTables(_, _, schema)
             | Self::WordsOrTable(_, schema)
             | Self::NumberOrTable(_, schema) => Some(schema),
@@ -284,6 +284,7 @@ const fn from_cg(form: Form, x: &'static str, y: &'static str) -> [KeyInfo; 2] {
 const ANY: Bounds = Bounds::None;
 const NOT_NEGATIVE: Bounds = Bounds::NotNegative;
 const POSITIVE: Bounds = Bounds::Positive;
+const FRICTION: Bounds = Bounds::Friction;
 
 const LENGTH: Form = Form::Quantity(Dimension::Length, ANY);
 const EXACT_LENGTH: Form = Form::Exact(Dimension::Length, ANY);
@@ -408,14 +409,14 @@ pub(crate) static SURFACE: Schema = Schema {
         key(
             "friction",
             "friction = 0.7",
-            Form::Number(POSITIVE),
+            Form::Number(FRICTION),
             "Coefficient of friction between tyre and ground. A locked wheel is held back by this share of its load.",
         ),
         table("grade", "grade = { slope = 0.03, uphill = \"90 deg\" }", &GRADE),
         key(
             "zone",
             "zone = [{ name = \"grass\", friction = 0.4, edge = [{ x = \"0 m\", y = \"6 m\" }, { x = \"50 m\", y = \"6 m\" }], side = \"left\" }]",
-            Form::Tables(&SURFACE_ZONE),
+            Form::Tables(&SURFACE_ZONE, 0),
             "Parts of the ground with a friction of their own. Where two overlap, the later one counts.",
         ),
     ],
@@ -447,17 +448,17 @@ pub(crate) static SURFACE_ZONE: Schema = Schema {
     text: "A part of the ground, such as a shoulder, a strip of grass or an ice patch. Give the corners of a `polygon`, or an `edge` and the `side` of it on which the zone lies.",
     keys: &[
         key("name", "name = \"grass\"", Form::Text, "Name of the zone. Reports and drawings use it."),
-        key("friction", "friction = 0.4", Form::Number(POSITIVE), "Coefficient of friction in the zone."),
+        key("friction", "friction = 0.4", Form::Number(FRICTION), "Coefficient of friction in the zone."),
         key(
             "polygon",
             "polygon = [{ x = \"0 m\", y = \"6 m\" }, { x = \"50 m\", y = \"6 m\" }, { x = \"50 m\", y = \"9 m\" }]",
-            Form::Tables(&CORNER),
+            Form::Tables(&CORNER, 3),
             "Corners of the zone, three or more, in their order along its outline. The outline must not cross itself.",
         ),
         key(
             "edge",
             "edge = [{ x = \"0 m\", y = \"6 m\" }, { x = \"50 m\", y = \"6 m\" }]",
-            Form::Tables(&CORNER),
+            Form::Tables(&CORNER, 2),
             "Two places on a straight edge. The zone is all that lies on one `side` of it.",
         ),
         key(
@@ -737,13 +738,13 @@ pub(crate) static RECORDER: Schema = Schema {
         key(
             "records",
             "records = [{ speed = \"55 km/h\" }, { since_previous = \"0.8 s\", speed = \"41 km/h\" }]",
-            Form::Tables(&RECORD),
+            Form::Tables(&RECORD, 1),
             "Several records. In the order of time, in place of the keys of one: `deltav recorder` says which is of the impact of this case, by the direction and the size of its ΔV, and `deltav estimate` uses that one.",
         ),
         key(
             "other_impacts",
             "other_impacts = [{ when = \"after\", pdof = \"90 deg\", delta_v = \"12 km/h\" }]",
-            Form::Tables(&OTHER_IMPACT),
+            Form::Tables(&OTHER_IMPACT, 0),
             "Other impacts of this vehicle in the crash. In the order of time. `deltav recorder` then says of each record which impact it may belong to.",
         ),
         table("at", "at = { x = \"-0.3 m\", y = \"0 m\" }", &RECORDER_AT),
@@ -1161,7 +1162,7 @@ pub(crate) static AVOID: Schema = Schema {
         key(
             "obstacle",
             "obstacle = [{ name = \"parked van\", source = \"survey\", polygon = [{ x = \"-8 m\", y = \"-1.8 m\" }, { x = \"-3 m\", y = \"-1.8 m\" }, { x = \"-3 m\", y = \"-3.8 m\" }, { x = \"-8 m\", y = \"-3.8 m\" }] }]",
-            Form::Tables(&OBSTACLE),
+            Form::Tables(&OBSTACLE, 0),
             "What hides the other party, such as a parked van, a house or a hedge. The report then says since when the view was free.",
         ),
     ],
@@ -1189,13 +1190,13 @@ pub(crate) static AVOID_SIGHT: Schema = Schema {
         key(
             "path",
             "path = [{ x = \"-30 m\", y = \"-12 m\" }, { x = \"-12 m\", y = \"0 m\" }]",
-            Form::Tables(&CORNER),
+            Form::Tables(&CORNER, 0),
             "Points of the path of the driver's eye to the impact, in their order. It is straight between them and to `eye`, and goes on straight before the first. It takes the place of `heading`.",
         ),
         key(
             "other_path",
             "other_path = [{ x = \"6 m\", y = \"-8 m\" }, { x = \"0 m\", y = \"-4 m\" }]",
-            Form::Tables(&CORNER),
+            Form::Tables(&CORNER, 0),
             "The same for the other party, up to `point`. It takes the place of `other_heading`.",
         ),
         key(
@@ -1228,7 +1229,7 @@ pub(crate) static OBSTACLE: Schema = Schema {
         key(
             "polygon",
             "polygon = [{ x = \"-8 m\", y = \"-1.8 m\" }, { x = \"-3 m\", y = \"-1.8 m\" }, { x = \"-3 m\", y = \"-3.8 m\" }]",
-            Form::Tables(&CORNER),
+            Form::Tables(&CORNER, 3),
             "Corners of the obstacle, three or more, in their order along its outline. The outline must not cross itself.",
         ),
     ],
@@ -1341,7 +1342,7 @@ pub(crate) static BEFORE: Schema = Schema {
         key(
             "phase",
             "phase = [{ distance = \"12 m\", acceleration = \"-4 m/s^2\" }]",
-            Form::Tables(&PHASE),
+            Form::Tables(&PHASE, 0),
             "How the vehicle moved before the impact, in the order of time. `deltav avoid` follows the phases; the last ends at the impact.",
         ),
         key(
@@ -1400,7 +1401,7 @@ pub(crate) static SKID: Schema = Schema {
         key(
             "friction",
             "friction = 0.7",
-            Form::Number(POSITIVE),
+            Form::Number(FRICTION),
             "Coefficient of friction there. Without it, that of [surface] is used.",
         ),
     ],
@@ -1420,7 +1421,7 @@ pub(crate) static AFTER: Schema = Schema {
         key(
             "friction",
             "friction = 0.72",
-            Form::Number(POSITIVE),
+            Form::Number(FRICTION),
             "Coefficient of friction between the tyres of this vehicle and the ground. It takes the place of that of [surface] on the path of this vehicle; a zone keeps its own.",
         ),
         key(
@@ -1439,7 +1440,7 @@ pub(crate) static AFTER: Schema = Schema {
         key(
             "points",
             "points = [{ x = \"18.0 m\", y = \"5.5 m\" }, { x = \"25.1 m\", y = \"8.3 m\" }]",
-            Form::Tables(&POINT),
+            Form::Tables(&POINT, 0),
             "Places where the CG passed, from impact to rest. They tell which of several motions to the same rest it was.",
         ),
         key(
@@ -1773,7 +1774,7 @@ pub(crate) static UNCERTAINTY: Schema = Schema {
         key(
             "shared",
             "shared = [{ name = \"tape\", of = [\"vehicle1.crush.depths\"], sd = \"1 cm\" }]",
-            Form::Tables(&SHARED),
+            Form::Tables(&SHARED, 0),
             "Errors that several numbers share. Each sample draws such an error once and applies it to all of its numbers.",
         ),
     ],
@@ -1922,7 +1923,7 @@ pub(crate) static STIFFNESS: Schema = Schema {
         key(
             "zones",
             "zones = [{ A = \"587 N/cm\", B = \"63.3 N/cm^2\" }, { A = \"400 N/cm\", B = \"50 N/cm^2\" }]",
-            Form::Tables(&ZONE),
+            Form::Tables(&ZONE, 0),
             "Stiffness of each zone between two stations. There is one zone fewer than there are depths.",
         ),
     ],
@@ -2239,7 +2240,7 @@ pub fn number_keys() -> Vec<String> {
         | Form::Exact(..)
         | Form::Vehicle
         | Form::Table(_)
-        | Form::Tables(_)
+        | Form::Tables(..)
         | Form::WordsOrTable(..)
         | Form::Value
         | Form::Values

@@ -1333,7 +1333,7 @@ fn any_place() -> impl Strategy<Value = Place> {
 }
 
 fn any_surface() -> impl Strategy<Value = Surface> {
-    let friction = || 1e-3..10.0_f64;
+    let friction = || 1e-3..2.0_f64;
     let grade = (0.0..=1.0_f64, any_quantity(Dimension::Angle, Signs::Any))
         .prop_map(|(slope, uphill)| Grade { slope, uphill });
     let metres =
@@ -1373,7 +1373,7 @@ fn any_before() -> impl Strategy<Value = Before> {
         any_quantity(Dimension::Length, Signs::Positive).prop_map(SkidBegin::Length),
         any_place().prop_map(SkidBegin::From),
     ];
-    let skid = (begin, option::of(1e-3..10.0_f64), speed).prop_map(|(begin, friction, speed)| Before {
+    let skid = (begin, option::of(1e-3..2.0_f64), speed).prop_map(|(begin, friction, speed)| Before {
         skid: Some(Skid { begin, friction }),
         speed,
         phases: Vec::new(),
@@ -1425,7 +1425,7 @@ fn any_after() -> impl Strategy<Value = After> {
         heading,
         wheel,
     });
-    let wheels = (option::of(drag), option::of(1e-3..10.0_f64));
+    let wheels = (option::of(drag), option::of(1e-3..2.0_f64));
     (wheels, option::of(steer), option::of(rest), vec(point, 0..3), velocity).prop_map(
         |((drag, friction), steer, rest, points, (speed, direction, yaw_rate))| After {
             drag,

@@ -87,7 +87,7 @@ fn keys_with_values() -> Vec<(String, String)> {
                 assert_eq!(name.trim(), key.name);
                 all.push((path.clone(), value.trim().to_owned()));
             }
-            let is_list = matches!(key.form, Form::Tables(_) | Form::QuantityOrTables(..));
+            let is_list = matches!(key.form, Form::Tables(..) | Form::QuantityOrTables(..));
             let element = if is_list { "[1]" } else { "" };
             add(key.form.keys(), &format!("{path}{element}"), all);
         }

@@ -181,7 +181,6 @@ fn what_is_missing_or_impossible_is_told_with_its_key() {
             "0.0 mm",
         ),
         ("drag = 0.02\n", "drag = 2.5\n", "vehicle1.after.drag", "2.5"),
-        ("friction = 0.7", "friction = 2.5", "surface", "2.5"),
     ] {
         let faults = with(old, new).motion().unwrap_err();
         let (keys, text) = told(&faults);

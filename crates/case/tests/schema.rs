@@ -155,7 +155,6 @@ const BEYOND: &[(&str, &[&str])] = &[
             "steer-times-fall",
             "stiffness-zones-count",
             "zone-edge-one-place",
-            "zone-polygon-two-corners",
         ],
     ),
     (

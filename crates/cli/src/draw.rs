@@ -3,7 +3,7 @@
 use std::io::{self, Write as _};
 use std::path::Path;
 
-use analysis::{Analysis, Weighed};
+use analysis::{Analysis, NoEstimate, Weighed};
 use anyhow::{Context as _, Result, bail};
 use case::{Axes, CaseFile, Quantity};
 use report::{AvoidPicture, Drawing, DrawingError, PROGRAM, PictureFormat, SitePlan, Subject, Units};
@@ -102,9 +102,19 @@ fn estimate(file: &CaseFile, units: Units) -> Result<Drawing> {
     let options = EstimateOptions { pieces: false, ..EstimateOptions::default() };
     let answer = in_pool(&pool(None)?, |progress| options.answer(&file.case, progress))?;
     let EstimateAnswer { estimated, asked } = found(answer, file, units)?;
-    if !estimated.doubts().is_empty() {
-        let message = "the run has not converged, so there is nothing to draw: `deltav estimate` says why";
-        return Err(NoAnswer(message.to_owned()).into());
+    match estimated.no_answer() {
+        Some(NoEstimate::Unconverged) => {
+            let message = "the run has not converged, so there is nothing to draw: `deltav estimate` says why";
+            return Err(NoAnswer(message.to_owned()).into());
+        }
+        Some(NoEstimate::Contradicted(keys)) => writeln!(
+            io::stderr(),
+            "no collision reproduces all of the evidence, and even the nearest miss {}: the picture shows them, and \
+             is no answer; `deltav estimate` says more",
+            keys.join(", ")
+        )
+        .context("cannot write to standard error")?,
+        None => {}
     }
     let drawing = report::estimate_pictures(&file.case, &estimated, &asked, units);
     let message = "there is no estimate to draw: the case gives both speeds and follows no vehicle to rest; leave out the speed that is sought";

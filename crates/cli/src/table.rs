@@ -603,13 +603,13 @@ fn keys() -> String {
 fn add_keys(keys: &[KeyInfo], within: &str, lines: &mut String) {
     for key in keys {
         let path = format!("{within}{}", key.name);
-        if !matches!(key.form, Form::Vehicle | Form::Table(_) | Form::Tables(_)) {
+        if !matches!(key.form, Form::Vehicle | Form::Table(_) | Form::Tables(..)) {
             let unit = key.form.dimension().map(|dimension| format!(" [{}]", dimension.si_unit()));
             let (unit, what) = (unit.unwrap_or_default(), held(key.form));
             let title = key.text().split(". ").next().unwrap_or_default().trim_end_matches('.');
             lines.push_str(&format!("{path}{unit}\t{what}\t{title}\n"));
         }
-        let is_list = matches!(key.form, Form::Tables(_) | Form::QuantityOrTables(..));
+        let is_list = matches!(key.form, Form::Tables(..) | Form::QuantityOrTables(..));
         let element = if is_list { "[1]" } else { "" };
         add_keys(key.form.keys(), &format!("{path}{element}."), lines);
     }
@@ -634,7 +634,7 @@ fn held(form: Form) -> String {
         Form::Flag => "true | false".to_owned(),
         Form::Keys(_) => "keys".to_owned(),
         Form::Text | Form::Deviation | Form::Value | Form::Values => "text".to_owned(),
-        Form::Vehicle | Form::Table(_) | Form::Tables(_) => "its keys".to_owned(),
+        Form::Vehicle | Form::Table(_) | Form::Tables(..) => "its keys".to_owned(),
     }
 }
 

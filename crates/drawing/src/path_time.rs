@@ -41,8 +41,8 @@ pub struct PathTimePicture {
     /// The way of the other party along its own path, if it is known, with its legend.
     pub other: Option<(Vec<[f64; 2]>, String)>,
     /// (s) from when to when the other party is in the danger zone, which need not end within the plot, with
-    /// its legend.
-    pub zone: ([f64; 2], String),
+    /// its legend; `None` where the other moves along the same line.
+    pub zone: Option<([f64; 2], String)>,
     /// (s) the impact, with its label.
     pub impact: (f64, String),
     /// The label of the reaction demand.
@@ -82,7 +82,9 @@ impl PathTimePicture {
         if let Some((_, legend)) = &self.other {
             entries.push((Sample::Line(OTHER_WAY), legend.clone()));
         }
-        entries.push((Sample::Box(Pen { width: 1.0, ..OTHER_WAY }, ZONE.to_owned()), self.zone.1.clone()));
+        if let Some((_, legend)) = &self.zone {
+            entries.push((Sample::Box(Pen { width: 1.0, ..OTHER_WAY }, ZONE.to_owned()), legend.clone()));
+        }
         if self.courses.iter().any(|course| course.brakes.is_some()) {
             entries
                 .push((Sample::Dot(Some(Pen { width: 1.6, ..COURSES[0] }), "#ffffff"), self.brakes.clone()));
@@ -93,10 +95,12 @@ impl PathTimePicture {
         let chart = Chart { area: PLOT, left: EDGE, across: [0.0, self.until], upward: self.reach };
         chart.draw(&mut canvas, &self.time, &self.way, MOST);
 
-        let [from, to] = self.zone.0.map(|time| chart.at(time.clamp(0.0, self.until), 0.0));
-        let bar = Rect::new(from.x, from.y - BAR, to.x.max(from.x + 1.0), to.y);
-        canvas.protect(bar);
-        canvas.rect("zone", bar, Some(Pen { width: 1.0, dashes: "", ..OTHER_WAY }), ZONE);
+        if let Some((times, _)) = &self.zone {
+            let [from, to] = times.map(|time| chart.at(time.clamp(0.0, self.until), 0.0));
+            let bar = Rect::new(from.x, from.y - BAR, to.x.max(from.x + 1.0), to.y);
+            canvas.protect(bar);
+            canvas.rect("zone", bar, Some(Pen { width: 1.0, dashes: "", ..OTHER_WAY }), ZONE);
+        }
         canvas.line("place", chart.at(0.0, 0.0), chart.at(self.until, 0.0), PLACE);
         if let Some((points, _)) = &self.other {
             canvas.path("other", &polyline(self.within(points, &chart)), Some(OTHER_WAY), "none");

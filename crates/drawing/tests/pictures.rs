@@ -823,7 +823,7 @@ fn path_time() -> PathTimePicture {
             ),
         ],
         other: Some((vec![[0.0, -3.0], [2.0, 0.0], [3.5, 2.4]], text("pedestrian"))),
-        zone: ([2.0, 3.5], text("in the zone")),
+        zone: Some(([2.0, 3.5], text("in the zone"))),
         impact: (2.0, text("impact")),
         demand: text("reaction demand"),
         brakes: text("brakes take effect"),

@@ -185,6 +185,47 @@ pub struct AvoidForm<T = f64> {
     pub braking: BrakingForm<T>,
     /// From where the driver looks at what, if there are obstacles.
     pub sight: Option<SightForm<T>>,
+    /// How the other vehicle moved, if it did so along the same line.
+    pub same_line: Option<SameLineForm<T>>,
+}
+
+/// What the central values of a case tell of the question, whatever its numbers are.
+#[derive(Clone, Debug, Default)]
+pub struct AvoidBasis {
+    /// What the recorders stored before the impact: that of the vehicle asked about, and of the other.
+    pub(crate) recorded: [Option<Arc<SampledApproach>>; 2],
+    /// How the other vehicle moved along the line of this one, if it did.
+    pub(crate) along: Option<Along>,
+}
+
+impl AvoidBasis {
+    /// How the other vehicle moved along the line of the one that is asked about, if it did.
+    #[must_use]
+    pub fn along(&self) -> Option<Along> {
+        self.along
+    }
+}
+
+/// How another vehicle moves along the line of the one that is asked about.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Along {
+    /// `"ahead"`: in the same direction.
+    Ahead,
+    /// `"oncoming"`: towards it.
+    Oncoming,
+}
+
+words!(Along: "ahead" Ahead, "oncoming" Oncoming);
+
+/// How the other vehicle came to the impact along the line of the one that is asked about.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SameLineForm<T = f64> {
+    /// In which direction.
+    pub along: Along,
+    /// (m/s) its speed at the impact; `None` where the rest of the case tells it.
+    pub speed: Option<Quantity<T>>,
+    /// How it came.
+    pub braking: BrakingForm<T>,
 }
 
 /// From where the driver looks at what, with every number that this needs.
@@ -335,6 +376,15 @@ pub enum BrakingForm<T = f64> {
     },
 }
 
+impl<T> AvoidForm<T> {
+    /// Whether the table of a recorder says how a vehicle came.
+    #[must_use]
+    pub fn is_recorded(&self) -> bool {
+        let other = self.same_line.as_ref().map(|line| &line.braking);
+        std::iter::once(&self.braking).chain(other).any(|way| matches!(way, BrakingForm::Recorded { .. }))
+    }
+}
+
 impl<T: Copy> AvoidForm<T> {
     /// The same on other numbers, which come in the order of the fields.
     pub fn map<U>(&self, mut number: impl FnMut(T) -> U) -> AvoidForm<U> {
@@ -370,19 +420,31 @@ impl<T: Copy> AvoidForm<T> {
                 other_path: sight.other_path.map(&mut of),
                 other_speed: of(sight.other_speed),
             }),
-            braking: match &self.braking {
-                BrakingForm::Unknown => BrakingForm::Unknown,
-                BrakingForm::Unbraked => BrakingForm::Unbraked,
-                BrakingForm::Skid { length, friction } => {
-                    BrakingForm::Skid { length: of(*length), friction: number(*friction) }
-                }
-                BrakingForm::Phases(phases) => {
-                    BrakingForm::Phases(phases.iter().map(|phase| phase.map(&mut of)).collect())
-                }
-                BrakingForm::Recorded { approach, error } => {
-                    BrakingForm::Recorded { approach: approach.clone(), error: *error }
-                }
-            },
+            braking: self.braking.map(&mut number),
+            same_line: self.same_line.as_ref().map(|line| SameLineForm {
+                along: line.along,
+                speed: line.speed.map(|speed| speed.map(&mut number)),
+                braking: line.braking.map(&mut number),
+            }),
+        }
+    }
+}
+
+impl<T: Copy> BrakingForm<T> {
+    fn map<U>(&self, number: &mut impl FnMut(T) -> U) -> BrakingForm<U> {
+        match self {
+            Self::Unknown => BrakingForm::Unknown,
+            Self::Unbraked => BrakingForm::Unbraked,
+            Self::Skid { length, friction } => {
+                BrakingForm::Skid { length: length.map(&mut *number), friction: number(*friction) }
+            }
+            Self::Phases(phases) => {
+                let mut of = |quantity: Quantity<T>| quantity.map(&mut *number);
+                BrakingForm::Phases(phases.iter().map(|phase| phase.map(&mut of)).collect())
+            }
+            Self::Recorded { approach, error } => {
+                BrakingForm::Recorded { approach: approach.clone(), error: *error }
+            }
         }
     }
 }

@@ -79,9 +79,9 @@ pub use after::{
     Skid, SkidBegin, SteerPoint, WheelDrag,
 };
 pub use avoid::{
-    Avoid, AvoidForm, BrakingForm, Clear, DemandForm, GivenDemand, GivenSight, GivenWayOut, Obstacle,
-    OtherApproach, OtherForm, OtherParty, PathForm, PlaceForm, SUBJECTS, SWELLS, SightForm, Sourced,
-    SpeedForm,
+    Along, Avoid, AvoidBasis, AvoidForm, BrakingForm, Clear, DemandForm, GivenDemand, GivenSight,
+    GivenWayOut, Obstacle, OtherApproach, OtherForm, OtherParty, PathForm, PlaceForm, SUBJECTS, SWELLS,
+    SameLineForm, SightForm, Sourced, SpeedForm,
 };
 pub use axes::Axes;
 pub use basis::{Basis, ENERGY_BASES};

@@ -2,6 +2,8 @@
 
 use std::fmt;
 
+use trajectory::GREATEST_FRICTION;
+
 use crate::quantity::format_number;
 use crate::units::Unit;
 
@@ -91,6 +93,8 @@ pub enum Bounds {
     BelowOne,
     /// From −1 to 1.
     Coefficient,
+    /// More than zero, and no more than any ground has.
+    Friction,
     /// Less than a right angle to either side.
     Acute,
 }
@@ -107,6 +111,7 @@ impl Bounds {
             Self::Share => [0.0, 1.0],
             Self::BelowOne => [0.0, 1.0_f64.next_down()],
             Self::Coefficient => [-1.0, 1.0],
+            Self::Friction => [f64::MIN_POSITIVE, GREATEST_FRICTION],
             Self::Acute => {
                 let right = std::f64::consts::FRAC_PI_2 / unit.map_or(1.0, Unit::factor);
                 // The rounding of the division must not reach the right angle itself.
@@ -125,6 +130,7 @@ impl fmt::Display for Bounds {
             Self::Share => "0 to 1",
             Self::BelowOne => "0 to less than 1",
             Self::Coefficient => "-1 to 1",
+            Self::Friction => "greater than zero, and at most 2",
             Self::Acute => "less than a right angle",
         })
     }

@@ -36,7 +36,7 @@ pub fn warnings(case: &Case, analysis: &Analysis, units: Units) -> Document {
 pub(crate) fn of_analysis(analysis: &Analysis, case: &Case, units: Units) -> Vec<Block> {
     let warnings = analysis.seen(case.axes).warnings;
     let warned = (!warnings.is_empty()).then(|| block(&warnings, units));
-    left_aside(&analysis.left_aside).into_iter().chain(warned).collect()
+    left_aside(&analysis.left_aside, analysis.can_be_weighed).into_iter().chain(warned).collect()
 }
 
 /// The warnings on the answer, and those on an exact solution that is not the answer. All of the evidence,
@@ -55,12 +55,15 @@ pub(crate) fn of_answer(seen: &Seen, weighed: Option<&Weighed>, is_exact: bool) 
 }
 
 /// Names the evidence that an answer does not use, where there is any.
-pub(crate) fn left_aside(keys: &[String]) -> Option<Block> {
+pub(crate) fn left_aside(keys: &[String], can_be_weighed: bool) -> Option<Block> {
     let words = || {
         let keys = quoted(keys, ", ");
-        format!(
-            "Evidence in the case that these figures do not use: {keys}. `deltav estimate` weighs all of it."
-        )
+        let who = if can_be_weighed {
+            "`deltav estimate` weighs all of it."
+        } else {
+            "`deltav check` says what `deltav estimate` needs to weigh it."
+        };
+        format!("Evidence in the case that these figures do not use: {keys}. {who}")
     };
     (!keys.is_empty()).then(|| Block::Paragraph(words()))
 }
@@ -612,6 +615,13 @@ pub fn message(seen: &SeenWarning, units: Units) -> String {
             "the angle `{path}` is {} full turns; {}",
             number(*turns, 1),
             if *in_degrees { "check the number" } else { "did you mean deg?" }
+        ),
+        Warning::HangsOnAngle { vehicle, path, change, speed } => format!(
+            "one degree of `{path}` changes the speed of vehicle {vehicle}, {}, by {}, or {} %; give the angle with its \
+             error, as in {{ value = …, sd = \"2 deg\" }}, so that the interval shows what it does to the speed",
+            units.road_speed(*speed),
+            units.road_speed(*change),
+            number(100.0 * change / speed.abs(), 0)
         ),
         Warning::NoResidualCrush { vehicle, energy } => format!(
             "all depths of vehicle {vehicle} are zero, so its crush energy of {} comes from G alone; this \

@@ -72,7 +72,7 @@ impl Shape {
             Form::Wheels(..) => Self::Wheels,
             Form::AngleOrHour => Self::Angle,
             Form::Vehicle | Form::Table(_) => Self::Table(keys),
-            Form::Tables(_) => Self::Tables(keys),
+            Form::Tables(..) => Self::Tables(keys),
             Form::WordsOrTable(..) => Self::WordOrTable(keys),
             Form::NumberOrTable(..) => Self::NumberOrTable(keys),
             Form::Percent(_) => Self::Percent,

@@ -3,7 +3,7 @@
 use real::Real;
 
 /// Halvings of an interval after which nothing is left of it.
-const MOST_HALVINGS: usize = 200;
+pub(crate) const MOST_HALVINGS: usize = 200;
 
 /// (–) by which the square of a speed at its stop may be off, in that before.
 const ROUNDING: f64 = 1e-14;

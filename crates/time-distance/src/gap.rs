@@ -1,8 +1,10 @@
 //! How close a vehicle comes to one ahead of it.
 
+use core::ops::ControlFlow;
+
 use real::Real;
 
-use crate::course::{Course, Leg};
+use crate::course::{Course, Leg, MOST_HALVINGS};
 
 /// The least distance between two vehicles on one path.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -17,41 +19,89 @@ pub struct Gap<T = f64> {
 
 /// The least gap between `behind` and `ahead` from time `from` (s) to `to` (s), where the gap at a time is
 /// the difference of their positions. It has to be looked for during the motion: two vehicles that stand
-/// apart in the end may have met before.
+/// apart in the end may have met before. The one ahead may come nearer, with a negative speed.
 #[must_use]
 pub fn least_gap<T: Real>(behind: &Course<'_, T>, ahead: &Course<'_, T>, [from, to]: [T; 2]) -> Gap<T> {
-    let gap_at = |time: T| {
-        let (one, other) = (behind.at(time), ahead.at(time));
-        Gap { distance: other.position - one.position, time, closing: one.speed - other.speed }
-    };
-    let mut least = gap_at(from);
-    let mut consider = |time: T| {
-        let gap = gap_at(time);
+    let mut least = gap_at(behind, ahead, from);
+    let _: ControlFlow<()> = pieces(behind, ahead, [from, to], |[_, end]| {
+        let gap = gap_at(behind, ahead, end);
         if gap.distance.value() < least.distance.value() {
             least = gap;
         }
-    };
-    consider(to);
+        ControlFlow::Continue(())
+    });
+    least
+}
+
+/// The first contact of `behind` with `ahead` from time `from` (s) to `to` (s): where the gap between them
+/// is first zero; `None` where it never is. The one ahead may come nearer, with a negative speed.
+#[must_use]
+pub fn first_contact<T: Real>(
+    behind: &Course<'_, T>,
+    ahead: &Course<'_, T>,
+    [from, to]: [T; 2],
+) -> Option<Gap<T>> {
+    let gap = |time: f64| gap_at(behind, ahead, T::from(time));
+    if gap(from.value()).distance.value() <= 0.0 {
+        return Some(gap_at(behind, ahead, from));
+    }
+    let met = pieces(behind, ahead, [from, to], |[begin, end]| {
+        if gap_at(behind, ahead, end).distance.value() > 0.0 {
+            return ControlFlow::Continue(());
+        }
+        ControlFlow::Break([begin.value(), end.value()])
+    });
+    let ControlFlow::Break([mut apart, mut met]) = met else { return None };
+    for _ in 0..MOST_HALVINGS {
+        let middle = f64::midpoint(apart, met);
+        if middle <= apart || middle >= met {
+            break;
+        }
+        if gap(middle).distance.value() > 0.0 { apart = middle } else { met = middle }
+    }
+    // A step of Newton's method gives the derivatives alone.
+    let Gap { distance, closing, .. } = gap(met);
+    let step = if closing.value() > 0.0 { distance / closing } else { T::ZERO };
+    Some(gap_at(behind, ahead, T::from(met) + step - T::from(step.value())))
+}
+
+fn gap_at<T: Real>(behind: &Course<'_, T>, ahead: &Course<'_, T>, time: T) -> Gap<T> {
+    let (one, other) = (behind.at(time), ahead.at(time));
+    Gap { distance: other.position - one.position, time, closing: one.speed - other.speed }
+}
+
+/// Goes through the pieces from time `from` (s) to `to` (s) in which the gap only grows or only shrinks, in
+/// their order, until one breaks it off.
+fn pieces<T: Real, B>(
+    behind: &Course<'_, T>,
+    ahead: &Course<'_, T>,
+    [from, to]: [T; 2],
+    mut of: impl FnMut([T; 2]) -> ControlFlow<B>,
+) -> ControlFlow<B> {
     let mut begin = from;
     while begin.value() < to.value() {
         let end = next_border(behind, begin).min(next_border(ahead, begin)).min(to);
-        consider(end);
         // Within a stretch the difference of the speeds is a quadratic: c + b t + a t²/2.
         let (one, other) = (behind.at(begin), ahead.at(begin));
         let c = other.speed - one.speed;
         let (b, a) = (other.acceleration - one.acceleration, other.jerk - one.jerk);
-        for root in roots(a * 0.5, b, c).into_iter().flatten() {
-            let time = begin + root;
-            if root.value() > 0.0 && time.value() < end.value() {
-                consider(time);
-            }
+        let lasts = (end - begin).value();
+        let mut turns =
+            roots(a * 0.5, b, c).map(|root| root.filter(|root| (0.0..lasts).contains(&root.value())));
+        if let [Some(one), Some(other)] = turns
+            && other.value() < one.value()
+        {
+            turns = [Some(other), Some(one)];
         }
-        if end.value() <= begin.value() {
-            break;
+        let stretch = begin;
+        for turn in turns.into_iter().flatten() {
+            of([begin, stretch + turn])?;
+            begin = stretch + turn;
         }
+        of([begin, end])?;
         begin = end;
     }
-    least
+    ControlFlow::Continue(())
 }
 
 /// (s) the time at which the next leg begins; infinite where none follows.

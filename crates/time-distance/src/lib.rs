@@ -20,8 +20,8 @@
 //! [`Leg`]s, stretches of constant jerk, of which a [`Course`] consists: that of a vehicle before the impact
 //! ([`approach`]), of a driver who brakes, of a pedestrian. [`Advance`] is how the other road user moves:
 //! steadily, or from a stop. [`Crossing`] has the zone in which two paths meet and who is in it when,
-//! [`least_gap`] how close one vehicle comes to another ahead of it, and [`sees`], [`first_sight`] and
-//! [`free_since`] what obstacles hide.
+//! [`least_gap`] how close one vehicle comes to another ahead of it, [`first_contact`] when it reaches it,
+//! and [`sees`], [`first_sight`] and [`free_since`] what obstacles hide.
 //!
 //! `examples/avoidable.rs` asks whether a collision was avoidable.
 //!
@@ -70,7 +70,7 @@ pub use advance::Advance;
 pub use approach::{Phase, approach};
 pub use course::{Course, Leg};
 pub use crossing::{Crossing, Occupancy, Party};
-pub use gap::{Gap, least_gap};
+pub use gap::{Gap, first_contact, least_gap};
 pub use pim_core::{InvalidInput, Vector2};
 pub use real::Real;
 pub use response::{Demand, Response, Swell};

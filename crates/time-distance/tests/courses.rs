@@ -2,8 +2,8 @@
 
 use proptest::prelude::*;
 use time_distance::{
-    Advance, Course, Crossing, Leg, Party, Phase, Response, Swell, Vector2, approach, first_sight,
-    free_since, least_gap, sees,
+    Advance, Course, Crossing, Leg, Party, Phase, Response, Swell, Vector2, approach, first_contact,
+    first_sight, free_since, least_gap, sees,
 };
 
 fn rest() -> Leg {
@@ -148,6 +148,19 @@ proptest! {
         prop_assert!(least - found.distance < 1e-3, "{} {}", found.distance, least);
         let at = ahead.at(found.time).position - behind.at(found.time).position;
         prop_assert!((at - found.distance).abs() < 1e-9);
+        // The first contact is the first step without a gap.
+        let step = end / 4000.0;
+        let apart = |t: f64| ahead.at(t).position - behind.at(t).position;
+        let met = (0..=4000).map(|k| step * f64::from(k)).find(|t| apart(*t) <= 0.0);
+        match (first_contact(&behind, &ahead, [0.0, end]), met) {
+            (Some(contact), Some(met)) => {
+                prop_assert!(contact.time <= met + 1e-9 && contact.time >= met - step - 1e-9, "{:?} {}", contact, met);
+                prop_assert!(contact.distance.abs() < 1e-9 && contact.closing >= -1e-9, "{:?}", contact);
+            }
+            // Between two steps they may touch.
+            (contact, None) => prop_assert!(contact.is_none() || least < 1e-3, "{:?}", contact),
+            (None, Some(met)) => prop_assert!(false, "{}", met),
+        }
     }
 }
 

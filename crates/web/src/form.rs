@@ -87,7 +87,7 @@ fn kind(form: Form) -> (&'static str, bool) {
         Form::Wheels(..) => ("wheels", true),
         Form::AngleOrHour => ("angle-or-hour", true),
         Form::Vehicle | Form::Table(_) => ("table", false),
-        Form::Tables(_) => ("tables", false),
+        Form::Tables(..) => ("tables", false),
         Form::Percent(_) => ("percent", false),
         Form::Probability => ("number", false),
         Form::Value | Form::Values | Form::Deviation => ("value", false),

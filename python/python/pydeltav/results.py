@@ -78,6 +78,7 @@ __all__ = [
     "Program",
     "Question",
     "Rest",
+    "SameLine",
     "Sight",
     "SightIntervals",
     "Skid",
@@ -1194,6 +1195,19 @@ class Sight(Record):
     """(s) before the impact, when it was first in sight before it was hidden; None if it was not."""
 
 
+class SameLine(Record):
+    """Another vehicle that moves along the same line, so that the place of a collision moves with it."""
+
+    direction: str
+    """``"ahead"`` or ``"oncoming"``."""
+    gap: float
+    """(m) how far it was away at the demand."""
+    speed: float
+    """(m/s) at the impact."""
+    deceleration: float
+    """(m/s²) with which it goes on until it stands; 0 if it keeps its speed."""
+
+
 class Avoidable(Record):
     """Avoidability in space or in time."""
 
@@ -1269,11 +1283,13 @@ class AvoidanceRun(Record):
     stopping_distance: float | None
     """(m) from the demand; None if it does not stop."""
     collision_speed: float
-    """(m/s) at the place of the impact; 0 if it stops before."""
+    """(m/s) at the place of the impact or, on the same line, at the contact; 0 if it does not come to it."""
     arrival: float | None
-    """(s) there, after the demand; None if it stops before."""
+    """(s) there, after the demand; None if it does not come to it."""
     stops_before: bool
-    """Whether it stops before the place of the impact."""
+    """Whether it stops before the place of the impact or, on the same line, does not reach the other."""
+    least_gap: float | None
+    """(m) how near it comes to a vehicle on the same line that it does not reach."""
     late_enough: bool | None
     """Whether the other party has then left the danger zone; None if that is not asked."""
     delta_v: tuple[float | None, float | None] | None
@@ -1354,6 +1370,8 @@ class AvoidanceAnswer(Record):
     """The reaction demand."""
     sight: Sight | None
     """None where no obstacle hides the other party."""
+    same_line: SameLine | None
+    """None where the place of the impact is fixed."""
     stopping_distance: float
     """(m) at the speed driven, with the reaction and the braking of the inputs."""
     spatial: Avoidable

@@ -94,6 +94,8 @@ const PURPOSE: u64 = 0x0061_766F_6964;
 
 /// That of what the samples of a recorder get wrong.
 const OF_RECORDER: u64 = 0x7361_6d70_6c65;
+/// Of that of the other vehicle.
+const OF_OTHER_RECORDER: u64 = 0x006f_7468_6572;
 
 /// Speeds at the impact (m/s) that the rest of the case tells, one for each sample; NaN for one without an
 /// answer.
@@ -118,8 +120,8 @@ pub(super) fn chance(
     let distributions: Vec<Distribution> = inputs.iter().map(|input| input.distribution).collect();
     let settings = Settings::new(SamplingMethod::MonteCarlo, samples, random::key(seed, &[PURPOSE]));
     let sampler = if inputs.is_empty() { None } else { Some(Sampler::new(&distributions, &settings)?) };
-    let is_recorded = matches!(form.braking, BrakingForm::Recorded { .. });
-    let of_recorder = is_recorded.then(|| random::key(seed, &[OF_RECORDER]));
+    let keys = [OF_RECORDER, OF_OTHER_RECORDER].map(|purpose| random::key(seed, &[purpose]));
+    let is_recorded = form.is_recorded();
     let mut columns = vec![Lanes::ZERO; inputs.len()];
     let mut drawn: Vec<Vec<f64>> = vec![Vec::with_capacity(samples); inputs.len()];
     let mut scenes: Vec<Option<AvoidScene>> = Vec::with_capacity(samples);
@@ -131,13 +133,17 @@ pub(super) fn chance(
         for (kept, column) in drawn.iter_mut().zip(&columns) {
             kept.extend_from_slice(&column[..lanes]);
         }
-        let errors = of_recorder.map(|key| errors(key, first));
+        let errors = is_recorded.then(|| keys.map(|key| errors(key, first)));
         scenes.extend((0..lanes).map(|lane| {
             let of = |speeds: &[f64]| speeds.get(first + lane).copied();
             let sought = speeds.map(|told| SoughtSpeeds { subject: of(told.speeds), other: of(told.other) });
             let mut form = form.map(|number| number.at(&columns, lane));
-            if let (BrakingForm::Recorded { error, .. }, Some(errors)) = (&mut form.braking, errors) {
-                *error = errors[lane];
+            let ways = std::iter::once(&mut form.braking)
+                .chain(form.same_line.as_mut().map(|line| &mut line.braking));
+            for (way, errors) in ways.zip(errors.iter().flatten()) {
+                if let BrakingForm::Recorded { error, .. } = way {
+                    *error = errors[lane];
+                }
             }
             pose(&form, sought.unwrap_or_default(), obstacles).ok()
         }));

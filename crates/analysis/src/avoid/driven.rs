@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use inputs::{BrakingForm, PhaseForm, Quantity};
+use inputs::{BrakingForm, PhaseForm, Quantity, STANDARD_GRAVITY};
 use pim_core::InvalidInput;
 use recorder::{SampleSpeed, SampledApproach};
 use time_distance::{Course, Leg, Phase, Response, approach};
@@ -19,7 +19,7 @@ pub const BRAKES: f64 = 1.5;
 /// A motion up to the impact, whose times and positions count from the reaction demand. The legs before that
 /// have negative ones.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) struct Driven(Arc<[Leg]>);
+pub(crate) struct Driven(pub(super) Arc<[Leg]>);
 
 /// What a vehicle gains in its reaction by the accelerations that it had.
 #[derive(Clone, Copy, Debug, Default)]
@@ -209,39 +209,62 @@ fn starts(phases: &[PhaseForm]) -> Result<Vec<f64>, InvalidInput> {
 
 /// How a vehicle came to the impact: legs whose times and positions count from there.
 pub(super) struct Approach {
-    legs: Vec<Leg>,
+    pub(super) legs: Vec<Leg>,
     /// (m/s)
     pub(super) at_impact: f64,
 }
 
 impl Approach {
-    /// By phases or a recorder; `None` without them. The speed at the impact (m/s) is that given, unless the
-    /// phases begin with a known one and lead to it.
+    /// By phases or a recorder; `None` without them. A skid has its reaction, too, and is posed by itself.
     pub(super) fn of(braking: &BrakingForm, at_impact: Option<f64>) -> Result<Option<Self>, Unposed> {
-        let (phases, at_impact): (Vec<Phase>, _) = match braking {
-            BrakingForm::Phases(given) if given.first().is_some_and(PhaseForm::leads_on) => {
-                let starts = starts(given).map_err(Unposed::Phases)?;
-                let phases = given.iter().zip(&starts).map(|(form, start)| backwards(form, Some(*start)));
-                (phases.collect(), starts.last().copied())
-            }
-            BrakingForm::Phases(given) => {
-                (given.iter().map(|form| backwards(form, None)).collect(), at_impact)
-            }
-            BrakingForm::Recorded { approach, error } => {
-                (at_impact.map_or_else(Vec::new, |speed| recorded(approach, speed, *error)), at_impact)
-            }
-            BrakingForm::Unknown | BrakingForm::Unbraked | BrakingForm::Skid { .. } => return Ok(None),
-        };
+        if matches!(braking, BrakingForm::Skid { .. }) {
+            return Ok(None);
+        }
+        let (phases, at_impact) = stretches(braking, at_impact).map_err(Unposed::Phases)?;
         let Some(at_impact) = at_impact.filter(|_| !phases.is_empty()) else { return Ok(None) };
+        Self::back(&phases, at_impact).map(Some).map_err(Unposed::Phases)
+    }
+
+    /// Of another vehicle, with its speed at the impact (m/s): steady where nothing is known of it.
+    pub(super) fn of_other(braking: &BrakingForm, at_impact: f64) -> Result<Self, InvalidInput> {
+        let (phases, leads_to) = stretches(braking, Some(at_impact))?;
+        Self::back(&phases, leads_to.unwrap_or(at_impact))
+    }
+
+    fn back(phases: &[Phase], at_impact: f64) -> Result<Self, InvalidInput> {
         let mut end = Leg { speed: at_impact, ..Leg::at_rest(0.0, 0.0) };
         let mut legs = Vec::with_capacity(phases.len());
-        for phase in phases.into_iter().rev() {
-            end = approach(&end, phase).map_err(Unposed::Phases)?;
+        for phase in phases.iter().rev() {
+            end = approach(&end, *phase)?;
             legs.push(end);
         }
         legs.reverse();
-        Ok(Some(Self { legs, at_impact }))
+        Ok(Self { legs, at_impact })
     }
+}
+
+/// The phases before the impact, and the speed there (m/s): that given, unless the phases begin with a known
+/// one and lead to it.
+fn stretches(
+    braking: &BrakingForm,
+    at_impact: Option<f64>,
+) -> Result<(Vec<Phase>, Option<f64>), InvalidInput> {
+    let phases = match braking {
+        BrakingForm::Phases(given) if given.first().is_some_and(PhaseForm::leads_on) => {
+            let starts = starts(given)?;
+            let phases = given.iter().zip(&starts).map(|(form, start)| backwards(form, Some(*start)));
+            return Ok((phases.collect(), starts.last().copied()));
+        }
+        BrakingForm::Phases(given) => given.iter().map(|form| backwards(form, None)).collect(),
+        BrakingForm::Recorded { approach, error } => {
+            at_impact.map_or_else(Vec::new, |speed| recorded(approach, speed, *error))
+        }
+        BrakingForm::Skid { length, friction } => {
+            vec![Phase::Over { distance: length.si(), acceleration: -friction * STANDARD_GRAVITY }]
+        }
+        BrakingForm::Unknown | BrakingForm::Unbraked => Vec::new(),
+    };
+    Ok((phases, at_impact))
 }
 
 /// The samples as phases up to the impact with this speed (m/s) and, in standard deviations, an error of what

@@ -2,6 +2,9 @@
 
 use pim_core::InvalidInput;
 
+/// (m, s) more than anybody asks; what is beyond, such as the arrival of one that stops before, is that.
+pub(super) const FAR: f64 = 1e6;
+
 /// From where or when on a scene counts.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Since {
@@ -39,6 +42,10 @@ pub(crate) enum Unposed {
     },
     /// The phases before the impact cannot be.
     Phases(InvalidInput),
+    /// Those of the other vehicle cannot be.
+    OtherPhases(InvalidInput),
+    /// By their speeds, the vehicle does not come up to the other one on their line.
+    Parts,
     /// The vehicle did not move forward.
     Stands,
     /// The other vehicle did not move forward, so that it never clears the danger zone.

@@ -1,5 +1,7 @@
 //! One scene before a collision, with every number known: what the vehicle did, and what it would have done.
 
+use std::borrow::Cow;
+
 use inputs::{
     AvoidForm, BrakingForm, ClearForm, ClearSpeedForm, DemandForm, Quantity, STANDARD_GRAVITY, SpeedForm,
 };
@@ -8,7 +10,8 @@ use reconcile::brent;
 use time_distance::{Advance, Course, Leg, Response};
 
 use super::driven::{Approach, Driven, Gain};
-use super::posing::{Since, SoughtSpeeds, Unposed};
+use super::posing::{FAR, Since, SoughtSpeeds, Unposed};
+use super::same_line::SameLine;
 
 /// How the vehicle came to the impact.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -65,6 +68,8 @@ pub struct AvoidScene {
     pub actual: ActualRun,
     /// What obstacles do to the view.
     pub view: View,
+    /// The other vehicle, where it moves along the same line: the place of a collision then moves with it.
+    pub same_line: Option<SameLine>,
     /// How the vehicle moved, where phases or a recorder tell.
     pub(super) driven: Option<Driven>,
 }
@@ -115,8 +120,7 @@ pub struct AvoidCourse {
 
 impl AvoidCourse {
     /// (m/s) the speed at a distance (m) from the demand; 0 if it stops before.
-    #[must_use]
-    pub fn speed_at(&self, distance: f64) -> f64 {
+    fn speed_at(&self, distance: f64) -> f64 {
         if let Some(driven) = &self.driven {
             return driven.reaches(distance).map_or(0.0, |time| driven.at(time).speed);
         }
@@ -124,12 +128,20 @@ impl AvoidCourse {
     }
 
     /// (s) when it is at a distance (m) from the demand; `None` if it stops before.
-    #[must_use]
-    pub fn arrival(&self, distance: f64) -> Option<f64> {
+    fn arrival(&self, distance: f64) -> Option<f64> {
         match (&self.driven, self.response) {
             (Some(driven), _) => driven.reaches(distance),
             (None, Some(response)) => response.arrival(self.speed, distance),
             (None, None) => (self.speed > 0.0).then(|| distance / self.speed),
+        }
+    }
+
+    /// Its legs since the demand.
+    fn legs(&self) -> Cow<'_, [Leg]> {
+        match (&self.driven, self.response) {
+            (Some(driven), _) => Cow::Borrowed(&driven.0),
+            (None, Some(response)) => Cow::Owned(response.legs(self.speed).into()),
+            (None, None) => Cow::Owned(vec![Leg { speed: self.speed, ..Leg::at_rest(0.0, 0.0) }]),
         }
     }
 
@@ -151,22 +163,46 @@ impl AvoidCourse {
         Some(self.response?.stopping_time(self.speed))
     }
 
+    /// (m/s) its speed at a time (s) after the demand.
+    fn speed_after(&self, time: f64) -> f64 {
+        Course::new(&self.legs()).map_or(0.0, |course| course.at(time).speed)
+    }
+
     /// (m) where it is at a time (s) after the demand.
     #[must_use]
     pub fn position(&self, time: f64) -> f64 {
-        if let Some(driven) = &self.driven {
-            return driven.at(time).position;
-        }
-        let Some(response) = self.response else { return self.speed * time };
-        let legs: [Leg; 4] = response.legs(self.speed);
-        Course::new(&legs).map_or(0.0, |course| course.at(time).position)
+        Course::new(&self.legs()).map_or(0.0, |course| course.at(time).position)
     }
+}
+
+/// Where a vehicle comes to the place of the impact, or to another one that moves along its line.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Meeting {
+    /// (s) when, after the demand.
+    pub time: f64,
+    /// (m/s) its speed.
+    pub speed: f64,
+    /// (m/s) the speed of the other vehicle, if that moves along its line.
+    pub other: Option<f64>,
 }
 
 impl AvoidScene {
     /// The scene of these numbers, with the speeds that are sought, from where or when on `since` says;
     /// without obstacles.
     pub(crate) fn since(form: &AvoidForm, sought: SoughtSpeeds, since: Since) -> Result<Self, Unposed> {
+        let scene = Self::of_vehicle(form, sought, since)?;
+        let Some(line) = &form.same_line else { return Ok(scene) };
+        let same_line = SameLine::of(line, sought.other, [scene.distance, scene.time])?;
+        if let Some(line) = &same_line
+            && (line.gap < 0.0 || line.closing(scene.at_impact, scene.time) <= 0.0)
+        {
+            return Err(Unposed::Parts);
+        }
+        Ok(Self { same_line, ..scene })
+    }
+
+    /// The same, wherever the other vehicle is.
+    pub(super) fn of_vehicle(form: &AvoidForm, sought: SoughtSpeeds, since: Since) -> Result<Self, Unposed> {
         let swell = form.swell.as_ref().map_or(0.0, Quantity::si);
         let of = |reaction, deceleration| Response::new(reaction, swell, deceleration, form.swell_form);
         let response = of(form.reaction_time.si(), form.deceleration.si())?;
@@ -194,6 +230,7 @@ impl AvoidScene {
             clears_after,
             actual: ActualRun::Responded,
             view: View::Open,
+            same_line: None,
             driven: None,
         };
         if let Some(approach) = approach {
@@ -321,10 +358,33 @@ impl AvoidScene {
         [speed + gain.speed, self.distance + gain.speed * reaction - gain.distance]
     }
 
-    /// (m/s) the greatest speed from which the vehicle stops before the place of the impact. One that
-    /// accelerates in its reaction keeps that speed once it has it.
+    /// Where a course leads to the place of the impact, or to a vehicle that moves along the line; `None` if
+    /// it never does.
+    #[must_use]
+    pub fn meeting(&self, course: &AvoidCourse) -> Option<Meeting> {
+        let Some(line) = &self.same_line else {
+            let time = course.arrival(self.distance)?;
+            return Some(Meeting { time, speed: course.speed_at(self.distance), other: None });
+        };
+        let contact = line.contact(&course.legs())?;
+        let other = line.speed_at(contact.time);
+        Some(Meeting { time: contact.time, speed: course.speed_after(contact.time), other: Some(other) })
+    }
+
+    /// (m) how near a course comes to a vehicle that moves along the line; `None` without one.
+    #[must_use]
+    pub fn least_gap(&self, course: &AvoidCourse) -> Option<f64> {
+        Some(self.same_line.as_ref()?.least_gap(&course.legs(), FAR))
+    }
+
+    /// (m/s) the greatest speed from which the vehicle stops before the place of the impact, or does not
+    /// reach another that moves along the line. One that accelerates in its reaction keeps that speed once it
+    /// has it.
     #[must_use]
     pub fn spatial(&self) -> f64 {
+        if let Some(line) = &self.same_line {
+            return self.just_apart(line, FAR);
+        }
         self.just(&|distance| self.response.speed_to_stop_within(distance), &|course| {
             course.stop().map_or(f64::INFINITY, |stop| stop - self.distance)
         })
@@ -335,8 +395,32 @@ impl AvoidScene {
     #[must_use]
     pub fn temporal(&self) -> Option<f64> {
         let cleared = self.cleared()?;
+        if let Some(line) = &self.same_line {
+            return Some(self.just_apart(line, cleared));
+        }
         let early = |course: &AvoidCourse| cleared - course.arrival(self.distance).unwrap_or(f64::INFINITY);
         Some(self.just(&|distance| self.response.speed_to_arrive_after(distance, cleared), &early))
+    }
+
+    /// (m/s) the greatest speed with which it does not reach a vehicle on the same line until a time (s).
+    fn just_apart(&self, line: &SameLine, until: f64) -> f64 {
+        let reached = self.reached();
+        let overlaps = |greatest: f64| {
+            let beyond = (greatest - reached).max(0.0);
+            let course = self.responding(self.speed.min(greatest) + beyond, self.response, greatest);
+            -line.least_gap(&course.legs(), until).clamp(-FAR, FAR)
+        };
+        if overlaps(0.0) > 0.0 {
+            return 0.0;
+        }
+        let mut most = self.greatest_speed().max(reached);
+        while overlaps(most) <= 0.0 {
+            if most > FAR {
+                return f64::INFINITY;
+            }
+            most *= 2.0;
+        }
+        last_that_holds(|speed| overlaps(speed) <= 0.0, [0.0, most])
     }
 
     /// (m/s) the greatest speed with which a course just does not fail: by the closed form of a distance (m)
@@ -432,7 +516,7 @@ impl AvoidScene {
     /// (m/s) what is left of the limit at the place of the impact.
     #[must_use]
     pub fn left_at_limit(&self) -> f64 {
-        self.at_limit().speed_at(self.distance)
+        self.meeting(&self.at_limit()).map_or(0.0, |meeting| meeting.speed)
     }
 
     /// Whether the vehicle stops before the place of the impact at the limit, with the reaction and the
@@ -451,11 +535,17 @@ impl AvoidScene {
     /// Whether the collision is avoided at the limit, with the reaction and the braking of the actual run.
     #[must_use]
     pub fn is_avoided_else_as_it_was(&self) -> bool {
-        let course = self.at_limit_else_as_it_was();
-        match course.arrival(self.distance) {
-            Some(arrival) => self.is_late(arrival) || course.speed_at(self.distance) <= 0.0,
-            None => true,
-        }
+        self.avoids(&self.at_limit_else_as_it_was())
+    }
+
+    /// Whether a course leads to no collision.
+    fn avoids(&self, course: &AvoidCourse) -> bool {
+        self.meeting(course).is_none_or(|meeting| self.is_late(meeting.time) || self.is_end(&meeting))
+    }
+
+    /// Whether the vehicle stops just where it would meet the other party.
+    pub(super) fn is_end(&self, meeting: &Meeting) -> bool {
+        self.same_line.is_none() && meeting.speed <= 0.0
     }
 
     /// (m/s²) the least deceleration that avoids the collision from the speed driven, or from the limit: the
@@ -464,6 +554,16 @@ impl AvoidScene {
     #[must_use]
     pub fn least_deceleration(&self, is_at_limit: bool) -> Option<f64> {
         let [speed, greatest] = self.asked(is_at_limit);
+        if self.same_line.is_some() {
+            let avoids = |deceleration: f64| {
+                self.avoids(&self.responding(speed, self.response.with_deceleration(deceleration), greatest))
+            };
+            if avoids(LEAST_DECELERATION) {
+                return Some(0.0);
+            }
+            let most = MOST_DECELERATION;
+            return avoids(most).then(|| last_that_holds(avoids, [most, LEAST_DECELERATION]));
+        }
         let [steady, distance] = self.as_if_steady(speed, greatest);
         let in_space = self.response.deceleration_to_stop_within(steady, distance);
         let is_late = |deceleration: f64| {
@@ -484,6 +584,10 @@ impl AvoidScene {
     pub fn longest_reaction(&self, is_at_limit: bool) -> Option<f64> {
         let [speed, greatest] = self.asked(is_at_limit);
         let course = |reaction: f64| self.responding(speed, self.response.with_reaction(reaction), greatest);
+        if self.same_line.is_some() {
+            let avoids = |reaction: f64| self.avoids(&course(reaction));
+            return avoids(0.0).then(|| last_that_holds(avoids, [0.0, LONGEST_REACTION]));
+        }
         let stops = |reaction: f64| course(reaction).stop().is_some_and(|stop| stop <= self.distance);
         let in_space = if self.gain(self.time, speed, greatest).speed <= 0.0 {
             self.response.reaction_to_stop_within(speed, self.distance)
@@ -552,6 +656,9 @@ const MOST_HALVINGS: u32 = 60;
 const LEAST_DECELERATION: f64 = 1e-6;
 const MOST_DECELERATION: f64 = 1e3;
 
+/// (s) nobody reacts later.
+const LONGEST_REACTION: f64 = 100.0;
+
 /// The last number on the way from one that holds to one that does not.
 fn last_that_holds(holds: impl Fn(f64) -> bool, [mut held, mut failed]: [f64; 2]) -> f64 {
     for _ in 0..MOST_HALVINGS {
@@ -563,9 +670,6 @@ fn last_that_holds(holds: impl Fn(f64) -> bool, [mut held, mut failed]: [f64; 2]
 
 /// (m/s) to which a speed is found that just avoids the collision.
 const TOLERANCE: f64 = 1e-10;
-
-/// (m, s) more than anybody asks; what is beyond, such as the arrival of one that stops before, is that.
-const FAR: f64 = 1e6;
 
 /// Where or when the demand is; `None` if obstacles decide.
 pub(super) fn given_demand(form: &AvoidForm) -> Result<Option<Since>, InvalidInput> {

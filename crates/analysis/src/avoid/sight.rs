@@ -147,13 +147,13 @@ impl Ways {
         if let (BrakingForm::Unknown, SpeedForm::AtDemand(speed)) = (&form.braking, &form.speed) {
             // The driver brakes in reaction to it, so that the place decides when the impact is.
             let farthest = speed.si() * SIGHT_LOOK_BACK;
-            let here = AvoidScene::since(form, sought, Since::Distance(0.0))?;
+            let here = AvoidScene::of_vehicle(form, sought, Since::Distance(0.0))?;
             let positions = |since: f64| self.before(-since, here.time_responded(-since, speed.si()));
             let free = free_since(positions, obstacles, [-farthest, 0.0], STEPS);
             let way = -free.ok_or(Unposed::HiddenAtImpact)?;
             return if way < farthest { Ok(Since::Distance(way)) } else { Err(Unposed::NeverHidden) };
         }
-        let early = AvoidScene::since(form, sought, Since::Time(SIGHT_LOOK_BACK))?;
+        let early = AvoidScene::of_vehicle(form, sought, Since::Time(SIGHT_LOOK_BACK))?;
         let sight = self.view(&early, obstacles)?.sight().ok_or(Unposed::NeverHidden)?;
         Ok(Since::Time(sight.time))
     }

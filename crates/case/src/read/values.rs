@@ -320,8 +320,10 @@ impl<'t> Reader<'t> {
             }
             Bounds::Positive if value.si() < least => CaseProblem::TooSmall { path, value },
             Bounds::NotNegative | Bounds::Positive => return Some(value),
-            // The last three only apply to plain numbers.
-            Bounds::None | Bounds::Share | Bounds::BelowOne | Bounds::Coefficient => return Some(value),
+            // The last four only apply to plain numbers.
+            Bounds::None | Bounds::Share | Bounds::BelowOne | Bounds::Coefficient | Bounds::Friction => {
+                return Some(value);
+            }
         };
         self.report(span, problem);
         None
@@ -541,6 +543,7 @@ pub(super) fn words(bounds: Bounds) -> &'static str {
         Bounds::Positive => "a finite number, greater than zero",
         Bounds::Share | Bounds::BelowOne => "between 0 and 1",
         Bounds::Coefficient => "between -1 and 1",
+        Bounds::Friction => "greater than zero, and at most 2",
     }
 }
 

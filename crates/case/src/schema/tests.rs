@@ -50,7 +50,7 @@ fn written(form: &Form) -> String {
         Form::Vehicle => format!("table, {}", link(&VEHICLE)),
         Form::Table(schema) => format!("table, {}", link(schema)),
         Form::Keys(_) => "list of keys".to_owned(),
-        Form::Tables(schema) => format!("list of tables, {}", link(schema)),
+        Form::Tables(schema, _) => format!("list of tables, {}", link(schema)),
         Form::WordsOrTable(words, schema) => format!("{}, or a table, {}", ticked(words), link(schema)),
         Form::NumberOrTable(bounds, schema) => {
             format!("number{}, or a table, {}", within(bounds), link(schema))
@@ -75,6 +75,7 @@ fn within(bounds: Bounds) -> &'static str {
         Bounds::Share => ", 0 to 1",
         Bounds::BelowOne => ", 0 to 1; a range less than 1",
         Bounds::Coefficient => ", -1 to 1",
+        Bounds::Friction => ", more than 0 and at most 2",
         Bounds::Acute => ", less than 90° to either side",
     }
 }

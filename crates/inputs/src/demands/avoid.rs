@@ -1,17 +1,19 @@
 //! What the question whether the collision was avoidable needs.
 
+use std::f64::consts::FRAC_PI_2;
 use std::sync::Arc;
 
 use pim_core::VehicleId;
 use real::Real;
+use reconcile::are_collinear;
 use recorder::SampledApproach;
 use trajectory::GREATEST_FRICTION;
 
 use super::{Demand, table};
 use crate::after::SkidBegin;
 use crate::avoid::{
-    Avoid, AvoidForm, BrakingForm, Clear, DemandForm, GivenDemand, GivenWayOut, OtherForm, PathForm,
-    PlaceForm, SightForm, Sourced, SpeedForm,
+    Along, Avoid, AvoidBasis, AvoidForm, BrakingForm, Clear, DemandForm, GivenDemand, GivenWayOut, OtherForm,
+    PathForm, PlaceForm, SameLineForm, SightForm, Sourced, SpeedForm,
 };
 use crate::case::Case;
 use crate::fault::{Fault, FaultKind, Faults};
@@ -53,7 +55,7 @@ impl Case {
             return demand.finish(None);
         };
         demand.of_speed(avoid);
-        let form = self.avoid_form(self.recorded_approach());
+        let form = self.avoid_form(&self.avoid_basis());
         for (is_given, key, example) in [
             (avoid.limit.is_some(), "avoid.limit", LIMIT),
             (avoid.reaction_time.is_some(), "avoid.reaction_time", REACTION),
@@ -72,40 +74,36 @@ impl Case {
         demand.finish(form)
     }
 
-    /// What the recorder of the vehicle stored before the impact. A speed at the demand takes its place.
-    fn recorded_approach(&self) -> Option<Arc<SampledApproach>> {
-        self.avoid.as_ref().filter(|avoid| avoid.speed.is_none())?;
-        let recorder = self.vehicles[self.avoid_subject().index()].recorder.as_ref()?;
-        let ground = self.surface.as_ref().map(|surface| surface.friction);
-        // The reader of a case refuses errors out of their range.
-        SampledApproach::of(recorder.before_impact()?, &recorder.speed_errors(ground)).ok().map(Arc::new)
+    /// What the central values tell of the question.
+    #[must_use]
+    pub fn avoid_basis(&self) -> AvoidBasis {
+        let subject = self.avoid_subject();
+        let recorded = |vehicle: VehicleId| {
+            let recorder = self.vehicles[vehicle.index()].recorder.as_ref()?;
+            let ground = self.surface.as_ref().map(|surface| surface.friction);
+            // The reader of a case refuses errors out of their range.
+            let stored = recorder.before_impact()?;
+            SampledApproach::of(stored, &recorder.speed_errors(ground)).ok().map(Arc::new)
+        };
+        // A speed at the demand takes the place of the vehicle's own table.
+        let has_own = self.avoid.as_ref().is_none_or(|avoid| avoid.speed.is_some());
+        let own = if has_own { None } else { recorded(subject) };
+        let angle = self.approach_angle().filter(|angle| are_collinear(*angle));
+        let along = angle.map(|angle| if angle < FRAC_PI_2 { Along::Ahead } else { Along::Oncoming });
+        AvoidBasis { recorded: [own, recorded(subject.other())], along }
     }
 }
 
 impl<T: Copy + From<f64>> Case<T> {
-    /// The numbers of `[avoid]`, with what a recorder stored if that counts; `None` if some are missing,
-    /// which [`avoidance`](Case::avoidance) reports.
+    /// The numbers of `[avoid]`, on what the central values tell; `None` if some are missing, which
+    /// [`avoidance`](Case::avoidance) reports.
     #[must_use]
-    pub fn avoid_form(&self, recorded: Option<Arc<SampledApproach>>) -> Option<AvoidForm<T>> {
+    pub fn avoid_form(&self, basis: &AvoidBasis) -> Option<AvoidForm<T>> {
         let of = |sourced: &Option<Sourced<T>>| sourced.as_ref().map(|sourced| sourced.quantity);
         let avoid = self.avoid.as_ref()?;
         let vehicle = self.avoid_subject();
-        let of_vehicle = &self.vehicles[vehicle.index()];
-        let braking = match of_vehicle.skid() {
-            _ if avoid.unbraked => BrakingForm::Unbraked,
-            None if !of_vehicle.phases().is_empty() => {
-                BrakingForm::Phases(of_vehicle.phases().iter().map(|phase| phase.form).collect())
-            }
-            None => match recorded {
-                Some(approach) => BrakingForm::Recorded { approach, error: 0.0 },
-                None => BrakingForm::Unknown,
-            },
-            Some(skid) => {
-                let SkidBegin::Length(length) = skid.begin else { return None };
-                let of_ground = self.surface.as_ref().map(|surface| surface.friction);
-                BrakingForm::Skid { length, friction: skid.friction.or(of_ground)? }
-            }
-        };
+        let [own, _] = &basis.recorded;
+        let braking = if avoid.unbraked { BrakingForm::Unbraked } else { self.braking_form(vehicle, own)? };
         let demand = match avoid.demand.as_ref()? {
             GivenDemand::Distance(distance) => DemandForm::Distance(distance.quantity),
             GivenDemand::Time(time) => DemandForm::Time(time.quantity),
@@ -140,7 +138,52 @@ impl<T: Copy + From<f64>> Case<T> {
             clear,
             braking,
             sight,
+            same_line: self.same_line_form(basis),
         })
+    }
+
+    /// How a vehicle came to the impact, with what its recorder stored; `None` if a number is missing.
+    fn braking_form(
+        &self,
+        vehicle: VehicleId,
+        recorded: &Option<Arc<SampledApproach>>,
+    ) -> Option<BrakingForm<T>> {
+        let of_vehicle = &self.vehicles[vehicle.index()];
+        Some(match (of_vehicle.skid(), of_vehicle.phases(), recorded) {
+            (Some(skid), ..) => {
+                let SkidBegin::Length(length) = skid.begin else { return None };
+                let of_ground = self.surface.as_ref().map(|surface| surface.friction);
+                BrakingForm::Skid { length, friction: skid.friction.or(of_ground)? }
+            }
+            (None, phases @ [_, ..], _) => {
+                BrakingForm::Phases(phases.iter().map(|phase| phase.form).collect())
+            }
+            (None, [], Some(approach)) => BrakingForm::Recorded { approach: approach.clone(), error: 0.0 },
+            (None, [], None) => BrakingForm::Unknown,
+        })
+    }
+
+    /// How the other vehicle came, if it did so along the same line; `None` if its speed or a number of its
+    /// braking is not known.
+    fn same_line_form(&self, basis: &AvoidBasis) -> Option<SameLineForm<T>> {
+        let other = self.avoid_subject().other();
+        let of_other = &self.vehicles[other.index()];
+        let along = basis.along.filter(|_| !of_other.fixed && !of_other.is_absent())?;
+        let speed = match self.known_speed(other) {
+            Some(speed) => Some(*speed),
+            None => matches!(self.avoid_speed(), SpeedForm::Sought).then_some(None)?,
+        };
+        let [_, recorded] = &basis.recorded;
+        Some(SameLineForm { along, speed, braking: self.braking_form(other, recorded)? })
+    }
+
+    /// (m/s) the speed of a vehicle at the impact, if its table has it and it is not sought.
+    fn known_speed(&self, vehicle: VehicleId) -> Option<&Quantity<T>> {
+        let is_sought = self.reconstruct.as_ref().is_some_and(|sought| sought.find.seeks(vehicle));
+        match &self.vehicles[vehicle.index()].motion {
+            Some(Velocity::Speed(speed)) if !is_sought => Some(speed),
+            _ => None,
+        }
     }
 
     /// Both vehicles at the impact, seen from above; `None` if the case does not tell all of it.
@@ -148,9 +191,10 @@ impl<T: Copy + From<f64>> Case<T> {
         let parties = self.avoid_parties();
         let [Some(first), Some(second)] = parties.map(|vehicle| vehicle.heading) else { return None };
         let [Some(one), Some(two)] = parties.map(GivenVehicle::body) else { return None };
-        let places = match (parties.map(|vehicle| vehicle.contact), parties.map(|vehicle| vehicle.position)) {
-            ([Some(one), Some(two)], _) => PlacesForm::Contacts([one, two]),
-            (_, [Some(one), Some(two)]) => PlacesForm::Positions([one, two]),
+        // Surveyed positions are where the sight is asked from, too.
+        let places = match (parties.map(|vehicle| vehicle.position), parties.map(|vehicle| vehicle.contact)) {
+            ([Some(one), Some(two)], _) => PlacesForm::Positions([one, two]),
+            (_, [Some(one), Some(two)]) => PlacesForm::Contacts([one, two]),
             _ => return None,
         };
         Some(OutlinesForm { headings: [first, second], bodies: [one, two], places })
@@ -160,13 +204,10 @@ impl<T: Copy + From<f64>> Case<T> {
     fn clear_speed(&self, avoid: &Avoid<T>, clear: &Clear<T>) -> Option<ClearSpeedForm<T>> {
         let subject = self.avoid_subject();
         let [_, other] = self.avoid_parties();
-        let seeks = |of: VehicleId| self.reconstruct.as_ref().is_some_and(|sought| sought.find.seeks(of));
-        match (&clear.speed, &avoid.demand, &other.motion) {
+        match (&clear.speed, &avoid.demand, self.known_speed(subject.other())) {
             (Some(speed), ..) => Some(ClearSpeedForm::Steady(speed.quantity)),
             (None, Some(GivenDemand::Other(_)), _) => Some(ClearSpeedForm::AsItCame),
-            (None, _, Some(Velocity::Speed(speed))) if !seeks(subject.other()) => {
-                Some(ClearSpeedForm::Steady(*speed))
-            }
+            (None, _, Some(speed)) => Some(ClearSpeedForm::Steady(*speed)),
             _ if other.is_absent() || other.fixed => None,
             // What tells the speed of the one tells that of the other.
             _ => matches!(self.avoid_speed(), SpeedForm::Sought).then_some(ClearSpeedForm::Sought),
@@ -227,8 +268,6 @@ impl<T: Copy + From<f64>> Case<T> {
 
     /// (m/s) how fast the other party moves.
     fn other_speed(&self, avoid: &Avoid<T>) -> Option<Quantity<T>> {
-        let subject = self.avoid_subject();
-        let is_sought = self.reconstruct.as_ref().is_some_and(|sought| sought.find.seeks(subject.other()));
         // Who starts from a stop has no one speed.
         let of_demand = match &avoid.demand {
             Some(GivenDemand::Other(other)) if other.acceleration.is_none() => other.speed.as_ref(),
@@ -236,11 +275,7 @@ impl<T: Copy + From<f64>> Case<T> {
         };
         let of_clear = avoid.clear.as_ref().and_then(|clear| clear.speed.as_ref());
         let given = avoid.sight.other_speed.as_ref().or(of_demand).or(of_clear);
-        match (given, &self.vehicles[subject.other().index()].motion) {
-            (Some(speed), _) => Some(speed.quantity),
-            (None, Some(Velocity::Speed(speed))) if !is_sought => Some(*speed),
-            (None, _) => None,
-        }
+        given.map(|given| given.quantity).or(self.known_speed(self.avoid_subject().other()).copied())
     }
 }
 

@@ -33,6 +33,7 @@ pub fn avoid_json(file: &CaseFile, found: &Avoidance) -> Result<String, serde_js
             "collision_speed": run.collision_speed,
             "arrival": run.arrival,
             "stops_before": run.stops_before(),
+            "least_gap": run.gap,
             "late_enough": run.is_late_enough,
             "delta_v": delta_v(run),
         })
@@ -52,6 +53,13 @@ pub fn avoid_json(file: &CaseFile, found: &Avoidance) -> Result<String, serde_js
         "limit": scene.limit,
         "demand": { "distance": scene.distance, "time": scene.time },
         "sight": sight(found),
+        // A vehicle that moves on the same line; null if the place of the impact is fixed.
+        "same_line": scene.same_line.as_ref().map(|line| json!({
+            "direction": line.along.name(),
+            "gap": line.gap,
+            "speed": line.speed,
+            "deceleration": line.deceleration,
+        })),
         "stopping_distance": scene.stopping_distance(),
         "spatial": of(scene.spatial(), scene.stops_at_limit()),
         "temporal": scene.temporal().zip(scene.is_late_at_limit()).map(|(speed, is)| of(speed, is)),

@@ -2,7 +2,7 @@
 
 use ::drawing::{Axis, ChancePicture, Drawing, PathTimeCourse, PathTimePicture, SightPicture, ValueMark};
 use analysis::{AvoidRun, Avoidance, obstacle_name};
-use case::{Case, DemandForm, OtherParty};
+use case::{AvoidBasis, Case, DemandForm, OtherParty};
 
 use super::scale_unit;
 use crate::units::{Measure, Units, number};
@@ -88,7 +88,7 @@ pub(crate) fn path_time_picture(case: &Case, found: &Avoidance, units: Units) ->
         })
         .collect();
     let given = case.avoid.as_ref();
-    let form = case.avoid_form(None);
+    let form = case.avoid_form(&AvoidBasis::default());
     let came = match form.as_ref().map(|form| &form.demand) {
         Some(DemandForm::Other(other)) => Some(other),
         _ => None,
@@ -111,12 +111,28 @@ pub(crate) fn path_time_picture(case: &Case, found: &Avoidance, units: Units) ->
         }
         (points, format!("{party}, along its own path"))
     });
-    let highest = out.unwrap_or(0.0).max(beyond) + 0.5 * beyond;
-    let zone = match clears {
-        Some(clears) => {
-            ([scene.time, clears], format!("{party} in the danger zone, until it has cleared it"))
+    let mut highest = out.unwrap_or(0.0).max(beyond) + 0.5 * beyond;
+    let zone = match (&scene.same_line, clears) {
+        (Some(_), _) => None,
+        (None, Some(clears)) => {
+            Some(([scene.time, clears], format!("{party} in the danger zone, until it has cleared it")))
         }
-        None => ([scene.time, until], format!("{party} in the danger zone; not known to clear it")),
+        (None, None) => {
+            Some(([scene.time, until], format!("{party} in the danger zone; not known to clear it")))
+        }
+    };
+    let other = match &scene.same_line {
+        None => other,
+        Some(line) => {
+            let at = |k: u32| {
+                let time = until * f64::from(k) / f64::from(POINTS);
+                [time, line.position(time) - scene.distance]
+            };
+            let is_shown = |[_, way]: &[f64; 2]| *way >= -scene.distance - beyond;
+            let points: Vec<[f64; 2]> = (0..=POINTS).map(at).take_while(is_shown).collect();
+            highest = points.iter().map(|[_, way]| way + 0.5 * beyond).fold(highest, f64::max);
+            Some((points, format!("vehicle {}, on the same line", found.vehicle.other())))
+        }
     };
     let [distance, time] = [(Measure::Way, scene.distance), (Measure::Time, scene.time)]
         .map(|(measure, value)| units.format(measure, value));
@@ -129,7 +145,7 @@ pub(crate) fn path_time_picture(case: &Case, found: &Avoidance, units: Units) ->
         subtitle: format!("Distance and time of vehicle {} before the impact", found.vehicle),
         description: format!(
             "Distance against time. The reaction demand is {distance} and {time} before the impact. {}",
-            found.runs.iter().map(|run| outcome(run, units)).collect::<Vec<_>>().join(" ")
+            found.runs.iter().map(|run| outcome(found, run, units)).collect::<Vec<_>>().join(" ")
         ),
         time: axis("time since the reaction demand", Measure::Time),
         way: axis("distance to the place of the impact", Measure::Way),
@@ -201,13 +217,18 @@ pub(crate) fn sight_picture(case: &Case, found: &Avoidance, units: Units) -> Opt
 }
 
 /// One run in a sentence.
-fn outcome(run: &AvoidRun, units: Units) -> String {
+fn outcome(found: &Avoidance, run: &AvoidRun, units: Units) -> String {
     let name = legend(run, units);
+    let is_in_line = found.scene.same_line.is_some();
     if run.stops_before() {
-        return format!("{name}: stops before the place.");
+        return format!(
+            "{name}: {}.",
+            if is_in_line { "does not reach it" } else { "stops before the place" }
+        );
     }
     let late = if run.is_late_enough == Some(true) { ", after it is clear" } else { "" };
-    format!("{name}: at the place with {}{late}.", units.road_speed(run.collision_speed))
+    let place = if is_in_line { "reaches it" } else { "at the place" };
+    format!("{name}: {place} with {}{late}.", units.road_speed(run.collision_speed))
 }
 
 pub(crate) fn chance_picture(case: &Case, found: &Avoidance, units: Units) -> Option<ChancePicture> {

@@ -1,14 +1,15 @@
 //! Whether the collision was avoidable.
 
 use analysis::{
-    ActualRun, Along, AvoidChance, AvoidInterval, AvoidRun, AvoidScene, Avoidance, BRAKES, DrivenBy,
-    GIVES_WAY, Hiding, Hypothesis, NoEstimate, SIGHT_LOOK_BACK, SeenWarning, Sight, SpeedSource, Unbraked,
+    ActualRun, AvoidChance, AvoidInterval, AvoidRun, AvoidScene, Avoidance, BRAKES, DrivenBy, GIVES_WAY,
+    Hiding, Hypothesis, NoEstimate, SIGHT_LOOK_BACK, SameLine, SeenWarning, Sight, SpeedSource, Unbraked,
     View, Warning, obstacle_name,
 };
 use case::{
-    Avoid, Case, Clear, GivenDemand, GivenWayOut, OtherApproach, OtherParty, PathForm, PlaceForm, Quantity,
-    STANDARD_GRAVITY, Sourced, Text,
+    Along, Avoid, AvoidBasis, Case, Clear, GivenDemand, GivenWayOut, OtherApproach, OtherParty, PathForm,
+    PlaceForm, Quantity, STANDARD_GRAVITY, Sourced, Text,
 };
+use pim_core::VehicleId;
 use time_distance::Swell;
 
 use super::uncertainty::grouped;
@@ -45,13 +46,14 @@ pub fn avoid(case: &Case, found: &Avoidance, units: Units) -> Document {
     if !found.more_runs.is_empty() {
         page.push(combinations(found, units));
     }
-    for note in on_the_runs(case, found, units) {
-        page.paragraph(note);
+    page.paragraph(on_the_runs(case, found, units));
+    if let Some(line) = &found.scene.same_line {
+        page.paragraph(on_the_other(found, line, units));
     }
     page.push(just_avoiding(found, units));
     page.push(enough(found, units));
     if let Some(chance) = &found.chance {
-        page.push(probability(chance, units));
+        page.push(probability(found, chance, units));
         if let Some(picture) = chance_picture(case, found, units) {
             page.chart("chance", move || picture.draw());
         }
@@ -109,17 +111,33 @@ fn answer(case: &Case, found: &Avoidance, units: Units) -> Vec<String> {
     }
     // What the verdicts say holds for one value of each number, where these are uncertain.
     let central = if found.chance.is_some() { ", by the central values" } else { "" };
-    lines.push(if scene.stops_at_limit() {
-        let stop = scene.at_limit().stop().unwrap_or(scene.distance);
-        format!(
-            "Avoidable in space {at}{central}: it stops {} before the place of the impact",
-            units.format(Measure::Way, scene.distance - stop)
-        )
-    } else {
-        format!(
-            "Not avoidable in space {at}{central}: it reaches the place of the impact with {}",
-            units.road_speed(scene.left_at_limit())
-        )
+    let way = |si: f64| units.format(Measure::Way, si);
+    let at_limit = scene.at_limit();
+    let meeting = scene.meeting(&at_limit);
+    let other = found.vehicle.other();
+    lines.push(match (scene.stops_at_limit(), scene.least_gap(&at_limit)) {
+        (true, None) => {
+            let stop = at_limit.stop().unwrap_or(scene.distance);
+            format!(
+                "Avoidable in space {at}{central}: it stops {} before the place of the impact",
+                way(scene.distance - stop)
+            )
+        }
+        (true, Some(gap)) => {
+            format!("Avoidable in space {at}{central}: it comes no nearer to vehicle {other} than {}", way(gap))
+        }
+        (false, _) => {
+            let left = units.road_speed(scene.left_at_limit());
+            match meeting.and_then(|meeting| meeting.other) {
+                None => format!(
+                    "Not avoidable in space {at}{central}: it reaches the place of the impact with {left}"
+                ),
+                Some(speed) => format!(
+                    "Not avoidable in space {at}{central}: it reaches vehicle {other} with {left}, which then has {}",
+                    units.road_speed(speed)
+                ),
+            }
+        }
     });
     // One that stops before the place is not late, but never comes.
     if let Some(is_late) = scene.is_late_at_limit().filter(|_| !scene.stops_at_limit()) {
@@ -128,8 +146,8 @@ fn answer(case: &Case, found: &Avoidance, units: Units) -> Vec<String> {
             "{is} in time {at}{central}: {} clears the danger zone {} after the demand, the vehicle {}",
             party(case),
             units.format(Measure::Time, scene.time + scene.clears_after.unwrap_or(0.0)),
-            match scene.at_limit().arrival(scene.distance) {
-                Some(arrival) => format!("arrives {} after it", units.format(Measure::Time, arrival)),
+            match meeting {
+                Some(meeting) => format!("arrives {} after it", units.format(Measure::Time, meeting.time)),
                 None => "stops before".to_owned(),
             }
         ));
@@ -200,7 +218,7 @@ pub fn avoid_warnings(found: &Avoidance, units: Units) -> Vec<String> {
 /// What a place of the impact that moves does to an answer for a fixed one.
 fn along_the_line(found: &Avoidance) -> Option<String> {
     let other = found.vehicle.other();
-    Some(match found.along? {
+    let moved = match found.along? {
         Along::Ahead => format!(
             "Vehicle {other} was ahead in nearly the same direction. If it was moving, it would have moved on while vehicle {} \
              braked, and slowing to its speed in time would have been enough. The answer takes the place of the impact as fixed, and so \
@@ -213,7 +231,8 @@ fn along_the_line(found: &Avoidance) -> Option<String> {
              less of the driver than was needed.",
             found.vehicle
         ),
-    })
+    };
+    Some(format!("{moved} With its `speed`, the answer takes its motion into account."))
 }
 
 /// What the solution behind the speed warns of, by its codes: its own report has the sentences.
@@ -309,7 +328,11 @@ fn inputs(case: &Case, given: &Avoid, found: &Avoidance, units: Units) -> Table 
         let source = source.map_or_else(|| "none given".to_owned(), ToString::to_string);
         table.row([label.to_owned(), amount(quantity.number(), Some(quantity.unit())), range, source]);
     };
-    for (index, phase) in case.vehicles[found.vehicle.index()].phases().iter().enumerate() {
+    let other = found.scene.same_line.as_ref().map(|_| found.vehicle.other());
+    let phases =
+        |id: VehicleId| case.vehicles[id.index()].phases().iter().enumerate().map(move |of| (id, of));
+    for (id, (index, phase)) in phases(found.vehicle).chain(other.into_iter().flat_map(phases)) {
+        let whose = if id == found.vehicle { String::new() } else { format!("vehicle {id}, ") };
         let form = &phase.form;
         for (word, given) in [
             ("speed", &form.speed),
@@ -319,8 +342,8 @@ fn inputs(case: &Case, given: &Avoid, found: &Avoidance, units: Units) -> Table 
         ] {
             if let Some(quantity) = given {
                 let place = index + 1;
-                let key = format!("vehicle{}.before.phase[{place}].{word}", found.vehicle);
-                number(&format!("phase {place}: {word}"), &key, quantity, phase.source.as_ref());
+                let key = format!("vehicle{id}.before.phase[{place}].{word}");
+                number(&format!("{whose}phase {place}: {word}"), &key, quantity, phase.source.as_ref());
             }
         }
     }
@@ -356,7 +379,7 @@ fn inputs(case: &Case, given: &Avoid, found: &Avoidance, units: Units) -> Table 
         Some(GivenDemand::Sight) | None => {}
     }
     let mut goes_on = false;
-    let cleared = case.avoid_form(None).and_then(|form| form.clear?.distance().ok());
+    let cleared = case.avoid_form(&AvoidBasis::default()).and_then(|form| form.clear?.distance().ok());
     let mut by_outlines = None;
     if let Some(Clear { way, speed }) = &given.clear {
         match way {
@@ -566,7 +589,9 @@ fn view_and_demand(found: &Avoidance, sight: &Sight, units: Units) -> String {
 
 /// From where to where the driver looks.
 fn ways(case: &Case) -> String {
-    let Some(form) = case.avoid_form(None).and_then(|form| form.sight) else { return String::new() };
+    let Some(form) = case.avoid_form(&AvoidBasis::default()).and_then(|form| form.sight) else {
+        return String::new();
+    };
     let how = |form: &PlaceForm| match form {
         PlaceForm::Given(_) => "at the place given",
         PlaceForm::Position(_) => "at the centre of gravity of the vehicle",
@@ -627,14 +652,23 @@ fn runs(case: &Case, found: &Avoidance, units: Units) -> Table {
         Some(units.plain(Measure::Way, run.course.position(run.course.response?.reaction())))
     });
     row(label("stopping distance", Measure::Way), &|run| Some(units.plain(Measure::Way, run.course.stop()?)));
-    row(label("stops before the place", Measure::Way), &|run| {
-        run.stops_before()
-            .then(|| units.plain(Measure::Way, distance - run.course.stop().unwrap_or(distance)))
+    let line = found.scene.same_line.is_some();
+    if line {
+        let gap = format!("least gap to vehicle {}", found.vehicle.other());
+        row(label(&gap, Measure::Way), &|run| Some(units.plain(Measure::Way, run.gap?)));
+    } else {
+        row(label("stops before the place", Measure::Way), &|run| {
+            run.stops_before()
+                .then(|| units.plain(Measure::Way, distance - run.course.stop().unwrap_or(distance)))
+        });
+    }
+    let place = place(found);
+    row(label(&format!("speed at the {place}"), Measure::RoadSpeed), &|run| {
+        (!line || !run.stops_before()).then(|| units.plain(Measure::RoadSpeed, run.collision_speed))
     });
-    row(label("speed at the place", Measure::RoadSpeed), &|run| {
-        Some(units.plain(Measure::RoadSpeed, run.collision_speed))
+    row(label(&format!("time to the {place}"), Measure::Time), &|run| {
+        Some(units.plain(Measure::Time, run.arrival?))
     });
-    row(label("time to the place", Measure::Time), &|run| Some(units.plain(Measure::Time, run.arrival?)));
     for (index, _) in case.vehicles.iter().enumerate().filter(|(_, vehicle)| !vehicle.fixed) {
         row(label(&format!("ΔV of vehicle {}", index + 1), Measure::RoadSpeed), &|run| {
             Some(units.plain(Measure::RoadSpeed, run.delta_v?[index]))
@@ -644,6 +678,11 @@ fn runs(case: &Case, found: &Avoidance, units: Units) -> Table {
         Some(if run.hypothesis == Hypothesis::Actual { NONE } else { avoided(run) }.to_owned())
     });
     table
+}
+
+/// Where a collision is: at the place of the impact, or with a vehicle that moves wherever that is.
+fn place(found: &Avoidance) -> &'static str {
+    if found.scene.same_line.is_some() { "contact" } else { "place" }
 }
 
 /// How a run avoids the collision.
@@ -661,7 +700,8 @@ fn combinations(found: &Avoidance, units: Units) -> Table {
         "Each alone and together",
         [
             Column::words("", Width::Fixed(44)),
-            Column::numbers("speed at the place", Width::Fixed(20)).unit(units.name(Measure::RoadSpeed)),
+            Column::numbers(format!("speed at the {}", place(found)), Width::Fixed(20))
+                .unit(units.name(Measure::RoadSpeed)),
             Column::words("avoided", Width::Fixed(18)),
         ],
     );
@@ -675,7 +715,11 @@ fn combinations(found: &Avoidance, units: Units) -> Table {
         (Hypothesis::All, "all three"),
     ] {
         if let Some(run) = found.run(hypothesis) {
-            let speed = units.plain(Measure::RoadSpeed, run.collision_speed);
+            let speed = if found.scene.same_line.is_some() && run.stops_before() {
+                NONE.to_owned()
+            } else {
+                units.plain(Measure::RoadSpeed, run.collision_speed)
+            };
             table.row([label.to_owned(), speed, avoided(run).to_owned()]);
         }
     }
@@ -683,7 +727,7 @@ fn combinations(found: &Avoidance, units: Units) -> Table {
 }
 
 /// How the actual run is known, and whose reaction was late.
-fn on_the_runs(case: &Case, found: &Avoidance, units: Units) -> Vec<String> {
+fn on_the_runs(case: &Case, found: &Avoidance, units: Units) -> String {
     let scene = &found.scene;
     let AvoidScene { response, actual, speed, .. } = scene;
     let time = |seconds: f64| units.format(Measure::Time, seconds.abs());
@@ -696,10 +740,10 @@ fn on_the_runs(case: &Case, found: &Avoidance, units: Units) -> Vec<String> {
             } else {
                 "Nothing in the case says how the vehicle came to the impact."
             };
-            vec![format!(
+            format!(
                 "{unknown} It is taken to have reacted and braked as the inputs say, so that its reaction was in time and its braking \
                  full. `unbraked = true`, the speed at the impact, skid marks, phases or the table of a recorder tell otherwise."
-            )]
+            )
         }
         ActualRun::Unbraked(why) => {
             let why = match why {
@@ -724,18 +768,18 @@ fn on_the_runs(case: &Case, found: &Avoidance, units: Units) -> Vec<String> {
                     time(by)
                 )
             });
-            vec![why + &late.unwrap_or_default()]
+            why + &late.unwrap_or_default()
         }
         ActualRun::Skidded(slowed) => {
             let late = slowed.reaction() - response.reaction();
             let compared = if late >= 0.0 { "later" } else { "earlier" };
-            vec![format!(
+            format!(
                 "The skid says when the brakes took hold: {} after the demand, {} {compared} than with the reaction time of the \
                  inputs. The deceleration of the skid, {}, is that of its friction.",
                 time(slowed.reaction()),
                 time(late),
                 units.format(Measure::Acceleration, slowed.deceleration()),
-            )]
+            )
         }
         ActualRun::Driven(by) => {
             let by = match by {
@@ -767,9 +811,33 @@ fn on_the_runs(case: &Case, found: &Avoidance, units: Units) -> Vec<String> {
             } else {
                 ""
             };
-            vec![by + &braked + goes_on]
+            by + &braked + goes_on
         }
     }
+}
+
+/// What a vehicle on the same line is taken to do.
+fn on_the_other(found: &Avoidance, line: &SameLine, units: Units) -> String {
+    let other = found.vehicle.other();
+    let way = match line.along {
+        Along::Ahead => "moved ahead in the same direction",
+        Along::Oncoming => "came from the opposite direction on the same line",
+    };
+    let goes_on = if line.deceleration > 0.0 {
+        format!(
+            "it brakes on with {} until it stands",
+            units.format(Measure::Acceleration, line.deceleration)
+        )
+    } else {
+        "it keeps that speed".to_owned()
+    };
+    format!(
+        "Vehicle {other} {way}. At the demand it was {} away, and at the impact it had {}. In every other run it is taken to move as it \
+         did up to that moment, and then to go on: {goes_on}. A collision is where vehicle {} reaches it, at whatever place.",
+        units.format(Measure::Way, line.gap),
+        units.road_speed(line.speed),
+        found.vehicle,
+    )
 }
 
 fn just_avoiding(found: &Avoidance, units: Units) -> Table {
@@ -798,12 +866,13 @@ fn just_avoiding(found: &Avoidance, units: Units) -> Table {
     };
     let avoidable = |is: bool| if is { "avoidable" } else { "not avoidable" };
     let spatial = scene.spatial();
-    row(
-        "in space: it stops before the place",
-        spatial,
-        chance.map(|chance| &chance.spatial),
-        avoidable(scene.stops_at_limit()),
-    );
+    let line = scene.same_line.is_some();
+    let in_space = if line {
+        format!("in space: it does not reach vehicle {}", found.vehicle.other())
+    } else {
+        "in space: it stops before the place".to_owned()
+    };
+    row(&in_space, spatial, chance.map(|chance| &chance.spatial), avoidable(scene.stops_at_limit()));
     if let Some(temporal) = scene.temporal() {
         let interval = chance.and_then(|chance| chance.temporal.as_ref());
         row(
@@ -815,7 +884,7 @@ fn just_avoiding(found: &Avoidance, units: Units) -> Table {
     }
     row("driven", scene.speed, chance.map(|chance| &chance.speed), "");
     row(
-        "speed at the place, from the limit",
+        &format!("speed at the {}, from the limit", place(found)),
         scene.left_at_limit(),
         chance.map(|chance| &chance.left_at_limit),
         "",
@@ -836,13 +905,23 @@ const MOST_OF_TYRES: f64 = 1.5 * STANDARD_GRAVITY;
 fn enough(found: &Avoidance, units: Units) -> Block {
     let enough = &found.enough;
     let is_in_time = found.scene.clears_after.is_some();
-    let none = if is_in_time { "none is enough" } else { "none is enough to stop before the place" };
+    let none = if is_in_time || found.scene.same_line.is_some() {
+        "none is enough"
+    } else {
+        "none is enough to stop before the place"
+    };
     let of = |measure, value: Option<f64>, word: &str| {
         value.map_or_else(|| none.to_owned(), |value| format!("{word} {}", units.format(measure, value)))
     };
     let braking = |[deceleration, reaction]: [Option<f64>; 2]| {
         if deceleration == Some(0.0) {
-            let unbraked = || "any: without braking, the vehicle comes late enough".to_owned();
+            let unbraked = || {
+                if found.scene.same_line.is_some() {
+                    format!("any: without braking, it does not reach vehicle {}", found.vehicle.other())
+                } else {
+                    "any: without braking, the vehicle comes late enough".to_owned()
+                }
+            };
             return [unbraked(), unbraked()];
         }
         let of_tyres = match deceleration.filter(|deceleration| *deceleration > MOST_OF_TYRES) {
@@ -873,7 +952,7 @@ fn enough(found: &Avoidance, units: Units) -> Block {
     }
 }
 
-fn probability(chance: &AvoidChance, units: Units) -> Table {
+fn probability(found: &Avoidance, chance: &AvoidChance, units: Units) -> Table {
     let mut table = Table::new(
         "Probability",
         [
@@ -888,7 +967,12 @@ fn probability(chance: &AvoidChance, units: Units) -> Table {
     let error = error_between(chance.avoided_at_limit, chance.mc_error);
     let error = error.map_or_else(String::new, |error| format!("± {}", number(error, 4)));
     row("avoided at the limit, reaction and braking of the inputs", chance.avoided_at_limit, error);
-    row("… as it stops before the place of the impact", chance.stopped_at_limit, String::new());
+    let stopped = if found.scene.same_line.is_some() {
+        "… as it does not reach the other vehicle"
+    } else {
+        "… as it stops before the place of the impact"
+    };
+    row(stopped, chance.stopped_at_limit, String::new());
     row("avoided at the limit, all else as it was", chance.avoided_else_as_it_was, String::new());
     row("driven faster than the limit", chance.above_limit, String::new());
     table.notes.push(format!(
@@ -939,7 +1023,12 @@ fn definitions(case: &Case, found: &Avoidance) -> Vec<String> {
     };
     let mut list = vec![
         format!("Convention of the swell: {form}. Others give other speeds."),
-        "Avoidable in space: at that speed and with a timely reaction, the vehicle stops before the place of the impact.".to_owned(),
+        if found.scene.same_line.is_some() {
+            "Avoidable in space: at that speed and with a timely reaction, the vehicle does not reach the other one, which goes on as it came."
+        } else {
+            "Avoidable in space: at that speed and with a timely reaction, the vehicle stops before the place of the impact."
+        }
+        .to_owned(),
         format!(
             "Avoidable in time: it comes so much later that {} has left the danger zone. It comes second to avoidable in space, and only \
              where it is certain that the other moved and could not stop.",

@@ -116,7 +116,7 @@ impl Page<'_> {
     /// The evidence that a forward analysis does not use. Of a reconstruction the headline says it.
     fn left_aside(&mut self, analysis: &Seen) {
         if self.headline.is_exact() {
-            self.document.blocks.extend(warnings::left_aside(&analysis.left_aside));
+            self.document.blocks.extend(warnings::left_aside(&analysis.left_aside, analysis.can_be_weighed));
         }
     }
 

@@ -36,6 +36,7 @@ pub(super) fn facts() -> Vec<Fact> {
 fn avoid(ledger: &mut Ledger) {
     ledger.page("docs/guide/avoid.md");
     ledger.made(format!("hid … {} s before the impact", number(analysis::SIGHT_LOOK_BACK, 0)));
+    ledger.made(format!("headings of both lie within {}°", degrees(reconcile::COLLINEAR)));
 }
 
 fn contents(ledger: &mut Ledger) {

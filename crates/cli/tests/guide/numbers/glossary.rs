@@ -311,6 +311,11 @@ fn warnings(ledger: &mut Ledger) {
     stiffness(ledger);
     works(ledger);
     jumps(ledger);
+    ledger.made(format!(
+        "by more than {} % and {} m/s",
+        number(100.0 * analysis::MOST_BY_DEGREE, 0),
+        number(analysis::LEAST_BY_DEGREE, 0)
+    ));
     ledger.made(format!("|μ| is above {}:", large_ratio()));
     let friction =
         |mu: f64| is_warned("unusual-friction", &skid(1.0, &format!("{{ friction = {mu:?} }}"), ""));

@@ -1,0 +1,96 @@
+//! Another vehicle on the line of the one that is asked about, so that the place of a collision moves.
+
+use std::sync::Arc;
+
+use inputs::{Along, BrakingForm, Quantity, SameLineForm};
+use time_distance::{Course, Gap, Leg, first_contact, least_gap};
+
+use super::driven::{Approach, Driven};
+use super::posing::{FAR, Since, Unposed};
+
+/// How another vehicle moves along the line of the one that is asked about: up to the impact as it did, and
+/// from then on as it would have.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SameLine {
+    /// In which direction.
+    pub along: Along,
+    /// (m/s) its speed at the impact.
+    pub speed: f64,
+    /// (m/s²) its deceleration at the impact, with which it goes on until it stands; zero if it was steady
+    /// or accelerated, and then goes on at that speed.
+    pub deceleration: f64,
+    /// (m) how far it is from the vehicle at the demand.
+    pub gap: f64,
+    /// Its motion since the demand, in places and speeds along the way of the vehicle.
+    legs: Arc<[Leg]>,
+}
+
+impl SameLine {
+    /// With its speed at the impact (m/s), where the rest of the case tells that, from the distance (m) and
+    /// the time (s) of the demand before the impact on; `None` if it stood, or its speed is not known.
+    pub(super) fn of(
+        form: &SameLineForm,
+        sought: Option<f64>,
+        [distance, time]: [f64; 2],
+    ) -> Result<Option<Self>, Unposed> {
+        let Some(speed) = form.speed.as_ref().map(Quantity::si).or(sought) else { return Ok(None) };
+        // An estimate that lets it move backwards says that it stood.
+        let speed = speed.max(0.0);
+        if speed == 0.0 && matches!(form.braking, BrakingForm::Unknown) {
+            return Ok(None);
+        }
+        let mut approach = Approach::of_other(&form.braking, speed).map_err(Unposed::OtherPhases)?;
+        let last = approach.legs.last().map_or(0.0, |leg| leg.acceleration);
+        let [speed, deceleration] = [approach.at_impact, (-last).max(0.0)];
+        approach.legs.push(Leg { speed, acceleration: -deceleration, ..Leg::at_rest(0.0, 0.0) });
+        let (driven, own, _) = Driven::new(approach, Since::Time(time))?;
+        let sign = match form.along {
+            Along::Ahead => 1.0,
+            Along::Oncoming => -1.0,
+        };
+        // Both are at the place of the impact when it happens.
+        let on_the_way = |leg: &Leg| Leg {
+            time: leg.time,
+            position: distance + sign * (leg.position - own),
+            speed: sign * leg.speed,
+            acceleration: sign * leg.acceleration,
+            jerk: sign * leg.jerk,
+        };
+        let legs: Arc<[Leg]> = driven.0.iter().map(on_the_way).collect();
+        let gap = distance - sign * own;
+        Ok(Some(Self { along: form.along, speed, deceleration, gap, legs }))
+    }
+
+    /// (m) where it is at a time (s) after the demand, along the way of the vehicle.
+    #[must_use]
+    pub fn position(&self, time: f64) -> f64 {
+        Course::new(&self.legs).map_or(f64::NAN, |course| course.at(time).position)
+    }
+
+    /// (m/s) its speed at a time (s) after the demand.
+    #[must_use]
+    pub fn speed_at(&self, time: f64) -> f64 {
+        Course::new(&self.legs).map_or(f64::NAN, |course| course.at(time).speed.abs())
+    }
+
+    /// (m/s) how fast a vehicle with a speed (m/s) comes nearer to it at a time (s) after the demand.
+    pub(super) fn closing(&self, speed: f64, time: f64) -> f64 {
+        Course::new(&self.legs).map_or(f64::NAN, |course| speed - course.at(time).speed)
+    }
+
+    /// (m) the least distance to a vehicle with these legs until a time (s) after the demand.
+    pub(super) fn least_gap(&self, legs: &[Leg], until: f64) -> f64 {
+        let of = |[own, other]: [Course<'_>; 2]| least_gap(&own, &other, [0.0, until.min(FAR)]).distance;
+        self.with(legs).map_or(f64::NAN, of)
+    }
+
+    /// The first contact with a vehicle with these legs.
+    pub(super) fn contact(&self, legs: &[Leg]) -> Option<Gap> {
+        let [own, other] = self.with(legs)?;
+        first_contact(&own, &other, [0.0, FAR])
+    }
+
+    fn with<'a>(&'a self, legs: &'a [Leg]) -> Option<[Course<'a>; 2]> {
+        Some([Course::new(legs)?, Course::new(&self.legs)?])
+    }
+}

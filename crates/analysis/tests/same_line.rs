@@ -1,0 +1,280 @@
+//! Avoidability where the other vehicle moves along the same line: against a simulation of both in small
+//! steps, and by hand.
+
+#![allow(clippy::unwrap_used, reason = "helpers of tests fail by panicking")]
+#![allow(clippy::disallowed_methods, reason = "an independent simulation needs no equal bits")]
+
+use analysis::{AvoidPlan, Avoidance, Failure, Hypothesis};
+use case::Along;
+use proptest::prelude::*;
+
+use crate::avoid::asked_with;
+
+const KMH: f64 = 1.0 / 3.6;
+
+fn asked(text: &str) -> Result<Avoidance, Failure> {
+    asked_with(text, AvoidPlan { samples: 1_000, ..AvoidPlan::default() })
+}
+
+/// One vehicle behind another, both along `heading`: speeds at the impact, what else is known of each, and
+/// [avoid].
+fn text(headings: [f64; 2], speeds: [f64; 2], more: [&str; 2], avoid: &str) -> String {
+    let vehicle = |k: usize| {
+        format!(
+            "[vehicle{}]\nmass = \"1400 kg\"\nheading = \"{} deg\"\nspeed = \"{} m/s\"\n{}\n",
+            k + 1,
+            headings[k],
+            speeds[k],
+            more[k]
+        )
+    };
+    format!("{}{}[avoid]\n{avoid}", vehicle(0), vehicle(1))
+}
+
+/// 60 km/h, 35 m and 2.1 s before the impact, behind a car with 20 km/h; 1 s and 7 m/s².
+#[test]
+fn a_lead_vehicle_moves_on() {
+    let avoid = "limit = \"60 km/h\"\nreaction_time = \"1 s\"\ndeceleration = \"7 m/s^2\"\n\
+                 demand = { distance = \"35 m\" }\nunbraked = true\n";
+    let found = asked(&text([30.0; 2], [60.0 * KMH, 20.0 * KMH], [""; 2], avoid)).unwrap();
+    let line = found.scene.same_line.as_ref().unwrap();
+    assert_eq!((line.along, line.deceleration), (Along::Ahead, 0.0));
+    // 35 m take 2.1 s, in which the car ahead covers 11.67 m.
+    let gap = 35.0 - 20.0 * KMH * 2.1;
+    assert!((line.gap - gap).abs() < 1e-9);
+    // Its 40 km/h more take 11.11 m and 11.11²/14 m.
+    let faster = 40.0 * KMH;
+    let taken = faster + faster * faster / 14.0;
+    let run = found.run(Hypothesis::ReactionAndBraking).unwrap();
+    assert!(run.is_avoided() && run.stops_before() && found.scene.stops_at_limit());
+    assert!((run.gap.unwrap() - (gap - taken)).abs() < 1e-6, "{:?}", run.gap);
+    assert!((found.enough.reaction.unwrap() - (gap - faster * faster / 14.0) / faster).abs() < 1e-6);
+    let least = faster * faster / (2.0 * (gap - faster));
+    assert!((found.enough.deceleration.unwrap() - least).abs() < 1e-6);
+    // (v − u) + (v − u)²/2a = gap
+    let root = 7.0 * ((1.0 + 2.0 * gap / 7.0_f64).sqrt() - 1.0);
+    assert!((found.scene.spatial() - (20.0 * KMH + root)).abs() < 1e-6);
+    assert!(found.along.is_none());
+    // Who keeps a limit below the speed of the car ahead never reaches it.
+    let slow =
+        asked(&text([30.0; 2], [60.0 * KMH, 20.0 * KMH], [""; 2], &avoid.replace("60 km/h", "19 km/h")));
+    let slow = slow.unwrap();
+    assert_eq!(slow.enough.deceleration_at_limit, Some(0.0));
+    assert!(slow.scene.stops_at_limit() && slow.scene.is_avoided_else_as_it_was());
+}
+
+/// A vehicle that came from ahead, or had the speed to get away, was not hit from behind by this one.
+#[test]
+fn vehicles_that_part_are_refused() {
+    let avoid = "limit = \"60 km/h\"\nreaction_time = \"1 s\"\ndeceleration = \"7 m/s^2\"\n\
+                 demand = { distance = \"35 m\" }\nunbraked = true\n";
+    for speeds in [[10.0, 12.0], [10.0, 10.0]] {
+        let failure = asked(&text([0.0; 2], speeds, [""; 2], avoid)).unwrap_err().to_string();
+        assert!(failure.contains("does not come up to the other from behind"), "{failure}");
+    }
+    // It was behind at the demand, and braked harder.
+    let braked = "before = { skid = { length = \"14 m\", friction = 0.7 } }";
+    let failure = asked(&text([0.0; 2], [10.0, 6.0], ["", braked], avoid)).unwrap_err().to_string();
+    assert!(failure.contains("does not come up to the other from behind"), "{failure}");
+}
+
+/// An oncoming vehicle that goes on reaches one that stands, too: 25 m apart at a closing speed of 25 m/s.
+#[test]
+fn an_oncoming_vehicle_comes_nearer() {
+    let avoid = "limit = \"54 km/h\"\nreaction_time = \"0.5 s\"\ndeceleration = \"7.5 m/s^2\"\n\
+                 demand = { distance = \"30 m\" }\nunbraked = true\n";
+    let found = asked(&text([0.0, 180.0], [15.0, 10.0], [""; 2], avoid)).unwrap();
+    let line = found.scene.same_line.as_ref().unwrap();
+    assert_eq!(line.along, Along::Oncoming);
+    assert!((line.gap - 50.0).abs() < 1e-9);
+    // It stops after 7.5 + 15 = 22.5 m and 2.5 s; the other is there after (50 − 22.5)/10 = 2.75 s.
+    let run = found.run(Hypothesis::ReactionAndBraking).unwrap();
+    assert!(!run.is_avoided() && run.collision_speed == 0.0, "{run:?}");
+    assert!((run.arrival.unwrap() - 2.75).abs() < 1e-9);
+    assert_eq!((found.scene.spatial(), found.enough.deceleration), (0.0, None));
+    // If the other braked with 0.5 g up to the impact, and on, it stands 10²/2a = 10.2 m beyond the place.
+    let braked = "before = { skid = { length = \"12 m\", friction = 0.5 } }";
+    let found = asked(&text([0.0, 180.0], [15.0, 10.0], ["", braked], avoid)).unwrap();
+    let a = 0.5 * 9.80665;
+    let line = found.scene.same_line.as_ref().unwrap();
+    assert!((line.deceleration - a).abs() < 1e-12);
+    let before = (100.0 + 2.0 * a * 12.0_f64).sqrt();
+    let skidded = (before - 10.0) / a;
+    assert!((line.gap - (30.0 + 12.0 + before * (2.0 - skidded))).abs() < 1e-9);
+    let stands = 30.0 - 100.0 / (2.0 * a);
+    // v t_R + v²/2a = the way to there
+    let most = 7.5 * ((0.25 + 2.0 * stands / 7.5_f64).sqrt() - 0.5);
+    assert!((found.scene.spatial() - most).abs() < 1e-6, "{} {most}", found.scene.spatial());
+}
+
+/// The probability is the share of the speeds of the car ahead that leave enough room.
+#[test]
+fn the_speed_of_the_other_makes_a_probability() {
+    let avoid = "limit = \"60 km/h\"\nreaction_time = \"1 s\"\ndeceleration = \"7 m/s^2\"\n\
+                 demand = { distance = \"35 m\" }\nunbraked = true\n";
+    let range = "\"0 m/s\"\nspeed = { low = \"1 m/s\", high = \"9 m/s\" }";
+    let text = text([0.0; 2], [60.0 * KMH, 0.0], [""; 2], avoid).replace("\"0 m/s\"", range);
+    let text = text.replace("speed = \"0 m/s\"\nspeed", "speed");
+    let found = asked_with(&text, AvoidPlan { samples: 20_000, ..AvoidPlan::default() }).unwrap();
+    // 35 − 2.1 u = (v − u) + (v − u)²/14, by halving.
+    let lacks = |u: f64| {
+        let faster = 60.0 * KMH - u;
+        faster + faster * faster / 14.0 - (35.0 - 2.1 * u)
+    };
+    let [mut low, mut high] = [1.0, 9.0];
+    assert!(lacks(low) > 0.0 && lacks(high) < 0.0);
+    for _ in 0..60 {
+        let middle = f64::midpoint(low, high);
+        if lacks(middle) > 0.0 { low = middle } else { high = middle }
+    }
+    let chance = found.chance.unwrap();
+    let expected = (9.0 - low) / 8.0;
+    assert!((chance.avoided_at_limit - expected).abs() < 0.015, "{} {expected}", chance.avoided_at_limit);
+    assert_eq!(chance.avoided_at_limit, chance.stopped_at_limit);
+}
+
+const STEP: f64 = 2e-4;
+/// (s) the end of the steps.
+const LONGEST: f64 = 30.0;
+
+/// How two vehicles come near each other, in small steps: the least gap, and the first contact with the speed
+/// of the first (s, m/s), if any.
+fn stepped(speed: f64, response: Option<[f64; 3]>, other: impl Fn(f64) -> f64) -> (f64, Option<[f64; 2]>) {
+    let (mut v, mut s, mut t) = (speed, 0.0, 0.0_f64);
+    let mut least = f64::INFINITY;
+    while t < LONGEST {
+        let gap = other(t) - s;
+        least = least.min(gap);
+        if gap <= 0.0 {
+            return (least, Some([t, v]));
+        }
+        let a = response.map_or(0.0, |[reaction, swell, full]| {
+            -full * ((t + 0.5 * STEP - reaction) / swell).clamp(0.0, 1.0)
+        });
+        let next = (v + a * STEP).max(0.0);
+        s += 0.5 * (v + next) * STEP;
+        (v, t) = (next, t + STEP);
+    }
+    (least, None)
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(300))]
+
+    /// A vehicle that comes unbraked, behind one or towards one that begins to brake some time before the
+    /// impact, and brakes on.
+    #[test]
+    fn both_agree_with_steps(
+        heading in -180.0..180.0_f64,
+        v in 8.0..30.0_f64,
+        [share, brakes, braking] in [0.05..0.9_f64, 0.0..6.0, 0.1..2.0],
+        time in 1.0..3.5_f64,
+        [reaction, swell, full] in [0.3..1.2_f64, 0.05..0.4, 4.0..9.0],
+        lower in 0.4..1.0_f64,
+        is_oncoming in any::<bool>(),
+        clears in 0.01..4.0_f64,
+    ) {
+        // One that hardly brakes is reached after the end of the steps.
+        let brakes = if brakes < 1.0 { 0.0 } else { brakes };
+        let at_impact = share * v;
+        let phases = [
+            format!("time = \"{} s\"\nacceleration = \"0 m/s^2\"", 20.0),
+            format!("time = \"{braking} s\"\nacceleration = \"{} m/s^2\"", -brakes),
+        ];
+        let phases: String = phases.iter().map(|phase| format!("[[vehicle2.before.phase]]\n{phase}\n")).collect();
+        let limit = lower * v;
+        let avoid = format!(
+            "limit = \"{limit} m/s\"\nreaction_time = \"{reaction} s\"\nswell = \"{swell} s\"\n\
+             deceleration = \"{full} m/s^2\"\ndemand = {{ time = \"{time} s\" }}\nunbraked = true\n\
+             clear = {{ distance = \"{clears} m\", speed = \"1 m/s\" }}\n{phases}"
+        );
+        let other_heading = if is_oncoming { heading + 180.0 } else { heading };
+        let text = text([heading, other_heading], [v, at_impact], [""; 2], &avoid);
+        let place = v * time;
+        // Where the other is, by its distance from the place of the impact.
+        let u0 = at_impact + brakes * braking;
+        let sign = if is_oncoming { -1.0 } else { 1.0 };
+        let other = move |t: f64| {
+            let since = t - (time - braking);
+            let own = |since: f64| if since <= 0.0 {
+                u0 * since
+            } else if brakes > 0.0 && since > u0 / brakes {
+                u0 * u0 / (2.0 * brakes)
+            } else {
+                u0 * since - 0.5 * brakes * since * since
+            };
+            place + sign * (own(since) - own(braking))
+        };
+        let found = asked(&text);
+        if other(0.0) < -1e-3 {
+            prop_assert!(found.is_err(), "{}", text);
+            return Ok(());
+        }
+        prop_assume!(other(0.0) > 0.1);
+        let found = found.unwrap();
+        let line = found.scene.same_line.as_ref().unwrap();
+        prop_assert!((line.gap - other(0.0)).abs() < 1e-8, "{} {}\n{}", line.gap, other(0.0), text);
+        let cleared = time + clears;
+        let answer = [reaction, swell, full];
+        let avoids = |speed: f64, response: Option<[f64; 3]>| {
+            stepped(speed, response, other).1.is_none_or(|[at, _]| at >= cleared)
+        };
+        for (hypothesis, speed, response) in [
+            (Hypothesis::LimitOnly, limit, None),
+            (Hypothesis::ReactionAndBraking, v, Some(answer)),
+            (Hypothesis::All, limit, Some(answer)),
+        ] {
+            let run = found.run(hypothesis).unwrap();
+            let (least, contact) = stepped(speed, response, other);
+            match contact {
+                // The steps have ended.
+                None if run.arrival.is_some_and(|at| at > LONGEST) => {}
+                // They only just touch, or not.
+                _ if least.abs() < 0.02 && contact.is_none_or(|[_, speed]| speed < 1.0) => {}
+                Some([at, speed]) => {
+                    let [found_at, found_speed] = [run.arrival.unwrap(), run.collision_speed];
+                    // Where they touch nearly at one speed, the moment is soft.
+                    let closing = speed - (other(at + STEP) - other(at)) / STEP;
+                    prop_assume!(closing > 0.5);
+                    prop_assert!((found_at - at).abs() < 5e-3, "{:?} {} {}\n{}", hypothesis, found_at, at, text);
+                    prop_assert!((found_speed - speed).abs() < 0.05, "{:?} {} {}\n{}", hypothesis, found_speed, speed, text);
+                    prop_assert!(run.gap.is_none());
+                }
+                None => {
+                    prop_assert!(run.stops_before() && run.is_avoided(), "{:?} {:?}\n{}", hypothesis, run, text);
+                    prop_assert!((run.gap.unwrap() - least).abs() < 1e-2, "{:?} {:?} {}\n{}", hypothesis, run.gap, least, text);
+                }
+            }
+        }
+        // A little less than what is just enough avoids it, a little more does not.
+        let just = found.enough.speed;
+        if just > 0.2 && just < 60.0 {
+            prop_assert!(avoids(just - 0.1, Some(answer)), "{}\n{}", just, text);
+            prop_assert!(!avoids(just + 0.1, Some(answer)), "{}\n{}", just, text);
+        }
+        for (at_limit, speed) in [(false, v), (true, limit)] {
+            let [deceleration, longest] = if at_limit {
+                [found.enough.deceleration_at_limit, found.enough.reaction_at_limit]
+            } else {
+                [found.enough.deceleration, found.enough.reaction]
+            };
+            match deceleration {
+                Some(0.0) => prop_assert!(avoids(speed, None), "{}", text),
+                Some(least) if least < 50.0 => {
+                    prop_assert!(avoids(speed, Some([reaction, swell, least * 1.02 + 0.01])), "{}\n{}", least, text);
+                    prop_assert!(!avoids(speed, Some([reaction, swell, least * 0.98 - 0.01])), "{}\n{}", least, text);
+                }
+                Some(_) => {}
+                None => prop_assert!(!avoids(speed, Some([reaction, swell, 100.0])), "{}", text),
+            }
+            match longest {
+                Some(longest) if longest < 20.0 => {
+                    prop_assert!(longest < 0.02 || avoids(speed, Some([longest - 0.02, swell, full])), "{}\n{}", longest, text);
+                    prop_assert!(!avoids(speed, Some([longest + 0.02, swell, full])), "{}\n{}", longest, text);
+                }
+                Some(_) => prop_assert!(avoids(speed, None), "{}", text),
+                None => prop_assert!(!avoids(speed, Some([0.0, swell, full])) || deceleration.is_none(), "{}", text),
+            }
+        }
+    }
+}
