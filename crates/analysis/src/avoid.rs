@@ -18,6 +18,7 @@ use inputs::{
     Faults, Find, Quantity, SpeedForm, Velocity, format_number, is_of_avoid,
 };
 use pim_core::VehicleId;
+use recorder::ImpactSpeed;
 use time_distance::Response;
 
 pub use chance::{AvoidChance, AvoidInfluence, AvoidInterval, SightIntervals};
@@ -288,8 +289,12 @@ fn found(
         (_, None) => SpeedSource::AtImpact,
         (_, Some(told)) => told.from,
     };
-    let sought = told.as_ref().map(|told| SoughtSpeeds { subject: Some(told.speed), other: told.other });
-    let sought = sought.unwrap_or_default();
+    let other = told.as_ref().and_then(|told| told.other);
+    // Where nothing else tells the speed of a vehicle on the same line, its own recorder does.
+    let by_recorder = form.same_line.as_ref().filter(|line| line.speed.is_none() && other.is_none());
+    let by_recorder = by_recorder.and_then(|_| speed_by_recorder(case, form.vehicle.other()));
+    let other = other.or_else(|| Some(by_recorder.as_ref()?.quantile(0.5)));
+    let sought = SoughtSpeeds { subject: told.as_ref().map(|told| told.speed), other };
     let needs_other = form.clear.as_ref().is_some_and(|clear| matches!(clear.speed, ClearSpeedForm::Sought));
     if needs_other && sought.other.is_some_and(|speed| speed <= 0.0) {
         return Err(unposed(form, Unposed::OtherStands));
@@ -305,8 +310,8 @@ fn found(
     let seen = ways.as_ref().zip(scene.view.sight());
     let hiding = seen.map(|(ways, sight)| ways.hiding(&scene, &sight, &obstacles));
     let hiding = hiding.transpose().map_err(|index| holds_the_eye(case, index))?;
-    let chance = plan.map_or(Ok(None), |plan| of_ranges(case, told.as_deref(), &obstacles, plan))?;
-    let other = told.as_ref().and_then(|told| told.other);
+    let of_plan = |plan| of_ranges(case, told.as_deref(), by_recorder.as_ref(), &obstacles, plan);
+    let chance = plan.map_or(Ok(None), of_plan)?;
     let [runs, more_runs] = runs(&scene, &|meeting| delta_v(case, form.vehicle, meeting, other));
     let enough = Enough {
         speed: scene.just_avoiding(),
@@ -427,8 +432,7 @@ impl Told {
         if case.impact.is_some() || case.reconstruct.is_some() {
             return None;
         }
-        let ground = case.surface.as_ref().map(|surface| surface.friction);
-        let found = case.vehicles[vehicle.index()].recorder.as_ref()?.impact_speed(ground)?;
+        let found = speed_by_recorder(case, vehicle)?;
         let key = random::key(plan.seed, &[OF_RECORDER]);
         let draw = |index: usize| found.quantile(random::unit(random::bits(key, index as u64)));
         Some(Self {
@@ -446,8 +450,15 @@ impl Told {
     }
 }
 
+/// The speed at the impact by the table of a vehicle's own recorder.
+fn speed_by_recorder(case: &Case, vehicle: VehicleId) -> Option<ImpactSpeed> {
+    let ground = case.surface.as_ref().map(|surface| surface.friction);
+    case.vehicles[vehicle.index()].recorder.as_ref()?.impact_speed(ground)
+}
+
 /// The purpose of the random numbers that draw a recorder's speed.
 const OF_RECORDER: u64 = 0x0072_6563_6f72;
+const OF_OTHER_RECORDER: u64 = 0x6f72_6563_6f72;
 
 /// The speeds of a vehicle and of the other by the ranges of the case; `None` if nothing is uncertain.
 fn sampled(
@@ -480,6 +491,7 @@ fn sampled(
 fn of_ranges(
     case: &Case,
     told: Option<&Told>,
+    other: Option<&ImpactSpeed>,
     obstacles: Outlines<'_>,
     plan: &AvoidPlan,
 ) -> Result<Option<AvoidChance>, Failure> {
@@ -533,7 +545,9 @@ fn of_ranges(
         return Ok(None);
     }
     let speeds = speeds.map(|[speeds, other]| Speeds { speeds, other, estimated: draws.and(estimated) });
-    chance(&form, &inputs, speeds.as_ref(), obstacles, [plan.samples as u64, plan.seed])
+    let key = random::key(plan.seed, &[OF_OTHER_RECORDER]);
+    let drawn = |index: usize| Some(other?.quantile(random::unit(random::bits(key, index as u64))));
+    chance(&form, &inputs, speeds.as_ref(), &drawn, obstacles, [plan.samples as u64, plan.seed])
 }
 
 /// The actual run, those of the hypotheses that differ from it, and the rest of all combinations.

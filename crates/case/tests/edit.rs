@@ -7,7 +7,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use case::edit::{EditError, remove, set};
-use case::{CaseFile, Form, KeyInfo, key_tree};
+use case::{CaseFile, Form, KeyInfo, Source, key_tree};
 use proptest::collection::vec;
 use proptest::prelude::*;
 use proptest::sample::Index;
@@ -115,14 +115,24 @@ fn is_subset(part: &[&str], whole: &[&str]) -> bool {
 /// Asserts that nothing but the key is changed, and returns what the new text says.
 #[track_caller]
 fn only_changed(before: &str, after: &str, key: &str) -> BTreeMap<String, String> {
-    let (old, new) = (said(before), said(after));
+    only_changed_of(&said(before), before, after, key)
+}
+
+#[track_caller]
+fn only_changed_of(
+    old: &BTreeMap<String, String>,
+    before: &str,
+    after: &str,
+    key: &str,
+) -> BTreeMap<String, String> {
+    let new = said(after);
     let others = |said: &BTreeMap<String, String>| -> BTreeMap<String, String> {
         said.iter()
             .filter(|(path, _)| !is_on_the_way(path, key))
             .map(|(a, b)| (a.clone(), b.clone()))
             .collect()
     };
-    assert_eq!(others(&old), others(&new), "{key}\n{before}\n---\n{after}");
+    assert_eq!(others(old), others(&new), "{key}\n{before}\n---\n{after}");
     new
 }
 
@@ -134,21 +144,35 @@ fn common(one: &str, other: &str) -> [usize; 2] {
     [ahead, one.bytes().rev().zip(other.bytes().rev()).take_while(same).count().min(most)]
 }
 
+/// A text, and what each of its keys says and where.
+struct Before<'a> {
+    text: &'a str,
+    said: BTreeMap<String, String>,
+    source: Source,
+}
+
+impl<'a> Before<'a> {
+    fn new(text: &'a str) -> Self {
+        let source = CaseFile::parse("case.toml", text).map_or_else(|e| e.source().clone(), |f| f.source);
+        Self { text, said: said(text), source }
+    }
+}
+
 #[track_caller]
-fn set_and_removed(text: &str, key: &str, value: &str) {
+fn set_and_removed(before: &Before<'_>, key: &str, value: &str) {
+    let text = before.text;
     let edited = set(text, key, value).unwrap_or_else(|error| panic!("{key}: {error}\n{text}"));
     assert_eq!(&edited.text[edited.span.clone()], value, "{key}");
-    let new = only_changed(text, &edited.text, key);
+    let new = only_changed_of(&before.said, text, &edited.text, key);
     if !value.starts_with(['{', '[']) {
         assert_eq!(new.get(key).map(String::as_str), Some(value), "{key}\n{}", edited.text);
     }
     // The letters themselves: one place has changed. Where a table with a header went, that is two.
     let [ahead, behind] = common(text, &edited.text);
     let gone = &text[ahead..text.len() - behind];
-    let was =
-        CaseFile::parse("case.toml", text).map_or_else(|e| e.source().span(key), |f| f.source.span(key));
+    let was = before.source.span(key);
     let replaces_table =
-        said(text).keys().any(|path| path != key && is_on_the_way(path, key) && !path.contains('{'));
+        before.said.keys().any(|path| path != key && is_on_the_way(path, key) && !path.contains('{'));
     if !replaces_table {
         let most = was.map_or(0, |span| span.len());
         assert!(gone.len() <= most, "{key}: {gone:?} is gone\n{}", edited.text);
@@ -160,7 +184,7 @@ fn set_and_removed(text: &str, key: &str, value: &str) {
     assert_eq!(text.starts_with('\u{feff}'), edited.text.starts_with('\u{feff}'), "{key}");
 
     let removed = remove(&edited.text, key).unwrap_or_else(|error| panic!("{key}: {error}"));
-    let rest = only_changed(&edited.text, &removed, key);
+    let rest = only_changed_of(&new, &edited.text, &removed, key);
     assert!(!rest.contains_key(key), "{key}\n{removed}");
     assert!(is_subset(&comments(&removed), &comments(&edited.text)), "{key}");
     assert_eq!(remove(&removed, key).unwrap(), removed, "{key}");
@@ -170,8 +194,9 @@ fn set_and_removed(text: &str, key: &str, value: &str) {
 fn every_key_can_be_set_and_removed_in_every_file() {
     let keys = keys_with_values();
     for text in texts() {
+        let before = Before::new(&text);
         for (key, value) in &keys {
-            set_and_removed(&text, key, value);
+            set_and_removed(&before, key, value);
         }
     }
 }
@@ -181,8 +206,9 @@ fn line_breaks_of_windows_and_a_byte_order_mark_stay() {
     for text in texts().iter().filter(|text| !text.contains('\r') && !text.starts_with('\u{feff}')).step_by(7)
     {
         let windows = format!("\u{feff}{}", text.replace('\n', "\r\n"));
+        let before = Before::new(&windows);
         for (key, value) in keys_with_values() {
-            set_and_removed(&windows, &key, &value);
+            set_and_removed(&before, &key, &value);
         }
     }
 }

@@ -222,7 +222,7 @@ words!(Along: "ahead" Ahead, "oncoming" Oncoming);
 pub struct SameLineForm<T = f64> {
     /// In which direction.
     pub along: Along,
-    /// (m/s) its speed at the impact; `None` where the rest of the case tells it.
+    /// (m/s) its speed at the impact; `None` where the rest of the case or its recorder tells it.
     pub speed: Option<Quantity<T>>,
     /// How it came.
     pub braking: BrakingForm<T>,

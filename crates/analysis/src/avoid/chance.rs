@@ -107,11 +107,13 @@ pub(super) struct Speeds<'a> {
     pub(super) estimated: Option<&'a Estimated>,
 }
 
-/// The samples of the uncertain numbers, or one for each of the speeds.
+/// The samples of the uncertain numbers, or one for each of the speeds. Where these do not have that of the
+/// other vehicle (m/s), `other` may.
 pub(super) fn chance(
     form: &AvoidForm<Number>,
     inputs: &[UncertainInput],
     speeds: Option<&Speeds<'_>>,
+    other: &dyn Fn(usize) -> Option<f64>,
     obstacles: Outlines<'_>,
     [samples, seed]: [u64; 2],
 ) -> Result<Option<AvoidChance>, Failure> {
@@ -136,7 +138,10 @@ pub(super) fn chance(
         let errors = is_recorded.then(|| keys.map(|key| errors(key, first)));
         scenes.extend((0..lanes).map(|lane| {
             let of = |speeds: &[f64]| speeds.get(first + lane).copied();
-            let sought = speeds.map(|told| SoughtSpeeds { subject: of(told.speeds), other: of(told.other) });
+            let sought = SoughtSpeeds {
+                subject: speeds.and_then(|told| of(told.speeds)),
+                other: speeds.and_then(|told| of(told.other)).or_else(|| other(first + lane)),
+            };
             let mut form = form.map(|number| number.at(&columns, lane));
             let ways = std::iter::once(&mut form.braking)
                 .chain(form.same_line.as_mut().map(|line| &mut line.braking));
@@ -145,7 +150,7 @@ pub(super) fn chance(
                     *error = errors[lane];
                 }
             }
-            pose(&form, sought.unwrap_or_default(), obstacles).ok()
+            pose(&form, sought, obstacles).ok()
         }));
     }
     let told = speeds.map(|speeds| speeds.speeds);

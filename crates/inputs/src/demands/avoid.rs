@@ -169,11 +169,12 @@ impl<T: Copy + From<f64>> Case<T> {
         let other = self.avoid_subject().other();
         let of_other = &self.vehicles[other.index()];
         let along = basis.along.filter(|_| !of_other.fixed && !of_other.is_absent())?;
-        let speed = match self.known_speed(other) {
-            Some(speed) => Some(*speed),
-            None => matches!(self.avoid_speed(), SpeedForm::Sought).then_some(None)?,
-        };
         let [_, recorded] = &basis.recorded;
+        let speed = self.known_speed(other).copied();
+        let is_told = matches!(self.avoid_speed(), SpeedForm::Sought) || recorded.is_some();
+        if speed.is_none() && !is_told {
+            return None;
+        }
         Some(SameLineForm { along, speed, braking: self.braking_form(other, recorded)? })
     }
 

@@ -1,7 +1,7 @@
 //! Densities of an estimate, both speeds at once, and the rest positions of the draws.
 
 use ::drawing::{
-    Axis, BodyShape, DensityPicture, Drawing, Footprint, FoundAtRest, JointPicture, RestsPicture, ValueMark,
+    Axis, DensityPicture, Drawing, Footprint, FoundAtRest, JointPicture, RestsPicture, ValueMark,
 };
 use ::estimate::DrawsSummary;
 use analysis::quantities::{REST_X, REST_Y, SPEED};
@@ -9,6 +9,7 @@ use analysis::{Estimated, EstimatedOutput, Output};
 use case::{Case, Dimensions, VehicleKind};
 use pim_core::{Real, VehicleId};
 
+use super::vehicle::{name_of, shape};
 use super::{scale_unit, title};
 use crate::document::Undrawn;
 use crate::estimates::Asked;
@@ -281,10 +282,7 @@ fn rests_picture(case: &Case, estimated: &Estimated, asked: &Asked, units: Units
         let given = &case.vehicles[vehicle.index()];
         let dimensions = subjects[vehicle.index()].as_ref().and_then(|subject| subject.dimensions);
         let found = FoundAtRest {
-            label: match &given.name {
-                Some(name) => format!("{vehicle} · {name}"),
-                None => format!("vehicle {vehicle}"),
-            },
+            label: name_of(vehicle, given),
             footprint: dimensions.map(|dimensions| footprint(dimensions, given.kind.unwrap_or_default())),
             position: measured.map(|rest| [rest.position.x, rest.position.y]),
             forward: [cos, sin],
@@ -317,12 +315,7 @@ fn rests_picture(case: &Case, estimated: &Estimated, asked: &Asked, units: Units
 
 fn footprint(dimensions: Dimensions, kind: VehicleKind) -> Footprint {
     let Dimensions { length, width, cg_to_front, .. } = dimensions;
-    let shape = match kind {
-        VehicleKind::Car => BodyShape::Car,
-        VehicleKind::HeavyTruck | VehicleKind::Trailer => BodyShape::Box,
-        VehicleKind::Motorcycle => BodyShape::Motorcycle,
-    };
-    Footprint { length, width, cg_to_front, shape }
+    Footprint { length, width, cg_to_front, shape: shape(kind) }
 }
 
 /// All pictures of an estimate below each other. `None` if no result varies, or if the run has not converged.

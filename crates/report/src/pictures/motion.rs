@@ -11,7 +11,7 @@ use pim_core::{Real, Vector2, VehicleId};
 use trajectory::State;
 
 use super::scene::scene_body;
-use super::vehicle::{Body, DrawnOutline};
+use super::vehicle::{Body, name_of};
 use super::{DrawingError, PlainSpeed, Subject, caveat, scale_unit, title, with_caveat};
 use crate::Units;
 use crate::units::{Measure, number};
@@ -118,11 +118,9 @@ fn vehicle(
     let is_plain = plain.is_some();
     let (given, travel) = (&case.vehicles[i], analysis.travel[i].as_ref());
     let body = Body::of(given, &analysis.vehicles[i]);
-    let name = match (given.name.as_ref(), given.fixed) {
-        (Some(name), _) if is_plain => name.to_string(),
-        (Some(name), _) => format!("{id} · {name}"),
-        (None, true) => format!("{id} · fixed object"),
-        (None, false) => format!("vehicle {id}"),
+    let name = match &given.name {
+        Some(name) if is_plain => name.to_string(),
+        _ => name_of(id, given),
     };
     let body_drawn = scene_body(case, &analysis.vehicles[i], body, i);
     let (start, forward) = match (travel, &analysis.impact) {
@@ -135,15 +133,7 @@ fn vehicle(
         }
         (None, None) => return None,
     };
-    let legend = match body.map(|body| body.outline) {
-        Some(DrawnOutline::OfClass(class)) if !is_plain => {
-            Some(format!("outline {id}: CRASH3 class {class}"))
-        }
-        Some(DrawnOutline::Nearest(class)) if !is_plain => {
-            Some(format!("outline {id}: CRASH3 class {class}, assumed"))
-        }
-        _ => None,
-    };
+    let legend = body.filter(|_| !is_plain).and_then(|body| body.class_legend(id));
     let before = analysis.exchange().filter(|_| !given.fixed).map(|exchange| exchange.before[i].velocity);
     let approach = before.filter(|velocity| velocity.norm() > STANDING).map(|velocity| SceneArrow {
         vector: velocity.into(),
@@ -338,8 +328,7 @@ pub(super) fn curves(case: &Case, analysis: &Analysis, units: Units) -> Result<C
         ],
         legend: VehicleId::ALL.map(|id| {
             analysis.travel[id.index()].as_ref()?;
-            let name = case.vehicles[id.index()].name.as_ref();
-            Some(name.map_or_else(|| format!("vehicle {id}"), |name| format!("{id} · {name}")))
+            Some(name_of(id, &case.vehicles[id.index()]))
         }),
     })
 }

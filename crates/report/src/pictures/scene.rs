@@ -5,7 +5,7 @@ use analysis::{Analysis, Exchange, Seen, Weighed};
 use case::{Axes, Case, Geometry};
 use pim_core::{Contact, Real, Vector2, VehicleId};
 
-use super::vehicle::{Body, DrawnOutline, profile};
+use super::vehicle::{Body, DrawnOutline, name_of, profile};
 use super::{DrawingError, PlainSpeed, Subject, caveat, scale_unit, title, with_caveat};
 use crate::Units;
 use crate::axes;
@@ -98,17 +98,9 @@ fn vehicle(
     let participant = &contact.participants()[i];
     let body = Body::of(&case.vehicles[i], &analysis.vehicles[i]);
     let is_fixed = participant.body().is_fixed();
-    let name = match (case.vehicles[i].name.as_ref(), is_fixed) {
-        (Some(name), _) => format!("{id} · {name}"),
-        (None, true) => format!("{id} · fixed object"),
-        (None, false) => format!("vehicle {id}"),
-    };
-    let legend = match (body.map(|body| body.outline), is_fixed) {
-        (Some(DrawnOutline::Given), _) => Some(format!("outline {id}, as given")),
-        (Some(DrawnOutline::OfClass(class)), _) => Some(format!("outline {id}: CRASH3 class {class}")),
-        (Some(DrawnOutline::Nearest(class)), _) => {
-            Some(format!("outline {id}: CRASH3 class {class}, assumed"))
-        }
+    let name = name_of(id, &case.vehicles[i]);
+    let legend = match (&body, is_fixed) {
+        (Some(body), _) => Some(body.class_legend(id).unwrap_or_else(|| format!("outline {id}, as given"))),
         (None, true) => Some(match &case.vehicles[i].diameter {
             Some(diameter) => {
                 format!("{id}: fixed object, {} across", units.format(Measure::Crush, diameter.si()))

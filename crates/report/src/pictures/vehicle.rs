@@ -4,7 +4,7 @@ use ::drawing::{BodyShape, CrushProfile, Footprint};
 use analysis::{Damage, Vehicle};
 use case::{Case, Dimensions, GivenVehicle, VehicleKind};
 use crash3::Side;
-use pim_core::Vector2;
+use pim_core::{Vector2, VehicleId};
 
 /// The body seen from above, in its own axes: x forward, y left of the CG (m).
 #[derive(Clone, Copy)]
@@ -25,16 +25,38 @@ pub(super) enum DrawnOutline {
     Nearest(u8),
 }
 
+/// How the kind of a vehicle is drawn.
+pub(super) fn shape(kind: VehicleKind) -> BodyShape {
+    match kind {
+        VehicleKind::Car => BodyShape::Car,
+        VehicleKind::HeavyTruck | VehicleKind::Trailer => BodyShape::Box,
+        VehicleKind::Motorcycle => BodyShape::Motorcycle,
+    }
+}
+
+/// How a picture calls a vehicle.
+pub(super) fn name_of(id: VehicleId, given: &GivenVehicle) -> String {
+    match (&given.name, given.fixed) {
+        (Some(name), _) => format!("{id} · {name}"),
+        (None, true) => format!("{id} · fixed object"),
+        (None, false) => format!("vehicle {id}"),
+    }
+}
+
 impl Body {
+    /// The class whose outline it has, in the words of a legend; `None` for one of its own.
+    pub(super) fn class_legend(&self, id: VehicleId) -> Option<String> {
+        match self.outline {
+            DrawnOutline::Given => None,
+            DrawnOutline::OfClass(class) => Some(format!("outline {id}: CRASH3 class {class}")),
+            DrawnOutline::Nearest(class) => Some(format!("outline {id}: CRASH3 class {class}, assumed")),
+        }
+    }
+
     /// The vehicle's own outline, else that of the CRASH3 class whose radius of gyration is nearest; `None`
     /// if the vehicle is not like a car of a class.
     pub(super) fn of(given: &GivenVehicle, vehicle: &Vehicle) -> Option<Self> {
-        let shape = match given.kind.unwrap_or_default() {
-            _ if given.fixed => BodyShape::Fixed,
-            VehicleKind::Car => BodyShape::Car,
-            VehicleKind::HeavyTruck | VehicleKind::Trailer => BodyShape::Box,
-            VehicleKind::Motorcycle => BodyShape::Motorcycle,
-        };
+        let shape = if given.fixed { BodyShape::Fixed } else { shape(given.kind.unwrap_or_default()) };
         if let Some(dimensions) = vehicle.subject.dimensions {
             let outline = dimensions.class.map_or(DrawnOutline::Given, DrawnOutline::OfClass);
             return Some(Self { dimensions, outline, shape });

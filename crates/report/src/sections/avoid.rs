@@ -511,11 +511,7 @@ fn free(case: &Case, found: &Avoidance, sight: &Sight, units: Units) -> Table {
     );
     let intervals = found.chance.as_ref().and_then(|chance| chance.sight.as_ref());
     let mut row = |label: String, measure, value: f64, interval: Option<&AvoidInterval>| {
-        let ends = interval.map(|AvoidInterval { low, high, .. }| {
-            let [low, high] = [low, high].map(|end| units.plain(measure, *end));
-            format!("{low} to {high}")
-        });
-        table.row([label, units.format(measure, value), ends.unwrap_or_else(|| NONE.to_owned())]);
+        table.row([label, units.format(measure, value), ends(interval, measure, units)]);
     };
     row(
         "in sight without a break before the impact".to_owned(),
@@ -544,6 +540,16 @@ fn free(case: &Case, found: &Avoidance, sight: &Sight, units: Units) -> Table {
         ));
     }
     table
+}
+
+/// The ends of an interval.
+fn ends(interval: Option<&AvoidInterval>, measure: Measure, units: Units) -> String {
+    interval.map_or_else(
+        || NONE.to_owned(),
+        |AvoidInterval { low, high, .. }| {
+            format!("{} to {}", units.plain(measure, *low), units.plain(measure, *high))
+        },
+    )
 }
 
 /// What hid the other party until then.
@@ -853,14 +859,10 @@ fn just_avoiding(found: &Avoidance, units: Units) -> Table {
     let chance = found.chance.as_ref();
     let scene = &found.scene;
     let mut row = |label: &str, speed: f64, interval: Option<&AvoidInterval>, is: &str| {
-        let ends = interval.map(|AvoidInterval { low, high, .. }| {
-            let [low, high] = [low, high].map(|end| units.plain(Measure::RoadSpeed, *end));
-            format!("{low} to {high}")
-        });
         table.row([
             label.to_owned(),
             units.plain(Measure::RoadSpeed, speed),
-            ends.unwrap_or_else(|| NONE.to_owned()),
+            ends(interval, Measure::RoadSpeed, units),
             is.to_owned(),
         ]);
     };

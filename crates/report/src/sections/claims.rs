@@ -2,7 +2,7 @@
 
 use field::{ClaimGroup, Claims};
 
-use super::field::{percent, push_years};
+use super::field::{figure_cells, figure_columns, percent, push_years};
 use crate::data::field::FieldData;
 use crate::document::{Block, Column, Document, NONE, Table, Width};
 use crate::units::number;
@@ -23,13 +23,7 @@ pub fn claims(claims: &Claims, data: &FieldData<'_>) -> Document {
         claims.pairs, claims.columns.value, claims.unclaimed
     ));
     push_years(&mut document, data.years);
-    let mut columns = vec![
-        Column::words("Against recorder", Width::Fixed(20)),
-        Column::numbers("vehicles", Width::Fit(8)),
-        Column::numbers("bias of ln", Width::Fit(16)),
-        Column::numbers("rms of ln", Width::Fit(16)),
-        Column::numbers("CRPS", Width::Fit(6)).unit("km/h"),
-    ];
+    let mut columns = figure_columns("Against recorder", 20);
     let has_intervals = claims.columns.ends.is_some();
     if has_intervals {
         columns.push(Column::numbers("in 95 %", Width::Fit(11)).unit("%"));
@@ -37,14 +31,7 @@ pub fn claims(claims: &Claims, data: &FieldData<'_>) -> Document {
     }
     let mut table = Table::new("", columns);
     for ClaimGroup { name, figures, coverage95, interval_score } in &claims.groups {
-        let with = |[value, error]: [f64; 2]| format!("{} ± {}", number(value, 3), number(error, 3));
-        let mut cells = vec![
-            (*name).to_owned(),
-            figures.n.to_string(),
-            with(figures.bias),
-            with(figures.rms),
-            number(3.6 * figures.crps, 2),
-        ];
+        let mut cells = figure_cells(name, figures);
         if has_intervals {
             cells.push(coverage95.map_or(NONE.to_owned(), percent));
             cells.push(interval_score.map_or(NONE.to_owned(), |score| number(3.6 * score, 1)));

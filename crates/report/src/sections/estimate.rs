@@ -11,7 +11,7 @@ use case::{Case, SeverityPrior};
 use evidence::TestedClass;
 use pim_core::VehicleId;
 
-use super::uncertainty::{decimals_of, grouped};
+use super::uncertainty::{MOST_DECIMALS, decimals_of, grouped, short};
 use crate::document::{Block, Column, Document, NONE, Table, Width};
 use crate::estimates::{
     Asked, EIGHTY, HALF, NINETY, Question, WIDEST, contradictions, crush_words, doubt_words, ends, error,
@@ -26,8 +26,6 @@ use crate::writers::wrap::folded;
 
 /// (columns) of an end of an interval, with the blank before it.
 const END: usize = 9;
-/// Maximum number of decimals of a figure.
-const MOST_DECIMALS: usize = 6;
 /// Islands of particles.
 const ISLANDS: usize = ::estimate::ISLANDS;
 /// Unknown numbers that no table shows.
@@ -358,18 +356,9 @@ impl<'a> Page<'a> {
             return;
         }
         let unit = self.units.name(Measure::RoadSpeed);
-        let movers: Vec<VehicleId> = VehicleId::ALL
-            .into_iter()
-            .filter(|vehicle| self.find(SPEED.of_vehicle(*vehicle)).is_some())
-            .collect();
         // Known speeds would say nothing.
-        let sought: Vec<VehicleId> = movers
-            .into_iter()
-            .filter(|vehicle| {
-                let found = self.find(SPEED.of_vehicle(*vehicle));
-                found.is_some_and(EstimatedOutput::varies)
-            })
-            .collect();
+        let varies = |id: &VehicleId| self.find(SPEED.of_vehicle(*id)).is_some_and(EstimatedOutput::varies);
+        let sought: Vec<VehicleId> = VehicleId::ALL.into_iter().filter(varies).collect();
         let is_judged = pieces.iter().any(|piece| piece.alone.is_some() || piece.without.is_some());
         let mut columns = vec![Column::words("", Width::Fixed(30))];
         if is_judged {
@@ -617,9 +606,4 @@ fn cut(prior: &Distribution) -> String {
         }
         _ => String::new(),
     }
-}
-
-/// A figure for a narrow column: without commas where it is too long with them.
-fn short(figure: String) -> String {
-    if figure.chars().count() >= END { figure.replace(',', "") } else { figure }
 }

@@ -157,34 +157,34 @@ fn coverage(field: &Field) -> Table {
 }
 
 fn errors(field: &Field) -> Table {
-    let mut table = Table::new(
-        "",
-        [
-            Column::words("Median against recorder", Width::Fixed(32)),
-            Column::numbers("vehicles", Width::Fit(8)),
-            Column::numbers("bias of ln", Width::Fit(16)),
-            Column::numbers("rms of ln", Width::Fit(16)),
-            Column::numbers("CRPS", Width::Fit(6)).unit("km/h"),
-        ],
-    );
-    let mut row = |name: String, figures: &Figures| {
-        let with = |[value, error]: [f64; 2]| format!("{} ± {}", number(value, 3), number(error, 3));
-        table.row([
-            name,
-            figures.n.to_string(),
-            with(figures.bias),
-            with(figures.rms),
-            number(3.6 * figures.crps, 2),
-        ]);
-    };
+    let mut table = Table::new("", figure_columns("Median against recorder", 32));
+    let mut row = |name: &str, figures: &Figures| table.cells(figure_cells(name, figures));
     for Group { name, ours, winsmash, ours_of_these } in &field.groups {
-        row((*name).to_owned(), ours);
+        row(name, ours);
         if let (Some(winsmash), Some(ours)) = (winsmash, ours_of_these) {
-            row("  WinSMASH".to_owned(), winsmash);
-            row("  ours, the same vehicles".to_owned(), ours);
+            row("  WinSMASH", winsmash);
+            row("  ours, the same vehicles", ours);
         }
     }
     table
+}
+
+/// The columns of figures against recorders, the first of which has a name and a width.
+pub(super) fn figure_columns(name: &str, width: usize) -> Vec<Column> {
+    vec![
+        Column::words(name, Width::Fixed(width)),
+        Column::numbers("vehicles", Width::Fit(8)),
+        Column::numbers("bias of ln", Width::Fit(16)),
+        Column::numbers("rms of ln", Width::Fit(16)),
+        Column::numbers("CRPS", Width::Fit(6)).unit("km/h"),
+    ]
+}
+
+/// What stands in them.
+pub(super) fn figure_cells(name: &str, figures: &Figures) -> Vec<String> {
+    let with = |[value, error]: [f64; 2]| format!("{} ± {}", number(value, 3), number(error, 3));
+    let crps = number(3.6 * figures.crps, 2);
+    vec![name.to_owned(), figures.n.to_string(), with(figures.bias), with(figures.rms), crps]
 }
 
 /// (columns) of the longest bar.

@@ -11,7 +11,7 @@ use analysis::{
 };
 use case::{
     Case, DAMAGE_LENGTH_SD, DEPTH_SD, EstimatedInput, FaceAxis, Input, OFFSET_SD, Origin, STIFFNESS_LN_SD_A,
-    STIFFNESS_LN_SD_B, Unit, YAW_RADIUS_CONFIDENCE, YAW_RADIUS_WITHIN,
+    STIFFNESS_LN_SD_B, YAW_RADIUS_CONFIDENCE, YAW_RADIUS_WITHIN,
 };
 use crash3::principal_angle;
 
@@ -20,6 +20,7 @@ use crate::outputs::{
     estimate_name, estimate_source, input_name, label, output_name, output_quantity, pictured, reason_words,
 };
 use crate::pictures;
+use crate::understood::amount;
 use crate::units::{Measure, Units, number, significant};
 use crate::warnings;
 use crate::words;
@@ -34,7 +35,7 @@ const BARS: usize = 15;
 /// (columns) of an end of an interval, without the blank before it.
 const END: usize = 8;
 /// Maximum number of decimals of a figure.
-const MOST_DECIMALS: usize = 6;
+pub(super) const MOST_DECIMALS: usize = 6;
 /// How a default spread is switched off.
 const SWITCH_OFF: &str = "List the key under `exact` in [uncertainty] to switch this off.";
 /// (–) a cut that removes less is not worth a line.
@@ -647,19 +648,16 @@ impl<'a> Page<'a> {
 
 /// A number with its unit; of a list, the least and the greatest.
 fn exact_value(numbers: &[Input]) -> String {
-    let with_unit = |number: &str, unit: Option<&Unit>| {
-        unit.map_or_else(|| number.to_owned(), |unit| format!("{number} {unit}"))
-    };
     match numbers {
         [] => NONE.to_owned(),
-        [input] => with_unit(&input.number.to_string(), input.unit),
+        [input] => amount(input.number, input.unit),
         [first, rest @ ..] => {
             let (mut low, mut high) = (first, first);
             for input in rest {
                 low = if input.si() < low.si() { input } else { low };
                 high = if input.si() > high.si() { input } else { high };
             }
-            let [least, most] = [low, high].map(|input| with_unit(&input.number.to_string(), input.unit));
+            let [least, most] = [low, high].map(|input| amount(input.number, input.unit));
             let least = if low.unit == high.unit { low.number.to_string() } else { least };
             format!("{} values, {least} to {most}", numbers.len())
         }
@@ -667,7 +665,7 @@ fn exact_value(numbers: &[Input]) -> String {
 }
 
 /// A figure for a narrow column: without commas where it is too long with them.
-fn short(figure: String) -> String {
+pub(super) fn short(figure: String) -> String {
     if figure.chars().count() > END { figure.replace(',', "") } else { figure }
 }
 

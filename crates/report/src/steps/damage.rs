@@ -132,22 +132,33 @@ fn speeds(vehicle: &Vehicle, damage: &Damage, i: VehicleId) -> Vec<Step> {
     steps
 }
 
-/// The sum over the vehicles that have damage.
-pub(super) fn total(analysis: &Seen, crush_energy: f64, source: &'static str) -> Step {
+/// The sum over the vehicles that have damage, of their energies or, with a `prime`, of the corrected ones.
+pub(super) fn total(
+    analysis: &Seen,
+    prime: &str,
+    of: impl Fn(&Vehicle) -> Option<f64>,
+    crush_energy: f64,
+    source: &'static str,
+) -> Step {
     let (symbols, numbers): (Vec<String>, Vec<String>) = VehicleId::ALL
         .into_iter()
         .zip(&analysis.vehicles)
-        .filter_map(|(i, vehicle)| vehicle.crush_energy().map(|energy| (i, energy)))
-        .map(|(i, energy)| (format!("E_{i}"), n(energy, "J")))
+        .filter_map(|(i, vehicle)| of(vehicle).map(|energy| (vehicle, i, energy)))
+        .map(|(vehicle, i, energy)| {
+            // An energy that is given directly has no correction.
+            let prime = if vehicle.damage.is_none() { "" } else { prime };
+            (format!("E{prime}_{i}"), n(energy, "J"))
+        })
         .unzip();
-    let name = format!("crush energy{}", words::of_crushed(&analysis.vehicles, symbols.len()));
-    step(name, "E", symbols.join(" + "), numbers.join(" + "), crush_energy, "J", source)
+    let what = if prime.is_empty() { "crush energy" } else { "corrected crush energy" };
+    let name = format!("{what}{}", words::of_crushed(&analysis.vehicles, symbols.len()));
+    step(name, format!("E{prime}"), symbols.join(" + "), numbers.join(" + "), crush_energy, "J", source)
 }
 
 /// The work that the impact has to do.
 fn sought(analysis: &Seen) -> Vec<Step> {
     let Some(found) = &analysis.found else { return Vec::new() };
-    let both = total(analysis, found.crush_energy, "Eq 4, 5");
+    let both = total(analysis, "", Vehicle::crush_energy, found.crush_energy, "Eq 4, 5");
     let e = analysis.impact.as_ref().map_or(0.0, |impact| impact.law.restitution());
     let work = match analysis.basis {
         Basis::Dissipated | Basis::TangentialShare(_) => ("E", n(found.crush_energy, "J")),

@@ -1,6 +1,6 @@
 //! CRASH3's velocity changes.
 
-use analysis::{Crash3, Seen};
+use analysis::{Crash3, Seen, Vehicle};
 use case::Axes;
 use crash3::EnergyBasis;
 use pim_core::VehicleId;
@@ -8,7 +8,6 @@ use pim_core::VehicleId;
 use super::super::damage::total;
 use super::super::{Step, angle, given, n, p, step};
 use super::pdof_symbol;
-use crate::words;
 
 /// A vehicle that can move.
 #[derive(Clone, Copy)]
@@ -35,10 +34,10 @@ pub(super) fn steps(analysis: &Seen, axes: Axes) -> Vec<Step> {
         steps.push(moment_arm(analysis, crash3, vehicle.id, axes));
         steps.extend(effective_mass(crash3, vehicle));
     }
-    steps.push(total(analysis, crash3.crush_energy, "Eq 5"));
+    steps.push(total(analysis, "", Vehicle::crush_energy, crash3.crush_energy, "Eq 5"));
     steps.extend(changes(crash3, &vehicles, Energy::Uncorrected));
     if let Some(corrected) = crash3.corrected {
-        steps.push(corrected_total(analysis, corrected.crush_energy));
+        steps.push(total(analysis, "'", Vehicle::corrected_crush_energy, corrected.crush_energy, "Eq 8"));
         let energy = Energy::Corrected { energy: corrected.crush_energy, delta_v: corrected.delta_v };
         steps.extend(changes(crash3, &vehicles, energy));
         steps.extend(with_restitution(analysis, crash3, &vehicles, corrected.delta_v));
@@ -160,19 +159,4 @@ fn with_restitution(analysis: &Seen, crash3: &Crash3, vehicles: &[Movable], delt
         )
     }));
     steps
-}
-
-/// The sum over the vehicles that have damage, each with its correction.
-fn corrected_total(analysis: &Seen, crush_energy: f64) -> Step {
-    let (symbols, numbers): (Vec<String>, Vec<String>) = (1..)
-        .zip(&analysis.vehicles)
-        .filter_map(|(i, vehicle)| vehicle.corrected_crush_energy().map(|energy| (vehicle, i, energy)))
-        .map(|(vehicle, i, energy)| {
-            // An energy that is given directly has no correction.
-            let corrected = if vehicle.damage.is_none() { "" } else { "'" };
-            (format!("E{corrected}_{i}"), n(energy, "J"))
-        })
-        .unzip();
-    let name = format!("corrected crush energy{}", words::of_crushed(&analysis.vehicles, symbols.len()));
-    step(name, "E'", symbols.join(" + "), numbers.join(" + "), crush_energy, "J", "Eq 8")
 }
