@@ -12,6 +12,7 @@ use std::collections::BTreeSet;
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
+use ::uncertainty::normal::quantiles;
 use ::uncertainty::{SamplingMethod, Settings, random};
 use inputs::{
     Along, Avoid, AvoidForm, BrakingForm, Case, ClearSpeedForm, DemandForm, Dimension, Fault, FaultKind,
@@ -44,6 +45,7 @@ use crate::quantities::SPEED;
 use crate::recorded::with_records_of_impact;
 use crate::seen::SeenWarning;
 use crate::solve;
+use crate::thresholds::RECORDER_SPEED_ERROR;
 use crate::uncertainty::{Plan, Stage, UncertainInput, any_inputs};
 use crate::warning::{self, Warning};
 
@@ -292,7 +294,7 @@ fn found(
     let other = told.as_ref().and_then(|told| told.other);
     // Where nothing else tells the speed of a vehicle on the same line, its own recorder does.
     let by_recorder = form.same_line.as_ref().filter(|line| line.speed.is_none() && other.is_none());
-    let by_recorder = by_recorder.and_then(|_| speed_by_recorder(case, form.vehicle.other()));
+    let by_recorder = by_recorder.and_then(|_| RecordedSpeed::of(case, form.vehicle.other()));
     let other = other.or_else(|| Some(by_recorder.as_ref()?.quantile(0.5)));
     let sought = SoughtSpeeds { subject: told.as_ref().map(|told| told.speed), other };
     let needs_other = form.clear.as_ref().is_some_and(|clear| matches!(clear.speed, ClearSpeedForm::Sought));
@@ -450,6 +452,38 @@ impl Told {
     }
 }
 
+/// The speed of the other vehicle at the impact by its own recorder.
+enum RecordedSpeed {
+    /// (m/s) as stored, and the standard deviation of that.
+    Stored { speed: f64, sd: f64 },
+    /// By its table.
+    Table(ImpactSpeed),
+}
+
+impl RecordedSpeed {
+    fn of(case: &Case, vehicle: VehicleId) -> Option<Self> {
+        let ground = case.surface.as_ref().map(|surface| surface.friction);
+        let recorder = case.vehicles[vehicle.index()].recorder.as_ref()?;
+        let told = recorder.tells_speed(ground)?;
+        if told.is_of_table {
+            return speed_by_recorder(case, vehicle).map(Self::Table);
+        }
+        let speed = told.speed;
+        Some(Self::Stored { speed, sd: speed * told.error.unwrap_or(RECORDER_SPEED_ERROR) })
+    }
+
+    fn quantile(&self, probability: f64) -> f64 {
+        match self {
+            Self::Stored { speed, sd } => {
+                let mut quantile = [probability];
+                quantiles(&mut quantile);
+                speed + sd * quantile[0]
+            }
+            Self::Table(speed) => speed.quantile(probability),
+        }
+    }
+}
+
 /// The speed at the impact by the table of a vehicle's own recorder.
 fn speed_by_recorder(case: &Case, vehicle: VehicleId) -> Option<ImpactSpeed> {
     let ground = case.surface.as_ref().map(|surface| surface.friction);
@@ -491,7 +525,7 @@ fn sampled(
 fn of_ranges(
     case: &Case,
     told: Option<&Told>,
-    other: Option<&ImpactSpeed>,
+    other: Option<&RecordedSpeed>,
     obstacles: Outlines<'_>,
     plan: &AvoidPlan,
 ) -> Result<Option<AvoidChance>, Failure> {
@@ -541,7 +575,7 @@ fn of_ranges(
         }
         (None, _) => None,
     };
-    if inputs.is_empty() && speeds.is_none() && !form.is_recorded() {
+    if inputs.is_empty() && speeds.is_none() && !form.is_recorded() && other.is_none() {
         return Ok(None);
     }
     let speeds = speeds.map(|[speeds, other]| Speeds { speeds, other, estimated: draws.and(estimated) });

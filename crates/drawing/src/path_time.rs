@@ -79,8 +79,10 @@ impl PathTimePicture {
     pub fn draw(&self) -> Drawing {
         let runs = self.courses.iter().map(|course| (Sample::Line(course.pen()), course.legend.clone()));
         let mut entries: Vec<(Sample, String)> = runs.collect();
+        // Among the runs, on the same line, its way has a pen of its own.
+        let other_pen = if self.zone.is_some() { OTHER_WAY } else { Pen { dashes: "12 3 2 3", ..OTHER_WAY } };
         if let Some((_, legend)) = &self.other {
-            entries.push((Sample::Line(OTHER_WAY), legend.clone()));
+            entries.push((Sample::Line(other_pen), legend.clone()));
         }
         if let Some((_, legend)) = &self.zone {
             entries.push((Sample::Box(Pen { width: 1.0, ..OTHER_WAY }, ZONE.to_owned()), legend.clone()));
@@ -103,7 +105,7 @@ impl PathTimePicture {
         }
         canvas.line("place", chart.at(0.0, 0.0), chart.at(self.until, 0.0), PLACE);
         if let Some((points, _)) = &self.other {
-            canvas.path("other", &polyline(self.within(points, &chart)), Some(OTHER_WAY), "none");
+            canvas.path("other", &polyline(self.within(points, &chart)), Some(other_pen), "none");
         }
         // The actual run lies on top.
         for (k, course) in self.courses.iter().enumerate().rev() {

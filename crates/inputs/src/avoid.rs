@@ -194,6 +194,8 @@ pub struct AvoidForm<T = f64> {
 pub struct AvoidBasis {
     /// What the recorders stored before the impact: that of the vehicle asked about, and of the other.
     pub(crate) recorded: [Option<Arc<SampledApproach>>; 2],
+    /// Whether the recorder of the other tells its speed at the impact.
+    pub(crate) is_recorded: bool,
     /// How the other vehicle moved along the line of this one, if it did.
     pub(crate) along: Option<Along>,
 }
@@ -222,7 +224,7 @@ words!(Along: "ahead" Ahead, "oncoming" Oncoming);
 pub struct SameLineForm<T = f64> {
     /// In which direction.
     pub along: Along,
-    /// (m/s) its speed at the impact; `None` where the rest of the case or its recorder tells it.
+    /// (m/s) its speed at the impact; `None` where its phases, its recorder or the rest of the case tell it.
     pub speed: Option<Quantity<T>>,
     /// How it came.
     pub braking: BrakingForm<T>,
@@ -427,6 +429,14 @@ impl<T: Copy> AvoidForm<T> {
                 braking: line.braking.map(&mut number),
             }),
         }
+    }
+}
+
+impl<T> BrakingForm<T> {
+    /// Whether its phases begin with a known speed, and so tell that at the impact.
+    #[must_use]
+    pub fn leads_on(&self) -> bool {
+        matches!(self, Self::Phases(phases) if phases.first().is_some_and(PhaseForm::leads_on))
     }
 }
 

@@ -389,14 +389,14 @@ fn the_roots_for_a_tangential_restitution_or_a_change_of_velocity_are_all_there(
 fn the_roots_for_a_fraction_of_the_critical_ratio_are_all_there() {
     let fraction = (0.0..=1.0).prop_map(Tangential::FractionOfCritical);
     let plain = case(fraction).prop_map(|case| Case { scene: case.scene.without_moment(), ..case });
-    assert_all_roots(200, 0.8, plain);
+    assert_all_roots(150, 0.8, plain);
 }
 
 #[test]
 fn the_roots_for_a_fraction_of_the_critical_ratio_with_a_moment_impulse_are_all_there() {
     let fraction = (0.0..=1.0).prop_map(Tangential::FractionOfCritical);
     let turning = case(fraction).prop_filter("a moment impulse", |case| case.scene.moment != -1.0);
-    assert_all_roots(200, 0.7, turning);
+    assert_all_roots(100, 0.7, turning);
 }
 
 #[test]

@@ -1212,7 +1212,7 @@ class Avoidable(Record):
     """Avoidability in space or in time."""
 
     speed: float
-    """(m/s) the greatest speed that avoids the collision."""
+    """(m/s) the greatest speed that avoids the collision; 0 if none does."""
     avoidable_at_limit: bool
     """Whether the limit does."""
 

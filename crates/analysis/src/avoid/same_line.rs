@@ -33,18 +33,26 @@ impl SameLine {
         sought: Option<f64>,
         [distance, time]: [f64; 2],
     ) -> Result<Option<Self>, Unposed> {
-        let Some(speed) = form.speed.as_ref().map(Quantity::si).or(sought) else { return Ok(None) };
-        // An estimate that lets it move backwards says that it stood.
-        let speed = speed.max(0.0);
-        if speed == 0.0 && matches!(form.braking, BrakingForm::Unknown) {
+        let known = form.speed.as_ref().map(Quantity::si).or(sought);
+        // Phases that begin with a known speed lead to that at the impact.
+        let Some(speed) = known.or(form.braking.leads_on().then_some(0.0)) else { return Ok(None) };
+        let is_steady = matches!(form.braking, BrakingForm::Unknown);
+        if speed == 0.0 && is_steady || speed < 0.0 && !is_steady {
             return Ok(None);
         }
+        // One that backs comes the other way.
+        let (along, speed) = match form.along {
+            along if speed >= 0.0 => (along, speed),
+            Along::Ahead => (Along::Oncoming, -speed),
+            Along::Oncoming => (Along::Ahead, -speed),
+        };
         let mut approach = Approach::of_other(&form.braking, speed).map_err(Unposed::OtherPhases)?;
         let last = approach.legs.last().map_or(0.0, |leg| leg.acceleration);
-        let [speed, deceleration] = [approach.at_impact, (-last).max(0.0)];
+        let speed = approach.at_impact;
+        let deceleration = if speed > 0.0 { (-last).max(0.0) } else { 0.0 };
         approach.legs.push(Leg { speed, acceleration: -deceleration, ..Leg::at_rest(0.0, 0.0) });
         let (driven, own, _) = Driven::new(approach, Since::Time(time))?;
-        let sign = match form.along {
+        let sign = match along {
             Along::Ahead => 1.0,
             Along::Oncoming => -1.0,
         };
@@ -58,7 +66,7 @@ impl SameLine {
         };
         let legs: Arc<[Leg]> = driven.0.iter().map(on_the_way).collect();
         let gap = distance - sign * own;
-        Ok(Some(Self { along: form.along, speed, deceleration, gap, legs }))
+        Ok(Some(Self { along, speed, deceleration, gap, legs }))
     }
 
     /// (m) where it is at a time (s) after the demand, along the way of the vehicle.

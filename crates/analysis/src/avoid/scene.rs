@@ -3,7 +3,8 @@
 use std::borrow::Cow;
 
 use inputs::{
-    AvoidForm, BrakingForm, ClearForm, ClearSpeedForm, DemandForm, Quantity, STANDARD_GRAVITY, SpeedForm,
+    AvoidForm, BrakingForm, ClearForm, ClearSpeedForm, DemandForm, Quantity, STANDARD_GRAVITY, SameLineForm,
+    SpeedForm,
 };
 use pim_core::InvalidInput;
 use reconcile::brent;
@@ -42,8 +43,8 @@ pub enum Unbraked {
     Stated,
     /// The case has the speed at the impact, and nothing that says that it braked before.
     NothingKnown,
-    /// With a timely reaction, it would have stopped before the place of the impact: it reacted late, or not
-    /// at all.
+    /// With a timely reaction, it would have stopped before the place of the impact, or would not have come
+    /// up to another vehicle on its line there: it reacted late, or not at all.
     WouldHaveStopped,
 }
 
@@ -192,13 +193,26 @@ impl AvoidScene {
     pub(crate) fn since(form: &AvoidForm, sought: SoughtSpeeds, since: Since) -> Result<Self, Unposed> {
         let scene = Self::of_vehicle(form, sought, since)?;
         let Some(line) = &form.same_line else { return Ok(scene) };
-        let same_line = SameLine::of(line, sought.other, [scene.distance, scene.time])?;
+        match scene.clone().on_line(line, sought.other) {
+            // With a timely reaction it would not have come up to the other: its driver reacted late, or not
+            // at all.
+            Err(Unposed::Parts) if scene.actual == ActualRun::Responded => {
+                let speed = scene.speed;
+                scene.unbraked(since, speed, Unbraked::WouldHaveStopped).on_line(line, sought.other)
+            }
+            posed => posed,
+        }
+    }
+
+    /// The same with the other vehicle on its line, with the speed that is sought (m/s).
+    fn on_line(self, line: &SameLineForm, sought: Option<f64>) -> Result<Self, Unposed> {
+        let same_line = SameLine::of(line, sought, [self.distance, self.time])?;
         if let Some(line) = &same_line
-            && (line.gap < 0.0 || line.closing(scene.at_impact, scene.time) <= 0.0)
+            && (line.gap < 0.0 || line.closing(self.at_impact, self.time) <= 0.0)
         {
             return Err(Unposed::Parts);
         }
-        Ok(Self { same_line, ..scene })
+        Ok(Self { same_line, ..self })
     }
 
     /// The same, wherever the other vehicle is.

@@ -90,7 +90,10 @@ impl Case {
         let own = if has_own { None } else { recorded(subject) };
         let angle = self.approach_angle().filter(|angle| are_collinear(*angle));
         let along = angle.map(|angle| if angle < FRAC_PI_2 { Along::Ahead } else { Along::Oncoming });
-        AvoidBasis { recorded: [own, recorded(subject.other())], along }
+        let other = self.vehicles[subject.other().index()].recorder.as_ref();
+        let ground = self.surface.as_ref().map(|surface| surface.friction);
+        let is_recorded = other.is_some_and(|recorder| recorder.tells_speed(ground).is_some());
+        AvoidBasis { recorded: [own, recorded(subject.other())], is_recorded, along }
     }
 }
 
@@ -171,11 +174,10 @@ impl<T: Copy + From<f64>> Case<T> {
         let along = basis.along.filter(|_| !of_other.fixed && !of_other.is_absent())?;
         let [_, recorded] = &basis.recorded;
         let speed = self.known_speed(other).copied();
-        let is_told = matches!(self.avoid_speed(), SpeedForm::Sought) || recorded.is_some();
-        if speed.is_none() && !is_told {
-            return None;
-        }
-        Some(SameLineForm { along, speed, braking: self.braking_form(other, recorded)? })
+        let braking = self.braking_form(other, recorded)?;
+        let is_sought = matches!(self.avoid_speed(), SpeedForm::Sought);
+        let is_told = speed.is_some() || is_sought || basis.is_recorded || braking.leads_on();
+        is_told.then_some(SameLineForm { along, speed, braking })
     }
 
     /// (m/s) the speed of a vehicle at the impact, if its table has it and it is not sought.

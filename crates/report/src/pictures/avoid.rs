@@ -219,15 +219,14 @@ pub(crate) fn sight_picture(case: &Case, found: &Avoidance, units: Units) -> Opt
 /// One run in a sentence.
 fn outcome(found: &Avoidance, run: &AvoidRun, units: Units) -> String {
     let name = legend(run, units);
-    let is_in_line = found.scene.same_line.is_some();
+    let other = found.scene.same_line.as_ref().map(|_| format!("vehicle {}", found.vehicle.other()));
     if run.stops_before() {
-        return format!(
-            "{name}: {}.",
-            if is_in_line { "does not reach it" } else { "stops before the place" }
-        );
+        let stops =
+            other.map_or("stops before the place".to_owned(), |other| format!("does not reach {other}"));
+        return format!("{name}: {stops}.");
     }
     let late = if run.is_late_enough == Some(true) { ", after it is clear" } else { "" };
-    let place = if is_in_line { "reaches it" } else { "at the place" };
+    let place = other.map_or("at the place".to_owned(), |other| format!("reaches {other}"));
     format!("{name}: {place} with {}{late}.", units.road_speed(run.collision_speed))
 }
 

@@ -7,7 +7,7 @@ use analysis::{
 };
 use case::{
     Along, Avoid, AvoidBasis, Case, Clear, GivenDemand, GivenWayOut, OtherApproach, OtherParty, PathForm,
-    PlaceForm, Quantity, STANDARD_GRAVITY, Sourced, Text,
+    PlaceForm, Quantity, STANDARD_GRAVITY, Sourced, Text, Velocity,
 };
 use pim_core::VehicleId;
 use time_distance::Swell;
@@ -132,6 +132,10 @@ fn answer(case: &Case, found: &Avoidance, units: Units) -> Vec<String> {
                 None => format!(
                     "Not avoidable in space {at}{central}: it reaches the place of the impact with {left}"
                 ),
+                Some(speed) if scene.left_at_limit() <= 0.0 => format!(
+                    "Not avoidable in space {at}{central}: vehicle {other} runs into it with {} where it stands",
+                    units.road_speed(speed)
+                ),
                 Some(speed) => format!(
                     "Not avoidable in space {at}{central}: it reaches vehicle {other} with {left}, which then has {}",
                     units.road_speed(speed)
@@ -159,7 +163,11 @@ fn answer(case: &Case, found: &Avoidance, units: Units) -> Vec<String> {
             units.format(Measure::Way, sight.distance_subject),
         ));
     }
-    lines.push(format!("Highest speed that avoids it{central}: {}", units.road_speed(found.enough.speed)));
+    lines.push(if found.enough.speed > 0.0 {
+        format!("Highest speed that avoids it{central}: {}", units.road_speed(found.enough.speed))
+    } else {
+        format!("No speed avoids it{central}: vehicle {other} reaches one that stands, too")
+    });
     lines
 }
 
@@ -218,6 +226,17 @@ pub fn avoid_warnings(found: &Avoidance, units: Units) -> Vec<String> {
 /// What a place of the impact that moves does to an answer for a fixed one.
 fn along_the_line(found: &Avoidance) -> Option<String> {
     let other = found.vehicle.other();
+    let comes_on = found
+        .scene
+        .same_line
+        .as_ref()
+        .filter(|line| line.along == Along::Oncoming && line.deceleration <= 0.0);
+    if comes_on.is_some() {
+        return Some(format!(
+            "Vehicle {other} is taken to come on without braking, also into a vehicle that stands. Whether its driver would have \
+             stopped or given way, the case does not tell: if so, less was enough."
+        ));
+    }
     let moved = match found.along? {
         Along::Ahead => format!(
             "Vehicle {other} was ahead in nearly the same direction. If it was moving, it would have moved on while vehicle {} \
@@ -346,6 +365,11 @@ fn inputs(case: &Case, given: &Avoid, found: &Avoidance, units: Units) -> Table 
                 number(&format!("{whose}phase {place}: {word}"), &key, quantity, phase.source.as_ref());
             }
         }
+    }
+    if let (Some(other), Some(Velocity::Speed(speed))) =
+        (other, other.and_then(|other| case.vehicles[other.index()].motion.as_ref()))
+    {
+        number(&format!("vehicle {other}: speed"), &format!("vehicle{other}.speed"), speed, None);
     }
     let mut row = |label: &str, key: &str, sourced: &Sourced| {
         number(label, key, &sourced.quantity, sourced.source.as_ref());
@@ -759,6 +783,11 @@ fn on_the_runs(case: &Case, found: &Avoidance, units: Units) -> String {
                      with that speed from the demand on."
                         .to_owned()
                 }
+                Unbraked::WouldHaveStopped if scene.same_line.is_some() => format!(
+                    "With the reaction and braking of the inputs, the vehicle would not have come up to vehicle {} at the place of the \
+                     impact. So its driver reacted later, or not at all; it is taken to have come unbraked.",
+                    found.vehicle.other()
+                ),
                 Unbraked::WouldHaveStopped => format!(
                     "With the reaction and braking of the inputs, the vehicle would have stopped after {}, before the place of the \
                      impact. So its driver reacted later, or not at all; it is taken to have come unbraked.",
@@ -826,10 +855,12 @@ fn on_the_runs(case: &Case, found: &Avoidance, units: Units) -> String {
 fn on_the_other(found: &Avoidance, line: &SameLine, units: Units) -> String {
     let other = found.vehicle.other();
     let way = match line.along {
-        Along::Ahead => "moved ahead in the same direction",
-        Along::Oncoming => "came from the opposite direction on the same line",
+        Along::Ahead => "moved ahead in the same direction".to_owned(),
+        Along::Oncoming => format!("came towards vehicle {} on the same line", found.vehicle),
     };
-    let goes_on = if line.deceleration > 0.0 {
+    let goes_on = if line.speed <= 0.0 {
+        "it stands".to_owned()
+    } else if line.deceleration > 0.0 {
         format!(
             "it brakes on with {} until it stands",
             units.format(Measure::Acceleration, line.deceleration)
@@ -847,21 +878,23 @@ fn on_the_other(found: &Avoidance, line: &SameLine, units: Units) -> String {
 }
 
 fn just_avoiding(found: &Avoidance, units: Units) -> Table {
+    let above = found.scene.is_above_limit();
     let mut table = Table::new(
         "Speeds that just avoid it",
         [
             Column::words("", Width::Fixed(44)),
             Column::numbers("speed", Width::Fixed(14)).unit(units.name(Measure::RoadSpeed)),
             Column::numbers("95 % interval", Width::Fixed(20)).unit(units.name(Measure::RoadSpeed)),
-            Column::words("at the limit", Width::Fixed(18)),
+            Column::words(if above { "at the limit" } else { "as driven" }, Width::Fixed(18)),
         ],
     );
     let chance = found.chance.as_ref();
     let scene = &found.scene;
     let mut row = |label: &str, speed: f64, interval: Option<&AvoidInterval>, is: &str| {
+        let is_none = found.scene.same_line.is_some() && label.starts_with("in ") && speed <= 0.0;
         table.row([
             label.to_owned(),
-            units.plain(Measure::RoadSpeed, speed),
+            if is_none { NONE.to_owned() } else { units.plain(Measure::RoadSpeed, speed) },
             ends(interval, Measure::RoadSpeed, units),
             is.to_owned(),
         ]);
@@ -918,7 +951,7 @@ fn enough(found: &Avoidance, units: Units) -> Block {
     let braking = |[deceleration, reaction]: [Option<f64>; 2]| {
         if deceleration == Some(0.0) {
             let unbraked = || {
-                if found.scene.same_line.is_some() {
+                if found.scene.same_line.is_some() && !is_in_time {
                     format!("any: without braking, it does not reach vehicle {}", found.vehicle.other())
                 } else {
                     "any: without braking, the vehicle comes late enough".to_owned()
@@ -935,8 +968,11 @@ fn enough(found: &Avoidance, units: Units) -> Block {
         [of_tyres, of(Measure::Time, reaction, "at most")]
     };
     let [deceleration, reaction] = braking([enough.deceleration, enough.reaction]);
-    let [deceleration_at_limit, reaction_at_limit] =
-        braking([enough.deceleration_at_limit, enough.reaction_at_limit]);
+    // Who was not faster than the limit is asked at the speed driven alone.
+    let at_limit = found.scene.is_above_limit().then(|| {
+        let [deceleration, reaction] = braking([enough.deceleration_at_limit, enough.reaction_at_limit]);
+        [("Deceleration, at the limit", deceleration), ("Reaction time, at the limit", reaction)]
+    });
     Block::Facts {
         title: if is_in_time {
             "What would have been enough, in space or in time"
@@ -944,13 +980,18 @@ fn enough(found: &Avoidance, units: Units) -> Block {
             "What would have been enough, in space"
         },
         facts: vec![
-            ("Speed", of(Measure::RoadSpeed, Some(enough.speed), "at most")),
+            ("Speed", of(Measure::RoadSpeed, Some(enough.speed).filter(|speed| *speed > 0.0), "at most")),
             ("Deceleration, at the speed driven", deceleration),
             ("Reaction time, at the speed driven", reaction),
-            ("Deceleration, at the limit", deceleration_at_limit),
-            ("Reaction time, at the limit", reaction_at_limit),
-            ("The other party not entering", "no collision, whatever the vehicle does".to_owned()),
-        ],
+        ]
+        .into_iter()
+        .chain(at_limit.into_iter().flatten())
+        .chain(
+            found.scene.same_line.is_none().then(|| {
+                ("The other party not entering", "no collision, whatever the vehicle does".to_owned())
+            }),
+        )
+        .collect(),
     }
 }
 
@@ -988,7 +1029,7 @@ fn probability(found: &Avoidance, chance: &AvoidChance, units: Units) -> Table {
     ));
     if chance.possible < chance.samples {
         table.notes.push(format!(
-            "{} more samples are no scene, such as brakes before the demand, and do not count.",
+            "{} more samples are no scene, such as brakes before the demand or a vehicle that does not come up to the other, and do not count.",
             grouped(chance.samples - chance.possible)
         ));
     }
@@ -1026,7 +1067,7 @@ fn definitions(case: &Case, found: &Avoidance) -> Vec<String> {
     let mut list = vec![
         format!("Convention of the swell: {form}. Others give other speeds."),
         if found.scene.same_line.is_some() {
-            "Avoidable in space: at that speed and with a timely reaction, the vehicle does not reach the other one, which goes on as it came."
+            "Avoidable in space: at that speed and with a timely reaction, the vehicle does not reach the other one, wherever that then is."
         } else {
             "Avoidable in space: at that speed and with a timely reaction, the vehicle stops before the place of the impact."
         }
@@ -1051,6 +1092,14 @@ fn definitions(case: &Case, found: &Avoidance) -> Vec<String> {
         list.push(
             "ΔV is that of the impact solved again with the lower speed, and all else of it as it was; the other party comes to the place at \
              another time, which is left aside."
+                .to_owned(),
+        );
+    }
+    let other = &case.vehicles[found.vehicle.other().index()];
+    if case.approach_angle().is_none() && !other.fixed && !other.is_absent() {
+        list.push(
+            "The place of the impact is taken as fixed, as where the ways of both cross. Give `heading` of both vehicles: on one line, the place \
+             moves with the other vehicle."
                 .to_owned(),
         );
     }
