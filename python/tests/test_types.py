@@ -110,7 +110,7 @@ def documents(simulated: pathlib.Path) -> Iterator[tuple[str, str, Any, dict[str
     for name in ("pole.toml", "sae-980025.toml"):
         result = pydeltav.Case.read(FIXTURES / name).estimate(particles=128, above=["vehicle1.speed 50 km/h"])
         yield f"{name}: Estimate", "Estimate", results._EstimateDocument, result.to_dict()
-    for name in ("pedestrian", "skid", "sight", "recorder"):
+    for name in ("pedestrian", "skid", "sight", "recorder", "behind"):
         avoided = pydeltav.Case.read(FIXTURES / "avoid" / f"{name}.toml").avoid(samples=1000)
         yield f"{name}: Avoidance", "Avoidance", results._AvoidanceDocument, avoided.to_dict()
     judged = pydeltav.ciss.judge(pydeltav.ciss.pairs(simulated)[:1])
