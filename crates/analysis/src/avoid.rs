@@ -26,8 +26,8 @@ pub use chance::{AvoidChance, AvoidInfluence, AvoidInterval, SightIntervals};
 use chance::{Speeds, chance};
 pub use driven::{BRAKES, GIVES_WAY};
 use posing::{SoughtSpeeds, Unposed};
-pub use same_line::SameLine;
-pub use scene::{ActualRun, AvoidCourse, AvoidScene, DrivenBy, Meeting, Sight, Unbraked, View};
+pub use same_line::{Meeting, SameLine};
+pub use scene::{ActualRun, AvoidCourse, AvoidScene, DrivenBy, Sight, Unbraked, View};
 pub use sight::{Hiding, SIGHT_LOOK_BACK};
 use sight::{Outlines, Ways};
 
@@ -202,6 +202,12 @@ pub struct Enough {
 }
 
 impl Avoidance {
+    /// The other vehicle, if it moves along the line of the one that is asked about.
+    #[must_use]
+    pub fn on_line(&self) -> Option<VehicleId> {
+        self.scene.same_line.as_ref().map(|_| self.vehicle.other())
+    }
+
     /// The run of a hypothesis; `None` if it is one of the others.
     #[must_use]
     pub fn run(&self, hypothesis: Hypothesis) -> Option<&AvoidRun> {
@@ -332,8 +338,7 @@ fn found(
         }
     };
     let speed_warnings = speed_warnings.iter().map(|warning| warning.seen(case.axes)).collect();
-    let along =
-        case.avoid_basis().along().filter(|_| scene.same_line.is_none() && !stands(case, form, other));
+    let along = case.other_along().filter(|_| scene.same_line.is_none() && !stands(case, form, other));
     let vehicle = form.vehicle;
     // Without obstacles, the ways are for the plan alone.
     let ways = ways.or_else(|| case.avoid_plan().as_ref().map(Ways::of));
@@ -436,7 +441,7 @@ impl Told {
         }
         let found = speed_by_recorder(case, vehicle)?;
         let key = random::key(plan.seed, &[OF_RECORDER]);
-        let draw = |index: usize| found.quantile(random::unit(random::bits(key, index as u64)));
+        let draw = |index: usize| found.quantile(at_random(key, index));
         Some(Self {
             from: SpeedSource::Recorder,
             speed: found.quantile(0.5),
@@ -490,7 +495,12 @@ fn speed_by_recorder(case: &Case, vehicle: VehicleId) -> Option<ImpactSpeed> {
     case.vehicles[vehicle.index()].recorder.as_ref()?.impact_speed(ground)
 }
 
-/// The purpose of the random numbers that draw a recorder's speed.
+/// A probability drawn for a sample.
+fn at_random(key: u64, index: usize) -> f64 {
+    random::unit(random::bits(key, index as u64))
+}
+
+/// The purposes of the random numbers that draw a recorder's speed.
 const OF_RECORDER: u64 = 0x0072_6563_6f72;
 const OF_OTHER_RECORDER: u64 = 0x6f72_6563_6f72;
 
@@ -580,7 +590,7 @@ fn of_ranges(
     }
     let speeds = speeds.map(|[speeds, other]| Speeds { speeds, other, estimated: draws.and(estimated) });
     let key = random::key(plan.seed, &[OF_OTHER_RECORDER]);
-    let drawn = |index: usize| Some(other?.quantile(random::unit(random::bits(key, index as u64))));
+    let drawn = |index: usize| Some(other?.quantile(at_random(key, index)));
     chance(&form, &inputs, speeds.as_ref(), &drawn, obstacles, [plan.samples as u64, plan.seed])
 }
 
@@ -740,11 +750,12 @@ fn unposed(form: &AvoidForm, refusal: Unposed) -> Failure {
         Unposed::Parts => (
             "avoid.vehicle".to_owned(),
             format!(
-                "both vehicles move along one line, and by their speeds vehicle {} does not come up to the other from behind",
-                form.vehicle
+                "both vehicles move along one line, and at these speeds vehicle {} does not catch up with vehicle {}",
+                form.vehicle,
+                form.vehicle.other()
             ),
             format!(
-                "check the speeds and the headings; the driver of the other is asked about with vehicle = \"vehicle{}\"",
+                "check the speeds and the headings; to ask about the other driver, write vehicle = \"vehicle{}\" in [avoid]",
                 form.vehicle.other()
             ),
         ),

@@ -174,25 +174,20 @@ pub(crate) fn hangs_on_angle(case: &Case, analysis: &Analysis) -> Option<Warning
     if !is_found || analysis.travel.iter().any(Option::is_some) {
         return None;
     }
-    let speeds: Vec<Output> =
-        Output::of(analysis, case.axes).into_iter().filter(|output| output.is(&SPEED)).collect();
-    let gradients = gradients(case, analysis, &speeds).ok()?;
-    let is_exact = |input: &Input| {
-        let is_angle = input.unit.is_some_and(|unit| unit.dimension() == Dimension::Angle);
-        let is_given = !matches!(input.origin, Origin::Estimate(_) | Origin::Shared(_));
-        is_angle && is_given && !case.ranges.iter().any(|range| range.path == input.path)
+    let is_exact = |derivative: &Derivative| {
+        let input = &derivative.input;
+        let is_given = !matches!(input.origin, Origin::Estimate(_));
+        derivative.is_by_angle() && is_given && !case.ranges.iter().any(|range| range.path == input.path)
     };
-    let inputs = case.variables();
-    let angles = inputs.iter().enumerate().filter(|(_, input)| is_exact(input));
-    let changes = angles.flat_map(|(i, input)| {
-        let of = move |(output, gradient): (&Output, &Gradient)| {
-            Some((output.vehicle()?, input, (gradient.by[i] * DEGREE).abs(), gradient.value))
-        };
-        speeds.iter().zip(&gradients).filter_map(of)
-    });
-    let (vehicle, input, change, speed) = changes.max_by(|a, b| a.2.total_cmp(&b.2))?;
-    let is_much = change > LEAST_BY_DEGREE && change > MOST_BY_DEGREE * speed.abs();
-    is_much.then(|| Warning::HangsOnAngle { vehicle, path: input.path.clone(), change, speed })
+    let derivatives = derivatives(case, analysis).ok()?.into_iter();
+    let of_speeds = derivatives.filter(|derivative| derivative.output.is(&SPEED) && is_exact(derivative));
+    let by_degree = |derivative: &Derivative| (derivative.value * DEGREE).abs();
+    let most = of_speeds.max_by(|a, b| by_degree(a).total_cmp(&by_degree(b)))?;
+    let (change, speed) = (by_degree(&most), most.output_value);
+    if change <= LEAST_BY_DEGREE || change <= MOST_BY_DEGREE * speed.abs() {
+        return None;
+    }
+    Some(Warning::HangsOnAngle { vehicle: most.output.vehicle()?, path: most.input.path, change, speed })
 }
 
 /// Each output, and its derivatives by all variables of the case (SI per SI).

@@ -70,12 +70,12 @@ fn vehicles_that_part_are_refused() {
                  demand = { distance = \"35 m\" }\nunbraked = true\n";
     for speeds in [[10.0, 12.0], [10.0, 10.0]] {
         let failure = asked(&text([0.0; 2], speeds, [""; 2], avoid)).unwrap_err().to_string();
-        assert!(failure.contains("does not come up to the other from behind"), "{failure}");
+        assert!(failure.contains("vehicle 1 does not catch up with vehicle 2"), "{failure}");
     }
     // It was behind at the demand, and braked harder.
     let braked = "before = { skid = { length = \"14 m\", friction = 0.7 } }";
     let failure = asked(&text([0.0; 2], [10.0, 6.0], ["", braked], avoid)).unwrap_err().to_string();
-    assert!(failure.contains("does not come up to the other from behind"), "{failure}");
+    assert!(failure.contains("vehicle 1 does not catch up with vehicle 2"), "{failure}");
 }
 
 /// An oncoming vehicle that goes on reaches one that stands, too: 25 m apart at a closing speed of 25 m/s.

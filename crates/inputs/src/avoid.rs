@@ -192,20 +192,13 @@ pub struct AvoidForm<T = f64> {
 /// What the central values of a case tell of the question, whatever its numbers are.
 #[derive(Clone, Debug, Default)]
 pub struct AvoidBasis {
-    /// What the recorders stored before the impact: that of the vehicle asked about, and of the other.
+    /// What the recorders stored before the impact: that of the vehicle asked about, and of another on its
+    /// line.
     pub(crate) recorded: [Option<Arc<SampledApproach>>; 2],
-    /// Whether the recorder of the other tells its speed at the impact.
+    /// Whether the recorder of the other tells its speed at the impact, where its table does not.
     pub(crate) is_recorded: bool,
     /// How the other vehicle moved along the line of this one, if it did.
     pub(crate) along: Option<Along>,
-}
-
-impl AvoidBasis {
-    /// How the other vehicle moved along the line of the one that is asked about, if it did.
-    #[must_use]
-    pub fn along(&self) -> Option<Along> {
-        self.along
-    }
 }
 
 /// How another vehicle moves along the line of the one that is asked about.

@@ -121,6 +121,9 @@ impl Bounds {
     }
 }
 
+// The words for it, here and where a case is read, say "at most 2".
+const _: () = assert!(GREATEST_FRICTION == 2.0);
+
 impl fmt::Display for Bounds {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {

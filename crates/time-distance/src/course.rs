@@ -3,7 +3,7 @@
 use real::Real;
 
 /// Halvings of an interval after which nothing is left of it.
-pub(crate) const MOST_HALVINGS: usize = 200;
+const MOST_HALVINGS: usize = 200;
 
 /// (–) by which the square of a speed at its stop may be off, in that before.
 const ROUNDING: f64 = 1e-14;
@@ -142,12 +142,17 @@ fn by_halvings<T: Real>(leg: &Leg<T>, end: Option<T>, position: T) -> Option<f64
             (low, high) = (high, high * 2.0);
         }
     }
+    Some(first_that_holds([low, high], |time| missing(time) >= 0.0))
+}
+
+/// The first of the numbers up to one that holds, from one that does not: to the last bit.
+pub(crate) fn first_that_holds([mut not, mut holding]: [f64; 2], holds: impl Fn(f64) -> bool) -> f64 {
     for _ in 0..MOST_HALVINGS {
-        let middle = f64::midpoint(low, high);
-        if middle <= low || middle >= high {
+        let middle = f64::midpoint(not, holding);
+        if middle <= not || middle >= holding {
             break;
         }
-        if missing(middle) < 0.0 { low = middle } else { high = middle }
+        if holds(middle) { holding = middle } else { not = middle }
     }
-    Some(high)
+    holding
 }

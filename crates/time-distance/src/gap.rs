@@ -4,7 +4,7 @@ use core::ops::ControlFlow;
 
 use real::Real;
 
-use crate::course::{Course, Leg, MOST_HALVINGS};
+use crate::course::{Course, Leg, first_that_holds};
 
 /// The least distance between two vehicles on one path.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -41,9 +41,9 @@ pub fn first_contact<T: Real>(
     ahead: &Course<'_, T>,
     [from, to]: [T; 2],
 ) -> Option<Gap<T>> {
-    let gap = |time: f64| gap_at(behind, ahead, T::from(time));
-    if gap(from.value()).distance.value() <= 0.0 {
-        return Some(gap_at(behind, ahead, from));
+    let at_first = gap_at(behind, ahead, from);
+    if at_first.distance.value() <= 0.0 {
+        return Some(at_first);
     }
     let met = pieces(behind, ahead, [from, to], |[begin, end]| {
         if gap_at(behind, ahead, end).distance.value() > 0.0 {
@@ -51,14 +51,9 @@ pub fn first_contact<T: Real>(
         }
         ControlFlow::Break([begin.value(), end.value()])
     });
-    let ControlFlow::Break([mut apart, mut met]) = met else { return None };
-    for _ in 0..MOST_HALVINGS {
-        let middle = f64::midpoint(apart, met);
-        if middle <= apart || middle >= met {
-            break;
-        }
-        if gap(middle).distance.value() > 0.0 { apart = middle } else { met = middle }
-    }
+    let ControlFlow::Break(between) = met else { return None };
+    let gap = |time: f64| gap_at(behind, ahead, T::from(time));
+    let met = first_that_holds(between, |time| gap(time).distance.value() <= 0.0);
     // A step of Newton's method gives the derivatives alone.
     let Gap { distance, closing, .. } = gap(met);
     let step = if closing.value() > 0.0 { distance / closing } else { T::ZERO };

@@ -2,8 +2,7 @@
 
 use pim_core::Vector2;
 
-/// Halvings after which a moment is known to the last bit.
-const MOST_HALVINGS: usize = 100;
+use crate::course::first_that_holds;
 
 /// Steps of the secant after which it has long converged.
 const MOST_SECANTS: usize = 12;
@@ -68,7 +67,7 @@ fn is_seen([one, other]: [Vector2<f64>; 2], obstacles: &[&[Vector2<f64>]]) -> bo
 
 /// The moment between one at which it is hidden and one at which it is seen.
 fn between(
-    [mut hidden, mut seen]: [f64; 2],
+    [hidden, seen]: [f64; 2],
     positions: impl Fn(f64) -> [Vector2<f64>; 2],
     obstacles: &[&[Vector2<f64>]],
 ) -> f64 {
@@ -80,14 +79,7 @@ fn between(
             return moment;
         }
     }
-    for _ in 0..MOST_HALVINGS {
-        let middle = f64::midpoint(hidden, seen);
-        if middle <= hidden || middle >= seen {
-            break;
-        }
-        if is_seen(middle) { seen = middle } else { hidden = middle }
-    }
-    seen
+    first_that_holds([hidden, seen], is_seen)
 }
 
 /// The moment between two at which a corner lies on the line from one road user to the other, if there is

@@ -250,7 +250,7 @@ fn stretches(
     at_impact: Option<f64>,
 ) -> Result<(Vec<Phase>, Option<f64>), InvalidInput> {
     let phases = match braking {
-        BrakingForm::Phases(given) if given.first().is_some_and(PhaseForm::leads_on) => {
+        BrakingForm::Phases(given) if braking.leads_on() => {
             let starts = starts(given)?;
             let phases = given.iter().zip(&starts).map(|(form, start)| backwards(form, Some(*start)));
             return Ok((phases.collect(), starts.last().copied()));

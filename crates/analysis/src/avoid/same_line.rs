@@ -25,6 +25,17 @@ pub struct SameLine {
     legs: Arc<[Leg]>,
 }
 
+/// Where a vehicle comes to the place of the impact, or to another one that moves along its line.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Meeting {
+    /// (s) when, after the demand.
+    pub time: f64,
+    /// (m/s) its speed.
+    pub speed: f64,
+    /// (m/s) the speed of the other vehicle, if that moves along its line.
+    pub other: Option<f64>,
+}
+
 impl SameLine {
     /// With its speed at the impact (m/s), where the rest of the case tells that, from the distance (m) and
     /// the time (s) of the demand before the impact on; `None` if it stood, or its speed is not known.
@@ -69,21 +80,11 @@ impl SameLine {
         Ok(Some(Self { along, speed, deceleration, gap, legs }))
     }
 
-    /// (m) where it is at a time (s) after the demand, along the way of the vehicle.
+    /// Where it is at a time (s) after the demand, and how fast, along the way of the vehicle: negative
+    /// towards it.
     #[must_use]
-    pub fn position(&self, time: f64) -> f64 {
-        Course::new(&self.legs).map_or(f64::NAN, |course| course.at(time).position)
-    }
-
-    /// (m/s) its speed at a time (s) after the demand.
-    #[must_use]
-    pub fn speed_at(&self, time: f64) -> f64 {
-        Course::new(&self.legs).map_or(f64::NAN, |course| course.at(time).speed.abs())
-    }
-
-    /// (m/s) how fast a vehicle with a speed (m/s) comes nearer to it at a time (s) after the demand.
-    pub(super) fn closing(&self, speed: f64, time: f64) -> f64 {
-        Course::new(&self.legs).map_or(f64::NAN, |course| speed - course.at(time).speed)
+    pub fn at(&self, time: f64) -> Leg {
+        Course::new(&self.legs).map_or(Leg::at_rest(time, f64::NAN), |course| course.at(time))
     }
 
     /// (m) the least distance to a vehicle with these legs until a time (s) after the demand.
@@ -93,9 +94,10 @@ impl SameLine {
     }
 
     /// The first contact with a vehicle with these legs.
-    pub(super) fn contact(&self, legs: &[Leg]) -> Option<Gap> {
+    pub(super) fn contact(&self, legs: &[Leg]) -> Option<Meeting> {
         let [own, other] = self.with(legs)?;
-        first_contact(&own, &other, [0.0, FAR])
+        let Gap { time, .. } = first_contact(&own, &other, [0.0, FAR])?;
+        Some(Meeting { time, speed: own.at(time).speed, other: Some(other.at(time).speed.abs()) })
     }
 
     fn with<'a>(&'a self, legs: &'a [Leg]) -> Option<[Course<'a>; 2]> {

@@ -12,7 +12,7 @@ use time_distance::{Advance, Course, Leg, Response};
 
 use super::driven::{Approach, Driven, Gain};
 use super::posing::{FAR, Since, SoughtSpeeds, Unposed};
-use super::same_line::SameLine;
+use super::same_line::{Meeting, SameLine};
 
 /// How the vehicle came to the impact.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -164,27 +164,11 @@ impl AvoidCourse {
         Some(self.response?.stopping_time(self.speed))
     }
 
-    /// (m/s) its speed at a time (s) after the demand.
-    fn speed_after(&self, time: f64) -> f64 {
-        Course::new(&self.legs()).map_or(0.0, |course| course.at(time).speed)
-    }
-
     /// (m) where it is at a time (s) after the demand.
     #[must_use]
     pub fn position(&self, time: f64) -> f64 {
         Course::new(&self.legs()).map_or(0.0, |course| course.at(time).position)
     }
-}
-
-/// Where a vehicle comes to the place of the impact, or to another one that moves along its line.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Meeting {
-    /// (s) when, after the demand.
-    pub time: f64,
-    /// (m/s) its speed.
-    pub speed: f64,
-    /// (m/s) the speed of the other vehicle, if that moves along its line.
-    pub other: Option<f64>,
 }
 
 impl AvoidScene {
@@ -208,7 +192,7 @@ impl AvoidScene {
     fn on_line(self, line: &SameLineForm, sought: Option<f64>) -> Result<Self, Unposed> {
         let same_line = SameLine::of(line, sought, [self.distance, self.time])?;
         if let Some(line) = &same_line
-            && (line.gap < 0.0 || line.closing(self.at_impact, self.time) <= 0.0)
+            && (line.gap < 0.0 || self.at_impact <= line.at(self.time).speed)
         {
             return Err(Unposed::Parts);
         }
@@ -380,9 +364,7 @@ impl AvoidScene {
             let time = course.arrival(self.distance)?;
             return Some(Meeting { time, speed: course.speed_at(self.distance), other: None });
         };
-        let contact = line.contact(&course.legs())?;
-        let other = line.speed_at(contact.time);
-        Some(Meeting { time: contact.time, speed: course.speed_after(contact.time), other: Some(other) })
+        line.contact(&course.legs())
     }
 
     /// (m) how near a course comes to a vehicle that moves along the line; `None` without one.

@@ -6,6 +6,7 @@ use pim_core::VehicleId;
 
 use super::Case;
 use crate::avoid::SpeedForm;
+use crate::quantity::Quantity;
 use crate::vehicle::Velocity;
 
 impl<T: Copy> Case<T> {
@@ -26,10 +27,15 @@ impl<T: Copy> Case<T> {
         if self.vehicles[subject.index()].phases().first().is_some_and(|phase| phase.form.leads_on()) {
             return SpeedForm::ByPhases;
         }
-        let is_sought = self.reconstruct.as_ref().is_some_and(|reconstruct| reconstruct.find.seeks(subject));
-        match &self.vehicles[subject.index()].motion {
-            Some(Velocity::Speed(speed)) if !is_sought => SpeedForm::AtImpact(*speed),
-            _ => SpeedForm::Sought,
+        self.known_speed(subject).map_or(SpeedForm::Sought, |speed| SpeedForm::AtImpact(*speed))
+    }
+
+    /// (m/s) the speed of a vehicle at the impact, if its table has it and it is not sought.
+    pub(crate) fn known_speed(&self, vehicle: VehicleId) -> Option<&Quantity<T>> {
+        let is_sought = self.reconstruct.as_ref().is_some_and(|reconstruct| reconstruct.find.seeks(vehicle));
+        match &self.vehicles[vehicle.index()].motion {
+            Some(Velocity::Speed(speed)) if !is_sought => Some(speed),
+            _ => None,
         }
     }
 }

@@ -21,7 +21,7 @@ use crate::purpose::Purpose;
 use crate::quantity::Quantity;
 use crate::scene::Place;
 use crate::units::STANDARD_GRAVITY;
-use crate::vehicle::{GivenVehicle, Velocity};
+use crate::vehicle::GivenVehicle;
 use crate::way_out::{ClearForm, ClearSpeedForm, OutlinesForm, PlacesForm, WayOutForm};
 
 /// What to write for a reaction time; none is assumed, as none is right for every driver and danger.
@@ -88,12 +88,22 @@ impl Case {
         // A speed at the demand takes the place of the vehicle's own table.
         let has_own = self.avoid.as_ref().is_none_or(|avoid| avoid.speed.is_some());
         let own = if has_own { None } else { recorded(subject) };
-        let angle = self.approach_angle().filter(|angle| are_collinear(*angle));
-        let along = angle.map(|angle| if angle < FRAC_PI_2 { Along::Ahead } else { Along::Oncoming });
-        let other = self.vehicles[subject.other().index()].recorder.as_ref();
-        let ground = self.surface.as_ref().map(|surface| surface.friction);
-        let is_recorded = other.is_some_and(|recorder| recorder.tells_speed(ground).is_some());
-        AvoidBasis { recorded: [own, recorded(subject.other())], is_recorded, along }
+        let along = self.other_along();
+        let on_line = along.map(|_| subject.other());
+        let is_recorded = on_line.filter(|other| self.known_speed(*other).is_none()).is_some_and(|other| {
+            let ground = self.surface.as_ref().map(|surface| surface.friction);
+            let recorder = self.vehicles[other.index()].recorder.as_ref();
+            recorder.is_some_and(|recorder| recorder.tells_speed(ground).is_some())
+        });
+        AvoidBasis { recorded: [own, on_line.and_then(recorded)], is_recorded, along }
+    }
+
+    /// How the other vehicle moved along the line of the one that is asked about, if their headings say that
+    /// it did.
+    #[must_use]
+    pub fn other_along(&self) -> Option<Along> {
+        let angle = self.approach_angle().filter(|angle| are_collinear(*angle))?;
+        Some(if angle < FRAC_PI_2 { Along::Ahead } else { Along::Oncoming })
     }
 }
 
@@ -178,15 +188,6 @@ impl<T: Copy + From<f64>> Case<T> {
         let is_sought = matches!(self.avoid_speed(), SpeedForm::Sought);
         let is_told = speed.is_some() || is_sought || basis.is_recorded || braking.leads_on();
         is_told.then_some(SameLineForm { along, speed, braking })
-    }
-
-    /// (m/s) the speed of a vehicle at the impact, if its table has it and it is not sought.
-    fn known_speed(&self, vehicle: VehicleId) -> Option<&Quantity<T>> {
-        let is_sought = self.reconstruct.as_ref().is_some_and(|sought| sought.find.seeks(vehicle));
-        match &self.vehicles[vehicle.index()].motion {
-            Some(Velocity::Speed(speed)) if !is_sought => Some(speed),
-            _ => None,
-        }
     }
 
     /// Both vehicles at the impact, seen from above; `None` if the case does not tell all of it.

@@ -95,7 +95,7 @@ pub(crate) fn path_time_picture(case: &Case, found: &Avoidance, units: Units) ->
     };
     let out = form.as_ref().and_then(|form| form.clear.as_ref()?.distance().ok());
     let goes_on = given.and_then(|avoid| avoid.clear.as_ref()).is_some_and(|clear| clear.speed.is_none());
-    let other = (came.is_some() || out.is_some()).then(|| {
+    let crossing = || {
         let mut points = Vec::new();
         if let Some(other) = came {
             let (before, advance) = (other.distance.si(), other.advance());
@@ -110,28 +110,28 @@ pub(crate) fn path_time_picture(case: &Case, found: &Avoidance, units: Units) ->
             points.extend(out.zip(clears).map(|(distance, time)| [time, distance]));
         }
         (points, format!("{party}, along its own path"))
-    });
-    let mut highest = out.unwrap_or(0.0).max(beyond) + 0.5 * beyond;
-    let zone = match (&scene.same_line, clears) {
-        (Some(_), _) => None,
-        (None, Some(clears)) => {
-            Some(([scene.time, clears], format!("{party} in the danger zone, until it has cleared it")))
-        }
-        (None, None) => {
-            Some(([scene.time, until], format!("{party} in the danger zone; not known to clear it")))
-        }
     };
-    let other = match &scene.same_line {
-        None => other,
-        Some(line) => {
+    let highest = out.unwrap_or(0.0).max(beyond) + 0.5 * beyond;
+    // The way of the other party, the danger zone, and how far up both reach.
+    let (other, zone, highest) = match (&scene.same_line, clears) {
+        (Some(line), _) => {
             let at = |k: u32| {
                 let time = until * f64::from(k) / f64::from(POINTS);
-                [time, line.position(time) - scene.distance]
+                [time, line.at(time).position - scene.distance]
             };
             let is_shown = |[_, way]: &[f64; 2]| *way >= -scene.distance - beyond;
             let points: Vec<[f64; 2]> = (0..=POINTS).map(at).take_while(is_shown).collect();
-            highest = points.iter().map(|[_, way]| way + 0.5 * beyond).fold(highest, f64::max);
-            Some((points, format!("vehicle {}, on the same line", found.vehicle.other())))
+            let highest = points.iter().map(|[_, way]| way + 0.5 * beyond).fold(highest, f64::max);
+            (Some((points, format!("vehicle {}, on the same line", found.vehicle.other()))), None, highest)
+        }
+        (None, clears) => {
+            let zone = match clears {
+                Some(clears) => {
+                    ([scene.time, clears], format!("{party} in the danger zone, until it has cleared it"))
+                }
+                None => ([scene.time, until], format!("{party} in the danger zone; not known to clear it")),
+            };
+            ((came.is_some() || out.is_some()).then(crossing), Some(zone), highest)
         }
     };
     let [distance, time] = [(Measure::Way, scene.distance), (Measure::Time, scene.time)]
@@ -219,14 +219,14 @@ pub(crate) fn sight_picture(case: &Case, found: &Avoidance, units: Units) -> Opt
 /// One run in a sentence.
 fn outcome(found: &Avoidance, run: &AvoidRun, units: Units) -> String {
     let name = legend(run, units);
-    let other = found.scene.same_line.as_ref().map(|_| format!("vehicle {}", found.vehicle.other()));
+    let other = found.on_line();
     if run.stops_before() {
-        let stops =
-            other.map_or("stops before the place".to_owned(), |other| format!("does not reach {other}"));
+        let stops = other
+            .map_or("stops before the place".to_owned(), |other| format!("does not reach vehicle {other}"));
         return format!("{name}: {stops}.");
     }
     let late = if run.is_late_enough == Some(true) { ", after it is clear" } else { "" };
-    let place = other.map_or("at the place".to_owned(), |other| format!("reaches {other}"));
+    let place = other.map_or("at the place".to_owned(), |other| format!("reaches vehicle {other}"));
     format!("{name}: {place} with {}{late}.", units.road_speed(run.collision_speed))
 }
 

@@ -133,11 +133,11 @@ fn answer(case: &Case, found: &Avoidance, units: Units) -> Vec<String> {
                     "Not avoidable in space {at}{central}: it reaches the place of the impact with {left}"
                 ),
                 Some(speed) if scene.left_at_limit() <= 0.0 => format!(
-                    "Not avoidable in space {at}{central}: vehicle {other} runs into it with {} where it stands",
+                    "Not avoidable in space {at}{central}: it stops, and vehicle {other} then runs into it at {}",
                     units.road_speed(speed)
                 ),
                 Some(speed) => format!(
-                    "Not avoidable in space {at}{central}: it reaches vehicle {other} with {left}, which then has {}",
+                    "Not avoidable in space {at}{central}: it reaches vehicle {other} at {left}; vehicle {other} then has {}",
                     units.road_speed(speed)
                 ),
             }
@@ -166,7 +166,7 @@ fn answer(case: &Case, found: &Avoidance, units: Units) -> Vec<String> {
     lines.push(if found.enough.speed > 0.0 {
         format!("Highest speed that avoids it{central}: {}", units.road_speed(found.enough.speed))
     } else {
-        format!("No speed avoids it{central}: vehicle {other} reaches one that stands, too")
+        format!("No speed avoids it{central}: vehicle {other} would reach even a stationary vehicle")
     });
     lines
 }
@@ -233,8 +233,8 @@ fn along_the_line(found: &Avoidance) -> Option<String> {
         .filter(|line| line.along == Along::Oncoming && line.deceleration <= 0.0);
     if comes_on.is_some() {
         return Some(format!(
-            "Vehicle {other} is taken to come on without braking, also into a vehicle that stands. Whether its driver would have \
-             stopped or given way, the case does not tell: if so, less was enough."
+            "The answer assumes that vehicle {other} drives on without braking, even towards a stationary vehicle. The case does not \
+             say whether its driver would have stopped or given way; if so, less would have been enough."
         ));
     }
     let moved = match found.along? {
@@ -251,7 +251,7 @@ fn along_the_line(found: &Avoidance) -> Option<String> {
             found.vehicle
         ),
     };
-    Some(format!("{moved} With its `speed`, the answer takes its motion into account."))
+    Some(format!("{moved} Give `speed` in [vehicle{other}], and the answer takes its motion into account."))
 }
 
 /// What the solution behind the speed warns of, by its codes: its own report has the sentences.
@@ -347,7 +347,7 @@ fn inputs(case: &Case, given: &Avoid, found: &Avoidance, units: Units) -> Table 
         let source = source.map_or_else(|| "none given".to_owned(), ToString::to_string);
         table.row([label.to_owned(), amount(quantity.number(), Some(quantity.unit())), range, source]);
     };
-    let other = found.scene.same_line.as_ref().map(|_| found.vehicle.other());
+    let other = found.on_line();
     let phases =
         |id: VehicleId| case.vehicles[id.index()].phases().iter().enumerate().map(move |of| (id, of));
     for (id, (index, phase)) in phases(found.vehicle).chain(other.into_iter().flat_map(phases)) {
@@ -682,9 +682,8 @@ fn runs(case: &Case, found: &Avoidance, units: Units) -> Table {
         Some(units.plain(Measure::Way, run.course.position(run.course.response?.reaction())))
     });
     row(label("stopping distance", Measure::Way), &|run| Some(units.plain(Measure::Way, run.course.stop()?)));
-    let line = found.scene.same_line.is_some();
-    if line {
-        let gap = format!("least gap to vehicle {}", found.vehicle.other());
+    if let Some(other) = found.on_line() {
+        let gap = format!("least gap to vehicle {other}");
         row(label(&gap, Measure::Way), &|run| Some(units.plain(Measure::Way, run.gap?)));
     } else {
         row(label("stops before the place", Measure::Way), &|run| {
@@ -693,9 +692,7 @@ fn runs(case: &Case, found: &Avoidance, units: Units) -> Table {
         });
     }
     let place = place(found);
-    row(label(&format!("speed at the {place}"), Measure::RoadSpeed), &|run| {
-        (!line || !run.stops_before()).then(|| units.plain(Measure::RoadSpeed, run.collision_speed))
-    });
+    row(label(&format!("speed at the {place}"), Measure::RoadSpeed), &|run| speed_there(found, run, units));
     row(label(&format!("time to the {place}"), Measure::Time), &|run| {
         Some(units.plain(Measure::Time, run.arrival?))
     });
@@ -712,7 +709,13 @@ fn runs(case: &Case, found: &Avoidance, units: Units) -> Table {
 
 /// Where a collision is: at the place of the impact, or with a vehicle that moves wherever that is.
 fn place(found: &Avoidance) -> &'static str {
-    if found.scene.same_line.is_some() { "contact" } else { "place" }
+    if found.on_line().is_some() { "contact" } else { "place" }
+}
+
+/// The speed of a run there; `None` if it does not reach a vehicle that moves.
+fn speed_there(found: &Avoidance, run: &AvoidRun, units: Units) -> Option<String> {
+    let is_reached = found.on_line().is_none() || !run.stops_before();
+    is_reached.then(|| units.plain(Measure::RoadSpeed, run.collision_speed))
 }
 
 /// How a run avoids the collision.
@@ -745,11 +748,7 @@ fn combinations(found: &Avoidance, units: Units) -> Table {
         (Hypothesis::All, "all three"),
     ] {
         if let Some(run) = found.run(hypothesis) {
-            let speed = if found.scene.same_line.is_some() && run.stops_before() {
-                NONE.to_owned()
-            } else {
-                units.plain(Measure::RoadSpeed, run.collision_speed)
-            };
+            let speed = speed_there(found, run, units).unwrap_or_else(|| NONE.to_owned());
             table.row([label.to_owned(), speed, avoided(run).to_owned()]);
         }
     }
@@ -784,7 +783,7 @@ fn on_the_runs(case: &Case, found: &Avoidance, units: Units) -> String {
                         .to_owned()
                 }
                 Unbraked::WouldHaveStopped if scene.same_line.is_some() => format!(
-                    "With the reaction and braking of the inputs, the vehicle would not have come up to vehicle {} at the place of the \
+                    "With the reaction and braking of the inputs, the vehicle would not have caught up with vehicle {} at the place of the \
                      impact. So its driver reacted later, or not at all; it is taken to have come unbraked.",
                     found.vehicle.other()
                 ),
@@ -862,15 +861,15 @@ fn on_the_other(found: &Avoidance, line: &SameLine, units: Units) -> String {
         "it stands".to_owned()
     } else if line.deceleration > 0.0 {
         format!(
-            "it brakes on with {} until it stands",
+            "it keeps braking with {} until it stands",
             units.format(Measure::Acceleration, line.deceleration)
         )
     } else {
         "it keeps that speed".to_owned()
     };
     format!(
-        "Vehicle {other} {way}. At the demand it was {} away, and at the impact it had {}. In every other run it is taken to move as it \
-         did up to that moment, and then to go on: {goes_on}. A collision is where vehicle {} reaches it, at whatever place.",
+        "Vehicle {other} {way}. At the demand it was {} away, and at the impact it had {}. Every other run assumes the same motion up to \
+         that moment; from then on, {goes_on}. They collide where vehicle {} reaches it, wherever that is.",
         units.format(Measure::Way, line.gap),
         units.road_speed(line.speed),
         found.vehicle,
@@ -891,7 +890,8 @@ fn just_avoiding(found: &Avoidance, units: Units) -> Table {
     let chance = found.chance.as_ref();
     let scene = &found.scene;
     let mut row = |label: &str, speed: f64, interval: Option<&AvoidInterval>, is: &str| {
-        let is_none = found.scene.same_line.is_some() && label.starts_with("in ") && speed <= 0.0;
+        // Where even a stationary vehicle is reached, no speed avoids it.
+        let is_none = found.on_line().is_some() && label.starts_with("in ") && speed <= 0.0;
         table.row([
             label.to_owned(),
             if is_none { NONE.to_owned() } else { units.plain(Measure::RoadSpeed, speed) },
@@ -901,12 +901,9 @@ fn just_avoiding(found: &Avoidance, units: Units) -> Table {
     };
     let avoidable = |is: bool| if is { "avoidable" } else { "not avoidable" };
     let spatial = scene.spatial();
-    let line = scene.same_line.is_some();
-    let in_space = if line {
-        format!("in space: it does not reach vehicle {}", found.vehicle.other())
-    } else {
-        "in space: it stops before the place".to_owned()
-    };
+    let in_space = found.on_line().map_or("in space: it stops before the place".to_owned(), |other| {
+        format!("in space: it does not reach vehicle {other}")
+    });
     row(&in_space, spatial, chance.map(|chance| &chance.spatial), avoidable(scene.stops_at_limit()));
     if let Some(temporal) = scene.temporal() {
         let interval = chance.and_then(|chance| chance.temporal.as_ref());
@@ -940,7 +937,7 @@ const MOST_OF_TYRES: f64 = 1.5 * STANDARD_GRAVITY;
 fn enough(found: &Avoidance, units: Units) -> Block {
     let enough = &found.enough;
     let is_in_time = found.scene.clears_after.is_some();
-    let none = if is_in_time || found.scene.same_line.is_some() {
+    let none = if is_in_time || found.on_line().is_some() {
         "none is enough"
     } else {
         "none is enough to stop before the place"
@@ -950,14 +947,11 @@ fn enough(found: &Avoidance, units: Units) -> Block {
     };
     let braking = |[deceleration, reaction]: [Option<f64>; 2]| {
         if deceleration == Some(0.0) {
-            let unbraked = || {
-                if found.scene.same_line.is_some() && !is_in_time {
-                    format!("any: without braking, it does not reach vehicle {}", found.vehicle.other())
-                } else {
-                    "any: without braking, the vehicle comes late enough".to_owned()
-                }
+            let unbraked = match found.on_line().filter(|_| !is_in_time) {
+                Some(other) => format!("any: without braking, it does not reach vehicle {other}"),
+                None => "any: without braking, the vehicle comes late enough".to_owned(),
             };
-            return [unbraked(), unbraked()];
+            return [unbraked.clone(), unbraked];
         }
         let of_tyres = match deceleration.filter(|deceleration| *deceleration > MOST_OF_TYRES) {
             Some(needed) => {
@@ -987,7 +981,7 @@ fn enough(found: &Avoidance, units: Units) -> Block {
         .into_iter()
         .chain(at_limit.into_iter().flatten())
         .chain(
-            found.scene.same_line.is_none().then(|| {
+            found.on_line().is_none().then(|| {
                 ("The other party not entering", "no collision, whatever the vehicle does".to_owned())
             }),
         )
@@ -1010,7 +1004,7 @@ fn probability(found: &Avoidance, chance: &AvoidChance, units: Units) -> Table {
     let error = error_between(chance.avoided_at_limit, chance.mc_error);
     let error = error.map_or_else(String::new, |error| format!("± {}", number(error, 4)));
     row("avoided at the limit, reaction and braking of the inputs", chance.avoided_at_limit, error);
-    let stopped = if found.scene.same_line.is_some() {
+    let stopped = if found.on_line().is_some() {
         "… as it does not reach the other vehicle"
     } else {
         "… as it stops before the place of the impact"
@@ -1029,7 +1023,8 @@ fn probability(found: &Avoidance, chance: &AvoidChance, units: Units) -> Table {
     ));
     if chance.possible < chance.samples {
         table.notes.push(format!(
-            "{} more samples are no scene, such as brakes before the demand or a vehicle that does not come up to the other, and do not count.",
+            "{} more samples do not count, because they describe no possible scene: the brakes took hold before the demand, for example, or \
+             the vehicle did not catch up with the other.",
             grouped(chance.samples - chance.possible)
         ));
     }
@@ -1066,7 +1061,7 @@ fn definitions(case: &Case, found: &Avoidance) -> Vec<String> {
     };
     let mut list = vec![
         format!("Convention of the swell: {form}. Others give other speeds."),
-        if found.scene.same_line.is_some() {
+        if found.on_line().is_some() {
             "Avoidable in space: at that speed and with a timely reaction, the vehicle does not reach the other one, wherever that then is."
         } else {
             "Avoidable in space: at that speed and with a timely reaction, the vehicle stops before the place of the impact."
@@ -1098,8 +1093,8 @@ fn definitions(case: &Case, found: &Avoidance) -> Vec<String> {
     let other = &case.vehicles[found.vehicle.other().index()];
     if case.approach_angle().is_none() && !other.fixed && !other.is_absent() {
         list.push(
-            "The place of the impact is taken as fixed, as where the ways of both cross. Give `heading` of both vehicles: on one line, the place \
-             moves with the other vehicle."
+            "The answer takes the place of the impact as fixed, which is right where the paths of both cross. If both travelled along one line, the \
+             place moves with the other vehicle: give `heading` of both."
                 .to_owned(),
         );
     }
