@@ -173,6 +173,35 @@ fn a_vehicle_that_backs_comes_nearer() {
     assert_eq!(flees.scene, leads.scene);
 }
 
+/// A car at a light that a solution lets roll back at a walking pace stood: it does not come nearer.
+#[test]
+fn a_solution_that_is_slightly_negative_is_a_stop() {
+    let vehicle = |of: &str, mass: f64, contact: &str, side: &str, depth: &str, after: &str| {
+        format!(
+            "[{of}]\nmass = \"{mass} kg\"\nyaw_radius = \"1.4 m\"\nheading = \"0 deg\"\ncontact = {{ x = \"{contact} m\", y = \"0 m\" }}\n\
+             [{of}.crush]\nside = \"{side}\"\nwidth = \"150 cm\"\ndepths = \"{depth} {depth} cm\"\nstiffness = {{ category = 3 }}\n\
+             [{of}.after]\nspeed = \"{after} m/s\"\ndirection = \"0 deg\"\nyaw_rate = \"0 deg/s\"\n"
+        )
+    };
+    let case = |after: [&str; 2]| {
+        format!(
+            "{}{}[impact]\ncrush_plane = \"0 deg\"\nrestitution = 0.1\ntangential = \"critical\"\n[reconstruct]\n\
+             find = [\"vehicle1.speed\", \"vehicle2.speed\"]\n[avoid]\nlimit = \"30 km/h\"\nreaction_time = \"1 s\"\n\
+             deceleration = \"7 m/s^2\"\ndemand = {{ distance = \"30 m\" }}\nunbraked = true\n",
+            vehicle("vehicle1", 1500.0, "2", "front", "20", after[0]),
+            vehicle("vehicle2", 1300.0, "-2", "rear", "30", after[1]),
+        )
+    };
+    let of =
+        |after| asked_with(&case(after), AvoidPlan { samples: 100, exact: true, ..AvoidPlan::default() });
+    // 2 m/s less of both after the impact are 2 m/s less of both before it: the crush is the same.
+    let [rolls, moves] = [of(["7.7", "10"]), of(["9.7", "12"])].map(|found| found.unwrap().scene);
+    let speed = moves.same_line.unwrap().speed;
+    assert!((1.0..2.0).contains(&speed), "{speed}");
+    assert!((rolls.at_impact - (moves.at_impact - 2.0)).abs() < 1e-9, "{}", rolls.at_impact);
+    assert!(rolls.same_line.is_none() && rolls.stops_at_limit(), "{rolls:?}");
+}
+
 /// The probability is the share of the speeds of the car ahead that leave enough room.
 #[test]
 fn the_speed_of_the_other_makes_a_probability() {

@@ -44,7 +44,8 @@ impl SameLine {
         sought: Option<f64>,
         [distance, time]: [f64; 2],
     ) -> Result<Option<Self>, Unposed> {
-        let known = form.speed.as_ref().map(Quantity::si).or(sought);
+        // A solution that lets it move backwards says that it stood; a speed that is given says what it says.
+        let known = form.speed.as_ref().map(Quantity::si).or(sought.map(|speed| speed.max(0.0)));
         // Phases that begin with a known speed lead to that at the impact.
         let Some(speed) = known.or(form.braking.leads_on().then_some(0.0)) else { return Ok(None) };
         let is_steady = matches!(form.braking, BrakingForm::Unknown);
