@@ -161,9 +161,9 @@ impl Request {
     /// The request for a command, by its name and the names of its options.
     ///
     /// # Errors
-    /// [`OptionError`] if no command has this name, or an option cannot be read.
+    /// [`OptionError`] if no command has this name, the command has no such option, or it cannot be read.
     pub fn read(command: &str, options: &RequestOptions) -> Result<Self, OptionError> {
-        Ok(match command {
+        let request = match command {
             "reconstruct" => Self::Reconstruct(ReconstructOptions::read(options)?),
             "impact" => Self::Impact,
             "motion" => Self::Motion,
@@ -176,7 +176,9 @@ impl Request {
             "estimate" => Self::Estimate(EstimateOptions::read(options)?),
             "avoid" => Self::Avoid(AvoidOptions::read(options)?),
             other => return Err(OptionError::Command(other.to_owned())),
-        })
+        };
+        options.are_known(command)?;
+        Ok(request)
     }
 
     /// Refuses options that no case could have.

@@ -79,6 +79,11 @@ fn what_no_case_could_be_asked_is_refused() {
         options.and_then(|options| Request::read(command, &options)).unwrap_err().to_string()
     };
     assert_eq!(unread("guess", ""), "there is no command \"guess\" that answers");
+    assert_eq!(unread("check", r#"{"seed":1}"#), "check has no option \"seed\"; its options: none");
+    assert_eq!(
+        unread("avoid", r#"{"seed":1,"sample":100}"#),
+        "avoid has no option \"sample\"; its options: exact, samples, seed"
+    );
     assert_eq!(unread("check", "[1]"), "the options are empty, or an object");
     assert_eq!(unread("estimate", r#"{"seed":-1}"#), "the option seed is a whole number, not -1");
     assert_eq!(unread("sensitivity", r#"{"pdof_step":"5"}"#), "the option pdof_step is a number, not \"5\"");
