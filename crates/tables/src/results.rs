@@ -38,32 +38,8 @@ const OF_DAMAGE: [OutputQuantity; 10] = [
 /// The statistics of an interval, in the order of their columns.
 const STATISTICS: [&str; 5] = ["p025", "median", "p975", "mean", "sd"];
 
-/// What stands in a column.
-#[derive(Clone, Copy)]
-enum What {
-    Error,
-    Help,
-    /// Lists of words: the codes of warnings, of avoidability their sentences, and the keys of evidence that
-    /// the rest contradicts.
-    Warnings,
-    Contradicting,
-    Axes,
-    EnergyBasis,
-    FoundQuantity,
-    AdmissibleRoots,
-    Quantity(&'static OutputQuantity, Option<VehicleId>),
-    /// The samples of a row, and those with an answer.
-    Samples,
-    Succeeded,
-    /// A statistic of an output, by their places.
-    OfSamples(usize, usize),
-    Converged,
-    EffectiveSamples,
-    OfDraws(usize, usize),
-    /// A number of [`AVOIDED`], and a flag of [`AVOIDABLE`], by their places.
-    OfAvoidance(usize),
-    IsAvoidable(usize),
-}
+/// Their values for one output.
+type Statistics = [f64; STATISTICS.len()];
 
 /// What is read of avoidability.
 type OfAvoidance<T> = fn(&Case, &Avoidance) -> Option<T>;
@@ -121,7 +97,7 @@ pub(crate) struct Spread {
     samples: usize,
     succeeded: usize,
     /// By the places of [`OUTPUTS`].
-    of: Vec<Option<[f64; STATISTICS.len()]>>,
+    of: Vec<Option<Statistics>>,
 }
 
 /// What an estimate says of a row.
@@ -132,7 +108,7 @@ pub(crate) struct EstimateFound {
     contradicting: Vec<String>,
     warnings: Vec<String>,
     /// By the places of [`DRAWN`].
-    of: Vec<Option<[f64; STATISTICS.len()]>>,
+    of: Vec<Option<Statistics>>,
 }
 
 /// What came of a row: a result, and why there is none. An estimate that has not converged has both.
@@ -157,150 +133,159 @@ fn column(path: &str) -> String {
     path.replace('.', "_")
 }
 
-fn columns(job: Job, samples: Option<usize>) -> Vec<(String, What)> {
-    let mut columns = vec![("error".to_owned(), What::Error), ("help".to_owned(), What::Help)];
-    let named = |name: &str, what: What| (name.to_owned(), what);
-    columns.push(named("axes", What::Axes));
+/// A column: how a row is read for it, and what has been read.
+enum Column {
+    Numbers(Read<f64>, Float64Builder),
+    Wholes(fn(&Found) -> Option<usize>, Int64Builder),
+    Flags(Read<bool>, BooleanBuilder),
+    Lists(fn(&Found) -> Option<&[String]>, ListBuilder<StringBuilder>),
+    Texts(fn(&Outcome) -> Option<&str>, StringBuilder),
+}
+
+/// How a number or a flag is read from what was found.
+type Read<T> = Box<dyn Fn(&Found) -> Option<T> + Send + Sync>;
+
+fn numbers(read: impl Fn(&Found) -> Option<f64> + Send + Sync + 'static) -> Column {
+    Column::Numbers(Box::new(read), Float64Builder::new())
+}
+
+fn wholes(read: fn(&Found) -> Option<usize>) -> Column {
+    Column::Wholes(read, Int64Builder::new())
+}
+
+fn flags(read: impl Fn(&Found) -> Option<bool> + Send + Sync + 'static) -> Column {
+    Column::Flags(Box::new(read), BooleanBuilder::new())
+}
+
+fn lists(read: fn(&Found) -> Option<&[String]>) -> Column {
+    Column::Lists(read, ListBuilder::new(StringBuilder::new()))
+}
+
+fn texts(read: fn(&Outcome) -> Option<&str>) -> Column {
+    Column::Texts(read, StringBuilder::new())
+}
+
+fn columns(job: Job, samples: Option<usize>) -> Vec<(String, Column)> {
+    let named = |name: &str, column: Column| (name.to_owned(), column);
+    let warnings = || named("warnings", lists(|found| Some(found.warnings())));
+    let mut columns = vec![
+        named("error", texts(|outcome| Some(&outcome.refusal.as_ref()?.error))),
+        named(
+            "help",
+            texts(|outcome| Some(&*outcome.refusal.as_ref()?.help).filter(|help| !help.is_empty())),
+        ),
+        named("axes", texts(|outcome| Some(outcome.found.as_ref()?.axes().name()))),
+    ];
     match job {
         Job::Estimate => {
-            columns.push(named("converged", What::Converged));
-            columns.push(named("ess", What::EffectiveSamples));
-            columns.push(named("contradicting", What::Contradicting));
-            columns.push(named("warnings", What::Warnings));
-            for (place, output) in DRAWN.iter().enumerate() {
-                columns.extend(statistics(*output, |statistic| What::OfDraws(place, statistic)));
-            }
+            columns.push(named("converged", flags(|found| Some(found.estimate()?.converged))));
+            columns.push(named("ess", numbers(|found| Some(found.estimate()?.ess))));
+            columns.push(named("contradicting", lists(|found| Some(&found.estimate()?.contradicting))));
+            columns.push(warnings());
+            columns.extend(statistics(&DRAWN, |found| Some(&found.estimate()?.of)));
             return columns;
         }
         Job::Avoid => {
-            let numbers = AVOIDED.iter().enumerate().map(|(k, (name, _))| (*name, What::OfAvoidance(k)));
-            let flags = AVOIDABLE.iter().enumerate().map(|(k, (name, _))| (*name, What::IsAvoidable(k)));
-            columns.extend(numbers.chain(flags).map(|(name, what)| (format!("avoid_{name}"), what)));
-            columns.push(named("warnings", What::Warnings));
+            for (place, (name, _)) in AVOIDED.into_iter().enumerate() {
+                let column = numbers(move |found| found.avoidance()?.numbers[place]);
+                columns.push((format!("avoid_{name}"), column));
+            }
+            for (place, (name, _)) in AVOIDABLE.into_iter().enumerate() {
+                columns.push((format!("avoid_{name}"), flags(move |found| found.avoidance()?.flags[place])));
+            }
+            columns.push(warnings());
             return columns;
         }
-        Job::Crush => columns.push(named("energy_basis", What::EnergyBasis)),
-        Job::Reconstruct | Job::Impact => {
-            columns.push(named("energy_basis", What::EnergyBasis));
-            columns.push(named("found_quantity", What::FoundQuantity));
-            columns.push(named("found_admissible_roots", What::AdmissibleRoots));
-        }
+        Job::Crush | Job::Reconstruct | Job::Impact => {}
     }
-    let is_wanted = |quantity: &&OutputQuantity| {
+    columns.push(named("energy_basis", texts(|outcome| Some(outcome.found.as_ref()?.seen()?.basis.name()))));
+    if job != Job::Crush {
+        columns.push(named("found_quantity", texts(found_quantity)));
+        let admissible = |found: &Found| Some(found.seen()?.found.as_ref()?.admissible.len());
+        columns.push(named("found_admissible_roots", wholes(admissible)));
+    }
+    let is_wanted = |quantity: &&'static OutputQuantity| {
         job != Job::Crush
             || quantity.key.starts_with("crash3.")
             || OF_DAMAGE.iter().any(|row| row.key == quantity.key)
     };
+    let mut push = |name: String, quantity: &'static OutputQuantity, of: Option<VehicleId>| {
+        columns.push((column(&name), numbers(move |found| quantity.value(found.seen()?, of))));
+    };
     let wanted = || QUANTITIES.iter().filter(is_wanted);
     for quantity in wanted().filter(|quantity| !quantity.is_of_vehicle()) {
-        columns.push((column(quantity.key), What::Quantity(quantity, None)));
+        push(quantity.key.to_owned(), quantity, None);
     }
     for id in VehicleId::ALL {
         for quantity in wanted().filter(|quantity| quantity.is_of_vehicle()) {
-            let name = column(&format!("vehicle{id}.{}", quantity.key));
-            columns.push((name, What::Quantity(quantity, Some(id))));
+            push(format!("vehicle{id}.{}", quantity.key), quantity, Some(id));
         }
     }
-    columns.push(named("warnings", What::Warnings));
+    columns.push(warnings());
     if samples.is_some() {
-        columns.push(named("samples", What::Samples));
-        columns.push(named("samples_succeeded", What::Succeeded));
-        for (place, output) in OUTPUTS.iter().enumerate() {
-            columns.extend(statistics(*output, |statistic| What::OfSamples(place, statistic)));
-        }
+        columns.push(named("samples", wholes(|found| Some(found.spread()?.samples))));
+        columns.push(named("samples_succeeded", wholes(|found| Some(found.spread()?.succeeded))));
+        columns.extend(statistics(&OUTPUTS, |found| Some(&found.spread()?.of)));
     }
     columns
 }
 
-fn statistics(output: Output, what: impl Fn(usize) -> What) -> impl Iterator<Item = (String, What)> {
-    let name = column(&output.path());
-    STATISTICS
-        .into_iter()
-        .enumerate()
-        .map(move |(place, statistic)| (format!("{name}_{statistic}"), what(place)))
+/// The columns of the statistics of some outputs.
+fn statistics(
+    outputs: &[Output],
+    read: fn(&Found) -> Option<&[Option<Statistics>]>,
+) -> impl Iterator<Item = (String, Column)> {
+    outputs.iter().enumerate().flat_map(move |(output, of)| {
+        let name = column(&of.path());
+        STATISTICS.into_iter().enumerate().map(move |(place, statistic)| {
+            let column = numbers(move |found| Some(read(found)?[output]?[place]));
+            (format!("{name}_{statistic}"), column)
+        })
+    })
 }
 
-impl What {
-    fn data_type(self) -> DataType {
+fn found_quantity(outcome: &Outcome) -> Option<&str> {
+    let found = outcome.found.as_ref()?.seen()?.found.as_ref()?;
+    Some(match found.unknown.vehicle() {
+        VehicleId::One => "vehicle1.speed",
+        VehicleId::Two => "vehicle2.speed",
+    })
+}
+
+impl Column {
+    fn data_type(&self) -> DataType {
         match self {
-            Self::Error | Self::Help | Self::Axes | Self::EnergyBasis | Self::FoundQuantity => DataType::Utf8,
-            Self::Warnings | Self::Contradicting => {
-                DataType::List(Arc::new(Field::new_list_field(DataType::Utf8, true)))
-            }
-            Self::AdmissibleRoots | Self::Samples | Self::Succeeded => DataType::Int64,
-            Self::Converged | Self::IsAvoidable(_) => DataType::Boolean,
-            Self::Quantity(..)
-            | Self::OfSamples(..)
-            | Self::OfDraws(..)
-            | Self::OfAvoidance(_)
-            | Self::EffectiveSamples => DataType::Float64,
+            Self::Numbers(..) => DataType::Float64,
+            Self::Wholes(..) => DataType::Int64,
+            Self::Flags(..) => DataType::Boolean,
+            Self::Lists(..) => DataType::List(Arc::new(Field::new_list_field(DataType::Utf8, true))),
+            Self::Texts(..) => DataType::Utf8,
         }
     }
 
-    fn number(self, found: &Found) -> Option<f64> {
-        match (self, found) {
-            (Self::Quantity(quantity, vehicle), Found::Analysis(seen, ..)) => quantity.value(seen, vehicle),
-            (Self::OfSamples(place, statistic), Found::Analysis(_, _, Some(spread))) => {
-                spread.of[place].map(|statistics| statistics[statistic])
-            }
-            (Self::OfDraws(place, statistic), Found::Estimate(found)) => {
-                found.of[place].map(|statistics| statistics[statistic])
-            }
-            (Self::EffectiveSamples, Found::Estimate(found)) => Some(found.ess),
-            (Self::OfAvoidance(place), Found::Avoidance(found)) => found.numbers[place],
-            _ => None,
-        }
-    }
-
-    fn flag(self, found: &Found) -> Option<bool> {
-        match (self, found) {
-            (Self::Converged, Found::Estimate(found)) => Some(found.converged),
-            (Self::IsAvoidable(place), Found::Avoidance(found)) => found.flags[place],
-            _ => None,
-        }
-    }
-
-    fn whole(self, found: &Found) -> Option<i64> {
-        let Found::Analysis(seen, _, spread) = found else { return None };
-        let count = match self {
-            Self::AdmissibleRoots => seen.found.as_ref()?.admissible.len(),
-            Self::Samples => spread.as_ref()?.samples,
-            Self::Succeeded => spread.as_ref()?.succeeded,
-            _ => return None,
-        };
-        i64::try_from(count).ok()
-    }
-
-    fn words(self, found: &Found) -> Option<&[String]> {
-        match (self, found) {
-            (Self::Warnings, Found::Analysis(_, warnings, _)) => Some(warnings),
-            (Self::Warnings, Found::Estimate(found)) => Some(&found.warnings),
-            (Self::Warnings, Found::Avoidance(found)) => Some(&found.warnings),
-            (Self::Contradicting, Found::Estimate(found)) => Some(&found.contradicting),
-            _ => None,
-        }
-    }
-
-    fn text(self, outcome: &Outcome) -> Option<&str> {
-        let refusal = outcome.refusal.as_ref();
+    fn push(&mut self, outcome: &Outcome) {
+        let found = outcome.found.as_ref();
         match self {
-            Self::Error => return refusal.map(|refusal| &*refusal.error),
-            Self::Help => return refusal.map(|refusal| &*refusal.help).filter(|help| !help.is_empty()),
-            _ => {}
-        }
-        match (self, outcome.found.as_ref()?) {
-            (Self::Axes, Found::Analysis(seen, ..)) => Some(seen.axes.name()),
-            (Self::Axes, Found::Estimate(found)) => Some(found.axes.name()),
-            (Self::Axes, Found::Avoidance(found)) => Some(found.axes.name()),
-            (Self::EnergyBasis, Found::Analysis(seen, ..)) => Some(seen.basis.name()),
-            (Self::FoundQuantity, Found::Analysis(seen, ..)) => {
-                let found = seen.found.as_ref()?;
-                Some(match found.unknown.vehicle() {
-                    VehicleId::One => "vehicle1.speed",
-                    VehicleId::Two => "vehicle2.speed",
-                })
+            Self::Numbers(read, values) => values.append_option(found.and_then(read)),
+            Self::Wholes(read, values) => {
+                values.append_option(found.and_then(*read).and_then(|count| i64::try_from(count).ok()));
             }
-            _ => None,
+            Self::Flags(read, values) => values.append_option(found.and_then(read)),
+            Self::Lists(read, values) => match found.and_then(*read) {
+                Some(words) => values.append_value(words.iter().map(Some)),
+                None => values.append_null(),
+            },
+            Self::Texts(read, values) => values.append_option(read(outcome)),
+        }
+    }
+
+    fn finish(self) -> ArrayRef {
+        match self {
+            Self::Numbers(_, mut values) => Arc::new(values.finish()),
+            Self::Wholes(_, mut values) => Arc::new(values.finish()),
+            Self::Flags(_, mut values) => Arc::new(values.finish()),
+            Self::Lists(_, mut values) => Arc::new(values.finish()),
+            Self::Texts(_, mut values) => Arc::new(values.finish()),
         }
     }
 }
@@ -309,7 +294,7 @@ impl What {
 pub(crate) fn schema(job: Job, options: &RowOptions) -> SchemaRef {
     let fields: Vec<Field> = columns(job, options.samples)
         .into_iter()
-        .map(|(name, what)| Field::new(name, what.data_type(), true))
+        .map(|(name, column)| Field::new(name, column.data_type(), true))
         .collect();
     // With the cases, all that it takes to get the same again.
     let mut metadata = HashMap::from([
@@ -332,71 +317,67 @@ pub(crate) fn schema(job: Job, options: &RowOptions) -> SchemaRef {
 /// The columns of results, filled row by row.
 pub(crate) struct Builder {
     schema: SchemaRef,
-    columns: Vec<(What, Filled)>,
-}
-
-enum Filled {
-    Numbers(Float64Builder),
-    Wholes(Int64Builder),
-    Texts(StringBuilder),
-    Flags(BooleanBuilder),
-    Lists(ListBuilder<StringBuilder>),
+    columns: Vec<Column>,
 }
 
 impl Builder {
     pub(crate) fn new(job: Job, options: &RowOptions) -> Self {
-        let filled = |what: What| match what.data_type() {
-            DataType::Float64 => Filled::Numbers(Float64Builder::new()),
-            DataType::Int64 => Filled::Wholes(Int64Builder::new()),
-            DataType::Boolean => Filled::Flags(BooleanBuilder::new()),
-            DataType::List(_) => Filled::Lists(ListBuilder::new(StringBuilder::new())),
-            _ => Filled::Texts(StringBuilder::new()),
-        };
-        let columns =
-            columns(job, options.samples).into_iter().map(|(_, what)| (what, filled(what))).collect();
+        let columns = columns(job, options.samples).into_iter().map(|(_, column)| column).collect();
         Self { schema: schema(job, options), columns }
     }
 
     pub(crate) fn push(&mut self, outcome: &Outcome) {
-        let found = outcome.found.as_ref();
-        for (what, filled) in &mut self.columns {
-            match filled {
-                Filled::Numbers(numbers) => {
-                    numbers.append_option(found.and_then(|found| what.number(found)));
-                }
-                Filled::Wholes(wholes) => wholes.append_option(found.and_then(|found| what.whole(found))),
-                Filled::Texts(texts) => texts.append_option(what.text(outcome)),
-                Filled::Flags(flags) => flags.append_option(found.and_then(|found| what.flag(found))),
-                Filled::Lists(lists) => match found.and_then(|found| what.words(found)) {
-                    Some(words) => lists.append_value(words.iter().map(Some)),
-                    None => lists.append_null(),
-                },
-            }
+        for column in &mut self.columns {
+            column.push(outcome);
         }
     }
 
     pub(crate) fn finish(self) -> Result<RecordBatch, TableError> {
-        let arrays = self.columns.into_iter().map(|(_, filled)| -> ArrayRef {
-            match filled {
-                Filled::Numbers(mut numbers) => Arc::new(numbers.finish()),
-                Filled::Wholes(mut wholes) => Arc::new(wholes.finish()),
-                Filled::Texts(mut texts) => Arc::new(texts.finish()),
-                Filled::Flags(mut flags) => Arc::new(flags.finish()),
-                Filled::Lists(mut lists) => Arc::new(lists.finish()),
-            }
-        });
-        Ok(RecordBatch::try_new(self.schema, arrays.collect())?)
+        let arrays = self.columns.into_iter().map(Column::finish).collect();
+        Ok(RecordBatch::try_new(self.schema, arrays)?)
     }
 }
 
 impl Found {
-    pub(crate) fn analysis(case: &Case, analysis: &Analysis, spread: Option<Spread>) -> Self {
+    fn axes(&self) -> Axes {
+        match self {
+            Self::Analysis(seen, ..) => seen.axes,
+            Self::Estimate(found) => found.axes,
+            Self::Avoidance(found) => found.axes,
+        }
+    }
+
+    fn warnings(&self) -> &[String] {
+        match self {
+            Self::Analysis(_, warnings, _) => warnings,
+            Self::Estimate(found) => &found.warnings,
+            Self::Avoidance(found) => &found.warnings,
+        }
+    }
+
+    fn seen(&self) -> Option<&Seen> {
+        if let Self::Analysis(seen, ..) = self { Some(seen) } else { None }
+    }
+
+    fn spread(&self) -> Option<&Spread> {
+        if let Self::Analysis(_, _, spread) = self { spread.as_ref() } else { None }
+    }
+
+    fn estimate(&self) -> Option<&EstimateFound> {
+        if let Self::Estimate(found) = self { Some(found) } else { None }
+    }
+
+    fn avoidance(&self) -> Option<&AvoidFound> {
+        if let Self::Avoidance(found) = self { Some(found) } else { None }
+    }
+
+    pub(crate) fn of_analysis(case: &Case, analysis: &Analysis, spread: Option<Spread>) -> Self {
         let seen = analysis.seen(case.axes);
         let codes = seen.warnings.iter().map(|seen| code(seen.warning())).collect();
         Self::Analysis(Box::new(seen), codes, spread)
     }
 
-    pub(crate) fn avoidance(case: &Case, found: &Avoidance) -> Self {
+    pub(crate) fn of_avoidance(case: &Case, found: &Avoidance) -> Self {
         Self::Avoidance(Box::new(AvoidFound {
             axes: case.axes,
             numbers: AVOIDED.map(|(_, of)| of(case, found)),
@@ -405,7 +386,7 @@ impl Found {
         }))
     }
 
-    pub(crate) fn estimate(case: &Case, estimated: &Estimated) -> Self {
+    pub(crate) fn of_estimate(case: &Case, estimated: &Estimated) -> Self {
         let converged = estimated.doubts().is_empty();
         let of = |wanted: &Output| {
             let output = estimated.outputs.iter().find(|output| output.output == *wanted)?;

@@ -280,7 +280,7 @@ impl Row<'_> {
                     error: no_probability(doubt).to_owned(),
                     help: WHY_NO_ANSWER.to_owned(),
                 });
-                return Ok(Outcome { found: Some(Found::avoidance(case, &found)), refusal });
+                return Ok(Outcome { found: Some(Found::of_avoidance(case, &found)), refusal });
             }
             Job::Estimate => {
                 let RowOptions { particles, prior, .. } = *self.options;
@@ -291,7 +291,7 @@ impl Row<'_> {
                     error: "the run has not converged, so that it has no intervals".to_owned(),
                     help: format!("{WHY_NO_ANSWER}; more particles may help"),
                 });
-                return Ok(Outcome { found: Some(Found::estimate(case, &estimated)), refusal });
+                return Ok(Outcome { found: Some(Found::of_estimate(case, &estimated)), refusal });
             }
         };
         let analysis = analyse(case).map_err(refused)?;
@@ -304,6 +304,6 @@ impl Row<'_> {
                 samples.map_err(refused)?.as_ref().map(Spread::of)
             }
         };
-        Ok(Outcome { found: Some(Found::analysis(case, &analysis, spread)), refusal: None })
+        Ok(Outcome { found: Some(Found::of_analysis(case, &analysis, spread)), refusal: None })
     }
 }
