@@ -115,19 +115,20 @@ fn every_template_runs_as_it_is_and_finds_what_it_states() {
                     assert!(low <= true_speed && true_speed <= high, "{template}: {interval}");
                 }
             }
+            // A report to hand over samples the way back from rest, too slowly for this test. It is the same in
+            // either system.
             for written in ["text", "html", "markdown"] {
-                // A report to hand over samples the way back from rest, too slowly for this test.
-                if neither.is_none() {
-                    let report = printed(&[command, name, "--format", written]);
-                    let told = if warnings.is_empty() { "No warnings." } else { "category-energy" };
-                    assert!(report.contains(told), "{template}");
+                if neither.is_some() || (units == "us" && written != "markdown") {
+                    continue;
                 }
-            }
-            if neither.is_none() {
+                let report = printed(&[command, name, "--format", written]);
+                let told = if warnings.is_empty() { "No warnings." } else { "category-energy" };
+                assert!(report.contains(told), "{template}");
                 // A report on one vehicle does not speak of two.
-                let report = printed(&[command, name, "--format", "markdown"]);
-                assert_eq!(report.contains("Two rigid bodies collide"), !alone, "{template}");
-                assert!(!alone || !report.contains("energy of both vehicles"), "{template}");
+                if written == "markdown" {
+                    assert_eq!(report.contains("Two rigid bodies collide"), !alone, "{template}");
+                    assert!(!alone || !report.contains("energy of both vehicles"), "{template}");
+                }
             }
             let judged = json("check", &[]);
             assert_eq!(judged["warnings"], Value::Array(Vec::new()), "{template} in {units}");

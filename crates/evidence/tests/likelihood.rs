@@ -525,9 +525,15 @@ fn a_record_that_ends_early_is_a_bound() {
         let whole = RecordedDeltaV { size, is_longitudinal, ln_scale, least, freedom: Freedom::Three };
         term(RecordedData { delta_v: Some(whole), ends_early, ..RecordedData::default() })
     };
-    // Vehicle 1 lost 6.6 m/s. In steps of 1 cm/s, up to where nothing is left but the tail ∝ y⁻¹(ln y)⁻³.
+    // Vehicle 1 lost 6.6 m/s. In steps that grow by a thousandth each, from 1 mm/s up to where only the tail
+    // ∝ y⁻¹(ln y)⁻³ is left.
     let sum = |density: &dyn Fn(f64) -> f64, from: f64, sign: f64| -> f64 {
-        (0..40_000).map(|step| density(from + sign * 0.01 * (f64::from(step) + 0.5)).exp() * 0.01).sum()
+        let ends = |step: i32| 1.001_f64.powi(step) - 1.0;
+        let step = |k: i32| {
+            let [begin, end] = [ends(k), ends(k + 1)];
+            density(from + sign * f64::midpoint(begin, end)).exp() * (end - begin)
+        };
+        (0..6_000).map(step).sum()
     };
     for stored in [-3.0, -6.0, -6.6, -7.5, -10.0] {
         let expected = sum(&|y| part(y, false), stored, -1.0);
