@@ -9,14 +9,15 @@ mod scene;
 mod sight;
 
 use std::collections::BTreeSet;
+use std::f64::consts::FRAC_PI_6;
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
 use ::uncertainty::normal::quantiles;
 use ::uncertainty::{SamplingMethod, Settings, random};
 use inputs::{
-    Along, Avoid, AvoidForm, BrakingForm, Case, ClearSpeedForm, DemandForm, Dimension, Fault, FaultKind,
-    Faults, Find, Quantity, SpeedForm, Velocity, format_number, is_of_avoid,
+    Avoid, AvoidForm, BrakingForm, Case, ClearSpeedForm, DemandForm, Dimension, Fault, FaultKind, Faults,
+    Find, OffLine, Quantity, SpeedForm, Velocity, format_number, is_of_avoid,
 };
 use pim_core::VehicleId;
 use recorder::ImpactSpeed;
@@ -105,9 +106,12 @@ pub struct Avoidance {
     pub speed_doubt: Option<NoEstimate>,
     /// What the solution that gives the speed warns of; without one, what speaks against the marks.
     pub speed_warnings: Vec<SeenWarning>,
-    /// Whether the other vehicle moved along nearly the same line with a speed that is not known, so that the
-    /// place of the impact is taken as fixed and is not.
-    pub along: Option<Along>,
+    /// How far from one line both vehicles moved, where that is so little that the place of the impact, which
+    /// is taken as fixed, is not.
+    pub nearly_along: Option<OffLine>,
+    /// (m/s) speeds of the other vehicle at the impact that contradict each other: by the demand, and by the
+    /// rest of the case.
+    pub other_speeds: Option<[f64; 2]>,
     /// The speed that the rest of the case tells, if `[avoid]` has none.
     told: Option<Arc<Told>>,
 }
@@ -338,7 +342,9 @@ fn found(
         }
     };
     let speed_warnings = speed_warnings.iter().map(|warning| warning.seen(case.axes)).collect();
-    let along = case.other_along().filter(|_| scene.same_line.is_none() && !stands(case, form, other));
+    let is_fixed = scene.same_line.is_none() && !stands(case, form, other);
+    let nearly_along = case.off_the_line().filter(|off| is_fixed && off.angle <= NEARLY_ALONG);
+    let other_speeds = other_speeds(case, form, scene.same_line.as_ref(), other);
     let vehicle = form.vehicle;
     // Without obstacles, the ways are for the plan alone.
     let ways = ways.or_else(|| case.avoid_plan().as_ref().map(Ways::of));
@@ -354,7 +360,8 @@ fn found(
         chance,
         speed_doubt,
         speed_warnings,
-        along,
+        nearly_along,
+        other_speeds,
         told,
     })
 }
@@ -658,7 +665,34 @@ fn stands(case: &Case, form: &AvoidForm, speed: Option<f64>) -> bool {
     let id = form.vehicle.other();
     let other = &case.vehicles[id.index()];
     let speed = speed.or_else(|| Some(GivenSpeed::of_known(case, id)?.speed));
-    other.fixed || other.is_absent() || speed.is_some_and(|speed| speed == 0.0)
+    other.fixed || other.is_absent() || speed.is_some_and(|speed| speed <= 0.0)
+}
+
+/// (rad) 30°. Vehicles whose lines enclose no more move along with each other, or towards each other, rather
+/// than across: half of that is lost, sin 30°, at most.
+pub const NEARLY_ALONG: f64 = FRAC_PI_6;
+
+/// Speeds at the impact that differ by this share of the greater one contradict each other, as few ranges
+/// are wider.
+const CONTRADICTS: f64 = 0.25;
+
+/// (m/s) 5 km/h: what nobody measures.
+const NEGLIGIBLE: f64 = 5.0 / 3.6;
+
+/// (m/s) the speeds of the other vehicle at the impact by the demand and by the rest of the case, if they
+/// contradict each other.
+fn other_speeds(
+    case: &Case,
+    form: &AvoidForm,
+    line: Option<&SameLine>,
+    told: Option<f64>,
+) -> Option<[f64; 2]> {
+    let DemandForm::Other(demand) = &form.demand else { return None };
+    let known = || Some(GivenSpeed::of_known(case, form.vehicle.other())?.speed);
+    let known = line.map(|line| line.speed).or(told).or_else(known)?.abs();
+    let by_demand = demand.advance().speed_after(demand.distance.si()).ok()?;
+    let apart = (by_demand - known).abs();
+    (apart > NEGLIGIBLE.max(CONTRADICTS * by_demand.max(known))).then_some([by_demand, known])
 }
 
 /// (m/s) ΔV of both vehicles, if the vehicle meets the other one so, which comes as fast as it did, unless

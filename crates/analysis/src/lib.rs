@@ -91,9 +91,9 @@ pub use self::uncertainty::{
 };
 pub use avoid::{
     ActualRun, AvoidChance, AvoidCourse, AvoidInfluence, AvoidInterval, AvoidPlan, AvoidRun, AvoidScene,
-    AvoidStage, Avoidance, BRAKES, DrivenBy, Enough, GIVES_WAY, Hiding, Hypothesis, Meeting, SIGHT_LOOK_BACK,
-    SameLine, Sight, SightIntervals, SpeedSource, Unbraked, View, avoid, avoid_at_once, obstacle_name,
-    without_source,
+    AvoidStage, Avoidance, BRAKES, DrivenBy, Enough, GIVES_WAY, Hiding, Hypothesis, Meeting, NEARLY_ALONG,
+    SIGHT_LOOK_BACK, SameLine, Sight, SightIntervals, SpeedSource, Unbraked, View, avoid, avoid_at_once,
+    obstacle_name, without_source,
 };
 pub use beside::{BACKWARD_SAMPLES, Beside, SAMPLES, beside, is_estimated_beside, usual_samples};
 pub use check::{Check, CheckedQuantity};

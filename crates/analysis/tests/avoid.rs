@@ -500,8 +500,8 @@ fn ranges_give_the_sight_an_interval() {
     assert_eq!(sight.never_hidden, 0.0);
 }
 
-/// Two vehicles on one line meet somewhere else if one of them brakes. Where the speed of the other is not
-/// known, the answer says that it takes the place as fixed.
+/// Two vehicles on nearly one line meet somewhere else if one of them brakes. Where the speed of the other is
+/// not known, or the lines are too far apart, the answer says that it takes the place as fixed.
 #[test]
 fn a_place_of_the_impact_that_moves_unknown_is_told() {
     let of = |heading: &str, speed: &str| {
@@ -510,14 +510,49 @@ fn a_place_of_the_impact_that_moves_unknown_is_told() {
              heading = \"{heading} deg\"\n{speed}\n[avoid]\nlimit = \"50 km/h\"\nreaction_time = \"1 s\"\n\
              deceleration = \"7 m/s^2\"\ndemand = {{ distance = \"30 m\" }}\nunbraked = true\n"
         ))
-        .along
+        .nearly_along
+        .map(|off| (off.along, off.angle.to_degrees().round()))
     };
-    assert_eq!(of("0", ""), Some(Along::Ahead));
-    assert_eq!(of("-8", ""), Some(Along::Ahead));
-    assert_eq!(of("175", ""), Some(Along::Oncoming));
+    assert_eq!(of("0", ""), Some((Along::Ahead, 0.0)));
+    assert_eq!(of("-8", ""), Some((Along::Ahead, 8.0)));
+    assert_eq!(of("175", ""), Some((Along::Oncoming, 5.0)));
     assert_eq!(of("90", ""), None);
     assert_eq!(of("0", "speed = \"20 km/h\""), None);
     assert_eq!(of("0", "speed = \"0 km/h\""), None);
+    // Beyond 10°, a speed that is known does not help.
+    for speed in ["", "speed = \"20 km/h\""] {
+        assert_eq!(of("11", speed), Some((Along::Ahead, 11.0)));
+        assert_eq!(of("-152", speed), Some((Along::Oncoming, 28.0)));
+        assert_eq!(of("149", speed), None);
+        assert_eq!(of("31", speed), None);
+    }
+    assert_eq!(of("20", "speed = \"0 km/h\""), None);
+}
+
+/// The demand and the rest of the case can each say how fast the other vehicle came.
+#[test]
+fn a_demand_that_contradicts_the_speed_of_the_other_is_told() {
+    let of = |demand: &str, speed: &str| {
+        asked(&format!(
+            "[vehicle1]\nmass = \"1400 kg\"\nheading = \"0 deg\"\nspeed = \"40 km/h\"\n[vehicle2]\nmass = \"1400 kg\"\n\
+             heading = \"90 deg\"\n{speed}\n[avoid]\nother_party = \"vehicle\"\nlimit = \"50 km/h\"\nreaction_time = \"1 s\"\n\
+             deceleration = \"7 m/s^2\"\ndemand = {{ other = {{ {demand} }} }}\nunbraked = true\n"
+        ))
+        .other_speeds
+        .map(|speeds| speeds.map(|speed| (speed * 36.0).round() / 10.0))
+    };
+    let steady = "distance = \"30 m\", speed = \"50 km/h\"";
+    assert_eq!(of(steady, "speed = \"26 km/h\""), Some([50.0, 26.0]));
+    assert_eq!(of(steady, "speed = \"38 km/h\""), None);
+    assert_eq!(of(steady, ""), None);
+    // √(2 · 2 · 8) m/s = 20.4 km/h, unless it keeps 10 km/h.
+    let from_stop = "distance = \"8 m\", acceleration = \"2 m/s^2\"";
+    assert_eq!(of(from_stop, "speed = \"40 km/h\""), Some([20.4, 40.0]));
+    assert_eq!(of(from_stop, "speed = \"20 km/h\""), None);
+    let kept = "distance = \"8 m\", speed = \"10 km/h\", acceleration = \"2 m/s^2\"";
+    assert_eq!(of(kept, "speed = \"20 km/h\""), Some([10.0, 20.0]));
+    // Few measure a walking speed to 5 km/h.
+    assert_eq!(of(kept, "speed = \"14 km/h\""), None);
 }
 
 /// Evidence that no collision reproduces gives a speed no probability.

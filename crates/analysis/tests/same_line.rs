@@ -54,7 +54,7 @@ fn a_lead_vehicle_moves_on() {
     // (v − u) + (v − u)²/2a = gap
     let root = 7.0 * ((1.0 + 2.0 * gap / 7.0_f64).sqrt() - 1.0);
     assert!((found.scene.spatial() - (20.0 * KMH + root)).abs() < 1e-6);
-    assert!(found.along.is_none());
+    assert!(found.nearly_along.is_none());
     // Who keeps a limit below the speed of the car ahead never reaches it.
     let slow =
         asked(&text([30.0; 2], [60.0 * KMH, 20.0 * KMH], [""; 2], &avoid.replace("60 km/h", "19 km/h")));
@@ -105,6 +105,31 @@ fn an_oncoming_vehicle_comes_nearer() {
     // v t_R + v²/2a = the way to there
     let most = 7.5 * ((0.25 + 2.0 * stands / 7.5_f64).sqrt() - 0.5);
     assert!((found.scene.spatial() - most).abs() < 1e-6, "{} {most}", found.scene.spatial());
+}
+
+/// The brakes of the other build up, too: before 12 m of skid to 10 m/s, with 0.5 g that grew in 0.4 s.
+#[test]
+fn the_skid_of_the_other_begins_with_the_swell() {
+    let a = 0.5 * 9.80665;
+    let full = (100.0 + 2.0 * a * 12.0_f64).sqrt();
+    for (form, lag, lost) in
+        [("linear", a * 0.16 / 6.0, a * 0.2), ("half", a * 0.16 / 4.0, a * 0.2), ("full speed", 0.0, 0.0)]
+    {
+        let avoid = format!(
+            "limit = \"54 km/h\"\nreaction_time = \"0.5 s\"\ndeceleration = \"7.5 m/s^2\"\nswell = \"0.4 s\"\n\
+             swell_form = \"{form}\"\ndemand = {{ distance = \"45 m\" }}\nunbraked = true\n"
+        );
+        let braked = "before = { skid = { length = \"12 m\", friction = 0.5 } }";
+        let found = asked(&text([0.0; 2], [15.0, 10.0], ["", braked], &avoid)).unwrap();
+        let line = found.scene.same_line.as_ref().unwrap();
+        // 45 m take 3 s, of which it drove on steadily in the first.
+        let before = full + lost;
+        let steady = 3.0 - 0.4 - (full - 10.0) / a;
+        let moved = before * (steady + 0.4) - lag + 12.0;
+        assert!((line.gap - (45.0 - moved)).abs() < 1e-9, "{form}: {} {}", line.gap, 45.0 - moved);
+        assert!((line.at(0.0).speed - before).abs() < 1e-9 && line.deceleration == a, "{form}: {line:?}");
+        assert!((line.at(3.0).speed - 10.0).abs() < 1e-9 && (line.at(3.0).position - 45.0).abs() < 1e-9);
+    }
 }
 
 /// The speed of the other is that of its phases, which begin with a known one, or the one that its recorder
@@ -270,7 +295,7 @@ fn the_recorder_of_the_other_tells_its_speed() {
     let spatial = found.chance.unwrap().spatial;
     assert!(spatial.high - spatial.low > 0.05, "{spatial:?}");
     assert!((spatial.low..spatial.high).contains(&found.scene.spatial()), "{spatial:?}");
-    assert!(found.along.is_none());
+    assert!(found.nearly_along.is_none());
 }
 
 const STEP: f64 = 2e-4;

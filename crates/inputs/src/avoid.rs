@@ -212,6 +212,15 @@ pub enum Along {
 
 words!(Along: "ahead" Ahead, "oncoming" Oncoming);
 
+/// How far from the line of one vehicle another one moves.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct OffLine {
+    /// In which direction along it.
+    pub along: Along,
+    /// (rad) the angle between both lines, up to a right one.
+    pub angle: f64,
+}
+
 /// How the other vehicle came to the impact along the line of the one that is asked about.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SameLineForm<T = f64> {

@@ -159,9 +159,13 @@ impl Subject {
 
 /// What `deltav draw` can draw of a case, by the values of its option `--what`.
 pub(crate) fn drawn(case: &Case, judgement: &Judgement) -> Vec<&'static str> {
-    let estimates =
-        judgement.abilities.iter().any(|one| one.purpose == Purpose::Estimate && one.obstacle.is_none());
-    Subject::of_case(case).into_iter().map(Subject::name).chain(estimates.then_some("estimate")).collect()
+    let can = |purpose: Purpose| {
+        judgement.abilities.iter().any(|one| one.purpose == purpose && one.obstacle.is_none())
+    };
+    let of_avoid = if can(Purpose::Avoid) { AvoidPicture::of_case(case) } else { Vec::new() };
+    let subjects = Subject::of_case(case).into_iter().map(Subject::name);
+    let estimate = can(Purpose::Estimate).then_some("estimate");
+    subjects.chain(estimate).chain(of_avoid.into_iter().map(AvoidPicture::name)).collect()
 }
 
 /// Why there is no drawing.

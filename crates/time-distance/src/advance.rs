@@ -54,4 +54,20 @@ impl<T: Real> Advance<T> {
             }
         }
     }
+
+    /// (m/s) its speed after a distance (m) from where it is at the beginning.
+    ///
+    /// # Errors
+    /// As [`Advance::time_over`].
+    pub fn speed_after(&self, distance: T) -> Result<T, InvalidInput> {
+        self.time_over(distance)?;
+        Ok(match *self {
+            Self::Steady { speed } => speed,
+            Self::FromStop { acceleration, up_to } => {
+                // v = √(2 a s), at most that which it keeps
+                let gained = (acceleration * distance * 2.0).sqrt();
+                up_to.map_or(gained, |kept| if gained.value() < kept.value() { gained } else { kept })
+            }
+        })
+    }
 }

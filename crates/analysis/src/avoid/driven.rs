@@ -225,10 +225,32 @@ impl Approach {
         Self::back(&phases, at_impact).map(Some).map_err(Unposed::Phases)
     }
 
-    /// Of another vehicle, with its speed at the impact (m/s): steady where nothing is known of it.
-    pub(super) fn of_other(braking: &BrakingForm, at_impact: f64) -> Result<Self, InvalidInput> {
+    /// Of another vehicle, with its speed at the impact (m/s): steady where nothing is known of it. Before a
+    /// skid, its brakes build up as those of the response do.
+    pub(super) fn of_other(
+        braking: &BrakingForm,
+        at_impact: f64,
+        response: &Response,
+    ) -> Result<Self, InvalidInput> {
+        if let BrakingForm::Skid { length, friction } = braking {
+            let slowed = response.with_reaction(0.0).with_deceleration(friction * STANDARD_GRAVITY);
+            return Ok(Self::skidded(&slowed, at_impact, length.si()));
+        }
         let (phases, leads_to) = stretches(braking, Some(at_impact))?;
         Self::back(&phases, leads_to.unwrap_or(at_impact))
+    }
+
+    /// Braked at once, with full deceleration over a length (m).
+    fn skidded(slowed: &Response, at_impact: f64, length: f64) -> Self {
+        let before = slowed.demand_before(at_impact, length);
+        let from_impact = |leg: &Leg| Leg {
+            time: leg.time - before.time,
+            position: leg.position - before.distance,
+            ..*leg
+        };
+        // The last leg is the rest.
+        let [reaction, swell, full, _] = slowed.legs(before.speed);
+        Self { legs: [reaction, swell, full].iter().map(from_impact).collect(), at_impact }
     }
 
     fn back(phases: &[Phase], at_impact: f64) -> Result<Self, InvalidInput> {
@@ -259,10 +281,7 @@ fn stretches(
         BrakingForm::Recorded { approach, error } => {
             at_impact.map_or_else(Vec::new, |speed| recorded(approach, speed, *error))
         }
-        BrakingForm::Skid { length, friction } => {
-            vec![Phase::Over { distance: length.si(), acceleration: -friction * STANDARD_GRAVITY }]
-        }
-        BrakingForm::Unknown | BrakingForm::Unbraked => Vec::new(),
+        BrakingForm::Skid { .. } | BrakingForm::Unknown | BrakingForm::Unbraked => Vec::new(),
     };
     Ok((phases, at_impact))
 }

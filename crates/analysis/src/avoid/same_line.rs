@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use inputs::{Along, BrakingForm, Quantity, SameLineForm};
-use time_distance::{Course, Gap, Leg, first_contact, least_gap};
+use time_distance::{Course, Gap, Leg, Response, first_contact, least_gap};
 
 use super::driven::{Approach, Driven};
 use super::posing::{FAR, Since, Unposed};
@@ -38,10 +38,12 @@ pub struct Meeting {
 
 impl SameLine {
     /// With its speed at the impact (m/s), where the rest of the case tells that, from the distance (m) and
-    /// the time (s) of the demand before the impact on; `None` if it stood, or its speed is not known.
+    /// the time (s) of the demand before the impact on; `None` if it stood, or its speed is not known. Its
+    /// brakes build up as those of the response do.
     pub(super) fn of(
         form: &SameLineForm,
         sought: Option<f64>,
+        response: &Response,
         [distance, time]: [f64; 2],
     ) -> Result<Option<Self>, Unposed> {
         // A solution that lets it move backwards says that it stood; a speed that is given says what it says.
@@ -58,7 +60,8 @@ impl SameLine {
             Along::Ahead => (Along::Oncoming, -speed),
             Along::Oncoming => (Along::Ahead, -speed),
         };
-        let mut approach = Approach::of_other(&form.braking, speed).map_err(Unposed::OtherPhases)?;
+        let mut approach =
+            Approach::of_other(&form.braking, speed, response).map_err(Unposed::OtherPhases)?;
         let last = approach.legs.last().map_or(0.0, |leg| leg.acceleration);
         let speed = approach.at_impact;
         let deceleration = if speed > 0.0 { (-last).max(0.0) } else { 0.0 };

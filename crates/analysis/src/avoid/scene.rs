@@ -190,7 +190,7 @@ impl AvoidScene {
 
     /// The same with the other vehicle on its line, with the speed that is sought (m/s).
     fn on_line(self, line: &SameLineForm, sought: Option<f64>) -> Result<Self, Unposed> {
-        let same_line = SameLine::of(line, sought, [self.distance, self.time])?;
+        let same_line = SameLine::of(line, sought, &self.response, [self.distance, self.time])?;
         if let Some(line) = &same_line
             && (line.gap < 0.0 || self.at_impact <= line.at(self.time).speed)
         {

@@ -1,6 +1,6 @@
 //! What the question whether the collision was avoidable needs.
 
-use std::f64::consts::FRAC_PI_2;
+use std::f64::consts::{FRAC_PI_2, PI};
 use std::sync::Arc;
 
 use pim_core::VehicleId;
@@ -12,8 +12,8 @@ use trajectory::GREATEST_FRICTION;
 use super::{Demand, table};
 use crate::after::SkidBegin;
 use crate::avoid::{
-    Along, Avoid, AvoidBasis, AvoidForm, BrakingForm, Clear, DemandForm, GivenDemand, GivenWayOut, OtherForm,
-    PathForm, PlaceForm, SameLineForm, SightForm, Sourced, SpeedForm,
+    Along, Avoid, AvoidBasis, AvoidForm, BrakingForm, Clear, DemandForm, GivenDemand, GivenWayOut, OffLine,
+    OtherForm, PathForm, PlaceForm, SameLineForm, SightForm, Sourced, SpeedForm,
 };
 use crate::case::Case;
 use crate::fault::{Fault, FaultKind, Faults};
@@ -102,8 +102,19 @@ impl Case {
     /// it did.
     #[must_use]
     pub fn other_along(&self) -> Option<Along> {
-        let angle = self.approach_angle().filter(|angle| are_collinear(*angle))?;
-        Some(if angle < FRAC_PI_2 { Along::Ahead } else { Along::Oncoming })
+        let off = self.off_the_line()?;
+        are_collinear(off.angle).then_some(off.along)
+    }
+
+    /// How far from that line the other vehicle moved, if the headings of both are known.
+    #[must_use]
+    pub fn off_the_line(&self) -> Option<OffLine> {
+        let angle = self.approach_angle()?;
+        Some(if angle < FRAC_PI_2 {
+            OffLine { along: Along::Ahead, angle }
+        } else {
+            OffLine { along: Along::Oncoming, angle: PI - angle }
+        })
     }
 }
 

@@ -2,7 +2,7 @@
 
 use ::drawing::{Axis, ChancePicture, Drawing, PathTimeCourse, PathTimePicture, SightPicture, ValueMark};
 use analysis::{AvoidRun, Avoidance, obstacle_name};
-use case::{AvoidBasis, Case, DemandForm, OtherParty};
+use case::{AvoidBasis, Case, DemandForm, OtherParty, word};
 
 use super::scale_unit;
 use crate::units::{Measure, Units, number};
@@ -33,6 +33,18 @@ impl AvoidPicture {
     /// Each with its name.
     pub const WORDS: [(&str, Self); 3] =
         [("path-time", Self::PathTime), ("chance", Self::Chance), ("sight", Self::Sight)];
+
+    /// Its name.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        word(&Self::WORDS, &self)
+    }
+
+    /// Those that a case with an answer has enough for, unless only the answer shows it.
+    pub(crate) fn of_case(case: &Case) -> Vec<Self> {
+        let plan = case.avoid_plan().is_some().then_some(Self::Sight);
+        [Self::PathTime].into_iter().chain(plan).collect()
+    }
 
     /// Draws it.
     ///

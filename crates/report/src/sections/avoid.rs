@@ -10,6 +10,7 @@ use case::{
     PlaceForm, Quantity, STANDARD_GRAVITY, Sourced, Text, Velocity,
 };
 use pim_core::VehicleId;
+use reconcile::COLLINEAR;
 use time_distance::Swell;
 
 use super::uncertainty::grouped;
@@ -62,7 +63,7 @@ pub fn avoid(case: &Case, found: &Avoidance, units: Units) -> Document {
         }
     }
     page.heading("Definitions and limits");
-    page.push(Block::List(definitions(case, found)));
+    page.push(Block::List(definitions(case, found, units)));
     page
 }
 
@@ -147,11 +148,11 @@ fn answer(case: &Case, found: &Avoidance, units: Units) -> Vec<String> {
     if let Some(is_late) = scene.is_late_at_limit().filter(|_| !scene.stops_at_limit()) {
         let is = if is_late { "Avoidable" } else { "Not avoidable" };
         lines.push(format!(
-            "{is} in time {at}{central}: {} clears the danger zone {} after the demand, the vehicle {}",
+            "{is} in time {at}{central}: after the demand, {} takes {} to clear the danger zone, and the vehicle {}",
             party(case),
             units.format(Measure::Time, scene.time + scene.clears_after.unwrap_or(0.0)),
             match meeting {
-                Some(meeting) => format!("arrives {} after it", units.format(Measure::Time, meeting.time)),
+                Some(meeting) => format!("arrives after {}", units.format(Measure::Time, meeting.time)),
                 None => "stops before".to_owned(),
             }
         ));
@@ -217,14 +218,15 @@ pub fn avoid_warnings(found: &Avoidance, units: Units) -> Vec<String> {
         )
     });
     let beaten = beaten_by_marks(found, units);
-    let along = along_the_line(found);
+    let along = along_the_line(found, units);
+    let of_other = of_the_other(found, units);
     let of_speed = of_speed(found, units);
-    let ours = hard.into_iter().chain(early).chain(along).chain(beaten);
+    let ours = hard.into_iter().chain(early).chain(along).chain(of_other).chain(beaten);
     ours.chain(of_speed).chain(contradictions(found.pieces())).collect()
 }
 
 /// What a place of the impact that moves does to an answer for a fixed one.
-fn along_the_line(found: &Avoidance) -> Option<String> {
+fn along_the_line(found: &Avoidance, units: Units) -> Option<String> {
     let other = found.vehicle.other();
     let comes_on = found
         .scene
@@ -237,21 +239,53 @@ fn along_the_line(found: &Avoidance) -> Option<String> {
              say whether its driver would have stopped or given way; if so, less would have been enough."
         ));
     }
-    let moved = match found.along? {
+    let off = found.nearly_along?;
+    let vehicle = found.vehicle;
+    let is_on_line = off.angle <= COLLINEAR;
+    let angle = units.format(Measure::Angle, off.angle);
+    let moved = match (off.along, is_on_line) {
+        (Along::Ahead, true) => {
+            format!("Vehicle {other} was ahead in nearly the same direction. If it was moving, it")
+        }
+        (Along::Ahead, false) => {
+            format!("Vehicle {other} moved in a direction only {angle} from that of vehicle {vehicle}, and")
+        }
+        (Along::Oncoming, true) => {
+            format!("Vehicle {other} faced vehicle {vehicle} on nearly the same line. If it was moving,")
+        }
+        (Along::Oncoming, false) => {
+            format!("Vehicle {other} came towards vehicle {vehicle}, only {angle} off its line, so that")
+        }
+    };
+    let errs = match off.along {
         Along::Ahead => format!(
-            "Vehicle {other} was ahead in nearly the same direction. If it was moving, it would have moved on while vehicle {} \
-             braked, and slowing to its speed in time would have been enough. The answer takes the place of the impact as fixed, and so \
-             asks more of the driver than was needed.",
-            found.vehicle
+            "would have moved on while vehicle {vehicle} braked: slowing to its speed in time would have been enough. The answer \
+             takes the place of the impact as fixed, and so asks more of the driver than was needed."
         ),
         Along::Oncoming => format!(
-            "Vehicle {other} faced vehicle {} on nearly the same line. If it was moving, stopping before the place of the impact \
-             avoids the collision only if vehicle {other} stops or gives way, too. The answer takes that place as fixed, and so asks \
-             less of the driver than was needed.",
-            found.vehicle
+            "stopping before the place of the impact avoids the collision only if vehicle {other} stops or gives way, too. The \
+             answer takes that place as fixed, and so asks less of the driver than was needed."
         ),
     };
-    Some(format!("{moved} Give `speed` in [vehicle{other}], and the answer takes its motion into account."))
+    let line = units.format(Measure::Angle, COLLINEAR);
+    let remedy = if is_on_line {
+        format!("Give `speed` in [vehicle{other}], and the answer takes its motion into account.")
+    } else {
+        format!(
+            "Up to {line}, the answer takes such a motion into account: give the headings so if that is what happened."
+        )
+    };
+    Some(format!("{moved} {errs} {remedy}"))
+}
+
+/// What the demand says of the other vehicle against what the rest of the case says.
+fn of_the_other(found: &Avoidance, units: Units) -> Option<String> {
+    let other = found.vehicle.other();
+    let [by_demand, known] = found.other_speeds?.map(|speed| units.road_speed(speed));
+    Some(format!(
+        "By `demand`, vehicle {other} came to the impact at {by_demand}, by the rest of the case at {known}. The answer takes the time \
+         from the demand, and all else from the rest: correct one of them."
+    ))
 }
 
 /// What the solution behind the speed warns of, by its codes: its own report has the sentences.
@@ -332,10 +366,12 @@ fn how(found: &Avoidance) -> String {
 }
 
 fn inputs(case: &Case, given: &Avoid, found: &Avoidance, units: Units) -> Table {
+    let other = found.on_line();
+    let names_phases = other.is_some_and(|other| !case.vehicles[other.index()].phases().is_empty());
     let mut table = Table::new(
         "Inputs",
         [
-            Column::words("", Width::Fixed(25)),
+            Column::words("", Width::Fixed(if names_phases { 34 } else { 25 })),
             Column::words("value", Width::Fixed(14)),
             Column::words("range", Width::Fixed(24)),
             Column::words("source", Width::Share),
@@ -347,7 +383,6 @@ fn inputs(case: &Case, given: &Avoid, found: &Avoidance, units: Units) -> Table 
         let source = source.map_or_else(|| "none given".to_owned(), ToString::to_string);
         table.row([label.to_owned(), amount(quantity.number(), Some(quantity.unit())), range, source]);
     };
-    let other = found.on_line();
     let phases =
         |id: VehicleId| case.vehicles[id.index()].phases().iter().enumerate().map(move |of| (id, of));
     for (id, (index, phase)) in phases(found.vehicle).chain(other.into_iter().flat_map(phases)) {
@@ -1049,7 +1084,7 @@ fn influences(chance: &AvoidChance) -> Table {
     table
 }
 
-fn definitions(case: &Case, found: &Avoidance) -> Vec<String> {
+fn definitions(case: &Case, found: &Avoidance, units: Units) -> Vec<String> {
     let form = match found.scene.response.form() {
         Swell::Linear => {
             "the deceleration grows evenly from zero over the swell: S = v (t_R + t_S/2) + v²/2a − a t_S²/24"
@@ -1089,6 +1124,14 @@ fn definitions(case: &Case, found: &Avoidance) -> Vec<String> {
              another time, which is left aside."
                 .to_owned(),
         );
+    }
+    if let Some(off) = case.off_the_line().filter(|_| found.on_line().is_some()) {
+        list.push(format!(
+            "Both vehicles are taken to move along one line. Their headings lie {} apart from it; up to {} counts as one line, and ranges \
+             of the headings do not change that.",
+            units.format(Measure::Angle, off.angle),
+            units.format(Measure::Angle, COLLINEAR)
+        ));
     }
     let other = &case.vehicles[found.vehicle.other().index()];
     if case.approach_angle().is_none() && !other.fixed && !other.is_absent() {

@@ -36,7 +36,9 @@ pub(super) fn facts() -> Vec<Fact> {
 fn avoid(ledger: &mut Ledger) {
     ledger.page("docs/guide/avoid.md");
     ledger.made(format!("hid … {} s before the impact", number(analysis::SIGHT_LOOK_BACK, 0)));
-    ledger.made(format!("headings of both lie within {}°", degrees(reconcile::COLLINEAR)));
+    let line = degrees(reconcile::COLLINEAR);
+    ledger.made(format!("headings of both lie within {line}°"));
+    ledger.made(format!("more than {line}° and up to {}° off", degrees(analysis::NEARLY_ALONG)));
 }
 
 fn contents(ledger: &mut Ledger) {
