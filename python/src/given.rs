@@ -245,7 +245,7 @@ impl PyCase {
         let text = text.to_str()?;
         if is_path(text) {
             let shown = case::shown(text);
-            let problem = format!("\"{shown}\" is no text of a case file, but the path of one");
+            let problem = format!("\"{shown}\" is not the text of a case file, but the path of one");
             return Err(wrong_value(py, "", &problem, &format!("Case.read(\"{shown}\") reads the file")));
         }
         Given::parsed(py, name, text.as_bytes(), None)
@@ -646,7 +646,7 @@ impl PyCase {
         self.asked(py, Request::Estimate(options), threads.map(|threads| threads.0))
     }
 
-    /// What the event data recorders say alone: the speed at impact with its error, the distance travelled
+    /// What the event data recorders give on their own: the speed at impact with its error, the distance travelled
     /// between samples, the pulse.
     ///
     /// Returns

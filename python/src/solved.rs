@@ -152,7 +152,7 @@ fn columns(py: Python<'_>, solved: &Arc<Solved>) -> PyResult<Columns> {
         Answer::Estimate(answer) => {
             if !answer.estimated.doubts().is_empty() {
                 let problem =
-                    "the run has not converged: print(result) says why, and its draws are no answer";
+                    "the run has not converged: print(result) says why, and its draws are not an answer";
                 return Err(no_answer(py, problem.to_owned()));
             }
             py.detach(|| {
@@ -516,7 +516,7 @@ impl PyAnalysis {
         let solved = &slf.as_super().get().solved;
         let in_units = solved.in_units(units)?;
         let Answer::Analysis(answer) = solved.answer(py)? else {
-            return Err(PyRuntimeError::new_err("the result is no analysis"));
+            return Err(PyRuntimeError::new_err("the result is not an analysis"));
         };
         let first = || Ok(answer.first_subject().unwrap_or(Subject::Damage));
         let subject = what.map_or_else(first, Given::subject)?;
@@ -658,7 +658,7 @@ fn spread(
     let solved = &slf.as_super().get().solved;
     let in_units = solved.in_units(units)?;
     let Answer::Uncertainty(uncertainty) = solved.answer(py)? else {
-        return Err(PyRuntimeError::new_err("the result is no uncertainty"));
+        return Err(PyRuntimeError::new_err("the result is not an uncertainty"));
     };
     let keys: Vec<String> = uncertainty.outputs.iter().map(|known| known.output.path()).collect();
     let place = keys.iter().position(|key| key == output).ok_or_else(|| unknown(output, &keys))?;
@@ -746,7 +746,7 @@ impl PyEstimate {
         let solved = &slf.as_super().get().solved;
         let in_units = solved.in_units(units)?;
         let Answer::Estimate(answer) = solved.answer(py)? else {
-            return Err(PyRuntimeError::new_err("the result is no estimate"));
+            return Err(PyRuntimeError::new_err("the result is not an estimate"));
         };
         let EstimateAnswer { estimated, asked } = &**answer;
         let keys: Vec<String> = estimated.outputs.iter().map(|known| known.output.path()).collect();
@@ -808,7 +808,7 @@ impl PyAvoidance {
         let picture = chosen("what", what, &AvoidPicture::WORDS)?;
         let in_units = solved.in_units(units)?;
         let Answer::Avoidance(found) = solved.answer(py)? else {
-            return Err(PyRuntimeError::new_err("the result is no avoidance"));
+            return Err(PyRuntimeError::new_err("the result is not an avoidance"));
         };
         let drawing = py.detach(|| picture.draw(&solved.given.file.case, found, in_units));
         let drawing = drawing.map_err(|reason| no_answer(py, reason.to_owned()))?;

@@ -604,7 +604,7 @@ class Assumption(Record):
     """What is assumed where the case says nothing."""
 
     key: str
-    """The key that would say it."""
+    """The key that would give it."""
     message: str
     """What is assumed, in words."""
 
@@ -769,7 +769,7 @@ class _Sensitivity(_Document):
 
 
 class Doubtful(Record):
-    """Samples with an answer of which a single case would be warned."""
+    """Samples whose answer would cause a warning in a single case."""
 
     code: str
     """What of, in a word."""
@@ -929,7 +929,7 @@ class _Uncertainty(_Document):
     failed: Keyed[int]
     """(–) numbers of samples without an answer, by why they have none."""
     doubtful: tuple[Doubtful, ...]
-    """Samples with an answer of which a single case would be warned."""
+    """Samples whose answer would cause a warning in a single case."""
     inputs: tuple[UncertainInput, ...]
     """The numbers that have a range."""
     taken_as_exact: tuple[TakenAsExact, ...]
@@ -1051,7 +1051,7 @@ class Piece(Record):
     adjusted_p_value: float | None
     """(–) the same, adjusted for the number of pieces: what the verdict is by."""
     reversed: bool
-    """Whether it points the other way than the rest says."""
+    """Whether it points in the opposite direction to the rest."""
     verdict: str | None
     """Whether it agrees with the rest."""
 
@@ -1218,7 +1218,7 @@ class Avoidable(Record):
 
 
 class AtLimit(Record):
-    """What is left of the limit, with the reaction and the braking of the inputs."""
+    """The speed that is left at the impact when driving at the limit, with the reaction and the braking of the inputs."""
 
     collision_speed: float
     """(m/s) at the place of the impact; 0 if the vehicle stops before."""
@@ -1350,7 +1350,7 @@ class AvoidanceIntervals(Record):
     temporal_speed: MedianInterval | None
     """(m/s) that avoids it in time; None if that is not asked."""
     collision_speed_at_limit: MedianInterval
-    """(m/s) left of the limit."""
+    """(m/s) the speed that is left when driving at the limit."""
     sight: SightIntervals | None
     """None without obstacles."""
 
@@ -1365,7 +1365,7 @@ class AvoidanceAnswer(Record):
     speed_source: str
     """``"avoid"``, ``"vehicle"``, ``"reconstruct"``, ``"estimate"``, ``"phases"`` or ``"recorder"``."""
     limit: float
-    """(m/s) the speed for which it is asked."""
+    """(m/s) the speed limit, or the other speed that is tested."""
     demand: Demand
     """The reaction demand."""
     sight: Sight | None
@@ -1379,7 +1379,7 @@ class AvoidanceAnswer(Record):
     temporal: Avoidable | None
     """In time: the other party has left the danger zone; None if that is not asked."""
     at_limit: AtLimit
-    """What is left of the limit."""
+    """The speed that is left at the impact when driving at the limit."""
     converged: bool
     """Whether the estimate behind the speed has converged; without that there are no probabilities."""
     probability: AvoidanceProbability | None
