@@ -177,7 +177,7 @@ class Coverage(_Coverage, Record):
         Raises
         ------
         ValueError
-            For a drawing that there is not.
+            If there is no such drawing.
 
         Examples
         --------
@@ -368,7 +368,7 @@ def judge(
     seed : int
         (–) of the random numbers; the same seed gives the same bits.
     threads : int, optional
-        Without it one for each processor. The bits do not depend on it.
+        By default one for each processor. The results do not depend on it, bit for bit.
 
     Returns
     -------
