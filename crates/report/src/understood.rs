@@ -16,7 +16,7 @@ pub(crate) fn spread(range: &Range) -> String {
     match range.spread {
         Spread::Normal { sd } => format!("sd {sd}"),
         Spread::Uniform { low, high } => format!("{low} to {high}"),
-        Spread::Triangular { low, high } => format!("most likely in {low} to {high}"),
+        Spread::Triangular { low, high } => format!("most likely of {low} to {high}"),
         Spread::Within { percent, confidence } => {
             format!("within {percent} % ({})", significant(confidence, 2))
         }

@@ -234,7 +234,7 @@ fn the_evidence_after_the_impact_is_told_in_a_sentence() {
     let text = report::results(&file.case, &analysis, Units::Si).text();
     let text = text.split_whitespace().collect::<Vec<_>>().join(" ");
     assert!(
-        text.contains("which the case gives or which follows from the rest position; the headings differ"),
+        text.contains("which the case gives or which is known from the rest position; the headings differ"),
         "{text}"
     );
 }

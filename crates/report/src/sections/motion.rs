@@ -38,10 +38,10 @@ pub(crate) fn how(both: &BothFound, analysis: &Seen, units: Units) -> String {
 fn found_by(both: &BothFound, analysis: &Seen, units: Units) -> String {
     let evidence = match origins(analysis)[..] {
         [one, two] if one.is_by_rest() && two.is_by_rest() => {
-            "follows from the rest positions of both vehicles"
+            "is known from the rest positions of both vehicles"
         }
         [TravelOrigin::Given, TravelOrigin::Given] | [] => "the case gives",
-        _ => "the case gives or which follows from the rest position",
+        _ => "the case gives or which is known from the rest position",
     };
     let left = format!("how the vehicles left the impact, which {evidence}");
     let angle = units.format(Measure::Angle, both.momentum.angle().abs());
@@ -184,7 +184,7 @@ pub(crate) fn momentum(analysis: &Seen, units: Units) -> Vec<Table> {
         chosen.pair(&mut of_vehicles, row);
     }
     let mut note =
-        "These figures follow from the speeds found and the velocities after the impact alone.".to_owned();
+        "These figures follow only from the speeds found and the velocities after the impact.".to_owned();
     if both.geometry == Geometry::Given {
         note.push_str(if both.one_velocity {
             " The case gives one velocity for both vehicles and no yaw rate: they left as one body that did not turn."
