@@ -2,8 +2,8 @@
 
 The Crash Investigation Sampling System (CISS) of the U.S. National Highway Traffic Safety Administration publishes
 a folder of tables for each year, as SAS files and as CSV. ``pairs`` makes them into one table of crashes, which
-``judge`` compares with their recorders, and ``case`` makes one of them into a case. ``deltav validate --field`` makes the same
-table of the same CSV files; the rules are in the engine.
+``judge`` compares with their recorders, and ``case`` makes one of them into a case. ``deltav validate --field``
+makes the same table of the same CSV files; the rules are in the engine.
 
 >>> pairs = pydeltav.ciss.pairs(folder)
 >>> pairs
