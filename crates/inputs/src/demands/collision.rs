@@ -91,7 +91,7 @@ impl<T: Real> Demand<'_, T> {
                 return None;
             }
             if unknown.is_none() {
-                let reason = "`reconstruct.find` asks for both speeds, where one is to be found";
+                let reason = "`reconstruct.find` asks for both speeds, but only one is to be found here";
                 self.faults.push(Fault {
                     key: "reconstruct.find".to_owned(),
                     kind: FaultKind::Refused { reason: reason.to_owned() },

@@ -315,7 +315,7 @@ impl<T: Real> Demand<'_, T> {
             }
             self.missing(
                 "surface.friction",
-                "the friction between tyres and ground, on which the vehicles came to rest: `friction = 0.7` in a table [surface]",
+                "the friction between the tyres and the ground on which the vehicles came to rest: `friction = 0.7` in a table [surface]",
             );
             return None;
         };
@@ -688,7 +688,7 @@ impl<T: Real> Demand<'_, T> {
             if skid.friction.is_none() && self.case.surface.is_none() {
                 self.missing(
                     format_args!("{}.before.skid.friction", table(id)),
-                    "the friction on which the wheels skidded: `skid = { length = \"18 m\", friction = 0.7 }`, or `friction` in a table [surface]",
+                    "the friction of the ground on which the wheels skidded: `skid = { length = \"18 m\", friction = 0.7 }`, or `friction` in a table [surface]",
                 );
             }
         }
