@@ -530,7 +530,7 @@ fn drawings() -> Vec<Word<What>> {
         let meaning = match picture {
             AvoidPicture::PathTime => "Distance against time before the impact, of `deltav avoid`",
             AvoidPicture::Chance => "Probability that the collision is avoided, against the speed",
-            AvoidPicture::Sight => "Both before the impact and what obstacles hide, seen from above",
+            AvoidPicture::Sight => "Both parties before the impact and what obstacles hide, seen from above",
         };
         (name, meaning, What::Avoid(picture))
     });
